@@ -1,0 +1,271 @@
+#include "Adapters/ConstraintsFromArrays.h"
+
+#include "Support/Errors.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkGenericCell.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStaticCellLocator.h"
+
+#include <cmath>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// A direction leaning less than this (as a sine) out of the normal has no tangential part.
+constexpr double SmallestTangentialPart = 1e-6;
+
+/// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.
+struct ConstraintArrays
+{
+  vtkDataArray* Mask = nullptr;    // 1 component; null: where the vector is not zero
+  vtkDataArray* Vectors = nullptr; // 3 components
+  vtkDataArray* Weights = nullptr; // 1 component; null: 1
+  bool OnPoints = false;           // else on cells
+};
+
+struct Chosen
+{
+  vtkDataArray* Array = nullptr;
+  int Association = vtkDataObject::FIELD_ASSOCIATION_NONE;
+};
+
+Chosen ChosenArray(vtkAlgorithm* algorithm, int index, vtkDataSet* dataset, int components,
+  const std::string& what, const std::string& whose)
+{
+  vtkInformation* const choice = algorithm->GetInputArrayInformation(index);
+  const bool byName = choice->Has(vtkDataObject::FIELD_NAME());
+  const std::string name = byName ? choice->Get(vtkDataObject::FIELD_NAME()) : "";
+  if (byName ? name.empty() : !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+  {
+    return {};
+  }
+  const int wanted = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  vtkAbstractArray* found = nullptr;
+  Chosen chosen;
+  for (int association :
+    { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  {
+    if (!found &&
+      (wanted == association || wanted == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS))
+    {
+      vtkDataSetAttributes* const attributes = dataset->GetAttributes(association);
+      found = byName
+        ? attributes->GetAbstractArray(name.c_str())
+        : attributes->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+      chosen.Association = association;
+    }
+  }
+  if (!found && name == "None") // how menus say that nothing is chosen
+  {
+    return {};
+  }
+  const std::string called = "array '" + name + "', chosen for the " + what + " of " + whose + ",";
+  if (!found)
+  {
+    throw InvalidInput(
+      called + " is not among its point or cell arrays; choose one of those, or none");
+  }
+  chosen.Array = vtkDataArray::SafeDownCast(found);
+  if (!chosen.Array || chosen.Array->GetNumberOfComponents() != components)
+  {
+    throw InvalidInput(called + " does not hold " + std::to_string(components) +
+      (components == 1 ? " number" : " numbers") + " per element; choose another");
+  }
+  return chosen;
+}
+
+/// Calls add(index, vector, weight) for everything that is prescribed among elements [0, size).
+/// \param tuple where element i stands in the arrays.
+template <class Tuple, class Add>
+void VisitPrescribed(const ConstraintArrays& arrays, int size, const std::string& element,
+  Tuple&& tuple, Add&& add)
+{
+  for (int i = 0; i < size; ++i)
+  {
+    const vtkIdType id = tuple(i);
+    Vector3 vector;
+    arrays.Vectors->GetTuple(id, vector.data());
+    if (arrays.Mask ? arrays.Mask->GetComponent(id, 0) == 0.0 : vector.isZero(0.0))
+    {
+      continue;
+    }
+    const double weight = arrays.Weights ? arrays.Weights->GetComponent(id, 0) : 1.0;
+    const std::string name = element + " " + std::to_string(id);
+    if (!vector.allFinite())
+    {
+      throw InvalidInput("the direction prescribed at " + name +
+        " is not finite; repair it or take it out of the mask");
+    }
+    if (!(weight > 0.0) || !std::isfinite(weight))
+    {
+      throw InvalidInput("the weight of the direction prescribed at " + name + " is " +
+        std::to_string(weight) + "; make it positive or take it out of the mask");
+    }
+    add(i, vector, weight, name);
+  }
+}
+
+std::string NameOf(vtkDataArray* array)
+{
+  return array->GetName() ? array->GetName() : "(without a name)";
+}
+
+/// What was chosen with indices \p first (mask), \p first + 1 (vectors), \p first + 2 (weights).
+/// \param byDefault the vectors where none are chosen; may be null.
+ConstraintArrays ChosenConstraints(vtkAlgorithm* algorithm, int first, vtkDataSet* dataset,
+  vtkDataArray* byDefault, const std::string& whose)
+{
+  const Chosen mask = ChosenArray(algorithm, first, dataset, 1, "mask", whose);
+  const Chosen weights = ChosenArray(algorithm, first + 2, dataset, 1, "weights", whose);
+  Chosen vectors = ChosenArray(algorithm, first + 1, dataset, 3, "directions", whose);
+  if (!vectors.Array && byDefault)
+  {
+    vectors = { byDefault, vtkDataObject::FIELD_ASSOCIATION_POINTS };
+  }
+  for (const Chosen& other : { mask, weights })
+  {
+    if (other.Array && !vectors.Array)
+    {
+      throw InvalidInput("array '" + NameOf(other.Array) +
+        "' is chosen as mask or weights of " + whose +
+        ", and no directions are; choose an array of vectors as well");
+    }
+    if (other.Array && other.Association != vectors.Association)
+    {
+      throw InvalidInput("array '" + NameOf(other.Array) + "' of " + whose +
+        " and its directions '" + NameOf(vectors.Array) +
+        "' are not both on points or both on cells; choose arrays of one kind");
+    }
+  }
+  return { mask.Array, vectors.Array, weights.Array,
+    vectors.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
+}
+
+std::vector<PrescribedDirection> DirectionsOnSurface(
+  const ConstraintArrays& arrays, const FramedSurface& framed)
+{
+  std::vector<PrescribedDirection> directions;
+  const SurfaceMesh& surface = framed.Surface;
+  const TriangleMesh& mesh = surface.Mesh;
+  if (!arrays.Vectors)
+  {
+    return directions;
+  }
+  if (!arrays.OnPoints)
+  {
+    VisitPrescribed(
+      arrays, mesh.NumberOfFaces(), "cell", [&surface](int face) { return surface.CellOf(face); },
+      [&directions](int face, const Vector3& vector, double weight, const std::string&)
+      { directions.push_back({ face, vector, weight }); });
+    return directions;
+  }
+  VisitPrescribed(
+    arrays, mesh.NumberOfVertices(), "point",
+    [&surface](int vertex) { return surface.PointOf(vertex); },
+    [&directions, &framed, &mesh](
+      int vertex, const Vector3& vector, double weight, const std::string& name)
+    {
+      const Complex direction = framed.Vertices.ToComplex(vertex, vector);
+      if (std::abs(direction) <= SmallestTangentialPart * vector.norm())
+      {
+        throw InvalidInput("the direction prescribed at " + name +
+          " has no part in the tangent plane; turn it or take it out of the mask");
+      }
+      const int first = mesh.OutgoingHalfedge(vertex);
+      int halfedge = first;
+      do
+      {
+        const int face = TriangleMesh::FaceOf(halfedge);
+        const Complex turned =
+          direction * TransportTurn(framed.Vertices, vertex, framed.Faces, face);
+        directions.push_back({ face, framed.Faces.ToVector(face, turned), weight });
+        halfedge = mesh.Twin(TriangleMesh::Previous(halfedge));
+      } while (halfedge >= 0 && halfedge != first);
+    });
+  return directions;
+}
+
+std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& arrays,
+  vtkDataSet* points, vtkPolyData* input, const FramedSurface& framed)
+{
+  std::vector<PrescribedDirection> directions;
+  if (!arrays.Vectors)
+  {
+    return directions;
+  }
+  if (!arrays.OnPoints)
+  {
+    throw InvalidInput("array '" + NameOf(arrays.Vectors) +
+      "' prescribes directions on cells of the second input; convert it with "
+      "vtkCellDataToPointData, or choose a point array");
+  }
+  vtkNew<vtkPolyData> triangles; // its cells are the faces
+  triangles->SetPoints(input->GetPoints());
+  triangles->SetPolys(input->GetPolys());
+  vtkNew<vtkStaticCellLocator> locator;
+  locator->SetDataSet(triangles);
+  locator->BuildLocator();
+  vtkNew<vtkGenericCell> cell;
+  VisitPrescribed(
+    arrays, static_cast<int>(points->GetNumberOfPoints()), "point",
+    [](int point) { return static_cast<vtkIdType>(point); },
+    [&directions, &framed, &locator, &cell, points](
+      int point, const Vector3& vector, double weight, const std::string& name)
+    {
+      double position[3], closest[3], squaredDistance;
+      points->GetPoint(point, position);
+      vtkIdType face = -1;
+      int subId;
+      locator->FindClosestPoint(position, closest, cell, face, subId, squaredDistance);
+      if (face < 0)
+      {
+        throw InvalidInput(name + " of the second input has no nearest triangle; is it finite?");
+      }
+      const Complex direction = framed.Faces.ToComplex(static_cast<int>(face), vector);
+      if (std::abs(direction) <= SmallestTangentialPart * vector.norm())
+      {
+        throw InvalidInput("the direction prescribed at " + name +
+          " of the second input is perpendicular to the nearest triangle, cell " +
+          std::to_string(framed.Surface.CellOf(static_cast<int>(face))) +
+          "; turn it or take it out of the mask");
+      }
+      directions.push_back({ static_cast<int>(face), vector, weight });
+    });
+  return directions;
+}
+
+}
+
+std::vector<PrescribedDirection> ChosenDirections(
+  vtkAlgorithm* algorithm, vtkPolyData* surface, vtkDataSet* points, const FramedSurface& framed)
+{
+  std::vector<PrescribedDirection> directions =
+    DirectionsOnSurface(ChosenConstraints(algorithm, 0, surface, nullptr, "the surface"), framed);
+  if (points)
+  {
+    const ConstraintArrays arrays = ChosenConstraints(
+      algorithm, 3, points, points->GetPointData()->GetVectors(), "the second input");
+    const auto more = DirectionsFromPoints(arrays, points, surface, framed);
+    directions.insert(directions.end(), more.begin(), more.end());
+  }
+  if (directions.empty())
+  {
+    throw InvalidInput("no direction is prescribed; choose an array of vectors on the surface "
+                       "(SetInputArrayToProcess, index 1) or on the second input (index 4), and a "
+                       "mask, if any, that is not zero everywhere");
+  }
+  return directions;
+}
+
+}

@@ -1,0 +1,123 @@
+#include "Adapters/ContextFromAlgorithm.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationVector.h"
+#include "vtkSMPTools.h"
+#include "vtkVersionMacros.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <exception>
+
+// VTK 9.2 of ParaView 5.11 is the first whose algorithms also hear of aborts upstream.
+#define DMG_VTK_CHECKS_ABORT (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111))
+
+namespace dmg
+{
+
+namespace
+{
+
+bool SequentialByDefault()
+{
+  return std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
+    std::getenv("VTK_SMP_BACKEND_IN_USE") == nullptr;
+}
+
+template <class Functor>
+void InBackend(const std::string& backend, Functor&& functor)
+{
+  if (backend.empty())
+  {
+    functor();
+    return;
+  }
+  vtkSMPTools::Config config; // limit and nesting as they are
+  config.Backend = backend;
+  config.NestedParallelism = vtkSMPTools::GetNestedParallelism();
+  vtkSMPTools::LocalScope(config, functor);
+}
+
+}
+
+ContextFromAlgorithm::ContextFromAlgorithm(vtkAlgorithm* algorithm)
+  : Algorithm(algorithm)
+  , Caller(std::this_thread::get_id())
+  , Backend(SequentialByDefault() ? "STDThread" : "")
+  , Threads(1)
+{
+  InBackend(
+    this->Backend, [this] { this->Threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+}
+
+bool ContextFromAlgorithm::IsCancelled() const
+{
+  if (!this->Cancelled && std::this_thread::get_id() == this->Caller)
+  {
+#if DMG_VTK_CHECKS_ABORT
+    // Also hears of aborts upstream, but not of a flag that was set without its time.
+    this->Cancelled = this->Algorithm->GetAbortExecute() || this->Algorithm->CheckAbort();
+#else
+    this->Cancelled = this->Algorithm->GetAbortExecute() != 0;
+#endif
+  }
+  return this->Cancelled;
+}
+
+void ContextFromAlgorithm::ReportProgress(double fraction) const
+{
+  this->Algorithm->UpdateProgress(fraction);
+}
+
+void ContextFromAlgorithm::RunInParallel(
+  int begin, int end, int grain, const std::function<void(int, int)>& body) const
+{
+  // Not every backend carries exceptions over to the calling thread.
+  std::exception_ptr error;
+  std::atomic<bool> failed{ false };
+  const auto guarded = [&body, &error, &failed](vtkIdType first, vtkIdType last)
+  {
+    if (failed)
+    {
+      return;
+    }
+    try
+    {
+      body(static_cast<int>(first), static_cast<int>(last));
+    }
+    catch (...)
+    {
+      if (!failed.exchange(true))
+      {
+        error = std::current_exception();
+      }
+    }
+  };
+  InBackend(this->Backend,
+    [begin, end, grain, &guarded] { vtkSMPTools::For(begin, end, grain, guarded); });
+  if (error)
+  {
+    std::rethrow_exception(error);
+  }
+}
+
+int Aborted(vtkAlgorithm* algorithm, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* const information = outputs->GetInformationObject(port);
+    vtkDataObject::GetData(information)->ReleaseData();
+    information->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  }
+#if DMG_VTK_CHECKS_ABORT
+  algorithm->SetAbortOutput(true);
+#endif
+  algorithm->SetAbortExecute(0);
+  return 1;
+}
+
+}

@@ -1,0 +1,54 @@
+#ifndef dmgContextFromAlgorithm_h
+#define dmgContextFromAlgorithm_h
+
+#include "Support/ExecutionContext.h"
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+class vtkAlgorithm;
+class vtkInformationVector;
+
+namespace dmg
+{
+
+/// Lends a filter's progress, abort flag and VTK's threads to the core, for one execution.
+///
+/// Threads are those of vtkSMPTools with its backend and limit. Where the backend is Sequential and
+/// nobody asked for that (ParaView's packages default to it), loops run in STDThread instead;
+/// VTK_SMP_BACKEND_IN_USE=Sequential keeps them in one thread.
+class ContextFromAlgorithm : public ExecutionContext
+{
+public:
+  /// Borrows the algorithm. To be made in the thread that executes it.
+  explicit ContextFromAlgorithm(vtkAlgorithm* algorithm);
+
+  int NumberOfThreads() const override { return this->Threads; }
+
+  /// Asks the algorithm when called by the thread that made this object; other threads hear the answer
+  /// of the last time.
+  bool IsCancelled() const override;
+
+protected:
+  void ReportProgress(double fraction) const override;
+
+  /// An exception in the body ends the loop early and is thrown again in the calling thread.
+  void RunInParallel(
+    int begin, int end, int grain, const std::function<void(int, int)>& body) const override;
+
+private:
+  vtkAlgorithm* const Algorithm;
+  const std::thread::id Caller;
+  std::string Backend; // to switch to during loops; empty: the one in use
+  int Threads;
+  mutable std::atomic<bool> Cancelled{ false };
+};
+
+/// What RequestData returns after Cancelled: empties the outputs and marks them as not generated, so
+/// that the next update runs again, and takes the request to abort as fulfilled.
+int Aborted(vtkAlgorithm* algorithm, vtkInformationVector* outputs);
+
+}
+
+#endif

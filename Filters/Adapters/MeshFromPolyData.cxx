@@ -1,0 +1,254 @@
+#include "Adapters/MeshFromPolyData.h"
+
+#include "Support/Errors.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <cstring>
+#include <limits>
+#include <numeric>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Calls visit(index, x, y, z) for every point, in double precision.
+template <class Visitor>
+void VisitPoints(vtkPoints* points, Visitor&& visit)
+{
+  if (!points)
+  {
+    return;
+  }
+  const vtkIdType size = points->GetNumberOfPoints();
+  const auto visitAll = [size, &visit](const auto* xyz)
+  {
+    for (vtkIdType i = 0; i < size; ++i, xyz += 3)
+    {
+      visit(i, static_cast<double>(xyz[0]), static_cast<double>(xyz[1]), static_cast<double>(xyz[2]));
+    }
+  };
+  vtkDataArray* const array = points->GetData();
+  if (auto* doubles = vtkDoubleArray::FastDownCast(array))
+  {
+    visitAll(doubles->GetPointer(0));
+  }
+  else if (auto* floats = vtkFloatArray::FastDownCast(array))
+  {
+    visitAll(floats->GetPointer(0));
+  }
+  else // other types and memory layouts
+  {
+    double xyz[3];
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      array->GetTuple(i, xyz);
+      visit(i, xyz[0], xyz[1], xyz[2]);
+    }
+  }
+}
+
+/// Calls visit(index, size, points) for every polygon.
+template <class Visitor>
+void VisitPolygons(vtkPolyData* surface, Visitor&& visit)
+{
+  const auto iterator = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  vtkIdType index = 0;
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* points;
+    iterator->GetCurrentCell(size, points);
+    visit(index++, size, points);
+  }
+}
+
+/// A word-wise multiplicative hash; two of them with different multipliers run side by side.
+class Hash
+{
+public:
+  void Add(std::uint64_t word)
+  {
+    this->First = (this->First ^ word) * 0x9e3779b97f4a7c15ull; // 2^64 / golden ratio
+    this->First ^= this->First >> 32;
+    this->Second = (this->Second + word) * 0xd1342543de82ef95ull; // a spectrally good multiplier
+    this->Second ^= this->Second >> 29;
+  }
+  void Add(vtkIdType number) { this->Add(static_cast<std::uint64_t>(number)); }
+  void Add(double number)
+  {
+    std::uint64_t bits;
+    std::memcpy(&bits, &number, sizeof(bits));
+    this->Add(bits);
+  }
+
+  std::string Hexadecimal() const
+  {
+    char text[33];
+    std::snprintf(text, sizeof(text), "%016llx%016llx",
+      static_cast<unsigned long long>(this->First), static_cast<unsigned long long>(this->Second));
+    return text;
+  }
+
+private:
+  std::uint64_t First = 0x243f6a8885a308d3ull; // the digits of pi
+  std::uint64_t Second = 0x13198a2e03707344ull;
+};
+
+std::string Cell(vtkIdType id)
+{
+  return "cell " + std::to_string(id);
+}
+
+ElementNames NamesOf(
+  const std::vector<vtkIdType>& pointIds, vtkIdType firstCell, vtkIdType numberOfFaces)
+{
+  ElementNames names;
+  names.Vertices.assign(pointIds.begin(), pointIds.end());
+  names.Faces.resize(numberOfFaces);
+  std::iota(names.Faces.begin(), names.Faces.end(), static_cast<long long>(firstCell));
+  return names;
+}
+
+}
+
+ElementNames SurfaceMesh::Names() const
+{
+  return NamesOf(this->PointIds, this->FirstCell, this->Mesh.NumberOfFaces());
+}
+
+SurfaceMesh MeshFromPolyData(vtkPolyData* surface)
+{
+  const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
+  const vtkIdType numberOfFaces = surface->GetNumberOfPolys();
+  const vtkIdType firstCell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  if (surface->GetNumberOfStrips() > 0)
+  {
+    throw InvalidInput(Cell(firstCell + numberOfFaces) +
+      " is a triangle strip; apply vtkTriangleFilter first");
+  }
+  if (numberOfFaces == 0)
+  {
+    throw InvalidInput("the surface has no triangles; connect one, or extract the surface of the "
+                       "dataset with vtkGeometryFilter and vtkTriangleFilter first");
+  }
+  if (std::max(numberOfPoints, 3 * numberOfFaces) > std::numeric_limits<int>::max())
+  {
+    throw InvalidInput("the surface has " + std::to_string(numberOfFaces) + " triangles, at most " +
+      std::to_string(std::numeric_limits<int>::max() / 3) +
+      " can be numbered; decimate it or split it into its parts first");
+  }
+
+  std::vector<int> vertices(numberOfPoints, -1);
+  Triangles triangles(numberOfFaces, 3);
+  VisitPolygons(surface,
+    [&vertices, &triangles, firstCell](vtkIdType face, vtkIdType size, const vtkIdType* points)
+    {
+      if (size != 3)
+      {
+        throw InvalidInput(Cell(firstCell + face) + " is not a triangle, it has " +
+          std::to_string(size) + " points; apply vtkTriangleFilter first");
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        if (points[k] < 0 || points[k] >= static_cast<vtkIdType>(vertices.size()))
+        {
+          throw InvalidInput(Cell(firstCell + face) + " uses point " + std::to_string(points[k]) +
+            ", and the surface has " + std::to_string(vertices.size()) +
+            " points; repair the source of the surface");
+        }
+        vertices[points[k]] = 0;
+        triangles(face, k) = static_cast<int>(points[k]);
+      }
+    });
+
+  std::vector<vtkIdType> pointIds;
+  for (vtkIdType point = 0; point < numberOfPoints; ++point)
+  {
+    if (vertices[point] == 0)
+    {
+      vertices[point] = static_cast<int>(pointIds.size());
+      pointIds.push_back(point);
+    }
+  }
+  for (int i = 0; i < triangles.size(); ++i)
+  {
+    triangles.data()[i] = vertices[triangles.data()[i]];
+  }
+  Points positions(pointIds.size(), 3);
+  VisitPoints(surface->GetPoints(),
+    [&vertices, &positions](vtkIdType point, double x, double y, double z)
+    {
+      if (vertices[point] >= 0)
+      {
+        positions.row(vertices[point]) << x, y, z;
+      }
+    });
+
+  const ElementNames names = NamesOf(pointIds, firstCell, numberOfFaces);
+  return { TriangleMesh(std::move(positions), std::move(triangles), names), firstCell,
+    std::move(pointIds) };
+}
+
+vtkSmartPointer<vtkPolyData> PolyDataFromMesh(const TriangleMesh& mesh)
+{
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(mesh.NumberOfVertices());
+  const Points& positions = mesh.VertexPositions();
+  std::copy_n(positions.data(), positions.size(), coordinates->GetPointer(0));
+  vtkNew<vtkIdTypeArray> corners;
+  corners->SetNumberOfValues(3 * static_cast<vtkIdType>(mesh.NumberOfFaces()));
+  const Triangles& triangles = mesh.FaceCorners();
+  std::copy_n(triangles.data(), triangles.size(), corners->GetPointer(0));
+
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  vtkNew<vtkCellArray> polygons;
+  polygons->SetData(3, corners);
+  auto surface = vtkSmartPointer<vtkPolyData>::New();
+  surface->SetPoints(points);
+  surface->SetPolys(polygons);
+  return surface;
+}
+
+std::string ContentDigest(vtkPolyData* surface)
+{
+  Hash hash;
+  hash.Add(surface->GetNumberOfPoints());
+  hash.Add(surface->GetNumberOfVerts() + surface->GetNumberOfLines());
+  hash.Add(surface->GetNumberOfPolys());
+  hash.Add(surface->GetNumberOfStrips());
+  VisitPoints(surface->GetPoints(),
+    [&hash](vtkIdType, double x, double y, double z)
+    {
+      hash.Add(x);
+      hash.Add(y);
+      hash.Add(z);
+    });
+  VisitPolygons(surface,
+    [&hash](vtkIdType, vtkIdType size, const vtkIdType* points)
+    {
+      hash.Add(size);
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        hash.Add(points[k]);
+      }
+    });
+  return hash.Hexadecimal();
+}
+
+}

@@ -1,0 +1,31 @@
+#ifndef dmgHierarchyOptions_h
+#define dmgHierarchyOptions_h
+
+namespace dmg
+{
+
+/// The order in which edges are collapsed.
+enum class CollapsePolicy
+{
+  /// Rounds of collapses whose stars share no face, cheapest first; parallel. The default.
+  IndependentRounds,
+  /// The thesis's queue: always the cheapest edge, and each collapse adds the largest initial cost to
+  /// the edges around it. Sequential. Thesis, section 5.1.
+  SequentialQueue,
+};
+
+/// Defaults are the thesis's, section 5.4.
+struct HierarchyOptions
+{
+  /// Faces of a level over faces of the next finer one, in (0, 1).
+  double FaceRatio = 0.25;
+  /// At most so many levels beside the finest, >= 0.
+  int MaximumNumberOfCoarseLevels = 3;
+  /// No level is decimated below this many faces, >= 4.
+  int MinimumNumberOfFaces = 1000;
+  CollapsePolicy Policy = CollapsePolicy::IndependentRounds;
+};
+
+}
+
+#endif

@@ -1,0 +1,86 @@
+#include "Hierarchy/MeshHierarchy.h"
+
+#include "Hierarchy/CollapseQueue.h"
+#include "Hierarchy/CollapseRounds.h"
+#include "Hierarchy/CollapsibleMesh.h"
+#include "Support/Errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dmg
+{
+
+namespace
+{
+
+// A level that keeps more of the faces than this is not worth its cost.
+constexpr double LargestUsefulRatio = 0.7;
+
+void CheckOptions(const HierarchyOptions& options)
+{
+  if (!(options.FaceRatio > 0.0 && options.FaceRatio < 1.0))
+  {
+    throw InvalidInput("the ratio of faces between two levels must lie between 0 and 1");
+  }
+  if (options.MaximumNumberOfCoarseLevels < 0)
+  {
+    throw InvalidInput("the number of coarse levels must not be negative");
+  }
+  if (options.MinimumNumberOfFaces < 4)
+  {
+    throw InvalidInput("the coarsest level must keep at least 4 faces");
+  }
+}
+
+}
+
+std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
+  const HierarchyOptions& options, const ExecutionContext& context,
+  const std::function<void(const LevelTransition&)>& onLevel)
+{
+  CheckOptions(options);
+  std::vector<TriangleMesh> levels;
+  levels.reserve(options.MaximumNumberOfCoarseLevels); // the loop holds references into it
+  CollapsibleMesh shrinking(mesh);
+  const TriangleMesh* fine = &mesh;
+  double progress = 0.0;
+  while (static_cast<int>(levels.size()) < options.MaximumNumberOfCoarseLevels)
+  {
+    const int faces = fine->NumberOfFaces();
+    const int target = std::max(
+      static_cast<int>(std::lround(options.FaceRatio * faces)), options.MinimumNumberOfFaces);
+    if (target > LargestUsefulRatio * faces)
+    {
+      break;
+    }
+    // The work of a level is proportional to its faces.
+    const double done = progress + (1.0 - progress) * (1.0 - options.FaceRatio);
+    const PartOfContext part(context, progress, done);
+    SurfaceTracking tracking(*fine);
+    if (options.Policy == CollapsePolicy::IndependentRounds)
+    {
+      CollapseInRounds(shrinking, tracking, target, part);
+    }
+    else
+    {
+      CollapseByQueue(shrinking, tracking, target, part);
+    }
+    if (shrinking.NumberOfLiveFaces() > LargestUsefulRatio * faces)
+    {
+      break; // the topology holds the rest
+    }
+    CollapsibleMesh::Compacted compacted = shrinking.Compact();
+    levels.push_back(std::move(compacted.Mesh));
+    onLevel({ *fine, levels.back(), tracking, compacted.VertexNumber, compacted.FaceNumber });
+    CollapsibleMesh next(levels.back());
+    next.InheritQuadrics(shrinking, compacted.VertexNumber);
+    shrinking = std::move(next);
+    fine = &levels.back();
+    progress = done;
+  }
+  context.Checkpoint(1.0);
+  return levels;
+}
+
+}

@@ -1,0 +1,39 @@
+#ifndef dmgMeshHierarchy_h
+#define dmgMeshHierarchy_h
+
+#include "Hierarchy/HierarchyOptions.h"
+#include "Hierarchy/SurfaceTracking.h"
+#include "Mesh/TriangleMesh.h"
+#include "Support/ExecutionContext.h"
+
+#include <functional>
+#include <vector>
+
+namespace dmg
+{
+
+/// Where a fine mesh lies on the next coarser one.
+struct LevelTransition
+{
+  const TriangleMesh& Fine;
+  const TriangleMesh& Coarse;
+  const SurfaceTracking& Tracking;
+  /// From the slots that the tracking names to the numbers in Coarse, or -1.
+  const std::vector<int>& CoarseVertex;
+  const std::vector<int>& CoarseFace;
+};
+
+/// Decimates a surface level by level. Level l + 1 has FaceRatio times the faces of level l, or
+/// MinimumNumberOfFaces if that is more; there are no more levels where a level would keep over 70 %
+/// of the faces. Thesis, section 5.4.
+/// \param onLevel called with each new level; the tracking is gone afterwards.
+/// \return the levels above the finest.
+/// \throw InvalidInput an option is out of range. \throw Cancelled
+/// Cost: O(#F). Checkpoints: several in each round of collapses.
+std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
+  const HierarchyOptions& options, const ExecutionContext& context,
+  const std::function<void(const LevelTransition&)>& onLevel);
+
+}
+
+#endif

@@ -1,0 +1,92 @@
+#include "Mesh/MeshChecks.h"
+
+#include "Support/Errors.h"
+
+#include <limits>
+
+namespace dmg
+{
+
+namespace
+{
+
+std::string NameOf(const char* kind, const std::vector<long long>& numbers, int i)
+{
+  return kind + std::to_string(numbers.empty() ? i : numbers[i]);
+}
+
+}
+
+std::string ElementNames::Vertex(int i) const
+{
+  return NameOf("point ", this->Vertices, i);
+}
+
+std::string ElementNames::Face(int i) const
+{
+  return NameOf("cell ", this->Faces, i);
+}
+
+void CheckElements(const Points& points, const Triangles& triangles, const ElementNames& names)
+{
+  if (triangles.rows() == 0)
+  {
+    throw InvalidInput("the surface has no triangles, so there is nothing to solve on; "
+                       "apply Extract Surface and Triangulate (vtkTriangleFilter) first");
+  }
+  if (triangles.rows() > std::numeric_limits<int>::max() / 3)
+  {
+    throw InvalidInput("the surface has more than 715,827,882 triangles; "
+                       "apply Decimate (vtkDecimatePro) first");
+  }
+  const int numberOfVertices = static_cast<int>(points.rows());
+  const int numberOfFaces = static_cast<int>(triangles.rows());
+
+  for (int v = 0; v < numberOfVertices; ++v)
+  {
+    if (!points.row(v).allFinite())
+    {
+      throw InvalidInput(names.Vertex(v) +
+        " has a coordinate that is not finite; repair it or remove the cells around it");
+    }
+  }
+
+  std::vector<char> used(numberOfVertices, 0);
+  for (int f = 0; f < numberOfFaces; ++f)
+  {
+    const int* corner = triangles.data() + 3 * f;
+    for (int k = 0; k < 3; ++k)
+    {
+      if (corner[k] < 0 || corner[k] >= numberOfVertices)
+      {
+        throw InvalidInput(names.Face(f) + " refers to point number " + std::to_string(corner[k]) +
+          ", but there are " + std::to_string(numberOfVertices) +
+          " points; repair its connectivity or remove it");
+      }
+      used[corner[k]] = 1;
+    }
+    if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
+    {
+      throw InvalidInput(names.Face(f) + " uses " +
+        names.Vertex(corner[0] == corner[1] ? corner[0] : corner[2]) +
+        " twice; apply Clean (vtkCleanPolyData), then Triangulate (vtkTriangleFilter)");
+    }
+    if (points.row(corner[0]) == points.row(corner[1]) &&
+      points.row(corner[0]) == points.row(corner[2]))
+    {
+      throw InvalidInput("the three corners of " + names.Face(f) + " lie in one place; "
+                         "apply Clean (vtkCleanPolyData), which merges them and drops the cell");
+    }
+  }
+
+  for (int v = 0; v < numberOfVertices; ++v)
+  {
+    if (!used[v])
+    {
+      throw InvalidInput(names.Vertex(v) +
+        " belongs to no triangle; apply Clean (vtkCleanPolyData), which drops unused points");
+    }
+  }
+}
+
+}

@@ -1,0 +1,37 @@
+#ifndef dmgSpatialOrder_h
+#define dmgSpatialOrder_h
+
+#include "Mesh/TangentFrames.h"
+#include "Mesh/TriangleMesh.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// A numbering in which what is near in space is near in memory: faces along Morton's curve through
+/// their centres, vertices by their first face. Files number surfaces in any order, and what walks
+/// over them from neighbour to neighbour takes twice as long if that order is a bad one.
+/// Cost: O(#F).
+class SpatialOrder
+{
+public:
+  explicit SpatialOrder(const TriangleMesh& mesh);
+
+  /// [new number] is the old one.
+  const std::vector<int>& Faces() const { return this->OldFaces; }
+  const std::vector<int>& Vertices() const { return this->OldVertices; }
+
+  /// The same mesh in this order; the corners of a face stay in theirs.
+  TriangleMesh Apply(const TriangleMesh& mesh) const;
+  TangentFrames ApplyToFaces(const TangentFrames& faceFrames) const;
+
+private:
+  std::vector<int> OldFaces;
+  std::vector<int> OldVertices;
+  std::vector<int> NewVertices;
+};
+
+}
+
+#endif

@@ -1,0 +1,234 @@
+#include "Mesh/TangentFrames.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Below it the direction of a cross product of two sides is rounding noise rather than geometry.
+constexpr double DegenerateArea = 1e-10;
+
+/// In a degenerate face, a side shorter than this times the longest one counts as having no length;
+/// the square root of DegenerateArea, so that longer ones are parallel to it.
+constexpr double DegenerateLength = 1e-5;
+
+struct FaceShape
+{
+  std::array<Vector3, 3> Sides;
+  int Longest;
+  Vector3 AreaVector;
+  bool IsDegenerate;
+};
+
+FaceShape ShapeOf(const TriangleMesh& mesh, int face)
+{
+  FaceShape shape;
+  shape.Longest = 0;
+  for (int k = 0; k < 3; ++k)
+  {
+    shape.Sides[k] = mesh.Position(mesh.Head(3 * face + k)) - mesh.Position(mesh.Tail(3 * face + k));
+    if (shape.Sides[k].squaredNorm() > shape.Sides[shape.Longest].squaredNorm())
+    {
+      shape.Longest = k;
+    }
+  }
+  shape.AreaVector = shape.Sides[0].cross(shape.Sides[1]);
+  shape.IsDegenerate = 0.5 * shape.AreaVector.norm() <=
+    DegenerateArea * shape.Sides[shape.Longest].squaredNorm();
+  return shape;
+}
+
+/// The unit vector perpendicular to unit \p direction that is nearest to \p wish; any perpendicular
+/// one where the wish has no such part.
+Vector3 PerpendicularPart(const Vector3& wish, const Vector3& direction)
+{
+  const Vector3 part = wish - wish.dot(direction) * direction;
+  const double norm = part.norm();
+  return norm > 1e-6 * wish.norm() ? Vector3(part / norm) : Vector3(direction.unitOrthogonal());
+}
+
+void SetFrame(TangentFrames& frames, int element, const Vector3& x, const Vector3& normal)
+{
+  frames.X.row(element) = x.transpose();
+  frames.Y.row(element) = normal.cross(x).transpose();
+  frames.N.row(element) = normal.transpose();
+}
+
+TangentFrames FramesOfSize(int size)
+{
+  return { Points(size, 3), Points(size, 3), Points(size, 3) };
+}
+
+/// Carries normals from the faces that have one into the degenerate ones, ring by ring.
+void FillDegenerateFrames(
+  const TriangleMesh& mesh, const std::vector<int>& degenerate, TangentFrames& frames)
+{
+  enum State : char
+  {
+    Known,
+    Queued,
+    Unknown
+  };
+  std::vector<char> state(mesh.NumberOfFaces(), Known);
+  for (int face : degenerate)
+  {
+    state[face] = Unknown;
+  }
+
+  std::vector<int> queue;
+  const auto enqueueFrom = [&](int first) {
+    queue.assign(1, first);
+    state[first] = Queued;
+    for (std::size_t next = 0; next < queue.size(); ++next)
+    {
+      const int face = queue[next];
+      Vector3 sum = Vector3::Zero();
+      for (int h = 3 * face; h < 3 * face + 3; ++h)
+      {
+        const int neighbour = mesh.Twin(h) < 0 ? face : TriangleMesh::FaceOf(mesh.Twin(h));
+        if (state[neighbour] == Known)
+        {
+          sum += frames.N.row(neighbour).transpose();
+        }
+        else if (state[neighbour] == Unknown)
+        {
+          state[neighbour] = Queued;
+          queue.push_back(neighbour);
+        }
+      }
+      const FaceShape shape = ShapeOf(mesh, face);
+      const Vector3 x = shape.Sides[shape.Longest].normalized();
+      SetFrame(frames, face, x, PerpendicularPart(sum, x));
+      state[face] = Known;
+    }
+  };
+  const auto touchesKnown = [&](int face) {
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      if (mesh.Twin(h) >= 0 && state[TriangleMesh::FaceOf(mesh.Twin(h))] == Known)
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+
+  for (int face : degenerate)
+  {
+    if (state[face] == Unknown && touchesKnown(face))
+    {
+      enqueueFrom(face);
+    }
+  }
+  // What is left lies in components that are degenerate as a whole, where any normal will do.
+  for (int face : degenerate)
+  {
+    if (state[face] == Unknown)
+    {
+      enqueueFrom(face);
+    }
+  }
+}
+
+}
+
+TangentFrames FaceFrames(const TriangleMesh& mesh)
+{
+  TangentFrames frames = FramesOfSize(mesh.NumberOfFaces());
+  std::vector<int> degenerate;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const FaceShape shape = ShapeOf(mesh, face);
+    if (shape.IsDegenerate)
+    {
+      degenerate.push_back(face);
+      continue;
+    }
+    SetFrame(frames, face, shape.Sides[0].normalized(), shape.AreaVector.normalized());
+  }
+  if (!degenerate.empty())
+  {
+    FillDegenerateFrames(mesh, degenerate, frames);
+  }
+  return frames;
+}
+
+std::array<Complex, 3> SideDirections(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, int face)
+{
+  const FaceShape shape = ShapeOf(mesh, face);
+  std::array<Complex, 3> directions;
+  if (!shape.IsDegenerate)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const Complex side = faceFrames.ToComplex(face, shape.Sides[k]);
+      directions[k] = side / std::sqrt(std::norm(side));
+    }
+    return directions;
+  }
+  const double longest = shape.Sides[shape.Longest].norm();
+  directions.fill(-1.0);
+  directions[shape.Longest] = 1.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (shape.Sides[k].norm() < DegenerateLength * longest)
+    {
+      directions[k] = Complex(0.0, -1.0) * directions[(k + 1) % 3];
+    }
+  }
+  return directions;
+}
+
+TangentFrames VertexFrames(const TriangleMesh& mesh)
+{
+  const int numberOfVertices = mesh.NumberOfVertices();
+  Points normals = Points::Zero(numberOfVertices, 3);
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const Eigen::RowVector3d areaVector = mesh.FaceAreaVector(face).transpose();
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      normals.row(mesh.Tail(h)) += areaVector;
+    }
+  }
+
+  TangentFrames frames = FramesOfSize(numberOfVertices);
+  for (int v = 0; v < numberOfVertices; ++v)
+  {
+    const int h = mesh.OutgoingHalfedge(v);
+    Vector3 normal = normals.row(v).transpose();
+    if (normal.squaredNorm() == 0.0)
+    {
+      const FaceShape shape = ShapeOf(mesh, TriangleMesh::FaceOf(h));
+      normal = shape.AreaVector.squaredNorm() > 0.0 ? shape.AreaVector
+                                                    : shape.Sides[shape.Longest].unitOrthogonal();
+    }
+    normal.normalize();
+    SetFrame(
+      frames, v, PerpendicularPart(mesh.Position(mesh.Head(h)) - mesh.Position(v), normal), normal);
+  }
+  return frames;
+}
+
+Complex TransportTurn(const TangentFrames& from, int a, const TangentFrames& to, int b)
+{
+  // The matrix between the frames is a turn about the normal after the shortest rotation between
+  // normals; the trace and the skew part of its tangential block are (1 + cos) times cosine and
+  // sine of that turn, where cos is that of the angle between the normals.
+  const double xx = from.X.row(a).dot(to.X.row(b));
+  const double xy = from.X.row(a).dot(to.Y.row(b));
+  const double yx = from.Y.row(a).dot(to.X.row(b));
+  const double yy = from.Y.row(a).dot(to.Y.row(b));
+  const Complex turn(xx + yy, xy - yx);
+  const double length = std::sqrt(std::norm(turn));
+  // Opposite normals: a half turn about from.X.
+  return length < 1e-14 ? Complex(xx, xy) : turn / length;
+}
+
+}

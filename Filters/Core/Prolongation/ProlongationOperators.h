@@ -1,0 +1,37 @@
+#ifndef dmgProlongationOperators_h
+#define dmgProlongationOperators_h
+
+#include "Prolongation/TransportOperator.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// Everything the solvers need to know of a hierarchy: the prolongations between its levels.
+///
+/// Level 0 is the finest. Operator l of each list carries values from level l + 1 to level l.
+/// The operators do not depend on N, on constraints or on weights.
+struct ProlongationOperators
+{
+  /// Sizes of the levels, finest first; one more than there are operators in a list.
+  std::vector<int> NumbersOfVertices;
+  std::vector<int> NumbersOfFaces;
+
+  /// S0[l], #V_l x #V_{l+1}: 0-forms. Rows are non-negative and sum to 1. Thesis, section 3.5.
+  std::vector<SparseMatrix<double>> S0;
+
+  /// SP[l], #F_l x #F_{l+1}: power fields, face to face. Thesis, section 4.4.
+  std::vector<TransportOperator> SP;
+
+  /// The nodal hierarchy: [0] is #F_0 x #V_1, face fields from directions at the vertices of
+  /// level 1; [l >= 1] is #V_l x #V_{l+1}. Frames: FaceFrames of level 0, VertexFrames above.
+  std::vector<TransportOperator> Nodal;
+
+  int NumberOfLevels() const { return static_cast<int>(this->NumbersOfFaces.size()); }
+};
+
+}
+
+#endif

@@ -1,0 +1,21 @@
+#ifndef dmgTransportOperator_h
+#define dmgTransportOperator_h
+
+#include "Support/Types.h"
+
+namespace dmg
+{
+
+/// A sparse operator between tangent spaces: entry (i, j) carries a direction from the frame of
+/// element j into the frame of element i, weighting it by |entry| and turning it by arg(entry). The
+/// weights of a row sum to 1.
+///
+/// One such operator serves every N: N-power fields are turned N times as far, with the same weight.
+using TransportOperator = SparseMatrix<Complex>;
+
+/// The operator on N-power fields: each entry z becomes |z| (z / |z|)^N. \pre N >= 1
+SparseMatrix<Complex> OnPowers(const TransportOperator& transport, int N);
+
+}
+
+#endif

@@ -1,0 +1,60 @@
+#ifndef dmgCholeskySolver_h
+#define dmgCholeskySolver_h
+
+#include "Support/Types.h"
+
+#include <memory>
+
+namespace dmg
+{
+
+/// Which permutation keeps the factor sparse.
+enum class FillOrdering
+{
+  AMD,   ///< approximate minimum degree: cheapest, best up to about a million unknowns
+  METIS, ///< nested dissection: smaller factors, an ordering three to five times as expensive
+  Best,  ///< AMD, and METIS too where AMD predicts high fill; the smaller factor is kept
+};
+
+/// Supernodal sparse Cholesky factorisation A = L L^H of a symmetric (double) or Hermitian (Complex)
+/// positive definite matrix, by CHOLMOD with its 64-bit indices.
+///
+/// For matrices of surface meshes, n unknowns: about n^1.5 operations and n log n memory to factor,
+/// one pass over the factor to solve. The bits of a result may depend on the BLAS in use and on its
+/// own threads.
+template <class Scalar>
+class CholeskySolver
+{
+public:
+  /// Orders, analyses and factors \p A. Only its lower triangle is read.
+  /// \pre A is square and compressed.
+  /// \throw SolverFailure A is not positive definite, or memory ran out.
+  explicit CholeskySolver(
+    const SparseMatrix<Scalar>& A, FillOrdering ordering = FillOrdering::AMD);
+  ~CholeskySolver();
+  CholeskySolver(CholeskySolver&&) noexcept;
+  CholeskySolver& operator=(CholeskySolver&&) noexcept;
+
+  /// Factors other values in the same pattern; ordering and analysis are kept.
+  /// \throw SolverFailure as above; Solve must not be called after that.
+  void Update(const SparseMatrix<Scalar>& A);
+
+  /// x = A^-1 b. Uses a workspace of the solver: one solve at a time.
+  void Solve(const Vector<Scalar>& b, Vector<Scalar>& x);
+
+  int NumberOfUnknowns() const;
+  /// Of L, with the explicit zeros of its supernodes.
+  long long NonZeros() const;
+  /// Held by the factor.
+  long long Bytes() const;
+  /// A rough estimate of 1 / cond(A) from the diagonal of L.
+  double ReciprocalCondition() const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif

@@ -1,0 +1,319 @@
+#include "Solvers/GalerkinHierarchy.h"
+
+#include "Support/Errors.h"
+#include "Support/SparseKernels.h"
+
+#include <cassert>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int RowGrain = 4096;
+
+/// For each row the column of its largest entry; rows without entries follow the row before them.
+template <class Scalar>
+std::vector<int> Parents(const SparseMatrix<Scalar>& P)
+{
+  std::vector<int> parents(P.rows());
+  int parent = 0;
+  for (int i = 0; i < static_cast<int>(P.rows()); ++i)
+  {
+    double largest = 0.0;
+    for (typename SparseMatrix<Scalar>::InnerIterator entry(P, i); entry; ++entry)
+    {
+      // Entries that are equal up to rounding must not let rounding decide.
+      const double size = Eigen::numext::abs2(entry.value());
+      if (size > largest * (1.0 + 1e-6))
+      {
+        largest = size;
+        parent = static_cast<int>(entry.col());
+      }
+    }
+    parents[i] = parent;
+  }
+  return parents;
+}
+
+/// Places such that children follow each other in the order of their parents' places.
+std::vector<int> PlacesOfChildren(
+  const std::vector<int>& parents, const std::vector<int>& placesOfParents)
+{
+  std::vector<int> next(placesOfParents.size() + 1, 0);
+  for (const int parent : parents)
+  {
+    ++next[placesOfParents[parent] + 1];
+  }
+  OffsetsFromCounts(next);
+  std::vector<int> places(parents.size());
+  for (std::size_t i = 0; i < parents.size(); ++i)
+  {
+    places[i] = next[placesOfParents[parents[i]]]++;
+  }
+  return places;
+}
+
+std::vector<int> Inverse(const std::vector<int>& places)
+{
+  std::vector<int> order(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i)
+  {
+    order[places[i]] = static_cast<int>(i);
+  }
+  return order;
+}
+
+template <class Scalar>
+double RealDiagonalEntry(const SparseMatrix<Scalar>& A, int i)
+{
+  for (typename SparseMatrix<Scalar>::InnerIterator entry(A, i); entry; ++entry)
+  {
+    if (entry.col() == i)
+    {
+      return Eigen::numext::real(entry.value());
+    }
+  }
+  return 0.0;
+}
+
+template <class Scalar>
+long long BytesOf(const SparseMatrix<Scalar>& A)
+{
+  return A.nonZeros() * static_cast<long long>(sizeof(Scalar) + sizeof(int)) +
+    A.outerSize() * static_cast<long long>(sizeof(int));
+}
+
+}
+
+template <class Scalar>
+GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
+  std::vector<SparseMatrix<Scalar>> prolongations, const ExecutionContext& context)
+{
+  long long size = A.rows();
+  for (std::size_t level = 0; level < prolongations.size(); ++level)
+  {
+    if (prolongations[level].rows() != size)
+    {
+      throw InvalidInput("the prolongation to level " + std::to_string(level) + " has " +
+        std::to_string(prolongations[level].rows()) + " rows instead of " + std::to_string(size) +
+        "; use the operators of this surface");
+    }
+    size = prolongations[level].cols();
+  }
+  if (A.rows() != A.cols())
+  {
+    throw InvalidInput("the matrix of a linear system must be square");
+  }
+  this->BringIntoOrder(prolongations, context);
+  this->Matrices.resize(this->Prolongations.size() + 1);
+  this->Diagonals.resize(this->Matrices.size());
+  this->Update(A, context);
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::BringIntoOrder(
+  std::vector<SparseMatrix<Scalar>>& prolongations, const ExecutionContext& context)
+{
+  const std::size_t numberOfTransfers = prolongations.size();
+  this->Prolongations.resize(numberOfTransfers);
+  this->Restrictions.resize(numberOfTransfers);
+  std::vector<int> places;
+  for (std::size_t level = numberOfTransfers; level-- > 0;)
+  {
+    context.Checkpoint(0.0);
+    SparseMatrix<Scalar>& P = prolongations[level];
+    if (places.empty())
+    {
+      places.resize(P.cols());
+      for (std::size_t i = 0; i < places.size(); ++i)
+      {
+        places[i] = static_cast<int>(i);
+      }
+    }
+    const std::vector<int> placesOfParents = std::move(places);
+    places = PlacesOfChildren(Parents(P), placesOfParents);
+    this->Prolongations[level] = Permuted(P, Inverse(places), placesOfParents, context);
+    P = SparseMatrix<Scalar>();
+    this->Restrictions[level] = Adjoint(this->Prolongations[level], context);
+  }
+  this->FinestOrder = Inverse(places);
+  this->FinestPlaces = std::move(places);
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::Update(
+  const SparseMatrix<Scalar>& A, const ExecutionContext& context)
+{
+  if (this->Prolongations.empty())
+  {
+    this->Matrices[0] = A;
+  }
+  else
+  {
+    this->Matrices[0] = Permuted(A, this->FinestOrder, this->FinestPlaces, context);
+  }
+  this->FindDiagonal(0, context);
+  const int coarsest = this->NumberOfLevels() - 1;
+  for (int level = 0; level < coarsest; ++level)
+  {
+    context.Checkpoint(level / (coarsest + 1.0));
+    this->Matrices[level + 1] = TripleProduct(
+      this->Restrictions[level], this->Matrices[level], this->Prolongations[level], context);
+    this->FindDiagonal(level + 1, context);
+  }
+  context.Checkpoint(coarsest / (coarsest + 1.0));
+  this->FactorCoarsest();
+  context.Checkpoint(1.0);
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::FindDiagonal(int level, const ExecutionContext& context)
+{
+  const SparseMatrix<Scalar>& A = this->Matrices[level];
+  const int size = static_cast<int>(A.rows());
+  Vector<double>& diagonal = this->Diagonals[level];
+  diagonal.resize(size);
+  context.ParallelFor(0, size, RowGrain,
+    [this, level, &A, &diagonal](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        diagonal[i] = RealDiagonalEntry(A, i);
+        if (level == 0)
+        {
+          continue;
+        }
+        // What cancels in p^H A p leaves rounding errors of the size of p^H diag(A) p.
+        double scale = 0.0;
+        for (typename SparseMatrix<Scalar>::InnerIterator entry(this->Restrictions[level - 1], i);
+             entry; ++entry)
+        {
+          scale += Eigen::numext::abs2(entry.value()) * this->Diagonals[level - 1][entry.col()];
+        }
+        if (std::abs(diagonal[i]) <= 1e-13 * scale)
+        {
+          diagonal[i] = 0.0;
+        }
+      }
+    });
+  for (int i = 0; i < size; ++i)
+  {
+    if (!(diagonal[i] >= 0.0 && diagonal[i] <= std::numeric_limits<double>::max()))
+    {
+      const int unknown = level == 0 && !this->FinestOrder.empty() ? this->FinestOrder[i] : i;
+      throw SolverFailure("the matrix is not positive semi-definite: diagonal entry " +
+        std::to_string(unknown) + " on level " + std::to_string(level) + " is " +
+        std::to_string(diagonal[i]) + "; make all weights positive and finite");
+    }
+  }
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::FactorCoarsest()
+{
+  SparseMatrix<Scalar> scaled = this->Matrices.back();
+  const Vector<double>& diagonal = this->Diagonals.back();
+  const int size = static_cast<int>(scaled.rows());
+  for (int i = 0; i < size; ++i)
+  {
+    for (typename SparseMatrix<Scalar>::InnerIterator entry(scaled, i); entry; ++entry)
+    {
+      const double product = diagonal[i] * diagonal[entry.col()];
+      entry.valueRef() *= product > 0.0 ? 1.0 / std::sqrt(product) : 0.0;
+    }
+  }
+  for (int i = 0; i < size; ++i)
+  {
+    scaled.coeffRef(i, i) = 1.0 + 1e-12; // rows of unknowns that nothing sees may be empty
+  }
+  scaled.makeCompressed();
+  if (this->CoarsestFactor)
+  {
+    this->CoarsestFactor->Update(scaled);
+  }
+  else
+  {
+    this->CoarsestFactor.emplace(scaled);
+  }
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::ToOrder(
+  const Vector<Scalar>& theirs, Vector<Scalar>& ours, const ExecutionContext& context) const
+{
+  assert(theirs.size() == this->NumberOfUnknowns(0));
+  if (this->FinestOrder.empty())
+  {
+    ours = theirs;
+    return;
+  }
+  ours.resize(theirs.size());
+  context.ParallelFor(0, static_cast<int>(theirs.size()), RowGrain,
+    [this, &theirs, &ours](int first, int last)
+    {
+      for (int k = first; k < last; ++k)
+      {
+        ours[k] = theirs[this->FinestOrder[k]];
+      }
+    });
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::FromOrder(
+  const Vector<Scalar>& ours, Vector<Scalar>& theirs, const ExecutionContext& context) const
+{
+  assert(ours.size() == this->NumberOfUnknowns(0));
+  if (this->FinestOrder.empty())
+  {
+    theirs = ours;
+    return;
+  }
+  theirs.resize(ours.size());
+  context.ParallelFor(0, static_cast<int>(ours.size()), RowGrain,
+    [this, &ours, &theirs](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        theirs[i] = ours[this->FinestPlaces[i]];
+      }
+    });
+}
+
+template <class Scalar>
+std::vector<LevelReport> GalerkinHierarchy<Scalar>::Levels() const
+{
+  std::vector<LevelReport> levels;
+  for (const SparseMatrix<Scalar>& A : this->Matrices)
+  {
+    levels.push_back({ static_cast<long long>(A.rows()), static_cast<long long>(A.nonZeros()) });
+  }
+  return levels;
+}
+
+template <class Scalar>
+long long GalerkinHierarchy<Scalar>::Bytes() const
+{
+  long long bytes = this->CoarsestFactor->Bytes();
+  bytes += 2 * static_cast<long long>(this->FinestOrder.size() * sizeof(int));
+  for (const auto* matrices : { &this->Matrices, &this->Prolongations, &this->Restrictions })
+  {
+    for (const SparseMatrix<Scalar>& matrix : *matrices)
+    {
+      bytes += BytesOf(matrix);
+    }
+  }
+  for (const Vector<double>& diagonal : this->Diagonals)
+  {
+    bytes += diagonal.size() * static_cast<long long>(sizeof(double));
+  }
+  return bytes;
+}
+
+template class GalerkinHierarchy<double>;
+template class GalerkinHierarchy<Complex>;
+
+}

@@ -1,0 +1,92 @@
+#ifndef dmgGalerkinHierarchy_h
+#define dmgGalerkinHierarchy_h
+
+#include "Solvers/CholeskySolver.h"
+#include "Solvers/SolveReport.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <optional>
+#include <vector>
+
+namespace dmg
+{
+
+/// The matrices of a multigrid method by Galerkin's products A_{l+1} = P_l^H A_l P_l, and a
+/// factorisation of the coarsest. Level 0 is the finest.
+///
+/// Order. The unknowns of surface meshes come in any order, and a random order makes every product
+/// two to four times as slow. The levels are therefore kept in an order of their own: the children
+/// of a coarse unknown follow each other, in the order of their parents, down from the coarsest
+/// level. ToOrder and FromOrder translate vectors of the finest level.
+///
+/// Inactive unknowns. Where a diagonal entry of a semi-definite matrix is zero, up to rounding, its
+/// whole row is. Coarse unknowns that no fine unknown sees are of this kind. They are kept out of
+/// every step; corrections are zero there.
+///
+/// Cost: linear in the number of multiply-adds of the products.
+template <class Scalar>
+class GalerkinHierarchy
+{
+public:
+  /// \param A N_0 x N_0, symmetric or Hermitian, positive semi-definite, compressed.
+  /// \param prolongations [l] is N_l x N_{l+1}, compressed. May be empty: then A itself is factored.
+  /// \throw InvalidInput the sizes do not chain.
+  /// \throw SolverFailure a diagonal entry is negative or not finite, or the coarsest matrix is not
+  ///   positive semi-definite.
+  /// \throw Cancelled
+  /// Checkpoints: one per level, 0.2 s apart at a million unknowns.
+  GalerkinHierarchy(const SparseMatrix<Scalar>& A,
+    std::vector<SparseMatrix<Scalar>> prolongations, const ExecutionContext& context);
+
+  /// Takes other values in the same pattern. Orders and analyses are kept; the bits are those of a
+  /// new hierarchy.
+  /// \throw as the constructor; the hierarchy must not be used after that.
+  void Update(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
+
+  int NumberOfLevels() const { return static_cast<int>(this->Matrices.size()); }
+  int NumberOfUnknowns(int level) const { return static_cast<int>(this->Matrices[level].rows()); }
+
+  /// A_l, N_l x N_l.
+  const SparseMatrix<Scalar>& Matrix(int level) const { return this->Matrices[level]; }
+  /// P_l, N_l x N_{l+1}.
+  const SparseMatrix<Scalar>& Prolongation(int level) const { return this->Prolongations[level]; }
+  /// P_l^H, N_{l+1} x N_l.
+  const SparseMatrix<Scalar>& Restriction(int level) const { return this->Restrictions[level]; }
+  /// The diagonal of A_l; zero exactly for inactive unknowns.
+  const Vector<double>& Diagonal(int level) const { return this->Diagonals[level]; }
+
+  /// Factor of D^{-1/2} A D^{-1/2} on the coarsest level, D its diagonal. Inactive unknowns have
+  /// ones on the diagonal, and all diagonal entries are lifted by 1e-12 so that a semi-definite
+  /// matrix has a factor, too.
+  CholeskySolver<Scalar>& CoarsestSolver() { return *this->CoarsestFactor; }
+
+  /// From the caller's order of the finest unknowns to that of the hierarchy, and back.
+  void ToOrder(
+    const Vector<Scalar>& theirs, Vector<Scalar>& ours, const ExecutionContext& context) const;
+  void FromOrder(
+    const Vector<Scalar>& ours, Vector<Scalar>& theirs, const ExecutionContext& context) const;
+
+  /// Unknowns and non-zeros of each A_l.
+  std::vector<LevelReport> Levels() const;
+  /// Held by this object.
+  long long Bytes() const;
+
+private:
+  void BringIntoOrder(std::vector<SparseMatrix<Scalar>>& prolongations,
+    const ExecutionContext& context);
+  void FindDiagonal(int level, const ExecutionContext& context);
+  void FactorCoarsest();
+
+  std::vector<int> FinestOrder;  ///< [k] is the caller's index of our unknown k
+  std::vector<int> FinestPlaces; ///< its inverse
+  std::vector<SparseMatrix<Scalar>> Matrices;
+  std::vector<SparseMatrix<Scalar>> Prolongations;
+  std::vector<SparseMatrix<Scalar>> Restrictions;
+  std::vector<Vector<double>> Diagonals;
+  std::optional<CholeskySolver<Scalar>> CoarsestFactor;
+};
+
+}
+
+#endif

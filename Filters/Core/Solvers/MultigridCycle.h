@@ -1,0 +1,67 @@
+#ifndef dmgMultigridCycle_h
+#define dmgMultigridCycle_h
+
+#include "Solvers/GalerkinHierarchy.h"
+#include "Solvers/Preconditioner.h"
+#include "Solvers/Smoother.h"
+
+#include <memory>
+
+namespace dmg
+{
+
+enum class CyclePrecision
+{
+  /// Half the memory traffic. Solvers around the cycle work in double precision and lose nothing,
+  /// as long as the condition number stays below about 1e7 on the coarsest level.
+  Single,
+  Double,
+};
+
+struct CycleOptions
+{
+  SmootherOptions Smoothing;
+  CyclePrecision Precision = CyclePrecision::Single;
+};
+
+/// One V-cycle of a Galerkin hierarchy, started from zero, as a linear operator B: smooth, correct
+/// by the next coarser level, smooth. Symmetric or Hermitian positive definite if as many sweeps
+/// follow the coarse correction as precede it; then it preconditions conjugate gradients. As a
+/// stationary iteration, x += B (b - A x).
+///
+/// Inside, each level is scaled to unit diagonal, which no smoother here notices in exact
+/// arithmetic and which keeps single precision away from overflow, and is sorted by colours.
+/// The vectors of Apply are in the order of the hierarchy.
+///
+/// Cost of a V(2,2)-cycle with Gauss-Seidel: per level four products with the matrix and two with
+/// the prolongation.
+template <class Scalar>
+class MultigridCycle : public Preconditioner<Scalar>
+{
+public:
+  /// \param hierarchy must outlive the cycle.
+  /// \throw InvalidInput a number of sweeps is negative.
+  MultigridCycle(GalerkinHierarchy<Scalar>& hierarchy, const CycleOptions& options,
+    const ExecutionContext& context);
+  ~MultigridCycle() override;
+
+  /// After an Update of the hierarchy; the colours are kept.
+  void Update(const ExecutionContext& context);
+
+  /// z = B r, both N_0 long in the order of the hierarchy.
+  void Apply(
+    const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override;
+
+  /// Held by this object.
+  long long Bytes() const;
+
+private:
+  class Internals;
+  template <class Value>
+  class InternalsOf;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif

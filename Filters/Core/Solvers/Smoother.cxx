@@ -1,0 +1,335 @@
+#include "Solvers/Smoother.h"
+
+#include "Support/SparseKernels.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int RowGrain = 4096;
+
+template <class Value>
+long long BytesOf(const UnitDiagonalMatrix<Value>& A)
+{
+  return (A.Lower.nonZeros() + A.Upper.nonZeros()) *
+    static_cast<long long>(sizeof(Value) + sizeof(int)) +
+    2 * A.Lower.outerSize() * static_cast<long long>(sizeof(int));
+}
+
+template <class Value>
+class GaussSeidelSmoother : public Smoother<Value>
+{
+public:
+  GaussSeidelSmoother(UnitDiagonalMatrix<Value> matrix, const SmootherOptions& options)
+    : A(std::move(matrix))
+    , PreSweeps(options.PreSweeps)
+    , PostSweeps(options.PostSweeps)
+  {
+  }
+
+  // What has been summed up is not summed up again: from x = 0 the first sweep has nothing to the
+  // right of the diagonal, and as a sweep solves (I + L) x_new = b - U x_old, the residual that it
+  // leaves is U (x_old - x_new). A residual after n sweeps costs no more than n products.
+  void PreSmooth(const Vector<Value>& b, Vector<Value>& x, Vector<Value>& r,
+    const ExecutionContext& context) override
+  {
+    if (this->PreSweeps == 0)
+    {
+      x.setZero();
+      r = b;
+      return;
+    }
+    this->ForEachColour(context,
+      [this, &b, &x](int first, int last)
+      {
+        for (int i = first; i < last; ++i)
+        {
+          x[i] = b[i] - RowTimes(this->A.Lower, i, x.data());
+        }
+      });
+    for (int sweep = 1; sweep < this->PreSweeps; ++sweep)
+    {
+      this->ForEachColour(context,
+        [this, &b, &x, &r](int first, int last)
+        {
+          for (int i = first; i < last; ++i)
+          {
+            r[i] = RowTimes(this->A.Upper, i, x.data());
+            x[i] = b[i] - r[i] - RowTimes(this->A.Lower, i, x.data());
+          }
+        });
+    }
+    const bool single = this->PreSweeps == 1;
+    context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
+      [this, single, &x, &r](int first, int last)
+      {
+        for (int i = first; i < last; ++i)
+        {
+          r[i] = (single ? Value(0) : r[i]) - RowTimes(this->A.Upper, i, x.data());
+        }
+      });
+  }
+
+  void PostSmooth(
+    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
+  {
+    for (int sweep = 0; sweep < this->PostSweeps; ++sweep)
+    {
+      for (std::size_t colour = this->A.Begins.size() - 1; colour-- > 0;)
+      {
+        context.ParallelFor(this->A.Begins[colour], this->A.Begins[colour + 1], RowGrain,
+          [this, &b, &x](int first, int last)
+          {
+            for (int i = first; i < last; ++i)
+            {
+              x[i] = b[i] - RowTimes(this->A.Upper, i, x.data()) -
+                RowTimes(this->A.Lower, i, x.data());
+            }
+          });
+      }
+    }
+  }
+
+  long long Bytes() const override { return BytesOf(this->A); }
+
+private:
+  template <class Body>
+  void ForEachColour(const ExecutionContext& context, const Body& body) const
+  {
+    for (std::size_t colour = 0; colour + 1 < this->A.Begins.size(); ++colour)
+    {
+      context.ParallelFor(
+        this->A.Begins[colour], this->A.Begins[colour + 1], RowGrain, std::cref(body));
+    }
+  }
+
+  const UnitDiagonalMatrix<Value> A;
+  const int PreSweeps;
+  const int PostSweeps;
+};
+
+/// J. Lottes, Optimal polynomial smoothers for multigrid V-cycles, 2023: the polynomial of degree k
+/// that needs no lower bound of the spectrum.
+template <class Value>
+class ChebyshevSmoother : public Smoother<Value>
+{
+  using Real = typename Eigen::NumTraits<Value>::Real;
+
+public:
+  ChebyshevSmoother(UnitDiagonalMatrix<Value> matrix, const SmootherOptions& options,
+    const ExecutionContext& context)
+    : A(std::move(matrix))
+    , PreDegree(options.PreSweeps)
+    , PostDegree(options.PostSweeps)
+    , Residual(this->A.Lower.rows())
+    , Step(this->A.Lower.rows())
+    , LargestEigenvalue(this->EstimateLargestEigenvalue(context))
+  {
+  }
+
+  void PreSmooth(const Vector<Value>& b, Vector<Value>& x, Vector<Value>& r,
+    const ExecutionContext& context) override
+  {
+    x.setZero();
+    r = b;
+    this->Smooth(this->PreDegree, x, r, context);
+  }
+
+  void PostSmooth(
+    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
+  {
+    this->Residual = b;
+    this->Subtract(x, this->Residual, context);
+    this->Smooth(this->PostDegree, x, this->Residual, context);
+  }
+
+  long long Bytes() const override
+  {
+    return BytesOf(this->A) + 2 * this->Step.size() * static_cast<long long>(sizeof(Value));
+  }
+
+private:
+  /// x += p(A) r and r -= A p(A) r.
+  void Smooth(
+    int degree, Vector<Value>& x, Vector<Value>& r, const ExecutionContext& context)
+  {
+    for (int k = 1; k <= degree; ++k)
+    {
+      const Real ofStep = k == 1 ? Real(0) : Real(2 * k - 3) / Real(2 * k + 1);
+      const Real ofResidual = Real(8 * k - 4) / Real(2 * k + 1) / this->LargestEigenvalue;
+      context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
+        [this, k, ofStep, ofResidual, &x, &r](int first, int last)
+        {
+          for (int i = first; i < last; ++i)
+          {
+            const Value old = k == 1 ? Value(0) : this->Step[i] * ofStep;
+            this->Step[i] = old + r[i] * ofResidual;
+            x[i] += this->Step[i];
+          }
+        });
+      this->Subtract(this->Step, r, context);
+    }
+  }
+
+  /// r -= A x.
+  void Subtract(const Vector<Value>& x, Vector<Value>& r, const ExecutionContext& context) const
+  {
+    context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
+      [this, &x, &r](int first, int last)
+      {
+        for (int i = first; i < last; ++i)
+        {
+          r[i] -= x[i] + RowTimes(this->A.Lower, i, x.data()) +
+            RowTimes(this->A.Upper, i, x.data());
+        }
+      });
+  }
+
+  /// Power iterations and a margin, but never above the bound by row sums.
+  Real EstimateLargestEigenvalue(const ExecutionContext& context)
+  {
+    const int size = static_cast<int>(this->A.Lower.rows());
+    double bound = 1.0;
+    for (int i = 0; i < size; ++i)
+    {
+      double rowSum = 1.0;
+      for (const SparseMatrix<Value>* part : { &this->A.Lower, &this->A.Upper })
+      {
+        for (int k = part->outerIndexPtr()[i]; k < part->outerIndexPtr()[i + 1]; ++k)
+        {
+          rowSum += std::abs(part->valuePtr()[k]);
+        }
+      }
+      bound = std::max(bound, rowSum);
+    }
+    // A start with all frequencies: the fractional parts of multiples of the golden ratio.
+    Vector<Value> x(size);
+    for (int i = 0; i < size; ++i)
+    {
+      x[i] = Value(static_cast<Real>(std::fmod(i * 0.6180339887498949, 1.0) - 0.5));
+    }
+    double estimate = 1.0;
+    for (int iteration = 0; iteration < 15; ++iteration)
+    {
+      const double norm = std::sqrt(this->SquaredNormOf(x, context));
+      if (!(norm > 0.0))
+      {
+        break;
+      }
+      x *= static_cast<Real>(1.0 / norm);
+      Vector<Value> negative = Vector<Value>::Zero(size);
+      this->Subtract(x, negative, context);
+      x = -negative;
+      estimate = std::sqrt(this->SquaredNormOf(x, context));
+    }
+    return static_cast<Real>(std::min(1.1 * estimate, bound));
+  }
+
+  static double SquaredNormOf(const Vector<Value>& x, const ExecutionContext& context)
+  {
+    return SumOverBlocks<double>(static_cast<int>(x.size()), context,
+      [&x](int first, int last)
+      { return static_cast<double>(x.segment(first, last - first).squaredNorm()); });
+  }
+
+  const UnitDiagonalMatrix<Value> A;
+  const int PreDegree;
+  const int PostDegree;
+  Vector<Value> Residual;
+  Vector<Value> Step;
+  const Real LargestEigenvalue;
+};
+
+}
+
+template <class Scalar>
+ColourOrder Colouring(const SparseMatrix<Scalar>& A)
+{
+  const int size = static_cast<int>(A.rows());
+  const int* offsets = A.outerIndexPtr();
+  const int* columns = A.innerIndexPtr();
+  std::vector<int> colours(size, -1);
+  std::vector<int> lastUser; // of each colour: the unknown that saw it last among its neighbours
+  ColourOrder order;
+  order.Begins.push_back(0);
+  for (int i = 0; i < size; ++i)
+  {
+    for (int k = offsets[i]; k < offsets[i + 1]; ++k)
+    {
+      const int colour = colours[columns[k]];
+      if (colour >= 0)
+      {
+        lastUser[colour] = i;
+      }
+    }
+    std::size_t colour = 0;
+    while (colour < lastUser.size() && lastUser[colour] == i)
+    {
+      ++colour;
+    }
+    if (colour == lastUser.size())
+    {
+      lastUser.push_back(-1);
+      order.Begins.push_back(0);
+    }
+    colours[i] = static_cast<int>(colour);
+    ++order.Begins[colour + 1];
+  }
+  OffsetsFromCounts(order.Begins);
+  std::vector<int> next(order.Begins);
+  order.Unknowns.resize(size);
+  for (int i = 0; i < size; ++i)
+  {
+    order.Unknowns[next[colours[i]]++] = i;
+  }
+  std::vector<int> key(size);
+  for (int i = 0; i < size; ++i)
+  {
+    int lower = 0, upper = 0;
+    for (int k = offsets[i]; k < offsets[i + 1]; ++k)
+    {
+      lower += colours[columns[k]] < colours[i];
+      upper += colours[columns[k]] > colours[i];
+    }
+    key[i] = lower * 1024 + upper;
+  }
+  for (std::size_t c = 0; c + 1 < order.Begins.size(); ++c)
+    std::stable_sort(order.Unknowns.begin() + order.Begins[c], order.Unknowns.begin() + order.Begins[c + 1], [&](int a, int b) { return key[a] < key[b]; });
+  return order;
+}
+
+ColourOrder SingleColour(int size)
+{
+  ColourOrder order;
+  order.Begins = { 0, size };
+  order.Unknowns.resize(size);
+  for (int i = 0; i < size; ++i)
+  {
+    order.Unknowns[i] = i;
+  }
+  return order;
+}
+
+template <class Value>
+std::unique_ptr<Smoother<Value>> Smoother<Value>::New(
+  UnitDiagonalMatrix<Value> A, const SmootherOptions& options, const ExecutionContext& context)
+{
+  if (options.Kind == SmootherKind::Chebyshev)
+  {
+    return std::make_unique<ChebyshevSmoother<Value>>(std::move(A), options, context);
+  }
+  return std::make_unique<GaussSeidelSmoother<Value>>(std::move(A), options);
+}
+
+template ColourOrder Colouring(const SparseMatrix<double>&);
+template ColourOrder Colouring(const SparseMatrix<Complex>&);
+template class Smoother<float>;
+template class Smoother<double>;
+template class Smoother<std::complex<float>>;
+template class Smoother<std::complex<double>>;
+
+}

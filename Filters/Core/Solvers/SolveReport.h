@@ -1,0 +1,43 @@
+#ifndef dmgSolveReport_h
+#define dmgSolveReport_h
+
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// One level of a multigrid hierarchy, or the whole system for a direct solver.
+struct LevelReport
+{
+  long long Unknowns = 0;
+  long long NonZeros = 0;
+};
+
+/// One iteration; the first row of a history is the start.
+struct IterationReport
+{
+  int Iteration = 0;
+  double Seconds = 0.0;          ///< since the solve began
+  double RelativeResidual = 0.0; ///< |b - A x| / |b|
+};
+
+/// What a solver did: sizes, cost and convergence.
+struct SolveReport
+{
+  std::string Solver; ///< what ran, in words, and why if it was chosen automatically
+  std::vector<LevelReport> Levels;
+  long long Bytes = 0;         ///< held by matrices, transfers and factors
+  double PrepareSeconds = 0.0; ///< system stage: assembly, Galerkin products, factorisation
+  double SolveSeconds = 0.0;
+  std::vector<IterationReport> Iterations;
+  bool Converged = false;
+  std::vector<std::string> Warnings; ///< one sentence each, for the user
+
+  /// Non-zeros of all levels over those of the finest; 1 for a direct solver.
+  double OperatorComplexity() const;
+};
+
+}
+
+#endif

@@ -1,0 +1,34 @@
+#ifndef dmgErrors_h
+#define dmgErrors_h
+
+#include <stdexcept>
+#include <string>
+
+namespace dmg
+{
+
+/// The caller can repair the data. The message names the element and the remedy:
+/// "cell 812 is not a triangle; apply vtkTriangleFilter first".
+class InvalidInput : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The data are legal and the method failed on them.
+class SolverFailure : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// The user asked to stop. Not an error.
+class Cancelled : public std::exception
+{
+public:
+  const char* what() const noexcept override { return "cancelled"; }
+};
+
+}
+
+#endif

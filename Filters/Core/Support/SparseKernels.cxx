@@ -1,0 +1,400 @@
+#include "Support/SparseKernels.h"
+
+#include "Support/Errors.h"
+
+#include <cassert>
+#include <limits>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int RowGrain = 4096;
+
+void SortColumns(std::vector<int>& columns)
+{
+  if (columns.size() > 24)
+  {
+    std::sort(columns.begin(), columns.end());
+    return;
+  }
+  for (std::size_t next = 1; next < columns.size(); ++next)
+  {
+    const int column = columns[next];
+    std::size_t place = next;
+    for (; place > 0 && columns[place - 1] > column; --place)
+    {
+      columns[place] = columns[place - 1];
+    }
+    columns[place] = column;
+  }
+}
+
+/// A set of indices that keeps the order of their arrival and is cleared at no cost.
+class IndexSet
+{
+public:
+  explicit IndexSet(int upperBound)
+    : Places(upperBound, 0)
+    , Members(upperBound)
+  {
+  }
+
+  int Size() const { return this->Count; }
+  void Clear() { this->Count = 0; }
+  const int* begin() const { return this->Members.data(); }
+  const int* end() const { return this->Members.data() + this->Count; }
+
+  /// The place of an index in the order of arrival; Size() if it is no member.
+  int Find(int index) const
+  {
+    const int place = this->Places[index];
+    return place < this->Count && this->Members[place] == index ? place : this->Count;
+  }
+
+  void Append(int index)
+  {
+    this->Places[index] = this->Count;
+    this->Members[this->Count] = index;
+    ++this->Count;
+  }
+
+private:
+  std::vector<int> Places;
+  std::vector<int> Members;
+  int Count = 0;
+};
+
+/// A sparse vector that is summed up product by product.
+template <class Scalar>
+class SparseSum
+{
+public:
+  explicit SparseSum(int size)
+    : Indices(size)
+    , Values(size)
+  {
+  }
+
+  void Clear() { this->Indices.Clear(); }
+
+  void AddProduct(int index, Scalar a, Scalar b)
+  {
+    const int place = this->Indices.Find(index);
+    if (place == this->Indices.Size())
+    {
+      this->Indices.Append(index);
+      this->Values[place] = Scalar(0);
+    }
+    dmg::AddProduct(this->Values[place], a, b);
+  }
+
+  const IndexSet& Support() const { return this->Indices; }
+  const Scalar* begin() const { return this->Values.data(); }
+  const Scalar* end() const { return this->Values.data() + this->Indices.Size(); }
+  Scalar operator[](int index) const { return this->Values[this->Indices.Find(index)]; }
+
+private:
+  IndexSet Indices;
+  std::vector<Scalar> Values;
+};
+
+/// Rows of a sparse matrix, in the order in which they were computed.
+template <class Scalar>
+struct SparseRows
+{
+  std::vector<int> Offsets = { 0 };
+  std::vector<int> Columns;
+  std::vector<Scalar> Values;
+
+  void Clear()
+  {
+    this->Offsets.resize(1);
+    this->Columns.clear();
+    this->Values.clear();
+  }
+};
+
+}
+
+int OffsetsFromCounts(std::vector<int>& counts)
+{
+  long long total = 0;
+  counts[0] = 0;
+  for (std::size_t i = 1; i < counts.size(); ++i)
+  {
+    total += counts[i];
+    if (total > std::numeric_limits<int>::max())
+    {
+      throw InvalidInput("a sparse matrix would have more than 2147483647 non-zeros; "
+                         "reduce the size of the surface");
+    }
+    counts[i] = static_cast<int>(total);
+  }
+  return static_cast<int>(total);
+}
+
+template <class Scalar>
+void Multiply(const SparseMatrix<Scalar>& A, const Vector<Scalar>& x, Vector<Scalar>& y,
+  const ExecutionContext& context)
+{
+  assert(A.isCompressed() && x.size() == A.cols());
+  y.resize(A.rows());
+  context.ParallelFor(0, static_cast<int>(A.rows()), RowGrain,
+    [&A, &x, &y](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        y[i] = RowTimes(A, i, x.data());
+      }
+    });
+}
+
+template <class Scalar>
+Scalar Dot(const Vector<Scalar>& x, const Vector<Scalar>& y, const ExecutionContext& context)
+{
+  return SumOverBlocks<Scalar>(static_cast<int>(x.size()), context,
+    [&x, &y](int first, int last) -> Scalar
+    { return x.segment(first, last - first).dot(y.segment(first, last - first)); });
+}
+
+template <class Scalar>
+double SquaredNorm(const Vector<Scalar>& x, const ExecutionContext& context)
+{
+  return SumOverBlocks<double>(static_cast<int>(x.size()), context,
+    [&x](int first, int last) { return x.segment(first, last - first).squaredNorm(); });
+}
+
+template <class Scalar>
+SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionContext& context)
+{
+  assert(A.isCompressed());
+  const int rows = static_cast<int>(A.rows());
+  const int columns = static_cast<int>(A.cols());
+  const int* offsetsOfA = A.outerIndexPtr();
+  const int* columnsOfA = A.innerIndexPtr();
+  const Scalar* valuesOfA = A.valuePtr();
+
+  // Bands of rows of A are counted and scattered side by side. Each band's part of a row of the
+  // adjoint follows that of the band before it, so the result does not depend on their number.
+  const int numberOfBands =
+    A.nonZeros() < RowGrain ? 1 : std::min(context.NumberOfThreads(), 16);
+  const auto bandBegin = [rows, numberOfBands](int band)
+  { return static_cast<int>(static_cast<long long>(rows) * band / numberOfBands); };
+
+  std::vector<std::vector<int>> places(numberOfBands);
+  context.ParallelFor(0, numberOfBands, 1,
+    [columns, offsetsOfA, columnsOfA, &bandBegin, &places](int first, int last)
+    {
+      for (int band = first; band < last; ++band)
+      {
+        places[band].assign(columns, 0);
+        for (int k = offsetsOfA[bandBegin(band)]; k < offsetsOfA[bandBegin(band + 1)]; ++k)
+        {
+          ++places[band][columnsOfA[k]];
+        }
+      }
+    });
+
+  SparseMatrix<Scalar> adjoint(columns, rows);
+  adjoint.resizeNonZeros(A.nonZeros());
+  int* offsets = adjoint.outerIndexPtr();
+  int next = 0;
+  for (int j = 0; j < columns; ++j)
+  {
+    offsets[j] = next;
+    for (std::vector<int>& place : places)
+    {
+      const int count = place[j];
+      place[j] = next;
+      next += count;
+    }
+  }
+  offsets[columns] = next;
+
+  int* indices = adjoint.innerIndexPtr();
+  Scalar* values = adjoint.valuePtr();
+  context.ParallelFor(0, numberOfBands, 1,
+    [offsetsOfA, columnsOfA, valuesOfA, indices, values, &bandBegin, &places](int first, int last)
+    {
+      for (int band = first; band < last; ++band)
+      {
+        std::vector<int>& place = places[band];
+        for (int i = bandBegin(band); i < bandBegin(band + 1); ++i)
+        {
+          for (int k = offsetsOfA[i]; k < offsetsOfA[i + 1]; ++k)
+          {
+            const int to = place[columnsOfA[k]]++;
+            indices[to] = i;
+            values[to] = Eigen::numext::conj(valuesOfA[k]);
+          }
+        }
+      }
+    });
+  return adjoint;
+}
+
+template <class Scalar>
+SparseMatrix<Scalar> Permuted(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
+  const std::vector<int>& columnPlaces, const ExecutionContext& context)
+{
+  assert(A.isCompressed());
+  const int rows = static_cast<int>(rowOrder.size());
+  const int* offsetsOfA = A.outerIndexPtr();
+  const int* columnsOfA = A.innerIndexPtr();
+  const Scalar* valuesOfA = A.valuePtr();
+  SparseMatrix<Scalar> B(rows, A.cols());
+  B.resizeNonZeros(A.nonZeros());
+  int* offsets = B.outerIndexPtr();
+  int* columns = B.innerIndexPtr();
+  Scalar* values = B.valuePtr();
+  offsets[0] = 0;
+  for (int k = 0; k < rows; ++k)
+  {
+    const int i = rowOrder[k];
+    offsets[k + 1] = offsets[k] + offsetsOfA[i + 1] - offsetsOfA[i];
+  }
+  context.ParallelFor(0, rows, RowGrain,
+    [=, &rowOrder, &columnPlaces](int first, int last)
+    {
+      for (int k = first; k < last; ++k)
+      {
+        int end = offsets[k];
+        const int i = rowOrder[k];
+        for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m, ++end)
+        {
+          const int column = columnPlaces[columnsOfA[m]];
+          int place = end;
+          for (; place > offsets[k] && columns[place - 1] > column; --place)
+          {
+            columns[place] = columns[place - 1];
+            values[place] = values[place - 1];
+          }
+          columns[place] = column;
+          values[place] = valuesOfA[m];
+        }
+      }
+    });
+  return B;
+}
+
+template <class Scalar>
+SparseMatrix<Scalar> TripleProduct(const SparseMatrix<Scalar>& R, const SparseMatrix<Scalar>& A,
+  const SparseMatrix<Scalar>& P, const ExecutionContext& context)
+{
+  assert(R.isCompressed() && A.isCompressed() && P.isCompressed());
+  assert(R.cols() == A.rows() && A.cols() == P.rows());
+  const int* offsetsOfR = R.outerIndexPtr();
+  const int* columnsOfR = R.innerIndexPtr();
+  const Scalar* valuesOfR = R.valuePtr();
+  const int* offsetsOfA = A.outerIndexPtr();
+  const int* columnsOfA = A.innerIndexPtr();
+  const Scalar* valuesOfA = A.valuePtr();
+  const int* offsetsOfP = P.outerIndexPtr();
+  const int* columnsOfP = P.innerIndexPtr();
+  const Scalar* valuesOfP = P.valuePtr();
+
+  constexpr int bandSize = 512; // the rows of A P of a band fit into the second-level cache
+  const int numberOfRows = static_cast<int>(R.rows());
+  const int numberOfBands = (numberOfRows + bandSize - 1) / bandSize;
+  std::vector<SparseRows<Scalar>> bands(numberOfBands);
+  std::vector<int> offsets(numberOfRows + 1, 0);
+  const int grain = std::max(1, numberOfBands / (8 * context.NumberOfThreads()));
+  context.ParallelFor(0, numberOfBands, grain,
+    [&, numberOfRows](int firstBand, int lastBand)
+    {
+      IndexSet rowsOfAP(static_cast<int>(A.rows()));
+      SparseRows<Scalar> AP;
+      SparseSum<Scalar> sum(static_cast<int>(P.cols()));
+      std::vector<int> columns;
+      for (int band = firstBand; band < lastBand; ++band)
+      {
+        SparseRows<Scalar>& result = bands[band];
+        const int firstRow = band * bandSize;
+        const int lastRow = std::min(firstRow + bandSize, numberOfRows);
+        rowsOfAP.Clear();
+        AP.Clear();
+        for (int k = offsetsOfR[firstRow]; k < offsetsOfR[lastRow]; ++k)
+        {
+          const int i = columnsOfR[k];
+          if (rowsOfAP.Find(i) < rowsOfAP.Size())
+          {
+            continue;
+          }
+          rowsOfAP.Append(i);
+          sum.Clear();
+          for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
+          {
+            const Scalar factor = valuesOfA[m];
+            const int j = columnsOfA[m];
+            for (int n = offsetsOfP[j]; n < offsetsOfP[j + 1]; ++n)
+            {
+              sum.AddProduct(columnsOfP[n], factor, valuesOfP[n]);
+            }
+          }
+          AP.Columns.insert(AP.Columns.end(), sum.Support().begin(), sum.Support().end());
+          AP.Values.insert(AP.Values.end(), sum.begin(), sum.end());
+          AP.Offsets.push_back(static_cast<int>(AP.Columns.size()));
+        }
+        for (int row = firstRow; row < lastRow; ++row)
+        {
+          sum.Clear();
+          for (int k = offsetsOfR[row]; k < offsetsOfR[row + 1]; ++k)
+          {
+            const Scalar factor = valuesOfR[k];
+            const int i = rowsOfAP.Find(columnsOfR[k]);
+            for (int m = AP.Offsets[i]; m < AP.Offsets[i + 1]; ++m)
+            {
+              sum.AddProduct(AP.Columns[m], factor, AP.Values[m]);
+            }
+          }
+          columns.assign(sum.Support().begin(), sum.Support().end());
+          SortColumns(columns);
+          for (const int column : columns)
+          {
+            result.Columns.push_back(column);
+            result.Values.push_back(sum[column]);
+          }
+          offsets[row + 1] = static_cast<int>(columns.size());
+        }
+      }
+    });
+
+  SparseMatrix<Scalar> C(numberOfRows, P.cols());
+  C.resizeNonZeros(OffsetsFromCounts(offsets));
+  std::copy(offsets.begin(), offsets.end(), C.outerIndexPtr());
+  context.ParallelFor(0, numberOfBands, grain,
+    [&bands, &offsets, &C](int firstBand, int lastBand)
+    {
+      for (int band = firstBand; band < lastBand; ++band)
+      {
+        const int begin = offsets[band * bandSize];
+        const SparseRows<Scalar>& rows = bands[band];
+        std::copy(rows.Columns.begin(), rows.Columns.end(), C.innerIndexPtr() + begin);
+        std::copy(rows.Values.begin(), rows.Values.end(), C.valuePtr() + begin);
+      }
+    });
+  return C;
+}
+
+template void Multiply(const SparseMatrix<double>&, const Vector<double>&, Vector<double>&,
+  const ExecutionContext&);
+template void Multiply(const SparseMatrix<Complex>&, const Vector<Complex>&, Vector<Complex>&,
+  const ExecutionContext&);
+template double Dot(const Vector<double>&, const Vector<double>&, const ExecutionContext&);
+template Complex Dot(const Vector<Complex>&, const Vector<Complex>&, const ExecutionContext&);
+template double SquaredNorm(const Vector<double>&, const ExecutionContext&);
+template double SquaredNorm(const Vector<Complex>&, const ExecutionContext&);
+template SparseMatrix<double> Adjoint(const SparseMatrix<double>&, const ExecutionContext&);
+template SparseMatrix<Complex> Adjoint(const SparseMatrix<Complex>&, const ExecutionContext&);
+template SparseMatrix<double> Permuted(const SparseMatrix<double>&, const std::vector<int>&,
+  const std::vector<int>&, const ExecutionContext&);
+template SparseMatrix<Complex> Permuted(const SparseMatrix<Complex>&, const std::vector<int>&,
+  const std::vector<int>&, const ExecutionContext&);
+template SparseMatrix<double> TripleProduct(const SparseMatrix<double>&,
+  const SparseMatrix<double>&, const SparseMatrix<double>&, const ExecutionContext&);
+template SparseMatrix<Complex> TripleProduct(const SparseMatrix<Complex>&,
+  const SparseMatrix<Complex>&, const SparseMatrix<Complex>&, const ExecutionContext&);
+
+}

@@ -1,0 +1,50 @@
+#ifndef dmgAlignmentConstraints_h
+#define dmgAlignmentConstraints_h
+
+#include "Mesh/TangentFrames.h"
+#include "Mesh/TriangleMesh.h"
+
+namespace dmg
+{
+
+enum class ConstraintKind
+{
+  Soft, ///< pulls with a weight; prescriptions may disagree
+  Hard, ///< holds exactly
+};
+
+/// Which faces are prescribed, and how strongly. Part of the system's key; values are not.
+struct PrescribedFaces
+{
+  std::vector<int> Faces;      ///< ascending, each once
+  std::vector<double> Weights; ///< per prescribed face, > 0, dimensionless
+};
+
+/// A direction prescribed somewhere on a face; several may share a face.
+struct PrescribedDirection
+{
+  int Face;
+  Vector3 Direction; ///< in space; its part in the plane of the face counts
+  double Weight;     ///< > 0
+};
+
+/// Prescribed faces with the values that N-power fields shall take there.
+struct PowerConstraints
+{
+  PrescribedFaces Prescribed;
+  /// Y_b = |v| e^{i N angle(v)}, v the tangential part in the frame of the face. The magnitude
+  /// of a direction is kept, not raised to the N-th power.
+  Vector<Complex> Values;
+};
+
+/// Brings directions into the frames of their faces. Directions on one face are averaged as powers
+/// (so that 0 and 90 degrees agree at N = 4), by weight; the weights add up. Directions that
+/// contradict each other shorten the value, down to 0.
+/// \throw InvalidInput a direction is not finite, has no part in the plane of its face (less than
+/// 1e-6 of its length), or its weight is not positive; \p names says how messages call face i.
+PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  int N, const std::vector<PrescribedDirection>& directions, const ElementNames& names = {});
+
+}
+
+#endif

@@ -1,0 +1,226 @@
+#include "Systems/HarmonicSystem.h"
+
+#include <cassert>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Unknowns that are connected with one of \p seeds through the entries of a matrix.
+template <class Scalar>
+std::vector<char> ReachedFrom(const std::vector<int>& seeds, const SparseMatrix<Scalar>& matrix)
+{
+  std::vector<char> reached(matrix.rows(), 0);
+  std::vector<int> stack = seeds;
+  for (int seed : seeds)
+  {
+    reached[seed] = 1;
+  }
+  while (!stack.empty())
+  {
+    const int row = stack.back();
+    stack.pop_back();
+    for (typename SparseMatrix<Scalar>::InnerIterator entry(matrix, row); entry; ++entry)
+    {
+      if (!reached[entry.col()] && entry.value() != Scalar(0))
+      {
+        reached[entry.col()] = 1;
+        stack.push_back(static_cast<int>(entry.col()));
+      }
+    }
+  }
+  return reached;
+}
+
+/// The entries of some rows in the columns whose new number is not negative.
+/// \param columnNumbers ascending where not negative.
+template <class Scalar>
+SparseMatrix<Scalar> Submatrix(const SparseMatrix<Scalar>& matrix, const std::vector<int>& rows,
+  const std::vector<int>& columnNumbers, int numberOfColumns)
+{
+  SparseMatrix<Scalar> part(static_cast<int>(rows.size()), numberOfColumns);
+  Eigen::Index size = 0;
+  for (int row : rows)
+  {
+    for (typename SparseMatrix<Scalar>::InnerIterator entry(matrix, row); entry; ++entry)
+    {
+      size += columnNumbers[entry.col()] >= 0 ? 1 : 0;
+    }
+  }
+  part.resizeNonZeros(size);
+  int end = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    part.outerIndexPtr()[i] = end;
+    for (typename SparseMatrix<Scalar>::InnerIterator entry(matrix, rows[i]); entry; ++entry)
+    {
+      if (columnNumbers[entry.col()] >= 0)
+      {
+        part.innerIndexPtr()[end] = columnNumbers[entry.col()];
+        part.valuePtr()[end] = entry.value();
+        ++end;
+      }
+    }
+  }
+  part.outerIndexPtr()[rows.size()] = end;
+  return part;
+}
+
+}
+
+template <class Scalar>
+HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Soft(SparseMatrix<Scalar> smoothness,
+  const Vector<double>& mass, std::vector<int> prescribed, Vector<double> alignment)
+{
+  return HarmonicSystem(
+    std::move(smoothness), mass, std::move(prescribed), std::move(alignment), false);
+}
+
+template <class Scalar>
+HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Hard(
+  SparseMatrix<Scalar> smoothness, const Vector<double>& mass, std::vector<int> prescribed)
+{
+  return HarmonicSystem(std::move(smoothness), mass, std::move(prescribed), {}, true);
+}
+
+template <class Scalar>
+HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
+  std::vector<int> prescribed, Vector<double> alignment, bool isHard)
+  : IsHard(isHard)
+  , Prescribed(std::move(prescribed))
+  , Alignment(std::move(alignment))
+{
+  const int numberOfUnknowns = static_cast<int>(smoothness.rows());
+  const int numberOfPrescribed = static_cast<int>(this->Prescribed.size());
+  assert(smoothness.cols() == numberOfUnknowns && mass.size() == numberOfUnknowns);
+  assert(this->IsHard || this->Alignment.size() == numberOfPrescribed);
+  smoothness.makeCompressed();
+
+  std::vector<int> seeds;
+  for (int b = 0; b < numberOfPrescribed; ++b)
+  {
+    if (this->IsHard || this->Alignment[b] > 0.0)
+    {
+      seeds.push_back(this->Prescribed[b]);
+    }
+  }
+  std::vector<char> isFree = ReachedFrom(seeds, smoothness);
+  for (int i = 0; i < numberOfUnknowns; ++i)
+  {
+    this->Unreached += isFree[i] ? 0 : 1;
+  }
+  if (this->IsHard)
+  {
+    for (int unknown : this->Prescribed)
+    {
+      isFree[unknown] = 0;
+    }
+  }
+
+  this->Rows.assign(numberOfUnknowns, -1);
+  this->Free.reserve(numberOfUnknowns);
+  for (int i = 0; i < numberOfUnknowns; ++i)
+  {
+    if (isFree[i])
+    {
+      this->Rows[i] = this->NumberOfFree();
+      this->Free.push_back(i);
+    }
+  }
+  this->M.resize(this->NumberOfFree());
+  for (int row = 0; row < this->NumberOfFree(); ++row)
+  {
+    this->M[row] = mass[this->Free[row]];
+  }
+
+  if (this->IsHard)
+  {
+    std::vector<int> prescribedNumbers(numberOfUnknowns, -1);
+    for (int b = 0; b < numberOfPrescribed; ++b)
+    {
+      prescribedNumbers[this->Prescribed[b]] = b;
+    }
+    this->ToPrescribed = Submatrix(smoothness, this->Free, prescribedNumbers, numberOfPrescribed);
+  }
+
+  if (this->NumberOfFree() == numberOfUnknowns)
+  {
+    this->A = std::move(smoothness);
+  }
+  else
+  {
+    this->A = Submatrix(smoothness, this->Free, this->Rows, this->NumberOfFree());
+  }
+  if (!this->IsHard)
+  {
+    for (int b = 0; b < numberOfPrescribed; ++b)
+    {
+      const int row = this->Rows[this->Prescribed[b]];
+      if (row >= 0)
+      {
+        this->A.coeffRef(row, row) += this->Alignment[b];
+      }
+    }
+    this->A.makeCompressed();
+  }
+}
+
+template <class Scalar>
+Vector<Scalar> HarmonicSystem<Scalar>::RightHandSide(const Vector<Scalar>& values) const
+{
+  assert(values.size() == static_cast<Eigen::Index>(this->Prescribed.size()));
+  if (this->IsHard)
+  {
+    return -(this->ToPrescribed * values);
+  }
+  Vector<Scalar> right = Vector<Scalar>::Zero(this->NumberOfFree());
+  for (std::size_t b = 0; b < this->Prescribed.size(); ++b)
+  {
+    const int row = this->Rows[this->Prescribed[b]];
+    if (row >= 0)
+    {
+      right[row] = this->Alignment[b] * values[b];
+    }
+  }
+  return right;
+}
+
+template <class Scalar>
+Vector<Scalar> HarmonicSystem<Scalar>::Restrict(const Vector<Scalar>& all) const
+{
+  assert(all.size() == this->NumberOfUnknowns());
+  Vector<Scalar> part(this->NumberOfFree());
+  for (int row = 0; row < this->NumberOfFree(); ++row)
+  {
+    part[row] = all[this->Free[row]];
+  }
+  return part;
+}
+
+template <class Scalar>
+Vector<Scalar> HarmonicSystem<Scalar>::Expand(
+  const Vector<Scalar>& solution, const Vector<Scalar>& values) const
+{
+  assert(solution.size() == this->NumberOfFree());
+  Vector<Scalar> all = Vector<Scalar>::Zero(this->NumberOfUnknowns());
+  for (int row = 0; row < this->NumberOfFree(); ++row)
+  {
+    all[this->Free[row]] = solution[row];
+  }
+  if (this->IsHard)
+  {
+    for (std::size_t b = 0; b < this->Prescribed.size(); ++b)
+    {
+      all[this->Prescribed[b]] = values[b];
+    }
+  }
+  return all;
+}
+
+template class HarmonicSystem<double>;
+template class HarmonicSystem<Complex>;
+
+}

@@ -1,0 +1,43 @@
+#ifndef dmgPowerFieldSystem_h
+#define dmgPowerFieldSystem_h
+
+#include "Mesh/TangentFrames.h"
+#include "Mesh/TriangleMesh.h"
+#include "Systems/AlignmentConstraints.h"
+#include "Systems/HarmonicSystem.h"
+
+#include <string>
+
+namespace dmg
+{
+
+/// Weights of the two energies of a power field.
+struct PowerFieldWeights
+{
+  double Smoothness = 1.0; ///< lambda_S, > 0
+  double Alignment = 1.0;  ///< lambda_A, > 0; soft constraints only
+  ConstraintKind Constraints = ConstraintKind::Soft;
+};
+
+/// The system of the smoothest N-direction field that follows prescribed directions; unknowns are the
+/// powers of the faces, in their frames:
+///   argmin  lambda_S X^H L X + lambda_A sum_b w_b (A_b / mean A) |X_b - Y_b|^2   (soft)
+///   argmin  X^H L X  subject to  X_b = Y_b                                       (hard)
+/// with L = PowerLaplacian. The mass M are the areas over their mean. Thesis, section 6.3, as
+/// corrected: the printed stack of two systems is not the minimiser of its energy.
+/// \param N 1 to 8.
+/// Components of the surface without a prescribed face get the zero field; see WarningAboutUnreached.
+/// \throw InvalidInput N or a weight is out of range, nothing is prescribed, or hard constraints leave
+/// nothing to solve for.
+/// \pre prescribed faces are ascending and in range; see MakePowerConstraints.
+/// Cost: O(#F).
+HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
+  const PowerFieldWeights& weights);
+
+/// One sentence for the user where faces are zero because no prescription reaches them, else empty.
+std::string WarningAboutUnreached(const HarmonicSystem<Complex>& system);
+
+}
+
+#endif

@@ -1,0 +1,159 @@
+#include "vtkDirectionalProlongation.h"
+
+#include "Adapters/ContextFromAlgorithm.h"
+#include "Adapters/MeshFromPolyData.h"
+#include "Adapters/OperatorsToFieldData.h"
+#include "Adapters/PieceRequest.h"
+#include "HarmonicField.h"
+#include "Support/Errors.h"
+
+#include "vtkCompositeDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPolyData.h"
+
+#include <string>
+#include <vector>
+
+vtkStandardNewMacro(vtkDirectionalProlongation);
+
+//------------------------------------------------------------------------------
+class vtkDirectionalProlongation::vtkInternals
+{
+public:
+  /// The result of the last complete set-up.
+  struct Setup
+  {
+    dmg::OperatorsOrigin Origin;
+    vtkNew<vtkFieldData> Operators;
+    std::vector<vtkSmartPointer<vtkPolyData>> CoarseLevels;
+  };
+
+  std::unique_ptr<Setup> Last;
+  int NumberOfSetups = 0;
+
+  /// Builds anew only if the surface or the options are others than last time.
+  void SetUp(vtkPolyData* surface, const dmg::HierarchyOptions& options,
+    const dmg::ExecutionContext& context)
+  {
+    const dmg::OperatorsOrigin origin{ dmg::ContentDigest(surface), options };
+    if (this->Last && this->Last->Origin == origin)
+    {
+      return;
+    }
+    const dmg::SurfaceMesh mesh = dmg::MeshFromPolyData(surface);
+    const dmg::SurfaceHierarchy hierarchy =
+      dmg::BuildSurfaceHierarchy(mesh.Mesh, options, context);
+    auto setup = std::make_unique<Setup>();
+    setup->Origin = origin;
+    dmg::OperatorsToFieldData(hierarchy.Operators, origin, setup->Operators);
+    for (const dmg::TriangleMesh& level : hierarchy.CoarseLevels)
+    {
+      setup->CoarseLevels.push_back(dmg::PolyDataFromMesh(level));
+    }
+    this->Last = std::move(setup);
+    ++this->NumberOfSetups;
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkDirectionalProlongation::vtkDirectionalProlongation()
+  : Internals(new vtkInternals)
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+//------------------------------------------------------------------------------
+vtkDirectionalProlongation::~vtkDirectionalProlongation() = default;
+
+//------------------------------------------------------------------------------
+int vtkDirectionalProlongation::GetNumberOfSetups() const
+{
+  return this->Internals->NumberOfSetups;
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionalProlongation::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(
+    vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkPartitionedDataSetCollection");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionalProlongation::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionalProlongation::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
+  auto* const levels = vtkPartitionedDataSetCollection::GetData(outputVector, 1);
+  output->Initialize();
+  levels->Initialize();
+  if (input->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+
+  try
+  {
+    dmg::HierarchyOptions options;
+    options.FaceRatio = this->FaceRatio;
+    options.MaximumNumberOfCoarseLevels = this->MaximumNumberOfCoarseLevels;
+    options.MinimumNumberOfFaces = this->MinimumNumberOfFaces;
+    options.Policy = static_cast<dmg::CollapsePolicy>(this->CollapsePolicy);
+    this->Internals->SetUp(input, options, dmg::ContextFromAlgorithm(this));
+  }
+  catch (const dmg::Cancelled&)
+  {
+    return dmg::Aborted(this, outputVector);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+
+  const vtkInternals::Setup& setup = *this->Internals->Last;
+  output->ShallowCopy(input);
+  dmg::RemoveOperators(output->GetFieldData());
+  for (int i = 0; i < setup.Operators->GetNumberOfArrays(); ++i)
+  {
+    output->GetFieldData()->AddArray(setup.Operators->GetAbstractArray(i));
+  }
+  vtkNew<vtkPolyData> finest;
+  finest->ShallowCopy(input);
+  const unsigned int numberOfLevels = 1 + static_cast<unsigned int>(setup.CoarseLevels.size());
+  levels->SetNumberOfPartitionedDataSets(numberOfLevels);
+  for (unsigned int level = 0; level < numberOfLevels; ++level)
+  {
+    levels->SetPartition(level, 0, level == 0 ? finest.Get() : setup.CoarseLevels[level - 1].Get());
+    levels->GetMetaData(level)->Set(
+      vtkCompositeDataSet::NAME(), "Level " + std::to_string(level));
+  }
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionalProlongation::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FaceRatio: " << this->FaceRatio << "\n";
+  os << indent << "MaximumNumberOfCoarseLevels: " << this->MaximumNumberOfCoarseLevels << "\n";
+  os << indent << "MinimumNumberOfFaces: " << this->MinimumNumberOfFaces << "\n";
+  os << indent << "CollapsePolicy: "
+     << (this->CollapsePolicy == IndependentRounds ? "IndependentRounds" : "SequentialQueue") << "\n";
+  os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
+}

@@ -1,0 +1,141 @@
+/**
+ * @class   vtkDirectionalProlongation
+ * @brief   decimates a surface level by level and keeps the operators that carry fields between levels
+ *
+ * vtkDirectionalProlongation is the set-up of vtkHarmonicFieldSolver as a filter of its own, so that
+ * its result can be stored, reused by several solvers and looked at.
+ *
+ * The surface is decimated by quadric-guided edge collapses, level after level. Each collapse flattens
+ * the triangles around the edge, before and after, into one plane; the overlay of both gives sparse
+ * operators that carry functions and directions from a level to the next finer one. Level 0 is the
+ * surface itself.
+ *
+ * @section vtkDirectionalProlongation-Inputs Inputs
+ *
+ * Port 0: vtkPolyData, an oriented manifold triangle surface, with or without boundary, in one or
+ * several parts. Vertex and line cells and points without a triangle are allowed and take no part.
+ * Polygons and strips are refused; apply vtkTriangleFilter first.
+ *
+ * @section vtkDirectionalProlongation-Outputs Outputs
+ *
+ * Port 0: vtkPolyData, the input with all its arrays, and the operators as field data. Every VTK
+ * writer stores them, and another process or machine solves with them without decimating again. The
+ * arrays are hidden from array menus (vtkAbstractArray::GUI_HIDE):
+ *
+ * | field array                        | type   | length      | meaning                              |
+ * | ---------------------------------- | ------ | ----------- | ------------------------------------ |
+ * | Prolongation.Format                | int    | 1           | version of this list, now 1          |
+ * | Prolongation.Digest                | string | 1           | fingerprint of the points and triangles |
+ * | Prolongation.Options               | double | 4           | the properties below, in their order |
+ * | Prolongation.NumbersOfVertices     | int    | levels      | finest first                         |
+ * | Prolongation.NumbersOfFaces        | int    | levels      | finest first                         |
+ * | Prolongation.S0.l.Offsets          | int    | rows + 1    | where each row starts                |
+ * | Prolongation.S0.l.Columns          | int    | non-zeros   | ascending in each row                |
+ * | Prolongation.S0.l.Values           | double | non-zeros   | functions, from level l + 1 to l     |
+ * | Prolongation.SP.l.Offsets, .Columns | int   | as above    |                                      |
+ * | Prolongation.SP.l.Values           | double | 2 per non-zero | real and imaginary part: directions, face to face |
+ * | Prolongation.Nodal.l....           |        | as SP       | directions, vertex to vertex; vertex to face at l = 0 |
+ *
+ * The operators serve every number of directions. The modulus of a complex entry is its weight, the
+ * argument the angle by which a direction turns on its way; on the powers of N directions it turns N
+ * times as far.
+ *
+ * Port 1: vtkPartitionedDataSetCollection, the levels to look at, one vtkPolyData per level, the
+ * finest first.
+ *
+ * @section vtkDirectionalProlongation-Execution Execution
+ *
+ * The work is repeated when the content of points or triangles, or a property, changes; an array that
+ * is added to the input, or new objects with the same content, repeat nothing. Linear in the number
+ * of triangles. Runs in the threads of vtkSMPTools (in std::thread where the backend is Sequential by
+ * default rather than by choice) and gives the same bits for any number of threads. An aborted run
+ * leaves empty outputs. With several pieces, piece 0 asks for the whole surface and holds the whole
+ * result; the other pieces are empty.
+ *
+ * @sa vtkHarmonicFieldSolver
+ */
+
+#ifndef vtkDirectionalProlongation_h
+#define vtkDirectionalProlongation_h
+
+#include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For std::unique_ptr
+
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkDirectionalProlongation : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkDirectionalProlongation* New();
+  vtkTypeMacro(vtkDirectionalProlongation, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Faces of a level over faces of the next finer one. Default 0.25, range 0.05 to 0.9.
+   */
+  vtkSetClampMacro(FaceRatio, double, 0.05, 0.9);
+  vtkGetMacro(FaceRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * At most so many levels beside the surface itself. Default 3, range 0 to 20.
+   */
+  vtkSetClampMacro(MaximumNumberOfCoarseLevels, int, 0, 20);
+  vtkGetMacro(MaximumNumberOfCoarseLevels, int);
+  ///@}
+
+  ///@{
+  /**
+   * No level is decimated below this many faces. Default 1000, at least 4.
+   */
+  vtkSetClampMacro(MinimumNumberOfFaces, int, 4, VTK_INT_MAX);
+  vtkGetMacro(MinimumNumberOfFaces, int);
+  ///@}
+
+  enum CollapsePolicies
+  {
+    /** Rounds of collapses whose surroundings share no face, cheapest first; in parallel. */
+    IndependentRounds = 0,
+    /** One collapse after the other, always the cheapest, delaying the edges around it. */
+    SequentialQueue = 1
+  };
+
+  ///@{
+  /**
+   * The order in which edges are collapsed, one of CollapsePolicies. Default IndependentRounds.
+   */
+  vtkSetClampMacro(CollapsePolicy, int, IndependentRounds, SequentialQueue);
+  vtkGetMacro(CollapsePolicy, int);
+  ///@}
+
+  /**
+   * How often this object has decimated; tells whether an update reused what stood.
+   */
+  int GetNumberOfSetups() const;
+
+  vtkDirectionalProlongation(const vtkDirectionalProlongation&) = delete;
+  void operator=(const vtkDirectionalProlongation&) = delete;
+
+protected:
+  vtkDirectionalProlongation();
+  ~vtkDirectionalProlongation() override;
+
+  int FillOutputPortInformation(int port, vtkInformation* information) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+
+private:
+  double FaceRatio = 0.25;
+  int MaximumNumberOfCoarseLevels = 3;
+  int MinimumNumberOfFaces = 1000;
+  int CollapsePolicy = IndependentRounds;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

@@ -1,0 +1,343 @@
+#include "vtkHarmonicFieldSolver.h"
+
+#include "Adapters/ConstraintsFromArrays.h"
+#include "Adapters/ContextFromAlgorithm.h"
+#include "Adapters/FieldToArrays.h"
+#include "Adapters/MeshFromPolyData.h"
+#include "Adapters/OperatorsToFieldData.h"
+#include "Adapters/PieceRequest.h"
+#include "HarmonicField.h"
+#include "Support/Errors.h"
+
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <chrono>
+#include <optional>
+#include <tuple>
+#include <vector>
+
+vtkStandardNewMacro(vtkHarmonicFieldSolver);
+
+namespace
+{
+
+// What the system stage and the solve stage depend on; equality decides what is redone.
+
+bool operator==(const dmg::PrescribedFaces& a, const dmg::PrescribedFaces& b)
+{
+  return std::tie(a.Faces, a.Weights) == std::tie(b.Faces, b.Weights);
+}
+
+bool operator==(const dmg::PowerFieldOptions& a, const dmg::PowerFieldOptions& b)
+{
+  const auto values = [](const dmg::PowerFieldOptions& o)
+  {
+    return std::tie(
+      o.N, o.Smoothness, o.Alignment, o.Constraints, o.Solver, o.CoarseSpace, o.Sweeps);
+  };
+  return values(a) == values(b);
+}
+
+bool operator==(const dmg::StoppingCriteria& a, const dmg::StoppingCriteria& b)
+{
+  return std::tie(a.RelativeTolerance, a.MaximumIterations) ==
+    std::tie(b.RelativeTolerance, b.MaximumIterations);
+}
+
+bool EqualValues(const dmg::Vector<dmg::Complex>& a, const dmg::Vector<dmg::Complex>& b)
+{
+  return a.size() == b.size() && a == b;
+}
+
+double SecondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}
+
+//------------------------------------------------------------------------------
+// The three stages. Each is built as a whole and then put in place, and takes away the later ones that
+// refer to it: a run that stops half-way leaves nothing half-made.
+class vtkHarmonicFieldSolver::vtkInternals
+{
+public:
+  /// Set-up, first half: what every solver needs.
+  struct SurfaceStage
+  {
+    std::string Digest;
+    dmg::FramedSurface Framed;
+    double Seconds;
+  };
+
+  /// Set-up, second half: what multigrid needs.
+  struct OperatorsStage
+  {
+    dmg::OperatorsOrigin Origin;
+    dmg::ProlongationOperators Operators;
+    double Seconds;
+  };
+
+  struct SystemStage
+  {
+    dmg::PrescribedFaces Prescribed;
+    dmg::PowerFieldOptions Options;
+    dmg::PowerFieldProblem Problem;
+  };
+
+  struct SolveStage
+  {
+    dmg::Vector<dmg::Complex> Values;
+    dmg::StoppingCriteria Stop;
+    dmg::Vector<dmg::Complex> Powers;
+    dmg::SolveReport Report;
+  };
+
+  std::unique_ptr<SurfaceStage> Surface;
+  std::unique_ptr<OperatorsStage> Operators;
+  std::unique_ptr<SystemStage> System;
+  std::unique_ptr<SolveStage> Solution;
+
+  int NumberOfSetups = 0;
+  int NumberOfSystems = 0;
+  int NumberOfSolves = 0;
+
+  void SetUp(vtkPolyData* input, bool needsOperators, const dmg::ExecutionContext& context)
+  {
+    const std::string digest = dmg::ContentDigest(input);
+    const auto stored = dmg::OperatorsOriginOf(input->GetFieldData());
+    if (stored && stored->Digest != digest)
+    {
+      throw dmg::InvalidInput("the surface is another than the one its operators were built for "
+                              "(field array '" +
+        std::string(dmg::ArrayNames::ProlongationDigest) + "' says " + stored->Digest +
+        ", the points and triangles give " + digest +
+        "); apply vtkDirectionalProlongation after the last filter that changes the surface");
+    }
+
+    bool redone = false;
+    if (!this->Surface || this->Surface->Digest != digest)
+    {
+      const auto start = std::chrono::steady_clock::now();
+      dmg::FramedSurface framed(dmg::MeshFromPolyData(input));
+      this->Solution.reset();
+      this->System.reset();
+      this->Operators.reset();
+      this->Surface.reset(new SurfaceStage{ digest, std::move(framed), SecondsSince(start) });
+      redone = true;
+    }
+
+    const auto origin = stored ? *stored : dmg::OperatorsOrigin{ digest, dmg::HierarchyOptions() };
+    if (needsOperators && !(this->Operators && this->Operators->Origin == origin))
+    {
+      const auto start = std::chrono::steady_clock::now();
+      const dmg::TriangleMesh& mesh = this->Surface->Framed.Surface.Mesh;
+      auto operators = stored
+        ? dmg::OperatorsFromFieldData(
+            input->GetFieldData(), mesh.NumberOfVertices(), mesh.NumberOfFaces())
+        : dmg::BuildSurfaceHierarchy(mesh, origin.Options, context).Operators;
+      this->Solution.reset();
+      this->System.reset();
+      this->Operators.reset(
+        new OperatorsStage{ origin, std::move(operators), SecondsSince(start) });
+      redone = true;
+    }
+    this->NumberOfSetups += redone;
+  }
+
+  void Prepare(const dmg::PrescribedFaces& prescribed, const dmg::PowerFieldOptions& options,
+    const dmg::ExecutionContext& context)
+  {
+    if (this->System && this->System->Prescribed == prescribed && this->System->Options == options)
+    {
+      return;
+    }
+    const dmg::FramedSurface& framed = this->Surface->Framed;
+    std::unique_ptr<SystemStage> system(new SystemStage{ prescribed, options,
+      dmg::PowerFieldProblem(framed.Surface.Mesh, framed.Faces,
+        this->Operators ? &this->Operators->Operators : nullptr, prescribed, options, context) });
+    this->Solution.reset();
+    this->System = std::move(system);
+    ++this->NumberOfSystems;
+  }
+
+  /// \return whether it solved, rather than kept what stood.
+  bool Solve(const dmg::Vector<dmg::Complex>& values, const dmg::StoppingCriteria& stop,
+    const dmg::ExecutionContext& context)
+  {
+    if (this->Solution && EqualValues(this->Solution->Values, values) &&
+      this->Solution->Stop == stop)
+    {
+      return false;
+    }
+    const dmg::Vector<dmg::Complex> start =
+      this->Solution ? this->Solution->Powers : dmg::Vector<dmg::Complex>();
+    dmg::PowerFieldProblem& problem = this->System->Problem;
+    dmg::Vector<dmg::Complex> powers = problem.Solve(values, start, stop, context);
+    this->Solution.reset(new SolveStage{ values, stop, std::move(powers), problem.Report() });
+    ++this->NumberOfSolves;
+    return true;
+  }
+
+  double SetupSeconds() const
+  {
+    return this->Surface->Seconds + (this->Operators ? this->Operators->Seconds : 0.0);
+  }
+};
+
+//------------------------------------------------------------------------------
+vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
+  : Internals(new vtkInternals)
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+vtkHarmonicFieldSolver::~vtkHarmonicFieldSolver() = default;
+
+//------------------------------------------------------------------------------
+int vtkHarmonicFieldSolver::GetNumberOfSetups() const
+{
+  return this->Internals->NumberOfSetups;
+}
+
+//------------------------------------------------------------------------------
+int vtkHarmonicFieldSolver::GetNumberOfSystems() const
+{
+  return this->Internals->NumberOfSystems;
+}
+
+//------------------------------------------------------------------------------
+int vtkHarmonicFieldSolver::GetNumberOfSolves() const
+{
+  return this->Internals->NumberOfSolves;
+}
+
+//------------------------------------------------------------------------------
+int vtkHarmonicFieldSolver::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 0)
+  {
+    return this->Superclass::FillInputPortInformation(port, information);
+  }
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHarmonicFieldSolver::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHarmonicFieldSolver::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  dmg::RequestWholeInPieceZero(request, inputVector, 2, outputVector);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHarmonicFieldSolver::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
+  vtkDataSet* const points = vtkDataSet::GetData(inputVector[1]);
+  vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* const edges = vtkPolyData::GetData(outputVector, 1);
+  vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
+  output->Initialize();
+  edges->Initialize();
+  convergence->Initialize();
+  if (input->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+
+  vtkInternals& stages = *this->Internals;
+  dmg::PrescribedFaces prescribed;
+  try
+  {
+    const dmg::ContextFromAlgorithm context(this);
+    stages.SetUp(input, this->Solver != Cholesky, dmg::PartOfContext(context, 0.0, 0.5));
+
+    const dmg::FramedSurface& framed = stages.Surface->Framed;
+    const dmg::PowerConstraints constraints =
+      dmg::MakePowerConstraints(framed.Surface.Mesh, framed.Faces, this->NumberOfDirections,
+        dmg::ChosenDirections(this, input, points, framed), framed.Surface.Names());
+    prescribed = constraints.Prescribed;
+
+    dmg::PowerFieldOptions options;
+    options.N = this->NumberOfDirections;
+    options.Smoothness = this->Smoothness;
+    options.Alignment = this->Alignment;
+    options.Constraints = static_cast<dmg::ConstraintKind>(this->ConstraintType);
+    options.Solver = static_cast<dmg::SolverKind>(this->Solver);
+    options.CoarseSpace = static_cast<dmg::CoarseSpaceKind>(this->CoarseSpace);
+    options.Sweeps = this->Sweeps;
+    stages.Prepare(prescribed, options, dmg::PartOfContext(context, 0.5, 0.7));
+
+    const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
+    if (stages.Solve(constraints.Values, stop, dmg::PartOfContext(context, 0.7, 0.9)))
+    {
+      for (const std::string& warning : stages.Solution->Report.Warnings)
+      {
+        vtkWarningMacro(<< warning);
+      }
+    }
+    context.Checkpoint(0.9);
+  }
+  catch (const dmg::Cancelled&)
+  {
+    return dmg::Aborted(this, outputVector);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+
+  const dmg::FramedSurface& framed = stages.Surface->Framed;
+  const dmg::Vector<dmg::Complex>& powers = stages.Solution->Powers;
+  const dmg::SolveReport& report = stages.Solution->Report;
+  const int N = this->NumberOfDirections;
+  output->ShallowCopy(input);
+  dmg::AddPowerField(framed, powers, N, this->UnitLength, this->Combing, output);
+  dmg::AddPrescribed(framed.Surface, prescribed, output);
+  dmg::AddReport(report, N, stages.SetupSeconds(), output->GetFieldData());
+  dmg::MakeEdges(framed, powers, N, input, edges);
+  dmg::MakeConvergenceTable(report, convergence);
+  dmg::AddReport(report, N, stages.SetupSeconds(), convergence->GetFieldData());
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const char* const solvers[] = { "Automatic", "Cholesky", "VCycles", "ConjugateGradients" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
+  os << indent << "Smoothness: " << this->Smoothness << "\n";
+  os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "Solver: " << solvers[this->Solver] << "\n";
+  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "FacePowers") << "\n";
+  os << indent << "Sweeps: " << this->Sweeps << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
+  os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
+  os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";
+  os << indent << "Combing: " << (this->Combing ? "On" : "Off") << "\n";
+  os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
+  os << indent << "NumberOfSystems: " << this->GetNumberOfSystems() << "\n";
+  os << indent << "NumberOfSolves: " << this->GetNumberOfSolves() << "\n";
+}

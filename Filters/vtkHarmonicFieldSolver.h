@@ -1,0 +1,292 @@
+/**
+ * @class   vtkHarmonicFieldSolver
+ * @brief   computes the smoothest field of N directions on a surface that follows prescribed directions
+ *
+ * A field of N directions (N = 1: vectors, 2: lines, 4: crosses, 6: hexagonal) has N tangent vectors
+ * per point, 2 pi / N apart. vtkHarmonicFieldSolver represents it by its N-th power, one complex
+ * number X per face in a tangent frame of the face, and finds the X that minimises
+ *
+ *   Smoothness * sum over edges of w_e |difference of X across the edge|^2
+ *     + Alignment * sum over prescribed faces of w_b A_b / (mean A) |X_b - Y_b|^2,
+ *
+ * or, with hard constraints, the first sum subject to X_b = Y_b. The magnitude of X fades away from
+ * the constraints and vanishes at singularities. See Tom Broeders, "Simplification Directional
+ * Fields", section 6.3.
+ *
+ * @section vtkHarmonicFieldSolver-Inputs Inputs
+ *
+ * Port 0, the surface: vtkPolyData, an oriented manifold triangle surface as described in
+ * vtkDirectionalProlongation. If it carries that filter's operators, they are used, provided that
+ * points and triangles are still those that they were built for; if those have changed the filter
+ * reports an error and never uses them. Without operators the filter builds its own, with the
+ * default properties of vtkDirectionalProlongation (a Cholesky solver needs none and builds none).
+ *
+ * Port 1, directions (optional): vtkDataSet, points in space with vectors. Each prescribes the face
+ * of the surface that is nearest to it.
+ *
+ * The arrays are chosen by SetInputArrayToProcess(index, port, 0, association, name), where index,
+ * port and admissible associations are:
+ *
+ * | index | port | association   | components | meaning                                             |
+ * | ----- | ---- | ------------- | ---------- | --------------------------------------------------- |
+ * | 0     | 0    | cells, points | 1          | mask (optional): non-zero where a direction is prescribed |
+ * | 1     | 0    | cells, points | 3          | prescribed directions                               |
+ * | 2     | 0    | cells, points | 1          | weight (optional), > 0 where prescribed; default 1  |
+ * | 3     | 1    | points        | 1          | mask (optional), as 0                               |
+ * | 4     | 1    | points        | 3          | prescribed directions; default the active vectors   |
+ * | 5     | 1    | points        | 1          | weight (optional), as 2                             |
+ *
+ * The three arrays of a port share one association. An empty name, or "None" where no array has that
+ * name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not zero.
+ * Of a vector its tangential part counts: on a face, in the plane of the face; at a point of the
+ * surface, in the tangent plane of the point, from where it is carried to the faces around. Its
+ * length is the magnitude that is asked for. Directions on the same face are averaged as powers.
+ *
+ * @section vtkHarmonicFieldSolver-Outputs Outputs
+ *
+ * Port 0, the surface: vtkPolyData, the input with all its arrays, and
+ *
+ * | array                    | attribute    | components | unit, meaning                            |
+ * | ------------------------ | ------------ | ---------- | ---------------------------------------- |
+ * | Direction0 ... Direction{N-1} | cell, point | 3      | that of the vectors; the N directions, counter-clockwise |
+ * | PowerField               | cell, point  | 2          | real and imaginary part of X, in the tangent frame of the element |
+ * | Prescribed               | cell         | 1          | weight where a face is prescribed, else 0 |
+ * | SingularityIndex         | point        | 1          | multiple of 1 / N; 0 at regular and boundary points |
+ *
+ * Direction0 becomes the active vector of both. Elements that belong to no triangle hold zeros.
+ * The frame of a face has its first axis along the face's first side (the first that has a length).
+ *
+ * Port 1, the edges of the surface: vtkPolyData, a line per edge, from the smaller to the larger
+ * point index, with the cell array
+ *
+ * | Turning | cell | 1 | radians; by how much the field turns from the face on the left of the edge to the face on the right, in (-pi/N, pi/N]; 0 on the boundary |
+ *
+ * Around an interior point, the turnings across its edges and the point's angle defect sum to 2 pi
+ * times its SingularityIndex.
+ *
+ * Port 2, the convergence: vtkTable, a row per iteration, the first for the start:
+ *
+ * | column           | unit    | meaning                                       |
+ * | ---------------- | ------- | --------------------------------------------- |
+ * | Iteration        | -       | 0 for the start                               |
+ * | Seconds          | seconds | since the solve began                         |
+ * | RelativeResidual | -       | norm of the residual over that of the right-hand side |
+ *
+ * Ports 0 and 2 carry the report as field data:
+ *
+ * | field array        | type   | length  | unit, meaning                                     |
+ * | ------------------ | ------ | ------- | ------------------------------------------------- |
+ * | NumberOfDirections | int    | 1       | N                                                 |
+ * | Solver             | string | 1       | what ran, and why if it was chosen automatically  |
+ * | Converged          | int    | 1       | 1 or 0                                            |
+ * | LevelUnknowns      | double | levels  | unknowns, finest first                            |
+ * | LevelNonZeros      | double | levels  | non-zeros of the level's matrix (or factor)       |
+ * | OperatorComplexity | double | 1       | non-zeros of all levels over those of the finest  |
+ * | SetupSeconds       | double | 1       | last set-up                                       |
+ * | PrepareSeconds     | double | 1       | last system stage                                 |
+ * | SolveSeconds       | double | 1       | last solve                                        |
+ * | SolverBytes        | double | 1       | memory held by matrices, transfers and factors    |
+ *
+ * @section vtkHarmonicFieldSolver-Execution Execution
+ *
+ * Three stages; each keeps its result until its own causes change:
+ *
+ * | stage  | repeated when this changes                        | cost                          |
+ * | ------ | ------------------------------------------------- | ----------------------------- |
+ * | set-up | content of points or triangles; the operators     | seconds per million faces; the decimation |
+ * | system | which elements are prescribed, their weights; N, Smoothness, Alignment, ConstraintType, Solver, CoarseSpace, Sweeps | assembly and Galerkin products, or a factorisation |
+ * | solve  | prescribed vectors, Tolerance, MaximumNumberOfIterations | iterations, started from the previous solution |
+ *
+ * Other arrays and the output options repeat none of them. A solve that does not reach Tolerance
+ * gives the best field that it reached, Converged = 0 and a warning. An aborted run leaves empty
+ * outputs and keeps the stages that were complete. Threads and pieces are as in
+ * vtkDirectionalProlongation.
+ *
+ * @sa vtkDirectionalProlongation
+ */
+
+#ifndef vtkHarmonicFieldSolver_h
+#define vtkHarmonicFieldSolver_h
+
+#include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For std::unique_ptr
+
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHarmonicFieldSolver : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHarmonicFieldSolver* New();
+  vtkTypeMacro(vtkHarmonicFieldSolver, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * N, the number of directions per point. Default 4, range 1 to 8.
+   */
+  vtkSetClampMacro(NumberOfDirections, int, 1, 8);
+  vtkGetMacro(NumberOfDirections, int);
+  ///@}
+
+  enum ConstraintTypes
+  {
+    /** Prescribed directions pull with a weight; they may disagree. */
+    Soft = 0,
+    /** Prescribed directions hold exactly. */
+    Hard = 1
+  };
+
+  ///@{
+  /**
+   * How prescribed directions act, one of ConstraintTypes. Default Soft.
+   */
+  vtkSetClampMacro(ConstraintType, int, Soft, Hard);
+  vtkGetMacro(ConstraintType, int);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of the smoothness energy. Default 1; a value that is not positive is an error.
+   */
+  vtkSetMacro(Smoothness, double);
+  vtkGetMacro(Smoothness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Weight of soft constraints; without effect on hard ones. At 1, a prescribed face of mean area
+   * pulls as hard as one of its edges. Default 1; a value that is not positive is an error.
+   */
+  vtkSetMacro(Alignment, double);
+  vtkGetMacro(Alignment, double);
+  ///@}
+
+  enum Solvers
+  {
+    /** Cholesky for small systems, else conjugate gradients. */
+    Automatic = 0,
+    /** Supernodal sparse Cholesky factorisation. */
+    Cholesky = 1,
+    /** Multigrid V-cycles alone. */
+    VCycles = 2,
+    /** Conjugate gradients, preconditioned by one V-cycle. */
+    ConjugateGradients = 3
+  };
+
+  ///@{
+  /**
+   * The method, one of Solvers. Default Automatic.
+   */
+  vtkSetClampMacro(Solver, int, Automatic, ConjugateGradients);
+  vtkGetMacro(Solver, int);
+  ///@}
+
+  enum CoarseSpaces
+  {
+    /** Directions at the vertices of the coarse levels; the fast one. */
+    Nodal = 0,
+    /** Powers on the faces of the coarse levels, as in the thesis. */
+    FacePowers = 1
+  };
+
+  ///@{
+  /**
+   * What the coarse levels of multigrid hold, one of CoarseSpaces; without effect on Cholesky.
+   * Default Nodal.
+   */
+  vtkSetClampMacro(CoarseSpace, int, Nodal, FacePowers);
+  vtkGetMacro(CoarseSpace, int);
+  ///@}
+
+  ///@{
+  /**
+   * Gauss-Seidel sweeps before and after each coarse correction. Default 2, range 1 to 10.
+   */
+  vtkSetClampMacro(Sweeps, int, 1, 10);
+  vtkGetMacro(Sweeps, int);
+  ///@}
+
+  ///@{
+  /**
+   * The solve stops at this norm of the residual relative to the right-hand side's. Default 1e-8,
+   * range 1e-14 to 1.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-14, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
+  ///@{
+  /**
+   * The solve stops after this many iterations, with a warning. Default 100, at least 1.
+   */
+  vtkSetClampMacro(MaximumNumberOfIterations, int, 1, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the direction arrays hold unit vectors (zero where the field vanishes) or vectors of
+   * length |X|. Default on.
+   */
+  vtkSetMacro(UnitLength, bool);
+  vtkGetMacro(UnitLength, bool);
+  vtkBooleanMacro(UnitLength, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether Direction0 is chosen to continue from face to face wherever possible (combing), or is the
+   * principal root in each frame. On, Direction0 jumps only along cuts, which streamlines and line
+   * integral convolution need; off saves a little time. Default on.
+   */
+  vtkSetMacro(Combing, bool);
+  vtkGetMacro(Combing, bool);
+  vtkBooleanMacro(Combing, bool);
+  ///@}
+
+  /**
+   * The dataset with directions, input port 1. Optional.
+   */
+  void SetDirectionsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+
+  ///@{
+  /**
+   * How often this object has completed each stage; tells what an update reused.
+   */
+  int GetNumberOfSetups() const;
+  int GetNumberOfSystems() const;
+  int GetNumberOfSolves() const;
+  ///@}
+
+  vtkHarmonicFieldSolver(const vtkHarmonicFieldSolver&) = delete;
+  void operator=(const vtkHarmonicFieldSolver&) = delete;
+
+protected:
+  vtkHarmonicFieldSolver();
+  ~vtkHarmonicFieldSolver() override;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int FillOutputPortInformation(int port, vtkInformation* information) override;
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+
+private:
+  int NumberOfDirections = 4;
+  int ConstraintType = Soft;
+  double Smoothness = 1.0;
+  double Alignment = 1.0;
+  int Solver = Automatic;
+  int CoarseSpace = Nodal;
+  int Sweeps = 2;
+  double Tolerance = 1e-8;
+  int MaximumNumberOfIterations = 100;
+  bool UnitLength = true;
+  bool Combing = true;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

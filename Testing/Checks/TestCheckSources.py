@@ -1,0 +1,80 @@
+"""Each rule of check_sources.py finds what breaks it, and a tree that keeps them all passes."""
+
+import pathlib
+import tempfile
+import unittest
+
+import check_sources
+
+CLEAN = {
+    "CMakeLists.txt": "project(Clean)\n",
+    "Data/README.md": "| `plane.ply` | made by Testing/Support |\n",
+    "Data/plane.ply": "ply\n",
+    "Filters/vtkFilter.h": '#include "vtkPolyDataAlgorithm.h"\n#include <memory>\n',
+    "Filters/Core/HarmonicField.h": '#include "Systems/System.h"\n#include "Solvers/Solver.h"\n',
+    "Filters/Core/Support/Types.h": "#include <Eigen/Core>\n",
+    "Filters/Core/Mesh/Mesh.h": '#include "Support/Types.h"\n',
+    "Filters/Core/Systems/System.h": '#include "Mesh/Mesh.h"\n',
+    "Filters/Core/Solvers/Solver.h": '#include "Support/Types.h"\n',
+    "Testing/Core/TestMesh.cxx": '#include "Mesh/Mesh.h"\n',
+}
+
+
+class CheckSources(unittest.TestCase):
+    def found(self, changes={}):
+        """Violations of the clean tree with some files replaced or added."""
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            for name, text in {**CLEAN, **changes}.items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text, encoding="utf-8")
+            return list(check_sources.violations(root))
+
+    def test_clean_tree_passes(self):
+        self.assertEqual(self.found(), [])
+
+    def assert_found(self, name, text, message):
+        self.assertEqual(self.found({name: text}), [f"{name}:{message}"])
+
+    def test_core_without_vtk(self):
+        self.assert_found("Filters/Core/Mesh/Mesh.h", "#include <vtkPolyData.h>\n",
+                          "1: the core includes vtkPolyData.h")
+
+    def test_core_tests_without_vtk(self):
+        self.assert_found("Testing/Core/TestMesh.cxx", '\n#include "vtkNew.h"\n',
+                          "2: a test of the core includes vtkNew.h")
+
+    def test_arrows_point_downwards(self):
+        self.assert_found("Filters/Core/Mesh/Mesh.h", '#include "Systems/System.h"\n',
+                          "1: Mesh may not include Systems")
+
+    def test_solvers_know_no_mesh(self):
+        self.assert_found("Filters/Core/Solvers/Solver.h", '#include "Mesh/Mesh.h"\n',
+                          "1: Solvers may not include Mesh")
+
+    def test_only_the_top_sees_the_top(self):
+        self.assert_found("Filters/Core/Mesh/Mesh.h", '#include "HarmonicField.h"\n',
+                          "1: Mesh may not include HarmonicField.h")
+
+    def test_new_folder_needs_a_place(self):
+        self.assertEqual(self.found({"Filters/Core/Odds/Ends.h": ""}),
+                         ["Filters/Core/Odds:0: this folder of the core has no place in ARROWS"])
+
+    def test_wrapped_headers_are_plain(self):
+        self.assert_found("Filters/vtkFilter.h", "#include <Eigen/Core>\n",
+                          "1: a header that VTK's wrappers parse includes Eigen/Core")
+
+    def test_no_using_namespace_in_headers(self):
+        self.assert_found("Filters/Core/Mesh/Mesh.h", "using namespace std;\n",
+                          "1: using namespace in a header")
+
+    def test_ascii(self):
+        self.assert_found("Testing/Core/TestMesh.cxx", "// \u03bb\n", "1: not ASCII")
+
+    def test_data_have_an_origin(self):
+        self.assert_found("Data/torus.ply", "ply\n",
+                          "0: Data/README.md does not list `torus.ply` and its origin")
+
+
+if __name__ == "__main__":
+    unittest.main()

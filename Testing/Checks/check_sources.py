@@ -1,0 +1,122 @@
+#!/usr/bin/env python3
+"""Checks what a compiler does not: the architecture's include arrows and a few rules of the sources.
+
+    check_sources.py ROOT
+
+prints one line per violation, "path:line: what is wrong", and fails if there is any. The rules:
+
+- the core includes downwards only (ARROWS) and never VTK; nor do its tests;
+- the headers of the filters, which VTK's wrappers parse, include VTK and plain C++ only;
+- no "using namespace" in a header;
+- sources are ASCII;
+- every file in Data is listed, with its origin, in Data/README.md.
+"""
+
+import pathlib
+import re
+import sys
+
+# Which folders of Filters/Core a folder may include, besides itself.
+ARROWS = {
+    "Support": set(),
+    "Mesh": {"Support"},
+    "Hierarchy": {"Mesh", "Support"},
+    "Prolongation": {"Hierarchy", "Mesh", "Support"},
+    "Operators": {"Mesh", "Support"},
+    "Systems": {"Operators", "Mesh", "Support"},
+    "Solvers": {"Support"},  # a solver receives matrices and never learns that a mesh exists
+}
+
+SOURCES = {".h", ".cxx"}
+TEXTS = SOURCES | {".cmake", ".in", ".json", ".module", ".plugin", ".py", ".sh", ".txt", ".xml"}
+INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]')
+
+
+def files(folder, suffixes):
+    return sorted(path for path in folder.rglob("*") if path.suffix in suffixes and path.is_file())
+
+
+def includes(path):
+    """(line number, included name) of each include."""
+    for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+        match = INCLUDE.match(line)
+        if match:
+            yield number, match.group(1)
+
+
+def check_core(root):
+    core = root / "Filters" / "Core"
+    folders = {path.name for path in core.iterdir() if path.is_dir()}
+    for unknown in sorted(folders - set(ARROWS)):
+        yield core / unknown, 0, "this folder of the core has no place in ARROWS"
+    for path in files(core, SOURCES):
+        folder = path.relative_to(core).parts[0] if path.parent != core else None
+        for number, name in includes(path):
+            if re.match(r"vtk|Adapters/|\.\./", name):
+                yield path, number, f"the core includes {name}"
+                continue
+            target = name.split("/")[0] if "/" in name else None
+            if not folder:
+                continue  # HarmonicField, the only file that sees every folder
+            if target in ARROWS and target != folder and target not in ARROWS[folder]:
+                yield path, number, f"{folder} may not include {target}"
+            elif not target and (core / name).exists():
+                yield path, number, f"{folder} may not include {name}"
+
+
+def check_core_tests(root):
+    for folder in ("Core", "Support", "Convergence", "Benchmarks"):
+        for path in files(root / "Testing" / folder, SOURCES):
+            for number, name in includes(path):
+                if name.startswith("vtk"):
+                    yield path, number, f"a test of the core includes {name}"
+
+
+def check_filter_headers(root):
+    for path in sorted((root / "Filters").glob("vtk*.h")):
+        for number, name in includes(path):
+            if "/" in name or name.endswith(".h") and not name.startswith("vtk"):
+                yield path, number, f"a header that VTK's wrappers parse includes {name}"
+
+
+def check_texts(root):
+    folders = ["Filters", "Testing", "ParaViewPlugin", ".ci"]
+    paths = [path for folder in folders for path in files(root / folder, TEXTS)]
+    for path in paths + [root / "CMakeLists.txt", root / "CMakePresets.json"]:
+        if not path.exists():
+            continue
+        for number, line in enumerate(path.read_bytes().splitlines(), 1):
+            if not line.isascii():
+                yield path, number, "not ASCII"
+            if path.suffix == ".h" and re.match(rb"\s*using\s+namespace\b", line):
+                yield path, number, "using namespace in a header"
+
+
+def check_data(root):
+    data = root / "Data"
+    paths = [path for path in data.rglob("*") if path.is_file() and path.name != "README.md"]
+    listed = (data / "README.md").read_text() if (data / "README.md").exists() else ""
+    for path in sorted(paths):
+        name = path.relative_to(data).as_posix()
+        if f"`{name}`" not in listed:
+            yield path, 0, f"Data/README.md does not list `{name}` and its origin"
+
+
+CHECKS = [check_core, check_core_tests, check_filter_headers, check_texts, check_data]
+
+
+def violations(root):
+    for check in CHECKS:
+        for path, number, message in check(root):
+            yield f"{path.relative_to(root)}:{number}: {message}"
+
+
+def main():
+    root = pathlib.Path(sys.argv[1]).resolve()
+    found = list(violations(root))
+    print("\n".join(found) if found else "no violations")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,251 @@
+#include "Hierarchy/MeshHierarchy.h"
+
+#include "Support/Errors.h"
+#include "Support/Identities.h"
+#include "Support/MeshFactory.h"
+#include "Support/TbbContext.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+HierarchyOptions Deep(CollapsePolicy policy = CollapsePolicy::IndependentRounds)
+{
+  HierarchyOptions options;
+  options.MinimumNumberOfFaces = 60;
+  options.Policy = policy;
+  return options;
+}
+
+std::vector<TriangleMesh> Build(const TriangleMesh& mesh, const HierarchyOptions& options,
+  const ExecutionContext& context = SerialContext())
+{
+  return BuildMeshHierarchy(mesh, options, context, [](const LevelTransition&) {});
+}
+
+int NumberOfBoundaryLoops(const TriangleMesh& mesh)
+{
+  std::map<int, int> next;
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    if (mesh.Twin(h) < 0)
+    {
+      next[mesh.Tail(h)] = mesh.Head(h);
+    }
+  }
+  int loops = 0;
+  while (!next.empty())
+  {
+    ++loops;
+    int v = next.begin()->first;
+    while (next.count(v))
+    {
+      const int following = next[v];
+      next.erase(v);
+      v = following;
+    }
+  }
+  return loops;
+}
+
+int NumberOfComponents(const TriangleMesh& mesh)
+{
+  const std::vector<int> components = FaceComponents(mesh);
+  return 1 + *std::max_element(components.begin(), components.end());
+}
+
+struct NamedSurface
+{
+  std::string Name;
+  Surface Shape;
+};
+
+std::vector<NamedSurface> Surfaces()
+{
+  return {
+    { "sphere", IrregularSphere(4, 7) },
+    { "torus", IrregularTorus(64, 24, 11) },
+    { "thin torus", IrregularTorus(160, 8, 12, 1.0, 0.1) },
+    { "double torus", DoubleTorus(5) },
+    { "disk", Disk(24) },
+    { "irregular plane", IrregularPlane(40, 30, 5) },
+    { "annulus", Annulus(60, 16) },
+    { "prism", Prism(24, 40) },
+    { "needle", Needle(4, 20.0) },
+    { "zero-area faces", SphereWithZeroAreaFaces(4, 20) },
+    { "two components", Union(Icosphere(4), Torus(48, 16), Vector3(5.0, 0.0, 0.0)) },
+  };
+}
+
+}
+
+// The constructor of every level's TriangleMesh checks that it is manifold and oriented; what is
+// left to see is that the topology is that of the surface.
+TEST(MeshHierarchy, KeepsTheTopology)
+{
+  for (CollapsePolicy policy : { CollapsePolicy::IndependentRounds, CollapsePolicy::SequentialQueue })
+  {
+    for (const NamedSurface& surface : Surfaces())
+    {
+      SCOPED_TRACE(surface.Name);
+      const TriangleMesh mesh = surface.Shape.Mesh();
+      const std::vector<TriangleMesh> levels = Build(mesh, Deep(policy));
+      ASSERT_GE(levels.size(), 2u);
+      for (const TriangleMesh& level : levels)
+      {
+        EXPECT_EQ(level.EulerCharacteristic(), mesh.EulerCharacteristic());
+        EXPECT_EQ(NumberOfBoundaryLoops(level), NumberOfBoundaryLoops(mesh));
+        EXPECT_EQ(NumberOfComponents(level), NumberOfComponents(mesh));
+      }
+    }
+  }
+}
+
+TEST(MeshHierarchy, ReachesTheSizesAskedFor)
+{
+  const TriangleMesh mesh = IrregularSphere(5, 3).Mesh(); // 20480 faces
+  const std::vector<TriangleMesh> levels = Build(mesh, HierarchyOptions());
+  ASSERT_EQ(levels.size(), 2u); // the third would have 1000 faces, over 70 % of 1280
+  EXPECT_EQ(levels[0].NumberOfFaces(), 5120);
+  EXPECT_EQ(levels[1].NumberOfFaces(), 1280);
+
+  HierarchyOptions one;
+  one.MaximumNumberOfCoarseLevels = 1;
+  one.FaceRatio = 0.1;
+  ASSERT_EQ(Build(mesh, one).size(), 1u);
+  EXPECT_EQ(Build(mesh, one)[0].NumberOfFaces(), 2048);
+
+  one.MaximumNumberOfCoarseLevels = 0;
+  EXPECT_TRUE(Build(mesh, one).empty());
+}
+
+TEST(MeshHierarchy, LeavesSmallSurfacesAlone)
+{
+  EXPECT_TRUE(Build(Icosphere(2).Mesh(), HierarchyOptions()).empty());
+  HierarchyOptions options;
+  options.MinimumNumberOfFaces = 4;
+  const std::vector<TriangleMesh> levels = Build(Icosphere(2).Mesh(), options);
+  ASSERT_FALSE(levels.empty());
+  EXPECT_GE(levels.back().NumberOfFaces(), 4); // a tetrahedron has no edge left to collapse
+}
+
+TEST(MeshHierarchy, RefusesOptionsOutOfRange)
+{
+  const TriangleMesh mesh = Icosphere(1).Mesh();
+  HierarchyOptions options;
+  options.FaceRatio = 1.0;
+  EXPECT_THROW(Build(mesh, options), InvalidInput);
+  options = HierarchyOptions();
+  options.MaximumNumberOfCoarseLevels = -1;
+  EXPECT_THROW(Build(mesh, options), InvalidInput);
+  options = HierarchyOptions();
+  options.MinimumNumberOfFaces = 3;
+  EXPECT_THROW(Build(mesh, options), InvalidInput);
+}
+
+TEST(MeshHierarchy, HasTheSameBitsForAnyNumberOfThreads)
+{
+  for (const Surface& surface : { IrregularTorus(96, 48, 21), IrregularPlane(70, 60, 22) })
+  {
+    const TriangleMesh mesh = surface.Mesh();
+    const std::vector<TriangleMesh> expected = Build(mesh, Deep());
+    for (int threads : { 2, 3, 8 })
+    {
+      const std::vector<TriangleMesh> levels = Build(mesh, Deep(), TbbContext(threads));
+      ASSERT_EQ(levels.size(), expected.size());
+      for (std::size_t l = 0; l < levels.size(); ++l)
+      {
+        EXPECT_TRUE(levels[l].VertexPositions() == expected[l].VertexPositions());
+        EXPECT_TRUE(levels[l].FaceCorners() == expected[l].FaceCorners());
+      }
+    }
+  }
+}
+
+TEST(MeshHierarchy, KeepsFlatSurfacesFlatAndTheirOutline)
+{
+  // Area and boundary length of a square do not change when only collinear points leave its sides;
+  // the boundary planes of the quadrics hold its corners.
+  const TriangleMesh mesh = IrregularPlane(40, 40, 31).Mesh();
+  const std::vector<TriangleMesh> levels = Build(mesh, Deep());
+  ASSERT_GE(levels.size(), 2u);
+  for (const TriangleMesh& level : levels)
+  {
+    EXPECT_LT(level.VertexPositions().col(2).cwiseAbs().maxCoeff(), 1e-14);
+    EXPECT_NEAR(level.FaceAreas().sum(), 1600.0, 0.01 * 1600.0);
+  }
+}
+
+// From the cost of a collapse: the area between a sphere and its coarse level shrinks the size of the
+// faces, so volumes agree to the order of the squared edge length, (4 pi / #F) here.
+TEST(MeshHierarchy, KeepsTheShape)
+{
+  const TriangleMesh mesh = Icosphere(5).Mesh();
+  for (const TriangleMesh& level : Build(mesh, Deep()))
+  {
+    double volume = 0.0;
+    for (int f = 0; f < level.NumberOfFaces(); ++f)
+    {
+      volume += level.FaceAreaVector(f).dot(level.Position(level.FaceCorners()(f, 0))) / 6.0;
+    }
+    const double sphere = 4.0 / 3.0 * std::acos(-1.0);
+    EXPECT_NEAR(volume / sphere, 1.0, 3.0 * 4.0 * std::acos(-1.0) / level.NumberOfFaces());
+  }
+}
+
+namespace
+{
+
+/// Asks to stop at a given checkpoint.
+class StoppingContext : public SerialContext
+{
+public:
+  explicit StoppingContext(int checkpoints)
+    : Left(checkpoints)
+  {
+  }
+  bool IsCancelled() const override { return --this->Left < 0; }
+
+private:
+  mutable int Left;
+};
+
+/// Remembers the progress it is told.
+class ListeningContext : public SerialContext
+{
+public:
+  mutable std::vector<double> Fractions;
+
+protected:
+  void ReportProgress(double fraction) const override { this->Fractions.push_back(fraction); }
+};
+
+}
+
+TEST(MeshHierarchy, StopsWhenAsked)
+{
+  const TriangleMesh mesh = IrregularSphere(4, 41).Mesh();
+  for (int checkpoints : { 0, 1, 5, 12 })
+  {
+    EXPECT_THROW(Build(mesh, Deep(), StoppingContext(checkpoints)), Cancelled);
+  }
+}
+
+TEST(MeshHierarchy, ReportsProgressUpToOne)
+{
+  ListeningContext context;
+  Build(IrregularSphere(4, 42).Mesh(), Deep(), context);
+  ASSERT_GT(context.Fractions.size(), 10u);
+  EXPECT_TRUE(std::is_sorted(context.Fractions.begin(), context.Fractions.end()));
+  EXPECT_GE(context.Fractions.front(), 0.0);
+  EXPECT_EQ(context.Fractions.back(), 1.0);
+}

@@ -1,0 +1,619 @@
+#include "Operators/PowerFieldOperators.h"
+
+#include "Support/Identities.h"
+#include "Support/MeshFactory.h"
+#include "Support/Random.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace dmg;
+using namespace dmg::test;
+
+constexpr double Pi = 3.14159265358979323846;
+
+struct Sample
+{
+  const char* Name;
+  Surface Shape;
+};
+
+/// Closed, with boundary, with genus, with degenerate faces.
+std::vector<Sample> Samples()
+{
+  return {
+    { "irregular plane", IrregularPlane(8, 6, 1) },
+    { "irregular sphere", IrregularSphere(2, 2) },
+    { "irregular torus", IrregularTorus(14, 8, 3) },
+    { "smallest torus", Torus(3, 3) },
+    { "double torus", DoubleTorus(2) },
+    { "needle", Needle(2, 50.0) },
+    { "zero-area faces", SphereWithZeroAreaFaces(2, 3) },
+    { "two components", Union(Icosphere(1), Disk(3), Vector3(4.0, 0.0, 0.0)) },
+  };
+}
+
+/// The smoothness energy from its definition: directions in space, edge by edge, no matrix.
+double EnergyByDifferences(
+  const TriangleMesh& mesh, const TangentFrames& frames, const Vector<Complex>& X, int N)
+{
+  double energy = 0.0;
+  for (int e = 0; e < mesh.NumberOfEdges(); ++e)
+  {
+    const int h = mesh.HalfedgeOf(e);
+    if (mesh.Twin(h) < 0)
+    {
+      continue;
+    }
+    const int f = TriangleMesh::FaceOf(h);
+    const int g = TriangleMesh::FaceOf(mesh.Twin(h));
+    const Vector3 edge = mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h));
+    const Complex inF = frames.ToComplex(f, edge);
+    const Complex inG = frames.ToComplex(g, edge);
+    const double weight = 3.0 * edge.squaredNorm() / (mesh.FaceArea(f) + mesh.FaceArea(g));
+    energy += weight *
+      std::norm(X[f] * std::polar(1.0, -N * std::arg(inF)) -
+        X[g] * std::polar(1.0, -N * std::arg(inG)));
+  }
+  return energy;
+}
+
+TEST(TransportAcrossEdge, KeepsTheEdgeAndIsInvertedByTheTwin)
+{
+  const TriangleMesh mesh = IrregularTorus(10, 6, 4).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    const Vector3 edge = mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h));
+    const Complex carried = frames.ToComplex(TriangleMesh::FaceOf(h), edge) *
+      std::polar(1.0, TransportAcrossEdge(mesh, frames, h));
+    const Complex there = frames.ToComplex(TriangleMesh::FaceOf(mesh.Twin(h)), edge);
+    EXPECT_LT(std::abs(carried - there), 20.0 * MachinePrecision * edge.norm());
+    const double back = TransportAcrossEdge(mesh, frames, mesh.Twin(h));
+    EXPECT_LT(std::abs(std::polar(1.0, back + TransportAcrossEdge(mesh, frames, h)) - 1.0),
+      20.0 * MachinePrecision);
+  }
+}
+
+TEST(TransportAcrossEdge, AgreesWithTheShortestRotationBetweenTheFaces)
+{
+  // Unfolding along the common edge rotates about it, which is the shortest rotation.
+  const TriangleMesh mesh = IrregularSphere(2, 6).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    const Complex turn = TransportTurn(
+      frames, TriangleMesh::FaceOf(h), frames, TriangleMesh::FaceOf(mesh.Twin(h)));
+    EXPECT_LT(std::abs(turn - std::polar(1.0, TransportAcrossEdge(mesh, frames, h))),
+      100.0 * MachinePrecision);
+  }
+}
+
+TEST(PowerEdgeWeights, AreTheThesissAndFiniteOnSlivers)
+{
+  const Vector<double> ofPlane = PowerEdgeWeights(PlaneGrid(1, 1).Mesh());
+  EXPECT_DOUBLE_EQ(ofPlane.maxCoeff(), 6.0); // 3 * 2 / (1/2 + 1/2) on the diagonal
+  EXPECT_DOUBLE_EQ(ofPlane.sum(), 6.0);      // nothing on the boundary
+
+  for (const Surface& surface : { SphereWithZeroAreaFaces(2, 3), Needle(2, 1e9) })
+  {
+    const Vector<double> weights = PowerEdgeWeights(surface.Mesh());
+    EXPECT_TRUE(weights.allFinite());
+    EXPECT_GE(weights.minCoeff(), 0.0);
+    EXPECT_LE(weights.maxCoeff(), 3e6 * (1.0 + 4.0 * MachinePrecision));
+  }
+}
+
+TEST(PowerLaplacian, IsHermitianAndPositiveSemidefinite)
+{
+  for (const Sample& sample : Samples())
+  {
+    SCOPED_TRACE(sample.Name);
+    const TriangleMesh mesh = sample.Shape.Mesh();
+    const TangentFrames frames = FaceFrames(mesh);
+    for (int N : { 1, 2, 4, 7 })
+    {
+      const SparseMatrix<Complex> L = PowerLaplacian(mesh, frames, N);
+      ASSERT_EQ(L.rows(), mesh.NumberOfFaces());
+      EXPECT_TRUE(L.isCompressed());
+      EXPECT_LE(HermitianResidual(L), MachinePrecision);
+      const Vector<double> eigenvalues = Eigenvalues(L);
+      const double scale = eigenvalues[eigenvalues.size() - 1];
+      EXPECT_GT(eigenvalues[0], -1e3 * MachinePrecision * scale);
+    }
+  }
+}
+
+TEST(PowerLaplacian, ColumnsAscendAndTheDiagonalIsStored)
+{
+  // The pillow of two triangles and a valence-2 vertex: faces that meet along several edges.
+  Surface pillow{ Points(3, 3), Triangles(2, 3) };
+  pillow.V << 0, 0, 0, 1, 0, 0, 0, 1, 0;
+  pillow.F << 0, 1, 2, 2, 1, 0;
+  Surface fold{ Points(4, 3), Triangles(2, 3) };
+  fold.V << 0, 0, 0, 1, 0, 0, 0.3, 0.2, 0, 0, 1, 0;
+  fold.F << 0, 1, 2, 1, 3, 2;
+  fold.F.conservativeResize(3, 3);
+  fold.F.row(2) << 0, 2, 3;
+  std::vector<Sample> samples = Samples();
+  samples.push_back({ "pillow", pillow });
+  samples.push_back({ "fold", fold });
+  for (const Sample& sample : samples)
+  {
+    SCOPED_TRACE(sample.Name);
+    const TriangleMesh mesh = sample.Shape.Mesh();
+    const SparseMatrix<Complex> L = PowerLaplacian(mesh, FaceFrames(mesh), 2);
+    for (int row = 0; row < L.rows(); ++row)
+    {
+      int previous = -1;
+      bool hasDiagonal = false;
+      for (SparseMatrix<Complex>::InnerIterator entry(L, row); entry; ++entry)
+      {
+        EXPECT_GT(entry.col(), previous);
+        previous = static_cast<int>(entry.col());
+        hasDiagonal = hasDiagonal || entry.col() == row;
+      }
+      EXPECT_TRUE(hasDiagonal);
+    }
+  }
+}
+
+TEST(PowerLaplacian, IsTheEnergyOfTheDifferencesAcrossEdges)
+{
+  for (const Sample& sample : Samples())
+  {
+    if (std::string(sample.Name) == "zero-area faces")
+    {
+      continue; // where the formula divides by zero, and the weights say what is meant instead
+    }
+    SCOPED_TRACE(sample.Name);
+    const TriangleMesh mesh = sample.Shape.Mesh();
+    const TangentFrames frames = FaceFrames(mesh);
+    Random random(11);
+    for (int N = 1; N <= 8; ++N)
+    {
+      const SparseMatrix<Complex> L = PowerLaplacian(mesh, frames, N);
+      const Vector<Complex> X = random.Numbers(mesh.NumberOfFaces());
+      const double expected = EnergyByDifferences(mesh, frames, X, N);
+      const Complex energy = X.dot(L * X);
+      EXPECT_NEAR(energy.real(), expected, 1e3 * MachinePrecision * expected);
+      EXPECT_NEAR(energy.imag(), 0.0, 1e3 * MachinePrecision * expected);
+    }
+  }
+}
+
+TEST(PowerLaplacian, DoesNotFeelTheChoiceOfFrames)
+{
+  const TriangleMesh mesh = IrregularTorus(12, 7, 8).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  Random random(12);
+  std::vector<double> angles(mesh.NumberOfFaces());
+  for (double& angle : angles)
+  {
+    angle = random.Uniform(-Pi, Pi);
+  }
+  const TangentFrames turned = Turned(frames, angles);
+  for (int N = 1; N <= 8; ++N)
+  {
+    const Vector<Complex> X = random.Numbers(mesh.NumberOfFaces());
+    const Vector<Complex> image = PowerLaplacian(mesh, frames, N) * X;
+    const Vector<Complex> imageInTurned =
+      PowerLaplacian(mesh, turned, N) * InTurnedFrames(X, angles, N);
+    EXPECT_LT(RelativeDifference(imageInTurned, InTurnedFrames(image, angles, N)),
+      100.0 * N * MachinePrecision);
+  }
+}
+
+TEST(PowerLaplacian, FollowsRelabellingRotationAndScale)
+{
+  const Surface surface = IrregularSphere(2, 9);
+  const TriangleMesh mesh = surface.Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  const Relabelled relabelled = Relabel(surface, 10);
+  const TriangleMesh other = relabelled.Result.Mesh();
+  const TangentFrames otherFrames = FaceFrames(other);
+  Eigen::Matrix3d rotation;
+  const TriangleMesh moved = RotatedAndScaled(surface, 1.2, 37.0, &rotation).Mesh();
+  const TangentFrames movedFrames = FaceFrames(moved);
+
+  Points directions(mesh.NumberOfFaces(), 3); // one random tangent vector per face, in space
+  Random random(13);
+  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    directions.row(f) = frames.ToVector(f, random.Number()).transpose();
+  }
+  for (int N : { 1, 3, 4, 8 })
+  {
+    const auto power = [N](Complex z) {
+      return std::polar(std::abs(z), N * std::arg(z));
+    };
+    Vector<Complex> X(mesh.NumberOfFaces());
+    Vector<Complex> Y(mesh.NumberOfFaces());
+    Vector<Complex> Z(mesh.NumberOfFaces());
+    for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+    {
+      const Vector3 v = directions.row(f).transpose();
+      X[f] = power(frames.ToComplex(f, v));
+      Y[relabelled.NewFaces[f]] = power(otherFrames.ToComplex(relabelled.NewFaces[f], v));
+      Z[f] = power(movedFrames.ToComplex(f, rotation * v));
+    }
+    const double energy = X.dot(PowerLaplacian(mesh, frames, N) * X).real();
+    EXPECT_NEAR(Y.dot(PowerLaplacian(other, otherFrames, N) * Y).real(), energy,
+      1e3 * MachinePrecision * energy);
+    EXPECT_NEAR(Z.dot(PowerLaplacian(moved, movedFrames, N) * Z).real(), energy,
+      1e3 * MachinePrecision * energy);
+  }
+}
+
+TEST(PowerLaplacian, KernelOnFlatPatchesAreTheParallelFields)
+{
+  for (const Surface& surface : { IrregularPlane(7, 5, 3), Disk(4), Annulus(11, 3) })
+  {
+    const TriangleMesh mesh = surface.Mesh();
+    const TangentFrames frames = FaceFrames(mesh);
+    for (int N = 1; N <= 8; ++N)
+    {
+      const SparseMatrix<Complex> L = PowerLaplacian(mesh, frames, N);
+      const Vector<Complex> X = PowersOfDirection(frames, Vector3(0.3, -0.8, 0.0), N);
+      EXPECT_LT((L * X).cwiseAbs().maxCoeff(),
+        10.0 * N * MachinePrecision * L.coeffs().abs().maxCoeff());
+      const Vector<double> eigenvalues = Eigenvalues(L);
+      const double largest = eigenvalues[eigenvalues.size() - 1];
+      EXPECT_LT(std::abs(eigenvalues[0]), 1e3 * MachinePrecision * largest);
+      EXPECT_GT(eigenvalues[1], 1e-4 * largest); // one complex dimension, no more
+    }
+  }
+}
+
+TEST(PowerLaplacian, HasAParallelFieldOnAFlatTorus)
+{
+  // Flat inside and with trivial holonomy along both generators (MeshFactory.h): for every N exactly
+  // one parallel field up to a complex factor, though the surface is bent and closed.
+  const TriangleMesh mesh = FlatTorus(12, 1).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  for (int N = 1; N <= 8; ++N)
+  {
+    const Vector<double> eigenvalues = Eigenvalues(PowerLaplacian(mesh, frames, N));
+    const double largest = eigenvalues[eigenvalues.size() - 1];
+    EXPECT_LT(std::abs(eigenvalues[0]), 1e3 * MachinePrecision * largest);
+    EXPECT_GT(eigenvalues[1], 1e-4 * largest);
+  }
+}
+
+TEST(PowerLaplacian, CurvatureLeavesNoParallelField)
+{
+  const TriangleMesh mesh = Icosphere(2).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  for (int N = 1; N <= 8; ++N)
+  {
+    const Vector<double> eigenvalues = Eigenvalues(PowerLaplacian(mesh, frames, N));
+    EXPECT_GT(eigenvalues[0], 1e-3 * eigenvalues[eigenvalues.size() - 1]);
+  }
+}
+
+TEST(PowerLaplacian, LowestEigenvaluesOnTheSphereConvergeToTwiceTheSmoothOnes)
+{
+  // On N-power fields the connection Laplacian of the unit sphere has the lowest eigenvalue N, of
+  // multiplicity 2 N + 1 on one chirality: lambda = l (l + 1) - N^2 from l = N (monopole harmonics of
+  // charge N). The thesis's weight is twice the consistent two-point flux, so 2 N is the limit.
+  for (int N = 1; N <= 4; ++N)
+  {
+    std::vector<double> errors;
+    for (int subdivisions : { 2, 3, 4 })
+    {
+      const TriangleMesh mesh = Icosphere(subdivisions).Mesh();
+      const Vector<double> eigenvalues = LowestEigenvalues(
+        PowerLaplacian(mesh, FaceFrames(mesh), N), mesh.FaceAreas(), 2 * N + 2);
+      std::cout << N << ' ' << eigenvalues.transpose() << std::endl;
+      errors.push_back(std::abs(eigenvalues[2 * N] / (2.0 * N) - 1.0));
+      EXPECT_GT(eigenvalues[2 * N + 1], 1.5 * eigenvalues[2 * N]); // the gap after 2 N + 1
+    }
+    EXPECT_LT(errors[1], errors[0]);
+    EXPECT_LT(errors[2], errors[1]);
+    EXPECT_LT(errors[2], 0.06);
+  }
+}
+
+TEST(DirectionsFromPowers, AreSymmetricRootsOfThePower)
+{
+  const TriangleMesh mesh = IrregularSphere(1, 4).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  Random random(14);
+  for (int N = 1; N <= 8; ++N)
+  {
+    const Vector<Complex> X = random.Numbers(mesh.NumberOfFaces());
+    std::vector<int> labels(mesh.NumberOfFaces());
+    for (int& label : labels)
+    {
+      label = random.Index(N);
+    }
+    const std::vector<Points> roots = DirectionsFromPowers(frames, X, N, false);
+    const std::vector<Points> units = DirectionsFromPowers(frames, X, N, true);
+    const std::vector<Points> labelled = DirectionsFromPowers(frames, X, N, false, labels);
+    ASSERT_EQ(static_cast<int>(roots.size()), N);
+    for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+    {
+      const double length = std::abs(X[f]);
+      for (int k = 0; k < N; ++k)
+      {
+        const Complex z = frames.ToComplex(f, roots[k].row(f).transpose());
+        EXPECT_NEAR(std::abs(z), length, 20.0 * MachinePrecision * length);
+        EXPECT_LT(std::abs(std::polar(length, N * std::arg(z)) - X[f]),
+          100.0 * N * MachinePrecision * length);
+        const Complex next = frames.ToComplex(f, roots[(k + 1) % N].row(f).transpose());
+        EXPECT_LT(std::abs(next - z * std::polar(1.0, 2.0 * Pi / N)),
+          100.0 * MachinePrecision * length);
+        EXPECT_LT((units[k].row(f) - roots[k].row(f) / length).norm(), 20.0 * MachinePrecision);
+        EXPECT_LT((labelled[k].row(f) - roots[(k + labels[f]) % N].row(f)).norm(),
+          100.0 * MachinePrecision * length);
+      }
+    }
+  }
+}
+
+TEST(DirectionsFromPowers, OfZeroAreZero)
+{
+  const TriangleMesh mesh = PlaneGrid(1, 1).Mesh();
+  const Vector<Complex> zero = Vector<Complex>::Zero(2);
+  for (const Points& direction : DirectionsFromPowers(FaceFrames(mesh), zero, 3, true))
+  {
+    EXPECT_EQ(direction.norm(), 0.0);
+  }
+}
+
+/// Edges across which direction 0 does not go on as direction 0.
+int CountJumps(const TriangleMesh& mesh, const TangentFrames& frames, const Vector<Complex>& X,
+  const std::vector<int>& labels, int N)
+{
+  const std::vector<Points> directions = DirectionsFromPowers(frames, X, N, true, labels);
+  int jumps = 0;
+  for (int e = 0; e < mesh.NumberOfEdges(); ++e)
+  {
+    const int h = mesh.HalfedgeOf(e);
+    if (mesh.Twin(h) < 0)
+    {
+      continue;
+    }
+    const int f = TriangleMesh::FaceOf(h);
+    const int g = TriangleMesh::FaceOf(mesh.Twin(h));
+    const Complex carried = frames.ToComplex(f, directions[0].row(f).transpose()) *
+      std::polar(1.0, TransportAcrossEdge(mesh, frames, h));
+    const Complex there = frames.ToComplex(g, directions[0].row(g).transpose());
+    jumps += std::abs(std::arg(there * std::conj(carried))) > Pi / N * (1.0 + 1e-12) ? 1 : 0;
+  }
+  return jumps;
+}
+
+TEST(CombingLabels, LeaveNoJumpOnADiscWithoutSingularities)
+{
+  const TriangleMesh mesh = IrregularPlane(12, 10, 5).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  for (int N = 1; N <= 8; ++N)
+  {
+    Vector<Complex> X(mesh.NumberOfFaces());
+    for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+    {
+      // A direction that turns by more than a whole turn over the patch, and slowly.
+      const double angle = 0.7 * mesh.Position(mesh.Tail(3 * f)).x();
+      const Vector3 v(std::cos(angle), std::sin(angle), 0.0);
+      X[f] = std::polar(1.0, N * std::arg(frames.ToComplex(f, v)));
+    }
+    const std::vector<int> labels = CombingLabels(mesh, frames, X, N);
+    for (int label : labels)
+    {
+      EXPECT_GE(label, 0);
+      EXPECT_LT(label, N);
+    }
+    if (0.7 * 1.8 * N < Pi) // turning across an edge stays below half of what separates directions
+    {
+      EXPECT_EQ(CountJumps(mesh, frames, X, labels, N), 0);
+      if (N > 1)
+      {
+        EXPECT_GT(CountJumps(mesh, frames, X, std::vector<int>(labels.size(), 0), N), 0);
+      }
+    }
+  }
+}
+
+TEST(CombingLabels, LeaveOnlyACutThatASingularityNeeds)
+{
+  // One singularity of index 1/N in the centre of a disc: a cut must reach the boundary, and one
+  // along a shortest path crosses about as many edges as there are rings.
+  const int rings = 8;
+  const TriangleMesh mesh = Disk(rings).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  for (int N : { 2, 3, 4, 6 })
+  {
+    Vector<Complex> X(mesh.NumberOfFaces());
+    for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+    {
+      const Vector3 centre = (mesh.Position(mesh.Tail(3 * f)) + mesh.Position(mesh.Head(3 * f)) +
+                               mesh.Position(mesh.Tail(3 * f + 2))) /
+        3.0;
+      const double angle = std::atan2(centre.y(), centre.x()) / N;
+      X[f] = std::polar(
+        1.0, N * std::arg(frames.ToComplex(f, { std::cos(angle), std::sin(angle), 0.0 })));
+    }
+    const int jumps = CountJumps(mesh, frames, X, CombingLabels(mesh, frames, X, N), N);
+    EXPECT_GE(jumps, rings);
+    EXPECT_LE(jumps, 6 * rings);
+  }
+}
+
+TEST(CombingLabels, CoverEveryComponentAndSurviveZeroPowers)
+{
+  const TriangleMesh mesh = Union(Icosphere(1), Torus(5, 4), Vector3(4.0, 0.0, 0.0)).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  Vector<Complex> X = PowersOfDirection(frames, Vector3(1.0, 2.0, 3.0), 4);
+  X[3] = 0.0;
+  for (int label : CombingLabels(mesh, frames, X, 4))
+  {
+    EXPECT_GE(label, 0);
+    EXPECT_LT(label, 4);
+  }
+}
+
+TEST(PowersAtVertices, AreExactOnAFlatPatch)
+{
+  const TriangleMesh mesh = IrregularPlane(9, 7, 6).Mesh();
+  const TangentFrames faceFrames = FaceFrames(mesh);
+  const TangentFrames vertexFrames = VertexFrames(mesh);
+  const Vector3 v(0.6, -0.8, 0.0);
+  for (int N = 1; N <= 8; ++N)
+  {
+    const Vector<Complex> X = 2.5 * PowersOfDirection(faceFrames, v, N);
+    const Vector<Complex> expected = 2.5 * PowersOfDirection(vertexFrames, v, N);
+    EXPECT_LT(
+      RelativeDifference(PowersAtVertices(mesh, faceFrames, vertexFrames, X, N), expected),
+      20.0 * N * MachinePrecision);
+  }
+}
+
+TEST(PowersAtVertices, FollowASmoothFieldOnTheSphere)
+{
+  // East, away from the poles, at the rate of the mesh size.
+  const auto east = [](const Vector3& p) { return Vector3(-p.y(), p.x(), 0.0).normalized(); };
+  for (int N : { 1, 4 })
+  {
+    std::vector<double> errors;
+    for (int subdivisions : { 3, 4 })
+    {
+      const TriangleMesh mesh = Icosphere(subdivisions).Mesh();
+      const TangentFrames faceFrames = FaceFrames(mesh);
+      const TangentFrames vertexFrames = VertexFrames(mesh);
+      Vector<Complex> X(mesh.NumberOfFaces());
+      for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+      {
+        const Vector3 centre = faceFrames.N.row(f).transpose();
+        X[f] = std::polar(1.0, N * std::arg(faceFrames.ToComplex(f, east(centre))));
+      }
+      const Vector<Complex> atVertices =
+        PowersAtVertices(mesh, faceFrames, vertexFrames, X, N);
+      double error = 0.0;
+      for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+      {
+        const Vector3 p = mesh.Position(v);
+        if (std::abs(p.z()) < 0.8)
+        {
+          const Complex expected = vertexFrames.ToComplex(v, east(p));
+          error =
+            std::max(error, std::abs(atVertices[v] - std::polar(1.0, N * std::arg(expected))));
+        }
+      }
+      errors.push_back(error);
+    }
+    EXPECT_LT(errors[1], 0.6 * errors[0]);
+    EXPECT_LT(errors[1], 0.05 * N);
+  }
+}
+
+TEST(VertexLabels, PickTheDirectionOfTheFacesAround)
+{
+  const TriangleMesh mesh = IrregularPlane(8, 8, 7).Mesh();
+  const TangentFrames faceFrames = FaceFrames(mesh);
+  const TangentFrames vertexFrames = VertexFrames(mesh);
+  const Vector3 v(std::cos(0.4), std::sin(0.4), 0.0);
+  for (int N = 1; N <= 8; ++N)
+  {
+    const Vector<Complex> X = PowersOfDirection(faceFrames, v, N);
+    const std::vector<int> faceLabels = CombingLabels(mesh, faceFrames, X, N);
+    const Vector<Complex> atVertices = PowersAtVertices(mesh, faceFrames, vertexFrames, X, N);
+    const std::vector<int> labels =
+      VertexLabels(mesh, faceFrames, vertexFrames, X, faceLabels, atVertices, N);
+    const Points ofFaces = DirectionsFromPowers(faceFrames, X, N, true, faceLabels)[0];
+    const Points ofVertices = DirectionsFromPowers(vertexFrames, atVertices, N, true, labels)[0];
+    EXPECT_LT((ofFaces.rowwise() - ofFaces.row(0)).norm(), 1e-12);
+    EXPECT_LT((ofVertices.rowwise() - ofFaces.row(0)).norm(), 1e-12);
+  }
+}
+
+TEST(SingularityIndices, SumToTheEulerCharacteristicForAnyField)
+{
+  for (const Surface& surface : { IrregularSphere(2, 1), Icosphere(2), IrregularTorus(12, 7, 2),
+         Torus(3, 3), DoubleTorus(2), Needle(2, 100.0), FlatTorus(8, 1),
+         SphereWithZeroAreaFaces(3, 8), Union(Icosphere(1), Torus(6, 4), Vector3(4.0, 0.0, 0.0)) })
+  {
+    const TriangleMesh mesh = surface.Mesh();
+    const TangentFrames frames = FaceFrames(mesh);
+    Random random(21);
+    for (int N = 1; N <= 8; ++N)
+    {
+      const Vector<Complex> fields[] = { random.Numbers(mesh.NumberOfFaces()),
+        Vector<Complex>::Zero(mesh.NumberOfFaces()), // no direction anywhere, still a sum
+        PowersOfDirection(frames, Vector3(0.2, 0.5, 0.9), N) };
+      for (const Vector<Complex>& X : fields)
+      {
+        const Vector<double> indices = SingularityIndices(mesh, frames, X, N);
+        EXPECT_NEAR(indices.sum(), mesh.EulerCharacteristic(), 1e-9);
+        for (double index : indices)
+        {
+          EXPECT_NEAR(N * index, std::round(N * index), 8.0 * MachinePrecision * N);
+        }
+      }
+    }
+  }
+}
+
+TEST(SingularityIndices, OfEastAreOneAtThePoles)
+{
+  const TriangleMesh mesh = Icosphere(4).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  for (int N = 1; N <= 4; ++N)
+  {
+    Vector<Complex> X(mesh.NumberOfFaces());
+    for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+    {
+      const Vector3 n = frames.N.row(f).transpose();
+      const Complex east = frames.ToComplex(f, Vector3(-n.y(), n.x(), 0.0));
+      X[f] = std::polar(1.0, N * std::arg(east));
+    }
+    const Vector<double> indices = SingularityIndices(mesh, frames, X, N);
+    double north = 0.0;
+    double south = 0.0;
+    for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+    {
+      const double z = mesh.Position(v).z();
+      (z > 0.0 ? north : south) += indices[v];
+      if (std::abs(z) < 0.95)
+      {
+        EXPECT_EQ(indices[v], 0.0);
+      }
+    }
+    EXPECT_NEAR(north, 1.0, 1e-12);
+    EXPECT_NEAR(south, 1.0, 1e-12);
+  }
+}
+
+TEST(SingularityIndices, OfModelSingularitiesInThePlane)
+{
+  const TriangleMesh mesh = Disk(5).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  for (int N = 1; N <= 8; ++N)
+  {
+    for (int k = -2; k <= 2; ++k)
+    {
+      Vector<Complex> X(mesh.NumberOfFaces());
+      for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+      {
+        const Vector3 centre =
+          (mesh.Position(mesh.Tail(3 * f)) + mesh.Position(mesh.Head(3 * f)) +
+            mesh.Position(mesh.Tail(3 * f + 2))) /
+          3.0;
+        // z^k as a power field: its N directions turn by 2 pi k / N around the centre.
+        const double angle = k * std::atan2(centre.y(), centre.x());
+        const double frame = std::arg(frames.ToComplex(f, Vector3(1.0, 0.0, 0.0)));
+        X[f] = std::polar(1.0, angle + N * frame);
+      }
+      const Vector<double> indices = SingularityIndices(mesh, frames, X, N);
+      EXPECT_NEAR(indices[0], static_cast<double>(k) / N, 4.0 * MachinePrecision);
+      EXPECT_NEAR(indices.cwiseAbs().sum(), std::abs(indices[0]), 4.0 * MachinePrecision);
+    }
+  }
+}
+
+}

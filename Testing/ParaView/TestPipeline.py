@@ -1,0 +1,86 @@
+"""A cross field on a sphere through ParaView's Python, in whatever process runs this.
+
+    TestPipeline.py [--plugin FILE] [--server HOST:PORT] [--image FILE]
+
+--plugin  loads the plugin from a file; otherwise ParaView has to find it by itself
+--server  connects to a pvserver, which has to have the plugin too
+--image   also draws the field into a file
+"""
+
+import argparse
+
+import paraview.simple as simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+
+def solve():
+    """Crosses on the unit sphere, prescribed at one side of it."""
+    sphere = simple.Sphere(Radius=1, ThetaResolution=60, PhiResolution=60)
+    mask = simple.Calculator(Input=sphere, ResultArrayName="Mask",
+                             Function="if(coordsX > 0.9, 1, 0)")
+    directions = simple.Calculator(Input=mask, ResultArrayName="Directions", Function="jHat")
+    prolongation = simple.DirectionalProlongation(Input=directions, MinimumNumberOfFaces=200)
+    return simple.HarmonicFieldSolver(
+        Input=prolongation, Mask=["POINTS", "Mask"], Directions=["POINTS", "Directions"],
+        NumberOfDirections=4, Solver="Conjugate Gradients")
+
+
+def check(solver):
+    """What has to hold on any sphere."""
+    field = simple.servermanager.Fetch(solver)
+    assert field.GetNumberOfCells() > 6000, field.GetNumberOfCells()
+    points, cells, report = field.GetPointData(), field.GetCellData(), field.GetFieldData()
+    assert report.GetArray("Converged").GetValue(0) == 1
+    # Poincare-Hopf: the indices sum to the Euler characteristic.
+    indices = vtk_to_numpy(points.GetArray("SingularityIndex"))
+    assert abs(indices.sum() - 2) < 1e-12, indices.sum()
+    # Four unit vectors per face, opposite ones opposite, all tangential to the face.
+    arrays = [vtk_to_numpy(cells.GetArray(f"Direction{k}")) for k in range(4)]
+    assert abs((arrays[0] ** 2).sum(axis=1) - 1).max() < 1e-12
+    assert abs(arrays[0] + arrays[2]).max() < 1e-12
+    assert abs((arrays[0] * arrays[1]).sum(axis=1)).max() < 1e-12
+
+
+def draw(solver, image):
+    view = simple.CreateRenderView(ViewSize=[600, 600])
+    view.CameraPosition = [4, 2, 2]
+    display = simple.Show(solver, view)
+    simple.ColorBy(display, ("POINTS", "Direction0", "X"))
+    simple.Render(view)
+    simple.SaveScreenshot(image, view)
+    pixels = read(image)
+    background = (pixels == pixels[0]).all(axis=1).mean()
+    assert 0.2 < background < 0.8, f"{background:.0%} of the image is background"
+    assert len(set(map(tuple, pixels[::7]))) > 100, "the image has hardly any colours"
+
+
+def read(image):
+    """The colours of a PNG file, one row per pixel."""
+    reader = vtkPNGReader()
+    reader.SetFileName(image)
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--plugin")
+    parser.add_argument("--server")
+    parser.add_argument("--image")
+    options = parser.parse_args()
+    if options.server:
+        host, port = options.server.split(":")
+        simple.Connect(host, int(port))
+    if options.plugin:
+        simple.LoadPlugin(options.plugin, remote=False, ns=globals())
+
+    solver = solve()
+    solver.UpdatePipeline()
+    check(solver)
+    if options.image:
+        draw(solver, options.image)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Drives ParaView's window as a user does: both filters from the menu, arrays from their lists, Apply.
+
+    test_window.py PARAVIEW OUTPUT-FOLDER
+
+plays FieldInTheWindow.xml, leaves FieldInTheWindow.vtp, as saved by the window, and a screenshot of
+it in the folder, and checks the former. Needs a display; ParaView has to find the plugin by itself.
+"""
+
+import pathlib
+import subprocess
+import sys
+import time
+
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+
+EVENTS = pathlib.Path(__file__).with_name("FieldInTheWindow.xml")
+
+
+def write_sphere(path):
+    """The unit sphere with prescribed directions on one side."""
+    source = vtkSphereSource()
+    source.SetRadius(1)
+    source.SetThetaResolution(60)
+    source.SetPhiResolution(60)
+    source.Update()
+    sphere = source.GetOutput()
+    points = vtk_to_numpy(sphere.GetPoints().GetData())
+    arrays = {"Mask": (points[:, 0] > 0.9).astype("i4"), "Directions": 0 * points + (0, 1, 0)}
+    for name, values in arrays.items():
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        sphere.GetPointData().AddArray(array)
+    writer = vtkXMLPolyDataWriter()
+    writer.SetFileName(str(path))
+    writer.SetInputData(sphere)
+    writer.Write()
+
+
+def play(paraview, surface, result, folder):
+    """Runs the window until the result is written and no longer grows; takes the screenshot then."""
+    command = [paraview, "--disable-registry", f"--data={surface}", f"--test-directory={folder}",
+               f"--test-script={EVENTS}"]
+    log = folder / "FieldInTheWindow.log"
+    with log.open("w") as output:
+        window = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT)
+    try:
+        size, complete = 0, False
+        deadline = time.monotonic() + 120
+        while not complete and time.monotonic() < deadline and window.poll() is None:
+            time.sleep(0.5)
+            if "critical:" in log.read_text():
+                break
+            former, size = size, result.stat().st_size if result.exists() else 0
+            complete = size == former > 0
+        subprocess.run(["import", "-window", "root", result.with_suffix(".png")], check=True)
+    finally:
+        window.kill()
+        window.wait()
+    print(log.read_text())
+    if "ERR|" in log.read_text() or not complete:
+        raise SystemExit("ParaView reported errors or wrote no field")
+
+
+def check(result):
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(result))
+    reader.Update()
+    field = reader.GetOutput()
+    assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1
+    for attributes in (field.GetPointData(), field.GetCellData()):
+        assert attributes.HasArray("Direction0") and attributes.HasArray("Direction3")
+    # Poincare-Hopf: the indices sum to the Euler characteristic.
+    indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
+    assert abs(indices.sum() - 2) < 1e-12, indices.sum()
+
+
+def main():
+    paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+    folder.mkdir(parents=True, exist_ok=True)
+    surface, result = folder / "sphere.vtp", folder / "FieldInTheWindow.vtp"
+    result.unlink(missing_ok=True)
+    write_sphere(surface)
+    play(paraview, surface, result, folder)
+    check(result)
+
+
+if __name__ == "__main__":
+    main()

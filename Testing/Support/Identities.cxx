@@ -1,0 +1,116 @@
+#include "Support/Identities.h"
+
+#include "Support/Random.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dmg::test
+{
+
+double RowSumResidual(const SparseMatrix<double>& S)
+{
+  const Vector<double> sums = S * Vector<double>::Ones(S.cols());
+  return (sums.array() - 1.0).abs().maxCoeff();
+}
+
+double SmallestEntry(const SparseMatrix<double>& S)
+{
+  return S.nonZeros() > 0 ? S.coeffs().minCoeff() : 0.0;
+}
+
+double RelativeDifference(const SparseMatrix<Complex>& A, const SparseMatrix<Complex>& B)
+{
+  const SparseMatrix<Complex> difference = A - B;
+  return difference.coeffs().abs().maxCoeff() / B.coeffs().abs().maxCoeff();
+}
+
+double HermitianResidual(const SparseMatrix<Complex>& A)
+{
+  return RelativeDifference(SparseMatrix<Complex>(A.adjoint()), A);
+}
+
+double RelativeDifference(const Vector<Complex>& a, const Vector<Complex>& b)
+{
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
+
+Vector<double> Eigenvalues(const SparseMatrix<Complex>& A)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(
+    Eigen::MatrixXcd(A), Eigen::EigenvaluesOnly);
+  return solver.eigenvalues();
+}
+
+Vector<double> LowestEigenvalues(
+  const SparseMatrix<Complex>& A, const Vector<double>& M, int count)
+{
+  using Dense = Eigen::MatrixXcd;
+  const Vector<Complex> scale = M.cwiseSqrt().cwiseInverse().cast<Complex>();
+  const Eigen::SparseMatrix<Complex> scaled = scale.asDiagonal() * A * scale.asDiagonal();
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<Complex>> factor(scaled);
+  Random random(1);
+  Dense basis(A.rows(), count + 4);
+  for (int k = 0; k < basis.cols(); ++k)
+  {
+    basis.col(k) = random.Numbers(static_cast<int>(A.rows()));
+  }
+  Vector<double> eigenvalues;
+  for (int iteration = 0; iteration < 30; ++iteration)
+  {
+    basis = Dense(Eigen::HouseholderQR<Dense>(basis).householderQ() *
+      Dense::Identity(basis.rows(), basis.cols()));
+    const Eigen::SelfAdjointEigenSolver<Dense> small(basis.adjoint() * (scaled * basis));
+    eigenvalues = small.eigenvalues().head(count);
+    basis = factor.solve(basis * small.eigenvectors());
+  }
+  return eigenvalues;
+}
+
+Vector<Complex> SolveByLU(const SparseMatrix<Complex>& A, const Vector<Complex>& b)
+{
+  const Eigen::SparseMatrix<Complex> columns = A;
+  Eigen::SparseLU<Eigen::SparseMatrix<Complex>> lu(columns);
+  return lu.solve(b);
+}
+
+TangentFrames Turned(const TangentFrames& frames, const std::vector<double>& angles)
+{
+  TangentFrames turned = frames;
+  for (std::size_t i = 0; i < angles.size(); ++i)
+  {
+    const double c = std::cos(angles[i]);
+    const double s = std::sin(angles[i]);
+    turned.X.row(i) = c * frames.X.row(i) + s * frames.Y.row(i);
+    turned.Y.row(i) = c * frames.Y.row(i) - s * frames.X.row(i);
+  }
+  return turned;
+}
+
+Vector<Complex> InTurnedFrames(
+  const Vector<Complex>& powers, const std::vector<double>& angles, int N)
+{
+  Vector<Complex> turned = powers;
+  for (std::size_t i = 0; i < angles.size(); ++i)
+  {
+    turned[i] *= std::polar(1.0, -N * angles[i]);
+  }
+  return turned;
+}
+
+Vector<Complex> PowersOfDirection(const TangentFrames& frames, const Vector3& v, int N)
+{
+  Vector<Complex> powers(frames.X.rows());
+  for (int i = 0; i < powers.size(); ++i)
+  {
+    powers[i] = std::polar(1.0, N * std::arg(frames.ToComplex(i, v)));
+  }
+  return powers;
+}
+
+}

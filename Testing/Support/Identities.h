@@ -1,0 +1,54 @@
+#ifndef dmgTestIdentities_h
+#define dmgTestIdentities_h
+
+#include "Mesh/TangentFrames.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+/// How far an object is from an identity that it ought to satisfy: residuals that tests compare with
+/// multiples of the machine precision.
+namespace dmg::test
+{
+
+constexpr double MachinePrecision = 2.220446049250313e-16;
+
+/// max_i |sum_j S_ij - 1|
+double RowSumResidual(const SparseMatrix<double>& S);
+
+/// Smallest stored entry; 0 where there is none.
+double SmallestEntry(const SparseMatrix<double>& S);
+
+/// max |A - A^H| over max |A|
+double HermitianResidual(const SparseMatrix<Complex>& A);
+
+/// max |A - B| over max |B|
+double RelativeDifference(const SparseMatrix<Complex>& A, const SparseMatrix<Complex>& B);
+
+/// max |a - b| over max |b|
+double RelativeDifference(const Vector<Complex>& a, const Vector<Complex>& b);
+
+/// All eigenvalues of a Hermitian matrix, ascending. Dense: for some hundred rows.
+Vector<double> Eigenvalues(const SparseMatrix<Complex>& A);
+
+/// The lowest eigenvalues of A x = lambda diag(M) x, ascending; A and M positive definite. Subspace
+/// iteration on a sparse factorisation; good to about 1e-8 where a gap follows the last one.
+Vector<double> LowestEigenvalues(
+  const SparseMatrix<Complex>& A, const Vector<double>& M, int count);
+
+/// The solution of a regular system by a general sparse LU: the second opinion for every solver.
+Vector<Complex> SolveByLU(const SparseMatrix<Complex>& A, const Vector<Complex>& b);
+
+/// Frames with X and Y turned about N by an angle per element.
+TangentFrames Turned(const TangentFrames& frames, const std::vector<double>& angles);
+
+/// N-powers in frames that were turned: what e^{i N angle} takes from the coordinates.
+Vector<Complex> InTurnedFrames(
+  const Vector<Complex>& powers, const std::vector<double>& angles, int N);
+
+/// The power of the same direction v in every face: (v . X + i v . Y)^N, of unit magnitude.
+Vector<Complex> PowersOfDirection(const TangentFrames& frames, const Vector3& v, int N);
+
+}
+
+#endif
