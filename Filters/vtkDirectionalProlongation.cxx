@@ -47,8 +47,7 @@ public:
       return;
     }
     const dmg::SurfaceMesh mesh = dmg::MeshFromPolyData(surface);
-    const dmg::SurfaceHierarchy hierarchy =
-      dmg::BuildSurfaceHierarchy(mesh.Mesh, options, context);
+    const dmg::SurfaceHierarchy hierarchy = dmg::BuildSurfaceHierarchy(mesh.Mesh, options, context);
     auto setup = std::make_unique<Setup>();
     setup->Origin = origin;
     dmg::OperatorsToFieldData(hierarchy.Operators, origin, setup->Operators);
@@ -95,7 +94,7 @@ int vtkDirectionalProlongation::RequestUpdateExtent(
 
 //------------------------------------------------------------------------------
 int vtkDirectionalProlongation::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
@@ -104,6 +103,13 @@ int vtkDirectionalProlongation::RequestData(
   levels->Initialize();
   if (input->GetNumberOfCells() == 0)
   {
+    return 1;
+  }
+  if (!dmg::IsPieceZero(request, outputVector))
+  {
+    vtkWarningMacro("a piece of the surface other than the first holds "
+      << input->GetNumberOfCells()
+      << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
     return 1;
   }
 
@@ -140,8 +146,7 @@ int vtkDirectionalProlongation::RequestData(
   for (unsigned int level = 0; level < numberOfLevels; ++level)
   {
     levels->SetPartition(level, 0, level == 0 ? finest.Get() : setup.CoarseLevels[level - 1].Get());
-    levels->GetMetaData(level)->Set(
-      vtkCompositeDataSet::NAME(), "Level " + std::to_string(level));
+    levels->GetMetaData(level)->Set(vtkCompositeDataSet::NAME(), "Level " + std::to_string(level));
   }
   return 1;
 }
@@ -154,6 +159,7 @@ void vtkDirectionalProlongation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfCoarseLevels: " << this->MaximumNumberOfCoarseLevels << "\n";
   os << indent << "MinimumNumberOfFaces: " << this->MinimumNumberOfFaces << "\n";
   os << indent << "CollapsePolicy: "
-     << (this->CollapsePolicy == IndependentRounds ? "IndependentRounds" : "SequentialQueue") << "\n";
+     << (this->CollapsePolicy == IndependentRounds ? "IndependentRounds" : "SequentialQueue")
+     << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
 }

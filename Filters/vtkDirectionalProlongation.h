@@ -1,14 +1,14 @@
 /**
  * @class   vtkDirectionalProlongation
- * @brief   decimates a surface level by level and keeps the operators that carry fields between levels
+ * @brief   decimates a surface and keeps the operators that carry fields between the levels
  *
- * vtkDirectionalProlongation is the set-up of vtkHarmonicFieldSolver as a filter of its own, so that
- * its result can be stored, reused by several solvers and looked at.
+ * vtkDirectionalProlongation is the set-up of vtkHarmonicFieldSolver as a filter of its own, so
+ * that its result can be stored, reused by several solvers and looked at.
  *
- * The surface is decimated by quadric-guided edge collapses, level after level. Each collapse flattens
- * the triangles around the edge, before and after, into one plane; the overlay of both gives sparse
- * operators that carry functions and directions from a level to the next finer one. Level 0 is the
- * surface itself.
+ * The surface is decimated by quadric-guided edge collapses, level after level. Each collapse
+ * flattens the triangles around the edge, before and after, into one plane; the overlay of both
+ * gives sparse operators that carry functions and directions from a level to the next finer one.
+ * Level 0 is the surface itself.
  *
  * @section vtkDirectionalProlongation-Inputs Inputs
  *
@@ -20,37 +20,38 @@
  *
  * Port 0: vtkPolyData, the input with all its arrays, and the operators as field data. Every VTK
  * writer stores them, and another process or machine solves with them without decimating again. The
- * arrays are hidden from array menus (vtkAbstractArray::GUI_HIDE):
+ * arrays are hidden from array menus (vtkAbstractArray::GUI_HIDE); their names begin with
+ * "Prolongation.":
  *
- * | field array                        | type   | length      | meaning                              |
- * | ---------------------------------- | ------ | ----------- | ------------------------------------ |
- * | Prolongation.Format                | int    | 1           | version of this list, now 1          |
- * | Prolongation.Digest                | string | 1           | fingerprint of the points and triangles |
- * | Prolongation.Options               | double | 4           | the properties below, in their order |
- * | Prolongation.NumbersOfVertices     | int    | levels      | finest first                         |
- * | Prolongation.NumbersOfFaces        | int    | levels      | finest first                         |
- * | Prolongation.S0.l.Offsets          | int    | rows + 1    | where each row starts                |
- * | Prolongation.S0.l.Columns          | int    | non-zeros   | ascending in each row                |
- * | Prolongation.S0.l.Values           | double | non-zeros   | functions, from level l + 1 to l     |
- * | Prolongation.SP.l.Offsets, .Columns | int   | as above    |                                      |
- * | Prolongation.SP.l.Values           | double | 2 per non-zero | real and imaginary part: directions, face to face |
- * | Prolongation.Nodal.l....           |        | as SP       | directions, vertex to vertex; vertex to face at l = 0 |
+ * | field array            | type   | length         | meaning                                   |
+ * | ---------------------- | ------ | -------------- | ----------------------------------------- |
+ * | Format                 | int    | 1              | version of this list, now 1               |
+ * | Digest                 | string | 1              | fingerprint of the points and triangles   |
+ * | Options                | double | 4              | properties of this filter, in their order |
+ * | NumbersOfVertices      | int    | levels         | finest first                              |
+ * | NumbersOfFaces         | int    | levels         | finest first                              |
+ * | S0.l.Offsets           | int    | rows + 1       | where each row starts                     |
+ * | S0.l.Columns           | int    | non-zeros      | ascending in each row                     |
+ * | S0.l.Values            | double | non-zeros      | functions, from level l + 1 to level l    |
+ * | SP.l.Offsets, .Columns | int    | as above       |                                           |
+ * | SP.l.Values            | double | 2 per non-zero | complex; directions, face to face         |
+ * | Nodal.l. ...           |        | as SP          | vertices to vertices, at l = 0 to faces   |
  *
  * The operators serve every number of directions. The modulus of a complex entry is its weight, the
- * argument the angle by which a direction turns on its way; on the powers of N directions it turns N
- * times as far.
+ * argument the angle by which a direction turns on its way; on the powers of N directions it turns
+ * N times as far.
  *
  * Port 1: vtkPartitionedDataSetCollection, the levels to look at, one vtkPolyData per level, the
  * finest first.
  *
  * @section vtkDirectionalProlongation-Execution Execution
  *
- * The work is repeated when the content of points or triangles, or a property, changes; an array that
- * is added to the input, or new objects with the same content, repeat nothing. Linear in the number
- * of triangles. Runs in the threads of vtkSMPTools (in std::thread where the backend is Sequential by
- * default rather than by choice) and gives the same bits for any number of threads. An aborted run
- * leaves empty outputs. With several pieces, piece 0 asks for the whole surface and holds the whole
- * result; the other pieces are empty.
+ * The work is repeated when the content of points or triangles, or a property, changes; an array
+ * that is added to the input, or new objects with the same content, repeat nothing. Linear in the
+ * number of triangles. Runs in the threads of vtkSMPTools (in std::thread where the backend is
+ * Sequential by default rather than by choice) and gives the same bits for any number of threads.
+ * An aborted run leaves empty outputs. With several pieces, piece 0 asks for the whole surface and
+ * holds the whole result; the other pieces are empty.
  *
  * @sa vtkHarmonicFieldSolver
  */
@@ -123,10 +124,10 @@ protected:
   ~vtkDirectionalProlongation() override;
 
   int FillOutputPortInformation(int port, vtkInformation* information) override;
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
 private:
   double FaceRatio = 0.25;

@@ -63,8 +63,8 @@ double SecondsSince(std::chrono::steady_clock::time_point start)
 }
 
 //------------------------------------------------------------------------------
-// The three stages. Each is built as a whole and then put in place, and takes away the later ones that
-// refer to it: a run that stops half-way leaves nothing half-made.
+// The three stages. Each is built as a whole and then put in place, and takes away the later ones
+// that refer to it: a run that stops half-way leaves nothing half-made.
 class vtkHarmonicFieldSolver::vtkInternals
 {
 public:
@@ -97,6 +97,7 @@ public:
     dmg::StoppingCriteria Stop;
     dmg::Vector<dmg::Complex> Powers;
     dmg::SolveReport Report;
+    std::optional<dmg::FieldArrays> Arrays;
   };
 
   std::unique_ptr<SurfaceStage> Surface;
@@ -138,10 +139,9 @@ public:
     {
       const auto start = std::chrono::steady_clock::now();
       const dmg::TriangleMesh& mesh = this->Surface->Framed.Surface.Mesh;
-      auto operators = stored
-        ? dmg::OperatorsFromFieldData(
-            input->GetFieldData(), mesh.NumberOfVertices(), mesh.NumberOfFaces())
-        : dmg::BuildSurfaceHierarchy(mesh, origin.Options, context).Operators;
+      auto operators = stored ? dmg::OperatorsFromFieldData(input->GetFieldData(),
+                                  mesh.NumberOfVertices(), mesh.NumberOfFaces())
+                              : dmg::BuildSurfaceHierarchy(mesh, origin.Options, context).Operators;
       this->Solution.reset();
       this->System.reset();
       this->Operators.reset(
@@ -180,9 +180,22 @@ public:
       this->Solution ? this->Solution->Powers : dmg::Vector<dmg::Complex>();
     dmg::PowerFieldProblem& problem = this->System->Problem;
     dmg::Vector<dmg::Complex> powers = problem.Solve(values, start, stop, context);
-    this->Solution.reset(new SolveStage{ values, stop, std::move(powers), problem.Report() });
+    this->Solution.reset(
+      new SolveStage{ values, stop, std::move(powers), problem.Report(), std::nullopt });
     ++this->NumberOfSolves;
     return true;
+  }
+
+  /// The output; part of the solution, but for its options.
+  void MakeArrays(
+    vtkPolyData* input, bool unitLength, bool combing, const dmg::ExecutionContext& context)
+  {
+    std::optional<dmg::FieldArrays>& arrays = this->Solution->Arrays;
+    if (!arrays || arrays->UnitLength != unitLength || arrays->Combing != combing)
+    {
+      arrays = dmg::MakeFieldArrays(this->Surface->Framed, this->Solution->Powers,
+        this->System->Options.N, unitLength, combing, input, context);
+    }
   }
 
   double SetupSeconds() const
@@ -249,7 +262,7 @@ int vtkHarmonicFieldSolver::RequestUpdateExtent(
 
 //------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
   vtkDataSet* const points = vtkDataSet::GetData(inputVector[1]);
@@ -261,6 +274,13 @@ int vtkHarmonicFieldSolver::RequestData(
   convergence->Initialize();
   if (input->GetNumberOfCells() == 0)
   {
+    return 1;
+  }
+  if (!dmg::IsPieceZero(request, outputVector))
+  {
+    vtkWarningMacro("a piece of the surface other than the first holds "
+      << input->GetNumberOfCells()
+      << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
     return 1;
   }
 
@@ -295,7 +315,8 @@ int vtkHarmonicFieldSolver::RequestData(
         vtkWarningMacro(<< warning);
       }
     }
-    context.Checkpoint(0.9);
+    stages.MakeArrays(
+      input, this->UnitLength, this->Combing, dmg::PartOfContext(context, 0.9, 1.0));
   }
   catch (const dmg::Cancelled&)
   {
@@ -307,17 +328,16 @@ int vtkHarmonicFieldSolver::RequestData(
     return 0;
   }
 
-  const dmg::FramedSurface& framed = stages.Surface->Framed;
-  const dmg::Vector<dmg::Complex>& powers = stages.Solution->Powers;
   const dmg::SolveReport& report = stages.Solution->Report;
-  const int N = this->NumberOfDirections;
   output->ShallowCopy(input);
-  dmg::AddPowerField(framed, powers, N, this->UnitLength, this->Combing, output);
-  dmg::AddPrescribed(framed.Surface, prescribed, output);
-  dmg::AddReport(report, N, stages.SetupSeconds(), output->GetFieldData());
-  dmg::MakeEdges(framed, powers, N, input, edges);
+  dmg::AddFieldArrays(*stages.Solution->Arrays, output, edges);
+  dmg::AddPrescribed(stages.Surface->Framed.Surface, prescribed, output);
   dmg::MakeConvergenceTable(report, convergence);
-  dmg::AddReport(report, N, stages.SetupSeconds(), convergence->GetFieldData());
+  for (vtkDataObject* data :
+    { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(convergence) })
+  {
+    dmg::AddReport(report, this->NumberOfDirections, stages.SetupSeconds(), data->GetFieldData());
+  }
   return 1;
 }
 

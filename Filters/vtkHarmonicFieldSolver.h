@@ -1,10 +1,10 @@
 /**
  * @class   vtkHarmonicFieldSolver
- * @brief   computes the smoothest field of N directions on a surface that follows prescribed directions
+ * @brief   computes the smoothest field of N directions that follows prescribed directions
  *
- * A field of N directions (N = 1: vectors, 2: lines, 4: crosses, 6: hexagonal) has N tangent vectors
- * per point, 2 pi / N apart. vtkHarmonicFieldSolver represents it by its N-th power, one complex
- * number X per face in a tangent frame of the face, and finds the X that minimises
+ * A field of N directions (N = 1: vectors, 2: lines, 4: crosses, 6: hexagonal) has N tangent
+ * vectors per point, 2 pi / N apart. vtkHarmonicFieldSolver represents it by its N-th power, one
+ * complex number X per face in a tangent frame of the face, and finds the X that minimises
  *
  *   Smoothness * sum over edges of w_e |difference of X across the edge|^2
  *     + Alignment * sum over prescribed faces of w_b A_b / (mean A) |X_b - Y_b|^2,
@@ -27,42 +27,42 @@
  * The arrays are chosen by SetInputArrayToProcess(index, port, 0, association, name), where index,
  * port and admissible associations are:
  *
- * | index | port | association   | components | meaning                                             |
- * | ----- | ---- | ------------- | ---------- | --------------------------------------------------- |
- * | 0     | 0    | cells, points | 1          | mask (optional): non-zero where a direction is prescribed |
- * | 1     | 0    | cells, points | 3          | prescribed directions                               |
- * | 2     | 0    | cells, points | 1          | weight (optional), > 0 where prescribed; default 1  |
- * | 3     | 1    | points        | 1          | mask (optional), as 0                               |
- * | 4     | 1    | points        | 3          | prescribed directions; default the active vectors   |
- * | 5     | 1    | points        | 1          | weight (optional), as 2                             |
+ * | index | port | association   | components | meaning                                    |
+ * | ----- | ---- | ------------- | ---------- | ------------------------------------------ |
+ * | 0     | 0    | cells, points | 1          | mask (optional): not zero where prescribed |
+ * | 1     | 0    | cells, points | 3          | prescribed directions                      |
+ * | 2     | 0    | cells, points | 1          | weight > 0 (optional), by default 1        |
+ * | 3     | 1    | points        | 1          | mask (optional), as 0                      |
+ * | 4     | 1    | points        | 3          | directions; by default the active vectors  |
+ * | 5     | 1    | points        | 1          | weight (optional), as 2                    |
  *
- * The three arrays of a port share one association. An empty name, or "None" where no array has that
- * name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not zero.
- * Of a vector its tangential part counts: on a face, in the plane of the face; at a point of the
- * surface, in the tangent plane of the point, from where it is carried to the faces around. Its
+ * The three arrays of a port share one association. An empty name, or "None" where no array has
+ * that name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not
+ * zero. Of a vector its tangential part counts: on a face, in the plane of the face; at a point of
+ * the surface, in the tangent plane of the point, from where it is carried to the faces around. Its
  * length is the magnitude that is asked for. Directions on the same face are averaged as powers.
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
  *
  * Port 0, the surface: vtkPolyData, the input with all its arrays, and
  *
- * | array                    | attribute    | components | unit, meaning                            |
- * | ------------------------ | ------------ | ---------- | ---------------------------------------- |
- * | Direction0 ... Direction{N-1} | cell, point | 3      | that of the vectors; the N directions, counter-clockwise |
- * | PowerField               | cell, point  | 2          | real and imaginary part of X, in the tangent frame of the element |
- * | Prescribed               | cell         | 1          | weight where a face is prescribed, else 0 |
- * | SingularityIndex         | point        | 1          | multiple of 1 / N; 0 at regular and boundary points |
+ * | array                    | of            | components | meaning                            |
+ * | ------------------------ | ------------- | ---------- | ---------------------------------- |
+ * | Direction0, 1, ... N - 1 | cells, points | 3          | the directions, counter-clockwise  |
+ * | PowerField               | cells, points | 2          | X as a complex number in the frame |
+ * | Prescribed               | cells         | 1          | weight where prescribed, else 0    |
+ * | SingularityIndex         | points        | 1          | multiple of 1 / N; 0 on boundaries |
  *
- * Direction0 becomes the active vector of both. Elements that belong to no triangle hold zeros.
- * The frame of a face has its first axis along the face's first side (the first that has a length).
+ * Directions are unit vectors (UnitLength) or have the length |X|, in the unit of the prescribed
+ * vectors. Direction0 becomes the active vector of both. Elements that belong to no triangle hold
+ * zeros. The frame of a face has its first axis along the face's first side.
  *
  * Port 1, the edges of the surface: vtkPolyData, a line per edge, from the smaller to the larger
- * point index, with the cell array
+ * point index, with the cell array Turning (1 component, radians): by how much the field turns from
+ * the face on the left of the edge to the face on the right, in [-pi / N, pi / N]; 0 on boundaries.
  *
- * | Turning | cell | 1 | radians; by how much the field turns from the face on the left of the edge to the face on the right, in (-pi/N, pi/N]; 0 on the boundary |
- *
- * Around an interior point, the turnings across its edges and the point's angle defect sum to 2 pi
- * times its SingularityIndex.
+ * Around an interior point, the turnings across its edges, taken counter-clockwise, and the point's
+ * angle defect sum to 2 pi times its SingularityIndex.
  *
  * Port 2, the convergence: vtkTable, a row per iteration, the first for the start:
  *
@@ -91,16 +91,16 @@
  *
  * Three stages; each keeps its result until its own causes change:
  *
- * | stage  | repeated when this changes                        | cost                          |
- * | ------ | ------------------------------------------------- | ----------------------------- |
- * | set-up | content of points or triangles; the operators     | seconds per million faces; the decimation |
- * | system | which elements are prescribed, their weights; N, Smoothness, Alignment, ConstraintType, Solver, CoarseSpace, Sweeps | assembly and Galerkin products, or a factorisation |
- * | solve  | prescribed vectors, Tolerance, MaximumNumberOfIterations | iterations, started from the previous solution |
+ * | stage  | repeated when this changes                                  | cost               |
+ * | ------ | ----------------------------------------------------------- | ------------------ |
+ * | set-up | the content of points or triangles; operators               | decimation         |
+ * | system | which elements are prescribed; weights; N and other options | products or factor |
+ * | solve  | prescribed vectors; Tolerance, MaximumNumberOfIterations    | iterations         |
  *
- * Other arrays and the output options repeat none of them. A solve that does not reach Tolerance
- * gives the best field that it reached, Converged = 0 and a warning. An aborted run leaves empty
- * outputs and keeps the stages that were complete. Threads and pieces are as in
- * vtkDirectionalProlongation.
+ * A solve starts from the solution before. Other arrays repeat nothing, UnitLength and Combing only
+ * the output arrays. A solve that does not reach Tolerance gives the best field that it reached,
+ * Converged = 0 and a warning. An aborted run leaves empty outputs and keeps the stages that were
+ * complete. Threads and pieces are as in vtkDirectionalProlongation.
  *
  * @sa vtkDirectionalProlongation
  */
@@ -200,7 +200,8 @@ public:
 
   ///@{
   /**
-   * Gauss-Seidel sweeps before and after each coarse correction. Default 2, range 1 to 10.
+   * Gauss-Seidel sweeps before and after the coarse correction of each coarse level; the surface itself gets
+   * five times as many. Default 1, range 1 to 10.
    */
   vtkSetClampMacro(Sweeps, int, 1, 10);
   vtkGetMacro(Sweeps, int);
@@ -235,9 +236,9 @@ public:
 
   ///@{
   /**
-   * Whether Direction0 is chosen to continue from face to face wherever possible (combing), or is the
-   * principal root in each frame. On, Direction0 jumps only along cuts, which streamlines and line
-   * integral convolution need; off saves a little time. Default on.
+   * Whether Direction0 is chosen to continue from face to face wherever possible (combing), or is
+   * the principal root in each frame. On, Direction0 jumps only along cuts, which streamlines and
+   * line integral convolution need; off saves a little time. Default on.
    */
   vtkSetMacro(Combing, bool);
   vtkGetMacro(Combing, bool);
@@ -267,10 +268,10 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestData(
-    vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
 
 private:
   int NumberOfDirections = 4;
@@ -279,7 +280,7 @@ private:
   double Alignment = 1.0;
   int Solver = Automatic;
   int CoarseSpace = Nodal;
-  int Sweeps = 2;
+  int Sweeps = 1;
   double Tolerance = 1e-8;
   int MaximumNumberOfIterations = 100;
   bool UnitLength = true;

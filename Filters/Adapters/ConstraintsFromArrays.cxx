@@ -28,10 +28,10 @@ constexpr double SmallestTangentialPart = 1e-6;
 /// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.
 struct ConstraintArrays
 {
-  vtkDataArray* Mask = nullptr;    // 1 component; null: where the vector is not zero
+  vtkDataArray* Mask = nullptr; // 1 component; null: where the vector is not zero
   vtkDataArray* Vectors = nullptr; // 3 components
   vtkDataArray* Weights = nullptr; // 1 component; null: 1
-  bool OnPoints = false;           // else on cells
+  bool OnPoints = false; // else on cells
 };
 
 struct Chosen
@@ -88,8 +88,8 @@ Chosen ChosenArray(vtkAlgorithm* algorithm, int index, vtkDataSet* dataset, int 
 /// Calls add(index, vector, weight) for everything that is prescribed among elements [0, size).
 /// \param tuple where element i stands in the arrays.
 template <class Tuple, class Add>
-void VisitPrescribed(const ConstraintArrays& arrays, int size, const std::string& element,
-  Tuple&& tuple, Add&& add)
+void VisitPrescribed(
+  const ConstraintArrays& arrays, int size, const std::string& element, Tuple&& tuple, Add&& add)
 {
   for (int i = 0; i < size; ++i)
   {
@@ -137,9 +137,8 @@ ConstraintArrays ChosenConstraints(vtkAlgorithm* algorithm, int first, vtkDataSe
   {
     if (other.Array && !vectors.Array)
     {
-      throw InvalidInput("array '" + NameOf(other.Array) +
-        "' is chosen as mask or weights of " + whose +
-        ", and no directions are; choose an array of vectors as well");
+      throw InvalidInput("array '" + NameOf(other.Array) + "' is chosen as mask or weights of " +
+        whose + ", and no directions are; choose an array of vectors as well");
     }
     if (other.Array && other.Association != vectors.Association)
     {
@@ -166,8 +165,9 @@ std::vector<PrescribedDirection> DirectionsOnSurface(
   {
     VisitPrescribed(
       arrays, mesh.NumberOfFaces(), "cell", [&surface](int face) { return surface.CellOf(face); },
-      [&directions](int face, const Vector3& vector, double weight, const std::string&)
-      { directions.push_back({ face, vector, weight }); });
+      [&directions](int face, const Vector3& vector, double weight, const std::string&) {
+        directions.push_back({ face, vector, weight });
+      });
     return directions;
   }
   VisitPrescribed(

@@ -50,8 +50,7 @@ ContextFromAlgorithm::ContextFromAlgorithm(vtkAlgorithm* algorithm)
   , Backend(SequentialByDefault() ? "STDThread" : "")
   , Threads(1)
 {
-  InBackend(
-    this->Backend, [this] { this->Threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  InBackend(this->Backend, [this] { this->Threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
 }
 
 bool ContextFromAlgorithm::IsCancelled() const
@@ -97,8 +96,8 @@ void ContextFromAlgorithm::RunInParallel(
       }
     }
   };
-  InBackend(this->Backend,
-    [begin, end, grain, &guarded] { vtkSMPTools::For(begin, end, grain, guarded); });
+  InBackend(
+    this->Backend, [begin, end, grain, &guarded] { vtkSMPTools::For(begin, end, grain, guarded); });
   if (error)
   {
     std::rethrow_exception(error);

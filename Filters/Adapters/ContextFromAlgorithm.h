@@ -26,8 +26,8 @@ public:
 
   int NumberOfThreads() const override { return this->Threads; }
 
-  /// Asks the algorithm when called by the thread that made this object; other threads hear the answer
-  /// of the last time.
+  /// Asks the algorithm when called by the thread that made this object; other threads hear the
+  /// answer of the last time.
   bool IsCancelled() const override;
 
 protected:
@@ -45,8 +45,8 @@ private:
   mutable std::atomic<bool> Cancelled{ false };
 };
 
-/// What RequestData returns after Cancelled: empties the outputs and marks them as not generated, so
-/// that the next update runs again, and takes the request to abort as fulfilled.
+/// What RequestData returns after Cancelled: empties the outputs and marks them as not generated,
+/// so that the next update runs again, and takes the request to abort as fulfilled.
 int Aborted(vtkAlgorithm* algorithm, vtkInformationVector* outputs);
 
 }

@@ -26,8 +26,7 @@ namespace
 
 constexpr int LargestN = 8;
 
-vtkSmartPointer<vtkDoubleArray> NewArray(
-  const std::string& name, int components, vtkIdType tuples)
+vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name.c_str());
@@ -37,54 +36,93 @@ vtkSmartPointer<vtkDoubleArray> NewArray(
   return array;
 }
 
-/// Where mesh elements of one kind stand in a vtkPolyData; the other elements keep zeros.
-struct Attribute
+/// Adds an array with values for the elements of the mesh; the other tuples hold zeros.
+/// \param id the tuple of element i.
+template <class Id>
+void AddArray(vtkFieldData* data, const std::string& name, vtkIdType tuples, int components,
+  const double* values, int elements, Id&& id)
 {
-  vtkDataSetAttributes* Data;
-  vtkIdType Size;
-  std::function<vtkIdType(int)> Id; // element to tuple
-
-  void Add(const std::string& name, const double* values, int components, int elements) const
+  const auto array = NewArray(name, components, tuples);
+  for (int i = 0; i < elements; ++i, values += components)
   {
-    const auto array = NewArray(name, components, this->Size);
-    for (int i = 0; i < elements; ++i, values += components)
-    {
-      std::copy_n(values, components, array->GetPointer(components * this->Id(i)));
-    }
-    this->Data->AddArray(array);
+    std::copy_n(values, components, array->GetPointer(components * id(i)));
   }
-
-  void AddPowers(const TangentFrames& frames, const Vector<Complex>& powers, int N, bool unitLength,
-    const std::vector<int>& labels) const
-  {
-    const int elements = static_cast<int>(powers.size());
-    // std::complex is two consecutive numbers by the standard.
-    this->Add(
-      ArrayNames::PowerField, reinterpret_cast<const double*>(powers.data()), 2, elements);
-    const std::vector<Points> directions =
-      DirectionsFromPowers(frames, powers, N, unitLength, labels);
-    for (int k = 0; k < N; ++k)
-    {
-      this->Add(ArrayNames::Direction(k), directions[k].data(), 3, elements);
-    }
-    for (int k = N; k < LargestN; ++k)
-    {
-      this->Data->RemoveArray(ArrayNames::Direction(k).c_str());
-    }
-    this->Data->SetActiveVectors(ArrayNames::Direction(0).c_str());
-  }
-};
-
-Attribute CellsOf(const SurfaceMesh& surface, vtkPolyData* output)
-{
-  return { output->GetCellData(), output->GetNumberOfCells(),
-    [&surface](int face) { return surface.CellOf(face); } };
+  data->AddArray(array);
 }
 
-Attribute PointsOf(const SurfaceMesh& surface, vtkPolyData* output)
+/// Powers and their directions.
+template <class Id>
+void AddPowers(vtkFieldData* data, vtkIdType tuples, const TangentFrames& frames,
+  const Vector<Complex>& powers, int N, bool unitLength, const std::vector<int>& labels, Id&& id)
 {
-  return { output->GetPointData(), output->GetNumberOfPoints(),
-    [&surface](int vertex) { return surface.PointOf(vertex); } };
+  const int elements = static_cast<int>(powers.size());
+  // std::complex is two consecutive numbers by the standard.
+  AddArray(data, ArrayNames::PowerField, tuples, 2, reinterpret_cast<const double*>(powers.data()),
+    elements, id);
+  const std::vector<Points> directions =
+    DirectionsFromPowers(frames, powers, N, unitLength, labels);
+  for (int k = 0; k < N; ++k)
+  {
+    AddArray(data, ArrayNames::Direction(k), tuples, 3, directions[k].data(), elements, id);
+  }
+}
+
+/// The edges as lines, without points, with the angle by which the field turns across each.
+vtkSmartPointer<vtkPolyData> MakeEdges(
+  const FramedSurface& framed, const Vector<Complex>& powers, int N)
+{
+  const TriangleMesh& mesh = framed.Surface.Mesh;
+  const vtkIdType numberOfEdges = mesh.NumberOfEdges();
+  vtkNew<vtkIdTypeArray> ends;
+  ends->SetNumberOfValues(2 * numberOfEdges);
+  const auto turning = NewArray(ArrayNames::Turning, 1, numberOfEdges);
+  for (vtkIdType edge = 0; edge < numberOfEdges; ++edge)
+  {
+    const auto& vertices = mesh.EdgeVertices(static_cast<int>(edge));
+    ends->SetValue(2 * edge, framed.Surface.PointOf(vertices[0]));
+    ends->SetValue(2 * edge + 1, framed.Surface.PointOf(vertices[1]));
+    const int left = mesh.HalfedgeOf(static_cast<int>(edge));
+    const int right = mesh.Twin(left);
+    if (right >= 0)
+    {
+      const Complex carried = powers[TriangleMesh::FaceOf(left)] *
+        std::polar(1.0, N * TransportAcrossEdge(mesh, framed.Faces, left));
+      turning->SetValue(
+        edge, std::arg(powers[TriangleMesh::FaceOf(right)] * std::conj(carried)) / N);
+    }
+  }
+  vtkNew<vtkCellArray> lines;
+  lines->SetData(2, ends);
+  auto edges = vtkSmartPointer<vtkPolyData>::New();
+  edges->SetLines(lines);
+  edges->GetCellData()->SetScalars(turning);
+  return edges;
+}
+
+/// Calls all functions, at the same time where there are threads.
+void CallAll(const ExecutionContext& context, const std::vector<std::function<void()>>& functions)
+{
+  context.ParallelFor(0, static_cast<int>(functions.size()), 1,
+    [&functions](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        functions[i]();
+      }
+    });
+}
+
+void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
+{
+  for (int k = 0; k < LargestN; ++k)
+  {
+    attributes->RemoveArray(ArrayNames::Direction(k).c_str());
+  }
+  for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
+  {
+    attributes->AddArray(arrays->GetArray(i));
+  }
+  attributes->SetActiveVectors(ArrayNames::Direction(0).c_str());
 }
 
 template <class ArrayType, class Value>
@@ -108,25 +146,67 @@ std::string ArrayNames::Prolongation(const std::string& name, int level, const s
   return ProlongationPrefix + name + "." + std::to_string(level) + "." + part;
 }
 
-void AddPowerField(const FramedSurface& framed, const Vector<Complex>& powers, int N, bool unitLength,
-  bool combed, vtkPolyData* output)
+FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<Complex>& powers, int N,
+  bool unitLength, bool combing, vtkPolyData* input, const ExecutionContext& context)
 {
-  const TriangleMesh& mesh = framed.Surface.Mesh;
-  const Vector<Complex> vertexPowers =
-    PowersAtVertices(mesh, framed.Faces, framed.Vertices, powers, N);
+  const SurfaceMesh& surface = framed.Surface;
+  const TriangleMesh& mesh = surface.Mesh;
+  Vector<Complex> vertexPowers;
+  Vector<double> indices;
   std::vector<int> faceLabels, vertexLabels;
-  if (combed)
+  FieldArrays arrays{ unitLength, combing, vtkSmartPointer<vtkFieldData>::New(),
+    vtkSmartPointer<vtkFieldData>::New(), nullptr };
+
+  CallAll(context,
+    { [&vertexPowers, &mesh, &framed, &powers, N]
+      { vertexPowers = PowersAtVertices(mesh, framed.Faces, framed.Vertices, powers, N); },
+      [&indices, &mesh, &framed, &powers, N]
+      { indices = SingularityIndices(mesh, framed.Faces, powers, N); },
+      [&faceLabels, combing, &mesh, &framed, &powers, N]
+      {
+        if (combing)
+        {
+          faceLabels = CombingLabels(mesh, framed.Faces, powers, N);
+        }
+      } });
+  context.Checkpoint(0.4);
+
+  if (combing)
   {
-    faceLabels = CombingLabels(mesh, framed.Faces, powers, N);
     vertexLabels =
       VertexLabels(mesh, framed.Faces, framed.Vertices, powers, faceLabels, vertexPowers, N);
   }
-  const Attribute cells = CellsOf(framed.Surface, output);
-  const Attribute points = PointsOf(framed.Surface, output);
-  cells.AddPowers(framed.Faces, powers, N, unitLength, faceLabels);
-  points.AddPowers(framed.Vertices, vertexPowers, N, unitLength, vertexLabels);
-  points.Add(ArrayNames::SingularityIndex,
-    SingularityIndices(mesh, framed.Faces, powers, N).data(), 1, mesh.NumberOfVertices());
+  context.Checkpoint(0.6);
+
+  const auto cellOf = [&surface](int face) { return surface.CellOf(face); };
+  const auto pointOf = [&surface](int vertex) { return surface.PointOf(vertex); };
+  const vtkIdType numberOfCells = input->GetNumberOfCells();
+  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
+  CallAll(context,
+    { [&arrays, &framed, &powers, N] { arrays.Edges = MakeEdges(framed, powers, N); },
+      [&arrays, numberOfCells, &framed, &powers, N, unitLength, &faceLabels, cellOf]
+      {
+        AddPowers(
+          arrays.Cells, numberOfCells, framed.Faces, powers, N, unitLength, faceLabels, cellOf);
+      },
+      [&arrays, numberOfPoints, &framed, &vertexPowers, N, unitLength, &vertexLabels, pointOf,
+        &indices]
+      {
+        AddPowers(arrays.Points, numberOfPoints, framed.Vertices, vertexPowers, N, unitLength,
+          vertexLabels, pointOf);
+        AddArray(arrays.Points, ArrayNames::SingularityIndex, numberOfPoints, 1, indices.data(),
+          static_cast<int>(indices.size()), pointOf);
+      } });
+  context.Checkpoint(1.0);
+  return arrays;
+}
+
+void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData* edges)
+{
+  AddAll(arrays.Cells, surface->GetCellData());
+  AddAll(arrays.Points, surface->GetPointData());
+  edges->ShallowCopy(arrays.Edges);
+  edges->SetPoints(surface->GetPoints());
 }
 
 void AddPrescribed(
@@ -138,36 +218,6 @@ void AddPrescribed(
     weights->SetValue(surface.CellOf(prescribed.Faces[i]), prescribed.Weights[i]);
   }
   output->GetCellData()->AddArray(weights);
-}
-
-void MakeEdges(const FramedSurface& framed, const Vector<Complex>& powers, int N, vtkPolyData* input,
-  vtkPolyData* edges)
-{
-  const TriangleMesh& mesh = framed.Surface.Mesh;
-  const int numberOfEdges = mesh.NumberOfEdges();
-  vtkNew<vtkIdTypeArray> ends;
-  ends->SetNumberOfValues(2 * static_cast<vtkIdType>(numberOfEdges));
-  const auto turning = NewArray(ArrayNames::Turning, 1, numberOfEdges);
-  for (int edge = 0; edge < numberOfEdges; ++edge)
-  {
-    const auto& vertices = mesh.EdgeVertices(edge);
-    ends->SetValue(2 * static_cast<vtkIdType>(edge), framed.Surface.PointOf(vertices[0]));
-    ends->SetValue(2 * static_cast<vtkIdType>(edge) + 1, framed.Surface.PointOf(vertices[1]));
-    const int left = mesh.HalfedgeOf(edge);
-    const int right = mesh.Twin(left);
-    if (right >= 0)
-    {
-      const Complex carried = powers[TriangleMesh::FaceOf(left)] *
-        std::polar(1.0, N * TransportAcrossEdge(mesh, framed.Faces, left));
-      turning->SetValue(
-        edge, std::arg(powers[TriangleMesh::FaceOf(right)] * std::conj(carried)) / N);
-    }
-  }
-  vtkNew<vtkCellArray> lines;
-  lines->SetData(2, ends);
-  edges->SetPoints(input->GetPoints());
-  edges->SetLines(lines);
-  edges->GetCellData()->SetScalars(turning);
 }
 
 void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
@@ -206,13 +256,11 @@ void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldDa
   AddValue<vtkIntArray>(fieldData, ArrayNames::Converged, report.Converged ? 1 : 0);
   fieldData->AddArray(unknowns);
   fieldData->AddArray(nonZeros);
-  AddValue<vtkDoubleArray>(
-    fieldData, ArrayNames::OperatorComplexity, report.OperatorComplexity());
+  AddValue<vtkDoubleArray>(fieldData, ArrayNames::OperatorComplexity, report.OperatorComplexity());
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::SetupSeconds, setupSeconds);
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::PrepareSeconds, report.PrepareSeconds);
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::SolveSeconds, report.SolveSeconds);
-  AddValue<vtkDoubleArray>(
-    fieldData, ArrayNames::SolverBytes, static_cast<double>(report.Bytes));
+  AddValue<vtkDoubleArray>(fieldData, ArrayNames::SolverBytes, static_cast<double>(report.Bytes));
 }
 
 }

@@ -4,7 +4,10 @@
 #include "Adapters/MeshFromPolyData.h"
 #include "Mesh/TangentFrames.h"
 #include "Solvers/SolveReport.h"
+#include "Support/ExecutionContext.h"
 #include "Systems/AlignmentConstraints.h"
+
+#include "vtkSmartPointer.h"
 
 #include <string>
 
@@ -52,7 +55,8 @@ inline constexpr const char* ProlongationDigest = "Prolongation.Digest";
 inline constexpr const char* ProlongationOptions = "Prolongation.Options";
 inline constexpr const char* NumbersOfVertices = "Prolongation.NumbersOfVertices";
 inline constexpr const char* NumbersOfFaces = "Prolongation.NumbersOfFaces";
-/// \param part "Offsets", "Columns" or "Values" of operator \p name ("S0", "SP", "Nodal") of a level.
+/// \param part "Offsets", "Columns" or "Values" of operator \p name ("S0", "SP", "Nodal") of a
+/// level.
 std::string Prolongation(const std::string& name, int level, const std::string& part);
 
 }
@@ -72,21 +76,31 @@ struct FramedSurface
   }
 };
 
-/// Writes a field of N directions to the cells and points of \p output: powers, directions and
-/// singularity indices. Direction arrays of other N that \p output brought along are removed.
-/// \param powers #F, in the frames of the faces.
-/// \param combed whether direction 0 continues from face to face.
-void AddPowerField(const FramedSurface& framed, const Vector<Complex>& powers, int N, bool unitLength,
-  bool combed, vtkPolyData* output);
+/// What the cells, points and edges of a surface show of a field. Kept as long as the field stands,
+/// so that other arrays on the surface cost nothing.
+struct FieldArrays
+{
+  bool UnitLength; ///< see vtkHarmonicFieldSolver.h
+  bool Combing;
+  vtkSmartPointer<vtkFieldData> Cells;
+  vtkSmartPointer<vtkFieldData> Points;
+  vtkSmartPointer<vtkPolyData> Edges; ///< without points
+};
 
-/// Writes the weights of the prescribed faces to the cells of \p output.
+/// \param powers #F, in the frames of the faces.
+/// \param input the surface as vtkPolyData.
+/// Checkpoints: three, up to half a second per million faces apart.
+FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<Complex>& powers, int N,
+  bool unitLength, bool combing, vtkPolyData* input, const ExecutionContext& context);
+
+/// Adds the arrays of cells and points to \p surface and makes its first direction the active
+/// vectors; direction arrays of another N that it brought along are removed. Makes \p edges its
+/// edges.
+void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData* edges);
+
+/// Adds the weights of the prescribed faces to the cells of \p output.
 void AddPrescribed(
   const SurfaceMesh& surface, const PrescribedFaces& prescribed, vtkPolyData* output);
-
-/// Makes \p edges the edges of the surface, as lines between the points of \p input, with the angle by
-/// which the field turns across each.
-void MakeEdges(const FramedSurface& framed, const Vector<Complex>& powers, int N, vtkPolyData* input,
-  vtkPolyData* edges);
 
 /// Makes \p table the history of the iterations.
 void MakeConvergenceTable(const SolveReport& report, vtkTable* table);

@@ -38,7 +38,8 @@ void VisitPoints(vtkPoints* points, Visitor&& visit)
   {
     for (vtkIdType i = 0; i < size; ++i, xyz += 3)
     {
-      visit(i, static_cast<double>(xyz[0]), static_cast<double>(xyz[1]), static_cast<double>(xyz[2]));
+      visit(
+        i, static_cast<double>(xyz[0]), static_cast<double>(xyz[1]), static_cast<double>(xyz[2]));
     }
   };
   vtkDataArray* const array = points->GetData();
@@ -137,8 +138,8 @@ SurfaceMesh MeshFromPolyData(vtkPolyData* surface)
   const vtkIdType firstCell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
   if (surface->GetNumberOfStrips() > 0)
   {
-    throw InvalidInput(Cell(firstCell + numberOfFaces) +
-      " is a triangle strip; apply vtkTriangleFilter first");
+    throw InvalidInput(
+      Cell(firstCell + numberOfFaces) + " is a triangle strip; apply vtkTriangleFilter first");
   }
   if (numberOfFaces == 0)
   {

@@ -21,7 +21,7 @@ namespace dmg
 struct SurfaceMesh
 {
   TriangleMesh Mesh;
-  vtkIdType FirstCell = 0;         ///< cell of face 0; face f is cell FirstCell + f
+  vtkIdType FirstCell = 0; ///< cell of face 0; face f is cell FirstCell + f
   std::vector<vtkIdType> PointIds; ///< point of every vertex, ascending
 
   vtkIdType CellOf(int face) const { return this->FirstCell + face; }
@@ -31,16 +31,16 @@ struct SurfaceMesh
   ElementNames Names() const;
 };
 
-/// \throw InvalidInput no triangles, a polygon that is not a triangle, triangle strips, too many for
-/// 32-bit numbers, and what MeshChecks.h refuses; messages name cells and points of the \p surface.
-/// Cost: linear.
+/// \throw InvalidInput no triangles, a polygon that is not a triangle, triangle strips, too many
+/// for 32-bit numbers, and what MeshChecks.h refuses; messages name cells and points of the \p
+/// surface. Cost: linear.
 SurfaceMesh MeshFromPolyData(vtkPolyData* surface);
 
 /// The way back: a new vtkPolyData with the mesh's vertices and faces.
 vtkSmartPointer<vtkPolyData> PolyDataFromMesh(const TriangleMesh& mesh);
 
-/// Fingerprint of what MeshFromPolyData reads: coordinates, polygons and numbers of cells. Equal for
-/// equal content, whatever the objects, their times, the number types that hold it, and other
+/// Fingerprint of what MeshFromPolyData reads: coordinates, polygons and numbers of cells. Equal
+/// for equal content, whatever the objects, their times, the number types that hold it, and other
 /// arrays. 32 hexadecimal digits of a hash that guards against accidents, not against forgery.
 /// Cost: linear; some milliseconds per million triangles.
 std::string ContentDigest(vtkPolyData* surface);

@@ -31,7 +31,8 @@ bool IsOfProlongation(const char* name)
   return name && std::strncmp(name, prefix, std::strlen(prefix)) == 0;
 }
 
-// Writing ------------------------------------------------------------------------------------------
+// Writing
+// ------------------------------------------------------------------------------------------
 
 void AddHidden(vtkFieldData* fieldData, const std::string& name, vtkAbstractArray* array)
 {
@@ -73,7 +74,8 @@ void AddOperator(
     reinterpret_cast<const double*>(matrix.valuePtr()), matrix.nonZeros(), Components(Scalar()));
 }
 
-// Reading ------------------------------------------------------------------------------------------
+// Reading
+// ------------------------------------------------------------------------------------------
 
 [[noreturn]] void Refuse(const std::string& name, const std::string& what)
 {
@@ -190,8 +192,8 @@ std::vector<int> ReadSizes(vtkFieldData* fieldData, const std::string& name, int
 {
   auto* const array = Find<vtkIntArray>(fieldData, name);
   std::vector<int> sizes(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
-  if (sizes.empty() || sizes.front() != finest ||
-    !std::is_sorted(sizes.rbegin(), sizes.rend()) || sizes.back() < 1)
+  if (sizes.empty() || sizes.front() != finest || !std::is_sorted(sizes.rbegin(), sizes.rend()) ||
+    sizes.back() < 1)
   {
     Refuse(name, "does not descend from the size of the surface, " + std::to_string(finest));
   }
@@ -211,8 +213,8 @@ bool OperatorsOrigin::operator==(const OperatorsOrigin& other) const
   return values(*this) == values(other);
 }
 
-void OperatorsToFieldData(const ProlongationOperators& operators, const OperatorsOrigin& origin,
-  vtkFieldData* fieldData)
+void OperatorsToFieldData(
+  const ProlongationOperators& operators, const OperatorsOrigin& origin, vtkFieldData* fieldData)
 {
   AddValues<vtkIntArray>(fieldData, ArrayNames::ProlongationFormat, &CurrentFormat, 1);
   vtkNew<vtkStringArray> digest;
@@ -261,8 +263,8 @@ std::optional<OperatorsOrigin> OperatorsOriginOf(vtkFieldData* fieldData)
   auto* const format = Find<vtkIntArray>(fieldData, ArrayNames::ProlongationFormat);
   if (format->GetNumberOfValues() != 1 || format->GetValue(0) != CurrentFormat)
   {
-    Refuse(ArrayNames::ProlongationFormat, "is not " + std::to_string(CurrentFormat) +
-      ", the format of this version");
+    Refuse(ArrayNames::ProlongationFormat,
+      "is not " + std::to_string(CurrentFormat) + ", the format of this version");
   }
   auto* const digest = Find<vtkStringArray>(fieldData, ArrayNames::ProlongationDigest);
   if (digest->GetNumberOfValues() != 1)
@@ -305,8 +307,8 @@ ProlongationOperators OperatorsFromFieldData(
       ReadOperator<double>(fieldData, "S0", level, vertices[level], vertices[level + 1]));
     operators.SP.push_back(
       ReadOperator<Complex>(fieldData, "SP", level, faces[level], faces[level + 1]));
-    operators.Nodal.push_back(ReadOperator<Complex>(fieldData, "Nodal", level,
-      level == 0 ? faces[0] : vertices[level], vertices[level + 1]));
+    operators.Nodal.push_back(ReadOperator<Complex>(
+      fieldData, "Nodal", level, level == 0 ? faces[0] : vertices[level], vertices[level + 1]));
   }
   return operators;
 }

@@ -21,11 +21,11 @@ struct OperatorsOrigin
   bool operator==(const OperatorsOrigin& other) const;
 };
 
-/// Writes the operators and their origin as field data, in the form that vtkDirectionalProlongation.h
-/// lists. Arrays of equal names are replaced.
-/// \pre the matrices are compressed.
-void OperatorsToFieldData(const ProlongationOperators& operators, const OperatorsOrigin& origin,
-  vtkFieldData* fieldData);
+/// Writes the operators and their origin as field data, in the form that
+/// vtkDirectionalProlongation.h lists. Arrays of equal names are replaced. \pre the matrices are
+/// compressed.
+void OperatorsToFieldData(
+  const ProlongationOperators& operators, const OperatorsOrigin& origin, vtkFieldData* fieldData);
 
 /// Removes whatever operators \p fieldData holds.
 void RemoveOperators(vtkFieldData* fieldData);

@@ -5,10 +5,88 @@
 #include "Prolongation/NodalProlongation.h"
 #include "Prolongation/PowerFieldProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
+#include "Solvers/CholeskySolver.h"
+#include "Solvers/MultigridSolver.h"
+#include "Support/Errors.h"
 #include "Support/SparseAssembly.h"
+#include "Systems/PowerFieldSystem.h"
+
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
 
 namespace dmg
 {
+
+namespace
+{
+
+// Below this many unknowns the factorisation is done before multigrid has its levels.
+constexpr int LargestSystemForCholesky = 20000;
+
+// The couplings between faces are far from those of a linear function where triangles are uneven; the
+// coarse levels, nodal by nature, are not. All that sweeps gain, they gain on the finest level.
+constexpr int FinestSweepsFactor = 5;
+
+double SecondsSince(std::chrono::steady_clock::time_point start)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The solver that runs, and why if that was left to us.
+std::pair<SolverKind, std::string> ChooseSolver(
+  SolverKind asked, int unknowns, const ProlongationOperators* operators)
+{
+  if (asked != SolverKind::Automatic)
+  {
+    return { asked, "" };
+  }
+  const std::string size = std::to_string(unknowns) + " unknowns";
+  if (!operators || operators->S0.empty())
+  {
+    return { SolverKind::Cholesky, ", chosen because there are no coarse levels" };
+  }
+  if (unknowns <= LargestSystemForCholesky)
+  {
+    return { SolverKind::Cholesky, ", chosen for " + size + ", few enough to factor at once" };
+  }
+  return { SolverKind::ConjugateGradients, ", chosen for " + size };
+}
+
+/// The prolongations on N-power fields; on the finest level only the rows of free unknowns.
+std::vector<SparseMatrix<Complex>> Prolongations(const ProlongationOperators& operators,
+  CoarseSpaceKind coarseSpace, int N, const std::vector<int>& freeFaces)
+{
+  const std::vector<TransportOperator>& transports =
+    coarseSpace == CoarseSpaceKind::Nodal ? operators.Nodal : operators.SP;
+  std::vector<SparseMatrix<Complex>> prolongations;
+  for (const TransportOperator& transport : transports)
+  {
+    prolongations.push_back(OnPowers(transport, N));
+  }
+  if (!prolongations.empty() &&
+    static_cast<Eigen::Index>(freeFaces.size()) < prolongations[0].rows())
+  {
+    prolongations[0] = SelectRows(prolongations[0], freeFaces);
+  }
+  return prolongations;
+}
+
+/// Back-substitution, reported as one iteration.
+void SolveDirectly(const SparseMatrix<Complex>& A, CholeskySolver<Complex>& solver,
+  const Vector<Complex>& b, Vector<Complex>& x, SolveReport& report)
+{
+  const auto start = std::chrono::steady_clock::now();
+  solver.Solve(b, x);
+  const double norm = b.norm();
+  const double residual = norm > 0.0 ? (b - A * x).norm() / norm : 0.0;
+  report.SolveSeconds = SecondsSince(start);
+  report.Iterations = { { 0, 0.0, 1.0 }, { 1, report.SolveSeconds, residual } };
+  report.Converged = true;
+}
+
+}
 
 SurfaceHierarchy BuildSurfaceHierarchy(
   const TriangleMesh& mesh, const HierarchyOptions& options, const ExecutionContext& context)
@@ -22,24 +100,25 @@ SurfaceHierarchy BuildSurfaceHierarchy(
   const SpatialOrder order(mesh);
   const TriangleMesh sorted = order.Apply(mesh);
   TangentFrames fineFaceFrames = order.ApplyToFaces(FaceFrames(mesh));
-  TangentFrames fineVertexFrames;
-
+  std::vector<Complex> fineCornerTurns; // from level 1 on
   result.CoarseLevels =
     BuildMeshHierarchy(sorted, options, context, [&](const LevelTransition& transition) {
       const TriangleMesh& coarse = transition.Coarse;
       TangentFrames coarseFaceFrames = FaceFrames(coarse);
-      TangentFrames coarseVertexFrames = VertexFrames(coarse);
+      std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFaceFrames);
       SparseMatrix<double> S0 = ScalarProlongation(transition, context);
+      TransportOperator SP =
+        PowerFieldProlongation(transition, fineFaceFrames, coarseFaceFrames, context);
       operators.Nodal.push_back(operators.Nodal.empty()
-          ? FacesFromVertices(sorted, S0, fineFaceFrames, coarseVertexFrames, context)
-          : VerticesFromVertices(S0, fineVertexFrames, coarseVertexFrames, context));
+          ? FacesFromVertices(sorted, S0, SP, coarse, coarseCornerTurns, context)
+          : VerticesFromVertices(transition.Fine, fineCornerTurns, S0, SP, coarse,
+              coarseCornerTurns, context));
       operators.S0.push_back(std::move(S0));
-      operators.SP.push_back(
-        PowerFieldProlongation(transition, fineFaceFrames, coarseFaceFrames, context));
+      operators.SP.push_back(std::move(SP));
       operators.NumbersOfVertices.push_back(coarse.NumberOfVertices());
       operators.NumbersOfFaces.push_back(coarse.NumberOfFaces());
       fineFaceFrames = std::move(coarseFaceFrames);
-      fineVertexFrames = std::move(coarseVertexFrames);
+      fineCornerTurns = std::move(coarseCornerTurns);
     });
 
   if (!operators.S0.empty())
@@ -49,6 +128,111 @@ SurfaceHierarchy BuildSurfaceHierarchy(
     operators.Nodal[0] = RenumberRows(operators.Nodal[0], order.Faces());
   }
   return result;
+}
+
+class PowerFieldProblem::Internals
+{
+public:
+  explicit Internals(HarmonicSystem<Complex> system)
+    : System(std::move(system))
+  {
+  }
+
+  HarmonicSystem<Complex> System;
+  std::optional<CholeskySolver<Complex>> Cholesky;
+  std::optional<MultigridSolver<Complex>> Multigrid; // if not Cholesky
+  SolverKind Solver = SolverKind::Cholesky;
+  SolveReport Report;
+  std::vector<std::string> SystemWarnings;
+};
+
+PowerFieldProblem::PowerFieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const ProlongationOperators* operators, const PrescribedFaces& prescribed,
+  const PowerFieldOptions& options, const ExecutionContext& context)
+{
+  const auto start = std::chrono::steady_clock::now();
+  context.Checkpoint(0.0);
+  this->Internal = std::make_unique<Internals>(
+    MakePowerFieldSystem(mesh, faceFrames, options.N, prescribed,
+      { options.Smoothness, options.Alignment, options.Constraints }));
+  Internals& internal = *this->Internal;
+  const HarmonicSystem<Complex>& system = internal.System;
+  SolveReport& report = internal.Report;
+  if (const std::string warning = WarningAboutUnreached(system); !warning.empty())
+  {
+    internal.SystemWarnings.push_back(warning);
+  }
+
+  context.Checkpoint(0.2);
+  const auto [solver, reason] = ChooseSolver(options.Solver, system.NumberOfFree(), operators);
+  internal.Solver = solver;
+  if (solver == SolverKind::Cholesky)
+  {
+    internal.Cholesky.emplace(system.Matrix());
+    report.Solver = "supernodal Cholesky" + reason;
+    report.Levels = { { system.NumberOfFree(), internal.Cholesky->NonZeros() } };
+    report.Bytes = internal.Cholesky->Bytes();
+  }
+  else
+  {
+    if (!operators)
+    {
+      throw InvalidInput("multigrid needs the prolongation operators of the surface");
+    }
+    CycleOptions cycle;
+    cycle.Smoothing.PreSweeps = options.Sweeps;
+    cycle.Smoothing.PostSweeps = options.Sweeps;
+    cycle.FinestFactor = FinestSweepsFactor;
+    internal.Multigrid.emplace(system.Matrix(),
+      Prolongations(*operators, options.CoarseSpace, options.N, system.FreeUnknowns()), cycle,
+      PartOfContext(context, 0.2, 1.0));
+    report.Solver =
+      std::string(solver == SolverKind::VCycles ? "V-cycles"
+                                                : "conjugate gradients with a V-cycle") +
+      (options.CoarseSpace == CoarseSpaceKind::Nodal ? " on nodal levels"
+                                                     : " on levels of face powers") +
+      reason;
+    report.Levels = internal.Multigrid->Levels().Levels();
+    report.Bytes = internal.Multigrid->Bytes();
+  }
+  report.PrepareSeconds = SecondsSince(start);
+  report.Warnings = internal.SystemWarnings;
+  context.Checkpoint(1.0);
+}
+
+PowerFieldProblem::~PowerFieldProblem() = default;
+
+Vector<Complex> PowerFieldProblem::Solve(const Vector<Complex>& values,
+  const Vector<Complex>& start, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  Internals& internal = *this->Internal;
+  const HarmonicSystem<Complex>& system = internal.System;
+  SolveReport& report = internal.Report;
+  report.Warnings = internal.SystemWarnings;
+  const Vector<Complex> b = system.RightHandSide(values);
+  Vector<Complex> x;
+  if (start.size() > 0)
+  {
+    x = system.Restrict(start);
+  }
+  switch (internal.Solver)
+  {
+    case SolverKind::Cholesky:
+      SolveDirectly(system.Matrix(), *internal.Cholesky, b, x, report);
+      break;
+    case SolverKind::VCycles:
+      internal.Multigrid->SolveByCycles(b, stop, x, report, context);
+      break;
+    default:
+      internal.Multigrid->SolveByConjugateGradients(b, stop, x, report, context);
+      break;
+  }
+  return system.Expand(x, values);
+}
+
+const SolveReport& PowerFieldProblem::Report() const
+{
+  return this->Internal->Report;
 }
 
 }

@@ -69,8 +69,9 @@ struct PowerFieldOptions
   ConstraintKind Constraints = ConstraintKind::Soft;
   SolverKind Solver = SolverKind::Automatic;
   CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
-  /// Gauss-Seidel sweeps before and after each coarse correction, >= 1.
-  int Sweeps = 2;
+  /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1. The finest
+  /// level gets five times as many.
+  int Sweeps = 1;
 };
 
 /// The smoothest N-direction field that follows prescribed directions, on one mesh, for one set of

@@ -8,8 +8,8 @@
 #include "vtkInformationIntegerKey.h"
 #include "vtkIntArray.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkSphereSource.h"
 #include "vtkStringArray.h"
-#include "vtkTriangleStrip.h"
 
 #include <gtest/gtest.h>
 
@@ -44,8 +44,8 @@ int Value(vtkFieldData* data, const std::string& name, vtkIdType i)
 
 std::string Digest(vtkPolyData* data)
 {
-  auto* const array = vtkStringArray::SafeDownCast(
-    data->GetFieldData()->GetAbstractArray("Prolongation.Digest"));
+  auto* const array =
+    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("Prolongation.Digest"));
   return array ? array->GetValue(0) : "";
 }
 
@@ -74,7 +74,7 @@ TEST(DirectionalProlongation, OperatorsAreHiddenFieldData)
     EXPECT_EQ(2 * Value(data, "Prolongation.NumbersOfVertices", level) - 4,
       Value(data, "Prolongation.NumbersOfFaces", level));
   }
-  for (const std::string& name : { "S0.0", "S0.1", "SP.0", "SP.1", "Nodal.0", "Nodal.1" })
+  for (const std::string name : { "S0.0", "S0.1", "SP.0", "SP.1", "Nodal.0", "Nodal.1" })
   {
     SCOPED_TRACE(name);
     const int level = name.back() - '0';
@@ -88,8 +88,8 @@ TEST(DirectionalProlongation, OperatorsAreHiddenFieldData)
     auto* const values = vtkDoubleArray::SafeDownCast(
       data->GetAbstractArray(("Prolongation." + name + ".Values").c_str()));
     ASSERT_TRUE(offsets && columns && values);
-    const vtkIdType rows = Value(data,
-      toFaces ? "Prolongation.NumbersOfFaces" : "Prolongation.NumbersOfVertices", level);
+    const vtkIdType rows = Value(
+      data, toFaces ? "Prolongation.NumbersOfFaces" : "Prolongation.NumbersOfVertices", level);
     const int size = Value(data,
       fromFaces ? "Prolongation.NumbersOfFaces" : "Prolongation.NumbersOfVertices", level + 1);
     ASSERT_EQ(offsets->GetNumberOfValues(), rows + 1);
@@ -128,7 +128,8 @@ TEST(DirectionalProlongation, LevelsAreDatasets)
     EXPECT_EQ("Level " + std::to_string(level),
       levels->GetMetaData(level)->Get(vtkCompositeDataSet::NAME()));
     const vtkIdType faces = surface->GetNumberOfCells();
-    EXPECT_EQ(faces, Value(filter->GetOutput()->GetFieldData(), "Prolongation.NumbersOfFaces", level));
+    EXPECT_EQ(
+      faces, Value(filter->GetOutput()->GetFieldData(), "Prolongation.NumbersOfFaces", level));
     if (level == 0)
     {
       EXPECT_EQ(surface->GetPoints(), input->GetPoints());
@@ -141,7 +142,8 @@ TEST(DirectionalProlongation, LevelsAreDatasets)
   }
 }
 
-// What a change costs -------------------------------------------------------------------------------
+// What a change costs
+// -------------------------------------------------------------------------------
 
 TEST(DirectionalProlongation, ArrayAddedUpstreamRepeatsNothing)
 {
@@ -202,7 +204,8 @@ TEST(DirectionalProlongation, EveryPointAndCornerCounts)
   // The same triangle, begun at another corner.
   const std::string second = Digest(filter->GetOutput());
   Surface turned = Icosphere(3);
-  turned.F.row(7) << turned.F(7, 1), turned.F(7, 2), turned.F(7, 0);
+  std::swap(turned.F(7, 0), turned.F(7, 1));
+  std::swap(turned.F(7, 1), turned.F(7, 2));
   const auto other = PolyDataOf(turned);
   filter->SetInputData(other);
   filter->Update();
@@ -230,7 +233,8 @@ TEST(DirectionalProlongation, EveryPropertyCounts)
   EXPECT_EQ(filter->GetNumberOfSetups(), 5);
 }
 
-// Inputs ---------------------------------------------------------------------------------------------
+// Inputs
+// ---------------------------------------------------------------------------------------------
 
 TEST(DirectionalProlongation, EmptyInputGivesEmptyOutputSilently)
 {
@@ -275,11 +279,22 @@ TEST(DirectionalProlongation, OtherOperatorsAreReplaced)
 
 TEST(DirectionalProlongation, PieceZeroHoldsTheWholeAndTheOthersNothing)
 {
-  const auto filter = NewFilter(Sphere());
+  vtkNew<vtkSphereSource> source; // gives a piece of itself where that is asked for
+  source->SetThetaResolution(20);
+  source->SetPhiResolution(11);
+  vtkNew<vtkDirectionalProlongation> filter;
+  filter->SetInputConnection(source->GetOutputPort());
+  Messages messages(filter);
   filter->UpdatePiece(1, 2, 0);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
   filter->UpdatePiece(0, 2, 0);
-  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 1280);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 2 * 20 * (11 - 2));
+  EXPECT_TRUE(messages.Silent());
+
+  filter->SetInputData(Sphere()); // the same in every piece
+  filter->UpdatePiece(1, 2, 0);
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(messages.GetWarnings().size(), 1u);
 }
 
 namespace
@@ -292,8 +307,8 @@ struct BadInput
   std::vector<std::string> Words; ///< that the message must contain: element and remedy
 };
 
-/// Two triangles above a line cell, so that the triangles are cells 1 and 2, and an unused point, so
-/// that vertices are not points.
+/// Two triangles above a line cell, so that the triangles are cells 1 and 2, and an unused point,
+/// so that vertices are not points.
 vtkSmartPointer<vtkPolyData> TwoTriangles(
   std::initializer_list<vtkIdType> first, std::initializer_list<vtkIdType> second)
 {
@@ -325,7 +340,10 @@ class RefusedSurface : public testing::TestWithParam<BadInput>
 };
 
 const BadInput BadInputs[] = {
-  { "Quadrilateral", [] { return TwoTriangles({ 1, 2, 3 }, { 1, 2, 3, 4 }); },
+  { "Quadrilateral",
+    [] {
+      return TwoTriangles({ 1, 2, 3 }, { 1, 2, 3, 4 });
+    },
     { "cell 2", "4 points", "vtkTriangleFilter" } },
   { "Strip",
     []
@@ -345,10 +363,21 @@ const BadInput BadInputs[] = {
       return data;
     },
     { "no triangles" } },
-  { "PointOutOfRange", [] { return TwoTriangles({ 1, 2, 3 }, { 1, 3, 77 }); },
+  { "PointOutOfRange",
+    [] {
+      return TwoTriangles({ 1, 2, 3 }, { 1, 3, 77 });
+    },
     { "cell 2", "point 77", "repair" } },
-  { "RepeatedCorner", [] { return TwoTriangles({ 1, 2, 3 }, { 1, 3, 3 }); }, { "cell 2" } },
-  { "OppositeOrientation", [] { return TwoTriangles({ 1, 2, 3 }, { 1, 4, 3 }); }, { "cell" } },
+  { "RepeatedCorner",
+    [] {
+      return TwoTriangles({ 1, 2, 3 }, { 1, 3, 3 });
+    },
+    { "cell 2" } },
+  { "OppositeOrientation",
+    [] {
+      return TwoTriangles({ 1, 2, 3 }, { 1, 4, 3 });
+    },
+    { "cell" } },
   { "NotFinite",
     []
     {
@@ -389,7 +418,8 @@ TEST_P(RefusedSurface, NamesElementAndRemedyAndLeavesOutputsEmpty)
 INSTANTIATE_TEST_SUITE_P(DirectionalProlongation, RefusedSurface, testing::ValuesIn(BadInputs),
   [](const testing::TestParamInfo<BadInput>& info) { return info.param.Name; });
 
-// Abort ----------------------------------------------------------------------------------------------
+// Abort
+// ----------------------------------------------------------------------------------------------
 
 TEST(DirectionalProlongation, AbortedRunLeavesNothingAndTheNextIsWhole)
 {
@@ -416,7 +446,7 @@ TEST(DirectionalProlongation, AbortedRunLeavesNothingAndTheNextIsWhole)
   EXPECT_TRUE(messages.Silent());
   EXPECT_EQ(filter->GetNumberOfSetups(), 1);
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 1280);
-  for (const std::string& name : { "S0.0", "SP.0", "Nodal.0", "S0.1", "SP.1", "Nodal.1" })
+  for (const std::string name : { "S0.0", "SP.0", "Nodal.0", "S0.1", "SP.1", "Nodal.1" })
   {
     const std::string array = "Prolongation." + name + ".Values";
     EXPECT_EQ(Values(filter->GetOutput()->GetFieldData(), array),

@@ -55,10 +55,8 @@ private:
     auto command = vtkSmartPointer<vtkCallbackCommand>::New();
     command->SetClientData(texts);
     command->SetCallback(
-      [](vtkObject*, unsigned long, void* list, void* text)
-      {
-        static_cast<std::vector<std::string>*>(list)->emplace_back(
-          static_cast<const char*>(text));
+      [](vtkObject*, unsigned long, void* list, void* text) {
+        static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<const char*>(text));
       });
     algorithm->AddObserver(event, command);
     return command;
@@ -170,9 +168,9 @@ inline Vector3 Tuple(vtkDataSetAttributes* attributes, const std::string& name, 
 inline std::vector<double> Values(vtkFieldData* data, const std::string& name)
 {
   auto* const array = vtkDoubleArray::SafeDownCast(data->GetAbstractArray(name.c_str()));
-  return array ? std::vector<double>(
-                   array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues())
-               : std::vector<double>();
+  return array
+    ? std::vector<double>(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues())
+    : std::vector<double>();
 }
 
 }

@@ -73,7 +73,7 @@ def main():
         host, port = options.server.split(":")
         simple.Connect(host, int(port))
     if options.plugin:
-        simple.LoadPlugin(options.plugin, remote=False, ns=globals())
+        simple.LoadPlugin(options.plugin, remote=False, ns=vars(simple))
 
     solver = solve()
     solver.UpdatePipeline()

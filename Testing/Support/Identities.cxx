@@ -47,8 +47,7 @@ Vector<double> Eigenvalues(const SparseMatrix<Complex>& A)
   return solver.eigenvalues();
 }
 
-Vector<double> LowestEigenvalues(
-  const SparseMatrix<Complex>& A, const Vector<double>& M, int count)
+Vector<double> LowestEigenvalues(const SparseMatrix<Complex>& A, const Vector<double>& M, int count)
 {
   using Dense = Eigen::MatrixXcd;
   const Vector<Complex> scale = M.cwiseSqrt().cwiseInverse().cast<Complex>();

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-/// How far an object is from an identity that it ought to satisfy: residuals that tests compare with
-/// multiples of the machine precision.
+/// How far an object is from an identity that it ought to satisfy: residuals that tests compare
+/// with multiples of the machine precision.
 namespace dmg::test
 {
 

@@ -67,7 +67,8 @@ private:
   std::vector<std::array<int, 3>> Corners;
 };
 
-/// Points (i, j), i along columns. \p place gives a point's position, \p cutsOther a square's diagonal.
+/// Points (i, j), i along columns. \p place gives a point's position, \p cutsOther a square's
+/// diagonal.
 template <class Place, class Cut>
 Surface Grid(int columns, int rows, const Place& place, const Cut& cutsOther)
 {
@@ -92,8 +93,7 @@ Surface Grid(int columns, int rows, const Place& place, const Cut& cutsOther)
 
 /// As Grid, closed along columns and, if \p closesRows, along rows.
 template <class Place, class Cut>
-Surface ClosedGrid(
-  int columns, int rows, bool closesRows, const Place& place, const Cut& cutsOther)
+Surface ClosedGrid(int columns, int rows, bool closesRows, const Place& place, const Cut& cutsOther)
 {
   Builder builder;
   const int numberOfRows = closesRows ? rows : rows + 1;
@@ -145,8 +145,7 @@ Surface Icosahedron()
 }
 
 /// The boundary of a set of unit cubes. No two of them may touch along an edge or corner only.
-Surface BoundaryOfCubes(
-  const std::array<int, 3>& size, const std::vector<char>& filled)
+Surface BoundaryOfCubes(const std::array<int, 3>& size, const std::vector<char>& filled)
 {
   const auto isFilled = [&](std::array<int, 3> cell) {
     for (int k = 0; k < 3; ++k)
@@ -463,8 +462,8 @@ Surface SphereWithZeroAreaFaces(int subdivisions, int count)
       corners.push_back(sphere.Head(spoke));
       spoke = sphere.Twin(TriangleMesh::Previous(spoke));
     } while (spoke != h);
-    const bool isFree = std::none_of(
-      corners.begin(), corners.end(), [&touched](int v) { return touched[v] != 0; });
+    const bool isFree =
+      std::none_of(corners.begin(), corners.end(), [&touched](int v) { return touched[v] != 0; });
     for (int v : corners)
     {
       touched[v] |= isFree ? 1 : 0;

@@ -46,22 +46,23 @@ Surface IrregularSphere(int subdivisions, unsigned seed, double amount = 0.25);
 Surface Torus(int around, int across, double major = 1.0, double minor = 0.4);
 
 /// The same torus with points moved along it at random and diagonals chosen at random.
-Surface IrregularTorus(int around, int across, unsigned seed, double major = 1.0,
-  double minor = 0.4);
+Surface IrregularTorus(
+  int around, int across, unsigned seed, double major = 1.0, double minor = 0.4);
 
 /// Closed surface of genus 2, a slab with two holes, rounded; 112 resolution^2 faces or so.
 Surface DoubleTorus(int resolution);
 
 // Intrinsically flat, though not in a plane -------------------------------------------------------
 
-/// The side of a prism over a regular polygon with \p around corners: an open cylinder, flat inside.
+/// The side of a prism over a regular polygon with \p around corners: an open cylinder, flat
+/// inside.
 Surface Prism(int around, int along);
 
-/// A flat torus in space, the diplotorus of Brehm: two twisted tubes of 2n congruent triangles each,
-/// one inside the other, between the same two regular n-gons. A tube unrolls into a straight strip,
-/// so the angles at every vertex sum to pi in either tube and to 2 pi in all; and the strips are
-/// glued by translations, so a parallel field closes up. Each triangle is then cut 1:4 in its plane
-/// \p subdivisions times; 4 n 4^subdivisions faces.
+/// A flat torus in space, the diplotorus of Brehm: two twisted tubes of 2n congruent triangles
+/// each, one inside the other, between the same two regular n-gons. A tube unrolls into a straight
+/// strip, so the angles at every vertex sum to pi in either tube and to 2 pi in all; and the strips
+/// are glued by translations, so a parallel field closes up. Each triangle is then cut 1:4 in its
+/// plane \p subdivisions times; 4 n 4^subdivisions faces.
 Surface FlatTorus(int n, int subdivisions);
 
 // Difficult or broken -----------------------------------------------------------------------------
@@ -98,8 +99,8 @@ struct Relabelled
 Relabelled Relabel(const Surface& surface, unsigned seed);
 
 /// Rotated about an axis in general position and scaled; \p rotation receives the rotation.
-Surface RotatedAndScaled(const Surface& surface, double angle, double scale,
-  Eigen::Matrix3d* rotation = nullptr);
+Surface RotatedAndScaled(
+  const Surface& surface, double angle, double scale, Eigen::Matrix3d* rotation = nullptr);
 
 }
 

@@ -74,8 +74,8 @@ void CheckElements(const Points& points, const Triangles& triangles, const Eleme
     if (points.row(corner[0]) == points.row(corner[1]) &&
       points.row(corner[0]) == points.row(corner[2]))
     {
-      throw InvalidInput("the three corners of " + names.Face(f) + " lie in one place; "
-                         "apply Clean (vtkCleanPolyData), which merges them and drops the cell");
+      throw InvalidInput("the three corners of " + names.Face(f) +
+        " lie in one place; apply Clean (vtkCleanPolyData), which merges them and drops the cell");
     }
   }
 

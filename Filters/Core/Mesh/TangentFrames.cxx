@@ -31,15 +31,16 @@ FaceShape ShapeOf(const TriangleMesh& mesh, int face)
   shape.Longest = 0;
   for (int k = 0; k < 3; ++k)
   {
-    shape.Sides[k] = mesh.Position(mesh.Head(3 * face + k)) - mesh.Position(mesh.Tail(3 * face + k));
+    shape.Sides[k] =
+      mesh.Position(mesh.Head(3 * face + k)) - mesh.Position(mesh.Tail(3 * face + k));
     if (shape.Sides[k].squaredNorm() > shape.Sides[shape.Longest].squaredNorm())
     {
       shape.Longest = k;
     }
   }
   shape.AreaVector = shape.Sides[0].cross(shape.Sides[1]);
-  shape.IsDegenerate = 0.5 * shape.AreaVector.norm() <=
-    DegenerateArea * shape.Sides[shape.Longest].squaredNorm();
+  shape.IsDegenerate =
+    0.5 * shape.AreaVector.norm() <= DegenerateArea * shape.Sides[shape.Longest].squaredNorm();
   return shape;
 }
 

@@ -8,7 +8,8 @@
 namespace dmg
 {
 
-/// An orthonormal frame (X, Y, N) per element; a tangent vector v is the complex number v·X + i v·Y.
+/// An orthonormal frame (X, Y, N) per element; in it a tangent vector v is the complex number whose
+/// real and imaginary part are the dot products of v with X and Y.
 struct TangentFrames
 {
   Points X; ///< # x 3, unit
@@ -25,26 +26,26 @@ struct TangentFrames
   }
 };
 
-/// Per face: X along its first side, N its normal. A degenerate face, with an area below 1e-10 times
-/// the square of its longest side, has X along that side and takes N from its neighbours.
+/// Per face: X along its first side, N its normal. A degenerate face, with an area below 1e-10
+/// times the square of its longest side, has X along that side and takes N from its neighbours.
 /// Cost: O(#F).
 TangentFrames FaceFrames(const TriangleMesh& mesh);
 
-/// The sides of a face as unit vectors in its frame, in the direction of their halfedges: the angles
-/// between them are the angles of the face and always sum to pi. A degenerate face is taken as the
-/// limit of a slim one: a side without length is perpendicular to the two others.
+/// The sides of a face as unit vectors in its frame, in the direction of their halfedges: the
+/// angles between them are the angles of the face and always sum to pi. A degenerate face is taken
+/// as the limit of a slim one: a side without length is perpendicular to the two others.
 std::array<Complex, 3> SideDirections(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
 
-/// Per vertex: N the normalised sum of the area vectors of the faces around it (where that vanishes,
-/// the normal of one of them), X its outgoing halfedge projected to the tangent plane (where that
-/// vanishes, any direction there).
+/// Per vertex: N the normalised sum of the area vectors of the faces around it (where that
+/// vanishes, the normal of one of them), X its outgoing halfedge projected to the tangent plane
+/// (where that vanishes, any direction there).
 /// Cost: O(#F).
 TangentFrames VertexFrames(const TriangleMesh& mesh);
 
 /// How a direction turns when it is carried from one tangent plane to another along the shortest
-/// rotation between their normals: z becomes turn * z, |turn| = 1. Defined for every pair; where the
-/// normals are opposite, any shortest rotation.
+/// rotation between their normals: z becomes turn * z, |turn| = 1. Defined for every pair; where
+/// the normals are opposite, any shortest rotation.
 Complex TransportTurn(const TangentFrames& from, int a, const TangentFrames& to, int b);
 
 }

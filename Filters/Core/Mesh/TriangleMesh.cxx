@@ -68,8 +68,8 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
 [[noreturn]] void RefuseEdge(
   const Triangles& F, const ElementNames& names, const Side* first, const Side* last, int smaller)
 {
-  const std::string edge = "the edge between " + names.Vertex(smaller) + " and " +
-    names.Vertex(first->Larger);
+  const std::string edge =
+    "the edge between " + names.Vertex(smaller) + " and " + names.Vertex(first->Larger);
   for (const Side* a = first; a != last; ++a)
   {
     for (const Side* b = a + 1; b != last; ++b)
@@ -88,14 +88,15 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
   if (last - first > 2)
   {
     throw InvalidInput(edge + " belongs to " + std::to_string(last - first) +
-      " triangles, among them " + names.Face(f) + " and " + names.Face(g) + " and " +
+      " triangles, among them " + names.Face(f) + ", " + names.Face(g) + " and " +
       names.Face(TriangleMesh::FaceOf(first[2].Halfedge)) +
-      "; find such edges with Feature Edges (vtkFeatureEdges, non-manifold edges) and remove the "
-      "surplus triangles");
+      "; remove the surplus ones, or cut them apart with Surface Normals (vtkPolyDataNormals), "
+      "Splitting on, Feature Angle 180 and Non-Manifold Traversal off");
   }
   throw InvalidInput(names.Face(f) + " and " + names.Face(g) +
     " are oriented against each other along " + edge +
-    "; apply Generate Surface Normals (vtkPolyDataNormals) with Consistency on and Splitting off");
+    "; apply Surface Normals (vtkPolyDataNormals) with Consistency on and Splitting off (a surface "
+    "with one side only, like a Moebius strip, must be cut)");
 }
 
 }
@@ -169,8 +170,8 @@ TriangleMesh::TriangleMesh(dmg::Points points, dmg::Triangles triangles, const E
     if (valences[v] > 0)
     {
       throw InvalidInput("the triangles around " + names.Vertex(v) +
-        " form more than one fan, so the surface is pinched there; split the point with Generate "
-        "Surface Normals (vtkPolyDataNormals) with Splitting on and a Feature Angle of 180");
+        " form more than one fan, so the surface is pinched there; split the point with Surface "
+        "Normals (vtkPolyDataNormals), Splitting on and Feature Angle 180");
     }
   }
 }

@@ -66,11 +66,11 @@ double CornerAngle(const std::vector<Complex>& sides, int halfedge)
 }
 
 /// By which the field turns across an edge beyond transport, times N, in (-pi, pi].
-double TurningTimesN(const std::vector<Complex>& sides, const Vector<Complex>& powers, int halfedge,
-  int twin, int N)
+double TurningTimesN(
+  const std::vector<Complex>& sides, const Vector<Complex>& powers, int halfedge, int twin, int N)
 {
-  const Complex carried = Power(Transport(sides, halfedge, twin), N) *
-    Phase(powers[TriangleMesh::FaceOf(halfedge)]);
+  const Complex carried =
+    Power(Transport(sides, halfedge, twin), N) * Phase(powers[TriangleMesh::FaceOf(halfedge)]);
   return std::arg(Phase(powers[TriangleMesh::FaceOf(twin)]) * std::conj(carried));
 }
 
@@ -184,8 +184,7 @@ std::vector<Points> DirectionsFromPowers(const TangentFrames& frames, const Vect
   {
     const double magnitude = std::abs(powers[i]);
     const double length = unitLength && magnitude > 0.0 ? 1.0 : magnitude;
-    Complex root =
-      std::polar(length, FirstDirection(powers[i], labels.empty() ? 0 : labels[i], N));
+    Complex root = std::polar(length, FirstDirection(powers[i], labels.empty() ? 0 : labels[i], N));
     for (int k = 0; k < N; ++k)
     {
       directions[k].row(i) = frames.ToVector(i, root).transpose();
@@ -216,7 +215,8 @@ std::vector<int> CombingLabels(
       {
         continue;
       }
-      int turning = numberOfClasses - 1; // across a zero power nothing is continued: come there last
+      // Across a zero power nothing is continued: come there last.
+      int turning = numberOfClasses - 1;
       if (powers[face] != 0.0 && powers[TriangleMesh::FaceOf(twin)] != 0.0)
       {
         const double fraction = std::abs(TurningTimesN(sides, powers, h, twin, N)) / Pi;

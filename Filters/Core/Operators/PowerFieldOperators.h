@@ -10,14 +10,16 @@
 namespace dmg
 {
 
-/// Angle that carries a direction across an interior edge, from the frame of the face of \p halfedge
-/// into the frame of the face of its twin: unfold both faces into one plane along the edge.
+/// Angle that carries a direction across an interior edge, from the frame of the face of
+/// \p halfedge into the frame of the face of its twin: unfold both faces into one plane along the
+/// edge.
 /// \pre the halfedge has a twin.
 double TransportAcrossEdge(const TriangleMesh& mesh, const TangentFrames& faceFrames, int halfedge);
 
 /// Weight of each interior edge in the smoothness energy, 3 |e|^2 / (A_f + A_g); #E, dimensionless,
-/// 0 on the boundary. Twice the consistent two-point flux, as in the thesis. A_f + A_g of slivers is
-/// raised to 1e-6 |e|^2 so that zero-area faces keep a finite weight; an edge of no length has none.
+/// 0 on the boundary. Twice the consistent two-point flux, as in the thesis. A_f + A_g of slivers
+/// is raised to 1e-6 |e|^2 so that zero-area faces keep a finite weight; an edge of no length has
+/// none.
 Vector<double> PowerEdgeWeights(const TriangleMesh& mesh);
 
 /// The Laplacian of N-power fields: X^H L X = sum over interior edges of
@@ -41,21 +43,22 @@ std::vector<Points> DirectionsFromPowers(const TangentFrames& frames, const Vect
 std::vector<int> CombingLabels(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const Vector<Complex>& powers, int N);
 
-/// Powers at the vertices: the mean of the faces around, by corner angle, each carried into the tangent
-/// plane of the vertex by the shortest rotation between the normals.
+/// Powers at the vertices: the mean of the faces around, by corner angle, each carried into the
+/// tangent plane of the vertex by the shortest rotation between the normals.
 Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const TangentFrames& vertexFrames, const Vector<Complex>& powers, int N);
 
-/// Which root at each vertex is nearest to direction 0 of the faces around it (combed by \p faceLabels).
+/// Which root at each vertex is nearest to direction 0 of the faces around it (combed by
+/// \p faceLabels).
 std::vector<int> VertexLabels(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const TangentFrames& vertexFrames, const Vector<Complex>& facePowers,
   const std::vector<int>& faceLabels, const Vector<Complex>& vertexPowers, int N);
 
-/// Index of the singularity at each vertex, a multiple of 1/N, 0 at regular and at boundary vertices:
-/// (angle defect + turning of the field around the vertex) / 2 pi, where the field turns between two
-/// faces by the smallest angle that matches their directions. On a closed surface they sum to the
-/// Euler characteristic. A vertex beside a zero power has no well-defined index; any multiple may result,
-/// the sum still holds.
+/// Index of the singularity at each vertex, a multiple of 1/N, 0 at regular and at boundary
+/// vertices: (angle defect + turning of the field around the vertex) / 2 pi, where the field turns
+/// between two faces by the smallest angle that matches their directions. On a closed surface they
+/// sum to the Euler characteristic. A vertex beside a zero power has no well-defined index; any
+/// multiple may result, the sum still holds.
 Vector<double> SingularityIndices(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const Vector<Complex>& powers, int N);
 

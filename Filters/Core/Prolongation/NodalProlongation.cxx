@@ -2,6 +2,7 @@
 
 #include "Support/SparseAssembly.h"
 
+#include <cmath>
 #include <utility>
 
 namespace dmg
@@ -10,55 +11,167 @@ namespace dmg
 namespace
 {
 
+constexpr double Pi = 3.14159265358979323846;
+
 using Row = std::vector<std::pair<int, Complex>>; // columns and entries
+
+/// Barycentric weights of the mean of the midpoints of a face's sides, each by its squared length.
+/// The energy of power fields binds faces by the squared length of the side between them, however
+/// far apart their centres lie along it; sampled at the centres, a linear function would have many
+/// times its energy on thin faces. Sampled here, both faces of a long side take it from nearly the
+/// same place.
+std::array<double, 3> WeightsByLongSides(const TriangleMesh& mesh, int face)
+{
+  std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
+  double sum = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int h = 3 * face + k;
+    const double squared = (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm();
+    weights[k] += squared;
+    weights[(k + 1) % 3] += squared;
+    sum += 2.0 * squared;
+  }
+  for (double& weight : weights)
+  {
+    weight /= sum;
+  }
+  return weights;
+}
+
+/// Adds to the entry of a column, which may be new.
+void AddTo(Row& row, int column, Complex value)
+{
+  const auto found =
+    std::find_if(row.begin(), row.end(), [column](const auto& e) { return e.first == column; });
+  if (found == row.end())
+  {
+    row.emplace_back(column, value);
+  }
+  else
+  {
+    found->second += value;
+  }
+}
+
+/// The turns from coarse vertices to a fine face, by every coarse face that it overlaps; each with the
+/// weight of the overlap.
+void AddTurns(Row& turns, Complex factor, int fineFace, const TransportOperator& SP,
+  const TriangleMesh& coarse, const std::vector<Complex>& coarseCornerTurns)
+{
+  for (TransportOperator::InnerIterator entry(SP, fineFace); entry; ++entry)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int h = 3 * static_cast<int>(entry.col()) + k;
+      AddTo(turns, coarse.Tail(h), factor * entry.value() * coarseCornerTurns[h]);
+    }
+  }
+}
+
+/// Replaces real weights by weights times turns.
+void Turn(Row& row, const Row& turns)
+{
+  for (auto& [column, entry] : row)
+  {
+    const int wanted = column;
+    const auto found = std::find_if(
+      turns.begin(), turns.end(), [wanted](const auto& t) { return t.first == wanted; });
+    const double length = found == turns.end() ? 0.0 : std::abs(found->second);
+    if (length > 0.0) // else the turns contradict each other, and any will do
+    {
+      entry *= found->second / length;
+    }
+  }
+}
 
 }
 
-TransportOperator VerticesFromVertices(const SparseMatrix<double>& S0,
-  const TangentFrames& fineVertexFrames, const TangentFrames& coarseVertexFrames,
-  const ExecutionContext& context)
+std::vector<Complex> CornerTurns(const TriangleMesh& mesh, const TangentFrames& faceFrames)
 {
-  const auto appendRow = [&](int vertex, Row& row) {
-    for (SparseMatrix<double>::InnerIterator entry(S0, vertex); entry; ++entry)
+  std::vector<Complex> directions(3 * mesh.NumberOfFaces());
+  std::vector<double> angles(3 * mesh.NumberOfFaces());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const std::array<Complex, 3> sides = SideDirections(mesh, faceFrames, face);
+    for (int k = 0; k < 3; ++k)
     {
-      const int column = static_cast<int>(entry.col());
-      row.emplace_back(
-        column, entry.value() * TransportTurn(coarseVertexFrames, column, fineVertexFrames, vertex));
+      directions[3 * face + k] = sides[k];
+      angles[3 * face + k] = std::abs(std::arg(-sides[(k + 2) % 3] * std::conj(sides[k])));
     }
-  };
-  return ToMatrix(AssembleRows<Complex>(static_cast<int>(S0.rows()), context, appendRow),
-    static_cast<int>(S0.cols()));
+  }
+  std::vector<Complex> turns(3 * mesh.NumberOfFaces());
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    const int first = mesh.OutgoingHalfedge(vertex);
+    const auto visit = [&](auto visitCorner) {
+      int h = first;
+      do
+      {
+        visitCorner(h);
+        h = mesh.Twin(TriangleMesh::Previous(h));
+      } while (h >= 0 && h != first);
+    };
+    double sum = 0.0;
+    visit([&](int h) { sum += angles[h]; });
+    const double stretch = mesh.IsBoundaryVertex(vertex) || sum == 0.0 ? 1.0 : 2.0 * Pi / sum;
+    double polar = 0.0;
+    visit([&](int h) {
+      // The bisectors of the corner coincide.
+      turns[h] =
+        directions[h] * std::polar(1.0, 0.5 * angles[h] - (polar + 0.5 * stretch * angles[h]));
+      polar += stretch * angles[h];
+    });
+  }
+  return turns;
 }
 
 TransportOperator FacesFromVertices(const TriangleMesh& fine, const SparseMatrix<double>& S0,
-  const TangentFrames& fineFaceFrames, const TangentFrames& coarseVertexFrames,
-  const ExecutionContext& context)
+  const TransportOperator& SP, const TriangleMesh& coarse,
+  const std::vector<Complex>& coarseCornerTurns, const ExecutionContext& context)
 {
   const auto appendRow = [&](int face, Row& row) {
+    const std::array<double, 3> weights = WeightsByLongSides(fine, face);
     for (int k = 0; k < 3; ++k)
     {
       for (SparseMatrix<double>::InnerIterator entry(S0, fine.FaceCorners()(face, k)); entry; ++entry)
       {
-        const int column = static_cast<int>(entry.col());
-        const auto found = std::find_if(
-          row.begin(), row.end(), [column](const auto& e) { return e.first == column; });
-        if (found == row.end())
-        {
-          row.emplace_back(column, entry.value() / 3.0);
-        }
-        else
-        {
-          found->second += entry.value() / 3.0;
-        }
+        AddTo(row, static_cast<int>(entry.col()), weights[k] * entry.value());
       }
     }
-    for (auto& [column, entry] : row)
-    {
-      entry *= TransportTurn(coarseVertexFrames, column, fineFaceFrames, face);
-    }
+    thread_local Row turns;
+    turns.clear();
+    AddTurns(turns, 1.0, face, SP, coarse, coarseCornerTurns);
+    Turn(row, turns);
   };
   return ToMatrix(AssembleRows<Complex>(fine.NumberOfFaces(), context, appendRow),
-    static_cast<int>(S0.cols()));
+    coarse.NumberOfVertices());
+}
+
+TransportOperator VerticesFromVertices(const TriangleMesh& fine,
+  const std::vector<Complex>& fineCornerTurns, const SparseMatrix<double>& S0,
+  const TransportOperator& SP, const TriangleMesh& coarse,
+  const std::vector<Complex>& coarseCornerTurns, const ExecutionContext& context)
+{
+  const auto appendRow = [&](int vertex, Row& row) {
+    for (SparseMatrix<double>::InnerIterator entry(S0, vertex); entry; ++entry)
+    {
+      row.emplace_back(static_cast<int>(entry.col()), entry.value());
+    }
+    thread_local Row turns;
+    turns.clear();
+    const int first = fine.OutgoingHalfedge(vertex);
+    int h = first;
+    do
+    {
+      AddTurns(turns, std::conj(fineCornerTurns[h]), TriangleMesh::FaceOf(h), SP, coarse,
+        coarseCornerTurns);
+      h = fine.Twin(TriangleMesh::Previous(h));
+    } while (h >= 0 && h != first);
+    Turn(row, turns);
+  };
+  return ToMatrix(AssembleRows<Complex>(fine.NumberOfVertices(), context, appendRow),
+    coarse.NumberOfVertices());
 }
 
 }

@@ -26,7 +26,8 @@ struct ProlongationOperators
   std::vector<TransportOperator> SP;
 
   /// The nodal hierarchy: [0] is #F_0 x #V_1, face fields from directions at the vertices of
-  /// level 1; [l >= 1] is #V_l x #V_{l+1}. Frames: FaceFrames of level 0, VertexFrames above.
+  /// level 1; [l >= 1] is #V_l x #V_{l+1}. Directions are in FaceFrames on level 0 and in polar
+  /// coordinates of the vertices above (NodalProlongation.h).
   std::vector<TransportOperator> Nodal;
 
   int NumberOfLevels() const { return static_cast<int>(this->NumbersOfFaces.size()); }

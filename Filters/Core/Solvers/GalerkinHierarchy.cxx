@@ -136,9 +136,12 @@ void GalerkinHierarchy<Scalar>::BringIntoOrder(
     }
     const std::vector<int> placesOfParents = std::move(places);
     places = PlacesOfChildren(Parents(P), placesOfParents);
-    this->Prolongations[level] = Permuted(P, Inverse(places), placesOfParents, context);
-    P = SparseMatrix<Scalar>();
-    this->Restrictions[level] = Adjoint(this->Prolongations[level], context);
+    SparseMatrix<Scalar> permuted = Permuted(P, Inverse(places), placesOfParents, context);
+    P.resize(0, 0);
+    P.data().squeeze();
+    SparseMatrix<Scalar> adjoint = Adjoint(permuted, context);
+    this->Prolongations[level].swap(permuted);
+    this->Restrictions[level].swap(adjoint);
   }
   this->FinestOrder = Inverse(places);
   this->FinestPlaces = std::move(places);
@@ -154,15 +157,17 @@ void GalerkinHierarchy<Scalar>::Update(
   }
   else
   {
-    this->Matrices[0] = Permuted(A, this->FinestOrder, this->FinestPlaces, context);
+    SparseMatrix<Scalar> permuted = Permuted(A, this->FinestOrder, this->FinestPlaces, context);
+    this->Matrices[0].swap(permuted); // an assignment would copy
   }
   this->FindDiagonal(0, context);
   const int coarsest = this->NumberOfLevels() - 1;
   for (int level = 0; level < coarsest; ++level)
   {
     context.Checkpoint(level / (coarsest + 1.0));
-    this->Matrices[level + 1] = TripleProduct(
+    SparseMatrix<Scalar> product = TripleProduct(
       this->Restrictions[level], this->Matrices[level], this->Prolongations[level], context);
+    this->Matrices[level + 1].swap(product);
     this->FindDiagonal(level + 1, context);
   }
   context.Checkpoint(coarsest / (coarsest + 1.0));

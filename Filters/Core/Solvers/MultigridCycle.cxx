@@ -42,9 +42,9 @@ double Reciprocal(double x)
 /// The entries of A with keep(place of row, place of column), arranged and scaled: entry (i, j)
 /// becomes rowScale(i) a_ij columnScale(j).
 template <class Value, class Scalar, class RowScale, class ColumnScale, class Keep>
-SparseMatrix<Value> Arranged(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
+void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
   const std::vector<int>& columnPlaces, const RowScale& rowScale, const ColumnScale& columnScale,
-  const Keep& keep, const ExecutionContext& context)
+  const Keep& keep, SparseMatrix<Value>& result, const ExecutionContext& context)
 {
   const int rows = static_cast<int>(A.rows());
   const int* offsetsOfA = A.outerIndexPtr();
@@ -65,7 +65,7 @@ SparseMatrix<Value> Arranged(const SparseMatrix<Scalar>& A, const std::vector<in
         offsets[k + 1] = count;
       }
     });
-  SparseMatrix<Value> result(rows, A.cols());
+  result.resize(rows, A.cols());
   result.resizeNonZeros(OffsetsFromCounts(offsets));
   std::copy(offsets.begin(), offsets.end(), result.outerIndexPtr());
   int* columns = result.innerIndexPtr();
@@ -90,7 +90,6 @@ SparseMatrix<Value> Arranged(const SparseMatrix<Scalar>& A, const std::vector<in
         }
       }
     });
-  return result;
 }
 
 template <class Value>
@@ -135,7 +134,7 @@ public:
         l < coarsest && options.Smoothing.Kind == SmootherKind::GaussSeidel;
       ColourOrder colours = byColours ? Colouring(hierarchy.Matrix(l)) : SingleColour(size);
       Level& level = this->Levels[l];
-      level.ColourBegins = std::move(colours.Begins);
+      level.A.Begins = std::move(colours.Begins);
       level.Arranged = MakeArrangement(std::move(colours.Unknowns));
       level.x.resize(size);
       level.b.resize(size);
@@ -164,17 +163,18 @@ public:
       const auto inverseFineScale = [&fine](int i) { return Reciprocal(fine.Scale[i]); };
       const auto coarseScale = [&coarse](int i) { return coarse.Scale[i]; };
 
-      UnitDiagonalMatrix<Value> A;
-      A.Begins = level.ColourBegins;
-      A.Lower = Arranged<Value>(this->Hierarchy.Matrix(l), fine.Order, fine.Places, fineScale,
-        fineScale, [](int row, int column) { return column < row; }, context);
-      A.Upper = Arranged<Value>(this->Hierarchy.Matrix(l), fine.Order, fine.Places, fineScale,
-        fineScale, [](int row, int column) { return column > row; }, context);
-      level.Smoothing = Smoother<Value>::New(std::move(A), this->Options.Smoothing, context);
-      level.P = Arranged<Value>(this->Hierarchy.Prolongation(l), fine.Order, coarse.Places,
-        inverseFineScale, coarseScale, all, context);
-      level.R = Arranged<Value>(this->Hierarchy.Restriction(l), coarse.Order, fine.Places,
-        coarseScale, inverseFineScale, all, context);
+      Arrange(this->Hierarchy.Matrix(l), fine.Order, fine.Places, fineScale, fineScale,
+        [](int row, int column) { return column < row; }, level.A.Lower, context);
+      Arrange(this->Hierarchy.Matrix(l), fine.Order, fine.Places, fineScale, fineScale,
+        [](int row, int column) { return column > row; }, level.A.Upper, context);
+      Arrange(this->Hierarchy.Prolongation(l), fine.Order, coarse.Places, inverseFineScale,
+        coarseScale, all, level.P, context);
+      Arrange(this->Hierarchy.Restriction(l), coarse.Order, fine.Places, coarseScale,
+        inverseFineScale, all, level.R, context);
+      SmootherOptions smoothing = this->Options.Smoothing;
+      smoothing.PreSweeps *= l == 0 ? this->Options.FinestFactor : 1;
+      smoothing.PostSweeps *= l == 0 ? this->Options.FinestFactor : 1;
+      level.Smoothing = Smoother<Value>::New(level.A, smoothing, context);
     }
     context.Checkpoint(1.0);
   }
@@ -206,8 +206,7 @@ public:
     for (const Level& level : this->Levels)
     {
       const long long size = level.x.size();
-      bytes += level.Smoothing ? level.Smoothing->Bytes() : 0;
-      bytes += BytesOf(level.P) + BytesOf(level.R);
+      bytes += BytesOf(level.A.Lower) + BytesOf(level.A.Upper) + BytesOf(level.P) + BytesOf(level.R);
       bytes += size * static_cast<long long>(3 * sizeof(Value) + sizeof(double) + 2 * sizeof(int));
     }
     return bytes;
@@ -216,11 +215,12 @@ public:
 private:
   struct Level
   {
-    std::vector<int> ColourBegins;
     Arrangement Arranged;
-    std::unique_ptr<Smoother<Value>> Smoothing; ///< null on the coarsest level
-    SparseMatrix<Value> P;                      ///< from the next coarser level to this
-    SparseMatrix<Value> R;                      ///< P^H
+    // The rest is scaled and in the order of the arrangement; empty on the coarsest level.
+    UnitDiagonalMatrix<Value> A;
+    SparseMatrix<Value> P; ///< from the next coarser level to this
+    SparseMatrix<Value> R; ///< P^H
+    std::unique_ptr<Smoother<Value>> Smoothing;
     Vector<Value> b;
     Vector<Value> x;
     Vector<Value> r;
@@ -297,30 +297,56 @@ private:
 template <class Scalar>
 MultigridCycle<Scalar>::MultigridCycle(GalerkinHierarchy<Scalar>& hierarchy,
   const CycleOptions& options, const ExecutionContext& context)
+  : Hierarchy(hierarchy)
+  , Options(options)
 {
   if (options.Smoothing.PreSweeps < 0 || options.Smoothing.PostSweeps < 0)
   {
     throw InvalidInput("the number of smoothing sweeps must not be negative");
   }
-  using SingleScalar = std::conditional_t<std::is_same<Scalar, double>::value, float,
-    std::complex<float>>;
-  if (options.Precision == CyclePrecision::Single)
-  {
-    this->Internal = std::make_unique<InternalsOf<SingleScalar>>(hierarchy, options, context);
-  }
-  else
-  {
-    this->Internal = std::make_unique<InternalsOf<Scalar>>(hierarchy, options, context);
-  }
+  this->Build(context);
 }
 
 template <class Scalar>
 MultigridCycle<Scalar>::~MultigridCycle() = default;
 
 template <class Scalar>
+bool MultigridCycle<Scalar>::NeedsDoublePrecision() const
+{
+  return this->Options.Precision == CyclePrecision::Double ||
+    (this->Options.Precision == CyclePrecision::Automatic &&
+      this->Hierarchy.CoarsestSolver().ReciprocalCondition() < 1e-5);
+}
+
+template <class Scalar>
+void MultigridCycle<Scalar>::Build(const ExecutionContext& context)
+{
+  using SingleScalar =
+    std::conditional_t<std::is_same<Scalar, double>::value, float, std::complex<float>>;
+  this->IsDouble = this->NeedsDoublePrecision();
+  if (this->IsDouble)
+  {
+    this->Internal =
+      std::make_unique<InternalsOf<Scalar>>(this->Hierarchy, this->Options, context);
+  }
+  else
+  {
+    this->Internal =
+      std::make_unique<InternalsOf<SingleScalar>>(this->Hierarchy, this->Options, context);
+  }
+}
+
+template <class Scalar>
 void MultigridCycle<Scalar>::Update(const ExecutionContext& context)
 {
-  this->Internal->Update(context);
+  if (this->NeedsDoublePrecision() == this->IsDouble)
+  {
+    this->Internal->Update(context);
+  }
+  else
+  {
+    this->Build(context);
+  }
 }
 
 template <class Scalar>

@@ -10,18 +10,23 @@
 namespace dmg
 {
 
+/// Of the numbers inside a cycle. The solvers around it work in double precision, correct its
+/// rounding errors and reach any tolerance that double precision allows.
 enum class CyclePrecision
 {
-  /// Half the memory traffic. Solvers around the cycle work in double precision and lose nothing,
-  /// as long as the condition number stays below about 1e7 on the coarsest level.
-  Single,
+  /// Single, unless the coarsest matrix is nearly singular (reciprocal condition below 1e-5), as under
+  /// very weak constraints: rounding errors would then swamp the smoothest part of the solution.
+  Automatic,
+  Single, ///< half the memory traffic
   Double,
 };
 
 struct CycleOptions
 {
   SmootherOptions Smoothing;
-  CyclePrecision Precision = CyclePrecision::Single;
+  /// Level 0 gets so many times the sweeps of the coarser levels; >= 1.
+  int FinestFactor = 1;
+  CyclePrecision Precision = CyclePrecision::Automatic;
 };
 
 /// One V-cycle of a Galerkin hierarchy, started from zero, as a linear operator B: smooth, correct
@@ -45,7 +50,7 @@ public:
     const ExecutionContext& context);
   ~MultigridCycle() override;
 
-  /// After an Update of the hierarchy; the colours are kept.
+  /// After an Update of the hierarchy. Colours are kept unless the precision changes.
   void Update(const ExecutionContext& context);
 
   /// z = B r, both N_0 long in the order of the hierarchy.
@@ -59,6 +64,12 @@ private:
   class Internals;
   template <class Value>
   class InternalsOf;
+  bool NeedsDoublePrecision() const;
+  void Build(const ExecutionContext& context);
+
+  GalerkinHierarchy<Scalar>& Hierarchy;
+  const CycleOptions Options;
+  bool IsDouble = false;
   std::unique_ptr<Internals> Internal;
 };
 

@@ -23,6 +23,8 @@ public:
   /// \throw as GalerkinHierarchy and MultigridCycle.
   MultigridSolver(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
     const CycleOptions& options, const ExecutionContext& context);
+  MultigridSolver(const MultigridSolver&) = delete; // the cycle refers to the hierarchy
+  MultigridSolver& operator=(const MultigridSolver&) = delete;
 
   /// Takes other values in the same pattern. After an error the solver must not be used.
   void Update(const SparseMatrix<Scalar>& A, const ExecutionContext& context);

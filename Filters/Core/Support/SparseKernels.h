@@ -43,27 +43,6 @@ inline Scalar RowTimes(const SparseMatrix<Scalar>& A, int i, const Scalar* x)
   return sum;
 }
 
-template <class Real>
-inline std::complex<Real> RowTimes(
-  const SparseMatrix<std::complex<Real>>& A, int i, const std::complex<Real>* x)
-{
-  const int* columns = A.innerIndexPtr();
-  const Real* values = reinterpret_cast<const Real*>(A.valuePtr());
-  const Real* y = reinterpret_cast<const Real*>(x);
-  const int end = A.outerIndexPtr()[i + 1];
-  Real s[2] = { 0, 0 }, t[2] = { 0, 0 };
-  for (int k = A.outerIndexPtr()[i]; k < end; ++k)
-  {
-    const Real* factor = values + 2 * k;
-    const Real* from = y + 2 * columns[k];
-    s[0] += factor[0] * from[0];
-    s[1] += factor[0] * from[1];
-    t[0] += factor[1] * from[0];
-    t[1] += factor[1] * from[1];
-  }
-  return { s[0] - t[1], s[1] + t[0] };
-}
-
 /// The sum of part(first, last) over blocks of fixed size that cover [0, size), added in order.
 /// \param part a function (int first, int last) -> Sum, called for several blocks at the same time.
 template <class Sum, class Part>

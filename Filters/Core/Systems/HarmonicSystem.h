@@ -24,8 +24,8 @@ namespace dmg
 /// reaches a prescription.
 ///
 /// A depends on which unknowns are prescribed and how strongly; the values y enter only the
-/// right-hand side. Scalar is Complex for power fields (one unknown per face), double for 1-forms (one
-/// per edge) and face fields (two per face).
+/// right-hand side. Scalar is Complex for power fields (one unknown per face), double for 1-forms
+/// (one per edge) and face fields (two per face).
 template <class Scalar>
 class HarmonicSystem
 {
@@ -34,8 +34,8 @@ public:
   /// \param smoothness L, n x n, Hermitian positive semi-definite, its weight included.
   /// \param mass M, n, positive: the inner product that errors are measured in.
   /// \param prescribed unknowns, ascending, each once.
-  /// \param alignment m_b, one per prescribed unknown, >= 0, its weight included. A prescription with
-  /// m_b = 0 holds nothing.
+  /// \param alignment m_b, one per prescribed unknown, >= 0, its weight included. A prescription
+  /// with m_b = 0 holds nothing.
   /// Cost: linear in the entries of L.
   static HarmonicSystem Soft(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
     std::vector<int> prescribed, Vector<double> alignment);
@@ -77,9 +77,9 @@ private:
 
   bool IsHard;
   std::vector<int> Prescribed;
-  Vector<double> Alignment;          // soft: m_b
-  std::vector<int> Free;             // free -> all
-  std::vector<int> Rows;             // all -> free or -1
+  Vector<double> Alignment; // soft: m_b
+  std::vector<int> Free;    // free -> all
+  std::vector<int> Rows;    // all -> free or -1
   int Unreached = 0;
   SparseMatrix<Scalar> A;            // free x free
   SparseMatrix<Scalar> ToPrescribed; // hard: L_fb, free x prescribed

@@ -76,8 +76,8 @@ HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
     throw InvalidInput(weights.Constraints == ConstraintKind::Hard
         ? "hard constraints leave no cell to solve for; prescribe fewer cells or make the "
           "constraints soft"
-        : "all prescribed cells have zero area, so that they hold nothing; prescribe a direction on "
-          "another cell or make the constraints hard");
+        : "all prescribed cells have zero area, so that they hold nothing; prescribe a direction "
+          "on another cell or make the constraints hard");
   }
   return system;
 }

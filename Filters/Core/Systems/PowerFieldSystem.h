@@ -19,16 +19,17 @@ struct PowerFieldWeights
   ConstraintKind Constraints = ConstraintKind::Soft;
 };
 
-/// The system of the smoothest N-direction field that follows prescribed directions; unknowns are the
-/// powers of the faces, in their frames:
+/// The system of the smoothest N-direction field that follows prescribed directions; unknowns are
+/// the powers of the faces, in their frames:
 ///   argmin  lambda_S X^H L X + lambda_A sum_b w_b (A_b / mean A) |X_b - Y_b|^2   (soft)
 ///   argmin  X^H L X  subject to  X_b = Y_b                                       (hard)
 /// with L = PowerLaplacian. The mass M are the areas over their mean. Thesis, section 6.3, as
 /// corrected: the printed stack of two systems is not the minimiser of its energy.
 /// \param N 1 to 8.
-/// Components of the surface without a prescribed face get the zero field; see WarningAboutUnreached.
-/// \throw InvalidInput N or a weight is out of range, nothing is prescribed, or hard constraints leave
-/// nothing to solve for.
+/// Components of the surface without a prescribed face get the zero field; see
+/// WarningAboutUnreached.
+/// \throw InvalidInput N or a weight is out of range, nothing is prescribed, or hard constraints
+/// leave nothing to solve for.
 /// \pre prescribed faces are ascending and in range; see MakePowerConstraints.
 /// Cost: O(#F).
 HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,

@@ -23,8 +23,8 @@ void ExpectOrthonormal(const TangentFrames& frames)
   {
     Eigen::Matrix3d frame;
     frame << frames.X.row(i), frames.Y.row(i), frames.N.row(i);
-    EXPECT_LT((frame * frame.transpose() - Eigen::Matrix3d::Identity()).norm(),
-      20.0 * MachinePrecision);
+    EXPECT_LT(
+      (frame * frame.transpose() - Eigen::Matrix3d::Identity()).norm(), 20.0 * MachinePrecision);
     EXPECT_GT(frame.determinant(), 0.0);
   }
 }
@@ -148,8 +148,8 @@ TEST(TransportTurn, IsTheShortestRotationBetweenTheNormals)
   TangentFrames frames{ Points(200, 3), Points(200, 3), Points(200, 3) };
   for (int i = 0; i < 200; ++i)
   {
-    const Eigen::Matrix3d turn = Eigen::Quaterniond(random.Uniform(-1, 1), random.Uniform(-1, 1),
-      random.Uniform(-1, 1), random.Uniform(-1, 1))
+    const Eigen::Matrix3d turn = Eigen::Quaterniond(
+      random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1))
                                    .normalized()
                                    .toRotationMatrix();
     frames.X.row(i) = turn.col(0).transpose();
@@ -166,8 +166,8 @@ TEST(TransportTurn, IsTheShortestRotationBetweenTheNormals)
     // Near opposite normals the rotation is ill-conditioned, like one over the cosine of half the
     // angle between them, squared.
     const double condition = 1.0 + frames.N.row(i).dot(frames.N.row(i + 1));
-    EXPECT_LT(std::abs(frames.ToComplex(i + 1, carried) - turn),
-      100.0 * MachinePrecision / condition);
+    EXPECT_LT(
+      std::abs(frames.ToComplex(i + 1, carried) - turn), 100.0 * MachinePrecision / condition);
     EXPECT_LT(std::abs(TransportTurn(frames, i + 1, frames, i) - std::conj(turn)),
       100.0 * MachinePrecision / condition);
   }

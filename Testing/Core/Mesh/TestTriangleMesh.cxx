@@ -42,7 +42,8 @@ std::vector<Sample> Samples()
     { "prism", Prism(6, 3), 36, 0, 2, 1 },
     { "flat torus", FlatTorus(12, 1), 192, 0, 0, 1 },
     { "zero-area faces", SphereWithZeroAreaFaces(3, 8), 1280 + 2 * 8 + 2 * 8, 2, 0, 1 },
-    { "two components", Union(Icosphere(0), Torus(4, 4), Vector3(5.0, 0.0, 0.0)), 20 + 32, 2, 0, 2 },
+    { "two components", Union(Icosphere(0), Torus(4, 4), Vector3(5.0, 0.0, 0.0)), 20 + 32, 2, 0,
+      2 },
   };
 }
 
@@ -159,20 +160,41 @@ TEST(TriangleMesh, FansVisitEveryCornerOnceFromTheBoundary)
   }
 }
 
+TEST(TriangleMesh, SamplesAreOrientedOutwards)
+{
+  for (const Sample& sample : Samples())
+  {
+    SCOPED_TRACE(sample.Name);
+    const TriangleMesh mesh = sample.Shape.Mesh();
+    double volume = 0.0; // six times the one enclosed, by the divergence theorem
+    for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+    {
+      volume += mesh.FaceAreaVector(f).dot(mesh.Position(mesh.Tail(3 * f)));
+      if (sample.BoundaryLoops > 0 && std::string(sample.Name) != "prism")
+      {
+        EXPECT_GT(mesh.FaceAreaVector(f).z(), 0.0);
+      }
+    }
+    if (sample.BoundaryLoops == 0)
+    {
+      EXPECT_GT(volume, 0.1);
+    }
+  }
+}
+
 TEST(TriangleMesh, AreasAddUp)
 {
   EXPECT_NEAR(IrregularPlane(7, 5, 2).Mesh().FaceAreas().sum(), 35.0, 1e-13 * 35.0);
-  const TriangleMesh triangle =
-    Surface{ (Points(3, 3) << 0, 0, 0, 2, 0, 0, 0, 3, 0).finished(), Triangles{ { 0, 1, 2 } } }
-      .Mesh();
+  const TriangleMesh triangle = Surface{ (Points(3, 3) << 0, 0, 0, 2, 0, 0, 0, 3, 0).finished(),
+    Triangles{ { 0, 1, 2 } } }.Mesh();
   EXPECT_EQ(triangle.FaceAreaVector(0), Vector3(0.0, 0.0, 6.0)); // twice the area, upwards
   EXPECT_EQ(triangle.FaceArea(0), 3.0);
 }
 
 // Refusals: each names the element, by the caller's number, and the remedy ------------------------
 
-void ExpectRefusal(const Surface& surface, const std::vector<std::string>& words,
-  const ElementNames& names = {})
+void ExpectRefusal(
+  const Surface& surface, const std::vector<std::string>& words, const ElementNames& names = {})
 {
   try
   {
@@ -247,15 +269,15 @@ TEST(TriangleMesh, RefusesAnEdgeWithThreeFaces)
   surface.V << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1;
   surface.F << 0, 1, 2, 1, 0, 3, 0, 1, 4;
   ExpectRefusal(surface,
-    { "point 0 and point 1", "3 triangles", "cell 0", "cell 1", "cell 2", "vtkFeatureEdges" });
+    { "point 0 and point 1", "3 triangles", "cell 0", "cell 1", "cell 2", "vtkPolyDataNormals" });
 }
 
 TEST(TriangleMesh, RefusesFacesThatAreOrientedAgainstEachOther)
 {
   Surface surface = PlaneGrid(1, 1);
   surface.F.row(1).reverseInPlace();
-  ExpectRefusal(surface,
-    { "cell 0 and cell 1", "point 0 and point 3", "vtkPolyDataNormals", "Consistency" });
+  ExpectRefusal(
+    surface, { "cell 0 and cell 1", "point 0 and point 3", "vtkPolyDataNormals", "Consistency" });
 }
 
 TEST(TriangleMesh, RefusesAMoebiusStrip)

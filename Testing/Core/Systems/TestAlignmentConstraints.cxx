@@ -117,8 +117,8 @@ TEST_F(AlignmentConstraintsTest, RefuseWhatIsNoDirection)
   }
   for (int face : { -1, this->Mesh.NumberOfFaces() })
   {
-    EXPECT_THROW(MakePowerConstraints(this->Mesh, this->Frames, 2, { { face, good, 1.0 } }),
-      InvalidInput);
+    EXPECT_THROW(
+      MakePowerConstraints(this->Mesh, this->Frames, 2, { { face, good, 1.0 } }), InvalidInput);
   }
 }
 

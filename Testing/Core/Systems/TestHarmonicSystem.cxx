@@ -21,9 +21,9 @@ double RandomScalar(Random& random, double*)
   return random.Number().real();
 }
 
-/// Hermitian positive semi-definite, three blocks that are not connected: [0, 6), [6, 10), [10, 12).
-/// In each block the sum of w |x_i - u x_j|^2 over a chain with phases u, so that the kernel has one
-/// dimension per block.
+/// Hermitian positive semi-definite, three blocks that are not connected: [0, 6), [6, 10), [10,
+/// 12). In each block the sum of w |x_i - u x_j|^2 over a chain with phases u, so that the kernel
+/// has one dimension per block.
 template <class Scalar>
 SparseMatrix<Scalar> ThreeChains(Random& random)
 {
@@ -67,15 +67,12 @@ protected:
 
   Vector<Scalar> Solve(const HarmonicSystem<Scalar>& system, const Vector<Scalar>& values) const
   {
-    const Vector<Scalar> free = Dense(system.Matrix()).partialPivLu().solve(
-      system.RightHandSide(values));
+    const Vector<Scalar> free =
+      Dense(system.Matrix()).partialPivLu().solve(system.RightHandSide(values));
     return system.Expand(free, values);
   }
 
-  double Energy(const Vector<Scalar>& x) const
-  {
-    return std::real(x.dot(this->L * x));
-  }
+  double Energy(const Vector<Scalar>& x) const { return std::real(x.dot(this->L * x)); }
 };
 
 using Scalars = ::testing::Types<double, Complex>;
@@ -85,8 +82,7 @@ TYPED_TEST(HarmonicSystemTest, SoftMinimisesItsEnergy)
 {
   const std::vector<int> prescribed = { 1, 4, 8 };
   const Vector<double> alignment = Eigen::Vector3d(0.7, 2.0, 0.3);
-  const auto system =
-    HarmonicSystem<TypeParam>::Soft(this->L, this->M, prescribed, alignment);
+  const auto system = HarmonicSystem<TypeParam>::Soft(this->L, this->M, prescribed, alignment);
   EXPECT_EQ(system.NumberOfUnknowns(), 12);
   EXPECT_EQ(system.NumberOfFree(), 10);
   EXPECT_EQ(system.NumberOfUnreached(), 2);
@@ -188,8 +184,8 @@ TYPED_TEST(HarmonicSystemTest, KnowsItsUnknowns)
 
 TYPED_TEST(HarmonicSystemTest, SoftPrescriptionsWithoutMassHoldNothing)
 {
-  const auto system = HarmonicSystem<TypeParam>::Soft(
-    this->L, this->M, { 1, 8 }, Eigen::Vector2d(0.0, 1.0));
+  const auto system =
+    HarmonicSystem<TypeParam>::Soft(this->L, this->M, { 1, 8 }, Eigen::Vector2d(0.0, 1.0));
   EXPECT_EQ(system.FreeUnknowns(), (std::vector<int>{ 6, 7, 8, 9 }));
   EXPECT_EQ(system.RightHandSide(this->RandomVector(2)).size(), 4);
 }

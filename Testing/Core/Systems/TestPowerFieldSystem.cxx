@@ -116,8 +116,8 @@ TEST(PowerFieldSystem, OneDirectionOnAFlatTorusGivesAParallelField)
     EXPECT_LT((X.cwiseAbs().array() - 1.0).abs().maxCoeff(), 1e-10);
     for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
     {
-      const Complex carried = X[TriangleMesh::FaceOf(h)] *
-        std::polar(1.0, N * TransportAcrossEdge(mesh, frames, h));
+      const Complex carried =
+        X[TriangleMesh::FaceOf(h)] * std::polar(1.0, N * TransportAcrossEdge(mesh, frames, h));
       EXPECT_LT(std::abs(carried - X[TriangleMesh::FaceOf(mesh.Twin(h))]), 1e-10);
     }
     EXPECT_EQ(SingularityIndices(mesh, frames, X, N).cwiseAbs().maxCoeff(), 0.0);
@@ -126,7 +126,8 @@ TEST(PowerFieldSystem, OneDirectionOnAFlatTorusGivesAParallelField)
 
 TEST(PowerFieldSystem, SmoothFieldsHaveIndicesThatSumToTheEulerCharacteristic)
 {
-  for (const Surface& surface : { IrregularSphere(3, 6), IrregularTorus(20, 10, 7), DoubleTorus(3) })
+  for (const Surface& surface :
+    { IrregularSphere(3, 6), IrregularTorus(20, 10, 7), DoubleTorus(3) })
   {
     const TriangleMesh mesh = surface.Mesh();
     const TangentFrames frames = FaceFrames(mesh);
@@ -144,8 +145,8 @@ TEST(PowerFieldSystem, SmoothFieldsHaveIndicesThatSumToTheEulerCharacteristic)
   }
 }
 
-/// X as the vectors of one direction per face, chosen nearest to a reference, is awkward to compare;
-/// powers with respect to a direction fixed in space are not.
+/// X as the vectors of one direction per face, chosen nearest to a reference, is awkward to
+/// compare; powers with respect to a direction fixed in space are not.
 Vector<Complex> RelativeTo(
   const TangentFrames& frames, const Vector<Complex>& X, const Vector3& direction, int N)
 {

@@ -1,0 +1,17 @@
+# The ParaView plugin over the module. Included by the top level, since paraview_plugin_build()
+# enters CMakeLists.txt of this folder by itself.
+
+paraview_plugin_scan(
+  PLUGIN_FILES "${CMAKE_CURRENT_LIST_DIR}/paraview.plugin"
+  PROVIDES_PLUGINS plugins
+  ENABLE_BY_DEFAULT ON
+  HIDE_PLUGINS_FROM_CACHE ON)
+paraview_plugin_build(
+  PLUGINS ${plugins}
+  AUTOLOAD ${plugins}
+  LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
+  PLUGINS_FILE_NAME "directionalmultigrid.plugins.xml")
+
+configure_file("${CMAKE_CURRENT_LIST_DIR}/RegisterPlugin.cmake.in"
+  "${PROJECT_BINARY_DIR}/RegisterPlugin.cmake" @ONLY)
+install(SCRIPT "${PROJECT_BINARY_DIR}/RegisterPlugin.cmake" COMPONENT paraview_plugins)

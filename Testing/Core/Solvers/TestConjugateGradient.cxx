@@ -1,0 +1,317 @@
+#include "Solvers/ConjugateGradient.h"
+
+#include "GridProblem.h"
+#include "Solvers/CholeskySolver.h"
+#include "Solvers/MultigridCycle.h"
+#include "Support/Errors.h"
+#include "Support/TbbContext.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+using namespace dmg;
+
+namespace
+{
+
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+
+/// B = scale I.
+template <class Scalar>
+class Scaling : public Preconditioner<Scalar>
+{
+public:
+  explicit Scaling(double factor)
+    : Factor(factor)
+  {
+  }
+  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext&) override
+  {
+    z = this->Factor * r;
+  }
+
+private:
+  const double Factor;
+};
+
+CycleOptions WithPrecision(CyclePrecision precision)
+{
+  CycleOptions options;
+  options.Precision = precision;
+  return options;
+}
+
+/// A grid problem in the order of its hierarchy, with a V(2,2)-cycle.
+template <class Scalar>
+struct CyclePreconditioned
+{
+  CyclePreconditioned(int depth, int levels, CyclePrecision precision = CyclePrecision::Single)
+    : Problem(test::MakeGridProblem<Scalar>(depth, levels))
+    , Hierarchy(this->Problem.A, this->Problem.P, SerialContext())
+    , Cycle(this->Hierarchy, WithPrecision(precision), SerialContext())
+  {
+  }
+
+  const SparseMatrix<Scalar>& A() const { return this->Hierarchy.Matrix(0); }
+  int Size() const { return this->Hierarchy.NumberOfUnknowns(0); }
+
+  const test::GridProblem<Scalar> Problem;
+  GalerkinHierarchy<Scalar> Hierarchy;
+  MultigridCycle<Scalar> Cycle;
+};
+
+template <class Scalar>
+double RelativeResidual(
+  const SparseMatrix<Scalar>& A, const Vector<Scalar>& b, const Vector<Scalar>& x)
+{
+  return (b - A * x).norm() / b.norm();
+}
+
+template <class Scalar>
+class TestConjugateGradient : public ::testing::Test
+{
+};
+using Scalars = ::testing::Types<double, Complex>;
+TYPED_TEST_SUITE(TestConjugateGradient, Scalars);
+
+}
+
+TYPED_TEST(TestConjugateGradient, AgreesWithCholesky)
+{
+  CyclePreconditioned<TypeParam> grid(7, 5);
+  const auto b = test::RandomVector<TypeParam>(grid.Size(), 3101);
+  Vector<TypeParam> expected;
+  CholeskySolver<TypeParam>(grid.A()).Solve(b, expected);
+  for (const double tolerance : { 1e-4, 1e-8, 1e-12 })
+  {
+    SolveReport report;
+    Vector<TypeParam> x;
+    ConjugateGradient(grid.A(), grid.Cycle, b, { tolerance, 100 }, x, report, SerialContext());
+    EXPECT_TRUE(report.Converged);
+    EXPECT_TRUE(report.Warnings.empty());
+    EXPECT_LE(RelativeResidual(grid.A(), b, x), tolerance * (1.0 + 1e-6));
+    // The smallest eigenvalue of the scalar Laplacian is 2 (2 - 2 cos(pi / 128)) = 1.2e-3; a magnetic
+    // field only raises it.
+    EXPECT_LE((x - expected).norm(), tolerance * b.norm() / 1.2e-3 + 1e-12 * expected.norm());
+  }
+}
+
+TYPED_TEST(TestConjugateGradient, IterationsDoNotGrowWithTheGrid)
+{
+  std::vector<int> iterations;
+  for (int depth = 5; depth <= 8; ++depth)
+  {
+    CyclePreconditioned<TypeParam> grid(depth, depth - 2);
+    const auto b = test::RandomVector<TypeParam>(grid.Size(), 3102);
+    SolveReport report;
+    Vector<TypeParam> x;
+    ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-8, 100 }, x, report, SerialContext());
+    ASSERT_TRUE(report.Converged);
+    iterations.push_back(report.Iterations.back().Iteration);
+  }
+  // V(2,2) with red-black Gauss-Seidel contracts by less than 0.1 (Trottenberg, Oosterlee and
+  // Schueller, Multigrid, 2001), so eight steps suffice even without acceleration.
+  EXPECT_LE(iterations.back(), 8);
+  EXPECT_LE(iterations.back(), iterations.front() + 1);
+}
+
+TYPED_TEST(TestConjugateGradient, SinglePrecisionInTheCycleCostsNoIteration)
+{
+  std::vector<int> iterations;
+  for (const CyclePrecision precision : { CyclePrecision::Single, CyclePrecision::Double })
+  {
+    CyclePreconditioned<TypeParam> grid(7, 5, precision);
+    const auto b = test::RandomVector<TypeParam>(grid.Size(), 3103);
+    SolveReport report;
+    Vector<TypeParam> x;
+    ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-12, 100 }, x, report, SerialContext());
+    EXPECT_TRUE(report.Converged);
+    EXPECT_LE(RelativeResidual(grid.A(), b, x), 1.001e-12);
+    iterations.push_back(report.Iterations.back().Iteration);
+  }
+  EXPECT_EQ(iterations[0], iterations[1]);
+}
+
+TYPED_TEST(TestConjugateGradient, HistoryStartsAtTheStartAndEndsAtTheTruth)
+{
+  CyclePreconditioned<TypeParam> grid(5, 3);
+  const auto b = test::RandomVector<TypeParam>(grid.Size(), 3104);
+  SolveReport report;
+  Vector<TypeParam> x;
+  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-10, 100 }, x, report, SerialContext());
+  ASSERT_GE(report.Iterations.size(), 2u);
+  EXPECT_EQ(report.Iterations.front().RelativeResidual, 1.0);
+  for (std::size_t i = 0; i < report.Iterations.size(); ++i)
+  {
+    EXPECT_EQ(report.Iterations[i].Iteration, static_cast<int>(i));
+    EXPECT_GE(report.Iterations[i].Seconds, i == 0 ? 0.0 : report.Iterations[i - 1].Seconds);
+  }
+  EXPECT_GE(report.SolveSeconds, report.Iterations.back().Seconds);
+  EXPECT_NEAR(
+    report.Iterations.back().RelativeResidual, RelativeResidual(grid.A(), b, x), 100 * Epsilon);
+}
+
+TYPED_TEST(TestConjugateGradient, StartsFromTheGivenVector)
+{
+  CyclePreconditioned<TypeParam> grid(5, 3);
+  const auto b = test::RandomVector<TypeParam>(grid.Size(), 3105);
+  SolveReport report;
+  Vector<TypeParam> x;
+  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-10, 100 }, x, report, SerialContext());
+  const int fromZero = report.Iterations.back().Iteration;
+
+  const Vector<TypeParam> solution = x;
+  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-9, 100 }, x, report, SerialContext());
+  EXPECT_EQ(report.Iterations.size(), 1u);
+  EXPECT_EQ(x, solution);
+
+  x += 1e-5 * test::RandomVector<TypeParam>(grid.Size(), 3106);
+  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-10, 100 }, x, report, SerialContext());
+  EXPECT_TRUE(report.Converged);
+  EXPECT_LT(report.Iterations.back().Iteration, fromZero);
+}
+
+TYPED_TEST(TestConjugateGradient, ZeroRightHandSideHasTheSolutionZero)
+{
+  CyclePreconditioned<TypeParam> grid(4, 2);
+  const Vector<TypeParam> zero = Vector<TypeParam>::Zero(grid.Size());
+  Vector<TypeParam> x = test::RandomVector<TypeParam>(grid.Size(), 3107);
+  SolveReport report;
+  ConjugateGradient(grid.A(), grid.Cycle, zero, {}, x, report, SerialContext());
+  EXPECT_TRUE(report.Converged);
+  EXPECT_EQ(x, zero);
+  EXPECT_EQ(report.Iterations.size(), 1u);
+  EXPECT_EQ(report.Iterations[0].RelativeResidual, 0.0);
+}
+
+TYPED_TEST(TestConjugateGradient, TheLimitLeavesTheBestVector)
+{
+  // Eigenvalues from 1 to 10^4 and no preconditioner: residuals go up and down. Stop where one is
+  // worse than the best before it.
+  SparseMatrix<TypeParam> A(200, 200);
+  for (int i = 0; i < 200; ++i)
+  {
+    A.insert(i, i) = std::pow(10.0, 4.0 * i / 199.0);
+  }
+  A.makeCompressed();
+  const auto b = test::RandomVector<TypeParam>(200, 3113);
+  Scaling<TypeParam> identity(1.0);
+  SolveReport report;
+  Vector<TypeParam> x;
+  ConjugateGradient(A, identity, b, { 1e-10, 10000 }, x, report, SerialContext());
+  ASSERT_TRUE(report.Converged);
+  double best = 1.0;
+  int limit = 0;
+  for (const IterationReport& row : report.Iterations)
+  {
+    if (row.RelativeResidual > best)
+    {
+      limit = row.Iteration;
+      break;
+    }
+    best = row.RelativeResidual;
+  }
+  ASSERT_GT(limit, 0) << "residuals that only fall test nothing";
+
+  x.resize(0);
+  ConjugateGradient(A, identity, b, { 1e-10, limit }, x, report, SerialContext());
+  EXPECT_FALSE(report.Converged);
+  EXPECT_EQ(report.Iterations.back().Iteration, limit);
+  EXPECT_GT(report.Iterations.back().RelativeResidual, best);
+  EXPECT_NEAR(RelativeResidual(A, b, x), best, 1e-12);
+  ASSERT_EQ(report.Warnings.size(), 1u);
+  EXPECT_NE(report.Warnings[0].find("limit of " + std::to_string(limit)), std::string::npos);
+}
+
+TYPED_TEST(TestConjugateGradient, StopsWhereRoundingForbidsProgress)
+{
+  CyclePreconditioned<TypeParam> grid(6, 4);
+  const auto b = test::RandomVector<TypeParam>(grid.Size(), 3108);
+  SolveReport report;
+  Vector<TypeParam> x;
+  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-30, 1000 }, x, report, SerialContext());
+  EXPECT_FALSE(report.Converged);
+  EXPECT_LT(report.Iterations.back().Iteration, 100);
+  // |A| |x| eps / |b|, |x| / |b| at most 1 / 0.005
+  EXPECT_LE(RelativeResidual(grid.A(), b, x), 8.0 / 0.005 * 10 * Epsilon);
+  ASSERT_EQ(report.Warnings.size(), 1u);
+  EXPECT_NE(report.Warnings[0].find("rounding"), std::string::npos);
+}
+
+TYPED_TEST(TestConjugateGradient, IndefiniteOperatorsEndWithAWarning)
+{
+  const auto A = test::MakeGridProblem<TypeParam>(4, 1).A;
+  const SparseMatrix<TypeParam> negative = -A;
+  const auto b = test::RandomVector<TypeParam>(A.rows(), 3109);
+  Scaling<TypeParam> identity(1.0);
+  Scaling<TypeParam> reflection(-1.0);
+  SolveReport report;
+  Vector<TypeParam> x;
+  ConjugateGradient(negative, identity, b, {}, x, report, SerialContext());
+  EXPECT_FALSE(report.Converged);
+  ASSERT_EQ(report.Warnings.size(), 1u);
+  EXPECT_NE(report.Warnings[0].find("matrix is not positive"), std::string::npos);
+
+  x.resize(0);
+  ConjugateGradient(A, reflection, b, {}, x, report, SerialContext());
+  EXPECT_FALSE(report.Converged);
+  ASSERT_EQ(report.Warnings.size(), 2u);
+  EXPECT_NE(report.Warnings[1].find("preconditioner is not positive"), std::string::npos);
+}
+
+TYPED_TEST(TestConjugateGradient, NumbersThatAreNotFiniteAreRefused)
+{
+  const auto A = test::MakeGridProblem<TypeParam>(3, 1).A;
+  Scaling<TypeParam> identity(1.0);
+  const auto good = test::RandomVector<TypeParam>(A.rows(), 3110);
+  Vector<TypeParam> bad = good;
+  bad[5] = std::numeric_limits<double>::quiet_NaN();
+  SolveReport report;
+  Vector<TypeParam> x;
+  EXPECT_THROW(
+    ConjugateGradient(A, identity, bad, {}, x, report, SerialContext()), InvalidInput);
+  EXPECT_THROW(
+    ConjugateGradient(A, identity, good, {}, bad, report, SerialContext()), InvalidInput);
+  x.setZero(3);
+  EXPECT_THROW(
+    ConjugateGradient(A, identity, good, {}, x, report, SerialContext()), InvalidInput);
+}
+
+TYPED_TEST(TestConjugateGradient, CanBeCancelledAtEveryIteration)
+{
+  CyclePreconditioned<TypeParam> grid(5, 3);
+  const auto b = test::RandomVector<TypeParam>(grid.Size(), 3111);
+  SolveReport report;
+  Vector<TypeParam> x;
+  const test::TbbContext all(2);
+  ConjugateGradient(grid.A(), grid.Cycle, b, {}, x, report, all);
+  EXPECT_EQ(all.Progress().size(), report.Iterations.size() - 1);
+  EXPECT_TRUE(std::is_sorted(all.Progress().begin(), all.Progress().end()));
+  for (std::size_t count = 1; count <= all.Progress().size(); ++count)
+  {
+    test::TbbContext context(2);
+    context.CancelAfter(static_cast<int>(count));
+    x.resize(0);
+    EXPECT_THROW(ConjugateGradient(grid.A(), grid.Cycle, b, {}, x, report, context), Cancelled);
+    EXPECT_FALSE(report.Converged);
+  }
+}
+
+TYPED_TEST(TestConjugateGradient, SameBitsForAnyNumberOfThreads)
+{
+  CyclePreconditioned<TypeParam> grid(8, 6);
+  const auto b = test::RandomVector<TypeParam>(grid.Size(), 3112);
+  SolveReport report;
+  Vector<TypeParam> expected;
+  ConjugateGradient(grid.A(), grid.Cycle, b, {}, expected, report, SerialContext());
+  const double residual = report.Iterations.back().RelativeResidual;
+  for (const int threads : { 1, 2, 3, 8 })
+  {
+    Vector<TypeParam> x;
+    ConjugateGradient(grid.A(), grid.Cycle, b, {}, x, report, test::TbbContext(threads));
+    EXPECT_EQ(x, expected) << threads << " threads";
+    EXPECT_EQ(report.Iterations.back().RelativeResidual, residual);
+  }
+}

@@ -1,0 +1,229 @@
+#include "Solvers/MultigridSolver.h"
+
+#include "GridProblem.h"
+#include "Solvers/CholeskySolver.h"
+#include "Support/Errors.h"
+#include "Support/TbbContext.h"
+
+#include <gtest/gtest.h>
+
+using namespace dmg;
+
+namespace
+{
+
+template <class Scalar>
+class TestMultigridSolver : public ::testing::Test
+{
+};
+using Scalars = ::testing::Types<double, Complex>;
+TYPED_TEST_SUITE(TestMultigridSolver, Scalars);
+
+template <class Scalar>
+std::vector<Eigen::Triplet<Scalar>> Entries(const SparseMatrix<Scalar>& A)
+{
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  for (int i = 0; i < A.rows(); ++i)
+  {
+    for (typename SparseMatrix<Scalar>::InnerIterator entry(A, i); entry; ++entry)
+    {
+      entries.emplace_back(i, entry.col(), entry.value());
+    }
+  }
+  return entries;
+}
+
+}
+
+TYPED_TEST(TestMultigridSolver, AllThreeSolversAgreeInTheOrderOfTheCaller)
+{
+  const auto problem = test::MakeGridProblem<TypeParam>(6, 4);
+  const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3301);
+  Vector<TypeParam> expected;
+  CholeskySolver<TypeParam>(problem.A).Solve(b, expected);
+  MultigridSolver<TypeParam> solver(problem.A, problem.P, {}, SerialContext());
+  SolveReport report;
+  Vector<TypeParam> x, y;
+  solver.SolveByConjugateGradients(b, { 1e-10, 100 }, x, report, SerialContext());
+  EXPECT_LE((problem.A * x - b).norm(), 1.001e-10 * b.norm());
+  EXPECT_LE((x - expected).norm(), 1e-10 * b.norm() / 0.0048);
+  solver.SolveByCycles(b, { 1e-10, 100 }, y, report, SerialContext());
+  EXPECT_LE((y - expected).norm(), 1e-10 * b.norm() / 0.0048);
+
+  // A start is in the order of the caller, too.
+  solver.SolveByConjugateGradients(b, { 2e-10, 100 }, x, report, SerialContext());
+  EXPECT_EQ(report.Iterations.size(), 1u);
+}
+
+TYPED_TEST(TestMultigridSolver, UpdateHasTheBitsOfANewSolver)
+{
+  auto problem = test::MakeGridProblem<TypeParam>(6, 4);
+  const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3302);
+  MultigridSolver<TypeParam> updated(problem.A, problem.P, {}, SerialContext());
+  for (int i = 0; i < problem.A.rows(); i += 10)
+  {
+    problem.A.coeffRef(i, i) += 50.0;
+  }
+  updated.Update(problem.A, SerialContext());
+  MultigridSolver<TypeParam> fresh(problem.A, problem.P, {}, test::TbbContext(3));
+  SolveReport report;
+  Vector<TypeParam> x, y;
+  updated.SolveByConjugateGradients(b, {}, x, report, SerialContext());
+  fresh.SolveByConjugateGradients(b, {}, y, report, test::TbbContext(3));
+  EXPECT_EQ(x, y);
+  EXPECT_EQ(updated.Bytes(), fresh.Bytes());
+}
+
+TYPED_TEST(TestMultigridSolver, UpdateMayChangeThePrecision)
+{
+  // Natural boundary conditions, held by one unknown: strongly, weakly (a nearly singular matrix,
+  // for which the cycle works in double precision), and strongly again.
+  auto problem = test::MakeGridProblem<TypeParam>(6, 4);
+  SparseMatrix<TypeParam>& A = problem.A;
+  for (int i = 0; i < A.rows(); ++i)
+  {
+    A.coeffRef(i, i) = A.outerIndexPtr()[i + 1] - A.outerIndexPtr()[i] - 1;
+  }
+  const auto natural = A;
+  const auto b = test::RandomVector<TypeParam>(A.rows(), 3305);
+  A.coeffRef(1000, 1000) += 1.0;
+  MultigridSolver<TypeParam> updated(A, problem.P, {}, SerialContext());
+  const long long bytes = updated.Bytes();
+  for (const double weight : { 1e-9, 1.0 })
+  {
+    A = natural;
+    A.coeffRef(1000, 1000) += weight;
+    updated.Update(A, SerialContext());
+    MultigridSolver<TypeParam> fresh(A, problem.P, {}, SerialContext());
+    SolveReport report;
+    Vector<TypeParam> x, y;
+    updated.SolveByConjugateGradients(b, {}, x, report, SerialContext());
+    fresh.SolveByConjugateGradients(b, {}, y, report, SerialContext());
+    EXPECT_EQ(x, y);
+    EXPECT_EQ(updated.Bytes(), fresh.Bytes());
+  }
+  EXPECT_EQ(updated.Bytes(), bytes);
+}
+
+TYPED_TEST(TestMultigridSolver, SolvesAroundUnknownsThatNothingSees)
+{
+  // Every tenth fine unknown is eliminated, a whole square among them, so that some coarse unknowns
+  // see nothing any more.
+  const auto problem = test::MakeGridProblem<TypeParam>(6, 4);
+  const int n = 63;
+  std::vector<int> rowOf(n * n, -1);
+  int free = 0;
+  for (int y = 0; y < n; ++y)
+  {
+    for (int x = 0; x < n; ++x)
+    {
+      if ((x + 3 * y) % 10 != 0 && !(x < 20 && y < 20))
+      {
+        rowOf[y * n + x] = free++;
+      }
+    }
+  }
+  std::vector<Eigen::Triplet<TypeParam>> entries, transfers;
+  for (const auto& entry : Entries(problem.A))
+  {
+    if (rowOf[entry.row()] >= 0 && rowOf[entry.col()] >= 0)
+    {
+      entries.emplace_back(rowOf[entry.row()], rowOf[entry.col()], entry.value());
+    }
+  }
+  for (const auto& entry : Entries(problem.P[0]))
+  {
+    if (rowOf[entry.row()] >= 0)
+    {
+      transfers.emplace_back(rowOf[entry.row()], entry.col(), entry.value());
+    }
+  }
+  const auto A = test::FromTriplets(free, free, entries);
+  auto P = problem.P;
+  P[0] = test::FromTriplets(free, static_cast<int>(P[0].cols()), transfers);
+  MultigridSolver<TypeParam> solver(A, P, {}, SerialContext());
+  ASSERT_EQ(solver.Levels().Diagonal(1).minCoeff(), 0.0);
+  ASSERT_EQ(solver.Levels().Diagonal(3).minCoeff(), 0.0);
+
+  const auto b = test::RandomVector<TypeParam>(free, 3303);
+  Vector<TypeParam> expected, x;
+  CholeskySolver<TypeParam>(A).Solve(b, expected);
+  SolveReport report;
+  solver.SolveByConjugateGradients(b, { 1e-10, 30 }, x, report, SerialContext());
+  EXPECT_TRUE(report.Converged);
+  EXPECT_LE((x - expected).norm(), 1e-10 * b.norm() / 0.0048);
+}
+
+TYPED_TEST(TestMultigridSolver, SingularButConsistentSystemsConverge)
+{
+  // The natural boundary condition: diagonals lowered to the number of neighbours, kernel = constants.
+  const int n = 63;
+  auto A = test::MakeGridProblem<double>(6, 1).A;
+  for (int i = 0; i < A.rows(); ++i)
+  {
+    A.coeffRef(i, i) = A.outerIndexPtr()[i + 1] - A.outerIndexPtr()[i] - 1;
+  }
+  // Piecewise constant on squares of 3 x 3.
+  std::vector<Eigen::Triplet<double>> first, second;
+  for (int y = 0; y < n; ++y)
+  {
+    for (int x = 0; x < n; ++x)
+    {
+      first.emplace_back(y * n + x, (y / 3) * 21 + x / 3, 1.0);
+    }
+  }
+  for (int y = 0; y < 21; ++y)
+  {
+    for (int x = 0; x < 21; ++x)
+    {
+      second.emplace_back(y * 21 + x, (y / 3) * 7 + x / 3, 1.0);
+    }
+  }
+  const SparseMatrix<TypeParam> scalarA = A.template cast<TypeParam>();
+  const std::vector<SparseMatrix<TypeParam>> P = {
+    test::FromTriplets(n * n, 441, first).template cast<TypeParam>(),
+    test::FromTriplets(441, 49, second).template cast<TypeParam>()
+  };
+  Vector<TypeParam> b = test::RandomVector<TypeParam>(n * n, 3304);
+  b.array() -= b.mean();
+  MultigridSolver<TypeParam> solver(scalarA, P, {}, SerialContext());
+  SolveReport report;
+  Vector<TypeParam> x;
+  solver.SolveByConjugateGradients(b, { 1e-8, 50 }, x, report, SerialContext());
+  EXPECT_TRUE(report.Converged);
+  EXPECT_LE((b - scalarA * x).norm(), 1.001e-8 * b.norm());
+  // The smallest positive eigenvalue bounds what is left without the kernel.
+  x.array() -= x.mean();
+  EXPECT_LE(x.norm(), b.norm() / (2.0 - 2.0 * std::cos(std::acos(-1.0) / n)));
+}
+
+TYPED_TEST(TestMultigridSolver, SizesOfVectorsAreChecked)
+{
+  const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
+  MultigridSolver<TypeParam> solver(problem.A, problem.P, {}, SerialContext());
+  SolveReport report;
+  Vector<TypeParam> x;
+  EXPECT_THROW(solver.SolveByConjugateGradients(
+                 Vector<TypeParam>::Ones(7), {}, x, report, SerialContext()),
+    InvalidInput);
+  x.setZero(7);
+  EXPECT_THROW(solver.SolveByCycles(
+                 Vector<TypeParam>::Ones(problem.A.rows()), {}, x, report, SerialContext()),
+    InvalidInput);
+}
+
+TYPED_TEST(TestMultigridSolver, LevelsAreReported)
+{
+  const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
+  MultigridSolver<TypeParam> solver(problem.A, problem.P, {}, SerialContext());
+  SolveReport report;
+  report.Levels = solver.Levels().Levels();
+  // Five points on the finest level, nine on the others.
+  const auto points = [](int n, int corners) { return n * n + 4 * n * (n - 1) + corners * (n - 1) * (n - 1); };
+  ASSERT_EQ(report.Levels.size(), 3u);
+  EXPECT_EQ(report.Levels[0].NonZeros, points(31, 0));
+  EXPECT_EQ(report.Levels[1].NonZeros, points(15, 4));
+  EXPECT_EQ(report.Levels[2].NonZeros, points(7, 4));
+  EXPECT_DOUBLE_EQ(report.OperatorComplexity(),
+    1.0 + (points(15, 4) + points(7, 4)) / static_cast<double>(points(31, 0)));
+}

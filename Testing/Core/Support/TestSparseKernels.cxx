@@ -1,0 +1,190 @@
+#include "Support/SparseKernels.h"
+
+#include "Support/Errors.h"
+#include "Support/Random.h"
+#include "Support/TbbContext.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace dmg;
+
+namespace
+{
+
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+
+Complex RandomNumber(test::Random& random, Complex*)
+{
+  return random.Number();
+}
+
+double RandomNumber(test::Random& random, double*)
+{
+  return random.Uniform(-1.0, 1.0);
+}
+
+/// Random entries, a few per row; some rows are empty.
+template <class Scalar>
+SparseMatrix<Scalar> RandomMatrix(int rows, int columns, unsigned seed)
+{
+  test::Random random(seed);
+  std::vector<Eigen::Triplet<Scalar>> entries;
+  for (int i = 0; i < rows; ++i)
+  {
+    for (int count = random.Index(6); count > 0; --count)
+    {
+      const Scalar value = RandomNumber(random, static_cast<Scalar*>(nullptr));
+      entries.emplace_back(i, random.Index(columns), value);
+    }
+  }
+  SparseMatrix<Scalar> A(rows, columns);
+  A.setFromTriplets(entries.begin(), entries.end());
+  return A;
+}
+
+template <class Scalar>
+Vector<Scalar> RandomVector(int size, unsigned seed)
+{
+  test::Random random(seed);
+  Vector<Scalar> x(size);
+  for (Scalar& number : x)
+  {
+    number = RandomNumber(random, static_cast<Scalar*>(nullptr));
+  }
+  return x;
+}
+
+template <class Scalar>
+bool AreIdentical(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B)
+{
+  return A.rows() == B.rows() && A.cols() == B.cols() && A.nonZeros() == B.nonZeros() &&
+    std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.rows() + 1, B.outerIndexPtr()) &&
+    std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr()) &&
+    std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), B.valuePtr());
+}
+
+template <class Scalar>
+class TestSparseKernels : public ::testing::Test
+{
+};
+using Scalars = ::testing::Types<double, Complex>;
+TYPED_TEST_SUITE(TestSparseKernels, Scalars);
+
+}
+
+TYPED_TEST(TestSparseKernels, MultiplyIsTheProductOfEigen)
+{
+  const auto A = RandomMatrix<TypeParam>(500, 300, 2601);
+  const auto x = RandomVector<TypeParam>(300, 2602);
+  Vector<TypeParam> y;
+  Multiply(A, x, y, SerialContext());
+  const Vector<TypeParam> expected = A * x;
+  EXPECT_LE((y - expected).template lpNorm<Eigen::Infinity>(), 10 * Epsilon * A.norm());
+}
+
+TYPED_TEST(TestSparseKernels, AdjointIsThatOfEigen)
+{
+  for (const int rows : { 40, 9000 }) // the larger is worked on in bands
+  {
+    const auto A = RandomMatrix<TypeParam>(rows, 700, 2603);
+    const SparseMatrix<TypeParam> expected = A.adjoint();
+    EXPECT_TRUE(AreIdentical(Adjoint(A, test::TbbContext(3)), expected));
+  }
+}
+
+TYPED_TEST(TestSparseKernels, PermutedMovesRowsAndColumns)
+{
+  const auto A = RandomMatrix<TypeParam>(50, 40, 2604);
+  std::vector<int> rowOrder(50);
+  for (int k = 0; k < 50; ++k)
+  {
+    rowOrder[k] = (7 * k + 3) % 50;
+  }
+  std::vector<int> columnPlaces(40);
+  for (int j = 0; j < 40; ++j)
+  {
+    columnPlaces[j] = (11 * j + 5) % 40;
+  }
+  const auto B = Permuted(A, rowOrder, columnPlaces, SerialContext());
+  ASSERT_EQ(A.nonZeros(), B.nonZeros());
+  for (int k = 0; k < 50; ++k)
+  {
+    for (int j = 0; j < 40; ++j)
+    {
+      EXPECT_EQ(B.coeff(k, columnPlaces[j]), A.coeff(rowOrder[k], j));
+    }
+  }
+}
+
+TYPED_TEST(TestSparseKernels, TripleProductIsTheProductOfEigen)
+{
+  const auto R = RandomMatrix<TypeParam>(1300, 2000, 2605); // three bands
+  const auto A = RandomMatrix<TypeParam>(2000, 1500, 2606);
+  const auto P = RandomMatrix<TypeParam>(1500, 900, 2607);
+  const auto C = TripleProduct(R, A, P, SerialContext());
+
+  const SparseMatrix<TypeParam> AP = A * P;
+  const SparseMatrix<TypeParam> expected = R * AP;
+  EXPECT_EQ(C.nonZeros(), expected.nonZeros());
+  EXPECT_LE((C - expected).norm(), 10 * Epsilon * R.norm() * AP.norm());
+  for (int i = 0; i < C.rows(); ++i)
+  {
+    for (int k = C.outerIndexPtr()[i] + 1; k < C.outerIndexPtr()[i + 1]; ++k)
+    {
+      ASSERT_LT(C.innerIndexPtr()[k - 1], C.innerIndexPtr()[k]) << "columns of row " << i;
+    }
+  }
+}
+
+TYPED_TEST(TestSparseKernels, SumsAreThoseOfLongDouble)
+{
+  const auto x = RandomVector<TypeParam>(10000, 2608);
+  const auto y = RandomVector<TypeParam>(10000, 2609);
+  std::complex<long double> dot = 0;
+  long double squaredNorm = 0;
+  for (int i = 0; i < 10000; ++i)
+  {
+    const std::complex<long double> a(x[i]);
+    dot += std::conj(a) * std::complex<long double>(y[i]);
+    squaredNorm += std::norm(a);
+  }
+  const double scale = 10000 * Epsilon * x.norm() * y.norm();
+  EXPECT_LE(std::abs(Complex(dot) - Complex(Dot(x, y, SerialContext()))), scale);
+  EXPECT_NEAR(
+    static_cast<double>(squaredNorm), SquaredNorm(x, SerialContext()), 10000 * Epsilon * x.squaredNorm());
+}
+
+TYPED_TEST(TestSparseKernels, SameBitsForAnyNumberOfThreads)
+{
+  const auto A = RandomMatrix<TypeParam>(30000, 30000, 2610);
+  const auto P = RandomMatrix<TypeParam>(30000, 6000, 2611);
+  const auto x = RandomVector<TypeParam>(30000, 2612);
+  const SerialContext serial;
+  const SparseMatrix<TypeParam> R = Adjoint(P, serial);
+  const SparseMatrix<TypeParam> C = TripleProduct(R, A, P, serial);
+  Vector<TypeParam> y;
+  Multiply(A, x, y, serial);
+  for (const int threads : { 1, 2, 3, 8 })
+  {
+    SCOPED_TRACE(threads);
+    const test::TbbContext context(threads);
+    EXPECT_TRUE(AreIdentical(R, Adjoint(P, context)));
+    EXPECT_TRUE(AreIdentical(C, TripleProduct(R, A, P, context)));
+    Vector<TypeParam> z;
+    Multiply(A, x, z, context);
+    EXPECT_EQ(y, z);
+    EXPECT_EQ(Dot(x, y, serial), Dot(x, y, context));
+    EXPECT_EQ(SquaredNorm(x, serial), SquaredNorm(x, context));
+  }
+}
+
+TEST(TestOffsets, CountsThatDoNotFitAreRefused)
+{
+  std::vector<int> counts = { 0, 2, 0, 3 };
+  EXPECT_EQ(OffsetsFromCounts(counts), 5);
+  EXPECT_EQ(counts, (std::vector<int>{ 0, 2, 2, 5 }));
+  counts = { 0, std::numeric_limits<int>::max(), 1 };
+  EXPECT_THROW(OffsetsFromCounts(counts), InvalidInput);
+}

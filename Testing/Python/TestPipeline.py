@@ -1,0 +1,134 @@
+"""Both filters from plain Python: wrapping, arrays as numpy arrays, and fields for every N."""
+
+import unittest
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkDataObject
+
+from directionalmultigrid.vtkFiltersDirectionalFields import (
+    vtkDirectionalProlongation, vtkHarmonicFieldSolver)
+from surfaces import add, prescribe, torus, values
+
+CELLS = vtkDataObject.FIELD_ASSOCIATION_CELLS
+
+
+def example():
+    """A torus of 4800 faces with three prescribed directions."""
+    return prescribe(torus(60, 40), {7: (1, 2, 3), 2000: (-1, 0, 1), 4000: (0, 1, 0)})
+
+
+class Pipeline(unittest.TestCase):
+    def setUp(self):
+        self.prolongation = vtkDirectionalProlongation()
+        self.prolongation.SetInputData(example())
+        self.solver = vtkHarmonicFieldSolver()
+        self.solver.SetInputConnection(self.prolongation.GetOutputPort())
+        self.solver.SetInputArrayToProcess(1, 0, 0, CELLS, "Given")
+
+    def cells(self, name):
+        return values(self.solver.GetOutput().GetCellData(), name)
+
+    def points(self, name):
+        return values(self.solver.GetOutput().GetPointData(), name)
+
+    def report(self, name):
+        return values(self.solver.GetOutput().GetFieldData(), name)
+
+    def test_enums_and_defaults(self):
+        self.assertEqual(self.solver.GetSolver(), vtkHarmonicFieldSolver.Automatic)
+        self.assertEqual(self.solver.GetConstraintType(), vtkHarmonicFieldSolver.Soft)
+        self.assertEqual(self.solver.GetCoarseSpace(), vtkHarmonicFieldSolver.Nodal)
+        self.assertEqual(self.prolongation.GetCollapsePolicy(),
+                         vtkDirectionalProlongation.IndependentRounds)
+        self.solver.SetNumberOfDirections(99)  # clamped
+        self.assertEqual(self.solver.GetNumberOfDirections(), 8)
+        text = str(self.solver)
+        for name in ("NumberOfDirections: 8", "Solver: Automatic", "Tolerance: 1e-08"):
+            self.assertIn(name, text)
+
+    def test_cholesky_and_conjugate_gradients_agree_for_every_N(self):
+        self.solver.SetTolerance(1e-11)
+        for N in range(1, 9):
+            with self.subTest(N=N):
+                self.solver.SetNumberOfDirections(N)
+                self.solver.SetSolver(vtkHarmonicFieldSolver.Cholesky)
+                self.solver.Update()
+                exact = self.cells("PowerField").copy()
+                self.solver.SetSolver(vtkHarmonicFieldSolver.ConjugateGradients)
+                self.solver.Update()
+                self.assertEqual(self.report("Converged")[0], 1)
+                difference = np.abs(self.cells("PowerField") - exact).max()
+                self.assertLess(difference, 1e-8 * np.abs(exact).max())
+
+    def test_directions_are_roots_of_one_power(self):
+        """N unit vectors per element that add up to nothing for N > 1, in the tangent plane."""
+        for N in range(1, 9):
+            with self.subTest(N=N):
+                self.solver.SetNumberOfDirections(N)
+                self.solver.Update()
+                for array in (self.cells, self.points):
+                    directions = np.stack([array(f"Direction{k}") for k in range(N)])
+                    np.testing.assert_allclose(np.linalg.norm(directions, axis=2), 1, rtol=1e-12)
+                    if N > 1:
+                        np.testing.assert_allclose(directions.sum(axis=0), 0, atol=1e-12)
+                    with self.assertRaises(KeyError):
+                        array(f"Direction{N}")
+
+    def test_magnitudes_are_those_of_the_powers(self):
+        self.solver.UnitLengthOff()
+        self.solver.Update()
+        for array in (self.cells, self.points):
+            power = np.linalg.norm(array("PowerField"), axis=1)
+            for k in range(4):
+                length = np.linalg.norm(array(f"Direction{k}"), axis=1)
+                np.testing.assert_allclose(length, power, rtol=1e-12, atol=1e-14)
+
+    def test_indices_sum_to_zero_on_a_torus(self):
+        self.solver.Update()
+        self.assertAlmostEqual(self.points("SingularityIndex").sum(), 0, places=9)
+
+    def test_convergence_table(self):
+        self.solver.SetSolver(vtkHarmonicFieldSolver.ConjugateGradients)
+        self.solver.Update()
+        rows = self.solver.GetOutputDataObject(2).GetRowData()
+        iterations = values(rows, "Iteration")
+        residuals = values(rows, "RelativeResidual")
+        np.testing.assert_array_equal(iterations, np.arange(len(iterations)))
+        self.assertAlmostEqual(residuals[0], 1)
+        self.assertLessEqual(residuals[-1], self.solver.GetTolerance())
+        self.assertTrue(np.all(np.diff(values(rows, "Seconds")) >= 0))
+        self.assertGreaterEqual(len(self.report("LevelUnknowns")), 2)
+
+    def test_values_changed_in_place_are_noticed(self):
+        """numpy writes into the array; Modified() on it is all that VTK needs."""
+        surface = example()
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputData(surface)
+        solver.SetInputArrayToProcess(1, 0, 0, CELLS, "Given")
+        solver.Update()
+        array = surface.GetCellData().GetArray("Given")
+        values(surface.GetCellData(), "Given")[7] = (3, 2, 1)
+        array.Modified()
+        surface.Modified()
+        solver.Update()
+        self.assertEqual(
+            (solver.GetNumberOfSetups(), solver.GetNumberOfSystems(), solver.GetNumberOfSolves()),
+            (1, 1, 2))
+
+    def test_mask_and_weights(self):
+        surface = example()
+        mask = np.zeros(surface.GetNumberOfCells())
+        mask[2000] = 1
+        add(surface.GetCellData(), "Mask", mask)
+        add(surface.GetCellData(), "Weights", 3 * mask)
+        self.prolongation.SetInputData(surface)
+        self.solver.SetInputArrayToProcess(0, 0, 0, CELLS, "Mask")
+        self.solver.SetInputArrayToProcess(2, 0, 0, CELLS, "Weights")
+        self.solver.Update()
+        prescribed = self.cells("Prescribed")
+        self.assertEqual(np.flatnonzero(prescribed).tolist(), [2000])
+        self.assertEqual(prescribed[2000], 3)
+
+
+if __name__ == "__main__":
+    unittest.main()

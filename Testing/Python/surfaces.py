@@ -1,0 +1,58 @@
+"""Surfaces with prescribed directions, for the tests of this folder."""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
+
+
+def surface(points, triangles):
+    """vtkPolyData of #V x 3 points and #F x 3 triangles."""
+    data = vtkPolyData()
+    data.SetPoints(vtkPoints())
+    data.GetPoints().SetData(numpy_to_vtk(np.asarray(points, float), deep=True))
+    cells = vtkCellArray()
+    for triangle in triangles:
+        cells.InsertNextCell(3, [int(i) for i in triangle])
+    data.SetPolys(cells)
+    return data
+
+
+def torus(around, across, major=1.0, minor=0.4):
+    """A torus around the z-axis, 2 around across faces."""
+    u, v = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
+    u, v = u.ravel(), v.ravel()
+    a, b = 2 * np.pi * u / around, 2 * np.pi * v / across
+    radius = major + minor * np.cos(b)
+    points = np.stack([radius * np.cos(a), radius * np.sin(a), minor * np.sin(b)], axis=1)
+
+    def index(i, j):
+        return (i % around) * across + j % across
+
+    p, q, r, s = index(u, v), index(u + 1, v), index(u + 1, v + 1), index(u, v + 1)
+    return surface(points, np.concatenate([np.stack([p, q, r], 1), np.stack([p, r, s], 1)]))
+
+
+def add(attributes, name, values):
+    """Adds a copy of an array to cell, point or field data."""
+    array = numpy_to_vtk(np.asarray(values, float), deep=True)
+    array.SetName(name)
+    attributes.AddArray(array)
+    return array
+
+
+def prescribe(data, directions, name="Given"):
+    """Adds a cell array of vectors that is zero but for {cell: direction}."""
+    vectors = np.zeros((data.GetNumberOfCells(), 3))
+    for cell, direction in directions.items():
+        vectors[cell] = direction
+    add(data.GetCellData(), name, vectors)
+    return data
+
+
+def values(attributes, name):
+    """An array as numpy array; a KeyError where there is none."""
+    array = attributes.GetArray(name)
+    if array is None:
+        raise KeyError(name)
+    return vtk_to_numpy(array)
