@@ -1,0 +1,92 @@
+// Set-up: all levels and the operators between them, tracked, from surfaces in PLY files.
+//
+//   BenchmarkSetup [--runs n] [--threads n] [--grow] surface.ply ...
+//
+// With --grow, each surface is also cut 1:4 until it has a million faces: growth with size.
+
+#include "Benchmarks/Timing.h"
+#include "HarmonicField.h"
+#include "Support/ReadPly.h"
+#include "Support/TbbContext.h"
+
+#include <cstdlib>
+#include <cstring>
+
+using namespace dmg;
+
+namespace
+{
+
+void Measure(const std::string& name, const TriangleMesh& mesh, int runs,
+  const ExecutionContext& context)
+{
+  std::vector<double> seconds;
+  SurfaceHierarchy hierarchy;
+  for (int run = 0; run < runs; ++run)
+  {
+    seconds.push_back(benchmarks::Seconds([&] {
+      hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context);
+    }));
+  }
+  const std::vector<int>& faces = hierarchy.Operators.NumbersOfFaces;
+  const int collapses = (faces.front() - faces.back()) / 2;
+  const double median = benchmarks::Median(seconds);
+  std::printf("%-28s %8d %8.3f %8.3f %10.2f  ", name.c_str(), faces.front(), median,
+    *std::min_element(seconds.begin(), seconds.end()), 1e6 * median / std::max(collapses, 1));
+  for (std::size_t l = 1; l < faces.size(); ++l)
+  {
+    std::printf(" %d", faces[l]);
+  }
+  std::printf("\n");
+  std::fflush(stdout);
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  int runs = 5;
+  int threads = 2;
+  bool grow = false;
+  std::vector<std::string> paths;
+  for (int i = 1; i < argc; ++i)
+  {
+    if (!std::strcmp(argv[i], "--runs") && i + 1 < argc)
+    {
+      runs = std::atoi(argv[++i]);
+    }
+    else if (!std::strcmp(argv[i], "--threads") && i + 1 < argc)
+    {
+      threads = std::atoi(argv[++i]);
+    }
+    else if (!std::strcmp(argv[i], "--grow"))
+    {
+      grow = true;
+    }
+    else
+    {
+      paths.push_back(argv[i]);
+    }
+  }
+  if (paths.empty() || runs < 1 || threads < 1)
+  {
+    std::fprintf(
+      stderr, "usage: BenchmarkSetup [--runs n] [--threads n] [--grow] surface.ply ...\n");
+    return 2;
+  }
+  const test::TbbContext context(threads);
+  benchmarks::PrintMachine(threads, runs);
+  std::printf("%-28s %8s %8s %8s %10s   %s\n", "surface", "faces", "s", "s, best", "us/collapse",
+    "faces of the coarse levels");
+  for (const std::string& path : paths)
+  {
+    test::Surface surface = test::ReadPly(path);
+    Measure(benchmarks::BaseName(path), surface.Mesh(), runs, context);
+    while (grow && surface.F.rows() < 1000000)
+    {
+      surface = test::Subdivide(surface);
+      Measure(benchmarks::BaseName(path) + ", cut 1:4", surface.Mesh(), runs, context);
+    }
+  }
+  return 0;
+}

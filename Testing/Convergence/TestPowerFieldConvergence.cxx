@@ -1,0 +1,68 @@
+// Conjugate gradients with a nodal V-cycle take a number of iterations that does not grow with the
+// surface: generated families, each cut 1:4 several times.
+
+#include "HarmonicField.h"
+#include "Support/MeshFactory.h"
+#include "Support/Random.h"
+#include "Support/TbbContext.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+int Iterations(const Surface& surface, int N, int prescribedFaces)
+{
+  const TbbContext context(2);
+  const TriangleMesh mesh = surface.Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context);
+  PrescribedFaces prescribed;
+  Random random(53);
+  for (int b = 0; b < prescribedFaces; ++b)
+  {
+    prescribed.Faces.push_back(static_cast<int>((b + 0.5) * mesh.NumberOfFaces() / prescribedFaces));
+    prescribed.Weights.push_back(1.0);
+  }
+  PowerFieldOptions options;
+  options.N = N;
+  options.Solver = SolverKind::ConjugateGradients;
+  PowerFieldProblem problem(mesh, frames, &hierarchy.Operators, prescribed, options, context);
+  problem.Solve(random.Numbers(prescribedFaces), {}, StoppingCriteria(), context);
+  EXPECT_TRUE(problem.Report().Converged);
+  return static_cast<int>(problem.Report().Iterations.size()) - 1;
+}
+
+}
+
+TEST(PowerFieldConvergence, DoesNotDependOnSize)
+{
+  for (int N : { 1, 2, 4, 6 })
+  {
+    for (int prescribed : { 1, 20 })
+    {
+      SCOPED_TRACE(N);
+      SCOPED_TRACE(prescribed);
+      const int small = Iterations(IrregularSphere(5, 3), N, prescribed);  // 20,480 faces
+      const int large = Iterations(IrregularSphere(6, 3), N, prescribed);  // 81,920 faces
+      EXPECT_LE(small, 12);
+      EXPECT_LE(large, 12);
+      EXPECT_LE(large, small + 2);
+    }
+  }
+}
+
+TEST(PowerFieldConvergence, DoesNotDependOnGenus)
+{
+  for (int N : { 1, 2, 4, 6 })
+  {
+    SCOPED_TRACE(N);
+    EXPECT_LE(Iterations(IrregularTorus(200, 80, 4), N, 20), 12); // 32,000 faces
+    EXPECT_LE(Iterations(DoubleTorus(16), N, 20), 12);
+  }
+}

@@ -1,0 +1,325 @@
+#include "HarmonicField.h"
+
+#include "Operators/PowerFieldOperators.h"
+#include "Support/Errors.h"
+#include "Support/Identities.h"
+#include "Support/MeshFactory.h"
+#include "Support/Random.h"
+#include "Support/TbbContext.h"
+#include "Systems/PowerFieldSystem.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+HierarchyOptions Deep()
+{
+  HierarchyOptions options;
+  options.MinimumNumberOfFaces = 100;
+  return options;
+}
+
+/// A mesh with everything that a problem needs.
+struct Prepared
+{
+  explicit Prepared(const Surface& surface)
+    : Mesh(surface.Mesh())
+    , Frames(FaceFrames(this->Mesh))
+    , Operators(BuildSurfaceHierarchy(this->Mesh, Deep(), SerialContext()).Operators)
+  {
+  }
+  TriangleMesh Mesh;
+  TangentFrames Frames;
+  ProlongationOperators Operators;
+};
+
+PrescribedFaces Every(int step, int faces)
+{
+  PrescribedFaces prescribed;
+  for (int f = 0; f < faces; f += step)
+  {
+    prescribed.Faces.push_back(f);
+    prescribed.Weights.push_back(1.0);
+  }
+  return prescribed;
+}
+
+StoppingCriteria Tight()
+{
+  StoppingCriteria stop;
+  stop.RelativeTolerance = 1e-12;
+  stop.MaximumIterations = 300;
+  return stop;
+}
+
+Vector<Complex> Solve(const Prepared& on, const PrescribedFaces& prescribed,
+  const Vector<Complex>& values, const PowerFieldOptions& options,
+  const ExecutionContext& context = SerialContext())
+{
+  PowerFieldProblem problem(on.Mesh, on.Frames, &on.Operators, prescribed, options, context);
+  const Vector<Complex> field = problem.Solve(values, {}, Tight(), context);
+  EXPECT_TRUE(problem.Report().Converged);
+  return field;
+}
+
+}
+
+TEST(PowerFieldProblem, SolversAgree)
+{
+  for (const Surface& surface : { IrregularSphere(4, 3), IrregularTorus(48, 20, 4),
+         DoubleTorus(4), IrregularPlane(30, 24, 5) })
+  {
+    const Prepared on(surface);
+    const PrescribedFaces prescribed = Every(97, on.Mesh.NumberOfFaces());
+    Random random(71);
+    const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+    for (int N : { 1, 2, 4, 6 })
+    {
+      for (ConstraintKind constraints : { ConstraintKind::Soft, ConstraintKind::Hard })
+      {
+        PowerFieldOptions options;
+        options.N = N;
+        options.Constraints = constraints;
+        options.Solver = SolverKind::Cholesky;
+        const Vector<Complex> direct = Solve(on, prescribed, values, options);
+        for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
+        {
+          for (CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::FacePowers })
+          {
+            options.Solver = solver;
+            options.CoarseSpace = space;
+            EXPECT_LT(
+              RelativeDifference(Solve(on, prescribed, values, options), direct), 1e-8);
+          }
+        }
+      }
+    }
+  }
+}
+
+// A constant field has no energy on a flat patch, so one prescribed direction spreads over all of it.
+TEST(PowerFieldProblem, OneDirectionFillsAFlatPatch)
+{
+  const Prepared on(IrregularPlane(40, 30, 9));
+  const Vector3 direction(0.28, 0.96, 0.0);
+  for (int N = 1; N <= 8; ++N)
+  {
+    const PowerConstraints constraints =
+      MakePowerConstraints(on.Mesh, on.Frames, N, { { 1234, direction, 1.0 } });
+    for (SolverKind solver : { SolverKind::Cholesky, SolverKind::ConjugateGradients })
+    {
+      PowerFieldOptions options;
+      options.N = N;
+      options.Solver = solver;
+      const Vector<Complex> field = Solve(on, constraints.Prescribed, constraints.Values, options);
+      EXPECT_LT(RelativeDifference(field, PowersOfDirection(on.Frames, direction, N)), 1e-8);
+    }
+  }
+}
+
+// The same without a plane: a torus whose angles sum to 2 pi at every vertex and whose holonomy is
+// trivial carries a field without energy, and without singularities, of any N.
+TEST(PowerFieldProblem, AFlatTorusCarriesAParallelField)
+{
+  const Prepared on(FlatTorus(12, 3));
+  for (int N : { 1, 2, 4 })
+  {
+    PrescribedFaces prescribed;
+    prescribed.Faces = { 17 };
+    prescribed.Weights = { 1.0 };
+    Vector<Complex> values(1);
+    values[0] = Complex(0.6, 0.8);
+    PowerFieldOptions options;
+    options.N = N;
+    const Vector<Complex> field = Solve(on, prescribed, values, options);
+    EXPECT_LT((field.cwiseAbs().array() - 1.0).abs().maxCoeff(), 1e-7);
+    const SparseMatrix<Complex> L = PowerLaplacian(on.Mesh, on.Frames, N);
+    EXPECT_LT(std::real(field.dot(L * field)), 1e-9);
+    EXPECT_EQ(SingularityIndices(on.Mesh, on.Frames, field, N).cwiseAbs().maxCoeff(), 0.0);
+  }
+}
+
+TEST(PowerFieldProblem, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
+{
+  for (const Surface& surface :
+    { IrregularSphere(4, 3), IrregularTorus(48, 20, 4), DoubleTorus(4) })
+  {
+    const Prepared on(surface);
+    const PrescribedFaces prescribed = Every(211, on.Mesh.NumberOfFaces());
+    Random random(29);
+    const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+    for (int N = 1; N <= 8; ++N)
+    {
+      PowerFieldOptions options;
+      options.N = N;
+      options.Solver = SolverKind::ConjugateGradients;
+      const Vector<Complex> field = Solve(on, prescribed, values, options);
+      EXPECT_NEAR(SingularityIndices(on.Mesh, on.Frames, field, N).sum(),
+        on.Mesh.EulerCharacteristic(), 1e-9);
+    }
+  }
+}
+
+TEST(PowerFieldProblem, HardConstraintsHoldExactly)
+{
+  const Prepared on(IrregularSphere(4, 3));
+  const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
+  Random random(31);
+  const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+  PowerFieldOptions options;
+  options.Constraints = ConstraintKind::Hard;
+  options.Solver = SolverKind::ConjugateGradients;
+  const Vector<Complex> field = Solve(on, prescribed, values, options);
+  for (std::size_t b = 0; b < prescribed.Faces.size(); ++b)
+  {
+    EXPECT_EQ(field[prescribed.Faces[b]], values[b]);
+  }
+}
+
+// The field is that of the surface: numbering, position in space and size do not matter. Directions,
+// not powers, are compared, since frames follow the numbering.
+TEST(PowerFieldProblem, DoesNotDependOnNumberingPlaceOrSize)
+{
+  const Surface surface = IrregularTorus(40, 16, 4);
+  const TriangleMesh mesh = surface.Mesh();
+  const int N = 4;
+  std::vector<PrescribedDirection> directions;
+  for (int f = 5; f < mesh.NumberOfFaces(); f += 131)
+  {
+    directions.push_back({ f, mesh.Position(mesh.Head(3 * f)) - mesh.Position(mesh.Tail(3 * f)), 1.0 });
+    directions.back().Direction.normalize();
+  }
+  const auto powersInSpace = [&](const Surface& on, const std::vector<PrescribedDirection>& where) {
+    const Prepared prepared(on);
+    const PowerConstraints constraints =
+      MakePowerConstraints(prepared.Mesh, prepared.Frames, N, where);
+    PowerFieldOptions options;
+    options.N = N;
+    options.Solver = SolverKind::ConjugateGradients;
+    const Vector<Complex> field =
+      Solve(prepared, constraints.Prescribed, constraints.Values, options);
+    // A power in space: against the power of the face's own first side, whose number is the same.
+    return std::pair(field, prepared);
+  };
+  const auto [expected, original] = powersInSpace(surface, directions);
+
+  Eigen::Matrix3d rotation;
+  const Surface moved = RotatedAndScaled(surface, 0.7, 250.0, &rotation);
+  std::vector<PrescribedDirection> movedDirections = directions;
+  for (PrescribedDirection& direction : movedDirections)
+  {
+    direction.Direction = rotation * direction.Direction;
+  }
+  // First sides move along, so coordinates stay.
+  EXPECT_LT(RelativeDifference(powersInSpace(moved, movedDirections).first, expected), 1e-8);
+
+  const Relabelled relabelled = Relabel(surface, 77);
+  std::vector<PrescribedDirection> relabelledDirections = directions;
+  for (PrescribedDirection& direction : relabelledDirections)
+  {
+    direction.Face = relabelled.NewFaces[direction.Face];
+  }
+  const auto [field, other] = powersInSpace(relabelled.Result, relabelledDirections);
+  double worst = 0.0;
+  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    const int g = relabelled.NewFaces[f];
+    const Complex turn =
+      other.Frames.ToComplex(g, original.Frames.X.row(f).transpose()); // X of f in the frame of g
+    worst = std::max(worst, std::abs(expected[f] * std::pow(turn, N) - field[g]));
+  }
+  EXPECT_LT(worst / expected.cwiseAbs().maxCoeff(), 1e-8);
+}
+
+TEST(PowerFieldProblem, HasTheSameBitsForAnyNumberOfThreads)
+{
+  const Prepared on(IrregularTorus(96, 48, 21));
+  const PrescribedFaces prescribed = Every(97, on.Mesh.NumberOfFaces());
+  Random random(13);
+  const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+  PowerFieldOptions options;
+  options.Solver = SolverKind::ConjugateGradients;
+  const Vector<Complex> expected = Solve(on, prescribed, values, options);
+  for (int threads : { 2, 3, 8 })
+  {
+    EXPECT_TRUE(Solve(on, prescribed, values, options, TbbContext(threads)) == expected);
+  }
+}
+
+TEST(PowerFieldProblem, SolvesAgainFromItsSolution)
+{
+  const Prepared on(IrregularSphere(4, 3));
+  const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
+  Random random(37);
+  Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+  PowerFieldOptions options;
+  options.Solver = SolverKind::ConjugateGradients;
+  PowerFieldProblem problem(
+    on.Mesh, on.Frames, &on.Operators, prescribed, options, SerialContext());
+  const Vector<Complex> field = problem.Solve(values, {}, StoppingCriteria(), SerialContext());
+  const std::size_t cold = problem.Report().Iterations.size();
+  problem.Solve(values, field, StoppingCriteria(), SerialContext());
+  EXPECT_LE(problem.Report().Iterations.size(), 2u);
+  values[0] *= std::polar(1.0, 0.01);
+  problem.Solve(values, field, StoppingCriteria(), SerialContext());
+  EXPECT_LT(problem.Report().Iterations.size(), cold);
+}
+
+TEST(PowerFieldProblem, SurvivesDegenerateSurfaces)
+{
+  for (const Surface& surface : { SphereWithZeroAreaFaces(3, 12), Needle(3, 200.0),
+         Union(Icosphere(2), Torus(24, 10), Vector3(4.0, 0.0, 0.0)) })
+  {
+    const Prepared on(surface);
+    PrescribedFaces prescribed;
+    prescribed.Faces = { 7 };
+    prescribed.Weights = { 1.0 };
+    Vector<Complex> values(1);
+    values[0] = 1.0;
+    PowerFieldOptions options;
+    options.Solver = SolverKind::ConjugateGradients;
+    PowerFieldProblem problem(
+      on.Mesh, on.Frames, &on.Operators, prescribed, options, SerialContext());
+    const Vector<Complex> field = problem.Solve(values, {}, StoppingCriteria(), SerialContext());
+    EXPECT_TRUE(field.allFinite());
+    EXPECT_TRUE(problem.Report().Converged);
+  }
+}
+
+TEST(PowerFieldProblem, ChoosesASolverAndSaysWhy)
+{
+  const Prepared small(IrregularSphere(3, 3));
+  const PrescribedFaces prescribed = Every(300, small.Mesh.NumberOfFaces());
+  const PowerFieldOptions options;
+  const PowerFieldProblem direct(
+    small.Mesh, small.Frames, &small.Operators, prescribed, options, SerialContext());
+  EXPECT_NE(direct.Report().Solver.find("Cholesky, chosen for 1280 unknowns"), std::string::npos);
+  const PowerFieldProblem without(
+    small.Mesh, small.Frames, nullptr, prescribed, options, SerialContext());
+  EXPECT_NE(without.Report().Solver.find("no coarse levels"), std::string::npos);
+
+  const Prepared large(Icosphere(6));
+  const PowerFieldProblem iterative(large.Mesh, large.Frames, &large.Operators,
+    Every(300, large.Mesh.NumberOfFaces()), options, SerialContext());
+  EXPECT_NE(iterative.Report().Solver.find("conjugate gradients"), std::string::npos);
+  EXPECT_GE(iterative.Report().Levels.size(), 3u);
+  EXPECT_LT(iterative.Report().OperatorComplexity(), 2.5);
+}
+
+TEST(PowerFieldProblem, RefusesWhatItCannotSolve)
+{
+  const Prepared on(Icosphere(2));
+  PowerFieldOptions options;
+  EXPECT_THROW(PowerFieldProblem(on.Mesh, on.Frames, nullptr, {}, options, SerialContext()),
+    InvalidInput);
+  options.Solver = SolverKind::ConjugateGradients;
+  EXPECT_THROW(PowerFieldProblem(on.Mesh, on.Frames, nullptr, Every(10, 320), options,
+                 SerialContext()),
+    InvalidInput);
+}
