@@ -201,7 +201,7 @@ public:
   ///@{
   /**
    * Gauss-Seidel sweeps before and after the coarse correction of each coarse level; the surface itself gets
-   * five times as many. Default 1, range 1 to 10.
+   * three times as many. Default 2, range 1 to 10.
    */
   vtkSetClampMacro(Sweeps, int, 1, 10);
   vtkGetMacro(Sweeps, int);
@@ -280,7 +280,7 @@ private:
   double Alignment = 1.0;
   int Solver = Automatic;
   int CoarseSpace = Nodal;
-  int Sweeps = 1;
+  int Sweeps = 2;
   double Tolerance = 1e-8;
   int MaximumNumberOfIterations = 100;
   bool UnitLength = true;

@@ -27,7 +27,7 @@ constexpr int LargestSystemForCholesky = 20000;
 
 // The couplings between faces are far from those of a linear function where triangles are uneven; the
 // coarse levels, nodal by nature, are not. All that sweeps gain, they gain on the finest level.
-constexpr int FinestSweepsFactor = 5;
+constexpr int FinestSweepsFactor = 3;
 
 double SecondsSince(std::chrono::steady_clock::time_point start)
 {

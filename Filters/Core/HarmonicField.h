@@ -70,8 +70,8 @@ struct PowerFieldOptions
   SolverKind Solver = SolverKind::Automatic;
   CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
   /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1. The finest
-  /// level gets five times as many.
-  int Sweeps = 1;
+  /// level gets three times as many.
+  int Sweeps = 2;
 };
 
 /// The smoothest N-direction field that follows prescribed directions, on one mesh, for one set of

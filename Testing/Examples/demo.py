@@ -199,7 +199,6 @@ def show(data, view, colour, **properties):
     display.AmbientColor = display.DiffuseColor = colour
     for name, value in properties.items():
         setattr(display, name, value)
-    return display
 
 
 def tubes(points, lines, radius):
@@ -208,9 +207,12 @@ def tubes(points, lines, radius):
 
 
 def balls(points, radius):
-    return simple.Glyph(Input=source(poly_data(points)), GlyphType="Sphere", GlyphMode="All Points",
-                        ScaleArray=["POINTS", "No scale array"], ScaleFactor=2 * radius,
-                        OrientationArray=["POINTS", "No orientation array"])
+    glyphs = simple.Glyph(Input=source(poly_data(points)), GlyphType="Sphere",
+                          GlyphMode="All Points", ScaleFactor=2 * radius,
+                          ScaleArray=["POINTS", "No scale array"],
+                          OrientationArray=["POINTS", "No orientation array"])
+    glyphs.GlyphType.ThetaResolution = glyphs.GlyphType.PhiResolution = 24
+    return glyphs
 
 
 def draw(field, strokes, size, image):
@@ -220,21 +222,19 @@ def draw(field, strokes, size, image):
     lines = evenly_spaced_lines(points, triangles, directions, 0.016 * size)
     say(f"{len(lines)} lines along the crosses")
 
-    view = simple.CreateRenderView(ViewSize=[1600, 1400])
+    view = simple.CreateRenderView(ViewSize=[1200, 1050])
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
-    view.BackgroundColorMode = "Gradient"
-    view.Background = [0.93, 0.94, 0.96]
-    view.Background2 = [1.0, 1.0, 1.0]
+    view.Background = [1.0, 1.0, 1.0]
 
     smooth = simple.GenerateSurfaceNormals(Input=source(field), FeatureAngle=60)
-    show(smooth, view, [0.96, 0.93, 0.87], Specular=0.15, SpecularPower=30)
+    show(smooth, view, [1.0, 0.97, 0.92], Ambient=0.12, Specular=0.1, SpecularPower=30)
 
     offset = 0.0006 * size
     parts = [np.array(p) + offset * np.array(n) for p, n in lines]
     ends = np.cumsum([len(part) for part in parts])
     indices = [np.arange(end - len(part), end) for part, end in zip(parts, ends)]
-    show(tubes(np.concatenate(parts), indices, 0.0011 * size), view, [0.13, 0.27, 0.42])
+    show(tubes(np.concatenate(parts), indices, 0.0009 * size), view, [0.16, 0.33, 0.52])
 
     segments, sides = strokes
     pairs = np.arange(len(segments)).reshape(-1, 2)
@@ -253,7 +253,7 @@ def draw(field, strokes, size, image):
     view.CameraPosition = centre + 2 * size * np.array([0.35, 0.3, 1.0])
     view.CameraViewUp = [0, 1, 0]
     simple.ResetCamera(view)
-    simple.GetActiveCamera().Dolly(1.35)
+    simple.GetActiveCamera().Dolly(1.5)
     simple.SaveScreenshot(image, view, ImageResolution=[2400, 2100])
 
 
