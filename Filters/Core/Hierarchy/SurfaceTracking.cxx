@@ -456,13 +456,13 @@ void SurfaceTracking::DrawChains(
         const int left = turns(from.LastSector, to.FirstSector);  // counter-clockwise
         const int right = turns(to.LastSector, from.FirstSector); // clockwise
         const double turn = Cross(from.Place - hub, to.Place - hub);
-        const double scale = std::abs(from.Place - hub) * std::abs(to.Place - hub);
+        const double squaredScale = std::norm(from.Place - hub) * std::norm(to.Place - hub);
         bool counterClockwise = turn > 0.0;
         if (!closed)
         {
           counterClockwise = to.FirstSector > from.LastSector;
         }
-        else if (std::abs(turn) <= 1e-12 * scale)
+        else if (turn * turn <= 1e-24 * squaredScale)
         {
           counterClockwise = left <= right; // the line passes the hub: the sign is rounding
         }

@@ -77,7 +77,7 @@ void Turn(Row& row, const Row& turns)
     const int wanted = column;
     const auto found = std::find_if(
       turns.begin(), turns.end(), [wanted](const auto& t) { return t.first == wanted; });
-    const double length = found == turns.end() ? 0.0 : std::abs(found->second);
+    const double length = found == turns.end() ? 0.0 : std::sqrt(std::norm(found->second));
     if (length > 0.0) // else the turns contradict each other, and any will do
     {
       entry *= found->second / length;

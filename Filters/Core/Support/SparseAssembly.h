@@ -87,9 +87,13 @@ SparseRows<Entry> AssembleRows(int rows, const ExecutionContext& context, Append
 template <class Scalar>
 SparseMatrix<Scalar> ToMatrix(const SparseRows<Scalar>& rows, int columns)
 {
-  return Eigen::Map<const SparseMatrix<Scalar>>(static_cast<int>(rows.Offsets.size()) - 1, columns,
-    static_cast<int>(rows.Indices.size()), rows.Offsets.data(), rows.Indices.data(),
-    rows.Entries.data());
+  const int numberOfRows = static_cast<int>(rows.Offsets.size()) - 1;
+  SparseMatrix<Scalar> matrix(numberOfRows, columns);
+  matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.Indices.size()));
+  std::copy(rows.Offsets.begin(), rows.Offsets.end(), matrix.outerIndexPtr());
+  std::copy(rows.Indices.begin(), rows.Indices.end(), matrix.innerIndexPtr());
+  std::copy(rows.Entries.begin(), rows.Entries.end(), matrix.valuePtr());
+  return matrix;
 }
 
 /// Some rows of a matrix, in the order given.
