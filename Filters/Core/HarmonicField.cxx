@@ -26,8 +26,10 @@ namespace
 constexpr int LargestSystemForCholesky = 20000;
 
 // The couplings between faces are far from those of a linear function where triangles are uneven; the
-// coarse levels, nodal by nature, are not. All that sweeps gain, they gain on the finest level.
-constexpr int FinestSweepsFactor = 3;
+// coarse levels, nodal by nature, are not. So the interpolation to the faces is smoothed, and the
+// finest level gets more sweeps: all that sweeps gain, they gain there.
+constexpr int FinestProlongationSteps = 2;
+constexpr int FinestSweepsFactor = 2;
 
 double SecondsSince(std::chrono::steady_clock::time_point start)
 {
@@ -179,13 +181,17 @@ PowerFieldProblem::PowerFieldProblem(const TriangleMesh& mesh, const TangentFram
     {
       throw InvalidInput("multigrid needs the prolongation operators of the surface");
     }
-    CycleOptions cycle;
-    cycle.Smoothing.PreSweeps = options.Sweeps;
-    cycle.Smoothing.PostSweeps = options.Sweeps;
-    cycle.FinestFactor = FinestSweepsFactor;
+    MultigridOptions multigrid;
+    multigrid.Cycle.Smoothing.PreSweeps = options.Sweeps;
+    multigrid.Cycle.Smoothing.PostSweeps = options.Sweeps;
+    multigrid.Cycle.FinestFactor = FinestSweepsFactor;
+    if (options.CoarseSpace == CoarseSpaceKind::Nodal)
+    {
+      multigrid.Coarsening.FinestProlongationSteps = FinestProlongationSteps;
+    }
     internal.Multigrid.emplace(system.Matrix(),
-      Prolongations(*operators, options.CoarseSpace, options.N, system.FreeUnknowns()), cycle,
-      PartOfContext(context, 0.2, 1.0));
+      Prolongations(*operators, options.CoarseSpace, options.N, system.FreeUnknowns()),
+      multigrid, PartOfContext(context, 0.2, 1.0));
     report.Solver =
       std::string(solver == SolverKind::VCycles ? "V-cycles"
                                                 : "conjugate gradients with a V-cycle") +

@@ -1,5 +1,6 @@
 #include "Solvers/GalerkinHierarchy.h"
 
+#include "Solvers/SmoothedProlongation.h"
 #include "Support/Errors.h"
 #include "Support/SparseKernels.h"
 
@@ -91,7 +92,8 @@ long long BytesOf(const SparseMatrix<Scalar>& A)
 
 template <class Scalar>
 GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
-  std::vector<SparseMatrix<Scalar>> prolongations, const ExecutionContext& context)
+  std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
+  const ExecutionContext& context)
 {
   long long size = A.rows();
   for (std::size_t level = 0; level < prolongations.size(); ++level)
@@ -111,7 +113,21 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
   this->BringIntoOrder(prolongations, context);
   this->Matrices.resize(this->Prolongations.size() + 1);
   this->Diagonals.resize(this->Matrices.size());
-  this->Update(A, context);
+  this->SetFinest(A, context);
+  if (!this->Prolongations.empty())
+  {
+    context.Checkpoint(0.0);
+    SparseMatrix<Scalar> smoothed = SmoothedProlongation(
+      this->Matrices[0], this->Prolongations[0], options.FinestProlongationSteps, context);
+    this->Prolongations[0].swap(smoothed);
+  }
+  this->Restrictions.resize(this->Prolongations.size());
+  for (std::size_t level = 0; level < this->Prolongations.size(); ++level)
+  {
+    SparseMatrix<Scalar> adjoint = Adjoint(this->Prolongations[level], context);
+    this->Restrictions[level].swap(adjoint); // an assignment would copy
+  }
+  this->ComputeCoarser(context);
 }
 
 template <class Scalar>
@@ -120,7 +136,6 @@ void GalerkinHierarchy<Scalar>::BringIntoOrder(
 {
   const std::size_t numberOfTransfers = prolongations.size();
   this->Prolongations.resize(numberOfTransfers);
-  this->Restrictions.resize(numberOfTransfers);
   std::vector<int> places;
   for (std::size_t level = numberOfTransfers; level-- > 0;)
   {
@@ -139,9 +154,7 @@ void GalerkinHierarchy<Scalar>::BringIntoOrder(
     SparseMatrix<Scalar> permuted = Permuted(P, Inverse(places), placesOfParents, context);
     P.resize(0, 0);
     P.data().squeeze();
-    SparseMatrix<Scalar> adjoint = Adjoint(permuted, context);
     this->Prolongations[level].swap(permuted);
-    this->Restrictions[level].swap(adjoint);
   }
   this->FinestOrder = Inverse(places);
   this->FinestPlaces = std::move(places);
@@ -151,6 +164,14 @@ template <class Scalar>
 void GalerkinHierarchy<Scalar>::Update(
   const SparseMatrix<Scalar>& A, const ExecutionContext& context)
 {
+  this->SetFinest(A, context);
+  this->ComputeCoarser(context);
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::SetFinest(
+  const SparseMatrix<Scalar>& A, const ExecutionContext& context)
+{
   if (this->Prolongations.empty())
   {
     this->Matrices[0] = A;
@@ -158,9 +179,14 @@ void GalerkinHierarchy<Scalar>::Update(
   else
   {
     SparseMatrix<Scalar> permuted = Permuted(A, this->FinestOrder, this->FinestPlaces, context);
-    this->Matrices[0].swap(permuted); // an assignment would copy
+    this->Matrices[0].swap(permuted);
   }
   this->FindDiagonal(0, context);
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::ComputeCoarser(const ExecutionContext& context)
+{
   const int coarsest = this->NumberOfLevels() - 1;
   for (int level = 0; level < coarsest; ++level)
   {

@@ -12,6 +12,13 @@
 namespace dmg
 {
 
+struct GalerkinOptions
+{
+  /// How often the finest prolongation is smoothed before it is used, >= 0; see
+  /// SmoothedProlongation.h. For a fine level whose coefficients jump where the coarse do not.
+  int FinestProlongationSteps = 0;
+};
+
 /// The matrices of a multigrid method by Galerkin's products A_{l+1} = P_l^H A_l P_l, and a
 /// factorisation of the coarsest. Level 0 is the finest.
 ///
@@ -37,10 +44,11 @@ public:
   /// \throw Cancelled
   /// Checkpoints: one per level, 0.2 s apart at a million unknowns.
   GalerkinHierarchy(const SparseMatrix<Scalar>& A,
-    std::vector<SparseMatrix<Scalar>> prolongations, const ExecutionContext& context);
+    std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
+    const ExecutionContext& context);
 
-  /// Takes other values in the same pattern. Orders and analyses are kept; the bits are those of a
-  /// new hierarchy.
+  /// Takes other values in the same pattern. Prolongations, orders and analyses are kept, so that the
+  /// bits are those of a new hierarchy with the prolongations of this one.
   /// \throw as the constructor; the hierarchy must not be used after that.
   void Update(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
 
@@ -75,6 +83,8 @@ public:
 private:
   void BringIntoOrder(std::vector<SparseMatrix<Scalar>>& prolongations,
     const ExecutionContext& context);
+  void SetFinest(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
+  void ComputeCoarser(const ExecutionContext& context);
   void FindDiagonal(int level, const ExecutionContext& context);
   void FactorCoarsest();
 

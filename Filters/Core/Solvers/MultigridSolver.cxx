@@ -9,10 +9,10 @@ namespace dmg
 
 template <class Scalar>
 MultigridSolver<Scalar>::MultigridSolver(const SparseMatrix<Scalar>& A,
-  std::vector<SparseMatrix<Scalar>> prolongations, const CycleOptions& options,
+  std::vector<SparseMatrix<Scalar>> prolongations, const MultigridOptions& options,
   const ExecutionContext& context)
-  : Hierarchy(A, std::move(prolongations), PartOfContext(context, 0.0, 0.7))
-  , Cycle(this->Hierarchy, options, PartOfContext(context, 0.7, 1.0))
+  : Hierarchy(A, std::move(prolongations), options.Coarsening, PartOfContext(context, 0.0, 0.7))
+  , Cycle(this->Hierarchy, options.Cycle, PartOfContext(context, 0.7, 1.0))
 {
 }
 

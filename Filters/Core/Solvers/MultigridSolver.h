@@ -13,6 +13,12 @@
 namespace dmg
 {
 
+struct MultigridOptions
+{
+  GalerkinOptions Coarsening;
+  CycleOptions Cycle;
+};
+
 /// A Galerkin hierarchy, a V-cycle on it and the iterations around the cycle, for vectors in the
 /// order of the caller. Built once per matrix, asked for many right-hand sides.
 template <class Scalar>
@@ -22,7 +28,7 @@ public:
   /// \param A, prolongations see GalerkinHierarchy; nothing is borrowed.
   /// \throw as GalerkinHierarchy and MultigridCycle.
   MultigridSolver(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
-    const CycleOptions& options, const ExecutionContext& context);
+    const MultigridOptions& options, const ExecutionContext& context);
   MultigridSolver(const MultigridSolver&) = delete; // the cycle refers to the hierarchy
   MultigridSolver& operator=(const MultigridSolver&) = delete;
 

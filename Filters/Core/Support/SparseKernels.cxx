@@ -1,6 +1,7 @@
 #include "Support/SparseKernels.h"
 
 #include "Support/Errors.h"
+#include "Support/SparseRows.h"
 
 #include <cassert>
 #include <limits>
@@ -11,115 +12,6 @@ namespace
 {
 
 constexpr int RowGrain = 4096;
-
-void SortColumns(std::vector<int>& columns)
-{
-  if (columns.size() > 24)
-  {
-    std::sort(columns.begin(), columns.end());
-    return;
-  }
-  for (std::size_t next = 1; next < columns.size(); ++next)
-  {
-    const int column = columns[next];
-    std::size_t place = next;
-    for (; place > 0 && columns[place - 1] > column; --place)
-    {
-      columns[place] = columns[place - 1];
-    }
-    columns[place] = column;
-  }
-}
-
-/// A set of indices that keeps the order of their arrival and is cleared at no cost.
-///
-/// Whether an index is new is as good as random in a sparse product, so Insert has no branch that a
-/// processor could mispredict.
-class IndexSet
-{
-public:
-  explicit IndexSet(int upperBound)
-    : Places(upperBound, 0)
-    , Members(upperBound + 1)
-  {
-  }
-
-  int Size() const { return this->Count; }
-  void Clear() { this->Count = 0; }
-  const int* begin() const { return this->Members.data(); }
-  const int* end() const { return this->Members.data() + this->Count; }
-
-  /// The place of an index in the order of arrival; Size() if it is no member.
-  int Find(int index) const
-  {
-    const int place = this->Places[index];
-    const bool isMember = (place < this->Count) & (this->Members[place] == index);
-    return isMember ? place : this->Count;
-  }
-
-  /// The place of an index, which is a member afterwards.
-  int Insert(int index)
-  {
-    const int place = this->Find(index);
-    this->Places[index] = place;
-    this->Members[place] = index;
-    this->Count += place == this->Count ? 1 : 0;
-    return place;
-  }
-
-private:
-  std::vector<int> Places;
-  std::vector<int> Members;
-  int Count = 0;
-};
-
-/// A sparse vector that is summed up product by product.
-template <class Scalar>
-class SparseSum
-{
-public:
-  explicit SparseSum(int size)
-    : Indices(size)
-    , Values(size, Scalar(0))
-  {
-  }
-
-  void Clear()
-  {
-    std::fill_n(this->Values.begin(), this->Indices.Size(), Scalar(0));
-    this->Indices.Clear();
-  }
-
-  void AddProduct(int index, Scalar a, Scalar b)
-  {
-    dmg::AddProduct(this->Values[this->Indices.Insert(index)], a, b);
-  }
-
-  const IndexSet& Support() const { return this->Indices; }
-  const Scalar* begin() const { return this->Values.data(); }
-  const Scalar* end() const { return this->Values.data() + this->Indices.Size(); }
-  Scalar operator[](int index) const { return this->Values[this->Indices.Find(index)]; }
-
-private:
-  IndexSet Indices;
-  std::vector<Scalar> Values; ///< zero beyond the support
-};
-
-/// Rows of a sparse matrix, in the order in which they were computed.
-template <class Scalar>
-struct SparseRows
-{
-  std::vector<int> Offsets = { 0 };
-  std::vector<int> Columns;
-  std::vector<Scalar> Values;
-
-  void Clear()
-  {
-    this->Offsets.resize(1);
-    this->Columns.clear();
-    this->Values.clear();
-  }
-};
 
 }
 
@@ -299,88 +191,60 @@ SparseMatrix<Scalar> TripleProduct(const SparseMatrix<Scalar>& R, const SparseMa
   const int* offsetsOfP = P.outerIndexPtr();
   const int* columnsOfP = P.innerIndexPtr();
   const Scalar* valuesOfP = P.valuePtr();
+  const int rowsOfA = static_cast<int>(A.rows());
+  const int columns = static_cast<int>(P.cols());
 
-  constexpr int bandSize = 512; // the rows of A P of a band fit into the second-level cache
-  const int numberOfRows = static_cast<int>(R.rows());
-  const int numberOfBands = (numberOfRows + bandSize - 1) / bandSize;
-  std::vector<SparseRows<Scalar>> bands(numberOfBands);
-  std::vector<int> offsets(numberOfRows + 1, 0);
-  const int grain = std::max(1, numberOfBands / (8 * context.NumberOfThreads()));
-  context.ParallelFor(0, numberOfBands, grain,
-    [&, numberOfRows](int firstBand, int lastBand)
+  const auto makeWorker = [=]
+  {
+    return [=, rowsOfAP = IndexSet(rowsOfA), AP = SparseRows<Scalar>(),
+             sum = SparseSum<Scalar>(columns), sorted = std::vector<int>()](
+             int firstRow, int lastRow, SparseRows<Scalar>& result) mutable
     {
-      IndexSet rowsOfAP(static_cast<int>(A.rows()));
-      SparseRows<Scalar> AP;
-      SparseSum<Scalar> sum(static_cast<int>(P.cols()));
-      std::vector<int> columns;
-      for (int band = firstBand; band < lastBand; ++band)
+      rowsOfAP.Clear();
+      AP.Clear();
+      for (int k = offsetsOfR[firstRow]; k < offsetsOfR[lastRow]; ++k)
       {
-        SparseRows<Scalar>& result = bands[band];
-        const int firstRow = band * bandSize;
-        const int lastRow = std::min(firstRow + bandSize, numberOfRows);
-        rowsOfAP.Clear();
-        AP.Clear();
-        for (int k = offsetsOfR[firstRow]; k < offsetsOfR[lastRow]; ++k)
+        const int i = columnsOfR[k];
+        const int known = rowsOfAP.Size();
+        if (rowsOfAP.Insert(i) < known)
         {
-          const int i = columnsOfR[k];
-          if (rowsOfAP.Find(i) < rowsOfAP.Size())
-          {
-            continue;
-          }
-          rowsOfAP.Insert(i);
-          sum.Clear();
-          for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
-          {
-            const Scalar factor = valuesOfA[m];
-            const int j = columnsOfA[m];
-            for (int n = offsetsOfP[j]; n < offsetsOfP[j + 1]; ++n)
-            {
-              sum.AddProduct(columnsOfP[n], factor, valuesOfP[n]);
-            }
-          }
-          AP.Columns.insert(AP.Columns.end(), sum.Support().begin(), sum.Support().end());
-          AP.Values.insert(AP.Values.end(), sum.begin(), sum.end());
-          AP.Offsets.push_back(static_cast<int>(AP.Columns.size()));
+          continue;
         }
-        for (int row = firstRow; row < lastRow; ++row)
+        sum.Clear();
+        for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
         {
-          sum.Clear();
-          for (int k = offsetsOfR[row]; k < offsetsOfR[row + 1]; ++k)
+          const int j = columnsOfA[m];
+          for (int n = offsetsOfP[j]; n < offsetsOfP[j + 1]; ++n)
           {
-            const Scalar factor = valuesOfR[k];
-            const int i = rowsOfAP.Find(columnsOfR[k]);
-            for (int m = AP.Offsets[i]; m < AP.Offsets[i + 1]; ++m)
-            {
-              sum.AddProduct(AP.Columns[m], factor, AP.Values[m]);
-            }
+            sum.AddProduct(columnsOfP[n], valuesOfA[m], valuesOfP[n]);
           }
-          columns.assign(sum.Support().begin(), sum.Support().end());
-          SortColumns(columns);
-          for (const int column : columns)
-          {
-            result.Columns.push_back(column);
-            result.Values.push_back(sum[column]);
-          }
-          offsets[row + 1] = static_cast<int>(columns.size());
         }
+        AP.Columns.insert(AP.Columns.end(), sum.Support().begin(), sum.Support().end());
+        AP.Values.insert(AP.Values.end(), sum.begin(), sum.end());
+        AP.EndRow();
       }
-    });
-
-  SparseMatrix<Scalar> C(numberOfRows, P.cols());
-  C.resizeNonZeros(OffsetsFromCounts(offsets));
-  std::copy(offsets.begin(), offsets.end(), C.outerIndexPtr());
-  context.ParallelFor(0, numberOfBands, grain,
-    [&bands, &offsets, &C](int firstBand, int lastBand)
-    {
-      for (int band = firstBand; band < lastBand; ++band)
+      for (int row = firstRow; row < lastRow; ++row)
       {
-        const int begin = offsets[band * bandSize];
-        const SparseRows<Scalar>& rows = bands[band];
-        std::copy(rows.Columns.begin(), rows.Columns.end(), C.innerIndexPtr() + begin);
-        std::copy(rows.Values.begin(), rows.Values.end(), C.valuePtr() + begin);
+        sum.Clear();
+        for (int k = offsetsOfR[row]; k < offsetsOfR[row + 1]; ++k)
+        {
+          const int i = rowsOfAP.Find(columnsOfR[k]);
+          for (int m = AP.Offsets[i]; m < AP.Offsets[i + 1]; ++m)
+          {
+            sum.AddProduct(AP.Columns[m], valuesOfR[k], AP.Values[m]);
+          }
+        }
+        sorted.assign(sum.Support().begin(), sum.Support().end());
+        SortIndices(sorted);
+        for (const int column : sorted)
+        {
+          result.Append(column, sum[column]);
+        }
+        result.EndRow();
       }
-    });
-  return C;
+    };
+  };
+  return AssembleInBands<Scalar>(static_cast<int>(R.rows()), columns, makeWorker, context);
 }
 
 template void Multiply(const SparseMatrix<double>&, const Vector<double>&, Vector<double>&,

@@ -49,7 +49,7 @@ struct CyclePreconditioned
 {
   CyclePreconditioned(int depth, int levels, CyclePrecision precision = CyclePrecision::Single)
     : Problem(test::MakeGridProblem<Scalar>(depth, levels))
-    , Hierarchy(this->Problem.A, this->Problem.P, SerialContext())
+    , Hierarchy(this->Problem.A, this->Problem.P, {}, SerialContext())
     , Cycle(this->Hierarchy, WithPrecision(precision), SerialContext())
   {
   }

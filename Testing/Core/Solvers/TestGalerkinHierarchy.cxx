@@ -37,7 +37,7 @@ TYPED_TEST_SUITE(TestGalerkinHierarchy, Scalars);
 TYPED_TEST(TestGalerkinHierarchy, CoarseMatricesAreGalerkinProducts)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(6, 4);
-  const GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  const GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   ASSERT_EQ(hierarchy.NumberOfLevels(), 4);
   SparseMatrix<TypeParam> A = problem.A;
   for (int level = 0; level < 3; ++level)
@@ -61,7 +61,7 @@ TYPED_TEST(TestGalerkinHierarchy, CoarseMatricesAreGalerkinProducts)
 TYPED_TEST(TestGalerkinHierarchy, OrderIsAPermutation)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
-  const GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  const GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const auto x = test::RandomVector<TypeParam>(problem.A.rows(), 2901);
   Vector<TypeParam> ours, back, product;
   hierarchy.ToOrder(x, ours, SerialContext());
@@ -82,7 +82,7 @@ TYPED_TEST(TestGalerkinHierarchy, ChildrenFollowEachOther)
     entries.emplace_back(i, i % 8, TypeParam(1.0));
   }
   const GalerkinHierarchy<TypeParam> hierarchy(
-    A, { test::FromTriplets(64, 8, entries) }, SerialContext());
+    A, { test::FromTriplets(64, 8, entries) }, {}, SerialContext());
   for (int i = 0; i < 64; ++i)
   {
     EXPECT_EQ(hierarchy.Prolongation(0).innerIndexPtr()[i], i / 8);
@@ -92,13 +92,13 @@ TYPED_TEST(TestGalerkinHierarchy, ChildrenFollowEachOther)
 TYPED_TEST(TestGalerkinHierarchy, UpdateHasTheBitsOfANewHierarchy)
 {
   auto problem = test::MakeGridProblem<TypeParam>(6, 4);
-  GalerkinHierarchy<TypeParam> updated(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> updated(problem.A, problem.P, {}, SerialContext());
   for (int i = 0; i < problem.A.rows(); i += 7)
   {
     problem.A.coeffRef(i, i) += 0.3;
   }
   updated.Update(problem.A, SerialContext());
-  GalerkinHierarchy<TypeParam> fresh(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> fresh(problem.A, problem.P, {}, SerialContext());
   for (int level = 0; level < 4; ++level)
   {
     EXPECT_TRUE(AreIdentical(updated.Matrix(level), fresh.Matrix(level)));
@@ -114,11 +114,11 @@ TYPED_TEST(TestGalerkinHierarchy, UpdateHasTheBitsOfANewHierarchy)
 TYPED_TEST(TestGalerkinHierarchy, SameBitsForAnyNumberOfThreads)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(8, 4);
-  const GalerkinHierarchy<TypeParam> serial(problem.A, problem.P, SerialContext());
+  const GalerkinHierarchy<TypeParam> serial(problem.A, problem.P, {}, SerialContext());
   for (const int threads : { 1, 2, 3, 8 })
   {
     const GalerkinHierarchy<TypeParam> hierarchy(
-      problem.A, problem.P, test::TbbContext(threads));
+      problem.A, problem.P, {}, test::TbbContext(threads));
     for (int level = 0; level < 4; ++level)
     {
       EXPECT_TRUE(AreIdentical(serial.Matrix(level), hierarchy.Matrix(level)));
@@ -158,7 +158,7 @@ TYPED_TEST(TestGalerkinHierarchy, UnknownsThatNothingSeesAreInactive)
     transfers.emplace_back(fine + i, coarse + 1, TypeParam(1.0 / 3.0));
   }
   GalerkinHierarchy<TypeParam> hierarchy(test::FromTriplets(fine + 3, fine + 3, entries),
-    { test::FromTriplets(fine + 3, coarse + 2, transfers) }, SerialContext());
+    { test::FromTriplets(fine + 3, coarse + 2, transfers) }, {}, SerialContext());
   const Vector<double>& diagonal = hierarchy.Diagonal(1);
   EXPECT_EQ(diagonal[coarse], 0.0);
   EXPECT_EQ(diagonal[coarse + 1], 0.0);
@@ -177,9 +177,9 @@ TYPED_TEST(TestGalerkinHierarchy, SizesMustChain)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   EXPECT_THROW(
-    GalerkinHierarchy<TypeParam>(problem.A, { problem.P[1] }, SerialContext()), InvalidInput);
+    GalerkinHierarchy<TypeParam>(problem.A, { problem.P[1] }, {}, SerialContext()), InvalidInput);
   EXPECT_THROW(
-    GalerkinHierarchy<TypeParam>(problem.P[0], {}, SerialContext()), InvalidInput);
+    GalerkinHierarchy<TypeParam>(problem.P[0], {}, {}, SerialContext()), InvalidInput);
 }
 
 TYPED_TEST(TestGalerkinHierarchy, NegativeOrInfiniteDiagonalsAreNamed)
@@ -192,7 +192,7 @@ TYPED_TEST(TestGalerkinHierarchy, NegativeOrInfiniteDiagonalsAreNamed)
     A.coeffRef(17, 17) = value;
     try
     {
-      GalerkinHierarchy<TypeParam> hierarchy(A, problem.P, SerialContext());
+      GalerkinHierarchy<TypeParam> hierarchy(A, problem.P, {}, SerialContext());
       FAIL() << value << " was accepted";
     }
     catch (const SolverFailure& failure)
@@ -207,11 +207,11 @@ TYPED_TEST(TestGalerkinHierarchy, CanBeCancelledAtEveryCheckpoint)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   const test::TbbContext all(2);
-  GalerkinHierarchy<TypeParam>(problem.A, problem.P, all);
+  GalerkinHierarchy<TypeParam>(problem.A, problem.P, {}, all);
   for (std::size_t count = 1; count <= all.Progress().size(); ++count)
   {
     test::TbbContext context(2);
     context.CancelAfter(static_cast<int>(count));
-    EXPECT_THROW(GalerkinHierarchy<TypeParam>(problem.A, problem.P, context), Cancelled);
+    EXPECT_THROW(GalerkinHierarchy<TypeParam>(problem.A, problem.P, {}, context), Cancelled);
   }
 }

@@ -52,7 +52,7 @@ TYPED_TEST_SUITE(TestMultigridCycle, Scalars);
 TYPED_TEST(TestMultigridCycle, IsHermitianPositiveDefinite)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const Matrix<TypeParam> A(hierarchy.Matrix(0));
   for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
   {
@@ -78,7 +78,7 @@ TYPED_TEST(TestMultigridCycle, IsHermitianPositiveDefinite)
 TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const int size = hierarchy.NumberOfUnknowns(0);
   const Matrix<TypeParam> A(hierarchy.Matrix(0));
   const Matrix<TypeParam> P(hierarchy.Prolongation(0));
@@ -112,7 +112,7 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
 TYPED_TEST(TestMultigridCycle, SinglePrecisionStaysAtItsRounding)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 5);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3001);
   for (const double scale : { 1.0, 1e-20, 1e20 })
   {
@@ -131,7 +131,7 @@ TYPED_TEST(TestMultigridCycle, SinglePrecisionStaysAtItsRounding)
 TYPED_TEST(TestMultigridCycle, OneLevelIsTheInverse)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 1);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, {}, SerialContext());
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, {}, {}, SerialContext());
   MultigridCycle<TypeParam> cycle(hierarchy,
     Options(SmootherKind::GaussSeidel, 2, 2, CyclePrecision::Double), SerialContext());
   const auto x = test::RandomVector<TypeParam>(problem.A.rows(), 3002);
@@ -143,7 +143,7 @@ TYPED_TEST(TestMultigridCycle, OneLevelIsTheInverse)
 TYPED_TEST(TestMultigridCycle, UpdateHasTheBitsOfANewCycle)
 {
   auto problem = test::MakeGridProblem<TypeParam>(5, 3);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
   {
     const CycleOptions options = Options(kind, 2, 2, CyclePrecision::Single);
@@ -154,7 +154,7 @@ TYPED_TEST(TestMultigridCycle, UpdateHasTheBitsOfANewCycle)
     }
     hierarchy.Update(problem.A, SerialContext());
     updated.Update(SerialContext());
-    GalerkinHierarchy<TypeParam> freshHierarchy(problem.A, problem.P, SerialContext());
+    GalerkinHierarchy<TypeParam> freshHierarchy(problem.A, problem.P, {}, SerialContext());
     MultigridCycle<TypeParam> fresh(freshHierarchy, options, SerialContext());
     const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3003);
     Vector<TypeParam> x, y;
@@ -168,7 +168,7 @@ TYPED_TEST(TestMultigridCycle, UpdateHasTheBitsOfANewCycle)
 TYPED_TEST(TestMultigridCycle, SameBitsForAnyNumberOfThreads)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(8, 5);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3004);
   for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
   {
@@ -189,7 +189,7 @@ TYPED_TEST(TestMultigridCycle, SameBitsForAnyNumberOfThreads)
 TYPED_TEST(TestMultigridCycle, NegativeSweepsAreRefused)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(3, 2);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   EXPECT_THROW(MultigridCycle<TypeParam>(hierarchy,
                  Options(SmootherKind::GaussSeidel, -1, 2, CyclePrecision::Single),
                  SerialContext()),

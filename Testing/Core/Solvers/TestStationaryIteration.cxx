@@ -43,7 +43,7 @@ TYPED_TEST_SUITE(TestStationaryIteration, Scalars);
 TYPED_TEST(TestStationaryIteration, CyclesAgreeWithCholesky)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 5);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const SparseMatrix<TypeParam>& A = hierarchy.Matrix(0);
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3201);
   Vector<TypeParam> expected;
@@ -101,7 +101,7 @@ TYPED_TEST(TestStationaryIteration, DivergenceLeavesTheBestVector)
 TYPED_TEST(TestStationaryIteration, LimitZeroRightHandSideAndCancel)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
-  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, SerialContext());
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   MultigridCycle<TypeParam> cycle(hierarchy, {}, SerialContext());
   const SparseMatrix<TypeParam>& A = hierarchy.Matrix(0);
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3203);

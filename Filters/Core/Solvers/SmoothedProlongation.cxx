@@ -1,0 +1,111 @@
+#include "Solvers/SmoothedProlongation.h"
+
+#include "Support/SparseRows.h"
+
+#include <cassert>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr double Damping = 2.0 / 3.0; // the largest eigenvalue of D^{-1} A is at most 2
+constexpr double SmallestShare = 0.05;
+
+/// One step for row i: fills \p sum with row i of (I - 2/3 D^{-1} A) P.
+template <class Scalar>
+void SmoothRow(
+  const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& P, int i, SparseSum<Scalar>& sum)
+{
+  double diagonal = 0.0;
+  for (int k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
+  {
+    if (A.innerIndexPtr()[k] == i)
+    {
+      diagonal = Eigen::numext::real(A.valuePtr()[k]);
+    }
+  }
+  const auto addRow = [&P, &sum](int row, Scalar factor)
+  {
+    for (int k = P.outerIndexPtr()[row]; k < P.outerIndexPtr()[row + 1]; ++k)
+    {
+      sum.AddProduct(P.innerIndexPtr()[k], factor, P.valuePtr()[k]);
+    }
+  };
+  sum.Clear();
+  addRow(i, Scalar(1.0));
+  if (diagonal > 0.0)
+  {
+    for (int k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
+    {
+      addRow(A.innerIndexPtr()[k], -Damping / diagonal * A.valuePtr()[k]);
+    }
+  }
+}
+
+template <class Scalar>
+SparseMatrix<Scalar> Step(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& P,
+  const ExecutionContext& context)
+{
+  const int columns = static_cast<int>(P.cols());
+  const auto makeWorker = [&A, &P, columns]
+  {
+    return [&A, &P, sum = SparseSum<Scalar>(columns), kept = std::vector<int>()](
+             int firstRow, int lastRow, SparseRows<Scalar>& rows) mutable
+    {
+      for (int i = firstRow; i < lastRow; ++i)
+      {
+        SmoothRow(A, P, i, sum);
+        double all = 0.0;
+        for (const Scalar& value : sum)
+        {
+          all += std::abs(value);
+        }
+        double rest = 0.0;
+        kept.clear();
+        for (const int column : sum.Support())
+        {
+          const double size = std::abs(sum[column]);
+          if (size > SmallestShare * all)
+          {
+            kept.push_back(column);
+            rest += size;
+          }
+        }
+        SortIndices(kept);
+        for (const int column : kept)
+        {
+          rows.Append(column, sum[column] * (all / rest));
+        }
+        rows.EndRow();
+      }
+    };
+  };
+  return AssembleInBands<Scalar>(static_cast<int>(P.rows()), columns, makeWorker, context);
+}
+
+}
+
+template <class Scalar>
+SparseMatrix<Scalar> SmoothedProlongation(const SparseMatrix<Scalar>& A,
+  const SparseMatrix<Scalar>& P, int steps, const ExecutionContext& context)
+{
+  assert(A.rows() == A.cols() && A.cols() == P.rows());
+  SparseMatrix<Scalar> smoothed = P;
+  for (int step = 0; step < steps; ++step)
+  {
+    SparseMatrix<Scalar> next = Step(A, smoothed, context);
+    smoothed.swap(next);
+  }
+  return smoothed;
+}
+
+template SparseMatrix<double> SmoothedProlongation(
+  const SparseMatrix<double>&, const SparseMatrix<double>&, int, const ExecutionContext&);
+template SparseMatrix<Complex> SmoothedProlongation(
+  const SparseMatrix<Complex>&, const SparseMatrix<Complex>&, int, const ExecutionContext&);
+
+}
