@@ -200,8 +200,8 @@ public:
 
   ///@{
   /**
-   * Gauss-Seidel sweeps before and after the coarse correction of each coarse level; the surface itself gets
-   * three times as many. Default 2, range 1 to 10.
+   * Gauss-Seidel sweeps before and after the coarse correction of each coarse level; the surface
+   * itself gets three times as many. Default 2, range 1 to 10.
    */
   vtkSetClampMacro(Sweeps, int, 1, 10);
   vtkGetMacro(Sweeps, int);

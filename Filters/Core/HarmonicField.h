@@ -70,7 +70,7 @@ struct PowerFieldOptions
   SolverKind Solver = SolverKind::Automatic;
   CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
   /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1. The finest
-  /// level gets three times as many.
+  /// level gets twice as many.
   int Sweeps = 2;
 };
 

@@ -695,7 +695,7 @@ TEST_F(Stages, EveryOptionOfTheSystemRepeatsIt)
     [](vtkHarmonicFieldSolver* s) { s->SetAlignment(3.0); },
     [](vtkHarmonicFieldSolver* s) { s->SetConstraintType(vtkHarmonicFieldSolver::Hard); },
     [](vtkHarmonicFieldSolver* s) { s->SetCoarseSpace(vtkHarmonicFieldSolver::FacePowers); },
-    [](vtkHarmonicFieldSolver* s) { s->SetSweeps(1); },
+    [](vtkHarmonicFieldSolver* s) { s->SetSweeps(s->GetSweeps() + 1); },
     [](vtkHarmonicFieldSolver* s) { s->SetSolver(vtkHarmonicFieldSolver::VCycles); },
   };
   for (const auto& change : changes)
