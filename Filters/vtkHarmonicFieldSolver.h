@@ -201,7 +201,7 @@ public:
   ///@{
   /**
    * Gauss-Seidel sweeps before and after the coarse correction of each coarse level; the surface
-   * itself gets three times as many. Default 2, range 1 to 10.
+   * itself gets twice as many. Default 2, range 1 to 10.
    */
   vtkSetClampMacro(Sweeps, int, 1, 10);
   vtkGetMacro(Sweeps, int);

@@ -30,10 +30,9 @@ void SmoothRow(
   }
   const auto addRow = [&P, &sum](int row, Scalar factor)
   {
-    for (int k = P.outerIndexPtr()[row]; k < P.outerIndexPtr()[row + 1]; ++k)
-    {
-      sum.AddProduct(P.innerIndexPtr()[k], factor, P.valuePtr()[k]);
-    }
+    const int begin = P.outerIndexPtr()[row];
+    const int size = P.outerIndexPtr()[row + 1] - begin;
+    sum.Add(factor, P.innerIndexPtr() + begin, P.valuePtr() + begin, size);
   };
   sum.Clear();
   addRow(i, Scalar(1.0));
@@ -46,6 +45,36 @@ void SmoothRow(
   }
 }
 
+/// Appends the larger entries of a row, enlarged to make up for the smaller.
+template <class Scalar>
+void AppendTruncated(
+  const SparseSum<Scalar>& sum, std::vector<double>& sizes, SparseRows<Scalar>& rows)
+{
+  sizes.clear();
+  double all = 0.0;
+  for (int k = 0; k < sum.Size(); ++k)
+  {
+    sizes.push_back(std::sqrt(Eigen::numext::abs2(sum.Values()[k])));
+    all += sizes.back();
+  }
+  double kept = 0.0;
+  const std::size_t begin = rows.Columns.size();
+  for (int k = 0; k < sum.Size(); ++k)
+  {
+    if (sizes[k] > SmallestShare * all)
+    {
+      kept += sizes[k];
+      rows.Columns.push_back(sum.Indices()[k]);
+    }
+  }
+  SortIndices(rows.Columns.data() + begin, static_cast<int>(rows.Columns.size() - begin));
+  for (std::size_t k = begin; k < rows.Columns.size(); ++k)
+  {
+    rows.Values.push_back(sum[rows.Columns[k]] * (all / kept));
+  }
+  rows.EndRow();
+}
+
 template <class Scalar>
 SparseMatrix<Scalar> Step(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& P,
   const ExecutionContext& context)
@@ -53,34 +82,13 @@ SparseMatrix<Scalar> Step(const SparseMatrix<Scalar>& A, const SparseMatrix<Scal
   const int columns = static_cast<int>(P.cols());
   const auto makeWorker = [&A, &P, columns]
   {
-    return [&A, &P, sum = SparseSum<Scalar>(columns), kept = std::vector<int>()](
+    return [&A, &P, sum = SparseSum<Scalar>(columns), sizes = std::vector<double>()](
              int firstRow, int lastRow, SparseRows<Scalar>& rows) mutable
     {
       for (int i = firstRow; i < lastRow; ++i)
       {
         SmoothRow(A, P, i, sum);
-        double all = 0.0;
-        for (const Scalar& value : sum)
-        {
-          all += std::abs(value);
-        }
-        double rest = 0.0;
-        kept.clear();
-        for (const int column : sum.Support())
-        {
-          const double size = std::abs(sum[column]);
-          if (size > SmallestShare * all)
-          {
-            kept.push_back(column);
-            rest += size;
-          }
-        }
-        SortIndices(kept);
-        for (const int column : kept)
-        {
-          rows.Append(column, sum[column] * (all / rest));
-        }
-        rows.EndRow();
+        AppendTruncated(sum, sizes, rows);
       }
     };
   };

@@ -197,7 +197,7 @@ SparseMatrix<Scalar> TripleProduct(const SparseMatrix<Scalar>& R, const SparseMa
   const auto makeWorker = [=]
   {
     return [=, rowsOfAP = IndexSet(rowsOfA), AP = SparseRows<Scalar>(),
-             sum = SparseSum<Scalar>(columns), sorted = std::vector<int>()](
+             sum = SparseSum<Scalar>(columns)](
              int firstRow, int lastRow, SparseRows<Scalar>& result) mutable
     {
       rowsOfAP.Clear();
@@ -205,22 +205,20 @@ SparseMatrix<Scalar> TripleProduct(const SparseMatrix<Scalar>& R, const SparseMa
       for (int k = offsetsOfR[firstRow]; k < offsetsOfR[lastRow]; ++k)
       {
         const int i = columnsOfR[k];
-        const int known = rowsOfAP.Size();
-        if (rowsOfAP.Insert(i) < known)
+        if (rowsOfAP.Find(i) < rowsOfAP.Size())
         {
           continue;
         }
+        rowsOfAP.Append(i);
         sum.Clear();
         for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
         {
-          const int j = columnsOfA[m];
-          for (int n = offsetsOfP[j]; n < offsetsOfP[j + 1]; ++n)
-          {
-            sum.AddProduct(columnsOfP[n], valuesOfA[m], valuesOfP[n]);
-          }
+          const int begin = offsetsOfP[columnsOfA[m]];
+          const int size = offsetsOfP[columnsOfA[m] + 1] - begin;
+          sum.Add(valuesOfA[m], columnsOfP + begin, valuesOfP + begin, size);
         }
-        AP.Columns.insert(AP.Columns.end(), sum.Support().begin(), sum.Support().end());
-        AP.Values.insert(AP.Values.end(), sum.begin(), sum.end());
+        AP.Columns.insert(AP.Columns.end(), sum.Indices(), sum.Indices() + sum.Size());
+        AP.Values.insert(AP.Values.end(), sum.Values(), sum.Values() + sum.Size());
         AP.EndRow();
       }
       for (int row = firstRow; row < lastRow; ++row)
@@ -229,16 +227,16 @@ SparseMatrix<Scalar> TripleProduct(const SparseMatrix<Scalar>& R, const SparseMa
         for (int k = offsetsOfR[row]; k < offsetsOfR[row + 1]; ++k)
         {
           const int i = rowsOfAP.Find(columnsOfR[k]);
-          for (int m = AP.Offsets[i]; m < AP.Offsets[i + 1]; ++m)
-          {
-            sum.AddProduct(AP.Columns[m], valuesOfR[k], AP.Values[m]);
-          }
+          const int begin = AP.Offsets[i];
+          const int size = AP.Offsets[i + 1] - begin;
+          sum.Add(valuesOfR[k], AP.Columns.data() + begin, AP.Values.data() + begin, size);
         }
-        sorted.assign(sum.Support().begin(), sum.Support().end());
-        SortIndices(sorted);
-        for (const int column : sorted)
+        const std::size_t begin = result.Columns.size();
+        result.Columns.insert(result.Columns.end(), sum.Indices(), sum.Indices() + sum.Size());
+        SortIndices(result.Columns.data() + begin, sum.Size());
+        for (std::size_t k = begin; k < result.Columns.size(); ++k)
         {
-          result.Append(column, sum[column]);
+          result.Values.push_back(sum[result.Columns[k]]);
         }
         result.EndRow();
       }

@@ -3,17 +3,18 @@
 namespace dmg
 {
 
-void SortIndices(std::vector<int>& indices)
+void SortIndices(int* indices, int size)
 {
-  if (indices.size() > 24)
+  constexpr int few = 24;
+  if (size > few)
   {
-    std::sort(indices.begin(), indices.end());
+    std::sort(indices, indices + size);
     return;
   }
-  for (std::size_t next = 1; next < indices.size(); ++next)
+  for (int next = 1; next < size; ++next)
   {
     const int index = indices[next];
-    std::size_t place = next;
+    int place = next;
     for (; place > 0 && indices[place - 1] > index; --place)
     {
       indices[place] = indices[place - 1];

@@ -13,39 +13,31 @@ namespace dmg
 {
 
 /// A set of indices that keeps the order of their arrival and is cleared at no cost.
-///
-/// Whether an index is new is as good as random in a sparse product, so Insert has no branch that a
-/// processor could mispredict.
 class IndexSet
 {
 public:
   explicit IndexSet(int upperBound)
     : Places(upperBound, 0)
-    , Members(upperBound + 1)
+    , Members(upperBound)
   {
   }
 
   int Size() const { return this->Count; }
   void Clear() { this->Count = 0; }
-  const int* begin() const { return this->Members.data(); }
-  const int* end() const { return this->Members.data() + this->Count; }
 
   /// The place of an index in the order of arrival; Size() if it is no member.
   int Find(int index) const
   {
     const int place = this->Places[index];
-    const bool isMember = (place < this->Count) & (this->Members[place] == index);
-    return isMember ? place : this->Count;
+    return place < this->Count && this->Members[place] == index ? place : this->Count;
   }
 
-  /// The place of an index, which is a member afterwards.
-  int Insert(int index)
+  /// \pre index is no member.
+  void Append(int index)
   {
-    const int place = this->Find(index);
-    this->Places[index] = place;
-    this->Members[place] = index;
-    this->Count += place == this->Count ? 1 : 0;
-    return place;
+    this->Places[index] = this->Count;
+    this->Members[this->Count] = index;
+    ++this->Count;
   }
 
 private:
@@ -54,39 +46,62 @@ private:
   int Count = 0;
 };
 
-/// A sparse vector that is summed up product by product.
+/// A sparse vector that is summed up from multiples of sparse rows.
 template <class Scalar>
 class SparseSum
 {
 public:
   explicit SparseSum(int size)
-    : Indices(size)
-    , Values(size, Scalar(0))
+    : Places(size, 0)
+    , Members(size + 1)
+    , Sums(size + 1, Scalar(0))
   {
   }
 
   void Clear()
   {
-    std::fill_n(this->Values.begin(), this->Indices.Size(), Scalar(0));
-    this->Indices.Clear();
+    std::fill_n(this->Sums.begin(), this->Count, Scalar(0));
+    this->Count = 0;
   }
 
-  void AddProduct(int index, Scalar a, Scalar b)
+  /// Adds factor times the row with these entries.
+  ///
+  /// The innermost loop of every sparse product. Whether an index is new is as good as random, so
+  /// there is no branch that a processor could mispredict; and what changes stands in local
+  /// variables, which the stores cannot alias.
+  void Add(Scalar factor, const int* indices, const Scalar* values, int size)
   {
-    dmg::AddProduct(this->Values[this->Indices.Insert(index)], a, b);
+    int* places = this->Places.data();
+    int* members = this->Members.data();
+    Scalar* sums = this->Sums.data();
+    int count = this->Count;
+    for (int k = 0; k < size; ++k)
+    {
+      const int index = indices[k];
+      int place = places[index];
+      const bool isMember = (place < count) & (members[place] == index);
+      place = isMember ? place : count;
+      places[index] = place;
+      members[place] = index;
+      count += isMember ? 0 : 1;
+      AddProduct(sums[place], factor, values[k]);
+    }
+    this->Count = count;
   }
 
-  /// The indices, and with begin() and end() their values, in the order of their arrival.
-  const IndexSet& Support() const { return this->Indices; }
-  const Scalar* begin() const { return this->Values.data(); }
-  const Scalar* end() const { return this->Values.data() + this->Indices.Size(); }
+  /// Indices and values by place, in the order of their arrival.
+  int Size() const { return this->Count; }
+  const int* Indices() const { return this->Members.data(); }
+  const Scalar* Values() const { return this->Sums.data(); }
 
-  /// \pre index is in the support.
-  Scalar operator[](int index) const { return this->Values[this->Indices.Find(index)]; }
+  /// \pre index occurs.
+  Scalar operator[](int index) const { return this->Sums[this->Places[index]]; }
 
 private:
-  IndexSet Indices;
-  std::vector<Scalar> Values; ///< zero beyond the support
+  std::vector<int> Places;
+  std::vector<int> Members;
+  std::vector<Scalar> Sums; ///< zero beyond the count
+  int Count = 0;
 };
 
 /// Consecutive rows of a sparse matrix.
@@ -104,16 +119,12 @@ struct SparseRows
     this->Values.clear();
   }
 
-  void Append(int column, Scalar value)
-  {
-    this->Columns.push_back(column);
-    this->Values.push_back(value);
-  }
+  /// The last row ends here.
   void EndRow() { this->Offsets.push_back(static_cast<int>(this->Columns.size())); }
 };
 
-/// Ascending; mostly few.
-void SortIndices(std::vector<int>& indices);
+/// Ascending; fast for few.
+void SortIndices(int* indices, int size);
 
 /// A sparse matrix in bands of rows, several at the same time.
 /// \param makeWorker called as makeWorker(), gives a function worker(firstRow, lastRow, rows) that
