@@ -198,7 +198,7 @@ PowerFieldProblem::PowerFieldProblem(const TriangleMesh& mesh, const TangentFram
       (options.CoarseSpace == CoarseSpaceKind::Nodal ? " on nodal levels"
                                                      : " on levels of face powers") +
       reason;
-    report.Levels = internal.Multigrid->Levels().Levels();
+    report.Levels = internal.Multigrid->Levels();
     report.Bytes = internal.Multigrid->Bytes();
   }
   report.PrepareSeconds = SecondsSince(start);

@@ -215,6 +215,23 @@ def balls(points, radius):
     return glyphs
 
 
+def look_at(view, points):
+    """From the front, a little from the right and above; the points fill the picture."""
+    towards = np.array([0.35, 0.3, 1.0]) / np.linalg.norm([0.35, 0.3, 1.0])
+    right = np.cross([0, 1, 0], towards)
+    right /= np.linalg.norm(right)
+    up = np.cross(towards, right)
+    axes = np.stack([right, up, towards])
+    low, high = (points @ axes.T).min(axis=0), (points @ axes.T).max(axis=0)
+    centre = (low + high) / 2 @ axes
+    width, height = view.ViewSize
+    view.CameraParallelProjection = 1
+    view.CameraParallelScale = 0.53 * max(high[1] - low[1], (high[0] - low[0]) * height / width)
+    view.CameraFocalPoint = centre
+    view.CameraPosition = centre + 2 * np.linalg.norm(high - low) * towards
+    view.CameraViewUp = up
+
+
 def draw(field, strokes, size, image):
     points, triangles = arrays_of(field)
     cells = field.GetCellData()
@@ -248,12 +265,7 @@ def draw(field, strokes, size, image):
     say(f"{(index > 0).sum()} singularities of positive index (red), {(index < 0).sum()} of negative"
         f" (green); the indices sum to {index.sum():g}")
 
-    centre = (points.min(axis=0) + points.max(axis=0)) / 2
-    view.CameraFocalPoint = centre
-    view.CameraPosition = centre + 2 * size * np.array([0.35, 0.3, 1.0])
-    view.CameraViewUp = [0, 1, 0]
-    simple.ResetCamera(view)
-    simple.GetActiveCamera().Dolly(1.5)
+    look_at(view, points)
     simple.SaveScreenshot(image, view, ImageResolution=[2400, 2100])
 
 
@@ -271,6 +283,8 @@ def main():
 
     prolongation = simple.DirectionalProlongation(Input=source(data))
     prolongation.UpdatePipeline()
+    if prolongation.GetDataInformation().GetNumberOfCells() == 0:
+        raise SystemExit("The surface was refused, for the reason given above.")
     say("decimated level by level, with the operators between the levels")
 
     solver = simple.HarmonicFieldSolver(

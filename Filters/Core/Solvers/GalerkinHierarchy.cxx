@@ -4,9 +4,9 @@
 #include "Support/Errors.h"
 #include "Support/SparseKernels.h"
 
-#include <cassert>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string>
 
 namespace dmg
@@ -58,14 +58,21 @@ std::vector<int> PlacesOfChildren(
   return places;
 }
 
-std::vector<int> Inverse(const std::vector<int>& places)
+std::vector<int> Inverse(const std::vector<int>& permutation)
 {
-  std::vector<int> order(places.size());
-  for (std::size_t i = 0; i < places.size(); ++i)
+  std::vector<int> inverse(permutation.size());
+  for (std::size_t i = 0; i < permutation.size(); ++i)
   {
-    order[places[i]] = static_cast<int>(i);
+    inverse[permutation[i]] = static_cast<int>(i);
   }
-  return order;
+  return inverse;
+}
+
+std::vector<int> Identity(int size)
+{
+  std::vector<int> identity(size);
+  std::iota(identity.begin(), identity.end(), 0);
+  return identity;
 }
 
 template <class Scalar>
@@ -79,6 +86,14 @@ double RealDiagonalEntry(const SparseMatrix<Scalar>& A, int i)
     }
   }
   return 0.0;
+}
+
+/// An assignment of an empty matrix would keep the memory.
+template <class Scalar>
+void Free(SparseMatrix<Scalar>& A)
+{
+  SparseMatrix<Scalar> empty;
+  A.swap(empty);
 }
 
 template <class Scalar>
@@ -110,54 +125,36 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
   {
     throw InvalidInput("the matrix of a linear system must be square");
   }
-  this->BringIntoOrder(prolongations, context);
-  this->Matrices.resize(this->Prolongations.size() + 1);
-  this->Diagonals.resize(this->Matrices.size());
+  this->BringIntoOrder(prolongations, static_cast<int>(A.rows()), context);
   this->SetFinest(A, context);
   if (!this->Prolongations.empty())
   {
     context.Checkpoint(0.0);
     SparseMatrix<Scalar> smoothed = SmoothedProlongation(
       this->Matrices[0], this->Prolongations[0], options.FinestProlongationSteps, context);
-    this->Prolongations[0].swap(smoothed);
-  }
-  this->Restrictions.resize(this->Prolongations.size());
-  for (std::size_t level = 0; level < this->Prolongations.size(); ++level)
-  {
-    SparseMatrix<Scalar> adjoint = Adjoint(this->Prolongations[level], context);
-    this->Restrictions[level].swap(adjoint); // an assignment would copy
+    this->Prolongations[0].swap(smoothed); // an assignment would copy
   }
   this->ComputeCoarser(context);
 }
 
 template <class Scalar>
 void GalerkinHierarchy<Scalar>::BringIntoOrder(
-  std::vector<SparseMatrix<Scalar>>& prolongations, const ExecutionContext& context)
+  std::vector<SparseMatrix<Scalar>>& prolongations, int size, const ExecutionContext& context)
 {
-  const std::size_t numberOfTransfers = prolongations.size();
-  this->Prolongations.resize(numberOfTransfers);
-  std::vector<int> places;
-  for (std::size_t level = numberOfTransfers; level-- > 0;)
+  this->Prolongations.resize(prolongations.size());
+  std::vector<int> places = Identity(
+    prolongations.empty() ? size : static_cast<int>(prolongations.back().cols()));
+  for (std::size_t level = prolongations.size(); level-- > 0;)
   {
     context.Checkpoint(0.0);
     SparseMatrix<Scalar>& P = prolongations[level];
-    if (places.empty())
-    {
-      places.resize(P.cols());
-      for (std::size_t i = 0; i < places.size(); ++i)
-      {
-        places[i] = static_cast<int>(i);
-      }
-    }
     const std::vector<int> placesOfParents = std::move(places);
     places = PlacesOfChildren(Parents(P), placesOfParents);
     SparseMatrix<Scalar> permuted = Permuted(P, Inverse(places), placesOfParents, context);
-    P.resize(0, 0);
-    P.data().squeeze();
     this->Prolongations[level].swap(permuted);
+    Free(P);
   }
-  this->FinestOrder = Inverse(places);
-  this->FinestPlaces = std::move(places);
+  this->Order = Inverse(places);
 }
 
 template <class Scalar>
@@ -172,44 +169,57 @@ template <class Scalar>
 void GalerkinHierarchy<Scalar>::SetFinest(
   const SparseMatrix<Scalar>& A, const ExecutionContext& context)
 {
-  if (this->Prolongations.empty())
-  {
-    this->Matrices[0] = A;
-  }
-  else
-  {
-    SparseMatrix<Scalar> permuted = Permuted(A, this->FinestOrder, this->FinestPlaces, context);
-    this->Matrices[0].swap(permuted);
-  }
-  this->FindDiagonal(0, context);
+  this->Matrices.resize(this->Prolongations.size() + 1);
+  this->Diagonals.resize(this->Matrices.size());
+  SparseMatrix<Scalar> permuted = Permuted(A, this->Order, Inverse(this->Order), context);
+  this->Matrices[0].swap(permuted);
+  this->FindDiagonal(0, SparseMatrix<Scalar>(), context);
 }
 
 template <class Scalar>
 void GalerkinHierarchy<Scalar>::ComputeCoarser(const ExecutionContext& context)
 {
-  const int coarsest = this->NumberOfLevels() - 1;
+  const int coarsest = static_cast<int>(this->Prolongations.size());
   for (int level = 0; level < coarsest; ++level)
   {
     context.Checkpoint(level / (coarsest + 1.0));
-    SparseMatrix<Scalar> product = TripleProduct(
-      this->Restrictions[level], this->Matrices[level], this->Prolongations[level], context);
+    const SparseMatrix<Scalar>& P = this->Prolongations[level];
+    const SparseMatrix<Scalar> R = Adjoint(P, context);
+    SparseMatrix<Scalar> product = TripleProduct(R, this->Matrices[level], P, context);
     this->Matrices[level + 1].swap(product);
-    this->FindDiagonal(level + 1, context);
+    this->FindDiagonal(level + 1, R, context);
   }
   context.Checkpoint(coarsest / (coarsest + 1.0));
   this->FactorCoarsest();
+  this->Reports.clear();
+  for (const SparseMatrix<Scalar>& A : this->Matrices)
+  {
+    this->Reports.push_back(
+      { static_cast<long long>(A.rows()), static_cast<long long>(A.nonZeros()) });
+  }
   context.Checkpoint(1.0);
 }
 
 template <class Scalar>
-void GalerkinHierarchy<Scalar>::FindDiagonal(int level, const ExecutionContext& context)
+void GalerkinHierarchy<Scalar>::ForgetMatrices()
+{
+  for (SparseMatrix<Scalar>& A : this->Matrices)
+  {
+    Free(A);
+  }
+  this->Diagonals.clear();
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::FindDiagonal(
+  int level, const SparseMatrix<Scalar>& R, const ExecutionContext& context)
 {
   const SparseMatrix<Scalar>& A = this->Matrices[level];
   const int size = static_cast<int>(A.rows());
   Vector<double>& diagonal = this->Diagonals[level];
   diagonal.resize(size);
   context.ParallelFor(0, size, RowGrain,
-    [this, level, &A, &diagonal](int first, int last)
+    [this, level, &A, &R, &diagonal](int first, int last)
     {
       for (int i = first; i < last; ++i)
       {
@@ -220,8 +230,7 @@ void GalerkinHierarchy<Scalar>::FindDiagonal(int level, const ExecutionContext& 
         }
         // What cancels in p^H A p leaves rounding errors of the size of p^H diag(A) p.
         double scale = 0.0;
-        for (typename SparseMatrix<Scalar>::InnerIterator entry(this->Restrictions[level - 1], i);
-             entry; ++entry)
+        for (typename SparseMatrix<Scalar>::InnerIterator entry(R, i); entry; ++entry)
         {
           scale += Eigen::numext::abs2(entry.value()) * this->Diagonals[level - 1][entry.col()];
         }
@@ -235,7 +244,7 @@ void GalerkinHierarchy<Scalar>::FindDiagonal(int level, const ExecutionContext& 
   {
     if (!(diagonal[i] >= 0.0 && diagonal[i] <= std::numeric_limits<double>::max()))
     {
-      const int unknown = level == 0 && !this->FinestOrder.empty() ? this->FinestOrder[i] : i;
+      const int unknown = level == 0 ? this->Order[i] : i;
       throw SolverFailure("the matrix is not positive semi-definite: diagonal entry " +
         std::to_string(unknown) + " on level " + std::to_string(level) + " is " +
         std::to_string(diagonal[i]) + "; make all weights positive and finite");
@@ -273,64 +282,11 @@ void GalerkinHierarchy<Scalar>::FactorCoarsest()
 }
 
 template <class Scalar>
-void GalerkinHierarchy<Scalar>::ToOrder(
-  const Vector<Scalar>& theirs, Vector<Scalar>& ours, const ExecutionContext& context) const
-{
-  assert(theirs.size() == this->NumberOfUnknowns(0));
-  if (this->FinestOrder.empty())
-  {
-    ours = theirs;
-    return;
-  }
-  ours.resize(theirs.size());
-  context.ParallelFor(0, static_cast<int>(theirs.size()), RowGrain,
-    [this, &theirs, &ours](int first, int last)
-    {
-      for (int k = first; k < last; ++k)
-      {
-        ours[k] = theirs[this->FinestOrder[k]];
-      }
-    });
-}
-
-template <class Scalar>
-void GalerkinHierarchy<Scalar>::FromOrder(
-  const Vector<Scalar>& ours, Vector<Scalar>& theirs, const ExecutionContext& context) const
-{
-  assert(ours.size() == this->NumberOfUnknowns(0));
-  if (this->FinestOrder.empty())
-  {
-    theirs = ours;
-    return;
-  }
-  theirs.resize(ours.size());
-  context.ParallelFor(0, static_cast<int>(ours.size()), RowGrain,
-    [this, &ours, &theirs](int first, int last)
-    {
-      for (int i = first; i < last; ++i)
-      {
-        theirs[i] = ours[this->FinestPlaces[i]];
-      }
-    });
-}
-
-template <class Scalar>
-std::vector<LevelReport> GalerkinHierarchy<Scalar>::Levels() const
-{
-  std::vector<LevelReport> levels;
-  for (const SparseMatrix<Scalar>& A : this->Matrices)
-  {
-    levels.push_back({ static_cast<long long>(A.rows()), static_cast<long long>(A.nonZeros()) });
-  }
-  return levels;
-}
-
-template <class Scalar>
 long long GalerkinHierarchy<Scalar>::Bytes() const
 {
-  long long bytes = this->CoarsestFactor->Bytes();
-  bytes += 2 * static_cast<long long>(this->FinestOrder.size() * sizeof(int));
-  for (const auto* matrices : { &this->Matrices, &this->Prolongations, &this->Restrictions })
+  long long bytes =
+    this->CoarsestFactor->Bytes() + static_cast<long long>(this->Order.size() * sizeof(int));
+  for (const auto* matrices : { &this->Prolongations, &this->Matrices })
   {
     for (const SparseMatrix<Scalar>& matrix : *matrices)
     {

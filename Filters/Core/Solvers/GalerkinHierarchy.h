@@ -25,7 +25,7 @@ struct GalerkinOptions
 /// Order. The unknowns of surface meshes come in any order, and a random order makes every product
 /// two to four times as slow. The levels are therefore kept in an order of their own: the children
 /// of a coarse unknown follow each other, in the order of their parents, down from the coarsest
-/// level. ToOrder and FromOrder translate vectors of the finest level.
+/// level. FinestOrder relates it to the caller's.
 ///
 /// Inactive unknowns. Where a diagonal entry of a semi-definite matrix is zero, up to rounding, its
 /// whole row is. Coarse unknowns that no fine unknown sees are of this kind. They are kept out of
@@ -52,48 +52,46 @@ public:
   /// \throw as the constructor; the hierarchy must not be used after that.
   void Update(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
 
-  int NumberOfLevels() const { return static_cast<int>(this->Matrices.size()); }
-  int NumberOfUnknowns(int level) const { return static_cast<int>(this->Matrices[level].rows()); }
+  int NumberOfLevels() const { return static_cast<int>(this->Reports.size()); }
+  int NumberOfUnknowns(int level) const { return static_cast<int>(this->Reports[level].Unknowns); }
 
   /// A_l, N_l x N_l.
   const SparseMatrix<Scalar>& Matrix(int level) const { return this->Matrices[level]; }
-  /// P_l, N_l x N_{l+1}.
-  const SparseMatrix<Scalar>& Prolongation(int level) const { return this->Prolongations[level]; }
-  /// P_l^H, N_{l+1} x N_l.
-  const SparseMatrix<Scalar>& Restriction(int level) const { return this->Restrictions[level]; }
   /// The diagonal of A_l; zero exactly for inactive unknowns.
   const Vector<double>& Diagonal(int level) const { return this->Diagonals[level]; }
+  /// P_l, N_l x N_{l+1}.
+  const SparseMatrix<Scalar>& Prolongation(int level) const { return this->Prolongations[level]; }
+  /// [k] is the caller's index of unknown k of level 0.
+  const std::vector<int>& FinestOrder() const { return this->Order; }
+
+  /// Frees all A_l and diagonals, which nothing needs once a cycle is built. Update brings them back.
+  void ForgetMatrices();
 
   /// Factor of D^{-1/2} A D^{-1/2} on the coarsest level, D its diagonal. Inactive unknowns have
   /// ones on the diagonal, and all diagonal entries are lifted by 1e-12 so that a semi-definite
   /// matrix has a factor, too.
   CholeskySolver<Scalar>& CoarsestSolver() { return *this->CoarsestFactor; }
 
-  /// From the caller's order of the finest unknowns to that of the hierarchy, and back.
-  void ToOrder(
-    const Vector<Scalar>& theirs, Vector<Scalar>& ours, const ExecutionContext& context) const;
-  void FromOrder(
-    const Vector<Scalar>& ours, Vector<Scalar>& theirs, const ExecutionContext& context) const;
-
   /// Unknowns and non-zeros of each A_l.
-  std::vector<LevelReport> Levels() const;
+  const std::vector<LevelReport>& Levels() const { return this->Reports; }
   /// Held by this object.
   long long Bytes() const;
 
 private:
-  void BringIntoOrder(std::vector<SparseMatrix<Scalar>>& prolongations,
+  void BringIntoOrder(std::vector<SparseMatrix<Scalar>>& prolongations, int size,
     const ExecutionContext& context);
   void SetFinest(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
   void ComputeCoarser(const ExecutionContext& context);
-  void FindDiagonal(int level, const ExecutionContext& context);
+  /// \param R the restriction to this level; unused on the finest.
+  void FindDiagonal(
+    int level, const SparseMatrix<Scalar>& R, const ExecutionContext& context);
   void FactorCoarsest();
 
-  std::vector<int> FinestOrder;  ///< [k] is the caller's index of our unknown k
-  std::vector<int> FinestPlaces; ///< its inverse
-  std::vector<SparseMatrix<Scalar>> Matrices;
+  std::vector<int> Order;
   std::vector<SparseMatrix<Scalar>> Prolongations;
-  std::vector<SparseMatrix<Scalar>> Restrictions;
+  std::vector<SparseMatrix<Scalar>> Matrices;
   std::vector<Vector<double>> Diagonals;
+  std::vector<LevelReport> Reports;
   std::optional<CholeskySolver<Scalar>> CoarsestFactor;
 };
 

@@ -14,24 +14,14 @@ namespace
 
 constexpr int RowGrain = 4096;
 
-/// Rows and columns of a level in another order and scale.
-struct Arrangement
+std::vector<int> Inverse(const std::vector<int>& permutation)
 {
-  std::vector<int> Order;  ///< [k] is the unknown of the hierarchy at place k
-  std::vector<int> Places; ///< its inverse
-  Vector<double> Scale;    ///< D^{-1/2} in the order of the hierarchy; zero for inactive unknowns
-};
-
-Arrangement MakeArrangement(std::vector<int> order)
-{
-  Arrangement arrangement;
-  arrangement.Places.resize(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
+  std::vector<int> inverse(permutation.size());
+  for (std::size_t i = 0; i < permutation.size(); ++i)
   {
-    arrangement.Places[order[k]] = static_cast<int>(k);
+    inverse[permutation[i]] = static_cast<int>(i);
   }
-  arrangement.Order = std::move(order);
-  return arrangement;
+  return inverse;
 }
 
 double Reciprocal(double x)
@@ -39,12 +29,12 @@ double Reciprocal(double x)
   return x > 0.0 ? 1.0 / x : 0.0;
 }
 
-/// The entries of A with keep(place of row, place of column), arranged and scaled: entry (i, j)
-/// becomes rowScale(i) a_ij columnScale(j).
-template <class Value, class Scalar, class RowScale, class ColumnScale, class Keep>
+/// The entries of A with keep(place of row, place of column), in another order and scaled: entry
+/// (i, j) becomes rowScale_i a_ij columnScale_j.
+template <class Value, class Scalar, class Keep>
 void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
-  const std::vector<int>& columnPlaces, const RowScale& rowScale, const ColumnScale& columnScale,
-  const Keep& keep, SparseMatrix<Value>& result, const ExecutionContext& context)
+  const std::vector<int>& columnPlaces, const Vector<double>& rowScale,
+  const Vector<double>& columnScale, const Keep& keep, SparseMatrix<Value>& result, const ExecutionContext& context)
 {
   const int rows = static_cast<int>(A.rows());
   const int* offsetsOfA = A.outerIndexPtr();
@@ -84,7 +74,7 @@ void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
           if (keep(k, columnPlaces[j]))
           {
             columns[to] = columnPlaces[j];
-            values[to] = static_cast<Value>(valuesOfA[m] * (rowScale(i) * columnScale(j)));
+            values[to] = static_cast<Value>(valuesOfA[m] * (rowScale[i] * columnScale[j]));
             ++to;
           }
         }
@@ -135,10 +125,15 @@ public:
       ColourOrder colours = byColours ? Colouring(hierarchy.Matrix(l)) : SingleColour(size);
       Level& level = this->Levels[l];
       level.A.Begins = std::move(colours.Begins);
-      level.Arranged = MakeArrangement(std::move(colours.Unknowns));
+      level.Order = std::move(colours.Unknowns);
       level.x.resize(size);
       level.b.resize(size);
       level.r.resize(l < coarsest ? size : 0);
+    }
+    this->CallersOrder.reserve(this->Levels[0].Order.size());
+    for (const int i : this->Levels[0].Order)
+    {
+      this->CallersOrder.push_back(hierarchy.FinestOrder()[i]);
     }
     this->Update(context);
   }
@@ -146,35 +141,33 @@ public:
   void Update(const ExecutionContext& context) override
   {
     const int coarsest = this->Hierarchy.NumberOfLevels() - 1;
-    const auto all = [](int, int) { return true; };
-    for (int l = 0; l <= coarsest; ++l)
-    {
-      Vector<double>& scale = this->Levels[l].Arranged.Scale;
-      scale = this->Hierarchy.Diagonal(l).unaryExpr(
-        [](double entry) { return Reciprocal(std::sqrt(entry)); });
-    }
+    std::vector<int> places = Inverse(this->Levels[0].Order);
+    Vector<double> scale = Scaling(this->Hierarchy.Diagonal(0));
+    this->LoadScaling(scale);
     for (int l = 0; l < coarsest; ++l)
     {
       context.Checkpoint(0.5 + 0.5 * l / (coarsest + 1.0));
       Level& level = this->Levels[l];
-      const Arrangement& fine = level.Arranged;
-      const Arrangement& coarse = this->Levels[l + 1].Arranged;
-      const auto fineScale = [&fine](int i) { return fine.Scale[i]; };
-      const auto inverseFineScale = [&fine](int i) { return Reciprocal(fine.Scale[i]); };
-      const auto coarseScale = [&coarse](int i) { return coarse.Scale[i]; };
+      const std::vector<int>& order = level.Order;
+      std::vector<int> coarsePlaces = Inverse(this->Levels[l + 1].Order);
+      Vector<double> coarseScale = Scaling(this->Hierarchy.Diagonal(l + 1));
 
-      Arrange(this->Hierarchy.Matrix(l), fine.Order, fine.Places, fineScale, fineScale,
+      const SparseMatrix<Scalar>& A = this->Hierarchy.Matrix(l);
+      Arrange(A, order, places, scale, scale,
         [](int row, int column) { return column < row; }, level.A.Lower, context);
-      Arrange(this->Hierarchy.Matrix(l), fine.Order, fine.Places, fineScale, fineScale,
+      Arrange(A, order, places, scale, scale,
         [](int row, int column) { return column > row; }, level.A.Upper, context);
-      Arrange(this->Hierarchy.Prolongation(l), fine.Order, coarse.Places, inverseFineScale,
-        coarseScale, all, level.P, context);
-      Arrange(this->Hierarchy.Restriction(l), coarse.Order, fine.Places, coarseScale,
-        inverseFineScale, all, level.R, context);
+      Arrange(this->Hierarchy.Prolongation(l), order, coarsePlaces, scale.unaryExpr(&Reciprocal),
+        coarseScale, [](int, int) { return true; }, level.P, context);
+      SparseMatrix<Value> R = Adjoint(level.P, context);
+      level.R.swap(R); // an assignment would copy
       SmootherOptions smoothing = this->Options.Smoothing;
       smoothing.PreSweeps *= l == 0 ? this->Options.FinestFactor : 1;
       smoothing.PostSweeps *= l == 0 ? this->Options.FinestFactor : 1;
       level.Smoothing = Smoother<Value>::New(level.A, smoothing, context);
+
+      places = std::move(coarsePlaces);
+      scale = std::move(coarseScale);
     }
     context.Checkpoint(1.0);
   }
@@ -202,21 +195,22 @@ public:
 
   long long Bytes() const override
   {
-    long long bytes = 0;
+    long long bytes = static_cast<long long>(this->CallersOrder.size() * sizeof(int)) +
+      this->FinestScale.size() * static_cast<long long>(sizeof(Real));
     for (const Level& level : this->Levels)
     {
-      const long long size = level.x.size();
-      bytes += BytesOf(level.A.Lower) + BytesOf(level.A.Upper) + BytesOf(level.P) + BytesOf(level.R);
-      bytes += size * static_cast<long long>(3 * sizeof(Value) + sizeof(double) + 2 * sizeof(int));
+      bytes += BytesOf(level.A.Lower) + BytesOf(level.A.Upper) + BytesOf(level.P) +
+        BytesOf(level.R) + static_cast<long long>(level.Order.size() * sizeof(int)) +
+        (level.x.size() + level.b.size() + level.r.size()) * static_cast<long long>(sizeof(Value));
     }
     return bytes;
   }
 
 private:
+  /// Scaled, and sorted by colours; on the coarsest level only Order, b and x.
   struct Level
   {
-    Arrangement Arranged;
-    // The rest is scaled and in the order of the arrangement; empty on the coarsest level.
+    std::vector<int> Order; ///< [k] is the unknown of the hierarchy at place k
     UnitDiagonalMatrix<Value> A;
     SparseMatrix<Value> P; ///< from the next coarser level to this
     SparseMatrix<Value> R; ///< P^H
@@ -226,32 +220,48 @@ private:
     Vector<Value> r;
   };
 
+  /// D^{-1/2}; zero for inactive unknowns.
+  static Vector<double> Scaling(const Vector<double>& diagonal)
+  {
+    return diagonal.unaryExpr([](double entry) { return Reciprocal(std::sqrt(entry)); });
+  }
+
+  void LoadScaling(const Vector<double>& scale)
+  {
+    const std::vector<int>& order = this->Levels[0].Order;
+    this->FinestScale.resize(scale.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+    {
+      this->FinestScale[k] = static_cast<Real>(scale[order[k]]);
+    }
+  }
+
   /// b of the finest level from a residual.
   void Load(const Vector<Scalar>& r, const ExecutionContext& context)
   {
-    Level& finest = this->Levels[0];
     context.ParallelFor(0, static_cast<int>(r.size()), RowGrain,
-      [&finest, &r](int first, int last)
+      [this, &r](int first, int last)
       {
+        Vector<Value>& b = this->Levels[0].b;
         for (int k = first; k < last; ++k)
         {
-          const int i = finest.Arranged.Order[k];
-          finest.b[k] = static_cast<Value>(r[i] * finest.Arranged.Scale[i]);
+          const double scale = this->FinestScale[k];
+          b[k] = static_cast<Value>(r[this->CallersOrder[k]] * scale);
         }
       });
   }
 
   void Store(Vector<Scalar>& z, const ExecutionContext& context) const
   {
-    const Level& finest = this->Levels[0];
-    z.resize(finest.x.size());
+    z.resize(this->Levels[0].x.size());
     context.ParallelFor(0, static_cast<int>(z.size()), RowGrain,
-      [&finest, &z](int first, int last)
+      [this, &z](int first, int last)
       {
-        for (int i = first; i < last; ++i)
+        const Vector<Value>& x = this->Levels[0].x;
+        for (int k = first; k < last; ++k)
         {
-          z[i] = static_cast<Scalar>(finest.x[finest.Arranged.Places[i]]) *
-            finest.Arranged.Scale[i];
+          const double scale = this->FinestScale[k];
+          z[this->CallersOrder[k]] = static_cast<Scalar>(x[k]) * scale;
         }
       });
   }
@@ -290,6 +300,8 @@ private:
   GalerkinHierarchy<Scalar>& Hierarchy;
   const CycleOptions Options;
   std::vector<Level> Levels;
+  std::vector<int> CallersOrder; ///< [k] is the caller's index of place k on the finest level
+  Vector<Real> FinestScale;      ///< D^{-1/2} by place
   Vector<Scalar> CoarsestRightHandSide;
   Vector<Scalar> CoarsestSolution;
 };

@@ -36,7 +36,7 @@ struct CycleOptions
 ///
 /// Inside, each level is scaled to unit diagonal, which no smoother here notices in exact
 /// arithmetic and which keeps single precision away from overflow, and is sorted by colours.
-/// The vectors of Apply are in the order of the hierarchy.
+/// Vectors of Apply are in the order of the hierarchy's caller.
 ///
 /// Cost of a V(2,2)-cycle with Gauss-Seidel: per level four products with the matrix and two with
 /// the prolongation.
@@ -44,7 +44,7 @@ template <class Scalar>
 class MultigridCycle : public Preconditioner<Scalar>
 {
 public:
-  /// \param hierarchy must outlive the cycle.
+  /// \param hierarchy must outlive the cycle; its matrices may be forgotten.
   /// \throw InvalidInput a number of sweeps is negative.
   MultigridCycle(GalerkinHierarchy<Scalar>& hierarchy, const CycleOptions& options,
     const ExecutionContext& context);
@@ -53,7 +53,7 @@ public:
   /// After an Update of the hierarchy. Colours are kept unless the precision changes.
   void Update(const ExecutionContext& context);
 
-  /// z = B r, both N_0 long in the order of the hierarchy.
+  /// z = B r, both N_0 long.
   void Apply(
     const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override;
 

@@ -19,20 +19,21 @@ struct MultigridOptions
   CycleOptions Cycle;
 };
 
-/// A Galerkin hierarchy, a V-cycle on it and the iterations around the cycle, for vectors in the
-/// order of the caller. Built once per matrix, asked for many right-hand sides.
+/// A Galerkin hierarchy, a V-cycle on it and the iterations around the cycle. Built once per matrix,
+/// asked for many right-hand sides.
 template <class Scalar>
 class MultigridSolver
 {
 public:
-  /// \param A, prolongations see GalerkinHierarchy; nothing is borrowed.
+  /// \param A, prolongations see GalerkinHierarchy. A is borrowed: it must stay where it is.
   /// \throw as GalerkinHierarchy and MultigridCycle.
   MultigridSolver(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
     const MultigridOptions& options, const ExecutionContext& context);
   MultigridSolver(const MultigridSolver&) = delete; // the cycle refers to the hierarchy
   MultigridSolver& operator=(const MultigridSolver&) = delete;
 
-  /// Takes other values in the same pattern. After an error the solver must not be used.
+  /// Takes other values in the same pattern; borrows A in place of the former one. After an error
+  /// the solver must not be used.
   void Update(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
 
   /// Conjugate gradients, one V-cycle as preconditioner; see ConjugateGradient.
@@ -43,15 +44,13 @@ public:
   void SolveByCycles(const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x,
     SolveReport& report, const ExecutionContext& context);
 
-  const GalerkinHierarchy<Scalar>& Levels() const { return this->Hierarchy; }
+  /// Unknowns and non-zeros, finest first.
+  const std::vector<LevelReport>& Levels() const { return this->Hierarchy.Levels(); }
   /// Held by this object.
   long long Bytes() const { return this->Hierarchy.Bytes() + this->Cycle.Bytes(); }
 
 private:
-  template <class Iterate>
-  void Solve(const Iterate& iterate, const Vector<Scalar>& b, const StoppingCriteria& stop,
-    Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context);
-
+  const SparseMatrix<Scalar>* A;
   GalerkinHierarchy<Scalar> Hierarchy;
   MultigridCycle<Scalar> Cycle;
 };

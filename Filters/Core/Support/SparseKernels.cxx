@@ -255,6 +255,9 @@ template double SquaredNorm(const Vector<double>&, const ExecutionContext&);
 template double SquaredNorm(const Vector<Complex>&, const ExecutionContext&);
 template SparseMatrix<double> Adjoint(const SparseMatrix<double>&, const ExecutionContext&);
 template SparseMatrix<Complex> Adjoint(const SparseMatrix<Complex>&, const ExecutionContext&);
+template SparseMatrix<float> Adjoint(const SparseMatrix<float>&, const ExecutionContext&);
+template SparseMatrix<std::complex<float>> Adjoint(
+  const SparseMatrix<std::complex<float>>&, const ExecutionContext&);
 template SparseMatrix<double> Permuted(const SparseMatrix<double>&, const std::vector<int>&,
   const std::vector<int>&, const ExecutionContext&);
 template SparseMatrix<Complex> Permuted(const SparseMatrix<Complex>&, const std::vector<int>&,

@@ -87,7 +87,7 @@ Scalar Dot(const Vector<Scalar>& x, const Vector<Scalar>& y, const ExecutionCont
 template <class Scalar>
 double SquaredNorm(const Vector<Scalar>& x, const ExecutionContext& context);
 
-/// The conjugate transpose A^H.
+/// The conjugate transpose A^H. Also for single precision.
 template <class Scalar>
 SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
 

@@ -78,12 +78,12 @@ public:
     for (int k = 0; k < size; ++k)
     {
       const int index = indices[k];
-      int place = places[index];
-      const bool isMember = (place < count) & (members[place] == index);
-      place = isMember ? place : count;
+      const int former = places[index];
+      const int isNew = (former >= count) | (members[former] != index);
+      const int place = former + isNew * (count - former);
       places[index] = place;
       members[place] = index;
-      count += isMember ? 0 : 1;
+      count += isNew;
       AddProduct(sums[place], factor, values[k]);
     }
     this->Count = count;

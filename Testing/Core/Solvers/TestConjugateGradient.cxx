@@ -43,7 +43,7 @@ CycleOptions WithPrecision(CyclePrecision precision)
   return options;
 }
 
-/// A grid problem in the order of its hierarchy, with a V(2,2)-cycle.
+/// A grid problem with a V(2,2)-cycle.
 template <class Scalar>
 struct CyclePreconditioned
 {
@@ -54,7 +54,7 @@ struct CyclePreconditioned
   {
   }
 
-  const SparseMatrix<Scalar>& A() const { return this->Hierarchy.Matrix(0); }
+  const SparseMatrix<Scalar>& A() const { return this->Problem.A; }
   int Size() const { return this->Hierarchy.NumberOfUnknowns(0); }
 
   const test::GridProblem<Scalar> Problem;

@@ -53,7 +53,7 @@ TYPED_TEST(TestMultigridCycle, IsHermitianPositiveDefinite)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
-  const Matrix<TypeParam> A(hierarchy.Matrix(0));
+  const Matrix<TypeParam> A(problem.A);
   for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
   {
     for (const int sweeps : { 1, 2, 3 })
@@ -80,15 +80,15 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const int size = hierarchy.NumberOfUnknowns(0);
-  const Matrix<TypeParam> A(hierarchy.Matrix(0));
-  const Matrix<TypeParam> P(hierarchy.Prolongation(0));
+  const Matrix<TypeParam> A(problem.A);
+  const Matrix<TypeParam> P(problem.P[0]);
   const Matrix<TypeParam> coarse = P.adjoint() * A * P;
-  // Gauss-Seidel by colours on a chessboard, red before black, in the order of the hierarchy.
+  // Gauss-Seidel by colours on a chessboard, red before black.
   const ColourOrder order = Colouring(hierarchy.Matrix(0));
   Eigen::PermutationMatrix<Eigen::Dynamic> toColours(size);
   for (int k = 0; k < size; ++k)
   {
-    toColours.indices()[order.Unknowns[k]] = k;
+    toColours.indices()[hierarchy.FinestOrder()[order.Unknowns[k]]] = k;
   }
   const Matrix<TypeParam> byColours = toColours * A * toColours.transpose();
   const Matrix<TypeParam> inverse = byColours.template triangularView<Eigen::Lower>().solve(

@@ -44,7 +44,7 @@ TYPED_TEST(TestStationaryIteration, CyclesAgreeWithCholesky)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 5);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
-  const SparseMatrix<TypeParam>& A = hierarchy.Matrix(0);
+  const SparseMatrix<TypeParam>& A = problem.A;
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3201);
   Vector<TypeParam> expected;
   CholeskySolver<TypeParam>(A).Solve(b, expected);
@@ -103,7 +103,7 @@ TYPED_TEST(TestStationaryIteration, LimitZeroRightHandSideAndCancel)
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   MultigridCycle<TypeParam> cycle(hierarchy, {}, SerialContext());
-  const SparseMatrix<TypeParam>& A = hierarchy.Matrix(0);
+  const SparseMatrix<TypeParam>& A = problem.A;
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3203);
   SolveReport report;
   Vector<TypeParam> x;
