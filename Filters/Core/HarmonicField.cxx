@@ -58,7 +58,7 @@ std::pair<SolverKind, std::string> ChooseSolver(
 
 /// The prolongations on N-power fields; on the finest level only the rows of free unknowns.
 std::vector<SparseMatrix<Complex>> Prolongations(const ProlongationOperators& operators,
-  CoarseSpaceKind coarseSpace, int N, const std::vector<int>& freeFaces)
+  CoarseSpaceKind coarseSpace, int N, const std::vector<int>& freeFaces, const ExecutionContext& context)
 {
   const std::vector<TransportOperator>& transports =
     coarseSpace == CoarseSpaceKind::Nodal ? operators.Nodal : operators.SP;
@@ -70,7 +70,7 @@ std::vector<SparseMatrix<Complex>> Prolongations(const ProlongationOperators& op
   if (!prolongations.empty() &&
     static_cast<Eigen::Index>(freeFaces.size()) < prolongations[0].rows())
   {
-    prolongations[0] = SelectRows(prolongations[0], freeFaces);
+    prolongations[0] = SelectRows(prolongations[0], freeFaces, context);
   }
   return prolongations;
 }
@@ -99,15 +99,15 @@ SurfaceHierarchy BuildSurfaceHierarchy(
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
 
   // The work is done in an order that is kind to the caches; coarse levels inherit it.
-  const SpatialOrder order(mesh);
+  const SpatialOrder order(mesh, context);
   const TriangleMesh sorted = order.Apply(mesh);
-  TangentFrames fineFaceFrames = order.ApplyToFaces(FaceFrames(mesh));
+  TangentFrames fineFaceFrames = order.ApplyToFaces(FaceFrames(mesh, context), context);
   std::vector<Complex> fineCornerTurns; // from level 1 on
   result.CoarseLevels =
     BuildMeshHierarchy(sorted, options, context, [&](const LevelTransition& transition) {
       const TriangleMesh& coarse = transition.Coarse;
-      TangentFrames coarseFaceFrames = FaceFrames(coarse);
-      std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFaceFrames);
+      TangentFrames coarseFaceFrames = FaceFrames(coarse, context);
+      std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFaceFrames, context);
       SparseMatrix<double> S0 = ScalarProlongation(transition, context);
       TransportOperator SP =
         PowerFieldProlongation(transition, fineFaceFrames, coarseFaceFrames, context);
@@ -125,9 +125,9 @@ SurfaceHierarchy BuildSurfaceHierarchy(
 
   if (!operators.S0.empty())
   {
-    operators.S0[0] = RenumberRows(operators.S0[0], order.Vertices());
-    operators.SP[0] = RenumberRows(operators.SP[0], order.Faces());
-    operators.Nodal[0] = RenumberRows(operators.Nodal[0], order.Faces());
+    operators.S0[0] = RenumberRows(operators.S0[0], order.Vertices(), context);
+    operators.SP[0] = RenumberRows(operators.SP[0], order.Faces(), context);
+    operators.Nodal[0] = RenumberRows(operators.Nodal[0], order.Faces(), context);
   }
   return result;
 }
@@ -190,7 +190,8 @@ PowerFieldProblem::PowerFieldProblem(const TriangleMesh& mesh, const TangentFram
       multigrid.Coarsening.FinestProlongationSteps = FinestProlongationSteps;
     }
     internal.Multigrid.emplace(system.Matrix(),
-      Prolongations(*operators, options.CoarseSpace, options.N, system.FreeUnknowns()),
+      Prolongations(
+        *operators, options.CoarseSpace, options.N, system.FreeUnknowns(), context),
       multigrid, PartOfContext(context, 0.2, 1.0));
     report.Solver =
       std::string(solver == SolverKind::VCycles ? "V-cycles"
