@@ -65,7 +65,7 @@ std::vector<SparseMatrix<Complex>> Prolongations(const ProlongationOperators& op
   std::vector<SparseMatrix<Complex>> prolongations;
   for (const TransportOperator& transport : transports)
   {
-    prolongations.push_back(OnPowers(transport, N));
+    prolongations.push_back(OnPowers(transport, N, context));
   }
   if (!prolongations.empty() &&
     static_cast<Eigen::Index>(freeFaces.size()) < prolongations[0].rows())
@@ -156,7 +156,7 @@ PowerFieldProblem::PowerFieldProblem(const TriangleMesh& mesh, const TangentFram
   context.Checkpoint(0.0);
   this->Internal = std::make_unique<Internals>(
     MakePowerFieldSystem(mesh, faceFrames, options.N, prescribed,
-      { options.Smoothness, options.Alignment, options.Constraints }));
+      { options.Smoothness, options.Alignment, options.Constraints }, context));
   Internals& internal = *this->Internal;
   const HarmonicSystem<Complex>& system = internal.System;
   SolveReport& report = internal.Report;

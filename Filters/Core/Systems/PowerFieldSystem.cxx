@@ -44,12 +44,12 @@ void CheckOptions(int N, const PrescribedFaces& prescribed, const PowerFieldWeig
 
 HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
-  const PowerFieldWeights& weights)
+  const PowerFieldWeights& weights, const ExecutionContext& context)
 {
   CheckOptions(N, prescribed, weights);
   assert(prescribed.Faces.size() == prescribed.Weights.size());
 
-  SparseMatrix<Complex> smoothness = PowerLaplacian(mesh, faceFrames, N);
+  SparseMatrix<Complex> smoothness = PowerLaplacian(mesh, faceFrames, N, context);
   Vector<double> mass = mesh.FaceAreas();
   const double meanArea = mass.mean();
   // Where the whole surface has no area, every face counts alike.

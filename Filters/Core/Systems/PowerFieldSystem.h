@@ -34,7 +34,7 @@ struct PowerFieldWeights
 /// Cost: O(#F).
 HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
-  const PowerFieldWeights& weights);
+  const PowerFieldWeights& weights, const ExecutionContext& context = SerialContext());
 
 /// One sentence for the user where faces are zero because no prescription reaches them, else empty.
 std::string WarningAboutUnreached(const HarmonicSystem<Complex>& system);
