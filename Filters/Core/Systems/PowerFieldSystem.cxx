@@ -5,6 +5,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace dmg
@@ -80,18 +81,6 @@ HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
           "on another cell or make the constraints hard");
   }
   return system;
-}
-
-std::string WarningAboutUnreached(const HarmonicSystem<Complex>& system)
-{
-  if (system.NumberOfUnreached() == 0)
-  {
-    return {};
-  }
-  return std::to_string(system.NumberOfUnreached()) + " of " +
-    std::to_string(system.NumberOfUnknowns()) +
-    " cells lie in components of the surface that hold no prescribed direction; the field is zero "
-    "there";
 }
 
 }
