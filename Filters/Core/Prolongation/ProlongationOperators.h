@@ -9,6 +9,14 @@
 namespace dmg
 {
 
+/// Which fields a set-up builds operators for. S0 is always built.
+struct OperatorSelection
+{
+  bool PowerFields = true; ///< SP and Nodal
+  bool FaceFields = true;  ///< SX
+  bool OneForms = true;    ///< S1
+};
+
 /// Everything the solvers need to know of a hierarchy: the prolongations between its levels.
 ///
 /// Level 0 is the finest. Operator l of each list carries values from level l + 1 to level l.
