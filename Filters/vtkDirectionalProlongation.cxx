@@ -39,15 +39,16 @@ public:
 
   /// Builds anew only if the surface or the options are others than last time.
   void SetUp(vtkPolyData* surface, const dmg::HierarchyOptions& options,
-    const dmg::ExecutionContext& context)
+    const dmg::OperatorSelection& selection, const dmg::ExecutionContext& context)
   {
-    const dmg::OperatorsOrigin origin{ dmg::ContentDigest(surface), options };
+    const dmg::OperatorsOrigin origin{ dmg::ContentDigest(surface), options, selection };
     if (this->Last && this->Last->Origin == origin)
     {
       return;
     }
     const dmg::SurfaceMesh mesh = dmg::MeshFromPolyData(surface);
-    const dmg::SurfaceHierarchy hierarchy = dmg::BuildSurfaceHierarchy(mesh.Mesh, options, context);
+    const dmg::SurfaceHierarchy hierarchy =
+      dmg::BuildSurfaceHierarchy(mesh.Mesh, options, context, selection);
     auto setup = std::make_unique<Setup>();
     setup->Origin = origin;
     dmg::OperatorsToFieldData(hierarchy.Operators, origin, setup->Operators);
@@ -120,7 +121,9 @@ int vtkDirectionalProlongation::RequestData(
     options.MaximumNumberOfCoarseLevels = this->MaximumNumberOfCoarseLevels;
     options.MinimumNumberOfFaces = this->MinimumNumberOfFaces;
     options.Policy = static_cast<dmg::CollapsePolicy>(this->CollapsePolicy);
-    this->Internals->SetUp(input, options, dmg::ContextFromAlgorithm(this));
+    options.Construction = static_cast<dmg::ProlongationConstruction>(this->Construction);
+    this->Internals->SetUp(input, options, { this->PowerFields, this->FaceFields, this->OneForms },
+      dmg::ContextFromAlgorithm(this));
   }
   catch (const dmg::Cancelled&)
   {
@@ -161,5 +164,10 @@ void vtkDirectionalProlongation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CollapsePolicy: "
      << (this->CollapsePolicy == IndependentRounds ? "IndependentRounds" : "SequentialQueue")
      << "\n";
+  os << indent << "Construction: "
+     << (this->Construction == TrackedPaths ? "TrackedPaths" : "ExactOverlay") << "\n";
+  os << indent << "PowerFields: " << (this->PowerFields ? "On" : "Off") << "\n";
+  os << indent << "FaceFields: " << (this->FaceFields ? "On" : "Off") << "\n";
+  os << indent << "OneForms: " << (this->OneForms ? "On" : "Off") << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
 }

@@ -25,19 +25,27 @@
  *
  * | field array            | type   | length         | meaning                                   |
  * | ---------------------- | ------ | -------------- | ----------------------------------------- |
- * | Format                 | int    | 1              | version of this list, now 1               |
+ * | Format                 | int    | 1              | version of this list, now 2               |
  * | Digest                 | string | 1              | fingerprint of the points and triangles   |
- * | Options                | double | 4              | properties of this filter, in their order |
+ * | Options                | double | 8              | properties of this filter, in their order |
  * | NumbersOfVertices      | int    | levels         | finest first                              |
+ * | NumbersOfEdges         | int    | levels         | finest first                              |
  * | NumbersOfFaces         | int    | levels         | finest first                              |
  * | S0.l.Offsets           | int    | rows + 1       | where each row starts                     |
  * | S0.l.Columns           | int    | non-zeros      | ascending in each row                     |
  * | S0.l.Values            | double | non-zeros      | functions, from level l + 1 to level l    |
- * | SP.l.Offsets, .Columns | int    | as above       |                                           |
+ * | S1.l. ...              | double | as S0          | 1-forms, edges to edges (OneForms)        |
+ * | SX.l. ...              | double | as S0          | face fields (FaceFields)                  |
+ * | SP.l.Offsets, .Columns | int    | as above       | (PowerFields)                             |
  * | SP.l.Values            | double | 2 per non-zero | complex; directions, face to face         |
  * | Nodal.l. ...           |        | as SP          | vertices to vertices, at l = 0 to faces   |
  *
- * The operators serve every number of directions. The modulus of a complex entry is its weight, the
+ * A 1-form has a number per edge, its integral from the smaller to the larger point index; edges are
+ * numbered in ascending order of (smaller, larger). A face field has two numbers per face, the
+ * components in a frame whose first axis runs along the face's first side. With S0 and these, gradients
+ * stay gradients and closed 1-forms stay closed: d0 S0 = S1 d0 and G S0 = SX G.
+ *
+ * SP and Nodal serve every number of directions. The modulus of a complex entry is its weight, the
  * argument the angle by which a direction turns on its way; on the powers of N directions it turns
  * N times as far.
  *
@@ -111,6 +119,41 @@ public:
   vtkGetMacro(CollapsePolicy, int);
   ///@}
 
+  enum Constructions
+  {
+    /** Points and paths are carried through the collapses; fast, and few non-zeros per row. */
+    TrackedPaths = 0,
+    /**
+     * The overlay of each collapse in exact arithmetic, and the product of all local operators, as
+     * in the thesis; slow, and several times the non-zeros. The reference. Nodal is left out.
+     */
+    ExactOverlay = 1
+  };
+
+  ///@{
+  /**
+   * Where the operators come from, one of Constructions. Default TrackedPaths.
+   */
+  vtkSetClampMacro(Construction, int, TrackedPaths, ExactOverlay);
+  vtkGetMacro(Construction, int);
+  ///@}
+
+  ///@{
+  /**
+   * Which fields operators are built for, beside functions on the points: fields of N directions (SP
+   * and Nodal; default on), face fields (SX; default off) and 1-forms (S1; default off).
+   */
+  vtkSetMacro(PowerFields, bool);
+  vtkGetMacro(PowerFields, bool);
+  vtkBooleanMacro(PowerFields, bool);
+  vtkSetMacro(FaceFields, bool);
+  vtkGetMacro(FaceFields, bool);
+  vtkBooleanMacro(FaceFields, bool);
+  vtkSetMacro(OneForms, bool);
+  vtkGetMacro(OneForms, bool);
+  vtkBooleanMacro(OneForms, bool);
+  ///@}
+
   /**
    * How often this object has decimated; tells whether an update reused what stood.
    */
@@ -134,6 +177,10 @@ private:
   int MaximumNumberOfCoarseLevels = 3;
   int MinimumNumberOfFaces = 1000;
   int CollapsePolicy = IndependentRounds;
+  int Construction = TrackedPaths;
+  bool PowerFields = true;
+  bool FaceFields = false;
+  bool OneForms = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -1,17 +1,28 @@
 /**
  * @class   vtkHarmonicFieldSolver
- * @brief   computes the smoothest field of N directions that follows prescribed directions
+ * @brief   computes the smoothest field on a surface that follows prescribed directions
  *
  * A field of N directions (N = 1: vectors, 2: lines, 4: crosses, 6: hexagonal) has N tangent
- * vectors per point, 2 pi / N apart. vtkHarmonicFieldSolver represents it by its N-th power, one
- * complex number X per face in a tangent frame of the face, and finds the X that minimises
+ * vectors per point, 2 pi / N apart. vtkHarmonicFieldSolver represents it as Discretisation says, by
+ * unknowns X, and finds those that minimise
  *
- *   Smoothness * sum over edges of w_e |difference of X across the edge|^2
- *     + Alignment * sum over prescribed faces of w_b A_b / (mean A) |X_b - Y_b|^2,
+ *   Smoothness * roughness(X) + Alignment * sum over prescribed elements of w_b m_b |X_b - Y_b|^2,
  *
- * or, with hard constraints, the first sum subject to X_b = Y_b. The magnitude of X fades away from
- * the constraints and vanishes at singularities. See Tom Broeders, "Simplification Directional
- * Fields", section 6.3.
+ * or, with hard constraints, the roughness subject to X_b = Y_b; m_b is A_b / (mean A) on faces.
+ *
+ * - PowerField (default): X is the N-th power of any of the directions, one complex number per face
+ *   in a tangent frame of the face. Its roughness is the sum over the edges of w_e |difference of X
+ *   across the edge|^2. The magnitude of X fades away from the constraints and vanishes at
+ *   singularities. For crosses and lines, and wherever the direction matters more than the length.
+ * - FaceField: X is a vector per face, two components in the face's frame. Its roughness is its
+ *   squared divergence and curl, integrated. For flows: harmonic where nothing is prescribed.
+ * - OneForm: X is a number per edge, the integral of a 1-form along it. Its roughness is h^T L1 h, the
+ *   Hodge Laplacian: squared divergence and curl again. For what is integrated along paths;
+ *   tangentially continuous. A direction prescribed on a face prescribes the integrals along its
+ *   three sides.
+ *
+ * N is 1 for the latter two. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
+ * 6.3.
  *
  * @section vtkHarmonicFieldSolver-Inputs Inputs
  *
@@ -19,7 +30,8 @@
  * vtkDirectionalProlongation. If it carries that filter's operators, they are used, provided that
  * points and triangles are still those that they were built for; if those have changed the filter
  * reports an error and never uses them. Without operators the filter builds its own, with the
- * default properties of vtkDirectionalProlongation (a Cholesky solver needs none and builds none).
+ * default properties of vtkDirectionalProlongation but for what Discretisation asks for (a Cholesky
+ * solver needs none and builds none). Operators that lack those of the discretisation are an error.
  *
  * Port 1, directions (optional): vtkDataSet, points in space with vectors. Each prescribes the face
  * of the surface that is nearest to it.
@@ -49,17 +61,21 @@
  * | array                    | of            | components | meaning                            |
  * | ------------------------ | ------------- | ---------- | ---------------------------------- |
  * | Direction0, 1, ... N - 1 | cells, points | 3          | the directions, counter-clockwise  |
- * | PowerField               | cells, points | 2          | X as a complex number in the frame |
+ * | PowerField               | cells, points | 2          | the N-th power, a complex number   |
+ * | FaceField                | cells         | 3          | X in space (face fields only)      |
  * | Prescribed               | cells         | 1          | weight where prescribed, else 0    |
  * | SingularityIndex         | points        | 1          | multiple of 1 / N; 0 on boundaries |
  *
- * Directions are unit vectors (UnitLength) or have the length |X|, in the unit of the prescribed
- * vectors. Direction0 becomes the active vector of both. Elements that belong to no triangle hold
+ * Directions are unit vectors (UnitLength) or have the field's length, in the unit of the prescribed
+ * vectors. A 1-form shows the vector of its Whitney interpolant: on a cell that at the centre, at a
+ * point the mean over the faces around it. Direction0 becomes the active vector of both. Elements that belong to no triangle hold
  * zeros. The frame of a face has its first axis along the face's first side.
  *
  * Port 1, the edges of the surface: vtkPolyData, a line per edge, from the smaller to the larger
  * point index, with the cell array Turning (1 component, radians): by how much the field turns from
- * the face on the left of the edge to the face on the right, in [-pi / N, pi / N]; 0 on boundaries.
+ * the face on the left of the edge to the face on the right, in [-pi / N, pi / N]; 0 on boundaries. For
+ * 1-forms it also holds the cell array OneForm (1 component, unit of the prescribed vectors times
+ * length), the 1-form itself.
  *
  * Around an interior point, the turnings across its edges, taken counter-clockwise, and the point's
  * angle defect sum to 2 pi times its SingularityIndex.
@@ -71,6 +87,9 @@
  * | Iteration        | -       | 0 for the start                               |
  * | Seconds          | seconds | since the solve began                         |
  * | RelativeResidual | -       | norm of the residual over that of the right-hand side |
+ * | Energy           | -       | what the system minimises, less its value at X = 0 |
+ * | MassResidual     | -       | the residual in the mass norm ("energy" in the thesis, section 6.4) |
+ * | Error            | -       | of X against Cholesky in the mass norm; with CompareWithCholesky |
  *
  * Ports 0 and 2 carry the report as field data:
  *
@@ -120,9 +139,28 @@ public:
   vtkTypeMacro(vtkHarmonicFieldSolver, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum Discretisations
+  {
+    /** N directions per face as their N-th power. */
+    PowerField = 0,
+    /** A vector per face. */
+    FaceField = 1,
+    /** A number per edge. */
+    OneForm = 2
+  };
+
   ///@{
   /**
-   * N, the number of directions per point. Default 4, range 1 to 8.
+   * What the unknowns are, one of Discretisations. Default PowerField.
+   */
+  vtkSetClampMacro(Discretisation, int, PowerField, OneForm);
+  vtkGetMacro(Discretisation, int);
+  ///@}
+
+  ///@{
+  /**
+   * N, the number of directions per point; of power fields, the others have one. Default 4, range 1 to
+   * 8.
    */
   vtkSetClampMacro(NumberOfDirections, int, 1, 8);
   vtkGetMacro(NumberOfDirections, int);
@@ -170,14 +208,21 @@ public:
     /** Multigrid V-cycles alone. */
     VCycles = 2,
     /** Conjugate gradients, preconditioned by one V-cycle. */
-    ConjugateGradients = 3
+    ConjugateGradients = 3,
+    /**
+     * Solved on the coarsest level, carried up level by level and smoothed on each: a rough field for
+     * the price of a few cycles, which is then reported as not converged only if NestedSweeps ran out.
+     */
+    NestedIterations = 4,
+    /** Solved on the coarsest level and carried to the surface: a sketch. */
+    CoarseProlongation = 5
   };
 
   ///@{
   /**
    * The method, one of Solvers. Default Automatic.
    */
-  vtkSetClampMacro(Solver, int, Automatic, ConjugateGradients);
+  vtkSetClampMacro(Solver, int, Automatic, CoarseProlongation);
   vtkGetMacro(Solver, int);
   ///@}
 
@@ -191,8 +236,8 @@ public:
 
   ///@{
   /**
-   * What the coarse levels of multigrid hold, one of CoarseSpaces; without effect on Cholesky.
-   * Default Nodal.
+   * What the coarse levels of multigrid hold for power fields, one of CoarseSpaces; without effect on
+   * Cholesky. Default Nodal.
    */
   vtkSetClampMacro(CoarseSpace, int, Nodal, FacePowers);
   vtkGetMacro(CoarseSpace, int);
@@ -200,11 +245,74 @@ public:
 
   ///@{
   /**
-   * Gauss-Seidel sweeps before and after the coarse correction of each coarse level; the surface
-   * itself gets twice as many. Default 2, range 1 to 10.
+   * Gauss-Seidel sweeps before and after the coarse correction of each level; on nodal levels the
+   * surface itself gets twice as many. Default 2, range 1 to 10.
    */
   vtkSetClampMacro(Sweeps, int, 1, 10);
   vtkGetMacro(Sweeps, int);
+  ///@}
+
+  enum NestedRules
+  {
+    /** After NestedSweeps sweeps. */
+    FixedNumber = 0,
+    /** After a sweep that lowers the error against Cholesky by less than 0.1 %, as in the thesis. */
+    WhileErrorFalls = 1,
+    /** After a sweep that lowers the level's residual by less than 0.1 %. */
+    WhileResidualFalls = 2
+  };
+
+  ///@{
+  /**
+   * When nested iterations go from a level to the next finer one, one of NestedRules. Default
+   * FixedNumber.
+   */
+  vtkSetClampMacro(NestedRule, int, FixedNumber, WhileResidualFalls);
+  vtkGetMacro(NestedRule, int);
+  ///@}
+
+  ///@{
+  /**
+   * Gauss-Seidel sweeps of nested iterations on each level, under the other rules at most. Default
+   * 20, at least 0.
+   */
+  vtkSetClampMacro(NestedSweeps, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NestedSweeps, int);
+  ///@}
+
+  ///@{
+  /**
+   * The level on which multigrid solves exactly; levels below it are not used. -1 or anything
+   * beyond the coarsest: the coarsest. Default -1.
+   */
+  vtkSetClampMacro(StartingLevel, int, -1, VTK_INT_MAX);
+  vtkGetMacro(StartingLevel, int);
+  ///@}
+
+  enum VertexAreaKinds
+  {
+    /** Of the places nearest to the point, with care for obtuse triangles. */
+    MixedVoronoi = 0,
+    /** A third of each triangle around. */
+    Barycentric = 1
+  };
+
+  ///@{
+  /**
+   * The areas that belong to the points in the divergence of 1-forms, one of VertexAreaKinds. Default
+   * MixedVoronoi.
+   */
+  vtkSetClampMacro(VertexAreas, int, MixedVoronoi, Barycentric);
+  vtkGetMacro(VertexAreas, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the system is factored as well, to tell the error of every cycle. Default off.
+   */
+  vtkSetMacro(CompareWithCholesky, bool);
+  vtkGetMacro(CompareWithCholesky, bool);
+  vtkBooleanMacro(CompareWithCholesky, bool);
   ///@}
 
   ///@{
@@ -274,6 +382,7 @@ protected:
     vtkInformationVector* outputVector) override;
 
 private:
+  int Discretisation = PowerField;
   int NumberOfDirections = 4;
   int ConstraintType = Soft;
   double Smoothness = 1.0;
@@ -281,6 +390,11 @@ private:
   int Solver = Automatic;
   int CoarseSpace = Nodal;
   int Sweeps = 2;
+  int NestedRule = FixedNumber;
+  int NestedSweeps = 20;
+  int StartingLevel = -1;
+  int VertexAreas = MixedVoronoi;
+  bool CompareWithCholesky = false;
   double Tolerance = 1e-8;
   int MaximumNumberOfIterations = 100;
   bool UnitLength = true;

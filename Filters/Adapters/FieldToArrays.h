@@ -54,9 +54,10 @@ inline constexpr const char* ProlongationFormat = "Prolongation.Format";
 inline constexpr const char* ProlongationDigest = "Prolongation.Digest";
 inline constexpr const char* ProlongationOptions = "Prolongation.Options";
 inline constexpr const char* NumbersOfVertices = "Prolongation.NumbersOfVertices";
+inline constexpr const char* NumbersOfEdges = "Prolongation.NumbersOfEdges";
 inline constexpr const char* NumbersOfFaces = "Prolongation.NumbersOfFaces";
-/// \param part "Offsets", "Columns" or "Values" of operator \p name ("S0", "SP", "Nodal") of a
-/// level.
+/// \param part "Offsets", "Columns" or "Values" of operator \p name ("S0", "S1", "SX", "SP",
+/// "Nodal") of a level.
 std::string Prolongation(const std::string& name, int level, const std::string& part);
 
 }

@@ -12,10 +12,10 @@
 #include "vtkStringArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <tuple>
 
 namespace dmg
 {
@@ -23,12 +23,25 @@ namespace dmg
 namespace
 {
 
-constexpr int CurrentFormat = 1;
+constexpr int CurrentFormat = 2;
+constexpr int NumberOfOptions = 8;
 
 bool IsOfProlongation(const char* name)
 {
   const char* const prefix = ArrayNames::ProlongationPrefix;
   return name && std::strncmp(name, prefix, std::strlen(prefix)) == 0;
+}
+
+/// What an origin says beside the digest, in the order of the properties of
+/// vtkDirectionalProlongation.
+std::array<double, NumberOfOptions> NumbersOf(const OperatorsOrigin& origin)
+{
+  const HierarchyOptions& options = origin.Options;
+  const OperatorSelection& selection = origin.Selection;
+  return { options.FaceRatio, static_cast<double>(options.MaximumNumberOfCoarseLevels),
+    static_cast<double>(options.MinimumNumberOfFaces), static_cast<double>(options.Policy),
+    static_cast<double>(options.Construction), static_cast<double>(selection.PowerFields),
+    static_cast<double>(selection.FaceFields), static_cast<double>(selection.OneForms) };
 }
 
 // Writing
@@ -147,10 +160,15 @@ Pattern ReadPattern(
   return pattern;
 }
 
-/// Values whose weights, their absolute values, sum to 1 in every row.
+enum class ValueKind
+{
+  Weights, ///< their absolute values sum to 1 in every row
+  Any,
+};
+
 template <class Scalar>
-const Scalar* ReadValues(
-  vtkFieldData* fieldData, const std::string& name, int level, const Pattern& pattern)
+const Scalar* ReadValues(vtkFieldData* fieldData, const std::string& name, int level,
+  const Pattern& pattern, ValueKind kind)
 {
   const std::string valuesName = ArrayNames::Prolongation(name, level, "Values");
   auto* const array = Find<vtkDoubleArray>(fieldData, valuesName, Components(Scalar()));
@@ -170,7 +188,11 @@ const Scalar* ReadValues(
     {
       sum += std::abs(values[i]);
     }
-    if (!(std::abs(sum - 1.0) <= tolerance))
+    if (!std::isfinite(sum))
+    {
+      Refuse(valuesName, "holds a value in row " + std::to_string(row) + " that is not finite");
+    }
+    if (kind == ValueKind::Weights && !(std::abs(sum - 1.0) <= tolerance))
     {
       Refuse(valuesName, "holds weights of row " + std::to_string(row) + " that do not sum to 1");
     }
@@ -179,13 +201,13 @@ const Scalar* ReadValues(
 }
 
 template <class Scalar>
-SparseMatrix<Scalar> ReadOperator(
-  vtkFieldData* fieldData, const std::string& name, int level, int rows, int columns)
+SparseMatrix<Scalar> ReadOperator(vtkFieldData* fieldData, const std::string& name, int level,
+  int rows, int columns, ValueKind kind = ValueKind::Weights)
 {
   const Pattern pattern = ReadPattern(fieldData, name, level, rows, columns);
   return Eigen::Map<const SparseMatrix<Scalar>>(rows, columns,
     static_cast<int>(pattern.Columns.size()), pattern.Offsets.data(), pattern.Columns.data(),
-    ReadValues<Scalar>(fieldData, name, level, pattern));
+    ReadValues<Scalar>(fieldData, name, level, pattern, kind));
 }
 
 std::vector<int> ReadSizes(vtkFieldData* fieldData, const std::string& name, int finest)
@@ -204,13 +226,7 @@ std::vector<int> ReadSizes(vtkFieldData* fieldData, const std::string& name, int
 
 bool OperatorsOrigin::operator==(const OperatorsOrigin& other) const
 {
-  const auto values = [](const OperatorsOrigin& origin)
-  {
-    const HierarchyOptions& options = origin.Options;
-    return std::tie(origin.Digest, options.FaceRatio, options.MaximumNumberOfCoarseLevels,
-      options.MinimumNumberOfFaces, options.Policy);
-  };
-  return values(*this) == values(other);
+  return this->Digest == other.Digest && NumbersOf(*this) == NumbersOf(other);
 }
 
 void OperatorsToFieldData(
@@ -220,21 +236,25 @@ void OperatorsToFieldData(
   vtkNew<vtkStringArray> digest;
   digest->InsertNextValue(origin.Digest);
   AddHidden(fieldData, ArrayNames::ProlongationDigest, digest);
-  const double options[] = { origin.Options.FaceRatio,
-    static_cast<double>(origin.Options.MaximumNumberOfCoarseLevels),
-    static_cast<double>(origin.Options.MinimumNumberOfFaces),
-    static_cast<double>(origin.Options.Policy) };
-  AddValues<vtkDoubleArray>(fieldData, ArrayNames::ProlongationOptions, options, 4);
-  AddValues<vtkIntArray>(fieldData, ArrayNames::NumbersOfVertices,
-    operators.NumbersOfVertices.data(), operators.NumbersOfVertices.size());
-  AddValues<vtkIntArray>(fieldData, ArrayNames::NumbersOfFaces, operators.NumbersOfFaces.data(),
-    operators.NumbersOfFaces.size());
-  for (int level = 0; level + 1 < operators.NumberOfLevels(); ++level)
+  AddValues<vtkDoubleArray>(
+    fieldData, ArrayNames::ProlongationOptions, NumbersOf(origin).data(), NumberOfOptions);
+  const auto addSizes = [fieldData](const char* name, const std::vector<int>& sizes)
+  { AddValues<vtkIntArray>(fieldData, name, sizes.data(), sizes.size()); };
+  addSizes(ArrayNames::NumbersOfVertices, operators.NumbersOfVertices);
+  addSizes(ArrayNames::NumbersOfEdges, operators.NumbersOfEdges);
+  addSizes(ArrayNames::NumbersOfFaces, operators.NumbersOfFaces);
+  const auto addAll = [fieldData](const char* name, const auto& matrices)
   {
-    AddOperator(fieldData, "S0", level, operators.S0[level]);
-    AddOperator(fieldData, "SP", level, operators.SP[level]);
-    AddOperator(fieldData, "Nodal", level, operators.Nodal[level]);
-  }
+    for (std::size_t level = 0; level < matrices.size(); ++level)
+    {
+      AddOperator(fieldData, name, static_cast<int>(level), matrices[level]);
+    }
+  };
+  addAll("S0", operators.S0);
+  addAll("S1", operators.S1);
+  addAll("SX", operators.SX);
+  addAll("SP", operators.SP);
+  addAll("Nodal", operators.Nodal);
 }
 
 void RemoveOperators(vtkFieldData* fieldData)
@@ -272,12 +292,13 @@ std::optional<OperatorsOrigin> OperatorsOriginOf(vtkFieldData* fieldData)
     Refuse(ArrayNames::ProlongationDigest, "is not one value");
   }
   auto* const options = Find<vtkDoubleArray>(fieldData, ArrayNames::ProlongationOptions);
-  const bool fourNumbers = options->GetNumberOfValues() == 4 &&
-    std::all_of(options->GetPointer(0), options->GetPointer(0) + 4,
+  const bool areOptions = options->GetNumberOfValues() == NumberOfOptions &&
+    std::all_of(options->GetPointer(0), options->GetPointer(0) + NumberOfOptions,
       [](double value) { return value >= 0.0 && value <= std::numeric_limits<int>::max(); });
-  if (!fourNumbers)
+  if (!areOptions)
   {
-    Refuse(ArrayNames::ProlongationOptions, "does not hold four options");
+    Refuse(ArrayNames::ProlongationOptions,
+      "does not hold " + std::to_string(NumberOfOptions) + " options");
   }
   OperatorsOrigin origin;
   origin.Digest = digest->GetValue(0);
@@ -285,30 +306,51 @@ std::optional<OperatorsOrigin> OperatorsOriginOf(vtkFieldData* fieldData)
   origin.Options.MaximumNumberOfCoarseLevels = static_cast<int>(options->GetValue(1));
   origin.Options.MinimumNumberOfFaces = static_cast<int>(options->GetValue(2));
   origin.Options.Policy = static_cast<CollapsePolicy>(static_cast<int>(options->GetValue(3)));
+  origin.Options.Construction =
+    static_cast<ProlongationConstruction>(static_cast<int>(options->GetValue(4)));
+  origin.Selection.PowerFields = options->GetValue(5) != 0.0;
+  origin.Selection.FaceFields = options->GetValue(6) != 0.0;
+  origin.Selection.OneForms = options->GetValue(7) != 0.0;
   return origin;
 }
 
-ProlongationOperators OperatorsFromFieldData(
-  vtkFieldData* fieldData, int numberOfVertices, int numberOfFaces)
+ProlongationOperators OperatorsFromFieldData(vtkFieldData* fieldData, const TriangleMesh& mesh)
 {
+  const OperatorSelection selection = OperatorsOriginOf(fieldData).value().Selection;
   ProlongationOperators operators;
   operators.NumbersOfVertices =
-    ReadSizes(fieldData, ArrayNames::NumbersOfVertices, numberOfVertices);
-  operators.NumbersOfFaces = ReadSizes(fieldData, ArrayNames::NumbersOfFaces, numberOfFaces);
+    ReadSizes(fieldData, ArrayNames::NumbersOfVertices, mesh.NumberOfVertices());
+  operators.NumbersOfEdges =
+    ReadSizes(fieldData, ArrayNames::NumbersOfEdges, mesh.NumberOfEdges());
+  operators.NumbersOfFaces =
+    ReadSizes(fieldData, ArrayNames::NumbersOfFaces, mesh.NumberOfFaces());
   const std::vector<int>& vertices = operators.NumbersOfVertices;
+  const std::vector<int>& edges = operators.NumbersOfEdges;
   const std::vector<int>& faces = operators.NumbersOfFaces;
-  if (vertices.size() != faces.size())
+  if (vertices.size() != faces.size() || edges.size() != faces.size())
   {
-    Refuse(ArrayNames::NumbersOfVertices, "has another number of levels than the faces");
+    Refuse(ArrayNames::NumbersOfFaces, "has another number of levels than vertices and edges");
   }
-  for (int level = 0; level + 1 < operators.NumberOfLevels(); ++level)
+  for (int l = 0; l + 1 < operators.NumberOfLevels(); ++l)
   {
     operators.S0.push_back(
-      ReadOperator<double>(fieldData, "S0", level, vertices[level], vertices[level + 1]));
-    operators.SP.push_back(
-      ReadOperator<Complex>(fieldData, "SP", level, faces[level], faces[level + 1]));
-    operators.Nodal.push_back(ReadOperator<Complex>(
-      fieldData, "Nodal", level, level == 0 ? faces[0] : vertices[level], vertices[level + 1]));
+      ReadOperator<double>(fieldData, "S0", l, vertices[l], vertices[l + 1]));
+    if (selection.OneForms)
+    {
+      operators.S1.push_back(
+        ReadOperator<double>(fieldData, "S1", l, edges[l], edges[l + 1], ValueKind::Any));
+    }
+    if (selection.FaceFields)
+    {
+      operators.SX.push_back(
+        ReadOperator<double>(fieldData, "SX", l, 2 * faces[l], 2 * faces[l + 1], ValueKind::Any));
+    }
+    if (selection.PowerFields)
+    {
+      operators.SP.push_back(ReadOperator<Complex>(fieldData, "SP", l, faces[l], faces[l + 1]));
+      operators.Nodal.push_back(ReadOperator<Complex>(
+        fieldData, "Nodal", l, l == 0 ? faces[0] : vertices[l], vertices[l + 1]));
+    }
   }
   return operators;
 }

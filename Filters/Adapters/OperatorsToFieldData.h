@@ -2,6 +2,7 @@
 #define dmgOperatorsToFieldData_h
 
 #include "Hierarchy/HierarchyOptions.h"
+#include "Mesh/TriangleMesh.h"
 #include "Prolongation/ProlongationOperators.h"
 
 #include <optional>
@@ -17,6 +18,7 @@ struct OperatorsOrigin
 {
   std::string Digest; ///< of the surface, ContentDigest()
   HierarchyOptions Options;
+  OperatorSelection Selection;
 
   bool operator==(const OperatorsOrigin& other) const;
 };
@@ -35,12 +37,11 @@ void RemoveOperators(vtkFieldData* fieldData);
 std::optional<OperatorsOrigin> OperatorsOriginOf(vtkFieldData* fieldData);
 
 /// Reads the operators back. Nothing is trusted: kinds and lengths of arrays, offsets that never
-/// decrease, columns ascending and in range, weights that sum to 1 in every row.
-/// \param numberOfVertices, numberOfFaces of the surface that they shall fit.
+/// decrease, columns ascending and in range, finite values, weights that sum to 1 in every row.
+/// \param mesh the surface that they shall fit.
 /// \throw InvalidInput the array that is missing or damaged, and how.
 /// Cost: linear.
-ProlongationOperators OperatorsFromFieldData(
-  vtkFieldData* fieldData, int numberOfVertices, int numberOfFaces);
+ProlongationOperators OperatorsFromFieldData(vtkFieldData* fieldData, const TriangleMesh& mesh);
 
 }
 
