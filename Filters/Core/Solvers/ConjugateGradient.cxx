@@ -62,9 +62,9 @@ double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vect
 template <class Scalar>
 void ConjugateGradient(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context)
+  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
-  Iteration<Scalar> iteration(A, b, stop, x, report, context);
+  Iteration<Scalar> iteration(A, b, stop, x, report, context, measure);
   if (iteration.IsTrivial())
   {
     return;
@@ -115,9 +115,9 @@ void ConjugateGradient(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
 
 template void ConjugateGradient(const SparseMatrix<double>&, Preconditioner<double>&,
   const Vector<double>&, const StoppingCriteria&, Vector<double>&, SolveReport&,
-  const ExecutionContext&);
+  const ExecutionContext&, const ConvergenceMeasure<double>*);
 template void ConjugateGradient(const SparseMatrix<Complex>&, Preconditioner<Complex>&,
   const Vector<Complex>&, const StoppingCriteria&, Vector<Complex>&, SolveReport&,
-  const ExecutionContext&);
+  const ExecutionContext&, const ConvergenceMeasure<Complex>*);
 
 }

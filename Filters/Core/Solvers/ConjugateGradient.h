@@ -1,6 +1,7 @@
 #ifndef dmgConjugateGradient_h
 #define dmgConjugateGradient_h
 
+#include "Solvers/ConvergenceMeasure.h"
 #include "Solvers/Preconditioner.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
@@ -19,7 +20,8 @@ namespace dmg
 /// \param report gets Iterations, SolveSeconds and Converged anew, and a warning if the iteration
 ///   stops short: at the limit, where rounding errors forbid progress, or because A or B is not
 ///   positive definite. The residuals are those of the recurrence, the last is b - A x.
-/// \throw InvalidInput b or the start is not finite.
+/// \param measure for the columns Energy, MassResidual and Error of the history; may be null.
+/// \throw InvalidInput b or the start is not finite, or sizes differ.
 /// \throw Cancelled
 /// Checkpoints: every iteration.
 /// A zero right-hand side has the solution zero, whatever the start.
@@ -27,7 +29,7 @@ namespace dmg
 template <class Scalar>
 void ConjugateGradient(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context);
+  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure = nullptr);
 
 }
 

@@ -4,6 +4,7 @@
 #include "Support/Errors.h"
 #include "Support/SparseKernels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -88,6 +89,27 @@ double RealDiagonalEntry(const SparseMatrix<Scalar>& A, int i)
   return 0.0;
 }
 
+/// What p^H D p is for each column p of a prolongation, of adjoint R, and D = diag(scales).
+template <class Scalar>
+Vector<double> CoarseScales(
+  const SparseMatrix<Scalar>& R, const Vector<double>& scales, const ExecutionContext& context)
+{
+  Vector<double> coarse(R.rows());
+  context.ParallelFor(0, static_cast<int>(R.rows()), RowGrain,
+    [&R, &scales, &coarse](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        coarse[i] = 0.0;
+        for (typename SparseMatrix<Scalar>::InnerIterator entry(R, i); entry; ++entry)
+        {
+          coarse[i] += Eigen::numext::abs2(entry.value()) * scales[entry.col()];
+        }
+      }
+    });
+  return coarse;
+}
+
 /// An assignment of an empty matrix would keep the memory.
 template <class Scalar>
 void Free(SparseMatrix<Scalar>& A)
@@ -110,6 +132,12 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
   std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
   const ExecutionContext& context)
 {
+  if (options.CoarsestLevel < 0)
+  {
+    throw InvalidInput("the coarsest level must be 0, the finest, or more");
+  }
+  prolongations.resize(
+    std::min(prolongations.size(), static_cast<std::size_t>(options.CoarsestLevel)));
   long long size = A.rows();
   for (std::size_t level = 0; level < prolongations.size(); ++level)
   {
@@ -173,13 +201,14 @@ void GalerkinHierarchy<Scalar>::SetFinest(
   this->Diagonals.resize(this->Matrices.size());
   SparseMatrix<Scalar> permuted = Permuted(A, this->Order, Inverse(this->Order), context);
   this->Matrices[0].swap(permuted);
-  this->FindDiagonal(0, SparseMatrix<Scalar>(), context);
 }
 
 template <class Scalar>
 void GalerkinHierarchy<Scalar>::ComputeCoarser(const ExecutionContext& context)
 {
   const int coarsest = static_cast<int>(this->Prolongations.size());
+  Vector<double> scales = Vector<double>::Zero(this->Matrices[0].rows());
+  this->FindDiagonal(0, scales, context);
   for (int level = 0; level < coarsest; ++level)
   {
     context.Checkpoint(level / (coarsest + 1.0));
@@ -187,7 +216,8 @@ void GalerkinHierarchy<Scalar>::ComputeCoarser(const ExecutionContext& context)
     const SparseMatrix<Scalar> R = Adjoint(P, context);
     SparseMatrix<Scalar> product = TripleProduct(R, this->Matrices[level], P, context);
     this->Matrices[level + 1].swap(product);
-    this->FindDiagonal(level + 1, R, context);
+    scales = CoarseScales(R, scales, context);
+    this->FindDiagonal(level + 1, scales, context);
   }
   context.Checkpoint(coarsest / (coarsest + 1.0));
   this->FactorCoarsest();
@@ -212,31 +242,27 @@ void GalerkinHierarchy<Scalar>::ForgetMatrices()
 
 template <class Scalar>
 void GalerkinHierarchy<Scalar>::FindDiagonal(
-  int level, const SparseMatrix<Scalar>& R, const ExecutionContext& context)
+  int level, Vector<double>& scales, const ExecutionContext& context)
 {
   const SparseMatrix<Scalar>& A = this->Matrices[level];
   const int size = static_cast<int>(A.rows());
   Vector<double>& diagonal = this->Diagonals[level];
   diagonal.resize(size);
   context.ParallelFor(0, size, RowGrain,
-    [this, level, &A, &R, &diagonal](int first, int last)
+    [&A, &scales, &diagonal](int first, int last)
     {
       for (int i = first; i < last; ++i)
       {
+        // What cancels in p^H A p leaves rounding errors of the size of p^H diag(A) p. Those of an
+        // inactive unknown are what it hands on: its scale stays.
         diagonal[i] = RealDiagonalEntry(A, i);
-        if (level == 0)
-        {
-          continue;
-        }
-        // What cancels in p^H A p leaves rounding errors of the size of p^H diag(A) p.
-        double scale = 0.0;
-        for (typename SparseMatrix<Scalar>::InnerIterator entry(R, i); entry; ++entry)
-        {
-          scale += Eigen::numext::abs2(entry.value()) * this->Diagonals[level - 1][entry.col()];
-        }
-        if (std::abs(diagonal[i]) <= 1e-13 * scale)
+        if (std::abs(diagonal[i]) <= 1e-13 * scales[i])
         {
           diagonal[i] = 0.0;
+        }
+        else
+        {
+          scales[i] = diagonal[i];
         }
       }
     });

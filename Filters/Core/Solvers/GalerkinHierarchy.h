@@ -6,6 +6,7 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -14,6 +15,8 @@ namespace dmg
 
 struct GalerkinOptions
 {
+  /// The level whose matrix is factored; prolongations beyond it are left out. 0: A itself.
+  int CoarsestLevel = std::numeric_limits<int>::max();
   /// How often the finest prolongation is smoothed before it is used, >= 0; see
   /// SmoothedProlongation.h. For a fine level whose coefficients jump where the coarse do not.
   int FinestProlongationSteps = 0;
@@ -28,8 +31,9 @@ struct GalerkinOptions
 /// level. FinestOrder relates it to the caller's.
 ///
 /// Inactive unknowns. Where a diagonal entry of a semi-definite matrix is zero, up to rounding, its
-/// whole row is. Coarse unknowns that no fine unknown sees are of this kind. They are kept out of
-/// every step; corrections are zero there.
+/// whole row is. Coarse unknowns that no fine unknown sees are of this kind, and those that carry
+/// the kernel of a piece of the surface. They are kept out of every step; corrections are zero
+/// there.
 ///
 /// Cost: linear in the number of multiply-adds of the products.
 template <class Scalar>
@@ -38,7 +42,7 @@ class GalerkinHierarchy
 public:
   /// \param A N_0 x N_0, symmetric or Hermitian, positive semi-definite, compressed.
   /// \param prolongations [l] is N_l x N_{l+1}, compressed. May be empty: then A itself is factored.
-  /// \throw InvalidInput the sizes do not chain.
+  /// \throw InvalidInput the sizes do not chain, or CoarsestLevel is negative.
   /// \throw SolverFailure a diagonal entry is negative or not finite, or the coarsest matrix is not
   ///   positive semi-definite.
   /// \throw Cancelled
@@ -82,9 +86,9 @@ private:
     const ExecutionContext& context);
   void SetFinest(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
   void ComputeCoarser(const ExecutionContext& context);
-  /// \param R the restriction to this level; unused on the finest.
-  void FindDiagonal(
-    int level, const SparseMatrix<Scalar>& R, const ExecutionContext& context);
+  /// \param scales of the entries of this level: their rounding errors are that much times epsilon.
+  ///   On exit zero diagonals are zero exactly, and scales are the diagonal of active unknowns.
+  void FindDiagonal(int level, Vector<double>& scales, const ExecutionContext& context);
   void FactorCoarsest();
 
   std::vector<int> Order;

@@ -26,13 +26,14 @@ std::string Rounded(double number)
 template <class Scalar>
 Iteration<Scalar>::Iteration(const SparseMatrix<Scalar>& matrix, const Vector<Scalar>& rightHandSide,
   const StoppingCriteria& stop, Vector<Scalar>& iterate, SolveReport& report,
-  const ExecutionContext& context)
+  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
   : A(matrix)
   , b(rightHandSide)
   , Stop(stop)
   , x(iterate)
   , Report(report)
   , Context(context)
+  , AskedMeasure(measure)
   , Start(std::chrono::steady_clock::now())
 {
   assert(this->A.rows() == this->A.cols());
@@ -40,6 +41,10 @@ Iteration<Scalar>::Iteration(const SparseMatrix<Scalar>& matrix, const Vector<Sc
   {
     throw InvalidInput("the right-hand side and the start must have " +
       std::to_string(this->A.rows()) + " values, one per unknown");
+  }
+  if (measure)
+  {
+    measure->Check(static_cast<int>(this->b.size()));
   }
   this->NormOfB = std::sqrt(SquaredNorm(this->b, context));
   if (!std::isfinite(this->NormOfB) || !std::isfinite(SquaredNorm(this->x, context)))
@@ -53,6 +58,7 @@ Iteration<Scalar>::Iteration(const SparseMatrix<Scalar>& matrix, const Vector<Sc
   if (this->IsTrivial())
   {
     this->x.setZero(this->b.size());
+    this->Residual = &this->b;
     this->AppendRow(0.0);
     this->End();
   }
@@ -61,6 +67,7 @@ Iteration<Scalar>::Iteration(const SparseMatrix<Scalar>& matrix, const Vector<Sc
 template <class Scalar>
 void Iteration<Scalar>::Begin(Vector<Scalar>& r)
 {
+  this->Residual = &r;
   if (this->x.size() == 0)
   {
     this->x.setZero(this->b.size());
@@ -107,6 +114,7 @@ void Iteration<Scalar>::ComputeResidual(Vector<Scalar>& r)
   this->Norm = this->SubtractFromB(r);
   this->Report.Iterations.back().RelativeResidual = this->Norm / this->NormOfB;
   this->Report.Iterations.back().Seconds = this->Seconds();
+  this->Measure();
   if (this->Best.size() == 0)
   {
     this->BestNorm = this->Norm;
@@ -139,6 +147,19 @@ void Iteration<Scalar>::AppendRow(double norm)
   const double relative = this->IsTrivial() ? 0.0 : norm / this->NormOfB;
   const int number = static_cast<int>(this->Report.Iterations.size());
   this->Report.Iterations.push_back({ number, this->Seconds(), relative });
+  this->Measure();
+}
+
+template <class Scalar>
+void Iteration<Scalar>::Measure()
+{
+  if (this->AskedMeasure)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    this->AskedMeasure->Fill(
+      this->Report.Iterations.back(), this->x, this->b, *this->Residual, this->Context);
+    this->Start += std::chrono::steady_clock::now() - begin;
+  }
 }
 
 template <class Scalar>

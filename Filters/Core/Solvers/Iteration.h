@@ -1,6 +1,7 @@
 #ifndef dmgIteration_h
 #define dmgIteration_h
 
+#include "Solvers/ConvergenceMeasure.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
@@ -24,13 +25,15 @@ public:
   /// Empties the solver's part of the report and starts the clock. All arguments are borrowed.
   /// \param x the start, or empty for zero.
   /// \throw InvalidInput sizes differ, or b or x is not finite.
+  /// \param measure of each row of the history, or null.
   Iteration(const SparseMatrix<Scalar>& A, const Vector<Scalar>& b, const StoppingCriteria& stop,
-    Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context);
+    Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
+    const ConvergenceMeasure<Scalar>* measure);
 
   /// True for b = 0, which is solved by x = 0: all is done.
   bool IsTrivial() const { return this->NormOfB == 0.0; }
 
-  /// r = b - A x; the first row of the history.
+  /// r = b - A x; the first row of the history. Whenever a row is appended, r must belong to x.
   void Begin(Vector<Scalar>& r);
 
   bool HasConverged() const;
@@ -80,6 +83,8 @@ public:
 
 private:
   void AppendRow(double norm);
+  /// Fills the last row.
+  void Measure();
   double SubtractFromB(Vector<Scalar>& r) const;
   const IterationReport& LastRow() const { return this->Report.Iterations.back(); }
   double Seconds() const;
@@ -90,7 +95,9 @@ private:
   Vector<Scalar>& x;
   SolveReport& Report;
   const ExecutionContext& Context;
-  const std::chrono::steady_clock::time_point Start;
+  const ConvergenceMeasure<Scalar>* const AskedMeasure;
+  std::chrono::steady_clock::time_point Start; ///< later by what measuring has taken
+  const Vector<Scalar>* Residual = nullptr;
 
   double NormOfB = 0.0;
   double Norm = 0.0; ///< of the last residual

@@ -31,16 +31,17 @@ void MultigridSolver<Scalar>::Update(
 template <class Scalar>
 void MultigridSolver<Scalar>::SolveByConjugateGradients(const Vector<Scalar>& b,
   const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context)
+  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
-  ConjugateGradient(*this->A, this->Cycle, b, stop, x, report, context);
+  ConjugateGradient(*this->A, this->Cycle, b, stop, x, report, context, measure);
 }
 
 template <class Scalar>
 void MultigridSolver<Scalar>::SolveByCycles(const Vector<Scalar>& b, const StoppingCriteria& stop,
-  Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context)
+  Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
+  const ConvergenceMeasure<Scalar>* measure)
 {
-  StationaryIteration(*this->A, this->Cycle, b, stop, x, report, context);
+  StationaryIteration(*this->A, this->Cycle, b, stop, x, report, context, measure);
 }
 
 template class MultigridSolver<double>;

@@ -1,6 +1,7 @@
 #ifndef dmgMultigridSolver_h
 #define dmgMultigridSolver_h
 
+#include "Solvers/ConvergenceMeasure.h"
 #include "Solvers/GalerkinHierarchy.h"
 #include "Solvers/MultigridCycle.h"
 #include "Solvers/SolveReport.h"
@@ -38,11 +39,13 @@ public:
 
   /// Conjugate gradients, one V-cycle as preconditioner; see ConjugateGradient.
   void SolveByConjugateGradients(const Vector<Scalar>& b, const StoppingCriteria& stop,
-    Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context);
+    Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
+    const ConvergenceMeasure<Scalar>* measure = nullptr);
 
   /// V-cycles alone; see StationaryIteration.
   void SolveByCycles(const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x,
-    SolveReport& report, const ExecutionContext& context);
+    SolveReport& report, const ExecutionContext& context,
+    const ConvergenceMeasure<Scalar>* measure = nullptr);
 
   /// Unknowns and non-zeros, finest first.
   const std::vector<LevelReport>& Levels() const { return this->Hierarchy.Levels(); }

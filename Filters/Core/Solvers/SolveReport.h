@@ -1,6 +1,7 @@
 #ifndef dmgSolveReport_h
 #define dmgSolveReport_h
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,8 +19,15 @@ struct LevelReport
 struct IterationReport
 {
   int Iteration = 0;
-  double Seconds = 0.0;          ///< since the solve began
+  double Seconds = 0.0;          ///< since the solve began, without measuring
   double RelativeResidual = 0.0; ///< |b - A x| / |b|
+
+  // Of x on the finest level; NaN unless the caller handed over a ConvergenceMeasure.
+  double Energy = std::numeric_limits<double>::quiet_NaN();       ///< what the solution minimises
+  double MassResidual = std::numeric_limits<double>::quiet_NaN(); ///< |b - A x|_M / |b|_M
+  double Error = std::numeric_limits<double>::quiet_NaN();        ///< |x - reference|_M / |reference|_M
+
+  int Level = 0; ///< whose unknowns the iteration changed
 };
 
 /// What a solver did: sizes, cost and convergence.

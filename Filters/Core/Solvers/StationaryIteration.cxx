@@ -8,9 +8,9 @@ namespace dmg
 template <class Scalar>
 void StationaryIteration(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context)
+  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
-  Iteration<Scalar> iteration(A, b, stop, x, report, context);
+  Iteration<Scalar> iteration(A, b, stop, x, report, context, measure);
   if (iteration.IsTrivial())
   {
     return;
@@ -35,9 +35,9 @@ void StationaryIteration(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& 
 
 template void StationaryIteration(const SparseMatrix<double>&, Preconditioner<double>&,
   const Vector<double>&, const StoppingCriteria&, Vector<double>&, SolveReport&,
-  const ExecutionContext&);
+  const ExecutionContext&, const ConvergenceMeasure<double>*);
 template void StationaryIteration(const SparseMatrix<Complex>&, Preconditioner<Complex>&,
   const Vector<Complex>&, const StoppingCriteria&, Vector<Complex>&, SolveReport&,
-  const ExecutionContext&);
+  const ExecutionContext&, const ConvergenceMeasure<Complex>*);
 
 }

@@ -1,6 +1,7 @@
 #ifndef dmgStationaryIteration_h
 #define dmgStationaryIteration_h
 
+#include "Solvers/ConvergenceMeasure.h"
 #include "Solvers/Preconditioner.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
@@ -19,7 +20,7 @@ namespace dmg
 template <class Scalar>
 void StationaryIteration(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context);
+  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure = nullptr);
 
 }
 

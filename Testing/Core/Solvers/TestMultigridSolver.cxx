@@ -2,8 +2,10 @@
 
 #include "GridProblem.h"
 #include "Solvers/CholeskySolver.h"
+#include "Solvers/NestedIteration.h"
 #include "Support/Errors.h"
 #include "Support/TbbContext.h"
+#include "TorusProblem.h"
 
 #include <gtest/gtest.h>
 
@@ -195,6 +197,165 @@ TYPED_TEST(TestMultigridSolver, SingularButConsistentSystemsConverge)
   // The smallest positive eigenvalue bounds what is left without the kernel.
   x.array() -= x.mean();
   EXPECT_LE(x.norm(), b.norm() / (2.0 - 2.0 * std::cos(std::acos(-1.0) / n)));
+}
+
+TYPED_TEST(TestMultigridSolver, NearlyZeroDiagonalsSurvive)
+{
+  // Three more pieces, each a path of three unknowns with random weights, held by 1e-14 of its
+  // stiffness. Their coarse unknowns carry constants, of an energy that is rounding error mostly, and
+  // are handed on from level to level. One more coarse unknown has no child at all.
+  auto problem = test::MakeGridProblem<TypeParam>(5, 4);
+  const int grid = static_cast<int>(problem.A.rows());
+  constexpr int pieces = 3;
+  test::Random random(3306);
+  auto entries = Entries(problem.A);
+  Vector<TypeParam> b = test::RandomVector<TypeParam>(grid + 3 * pieces, 3307);
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    const int first = grid + 3 * piece;
+    for (const int i : { first, first + 1 })
+    {
+      const double weight = random.Uniform(0.1, 1.0);
+      const TypeParam coupling = weight * test::Phase<TypeParam>(random.Uniform(0.0, 6.0));
+      entries.emplace_back(i, i, TypeParam(weight * (1.0 + 1e-14)));
+      entries.emplace_back(i + 1, i + 1, TypeParam(weight));
+      entries.emplace_back(i, i + 1, -coupling);
+      entries.emplace_back(i + 1, i, -Eigen::numext::conj(coupling));
+    }
+  }
+  const SparseMatrix<TypeParam> A = test::FromTriplets(grid + 9, grid + 9, entries);
+  for (std::size_t level = 0; level < problem.P.size(); ++level)
+  {
+    const SparseMatrix<TypeParam>& P = problem.P[level];
+    const int rows = static_cast<int>(P.rows());
+    const int columns = static_cast<int>(P.cols());
+    auto transfers = Entries(P);
+    for (int piece = 0; piece < pieces; ++piece)
+    {
+      if (level > 0)
+      {
+        transfers.emplace_back(rows + piece, columns + piece, TypeParam(1.0));
+        continue;
+      }
+      // Constant up to the phases along the path.
+      const int first = grid + 3 * piece;
+      TypeParam value = 1.0 / 3.0;
+      for (const int i : { first, first + 1, first + 2 })
+      {
+        transfers.emplace_back(i, columns + piece, value);
+        if (i < first + 2)
+        {
+          const TypeParam coupling = A.coeff(i + 1, i);
+          value *= -coupling / std::abs(coupling);
+        }
+      }
+    }
+    problem.P[level] = test::FromTriplets(
+      rows + (level == 0 ? 3 * pieces : pieces + 1), columns + pieces + 1, transfers);
+  }
+  const GalerkinHierarchy<TypeParam> hierarchy(A, problem.P, {}, SerialContext());
+  for (int level = 1; level < hierarchy.NumberOfLevels(); ++level)
+  {
+    EXPECT_EQ((hierarchy.Diagonal(level).array() == 0.0).count(), pieces + 1);
+  }
+
+  // Without loads on the pieces the solution is the grid's, whoever solves.
+  b.tail(3 * pieces).setZero();
+  Vector<TypeParam> expected = Vector<TypeParam>::Zero(b.size()), onGrid;
+  const SparseMatrix<TypeParam> gridA = A.topLeftCorner(grid, grid);
+  CholeskySolver<TypeParam>(gridA).Solve(b.head(grid), onGrid);
+  expected.head(grid) = onGrid;
+  for (const CyclePrecision precision : { CyclePrecision::Single, CyclePrecision::Double })
+  {
+    MultigridOptions options;
+    options.Cycle.Precision = precision;
+    MultigridSolver<TypeParam> solver(A, problem.P, options, SerialContext());
+    SolveReport report;
+    Vector<TypeParam> x;
+    solver.SolveByConjugateGradients(b, { 1e-10, 30 }, x, report, SerialContext());
+    EXPECT_TRUE(report.Converged);
+    EXPECT_LE((x - expected).norm(), 1e-7 * expected.norm());
+  }
+  NestedIteration<TypeParam> nested(A, problem.P, {}, SerialContext());
+  SolveReport report;
+  Vector<TypeParam> x;
+  nested.Solve(b, { SweepRule::FixedNumber, 100 }, x, report, SerialContext());
+  EXPECT_EQ(x.tail(3 * pieces).norm(), 0.0);
+  EXPECT_LE((x - expected).norm(), 0.01 * expected.norm());
+}
+
+TEST(TestMultigridSolver, OneFormsOnATorusConverge)
+{
+  const auto problem = test::MakeTorusProblem(48, 4);
+  for (int i = 0; i < problem.A.rows(); ++i)
+  {
+    ASSERT_EQ(problem.A.outerIndexPtr()[i + 1] - problem.A.outerIndexPtr()[i], 11);
+  }
+  const auto b = test::RandomVector<double>(problem.A.rows(), 3308);
+  Vector<double> expected;
+  CholeskySolver<double>(problem.A).Solve(b, expected);
+  for (const CyclePrecision precision : { CyclePrecision::Automatic, CyclePrecision::Double })
+  {
+    MultigridOptions options;
+    options.Cycle.Precision = precision;
+    MultigridSolver<double> solver(problem.A, problem.P, options, SerialContext());
+    SolveReport report;
+    Vector<double> x, y;
+    solver.SolveByConjugateGradients(b, { 1e-10, 100 }, x, report, SerialContext());
+    EXPECT_TRUE(report.Converged) << report.Iterations.back().RelativeResidual;
+    EXPECT_LE((x - expected).norm(), 1e-5 * expected.norm());
+    SolveReport ofThreads;
+    solver.SolveByConjugateGradients(b, { 1e-10, 100 }, y, ofThreads, test::TbbContext(3));
+    EXPECT_EQ(x, y);
+  }
+  // Circulations are kept: around each coarse triangle, the fine edges sum to the coarse.
+  const int n = 48;
+  const test::TorusGrid fine(n), coarse(n / 2);
+  const auto coarseForm = test::RandomVector<double>(problem.P[0].cols(), 3309);
+  const Vector<double> fineForm = problem.P[0] * coarseForm;
+  const auto around = [](const test::TorusGrid& grid, const Vector<double>& form, int x, int y)
+  {
+    return form[grid.Edge(x, y, test::TorusGrid::Right)] +
+      form[grid.Edge(x + 1, y, test::TorusGrid::Up)] -
+      form[grid.Edge(x, y, test::TorusGrid::Diagonal)];
+  };
+  for (int k = 0; k < n / 2; ++k)
+  {
+    const double circulation = around(coarse, coarseForm, k, 3);
+    for (const auto& [dx, dy] : { std::pair(0, 0), std::pair(1, 0), std::pair(1, 1) })
+    {
+      EXPECT_NEAR(around(fine, fineForm, 2 * k + dx, 6 + dy), circulation / 4.0, 1e-14);
+    }
+  }
+}
+
+TYPED_TEST(TestMultigridSolver, FewerLevelsAndOtherSweepsConvergeToo)
+{
+  const auto problem = test::MakeGridProblem<TypeParam>(5, 4);
+  const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3310);
+  Vector<TypeParam> expected;
+  CholeskySolver<TypeParam>(problem.A).Solve(b, expected);
+  std::size_t cyclesBefore = 1000;
+  for (const int sweeps : { 1, 2, 4, 8 })
+  {
+    std::size_t cycles = 0;
+    for (const int coarsest : { 0, 1, 3, 7 })
+    {
+      MultigridOptions options;
+      options.Coarsening.CoarsestLevel = coarsest;
+      options.Cycle.Smoothing.PreSweeps = options.Cycle.Smoothing.PostSweeps = sweeps;
+      MultigridSolver<TypeParam> solver(problem.A, problem.P, options, SerialContext());
+      EXPECT_EQ(static_cast<int>(solver.Levels().size()), std::min(coarsest + 1, 4));
+      SolveReport report;
+      Vector<TypeParam> x;
+      solver.SolveByCycles(b, { 1e-10, 100 }, x, report, SerialContext());
+      EXPECT_TRUE(report.Converged);
+      EXPECT_LE((x - expected).norm(), 1e-9 * b.norm() / 0.0190);
+      cycles = report.Iterations.size();
+    }
+    EXPECT_LE(cycles, cyclesBefore) << "more sweeps never need more cycles";
+    cyclesBefore = cycles;
+  }
 }
 
 TYPED_TEST(TestMultigridSolver, SizesOfVectorsAreChecked)
