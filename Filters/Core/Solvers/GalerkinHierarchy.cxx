@@ -5,6 +5,7 @@
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -19,24 +20,33 @@ constexpr int RowGrain = 4096;
 
 /// For each row the column of its largest entry; rows without entries follow the row before them.
 template <class Scalar>
-std::vector<int> Parents(const SparseMatrix<Scalar>& P)
+std::vector<int> Parents(const SparseMatrix<Scalar>& P, const ExecutionContext& context)
 {
-  std::vector<int> parents(P.rows());
-  int parent = 0;
-  for (int i = 0; i < static_cast<int>(P.rows()); ++i)
-  {
-    double largest = 0.0;
-    for (typename SparseMatrix<Scalar>::InnerIterator entry(P, i); entry; ++entry)
+  constexpr int none = -1;
+  std::vector<int> parents(P.rows(), none);
+  context.ParallelFor(0, static_cast<int>(P.rows()), RowGrain,
+    [&P, &parents](int first, int last)
     {
-      // Entries that are equal up to rounding must not let rounding decide.
-      const double size = Eigen::numext::abs2(entry.value());
-      if (size > largest * (1.0 + 1e-6))
+      for (int i = first; i < last; ++i)
       {
-        largest = size;
-        parent = static_cast<int>(entry.col());
+        double largest = 0.0;
+        for (typename SparseMatrix<Scalar>::InnerIterator entry(P, i); entry; ++entry)
+        {
+          // Entries that are equal up to rounding must not let rounding decide.
+          const double size = Eigen::numext::abs2(entry.value());
+          if (size > largest * (1.0 + 1e-6))
+          {
+            largest = size;
+            parents[i] = static_cast<int>(entry.col());
+          }
+        }
       }
-    }
-    parents[i] = parent;
+    });
+  int former = 0;
+  for (int& parent : parents)
+  {
+    parent = parent == none ? former : parent;
+    former = parent;
   }
   return parents;
 }
@@ -177,7 +187,7 @@ void GalerkinHierarchy<Scalar>::BringIntoOrder(
     context.Checkpoint(0.0);
     SparseMatrix<Scalar>& P = prolongations[level];
     const std::vector<int> placesOfParents = std::move(places);
-    places = PlacesOfChildren(Parents(P), placesOfParents);
+    places = PlacesOfChildren(Parents(P, context), placesOfParents);
     SparseMatrix<Scalar> permuted = Permuted(P, Inverse(places), placesOfParents, context);
     this->Prolongations[level].swap(permuted);
     Free(P);
@@ -189,6 +199,7 @@ template <class Scalar>
 void GalerkinHierarchy<Scalar>::Update(
   const SparseMatrix<Scalar>& A, const ExecutionContext& context)
 {
+  assert(this->Prolongations.empty() || this->Prolongations[0].rows() == A.rows());
   this->SetFinest(A, context);
   this->ComputeCoarser(context);
 }
@@ -238,6 +249,15 @@ void GalerkinHierarchy<Scalar>::ForgetMatrices()
     Free(A);
   }
   this->Diagonals.clear();
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::ForgetProlongations()
+{
+  for (SparseMatrix<Scalar>& P : this->Prolongations)
+  {
+    Free(P);
+  }
 }
 
 template <class Scalar>

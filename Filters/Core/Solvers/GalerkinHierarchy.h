@@ -53,6 +53,7 @@ public:
 
   /// Takes other values in the same pattern. Prolongations, orders and analyses are kept, so that the
   /// bits are those of a new hierarchy with the prolongations of this one.
+  /// \pre the prolongations have not been forgotten.
   /// \throw as the constructor; the hierarchy must not be used after that.
   void Update(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
 
@@ -70,6 +71,8 @@ public:
 
   /// Frees all A_l and diagonals, which nothing needs once a cycle is built. Update brings them back.
   void ForgetMatrices();
+  /// Frees all P_l, too. The hierarchy cannot be updated any more.
+  void ForgetProlongations();
 
   /// Factor of D^{-1/2} A D^{-1/2} on the coarsest level, D its diagonal. Inactive unknowns have
   /// ones on the diagonal, and all diagonal entries are lifted by 1e-12 so that a semi-definite

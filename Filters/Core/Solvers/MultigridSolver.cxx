@@ -16,6 +16,10 @@ MultigridSolver<Scalar>::MultigridSolver(const SparseMatrix<Scalar>& matrix,
   , Cycle(this->Hierarchy, options.Cycle, PartOfContext(context, 0.7, 1.0))
 {
   this->Hierarchy.ForgetMatrices();
+  if (!options.MayUpdate)
+  {
+    this->Hierarchy.ForgetProlongations();
+  }
 }
 
 template <class Scalar>

@@ -18,6 +18,8 @@ struct MultigridOptions
 {
   GalerkinOptions Coarsening;
   CycleOptions Cycle;
+  /// Keeps what Update needs: the prolongations in double precision, a third of the memory again.
+  bool MayUpdate = false;
 };
 
 /// A Galerkin hierarchy, a V-cycle on it and the iterations around the cycle. Built once per matrix,
@@ -35,6 +37,7 @@ public:
 
   /// Takes other values in the same pattern; borrows A in place of the former one. After an error
   /// the solver must not be used.
+  /// \pre the solver was built with MayUpdate.
   void Update(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
 
   /// Conjugate gradients, one V-cycle as preconditioner; see ConjugateGradient.

@@ -219,6 +219,7 @@ NestedIteration<Scalar>::NestedIteration(const SparseMatrix<Scalar>& matrix,
       PartOfContext(context, 0.7, 1.0))
 {
   this->Hierarchy.ForgetMatrices();
+  this->Hierarchy.ForgetProlongations();
   SmootherOptions oneSweep;
   oneSweep.PostSweeps = 1;
   for (int level = 0; this->MaySweep && level + 1 < this->Scaled.NumberOfLevels(); ++level)

@@ -103,19 +103,24 @@ ScaledHierarchy<Scalar, Value>::ScaledHierarchy(
   , Levels(hierarchy.NumberOfLevels())
 {
   const int coarsest = hierarchy.NumberOfLevels() - 1;
-  for (int l = 0; l <= coarsest; ++l)
-  {
-    context.Checkpoint(0.5 * l / (coarsest + 1.0));
-    const int size = hierarchy.NumberOfUnknowns(l);
-    ColourOrder colours = l < coarsest && content == Content::ColouredMatrices
-      ? Colouring(hierarchy.Matrix(l))
-      : SingleColour(size);
-    Level& level = this->Levels[l];
-    level.A.Begins = std::move(colours.Begins);
-    level.Order = std::move(colours.Unknowns);
-    level.x.resize(size);
-    level.b.resize(size);
-  }
+  context.Checkpoint(0.0);
+  // Greedy colours come one after the other, but levels do not wait for each other.
+  context.ParallelFor(0, coarsest + 1, 1,
+    [this, &hierarchy, content, coarsest](int first, int last)
+    {
+      for (int l = first; l < last; ++l)
+      {
+        const int size = hierarchy.NumberOfUnknowns(l);
+        ColourOrder colours = l < coarsest && content == Content::ColouredMatrices
+          ? Colouring(hierarchy.Matrix(l))
+          : SingleColour(size);
+        Level& level = this->Levels[l];
+        level.A.Begins = std::move(colours.Begins);
+        level.Order = std::move(colours.Unknowns);
+        level.x.resize(size);
+        level.b.resize(size);
+      }
+    });
   this->CallersOrder.reserve(this->Levels[0].Order.size());
   for (const int i : this->Levels[0].Order)
   {
@@ -133,7 +138,7 @@ void ScaledHierarchy<Scalar, Value>::Update(const ExecutionContext& context)
   this->LoadScaling(scale);
   for (int l = 0; l < coarsest; ++l)
   {
-    context.Checkpoint(0.5 + 0.5 * l / (coarsest + 1.0));
+    context.Checkpoint((l + 1.0) / (coarsest + 1.0));
     Level& level = this->Levels[l];
     const std::vector<int>& order = level.Order;
     std::vector<int> coarsePlaces = Inverse(this->Levels[l + 1].Order);

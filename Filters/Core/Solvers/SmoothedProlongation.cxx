@@ -102,11 +102,15 @@ SparseMatrix<Scalar> SmoothedProlongation(const SparseMatrix<Scalar>& A,
   const SparseMatrix<Scalar>& P, int steps, const ExecutionContext& context)
 {
   assert(A.rows() == A.cols() && A.cols() == P.rows());
-  SparseMatrix<Scalar> smoothed = P;
+  SparseMatrix<Scalar> smoothed;
+  if (steps == 0)
+  {
+    smoothed = P;
+  }
   for (int step = 0; step < steps; ++step)
   {
-    SparseMatrix<Scalar> next = Step(A, smoothed, context);
-    smoothed.swap(next);
+    SparseMatrix<Scalar> next = Step(A, step == 0 ? P : smoothed, context);
+    smoothed.swap(next); // an assignment would copy
   }
   return smoothed;
 }

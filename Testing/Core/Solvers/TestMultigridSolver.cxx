@@ -60,19 +60,28 @@ TYPED_TEST(TestMultigridSolver, UpdateHasTheBitsOfANewSolver)
 {
   auto problem = test::MakeGridProblem<TypeParam>(6, 4);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3302);
-  MultigridSolver<TypeParam> updated(problem.A, problem.P, {}, SerialContext());
+  MultigridOptions options;
+  options.MayUpdate = true;
+  MultigridSolver<TypeParam> updated(problem.A, problem.P, options, SerialContext());
   for (int i = 0; i < problem.A.rows(); i += 10)
   {
     problem.A.coeffRef(i, i) += 50.0;
   }
   updated.Update(problem.A, SerialContext());
-  MultigridSolver<TypeParam> fresh(problem.A, problem.P, {}, test::TbbContext(3));
+  MultigridSolver<TypeParam> fresh(problem.A, problem.P, options, test::TbbContext(3));
   SolveReport report;
   Vector<TypeParam> x, y;
   updated.SolveByConjugateGradients(b, {}, x, report, SerialContext());
   fresh.SolveByConjugateGradients(b, {}, y, report, test::TbbContext(3));
   EXPECT_EQ(x, y);
   EXPECT_EQ(updated.Bytes(), fresh.Bytes());
+
+  // Who does not update gets the same for less.
+  MultigridSolver<TypeParam> lean(problem.A, problem.P, {}, SerialContext());
+  y.resize(0);
+  lean.SolveByConjugateGradients(b, {}, y, report, SerialContext());
+  EXPECT_EQ(x, y);
+  EXPECT_LT(lean.Bytes(), fresh.Bytes());
 }
 
 TYPED_TEST(TestMultigridSolver, UpdateMayChangeThePrecision)
@@ -88,14 +97,16 @@ TYPED_TEST(TestMultigridSolver, UpdateMayChangeThePrecision)
   const auto natural = A;
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3305);
   A.coeffRef(1000, 1000) += 1.0;
-  MultigridSolver<TypeParam> updated(A, problem.P, {}, SerialContext());
+  MultigridOptions options;
+  options.MayUpdate = true;
+  MultigridSolver<TypeParam> updated(A, problem.P, options, SerialContext());
   const long long bytes = updated.Bytes();
   for (const double weight : { 1e-9, 1.0 })
   {
     A = natural;
     A.coeffRef(1000, 1000) += weight;
     updated.Update(A, SerialContext());
-    MultigridSolver<TypeParam> fresh(A, problem.P, {}, SerialContext());
+    MultigridSolver<TypeParam> fresh(A, problem.P, options, SerialContext());
     SolveReport report;
     Vector<TypeParam> x, y;
     updated.SolveByConjugateGradients(b, {}, x, report, SerialContext());
