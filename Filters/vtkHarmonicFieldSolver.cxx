@@ -29,19 +29,35 @@ namespace
 
 // What the system stage and the solve stage depend on; equality decides what is redone.
 
-bool operator==(const dmg::PrescribedFaces& a, const dmg::PrescribedFaces& b)
+bool SameElements(const dmg::FieldConstraints& a, const dmg::FieldConstraints& b)
 {
-  return std::tie(a.Faces, a.Weights) == std::tie(b.Faces, b.Weights);
+  return std::tie(a.Elements, a.Weights) == std::tie(b.Elements, b.Weights);
 }
 
-bool operator==(const dmg::PowerFieldOptions& a, const dmg::PowerFieldOptions& b)
+bool operator==(const dmg::SweepOptions& a, const dmg::SweepOptions& b)
 {
-  const auto values = [](const dmg::PowerFieldOptions& o)
+  return std::tie(a.Rule, a.Sweeps, a.LeastImprovement) ==
+    std::tie(b.Rule, b.Sweeps, b.LeastImprovement);
+}
+
+bool operator==(const dmg::SolverOptions& a, const dmg::SolverOptions& b)
+{
+  const auto values = [](const dmg::SolverOptions& o)
+  {
+    return std::tie(o.Kind, o.Sweeps, o.FinestSweepsFactor, o.FinestProlongationSteps,
+      o.StartingLevel, o.CompareWithCholesky);
+  };
+  return values(a) == values(b) && a.Nested == b.Nested;
+}
+
+bool operator==(const dmg::FieldOptions& a, const dmg::FieldOptions& b)
+{
+  const auto values = [](const dmg::FieldOptions& o)
   {
     return std::tie(
-      o.N, o.Smoothness, o.Alignment, o.Constraints, o.Solver, o.CoarseSpace, o.Sweeps);
+      o.Kind, o.N, o.Smoothness, o.Alignment, o.Constraints, o.CoarseSpace, o.Areas);
   };
-  return values(a) == values(b);
+  return values(a) == values(b) && a.Solver == b.Solver;
 }
 
 bool operator==(const dmg::StoppingCriteria& a, const dmg::StoppingCriteria& b)
@@ -50,7 +66,7 @@ bool operator==(const dmg::StoppingCriteria& a, const dmg::StoppingCriteria& b)
     std::tie(b.RelativeTolerance, b.MaximumIterations);
 }
 
-bool EqualValues(const dmg::Vector<dmg::Complex>& a, const dmg::Vector<dmg::Complex>& b)
+bool SameValues(const dmg::Vector<double>& a, const dmg::Vector<double>& b)
 {
   return a.size() == b.size() && a == b;
 }
@@ -86,16 +102,16 @@ public:
 
   struct SystemStage
   {
-    dmg::PrescribedFaces Prescribed;
-    dmg::PowerFieldOptions Options;
-    dmg::HarmonicProblem<dmg::Complex> Problem;
+    dmg::FieldConstraints Constraints;
+    dmg::FieldOptions Options;
+    dmg::FieldProblem Problem;
   };
 
   struct SolveStage
   {
-    dmg::Vector<dmg::Complex> Values;
+    dmg::Vector<double> Values;
     dmg::StoppingCriteria Stop;
-    dmg::Vector<dmg::Complex> Powers;
+    dmg::Vector<double> Unknowns;
     dmg::SolveReport Report;
     std::optional<dmg::FieldArrays> Arrays;
   };
@@ -109,7 +125,9 @@ public:
   int NumberOfSystems = 0;
   int NumberOfSolves = 0;
 
-  void SetUp(vtkPolyData* input, bool needsOperators, const dmg::ExecutionContext& context)
+  /// \param selection the operators that are needed; null for none.
+  void SetUp(vtkPolyData* input, const dmg::OperatorSelection* selection,
+    const dmg::ExecutionContext& context)
   {
     const std::string digest = dmg::ContentDigest(input);
     const auto stored = dmg::OperatorsOriginOf(input->GetFieldData());
@@ -134,14 +152,16 @@ public:
       redone = true;
     }
 
-    const auto origin = stored ? *stored : dmg::OperatorsOrigin{ digest, dmg::HierarchyOptions() };
-    if (needsOperators && !(this->Operators && this->Operators->Origin == origin))
+    const auto origin = stored
+      ? *stored
+      : dmg::OperatorsOrigin{ digest, dmg::HierarchyOptions(), selection ? *selection : dmg::OperatorSelection() };
+    if (selection && !(this->Operators && this->Operators->Origin == origin))
     {
       const auto start = std::chrono::steady_clock::now();
       const dmg::TriangleMesh& mesh = this->Surface->Framed.Surface.Mesh;
-      auto operators = stored ? dmg::OperatorsFromFieldData(input->GetFieldData(),
-                                  mesh.NumberOfVertices(), mesh.NumberOfFaces())
-                              : dmg::BuildSurfaceHierarchy(mesh, origin.Options, context).Operators;
+      auto operators = stored
+        ? dmg::OperatorsFromFieldData(input->GetFieldData(), mesh)
+        : dmg::BuildSurfaceHierarchy(mesh, origin.Options, context, origin.Selection).Operators;
       this->Solution.reset();
       this->System.reset();
       this->Operators.reset(
@@ -151,37 +171,38 @@ public:
     this->NumberOfSetups += redone;
   }
 
-  void Prepare(const dmg::PrescribedFaces& prescribed, const dmg::PowerFieldOptions& options,
+  void Prepare(const dmg::FieldConstraints& constraints, const dmg::FieldOptions& options,
     const dmg::ExecutionContext& context)
   {
-    if (this->System && this->System->Prescribed == prescribed && this->System->Options == options)
+    if (this->System && SameElements(this->System->Constraints, constraints) &&
+      this->System->Options == options)
     {
       return;
     }
     const dmg::FramedSurface& framed = this->Surface->Framed;
-    std::unique_ptr<SystemStage> system(new SystemStage{ prescribed, options,
-      dmg::MakePowerFieldProblem(framed.Surface.Mesh, framed.Faces,
-        this->Operators ? &this->Operators->Operators : nullptr, prescribed, options, context) });
+    std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options,
+      dmg::FieldProblem(framed.Surface.Mesh, framed.Faces,
+        this->Operators ? &this->Operators->Operators : nullptr, constraints, options, context) });
     this->Solution.reset();
     this->System = std::move(system);
     ++this->NumberOfSystems;
   }
 
   /// \return whether it solved, rather than kept what stood.
-  bool Solve(const dmg::Vector<dmg::Complex>& values, const dmg::StoppingCriteria& stop,
+  bool Solve(const dmg::Vector<double>& values, const dmg::StoppingCriteria& stop,
     const dmg::ExecutionContext& context)
   {
-    if (this->Solution && EqualValues(this->Solution->Values, values) &&
+    if (this->Solution && SameValues(this->Solution->Values, values) &&
       this->Solution->Stop == stop)
     {
       return false;
     }
-    const dmg::Vector<dmg::Complex> start =
-      this->Solution ? this->Solution->Powers : dmg::Vector<dmg::Complex>();
-    dmg::HarmonicProblem<dmg::Complex>& problem = this->System->Problem;
-    dmg::Vector<dmg::Complex> powers = problem.Solve(values, start, stop, context);
+    const dmg::Vector<double> start =
+      this->Solution ? this->Solution->Unknowns : dmg::Vector<double>();
+    dmg::FieldProblem& problem = this->System->Problem;
+    dmg::Vector<double> unknowns = problem.Solve(values, start, stop, context);
     this->Solution.reset(
-      new SolveStage{ values, stop, std::move(powers), problem.Report(), std::nullopt });
+      new SolveStage{ values, stop, std::move(unknowns), problem.Report(), std::nullopt });
     ++this->NumberOfSolves;
     return true;
   }
@@ -193,8 +214,8 @@ public:
     std::optional<dmg::FieldArrays>& arrays = this->Solution->Arrays;
     if (!arrays || arrays->UnitLength != unitLength || arrays->Combing != combing)
     {
-      arrays = dmg::MakeFieldArrays(this->Surface->Framed, this->Solution->Powers,
-        this->System->Options.N, unitLength, combing, input, context);
+      arrays = dmg::MakeFieldArrays(this->Surface->Framed, this->Solution->Unknowns,
+        this->System->Options, unitLength, combing, input, context);
     }
   }
 
@@ -285,27 +306,36 @@ int vtkHarmonicFieldSolver::RequestData(
   }
 
   vtkInternals& stages = *this->Internals;
-  dmg::PrescribedFaces prescribed;
   try
   {
     const dmg::ContextFromAlgorithm context(this);
-    stages.SetUp(input, this->Solver != Cholesky, dmg::PartOfContext(context, 0.0, 0.5));
+    const dmg::OperatorSelection selection{ this->Discretisation == PowerField,
+      this->Discretisation == FaceField, this->Discretisation == OneForm };
+    stages.SetUp(input, this->Solver == Cholesky ? nullptr : &selection,
+      dmg::PartOfContext(context, 0.0, 0.5));
 
     const dmg::FramedSurface& framed = stages.Surface->Framed;
-    const dmg::PowerConstraints constraints =
-      dmg::MakePowerConstraints(framed.Surface.Mesh, framed.Faces, this->NumberOfDirections,
-        dmg::ChosenDirections(this, input, points, framed), framed.Surface.Names());
-    prescribed = constraints.Prescribed;
-
-    dmg::PowerFieldOptions options;
+    dmg::FieldOptions options;
+    options.Kind = static_cast<dmg::Discretisation>(this->Discretisation);
     options.N = this->NumberOfDirections;
     options.Smoothness = this->Smoothness;
     options.Alignment = this->Alignment;
     options.Constraints = static_cast<dmg::ConstraintKind>(this->ConstraintType);
-    options.Solver = static_cast<dmg::SolverKind>(this->Solver);
     options.CoarseSpace = static_cast<dmg::CoarseSpaceKind>(this->CoarseSpace);
-    options.Sweeps = this->Sweeps;
-    stages.Prepare(prescribed, options, dmg::PartOfContext(context, 0.5, 0.7));
+    options.Areas = static_cast<dmg::VertexAreas>(
+      this->VertexAreas == MixedVoronoi ? dmg::VertexAreas::MixedVoronoi : dmg::VertexAreas::Barycentric);
+    options.Solver.Kind = static_cast<dmg::SolverKind>(this->Solver);
+    options.Solver.Sweeps = this->Sweeps;
+    options.Solver.Nested.Rule = static_cast<dmg::SweepRule>(this->NestedRule);
+    options.Solver.Nested.Sweeps = this->NestedSweeps;
+    options.Solver.StartingLevel = this->StartingLevel;
+    options.Solver.CompareWithCholesky = this->CompareWithCholesky ||
+      (this->Solver == NestedIterations && this->NestedRule == WhileErrorFalls);
+
+    const dmg::FieldConstraints constraints =
+      dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces,
+        dmg::ChosenDirections(this, input, points, framed), options, framed.Surface.Names());
+    stages.Prepare(constraints, options, dmg::PartOfContext(context, 0.5, 0.7));
 
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
     if (stages.Solve(constraints.Values, stop, dmg::PartOfContext(context, 0.7, 0.9)))
@@ -331,12 +361,14 @@ int vtkHarmonicFieldSolver::RequestData(
   const dmg::SolveReport& report = stages.Solution->Report;
   output->ShallowCopy(input);
   dmg::AddFieldArrays(*stages.Solution->Arrays, output, edges);
-  dmg::AddPrescribed(stages.Surface->Framed.Surface, prescribed, output);
+  const dmg::FieldOptions& solved = stages.System->Options;
+  dmg::AddPrescribed(stages.Surface->Framed.Surface, stages.System->Constraints, solved.Kind,
+    solved.Kind == dmg::Discretisation::OneForm ? edges : output);
   dmg::MakeConvergenceTable(report, convergence);
   for (vtkDataObject* data :
     { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(convergence) })
   {
-    dmg::AddReport(report, this->NumberOfDirections, stages.SetupSeconds(), data->GetFieldData());
+    dmg::AddReport(report, solved.NumberOfDirections(), stages.SetupSeconds(), data->GetFieldData());
   }
   return 1;
 }
@@ -344,8 +376,12 @@ int vtkHarmonicFieldSolver::RequestData(
 //------------------------------------------------------------------------------
 void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const char* const solvers[] = { "Automatic", "Cholesky", "VCycles", "ConjugateGradients" };
+  const char* const discretisations[] = { "PowerField", "FaceField", "OneForm" };
+  const char* const solvers[] = { "Automatic", "Cholesky", "VCycles", "ConjugateGradients",
+    "NestedIterations", "CoarseProlongation" };
+  const char* const rules[] = { "FixedNumber", "WhileErrorFalls", "WhileResidualFalls" };
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Discretisation: " << discretisations[this->Discretisation] << "\n";
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Smoothness: " << this->Smoothness << "\n";
@@ -353,6 +389,12 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "FacePowers") << "\n";
   os << indent << "Sweeps: " << this->Sweeps << "\n";
+  os << indent << "NestedRule: " << rules[this->NestedRule] << "\n";
+  os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";
+  os << indent << "StartingLevel: " << this->StartingLevel << "\n";
+  os << indent << "VertexAreas: " << (this->VertexAreas == MixedVoronoi ? "MixedVoronoi" : "Barycentric")
+     << "\n";
+  os << indent << "CompareWithCholesky: " << (this->CompareWithCholesky ? "On" : "Off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";

@@ -63,7 +63,7 @@
  * | Direction0, 1, ... N - 1 | cells, points | 3          | the directions, counter-clockwise  |
  * | PowerField               | cells, points | 2          | the N-th power, a complex number   |
  * | FaceField                | cells         | 3          | X in space (face fields only)      |
- * | Prescribed               | cells         | 1          | weight where prescribed, else 0    |
+ * | Prescribed               | cells         | 1          | weight where prescribed, else 0 (on port 1 for 1-forms) |
  * | SingularityIndex         | points        | 1          | multiple of 1 / N; 0 on boundaries |
  *
  * Directions are unit vectors (UnitLength) or have the field's length, in the unit of the prescribed

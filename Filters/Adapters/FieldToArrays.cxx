@@ -1,5 +1,6 @@
 #include "Adapters/FieldToArrays.h"
 
+#include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldOperators.h"
 
 #include "vtkCellArray.h"
@@ -16,6 +17,7 @@
 #include "vtkTable.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace dmg
@@ -50,21 +52,26 @@ void AddArray(vtkFieldData* data, const std::string& name, vtkIdType tuples, int
   data->AddArray(array);
 }
 
-/// Powers and their directions.
+/// Directions of powers.
 template <class Id>
-void AddPowers(vtkFieldData* data, vtkIdType tuples, const TangentFrames& frames,
+void AddDirections(vtkFieldData* data, vtkIdType tuples, const TangentFrames& frames,
   const Vector<Complex>& powers, int N, bool unitLength, const std::vector<int>& labels, Id&& id)
 {
   const int elements = static_cast<int>(powers.size());
-  // std::complex is two consecutive numbers by the standard.
-  AddArray(data, ArrayNames::PowerField, tuples, 2, reinterpret_cast<const double*>(powers.data()),
-    elements, id);
   const std::vector<Points> directions =
     DirectionsFromPowers(frames, powers, N, unitLength, labels);
   for (int k = 0; k < N; ++k)
   {
     AddArray(data, ArrayNames::Direction(k), tuples, 3, directions[k].data(), elements, id);
   }
+}
+
+template <class Id>
+void AddPowers(vtkFieldData* data, vtkIdType tuples, const Vector<Complex>& powers, Id&& id)
+{
+  // std::complex is two consecutive numbers by the standard.
+  AddArray(data, ArrayNames::PowerField, tuples, 2, reinterpret_cast<const double*>(powers.data()),
+    static_cast<int>(powers.size()), id);
 }
 
 /// The edges as lines, without points, with the angle by which the field turns across each.
@@ -118,6 +125,8 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
   {
     attributes->RemoveArray(ArrayNames::Direction(k).c_str());
   }
+  attributes->RemoveArray(ArrayNames::PowerField);
+  attributes->RemoveArray(ArrayNames::FaceField);
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     attributes->AddArray(arrays->GetArray(i));
@@ -146,35 +155,36 @@ std::string ArrayNames::Prolongation(const std::string& name, int level, const s
   return ProlongationPrefix + name + "." + std::to_string(level) + "." + part;
 }
 
-FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<Complex>& powers, int N,
-  bool unitLength, bool combing, vtkPolyData* input, const ExecutionContext& context)
+FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& unknowns,
+  const FieldOptions& options, bool unitLength, bool combing, vtkPolyData* input,
+  const ExecutionContext& context)
 {
   const SurfaceMesh& surface = framed.Surface;
   const TriangleMesh& mesh = surface.Mesh;
-  Vector<Complex> vertexPowers;
+  const int N = options.NumberOfDirections();
+  const FieldPowers powers =
+    PowersOfField(mesh, framed.Faces, framed.Vertices, unknowns, options);
+  context.Checkpoint(0.2);
+
   Vector<double> indices;
   std::vector<int> faceLabels, vertexLabels;
   FieldArrays arrays{ unitLength, combing, vtkSmartPointer<vtkFieldData>::New(),
     vtkSmartPointer<vtkFieldData>::New(), nullptr };
-
   CallAll(context,
-    { [&vertexPowers, &mesh, &framed, &powers, N]
-      { vertexPowers = PowersAtVertices(mesh, framed.Faces, framed.Vertices, powers, N); },
-      [&indices, &mesh, &framed, &powers, N]
-      { indices = SingularityIndices(mesh, framed.Faces, powers, N); },
-      [&faceLabels, combing, &mesh, &framed, &powers, N]
+    { [&] { indices = SingularityIndices(mesh, framed.Faces, powers.Faces, N); },
+      [&]
       {
         if (combing)
         {
-          faceLabels = CombingLabels(mesh, framed.Faces, powers, N);
+          faceLabels = CombingLabels(mesh, framed.Faces, powers.Faces, N);
         }
       } });
   context.Checkpoint(0.4);
 
   if (combing)
   {
-    vertexLabels =
-      VertexLabels(mesh, framed.Faces, framed.Vertices, powers, faceLabels, vertexPowers, N);
+    vertexLabels = VertexLabels(
+      mesh, framed.Faces, framed.Vertices, powers.Faces, faceLabels, powers.Vertices, N);
   }
   context.Checkpoint(0.6);
 
@@ -183,20 +193,34 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<Complex>& 
   const vtkIdType numberOfCells = input->GetNumberOfCells();
   const vtkIdType numberOfPoints = input->GetNumberOfPoints();
   CallAll(context,
-    { [&arrays, &framed, &powers, N] { arrays.Edges = MakeEdges(framed, powers, N); },
-      [&arrays, numberOfCells, &framed, &powers, N, unitLength, &faceLabels, cellOf]
+    { [&] { arrays.Edges = MakeEdges(framed, powers.Faces, N); },
+      [&]
       {
-        AddPowers(
-          arrays.Cells, numberOfCells, framed.Faces, powers, N, unitLength, faceLabels, cellOf);
+        AddDirections(arrays.Cells, numberOfCells, framed.Faces, powers.Faces, N, unitLength,
+          faceLabels, cellOf);
       },
-      [&arrays, numberOfPoints, &framed, &vertexPowers, N, unitLength, &vertexLabels, pointOf,
-        &indices]
+      [&]
       {
-        AddPowers(arrays.Points, numberOfPoints, framed.Vertices, vertexPowers, N, unitLength,
-          vertexLabels, pointOf);
+        AddDirections(arrays.Points, numberOfPoints, framed.Vertices, powers.Vertices, N,
+          unitLength, vertexLabels, pointOf);
         AddArray(arrays.Points, ArrayNames::SingularityIndex, numberOfPoints, 1, indices.data(),
           static_cast<int>(indices.size()), pointOf);
       } });
+  switch (options.Kind)
+  {
+    case Discretisation::PowerField:
+      AddPowers(arrays.Cells, numberOfCells, powers.Faces, cellOf);
+      AddPowers(arrays.Points, numberOfPoints, powers.Vertices, pointOf);
+      break;
+    case Discretisation::FaceField:
+      AddArray(arrays.Cells, ArrayNames::FaceField, numberOfCells, 3,
+        VectorsFromFaceField(framed.Faces, unknowns).data(), mesh.NumberOfFaces(), cellOf);
+      break;
+    case Discretisation::OneForm:
+      AddArray(arrays.Edges->GetCellData(), ArrayNames::OneForm, mesh.NumberOfEdges(), 1,
+        unknowns.data(), mesh.NumberOfEdges(), [](int edge) { return edge; });
+      break;
+  }
   context.Checkpoint(1.0);
   return arrays;
 }
@@ -209,13 +233,15 @@ void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData
   edges->SetPoints(surface->GetPoints());
 }
 
-void AddPrescribed(
-  const SurfaceMesh& surface, const PrescribedFaces& prescribed, vtkPolyData* output)
+void AddPrescribed(const SurfaceMesh& surface, const FieldConstraints& constraints,
+  Discretisation kind, vtkPolyData* output)
 {
   const auto weights = NewArray(ArrayNames::Prescribed, 1, output->GetNumberOfCells());
-  for (std::size_t i = 0; i < prescribed.Faces.size(); ++i)
+  for (std::size_t i = 0; i < constraints.Elements.size(); ++i)
   {
-    weights->SetValue(surface.CellOf(prescribed.Faces[i]), prescribed.Weights[i]);
+    const int element = constraints.Elements[i];
+    weights->SetValue(kind == Discretisation::OneForm ? element : surface.CellOf(element),
+      constraints.Weights[i]);
   }
   output->GetCellData()->AddArray(weights);
 }
@@ -226,19 +252,29 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
   vtkNew<vtkIntArray> iterations;
   iterations->SetName(ArrayNames::Iteration);
   iterations->SetNumberOfValues(size);
-  const auto seconds = NewArray(ArrayNames::Seconds, 1, size);
-  const auto residuals = NewArray(ArrayNames::RelativeResidual, 1, size);
-  for (vtkIdType i = 0; i < size; ++i)
-  {
-    const IterationReport& row = report.Iterations[i];
-    iterations->SetValue(i, row.Iteration);
-    seconds->SetValue(i, row.Seconds);
-    residuals->SetValue(i, row.RelativeResidual);
-  }
   table->Initialize();
   table->AddColumn(iterations);
-  table->AddColumn(seconds);
-  table->AddColumn(residuals);
+  const auto addColumn = [&](const char* name, double IterationReport::*value)
+  {
+    const auto column = NewArray(name, 1, size);
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      column->SetValue(i, report.Iterations[i].*value);
+    }
+    table->AddColumn(column);
+  };
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    iterations->SetValue(i, report.Iterations[i].Iteration);
+  }
+  addColumn(ArrayNames::Seconds, &IterationReport::Seconds);
+  addColumn(ArrayNames::RelativeResidual, &IterationReport::RelativeResidual);
+  addColumn(ArrayNames::Energy, &IterationReport::Energy);
+  addColumn(ArrayNames::MassResidual, &IterationReport::MassResidual);
+  if (size > 0 && !std::isnan(report.Iterations.back().Error))
+  {
+    addColumn(ArrayNames::Error, &IterationReport::Error);
+  }
 }
 
 void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldData* fieldData)

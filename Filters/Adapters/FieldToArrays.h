@@ -2,10 +2,9 @@
 #define dmgFieldToArrays_h
 
 #include "Adapters/MeshFromPolyData.h"
+#include "HarmonicField.h"
 #include "Mesh/TangentFrames.h"
-#include "Solvers/SolveReport.h"
 #include "Support/ExecutionContext.h"
-#include "Systems/AlignmentConstraints.h"
 
 #include "vtkSmartPointer.h"
 
@@ -25,16 +24,21 @@ namespace ArrayNames
 // cells and points
 std::string Direction(int k);
 inline constexpr const char* PowerField = "PowerField";
+inline constexpr const char* FaceField = "FaceField";
 inline constexpr const char* Prescribed = "Prescribed";
 inline constexpr const char* SingularityIndex = "SingularityIndex";
 
 // edges
 inline constexpr const char* Turning = "Turning";
+inline constexpr const char* OneForm = "OneForm";
 
 // columns of the convergence table
 inline constexpr const char* Iteration = "Iteration";
 inline constexpr const char* Seconds = "Seconds";
 inline constexpr const char* RelativeResidual = "RelativeResidual";
+inline constexpr const char* Energy = "Energy";
+inline constexpr const char* MassResidual = "MassResidual";
+inline constexpr const char* Error = "Error";
 
 // field data: the report
 inline constexpr const char* NumberOfDirections = "NumberOfDirections";
@@ -88,20 +92,22 @@ struct FieldArrays
   vtkSmartPointer<vtkPolyData> Edges; ///< without points
 };
 
-/// \param powers #F, in the frames of the faces.
+/// \param unknowns of the field, as FieldProblem::Solve returns them.
 /// \param input the surface as vtkPolyData.
-/// Checkpoints: three, up to half a second per million faces apart.
-FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<Complex>& powers, int N,
-  bool unitLength, bool combing, vtkPolyData* input, const ExecutionContext& context);
+/// Checkpoints: four, up to half a second per million faces apart.
+FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& unknowns,
+  const FieldOptions& options, bool unitLength, bool combing, vtkPolyData* input,
+  const ExecutionContext& context);
 
 /// Adds the arrays of cells and points to \p surface and makes its first direction the active
 /// vectors; direction arrays of another N that it brought along are removed. Makes \p edges its
 /// edges.
 void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData* edges);
 
-/// Adds the weights of the prescribed faces to the cells of \p output.
-void AddPrescribed(
-  const SurfaceMesh& surface, const PrescribedFaces& prescribed, vtkPolyData* output);
+/// Adds the weights of the prescribed elements to the cells of \p output: the surface, or, for 1-forms,
+/// its edges.
+void AddPrescribed(const SurfaceMesh& surface, const FieldConstraints& constraints,
+  Discretisation kind, vtkPolyData* output);
 
 /// Makes \p table the history of the iterations.
 void MakeConvergenceTable(const SolveReport& report, vtkTable* table);

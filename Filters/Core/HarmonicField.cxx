@@ -5,7 +5,11 @@
 #include "Prolongation/NodalProlongation.h"
 #include "Prolongation/PowerFieldProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
+#include "Support/Errors.h"
 #include "Support/SparseAssembly.h"
+#include "Operators/PowerFieldOperators.h"
+#include "Systems/FaceFieldSystem.h"
+#include "Systems/OneFormSystem.h"
 #include "Systems/PowerFieldSystem.h"
 
 #include <utility>
@@ -21,6 +25,65 @@ namespace
 // finest level gets more sweeps: all that sweeps gain, they gain there.
 constexpr int FinestProlongationSteps = 2;
 constexpr int FinestSweepsFactor = 2;
+
+/// Complex numbers are pairs of real ones in memory, by the standard.
+Vector<double> AsPairs(const Vector<Complex>& numbers)
+{
+  return Eigen::Map<const Vector<double>>(
+    reinterpret_cast<const double*>(numbers.data()), 2 * numbers.size());
+}
+
+Vector<Complex> AsComplex(const Vector<double>& pairs)
+{
+  return Eigen::Map<const Vector<Complex>>(
+    reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
+}
+
+Vector<Complex> InFrames(const TangentFrames& frames, const Points& vectors)
+{
+  Vector<Complex> result(vectors.rows());
+  for (int i = 0; i < static_cast<int>(result.size()); ++i)
+  {
+    result[i] = frames.ToComplex(i, vectors.row(i).transpose());
+  }
+  return result;
+}
+
+FieldWeights WeightsOf(const FieldOptions& options)
+{
+  return { options.Smoothness, options.Alignment, options.Constraints };
+}
+
+SparseMatrix<double> Copy(const SparseMatrix<double>& matrix, const ExecutionContext&)
+{
+  return matrix;
+}
+
+/// What a HarmonicProblem calls for its prolongations; empty where the surface has one level.
+/// \param list of the discretisation, which must not be empty then.
+template <class Scalar, class Matrix, class Convert>
+typename HarmonicProblem<Scalar>::MakeProlongations ProlongationsFrom(
+  const ProlongationOperators* operators, const std::vector<Matrix>* list, const std::string& fields,
+  const std::string& property, Convert convert)
+{
+  if (!operators || operators->NumberOfLevels() < 2)
+  {
+    return {};
+  }
+  return [=](const ExecutionContext& context) {
+    if (list->empty())
+    {
+      throw InvalidInput("the operators of the surface do not include those of " + fields +
+        "; apply vtkDirectionalProlongation with " + property + " on");
+    }
+    std::vector<SparseMatrix<Scalar>> prolongations;
+    for (const Matrix& matrix : *list)
+    {
+      prolongations.push_back(convert(matrix, context));
+    }
+    return prolongations;
+  };
+}
 
 }
 
@@ -68,36 +131,130 @@ SurfaceHierarchy BuildSurfaceHierarchy(
 
 HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
-  const PrescribedFaces& prescribed, const PowerFieldOptions& options,
+  const PrescribedFaces& prescribed, const FieldOptions& options,
   const ExecutionContext& context)
 {
   const bool isNodal = options.CoarseSpace == CoarseSpaceKind::Nodal;
-  SolverOptions solver;
-  solver.Kind = options.Solver;
-  solver.Sweeps = options.Sweeps;
+  SolverOptions solver = options.Solver;
   if (isNodal)
   {
     solver.FinestSweepsFactor = FinestSweepsFactor;
     solver.FinestProlongationSteps = FinestProlongationSteps;
   }
-  HarmonicProblem<Complex>::MakeProlongations makeProlongations;
-  if (operators && !operators->SP.empty())
-  {
-    makeProlongations = [&](const ExecutionContext& part) {
-      std::vector<SparseMatrix<Complex>> prolongations;
-      for (const TransportOperator& transport : isNodal ? operators->Nodal : operators->SP)
-      {
-        prolongations.push_back(OnPowers(transport, options.N, part));
-      }
-      return prolongations;
-    };
-  }
   return HarmonicProblem<Complex>(
     [&](const ExecutionContext& part) {
-      return MakePowerFieldSystem(mesh, faceFrames, options.N, prescribed,
-        { options.Smoothness, options.Alignment, options.Constraints }, part);
+      return MakePowerFieldSystem(mesh, faceFrames, options.N, prescribed, WeightsOf(options), part);
     },
-    makeProlongations, isNodal ? "nodal levels" : "levels of face powers", solver, context);
+    ProlongationsFrom<Complex>(operators,
+      operators && isNodal ? &operators->Nodal : operators ? &operators->SP : nullptr,
+      "power fields", "PowerFields",
+      [N = options.N](const TransportOperator& transport, const ExecutionContext& part) {
+        return OnPowers(transport, N, part);
+      }),
+    isNodal ? "nodal levels" : "levels of face powers", solver, context);
+}
+
+HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  const PrescribedFaces& prescribed, const FieldOptions& options,
+  const ExecutionContext& context)
+{
+  return HarmonicProblem<double>(
+    [&](const ExecutionContext& part) {
+      return MakeFaceFieldSystem(mesh, faceFrames, prescribed, WeightsOf(options), part);
+    },
+    ProlongationsFrom<double>(
+      operators, operators ? &operators->SX : nullptr, "face fields", "FaceFields", &Copy),
+    "levels of face fields", options.Solver, context);
+}
+
+HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
+  const ProlongationOperators* operators, const PrescribedEdges& prescribed,
+  const FieldOptions& options, const ExecutionContext& context)
+{
+  return HarmonicProblem<double>(
+    [&](const ExecutionContext& part) {
+      return MakeOneFormSystem(mesh, prescribed, WeightsOf(options), options.Areas, part);
+    },
+    ProlongationsFrom<double>(
+      operators, operators ? &operators->S1 : nullptr, "1-forms", "OneForms", &Copy),
+    "levels of 1-forms", options.Solver, context);
+FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
+  const ElementNames& names)
+{
+  if (options.Kind == Discretisation::OneForm)
+  {
+    OneFormConstraints constraints = MakeOneFormConstraints(mesh, faceFrames, directions, names);
+    return { std::move(constraints.Prescribed.Edges), std::move(constraints.Prescribed.Weights),
+      std::move(constraints.Values) };
+  }
+  PowerConstraints constraints =
+    MakePowerConstraints(mesh, faceFrames, options.NumberOfDirections(), directions, names);
+  return { std::move(constraints.Prescribed.Faces), std::move(constraints.Prescribed.Weights),
+    AsPairs(constraints.Values) };
+}
+
+namespace
+{
+
+std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>> MakeProblem(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const ProlongationOperators* operators, const FieldConstraints& constraints,
+  const FieldOptions& options, const ExecutionContext& context)
+{
+  const auto& [elements, weights, values] = constraints;
+  switch (options.Kind)
+  {
+    case Discretisation::OneForm:
+      return MakeOneFormProblem(mesh, operators, { elements, weights }, options, context);
+    case Discretisation::FaceField:
+      return MakeFaceFieldProblem(
+        mesh, faceFrames, operators, { elements, weights }, options, context);
+    default:
+      return MakePowerFieldProblem(
+        mesh, faceFrames, operators, { elements, weights }, options, context);
+  }
+}
+
+}
+
+FieldProblem::FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const ProlongationOperators* operators, const FieldConstraints& constraints,
+  const FieldOptions& options, const ExecutionContext& context)
+  : Problem(MakeProblem(mesh, faceFrames, operators, constraints, options, context))
+{
+}
+
+Vector<double> FieldProblem::Solve(const Vector<double>& values, const Vector<double>& start,
+  const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  if (auto* const problem = std::get_if<HarmonicProblem<double>>(&this->Problem))
+  {
+    return problem->Solve(values, start, stop, context);
+  }
+  return AsPairs(std::get<HarmonicProblem<Complex>>(this->Problem)
+                   .Solve(AsComplex(values), AsComplex(start), stop, context));
+}
+
+const SolveReport& FieldProblem::Report() const
+{
+  return std::visit(
+    [](const auto& problem) -> const SolveReport& { return problem.Report(); }, this->Problem);
+}
+
+FieldPowers PowersOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const Vector<double>& unknowns, const FieldOptions& options)
+{
+  if (options.Kind == Discretisation::OneForm)
+  {
+    return { InFrames(faceFrames, WhitneyAtFaces(mesh, unknowns)),
+      InFrames(vertexFrames, WhitneyAtVertices(mesh, faceFrames, vertexFrames, unknowns)) };
+  }
+  Vector<Complex> faces = AsComplex(unknowns);
+  Vector<Complex> vertices =
+    PowersAtVertices(mesh, faceFrames, vertexFrames, faces, options.NumberOfDirections());
+  return { std::move(faces), std::move(vertices) };
 }
 
 }

@@ -7,8 +7,11 @@
 #include "Mesh/TriangleMesh.h"
 #include "Prolongation/ProlongationOperators.h"
 #include "Support/ExecutionContext.h"
+#include "Operators/ExteriorCalculus.h"
 #include "Systems/AlignmentConstraints.h"
+#include "Systems/OneFormConstraints.h"
 
+#include <variant>
 #include <vector>
 
 /// The straight line from a mesh to the smoothest field that follows prescribed directions:
@@ -43,36 +46,109 @@ enum class CoarseSpaceKind
   FacePowers,
 };
 
-struct PowerFieldOptions
+/// What the unknowns of a field are.
+enum class Discretisation
 {
-  /// The field has N directions per point, 2 pi / N apart; 1 to 8.
-  int N = 4;
-  /// Weight lambda_S of the smoothness energy, > 0.
-  double Smoothness = 1.0;
-  /// Weight lambda_A of soft constraints, > 0. At 1, a prescribed face of mean area pulls as hard as
-  /// one of its edges does.
-  double Alignment = 1.0;
-  ConstraintKind Constraints = ConstraintKind::Soft;
-  CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
-  SolverKind Solver = SolverKind::Automatic;
-  /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1. On nodal
-  /// levels the finest level gets twice as many.
-  int Sweeps = 2;
+  /// The N-th power of N directions per face: one complex number in the face's frame. Thesis, 6.3.
+  PowerField,
+  /// A vector per face: two numbers in the face's frame. Thesis, 6.2.
+  FaceField,
+  /// A number per edge, the integral of a 1-form. Thesis, 6.1.
+  OneForm,
 };
 
-/// The smoothest N-direction field that follows prescribed directions, on one mesh, for one set of
-/// prescribed faces and weights. Thesis, section 6.3, as
-///   argmin  Smoothness X^H L X + Alignment sum_b w_b (A_b / mean A) |X_b - Y_b|^2   (soft)
-///   argmin  X^H L X  subject to  X_b = Y_b                                          (hard)
-/// A component of the surface that holds no prescribed face gets the zero field.
-/// Unknowns are #F powers in the face frames, values one power per prescribed face.
-/// \param operators of this mesh; may be null for SolverKind::Cholesky. Copied where needed.
-/// \throw InvalidInput options out of range, no prescribed face, every face prescribed hard.
+struct FieldOptions
+{
+  Discretisation Kind = Discretisation::PowerField;
+  /// Power fields have N directions per point, 2 pi / N apart; 1 to 8. The others have one.
+  int N = 4;
+  /// Weight of the roughness, > 0.
+  double Smoothness = 1.0;
+  /// Weight of soft constraints, > 0. At 1, a prescribed face of mean area pulls a power field as hard
+  /// as one of its edges does.
+  double Alignment = 1.0;
+  ConstraintKind Constraints = ConstraintKind::Soft;
+  /// Of power fields; the others have the thesis's.
+  CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
+  /// Of 1-forms: the star of 0-forms.
+  VertexAreas Areas = VertexAreas::MixedVoronoi;
+  /// On nodal levels, the finest gets twice the sweeps and a smoothed interpolation, whatever is said
+  /// here.
+  SolverOptions Solver;
+
+  /// Directions per point.
+  int NumberOfDirections() const { return this->Kind == Discretisation::PowerField ? this->N : 1; }
+};
+
+/// The problems one by one. Unknowns and values are those of MakePowerFieldSystem,
+/// MakeFaceFieldSystem and MakeOneFormSystem, in their order.
+/// \param operators of this mesh; may be null for SolverKind::Cholesky. Used during the call only.
+/// \throw InvalidInput options out of range, nothing prescribed, nothing left to solve for, or operators
+///   that lack those of the discretisation.
 /// \throw SolverFailure the factorisation failed.
 HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
-  const PrescribedFaces& prescribed, const PowerFieldOptions& options,
+  const PrescribedFaces& prescribed, const FieldOptions& options,
   const ExecutionContext& context);
+HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  const PrescribedFaces& prescribed, const FieldOptions& options,
+  const ExecutionContext& context);
+HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
+  const ProlongationOperators* operators, const PrescribedEdges& prescribed,
+  const FieldOptions& options, const ExecutionContext& context);
+
+/// Directions prescribed on faces, as a discretisation takes them.
+struct FieldConstraints
+{
+  // Key of the system.
+  std::vector<int> Elements;   ///< faces, or edges for 1-forms; ascending, each once
+  std::vector<double> Weights; ///< one per element, > 0
+  // Key of the solution.
+  Vector<double> Values; ///< two per face: the N-th power or the vector, in its frame; one per edge
+};
+
+/// See MakePowerConstraints, with N = 1 for face fields, and MakeOneFormConstraints.
+FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
+  const ElementNames& names = {});
+
+/// The smoothest field that follows prescribed directions, whatever its discretisation: one mesh, one
+/// set of prescribed elements and weights. A component of the surface that holds none of them gets the
+/// zero field.
+class FieldProblem
+{
+public:
+  /// System. Parameters and errors as above; the values of the constraints are not looked at.
+  FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+    const ProlongationOperators* operators, const FieldConstraints& constraints,
+    const FieldOptions& options, const ExecutionContext& context);
+
+  /// Solve.
+  /// \param values of the constraints.
+  /// \param start unknowns to start from, or empty.
+  /// \return the unknowns: two per face, or one per edge.
+  /// \throw Cancelled
+  Vector<double> Solve(const Vector<double>& values, const Vector<double>& start,
+    const StoppingCriteria& stop, const ExecutionContext& context);
+
+  const SolveReport& Report() const;
+
+private:
+  std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>> Problem;
+};
+
+/// A field as N-th powers, to be drawn: of the faces in their frames and of the vertices in theirs.
+struct FieldPowers
+{
+  Vector<Complex> Faces;
+  Vector<Complex> Vertices;
+};
+
+/// \param unknowns as FieldProblem::Solve returns them. A 1-form becomes the vectors of its Whitney
+///   interpolant.
+FieldPowers PowersOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const Vector<double>& unknowns, const FieldOptions& options);
 
 }
 

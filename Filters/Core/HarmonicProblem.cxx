@@ -46,15 +46,47 @@ std::pair<SolverKind, std::string> ChooseSolver(
 /// Back-substitution, reported as one iteration.
 template <class Scalar>
 void SolveDirectly(const SparseMatrix<Scalar>& A, CholeskySolver<Scalar>& solver,
-  const Vector<Scalar>& b, Vector<Scalar>& x, SolveReport& report)
+  const Vector<Scalar>& b, const ConvergenceMeasure<Scalar>& measure, Vector<Scalar>& x,
+  SolveReport& report, const ExecutionContext& context)
 {
+  const double norm = b.norm();
+  const auto append = [&](double seconds) {
+    const Vector<Scalar> r = b - A * x;
+    IterationReport row;
+    row.Iteration = static_cast<int>(report.Iterations.size());
+    row.Seconds = seconds;
+    row.RelativeResidual = norm > 0.0 ? r.norm() / norm : 0.0;
+    measure.Fill(row, x, b, r, context);
+    report.Iterations.push_back(row);
+  };
+  report.Iterations.clear();
+  x = Vector<Scalar>::Zero(b.size());
+  append(0.0);
   const auto start = std::chrono::steady_clock::now();
   solver.Solve(b, x);
-  const double norm = b.norm();
-  const double residual = norm > 0.0 ? (b - A * x).norm() / norm : 0.0;
   report.SolveSeconds = SecondsSince(start);
-  report.Iterations = { { 0, 0.0, 1.0 }, { 1, report.SolveSeconds, residual } };
+  append(report.SolveSeconds);
   report.Converged = true;
+}
+
+std::string NameOf(SolverKind solver)
+{
+  switch (solver)
+  {
+    case SolverKind::VCycles:
+      return "V-cycles";
+    case SolverKind::NestedIterations:
+      return "nested iterations";
+    case SolverKind::CoarseProlongation:
+      return "coarse prolongation";
+    default:
+      return "conjugate gradients with a V-cycle";
+  }
+}
+
+bool IsNested(SolverKind solver)
+{
+  return solver == SolverKind::NestedIterations || solver == SolverKind::CoarseProlongation;
 }
 
 }
@@ -70,7 +102,9 @@ public:
 
   HarmonicSystem<Scalar> System;
   std::optional<CholeskySolver<Scalar>> Cholesky;
-  std::optional<MultigridSolver<Scalar>> Multigrid; // if not Cholesky
+  std::optional<MultigridSolver<Scalar>> Multigrid;
+  std::optional<NestedIteration<Scalar>> Nested;
+  SweepOptions Sweeps; // of nested iterations
   SolverKind Solver = SolverKind::Cholesky;
   SolveReport Report;
   std::vector<std::string> SystemWarnings;
@@ -114,20 +148,40 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
     {
       prolongations[0] = SelectRows(prolongations[0], system.FreeUnknowns(), context);
     }
-    MultigridOptions multigrid;
-    multigrid.Cycle.Smoothing.PreSweeps = options.Sweeps;
-    multigrid.Cycle.Smoothing.PostSweeps = options.Sweeps;
-    multigrid.Cycle.FinestFactor = options.FinestSweepsFactor;
-    multigrid.Coarsening.FinestProlongationSteps = options.FinestProlongationSteps;
-    internal.Multigrid.emplace(
-      system.Matrix(), std::move(prolongations), multigrid, PartOfContext(context, 0.2, 1.0));
-    report.Solver = std::string(solver == SolverKind::VCycles
-        ? "V-cycles" : "conjugate gradients with a V-cycle") + " on " + coarseSpace + reason;
-    report.Levels = internal.Multigrid->Levels();
-    report.Bytes = internal.Multigrid->Bytes();
+    GalerkinOptions coarsening;
+    coarsening.FinestProlongationSteps = options.FinestProlongationSteps;
+    if (options.StartingLevel >= 0)
+    {
+      coarsening.CoarsestLevel = options.StartingLevel;
+    }
+    const PartOfContext part(context, 0.2, 1.0);
+    if (IsNested(solver))
+    {
+      internal.Sweeps = options.Nested;
+      internal.Nested.emplace(system.Matrix(), std::move(prolongations),
+        NestedOptions{ coarsening, solver == SolverKind::NestedIterations }, part);
+      report.Levels = internal.Nested->Levels();
+      report.Bytes = internal.Nested->Bytes();
+    }
+    else
+    {
+      CycleOptions cycle;
+      cycle.Smoothing.PreSweeps = options.Sweeps;
+      cycle.Smoothing.PostSweeps = options.Sweeps;
+      cycle.FinestFactor = options.FinestSweepsFactor;
+      internal.Multigrid.emplace(
+        system.Matrix(), std::move(prolongations), MultigridOptions{ coarsening, cycle }, part);
+      report.Levels = internal.Multigrid->Levels();
+      report.Bytes = internal.Multigrid->Bytes();
+    }
+    report.Solver = NameOf(solver) + " on " + coarseSpace + reason;
   }
   report.PrepareSeconds = SecondsSince(start);
   report.Warnings = internal.SystemWarnings;
+  if (options.CompareWithCholesky && solver != SolverKind::Cholesky)
+  {
+    internal.Cholesky.emplace(system.Matrix());
+  }
   context.Checkpoint(1.0);
 }
 
@@ -151,16 +205,26 @@ Vector<Scalar> HarmonicProblem<Scalar>::Solve(const Vector<Scalar>& values,
   {
     x = system.Restrict(start);
   }
+  ConvergenceMeasure<Scalar> measure;
+  measure.Mass = system.Mass();
+  if (internal.Cholesky && internal.Solver != SolverKind::Cholesky)
+  {
+    internal.Cholesky->Solve(b, measure.Reference);
+  }
   switch (internal.Solver)
   {
     case SolverKind::Cholesky:
-      SolveDirectly(system.Matrix(), *internal.Cholesky, b, x, report);
+      SolveDirectly(system.Matrix(), *internal.Cholesky, b, measure, x, report, context);
       break;
     case SolverKind::VCycles:
-      internal.Multigrid->SolveByCycles(b, stop, x, report, context);
+      internal.Multigrid->SolveByCycles(b, stop, x, report, context, &measure);
+      break;
+    case SolverKind::NestedIterations:
+    case SolverKind::CoarseProlongation:
+      internal.Nested->Solve(b, internal.Sweeps, x, report, context, &measure);
       break;
     default:
-      internal.Multigrid->SolveByConjugateGradients(b, stop, x, report, context);
+      internal.Multigrid->SolveByConjugateGradients(b, stop, x, report, context, &measure);
       break;
   }
   return system.Expand(x, values);

@@ -1,6 +1,7 @@
 #ifndef dmgHarmonicProblem_h
 #define dmgHarmonicProblem_h
 
+#include "Solvers/NestedIteration.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
@@ -24,6 +25,10 @@ enum class SolverKind
   VCycles,
   /// Conjugate gradients, one V-cycle as preconditioner.
   ConjugateGradients,
+  /// Nested iterations: a rough solution for the price of a few cycles.
+  NestedIterations,
+  /// Nested iterations without sweeps: a sketch.
+  CoarseProlongation,
 };
 
 /// How a system is solved, whatever its unknowns mean.
@@ -36,6 +41,12 @@ struct SolverOptions
   int FinestSweepsFactor = 1;
   /// How often the finest prolongation is smoothed before use; see GalerkinOptions.
   int FinestProlongationSteps = 0;
+  /// Of nested iterations.
+  SweepOptions Nested;
+  /// The level that is solved exactly; negative or beyond the coarsest: the coarsest.
+  int StartingLevel = -1;
+  /// Factors the fine system as well, for the Error of every row of the history.
+  bool CompareWithCholesky = false;
 };
 
 /// A harmonic system with its solver, ready to solve for prescribed values: the system stage, and
@@ -52,7 +63,8 @@ public:
   /// \param makeProlongations on all unknowns of the system, finest first; called only where the
   ///   solver needs them. Empty, or an empty result: there are no coarse levels.
   /// \param coarseSpace says in the report what the coarse levels hold.
-  /// \throw InvalidInput multigrid without prolongations, and what makeSystem refuses.
+  /// \throw InvalidInput multigrid without prolongations, nested iterations while the error falls
+  ///   without CompareWithCholesky, and what makeSystem refuses.
   /// \throw SolverFailure the factorisation failed.
   HarmonicProblem(const MakeSystem& makeSystem, const MakeProlongations& makeProlongations,
     const std::string& coarseSpace, const SolverOptions& options, const ExecutionContext& context);
@@ -61,7 +73,8 @@ public:
 
   /// Solve for the prescribed values.
   /// \param values one per prescribed unknown.
-  /// \param start first guess, one per unknown, or empty for zero; ignored by Cholesky.
+  /// \param start first guess, one per unknown, or empty for zero; used by cycles and conjugate
+  ///   gradients.
   /// \return one per unknown. Not converged: the best vector reached; see Report().
   /// \throw Cancelled
   Vector<Scalar> Solve(const Vector<Scalar>& values, const Vector<Scalar>& start,

@@ -101,9 +101,9 @@ Row MeasureOurs(const TriangleMesh& mesh, const TangentFrames& frames,
   const ProlongationOperators& operators, const Prescription& prescription, int N,
   const ExecutionContext& context)
 {
-  PowerFieldOptions options;
+  FieldOptions options;
   options.N = N;
-  options.Solver = SolverKind::ConjugateGradients;
+  options.Solver.Kind = SolverKind::ConjugateGradients;
   StoppingCriteria stop;
   stop.RelativeTolerance = Tolerance;
   std::optional<HarmonicProblem<Complex>> problem;

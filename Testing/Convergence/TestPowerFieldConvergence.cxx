@@ -29,9 +29,9 @@ int Iterations(const Surface& surface, int N, int prescribedFaces)
     prescribed.Faces.push_back(static_cast<int>((b + 0.5) * mesh.NumberOfFaces() / prescribedFaces));
     prescribed.Weights.push_back(1.0);
   }
-  PowerFieldOptions options;
+  FieldOptions options;
   options.N = N;
-  options.Solver = SolverKind::ConjugateGradients;
+  options.Solver.Kind = SolverKind::ConjugateGradients;
   HarmonicProblem<Complex> problem = MakePowerFieldProblem(mesh, frames, &hierarchy.Operators, prescribed, options, context);
   problem.Solve(random.Numbers(prescribedFaces), {}, StoppingCriteria(), context);
   EXPECT_TRUE(problem.Report().Converged);

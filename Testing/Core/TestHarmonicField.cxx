@@ -59,7 +59,7 @@ StoppingCriteria Tight()
 }
 
 Vector<Complex> Solve(const Prepared& on, const PrescribedFaces& prescribed,
-  const Vector<Complex>& values, const PowerFieldOptions& options,
+  const Vector<Complex>& values, const FieldOptions& options,
   const ExecutionContext& context = SerialContext())
 {
   HarmonicProblem<Complex> problem = MakePowerFieldProblem(on.Mesh, on.Frames, &on.Operators, prescribed, options, context);
@@ -83,16 +83,16 @@ TEST(HarmonicField, SolversAgree)
     {
       for (ConstraintKind constraints : { ConstraintKind::Soft, ConstraintKind::Hard })
       {
-        PowerFieldOptions options;
+        FieldOptions options;
         options.N = N;
         options.Constraints = constraints;
-        options.Solver = SolverKind::Cholesky;
+        options.Solver.Kind = SolverKind::Cholesky;
         const Vector<Complex> direct = Solve(on, prescribed, values, options);
         for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
         {
           for (CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::FacePowers })
           {
-            options.Solver = solver;
+            options.Solver.Kind = solver;
             options.CoarseSpace = space;
             EXPECT_LT(
               RelativeDifference(Solve(on, prescribed, values, options), direct), 1e-8);
@@ -114,9 +114,9 @@ TEST(HarmonicField, OneDirectionFillsAFlatPatch)
       MakePowerConstraints(on.Mesh, on.Frames, N, { { 1234, direction, 1.0 } });
     for (SolverKind solver : { SolverKind::Cholesky, SolverKind::ConjugateGradients })
     {
-      PowerFieldOptions options;
+      FieldOptions options;
       options.N = N;
-      options.Solver = solver;
+      options.Solver.Kind = solver;
       const Vector<Complex> field = Solve(on, constraints.Prescribed, constraints.Values, options);
       EXPECT_LT(RelativeDifference(field, PowersOfDirection(on.Frames, direction, N)), 1e-8);
     }
@@ -135,7 +135,7 @@ TEST(HarmonicField, AFlatTorusCarriesAParallelField)
     prescribed.Weights = { 1.0 };
     Vector<Complex> values(1);
     values[0] = Complex(0.6, 0.8);
-    PowerFieldOptions options;
+    FieldOptions options;
     options.N = N;
     const Vector<Complex> field = Solve(on, prescribed, values, options);
     EXPECT_LT((field.cwiseAbs().array() - 1.0).abs().maxCoeff(), 1e-7);
@@ -156,9 +156,9 @@ TEST(HarmonicField, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
     const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
     for (int N = 1; N <= 8; ++N)
     {
-      PowerFieldOptions options;
+      FieldOptions options;
       options.N = N;
-      options.Solver = SolverKind::ConjugateGradients;
+      options.Solver.Kind = SolverKind::ConjugateGradients;
       const Vector<Complex> field = Solve(on, prescribed, values, options);
       EXPECT_NEAR(SingularityIndices(on.Mesh, on.Frames, field, N).sum(),
         on.Mesh.EulerCharacteristic(), 1e-9);
@@ -172,9 +172,9 @@ TEST(HarmonicField, HardConstraintsHoldExactly)
   const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
   Random random(31);
   const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
-  PowerFieldOptions options;
+  FieldOptions options;
   options.Constraints = ConstraintKind::Hard;
-  options.Solver = SolverKind::ConjugateGradients;
+  options.Solver.Kind = SolverKind::ConjugateGradients;
   const Vector<Complex> field = Solve(on, prescribed, values, options);
   for (std::size_t b = 0; b < prescribed.Faces.size(); ++b)
   {
@@ -199,9 +199,9 @@ TEST(HarmonicField, DoesNotDependOnNumberingPlaceOrSize)
     const Prepared prepared(on);
     const PowerConstraints constraints =
       MakePowerConstraints(prepared.Mesh, prepared.Frames, N, where);
-    PowerFieldOptions options;
+    FieldOptions options;
     options.N = N;
-    options.Solver = SolverKind::ConjugateGradients;
+    options.Solver.Kind = SolverKind::ConjugateGradients;
     const Vector<Complex> field =
       Solve(prepared, constraints.Prescribed, constraints.Values, options);
     // A power in space: against the power of the face's own first side, whose number is the same.
@@ -243,8 +243,8 @@ TEST(HarmonicField, HasTheSameBitsForAnyNumberOfThreads)
   const PrescribedFaces prescribed = Every(97, on.Mesh.NumberOfFaces());
   Random random(13);
   const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
-  PowerFieldOptions options;
-  options.Solver = SolverKind::ConjugateGradients;
+  FieldOptions options;
+  options.Solver.Kind = SolverKind::ConjugateGradients;
   const Vector<Complex> expected = Solve(on, prescribed, values, options);
   for (int threads : { 2, 3, 8 })
   {
@@ -258,8 +258,8 @@ TEST(HarmonicField, SolvesAgainFromItsSolution)
   const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
   Random random(37);
   Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
-  PowerFieldOptions options;
-  options.Solver = SolverKind::ConjugateGradients;
+  FieldOptions options;
+  options.Solver.Kind = SolverKind::ConjugateGradients;
   HarmonicProblem<Complex> problem = MakePowerFieldProblem(
     on.Mesh, on.Frames, &on.Operators, prescribed, options, SerialContext());
   const Vector<Complex> field = problem.Solve(values, {}, StoppingCriteria(), SerialContext());
@@ -282,8 +282,8 @@ TEST(HarmonicField, SurvivesDegenerateSurfaces)
     prescribed.Weights = { 1.0 };
     Vector<Complex> values(1);
     values[0] = 1.0;
-    PowerFieldOptions options;
-    options.Solver = SolverKind::ConjugateGradients;
+    FieldOptions options;
+    options.Solver.Kind = SolverKind::ConjugateGradients;
     HarmonicProblem<Complex> problem = MakePowerFieldProblem(
       on.Mesh, on.Frames, &on.Operators, prescribed, options, SerialContext());
     const Vector<Complex> field = problem.Solve(values, {}, StoppingCriteria(), SerialContext());
@@ -296,7 +296,7 @@ TEST(HarmonicField, ChoosesASolverAndSaysWhy)
 {
   const Prepared small(IrregularSphere(3, 3));
   const PrescribedFaces prescribed = Every(300, small.Mesh.NumberOfFaces());
-  const PowerFieldOptions options;
+  const FieldOptions options;
   const HarmonicProblem<Complex> direct = MakePowerFieldProblem(
     small.Mesh, small.Frames, &small.Operators, prescribed, options, SerialContext());
   EXPECT_NE(direct.Report().Solver.find("Cholesky, chosen for 1280 unknowns"), std::string::npos);
@@ -315,10 +315,10 @@ TEST(HarmonicField, ChoosesASolverAndSaysWhy)
 TEST(HarmonicField, RefusesWhatItCannotSolve)
 {
   const Prepared on(Icosphere(2));
-  PowerFieldOptions options;
+  FieldOptions options;
   EXPECT_THROW(MakePowerFieldProblem(on.Mesh, on.Frames, nullptr, {}, options, SerialContext()),
     InvalidInput);
-  options.Solver = SolverKind::ConjugateGradients;
+  options.Solver.Kind = SolverKind::ConjugateGradients;
   EXPECT_THROW(MakePowerFieldProblem(on.Mesh, on.Frames, nullptr, Every(10, 320), options,
                  SerialContext()),
     InvalidInput);

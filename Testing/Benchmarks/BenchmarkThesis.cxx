@@ -1,0 +1,416 @@
+// The tables of the thesis, ours beside its printed numbers, as CSV files for plot_thesis.py.
+//
+//   BenchmarkThesis [--out folder] [--runs n] [--threads n] [--short] surface.ply ...
+//
+//   solves.csv  tables 7.8 to 7.13: coarse prolongation, nested iterations and Cholesky
+//   sweeps.csv  tables 7.14 to 7.16: V-cycles to an error of 1e-3, by sweeps per level
+//   starts.csv  table 7.17: nested iterations by starting level
+//   setup.csv   table 7.18: all levels and operators
+//   curves.csv  figures 7.1 to 7.3 and 7.13 to 7.16: the error of every V-cycle
+//
+// Surfaces with the names of the shared mesh set stand beside the thesis's; others have its columns
+// empty. As there, 0.5 % of the elements are prescribed, softly and at random, the ground truth is
+// Cholesky's, and nested iterations sweep while a sweep lowers the error by 0.1 %. V-cycles are
+// stationary, on the thesis's operators, with as many sweeps after the correction as before it.
+// Times are medians of the runs, in milliseconds. --short does the first table on two sweep numbers.
+
+#include "Benchmarks/ThesisTables.h"
+#include "Benchmarks/Timing.h"
+#include "HarmonicField.h"
+#include "Support/Random.h"
+#include "Support/ReadPly.h"
+#include "Support/TbbContext.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <functional>
+#include <optional>
+#include <set>
+
+using namespace dmg;
+using namespace dmg::benchmarks;
+
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+constexpr double ShareOfPrescribed = 0.005;
+constexpr double ErrorOfConvergence = 1e-3; // of tables 7.14 to 7.16
+constexpr int LargestNumberOfCycles = 400;
+
+struct Options
+{
+  std::string Folder = ".";
+  int Runs = 3;
+  int Threads = 2;
+  bool Short = false;
+  std::vector<std::string> Paths;
+};
+
+class Csv
+{
+public:
+  Csv(const std::string& path, const std::string& header)
+    : File(path)
+  {
+    this->File << header << "\n";
+  }
+
+  template <class... Cells>
+  void Row(const Cells&... cells)
+  {
+    const char* separator = "";
+    ((this->File << separator, this->Write(cells), separator = ","), ...);
+    this->File << "\n" << std::flush;
+  }
+
+private:
+  void Write(const std::string& text) { this->File << text; }
+  void Write(const char* text) { this->File << text; }
+  void Write(int number) { this->File << number; }
+  void Write(double number)
+  {
+    if (!std::isnan(number)) // the thesis has no number, or failed
+    {
+      this->File << number;
+    }
+  }
+
+  std::ofstream File;
+};
+
+struct Tables
+{
+  explicit Tables(const std::string& folder)
+    : Solves(folder + "/solves.csv",
+        "surface,faces,discretisation,"
+        "cp_energy,cp_error,ni_energy,ni_error,cholesky_prepare,cholesky_solve,mg_prepare,cp_solve,"
+        "ni_solve,ni_sweeps,"
+        "thesis_cp_energy,thesis_cp_error,thesis_ni_energy,thesis_ni_error,thesis_cholesky_prepare,"
+        "thesis_cholesky_solve,thesis_mg_prepare,thesis_cp_solve,thesis_ni_solve")
+    , Sweeps(folder + "/sweeps.csv",
+        "surface,discretisation,sweeps,cycles,per_cycle,total,thesis_cycles,thesis_per_cycle,"
+        "thesis_total")
+    , Starts(folder + "/starts.csv",
+        "surface,discretisation,starting_level,error,prepare,solve,thesis_error,thesis_prepare,"
+        "thesis_solve")
+    , Setup(folder + "/setup.csv", "surface,faces,setup,thesis_setup")
+    , Curves(folder + "/curves.csv", "surface,discretisation,sweeps,cycle,milliseconds,error")
+  {
+  }
+  Csv Solves, Sweeps, Starts, Setup, Curves;
+};
+
+std::vector<int> Chosen(test::Random& random, int size)
+{
+  std::set<int> chosen;
+  while (static_cast<double>(chosen.size()) < ShareOfPrescribed * size)
+  {
+    chosen.insert(random.Index(size));
+  }
+  return { chosen.begin(), chosen.end() };
+}
+
+/// What a solve took and what came of it.
+struct Outcome
+{
+  double Prepare = 0.0; // milliseconds
+  double Solve = 0.0;
+  SolveReport Report;
+
+  const IterationReport& Last() const { return this->Report.Iterations.back(); }
+};
+
+/// One of the three problems of the thesis on one surface, ready to be solved in any way.
+struct Problem
+{
+  std::string Name;
+  int Index; // of the thesis's columns
+  FieldOptions Options;
+  std::function<Outcome(const FieldOptions&)> Solve;
+};
+
+template <class Scalar, class Make>
+std::function<Outcome(const FieldOptions&)> Solver(
+  Vector<Scalar> values, Make make, const ExecutionContext& context)
+{
+  return [values = std::move(values), make, &context](const FieldOptions& options) {
+    HarmonicProblem<Scalar> problem = make(options);
+    StoppingCriteria stop;
+    stop.RelativeTolerance = 1e-12;
+    stop.MaximumIterations = LargestNumberOfCycles;
+    problem.Solve(values, {}, stop, context);
+    Outcome outcome;
+    outcome.Report = problem.Report();
+    outcome.Prepare = 1e3 * outcome.Report.PrepareSeconds;
+    outcome.Solve = 1e3 * outcome.Report.SolveSeconds;
+    return outcome;
+  };
+}
+
+std::vector<Problem> Problems(const TriangleMesh& mesh, const TangentFrames& frames,
+  const ProlongationOperators& operators, const ExecutionContext& context)
+{
+  test::Random random(20261121);
+  std::vector<Problem> problems;
+  FieldOptions options;
+  options.N = 2;
+  options.CoarseSpace = CoarseSpaceKind::FacePowers;
+
+  PrescribedEdges edges;
+  edges.Edges = Chosen(random, mesh.NumberOfEdges());
+  edges.Weights.assign(edges.Edges.size(), 1.0);
+  Vector<double> integrals(edges.Edges.size());
+  for (std::size_t b = 0; b < edges.Edges.size(); ++b)
+  {
+    const auto [i, j] = mesh.EdgeVertices(edges.Edges[b]);
+    const double length = (mesh.Position(j) - mesh.Position(i)).norm();
+    integrals[b] = length * std::cos(random.Uniform(0.0, 2.0 * Pi));
+  }
+  options.Kind = Discretisation::OneForm;
+  problems.push_back({ "DEC", 0, options,
+    Solver<double>(integrals,
+      [&mesh, &operators, &context, edges](const FieldOptions& o) {
+        return MakeOneFormProblem(mesh, &operators, edges, o, context);
+      },
+      context) });
+
+  PrescribedFaces faces;
+  faces.Faces = Chosen(random, mesh.NumberOfFaces());
+  faces.Weights.assign(faces.Faces.size(), 1.0);
+  Vector<Complex> powers(faces.Faces.size());
+  for (Complex& power : powers)
+  {
+    power = std::polar(1.0, random.Uniform(0.0, 2.0 * Pi));
+  }
+  options.Kind = Discretisation::FaceField;
+  const Vector<double> vectors =
+    Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(powers.data()), 2 * powers.size());
+  problems.push_back({ "face-based", 1, options,
+    Solver<double>(vectors,
+      [&mesh, &frames, &operators, &context, faces](const FieldOptions& o) {
+        return MakeFaceFieldProblem(mesh, frames, &operators, faces, o, context);
+      },
+      context) });
+
+  options.Kind = Discretisation::PowerField;
+  problems.push_back({ "power", 2, options,
+    Solver<Complex>(powers,
+      [&mesh, &frames, &operators, &context, faces](const FieldOptions& o) {
+        return MakePowerFieldProblem(mesh, frames, &operators, faces, o, context);
+      },
+      context) });
+  return problems;
+}
+
+/// Times are medians; the rest is the same in every run.
+Outcome MedianOf(int runs, const Problem& problem, const FieldOptions& options)
+{
+  std::vector<double> prepare, solve;
+  Outcome outcome;
+  for (int run = 0; run < runs; ++run)
+  {
+    outcome = problem.Solve(options);
+    prepare.push_back(outcome.Prepare);
+    solve.push_back(outcome.Solve);
+  }
+  outcome.Prepare = Median(prepare);
+  outcome.Solve = Median(solve);
+  return outcome;
+}
+
+FieldOptions With(FieldOptions options, SolverKind kind)
+{
+  options.Solver.Kind = kind;
+  options.Solver.CompareWithCholesky = true;
+  options.Solver.Nested.Rule = SweepRule::WhileErrorFalls;
+  options.Solver.Nested.Sweeps = 1000;
+  return options;
+}
+
+int SweepsOnTheFinest(const SolveReport& report)
+{
+  int sweeps = 0;
+  for (const IterationReport& row : report.Iterations)
+  {
+    sweeps += row.Level == 0 ? 1 : 0;
+  }
+  return sweeps - 1; // the first row is the start
+}
+
+void MeasureSolves(const Options& options, const std::string& surface, int faces,
+  const Problem& problem, const thesis::Mesh* printed, Tables& tables)
+{
+  const Outcome cholesky = MedianOf(options.Runs, problem, With(problem.Options, SolverKind::Cholesky));
+  const Outcome coarse =
+    MedianOf(options.Runs, problem, With(problem.Options, SolverKind::CoarseProlongation));
+  const Outcome nested =
+    MedianOf(options.Runs, problem, With(problem.Options, SolverKind::NestedIterations));
+  const double none = thesis::Failed;
+  const thesis::Solves of = printed
+    ? printed->Of[problem.Index]
+    : thesis::Solves{ none, none, none, none, none, none, none, none, none };
+  tables.Solves.Row(surface, faces, problem.Name, coarse.Last().MassResidual, coarse.Last().Error,
+    nested.Last().MassResidual, nested.Last().Error, cholesky.Prepare, cholesky.Solve, nested.Prepare,
+    coarse.Solve, nested.Solve, SweepsOnTheFinest(nested.Report), of.CoarseEnergy, of.CoarseError,
+    of.NestedEnergy, of.NestedError, of.CholeskyPrepare, of.CholeskySolve, of.MultigridPrepare,
+    of.CoarseSolve, of.NestedSolve);
+  std::printf("%-26s %-10s CP error %.3f (%.3f), NI error %.4f (%.4f) in %.0f ms (%.0f)\n",
+    surface.c_str(), problem.Name.c_str(), coarse.Last().Error, of.CoarseError, nested.Last().Error,
+    of.NestedError, nested.Solve, of.NestedSolve);
+  std::fflush(stdout);
+}
+
+/// Cycles until the error falls below a limit, or none.
+std::optional<int> CyclesToConverge(const SolveReport& report)
+{
+  for (const IterationReport& row : report.Iterations)
+  {
+    if (row.Error < ErrorOfConvergence)
+    {
+      return row.Iteration;
+    }
+  }
+  return std::nullopt;
+}
+
+void MeasureCycles(const Options& options, const std::string& surface, const Problem& problem,
+  bool isThesisSurface, Tables& tables)
+{
+  for (int sweeps = 1; sweeps <= (options.Short ? 2 : 8); ++sweeps)
+  {
+    FieldOptions cycles = With(problem.Options, SolverKind::VCycles);
+    cycles.Solver.Sweeps = sweeps;
+    const Outcome outcome = problem.Solve(cycles);
+    const auto& rows = outcome.Report.Iterations;
+    const double perCycle = outcome.Solve / std::max<std::size_t>(rows.size() - 1, 1);
+    const std::optional<int> number = CyclesToConverge(outcome.Report);
+    const double ours = number ? *number : thesis::Failed;
+    const thesis::Cycles printed = isThesisSurface
+      ? thesis::CyclesBySweeps[problem.Index][sweeps - 1]
+      : thesis::Cycles{ 0, thesis::Failed };
+    const double theirs = isThesisSurface ? printed.Number : thesis::Failed;
+    tables.Sweeps.Row(surface, problem.Name, sweeps, ours, perCycle, ours * perCycle, theirs,
+      printed.PerCycle, theirs * printed.PerCycle);
+  }
+}
+
+void MeasureStarts(const Options& options, const std::string& surface, const Problem& problem,
+  int coarsest, bool isThesisSurface, Tables& tables)
+{
+  for (int level = coarsest; level >= 1; --level)
+  {
+    FieldOptions nested = With(problem.Options, SolverKind::NestedIterations);
+    nested.Solver.StartingLevel = level;
+    const Outcome outcome = MedianOf(options.Runs, problem, nested);
+    const std::size_t index = coarsest - level; // the thesis counts from the coarsest
+    const double none = thesis::Failed;
+    const thesis::Start printed = isThesisSurface && problem.Index == 2 && index < thesis::Starts.size()
+      ? thesis::Starts[index]
+      : thesis::Start{ none, none, none };
+    tables.Starts.Row(surface, problem.Name, level, outcome.Last().Error, outcome.Prepare,
+      outcome.Solve, printed.Error, printed.Prepare, printed.Solve);
+  }
+}
+
+/// The sweeps per level that the thesis took for its figures, section 7.2.1.
+int SweepsOfFigures(const Problem& problem)
+{
+  return problem.Index == 0 ? 6 : 2;
+}
+
+void MeasureCurve(const std::string& surface, const Problem& problem, Tables& tables)
+{
+  FieldOptions cycles = With(problem.Options, SolverKind::VCycles);
+  cycles.Solver.Sweeps = SweepsOfFigures(problem);
+  const Outcome outcome = problem.Solve(cycles);
+  for (const IterationReport& row : outcome.Report.Iterations)
+  {
+    tables.Curves.Row(
+      surface, problem.Name, cycles.Solver.Sweeps, row.Iteration, 1e3 * row.Seconds, row.Error);
+  }
+}
+
+void Measure(const Options& options, const std::string& path, const ExecutionContext& context,
+  Tables& tables)
+{
+  const TriangleMesh mesh = test::ReadPly(path).Mesh();
+  const std::string surface = BaseName(path);
+  const thesis::Mesh* printed = nullptr;
+  for (const thesis::Mesh& candidate : thesis::Meshes)
+  {
+    printed = surface == candidate.File ? &candidate : printed;
+  }
+
+  SurfaceHierarchy hierarchy;
+  std::vector<double> setup;
+  for (int run = 0; run < options.Runs; ++run)
+  {
+    setup.push_back(
+      Seconds([&] { hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context); }));
+  }
+  tables.Setup.Row(surface, mesh.NumberOfFaces(), 1e3 * Median(setup),
+    printed ? printed->Setup : thesis::Failed);
+
+  const TangentFrames frames = FaceFrames(mesh);
+  // Tables 7.14 to 7.17 are of the thesis's largest mesh.
+  const bool isLargest = printed == &thesis::Meshes.front();
+  const int coarsest = hierarchy.Operators.NumberOfLevels() - 1;
+  for (const Problem& problem : Problems(mesh, frames, hierarchy.Operators, context))
+  {
+    MeasureSolves(options, surface, mesh.NumberOfFaces(), problem, printed, tables);
+    MeasureCurve(surface, problem, tables);
+    if (isLargest || options.Short)
+    {
+      MeasureCycles(options, surface, problem, isLargest, tables);
+      MeasureStarts(options, surface, problem, coarsest, isLargest, tables);
+    }
+  }
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  for (int i = 1; i < argc; ++i)
+  {
+    const bool hasValue = i + 1 < argc;
+    if (!std::strcmp(argv[i], "--out") && hasValue)
+    {
+      options.Folder = argv[++i];
+    }
+    else if (!std::strcmp(argv[i], "--runs") && hasValue)
+    {
+      options.Runs = std::atoi(argv[++i]);
+    }
+    else if (!std::strcmp(argv[i], "--threads") && hasValue)
+    {
+      options.Threads = std::atoi(argv[++i]);
+    }
+    else if (!std::strcmp(argv[i], "--short"))
+    {
+      options.Short = true;
+    }
+    else
+    {
+      options.Paths.push_back(argv[i]);
+    }
+  }
+  if (options.Paths.empty() || options.Runs < 1 || options.Threads < 1)
+  {
+    std::fprintf(stderr,
+      "usage: BenchmarkThesis [--out folder] [--runs n] [--threads n] [--short] surface.ply ...\n");
+    return 2;
+  }
+  const test::TbbContext context(options.Threads);
+  PrintMachine(options.Threads, options.Runs);
+  std::printf("the thesis's numbers in brackets\n");
+  Tables tables(options.Folder);
+  for (const std::string& path : options.Paths)
+  {
+    Measure(options, path, context, tables);
+  }
+  return 0;
+}
