@@ -2,6 +2,7 @@
 
 #include "Hierarchy/MeshHierarchy.h"
 #include "Mesh/SpatialOrder.h"
+#include "Prolongation/FaceFieldProlongation.h"
 #include "Prolongation/NodalProlongation.h"
 #include "Prolongation/PowerFieldProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
@@ -106,8 +107,10 @@ SurfaceHierarchy BuildSurfaceHierarchy(
       TangentFrames coarseFaceFrames = FaceFrames(coarse, context);
       std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFaceFrames, context);
       SparseMatrix<double> S0 = ScalarProlongation(transition, context);
-      TransportOperator SP =
-        PowerFieldProlongation(transition, fineFaceFrames, coarseFaceFrames, context);
+      const FineEdgePaths paths(transition, context);
+      operators.SX.push_back(
+        FaceFieldProlongation(paths, fineFaceFrames, coarseFaceFrames, context));
+      TransportOperator SP = PowerFieldProlongation(paths, fineFaceFrames, coarseFaceFrames, context);
       operators.Nodal.push_back(operators.Nodal.empty()
           ? FacesFromVertices(sorted, S0, SP, coarse, coarseCornerTurns, context)
           : VerticesFromVertices(transition.Fine, fineCornerTurns, S0, SP, coarse,
@@ -123,6 +126,7 @@ SurfaceHierarchy BuildSurfaceHierarchy(
   if (!operators.S0.empty())
   {
     operators.S0[0] = RenumberRows(operators.S0[0], order.Vertices(), context);
+    operators.SX[0] = RenumberRows(operators.SX[0], PairsOf(order.Faces()), context);
     operators.SP[0] = RenumberRows(operators.SP[0], order.Faces(), context);
     operators.Nodal[0] = RenumberRows(operators.Nodal[0], order.Faces(), context);
   }

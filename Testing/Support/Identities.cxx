@@ -112,4 +112,40 @@ Vector<Complex> PowersOfDirection(const TangentFrames& frames, const Vector3& v,
   return powers;
 }
 
+double LargestEntry(const SparseMatrix<double>& A)
+{
+  return A.nonZeros() > 0 ? A.coeffs().abs().maxCoeff() : 0.0;
+}
+
+double VanishingResidual(const SparseMatrix<double>& A, const SparseMatrix<double>& B)
+{
+  return LargestEntry(A * B) / (LargestEntry(A) * LargestEntry(B));
+}
+
+double CommutationResidual(const SparseMatrix<double>& A, const SparseMatrix<double>& B,
+  const SparseMatrix<double>& C, const SparseMatrix<double>& D)
+{
+  const SparseMatrix<double> expected = C * D;
+  const SparseMatrix<double> difference = SparseMatrix<double>(A * B) - expected;
+  return LargestEntry(difference) / LargestEntry(expected);
+}
+
+Vector<double> FaceFieldOfVector(const TangentFrames& faceFrames, const Vector3& v)
+{
+  Vector<double> field(2 * faceFrames.X.rows());
+  for (int face = 0; face < faceFrames.X.rows(); ++face)
+  {
+    const Complex z = faceFrames.ToComplex(face, v);
+    field.segment<2>(2 * face) << z.real(), z.imag();
+  }
+  return field;
+}
+
+Vector<double> SymmetricEigenvalues(const SparseMatrix<double>& A)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+    Eigen::MatrixXd(A), Eigen::EigenvaluesOnly);
+  return solver.eigenvalues();
+}
+
 }

@@ -49,6 +49,24 @@ Vector<Complex> InTurnedFrames(
 /// The power of the same direction v in every face: (v . X + i v . Y)^N, of unit magnitude.
 Vector<Complex> PowersOfDirection(const TangentFrames& frames, const Vector3& v, int N);
 
+// Face fields --------------------------------------------------------------------------------------
+
+/// max |A_ij|; 0 for an empty matrix.
+double LargestEntry(const SparseMatrix<double>& A);
+
+/// max |A B| over max |A| max |B|, for products that ought to vanish.
+double VanishingResidual(const SparseMatrix<double>& A, const SparseMatrix<double>& B);
+
+/// max |A B - C D| over max |C D|, for diagrams that ought to commute.
+double CommutationResidual(const SparseMatrix<double>& A, const SparseMatrix<double>& B,
+  const SparseMatrix<double>& C, const SparseMatrix<double>& D);
+
+/// The same vector in every face, as a face field.
+Vector<double> FaceFieldOfVector(const TangentFrames& faceFrames, const Vector3& v);
+
+/// All eigenvalues of a symmetric matrix, ascending. Dense: for some hundred rows.
+Vector<double> SymmetricEigenvalues(const SparseMatrix<double>& A);
+
 }
 
 #endif

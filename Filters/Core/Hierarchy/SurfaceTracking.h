@@ -79,21 +79,36 @@ public:
   template <class Tail, class Visit>
   void VisitPath(int fineEdge, const Tail& tail, Visit visit) const
   {
-    int node = StartNode(fineEdge);
-    while (node != EndNode(fineEdge))
+    for (int node = StartNode(fineEdge); node != EndNode(fineEdge); node = this->Node(node).Next)
     {
-      const PathNode& from = this->Node(node);
-      const PathNode& to = this->Node(from.Next);
-      const int face = from.LeavingHalfedge / 3;
-      const std::array<double, 3> start = node == StartNode(fineEdge)
-        ? this->EndWeights(this->Fine.EdgeVertices(fineEdge)[0], face, tail)
-        : OnHalfedge(from.LeavingHalfedge, 1.0 - from.Fraction);
-      const std::array<double, 3> end = from.Next == EndNode(fineEdge)
-        ? this->EndWeights(this->Fine.EdgeVertices(fineEdge)[1], face, tail)
-        : OnHalfedge(to.ArrivingHalfedge, to.Fraction);
-      visit(face, start, end);
-      node = from.Next;
+      this->VisitPiece(node, tail, visit);
     }
+  }
+
+  /// Calls visit(face, from, to) for the pieces of paths in a coarse face, until it returns false.
+  template <class Tail, class Visit>
+  void VisitPiecesIn(int face, const Tail& tail, Visit visit) const
+  {
+    int node = this->FirstPieceInFace[face];
+    while (node >= 0 && this->VisitPiece(node, tail, visit))
+    {
+      node = this->Node(node).NextInFace;
+    }
+  }
+  /// The fine edges whose paths have pieces in a coarse face, once per piece.
+  std::vector<int> FineEdgesThrough(int face) const
+  {
+    std::vector<int> edges;
+    for (int node = this->FirstPieceInFace[face]; node >= 0; node = this->Node(node).NextInFace)
+    {
+      int end = node;
+      while (!this->IsPathEnd(end))
+      {
+        end = this->Node(end).Next;
+      }
+      edges.push_back(end / 2);
+    }
+    return edges;
   }
 
 private:
@@ -112,6 +127,11 @@ private:
   static int StartNode(int fineEdge) { return 2 * fineEdge; }
   static int EndNode(int fineEdge) { return 2 * fineEdge + 1; }
   bool IsPathEnd(int node) const { return node < 2 * this->Fine.NumberOfEdges(); }
+
+  int FineVertexAt(int pathEnd) const
+  {
+    return this->Fine.EdgeVertices(pathEnd / 2)[pathEnd % 2];
+  }
 
   PathNode& Node(int node) { return this->Pages[node / NodesPerPage][node % NodesPerPage]; }
   const PathNode& Node(int node) const
@@ -142,6 +162,22 @@ private:
       weights[k] = tail(3 * face + k) == fineVertex ? 1.0 : 0.0;
     }
     return weights;
+  }
+
+  /// The piece from a node to the next.
+  template <class Tail, class Visit>
+  auto VisitPiece(int node, const Tail& tail, Visit& visit) const
+  {
+    const PathNode& from = this->Node(node);
+    const PathNode& to = this->Node(from.Next);
+    const int face = from.LeavingHalfedge / 3;
+    const std::array<double, 3> start = this->IsPathEnd(node)
+      ? this->EndWeights(this->FineVertexAt(node), face, tail)
+      : OnHalfedge(from.LeavingHalfedge, 1.0 - from.Fraction);
+    const std::array<double, 3> end = this->IsPathEnd(from.Next)
+      ? this->EndWeights(this->FineVertexAt(from.Next), face, tail)
+      : OnHalfedge(to.ArrivingHalfedge, to.Fraction);
+    return visit(face, start, end);
   }
 
   struct PathEnd;

@@ -1,6 +1,5 @@
 #include "Prolongation/PowerFieldProlongation.h"
 
-#include "Prolongation/FineEdgePaths.h"
 #include "Support/SparseAssembly.h"
 
 #include <cmath>
@@ -36,13 +35,12 @@ std::array<Complex, 3> CornersInFrame(
 
 }
 
-TransportOperator PowerFieldProlongation(const LevelTransition& transition,
+TransportOperator PowerFieldProlongation(const FineEdgePaths& paths,
   const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
   const ExecutionContext& context)
 {
-  const TriangleMesh& fine = transition.Fine;
-  const TriangleMesh& coarse = transition.Coarse;
-  const FineEdgePaths paths(transition);
+  const TriangleMesh& fine = paths.Fine();
+  const TriangleMesh& coarse = paths.Coarse();
   std::vector<std::array<Complex, 3>> coarseCorners(coarse.NumberOfFaces());
   context.ParallelFor(0, coarse.NumberOfFaces(), Grain, [&](int first, int last) {
     for (int t = first; t < last; ++t)

@@ -1,8 +1,8 @@
 #ifndef dmgPowerFieldProlongation_h
 #define dmgPowerFieldProlongation_h
 
-#include "Hierarchy/MeshHierarchy.h"
 #include "Mesh/TangentFrames.h"
+#include "Prolongation/FineEdgePaths.h"
 #include "Prolongation/TransportOperator.h"
 
 namespace dmg
@@ -17,7 +17,7 @@ namespace dmg
 /// pieces would count by |e|^2N; unit directions weighted by length are sound for every N.)
 /// \return #F_l x #F_{l+1}; about three entries per row; rows sum to 1 in weight.
 /// Cost: O(#F_l). Thesis, section 4.4.
-TransportOperator PowerFieldProlongation(const LevelTransition& transition,
+TransportOperator PowerFieldProlongation(const FineEdgePaths& paths,
   const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
   const ExecutionContext& context);
 

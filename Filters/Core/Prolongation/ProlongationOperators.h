@@ -30,6 +30,9 @@ struct ProlongationOperators
   /// S0[l], #V_l x #V_{l+1}: 0-forms. Rows are non-negative and sum to 1. Thesis, section 3.5.
   std::vector<SparseMatrix<double>> S0;
 
+  /// SX[l], 2 #F_l x 2 #F_{l+1}: face fields, in FaceFrames. Thesis, section 4.3.
+  std::vector<SparseMatrix<double>> SX;
+
   /// SP[l], #F_l x #F_{l+1}: power fields, face to face. Thesis, section 4.4.
   std::vector<TransportOperator> SP;
 

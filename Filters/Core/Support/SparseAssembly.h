@@ -215,6 +215,43 @@ SparseMatrix<Scalar> RenumberRows(const SparseMatrix<Scalar>& matrix,
   return SelectRows(matrix, inverse, context);
 }
 
+/// What two numbers at one element make of two numbers at another.
+using Block = Eigen::Matrix2d;
+
+/// The matrix of twice as many rows and columns that consists of blocks.
+inline SparseMatrix<double> ToMatrix(
+  const SparseRows<Block>& blocks, int blockColumns, const ExecutionContext& context)
+{
+  const std::vector<int>& offsets = blocks.Offsets;
+  const int rows = 2 * (static_cast<int>(offsets.size()) - 1);
+  return FillRows<double>(
+    rows, 2 * blockColumns, context,
+    [&](int r) { return 2 * (offsets[r / 2 + 1] - offsets[r / 2]); },
+    [&](int r, int* columns, double* values) {
+      for (int i = offsets[r / 2]; i < offsets[r / 2 + 1]; ++i)
+      {
+        for (int k : { 0, 1 })
+        {
+          *columns++ = 2 * blocks.Indices[i] + k;
+          *values++ = blocks.Entries[i](r % 2, k);
+        }
+      }
+    });
+}
+
+/// Numbers of the rows where each element has two: 2 i and 2 i + 1 for every i.
+inline std::vector<int> PairsOf(const std::vector<int>& numbers)
+{
+  std::vector<int> pairs;
+  pairs.reserve(2 * numbers.size());
+  for (int i : numbers)
+  {
+    pairs.push_back(2 * i);
+    pairs.push_back(2 * i + 1);
+  }
+  return pairs;
+}
+
 }
 
 #endif

@@ -235,7 +235,7 @@ TEST(PowerFieldProlongation, HasRowsOfWeightOne)
 {
   VisitTransitions([](const LevelTransition& transition) {
     const TransportOperator SP = PowerFieldProlongation(
-      transition, FaceFrames(transition.Fine), FaceFrames(transition.Coarse), SerialContext());
+      FineEdgePaths(transition), FaceFrames(transition.Fine), FaceFrames(transition.Coarse), SerialContext());
     ASSERT_EQ(SP.rows(), transition.Fine.NumberOfFaces());
     ASSERT_EQ(SP.cols(), transition.Coarse.NumberOfFaces());
     EXPECT_LT(RowSumResidual(SP.cwiseAbs()), 16 * MachinePrecision);
@@ -295,8 +295,8 @@ TEST(PowerFieldProlongation, DoesNotDependOnTheFrames)
       const TangentFrames fine = FaceFrames(transition.Fine);
       const TangentFrames coarse = FaceFrames(transition.Coarse);
       const SparseMatrix<Complex> plain =
-        OnPowers(PowerFieldProlongation(transition, fine, coarse, SerialContext()), 4);
-      const SparseMatrix<Complex> turned = OnPowers(PowerFieldProlongation(transition,
+        OnPowers(PowerFieldProlongation(FineEdgePaths(transition), fine, coarse, SerialContext()), 4);
+      const SparseMatrix<Complex> turned = OnPowers(PowerFieldProlongation(FineEdgePaths(transition),
         Turned(fine, fineAngles), Turned(coarse, coarseAngles), SerialContext()), 4);
       const Vector<Complex> field = random.Numbers(transition.Coarse.NumberOfFaces());
       EXPECT_LT(RelativeDifference(turned * InTurnedFrames(field, coarseAngles, 4),
