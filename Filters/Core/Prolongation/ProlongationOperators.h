@@ -17,10 +17,15 @@ struct ProlongationOperators
 {
   /// Sizes of the levels, finest first; one more than there are operators in a list.
   std::vector<int> NumbersOfVertices;
+  std::vector<int> NumbersOfEdges;
   std::vector<int> NumbersOfFaces;
 
   /// S0[l], #V_l x #V_{l+1}: 0-forms. Rows are non-negative and sum to 1. Thesis, section 3.5.
   std::vector<SparseMatrix<double>> S0;
+
+  /// S1[l], #E_l x #E_{l+1}: 1-forms, in the orientations of the edges; d0 S0 = S1 d0. Thesis,
+  /// section 4.2.
+  std::vector<SparseMatrix<double>> S1;
 
   /// SP[l], #F_l x #F_{l+1}: power fields, face to face. Thesis, section 4.4.
   std::vector<TransportOperator> SP;
