@@ -4,6 +4,7 @@
 #include "Mesh/SpatialOrder.h"
 #include "Prolongation/FaceFieldProlongation.h"
 #include "Prolongation/NodalProlongation.h"
+#include "Prolongation/OneFormProlongation.h"
 #include "Prolongation/PowerFieldProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Errors.h"
@@ -94,6 +95,7 @@ SurfaceHierarchy BuildSurfaceHierarchy(
   SurfaceHierarchy result;
   ProlongationOperators& operators = result.Operators;
   operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
+  operators.NumbersOfEdges.push_back(mesh.NumberOfEdges());
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
 
   // The work is done in an order that is kind to the caches; coarse levels inherit it.
@@ -116,8 +118,10 @@ SurfaceHierarchy BuildSurfaceHierarchy(
           : VerticesFromVertices(transition.Fine, fineCornerTurns, S0, SP, coarse,
               coarseCornerTurns, context));
       operators.S0.push_back(std::move(S0));
+      operators.S1.push_back(OneFormProlongation(transition, context));
       operators.SP.push_back(std::move(SP));
       operators.NumbersOfVertices.push_back(coarse.NumberOfVertices());
+      operators.NumbersOfEdges.push_back(coarse.NumberOfEdges());
       operators.NumbersOfFaces.push_back(coarse.NumberOfFaces());
       fineFaceFrames = std::move(coarseFaceFrames);
       fineCornerTurns = std::move(coarseCornerTurns);
@@ -126,6 +130,9 @@ SurfaceHierarchy BuildSurfaceHierarchy(
   if (!operators.S0.empty())
   {
     operators.S0[0] = RenumberRows(operators.S0[0], order.Vertices(), context);
+    const SpatialOrder::SignedEdges edges = order.Edges(mesh, sorted);
+    operators.S1[0] = RenumberRows(
+      SparseMatrix<double>(edges.Signs.asDiagonal() * operators.S1[0]), edges.Numbers, context);
     operators.SX[0] = RenumberRows(operators.SX[0], PairsOf(order.Faces()), context);
     operators.SP[0] = RenumberRows(operators.SP[0], order.Faces(), context);
     operators.Nodal[0] = RenumberRows(operators.Nodal[0], order.Faces(), context);

@@ -1,5 +1,6 @@
 #include "Support/Identities.h"
 
+#include "Operators/ExteriorCalculus.h"
 #include "Support/Random.h"
 
 #include <Eigen/Eigenvalues>
@@ -38,6 +39,67 @@ double HermitianResidual(const SparseMatrix<Complex>& A)
 double RelativeDifference(const Vector<Complex>& a, const Vector<Complex>& b)
 {
   return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
+
+double RelativeDifference(const SparseMatrix<double>& A, const SparseMatrix<double>& B)
+{
+  const SparseMatrix<double> difference = A - B;
+  return difference.coeffs().abs().maxCoeff() / B.coeffs().abs().maxCoeff();
+}
+
+double RelativeDifference(const Vector<double>& a, const Vector<double>& b)
+{
+  return (a - b).cwiseAbs().maxCoeff() / b.cwiseAbs().maxCoeff();
+}
+
+double DerivativeTwiceResidual(const TriangleMesh& mesh)
+{
+  const SparseMatrix<double> product = D1(mesh) * D0(mesh);
+  return product.coeffs().abs().maxCoeff();
+}
+
+double ExactnessResidual(const TriangleMesh& fine, const TriangleMesh& coarse,
+  const SparseMatrix<double>& S0, const SparseMatrix<double>& S1)
+{
+  const SparseMatrix<double> before = D0(fine) * S0;
+  const SparseMatrix<double> after = S1 * D0(coarse);
+  const SparseMatrix<double> difference = before - after;
+  return difference.coeffs().abs().maxCoeff();
+}
+
+double ClosednessResidual(
+  const TriangleMesh& fine, const SparseMatrix<double>& S1, const Vector<double>& z)
+{
+  return (D1(fine) * (S1 * z)).cwiseAbs().maxCoeff() / z.cwiseAbs().maxCoeff();
+}
+
+double TotalCurlResidual(
+  const TriangleMesh& fine, const TriangleMesh& coarse, const SparseMatrix<double>& S1)
+{
+  const Vector<double> fineTotal = D1(fine).transpose() * Vector<double>::Ones(fine.NumberOfFaces());
+  const Vector<double> coarseTotal =
+    D1(coarse).transpose() * Vector<double>::Ones(coarse.NumberOfFaces());
+  return (S1.transpose() * fineTotal - coarseTotal).cwiseAbs().maxCoeff();
+}
+
+double WeakestColumn(const SparseMatrix<double>& S)
+{
+  Vector<double> largest = Vector<double>::Zero(S.cols());
+  for (int row = 0; row < S.rows(); ++row)
+  {
+    for (SparseMatrix<double>::InnerIterator entry(S, row); entry; ++entry)
+    {
+      largest[entry.col()] = std::max(largest[entry.col()], std::abs(entry.value()));
+    }
+  }
+  return largest.minCoeff();
+}
+
+Vector<double> Eigenvalues(const SparseMatrix<double>& A)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
+    Eigen::MatrixXd(A), Eigen::EigenvaluesOnly);
+  return solver.eigenvalues();
 }
 
 Vector<double> Eigenvalues(const SparseMatrix<Complex>& A)

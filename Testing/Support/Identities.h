@@ -2,6 +2,7 @@
 #define dmgTestIdentities_h
 
 #include "Mesh/TangentFrames.h"
+#include "Mesh/TriangleMesh.h"
 #include "Support/Types.h"
 
 #include <vector>
@@ -27,6 +28,31 @@ double RelativeDifference(const SparseMatrix<Complex>& A, const SparseMatrix<Com
 
 /// max |a - b| over max |b|
 double RelativeDifference(const Vector<Complex>& a, const Vector<Complex>& b);
+
+double RelativeDifference(const SparseMatrix<double>& A, const SparseMatrix<double>& B);
+double RelativeDifference(const Vector<double>& a, const Vector<double>& b);
+
+/// max |d1 d0|: exactly 0
+double DerivativeTwiceResidual(const TriangleMesh& mesh);
+
+/// max |d0 S0 - S1 d0|: exact forms stay exact.
+double ExactnessResidual(const TriangleMesh& fine, const TriangleMesh& coarse,
+  const SparseMatrix<double>& S0, const SparseMatrix<double>& S1);
+
+/// max |d1 S1 z| over max |z|: closed forms stay closed. \pre z is closed.
+double ClosednessResidual(
+  const TriangleMesh& fine, const SparseMatrix<double>& S1, const Vector<double>& z);
+
+/// |1^T d1 S1| over all columns less 1^T d1 of the coarse level: how far the total curl is from being
+/// kept.
+double TotalCurlResidual(
+  const TriangleMesh& fine, const TriangleMesh& coarse, const SparseMatrix<double>& S1);
+
+/// The least over the columns of the largest entry; 0 where a column is empty.
+double WeakestColumn(const SparseMatrix<double>& S);
+
+/// All eigenvalues of a symmetric matrix, ascending. Dense: for some hundred rows.
+Vector<double> Eigenvalues(const SparseMatrix<double>& A);
 
 /// All eigenvalues of a Hermitian matrix, ascending. Dense: for some hundred rows.
 Vector<double> Eigenvalues(const SparseMatrix<Complex>& A);

@@ -84,6 +84,21 @@ SpatialOrder::SpatialOrder(const TriangleMesh& mesh, const ExecutionContext& con
   }
 }
 
+SpatialOrder::SignedEdges SpatialOrder::Edges(
+  const TriangleMesh& mesh, const TriangleMesh& sorted) const
+{
+  SignedEdges edges{ std::vector<int>(sorted.NumberOfEdges()),
+    Vector<double>(sorted.NumberOfEdges()) };
+  for (int edge = 0; edge < sorted.NumberOfEdges(); ++edge)
+  {
+    const int h = sorted.HalfedgeOf(edge);
+    const int oldHalfedge = 3 * this->OldFaces[TriangleMesh::FaceOf(h)] + h % 3;
+    edges.Numbers[edge] = mesh.EdgeOf(oldHalfedge);
+    edges.Signs[edge] = sorted.EdgeSign(h) * mesh.EdgeSign(oldHalfedge);
+  }
+  return edges;
+}
+
 TriangleMesh SpatialOrder::Apply(const TriangleMesh& mesh) const
 {
   Points points(mesh.NumberOfVertices(), 3);

@@ -22,6 +22,15 @@ public:
   const std::vector<int>& Faces() const { return this->OldFaces; }
   const std::vector<int>& Vertices() const { return this->OldVertices; }
 
+  /// Per edge of the mesh in this order: [new number] is the old one, and +1 where both are oriented
+  /// alike, else -1.
+  struct SignedEdges
+  {
+    std::vector<int> Numbers;
+    Vector<double> Signs;
+  };
+  SignedEdges Edges(const TriangleMesh& mesh, const TriangleMesh& sorted) const;
+
   /// The same mesh in this order; the corners of a face stay in theirs.
   TriangleMesh Apply(const TriangleMesh& mesh) const;
   TangentFrames ApplyToFaces(

@@ -25,10 +25,15 @@ struct ProlongationOperators
 {
   /// Sizes of the levels, finest first; one more than there are operators in a list.
   std::vector<int> NumbersOfVertices;
+  std::vector<int> NumbersOfEdges;
   std::vector<int> NumbersOfFaces;
 
   /// S0[l], #V_l x #V_{l+1}: 0-forms. Rows are non-negative and sum to 1. Thesis, section 3.5.
   std::vector<SparseMatrix<double>> S0;
+
+  /// S1[l], #E_l x #E_{l+1}: 1-forms, in the orientations of the edges; d0 S0 = S1 d0. Thesis,
+  /// section 4.2.
+  std::vector<SparseMatrix<double>> S1;
 
   /// SX[l], 2 #F_l x 2 #F_{l+1}: face fields, in FaceFrames. Thesis, section 4.3.
   std::vector<SparseMatrix<double>> SX;

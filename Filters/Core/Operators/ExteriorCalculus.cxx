@@ -1,0 +1,315 @@
+#include "Operators/ExteriorCalculus.h"
+
+#include "Support/SparseAssembly.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Relative to the square of the longest side.
+constexpr double SmallestArea = 1e-4;
+
+Vector3 Along(const TriangleMesh& mesh, int halfedge)
+{
+  return mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge));
+}
+
+Vector3 AlongEdge(const TriangleMesh& mesh, int edge)
+{
+  const auto [tail, head] = mesh.EdgeVertices(edge);
+  return mesh.Position(head) - mesh.Position(tail);
+}
+
+double RaisedArea(const TriangleMesh& mesh, int face)
+{
+  double longest = 0.0;
+  for (int h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    longest = std::max(longest, Along(mesh, h).squaredNorm());
+  }
+  return std::max(mesh.FaceArea(face), SmallestArea * longest);
+}
+
+/// Product of the two sides at each corner of a face, from the corner outwards.
+std::array<double, 3> CornerProducts(const TriangleMesh& mesh, int face)
+{
+  std::array<double, 3> products;
+  for (int k = 0; k < 3; ++k)
+  {
+    products[k] = -Along(mesh, 3 * face + k).dot(Along(mesh, 3 * face + (k + 2) % 3));
+  }
+  return products;
+}
+
+/// Which part of a face each corner gets.
+std::array<double, 3> VoronoiShares(const TriangleMesh& mesh, int face)
+{
+  const std::array<double, 3> products = CornerProducts(mesh, face);
+  std::array<double, 3> shares;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (products[k] <= 0.0)
+    {
+      shares.fill(0.25);
+      shares[k] = 0.5;
+      return shares;
+    }
+  }
+  // The kite at a corner is (sum over its sides |side|^2 cot(opposite angle)) / 8.
+  std::array<double, 3> perSide;
+  for (int k = 0; k < 3; ++k)
+  {
+    perSide[k] = Along(mesh, 3 * face + k).squaredNorm() * products[(k + 2) % 3];
+  }
+  const double sum = perSide[0] + perSide[1] + perSide[2];
+  for (int k = 0; k < 3; ++k)
+  {
+    shares[k] = 0.5 * (perSide[k] + perSide[(k + 2) % 3]) / sum;
+  }
+  return shares;
+}
+
+/// Gradients of the barycentric coordinates of a face.
+std::array<Vector3, 3> BarycentricGradients(const TriangleMesh& mesh, int face)
+{
+  const double doubleArea = 2.0 * RaisedArea(mesh, face);
+  const Vector3 turn = mesh.FaceAreaVector(face) / (doubleArea * doubleArea);
+  std::array<Vector3, 3> gradients;
+  for (int k = 0; k < 3; ++k)
+  {
+    gradients[k] = turn.cross(Along(mesh, 3 * face + (k + 1) % 3));
+  }
+  return gradients;
+}
+
+/// The form along a halfedge.
+double ValueAlong(const TriangleMesh& mesh, const Vector<double>& form, int halfedge)
+{
+  return mesh.EdgeSign(halfedge) * form[mesh.EdgeOf(halfedge)];
+}
+
+/// Calls visit(edge, sign) for the edges at a vertex, counter-clockwise; sign +1 where the edge leads
+/// to the vertex, as in D0.
+template <class Visit>
+void VisitEdgesAt(const TriangleMesh& mesh, int vertex, Visit visit)
+{
+  const auto visitEdge = [&](int edge) {
+    visit(edge, mesh.EdgeVertices(edge)[1] == vertex ? 1.0 : -1.0);
+  };
+  const int first = mesh.OutgoingHalfedge(vertex);
+  int h = first;
+  do
+  {
+    visitEdge(mesh.EdgeOf(h));
+    const int incoming = TriangleMesh::Previous(h);
+    h = mesh.Twin(incoming);
+    if (h < 0)
+    {
+      visitEdge(mesh.EdgeOf(incoming));
+    }
+  } while (h >= 0 && h != first);
+}
+
+}
+
+SparseMatrix<double> D0(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  return AssembleMatrix<double>(mesh.NumberOfEdges(), mesh.NumberOfVertices(), context,
+    [&mesh](int edge, RowEntries<double>& row) {
+      const auto [tail, head] = mesh.EdgeVertices(edge);
+      row.emplace_back(tail, -1.0);
+      row.emplace_back(head, 1.0);
+    });
+}
+
+SparseMatrix<double> D1(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  return AssembleMatrix<double>(mesh.NumberOfFaces(), mesh.NumberOfEdges(), context,
+    [&mesh](int face, RowEntries<double>& row) {
+      for (int h = 3 * face; h < 3 * face + 3; ++h)
+      {
+        row.emplace_back(mesh.EdgeOf(h), mesh.EdgeSign(h));
+      }
+    });
+}
+
+Vector<double> Star0(const TriangleMesh& mesh, VertexAreas areas)
+{
+  Vector<double> star = Vector<double>::Zero(mesh.NumberOfVertices());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const double area = RaisedArea(mesh, face);
+    const std::array<double, 3> shares = areas == VertexAreas::MixedVoronoi
+      ? VoronoiShares(mesh, face)
+      : std::array<double, 3>{ 1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0 };
+    for (int k = 0; k < 3; ++k)
+    {
+      star[mesh.FaceCorners()(face, k)] += shares[k] * area;
+    }
+  }
+  return star;
+}
+
+Vector<double> Star1(const TriangleMesh& mesh)
+{
+  Vector<double> star = Vector<double>::Zero(mesh.NumberOfEdges());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const std::array<double, 3> products = CornerProducts(mesh, face);
+    const double doubleArea = 2.0 * RaisedArea(mesh, face);
+    for (int k = 0; k < 3; ++k)
+    {
+      star[mesh.EdgeOf(3 * face + k)] += 0.5 * products[(k + 2) % 3] / doubleArea;
+    }
+  }
+  return star;
+}
+
+Vector<double> PositiveStar1(const TriangleMesh& mesh)
+{
+  Vector<double> areas = Vector<double>::Zero(mesh.NumberOfEdges());
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    areas[mesh.EdgeOf(h)] += RaisedArea(mesh, TriangleMesh::FaceOf(h)) / 3.0;
+  }
+  Vector<double> star(mesh.NumberOfEdges());
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    star[edge] =
+      std::min(2.0 * areas[edge] / AlongEdge(mesh, edge).squaredNorm(), 1.0 / SmallestArea);
+  }
+  return star;
+}
+
+Vector<double> Star2(const TriangleMesh& mesh)
+{
+  Vector<double> star(mesh.NumberOfFaces());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    star[face] = 1.0 / RaisedArea(mesh, face);
+  }
+  return star;
+}
+
+SparseMatrix<double> OneFormLaplacian(
+  const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas)
+{
+  const Vector<double> inverseStar0 = Star0(mesh, areas).cwiseInverse();
+  const Vector<double> star1 = Star1(mesh);
+  const Vector<double> star2 = Star2(mesh);
+
+  const auto appendRow = [&](int edge, RowEntries<double>& row) {
+    row.emplace_back(edge, 0.0);
+    // Divergence: two edges share one vertex at most, so every other edge comes once.
+    for (int vertex : mesh.EdgeVertices(edge))
+    {
+      const double sign = mesh.EdgeVertices(edge)[1] == vertex ? 1.0 : -1.0;
+      VisitEdgesAt(mesh, vertex, [&](int other, double otherSign) {
+        const double value = sign * otherSign * inverseStar0[vertex] * (star1[edge] * star1[other]);
+        if (other == edge)
+        {
+          row.front().second += value;
+        }
+        else
+        {
+          row.emplace_back(other, value);
+        }
+      });
+    }
+    // Curl: the sides of the two faces are among these edges.
+    const int halfedge = mesh.HalfedgeOf(edge);
+    for (int h : { halfedge, mesh.Twin(halfedge) })
+    {
+      for (int k = 0; k < 3 && h >= 0; ++k)
+      {
+        const int face = TriangleMesh::FaceOf(h);
+        const int other = 3 * face + k;
+        AddTo(row, mesh.EdgeOf(other), mesh.EdgeSign(h) * mesh.EdgeSign(other) * star2[face]);
+      }
+    }
+  };
+  return AssembleMatrix<double>(mesh.NumberOfEdges(), mesh.NumberOfEdges(), context, appendRow);
+}
+
+Points WhitneyAtFaces(const TriangleMesh& mesh, const Vector<double>& form)
+{
+  Points vectors = Points::Zero(mesh.NumberOfFaces(), 3);
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
+    for (int k = 0; k < 3; ++k)
+    {
+      vectors.row(face) += ValueAlong(mesh, form, 3 * face + k) / 3.0 *
+        (gradients[(k + 1) % 3] - gradients[k]).transpose();
+    }
+  }
+  return vectors;
+}
+
+Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const Vector<double>& form)
+{
+  Vector<Complex> sums = Vector<Complex>::Zero(mesh.NumberOfVertices());
+  Vector<double> angleSums = Vector<double>::Zero(mesh.NumberOfVertices());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
+    const std::array<double, 3> products = CornerProducts(mesh, face);
+    const double doubleArea = 2.0 * mesh.FaceArea(face);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int vertex = mesh.FaceCorners()(face, k);
+      const int next = (k + 1) % 3;
+      const int previous = (k + 2) % 3;
+      const Vector3 inFace = ValueAlong(mesh, form, 3 * face + k) * gradients[next] -
+        ValueAlong(mesh, form, 3 * face + previous) * gradients[previous];
+      const double angle = std::atan2(doubleArea, products[k]);
+      sums[vertex] += angle * TransportTurn(faceFrames, face, vertexFrames, vertex) *
+        faceFrames.ToComplex(face, inFace);
+      angleSums[vertex] += angle;
+    }
+  }
+  Points vectors(mesh.NumberOfVertices(), 3);
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    const double scale = angleSums[vertex] > 0.0 ? 1.0 / angleSums[vertex] : 0.0;
+    vectors.row(vertex) = vertexFrames.ToVector(vertex, scale * sums[vertex]).transpose();
+  }
+  return vectors;
+}
+
+Vector<double> FormFromFaceVectors(const TriangleMesh& mesh, const Points& vectors)
+{
+  Vector<double> form(mesh.NumberOfEdges());
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    const int h = mesh.HalfedgeOf(edge);
+    const int twin = mesh.Twin(h);
+    Vector3 mean = vectors.row(TriangleMesh::FaceOf(h)).transpose();
+    if (twin >= 0)
+    {
+      mean = 0.5 * (mean + vectors.row(TriangleMesh::FaceOf(twin)).transpose());
+    }
+    form[edge] = mean.dot(AlongEdge(mesh, edge));
+  }
+  return form;
+}
+
+Vector<double> FormFromVertexVectors(const TriangleMesh& mesh, const Points& vectors)
+{
+  Vector<double> form(mesh.NumberOfEdges());
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    const auto [tail, head] = mesh.EdgeVertices(edge);
+    form[edge] = 0.5 * (vectors.row(tail) + vectors.row(head)).dot(AlongEdge(mesh, edge));
+  }
+  return form;
+}
+
+}
