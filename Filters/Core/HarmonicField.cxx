@@ -2,14 +2,15 @@
 
 #include "Hierarchy/MeshHierarchy.h"
 #include "Mesh/SpatialOrder.h"
+#include "Operators/PowerFieldOperators.h"
 #include "Prolongation/FaceFieldProlongation.h"
 #include "Prolongation/NodalProlongation.h"
 #include "Prolongation/OneFormProlongation.h"
+#include "Prolongation/OverlayProlongation.h"
 #include "Prolongation/PowerFieldProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Errors.h"
 #include "Support/SparseAssembly.h"
-#include "Operators/PowerFieldOperators.h"
 #include "Systems/FaceFieldSystem.h"
 #include "Systems/OneFormSystem.h"
 #include "Systems/PowerFieldSystem.h"
@@ -61,6 +62,46 @@ SparseMatrix<double> Copy(const SparseMatrix<double>& matrix, const ExecutionCon
   return matrix;
 }
 
+/// The operators between two levels; those that nobody asked for may be empty.
+struct LevelOperators
+{
+  SparseMatrix<double> S0;
+  SparseMatrix<double> S1;
+  SparseMatrix<double> SX;
+  TransportOperator SP;
+};
+
+LevelOperators OperatorsFromPaths(const LevelTransition& transition,
+  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
+  const OperatorSelection& selection, const ExecutionContext& context)
+{
+  LevelOperators operators;
+  operators.S0 = ScalarProlongation(transition, context);
+  const FineEdgePaths paths(transition, context);
+  if (selection.OneForms)
+  {
+    operators.S1 = OneFormProlongation(paths, context);
+  }
+  if (selection.FaceFields)
+  {
+    operators.SX = FaceFieldProlongation(paths, fineFrames, coarseFrames, context);
+  }
+  if (selection.PowerFields)
+  {
+    operators.SP = PowerFieldProlongation(paths, fineFrames, coarseFrames, context);
+  }
+  return operators;
+}
+
+LevelOperators OperatorsFromOverlay(const LevelTransition& transition,
+  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
+  const ExecutionContext& context)
+{
+  OverlayProlongation overlay(transition, fineFrames, coarseFrames, context);
+  return { std::move(overlay.S0), std::move(overlay.S1), std::move(overlay.SX),
+    std::move(overlay.SP) };
+}
+
 /// What a HarmonicProblem calls for its prolongations; empty where the surface has one level.
 /// \param list of the discretisation, which must not be empty then.
 template <class Scalar, class Matrix, class Convert>
@@ -89,8 +130,8 @@ typename HarmonicProblem<Scalar>::MakeProlongations ProlongationsFrom(
 
 }
 
-SurfaceHierarchy BuildSurfaceHierarchy(
-  const TriangleMesh& mesh, const HierarchyOptions& options, const ExecutionContext& context)
+SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
+  const ExecutionContext& context, const OperatorSelection& selection)
 {
   SurfaceHierarchy result;
   ProlongationOperators& operators = result.Operators;
@@ -101,41 +142,56 @@ SurfaceHierarchy BuildSurfaceHierarchy(
   // The work is done in an order that is kind to the caches; coarse levels inherit it.
   const SpatialOrder order(mesh, context);
   const TriangleMesh sorted = order.Apply(mesh);
-  TangentFrames fineFaceFrames = order.ApplyToFaces(FaceFrames(mesh, context), context);
+  TangentFrames fineFrames = order.ApplyToFaces(FaceFrames(mesh, context), context);
   std::vector<Complex> fineCornerTurns; // from level 1 on
   result.CoarseLevels =
     BuildMeshHierarchy(sorted, options, context, [&](const LevelTransition& transition) {
       const TriangleMesh& coarse = transition.Coarse;
-      TangentFrames coarseFaceFrames = FaceFrames(coarse, context);
-      std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFaceFrames, context);
-      SparseMatrix<double> S0 = ScalarProlongation(transition, context);
-      const FineEdgePaths paths(transition, context);
-      operators.SX.push_back(
-        FaceFieldProlongation(paths, fineFaceFrames, coarseFaceFrames, context));
-      TransportOperator SP = PowerFieldProlongation(paths, fineFaceFrames, coarseFaceFrames, context);
-      operators.Nodal.push_back(operators.Nodal.empty()
-          ? FacesFromVertices(sorted, S0, SP, coarse, coarseCornerTurns, context)
-          : VerticesFromVertices(transition.Fine, fineCornerTurns, S0, SP, coarse,
-              coarseCornerTurns, context));
-      operators.S0.push_back(std::move(S0));
-      operators.S1.push_back(OneFormProlongation(transition, context));
-      operators.SP.push_back(std::move(SP));
+      TangentFrames coarseFrames = FaceFrames(coarse, context);
+      LevelOperators level = options.Construction == ProlongationConstruction::ExactOverlay
+        ? OperatorsFromOverlay(transition, fineFrames, coarseFrames, context)
+        : OperatorsFromPaths(transition, fineFrames, coarseFrames, selection, context);
+      if (selection.PowerFields)
+      {
+        std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFrames, context);
+        operators.Nodal.push_back(operators.Nodal.empty()
+            ? FacesFromVertices(sorted, level.S0, level.SP, coarse, coarseCornerTurns, context)
+            : VerticesFromVertices(transition.Fine, fineCornerTurns, level.S0, level.SP, coarse,
+                coarseCornerTurns, context));
+        operators.SP.push_back(std::move(level.SP));
+        fineCornerTurns = std::move(coarseCornerTurns);
+      }
+      if (selection.FaceFields)
+      {
+        operators.SX.push_back(std::move(level.SX));
+      }
+      if (selection.OneForms)
+      {
+        operators.S1.push_back(std::move(level.S1));
+      }
+      operators.S0.push_back(std::move(level.S0));
       operators.NumbersOfVertices.push_back(coarse.NumberOfVertices());
       operators.NumbersOfEdges.push_back(coarse.NumberOfEdges());
       operators.NumbersOfFaces.push_back(coarse.NumberOfFaces());
-      fineFaceFrames = std::move(coarseFaceFrames);
-      fineCornerTurns = std::move(coarseCornerTurns);
+      fineFrames = std::move(coarseFrames);
     });
 
-  if (!operators.S0.empty())
+  // Level 0 goes back into the caller's order.
+  const auto renumber = [&](auto& matrices, const std::vector<int>& numbers) {
+    if (!matrices.empty())
+    {
+      matrices[0] = RenumberRows(matrices[0], numbers, context);
+    }
+  };
+  renumber(operators.S0, order.Vertices());
+  renumber(operators.SX, PairsOf(order.Faces()));
+  renumber(operators.SP, order.Faces());
+  renumber(operators.Nodal, order.Faces());
+  if (!operators.S1.empty())
   {
-    operators.S0[0] = RenumberRows(operators.S0[0], order.Vertices(), context);
     const SpatialOrder::SignedEdges edges = order.Edges(mesh, sorted);
-    operators.S1[0] = RenumberRows(
-      SparseMatrix<double>(edges.Signs.asDiagonal() * operators.S1[0]), edges.Numbers, context);
-    operators.SX[0] = RenumberRows(operators.SX[0], PairsOf(order.Faces()), context);
-    operators.SP[0] = RenumberRows(operators.SP[0], order.Faces(), context);
-    operators.Nodal[0] = RenumberRows(operators.Nodal[0], order.Faces(), context);
+    operators.S1[0] = edges.Signs.asDiagonal() * operators.S1[0];
+    renumber(operators.S1, edges.Numbers);
   }
   return result;
 }

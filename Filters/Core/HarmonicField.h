@@ -34,8 +34,8 @@ struct SurfaceHierarchy
 /// Set-up. The only stage that decimates.
 /// \throw Cancelled
 /// Checkpoints: every round of collapses.
-SurfaceHierarchy BuildSurfaceHierarchy(
-  const TriangleMesh& mesh, const HierarchyOptions& options, const ExecutionContext& context);
+SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
+  const ExecutionContext& context, const OperatorSelection& selection = OperatorSelection());
 
 /// Which prolongations the V-cycle's coarse spaces come from.
 enum class CoarseSpaceKind

@@ -20,10 +20,11 @@ class Queue
 {
 public:
   Queue(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces,
-    const ExecutionContext& context)
+    std::vector<CollapseRecord>* records, const ExecutionContext& context)
     : Mesh(mesh)
     , Collapse(mesh, tracking)
     , TargetFaces(targetFaces)
+    , Records(records)
     , Context(context)
     , Penalty(mesh.NumberOfHalfedgeSlots(), 0.0)
     , Version(mesh.NumberOfHalfedgeSlots(), 0)
@@ -103,6 +104,10 @@ private:
       return;
     }
     this->Mesh.FinishCollapse(*result);
+    if (this->Records)
+    {
+      this->Records->push_back(this->Collapse.Record());
+    }
     const int hub = this->Collapse.Ring().Kept;
     this->Mesh.VisitOutgoing(hub, [this](int leaving) {
       this->Delay(leaving);
@@ -135,6 +140,7 @@ private:
   CollapsibleMesh& Mesh;
   EdgeCollapse Collapse;
   const int TargetFaces;
+  std::vector<CollapseRecord>* const Records;
   const ExecutionContext& Context;
 
   double LargestCost = 0.0;
@@ -146,9 +152,9 @@ private:
 }
 
 void CollapseByQueue(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces,
-  const ExecutionContext& context)
+  std::vector<CollapseRecord>* records, const ExecutionContext& context)
 {
-  Queue(mesh, tracking, targetFaces, context).Run();
+  Queue(mesh, tracking, targetFaces, records, context).Run();
 }
 
 }

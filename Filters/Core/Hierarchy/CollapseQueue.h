@@ -1,9 +1,12 @@
 #ifndef dmgCollapseQueue_h
 #define dmgCollapseQueue_h
 
+#include "Hierarchy/CollapseRecord.h"
 #include "Hierarchy/CollapsibleMesh.h"
 #include "Hierarchy/SurfaceTracking.h"
 #include "Support/ExecutionContext.h"
+
+#include <vector>
 
 namespace dmg
 {
@@ -12,7 +15,7 @@ namespace dmg
 /// edges around the new vertex pay the largest initial cost on top of their own, so that they come
 /// last. Sequential; O(#F log #F). Otherwise as CollapseInRounds.
 void CollapseByQueue(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces,
-  const ExecutionContext& context);
+  std::vector<CollapseRecord>* records, const ExecutionContext& context);
 
 }
 

@@ -41,10 +41,11 @@ class Rounds
 {
 public:
   Rounds(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces,
-    const ExecutionContext& context)
+    std::vector<CollapseRecord>* records, const ExecutionContext& context)
     : Mesh(mesh)
     , Tracking(tracking)
     , TargetFaces(targetFaces)
+    , Records(records)
     , Context(context)
     , Keys(mesh.NumberOfHalfedgeSlots())
     , Counts((mesh.NumberOfFaceSlots() + FacesPerBlock - 1) / FacesPerBlock)
@@ -212,6 +213,7 @@ private:
   {
     const int count = static_cast<int>(this->Selected.size());
     this->Results.assign(count, {});
+    std::vector<CollapseRecord> records(this->Records ? count : 0);
     for (int begin = 0; begin < count; begin += CollapsesPerCheckpoint)
     {
       const int end = std::min(count, begin + CollapsesPerCheckpoint);
@@ -222,6 +224,10 @@ private:
           if (const auto result = collapse.Try(this->Selected[i], limits))
           {
             this->Results[i] = *result;
+            if (this->Records)
+            {
+              records[i] = collapse.Record();
+            }
             for (const OneRing::Sector& sector : collapse.Ring().Sectors)
             {
               this->ChangedIn[sector.Face] = this->Round;
@@ -238,6 +244,10 @@ private:
       {
         this->Mesh.FinishCollapse(this->Results[i]);
         removed += this->Results[i].DeadFaces;
+        if (this->Records)
+        {
+          this->Records->push_back(std::move(records[i]));
+        }
       }
       else
       {
@@ -250,6 +260,7 @@ private:
   CollapsibleMesh& Mesh;
   SurfaceTracking& Tracking;
   const int TargetFaces;
+  std::vector<CollapseRecord>* const Records;
   const ExecutionContext& Context;
 
   int Round = 0;
@@ -268,9 +279,9 @@ private:
 }
 
 void CollapseInRounds(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces,
-  const ExecutionContext& context)
+  std::vector<CollapseRecord>* records, const ExecutionContext& context)
 {
-  Rounds(mesh, tracking, targetFaces, context).Run();
+  Rounds(mesh, tracking, targetFaces, records, context).Run();
 }
 
 }

@@ -1,9 +1,12 @@
 #ifndef dmgCollapseRounds_h
 #define dmgCollapseRounds_h
 
+#include "Hierarchy/CollapseRecord.h"
 #include "Hierarchy/CollapsibleMesh.h"
 #include "Hierarchy/SurfaceTracking.h"
 #include "Support/ExecutionContext.h"
+
+#include <vector>
 
 namespace dmg
 {
@@ -14,9 +17,10 @@ namespace dmg
 ///
 /// Stops at \p targetFaces, or before where nothing more can be collapsed without changing the
 /// topology. Cost: O(#F), about ten rounds for a factor four.
+/// \param records receives the collapses, oldest first; null where nobody looks at them.
 /// Checkpoints: several in each round. Same result for any number of threads.
 void CollapseInRounds(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces,
-  const ExecutionContext& context);
+  std::vector<CollapseRecord>* records, const ExecutionContext& context);
 
 }
 

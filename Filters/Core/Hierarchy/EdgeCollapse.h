@@ -1,6 +1,7 @@
 #ifndef dmgEdgeCollapse_h
 #define dmgEdgeCollapse_h
 
+#include "Hierarchy/CollapseRecord.h"
 #include "Hierarchy/CollapsibleMesh.h"
 #include "Hierarchy/JointFlattening.h"
 #include "Hierarchy/SurfaceTracking.h"
@@ -54,6 +55,7 @@ public:
 
   /// Of the last collapse.
   const OneRing& Ring() const { return this->LastRing; }
+  CollapseRecord Record() const { return { this->LastRing, this->Flattening.Plane() }; }
 
 private:
   bool KeepsShape(const CollapseLimits& limits) const;

@@ -14,6 +14,17 @@ enum class CollapsePolicy
   SequentialQueue,
 };
 
+/// Where the operators between two levels come from. Both keep the same structure; see
+/// OverlayProlongation.h for what differs.
+enum class ProlongationConstruction
+{
+  /// Fine points and paths carried through the collapses; few entries per row. The default.
+  TrackedPaths,
+  /// The thesis's: the overlay of each collapse in exact arithmetic, and the product of all local
+  /// operators. Several times the entries and much slower; the reference. Thesis, chapters 4 and 5.
+  ExactOverlay,
+};
+
 /// Defaults are the thesis's, section 5.4.
 struct HierarchyOptions
 {
@@ -24,6 +35,7 @@ struct HierarchyOptions
   /// No level is decimated below this many faces, >= 4.
   int MinimumNumberOfFaces = 1000;
   CollapsePolicy Policy = CollapsePolicy::IndependentRounds;
+  ProlongationConstruction Construction = ProlongationConstruction::TrackedPaths;
 };
 
 }

@@ -193,6 +193,7 @@ void JointFlattening::FlattenIntoCircle(const OneRing& ring)
     {
       this->Positions[k] = std::polar(1.0, Pi * k / (size - 1));
     }
+    this->Positions[size - 1] = -1.0; // without rounding, so that the boundary is exactly straight
     this->Positions[ring.RemovedIndex()] = 1.0 / 3.0;
     this->Positions[ring.KeptIndex()] = -1.0 / 3.0;
     return; // and the hub at zero

@@ -58,13 +58,16 @@ std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
     const double done = progress + (1.0 - progress) * (1.0 - options.FaceRatio);
     const PartOfContext part(context, progress, done);
     SurfaceTracking tracking(*fine);
+    std::vector<CollapseRecord> collapses;
+    std::vector<CollapseRecord>* const records =
+      options.Construction == ProlongationConstruction::ExactOverlay ? &collapses : nullptr;
     if (options.Policy == CollapsePolicy::IndependentRounds)
     {
-      CollapseInRounds(shrinking, tracking, target, part);
+      CollapseInRounds(shrinking, tracking, target, records, part);
     }
     else
     {
-      CollapseByQueue(shrinking, tracking, target, part);
+      CollapseByQueue(shrinking, tracking, target, records, part);
     }
     if (shrinking.NumberOfLiveFaces() > LargestUsefulRatio * faces)
     {
@@ -72,7 +75,8 @@ std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
     }
     CollapsibleMesh::Compacted compacted = shrinking.Compact();
     levels.push_back(std::move(compacted.Mesh));
-    onLevel({ *fine, levels.back(), tracking, compacted.VertexNumber, compacted.FaceNumber });
+    onLevel({ *fine, levels.back(), tracking, compacted.VertexNumber, compacted.FaceNumber,
+      collapses });
     CollapsibleMesh next(levels.back(), context);
     next.InheritQuadrics(shrinking, compacted.VertexNumber);
     shrinking = std::move(next);

@@ -1,6 +1,7 @@
 #ifndef dmgMeshHierarchy_h
 #define dmgMeshHierarchy_h
 
+#include "Hierarchy/CollapseRecord.h"
 #include "Hierarchy/HierarchyOptions.h"
 #include "Hierarchy/SurfaceTracking.h"
 #include "Mesh/TriangleMesh.h"
@@ -21,6 +22,9 @@ struct LevelTransition
   /// From the slots that the tracking names to the numbers in Coarse, or -1.
   const std::vector<int>& CoarseVertex;
   const std::vector<int>& CoarseFace;
+  /// The collapses from Fine to Coarse, oldest first, in slots as above. Empty unless the options
+  /// ask for ProlongationConstruction::ExactOverlay.
+  const std::vector<CollapseRecord>& Collapses;
 };
 
 /// Decimates a surface level by level. Level l + 1 has FaceRatio times the faces of level l, or

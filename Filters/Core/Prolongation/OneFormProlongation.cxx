@@ -1,6 +1,5 @@
 #include "Prolongation/OneFormProlongation.h"
 
-#include "Prolongation/FineEdgePaths.h"
 #include "Support/SparseAssembly.h"
 
 #include <algorithm>
@@ -42,14 +41,14 @@ std::vector<int> UnseenEdges(const SparseMatrix<double>& S1)
 class Detours
 {
 public:
-  Detours(const LevelTransition& transition, const FineEdgePaths& paths)
-    : Coarse(transition.Coarse)
-    , EdgesOnFace(transition.Coarse.NumberOfFaces())
-    , IsTaken(transition.Fine.NumberOfEdges(), 0)
+  explicit Detours(const FineEdgePaths& paths)
+    : Coarse(paths.Coarse())
+    , EdgesOnFace(paths.Coarse().NumberOfFaces())
+    , IsTaken(paths.Fine().NumberOfEdges(), 0)
   {
-    for (int edge = 0; edge < transition.Fine.NumberOfEdges(); ++edge)
+    for (int edge = 0; edge < paths.Fine().NumberOfEdges(); ++edge)
     {
-      paths.VisitPieces(transition.Fine.HalfedgeOf(edge),
+      paths.VisitPieces(paths.Fine().HalfedgeOf(edge),
         [this, edge](int face, const auto&, const auto&)
         { this->EdgesOnFace[face].push_back(edge); });
     }
@@ -97,8 +96,7 @@ private:
 /// A detour within a coarse face changes the integral by the curl of the face, which is constant, times
 /// the area that it encloses; so would a loop around the face anywhere along the path, there and back
 /// by the same way. Here it encloses half of the face.
-void BendPathsToUnseenEdges(const LevelTransition& transition, const FineEdgePaths& paths,
-  SparseMatrix<double>& S1)
+void BendPathsToUnseenEdges(const FineEdgePaths& paths, SparseMatrix<double>& S1)
 {
   constexpr double Enclosed = 0.5;
   std::vector<int> unseen = UnseenEdges(S1);
@@ -106,8 +104,8 @@ void BendPathsToUnseenEdges(const LevelTransition& transition, const FineEdgePat
   {
     return;
   }
-  const TriangleMesh& coarse = transition.Coarse;
-  Detours detours(transition, paths);
+  const TriangleMesh& coarse = paths.Coarse();
+  Detours detours(paths);
   // A detour could take back the only entry of another edge: hence until all are seen.
   for (; !unseen.empty(); unseen = UnseenEdges(S1))
   {
@@ -134,11 +132,10 @@ void BendPathsToUnseenEdges(const LevelTransition& transition, const FineEdgePat
 }
 
 SparseMatrix<double> OneFormProlongation(
-  const LevelTransition& transition, const ExecutionContext& context)
+  const FineEdgePaths& paths, const ExecutionContext& context)
 {
-  const TriangleMesh& fine = transition.Fine;
-  const TriangleMesh& coarse = transition.Coarse;
-  const FineEdgePaths paths(transition);
+  const TriangleMesh& fine = paths.Fine();
+  const TriangleMesh& coarse = paths.Coarse();
 
   SparseMatrix<double> S1 = AssembleMatrix<double>(fine.NumberOfEdges(), coarse.NumberOfEdges(),
     context, [&](int edge, RowEntries<double>& row) {
@@ -160,7 +157,7 @@ SparseMatrix<double> OneFormProlongation(
       row.erase(std::remove_if(row.begin(), row.end(), [](const auto& e) { return e.second == 0.0; }),
         row.end());
     });
-  BendPathsToUnseenEdges(transition, paths, S1);
+  BendPathsToUnseenEdges(paths, S1);
   return S1;
 }
 

@@ -1,8 +1,7 @@
 #ifndef dmgOneFormProlongation_h
 #define dmgOneFormProlongation_h
 
-#include "Hierarchy/MeshHierarchy.h"
-#include "Support/Types.h"
+#include "Prolongation/FineEdgePaths.h"
 
 namespace dmg
 {
@@ -20,7 +19,7 @@ namespace dmg
 /// \return #E_l x #E_{l+1}, in the orientations of the edges of both; five to six entries per row.
 /// Cost: O(#E_l). Thesis, section 4.2.
 SparseMatrix<double> OneFormProlongation(
-  const LevelTransition& transition, const ExecutionContext& context);
+  const FineEdgePaths& paths, const ExecutionContext& context);
 
 }
 

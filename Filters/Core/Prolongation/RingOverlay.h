@@ -1,0 +1,73 @@
+#ifndef dmgRingOverlay_h
+#define dmgRingOverlay_h
+
+#include "Hierarchy/CollapseRecord.h"
+
+#include <CGAL/Gmpq.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <array>
+#include <vector>
+
+namespace dmg
+{
+
+using Rational = CGAL::Gmpq;
+
+/// The overlay of a one-ring before and after its collapse, in the plane of their joint flattening:
+/// where the vertices and the edges before lie on the sectors after. In rational numbers, which
+/// doubles are: which sector holds a point, whether a point lies on an edge and whether an edge runs
+/// along another are facts, not matters of tolerance. Thesis, sections 4.1 and 5.2.
+///
+/// Vertices are named by the local numbers of the ring. A place is a sector and barycentric
+/// coordinates there, hub first; they are never negative and sum to 1.
+///
+/// Both sides fill the same polygon, so all edges before lie on the sectors after. Only a face that
+/// has no area in space may lie folded in the plane. Then a vertex outside of the polygon is put on
+/// the hub, and an edge that leaves the polygon takes the way by the hub, which sees all of it: what
+/// holds for the paths of edges and the places of vertices holds still.
+///
+/// Includes CGAL: for source files of this folder only.
+class RingOverlay
+{
+public:
+  explicit RingOverlay(const CollapseRecord& collapse);
+
+  struct Place
+  {
+    int Sector;
+    std::array<Rational, 3> Weights;
+  };
+  Place PlaceOf(int vertex) const;
+
+  /// A part of an edge on one sector.
+  struct Piece
+  {
+    int Sector;
+    std::array<Rational, 3> From;
+    std::array<Rational, 3> To;
+  };
+  /// The parts of the edge from one vertex to another, in this order. Where it runs along a spoke, in
+  /// the sector on its left; on the boundary, in the only one.
+  std::vector<Piece> PiecesOf(int from, int to) const;
+
+private:
+  using PlaneVector = CGAL::Simple_cartesian<Rational>::Vector_2;
+
+  const PlaneVector& Spoke(int sector) const { return this->FromHub[sector]; }
+  const PlaneVector& NextSpoke(int sector) const
+  {
+    return this->FromHub[this->Ring.NextOnLoop(sector)];
+  }
+  int SectorAt(const PlaneVector& point, const PlaneVector& direction) const;
+  std::array<Rational, 3> WeightsIn(int sector, const PlaneVector& point) const;
+  std::vector<Rational> CutsOf(const PlaneVector& from, const PlaneVector& to) const;
+  bool Cut(const PlaneVector& from, const PlaneVector& to, std::vector<Piece>& pieces) const;
+
+  const OneRing& Ring;
+  std::vector<PlaneVector> FromHub; // positions in the plane, by local number
+};
+
+}
+
+#endif
