@@ -241,11 +241,13 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
 {
   return HarmonicProblem<double>(
     [&](const ExecutionContext& part) {
-      return MakeOneFormSystem(mesh, prescribed, WeightsOf(options), options.Areas, part);
+      return MakeOneFormSystem(mesh, prescribed, WeightsOf(options), part, options.Areas);
     },
     ProlongationsFrom<double>(
       operators, operators ? &operators->S1 : nullptr, "1-forms", "OneForms", &Copy),
     "levels of 1-forms", options.Solver, context);
+}
+
 FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
   const ElementNames& names)

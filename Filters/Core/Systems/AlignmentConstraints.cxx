@@ -45,6 +45,21 @@ Complex TangentialPart(const TriangleMesh& mesh, const TangentFrames& faceFrames
   return tangential;
 }
 
+void CheckWeight(const char* name, double weight)
+{
+  if (!(weight > 0.0) || !std::isfinite(weight))
+  {
+    throw InvalidInput(std::string("the ") + name + " weight is " + std::to_string(weight) +
+      "; make it positive and finite");
+  }
+}
+
+}
+
+void CheckWeights(const FieldWeights& weights)
+{
+  CheckWeight("smoothness", weights.Smoothness);
+  CheckWeight("alignment", weights.Alignment);
 }
 
 PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,

@@ -13,6 +13,17 @@ enum class ConstraintKind
   Hard, ///< holds exactly
 };
 
+/// Weights of the two energies of a field.
+struct FieldWeights
+{
+  double Smoothness = 1.0; ///< lambda_S, > 0
+  double Alignment = 1.0;  ///< lambda_A, > 0; soft constraints only
+  ConstraintKind Constraints = ConstraintKind::Soft;
+};
+
+/// \throw InvalidInput a weight is not positive and finite.
+void CheckWeights(const FieldWeights& weights);
+
 /// Which faces are prescribed, and how strongly. Part of the system's key; values are not.
 struct PrescribedFaces
 {

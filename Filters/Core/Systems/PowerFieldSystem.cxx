@@ -4,7 +4,6 @@
 #include "Support/Errors.h"
 
 #include <cassert>
-#include <cmath>
 #include <string>
 #include <utility>
 
@@ -16,24 +15,14 @@ namespace
 
 constexpr int LargestN = 8;
 
-void CheckWeight(const char* name, double weight)
-{
-  if (!(weight > 0.0) || !std::isfinite(weight))
-  {
-    throw InvalidInput(std::string("the ") + name + " weight is " + std::to_string(weight) +
-      "; make it positive and finite");
-  }
-}
-
-void CheckOptions(int N, const PrescribedFaces& prescribed, const PowerFieldWeights& weights)
+void CheckOptions(int N, const PrescribedFaces& prescribed, const FieldWeights& weights)
 {
   if (N < 1 || N > LargestN)
   {
     throw InvalidInput("fields of " + std::to_string(N) +
       " directions per point are not supported; choose N from 1 to " + std::to_string(LargestN));
   }
-  CheckWeight("smoothness", weights.Smoothness);
-  CheckWeight("alignment", weights.Alignment);
+  CheckWeights(weights);
   if (prescribed.Faces.empty())
   {
     throw InvalidInput("no direction is prescribed, so the smoothest field is zero; "
@@ -45,7 +34,7 @@ void CheckOptions(int N, const PrescribedFaces& prescribed, const PowerFieldWeig
 
 HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
-  const PowerFieldWeights& weights, const ExecutionContext& context)
+  const FieldWeights& weights, const ExecutionContext& context)
 {
   CheckOptions(N, prescribed, weights);
   assert(prescribed.Faces.size() == prescribed.Weights.size());

@@ -9,14 +9,6 @@
 namespace dmg
 {
 
-/// Weights of the two energies of a power field.
-struct PowerFieldWeights
-{
-  double Smoothness = 1.0; ///< lambda_S, > 0
-  double Alignment = 1.0;  ///< lambda_A, > 0; soft constraints only
-  ConstraintKind Constraints = ConstraintKind::Soft;
-};
-
 /// The system of the smoothest N-direction field that follows prescribed directions; unknowns are
 /// the powers of the faces, in their frames:
 ///   argmin  lambda_S X^H L X + lambda_A sum_b w_b (A_b / mean A) |X_b - Y_b|^2   (soft)
@@ -31,7 +23,7 @@ struct PowerFieldWeights
 /// Cost: O(#F).
 HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
-  const PowerFieldWeights& weights, const ExecutionContext& context = SerialContext());
+  const FieldWeights& weights, const ExecutionContext& context = SerialContext());
 
 }
 
