@@ -1,0 +1,63 @@
+#include "Systems/OneFormSystem.h"
+
+#include "Support/Errors.h"
+
+#include <cassert>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+void CheckWeight(const char* name, double weight)
+{
+  if (!(weight > 0.0) || !std::isfinite(weight))
+  {
+    throw InvalidInput(std::string("the ") + name + " weight is " + std::to_string(weight) +
+      "; make it positive and finite");
+  }
+}
+
+}
+
+HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
+  const PrescribedEdges& prescribed, const OneFormWeights& weights, const ExecutionContext& context)
+{
+  CheckWeight("smoothness", weights.Smoothness);
+  CheckWeight("alignment", weights.Alignment);
+  if (prescribed.Edges.empty())
+  {
+    throw InvalidInput("no direction is prescribed, so the smoothest field is zero; "
+                       "prescribe a direction on at least one cell or point");
+  }
+  assert(prescribed.Edges.size() == prescribed.Weights.size());
+
+  SparseMatrix<double> smoothness = OneFormLaplacian(mesh, context);
+  const Vector<double> mass = PositiveStar1(mesh);
+  if (weights.Constraints == ConstraintKind::Hard)
+  {
+    HarmonicSystem<double> system =
+      HarmonicSystem<double>::Hard(std::move(smoothness), mass, prescribed.Edges);
+    if (system.NumberOfFree() == 0)
+    {
+      throw InvalidInput("hard constraints leave no edge to solve for; prescribe fewer cells or "
+                         "points or make the constraints soft");
+    }
+    return system;
+  }
+  smoothness *= weights.Smoothness;
+  const double scale = weights.Alignment / (2.0 * Star2(mesh).cwiseInverse().mean());
+  Vector<double> alignment(prescribed.Edges.size());
+  for (Eigen::Index b = 0; b < alignment.size(); ++b)
+  {
+    alignment[b] = scale * prescribed.Weights[b] * mass[prescribed.Edges[b]];
+  }
+  return HarmonicSystem<double>::Soft(
+    std::move(smoothness), mass, prescribed.Edges, std::move(alignment));
+}
+
+}
