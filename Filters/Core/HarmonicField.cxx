@@ -254,7 +254,7 @@ FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFra
 {
   if (options.Kind == Discretisation::OneForm)
   {
-    OneFormConstraints constraints = MakeOneFormConstraints(mesh, faceFrames, directions, names);
+    OneFormConstraints constraints = OneFormConstraintsOnFaces(mesh, faceFrames, directions, names);
     return { std::move(constraints.Prescribed.Edges), std::move(constraints.Prescribed.Weights),
       std::move(constraints.Values) };
   }

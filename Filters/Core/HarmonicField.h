@@ -108,7 +108,7 @@ struct FieldConstraints
   Vector<double> Values; ///< two per face: the N-th power or the vector, in its frame; one per edge
 };
 
-/// See MakePowerConstraints, with N = 1 for face fields, and MakeOneFormConstraints.
+/// See MakePowerConstraints, with N = 1 for face fields, and OneFormConstraintsOnFaces.
 FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
   const ElementNames& names = {});

@@ -161,7 +161,7 @@ void MeasureSurface(const std::string& path, const Options& options)
     }
     const int N = 2;
     const HarmonicSystem<Complex> system =
-      MakePowerFieldSystem(mesh, frames, N, prescription.Faces, PowerFieldWeights());
+      MakePowerFieldSystem(mesh, frames, N, prescription.Faces, FieldWeights());
     std::vector<std::unique_ptr<peers::Peer<Complex>>> peers;
     peers.push_back(std::make_unique<peers::CholmodPeer<Complex>>(FillOrdering::AMD));
     peers.push_back(std::make_unique<peers::CholmodPeer<Complex>>(FillOrdering::METIS));

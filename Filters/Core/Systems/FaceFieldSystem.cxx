@@ -5,33 +5,17 @@
 #include "Support/SparseAssembly.h"
 
 #include <cassert>
-#include <cmath>
 #include <string>
 #include <utility>
 
 namespace dmg
 {
 
-namespace
-{
-
-void CheckWeight(const char* name, double weight)
-{
-  if (!(weight > 0.0) || !std::isfinite(weight))
-  {
-    throw InvalidInput(std::string("the ") + name + " weight is " + std::to_string(weight) +
-      "; make it positive and finite");
-  }
-}
-
-}
-
 HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const PrescribedFaces& prescribed,
-  const FaceFieldWeights& weights, const ExecutionContext& context)
+  const FieldWeights& weights, const ExecutionContext& context)
 {
-  CheckWeight("smoothness", weights.Smoothness);
-  CheckWeight("alignment", weights.Alignment);
+  CheckWeights(weights);
   if (prescribed.Faces.empty())
   {
     throw InvalidInput("no vector is prescribed, so the most harmonic field is zero; "

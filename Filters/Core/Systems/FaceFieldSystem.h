@@ -9,14 +9,6 @@
 namespace dmg
 {
 
-/// Weights of the two energies of a face field.
-struct FaceFieldWeights
-{
-  double Smoothness = 1.0; ///< lambda_S, > 0
-  double Alignment = 1.0;  ///< lambda_A, > 0; soft constraints only
-  ConstraintKind Constraints = ConstraintKind::Soft;
-};
-
 /// The system of the most harmonic vector field that follows prescribed vectors; unknowns are the
 /// two components per face, in the frames given:
 ///   argmin  lambda_S X^T A X + lambda_A sum_b w_b (A_b / mean A) |X_b - Y_b|^2   (soft)
@@ -34,7 +26,7 @@ struct FaceFieldWeights
 /// Cost: O(#F).
 HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const PrescribedFaces& prescribed,
-  const FaceFieldWeights& weights, const ExecutionContext& context = SerialContext());
+  const FieldWeights& weights, const ExecutionContext& context = SerialContext());
 
 /// Prescribed vectors as values of the system: real and imaginary parts of the constraints that
 /// MakePowerConstraints makes for N = 1, in turns.

@@ -3,32 +3,17 @@
 #include "Support/Errors.h"
 
 #include <cassert>
-#include <cmath>
 #include <string>
 #include <utility>
 
 namespace dmg
 {
 
-namespace
-{
-
-void CheckWeight(const char* name, double weight)
-{
-  if (!(weight > 0.0) || !std::isfinite(weight))
-  {
-    throw InvalidInput(std::string("the ") + name + " weight is " + std::to_string(weight) +
-      "; make it positive and finite");
-  }
-}
-
-}
-
 HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
-  const PrescribedEdges& prescribed, const OneFormWeights& weights, const ExecutionContext& context)
+  const PrescribedEdges& prescribed, const FieldWeights& weights, const ExecutionContext& context,
+  VertexAreas areas)
 {
-  CheckWeight("smoothness", weights.Smoothness);
-  CheckWeight("alignment", weights.Alignment);
+  CheckWeights(weights);
   if (prescribed.Edges.empty())
   {
     throw InvalidInput("no direction is prescribed, so the smoothest field is zero; "
@@ -36,7 +21,7 @@ HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
   }
   assert(prescribed.Edges.size() == prescribed.Weights.size());
 
-  SparseMatrix<double> smoothness = OneFormLaplacian(mesh, context);
+  SparseMatrix<double> smoothness = OneFormLaplacian(mesh, context, areas);
   const Vector<double> mass = PositiveStar1(mesh);
   if (weights.Constraints == ConstraintKind::Hard)
   {

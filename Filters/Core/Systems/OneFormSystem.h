@@ -10,14 +10,6 @@
 namespace dmg
 {
 
-/// Weights of the two energies of a 1-form.
-struct OneFormWeights
-{
-  double Smoothness = 1.0; ///< lambda_S, > 0
-  double Alignment = 1.0;  ///< lambda_A, > 0; soft constraints only
-  ConstraintKind Constraints = ConstraintKind::Soft;
-};
-
 /// The system of the most harmonic 1-form that follows prescribed values on edges; unknowns are the
 /// values of the edges:
 ///   argmin  lambda_S h^T L1 h + lambda_A sum_b w_b m_b |h_b - y_b|^2   (soft)
@@ -36,10 +28,12 @@ struct OneFormWeights
 /// \throw InvalidInput a weight is out of range, nothing is prescribed, or hard constraints leave
 /// nothing to solve for.
 /// \pre prescribed edges are ascending and in range; see OneFormConstraints.h.
+/// \param areas the star of 0-forms.
 /// Cost: O(#E).
 HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
-  const PrescribedEdges& prescribed, const OneFormWeights& weights,
-  const ExecutionContext& context = SerialContext());
+  const PrescribedEdges& prescribed, const FieldWeights& weights,
+  const ExecutionContext& context = SerialContext(),
+  VertexAreas areas = VertexAreas::MixedVoronoi);
 
 }
 

@@ -19,9 +19,9 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-FaceFieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
+FieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
 {
-  FaceFieldWeights weights;
+  FieldWeights weights;
   weights.Smoothness = smoothness;
   weights.Alignment = alignment;
   weights.Constraints = kind;
@@ -30,7 +30,7 @@ FaceFieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double al
 
 /// The field as vectors in space, by a general sparse LU.
 Points SolveField(const TriangleMesh& mesh, const TangentFrames& frames,
-  const std::vector<PrescribedDirection>& directions, const FaceFieldWeights& weights)
+  const std::vector<PrescribedDirection>& directions, const FieldWeights& weights)
 {
   const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 1, directions);
   const Vector<double> values = FaceFieldValues(constraints.Values);
@@ -210,7 +210,7 @@ TEST(FaceFieldSystem, RefusesWhatItCannotSolve)
     all.Weights.push_back(1.0);
   }
   const auto expectRefusal = [&](const PrescribedFaces& prescribed,
-                               const FaceFieldWeights& weights, const std::string& word) {
+                               const FieldWeights& weights, const std::string& word) {
     try
     {
       MakeFaceFieldSystem(mesh, frames, prescribed, weights);

@@ -22,9 +22,9 @@ using Dense = Eigen::MatrixXd;
 
 constexpr double Pi = 3.14159265358979323846;
 
-OneFormWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
+FieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
 {
-  OneFormWeights weights;
+  FieldWeights weights;
   weights.Smoothness = smoothness;
   weights.Alignment = alignment;
   weights.Constraints = kind;
@@ -32,7 +32,7 @@ OneFormWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alig
 }
 
 Vector<double> SolveForm(
-  const TriangleMesh& mesh, const OneFormConstraints& constraints, const OneFormWeights& weights)
+  const TriangleMesh& mesh, const OneFormConstraints& constraints, const FieldWeights& weights)
 {
   const HarmonicSystem<double> system = MakeOneFormSystem(mesh, constraints.Prescribed, weights);
   const Dense A = system.Matrix();

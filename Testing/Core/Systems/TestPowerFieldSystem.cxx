@@ -18,9 +18,9 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-PowerFieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
+FieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
 {
-  PowerFieldWeights weights;
+  FieldWeights weights;
   weights.Smoothness = smoothness;
   weights.Alignment = alignment;
   weights.Constraints = kind;
@@ -28,7 +28,7 @@ PowerFieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double a
 }
 
 Vector<Complex> SolveField(const TriangleMesh& mesh, const TangentFrames& frames, int N,
-  const PowerConstraints& constraints, const PowerFieldWeights& weights)
+  const PowerConstraints& constraints, const FieldWeights& weights)
 {
   const HarmonicSystem<Complex> system =
     MakePowerFieldSystem(mesh, frames, N, constraints.Prescribed, weights);
@@ -267,7 +267,7 @@ TEST(PowerFieldSystem, RefusesWhatItCannotSolve)
     all.Weights.push_back(1.0);
   }
   const auto expectRefusal = [&](int N, const PrescribedFaces& prescribed,
-                               const PowerFieldWeights& weights, const std::string& word) {
+                               const FieldWeights& weights, const std::string& word) {
     try
     {
       MakePowerFieldSystem(mesh, frames, N, prescribed, weights);
