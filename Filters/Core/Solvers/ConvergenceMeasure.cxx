@@ -14,7 +14,8 @@ namespace
 
 /// |v|_M of v_i = entry(i).
 template <class Entry>
-double Norm(int size, const Vector<double>& mass, const Entry& entry, const ExecutionContext& context)
+double Norm(
+  int size, const Vector<double>& mass, const Entry& entry, const ExecutionContext& context)
 {
   const bool hasMass = mass.size() > 0;
   const double square = SumOverBlocks<double>(size, context,

@@ -8,12 +8,12 @@
 namespace dmg
 {
 
-/// What one may want to know about an iterate x of A x = b beside its residual r = b - A x. Handed to
-/// a solver, it fills the columns of the history that are NaN otherwise. Solvers borrow it.
+/// What one may want to know about an iterate x of A x = b beside its residual r = b - A x. Handed
+/// to a solver, it fills the columns of the history that are NaN otherwise. Solvers borrow it.
 ///
 /// Thesis, section 6.4, calls MassResidual the normalized L2 energy and Error the normalized L2
-/// error. The former is no energy: after coarse prolongation it is above one in the thesis's tables,
-/// where a minimum over a space that holds zero cannot be. Energy is what the system minimises.
+/// error. The former is no energy: after coarse prolongation it is above one in the thesis's
+/// tables, where a minimum over a space that holds zero cannot be. Energy is what x minimises.
 ///
 /// Cost: about three passes over a vector per row. A solver's clock stands still meanwhile.
 template <class Scalar>

@@ -19,8 +19,8 @@ enum class SweepRule
 {
   FixedNumber, ///< after Sweeps sweeps
   /// After the first sweep that lowers the error by less than the fraction LeastImprovement of it
-  /// (thesis, section 6.5.2). The error is that of the iterate prolonged to the finest level, against
-  /// the reference of a ConvergenceMeasure.
+  /// (thesis, section 6.5.2). The error is that of the iterate prolonged to the finest level,
+  /// against the reference of a ConvergenceMeasure.
   WhileErrorFalls,
   /// The same with the residual of the level's own system scaled to unit diagonal: for those who
   /// have no reference.
@@ -57,8 +57,8 @@ class NestedIteration
 public:
   /// \param A, prolongations see GalerkinHierarchy. A is borrowed: it must stay where it is.
   /// \throw as GalerkinHierarchy.
-  NestedIteration(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
-    const NestedOptions& options, const ExecutionContext& context);
+  NestedIteration(const SparseMatrix<Scalar>& A,
+    std::vector<SparseMatrix<Scalar>> prolongations, const NestedOptions& options, const ExecutionContext& context);
   NestedIteration(const NestedIteration&) = delete; // the levels refer to the hierarchy
   NestedIteration& operator=(const NestedIteration&) = delete;
 

@@ -32,7 +32,8 @@ double Reciprocal(double x)
 template <class Value, class Scalar, class Keep>
 void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
   const std::vector<int>& columnPlaces, const Vector<double>& rowScale,
-  const Vector<double>& columnScale, const Keep& keep, SparseMatrix<Value>& result, const ExecutionContext& context)
+  const Vector<double>& columnScale, const Keep& keep, SparseMatrix<Value>& result,
+  const ExecutionContext& context)
 {
   const int rows = static_cast<int>(A.rows());
   const int* offsetsOfA = A.outerIndexPtr();

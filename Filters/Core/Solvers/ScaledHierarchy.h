@@ -9,9 +9,9 @@
 namespace dmg
 {
 
-/// The levels of a Galerkin hierarchy as smoothers want them: scaled to unit diagonal, which no
-/// smoother here notices in exact arithmetic and which keeps single precision away from overflow;
-/// sorted by colours; in numbers of kind Value.
+/// The levels of a Galerkin hierarchy as smoothers want them: scaled to unit diagonal, which none of
+/// ours notices in exact arithmetic and which keeps single precision away from overflow; sorted by
+/// colours; in numbers of kind Value.
 ///
 /// With D the diagonal of A_l, a level's unknowns are D^{1/2} x and its right-hand sides D^{-1/2} b.
 /// Inactive unknowns have empty rows and columns everywhere.
@@ -38,8 +38,8 @@ public:
 
   enum class Content
   {
-    Transfers,      ///< P and R only
-    Matrices,       ///< also A, in one colour
+    Transfers, ///< P and R only
+    Matrices,  ///< also A, in one colour
     ColouredMatrices,
   };
 

@@ -23,9 +23,12 @@ struct IterationReport
   double RelativeResidual = 0.0; ///< |b - A x| / |b|
 
   // Of x on the finest level; NaN unless the caller handed over a ConvergenceMeasure.
-  double Energy = std::numeric_limits<double>::quiet_NaN();       ///< what the solution minimises
-  double MassResidual = std::numeric_limits<double>::quiet_NaN(); ///< |b - A x|_M / |b|_M
-  double Error = std::numeric_limits<double>::quiet_NaN();        ///< |x - reference|_M / |reference|_M
+  /// What the solution minimises.
+  double Energy = std::numeric_limits<double>::quiet_NaN();
+  /// |b - A x|_M / |b|_M
+  double MassResidual = std::numeric_limits<double>::quiet_NaN();
+  /// |x - reference|_M / |reference|_M
+  double Error = std::numeric_limits<double>::quiet_NaN();
 
   int Level = 0; ///< whose unknowns the iteration changed
 };

@@ -213,8 +213,8 @@ TYPED_TEST(TestMultigridSolver, SingularButConsistentSystemsConverge)
 TYPED_TEST(TestMultigridSolver, NearlyZeroDiagonalsSurvive)
 {
   // Three more pieces, each a path of three unknowns with random weights, held by 1e-14 of its
-  // stiffness. Their coarse unknowns carry constants, of an energy that is rounding error mostly, and
-  // are handed on from level to level. One more coarse unknown has no child at all.
+  // stiffness. Their coarse unknowns carry constants, of an energy that is rounding error mostly,
+  // and are handed on from level to level. One more coarse unknown has no child at all.
   auto problem = test::MakeGridProblem<TypeParam>(5, 4);
   const int grid = static_cast<int>(problem.A.rows());
   constexpr int pieces = 3;

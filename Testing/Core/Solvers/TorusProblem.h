@@ -113,8 +113,8 @@ inline GridProblem<double> MakeTorusProblem(int n, int levels)
             fine.Edge(2 * x + half, 2 * y + half, Direction::Diagonal), diagonal, 0.5);
         }
         // From the middle of side ij to that of side ik of a triangle: (jk + ik - ij) / 4.
-        const auto inside = [&entries](int edge, int jk, double signJk, int ik, double signIk, int ij,
-                              double signIj)
+        const auto inside = [&entries](int edge, int jk, double signJk, int ik, double signIk,
+                              int ij, double signIj)
         {
           entries.emplace_back(edge, jk, 0.25 * signJk);
           entries.emplace_back(edge, ik, 0.25 * signIk);
