@@ -57,12 +57,7 @@ FieldWeights WeightsOf(const FieldOptions& options)
   return { options.Smoothness, options.Alignment, options.Constraints };
 }
 
-SparseMatrix<double> Copy(const SparseMatrix<double>& matrix, const ExecutionContext&)
-{
-  return matrix;
-}
-
-/// The operators between two levels; those that nobody asked for may be empty.
+/// The operators between two levels; S1 and SX are empty where nobody asked for them.
 struct LevelOperators
 {
   SparseMatrix<double> S0;
@@ -86,10 +81,7 @@ LevelOperators OperatorsFromPaths(const LevelTransition& transition,
   {
     operators.SX = FaceFieldProlongation(paths, fineFrames, coarseFrames, context);
   }
-  if (selection.PowerFields)
-  {
-    operators.SP = PowerFieldProlongation(paths, fineFrames, coarseFrames, context);
-  }
+  operators.SP = PowerFieldProlongation(paths, fineFrames, coarseFrames, context);
   return operators;
 }
 
@@ -102,30 +94,90 @@ LevelOperators OperatorsFromOverlay(const LevelTransition& transition,
     std::move(overlay.SP) };
 }
 
-/// What a HarmonicProblem calls for its prolongations; empty where the surface has one level.
-/// \param list of the discretisation, which must not be empty then.
-template <class Scalar, class Matrix, class Convert>
-typename HarmonicProblem<Scalar>::MakeProlongations ProlongationsFrom(
-  const ProlongationOperators* operators, const std::vector<Matrix>* list, const std::string& fields,
-  const std::string& property, Convert convert)
+/// Operators on N-powers.
+std::vector<SparseMatrix<Complex>> OnPowers(
+  const std::vector<TransportOperator>& transports, int N, const ExecutionContext& context)
+{
+  std::vector<SparseMatrix<Complex>> result;
+  for (const TransportOperator& transport : transports)
+  {
+    result.push_back(dmg::OnPowers(transport, N, context));
+  }
+  return result;
+}
+
+/// Operators on vectors as pairs of components.
+std::vector<SparseMatrix<double>> OnComponents(
+  const std::vector<TransportOperator>& transports, const ExecutionContext& context)
+{
+  std::vector<SparseMatrix<double>> result;
+  for (const TransportOperator& transport : transports)
+  {
+    result.push_back(dmg::OnComponents(transport, context));
+  }
+  return result;
+}
+
+const std::vector<TransportOperator>& CoarseSpaceOf(
+  const ProlongationOperators& operators, const FieldOptions& options)
+{
+  return options.CoarseSpace == CoarseSpaceKind::Nodal ? operators.Nodal : operators.SP;
+}
+
+/// Where the problem takes its prolongations from; empty where the surface has one level.
+template <class Scalar>
+typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
+  const ProlongationOperators* operators, const FieldOptions& options,
+  typename HarmonicProblem<Scalar>::MakeProlongations make)
 {
   if (!operators || operators->NumberOfLevels() < 2)
   {
     return {};
   }
   return [=](const ExecutionContext& context) {
-    if (list->empty())
+    const bool isNodal = options.CoarseSpace == CoarseSpaceKind::Nodal;
+    const bool isOneForm = options.Kind == Discretisation::OneForm;
+    const bool isFaceField = options.Kind == Discretisation::FaceField;
+    if (isNodal ? operators->Nodal.empty()
+        : isOneForm   ? operators->S1.empty()
+        : isFaceField ? operators->SX.empty()
+                      : operators->SP.empty())
     {
-      throw InvalidInput("the operators of the surface do not include those of " + fields +
-        "; apply vtkDirectionalProlongation with " + property + " on");
+      throw InvalidInput("the operators of the surface do not include those that are needed; apply "
+                         "vtkDirectionalProlongation with " +
+        std::string(isOneForm ? "OneForms" : isFaceField ? "FaceFields" : "PowerFields") + " on");
     }
-    std::vector<SparseMatrix<Scalar>> prolongations;
-    for (const Matrix& matrix : *list)
-    {
-      prolongations.push_back(convert(matrix, context));
-    }
-    return prolongations;
+    return make(context);
   };
+}
+
+SolverOptions SolverFor(const FieldOptions& options)
+{
+  SolverOptions solver = options.Solver;
+  if (options.CoarseSpace == CoarseSpaceKind::Nodal)
+  {
+    solver.FinestSweepsFactor = FinestSweepsFactor;
+    solver.FinestProlongationSteps = FinestProlongationSteps;
+  }
+  return solver;
+}
+
+/// What the coarse levels hold, for the report.
+std::string NameOf(const FieldOptions& options)
+{
+  if (options.CoarseSpace == CoarseSpaceKind::Nodal)
+  {
+    return "nodal levels";
+  }
+  switch (options.Kind)
+  {
+    case Discretisation::OneForm:
+      return "levels of 1-forms";
+    case Discretisation::FaceField:
+      return "levels of face fields";
+    default:
+      return "levels of face powers";
+  }
 }
 
 }
@@ -151,15 +203,14 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
       LevelOperators level = options.Construction == ProlongationConstruction::ExactOverlay
         ? OperatorsFromOverlay(transition, fineFrames, coarseFrames, context)
         : OperatorsFromPaths(transition, fineFrames, coarseFrames, selection, context);
+      std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFrames, context);
+      operators.Nodal.push_back(operators.Nodal.empty()
+          ? FacesFromVertices(sorted, level.S0, level.SP, coarse, coarseCornerTurns, context)
+          : VerticesFromVertices(transition.Fine, fineCornerTurns, level.S0, level.SP, coarse,
+              coarseCornerTurns, context));
       if (selection.PowerFields)
       {
-        std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFrames, context);
-        operators.Nodal.push_back(operators.Nodal.empty()
-            ? FacesFromVertices(sorted, level.S0, level.SP, coarse, coarseCornerTurns, context)
-            : VerticesFromVertices(transition.Fine, fineCornerTurns, level.S0, level.SP, coarse,
-                coarseCornerTurns, context));
         operators.SP.push_back(std::move(level.SP));
-        fineCornerTurns = std::move(coarseCornerTurns);
       }
       if (selection.FaceFields)
       {
@@ -174,6 +225,7 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
       operators.NumbersOfEdges.push_back(coarse.NumberOfEdges());
       operators.NumbersOfFaces.push_back(coarse.NumberOfFaces());
       fineFrames = std::move(coarseFrames);
+      fineCornerTurns = std::move(coarseCornerTurns);
     });
 
   // Level 0 goes back into the caller's order.
@@ -201,24 +253,15 @@ HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
   const PrescribedFaces& prescribed, const FieldOptions& options,
   const ExecutionContext& context)
 {
-  const bool isNodal = options.CoarseSpace == CoarseSpaceKind::Nodal;
-  SolverOptions solver = options.Solver;
-  if (isNodal)
-  {
-    solver.FinestSweepsFactor = FinestSweepsFactor;
-    solver.FinestProlongationSteps = FinestProlongationSteps;
-  }
   return HarmonicProblem<Complex>(
     [&](const ExecutionContext& part) {
       return MakePowerFieldSystem(mesh, faceFrames, options.N, prescribed, WeightsOf(options), part);
     },
-    ProlongationsFrom<Complex>(operators,
-      operators && isNodal ? &operators->Nodal : operators ? &operators->SP : nullptr,
-      "power fields", "PowerFields",
-      [N = options.N](const TransportOperator& transport, const ExecutionContext& part) {
-        return OnPowers(transport, N, part);
+    Prolongations<Complex>(operators, options,
+      [&](const ExecutionContext& part) {
+        return OnPowers(CoarseSpaceOf(*operators, options), options.N, part);
       }),
-    isNodal ? "nodal levels" : "levels of face powers", solver, context);
+    NameOf(options), SolverFor(options), context);
 }
 
 HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
@@ -230,9 +273,12 @@ HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
     [&](const ExecutionContext& part) {
       return MakeFaceFieldSystem(mesh, faceFrames, prescribed, WeightsOf(options), part);
     },
-    ProlongationsFrom<double>(
-      operators, operators ? &operators->SX : nullptr, "face fields", "FaceFields", &Copy),
-    "levels of face fields", options.Solver, context);
+    Prolongations<double>(operators, options,
+      [&](const ExecutionContext& part) {
+        return options.CoarseSpace == CoarseSpaceKind::Nodal ? OnComponents(operators->Nodal, part)
+                                                             : operators->SX;
+      }),
+    NameOf(options), SolverFor(options), context);
 }
 
 HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
@@ -243,9 +289,17 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
     [&](const ExecutionContext& part) {
       return MakeOneFormSystem(mesh, prescribed, WeightsOf(options), part, options.Areas);
     },
-    ProlongationsFrom<double>(
-      operators, operators ? &operators->S1 : nullptr, "1-forms", "OneForms", &Copy),
-    "levels of 1-forms", options.Solver, context);
+    Prolongations<double>(operators, options,
+      [&](const ExecutionContext& part) {
+        if (options.CoarseSpace == CoarseSpaceKind::StructurePreserving)
+        {
+          return operators->S1;
+        }
+        std::vector<SparseMatrix<double>> nodal = OnComponents(operators->Nodal, part);
+        nodal[0] = SparseMatrix<double>(FormFromFaceField(mesh, FaceFrames(mesh, part), part) * nodal[0]);
+        return nodal;
+      }),
+    NameOf(options), SolverFor(options), context);
 }
 
 FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,

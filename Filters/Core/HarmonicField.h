@@ -37,13 +37,13 @@ struct SurfaceHierarchy
 SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
   const ExecutionContext& context, const OperatorSelection& selection = OperatorSelection());
 
-/// Which prolongations the V-cycle's coarse spaces come from.
+/// Which prolongations multigrid's coarse spaces come from.
 enum class CoarseSpaceKind
 {
-  /// Directions at the vertices of the coarse levels; Galerkin. The fast one.
+  /// Vectors at the vertices of the coarse levels, whatever the fine level holds; the fast one.
   Nodal,
-  /// The thesis's SP, face to face; Galerkin.
-  FacePowers,
+  /// The thesis's, which keep structure: S1, SX or SP.
+  StructurePreserving,
 };
 
 /// What the unknowns of a field are.
@@ -68,7 +68,6 @@ struct FieldOptions
   /// as one of its edges does.
   double Alignment = 1.0;
   ConstraintKind Constraints = ConstraintKind::Soft;
-  /// Of power fields; the others have the thesis's.
   CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
   /// Of 1-forms: the star of 0-forms.
   VertexAreas Areas = VertexAreas::MixedVoronoi;

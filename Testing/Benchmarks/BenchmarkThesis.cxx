@@ -156,7 +156,7 @@ std::vector<Problem> Problems(const TriangleMesh& mesh, const TangentFrames& fra
   std::vector<Problem> problems;
   FieldOptions options;
   options.N = 2;
-  options.CoarseSpace = CoarseSpaceKind::FacePowers;
+  options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
 
   PrescribedEdges edges;
   edges.Edges = Chosen(random, mesh.NumberOfEdges());

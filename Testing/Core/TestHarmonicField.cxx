@@ -90,7 +90,7 @@ TEST(HarmonicField, SolversAgree)
         const Vector<Complex> direct = Solve(on, prescribed, values, options);
         for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
         {
-          for (CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::FacePowers })
+          for (CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
           {
             options.Solver.Kind = solver;
             options.CoarseSpace = space;

@@ -301,6 +301,28 @@ Vector<double> FormFromFaceVectors(const TriangleMesh& mesh, const Points& vecto
   return form;
 }
 
+SparseMatrix<double> FormFromFaceField(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
+{
+  return AssembleMatrix<double>(mesh.NumberOfEdges(), 2 * mesh.NumberOfFaces(), context,
+    [&](int edge, RowEntries<double>& row) {
+      const auto [i, j] = mesh.EdgeVertices(edge);
+      const Vector3 along = mesh.Position(j) - mesh.Position(i);
+      const int halfedge = mesh.HalfedgeOf(edge);
+      const double share = mesh.Twin(halfedge) < 0 ? 1.0 : 0.5;
+      for (int h : { halfedge, mesh.Twin(halfedge) })
+      {
+        if (h >= 0)
+        {
+          const int face = TriangleMesh::FaceOf(h);
+          const Complex z = share * faceFrames.ToComplex(face, along);
+          AddTo(row, 2 * face, z.real());
+          AddTo(row, 2 * face + 1, z.imag());
+        }
+      }
+    });
+}
+
 Vector<double> FormFromVertexVectors(const TriangleMesh& mesh, const Points& vectors)
 {
   Vector<double> form(mesh.NumberOfEdges());

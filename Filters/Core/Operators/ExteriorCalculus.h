@@ -77,6 +77,10 @@ Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFram
 /// product with the edge.
 Vector<double> FormFromFaceVectors(const TriangleMesh& mesh, const Points& vectors);
 
+/// The same as a matrix on face fields, #E x 2 #F.
+SparseMatrix<double> FormFromFaceField(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context);
+
 /// The 1-form of a vector per vertex (#V x 3), by the trapezoidal rule along the edges.
 Vector<double> FormFromVertexVectors(const TriangleMesh& mesh, const Points& vectors);
 

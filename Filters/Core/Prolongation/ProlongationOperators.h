@@ -9,10 +9,10 @@
 namespace dmg
 {
 
-/// Which fields a set-up builds operators for. S0 is always built.
+/// Which structure-preserving operators a set-up builds beside S0 and Nodal.
 struct OperatorSelection
 {
-  bool PowerFields = true; ///< SP and Nodal
+  bool PowerFields = true; ///< SP
   bool FaceFields = true;  ///< SX
   bool OneForms = true;    ///< S1
 };

@@ -1,5 +1,7 @@
 #include "Prolongation/TransportOperator.h"
 
+#include "Support/SparseAssembly.h"
+
 #include <cmath>
 
 namespace dmg
@@ -24,6 +26,26 @@ SparseMatrix<Complex> OnPowers(
     }
   });
   return result;
+}
+
+SparseMatrix<double> OnComponents(
+  const TransportOperator& transport, const ExecutionContext& context)
+{
+  const int* const offsets = transport.outerIndexPtr();
+  const auto sizeOf = [offsets](int row) { return 2 * (offsets[row / 2 + 1] - offsets[row / 2]); };
+  return FillRows<double>(2 * static_cast<int>(transport.rows()),
+    2 * static_cast<int>(transport.cols()), context, sizeOf,
+    [&](int row, int* columns, double* values) {
+      for (int i = offsets[row / 2]; i < offsets[row / 2 + 1]; ++i)
+      {
+        const int column = transport.innerIndexPtr()[i];
+        const Complex z = transport.valuePtr()[i];
+        *columns++ = 2 * column;
+        *columns++ = 2 * column + 1;
+        *values++ = row % 2 == 0 ? z.real() : z.imag();
+        *values++ = row % 2 == 0 ? -z.imag() : z.real();
+      }
+    });
 }
 
 }

@@ -18,6 +18,10 @@ using TransportOperator = SparseMatrix<Complex>;
 SparseMatrix<Complex> OnPowers(const TransportOperator& transport, int N,
   const ExecutionContext& context = SerialContext());
 
+/// The operator on vectors, each a pair of components (2 i, 2 i + 1): entries become 2 x 2 blocks.
+SparseMatrix<double> OnComponents(
+  const TransportOperator& transport, const ExecutionContext& context = SerialContext());
+
 }
 
 #endif
