@@ -94,14 +94,13 @@ double ValueAlong(const TriangleMesh& mesh, const Vector<double>& form, int half
   return mesh.EdgeSign(halfedge) * form[mesh.EdgeOf(halfedge)];
 }
 
-/// Calls visit(edge, sign) for the edges at a vertex, counter-clockwise; sign +1 where the edge leads
-/// to the vertex, as in D0.
+/// Calls visit(edge, sign) for the edges at a vertex, counter-clockwise; sign +1 where the edge
+/// leads to the vertex, as in D0.
 template <class Visit>
 void VisitEdgesAt(const TriangleMesh& mesh, int vertex, Visit visit)
 {
-  const auto visitEdge = [&](int edge) {
-    visit(edge, mesh.EdgeVertices(edge)[1] == vertex ? 1.0 : -1.0);
-  };
+  const auto visitEdge = [&](int edge)
+  { visit(edge, mesh.EdgeVertices(edge)[1] == vertex ? 1.0 : -1.0); };
   const int first = mesh.OutgoingHalfedge(vertex);
   int h = first;
   do
@@ -121,7 +120,8 @@ void VisitEdgesAt(const TriangleMesh& mesh, int vertex, Visit visit)
 SparseMatrix<double> D0(const TriangleMesh& mesh, const ExecutionContext& context)
 {
   return AssembleMatrix<double>(mesh.NumberOfEdges(), mesh.NumberOfVertices(), context,
-    [&mesh](int edge, RowEntries<double>& row) {
+    [&mesh](int edge, RowEntries<double>& row)
+    {
       const auto [tail, head] = mesh.EdgeVertices(edge);
       row.emplace_back(tail, -1.0);
       row.emplace_back(head, 1.0);
@@ -131,7 +131,8 @@ SparseMatrix<double> D0(const TriangleMesh& mesh, const ExecutionContext& contex
 SparseMatrix<double> D1(const TriangleMesh& mesh, const ExecutionContext& context)
 {
   return AssembleMatrix<double>(mesh.NumberOfFaces(), mesh.NumberOfEdges(), context,
-    [&mesh](int face, RowEntries<double>& row) {
+    [&mesh](int face, RowEntries<double>& row)
+    {
       for (int h = 3 * face; h < 3 * face + 3; ++h)
       {
         row.emplace_back(mesh.EdgeOf(h), mesh.EdgeSign(h));
@@ -204,23 +205,27 @@ SparseMatrix<double> OneFormLaplacian(
   const Vector<double> star1 = Star1(mesh);
   const Vector<double> star2 = Star2(mesh);
 
-  const auto appendRow = [&](int edge, RowEntries<double>& row) {
+  const auto appendRow = [&](int edge, RowEntries<double>& row)
+  {
     row.emplace_back(edge, 0.0);
     // Divergence: two edges share one vertex at most, so every other edge comes once.
     for (int vertex : mesh.EdgeVertices(edge))
     {
       const double sign = mesh.EdgeVertices(edge)[1] == vertex ? 1.0 : -1.0;
-      VisitEdgesAt(mesh, vertex, [&](int other, double otherSign) {
-        const double value = sign * otherSign * inverseStar0[vertex] * (star1[edge] * star1[other]);
-        if (other == edge)
+      VisitEdgesAt(mesh, vertex,
+        [&](int other, double otherSign)
         {
-          row.front().second += value;
-        }
-        else
-        {
-          row.emplace_back(other, value);
-        }
-      });
+          const double value =
+            sign * otherSign * inverseStar0[vertex] * (star1[edge] * star1[other]);
+          if (other == edge)
+          {
+            row.front().second += value;
+          }
+          else
+          {
+            row.emplace_back(other, value);
+          }
+        });
     }
     // Curl: the sides of the two faces are among these edges.
     const int halfedge = mesh.HalfedgeOf(edge);

@@ -10,13 +10,14 @@
 /// along the edge, in the edge's orientation) or face (k = 2: its integral over the face,
 /// counter-clockwise). Thesis, sections 3.1 and 3.2; Hirani 2003; Desbrun et al. 2008.
 ///
-/// Where a metric quantity divides by an area, the area of a face is raised to 1e-4 times the square
-/// of its longest side, so that slivers and faces of no area stay finite; the exterior derivatives
-/// know no metric and are exact everywhere. All functions cost O(#F).
+/// Where a metric quantity divides by an area, the area of a face is raised to 1e-4 times the
+/// square of its longest side, so that slivers and faces of no area stay finite; the exterior
+/// derivatives know no metric and are exact everywhere. All functions cost O(#F).
 namespace dmg
 {
 
-/// Derivative of 0-forms, #E x #V: the value at an edge's larger vertex less that at its smaller one.
+/// Derivative of 0-forms, #E x #V: the value at an edge's larger vertex less that at its smaller
+/// one.
 SparseMatrix<double> D0(
   const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
@@ -37,14 +38,15 @@ enum class VertexAreas
 /// Hodge star of 0-forms, #V areas, always positive; they sum to the (raised) area of the surface.
 Vector<double> Star0(const TriangleMesh& mesh, VertexAreas areas = VertexAreas::MixedVoronoi);
 
-/// Hodge star of 1-forms, #E, dimensionless: length of the dual edge over that of the edge, half the
-/// sum of the cotangents opposite to it. Zero or negative where the edge is not Delaunay: good for
-/// energies that stay semi-definite whatever its sign (see OneFormLaplacian), not as a mass.
+/// Hodge star of 1-forms, #E, dimensionless: length of the dual edge over that of the edge, half
+/// the sum of the cotangents opposite to it. Zero or negative where the edge is not Delaunay: good
+/// for energies that stay semi-definite whatever its sign (see OneFormLaplacian), not as a mass.
 Vector<double> Star1(const TriangleMesh& mesh);
 
 /// A mass of 1-forms, #E, dimensionless and always positive: 2 A_e / |e|^2, A_e a third of the
-/// faces at e, at most 1e4. It agrees with Star1 on equilateral triangles and, on every mesh without
-/// slivers, with |v|^2 times the area on the average over the directions of a constant vector v.
+/// faces at e, at most 1e4. It agrees with Star1 on equilateral triangles and, on every mesh
+/// without slivers, with |v|^2 times the area on the average over the directions of a constant
+/// vector v.
 Vector<double> PositiveStar1(const TriangleMesh& mesh);
 
 /// Hodge star of 2-forms, #F: 1 / area.
@@ -56,9 +58,9 @@ Vector<double> Star2(const TriangleMesh& mesh);
 /// semi-definite for every sign of Star1, because Star0 is positive. A row holds the edges at both
 /// ends of its edge, eleven or so.
 ///
-/// On a boundary the conditions are the natural ones, no flux across it and no curl on it. The kernel
-/// are the harmonic forms: dimension 2g per closed component of genus g, 2g + b - 1 with b > 0
-/// boundary loops. Thesis, section 6.1 with its transposes put right.
+/// On a boundary the conditions are the natural ones, no flux across it and no curl on it. The
+/// kernel are the harmonic forms: dimension 2g per closed component of genus g, 2g + b - 1 with b >
+/// 0 boundary loops. Thesis, section 6.1 with its transposes put right.
 SparseMatrix<double> OneFormLaplacian(const TriangleMesh& mesh, const ExecutionContext& context,
   VertexAreas areas = VertexAreas::MixedVoronoi);
 
@@ -67,9 +69,9 @@ SparseMatrix<double> OneFormLaplacian(const TriangleMesh& mesh, const ExecutionC
 /// Exact for constant vectors in a plane.
 Points WhitneyAtFaces(const TriangleMesh& mesh, const Vector<double>& form);
 
-/// The vector of a 1-form at each vertex, #V x 3, tangent to \p vertexFrames: the mean of the Whitney
-/// interpolants of the faces around, by corner angle, each carried into the tangent plane of the
-/// vertex by the shortest rotation between the normals.
+/// The vector of a 1-form at each vertex, #V x 3, tangent to \p vertexFrames: the mean of the
+/// Whitney interpolants of the faces around, by corner angle, each carried into the tangent plane
+/// of the vertex by the shortest rotation between the normals.
 Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const TangentFrames& vertexFrames, const Vector<double>& form);
 

@@ -69,8 +69,8 @@ double Along(const TriangleMesh& mesh, int edge, const Vector3& direction)
 /// Means of the wishes of each edge.
 OneFormConstraints Averaged(std::vector<Wish> wishes)
 {
-  std::stable_sort(wishes.begin(), wishes.end(),
-    [](const Wish& a, const Wish& b) { return a.Edge < b.Edge; });
+  std::stable_sort(
+    wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.Edge < b.Edge; });
   OneFormConstraints constraints;
   PrescribedEdges& prescribed = constraints.Prescribed;
   std::vector<double> sums;
@@ -96,7 +96,8 @@ OneFormConstraints Averaged(std::vector<Wish> wishes)
 }
 
 OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const std::vector<PrescribedDirection>& directions, const ElementNames& names)
+  const TangentFrames& faceFrames, const std::vector<PrescribedDirection>& directions,
+  const ElementNames& names)
 {
   std::vector<Wish> wishes;
   for (const PrescribedDirection& prescribed : directions)

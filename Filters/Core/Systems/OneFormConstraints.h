@@ -13,12 +13,12 @@ namespace dmg
 /// Which edges are prescribed, and how strongly. Part of the system's key; values are not.
 struct PrescribedEdges
 {
-  std::vector<int> Edges;      ///< ascending, each once
+  std::vector<int> Edges; ///< ascending, each once
   std::vector<double> Weights; ///< per prescribed edge, > 0, dimensionless
 };
 
-/// Prescribed edges with the values that a 1-form shall take there: integrals in the orientation of the
-/// edges.
+/// Prescribed edges with the values that a 1-form shall take there: integrals in the orientation of
+/// the edges.
 struct OneFormConstraints
 {
   PrescribedEdges Prescribed;
@@ -30,22 +30,23 @@ struct PrescribedVertexDirection
 {
   int Vertex;
   Vector3 Direction; ///< in space; its part in the tangent plane of the vertex counts
-  double Weight;     ///< > 0
+  double Weight; ///< > 0
 };
 
-/// Directions prescribed on faces, as 1-form: every side of a prescribed face is prescribed, with the
-/// direction's product with the side. Where directions meet on an edge their values are averaged by
-/// weight. An edge has the mean weight of its faces, those without a direction counting as 0: inside a
-/// prescribed region that is the region's, on its rim half of it.
-/// Lengths count: a direction of length 2 asks for a field of length 2.
-/// \throw InvalidInput a direction is not finite, has no part in the plane of its face (less than 1e-6
-/// of its length), or its weight is not positive; \p names says how messages call face i.
+/// Directions prescribed on faces, as 1-form: every side of a prescribed face is prescribed, with
+/// the direction's product with the side. Where directions meet on an edge their values are
+/// averaged by weight. An edge has the mean weight of its faces, those without a direction counting
+/// as 0: inside a prescribed region that is the region's, on its rim half of it. Lengths count: a
+/// direction of length 2 asks for a field of length 2. \throw InvalidInput a direction is not
+/// finite, has no part in the plane of its face (less than 1e-6 of its length), or its weight is
+/// not positive; \p names says how messages call face i.
 OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const std::vector<PrescribedDirection>& directions, const ElementNames& names = {});
+  const TangentFrames& faceFrames, const std::vector<PrescribedDirection>& directions,
+  const ElementNames& names = {});
 
-/// Directions prescribed at vertices, as 1-form: every edge at a prescribed vertex is prescribed. Between
-/// two of them the value is the trapezoidal rule (by weight); an edge that leads away from the
-/// prescribed ones takes the direction of its one end, with half the weight, so that a single
+/// Directions prescribed at vertices, as 1-form: every edge at a prescribed vertex is prescribed.
+/// Between two of them the value is the trapezoidal rule (by weight); an edge that leads away from
+/// the prescribed ones takes the direction of its one end, with half the weight, so that a single
 /// vertex holds its direction, and a curve of vertices also the part across.
 /// \throw InvalidInput as above, for the tangent planes of the vertices.
 OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh,

@@ -78,8 +78,8 @@ TEST(ExteriorCalculus, StarsOfEquilateralTriangles)
   EXPECT_LT((Star1(mesh).array() - 1.0 / std::sqrt(3.0)).abs().maxCoeff(), 1e-14);
   EXPECT_LT((PositiveStar1(mesh).array() - 1.0 / std::sqrt(3.0)).abs().maxCoeff(), 1e-14);
   EXPECT_LT((Star0(mesh).array() - 5.0 / 3.0 * area).abs().maxCoeff(), 1e-14);
-  EXPECT_LT((Star0(mesh, VertexAreas::Barycentric).array() - 5.0 / 3.0 * area).abs().maxCoeff(),
-    1e-14);
+  EXPECT_LT(
+    (Star0(mesh, VertexAreas::Barycentric).array() - 5.0 / 3.0 * area).abs().maxCoeff(), 1e-14);
 }
 
 // d0^T star1 d0 is the stiffness matrix of linear functions: their Dirichlet energy is exact.
@@ -99,8 +99,7 @@ TEST(ExteriorCalculus, PositiveStar1MeasuresVectors)
   double sum = 0.0;
   for (const Vector3& axis : { Vector3(1.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0) })
   {
-    const Vector<double> form =
-      FormFromFaceVectors(mesh, Constant(mesh.NumberOfFaces(), axis));
+    const Vector<double> form = FormFromFaceVectors(mesh, Constant(mesh.NumberOfFaces(), axis));
     sum += form.dot(PositiveStar1(mesh).asDiagonal() * form);
   }
   EXPECT_NEAR(sum, 2.0 * 63.0, 1e-11);
@@ -135,9 +134,8 @@ TEST(OneFormLaplacian, IsTheSameForAnyNumberOfThreads)
 // Harmonic forms: 2g on closed surfaces, 2g + b - 1 with b boundary loops and natural conditions.
 TEST(OneFormLaplacian, HasTheHarmonicFormsAsKernel)
 {
-  const auto dimension = [](const Surface& surface) {
-    return KernelDimension(OneFormLaplacian(surface.Mesh(), SerialContext()));
-  };
+  const auto dimension = [](const Surface& surface)
+  { return KernelDimension(OneFormLaplacian(surface.Mesh(), SerialContext())); };
   EXPECT_EQ(dimension(IrregularSphere(2, 3)), 0);
   EXPECT_EQ(dimension(IrregularTorus(12, 7, 5)), 2);
   EXPECT_EQ(dimension(DoubleTorus(2)), 4);
@@ -220,8 +218,8 @@ TEST(Whitney, ReproducesConstantsInAPlane)
   }
 }
 
-// The interpolant is linear along an edge, so its integral is what its values at the ends average to:
-// the edge's own value, from either face.
+// The interpolant is linear along an edge, so its integral is what its values at the ends average
+// to: the edge's own value, from either face.
 TEST(Whitney, IntegratesToTheForm)
 {
   const TriangleMesh mesh = IrregularTorus(9, 6, 2).Mesh();
@@ -236,13 +234,15 @@ TEST(Whitney, IntegratesToTheForm)
     const int face = TriangleMesh::FaceOf(h);
     const Vector3 tail = mesh.Position(mesh.Tail(h));
     const Vector3 head = mesh.Position(mesh.Head(h));
-    const Vector3 centre = (mesh.Position(mesh.FaceCorners()(face, 0)) +
-      mesh.Position(mesh.FaceCorners()(face, 1)) + mesh.Position(mesh.FaceCorners()(face, 2))) / 3.0;
+    const Vector3 centre =
+      (mesh.Position(mesh.FaceCorners()(face, 0)) + mesh.Position(mesh.FaceCorners()(face, 1)) +
+        mesh.Position(mesh.FaceCorners()(face, 2))) /
+      3.0;
     const double area = mesh.FaceArea(face);
     const Vector3 normal = mesh.FaceAreaVector(face) / (2.0 * area);
     const double density = curl.row(face).dot(form) / area;
-    const Vector3 atMiddle = atCentres.row(face).transpose() +
-      0.5 * density * normal.cross(0.5 * (tail + head) - centre);
+    const Vector3 atMiddle =
+      atCentres.row(face).transpose() + 0.5 * density * normal.cross(0.5 * (tail + head) - centre);
     EXPECT_NEAR(atMiddle.dot(head - tail), mesh.EdgeSign(h) * form[mesh.EdgeOf(h)], 1e-12);
   }
 }
