@@ -238,12 +238,14 @@ bool FineEdgePaths::Cover(int coarseFace)
   }
 }
 
-// The piece in a neighbour whose detour shows most of the missing direction.
+// The piece in a neighbour whose detour shows most of the missing direction. Pieces of edges that the
+// neighbour can do without come first: one value cannot show both faces.
 FineEdgePaths::Candidate FineEdgePaths::BestCandidate(
   int coarseFace, const Vector2& missing) const
 {
   Candidate best;
-  double most = SmallestDetour;
+  double most = 0.0;
+  bool bestIsSpare = false;
   for (int k = 0; k < 3; ++k)
   {
     const int side = 3 * coarseFace + k;
@@ -252,15 +254,34 @@ FineEdgePaths::Candidate FineEdgePaths::BestCandidate(
     {
       continue;
     }
+    const int neighbour = TriangleMesh::FaceOf(twin);
+    const auto canDoWithout = [&](int unused) {
+      Coverage rest;
+      this->VisitPiecesIn(neighbour, [&](int edge, bool, int, const std::array<double, 3>& from,
+                                       const std::array<double, 3>& to) {
+        if (edge != unused)
+        {
+          rest.Add(InEquilateral(from, to));
+        }
+      });
+      return !rest.IsWeak();
+    };
     const double share = std::abs(SideInEquilateral(k).normalized().dot(missing));
-    this->VisitPiecesIn(TriangleMesh::FaceOf(twin),
+    this->VisitPiecesIn(neighbour,
       [&](int edge, bool forward, int number, const std::array<double, 3>& from,
         const std::array<double, 3>& to) {
         const double start = FootOnHalfedge(twin, from);
         const double end = FootOnHalfedge(twin, to);
-        if (share * std::abs(end - start) > most)
+        const double amount = share * std::abs(end - start);
+        if (amount <= SmallestDetour)
         {
-          most = share * std::abs(end - start);
+          return;
+        }
+        const bool isSpare = canDoWithout(edge);
+        if (isSpare != bestIsSpare ? isSpare : amount > most)
+        {
+          most = amount;
+          bestIsSpare = isSpare;
           best = { edge, forward, number, side, start, end };
         }
       });
