@@ -25,32 +25,6 @@ Vector2 InEquilateral(const std::array<double, 3>& from, const std::array<double
   return { (d0 - d1) / std::sqrt(2.0), (d0 + d1 - 2.0 * d2) / std::sqrt(6.0) };
 }
 
-/// Sum of p p^T over pieces: in which directions a face is seen.
-struct Coverage
-{
-  double XX = 0.0;
-  double XY = 0.0;
-  double YY = 0.0;
-
-  void Add(const Vector2& p)
-  {
-    this->XX += p[0] * p[0];
-    this->XY += p[0] * p[1];
-    this->YY += p[1] * p[1];
-  }
-  bool IsWeak() const
-  {
-    return 0.5 * (this->XX + this->YY) - std::hypot(0.5 * (this->XX - this->YY), this->XY) <
-      SmallestCoverage;
-  }
-  /// The direction that is seen least.
-  Vector2 Missing() const
-  {
-    const double angle = 0.5 * std::atan2(2.0 * this->XY, this->XX - this->YY); // seen most
-    return { -std::sin(angle), std::cos(angle) };
-  }
-};
-
 /// The side k of any face, from its corner k to the next.
 Vector2 SideInEquilateral(int k)
 {
@@ -77,6 +51,32 @@ double FootOnHalfedge(int halfedge, const std::array<double, 3>& place)
 }
 
 }
+
+/// Sum of p p^T over pieces: in which directions a face is seen.
+struct FineEdgePaths::Coverage
+{
+  double XX = 0.0;
+  double XY = 0.0;
+  double YY = 0.0;
+
+  void Add(const Vector2& p)
+  {
+    this->XX += p[0] * p[0];
+    this->XY += p[0] * p[1];
+    this->YY += p[1] * p[1];
+  }
+  bool IsWeak() const
+  {
+    return 0.5 * (this->XX + this->YY) - std::hypot(0.5 * (this->XX - this->YY), this->XY) <
+      SmallestCoverage;
+  }
+  /// The direction that is seen least.
+  Vector2 Missing() const
+  {
+    const double angle = 0.5 * std::atan2(2.0 * this->XY, this->XX - this->YY); // seen most
+    return { -std::sin(angle), std::cos(angle) };
+  }
+};
 
 FineEdgePaths::FineEdgePaths(const LevelTransition& transition, const ExecutionContext& context)
   : Transition(transition)
@@ -116,21 +116,29 @@ FineEdgePaths::FineEdgePaths(const LevelTransition& transition, const ExecutionC
     }
   }
 
-  // A face may get cover only after a neighbour has got some.
+  // A face may get cover only after a neighbour has got some, and the neighbour may need a new one.
   std::vector<int> weak = this->FindWeakFaces(context);
   int before = -1;
   while (this->Detours > before)
   {
     before = this->Detours;
-    weak.erase(std::remove_if(weak.begin(), weak.end(), [this](int face) { return this->Cover(face); }),
-      weak.end());
+    std::vector<int> next;
+    for (int face : weak)
+    {
+      if (!this->Cover(face, next))
+      {
+        next.push_back(face);
+      }
+    }
+    weak = std::move(next);
   }
 }
 
 std::vector<int> FineEdgePaths::FindWeakFaces(const ExecutionContext& context) const
 {
   constexpr int Grain = 1024;
-  const auto isWeak = [this](int face) {
+  const auto isWeak = [this](int face)
+  {
     const int slot = this->SlotOfFace[face];
     Coverage coverage;
     for (int k = 0; k < 3; ++k)
@@ -144,7 +152,8 @@ std::vector<int> FineEdgePaths::FindWeakFaces(const ExecutionContext& context) c
     {
       this->Transition.Tracking.VisitPiecesIn(
         slot, [this](int slotHalfedge) { return this->SlotTails[slotHalfedge]; },
-        [&](int, const std::array<double, 3>& from, const std::array<double, 3>& to) {
+        [&](int, const std::array<double, 3>& from, const std::array<double, 3>& to)
+        {
           coverage.Add(InEquilateral(from, to));
           return coverage.IsWeak();
         });
@@ -153,12 +162,14 @@ std::vector<int> FineEdgePaths::FindWeakFaces(const ExecutionContext& context) c
   };
   const int faces = this->Transition.Coarse.NumberOfFaces();
   std::vector<char> flags(faces);
-  context.ParallelFor(0, faces, Grain, [&](int first, int last) {
-    for (int face = first; face < last; ++face)
+  context.ParallelFor(0, faces, Grain,
+    [&](int first, int last)
     {
-      flags[face] = isWeak(face);
-    }
-  });
+      for (int face = first; face < last; ++face)
+      {
+        flags[face] = isWeak(face);
+      }
+    });
   std::vector<int> weak;
   for (int face = 0; face < faces; ++face)
   {
@@ -199,8 +210,9 @@ void FineEdgePaths::VisitPiecesIn(int coarseFace, Visit visit) const
     {
       int number = 0;
       const bool forward = halfedge >= 0 && fine.EdgeSign(halfedge) > 0;
-      const auto visitPiece = [&](int face, const std::array<double, 3>& from,
-                                const std::array<double, 3>& to) {
+      const auto visitPiece =
+        [&](int face, const std::array<double, 3>& from, const std::array<double, 3>& to)
+      {
         if (face == coarseFace)
         {
           visit(edge, forward, number, from, to);
@@ -215,35 +227,51 @@ void FineEdgePaths::VisitPiecesIn(int coarseFace, Visit visit) const
   }
 }
 
-// Returns whether the face is covered in all directions now.
-bool FineEdgePaths::Cover(int coarseFace)
+// What shows the face, of edges that are not reserved for others.
+FineEdgePaths::Coverage FineEdgePaths::CoverageOf(int coarseFace, int withoutEdge) const
 {
-  while (true)
-  {
-    Coverage coverage;
-    this->VisitPiecesIn(coarseFace,
-      [&](int, bool, int, const std::array<double, 3>& from, const std::array<double, 3>& to) {
-        coverage.Add(InEquilateral(from, to));
-      });
-    if (!coverage.IsWeak())
+  Coverage coverage;
+  this->VisitPiecesIn(coarseFace,
+    [&](int edge, bool, int, const std::array<double, 3>& from, const std::array<double, 3>& to)
     {
-      return true;
-    }
+      const int reserved = this->ReservedFor(edge);
+      if (edge != withoutEdge && (reserved < 0 || reserved == coarseFace))
+      {
+        coverage.Add(InEquilateral(from, to));
+      }
+    });
+  return coverage;
+}
+
+// Returns whether the face is covered in all directions now; adds neighbours that no longer are.
+bool FineEdgePaths::Cover(int coarseFace, std::vector<int>& robbed)
+{
+  Coverage coverage = this->CoverageOf(coarseFace);
+  while (coverage.IsWeak())
+  {
     const Candidate candidate = this->BestCandidate(coarseFace, coverage.Missing());
     if (candidate.Edge < 0)
     {
       return false;
     }
     this->Bend(candidate);
+    const int neighbour = TriangleMesh::FaceOf(this->Transition.Coarse.Twin(candidate.Side));
+    if (this->CoverageOf(neighbour).IsWeak())
+    {
+      robbed.push_back(neighbour);
+    }
+    coverage = this->CoverageOf(coarseFace);
   }
+  return true;
 }
 
-// The piece in a neighbour whose detour shows most of the missing direction.
-FineEdgePaths::Candidate FineEdgePaths::BestCandidate(
-  int coarseFace, const Vector2& missing) const
+// The piece in a neighbour whose detour shows most of the missing direction. Edges that the
+// neighbour can do without come first.
+FineEdgePaths::Candidate FineEdgePaths::BestCandidate(int coarseFace, const Vector2& missing) const
 {
   Candidate best;
-  double most = SmallestDetour;
+  double most = 0.0;
+  bool bestIsSpare = false;
   for (int k = 0; k < 3; ++k)
   {
     const int side = 3 * coarseFace + k;
@@ -252,15 +280,24 @@ FineEdgePaths::Candidate FineEdgePaths::BestCandidate(
     {
       continue;
     }
+    const int neighbour = TriangleMesh::FaceOf(twin);
     const double share = std::abs(SideInEquilateral(k).normalized().dot(missing));
-    this->VisitPiecesIn(TriangleMesh::FaceOf(twin),
+    this->VisitPiecesIn(neighbour,
       [&](int edge, bool forward, int number, const std::array<double, 3>& from,
-        const std::array<double, 3>& to) {
+        const std::array<double, 3>& to)
+      {
         const double start = FootOnHalfedge(twin, from);
         const double end = FootOnHalfedge(twin, to);
-        if (share * std::abs(end - start) > most)
+        const double amount = share * std::abs(end - start);
+        if (amount <= SmallestDetour || this->ReservedFor(edge) >= 0)
         {
-          most = share * std::abs(end - start);
+          return;
+        }
+        const bool isSpare = !this->CoverageOf(neighbour, edge).IsWeak();
+        if (isSpare != bestIsSpare ? isSpare : amount > most)
+        {
+          most = amount;
+          bestIsSpare = isSpare;
           best = { edge, forward, number, side, start, end };
         }
       });
@@ -275,7 +312,8 @@ void FineEdgePaths::Bend(const Candidate& candidate)
   const int twin = this->Transition.Coarse.Twin(candidate.Side);
   const double a = 0.75 * candidate.From + 0.25 * candidate.To;
   const double b = 0.25 * candidate.From + 0.75 * candidate.To;
-  const auto replace = [&](std::vector<Piece>& pieces, double first, double second, bool forward) {
+  const auto replace = [&](std::vector<Piece>& pieces, double first, double second, bool forward)
+  {
     // Numbers run along the edge, the pieces of its second halfedge from their end to their start.
     const Piece whole = pieces[candidate.PieceNumber];
     Piece before = whole;
@@ -298,6 +336,7 @@ void FineEdgePaths::Bend(const Candidate& candidate)
   {
     replace(bent.Pieces[candidate.Forward ? 1 : 0], b, a, !candidate.Forward);
   }
+  bent.ReservedFor = face;
   this->DetoursIn[face].push_back(candidate.Edge);
   ++this->Detours;
 }
