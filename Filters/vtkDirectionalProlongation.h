@@ -38,7 +38,7 @@
  * | SX.l. ...              | double | as S0          | face fields (FaceFields)                  |
  * | SP.l.Offsets, .Columns | int    | as above       | (PowerFields)                             |
  * | SP.l.Values            | double | 2 per non-zero | complex; directions, face to face         |
- * | Nodal.l. ...           |        | as SP          | vertices to vertices, at l = 0 to faces   |
+ * | Nodal.l. ...           |        | as SP          | vectors, vertices to vertices, at l = 0 to faces |
  *
  * A 1-form has a number per edge, its integral from the smaller to the larger point index; edges are
  * numbered in ascending order of (smaller, larger). A face field has two numbers per face, the
@@ -125,7 +125,7 @@ public:
     TrackedPaths = 0,
     /**
      * The overlay of each collapse in exact arithmetic, and the product of all local operators, as
-     * in the thesis; slow, and several times the non-zeros. The reference. Nodal is left out.
+     * in the thesis; slow, and several times the non-zeros. The reference.
      */
     ExactOverlay = 1
   };
@@ -140,8 +140,9 @@ public:
 
   ///@{
   /**
-   * Which fields operators are built for, beside functions on the points: fields of N directions (SP
-   * and Nodal; default on), face fields (SX; default off) and 1-forms (S1; default off).
+   * Which structure-preserving operators are built beside S0 and Nodal, which every field can be
+   * solved with: SP (PowerFields, default on), SX (FaceFields, default off), S1 (OneForms, default
+   * off).
    */
   vtkSetMacro(PowerFields, bool);
   vtkGetMacro(PowerFields, bool);

@@ -309,8 +309,10 @@ int vtkHarmonicFieldSolver::RequestData(
   try
   {
     const dmg::ContextFromAlgorithm context(this);
-    const dmg::OperatorSelection selection{ this->Discretisation == PowerField,
-      this->Discretisation == FaceField, this->Discretisation == OneForm };
+    const bool structured = this->CoarseSpace == StructurePreserving;
+    const dmg::OperatorSelection selection{ structured && this->Discretisation == PowerField,
+      structured && this->Discretisation == FaceField,
+      structured && this->Discretisation == OneForm };
     stages.SetUp(input, this->Solver == Cholesky ? nullptr : &selection,
       dmg::PartOfContext(context, 0.0, 0.5));
 
@@ -387,7 +389,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
-  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "FacePowers") << "\n";
+  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving") << "\n";
   os << indent << "Sweeps: " << this->Sweeps << "\n";
   os << indent << "NestedRule: " << rules[this->NestedRule] << "\n";
   os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";

@@ -228,18 +228,19 @@ public:
 
   enum CoarseSpaces
   {
-    /** Directions at the vertices of the coarse levels; the fast one. */
+    /** Vectors at the vertices of the coarse levels; the fast one. */
     Nodal = 0,
-    /** Powers on the faces of the coarse levels, as in the thesis. */
-    FacePowers = 1
+    /** Powers, face fields or 1-forms as on the surface, as in the thesis. */
+    StructurePreserving = 1
   };
 
   ///@{
   /**
-   * What the coarse levels of multigrid hold for power fields, one of CoarseSpaces; without effect on
-   * Cholesky. Default Nodal.
+   * What the coarse levels of multigrid hold, one of CoarseSpaces; without effect on Cholesky.
+   * StructurePreserving takes operators of the discretisation (vtkDirectionalProlongation: PowerFields,
+   * FaceFields, OneForms). Default Nodal.
    */
-  vtkSetClampMacro(CoarseSpace, int, Nodal, FacePowers);
+  vtkSetClampMacro(CoarseSpace, int, Nodal, StructurePreserving);
   vtkGetMacro(CoarseSpace, int);
   ///@}
 

@@ -348,9 +348,9 @@ ProlongationOperators OperatorsFromFieldData(vtkFieldData* fieldData, const Tria
     if (selection.PowerFields)
     {
       operators.SP.push_back(ReadOperator<Complex>(fieldData, "SP", l, faces[l], faces[l + 1]));
-      operators.Nodal.push_back(ReadOperator<Complex>(
-        fieldData, "Nodal", l, l == 0 ? faces[0] : vertices[l], vertices[l + 1]));
     }
+    operators.Nodal.push_back(ReadOperator<Complex>(
+      fieldData, "Nodal", l, l == 0 ? faces[0] : vertices[l], vertices[l + 1]));
   }
   return operators;
 }

@@ -23,10 +23,11 @@ namespace dmg
 namespace
 {
 
-// The couplings between faces are far from those of a linear function where triangles are uneven; the
-// coarse levels, nodal by nature, are not. So the interpolation to the faces is smoothed, and the
-// finest level gets more sweeps: all that sweeps gain, they gain there.
-constexpr int FinestProlongationSteps = 2;
+// The couplings between the powers of faces are far from those of a linear function where triangles
+// are uneven; the coarse levels, nodal by nature, are not. So the interpolation to the faces is
+// smoothed, and the finest level gets more sweeps: all that sweeps gain, they gain there. (Smoothing
+// makes the coarse spaces of face fields and 1-forms worse, whose roughness is of second order.)
+constexpr int PowerProlongationSteps = 2;
 constexpr int FinestSweepsFactor = 2;
 
 /// Complex numbers are pairs of real ones in memory, by the standard.
@@ -157,7 +158,8 @@ SolverOptions SolverFor(const FieldOptions& options)
   if (options.CoarseSpace == CoarseSpaceKind::Nodal)
   {
     solver.FinestSweepsFactor = FinestSweepsFactor;
-    solver.FinestProlongationSteps = FinestProlongationSteps;
+    solver.FinestProlongationSteps =
+      options.Kind == Discretisation::PowerField ? PowerProlongationSteps : 0;
   }
   return solver;
 }

@@ -243,7 +243,7 @@ TEST(HarmonicFieldSolver, SolversAgree)
   for (int kind : { vtkHarmonicFieldSolver::Automatic, vtkHarmonicFieldSolver::VCycles,
          vtkHarmonicFieldSolver::ConjugateGradients })
   {
-    for (int space : { vtkHarmonicFieldSolver::Nodal, vtkHarmonicFieldSolver::FacePowers })
+    for (int space : { vtkHarmonicFieldSolver::Nodal, vtkHarmonicFieldSolver::StructurePreserving })
     {
       SCOPED_TRACE(std::to_string(kind) + ", " + std::to_string(space));
       solver->SetSolver(kind);
@@ -694,7 +694,7 @@ TEST_F(Stages, EveryOptionOfTheSystemRepeatsIt)
     [](vtkHarmonicFieldSolver* s) { s->SetSmoothness(0.5); },
     [](vtkHarmonicFieldSolver* s) { s->SetAlignment(3.0); },
     [](vtkHarmonicFieldSolver* s) { s->SetConstraintType(vtkHarmonicFieldSolver::Hard); },
-    [](vtkHarmonicFieldSolver* s) { s->SetCoarseSpace(vtkHarmonicFieldSolver::FacePowers); },
+    [](vtkHarmonicFieldSolver* s) { s->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving); },
     [](vtkHarmonicFieldSolver* s) { s->SetSweeps(s->GetSweeps() + 1); },
     [](vtkHarmonicFieldSolver* s) { s->SetSolver(vtkHarmonicFieldSolver::VCycles); },
   };
