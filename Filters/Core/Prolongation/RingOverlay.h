@@ -52,20 +52,35 @@ public:
   std::vector<Piece> PiecesOf(int from, int to) const;
 
 private:
+  /// Where the line of an edge meets a spoke, strictly between the ends of the edge.
+  struct Crossing
+  {
+    int Spoke;
+    bool CounterClockwise; ///< the direction of the edge there, seen from the hub
+    Rational AlongEdge;    ///< 0 at its start, 1 at its end
+    Rational AlongSpoke;   ///< 0 at the hub, 1 at the polygon
+  };
+
+  int SectorBehind(const Crossing& crossing) const;
+  int SectorBefore(const Crossing& crossing) const;
+  int SectorWith(int from, int to) const;
+  std::array<Rational, 3> WeightsIn(int sector, int vertex) const;
+  std::array<Rational, 3> WeightsIn(int sector, const Crossing& crossing) const;
+  std::vector<Crossing> CrossingsOf(int from, int to) const;
+  bool PassesHub(int from, int to) const;
+  bool Cut(int from, int to, std::vector<Piece>& pieces) const;
+
   using PlaneVector = CGAL::Simple_cartesian<Rational>::Vector_2;
 
-  const PlaneVector& Spoke(int sector) const { return this->FromHub[sector]; }
-  const PlaneVector& NextSpoke(int sector) const
+  /// Twice the area of hub, x_k, vertex: positive where the vertex is on the left of the spoke.
+  const Rational& Area(int k, int vertex) const
   {
-    return this->FromHub[this->Ring.NextOnLoop(sector)];
+    return this->Areas[k * this->Ring.NumberOfVertices() + vertex];
   }
-  int SectorAt(const PlaneVector& point, const PlaneVector& direction) const;
-  std::array<Rational, 3> WeightsIn(int sector, const PlaneVector& point) const;
-  std::vector<Rational> CutsOf(const PlaneVector& from, const PlaneVector& to) const;
-  bool Cut(const PlaneVector& from, const PlaneVector& to, std::vector<Piece>& pieces) const;
 
   const OneRing& Ring;
   std::vector<PlaneVector> FromHub; // positions in the plane, by local number
+  std::vector<Rational> Areas;
 };
 
 }
