@@ -88,7 +88,7 @@ public:
   {
     dmg::PrescribedFaces Prescribed;
     dmg::PowerFieldOptions Options;
-    dmg::PowerFieldProblem Problem;
+    dmg::HarmonicProblem<dmg::Complex> Problem;
   };
 
   struct SolveStage
@@ -160,7 +160,7 @@ public:
     }
     const dmg::FramedSurface& framed = this->Surface->Framed;
     std::unique_ptr<SystemStage> system(new SystemStage{ prescribed, options,
-      dmg::PowerFieldProblem(framed.Surface.Mesh, framed.Faces,
+      dmg::MakePowerFieldProblem(framed.Surface.Mesh, framed.Faces,
         this->Operators ? &this->Operators->Operators : nullptr, prescribed, options, context) });
     this->Solution.reset();
     this->System = std::move(system);
@@ -178,7 +178,7 @@ public:
     }
     const dmg::Vector<dmg::Complex> start =
       this->Solution ? this->Solution->Powers : dmg::Vector<dmg::Complex>();
-    dmg::PowerFieldProblem& problem = this->System->Problem;
+    dmg::HarmonicProblem<dmg::Complex>& problem = this->System->Problem;
     dmg::Vector<dmg::Complex> powers = problem.Solve(values, start, stop, context);
     this->Solution.reset(
       new SolveStage{ values, stop, std::move(powers), problem.Report(), std::nullopt });

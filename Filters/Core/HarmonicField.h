@@ -1,21 +1,19 @@
 #ifndef dmgHarmonicField_h
 #define dmgHarmonicField_h
 
+#include "HarmonicProblem.h"
 #include "Hierarchy/HierarchyOptions.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 #include "Prolongation/ProlongationOperators.h"
-#include "Solvers/SolveReport.h"
-#include "Solvers/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
 #include "Systems/AlignmentConstraints.h"
 
-#include <memory>
 #include <vector>
 
 /// The straight line from a mesh to the smoothest field that follows prescribed directions:
 ///
-///   mesh -> ProlongationOperators (set-up) -> PowerFieldProblem (system) -> Solve (solve).
+///   mesh -> ProlongationOperators (set-up) -> HarmonicProblem (system) -> Solve (solve).
 ///
 /// Each stage keeps what the later ones do not change: a moved constraint only solves again, another
 /// set of constraints or other weights redo the system, and only another mesh redoes the set-up.
@@ -36,18 +34,6 @@ struct SurfaceHierarchy
 SurfaceHierarchy BuildSurfaceHierarchy(
   const TriangleMesh& mesh, const HierarchyOptions& options, const ExecutionContext& context);
 
-enum class SolverKind
-{
-  /// Cholesky for small systems, else conjugate gradients on the nodal hierarchy.
-  Automatic,
-  /// Supernodal sparse Cholesky of the fine system (CHOLMOD).
-  Cholesky,
-  /// Stationary V-cycles.
-  VCycles,
-  /// Conjugate gradients, one V-cycle as preconditioner.
-  ConjugateGradients,
-};
-
 /// Which prolongations the V-cycle's coarse spaces come from.
 enum class CoarseSpaceKind
 {
@@ -67,10 +53,10 @@ struct PowerFieldOptions
   /// one of its edges does.
   double Alignment = 1.0;
   ConstraintKind Constraints = ConstraintKind::Soft;
-  SolverKind Solver = SolverKind::Automatic;
   CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
-  /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1. The finest
-  /// level gets twice as many.
+  SolverKind Solver = SolverKind::Automatic;
+  /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1. On nodal
+  /// levels the finest level gets twice as many.
   int Sweeps = 2;
 };
 
@@ -79,33 +65,14 @@ struct PowerFieldOptions
 ///   argmin  Smoothness X^H L X + Alignment sum_b w_b (A_b / mean A) |X_b - Y_b|^2   (soft)
 ///   argmin  X^H L X  subject to  X_b = Y_b                                          (hard)
 /// A component of the surface that holds no prescribed face gets the zero field.
-class PowerFieldProblem
-{
-public:
-  /// System: assembles, coarsens or factors; the expensive part that new values do not repeat.
-  /// \param operators of this mesh; may be null for SolverKind::Cholesky. Copied where needed.
-  /// \throw InvalidInput options out of range, no prescribed face, every face prescribed hard.
-  /// \throw SolverFailure the factorisation failed.
-  PowerFieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-    const ProlongationOperators* operators, const PrescribedFaces& prescribed,
-    const PowerFieldOptions& options, const ExecutionContext& context);
-  ~PowerFieldProblem();
-
-  /// Solve for the prescribed values.
-  /// \param values one per prescribed face, powers in its frame (AlignmentConstraints.h).
-  /// \param start first guess, #F or empty for zero; ignored by Cholesky.
-  /// \return X, #F powers in the face frames. Not converged: the best vector reached; see Report().
-  /// \throw Cancelled
-  Vector<Complex> Solve(const Vector<Complex>& values, const Vector<Complex>& start,
-    const StoppingCriteria& stop, const ExecutionContext& context);
-
-  /// Of the system stage and of the last solve.
-  const SolveReport& Report() const;
-
-private:
-  class Internals;
-  std::unique_ptr<Internals> Internal;
-};
+/// Unknowns are #F powers in the face frames, values one power per prescribed face.
+/// \param operators of this mesh; may be null for SolverKind::Cholesky. Copied where needed.
+/// \throw InvalidInput options out of range, no prescribed face, every face prescribed hard.
+/// \throw SolverFailure the factorisation failed.
+HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  const PrescribedFaces& prescribed, const PowerFieldOptions& options,
+  const ExecutionContext& context);
 
 }
 

@@ -17,7 +17,7 @@
 
 #include <cstdlib>
 #include <cstring>
-#include <memory>
+#include <optional>
 #include <set>
 
 using namespace dmg;
@@ -106,11 +106,11 @@ Row MeasureOurs(const TriangleMesh& mesh, const TangentFrames& frames,
   options.Solver = SolverKind::ConjugateGradients;
   StoppingCriteria stop;
   stop.RelativeTolerance = Tolerance;
-  std::unique_ptr<PowerFieldProblem> problem;
+  std::optional<HarmonicProblem<Complex>> problem;
   Row row;
   row.Prepare = Seconds([&] {
-    problem = std::make_unique<PowerFieldProblem>(
-      mesh, frames, &operators, prescription.Faces, options, context);
+    problem.emplace(MakePowerFieldProblem(
+      mesh, frames, &operators, prescription.Faces, options, context));
   });
   row.Solve = Seconds([&] { problem->Solve(prescription.Values, {}, stop, context); });
   const SolveReport& report = problem->Report();

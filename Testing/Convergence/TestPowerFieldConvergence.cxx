@@ -32,7 +32,7 @@ int Iterations(const Surface& surface, int N, int prescribedFaces)
   PowerFieldOptions options;
   options.N = N;
   options.Solver = SolverKind::ConjugateGradients;
-  PowerFieldProblem problem(mesh, frames, &hierarchy.Operators, prescribed, options, context);
+  HarmonicProblem<Complex> problem = MakePowerFieldProblem(mesh, frames, &hierarchy.Operators, prescribed, options, context);
   problem.Solve(random.Numbers(prescribedFaces), {}, StoppingCriteria(), context);
   EXPECT_TRUE(problem.Report().Converged);
   return static_cast<int>(problem.Report().Iterations.size()) - 1;

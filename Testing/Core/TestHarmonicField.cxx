@@ -62,7 +62,7 @@ Vector<Complex> Solve(const Prepared& on, const PrescribedFaces& prescribed,
   const Vector<Complex>& values, const PowerFieldOptions& options,
   const ExecutionContext& context = SerialContext())
 {
-  PowerFieldProblem problem(on.Mesh, on.Frames, &on.Operators, prescribed, options, context);
+  HarmonicProblem<Complex> problem = MakePowerFieldProblem(on.Mesh, on.Frames, &on.Operators, prescribed, options, context);
   const Vector<Complex> field = problem.Solve(values, {}, Tight(), context);
   EXPECT_TRUE(problem.Report().Converged);
   return field;
@@ -70,7 +70,7 @@ Vector<Complex> Solve(const Prepared& on, const PrescribedFaces& prescribed,
 
 }
 
-TEST(PowerFieldProblem, SolversAgree)
+TEST(HarmonicField, SolversAgree)
 {
   for (const Surface& surface : { IrregularSphere(4, 3), IrregularTorus(48, 20, 4),
          DoubleTorus(4), IrregularPlane(30, 24, 5) })
@@ -104,7 +104,7 @@ TEST(PowerFieldProblem, SolversAgree)
 }
 
 // A constant field has no energy on a flat patch, so one prescribed direction spreads over all of it.
-TEST(PowerFieldProblem, OneDirectionFillsAFlatPatch)
+TEST(HarmonicField, OneDirectionFillsAFlatPatch)
 {
   const Prepared on(IrregularPlane(40, 30, 9));
   const Vector3 direction(0.28, 0.96, 0.0);
@@ -125,7 +125,7 @@ TEST(PowerFieldProblem, OneDirectionFillsAFlatPatch)
 
 // The same without a plane: a torus whose angles sum to 2 pi at every vertex and whose holonomy is
 // trivial carries a field without energy, and without singularities, of any N.
-TEST(PowerFieldProblem, AFlatTorusCarriesAParallelField)
+TEST(HarmonicField, AFlatTorusCarriesAParallelField)
 {
   const Prepared on(FlatTorus(12, 3));
   for (int N : { 1, 2, 4 })
@@ -145,7 +145,7 @@ TEST(PowerFieldProblem, AFlatTorusCarriesAParallelField)
   }
 }
 
-TEST(PowerFieldProblem, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
+TEST(HarmonicField, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
 {
   for (const Surface& surface :
     { IrregularSphere(4, 3), IrregularTorus(48, 20, 4), DoubleTorus(4) })
@@ -166,7 +166,7 @@ TEST(PowerFieldProblem, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
   }
 }
 
-TEST(PowerFieldProblem, HardConstraintsHoldExactly)
+TEST(HarmonicField, HardConstraintsHoldExactly)
 {
   const Prepared on(IrregularSphere(4, 3));
   const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
@@ -184,7 +184,7 @@ TEST(PowerFieldProblem, HardConstraintsHoldExactly)
 
 // The field is that of the surface: numbering, position in space and size do not matter. Directions,
 // not powers, are compared, since frames follow the numbering.
-TEST(PowerFieldProblem, DoesNotDependOnNumberingPlaceOrSize)
+TEST(HarmonicField, DoesNotDependOnNumberingPlaceOrSize)
 {
   const Surface surface = IrregularTorus(40, 16, 4);
   const TriangleMesh mesh = surface.Mesh();
@@ -237,7 +237,7 @@ TEST(PowerFieldProblem, DoesNotDependOnNumberingPlaceOrSize)
   EXPECT_LT(worst / expected.cwiseAbs().maxCoeff(), 1e-8);
 }
 
-TEST(PowerFieldProblem, HasTheSameBitsForAnyNumberOfThreads)
+TEST(HarmonicField, HasTheSameBitsForAnyNumberOfThreads)
 {
   const Prepared on(IrregularTorus(96, 48, 21));
   const PrescribedFaces prescribed = Every(97, on.Mesh.NumberOfFaces());
@@ -252,7 +252,7 @@ TEST(PowerFieldProblem, HasTheSameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(PowerFieldProblem, SolvesAgainFromItsSolution)
+TEST(HarmonicField, SolvesAgainFromItsSolution)
 {
   const Prepared on(IrregularSphere(4, 3));
   const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
@@ -260,7 +260,7 @@ TEST(PowerFieldProblem, SolvesAgainFromItsSolution)
   Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
   PowerFieldOptions options;
   options.Solver = SolverKind::ConjugateGradients;
-  PowerFieldProblem problem(
+  HarmonicProblem<Complex> problem = MakePowerFieldProblem(
     on.Mesh, on.Frames, &on.Operators, prescribed, options, SerialContext());
   const Vector<Complex> field = problem.Solve(values, {}, StoppingCriteria(), SerialContext());
   const std::size_t cold = problem.Report().Iterations.size();
@@ -271,7 +271,7 @@ TEST(PowerFieldProblem, SolvesAgainFromItsSolution)
   EXPECT_LT(problem.Report().Iterations.size(), cold);
 }
 
-TEST(PowerFieldProblem, SurvivesDegenerateSurfaces)
+TEST(HarmonicField, SurvivesDegenerateSurfaces)
 {
   for (const Surface& surface : { SphereWithZeroAreaFaces(3, 12), Needle(3, 200.0),
          Union(Icosphere(2), Torus(24, 10), Vector3(4.0, 0.0, 0.0)) })
@@ -284,7 +284,7 @@ TEST(PowerFieldProblem, SurvivesDegenerateSurfaces)
     values[0] = 1.0;
     PowerFieldOptions options;
     options.Solver = SolverKind::ConjugateGradients;
-    PowerFieldProblem problem(
+    HarmonicProblem<Complex> problem = MakePowerFieldProblem(
       on.Mesh, on.Frames, &on.Operators, prescribed, options, SerialContext());
     const Vector<Complex> field = problem.Solve(values, {}, StoppingCriteria(), SerialContext());
     EXPECT_TRUE(field.allFinite());
@@ -292,34 +292,34 @@ TEST(PowerFieldProblem, SurvivesDegenerateSurfaces)
   }
 }
 
-TEST(PowerFieldProblem, ChoosesASolverAndSaysWhy)
+TEST(HarmonicField, ChoosesASolverAndSaysWhy)
 {
   const Prepared small(IrregularSphere(3, 3));
   const PrescribedFaces prescribed = Every(300, small.Mesh.NumberOfFaces());
   const PowerFieldOptions options;
-  const PowerFieldProblem direct(
+  const HarmonicProblem<Complex> direct = MakePowerFieldProblem(
     small.Mesh, small.Frames, &small.Operators, prescribed, options, SerialContext());
   EXPECT_NE(direct.Report().Solver.find("Cholesky, chosen for 1280 unknowns"), std::string::npos);
-  const PowerFieldProblem without(
+  const HarmonicProblem<Complex> without = MakePowerFieldProblem(
     small.Mesh, small.Frames, nullptr, prescribed, options, SerialContext());
   EXPECT_NE(without.Report().Solver.find("no coarse levels"), std::string::npos);
 
   const Prepared large(Icosphere(6));
-  const PowerFieldProblem iterative(large.Mesh, large.Frames, &large.Operators,
+  const HarmonicProblem<Complex> iterative = MakePowerFieldProblem(large.Mesh, large.Frames, &large.Operators,
     Every(300, large.Mesh.NumberOfFaces()), options, SerialContext());
   EXPECT_NE(iterative.Report().Solver.find("conjugate gradients"), std::string::npos);
   EXPECT_GE(iterative.Report().Levels.size(), 3u);
   EXPECT_LT(iterative.Report().OperatorComplexity(), 2.5);
 }
 
-TEST(PowerFieldProblem, RefusesWhatItCannotSolve)
+TEST(HarmonicField, RefusesWhatItCannotSolve)
 {
   const Prepared on(Icosphere(2));
   PowerFieldOptions options;
-  EXPECT_THROW(PowerFieldProblem(on.Mesh, on.Frames, nullptr, {}, options, SerialContext()),
+  EXPECT_THROW(MakePowerFieldProblem(on.Mesh, on.Frames, nullptr, {}, options, SerialContext()),
     InvalidInput);
   options.Solver = SolverKind::ConjugateGradients;
-  EXPECT_THROW(PowerFieldProblem(on.Mesh, on.Frames, nullptr, Every(10, 320), options,
+  EXPECT_THROW(MakePowerFieldProblem(on.Mesh, on.Frames, nullptr, Every(10, 320), options,
                  SerialContext()),
     InvalidInput);
 }

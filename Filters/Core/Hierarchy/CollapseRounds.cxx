@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace dmg
@@ -21,19 +22,20 @@ constexpr double CandidateShare = 0.6;
 // Rounds that collapse less than this part of what is left to do call for looser limits.
 constexpr double LeastProgress = 0.01;
 
-constexpr int Grain = 4096;
+constexpr int FacesPerBlock = 4096;
 constexpr int CollapsesPerCheckpoint = 8192;
 constexpr int CollapsesPerPiece = 64;
 
-/// The first 16 bits of a positive float below its sign: ordered like the floats, to 1/256.
-std::uint32_t CostKey(double cost)
+/// Exponent and first two bits of a positive float: ordered like the floats, to a quarter. Edges of
+/// one key are taken in the order of memory, which is worth more than their order of cost.
+int CostKey(double cost)
 {
   const float value = static_cast<float>(cost);
   std::uint32_t bits;
   std::memcpy(&bits, &value, sizeof bits);
-  return bits >> 15;
+  return static_cast<int>(bits >> 21);
 }
-constexpr std::uint32_t NumberOfKeys = 1u << 16;
+constexpr int NumberOfKeys = 1 << 10;
 
 class Rounds
 {
@@ -46,6 +48,7 @@ public:
     , Records(records)
     , Context(context)
     , Keys(mesh.NumberOfHalfedgeSlots())
+    , Counts((mesh.NumberOfFaceSlots() + FacesPerBlock - 1) / FacesPerBlock)
     , RejectedIn(mesh.NumberOfHalfedgeSlots(), -1)
     , ChangedIn(mesh.NumberOfFaceSlots(), 0)
     , BlockedIn(mesh.NumberOfVertexSlots(), -1)
@@ -96,25 +99,28 @@ private:
   // The key of each edge stands at one of its halfedges; NumberOfKeys elsewhere.
   void ComputeKeys()
   {
-    this->Context.ParallelFor(0, this->Mesh.NumberOfFaceSlots(), Grain, [this](int first, int last) {
-      for (int f = first; f < last; ++f)
+    this->ForBlocks([this](std::vector<int>& counts, int firstHalfedge, int lastHalfedge) {
+      counts.assign(NumberOfKeys + 1, 0);
+      for (int h = firstHalfedge; h < lastHalfedge; ++h)
       {
-        for (int h = 3 * f; h < 3 * f + 3; ++h)
-        {
-          this->Keys[h] = NumberOfKeys;
-          const int twin = this->Mesh.Twin(h);
-          if (!this->Mesh.IsLive(f) || (twin >= 0 && twin < h) || this->WasRejected(h))
-          {
-            continue;
-          }
-          const double cost = this->Mesh.CollapseCost(h);
-          if (cost < std::numeric_limits<double>::infinity())
-          {
-            this->Keys[h] = std::min(CostKey(cost * this->CostScale), NumberOfKeys - 1);
-          }
-        }
+        this->Keys[h] = static_cast<std::uint16_t>(this->KeyOf(h));
+        ++counts[this->Keys[h]];
       }
     });
+  }
+
+  int KeyOf(int halfedge) const
+  {
+    const int twin = this->Mesh.Twin(halfedge);
+    if (!this->Mesh.IsLive(TriangleMesh::FaceOf(halfedge)) || (twin >= 0 && twin < halfedge) ||
+      this->WasRejected(halfedge))
+    {
+      return NumberOfKeys;
+    }
+    const double cost = this->Mesh.CollapseCost(halfedge);
+    return cost < std::numeric_limits<double>::infinity()
+      ? std::min(CostKey(cost * this->CostScale), NumberOfKeys - 1)
+      : NumberOfKeys;
   }
 
   // An edge that failed is tried again when a face beside it has changed.
@@ -133,31 +139,47 @@ private:
   // Counting sort; among equal keys the order of halfedges decides.
   void SortCandidates()
   {
-    std::vector<int>& start = this->KeyStart;
-    start.assign(NumberOfKeys + 1, 0);
     int edges = 0;
-    for (std::uint32_t key : this->Keys)
+    for (const std::vector<int>& counts : this->Counts)
     {
-      if (key < NumberOfKeys)
-      {
-        ++start[key + 1];
-        ++edges;
-      }
+      edges = std::accumulate(counts.begin(), counts.end() - 1, edges);
     }
+    // Counts become places.
     const int wanted = static_cast<int>(CandidateShare * edges) + 1;
-    std::uint32_t keyLimit = 0;
-    for (; keyLimit < NumberOfKeys && start[keyLimit] < wanted; ++keyLimit)
+    int keyLimit = 0;
+    int place = 0;
+    for (; keyLimit < NumberOfKeys && place < wanted; ++keyLimit)
     {
-      start[keyLimit + 1] += start[keyLimit];
-    }
-    this->Candidates.resize(start[keyLimit]);
-    for (std::size_t h = 0; h < this->Keys.size(); ++h)
-    {
-      if (this->Keys[h] < keyLimit)
+      for (std::vector<int>& counts : this->Counts)
       {
-        this->Candidates[start[this->Keys[h]]++] = static_cast<int>(h);
+        place += std::exchange(counts[keyLimit], place);
       }
     }
+    this->Candidates.resize(place);
+    this->ForBlocks([&](std::vector<int>& places, int firstHalfedge, int lastHalfedge) {
+      for (int h = firstHalfedge; h < lastHalfedge; ++h)
+      {
+        if (this->Keys[h] < keyLimit)
+        {
+          this->Candidates[places[this->Keys[h]]++] = h;
+        }
+      }
+    });
+  }
+
+  // Calls body(counts of the block, first halfedge, last halfedge) for fixed blocks of faces.
+  template <class Body>
+  void ForBlocks(Body body)
+  {
+    const int blocks = static_cast<int>(this->Counts.size());
+    this->Context.ParallelFor(0, blocks, 1, [&](int first, int last) {
+      for (int block = first; block < last; ++block)
+      {
+        const int end =
+          std::min((block + 1) * FacesPerBlock, this->Mesh.NumberOfFaceSlots());
+        body(this->Counts[block], 3 * block * FacesPerBlock, 3 * end);
+      }
+    });
   }
 
   // Two one-rings share a face exactly if an end of one edge is an end of the other or adjacent to
@@ -180,10 +202,7 @@ private:
       }
       for (int end : { i, j })
       {
-        this->Mesh.VisitOutgoing(end, [this](int g) {
-          this->BlockedIn[this->Mesh.Head(g)] = this->Round;
-          this->BlockedIn[this->Mesh.Tail(TriangleMesh::Previous(g))] = this->Round;
-        });
+        this->Mesh.VisitNeighbours(end, [this](int v) { this->BlockedIn[v] = this->Round; });
       }
     }
     // In the order of memory, not of cost.
@@ -247,8 +266,8 @@ private:
   int Round = 0;
   double Progress = 0.0;
   double CostScale = 1.0;
-  std::vector<std::uint32_t> Keys; // per halfedge
-  std::vector<int> KeyStart;
+  std::vector<std::uint16_t> Keys;      // per halfedge
+  std::vector<std::vector<int>> Counts; // per block of faces and key
   std::vector<int> Candidates; // halfedges, cheapest first
   std::vector<int> Selected;   // halfedges
   std::vector<CollapsibleMesh::Afterwork> Results;

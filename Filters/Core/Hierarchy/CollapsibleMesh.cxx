@@ -14,6 +14,8 @@ namespace
 // approximation; 0.01 to 0.1 do equally well in scalar multigrid.
 constexpr double LengthShare = 0.03;
 
+constexpr int Grain = 4096;
+
 bool AllDistinct(const std::vector<int>& vertices)
 {
   for (std::size_t i = 1; i < vertices.size(); ++i)
@@ -31,7 +33,7 @@ bool AllDistinct(const std::vector<int>& vertices)
 
 }
 
-CollapsibleMesh::CollapsibleMesh(const TriangleMesh& mesh)
+CollapsibleMesh::CollapsibleMesh(const TriangleMesh& mesh, const ExecutionContext& context)
   : Positions(mesh.NumberOfVertices())
   , Quadrics(mesh.NumberOfVertices())
   , Corners(mesh.FaceCorners().data(), mesh.FaceCorners().data() + mesh.FaceCorners().size())
@@ -39,42 +41,45 @@ CollapsibleMesh::CollapsibleMesh(const TriangleMesh& mesh)
   , Outgoing(mesh.NumberOfVertices())
   , LiveFaces(mesh.NumberOfFaces())
 {
-  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
-  {
-    this->Positions[v] = mesh.Position(v);
-    this->Outgoing[v] = mesh.OutgoingHalfedge(v);
-  }
   this->Origin = 0.5 *
     (mesh.VertexPositions().colwise().minCoeff() + mesh.VertexPositions().colwise().maxCoeff())
       .transpose();
-
-  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    const Vector3 areaVector = mesh.FaceAreaVector(f);
-    const double doubleArea = areaVector.norm();
-    if (doubleArea == 0.0)
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
+    for (int v = first; v < last; ++v)
     {
-      continue;
+      this->Positions[v] = mesh.Position(v);
+      this->Outgoing[v] = mesh.OutgoingHalfedge(v);
     }
-    const Vector3 normal = areaVector / doubleArea;
-    const Vector3 corner = this->Positions[this->Corners[3 * f]] - this->Origin;
-    for (int k = 0; k < 3; ++k)
+  });
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
+    for (int v = first; v < last; ++v)
     {
-      const int h = 3 * f + k;
-      this->Quadrics[this->Corners[h]].AddPlane(normal, normal.dot(corner), 0.5 * doubleArea);
-      if (this->Twins[h] < 0)
-      {
-        // A plane through the boundary edge, perpendicular to the face, holds the boundary in place.
-        const Vector3 tail = this->Positions[this->Tail(h)] - this->Origin;
-        const Vector3 side = this->Positions[this->Head(h)] - this->Positions[this->Tail(h)];
-        const double squaredLength = side.squaredNorm();
-        if (squaredLength > 0.0)
-        {
-          const Vector3 across = side.cross(normal) / std::sqrt(squaredLength);
-          this->Quadrics[this->Tail(h)].AddPlane(across, across.dot(tail), squaredLength);
-          this->Quadrics[this->Head(h)].AddPlane(across, across.dot(tail), squaredLength);
-        }
-      }
+      this->VisitOutgoing(v, [&](int h) { this->AddPlanes(mesh, h, this->Quadrics[v]); });
+    }
+  });
+}
+
+// The planes that a face adds to the quadric of its corner at the tail of a halfedge.
+void CollapsibleMesh::AddPlanes(const TriangleMesh& mesh, int halfedge, Quadric& quadric) const
+{
+  const Vector3 areaVector = mesh.FaceAreaVector(TriangleMesh::FaceOf(halfedge));
+  const double doubleArea = areaVector.norm();
+  if (doubleArea == 0.0)
+  {
+    return;
+  }
+  const Vector3 normal = areaVector / doubleArea;
+  const Vector3 corner = this->Positions[this->Tail(halfedge)] - this->Origin;
+  quadric.AddPlane(normal, normal.dot(corner), 0.5 * doubleArea);
+  for (int h : { halfedge, TriangleMesh::Previous(halfedge) })
+  {
+    // A plane through the boundary edge, perpendicular to the face, holds the boundary in place.
+    const Vector3 side = this->Positions[this->Head(h)] - this->Positions[this->Tail(h)];
+    const double squaredLength = side.squaredNorm();
+    if (this->Twins[h] < 0 && squaredLength > 0.0)
+    {
+      const Vector3 across = side.cross(normal) / std::sqrt(squaredLength);
+      quadric.AddPlane(across, across.dot(corner), squaredLength);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include "Hierarchy/OneRing.h"
 #include "Hierarchy/Quadric.h"
 #include "Mesh/TriangleMesh.h"
+#include "Support/ExecutionContext.h"
 
 #include <vector>
 
@@ -18,7 +19,8 @@ namespace dmg
 class CollapsibleMesh
 {
 public:
-  explicit CollapsibleMesh(const TriangleMesh& mesh);
+  explicit CollapsibleMesh(
+    const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
   int NumberOfVertexSlots() const { return static_cast<int>(this->Positions.size()); }
   int NumberOfFaceSlots() const { return static_cast<int>(this->Corners.size()) / 3; }
@@ -83,7 +85,26 @@ public:
     } while (h >= 0 && h != first);
   }
 
+  /// Calls visit(other) for the vertices that share an edge with a vertex.
+  template <class Visit>
+  void VisitNeighbours(int vertex, Visit visit) const
+  {
+    const int first = this->Outgoing[vertex];
+    int h = first;
+    do
+    {
+      visit(this->Head(h));
+      const int returning = TriangleMesh::Previous(h);
+      h = this->Twins[returning];
+      if (h < 0)
+      {
+        visit(this->Tail(returning));
+      }
+    } while (h >= 0 && h != first);
+  }
+
 private:
+  void AddPlanes(const TriangleMesh& mesh, int halfedge, Quadric& quadric) const;
   bool GatherInterior(int halfedge, OneRing& ring) const;
   bool GatherOntoBoundary(int halfedge, OneRing& ring) const;
   bool GatherAlongBoundary(int halfedge, OneRing& ring) const;

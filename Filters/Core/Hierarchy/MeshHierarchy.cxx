@@ -42,7 +42,7 @@ std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
   CheckOptions(options);
   std::vector<TriangleMesh> levels;
   levels.reserve(options.MaximumNumberOfCoarseLevels); // the loop holds references into it
-  CollapsibleMesh shrinking(mesh);
+  CollapsibleMesh shrinking(mesh, context);
   const TriangleMesh* fine = &mesh;
   double progress = 0.0;
   while (static_cast<int>(levels.size()) < options.MaximumNumberOfCoarseLevels)
@@ -77,7 +77,7 @@ std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
     levels.push_back(std::move(compacted.Mesh));
     onLevel({ *fine, levels.back(), tracking, compacted.VertexNumber, compacted.FaceNumber,
       collapses });
-    CollapsibleMesh next(levels.back());
+    CollapsibleMesh next(levels.back(), context);
     next.InheritQuadrics(shrinking, compacted.VertexNumber);
     shrinking = std::move(next);
     fine = &levels.back();

@@ -74,6 +74,7 @@ SurfaceTracking::SurfaceTracking(const TriangleMesh& fine)
   , FirstPointInFace(fine.NumberOfFaces(), -1)
   , Along(3 * fine.NumberOfFaces())
   , FirstPieceInFace(fine.NumberOfFaces(), -1)
+  , SectorOfFace(fine.NumberOfFaces(), 0)
   , Pages(static_cast<std::size_t>(fine.NumberOfEdges()) + 1024)
 {
   for (int h = 0; h < 3 * fine.NumberOfFaces(); ++h)
@@ -136,19 +137,10 @@ int SurfaceTracking::AllocateNode(Worker& worker)
   return worker.NextFreshNode++;
 }
 
-int SurfaceTracking::SectorIndex(const OneRing& ring, int face) const
-{
-  int k = 0;
-  while (ring.Sectors[k].Face != face)
-  {
-    ++k;
-  }
-  return k;
-}
-
 void SurfaceTracking::Move(
   const OneRing& ring, const std::vector<Complex>& plane, Worker& worker)
 {
+  this->NumberSectors(ring);
   worker.Chains.clear();
   this->CollectPieces(ring, worker);
   this->CollectEdgesThatLeaveTheMesh(ring, worker);
@@ -157,42 +149,63 @@ void SurfaceTracking::Move(
   this->DrawChains(ring, plane, worker);
 }
 
+void SurfaceTracking::NumberSectors(const OneRing& ring)
+{
+  for (int k = 0; k < ring.NumberOfSectors(); ++k)
+  {
+    this->SectorOfFace[ring.Sectors[k].Face] = k;
+  }
+  for (int d = 0; d < ring.NumberOfDead; ++d)
+  {
+    this->SectorOfFace[ring.Dead[d].Face] = -1 - d;
+  }
+}
+
 // Pieces in the faces of the ring join to chains from where a path enters the ring, or begins, to
 // where it leaves or ends. The crossings in between are given up.
 void SurfaceTracking::CollectPieces(const OneRing& ring, Worker& worker)
 {
-  // Entered through a side of the polygon: the crossed halfedge stays a side of the patch.
-  const auto isSideOfSector = [&](const OneRing::Sector& sector, int halfedge) {
-    return halfedge == sector.OuterHalfedge();
-  };
+  // On the polygon: what enters or leaves here stays a crossing.
   const auto isSide = [&](int halfedge) {
-    const int face = halfedge / 3;
-    for (int d = 0; d < ring.NumberOfDead; ++d)
-    {
-      if (ring.Dead[d].Face == face)
-      {
-        return ring.Dead[d].BorderHalfedge == halfedge;
-      }
-    }
-    return isSideOfSector(ring.Sectors[this->SectorIndex(ring, face)], halfedge);
+    const int k = this->SectorOfFace[halfedge / 3];
+    return halfedge ==
+      (k >= 0 ? ring.Sectors[k].OuterHalfedge() : ring.Dead[-1 - k].BorderHalfedge);
   };
-  const auto collect = [&](int face, auto isSideHere) {
-    for (int node = this->FirstPieceInFace[face]; node >= 0; node = this->Node(node).NextInFace)
+  // The lists of all faces are followed at the same time: each step waits for memory, and the
+  // processor waits for many at once.
+  std::vector<int>& nodes = worker.Nodes;
+  nodes.clear();
+  const auto take = [&](int face) {
+    if (this->FirstPieceInFace[face] >= 0)
     {
-      if (this->IsPathEnd(node) || isSideHere(this->Node(node).LeavingHalfedge))
-      {
-        worker.Chains.push_back({ node, -1 });
-      }
+      nodes.push_back(this->FirstPieceInFace[face]);
     }
     this->FirstPieceInFace[face] = -1;
   };
   for (const OneRing::Sector& sector : ring.Sectors)
   {
-    collect(sector.Face, [&](int h) { return isSideOfSector(sector, h); });
+    take(sector.Face);
   }
   for (int d = 0; d < ring.NumberOfDead; ++d)
   {
-    collect(ring.Dead[d].Face, [&](int h) { return h == ring.Dead[d].BorderHalfedge; });
+    take(ring.Dead[d].Face);
+  }
+  while (!nodes.empty())
+  {
+    std::size_t left = 0;
+    for (const int node : nodes)
+    {
+      const PathNode& piece = this->Node(node);
+      if (this->IsPathEnd(node) || isSide(piece.LeavingHalfedge))
+      {
+        worker.Chains.push_back({ node, -1 });
+      }
+      if (piece.NextInFace >= 0)
+      {
+        nodes[left++] = piece.NextInFace;
+      }
+    }
+    nodes.resize(left);
   }
   for (Chain& chain : worker.Chains)
   {
@@ -305,22 +318,16 @@ void SurfaceTracking::MovePoints(
     const std::array<double, 3>& w = this->PointWeights[v];
     Complex place = 0.0;
     const auto corner = [&](int k, int local) { place += w[k] * plane[local]; };
-    bool dead = false;
-    for (int d = 0; d < ring.NumberOfDead && !dead; ++d)
+    const int s = this->SectorOfFace[face];
+    for (int k = 0; k < 3; ++k)
     {
-      dead = ring.Dead[d].Face == face;
-      for (int k = 0; k < 3 && dead; ++k)
+      if (s >= 0)
       {
-        corner(k, ring.Dead[d].Corners[k]);
+        corner((ring.Sectors[s].HubCorner + k) % 3, ring.SectorBefore(s)[k]);
       }
-    }
-    if (!dead)
-    {
-      const int s = this->SectorIndex(ring, face);
-      const std::array<int, 3> before = ring.SectorBefore(s);
-      for (int k = 0; k < 3; ++k)
+      else
       {
-        corner((ring.Sectors[s].HubCorner + k) % 3, before[k]);
+        corner(k, ring.Dead[-1 - s].Corners[k]);
       }
     }
     this->MovePoint(v, place, ring, plane);
@@ -372,7 +379,7 @@ SurfaceTracking::PathEnd SurfaceTracking::LocateFineVertex(
   const int face = this->PointFaces[fineVertex];
   if (face >= 0)
   {
-    const int k = this->SectorIndex(ring, face);
+    const int k = this->SectorOfFace[face];
     const int corner = ring.Sectors[k].HubCorner;
     const std::array<double, 3>& w = this->PointWeights[fineVertex];
     return { w[corner] * plane[ring.HubIndex()] + w[(corner + 1) % 3] * plane[k] +
@@ -399,7 +406,7 @@ SurfaceTracking::PathEnd SurfaceTracking::LocateFineVertex(
 SurfaceTracking::PathEnd SurfaceTracking::LocateCrossing(
   int halfedge, double fraction, const OneRing& ring, const std::vector<Complex>& plane) const
 {
-  const int k = this->SectorIndex(ring, halfedge / 3);
+  const int k = this->SectorOfFace[halfedge / 3];
   const std::array<int, 3> corners = ring.SectorAfter(k);
   const int first = (halfedge % 3 - ring.Sectors[k].HubCorner + 3) % 3;
   const Complex tail = plane[corners[first]];

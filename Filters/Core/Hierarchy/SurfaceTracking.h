@@ -38,6 +38,7 @@ public:
   {
     std::vector<Chain> Chains;
     std::vector<int> Points;
+    std::vector<int> Nodes;
     std::vector<int> FreeNodes;
     int NextFreshNode = 0;
     int EndOfFreshNodes = 0;
@@ -144,6 +145,7 @@ private:
   }
 
   struct PathEnd;
+  void NumberSectors(const OneRing& ring);
   void CollectPieces(const OneRing& ring, Worker& worker);
   void CollectEdgesThatLeaveTheMesh(const OneRing& ring, Worker& worker);
   void MovePoints(const OneRing& ring, const std::vector<Complex>& plane, Worker& worker);
@@ -155,7 +157,6 @@ private:
     int fineVertex, const OneRing& ring, const std::vector<Complex>& plane) const;
   PathEnd LocateCrossing(int halfedge, double fraction, const OneRing& ring,
     const std::vector<Complex>& plane) const;
-  int SectorIndex(const OneRing& ring, int face) const;
 
   const TriangleMesh& Fine;
 
@@ -166,6 +167,8 @@ private:
 
   std::vector<int> Along;            // per halfedge slot
   std::vector<int> FirstPieceInFace; // per face slot
+  /// Per face slot, in the ring at hand: its sector, or -1 - d for dead face d.
+  std::vector<int> SectorOfFace;
 
   std::vector<std::unique_ptr<PathNode[]>> Pages; // of fixed number: threads read while others add
   int NumberOfPages = 0;

@@ -9,6 +9,7 @@ namespace
 {
 
 constexpr int BitsPerAxis = 10;
+constexpr int Grain = 4096;
 
 /// Spreads the bits of a number three apart.
 std::uint32_t Spread(std::uint32_t x)
@@ -44,7 +45,7 @@ std::vector<int> SortByBits(
 
 }
 
-SpatialOrder::SpatialOrder(const TriangleMesh& mesh)
+SpatialOrder::SpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context)
   : NewVertices(mesh.NumberOfVertices(), -1)
 {
   const Points& V = mesh.VertexPositions();
@@ -55,15 +56,17 @@ SpatialOrder::SpatialOrder(const TriangleMesh& mesh)
 
   std::vector<std::uint32_t> keys(mesh.NumberOfFaces());
   this->OldFaces.resize(mesh.NumberOfFaces());
-  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    const Eigen::RowVector3d center =
-      ((V.row(F(f, 0)) + V.row(F(f, 1)) + V.row(F(f, 2))) / 3.0 - low) * scale;
-    keys[f] = Spread(static_cast<std::uint32_t>(center[0])) |
-      (Spread(static_cast<std::uint32_t>(center[1])) << 1) |
-      (Spread(static_cast<std::uint32_t>(center[2])) << 2);
-    this->OldFaces[f] = f;
-  }
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
+    for (int f = first; f < last; ++f)
+    {
+      const Eigen::RowVector3d center =
+        ((V.row(F(f, 0)) + V.row(F(f, 1)) + V.row(F(f, 2))) / 3.0 - low) * scale;
+      keys[f] = Spread(static_cast<std::uint32_t>(center[0])) |
+        (Spread(static_cast<std::uint32_t>(center[1])) << 1) |
+        (Spread(static_cast<std::uint32_t>(center[2])) << 2);
+      this->OldFaces[f] = f;
+    }
+  });
   this->OldFaces = SortByBits(SortByBits(this->OldFaces, keys, 0), keys, 15);
 
   this->OldVertices.reserve(mesh.NumberOfVertices());
@@ -99,16 +102,19 @@ TriangleMesh SpatialOrder::Apply(const TriangleMesh& mesh) const
   return TriangleMesh(std::move(points), std::move(triangles));
 }
 
-TangentFrames SpatialOrder::ApplyToFaces(const TangentFrames& faceFrames) const
+TangentFrames SpatialOrder::ApplyToFaces(
+  const TangentFrames& faceFrames, const ExecutionContext& context) const
 {
-  const Eigen::Index faces = faceFrames.X.rows();
+  const int faces = static_cast<int>(faceFrames.X.rows());
   TangentFrames result{ Points(faces, 3), Points(faces, 3), Points(faces, 3) };
-  for (Eigen::Index f = 0; f < faces; ++f)
-  {
-    result.X.row(f) = faceFrames.X.row(this->OldFaces[f]);
-    result.Y.row(f) = faceFrames.Y.row(this->OldFaces[f]);
-    result.N.row(f) = faceFrames.N.row(this->OldFaces[f]);
-  }
+  context.ParallelFor(0, faces, Grain, [&](int first, int last) {
+    for (int f = first; f < last; ++f)
+    {
+      result.X.row(f) = faceFrames.X.row(this->OldFaces[f]);
+      result.Y.row(f) = faceFrames.Y.row(this->OldFaces[f]);
+      result.N.row(f) = faceFrames.N.row(this->OldFaces[f]);
+    }
+  });
   return result;
 }
 

@@ -16,7 +16,7 @@ namespace dmg
 class SpatialOrder
 {
 public:
-  explicit SpatialOrder(const TriangleMesh& mesh);
+  SpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context);
 
   /// [new number] is the old one.
   const std::vector<int>& Faces() const { return this->OldFaces; }
@@ -24,7 +24,8 @@ public:
 
   /// The same mesh in this order; the corners of a face stay in theirs.
   TriangleMesh Apply(const TriangleMesh& mesh) const;
-  TangentFrames ApplyToFaces(const TangentFrames& faceFrames) const;
+  TangentFrames ApplyToFaces(
+    const TangentFrames& faceFrames, const ExecutionContext& context) const;
 
 private:
   std::vector<int> OldFaces;

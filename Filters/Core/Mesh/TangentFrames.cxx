@@ -10,6 +10,8 @@ namespace dmg
 namespace
 {
 
+constexpr int Grain = 4096;
+
 /// Below it the direction of a cross product of two sides is rounding noise rather than geometry.
 constexpr double DegenerateArea = 1e-10;
 
@@ -138,19 +140,28 @@ void FillDegenerateFrames(
 
 }
 
-TangentFrames FaceFrames(const TriangleMesh& mesh)
+TangentFrames FaceFrames(const TriangleMesh& mesh, const ExecutionContext& context)
 {
   TangentFrames frames = FramesOfSize(mesh.NumberOfFaces());
+  std::vector<char> isDegenerate(mesh.NumberOfFaces());
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
+    for (int face = first; face < last; ++face)
+    {
+      const FaceShape shape = ShapeOf(mesh, face);
+      isDegenerate[face] = shape.IsDegenerate;
+      if (!shape.IsDegenerate)
+      {
+        SetFrame(frames, face, shape.Sides[0].normalized(), shape.AreaVector.normalized());
+      }
+    }
+  });
   std::vector<int> degenerate;
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
-    const FaceShape shape = ShapeOf(mesh, face);
-    if (shape.IsDegenerate)
+    if (isDegenerate[face])
     {
       degenerate.push_back(face);
-      continue;
     }
-    SetFrame(frames, face, shape.Sides[0].normalized(), shape.AreaVector.normalized());
   }
   if (!degenerate.empty())
   {

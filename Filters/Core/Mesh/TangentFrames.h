@@ -2,6 +2,7 @@
 #define dmgTangentFrames_h
 
 #include "Mesh/TriangleMesh.h"
+#include "Support/ExecutionContext.h"
 
 #include <array>
 
@@ -29,7 +30,8 @@ struct TangentFrames
 /// Per face: X along its first side, N its normal. A degenerate face, with an area below 1e-10
 /// times the square of its longest side, has X along that side and takes N from its neighbours.
 /// Cost: O(#F).
-TangentFrames FaceFrames(const TriangleMesh& mesh);
+TangentFrames FaceFrames(
+  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// The sides of a face as unit vectors in its frame, in the direction of their halfedges: the
 /// angles between them are the angles of the face and always sum to pi. A degenerate face is taken

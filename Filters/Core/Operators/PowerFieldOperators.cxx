@@ -1,5 +1,7 @@
 #include "Operators/PowerFieldOperators.h"
 
+#include "Support/SparseAssembly.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,15 +41,34 @@ Complex Phase(Complex power)
 }
 
 /// SideDirections of every face, per halfedge.
-std::vector<Complex> AllSideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames)
+std::vector<Complex> AllSideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const ExecutionContext& context = SerialContext())
 {
+  constexpr int Grain = 4096;
   std::vector<Complex> sides(3 * mesh.NumberOfFaces());
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    const std::array<Complex, 3> directions = SideDirections(mesh, faceFrames, face);
-    std::copy(directions.begin(), directions.end(), sides.begin() + 3 * face);
-  }
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
+    for (int face = first; face < last; ++face)
+    {
+      const std::array<Complex, 3> directions = SideDirections(mesh, faceFrames, face);
+      std::copy(directions.begin(), directions.end(), sides.begin() + 3 * face);
+    }
+  });
   return sides;
+}
+
+/// PowerEdgeWeights of one edge, the same number for both of its halfedges.
+double PowerEdgeWeight(const TriangleMesh& mesh, int halfedge)
+{
+  const int twin = mesh.Twin(halfedge);
+  const double squaredLength =
+    (mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge))).squaredNorm();
+  if (twin < 0 || squaredLength == 0.0)
+  {
+    return 0.0;
+  }
+  const double area =
+    mesh.FaceArea(TriangleMesh::FaceOf(halfedge)) + mesh.FaceArea(TriangleMesh::FaceOf(twin));
+  return 3.0 * squaredLength / std::max(area, SmallestArea * squaredLength);
 }
 
 /// e^{i angle} of TransportAcrossEdge. Both sides run along the edge, in opposite directions.
@@ -100,78 +121,34 @@ double TransportAcrossEdge(const TriangleMesh& mesh, const TangentFrames& faceFr
 
 Vector<double> PowerEdgeWeights(const TriangleMesh& mesh)
 {
-  const Vector<double> areas = mesh.FaceAreas();
   Vector<double> weights = Vector<double>::Zero(mesh.NumberOfEdges());
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
-    const int halfedge = mesh.HalfedgeOf(edge);
-    const int twin = mesh.Twin(halfedge);
-    if (twin < 0)
-    {
-      continue;
-    }
-    const double squaredLength =
-      (mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge))).squaredNorm();
-    if (squaredLength > 0.0)
-    {
-      const double area = areas[TriangleMesh::FaceOf(halfedge)] + areas[TriangleMesh::FaceOf(twin)];
-      weights[edge] = 3.0 * squaredLength / std::max(area, SmallestArea * squaredLength);
-    }
+    weights[edge] = PowerEdgeWeight(mesh, mesh.HalfedgeOf(edge));
   }
   return weights;
 }
 
-SparseMatrix<Complex> PowerLaplacian(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, int N)
+SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  int N, const ExecutionContext& context)
 {
-  const std::vector<Complex> sides = AllSideDirections(mesh, faceFrames);
-  const Vector<double> weights = PowerEdgeWeights(mesh);
-  const int numberOfFaces = mesh.NumberOfFaces();
-
-  SparseMatrix<Complex> laplacian(numberOfFaces, numberOfFaces);
-  laplacian.resizeNonZeros(4 * static_cast<Eigen::Index>(numberOfFaces));
-  int* const offsets = laplacian.outerIndexPtr();
-  int* const columns = laplacian.innerIndexPtr();
-  Complex* const values = laplacian.valuePtr();
-  int end = 0;
-
-  // Into the row that ends the matrix. Two faces may meet along two edges, whose entries add up.
-  const auto add = [&](int row, int column, Complex value) {
-    int at = end;
-    while (at > offsets[row] && columns[at - 1] > column)
-    {
-      --at;
-    }
-    if (at > offsets[row] && columns[at - 1] == column)
-    {
-      values[at - 1] += value;
-      return;
-    }
-    std::copy_backward(columns + at, columns + end, columns + end + 1);
-    std::copy_backward(values + at, values + end, values + end + 1);
-    columns[at] = column;
-    values[at] = value;
-    ++end;
-  };
-
-  for (int face = 0; face < numberOfFaces; ++face)
-  {
-    offsets[face] = end;
-    add(face, face, 0.0);
-    for (int h = 3 * face; h < 3 * face + 3; ++h)
-    {
-      const double weight = weights[mesh.EdgeOf(h)];
-      if (weight > 0.0)
+  const std::vector<Complex> sides = AllSideDirections(mesh, faceFrames, context);
+  return AssembleMatrix<Complex>(mesh.NumberOfFaces(), mesh.NumberOfFaces(), context,
+    [&](int face, RowEntries<Complex>& row) {
+      row.emplace_back(face, 0.0);
+      for (int h = 3 * face; h < 3 * face + 3; ++h)
       {
-        const int twin = mesh.Twin(h);
-        add(face, face, weight);
-        add(face, TriangleMesh::FaceOf(twin), -weight * Power(Transport(sides, twin, h), N));
+        const double weight = PowerEdgeWeight(mesh, h);
+        if (weight > 0.0)
+        {
+          // Two faces may meet along two edges, whose entries add up.
+          const int twin = mesh.Twin(h);
+          AddTo<Complex>(row, face, weight);
+          AddTo<Complex>(
+            row, TriangleMesh::FaceOf(twin), -weight * Power(Transport(sides, twin, h), N));
+        }
       }
-    }
-  }
-  offsets[numberOfFaces] = end;
-  laplacian.resizeNonZeros(end);
-  return laplacian;
+    });
 }
 
 std::vector<Points> DirectionsFromPowers(const TangentFrames& frames, const Vector<Complex>& powers,

@@ -3,6 +3,7 @@
 
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
+#include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
 #include <vector>
@@ -27,8 +28,8 @@ Vector<double> PowerEdgeWeights(const TriangleMesh& mesh);
 /// e_f the unit edge in the frame of f. #F x #F, at most four entries per row, Hermitian, positive
 /// semi-definite. On a flat patch its kernel are the parallel fields. Cost: O(#F).
 /// Thesis, section 6.3.
-SparseMatrix<Complex> PowerLaplacian(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, int N);
+SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  int N, const ExecutionContext& context = SerialContext());
 
 /// The N directions of a power field per element: result[k] is # x 3, the k-th root, of the power's
 /// magnitude or of unit length (zero where the power is zero). Directions are 2 pi / N apart and

@@ -13,7 +13,9 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-using Row = std::vector<std::pair<int, Complex>>; // columns and entries
+constexpr int Grain = 4096;
+
+using Row = RowEntries<Complex>;
 
 /// Barycentric weights of the mean of the midpoints of a face's sides, each by its squared length.
 /// The energy of power fields binds faces by the squared length of the side between them, however
@@ -37,21 +39,6 @@ std::array<double, 3> WeightsByLongSides(const TriangleMesh& mesh, int face)
     weight /= sum;
   }
   return weights;
-}
-
-/// Adds to the entry of a column, which may be new.
-void AddTo(Row& row, int column, Complex value)
-{
-  const auto found =
-    std::find_if(row.begin(), row.end(), [column](const auto& e) { return e.first == column; });
-  if (found == row.end())
-  {
-    row.emplace_back(column, value);
-  }
-  else
-  {
-    found->second += value;
-  }
 }
 
 /// The turns from coarse vertices to a fine face, by every coarse face that it overlaps; each with the
@@ -87,22 +74,24 @@ void Turn(Row& row, const Row& turns)
 
 }
 
-std::vector<Complex> CornerTurns(const TriangleMesh& mesh, const TangentFrames& faceFrames)
+std::vector<Complex> CornerTurns(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
   std::vector<Complex> directions(3 * mesh.NumberOfFaces());
   std::vector<double> angles(3 * mesh.NumberOfFaces());
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    const std::array<Complex, 3> sides = SideDirections(mesh, faceFrames, face);
-    for (int k = 0; k < 3; ++k)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int firstFace, int lastFace) {
+    for (int face = firstFace; face < lastFace; ++face)
     {
-      directions[3 * face + k] = sides[k];
-      angles[3 * face + k] = std::abs(std::arg(-sides[(k + 2) % 3] * std::conj(sides[k])));
+      const std::array<Complex, 3> sides = SideDirections(mesh, faceFrames, face);
+      for (int k = 0; k < 3; ++k)
+      {
+        directions[3 * face + k] = sides[k];
+        angles[3 * face + k] = std::abs(std::arg(-sides[(k + 2) % 3] * std::conj(sides[k])));
+      }
     }
-  }
+  });
   std::vector<Complex> turns(3 * mesh.NumberOfFaces());
-  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
-  {
+  const auto turnAround = [&](int vertex) {
     const int first = mesh.OutgoingHalfedge(vertex);
     const auto visit = [&](auto visitCorner) {
       int h = first;
@@ -122,7 +111,13 @@ std::vector<Complex> CornerTurns(const TriangleMesh& mesh, const TangentFrames& 
         directions[h] * std::polar(1.0, 0.5 * angles[h] - (polar + 0.5 * stretch * angles[h]));
       polar += stretch * angles[h];
     });
-  }
+  };
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int firstVertex, int lastVertex) {
+    for (int vertex = firstVertex; vertex < lastVertex; ++vertex)
+    {
+      turnAround(vertex);
+    }
+  });
   return turns;
 }
 
@@ -136,7 +131,7 @@ TransportOperator FacesFromVertices(const TriangleMesh& fine, const SparseMatrix
     {
       for (SparseMatrix<double>::InnerIterator entry(S0, fine.FaceCorners()(face, k)); entry; ++entry)
       {
-        AddTo(row, static_cast<int>(entry.col()), weights[k] * entry.value());
+        AddTo<Complex>(row, static_cast<int>(entry.col()), weights[k] * entry.value());
       }
     }
     thread_local Row turns;
@@ -144,8 +139,8 @@ TransportOperator FacesFromVertices(const TriangleMesh& fine, const SparseMatrix
     AddTurns(turns, 1.0, face, SP, coarse, coarseCornerTurns);
     Turn(row, turns);
   };
-  return ToMatrix(AssembleRows<Complex>(fine.NumberOfFaces(), context, appendRow),
-    coarse.NumberOfVertices());
+  return AssembleMatrix<Complex>(
+    fine.NumberOfFaces(), coarse.NumberOfVertices(), context, appendRow);
 }
 
 TransportOperator VerticesFromVertices(const TriangleMesh& fine,
@@ -170,8 +165,8 @@ TransportOperator VerticesFromVertices(const TriangleMesh& fine,
     } while (h >= 0 && h != first);
     Turn(row, turns);
   };
-  return ToMatrix(AssembleRows<Complex>(fine.NumberOfVertices(), context, appendRow),
-    coarse.NumberOfVertices());
+  return AssembleMatrix<Complex>(
+    fine.NumberOfVertices(), coarse.NumberOfVertices(), context, appendRow);
 }
 
 }

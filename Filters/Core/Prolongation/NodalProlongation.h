@@ -13,7 +13,8 @@ namespace dmg
 /// per halfedge, for the vertex at its tail and its face. Polar angles at a vertex count from its
 /// outgoing halfedge, counter-clockwise, and are stretched such that an inner vertex has 2 pi of
 /// them, whatever its angles sum to (Knoeppel et al. 2013).
-std::vector<Complex> CornerTurns(const TriangleMesh& mesh, const TangentFrames& faceFrames);
+std::vector<Complex> CornerTurns(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context);
 
 /// Prolongation of directions from the vertices of level 1 to the faces of level 0. Weights are the
 /// mean of the rows of S0 at the corners of a face, so that the interpolant is linear where S0's is:

@@ -11,6 +11,8 @@ namespace dmg
 namespace
 {
 
+constexpr int Grain = 4096;
+
 /// Sum over the pieces of one fine face on one coarse face.
 struct Overlap
 {
@@ -42,12 +44,14 @@ TransportOperator PowerFieldProlongation(const LevelTransition& transition,
   const TriangleMesh& coarse = transition.Coarse;
   const FineEdgePaths paths(transition);
   std::vector<std::array<Complex, 3>> coarseCorners(coarse.NumberOfFaces());
-  for (int t = 0; t < coarse.NumberOfFaces(); ++t)
-  {
-    coarseCorners[t] = CornersInFrame(coarse, coarseFrames, t);
-  }
+  context.ParallelFor(0, coarse.NumberOfFaces(), Grain, [&](int first, int last) {
+    for (int t = first; t < last; ++t)
+    {
+      coarseCorners[t] = CornersInFrame(coarse, coarseFrames, t);
+    }
+  });
 
-  const auto appendRow = [&](int face, std::vector<std::pair<int, Complex>>& row) {
+  const auto appendRow = [&](int face, RowEntries<Complex>& row) {
     std::array<Overlap, 64> overlaps;
     int count = 0;
     double total = 0.0;
@@ -95,8 +99,8 @@ TransportOperator PowerFieldProlongation(const LevelTransition& transition,
       row.emplace_back(anyFace, TransportTurn(coarseFrames, anyFace, fineFrames, face));
     }
   };
-  return ToMatrix(AssembleRows<Complex>(fine.NumberOfFaces(), context, appendRow),
-    coarse.NumberOfFaces());
+  return AssembleMatrix<Complex>(
+    fine.NumberOfFaces(), coarse.NumberOfFaces(), context, appendRow);
 }
 
 }

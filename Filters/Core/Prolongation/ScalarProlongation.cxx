@@ -8,8 +8,8 @@ namespace dmg
 SparseMatrix<double> ScalarProlongation(
   const LevelTransition& transition, const ExecutionContext& context)
 {
-  const SparseRows<double> rows = AssembleRows<double>(transition.Fine.NumberOfVertices(), context,
-    [&](int vertex, std::vector<std::pair<int, double>>& row) {
+  return AssembleMatrix<double>(transition.Fine.NumberOfVertices(),
+    transition.Coarse.NumberOfVertices(), context, [&](int vertex, RowEntries<double>& row) {
       if (transition.Tracking.IsCorner(vertex))
       {
         row.emplace_back(transition.CoarseVertex[vertex], 1.0);
@@ -25,7 +25,6 @@ SparseMatrix<double> ScalarProlongation(
         }
       }
     });
-  return ToMatrix(rows, transition.Coarse.NumberOfVertices());
 }
 
 }

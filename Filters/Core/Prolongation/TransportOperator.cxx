@@ -1,21 +1,28 @@
 #include "Prolongation/TransportOperator.h"
 
+#include <cmath>
+
 namespace dmg
 {
 
-SparseMatrix<Complex> OnPowers(const TransportOperator& transport, int N)
+SparseMatrix<Complex> OnPowers(
+  const TransportOperator& transport, int N, const ExecutionContext& context)
 {
+  constexpr int Grain = 16384;
   SparseMatrix<Complex> result = transport;
-  for (Eigen::Index i = 0; i < result.nonZeros() && N > 1; ++i)
-  {
-    Complex& entry = result.valuePtr()[i];
-    const double weight = std::abs(entry);
-    const Complex turn = weight > 0.0 ? entry / weight : 1.0;
-    for (int n = 1; n < N; ++n)
+  Complex* const entries = result.valuePtr();
+  const int size = N > 1 ? static_cast<int>(result.nonZeros()) : 0;
+  context.ParallelFor(0, size, Grain, [=](int first, int last) {
+    for (int i = first; i < last; ++i)
     {
-      entry *= turn;
+      const double weight = std::sqrt(std::norm(entries[i]));
+      const Complex turn = weight > 0.0 ? entries[i] / weight : Complex(1.0);
+      for (int n = 1; n < N; ++n)
+      {
+        entries[i] *= turn;
+      }
     }
-  }
+  });
   return result;
 }
 

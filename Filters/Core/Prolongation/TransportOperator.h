@@ -1,6 +1,7 @@
 #ifndef dmgTransportOperator_h
 #define dmgTransportOperator_h
 
+#include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
 namespace dmg
@@ -14,7 +15,8 @@ namespace dmg
 using TransportOperator = SparseMatrix<Complex>;
 
 /// The operator on N-power fields: each entry z becomes |z| (z / |z|)^N. \pre N >= 1
-SparseMatrix<Complex> OnPowers(const TransportOperator& transport, int N);
+SparseMatrix<Complex> OnPowers(const TransportOperator& transport, int N,
+  const ExecutionContext& context = SerialContext());
 
 }
 

@@ -96,37 +96,123 @@ SparseMatrix<Scalar> ToMatrix(const SparseRows<Scalar>& rows, int columns)
   return matrix;
 }
 
+/// Rows of a matrix to be: columns and entries.
+template <class Scalar>
+using RowEntries = std::vector<std::pair<int, Scalar>>;
+
+/// Adds to the entry of a column, which may be new.
+template <class Scalar>
+void AddTo(RowEntries<Scalar>& row, int column, Scalar value)
+{
+  for (auto& [present, entry] : row)
+  {
+    if (present == column)
+    {
+      entry += value;
+      return;
+    }
+  }
+  row.emplace_back(column, value);
+}
+
+/// A matrix whose row r holds \p sizeOf(r) entries, written by \p fillRow(r, columns, values), columns
+/// ascending. Rows are filled in parallel.
+template <class Scalar, class SizeOf, class FillRow>
+SparseMatrix<Scalar> FillRows(
+  int rows, int columns, const ExecutionContext& context, SizeOf sizeOf, FillRow fillRow)
+{
+  constexpr int Grain = 4096;
+  SparseMatrix<Scalar> matrix(rows, columns);
+  int* const offsets = matrix.outerIndexPtr();
+  offsets[0] = 0;
+  for (int r = 0; r < rows; ++r)
+  {
+    offsets[r + 1] = offsets[r] + sizeOf(r);
+  }
+  matrix.resizeNonZeros(offsets[rows]);
+  context.ParallelFor(0, rows, Grain, [&](int first, int last) {
+    for (int r = first; r < last; ++r)
+    {
+      fillRow(r, matrix.innerIndexPtr() + offsets[r], matrix.valuePtr() + offsets[r]);
+    }
+  });
+  return matrix;
+}
+
+/// The matrix whose rows \p appendRow(r, row) adds, each column once, in any order. Rows are computed
+/// in parallel, and the result does not depend on the threads.
+template <class Scalar, class AppendRow>
+SparseMatrix<Scalar> AssembleMatrix(
+  int rows, int columns, const ExecutionContext& context, AppendRow appendRow)
+{
+  // The size of a row is known only once it is computed, so pieces of rows are kept until all are.
+  constexpr int RowsPerPiece = 2048;
+  struct Piece
+  {
+    std::vector<int> Offsets;
+    RowEntries<Scalar> Entries;
+  };
+  std::vector<Piece> pieces((rows + RowsPerPiece - 1) / RowsPerPiece);
+  context.ParallelFor(0, static_cast<int>(pieces.size()), 1, [&](int firstPiece, int lastPiece) {
+    RowEntries<Scalar> row;
+    for (int p = firstPiece; p < lastPiece; ++p)
+    {
+      Piece& piece = pieces[p];
+      const int end = std::min(rows, (p + 1) * RowsPerPiece);
+      piece.Offsets.assign(1, 0);
+      for (int r = p * RowsPerPiece; r < end; ++r)
+      {
+        row.clear();
+        appendRow(r, row);
+        std::sort(row.begin(), row.end(),
+          [](const auto& a, const auto& b) { return a.first < b.first; });
+        piece.Entries.insert(piece.Entries.end(), row.begin(), row.end());
+        piece.Offsets.push_back(static_cast<int>(piece.Entries.size()));
+      }
+    }
+  });
+  const auto beginOf = [&](int r) { return pieces[r / RowsPerPiece].Offsets[r % RowsPerPiece]; };
+  const auto endOf = [&](int r) { return pieces[r / RowsPerPiece].Offsets[r % RowsPerPiece + 1]; };
+  return FillRows<Scalar>(
+    rows, columns, context, [&](int r) { return endOf(r) - beginOf(r); },
+    [&](int r, int* rowColumns, Scalar* values) {
+      const RowEntries<Scalar>& entries = pieces[r / RowsPerPiece].Entries;
+      for (int i = beginOf(r); i < endOf(r); ++i)
+      {
+        *rowColumns++ = entries[i].first;
+        *values++ = entries[i].second;
+      }
+    });
+}
+
 /// Some rows of a matrix, in the order given.
 template <class Scalar>
-SparseMatrix<Scalar> SelectRows(const SparseMatrix<Scalar>& matrix, const std::vector<int>& rows)
+SparseMatrix<Scalar> SelectRows(
+  const SparseMatrix<Scalar>& matrix, const std::vector<int>& rows, const ExecutionContext& context)
 {
-  SparseRows<Scalar> selected;
-  selected.Offsets.reserve(rows.size() + 1);
-  selected.Offsets.push_back(0);
-  for (int row : rows)
-  {
-    const int first = matrix.outerIndexPtr()[row];
-    const int last = matrix.outerIndexPtr()[row + 1];
-    selected.Indices.insert(
-      selected.Indices.end(), matrix.innerIndexPtr() + first, matrix.innerIndexPtr() + last);
-    selected.Entries.insert(
-      selected.Entries.end(), matrix.valuePtr() + first, matrix.valuePtr() + last);
-    selected.Offsets.push_back(static_cast<int>(selected.Indices.size()));
-  }
-  return ToMatrix(selected, static_cast<int>(matrix.cols()));
+  const int* const offsets = matrix.outerIndexPtr();
+  return FillRows<Scalar>(
+    static_cast<int>(rows.size()), static_cast<int>(matrix.cols()), context,
+    [&](int r) { return offsets[rows[r] + 1] - offsets[rows[r]]; },
+    [&](int r, int* columns, Scalar* values) {
+      const int first = offsets[rows[r]];
+      const int last = offsets[rows[r] + 1];
+      std::copy(matrix.innerIndexPtr() + first, matrix.innerIndexPtr() + last, columns);
+      std::copy(matrix.valuePtr() + first, matrix.valuePtr() + last, values);
+    });
 }
 
 /// The matrix whose row \p numbers[i] is row i of \p matrix; \p numbers is a permutation.
 template <class Scalar>
-SparseMatrix<Scalar> RenumberRows(
-  const SparseMatrix<Scalar>& matrix, const std::vector<int>& numbers)
+SparseMatrix<Scalar> RenumberRows(const SparseMatrix<Scalar>& matrix,
+  const std::vector<int>& numbers, const ExecutionContext& context)
 {
   std::vector<int> inverse(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     inverse[numbers[i]] = static_cast<int>(i);
   }
-  return SelectRows(matrix, inverse);
+  return SelectRows(matrix, inverse, context);
 }
 
 }

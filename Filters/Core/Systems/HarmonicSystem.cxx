@@ -220,7 +220,22 @@ Vector<Scalar> HarmonicSystem<Scalar>::Expand(
   return all;
 }
 
+template <class Scalar>
+std::string WarningAboutUnreached(const HarmonicSystem<Scalar>& system)
+{
+  if (system.NumberOfUnreached() == 0)
+  {
+    return {};
+  }
+  return std::to_string(system.NumberOfUnreached()) + " of " +
+    std::to_string(system.NumberOfUnknowns()) +
+    " unknowns lie in components of the surface that hold no prescribed direction; the field is "
+    "zero there";
+}
+
 template class HarmonicSystem<double>;
 template class HarmonicSystem<Complex>;
+template std::string WarningAboutUnreached(const HarmonicSystem<double>&);
+template std::string WarningAboutUnreached(const HarmonicSystem<Complex>&);
 
 }

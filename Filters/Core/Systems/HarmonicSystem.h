@@ -3,6 +3,7 @@
 
 #include "Support/Types.h"
 
+#include <string>
 #include <vector>
 
 namespace dmg
@@ -85,6 +86,10 @@ private:
   SparseMatrix<Scalar> ToPrescribed; // hard: L_fb, free x prescribed
   Vector<double> M;                  // free
 };
+
+/// One sentence for the user where unknowns are zero because no prescription reaches them, else empty.
+template <class Scalar>
+std::string WarningAboutUnreached(const HarmonicSystem<Scalar>& system);
 
 extern template class HarmonicSystem<double>;
 extern template class HarmonicSystem<Complex>;

@@ -5,6 +5,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <string>
 #include <utility>
 
 namespace dmg
@@ -44,12 +45,12 @@ void CheckOptions(int N, const PrescribedFaces& prescribed, const PowerFieldWeig
 
 HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
-  const PowerFieldWeights& weights)
+  const PowerFieldWeights& weights, const ExecutionContext& context)
 {
   CheckOptions(N, prescribed, weights);
   assert(prescribed.Faces.size() == prescribed.Weights.size());
 
-  SparseMatrix<Complex> smoothness = PowerLaplacian(mesh, faceFrames, N);
+  SparseMatrix<Complex> smoothness = PowerLaplacian(mesh, faceFrames, N, context);
   Vector<double> mass = mesh.FaceAreas();
   const double meanArea = mass.mean();
   // Where the whole surface has no area, every face counts alike.
@@ -80,18 +81,6 @@ HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
           "on another cell or make the constraints hard");
   }
   return system;
-}
-
-std::string WarningAboutUnreached(const HarmonicSystem<Complex>& system)
-{
-  if (system.NumberOfUnreached() == 0)
-  {
-    return {};
-  }
-  return std::to_string(system.NumberOfUnreached()) + " of " +
-    std::to_string(system.NumberOfUnknowns()) +
-    " cells lie in components of the surface that hold no prescribed direction; the field is zero "
-    "there";
 }
 
 }

@@ -6,8 +6,6 @@
 #include "Systems/AlignmentConstraints.h"
 #include "Systems/HarmonicSystem.h"
 
-#include <string>
-
 namespace dmg
 {
 
@@ -26,18 +24,14 @@ struct PowerFieldWeights
 /// with L = PowerLaplacian. The mass M are the areas over their mean. Thesis, section 6.3, as
 /// corrected: the printed stack of two systems is not the minimiser of its energy.
 /// \param N 1 to 8.
-/// Components of the surface without a prescribed face get the zero field; see
-/// WarningAboutUnreached.
+/// Components of the surface without a prescribed face get the zero field.
 /// \throw InvalidInput N or a weight is out of range, nothing is prescribed, or hard constraints
 /// leave nothing to solve for.
 /// \pre prescribed faces are ascending and in range; see MakePowerConstraints.
 /// Cost: O(#F).
 HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
-  const PowerFieldWeights& weights);
-
-/// One sentence for the user where faces are zero because no prescription reaches them, else empty.
-std::string WarningAboutUnreached(const HarmonicSystem<Complex>& system);
+  const PowerFieldWeights& weights, const ExecutionContext& context = SerialContext());
 
 }
 

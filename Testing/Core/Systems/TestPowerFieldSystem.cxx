@@ -227,7 +227,7 @@ TEST(PowerFieldSystem, ComponentsWithoutAPrescriptionAreZeroAndMentioned)
       MakePowerFieldSystem(mesh, frames, 4, constraints.Prescribed, Weights(kind));
     EXPECT_EQ(system.NumberOfUnreached(), 80);
     const std::string warning = WarningAboutUnreached(system);
-    EXPECT_NE(warning.find("80 of 134 cells"), std::string::npos) << warning;
+    EXPECT_NE(warning.find("80 of 134 unknowns"), std::string::npos) << warning;
     const Vector<Complex> X = SolveField(mesh, frames, 4, constraints, Weights(kind));
     EXPECT_EQ(X.head(80).norm(), 0.0);
     EXPECT_LT((X.tail(54).cwiseAbs().array() - 1.0).abs().maxCoeff(), 1e-10);

@@ -1,0 +1,83 @@
+#ifndef dmgHarmonicProblem_h
+#define dmgHarmonicProblem_h
+
+#include "Solvers/SolveReport.h"
+#include "Solvers/StoppingCriteria.h"
+#include "Support/ExecutionContext.h"
+#include "Systems/HarmonicSystem.h"
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+enum class SolverKind
+{
+  /// Cholesky for small systems, else conjugate gradients.
+  Automatic,
+  /// Supernodal sparse Cholesky of the fine system (CHOLMOD).
+  Cholesky,
+  /// Stationary V-cycles.
+  VCycles,
+  /// Conjugate gradients, one V-cycle as preconditioner.
+  ConjugateGradients,
+};
+
+/// How a system is solved, whatever its unknowns mean.
+struct SolverOptions
+{
+  SolverKind Kind = SolverKind::Automatic;
+  /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1.
+  int Sweeps = 2;
+  /// The finest level gets so many times as many sweeps, >= 1.
+  int FinestSweepsFactor = 1;
+  /// How often the finest prolongation is smoothed before use; see GalerkinOptions.
+  int FinestProlongationSteps = 0;
+};
+
+/// A harmonic system with its solver, ready to solve for prescribed values: the system stage, and
+/// the solve stage on top of it.
+template <class Scalar>
+class HarmonicProblem
+{
+public:
+  using MakeSystem = std::function<HarmonicSystem<Scalar>(const ExecutionContext&)>;
+  using MakeProlongations =
+    std::function<std::vector<SparseMatrix<Scalar>>(const ExecutionContext&)>;
+
+  /// System: assembles, coarsens or factors; the expensive part that new values do not repeat.
+  /// \param makeProlongations on all unknowns of the system, finest first; called only where the
+  ///   solver needs them. Empty, or an empty result: there are no coarse levels.
+  /// \param coarseSpace says in the report what the coarse levels hold.
+  /// \throw InvalidInput multigrid without prolongations, and what makeSystem refuses.
+  /// \throw SolverFailure the factorisation failed.
+  HarmonicProblem(const MakeSystem& makeSystem, const MakeProlongations& makeProlongations,
+    const std::string& coarseSpace, const SolverOptions& options, const ExecutionContext& context);
+  ~HarmonicProblem();
+  HarmonicProblem(HarmonicProblem&&) noexcept;
+
+  /// Solve for the prescribed values.
+  /// \param values one per prescribed unknown.
+  /// \param start first guess, one per unknown, or empty for zero; ignored by Cholesky.
+  /// \return one per unknown. Not converged: the best vector reached; see Report().
+  /// \throw Cancelled
+  Vector<Scalar> Solve(const Vector<Scalar>& values, const Vector<Scalar>& start,
+    const StoppingCriteria& stop, const ExecutionContext& context);
+
+  /// Of the system stage and of the last solve.
+  const SolveReport& Report() const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+extern template class HarmonicProblem<double>;
+extern template class HarmonicProblem<Complex>;
+
+}
+
+#endif
