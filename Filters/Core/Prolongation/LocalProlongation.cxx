@@ -43,8 +43,8 @@ Combination<double> Rounded(const Combination<Rational>& exact)
   return rounded;
 }
 
-/// A face of the ring before the collapse: local numbers of its corners in the order of the face, and
-/// which of its sides are sides of the polygon that other faces rely on.
+/// A face of the ring before the collapse: local numbers of its corners in the order of the face,
+/// and which of its sides are sides of the polygon that other faces rely on.
 struct FaceBefore
 {
   int Face;
@@ -99,7 +99,8 @@ struct FlatTriangle
     {
       sides[k] = positions[corners[(k + 1) % 3]] - positions[corners[k]];
     }
-    const auto angleBetween = [&](int incoming, int outgoing) {
+    const auto angleBetween = [&](int incoming, int outgoing)
+    {
       if (sides[incoming].squaredNorm() == 0.0 || sides[outgoing].squaredNorm() == 0.0)
       {
         return HalfPi;
@@ -119,8 +120,8 @@ struct FlatTriangle
 /// The sides of one face before, cut where they cross spokes.
 using CutSides = std::array<std::vector<RingOverlay::Piece>, 3>;
 
-/// Integral of the Whitney forms of a sector along a piece, as a combination of the values along the
-/// sector's sides: of side jk, lambda_j(from) lambda_k(to) - lambda_k(from) lambda_j(to).
+/// Integral of the Whitney forms of a sector along a piece, as a combination of the values along
+/// the sector's sides: of side jk, lambda_j(from) lambda_k(to) - lambda_k(from) lambda_j(to).
 void AddWhitney(const OneRing& ring, const RingOverlay::Piece& piece, Combination<Rational>& sum)
 {
   const OneRing::Sector& sector = ring.Sectors[piece.Sector];
@@ -173,7 +174,8 @@ LocalRow<Complex> PowerRow(const OneRing& ring, const FaceBefore& face, const Cu
       for (int k = 0; k < 3; ++k)
       {
         const int corner = (ring.Sectors[piece.Sector].HubCorner + k) % 3;
-        vector += CGAL::to_double(piece.To[k] - piece.From[k]) * sectors[piece.Sector].Corners[corner];
+        vector +=
+          CGAL::to_double(piece.To[k] - piece.From[k]) * sectors[piece.Sector].Corners[corner];
       }
       const double length = std::abs(vector);
       overlaps[piece.Sector].Length += length;
@@ -206,7 +208,8 @@ LocalProlongation::LocalProlongation(const CollapseRecord& collapse)
   const OneRing& ring = collapse.Ring;
   const RingOverlay overlay(collapse);
 
-  const auto addVertex = [&](int vertexSlot, int vertex) {
+  const auto addVertex = [&](int vertexSlot, int vertex)
+  {
     const RingOverlay::Place place = overlay.PlaceOf(vertex);
     const std::array<int, 3> corners = { ring.Kept, ring.Loop[place.Sector],
       ring.Loop[ring.NextOnLoop(place.Sector)] };

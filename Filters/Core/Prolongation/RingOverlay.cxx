@@ -20,7 +20,8 @@ RingOverlay::RingOverlay(const CollapseRecord& collapse)
   : Ring(collapse.Ring)
 {
   const int vertices = this->Ring.NumberOfVertices();
-  const auto exact = [&](int vertex) {
+  const auto exact = [&](int vertex)
+  {
     const Complex place = collapse.Plane[vertex];
     return PlaneVector(Rational(place.real()), Rational(place.imag()));
   };
@@ -75,8 +76,8 @@ bool RingOverlay::PassesHub(int from, int to) const
   return CGAL::sign(a * b) < 0 && CGAL::sign(CGAL::determinant(a, b)) == 0;
 }
 
-// The sector between whose spokes both vertices lie; if they lie on one spoke, the sector on its left,
-// seen from the first towards the second; -1 where there is none.
+// The sector between whose spokes both vertices lie; if they lie on one spoke, the sector on its
+// left, seen from the first towards the second; -1 where there is none.
 int RingOverlay::SectorWith(int from, int to) const
 {
   const PlaneVector direction = this->FromHub[to] - this->FromHub[from];
@@ -102,16 +103,12 @@ int RingOverlay::SectorWith(int from, int to) const
   return otherSide;
 }
 
-int RingOverlay::SectorBehind(const Crossing& crossing) const
+// The sector that follows or precedes a spoke, counter-clockwise. Beyond the ends of an open fan
+// there is none, and the number is no sector's.
+int RingOverlay::SectorBeside(int spoke, bool following) const
 {
-  const int previous = crossing.Spoke == 0 ? this->Ring.LoopSize() - 1 : crossing.Spoke - 1;
-  return crossing.CounterClockwise ? crossing.Spoke : previous;
-}
-
-int RingOverlay::SectorBefore(const Crossing& crossing) const
-{
-  const int previous = crossing.Spoke == 0 ? this->Ring.LoopSize() - 1 : crossing.Spoke - 1;
-  return crossing.CounterClockwise ? previous : crossing.Spoke;
+  const int preceding = spoke == 0 ? this->Ring.LoopSize() - 1 : spoke - 1;
+  return following ? spoke : preceding;
 }
 
 std::array<Rational, 3> RingOverlay::WeightsIn(int sector, int vertex) const
@@ -157,31 +154,29 @@ std::vector<RingOverlay::Crossing> RingOverlay::CrossingsOf(int from, int to) co
 // Appends the pieces of an edge that does not pass the hub; false where it leaves the polygon.
 bool RingOverlay::Cut(int from, int to, std::vector<Piece>& pieces) const
 {
+  const auto isSector = [&](int k) { return k >= 0 && k < this->Ring.NumberOfSectors(); };
   const std::vector<Crossing> crossings = this->CrossingsOf(from, to);
-  int sector =
-    crossings.empty() ? this->SectorWith(from, to) : this->SectorBefore(crossings.front());
-  const auto isSector = [&] { return sector >= 0 && sector < this->Ring.NumberOfSectors(); };
-  bool inside = isSector();
-  if (!inside)
+  int sector = crossings.empty()
+    ? this->SectorWith(from, to)
+    : this->SectorBeside(crossings.front().Spoke, !crossings.front().CounterClockwise);
+  if (!isSector(sector))
   {
     return false;
   }
   std::array<Rational, 3> start = this->WeightsIn(sector, from);
   for (const Crossing& crossing : crossings)
   {
-    const int next = this->SectorBehind(crossing);
-    inside = inside && IsInside(start) && this->SectorBefore(crossing) == sector &&
-      next < this->Ring.NumberOfSectors();
-    if (!inside)
+    pieces.push_back({ sector, start, this->WeightsIn(sector, crossing) });
+    sector = this->SectorBeside(crossing.Spoke, crossing.CounterClockwise);
+    if (!isSector(sector))
     {
       return false;
     }
-    pieces.push_back({ sector, start, this->WeightsIn(sector, crossing) });
-    sector = next;
     start = this->WeightsIn(sector, crossing);
   }
   pieces.push_back({ sector, start, this->WeightsIn(sector, to) });
-  return IsInside(start) && IsInside(pieces.back().To);
+  return std::all_of(pieces.begin(), pieces.end(),
+    [](const Piece& piece) { return IsInside(piece.From) && IsInside(piece.To); });
 }
 
 }

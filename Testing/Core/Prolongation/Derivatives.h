@@ -58,8 +58,8 @@ inline SparseMatrix<double> ValuesAlongHalfedges(
   return FromTriplets(3 * mesh.NumberOfFaces(), 2 * mesh.NumberOfFaces(), triplets);
 }
 
-/// G, 2 #F x #V: the gradient of a linear function with values u_k at the corners of a face is the sum
-/// of u_k times the side opposite to k, turned by a right angle, over twice the area.
+/// G, 2 #F x #V: the gradient of a linear function with values u_k at the corners of a face is the
+/// sum of u_k times the side opposite to k, turned by a right angle, over twice the area.
 inline SparseMatrix<double> Gradients(const TriangleMesh& mesh, const TangentFrames& frames)
 {
   std::vector<Eigen::Triplet<double>> triplets;

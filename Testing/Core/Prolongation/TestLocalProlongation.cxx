@@ -22,8 +22,8 @@ using namespace dmg::test;
 namespace
 {
 
-/// Calls visit(transition) for single collapses of edges all over the mesh, each from the mesh as it
-/// was, by the conformal flattening or into the circle.
+/// Calls visit(transition) for single collapses of edges all over the mesh, each from the mesh as
+/// it was, by the conformal flattening or into the circle.
 template <class Visit>
 void VisitSingleCollapses(const TriangleMesh& mesh, Visit visit)
 {
@@ -54,8 +54,8 @@ std::vector<TriangleMesh> SmallMeshes()
 
 OverlayProlongation Overlay(const LevelTransition& transition)
 {
-  return OverlayProlongation(transition, FaceFrames(transition.Fine),
-    FaceFrames(transition.Coarse), SerialContext());
+  return OverlayProlongation(
+    transition, FaceFrames(transition.Fine), FaceFrames(transition.Coarse), SerialContext());
 }
 
 /// S1 from the tracked paths.
@@ -69,7 +69,8 @@ SparseMatrix<double> TrackedOneForms(const LevelTransition& transition)
   {
     const int halfedge = fine.HalfedgeOf(e);
     paths.VisitPieces(halfedge,
-      [&](int face, const std::array<double, 3>& from, const std::array<double, 3>& to) {
+      [&](int face, const std::array<double, 3>& from, const std::array<double, 3>& to)
+      {
         for (int j = 0; j < 3; ++j)
         {
           const int k = (j + 1) % 3;
@@ -127,12 +128,14 @@ Polygon ClippedTo(Polygon polygon, const Polygon& triangle)
   return polygon;
 }
 
-/// S2, #F x #F: the share of the coarse face that the fine face covers in the plane of the collapse.
+/// S2, #F x #F: the share of the coarse face that the fine face covers in the plane of the
+/// collapse.
 SparseMatrix<double> OverlapShares(const LevelTransition& transition)
 {
   const CollapseRecord& collapse = transition.Collapses.front();
   const OneRing& ring = collapse.Ring;
-  const auto triangle = [&](const std::array<int, 3>& corners) {
+  const auto triangle = [&](const std::array<int, 3>& corners)
+  {
     return Polygon{ collapse.Plane[corners[0]], collapse.Plane[corners[1]],
       collapse.Plane[corners[2]] };
   };
@@ -162,8 +165,7 @@ SparseMatrix<double> OverlapShares(const LevelTransition& transition)
       triplets.emplace_back(face, transition.CoarseFace[face], 1.0);
     }
   }
-  return FromTriplets(
-    transition.Fine.NumberOfFaces(), transition.Coarse.NumberOfFaces(), triplets);
+  return FromTriplets(transition.Fine.NumberOfFaces(), transition.Coarse.NumberOfFaces(), triplets);
 }
 
 /// Applies local rows to values by slot.
@@ -183,143 +185,155 @@ Vector<double> Applied(const std::vector<LocalRow<double>>& rows, const Vector<d
 
 }
 
-// For one collapse, the tracked operators are the exact ones: a point lies where it lies, and a path
-// is straight in the one plane that there is.
+// For one collapse, the tracked operators are the exact ones: a point lies where it lies, and a
+// path is straight in the one plane that there is.
 TEST(LocalProlongation, EqualsTheTrackedOperatorsEntryByEntry)
 {
   std::map<CollapseKind, int> kinds;
   for (const TriangleMesh& mesh : SmallMeshes())
   {
-    VisitSingleCollapses(mesh, [&](const LevelTransition& transition) {
-      ++kinds[transition.Collapses.front().Ring.Kind];
-      const OverlayProlongation exact = Overlay(transition);
-      EXPECT_LT(
-        LargestDifference(exact.S0, ScalarProlongation(transition, SerialContext())), 1e-12);
-      EXPECT_LT(LargestDifference(exact.S1, TrackedOneForms(transition)), 1e-12);
-    });
+    VisitSingleCollapses(mesh,
+      [&](const LevelTransition& transition)
+      {
+        ++kinds[transition.Collapses.front().Ring.Kind];
+        const OverlayProlongation exact = Overlay(transition);
+        EXPECT_LT(
+          LargestDifference(exact.S0, ScalarProlongation(transition, SerialContext())), 1e-12);
+        EXPECT_LT(LargestDifference(exact.S1, TrackedOneForms(transition)), 1e-12);
+      });
   }
   EXPECT_GT(kinds[CollapseKind::Interior], 100);
   EXPECT_GT(kinds[CollapseKind::OntoBoundary], 10);
   EXPECT_GT(kinds[CollapseKind::AlongBoundary], 5);
 }
 
-// d1 S1 = S2 d1: the curl of a fine face is that of the coarse faces over the overlaps, here measured
-// by clipping triangles. This knows nothing of edges and their pieces.
+// d1 S1 = S2 d1: the curl of a fine face is that of the coarse faces over the overlaps, here
+// measured by clipping triangles. This knows nothing of edges and their pieces.
 TEST(LocalProlongation, BringsTheCurlOfTheOverlaps)
 {
   for (const TriangleMesh& mesh : SmallMeshes())
   {
     const SparseMatrix<double> fineCurl = SumsAroundFaces(mesh);
-    VisitSingleCollapses(mesh, [&](const LevelTransition& transition) {
-      const SparseMatrix<double> S1 = Overlay(transition).S1;
-      const SparseMatrix<double> S2 = OverlapShares(transition);
-      const SparseMatrix<double> curl = fineCurl * S1;
-      const SparseMatrix<double> expected = S2 * SumsAroundFaces(transition.Coarse);
-      EXPECT_LT(LargestDifference(curl, expected), 1e-12);
-    });
+    VisitSingleCollapses(mesh,
+      [&](const LevelTransition& transition)
+      {
+        const SparseMatrix<double> S1 = Overlay(transition).S1;
+        const SparseMatrix<double> S2 = OverlapShares(transition);
+        const SparseMatrix<double> curl = fineCurl * S1;
+        const SparseMatrix<double> expected = S2 * SumsAroundFaces(transition.Coarse);
+        EXPECT_LT(LargestDifference(curl, expected), 1e-12);
+      });
   }
 }
 
 // Zero-sum in, zero-sum out; the sides of the polygon keep their values (Q_B); and a form of
-// gradients, equal on both sides of each edge, comes back as S1 brings it, since Q has nothing to do.
+// gradients, equal on both sides of each edge, comes back as S1 brings it, since Q has nothing to
+// do.
 TEST(LocalProlongation, KeepsHalfedgeFormsAtZeroSum)
 {
   Random random(23);
   for (const TriangleMesh& mesh : SmallMeshes())
   {
-    VisitSingleCollapses(mesh, [&](const LevelTransition& transition) {
-      const OneRing& ring = transition.Collapses.front().Ring;
-      const LocalProlongation local(transition.Collapses.front());
+    VisitSingleCollapses(mesh,
+      [&](const LevelTransition& transition)
+      {
+        const OneRing& ring = transition.Collapses.front().Ring;
+        const LocalProlongation local(transition.Collapses.front());
 
-      Vector<double> after = Vector<double>::Zero(3 * mesh.NumberOfFaces());
-      for (const OneRing::Sector& sector : ring.Sectors)
-      {
-        const double a = random.Uniform(-1.0, 1.0);
-        const double b = random.Uniform(-1.0, 1.0);
-        after[3 * sector.Face] = a;
-        after[3 * sector.Face + 1] = b;
-        after[3 * sector.Face + 2] = -a - b;
-      }
-      const Vector<double> before = Applied(local.ZeroSumHalfedges, after);
-      for (int f = 0; f < mesh.NumberOfFaces(); ++f)
-      {
-        EXPECT_NEAR(before.segment<3>(3 * f).sum(), 0.0, 1e-13);
-      }
-      for (const OneRing::Sector& sector : ring.Sectors)
-      {
-        EXPECT_EQ(before[sector.OuterHalfedge()], after[sector.OuterHalfedge()]);
-      }
-      if (ring.Kind == CollapseKind::OntoBoundary)
-      {
-        EXPECT_EQ(before[ring.Dead[0].BorderHalfedge], after[ring.Sectors.front().LeavingSpoke()]);
-        EXPECT_EQ(before[ring.Dead[1].BorderHalfedge], after[ring.Sectors.back().ReturningSpoke()]);
-      }
+        Vector<double> after = Vector<double>::Zero(3 * mesh.NumberOfFaces());
+        for (const OneRing::Sector& sector : ring.Sectors)
+        {
+          const double a = random.Uniform(-1.0, 1.0);
+          const double b = random.Uniform(-1.0, 1.0);
+          after[3 * sector.Face] = a;
+          after[3 * sector.Face + 1] = b;
+          after[3 * sector.Face + 2] = -a - b;
+        }
+        const Vector<double> before = Applied(local.ZeroSumHalfedges, after);
+        for (int f = 0; f < mesh.NumberOfFaces(); ++f)
+        {
+          EXPECT_NEAR(before.segment<3>(3 * f).sum(), 0.0, 1e-13);
+        }
+        for (const OneRing::Sector& sector : ring.Sectors)
+        {
+          EXPECT_EQ(before[sector.OuterHalfedge()], after[sector.OuterHalfedge()]);
+        }
+        if (ring.Kind == CollapseKind::OntoBoundary)
+        {
+          EXPECT_EQ(
+            before[ring.Dead[0].BorderHalfedge], after[ring.Sectors.front().LeavingSpoke()]);
+          EXPECT_EQ(
+            before[ring.Dead[1].BorderHalfedge], after[ring.Sectors.back().ReturningSpoke()]);
+        }
 
-      std::vector<double> u(ring.NumberOfVertices());
-      std::generate(u.begin(), u.end(), [&] { return random.Uniform(-1.0, 1.0); });
-      for (int k = 0; k < ring.NumberOfSectors(); ++k)
-      {
-        const OneRing::Sector& sector = ring.Sectors[k];
-        const std::array<int, 3> corners = ring.SectorAfter(k);
-        after[sector.LeavingSpoke()] = u[corners[1]] - u[corners[0]];
-        after[sector.OuterHalfedge()] = u[corners[2]] - u[corners[1]];
-        after[sector.ReturningSpoke()] = u[corners[0]] - u[corners[2]];
-      }
-      EXPECT_LT((Applied(local.ZeroSumHalfedges, after) - Applied(local.Halfedges, after))
-                  .cwiseAbs()
-                  .maxCoeff(),
-        1e-13);
-    });
+        std::vector<double> u(ring.NumberOfVertices());
+        std::generate(u.begin(), u.end(), [&] { return random.Uniform(-1.0, 1.0); });
+        for (int k = 0; k < ring.NumberOfSectors(); ++k)
+        {
+          const OneRing::Sector& sector = ring.Sectors[k];
+          const std::array<int, 3> corners = ring.SectorAfter(k);
+          after[sector.LeavingSpoke()] = u[corners[1]] - u[corners[0]];
+          after[sector.OuterHalfedge()] = u[corners[2]] - u[corners[1]];
+          after[sector.ReturningSpoke()] = u[corners[0]] - u[corners[2]];
+        }
+        EXPECT_LT((Applied(local.ZeroSumHalfedges, after) - Applied(local.Halfedges, after))
+                    .cwiseAbs()
+                    .maxCoeff(),
+          1e-13);
+      });
   }
 }
 
-// What the tracked SX does otherwise, already for one collapse: it fits each fine face to all three of
-// its sides (Q_I), the thesis's keeps the side at the polygon and fits the other two (Q_B). So they
-// agree on the faces that have no such side, the dead ones of collapses inside, and at gradients.
+// What the tracked SX does otherwise, already for one collapse: it fits each fine face to all three
+// of its sides (Q_I), the thesis's keeps the side at the polygon and fits the other two (Q_B). So
+// they agree on the faces that have no such side, the dead ones of collapses inside, and at
+// gradients.
 TEST(LocalProlongation, ProjectsFacesAtThePolygonOtherThanAllAtOnce)
 {
   const TriangleMesh mesh = IrregularSphere(2, 7).Mesh();
   double largestAtPolygon = 0.0;
-  VisitSingleCollapses(mesh, [&](const LevelTransition& transition) {
-    const CollapseRecord& collapse = transition.Collapses.front();
-    const LocalProlongation local(collapse);
-    std::map<int, std::map<int, double>> rows;
-    for (const LocalRow<double>& row : local.Halfedges)
+  VisitSingleCollapses(mesh,
+    [&](const LevelTransition& transition)
     {
-      rows[row.Before] = { row.Entries.begin(), row.Entries.end() };
-    }
-    std::map<int, std::map<int, double>> zeroSum;
-    for (const LocalRow<double>& row : local.ZeroSumHalfedges)
-    {
-      zeroSum[row.Before] = { row.Entries.begin(), row.Entries.end() };
-    }
-    const auto differenceFromMean = [&](int face) {
-      double largest = 0.0;
-      for (const OneRing::Sector& sector : collapse.Ring.Sectors)
+      const CollapseRecord& collapse = transition.Collapses.front();
+      const LocalProlongation local(collapse);
+      std::map<int, std::map<int, double>> rows;
+      for (const LocalRow<double>& row : local.Halfedges)
       {
-        for (int column = 3 * sector.Face; column < 3 * sector.Face + 3; ++column)
+        rows[row.Before] = { row.Entries.begin(), row.Entries.end() };
+      }
+      std::map<int, std::map<int, double>> zeroSum;
+      for (const LocalRow<double>& row : local.ZeroSumHalfedges)
+      {
+        zeroSum[row.Before] = { row.Entries.begin(), row.Entries.end() };
+      }
+      const auto differenceFromMean = [&](int face)
+      {
+        double largest = 0.0;
+        for (const OneRing::Sector& sector : collapse.Ring.Sectors)
         {
-          double sum = 0.0;
-          for (int k = 0; k < 3; ++k)
+          for (int column = 3 * sector.Face; column < 3 * sector.Face + 3; ++column)
           {
-            sum += rows[3 * face + k][column];
-          }
-          for (int k = 0; k < 3; ++k)
-          {
-            largest = std::max(largest,
-              std::abs(
-                rows[3 * face + k][column] - sum / 3.0 - zeroSum[3 * face + k][column]));
+            double sum = 0.0;
+            for (int k = 0; k < 3; ++k)
+            {
+              sum += rows[3 * face + k][column];
+            }
+            for (int k = 0; k < 3; ++k)
+            {
+              largest = std::max(largest,
+                std::abs(rows[3 * face + k][column] - sum / 3.0 - zeroSum[3 * face + k][column]));
+            }
           }
         }
+        return largest;
+      };
+      EXPECT_LT(differenceFromMean(collapse.Ring.Dead[0].Face), 1e-13);
+      EXPECT_LT(differenceFromMean(collapse.Ring.Dead[1].Face), 1e-13);
+      for (const OneRing::Sector& sector : collapse.Ring.Sectors)
+      {
+        largestAtPolygon = std::max(largestAtPolygon, differenceFromMean(sector.Face));
       }
-      return largest;
-    };
-    EXPECT_LT(differenceFromMean(collapse.Ring.Dead[0].Face), 1e-13);
-    EXPECT_LT(differenceFromMean(collapse.Ring.Dead[1].Face), 1e-13);
-    for (const OneRing::Sector& sector : collapse.Ring.Sectors)
-    {
-      largestAtPolygon = std::max(largestAtPolygon, differenceFromMean(sector.Face));
-    }
-  });
+    });
   EXPECT_GT(largestAtPolygon, 0.01);
 }
