@@ -8,8 +8,8 @@
 namespace dmg
 {
 
-/// What an edge collapse did, kept for those who look at it later (OverlayProlongation.h): the faces
-/// that it replaced, and the plane in which those before and after it fill the same polygon.
+/// What an edge collapse did, kept for those who look at it later (OverlayProlongation.h): the
+/// faces that it replaced, and the plane in which those before and after it fill the same polygon.
 struct CollapseRecord
 {
   OneRing Ring;

@@ -12,51 +12,39 @@ namespace dmg
 namespace
 {
 
-/// A sum of exact multiples of values after the collapse.
-class ExactRow
+template <class Scalar>
+using Combination = std::vector<std::pair<int, Scalar>>; // {after, coefficient}
+
+template <class Scalar>
+void AddTo(Combination<Scalar>& combination, int after, const Scalar& coefficient)
 {
-public:
-  void Add(int after, const Rational& coefficient)
+  const auto found = std::find_if(combination.begin(), combination.end(),
+    [after](const auto& entry) { return entry.first == after; });
+  if (found == combination.end())
   {
-    const auto found = std::find_if(this->Entries.begin(), this->Entries.end(),
-      [after](const auto& entry) { return entry.first == after; });
-    if (found == this->Entries.end())
+    combination.emplace_back(after, coefficient);
+  }
+  else
+  {
+    found->second += coefficient;
+  }
+}
+
+Combination<double> Rounded(const Combination<Rational>& exact)
+{
+  Combination<double> rounded;
+  for (const auto& [after, coefficient] : exact)
+  {
+    if (CGAL::sign(coefficient) != 0)
     {
-      this->Entries.emplace_back(after, coefficient);
-    }
-    else
-    {
-      found->second += coefficient;
+      rounded.emplace_back(after, CGAL::to_double(coefficient));
     }
   }
+  return rounded;
+}
 
-  void Add(const ExactRow& row, const Rational& factor)
-  {
-    for (const auto& [after, coefficient] : row.Entries)
-    {
-      this->Add(after, factor * coefficient);
-    }
-  }
-
-  LocalRow<double> Rounded(int before) const
-  {
-    LocalRow<double> row{ before, {} };
-    for (const auto& [after, coefficient] : this->Entries)
-    {
-      if (CGAL::sign(coefficient) != 0)
-      {
-        row.Entries.emplace_back(after, CGAL::to_double(coefficient));
-      }
-    }
-    return row;
-  }
-
-private:
-  std::vector<std::pair<int, Rational>> Entries;
-};
-
-/// A face of the ring before the collapse: local numbers of its corners in the order of the face, and
-/// which of its sides are sides of the polygon that other faces rely on.
+/// A face of the ring before the collapse: local numbers of its corners in the order of the face,
+/// and which of its sides are sides of the polygon that other faces rely on.
 struct FaceBefore
 {
   int Face;
@@ -111,7 +99,8 @@ struct FlatTriangle
     {
       sides[k] = positions[corners[(k + 1) % 3]] - positions[corners[k]];
     }
-    const auto angleBetween = [&](int incoming, int outgoing) {
+    const auto angleBetween = [&](int incoming, int outgoing)
+    {
       if (sides[incoming].squaredNorm() == 0.0 || sides[outgoing].squaredNorm() == 0.0)
       {
         return HalfPi;
@@ -131,9 +120,9 @@ struct FlatTriangle
 /// The sides of one face before, cut where they cross spokes.
 using CutSides = std::array<std::vector<RingOverlay::Piece>, 3>;
 
-/// Integral of the Whitney forms of a sector along a piece, as a combination of the values along the
-/// sector's sides: of side jk, lambda_j(from) lambda_k(to) - lambda_k(from) lambda_j(to).
-void AddWhitney(const OneRing& ring, const RingOverlay::Piece& piece, ExactRow& row)
+/// Integral of the Whitney forms of a sector along a piece, as a combination of the values along
+/// the sector's sides: of side jk, lambda_j(from) lambda_k(to) - lambda_k(from) lambda_j(to).
+void AddWhitney(const OneRing& ring, const RingOverlay::Piece& piece, Combination<Rational>& sum)
 {
   const OneRing::Sector& sector = ring.Sectors[piece.Sector];
   const std::array<int, 3> sides = { sector.LeavingSpoke(), sector.OuterHalfedge(),
@@ -141,21 +130,24 @@ void AddWhitney(const OneRing& ring, const RingOverlay::Piece& piece, ExactRow& 
   for (int j = 0; j < 3; ++j)
   {
     const int k = (j + 1) % 3;
-    row.Add(sides[j], piece.From[j] * piece.To[k] - piece.From[k] * piece.To[j]);
+    AddTo<Rational>(sum, sides[j], piece.From[j] * piece.To[k] - piece.From[k] * piece.To[j]);
   }
 }
 
 /// Takes the sum over the face off its free sides.
-std::array<ExactRow, 3> WithZeroSum(
-  const std::array<ExactRow, 3>& sides, const std::array<bool, 3>& isFixed)
+std::array<Combination<double>, 3> WithZeroSum(
+  const std::array<Combination<double>, 3>& sides, const std::array<bool, 3>& isFixed)
 {
-  const long free = std::count(isFixed.begin(), isFixed.end(), false);
-  std::array<ExactRow, 3> result = sides;
+  const double free = std::count(isFixed.begin(), isFixed.end(), false);
+  std::array<Combination<double>, 3> result = sides;
   for (int k = 0; k < 3; ++k)
   {
     for (int j = 0; j < 3 && !isFixed[k]; ++j)
     {
-      result[k].Add(sides[j], Rational(-1, free));
+      for (const auto& [after, coefficient] : sides[j])
+      {
+        AddTo(result[k], after, -coefficient / free);
+      }
     }
   }
   return result;
@@ -182,7 +174,8 @@ LocalRow<Complex> PowerRow(const OneRing& ring, const FaceBefore& face, const Cu
       for (int k = 0; k < 3; ++k)
       {
         const int corner = (ring.Sectors[piece.Sector].HubCorner + k) % 3;
-        vector += CGAL::to_double(piece.To[k] - piece.From[k]) * sectors[piece.Sector].Corners[corner];
+        vector +=
+          CGAL::to_double(piece.To[k] - piece.From[k]) * sectors[piece.Sector].Corners[corner];
       }
       const double length = std::abs(vector);
       overlaps[piece.Sector].Length += length;
@@ -215,16 +208,20 @@ LocalProlongation::LocalProlongation(const CollapseRecord& collapse)
   const OneRing& ring = collapse.Ring;
   const RingOverlay overlay(collapse);
 
-  const auto addVertex = [&](int vertexSlot, int vertex) {
+  const auto addVertex = [&](int vertexSlot, int vertex)
+  {
     const RingOverlay::Place place = overlay.PlaceOf(vertex);
     const std::array<int, 3> corners = { ring.Kept, ring.Loop[place.Sector],
       ring.Loop[ring.NextOnLoop(place.Sector)] };
-    ExactRow row;
+    Combination<double> row;
     for (int k = 0; k < 3; ++k)
     {
-      row.Add(corners[k], place.Weights[k]);
+      if (CGAL::sign(place.Weights[k]) != 0)
+      {
+        row.emplace_back(corners[k], CGAL::to_double(place.Weights[k]));
+      }
     }
-    this->Vertices.push_back(row.Rounded(vertexSlot));
+    this->Vertices.push_back({ vertexSlot, row });
   };
   addVertex(ring.Removed, ring.RemovedIndex());
   if (ring.KeptIndex() != ring.HubIndex())
@@ -240,20 +237,22 @@ LocalProlongation::LocalProlongation(const CollapseRecord& collapse)
   for (const FaceBefore& face : FacesBefore(ring))
   {
     CutSides cutSides;
-    std::array<ExactRow, 3> sides;
+    std::array<Combination<double>, 3> sides;
     for (int k = 0; k < 3; ++k)
     {
       cutSides[k] = overlay.PiecesOf(face.Corners[k], face.Corners[(k + 1) % 3]);
+      Combination<Rational> integral;
       for (const RingOverlay::Piece& piece : cutSides[k])
       {
-        AddWhitney(ring, piece, sides[k]);
+        AddWhitney(ring, piece, integral);
       }
+      sides[k] = Rounded(integral);
     }
-    const std::array<ExactRow, 3> zeroSum = WithZeroSum(sides, face.IsFixed);
+    const std::array<Combination<double>, 3> zeroSum = WithZeroSum(sides, face.IsFixed);
     for (int k = 0; k < 3; ++k)
     {
-      this->Halfedges.push_back(sides[k].Rounded(3 * face.Face + k));
-      this->ZeroSumHalfedges.push_back(zeroSum[k].Rounded(3 * face.Face + k));
+      this->Halfedges.push_back({ 3 * face.Face + k, sides[k] });
+      this->ZeroSumHalfedges.push_back({ 3 * face.Face + k, zeroSum[k] });
     }
     this->Powers.push_back(PowerRow(ring, face, cutSides, sectors));
   }

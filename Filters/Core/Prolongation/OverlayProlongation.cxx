@@ -99,12 +99,14 @@ void VisitBackwards(const LevelTransition& transition, const ExecutionContext& c
   {
     const int begin = std::max(0, end - CollapsesPerCheckpoint);
     std::vector<std::unique_ptr<LocalProlongation>> locals(end - begin);
-    context.ParallelFor(begin, end, CollapsesPerPiece, [&](int first, int last) {
-      for (int i = first; i < last; ++i)
+    context.ParallelFor(begin, end, CollapsesPerPiece,
+      [&](int first, int last)
       {
-        locals[i - begin] = std::make_unique<LocalProlongation>(collapses[i]);
-      }
-    });
+        for (int i = first; i < last; ++i)
+        {
+          locals[i - begin] = std::make_unique<LocalProlongation>(collapses[i]);
+        }
+      });
     for (int i = end; i-- > begin;)
     {
       visit(*locals[i - begin]);
@@ -132,7 +134,9 @@ BackwardProduct<double> UnitZeroForms(const LevelTransition& transition)
   BackwardProduct<double> product(
     transition.Fine.NumberOfVertices(), transition.Coarse.NumberOfVertices());
   VisitCoarse(transition.CoarseVertex,
-    [&](int slot, int vertex) { product[slot] = { { vertex, 1.0 } }; });
+    [&](int slot, int vertex) {
+      product[slot] = { { vertex, 1.0 } };
+    });
   return product;
 }
 
@@ -140,15 +144,16 @@ BackwardProduct<double> UnitZeroForms(const LevelTransition& transition)
 BackwardProduct<double> HalfedgesOfOneForms(const LevelTransition& transition)
 {
   const TriangleMesh& coarse = transition.Coarse;
-  BackwardProduct<double> product(
-    3 * transition.Fine.NumberOfFaces(), coarse.NumberOfEdges());
-  VisitCoarse(transition.CoarseFace, [&](int slot, int face) {
-    for (int k = 0; k < 3; ++k)
+  BackwardProduct<double> product(3 * transition.Fine.NumberOfFaces(), coarse.NumberOfEdges());
+  VisitCoarse(transition.CoarseFace,
+    [&](int slot, int face)
     {
-      const int h = 3 * face + k;
-      product[3 * slot + k] = { { coarse.EdgeOf(h), static_cast<double>(coarse.EdgeSign(h)) } };
-    }
-  });
+      for (int k = 0; k < 3; ++k)
+      {
+        const int h = 3 * face + k;
+        product[3 * slot + k] = { { coarse.EdgeOf(h), static_cast<double>(coarse.EdgeSign(h)) } };
+      }
+    });
   return product;
 }
 
@@ -173,13 +178,15 @@ BackwardProduct<double> HalfedgesOfFaceFields(
 {
   BackwardProduct<double> product(
     3 * transition.Fine.NumberOfFaces(), 2 * transition.Coarse.NumberOfFaces());
-  VisitCoarse(transition.CoarseFace, [&](int slot, int face) {
-    const Eigen::Matrix<double, 3, 2> sides = SidesInFrame(transition.Coarse, coarseFrames, face);
-    for (int k = 0; k < 3; ++k)
+  VisitCoarse(transition.CoarseFace,
+    [&](int slot, int face)
     {
-      product[3 * slot + k] = { { 2 * face, sides(k, 0) }, { 2 * face + 1, sides(k, 1) } };
-    }
-  });
+      const Eigen::Matrix<double, 3, 2> sides = SidesInFrame(transition.Coarse, coarseFrames, face);
+      for (int k = 0; k < 3; ++k)
+      {
+        product[3 * slot + k] = { { 2 * face, sides(k, 0) }, { 2 * face + 1, sides(k, 1) } };
+      }
+    });
   return product;
 }
 
@@ -194,17 +201,19 @@ Complex UnitPower(Complex z, int N)
   return power;
 }
 
-/// Powers in the frames of local operators, whose X is the first side, in terms of those in the coarse
-/// frames.
+/// Powers in the frames of local operators, whose X is the first side, in terms of those in the
+/// coarse frames.
 BackwardProduct<Complex> PowersFromCoarseFrames(
   const LevelTransition& transition, const TangentFrames& coarseFrames, int N)
 {
   BackwardProduct<Complex> product(
     transition.Fine.NumberOfFaces(), transition.Coarse.NumberOfFaces());
-  VisitCoarse(transition.CoarseFace, [&](int slot, int face) {
-    const Complex firstSide = SideDirections(transition.Coarse, coarseFrames, face)[0];
-    product[slot] = { { face, UnitPower(std::conj(firstSide), N) } };
-  });
+  VisitCoarse(transition.CoarseFace,
+    [&](int slot, int face)
+    {
+      const Complex firstSide = SideDirections(transition.Coarse, coarseFrames, face)[0];
+      product[slot] = { { face, UnitPower(std::conj(firstSide), N) } };
+    });
   return product;
 }
 
@@ -234,7 +243,8 @@ SparseMatrix<double> FineEdges(const BackwardProduct<double>& product,
 {
   const TriangleMesh& fine = transition.Fine;
   return ToMatrix(AssembleRows<double>(fine.NumberOfEdges(), context,
-                    [&](int edge, Row<double>& row) {
+                    [&](int edge, Row<double>& row)
+                    {
                       const int h = fine.HalfedgeOf(edge);
                       row = product[h];
                       for (auto& [column, entry] : row)
@@ -247,23 +257,24 @@ SparseMatrix<double> FineEdges(const BackwardProduct<double>& product,
 
 /// The field of each fine face from the values along its halfedges, by P_fine^+.
 SparseMatrix<double> FineFaceFields(const BackwardProduct<double>& product,
-  const LevelTransition& transition, const TangentFrames& fineFrames, const ExecutionContext& context)
+  const LevelTransition& transition, const TangentFrames& fineFrames,
+  const ExecutionContext& context)
 {
   const TriangleMesh& fine = transition.Fine;
-  return ToMatrix(AssembleRows<double>(2 * fine.NumberOfFaces(), context,
-                    [&](int i, Row<double>& row) {
-                      const int face = i / 2;
-                      const Eigen::Matrix<double, 2, 3> inverse =
-                        SidesInFrame(fine, fineFrames, face)
-                          .completeOrthogonalDecomposition()
-                          .pseudoInverse();
-                      std::array<std::pair<int, double>, 3> terms;
-                      for (int k = 0; k < 3; ++k)
-                      {
-                        terms[k] = { 3 * face + k, inverse(i % 2, k) };
-                      }
-                      row = product.Combination(terms);
-                    }),
+  return ToMatrix(
+    AssembleRows<double>(2 * fine.NumberOfFaces(), context,
+      [&](int i, Row<double>& row)
+      {
+        const int face = i / 2;
+        const Eigen::Matrix<double, 2, 3> inverse =
+          SidesInFrame(fine, fineFrames, face).completeOrthogonalDecomposition().pseudoInverse();
+        std::array<std::pair<int, double>, 3> terms;
+        for (int k = 0; k < 3; ++k)
+        {
+          terms[k] = { 3 * face + k, inverse(i % 2, k) };
+        }
+        row = product.Combination(terms);
+      }),
     product.NumberOfColumns());
 }
 
@@ -272,7 +283,8 @@ SparseMatrix<Complex> FinePowers(const BackwardProduct<Complex>& product,
   const ExecutionContext& context)
 {
   return ToMatrix(AssembleRows<Complex>(transition.Fine.NumberOfFaces(), context,
-                    [&](int face, Row<Complex>& row) {
+                    [&](int face, Row<Complex>& row)
+                    {
                       row = product[face];
                       const Complex firstSide =
                         SideDirections(transition.Fine, fineFrames, face)[0];
@@ -310,13 +322,15 @@ OverlayProlongation::OverlayProlongation(const LevelTransition& transition,
   BackwardProduct<double> faceFields = HalfedgesOfFaceFields(transition, coarseFrames);
   BackwardProduct<Complex> weights = PowersFromCoarseFrames(transition, coarseFrames, 0);
   BackwardProduct<Complex> turns = PowersFromCoarseFrames(transition, coarseFrames, 1);
-  VisitBackwards(transition, context, [&](const LocalProlongation& local) {
-    zeroForms.Undo(local.Vertices);
-    oneForms.Undo(local.Halfedges);
-    faceFields.Undo(local.ZeroSumHalfedges);
-    weights.Undo(OnPowers(local.Powers, 0));
-    turns.Undo(local.Powers);
-  });
+  VisitBackwards(transition, context,
+    [&](const LocalProlongation& local)
+    {
+      zeroForms.Undo(local.Vertices);
+      oneForms.Undo(local.Halfedges);
+      faceFields.Undo(local.ZeroSumHalfedges);
+      weights.Undo(OnPowers(local.Powers, 0));
+      turns.Undo(local.Powers);
+    });
   this->S0 = FineVertices(zeroForms, transition, context);
   this->S1 = FineEdges(oneForms, transition, context);
   this->SX = FineFaceFields(faceFields, transition, fineFrames, context);

@@ -9,9 +9,9 @@
 namespace dmg
 {
 
-/// The prolongations between two levels as the thesis makes them: the exact operators of each collapse
-/// (LocalProlongation.h), multiplied over all collapses. The reference for the fast operators, which
-/// come from tracked paths.
+/// The prolongations between two levels as the thesis makes them: the exact operators of each
+/// collapse (LocalProlongation.h), multiplied over all collapses. The reference for the fast
+/// operators, which come from tracked paths.
 ///
 /// Both constructions keep the same structure to rounding: S0 has rows of weights, d0 S0 = S1 d0,
 /// closed forms stay closed, G S0 = SX G. For a single collapse they give the same S0 and S1. Over
@@ -30,23 +30,23 @@ struct OverlayProlongation
   /// P_fine^+ (Q S_h) ... (Q S_h) P_coarse. Thesis, section 4.3.
   SparseMatrix<double> SX;
 
-  /// #F_l x #F_{l+1}: power fields of all N. The weight of an entry is the product of the weights of
-  /// the collapses, its turn that of the product for N = 1: the mean turning along all ways from one
-  /// face to the other. (See PowerFieldOverlay for one N.) Thesis, section 4.4.
+  /// #F_l x #F_{l+1}: power fields of all N. The weight of an entry is the product of the weights
+  /// of the collapses, its turn that of the product for N = 1: the mean turning along all ways from
+  /// one face to the other. (See PowerFieldOverlay for one N.) Thesis, section 4.4.
   TransportOperator SP;
 
   /// \pre the transition recorded its collapses: ProlongationConstruction::ExactOverlay.
   /// \param fineFrames, coarseFrames of the faces; SX and SP are between them.
   /// \throw InvalidInput the transition has no record. \throw Cancelled
-  /// Cost: O(#F_l) for bounded valence, about 1 ms per collapse; checkpoints every 256 collapses. Same
-  /// bits for any number of threads.
+  /// Cost: O(#F_l) for bounded valence, about 1 ms per collapse; checkpoints every 256 collapses.
+  /// Same bits for any number of threads.
   OverlayProlongation(const LevelTransition& transition, const TangentFrames& fineFrames,
     const TangentFrames& coarseFrames, const ExecutionContext& context);
 };
 
 /// The prolongation of N-power fields as the thesis makes it, for one N: the product of the local
-/// operators on N-powers. Ways from one face to another by different collapses turn differently where
-/// the surface is curved, and N-powers feel N times the difference: for N > 1 this is not
+/// operators on N-powers. Ways from one face to another by different collapses turn differently
+/// where the surface is curved, and N-powers feel N times the difference: for N > 1 this is not
 /// OnPowers(SP, N), which takes the mean of the ways first; on flat patches it is.
 /// \pre, \throw, cost: as above. N >= 0; N = 0 gives the weights.
 /// \return #F_l x #F_{l+1}

@@ -10,7 +10,8 @@ namespace
 
 bool IsInside(const std::array<Rational, 3>& weights)
 {
-  return CGAL::sign(weights[0]) >= 0 && CGAL::sign(weights[1]) >= 0 && CGAL::sign(weights[2]) >= 0;
+  return std::none_of(
+    weights.begin(), weights.end(), [](const Rational& w) { return CGAL::sign(w) < 0; });
 }
 
 }
@@ -18,58 +19,81 @@ bool IsInside(const std::array<Rational, 3>& weights)
 RingOverlay::RingOverlay(const CollapseRecord& collapse)
   : Ring(collapse.Ring)
 {
-  const auto exact = [&](int vertex) {
+  const int vertices = this->Ring.NumberOfVertices();
+  const auto exact = [&](int vertex)
+  {
     const Complex place = collapse.Plane[vertex];
     return PlaneVector(Rational(place.real()), Rational(place.imag()));
   };
   const PlaneVector hub = exact(this->Ring.HubIndex());
-  for (int vertex = 0; vertex < this->Ring.NumberOfVertices(); ++vertex)
+  for (int vertex = 0; vertex < vertices; ++vertex)
   {
     this->FromHub.push_back(exact(vertex) - hub);
   }
+  for (int k = 0; k < this->Ring.LoopSize(); ++k)
+  {
+    for (int vertex = 0; vertex < vertices; ++vertex)
+    {
+      this->Areas.push_back(CGAL::determinant(this->FromHub[k], this->FromHub[vertex]));
+    }
+  }
   for (int vertex : { this->Ring.RemovedIndex(), this->Ring.KeptIndex() })
   {
-    const int sector = this->SectorAt(this->FromHub[vertex], PlaneVector(0, 0));
-    if (sector < 0 || !IsInside(this->WeightsIn(sector, this->FromHub[vertex])))
+    const int sector = this->SectorWith(vertex, vertex);
+    if (sector < 0 || !IsInside(this->WeightsIn(sector, vertex)))
     {
       this->FromHub[vertex] = PlaneVector(0, 0);
+      for (int k = 0; k < this->Ring.LoopSize(); ++k)
+      {
+        this->Areas[k * vertices + vertex] = 0;
+      }
     }
   }
 }
 
 RingOverlay::Place RingOverlay::PlaceOf(int vertex) const
 {
-  const int sector = this->SectorAt(this->FromHub[vertex], PlaneVector(0, 0));
-  return { sector, this->WeightsIn(sector, this->FromHub[vertex]) };
+  const int sector = this->SectorWith(vertex, vertex);
+  return { sector, this->WeightsIn(sector, vertex) };
 }
 
 std::vector<RingOverlay::Piece> RingOverlay::PiecesOf(int from, int to) const
 {
   std::vector<Piece> pieces;
-  if (!this->Cut(this->FromHub[from], this->FromHub[to], pieces))
+  if (this->PassesHub(from, to) || !this->Cut(from, to, pieces))
   {
     pieces.clear();
-    this->Cut(this->FromHub[from], PlaneVector(0, 0), pieces);
-    this->Cut(PlaneVector(0, 0), this->FromHub[to], pieces);
+    this->Cut(from, this->Ring.HubIndex(), pieces);
+    this->Cut(this->Ring.HubIndex(), to, pieces);
   }
   return pieces;
 }
 
-// The sector between whose spokes a point lies; of two, on a spoke, the one on the left of a direction
-// along it; -1 where there is none.
-int RingOverlay::SectorAt(const PlaneVector& point, const PlaneVector& direction) const
+bool RingOverlay::PassesHub(int from, int to) const
 {
+  const PlaneVector& a = this->FromHub[from];
+  const PlaneVector& b = this->FromHub[to];
+  return CGAL::sign(a * b) < 0 && CGAL::sign(CGAL::determinant(a, b)) == 0;
+}
+
+// The sector between whose spokes both vertices lie; if they lie on one spoke, the sector on its
+// left, seen from the first towards the second; -1 where there is none.
+int RingOverlay::SectorWith(int from, int to) const
+{
+  const PlaneVector direction = this->FromHub[to] - this->FromHub[from];
   int otherSide = -1;
   for (int k = 0; k < this->Ring.NumberOfSectors(); ++k)
   {
-    const auto fromSpoke = CGAL::sign(CGAL::determinant(this->Spoke(k), point));
-    const auto toNextSpoke = CGAL::sign(CGAL::determinant(point, this->NextSpoke(k)));
-    if (fromSpoke < 0 || toNextSpoke < 0)
+    const int next = this->Ring.NextOnLoop(k);
+    const auto fromSpoke = { CGAL::sign(this->Area(k, from)), CGAL::sign(this->Area(k, to)) };
+    const auto fromNext = { CGAL::sign(this->Area(next, from)), CGAL::sign(this->Area(next, to)) };
+    if (std::min(fromSpoke) < 0 || std::max(fromNext) > 0)
     {
       continue;
     }
-    const bool isOnTheRight = (fromSpoke == 0 && CGAL::sign(this->Spoke(k) * direction) < 0) ||
-      (toNextSpoke == 0 && CGAL::sign(this->NextSpoke(k) * direction) > 0);
+    const bool isOnTheRight =
+      (std::max(fromSpoke) == 0 && CGAL::sign(this->FromHub[k] * direction) < 0) ||
+      (std::min(fromNext) == 0 && CGAL::sign(this->FromHub[next] * direction) > 0);
     if (!isOnTheRight)
     {
       return k;
@@ -79,61 +103,80 @@ int RingOverlay::SectorAt(const PlaneVector& point, const PlaneVector& direction
   return otherSide;
 }
 
-std::array<Rational, 3> RingOverlay::WeightsIn(int sector, const PlaneVector& point) const
+// The sector that follows or precedes a spoke, counter-clockwise. Beyond the ends of an open fan
+// there is none, and the number is no sector's.
+int RingOverlay::SectorBeside(int spoke, bool following) const
 {
-  const PlaneVector& a = this->Spoke(sector);
-  const PlaneVector& b = this->NextSpoke(sector);
-  const Rational area = CGAL::determinant(a, b);
-  const Rational ofA = CGAL::determinant(point, b) / area;
-  const Rational ofB = CGAL::determinant(a, point) / area;
-  return { 1 - ofA - ofB, ofA, ofB };
+  const int preceding = spoke == 0 ? this->Ring.LoopSize() - 1 : spoke - 1;
+  return following ? spoke : preceding;
 }
 
-// Parameters along a segment, 0 and 1 and those between at which it crosses spokes; ascending.
-std::vector<Rational> RingOverlay::CutsOf(const PlaneVector& from, const PlaneVector& to) const
+std::array<Rational, 3> RingOverlay::WeightsIn(int sector, int vertex) const
 {
-  std::vector<Rational> cuts = { 0, 1 };
+  const int next = this->Ring.NextOnLoop(sector);
+  const Rational& whole = this->Area(sector, next);
+  const Rational first = -this->Area(next, vertex) / whole;
+  const Rational second = this->Area(sector, vertex) / whole;
+  return { 1 - first - second, first, second };
+}
+
+std::array<Rational, 3> RingOverlay::WeightsIn(int sector, const Crossing& crossing) const
+{
+  const Rational& u = crossing.AlongSpoke;
+  return crossing.Spoke == sector ? std::array<Rational, 3>{ 1 - u, u, 0 }
+                                  : std::array<Rational, 3>{ 1 - u, 0, u };
+}
+
+// In the order of the edge.
+std::vector<RingOverlay::Crossing> RingOverlay::CrossingsOf(int from, int to) const
+{
+  std::vector<Crossing> crossings;
   for (int k = 0; k < this->Ring.LoopSize(); ++k)
   {
-    const Rational start = CGAL::determinant(this->Spoke(k), from);
-    const Rational end = CGAL::determinant(this->Spoke(k), to);
-    if (CGAL::sign(start) * CGAL::sign(end) < 0)
+    const Rational& start = this->Area(k, from);
+    const Rational& end = this->Area(k, to);
+    if (CGAL::sign(start) * CGAL::sign(end) >= 0)
     {
-      const Rational cut = start / (start - end);
-      const PlaneVector crossing = from + cut * (to - from);
-      if (CGAL::sign(this->Spoke(k) * crossing) >= 0)
-      {
-        cuts.push_back(cut);
-      }
+      continue;
+    }
+    const Rational across = end - start;
+    const Rational alongSpoke = CGAL::determinant(this->FromHub[from], this->FromHub[to]) / across;
+    if (CGAL::sign(alongSpoke) > 0)
+    {
+      crossings.push_back({ k, CGAL::sign(across) > 0, -start / across, alongSpoke });
     }
   }
-  std::sort(cuts.begin(), cuts.end());
-  cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end()); // at the hub all spokes meet
-  return cuts;
+  std::sort(crossings.begin(), crossings.end(),
+    [](const Crossing& a, const Crossing& b) { return a.AlongEdge < b.AlongEdge; });
+  return crossings;
 }
 
-// Appends the pieces of a segment; false where it leaves the polygon.
-bool RingOverlay::Cut(
-  const PlaneVector& from, const PlaneVector& to, std::vector<Piece>& pieces) const
+// Appends the pieces of an edge that does not pass the hub; false where it leaves the polygon.
+bool RingOverlay::Cut(int from, int to, std::vector<Piece>& pieces) const
 {
-  const PlaneVector line = to - from;
-  const std::vector<Rational> cuts = this->CutsOf(from, to);
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+  const auto isSector = [&](int k) { return k >= 0 && k < this->Ring.NumberOfSectors(); };
+  const std::vector<Crossing> crossings = this->CrossingsOf(from, to);
+  int sector = crossings.empty()
+    ? this->SectorWith(from, to)
+    : this->SectorBeside(crossings.front().Spoke, !crossings.front().CounterClockwise);
+  if (!isSector(sector))
   {
-    const PlaneVector middle = from + (cuts[i] + cuts[i + 1]) / 2 * line;
-    const int sector = this->SectorAt(middle, line);
-    if (sector < 0)
-    {
-      return false;
-    }
-    pieces.push_back({ sector, this->WeightsIn(sector, from + cuts[i] * line),
-      this->WeightsIn(sector, from + cuts[i + 1] * line) });
-    if (!IsInside(pieces.back().From) || !IsInside(pieces.back().To))
-    {
-      return false;
-    }
+    return false;
   }
-  return true;
+  std::array<Rational, 3> start = this->WeightsIn(sector, from);
+  for (const Crossing& crossing : crossings)
+  {
+    pieces.push_back({ sector, start, this->WeightsIn(sector, crossing) });
+    sector = this->SectorBeside(crossing.Spoke, crossing.CounterClockwise);
+    if (!isSector(sector))
+    {
+      return false;
+    }
+    start = this->WeightsIn(sector, crossing);
+  }
+  pieces.push_back({ sector, start, this->WeightsIn(sector, to) });
+  return std::all_of(pieces.begin(), pieces.end(),
+    [](const Piece& piece) { return IsInside(piece.From) && IsInside(piece.To); });
 }
 
 }

@@ -16,16 +16,16 @@ using Rational = CGAL::Gmpq;
 
 /// The overlay of a one-ring before and after its collapse, in the plane of their joint flattening:
 /// where the vertices and the edges before lie on the sectors after. In rational numbers, which
-/// doubles are: which sector holds a point, whether a point lies on an edge and whether an edge runs
-/// along another are facts, not matters of tolerance. Thesis, sections 4.1 and 5.2.
+/// doubles are: which sector holds a point, whether a point lies on an edge and whether an edge
+/// runs along another are facts, not matters of tolerance. Thesis, sections 4.1 and 5.2.
 ///
 /// Vertices are named by the local numbers of the ring. A place is a sector and barycentric
 /// coordinates there, hub first; they are never negative and sum to 1.
 ///
 /// Both sides fill the same polygon, so all edges before lie on the sectors after. Only a face that
 /// has no area in space may lie folded in the plane. Then a vertex outside of the polygon is put on
-/// the hub, and an edge that leaves the polygon takes the way by the hub, which sees all of it: what
-/// holds for the paths of edges and the places of vertices holds still.
+/// the hub, and an edge that leaves the polygon takes the way by the hub, which sees all of it:
+/// what holds for the paths of edges and the places of vertices holds still.
 ///
 /// Includes CGAL: for source files of this folder only.
 class RingOverlay
@@ -47,25 +47,39 @@ public:
     std::array<Rational, 3> From;
     std::array<Rational, 3> To;
   };
-  /// The parts of the edge from one vertex to another, in this order. Where it runs along a spoke, in
-  /// the sector on its left; on the boundary, in the only one.
+  /// The parts of the edge from one vertex to another, in this order. Where it runs along a spoke,
+  /// in the sector on its left; on the boundary, in the only one.
   std::vector<Piece> PiecesOf(int from, int to) const;
 
 private:
+  /// Where the line of an edge meets a spoke, strictly between the ends of the edge.
+  struct Crossing
+  {
+    int Spoke;
+    bool CounterClockwise; ///< the direction of the edge there, seen from the hub
+    Rational AlongEdge; ///< 0 at its start, 1 at its end
+    Rational AlongSpoke; ///< 0 at the hub, 1 at the polygon
+  };
+
+  int SectorBeside(int spoke, bool following) const;
+  int SectorWith(int from, int to) const;
+  std::array<Rational, 3> WeightsIn(int sector, int vertex) const;
+  std::array<Rational, 3> WeightsIn(int sector, const Crossing& crossing) const;
+  std::vector<Crossing> CrossingsOf(int from, int to) const;
+  bool PassesHub(int from, int to) const;
+  bool Cut(int from, int to, std::vector<Piece>& pieces) const;
+
   using PlaneVector = CGAL::Simple_cartesian<Rational>::Vector_2;
 
-  const PlaneVector& Spoke(int sector) const { return this->FromHub[sector]; }
-  const PlaneVector& NextSpoke(int sector) const
+  /// Twice the area of hub, x_k, vertex: positive where the vertex is on the left of the spoke.
+  const Rational& Area(int k, int vertex) const
   {
-    return this->FromHub[this->Ring.NextOnLoop(sector)];
+    return this->Areas[k * this->Ring.NumberOfVertices() + vertex];
   }
-  int SectorAt(const PlaneVector& point, const PlaneVector& direction) const;
-  std::array<Rational, 3> WeightsIn(int sector, const PlaneVector& point) const;
-  std::vector<Rational> CutsOf(const PlaneVector& from, const PlaneVector& to) const;
-  bool Cut(const PlaneVector& from, const PlaneVector& to, std::vector<Piece>& pieces) const;
 
   const OneRing& Ring;
   std::vector<PlaneVector> FromHub; // positions in the plane, by local number
+  std::vector<Rational> Areas;
 };
 
 }
