@@ -76,7 +76,7 @@ std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
     CollapsibleMesh::Compacted compacted = shrinking.Compact();
     levels.push_back(std::move(compacted.Mesh));
     onLevel({ *fine, levels.back(), tracking, compacted.VertexNumber, compacted.FaceNumber,
-      collapses });
+      records });
     CollapsibleMesh next(levels.back(), context);
     next.InheritQuadrics(shrinking, compacted.VertexNumber);
     shrinking = std::move(next);

@@ -22,9 +22,9 @@ struct LevelTransition
   /// From the slots that the tracking names to the numbers in Coarse, or -1.
   const std::vector<int>& CoarseVertex;
   const std::vector<int>& CoarseFace;
-  /// The collapses from Fine to Coarse, oldest first, in slots as above. Empty unless the options
+  /// The collapses from Fine to Coarse, oldest first, in slots as above. Null unless the options
   /// ask for ProlongationConstruction::ExactOverlay.
-  const std::vector<CollapseRecord>& Collapses;
+  const std::vector<CollapseRecord>* Collapses = nullptr;
 };
 
 /// Decimates a surface level by level. Level l + 1 has FaceRatio times the faces of level l, or

@@ -89,12 +89,12 @@ void VisitBackwards(const LevelTransition& transition, const ExecutionContext& c
 {
   constexpr int CollapsesPerCheckpoint = 256;
   constexpr int CollapsesPerPiece = 8;
-  const std::vector<CollapseRecord>& collapses = transition.Collapses;
-  if (collapses.empty())
+  if (!transition.Collapses)
   {
     throw InvalidInput("the hierarchy did not record its collapses; build it with the construction "
                        "by exact overlay");
   }
+  const std::vector<CollapseRecord>& collapses = *transition.Collapses;
   for (int end = static_cast<int>(collapses.size()); end > 0;)
   {
     const int begin = std::max(0, end - CollapsesPerCheckpoint);

@@ -132,7 +132,7 @@ Polygon ClippedTo(Polygon polygon, const Polygon& triangle)
 /// collapse.
 SparseMatrix<double> OverlapShares(const LevelTransition& transition)
 {
-  const CollapseRecord& collapse = transition.Collapses.front();
+  const CollapseRecord& collapse = transition.Collapses->front();
   const OneRing& ring = collapse.Ring;
   const auto triangle = [&](const std::array<int, 3>& corners)
   {
@@ -195,7 +195,7 @@ TEST(LocalProlongation, EqualsTheTrackedOperatorsEntryByEntry)
     VisitSingleCollapses(mesh,
       [&](const LevelTransition& transition)
       {
-        ++kinds[transition.Collapses.front().Ring.Kind];
+        ++kinds[transition.Collapses->front().Ring.Kind];
         const OverlayProlongation exact = Overlay(transition);
         EXPECT_LT(
           LargestDifference(exact.S0, ScalarProlongation(transition, SerialContext())), 1e-12);
@@ -237,8 +237,8 @@ TEST(LocalProlongation, KeepsHalfedgeFormsAtZeroSum)
     VisitSingleCollapses(mesh,
       [&](const LevelTransition& transition)
       {
-        const OneRing& ring = transition.Collapses.front().Ring;
-        const LocalProlongation local(transition.Collapses.front());
+        const OneRing& ring = transition.Collapses->front().Ring;
+        const LocalProlongation local(transition.Collapses->front());
 
         Vector<double> after = Vector<double>::Zero(3 * mesh.NumberOfFaces());
         for (const OneRing::Sector& sector : ring.Sectors)
@@ -295,7 +295,7 @@ TEST(LocalProlongation, ProjectsFacesAtThePolygonOtherThanAllAtOnce)
   VisitSingleCollapses(mesh,
     [&](const LevelTransition& transition)
     {
-      const CollapseRecord& collapse = transition.Collapses.front();
+      const CollapseRecord& collapse = transition.Collapses->front();
       const LocalProlongation local(collapse);
       std::map<int, std::map<int, double>> rows;
       for (const LocalRow<double>& row : local.Halfedges)

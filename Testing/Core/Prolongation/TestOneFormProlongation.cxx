@@ -46,7 +46,7 @@ void VisitLevels(const Surface& surface, int minimumNumberOfFaces, Visit visit)
     BuildMeshHierarchy(
       surface.Mesh(), options, SerialContext(), [&](const LevelTransition& transition) {
         ++levels;
-        visit(transition, OneFormProlongation(transition, SerialContext()));
+        visit(transition, OneFormProlongation(FineEdgePaths(transition), SerialContext()));
       });
     EXPECT_GE(levels, 2);
   }
@@ -134,7 +134,7 @@ TEST(OneFormProlongation, ReproducesConstantsAndRotationsInAPlane)
   BuildMeshHierarchy(IrregularPlane(40, 30, 9).Mesh(), options, SerialContext(),
     [&a](const LevelTransition& transition) {
       const TriangleMesh& fine = transition.Fine;
-      const SparseMatrix<double> S1 = OneFormProlongation(transition, SerialContext());
+      const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
       const Vector<double> prolonged = S1 * ConstantPlusRotation(transition.Coarse, a, 0.5);
       EXPECT_LT(RelativeDifference(prolonged, ConstantPlusRotation(fine, a, 0.5)), 1e-12);
       EXPECT_LT((D1(fine) * prolonged - fine.FaceAreas()).cwiseAbs().maxCoeff(), 1e-11);
@@ -177,7 +177,7 @@ TEST(OneFormProlongation, LetsSomePathSeeEveryCoarseEdge)
   std::iota(coarseFace.begin(), coarseFace.end(), 0);
   const LevelTransition transition{ fine, coarse, tracking, coarseVertex, coarseFace };
 
-  const SparseMatrix<double> S1 = OneFormProlongation(transition, SerialContext());
+  const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
   EXPECT_GE(WeakestColumn(S1), 0.5);
   const SparseMatrix<double> S0 = ScalarProlongation(transition, SerialContext());
   EXPECT_LT(ExactnessResidual(fine, coarse, S0, S1), 1e-15);
@@ -197,8 +197,8 @@ TEST(OneFormProlongation, HasTheSameBitsForAnyNumberOfThreads)
   options.MaximumNumberOfCoarseLevels = 1;
   BuildMeshHierarchy(IrregularTorus(96, 48, 21).Mesh(), options, SerialContext(),
     [](const LevelTransition& transition) {
-      const SparseMatrix<double> expected = OneFormProlongation(transition, SerialContext());
-      EXPECT_EQ(RelativeDifference(OneFormProlongation(transition, TbbContext(3)), expected), 0.0);
+      const SparseMatrix<double> expected = OneFormProlongation(FineEdgePaths(transition), SerialContext());
+      EXPECT_EQ(RelativeDifference(OneFormProlongation(FineEdgePaths(transition), TbbContext(3)), expected), 0.0);
     });
 }
 
@@ -233,7 +233,7 @@ TEST(SurfaceHierarchy, HasOneFormsInTheCallersNumbering)
     options.MaximumNumberOfCoarseLevels = 1;
     BuildMeshHierarchy(
       order.Apply(mesh), options, SerialContext(), [&](const LevelTransition& transition) {
-        const SparseMatrix<double> S1 = OneFormProlongation(transition, SerialContext());
+        const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
         for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
         {
           const int tail = order.Vertices()[transition.Fine.EdgeVertices(edge)[0]];

@@ -345,7 +345,7 @@ TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
     [](const LevelTransition& transition)
     {
       const Level level(transition);
-      const SparseMatrix<double> tracked = OneFormProlongation(transition, SerialContext());
+      const SparseMatrix<double> tracked = OneFormProlongation(FineEdgePaths(transition), SerialContext());
       const SparseMatrix<double> ofForms =
         (level.Exact.S1 - tracked) * DifferencesAlongEdges(level.Coarse);
       const SparseMatrix<double> ofFunctions = DifferencesAlongEdges(level.Fine) *
@@ -360,7 +360,7 @@ TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
       const Vector<double> constant =
         DifferencesAlongEdges(level.Coarse) * level.Coarse.VertexPositions().col(0);
       EXPECT_LT(
-        (level.Exact.S1 * constant - OneFormProlongation(transition, SerialContext()) * constant)
+        (level.Exact.S1 * constant - OneFormProlongation(FineEdgePaths(transition), SerialContext()) * constant)
           .cwiseAbs()
           .maxCoeff(),
         1e-9);
