@@ -41,7 +41,7 @@ void VisitSingleCollapses(const TriangleMesh& mesh, Visit visit)
       const std::vector<CollapseRecord> collapses = { collapse.Record() };
       const CollapsibleMesh::Compacted coarse = shrinking.Compact();
       visit(LevelTransition{
-        mesh, coarse.Mesh, tracking, coarse.VertexNumber, coarse.FaceNumber, collapses });
+        mesh, coarse.Mesh, tracking, coarse.VertexNumber, coarse.FaceNumber, &collapses });
     }
   }
 }

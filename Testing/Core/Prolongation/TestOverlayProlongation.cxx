@@ -2,22 +2,14 @@
 #include "Hierarchy/MeshHierarchy.h"
 #include "Prolongation/OverlayProlongation.h"
 #include "Prolongation/PowerFieldProlongation.h"
+#include "Prolongation/FaceFieldProlongation.h"
+#include "Prolongation/OneFormProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
-
-// The fast operators with which this one is compared where they are there.
-#if __has_include("Prolongation/OneFormProlongation.h")
-#include "Prolongation/OneFormProlongation.h"
-#define DMG_TEST_FAST_ONE_FORMS
-#endif
-#if __has_include("Prolongation/FaceFieldProlongation.h")
-#include "Prolongation/FaceFieldProlongation.h"
-#define DMG_TEST_FAST_FACE_FIELDS
-#endif
 
 #include <gtest/gtest.h>
 
@@ -336,7 +328,6 @@ TEST(OverlayProlongation, DiffersFromTrackingOverManyCollapses)
     });
 }
 
-#ifdef DMG_TEST_FAST_ONE_FORMS
 // As above, for S1: the same on exact forms up to the difference of S0, equal on constant vectors
 // in a plane, and five times the entries on curved surfaces.
 TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
@@ -366,9 +357,7 @@ TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
         1e-9);
     });
 }
-#endif
 
-#ifdef DMG_TEST_FAST_FACE_FIELDS
 // As above, for SX. The tracked one fits all three sides of a fine face at once (Q_I), and only on
 // the finest mesh; the thesis's does so after each collapse, and keeps the sides at the polygons
 // (Q_B).
@@ -389,7 +378,6 @@ TEST(OverlayProlongation, AgreesWithTrackedFaceFieldsWhereItMust)
       EXPECT_GT(level.Exact.SX.nonZeros(), 3 * tracked.nonZeros());
     });
 }
-#endif
 
 TEST(OverlayProlongation, HasTheSameBitsForAnyNumberOfThreads)
 {
