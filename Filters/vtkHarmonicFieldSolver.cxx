@@ -36,8 +36,8 @@ bool SameElements(const dmg::FieldConstraints& a, const dmg::FieldConstraints& b
 
 bool operator==(const dmg::SweepOptions& a, const dmg::SweepOptions& b)
 {
-  return std::tie(a.Rule, a.Sweeps, a.LeastImprovement) ==
-    std::tie(b.Rule, b.Sweeps, b.LeastImprovement);
+  return std::tie(a.Rule, a.Sweeps, a.LeastImprovement, a.Cycles) ==
+    std::tie(b.Rule, b.Sweeps, b.LeastImprovement, b.Cycles);
 }
 
 bool operator==(const dmg::SolverOptions& a, const dmg::SolverOptions& b)
@@ -328,6 +328,7 @@ int vtkHarmonicFieldSolver::RequestData(
       this->VertexAreas == MixedVoronoi ? dmg::VertexAreas::MixedVoronoi : dmg::VertexAreas::Barycentric);
     options.Solver.Kind = static_cast<dmg::SolverKind>(this->Solver);
     options.Solver.Sweeps = this->Sweeps;
+    options.Solver.Nested.Cycles = this->NestedCycles;
     options.Solver.Nested.Rule = static_cast<dmg::SweepRule>(this->NestedRule);
     options.Solver.Nested.Sweeps = this->NestedSweeps;
     options.Solver.StartingLevel = this->StartingLevel;
@@ -391,6 +392,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving") << "\n";
   os << indent << "Sweeps: " << this->Sweeps << "\n";
+  os << indent << "NestedCycles: " << this->NestedCycles << "\n";
   os << indent << "NestedRule: " << rules[this->NestedRule] << "\n";
   os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";
   os << indent << "StartingLevel: " << this->StartingLevel << "\n";

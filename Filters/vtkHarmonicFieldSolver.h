@@ -253,6 +253,16 @@ public:
   vtkGetMacro(Sweeps, int);
   ///@}
 
+  ///@{
+  /**
+   * Steps of conjugate gradients, with a V-cycle as preconditioner, that nested iterations take on each
+   * level before they sweep (full multigrid); 0 leaves sweeps alone, as in the thesis. Default 2, at
+   * least 0.
+   */
+  vtkSetClampMacro(NestedCycles, int, 0, VTK_INT_MAX);
+  vtkGetMacro(NestedCycles, int);
+  ///@}
+
   enum NestedRules
   {
     /** After NestedSweeps sweeps. */
@@ -391,6 +401,7 @@ private:
   int Solver = Automatic;
   int CoarseSpace = Nodal;
   int Sweeps = 2;
+  int NestedCycles = 2;
   int NestedRule = FixedNumber;
   int NestedSweeps = 20;
   int StartingLevel = -1;

@@ -33,8 +33,9 @@ def pairs(axis, rows, names):
     places = range(len(rows))
     for name, colour in names:
         axis.semilogy(places, column(rows, name), "o", color=colour, label=name)
-        axis.semilogy(places, column(rows, "thesis_" + name), "x", color=colour,
-                      label="thesis's " + name)
+        if "thesis_" + name in rows[0]:
+            axis.semilogy(places, column(rows, "thesis_" + name), "x", color=colour,
+                          label="thesis's " + name)
     axis.set_xticks(list(places))
     axis.set_xticklabels([row["surface"][:14] for row in rows], rotation=60, ha="right", fontsize=7)
     axis.grid(True, axis="y", alpha=0.3)
@@ -59,11 +60,12 @@ def main():
 
     figure(folder, "errors.png", "Errors against Cholesky (tables 7.8 to 7.10)",
            lambda axis, d: pairs(axis, of(solves, d),
-                                 [("cp_error", "tab:blue"), ("ni_error", "tab:orange")]))
+                                 [("cp_error", "tab:blue"), ("ni_error", "tab:orange"),
+                                  ("fmg_error", "tab:green")]))
     figure(folder, "times.png", "Milliseconds (tables 7.11 to 7.13)",
            lambda axis, d: pairs(axis, of(solves, d),
                                  [("cholesky_prepare", "tab:blue"), ("mg_prepare", "tab:green"),
-                                  ("ni_solve", "tab:orange")]))
+                                  ("ni_solve", "tab:orange"), ("fmg_solve", "tab:red")]))
 
     def draw_sweeps(axis, discretisation):
         rows = of(sweeps, discretisation)

@@ -14,22 +14,22 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 
-/// |b - A x|^2.
+/// b - A x.
 template <class Value>
-double SquaredResidual(const UnitDiagonalMatrix<Value>& A, const Vector<Value>& b,
+Vector<Value> Residual(const UnitDiagonalMatrix<Value>& A, const Vector<Value>& b,
   const Vector<Value>& x, const ExecutionContext& context)
 {
-  return SumOverBlocks<double>(static_cast<int>(b.size()), context,
-    [&A, &b, &x](int first, int last)
+  constexpr int Grain = 4096;
+  Vector<Value> r(b.size());
+  context.ParallelFor(0, static_cast<int>(b.size()), Grain,
+    [&](int first, int last)
     {
-      double sum = 0.0;
       for (int i = first; i < last; ++i)
       {
-        sum += Eigen::numext::abs2(
-          b[i] - x[i] - RowTimes(A.Lower, i, x.data()) - RowTimes(A.Upper, i, x.data()));
+        r[i] = b[i] - x[i] - RowTimes(A.Lower, i, x.data()) - RowTimes(A.Upper, i, x.data());
       }
-      return sum;
     });
+  return r;
 }
 
 }
@@ -67,6 +67,65 @@ public:
       this->BringToFinest(level);
       this->AppendRow(level);
       this->Start += Clock::now() - begin;
+    }
+  }
+
+  /// Conjugate gradients on this level, a V-cycle down from it as preconditioner.
+  void Cycle(int level)
+  {
+    auto& levelOf = this->Nested.Scaled[level];
+    const int coarsest = this->Nested.Scaled.NumberOfLevels() - 1;
+    Vector<Scalar> solution = levelOf.x;
+    Vector<Scalar> residual = Residual(levelOf.A, levelOf.b, solution, this->Context);
+    Vector<Scalar> direction = Vector<Scalar>::Zero(solution.size());
+    const Vector<Scalar> zero = direction;
+    const Vector<Scalar> rightHandSide = levelOf.b;
+    double former = 0.0;
+    for (int cycle = 0; cycle < this->Options.Cycles; ++cycle)
+    {
+      this->Context.Checkpoint((coarsest - level - 1.0) / coarsest);
+      levelOf.b = residual;
+      this->CycleFromZero(level);
+      const double product = Eigen::numext::real(Dot(residual, levelOf.x, this->Context));
+      direction = levelOf.x + (former > 0.0 ? product / former : 0.0) * direction;
+      former = product;
+      const Vector<Scalar> image = -Residual(levelOf.A, zero, direction, this->Context);
+      const double energy = Eigen::numext::real(Dot(direction, image, this->Context));
+      if (!(product > 0.0 && energy > 0.0))
+      {
+        break; // solved
+      }
+      solution += (product / energy) * direction;
+      residual -= (product / energy) * image;
+      levelOf.x = solution;
+      if (level == 0)
+      {
+        this->Observe(level);
+      }
+    }
+    levelOf.x = solution;
+    levelOf.b = rightHandSide;
+  }
+
+  /// A V-cycle on this level and below, from x = 0. Right-hand sides of coarser levels have served, and
+  /// are overwritten.
+  void CycleFromZero(int level)
+  {
+    auto& levels = this->Nested.Scaled;
+    const auto& smoothers = this->Nested.Smoothers;
+    const int coarsest = levels.NumberOfLevels() - 1;
+    Vector<Scalar> residual;
+    for (int l = level; l < coarsest; ++l)
+    {
+      residual.resize(levels[l].x.size());
+      smoothers[l]->PreSmooth(levels[l].b, levels[l].x, residual, this->Context);
+      levels.Restrict(l, residual, this->Context);
+    }
+    levels.SolveCoarsest();
+    for (int l = coarsest; l-- > level;)
+    {
+      levels.Correct(l, this->Context);
+      smoothers[l]->PostSmooth(levels[l].b, levels[l].x, this->Context);
     }
   }
 
@@ -122,9 +181,9 @@ private:
       throw InvalidInput("the right-hand side must have " +
         std::to_string(this->Nested.A->rows()) + " values, one per unknown");
     }
-    if (this->Options.Sweeps < 0)
+    if (this->Options.Sweeps < 0 || this->Options.Cycles < 0)
     {
-      throw InvalidInput("the number of smoothing sweeps must not be negative");
+      throw InvalidInput("the numbers of smoothing sweeps and of cycles must not be negative");
     }
     if (this->Measure)
     {
@@ -150,7 +209,8 @@ private:
     if (this->Options.Rule == SweepRule::WhileResidualFalls)
     {
       const auto& levelOf = this->Nested.Scaled[level];
-      return std::sqrt(SquaredResidual(levelOf.A, levelOf.b, levelOf.x, this->Context));
+      return std::sqrt(
+        SquaredNorm(Residual(levelOf.A, levelOf.b, levelOf.x, this->Context), this->Context));
     }
     if (this->Options.Rule == SweepRule::WhileErrorFalls)
     {
@@ -221,6 +281,7 @@ NestedIteration<Scalar>::NestedIteration(const SparseMatrix<Scalar>& matrix,
   this->Hierarchy.ForgetMatrices();
   this->Hierarchy.ForgetProlongations();
   SmootherOptions oneSweep;
+  oneSweep.PreSweeps = 1;
   oneSweep.PostSweeps = 1;
   for (int level = 0; this->MaySweep && level + 1 < this->Scaled.NumberOfLevels(); ++level)
   {
@@ -248,10 +309,11 @@ std::vector<int> NestedIteration<Scalar>::Solve(const Vector<Scalar>& b,
   for (int level = coarsest; level-- > 0;)
   {
     this->Scaled.Prolong(level, context);
-    if (this->MaySweep && sweeps.Sweeps > 0)
+    if (this->MaySweep)
     {
+      run.Cycle(level);
       numbers[level] = run.Sweep(level);
-      if (level > 0)
+      if (level > 0 && sweeps.Cycles + sweeps.Sweeps > 0)
       {
         run.Observe(level);
       }

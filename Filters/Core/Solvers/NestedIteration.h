@@ -32,6 +32,10 @@ struct SweepOptions
   SweepRule Rule = SweepRule::FixedNumber;
   int Sweeps = 10; ///< on each level but the coarsest, >= 0; under the other rules the limit
   double LeastImprovement = 1e-3; ///< by one sweep, as a fraction
+  /// Steps of conjugate gradients on each level but the coarsest, before the sweeps, with a V(1,1)-cycle
+  /// down from the level as preconditioner: full multigrid, where sweeps alone, as in the thesis, leave
+  /// whatever the coarser level missed. >= 0.
+  int Cycles = 0;
 };
 
 struct NestedOptions
@@ -43,14 +47,14 @@ struct NestedOptions
 };
 
 /// Nested iterations (thesis, sections 3.4.2 and 6.5.2): the coarsest system is solved exactly; the
-/// solution goes up level by level, smoothed by Gauss-Seidel sweeps on each. Without sweeps this is
-/// coarse prolongation (3.4.3 and 6.5.1), x = P (P^H A P)^-1 P^H b, P the product of all
+/// solution goes up level by level, improved by V-cycles and smoothed by Gauss-Seidel sweeps on each.
+/// Without either this is coarse prolongation (3.4.3 and 6.5.1), x = P (P^H A P)^-1 P^H b, P the product of all
 /// prolongations. A rough solution at the price of a few cycles, to be looked at or to start from.
 ///
 /// Galerkin matrices A_{l+1} = P_l^H A_l P_l, right-hand sides b_{l+1} = P_l^H b_l. Sweeps go by
 /// colours, in double precision. Built once per matrix, asked for many right-hand sides.
 ///
-/// Cost: one product with every matrix per sweep, and two with every prolongation.
+/// Cost: one product with every matrix per sweep, five per cycle, and two with every prolongation.
 template <class Scalar>
 class NestedIteration
 {

@@ -131,6 +131,43 @@ TYPED_TEST(TestNestedIteration, EnoughSweepsEqualCholesky)
   EXPECT_LE(report.Iterations[1].RelativeResidual, 1e-12);
 }
 
+// Conjugate gradients lower the energy with every step, and a V(1,1)-cycle makes the condition number of
+// this problem less than 2, so that a step divides the error by 5 or more.
+TYPED_TEST(TestNestedIteration, CyclesOnEachLevelConverge)
+{
+  const auto problem = test::MakeGridProblem<TypeParam>(5, 4);
+  const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3507);
+  const auto expected = SolveByCholesky(problem.A, b);
+  NestedIteration<TypeParam> nested(problem.A, problem.P, {}, SerialContext());
+  ConvergenceMeasure<TypeParam> measure;
+  measure.Reference = expected;
+  SweepOptions options;
+  options.Sweeps = 0;
+  options.Cycles = 16;
+  SolveReport report;
+  Vector<TypeParam> x;
+  nested.Solve(b, options, x, report, SerialContext(), &measure);
+  EXPECT_LE((x - expected).norm(), 1e-10 * expected.norm());
+  double former = std::numeric_limits<double>::infinity();
+  int steps = 0;
+  for (const IterationReport& row : report.Iterations)
+  {
+    if (row.Iteration > 0 && row.Level == 0)
+    {
+      EXPECT_LE(row.Energy, former + 1e-12 * std::abs(row.Energy));
+      former = row.Energy;
+      ++steps;
+    }
+  }
+  EXPECT_EQ(steps, 16);
+
+  Vector<TypeParam> inParallel;
+  nested.Solve(b, options, inParallel, report, test::TbbContext(3));
+  EXPECT_EQ(inParallel, x);
+  options.Cycles = -1;
+  EXPECT_THROW(nested.Solve(b, options, x, report, SerialContext()), InvalidInput);
+}
+
 TEST(TestNestedIteration, PoissonOnALineAndInACube)
 {
   for (const int dimension : { 1, 3 })
