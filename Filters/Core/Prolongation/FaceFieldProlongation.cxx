@@ -36,8 +36,7 @@ SparseMatrix<double> FaceFieldProlongation(const FineEdgePaths& paths,
         });
     }
   };
-  return ToMatrix(AssembleRows<Block>(fine.NumberOfFaces(), context, appendRow),
-    coarse.NumberOfFaces(), context);
+  return AssembleBlocks(fine.NumberOfFaces(), coarse.NumberOfFaces(), context, appendRow);
 }
 
 }

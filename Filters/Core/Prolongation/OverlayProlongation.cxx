@@ -233,26 +233,24 @@ std::vector<LocalRow<Complex>> OnPowers(std::vector<LocalRow<Complex>> local, in
 SparseMatrix<double> FineVertices(const BackwardProduct<double>& product,
   const LevelTransition& transition, const ExecutionContext& context)
 {
-  return ToMatrix(AssembleRows<double>(transition.Fine.NumberOfVertices(), context,
-                    [&](int vertex, Row<double>& row) { row = product[vertex]; }),
-    product.NumberOfColumns());
+  return AssembleMatrix<double>(transition.Fine.NumberOfVertices(), product.NumberOfColumns(),
+    context, [&](int vertex, Row<double>& row) { row = product[vertex]; });
 }
 
 SparseMatrix<double> FineEdges(const BackwardProduct<double>& product,
   const LevelTransition& transition, const ExecutionContext& context)
 {
   const TriangleMesh& fine = transition.Fine;
-  return ToMatrix(AssembleRows<double>(fine.NumberOfEdges(), context,
-                    [&](int edge, Row<double>& row)
-                    {
-                      const int h = fine.HalfedgeOf(edge);
-                      row = product[h];
-                      for (auto& [column, entry] : row)
-                      {
-                        entry *= fine.EdgeSign(h);
-                      }
-                    }),
-    product.NumberOfColumns());
+  return AssembleMatrix<double>(fine.NumberOfEdges(), product.NumberOfColumns(), context,
+    [&](int edge, Row<double>& row)
+    {
+      const int h = fine.HalfedgeOf(edge);
+      row = product[h];
+      for (auto& [column, entry] : row)
+      {
+        entry *= fine.EdgeSign(h);
+      }
+    });
 }
 
 /// The field of each fine face from the values along its halfedges, by P_fine^+.
@@ -261,39 +259,36 @@ SparseMatrix<double> FineFaceFields(const BackwardProduct<double>& product,
   const ExecutionContext& context)
 {
   const TriangleMesh& fine = transition.Fine;
-  return ToMatrix(
-    AssembleRows<double>(2 * fine.NumberOfFaces(), context,
-      [&](int i, Row<double>& row)
+  return AssembleMatrix<double>(2 * fine.NumberOfFaces(), product.NumberOfColumns(), context,
+    [&](int i, Row<double>& row)
+    {
+      const int face = i / 2;
+      const Eigen::Matrix<double, 2, 3> inverse =
+        SidesInFrame(fine, fineFrames, face).completeOrthogonalDecomposition().pseudoInverse();
+      std::array<std::pair<int, double>, 3> terms;
+      for (int k = 0; k < 3; ++k)
       {
-        const int face = i / 2;
-        const Eigen::Matrix<double, 2, 3> inverse =
-          SidesInFrame(fine, fineFrames, face).completeOrthogonalDecomposition().pseudoInverse();
-        std::array<std::pair<int, double>, 3> terms;
-        for (int k = 0; k < 3; ++k)
-        {
-          terms[k] = { 3 * face + k, inverse(i % 2, k) };
-        }
-        row = product.Combination(terms);
-      }),
-    product.NumberOfColumns());
+        terms[k] = { 3 * face + k, inverse(i % 2, k) };
+      }
+      row = product.Combination(terms);
+    });
 }
 
 SparseMatrix<Complex> FinePowers(const BackwardProduct<Complex>& product,
   const LevelTransition& transition, const TangentFrames& fineFrames, int N,
   const ExecutionContext& context)
 {
-  return ToMatrix(AssembleRows<Complex>(transition.Fine.NumberOfFaces(), context,
-                    [&](int face, Row<Complex>& row)
-                    {
-                      row = product[face];
-                      const Complex firstSide =
-                        SideDirections(transition.Fine, fineFrames, face)[0];
-                      for (auto& [column, entry] : row)
-                      {
-                        entry *= UnitPower(firstSide, N);
-                      }
-                    }),
-    product.NumberOfColumns());
+  return AssembleMatrix<Complex>(transition.Fine.NumberOfFaces(), product.NumberOfColumns(),
+    context,
+    [&](int face, Row<Complex>& row)
+    {
+      row = product[face];
+      const Complex firstSide = SideDirections(transition.Fine, fineFrames, face)[0];
+      for (auto& [column, entry] : row)
+      {
+        entry *= UnitPower(firstSide, N);
+      }
+    });
 }
 
 /// Weights of one product and turns of another, with the same non-zeros.

@@ -11,92 +11,7 @@
 namespace dmg
 {
 
-/// Compressed rows of any kind of entry.
-template <class Entry>
-struct SparseRows
-{
-  std::vector<int> Offsets; ///< number of rows + 1
-  std::vector<int> Indices; ///< columns, ascending in each row
-  std::vector<Entry> Entries;
-};
-
-/// Calls appendRow(row, entries) for every row; it adds pairs (column, entry), each column once, in
-/// any order. Rows are computed in parallel, and the result does not depend on the threads.
-template <class Entry, class AppendRow>
-SparseRows<Entry> AssembleRows(int rows, const ExecutionContext& context, AppendRow appendRow)
-{
-  constexpr int RowsPerPiece = 2048;
-  struct Piece
-  {
-    std::vector<int> Sizes;
-    std::vector<int> Indices;
-    std::vector<Entry> Entries;
-    int Offset;
-  };
-  const int numberOfPieces = (rows + RowsPerPiece - 1) / RowsPerPiece;
-  std::vector<Piece> pieces(numberOfPieces);
-  context.ParallelFor(0, numberOfPieces, 1, [&](int firstPiece, int lastPiece) {
-    std::vector<std::pair<int, Entry>> row;
-    for (int p = firstPiece; p < lastPiece; ++p)
-    {
-      const int end = std::min(rows, (p + 1) * RowsPerPiece);
-      for (int r = p * RowsPerPiece; r < end; ++r)
-      {
-        row.clear();
-        appendRow(r, row);
-        std::sort(row.begin(), row.end(),
-          [](const auto& a, const auto& b) { return a.first < b.first; });
-        pieces[p].Sizes.push_back(static_cast<int>(row.size()));
-        for (const auto& [column, entry] : row)
-        {
-          pieces[p].Indices.push_back(column);
-          pieces[p].Entries.push_back(entry);
-        }
-      }
-    }
-  });
-
-  int nonZeros = 0;
-  for (Piece& piece : pieces)
-  {
-    piece.Offset = nonZeros;
-    nonZeros += static_cast<int>(piece.Indices.size());
-  }
-  SparseRows<Entry> result;
-  result.Offsets.resize(rows + 1);
-  result.Indices.resize(nonZeros);
-  result.Entries.resize(nonZeros);
-  result.Offsets[rows] = nonZeros;
-  context.ParallelFor(0, numberOfPieces, 1, [&](int firstPiece, int lastPiece) {
-    for (int p = firstPiece; p < lastPiece; ++p)
-    {
-      int offset = pieces[p].Offset;
-      std::copy(pieces[p].Indices.begin(), pieces[p].Indices.end(), result.Indices.begin() + offset);
-      std::copy(pieces[p].Entries.begin(), pieces[p].Entries.end(), result.Entries.begin() + offset);
-      for (std::size_t i = 0; i < pieces[p].Sizes.size(); ++i)
-      {
-        result.Offsets[p * RowsPerPiece + i] = offset;
-        offset += pieces[p].Sizes[i];
-      }
-    }
-  });
-  return result;
-}
-
-/// The same rows as a matrix.
-template <class Scalar>
-SparseMatrix<Scalar> ToMatrix(const SparseRows<Scalar>& rows, int columns)
-{
-  const int numberOfRows = static_cast<int>(rows.Offsets.size()) - 1;
-  SparseMatrix<Scalar> matrix(numberOfRows, columns);
-  matrix.resizeNonZeros(static_cast<Eigen::Index>(rows.Indices.size()));
-  std::copy(rows.Offsets.begin(), rows.Offsets.end(), matrix.outerIndexPtr());
-  std::copy(rows.Indices.begin(), rows.Indices.end(), matrix.innerIndexPtr());
-  std::copy(rows.Entries.begin(), rows.Entries.end(), matrix.valuePtr());
-  return matrix;
-}
-
-/// Rows of a matrix to be: columns and entries.
+/// A row of a matrix to be: columns and entries.
 template <class Scalar>
 using RowEntries = std::vector<std::pair<int, Scalar>>;
 
@@ -139,48 +54,97 @@ SparseMatrix<Scalar> FillRows(
   return matrix;
 }
 
-/// The matrix whose rows \p appendRow(r, row) adds, each column once, in any order. Rows are computed
-/// in parallel, and the result does not depend on the threads.
+/// Rows as they were computed, in pieces, since the size of a row is known only once it is.
+template <class Entry>
+class AssembledRows
+{
+public:
+  /// Calls appendRow(r, row) for every row; it adds pairs (column, entry), each column once, in any
+  /// order. Rows are computed in parallel, and the result does not depend on the threads.
+  template <class AppendRow>
+  AssembledRows(int rows, const ExecutionContext& context, AppendRow appendRow)
+    : Pieces((rows + RowsPerPiece - 1) / RowsPerPiece)
+  {
+    const int numberOfPieces = static_cast<int>(this->Pieces.size());
+    context.ParallelFor(0, numberOfPieces, 1, [&](int firstPiece, int lastPiece) {
+      RowEntries<Entry> row;
+      for (int p = firstPiece; p < lastPiece; ++p)
+      {
+        Piece& piece = this->Pieces[p];
+        const int end = std::min(rows, (p + 1) * RowsPerPiece);
+        piece.Offsets.assign(1, 0);
+        for (int r = p * RowsPerPiece; r < end; ++r)
+        {
+          row.clear();
+          appendRow(r, row);
+          std::sort(row.begin(), row.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; });
+          piece.Entries.insert(piece.Entries.end(), row.begin(), row.end());
+          piece.Offsets.push_back(static_cast<int>(piece.Entries.size()));
+        }
+      }
+    });
+  }
+
+  int Size(int row) const { return static_cast<int>(this->End(row) - this->Begin(row)); }
+  /// Pairs (column, entry), columns ascending.
+  const std::pair<int, Entry>* Begin(int row) const
+  {
+    const Piece& piece = this->Pieces[row / RowsPerPiece];
+    return piece.Entries.data() + piece.Offsets[row % RowsPerPiece];
+  }
+  const std::pair<int, Entry>* End(int row) const
+  {
+    const Piece& piece = this->Pieces[row / RowsPerPiece];
+    return piece.Entries.data() + piece.Offsets[row % RowsPerPiece + 1];
+  }
+
+private:
+  static constexpr int RowsPerPiece = 2048;
+  struct Piece
+  {
+    std::vector<int> Offsets;
+    RowEntries<Entry> Entries;
+  };
+  std::vector<Piece> Pieces;
+};
+
+/// The matrix of the rows that \p appendRow adds; see AssembledRows.
 template <class Scalar, class AppendRow>
 SparseMatrix<Scalar> AssembleMatrix(
   int rows, int columns, const ExecutionContext& context, AppendRow appendRow)
 {
-  // The size of a row is known only once it is computed, so pieces of rows are kept until all are.
-  constexpr int RowsPerPiece = 2048;
-  struct Piece
-  {
-    std::vector<int> Offsets;
-    RowEntries<Scalar> Entries;
-  };
-  std::vector<Piece> pieces((rows + RowsPerPiece - 1) / RowsPerPiece);
-  context.ParallelFor(0, static_cast<int>(pieces.size()), 1, [&](int firstPiece, int lastPiece) {
-    RowEntries<Scalar> row;
-    for (int p = firstPiece; p < lastPiece; ++p)
-    {
-      Piece& piece = pieces[p];
-      const int end = std::min(rows, (p + 1) * RowsPerPiece);
-      piece.Offsets.assign(1, 0);
-      for (int r = p * RowsPerPiece; r < end; ++r)
-      {
-        row.clear();
-        appendRow(r, row);
-        std::sort(row.begin(), row.end(),
-          [](const auto& a, const auto& b) { return a.first < b.first; });
-        piece.Entries.insert(piece.Entries.end(), row.begin(), row.end());
-        piece.Offsets.push_back(static_cast<int>(piece.Entries.size()));
-      }
-    }
-  });
-  const auto beginOf = [&](int r) { return pieces[r / RowsPerPiece].Offsets[r % RowsPerPiece]; };
-  const auto endOf = [&](int r) { return pieces[r / RowsPerPiece].Offsets[r % RowsPerPiece + 1]; };
+  const AssembledRows<Scalar> assembled(rows, context, appendRow);
   return FillRows<Scalar>(
-    rows, columns, context, [&](int r) { return endOf(r) - beginOf(r); },
+    rows, columns, context, [&](int r) { return assembled.Size(r); },
     [&](int r, int* rowColumns, Scalar* values) {
-      const RowEntries<Scalar>& entries = pieces[r / RowsPerPiece].Entries;
-      for (int i = beginOf(r); i < endOf(r); ++i)
+      for (const auto* entry = assembled.Begin(r); entry != assembled.End(r); ++entry)
       {
-        *rowColumns++ = entries[i].first;
-        *values++ = entries[i].second;
+        *rowColumns++ = entry->first;
+        *values++ = entry->second;
+      }
+    });
+}
+
+/// What two numbers at one element make of two numbers at another.
+using Block = Eigen::Matrix2d;
+
+/// The matrix of twice as many rows and columns that consists of the blocks that \p appendRow adds.
+template <class AppendRow>
+SparseMatrix<double> AssembleBlocks(
+  int blockRows, int blockColumns, const ExecutionContext& context, AppendRow appendRow)
+{
+  const AssembledRows<Block> assembled(blockRows, context, appendRow);
+  return FillRows<double>(
+    2 * blockRows, 2 * blockColumns, context, [&](int r) { return 2 * assembled.Size(r / 2); },
+    [&](int r, int* columns, double* values) {
+      for (const auto* entry = assembled.Begin(r / 2); entry != assembled.End(r / 2); ++entry)
+      {
+        for (int k : { 0, 1 })
+        {
+          *columns++ = 2 * entry->first + k;
+          *values++ = entry->second(r % 2, k);
+        }
       }
     });
 }
@@ -213,30 +177,6 @@ SparseMatrix<Scalar> RenumberRows(const SparseMatrix<Scalar>& matrix,
     inverse[numbers[i]] = static_cast<int>(i);
   }
   return SelectRows(matrix, inverse, context);
-}
-
-/// What two numbers at one element make of two numbers at another.
-using Block = Eigen::Matrix2d;
-
-/// The matrix of twice as many rows and columns that consists of blocks.
-inline SparseMatrix<double> ToMatrix(
-  const SparseRows<Block>& blocks, int blockColumns, const ExecutionContext& context)
-{
-  const std::vector<int>& offsets = blocks.Offsets;
-  const int rows = 2 * (static_cast<int>(offsets.size()) - 1);
-  return FillRows<double>(
-    rows, 2 * blockColumns, context,
-    [&](int r) { return 2 * (offsets[r / 2 + 1] - offsets[r / 2]); },
-    [&](int r, int* columns, double* values) {
-      for (int i = offsets[r / 2]; i < offsets[r / 2 + 1]; ++i)
-      {
-        for (int k : { 0, 1 })
-        {
-          *columns++ = 2 * blocks.Indices[i] + k;
-          *values++ = blocks.Entries[i](r % 2, k);
-        }
-      }
-    });
 }
 
 /// Numbers of the rows where each element has two: 2 i and 2 i + 1 for every i.
