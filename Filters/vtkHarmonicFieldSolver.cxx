@@ -71,6 +71,14 @@ bool SameValues(const dmg::Vector<double>& a, const dmg::Vector<double>& b)
   return a.size() == b.size() && a == b;
 }
 
+/// What was built once is kept when more is needed.
+void AddTo(dmg::OperatorSelection& all, const dmg::OperatorSelection& more)
+{
+  all.PowerFields |= more.PowerFields;
+  all.FaceFields |= more.FaceFields;
+  all.OneForms |= more.OneForms;
+}
+
 double SecondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -152,9 +160,16 @@ public:
       redone = true;
     }
 
-    const auto origin = stored
-      ? *stored
-      : dmg::OperatorsOrigin{ digest, dmg::HierarchyOptions(), selection ? *selection : dmg::OperatorSelection() };
+    dmg::OperatorsOrigin origin{ digest, dmg::HierarchyOptions(), { false, false, false } };
+    if (stored)
+    {
+      origin = *stored;
+    }
+    else
+    {
+      AddTo(origin.Selection, selection ? *selection : origin.Selection);
+      AddTo(origin.Selection, this->Operators ? this->Operators->Origin.Selection : origin.Selection);
+    }
     if (selection && !(this->Operators && this->Operators->Origin == origin))
     {
       const auto start = std::chrono::steady_clock::now();
@@ -327,6 +342,11 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Areas = static_cast<dmg::VertexAreas>(
       this->VertexAreas == MixedVoronoi ? dmg::VertexAreas::MixedVoronoi : dmg::VertexAreas::Barycentric);
     options.Solver.Kind = static_cast<dmg::SolverKind>(this->Solver);
+    if (stages.Operators && stages.Operators->Operators.NumberOfLevels() < 2)
+    {
+      // Multigrid without coarse levels is a factorisation; Automatic says so in the report.
+      options.Solver.Kind = dmg::SolverKind::Automatic;
+    }
     options.Solver.Sweeps = this->Sweeps;
     options.Solver.Nested.Cycles = this->NestedCycles;
     options.Solver.Nested.Rule = static_cast<dmg::SweepRule>(this->NestedRule);

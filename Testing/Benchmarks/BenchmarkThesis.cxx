@@ -1,6 +1,7 @@
 // The tables of the thesis, ours beside its printed numbers, as CSV files for plot_thesis.py.
 //
-//   BenchmarkThesis [--out folder] [--runs n] [--threads n] [--short] surface.ply ...
+//   BenchmarkThesis [--out folder] [--runs n] [--threads n] surface.ply ...
+//   BenchmarkThesis [--out folder] [--runs n] [--threads n] --short
 //
 //   solves.csv  tables 7.8 to 7.13: coarse prolongation, nested iterations and Cholesky
 //   sweeps.csv  tables 7.14 to 7.16: V-cycles to an error of 1e-3, by sweeps per level
@@ -15,11 +16,13 @@
 // empty. As there, 0.5 % of the elements are prescribed, softly and at random, the ground truth is
 // Cholesky's, and nested iterations sweep while a sweep lowers the error by 0.1 %. V-cycles are
 // stationary, on the thesis's operators, with as many sweeps after the correction as before it.
-// Times are medians of the runs, in milliseconds. --short does the first table on two sweep numbers.
+// Times are medians of the runs, in milliseconds. --short does all of it on two small surfaces that it
+// makes, with two numbers of sweeps.
 
 #include "Benchmarks/ThesisTables.h"
 #include "Benchmarks/Timing.h"
 #include "HarmonicField.h"
+#include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
@@ -351,11 +354,9 @@ void MeasureCurve(const std::string& surface, const Problem& problem, Tables& ta
   }
 }
 
-void Measure(const Options& options, const std::string& path, const ExecutionContext& context,
-  Tables& tables)
+void Measure(const Options& options, const std::string& surface, const TriangleMesh& mesh,
+  const ExecutionContext& context, Tables& tables)
 {
-  const TriangleMesh mesh = test::ReadPly(path).Mesh();
-  const std::string surface = BaseName(path);
   const thesis::Mesh* printed = nullptr;
   for (const thesis::Mesh& candidate : thesis::Meshes)
   {
@@ -417,10 +418,10 @@ int main(int argc, char* argv[])
       options.Paths.push_back(argv[i]);
     }
   }
-  if (options.Paths.empty() || options.Runs < 1 || options.Threads < 1)
+  if (options.Paths.empty() != options.Short || options.Runs < 1 || options.Threads < 1)
   {
     std::fprintf(stderr,
-      "usage: BenchmarkThesis [--out folder] [--runs n] [--threads n] [--short] surface.ply ...\n");
+      "usage: BenchmarkThesis [--out folder] [--runs n] [--threads n] (--short | surface.ply ...)\n");
     return 2;
   }
   const test::TbbContext context(options.Threads);
@@ -429,7 +430,12 @@ int main(int argc, char* argv[])
   Tables tables(options.Folder);
   for (const std::string& path : options.Paths)
   {
-    Measure(options, path, context, tables);
+    Measure(options, BaseName(path), test::ReadPly(path).Mesh(), context, tables);
+  }
+  if (options.Short)
+  {
+    Measure(options, "sphere", test::IrregularSphere(5, 7).Mesh(), context, tables);
+    Measure(options, "torus", test::IrregularTorus(96, 40, 7).Mesh(), context, tables);
   }
   return 0;
 }

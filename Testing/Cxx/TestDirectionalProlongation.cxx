@@ -61,7 +61,7 @@ TEST(DirectionalProlongation, OperatorsAreHiddenFieldData)
   EXPECT_EQ(output->GetPoints(), input->GetPoints());
   EXPECT_EQ(input->GetFieldData()->GetNumberOfArrays(), 0) << "the input was modified";
 
-  ASSERT_EQ(data->GetNumberOfArrays(), 5 + 2 * 3 * 3);
+  ASSERT_EQ(data->GetNumberOfArrays(), 6 + 2 * 3 * 3);
   for (int i = 0; i < data->GetNumberOfArrays(); ++i)
   {
     vtkAbstractArray* const array = data->GetAbstractArray(i);

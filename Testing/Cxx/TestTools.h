@@ -30,12 +30,21 @@ class Messages
 {
 public:
   explicit Messages(vtkAlgorithm* algorithm)
+    : Algorithm(algorithm)
   {
     this->Errors = Listen(algorithm, vtkCommand::ErrorEvent, &this->ErrorTexts);
     this->Warnings = Listen(algorithm, vtkCommand::WarningEvent, &this->WarningTexts);
     // It adds that the algorithm failed.
     algorithm->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Errors);
   }
+  ~Messages()
+  {
+    this->Algorithm->GetExecutive()->RemoveObserver(this->Errors);
+    this->Algorithm->RemoveObserver(this->Errors);
+    this->Algorithm->RemoveObserver(this->Warnings);
+  }
+  Messages(const Messages&) = delete;
+  void operator=(const Messages&) = delete;
 
   const std::vector<std::string>& GetErrors() const { return this->ErrorTexts; }
   const std::vector<std::string>& GetWarnings() const { return this->WarningTexts; }
@@ -62,6 +71,7 @@ private:
     return command;
   }
 
+  const vtkSmartPointer<vtkAlgorithm> Algorithm;
   std::vector<std::string> ErrorTexts, WarningTexts;
   vtkSmartPointer<vtkCallbackCommand> Errors, Warnings;
 };
