@@ -342,7 +342,7 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Areas = static_cast<dmg::VertexAreas>(
       this->VertexAreas == MixedVoronoi ? dmg::VertexAreas::MixedVoronoi : dmg::VertexAreas::Barycentric);
     options.Solver.Kind = static_cast<dmg::SolverKind>(this->Solver);
-    if (stages.Operators && stages.Operators->Operators.NumberOfLevels() < 2)
+    if (this->Solver != Cholesky && stages.Operators->Operators.NumberOfLevels() < 2)
     {
       // Multigrid without coarse levels is a factorisation; Automatic says so in the report.
       options.Solver.Kind = dmg::SolverKind::Automatic;

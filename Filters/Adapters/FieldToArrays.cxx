@@ -127,6 +127,7 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
   }
   attributes->RemoveArray(ArrayNames::PowerField);
   attributes->RemoveArray(ArrayNames::FaceField);
+  attributes->RemoveArray(ArrayNames::Prescribed);
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     attributes->AddArray(arrays->GetArray(i));

@@ -327,9 +327,13 @@ ProlongationOperators OperatorsFromFieldData(vtkFieldData* fieldData, const Tria
   const std::vector<int>& vertices = operators.NumbersOfVertices;
   const std::vector<int>& edges = operators.NumbersOfEdges;
   const std::vector<int>& faces = operators.NumbersOfFaces;
-  if (vertices.size() != faces.size() || edges.size() != faces.size())
+  if (vertices.size() != faces.size())
   {
-    Refuse(ArrayNames::NumbersOfFaces, "has another number of levels than vertices and edges");
+    Refuse(ArrayNames::NumbersOfVertices, "has another number of levels than that of faces");
+  }
+  if (edges.size() != faces.size())
+  {
+    Refuse(ArrayNames::NumbersOfEdges, "has another number of levels than that of faces");
   }
   for (int l = 0; l + 1 < operators.NumberOfLevels(); ++l)
   {

@@ -2,6 +2,7 @@
 //
 //   BenchmarkSetup [--runs n] [--threads n] [--grow] surface.ply ...
 //
+// Once with the operators of power fields (S0, SP, Nodal), once with all (S1 and SX as well).
 // With --grow, each surface is also cut 1:4 until it has a million faces: growth with size.
 
 #include "Benchmarks/Timing.h"
@@ -18,20 +19,21 @@ namespace
 {
 
 void Measure(const std::string& name, const TriangleMesh& mesh, int runs,
-  const ExecutionContext& context)
+  const OperatorSelection& selection, const ExecutionContext& context)
 {
   std::vector<double> seconds;
   SurfaceHierarchy hierarchy;
   for (int run = 0; run < runs; ++run)
   {
     seconds.push_back(benchmarks::Seconds([&] {
-      hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context);
+      hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context, selection);
     }));
   }
   const std::vector<int>& faces = hierarchy.Operators.NumbersOfFaces;
   const int collapses = (faces.front() - faces.back()) / 2;
   const double median = benchmarks::Median(seconds);
-  std::printf("%-28s %8d %8.3f %8.3f %10.2f  ", name.c_str(), faces.front(), median,
+  std::printf("%-28s %-9s %8d %8.3f %8.3f %10.2f  ", name.c_str(),
+    selection.OneForms ? "all" : "power", faces.front(), median,
     *std::min_element(seconds.begin(), seconds.end()), 1e6 * median / std::max(collapses, 1));
   for (std::size_t l = 1; l < faces.size(); ++l)
   {
@@ -76,16 +78,22 @@ int main(int argc, char* argv[])
   }
   const test::TbbContext context(threads);
   benchmarks::PrintMachine(threads, runs);
-  std::printf("%-28s %8s %8s %8s %10s   %s\n", "surface", "faces", "s", "s, best", "us/collapse",
-    "faces of the coarse levels");
+  std::printf("%-28s %-9s %8s %8s %8s %10s   %s\n", "surface", "operators", "faces", "s", "s, best",
+    "us/collapse", "faces of the coarse levels");
+  const auto measureBoth = [&](const std::string& name, const TriangleMesh& mesh) {
+    for (bool all : { false, true })
+    {
+      Measure(name, mesh, runs, { true, all, all }, context);
+    }
+  };
   for (const std::string& path : paths)
   {
     test::Surface surface = test::ReadPly(path);
-    Measure(benchmarks::BaseName(path), surface.Mesh(), runs, context);
+    measureBoth(benchmarks::BaseName(path), surface.Mesh());
     while (grow && surface.F.rows() < 1000000)
     {
       surface = test::Subdivide(surface);
-      Measure(benchmarks::BaseName(path) + ", cut 1:4", surface.Mesh(), runs, context);
+      measureBoth(benchmarks::BaseName(path) + ", cut 1:4", surface.Mesh());
     }
   }
   return 0;

@@ -323,3 +323,138 @@ TEST(HarmonicField, RefusesWhatItCannotSolve)
                  SerialContext()),
     InvalidInput);
 }
+
+namespace
+{
+
+/// A few directions along a wave over the surface.
+std::vector<PrescribedDirection> Directions(const TriangleMesh& mesh, int step)
+{
+  std::vector<PrescribedDirection> directions;
+  const TangentFrames frames = FaceFrames(mesh);
+  for (int face = 0; face < mesh.NumberOfFaces(); face += step)
+  {
+    directions.push_back({ face, frames.ToVector(face, std::polar(1.0, 0.01 * face)), 1.0 });
+  }
+  return directions;
+}
+
+constexpr Discretisation AllKinds[] = { Discretisation::PowerField, Discretisation::FaceField,
+  Discretisation::OneForm };
+
+}
+
+TEST(FieldProblem, SolversAgreeOnEveryDiscretisation)
+{
+  for (const Surface& surface : { IrregularSphere(3, 3), IrregularTorus(28, 14, 4),
+         IrregularPlane(20, 16, 5) })
+  {
+    const Prepared on(surface);
+    for (Discretisation kind : AllKinds)
+    {
+      for (ConstraintKind constraintKind : { ConstraintKind::Soft, ConstraintKind::Hard })
+      {
+        FieldOptions options;
+        options.Kind = kind;
+        options.Constraints = constraintKind;
+        const FieldConstraints constraints =
+          MakeFieldConstraints(on.Mesh, on.Frames, Directions(on.Mesh, 97), options);
+        const auto solve = [&](SolverKind solver, CoarseSpaceKind space) {
+          options.Solver.Kind = solver;
+          options.CoarseSpace = space;
+          options.Solver.CompareWithCholesky = true;
+          options.Solver.Nested.Cycles = 60;
+          options.Solver.Nested.Sweeps = 0;
+          FieldProblem problem(
+            on.Mesh, on.Frames, &on.Operators, constraints, options, SerialContext());
+          const Vector<double> field =
+            problem.Solve(constraints.Values, {}, Tight(), SerialContext());
+          EXPECT_TRUE(problem.Report().Converged) << problem.Report().Solver;
+          return field;
+        };
+        const Vector<double> direct = solve(SolverKind::Cholesky, CoarseSpaceKind::Nodal);
+        for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::NestedIterations })
+        {
+          for (CoarseSpaceKind space :
+            { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+          {
+            EXPECT_LT((solve(solver, space) - direct).norm(), 1e-7 * direct.norm())
+              << static_cast<int>(kind) << static_cast<int>(solver) << static_cast<int>(space);
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(FieldProblem, HasTheSameBitsForAnyNumberOfThreads)
+{
+  const Prepared on(IrregularTorus(96, 40, 8));
+  for (Discretisation kind : AllKinds)
+  {
+    FieldOptions options;
+    options.Kind = kind;
+    options.Solver.Kind = SolverKind::ConjugateGradients;
+    const FieldConstraints constraints =
+      MakeFieldConstraints(on.Mesh, on.Frames, Directions(on.Mesh, 50), options);
+    const auto solve = [&](const ExecutionContext& context) {
+      const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(on.Mesh, Deep(), context);
+      FieldProblem problem(
+        on.Mesh, on.Frames, &hierarchy.Operators, constraints, options, context);
+      return problem.Solve(constraints.Values, {}, Tight(), context);
+    };
+    const Vector<double> expected = solve(SerialContext());
+    EXPECT_EQ(solve(TbbContext(2)), expected);
+    EXPECT_EQ(solve(TbbContext(5)), expected);
+  }
+}
+
+TEST(FieldProblem, NamesTheOperatorsThatAreMissing)
+{
+  const TriangleMesh mesh = IrregularSphere(3, 3).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  const SurfaceHierarchy hierarchy =
+    BuildSurfaceHierarchy(mesh, Deep(), SerialContext(), { false, false, false });
+  const char* const properties[] = { "PowerFields", "FaceFields", "OneForms" };
+  for (Discretisation kind : AllKinds)
+  {
+    FieldOptions options;
+    options.Kind = kind;
+    options.Solver.Kind = SolverKind::ConjugateGradients;
+    const FieldConstraints constraints =
+      MakeFieldConstraints(mesh, frames, Directions(mesh, 50), options);
+    EXPECT_NO_THROW(
+      FieldProblem(mesh, frames, &hierarchy.Operators, constraints, options, SerialContext()));
+    options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
+    try
+    {
+      FieldProblem(mesh, frames, &hierarchy.Operators, constraints, options, SerialContext());
+      FAIL();
+    }
+    catch (const InvalidInput& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(properties[static_cast<int>(kind)]),
+        std::string::npos)
+        << error.what();
+    }
+  }
+}
+
+// The exact overlay takes the place of tracked paths, on every level and in the caller's numbering.
+TEST(BuildSurfaceHierarchy, ExactOverlayKeepsTheSameStructure)
+{
+  const TriangleMesh mesh = IrregularTorus(24, 12, 4).Mesh();
+  HierarchyOptions options = Deep();
+  options.Construction = ProlongationConstruction::ExactOverlay;
+  const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(mesh, options, SerialContext());
+  const TriangleMesh* fine = &mesh;
+  for (std::size_t level = 0; level < hierarchy.CoarseLevels.size(); ++level)
+  {
+    const TriangleMesh& coarse = hierarchy.CoarseLevels[level];
+    EXPECT_LT(ExactnessResidual(
+                *fine, coarse, hierarchy.Operators.S0[level], hierarchy.Operators.S1[level]),
+      1e-12);
+    fine = &coarse;
+  }
+  EXPECT_GE(hierarchy.CoarseLevels.size(), 1u);
+}

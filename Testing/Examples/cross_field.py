@@ -1,4 +1,4 @@
-"""A cross field on a sphere, in pvpython: the example of the README."""
+"""A cross field and a flow on a sphere, in pvpython: the example of the README."""
 
 from paraview.simple import *
 
@@ -9,3 +9,7 @@ levels = DirectionalProlongation(Input=directions)
 field = HarmonicFieldSolver(Input=levels, Mask=["POINTS", "Mask"], Directions=["POINTS", "Directions"],
                             NumberOfDirections=4)
 SaveData("field.vtp", field)
+
+flow = HarmonicFieldSolver(Input=levels, Mask=["POINTS", "Mask"], Directions=["POINTS", "Directions"],
+                           Discretisation="1-Form", UnitLength=0)
+SaveData("flow.vtp", flow)
