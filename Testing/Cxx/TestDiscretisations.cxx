@@ -219,7 +219,7 @@ TEST_P(VectorField, ContinuesAConstantRimOverAPlate)
 // On a flat torus parallel fields are harmonic, so that one prescribed face, soft, fills it.
 TEST_P(VectorField, IsParallelOnAFlatTorus)
 {
-  const auto input = PolyDataOf(FlatTorus(6, 2));
+  const auto input = PolyDataOf(FlatTorus(8, 2));
   vtkNew<vtkIdList> ids;
   input->GetCellPoints(33, ids);
   const Vector3 given = 2.5 *

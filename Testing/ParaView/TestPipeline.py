@@ -1,4 +1,4 @@
-"""A cross field on a sphere through ParaView's Python, in whatever process runs this.
+"""Fields of every discretisation on a sphere through ParaView's Python, in whatever process runs this.
 
     TestPipeline.py [--plugin FILE] [--server HOST:PORT] [--image FILE]
 
@@ -15,18 +15,37 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 
 def solve():
-    """Crosses on the unit sphere, prescribed at one side of it."""
+    """Crosses, a face field and a 1-form on the unit sphere, prescribed at one side of it."""
     sphere = simple.Sphere(Radius=1, ThetaResolution=60, PhiResolution=60)
     mask = simple.Calculator(Input=sphere, ResultArrayName="Mask",
                              Function="if(coordsX > 0.9, 1, 0)")
     directions = simple.Calculator(Input=mask, ResultArrayName="Directions", Function="jHat")
     prolongation = simple.DirectionalProlongation(Input=directions, MinimumNumberOfFaces=200)
-    return simple.HarmonicFieldSolver(
+    return [simple.HarmonicFieldSolver(
         Input=prolongation, Mask=["POINTS", "Mask"], Directions=["POINTS", "Directions"],
-        NumberOfDirections=4, Solver="Conjugate Gradients")
+        Discretisation=discretisation, NumberOfDirections=4, Solver="Conjugate Gradients")
+            for discretisation in ("Power Field", "Face Field", "1-Form")]
 
 
-def check(solver):
+def check(crosses, faceField, oneForm):
+    check_crosses(crosses)
+    for solver in (faceField, oneForm):
+        field = simple.servermanager.Fetch(solver)
+        assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1
+        assert field.GetCellData().GetArray("PowerField") is None
+        indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
+        assert abs(indices.sum() - 2) < 1e-12, indices.sum()
+    cells = simple.servermanager.Fetch(faceField).GetCellData()
+    vectors, directions = (vtk_to_numpy(cells.GetArray(name))
+                           for name in ("FaceField", "Direction0"))
+    lengths = (vectors ** 2).sum(axis=1, keepdims=True) ** 0.5
+    assert abs(vectors - lengths * directions).max() < 1e-12 * lengths.max()
+    edges = simple.servermanager.Fetch(oneForm, idx=1)
+    for name in ("OneForm", "Prescribed"):
+        assert edges.GetCellData().GetArray(name).GetNumberOfTuples() == edges.GetNumberOfCells()
+
+
+def check_crosses(solver):
     """What has to hold on any sphere."""
     field = simple.servermanager.Fetch(solver)
     assert field.GetNumberOfCells() > 6000, field.GetNumberOfCells()
@@ -75,11 +94,12 @@ def main():
     if options.plugin:
         simple.LoadPlugin(options.plugin, remote=False, ns=vars(simple))
 
-    solver = solve()
-    solver.UpdatePipeline()
-    check(solver)
+    solvers = solve()
+    for solver in solvers:
+        solver.UpdatePipeline()
+    check(*solvers)
     if options.image:
-        draw(solver, options.image)
+        draw(solvers[0], options.image)
 
 
 if __name__ == "__main__":

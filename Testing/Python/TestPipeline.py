@@ -40,10 +40,13 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(self.solver.GetCoarseSpace(), vtkHarmonicFieldSolver.Nodal)
         self.assertEqual(self.prolongation.GetCollapsePolicy(),
                          vtkDirectionalProlongation.IndependentRounds)
+        self.assertEqual(self.solver.GetDiscretisation(), vtkHarmonicFieldSolver.PowerField)
+        self.assertEqual(self.prolongation.GetConstruction(),
+                         vtkDirectionalProlongation.TrackedPaths)
         self.solver.SetNumberOfDirections(99)  # clamped
         self.assertEqual(self.solver.GetNumberOfDirections(), 8)
         text = str(self.solver)
-        for name in ("NumberOfDirections: 8", "Solver: Automatic", "Tolerance: 1e-08"):
+        for name in ("Discretisation: PowerField", "NumberOfDirections: 8", "Solver: Automatic", "Tolerance: 1e-08"):
             self.assertIn(name, text)
 
     def test_cholesky_and_conjugate_gradients_agree_for_every_N(self):
@@ -98,6 +101,39 @@ class Pipeline(unittest.TestCase):
         self.assertLessEqual(residuals[-1], self.solver.GetTolerance())
         self.assertTrue(np.all(np.diff(values(rows, "Seconds")) >= 0))
         self.assertGreaterEqual(len(self.report("LevelUnknowns")), 2)
+        energies = values(rows, "Energy")
+        self.assertEqual(energies[0], 0)  # at X = 0
+        self.assertLess(energies[-1], 0)
+        self.assertLess(values(rows, "MassResidual")[-1], 1e-6 * values(rows, "MassResidual")[0])
+        self.assertIsNone(rows.GetArray("Error"))
+        self.solver.CompareWithCholeskyOn()
+        self.solver.Update()
+        errors = values(self.solver.GetOutputDataObject(2).GetRowData(), "Error")
+        self.assertLess(errors[-1], 1e-6 * errors[0])
+
+    def test_one_forms_and_face_fields_are_numpy_arrays(self):
+        """Hard, a 1-form is the integral of the given vector along the sides of its face."""
+        self.solver.SetConstraintType(vtkHarmonicFieldSolver.Hard)
+        self.solver.SetDiscretisation(vtkHarmonicFieldSolver.FaceField)
+        self.solver.UnitLengthOff()
+        self.solver.Update()
+        np.testing.assert_allclose(self.cells("FaceField"), self.cells("Direction0"), rtol=1e-12,
+                                   atol=1e-14)
+        self.solver.SetDiscretisation(vtkHarmonicFieldSolver.OneForm)
+        self.solver.Update()
+        edges = self.solver.GetOutputDataObject(1)
+        form = values(edges.GetCellData(), "OneForm")
+        prescribed = values(edges.GetCellData(), "Prescribed")
+        self.assertEqual(len(form), 7200)
+        self.assertEqual(np.count_nonzero(prescribed), 9)  # three sides of three faces
+        surface = self.solver.GetInput()
+        given = values(surface.GetCellData(), "Given")
+        for edge in np.flatnonzero(prescribed):
+            ends = [edges.GetCell(edge).GetPointId(k) for k in range(2)]
+            side = np.subtract(surface.GetPoint(ends[1]), surface.GetPoint(ends[0]))
+            face, = [cell for cell in (7, 2000, 4000)
+                     if set(ends) <= {surface.GetCell(cell).GetPointId(k) for k in range(3)}]
+            self.assertAlmostEqual(form[edge], given[face] @ side, places=12)
 
     def test_values_changed_in_place_are_noticed(self):
         """numpy writes into the array; Modified() on it is all that VTK needs."""

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 namespace dmg
 {
@@ -14,36 +15,6 @@ namespace
 
 /// A direction leaning less than this (as a sine) out of the normal has no part in the plane.
 constexpr double SmallestTangentialPart = 1e-6;
-
-Complex TangentialPart(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const PrescribedDirection& prescribed, const ElementNames& names)
-{
-  if (prescribed.Face < 0 || prescribed.Face >= mesh.NumberOfFaces())
-  {
-    throw InvalidInput("a direction is prescribed on face " + std::to_string(prescribed.Face) +
-      ", but there are " + std::to_string(mesh.NumberOfFaces()) + " faces; leave it out");
-  }
-  const std::string where = " prescribed on " + names.Face(prescribed.Face);
-  if (!prescribed.Direction.allFinite())
-  {
-    throw InvalidInput(
-      "the direction" + where + " is not finite; repair it or take the cell out of the mask");
-  }
-  if (!(prescribed.Weight > 0.0) || !std::isfinite(prescribed.Weight))
-  {
-    throw InvalidInput("the weight of the direction" + where + " is " +
-      std::to_string(prescribed.Weight) +
-      "; make it positive and finite or take the cell out of the mask");
-  }
-  const Complex tangential = faceFrames.ToComplex(prescribed.Face, prescribed.Direction);
-  if (!(std::abs(tangential) > SmallestTangentialPart * prescribed.Direction.norm()))
-  {
-    throw InvalidInput("the direction" + where +
-      (prescribed.Direction.norm() > 0.0 ? " is perpendicular to it" : " is zero") +
-      "; give it a part in the plane of the cell or take the cell out of the mask");
-  }
-  return tangential;
-}
 
 void CheckWeight(const char* name, double weight)
 {
@@ -62,6 +33,30 @@ void CheckWeights(const FieldWeights& weights)
   CheckWeight("alignment", weights.Alignment);
 }
 
+Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction,
+  double weight, const std::string& name, const std::string& kind)
+{
+  const std::string where = " prescribed on " + name;
+  const std::string orLeaveOut = " or take the " + kind + " out of the mask";
+  if (!direction.allFinite())
+  {
+    throw InvalidInput("the direction" + where + " is not finite; repair it" + orLeaveOut);
+  }
+  if (!(weight > 0.0) || !std::isfinite(weight))
+  {
+    throw InvalidInput("the weight of the direction" + where + " is " + std::to_string(weight) +
+      "; make it positive and finite" + orLeaveOut);
+  }
+  const Complex tangential = frames.ToComplex(element, direction);
+  if (!(std::abs(tangential) > SmallestTangentialPart * direction.norm()))
+  {
+    throw InvalidInput("the direction" + where +
+      (direction.norm() > 0.0 ? " is perpendicular to the surface" : " is zero") +
+      "; give it a part along the surface" + orLeaveOut);
+  }
+  return tangential;
+}
+
 PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   int N, const std::vector<PrescribedDirection>& directions, const ElementNames& names)
 {
@@ -75,7 +70,14 @@ PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFra
   std::vector<Complex> sums;
   for (int i : order)
   {
-    const Complex v = TangentialPart(mesh, faceFrames, directions[i], names);
+    const auto& [face, direction, weight] = directions[i];
+    if (face < 0 || face >= mesh.NumberOfFaces())
+    {
+      throw InvalidInput("a direction is prescribed on face " + std::to_string(face) +
+        ", but there are " + std::to_string(mesh.NumberOfFaces()) + " faces; leave it out");
+    }
+    const Complex v =
+      TangentialPart(faceFrames, face, direction, weight, names.Face(face), "cell");
     if (prescribed.Faces.empty() || prescribed.Faces.back() != directions[i].Face)
     {
       prescribed.Faces.push_back(directions[i].Face);

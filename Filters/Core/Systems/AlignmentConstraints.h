@@ -39,6 +39,13 @@ struct PrescribedDirection
   double Weight;     ///< > 0
 };
 
+/// The part of a prescribed direction in the tangent plane of its element.
+/// \param name, kind for messages, as in "cell 7", "cell".
+/// \throw InvalidInput the direction is not finite, has no part in the plane (less than 1e-6 of its
+/// length), or its weight is not positive.
+Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction,
+  double weight, const std::string& name, const std::string& kind);
+
 /// Prescribed faces with the values that N-power fields shall take there.
 struct PowerConstraints
 {

@@ -13,9 +13,6 @@ namespace dmg
 namespace
 {
 
-/// A direction leaning less than this (as a sine) out of the normal has no part in the plane.
-constexpr double SmallestTangentialPart = 1e-6;
-
 /// What one direction asks of one edge.
 struct Wish
 {
@@ -23,32 +20,6 @@ struct Wish
   double Value;
   double Weight;
 };
-
-/// The part of a prescribed direction in the tangent plane of its element.
-/// \param name, kind as in "cell 7", "cell".
-Vector3 TangentialPart(const TangentFrames& frames, int element, const Vector3& direction,
-  double weight, const std::string& name, const std::string& kind)
-{
-  const std::string where = " prescribed on " + name;
-  const std::string orLeaveOut = " or take the " + kind + " out of the mask";
-  if (!direction.allFinite())
-  {
-    throw InvalidInput("the direction" + where + " is not finite; repair it" + orLeaveOut);
-  }
-  if (!(weight > 0.0) || !std::isfinite(weight))
-  {
-    throw InvalidInput("the weight of the direction" + where + " is " + std::to_string(weight) +
-      "; make it positive and finite" + orLeaveOut);
-  }
-  const Complex tangential = frames.ToComplex(element, direction);
-  if (!(std::abs(tangential) > SmallestTangentialPart * direction.norm()))
-  {
-    throw InvalidInput("the direction" + where +
-      (direction.norm() > 0.0 ? " is perpendicular to the surface" : " is zero") +
-      "; give it a part along the surface" + orLeaveOut);
-  }
-  return frames.ToVector(element, tangential);
-}
 
 void CheckIndex(int element, int size, const std::string& kind)
 {
@@ -104,8 +75,9 @@ OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
   {
     const int face = prescribed.Face;
     CheckIndex(face, mesh.NumberOfFaces(), "face");
-    const Vector3 v = TangentialPart(
-      faceFrames, face, prescribed.Direction, prescribed.Weight, names.Face(face), "cell");
+    const Vector3 v = faceFrames.ToVector(face,
+      TangentialPart(
+        faceFrames, face, prescribed.Direction, prescribed.Weight, names.Face(face), "cell"));
     for (int h = 3 * face; h < 3 * face + 3; ++h)
     {
       const int edge = mesh.EdgeOf(h);
@@ -126,8 +98,9 @@ OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh,
   {
     const int vertex = prescribed.Vertex;
     CheckIndex(vertex, mesh.NumberOfVertices(), "vertex");
-    const Vector3 v = TangentialPart(
-      vertexFrames, vertex, prescribed.Direction, prescribed.Weight, names.Vertex(vertex), "point");
+    const Vector3 v = vertexFrames.ToVector(vertex,
+      TangentialPart(vertexFrames, vertex, prescribed.Direction, prescribed.Weight,
+        names.Vertex(vertex), "point"));
     weights[vertex] += prescribed.Weight;
     sums[vertex] += prescribed.Weight * v;
   }
