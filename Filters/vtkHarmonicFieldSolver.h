@@ -220,7 +220,8 @@ public:
 
   ///@{
   /**
-   * The method, one of Solvers. Default Automatic.
+   * The method, one of Solvers; a surface without coarse levels is factored by all of them. Default
+   * Automatic.
    */
   vtkSetClampMacro(Solver, int, Automatic, CoarseProlongation);
   vtkGetMacro(Solver, int);

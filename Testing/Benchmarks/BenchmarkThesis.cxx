@@ -1,6 +1,6 @@
 // The tables of the thesis, ours beside its printed numbers, as CSV files for plot_thesis.py.
 //
-//   BenchmarkThesis [--out folder] [--runs n] [--threads n] surface.ply ...
+//   BenchmarkThesis [--out folder] [--runs n] [--threads n] [--solves-only] surface.ply ...
 //   BenchmarkThesis [--out folder] [--runs n] [--threads n] --short
 //
 //   solves.csv  tables 7.8 to 7.13: coarse prolongation, nested iterations and Cholesky
@@ -52,6 +52,7 @@ struct Options
   int Runs = 3;
   int Threads = 2;
   bool Short = false;
+  bool SolvesOnly = false; // the first table
   std::vector<std::string> Paths;
 };
 
@@ -380,6 +381,10 @@ void Measure(const Options& options, const std::string& surface, const TriangleM
   for (const Problem& problem : Problems(mesh, frames, hierarchy.Operators, context))
   {
     MeasureSolves(options, surface, mesh.NumberOfFaces(), problem, printed, tables);
+    if (options.SolvesOnly)
+    {
+      continue;
+    }
     MeasureCurve(surface, problem, tables);
     if (isLargest || options.Short)
     {
@@ -413,6 +418,10 @@ int main(int argc, char* argv[])
     {
       options.Short = true;
     }
+    else if (!std::strcmp(argv[i], "--solves-only"))
+    {
+      options.SolvesOnly = true;
+    }
     else
     {
       options.Paths.push_back(argv[i]);
@@ -421,7 +430,8 @@ int main(int argc, char* argv[])
   if (options.Paths.empty() != options.Short || options.Runs < 1 || options.Threads < 1)
   {
     std::fprintf(stderr,
-      "usage: BenchmarkThesis [--out folder] [--runs n] [--threads n] (--short | surface.ply ...)\n");
+      "usage: BenchmarkThesis [--out folder] [--runs n] [--threads n] "
+      "(--short | [--solves-only] surface.ply ...)\n");
     return 2;
   }
   const test::TbbContext context(options.Threads);
