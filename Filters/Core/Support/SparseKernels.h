@@ -28,6 +28,12 @@ inline void AddProduct(std::complex<Real>& sum, std::complex<Real> a, std::compl
     sum.imag() + (a.real() * b.imag() + a.imag() * b.real()) };
 }
 
+template <class Real>
+inline void AddProduct(std::complex<Real>& sum, Real a, std::complex<Real> b)
+{
+  sum = { sum.real() + a * b.real(), sum.imag() + a * b.imag() };
+}
+
 /// The product of row i of A with x.
 template <class Scalar>
 inline Scalar RowTimes(const SparseMatrix<Scalar>& A, int i, const Scalar* x)

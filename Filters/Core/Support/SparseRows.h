@@ -46,7 +46,8 @@ private:
   int Count = 0;
 };
 
-/// A sparse vector that is summed up from multiples of sparse rows.
+/// A sparse vector that is summed up from multiples of sparse rows. Factors and values may be of other
+/// kinds than the sums, as far as there is an AddProduct(sum, factor, value).
 template <class Scalar>
 class SparseSum
 {
@@ -69,7 +70,8 @@ public:
   /// The innermost loop of every sparse product. Whether an index is new is as good as random, so
   /// there is no branch that a processor could mispredict; and what changes stands in local
   /// variables, which the stores cannot alias.
-  void Add(Scalar factor, const int* indices, const Scalar* values, int size)
+  template <class Factor, class Value>
+  void Add(Factor factor, const int* indices, const Value* values, int size)
   {
     int* places = this->Places.data();
     int* members = this->Members.data();

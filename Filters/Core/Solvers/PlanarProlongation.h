@@ -1,0 +1,42 @@
+#ifndef dmgPlanarProlongation_h
+#define dmgPlanarProlongation_h
+
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+/// Prolongations of plane vectors, one per coarse unknown, to real numbers. Their matrices are complex:
+/// row i takes the vectors z to
+///   x_i = Re sum_j conj(p_ij) z_j ,
+/// the sum of the products of the vectors p_ij with the vectors z_j.
+namespace dmg
+{
+
+using PlanarProlongation = SparseMatrix<Complex>;
+
+/// A prolongation whose coarse functions have little energy: (I - c_1 A) ... (I - c_k A) P for
+/// A = B^T B, with the roots of the polynomial that minimises the largest energy of what is left,
+/// max over (0, largest eigenvalue] of t p(t)^2, namely 1 / (2 k + 1)^2 of what it was (Chebyshev;
+/// Brezina and Vanek 1999).
+///
+/// Fields of least roughness need it. Their energy counts divergence and curl, not the whole
+/// derivative: on a surface that curves inwards a field may change a lot and cost next to nothing,
+/// as along a limb. In the discrete energy it does so only if it follows the triangles in the small,
+/// by an amount of the order of their size, and an interpolation, which knows nothing of it, has the
+/// energy of the whole derivative.
+///
+/// \param B with columns of length 1.
+/// \param dropped entries below so many times the largest of their row are left out after each step.
+/// Cost: 2 k products of sparse matrices.
+PlanarProlongation SmoothedPlanar(const SparseMatrix<double>& B, PlanarProlongation P, int degree,
+  double dropped, const ExecutionContext& context);
+
+/// B P.
+PlanarProlongation Product(const SparseMatrix<double>& B, const PlanarProlongation& P,
+  const ExecutionContext& context);
+
+/// Q^T Q on pairs of components: 2 m x 2 m for Q of m columns.
+SparseMatrix<double> GramOfPlanar(const PlanarProlongation& Q, const ExecutionContext& context);
+
+}
+
+#endif
