@@ -8,6 +8,7 @@
 #include "Support/Errors.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
+#include "Support/Pairs.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
 
@@ -227,13 +228,7 @@ TEST(OverlayProlongation, ReproducesConstantFieldsInAPlane)
       // A constant vector field is a gradient.
       const Vector<Complex> fine = PowersOfDirection(level.FineFrames, direction, 1);
       const Vector<Complex> coarse = PowersOfDirection(level.CoarseFrames, direction, 1);
-      const auto components = [](const Vector<Complex>& field)
-      {
-        return Vector<double>(Eigen::Map<const Vector<double>>(
-          reinterpret_cast<const double*>(field.data()), 2 * field.size()));
-      };
-      EXPECT_LT(
-        (level.Exact.SX * components(coarse) - components(fine)).cwiseAbs().maxCoeff(), 1e-9);
+      EXPECT_LT((level.Exact.SX * AsPairs(coarse) - AsPairs(fine)).cwiseAbs().maxCoeff(), 1e-9);
     });
 }
 
@@ -283,12 +278,7 @@ TEST(OverlayProlongation, DoesNotDependOnTheFrames)
                   turned.SP * inTurned, InTurnedFrames(level.Exact.SP * field, fineAngles, 1)),
         1e-13);
       const auto applied = [](const SparseMatrix<double>& SX, const Vector<Complex>& x)
-      {
-        const Vector<double> y = SX *
-          Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(x.data()), 2 * x.size());
-        return Vector<Complex>(Eigen::Map<const Vector<Complex>>(
-          reinterpret_cast<const Complex*>(y.data()), y.size() / 2));
-      };
+      { return AsComplex(SX * AsPairs(x)); };
       EXPECT_LT(RelativeDifference(applied(turned.SX, inTurned),
                   InTurnedFrames(applied(level.Exact.SX, field), fineAngles, 1)),
         1e-12);

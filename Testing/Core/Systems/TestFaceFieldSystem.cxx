@@ -4,6 +4,7 @@
 #include "Support/Errors.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
+#include "Support/Pairs.h"
 #include "Support/Random.h"
 
 #include <Eigen/SparseLU>
@@ -33,7 +34,7 @@ Points SolveField(const TriangleMesh& mesh, const TangentFrames& frames,
   const std::vector<PrescribedDirection>& directions, const FieldWeights& weights)
 {
   const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 1, directions);
-  const Vector<double> values = FaceFieldValues(constraints.Values);
+  const Vector<double> values = AsPairs(constraints.Values);
   const HarmonicSystem<double> system =
     MakeFaceFieldSystem(mesh, frames, constraints.Prescribed, weights);
   const Eigen::SparseMatrix<double> A = system.Matrix();
@@ -65,7 +66,7 @@ TEST(FaceFieldSystem, IsItsStatedEnergy)
   Random random(2);
   const PowerConstraints constraints =
     MakePowerConstraints(mesh, frames, 1, RandomDirections(mesh, frames, 7, 3));
-  const Vector<double> values = FaceFieldValues(constraints.Values);
+  const Vector<double> values = AsPairs(constraints.Values);
   const HarmonicSystem<double> system = MakeFaceFieldSystem(
     mesh, frames, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
   ASSERT_EQ(system.NumberOfFree(), 2 * mesh.NumberOfFaces());
