@@ -199,11 +199,12 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
   TangentFrames fineFrames = order.ApplyToFaces(FaceFrames(mesh, context), context);
   std::vector<Complex> fineCornerTurns; // from level 1 on
   result.CoarseLevels =
-    BuildMeshHierarchy(sorted, options, context, [&](const LevelTransition& transition) {
+    BuildMeshHierarchy(sorted, options, context,
+      [&](const LevelTransition& transition, const ExecutionContext& part) {
       const TriangleMesh& coarse = transition.Coarse;
       TangentFrames coarseFrames = FaceFrames(coarse, context);
       LevelOperators level = options.Construction == ProlongationConstruction::ExactOverlay
-        ? OperatorsFromOverlay(transition, fineFrames, coarseFrames, context)
+        ? OperatorsFromOverlay(transition, fineFrames, coarseFrames, part)
         : OperatorsFromPaths(transition, fineFrames, coarseFrames, selection, context);
       std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFrames, context);
       operators.Nodal.push_back(operators.Nodal.empty()

@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace dmg;
@@ -457,4 +458,41 @@ TEST(BuildSurfaceHierarchy, ExactOverlayKeepsTheSameStructure)
     fine = &coarse;
   }
   EXPECT_GE(hierarchy.CoarseLevels.size(), 1u);
+}
+
+// Decimation and overlays of all levels share one way from 0 to 1, and either can be stopped.
+TEST(BuildSurfaceHierarchy, ReportsProgressOnceAndStopsWhenAsked)
+{
+  const TriangleMesh mesh = IrregularTorus(24, 12, 4).Mesh();
+  for (ProlongationConstruction construction :
+    { ProlongationConstruction::TrackedPaths, ProlongationConstruction::ExactOverlay })
+  {
+    const bool isExact = construction == ProlongationConstruction::ExactOverlay;
+    HierarchyOptions options = Deep();
+    options.Construction = construction;
+    TbbContext all(2);
+    const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(mesh, options, all);
+    const std::vector<double>& progress = all.Progress();
+    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+    EXPECT_EQ(progress.front(), 0.0);
+    EXPECT_EQ(progress.back(), 1.0);
+    if (isExact)
+    {
+      // A collapse takes away two faces, so the first level has 216 of 576: steps of 64 are thirds.
+      ASSERT_EQ(hierarchy.CoarseLevels.front().NumberOfFaces(), 144);
+      double longest = 0.0;
+      for (std::size_t i = 1; i < progress.size(); ++i)
+      {
+        longest = std::max(longest, progress[i] - progress[i - 1]);
+      }
+      EXPECT_LT(longest, 64.0 / 216.0);
+    }
+    for (std::size_t count = 1; count <= progress.size(); count += isExact ? 7 : 1)
+    {
+      TbbContext context(2);
+      context.CancelAfter(static_cast<int>(count));
+      EXPECT_THROW(BuildSurfaceHierarchy(mesh, options, context), Cancelled);
+      EXPECT_EQ(context.Progress().size(), count);
+    }
+  }
 }

@@ -2,6 +2,7 @@
 
 #include "Support/Errors.h"
 #include "Support/Identities.h"
+#include "Support/Levels.h"
 #include "Support/MeshFactory.h"
 #include "Support/TbbContext.h"
 
@@ -29,7 +30,7 @@ HierarchyOptions Deep(CollapsePolicy policy = CollapsePolicy::IndependentRounds)
 std::vector<TriangleMesh> Build(const TriangleMesh& mesh, const HierarchyOptions& options,
   const ExecutionContext& context = SerialContext())
 {
-  return BuildMeshHierarchy(mesh, options, context, [](const LevelTransition&) {});
+  return VisitLevels(mesh, options, [](const LevelTransition&) {}, context);
 }
 
 int NumberOfBoundaryLoops(const TriangleMesh& mesh)
@@ -202,50 +203,23 @@ TEST(MeshHierarchy, KeepsTheShape)
   }
 }
 
-namespace
-{
-
-/// Asks to stop at a given checkpoint.
-class StoppingContext : public SerialContext
-{
-public:
-  explicit StoppingContext(int checkpoints)
-    : Left(checkpoints)
-  {
-  }
-  bool IsCancelled() const override { return --this->Left < 0; }
-
-private:
-  mutable int Left;
-};
-
-/// Remembers the progress it is told.
-class ListeningContext : public SerialContext
-{
-public:
-  mutable std::vector<double> Fractions;
-
-protected:
-  void ReportProgress(double fraction) const override { this->Fractions.push_back(fraction); }
-};
-
-}
-
 TEST(MeshHierarchy, StopsWhenAsked)
 {
   const TriangleMesh mesh = IrregularSphere(4, 41).Mesh();
-  for (int checkpoints : { 0, 1, 5, 12 })
+  for (int checkpoints : { 1, 2, 6, 13 })
   {
-    EXPECT_THROW(Build(mesh, Deep(), StoppingContext(checkpoints)), Cancelled);
+    TbbContext context(1);
+    context.CancelAfter(checkpoints);
+    EXPECT_THROW(Build(mesh, Deep(), context), Cancelled);
   }
 }
 
 TEST(MeshHierarchy, ReportsProgressUpToOne)
 {
-  ListeningContext context;
+  const TbbContext context(1);
   Build(IrregularSphere(4, 42).Mesh(), Deep(), context);
-  ASSERT_GT(context.Fractions.size(), 10u);
-  EXPECT_TRUE(std::is_sorted(context.Fractions.begin(), context.Fractions.end()));
-  EXPECT_GE(context.Fractions.front(), 0.0);
-  EXPECT_EQ(context.Fractions.back(), 1.0);
+  ASSERT_GT(context.Progress().size(), 10u);
+  EXPECT_TRUE(std::is_sorted(context.Progress().begin(), context.Progress().end()));
+  EXPECT_GE(context.Progress().front(), 0.0);
+  EXPECT_EQ(context.Progress().back(), 1.0);
 }

@@ -5,6 +5,7 @@
 #include "Operators/FaceFieldOperators.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Identities.h"
+#include "Support/Levels.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
@@ -56,7 +57,7 @@ void VisitTransitions(Visit visit, int minimumNumberOfFaces = 60)
       options.MinimumNumberOfFaces = minimumNumberOfFaces;
       options.MaximumNumberOfCoarseLevels = 8;
       options.Policy = policy;
-      BuildMeshHierarchy(surface.Shape.Mesh(), options, SerialContext(), visit);
+      VisitLevels(surface.Shape.Mesh(), options, visit);
     }
   }
 }
@@ -222,7 +223,7 @@ TEST(FaceFieldProlongation, StaysFiniteOnZeroAreaFaces)
 {
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
-  BuildMeshHierarchy(SphereWithZeroAreaFaces(4, 30).Mesh(), options, SerialContext(),
+  VisitLevels(SphereWithZeroAreaFaces(4, 30).Mesh(), options,
     [](const LevelTransition& transition)
     {
       const SparseMatrix<double> SX = FaceFieldProlongation(FineEdgePaths(transition),

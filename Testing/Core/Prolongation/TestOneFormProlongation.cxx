@@ -6,6 +6,7 @@
 #include "Operators/ExteriorCalculus.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Identities.h"
+#include "Support/Levels.h"
 #include "Support/MeshFactory.h"
 #include "Support/TbbContext.h"
 
@@ -43,8 +44,7 @@ void VisitLevels(const Surface& surface, int minimumNumberOfFaces, Visit visit)
     options.MaximumNumberOfCoarseLevels = 6;
     options.Policy = policy;
     int levels = 0;
-    BuildMeshHierarchy(
-      surface.Mesh(), options, SerialContext(), [&](const LevelTransition& transition) {
+    test::VisitLevels(surface.Mesh(), options, [&](const LevelTransition& transition) {
         ++levels;
         visit(transition, OneFormProlongation(FineEdgePaths(transition), SerialContext()));
       });
@@ -131,7 +131,7 @@ TEST(OneFormProlongation, ReproducesConstantsAndRotationsInAPlane)
   const Vector3 a(0.3, -1.1, 0.0);
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
-  BuildMeshHierarchy(IrregularPlane(40, 30, 9).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularPlane(40, 30, 9).Mesh(), options,
     [&a](const LevelTransition& transition) {
       const TriangleMesh& fine = transition.Fine;
       const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
@@ -195,7 +195,7 @@ TEST(OneFormProlongation, HasTheSameBitsForAnyNumberOfThreads)
 {
   HierarchyOptions options;
   options.MaximumNumberOfCoarseLevels = 1;
-  BuildMeshHierarchy(IrregularTorus(96, 48, 21).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularTorus(96, 48, 21).Mesh(), options,
     [](const LevelTransition& transition) {
       const SparseMatrix<double> expected = OneFormProlongation(FineEdgePaths(transition), SerialContext());
       EXPECT_EQ(RelativeDifference(OneFormProlongation(FineEdgePaths(transition), TbbContext(3)), expected), 0.0);
@@ -231,8 +231,7 @@ TEST(SurfaceHierarchy, HasOneFormsInTheCallersNumbering)
     }
     const SpatialOrder order(mesh, SerialContext());
     options.MaximumNumberOfCoarseLevels = 1;
-    BuildMeshHierarchy(
-      order.Apply(mesh), options, SerialContext(), [&](const LevelTransition& transition) {
+    VisitLevels(order.Apply(mesh), options, [&](const LevelTransition& transition) {
         const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
         for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
         {

@@ -7,6 +7,7 @@
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
+#include "Support/Levels.h"
 #include "Support/MeshFactory.h"
 #include "Support/Pairs.h"
 #include "Support/Random.h"
@@ -84,7 +85,7 @@ void VisitLevels(Visit visit)
   {
     SCOPED_TRACE(surface.Name);
     int levels = 0;
-    BuildMeshHierarchy(surface.Shape.Mesh(), ExactOptions(surface.Policy), SerialContext(),
+    test::VisitLevels(surface.Shape.Mesh(), ExactOptions(surface.Policy),
       [&](const LevelTransition& transition)
       {
         ++levels;
@@ -152,7 +153,7 @@ TEST(OverlayProlongation, KeepsGeneratorsClosed)
   {
     HierarchyOptions options = ExactOptions();
     options.MinimumNumberOfFaces = 100;
-    BuildMeshHierarchy(surface.Mesh(), options, SerialContext(),
+    VisitLevels(surface.Mesh(), options,
       [&](const LevelTransition& transition)
       {
         const Vector<double> form = AngleForm(transition.Coarse);
@@ -210,7 +211,7 @@ TEST(OverlayProlongation, HasWeightsAndTurnsForPowerFields)
 TEST(OverlayProlongation, ReproducesConstantFieldsInAPlane)
 {
   const Vector3 direction(0.6, -0.8, 0.0);
-  BuildMeshHierarchy(IrregularPlane(24, 20, 15).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularPlane(24, 20, 15).Mesh(), ExactOptions(),
     [&](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -235,7 +236,7 @@ TEST(OverlayProlongation, ReproducesConstantFieldsInAPlane)
 // Over a curved surface the ways differ: the product for N is not the N-th power of the mean.
 TEST(OverlayProlongation, DependsOnNWhereTheSurfaceIsCurved)
 {
-  BuildMeshHierarchy(IrregularSphere(3, 7).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularSphere(3, 7).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -255,7 +256,7 @@ TEST(OverlayProlongation, DoesNotDependOnTheFrames)
 {
   HierarchyOptions options = ExactOptions();
   options.MaximumNumberOfCoarseLevels = 1;
-  BuildMeshHierarchy(IrregularTorus(24, 10, 3).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularTorus(24, 10, 3).Mesh(), options,
     [](const LevelTransition& transition)
     {
       Random random(17);
@@ -294,7 +295,7 @@ TEST(OverlayProlongation, DoesNotDependOnTheFrames)
 // function is linear in space to begin with, in a plane, they agree again.
 TEST(OverlayProlongation, DiffersFromTrackingOverManyCollapses)
 {
-  BuildMeshHierarchy(IrregularSphere(4, 7).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularSphere(4, 7).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -309,7 +310,7 @@ TEST(OverlayProlongation, DiffersFromTrackingOverManyCollapses)
         std::sqrt(4.0 * std::acos(-1.0) / transition.Coarse.NumberOfFaces());
       EXPECT_LT((exactPlaces - trackedPlaces).rowwise().norm().maxCoeff(), coarseEdge);
     });
-  BuildMeshHierarchy(IrregularPlane(24, 20, 5).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularPlane(24, 20, 5).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -322,7 +323,7 @@ TEST(OverlayProlongation, DiffersFromTrackingOverManyCollapses)
 // in a plane, and five times the entries on curved surfaces.
 TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
 {
-  BuildMeshHierarchy(IrregularSphere(4, 7).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularSphere(4, 7).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -334,7 +335,7 @@ TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
       EXPECT_LT(LargestDifference(ofForms, ofFunctions), 1e-12);
       EXPECT_GT(level.Exact.S1.nonZeros(), 3 * tracked.nonZeros());
     });
-  BuildMeshHierarchy(IrregularPlane(24, 20, 5).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularPlane(24, 20, 5).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -353,7 +354,7 @@ TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
 // (Q_B).
 TEST(OverlayProlongation, AgreesWithTrackedFaceFieldsWhereItMust)
 {
-  BuildMeshHierarchy(IrregularSphere(4, 7).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularSphere(4, 7).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -374,12 +375,13 @@ TEST(OverlayProlongation, HasTheSameBitsForAnyNumberOfThreads)
   const auto operators = [](const ExecutionContext& context)
   {
     std::vector<OverlayProlongation> levels;
-    BuildMeshHierarchy(IrregularTorus(32, 16, 21).Mesh(), ExactOptions(), context,
+    VisitLevels(IrregularTorus(32, 16, 21).Mesh(), ExactOptions(),
       [&](const LevelTransition& transition)
       {
         levels.emplace_back(
           transition, FaceFrames(transition.Fine), FaceFrames(transition.Coarse), context);
-      });
+      },
+      context);
     return levels;
   };
   const auto expectSame = [](const auto& a, const auto& b)
@@ -403,7 +405,7 @@ TEST(OverlayProlongation, HasTheSameBitsForAnyNumberOfThreads)
 // Faces without area may lie folded in the plane; G is no gradient in them, all else holds.
 TEST(OverlayProlongation, SurvivesFacesWithoutArea)
 {
-  BuildMeshHierarchy(SphereWithZeroAreaFaces(3, 12).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(SphereWithZeroAreaFaces(3, 12).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -419,6 +421,6 @@ TEST(OverlayProlongation, SurvivesFacesWithoutArea)
 
 TEST(OverlayProlongation, NeedsTheRecordOfTheCollapses)
 {
-  BuildMeshHierarchy(IrregularSphere(3, 7).Mesh(), { 0.25, 1, 60 }, SerialContext(),
+  VisitLevels(IrregularSphere(3, 7).Mesh(), { 0.25, 1, 60 },
     [](const LevelTransition& transition) { EXPECT_THROW(Level{ transition }, InvalidInput); });
 }

@@ -4,6 +4,7 @@
 #include "Prolongation/PowerFieldProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Identities.h"
+#include "Support/Levels.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
@@ -53,8 +54,7 @@ void VisitTransitions(Visit visit)
       options.MinimumNumberOfFaces = 60;
       options.Policy = policy;
       int levels = 0;
-      BuildMeshHierarchy(
-        surface.Shape.Mesh(), options, SerialContext(), [&](const LevelTransition& transition) {
+      VisitLevels(surface.Shape.Mesh(), options, [&](const LevelTransition& transition) {
           ++levels;
           visit(transition);
         });
@@ -125,7 +125,7 @@ TEST(ScalarProlongation, ReproducesLinearFunctionsInAPlane)
 {
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
-  BuildMeshHierarchy(IrregularPlane(40, 30, 9).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularPlane(40, 30, 9).Mesh(), options,
     [](const LevelTransition& transition) {
       const SparseMatrix<double> S0 = ScalarProlongation(transition, SerialContext());
       const Points places = S0 * transition.Coarse.VertexPositions();
@@ -191,8 +191,7 @@ TEST(FineEdgePaths, KeepClosedFormsClosed)
     HierarchyOptions options;
     options.MinimumNumberOfFaces = 100;
     options.MaximumNumberOfCoarseLevels = 5;
-    BuildMeshHierarchy(
-      surface.Mesh(), options, SerialContext(), [&](const LevelTransition& transition) {
+    VisitLevels(surface.Mesh(), options, [&](const LevelTransition& transition) {
         const TriangleMesh& coarse = transition.Coarse;
         std::vector<double> form(coarse.NumberOfEdges());
         for (int e = 0; e < coarse.NumberOfEdges(); ++e)
@@ -279,7 +278,7 @@ TEST(PowerFieldProlongation, DoesNotDependOnTheFrames)
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
   options.MaximumNumberOfCoarseLevels = 1;
-  BuildMeshHierarchy(IrregularTorus(48, 20, 3).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularTorus(48, 20, 3).Mesh(), options,
     [](const LevelTransition& transition) {
       Random random(17);
       std::vector<double> fineAngles(transition.Fine.NumberOfFaces());
