@@ -342,11 +342,6 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Areas = static_cast<dmg::VertexAreas>(
       this->VertexAreas == MixedVoronoi ? dmg::VertexAreas::MixedVoronoi : dmg::VertexAreas::Barycentric);
     options.Solver.Kind = static_cast<dmg::SolverKind>(this->Solver);
-    if (this->Solver != Cholesky && stages.Operators->Operators.NumberOfLevels() < 2)
-    {
-      // Multigrid without coarse levels is a factorisation; Automatic says so in the report.
-      options.Solver.Kind = dmg::SolverKind::Automatic;
-    }
     options.Solver.Sweeps = this->Sweeps;
     options.Solver.Nested.Cycles = this->NestedCycles;
     options.Solver.Nested.Rule = static_cast<dmg::SweepRule>(this->NestedRule);

@@ -96,7 +96,7 @@
  * | field array        | type   | length  | unit, meaning                                     |
  * | ------------------ | ------ | ------- | ------------------------------------------------- |
  * | NumberOfDirections | int    | 1       | N                                                 |
- * | Solver             | string | 1       | what ran, and why if it was chosen automatically  |
+ * | Solver             | string | 1       | what ran, and why if that was not asked for       |
  * | Converged          | int    | 1       | 1 or 0                                            |
  * | LevelUnknowns      | double | levels  | unknowns, finest first                            |
  * | LevelNonZeros      | double | levels  | non-zeros of the level's matrix (or factor)       |

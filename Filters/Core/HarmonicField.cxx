@@ -131,6 +131,11 @@ typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
   const ProlongationOperators* operators, const FieldOptions& options,
   typename HarmonicProblem<Scalar>::MakeProlongations make)
 {
+  const SolverKind solver = options.Solver.Kind;
+  if (!operators && solver != SolverKind::Automatic && solver != SolverKind::Cholesky)
+  {
+    throw InvalidInput("multigrid needs the prolongation operators of the surface");
+  }
   if (!operators || operators->NumberOfLevels() < 2)
   {
     return {};

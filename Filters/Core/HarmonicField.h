@@ -82,7 +82,8 @@ struct FieldOptions
 
 /// The problems one by one. Unknowns and values are those of MakePowerFieldSystem,
 /// MakeFaceFieldSystem and MakeOneFormSystem, in their order.
-/// \param operators of this mesh; may be null for SolverKind::Cholesky. Used during the call only.
+/// \param operators of this mesh; may be null for SolverKind::Cholesky and Automatic. Used during the
+///   call only. Where they have one level the system is factored, whatever solver is asked for.
 /// \throw InvalidInput options out of range, nothing prescribed, nothing left to solve for, or operators
 ///   that lack those of the discretisation.
 /// \throw SolverFailure the factorisation failed.

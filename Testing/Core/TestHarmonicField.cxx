@@ -388,6 +388,45 @@ TEST(FieldProblem, SolversAgreeOnEveryDiscretisation)
   }
 }
 
+// Without coarse levels multigrid is its exact solver; the report says what took its place.
+TEST(FieldProblem, OnASurfaceOfOneLevelIsFactored)
+{
+  const TriangleMesh mesh = IrregularSphere(2, 3).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  const ProlongationOperators operators =
+    BuildSurfaceHierarchy(mesh, HierarchyOptions(), SerialContext()).Operators;
+  ASSERT_EQ(operators.NumberOfLevels(), 1);
+  for (Discretisation kind : AllKinds)
+  {
+    FieldOptions options;
+    options.Kind = kind;
+    options.Solver.Nested.Rule = SweepRule::WhileErrorFalls; // needs a reference on more levels
+    const FieldConstraints constraints =
+      MakeFieldConstraints(mesh, frames, Directions(mesh, 50), options);
+    const auto solve = [&](SolverKind solver) {
+      options.Solver.Kind = solver;
+      FieldProblem problem(mesh, frames, &operators, constraints, options, SerialContext());
+      const Vector<double> field =
+        problem.Solve(constraints.Values, {}, StoppingCriteria(), SerialContext());
+      EXPECT_TRUE(problem.Report().Converged);
+      EXPECT_EQ(problem.Report().Levels.size(), 1u);
+      return std::pair(field, problem.Report().Solver);
+    };
+    const auto [direct, name] = solve(SolverKind::Cholesky);
+    EXPECT_EQ(name, "supernodal Cholesky");
+    for (const auto& [solver, instead] : std::vector<std::pair<SolverKind, std::string>>{
+           { SolverKind::Automatic, "chosen" }, { SolverKind::VCycles, "in place of V-cycles" },
+           { SolverKind::ConjugateGradients, "in place of conjugate gradients with a V-cycle" },
+           { SolverKind::NestedIterations, "in place of nested iterations" },
+           { SolverKind::CoarseProlongation, "in place of coarse prolongation" } })
+    {
+      const auto [field, report] = solve(solver);
+      EXPECT_EQ(field, direct);
+      EXPECT_EQ(report, name + ", " + instead + " because there are no coarse levels");
+    }
+  }
+}
+
 TEST(FieldProblem, HasTheSameBitsForAnyNumberOfThreads)
 {
   const Prepared on(IrregularTorus(96, 40, 8));

@@ -6,6 +6,7 @@
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -453,6 +454,10 @@ TEST_P(AnyField, OfASurfaceOfOneLevelIsFactored)
     solver->Update();
     EXPECT_TRUE(messages.Silent()) << messages.Error();
     EXPECT_EQ(Unknowns(solver), exact);
+    auto* const report = vtkStringArray::SafeDownCast(
+      solver->GetOutput()->GetFieldData()->GetAbstractArray("Solver"));
+    EXPECT_NE(report->GetValue(0).find("because there are no coarse levels"), std::string::npos)
+      << report->GetValue(0);
   }
 }
 
