@@ -351,7 +351,7 @@ int vtkHarmonicFieldSolver::RequestData(
       (this->Solver == NestedIterations && this->NestedRule == WhileErrorFalls);
 
     const dmg::FieldConstraints constraints =
-      dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces,
+      dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces, framed.Vertices,
         dmg::ChosenDirections(this, input, points, framed), options, framed.Surface.Names());
     stages.Prepare(constraints, options, dmg::PartOfContext(context, 0.5, 0.7));
 

@@ -19,7 +19,9 @@
  * - OneForm: X is a number per edge, the integral of a 1-form along it. Its roughness is h^T L1 h, the
  *   Hodge Laplacian: squared divergence and curl again. For what is integrated along paths;
  *   tangentially continuous. A direction prescribed on a face prescribes the integrals along its
- *   three sides.
+ *   three sides, each with the mean weight of its two faces. One at a point prescribes those along
+ *   the edges there, each with the mean weight of its two ends: where both are prescribed by the
+ *   trapezoidal rule, else as if the direction were constant along the edge.
  *
  * N is 1 for the latter two. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
  * 6.3.
@@ -51,8 +53,9 @@
  * The three arrays of a port share one association. An empty name, or "None" where no array has
  * that name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not
  * zero. Of a vector its tangential part counts: on a face, in the plane of the face; at a point of
- * the surface, in the tangent plane of the point, from where it is carried to the faces around. Its
- * length is the magnitude that is asked for. Directions on the same face are averaged as powers.
+ * the surface, in the tangent plane of the point, from where it is carried to the faces around, or,
+ * for 1-forms, to the edges there. Its length is the magnitude that is asked for. Directions on the
+ * same face are averaged as powers, values on the same edge as numbers, by weight.
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
  *

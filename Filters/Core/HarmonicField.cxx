@@ -310,20 +310,52 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
     NameOf(options), SolverFor(options), context);
 }
 
+namespace
+{
+
+FieldConstraints AsFieldConstraints(OneFormConstraints constraints)
+{
+  return { std::move(constraints.Prescribed.Edges), std::move(constraints.Prescribed.Weights),
+    std::move(constraints.Values) };
+}
+
+}
+
 FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
   const ElementNames& names)
 {
   if (options.Kind == Discretisation::OneForm)
   {
-    OneFormConstraints constraints = OneFormConstraintsOnFaces(mesh, faceFrames, directions, names);
-    return { std::move(constraints.Prescribed.Edges), std::move(constraints.Prescribed.Weights),
-      std::move(constraints.Values) };
+    return AsFieldConstraints(OneFormConstraintsOnFaces(mesh, faceFrames, directions, names));
   }
   PowerConstraints constraints =
     MakePowerConstraints(mesh, faceFrames, options.NumberOfDirections(), directions, names);
   return { std::move(constraints.Prescribed.Faces), std::move(constraints.Prescribed.Weights),
     AsPairs(constraints.Values) };
+}
+
+FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const PrescribedDirections& directions,
+  const FieldOptions& options, const ElementNames& names)
+{
+  if (options.Kind == Discretisation::OneForm)
+  {
+    return AsFieldConstraints(
+      Joined(OneFormConstraintsOnFaces(mesh, faceFrames, directions.OnFaces, names),
+        OneFormConstraintsAtVertices(
+          mesh, faceFrames, vertexFrames, directions.AtVertices, names)));
+  }
+  std::vector<PrescribedDirection> onFaces = directions.OnFaces;
+  for (const PrescribedVertexDirection& prescribed : directions.AtVertices)
+  {
+    for (const auto& [halfedge, direction] :
+      CarriedIntoFaces(mesh, faceFrames, vertexFrames, prescribed, names))
+    {
+      onFaces.push_back({ TriangleMesh::FaceOf(halfedge), direction, prescribed.Weight });
+    }
+  }
+  return MakeFieldConstraints(mesh, faceFrames, onFaces, options, names);
 }
 
 namespace

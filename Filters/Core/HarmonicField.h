@@ -109,7 +109,14 @@ struct FieldConstraints
   Vector<double> Values; ///< two per face: the N-th power or the vector, in its frame; one per edge
 };
 
-/// See MakePowerConstraints, with N = 1 for face fields, and OneFormConstraintsOnFaces.
+/// Directions on faces and at vertices. See MakePowerConstraints, with N = 1 for face fields, which get
+/// those at vertices on the faces around (CarriedIntoFaces); for 1-forms OneFormConstraintsOnFaces,
+/// OneFormConstraintsAtVertices and Joined.
+FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const PrescribedDirections& directions,
+  const FieldOptions& options, const ElementNames& names = {});
+
+/// The same with directions on faces only.
 FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
   const ElementNames& names = {});

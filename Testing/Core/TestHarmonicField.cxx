@@ -388,6 +388,56 @@ TEST(FieldProblem, SolversAgreeOnEveryDiscretisation)
   }
 }
 
+// A vertex constrains what is around it: the faces, or for 1-forms the edges; beside faces, too.
+TEST(FieldProblem, TakesDirectionsAtVertices)
+{
+  const TriangleMesh mesh = IrregularSphere(2, 3).Mesh();
+  const TangentFrames faces = FaceFrames(mesh);
+  const TangentFrames vertices = VertexFrames(mesh);
+  const int vertex = 50;
+  const Vector3 direction = 2.0 * vertices.X.row(vertex).transpose();
+  std::vector<int> facesAround;
+  std::vector<int> edgesAround;
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    if (mesh.Tail(h) == vertex)
+    {
+      facesAround.push_back(TriangleMesh::FaceOf(h));
+      edgesAround.push_back(mesh.EdgeOf(h));
+    }
+  }
+  std::sort(edgesAround.begin(), edgesAround.end());
+  for (Discretisation kind : AllKinds)
+  {
+    FieldOptions options;
+    options.Kind = kind;
+    const bool isOneForm = kind == Discretisation::OneForm;
+    const FieldConstraints alone =
+      MakeFieldConstraints(mesh, faces, vertices, { {}, { { vertex, direction, 3.0 } } }, options);
+    EXPECT_EQ(alone.Elements, isOneForm ? edgesAround : facesAround);
+    EXPECT_EQ(alone.Weights,
+      std::vector<double>(alone.Elements.size(), isOneForm ? 1.5 : 3.0)); // one end of two
+    if (!isOneForm)
+    {
+      for (Eigen::Index b = 0; b < alone.Values.size(); b += 2)
+      {
+        EXPECT_NEAR(alone.Values.segment<2>(b).norm(), 2.0, 1e-14); // turned, not shortened
+      }
+    }
+    const int other = facesAround.front() == 0 ? 1 : 0;
+    const PrescribedDirection onFace = { other, faces.X.row(other).transpose(), 1.0 };
+    const FieldConstraints both = MakeFieldConstraints(
+      mesh, faces, vertices, { { onFace }, { { vertex, direction, 3.0 } } }, options);
+    EXPECT_EQ(both.Elements.size(), alone.Elements.size() + (isOneForm ? 3 : 1));
+    const FieldConstraints onFaces =
+      MakeFieldConstraints(mesh, faces, vertices, { { onFace }, {} }, options);
+    const FieldConstraints same = MakeFieldConstraints(mesh, faces, { onFace }, options);
+    EXPECT_EQ(onFaces.Elements, same.Elements);
+    EXPECT_EQ(onFaces.Weights, same.Weights);
+    EXPECT_EQ(onFaces.Values, same.Values);
+  }
+}
+
 // Without coarse levels multigrid is its exact solver; the report says what took its place.
 TEST(FieldProblem, OnASurfaceOfOneLevelIsFactored)
 {

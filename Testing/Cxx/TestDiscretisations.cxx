@@ -329,6 +329,35 @@ TEST(OneForm, IsPrescribedOnEdges)
   EXPECT_FALSE(solver->GetOutput()->GetCellData()->HasArray("Prescribed"));
 }
 
+// Where a direction is prescribed at a point, the edges there are, with the mean weight of their two
+// ends; between two such points by the trapezoidal rule.
+TEST(OneForm, IsPrescribedOnTheEdgesOfPoints)
+{
+  const Surface grid = PlaneGrid(4, 4);
+  const auto input = PolyDataOf(grid);
+  const vtkIdType a = 12; // the middle
+  const vtkIdType b = 13; // to the right of it
+  AddPointVectors(input, "Given", { { a, { 1.0, 0.0, 0.5 } }, { b, { 3.0, 0.0, 0.0 } } });
+  const auto solver = NewSolver(input, Solver::OneForm);
+  solver->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Given");
+  solver->SetConstraintType(Solver::Hard);
+  solver->Update();
+  const std::vector<double> weights = Values(Edges(solver)->GetCellData(), "Prescribed");
+  const std::vector<double> form = Values(Edges(solver)->GetCellData(), "OneForm");
+  for (const auto& [edge, number] : EdgesOf(input))
+  {
+    const bool atA = edge.first == a || edge.second == a;
+    const bool atB = edge.first == b || edge.second == b;
+    EXPECT_EQ(weights[number], 0.5 * atA + 0.5 * atB);
+    if (atA || atB)
+    {
+      const double strength = atA && atB ? 2.0 : atA ? 1.0 : 3.0;
+      EXPECT_NEAR(
+        form[number], strength * (grid.V(edge.second, 0) - grid.V(edge.first, 0)), 1e-14);
+    }
+  }
+}
+
 TEST_P(VectorField, HasOneDirectionAndNoArraysOfOtherFields)
 {
   const auto crosses = NewSolver(Sphere(), Solver::PowerField);
