@@ -401,18 +401,24 @@ TEST(OverlayProlongation, HasTheSameBitsForAnyNumberOfThreads)
 // Faces without area may lie folded in the plane; G is no gradient in them, all else holds.
 TEST(OverlayProlongation, SurvivesFacesWithoutArea)
 {
-  VisitLevels(SphereWithZeroAreaFaces(3, 12).Mesh(), ExactOptions(),
-    [](const LevelTransition& transition)
-    {
-      const Level level(transition);
-      EXPECT_LT(RowSumResidual(level.Exact.S0), 1e-14);
-      EXPECT_GE(SmallestEntry(level.Exact.S0), 0.0);
-      const SparseMatrix<double> differences = DifferencesAlongEdges(level.Fine) * level.Exact.S0;
-      const SparseMatrix<double> prolonged = level.Exact.S1 * DifferencesAlongEdges(level.Coarse);
-      EXPECT_LT(LargestDifference(differences, prolonged), 1e-13);
-      EXPECT_LT(RowSumResidual(level.Exact.SP.cwiseAbs()), 1e-13);
-      EXPECT_TRUE(level.Exact.SX.coeffs().allFinite());
-    });
+  for (const Surface& surface : { SphereWithZeroAreaFaces(3, 12), CapsuleFromRectangle(24, 12) })
+  {
+    const auto levels = VisitLevels(surface.Mesh(), ExactOptions(),
+      [](const LevelTransition& transition)
+      {
+        const Level level(transition);
+        EXPECT_LT(RowSumResidual(level.Exact.S0), 1e-14);
+        EXPECT_GE(SmallestEntry(level.Exact.S0), 0.0);
+        const SparseMatrix<double> differences =
+          DifferencesAlongEdges(level.Fine) * level.Exact.S0;
+        const SparseMatrix<double> prolonged =
+          level.Exact.S1 * DifferencesAlongEdges(level.Coarse);
+        EXPECT_LT(LargestDifference(differences, prolonged), 1e-13);
+        EXPECT_LT(RowSumResidual(level.Exact.SP.cwiseAbs()), 1e-13);
+        EXPECT_TRUE(level.Exact.SX.coeffs().allFinite());
+      });
+    EXPECT_GE(levels.size(), 1u);
+  }
 }
 
 TEST(OverlayProlongation, NeedsTheRecordOfTheCollapses)
