@@ -36,8 +36,8 @@ bool SameElements(const dmg::FieldConstraints& a, const dmg::FieldConstraints& b
 
 bool operator==(const dmg::SweepOptions& a, const dmg::SweepOptions& b)
 {
-  return std::tie(a.Rule, a.Sweeps, a.LeastImprovement, a.Cycles) ==
-    std::tie(b.Rule, b.Sweeps, b.LeastImprovement, b.Cycles);
+  return std::tie(a.Rule, a.Sweeps, a.LeastImprovement, a.MaximumSweeps, a.Cycles) ==
+    std::tie(b.Rule, b.Sweeps, b.LeastImprovement, b.MaximumSweeps, b.Cycles);
 }
 
 bool operator==(const dmg::SolverOptions& a, const dmg::SolverOptions& b)
@@ -346,6 +346,7 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Solver.Nested.Cycles = this->NestedCycles;
     options.Solver.Nested.Rule = static_cast<dmg::SweepRule>(this->NestedRule);
     options.Solver.Nested.Sweeps = this->NestedSweeps;
+    options.Solver.Nested.MaximumSweeps = this->MaximumNumberOfNestedSweeps;
     options.Solver.StartingLevel = this->StartingLevel;
     options.Solver.CompareWithCholesky = this->CompareWithCholesky ||
       (this->Solver == NestedIterations && this->NestedRule == WhileErrorFalls);
@@ -410,6 +411,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NestedCycles: " << this->NestedCycles << "\n";
   os << indent << "NestedRule: " << rules[this->NestedRule] << "\n";
   os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";
+  os << indent << "MaximumNumberOfNestedSweeps: " << this->MaximumNumberOfNestedSweeps << "\n";
   os << indent << "StartingLevel: " << this->StartingLevel << "\n";
   os << indent << "VertexAreas: " << (this->VertexAreas == MixedVoronoi ? "MixedVoronoi" : "Barycentric")
      << "\n";

@@ -214,7 +214,7 @@ public:
     ConjugateGradients = 3,
     /**
      * Solved on the coarsest level, carried up level by level and smoothed on each: a rough field for
-     * the price of a few cycles, which is then reported as not converged only if NestedSweeps ran out.
+     * the price of a few cycles, reported as not converged only if MaximumNumberOfNestedSweeps ran out.
      */
     NestedIterations = 4,
     /** Solved on the coarsest level and carried to the surface: a sketch. */
@@ -288,11 +288,21 @@ public:
 
   ///@{
   /**
-   * Gauss-Seidel sweeps of nested iterations on each level, under the other rules at most. Default
-   * 20, at least 0.
+   * Gauss-Seidel sweeps of nested iterations on each level under the rule FixedNumber. Default 20, at
+   * least 0.
    */
   vtkSetClampMacro(NestedSweeps, int, 0, VTK_INT_MAX);
   vtkGetMacro(NestedSweeps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Under the other rules nested iterations leave a level after this many sweeps at the latest, with a
+   * warning. Default 40,000, which the rules never need: as many times 0.1 % less is less than
+   * rounding. At least 0.
+   */
+  vtkSetClampMacro(MaximumNumberOfNestedSweeps, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfNestedSweeps, int);
   ///@}
 
   ///@{
@@ -408,6 +418,7 @@ private:
   int NestedCycles = 2;
   int NestedRule = FixedNumber;
   int NestedSweeps = 20;
+  int MaximumNumberOfNestedSweeps = 40000;
   int StartingLevel = -1;
   int VertexAreas = MixedVoronoi;
   bool CompareWithCholesky = false;
