@@ -168,7 +168,8 @@ public:
     else
     {
       AddTo(origin.Selection, selection ? *selection : origin.Selection);
-      AddTo(origin.Selection, this->Operators ? this->Operators->Origin.Selection : origin.Selection);
+      AddTo(
+        origin.Selection, this->Operators ? this->Operators->Origin.Selection : origin.Selection);
     }
     if (selection && !(this->Operators && this->Operators->Origin == origin))
     {
@@ -339,8 +340,9 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Alignment = this->Alignment;
     options.Constraints = static_cast<dmg::ConstraintKind>(this->ConstraintType);
     options.CoarseSpace = static_cast<dmg::CoarseSpaceKind>(this->CoarseSpace);
-    options.Areas = static_cast<dmg::VertexAreas>(
-      this->VertexAreas == MixedVoronoi ? dmg::VertexAreas::MixedVoronoi : dmg::VertexAreas::Barycentric);
+    options.Areas = static_cast<dmg::VertexAreas>(this->VertexAreas == MixedVoronoi
+        ? dmg::VertexAreas::MixedVoronoi
+        : dmg::VertexAreas::Barycentric);
     options.Solver.Kind = static_cast<dmg::SolverKind>(this->Solver);
     options.Solver.Sweeps = this->Sweeps;
     options.Solver.Nested.Cycles = this->NestedCycles;
@@ -387,7 +389,8 @@ int vtkHarmonicFieldSolver::RequestData(
   for (vtkDataObject* data :
     { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(convergence) })
   {
-    dmg::AddReport(report, solved.NumberOfDirections(), stages.SetupSeconds(), data->GetFieldData());
+    dmg::AddReport(
+      report, solved.NumberOfDirections(), stages.SetupSeconds(), data->GetFieldData());
   }
   return 1;
 }
@@ -406,14 +409,16 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
-  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving") << "\n";
+  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")
+     << "\n";
   os << indent << "Sweeps: " << this->Sweeps << "\n";
   os << indent << "NestedCycles: " << this->NestedCycles << "\n";
   os << indent << "NestedRule: " << rules[this->NestedRule] << "\n";
   os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";
   os << indent << "MaximumNumberOfNestedSweeps: " << this->MaximumNumberOfNestedSweeps << "\n";
   os << indent << "StartingLevel: " << this->StartingLevel << "\n";
-  os << indent << "VertexAreas: " << (this->VertexAreas == MixedVoronoi ? "MixedVoronoi" : "Barycentric")
+  os << indent
+     << "VertexAreas: " << (this->VertexAreas == MixedVoronoi ? "MixedVoronoi" : "Barycentric")
      << "\n";
   os << indent << "CompareWithCholesky: " << (this->CompareWithCholesky ? "On" : "Off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";

@@ -21,8 +21,8 @@ namespace dmg
 /// \param surface that \p framed was made from.
 /// \param points the other dataset, may be null.
 /// \throw InvalidInput a chosen array that does not exist or has another form; nothing is
-/// prescribed; an element whose vector is not finite or whose weight is not positive; a point of the
-/// other dataset whose vector is not tangential. Cost: linear; with points, a locator over the
+/// prescribed; an element whose vector is not finite or whose weight is not positive; a point of
+/// the other dataset whose vector is not tangential. Cost: linear; with points, a locator over the
 /// surface and logarithmic time per point.
 PrescribedDirections ChosenDirections(
   vtkAlgorithm* algorithm, vtkPolyData* surface, vtkDataSet* points, const FramedSurface& framed);

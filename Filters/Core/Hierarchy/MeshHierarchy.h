@@ -28,8 +28,8 @@ struct LevelTransition
 };
 
 /// Decimates a surface level by level. Level l + 1 has FaceRatio times the faces of level l, or
-/// MinimumNumberOfFaces if that is more; there are no more levels where a level would keep over 70 %
-/// of the faces. Thesis, section 5.4.
+/// MinimumNumberOfFaces if that is more; there are no more levels where a level would keep over
+/// 70 % of the faces. Thesis, section 5.4.
 /// \param onLevel called with each new level, and with the part of the progress that its own work
 ///   has: most of it for exact overlays, little for tracked paths. The tracking is gone afterwards.
 /// \return the levels above the finest.

@@ -69,9 +69,9 @@ public:
   /// All pieces in a coarse face, of every halfedge that exists; edges ascending.
   std::vector<PieceOfEdge> PiecesIn(int coarseFace) const;
 
-  /// Bends a piece p -> q: it runs p -> a -> b -> q instead, with a -> b inside the face of \p side,
-  /// along that side. Its ends stay, and so does its homotopy class. Where both halfedges of the
-  /// edge are one path, both take the detour.
+  /// Bends a piece p -> q: it runs p -> a -> b -> q instead, with a -> b inside the face of \p
+  /// side, along that side. Its ends stay, and so does its homotopy class. Where both halfedges of
+  /// the edge are one path, both take the detour.
   /// \param side a coarse halfedge, whose twin is in the face of the piece.
   /// \param a, b places on the twin, from 0 at its tail to 1 at its head.
   void Bend(const PieceOfEdge& piece, int side, double a, double b);

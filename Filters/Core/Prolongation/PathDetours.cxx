@@ -84,7 +84,7 @@ public:
 
   void Make(const ExecutionContext& context)
   {
-    // A face may get cover only after a neighbour has got some, and the neighbour may need a new one.
+    // A face may get cover only after a neighbour has got some, which may then need some anew.
     std::vector<int> weak = this->FindWeakFaces(context);
     int before = -1;
     while (this->Paths.NumberOfDetours() > before)
@@ -103,7 +103,7 @@ public:
   }
 
 private:
-  /// A piece that could make a detour, into the face of a side, and between which places of its twin.
+  /// A piece that could lead into the face of a side, and between which places of its twin.
   struct Candidate
   {
     FineEdgePaths::PieceOfEdge Piece{};
