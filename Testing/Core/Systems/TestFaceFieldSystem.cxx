@@ -1,5 +1,6 @@
 #include "Systems/FaceFieldSystem.h"
 
+#include "Prescriptions.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
@@ -20,15 +21,6 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-FieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
-{
-  FieldWeights weights;
-  weights.Smoothness = smoothness;
-  weights.Alignment = alignment;
-  weights.Constraints = kind;
-  return weights;
-}
-
 /// The field as vectors in space, by a general sparse LU.
 Points SolveField(const TriangleMesh& mesh, const TangentFrames& frames,
   const std::vector<PrescribedDirection>& directions, const FieldWeights& weights)
@@ -41,21 +33,6 @@ Points SolveField(const TriangleMesh& mesh, const TangentFrames& frames,
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(A);
   const Vector<double> x = lu.solve(system.RightHandSide(values));
   return VectorsFromFaceField(frames, system.Expand(x, values));
-}
-
-std::vector<PrescribedDirection> RandomDirections(
-  const TriangleMesh& mesh, const TangentFrames& frames, int count, unsigned seed)
-{
-  Random random(seed);
-  std::vector<PrescribedDirection> directions;
-  for (int i = 0; i < count; ++i)
-  {
-    const int face = random.Index(mesh.NumberOfFaces());
-    directions.push_back({ face,
-      frames.ToVector(face, std::polar(random.Uniform(0.5, 2.0), random.Uniform(-3.0, 3.0))),
-      random.Uniform(0.5, 2.0) });
-  }
-  return directions;
 }
 
 TEST(FaceFieldSystem, IsItsStatedEnergy)

@@ -1,5 +1,6 @@
 #include "Systems/OneFormSystem.h"
 
+#include "Prescriptions.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
@@ -23,15 +24,6 @@ using Dense = Eigen::MatrixXd;
 
 constexpr double Pi = 3.14159265358979323846;
 
-FieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
-{
-  FieldWeights weights;
-  weights.Smoothness = smoothness;
-  weights.Alignment = alignment;
-  weights.Constraints = kind;
-  return weights;
-}
-
 Vector<double> SolveForm(
   const TriangleMesh& mesh, const OneFormConstraints& constraints, const FieldWeights& weights)
 {
@@ -41,24 +33,10 @@ Vector<double> SolveForm(
     A.fullPivLu().solve(system.RightHandSide(constraints.Values)), constraints.Values);
 }
 
-std::vector<PrescribedDirection> RandomDirections(const TriangleMesh& mesh, int count, unsigned seed)
-{
-  const TangentFrames frames = FaceFrames(mesh);
-  Random random(seed);
-  std::vector<PrescribedDirection> directions;
-  for (int i = 0; i < count; ++i)
-  {
-    const int face = random.Index(mesh.NumberOfFaces());
-    directions.push_back({ face,
-      frames.ToVector(face, std::polar(random.Uniform(0.5, 2.0), random.Uniform(-3.0, 3.0))),
-      random.Uniform(0.5, 2.0) });
-  }
-  return directions;
-}
-
 OneFormConstraints RandomConstraints(const TriangleMesh& mesh, int count, unsigned seed)
 {
-  return OneFormConstraintsOnFaces(mesh, FaceFrames(mesh), RandomDirections(mesh, count, seed));
+  const TangentFrames frames = FaceFrames(mesh);
+  return OneFormConstraintsOnFaces(mesh, frames, RandomDirections(mesh, frames, count, seed));
 }
 
 /// A vertex whose faces lie in one plane.
@@ -194,7 +172,8 @@ TEST(OneFormSystem, DoesNotDependOnTheNumbering)
   const TriangleMesh mesh = surface.Mesh();
   const Relabelled relabelled = Relabel(surface, 6);
   const TriangleMesh other = relabelled.Result.Mesh();
-  const std::vector<PrescribedDirection> directions = RandomDirections(mesh, 5, 7);
+  const std::vector<PrescribedDirection> directions =
+    RandomDirections(mesh, FaceFrames(mesh), 5, 7);
   std::vector<PrescribedDirection> otherDirections = directions;
   for (PrescribedDirection& direction : otherDirections)
   {
