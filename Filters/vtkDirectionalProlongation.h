@@ -38,12 +38,12 @@
  * | SX.l. ...              | double | as S0          | face fields (FaceFields)                  |
  * | SP.l.Offsets, .Columns | int    | as above       | (PowerFields)                             |
  * | SP.l.Values            | double | 2 per non-zero | complex; directions, face to face         |
- * | Nodal.l. ...           |        | as SP          | vectors, vertices to vertices, at l = 0 to faces |
+ * | Nodal.l. ...           |        | as SP          | vectors, vertex to vertex or (l = 0) face |
  *
- * A 1-form has a number per edge, its integral from the smaller to the larger point index; edges are
- * numbered in ascending order of (smaller, larger). A face field has two numbers per face, the
- * components in a frame whose first axis runs along the face's first side. With S0 and these, gradients
- * stay gradients and closed 1-forms stay closed: d0 S0 = S1 d0 and G S0 = SX G.
+ * A 1-form has a number per edge, its integral from the smaller to the larger point index; edges
+ * are numbered in ascending order of (smaller, larger). A face field has two numbers per face, the
+ * components in a frame whose first axis runs along the face's first side. With S0 and these,
+ * gradients stay gradients and closed 1-forms stay closed: d0 S0 = S1 d0 and G S0 = SX G.
  *
  * SP and Nodal serve every number of directions. The modulus of a complex entry is its weight, the
  * argument the angle by which a direction turns on its way; on the powers of N directions it turns

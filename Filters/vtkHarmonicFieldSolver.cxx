@@ -36,8 +36,8 @@ bool SameElements(const dmg::FieldConstraints& a, const dmg::FieldConstraints& b
 
 bool operator==(const dmg::SweepOptions& a, const dmg::SweepOptions& b)
 {
-  return std::tie(a.Rule, a.Sweeps, a.LeastImprovement, a.Cycles) ==
-    std::tie(b.Rule, b.Sweeps, b.LeastImprovement, b.Cycles);
+  return std::tie(a.Rule, a.Sweeps, a.LeastImprovement, a.MaximumSweeps, a.Cycles) ==
+    std::tie(b.Rule, b.Sweeps, b.LeastImprovement, b.MaximumSweeps, b.Cycles);
 }
 
 bool operator==(const dmg::SolverOptions& a, const dmg::SolverOptions& b)
@@ -168,7 +168,8 @@ public:
     else
     {
       AddTo(origin.Selection, selection ? *selection : origin.Selection);
-      AddTo(origin.Selection, this->Operators ? this->Operators->Origin.Selection : origin.Selection);
+      AddTo(
+        origin.Selection, this->Operators ? this->Operators->Origin.Selection : origin.Selection);
     }
     if (selection && !(this->Operators && this->Operators->Origin == origin))
     {
@@ -339,24 +340,21 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Alignment = this->Alignment;
     options.Constraints = static_cast<dmg::ConstraintKind>(this->ConstraintType);
     options.CoarseSpace = static_cast<dmg::CoarseSpaceKind>(this->CoarseSpace);
-    options.Areas = static_cast<dmg::VertexAreas>(
-      this->VertexAreas == MixedVoronoi ? dmg::VertexAreas::MixedVoronoi : dmg::VertexAreas::Barycentric);
+    options.Areas = static_cast<dmg::VertexAreas>(this->VertexAreas == MixedVoronoi
+        ? dmg::VertexAreas::MixedVoronoi
+        : dmg::VertexAreas::Barycentric);
     options.Solver.Kind = static_cast<dmg::SolverKind>(this->Solver);
-    if (this->Solver != Cholesky && stages.Operators->Operators.NumberOfLevels() < 2)
-    {
-      // Multigrid without coarse levels is a factorisation; Automatic says so in the report.
-      options.Solver.Kind = dmg::SolverKind::Automatic;
-    }
     options.Solver.Sweeps = this->Sweeps;
     options.Solver.Nested.Cycles = this->NestedCycles;
     options.Solver.Nested.Rule = static_cast<dmg::SweepRule>(this->NestedRule);
     options.Solver.Nested.Sweeps = this->NestedSweeps;
+    options.Solver.Nested.MaximumSweeps = this->MaximumNumberOfNestedSweeps;
     options.Solver.StartingLevel = this->StartingLevel;
     options.Solver.CompareWithCholesky = this->CompareWithCholesky ||
       (this->Solver == NestedIterations && this->NestedRule == WhileErrorFalls);
 
     const dmg::FieldConstraints constraints =
-      dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces,
+      dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces, framed.Vertices,
         dmg::ChosenDirections(this, input, points, framed), options, framed.Surface.Names());
     stages.Prepare(constraints, options, dmg::PartOfContext(context, 0.5, 0.7));
 
@@ -391,7 +389,8 @@ int vtkHarmonicFieldSolver::RequestData(
   for (vtkDataObject* data :
     { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(convergence) })
   {
-    dmg::AddReport(report, solved.NumberOfDirections(), stages.SetupSeconds(), data->GetFieldData());
+    dmg::AddReport(
+      report, solved.NumberOfDirections(), stages.SetupSeconds(), data->GetFieldData());
   }
   return 1;
 }
@@ -410,13 +409,16 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
-  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving") << "\n";
+  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")
+     << "\n";
   os << indent << "Sweeps: " << this->Sweeps << "\n";
   os << indent << "NestedCycles: " << this->NestedCycles << "\n";
   os << indent << "NestedRule: " << rules[this->NestedRule] << "\n";
   os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";
+  os << indent << "MaximumNumberOfNestedSweeps: " << this->MaximumNumberOfNestedSweeps << "\n";
   os << indent << "StartingLevel: " << this->StartingLevel << "\n";
-  os << indent << "VertexAreas: " << (this->VertexAreas == MixedVoronoi ? "MixedVoronoi" : "Barycentric")
+  os << indent
+     << "VertexAreas: " << (this->VertexAreas == MixedVoronoi ? "MixedVoronoi" : "Barycentric")
      << "\n";
   os << indent << "CompareWithCholesky: " << (this->CompareWithCholesky ? "On" : "Off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";

@@ -3,8 +3,8 @@
  * @brief   computes the smoothest field on a surface that follows prescribed directions
  *
  * A field of N directions (N = 1: vectors, 2: lines, 4: crosses, 6: hexagonal) has N tangent
- * vectors per point, 2 pi / N apart. vtkHarmonicFieldSolver represents it as Discretisation says, by
- * unknowns X, and finds those that minimise
+ * vectors per point, 2 pi / N apart. vtkHarmonicFieldSolver represents it as Discretisation says,
+ * by unknowns X, and finds those that minimise
  *
  *   Smoothness * roughness(X) + Alignment * sum over prescribed elements of w_b m_b |X_b - Y_b|^2,
  *
@@ -16,10 +16,12 @@
  *   singularities. For crosses and lines, and wherever the direction matters more than the length.
  * - FaceField: X is a vector per face, two components in the face's frame. Its roughness is its
  *   squared divergence and curl, integrated. For flows: harmonic where nothing is prescribed.
- * - OneForm: X is a number per edge, the integral of a 1-form along it. Its roughness is h^T L1 h, the
- *   Hodge Laplacian: squared divergence and curl again. For what is integrated along paths;
+ * - OneForm: X is a number per edge, the integral of a 1-form along it. Its roughness is h^T L1 h,
+ *   the Hodge Laplacian: squared divergence and curl again. For what is integrated along paths;
  *   tangentially continuous. A direction prescribed on a face prescribes the integrals along its
- *   three sides.
+ *   three sides, each with the mean weight of its two faces. One at a point prescribes those along
+ *   the edges there, each with the mean weight of its two ends: where both are prescribed by the
+ *   trapezoidal rule, else as if the direction were constant along the edge.
  *
  * N is 1 for the latter two. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
  * 6.3.
@@ -51,8 +53,9 @@
  * The three arrays of a port share one association. An empty name, or "None" where no array has
  * that name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not
  * zero. Of a vector its tangential part counts: on a face, in the plane of the face; at a point of
- * the surface, in the tangent plane of the point, from where it is carried to the faces around. Its
- * length is the magnitude that is asked for. Directions on the same face are averaged as powers.
+ * the surface, in the tangent plane of the point, from where it is carried to the faces around, or,
+ * for 1-forms, to the edges there. Its length is the magnitude that is asked for. Directions on the
+ * same face are averaged as powers, values on the same edge as numbers, by weight.
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
  *
@@ -63,19 +66,20 @@
  * | Direction0, 1, ... N - 1 | cells, points | 3          | the directions, counter-clockwise  |
  * | PowerField               | cells, points | 2          | the N-th power, a complex number   |
  * | FaceField                | cells         | 3          | X in space (face fields only)      |
- * | Prescribed               | cells         | 1          | weight where prescribed, else 0 (on port 1 for 1-forms) |
+ * | Prescribed               | cells         | 1          | weight, else 0 (1-forms: on port 1) |
  * | SingularityIndex         | points        | 1          | multiple of 1 / N; 0 on boundaries |
  *
- * Directions are unit vectors (UnitLength) or have the field's length, in the unit of the prescribed
- * vectors. A 1-form shows the vector of its Whitney interpolant: on a cell that at the centre, at a
- * point the mean over the faces around it. Direction0 becomes the active vector of both. Elements that belong to no triangle hold
- * zeros. The frame of a face has its first axis along the face's first side.
+ * Directions are unit vectors (UnitLength) or have the field's length, in the unit of the
+ * prescribed vectors. A 1-form shows the vector of its Whitney interpolant: on a cell that at the
+ * centre, at a point the mean over the faces around it. Direction0 becomes the active vector of
+ * both. Elements that belong to no triangle hold zeros. The frame of a face has its first axis
+ * along the face's first side.
  *
  * Port 1, the edges of the surface: vtkPolyData, a line per edge, from the smaller to the larger
  * point index, with the cell array Turning (1 component, radians): by how much the field turns from
- * the face on the left of the edge to the face on the right, in [-pi / N, pi / N]; 0 on boundaries. For
- * 1-forms it also holds the cell array OneForm (1 component, unit of the prescribed vectors times
- * length), the 1-form itself.
+ * the face on the left of the edge to the face on the right, in [-pi / N, pi / N]; 0 on boundaries.
+ * For 1-forms it also holds the cell array OneForm (1 component, unit of the prescribed vectors
+ * times length), the 1-form itself.
  *
  * Around an interior point, the turnings across its edges, taken counter-clockwise, and the point's
  * angle defect sum to 2 pi times its SingularityIndex.
@@ -88,7 +92,7 @@
  * | Seconds          | seconds | since the solve began                         |
  * | RelativeResidual | -       | norm of the residual over that of the right-hand side |
  * | Energy           | -       | what the system minimises, less its value at X = 0 |
- * | MassResidual     | -       | the residual in the mass norm ("energy" in the thesis, section 6.4) |
+ * | MassResidual     | -       | residual in the mass norm ("energy" in the thesis, section 6.4) |
  * | Error            | -       | of X against Cholesky in the mass norm; with CompareWithCholesky |
  *
  * Ports 0 and 2 carry the report as field data:
@@ -96,7 +100,7 @@
  * | field array        | type   | length  | unit, meaning                                     |
  * | ------------------ | ------ | ------- | ------------------------------------------------- |
  * | NumberOfDirections | int    | 1       | N                                                 |
- * | Solver             | string | 1       | what ran, and why if it was chosen automatically  |
+ * | Solver             | string | 1       | what ran, and why if that was not asked for       |
  * | Converged          | int    | 1       | 1 or 0                                            |
  * | LevelUnknowns      | double | levels  | unknowns, finest first                            |
  * | LevelNonZeros      | double | levels  | non-zeros of the level's matrix (or factor)       |
@@ -159,8 +163,8 @@ public:
 
   ///@{
   /**
-   * N, the number of directions per point; of power fields, the others have one. Default 4, range 1 to
-   * 8.
+   * N, the number of directions per point; of power fields, the others have one. Default 4, range 1
+   * to 8.
    */
   vtkSetClampMacro(NumberOfDirections, int, 1, 8);
   vtkGetMacro(NumberOfDirections, int);
@@ -210,8 +214,9 @@ public:
     /** Conjugate gradients, preconditioned by one V-cycle. */
     ConjugateGradients = 3,
     /**
-     * Solved on the coarsest level, carried up level by level and smoothed on each: a rough field for
-     * the price of a few cycles, which is then reported as not converged only if NestedSweeps ran out.
+     * Solved on the coarsest level, carried up level by level and smoothed on each: a rough field
+     * for the price of a few cycles, reported as not converged only if MaximumNumberOfNestedSweeps
+     * ran out.
      */
     NestedIterations = 4,
     /** Solved on the coarsest level and carried to the surface: a sketch. */
@@ -238,8 +243,8 @@ public:
   ///@{
   /**
    * What the coarse levels of multigrid hold, one of CoarseSpaces; without effect on Cholesky.
-   * StructurePreserving takes operators of the discretisation (vtkDirectionalProlongation: PowerFields,
-   * FaceFields, OneForms). Default Nodal.
+   * StructurePreserving takes operators of the discretisation (vtkDirectionalProlongation:
+   * PowerFields, FaceFields, OneForms). Default Nodal.
    */
   vtkSetClampMacro(CoarseSpace, int, Nodal, StructurePreserving);
   vtkGetMacro(CoarseSpace, int);
@@ -256,9 +261,9 @@ public:
 
   ///@{
   /**
-   * Steps of conjugate gradients, with a V-cycle as preconditioner, that nested iterations take on each
-   * level before they sweep (full multigrid); 0 leaves sweeps alone, as in the thesis. Default 2, at
-   * least 0.
+   * Steps of conjugate gradients, with a V-cycle as preconditioner, that nested iterations take on
+   * each level before they sweep (full multigrid); 0 leaves sweeps alone, as in the thesis. Default
+   * 2, at least 0.
    */
   vtkSetClampMacro(NestedCycles, int, 0, VTK_INT_MAX);
   vtkGetMacro(NestedCycles, int);
@@ -268,7 +273,8 @@ public:
   {
     /** After NestedSweeps sweeps. */
     FixedNumber = 0,
-    /** After a sweep that lowers the error against Cholesky by less than 0.1 %, as in the thesis. */
+    /** After a sweep that lowers the error against Cholesky by less than 0.1 %, as in the thesis.
+     */
     WhileErrorFalls = 1,
     /** After a sweep that lowers the level's residual by less than 0.1 %. */
     WhileResidualFalls = 2
@@ -285,11 +291,21 @@ public:
 
   ///@{
   /**
-   * Gauss-Seidel sweeps of nested iterations on each level, under the other rules at most. Default
-   * 20, at least 0.
+   * Gauss-Seidel sweeps of nested iterations on each level under the rule FixedNumber. Default 20,
+   * at least 0.
    */
   vtkSetClampMacro(NestedSweeps, int, 0, VTK_INT_MAX);
   vtkGetMacro(NestedSweeps, int);
+  ///@}
+
+  ///@{
+  /**
+   * Under the other rules nested iterations leave a level after this many sweeps at the latest,
+   * with a warning. Default 40,000, which the rules never need: as many times 0.1 % less is less
+   * than rounding. At least 0.
+   */
+  vtkSetClampMacro(MaximumNumberOfNestedSweeps, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumberOfNestedSweeps, int);
   ///@}
 
   ///@{
@@ -311,8 +327,8 @@ public:
 
   ///@{
   /**
-   * The areas that belong to the points in the divergence of 1-forms, one of VertexAreaKinds. Default
-   * MixedVoronoi.
+   * The areas that belong to the points in the divergence of 1-forms, one of VertexAreaKinds.
+   * Default MixedVoronoi.
    */
   vtkSetClampMacro(VertexAreas, int, MixedVoronoi, Barycentric);
   vtkGetMacro(VertexAreas, int);
@@ -405,6 +421,7 @@ private:
   int NestedCycles = 2;
   int NestedRule = FixedNumber;
   int NestedSweeps = 20;
+  int MaximumNumberOfNestedSweeps = 40000;
   int StartingLevel = -1;
   int VertexAreas = MixedVoronoi;
   bool CompareWithCholesky = false;

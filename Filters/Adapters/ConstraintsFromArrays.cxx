@@ -151,48 +151,32 @@ ConstraintArrays ChosenConstraints(vtkAlgorithm* algorithm, int first, vtkDataSe
     vectors.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
 }
 
-std::vector<PrescribedDirection> DirectionsOnSurface(
-  const ConstraintArrays& arrays, const FramedSurface& framed)
+PrescribedDirections DirectionsOnSurface(
+  const ConstraintArrays& arrays, const SurfaceMesh& surface)
 {
-  std::vector<PrescribedDirection> directions;
-  const SurfaceMesh& surface = framed.Surface;
-  const TriangleMesh& mesh = surface.Mesh;
+  PrescribedDirections directions;
   if (!arrays.Vectors)
   {
     return directions;
   }
-  if (!arrays.OnPoints)
+  if (arrays.OnPoints)
   {
     VisitPrescribed(
-      arrays, mesh.NumberOfFaces(), "cell", [&surface](int face) { return surface.CellOf(face); },
-      [&directions](int face, const Vector3& vector, double weight, const std::string&) {
-        directions.push_back({ face, vector, weight });
+      arrays, surface.Mesh.NumberOfVertices(), "point",
+      [&surface](int vertex) { return surface.PointOf(vertex); },
+      [&directions](int vertex, const Vector3& vector, double weight, const std::string&) {
+        directions.AtVertices.push_back({ vertex, vector, weight });
       });
-    return directions;
   }
-  VisitPrescribed(
-    arrays, mesh.NumberOfVertices(), "point",
-    [&surface](int vertex) { return surface.PointOf(vertex); },
-    [&directions, &framed, &mesh](
-      int vertex, const Vector3& vector, double weight, const std::string& name)
-    {
-      const Complex direction = framed.Vertices.ToComplex(vertex, vector);
-      if (std::abs(direction) <= SmallestTangentialPart * vector.norm())
-      {
-        throw InvalidInput("the direction prescribed at " + name +
-          " has no part in the tangent plane; turn it or take it out of the mask");
-      }
-      const int first = mesh.OutgoingHalfedge(vertex);
-      int halfedge = first;
-      do
-      {
-        const int face = TriangleMesh::FaceOf(halfedge);
-        const Complex turned =
-          direction * TransportTurn(framed.Vertices, vertex, framed.Faces, face);
-        directions.push_back({ face, framed.Faces.ToVector(face, turned), weight });
-        halfedge = mesh.Twin(TriangleMesh::Previous(halfedge));
-      } while (halfedge >= 0 && halfedge != first);
-    });
+  else
+  {
+    VisitPrescribed(
+      arrays, surface.Mesh.NumberOfFaces(), "cell",
+      [&surface](int face) { return surface.CellOf(face); },
+      [&directions](int face, const Vector3& vector, double weight, const std::string&) {
+        directions.OnFaces.push_back({ face, vector, weight });
+      });
+  }
   return directions;
 }
 
@@ -247,19 +231,19 @@ std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& ar
 
 }
 
-std::vector<PrescribedDirection> ChosenDirections(
+PrescribedDirections ChosenDirections(
   vtkAlgorithm* algorithm, vtkPolyData* surface, vtkDataSet* points, const FramedSurface& framed)
 {
-  std::vector<PrescribedDirection> directions =
-    DirectionsOnSurface(ChosenConstraints(algorithm, 0, surface, nullptr, "the surface"), framed);
+  PrescribedDirections directions = DirectionsOnSurface(
+    ChosenConstraints(algorithm, 0, surface, nullptr, "the surface"), framed.Surface);
   if (points)
   {
     const ConstraintArrays arrays = ChosenConstraints(
       algorithm, 3, points, points->GetPointData()->GetVectors(), "the second input");
     const auto more = DirectionsFromPoints(arrays, points, surface, framed);
-    directions.insert(directions.end(), more.begin(), more.end());
+    directions.OnFaces.insert(directions.OnFaces.end(), more.begin(), more.end());
   }
-  if (directions.empty())
+  if (directions.OnFaces.empty() && directions.AtVertices.empty())
   {
     throw InvalidInput("no direction is prescribed; choose an array of vectors on the surface "
                        "(SetInputArrayToProcess, index 1) or on the second input (index 4), and a "

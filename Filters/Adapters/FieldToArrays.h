@@ -104,8 +104,8 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
 /// edges.
 void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData* edges);
 
-/// Adds the weights of the prescribed elements to the cells of \p output: the surface, or, for 1-forms,
-/// its edges.
+/// Adds the weights of the prescribed elements to the cells of \p output: the surface, or, for
+/// 1-forms, its edges.
 void AddPrescribed(const SurfaceMesh& surface, const FieldConstraints& constraints,
   Discretisation kind, vtkPolyData* output);
 

@@ -131,6 +131,11 @@ typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
   const ProlongationOperators* operators, const FieldOptions& options,
   typename HarmonicProblem<Scalar>::MakeProlongations make)
 {
+  const SolverKind solver = options.Solver.Kind;
+  if (!operators && solver != SolverKind::Automatic && solver != SolverKind::Cholesky)
+  {
+    throw InvalidInput("multigrid needs the prolongation operators of the surface");
+  }
   if (!operators || operators->NumberOfLevels() < 2)
   {
     return {};
@@ -199,11 +204,12 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
   TangentFrames fineFrames = order.ApplyToFaces(FaceFrames(mesh, context), context);
   std::vector<Complex> fineCornerTurns; // from level 1 on
   result.CoarseLevels =
-    BuildMeshHierarchy(sorted, options, context, [&](const LevelTransition& transition) {
+    BuildMeshHierarchy(sorted, options, context,
+      [&](const LevelTransition& transition, const ExecutionContext& part) {
       const TriangleMesh& coarse = transition.Coarse;
       TangentFrames coarseFrames = FaceFrames(coarse, context);
       LevelOperators level = options.Construction == ProlongationConstruction::ExactOverlay
-        ? OperatorsFromOverlay(transition, fineFrames, coarseFrames, context)
+        ? OperatorsFromOverlay(transition, fineFrames, coarseFrames, part)
         : OperatorsFromPaths(transition, fineFrames, coarseFrames, selection, context);
       std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFrames, context);
       operators.Nodal.push_back(operators.Nodal.empty()
@@ -304,20 +310,52 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
     NameOf(options), SolverFor(options), context);
 }
 
+namespace
+{
+
+FieldConstraints AsFieldConstraints(OneFormConstraints constraints)
+{
+  return { std::move(constraints.Prescribed.Edges), std::move(constraints.Prescribed.Weights),
+    std::move(constraints.Values) };
+}
+
+}
+
 FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
   const ElementNames& names)
 {
   if (options.Kind == Discretisation::OneForm)
   {
-    OneFormConstraints constraints = OneFormConstraintsOnFaces(mesh, faceFrames, directions, names);
-    return { std::move(constraints.Prescribed.Edges), std::move(constraints.Prescribed.Weights),
-      std::move(constraints.Values) };
+    return AsFieldConstraints(OneFormConstraintsOnFaces(mesh, faceFrames, directions, names));
   }
   PowerConstraints constraints =
     MakePowerConstraints(mesh, faceFrames, options.NumberOfDirections(), directions, names);
   return { std::move(constraints.Prescribed.Faces), std::move(constraints.Prescribed.Weights),
     AsPairs(constraints.Values) };
+}
+
+FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const PrescribedDirections& directions,
+  const FieldOptions& options, const ElementNames& names)
+{
+  if (options.Kind == Discretisation::OneForm)
+  {
+    return AsFieldConstraints(
+      Joined(OneFormConstraintsOnFaces(mesh, faceFrames, directions.OnFaces, names),
+        OneFormConstraintsAtVertices(
+          mesh, faceFrames, vertexFrames, directions.AtVertices, names)));
+  }
+  std::vector<PrescribedDirection> onFaces = directions.OnFaces;
+  for (const PrescribedVertexDirection& prescribed : directions.AtVertices)
+  {
+    for (const auto& [halfedge, direction] :
+      CarriedIntoFaces(mesh, faceFrames, vertexFrames, prescribed, names))
+    {
+      onFaces.push_back({ TriangleMesh::FaceOf(halfedge), direction, prescribed.Weight });
+    }
+  }
+  return MakeFieldConstraints(mesh, faceFrames, onFaces, options, names);
 }
 
 namespace

@@ -33,7 +33,8 @@ struct SurfaceHierarchy
 
 /// Set-up. The only stage that decimates.
 /// \throw Cancelled
-/// Checkpoints: every round of collapses.
+/// Checkpoints: several in each round of collapses, every 64 of them in exact overlays; fractions
+/// rise from 0 to 1 once.
 SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
   const ExecutionContext& context, const OperatorSelection& selection = OperatorSelection());
 
@@ -81,7 +82,8 @@ struct FieldOptions
 
 /// The problems one by one. Unknowns and values are those of MakePowerFieldSystem,
 /// MakeFaceFieldSystem and MakeOneFormSystem, in their order.
-/// \param operators of this mesh; may be null for SolverKind::Cholesky. Used during the call only.
+/// \param operators of this mesh; may be null for SolverKind::Cholesky and Automatic. Used during the
+///   call only. Where they have one level the system is factored, whatever solver is asked for.
 /// \throw InvalidInput options out of range, nothing prescribed, nothing left to solve for, or operators
 ///   that lack those of the discretisation.
 /// \throw SolverFailure the factorisation failed.
@@ -107,7 +109,14 @@ struct FieldConstraints
   Vector<double> Values; ///< two per face: the N-th power or the vector, in its frame; one per edge
 };
 
-/// See MakePowerConstraints, with N = 1 for face fields, and OneFormConstraintsOnFaces.
+/// Directions on faces and at vertices. See MakePowerConstraints, with N = 1 for face fields, which get
+/// those at vertices on the faces around (CarriedIntoFaces); for 1-forms OneFormConstraintsOnFaces,
+/// OneFormConstraintsAtVertices and Joined.
+FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const PrescribedDirections& directions,
+  const FieldOptions& options, const ElementNames& names = {});
+
+/// The same with directions on faces only.
 FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
   const ElementNames& names = {});

@@ -2,7 +2,6 @@
 
 #include "Solvers/CholeskySolver.h"
 #include "Solvers/MultigridSolver.h"
-#include "Support/Errors.h"
 #include "Support/SparseAssembly.h"
 
 #include <chrono>
@@ -23,19 +22,37 @@ double SecondsSince(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The solver that runs, and why if that was left to us.
+std::string NameOf(SolverKind solver)
+{
+  switch (solver)
+  {
+    case SolverKind::VCycles:
+      return "V-cycles";
+    case SolverKind::NestedIterations:
+      return "nested iterations";
+    case SolverKind::CoarseProlongation:
+      return "coarse prolongation";
+    default:
+      return "conjugate gradients with a V-cycle";
+  }
+}
+
+/// The solver that runs, and why if it is not the one asked for.
 std::pair<SolverKind, std::string> ChooseSolver(
   SolverKind asked, int unknowns, bool hasProlongations)
 {
-  if (asked != SolverKind::Automatic)
+  if (asked == SolverKind::Cholesky || (asked != SolverKind::Automatic && hasProlongations))
   {
     return { asked, "" };
   }
-  const std::string size = std::to_string(unknowns) + " unknowns";
   if (!hasProlongations)
   {
-    return { SolverKind::Cholesky, ", chosen because there are no coarse levels" };
+    // Multigrid on one level is its exact solver.
+    const std::string instead =
+      asked == SolverKind::Automatic ? "chosen" : "in place of " + NameOf(asked);
+    return { SolverKind::Cholesky, ", " + instead + " because there are no coarse levels" };
   }
+  const std::string size = std::to_string(unknowns) + " unknowns";
   if (unknowns <= LargestSystemForCholesky)
   {
     return { SolverKind::Cholesky, ", chosen for " + size + ", few enough to factor at once" };
@@ -67,21 +84,6 @@ void SolveDirectly(const SparseMatrix<Scalar>& A, CholeskySolver<Scalar>& solver
   report.SolveSeconds = SecondsSince(start);
   append(report.SolveSeconds);
   report.Converged = true;
-}
-
-std::string NameOf(SolverKind solver)
-{
-  switch (solver)
-  {
-    case SolverKind::VCycles:
-      return "V-cycles";
-    case SolverKind::NestedIterations:
-      return "nested iterations";
-    case SolverKind::CoarseProlongation:
-      return "coarse prolongation";
-    default:
-      return "conjugate gradients with a V-cycle";
-  }
 }
 
 bool IsNested(SolverKind solver)
@@ -139,10 +141,6 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
   }
   else
   {
-    if (!makeProlongations)
-    {
-      throw InvalidInput("multigrid needs the prolongation operators of the surface");
-    }
     std::vector<SparseMatrix<Scalar>> prolongations = makeProlongations(context);
     if (!prolongations.empty() && system.NumberOfFree() < system.NumberOfUnknowns())
     {

@@ -61,10 +61,10 @@ public:
 
   /// System: assembles, coarsens or factors; the expensive part that new values do not repeat.
   /// \param makeProlongations on all unknowns of the system, finest first; called only where the
-  ///   solver needs them. Empty, or an empty result: there are no coarse levels.
+  ///   solver needs them. Empty: there are no coarse levels, so the system is factored, whatever
+  ///   solver is asked for; the report says so.
   /// \param coarseSpace says in the report what the coarse levels hold.
-  /// \throw InvalidInput multigrid without prolongations, nested iterations while the error falls
-  ///   without CompareWithCholesky, and what makeSystem refuses.
+  /// \throw InvalidInput what makeSystem and makeProlongations refuse.
   /// \throw SolverFailure the factorisation failed.
   HarmonicProblem(const MakeSystem& makeSystem, const MakeProlongations& makeProlongations,
     const std::string& coarseSpace, const SolverOptions& options, const ExecutionContext& context);
@@ -76,6 +76,7 @@ public:
   /// \param start first guess, one per unknown, or empty for zero; used by cycles and conjugate
   ///   gradients.
   /// \return one per unknown. Not converged: the best vector reached; see Report().
+  /// \throw InvalidInput nested iterations while the error falls, without CompareWithCholesky.
   /// \throw Cancelled
   Vector<Scalar> Solve(const Vector<Scalar>& values, const Vector<Scalar>& start,
     const StoppingCriteria& stop, const ExecutionContext& context);

@@ -246,7 +246,7 @@ FieldOptions With(FieldOptions options, SolverKind kind)
   options.Solver.Kind = kind;
   options.Solver.CompareWithCholesky = true;
   options.Solver.Nested.Rule = SweepRule::WhileErrorFalls;
-  options.Solver.Nested.Sweeps = LargestNumberOfSweeps;
+  options.Solver.Nested.MaximumSweeps = LargestNumberOfSweeps;
   return options;
 }
 

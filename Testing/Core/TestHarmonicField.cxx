@@ -10,6 +10,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace dmg;
@@ -387,6 +388,95 @@ TEST(FieldProblem, SolversAgreeOnEveryDiscretisation)
   }
 }
 
+// A vertex constrains what is around it: the faces, or for 1-forms the edges; beside faces, too.
+TEST(FieldProblem, TakesDirectionsAtVertices)
+{
+  const TriangleMesh mesh = IrregularSphere(2, 3).Mesh();
+  const TangentFrames faces = FaceFrames(mesh);
+  const TangentFrames vertices = VertexFrames(mesh);
+  const int vertex = 50;
+  const Vector3 direction = 2.0 * vertices.X.row(vertex).transpose();
+  std::vector<int> facesAround;
+  std::vector<int> edgesAround;
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    if (mesh.Tail(h) == vertex)
+    {
+      facesAround.push_back(TriangleMesh::FaceOf(h));
+      edgesAround.push_back(mesh.EdgeOf(h));
+    }
+  }
+  std::sort(edgesAround.begin(), edgesAround.end());
+  for (Discretisation kind : AllKinds)
+  {
+    FieldOptions options;
+    options.Kind = kind;
+    const bool isOneForm = kind == Discretisation::OneForm;
+    const FieldConstraints alone =
+      MakeFieldConstraints(mesh, faces, vertices, { {}, { { vertex, direction, 3.0 } } }, options);
+    EXPECT_EQ(alone.Elements, isOneForm ? edgesAround : facesAround);
+    EXPECT_EQ(alone.Weights,
+      std::vector<double>(alone.Elements.size(), isOneForm ? 1.5 : 3.0)); // one end of two
+    if (!isOneForm)
+    {
+      for (Eigen::Index b = 0; b < alone.Values.size(); b += 2)
+      {
+        EXPECT_NEAR(alone.Values.segment<2>(b).norm(), 2.0, 1e-14); // turned, not shortened
+      }
+    }
+    const int other = facesAround.front() == 0 ? 1 : 0;
+    const PrescribedDirection onFace = { other, faces.X.row(other).transpose(), 1.0 };
+    const FieldConstraints both = MakeFieldConstraints(
+      mesh, faces, vertices, { { onFace }, { { vertex, direction, 3.0 } } }, options);
+    EXPECT_EQ(both.Elements.size(), alone.Elements.size() + (isOneForm ? 3 : 1));
+    const FieldConstraints onFaces =
+      MakeFieldConstraints(mesh, faces, vertices, { { onFace }, {} }, options);
+    const FieldConstraints same = MakeFieldConstraints(mesh, faces, { onFace }, options);
+    EXPECT_EQ(onFaces.Elements, same.Elements);
+    EXPECT_EQ(onFaces.Weights, same.Weights);
+    EXPECT_EQ(onFaces.Values, same.Values);
+  }
+}
+
+// Without coarse levels multigrid is its exact solver; the report says what took its place.
+TEST(FieldProblem, OnASurfaceOfOneLevelIsFactored)
+{
+  const TriangleMesh mesh = IrregularSphere(2, 3).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  const ProlongationOperators operators =
+    BuildSurfaceHierarchy(mesh, HierarchyOptions(), SerialContext()).Operators;
+  ASSERT_EQ(operators.NumberOfLevels(), 1);
+  for (Discretisation kind : AllKinds)
+  {
+    FieldOptions options;
+    options.Kind = kind;
+    options.Solver.Nested.Rule = SweepRule::WhileErrorFalls; // needs a reference on more levels
+    const FieldConstraints constraints =
+      MakeFieldConstraints(mesh, frames, Directions(mesh, 50), options);
+    const auto solve = [&](SolverKind solver) {
+      options.Solver.Kind = solver;
+      FieldProblem problem(mesh, frames, &operators, constraints, options, SerialContext());
+      const Vector<double> field =
+        problem.Solve(constraints.Values, {}, StoppingCriteria(), SerialContext());
+      EXPECT_TRUE(problem.Report().Converged);
+      EXPECT_EQ(problem.Report().Levels.size(), 1u);
+      return std::pair(field, problem.Report().Solver);
+    };
+    const auto [direct, name] = solve(SolverKind::Cholesky);
+    EXPECT_EQ(name, "supernodal Cholesky");
+    for (const auto& [solver, instead] : std::vector<std::pair<SolverKind, std::string>>{
+           { SolverKind::Automatic, "chosen" }, { SolverKind::VCycles, "in place of V-cycles" },
+           { SolverKind::ConjugateGradients, "in place of conjugate gradients with a V-cycle" },
+           { SolverKind::NestedIterations, "in place of nested iterations" },
+           { SolverKind::CoarseProlongation, "in place of coarse prolongation" } })
+    {
+      const auto [field, report] = solve(solver);
+      EXPECT_EQ(field, direct);
+      EXPECT_EQ(report, name + ", " + instead + " because there are no coarse levels");
+    }
+  }
+}
+
 TEST(FieldProblem, HasTheSameBitsForAnyNumberOfThreads)
 {
   const Prepared on(IrregularTorus(96, 40, 8));
@@ -457,4 +547,41 @@ TEST(BuildSurfaceHierarchy, ExactOverlayKeepsTheSameStructure)
     fine = &coarse;
   }
   EXPECT_GE(hierarchy.CoarseLevels.size(), 1u);
+}
+
+// Decimation and overlays of all levels share one way from 0 to 1, and either can be stopped.
+TEST(BuildSurfaceHierarchy, ReportsProgressOnceAndStopsWhenAsked)
+{
+  const TriangleMesh mesh = IrregularTorus(24, 12, 4).Mesh();
+  for (ProlongationConstruction construction :
+    { ProlongationConstruction::TrackedPaths, ProlongationConstruction::ExactOverlay })
+  {
+    const bool isExact = construction == ProlongationConstruction::ExactOverlay;
+    HierarchyOptions options = Deep();
+    options.Construction = construction;
+    TbbContext all(2);
+    const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(mesh, options, all);
+    const std::vector<double>& progress = all.Progress();
+    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
+    EXPECT_EQ(progress.front(), 0.0);
+    EXPECT_EQ(progress.back(), 1.0);
+    if (isExact)
+    {
+      // A collapse takes away two faces, so the first level has 216 of 576: steps of 64 are thirds.
+      ASSERT_EQ(hierarchy.CoarseLevels.front().NumberOfFaces(), 144);
+      double longest = 0.0;
+      for (std::size_t i = 1; i < progress.size(); ++i)
+      {
+        longest = std::max(longest, progress[i] - progress[i - 1]);
+      }
+      EXPECT_LT(longest, 64.0 / 216.0);
+    }
+    for (std::size_t count = 1; count <= progress.size(); count += isExact ? 7 : 1)
+    {
+      TbbContext context(2);
+      context.CancelAfter(static_cast<int>(count));
+      EXPECT_THROW(BuildSurfaceHierarchy(mesh, options, context), Cancelled);
+      EXPECT_EQ(context.Progress().size(), count);
+    }
+  }
 }

@@ -421,12 +421,18 @@ INSTANTIATE_TEST_SUITE_P(DirectionalProlongation, RefusedSurface, testing::Value
 // Abort
 // ----------------------------------------------------------------------------------------------
 
-TEST(DirectionalProlongation, AbortedRunLeavesNothingAndTheNextIsWhole)
+class Abort : public testing::TestWithParam<vtkDirectionalProlongation::Constructions>
+{
+};
+
+TEST_P(Abort, LeavesNothingAndTheNextRunIsWhole)
 {
   const auto input = Sphere();
   const auto uninterrupted = NewFilter(input);
+  uninterrupted->SetConstruction(GetParam());
   uninterrupted->Update();
   const auto filter = NewFilter(input);
+  filter->SetConstruction(GetParam());
   for (double fraction : { 0.0, 0.3, 0.7 })
   {
     SCOPED_TRACE(fraction);
@@ -453,3 +459,10 @@ TEST(DirectionalProlongation, AbortedRunLeavesNothingAndTheNextIsWhole)
       Values(uninterrupted->GetOutput()->GetFieldData(), array));
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(DirectionalProlongation, Abort,
+  testing::Values(
+    vtkDirectionalProlongation::TrackedPaths, vtkDirectionalProlongation::ExactOverlay),
+  [](const auto& info) {
+    return info.param == vtkDirectionalProlongation::ExactOverlay ? "ExactOverlay" : "TrackedPaths";
+  });

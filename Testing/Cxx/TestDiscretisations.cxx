@@ -6,6 +6,7 @@
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
 #include "vtkPartitionedDataSetCollection.h"
+#include "vtkStringArray.h"
 #include "vtkTable.h"
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
@@ -328,6 +329,35 @@ TEST(OneForm, IsPrescribedOnEdges)
   EXPECT_FALSE(solver->GetOutput()->GetCellData()->HasArray("Prescribed"));
 }
 
+// Where a direction is prescribed at a point, the edges there are, with the mean weight of their two
+// ends; between two such points by the trapezoidal rule.
+TEST(OneForm, IsPrescribedOnTheEdgesOfPoints)
+{
+  const Surface grid = PlaneGrid(4, 4);
+  const auto input = PolyDataOf(grid);
+  const vtkIdType a = 12; // the middle
+  const vtkIdType b = 13; // to the right of it
+  AddPointVectors(input, "Given", { { a, { 1.0, 0.0, 0.5 } }, { b, { 3.0, 0.0, 0.0 } } });
+  const auto solver = NewSolver(input, Solver::OneForm);
+  solver->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Given");
+  solver->SetConstraintType(Solver::Hard);
+  solver->Update();
+  const std::vector<double> weights = Values(Edges(solver)->GetCellData(), "Prescribed");
+  const std::vector<double> form = Values(Edges(solver)->GetCellData(), "OneForm");
+  for (const auto& [edge, number] : EdgesOf(input))
+  {
+    const bool atA = edge.first == a || edge.second == a;
+    const bool atB = edge.first == b || edge.second == b;
+    EXPECT_EQ(weights[number], 0.5 * atA + 0.5 * atB);
+    if (atA || atB)
+    {
+      const double strength = atA && atB ? 2.0 : atA ? 1.0 : 3.0;
+      EXPECT_NEAR(
+        form[number], strength * (grid.V(edge.second, 0) - grid.V(edge.first, 0)), 1e-14);
+    }
+  }
+}
+
 TEST_P(VectorField, HasOneDirectionAndNoArraysOfOtherFields)
 {
   const auto crosses = NewSolver(Sphere(), Solver::PowerField);
@@ -415,7 +445,9 @@ TEST_P(AnyField, OfNestedIterationsComesCloserToThatOfCholesky)
     {
       SCOPED_TRACE(rule);
       solver->SetNestedRule(rule);
+      const Messages messages(solver);
       solver->Update();
+      EXPECT_TRUE(messages.Silent());
       const std::vector<double> errors = Column(solver, "Error");
       ASSERT_GE(errors.size(), 2u);
       EXPECT_LT(errors.back(), errors.front());
@@ -453,6 +485,10 @@ TEST_P(AnyField, OfASurfaceOfOneLevelIsFactored)
     solver->Update();
     EXPECT_TRUE(messages.Silent()) << messages.Error();
     EXPECT_EQ(Unknowns(solver), exact);
+    auto* const report = vtkStringArray::SafeDownCast(
+      solver->GetOutput()->GetFieldData()->GetAbstractArray("Solver"));
+    EXPECT_NE(report->GetValue(0).find("because there are no coarse levels"), std::string::npos)
+      << report->GetValue(0);
   }
 }
 
@@ -487,6 +523,7 @@ TEST_P(VectorField, RepeatsWhatAChangeConcerns)
     [](Solver* s) { s->CompareWithCholeskyOn(); },
     [](Solver* s) { s->SetSolver(Solver::NestedIterations); },
     [](Solver* s) { s->SetNestedRule(Solver::WhileResidualFalls); },
+    [](Solver* s) { s->SetMaximumNumberOfNestedSweeps(5); },
     [](Solver* s) { s->SetNestedSweeps(5); },
     [](Solver* s) { s->SetNestedCycles(0); },
   };

@@ -1061,7 +1061,7 @@ const BadInput BadInputs[] = {
       AddPointVectors(input, "Normal", { { 2, Vector3(normal) } });
       Choose(solver, 1, OnPoints, "Normal");
     },
-    { "point 2", "tangent" } },
+    { "point 2", "perpendicular", "out of the mask" } },
   { "SecondInputOnCells",
     [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
     {

@@ -528,6 +528,23 @@ Surface Needle(int subdivisions, double ratio)
   return surface;
 }
 
+Surface CapsuleFromRectangle(int around, int along)
+{
+  // Along the profile: a quarter of a circle, a line of length 2, another quarter.
+  const double length = Pi + 2.0;
+  return Grid(
+    around, along,
+    [&](int column, int row) {
+      const double s = length * row / along;
+      const double arc = s < 0.5 * Pi ? s : s > 0.5 * Pi + 2.0 ? s - 2.0 : 0.5 * Pi;
+      const double radius = row == 0 || row == along ? 0.0 : std::sin(arc);
+      const double angle = 2.0 * Pi * (column % around) / around;
+      return Vector3(
+        radius * std::cos(angle), radius * std::sin(angle), s - arc - std::cos(arc));
+    },
+    Never);
+}
+
 Surface MoebiusStrip(int around)
 {
   Builder builder;

@@ -75,6 +75,11 @@ Surface SphereWithZeroAreaFaces(int subdivisions, int count);
 /// A sphere drawn out by \p ratio along z: slivers.
 Surface Needle(int subdivisions, double ratio);
 
+/// A capsule as modelling programs write it: a rectangle of \p around by \p along quadrilaterals,
+/// rolled up. The seam is not closed, though its points coincide, and each end is a side of the
+/// rectangle drawn together into a point: 2 around along faces, 2 around of them without area.
+Surface CapsuleFromRectangle(int around, int along);
+
 /// A strip of 2 \p around triangles with a half twist. Not orientable.
 Surface MoebiusStrip(int around);
 

@@ -52,7 +52,8 @@ public:
   /// rings share, may still name a dead face as theirs.
   struct Afterwork
   {
-    std::array<std::array<int, 2>, 2> Replacement{ { { -1, -1 }, { -1, -1 } } }; ///< {vertex, halfedge}
+    /// {vertex, halfedge}
+    std::array<std::array<int, 2>, 2> Replacement{ { { -1, -1 }, { -1, -1 } } };
     int DeadFaces = 0;
   };
 

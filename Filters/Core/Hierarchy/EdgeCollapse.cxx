@@ -35,7 +35,8 @@ std::optional<CollapsibleMesh::Afterwork> EdgeCollapse::Try(
   int halfedge, const CollapseLimits& limits)
 {
   if (!this->Mesh.GatherOneRing(halfedge, this->LastRing) ||
-    this->LastRing.LoopSize() > limits.MaximumValence || !this->KeepsShape(limits))
+    this->LastRing.LoopSize() > limits.MaximumValence || this->MakesAPoint() ||
+    !this->KeepsShape(limits))
   {
     return std::nullopt;
   }
@@ -47,6 +48,22 @@ std::optional<CollapsibleMesh::Afterwork> EdgeCollapse::Try(
   }
   this->Tracking.Move(this->LastRing, this->Flattening.Plane(), *this->Worker);
   return this->Mesh.Collapse(this->LastRing);
+}
+
+// A collapse onto a boundary can bring a third corner to two that share their place, as where a
+// boundary was drawn together into a point. No mesh may have such a face.
+bool EdgeCollapse::MakesAPoint() const
+{
+  for (int k = 0; k < this->LastRing.NumberOfSectors(); ++k)
+  {
+    const std::array<int, 3> corners = this->LastRing.SectorAfter(k);
+    const Vector3& hub = this->LastRing.Positions[corners[0]];
+    if (this->LastRing.Positions[corners[1]] == hub && this->LastRing.Positions[corners[2]] == hub)
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 bool EdgeCollapse::KeepsShape(const CollapseLimits& limits) const

@@ -50,7 +50,8 @@ public:
   EdgeCollapse& operator=(const EdgeCollapse&) = delete;
 
   /// Collapses the edge, or leaves everything as it is where the limits, the topology or the
-  /// flattening forbid it. CollapsibleMesh::FinishCollapse must follow.
+  /// flattening forbid it, or where a face would have all corners in one place.
+  /// CollapsibleMesh::FinishCollapse must follow.
   std::optional<CollapsibleMesh::Afterwork> Try(int halfedge, const CollapseLimits& limits);
 
   /// Of the last collapse.
@@ -58,6 +59,7 @@ public:
   CollapseRecord Record() const { return { this->LastRing, this->Flattening.Plane() }; }
 
 private:
+  bool MakesAPoint() const;
   bool KeepsShape(const CollapseLimits& limits) const;
 
   CollapsibleMesh& Mesh;

@@ -41,8 +41,8 @@ bool JointFlattening::Flatten(const OneRing& ring, Method method)
   return this->IsOneToOne(ring);
 }
 
-// The energy of a triangle is |sum_k W_k u_k|^2 / (4 area), W_k the side opposite corner k laid into
-// a plane: zero exactly for similarities. Levy et al. 2002.
+// The energy of a triangle is |sum_k W_k u_k|^2 / (4 area), W_k the side opposite corner k laid
+// into a plane: zero exactly for similarities. Levy et al. 2002.
 void JointFlattening::AddTriangle(const OneRing& ring, const std::array<int, 3>& corners)
 {
   const Vector3 e1 = ring.Positions[corners[1]] - ring.Positions[corners[0]];
@@ -55,7 +55,8 @@ void JointFlattening::AddTriangle(const OneRing& ring, const std::array<int, 3>&
     return;
   }
   const Complex p1(length, 0.0);
-  const Complex p2 = length > 0.0 ? Complex(e1.dot(e2), doubleArea) / length : Complex(e2.norm(), 0.0);
+  const Complex p2 =
+    length > 0.0 ? Complex(e1.dot(e2), doubleArea) / length : Complex(e2.norm(), 0.0);
   const std::array<Complex, 3> w = { p2 - p1, -p2, p1 };
   const double weight = 1.0 / std::max(doubleArea, LeastRelativeArea * size);
 

@@ -17,6 +17,12 @@ namespace
 // A level that keeps more of the faces than this is not worth its cost.
 constexpr double LargestUsefulRatio = 0.7;
 
+/// What the collapses take of the time for a level and its operators.
+double ShareOfCollapses(ProlongationConstruction construction)
+{
+  return construction == ProlongationConstruction::ExactOverlay ? 0.02 : 0.8;
+}
+
 void CheckOptions(const HierarchyOptions& options)
 {
   if (!(options.FaceRatio > 0.0 && options.FaceRatio < 1.0))
@@ -37,7 +43,7 @@ void CheckOptions(const HierarchyOptions& options)
 
 std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
   const HierarchyOptions& options, const ExecutionContext& context,
-  const std::function<void(const LevelTransition&)>& onLevel)
+  const std::function<void(const LevelTransition&, const ExecutionContext&)>& onLevel)
 {
   CheckOptions(options);
   std::vector<TriangleMesh> levels;
@@ -56,7 +62,9 @@ std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
     }
     // The work of a level is proportional to its faces.
     const double done = progress + (1.0 - progress) * (1.0 - options.FaceRatio);
-    const PartOfContext part(context, progress, done);
+    const double collapsed =
+      progress + ShareOfCollapses(options.Construction) * (done - progress);
+    const PartOfContext part(context, progress, collapsed);
     SurfaceTracking tracking(*fine);
     std::vector<CollapseRecord> collapses;
     std::vector<CollapseRecord>* const records =
@@ -76,7 +84,9 @@ std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
     CollapsibleMesh::Compacted compacted = shrinking.Compact();
     levels.push_back(std::move(compacted.Mesh));
     onLevel({ *fine, levels.back(), tracking, compacted.VertexNumber, compacted.FaceNumber,
-      records });
+              records },
+      PartOfContext(context, collapsed, done));
+    context.Checkpoint(done);
     CollapsibleMesh next(levels.back(), context);
     next.InheritQuadrics(shrinking, compacted.VertexNumber);
     shrinking = std::move(next);

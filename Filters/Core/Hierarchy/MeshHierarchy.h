@@ -28,15 +28,17 @@ struct LevelTransition
 };
 
 /// Decimates a surface level by level. Level l + 1 has FaceRatio times the faces of level l, or
-/// MinimumNumberOfFaces if that is more; there are no more levels where a level would keep over 70 %
-/// of the faces. Thesis, section 5.4.
-/// \param onLevel called with each new level; the tracking is gone afterwards.
+/// MinimumNumberOfFaces if that is more; there are no more levels where a level would keep over
+/// 70 % of the faces. Thesis, section 5.4.
+/// \param onLevel called with each new level, and with the part of the progress that its own work
+///   has: most of it for exact overlays, little for tracked paths. The tracking is gone afterwards.
 /// \return the levels above the finest.
 /// \throw InvalidInput an option is out of range. \throw Cancelled
-/// Cost: O(#F). Checkpoints: several in each round of collapses.
+/// Cost: O(#F). Checkpoints: several in each round of collapses, and after onLevel; fractions rise
+/// from 0 to 1 once.
 std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
   const HierarchyOptions& options, const ExecutionContext& context,
-  const std::function<void(const LevelTransition&)>& onLevel);
+  const std::function<void(const LevelTransition&, const ExecutionContext&)>& onLevel);
 
 }
 

@@ -38,9 +38,12 @@ struct OneRing
     int HubCorner;
     int CenterBefore; ///< local number of the corner that the hub replaces
 
-    int OuterHalfedge() const { return 3 * this->Face + (this->HubCorner + 1) % 3; } // x_k -> x_k+1
-    int LeavingSpoke() const { return 3 * this->Face + this->HubCorner; }            // hub -> x_k
-    int ReturningSpoke() const { return 3 * this->Face + (this->HubCorner + 2) % 3; } // x_k+1 -> hub
+    /// From x_k to x_k+1.
+    int OuterHalfedge() const { return 3 * this->Face + (this->HubCorner + 1) % 3; }
+    /// From the hub to x_k.
+    int LeavingSpoke() const { return 3 * this->Face + this->HubCorner; }
+    /// From x_k+1 to the hub.
+    int ReturningSpoke() const { return 3 * this->Face + (this->HubCorner + 2) % 3; }
   };
 
   /// A face that disappears, with local numbers for its corners.

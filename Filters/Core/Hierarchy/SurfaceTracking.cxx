@@ -510,7 +510,8 @@ void SurfaceTracking::DrawChains(
       node = crossing;
       sector = next;
       enter(sector,
-        direction > 0 ? ring.Sectors[sector].LeavingSpoke() : ring.Sectors[sector].ReturningSpoke());
+        direction > 0 ? ring.Sectors[sector].LeavingSpoke()
+                      : ring.Sectors[sector].ReturningSpoke());
     }
     this->Node(node).Next = chain.Last;
   }

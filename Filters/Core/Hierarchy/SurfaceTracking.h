@@ -71,9 +71,9 @@ public:
   /// The fine edge that runs along a coarse halfedge, or -1.
   int FineEdgeAlong(int halfedge) const { return this->Along[halfedge]; }
 
-  /// Calls visit(face, from, to) for the pieces of the path of a fine edge, in its orientation, with
-  /// barycentric coordinates of both ends. An end at a vertex of the coarse mesh has coordinates
-  /// exactly 0 and 1.
+  /// Calls visit(face, from, to) for the pieces of the path of a fine edge, in its orientation,
+  /// with barycentric coordinates of both ends. An end at a vertex of the coarse mesh has
+  /// coordinates exactly 0 and 1.
   /// \param corners of the coarse mesh, by halfedge: its tail.
   /// \pre HasPath
   template <class Tail, class Visit>
@@ -112,13 +112,13 @@ public:
   }
 
 private:
-  /// A path is a chain of nodes: its start, crossings of coarse edges, its end. The piece from a node
-  /// to the next lies in the face of the node's LeavingHalfedge.
+  /// A path is a chain of nodes: its start, crossings of coarse edges, its end. The piece from a
+  /// node to the next lies in the face of the node's LeavingHalfedge.
   struct PathNode
   {
     int Next;             ///< -1 at the end of a path, and at the start of one that does not exist
     int ArrivingHalfedge; ///< crossed halfedge, in the face that the path leaves
-    int LeavingHalfedge;  ///< its twin, in the face that the path enters; at a start any of that face
+    int LeavingHalfedge;  ///< its twin, in the face that the path enters; at a start any of it
     int NextInFace;       ///< next piece in the same face
     double Fraction;      ///< of the crossing along ArrivingHalfedge
   };

@@ -14,9 +14,9 @@ FaceProjection ProjectionOntoSides(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
 
 /// P_t^+: the vector whose integrals along the sides are nearest to three given numbers. It filters
-/// out their mean, which no vector has (Q_I of the thesis, section 4.3), and P_t^+ P_t = 1. The same
-/// as the Whitney form of the three numbers at the barycentre, which is how it is computed: its
-/// error grows with the slimness of the face, not with the square of it.
+/// out their mean, which no vector has (Q_I of the thesis, section 4.3), and P_t^+ P_t = 1. The
+/// same as the Whitney form of the three numbers at the barycentre, which is how it is computed:
+/// its error grows with the slimness of the face, not with the square of it.
 ///
 /// A degenerate face, with an area below 1e-10 times the square of its longest side, has no second
 /// direction: there P_t^+ is that of the sides' parts along the longest one, and stays finite.

@@ -22,8 +22,8 @@ public:
   const std::vector<int>& Faces() const { return this->OldFaces; }
   const std::vector<int>& Vertices() const { return this->OldVertices; }
 
-  /// Per edge of the mesh in this order: [new number] is the old one, and +1 where both are oriented
-  /// alike, else -1.
+  /// Per edge of the mesh in this order: [new number] is the old one, and +1 where both are
+  /// oriented alike, else -1.
   struct SignedEdges
   {
     std::vector<int> Numbers;

@@ -24,7 +24,8 @@ Vector<double> AreasForInverses(const TriangleMesh& mesh)
   Vector<double> areas = mesh.FaceAreas();
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
-    const double squared = (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm();
+    const double squared =
+      (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm();
     double& area = areas[TriangleMesh::FaceOf(h)];
     area = std::max(area, SmallestArea * squared);
   }

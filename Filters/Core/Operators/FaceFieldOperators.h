@@ -57,9 +57,9 @@ FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh);
 /// Its kernel are the harmonic fields that run along the boundary. Their dimension is the first
 /// Betti number of the surface: 2 g where it is closed, 2 g + b - 1 with b boundary loops; none on
 /// spheres and discs.
-/// Degenerate faces add 1e-6 |X_f|^2: through two of them that share a side of no length a field may
-/// circle at no cost.
-/// About 26 entries per row. Cost: O(#F) for bounded valence, about 1 us per face.
+/// Degenerate faces add 1e-6 |X_f|^2: through two of them that share a side of no length a field
+/// may circle at no cost. About 26 entries per row. Cost: O(#F) for bounded valence, about 1 us per
+/// face.
 SparseMatrix<double> FaceFieldSmoothness(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ExecutionContext& context = SerialContext());
 

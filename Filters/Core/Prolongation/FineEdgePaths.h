@@ -13,14 +13,8 @@ namespace dmg
 /// The pieces into which the edges of the coarse mesh cut the edges of the fine one. All operators
 /// on edges and faces are sums over them.
 ///
-/// A coarse face that no piece enters, or pieces in one direction only, would leave the fine level
-/// blind for its field or for one component of it, and systems singular (the failures of the
-/// thesis's table 7.9). Such faces are few; each gets a detour: a piece p -> q in a neighbour runs
-/// p
-/// -> a -> b -> q instead, with a -> b along the side between the two, inside the face. Its ends
-/// stay and so does its homotopy class, hence whatever the operators keep along any path they keep
-/// along this one. The edge's one value cannot show two faces: where the neighbour needed it, the
-/// neighbour gets a detour from a third face, and so on until one can spare an edge.
+/// Every coarse face is seen by some, in all directions: where the tracked paths leave one hidden,
+/// some are bent through it (PathDetours.h).
 class FineEdgePaths
 {
 public:
@@ -42,7 +36,47 @@ public:
     this->VisitPieces(fine.EdgeOf(fineHalfedge), fine.EdgeSign(fineHalfedge) > 0, visit);
   }
 
-  /// How many pieces make a detour.
+  /// Calls visit(from, to) for the pieces in a coarse face as they were tracked, whatever was bent
+  /// since, one for both halfedges of an edge, until it returns false.
+  template <class Visit>
+  void VisitTrackedPiecesIn(int coarseFace, Visit visit) const
+  {
+    const int slot = this->SlotOfFace[coarseFace];
+    for (int k = 0; k < 3; ++k)
+    {
+      if (this->Transition.Tracking.FineEdgeAlong(3 * slot + k) >= 0 &&
+        !visit(Corner(k), Corner((k + 1) % 3)))
+      {
+        return;
+      }
+    }
+    this->Transition.Tracking.VisitPiecesIn(
+      slot, [this](int slotHalfedge) { return this->SlotTails[slotHalfedge]; },
+      [&visit](int, const std::array<double, 3>& from, const std::array<double, 3>& to)
+      { return visit(from, to); });
+  }
+
+  /// A piece in some coarse face, and whose it is.
+  struct PieceOfEdge
+  {
+    int Edge;
+    bool Forward; ///< of the halfedge along the edge, else of the one against it
+    int Number; ///< in the order of VisitPieces
+    std::array<double, 3> From;
+    std::array<double, 3> To;
+  };
+
+  /// All pieces in a coarse face, of every halfedge that exists; edges ascending.
+  std::vector<PieceOfEdge> PiecesIn(int coarseFace) const;
+
+  /// Bends a piece p -> q: it runs p -> a -> b -> q instead, with a -> b inside the face of \p
+  /// side, along that side. Its ends stay, and so does its homotopy class. Where both halfedges of
+  /// the edge are one path, both take the detour.
+  /// \param side a coarse halfedge, whose twin is in the face of the piece.
+  /// \param a, b places on the twin, from 0 at its tail to 1 at its head.
+  void Bend(const PieceOfEdge& piece, int side, double a, double b);
+
+  /// How many pieces were bent.
   int NumberOfDetours() const { return this->Detours; }
 
 private:
@@ -57,20 +91,7 @@ private:
   {
     std::array<std::vector<Piece>, 2> Pieces;
     bool IsOnePath; // else the halfedges run on different sides of a coarse edge
-    int ReservedFor; // the coarse face that the edge shows; its one value cannot show another
   };
-  /// A piece that could make a detour, and between which places of the twin of a side.
-  struct Candidate
-  {
-    int Edge = -1;
-    bool Forward = true;
-    int PieceNumber = 0;
-    int Side = -1;
-    double From = 0.0;
-    double To = 0.0;
-  };
-
-  struct Coverage;
 
   static constexpr int OnPath = -1;
   static int FromBent(int number) { return -2 - number; }
@@ -88,11 +109,8 @@ private:
         h = this->Transition.Coarse.Twin(h);
         reversed = false;
       }
-      std::array<double, 3> from{ 0.0, 0.0, 0.0 };
-      std::array<double, 3> to{ 0.0, 0.0, 0.0 };
-      from[(h + (reversed ? 1 : 0)) % 3] = 1.0;
-      to[(h + (reversed ? 0 : 1)) % 3] = 1.0;
-      visit(TriangleMesh::FaceOf(h), from, to);
+      visit(TriangleMesh::FaceOf(h), Corner((h + (reversed ? 1 : 0)) % 3),
+        Corner((h + (reversed ? 0 : 1)) % 3));
       return;
     }
     if (this->AlongHalfedge[edge] != OnPath)
@@ -113,22 +131,13 @@ private:
       });
   }
 
-  /// Calls visit(edge, forward, pieceNumber, from, to) for all pieces in a coarse face, of every
-  /// halfedge that exists.
-  template <class Visit>
-  void VisitPiecesIn(int coarseFace, Visit visit) const;
-
-  std::vector<int> FindWeakFaces(const ExecutionContext& context) const;
-  Coverage CoverageOf(int coarseFace, int withoutEdge = -1) const;
-  bool Cover(int coarseFace, std::vector<int>& robbed);
-  Candidate BestCandidate(int coarseFace, const Vector2& missing) const;
-  void Bend(const Candidate& candidate);
   BentEdge& MakeBent(int edge);
-  int ReservedFor(int edge) const
+
+  static std::array<double, 3> Corner(int k)
   {
-    return this->AlongHalfedge[edge] >= OnPath
-      ? -1
-      : this->BentEdges[FromBent(this->AlongHalfedge[edge])].ReservedFor;
+    std::array<double, 3> weights{ 0.0, 0.0, 0.0 };
+    weights[k] = 1.0;
+    return weights;
   }
 
   const LevelTransition& Transition;
@@ -137,8 +146,7 @@ private:
   std::vector<int> SlotTails; // per halfedge slot: the fine vertex at its tail, if unmoved
   std::vector<int> SlotOfFace; // per coarse face
   std::vector<BentEdge> BentEdges;
-  std::unordered_map<int, std::vector<int>>
-    DetoursIn; // per coarse face: edges that detours lead here
+  std::unordered_map<int, std::vector<int>> BentInto; // per coarse face: edges
   int Detours = 0;
 };
 

@@ -54,8 +54,8 @@ public:
     }
   }
 
-  /// A fine edge with a path over a coarse face, or over the nearest one that has any left; -1 where
-  /// there are none.
+  /// A fine edge with a path over a coarse face, or over the nearest one that has any left; -1
+  /// where there are none.
   int TakeEdgeNear(int coarseFace)
   {
     std::vector<int> queue = { coarseFace };
@@ -93,9 +93,9 @@ private:
 
 /// Lets some path see every coarse edge.
 ///
-/// A detour within a coarse face changes the integral by the curl of the face, which is constant, times
-/// the area that it encloses; so would a loop around the face anywhere along the path, there and back
-/// by the same way. Here it encloses half of the face.
+/// A detour within a coarse face changes the integral by the curl of the face, which is constant,
+/// times the area that it encloses; so would a loop around the face anywhere along the path, there
+/// and back by the same way. Here it encloses half of the face.
 void BendPathsToUnseenEdges(const FineEdgePaths& paths, SparseMatrix<double>& S1)
 {
   constexpr double Enclosed = 0.5;
@@ -154,7 +154,8 @@ SparseMatrix<double> OneFormProlongation(
             }
           }
         });
-      row.erase(std::remove_if(row.begin(), row.end(), [](const auto& e) { return e.second == 0.0; }),
+      row.erase(
+        std::remove_if(row.begin(), row.end(), [](const auto& e) { return e.second == 0.0; }),
         row.end());
     });
   BendPathsToUnseenEdges(paths, S1);

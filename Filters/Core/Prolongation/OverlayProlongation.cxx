@@ -87,8 +87,8 @@ private:
 template <class Visit>
 void VisitBackwards(const LevelTransition& transition, const ExecutionContext& context, Visit visit)
 {
-  constexpr int CollapsesPerCheckpoint = 256;
-  constexpr int CollapsesPerPiece = 8;
+  constexpr int CollapsesPerCheckpoint = 64;
+  constexpr int CollapsesPerPiece = 4;
   if (!transition.Collapses)
   {
     throw InvalidInput("the hierarchy did not record its collapses; build it with the construction "
@@ -327,8 +327,11 @@ OverlayProlongation::OverlayProlongation(const LevelTransition& transition,
       turns.Undo(local.Powers);
     });
   this->S0 = FineVertices(zeroForms, transition, context);
+  context.Checkpoint(1.0);
   this->S1 = FineEdges(oneForms, transition, context);
+  context.Checkpoint(1.0);
   this->SX = FineFaceFields(faceFields, transition, fineFrames, context);
+  context.Checkpoint(1.0);
   this->SP = WithTurns(FinePowers(weights, transition, fineFrames, 0, context),
     FinePowers(turns, transition, fineFrames, 1, context));
 }

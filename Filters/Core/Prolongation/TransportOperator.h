@@ -11,7 +11,8 @@ namespace dmg
 /// element j into the frame of element i, weighting it by |entry| and turning it by arg(entry). The
 /// weights of a row sum to 1.
 ///
-/// One such operator serves every N: N-power fields are turned N times as far, with the same weight.
+/// One such operator serves every N: N-power fields are turned N times as far, with the same
+/// weight.
 using TransportOperator = SparseMatrix<Complex>;
 
 /// The operator on N-power fields: each entry z becomes |z| (z / |z|)^N. \pre N >= 1

@@ -134,11 +134,11 @@ public:
   {
     auto& levelOf = this->Nested.Scaled[level];
     const int coarsest = this->Nested.Scaled.NumberOfLevels() - 1;
+    const int limit = this->Options.Limit();
     double former = this->Badness(level);
-    for (int sweep = 1; sweep <= this->Options.Sweeps; ++sweep)
+    for (int sweep = 1; sweep <= limit; ++sweep)
     {
-      this->Context.Checkpoint(
-        (coarsest - level - 1 + (sweep - 1.0) / this->Options.Sweeps) / coarsest);
+      this->Context.Checkpoint((coarsest - level - 1 + (sweep - 1.0) / limit) / coarsest);
       this->Nested.Smoothers[level]->PostSmooth(levelOf.b, levelOf.x, this->Context);
       if (level == 0)
       {
@@ -156,9 +156,9 @@ public:
     {
       this->Report.Converged = false;
       this->Report.Warnings.push_back("The sweeps on level " + std::to_string(level) +
-        " ended at their limit of " + std::to_string(this->Options.Sweeps) + ".");
+        " ended at their limit of " + std::to_string(limit) + ".");
     }
-    return this->Options.Sweeps;
+    return limit;
   }
 
   void End()
@@ -181,7 +181,7 @@ private:
       throw InvalidInput("the right-hand side must have " +
         std::to_string(this->Nested.A->rows()) + " values, one per unknown");
     }
-    if (this->Options.Sweeps < 0 || this->Options.Cycles < 0)
+    if (this->Options.Sweeps < 0 || this->Options.MaximumSweeps < 0 || this->Options.Cycles < 0)
     {
       throw InvalidInput("the numbers of smoothing sweeps and of cycles must not be negative");
     }
@@ -313,7 +313,7 @@ std::vector<int> NestedIteration<Scalar>::Solve(const Vector<Scalar>& b,
     {
       run.Cycle(level);
       numbers[level] = run.Sweep(level);
-      if (level > 0 && sweeps.Cycles + sweeps.Sweeps > 0)
+      if (level > 0 && sweeps.Cycles + sweeps.Limit() > 0)
       {
         run.Observe(level);
       }

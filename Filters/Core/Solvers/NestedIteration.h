@@ -30,12 +30,21 @@ enum class SweepRule
 struct SweepOptions
 {
   SweepRule Rule = SweepRule::FixedNumber;
-  int Sweeps = 10; ///< on each level but the coarsest, >= 0; under the other rules the limit
-  double LeastImprovement = 1e-3; ///< by one sweep, as a fraction
+  int Sweeps = 10; ///< of FixedNumber, on each level but the coarsest, >= 0
+  double LeastImprovement = 1e-3; ///< of the other rules, by one sweep, as a fraction
+  /// Limit of the other rules, on each level, >= 0. The default never cuts them short: 40,000 sweeps
+  /// that lower the error by 1e-3 each lower it to 4e-18, below rounding.
+  int MaximumSweeps = 40000;
   /// Steps of conjugate gradients on each level but the coarsest, before the sweeps, with a V(1,1)-cycle
   /// down from the level as preconditioner: full multigrid, where sweeps alone, as in the thesis, leave
   /// whatever the coarser level missed. >= 0.
   int Cycles = 0;
+
+  /// Sweeps on each level at most.
+  int Limit() const
+  {
+    return this->Rule == SweepRule::FixedNumber ? this->Sweeps : this->MaximumSweeps;
+  }
 };
 
 struct NestedOptions
@@ -70,13 +79,13 @@ public:
   /// \param report gets Iterations, SolveSeconds and Converged anew. The history begins with x = 0
   ///   and ends with the solution. With a measure, it has a row for the coarsest solution, one for
   ///   each level in between after its last sweep, both prolonged to the finest level, and one for
-  ///   each sweep there. Converged is false, with a warning, if the limit of sweeps cut a level
-  ///   short of the rule.
+  ///   each sweep there. Converged is false, with a warning, if MaximumSweeps cut a level short of
+  ///   the rule.
   /// \param measure may be null, except under WhileErrorFalls. What it takes, the errors of the rule
   ///   included, does not count in Seconds: the thesis determines the sweeps beforehand.
   /// \return the sweeps on each level, finest first; 0 for the coarsest.
-  /// \throw InvalidInput sizes differ, b is not finite, Sweeps is negative, or the reference is
-  ///   missing.
+  /// \throw InvalidInput sizes differ, b is not finite, a number of sweeps is negative, or the
+  ///   reference is missing.
   /// \throw Cancelled
   /// Checkpoints: every sweep.
   std::vector<int> Solve(const Vector<Scalar>& b, const SweepOptions& sweeps, Vector<Scalar>& x,

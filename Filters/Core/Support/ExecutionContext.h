@@ -18,14 +18,16 @@ class ExecutionContext
 public:
   virtual ~ExecutionContext() = default;
 
-  /// A point where the computation may stop; at least every 100 ms unless a function says otherwise.
+  /// A point where the computation may stop; at least every 100 ms unless a function says
+  /// otherwise.
   /// \param fraction done of the part at hand, in [0, 1].
   /// \throw Cancelled the caller asked to stop.
   /// Call it from the thread that entered the core, never inside ParallelFor.
   void Checkpoint(double fraction) const;
 
   /// Calls body(first, last) for consecutive pieces of [begin, end), possibly at the same time.
-  /// Pieces hold about \p grain indices; a loop of at most \p grain indices runs in the calling thread.
+  /// Pieces hold about \p grain indices; a loop of at most \p grain indices runs in the calling
+  /// thread.
   void ParallelFor(
     int begin, int end, int grain, const std::function<void(int first, int last)>& body) const;
 

@@ -30,8 +30,8 @@ void AddTo(RowEntries<Scalar>& row, int column, Scalar value)
   row.emplace_back(column, value);
 }
 
-/// A matrix whose row r holds \p sizeOf(r) entries, written by \p fillRow(r, columns, values), columns
-/// ascending. Rows are filled in parallel.
+/// A matrix whose row r holds \p sizeOf(r) entries, written by \p fillRow(r, columns, values),
+/// columns ascending. Rows are filled in parallel.
 template <class Scalar, class SizeOf, class FillRow>
 SparseMatrix<Scalar> FillRows(
   int rows, int columns, const ExecutionContext& context, SizeOf sizeOf, FillRow fillRow)

@@ -33,6 +33,15 @@ void CheckWeights(const FieldWeights& weights)
   CheckWeight("alignment", weights.Alignment);
 }
 
+void CheckPrescribedElement(int element, int size, const std::string& kind)
+{
+  if (element < 0 || element >= size)
+  {
+    throw InvalidInput("a direction is prescribed on " + kind + " " + std::to_string(element) +
+      ", but there are " + std::to_string(size) + "; leave it out");
+  }
+}
+
 Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction,
   double weight, const std::string& name, const std::string& kind)
 {
@@ -57,6 +66,27 @@ Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& 
   return tangential;
 }
 
+std::vector<CarriedDirection> CarriedIntoFaces(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
+  const PrescribedVertexDirection& prescribed, const ElementNames& names)
+{
+  const auto& [vertex, inSpace, weight] = prescribed;
+  CheckPrescribedElement(vertex, mesh.NumberOfVertices(), "vertex");
+  const Complex direction =
+    TangentialPart(vertexFrames, vertex, inSpace, weight, names.Vertex(vertex), "point");
+  std::vector<CarriedDirection> carried;
+  const int first = mesh.OutgoingHalfedge(vertex);
+  int halfedge = first;
+  do
+  {
+    const int face = TriangleMesh::FaceOf(halfedge);
+    const Complex turn = TransportTurn(vertexFrames, vertex, faceFrames, face);
+    carried.push_back({ halfedge, faceFrames.ToVector(face, turn * direction) });
+    halfedge = mesh.Twin(TriangleMesh::Previous(halfedge));
+  } while (halfedge >= 0 && halfedge != first);
+  return carried;
+}
+
 PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   int N, const std::vector<PrescribedDirection>& directions, const ElementNames& names)
 {
@@ -71,11 +101,7 @@ PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFra
   for (int i : order)
   {
     const auto& [face, direction, weight] = directions[i];
-    if (face < 0 || face >= mesh.NumberOfFaces())
-    {
-      throw InvalidInput("a direction is prescribed on face " + std::to_string(face) +
-        ", but there are " + std::to_string(mesh.NumberOfFaces()) + " faces; leave it out");
-    }
+    CheckPrescribedElement(face, mesh.NumberOfFaces(), "face");
     const Complex v =
       TangentialPart(faceFrames, face, direction, weight, names.Face(face), "cell");
     if (prescribed.Faces.empty() || prescribed.Faces.back() != directions[i].Face)

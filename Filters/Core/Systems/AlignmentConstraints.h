@@ -39,12 +39,46 @@ struct PrescribedDirection
   double Weight;     ///< > 0
 };
 
+/// \param kind for the message, as in "face".
+/// \throw InvalidInput there are only \p size elements.
+void CheckPrescribedElement(int element, int size, const std::string& kind);
+
 /// The part of a prescribed direction in the tangent plane of its element.
 /// \param name, kind for messages, as in "cell 7", "cell".
 /// \throw InvalidInput the direction is not finite, has no part in the plane (less than 1e-6 of its
 /// length), or its weight is not positive.
 Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction,
   double weight, const std::string& name, const std::string& kind);
+
+/// A direction prescribed at a vertex; several may share it.
+struct PrescribedVertexDirection
+{
+  int Vertex;
+  Vector3 Direction; ///< in space; its part in the tangent plane of the vertex counts
+  double Weight;     ///< > 0
+};
+
+/// What is prescribed on a surface.
+struct PrescribedDirections
+{
+  std::vector<PrescribedDirection> OnFaces;
+  std::vector<PrescribedVertexDirection> AtVertices;
+};
+
+/// A direction at a vertex as a face beside it sees it.
+struct CarriedDirection
+{
+  int Halfedge; ///< of the face; leaves the vertex
+  Vector3 Direction; ///< in the plane of the face, as long as the part in the tangent plane was
+};
+
+/// A direction at a vertex, carried from its tangent plane into each of the faces around by the
+/// shortest rotation between the normals (TransportTurn).
+/// \throw InvalidInput there is no such vertex, and as TangentialPart; \p names says how messages
+/// call vertex i.
+std::vector<CarriedDirection> CarriedIntoFaces(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
+  const PrescribedVertexDirection& prescribed, const ElementNames& names = {});
 
 /// Prescribed faces with the values that N-power fields shall take there.
 struct PowerConstraints

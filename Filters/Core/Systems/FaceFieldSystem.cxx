@@ -57,14 +57,4 @@ HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
   return system;
 }
 
-Vector<double> FaceFieldValues(const Vector<Complex>& constraintValues)
-{
-  Vector<double> values(2 * constraintValues.size());
-  for (Eigen::Index b = 0; b < constraintValues.size(); ++b)
-  {
-    values.segment<2>(2 * b) << constraintValues[b].real(), constraintValues[b].imag();
-  }
-  return values;
-}
-
 }

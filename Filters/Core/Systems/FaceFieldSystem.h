@@ -28,10 +28,6 @@ HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const PrescribedFaces& prescribed,
   const FieldWeights& weights, const ExecutionContext& context = SerialContext());
 
-/// Prescribed vectors as values of the system: real and imaginary parts of the constraints that
-/// MakePowerConstraints makes for N = 1, in turns.
-Vector<double> FaceFieldValues(const Vector<Complex>& constraintValues);
-
 }
 
 #endif

@@ -1,10 +1,6 @@
 #include "Systems/OneFormConstraints.h"
 
-#include "Support/Errors.h"
-
 #include <algorithm>
-#include <cmath>
-#include <string>
 #include <utility>
 
 namespace dmg
@@ -20,15 +16,6 @@ struct Wish
   double Value;
   double Weight;
 };
-
-void CheckIndex(int element, int size, const std::string& kind)
-{
-  if (element < 0 || element >= size)
-  {
-    throw InvalidInput("a direction is prescribed on " + kind + " " + std::to_string(element) +
-      ", but there are " + std::to_string(size) + "; leave it out");
-  }
-}
 
 /// The integral of a constant vector along an edge.
 double Along(const TriangleMesh& mesh, int edge, const Vector3& direction)
@@ -74,7 +61,7 @@ OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
   for (const PrescribedDirection& prescribed : directions)
   {
     const int face = prescribed.Face;
-    CheckIndex(face, mesh.NumberOfFaces(), "face");
+    CheckPrescribedElement(face, mesh.NumberOfFaces(), "face");
     const Vector3 v = faceFrames.ToVector(face,
       TangentialPart(
         faceFrames, face, prescribed.Direction, prescribed.Weight, names.Face(face), "cell"));
@@ -89,31 +76,35 @@ OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
 }
 
 OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh,
-  const TangentFrames& vertexFrames, const std::vector<PrescribedVertexDirection>& directions,
-  const ElementNames& names)
+  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
+  const std::vector<PrescribedVertexDirection>& directions, const ElementNames& names)
 {
-  std::vector<Vector3> sums(mesh.NumberOfVertices(), Vector3::Zero());
-  std::vector<double> weights(mesh.NumberOfVertices(), 0.0);
+  std::vector<Wish> wishes;
   for (const PrescribedVertexDirection& prescribed : directions)
   {
-    const int vertex = prescribed.Vertex;
-    CheckIndex(vertex, mesh.NumberOfVertices(), "vertex");
-    const Vector3 v = vertexFrames.ToVector(vertex,
-      TangentialPart(vertexFrames, vertex, prescribed.Direction, prescribed.Weight,
-        names.Vertex(vertex), "point"));
-    weights[vertex] += prescribed.Weight;
-    sums[vertex] += prescribed.Weight * v;
-  }
-  std::vector<Wish> wishes;
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    for (int vertex : mesh.EdgeVertices(edge))
+    for (const auto& [leaving, v] :
+      CarriedIntoFaces(mesh, faceFrames, vertexFrames, prescribed, names))
     {
-      if (weights[vertex] > 0.0)
+      for (int h : { leaving, TriangleMesh::Previous(leaving) })
       {
-        wishes.push_back(
-          { edge, Along(mesh, edge, sums[vertex] / weights[vertex]), 0.5 * weights[vertex] });
+        const int edge = mesh.EdgeOf(h);
+        const double share = mesh.Twin(h) < 0 ? 0.5 : 0.25; // of the face in the end's half
+        wishes.push_back({ edge, Along(mesh, edge, v), share * prescribed.Weight });
       }
+    }
+  }
+  return Averaged(std::move(wishes));
+}
+
+OneFormConstraints Joined(const OneFormConstraints& a, const OneFormConstraints& b)
+{
+  std::vector<Wish> wishes;
+  for (const OneFormConstraints* constraints : { &a, &b })
+  {
+    const auto& [edges, weights] = constraints->Prescribed;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+    {
+      wishes.push_back({ edges[i], constraints->Values[i], weights[i] });
     }
   }
   return Averaged(std::move(wishes));

@@ -25,14 +25,6 @@ struct OneFormConstraints
   Vector<double> Values;
 };
 
-/// A direction prescribed at a vertex; several may share it.
-struct PrescribedVertexDirection
-{
-  int Vertex;
-  Vector3 Direction; ///< in space; its part in the tangent plane of the vertex counts
-  double Weight; ///< > 0
-};
-
 /// Directions prescribed on faces, as 1-form: every side of a prescribed face is prescribed, with
 /// the direction's product with the side. Where directions meet on an edge their values are
 /// averaged by weight. An edge has the mean weight of its faces, those without a direction counting
@@ -47,11 +39,17 @@ OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
 /// Directions prescribed at vertices, as 1-form: every edge at a prescribed vertex is prescribed.
 /// Between two of them the value is the trapezoidal rule (by weight); an edge that leads away from
 /// the prescribed ones takes the direction of its one end, with half the weight, so that a single
-/// vertex holds its direction, and a curve of vertices also the part across.
+/// vertex holds its direction, and a curve of vertices also the part across. What an edge takes
+/// from an end is the direction's product with it, carried into the two faces beside the edge
+/// (CarriedIntoFaces) and averaged, so that creases do not shorten it.
 /// \throw InvalidInput as above, for the tangent planes of the vertices.
 OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh,
-  const TangentFrames& vertexFrames, const std::vector<PrescribedVertexDirection>& directions,
-  const ElementNames& names = {});
+  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
+  const std::vector<PrescribedVertexDirection>& directions, const ElementNames& names = {});
+
+/// Two sets of constraints as one: on an edge of both the weights add up, and the value is the mean
+/// by weight.
+OneFormConstraints Joined(const OneFormConstraints& a, const OneFormConstraints& b);
 
 }
 

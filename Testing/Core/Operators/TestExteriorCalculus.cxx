@@ -1,7 +1,7 @@
 #include "Operators/ExteriorCalculus.h"
 
 #include "Support/Identities.h"
-#include "Support/MeshFactory.h"
+#include "Support/NamedSurfaces.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
 
@@ -17,11 +17,12 @@ namespace
 
 using Dense = Eigen::MatrixXd;
 
-std::vector<Surface> Surfaces()
+std::vector<NamedSurface> Surfaces()
 {
-  return { IrregularSphere(2, 3), IrregularTorus(12, 7, 5), DoubleTorus(2), IrregularPlane(7, 6, 8),
-    Disk(4), Annulus(12, 3), Prism(9, 4), Needle(2, 20.0), SphereWithZeroAreaFaces(2, 3),
-    Union(Icosphere(1), IrregularTorus(9, 6, 2), Vector3(4.0, 0.0, 0.0)) };
+  std::vector<NamedSurface> surfaces = SmallSurfaces();
+  surfaces.push_back({ "prism", Prism(9, 4) });
+  surfaces.push_back({ "zero-area faces", SphereWithZeroAreaFaces(2, 3) });
+  return surfaces;
 }
 
 /// How many eigenvalues are zero, and that none is negative.
@@ -42,9 +43,10 @@ Points Constant(int size, const Vector3& v)
 
 TEST(ExteriorCalculus, DerivativeOfADerivativeVanishes)
 {
-  for (const Surface& surface : Surfaces())
+  for (const NamedSurface& surface : Surfaces())
   {
-    const TriangleMesh mesh = surface.Mesh();
+    SCOPED_TRACE(surface.Name);
+    const TriangleMesh mesh = surface.Shape.Mesh();
     EXPECT_EQ(DerivativeTwiceResidual(mesh), 0.0);
     EXPECT_EQ((D0(mesh) * Vector<double>::Ones(mesh.NumberOfVertices())).norm(), 0.0);
   }
@@ -52,9 +54,10 @@ TEST(ExteriorCalculus, DerivativeOfADerivativeVanishes)
 
 TEST(ExteriorCalculus, StarsArePositiveAndCoverTheSurface)
 {
-  for (const Surface& surface : Surfaces())
+  for (const NamedSurface& surface : Surfaces())
   {
-    const TriangleMesh mesh = surface.Mesh();
+    SCOPED_TRACE(surface.Name);
+    const TriangleMesh mesh = surface.Shape.Mesh();
     const double area = Star2(mesh).cwiseInverse().sum();
     EXPECT_GE(area, mesh.FaceAreas().sum() * (1.0 - 1e-14));
     for (VertexAreas areas : { VertexAreas::Barycentric, VertexAreas::MixedVoronoi })
@@ -107,9 +110,10 @@ TEST(ExteriorCalculus, PositiveStar1MeasuresVectors)
 
 TEST(OneFormLaplacian, IsItsDefinition)
 {
-  for (const Surface& surface : Surfaces())
+  for (const NamedSurface& surface : Surfaces())
   {
-    const TriangleMesh mesh = surface.Mesh();
+    SCOPED_TRACE(surface.Name);
+    const TriangleMesh mesh = surface.Shape.Mesh();
     for (VertexAreas areas : { VertexAreas::Barycentric, VertexAreas::MixedVoronoi })
     {
       const Dense d0 = D0(mesh);

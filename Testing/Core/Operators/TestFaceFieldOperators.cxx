@@ -1,7 +1,7 @@
 #include "Operators/FaceFieldOperators.h"
 
 #include "Support/Identities.h"
-#include "Support/MeshFactory.h"
+#include "Support/NamedSurfaces.h"
 #include "Support/Random.h"
 
 #include <gtest/gtest.h>
@@ -15,30 +15,10 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-struct Sample
-{
-  const char* Name;
-  Surface Shape;
-};
-
-/// Closed, with boundary, with genus.
-std::vector<Sample> Samples()
-{
-  return {
-    { "irregular plane", IrregularPlane(8, 6, 1) },
-    { "annulus", Annulus(10, 3) },
-    { "irregular sphere", IrregularSphere(2, 2) },
-    { "irregular torus", IrregularTorus(14, 8, 3) },
-    { "double torus", DoubleTorus(2) },
-    { "needle", Needle(2, 50.0) },
-    { "two components", Union(Icosphere(1), Disk(3), Vector3(4.0, 0.0, 0.0)) },
-  };
-}
-
 template <class Visit>
 void VisitSamples(Visit visit)
 {
-  for (const Sample& sample : Samples())
+  for (const NamedSurface& sample : SmallSurfaces())
   {
     SCOPED_TRACE(sample.Name);
     const TriangleMesh mesh = sample.Shape.Mesh();

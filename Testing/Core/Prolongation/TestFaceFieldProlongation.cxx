@@ -5,6 +5,7 @@
 #include "Operators/FaceFieldOperators.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Identities.h"
+#include "Support/Levels.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
@@ -22,43 +23,14 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-struct NamedSurface
-{
-  std::string Name;
-  Surface Shape;
-};
-
-std::vector<NamedSurface> Surfaces()
-{
-  return {
-    { "sphere", IrregularSphere(4, 7) },
-    { "torus", IrregularTorus(64, 24, 11) },
-    { "thin torus", IrregularTorus(160, 8, 12, 1.0, 0.1) },
-    { "double torus", DoubleTorus(5) },
-    { "irregular plane", IrregularPlane(40, 30, 5) },
-    { "annulus", Annulus(60, 16) },
-    { "needle", Needle(4, 20.0) },
-    { "two components", Union(Icosphere(4), Torus(48, 16), Vector3(5.0, 0.0, 0.0)) },
-  };
-}
-
 /// Calls visit(transition) for the levels of every surface, by both policies.
 template <class Visit>
 void VisitTransitions(Visit visit, int minimumNumberOfFaces = 60)
 {
-  for (CollapsePolicy policy :
-    { CollapsePolicy::IndependentRounds, CollapsePolicy::SequentialQueue })
-  {
-    for (const NamedSurface& surface : Surfaces())
-    {
-      SCOPED_TRACE(surface.Name);
-      HierarchyOptions options;
-      options.MinimumNumberOfFaces = minimumNumberOfFaces;
-      options.MaximumNumberOfCoarseLevels = 8;
-      options.Policy = policy;
-      BuildMeshHierarchy(surface.Shape.Mesh(), options, SerialContext(), visit);
-    }
-  }
+  HierarchyOptions options;
+  options.MinimumNumberOfFaces = minimumNumberOfFaces;
+  options.MaximumNumberOfCoarseLevels = 8;
+  VisitLevels(SurfacesToDecimate(), options, visit);
 }
 
 Vector<double> RandomValues(int size, unsigned seed)
@@ -222,7 +194,7 @@ TEST(FaceFieldProlongation, StaysFiniteOnZeroAreaFaces)
 {
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
-  BuildMeshHierarchy(SphereWithZeroAreaFaces(4, 30).Mesh(), options, SerialContext(),
+  VisitLevels(SphereWithZeroAreaFaces(4, 30).Mesh(), options,
     [](const LevelTransition& transition)
     {
       const SparseMatrix<double> SX = FaceFieldProlongation(FineEdgePaths(transition),

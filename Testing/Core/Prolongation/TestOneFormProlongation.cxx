@@ -6,6 +6,7 @@
 #include "Operators/ExteriorCalculus.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Identities.h"
+#include "Support/Levels.h"
 #include "Support/MeshFactory.h"
 #include "Support/TbbContext.h"
 
@@ -21,35 +22,29 @@ using namespace dmg::test;
 namespace
 {
 
-std::vector<Surface> ClosedSurfaces()
+std::vector<NamedSurface> Surfaces()
 {
-  return { IrregularSphere(4, 7), IrregularTorus(64, 24, 11), DoubleTorus(5), Needle(4, 20.0),
-    SphereWithZeroAreaFaces(3, 12), Union(Icosphere(4), Torus(48, 16), Vector3(5.0, 0.0, 0.0)) };
+  std::vector<NamedSurface> surfaces = SurfacesToDecimate();
+  surfaces.push_back({ "zero-area faces", SphereWithZeroAreaFaces(3, 12) });
+  return surfaces;
 }
 
-std::vector<Surface> BoundedSurfaces()
+bool IsClosed(const TriangleMesh& mesh)
 {
-  return { Disk(24), IrregularPlane(40, 30, 5), Annulus(60, 16) };
+  return 2 * mesh.NumberOfEdges() == 3 * mesh.NumberOfFaces();
 }
 
-/// Calls visit(transition, S1) for the levels of a surface, by both policies.
+/// Calls visit(transition, S1) for the levels of surfaces, by both policies.
 template <class Visit>
-void VisitLevels(const Surface& surface, int minimumNumberOfFaces, Visit visit)
+void VisitOperators(
+  const std::vector<NamedSurface>& surfaces, int minimumNumberOfFaces, Visit visit)
 {
-  for (CollapsePolicy policy : { CollapsePolicy::IndependentRounds, CollapsePolicy::SequentialQueue })
-  {
-    HierarchyOptions options;
-    options.MinimumNumberOfFaces = minimumNumberOfFaces;
-    options.MaximumNumberOfCoarseLevels = 6;
-    options.Policy = policy;
-    int levels = 0;
-    BuildMeshHierarchy(
-      surface.Mesh(), options, SerialContext(), [&](const LevelTransition& transition) {
-        ++levels;
-        visit(transition, OneFormProlongation(FineEdgePaths(transition), SerialContext()));
-      });
-    EXPECT_GE(levels, 2);
-  }
+  HierarchyOptions options;
+  options.MinimumNumberOfFaces = minimumNumberOfFaces;
+  options.MaximumNumberOfCoarseLevels = 6;
+  VisitLevels(surfaces, options, [&visit](const LevelTransition& transition) {
+    visit(transition, OneFormProlongation(FineEdgePaths(transition), SerialContext()));
+  });
 }
 
 /// Closed forms that represent the cohomology of a surface: the kernel of its Laplacian.
@@ -77,14 +72,8 @@ Vector<double> ConstantPlusRotation(const TriangleMesh& mesh, const Vector3& a, 
 
 TEST(OneFormProlongation, ExactFormsStayExact)
 {
-  std::vector<Surface> surfaces = ClosedSurfaces();
-  for (const Surface& surface : BoundedSurfaces())
-  {
-    surfaces.push_back(surface);
-  }
-  for (const Surface& surface : surfaces)
-  {
-    VisitLevels(surface, 60, [](const LevelTransition& transition, const SparseMatrix<double>& S1) {
+  VisitOperators(
+    Surfaces(), 60, [](const LevelTransition& transition, const SparseMatrix<double>& S1) {
       ASSERT_EQ(S1.rows(), transition.Fine.NumberOfEdges());
       ASSERT_EQ(S1.cols(), transition.Coarse.NumberOfEdges());
       const SparseMatrix<double> S0 = ScalarProlongation(transition, SerialContext());
@@ -93,17 +82,16 @@ TEST(OneFormProlongation, ExactFormsStayExact)
       EXPECT_LT(S1.nonZeros(), 7 * S1.rows());
       EXPECT_GT(WeakestColumn(S1), 1e-3);
     });
-  }
 }
 
 // Also forms that no function has: around both circles of a torus, so thin and so coarse that a path
 // with no more than the right ends would pass on the wrong side, and around four of genus 2.
 TEST(OneFormProlongation, ClosedFormsStayClosed)
 {
-  const auto expectClosed = [](const Surface& surface, int dimension, int coarsest) {
-    int fewestFaces = surface.F.rows();
-    VisitLevels(
-      surface, coarsest, [&](const LevelTransition& transition, const SparseMatrix<double>& S1) {
+  const auto expectClosed = [](const NamedSurface& surface, int dimension, int coarsest) {
+    int fewestFaces = surface.Shape.F.rows();
+    VisitOperators(
+      { surface }, coarsest, [&](const LevelTransition& transition, const SparseMatrix<double>& S1) {
         fewestFaces = std::min(fewestFaces, transition.Coarse.NumberOfFaces());
         if (transition.Coarse.NumberOfFaces() > 600)
         {
@@ -119,9 +107,9 @@ TEST(OneFormProlongation, ClosedFormsStayClosed)
       });
     EXPECT_LT(fewestFaces, 150);
   };
-  expectClosed(IrregularTorus(200, 7, 12, 1.0, 0.08), 2, 100);
-  expectClosed(DoubleTorus(5), 4, 100);
-  expectClosed(Annulus(60, 16), 1, 60);
+  expectClosed({ "thin torus", IrregularTorus(200, 7, 12, 1.0, 0.08) }, 2, 100);
+  expectClosed({ "double torus", DoubleTorus(5) }, 4, 100);
+  expectClosed({ "annulus", Annulus(60, 16) }, 1, 60);
 }
 
 // In a plane the places of fine edges on coarse triangles are the edges themselves, so what the Whitney
@@ -131,7 +119,7 @@ TEST(OneFormProlongation, ReproducesConstantsAndRotationsInAPlane)
   const Vector3 a(0.3, -1.1, 0.0);
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
-  BuildMeshHierarchy(IrregularPlane(40, 30, 9).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularPlane(40, 30, 9).Mesh(), options,
     [&a](const LevelTransition& transition) {
       const TriangleMesh& fine = transition.Fine;
       const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
@@ -146,12 +134,16 @@ TEST(OneFormProlongation, ReproducesConstantsAndRotationsInAPlane)
 // above shows more.
 TEST(OneFormProlongation, KeepsTheTotalCurlOfClosedSurfaces)
 {
-  for (const Surface& surface : ClosedSurfaces())
-  {
-    VisitLevels(surface, 60, [](const LevelTransition& transition, const SparseMatrix<double>& S1) {
-      EXPECT_LT(TotalCurlResidual(transition.Fine, transition.Coarse, S1), 1e-13);
+  int closed = 0;
+  VisitOperators(
+    Surfaces(), 60, [&closed](const LevelTransition& transition, const SparseMatrix<double>& S1) {
+      if (IsClosed(transition.Fine))
+      {
+        ++closed;
+        EXPECT_LT(TotalCurlResidual(transition.Fine, transition.Coarse, S1), 1e-13);
+      }
     });
-  }
+  EXPECT_GT(closed, 0);
 }
 
 // A coarse surface with two triangles that the fine one does not reach, one behind the other: nothing
@@ -195,7 +187,7 @@ TEST(OneFormProlongation, HasTheSameBitsForAnyNumberOfThreads)
 {
   HierarchyOptions options;
   options.MaximumNumberOfCoarseLevels = 1;
-  BuildMeshHierarchy(IrregularTorus(96, 48, 21).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularTorus(96, 48, 21).Mesh(), options,
     [](const LevelTransition& transition) {
       const SparseMatrix<double> expected = OneFormProlongation(FineEdgePaths(transition), SerialContext());
       EXPECT_EQ(RelativeDifference(OneFormProlongation(FineEdgePaths(transition), TbbContext(3)), expected), 0.0);
@@ -231,8 +223,7 @@ TEST(SurfaceHierarchy, HasOneFormsInTheCallersNumbering)
     }
     const SpatialOrder order(mesh, SerialContext());
     options.MaximumNumberOfCoarseLevels = 1;
-    BuildMeshHierarchy(
-      order.Apply(mesh), options, SerialContext(), [&](const LevelTransition& transition) {
+    VisitLevels(order.Apply(mesh), options, [&](const LevelTransition& transition) {
         const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
         for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
         {

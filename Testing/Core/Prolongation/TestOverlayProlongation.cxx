@@ -7,7 +7,9 @@
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
+#include "Support/Levels.h"
 #include "Support/MeshFactory.h"
+#include "Support/Pairs.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
 
@@ -33,14 +35,15 @@ HierarchyOptions ExactOptions(CollapsePolicy policy = CollapsePolicy::Independen
   return options;
 }
 
-struct NamedSurface
+struct Case
 {
   std::string Name;
   Surface Shape;
   CollapsePolicy Policy = CollapsePolicy::IndependentRounds;
 };
 
-std::vector<NamedSurface> Surfaces()
+/// Smaller than SurfacesToDecimate: a collapse takes a millisecond.
+std::vector<Case> Cases()
 {
   return {
     { "sphere", IrregularSphere(3, 7) },
@@ -77,19 +80,14 @@ struct Level
 
 /// Calls visit(transition, level) for the levels of every surface.
 template <class Visit>
-void VisitLevels(Visit visit)
+void VisitOverlays(Visit visit)
 {
-  for (const NamedSurface& surface : Surfaces())
+  for (const Case& surface : Cases())
   {
     SCOPED_TRACE(surface.Name);
-    int levels = 0;
-    BuildMeshHierarchy(surface.Shape.Mesh(), ExactOptions(surface.Policy), SerialContext(),
-      [&](const LevelTransition& transition)
-      {
-        ++levels;
-        visit(transition, Level(transition));
-      });
-    EXPECT_GE(levels, 1);
+    const auto levels = VisitLevels(surface.Shape.Mesh(), ExactOptions(surface.Policy),
+      [&visit](const LevelTransition& transition) { visit(transition, Level(transition)); });
+    EXPECT_GE(levels.size(), 1u);
   }
 }
 
@@ -112,7 +110,7 @@ Vector<double> AngleForm(const TriangleMesh& mesh)
 
 TEST(OverlayProlongation, KeepsConstantsAndExactForms)
 {
-  VisitLevels(
+  VisitOverlays(
     [](const LevelTransition&, const Level& level)
     {
       const OverlayProlongation& exact = level.Exact;
@@ -132,7 +130,7 @@ TEST(OverlayProlongation, KeepsConstantsAndExactForms)
 // it, which the flattening onto a straight line keeps.
 TEST(OverlayProlongation, KeepsTheTotalCurl)
 {
-  VisitLevels(
+  VisitOverlays(
     [](const LevelTransition&, const Level& level)
     {
       const SparseMatrix<double> curl = SumsAroundFaces(level.Fine) * level.Exact.S1;
@@ -151,7 +149,7 @@ TEST(OverlayProlongation, KeepsGeneratorsClosed)
   {
     HierarchyOptions options = ExactOptions();
     options.MinimumNumberOfFaces = 100;
-    BuildMeshHierarchy(surface.Mesh(), options, SerialContext(),
+    VisitLevels(surface.Mesh(), options,
       [&](const LevelTransition& transition)
       {
         const Vector<double> form = AngleForm(transition.Coarse);
@@ -168,7 +166,7 @@ TEST(OverlayProlongation, KeepsGeneratorsClosed)
 // along the halfedges.
 TEST(OverlayProlongation, KeepsGradients)
 {
-  VisitLevels(
+  VisitOverlays(
     [](const LevelTransition&, const Level& level)
     {
       const SparseMatrix<double> gradients =
@@ -194,7 +192,7 @@ TEST(OverlayProlongation, KeepsGradients)
 
 TEST(OverlayProlongation, HasWeightsAndTurnsForPowerFields)
 {
-  VisitLevels(
+  VisitOverlays(
     [](const LevelTransition&, const Level& level)
     {
       const TransportOperator& SP = level.Exact.SP;
@@ -209,7 +207,7 @@ TEST(OverlayProlongation, HasWeightsAndTurnsForPowerFields)
 TEST(OverlayProlongation, ReproducesConstantFieldsInAPlane)
 {
   const Vector3 direction(0.6, -0.8, 0.0);
-  BuildMeshHierarchy(IrregularPlane(24, 20, 15).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularPlane(24, 20, 15).Mesh(), ExactOptions(),
     [&](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -227,20 +225,14 @@ TEST(OverlayProlongation, ReproducesConstantFieldsInAPlane)
       // A constant vector field is a gradient.
       const Vector<Complex> fine = PowersOfDirection(level.FineFrames, direction, 1);
       const Vector<Complex> coarse = PowersOfDirection(level.CoarseFrames, direction, 1);
-      const auto components = [](const Vector<Complex>& field)
-      {
-        return Vector<double>(Eigen::Map<const Vector<double>>(
-          reinterpret_cast<const double*>(field.data()), 2 * field.size()));
-      };
-      EXPECT_LT(
-        (level.Exact.SX * components(coarse) - components(fine)).cwiseAbs().maxCoeff(), 1e-9);
+      EXPECT_LT((level.Exact.SX * AsPairs(coarse) - AsPairs(fine)).cwiseAbs().maxCoeff(), 1e-9);
     });
 }
 
 // Over a curved surface the ways differ: the product for N is not the N-th power of the mean.
 TEST(OverlayProlongation, DependsOnNWhereTheSurfaceIsCurved)
 {
-  BuildMeshHierarchy(IrregularSphere(3, 7).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularSphere(3, 7).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -260,7 +252,7 @@ TEST(OverlayProlongation, DoesNotDependOnTheFrames)
 {
   HierarchyOptions options = ExactOptions();
   options.MaximumNumberOfCoarseLevels = 1;
-  BuildMeshHierarchy(IrregularTorus(24, 10, 3).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularTorus(24, 10, 3).Mesh(), options,
     [](const LevelTransition& transition)
     {
       Random random(17);
@@ -283,12 +275,7 @@ TEST(OverlayProlongation, DoesNotDependOnTheFrames)
                   turned.SP * inTurned, InTurnedFrames(level.Exact.SP * field, fineAngles, 1)),
         1e-13);
       const auto applied = [](const SparseMatrix<double>& SX, const Vector<Complex>& x)
-      {
-        const Vector<double> y = SX *
-          Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(x.data()), 2 * x.size());
-        return Vector<Complex>(Eigen::Map<const Vector<Complex>>(
-          reinterpret_cast<const Complex*>(y.data()), y.size() / 2));
-      };
+      { return AsComplex(SX * AsPairs(x)); };
       EXPECT_LT(RelativeDifference(applied(turned.SX, inTurned),
                   InTurnedFrames(applied(level.Exact.SX, field), fineAngles, 1)),
         1e-12);
@@ -304,7 +291,7 @@ TEST(OverlayProlongation, DoesNotDependOnTheFrames)
 // function is linear in space to begin with, in a plane, they agree again.
 TEST(OverlayProlongation, DiffersFromTrackingOverManyCollapses)
 {
-  BuildMeshHierarchy(IrregularSphere(4, 7).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularSphere(4, 7).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -319,7 +306,7 @@ TEST(OverlayProlongation, DiffersFromTrackingOverManyCollapses)
         std::sqrt(4.0 * std::acos(-1.0) / transition.Coarse.NumberOfFaces());
       EXPECT_LT((exactPlaces - trackedPlaces).rowwise().norm().maxCoeff(), coarseEdge);
     });
-  BuildMeshHierarchy(IrregularPlane(24, 20, 5).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularPlane(24, 20, 5).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -332,7 +319,7 @@ TEST(OverlayProlongation, DiffersFromTrackingOverManyCollapses)
 // in a plane, and five times the entries on curved surfaces.
 TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
 {
-  BuildMeshHierarchy(IrregularSphere(4, 7).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularSphere(4, 7).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -344,7 +331,7 @@ TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
       EXPECT_LT(LargestDifference(ofForms, ofFunctions), 1e-12);
       EXPECT_GT(level.Exact.S1.nonZeros(), 3 * tracked.nonZeros());
     });
-  BuildMeshHierarchy(IrregularPlane(24, 20, 5).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularPlane(24, 20, 5).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -363,7 +350,7 @@ TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
 // (Q_B).
 TEST(OverlayProlongation, AgreesWithTrackedFaceFieldsWhereItMust)
 {
-  BuildMeshHierarchy(IrregularSphere(4, 7).Mesh(), ExactOptions(), SerialContext(),
+  VisitLevels(IrregularSphere(4, 7).Mesh(), ExactOptions(),
     [](const LevelTransition& transition)
     {
       const Level level(transition);
@@ -384,12 +371,13 @@ TEST(OverlayProlongation, HasTheSameBitsForAnyNumberOfThreads)
   const auto operators = [](const ExecutionContext& context)
   {
     std::vector<OverlayProlongation> levels;
-    BuildMeshHierarchy(IrregularTorus(32, 16, 21).Mesh(), ExactOptions(), context,
+    VisitLevels(IrregularTorus(32, 16, 21).Mesh(), ExactOptions(),
       [&](const LevelTransition& transition)
       {
         levels.emplace_back(
           transition, FaceFrames(transition.Fine), FaceFrames(transition.Coarse), context);
-      });
+      },
+      context);
     return levels;
   };
   const auto expectSame = [](const auto& a, const auto& b)
@@ -413,22 +401,28 @@ TEST(OverlayProlongation, HasTheSameBitsForAnyNumberOfThreads)
 // Faces without area may lie folded in the plane; G is no gradient in them, all else holds.
 TEST(OverlayProlongation, SurvivesFacesWithoutArea)
 {
-  BuildMeshHierarchy(SphereWithZeroAreaFaces(3, 12).Mesh(), ExactOptions(), SerialContext(),
-    [](const LevelTransition& transition)
-    {
-      const Level level(transition);
-      EXPECT_LT(RowSumResidual(level.Exact.S0), 1e-14);
-      EXPECT_GE(SmallestEntry(level.Exact.S0), 0.0);
-      const SparseMatrix<double> differences = DifferencesAlongEdges(level.Fine) * level.Exact.S0;
-      const SparseMatrix<double> prolonged = level.Exact.S1 * DifferencesAlongEdges(level.Coarse);
-      EXPECT_LT(LargestDifference(differences, prolonged), 1e-13);
-      EXPECT_LT(RowSumResidual(level.Exact.SP.cwiseAbs()), 1e-13);
-      EXPECT_TRUE(level.Exact.SX.coeffs().allFinite());
-    });
+  for (const Surface& surface : { SphereWithZeroAreaFaces(3, 12), CapsuleFromRectangle(24, 12) })
+  {
+    const auto levels = VisitLevels(surface.Mesh(), ExactOptions(),
+      [](const LevelTransition& transition)
+      {
+        const Level level(transition);
+        EXPECT_LT(RowSumResidual(level.Exact.S0), 1e-14);
+        EXPECT_GE(SmallestEntry(level.Exact.S0), 0.0);
+        const SparseMatrix<double> differences =
+          DifferencesAlongEdges(level.Fine) * level.Exact.S0;
+        const SparseMatrix<double> prolonged =
+          level.Exact.S1 * DifferencesAlongEdges(level.Coarse);
+        EXPECT_LT(LargestDifference(differences, prolonged), 1e-13);
+        EXPECT_LT(RowSumResidual(level.Exact.SP.cwiseAbs()), 1e-13);
+        EXPECT_TRUE(level.Exact.SX.coeffs().allFinite());
+      });
+    EXPECT_GE(levels.size(), 1u);
+  }
 }
 
 TEST(OverlayProlongation, NeedsTheRecordOfTheCollapses)
 {
-  BuildMeshHierarchy(IrregularSphere(3, 7).Mesh(), { 0.25, 1, 60 }, SerialContext(),
+  VisitLevels(IrregularSphere(3, 7).Mesh(), { 0.25, 1, 60 },
     [](const LevelTransition& transition) { EXPECT_THROW(Level{ transition }, InvalidInput); });
 }

@@ -4,6 +4,7 @@
 #include "Prolongation/PowerFieldProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Identities.h"
+#include "Support/Levels.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
@@ -19,48 +20,13 @@ using namespace dmg::test;
 namespace
 {
 
-struct NamedSurface
-{
-  std::string Name;
-  Surface Shape;
-};
-
-std::vector<NamedSurface> Surfaces()
-{
-  return {
-    { "sphere", IrregularSphere(4, 7) },
-    { "torus", IrregularTorus(64, 24, 11) },
-    { "thin torus", IrregularTorus(160, 8, 12, 1.0, 0.1) },
-    { "double torus", DoubleTorus(5) },
-    { "disk", Disk(24) },
-    { "irregular plane", IrregularPlane(40, 30, 5) },
-    { "annulus", Annulus(60, 16) },
-    { "needle", Needle(4, 20.0) },
-    { "two components", Union(Icosphere(4), Torus(48, 16), Vector3(5.0, 0.0, 0.0)) },
-  };
-}
-
 /// Calls visit(transition) for the levels of every surface, by both policies.
 template <class Visit>
 void VisitTransitions(Visit visit)
 {
-  for (CollapsePolicy policy : { CollapsePolicy::IndependentRounds, CollapsePolicy::SequentialQueue })
-  {
-    for (const NamedSurface& surface : Surfaces())
-    {
-      SCOPED_TRACE(surface.Name);
-      HierarchyOptions options;
-      options.MinimumNumberOfFaces = 60;
-      options.Policy = policy;
-      int levels = 0;
-      BuildMeshHierarchy(
-        surface.Shape.Mesh(), options, SerialContext(), [&](const LevelTransition& transition) {
-          ++levels;
-          visit(transition);
-        });
-      EXPECT_GE(levels, 2);
-    }
-  }
+  HierarchyOptions options;
+  options.MinimumNumberOfFaces = 60;
+  VisitLevels(SurfacesToDecimate(), options, visit);
 }
 
 double At(const LevelTransition& transition, const Vector<double>& function, int face,
@@ -125,7 +91,7 @@ TEST(ScalarProlongation, ReproducesLinearFunctionsInAPlane)
 {
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
-  BuildMeshHierarchy(IrregularPlane(40, 30, 9).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularPlane(40, 30, 9).Mesh(), options,
     [](const LevelTransition& transition) {
       const SparseMatrix<double> S0 = ScalarProlongation(transition, SerialContext());
       const Points places = S0 * transition.Coarse.VertexPositions();
@@ -191,8 +157,7 @@ TEST(FineEdgePaths, KeepClosedFormsClosed)
     HierarchyOptions options;
     options.MinimumNumberOfFaces = 100;
     options.MaximumNumberOfCoarseLevels = 5;
-    BuildMeshHierarchy(
-      surface.Mesh(), options, SerialContext(), [&](const LevelTransition& transition) {
+    VisitLevels(surface.Mesh(), options, [&](const LevelTransition& transition) {
         const TriangleMesh& coarse = transition.Coarse;
         std::vector<double> form(coarse.NumberOfEdges());
         for (int e = 0; e < coarse.NumberOfEdges(); ++e)
@@ -279,7 +244,7 @@ TEST(PowerFieldProlongation, DoesNotDependOnTheFrames)
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
   options.MaximumNumberOfCoarseLevels = 1;
-  BuildMeshHierarchy(IrregularTorus(48, 20, 3).Mesh(), options, SerialContext(),
+  VisitLevels(IrregularTorus(48, 20, 3).Mesh(), options,
     [](const LevelTransition& transition) {
       Random random(17);
       std::vector<double> fineAngles(transition.Fine.NumberOfFaces());

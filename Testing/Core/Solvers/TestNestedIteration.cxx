@@ -340,14 +340,14 @@ TYPED_TEST(TestNestedIteration, TheErrorRuleStopsWhereTheErrorsSay)
     {
       ++expected;
     }
-    const auto sweeps = nested.Solve(b, { SweepRule::WhileErrorFalls, 300, improvement }, x,
+    const auto sweeps = nested.Solve(b, { SweepRule::WhileErrorFalls, 0, improvement }, x,
       report, SerialContext(), &measure);
     EXPECT_EQ(sweeps, (std::vector<int>{ expected, 0 }));
     EXPECT_EQ(report.Iterations.back().Error, fixed.Iterations[expected + 1].Error);
     EXPECT_TRUE(report.Converged);
   }
   const auto sweeps = nested.Solve(
-    b, { SweepRule::WhileErrorFalls, 2, 1e-9 }, x, report, SerialContext(), &measure);
+    b, { SweepRule::WhileErrorFalls, 0, 1e-9, 2 }, x, report, SerialContext(), &measure);
   EXPECT_EQ(sweeps[0], 2);
   EXPECT_FALSE(report.Converged);
   EXPECT_EQ(report.Warnings.size(), 1u);
@@ -365,7 +365,7 @@ TYPED_TEST(TestNestedIteration, TheErrorRuleComparesProlongedIterates)
   Vector<TypeParam> x;
   NestedIteration<TypeParam> nested(problem.A, problem.P, {}, SerialContext());
   const auto sweeps = nested.Solve(
-    b, { SweepRule::WhileErrorFalls, 300, 0.01 }, x, report, SerialContext(), &measure);
+    b, { SweepRule::WhileErrorFalls, 0, 0.01 }, x, report, SerialContext(), &measure);
   // By hand on level 1: the same sweeps as two-level iterations of its own system.
   const SparseMatrix<TypeParam> R = problem.P[0].adjoint();
   const SparseMatrix<TypeParam> coarseA = R * SparseMatrix<TypeParam>(problem.A * problem.P[0]);
@@ -403,11 +403,35 @@ TYPED_TEST(TestNestedIteration, TheResidualRuleNeedsNoReference)
     ++expected;
   }
   const auto sweeps = nested.Solve(
-    b, { SweepRule::WhileResidualFalls, 100, 0.2 }, x, report, SerialContext());
+    b, { SweepRule::WhileResidualFalls, 0, 0.2 }, x, report, SerialContext());
   EXPECT_EQ(sweeps, (std::vector<int>{ expected, 0 }));
   EXPECT_TRUE(report.Converged);
   EXPECT_NEAR(report.Iterations.back().RelativeResidual,
     fixed.Iterations[expected + 1].RelativeResidual, 1e-14);
+}
+
+// Without a limit of one's own: on a grid so small that sweeps alone converge to rounding, which is
+// the longest that the rules can take.
+TYPED_TEST(TestNestedIteration, TheRulesEndByThemselves)
+{
+  const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
+  const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3511);
+  NestedIteration<TypeParam> nested(problem.A, problem.P, {}, SerialContext());
+  ConvergenceMeasure<TypeParam> measure;
+  measure.Reference = SolveByCholesky(problem.A, b);
+  for (SweepRule rule : { SweepRule::WhileErrorFalls, SweepRule::WhileResidualFalls })
+  {
+    SweepOptions options;
+    options.Rule = rule;
+    SolveReport report;
+    Vector<TypeParam> x;
+    const auto sweeps = nested.Solve(b, options, x, report, SerialContext(), &measure);
+    EXPECT_GT(sweeps[0], 100);
+    EXPECT_LT(sweeps[0], options.MaximumSweeps);
+    EXPECT_TRUE(report.Converged);
+    EXPECT_TRUE(report.Warnings.empty());
+    EXPECT_LT(report.Iterations.back().Error, 1e-12);
+  }
 }
 
 TYPED_TEST(TestNestedIteration, InputIsCheckedAndZeroIsSolvedByZero)

@@ -1,9 +1,11 @@
 #include "Systems/FaceFieldSystem.h"
 
+#include "Prescriptions.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
+#include "Support/Pairs.h"
 #include "Support/Random.h"
 
 #include <Eigen/SparseLU>
@@ -19,42 +21,18 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-FieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
-{
-  FieldWeights weights;
-  weights.Smoothness = smoothness;
-  weights.Alignment = alignment;
-  weights.Constraints = kind;
-  return weights;
-}
-
 /// The field as vectors in space, by a general sparse LU.
 Points SolveField(const TriangleMesh& mesh, const TangentFrames& frames,
   const std::vector<PrescribedDirection>& directions, const FieldWeights& weights)
 {
   const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 1, directions);
-  const Vector<double> values = FaceFieldValues(constraints.Values);
+  const Vector<double> values = AsPairs(constraints.Values);
   const HarmonicSystem<double> system =
     MakeFaceFieldSystem(mesh, frames, constraints.Prescribed, weights);
   const Eigen::SparseMatrix<double> A = system.Matrix();
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(A);
   const Vector<double> x = lu.solve(system.RightHandSide(values));
   return VectorsFromFaceField(frames, system.Expand(x, values));
-}
-
-std::vector<PrescribedDirection> RandomDirections(
-  const TriangleMesh& mesh, const TangentFrames& frames, int count, unsigned seed)
-{
-  Random random(seed);
-  std::vector<PrescribedDirection> directions;
-  for (int i = 0; i < count; ++i)
-  {
-    const int face = random.Index(mesh.NumberOfFaces());
-    directions.push_back({ face,
-      frames.ToVector(face, std::polar(random.Uniform(0.5, 2.0), random.Uniform(-3.0, 3.0))),
-      random.Uniform(0.5, 2.0) });
-  }
-  return directions;
 }
 
 TEST(FaceFieldSystem, IsItsStatedEnergy)
@@ -65,7 +43,7 @@ TEST(FaceFieldSystem, IsItsStatedEnergy)
   Random random(2);
   const PowerConstraints constraints =
     MakePowerConstraints(mesh, frames, 1, RandomDirections(mesh, frames, 7, 3));
-  const Vector<double> values = FaceFieldValues(constraints.Values);
+  const Vector<double> values = AsPairs(constraints.Values);
   const HarmonicSystem<double> system = MakeFaceFieldSystem(
     mesh, frames, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
   ASSERT_EQ(system.NumberOfFree(), 2 * mesh.NumberOfFaces());

@@ -1,5 +1,6 @@
 #include "Systems/OneFormSystem.h"
 
+#include "Prescriptions.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
@@ -9,6 +10,7 @@
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,15 +24,6 @@ using Dense = Eigen::MatrixXd;
 
 constexpr double Pi = 3.14159265358979323846;
 
-FieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
-{
-  FieldWeights weights;
-  weights.Smoothness = smoothness;
-  weights.Alignment = alignment;
-  weights.Constraints = kind;
-  return weights;
-}
-
 Vector<double> SolveForm(
   const TriangleMesh& mesh, const OneFormConstraints& constraints, const FieldWeights& weights)
 {
@@ -40,24 +33,26 @@ Vector<double> SolveForm(
     A.fullPivLu().solve(system.RightHandSide(constraints.Values)), constraints.Values);
 }
 
-std::vector<PrescribedDirection> RandomDirections(const TriangleMesh& mesh, int count, unsigned seed)
-{
-  const TangentFrames frames = FaceFrames(mesh);
-  Random random(seed);
-  std::vector<PrescribedDirection> directions;
-  for (int i = 0; i < count; ++i)
-  {
-    const int face = random.Index(mesh.NumberOfFaces());
-    directions.push_back({ face,
-      frames.ToVector(face, std::polar(random.Uniform(0.5, 2.0), random.Uniform(-3.0, 3.0))),
-      random.Uniform(0.5, 2.0) });
-  }
-  return directions;
-}
-
 OneFormConstraints RandomConstraints(const TriangleMesh& mesh, int count, unsigned seed)
 {
-  return OneFormConstraintsOnFaces(mesh, FaceFrames(mesh), RandomDirections(mesh, count, seed));
+  const TangentFrames frames = FaceFrames(mesh);
+  return OneFormConstraintsOnFaces(mesh, frames, RandomDirections(mesh, frames, count, seed));
+}
+
+/// A vertex whose faces lie in one plane.
+int FlatVertex(const TriangleMesh& mesh)
+{
+  const TangentFrames faces = FaceFrames(mesh);
+  const TangentFrames vertices = VertexFrames(mesh);
+  std::vector<bool> isFlat(mesh.NumberOfVertices(), true);
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    if (faces.N.row(TriangleMesh::FaceOf(h)).dot(vertices.N.row(mesh.Tail(h))) < 1.0 - 1e-12)
+    {
+      isFlat[mesh.Tail(h)] = false;
+    }
+  }
+  return static_cast<int>(std::find(isFlat.begin(), isFlat.end(), true) - isFlat.begin());
 }
 
 /// The stated energy of a form.
@@ -177,7 +172,8 @@ TEST(OneFormSystem, DoesNotDependOnTheNumbering)
   const TriangleMesh mesh = surface.Mesh();
   const Relabelled relabelled = Relabel(surface, 6);
   const TriangleMesh other = relabelled.Result.Mesh();
-  const std::vector<PrescribedDirection> directions = RandomDirections(mesh, 5, 7);
+  const std::vector<PrescribedDirection> directions =
+    RandomDirections(mesh, FaceFrames(mesh), 5, 7);
   std::vector<PrescribedDirection> otherDirections = directions;
   for (PrescribedDirection& direction : otherDirections)
   {
@@ -247,16 +243,17 @@ TEST(OneFormConstraints, OfFacesAverageOnCommonEdges)
 TEST(OneFormConstraints, OfVerticesHoldTheEdgesAround)
 {
   const TriangleMesh mesh = PlaneGrid(4, 4).Mesh();
-  const TangentFrames frames = VertexFrames(mesh);
+  const TangentFrames faces = FaceFrames(mesh);
+  const TangentFrames vertices = VertexFrames(mesh);
   const Vector3 x(1.0, 0.0, 0.0);
   const OneFormConstraints one =
-    OneFormConstraintsAtVertices(mesh, frames, { { 12, x, 2.0 } }); // the middle, with six edges
+    OneFormConstraintsAtVertices(mesh, faces, vertices, { { 12, x, 2.0 } }); // has six edges
   ASSERT_EQ(one.Prescribed.Edges.size(), 6u);
   EXPECT_EQ(one.Prescribed.Weights[0], 1.0);
   EXPECT_NEAR(one.Values.cwiseAbs().sum(), 4.0, 1e-14);
   // Two neighbours, x and 3 x: the edge between is prescribed in full, by the trapezoidal rule.
   const OneFormConstraints two =
-    OneFormConstraintsAtVertices(mesh, frames, { { 13, 3.0 * x, 1.0 }, { 12, x, 1.0 } });
+    OneFormConstraintsAtVertices(mesh, faces, vertices, { { 13, 3.0 * x, 1.0 }, { 12, x, 1.0 } });
   ASSERT_EQ(two.Prescribed.Edges.size(), 11u);
   int full = 0;
   for (std::size_t b = 0; b < two.Prescribed.Edges.size(); ++b)
@@ -275,6 +272,80 @@ TEST(OneFormConstraints, OfVerticesHoldTheEdgesAround)
   EXPECT_EQ(full, 1);
 }
 
+// On a roof, a direction at the ridge is carried into both sides: along the ridge as it is, across it
+// up one side and down the other, with its length.
+TEST(OneFormConstraints, OfVerticesAreNotShortenedByCreases)
+{
+  Surface roof = PlaneGrid(2, 2);
+  for (int i = 0; i < roof.V.rows(); ++i)
+  {
+    roof.V(i, 2) = -std::abs(roof.V(i, 0) - 1.0);
+  }
+  const TriangleMesh mesh = roof.Mesh();
+  const int ridge = 4; // the middle
+  const Vector3 along(0.0, 2.0, 0.0);
+  const Vector3 across(3.0, 0.0, 0.0);
+  const OneFormConstraints constraints = OneFormConstraintsAtVertices(
+    mesh, FaceFrames(mesh), VertexFrames(mesh), { { ridge, along + across, 1.0 } });
+  ASSERT_EQ(constraints.Prescribed.Edges.size(), 6u);
+  for (std::size_t b = 0; b < constraints.Prescribed.Edges.size(); ++b)
+  {
+    const auto [tail, head] = mesh.EdgeVertices(constraints.Prescribed.Edges[b]);
+    const Vector3 edge = mesh.Position(head) - mesh.Position(tail);
+    EXPECT_NEAR(constraints.Values[b], 2.0 * edge.y() + 3.0 * std::sqrt(2.0) * edge.x(), 1e-14);
+    EXPECT_EQ(constraints.Prescribed.Weights[b], 0.5);
+  }
+}
+
+// One vertex is enough for a field: on a flat torus, the parallel one.
+TEST(OneFormConstraints, OfOneVertexFillAFlatTorus)
+{
+  const TriangleMesh mesh = FlatTorus(8, 2).Mesh();
+  const TangentFrames faces = FaceFrames(mesh);
+  const TangentFrames vertices = VertexFrames(mesh);
+  const int inside = FlatVertex(mesh);
+  ASSERT_LT(inside, mesh.NumberOfVertices());
+  const Vector3 v = vertices.ToVector(inside, { 0.6, 0.8 });
+  for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
+  {
+    const Vector<double> form = SolveForm(mesh,
+      OneFormConstraintsAtVertices(mesh, faces, vertices, { { inside, v, 1.0 } }), Weights(kind));
+    const Points field = WhitneyAtFaces(mesh, form);
+    EXPECT_LT((field.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-10);
+    const int face = TriangleMesh::FaceOf(mesh.OutgoingHalfedge(inside));
+    EXPECT_LT((field.row(face) - v.transpose()).norm(), 1e-10);
+  }
+}
+
+TEST(OneFormConstraints, OfFacesAndVerticesJoin)
+{
+  const TriangleMesh mesh = PlaneGrid(3, 3).Mesh();
+  const TangentFrames faces = FaceFrames(mesh);
+  const TangentFrames vertices = VertexFrames(mesh);
+  const Vector3 x(1.0, 0.0, 0.0);
+  const Vector3 y(0.0, 1.0, 0.0);
+  const int vertex = mesh.FaceCorners()(8, 0);
+  const OneFormConstraints a = OneFormConstraintsOnFaces(mesh, faces, { { 8, x, 1.0 } });
+  const OneFormConstraints b =
+    OneFormConstraintsAtVertices(mesh, faces, vertices, { { vertex, y, 3.0 } });
+  const OneFormConstraints both = Joined(a, b);
+  const auto spread = [&mesh](const OneFormConstraints& constraints)
+  {
+    Vector<double> weights = Vector<double>::Zero(mesh.NumberOfEdges());
+    Vector<double> moments = weights;
+    for (std::size_t i = 0; i < constraints.Prescribed.Edges.size(); ++i)
+    {
+      const int edge = constraints.Prescribed.Edges[i];
+      weights[edge] = constraints.Prescribed.Weights[i];
+      moments[edge] = constraints.Prescribed.Weights[i] * constraints.Values[i];
+    }
+    return std::pair(weights, moments);
+  };
+  EXPECT_EQ(spread(both).first, spread(a).first + spread(b).first);
+  EXPECT_LT((spread(both).second - spread(a).second - spread(b).second).norm(), 1e-14);
+  EXPECT_EQ(both.Prescribed.Edges.size(), 7u); // six at the vertex, two of which the face shares
+}
+
 TEST(OneFormConstraints, RefuseWhatHasNoDirection)
 {
   const TriangleMesh mesh = PlaneGrid(2, 2).Mesh();
@@ -289,13 +360,13 @@ TEST(OneFormConstraints, RefuseWhatHasNoDirection)
     EXPECT_THROW(OneFormConstraintsOnFaces(
                    mesh, faces, { { 1, direction, weight } }),
       InvalidInput);
-    EXPECT_THROW(OneFormConstraintsAtVertices(
-                   mesh, vertices, { { 1, direction, weight } }),
+    EXPECT_THROW(
+      OneFormConstraintsAtVertices(mesh, faces, vertices, { { 1, direction, weight } }),
       InvalidInput);
   }
+  EXPECT_THROW(OneFormConstraintsOnFaces(mesh, faces, { { 8, x, 1.0 } }), InvalidInput);
   EXPECT_THROW(
-    OneFormConstraintsOnFaces(mesh, faces, { { 8, x, 1.0 } }),
-    InvalidInput);
+    OneFormConstraintsAtVertices(mesh, faces, vertices, { { 9, x, 1.0 } }), InvalidInput);
 }
 
 TEST(OneFormSystem, RefusesWhatItCannotSolve)

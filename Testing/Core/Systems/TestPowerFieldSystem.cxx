@@ -1,5 +1,6 @@
 #include "Systems/PowerFieldSystem.h"
 
+#include "Prescriptions.h"
 #include "Operators/PowerFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
@@ -18,15 +19,6 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-FieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double alignment = 1.0)
-{
-  FieldWeights weights;
-  weights.Smoothness = smoothness;
-  weights.Alignment = alignment;
-  weights.Constraints = kind;
-  return weights;
-}
-
 Vector<Complex> SolveField(const TriangleMesh& mesh, const TangentFrames& frames, int N,
   const PowerConstraints& constraints, const FieldWeights& weights)
 {
@@ -34,22 +26,6 @@ Vector<Complex> SolveField(const TriangleMesh& mesh, const TangentFrames& frames
     MakePowerFieldSystem(mesh, frames, N, constraints.Prescribed, weights);
   return system.Expand(
     SolveByLU(system.Matrix(), system.RightHandSide(constraints.Values)), constraints.Values);
-}
-
-/// Directions as vectors in space, for comparisons that do not depend on frames.
-std::vector<PrescribedDirection> RandomDirections(
-  const TriangleMesh& mesh, const TangentFrames& frames, int count, unsigned seed)
-{
-  Random random(seed);
-  std::vector<PrescribedDirection> directions;
-  for (int i = 0; i < count; ++i)
-  {
-    const int face = random.Index(mesh.NumberOfFaces());
-    directions.push_back({ face,
-      frames.ToVector(face, std::polar(random.Uniform(0.5, 2.0), random.Uniform(-3.0, 3.0))),
-      random.Uniform(0.5, 2.0) });
-  }
-  return directions;
 }
 
 TEST(PowerFieldSystem, IsItsStatedEnergy)
