@@ -36,15 +36,13 @@
 #include "Benchmarks/Peers/IncompleteCholeskyPeer.h"
 #include "Benchmarks/Peers/RealForm.h"
 #include "Benchmarks/Prescriptions.h"
+#include "Benchmarks/Systems.h"
 #include "Benchmarks/Timing.h"
 #include "HarmonicField.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Support/MeshFactory.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
-#include "Systems/FaceFieldSystem.h"
-#include "Systems/OneFormSystem.h"
-#include "Systems/PowerFieldSystem.h"
 
 #include <cstring>
 #include <functional>
@@ -124,27 +122,6 @@ ProlongationOperators SetUp(const Workplace& place)
   return BuildSurfaceHierarchy(
     place.Mesh, HierarchyOptions(), place.Context, OperatorSelection{ false, false, false })
     .Operators;
-}
-
-template <class Scalar>
-HarmonicSystem<Scalar> MakeSystem(const TriangleMesh& mesh, const TangentFrames& frames,
-  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
-{
-  const FieldWeights weights = { options.Smoothness, options.Alignment, options.Constraints };
-  const auto& [elements, elementWeights, values] = constraints;
-  if constexpr (std::is_same<Scalar, Complex>::value)
-  {
-    return MakePowerFieldSystem(
-      mesh, frames, options.N, { elements, elementWeights }, weights, context);
-  }
-  else if (options.Kind == Discretisation::OneForm)
-  {
-    return MakeOneFormSystem(mesh, { elements, elementWeights }, weights, context, options.Areas);
-  }
-  else
-  {
-    return MakeFaceFieldSystem(mesh, frames, { elements, elementWeights }, weights, context);
-  }
 }
 
 template <class Scalar>
@@ -684,13 +661,23 @@ public:
     const bool agrees = !(converged && difference > LargestDifference);
     this->AllAgree = this->AllAgree && agrees;
     const auto& [setup, assembly, prepare, solve] = row.Seconds;
+    char held[8] = "-";
+    if (!std::isnan(row.Held))
+    {
+      std::snprintf(held, sizeof(held), "%.0f", row.Held);
+    }
+    char differs[16] = "-";
+    if (!std::isnan(difference))
+    {
+      std::snprintf(differs, sizeof(differs), "%.1e", difference);
+    }
     this->File.Row(surface, row.Faces, kind, regime, row.Unknowns, solver, row.Runs, setup, assembly,
       prepare, solve, row.Total(), row.Bare(), row.Iterations, row.Residual, difference, row.Held,
       row.Peak, row.Process, measured.Note);
-    std::printf("%-20.20s %-10s %-5s %-20s %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f %5d %6.0f %6.0f %6.0f  "
-                "%.1e%s %s\n",
+    std::printf("%-20.20s %-10s %-5s %-20s %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f %5d %6s %6.0f %6.0f  "
+                "%s%s %s\n",
       surface, kind.c_str(), regime, solver.c_str(), setup, assembly, prepare, solve, row.Total(),
-      row.Bare(), row.Iterations, row.Held, row.Peak, row.Process, difference,
+      row.Bare(), row.Iterations, held, row.Peak, row.Process, differs,
       agrees ? "" : " DIFFERS", measured.Note.c_str());
     std::fflush(stdout);
   }
