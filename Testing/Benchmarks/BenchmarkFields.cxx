@@ -3,13 +3,14 @@
 //   BenchmarkFields [--out folder] [--runs n] [--threads n] [--limit seconds]
 //     [--discretisation name] [--solver name] (--short | surface.ply ...)
 //   BenchmarkFields [--out folder] [--threads n] (--iterations-only | --robustness)
-//     (--short | surface.ply ...)
+//     [--discretisation name] (--short | surface.ply ...)
 //
-//   fields.csv      every solver to a relative residual of 1e-8, with 20 prescribed elements, as a
-//                   person draws, and 0.5 % of them
+//   fields.csv      every solver to a relative residual of 1e-8, with 20 prescribed elements, as
+//                   a person draws, and 0.5 % of them
 //   resolves.csv    what a second solve takes: one value moved, other weights, another set
-//   iterations.csv  ours alone, for N = 1, 2, 4, 6 and other numbers of elements (--iterations-only), or
-//                   for weights of alignment over twelve orders of magnitude (--robustness)
+//   iterations.csv  ours alone, for N = 1, 2, 4, 6 and other numbers of elements
+//                   (--iterations-only), or for weights of alignment over twelve orders of
+//                   magnitude (--robustness)
 //
 // The columns of fields.csv, in seconds, medians of the runs:
 //   setup     levels and the operators that the solver needs, from the bare mesh; ours only
@@ -18,14 +19,14 @@
 //   solve     to the tolerance
 //   total     prepare + solve: operators at hand
 //   bare      all four: from the bare mesh
-// and in MB: held by the solver, its peak beyond mesh, operators and peers' matrix, and the peak of the
-// process. Each solver runs in a process of its own, so that memory can be counted and a peer be stopped
-// that takes longer than the limit; one that takes long is measured once. difference is
-// |x - y| / |y| to CHOLMOD's y. The program fails if a solver that claims to have converged differs by
-// more than 1e-6.
+// and in MB: held by the solver, its peak beyond mesh, operators and peers' matrix, and the peak
+// of the process. Each solver runs in a process of its own, so that memory can be counted and a
+// peer be stopped that takes longer than the limit; one that takes long is measured once.
+// difference is |x - y| / |y| to CHOLMOD's y. The program fails if a solver that has converged
+// differs by more than 1e-6.
 //
-// --discretisation and --solver restrict the run to names that contain the word. --short does all of it
-// on a small surface that it makes.
+// --discretisation and --solver restrict the run to names that contain the word. --short does all
+// of it on a small surface that it makes.
 
 #include "Benchmarks/CommandLine.h"
 #include "Benchmarks/Csv.h"
@@ -56,7 +57,8 @@ namespace
 {
 
 constexpr double Tolerance = 1e-8;
-constexpr double LoosenedTolerance = 1e-3; // of a solution that is followed while a constraint moves
+constexpr double LoosenedTolerance =
+  1e-3; // of a solution that is followed while a constraint moves
 constexpr double LargestDifference = 1e-6;
 constexpr double LongRun = 20.0; // seconds
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
@@ -267,7 +269,7 @@ static_assert(std::is_trivially_copyable<Row>::value, "it goes through a pipe as
 struct Measured
 {
   Row Numbers;
-  std::string Note;        ///< why it did not get there, or empty
+  std::string Note; ///< why it did not get there, or empty
   Vector<double> Solution; ///< all unknowns; empty if there is none
 
   std::string Pack() const
@@ -318,26 +320,34 @@ Measured MeasureOurs(const Job& job, const Options& options)
   Row& row = measured.Numbers;
   row.Faces = place.Mesh.NumberOfFaces();
   std::optional<FieldProblem> problem;
-  MeasureRuns(options.Runs, row, [&](Row::Times& seconds) {
-    problem.reset();
-    TangentFrames frames;
-    ProlongationOperators operators;
-    seconds[Row::Setup] = Seconds([&] {
-      frames = FaceFrames(place.Mesh, place.Context);
-      operators = SetUp(place);
+  MeasureRuns(options.Runs, row,
+    [&](Row::Times& seconds)
+    {
+      problem.reset();
+      TangentFrames frames;
+      ProlongationOperators operators;
+      seconds[Row::Setup] = Seconds(
+        [&]
+        {
+          frames = FaceFrames(place.Mesh, place.Context);
+          operators = SetUp(place);
+        });
+      const PeakMemory memory;
+      seconds[Row::Prepare] = Seconds(
+        [&]
+        {
+          problem.emplace(
+            place.Mesh, frames, &operators, place.Constraints, place.Field, place.Context);
+        });
+      seconds[Row::Solve] = Seconds(
+        [&]
+        {
+          measured.Solution =
+            problem->Solve(place.Constraints.Values, {}, { Tolerance, 1000 }, place.Context);
+        });
+      row.Peak = memory.Growth();
+      row.Process = memory.OfProcess();
     });
-    const PeakMemory memory;
-    seconds[Row::Prepare] = Seconds([&] {
-      problem.emplace(
-        place.Mesh, frames, &operators, place.Constraints, place.Field, place.Context);
-    });
-    seconds[Row::Solve] = Seconds([&] {
-      measured.Solution =
-        problem->Solve(place.Constraints.Values, {}, { Tolerance, 1000 }, place.Context);
-    });
-    row.Peak = memory.Growth();
-    row.Process = memory.OfProcess();
-  });
   const SolveReport& report = problem->Report();
   row.Unknowns = static_cast<int>(measured.Solution.size());
   row.Iterations = report.Iterations.back().Iteration;
@@ -357,29 +367,33 @@ Measured MeasurePeer(const Job& job, const std::string& name, const Options& opt
   const Vector<Scalar> values = ValuesOf<Scalar>(place.Constraints);
   std::unique_ptr<peers::Peer<Scalar>> peer;
   std::optional<HarmonicSystem<Scalar>> system;
-  MeasureRuns(options.Runs, row, [&](Row::Times& seconds) {
-    peer.reset();
-    TangentFrames frames;
-    seconds[Row::Assembly] = Seconds([&] {
-      frames = FaceFrames(place.Mesh, place.Context);
-      system.emplace(MakeSystem<Scalar>(
-        place.Mesh, frames, place.Constraints, place.Field, place.Context));
-    });
-    const Vector<Scalar> b = system->RightHandSide(values);
-    peer = NewPeer(name, place, frames, *system);
-    if (!peer)
+  MeasureRuns(options.Runs, row,
+    [&](Row::Times& seconds)
     {
-      throw SolverFailure("not built");
-    }
-    Vector<Scalar> x;
-    const PeakMemory memory;
-    seconds[Row::Prepare] = Seconds([&] { peer->Prepare(system->Matrix()); });
-    seconds[Row::Solve] = Seconds([&] { row.Iterations = peer->Solve(b, Tolerance, x); });
-    row.Peak = memory.Growth();
-    row.Process = memory.OfProcess();
-    row.Residual = (b - system->Matrix() * x).norm() / b.norm();
-    measured.Solution = AsReal(system->Expand(x, values));
-  });
+      peer.reset();
+      TangentFrames frames;
+      seconds[Row::Assembly] = Seconds(
+        [&]
+        {
+          frames = FaceFrames(place.Mesh, place.Context);
+          system.emplace(
+            MakeSystem<Scalar>(place.Mesh, frames, place.Constraints, place.Field, place.Context));
+        });
+      const Vector<Scalar> b = system->RightHandSide(values);
+      peer = NewPeer(name, place, frames, *system);
+      if (!peer)
+      {
+        throw SolverFailure("not built");
+      }
+      Vector<Scalar> x;
+      const PeakMemory memory;
+      seconds[Row::Prepare] = Seconds([&] { peer->Prepare(system->Matrix()); });
+      seconds[Row::Solve] = Seconds([&] { row.Iterations = peer->Solve(b, Tolerance, x); });
+      row.Peak = memory.Growth();
+      row.Process = memory.OfProcess();
+      row.Residual = (b - system->Matrix() * x).norm() / b.norm();
+      measured.Solution = AsReal(system->Expand(x, values));
+    });
   row.Unknowns = static_cast<int>(measured.Solution.size());
   row.Held = peer->Bytes() > 0 ? 1e-6 * static_cast<double>(peer->Bytes()) : None;
   return measured;
@@ -387,13 +401,14 @@ Measured MeasurePeer(const Job& job, const std::string& name, const Options& opt
 
 Measured Measure(const Job& job, const std::string& solver, const Options& options)
 {
-  const ProcessOutcome outcome = InOwnProcess(options.Limit, [&] {
-    const Measured measured = solver == Ours ? MeasureOurs(job, options)
-      : job.Field.Kind == Discretisation::PowerField
-      ? MeasurePeer<Complex>(job, solver, options)
-      : MeasurePeer<double>(job, solver, options);
-    return measured.Pack();
-  });
+  const ProcessOutcome outcome = InOwnProcess(options.Limit,
+    [&]
+    {
+      const Measured measured = solver == Ours         ? MeasureOurs(job, options)
+        : job.Field.Kind == Discretisation::PowerField ? MeasurePeer<Complex>(job, solver, options)
+                                                       : MeasurePeer<double>(job, solver, options);
+      return measured.Pack();
+    });
   if (!outcome.Failure.empty())
   {
     Measured measured;
@@ -405,7 +420,8 @@ Measured Measure(const Job& job, const std::string& solver, const Options& optio
 
 // What a second solve takes -----------------------------------------------------------------------
 
-/// Names are literals, which stand at the same place in every process that starts as a copy of another.
+/// Names are literals, which stand at the same place in every process that starts as a copy of
+/// another.
 struct Resolve
 {
   const char* Change;
@@ -413,14 +429,14 @@ struct Resolve
   double Prepare;
   double Solve;
   int Iterations;
-  double Residual;      ///< |b - A x| / |b|
-  double Error;         ///< |x - y| / |y|, y the new solution
+  double Residual; ///< |b - A x| / |b|
+  double Error; ///< |x - y| / |y|, y the new solution
   double ErrorOfChange; ///< |x - y| / |y - z|, z the old one
 };
 static_assert(std::is_trivially_copyable<Resolve>::value, "it goes through a pipe as it is");
 
-/// Other weights or another set of prescribed elements on the same surface. The problem is made anew;
-/// its set-up stays.
+/// Other weights or another set of prescribed elements on the same surface. The problem is made
+/// anew; its set-up stays.
 void ChangeSystem(std::optional<FieldProblem>& problem, const Workplace& place,
   const TangentFrames& frames, const ProlongationOperators& operators,
   const FieldConstraints& constraints, const FieldOptions& field)
@@ -530,8 +546,8 @@ private:
         const double limit = tolerance;
         seconds.push_back(Seconds([&] { x = this->Solve(values, this->Old, limit); }));
       }
-      this->Append("value", name, 0.0, Median(seconds), this->LastIteration(), this->System, values,
-        x, exact);
+      this->Append(
+        "value", name, 0.0, Median(seconds), this->LastIteration(), this->System, values, x, exact);
     }
   }
 
@@ -547,16 +563,15 @@ private:
       prepare.push_back(Seconds([&] { this->Cholesky.Update(system.Matrix()); }));
       solve.push_back(Seconds([&] { exact = this->SolveExactly(system, constraints.Values); }));
     }
-    this->Append(change, "CHOLMOD, numeric factorisation", Median(prepare), Median(solve), 0, system,
-      constraints.Values, exact, exact);
+    this->Append(change, "CHOLMOD, numeric factorisation", Median(prepare), Median(solve), 0,
+      system, constraints.Values, exact, exact);
     prepare.clear();
     solve.clear();
     Vector<double> x;
     for (int run = 0; run < this->Runs; ++run)
     {
       prepare.push_back(Seconds([&] { this->MakeProblem(constraints, field); }));
-      solve.push_back(
-        Seconds([&] { x = this->Solve(constraints.Values, this->Old, Tolerance); }));
+      solve.push_back(Seconds([&] { x = this->Solve(constraints.Values, this->Old, Tolerance); }));
     }
     this->Append(change, "ours, warm, to 1e-8", Median(prepare), Median(solve),
       this->LastIteration(), system, constraints.Values, x, exact);
@@ -568,9 +583,9 @@ private:
     const HarmonicSystem<Scalar>& system, const Vector<double>& values, const Vector<double>& x,
     const Vector<double>& exact)
   {
-    this->Rows.push_back({ change, solver, prepare, solve, iterations,
-      this->ResidualOf(system, values, x), RelativeDifference(x, exact),
-      (x - exact).norm() / (exact - this->OldExact).norm() });
+    this->Rows.push_back(
+      { change, solver, prepare, solve, iterations, this->ResidualOf(system, values, x),
+        RelativeDifference(x, exact), (x - exact).norm() / (exact - this->OldExact).norm() });
   }
 
   const Workplace Place;
@@ -587,13 +602,14 @@ private:
 
 std::vector<Resolve> MeasureResolves(const Job& job, const Options& options, std::string& failure)
 {
-  const ProcessOutcome outcome = InOwnProcess(options.Limit, [&] {
-    const std::vector<Resolve> rows = job.Field.Kind == Discretisation::PowerField
-      ? ResolveMeasurement<Complex>(job, options).Measure()
-      : ResolveMeasurement<double>(job, options).Measure();
-    return std::string(
-      reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Resolve));
-  });
+  const ProcessOutcome outcome = InOwnProcess(options.Limit,
+    [&]
+    {
+      const std::vector<Resolve> rows = job.Field.Kind == Discretisation::PowerField
+        ? ResolveMeasurement<Complex>(job, options).Measure()
+        : ResolveMeasurement<double>(job, options).Measure();
+      return std::string(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Resolve));
+    });
   failure = outcome.Failure;
   std::vector<Resolve> rows(outcome.Result.size() / sizeof(Resolve));
   std::memcpy(rows.data(), outcome.Result.data(), outcome.Result.size());
@@ -635,8 +651,8 @@ public:
         "total,bare,iterations,residual,difference,held_mb,peak_mb,process_mb,note")
   {
     std::printf("%-20s %-10s %-5s %-20s %7s %7s %7s %7s %7s %7s %5s %6s %6s %6s  %s\n", "surface",
-      "discret.", "presc", "solver", "setup", "assem.", "prepare", "solve", "total", "bare", "iter.",
-      "held", "peak", "proc.", "difference");
+      "discret.", "presc", "solver", "setup", "assem.", "prepare", "solve", "total", "bare",
+      "iter.", "held", "peak", "proc.", "difference");
   }
 
   void Append(const Job& job, const std::string& solver, const Measured& measured,
@@ -647,8 +663,8 @@ public:
     const char* const regime = job.Prescribed.Name.c_str();
     if (measured.Solution.size() == 0)
     {
-      this->File.Row(surface, None, kind, regime, None, solver, 0, None, None, None, None, None, None,
-        None, None, None, None, None, None, measured.Note);
+      this->File.Row(surface, None, kind, regime, None, solver, 0, None, None, None, None, None,
+        None, None, None, None, None, None, None, measured.Note);
       std::printf("%-20.20s %-10s %-5s %-20s %s\n", surface, kind.c_str(), regime, solver.c_str(),
         measured.Note.c_str());
       std::fflush(stdout);
@@ -671,14 +687,15 @@ public:
     {
       std::snprintf(differs, sizeof(differs), "%.1e", difference);
     }
-    this->File.Row(surface, row.Faces, kind, regime, row.Unknowns, solver, row.Runs, setup, assembly,
-      prepare, solve, row.Total(), row.Bare(), row.Iterations, row.Residual, difference, row.Held,
-      row.Peak, row.Process, measured.Note);
-    std::printf("%-20.20s %-10s %-5s %-20s %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f %5d %6s %6.0f %6.0f  "
-                "%s%s %s\n",
+    this->File.Row(surface, row.Faces, kind, regime, row.Unknowns, solver, row.Runs, setup,
+      assembly, prepare, solve, row.Total(), row.Bare(), row.Iterations, row.Residual, difference,
+      row.Held, row.Peak, row.Process, measured.Note);
+    std::printf(
+      "%-20.20s %-10s %-5s %-20s %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f %5d %6s %6.0f %6.0f  "
+      "%s%s %s\n",
       surface, kind.c_str(), regime, solver.c_str(), setup, assembly, prepare, solve, row.Total(),
-      row.Bare(), row.Iterations, held, row.Peak, row.Process, differs,
-      agrees ? "" : " DIFFERS", measured.Note.c_str());
+      row.Bare(), row.Iterations, held, row.Peak, row.Process, differs, agrees ? "" : " DIFFERS",
+      measured.Note.c_str());
     std::fflush(stdout);
   }
 
@@ -704,8 +721,8 @@ public:
     for (const Resolve& row : rows)
     {
       const std::string kind = NameOf(job.Field.Kind);
-      this->File.Row(job.Surface.Name, kind, job.Prescribed.Name, row.Change, row.Solver, row.Prepare,
-        row.Solve, row.Iterations, row.Residual, row.Error, row.ErrorOfChange);
+      this->File.Row(job.Surface.Name, kind, job.Prescribed.Name, row.Change, row.Solver,
+        row.Prepare, row.Solve, row.Iterations, row.Residual, row.Error, row.ErrorOfChange);
       std::printf("%-20.20s %-10s %-5s changed %-14s %-30s %7.3f + %7.3f %4d  residual %.1e, error "
                   "%.1e, of the change %.1e\n",
         job.Surface.Name.c_str(), kind.c_str(), job.Prescribed.Name.c_str(), row.Change, row.Solver,
@@ -765,9 +782,10 @@ public:
   }
 
   /// One line of counts; a count in brackets stands for a solve that did not converge.
-  void Append(const Source& surface, const TriangleMesh& mesh, const ProlongationOperators& operators,
-    const FieldOptions& field, const std::vector<Regime>& regimes,
-    const std::vector<double>& alignments, const ExecutionContext& context)
+  void Append(const Source& surface, const TriangleMesh& mesh,
+    const ProlongationOperators& operators, const FieldOptions& field,
+    const std::vector<Regime>& regimes, const std::vector<double>& alignments,
+    const ExecutionContext& context)
   {
     const TangentFrames frames = FaceFrames(mesh, context);
     std::printf("%-26s %8d %-10s %d ", surface.Name.c_str(), mesh.NumberOfFaces(),
@@ -872,7 +890,7 @@ int main(int argc, char* argv[])
   const bool isShort = words.Take("--short");
   if (isShort)
   {
-    surfaces.push_back({ "torus", [] { return test::IrregularTorus(96, 40, 7).Mesh(); } });
+    surfaces.push_back({ "torus", [] { return test::IrregularTorus(64, 28, 7).Mesh(); } });
   }
   for (const std::string& path : words.Paths())
   {

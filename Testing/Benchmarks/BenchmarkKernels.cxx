@@ -1,16 +1,18 @@
-// The kernels of a solve beside the machine's memory bandwidth: the product of conjugate gradients and
-// the smoother of every level, in GB/s and as a share of a copy or triad of the same run.
+// The kernels of a solve beside the machine's memory bandwidth: the product of conjugate gradients
+// and the smoother of every level, in GB/s and as a share of a copy or triad of the same run.
 //
 //   BenchmarkKernels [--out folder] [--runs n] [--threads n] (--short | surface.ply ...)
 //
-// Writes kernels.csv. The matrices are those of the default solver with 0.5 % of the elements prescribed:
-// nodal levels, sorted by colours and in single precision, as its cycles have them, and the system's own
-// in double precision. Each row stands for 1 thread, then for --threads of them.
+// Writes kernels.csv. The matrices are those of the default solver with 0.5 % of the elements
+// prescribed: nodal levels, sorted by colours and in single precision, as its cycles have them (in
+// double precision, too, for comparison), and the system's own. Everything is measured with 1
+// thread, then with --threads of them.
 //
 // Bytes are what an algorithm must read and write if every array passes once per sweep through the
-// caches: values, columns and offsets of the rows, and each vector that it reads or writes. Copy and triad
-// are counted the same way (a write is one pass), on arrays of 64 MB; the better of them is 100 %. Levels
-// that fit into the caches exceed it. Seconds are the best of the runs: bandwidth is a limit.
+// caches: values, columns and offsets of the rows, and each vector that it reads or writes. Copy
+// and triad are counted the same way (a write is one pass), on arrays of 64 MB; the better of them
+// is 100 %. Levels that fit into the caches exceed it. Seconds are the best of the runs: bandwidth
+// is a limit.
 
 #include "Benchmarks/CommandLine.h"
 #include "Benchmarks/Csv.h"
@@ -65,17 +67,23 @@ double StreamBandwidth(int runs, const ExecutionContext& context)
   const Vector<double> b = Vector<double>::Random(size);
   const Vector<double> c = Vector<double>::Random(size);
   Vector<double> a = Vector<double>::Zero(size);
-  const double copy = Fastest(runs, [&] {
-    context.ParallelFor(0, size, grain, [&a, &b](int first, int last) {
-      a.segment(first, last - first) = b.segment(first, last - first);
+  const double copy = Fastest(runs,
+    [&]
+    {
+      context.ParallelFor(0, size, grain,
+        [&a, &b](int first, int last)
+        { a.segment(first, last - first) = b.segment(first, last - first); });
     });
-  });
-  const double triad = Fastest(runs, [&] {
-    context.ParallelFor(0, size, grain, [&a, &b, &c](int first, int last) {
-      const int count = last - first;
-      a.segment(first, count) = b.segment(first, count) + 3.0 * c.segment(first, count);
+  const double triad = Fastest(runs,
+    [&]
+    {
+      context.ParallelFor(0, size, grain,
+        [&a, &b, &c](int first, int last)
+        {
+          const int count = last - first;
+          a.segment(first, count) = b.segment(first, count) + 3.0 * c.segment(first, count);
+        });
     });
-  });
   const double array = 1e-9 * sizeof(double) * size;
   std::printf("%d threads: copy %.1f GB/s, triad %.1f GB/s\n", context.NumberOfThreads(),
     2.0 * array / copy, 3.0 * array / triad);
@@ -129,8 +137,8 @@ private:
 };
 
 template <class Scalar>
-void MeasureProduct(const SparseMatrix<Scalar>& A, int runs, KernelsTable& table,
-  const ExecutionContext& context)
+void MeasureProduct(
+  const SparseMatrix<Scalar>& A, int runs, KernelsTable& table, const ExecutionContext& context)
 {
   const Vector<Scalar> x = Vector<Scalar>::Random(A.cols());
   Vector<Scalar> y(A.rows());
@@ -160,8 +168,8 @@ void MeasureSmoother(GalerkinHierarchy<Scalar>& hierarchy, const std::string& pr
     const auto smoother = Smoother<Value>::New(level.A, options, context);
     level.b.setRandom();
     Vector<Value> r(level.b.size());
-    // From zero the first sweep reads b and writes x; the others read b, read and write x, and write
-    // what lies right of the diagonal, r; the last step reads x, and reads and writes r.
+    // From zero the first sweep reads b and writes x; the others read b, read and write x, and
+    // write what lies right of the diagonal, r; the last step reads x, and reads and writes r.
     const double before = Sweeps * matrix + (2.0 + 4.0 * (Sweeps - 1) + 3.0) * vector;
     table.Append("pre-smoother, " + precision, l, rows, nonZeros, before,
       Fastest(runs, [&] { smoother->PreSmooth(level.b, level.x, r, context); }));
@@ -206,7 +214,8 @@ void MeasureSystem(const TriangleMesh& mesh, const TangentFrames& frames,
   const ProlongationOperators& operators, const FieldOptions& field, int runs, KernelsTable& table,
   const ExecutionContext& context)
 {
-  using Single = std::conditional_t<std::is_same<Scalar, Complex>::value, std::complex<float>, float>;
+  using Single =
+    std::conditional_t<std::is_same<Scalar, Complex>::value, std::complex<float>, float>;
   test::Random random(20261121);
   const FieldConstraints constraints =
     RandomConstraints(mesh, field.Kind, { "0.5 %", 0, 0.005 }, random);
@@ -222,8 +231,8 @@ void MeasureSystem(const TriangleMesh& mesh, const TangentFrames& frames,
   MeasureSmoother<Scalar>(hierarchy, "double", runs, table, context);
 }
 
-void MeasureSurface(const std::string& name, const TriangleMesh& mesh, const Options& options,
-  KernelsTable& table)
+void MeasureSurface(
+  const std::string& name, const TriangleMesh& mesh, const Options& options, KernelsTable& table)
 {
   const test::TbbContext all(options.Threads);
   const TangentFrames frames = FaceFrames(mesh, all);
@@ -241,8 +250,8 @@ void MeasureSurface(const std::string& name, const TriangleMesh& mesh, const Opt
       field.Kind = kind;
       field.N = 2;
       table.Of = { name, mesh.NumberOfFaces(), NameOf(kind), threads, stream };
-      const auto measure = kind == Discretisation::PowerField ? &MeasureSystem<Complex>
-                                                              : &MeasureSystem<double>;
+      const auto measure =
+        kind == Discretisation::PowerField ? &MeasureSystem<Complex> : &MeasureSystem<double>;
       measure(mesh, frames, operators, field, options.Runs, table, context);
     }
     if (threads == options.Threads)
@@ -266,7 +275,8 @@ int main(int argc, char* argv[])
   if (words.HasUnknown() || paths.empty() != isShort || options.Runs < 1 || options.Threads < 1)
   {
     std::fprintf(stderr,
-      "usage: BenchmarkKernels [--out folder] [--runs n] [--threads n] (--short | surface.ply ...)\n");
+      "usage: BenchmarkKernels [--out folder] [--runs n] [--threads n] (--short | surface.ply "
+      "...)\n");
     return 2;
   }
   PrintMachine(options.Threads, options.Runs);

@@ -11,8 +11,8 @@
 namespace dmg::benchmarks
 {
 
-/// Counts the memory that this process touches from now on, as Linux accounts for it: everything, with
-/// the workspaces of a factorisation that nobody else tells of.
+/// Counts the memory that this process touches from now on, as Linux accounts for it: everything,
+/// with the workspaces of a factorisation that nobody else tells of.
 class PeakMemory
 {
 public:

@@ -31,13 +31,13 @@ inline std::string NameOf(Discretisation kind)
 struct Regime
 {
   std::string Name;
-  int Count;    ///< or, if 0,
+  int Count; ///< or, if 0,
   double Share; ///< of all elements
 
   int Of(int elements) const
   {
-    return std::min(
-      elements, this->Count > 0 ? this->Count : static_cast<int>(std::ceil(this->Share * elements)));
+    return std::min(elements,
+      this->Count > 0 ? this->Count : static_cast<int>(std::ceil(this->Share * elements)));
   }
 };
 

@@ -3,6 +3,7 @@
 #ifdef DMG_HAS_HYPRE
 
 #include "Benchmarks/Peers/IterativePeer.h"
+#include "Benchmarks/Peers/MpiAlone.h"
 #include "Support/Errors.h"
 
 #include <HYPRE.h>
@@ -35,6 +36,7 @@ public:
 private:
   Session()
   {
+    PrepareMpiForOneProcess();
     MPI_Init(nullptr, nullptr);
     HYPRE_Init();
   }
@@ -69,8 +71,8 @@ public:
     Check(HYPRE_IJMatrixSetObjectType(this->Matrix, HYPRE_PARCSR));
     Check(HYPRE_IJMatrixSetRowSizes(this->Matrix, sizes.data()));
     Check(HYPRE_IJMatrixInitialize(this->Matrix));
-    Check(HYPRE_IJMatrixSetValues(this->Matrix, rows, sizes.data(), numbers.data(),
-      A.innerIndexPtr(), A.valuePtr()));
+    Check(HYPRE_IJMatrixSetValues(
+      this->Matrix, rows, sizes.data(), numbers.data(), A.innerIndexPtr(), A.valuePtr()));
     Check(HYPRE_IJMatrixAssemble(this->Matrix));
   }
   ~HypreMatrix() { HYPRE_IJMatrixDestroy(this->Matrix); }
@@ -126,7 +128,9 @@ private:
 };
 
 /// A preconditioner of hypre in conjugate gradients.
-class HyprePeer : public Peer<double>, private Preconditioner<double>
+class HyprePeer
+  : public Peer<double>
+  , private Preconditioner<double>
 {
 public:
   HyprePeer() { Session::Begin(); }

@@ -15,8 +15,7 @@ namespace dmg::peers
 /// Complex numbers as pairs (real, imaginary), which they are in memory.
 inline Vector<double> RealForm(const Vector<Complex>& x)
 {
-  return Eigen::Map<const Vector<double>>(
-    reinterpret_cast<const double*>(x.data()), 2 * x.size());
+  return Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(x.data()), 2 * x.size());
 }
 inline Vector<Complex> ComplexForm(const Vector<double>& pairs)
 {
@@ -24,14 +23,16 @@ inline Vector<Complex> ComplexForm(const Vector<double>& pairs)
     reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
 }
 
-/// The matrix on pairs: an entry a + ib becomes the block (a, -b; b, a). A Hermitian matrix becomes a
-/// symmetric one with each eigenvalue twice.
+/// The matrix on pairs: an entry a + ib becomes the block (a, -b; b, a). A Hermitian matrix becomes
+/// a symmetric one with each eigenvalue twice.
 inline SparseMatrix<double> RealForm(const SparseMatrix<Complex>& A)
 {
   const int* const offsets = A.outerIndexPtr();
   const auto size = [offsets](int r) { return 2 * (offsets[r / 2 + 1] - offsets[r / 2]); };
   return FillRows<double>(2 * static_cast<int>(A.rows()), 2 * static_cast<int>(A.cols()),
-    SerialContext(), size, [&A, offsets](int r, int* columns, double* values) {
+    SerialContext(), size,
+    [&A, offsets](int r, int* columns, double* values)
+    {
       for (int k = offsets[r / 2]; k < offsets[r / 2 + 1]; ++k)
       {
         const Complex entry = A.valuePtr()[k];
