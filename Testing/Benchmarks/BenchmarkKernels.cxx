@@ -242,13 +242,13 @@ void MeasureSurface(
   for (int threads = 1;; threads = options.Threads)
   {
     const test::TbbContext context(threads);
-    const double stream = StreamBandwidth(options.Runs, context);
     for (const Discretisation kind :
       { Discretisation::OneForm, Discretisation::FaceField, Discretisation::PowerField })
     {
       FieldOptions field;
       field.Kind = kind;
       field.N = 2;
+      const double stream = StreamBandwidth(options.Runs, context); // near what it measures
       table.Of = { name, mesh.NumberOfFaces(), NameOf(kind), threads, stream };
       const auto measure =
         kind == Discretisation::PowerField ? &MeasureSystem<Complex> : &MeasureSystem<double>;
