@@ -5,13 +5,11 @@
 // Once with the operators of power fields (S0, SP, Nodal), once with all (S1 and SX as well).
 // With --grow, each surface is also cut 1:4 until it has a million faces: growth with size.
 
+#include "Benchmarks/CommandLine.h"
 #include "Benchmarks/Timing.h"
 #include "HarmonicField.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
-
-#include <cstdlib>
-#include <cstring>
 
 using namespace dmg;
 
@@ -49,28 +47,12 @@ int main(int argc, char* argv[])
 {
   int runs = 5;
   int threads = 2;
-  bool grow = false;
-  std::vector<std::string> paths;
-  for (int i = 1; i < argc; ++i)
-  {
-    if (!std::strcmp(argv[i], "--runs") && i + 1 < argc)
-    {
-      runs = std::atoi(argv[++i]);
-    }
-    else if (!std::strcmp(argv[i], "--threads") && i + 1 < argc)
-    {
-      threads = std::atoi(argv[++i]);
-    }
-    else if (!std::strcmp(argv[i], "--grow"))
-    {
-      grow = true;
-    }
-    else
-    {
-      paths.push_back(argv[i]);
-    }
-  }
-  if (paths.empty() || runs < 1 || threads < 1)
+  benchmarks::CommandLine words(argc, argv);
+  words.Take("--runs", runs);
+  words.Take("--threads", threads);
+  const bool grow = words.Take("--grow");
+  const std::vector<std::string> paths = words.Paths();
+  if (words.HasUnknown() || paths.empty() || runs < 1 || threads < 1)
   {
     std::fprintf(
       stderr, "usage: BenchmarkSetup [--runs n] [--threads n] [--grow] surface.ply ...\n");

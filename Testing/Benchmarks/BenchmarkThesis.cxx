@@ -19,20 +19,18 @@
 // Times are medians of the runs, in milliseconds. --short does all of it on two small surfaces that it
 // makes, with two numbers of sweeps.
 
+#include "Benchmarks/CommandLine.h"
+#include "Benchmarks/Csv.h"
+#include "Benchmarks/Prescriptions.h"
 #include "Benchmarks/ThesisTables.h"
 #include "Benchmarks/Timing.h"
 #include "HarmonicField.h"
 #include "Support/MeshFactory.h"
-#include "Support/Random.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
 
-#include <cmath>
-#include <cstdlib>
-#include <cstring>
 #include <functional>
 #include <optional>
-#include <set>
 
 using namespace dmg;
 using namespace dmg::benchmarks;
@@ -40,8 +38,7 @@ using namespace dmg::benchmarks;
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-constexpr double ShareOfPrescribed = 0.005;
+const Regime Prescribed = { "0.5 %", 0, 0.005 };
 constexpr double ErrorOfConvergence = 1e-3; // of tables 7.14 to 7.16
 constexpr int LargestNumberOfCycles = 150;
 constexpr int LargestNumberOfSweeps = 100; // per level, of nested iterations
@@ -54,38 +51,6 @@ struct Options
   bool Short = false;
   bool SolvesOnly = false; // the first table
   std::vector<std::string> Paths;
-};
-
-class Csv
-{
-public:
-  Csv(const std::string& path, const std::string& header)
-    : File(path)
-  {
-    this->File << header << "\n";
-  }
-
-  template <class... Cells>
-  void Row(const Cells&... cells)
-  {
-    const char* separator = "";
-    ((this->File << separator, this->Write(cells), separator = ","), ...);
-    this->File << "\n" << std::flush;
-  }
-
-private:
-  void Write(const std::string& text) { this->File << text; }
-  void Write(const char* text) { this->File << text; }
-  void Write(int number) { this->File << number; }
-  void Write(double number)
-  {
-    if (!std::isnan(number)) // the thesis has no number, or failed
-    {
-      this->File << number;
-    }
-  }
-
-  std::ofstream File;
 };
 
 struct Tables
@@ -110,16 +75,6 @@ struct Tables
   Csv Solves, Sweeps, Starts, Setup, Curves;
 };
 
-std::vector<int> Chosen(test::Random& random, int size)
-{
-  std::set<int> chosen;
-  while (static_cast<double>(chosen.size()) < ShareOfPrescribed * size)
-  {
-    chosen.insert(random.Index(size));
-  }
-  return { chosen.begin(), chosen.end() };
-}
-
 /// What a solve took and what came of it.
 struct Outcome
 {
@@ -139,76 +94,35 @@ struct Problem
   std::function<Outcome(const FieldOptions&)> Solve;
 };
 
-template <class Scalar, class Make>
-std::function<Outcome(const FieldOptions&)> Solver(
-  Vector<Scalar> values, Make make, const ExecutionContext& context)
-{
-  return [values = std::move(values), make, &context](const FieldOptions& options) {
-    HarmonicProblem<Scalar> problem = make(options);
-    StoppingCriteria stop;
-    stop.RelativeTolerance = 1e-12;
-    stop.MaximumIterations = LargestNumberOfCycles;
-    problem.Solve(values, {}, stop, context);
-    Outcome outcome;
-    outcome.Report = problem.Report();
-    outcome.Prepare = 1e3 * outcome.Report.PrepareSeconds;
-    outcome.Solve = 1e3 * outcome.Report.SolveSeconds;
-    return outcome;
-  };
-}
-
 std::vector<Problem> Problems(const TriangleMesh& mesh, const TangentFrames& frames,
   const ProlongationOperators& operators, const ExecutionContext& context)
 {
   test::Random random(20261121);
+  const FieldConstraints onEdges =
+    RandomConstraints(mesh, Discretisation::OneForm, Prescribed, random);
+  const FieldConstraints onFaces =
+    RandomConstraints(mesh, Discretisation::PowerField, Prescribed, random);
   std::vector<Problem> problems;
-  FieldOptions options;
-  options.N = 2;
-  options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
-
-  PrescribedEdges edges;
-  edges.Edges = Chosen(random, mesh.NumberOfEdges());
-  edges.Weights.assign(edges.Edges.size(), 1.0);
-  Vector<double> integrals(edges.Edges.size());
-  for (std::size_t b = 0; b < edges.Edges.size(); ++b)
+  for (const Discretisation kind :
+    { Discretisation::OneForm, Discretisation::FaceField, Discretisation::PowerField })
   {
-    const auto [i, j] = mesh.EdgeVertices(edges.Edges[b]);
-    const double length = (mesh.Position(j) - mesh.Position(i)).norm();
-    integrals[b] = length * std::cos(random.Uniform(0.0, 2.0 * Pi));
+    FieldOptions options;
+    options.Kind = kind;
+    options.N = 2;
+    options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
+    const FieldConstraints& constraints = kind == Discretisation::OneForm ? onEdges : onFaces;
+    const auto solve = [&mesh, &frames, &operators, &context, constraints](
+                         const FieldOptions& asked) {
+      FieldProblem problem(mesh, frames, &operators, constraints, asked, context);
+      problem.Solve(constraints.Values, {}, { 1e-12, LargestNumberOfCycles }, context);
+      Outcome outcome;
+      outcome.Report = problem.Report();
+      outcome.Prepare = 1e3 * outcome.Report.PrepareSeconds;
+      outcome.Solve = 1e3 * outcome.Report.SolveSeconds;
+      return outcome;
+    };
+    problems.push_back({ NameOf(kind), static_cast<int>(problems.size()), options, solve });
   }
-  options.Kind = Discretisation::OneForm;
-  problems.push_back({ "DEC", 0, options,
-    Solver<double>(integrals,
-      [&mesh, &operators, &context, edges](const FieldOptions& o) {
-        return MakeOneFormProblem(mesh, &operators, edges, o, context);
-      },
-      context) });
-
-  PrescribedFaces faces;
-  faces.Faces = Chosen(random, mesh.NumberOfFaces());
-  faces.Weights.assign(faces.Faces.size(), 1.0);
-  Vector<Complex> powers(faces.Faces.size());
-  for (Complex& power : powers)
-  {
-    power = std::polar(1.0, random.Uniform(0.0, 2.0 * Pi));
-  }
-  options.Kind = Discretisation::FaceField;
-  const Vector<double> vectors =
-    Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(powers.data()), 2 * powers.size());
-  problems.push_back({ "face-based", 1, options,
-    Solver<double>(vectors,
-      [&mesh, &frames, &operators, &context, faces](const FieldOptions& o) {
-        return MakeFaceFieldProblem(mesh, frames, &operators, faces, o, context);
-      },
-      context) });
-
-  options.Kind = Discretisation::PowerField;
-  problems.push_back({ "power", 2, options,
-    Solver<Complex>(powers,
-      [&mesh, &frames, &operators, &context, faces](const FieldOptions& o) {
-        return MakePowerFieldProblem(mesh, frames, &operators, faces, o, context);
-      },
-      context) });
   return problems;
 }
 
@@ -399,35 +313,15 @@ void Measure(const Options& options, const std::string& surface, const TriangleM
 int main(int argc, char* argv[])
 {
   Options options;
-  for (int i = 1; i < argc; ++i)
-  {
-    const bool hasValue = i + 1 < argc;
-    if (!std::strcmp(argv[i], "--out") && hasValue)
-    {
-      options.Folder = argv[++i];
-    }
-    else if (!std::strcmp(argv[i], "--runs") && hasValue)
-    {
-      options.Runs = std::atoi(argv[++i]);
-    }
-    else if (!std::strcmp(argv[i], "--threads") && hasValue)
-    {
-      options.Threads = std::atoi(argv[++i]);
-    }
-    else if (!std::strcmp(argv[i], "--short"))
-    {
-      options.Short = true;
-    }
-    else if (!std::strcmp(argv[i], "--solves-only"))
-    {
-      options.SolvesOnly = true;
-    }
-    else
-    {
-      options.Paths.push_back(argv[i]);
-    }
-  }
-  if (options.Paths.empty() != options.Short || options.Runs < 1 || options.Threads < 1)
+  CommandLine words(argc, argv);
+  words.Take("--out", options.Folder);
+  words.Take("--runs", options.Runs);
+  words.Take("--threads", options.Threads);
+  options.Short = words.Take("--short");
+  options.SolvesOnly = words.Take("--solves-only");
+  options.Paths = words.Paths();
+  if (words.HasUnknown() || options.Paths.empty() != options.Short || options.Runs < 1 ||
+    options.Threads < 1)
   {
     std::fprintf(stderr,
       "usage: BenchmarkThesis [--out folder] [--runs n] [--threads n] "

@@ -9,6 +9,8 @@
 #include <thread>
 #include <vector>
 
+#include <dlfcn.h>
+
 namespace dmg::benchmarks
 {
 
@@ -25,6 +27,16 @@ inline double Median(std::vector<double> values)
 {
   std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
   return values[values.size() / 2];
+}
+
+/// Of OpenBLAS, where it is what is linked.
+inline void UseBlasThreads(int threads)
+{
+  using SetNumber = void (*)(int);
+  if (const auto set = reinterpret_cast<SetNumber>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+  {
+    set(threads);
+  }
 }
 
 /// A line that says where the numbers below it come from.

@@ -1,10 +1,8 @@
 #ifndef dmgBenchmarksIncompleteCholeskyPeer_h
 #define dmgBenchmarksIncompleteCholeskyPeer_h
 
+#include "Benchmarks/Peers/IterativePeer.h"
 #include "Benchmarks/Peers/Peer.h"
-#include "Solvers/ConjugateGradient.h"
-#include "Solvers/Preconditioner.h"
-#include "Support/Errors.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -207,12 +205,6 @@ template <class Scalar>
 class IncompleteCholeskyPeer : public Peer<Scalar>
 {
 public:
-  /// \param maximumIterations where Solve gives up.
-  explicit IncompleteCholeskyPeer(int maximumIterations = 10000)
-    : MaximumIterations(maximumIterations)
-  {
-  }
-
   std::string Name() const override { return "IC(0)-CG, RCM"; }
 
   void Prepare(const SparseMatrix<Scalar>& matrix) override
@@ -236,19 +228,13 @@ public:
       right[k] = b[this->Order[k]];
     }
     Vector<Scalar> solution;
-    SolveReport report;
-    ConjugateGradient(this->A, *this->Factor, right, { tolerance, this->MaximumIterations },
-      solution, report, SerialContext());
-    if (!report.Converged)
-    {
-      throw SolverFailure(report.Warnings.back());
-    }
+    const int iterations = SolveIteratively(this->A, *this->Factor, right, tolerance, solution);
     x.resize(b.size());
     for (int i = 0; i < static_cast<int>(b.size()); ++i)
     {
       x[i] = solution[this->Places[i]];
     }
-    return report.Iterations.back().Iteration;
+    return iterations;
   }
 
   long long Bytes() const override
@@ -259,7 +245,6 @@ public:
   }
 
 private:
-  const int MaximumIterations;
   std::vector<int> Order;
   std::vector<int> Places;
   SparseMatrix<Scalar> A;

@@ -9,7 +9,8 @@
 namespace dmg::peers
 {
 
-/// A solver that ours are measured against: what a user would take today, done well. One thread.
+/// A solver that ours are measured against: what a user would take today, done well. One
+/// thread, but for the BLAS of a factorisation.
 template <class Scalar>
 class Peer
 {
@@ -28,7 +29,7 @@ public:
   /// \throw SolverFailure the tolerance was not reached.
   virtual int Solve(const Vector<Scalar>& b, double tolerance, Vector<Scalar>& x) = 0;
 
-  /// Held after Prepare, beside A.
+  /// Held after Prepare, beside A; 0 where the library does not tell.
   virtual long long Bytes() const = 0;
 };
 

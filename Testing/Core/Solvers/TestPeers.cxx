@@ -1,6 +1,7 @@
 #include "Benchmarks/Peers/IncompleteCholeskyPeer.h"
 
 #include "Benchmarks/Peers/DirectPeers.h"
+#include "Benchmarks/Peers/RealForm.h"
 #include "GridProblem.h"
 
 #include <Eigen/Dense>
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <limits>
 #include <memory>
+#include <type_traits>
 
 using namespace dmg;
 
@@ -125,6 +127,11 @@ TYPED_TEST(TestPeers, AllSolveTheSystem)
   all.push_back(std::make_unique<peers::CholmodPeer<TypeParam>>(FillOrdering::AMD));
   all.push_back(std::make_unique<peers::CholmodPeer<TypeParam>>(FillOrdering::METIS));
   all.push_back(std::make_unique<peers::SimplicialPeer<TypeParam>>());
+  if constexpr (std::is_same<TypeParam, Complex>::value)
+  {
+    all.push_back(
+      std::make_unique<peers::RealFormPeer>(std::make_unique<peers::SimplicialPeer<double>>()));
+  }
   for (const auto& peer : all)
   {
     peer->Prepare(A);

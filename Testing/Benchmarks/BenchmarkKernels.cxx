@@ -1,0 +1,295 @@
+// The kernels of a solve beside the machine's memory bandwidth: the product of conjugate gradients
+// and the smoother of every level, in GB/s and as a share of a copy or triad of the same run.
+//
+//   BenchmarkKernels [--out folder] [--runs n] [--threads n] (--short | surface.ply ...)
+//
+// Writes kernels.csv. The matrices are those of the default solver with 0.5 % of the elements
+// prescribed: nodal levels, sorted by colours and in single precision, as its cycles have them (in
+// double precision, too, for comparison), and the system's own. Everything is measured with 1
+// thread, then with --threads of them.
+//
+// Bytes are what an algorithm must read and write if every array passes once per sweep through the
+// caches: values, columns and offsets of the rows, and each vector that it reads or writes. Copy
+// and triad are counted the same way (a write is one pass), on arrays of 64 MB; the better of them
+// is 100 %. Levels that fit into the caches exceed it. Seconds are the best of the runs: bandwidth
+// is a limit.
+
+#include "Benchmarks/CommandLine.h"
+#include "Benchmarks/Csv.h"
+#include "Benchmarks/Prescriptions.h"
+#include "Benchmarks/Systems.h"
+#include "Benchmarks/Timing.h"
+#include "HarmonicField.h"
+#include "Solvers/GalerkinHierarchy.h"
+#include "Solvers/ScaledHierarchy.h"
+#include "Solvers/Smoother.h"
+#include "Support/MeshFactory.h"
+#include "Support/ReadPly.h"
+#include "Support/SparseAssembly.h"
+#include "Support/SparseKernels.h"
+#include "Support/TbbContext.h"
+
+#include <complex>
+#include <type_traits>
+
+using namespace dmg;
+using namespace dmg::benchmarks;
+
+namespace
+{
+
+constexpr int Sweeps = 2;
+
+struct Options
+{
+  std::string Folder = ".";
+  int Runs = 10;
+  int Threads = 2;
+};
+
+/// Seconds of the fastest of several calls.
+template <class Function>
+double Fastest(int runs, const Function& function)
+{
+  double fastest = std::numeric_limits<double>::infinity();
+  for (int run = 0; run < runs; ++run)
+  {
+    fastest = std::min(fastest, Seconds(function));
+  }
+  return fastest;
+}
+
+/// McCalpin's STREAM: GB/s of the better of a copy and a triad.
+double StreamBandwidth(int runs, const ExecutionContext& context)
+{
+  constexpr int size = 8 << 20;
+  constexpr int grain = 1 << 16;
+  const Vector<double> b = Vector<double>::Random(size);
+  const Vector<double> c = Vector<double>::Random(size);
+  Vector<double> a = Vector<double>::Zero(size);
+  const double copy = Fastest(runs,
+    [&]
+    {
+      context.ParallelFor(0, size, grain,
+        [&a, &b](int first, int last)
+        { a.segment(first, last - first) = b.segment(first, last - first); });
+    });
+  const double triad = Fastest(runs,
+    [&]
+    {
+      context.ParallelFor(0, size, grain,
+        [&a, &b, &c](int first, int last)
+        {
+          const int count = last - first;
+          a.segment(first, count) = b.segment(first, count) + 3.0 * c.segment(first, count);
+        });
+    });
+  const double array = 1e-9 * sizeof(double) * size;
+  std::printf("%d threads: copy %.1f GB/s, triad %.1f GB/s\n", context.NumberOfThreads(),
+    2.0 * array / copy, 3.0 * array / triad);
+  return std::max(2.0 * array / copy, 3.0 * array / triad);
+}
+
+template <class Value>
+double BytesOf(const SparseMatrix<Value>& A)
+{
+  return static_cast<double>(A.nonZeros()) * (sizeof(Value) + sizeof(int)) +
+    (static_cast<double>(A.rows()) + 1.0) * sizeof(int);
+}
+
+class KernelsTable
+{
+public:
+  explicit KernelsTable(const std::string& folder)
+    : File(folder + "/kernels.csv",
+        "surface,faces,discretisation,kernel,level,rows,entries_per_row,threads,mb,microseconds,"
+        "gb_per_second,share_of_stream")
+  {
+  }
+
+  /// The surface and system that the next rows belong to, and the bandwidth they are compared with.
+  struct Heading
+  {
+    std::string Surface;
+    int Faces;
+    std::string Discretisation;
+    int Threads;
+    double Stream;
+  };
+  Heading Of;
+
+  void Append(const std::string& kernel, int level, double rows, double nonZeros, double bytes,
+    double seconds)
+  {
+    const double bandwidth = 1e-9 * bytes / seconds;
+    this->File.Row(this->Of.Surface, this->Of.Faces, this->Of.Discretisation, kernel, level, rows,
+      nonZeros / rows, this->Of.Threads, 1e-6 * bytes, 1e6 * seconds, bandwidth,
+      bandwidth / this->Of.Stream);
+    std::printf("%-20.20s %-10s %-26s %d %9.0f %6.1f %d %8.2f %9.0f %7.2f %5.0f %%\n",
+      this->Of.Surface.c_str(), this->Of.Discretisation.c_str(), kernel.c_str(), level, rows,
+      nonZeros / rows, this->Of.Threads, 1e-6 * bytes, 1e6 * seconds, bandwidth,
+      100.0 * bandwidth / this->Of.Stream);
+    std::fflush(stdout);
+  }
+
+private:
+  Csv File;
+};
+
+template <class Scalar>
+void MeasureProduct(
+  const SparseMatrix<Scalar>& A, int runs, KernelsTable& table, const ExecutionContext& context)
+{
+  const Vector<Scalar> x = Vector<Scalar>::Random(A.cols());
+  Vector<Scalar> y(A.rows());
+  const double seconds = Fastest(runs, [&] { Multiply(A, x, y, context); });
+  const double vectors = 2.0 * sizeof(Scalar) * static_cast<double>(A.rows());
+  table.Append("product, double", 0, static_cast<double>(A.rows()),
+    static_cast<double>(A.nonZeros()), BytesOf(A) + vectors, seconds);
+}
+
+/// All levels but the coarsest, which is factored.
+template <class Value, class Scalar>
+void MeasureSmoother(GalerkinHierarchy<Scalar>& hierarchy, const std::string& precision, int runs,
+  KernelsTable& table, const ExecutionContext& context)
+{
+  using Scaled = ScaledHierarchy<Scalar, Value>;
+  Scaled scaled(hierarchy, Scaled::Content::ColouredMatrices, context);
+  SmootherOptions options;
+  options.PreSweeps = options.PostSweeps = Sweeps;
+  for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
+  {
+    auto& level = scaled[l];
+    const double rows = static_cast<double>(level.A.Lower.rows());
+    const double nonZeros =
+      static_cast<double>(level.A.Lower.nonZeros() + level.A.Upper.nonZeros()) + rows;
+    const double matrix = BytesOf(level.A.Lower) + BytesOf(level.A.Upper);
+    const double vector = sizeof(Value) * rows;
+    const auto smoother = Smoother<Value>::New(level.A, options, context);
+    level.b.setRandom();
+    Vector<Value> r(level.b.size());
+    // From zero the first sweep reads b and writes x; the others read b, read and write x, and
+    // write what lies right of the diagonal, r; the last step reads x, and reads and writes r.
+    const double before = Sweeps * matrix + (2.0 + 4.0 * (Sweeps - 1) + 3.0) * vector;
+    table.Append("pre-smoother, " + precision, l, rows, nonZeros, before,
+      Fastest(runs, [&] { smoother->PreSmooth(level.b, level.x, r, context); }));
+    // A sweep reads b, and reads and writes x.
+    const double after = Sweeps * (matrix + 3.0 * vector);
+    table.Append("post-smoother, " + precision, l, rows, nonZeros, after,
+      Fastest(runs, [&] { smoother->PostSmooth(level.b, level.x, context); }));
+  }
+}
+
+/// Nodal levels, as MakePowerFieldProblem and its siblings take them.
+template <class Scalar>
+std::vector<SparseMatrix<Scalar>> NodalProlongations(const TriangleMesh& mesh,
+  const TangentFrames& frames, const ProlongationOperators& operators, const FieldOptions& field,
+  const ExecutionContext& context)
+{
+  std::vector<SparseMatrix<Scalar>> prolongations;
+  for (const TransportOperator& transport : operators.Nodal)
+  {
+    if constexpr (std::is_same<Scalar, Complex>::value)
+    {
+      prolongations.push_back(OnPowers(transport, field.N, context));
+    }
+    else
+    {
+      prolongations.push_back(OnComponents(transport, context));
+    }
+  }
+  if constexpr (std::is_same<Scalar, double>::value)
+  {
+    if (field.Kind == Discretisation::OneForm)
+    {
+      SparseMatrix<double> toEdges = FormFromFaceField(mesh, frames, context) * prolongations[0];
+      prolongations[0].swap(toEdges);
+    }
+  }
+  return prolongations;
+}
+
+template <class Scalar>
+void MeasureSystem(const TriangleMesh& mesh, const TangentFrames& frames,
+  const ProlongationOperators& operators, const FieldOptions& field, int runs, KernelsTable& table,
+  const ExecutionContext& context)
+{
+  using Single =
+    std::conditional_t<std::is_same<Scalar, Complex>::value, std::complex<float>, float>;
+  test::Random random(20261121);
+  const FieldConstraints constraints =
+    RandomConstraints(mesh, field.Kind, { "0.5 %", 0, 0.005 }, random);
+  const HarmonicSystem<Scalar> system =
+    MakeSystem<Scalar>(mesh, frames, constraints, field, context);
+  MeasureProduct(system.Matrix(), runs, table, context);
+  std::vector<SparseMatrix<Scalar>> prolongations =
+    NodalProlongations<Scalar>(mesh, frames, operators, field, context);
+  prolongations[0] = SelectRows(prolongations[0], system.FreeUnknowns(), context);
+  GalerkinHierarchy<Scalar> hierarchy(
+    system.Matrix(), std::move(prolongations), GalerkinOptions(), context);
+  MeasureSmoother<Single>(hierarchy, "single", runs, table, context);
+  MeasureSmoother<Scalar>(hierarchy, "double", runs, table, context);
+}
+
+void MeasureSurface(
+  const std::string& name, const TriangleMesh& mesh, const Options& options, KernelsTable& table)
+{
+  const test::TbbContext all(options.Threads);
+  const TangentFrames frames = FaceFrames(mesh, all);
+  const ProlongationOperators operators =
+    BuildSurfaceHierarchy(mesh, HierarchyOptions(), all, OperatorSelection{ false, false, false })
+      .Operators;
+  for (int threads = 1;; threads = options.Threads)
+  {
+    const test::TbbContext context(threads);
+    for (const Discretisation kind :
+      { Discretisation::OneForm, Discretisation::FaceField, Discretisation::PowerField })
+    {
+      FieldOptions field;
+      field.Kind = kind;
+      field.N = 2;
+      const double stream = StreamBandwidth(options.Runs, context); // near what it measures
+      table.Of = { name, mesh.NumberOfFaces(), NameOf(kind), threads, stream };
+      const auto measure =
+        kind == Discretisation::PowerField ? &MeasureSystem<Complex> : &MeasureSystem<double>;
+      measure(mesh, frames, operators, field, options.Runs, table, context);
+    }
+    if (threads == options.Threads)
+    {
+      break;
+    }
+  }
+}
+
+}
+
+int main(int argc, char* argv[])
+{
+  Options options;
+  CommandLine words(argc, argv);
+  words.Take("--out", options.Folder);
+  words.Take("--runs", options.Runs);
+  words.Take("--threads", options.Threads);
+  const bool isShort = words.Take("--short");
+  const std::vector<std::string> paths = words.Paths();
+  if (words.HasUnknown() || paths.empty() != isShort || options.Runs < 1 || options.Threads < 1)
+  {
+    std::fprintf(stderr,
+      "usage: BenchmarkKernels [--out folder] [--runs n] [--threads n] (--short | surface.ply "
+      "...)\n");
+    return 2;
+  }
+  PrintMachine(options.Threads, options.Runs);
+  std::printf("%-20s %-10s %-26s l %9s %6s t %8s %9s %7s %7s\n", "surface", "discret.", "kernel",
+    "rows", "/row", "MB", "us", "GB/s", "share");
+  KernelsTable table(options.Folder);
+  if (isShort)
+  {
+    MeasureSurface("torus", test::IrregularTorus(96, 40, 7).Mesh(), options, table);
+  }
+  for (const std::string& path : paths)
+  {
+    MeasureSurface(BaseName(path), test::ReadPly(path).Mesh(), options, table);
+  }
+  return 0;
+}

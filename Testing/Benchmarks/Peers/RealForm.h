@@ -1,0 +1,82 @@
+#ifndef dmgBenchmarksRealForm_h
+#define dmgBenchmarksRealForm_h
+
+#include "Benchmarks/Peers/Peer.h"
+#include "Support/ExecutionContext.h"
+#include "Support/SparseAssembly.h"
+
+#include <memory>
+#include <string>
+#include <utility>
+
+namespace dmg::peers
+{
+
+/// Complex numbers as pairs (real, imaginary), which they are in memory.
+inline Vector<double> RealForm(const Vector<Complex>& x)
+{
+  return Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(x.data()), 2 * x.size());
+}
+inline Vector<Complex> ComplexForm(const Vector<double>& pairs)
+{
+  return Eigen::Map<const Vector<Complex>>(
+    reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
+}
+
+/// The matrix on pairs: an entry a + ib becomes the block (a, -b; b, a). A Hermitian matrix becomes
+/// a symmetric one with each eigenvalue twice.
+inline SparseMatrix<double> RealForm(const SparseMatrix<Complex>& A)
+{
+  const int* const offsets = A.outerIndexPtr();
+  const auto size = [offsets](int r) { return 2 * (offsets[r / 2 + 1] - offsets[r / 2]); };
+  return FillRows<double>(2 * static_cast<int>(A.rows()), 2 * static_cast<int>(A.cols()),
+    SerialContext(), size,
+    [&A, offsets](int r, int* columns, double* values)
+    {
+      for (int k = offsets[r / 2]; k < offsets[r / 2 + 1]; ++k)
+      {
+        const Complex entry = A.valuePtr()[k];
+        *columns++ = 2 * A.innerIndexPtr()[k];
+        *columns++ = 2 * A.innerIndexPtr()[k] + 1;
+        *values++ = r % 2 == 0 ? entry.real() : entry.imag();
+        *values++ = r % 2 == 0 ? -entry.imag() : entry.real();
+      }
+    });
+}
+
+/// A solver of real systems, given complex ones.
+class RealFormPeer : public Peer<Complex>
+{
+public:
+  explicit RealFormPeer(std::unique_ptr<Peer<double>> peer)
+    : Real(std::move(peer))
+  {
+  }
+
+  std::string Name() const override { return this->Real->Name(); }
+
+  void Prepare(const SparseMatrix<Complex>& matrix) override
+  {
+    SparseMatrix<double> real = RealForm(matrix);
+    this->A.swap(real);
+    this->Real->Prepare(this->A);
+  }
+
+  int Solve(const Vector<Complex>& b, double tolerance, Vector<Complex>& x) override
+  {
+    Vector<double> pairs;
+    const int iterations = this->Real->Solve(RealForm(b), tolerance, pairs);
+    x = ComplexForm(pairs);
+    return iterations;
+  }
+
+  long long Bytes() const override { return this->Real->Bytes(); }
+
+private:
+  const std::unique_ptr<Peer<double>> Real;
+  SparseMatrix<double> A;
+};
+
+}
+
+#endif
