@@ -2,6 +2,7 @@
 
 #include "Hierarchy/MeshHierarchy.h"
 #include "Mesh/SpatialOrder.h"
+#include "Operators/HarmonicForms.h"
 #include "Operators/PowerFieldOperators.h"
 #include "Prolongation/FaceFieldProlongation.h"
 #include "Prolongation/NodalProlongation.h"
@@ -12,6 +13,7 @@
 #include "Support/Errors.h"
 #include "Support/SparseAssembly.h"
 #include "Systems/FaceFieldSystem.h"
+#include "Systems/NodalLevels.h"
 #include "Systems/OneFormSystem.h"
 #include "Systems/PowerFieldSystem.h"
 
@@ -261,15 +263,17 @@ HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
   const PrescribedFaces& prescribed, const FieldOptions& options,
   const ExecutionContext& context)
 {
+  HarmonicProblem<Complex>::CoarseSpaces spaces;
+  spaces.Name = NameOf(options);
+  spaces.Prolongations =
+    Prolongations<Complex>(operators, options, [&](const ExecutionContext& part) {
+      return OnPowers(CoarseSpaceOf(*operators, options), options.N, part);
+    });
   return HarmonicProblem<Complex>(
     [&](const ExecutionContext& part) {
       return MakePowerFieldSystem(mesh, faceFrames, options.N, prescribed, WeightsOf(options), part);
     },
-    Prolongations<Complex>(operators, options,
-      [&](const ExecutionContext& part) {
-        return OnPowers(CoarseSpaceOf(*operators, options), options.N, part);
-      }),
-    NameOf(options), SolverFor(options), context);
+    spaces, SolverFor(options), context);
 }
 
 HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
@@ -277,37 +281,59 @@ HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
   const PrescribedFaces& prescribed, const FieldOptions& options,
   const ExecutionContext& context)
 {
+  const bool isNodal = options.CoarseSpace == CoarseSpaceKind::Nodal;
+  HarmonicProblem<double>::CoarseSpaces spaces;
+  spaces.Name = NameOf(options);
+  spaces.Prolongations =
+    Prolongations<double>(operators, options, [&, isNodal](const ExecutionContext& part) {
+      return isNodal ? OnComponents(operators->Nodal, part) : operators->SX;
+    });
+  if (isNodal && operators && !operators->Nodal.empty())
+  {
+    spaces.LeastSquares = [&](const ExecutionContext& part) {
+      return NodalLevelsOfFaceFields(operators->Nodal, part);
+    };
+    spaces.Kernel = [&](const ExecutionContext& part) {
+      return HarmonicFaceFields(mesh, faceFrames, part);
+    };
+  }
   return HarmonicProblem<double>(
     [&](const ExecutionContext& part) {
       return MakeFaceFieldSystem(mesh, faceFrames, prescribed, WeightsOf(options), part);
     },
-    Prolongations<double>(operators, options,
-      [&](const ExecutionContext& part) {
-        return options.CoarseSpace == CoarseSpaceKind::Nodal ? OnComponents(operators->Nodal, part)
-                                                             : operators->SX;
-      }),
-    NameOf(options), SolverFor(options), context);
+    spaces, SolverFor(options), context);
 }
 
 HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
   const ProlongationOperators* operators, const PrescribedEdges& prescribed,
   const FieldOptions& options, const ExecutionContext& context)
 {
+  const bool isNodal = options.CoarseSpace == CoarseSpaceKind::Nodal;
+  HarmonicProblem<double>::CoarseSpaces spaces;
+  spaces.Name = NameOf(options);
+  spaces.Prolongations =
+    Prolongations<double>(operators, options, [&, isNodal](const ExecutionContext& part) {
+      if (!isNodal)
+      {
+        return operators->S1;
+      }
+      std::vector<SparseMatrix<double>> nodal = OnComponents(operators->Nodal, part);
+      nodal[0] =
+        SparseMatrix<double>(FormFromFaceField(mesh, FaceFrames(mesh, part), part) * nodal[0]);
+      return nodal;
+    });
+  if (isNodal && operators && !operators->Nodal.empty())
+  {
+    spaces.LeastSquares = [&](const ExecutionContext& part) {
+      return NodalLevelsOfOneForms(mesh, FaceFrames(mesh, part), operators->Nodal, part);
+    };
+    spaces.Kernel = [&](const ExecutionContext& part) { return HarmonicForms(mesh, part); };
+  }
   return HarmonicProblem<double>(
     [&](const ExecutionContext& part) {
       return MakeOneFormSystem(mesh, prescribed, WeightsOf(options), part, options.Areas);
     },
-    Prolongations<double>(operators, options,
-      [&](const ExecutionContext& part) {
-        if (options.CoarseSpace == CoarseSpaceKind::StructurePreserving)
-        {
-          return operators->S1;
-        }
-        std::vector<SparseMatrix<double>> nodal = OnComponents(operators->Nodal, part);
-        nodal[0] = SparseMatrix<double>(FormFromFaceField(mesh, FaceFrames(mesh, part), part) * nodal[0]);
-        return nodal;
-      }),
-    NameOf(options), SolverFor(options), context);
+    spaces, SolverFor(options), context);
 }
 
 namespace

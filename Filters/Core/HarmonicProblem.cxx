@@ -1,11 +1,15 @@
 #include "HarmonicProblem.h"
 
 #include "Solvers/CholeskySolver.h"
+#include "Solvers/ConjugateGradient.h"
+#include "Solvers/DeflatedPreconditioner.h"
 #include "Solvers/MultigridSolver.h"
+#include "Solvers/StationaryIteration.h"
 #include "Support/SparseAssembly.h"
 
 #include <chrono>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 namespace dmg
@@ -91,6 +95,36 @@ bool IsNested(SolverKind solver)
   return solver == SolverKind::NestedIterations || solver == SolverKind::CoarseProlongation;
 }
 
+/// Levels on the free unknowns.
+template <class Scalar>
+LeastSquaresLevels Restrict(LeastSquaresLevels levels, const HarmonicSystem<Scalar>& system,
+  const ExecutionContext& context)
+{
+  if (system.NumberOfFree() == system.NumberOfUnknowns())
+  {
+    return levels;
+  }
+  levels.Prolongation = SelectRows(levels.Prolongation, system.FreeUnknowns(), context);
+  UnknownBlocks blocks;
+  for (int k = 0; k < levels.Blocks.Size(); ++k)
+  {
+    for (int s = levels.Blocks.Offsets[k]; s < levels.Blocks.Offsets[k + 1]; ++s)
+    {
+      const int row = system.RowsOfUnknowns()[levels.Blocks.Unknowns[s]];
+      if (row >= 0)
+      {
+        blocks.Unknowns.push_back(row);
+      }
+    }
+    if (static_cast<int>(blocks.Unknowns.size()) > blocks.Offsets.back())
+    {
+      blocks.EndBlock();
+    }
+  }
+  levels.Blocks = std::move(blocks);
+  return levels;
+}
+
 }
 
 template <class Scalar>
@@ -102,9 +136,17 @@ public:
   {
   }
 
+  void PrepareMultigrid(
+    const CoarseSpaces& spaces, const SolverOptions& options, const ExecutionContext& context);
+  void DeflateKernel(const CoarseSpaces& spaces, const ExecutionContext& context);
+  /// By V-cycles or conjugate gradients.
+  void SolveByMultigrid(const Vector<Scalar>& b, const StoppingCriteria& stop,
+    const ConvergenceMeasure<Scalar>& measure, Vector<Scalar>& x, const ExecutionContext& context);
+
   HarmonicSystem<Scalar> System;
   std::optional<CholeskySolver<Scalar>> Cholesky;
   std::optional<MultigridSolver<Scalar>> Multigrid;
+  std::unique_ptr<Preconditioner<double>> LeastSquares; // in place of Multigrid
   std::optional<NestedIteration<Scalar>> Nested;
   SweepOptions Sweeps; // of nested iterations
   SolverKind Solver = SolverKind::Cholesky;
@@ -113,9 +155,114 @@ public:
 };
 
 template <class Scalar>
+void HarmonicProblem<Scalar>::Internals::PrepareMultigrid(
+  const CoarseSpaces& spaces, const SolverOptions& options, const ExecutionContext& context)
+{
+  CycleOptions cycle;
+  cycle.Smoothing.PreSweeps = options.Sweeps;
+  cycle.Smoothing.PostSweeps = options.Sweeps;
+  if constexpr (std::is_same_v<Scalar, double>)
+  {
+    if (spaces.LeastSquares && !IsNested(this->Solver) && options.StartingLevel < 0)
+    {
+      LeastSquaresCycleOptions ofCycle;
+      ofCycle.Sweeps = options.Sweeps * options.FinestSweepsFactor;
+      ofCycle.Coarse = cycle;
+      auto leastSquares = std::make_unique<LeastSquaresCycle>(this->System.Factor(),
+        Restrict(spaces.LeastSquares(context), this->System, context), ofCycle, context);
+      this->Report.Levels = leastSquares->Levels();
+      this->Report.Bytes = leastSquares->Bytes();
+      this->LeastSquares = std::move(leastSquares);
+      this->DeflateKernel(spaces, context);
+      return;
+    }
+  }
+  std::vector<SparseMatrix<Scalar>> prolongations = spaces.Prolongations(context);
+  if (!prolongations.empty() && this->System.NumberOfFree() < this->System.NumberOfUnknowns())
+  {
+    prolongations[0] = SelectRows(prolongations[0], this->System.FreeUnknowns(), context);
+  }
+  GalerkinOptions coarsening;
+  coarsening.FinestProlongationSteps = options.FinestProlongationSteps;
+  if (options.StartingLevel >= 0)
+  {
+    coarsening.CoarsestLevel = options.StartingLevel;
+  }
+  if (IsNested(this->Solver))
+  {
+    this->Sweeps = options.Nested;
+    this->Nested.emplace(this->System.Matrix(), std::move(prolongations),
+      NestedOptions{ coarsening, this->Solver == SolverKind::NestedIterations }, context);
+    this->Report.Levels = this->Nested->Levels();
+    this->Report.Bytes = this->Nested->Bytes();
+    return;
+  }
+  cycle.FinestFactor = options.FinestSweepsFactor;
+  this->Multigrid.emplace(this->System.Matrix(), std::move(prolongations),
+    MultigridOptions{ coarsening, cycle }, context);
+  this->Report.Levels = this->Multigrid->Levels();
+  this->Report.Bytes = this->Multigrid->Bytes();
+}
+
+template <class Scalar>
+void HarmonicProblem<Scalar>::Internals::DeflateKernel(
+  const CoarseSpaces& spaces, const ExecutionContext& context)
+{
+  Eigen::MatrixXd kernel;
+  if (spaces.Kernel)
+  {
+    kernel = spaces.Kernel(context);
+  }
+  if (kernel.cols() == 0)
+  {
+    return;
+  }
+  if constexpr (std::is_same_v<Scalar, double>)
+  {
+    if (this->System.NumberOfFree() < this->System.NumberOfUnknowns())
+    {
+      const std::vector<int>& free = this->System.FreeUnknowns();
+      for (std::size_t row = 0; row < free.size(); ++row)
+      {
+        kernel.row(row) = kernel.row(free[row]); // free unknowns ascend
+      }
+      kernel.conservativeResize(free.size(), Eigen::NoChange);
+    }
+    auto deflated = std::make_unique<DeflatedPreconditioner>(
+      std::move(this->LeastSquares), this->System.Matrix(), std::move(kernel));
+    this->Report.Bytes += deflated->Bytes();
+    this->LeastSquares = std::move(deflated);
+  }
+}
+
+template <class Scalar>
+void HarmonicProblem<Scalar>::Internals::SolveByMultigrid(const Vector<Scalar>& b,
+  const StoppingCriteria& stop, const ConvergenceMeasure<Scalar>& measure, Vector<Scalar>& x,
+  const ExecutionContext& context)
+{
+  const bool byCycles = this->Solver == SolverKind::VCycles;
+  if constexpr (std::is_same_v<Scalar, double>)
+  {
+    if (this->LeastSquares)
+    {
+      const auto solve = byCycles ? &StationaryIteration<double> : &ConjugateGradient<double>;
+      solve(this->System.Matrix(), *this->LeastSquares, b, stop, x, this->Report, context, &measure);
+      return;
+    }
+  }
+  if (byCycles)
+  {
+    this->Multigrid->SolveByCycles(b, stop, x, this->Report, context, &measure);
+  }
+  else
+  {
+    this->Multigrid->SolveByConjugateGradients(b, stop, x, this->Report, context, &measure);
+  }
+}
+
+template <class Scalar>
 HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
-  const MakeProlongations& makeProlongations, const std::string& coarseSpace,
-  const SolverOptions& options, const ExecutionContext& context)
+  const CoarseSpaces& coarseSpaces, const SolverOptions& options, const ExecutionContext& context)
 {
   const auto start = std::chrono::steady_clock::now();
   context.Checkpoint(0.0);
@@ -130,7 +277,7 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
 
   context.Checkpoint(0.2);
   const auto [solver, reason] =
-    ChooseSolver(options.Kind, system.NumberOfFree(), static_cast<bool>(makeProlongations));
+    ChooseSolver(options.Kind, system.NumberOfFree(), static_cast<bool>(coarseSpaces.Prolongations));
   internal.Solver = solver;
   if (solver == SolverKind::Cholesky)
   {
@@ -141,38 +288,8 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
   }
   else
   {
-    std::vector<SparseMatrix<Scalar>> prolongations = makeProlongations(context);
-    if (!prolongations.empty() && system.NumberOfFree() < system.NumberOfUnknowns())
-    {
-      prolongations[0] = SelectRows(prolongations[0], system.FreeUnknowns(), context);
-    }
-    GalerkinOptions coarsening;
-    coarsening.FinestProlongationSteps = options.FinestProlongationSteps;
-    if (options.StartingLevel >= 0)
-    {
-      coarsening.CoarsestLevel = options.StartingLevel;
-    }
-    const PartOfContext part(context, 0.2, 1.0);
-    if (IsNested(solver))
-    {
-      internal.Sweeps = options.Nested;
-      internal.Nested.emplace(system.Matrix(), std::move(prolongations),
-        NestedOptions{ coarsening, solver == SolverKind::NestedIterations }, part);
-      report.Levels = internal.Nested->Levels();
-      report.Bytes = internal.Nested->Bytes();
-    }
-    else
-    {
-      CycleOptions cycle;
-      cycle.Smoothing.PreSweeps = options.Sweeps;
-      cycle.Smoothing.PostSweeps = options.Sweeps;
-      cycle.FinestFactor = options.FinestSweepsFactor;
-      internal.Multigrid.emplace(
-        system.Matrix(), std::move(prolongations), MultigridOptions{ coarsening, cycle }, part);
-      report.Levels = internal.Multigrid->Levels();
-      report.Bytes = internal.Multigrid->Bytes();
-    }
-    report.Solver = NameOf(solver) + " on " + coarseSpace + reason;
+    internal.PrepareMultigrid(coarseSpaces, options, PartOfContext(context, 0.2, 1.0));
+    report.Solver = NameOf(solver) + " on " + coarseSpaces.Name + reason;
   }
   report.PrepareSeconds = SecondsSince(start);
   report.Warnings = internal.SystemWarnings;
@@ -214,15 +331,12 @@ Vector<Scalar> HarmonicProblem<Scalar>::Solve(const Vector<Scalar>& values,
     case SolverKind::Cholesky:
       SolveDirectly(system.Matrix(), *internal.Cholesky, b, measure, x, report, context);
       break;
-    case SolverKind::VCycles:
-      internal.Multigrid->SolveByCycles(b, stop, x, report, context, &measure);
-      break;
     case SolverKind::NestedIterations:
     case SolverKind::CoarseProlongation:
       internal.Nested->Solve(b, internal.Sweeps, x, report, context, &measure);
       break;
     default:
-      internal.Multigrid->SolveByConjugateGradients(b, stop, x, report, context, &measure);
+      internal.SolveByMultigrid(b, stop, measure, x, context);
       break;
   }
   return system.Expand(x, values);

@@ -1,6 +1,8 @@
 #ifndef dmgHarmonicProblem_h
 #define dmgHarmonicProblem_h
 
+#include "Solvers/LeastSquaresCycle.h"
+#include "Solvers/LeastSquaresCycle.h"
 #include "Solvers/NestedIteration.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
@@ -58,16 +60,32 @@ public:
   using MakeSystem = std::function<HarmonicSystem<Scalar>(const ExecutionContext&)>;
   using MakeProlongations =
     std::function<std::vector<SparseMatrix<Scalar>>(const ExecutionContext&)>;
+  using MakeKernel = std::function<Eigen::MatrixXd(const ExecutionContext&)>;
+  using MakeLeastSquaresLevels = std::function<LeastSquaresLevels(const ExecutionContext&)>;
+
+  /// Where coarse levels come from, on all unknowns of the system; called only where a solver needs
+  /// them.
+  struct CoarseSpaces
+  {
+    /// Says in the report what the coarse levels hold.
+    std::string Name;
+    /// Finest first. Empty: there are no coarse levels.
+    MakeProlongations Prolongations;
+    /// For systems with a factor and cycles that start on the finest level: the faster way. May be
+    /// empty.
+    MakeLeastSquaresLevels LeastSquares;
+    /// Orthonormal fields of no roughness, one per column, that LeastSquares is helped by. May be
+    /// empty.
+    MakeKernel Kernel;
+  };
 
   /// System: assembles, coarsens or factors; the expensive part that new values do not repeat.
-  /// \param makeProlongations on all unknowns of the system, finest first; called only where the
-  ///   solver needs them. Empty: there are no coarse levels, so the system is factored, whatever
-  ///   solver is asked for; the report says so.
-  /// \param coarseSpace says in the report what the coarse levels hold.
-  /// \throw InvalidInput what makeSystem and makeProlongations refuse.
+  /// Where there are no coarse levels the system is factored, whatever solver is asked for; the
+  /// report says so.
+  /// \throw InvalidInput what makeSystem and the makers of levels refuse.
   /// \throw SolverFailure the factorisation failed.
-  HarmonicProblem(const MakeSystem& makeSystem, const MakeProlongations& makeProlongations,
-    const std::string& coarseSpace, const SolverOptions& options, const ExecutionContext& context);
+  HarmonicProblem(const MakeSystem& makeSystem, const CoarseSpaces& coarseSpaces,
+    const SolverOptions& options, const ExecutionContext& context);
   ~HarmonicProblem();
   HarmonicProblem(HarmonicProblem&&) noexcept;
 

@@ -242,6 +242,30 @@ SparseMatrix<double> OneFormLaplacian(
   return AssembleMatrix<double>(mesh.NumberOfEdges(), mesh.NumberOfEdges(), context, appendRow);
 }
 
+SparseMatrix<double> OneFormLaplacianFactor(
+  const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas)
+{
+  const int faces = mesh.NumberOfFaces();
+  const Vector<double> star0 = Star0(mesh, areas);
+  const Vector<double> star1 = Star1(mesh);
+  const Vector<double> star2 = Star2(mesh);
+  return AssembleMatrix<double>(faces + mesh.NumberOfVertices(), mesh.NumberOfEdges(), context,
+    [&](int r, RowEntries<double>& row) {
+      if (r < faces)
+      {
+        for (int h = 3 * r; h < 3 * r + 3; ++h)
+        {
+          AddTo(row, mesh.EdgeOf(h), mesh.EdgeSign(h) * std::sqrt(star2[r]));
+        }
+        return;
+      }
+      const int vertex = r - faces;
+      VisitEdgesAt(mesh, vertex, [&](int edge, double sign) {
+        row.emplace_back(edge, sign * star1[edge] / std::sqrt(star0[vertex]));
+      });
+    });
+}
+
 Points WhitneyAtFaces(const TriangleMesh& mesh, const Vector<double>& form)
 {
   Points vectors = Points::Zero(mesh.NumberOfFaces(), 3);

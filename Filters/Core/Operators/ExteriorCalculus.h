@@ -64,6 +64,11 @@ Vector<double> Star2(const TriangleMesh& mesh);
 SparseMatrix<double> OneFormLaplacian(const TriangleMesh& mesh, const ExecutionContext& context,
   VertexAreas areas = VertexAreas::MixedVoronoi);
 
+/// The squares that L1 sums up: B with h^T L1 h = |B h|^2. A row per face, star2^1/2 d1, and per
+/// vertex, star0^-1/2 d0^T star1. 4 entries per edge.
+SparseMatrix<double> OneFormLaplacianFactor(const TriangleMesh& mesh,
+  const ExecutionContext& context, VertexAreas areas = VertexAreas::MixedVoronoi);
+
 /// The vector of a 1-form at the centre of each face, #F x 3: that of its Whitney interpolant
 ///   sum over sides ij of z_ij (b_i grad b_j - b_j grad b_i),   b the barycentric coordinates.
 /// Exact for constant vectors in a plane.

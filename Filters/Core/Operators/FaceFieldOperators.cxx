@@ -158,36 +158,50 @@ FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh)
   return masses;
 }
 
-SparseMatrix<double> FaceFieldSmoothness(
+SparseMatrix<double> FaceFieldSmoothnessFactor(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
   const int vertices = mesh.NumberOfVertices();
-  const int rows = vertices + mesh.NumberOfEdges();
+  const int edges = mesh.NumberOfEdges();
   const std::vector<FaceProjection> projections = AllProjections(mesh, faceFrames, context);
   const FaceFieldMasses masses = MassesOfFaceFields(mesh);
-
-  // H = (D_V; C_E) and M = diag(M_V, M_E).
-  const SparseMatrix<double> H = AssembleMatrix<double>(
-    rows, 2 * mesh.NumberOfFaces(), context, [&](int r, RowEntries<double>& row) {
-      r < vertices ? AppendDivergence(mesh, projections, r, row)
-                   : AppendCurl(mesh, projections, r - vertices, row);
-    });
-  const SparseMatrix<double> inverseM = FillRows<double>(
-    rows, rows, context, [](int) { return 1; },
-    [&](int r, int* column, double* value) {
-      *column = r;
-      *value = 1.0 / (r < vertices ? masses.Vertices[r] : masses.Edges[r - vertices]);
-    });
-  SparseMatrix<double> A = TripleProduct(Adjoint(H, context), inverseM, H, context);
+  std::vector<int> degenerate;
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
     if (IsDegenerate(projections[face]))
     {
-      A.coeffRef(2 * face, 2 * face) += SmallestArea;
-      A.coeffRef(2 * face + 1, 2 * face + 1) += SmallestArea;
+      degenerate.push_back(face);
     }
   }
-  return A;
+  return AssembleMatrix<double>(vertices + edges + 2 * static_cast<int>(degenerate.size()),
+    2 * mesh.NumberOfFaces(), context, [&](int r, RowEntries<double>& row) {
+      double mass = 1.0;
+      if (r < vertices)
+      {
+        AppendDivergence(mesh, projections, r, row);
+        mass = masses.Vertices[r];
+      }
+      else if (r < vertices + edges)
+      {
+        AppendCurl(mesh, projections, r - vertices, row);
+        mass = masses.Edges[r - vertices];
+      }
+      else
+      {
+        const int k = r - vertices - edges;
+        row.emplace_back(2 * degenerate[k / 2] + k % 2, std::sqrt(SmallestArea));
+      }
+      for (auto& [column, value] : row)
+      {
+        value /= std::sqrt(mass);
+      }
+    });
+}
+
+SparseMatrix<double> FaceFieldSmoothness(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
+{
+  return NormalMatrix(FaceFieldSmoothnessFactor(mesh, faceFrames, context), context);
 }
 
 Vector<double> FaceFieldFromVectors(const TangentFrames& faceFrames, const Points& vectors)

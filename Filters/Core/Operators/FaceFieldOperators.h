@@ -63,6 +63,11 @@ FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh);
 SparseMatrix<double> FaceFieldSmoothness(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ExecutionContext& context = SerialContext());
 
+/// The squares that the smoothness matrix sums up: B with X^T A X = |B X|^2. A row per vertex,
+/// M_V^-1/2 D_V, per edge, M_E^-1/2 C_E, and two per degenerate face. 12 entries per face.
+SparseMatrix<double> FaceFieldSmoothnessFactor(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
+
 /// Tangential parts of vectors in space, #F x 3, as a face field.
 Vector<double> FaceFieldFromVectors(const TangentFrames& faceFrames, const Points& vectors);
 

@@ -28,6 +28,24 @@ SparseMatrix<Complex> OnPowers(
   return result;
 }
 
+SparseMatrix<Complex> RowsOfComponents(
+  const TransportOperator& transport, const ExecutionContext& context)
+{
+  const int* const offsets = transport.outerIndexPtr();
+  const auto sizeOf = [offsets](int row) { return offsets[row / 2 + 1] - offsets[row / 2]; };
+  return FillRows<Complex>(2 * static_cast<int>(transport.rows()),
+    static_cast<int>(transport.cols()), context, sizeOf,
+    [&](int row, int* columns, Complex* values) {
+      // The components of w z are the real parts of w z and -i w z.
+      const Complex component = row % 2 == 0 ? Complex(1.0, 0.0) : Complex(0.0, 1.0);
+      for (int i = offsets[row / 2]; i < offsets[row / 2 + 1]; ++i)
+      {
+        *columns++ = transport.innerIndexPtr()[i];
+        *values++ = component * std::conj(transport.valuePtr()[i]);
+      }
+    });
+}
+
 SparseMatrix<double> OnComponents(
   const TransportOperator& transport, const ExecutionContext& context)
 {

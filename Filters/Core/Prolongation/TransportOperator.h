@@ -19,6 +19,11 @@ using TransportOperator = SparseMatrix<Complex>;
 SparseMatrix<Complex> OnPowers(const TransportOperator& transport, int N,
   const ExecutionContext& context = SerialContext());
 
+/// The components of what the operator makes of vectors: rows (2 i, 2 i + 1) hold the vectors whose
+/// products with the coarse ones sum up to the two components; see PlanarProlongation.
+SparseMatrix<Complex> RowsOfComponents(
+  const TransportOperator& transport, const ExecutionContext& context = SerialContext());
+
 /// The operator on vectors, each a pair of components (2 i, 2 i + 1): entries become 2 x 2 blocks.
 SparseMatrix<double> OnComponents(
   const TransportOperator& transport, const ExecutionContext& context = SerialContext());

@@ -253,8 +253,13 @@ LeastSquaresCycle::LeastSquaresCycle(const SparseMatrix<double>& factor, LeastSq
   context.Checkpoint(0.5);
   const SparseMatrix<double> coarse = GramOfPlanar(Product(B, P, context), context);
   context.Checkpoint(0.7);
+  GalerkinOptions coarsening;
+  if (coarse.rows() <= options.LargestFactor)
+  {
+    coarsening.CoarsestLevel = 0;
+  }
   this->Hierarchy = std::make_unique<GalerkinHierarchy<double>>(
-    coarse, std::move(levels.Coarser), options.Coarsening, PartOfContext(context, 0.7, 0.8));
+    coarse, std::move(levels.Coarser), coarsening, PartOfContext(context, 0.7, 0.8));
   this->Coarse = std::make_unique<MultigridCycle<double>>(
     *this->Hierarchy, options.Coarse, PartOfContext(context, 0.8, 0.9));
   if (this->Hierarchy->CoarsestSolver().ReciprocalCondition() < 1e-5)

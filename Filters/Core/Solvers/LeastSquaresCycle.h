@@ -18,12 +18,13 @@ struct LeastSquaresCycleOptions
   /// Sweeps over the blocks before and after the coarse correction, >= 1.
   int Sweeps = 4;
   /// Degree of the polynomial that smooths the prolongation, >= 0.
-  int ProlongationDegree = 4;
+  int ProlongationDegree = 3;
   /// Entries of the prolongation below so many times the largest of their row are left out.
-  double Dropped = 0.02;
+  double Dropped = 0.01;
+  /// The first coarse level is factored if it has at most so many unknowns.
+  int LargestFactor = 25000;
   /// Of the levels below.
   CycleOptions Coarse;
-  GalerkinOptions Coarsening;
 };
 
 /// Where the levels of a LeastSquaresCycle come from.

@@ -2,7 +2,6 @@
 
 #include "Support/SparseRows.h"
 
-#include <cassert>
 #include <cmath>
 
 namespace dmg
@@ -112,28 +111,6 @@ PlanarProlongation Corrected(const PlanarProlongation& P, double factor,
     static_cast<int>(P.rows()), static_cast<int>(P.cols()), makeWorker, context);
 }
 
-}
-
-PlanarProlongation Product(const SparseMatrix<double>& B, const PlanarProlongation& P,
-  const ExecutionContext& context)
-{
-  assert(B.cols() == P.rows());
-  const auto makeWorker = [&] {
-    return [&, sum = SparseSum<Complex>(static_cast<int>(P.cols()))](
-             int firstRow, int lastRow, SparseRows<Complex>& rows) mutable {
-      for (int r = firstRow; r < lastRow; ++r)
-      {
-        sum.Clear();
-        for (int e = B.outerIndexPtr()[r]; e < B.outerIndexPtr()[r + 1]; ++e)
-        {
-          AddRow(sum, B.valuePtr()[e], P, B.innerIndexPtr()[e]);
-        }
-        AppendTruncated(sum, 0.0, rows);
-      }
-    };
-  };
-  return AssembleInBands<Complex>(
-    static_cast<int>(B.rows()), static_cast<int>(P.cols()), makeWorker, context);
 }
 
 PlanarProlongation SmoothedPlanar(const SparseMatrix<double>& B, PlanarProlongation P, int degree,

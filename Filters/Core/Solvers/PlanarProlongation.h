@@ -30,10 +30,6 @@ using PlanarProlongation = SparseMatrix<Complex>;
 PlanarProlongation SmoothedPlanar(const SparseMatrix<double>& B, PlanarProlongation P, int degree,
   double dropped, const ExecutionContext& context);
 
-/// B P.
-PlanarProlongation Product(const SparseMatrix<double>& B, const PlanarProlongation& P,
-  const ExecutionContext& context);
-
 /// Q^T Q on pairs of components: 2 m x 2 m for Q of m columns.
 SparseMatrix<double> GramOfPlanar(const PlanarProlongation& Q, const ExecutionContext& context);
 

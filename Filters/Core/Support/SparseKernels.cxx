@@ -231,20 +231,71 @@ SparseMatrix<Scalar> TripleProduct(const SparseMatrix<Scalar>& R, const SparseMa
           const int size = AP.Offsets[i + 1] - begin;
           sum.Add(valuesOfR[k], AP.Columns.data() + begin, AP.Values.data() + begin, size);
         }
-        const std::size_t begin = result.Columns.size();
-        result.Columns.insert(result.Columns.end(), sum.Indices(), sum.Indices() + sum.Size());
-        SortIndices(result.Columns.data() + begin, sum.Size());
-        for (std::size_t k = begin; k < result.Columns.size(); ++k)
-        {
-          result.Values.push_back(sum[result.Columns[k]]);
-        }
-        result.EndRow();
+        sum.AppendTo(result);
       }
     };
   };
   return AssembleInBands<Scalar>(static_cast<int>(R.rows()), columns, makeWorker, context);
 }
 
+template <class Scalar>
+SparseMatrix<Complex> Product(
+  const SparseMatrix<Scalar>& A, const SparseMatrix<Complex>& B, const ExecutionContext& context)
+{
+  assert(A.cols() == B.rows());
+  const auto makeWorker = [&] {
+    return [&, sum = SparseSum<Complex>(static_cast<int>(B.cols()))](
+             int firstRow, int lastRow, SparseRows<Complex>& rows) mutable {
+      for (int i = firstRow; i < lastRow; ++i)
+      {
+        sum.Clear();
+        for (int e = A.outerIndexPtr()[i]; e < A.outerIndexPtr()[i + 1]; ++e)
+        {
+          const int row = A.innerIndexPtr()[e];
+          const int begin = B.outerIndexPtr()[row];
+          sum.Add(A.valuePtr()[e], B.innerIndexPtr() + begin, B.valuePtr() + begin,
+            B.outerIndexPtr()[row + 1] - begin);
+        }
+        sum.AppendTo(rows);
+      }
+    };
+  };
+  return AssembleInBands<Complex>(
+    static_cast<int>(A.rows()), static_cast<int>(B.cols()), makeWorker, context);
+}
+
+template SparseMatrix<Complex> Product(
+  const SparseMatrix<double>&, const SparseMatrix<Complex>&, const ExecutionContext&);
+template SparseMatrix<Complex> Product(
+  const SparseMatrix<Complex>&, const SparseMatrix<Complex>&, const ExecutionContext&);
+
+template <class Scalar>
+SparseMatrix<Scalar> NormalMatrix(const SparseMatrix<Scalar>& B, const ExecutionContext& context)
+{
+  const SparseMatrix<Scalar> adjoint = Adjoint(B, context);
+  const int columns = static_cast<int>(B.cols());
+  const auto makeWorker = [&, columns] {
+    return [&, sum = SparseSum<Scalar>(columns)](
+             int firstRow, int lastRow, SparseRows<Scalar>& result) mutable {
+      for (int i = firstRow; i < lastRow; ++i)
+      {
+        sum.Clear();
+        for (int e = adjoint.outerIndexPtr()[i]; e < adjoint.outerIndexPtr()[i + 1]; ++e)
+        {
+          const int row = adjoint.innerIndexPtr()[e];
+          const int begin = B.outerIndexPtr()[row];
+          sum.Add(adjoint.valuePtr()[e], B.innerIndexPtr() + begin, B.valuePtr() + begin,
+            B.outerIndexPtr()[row + 1] - begin);
+        }
+        sum.AppendTo(result);
+      }
+    };
+  };
+  return AssembleInBands<Scalar>(columns, columns, makeWorker, context);
+}
+
+template SparseMatrix<double> NormalMatrix(const SparseMatrix<double>&, const ExecutionContext&);
+template SparseMatrix<Complex> NormalMatrix(const SparseMatrix<Complex>&, const ExecutionContext&);
 template void Multiply(const SparseMatrix<double>&, const Vector<double>&, Vector<double>&,
   const ExecutionContext&);
 template void Multiply(const SparseMatrix<Complex>&, const Vector<Complex>&, Vector<Complex>&,

@@ -104,6 +104,15 @@ template <class Scalar>
 SparseMatrix<Scalar> Permuted(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
   const std::vector<int>& columnPlaces, const ExecutionContext& context);
 
+/// A B, columns ascending.
+template <class Scalar>
+SparseMatrix<Complex> Product(const SparseMatrix<Scalar>& A, const SparseMatrix<Complex>& B,
+  const ExecutionContext& context);
+
+/// B^H B.
+template <class Scalar>
+SparseMatrix<Scalar> NormalMatrix(const SparseMatrix<Scalar>& B, const ExecutionContext& context);
+
 /// R A P, columns ascending, with all structural non-zeros.
 ///
 /// Row by row (Gustavson 1978), where each band of rows of R forms the rows of A P that it needs and

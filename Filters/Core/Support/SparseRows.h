@@ -46,6 +46,28 @@ private:
   int Count = 0;
 };
 
+/// Consecutive rows of a sparse matrix.
+template <class Scalar>
+struct SparseRows
+{
+  std::vector<int> Offsets = { 0 };
+  std::vector<int> Columns;
+  std::vector<Scalar> Values;
+
+  void Clear()
+  {
+    this->Offsets.resize(1);
+    this->Columns.clear();
+    this->Values.clear();
+  }
+
+  /// The last row ends here.
+  void EndRow() { this->Offsets.push_back(static_cast<int>(this->Columns.size())); }
+};
+
+/// Ascending; fast for few.
+void SortIndices(int* indices, int size);
+
 /// A sparse vector that is summed up from multiples of sparse rows. Factors and values may be of other
 /// kinds than the sums, as far as there is an AddProduct(sum, factor, value).
 template <class Scalar>
@@ -96,6 +118,19 @@ public:
   const int* Indices() const { return this->Members.data(); }
   const Scalar* Values() const { return this->Sums.data(); }
 
+  /// Appends the sum as a row, columns ascending.
+  void AppendTo(SparseRows<Scalar>& rows) const
+  {
+    const std::size_t begin = rows.Columns.size();
+    rows.Columns.insert(rows.Columns.end(), this->Members.begin(), this->Members.begin() + this->Count);
+    SortIndices(rows.Columns.data() + begin, this->Count);
+    for (std::size_t k = begin; k < rows.Columns.size(); ++k)
+    {
+      rows.Values.push_back((*this)[rows.Columns[k]]);
+    }
+    rows.EndRow();
+  }
+
   /// \pre index occurs.
   Scalar operator[](int index) const { return this->Sums[this->Places[index]]; }
 
@@ -105,28 +140,6 @@ private:
   std::vector<Scalar> Sums; ///< zero beyond the count
   int Count = 0;
 };
-
-/// Consecutive rows of a sparse matrix.
-template <class Scalar>
-struct SparseRows
-{
-  std::vector<int> Offsets = { 0 };
-  std::vector<int> Columns;
-  std::vector<Scalar> Values;
-
-  void Clear()
-  {
-    this->Offsets.resize(1);
-    this->Columns.clear();
-    this->Values.clear();
-  }
-
-  /// The last row ends here.
-  void EndRow() { this->Offsets.push_back(static_cast<int>(this->Columns.size())); }
-};
-
-/// Ascending; fast for few.
-void SortIndices(int* indices, int size);
 
 /// A sparse matrix in bands of rows, several at the same time.
 /// \param makeWorker called as makeWorker(), gives a function worker(firstRow, lastRow, rows) that

@@ -3,8 +3,10 @@
 #include "Operators/FaceFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/SparseAssembly.h"
+#include "Support/SparseKernels.h"
 
 #include <cassert>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -23,7 +25,8 @@ HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
   }
   assert(prescribed.Faces.size() == prescribed.Weights.size());
 
-  SparseMatrix<double> smoothness = FaceFieldSmoothness(mesh, faceFrames, context);
+  SparseMatrix<double> factor = FaceFieldSmoothnessFactor(mesh, faceFrames, context);
+  SparseMatrix<double> smoothness = NormalMatrix(factor, context);
   Vector<double> mass = MassesOfFaceFields(mesh).Faces;
   const double meanArea = mass.mean();
   // Where the whole surface has no area, every face counts alike.
@@ -33,16 +36,18 @@ HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
   const auto makeSystem = [&]() {
     if (weights.Constraints == ConstraintKind::Hard)
     {
-      return HarmonicSystem<double>::Hard(std::move(smoothness), mass, std::move(unknowns));
+      return HarmonicSystem<double>::Hard(
+        std::move(smoothness), mass, std::move(unknowns), std::move(factor));
     }
     smoothness *= weights.Smoothness;
+    factor *= std::sqrt(weights.Smoothness);
     Vector<double> alignment(unknowns.size());
     for (Eigen::Index b = 0; b < alignment.size(); ++b)
     {
       alignment[b] = weights.Alignment * prescribed.Weights[b / 2] * mass[unknowns[b]];
     }
-    return HarmonicSystem<double>::Soft(
-      std::move(smoothness), mass, std::move(unknowns), std::move(alignment));
+    return HarmonicSystem<double>::Soft(std::move(smoothness), mass, std::move(unknowns),
+      std::move(alignment), std::move(factor));
   };
   HarmonicSystem<double> system = makeSystem();
 

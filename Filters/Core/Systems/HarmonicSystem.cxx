@@ -1,6 +1,9 @@
 #include "Systems/HarmonicSystem.h"
 
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace dmg
@@ -73,22 +76,24 @@ SparseMatrix<Scalar> Submatrix(const SparseMatrix<Scalar>& matrix, const std::ve
 
 template <class Scalar>
 HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Soft(SparseMatrix<Scalar> smoothness,
-  const Vector<double>& mass, std::vector<int> prescribed, Vector<double> alignment)
+  const Vector<double>& mass, std::vector<int> prescribed, Vector<double> alignment,
+  SparseMatrix<Scalar> factor)
 {
-  return HarmonicSystem(
-    std::move(smoothness), mass, std::move(prescribed), std::move(alignment), false);
+  return HarmonicSystem(std::move(smoothness), mass, std::move(prescribed), std::move(alignment),
+    std::move(factor), false);
 }
 
 template <class Scalar>
-HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Hard(
-  SparseMatrix<Scalar> smoothness, const Vector<double>& mass, std::vector<int> prescribed)
+HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Hard(SparseMatrix<Scalar> smoothness,
+  const Vector<double>& mass, std::vector<int> prescribed, SparseMatrix<Scalar> factor)
 {
-  return HarmonicSystem(std::move(smoothness), mass, std::move(prescribed), {}, true);
+  return HarmonicSystem(
+    std::move(smoothness), mass, std::move(prescribed), {}, std::move(factor), true);
 }
 
 template <class Scalar>
 HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-  std::vector<int> prescribed, Vector<double> alignment, bool isHard)
+  std::vector<int> prescribed, Vector<double> alignment, SparseMatrix<Scalar> factor, bool isHard)
   : IsHard(isHard)
   , Prescribed(std::move(prescribed))
   , Alignment(std::move(alignment))
@@ -165,6 +170,44 @@ HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar> smoothness, const Ve
       }
     }
     this->A.makeCompressed();
+  }
+  if (factor.rows() > 0)
+  {
+    this->MakeFactor(std::move(factor));
+  }
+}
+
+template <class Scalar>
+void HarmonicSystem<Scalar>::MakeFactor(SparseMatrix<Scalar> factor)
+{
+  assert(factor.cols() == this->NumberOfUnknowns());
+  factor.makeCompressed();
+  std::vector<int> pulled; // prescriptions, a square each
+  for (Eigen::Index b = 0; b < this->Alignment.size(); ++b)
+  {
+    if (this->Alignment[b] > 0.0)
+    {
+      pulled.push_back(static_cast<int>(b));
+    }
+  }
+  const int squares = static_cast<int>(factor.rows());
+  if (this->NumberOfFree() < this->NumberOfUnknowns())
+  {
+    std::vector<int> rows(squares);
+    std::iota(rows.begin(), rows.end(), 0);
+    factor = Submatrix(factor, rows, this->Rows, this->NumberOfFree());
+  }
+  this->B.resize(squares + static_cast<int>(pulled.size()), this->NumberOfFree());
+  this->B.resizeNonZeros(factor.nonZeros() + static_cast<Eigen::Index>(pulled.size()));
+  std::copy_n(factor.outerIndexPtr(), squares + 1, this->B.outerIndexPtr());
+  std::copy_n(factor.innerIndexPtr(), factor.nonZeros(), this->B.innerIndexPtr());
+  std::copy_n(factor.valuePtr(), factor.nonZeros(), this->B.valuePtr());
+  int end = static_cast<int>(factor.nonZeros());
+  for (std::size_t k = 0; k < pulled.size(); ++k, ++end)
+  {
+    this->B.innerIndexPtr()[end] = this->Rows[this->Prescribed[pulled[k]]];
+    this->B.valuePtr()[end] = std::sqrt(this->Alignment[pulled[k]]);
+    this->B.outerIndexPtr()[squares + k + 1] = end + 1;
   }
 }
 

@@ -37,16 +37,21 @@ public:
   /// \param prescribed unknowns, ascending, each once.
   /// \param alignment m_b, one per prescribed unknown, >= 0, its weight included. A prescription
   /// with m_b = 0 holds nothing.
+  /// \param factor B with L = B^H B, if the caller has one, or empty.
   /// Cost: linear in the entries of L.
   static HarmonicSystem Soft(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-    std::vector<int> prescribed, Vector<double> alignment);
+    std::vector<int> prescribed, Vector<double> alignment, SparseMatrix<Scalar> factor = {});
 
   /// Hard constraints; parameters as above.
-  static HarmonicSystem Hard(
-    SparseMatrix<Scalar> smoothness, const Vector<double>& mass, std::vector<int> prescribed);
+  static HarmonicSystem Hard(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
+    std::vector<int> prescribed, SparseMatrix<Scalar> factor = {});
 
   /// A, Hermitian; #free x #free.
   const SparseMatrix<Scalar>& Matrix() const { return this->A; }
+
+  /// B with A = B^H B, #squares x #free: the squares that roughness and alignment sum up. Without
+  /// rows where the smoothness came without its factor.
+  const SparseMatrix<Scalar>& Factor() const { return this->B; }
 
   /// Diagonal of the mass M of the free unknowns. Errors are |x - reference|_M / |reference|_M.
   /// Thesis, section 6.4.
@@ -74,7 +79,9 @@ public:
 
 private:
   HarmonicSystem(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-    std::vector<int> prescribed, Vector<double> alignment, bool isHard);
+    std::vector<int> prescribed, Vector<double> alignment, SparseMatrix<Scalar> factor,
+    bool isHard);
+  void MakeFactor(SparseMatrix<Scalar> factor);
 
   bool IsHard;
   std::vector<int> Prescribed;
@@ -83,6 +90,7 @@ private:
   std::vector<int> Rows;    // all -> free or -1
   int Unreached = 0;
   SparseMatrix<Scalar> A;            // free x free
+  SparseMatrix<Scalar> B;            // squares x free
   SparseMatrix<Scalar> ToPrescribed; // hard: L_fb, free x prescribed
   Vector<double> M;                  // free
 };

@@ -3,6 +3,7 @@
 #include "Support/Errors.h"
 
 #include <cassert>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -22,11 +23,12 @@ HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
   assert(prescribed.Edges.size() == prescribed.Weights.size());
 
   SparseMatrix<double> smoothness = OneFormLaplacian(mesh, context, areas);
+  SparseMatrix<double> factor = OneFormLaplacianFactor(mesh, context, areas);
   const Vector<double> mass = PositiveStar1(mesh);
   if (weights.Constraints == ConstraintKind::Hard)
   {
-    HarmonicSystem<double> system =
-      HarmonicSystem<double>::Hard(std::move(smoothness), mass, prescribed.Edges);
+    HarmonicSystem<double> system = HarmonicSystem<double>::Hard(
+      std::move(smoothness), mass, prescribed.Edges, std::move(factor));
     if (system.NumberOfFree() == 0)
     {
       throw InvalidInput("hard constraints leave no edge to solve for; prescribe fewer cells or "
@@ -35,14 +37,15 @@ HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
     return system;
   }
   smoothness *= weights.Smoothness;
+  factor *= std::sqrt(weights.Smoothness);
   const double scale = weights.Alignment / (2.0 * Star2(mesh).cwiseInverse().mean());
   Vector<double> alignment(prescribed.Edges.size());
   for (Eigen::Index b = 0; b < alignment.size(); ++b)
   {
     alignment[b] = scale * prescribed.Weights[b] * mass[prescribed.Edges[b]];
   }
-  return HarmonicSystem<double>::Soft(
-    std::move(smoothness), mass, prescribed.Edges, std::move(alignment));
+  return HarmonicSystem<double>::Soft(std::move(smoothness), mass, prescribed.Edges,
+    std::move(alignment), std::move(factor));
 }
 
 }

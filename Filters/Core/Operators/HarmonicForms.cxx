@@ -1,0 +1,213 @@
+#include "Operators/HarmonicForms.h"
+
+#include "Operators/ExteriorCalculus.h"
+#include "Operators/FaceFieldOperators.h"
+#include "Solvers/CholeskySolver.h"
+
+#include <Eigen/QR>
+
+#include <vector>
+
+namespace dmg
+{
+
+namespace
+{
+
+constexpr int None = -1;
+
+/// Marks the edges of a spanning forest of the vertices.
+std::vector<char> EdgesOfTree(const TriangleMesh& mesh)
+{
+  std::vector<char> isInTree(mesh.NumberOfEdges(), 0);
+  std::vector<char> reached(mesh.NumberOfVertices(), 0);
+  std::vector<int> queue;
+  for (int root = 0; root < mesh.NumberOfVertices(); ++root)
+  {
+    if (reached[root])
+    {
+      continue;
+    }
+    reached[root] = 1;
+    queue.assign(1, root);
+    for (std::size_t k = 0; k < queue.size(); ++k)
+    {
+      const int first = mesh.OutgoingHalfedge(queue[k]);
+      const auto visit = [&](int edge, int vertex) {
+        if (!reached[vertex])
+        {
+          reached[vertex] = 1;
+          isInTree[edge] = 1;
+          queue.push_back(vertex);
+        }
+      };
+      int h = first;
+      do
+      {
+        visit(mesh.EdgeOf(h), mesh.Head(h));
+        const int incoming = TriangleMesh::Previous(h);
+        h = mesh.Twin(incoming);
+        if (h < 0)
+        {
+          visit(mesh.EdgeOf(incoming), mesh.Tail(incoming));
+        }
+      } while (h >= 0 && h != first);
+    }
+  }
+  return isInTree;
+}
+
+/// A spanning forest of the faces that does not cross the edges of the tree. What lies beyond the
+/// boundary is the root of every component that has one.
+struct Cotree
+{
+  std::vector<int> Faces;           ///< parents before children
+  std::vector<int> ParentHalfedges; ///< by face, the side towards the parent; None at other roots
+};
+
+Cotree MakeCotree(const TriangleMesh& mesh, std::vector<char>& isTaken)
+{
+  Cotree cotree;
+  cotree.ParentHalfedges.assign(mesh.NumberOfFaces(), None);
+  std::vector<char> reached(mesh.NumberOfFaces(), 0);
+  const auto grow = [&](std::size_t k) {
+    for (; k < cotree.Faces.size(); ++k)
+    {
+      for (int h = 3 * cotree.Faces[k]; h < 3 * cotree.Faces[k] + 3; ++h)
+      {
+        const int twin = mesh.Twin(h);
+        if (twin < 0 || isTaken[mesh.EdgeOf(h)] || reached[TriangleMesh::FaceOf(twin)])
+        {
+          continue;
+        }
+        reached[TriangleMesh::FaceOf(twin)] = 1;
+        cotree.ParentHalfedges[TriangleMesh::FaceOf(twin)] = twin;
+        isTaken[mesh.EdgeOf(h)] = 1;
+        cotree.Faces.push_back(TriangleMesh::FaceOf(twin));
+      }
+    }
+  };
+  // From beyond the boundary first.
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    const int face = TriangleMesh::FaceOf(h);
+    if (mesh.Twin(h) < 0 && !isTaken[mesh.EdgeOf(h)] && !reached[face])
+    {
+      reached[face] = 1;
+      cotree.ParentHalfedges[face] = h;
+      isTaken[mesh.EdgeOf(h)] = 1;
+      cotree.Faces.push_back(face);
+    }
+  }
+  grow(0);
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    if (!reached[face])
+    {
+      reached[face] = 1;
+      cotree.Faces.push_back(face);
+      grow(cotree.Faces.size() - 1);
+    }
+  }
+  return cotree;
+}
+
+Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns)
+{
+  if (columns.cols() == 0)
+  {
+    return columns;
+  }
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
+}
+
+}
+
+Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh)
+{
+  std::vector<char> isTaken = EdgesOfTree(mesh);
+  const Cotree cotree = MakeCotree(mesh, isTaken);
+  std::vector<int> generators;
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    if (!isTaken[edge])
+    {
+      generators.push_back(edge);
+    }
+  }
+  Eigen::MatrixXd forms =
+    Eigen::MatrixXd::Zero(mesh.NumberOfEdges(), static_cast<int>(generators.size()));
+  for (int k = 0; k < forms.cols(); ++k)
+  {
+    auto form = forms.col(k);
+    form[generators[k]] = 1.0;
+    for (std::size_t i = cotree.Faces.size(); i-- > 0;)
+    {
+      const int face = cotree.Faces[i];
+      const int toParent = cotree.ParentHalfedges[face];
+      if (toParent == None)
+      {
+        continue;
+      }
+      double sum = 0.0;
+      for (int h = 3 * face; h < 3 * face + 3; ++h)
+      {
+        sum += h == toParent ? 0.0 : mesh.EdgeSign(h) * form[mesh.EdgeOf(h)];
+      }
+      form[mesh.EdgeOf(toParent)] = -sum * mesh.EdgeSign(toParent);
+    }
+  }
+  return forms;
+}
+
+Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  Eigen::MatrixXd forms = ClosedForms(mesh);
+  if (forms.cols() == 0)
+  {
+    return forms;
+  }
+  const SparseMatrix<double> d0 = D0(mesh, context);
+  const SparseMatrix<double> divergence = SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal();
+  SparseMatrix<double> laplacian = divergence * d0;
+  // Constants cost nothing; a little of the diagonal holds them, and the corrections below undo it.
+  const double shift = 1e-10 * laplacian.diagonal().cwiseAbs().maxCoeff();
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    laplacian.coeffRef(vertex, vertex) += shift;
+  }
+  laplacian.makeCompressed();
+  context.Checkpoint(0.1);
+  CholeskySolver<double> solver(laplacian);
+  constexpr int Corrections = 3;
+  Vector<double> potential;
+  for (int k = 0; k < forms.cols(); ++k)
+  {
+    context.Checkpoint(0.5 + 0.5 * k / forms.cols());
+    for (int correction = 0; correction < Corrections; ++correction)
+    {
+      solver.Solve(divergence * forms.col(k), potential);
+      forms.col(k) -= d0 * potential;
+    }
+  }
+  return Orthonormal(forms);
+}
+
+Eigen::MatrixXd HarmonicFaceFields(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
+{
+  const Eigen::MatrixXd forms = HarmonicForms(mesh, context);
+  if (forms.cols() == 0)
+  {
+    return Eigen::MatrixXd(2 * mesh.NumberOfFaces(), 0);
+  }
+  Eigen::MatrixXd alongHalfedges(3 * mesh.NumberOfFaces(), forms.cols());
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    alongHalfedges.row(h) = mesh.EdgeSign(h) * forms.row(mesh.EdgeOf(h));
+  }
+  return Orthonormal(HalfedgePseudoInverse(mesh, faceFrames, context) * alongHalfedges);
+}
+
+}

@@ -1,0 +1,28 @@
+#ifndef dmgNodalLevels_h
+#define dmgNodalLevels_h
+
+#include "Mesh/TangentFrames.h"
+#include "Mesh/TriangleMesh.h"
+#include "Prolongation/TransportOperator.h"
+#include "Solvers/LeastSquaresCycle.h"
+#include "Support/ExecutionContext.h"
+
+#include <vector>
+
+/// What multigrid needs of the surface to solve for face fields and 1-forms: blocks of unknowns that
+/// belong to one face, and coarse levels of vectors at vertices. The finest level takes its vectors
+/// from level 2 at once, if there is one.
+namespace dmg
+{
+
+/// \param nodal see ProlongationOperators; not empty.
+LeastSquaresLevels NodalLevelsOfFaceFields(
+  const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
+
+/// A vector field becomes a 1-form by FormFromFaceField.
+LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
+
+}
+
+#endif
