@@ -100,10 +100,10 @@ LevelOperators OperatorsFromOverlay(const LevelTransition& transition,
 
 // Samples of the faces are farther apart, in units of their spacing, than those of samples: a face has
 // three neighbours where a sample has six.
-constexpr double RadiusOfFaceSamples = 3.2;
-constexpr double RadiusOfSamples = 2.0;
-// So few are factored at once.
-constexpr int FewestSamplesToSample = 800;
+constexpr double RadiusOfFaceSamples = 2.8;
+constexpr double RadiusOfSamples = 1.8;
+// So few are factored at once, and every level less keeps more of what has nearly no energy.
+constexpr int FewestSamplesToSample = 1500;
 // A level that keeps more of the points than this is not worth its cost.
 constexpr double LargestUsefulRatio = 0.5;
 

@@ -31,10 +31,10 @@ struct SurfaceHierarchy
   ProlongationOperators Operators;
 };
 
-/// Set-up. The only stage that decimates. Levels of samples have no surfaces, S0 and structure-preserving
-/// operators: CoarseLevels and all but Nodal stay empty.
-/// \throw InvalidInput an option is out of range, or the selection asks for more than levels of samples
-///   can give. \throw Cancelled
+/// Set-up. The only stage that decimates. Levels of samples have neither surfaces nor S0 nor any
+/// structure-preserving operators: CoarseLevels and all operators but Nodal stay empty.
+/// \throw InvalidInput an option is out of range, or the selection asks for operators that levels of
+///   samples do not have. \throw Cancelled
 /// Checkpoints: every round of collapses, or every level of samples.
 SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
   const ExecutionContext& context, const OperatorSelection& selection = OperatorSelection());

@@ -35,11 +35,10 @@ enum class ProlongationConstruction
   ExactOverlay,
 };
 
-/// Defaults are the thesis's, section 5.4. All but the first are those of edge collapses; sampling
+/// Defaults are the thesis's, section 5.4. All but Levels are those of edge collapses; sampling
 /// goes on down to some hundred samples and needs no options.
 struct HierarchyOptions
 {
-  LevelConstruction Levels = LevelConstruction::EdgeCollapses;
   /// Faces of a level over faces of the next finer one, in (0, 1).
   double FaceRatio = 0.25;
   /// At most so many levels beside the finest, >= 0.
@@ -48,6 +47,7 @@ struct HierarchyOptions
   int MinimumNumberOfFaces = 1000;
   CollapsePolicy Policy = CollapsePolicy::IndependentRounds;
   ProlongationConstruction Construction = ProlongationConstruction::TrackedPaths;
+  LevelConstruction Levels = LevelConstruction::EdgeCollapses;
 };
 
 }

@@ -20,8 +20,8 @@ constexpr int Grain = 4096;
 /// number of threads.
 constexpr int BlockSize = 8192;
 
-/// How often places and turns are averaged over neighbours after the points have found their owners:
-/// each follows a single path at first, which goes round some curvature on one side only.
+/// How often places and turns are averaged over neighbours after the points have found their
+/// owners: each follows a single path at first, which goes round some curvature on one side only.
 constexpr int NumberOfMeans = 2;
 
 /// Where a point lies seen from a sample.
@@ -77,12 +77,14 @@ public:
     , Seen(graph.NumberOfPoints())
     , Marks(graph.NumberOfPoints(), -1)
   {
-    context.ParallelFor(0, graph.NumberOfPoints(), Grain, [&](int first, int last) {
-      for (int point = first; point < last; ++point)
+    context.ParallelFor(0, graph.NumberOfPoints(), Grain,
+      [&](int first, int last)
       {
-        this->Radii[point] = radius * Spacing(graph, point);
-      }
-    });
+        for (int point = first; point < last; ++point)
+        {
+          this->Radii[point] = radius * Spacing(graph, point);
+        }
+      });
   }
 
   /// First in blocks, each by itself, what covers points of the block only; then the seams.
@@ -90,12 +92,14 @@ public:
   {
     const int points = this->Graph.NumberOfPoints();
     const int blocks = (points + BlockSize - 1) / BlockSize;
-    context.ParallelFor(0, blocks, 1, [&](int firstBlock, int lastBlock) {
-      for (int block = firstBlock; block < lastBlock; ++block)
+    context.ParallelFor(0, blocks, 1,
+      [&](int firstBlock, int lastBlock)
       {
-        this->SampleWithin(block * BlockSize, std::min((block + 1) * BlockSize, points));
-      }
-    });
+        for (int block = firstBlock; block < lastBlock; ++block)
+        {
+          this->SampleWithin(block * BlockSize, std::min((block + 1) * BlockSize, points));
+        }
+      });
     this->SampleWithin(0, points);
     return std::move(this->Seen);
   }
@@ -139,8 +143,8 @@ private:
     for (std::size_t next = 0; next < visits.size(); ++next)
     {
       const Visit visit = visits[next];
-      for (int link = this->Graph.Offsets[visit.Point];
-           link < this->Graph.Offsets[visit.Point + 1]; ++link)
+      for (int link = this->Graph.Offsets[visit.Point]; link < this->Graph.Offsets[visit.Point + 1];
+           ++link)
       {
         const int point = this->Graph.Neighbours[link];
         const Complex place = visit.Seen.Place + visit.Seen.Turn * this->Graph.Steps[link];
@@ -186,26 +190,28 @@ Sights FollowNeighbours(
   const TangentGraph& graph, const Sights& former, const ExecutionContext& context)
 {
   Sights sights(former.size());
-  context.ParallelFor(0, graph.NumberOfPoints(), Grain, [&](int first, int last) {
-    for (int point = first; point < last; ++point)
+  context.ParallelFor(0, graph.NumberOfPoints(), Grain,
+    [&](int first, int last)
     {
-      Sight& nearest = sights[point] = former[point];
-      for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
+      for (int point = first; point < last; ++point)
       {
-        const Sight& neighbour = former[graph.Neighbours[link]];
-        if (neighbour.Owner == former[point].Owner)
+        Sight& nearest = sights[point] = former[point];
+        for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
         {
-          continue;
-        }
-        const Sight other = Along(graph, link, neighbour);
-        // What is equal up to rounding must not let rounding decide.
-        if (std::norm(other.Place) < (1.0 - 1e-9) * std::norm(nearest.Place))
-        {
-          nearest = other;
+          const Sight& neighbour = former[graph.Neighbours[link]];
+          if (neighbour.Owner == former[point].Owner)
+          {
+            continue;
+          }
+          const Sight other = Along(graph, link, neighbour);
+          // What is equal up to rounding must not let rounding decide.
+          if (std::norm(other.Place) < (1.0 - 1e-9) * std::norm(nearest.Place))
+          {
+            nearest = other;
+          }
         }
       }
-    }
-  });
+    });
   return sights;
 }
 
@@ -214,36 +220,38 @@ Sights MeansOfNeighbours(
   const TangentGraph& graph, const Sights& former, const ExecutionContext& context)
 {
   Sights sights(former.size());
-  context.ParallelFor(0, graph.NumberOfPoints(), Grain, [&](int first, int last) {
-    for (int point = first; point < last; ++point)
+  context.ParallelFor(0, graph.NumberOfPoints(), Grain,
+    [&](int first, int last)
     {
-      Sight& mean = sights[point] = former[point];
-      if (mean.Owner == point)
+      for (int point = first; point < last; ++point)
       {
-        continue;
-      }
-      Complex places = 0.0;
-      Complex turns = 0.0;
-      int count = 0;
-      for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
-      {
-        const Sight& neighbour = former[graph.Neighbours[link]];
-        if (neighbour.Owner == mean.Owner)
+        Sight& mean = sights[point] = former[point];
+        if (mean.Owner == point)
         {
-          const Sight seen = Along(graph, link, neighbour);
-          places += seen.Place;
-          turns += seen.Turn;
-          ++count;
+          continue;
+        }
+        Complex places = 0.0;
+        Complex turns = 0.0;
+        int count = 0;
+        for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
+        {
+          const Sight& neighbour = former[graph.Neighbours[link]];
+          if (neighbour.Owner == mean.Owner)
+          {
+            const Sight seen = Along(graph, link, neighbour);
+            places += seen.Place;
+            turns += seen.Turn;
+            ++count;
+          }
+        }
+        const double length = std::sqrt(std::norm(turns));
+        if (length > 0.0)
+        {
+          mean.Place = places / static_cast<double>(count);
+          mean.Turn = turns / length;
         }
       }
-      const double length = std::sqrt(std::norm(turns));
-      if (length > 0.0)
-      {
-        mean.Place = places / static_cast<double>(count);
-        mean.Turn = turns / length;
-      }
-    }
-  });
+    });
   return sights;
 }
 
@@ -286,8 +294,8 @@ struct PointsOfSamples
   }
 };
 
-void AddCrossings(const TangentGraph& graph, const PointSampling& sampling, int point,
-  RowEntries<Crossings>& row)
+void AddCrossings(
+  const TangentGraph& graph, const PointSampling& sampling, int point, RowEntries<Crossings>& row)
 {
   const int owner = sampling.Owners[point];
   for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
@@ -345,14 +353,16 @@ PointSampling Numbered(const Sights& sights, const ExecutionContext& context)
   sampling.Owners.resize(points);
   sampling.Places.resize(points);
   sampling.Turns.resize(points);
-  context.ParallelFor(0, points, Grain, [&](int first, int last) {
-    for (int point = first; point < last; ++point)
+  context.ParallelFor(0, points, Grain,
+    [&](int first, int last)
     {
-      sampling.Owners[point] = numbers[sights[point].Owner];
-      sampling.Places[point] = sights[point].Place;
-      sampling.Turns[point] = sights[point].Turn;
-    }
-  });
+      for (int point = first; point < last; ++point)
+      {
+        sampling.Owners[point] = numbers[sights[point].Owner];
+        sampling.Places[point] = sights[point].Place;
+        sampling.Turns[point] = sights[point].Turn;
+      }
+    });
   return sampling;
 }
 
@@ -375,8 +385,9 @@ TangentGraph GraphOfSamples(
 {
   const int samples = static_cast<int>(sampling.Samples.size());
   const PointsOfSamples members(sampling);
-  const AssembledRows<Crossings> rows(
-    samples, context, [&](int sample, RowEntries<Crossings>& row) {
+  const AssembledRows<Crossings> rows(samples, context,
+    [&](int sample, RowEntries<Crossings>& row)
+    {
       for (int k = members.Offsets[sample]; k < members.Offsets[sample + 1]; ++k)
       {
         AddCrossings(graph, sampling, members.Points[k], row);
@@ -392,12 +403,14 @@ TangentGraph GraphOfSamples(
   result.Neighbours.resize(links);
   result.Steps.resize(links);
   result.Turns.resize(links);
-  context.ParallelFor(0, samples, Grain, [&](int first, int last) {
-    for (int sample = first; sample < last; ++sample)
+  context.ParallelFor(0, samples, Grain,
+    [&](int first, int last)
     {
-      SetLinks(result, sample, rows.Begin(sample), rows.End(sample));
-    }
-  });
+      for (int sample = first; sample < last; ++sample)
+      {
+        SetLinks(result, sample, rows.Begin(sample), rows.End(sample));
+      }
+    });
   return result;
 }
 

@@ -26,9 +26,9 @@ struct PointSampling
 
 /// Chooses points at a distance of each other that follows the spacing of the points around them,
 /// and so dense that none could be added: two samples are farther apart than \p radius times the
-/// smaller of their spacings. The spacing of a point is the harmonic mean of its three shortest steps:
-/// where points lie densely in one direction only, as across the long sides of thin faces, samples
-/// thin them out in that direction, and do not pass over what couples tightly there.
+/// smaller of their spacings. The spacing of a point is the harmonic mean of its three shortest
+/// steps: where points lie densely in one direction only, as across the long sides of thin faces,
+/// samples thin them out in that direction, and do not pass over what couples tightly there.
 /// Distances are those in the tangent planes of the samples.
 /// \param radius > 0.
 /// Cost: linear for bounded radius and valence. Wiersma et al. 2023 sample the same way, with one

@@ -69,43 +69,47 @@ TangentGraph FaceGraph(
   std::vector<FlatFace> flat(faces);
   TangentGraph graph;
   graph.Offsets.assign(faces + 1, 0);
-  context.ParallelFor(0, faces, Grain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, faces, Grain,
+    [&](int first, int last)
     {
-      const int face = order[i];
-      flat[i] = Flatten(mesh, face);
-      for (int h = 3 * face; h < 3 * face + 3; ++h)
+      for (int i = first; i < last; ++i)
       {
-        graph.Offsets[i + 1] += IsLink(mesh, h);
+        const int face = order[i];
+        flat[i] = Flatten(mesh, face);
+        for (int h = 3 * face; h < 3 * face + 3; ++h)
+        {
+          graph.Offsets[i + 1] += IsLink(mesh, h);
+        }
       }
-    }
-  });
+    });
   const int links = OffsetsFromCounts(graph.Offsets);
   graph.Neighbours.resize(links);
   graph.Steps.resize(links);
   graph.Turns.resize(links);
-  context.ParallelFor(0, faces, Grain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, faces, Grain,
+    [&](int first, int last)
     {
-      int link = graph.Offsets[i];
-      for (int k = 0; k < 3; ++k)
+      for (int i = first; i < last; ++i)
       {
-        const int h = 3 * order[i] + k;
-        if (IsLink(mesh, h))
+        int link = graph.Offsets[i];
+        for (int k = 0; k < 3; ++k)
         {
-          const int twin = mesh.Twin(h);
-          const int j = places[TriangleMesh::FaceOf(twin)];
-          const FlatFace& there = flat[j];
-          // Both sides run along the edge, in opposite directions.
-          const Complex turn = -flat[i].Sides[k] * std::conj(there.Sides[twin % 3]);
-          graph.Neighbours[link] = j;
-          graph.Turns[link] = turn;
-          graph.Steps[link] = flat[i].Midpoints[k] - turn * there.Midpoints[twin % 3];
-          ++link;
+          const int h = 3 * order[i] + k;
+          if (IsLink(mesh, h))
+          {
+            const int twin = mesh.Twin(h);
+            const int j = places[TriangleMesh::FaceOf(twin)];
+            const FlatFace& there = flat[j];
+            // Both sides run along the edge, in opposite directions.
+            const Complex turn = -flat[i].Sides[k] * std::conj(there.Sides[twin % 3]);
+            graph.Neighbours[link] = j;
+            graph.Turns[link] = turn;
+            graph.Steps[link] = flat[i].Midpoints[k] - turn * there.Midpoints[twin % 3];
+            ++link;
+          }
         }
       }
-    }
-  });
+    });
   return graph;
 }
 

@@ -41,8 +41,8 @@ struct Weights
   double OfSecond;
 };
 
-/// In the triangle that a place lies in, between two links, or on its far side. \return false if the
-/// links span no triangle there.
+/// In the triangle that a place lies in, between two links, or on its far side. \return false if
+/// the links span no triangle there.
 bool WeightsInTriangle(
   const TangentGraph& samples, int first, int second, Complex place, Weights& weights)
 {
@@ -112,7 +112,8 @@ void Append(RowEntries<Complex>& row, int sample, Complex entry)
 TransportOperator SampledProlongation(
   const PointSampling& sampling, const TangentGraph& samples, const ExecutionContext& context)
 {
-  const auto appendRow = [&](int point, RowEntries<Complex>& row) {
+  const auto appendRow = [&](int point, RowEntries<Complex>& row)
+  {
     const int owner = sampling.Owners[point];
     const Complex toPoint = std::conj(sampling.Turns[point]);
     const int begin = samples.Offsets[owner];
