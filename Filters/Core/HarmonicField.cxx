@@ -1,6 +1,8 @@
 #include "HarmonicField.h"
 
 #include "Hierarchy/MeshHierarchy.h"
+#include "Hierarchy/PointSampling.h"
+#include "Hierarchy/TangentGraph.h"
 #include "Mesh/SpatialOrder.h"
 #include "Operators/HarmonicForms.h"
 #include "Operators/PowerFieldOperators.h"
@@ -9,6 +11,7 @@
 #include "Prolongation/OneFormProlongation.h"
 #include "Prolongation/OverlayProlongation.h"
 #include "Prolongation/PowerFieldProlongation.h"
+#include "Prolongation/SampledProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Errors.h"
 #include "Support/SparseAssembly.h"
@@ -95,6 +98,51 @@ LevelOperators OperatorsFromOverlay(const LevelTransition& transition,
   OverlayProlongation overlay(transition, fineFrames, coarseFrames, context);
   return { std::move(overlay.S0), std::move(overlay.S1), std::move(overlay.SX),
     std::move(overlay.SP) };
+}
+
+// Samples of the faces are farther apart, in units of their spacing, than those of samples: a face has
+// three neighbours where a sample has six.
+constexpr double RadiusOfFaceSamples = 2.8;
+constexpr double RadiusOfSamples = 1.8;
+// So few are factored at once, and every level less keeps more of what has nearly no energy.
+constexpr int FewestSamplesToSample = 1500;
+// A level that keeps more of the points than this is not worth its cost.
+constexpr double LargestUsefulRatio = 0.5;
+
+ProlongationOperators OperatorsFromSamples(
+  const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  ProlongationOperators operators;
+  operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
+  operators.NumbersOfEdges.push_back(mesh.NumberOfEdges());
+  operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
+  context.Checkpoint(0.0);
+  const std::vector<int> order = SpatialOrder(mesh, context).Faces();
+  TangentGraph points = FaceGraph(mesh, order, context);
+  while (points.NumberOfPoints() > FewestSamplesToSample)
+  {
+    // Most of the work is in the finest level.
+    context.Checkpoint(operators.Nodal.empty() ? 0.3 : 0.9);
+    const PointSampling sampling = SamplePoints(
+      points, operators.Nodal.empty() ? RadiusOfFaceSamples : RadiusOfSamples, context);
+    const int numberOfSamples = static_cast<int>(sampling.Samples.size());
+    if (numberOfSamples > LargestUsefulRatio * points.NumberOfPoints())
+    {
+      break; // so many pieces of surface, of few faces each
+    }
+    TangentGraph samples = GraphOfSamples(points, sampling, context);
+    operators.Nodal.push_back(SampledProlongation(sampling, samples, context));
+    operators.NumbersOfVertices.push_back(numberOfSamples);
+    operators.NumbersOfEdges.push_back(samples.NumberOfLinks() / 2);
+    operators.NumbersOfFaces.push_back(numberOfSamples);
+    points = std::move(samples);
+  }
+  if (!operators.Nodal.empty())
+  {
+    operators.Nodal[0] = RenumberRows(operators.Nodal[0], order, context);
+  }
+  context.Checkpoint(1.0);
+  return operators;
 }
 
 /// Operators on N-powers.
@@ -194,6 +242,14 @@ std::string NameOf(const FieldOptions& options)
 SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
   const ExecutionContext& context, const OperatorSelection& selection)
 {
+  if (options.Levels == LevelConstruction::Sampling)
+  {
+    if (selection.PowerFields || selection.FaceFields || selection.OneForms)
+    {
+      throw InvalidInput("structure-preserving operators need levels from edge collapses");
+    }
+    return { {}, OperatorsFromSamples(mesh, context) };
+  }
   SurfaceHierarchy result;
   ProlongationOperators& operators = result.Operators;
   operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());

@@ -31,10 +31,13 @@ struct SurfaceHierarchy
   ProlongationOperators Operators;
 };
 
-/// Set-up. The only stage that decimates.
+/// Set-up. The only stage that decimates. Levels of samples have neither surfaces nor S0 nor any
+/// structure-preserving operators: CoarseLevels and all operators but Nodal stay empty.
+/// \throw InvalidInput an option is out of range, or the selection asks for operators that levels of
+///   samples do not have.
 /// \throw Cancelled
-/// Checkpoints: several in each round of collapses, every 64 of them in exact overlays; fractions
-/// rise from 0 to 1 once.
+/// Checkpoints: several in each round of collapses, every 64 of them in exact overlays, or every
+/// level of samples; fractions rise from 0 to 1 once.
 SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
   const ExecutionContext& context, const OperatorSelection& selection = OperatorSelection());
 

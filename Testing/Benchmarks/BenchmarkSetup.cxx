@@ -1,8 +1,9 @@
-// Set-up: all levels and the operators between them, tracked, from surfaces in PLY files.
+// Set-up: all levels and the operators between them, from surfaces in PLY files.
 //
 //   BenchmarkSetup [--runs n] [--threads n] [--grow] surface.ply ...
 //
-// Once with the operators of power fields (S0, SP, Nodal), once with all (S1 and SX as well).
+// Once from samples (Nodal only), once from edge collapses with the operators of power fields (S0, SP,
+// Nodal), once with all (S1 and SX as well).
 // With --grow, each surface is also cut 1:4 until it has a million faces: growth with size.
 
 #include "Benchmarks/CommandLine.h"
@@ -16,23 +17,31 @@ using namespace dmg;
 namespace
 {
 
-void Measure(const std::string& name, const TriangleMesh& mesh, int runs,
-  const OperatorSelection& selection, const ExecutionContext& context)
+struct Setup
 {
+  const char* Operators;
+  LevelConstruction Levels;
+  OperatorSelection Selection;
+};
+
+void Measure(const std::string& name, const TriangleMesh& mesh, int runs, const Setup& setup,
+  const ExecutionContext& context)
+{
+  HierarchyOptions options;
+  options.Levels = setup.Levels;
   std::vector<double> seconds;
   SurfaceHierarchy hierarchy;
   for (int run = 0; run < runs; ++run)
   {
     seconds.push_back(benchmarks::Seconds([&] {
-      hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context, selection);
+      hierarchy = BuildSurfaceHierarchy(mesh, options, context, setup.Selection);
     }));
   }
   const std::vector<int>& faces = hierarchy.Operators.NumbersOfFaces;
-  const int collapses = (faces.front() - faces.back()) / 2;
   const double median = benchmarks::Median(seconds);
-  std::printf("%-28s %-9s %8d %8.3f %8.3f %10.2f  ", name.c_str(),
-    selection.OneForms ? "all" : "power", faces.front(), median,
-    *std::min_element(seconds.begin(), seconds.end()), 1e6 * median / std::max(collapses, 1));
+  std::printf("%-28s %-9s %8d %8.3f %8.3f %12.2f  ", name.c_str(),
+    setup.Operators, faces.front(), median, *std::min_element(seconds.begin(), seconds.end()),
+    1e6 * median / std::max(faces.front() - faces.back(), 1));
   for (std::size_t l = 1; l < faces.size(); ++l)
   {
     std::printf(" %d", faces[l]);
@@ -60,22 +69,25 @@ int main(int argc, char* argv[])
   }
   const test::TbbContext context(threads);
   benchmarks::PrintMachine(threads, runs);
-  std::printf("%-28s %-9s %8s %8s %8s %10s   %s\n", "surface", "operators", "faces", "s", "s, best",
-    "us/collapse", "faces of the coarse levels");
-  const auto measureBoth = [&](const std::string& name, const TriangleMesh& mesh) {
-    for (bool all : { false, true })
+  std::printf("%-28s %-9s %8s %8s %8s %12s   %s\n", "surface", "operators", "faces", "s", "s, best",
+    "us/face less", "faces of the coarse levels");
+  const auto measureAll = [&](const std::string& name, const TriangleMesh& mesh) {
+    for (const Setup& setup :
+         { Setup{ "sampled", LevelConstruction::Sampling, { false, false, false } },
+           Setup{ "power", LevelConstruction::EdgeCollapses, { true, false, false } },
+           Setup{ "all", LevelConstruction::EdgeCollapses, { true, true, true } } })
     {
-      Measure(name, mesh, runs, { true, all, all }, context);
+      Measure(name, mesh, runs, setup, context);
     }
   };
   for (const std::string& path : paths)
   {
     test::Surface surface = test::ReadPly(path);
-    measureBoth(benchmarks::BaseName(path), surface.Mesh());
+    measureAll(benchmarks::BaseName(path), surface.Mesh());
     while (grow && surface.F.rows() < 1000000)
     {
       surface = test::Subdivide(surface);
-      measureBoth(benchmarks::BaseName(path) + ", cut 1:4", surface.Mesh());
+      measureAll(benchmarks::BaseName(path) + ", cut 1:4", surface.Mesh());
     }
   }
   return 0;

@@ -16,12 +16,20 @@ using namespace dmg::test;
 namespace
 {
 
-int Iterations(const Surface& surface, int N, int prescribedFaces)
+/// Both ways to make the levels.
+class PowerFieldConvergence : public ::testing::TestWithParam<LevelConstruction>
+{
+};
+
+int Iterations(LevelConstruction levels, const Surface& surface, int N, int prescribedFaces)
 {
   const TbbContext context(2);
+  HierarchyOptions hierarchyOptions;
+  hierarchyOptions.Levels = levels;
   const TriangleMesh mesh = surface.Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context);
+  const SurfaceHierarchy hierarchy =
+    BuildSurfaceHierarchy(mesh, hierarchyOptions, context, { false, false, false });
   PrescribedFaces prescribed;
   Random random(53);
   for (int b = 0; b < prescribedFaces; ++b)
@@ -32,7 +40,8 @@ int Iterations(const Surface& surface, int N, int prescribedFaces)
   FieldOptions options;
   options.N = N;
   options.Solver.Kind = SolverKind::ConjugateGradients;
-  HarmonicProblem<Complex> problem = MakePowerFieldProblem(mesh, frames, &hierarchy.Operators, prescribed, options, context);
+  HarmonicProblem<Complex> problem =
+    MakePowerFieldProblem(mesh, frames, &hierarchy.Operators, prescribed, options, context);
   problem.Solve(random.Numbers(prescribedFaces), {}, StoppingCriteria(), context);
   EXPECT_TRUE(problem.Report().Converged);
   return static_cast<int>(problem.Report().Iterations.size()) - 1;
@@ -40,7 +49,7 @@ int Iterations(const Surface& surface, int N, int prescribedFaces)
 
 }
 
-TEST(PowerFieldConvergence, DoesNotDependOnSize)
+TEST_P(PowerFieldConvergence, DoesNotDependOnSize)
 {
   for (int N : { 1, 2, 4, 6 })
   {
@@ -48,8 +57,8 @@ TEST(PowerFieldConvergence, DoesNotDependOnSize)
     {
       SCOPED_TRACE(N);
       SCOPED_TRACE(prescribed);
-      const int small = Iterations(IrregularSphere(5, 3), N, prescribed);  // 20,480 faces
-      const int large = Iterations(IrregularSphere(6, 3), N, prescribed);  // 81,920 faces
+      const int small = Iterations(GetParam(), IrregularSphere(5, 3), N, prescribed); // 20,480
+      const int large = Iterations(GetParam(), IrregularSphere(6, 3), N, prescribed); // 81,920
       EXPECT_LE(small, 12);
       EXPECT_LE(large, 12);
       EXPECT_LE(large, small + 2);
@@ -57,12 +66,18 @@ TEST(PowerFieldConvergence, DoesNotDependOnSize)
   }
 }
 
-TEST(PowerFieldConvergence, DoesNotDependOnGenus)
+TEST_P(PowerFieldConvergence, DoesNotDependOnGenus)
 {
   for (int N : { 1, 2, 4, 6 })
   {
     SCOPED_TRACE(N);
-    EXPECT_LE(Iterations(IrregularTorus(200, 80, 4), N, 20), 12); // 32,000 faces
-    EXPECT_LE(Iterations(DoubleTorus(16), N, 20), 12);
+    EXPECT_LE(Iterations(GetParam(), IrregularTorus(200, 80, 4), N, 20), 12); // 32,000 faces
+    EXPECT_LE(Iterations(GetParam(), DoubleTorus(16), N, 20), 12);
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(Levels, PowerFieldConvergence,
+  ::testing::Values(LevelConstruction::EdgeCollapses, LevelConstruction::Sampling),
+  [](const auto& info) {
+    return info.param == LevelConstruction::Sampling ? "Sampling" : "EdgeCollapses";
+  });

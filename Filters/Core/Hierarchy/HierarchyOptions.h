@@ -4,6 +4,16 @@
 namespace dmg
 {
 
+/// Where the coarse levels come from.
+enum class LevelConstruction
+{
+  /// The thesis's: the surface is decimated, and every operator can be had. The default.
+  EdgeCollapses,
+  /// Samples of the surface's faces, and samples of these. Much faster; the nodal operators only, and
+  /// no coarse surfaces. Wiersma et al. 2023.
+  Sampling,
+};
+
 /// The order in which edges are collapsed.
 enum class CollapsePolicy
 {
@@ -25,7 +35,8 @@ enum class ProlongationConstruction
   ExactOverlay,
 };
 
-/// Defaults are the thesis's, section 5.4.
+/// Defaults are the thesis's, section 5.4. All but Levels are those of edge collapses; sampling
+/// goes on down to some hundred samples and needs no options.
 struct HierarchyOptions
 {
   /// Faces of a level over faces of the next finer one, in (0, 1).
@@ -36,6 +47,7 @@ struct HierarchyOptions
   int MinimumNumberOfFaces = 1000;
   CollapsePolicy Policy = CollapsePolicy::IndependentRounds;
   ProlongationConstruction Construction = ProlongationConstruction::TrackedPaths;
+  LevelConstruction Levels = LevelConstruction::EdgeCollapses;
 };
 
 }

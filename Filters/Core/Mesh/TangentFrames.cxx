@@ -46,6 +46,27 @@ FaceShape ShapeOf(const TriangleMesh& mesh, int face)
   return shape;
 }
 
+Complex UnitOf(Complex z)
+{
+  return z / std::sqrt(std::norm(z));
+}
+
+std::array<Complex, 3> SideDirectionsOfDegenerate(const FaceShape& shape)
+{
+  const double longest = shape.Sides[shape.Longest].norm();
+  std::array<Complex, 3> directions;
+  directions.fill(-1.0);
+  directions[shape.Longest] = 1.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    if (shape.Sides[k].norm() < DegenerateLength * longest)
+    {
+      directions[k] = Complex(0.0, -1.0) * directions[(k + 1) % 3];
+    }
+  }
+  return directions;
+}
+
 /// The unit vector perpendicular to unit \p direction that is nearest to \p wish; any perpendicular
 /// one where the wish has no such part.
 Vector3 PerpendicularPart(const Vector3& wish, const Vector3& direction)
@@ -174,27 +195,30 @@ std::array<Complex, 3> SideDirections(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, int face)
 {
   const FaceShape shape = ShapeOf(mesh, face);
-  std::array<Complex, 3> directions;
-  if (!shape.IsDegenerate)
+  if (shape.IsDegenerate)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      const Complex side = faceFrames.ToComplex(face, shape.Sides[k]);
-      directions[k] = side / std::sqrt(std::norm(side));
-    }
-    return directions;
+    return SideDirectionsOfDegenerate(shape);
   }
-  const double longest = shape.Sides[shape.Longest].norm();
-  directions.fill(-1.0);
-  directions[shape.Longest] = 1.0;
+  std::array<Complex, 3> directions;
   for (int k = 0; k < 3; ++k)
   {
-    if (shape.Sides[k].norm() < DegenerateLength * longest)
-    {
-      directions[k] = Complex(0.0, -1.0) * directions[(k + 1) % 3];
-    }
+    directions[k] = UnitOf(faceFrames.ToComplex(face, shape.Sides[k]));
   }
   return directions;
+}
+
+std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face)
+{
+  const FaceShape shape = ShapeOf(mesh, face);
+  if (shape.IsDegenerate)
+  {
+    return SideDirectionsOfDegenerate(shape);
+  }
+  // X along the first side; the third is back from the end of the second.
+  const double doubledArea = shape.AreaVector.norm();
+  const Vector3& x = shape.Sides[0];
+  return { Complex(1.0), UnitOf({ x.dot(shape.Sides[1]), doubledArea }),
+    UnitOf({ x.dot(shape.Sides[2]), -doubledArea }) };
 }
 
 TangentFrames VertexFrames(const TriangleMesh& mesh)

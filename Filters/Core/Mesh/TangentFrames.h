@@ -39,6 +39,9 @@ TangentFrames FaceFrames(
 std::array<Complex, 3> SideDirections(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
 
+/// The same in FaceFrames, for those who need no more of these frames.
+std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face);
+
 /// Per vertex: N the normalised sum of the area vectors of the faces around it (where that
 /// vanishes, the normal of one of them), X its outgoing halfedge projected to the tangent plane
 /// (where that vanishes, any direction there).

@@ -23,7 +23,9 @@ struct OperatorSelection
 /// The operators do not depend on N, on constraints or on weights.
 struct ProlongationOperators
 {
-  /// Sizes of the levels, finest first; one more than there are operators in a list.
+  /// Sizes of the levels, finest first; one more than there are operators in a list. Of a level of
+  /// samples: the samples, which are the faces that are left as well as the vertices of the nodal
+  /// hierarchy, and the pairs of neighbours.
   std::vector<int> NumbersOfVertices;
   std::vector<int> NumbersOfEdges;
   std::vector<int> NumbersOfFaces;
@@ -42,8 +44,9 @@ struct ProlongationOperators
   std::vector<TransportOperator> SP;
 
   /// The nodal hierarchy: [0] is #F_0 x #V_1, face fields from directions at the vertices of
-  /// level 1; [l >= 1] is #V_l x #V_{l+1}. Directions are in FaceFrames on level 0 and in polar
-  /// coordinates of the vertices above (NodalProlongation.h).
+  /// level 1; [l >= 1] is #V_l x #V_{l+1}. Directions are in FaceFrames on level 0 and, above, in
+  /// polar coordinates of the vertices (NodalProlongation.h) or in the FaceFrames of the faces that
+  /// were sampled (SampledProlongation.h).
   std::vector<TransportOperator> Nodal;
 
   int NumberOfLevels() const { return static_cast<int>(this->NumbersOfFaces.size()); }

@@ -1,0 +1,116 @@
+#include "Hierarchy/TangentGraph.h"
+
+#include "Mesh/TangentFrames.h"
+#include "Support/SparseKernels.h"
+
+#include <array>
+
+namespace dmg
+{
+
+namespace
+{
+
+constexpr int Grain = 4096;
+
+/// A face in its frame, seen from its point.
+struct FlatFace
+{
+  std::array<Complex, 3> Sides; // unit
+  std::array<Complex, 3> Midpoints;
+};
+
+FlatFace Flatten(const TriangleMesh& mesh, int face)
+{
+  FlatFace flat{ SideDirections(mesh, face), {} };
+  Complex corner = 0.0;
+  Complex sum = 0.0;
+  double weights = 0.0;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int h = 3 * face + k;
+    const double length = (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).norm();
+    flat.Midpoints[k] = corner + 0.5 * length * flat.Sides[k];
+    corner += length * flat.Sides[k];
+    sum += length * length * flat.Midpoints[k];
+    weights += length * length;
+  }
+  for (Complex& midpoint : flat.Midpoints)
+  {
+    midpoint -= sum / weights;
+  }
+  return flat;
+}
+
+/// Whether both halfedges exist and belong to different faces.
+bool IsLink(const TriangleMesh& mesh, int halfedge)
+{
+  const int twin = mesh.Twin(halfedge);
+  return twin >= 0 && TriangleMesh::FaceOf(twin) != TriangleMesh::FaceOf(halfedge);
+}
+
+std::vector<int> Inverse(const std::vector<int>& permutation)
+{
+  std::vector<int> inverse(permutation.size());
+  for (std::size_t i = 0; i < permutation.size(); ++i)
+  {
+    inverse[permutation[i]] = static_cast<int>(i);
+  }
+  return inverse;
+}
+
+}
+
+TangentGraph FaceGraph(
+  const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context)
+{
+  const int faces = mesh.NumberOfFaces();
+  const std::vector<int> places = Inverse(order);
+  std::vector<FlatFace> flat(faces);
+  TangentGraph graph;
+  graph.Offsets.assign(faces + 1, 0);
+  context.ParallelFor(0, faces, Grain,
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        const int face = order[i];
+        flat[i] = Flatten(mesh, face);
+        for (int h = 3 * face; h < 3 * face + 3; ++h)
+        {
+          graph.Offsets[i + 1] += IsLink(mesh, h);
+        }
+      }
+    });
+  const int links = OffsetsFromCounts(graph.Offsets);
+  graph.Neighbours.resize(links);
+  graph.Steps.resize(links);
+  graph.Turns.resize(links);
+  context.ParallelFor(0, faces, Grain,
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        int link = graph.Offsets[i];
+        for (int k = 0; k < 3; ++k)
+        {
+          const int h = 3 * order[i] + k;
+          if (IsLink(mesh, h))
+          {
+            const int twin = mesh.Twin(h);
+            const int j = places[TriangleMesh::FaceOf(twin)];
+            const FlatFace& there = flat[j];
+            // Both sides run along the edge, in opposite directions.
+            const Complex turn = -flat[i].Sides[k] * std::conj(there.Sides[twin % 3]);
+            graph.Neighbours[link] = j;
+            graph.Turns[link] = turn;
+            graph.Steps[link] = flat[i].Midpoints[k] - turn * there.Midpoints[twin % 3];
+            ++link;
+          }
+        }
+      }
+    });
+  return graph;
+}
+
+}

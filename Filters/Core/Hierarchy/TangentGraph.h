@@ -1,0 +1,41 @@
+#ifndef dmgTangentGraph_h
+#define dmgTangentGraph_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// Points of a surface with a tangent frame each, and how its neighbours lie around every point:
+/// all that interpolation on the surface needs to know of it. Complex numbers are vectors and turns
+/// in the frames.
+///
+/// The links of point p are [Offsets[p], Offsets[p + 1]), counter-clockwise around p. Links are
+/// mutual, and a point is no neighbour of itself.
+struct TangentGraph
+{
+  std::vector<int> Offsets = { 0 };
+  std::vector<int> Neighbours;
+  /// The way to the neighbour, in the frame of the point.
+  std::vector<Complex> Steps;
+  /// Carries directions from the neighbour's frame into the point's; unit.
+  std::vector<Complex> Turns;
+
+  int NumberOfPoints() const { return static_cast<int>(this->Offsets.size()) - 1; }
+  int NumberOfLinks() const { return static_cast<int>(this->Neighbours.size()); }
+};
+
+/// The faces of a surface, in their FaceFrames, linked across edges. The point of a face is the
+/// mean of the midpoints of its sides, each by its squared length, and steps are straight in the
+/// plane of the two faces, unfolded: faces that share a long side, which the energies bind tightly,
+/// are near each other. \param order [i] is the face of point i; a permutation. Cost: O(#F).
+TangentGraph FaceGraph(
+  const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context);
+
+}
+
+#endif
