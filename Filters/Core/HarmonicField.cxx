@@ -212,7 +212,9 @@ SolverOptions SolverFor(const FieldOptions& options)
   SolverOptions solver = options.Solver;
   if (options.CoarseSpace == CoarseSpaceKind::Nodal)
   {
-    solver.FinestSweepsFactor = FinestSweepsFactor;
+    // Blocks of stars cost three times as much as those of sides, and do more.
+    const bool hasStars = options.Kind == Discretisation::FaceField;
+    solver.FinestSweepsFactor = hasStars ? 1 : FinestSweepsFactor;
     solver.FinestProlongationSteps =
       options.Kind == Discretisation::PowerField ? PowerProlongationSteps : 0;
   }
@@ -347,7 +349,7 @@ HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
   if (isNodal && operators && !operators->Nodal.empty())
   {
     spaces.LeastSquares = [&](const ExecutionContext& part) {
-      return NodalLevelsOfFaceFields(operators->Nodal, part);
+      return NodalLevelsOfFaceFields(mesh, operators->Nodal, part);
     };
     spaces.Kernel = [&](const ExecutionContext& part) {
       return HarmonicFaceFields(mesh, faceFrames, part);

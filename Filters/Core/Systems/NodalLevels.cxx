@@ -3,16 +3,57 @@
 #include "Operators/ExteriorCalculus.h"
 #include "Support/SparseKernels.h"
 
+#include <algorithm>
 #include <cassert>
 
 namespace dmg
 {
 
-LeastSquaresLevels NodalLevelsOfFaceFields(
+namespace
+{
+
+/// The unknowns of the faces around each vertex. Where there are many, of arcs of them, each half of
+/// which the next one shares.
+UnknownBlocks Stars(const TriangleMesh& mesh)
+{
+  constexpr int LargestArc = 8;
+  UnknownBlocks blocks;
+  blocks.Unknowns.reserve(6 * mesh.NumberOfFaces());
+  std::vector<int> faces;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    faces.clear();
+    const int first = mesh.OutgoingHalfedge(vertex);
+    int h = first;
+    do
+    {
+      faces.push_back(TriangleMesh::FaceOf(h));
+      h = mesh.Twin(TriangleMesh::Previous(h));
+    } while (h >= 0 && h != first);
+    const bool isClosed = h == first;
+    const int size = static_cast<int>(faces.size());
+    for (int begin = 0; begin < size; begin += LargestArc / 2)
+    {
+      const int length = std::min(LargestArc, isClosed ? size : size - begin);
+      for (int k = begin; k < begin + length; ++k)
+      {
+        blocks.Unknowns.push_back(2 * faces[k % size]);
+        blocks.Unknowns.push_back(2 * faces[k % size] + 1);
+      }
+      blocks.EndBlock();
+      if (length == size || (!isClosed && begin + length == size))
+      {
+        break;
+      }
+    }
+  }
+  return blocks;
+}
+
+LeastSquaresLevels NodalLevels(
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
 {
   assert(!nodal.empty());
-  const int faces = static_cast<int>(nodal[0].rows());
   const std::size_t skipped = nodal.size() > 1 ? 1 : 0;
   LeastSquaresLevels levels;
   levels.Prolongation = RowsOfComponents(
@@ -21,23 +62,25 @@ LeastSquaresLevels NodalLevelsOfFaceFields(
   {
     levels.Coarser.push_back(OnComponents(nodal[l], context));
   }
-  levels.Blocks.Unknowns.reserve(2 * faces);
-  for (int face = 0; face < faces; ++face)
-  {
-    levels.Blocks.Unknowns.push_back(2 * face);
-    levels.Blocks.Unknowns.push_back(2 * face + 1);
-    levels.Blocks.EndBlock();
-  }
+  return levels;
+}
+
+}
+
+LeastSquaresLevels NodalLevelsOfFaceFields(const TriangleMesh& mesh,
+  const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
+{
+  LeastSquaresLevels levels = NodalLevels(nodal, context);
+  levels.Blocks = Stars(mesh);
   return levels;
 }
 
 LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
 {
-  LeastSquaresLevels levels = NodalLevelsOfFaceFields(nodal, context);
+  LeastSquaresLevels levels = NodalLevels(nodal, context);
   levels.Prolongation =
     Product(FormFromFaceField(mesh, faceFrames, context), levels.Prolongation, context);
-  levels.Blocks = {};
   levels.Blocks.Unknowns.reserve(3 * mesh.NumberOfFaces());
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {

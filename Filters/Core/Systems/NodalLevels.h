@@ -9,17 +9,18 @@
 
 #include <vector>
 
-/// What multigrid needs of the surface to solve for face fields and 1-forms: blocks of unknowns that
-/// belong to one face, and coarse levels of vectors at vertices. The finest level takes its vectors
+/// What multigrid needs of the surface to solve for face fields and 1-forms: blocks of unknowns, and
+/// coarse levels of vectors at vertices. The finest level takes its vectors
 /// from level 2 at once, if there is one.
 namespace dmg
 {
 
+/// Blocks are the faces around each vertex.
 /// \param nodal see ProlongationOperators; not empty.
-LeastSquaresLevels NodalLevelsOfFaceFields(
+LeastSquaresLevels NodalLevelsOfFaceFields(const TriangleMesh& mesh,
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
 
-/// A vector field becomes a 1-form by FormFromFaceField.
+/// Blocks are the sides of each face. A vector field becomes a 1-form by FormFromFaceField.
 LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
 
