@@ -134,8 +134,9 @@ public:
   int NumberOfSolves = 0;
 
   /// \param selection the operators that are needed; null for none.
+  /// \param levels how to make them where neither the input nor an earlier run has any.
   void SetUp(vtkPolyData* input, const dmg::OperatorSelection* selection,
-    const dmg::ExecutionContext& context)
+    dmg::LevelConstruction levels, const dmg::ExecutionContext& context)
   {
     const std::string digest = dmg::ContentDigest(input);
     const auto stored = dmg::OperatorsOriginOf(input->GetFieldData());
@@ -170,6 +171,9 @@ public:
       AddTo(origin.Selection, selection ? *selection : origin.Selection);
       AddTo(
         origin.Selection, this->Operators ? this->Operators->Origin.Selection : origin.Selection);
+      const bool haveCollapses = this->Operators &&
+        this->Operators->Origin.Options.Levels == dmg::LevelConstruction::EdgeCollapses;
+      origin.Options.Levels = haveCollapses ? dmg::LevelConstruction::EdgeCollapses : levels;
     }
     if (selection && !(this->Operators && this->Operators->Origin == origin))
     {
@@ -329,7 +333,11 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::OperatorSelection selection{ structured && this->Discretisation == PowerField,
       structured && this->Discretisation == FaceField,
       structured && this->Discretisation == OneForm };
+    // Cycles for power fields need nothing that samples do not give, in a sixth of the time.
+    const bool sampled = !structured && this->Discretisation == PowerField &&
+      this->StartingLevel < 0 && (this->Solver == Automatic || this->Solver == ConjugateGradients);
     stages.SetUp(input, this->Solver == Cholesky ? nullptr : &selection,
+      sampled ? dmg::LevelConstruction::Sampling : dmg::LevelConstruction::EdgeCollapses,
       dmg::PartOfContext(context, 0.0, 0.5));
 
     const dmg::FramedSurface& framed = stages.Surface->Framed;

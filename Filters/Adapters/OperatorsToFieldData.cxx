@@ -226,7 +226,8 @@ std::vector<int> ReadSizes(vtkFieldData* fieldData, const std::string& name, int
 
 bool OperatorsOrigin::operator==(const OperatorsOrigin& other) const
 {
-  return this->Digest == other.Digest && NumbersOf(*this) == NumbersOf(other);
+  return this->Digest == other.Digest && this->Options.Levels == other.Options.Levels &&
+    NumbersOf(*this) == NumbersOf(other);
 }
 
 void OperatorsToFieldData(

@@ -18,9 +18,9 @@ struct LeastSquaresCycleOptions
   /// Sweeps over the blocks before and after the coarse correction, >= 1.
   int Sweeps = 4;
   /// Degree of the polynomial that smooths the prolongation, >= 0.
-  int ProlongationDegree = 3;
+  int ProlongationDegree = 2;
   /// Entries of the prolongation below so many times the largest of their row are left out.
-  double Dropped = 0.01;
+  double Dropped = 0.007;
   /// The first coarse level is factored if it has at most so many unknowns.
   int LargestFactor = 25000;
   /// Of the levels below.
