@@ -207,6 +207,14 @@ typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
   };
 }
 
+/// Scans have handles by the hundred where they are noisy; what all of them have to say is not worth
+/// gigabytes.
+bool CanHoldHarmonicFields(const TriangleMesh& mesh)
+{
+  constexpr double LargestNumberOfValues = 5e7;
+  return static_cast<double>(NumberOfLoops(mesh)) * mesh.NumberOfFaces() < LargestNumberOfValues;
+}
+
 SolverOptions SolverFor(const FieldOptions& options)
 {
   SolverOptions solver = options.Solver;
@@ -351,9 +359,12 @@ HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
     spaces.LeastSquares = [&](const ExecutionContext& part) {
       return NodalLevelsOfFaceFields(mesh, operators->Nodal, part);
     };
-    spaces.Kernel = [&](const ExecutionContext& part) {
-      return HarmonicFaceFields(mesh, faceFrames, part);
-    };
+    if (CanHoldHarmonicFields(mesh))
+    {
+      spaces.Kernel = [&](const ExecutionContext& part) {
+        return HarmonicFaceFields(mesh, faceFrames, part);
+      };
+    }
   }
   return HarmonicProblem<double>(
     [&](const ExecutionContext& part) {
@@ -385,7 +396,10 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
     spaces.LeastSquares = [&](const ExecutionContext& part) {
       return NodalLevelsOfOneForms(mesh, FaceFrames(mesh, part), operators->Nodal, part);
     };
-    spaces.Kernel = [&](const ExecutionContext& part) { return HarmonicForms(mesh, part); };
+    if (CanHoldHarmonicFields(mesh))
+    {
+      spaces.Kernel = [&](const ExecutionContext& part) { return HarmonicForms(mesh, part); };
+    }
   }
   return HarmonicProblem<double>(
     [&](const ExecutionContext& part) {

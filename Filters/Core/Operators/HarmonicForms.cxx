@@ -6,6 +6,7 @@
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <vector>
 
 namespace dmg
@@ -122,6 +123,13 @@ Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns)
   return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
 }
 
+}
+
+int NumberOfLoops(const TriangleMesh& mesh)
+{
+  std::vector<char> isTaken = EdgesOfTree(mesh);
+  MakeCotree(mesh, isTaken);
+  return static_cast<int>(std::count(isTaken.begin(), isTaken.end(), 0));
 }
 
 Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh)

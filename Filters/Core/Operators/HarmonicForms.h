@@ -12,6 +12,10 @@
 namespace dmg
 {
 
+/// How many independent loops the surface has, 2 g + b - 1 summed over its components (2 g where b is
+/// zero). Cost: O(#E).
+int NumberOfLoops(const TriangleMesh& mesh);
+
 /// Closed 1-forms that are no gradients, one per independent loop, #E x (2 g + b - 1): a basis of
 /// the first cohomology by integers. Tree and cotree (Eppstein 2003): edges of a spanning tree of the
 /// vertices get 0, one of the edges that neither tree holds gets 1, and every face, from the leaves of
