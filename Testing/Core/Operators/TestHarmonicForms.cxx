@@ -110,8 +110,8 @@ TEST(HarmonicForms, HaveNeitherCurlNorDivergence)
     ExpectOrthonormal(forms);
     EXPECT_LE((D1(mesh, SerialContext()) * forms).cwiseAbs().maxCoeff(), 1e-13);
     const Vector<double> star1 = Star1(mesh);
-    const Eigen::MatrixXd divergence = D0(mesh, SerialContext()).transpose() *
-      (star1.asDiagonal() * forms);
+    const Eigen::MatrixXd divergence =
+      D0(mesh, SerialContext()).transpose() * (star1.asDiagonal() * forms);
     EXPECT_LE(divergence.cwiseAbs().maxCoeff(), 1e-11 * star1.cwiseAbs().maxCoeff());
     const SparseMatrix<double> L1 = OneFormLaplacian(mesh, SerialContext());
     EXPECT_LE((L1 * forms).norm(), 1e-10 * L1.norm());

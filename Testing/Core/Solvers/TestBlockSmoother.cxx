@@ -31,8 +31,7 @@ struct Squares
 SparseMatrix<double> WithUnitColumns(const SparseMatrix<double>& B)
 {
   const SparseMatrix<double> squares = B.cwiseAbs2();
-  const Vector<double> lengths =
-    (squares.transpose() * Vector<double>::Ones(B.rows())).cwiseSqrt();
+  const Vector<double> lengths = (squares.transpose() * Vector<double>::Ones(B.rows())).cwiseSqrt();
   return B * lengths.cwiseInverse().asDiagonal();
 }
 
@@ -61,8 +60,8 @@ Squares Path(int size)
   return path;
 }
 
-/// As around a vertex of \p blades faces: one square holds all unknowns, two per blade, so that no two
-/// blocks are independent; others hold neighbours.
+/// As around a vertex of \p blades faces: one square holds all unknowns, two per blade, so that no
+/// two blocks are independent; others hold neighbours.
 Squares Fan(int blades)
 {
   test::Random random(3102);
@@ -119,17 +118,20 @@ protected:
   {
     BlockSmoother<Value> smoother(squares.B, squares.Blocks, sweeps, SerialContext());
     const Matrix<Value> A = squares.Matrix().cast<Value>();
-    const auto pre =
-      Densified<Value>(squares.Size(), [&](const Vector<Value>& b, Vector<Value>& x) {
+    const auto pre = Densified<Value>(squares.Size(),
+      [&](const Vector<Value>& b, Vector<Value>& x)
+      {
         Vector<Value> r(b.size());
         smoother.PreSmooth(b, x, r, SerialContext());
         EXPECT_LE((r - (b - A * x)).norm(), 100 * Epsilon);
       });
     const auto post = Densified<Value>(squares.Size(),
-      [&](const Vector<Value>& b, Vector<Value>& x) { smoother.PostSmooth(b, x, SerialContext()); });
+      [&](const Vector<Value>& b, Vector<Value>& x)
+      { smoother.PostSmooth(b, x, SerialContext()); });
     EXPECT_LE((post - pre.transpose()).norm(), 200 * Epsilon * pre.norm());
-    const auto both =
-      Densified<Value>(squares.Size(), [&](const Vector<Value>& b, Vector<Value>& x) {
+    const auto both = Densified<Value>(squares.Size(),
+      [&](const Vector<Value>& b, Vector<Value>& x)
+      {
         Vector<Value> r(b.size());
         smoother.PreSmooth(b, x, r, SerialContext());
         smoother.PostSmooth(b, x, SerialContext());
@@ -155,8 +157,7 @@ TYPED_TEST(TestBlockSmoother, OneBlockIsTheInverse)
   path.Blocks.EndBlock();
   const Eigen::MatrixXd A = path.Matrix();
   // A ridge of 1e-6 keeps the block invertible: each sweep leaves 1e-6 / lambda of an eigenvector.
-  const double lowest =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().minCoeff();
+  const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().minCoeff();
   ASSERT_GT(lowest, 5e-3);
   const Vector<double> exact = test::RandomVector<double>(path.Size(), 3103);
   const Vector<TypeParam> b = (A * exact).cast<TypeParam>();

@@ -23,8 +23,7 @@ public:
     : Matrix(std::move(matrix))
   {
   }
-  void Apply(
-    const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
   {
     z = this->Matrix * r;
   }
@@ -51,8 +50,8 @@ struct WeaklyHeld
 {
   WeaklyHeld(int size, int kernel, int prescribed, double weight)
   {
-    const Eigen::MatrixXd random =
-      Eigen::Map<const Eigen::MatrixXd>(test::RandomVector<double>(size * size, 3301).data(), size, size);
+    const Vector<double> numbers = test::RandomVector<double>(size * size, 3301);
+    const Eigen::MatrixXd random = Eigen::Map<const Eigen::MatrixXd>(numbers.data(), size, size);
     const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(random).householderQ();
     Vector<double> eigenvalues = Vector<double>::LinSpaced(size, 1.0, 2.0);
     eigenvalues.head(kernel).setZero();
@@ -120,8 +119,8 @@ TEST(TestDeflatedPreconditioner, IsItsFormula)
 
 TEST(TestDeflatedPreconditioner, IterationsDoNotKnowHowWeaklyTheKernelIsHeld)
 {
-  // Besides H, D A has eigenvalues between 0.6 and 1.4 + 0.7 weight: conjugate gradients gain a factor
-  // of 4 per iteration (Chebyshev), so 16 lead to 1e-8 of the energy, whatever the weight.
+  // Besides H, D A has eigenvalues between 0.6 and 1.4 + 0.7 weight: conjugate gradients gain a
+  // factor of 4 per iteration (Chebyshev), so 16 lead to 1e-8 of the energy, whatever the weight.
   for (const double weight : { 0.5, 1e-3, 1e-6 })
   {
     SCOPED_TRACE(weight);

@@ -92,8 +92,7 @@ TEST(TestPlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
   const SparseMatrix<double> B = Squares(size);
   const PlanarProlongation P = Interpolation(size);
   const Eigen::MatrixXd A = Eigen::MatrixXd(B).transpose() * Eigen::MatrixXd(B);
-  const double largest =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().maxCoeff();
+  const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().maxCoeff();
   const Eigen::MatrixXd before = OnPairs(P);
   const Eigen::MatrixXd lengths = before.transpose() * before;
   for (const int degree : { 1, 2, 3, 4 })
@@ -119,8 +118,7 @@ TEST(TestPlanarProlongation, IsThePolynomialInTheMatrix)
   EXPECT_LE((change - factor * AP).norm(), 100 * Epsilon * AP.norm());
   // t (1 - c t)^2 is the same at its inner maximum, t = 1 / (3 c), and at the end of the interval,
   // t = 4 / (3 c).
-  const double largest =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().maxCoeff();
+  const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().maxCoeff();
   EXPECT_GE(4.0 / (3.0 * factor), 0.95 * largest);
   EXPECT_LE(4.0 / (3.0 * factor), 1.1 * largest * (1.0 + 10 * Epsilon));
 }
@@ -130,8 +128,8 @@ TEST(TestPlanarProlongation, KernelVectorsStay)
   // v is in the kernel of B and v = P z for a z of random vectors.
   const int size = 60;
   test::Random random(3203);
-  const Vector<double> v = Vector<double>::NullaryExpr(
-    size, [&random]() { return random.Uniform(0.5, 1.5); });
+  const Vector<double> v =
+    Vector<double>::NullaryExpr(size, [&random]() { return random.Uniform(0.5, 1.5); });
   // Rows take the component of v out, columns of length 1 then need v longer where they were.
   Eigen::MatrixXd B(Squares(size));
   B -= (B * v) * v.transpose() / v.squaredNorm();
@@ -145,13 +143,12 @@ TEST(TestPlanarProlongation, KernelVectorsStay)
   for (int i = 0; i < size; ++i)
   {
     const Complex vector = z[i / 6];
-    entries.emplace_back(i, i / 6,
-      vector * (kernel[i] / std::norm(vector) + Complex(0.0, random.Uniform(-1.0, 1.0))));
+    entries.emplace_back(
+      i, i / 6, vector * (kernel[i] / std::norm(vector) + Complex(0.0, random.Uniform(-1.0, 1.0))));
   }
   const PlanarProlongation P = test::FromTriplets(size, 10, entries);
-  const auto apply = [&z](const PlanarProlongation& Q) {
-    return Vector<double>((Q.conjugate() * z).real());
-  };
+  const auto apply = [&z](const PlanarProlongation& Q)
+  { return Vector<double>((Q.conjugate() * z).real()); };
   ASSERT_LE((apply(P) - kernel).norm(), 100 * Epsilon * kernel.norm());
   const SparseMatrix<double> sparse = B.sparseView();
   for (const int degree : { 1, 3, 5 })
