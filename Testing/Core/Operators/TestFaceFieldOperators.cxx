@@ -174,6 +174,31 @@ TEST(FaceFieldOperators, SmoothnessIsDivergenceAndCurl)
   });
 }
 
+TEST(FaceFieldOperators, SmoothnessIsTheSquareOfItsFactor)
+{
+  VisitSamples([](const TriangleMesh& mesh, const TangentFrames& frames) {
+    const Eigen::MatrixXd B(FaceFieldSmoothnessFactor(mesh, frames));
+    const FaceFieldMasses masses = MassesOfFaceFields(mesh);
+    const Eigen::MatrixXd divergence(FaceDivergence(mesh, frames));
+    const Eigen::MatrixXd curl(FaceCurl(mesh, frames));
+    const Eigen::MatrixXd expected =
+      divergence.transpose() * masses.Vertices.cwiseInverse().asDiagonal() * divergence +
+      curl.transpose() * masses.Edges.cwiseInverse().asDiagonal() * curl;
+    EXPECT_LE((B.transpose() * B - expected).norm(), 1e-13 * expected.norm());
+  });
+}
+
+// Degenerate faces add 1e-6 |X_f|^2, in two rows each.
+TEST(FaceFieldOperators, FactorHoldsFacesWithoutArea)
+{
+  const TriangleMesh mesh = SphereWithZeroAreaFaces(2, 3).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  const Eigen::MatrixXd B(FaceFieldSmoothnessFactor(mesh, frames));
+  const Eigen::MatrixXd A(FaceFieldSmoothness(mesh, frames));
+  EXPECT_GT(B.rows(), mesh.NumberOfVertices() + mesh.NumberOfEdges());
+  EXPECT_LE((B.transpose() * B - A).norm(), 1e-13 * A.norm());
+}
+
 // Closed forms modulo gradients: the first Betti number, 2 g, or 2 g + b - 1 with boundary.
 TEST(FaceFieldOperators, HarmonicFieldsHaveTheDimensionOfTheCohomology)
 {

@@ -138,6 +138,39 @@ TYPED_TEST(TestSparseKernels, TripleProductIsTheProductOfEigen)
   }
 }
 
+TYPED_TEST(TestSparseKernels, ProductIsThatOfEigen)
+{
+  const auto A = RandomMatrix<TypeParam>(1300, 2000, 2613); // three bands
+  const auto B = RandomMatrix<Complex>(2000, 900, 2614);
+  const SparseMatrix<Complex> C = Product(A, B, SerialContext());
+  const SparseMatrix<Complex> expected = SparseMatrix<Complex>(A.template cast<Complex>()) * B;
+  EXPECT_EQ(C.nonZeros(), expected.nonZeros());
+  EXPECT_LE((C - expected).norm(), 10 * Epsilon * A.norm() * B.norm());
+  for (int i = 0; i < C.rows(); ++i)
+  {
+    for (int k = C.outerIndexPtr()[i] + 1; k < C.outerIndexPtr()[i + 1]; ++k)
+    {
+      ASSERT_LT(C.innerIndexPtr()[k - 1], C.innerIndexPtr()[k]) << "columns of row " << i;
+    }
+  }
+}
+
+TYPED_TEST(TestSparseKernels, NormalMatrixIsThatOfEigen)
+{
+  for (const int columns : { 30, 1300 }) // the larger is worked on in bands
+  {
+    const auto B = RandomMatrix<TypeParam>(2 * columns, columns, 2615);
+    const SparseMatrix<TypeParam> A = NormalMatrix(B, SerialContext());
+    const SparseMatrix<TypeParam> adjoint = B.adjoint();
+    const SparseMatrix<TypeParam> expected = adjoint * B;
+    EXPECT_EQ(A.nonZeros(), expected.nonZeros());
+    EXPECT_LE((A - expected).norm(), 10 * Epsilon * B.squaredNorm());
+    const SparseMatrix<TypeParam> transposed = A.adjoint();
+    EXPECT_LE((A - transposed).norm(), 10 * Epsilon * A.norm());
+    EXPECT_GE(A.diagonal().real().minCoeff(), 0.0);
+  }
+}
+
 TYPED_TEST(TestSparseKernels, SumsAreThoseOfLongDouble)
 {
   const auto x = RandomVector<TypeParam>(10000, 2608);
@@ -164,6 +197,9 @@ TYPED_TEST(TestSparseKernels, SameBitsForAnyNumberOfThreads)
   const SerialContext serial;
   const SparseMatrix<TypeParam> R = Adjoint(P, serial);
   const SparseMatrix<TypeParam> C = TripleProduct(R, A, P, serial);
+  const SparseMatrix<TypeParam> normal = NormalMatrix(P, serial);
+  const auto Q = RandomMatrix<Complex>(30000, 6000, 2616);
+  const SparseMatrix<Complex> product = Product(A, Q, serial);
   Vector<TypeParam> y;
   Multiply(A, x, y, serial);
   for (const int threads : { 1, 2, 3, 8 })
@@ -172,6 +208,8 @@ TYPED_TEST(TestSparseKernels, SameBitsForAnyNumberOfThreads)
     const test::TbbContext context(threads);
     EXPECT_TRUE(AreIdentical(R, Adjoint(P, context)));
     EXPECT_TRUE(AreIdentical(C, TripleProduct(R, A, P, context)));
+    EXPECT_TRUE(AreIdentical(normal, NormalMatrix(P, context)));
+    EXPECT_TRUE(AreIdentical(product, Product(A, Q, context)));
     Vector<TypeParam> z;
     Multiply(A, x, z, context);
     EXPECT_EQ(y, z);

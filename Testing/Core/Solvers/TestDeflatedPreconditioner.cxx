@@ -1,0 +1,151 @@
+#include "Solvers/DeflatedPreconditioner.h"
+
+#include "GridProblem.h"
+#include "Solvers/ConjugateGradient.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+using namespace dmg;
+
+namespace
+{
+
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+
+class DenseOperator : public Preconditioner<double>
+{
+public:
+  explicit DenseOperator(Eigen::MatrixXd matrix)
+    : Matrix(std::move(matrix))
+  {
+  }
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
+  {
+    z = this->Matrix * r;
+  }
+
+private:
+  Eigen::MatrixXd Matrix;
+};
+
+Eigen::MatrixXd Densified(Preconditioner<double>& B, int size)
+{
+  Eigen::MatrixXd matrix(size, size);
+  Vector<double> z;
+  for (int j = 0; j < size; ++j)
+  {
+    B.Apply(Vector<double>::Unit(size, j), z, SerialContext());
+    matrix.col(j) = z;
+  }
+  return matrix;
+}
+
+/// A roughness L with eigenvalues between 1 and 2 besides a kernel, and a few unknowns held weakly:
+/// what harmonic fields are to their systems.
+struct WeaklyHeld
+{
+  WeaklyHeld(int size, int kernel, int prescribed, double weight)
+  {
+    const Vector<double> numbers = test::RandomVector<double>(size * size, 3301);
+    const Eigen::MatrixXd random = Eigen::Map<const Eigen::MatrixXd>(numbers.data(), size, size);
+    const Eigen::MatrixXd Q = Eigen::HouseholderQR<Eigen::MatrixXd>(random).householderQ();
+    Vector<double> eigenvalues = Vector<double>::LinSpaced(size, 1.0, 2.0);
+    eigenvalues.head(kernel).setZero();
+    this->H = Q.leftCols(kernel);
+    Eigen::MatrixXd dense = Q * eigenvalues.asDiagonal() * Q.transpose();
+    dense = 0.5 * (dense + dense.transpose().eval());
+    this->b = Vector<double>::Zero(size);
+    for (int k = 0; k < prescribed; ++k)
+    {
+      const int unknown = (17 * k + 3) % size;
+      dense(unknown, unknown) += weight;
+      this->b[unknown] = weight * (1.0 + k);
+    }
+    this->A = dense.sparseView();
+    this->A.makeCompressed();
+    // Nearly blind for the kernel, as coarse spaces are that hold it only nearly.
+    Vector<double> inverses = Vector<double>::Constant(size, 0.7);
+    inverses.tail(size / 2).setConstant(0.6);
+    this->Inner = Q * inverses.asDiagonal() * Q.transpose();
+    this->Inner = 0.5 * (this->Inner + this->Inner.transpose().eval());
+  }
+
+  std::unique_ptr<Preconditioner<double>> NewInner() const
+  {
+    return std::make_unique<DenseOperator>(this->Inner);
+  }
+
+  SparseMatrix<double> A;
+  Eigen::MatrixXd H;
+  Vector<double> b;
+  Eigen::MatrixXd Inner;
+};
+
+int Iterations(
+  const WeaklyHeld& problem, Preconditioner<double>& B, Vector<double>& x, int limit = 100)
+{
+  SolveReport report;
+  x.resize(0);
+  StoppingCriteria stop;
+  stop.MaximumIterations = limit;
+  ConjugateGradient(problem.A, B, problem.b, stop, x, report, SerialContext());
+  EXPECT_TRUE(report.Converged);
+  return static_cast<int>(report.Iterations.size()) - 1;
+}
+
+}
+
+TEST(TestDeflatedPreconditioner, IsItsFormula)
+{
+  const WeaklyHeld problem(60, 4, 6, 0.5);
+  const Eigen::MatrixXd A(problem.A);
+  const Eigen::MatrixXd& H = problem.H;
+  const Eigen::MatrixXd Q = H * (H.transpose() * A * H).inverse() * H.transpose();
+  const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(60, 60);
+  const Eigen::MatrixXd expected = Q + (one - Q * A) * problem.Inner * (one - A * Q);
+
+  DeflatedPreconditioner deflated(problem.NewInner(), problem.A, H);
+  const Eigen::MatrixXd D = Densified(deflated, 60);
+  EXPECT_LE((D - expected).norm(), 1e3 * Epsilon * expected.norm());
+  EXPECT_LE((D - D.transpose()).norm(), 1e3 * Epsilon * D.norm());
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(D).eigenvalues().minCoeff(), 0.0);
+  // Exact on H.
+  EXPECT_LE((D * A * H - H).norm(), 1e3 * Epsilon * D.norm() * A.norm());
+}
+
+TEST(TestDeflatedPreconditioner, IterationsDoNotKnowHowWeaklyTheKernelIsHeld)
+{
+  // Besides H, D A has eigenvalues between 0.6 and 1.4 + 0.7 weight: conjugate gradients gain a
+  // factor of 4 per iteration (Chebyshev), so 16 lead to 1e-8 of the energy, whatever the weight.
+  for (const double weight : { 0.5, 1e-3, 1e-6 })
+  {
+    SCOPED_TRACE(weight);
+    const WeaklyHeld problem(200, 6, 9, weight);
+    DeflatedPreconditioner deflated(problem.NewInner(), problem.A, problem.H);
+    Vector<double> x;
+    EXPECT_LE(Iterations(problem, deflated, x), 16);
+    const Vector<double> expected = Eigen::MatrixXd(problem.A).ldlt().solve(problem.b);
+    EXPECT_LE((x - expected).norm(), 1e-4 * expected.norm());
+  }
+}
+
+TEST(TestDeflatedPreconditioner, FewerPrescriptionsThanKernelVectors)
+{
+  // A is singular. What it holds is found; H^T A H has no inverse.
+  for (const int prescribed : { 1, 2, 5 })
+  {
+    SCOPED_TRACE(prescribed);
+    const WeaklyHeld problem(120, 6, prescribed, 1.0);
+    DeflatedPreconditioner deflated(problem.NewInner(), problem.A, problem.H);
+    const Eigen::MatrixXd D = Densified(deflated, 120);
+    ASSERT_TRUE(D.allFinite());
+    EXPECT_LE((D - D.transpose()).norm(), 1e4 * Epsilon * D.norm());
+    Vector<double> x;
+    EXPECT_LE(Iterations(problem, deflated, x), 20);
+    EXPECT_LE((problem.A * x - problem.b).norm(), 1e-7 * problem.b.norm());
+  }
+}

@@ -1,0 +1,217 @@
+#include "Solvers/PlanarProlongation.h"
+
+#include "GridProblem.h"
+#include "Support/TbbContext.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+using namespace dmg;
+
+namespace
+{
+
+constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+
+/// Differences along a ring and a few diagonals of it, with columns of length 1.
+SparseMatrix<double> Squares(int size)
+{
+  test::Random random(3201);
+  Eigen::MatrixXd B = Eigen::MatrixXd::Zero(2 * size, size);
+  for (int i = 0; i < size; ++i)
+  {
+    B(i, i) = 1.0;
+    B(i, (i + 1) % size) -= random.Uniform(0.5, 1.5);
+    B(size + i, (i + 2) % size) += random.Uniform(-0.5, 0.5);
+    B(size + i, (i + 5) % size) += random.Uniform(-0.5, 0.5);
+  }
+  B.colwise().normalize();
+  SparseMatrix<double> result = B.sparseView();
+  result.makeCompressed();
+  return result;
+}
+
+/// Vectors of \p size / 6 coarse unknowns, linearly interpolated along the ring and turned anyhow.
+PlanarProlongation Interpolation(int size)
+{
+  test::Random random(3202);
+  std::vector<Eigen::Triplet<Complex>> entries;
+  const int coarse = size / 6;
+  for (int i = 0; i < size; ++i)
+  {
+    const double weight = (i % 6) / 6.0;
+    const double angle = random.Uniform(-3.0, 3.0);
+    entries.emplace_back(i, i / 6 % coarse, std::polar(1.0 - weight, angle));
+    if (weight > 0.0)
+    {
+      entries.emplace_back(i, (i / 6 + 1) % coarse, std::polar(weight, angle + 0.3));
+    }
+  }
+  return test::FromTriplets(size, coarse, entries);
+}
+
+/// The real matrix on pairs of components, columns 2 j and 2 j + 1 for the vector j: the product of
+/// the vectors p and z is Re p Re z + Im p Im z.
+Eigen::MatrixXd OnPairs(const PlanarProlongation& P)
+{
+  const Eigen::MatrixXcd dense(P);
+  Eigen::MatrixXd pairs(P.rows(), 2 * P.cols());
+  for (int j = 0; j < P.cols(); ++j)
+  {
+    pairs.col(2 * j) = dense.col(j).real();
+    pairs.col(2 * j + 1) = dense.col(j).imag();
+  }
+  return pairs;
+}
+
+template <class Scalar>
+void ExpectIdentical(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B)
+{
+  ASSERT_EQ(A.rows(), B.rows());
+  ASSERT_EQ(A.nonZeros(), B.nonZeros());
+  EXPECT_TRUE(std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.rows() + 1, B.outerIndexPtr()));
+  EXPECT_TRUE(std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr()));
+  EXPECT_TRUE(std::equal(A.valuePtr(), A.valuePtr() + A.nonZeros(), B.valuePtr()));
+}
+
+}
+
+TEST(TestPlanarProlongation, DegreeZeroChangesNothing)
+{
+  const PlanarProlongation P = Interpolation(60);
+  ExpectIdentical(SmoothedPlanar(Squares(60), P, 0, 0.5, SerialContext()), P);
+}
+
+TEST(TestPlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
+{
+  // max t p(t)^2 over (0, largest eigenvalue] is the eigenvalue over (2 k + 1)^2; the eigenvalue is
+  // estimated with a margin of a tenth.
+  const int size = 120;
+  const SparseMatrix<double> B = Squares(size);
+  const PlanarProlongation P = Interpolation(size);
+  const Eigen::MatrixXd A = Eigen::MatrixXd(B).transpose() * Eigen::MatrixXd(B);
+  const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().maxCoeff();
+  const Eigen::MatrixXd before = OnPairs(P);
+  const Eigen::MatrixXd lengths = before.transpose() * before;
+  for (const int degree : { 1, 2, 3, 4 })
+  {
+    const Eigen::MatrixXd after = OnPairs(SmoothedPlanar(B, P, degree, 0.0, SerialContext()));
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> worst(
+      after.transpose() * A * after, lengths);
+    const double bound = largest / ((2.0 * degree + 1.0) * (2.0 * degree + 1.0));
+    EXPECT_LE(worst.eigenvalues().maxCoeff(), 1.1 * bound) << "degree " << degree;
+  }
+}
+
+TEST(TestPlanarProlongation, IsThePolynomialInTheMatrix)
+{
+  // Of degree 1 the one free number is the root; the result is P - c A P for some c.
+  const SparseMatrix<double> B = Squares(60);
+  const PlanarProlongation P = Interpolation(60);
+  const Eigen::MatrixXd A = Eigen::MatrixXd(B).transpose() * Eigen::MatrixXd(B);
+  const Eigen::MatrixXd change =
+    OnPairs(P) - OnPairs(SmoothedPlanar(B, P, 1, 0.0, SerialContext()));
+  const Eigen::MatrixXd AP = A * OnPairs(P);
+  const double factor = (change.array() * AP.array()).sum() / AP.squaredNorm();
+  EXPECT_LE((change - factor * AP).norm(), 100 * Epsilon * AP.norm());
+  // t (1 - c t)^2 is the same at its inner maximum, t = 1 / (3 c), and at the end of the interval,
+  // t = 4 / (3 c).
+  const double largest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().maxCoeff();
+  EXPECT_GE(4.0 / (3.0 * factor), 0.95 * largest);
+  EXPECT_LE(4.0 / (3.0 * factor), 1.1 * largest * (1.0 + 10 * Epsilon));
+}
+
+TEST(TestPlanarProlongation, KernelVectorsStay)
+{
+  // v is in the kernel of B and v = P z for a z of random vectors.
+  const int size = 60;
+  test::Random random(3203);
+  const Vector<double> v =
+    Vector<double>::NullaryExpr(size, [&random]() { return random.Uniform(0.5, 1.5); });
+  // Rows take the component of v out, columns of length 1 then need v longer where they were.
+  Eigen::MatrixXd B(Squares(size));
+  B -= (B * v) * v.transpose() / v.squaredNorm();
+  const Vector<double> lengths = B.colwise().norm().transpose();
+  B = B * lengths.cwiseInverse().asDiagonal();
+  const Vector<double> kernel = v.cwiseProduct(lengths);
+  ASSERT_LE((B * kernel).norm(), 100 * Epsilon * kernel.norm());
+
+  const Vector<Complex> z = random.Numbers(10);
+  std::vector<Eigen::Triplet<Complex>> entries;
+  for (int i = 0; i < size; ++i)
+  {
+    const Complex vector = z[i / 6];
+    entries.emplace_back(
+      i, i / 6, vector * (kernel[i] / std::norm(vector) + Complex(0.0, random.Uniform(-1.0, 1.0))));
+  }
+  const PlanarProlongation P = test::FromTriplets(size, 10, entries);
+  const auto apply = [&z](const PlanarProlongation& Q)
+  { return Vector<double>((Q.conjugate() * z).real()); };
+  ASSERT_LE((apply(P) - kernel).norm(), 100 * Epsilon * kernel.norm());
+  const SparseMatrix<double> sparse = B.sparseView();
+  for (const int degree : { 1, 3, 5 })
+  {
+    const PlanarProlongation Q = SmoothedPlanar(sparse, P, degree, 0.0, SerialContext());
+    EXPECT_LE((apply(Q) - kernel).norm(), 1e4 * Epsilon * kernel.norm());
+    EXPECT_GT((Q - P).norm(), 0.1 * P.norm()) << "what is not in the kernel changes";
+  }
+}
+
+TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
+{
+  const SparseMatrix<double> B = Squares(600);
+  const PlanarProlongation P = Interpolation(600);
+  const double dropped = 0.05;
+  const PlanarProlongation full = SmoothedPlanar(B, P, 3, 0.0, SerialContext());
+  const PlanarProlongation Q = SmoothedPlanar(B, P, 3, dropped, SerialContext());
+  EXPECT_LT(Q.nonZeros(), full.nonZeros());
+  EXPECT_LE((Q - full).norm(), 3 * dropped * full.norm());
+  for (int i = 0; i < Q.rows(); ++i)
+  {
+    double largest = 0.0;
+    double smallest = std::numeric_limits<double>::infinity();
+    int previous = -1;
+    for (PlanarProlongation::InnerIterator entry(Q, i); entry; ++entry)
+    {
+      largest = std::max(largest, std::abs(entry.value()));
+      smallest = std::min(smallest, std::abs(entry.value()));
+      EXPECT_LT(previous, entry.col());
+      previous = static_cast<int>(entry.col());
+    }
+    ASSERT_GE(smallest, (1.0 - 10 * Epsilon) * dropped * largest);
+  }
+}
+
+TEST(TestPlanarProlongation, GramIsTheProductOfPairs)
+{
+  const PlanarProlongation Q =
+    SmoothedPlanar(Squares(240), Interpolation(240), 2, 0.01, SerialContext());
+  const SparseMatrix<double> gram = GramOfPlanar(Q, SerialContext());
+  const Eigen::MatrixXd pairs = OnPairs(Q);
+  const Eigen::MatrixXd expected = pairs.transpose() * pairs;
+  ASSERT_EQ(gram.rows(), 80);
+  EXPECT_LE((Eigen::MatrixXd(gram) - expected).norm(), 20 * Epsilon * expected.norm());
+  for (int i = 0; i < gram.rows(); ++i)
+  {
+    for (int k = gram.outerIndexPtr()[i] + 1; k < gram.outerIndexPtr()[i + 1]; ++k)
+    {
+      ASSERT_LT(gram.innerIndexPtr()[k - 1], gram.innerIndexPtr()[k]) << "columns of row " << i;
+    }
+  }
+}
+
+TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
+{
+  const SparseMatrix<double> B = Squares(6000);
+  const PlanarProlongation P = Interpolation(6000);
+  const PlanarProlongation expected = SmoothedPlanar(B, P, 3, 0.01, SerialContext());
+  const SparseMatrix<double> gram = GramOfPlanar(expected, SerialContext());
+  for (const int threads : { 1, 2, 5 })
+  {
+    const test::TbbContext context(threads);
+    ExpectIdentical(SmoothedPlanar(B, P, 3, 0.01, context), expected);
+    ExpectIdentical(GramOfPlanar(expected, context), gram);
+  }
+}
