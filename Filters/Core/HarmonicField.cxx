@@ -220,8 +220,10 @@ SolverOptions SolverFor(const FieldOptions& options)
   SolverOptions solver = options.Solver;
   if (options.CoarseSpace == CoarseSpaceKind::Nodal)
   {
-    // Blocks of stars cost three times as much as those of sides, and do more.
-    const bool hasStars = options.Kind == Discretisation::FaceField;
+    // Blocks of stars cost three times as much as those of sides, and do more. Cycles that start on
+    // a chosen level have no blocks.
+    const bool hasStars =
+      options.Kind == Discretisation::FaceField && options.Solver.StartingLevel < 0;
     solver.FinestSweepsFactor = hasStars ? 1 : FinestSweepsFactor;
     solver.FinestProlongationSteps =
       options.Kind == Discretisation::PowerField ? PowerProlongationSteps : 0;

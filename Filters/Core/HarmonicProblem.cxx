@@ -168,12 +168,14 @@ void HarmonicProblem<Scalar>::Internals::PrepareMultigrid(
       LeastSquaresCycleOptions ofCycle;
       ofCycle.Sweeps = options.Sweeps * options.FinestSweepsFactor;
       ofCycle.Coarse = cycle;
+      const PartOfContext ofLevels(context, 0.0, 0.1);
       auto leastSquares = std::make_unique<LeastSquaresCycle>(this->System.Factor(),
-        Restrict(spaces.LeastSquares(context), this->System, context), ofCycle, context);
+        Restrict(spaces.LeastSquares(ofLevels), this->System, ofLevels), ofCycle,
+        PartOfContext(context, 0.1, 0.7));
       this->Report.Levels = leastSquares->Levels();
       this->Report.Bytes = leastSquares->Bytes();
       this->LeastSquares = std::move(leastSquares);
-      this->DeflateKernel(spaces, context);
+      this->DeflateKernel(spaces, PartOfContext(context, 0.7, 1.0));
       return;
     }
   }
