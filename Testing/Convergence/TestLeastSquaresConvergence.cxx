@@ -1,0 +1,133 @@
+// Conjugate gradients with the cycle for sums of squares take a number of iterations that does not
+// grow with the surface, for 1-forms and face fields: generated families at several sizes.
+
+#include "HarmonicField.h"
+#include "Support/MeshFactory.h"
+#include "Support/Random.h"
+#include "Support/TbbContext.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+/// How many faces or edges are prescribed, of so many.
+using Count = int (*)(int);
+
+struct Prescription
+{
+  std::string Name;
+  Count Of;
+};
+
+const std::vector<Prescription>& Prescriptions()
+{
+  static const std::vector<Prescription> all = { { "one", [](int) { return 1; } },
+    { "twenty", [](int) { return 20; } }, { "5 percent", [](int size) { return size / 20; } } };
+  return all;
+}
+
+class LeastSquaresConvergence
+  : public ::testing::TestWithParam<std::tuple<Discretisation, LevelConstruction>>
+{
+protected:
+  static Discretisation Kind() { return std::get<0>(GetParam()); }
+
+  /// Iterations to 1e-8 for each prescription.
+  static std::vector<int> Iterations(const Surface& surface)
+  {
+    const TbbContext context(2);
+    HierarchyOptions hierarchyOptions;
+    hierarchyOptions.Levels = std::get<1>(GetParam());
+    // Small surfaces are coarsened as far as large ones, 1:16 to the first level that is used.
+    hierarchyOptions.MinimumNumberOfFaces = 100;
+    const TriangleMesh mesh = surface.Mesh();
+    const TangentFrames frames = FaceFrames(mesh, context);
+    const ProlongationOperators operators =
+      BuildSurfaceHierarchy(mesh, hierarchyOptions, context, { false, false, false }).Operators;
+    const bool isForm = Kind() == Discretisation::OneForm;
+    const int elements = isForm ? mesh.NumberOfEdges() : mesh.NumberOfFaces();
+    FieldOptions options;
+    options.Kind = Kind();
+    options.Solver.Kind = SolverKind::ConjugateGradients;
+    std::vector<int> iterations;
+    for (const Prescription& prescription : Prescriptions())
+    {
+      Random random(20261121);
+      std::set<int> chosen;
+      while (static_cast<int>(chosen.size()) < prescription.Of(elements))
+      {
+        chosen.insert(random.Index(elements));
+      }
+      FieldConstraints constraints;
+      constraints.Elements.assign(chosen.begin(), chosen.end());
+      constraints.Weights.assign(chosen.size(), 1.0);
+      constraints.Values = Vector<double>((isForm ? 1 : 2) * chosen.size());
+      for (double& value : constraints.Values)
+      {
+        value = random.Uniform(-1.0, 1.0);
+      }
+      FieldProblem problem(mesh, frames, &operators, constraints, options, context);
+      problem.Solve(constraints.Values, {}, StoppingCriteria(), context);
+      EXPECT_TRUE(problem.Report().Converged) << prescription.Name;
+      iterations.push_back(static_cast<int>(problem.Report().Iterations.size()) - 1);
+    }
+    return iterations;
+  }
+
+  /// \param family smallest first.
+  static void ExpectBounded(const std::vector<Surface>& family)
+  {
+    std::vector<std::vector<int>> iterations;
+    for (const Surface& surface : family)
+    {
+      iterations.push_back(Iterations(surface));
+    }
+    for (std::size_t p = 0; p < Prescriptions().size(); ++p)
+    {
+      SCOPED_TRACE(Prescriptions()[p].Name);
+      for (std::size_t size = 0; size < family.size(); ++size)
+      {
+        EXPECT_LE(iterations[size][p], 12) << family[size].F.rows() << " faces";
+      }
+      EXPECT_LE(iterations.back()[p], iterations.front()[p] + 2);
+    }
+  }
+};
+
+}
+
+TEST_P(LeastSquaresConvergence, OnIrregularSpheres)
+{
+  std::vector<Surface> family = { IrregularSphere(4, 3), IrregularSphere(5, 3) };
+  if (std::get<1>(GetParam()) == LevelConstruction::EdgeCollapses)
+  {
+    family.insert(family.begin(), IrregularSphere(3, 3)); // too small for levels of samples
+  }
+  ExpectBounded(family);
+}
+
+TEST_P(LeastSquaresConvergence, OnIrregularTori)
+{
+  ExpectBounded(
+    { IrregularTorus(80, 32, 4), IrregularTorus(112, 44, 4), IrregularTorus(160, 64, 4) });
+}
+
+INSTANTIATE_TEST_SUITE_P(Fields, LeastSquaresConvergence,
+  ::testing::Combine(::testing::Values(Discretisation::OneForm, Discretisation::FaceField),
+    ::testing::Values(LevelConstruction::EdgeCollapses, LevelConstruction::Sampling)),
+  [](const auto& info)
+  {
+    const bool isForm = std::get<0>(info.param) == Discretisation::OneForm;
+    const bool isSampled = std::get<1>(info.param) == LevelConstruction::Sampling;
+    return std::string(isForm ? "OneForms" : "FaceFields") +
+      (isSampled ? "Sampling" : "EdgeCollapses");
+  });
