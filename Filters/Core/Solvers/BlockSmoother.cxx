@@ -200,13 +200,18 @@ void BlockSmoother<Value>::SmoothBlocks(
 
 template <class Value>
 void BlockSmoother<Value>::SmoothColour(
-  std::size_t colour, const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context)
+  std::size_t colour, bool descending, const Vector<Value>& b, Vector<Value>& x,
+  const ExecutionContext& context)
 {
   const int first = this->ColourBegins[colour];
   const int last = this->ColourBegins[colour + 1];
   if (this->LastColourIsMixed && colour + 2 == this->ColourBegins.size())
   {
-    this->SmoothBlocks(first, last, b, x);
+    for (int k = first; k < last; ++k)
+    {
+      const int block = descending ? first + last - 1 - k : k;
+      this->SmoothBlocks(block, block + 1, b, x);
+    }
     return;
   }
   context.ParallelFor(first, last, BlockGrain,
@@ -223,7 +228,7 @@ void BlockSmoother<Value>::PreSmooth(
   {
     for (std::size_t colour = 0; colour + 1 < this->ColourBegins.size(); ++colour)
     {
-      this->SmoothColour(colour, b, x, context);
+      this->SmoothColour(colour, false, b, x, context);
     }
   }
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
@@ -248,7 +253,7 @@ void BlockSmoother<Value>::PostSmooth(
   {
     for (std::size_t colour = this->ColourBegins.size() - 1; colour-- > 0;)
     {
-      this->SmoothColour(colour, b, x, context);
+      this->SmoothColour(colour, true, b, x, context);
     }
   }
 }

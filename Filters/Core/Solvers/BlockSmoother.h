@@ -55,7 +55,7 @@ private:
   void ColourBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks);
   void Arrange(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
     const std::vector<int>& order, const ExecutionContext& context);
-  void SmoothColour(std::size_t colour, const Vector<Value>& b, Vector<Value>& x,
+  void SmoothColour(std::size_t colour, bool descending, const Vector<Value>& b, Vector<Value>& x,
     const ExecutionContext& context);
   void SmoothBlocks(int first, int last, const Vector<Value>& b, Vector<Value>& x);
 

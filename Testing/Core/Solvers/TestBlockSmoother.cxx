@@ -210,6 +210,7 @@ TYPED_TEST(TestBlockSmoother, PostIsTheAdjointOfPre)
     SCOPED_TRACE(sweeps);
     this->ExpectSymmetric(Path(40), sweeps);
     this->ExpectSymmetric(Fan(20), sweeps);
+    this->ExpectSymmetric(Fan(100), sweeps); // blocks without a colour, one after the other
   }
 }
 
