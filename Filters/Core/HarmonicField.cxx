@@ -1,10 +1,11 @@
 #include "HarmonicField.h"
 
+#include "HarmonicForms.h"
 #include "Hierarchy/MeshHierarchy.h"
 #include "Hierarchy/PointSampling.h"
 #include "Hierarchy/TangentGraph.h"
 #include "Mesh/SpatialOrder.h"
-#include "Operators/HarmonicForms.h"
+#include "NodalLevels.h"
 #include "Operators/PowerFieldOperators.h"
 #include "Prolongation/FaceFieldProlongation.h"
 #include "Prolongation/NodalProlongation.h"
@@ -16,7 +17,6 @@
 #include "Support/Errors.h"
 #include "Support/SparseAssembly.h"
 #include "Systems/FaceFieldSystem.h"
-#include "Systems/NodalLevels.h"
 #include "Systems/OneFormSystem.h"
 #include "Systems/PowerFieldSystem.h"
 

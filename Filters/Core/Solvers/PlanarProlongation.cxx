@@ -41,7 +41,7 @@ double LargestEigenvalue(const SparseMatrix<double>& B, const SparseMatrix<doubl
   }
   Vector<double> Bx(B.rows());
   double estimate = 1.0;
-  for (int iteration = 0; iteration < 5; ++iteration)
+  for (int iteration = 0; iteration < 8; ++iteration)
   {
     const double norm = std::sqrt(SquaredNorm(x, context));
     if (!(norm > 0.0))

@@ -8,7 +8,7 @@
 #include "Support/MeshFactory.h"
 #include "Support/TbbContext.h"
 #include "Systems/FaceFieldSystem.h"
-#include "Systems/NodalLevels.h"
+#include "NodalLevels.h"
 #include "Systems/OneFormSystem.h"
 
 #include <Eigen/Dense>

@@ -1,4 +1,4 @@
-#include "Systems/NodalLevels.h"
+#include "NodalLevels.h"
 
 #include "Operators/ExteriorCalculus.h"
 #include "Support/SparseKernels.h"

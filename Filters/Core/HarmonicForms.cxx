@@ -1,4 +1,4 @@
-#include "Operators/HarmonicForms.h"
+#include "HarmonicForms.h"
 
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
