@@ -255,7 +255,8 @@ public:
   ///@{
   /**
    * Gauss-Seidel sweeps before and after the coarse correction of each level; on nodal levels the
-   * surface itself gets twice as many. Default 2, range 1 to 10.
+   * surface itself gets twice as many, but for face fields, whose cycles sweep over the stars of
+   * points unless StartingLevel is chosen. Default 2, range 1 to 10.
    */
   vtkSetClampMacro(Sweeps, int, 1, 10);
   vtkGetMacro(Sweeps, int);
