@@ -21,9 +21,8 @@ struct UnknownBlocks
 
 /// Block Gauss-Seidel (multiplicative Schwarz) for a sum of squares, A = B^T B.
 ///
-/// Each step solves for the unknowns of one block exactly. What the point smoothers cannot damp on
-/// uneven triangles, the blocks of the faces do: the three sides of a sliver differ by little, and
-/// so do their equations (thesis, section 6.1, meets it as slow V-cycles).
+/// Each step solves for the unknowns of one block exactly. That damps what points one by one cannot on
+/// uneven triangles: the three sides of a sliver differ by little, and so do their equations.
 ///
 /// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A,
 /// so that a sweep over overlapping blocks costs no more than a sweep over the rows of A.
