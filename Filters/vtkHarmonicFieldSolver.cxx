@@ -333,7 +333,7 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::OperatorSelection selection{ structured && this->Discretisation == PowerField,
       structured && this->Discretisation == FaceField,
       structured && this->Discretisation == OneForm };
-    // Cycles for power fields need nothing that samples do not give, in a sixth of the time.
+    // Cycles for power fields need nothing that samples do not give, in a fifth of the time.
     const bool sampled = !structured && this->Discretisation == PowerField &&
       this->StartingLevel < 0 && (this->Solver == Automatic || this->Solver == ConjugateGradients);
     stages.SetUp(input, this->Solver == Cholesky ? nullptr : &selection,

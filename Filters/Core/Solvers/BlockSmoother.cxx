@@ -1,5 +1,6 @@
 #include "Solvers/BlockSmoother.h"
 
+#include "Support/Errors.h"
 #include "Support/SparseKernels.h"
 
 #include <Eigen/Cholesky>
@@ -7,6 +8,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cstdint>
+#include <string>
 
 namespace dmg
 {
@@ -98,7 +100,11 @@ void BlockSmoother<Value>::Arrange(const SparseMatrix<double>& transpose,
   for (const int k : order)
   {
     const int size = blocks.Offsets[k + 1] - blocks.Offsets[k];
-    assert(size <= LargestBlock);
+    if (size > LargestBlock)
+    {
+      throw InvalidInput("block " + std::to_string(k) + " holds " + std::to_string(size) +
+        " unknowns; split it into blocks of at most " + std::to_string(LargestBlock));
+    }
     for (int s = blocks.Offsets[k]; s < blocks.Offsets[k + 1]; ++s)
     {
       const int unknown = blocks.Unknowns[s];

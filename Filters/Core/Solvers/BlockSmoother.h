@@ -36,6 +36,7 @@ public:
   /// \param B with columns of length 1.
   /// \param blocks cover all unknowns that are to be smoothed; copied.
   /// \param sweeps before and after the coarse correction, >= 1.
+  /// \throw InvalidInput a block of more than 16 unknowns.
   BlockSmoother(const SparseMatrix<double>& B, const UnknownBlocks& blocks, int sweeps,
     const ExecutionContext& context);
 

@@ -2,13 +2,13 @@
 
 #include "Solvers/SmoothedProlongation.h"
 #include "Support/Errors.h"
+#include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
 
 namespace dmg
@@ -67,23 +67,6 @@ std::vector<int> PlacesOfChildren(
     places[i] = next[placesOfParents[parents[i]]]++;
   }
   return places;
-}
-
-std::vector<int> Inverse(const std::vector<int>& permutation)
-{
-  std::vector<int> inverse(permutation.size());
-  for (std::size_t i = 0; i < permutation.size(); ++i)
-  {
-    inverse[permutation[i]] = static_cast<int>(i);
-  }
-  return inverse;
-}
-
-std::vector<int> Identity(int size)
-{
-  std::vector<int> identity(size);
-  std::iota(identity.begin(), identity.end(), 0);
-  return identity;
 }
 
 template <class Scalar>

@@ -1,6 +1,7 @@
 #include "Solvers/LeastSquaresCycle.h"
 
 #include "Support/Errors.h"
+#include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
 #include <cmath>
@@ -30,21 +31,6 @@ std::vector<int> SortedByKey(int size, int numberOfKeys, const Key& key)
     order[next[key(i)]++] = i;
   }
   return order;
-}
-
-std::vector<int> Inverse(const std::vector<int>& permutation)
-{
-  std::vector<int> inverse(permutation.size());
-  for (std::size_t i = 0; i < permutation.size(); ++i)
-  {
-    inverse[permutation[i]] = static_cast<int>(i);
-  }
-  return inverse;
-}
-
-std::vector<int> Identity(int size)
-{
-  return SortedByKey(size, 1, [](int) { return 0; });
 }
 
 template <class Scalar>
@@ -225,6 +211,12 @@ LeastSquaresCycle::LeastSquaresCycle(const SparseMatrix<double>& factor, LeastSq
   {
     throw InvalidInput("the prolongation to level 0 has " + std::to_string(P.rows()) +
       " rows instead of " + std::to_string(factor.cols()) + "; use the operators of this surface");
+  }
+  if (!levels.Coarser.empty() && levels.Coarser[0].rows() != 2 * P.cols())
+  {
+    throw InvalidInput("the prolongation to level 1 has " +
+      std::to_string(levels.Coarser[0].rows()) + " rows instead of " +
+      std::to_string(2 * P.cols()) + "; use the operators of this surface");
   }
   // Unknowns, blocks and rows of B by the coarse unknowns that they belong to.
   const int unknowns = static_cast<int>(factor.cols());
