@@ -225,9 +225,8 @@ TEST(TestLeastSquaresCycle, WrongSizesAreRefused)
   const Problem problem = MakeProblem("", test::IrregularTorus(24, 10, 5), Discretisation::OneForm);
   const auto make = [&](LeastSquaresLevels levels)
   {
-    LeastSquaresCycleOptions options;
-    options.LargestFactor = 0; // beyond a level that is factored, levels are not looked at
-    LeastSquaresCycle(problem.System.Factor(), std::move(levels), options, SerialContext());
+    LeastSquaresCycle(
+      problem.System.Factor(), std::move(levels), LeastSquaresCycleOptions(), SerialContext());
   };
   LeastSquaresLevels levels = problem.Levels;
   levels.Prolongation = PlanarProlongation(problem.Size() - 1, problem.Levels.Prolongation.cols());
