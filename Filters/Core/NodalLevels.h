@@ -4,7 +4,7 @@
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 #include "Prolongation/TransportOperator.h"
-#include "Solvers/LeastSquaresCycle.h"
+#include "Solvers/LeastSquaresHierarchy.h"
 #include "Support/ExecutionContext.h"
 
 #include <vector>

@@ -37,7 +37,7 @@ void MultigridSolver<Scalar>::SolveByConjugateGradients(const Vector<Scalar>& b,
   const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
-  ConjugateGradient(*this->A, this->Cycle, b, stop, x, report, context, measure);
+  ConjugateGradient<Scalar>(MatrixOperator<Scalar>(*this->A), this->Cycle, b, stop, x, report, context, measure);
 }
 
 template <class Scalar>
@@ -45,7 +45,7 @@ void MultigridSolver<Scalar>::SolveByCycles(const Vector<Scalar>& b, const Stopp
   Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
   const ConvergenceMeasure<Scalar>* measure)
 {
-  StationaryIteration(*this->A, this->Cycle, b, stop, x, report, context, measure);
+  StationaryIteration<Scalar>(MatrixOperator<Scalar>(*this->A), this->Cycle, b, stop, x, report, context, measure);
 }
 
 template class MultigridSolver<double>;
