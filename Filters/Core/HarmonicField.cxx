@@ -354,6 +354,12 @@ std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, LeastSquaresProb
   }
 }
 
+void CheckFree(const LeastSquaresProblem& problem, const FieldOptions& options)
+{
+  CheckAnyIsFree(problem.NumberOfFree(), options.Constraints,
+    options.Kind == Discretisation::OneForm ? "edge" : "cell");
+}
+
 LeastSquaresProblem MakeLeastSquaresProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const FieldConstraints& constraints, const FieldOptions& options,
@@ -370,8 +376,7 @@ LeastSquaresProblem MakeLeastSquaresProblem(const TriangleMesh& mesh,
   solver.Kind = *LeastSquaresSolver(mesh, operators, options);
   LeastSquaresProblem problem(std::move(surface), std::move(prescribed), options.Smoothness, solver,
     PartOfContext(context, half, 1.0));
-  CheckAnyIsFree(problem.NumberOfFree(), options.Constraints,
-    options.Kind == Discretisation::OneForm ? "edge" : "cell");
+  CheckFree(problem, options);
   return problem;
 }
 
@@ -394,6 +399,19 @@ FieldProblem::FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFr
     this->Reference.emplace(std::get<HarmonicProblem<double>>(
       MakeProblem(mesh, faceFrames, operators, constraints, direct, context)));
   }
+}
+
+bool FieldProblem::Update(const TriangleMesh& mesh, const FieldConstraints& constraints,
+  const FieldOptions& options, const ExecutionContext& context)
+{
+  auto* const problem = std::get_if<LeastSquaresProblem>(&this->Problem);
+  if (!problem || this->Reference)
+  {
+    return false;
+  }
+  problem->Update(PrescribedIn(mesh, constraints, options), options.Smoothness, context);
+  CheckFree(*problem, options);
+  return true;
 }
 
 Vector<double> FieldProblem::Solve(const Vector<double>& values, const Vector<double>& start,

@@ -125,6 +125,13 @@ public:
     const FieldOptions& options, const ExecutionContext& context,
     std::shared_ptr<const LeastSquaresSurface> surface = nullptr);
 
+  /// System, where only the prescribed elements, their weights or those of options differ: numbers
+  /// only, no pattern changes.
+  /// \return false if the solver cannot do so; then nothing has happened. After an error the problem
+  ///   must not be used.
+  bool Update(const TriangleMesh& mesh, const FieldConstraints& constraints,
+    const FieldOptions& options, const ExecutionContext& context);
+
   /// Solve.
   /// \param values of the constraints.
   /// \param start unknowns to start from, or empty.

@@ -22,6 +22,7 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor,
   , Blocks(blocks)
   , Sweeps(sweeps)
   , Diagonal(Vector<double>::Zero(factor.cols()))
+  , IsPulled(blocks.NumberOfTiles(), 0)
   , Inverses(blocks.Blocks().Size())
   , Bx(factor.rows())
 {
@@ -70,43 +71,106 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
     next += this->Blocks.InverseSize(k);
   }
   this->Blocks.Invert(this->Bt, D, changed, places, context);
+  for (int t = 0; t < this->Blocks.NumberOfTiles(); ++t)
+  {
+    const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
+    this->IsPulled[t] = std::any_of(tile.Unknowns, tile.Unknowns + tile.NumberOfUnknowns,
+      [this](int unknown) { return this->Diagonal[unknown] != 0.0; });
+  }
 }
 
-void BlockSmoother::SmoothBlock(int block, const Vector<double>& b, Vector<double>& x)
+template <bool Pulled>
+void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending,
+  const Vector<double>& b, Vector<double>& x)
 {
-  const UnknownBlocks& blocks = this->Blocks.Blocks();
-  const int* const unknowns = blocks.Unknowns.data() + blocks.Offsets[block];
-  const int size = blocks.Offsets[block + 1] - blocks.Offsets[block];
-  double residuals[SchwarzBlocks::LargestBlock];
-  double steps[SchwarzBlocks::LargestBlock];
-  double* const product = this->Bx.data();
-  for (int i = 0; i < size; ++i)
+  // Copies of what the tile works on: B x of its rows, b - D x and the steps of its unknowns.
+  thread_local std::vector<float> workspace;
+  workspace.resize(tile.NumberOfRows + 2 * tile.NumberOfUnknowns);
+  float* const product = workspace.data();
+  float* const right = product + tile.NumberOfRows;
+  float* const total = right + tile.NumberOfUnknowns;
+  for (int r = 0; r < tile.NumberOfRows; ++r)
   {
-    const int unknown = unknowns[i];
-    residuals[i] =
-      b[unknown] - this->Diagonal[unknown] * x[unknown] - RowTimes(this->Bt, unknown, product);
-    steps[i] = 0.0;
+    product[r] = this->Bx[tile.Rows[r]];
   }
-  const float* row = this->Inverses[block];
-  for (int i = 0; i < size; row += ++i)
+  for (int u = 0; u < tile.NumberOfUnknowns; ++u)
   {
-    double step = row[i] * residuals[i];
-    for (int j = 0; j < i; ++j)
-    {
-      step += row[j] * residuals[j];
-      steps[j] += row[j] * residuals[i];
-    }
-    steps[i] += step;
+    const int unknown = tile.Unknowns[u];
+    right[u] = static_cast<float>(
+      Pulled ? b[unknown] - this->Diagonal[unknown] * x[unknown] : b[unknown]);
+    total[u] = 0.0f;
   }
-  for (int i = 0; i < size; ++i)
+
+  const int* const offsets = this->Blocks.Blocks().Offsets.data();
+  const int firstMember = offsets[tile.FirstBlock];
+  const int numberOfBlocks = tile.LastBlock - tile.FirstBlock;
+  float residuals[SchwarzBlocks::LargestBlock];
+  float steps[SchwarzBlocks::LargestBlock];
+  for (int k = 0; k < numberOfBlocks; ++k)
   {
-    const int unknown = unknowns[i];
-    x[unknown] += steps[i];
-    const int end = this->Bt.outerIndexPtr()[unknown + 1];
-    for (int e = this->Bt.outerIndexPtr()[unknown]; e < end; ++e)
+    const int block = descending ? tile.LastBlock - 1 - k : tile.FirstBlock + k;
+    const std::uint16_t* const members = tile.Members + (offsets[block] - firstMember);
+    const int size = offsets[block + 1] - offsets[block];
+    for (int i = 0; i < size; ++i)
     {
-      product[this->Bt.innerIndexPtr()[e]] += this->Bt.valuePtr()[e] * steps[i];
+      const int u = members[i];
+      float residual = right[u];
+      const int end = tile.ColumnBegins[u + 1];
+      for (int e = tile.ColumnBegins[u]; e < end; ++e)
+      {
+        residual -= tile.EntryValues[e] * product[tile.EntryRows[e]];
+      }
+      residuals[i] = residual;
+      steps[i] = 0.0f;
     }
+    const float* row = this->Inverses[block];
+    for (int i = 0; i < size; row += ++i)
+    {
+      float step = row[i] * residuals[i];
+      for (int j = 0; j < i; ++j)
+      {
+        step += row[j] * residuals[j];
+        steps[j] += row[j] * residuals[i];
+      }
+      steps[i] += step;
+    }
+    for (int i = 0; i < size; ++i)
+    {
+      const int u = members[i];
+      total[u] += steps[i];
+      if (Pulled)
+      {
+        right[u] -= static_cast<float>(this->Diagonal[tile.Unknowns[u]]) * steps[i];
+      }
+      const int end = tile.ColumnBegins[u + 1];
+      for (int e = tile.ColumnBegins[u]; e < end; ++e)
+      {
+        product[tile.EntryRows[e]] += tile.EntryValues[e] * steps[i];
+      }
+    }
+  }
+
+  for (int r = 0; r < tile.NumberOfRows; ++r)
+  {
+    this->Bx[tile.Rows[r]] = product[r];
+  }
+  for (int u = 0; u < tile.NumberOfUnknowns; ++u)
+  {
+    x[tile.Unknowns[u]] += total[u];
+  }
+}
+
+void BlockSmoother::Sweep(bool descending, const Vector<double>& b, Vector<double>& x,
+  const ExecutionContext& context)
+{
+  const int colours = this->Blocks.NumberOfColours();
+  for (int c = 0; c < colours; ++c)
+  {
+    this->Blocks.ForTiles(descending ? colours - 1 - c : c, context, [&](int t) {
+      const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
+      this->IsPulled[t] ? this->SmoothTile<true>(tile, descending, b, x)
+                        : this->SmoothTile<false>(tile, descending, b, x);
+    });
   }
 }
 
@@ -117,21 +181,18 @@ void BlockSmoother::PreSmooth(
   this->Bx.setZero();
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)
   {
-    for (int colour = 0; colour < this->Blocks.NumberOfColours(); ++colour)
-    {
-      this->Blocks.ForTiles(colour, context, [&](int first, int last) {
-        for (int block = first; block < last; ++block)
-        {
-          this->SmoothBlock(block, b, x);
-        }
-      });
-    }
+    this->Sweep(false, b, x, context);
   }
   r.resize(b.size());
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
-      r[i] = b[i] - this->Diagonal[i] * x[i] - RowTimes(this->Bt, i, this->Bx.data());
+      double residual = b[i] - this->Diagonal[i] * x[i];
+      for (int e = this->Bt.outerIndexPtr()[i]; e < this->Bt.outerIndexPtr()[i + 1]; ++e)
+      {
+        residual -= this->Bt.valuePtr()[e] * this->Bx[this->Bt.innerIndexPtr()[e]];
+      }
+      r[i] = residual;
     }
   });
   for (const int i : this->Held)
@@ -143,18 +204,15 @@ void BlockSmoother::PreSmooth(
 void BlockSmoother::PostSmooth(
   const Vector<double>& b, Vector<double>& x, const ExecutionContext& context)
 {
-  Multiply(this->B, x, this->Bx, context);
+  context.ParallelFor(0, static_cast<int>(this->Bx.size()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      this->Bx[i] = static_cast<float>(RowTimes(this->B, i, x.data()));
+    }
+  });
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)
   {
-    for (int colour = this->Blocks.NumberOfColours(); colour-- > 0;)
-    {
-      this->Blocks.ForTiles(colour, context, [&](int first, int last) {
-        for (int block = last; block-- > first;)
-        {
-          this->SmoothBlock(block, b, x);
-        }
-      });
-    }
+    this->Sweep(true, b, x, context);
   }
 }
 
@@ -162,7 +220,8 @@ long long BlockSmoother::Bytes() const
 {
   return static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
     this->ChangedInverses.size() * sizeof(float) + this->Held.size() * sizeof(int) +
-    (this->Diagonal.size() + this->Bx.size()) * sizeof(double));
+    this->IsPulled.size() + this->Bx.size() * sizeof(float) +
+    this->Diagonal.size() * sizeof(double));
 }
 
 }

@@ -18,8 +18,9 @@ namespace dmg
 /// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A,
 /// so that a sweep over overlapping blocks costs no more than a sweep over the rows of A.
 ///
-/// Inverses of blocks are held in single precision, which makes them inverses of nearly the same
-/// blocks; all else is double. Same bits for any number of threads.
+/// Steps are taken in single precision, and added up in double. What that costs is noise in B x, to which
+/// vectors of little energy, which the coarse levels are for, are blind. Same bits for any number of
+/// threads.
 class BlockSmoother
 {
 public:
@@ -51,7 +52,12 @@ public:
   long long Bytes() const;
 
 private:
-  void SmoothBlock(int block, const Vector<double>& b, Vector<double>& x);
+  void Sweep(bool descending, const Vector<double>& b, Vector<double>& x,
+    const ExecutionContext& context);
+  /// Takes the blocks of a tile one after the other. \tparam Pulled: D is not zero on the tile.
+  template <bool Pulled>
+  void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending, const Vector<double>& b,
+    Vector<double>& x);
 
   const SparseMatrix<double>& B;
   const SparseMatrix<double>& Bt;
@@ -59,9 +65,10 @@ private:
   const int Sweeps;
   Vector<double> Diagonal;             ///< D where it is finite, else zero
   std::vector<int> Held;               ///< where D is infinite
+  std::vector<char> IsPulled;          ///< by tile: whether Diagonal is not zero there
   std::vector<const float*> Inverses;  ///< of each block
   std::vector<float> ChangedInverses;  ///< where D is not zero
-  Vector<double> Bx;
+  Vector<float> Bx;
 };
 
 }

@@ -4,6 +4,7 @@
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -38,6 +39,28 @@ int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
 {
   const int begin = A.outerIndexPtr()[row];
   return begin < A.outerIndexPtr()[row + 1] ? A.innerIndexPtr()[begin] : otherwise;
+}
+
+/// Numbers 0 to size - 1 in the order in which a sequence comes to them; then those that it does not.
+template <class Iterator>
+std::vector<int> ByFirstOccurrence(Iterator begin, Iterator end, int size)
+{
+  std::vector<int> order;
+  order.reserve(size);
+  std::vector<char> hasOccurred(size, 0);
+  const auto append = [&](int number) {
+    if (!hasOccurred[number])
+    {
+      hasOccurred[number] = 1;
+      order.push_back(number);
+    }
+  };
+  std::for_each(begin, end, append);
+  for (int number = 0; number < size; ++number)
+  {
+    append(number);
+  }
+  return order;
 }
 
 UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& order,
@@ -149,23 +172,26 @@ LeastSquaresHierarchy CoarsenLeastSquares(const SparseMatrix<double>& factor,
       std::to_string(levels.Coarser[0].rows()) + " rows instead of " +
       std::to_string(2 * P.cols()) + "; use the operators of this surface");
   }
-  // Unknowns, blocks and rows of B by the coarse unknowns that they belong to.
+  // Blocks by the coarse unknowns that they belong to; unknowns as the blocks come to them, and rows of
+  // B as the unknowns do.
   const int unknowns = static_cast<int>(factor.cols());
-  const int keys = std::max(1, static_cast<int>(P.cols()));
-  const auto keyOfUnknown = [&P](int i) { return FirstColumn(P, i, 0); };
-  std::vector<int> order = SortedByKey(unknowns, keys, keyOfUnknown);
+  const std::vector<int> blockOrder = SortedByKey(levels.Blocks.Size(),
+    std::max(1, static_cast<int>(P.cols())),
+    [&](int k) { return FirstColumn(P, levels.Blocks.Unknowns[levels.Blocks.Offsets[k]], 0); });
+  const std::vector<int> blocksInOrder = Permuted(levels.Blocks, blockOrder, Identity(unknowns)).Unknowns;
+  std::vector<int> order =
+    ByFirstOccurrence(blocksInOrder.begin(), blocksInOrder.end(), unknowns);
   const std::vector<int> places = Inverse(order);
-  const std::vector<int> rowOrder = SortedByKey(static_cast<int>(factor.rows()), keys,
-    [&](int row) { return unknowns > 0 ? keyOfUnknown(FirstColumn(factor, row, 0)) : 0; });
-  const std::vector<int> blockOrder = SortedByKey(levels.Blocks.Size(), keys, [&](int k) {
-    return keyOfUnknown(levels.Blocks.Unknowns[levels.Blocks.Offsets[k]]);
-  });
+  const SparseMatrix<double> rowsOfUnknowns =
+    Permuted(Adjoint(factor, context), order, Identity(static_cast<int>(factor.rows())), context);
+  const std::vector<int> rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
+    rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), static_cast<int>(factor.rows()));
   SparseMatrix<double> B = Permuted(factor, rowOrder, places, context);
   {
     PlanarProlongation permuted = Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
     P.swap(permuted);
   }
-  Vector<double> lengths = ColumnLengths(Adjoint(B, context), context);
+  Vector<double> lengths = ColumnLengths(rowsOfUnknowns, context);
   const auto one = [](int) { return 1.0; };
   Scale(B, one, [&lengths](int column) { return 1.0 / lengths[column]; }, context);
   Scale(P, [&lengths](int row) { return lengths[row]; }, one, context);

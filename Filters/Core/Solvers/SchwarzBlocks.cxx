@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <string>
 #include <utility>
@@ -17,9 +18,12 @@ namespace
 {
 
 // Tiles for the caches of a core, and some for each of many threads on small surfaces.
-constexpr int LargestTile = 1024;
+constexpr int LargestTile = 512;
 constexpr int SmallestTile = 16;
 constexpr int WantedTiles = 128;
+// Rows are numbered by 16 bits. A block adds some hundreds at most, but where triangles by the thousand
+// share a vertex.
+constexpr std::size_t MostRows = 32000;
 // Keeps a block of dependent unknowns, as of a face without area, invertible in single precision.
 constexpr double Ridge = 1e-6;
 
@@ -93,19 +97,26 @@ SchwarzBlocks::SchwarzBlocks(
   : Members(std::move(blocks))
 {
   const int size = this->Members.Size();
-  this->InverseBegins.reserve(size + 1);
   for (int k = 0; k < size; ++k)
   {
-    const std::size_t unknowns = this->Members.Offsets[k + 1] - this->Members.Offsets[k];
+    const int unknowns = this->Members.Offsets[k + 1] - this->Members.Offsets[k];
     if (unknowns > LargestBlock)
     {
       throw InvalidInput("block " + std::to_string(k) + " holds " + std::to_string(unknowns) +
         " unknowns; split it into blocks of at most " + std::to_string(LargestBlock));
     }
+  }
+  this->MakeTiles(Bt);
+  this->SortTiles(Bt, context);
+  this->ColourTiles();
+  this->CopyEntries(Bt, context);
+
+  this->InverseBegins.reserve(size + 1);
+  for (int k = 0; k < size; ++k)
+  {
+    const std::size_t unknowns = this->Members.Offsets[k + 1] - this->Members.Offsets[k];
     this->InverseBegins.push_back(this->InverseBegins.back() + unknowns * (unknowns + 1) / 2);
   }
-  this->ColourTiles(Bt);
-
   this->Inverses.resize(this->InverseBegins.back());
   std::vector<int> all(size);
   std::iota(all.begin(), all.end(), 0);
@@ -117,49 +128,137 @@ SchwarzBlocks::SchwarzBlocks(
   this->Invert(Bt, Vector<double>::Zero(Bt.rows()), all, places, context);
 }
 
-void SchwarzBlocks::ColourTiles(const SparseMatrix<double>& Bt)
+/// Blocks in the given order fill a tile until it is large. Tiles list the unknowns and the rows of B that
+/// they touch.
+void SchwarzBlocks::MakeTiles(const SparseMatrix<double>& Bt)
 {
   const int size = this->Members.Size();
   const int tileSize = std::clamp(size / WantedTiles, SmallestTile, LargestTile);
-  for (int begin = 0; begin < size; begin += tileSize)
+  std::vector<int> tileOfUnknown(Bt.rows(), -1);
+  std::vector<int> tileOfRow(Bt.cols(), -1);
+  const auto endTile = [this](int block) {
+    this->TileBegins.push_back(block);
+    this->UnknownBegins.push_back(static_cast<int>(this->Unknowns.size()));
+    this->RowBegins.push_back(static_cast<int>(this->Rows.size()));
+  };
+  this->TileBegins = { 0 };
+  for (int k = 0; k < size; ++k)
   {
-    this->TileBegins.push_back(begin);
+    const int tile = static_cast<int>(this->TileBegins.size()) - 1;
+    for (int s = this->Members.Offsets[k]; s < this->Members.Offsets[k + 1]; ++s)
+    {
+      const int unknown = this->Members.Unknowns[s];
+      if (tileOfUnknown[unknown] == tile)
+      {
+        continue;
+      }
+      tileOfUnknown[unknown] = tile;
+      this->Unknowns.push_back(unknown);
+      for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
+      {
+        const int row = Bt.innerIndexPtr()[e];
+        if (tileOfRow[row] != tile)
+        {
+          tileOfRow[row] = tile;
+          this->Rows.push_back(row);
+        }
+      }
+    }
+    const std::size_t rows = this->Rows.size() - this->RowBegins.back();
+    if (k + 1 == size || k + 1 - this->TileBegins.back() == tileSize || rows > MostRows)
+    {
+      endTile(k + 1);
+    }
   }
-  const int numberOfTiles = static_cast<int>(this->TileBegins.size());
-  this->TileBegins.push_back(size);
+}
 
-  // Each tile gets the first colour that no earlier tile on one of its rows has. Rows keep their
-  // tiles as linked lists, the last one first.
+void SchwarzBlocks::SortTiles(const SparseMatrix<double>& Bt, const ExecutionContext& context)
+{
+  constexpr int numberOfColours = 64; // blocks that find none share the last; none must be independent
+  const int numberOfTiles = static_cast<int>(this->TileBegins.size()) - 1;
+  const int grain = std::max(1, numberOfTiles / (4 * context.NumberOfThreads()));
+  context.ParallelFor(0, numberOfTiles, grain, [&](int firstTile, int lastTile) {
+    std::vector<std::uint64_t> taken(Bt.cols(), 0); // by row of B: colours of the blocks that touch it
+    std::vector<std::pair<int, int>> order;         // colour, block
+    UnknownBlocks sorted;
+    for (int tile = firstTile; tile < lastTile; ++tile)
+    {
+      const int first = this->TileBegins[tile];
+      const int last = this->TileBegins[tile + 1];
+      const auto forRows = [&](int firstBlock, int lastBlock, const auto& visit) {
+        const int lastSlot = this->Members.Offsets[lastBlock];
+        for (int s = this->Members.Offsets[firstBlock]; s < lastSlot; ++s)
+        {
+          const int unknown = this->Members.Unknowns[s];
+          for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
+          {
+            visit(taken[Bt.innerIndexPtr()[e]]);
+          }
+        }
+      };
+      order.clear();
+      for (int k = first; k < last; ++k)
+      {
+        std::uint64_t forbidden = 0;
+        forRows(k, k + 1, [&forbidden](std::uint64_t colours) { forbidden |= colours; });
+        int colour = 0;
+        while (colour + 1 < numberOfColours && (forbidden >> colour & 1) != 0)
+        {
+          ++colour;
+        }
+        forRows(k, k + 1, [colour](std::uint64_t& set) { set |= std::uint64_t(1) << colour; });
+        order.emplace_back(colour, k);
+      }
+      forRows(first, last, [](std::uint64_t& colours) { colours = 0; });
+      std::sort(order.begin(), order.end());
+
+      const int firstSlot = this->Members.Offsets[first];
+      sorted.Offsets = { firstSlot };
+      sorted.Unknowns.clear();
+      for (const auto& [colour, k] : order)
+      {
+        sorted.Unknowns.insert(sorted.Unknowns.end(),
+          this->Members.Unknowns.begin() + this->Members.Offsets[k],
+          this->Members.Unknowns.begin() + this->Members.Offsets[k + 1]);
+        sorted.Offsets.push_back(firstSlot + static_cast<int>(sorted.Unknowns.size()));
+      }
+      std::copy(
+        sorted.Unknowns.begin(), sorted.Unknowns.end(), this->Members.Unknowns.begin() + firstSlot);
+      // The ends of a tile are the same as before, and belong to its neighbours, too.
+      std::copy(sorted.Offsets.begin() + 1, sorted.Offsets.end() - 1,
+        this->Members.Offsets.begin() + first + 1);
+    }
+  });
+}
+
+/// Each tile gets the first colour that no earlier tile on one of its rows has.
+void SchwarzBlocks::ColourTiles()
+{
+  const int numberOfTiles = static_cast<int>(this->TileBegins.size()) - 1;
+  // Rows keep their tiles as linked lists, the last one first.
   struct Touch
   {
     int Tile;
     int Next;
   };
   std::vector<Touch> touches;
-  std::vector<int> lastTouch(Bt.cols(), -1); // by row of B
+  touches.reserve(this->Rows.size());
+  const int numberOfRows =
+    this->Rows.empty() ? 0 : *std::max_element(this->Rows.begin(), this->Rows.end()) + 1;
+  std::vector<int> lastTouch(numberOfRows, -1);
   std::vector<int> colours(numberOfTiles, 0);
   std::vector<int> forbiddenBy(numberOfTiles, -1); // by colour: the last tile that must not have it
   for (int tile = 0; tile < numberOfTiles; ++tile)
   {
-    const int firstSlot = this->Members.Offsets[this->TileBegins[tile]];
-    const int lastSlot = this->Members.Offsets[this->TileBegins[tile + 1]];
-    for (int s = firstSlot; s < lastSlot; ++s)
+    for (int r = this->RowBegins[tile]; r < this->RowBegins[tile + 1]; ++r)
     {
-      const int unknown = this->Members.Unknowns[s];
-      for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
+      int& last = lastTouch[this->Rows[r]];
+      for (int touch = last; touch >= 0; touch = touches[touch].Next)
       {
-        int& last = lastTouch[Bt.innerIndexPtr()[e]];
-        if (last >= 0 && touches[last].Tile == tile)
-        {
-          continue;
-        }
-        for (int touch = last; touch >= 0; touch = touches[touch].Next)
-        {
-          forbiddenBy[colours[touches[touch].Tile]] = tile;
-        }
-        touches.push_back({ tile, last });
-        last = static_cast<int>(touches.size()) - 1;
+        forbiddenBy[colours[touches[touch].Tile]] = tile;
       }
+      touches.push_back({ tile, last });
+      last = static_cast<int>(touches.size()) - 1;
     }
     while (forbiddenBy[colours[tile]] == tile)
     {
@@ -181,6 +280,59 @@ void SchwarzBlocks::ColourTiles(const SparseMatrix<double>& Bt)
   {
     this->Tiles[next[colours[tile]]++] = tile;
   }
+}
+
+void SchwarzBlocks::CopyEntries(const SparseMatrix<double>& Bt, const ExecutionContext& context)
+{
+  const int* const offsets = Bt.outerIndexPtr();
+  this->ColumnBegins.reserve(this->Unknowns.size() + 1);
+  for (const int unknown : this->Unknowns)
+  {
+    this->ColumnBegins.push_back(
+      this->ColumnBegins.back() + offsets[unknown + 1] - offsets[unknown]);
+  }
+  this->EntryRows.resize(this->ColumnBegins.back());
+  this->EntryValues.resize(this->ColumnBegins.back());
+  this->LocalMembers.resize(this->Members.Unknowns.size());
+  const int grain = std::max(1, this->NumberOfTiles() / (4 * context.NumberOfThreads()));
+  context.ParallelFor(0, this->NumberOfTiles(), grain, [&](int first, int last) {
+    std::vector<std::uint16_t> numberOfUnknown(Bt.rows());
+    std::vector<std::uint16_t> numberOfRow(Bt.cols());
+    for (int tile = first; tile < last; ++tile)
+    {
+      for (int r = this->RowBegins[tile]; r < this->RowBegins[tile + 1]; ++r)
+      {
+        numberOfRow[this->Rows[r]] = static_cast<std::uint16_t>(r - this->RowBegins[tile]);
+      }
+      for (int u = this->UnknownBegins[tile]; u < this->UnknownBegins[tile + 1]; ++u)
+      {
+        const int unknown = this->Unknowns[u];
+        numberOfUnknown[unknown] = static_cast<std::uint16_t>(u - this->UnknownBegins[tile]);
+        int entry = this->ColumnBegins[u];
+        for (int e = offsets[unknown]; e < offsets[unknown + 1]; ++e, ++entry)
+        {
+          this->EntryRows[entry] = numberOfRow[Bt.innerIndexPtr()[e]];
+          this->EntryValues[entry] = static_cast<float>(Bt.valuePtr()[e]);
+        }
+      }
+      const int lastSlot = this->Members.Offsets[this->TileBegins[tile + 1]];
+      for (int s = this->Members.Offsets[this->TileBegins[tile]]; s < lastSlot; ++s)
+      {
+        this->LocalMembers[s] = numberOfUnknown[this->Members.Unknowns[s]];
+      }
+    }
+  });
+}
+
+SchwarzBlocks::Tile SchwarzBlocks::TileAt(int tile) const
+{
+  const int firstUnknown = this->UnknownBegins[tile];
+  const int firstRow = this->RowBegins[tile];
+  return { this->TileBegins[tile], this->TileBegins[tile + 1],
+    this->Unknowns.data() + firstUnknown, this->UnknownBegins[tile + 1] - firstUnknown,
+    this->Rows.data() + firstRow, this->RowBegins[tile + 1] - firstRow,
+    this->ColumnBegins.data() + firstUnknown, this->EntryRows.data(), this->EntryValues.data(),
+    this->LocalMembers.data() + this->Members.Offsets[this->TileBegins[tile]] };
 }
 
 void SchwarzBlocks::Invert(const SparseMatrix<double>& Bt, const Vector<double>& D,
@@ -206,7 +358,9 @@ long long SchwarzBlocks::Bytes() const
   const auto bytes = [](const auto& vector) {
     return static_cast<long long>(vector.size() * sizeof(vector[0]));
   };
-  return bytes(this->Members.Offsets) + bytes(this->Members.Unknowns) +
+  return bytes(this->Members.Offsets) + bytes(this->Members.Unknowns) + bytes(this->Tiles) +
+    bytes(this->Unknowns) + bytes(this->Rows) + bytes(this->ColumnBegins) +
+    bytes(this->EntryRows) + bytes(this->EntryValues) + bytes(this->LocalMembers) +
     bytes(this->InverseBegins) + bytes(this->Inverses);
 }
 

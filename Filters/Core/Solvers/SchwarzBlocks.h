@@ -5,6 +5,7 @@
 #include "Support/Types.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace dmg
@@ -20,15 +21,38 @@ struct UnknownBlocks
   void EndBlock() { this->Offsets.push_back(static_cast<int>(this->Unknowns.size())); }
 };
 
-/// What BlockSmoother needs of the roughness B^T B alone: the blocks in tiles, and the inverse of each.
+/// What BlockSmoother needs of the roughness B^T B alone: blocks in tiles, and the inverse of each block.
 ///
 /// A tile are blocks that follow each other, and stand near each other where blocks come in a spatial
-/// order: one thread takes them one after the other, in a working set that its cache holds. Tiles
-/// that share a row of B have different colours; tiles of a colour are independent.
+/// order. One thread takes them one after the other, on copies of the few unknowns and rows of B that
+/// they touch, which a cache holds together with the tile's own part of B^T; so a sweep reads memory in
+/// streams. Tiles that share a row of B have different colours; tiles of a colour are independent.
+/// Inside a tile, blocks are sorted by colours as well: a processor works on several blocks at once as
+/// long as none waits for what another stores.
+///
+/// All is single precision: the inverses of blocks and the entries of B, which makes them those of nearly
+/// the same problem.
 class SchwarzBlocks
 {
 public:
   static constexpr int LargestBlock = 16;
+
+  /// What a tile works on.
+  struct Tile
+  {
+    int FirstBlock;
+    int LastBlock; ///< one beyond
+    const int* Unknowns;
+    int NumberOfUnknowns;
+    const int* Rows; ///< of B
+    int NumberOfRows;
+    /// [u] to [u + 1]: the entries of the column of B of unknown u of the tile.
+    const int* ColumnBegins;
+    const std::uint16_t* EntryRows; ///< numbers in Rows
+    const float* EntryValues;
+    /// Numbers in Unknowns, block after block; of the first block first.
+    const std::uint16_t* Members;
+  };
 
   /// \param Bt B^T, a row per unknown. Rows of B^T B with a diagonal entry near 1.
   /// \throw InvalidInput a block of more than LargestBlock unknowns.
@@ -36,10 +60,12 @@ public:
   SchwarzBlocks(
     const SparseMatrix<double>& Bt, UnknownBlocks blocks, const ExecutionContext& context);
 
+  /// In the order in which they are smoothed, which is not the caller's.
   const UnknownBlocks& Blocks() const { return this->Members; }
 
   int NumberOfColours() const { return static_cast<int>(this->ColourBegins.size()) - 1; }
-  /// Calls visit(firstBlock, lastBlock) for each tile of a colour, several at the same time.
+  int NumberOfTiles() const { return static_cast<int>(this->Tiles.size()); }
+  /// Calls visit(tile) for each tile of a colour, several at the same time.
   template <class Visit>
   void ForTiles(int colour, const ExecutionContext& context, const Visit& visit) const
   {
@@ -47,10 +73,11 @@ public:
       [this, &visit](int first, int last) {
         for (int t = first; t < last; ++t)
         {
-          visit(this->TileBegins[this->Tiles[t]], this->TileBegins[this->Tiles[t] + 1]);
+          visit(this->Tiles[t]);
         }
       });
   }
+  Tile TileAt(int tile) const;
 
   /// The inverse of a block, symmetric: its lower triangle by rows.
   const float* Inverse(int block) const
@@ -75,12 +102,26 @@ public:
   long long Bytes() const;
 
 private:
-  void ColourTiles(const SparseMatrix<double>& Bt);
+  void MakeTiles(const SparseMatrix<double>& Bt);
+  void SortTiles(const SparseMatrix<double>& Bt, const ExecutionContext& context);
+  void ColourTiles();
+  void CopyEntries(const SparseMatrix<double>& Bt, const ExecutionContext& context);
 
   UnknownBlocks Members;
-  std::vector<int> TileBegins;   ///< the first block of each
   std::vector<int> Tiles;        ///< colour by colour
   std::vector<int> ColourBegins; ///< the place of the first tile of each
+
+  // Of the tiles, one after the other.
+  std::vector<int> TileBegins;   ///< the first block of each
+  std::vector<int> UnknownBegins = { 0 };
+  std::vector<int> Unknowns;
+  std::vector<int> RowBegins = { 0 };
+  std::vector<int> Rows;
+  std::vector<int> ColumnBegins = { 0 };
+  std::vector<std::uint16_t> EntryRows;
+  std::vector<float> EntryValues;
+  std::vector<std::uint16_t> LocalMembers;
+
   std::vector<std::size_t> InverseBegins = { 0 };
   std::vector<float> Inverses;
 };
