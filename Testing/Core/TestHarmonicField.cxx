@@ -388,8 +388,8 @@ TEST(FieldProblem, SolversAgreeOnEveryDiscretisation)
   }
 }
 
-// System, levels, cycle, on a torus harmonic fields, and what it is compared with share one way from 0
-// to 1.
+// System, levels, cycle, on a torus harmonic fields, and what it is compared with share one way from
+// 0 to 1.
 TEST(FieldProblem, ReportsProgressOnceAndStopsWhenAsked)
 {
   const Prepared on(IrregularTorus(48, 24, 4));
