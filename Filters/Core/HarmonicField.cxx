@@ -262,7 +262,8 @@ std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const Triangl
   }
   else
   {
-    kernel = isOneForm ? HarmonicForms(mesh, context) : HarmonicFaceFields(mesh, faceFrames, context);
+    const PartOfContext last(context, 0.8, 1.0);
+    kernel = isOneForm ? HarmonicForms(mesh, last) : HarmonicFaceFields(mesh, faceFrames, last);
     kernel = Eigen::MatrixXd(kernel(order, Eigen::all));
   }
   Vector<double> massInOrder = mass(order);
@@ -387,8 +388,9 @@ FieldProblem::FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFr
   const FieldOptions& options, const ExecutionContext& context,
   std::shared_ptr<const LeastSquaresSurface> surface)
   : Problem(LeastSquaresSolver(mesh, operators, options)
-        ? MakeLeastSquaresProblem(
-            mesh, faceFrames, operators, constraints, options, std::move(surface), context)
+        ? MakeLeastSquaresProblem(mesh, faceFrames, operators, constraints, options,
+            std::move(surface),
+            PartOfContext(context, 0.0, options.Solver.CompareWithCholesky ? 0.5 : 1.0))
         : MakeProblem(mesh, faceFrames, operators, constraints, options, context))
 {
   if (options.Solver.CompareWithCholesky &&
@@ -397,7 +399,8 @@ FieldProblem::FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFr
     FieldOptions direct = options;
     direct.Solver.Kind = SolverKind::Cholesky;
     this->Reference.emplace(std::get<HarmonicProblem<double>>(
-      MakeProblem(mesh, faceFrames, operators, constraints, direct, context)));
+      MakeProblem(mesh, faceFrames, operators, constraints, direct,
+        PartOfContext(context, 0.5, 1.0))));
   }
 }
 
