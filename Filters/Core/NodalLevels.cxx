@@ -90,6 +90,27 @@ LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const Tangent
     }
     levels.Blocks.EndBlock();
   }
+  double Q = getenv("STARQ") ? atof(getenv("STARQ")) : 0.0;
+  std::vector<char> bad(mesh.NumberOfVertices(), 0);
+  const Vector<double> areas = mesh.FaceAreas();
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    double l = 0;
+    for (int k = 0; k < 3; ++k)
+      l = std::max(l, (mesh.VertexPositions().row(mesh.FaceCorners()(face, k)) - mesh.VertexPositions().row(mesh.FaceCorners()(face, (k + 1) % 3))).squaredNorm());
+    if (areas[face] / l / 0.433 <= Q) for (int k = 0; k < 3; ++k) bad[mesh.FaceCorners()(face, k)] = 1;
+  }
+  int stars = 0;
+  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+  {
+    if (!bad[v]) continue;
+    int h = mesh.OutgoingHalfedge(v); const int first = h; int n = 0; std::vector<int> e;
+    do { e.push_back(mesh.EdgeOf(h)); int p = TriangleMesh::Previous(h); int t = mesh.Twin(p); if (t < 0) { e.push_back(mesh.EdgeOf(p)); } h = t; } while (h >= 0 && h != first);
+    if (e.size() > 16) e.resize(16);
+    for (int k : e) levels.Blocks.Unknowns.push_back(k);
+    levels.Blocks.EndBlock(); ++stars;
+  }
+  if (Q > 0) printf("stars %d\n", stars);
   return levels;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <type_traits>
 
 namespace dmg
 {
@@ -24,6 +25,8 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor,
   , Diagonal(Vector<double>::Zero(factor.cols()))
   , IsPulled(blocks.NumberOfTiles(), 0)
   , Inverses(blocks.Blocks().Size())
+  , Right(factor.cols())
+  , Step(factor.cols())
   , Bx(factor.rows())
 {
   assert(sweeps >= 1);
@@ -74,102 +77,98 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
   for (int t = 0; t < this->Blocks.NumberOfTiles(); ++t)
   {
     const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
-    this->IsPulled[t] = std::any_of(tile.Unknowns, tile.Unknowns + tile.NumberOfUnknowns,
+    this->IsPulled[t] = std::any_of(blocks.Unknowns.begin() + blocks.Offsets[tile.First],
+      blocks.Unknowns.begin() + blocks.Offsets[tile.Last],
       [this](int unknown) { return this->Diagonal[unknown] != 0.0; });
   }
 }
 
-template <bool Pulled>
-void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending,
-  const Vector<double>& b, Vector<double>& x)
+template <int Width, bool Pulled>
+void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
 {
-  // Copies of what the tile works on: B x of its rows, b - D x and the steps of its unknowns.
-  thread_local std::vector<float> workspace;
-  workspace.resize(tile.NumberOfRows + 2 * tile.NumberOfUnknowns);
-  float* const product = workspace.data();
-  float* const right = product + tile.NumberOfRows;
-  float* const total = right + tile.NumberOfUnknowns;
-  for (int r = 0; r < tile.NumberOfRows; ++r)
-  {
-    product[r] = this->Bx[tile.Rows[r]];
-  }
-  for (int u = 0; u < tile.NumberOfUnknowns; ++u)
-  {
-    const int unknown = tile.Unknowns[u];
-    right[u] = static_cast<float>(
-      Pulled ? b[unknown] - this->Diagonal[unknown] * x[unknown] : b[unknown]);
-    total[u] = 0.0f;
-  }
-
-  const int* const offsets = this->Blocks.Blocks().Offsets.data();
-  const int firstMember = offsets[tile.FirstBlock];
-  const int numberOfBlocks = tile.LastBlock - tile.FirstBlock;
+  const UnknownBlocks& blocks = this->Blocks.Blocks();
+  const int width = Width > 0 ? Width : this->Blocks.EntriesPerUnknown();
+  const SchwarzBlocks::Entry* const entries = this->Blocks.Entries();
+  const float* const right = this->Right.data();
+  float* const total = this->Step.data();
+  float* const product = this->Bx.data();
   float residuals[SchwarzBlocks::LargestBlock];
   float steps[SchwarzBlocks::LargestBlock];
-  for (int k = 0; k < numberOfBlocks; ++k)
-  {
-    const int block = descending ? tile.LastBlock - 1 - k : tile.FirstBlock + k;
-    const std::uint16_t* const members = tile.Members + (offsets[block] - firstMember);
-    const int size = offsets[block + 1] - offsets[block];
+  const auto smoothBlock = [&](auto sizeOfBlock, const int* unknowns, const float* inverse) {
+    const int size = sizeOfBlock;
     for (int i = 0; i < size; ++i)
     {
-      const int u = members[i];
-      float residual = right[u];
-      const int end = tile.ColumnBegins[u + 1];
-      for (int e = tile.ColumnBegins[u]; e < end; ++e)
+      const int unknown = unknowns[i];
+      const SchwarzBlocks::Entry* const column = entries + static_cast<std::size_t>(unknown) * width;
+      float residual = right[unknown];
+      if (Pulled)
       {
-        residual -= tile.EntryValues[e] * product[tile.EntryRows[e]];
+        residual -= static_cast<float>(this->Diagonal[unknown]) * total[unknown];
+      }
+      for (int e = 0; e < width; ++e)
+      {
+        residual -= column[e].Value * product[column[e].Row];
       }
       residuals[i] = residual;
       steps[i] = 0.0f;
     }
-    const float* row = this->Inverses[block];
-    for (int i = 0; i < size; row += ++i)
+    for (int i = 0; i < size; inverse += ++i)
     {
-      float step = row[i] * residuals[i];
+      float step = inverse[i] * residuals[i];
       for (int j = 0; j < i; ++j)
       {
-        step += row[j] * residuals[j];
-        steps[j] += row[j] * residuals[i];
+        step += inverse[j] * residuals[j];
+        steps[j] += inverse[j] * residuals[i];
       }
       steps[i] += step;
     }
     for (int i = 0; i < size; ++i)
     {
-      const int u = members[i];
-      total[u] += steps[i];
-      if (Pulled)
+      const int unknown = unknowns[i];
+      const SchwarzBlocks::Entry* const column = entries + static_cast<std::size_t>(unknown) * width;
+      total[unknown] += steps[i];
+      for (int e = 0; e < width; ++e)
       {
-        right[u] -= static_cast<float>(this->Diagonal[tile.Unknowns[u]]) * steps[i];
-      }
-      const int end = tile.ColumnBegins[u + 1];
-      for (int e = tile.ColumnBegins[u]; e < end; ++e)
-      {
-        product[tile.EntryRows[e]] += tile.EntryValues[e] * steps[i];
+        product[column[e].Row] += column[e].Value * steps[i];
       }
     }
-  }
-
-  for (int r = 0; r < tile.NumberOfRows; ++r)
+  };
+  for (int k = 0; k < tile.Last - tile.First; ++k)
   {
-    this->Bx[tile.Rows[r]] = product[r];
-  }
-  for (int u = 0; u < tile.NumberOfUnknowns; ++u)
-  {
-    x[tile.Unknowns[u]] += total[u];
+    const int block = descending ? tile.Last - 1 - k : tile.First + k;
+    const int* const unknowns = blocks.Unknowns.data() + blocks.Offsets[block];
+    const int size = blocks.Offsets[block + 1] - blocks.Offsets[block];
+    if (size == 3) // the sides of a face
+    {
+      smoothBlock(std::integral_constant<int, 3>(), unknowns, this->Inverses[block]);
+    }
+    else
+    {
+      smoothBlock(size, unknowns, this->Inverses[block]);
+    }
   }
 }
 
-void BlockSmoother::Sweep(bool descending, const Vector<double>& b, Vector<double>& x,
-  const ExecutionContext& context)
+void BlockSmoother::Sweep(bool descending, const ExecutionContext& context)
 {
   const int colours = this->Blocks.NumberOfColours();
   for (int c = 0; c < colours; ++c)
   {
     this->Blocks.ForTiles(descending ? colours - 1 - c : c, context, [&](int t) {
       const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
-      this->IsPulled[t] ? this->SmoothTile<true>(tile, descending, b, x)
-                        : this->SmoothTile<false>(tile, descending, b, x);
+      const auto smooth = [&](auto width) {
+        this->IsPulled[t] ? this->SmoothTile<width(), true>(tile, descending)
+                          : this->SmoothTile<width(), false>(tile, descending);
+      };
+      switch (this->Blocks.EntriesPerUnknown())
+      {
+        case 4: // 1-forms
+          return smooth(std::integral_constant<int, 4>());
+        case 6: // face fields
+          return smooth(std::integral_constant<int, 6>());
+        default:
+          return smooth(std::integral_constant<int, 0>());
+      }
     });
   }
 }
@@ -177,16 +176,19 @@ void BlockSmoother::Sweep(bool descending, const Vector<double>& b, Vector<doubl
 void BlockSmoother::PreSmooth(
   const Vector<double>& b, Vector<double>& x, Vector<double>& r, const ExecutionContext& context)
 {
-  x.setZero(b.size());
+  this->Right = b.cast<float>();
+  this->Step.setZero();
   this->Bx.setZero();
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)
   {
-    this->Sweep(false, b, x, context);
+    this->Sweep(false, context);
   }
+  x.resize(b.size());
   r.resize(b.size());
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
+      x[i] = this->Step[i];
       double residual = b[i] - this->Diagonal[i] * x[i];
       for (int e = this->Bt.outerIndexPtr()[i]; e < this->Bt.outerIndexPtr()[i + 1]; ++e)
       {
@@ -210,17 +212,21 @@ void BlockSmoother::PostSmooth(
       this->Bx[i] = static_cast<float>(RowTimes(this->B, i, x.data()));
     }
   });
+  this->Right = (b - this->Diagonal.cwiseProduct(x)).cast<float>();
+  this->Step.setZero();
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)
   {
-    this->Sweep(true, b, x, context);
+    this->Sweep(true, context);
   }
+  x += this->Step.cast<double>();
 }
 
 long long BlockSmoother::Bytes() const
 {
   return static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
     this->ChangedInverses.size() * sizeof(float) + this->Held.size() * sizeof(int) +
-    this->IsPulled.size() + this->Bx.size() * sizeof(float) +
+    this->IsPulled.size() +
+    (this->Right.size() + this->Step.size() + this->Bx.size()) * sizeof(float) +
     this->Diagonal.size() * sizeof(double));
 }
 

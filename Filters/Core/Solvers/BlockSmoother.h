@@ -30,6 +30,8 @@ public:
   /// \param sweeps before and after the coarse correction, >= 1.
   BlockSmoother(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
     const SchwarzBlocks& blocks, int sweeps);
+  BlockSmoother(const BlockSmoother&) = delete; // inverses are referred to
+  BlockSmoother& operator=(const BlockSmoother&) = delete;
 
   /// A = B^T B + D.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
@@ -52,12 +54,12 @@ public:
   long long Bytes() const;
 
 private:
-  void Sweep(bool descending, const Vector<double>& b, Vector<double>& x,
-    const ExecutionContext& context);
-  /// Takes the blocks of a tile one after the other. \tparam Pulled: D is not zero on the tile.
-  template <bool Pulled>
-  void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending, const Vector<double>& b,
-    Vector<double>& x);
+  void Sweep(bool descending, const ExecutionContext& context);
+  /// Takes the blocks of a tile one after the other.
+  /// \tparam Width entries per unknown, or 0 if the compiler shall not know.
+  /// \tparam Pulled D is not zero on the tile.
+  template <int Width, bool Pulled>
+  void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
 
   const SparseMatrix<double>& B;
   const SparseMatrix<double>& Bt;
@@ -68,6 +70,8 @@ private:
   std::vector<char> IsPulled;          ///< by tile: whether Diagonal is not zero there
   std::vector<const float*> Inverses;  ///< of each block
   std::vector<float> ChangedInverses;  ///< where D is not zero
+  Vector<float> Right; ///< b - D x before the sweeps
+  Vector<float> Step;  ///< what the sweeps have added to x
   Vector<float> Bx;
 };
 

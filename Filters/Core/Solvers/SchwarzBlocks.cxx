@@ -18,12 +18,9 @@ namespace
 {
 
 // Tiles for the caches of a core, and some for each of many threads on small surfaces.
-constexpr int LargestTile = 512;
+constexpr int LargestTile = 1024;
 constexpr int SmallestTile = 16;
 constexpr int WantedTiles = 128;
-// Rows are numbered by 16 bits. A block adds some hundreds at most, but where triangles by the thousand
-// share a vertex.
-constexpr std::size_t MostRows = 32000;
 // Keeps a block of dependent unknowns, as of a face without area, invertible in single precision.
 constexpr double Ridge = 1e-6;
 
@@ -106,9 +103,9 @@ SchwarzBlocks::SchwarzBlocks(
         " unknowns; split it into blocks of at most " + std::to_string(LargestBlock));
     }
   }
-  this->MakeTiles(Bt);
+  this->MakeTiles();
   this->SortTiles(Bt, context);
-  this->ColourTiles();
+  this->ColourTiles(Bt);
   this->CopyEntries(Bt, context);
 
   this->InverseBegins.reserve(size + 1);
@@ -128,48 +125,15 @@ SchwarzBlocks::SchwarzBlocks(
   this->Invert(Bt, Vector<double>::Zero(Bt.rows()), all, places, context);
 }
 
-/// Blocks in the given order fill a tile until it is large. Tiles list the unknowns and the rows of B that
-/// they touch.
-void SchwarzBlocks::MakeTiles(const SparseMatrix<double>& Bt)
+void SchwarzBlocks::MakeTiles()
 {
   const int size = this->Members.Size();
   const int tileSize = std::clamp(size / WantedTiles, SmallestTile, LargestTile);
-  std::vector<int> tileOfUnknown(Bt.rows(), -1);
-  std::vector<int> tileOfRow(Bt.cols(), -1);
-  const auto endTile = [this](int block) {
-    this->TileBegins.push_back(block);
-    this->UnknownBegins.push_back(static_cast<int>(this->Unknowns.size()));
-    this->RowBegins.push_back(static_cast<int>(this->Rows.size()));
-  };
-  this->TileBegins = { 0 };
-  for (int k = 0; k < size; ++k)
+  for (int begin = 0; begin < size; begin += tileSize)
   {
-    const int tile = static_cast<int>(this->TileBegins.size()) - 1;
-    for (int s = this->Members.Offsets[k]; s < this->Members.Offsets[k + 1]; ++s)
-    {
-      const int unknown = this->Members.Unknowns[s];
-      if (tileOfUnknown[unknown] == tile)
-      {
-        continue;
-      }
-      tileOfUnknown[unknown] = tile;
-      this->Unknowns.push_back(unknown);
-      for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
-      {
-        const int row = Bt.innerIndexPtr()[e];
-        if (tileOfRow[row] != tile)
-        {
-          tileOfRow[row] = tile;
-          this->Rows.push_back(row);
-        }
-      }
-    }
-    const std::size_t rows = this->Rows.size() - this->RowBegins.back();
-    if (k + 1 == size || k + 1 - this->TileBegins.back() == tileSize || rows > MostRows)
-    {
-      endTile(k + 1);
-    }
+    this->TileBegins.push_back(begin);
   }
+  this->TileBegins.push_back(size);
 }
 
 void SchwarzBlocks::SortTiles(const SparseMatrix<double>& Bt, const ExecutionContext& context)
@@ -232,7 +196,7 @@ void SchwarzBlocks::SortTiles(const SparseMatrix<double>& Bt, const ExecutionCon
 }
 
 /// Each tile gets the first colour that no earlier tile on one of its rows has.
-void SchwarzBlocks::ColourTiles()
+void SchwarzBlocks::ColourTiles(const SparseMatrix<double>& Bt)
 {
   const int numberOfTiles = static_cast<int>(this->TileBegins.size()) - 1;
   // Rows keep their tiles as linked lists, the last one first.
@@ -242,23 +206,29 @@ void SchwarzBlocks::ColourTiles()
     int Next;
   };
   std::vector<Touch> touches;
-  touches.reserve(this->Rows.size());
-  const int numberOfRows =
-    this->Rows.empty() ? 0 : *std::max_element(this->Rows.begin(), this->Rows.end()) + 1;
-  std::vector<int> lastTouch(numberOfRows, -1);
+  std::vector<int> lastTouch(Bt.cols(), -1);
   std::vector<int> colours(numberOfTiles, 0);
   std::vector<int> forbiddenBy(numberOfTiles, -1); // by colour: the last tile that must not have it
   for (int tile = 0; tile < numberOfTiles; ++tile)
   {
-    for (int r = this->RowBegins[tile]; r < this->RowBegins[tile + 1]; ++r)
+    const int lastSlot = this->Members.Offsets[this->TileBegins[tile + 1]];
+    for (int s = this->Members.Offsets[this->TileBegins[tile]]; s < lastSlot; ++s)
     {
-      int& last = lastTouch[this->Rows[r]];
-      for (int touch = last; touch >= 0; touch = touches[touch].Next)
+      const int unknown = this->Members.Unknowns[s];
+      for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
       {
-        forbiddenBy[colours[touches[touch].Tile]] = tile;
+        int& last = lastTouch[Bt.innerIndexPtr()[e]];
+        if (last >= 0 && touches[last].Tile == tile)
+        {
+          continue;
+        }
+        for (int touch = last; touch >= 0; touch = touches[touch].Next)
+        {
+          forbiddenBy[colours[touches[touch].Tile]] = tile;
+        }
+        touches.push_back({ tile, last });
+        last = static_cast<int>(touches.size()) - 1;
       }
-      touches.push_back({ tile, last });
-      last = static_cast<int>(touches.size()) - 1;
     }
     while (forbiddenBy[colours[tile]] == tile)
     {
@@ -285,54 +255,22 @@ void SchwarzBlocks::ColourTiles()
 void SchwarzBlocks::CopyEntries(const SparseMatrix<double>& Bt, const ExecutionContext& context)
 {
   const int* const offsets = Bt.outerIndexPtr();
-  this->ColumnBegins.reserve(this->Unknowns.size() + 1);
-  for (const int unknown : this->Unknowns)
+  for (Eigen::Index unknown = 0; unknown < Bt.rows(); ++unknown)
   {
-    this->ColumnBegins.push_back(
-      this->ColumnBegins.back() + offsets[unknown + 1] - offsets[unknown]);
+    this->Width = std::max(this->Width, offsets[unknown + 1] - offsets[unknown]);
   }
-  this->EntryRows.resize(this->ColumnBegins.back());
-  this->EntryValues.resize(this->ColumnBegins.back());
-  this->LocalMembers.resize(this->Members.Unknowns.size());
-  const int grain = std::max(1, this->NumberOfTiles() / (4 * context.NumberOfThreads()));
-  context.ParallelFor(0, this->NumberOfTiles(), grain, [&](int first, int last) {
-    std::vector<std::uint16_t> numberOfUnknown(Bt.rows());
-    std::vector<std::uint16_t> numberOfRow(Bt.cols());
-    for (int tile = first; tile < last; ++tile)
+  this->Columns.resize(static_cast<std::size_t>(Bt.rows()) * this->Width, { 0, 0.0f });
+  constexpr int grain = 4096;
+  context.ParallelFor(0, static_cast<int>(Bt.rows()), grain, [&](int first, int last) {
+    for (int unknown = first; unknown < last; ++unknown)
     {
-      for (int r = this->RowBegins[tile]; r < this->RowBegins[tile + 1]; ++r)
+      Entry* entry = this->Columns.data() + static_cast<std::size_t>(unknown) * this->Width;
+      for (int e = offsets[unknown]; e < offsets[unknown + 1]; ++e)
       {
-        numberOfRow[this->Rows[r]] = static_cast<std::uint16_t>(r - this->RowBegins[tile]);
-      }
-      for (int u = this->UnknownBegins[tile]; u < this->UnknownBegins[tile + 1]; ++u)
-      {
-        const int unknown = this->Unknowns[u];
-        numberOfUnknown[unknown] = static_cast<std::uint16_t>(u - this->UnknownBegins[tile]);
-        int entry = this->ColumnBegins[u];
-        for (int e = offsets[unknown]; e < offsets[unknown + 1]; ++e, ++entry)
-        {
-          this->EntryRows[entry] = numberOfRow[Bt.innerIndexPtr()[e]];
-          this->EntryValues[entry] = static_cast<float>(Bt.valuePtr()[e]);
-        }
-      }
-      const int lastSlot = this->Members.Offsets[this->TileBegins[tile + 1]];
-      for (int s = this->Members.Offsets[this->TileBegins[tile]]; s < lastSlot; ++s)
-      {
-        this->LocalMembers[s] = numberOfUnknown[this->Members.Unknowns[s]];
+        *entry++ = { Bt.innerIndexPtr()[e], static_cast<float>(Bt.valuePtr()[e]) };
       }
     }
   });
-}
-
-SchwarzBlocks::Tile SchwarzBlocks::TileAt(int tile) const
-{
-  const int firstUnknown = this->UnknownBegins[tile];
-  const int firstRow = this->RowBegins[tile];
-  return { this->TileBegins[tile], this->TileBegins[tile + 1],
-    this->Unknowns.data() + firstUnknown, this->UnknownBegins[tile + 1] - firstUnknown,
-    this->Rows.data() + firstRow, this->RowBegins[tile + 1] - firstRow,
-    this->ColumnBegins.data() + firstUnknown, this->EntryRows.data(), this->EntryValues.data(),
-    this->LocalMembers.data() + this->Members.Offsets[this->TileBegins[tile]] };
 }
 
 void SchwarzBlocks::Invert(const SparseMatrix<double>& Bt, const Vector<double>& D,
@@ -359,9 +297,7 @@ long long SchwarzBlocks::Bytes() const
     return static_cast<long long>(vector.size() * sizeof(vector[0]));
   };
   return bytes(this->Members.Offsets) + bytes(this->Members.Unknowns) + bytes(this->Tiles) +
-    bytes(this->Unknowns) + bytes(this->Rows) + bytes(this->ColumnBegins) +
-    bytes(this->EntryRows) + bytes(this->EntryValues) + bytes(this->LocalMembers) +
-    bytes(this->InverseBegins) + bytes(this->Inverses);
+    bytes(this->Columns) + bytes(this->InverseBegins) + bytes(this->Inverses);
 }
 
 }

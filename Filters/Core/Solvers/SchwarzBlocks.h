@@ -23,12 +23,11 @@ struct UnknownBlocks
 
 /// What BlockSmoother needs of the roughness B^T B alone: blocks in tiles, and the inverse of each block.
 ///
-/// A tile are blocks that follow each other, and stand near each other where blocks come in a spatial
-/// order. One thread takes them one after the other, on copies of the few unknowns and rows of B that
-/// they touch, which a cache holds together with the tile's own part of B^T; so a sweep reads memory in
-/// streams. Tiles that share a row of B have different colours; tiles of a colour are independent.
-/// Inside a tile, blocks are sorted by colours as well: a processor works on several blocks at once as
-/// long as none waits for what another stores.
+/// A tile are blocks that follow each other, and stand near each other where blocks, unknowns and rows of
+/// B come in a spatial order: one thread takes them one after the other, in a working set that its cache
+/// holds. Tiles that share a row of B have different colours; tiles of a colour are independent. Inside
+/// a tile, blocks are sorted by colours as well: a processor works on several blocks at once as long as
+/// none waits for what another stores.
 ///
 /// All is single precision: the inverses of blocks and the entries of B, which makes them those of nearly
 /// the same problem.
@@ -37,21 +36,18 @@ class SchwarzBlocks
 public:
   static constexpr int LargestBlock = 16;
 
-  /// What a tile works on.
+  /// Blocks from First to one before Last.
   struct Tile
   {
-    int FirstBlock;
-    int LastBlock; ///< one beyond
-    const int* Unknowns;
-    int NumberOfUnknowns;
-    const int* Rows; ///< of B
-    int NumberOfRows;
-    /// [u] to [u + 1]: the entries of the column of B of unknown u of the tile.
-    const int* ColumnBegins;
-    const std::uint16_t* EntryRows; ///< numbers in Rows
-    const float* EntryValues;
-    /// Numbers in Unknowns, block after block; of the first block first.
-    const std::uint16_t* Members;
+    int First;
+    int Last;
+  };
+
+  /// Of a column of B.
+  struct Entry
+  {
+    int Row;
+    float Value;
   };
 
   /// \param Bt B^T, a row per unknown. Rows of B^T B with a diagonal entry near 1.
@@ -77,7 +73,12 @@ public:
         }
       });
   }
-  Tile TileAt(int tile) const;
+  Tile TileAt(int tile) const { return { this->TileBegins[tile], this->TileBegins[tile + 1] }; }
+
+  /// The column of B of each unknown, EntriesPerUnknown each, filled up with zeros.
+  const Entry* Entries() const { return this->Columns.data(); }
+  /// The most entries that a column of B has.
+  int EntriesPerUnknown() const { return this->Width; }
 
   /// The inverse of a block, symmetric: its lower triangle by rows.
   const float* Inverse(int block) const
@@ -102,26 +103,17 @@ public:
   long long Bytes() const;
 
 private:
-  void MakeTiles(const SparseMatrix<double>& Bt);
+  void MakeTiles();
   void SortTiles(const SparseMatrix<double>& Bt, const ExecutionContext& context);
-  void ColourTiles();
+  void ColourTiles(const SparseMatrix<double>& Bt);
   void CopyEntries(const SparseMatrix<double>& Bt, const ExecutionContext& context);
 
   UnknownBlocks Members;
+  std::vector<int> TileBegins;   ///< the first block of each, in the order of blocks
   std::vector<int> Tiles;        ///< colour by colour
   std::vector<int> ColourBegins; ///< the place of the first tile of each
-
-  // Of the tiles, one after the other.
-  std::vector<int> TileBegins;   ///< the first block of each
-  std::vector<int> UnknownBegins = { 0 };
-  std::vector<int> Unknowns;
-  std::vector<int> RowBegins = { 0 };
-  std::vector<int> Rows;
-  std::vector<int> ColumnBegins = { 0 };
-  std::vector<std::uint16_t> EntryRows;
-  std::vector<float> EntryValues;
-  std::vector<std::uint16_t> LocalMembers;
-
+  std::vector<Entry> Columns;
+  int Width = 0;
   std::vector<std::size_t> InverseBegins = { 0 };
   std::vector<float> Inverses;
 };
