@@ -13,6 +13,15 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
+// So many blocks before it is their turn, the columns of their unknowns are asked for.
+constexpr int Ahead = 8;
+
+inline void Prefetch([[maybe_unused]] const void* address)
+{
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#endif
+}
 
 }
 
@@ -83,6 +92,18 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
   }
 }
 
+void BlockSmoother::Begin(
+  const Vector<double>& b, const ExecutionContext& context, const Vector<double>* x)
+{
+  context.ParallelFor(0, static_cast<int>(b.size()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      this->Right[i] = static_cast<float>(x ? b[i] - this->Diagonal[i] * (*x)[i] : b[i]);
+      this->Step[i] = 0.0f;
+    }
+  });
+}
+
 template <int Width, bool Pulled>
 void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
 {
@@ -138,6 +159,12 @@ void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
     const int block = descending ? tile.Last - 1 - k : tile.First + k;
     const int* const unknowns = blocks.Unknowns.data() + blocks.Offsets[block];
     const int size = blocks.Offsets[block + 1] - blocks.Offsets[block];
+    const int later =
+      descending ? std::max(block - Ahead, tile.First) : std::min(block + Ahead, tile.Last - 1);
+    for (int s = blocks.Offsets[later]; s < blocks.Offsets[later + 1]; ++s)
+    {
+      Prefetch(entries + static_cast<std::size_t>(blocks.Unknowns[s]) * width);
+    }
     if (size == 3) // the sides of a face
     {
       smoothBlock(std::integral_constant<int, 3>(), unknowns, this->Inverses[block]);
@@ -176,8 +203,7 @@ void BlockSmoother::Sweep(bool descending, const ExecutionContext& context)
 void BlockSmoother::PreSmooth(
   const Vector<double>& b, Vector<double>& x, Vector<double>& r, const ExecutionContext& context)
 {
-  this->Right = b.cast<float>();
-  this->Step.setZero();
+  this->Begin(b, context);
   this->Bx.setZero();
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)
   {
@@ -212,13 +238,15 @@ void BlockSmoother::PostSmooth(
       this->Bx[i] = static_cast<float>(RowTimes(this->B, i, x.data()));
     }
   });
-  this->Right = (b - this->Diagonal.cwiseProduct(x)).cast<float>();
-  this->Step.setZero();
+  this->Begin(b, context, &x);
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)
   {
     this->Sweep(true, context);
   }
-  x += this->Step.cast<double>();
+  context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
+    const int count = last - first;
+    x.segment(first, count) += this->Step.segment(first, count).cast<double>();
+  });
 }
 
 long long BlockSmoother::Bytes() const

@@ -54,6 +54,9 @@ public:
   long long Bytes() const;
 
 private:
+  /// \param x what the sweeps start from; null for zero.
+  void Begin(const Vector<double>& b, const ExecutionContext& context,
+    const Vector<double>* x = nullptr);
   void Sweep(bool descending, const ExecutionContext& context);
   /// Takes the blocks of a tile one after the other.
   /// \tparam Width entries per unknown, or 0 if the compiler shall not know.

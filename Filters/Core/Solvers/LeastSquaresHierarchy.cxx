@@ -166,11 +166,16 @@ LeastSquaresHierarchy CoarsenLeastSquares(const SparseMatrix<double>& factor,
     throw InvalidInput("the prolongation to level 0 has " + std::to_string(P.rows()) +
       " rows instead of " + std::to_string(factor.cols()) + "; use the operators of this surface");
   }
-  if (!levels.Coarser.empty() && levels.Coarser[0].rows() != 2 * P.cols())
+  long long size = 2 * P.cols();
+  for (std::size_t l = 0; l < levels.Coarser.size(); ++l)
   {
-    throw InvalidInput("the prolongation to level 1 has " +
-      std::to_string(levels.Coarser[0].rows()) + " rows instead of " +
-      std::to_string(2 * P.cols()) + "; use the operators of this surface");
+    if (levels.Coarser[l].rows() != size)
+    {
+      throw InvalidInput("the prolongation to level " + std::to_string(l + 1) + " has " +
+        std::to_string(levels.Coarser[l].rows()) + " rows instead of " + std::to_string(size) +
+        "; use the operators of this surface");
+    }
+    size = levels.Coarser[l].cols();
   }
   // Blocks by the coarse unknowns that they belong to; unknowns as the blocks come to them, and rows of
   // B as the unknowns do.

@@ -24,9 +24,9 @@ struct LeastSquaresLevels
 struct LeastSquaresHierarchyOptions
 {
   /// Degree of the polynomial that smooths the prolongation, >= 0.
-  int ProlongationDegree = 2;
+  int ProlongationDegree = 4;
   /// Entries of the prolongation below so many times the largest of their row are left out.
-  double Dropped = 0.007;
+  double Dropped = 0.004;
 };
 
 /// What multigrid needs to know of a roughness |B x|^2, whatever is prescribed: its blocks, a smoothed

@@ -11,7 +11,7 @@
 namespace dmg
 {
 
-/// Small sets of unknowns that are solved for together. They may overlap.
+/// Small sets of unknowns that are solved for together; none is empty. They may overlap.
 struct UnknownBlocks
 {
   std::vector<int> Offsets = { 0 }; ///< block k holds Unknowns[Offsets[k]] to [Offsets[k + 1] - 1]
