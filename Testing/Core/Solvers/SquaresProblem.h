@@ -96,9 +96,10 @@ inline std::vector<int> OrderOfBlocks(const SchwarzBlocks& blocks)
   for (int colour = 0; colour < blocks.NumberOfColours(); ++colour)
   {
     blocks.ForTiles(colour, SerialContext(),
-      [&order](int first, int last)
+      [&blocks, &order](int t)
       {
-        for (int block = first; block < last; ++block)
+        const SchwarzBlocks::Tile tile = blocks.TileAt(t);
+        for (int block = tile.First; block < tile.Last; ++block)
         {
           order.push_back(block);
         }

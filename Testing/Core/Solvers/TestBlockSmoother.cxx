@@ -19,10 +19,11 @@ using test::Squares;
 namespace
 {
 
-constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+// Steps are taken in single precision.
+constexpr double Epsilon = std::numeric_limits<float>::epsilon();
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 // Inverses of blocks have a ridge of 1e-6 and are rounded to single precision.
-constexpr double OfInverses = 1e-5;
+constexpr double OfInverses = 2e-5;
 
 /// A smoother with its blocks.
 struct Smoother : BlockSmoother
@@ -110,7 +111,7 @@ Vector<double> GaussSeidel(const Squares& squares, const SchwarzBlocks& blocks, 
   {
     for (const int block : order)
     {
-      const std::vector<int> free = FreeAmong(test::MembersOf(squares.Blocks, block), D);
+      const std::vector<int> free = FreeAmong(test::MembersOf(blocks.Blocks(), block), D);
       const Vector<double> residual = b(free) - A(free, Eigen::all) * x;
       x(free) += test::BlockOf(A, free).llt().solve(residual);
     }
@@ -246,6 +247,7 @@ TEST(TestBlockSmoother, ADiagonalIsOneMoreSquarePerUnknown)
       const Squares stacked(test::FromTriplets(rows + size, size, entries), squares.Blocks);
       const SchwarzBlocks blocksOfStacked = BlocksOf(stacked);
       ASSERT_EQ(test::OrderOfBlocks(blocksOfStacked), test::OrderOfBlocks(blocks));
+      ASSERT_EQ(blocksOfStacked.Blocks().Unknowns, blocks.Blocks().Unknowns);
 
       Smoother smoother(squares, blocks, 2, D);
       Smoother expected(stacked, blocksOfStacked, 2);
@@ -253,14 +255,14 @@ TEST(TestBlockSmoother, ADiagonalIsOneMoreSquarePerUnknown)
       Vector<double> x, r, y, s;
       smoother.PreSmooth(b, x, r, SerialContext());
       expected.PreSmooth(b, y, s, SerialContext());
-      EXPECT_LE((x - y).norm(), 1e-6 * y.norm()); // the same ridge, rounded once more
-      EXPECT_LE((r - s).norm(), 1e-6 * b.norm());
+      EXPECT_LE((x - y).norm(), 1e-5 * y.norm()); // the same ridge, rounded in other ways
+      EXPECT_LE((r - s).norm(), 1e-4 * b.norm());
       const auto up = GaussSeidel(squares, blocks, 2, D, b, zero, true);
       EXPECT_LE((x - up).norm(), OfInverses * up.norm());
 
       smoother.PostSmooth(b, x, SerialContext());
       expected.PostSmooth(b, y, SerialContext());
-      EXPECT_LE((x - y).norm(), 1e-6 * y.norm());
+      EXPECT_LE((x - y).norm(), 1e-5 * y.norm());
       const auto down = GaussSeidel(squares, blocks, 2, D, b, up, false);
       EXPECT_LE((x - down).norm(), OfInverses * down.norm());
     }
