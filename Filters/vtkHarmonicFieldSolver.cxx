@@ -263,7 +263,8 @@ public:
     // Half-updated, it must not be seen again.
     std::unique_ptr<SystemStage> system = std::move(this->System);
     this->Solution.reset();
-    if (!system->Problem.Update(this->Surface->Framed.Surface.Mesh, constraints, options, context))
+    const dmg::FramedSurface& framed = this->Surface->Framed;
+    if (!system->Problem.Update(framed.Surface.Mesh, framed.Faces, constraints, options, context))
     {
       return false;
     }

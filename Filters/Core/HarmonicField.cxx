@@ -150,6 +150,21 @@ std::string NameOf(const FieldOptions& options)
 
 }
 
+namespace
+{
+
+/// Arguments but the prescribed faces are borrowed.
+HarmonicProblem<Complex>::MakeSystem PowerFieldSystemMaker(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, PrescribedFaces prescribed, const FieldOptions& options)
+{
+  return [&, prescribed = std::move(prescribed)](const ExecutionContext& context) {
+    return MakePowerFieldSystem(
+      mesh, faceFrames, options.N, prescribed, WeightsOf(options), context);
+  };
+}
+
+}
+
 HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const PrescribedFaces& prescribed, const FieldOptions& options,
@@ -161,10 +176,7 @@ HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
     Prolongations<Complex>(operators, options, [&](const ExecutionContext& part) {
       return OnPowers(CoarseSpaceOf(*operators, options), options.N, part);
     });
-  return HarmonicProblem<Complex>(
-    [&](const ExecutionContext& part) {
-      return MakePowerFieldSystem(mesh, faceFrames, options.N, prescribed, WeightsOf(options), part);
-    },
+  return HarmonicProblem<Complex>(PowerFieldSystemMaker(mesh, faceFrames, prescribed, options),
     spaces, SolverFor(options), context);
 }
 
@@ -404,9 +416,16 @@ FieldProblem::FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFr
   }
 }
 
-bool FieldProblem::Update(const TriangleMesh& mesh, const FieldConstraints& constraints,
-  const FieldOptions& options, const ExecutionContext& context)
+bool FieldProblem::Update(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const FieldConstraints& constraints, const FieldOptions& options,
+  const ExecutionContext& context)
 {
+  const auto& [elements, weights, values] = constraints;
+  if (auto* const problem = std::get_if<HarmonicProblem<Complex>>(&this->Problem))
+  {
+    return problem->Update(
+      PowerFieldSystemMaker(mesh, faceFrames, { elements, weights }, options), context);
+  }
   auto* const problem = std::get_if<LeastSquaresProblem>(&this->Problem);
   if (!problem || this->Reference)
   {

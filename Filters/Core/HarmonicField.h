@@ -129,8 +129,9 @@ public:
   /// only, no pattern changes.
   /// \return false if the solver cannot do so; then nothing has happened. After an error the problem
   ///   must not be used.
-  bool Update(const TriangleMesh& mesh, const FieldConstraints& constraints,
-    const FieldOptions& options, const ExecutionContext& context);
+  bool Update(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+    const FieldConstraints& constraints, const FieldOptions& options,
+    const ExecutionContext& context);
 
   /// Solve.
   /// \param values of the constraints.

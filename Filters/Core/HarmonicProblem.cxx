@@ -4,6 +4,7 @@
 #include "Solvers/MultigridSolver.h"
 #include "Support/SparseAssembly.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
 #include <utility>
@@ -43,6 +44,14 @@ void SolveDirectly(const SparseMatrix<Scalar>& A, CholeskySolver<Scalar>& solver
   report.SolveSeconds = SecondsSince(start);
   append(report.SolveSeconds);
   report.Converged = true;
+}
+
+template <class Scalar>
+bool HaveSamePattern(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B)
+{
+  return A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
+    std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.outerSize() + 1, B.outerIndexPtr()) &&
+    std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr());
 }
 
 bool IsNested(SolverKind solver)
@@ -105,8 +114,9 @@ void HarmonicProblem<Scalar>::Internals::PrepareMultigrid(
     return;
   }
   cycle.FinestFactor = options.FinestSweepsFactor;
+  constexpr bool MayUpdate = true;
   this->Multigrid.emplace(this->System.Matrix(), std::move(prolongations),
-    MultigridOptions{ coarsening, cycle }, context);
+    MultigridOptions{ coarsening, cycle, MayUpdate }, context);
   this->Report.Levels = this->Multigrid->Levels();
   this->Report.Bytes = this->Multigrid->Bytes();
 }
@@ -165,6 +175,37 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
     internal.Cholesky.emplace(system.Matrix());
   }
   context.Checkpoint(1.0);
+}
+
+template <class Scalar>
+bool HarmonicProblem<Scalar>::Update(const MakeSystem& makeSystem, const ExecutionContext& context)
+{
+  Internals& internal = *this->Internal;
+  const bool isCompared = internal.Cholesky && internal.Solver != SolverKind::Cholesky;
+  if (internal.Nested || isCompared)
+  {
+    return false;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  context.Checkpoint(0.0);
+  HarmonicSystem<Scalar> system = makeSystem(PartOfContext(context, 0.0, 0.4));
+  if (system.FreeUnknowns() != internal.System.FreeUnknowns() ||
+    !HaveSamePattern(system.Matrix(), internal.System.Matrix()))
+  {
+    return false;
+  }
+  internal.System = std::move(system);
+  if (internal.Cholesky)
+  {
+    internal.Cholesky->Update(internal.System.Matrix());
+  }
+  else
+  {
+    internal.Multigrid->Update(internal.System.Matrix(), PartOfContext(context, 0.4, 1.0));
+  }
+  internal.Report.PrepareSeconds = SecondsSince(start);
+  context.Checkpoint(1.0);
+  return true;
 }
 
 template <class Scalar>

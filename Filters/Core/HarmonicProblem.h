@@ -45,6 +45,12 @@ public:
   ~HarmonicProblem();
   HarmonicProblem(HarmonicProblem&&) noexcept;
 
+  /// System, where only the prescribed unknowns or weights differ. Orders, patterns and analyses are
+  /// kept.
+  /// \return false if the pattern of the matrix changes, as hard constraints let it, or the solver
+  ///   cannot do so; then nothing has happened.
+  bool Update(const MakeSystem& makeSystem, const ExecutionContext& context);
+
   /// Solve for the prescribed values.
   /// \param values one per prescribed unknown.
   /// \param start first guess, one per unknown, or empty for zero; used by cycles and conjugate
