@@ -108,6 +108,15 @@ public:
     double Seconds;
   };
 
+  /// The same for one discretisation; null where its solver needs no more.
+  struct LevelsStage
+  {
+    dmg::Discretisation Kind;
+    dmg::VertexAreas Areas;
+    std::shared_ptr<const dmg::LeastSquaresSurface> Levels;
+    double Seconds;
+  };
+
   struct SystemStage
   {
     dmg::FieldConstraints Constraints;
@@ -126,6 +135,7 @@ public:
 
   std::unique_ptr<SurfaceStage> Surface;
   std::unique_ptr<OperatorsStage> Operators;
+  std::unique_ptr<LevelsStage> Levels;
   std::unique_ptr<SystemStage> System;
   std::unique_ptr<SolveStage> Solution;
 
@@ -156,6 +166,7 @@ public:
       dmg::FramedSurface framed(dmg::MeshFromPolyData(input));
       this->Solution.reset();
       this->System.reset();
+      this->Levels.reset();
       this->Operators.reset();
       this->Surface.reset(new SurfaceStage{ digest, std::move(framed), SecondsSince(start) });
       redone = true;
@@ -184,6 +195,7 @@ public:
         : dmg::BuildSurfaceHierarchy(mesh, origin.Options, context, origin.Selection).Operators;
       this->Solution.reset();
       this->System.reset();
+      this->Levels.reset();
       this->Operators.reset(
         new OperatorsStage{ origin, std::move(operators), SecondsSince(start) });
       redone = true;
@@ -199,13 +211,68 @@ public:
     {
       return;
     }
+    if (this->UpdateSystem(constraints, options, context))
+    {
+      return;
+    }
     const dmg::FramedSurface& framed = this->Surface->Framed;
+    const dmg::ProlongationOperators* const operators =
+      this->Operators ? &this->Operators->Operators : nullptr;
+    this->PrepareLevels(options, dmg::PartOfContext(context, 0.0, 0.6));
     std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options,
-      dmg::FieldProblem(framed.Surface.Mesh, framed.Faces,
-        this->Operators ? &this->Operators->Operators : nullptr, constraints, options, context) });
+      dmg::FieldProblem(framed.Surface.Mesh, framed.Faces, operators, constraints, options,
+        dmg::PartOfContext(context, 0.6, 1.0), this->Levels ? this->Levels->Levels : nullptr) });
     this->Solution.reset();
     this->System = std::move(system);
     ++this->NumberOfSystems;
+  }
+
+  /// What the set-up knows for this discretisation, whatever is prescribed.
+  void PrepareLevels(const dmg::FieldOptions& options, const dmg::ExecutionContext& context)
+  {
+    if (this->Levels && this->Levels->Kind == options.Kind && this->Levels->Areas == options.Areas &&
+      this->Levels->Levels)
+    {
+      return;
+    }
+    const auto start = std::chrono::steady_clock::now();
+    const dmg::FramedSurface& framed = this->Surface->Framed;
+    auto levels = dmg::MakeLeastSquaresSurface(framed.Surface.Mesh, framed.Faces,
+      this->Operators ? &this->Operators->Operators : nullptr, options, context);
+    this->Levels.reset(
+      new LevelsStage{ options.Kind, options.Areas, std::move(levels), SecondsSince(start) });
+  }
+
+  /// Other prescribed elements or weights, numbers only. \return whether the problem can do so.
+  bool UpdateSystem(const dmg::FieldConstraints& constraints, const dmg::FieldOptions& options,
+    const dmg::ExecutionContext& context)
+  {
+    dmg::FieldOptions reweighted = options;
+    if (!this->System)
+    {
+      return false;
+    }
+    const dmg::FieldOptions& old = this->System->Options;
+    reweighted.Smoothness = old.Smoothness;
+    reweighted.Alignment = old.Alignment;
+    reweighted.Constraints = old.Constraints;
+    if (!(reweighted == old))
+    {
+      return false;
+    }
+    // Half-updated, it must not be seen again.
+    std::unique_ptr<SystemStage> system = std::move(this->System);
+    this->Solution.reset();
+    const dmg::FramedSurface& framed = this->Surface->Framed;
+    if (!system->Problem.Update(framed.Surface.Mesh, framed.Faces, constraints, options, context))
+    {
+      return false;
+    }
+    system->Constraints = constraints;
+    system->Options = options;
+    this->System = std::move(system);
+    ++this->NumberOfSystems;
+    return true;
   }
 
   /// \return whether it solved, rather than kept what stood.
@@ -241,7 +308,8 @@ public:
 
   double SetupSeconds() const
   {
-    return this->Surface->Seconds + (this->Operators ? this->Operators->Seconds : 0.0);
+    return this->Surface->Seconds + (this->Operators ? this->Operators->Seconds : 0.0) +
+      (this->Levels ? this->Levels->Seconds : 0.0);
   }
 };
 

@@ -1,21 +1,10 @@
 #include "HarmonicField.h"
 
 #include "HarmonicForms.h"
-#include "Hierarchy/MeshHierarchy.h"
-#include "Hierarchy/PointSampling.h"
-#include "Hierarchy/TangentGraph.h"
-#include "Mesh/SpatialOrder.h"
 #include "NodalLevels.h"
+#include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldOperators.h"
-#include "Prolongation/FaceFieldProlongation.h"
-#include "Prolongation/NodalProlongation.h"
-#include "Prolongation/OneFormProlongation.h"
-#include "Prolongation/OverlayProlongation.h"
-#include "Prolongation/PowerFieldProlongation.h"
-#include "Prolongation/SampledProlongation.h"
-#include "Prolongation/ScalarProlongation.h"
 #include "Support/Errors.h"
-#include "Support/SparseAssembly.h"
 #include "Systems/FaceFieldSystem.h"
 #include "Systems/OneFormSystem.h"
 #include "Systems/PowerFieldSystem.h"
@@ -61,88 +50,6 @@ Vector<Complex> InFrames(const TangentFrames& frames, const Points& vectors)
 FieldWeights WeightsOf(const FieldOptions& options)
 {
   return { options.Smoothness, options.Alignment, options.Constraints };
-}
-
-/// The operators between two levels; S1 and SX are empty where nobody asked for them.
-struct LevelOperators
-{
-  SparseMatrix<double> S0;
-  SparseMatrix<double> S1;
-  SparseMatrix<double> SX;
-  TransportOperator SP;
-};
-
-LevelOperators OperatorsFromPaths(const LevelTransition& transition,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
-  const OperatorSelection& selection, const ExecutionContext& context)
-{
-  LevelOperators operators;
-  operators.S0 = ScalarProlongation(transition, context);
-  const FineEdgePaths paths(transition, context);
-  if (selection.OneForms)
-  {
-    operators.S1 = OneFormProlongation(paths, context);
-  }
-  if (selection.FaceFields)
-  {
-    operators.SX = FaceFieldProlongation(paths, fineFrames, coarseFrames, context);
-  }
-  operators.SP = PowerFieldProlongation(paths, fineFrames, coarseFrames, context);
-  return operators;
-}
-
-LevelOperators OperatorsFromOverlay(const LevelTransition& transition,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
-  const ExecutionContext& context)
-{
-  OverlayProlongation overlay(transition, fineFrames, coarseFrames, context);
-  return { std::move(overlay.S0), std::move(overlay.S1), std::move(overlay.SX),
-    std::move(overlay.SP) };
-}
-
-// Samples of the faces are farther apart, in units of their spacing, than those of samples: a face has
-// three neighbours where a sample has six.
-constexpr double RadiusOfFaceSamples = 2.8;
-constexpr double RadiusOfSamples = 1.8;
-// So few are factored at once, and every level less keeps more of what has nearly no energy.
-constexpr int FewestSamplesToSample = 1500;
-// A level that keeps more of the points than this is not worth its cost.
-constexpr double LargestUsefulRatio = 0.5;
-
-ProlongationOperators OperatorsFromSamples(
-  const TriangleMesh& mesh, const ExecutionContext& context)
-{
-  ProlongationOperators operators;
-  operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
-  operators.NumbersOfEdges.push_back(mesh.NumberOfEdges());
-  operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
-  context.Checkpoint(0.0);
-  const std::vector<int> order = SpatialOrder(mesh, context).Faces();
-  TangentGraph points = FaceGraph(mesh, order, context);
-  while (points.NumberOfPoints() > FewestSamplesToSample)
-  {
-    // Most of the work is in the finest level.
-    context.Checkpoint(operators.Nodal.empty() ? 0.3 : 0.9);
-    const PointSampling sampling = SamplePoints(
-      points, operators.Nodal.empty() ? RadiusOfFaceSamples : RadiusOfSamples, context);
-    const int numberOfSamples = static_cast<int>(sampling.Samples.size());
-    if (numberOfSamples > LargestUsefulRatio * points.NumberOfPoints())
-    {
-      break; // so many pieces of surface, of few faces each
-    }
-    TangentGraph samples = GraphOfSamples(points, sampling, context);
-    operators.Nodal.push_back(SampledProlongation(sampling, samples, context));
-    operators.NumbersOfVertices.push_back(numberOfSamples);
-    operators.NumbersOfEdges.push_back(samples.NumberOfLinks() / 2);
-    operators.NumbersOfFaces.push_back(numberOfSamples);
-    points = std::move(samples);
-  }
-  if (!operators.Nodal.empty())
-  {
-    operators.Nodal[0] = RenumberRows(operators.Nodal[0], order, context);
-  }
-  context.Checkpoint(1.0);
-  return operators;
 }
 
 /// Operators on N-powers.
@@ -207,14 +114,6 @@ typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
   };
 }
 
-/// Scans have handles by the hundred where they are noisy; what all of them have to say is not worth
-/// gigabytes.
-bool CanHoldHarmonicFields(const TriangleMesh& mesh)
-{
-  constexpr double LargestNumberOfValues = 5e7;
-  return static_cast<double>(NumberOfLoops(mesh)) * mesh.NumberOfFaces() < LargestNumberOfValues;
-}
-
 SolverOptions SolverFor(const FieldOptions& options)
 {
   SolverOptions solver = options.Solver;
@@ -251,79 +150,19 @@ std::string NameOf(const FieldOptions& options)
 
 }
 
-SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
-  const ExecutionContext& context, const OperatorSelection& selection)
+namespace
 {
-  if (options.Levels == LevelConstruction::Sampling)
-  {
-    if (selection.PowerFields || selection.FaceFields || selection.OneForms)
-    {
-      throw InvalidInput("structure-preserving operators need levels from edge collapses");
-    }
-    return { {}, OperatorsFromSamples(mesh, context) };
-  }
-  SurfaceHierarchy result;
-  ProlongationOperators& operators = result.Operators;
-  operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
-  operators.NumbersOfEdges.push_back(mesh.NumberOfEdges());
-  operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
 
-  // The work is done in an order that is kind to the caches; coarse levels inherit it.
-  const SpatialOrder order(mesh, context);
-  const TriangleMesh sorted = order.Apply(mesh);
-  TangentFrames fineFrames = order.ApplyToFaces(FaceFrames(mesh, context), context);
-  std::vector<Complex> fineCornerTurns; // from level 1 on
-  result.CoarseLevels =
-    BuildMeshHierarchy(sorted, options, context,
-      [&](const LevelTransition& transition, const ExecutionContext& part) {
-      const TriangleMesh& coarse = transition.Coarse;
-      TangentFrames coarseFrames = FaceFrames(coarse, context);
-      LevelOperators level = options.Construction == ProlongationConstruction::ExactOverlay
-        ? OperatorsFromOverlay(transition, fineFrames, coarseFrames, part)
-        : OperatorsFromPaths(transition, fineFrames, coarseFrames, selection, context);
-      std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFrames, context);
-      operators.Nodal.push_back(operators.Nodal.empty()
-          ? FacesFromVertices(sorted, level.S0, level.SP, coarse, coarseCornerTurns, context)
-          : VerticesFromVertices(transition.Fine, fineCornerTurns, level.S0, level.SP, coarse,
-              coarseCornerTurns, context));
-      if (selection.PowerFields)
-      {
-        operators.SP.push_back(std::move(level.SP));
-      }
-      if (selection.FaceFields)
-      {
-        operators.SX.push_back(std::move(level.SX));
-      }
-      if (selection.OneForms)
-      {
-        operators.S1.push_back(std::move(level.S1));
-      }
-      operators.S0.push_back(std::move(level.S0));
-      operators.NumbersOfVertices.push_back(coarse.NumberOfVertices());
-      operators.NumbersOfEdges.push_back(coarse.NumberOfEdges());
-      operators.NumbersOfFaces.push_back(coarse.NumberOfFaces());
-      fineFrames = std::move(coarseFrames);
-      fineCornerTurns = std::move(coarseCornerTurns);
-    });
-
-  // Level 0 goes back into the caller's order.
-  const auto renumber = [&](auto& matrices, const std::vector<int>& numbers) {
-    if (!matrices.empty())
-    {
-      matrices[0] = RenumberRows(matrices[0], numbers, context);
-    }
+/// Arguments but the prescribed faces are borrowed.
+HarmonicProblem<Complex>::MakeSystem PowerFieldSystemMaker(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, PrescribedFaces prescribed, const FieldOptions& options)
+{
+  return [&, prescribed = std::move(prescribed)](const ExecutionContext& context) {
+    return MakePowerFieldSystem(
+      mesh, faceFrames, options.N, prescribed, WeightsOf(options), context);
   };
-  renumber(operators.S0, order.Vertices());
-  renumber(operators.SX, PairsOf(order.Faces()));
-  renumber(operators.SP, order.Faces());
-  renumber(operators.Nodal, order.Faces());
-  if (!operators.S1.empty())
-  {
-    const SpatialOrder::SignedEdges edges = order.Edges(mesh, sorted);
-    operators.S1[0] = edges.Signs.asDiagonal() * operators.S1[0];
-    renumber(operators.S1, edges.Numbers);
-  }
-  return result;
+}
+
 }
 
 HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
@@ -337,37 +176,25 @@ HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
     Prolongations<Complex>(operators, options, [&](const ExecutionContext& part) {
       return OnPowers(CoarseSpaceOf(*operators, options), options.N, part);
     });
-  return HarmonicProblem<Complex>(
-    [&](const ExecutionContext& part) {
-      return MakePowerFieldSystem(mesh, faceFrames, options.N, prescribed, WeightsOf(options), part);
-    },
+  return HarmonicProblem<Complex>(PowerFieldSystemMaker(mesh, faceFrames, prescribed, options),
     spaces, SolverFor(options), context);
 }
+
+namespace
+{
 
 HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const PrescribedFaces& prescribed, const FieldOptions& options,
   const ExecutionContext& context)
 {
-  const bool isNodal = options.CoarseSpace == CoarseSpaceKind::Nodal;
   HarmonicProblem<double>::CoarseSpaces spaces;
   spaces.Name = NameOf(options);
   spaces.Prolongations =
-    Prolongations<double>(operators, options, [&, isNodal](const ExecutionContext& part) {
-      return isNodal ? OnComponents(operators->Nodal, part) : operators->SX;
+    Prolongations<double>(operators, options, [&](const ExecutionContext& part) {
+      return options.CoarseSpace == CoarseSpaceKind::Nodal ? OnComponents(operators->Nodal, part)
+                                                           : operators->SX;
     });
-  if (isNodal && operators && !operators->Nodal.empty())
-  {
-    spaces.LeastSquares = [&](const ExecutionContext& part) {
-      return NodalLevelsOfFaceFields(mesh, operators->Nodal, part);
-    };
-    if (CanHoldHarmonicFields(mesh))
-    {
-      spaces.Kernel = [&](const ExecutionContext& part) {
-        return HarmonicFaceFields(mesh, faceFrames, part);
-      };
-    }
-  }
   return HarmonicProblem<double>(
     [&](const ExecutionContext& part) {
       return MakeFaceFieldSystem(mesh, faceFrames, prescribed, WeightsOf(options), part);
@@ -376,38 +203,85 @@ HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
 }
 
 HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
-  const ProlongationOperators* operators, const PrescribedEdges& prescribed,
-  const FieldOptions& options, const ExecutionContext& context)
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  const PrescribedEdges& prescribed, const FieldOptions& options, const ExecutionContext& context)
 {
-  const bool isNodal = options.CoarseSpace == CoarseSpaceKind::Nodal;
   HarmonicProblem<double>::CoarseSpaces spaces;
   spaces.Name = NameOf(options);
   spaces.Prolongations =
-    Prolongations<double>(operators, options, [&, isNodal](const ExecutionContext& part) {
-      if (!isNodal)
+    Prolongations<double>(operators, options, [&](const ExecutionContext& part) {
+      if (options.CoarseSpace != CoarseSpaceKind::Nodal)
       {
         return operators->S1;
       }
       std::vector<SparseMatrix<double>> nodal = OnComponents(operators->Nodal, part);
-      nodal[0] =
-        SparseMatrix<double>(FormFromFaceField(mesh, FaceFrames(mesh, part), part) * nodal[0]);
+      nodal[0] = SparseMatrix<double>(FormFromFaceField(mesh, faceFrames, part) * nodal[0]);
       return nodal;
     });
-  if (isNodal && operators && !operators->Nodal.empty())
-  {
-    spaces.LeastSquares = [&](const ExecutionContext& part) {
-      return NodalLevelsOfOneForms(mesh, FaceFrames(mesh, part), operators->Nodal, part);
-    };
-    if (CanHoldHarmonicFields(mesh))
-    {
-      spaces.Kernel = [&](const ExecutionContext& part) { return HarmonicForms(mesh, part); };
-    }
-  }
   return HarmonicProblem<double>(
     [&](const ExecutionContext& part) {
       return MakeOneFormSystem(mesh, prescribed, WeightsOf(options), part, options.Areas);
     },
     spaces, SolverFor(options), context);
+}
+
+/// Whether cycles on least squares solve this, and which.
+std::optional<SolverKind> LeastSquaresSolver(
+  const TriangleMesh& mesh, const ProlongationOperators* operators, const FieldOptions& options)
+{
+  const bool isOneForm = options.Kind == Discretisation::OneForm;
+  if (options.Kind == Discretisation::PowerField ||
+    options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0 ||
+    !operators || operators->Nodal.empty())
+  {
+    return std::nullopt;
+  }
+  const int unknowns = isOneForm ? mesh.NumberOfEdges() : 2 * mesh.NumberOfFaces();
+  const SolverKind kind = ChooseSolver(options.Solver.Kind, unknowns, true).Kind;
+  const bool isCycle = kind == SolverKind::VCycles || kind == SolverKind::ConjugateGradients;
+  return isCycle ? std::optional<SolverKind>(kind) : std::nullopt;
+}
+
+}
+
+std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  const FieldOptions& options, const ExecutionContext& context)
+{
+  if (!LeastSquaresSolver(mesh, operators, options))
+  {
+    return nullptr;
+  }
+  const bool isOneForm = options.Kind == Discretisation::OneForm;
+  context.Checkpoint(0.0);
+  LeastSquaresHierarchy hierarchy = CoarsenLeastSquares(
+    isOneForm ? OneFormLaplacianFactor(mesh, context, options.Areas)
+              : FaceFieldSmoothnessFactor(mesh, faceFrames, context),
+    isOneForm ? NodalLevelsOfOneForms(mesh, faceFrames, operators->Nodal, context)
+              : NodalLevelsOfFaceFields(mesh, operators->Nodal, context),
+    {}, PartOfContext(context, 0.2, 0.8));
+  const std::vector<int>& order = hierarchy.Order;
+  const Vector<double> mass = isOneForm ? PositiveStar1(mesh) : MassOfFaceFields(mesh);
+  Eigen::MatrixXd kernel;
+  std::string note;
+  // Scans have handles by the hundred where they are noisy; what all of them have to say is not worth
+  // gigabytes.
+  constexpr double LargestNumberOfValues = 5e7;
+  const int loops = NumberOfLoops(mesh);
+  if (static_cast<double>(loops) * mesh.NumberOfFaces() > LargestNumberOfValues)
+  {
+    note = ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
+  }
+  else
+  {
+    const PartOfContext last(context, 0.8, 1.0);
+    kernel = isOneForm ? HarmonicForms(mesh, last) : HarmonicFaceFields(mesh, faceFrames, last);
+    kernel = Eigen::MatrixXd(kernel(order, Eigen::all));
+  }
+  Vector<double> massInOrder = mass(order);
+  context.Checkpoint(1.0);
+  return std::make_shared<const LeastSquaresSurface>(LeastSquaresSurface{ NameOf(options),
+    std::move(hierarchy), std::move(massInOrder), std::move(kernel), std::move(note) });
 }
 
 namespace
@@ -461,7 +335,19 @@ FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFra
 namespace
 {
 
-std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>> MakeProblem(
+PrescribedUnknowns PrescribedIn(
+  const TriangleMesh& mesh, const FieldConstraints& constraints, const FieldOptions& options)
+{
+  const auto& [elements, weights, values] = constraints;
+  if (options.Kind == Discretisation::OneForm)
+  {
+    return PrescribedUnknownsOf(mesh, PrescribedEdges{ elements, weights }, WeightsOf(options));
+  }
+  return PrescribedUnknownsOf(mesh, PrescribedFaces{ elements, weights }, WeightsOf(options));
+}
+
+/// Without cycles on least squares.
+std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, LeastSquaresProblem> MakeProblem(
   const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ProlongationOperators* operators, const FieldConstraints& constraints,
   const FieldOptions& options, const ExecutionContext& context)
@@ -470,7 +356,8 @@ std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>> MakeProblem(
   switch (options.Kind)
   {
     case Discretisation::OneForm:
-      return MakeOneFormProblem(mesh, operators, { elements, weights }, options, context);
+      return MakeOneFormProblem(
+        mesh, faceFrames, operators, { elements, weights }, options, context);
     case Discretisation::FaceField:
       return MakeFaceFieldProblem(
         mesh, faceFrames, operators, { elements, weights }, options, context);
@@ -480,18 +367,84 @@ std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>> MakeProblem(
   }
 }
 
+void CheckFree(const LeastSquaresProblem& problem, const FieldOptions& options)
+{
+  CheckAnyIsFree(problem.NumberOfFree(), options.Constraints,
+    options.Kind == Discretisation::OneForm ? "edge" : "cell");
+}
+
+LeastSquaresProblem MakeLeastSquaresProblem(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  const FieldConstraints& constraints, const FieldOptions& options,
+  std::shared_ptr<const LeastSquaresSurface> surface, const ExecutionContext& context)
+{
+  PrescribedUnknowns prescribed = PrescribedIn(mesh, constraints, options);
+  const double half = surface ? 0.0 : 0.6;
+  if (!surface)
+  {
+    surface = MakeLeastSquaresSurface(
+      mesh, faceFrames, operators, options, PartOfContext(context, 0.0, half));
+  }
+  SolverOptions solver = SolverFor(options);
+  solver.Kind = *LeastSquaresSolver(mesh, operators, options);
+  LeastSquaresProblem problem(std::move(surface), std::move(prescribed), options.Smoothness, solver,
+    PartOfContext(context, half, 1.0));
+  CheckFree(problem, options);
+  return problem;
+}
+
 }
 
 FieldProblem::FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ProlongationOperators* operators, const FieldConstraints& constraints,
-  const FieldOptions& options, const ExecutionContext& context)
-  : Problem(MakeProblem(mesh, faceFrames, operators, constraints, options, context))
+  const FieldOptions& options, const ExecutionContext& context,
+  std::shared_ptr<const LeastSquaresSurface> surface)
+  : Problem(LeastSquaresSolver(mesh, operators, options)
+        ? MakeLeastSquaresProblem(mesh, faceFrames, operators, constraints, options,
+            std::move(surface),
+            PartOfContext(context, 0.0, options.Solver.CompareWithCholesky ? 0.5 : 1.0))
+        : MakeProblem(mesh, faceFrames, operators, constraints, options, context))
 {
+  if (options.Solver.CompareWithCholesky &&
+    std::holds_alternative<LeastSquaresProblem>(this->Problem))
+  {
+    FieldOptions direct = options;
+    direct.Solver.Kind = SolverKind::Cholesky;
+    this->Reference.emplace(std::get<HarmonicProblem<double>>(
+      MakeProblem(mesh, faceFrames, operators, constraints, direct,
+        PartOfContext(context, 0.5, 1.0))));
+  }
+}
+
+bool FieldProblem::Update(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const FieldConstraints& constraints, const FieldOptions& options,
+  const ExecutionContext& context)
+{
+  const auto& [elements, weights, values] = constraints;
+  if (auto* const problem = std::get_if<HarmonicProblem<Complex>>(&this->Problem))
+  {
+    return problem->Update(
+      PowerFieldSystemMaker(mesh, faceFrames, { elements, weights }, options), context);
+  }
+  auto* const problem = std::get_if<LeastSquaresProblem>(&this->Problem);
+  if (!problem || this->Reference)
+  {
+    return false;
+  }
+  problem->Update(PrescribedIn(mesh, constraints, options), options.Smoothness, context);
+  CheckFree(*problem, options);
+  return true;
 }
 
 Vector<double> FieldProblem::Solve(const Vector<double>& values, const Vector<double>& start,
   const StoppingCriteria& stop, const ExecutionContext& context)
 {
+  if (auto* const problem = std::get_if<LeastSquaresProblem>(&this->Problem))
+  {
+    const Vector<double> reference =
+      this->Reference ? this->Reference->Solve(values, {}, stop, context) : Vector<double>();
+    return problem->Solve(values, start, reference, stop, context);
+  }
   if (auto* const problem = std::get_if<HarmonicProblem<double>>(&this->Problem))
   {
     return problem->Solve(values, start, stop, context);

@@ -2,15 +2,17 @@
 #define dmgHarmonicField_h
 
 #include "HarmonicProblem.h"
-#include "Hierarchy/HierarchyOptions.h"
+#include "LeastSquaresProblem.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
-#include "Prolongation/ProlongationOperators.h"
-#include "Support/ExecutionContext.h"
 #include "Operators/ExteriorCalculus.h"
+#include "Support/ExecutionContext.h"
+#include "SurfaceHierarchy.h"
 #include "Systems/AlignmentConstraints.h"
 #include "Systems/OneFormConstraints.h"
 
+#include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -22,24 +24,6 @@
 /// set of constraints or other weights redo the system, and only another mesh redoes the set-up.
 namespace dmg
 {
-
-/// A hierarchy of a mesh and the prolongations between its levels.
-struct SurfaceHierarchy
-{
-  /// The levels above the finest, level 1 first.
-  std::vector<TriangleMesh> CoarseLevels;
-  ProlongationOperators Operators;
-};
-
-/// Set-up. The only stage that decimates. Levels of samples have neither surfaces nor S0 nor any
-/// structure-preserving operators: CoarseLevels and all operators but Nodal stay empty.
-/// \throw InvalidInput an option is out of range, or the selection asks for operators that levels of
-///   samples do not have.
-/// \throw Cancelled
-/// Checkpoints: several in each round of collapses, every 64 of them in exact overlays, or every
-/// level of samples; fractions rise from 0 to 1 once.
-SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
-  const ExecutionContext& context, const OperatorSelection& selection = OperatorSelection());
 
 /// Which prolongations multigrid's coarse spaces come from.
 enum class CoarseSpaceKind
@@ -83,8 +67,7 @@ struct FieldOptions
   int NumberOfDirections() const { return this->Kind == Discretisation::PowerField ? this->N : 1; }
 };
 
-/// The problems one by one. Unknowns and values are those of MakePowerFieldSystem,
-/// MakeFaceFieldSystem and MakeOneFormSystem, in their order.
+/// Power fields. Unknowns and values are those of MakePowerFieldSystem, in their order.
 /// \param operators of this mesh; may be null for SolverKind::Cholesky and Automatic. Used during the
 ///   call only. Where they have one level the system is factored, whatever solver is asked for.
 /// \throw InvalidInput options out of range, nothing prescribed, nothing left to solve for, or operators
@@ -94,13 +77,6 @@ HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const PrescribedFaces& prescribed, const FieldOptions& options,
   const ExecutionContext& context);
-HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const ProlongationOperators* operators,
-  const PrescribedFaces& prescribed, const FieldOptions& options,
-  const ExecutionContext& context);
-HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
-  const ProlongationOperators* operators, const PrescribedEdges& prescribed,
-  const FieldOptions& options, const ExecutionContext& context);
 
 /// Directions prescribed on faces, as a discretisation takes them.
 struct FieldConstraints
@@ -124,16 +100,38 @@ FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFra
   const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
   const ElementNames& names = {});
 
+/// The last part of the set-up, for face fields and 1-forms: what cycles on nodal levels need, whatever
+/// is prescribed.
+/// \param operators of this mesh; used during the call only.
+/// \param options Kind, Areas and the choice of the solver count.
+/// \return null where what is asked for is solved otherwise.
+/// Cost: several products of sparse matrices, about 10 us per face on one core.
+std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  const FieldOptions& options, const ExecutionContext& context);
+
 /// The smoothest field that follows prescribed directions, whatever its discretisation: one mesh, one
 /// set of prescribed elements and weights. A component of the surface that holds none of them gets the
 /// zero field.
 class FieldProblem
 {
 public:
-  /// System. Parameters and errors as above; the values of the constraints are not looked at.
+  /// System. Unknowns and values are those of MakePowerFieldSystem, MakeFaceFieldSystem and
+  /// MakeOneFormSystem, in their order; errors as above. The values of the constraints are not looked
+  /// at.
+  /// \param surface of this mesh and these options, if it is at hand; else it is made if needed.
   FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
     const ProlongationOperators* operators, const FieldConstraints& constraints,
-    const FieldOptions& options, const ExecutionContext& context);
+    const FieldOptions& options, const ExecutionContext& context,
+    std::shared_ptr<const LeastSquaresSurface> surface = nullptr);
+
+  /// System, where only the prescribed elements, their weights or those of options differ: numbers
+  /// only, no pattern changes.
+  /// \return false if the solver cannot do so; then nothing has happened. After an error the problem
+  ///   must not be used.
+  bool Update(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+    const FieldConstraints& constraints, const FieldOptions& options,
+    const ExecutionContext& context);
 
   /// Solve.
   /// \param values of the constraints.
@@ -146,7 +144,8 @@ public:
   const SolveReport& Report() const;
 
 private:
-  std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>> Problem;
+  std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, LeastSquaresProblem> Problem;
+  std::optional<HarmonicProblem<double>> Reference; ///< factors what LeastSquaresProblem solves
 };
 
 /// A field as N-th powers, to be drawn: of the faces in their frames and of the vertices in theirs.

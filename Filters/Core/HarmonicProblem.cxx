@@ -1,15 +1,12 @@
 #include "HarmonicProblem.h"
 
 #include "Solvers/CholeskySolver.h"
-#include "Solvers/ConjugateGradient.h"
-#include "Solvers/DeflatedPreconditioner.h"
 #include "Solvers/MultigridSolver.h"
-#include "Solvers/StationaryIteration.h"
 #include "Support/SparseAssembly.h"
 
+#include <algorithm>
 #include <chrono>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace dmg
@@ -18,50 +15,9 @@ namespace dmg
 namespace
 {
 
-// Below this many unknowns the factorisation is done before multigrid has its levels.
-constexpr int LargestSystemForCholesky = 20000;
-
 double SecondsSince(std::chrono::steady_clock::time_point start)
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-std::string NameOf(SolverKind solver)
-{
-  switch (solver)
-  {
-    case SolverKind::VCycles:
-      return "V-cycles";
-    case SolverKind::NestedIterations:
-      return "nested iterations";
-    case SolverKind::CoarseProlongation:
-      return "coarse prolongation";
-    default:
-      return "conjugate gradients with a V-cycle";
-  }
-}
-
-/// The solver that runs, and why if it is not the one asked for.
-std::pair<SolverKind, std::string> ChooseSolver(
-  SolverKind asked, int unknowns, bool hasProlongations)
-{
-  if (asked == SolverKind::Cholesky || (asked != SolverKind::Automatic && hasProlongations))
-  {
-    return { asked, "" };
-  }
-  if (!hasProlongations)
-  {
-    // Multigrid on one level is its exact solver.
-    const std::string instead =
-      asked == SolverKind::Automatic ? "chosen" : "in place of " + NameOf(asked);
-    return { SolverKind::Cholesky, ", " + instead + " because there are no coarse levels" };
-  }
-  const std::string size = std::to_string(unknowns) + " unknowns";
-  if (unknowns <= LargestSystemForCholesky)
-  {
-    return { SolverKind::Cholesky, ", chosen for " + size + ", few enough to factor at once" };
-  }
-  return { SolverKind::ConjugateGradients, ", chosen for " + size };
 }
 
 /// Back-substitution, reported as one iteration.
@@ -90,39 +46,17 @@ void SolveDirectly(const SparseMatrix<Scalar>& A, CholeskySolver<Scalar>& solver
   report.Converged = true;
 }
 
+template <class Scalar>
+bool HaveSamePattern(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B)
+{
+  return A.rows() == B.rows() && A.nonZeros() == B.nonZeros() &&
+    std::equal(A.outerIndexPtr(), A.outerIndexPtr() + A.outerSize() + 1, B.outerIndexPtr()) &&
+    std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr());
+}
+
 bool IsNested(SolverKind solver)
 {
   return solver == SolverKind::NestedIterations || solver == SolverKind::CoarseProlongation;
-}
-
-/// Levels on the free unknowns.
-template <class Scalar>
-LeastSquaresLevels Restrict(LeastSquaresLevels levels, const HarmonicSystem<Scalar>& system,
-  const ExecutionContext& context)
-{
-  if (system.NumberOfFree() == system.NumberOfUnknowns())
-  {
-    return levels;
-  }
-  levels.Prolongation = SelectRows(levels.Prolongation, system.FreeUnknowns(), context);
-  UnknownBlocks blocks;
-  for (int k = 0; k < levels.Blocks.Size(); ++k)
-  {
-    for (int s = levels.Blocks.Offsets[k]; s < levels.Blocks.Offsets[k + 1]; ++s)
-    {
-      const int row = system.RowsOfUnknowns()[levels.Blocks.Unknowns[s]];
-      if (row >= 0)
-      {
-        blocks.Unknowns.push_back(row);
-      }
-    }
-    if (static_cast<int>(blocks.Unknowns.size()) > blocks.Offsets.back())
-    {
-      blocks.EndBlock();
-    }
-  }
-  levels.Blocks = std::move(blocks);
-  return levels;
 }
 
 }
@@ -138,7 +72,6 @@ public:
 
   void PrepareMultigrid(
     const CoarseSpaces& spaces, const SolverOptions& options, const ExecutionContext& context);
-  void DeflateKernel(const CoarseSpaces& spaces, const ExecutionContext& context);
   /// By V-cycles or conjugate gradients.
   void SolveByMultigrid(const Vector<Scalar>& b, const StoppingCriteria& stop,
     const ConvergenceMeasure<Scalar>& measure, Vector<Scalar>& x, const ExecutionContext& context);
@@ -146,7 +79,6 @@ public:
   HarmonicSystem<Scalar> System;
   std::optional<CholeskySolver<Scalar>> Cholesky;
   std::optional<MultigridSolver<Scalar>> Multigrid;
-  std::unique_ptr<Preconditioner<double>> LeastSquares; // in place of Multigrid
   std::optional<NestedIteration<Scalar>> Nested;
   SweepOptions Sweeps; // of nested iterations
   SolverKind Solver = SolverKind::Cholesky;
@@ -161,24 +93,6 @@ void HarmonicProblem<Scalar>::Internals::PrepareMultigrid(
   CycleOptions cycle;
   cycle.Smoothing.PreSweeps = options.Sweeps;
   cycle.Smoothing.PostSweeps = options.Sweeps;
-  if constexpr (std::is_same_v<Scalar, double>)
-  {
-    if (spaces.LeastSquares && !IsNested(this->Solver) && options.StartingLevel < 0)
-    {
-      LeastSquaresCycleOptions ofCycle;
-      ofCycle.Sweeps = options.Sweeps * options.FinestSweepsFactor;
-      ofCycle.Coarse = cycle;
-      const PartOfContext ofLevels(context, 0.0, 0.1);
-      auto leastSquares = std::make_unique<LeastSquaresCycle>(this->System.Factor(),
-        Restrict(spaces.LeastSquares(ofLevels), this->System, ofLevels), ofCycle,
-        PartOfContext(context, 0.1, 0.7));
-      this->Report.Levels = leastSquares->Levels();
-      this->Report.Bytes = leastSquares->Bytes();
-      this->LeastSquares = std::move(leastSquares);
-      this->DeflateKernel(spaces, PartOfContext(context, 0.7, 1.0));
-      return;
-    }
-  }
   std::vector<SparseMatrix<Scalar>> prolongations = spaces.Prolongations(context);
   if (!prolongations.empty() && this->System.NumberOfFree() < this->System.NumberOfUnknowns())
   {
@@ -200,41 +114,11 @@ void HarmonicProblem<Scalar>::Internals::PrepareMultigrid(
     return;
   }
   cycle.FinestFactor = options.FinestSweepsFactor;
+  constexpr bool MayUpdate = true;
   this->Multigrid.emplace(this->System.Matrix(), std::move(prolongations),
-    MultigridOptions{ coarsening, cycle }, context);
+    MultigridOptions{ coarsening, cycle, MayUpdate }, context);
   this->Report.Levels = this->Multigrid->Levels();
   this->Report.Bytes = this->Multigrid->Bytes();
-}
-
-template <class Scalar>
-void HarmonicProblem<Scalar>::Internals::DeflateKernel(
-  const CoarseSpaces& spaces, const ExecutionContext& context)
-{
-  Eigen::MatrixXd kernel;
-  if (spaces.Kernel)
-  {
-    kernel = spaces.Kernel(context);
-  }
-  if (kernel.cols() == 0)
-  {
-    return;
-  }
-  if constexpr (std::is_same_v<Scalar, double>)
-  {
-    if (this->System.NumberOfFree() < this->System.NumberOfUnknowns())
-    {
-      const std::vector<int>& free = this->System.FreeUnknowns();
-      for (std::size_t row = 0; row < free.size(); ++row)
-      {
-        kernel.row(row) = kernel.row(free[row]); // free unknowns ascend
-      }
-      kernel.conservativeResize(free.size(), Eigen::NoChange);
-    }
-    auto deflated = std::make_unique<DeflatedPreconditioner>(
-      std::move(this->LeastSquares), this->System.Matrix(), std::move(kernel));
-    this->Report.Bytes += deflated->Bytes();
-    this->LeastSquares = std::move(deflated);
-  }
 }
 
 template <class Scalar>
@@ -242,17 +126,7 @@ void HarmonicProblem<Scalar>::Internals::SolveByMultigrid(const Vector<Scalar>& 
   const StoppingCriteria& stop, const ConvergenceMeasure<Scalar>& measure, Vector<Scalar>& x,
   const ExecutionContext& context)
 {
-  const bool byCycles = this->Solver == SolverKind::VCycles;
-  if constexpr (std::is_same_v<Scalar, double>)
-  {
-    if (this->LeastSquares)
-    {
-      const auto solve = byCycles ? &StationaryIteration<double> : &ConjugateGradient<double>;
-      solve(this->System.Matrix(), *this->LeastSquares, b, stop, x, this->Report, context, &measure);
-      return;
-    }
-  }
-  if (byCycles)
+  if (this->Solver == SolverKind::VCycles)
   {
     this->Multigrid->SolveByCycles(b, stop, x, this->Report, context, &measure);
   }
@@ -272,7 +146,8 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
   Internals& internal = *this->Internal;
   const HarmonicSystem<Scalar>& system = internal.System;
   SolveReport& report = internal.Report;
-  if (const std::string warning = WarningAboutUnreached(system); !warning.empty())
+  if (const std::string warning = WarningAboutUnreached(system.NumberOfUnreached(), system.NumberOfUnknowns());
+      !warning.empty())
   {
     internal.SystemWarnings.push_back(warning);
   }
@@ -284,7 +159,7 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
   if (solver == SolverKind::Cholesky)
   {
     internal.Cholesky.emplace(system.Matrix());
-    report.Solver = "supernodal Cholesky" + reason;
+    report.Solver = NameOf(solver) + reason;
     report.Levels = { { system.NumberOfFree(), internal.Cholesky->NonZeros() } };
     report.Bytes = internal.Cholesky->Bytes();
   }
@@ -300,6 +175,37 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
     internal.Cholesky.emplace(system.Matrix());
   }
   context.Checkpoint(1.0);
+}
+
+template <class Scalar>
+bool HarmonicProblem<Scalar>::Update(const MakeSystem& makeSystem, const ExecutionContext& context)
+{
+  Internals& internal = *this->Internal;
+  const bool isCompared = internal.Cholesky && internal.Solver != SolverKind::Cholesky;
+  if (internal.Nested || isCompared)
+  {
+    return false;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  context.Checkpoint(0.0);
+  HarmonicSystem<Scalar> system = makeSystem(PartOfContext(context, 0.0, 0.4));
+  if (system.FreeUnknowns() != internal.System.FreeUnknowns() ||
+    !HaveSamePattern(system.Matrix(), internal.System.Matrix()))
+  {
+    return false;
+  }
+  internal.System = std::move(system);
+  if (internal.Cholesky)
+  {
+    internal.Cholesky->Update(internal.System.Matrix());
+  }
+  else
+  {
+    internal.Multigrid->Update(internal.System.Matrix(), PartOfContext(context, 0.4, 1.0));
+  }
+  internal.Report.PrepareSeconds = SecondsSince(start);
+  context.Checkpoint(1.0);
+  return true;
 }
 
 template <class Scalar>

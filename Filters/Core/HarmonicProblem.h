@@ -1,9 +1,7 @@
 #ifndef dmgHarmonicProblem_h
 #define dmgHarmonicProblem_h
 
-#include "Solvers/LeastSquaresCycle.h"
-#include "Solvers/LeastSquaresCycle.h"
-#include "Solvers/NestedIteration.h"
+#include "SolverChoice.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
@@ -17,40 +15,6 @@
 namespace dmg
 {
 
-enum class SolverKind
-{
-  /// Cholesky for small systems, else conjugate gradients.
-  Automatic,
-  /// Supernodal sparse Cholesky of the fine system (CHOLMOD).
-  Cholesky,
-  /// Stationary V-cycles.
-  VCycles,
-  /// Conjugate gradients, one V-cycle as preconditioner.
-  ConjugateGradients,
-  /// Nested iterations: a rough solution for the price of a few cycles.
-  NestedIterations,
-  /// Nested iterations without sweeps: a sketch.
-  CoarseProlongation,
-};
-
-/// How a system is solved, whatever its unknowns mean.
-struct SolverOptions
-{
-  SolverKind Kind = SolverKind::Automatic;
-  /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1.
-  int Sweeps = 2;
-  /// The finest level gets so many times as many sweeps, >= 1.
-  int FinestSweepsFactor = 1;
-  /// How often the finest prolongation is smoothed before use; see GalerkinOptions.
-  int FinestProlongationSteps = 0;
-  /// Of nested iterations.
-  SweepOptions Nested;
-  /// The level that is solved exactly; negative or beyond the coarsest: the coarsest.
-  int StartingLevel = -1;
-  /// Factors the fine system as well, for the Error of every row of the history.
-  bool CompareWithCholesky = false;
-};
-
 /// A harmonic system with its solver, ready to solve for prescribed values: the system stage, and
 /// the solve stage on top of it.
 template <class Scalar>
@@ -60,8 +24,6 @@ public:
   using MakeSystem = std::function<HarmonicSystem<Scalar>(const ExecutionContext&)>;
   using MakeProlongations =
     std::function<std::vector<SparseMatrix<Scalar>>(const ExecutionContext&)>;
-  using MakeKernel = std::function<Eigen::MatrixXd(const ExecutionContext&)>;
-  using MakeLeastSquaresLevels = std::function<LeastSquaresLevels(const ExecutionContext&)>;
 
   /// Where coarse levels come from, on all unknowns of the system; called only where a solver needs
   /// them.
@@ -71,12 +33,6 @@ public:
     std::string Name;
     /// Finest first. Empty: there are no coarse levels.
     MakeProlongations Prolongations;
-    /// For systems with a factor and cycles that start on the finest level: the faster way. May be
-    /// empty.
-    MakeLeastSquaresLevels LeastSquares;
-    /// Orthonormal fields of no roughness, one per column, that LeastSquares is helped by. May be
-    /// empty.
-    MakeKernel Kernel;
   };
 
   /// System: assembles, coarsens or factors; the expensive part that new values do not repeat.
@@ -88,6 +44,12 @@ public:
     const SolverOptions& options, const ExecutionContext& context);
   ~HarmonicProblem();
   HarmonicProblem(HarmonicProblem&&) noexcept;
+
+  /// System, where only the prescribed unknowns or weights differ. Orders, patterns and analyses are
+  /// kept.
+  /// \return false if the pattern of the matrix changes, as hard constraints let it, or the solver
+  ///   cannot do so; then nothing has happened.
+  bool Update(const MakeSystem& makeSystem, const ExecutionContext& context);
 
   /// Solve for the prescribed values.
   /// \param values one per prescribed unknown.

@@ -4,7 +4,7 @@
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 #include "Prolongation/TransportOperator.h"
-#include "Solvers/LeastSquaresCycle.h"
+#include "Solvers/LeastSquaresHierarchy.h"
 #include "Support/ExecutionContext.h"
 
 #include <vector>
@@ -20,7 +20,7 @@ namespace dmg
 LeastSquaresLevels NodalLevelsOfFaceFields(const TriangleMesh& mesh,
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
 
-/// Blocks are the sides of each face. A vector field becomes a 1-form by FormFromFaceField.
+/// Blocks are the sides of each face and, where faces are uneven, the edges at their corners. A vector field becomes a 1-form by FormFromFaceField.
 LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
 

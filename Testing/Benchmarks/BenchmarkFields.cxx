@@ -13,11 +13,11 @@
 //                   magnitude (--robustness)
 //
 // The columns of fields.csv, in seconds, medians of the runs:
-//   setup     levels and the operators that the solver needs, from the bare mesh; ours only
-//   assembly  frames and matrix. Ours assembles while it prepares, and counts it there
+//   setup     what ours needs of the surface, whatever is prescribed, from the bare mesh
+//   assembly  frames and matrix. Ours assembles while it sets up or prepares, and counts it there
 //   prepare   factorisation or preconditioner
 //   solve     to the tolerance
-//   total     prepare + solve: operators at hand
+//   total     assembly + prepare + solve: what a surface takes whose set-up is at hand
 //   bare      all four: from the bare mesh
 // and in MB: held by the solver, its peak beyond mesh, operators and peers' matrix, and the peak
 // of the process. Each solver runs in a process of its own, so that memory can be counted and a
@@ -118,13 +118,29 @@ struct Workplace
   FieldConstraints Constraints;
 };
 
-/// Only the operators that the solver needs.
-ProlongationOperators SetUp(const Workplace& place)
+/// What the solver needs of the surface, whatever is prescribed.
+struct SetUp
 {
-  return BuildSurfaceHierarchy(
-    place.Mesh, HierarchyOptions(), place.Context, OperatorSelection{ false, false, false })
-    .Operators;
-}
+  SetUp(const TriangleMesh& mesh, const FieldOptions& field, const ExecutionContext& context)
+    : Frames(FaceFrames(mesh, context))
+    , Operators(BuildSurfaceHierarchy(mesh, Levels(field), context, { false, false, false }).Operators)
+    , Surface(MakeLeastSquaresSurface(mesh, this->Frames, &this->Operators, field, context))
+  {
+  }
+
+  /// As vtkHarmonicFieldSolver takes them.
+  static HierarchyOptions Levels(const FieldOptions& field)
+  {
+    HierarchyOptions options;
+    options.Levels = field.Kind == Discretisation::PowerField ? LevelConstruction::Sampling
+                                                              : LevelConstruction::EdgeCollapses;
+    return options;
+  }
+
+  TangentFrames Frames;
+  ProlongationOperators Operators;
+  std::shared_ptr<const LeastSquaresSurface> Surface; ///< null for power fields
+};
 
 template <class Scalar>
 Vector<Scalar> ValuesOf(const FieldConstraints& constraints)
@@ -261,8 +277,11 @@ struct Row
   double Peak = None;
   double Process = None;
 
-  double Total() const { return this->Seconds[Prepare] + this->Seconds[Solve]; }
-  double Bare() const { return this->Seconds[Setup] + this->Seconds[Assembly] + this->Total(); }
+  double Total() const
+  {
+    return this->Seconds[Assembly] + this->Seconds[Prepare] + this->Seconds[Solve];
+  }
+  double Bare() const { return this->Seconds[Setup] + this->Total(); }
 };
 static_assert(std::is_trivially_copyable<Row>::value, "it goes through a pipe as it is");
 
@@ -324,20 +343,15 @@ Measured MeasureOurs(const Job& job, const Options& options)
     [&](Row::Times& seconds)
     {
       problem.reset();
-      TangentFrames frames;
-      ProlongationOperators operators;
-      seconds[Row::Setup] = Seconds(
-        [&]
-        {
-          frames = FaceFrames(place.Mesh, place.Context);
-          operators = SetUp(place);
-        });
+      std::optional<SetUp> of;
+      seconds[Row::Setup] =
+        Seconds([&] { of.emplace(place.Mesh, place.Field, place.Context); });
       const PeakMemory memory;
       seconds[Row::Prepare] = Seconds(
         [&]
         {
-          problem.emplace(
-            place.Mesh, frames, &operators, place.Constraints, place.Field, place.Context);
+          problem.emplace(place.Mesh, of->Frames, &of->Operators, place.Constraints, place.Field,
+            place.Context, of->Surface);
         });
       seconds[Row::Solve] = Seconds(
         [&]
@@ -435,15 +449,6 @@ struct Resolve
 };
 static_assert(std::is_trivially_copyable<Resolve>::value, "it goes through a pipe as it is");
 
-/// Other weights or another set of prescribed elements on the same surface. The problem is made
-/// anew; its set-up stays.
-void ChangeSystem(std::optional<FieldProblem>& problem, const Workplace& place,
-  const TangentFrames& frames, const ProlongationOperators& operators,
-  const FieldConstraints& constraints, const FieldOptions& field)
-{
-  problem.emplace(place.Mesh, frames, &operators, constraints, field, place.Context);
-}
-
 /// A tenth of a radian, or of the edge's length.
 Vector<double> WithFirstValueMoved(const Workplace& place)
 {
@@ -467,8 +472,7 @@ public:
   ResolveMeasurement(const Job& job, const Options& options)
     : Place(job, options)
     , Runs(options.Runs)
-    , Frames(FaceFrames(this->Place.Mesh, this->Place.Context))
-    , Operators(SetUp(this->Place))
+    , Of(this->Place.Mesh, this->Place.Field, this->Place.Context)
     , System(this->SystemOf(this->Place.Constraints, this->Place.Field))
     , Cholesky(this->System.Matrix())
   {
@@ -496,12 +500,20 @@ private:
     const FieldConstraints& constraints, const FieldOptions& field) const
   {
     return MakeSystem<Scalar>(
-      this->Place.Mesh, this->Frames, constraints, field, this->Place.Context);
+      this->Place.Mesh, this->Of.Frames, constraints, field, this->Place.Context);
   }
 
+  /// Other weights or another set of prescribed elements: updated where the problem can do so, else
+  /// made anew.
   void MakeProblem(const FieldConstraints& constraints, const FieldOptions& field)
   {
-    ChangeSystem(this->Problem, this->Place, this->Frames, this->Operators, constraints, field);
+    if (!this->Problem ||
+      !this->Problem->Update(
+        this->Place.Mesh, this->Of.Frames, constraints, field, this->Place.Context))
+    {
+      this->Problem.emplace(this->Place.Mesh, this->Of.Frames, &this->Of.Operators, constraints,
+        field, this->Place.Context, this->Of.Surface);
+    }
   }
 
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, double tolerance)
@@ -590,8 +602,7 @@ private:
 
   const Workplace Place;
   const int Runs;
-  const TangentFrames Frames;
-  const ProlongationOperators Operators;
+  const SetUp Of;
   const HarmonicSystem<Scalar> System;
   CholeskySolver<Scalar> Cholesky;
   std::optional<FieldProblem> Problem;
@@ -782,12 +793,10 @@ public:
   }
 
   /// One line of counts; a count in brackets stands for a solve that did not converge.
-  void Append(const Source& surface, const TriangleMesh& mesh,
-    const ProlongationOperators& operators, const FieldOptions& field,
-    const std::vector<Regime>& regimes, const std::vector<double>& alignments,
-    const ExecutionContext& context)
+  void Append(const Source& surface, const TriangleMesh& mesh, const SetUp& of,
+    const FieldOptions& field, const std::vector<Regime>& regimes,
+    const std::vector<double>& alignments, const ExecutionContext& context)
   {
-    const TangentFrames frames = FaceFrames(mesh, context);
     std::printf("%-26s %8d %-10s %d ", surface.Name.c_str(), mesh.NumberOfFaces(),
       NameOf(field.Kind).c_str(), field.NumberOfDirections());
     for (const Regime& regime : regimes)
@@ -796,7 +805,7 @@ public:
       {
         FieldOptions options = field;
         options.Alignment = alignment;
-        const SolveReport report = Solve(mesh, frames, operators, options, regime, context);
+        const SolveReport report = Solve(mesh, of, options, regime, context);
         const bool ran = !report.Iterations.empty();
         const int iterations = ran ? report.Iterations.back().Iteration : 0;
         this->File.Row(surface.Name, mesh.NumberOfFaces(), NameOf(field.Kind),
@@ -811,15 +820,15 @@ public:
   }
 
 private:
-  static SolveReport Solve(const TriangleMesh& mesh, const TangentFrames& frames,
-    const ProlongationOperators& operators, const FieldOptions& field, const Regime& regime,
-    const ExecutionContext& context)
+  static SolveReport Solve(const TriangleMesh& mesh, const SetUp& of, const FieldOptions& field,
+    const Regime& regime, const ExecutionContext& context)
   {
     test::Random random(Seed);
     const FieldConstraints constraints = RandomConstraints(mesh, field.Kind, regime, random);
     try
     {
-      FieldProblem problem(mesh, frames, &operators, constraints, field, context);
+      FieldProblem problem(
+        mesh, of.Frames, &of.Operators, constraints, field, context, of.Surface);
       problem.Solve(constraints.Values, {}, { Tolerance, 500 }, context);
       return problem.Report();
     }
@@ -838,9 +847,6 @@ void CountIterations(const Source& surface, const Options& options, IterationsTa
 {
   const test::TbbContext context(options.Threads);
   const TriangleMesh mesh = surface.Load();
-  const ProlongationOperators operators = BuildSurfaceHierarchy(
-    mesh, HierarchyOptions(), context, OperatorSelection{ false, false, false })
-                                            .Operators;
   std::vector<double> alignments = { 1.0 };
   if (options.Robustness)
   {
@@ -849,9 +855,10 @@ void CountIterations(const Source& surface, const Options& options, IterationsTa
   for (const Discretisation kind : Discretisations(options))
   {
     const bool isPower = kind == Discretisation::PowerField;
+    const SetUp of(mesh, FieldOf(kind), context);
     for (const int N : isPower ? std::vector<int>{ 1, 2, 4, 6 } : std::vector<int>{ 1 })
     {
-      table.Append(surface, mesh, operators, FieldOf(kind, N),
+      table.Append(surface, mesh, of, FieldOf(kind, N),
         options.Robustness ? Regimes : MoreRegimes, alignments, context);
     }
   }

@@ -388,31 +388,37 @@ TEST(FieldProblem, SolversAgreeOnEveryDiscretisation)
   }
 }
 
-// System, levels, cycle and, on a torus, harmonic fields share one way from 0 to 1.
+// System, levels, cycle, on a torus harmonic fields, and what it is compared with share one way from
+// 0 to 1.
 TEST(FieldProblem, ReportsProgressOnceAndStopsWhenAsked)
 {
   const Prepared on(IrregularTorus(48, 24, 4));
   for (Discretisation kind : AllKinds)
   {
-    SCOPED_TRACE(static_cast<int>(kind));
-    FieldOptions options;
-    options.Kind = kind;
-    options.Solver.Kind = SolverKind::ConjugateGradients;
-    const FieldConstraints constraints =
-      MakeFieldConstraints(on.Mesh, on.Frames, Directions(on.Mesh, 97), options);
-    TbbContext all(2);
-    const FieldProblem problem(on.Mesh, on.Frames, &on.Operators, constraints, options, all);
-    const std::vector<double>& progress = all.Progress();
-    EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end()));
-    EXPECT_EQ(progress.front(), 0.0);
-    EXPECT_EQ(progress.back(), 1.0);
-    for (std::size_t count = 1; count <= progress.size(); ++count)
+    for (bool isCompared : { false, true })
     {
-      TbbContext context(2);
-      context.CancelAfter(static_cast<int>(count));
-      EXPECT_THROW(
-        FieldProblem(on.Mesh, on.Frames, &on.Operators, constraints, options, context), Cancelled);
-      EXPECT_EQ(context.Progress().size(), count);
+      SCOPED_TRACE(static_cast<int>(kind));
+      FieldOptions options;
+      options.Kind = kind;
+      options.Solver.Kind = SolverKind::ConjugateGradients;
+      options.Solver.CompareWithCholesky = isCompared;
+      const FieldConstraints constraints =
+        MakeFieldConstraints(on.Mesh, on.Frames, Directions(on.Mesh, 97), options);
+      TbbContext all(2);
+      const FieldProblem problem(on.Mesh, on.Frames, &on.Operators, constraints, options, all);
+      const std::vector<double>& progress = all.Progress();
+      EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end())) << isCompared;
+      EXPECT_EQ(progress.front(), 0.0);
+      EXPECT_EQ(progress.back(), 1.0);
+      for (std::size_t count = 1; count <= progress.size(); ++count)
+      {
+        TbbContext context(2);
+        context.CancelAfter(static_cast<int>(count));
+        EXPECT_THROW(
+          FieldProblem(on.Mesh, on.Frames, &on.Operators, constraints, options, context),
+          Cancelled);
+        EXPECT_EQ(context.Progress().size(), count);
+      }
     }
   }
 }

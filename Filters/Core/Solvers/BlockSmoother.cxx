@@ -1,14 +1,11 @@
 #include "Solvers/BlockSmoother.h"
 
-#include "Support/Errors.h"
 #include "Support/SparseKernels.h"
-
-#include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cassert>
-#include <cstdint>
-#include <string>
+#include <cmath>
+#include <type_traits>
 
 namespace dmg
 {
@@ -16,267 +13,249 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
-constexpr int BlockGrain = 1024;
-constexpr int NumberOfColours = 63;
-constexpr int LargestBlock = 16;
-// Keeps a block of dependent unknowns, as of a face without area, invertible in single precision.
-constexpr double Ridge = 1e-6;
+// So many blocks before it is their turn, the columns of their unknowns are asked for.
+constexpr int Ahead = 8;
 
-/// Colours of blocks, such that those of one colour share no row of B; greedy. Blocks around a vertex
-/// of more than 63 faces may find none: they get the colour 63.
-std::vector<int> Colours(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks)
+inline void Prefetch([[maybe_unused]] const void* address)
 {
-  std::vector<std::uint64_t> taken(Bt.cols(), 0); // by row of B: colours of the blocks that touch it
-  std::vector<int> colours(blocks.Size());
-  for (int k = 0; k < blocks.Size(); ++k)
-  {
-    const auto forRows = [&](auto visit) {
-      for (int s = blocks.Offsets[k]; s < blocks.Offsets[k + 1]; ++s)
-      {
-        const int unknown = blocks.Unknowns[s];
-        for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
-        {
-          visit(taken[Bt.innerIndexPtr()[e]]);
-        }
-      }
-    };
-    std::uint64_t forbidden = 0;
-    forRows([&forbidden](std::uint64_t set) { forbidden |= set; });
-    int colour = 0;
-    while (colour < NumberOfColours && (forbidden >> colour & 1) != 0)
-    {
-      ++colour;
-    }
-    colours[k] = colour;
-    if (colour < NumberOfColours)
-    {
-      forRows([colour](std::uint64_t& set) { set |= std::uint64_t(1) << colour; });
-    }
-  }
-  return colours;
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#endif
 }
 
 }
 
-template <class Value>
-BlockSmoother<Value>::BlockSmoother(const SparseMatrix<double>& matrix, const UnknownBlocks& blocks,
-  int sweeps, const ExecutionContext& context)
-  : Sweeps(sweeps)
-  , B(matrix.cast<Value>())
-  , Bx(matrix.rows())
+BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor,
+  const SparseMatrix<double>& transpose, const SchwarzBlocks& blocks, int sweeps)
+  : B(factor)
+  , Bt(transpose)
+  , Blocks(blocks)
+  , Sweeps(sweeps)
+  , Diagonal(Vector<double>::Zero(factor.cols()))
+  , IsPulled(blocks.NumberOfTiles(), 0)
+  , Inverses(blocks.Blocks().Size())
+  , Right(factor.cols())
+  , Step(factor.cols())
+  , Bx(factor.rows())
 {
   assert(sweeps >= 1);
-  const SparseMatrix<double> transpose = Adjoint(matrix, context);
-  this->Bt = transpose.cast<Value>();
-
-  const std::vector<int> colours = Colours(transpose, blocks);
-  std::vector<int> begins(NumberOfColours + 2, 0);
-  for (const int colour : colours)
+  for (int k = 0; k < blocks.Blocks().Size(); ++k)
   {
-    ++begins[colour + 1];
+    this->Inverses[k] = blocks.Inverse(k);
   }
-  OffsetsFromCounts(begins);
-  std::vector<int> next = begins;
-  std::vector<int> order(colours.size());
-  for (std::size_t k = 0; k < colours.size(); ++k)
-  {
-    order[next[colours[k]]++] = static_cast<int>(k);
-  }
-  this->LastColourIsMixed = begins[NumberOfColours] < begins[NumberOfColours + 1];
-  begins.erase(std::unique(begins.begin(), begins.end()), begins.end());
-  this->ColourBegins = std::move(begins);
-  this->Arrange(transpose, blocks, order, context);
 }
 
-template <class Value>
-void BlockSmoother<Value>::Arrange(const SparseMatrix<double>& transpose,
-  const UnknownBlocks& blocks, const std::vector<int>& order, const ExecutionContext& context)
+void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext& context)
 {
-  const int* const offsets = transpose.outerIndexPtr();
-  this->BlockSlots = { 0 };
-  this->SlotEntries = { 0 };
-  this->BlockInverses = { 0 };
-  this->SlotUnknowns.reserve(blocks.Unknowns.size());
-  for (const int k : order)
+  assert(D.size() == this->B.cols());
+  this->Held.clear();
+  for (Eigen::Index i = 0; i < D.size(); ++i)
   {
-    const int size = blocks.Offsets[k + 1] - blocks.Offsets[k];
-    if (size > LargestBlock)
+    this->Diagonal[i] = std::isfinite(D[i]) ? D[i] : 0.0;
+    if (!std::isfinite(D[i]))
     {
-      throw InvalidInput("block " + std::to_string(k) + " holds " + std::to_string(size) +
-        " unknowns; split it into blocks of at most " + std::to_string(LargestBlock));
+      this->Held.push_back(static_cast<int>(i));
     }
-    for (int s = blocks.Offsets[k]; s < blocks.Offsets[k + 1]; ++s)
-    {
-      const int unknown = blocks.Unknowns[s];
-      this->SlotUnknowns.push_back(unknown);
-      this->SlotEntries.push_back(
-        this->SlotEntries.back() + offsets[unknown + 1] - offsets[unknown]);
-    }
-    this->BlockSlots.push_back(static_cast<int>(this->SlotUnknowns.size()));
-    this->BlockInverses.push_back(this->BlockInverses.back() + size * size);
   }
-  this->EntryRows.resize(this->SlotEntries.back());
-  this->EntryValues.resize(this->SlotEntries.back());
-  this->Inverses.resize(this->BlockInverses.back());
-  using Dense =
-    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, LargestBlock, LargestBlock>;
-  const auto arrangeBlock = [&](int block) {
-    const int first = this->BlockSlots[block];
-    const int size = this->BlockSlots[block + 1] - first;
-    Dense matrix = Dense::Identity(size, size) * Ridge;
-    for (int i = 0; i < size; ++i)
+  const UnknownBlocks& blocks = this->Blocks.Blocks();
+  std::vector<int> changed;
+  std::size_t size = 0;
+  for (int k = 0; k < blocks.Size(); ++k)
+  {
+    const bool isChanged = std::any_of(blocks.Unknowns.begin() + blocks.Offsets[k],
+      blocks.Unknowns.begin() + blocks.Offsets[k + 1],
+      [&D](int unknown) { return D[unknown] != 0.0; });
+    if (isChanged)
     {
-      const int row = this->SlotUnknowns[first + i];
-      int entry = this->SlotEntries[first + i];
-      for (int e = offsets[row]; e < offsets[row + 1]; ++e, ++entry)
-      {
-        this->EntryRows[entry] = transpose.innerIndexPtr()[e];
-        this->EntryValues[entry] = static_cast<Value>(transpose.valuePtr()[e]);
-      }
-      for (int j = 0; j < size; ++j)
-      {
-        // Two columns of B, rows ascending.
-        const int column = this->SlotUnknowns[first + j];
-        int f = offsets[column];
-        for (int e = offsets[row]; e < offsets[row + 1]; ++e)
-        {
-          const int wanted = transpose.innerIndexPtr()[e];
-          while (f < offsets[column + 1] && transpose.innerIndexPtr()[f] < wanted)
-          {
-            ++f;
-          }
-          if (f < offsets[column + 1] && transpose.innerIndexPtr()[f] == wanted)
-          {
-            matrix(i, j) += transpose.valuePtr()[e] * transpose.valuePtr()[f];
-          }
-        }
-      }
+      changed.push_back(k);
+      size += this->Blocks.InverseSize(k);
     }
-    const Dense inverse = matrix.llt().solve(Dense::Identity(size, size));
-    Eigen::Map<Eigen::Matrix<Value, Eigen::Dynamic, Eigen::Dynamic>>(
-      this->Inverses.data() + this->BlockInverses[block], size, size) =
-      inverse.template cast<Value>();
-  };
-  context.ParallelFor(0, static_cast<int>(order.size()), BlockGrain, [&](int first, int last) {
-    for (int block = first; block < last; ++block)
+    this->Inverses[k] = this->Blocks.Inverse(k);
+  }
+  this->ChangedInverses.resize(size);
+  std::vector<float*> places;
+  places.reserve(changed.size());
+  float* next = this->ChangedInverses.data();
+  for (const int k : changed)
+  {
+    places.push_back(next);
+    this->Inverses[k] = next;
+    next += this->Blocks.InverseSize(k);
+  }
+  this->Blocks.Invert(this->Bt, D, changed, places, context);
+  for (int t = 0; t < this->Blocks.NumberOfTiles(); ++t)
+  {
+    const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
+    this->IsPulled[t] = std::any_of(blocks.Unknowns.begin() + blocks.Offsets[tile.First],
+      blocks.Unknowns.begin() + blocks.Offsets[tile.Last],
+      [this](int unknown) { return this->Diagonal[unknown] != 0.0; });
+  }
+}
+
+void BlockSmoother::Begin(
+  const Vector<double>& b, const ExecutionContext& context, const Vector<double>* x)
+{
+  context.ParallelFor(0, static_cast<int>(b.size()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
     {
-      arrangeBlock(block);
+      this->Right[i] = static_cast<float>(x ? b[i] - this->Diagonal[i] * (*x)[i] : b[i]);
+      this->Step[i] = 0.0f;
     }
   });
 }
 
-template <class Value>
-void BlockSmoother<Value>::SmoothBlocks(
-  int firstBlock, int lastBlock, const Vector<Value>& b, Vector<Value>& x)
+template <int Width, bool Pulled>
+void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
 {
-  Value residuals[LargestBlock];
-  Value* const Bx = this->Bx.data();
-  const int* const rows = this->EntryRows.data();
-  const Value* const values = this->EntryValues.data();
-  for (int block = firstBlock; block < lastBlock; ++block)
-  {
-    const int first = this->BlockSlots[block];
-    const int size = this->BlockSlots[block + 1] - first;
-    const int* const entries = this->SlotEntries.data() + first;
+  const UnknownBlocks& blocks = this->Blocks.Blocks();
+  const int width = Width > 0 ? Width : this->Blocks.EntriesPerUnknown();
+  const SchwarzBlocks::Entry* const entries = this->Blocks.Entries();
+  const float* const right = this->Right.data();
+  float* const total = this->Step.data();
+  float* const product = this->Bx.data();
+  float residuals[SchwarzBlocks::LargestBlock];
+  float steps[SchwarzBlocks::LargestBlock];
+  const auto smoothBlock = [&](auto sizeOfBlock, const int* unknowns, const float* inverse) {
+    const int size = sizeOfBlock;
     for (int i = 0; i < size; ++i)
     {
-      Value residual = b[this->SlotUnknowns[first + i]];
-      for (int e = entries[i]; e < entries[i + 1]; ++e)
+      const int unknown = unknowns[i];
+      const SchwarzBlocks::Entry* const column = entries + static_cast<std::size_t>(unknown) * width;
+      float residual = right[unknown];
+      if (Pulled)
       {
-        residual -= values[e] * Bx[rows[e]];
+        residual -= static_cast<float>(this->Diagonal[unknown]) * total[unknown];
+      }
+      for (int e = 0; e < width; ++e)
+      {
+        residual -= column[e].Value * product[column[e].Row];
       }
       residuals[i] = residual;
+      steps[i] = 0.0f;
     }
-    const Value* column = this->Inverses.data() + this->BlockInverses[block];
+    for (int i = 0; i < size; inverse += ++i)
+    {
+      float step = inverse[i] * residuals[i];
+      for (int j = 0; j < i; ++j)
+      {
+        step += inverse[j] * residuals[j];
+        steps[j] += inverse[j] * residuals[i];
+      }
+      steps[i] += step;
+    }
     for (int i = 0; i < size; ++i)
     {
-      Value step(0);
-      for (int j = 0; j < size; ++j)
+      const int unknown = unknowns[i];
+      const SchwarzBlocks::Entry* const column = entries + static_cast<std::size_t>(unknown) * width;
+      total[unknown] += steps[i];
+      for (int e = 0; e < width; ++e)
       {
-        step += *column++ * residuals[j]; // symmetric: columns are rows
-      }
-      x[this->SlotUnknowns[first + i]] += step;
-      for (int e = entries[i]; e < entries[i + 1]; ++e)
-      {
-        Bx[rows[e]] += values[e] * step;
+        product[column[e].Row] += column[e].Value * steps[i];
       }
     }
-  }
-}
-
-template <class Value>
-void BlockSmoother<Value>::SmoothColour(
-  std::size_t colour, bool descending, const Vector<Value>& b, Vector<Value>& x,
-  const ExecutionContext& context)
-{
-  const int first = this->ColourBegins[colour];
-  const int last = this->ColourBegins[colour + 1];
-  if (this->LastColourIsMixed && colour + 2 == this->ColourBegins.size())
+  };
+  for (int k = 0; k < tile.Last - tile.First; ++k)
   {
-    for (int k = first; k < last; ++k)
+    const int block = descending ? tile.Last - 1 - k : tile.First + k;
+    const int* const unknowns = blocks.Unknowns.data() + blocks.Offsets[block];
+    const int size = blocks.Offsets[block + 1] - blocks.Offsets[block];
+    const int later =
+      descending ? std::max(block - Ahead, tile.First) : std::min(block + Ahead, tile.Last - 1);
+    for (int s = blocks.Offsets[later]; s < blocks.Offsets[later + 1]; ++s)
     {
-      const int block = descending ? first + last - 1 - k : k;
-      this->SmoothBlocks(block, block + 1, b, x);
+      Prefetch(entries + static_cast<std::size_t>(blocks.Unknowns[s]) * width);
     }
-    return;
+    if (size == 3) // the sides of a face
+    {
+      smoothBlock(std::integral_constant<int, 3>(), unknowns, this->Inverses[block]);
+    }
+    else
+    {
+      smoothBlock(size, unknowns, this->Inverses[block]);
+    }
   }
-  context.ParallelFor(first, last, BlockGrain,
-    [this, &b, &x](int begin, int end) { this->SmoothBlocks(begin, end, b, x); });
 }
 
-template <class Value>
-void BlockSmoother<Value>::PreSmooth(
-  const Vector<Value>& b, Vector<Value>& x, Vector<Value>& r, const ExecutionContext& context)
+void BlockSmoother::Sweep(bool descending, const ExecutionContext& context)
 {
-  x.setZero();
+  const int colours = this->Blocks.NumberOfColours();
+  for (int c = 0; c < colours; ++c)
+  {
+    this->Blocks.ForTiles(descending ? colours - 1 - c : c, context, [&](int t) {
+      const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
+      const auto smooth = [&](auto width) {
+        this->IsPulled[t] ? this->SmoothTile<width(), true>(tile, descending)
+                          : this->SmoothTile<width(), false>(tile, descending);
+      };
+      switch (this->Blocks.EntriesPerUnknown())
+      {
+        case 4: // 1-forms
+          return smooth(std::integral_constant<int, 4>());
+        case 6: // face fields
+          return smooth(std::integral_constant<int, 6>());
+        default:
+          return smooth(std::integral_constant<int, 0>());
+      }
+    });
+  }
+}
+
+void BlockSmoother::PreSmooth(
+  const Vector<double>& b, Vector<double>& x, Vector<double>& r, const ExecutionContext& context)
+{
+  this->Begin(b, context);
   this->Bx.setZero();
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)
   {
-    for (std::size_t colour = 0; colour + 1 < this->ColourBegins.size(); ++colour)
-    {
-      this->SmoothColour(colour, false, b, x, context);
-    }
+    this->Sweep(false, context);
   }
+  x.resize(b.size());
+  r.resize(b.size());
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
-      r[i] = b[i] - RowTimes(this->Bt, i, this->Bx.data());
+      x[i] = this->Step[i];
+      double residual = b[i] - this->Diagonal[i] * x[i];
+      for (int e = this->Bt.outerIndexPtr()[i]; e < this->Bt.outerIndexPtr()[i + 1]; ++e)
+      {
+        residual -= this->Bt.valuePtr()[e] * this->Bx[this->Bt.innerIndexPtr()[e]];
+      }
+      r[i] = residual;
     }
   });
+  for (const int i : this->Held)
+  {
+    r[i] = 0.0;
+  }
 }
 
-template <class Value>
-void BlockSmoother<Value>::PostSmooth(
-  const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context)
+void BlockSmoother::PostSmooth(
+  const Vector<double>& b, Vector<double>& x, const ExecutionContext& context)
 {
   context.ParallelFor(0, static_cast<int>(this->Bx.size()), RowGrain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
-      this->Bx[i] = RowTimes(this->B, i, x.data());
+      this->Bx[i] = static_cast<float>(RowTimes(this->B, i, x.data()));
     }
   });
+  this->Begin(b, context, &x);
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)
   {
-    for (std::size_t colour = this->ColourBegins.size() - 1; colour-- > 0;)
-    {
-      this->SmoothColour(colour, true, b, x, context);
-    }
+    this->Sweep(true, context);
   }
+  context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
+    const int count = last - first;
+    x.segment(first, count) += this->Step.segment(first, count).cast<double>();
+  });
 }
 
-template <class Value>
-long long BlockSmoother<Value>::Bytes() const
+long long BlockSmoother::Bytes() const
 {
-  const auto bytes = [](const auto& vector) {
-    return static_cast<long long>(vector.size() * sizeof(vector[0]));
-  };
-  return bytes(this->BlockSlots) + bytes(this->SlotUnknowns) + bytes(this->SlotEntries) +
-    bytes(this->EntryRows) + bytes(this->EntryValues) + bytes(this->BlockInverses) +
-    bytes(this->Inverses) +
-    (this->B.nonZeros() + this->Bt.nonZeros()) * static_cast<long long>(sizeof(Value) + 4);
+  return static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
+    this->ChangedInverses.size() * sizeof(float) + this->Held.size() * sizeof(int) +
+    this->IsPulled.size() +
+    (this->Right.size() + this->Step.size() + this->Bx.size()) * sizeof(float) +
+    this->Diagonal.size() * sizeof(double));
 }
-
-template class BlockSmoother<float>;
-template class BlockSmoother<double>;
 
 }

@@ -1,6 +1,7 @@
 #ifndef dmgBlockSmoother_h
 #define dmgBlockSmoother_h
 
+#include "Solvers/SchwarzBlocks.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -9,17 +10,7 @@
 namespace dmg
 {
 
-/// Small sets of unknowns that are solved for together. They may overlap.
-struct UnknownBlocks
-{
-  std::vector<int> Offsets = { 0 }; ///< block k holds Unknowns[Offsets[k]] to [Offsets[k + 1] - 1]
-  std::vector<int> Unknowns;
-
-  int Size() const { return static_cast<int>(this->Offsets.size()) - 1; }
-  void EndBlock() { this->Offsets.push_back(static_cast<int>(this->Unknowns.size())); }
-};
-
-/// Block Gauss-Seidel (multiplicative Schwarz) for a sum of squares, A = B^T B.
+/// Block Gauss-Seidel (multiplicative Schwarz) for a sum of squares, A = B^T B + D with D diagonal.
 ///
 /// Each step solves for the unknowns of one block exactly. That damps what points one by one cannot on
 /// uneven triangles: the three sides of a sliver differ by little, and so do their equations.
@@ -27,57 +18,65 @@ struct UnknownBlocks
 /// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A,
 /// so that a sweep over overlapping blocks costs no more than a sweep over the rows of A.
 ///
-/// Blocks that share a row of B have different colours; blocks of a colour are independent. Same bits
-/// for any number of threads.
-template <class Value>
+/// Steps are taken in single precision, and added up in double. What that costs is noise in B x, to which
+/// vectors of little energy, which the coarse levels are for, are blind. Same bits for any number of
+/// threads.
 class BlockSmoother
 {
 public:
-  /// \param B with columns of length 1.
-  /// \param blocks cover all unknowns that are to be smoothed; copied.
+  /// A = B^T B, until SetDiagonal. All arguments are borrowed and must stay where they are.
+  /// \param B, Bt the factor and its transpose.
+  /// \param blocks of B, covering all unknowns that are to be smoothed.
   /// \param sweeps before and after the coarse correction, >= 1.
-  /// \throw InvalidInput a block of more than 16 unknowns.
-  BlockSmoother(const SparseMatrix<double>& B, const UnknownBlocks& blocks, int sweeps,
-    const ExecutionContext& context);
+  BlockSmoother(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+    const SchwarzBlocks& blocks, int sweeps);
+  BlockSmoother(const BlockSmoother&) = delete; // inverses are referred to
+  BlockSmoother& operator=(const BlockSmoother&) = delete;
+
+  /// A = B^T B + D.
+  /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
+  /// Cost: one pass over the unknowns, and the inverses of the blocks where D is not zero.
+  void SetDiagonal(const Vector<double>& D, const ExecutionContext& context);
+
+  /// Where D is infinite; ascending.
+  const std::vector<int>& HeldUnknowns() const { return this->Held; }
 
   /// Smooths A x = b from x = 0, blocks in ascending order.
-  /// \param x, r on exit the result and its residual b - A x.
-  void PreSmooth(const Vector<Value>& b, Vector<Value>& x, Vector<Value>& r,
+  /// \param x, r on exit the result and its residual b - A x; zero where unknowns are held.
+  void PreSmooth(const Vector<double>& b, Vector<double>& x, Vector<double>& r,
     const ExecutionContext& context);
 
   /// Smooths A x = b from the given x, blocks in descending order: the adjoint of PreSmooth.
-  void PostSmooth(const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context);
+  /// \pre x is zero where unknowns are held.
+  void PostSmooth(const Vector<double>& b, Vector<double>& x, const ExecutionContext& context);
 
   /// Held by this object.
   long long Bytes() const;
 
 private:
-  void ColourBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks);
-  void Arrange(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-    const std::vector<int>& order, const ExecutionContext& context);
-  void SmoothColour(std::size_t colour, bool descending, const Vector<Value>& b, Vector<Value>& x,
-    const ExecutionContext& context);
-  void SmoothBlocks(int first, int last, const Vector<Value>& b, Vector<Value>& x);
+  /// \param x what the sweeps start from; null for zero.
+  void Begin(const Vector<double>& b, const ExecutionContext& context,
+    const Vector<double>* x = nullptr);
+  void Sweep(bool descending, const ExecutionContext& context);
+  /// Takes the blocks of a tile one after the other.
+  /// \tparam Width entries per unknown, or 0 if the compiler shall not know.
+  /// \tparam Pulled D is not zero on the tile.
+  template <int Width, bool Pulled>
+  void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
 
+  const SparseMatrix<double>& B;
+  const SparseMatrix<double>& Bt;
+  const SchwarzBlocks& Blocks;
   const int Sweeps;
-  SparseMatrix<Value> B;
-  SparseMatrix<Value> Bt;
-  Vector<Value> Bx;
-
-  // The blocks colour by colour. Slots are the unknowns of the blocks, one after the other.
-  std::vector<int> ColourBegins;
-  bool LastColourIsMixed = false; ///< blocks that found no colour; one after the other
-  std::vector<int> BlockSlots;    ///< first slot of each block
-  std::vector<int> SlotUnknowns;
-  std::vector<int> SlotEntries;   ///< first entry of each slot
-  std::vector<int> EntryRows;     ///< the column of B of the slot's unknown
-  std::vector<Value> EntryValues;
-  std::vector<int> BlockInverses; ///< first entry of the inverse of each block
-  std::vector<Value> Inverses;
+  Vector<double> Diagonal;             ///< D where it is finite, else zero
+  std::vector<int> Held;               ///< where D is infinite
+  std::vector<char> IsPulled;          ///< by tile: whether Diagonal is not zero there
+  std::vector<const float*> Inverses;  ///< of each block
+  std::vector<float> ChangedInverses;  ///< where D is not zero
+  Vector<float> Right; ///< b - D x before the sweeps
+  Vector<float> Step;  ///< what the sweeps have added to x
+  Vector<float> Bx;
 };
-
-extern template class BlockSmoother<float>;
-extern template class BlockSmoother<double>;
 
 }
 

@@ -25,23 +25,6 @@ void ContinueDirection(const Vector<Scalar>& z, double beta, Vector<Scalar>& p,
     });
 }
 
-/// q = A p. \return p^H A p.
-template <class Scalar>
-double EnergyProduct(const SparseMatrix<Scalar>& A, const Vector<Scalar>& p, Vector<Scalar>& q,
-  const ExecutionContext& context)
-{
-  return SumOverBlocks<double>(static_cast<int>(p.size()), context,
-    [&A, &p, &q](int first, int last)
-    {
-      for (int i = first; i < last; ++i)
-      {
-        q[i] = RowTimes(A, i, p.data());
-      }
-      const int count = last - first;
-      return Eigen::numext::real(p.segment(first, count).dot(q.segment(first, count)));
-    });
-}
-
 /// x += alpha p and r -= alpha q. \return |r|^2.
 template <class Scalar>
 double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vector<Scalar>& x,
@@ -60,7 +43,7 @@ double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vect
 }
 
 template <class Scalar>
-void ConjugateGradient(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
+void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B,
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
@@ -82,7 +65,7 @@ void ConjugateGradient(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
     B.Apply(r, z, context);
     const double product = Eigen::numext::real(Dot(r, z, context));
     ContinueDirection(z, oldProduct > 0.0 ? product / oldProduct : 0.0, p, context);
-    const double energy = EnergyProduct(A, p, q, context);
+    const double energy = A.Apply(p, q, context);
     if (!(product > 0.0 && energy > 0.0))
     {
       iteration.StopShort(product > 0.0 ? "the matrix is not positive definite"
@@ -113,10 +96,10 @@ void ConjugateGradient(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
   iteration.End();
 }
 
-template void ConjugateGradient(const SparseMatrix<double>&, Preconditioner<double>&,
+template void ConjugateGradient(const LinearOperator<double>&, Preconditioner<double>&,
   const Vector<double>&, const StoppingCriteria&, Vector<double>&, SolveReport&,
   const ExecutionContext&, const ConvergenceMeasure<double>*);
-template void ConjugateGradient(const SparseMatrix<Complex>&, Preconditioner<Complex>&,
+template void ConjugateGradient(const LinearOperator<Complex>&, Preconditioner<Complex>&,
   const Vector<Complex>&, const StoppingCriteria&, Vector<Complex>&, SolveReport&,
   const ExecutionContext&, const ConvergenceMeasure<Complex>*);
 

@@ -2,6 +2,7 @@
 #define dmgConjugateGradient_h
 
 #include "Solvers/ConvergenceMeasure.h"
+#include "Solvers/LinearOperator.h"
 #include "Solvers/Preconditioner.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
@@ -27,7 +28,7 @@ namespace dmg
 /// A zero right-hand side has the solution zero, whatever the start.
 /// Cost per iteration: one application of B, one product with A and about ten passes over a vector.
 template <class Scalar>
-void ConjugateGradient(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
+void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B,
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure = nullptr);
 

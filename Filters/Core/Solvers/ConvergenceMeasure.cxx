@@ -67,8 +67,9 @@ void ConvergenceMeasure<Scalar>::Fill(IterationReport& row, const Vector<Scalar>
   const Vector<Scalar>& b, const Vector<Scalar>& r, const ExecutionContext& context) const
 {
   const int size = static_cast<int>(x.size());
-  row.Energy = this->EnergyConstant - Eigen::numext::real(Dot(x, b, context)) -
-    Eigen::numext::real(Dot(x, r, context));
+  row.Energy = this->EnergyConstant -
+    this->EnergyScale *
+      (Eigen::numext::real(Dot(x, b, context)) + Eigen::numext::real(Dot(x, r, context)));
   row.MassResidual = Ratio(Norm(size, this->Mass, [&r](int i) { return r[i]; }, context),
     Norm(size, this->Mass, [&b](int i) { return b[i]; }, context));
   if (this->Reference.size() > 0)

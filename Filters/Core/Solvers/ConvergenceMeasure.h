@@ -21,6 +21,8 @@ struct ConvergenceMeasure
 {
   /// The energy of x = 0, so that a sum of squares |C x - d|^2 has the constant |d|^2.
   double EnergyConstant = 0.0;
+  /// What the equations were divided by.
+  double EnergyScale = 1.0;
   /// Diagonal of M, > 0, one per unknown; empty for ones. |x|_M^2 = x^H M x.
   Vector<double> Mass;
   /// The solution by other means, one value per unknown; empty if there is none, then Error is NaN.
@@ -33,7 +35,8 @@ struct ConvergenceMeasure
   /// \pre Reference is not empty.
   double Error(const Vector<Scalar>& x, const ExecutionContext& context) const;
 
-  /// Energy = constant + x^H A x - 2 Re x^H b = constant - Re x^H (b + r), MassResidual and Error.
+  /// Energy = constant + scale (x^H A x - 2 Re x^H b) = constant - scale Re x^H (b + r), MassResidual
+  /// and Error.
   void Fill(IterationReport& row, const Vector<Scalar>& x, const Vector<Scalar>& b,
     const Vector<Scalar>& r, const ExecutionContext& context) const;
 };

@@ -7,17 +7,24 @@
 namespace dmg
 {
 
-DeflatedPreconditioner::DeflatedPreconditioner(std::unique_ptr<Preconditioner<double>> inner,
-  const SparseMatrix<double>& A, Eigen::MatrixXd space)
-  : B(std::move(inner))
+DeflatedPreconditioner::DeflatedPreconditioner(Preconditioner<double>& inner,
+  const LinearOperator<double>& A, Eigen::MatrixXd space, double largest,
+  const ExecutionContext& context)
+  : B(inner)
   , H(std::move(space))
-  , AH(A * this->H)
+  , AH(H.rows(), H.cols())
 {
+  Vector<double> product;
+  for (Eigen::Index k = 0; k < this->H.cols(); ++k)
+  {
+    A.Apply(this->H.col(k), product, context);
+    this->AH.col(k) = product;
+  }
   const Eigen::MatrixXd energies = this->H.transpose() * this->AH;
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(energies);
   // Fewer prescriptions than harmonic fields leave some of these without any energy but rounding
-  // errors, which are those of A.
-  const double rounding = 1e-13 * A.diagonal().cwiseAbs().maxCoeff();
+  // errors.
+  const double rounding = 1e-13 * largest;
   const Vector<double> inverses = solver.eigenvalues().unaryExpr(
     [rounding](double energy) { return energy > rounding ? 1.0 / energy : 0.0; });
   this->Inverse =
@@ -30,7 +37,7 @@ void DeflatedPreconditioner::Apply(
   const Vector<double> first = this->Inverse * (this->H.transpose() * r);
   this->Remainder = r;
   this->Remainder.noalias() -= this->AH * first;
-  this->B->Apply(this->Remainder, z, context);
+  this->B.Apply(this->Remainder, z, context);
   const Vector<double> second = first - this->Inverse * (this->AH.transpose() * z);
   z.noalias() += this->H * second;
 }

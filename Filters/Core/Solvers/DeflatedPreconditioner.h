@@ -1,9 +1,8 @@
 #ifndef dmgDeflatedPreconditioner_h
 #define dmgDeflatedPreconditioner_h
 
+#include "Solvers/LinearOperator.h"
 #include "Solvers/Preconditioner.h"
-
-#include <memory>
 
 namespace dmg
 {
@@ -18,10 +17,13 @@ namespace dmg
 class DeflatedPreconditioner : public Preconditioner<double>
 {
 public:
+  /// \param B is borrowed.
   /// \param H n x k, columns of length 1 and orthogonal.
+  /// \param largest about the largest eigenvalue of A, whose rounding errors are that much times
+  ///   epsilon.
   /// Cost: k products with A; 4 k n multiplications per application.
-  DeflatedPreconditioner(std::unique_ptr<Preconditioner<double>> B, const SparseMatrix<double>& A,
-    Eigen::MatrixXd H);
+  DeflatedPreconditioner(Preconditioner<double>& B, const LinearOperator<double>& A,
+    Eigen::MatrixXd H, double largest, const ExecutionContext& context);
 
   void Apply(
     const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override;
@@ -30,7 +32,7 @@ public:
   long long Bytes() const;
 
 private:
-  std::unique_ptr<Preconditioner<double>> B;
+  Preconditioner<double>& B;
   Eigen::MatrixXd H;
   Eigen::MatrixXd AH;
   Eigen::MatrixXd Inverse; ///< (H^T A H)^+

@@ -155,6 +155,11 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
       this->Matrices[0], this->Prolongations[0], options.FinestProlongationSteps, context);
     this->Prolongations[0].swap(smoothed); // an assignment would copy
   }
+  if (options.RoundProlongations)
+  {
+    this->ShelveProlongations();
+    this->UnshelveProlongations();
+  }
   this->ComputeCoarser(context);
 }
 
@@ -182,6 +187,7 @@ template <class Scalar>
 void GalerkinHierarchy<Scalar>::Update(
   const SparseMatrix<Scalar>& A, const ExecutionContext& context)
 {
+  this->UnshelveProlongations();
   assert(this->Prolongations.empty() || this->Prolongations[0].rows() == A.rows());
   this->SetFinest(A, context);
   this->ComputeCoarser(context);
@@ -232,6 +238,26 @@ void GalerkinHierarchy<Scalar>::ForgetMatrices()
     Free(A);
   }
   this->Diagonals.clear();
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::ShelveProlongations()
+{
+  for (SparseMatrix<Scalar>& P : this->Prolongations)
+  {
+    this->Shelved.push_back(P.template cast<Single>());
+    Free(P);
+  }
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::UnshelveProlongations()
+{
+  for (std::size_t level = 0; level < this->Shelved.size(); ++level)
+  {
+    this->Prolongations[level] = this->Shelved[level].template cast<Scalar>();
+  }
+  this->Shelved.clear();
 }
 
 template <class Scalar>
@@ -321,6 +347,10 @@ long long GalerkinHierarchy<Scalar>::Bytes() const
     {
       bytes += BytesOf(matrix);
     }
+  }
+  for (const SparseMatrix<Single>& P : this->Shelved)
+  {
+    bytes += BytesOf(P);
   }
   for (const Vector<double>& diagonal : this->Diagonals)
   {

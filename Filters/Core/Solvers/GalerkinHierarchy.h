@@ -6,8 +6,10 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <complex>
 #include <limits>
 #include <optional>
+#include <type_traits>
 #include <vector>
 
 namespace dmg
@@ -20,6 +22,8 @@ struct GalerkinOptions
   /// How often the finest prolongation is smoothed before it is used, >= 0; see
   /// SmoothedProlongation.h. For a fine level whose coefficients jump where the coarse do not.
   int FinestProlongationSteps = 0;
+  /// Rounds the prolongations to single precision, so that ShelveProlongations loses nothing.
+  bool RoundProlongations = false;
 };
 
 /// The matrices of a multigrid method by Galerkin's products A_{l+1} = P_l^H A_l P_l, and a
@@ -71,6 +75,9 @@ public:
 
   /// Frees all A_l and diagonals, which nothing needs once a cycle is built. Update brings them back.
   void ForgetMatrices();
+  /// Holds all P_l in half the memory until the next update.
+  /// \pre RoundProlongations
+  void ShelveProlongations();
   /// Frees all P_l, too. The hierarchy cannot be updated any more.
   void ForgetProlongations();
 
@@ -87,6 +94,7 @@ public:
 private:
   void BringIntoOrder(std::vector<SparseMatrix<Scalar>>& prolongations, int size,
     const ExecutionContext& context);
+  void UnshelveProlongations();
   void SetFinest(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
   void ComputeCoarser(const ExecutionContext& context);
   /// \param scales of the entries of this level: their rounding errors are that much times epsilon.
@@ -95,7 +103,10 @@ private:
   void FactorCoarsest();
 
   std::vector<int> Order;
+  using Single = std::conditional_t<std::is_same<Scalar, double>::value, float, std::complex<float>>;
+
   std::vector<SparseMatrix<Scalar>> Prolongations;
+  std::vector<SparseMatrix<Single>> Shelved; ///< in place of Prolongations, or empty
   std::vector<SparseMatrix<Scalar>> Matrices;
   std::vector<Vector<double>> Diagonals;
   std::vector<LevelReport> Reports;

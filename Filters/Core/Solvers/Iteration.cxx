@@ -4,7 +4,6 @@
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstdio>
 
@@ -24,7 +23,7 @@ std::string Rounded(double number)
 }
 
 template <class Scalar>
-Iteration<Scalar>::Iteration(const SparseMatrix<Scalar>& matrix, const Vector<Scalar>& rightHandSide,
+Iteration<Scalar>::Iteration(const LinearOperator<Scalar>& matrix, const Vector<Scalar>& rightHandSide,
   const StoppingCriteria& stop, Vector<Scalar>& iterate, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
   : A(matrix)
@@ -36,11 +35,10 @@ Iteration<Scalar>::Iteration(const SparseMatrix<Scalar>& matrix, const Vector<Sc
   , AskedMeasure(measure)
   , Start(std::chrono::steady_clock::now())
 {
-  assert(this->A.rows() == this->A.cols());
-  if (this->b.size() != this->A.rows() || (this->x.size() != 0 && this->x.size() != this->b.size()))
+  if (this->b.size() != this->A.Size() || (this->x.size() != 0 && this->x.size() != this->b.size()))
   {
     throw InvalidInput("the right-hand side and the start must have " +
-      std::to_string(this->A.rows()) + " values, one per unknown");
+      std::to_string(this->A.Size()) + " values, one per unknown");
   }
   if (measure)
   {
@@ -165,15 +163,13 @@ void Iteration<Scalar>::Measure()
 template <class Scalar>
 double Iteration<Scalar>::SubtractFromB(Vector<Scalar>& r) const
 {
-  r.resize(this->b.size());
+  this->A.Apply(this->x, r, this->Context);
   const double squaredNorm = SumOverBlocks<double>(static_cast<int>(r.size()), this->Context,
     [this, &r](int first, int last)
     {
-      for (int i = first; i < last; ++i)
-      {
-        r[i] = this->b[i] - RowTimes(this->A, i, this->x.data());
-      }
-      return r.segment(first, last - first).squaredNorm();
+      const int count = last - first;
+      r.segment(first, count) = this->b.segment(first, count) - r.segment(first, count);
+      return r.segment(first, count).squaredNorm();
     });
   return std::sqrt(squaredNorm);
 }

@@ -2,6 +2,7 @@
 #define dmgIteration_h
 
 #include "Solvers/ConvergenceMeasure.h"
+#include "Solvers/LinearOperator.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
@@ -26,7 +27,7 @@ public:
   /// \param x the start, or empty for zero.
   /// \throw InvalidInput sizes differ, or b or x is not finite.
   /// \param measure of each row of the history, or null.
-  Iteration(const SparseMatrix<Scalar>& A, const Vector<Scalar>& b, const StoppingCriteria& stop,
+  Iteration(const LinearOperator<Scalar>& A, const Vector<Scalar>& b, const StoppingCriteria& stop,
     Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
     const ConvergenceMeasure<Scalar>* measure);
 
@@ -89,7 +90,7 @@ private:
   const IterationReport& LastRow() const { return this->Report.Iterations.back(); }
   double Seconds() const;
 
-  const SparseMatrix<Scalar>& A;
+  const LinearOperator<Scalar>& A;
   const Vector<Scalar>& b;
   const StoppingCriteria Stop;
   Vector<Scalar>& x;

@@ -3,8 +3,8 @@
 
 #include "Solvers/BlockSmoother.h"
 #include "Solvers/GalerkinHierarchy.h"
+#include "Solvers/LeastSquaresHierarchy.h"
 #include "Solvers/MultigridCycle.h"
-#include "Solvers/PlanarProlongation.h"
 #include "Solvers/Preconditioner.h"
 
 #include <memory>
@@ -17,57 +17,54 @@ struct LeastSquaresCycleOptions
 {
   /// Sweeps over the blocks before and after the coarse correction, >= 1.
   int Sweeps = 4;
-  /// Degree of the polynomial that smooths the prolongation, >= 0.
-  int ProlongationDegree = 2;
-  /// Entries of the prolongation below so many times the largest of their row are left out.
-  double Dropped = 0.007;
   /// The first coarse level is factored if it has at most so many unknowns.
   int LargestFactor = 25000;
   /// Of the levels below.
   CycleOptions Coarse;
 };
 
-/// Where the levels of a LeastSquaresCycle come from.
-struct LeastSquaresLevels
-{
-  UnknownBlocks Blocks;                       ///< of the fine level
-  PlanarProlongation Prolongation;            ///< to the fine level
-  std::vector<SparseMatrix<double>> Coarser;  ///< between the levels below, finest first
-};
-
-/// One V-cycle for a sum of squares A = B^T B, as a linear operator that is symmetric positive definite:
-/// blocks are smoothed on the fine level, a smoothed prolongation leads to plane vectors on the next,
-/// and a MultigridCycle serves the levels below.
+/// One V-cycle for A = B^T B + D, as a linear operator that is symmetric positive definite: blocks are
+/// smoothed on the fine level, the smoothed prolongation of the hierarchy leads to plane vectors on the
+/// next, and a MultigridCycle serves the levels below.
 ///
-/// The fine level costs most, so it is coarsened fast: the prolongation may skip a level, as the
-/// polynomial that smooths it reaches far.
+/// Unknowns are in the order of the hierarchy, and not scaled.
 class LeastSquaresCycle : public Preconditioner<double>
 {
 public:
-  /// \param B m x n.
-  /// \param levels Prolongation is n x N_1; Coarser [0] has 2 N_1 rows.
+  /// \param hierarchy is borrowed: it must stay where it is. Several cycles may share it.
+  /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
   /// \throw as GalerkinHierarchy.
-  LeastSquaresCycle(const SparseMatrix<double>& B, LeastSquaresLevels levels,
+  LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy, const Vector<double>& D,
     const LeastSquaresCycleOptions& options, const ExecutionContext& context);
-  ~LeastSquaresCycle() override;
+
+  /// Takes another D. No pattern changes: inverses of blocks where D is not zero, the coarse matrices
+  /// and the factor of the coarsest are computed anew. After an error the cycle must not be used.
+  void Update(const Vector<double>& D, const ExecutionContext& context);
 
   void Apply(
     const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override;
 
-  /// Unknowns and non-zeros, finest first; of the finest those of B.
-  const std::vector<LevelReport>& Levels() const { return this->Reports; }
-  /// Held by this object.
+  /// Unknowns and non-zeros, finest first.
+  std::vector<LevelReport> Levels() const;
+  /// Held by this object, without the hierarchy.
   long long Bytes() const;
 
 private:
-  class FineLevel;
-  template <class Value>
-  class FineLevelOf;
+  /// D of the scaled unknowns.
+  Vector<double> Scaled(const Vector<double>& D) const;
+  /// P^T (B^T B + D) P.
+  SparseMatrix<double> CoarseMatrix(
+    const Vector<double>& scaledD, const ExecutionContext& context) const;
+  void Restrict(const ExecutionContext& context);
+  void Correct(const ExecutionContext& context);
 
-  std::vector<LevelReport> Reports;
-  std::unique_ptr<FineLevel> Fine;
-  std::unique_ptr<GalerkinHierarchy<double>> Hierarchy;
+  const LeastSquaresHierarchy& Fine;
+  BlockSmoother Smoother;
+  std::unique_ptr<GalerkinHierarchy<double>> Hierarchy; ///< of the coarse levels
   std::unique_ptr<MultigridCycle<double>> Coarse;
+  Vector<double> b; ///< of the scaled unknowns
+  Vector<double> x;
+  Vector<double> Residual;
   Vector<double> CoarseResidual;
   Vector<double> CoarseCorrection;
 };

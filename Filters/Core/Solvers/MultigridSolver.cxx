@@ -5,6 +5,17 @@
 
 namespace dmg
 {
+namespace
+{
+
+GalerkinOptions Coarsening(const MultigridOptions& options)
+{
+  GalerkinOptions coarsening = options.Coarsening;
+  coarsening.RoundProlongations = options.MayUpdate;
+  return coarsening;
+}
+
+}
 
 template <class Scalar>
 MultigridSolver<Scalar>::MultigridSolver(const SparseMatrix<Scalar>& matrix,
@@ -12,14 +23,11 @@ MultigridSolver<Scalar>::MultigridSolver(const SparseMatrix<Scalar>& matrix,
   const ExecutionContext& context)
   : A(&matrix)
   , Hierarchy(
-      matrix, std::move(prolongations), options.Coarsening, PartOfContext(context, 0.0, 0.7))
+      matrix, std::move(prolongations), Coarsening(options), PartOfContext(context, 0.0, 0.7))
   , Cycle(this->Hierarchy, options.Cycle, PartOfContext(context, 0.7, 1.0))
 {
   this->Hierarchy.ForgetMatrices();
-  if (!options.MayUpdate)
-  {
-    this->Hierarchy.ForgetProlongations();
-  }
+  options.MayUpdate ? this->Hierarchy.ShelveProlongations() : this->Hierarchy.ForgetProlongations();
 }
 
 template <class Scalar>
@@ -30,6 +38,7 @@ void MultigridSolver<Scalar>::Update(
   this->Hierarchy.Update(matrix, PartOfContext(context, 0.0, 0.7));
   this->Cycle.Update(PartOfContext(context, 0.7, 1.0));
   this->Hierarchy.ForgetMatrices();
+  this->Hierarchy.ShelveProlongations();
 }
 
 template <class Scalar>
@@ -37,7 +46,7 @@ void MultigridSolver<Scalar>::SolveByConjugateGradients(const Vector<Scalar>& b,
   const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
-  ConjugateGradient(*this->A, this->Cycle, b, stop, x, report, context, measure);
+  ConjugateGradient<Scalar>(MatrixOperator<Scalar>(*this->A), this->Cycle, b, stop, x, report, context, measure);
 }
 
 template <class Scalar>
@@ -45,7 +54,7 @@ void MultigridSolver<Scalar>::SolveByCycles(const Vector<Scalar>& b, const Stopp
   Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
   const ConvergenceMeasure<Scalar>* measure)
 {
-  StationaryIteration(*this->A, this->Cycle, b, stop, x, report, context, measure);
+  StationaryIteration<Scalar>(MatrixOperator<Scalar>(*this->A), this->Cycle, b, stop, x, report, context, measure);
 }
 
 template class MultigridSolver<double>;

@@ -18,7 +18,7 @@ struct MultigridOptions
 {
   GalerkinOptions Coarsening;
   CycleOptions Cycle;
-  /// Keeps what Update needs: the prolongations in double precision, a third of the memory again.
+  /// Keeps what Update needs: the prolongations, in single precision, to which they are rounded.
   bool MayUpdate = false;
 };
 

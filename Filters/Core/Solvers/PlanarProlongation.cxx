@@ -113,14 +113,13 @@ PlanarProlongation Corrected(const PlanarProlongation& P, double factor,
 
 }
 
-PlanarProlongation SmoothedPlanar(const SparseMatrix<double>& B, PlanarProlongation P, int degree,
-  double dropped, const ExecutionContext& context)
+PlanarProlongation SmoothedPlanar(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  PlanarProlongation P, int degree, double dropped, const ExecutionContext& context)
 {
   if (degree == 0)
   {
     return P;
   }
-  const SparseMatrix<double> Bt = Adjoint(B, context);
   const double largest = LargestEigenvalue(B, Bt, context);
   for (int k = 1; k <= degree; ++k)
   {

@@ -24,11 +24,11 @@ using PlanarProlongation = SparseMatrix<Complex>;
 /// by an amount of the order of their size, and an interpolation, which knows nothing of it, has the
 /// energy of the whole derivative.
 ///
-/// \param B with columns of length 1.
+/// \param B with columns of length 1. \param Bt its transpose.
 /// \param dropped entries below so many times the largest of their row are left out after each step.
 /// Cost: 2 k products of sparse matrices.
-PlanarProlongation SmoothedPlanar(const SparseMatrix<double>& B, PlanarProlongation P, int degree,
-  double dropped, const ExecutionContext& context);
+PlanarProlongation SmoothedPlanar(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  PlanarProlongation P, int degree, double dropped, const ExecutionContext& context);
 
 /// Q^T Q on pairs of components: 2 m x 2 m for Q of m columns.
 SparseMatrix<double> GramOfPlanar(const PlanarProlongation& Q, const ExecutionContext& context);

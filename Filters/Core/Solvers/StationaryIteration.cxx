@@ -6,7 +6,7 @@ namespace dmg
 {
 
 template <class Scalar>
-void StationaryIteration(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
+void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B,
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
@@ -33,10 +33,10 @@ void StationaryIteration(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& 
   iteration.End();
 }
 
-template void StationaryIteration(const SparseMatrix<double>&, Preconditioner<double>&,
+template void StationaryIteration(const LinearOperator<double>&, Preconditioner<double>&,
   const Vector<double>&, const StoppingCriteria&, Vector<double>&, SolveReport&,
   const ExecutionContext&, const ConvergenceMeasure<double>*);
-template void StationaryIteration(const SparseMatrix<Complex>&, Preconditioner<Complex>&,
+template void StationaryIteration(const LinearOperator<Complex>&, Preconditioner<Complex>&,
   const Vector<Complex>&, const StoppingCriteria&, Vector<Complex>&, SolveReport&,
   const ExecutionContext&, const ConvergenceMeasure<Complex>*);
 

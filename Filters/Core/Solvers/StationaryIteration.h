@@ -2,6 +2,7 @@
 #define dmgStationaryIteration_h
 
 #include "Solvers/ConvergenceMeasure.h"
+#include "Solvers/LinearOperator.h"
 #include "Solvers/Preconditioner.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
@@ -18,7 +19,7 @@ namespace dmg
 /// a warning, at the limit or after ten cycles that do not improve on the best residual.
 /// Cost per iteration: one application of B and one product with A.
 template <class Scalar>
-void StationaryIteration(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
+void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B,
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure = nullptr);
 

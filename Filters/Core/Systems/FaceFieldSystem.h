@@ -28,6 +28,13 @@ HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const PrescribedFaces& prescribed,
   const FieldWeights& weights, const ExecutionContext& context = SerialContext());
 
+/// What is prescribed there, as the system takes it. Errors as above.
+PrescribedUnknowns PrescribedUnknownsOf(
+  const TriangleMesh& mesh, const PrescribedFaces& prescribed, const FieldWeights& weights);
+
+/// The mass M.
+Vector<double> MassOfFaceFields(const TriangleMesh& mesh);
+
 }
 
 #endif

@@ -1,9 +1,9 @@
 #include "Systems/HarmonicSystem.h"
 
+#include "Support/Errors.h"
+
 #include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <numeric>
 #include <utility>
 
 namespace dmg
@@ -76,24 +76,30 @@ SparseMatrix<Scalar> Submatrix(const SparseMatrix<Scalar>& matrix, const std::ve
 
 template <class Scalar>
 HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Soft(SparseMatrix<Scalar> smoothness,
-  const Vector<double>& mass, std::vector<int> prescribed, Vector<double> alignment,
-  SparseMatrix<Scalar> factor)
+  const Vector<double>& mass, std::vector<int> prescribed, Vector<double> alignment)
 {
-  return HarmonicSystem(std::move(smoothness), mass, std::move(prescribed), std::move(alignment),
-    std::move(factor), false);
+  return HarmonicSystem(
+    std::move(smoothness), mass, std::move(prescribed), std::move(alignment), false);
 }
 
 template <class Scalar>
-HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Hard(SparseMatrix<Scalar> smoothness,
-  const Vector<double>& mass, std::vector<int> prescribed, SparseMatrix<Scalar> factor)
+HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Hard(
+  SparseMatrix<Scalar> smoothness, const Vector<double>& mass, std::vector<int> prescribed)
 {
-  return HarmonicSystem(
-    std::move(smoothness), mass, std::move(prescribed), {}, std::move(factor), true);
+  return HarmonicSystem(std::move(smoothness), mass, std::move(prescribed), {}, true);
+}
+
+template <class Scalar>
+HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Make(
+  SparseMatrix<Scalar> smoothness, const Vector<double>& mass, PrescribedUnknowns prescribed)
+{
+  return HarmonicSystem(std::move(smoothness), mass, std::move(prescribed.Unknowns),
+    std::move(prescribed.Alignment), prescribed.Kind == ConstraintKind::Hard);
 }
 
 template <class Scalar>
 HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-  std::vector<int> prescribed, Vector<double> alignment, SparseMatrix<Scalar> factor, bool isHard)
+  std::vector<int> prescribed, Vector<double> alignment, bool isHard)
   : IsHard(isHard)
   , Prescribed(std::move(prescribed))
   , Alignment(std::move(alignment))
@@ -171,44 +177,6 @@ HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar> smoothness, const Ve
     }
     this->A.makeCompressed();
   }
-  if (factor.rows() > 0)
-  {
-    this->MakeFactor(std::move(factor));
-  }
-}
-
-template <class Scalar>
-void HarmonicSystem<Scalar>::MakeFactor(SparseMatrix<Scalar> factor)
-{
-  assert(factor.cols() == this->NumberOfUnknowns());
-  factor.makeCompressed();
-  std::vector<int> pulled; // prescriptions, a square each
-  for (Eigen::Index b = 0; b < this->Alignment.size(); ++b)
-  {
-    if (this->Alignment[b] > 0.0)
-    {
-      pulled.push_back(static_cast<int>(b));
-    }
-  }
-  const int squares = static_cast<int>(factor.rows());
-  if (this->NumberOfFree() < this->NumberOfUnknowns())
-  {
-    std::vector<int> rows(squares);
-    std::iota(rows.begin(), rows.end(), 0);
-    factor = Submatrix(factor, rows, this->Rows, this->NumberOfFree());
-  }
-  this->B.resize(squares + static_cast<int>(pulled.size()), this->NumberOfFree());
-  this->B.resizeNonZeros(factor.nonZeros() + static_cast<Eigen::Index>(pulled.size()));
-  std::copy_n(factor.outerIndexPtr(), squares + 1, this->B.outerIndexPtr());
-  std::copy_n(factor.innerIndexPtr(), factor.nonZeros(), this->B.innerIndexPtr());
-  std::copy_n(factor.valuePtr(), factor.nonZeros(), this->B.valuePtr());
-  int end = static_cast<int>(factor.nonZeros());
-  for (std::size_t k = 0; k < pulled.size(); ++k, ++end)
-  {
-    this->B.innerIndexPtr()[end] = this->Rows[this->Prescribed[pulled[k]]];
-    this->B.valuePtr()[end] = std::sqrt(this->Alignment[pulled[k]]);
-    this->B.outerIndexPtr()[squares + k + 1] = end + 1;
-  }
 }
 
 template <class Scalar>
@@ -263,22 +231,33 @@ Vector<Scalar> HarmonicSystem<Scalar>::Expand(
   return all;
 }
 
-template <class Scalar>
-std::string WarningAboutUnreached(const HarmonicSystem<Scalar>& system)
+std::string WarningAboutUnreached(int unreached, int unknowns)
 {
-  if (system.NumberOfUnreached() == 0)
+  if (unreached == 0)
   {
     return {};
   }
-  return std::to_string(system.NumberOfUnreached()) + " of " +
-    std::to_string(system.NumberOfUnknowns()) +
+  return std::to_string(unreached) + " of " + std::to_string(unknowns) +
     " unknowns lie in components of the surface that hold no prescribed direction; the field is "
     "zero there";
 }
 
+void CheckAnyIsFree(int numberOfFree, ConstraintKind kind, const std::string& element)
+{
+  if (numberOfFree > 0)
+  {
+    return;
+  }
+  if (kind == ConstraintKind::Hard)
+  {
+    throw InvalidInput("hard constraints leave no " + element +
+      " to solve for; prescribe fewer cells or points or make the constraints soft");
+  }
+  throw InvalidInput("all prescribed cells have zero area, so that they hold nothing; prescribe a "
+                     "direction on another cell or make the constraints hard");
+}
+
 template class HarmonicSystem<double>;
 template class HarmonicSystem<Complex>;
-template std::string WarningAboutUnreached(const HarmonicSystem<double>&);
-template std::string WarningAboutUnreached(const HarmonicSystem<Complex>&);
 
 }

@@ -2,12 +2,21 @@
 #define dmgHarmonicSystem_h
 
 #include "Support/Types.h"
+#include "Systems/AlignmentConstraints.h"
 
 #include <string>
 #include <vector>
 
 namespace dmg
 {
+
+/// Unknowns that are prescribed, and how strongly.
+struct PrescribedUnknowns
+{
+  ConstraintKind Kind = ConstraintKind::Soft;
+  std::vector<int> Unknowns; ///< ascending, each once
+  Vector<double> Alignment;  ///< soft: m_b, one per unknown, >= 0, its weight included
+};
 
 /// The linear system of every most harmonic field, whichever way the field is discretised:
 ///
@@ -37,21 +46,20 @@ public:
   /// \param prescribed unknowns, ascending, each once.
   /// \param alignment m_b, one per prescribed unknown, >= 0, its weight included. A prescription
   /// with m_b = 0 holds nothing.
-  /// \param factor B with L = B^H B, if the caller has one, or empty.
   /// Cost: linear in the entries of L.
   static HarmonicSystem Soft(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-    std::vector<int> prescribed, Vector<double> alignment, SparseMatrix<Scalar> factor = {});
+    std::vector<int> prescribed, Vector<double> alignment);
 
   /// Hard constraints; parameters as above.
   static HarmonicSystem Hard(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-    std::vector<int> prescribed, SparseMatrix<Scalar> factor = {});
+    std::vector<int> prescribed);
+
+  /// Either, as the prescription says.
+  static HarmonicSystem Make(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
+    PrescribedUnknowns prescribed);
 
   /// A, Hermitian; #free x #free.
   const SparseMatrix<Scalar>& Matrix() const { return this->A; }
-
-  /// B with A = B^H B, #squares x #free: the squares that roughness and alignment sum up. Without
-  /// rows where the smoothness came without its factor.
-  const SparseMatrix<Scalar>& Factor() const { return this->B; }
 
   /// Diagonal of the mass M of the free unknowns. Errors are |x - reference|_M / |reference|_M.
   /// Thesis, section 6.4.
@@ -79,9 +87,7 @@ public:
 
 private:
   HarmonicSystem(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-    std::vector<int> prescribed, Vector<double> alignment, SparseMatrix<Scalar> factor,
-    bool isHard);
-  void MakeFactor(SparseMatrix<Scalar> factor);
+    std::vector<int> prescribed, Vector<double> alignment, bool isHard);
 
   bool IsHard;
   std::vector<int> Prescribed;
@@ -90,14 +96,16 @@ private:
   std::vector<int> Rows;    // all -> free or -1
   int Unreached = 0;
   SparseMatrix<Scalar> A;            // free x free
-  SparseMatrix<Scalar> B;            // squares x free
   SparseMatrix<Scalar> ToPrescribed; // hard: L_fb, free x prescribed
   Vector<double> M;                  // free
 };
 
 /// One sentence for the user where unknowns are zero because no prescription reaches them, else empty.
-template <class Scalar>
-std::string WarningAboutUnreached(const HarmonicSystem<Scalar>& system);
+std::string WarningAboutUnreached(int unreached, int unknowns);
+
+/// \param element for the message, as in "cell".
+/// \throw InvalidInput no unknown is free.
+void CheckAnyIsFree(int numberOfFree, ConstraintKind kind, const std::string& element);
 
 extern template class HarmonicSystem<double>;
 extern template class HarmonicSystem<Complex>;

@@ -3,16 +3,14 @@
 #include "Support/Errors.h"
 
 #include <cassert>
-#include <cmath>
 #include <string>
 #include <utility>
 
 namespace dmg
 {
 
-HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
-  const PrescribedEdges& prescribed, const FieldWeights& weights, const ExecutionContext& context,
-  VertexAreas areas)
+PrescribedUnknowns PrescribedUnknownsOf(
+  const TriangleMesh& mesh, const PrescribedEdges& prescribed, const FieldWeights& weights)
 {
   CheckWeights(weights);
   if (prescribed.Edges.empty())
@@ -21,31 +19,34 @@ HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
                        "prescribe a direction on at least one cell or point");
   }
   assert(prescribed.Edges.size() == prescribed.Weights.size());
-
-  SparseMatrix<double> smoothness = OneFormLaplacian(mesh, context, areas);
-  SparseMatrix<double> factor = OneFormLaplacianFactor(mesh, context, areas);
-  const Vector<double> mass = PositiveStar1(mesh);
-  if (weights.Constraints == ConstraintKind::Hard)
+  PrescribedUnknowns unknowns{ weights.Constraints, prescribed.Edges, {} };
+  if (weights.Constraints == ConstraintKind::Soft)
   {
-    HarmonicSystem<double> system = HarmonicSystem<double>::Hard(
-      std::move(smoothness), mass, prescribed.Edges, std::move(factor));
-    if (system.NumberOfFree() == 0)
+    const Vector<double> mass = PositiveStar1(mesh);
+    const double scale = weights.Alignment / (2.0 * Star2(mesh).cwiseInverse().mean());
+    unknowns.Alignment.resize(prescribed.Edges.size());
+    for (Eigen::Index b = 0; b < unknowns.Alignment.size(); ++b)
     {
-      throw InvalidInput("hard constraints leave no edge to solve for; prescribe fewer cells or "
-                         "points or make the constraints soft");
+      unknowns.Alignment[b] = scale * prescribed.Weights[b] * mass[prescribed.Edges[b]];
     }
-    return system;
   }
-  smoothness *= weights.Smoothness;
-  factor *= std::sqrt(weights.Smoothness);
-  const double scale = weights.Alignment / (2.0 * Star2(mesh).cwiseInverse().mean());
-  Vector<double> alignment(prescribed.Edges.size());
-  for (Eigen::Index b = 0; b < alignment.size(); ++b)
+  return unknowns;
+}
+
+HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
+  const PrescribedEdges& prescribed, const FieldWeights& weights, const ExecutionContext& context,
+  VertexAreas areas)
+{
+  PrescribedUnknowns unknowns = PrescribedUnknownsOf(mesh, prescribed, weights);
+  SparseMatrix<double> smoothness = OneFormLaplacian(mesh, context, areas);
+  if (weights.Constraints == ConstraintKind::Soft)
   {
-    alignment[b] = scale * prescribed.Weights[b] * mass[prescribed.Edges[b]];
+    smoothness *= weights.Smoothness;
   }
-  return HarmonicSystem<double>::Soft(std::move(smoothness), mass, prescribed.Edges,
-    std::move(alignment), std::move(factor));
+  HarmonicSystem<double> system = HarmonicSystem<double>::Make(
+    std::move(smoothness), PositiveStar1(mesh), std::move(unknowns));
+  CheckAnyIsFree(system.NumberOfFree(), weights.Constraints, "edge");
+  return system;
 }
 
 }

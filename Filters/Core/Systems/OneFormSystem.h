@@ -35,6 +35,10 @@ HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
   const ExecutionContext& context = SerialContext(),
   VertexAreas areas = VertexAreas::MixedVoronoi);
 
+/// What is prescribed there, as the system takes it. Errors as above.
+PrescribedUnknowns PrescribedUnknownsOf(
+  const TriangleMesh& mesh, const PrescribedEdges& prescribed, const FieldWeights& weights);
+
 }
 
 #endif

@@ -45,30 +45,19 @@ HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
   // Where the whole surface has no area, every face counts alike.
   mass = meanArea > 0.0 ? Vector<double>(mass / meanArea) : Vector<double>::Ones(mass.size());
 
-  const auto makeSystem = [&]() {
-    if (weights.Constraints == ConstraintKind::Hard)
-    {
-      return HarmonicSystem<Complex>::Hard(std::move(smoothness), mass, prescribed.Faces);
-    }
-    smoothness *= weights.Smoothness;
-    Vector<double> alignment(prescribed.Faces.size());
-    for (Eigen::Index b = 0; b < alignment.size(); ++b)
-    {
-      alignment[b] = weights.Alignment * prescribed.Weights[b] * mass[prescribed.Faces[b]];
-    }
-    return HarmonicSystem<Complex>::Soft(
-      std::move(smoothness), mass, prescribed.Faces, std::move(alignment));
-  };
-  HarmonicSystem<Complex> system = makeSystem();
-
-  if (system.NumberOfFree() == 0)
+  PrescribedUnknowns unknowns{ weights.Constraints, prescribed.Faces, {} };
+  if (weights.Constraints == ConstraintKind::Soft)
   {
-    throw InvalidInput(weights.Constraints == ConstraintKind::Hard
-        ? "hard constraints leave no cell to solve for; prescribe fewer cells or make the "
-          "constraints soft"
-        : "all prescribed cells have zero area, so that they hold nothing; prescribe a direction "
-          "on another cell or make the constraints hard");
+    smoothness *= weights.Smoothness;
+    unknowns.Alignment.resize(prescribed.Faces.size());
+    for (Eigen::Index b = 0; b < unknowns.Alignment.size(); ++b)
+    {
+      unknowns.Alignment[b] = weights.Alignment * prescribed.Weights[b] * mass[prescribed.Faces[b]];
+    }
   }
+  HarmonicSystem<Complex> system =
+    HarmonicSystem<Complex>::Make(std::move(smoothness), mass, std::move(unknowns));
+  CheckAnyIsFree(system.NumberOfFree(), weights.Constraints, "cell");
   return system;
 }
 

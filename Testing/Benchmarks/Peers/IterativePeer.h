@@ -20,7 +20,8 @@ int SolveIteratively(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
 {
   SolveReport report;
   x.resize(0);
-  ConjugateGradient(A, B, b, { tolerance, LargestNumberOfIterations }, x, report, SerialContext());
+  ConjugateGradient(MatrixOperator<Scalar>(A), B, b, { tolerance, LargestNumberOfIterations }, x,
+    report, SerialContext());
   if (!report.Converged)
   {
     throw SolverFailure(report.Warnings.back());

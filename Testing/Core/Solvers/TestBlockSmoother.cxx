@@ -1,236 +1,380 @@
 #include "Solvers/BlockSmoother.h"
 
-#include "GridProblem.h"
+#include "SquaresProblem.h"
+#include "Support/Permutations.h"
 #include "Support/TbbContext.h"
 
-#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace dmg;
+using test::Fan;
+using test::Ring;
+using test::Squares;
 
 namespace
 {
 
-/// A sum of squares and blocks for it; columns of B have length 1.
-struct Squares
-{
-  SparseMatrix<double> B;
-  UnknownBlocks Blocks;
+// Steps are taken in single precision.
+constexpr double Epsilon = std::numeric_limits<float>::epsilon();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+// Inverses of blocks have a ridge of 1e-6 and are rounded to single precision.
+constexpr double OfInverses = 2e-5;
 
-  int Size() const { return static_cast<int>(this->B.cols()); }
-  Eigen::MatrixXd Matrix() const
+/// A smoother with its blocks.
+struct Smoother : BlockSmoother
+{
+  Smoother(const Squares& squares, const SchwarzBlocks& blocks, int sweeps)
+    : BlockSmoother(squares.B, squares.Bt, blocks, sweeps)
   {
-    const Eigen::MatrixXd B(this->B);
-    return B.transpose() * B;
+  }
+  Smoother(const Squares& squares, const SchwarzBlocks& blocks, int sweeps, const Vector<double>& D,
+    const ExecutionContext& context = SerialContext())
+    : Smoother(squares, blocks, sweeps)
+  {
+    this->SetDiagonal(D, context);
   }
 };
 
-SparseMatrix<double> WithUnitColumns(const SparseMatrix<double>& B)
+SchwarzBlocks BlocksOf(const Squares& squares, const ExecutionContext& context = SerialContext())
 {
-  const SparseMatrix<double> squares = B.cwiseAbs2();
-  const Vector<double> lengths = (squares.transpose() * Vector<double>::Ones(B.rows())).cwiseSqrt();
-  return B * lengths.cwiseInverse().asDiagonal();
+  return SchwarzBlocks(squares.Bt, squares.Blocks, context);
 }
 
-/// Differences of neighbours on a path of \p size unknowns, and the unknowns themselves with less
-/// weight; blocks of four, each half of which the next one shares. \pre size is even, at least 4
-Squares Path(int size)
+/// What both ways make of b, and the residual in between, in one vector.
+Vector<double> Smoothed(
+  BlockSmoother& smoother, const Vector<double>& b, const ExecutionContext& context)
 {
-  test::Random random(3101);
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int i = 0; i < size; ++i)
+  Vector<double> x, r;
+  smoother.PreSmooth(b, x, r, context);
+  Vector<double> all(3 * b.size());
+  all << x, r, x;
+  smoother.PostSmooth(b, x, context);
+  all.tail(b.size()) = x;
+  return all;
+}
+
+/// Zero but for some unknowns: soft prescriptions of all sizes.
+Vector<double> SomeDiagonal(int size, int step = 7)
+{
+  test::Random random(3109);
+  Vector<double> D = Vector<double>::Zero(size);
+  for (int i = 3; i < size; i += step)
   {
-    const double weight = random.Uniform(0.2, 1.0);
-    entries.emplace_back(i, i, -weight);
-    entries.emplace_back(i, (i + 1) % size, weight);
-    entries.emplace_back(size + i, i, random.Uniform(0.1, 0.3));
+    D[i] = std::pow(10.0, random.Uniform(-3.0, 3.0));
   }
-  Squares path{ WithUnitColumns(test::FromTriplets(2 * size, size, entries)), {} };
-  for (int first = 0; first + 4 <= size; first += 2)
+  return D;
+}
+
+/// The same, and some neighbouring unknowns held.
+Vector<double> SomeHeld(int size)
+{
+  Vector<double> D = SomeDiagonal(size);
+  for (int i = 0; i + 12 < size; i += 13)
   {
-    for (int i = first; i < first + 4; ++i)
+    D[i] = Infinity;
+    D[i + 1] = Infinity;
+    D[i + 4] = Infinity;
+  }
+  return D;
+}
+
+std::vector<int> FreeAmong(std::vector<int> unknowns, const Vector<double>& D)
+{
+  const auto isHeld = [&D](int unknown) { return !std::isfinite(D[unknown]); };
+  unknowns.erase(std::remove_if(unknowns.begin(), unknowns.end(), isHeld), unknowns.end());
+  return unknowns;
+}
+
+std::vector<int> FreeOf(const Vector<double>& D)
+{
+  return FreeAmong(Identity(static_cast<int>(D.size())), D);
+}
+
+/// Sweeps over the blocks of a dense matrix, each solved for exactly; those of its unknowns that
+/// are held stay.
+Vector<double> GaussSeidel(const Squares& squares, const SchwarzBlocks& blocks, int sweeps,
+  const Vector<double>& D, const Vector<double>& b, Vector<double> x, bool isUp)
+{
+  Eigen::MatrixXd A = squares.Matrix();
+  A.diagonal() += D.unaryExpr([](double entry) { return std::isfinite(entry) ? entry : 0.0; });
+  std::vector<int> order = test::OrderOfBlocks(blocks);
+  if (!isUp)
+  {
+    std::reverse(order.begin(), order.end());
+  }
+  for (int sweep = 0; sweep < sweeps; ++sweep)
+  {
+    for (const int block : order)
     {
-      path.Blocks.Unknowns.push_back(i);
+      const std::vector<int> free = FreeAmong(test::MembersOf(blocks.Blocks(), block), D);
+      const Vector<double> residual = b(free) - A(free, Eigen::all) * x;
+      x(free) += test::BlockOf(A, free).llt().solve(residual);
     }
-    path.Blocks.EndBlock();
   }
-  return path;
+  return x;
 }
-
-/// As around a vertex of \p blades faces: one square holds all unknowns, two per blade, so that no
-/// two blocks are independent; others hold neighbours.
-Squares Fan(int blades)
-{
-  test::Random random(3102);
-  std::vector<Eigen::Triplet<double>> entries;
-  const int size = 2 * blades;
-  for (int i = 0; i < size; ++i)
-  {
-    entries.emplace_back(0, i, random.Uniform(-0.2, 0.2));
-    entries.emplace_back(1 + i, i, 1.0);
-    entries.emplace_back(1 + i, (i + 2) % size, random.Uniform(-0.8, 0.8));
-  }
-  Squares fan{ WithUnitColumns(test::FromTriplets(1 + size, size, entries)), {} };
-  for (int blade = 0; blade < blades; ++blade)
-  {
-    fan.Blocks.Unknowns.push_back(2 * blade);
-    fan.Blocks.Unknowns.push_back(2 * blade + 1);
-    fan.Blocks.EndBlock();
-  }
-  return fan;
-}
-
-template <class Value>
-Vector<Value> RandomVector(int size, unsigned seed)
-{
-  return test::RandomVector<double>(size, seed).cast<Value>();
-}
-
-template <class Value>
-using Matrix = Eigen::Matrix<Value, Eigen::Dynamic, Eigen::Dynamic>;
 
 /// The matrix of what smooth(b, x) makes of b.
-template <class Value, class Smooth>
-Matrix<Value> Densified(int size, const Smooth& smooth)
+template <class Smooth>
+Eigen::MatrixXd Densified(int size, const Smooth& smooth)
 {
-  Matrix<Value> S(size, size);
+  Eigen::MatrixXd S(size, size);
   for (int j = 0; j < size; ++j)
   {
-    const Vector<Value> b = Vector<Value>::Unit(size, j);
-    Vector<Value> x = Vector<Value>::Zero(size);
-    smooth(b, x);
+    Vector<double> x = Vector<double>::Zero(size);
+    smooth(Vector<double>::Unit(size, j), x);
     S.col(j) = x;
   }
   return S;
 }
 
-template <class Value>
-class TestBlockSmoother : public ::testing::Test
+/// PreSmooth, its residual compared with b - A x, then PostSmooth.
+void ExpectSymmetric(const Squares& squares, int sweeps, const Vector<double>& D)
 {
-protected:
-  static constexpr double Epsilon = std::numeric_limits<Value>::epsilon();
-
-  /// PreSmooth, its residual compared with b - A x, then PostSmooth.
-  static void ExpectSymmetric(const Squares& squares, int sweeps)
-  {
-    BlockSmoother<Value> smoother(squares.B, squares.Blocks, sweeps, SerialContext());
-    const Matrix<Value> A = squares.Matrix().cast<Value>();
-    const auto pre = Densified<Value>(squares.Size(),
-      [&](const Vector<Value>& b, Vector<Value>& x)
-      {
-        Vector<Value> r(b.size());
-        smoother.PreSmooth(b, x, r, SerialContext());
-        EXPECT_LE((r - (b - A * x)).norm(), 100 * Epsilon);
-      });
-    const auto post = Densified<Value>(squares.Size(),
-      [&](const Vector<Value>& b, Vector<Value>& x)
-      { smoother.PostSmooth(b, x, SerialContext()); });
-    EXPECT_LE((post - pre.transpose()).norm(), 200 * Epsilon * pre.norm());
-    const auto both = Densified<Value>(squares.Size(),
-      [&](const Vector<Value>& b, Vector<Value>& x)
-      {
-        Vector<Value> r(b.size());
-        smoother.PreSmooth(b, x, r, SerialContext());
-        smoother.PostSmooth(b, x, SerialContext());
-      });
-    EXPECT_LE((both - both.transpose()).norm(), 200 * Epsilon * both.norm());
-    const Eigen::SelfAdjointEigenSolver<Matrix<Value>> spectrum(both);
-    EXPECT_GT(spectrum.eigenvalues().minCoeff(), 0.0);
-  }
-};
-using Values = ::testing::Types<float, double>;
-TYPED_TEST_SUITE(TestBlockSmoother, Values);
+  const SchwarzBlocks blocks = BlocksOf(squares);
+  Smoother smoother(squares, blocks, sweeps, D);
+  const std::vector<int> free = FreeOf(D);
+  Eigen::MatrixXd A = squares.Matrix();
+  A.diagonal()(free) += D(free);
+  const double largest = A.diagonal().maxCoeff();
+  const auto pre = Densified(squares.Size(),
+    [&](const Vector<double>& b, Vector<double>& x)
+    {
+      Vector<double> r;
+      smoother.PreSmooth(b, x, r, SerialContext());
+      const Vector<double> residual = b - A * x;
+      EXPECT_LE((r(free) - residual(free)).norm(), 200 * Epsilon * largest);
+    });
+  const auto post = Densified(squares.Size(),
+    [&](const Vector<double>& b, Vector<double>& x)
+    { smoother.PostSmooth(b, x, SerialContext()); });
+  EXPECT_LE((post - pre.transpose()).norm(), 200 * Epsilon * largest * pre.norm());
+  const auto both = Densified(squares.Size(),
+    [&](const Vector<double>& b, Vector<double>& x)
+    {
+      Vector<double> r;
+      smoother.PreSmooth(b, x, r, SerialContext());
+      smoother.PostSmooth(b, x, SerialContext());
+    });
+  EXPECT_LE((both - both.transpose()).norm(), 200 * Epsilon * largest * both.norm());
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(test::BlockOf(both, free));
+  EXPECT_GT(spectrum.eigenvalues().minCoeff(), 0.0);
+}
 
 }
 
-TYPED_TEST(TestBlockSmoother, OneBlockIsTheInverse)
+TEST(TestBlockSmoother, OneBlockIsTheInverse)
 {
-  Squares path = Path(12);
-  path.Blocks = {};
-  for (int i = 0; i < path.Size(); ++i)
+  Squares ring = Ring(12);
+  ring.Blocks = {};
+  for (int i = 0; i < ring.Size(); ++i)
   {
-    path.Blocks.Unknowns.push_back((5 * i) % path.Size());
+    ring.Blocks.Unknowns.push_back((5 * i) % ring.Size());
   }
-  path.Blocks.EndBlock();
-  const Eigen::MatrixXd A = path.Matrix();
-  // A ridge of 1e-6 keeps the block invertible: each sweep leaves 1e-6 / lambda of an eigenvector.
+  ring.Blocks.EndBlock();
+  const SchwarzBlocks blocks = BlocksOf(ring);
+  const Eigen::MatrixXd A = ring.Matrix();
+  // Each sweep leaves 1e-6 / lambda of an eigenvector, and what single precision makes of it.
   const double lowest = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(A).eigenvalues().minCoeff();
   ASSERT_GT(lowest, 5e-3);
-  const Vector<double> exact = test::RandomVector<double>(path.Size(), 3103);
-  const Vector<TypeParam> b = (A * exact).cast<TypeParam>();
-  const double rounding = 20 * TestFixture::Epsilon / lowest;
+  const double left = 1e-6 / lowest + 10 * std::numeric_limits<float>::epsilon() / lowest;
+  const Vector<double> exact = test::RandomVector<double>(ring.Size(), 3103);
+  const Vector<double> b = A * exact;
   for (const int sweeps : { 1, 2, 3 })
   {
-    BlockSmoother<TypeParam> smoother(path.B, path.Blocks, sweeps, SerialContext());
-    Vector<TypeParam> x(path.Size()), r(path.Size());
+    Smoother smoother(ring, blocks, sweeps);
+    Vector<double> x, r;
     smoother.PreSmooth(b, x, r, SerialContext());
-    const double ridge = std::pow(1e-6 / lowest, sweeps);
-    EXPECT_LE((x.template cast<double>() - exact).norm(), (ridge + rounding) * exact.norm());
-    EXPECT_LE(r.norm(), (ridge + rounding) * b.norm());
+    const double bound = std::pow(left, sweeps) + 20 * Epsilon / lowest;
+    EXPECT_LE((x - exact).norm(), bound * exact.norm());
+    EXPECT_LE(r.norm(), bound * b.norm());
   }
 }
 
-TYPED_TEST(TestBlockSmoother, DisjointBlocksAreGaussSeidelByBlocks)
+TEST(TestBlockSmoother, IsGaussSeidelByBlocks)
 {
-  // Blocks 0, 2, 4 share no square, nor do 1, 3, 5: two colours, each its blocks' inverses.
-  Squares path = Path(12);
-  path.Blocks = {};
-  for (int i = 0; i < path.Size(); ++i)
+  for (const Squares& squares : { Ring(200), Fan(60) })
   {
-    path.Blocks.Unknowns.push_back(i);
-    if (i % 2 == 1)
+    const SchwarzBlocks blocks = BlocksOf(squares);
+    const auto b = test::RandomVector<double>(squares.Size(), 3104);
+    const auto start = test::RandomVector<double>(squares.Size(), 3110);
+    const Vector<double> zero = Vector<double>::Zero(squares.Size());
+    for (const int sweeps : { 1, 2 })
     {
-      path.Blocks.EndBlock();
+      Smoother smoother(squares, blocks, sweeps);
+      Vector<double> x, r;
+      smoother.PreSmooth(b, x, r, SerialContext());
+      const auto up = GaussSeidel(squares, blocks, sweeps, zero, b, zero, true);
+      EXPECT_LE((x - up).norm(), OfInverses * up.norm());
+      x = start;
+      smoother.PostSmooth(b, x, SerialContext());
+      const auto down = GaussSeidel(squares, blocks, sweeps, zero, b, start, false);
+      EXPECT_LE((x - down).norm(), OfInverses * down.norm());
     }
   }
-  const Eigen::MatrixXd A = path.Matrix();
-  const Vector<double> b = test::RandomVector<double>(path.Size(), 3104);
-  Vector<double> expected = Vector<double>::Zero(path.Size());
-  for (const int parity : { 0, 1 })
-  {
-    for (int i = 2 * parity; i < path.Size(); i += 4)
-    {
-      const Vector<double> residual = b - A * expected;
-      expected.segment<2>(i) += A.block<2, 2>(i, i).llt().solve(residual.segment<2>(i));
-    }
-  }
-  BlockSmoother<TypeParam> smoother(path.B, path.Blocks, 1, SerialContext());
-  Vector<TypeParam> x(path.Size()), r(path.Size());
-  smoother.PreSmooth(b.cast<TypeParam>(), x, r, SerialContext());
-  EXPECT_LE((x.template cast<double>() - expected).norm(), 1e-5 * expected.norm()); // the ridge
 }
 
-TYPED_TEST(TestBlockSmoother, PostIsTheAdjointOfPre)
+TEST(TestBlockSmoother, ADiagonalIsOneMoreSquarePerUnknown)
+{
+  for (const Squares& squares : { Ring(200), Fan(60) })
+  {
+    const int size = squares.Size();
+    const SchwarzBlocks blocks = BlocksOf(squares);
+    const auto b = test::RandomVector<double>(size, 3111);
+    const Vector<double> zero = Vector<double>::Zero(size);
+    // All unknowns, or some of them.
+    for (const Vector<double>& D : { Vector<double>(SomeDiagonal(size, 1)), SomeDiagonal(size) })
+    {
+      // sqrt(D) below B. Each such row holds one unknown and connects no tiles.
+      std::vector<Eigen::Triplet<double>> entries;
+      for (int i = 0; i < squares.B.outerSize(); ++i)
+      {
+        for (SparseMatrix<double>::InnerIterator entry(squares.B, i); entry; ++entry)
+        {
+          entries.emplace_back(i, static_cast<int>(entry.col()), entry.value());
+        }
+      }
+      const int rows = static_cast<int>(squares.B.rows());
+      for (int i = 0; i < size; ++i)
+      {
+        entries.emplace_back(rows + i, i, std::sqrt(D[i]));
+      }
+      const Squares stacked(test::FromTriplets(rows + size, size, entries), squares.Blocks);
+      const SchwarzBlocks blocksOfStacked = BlocksOf(stacked);
+      ASSERT_EQ(test::OrderOfBlocks(blocksOfStacked), test::OrderOfBlocks(blocks));
+      ASSERT_EQ(blocksOfStacked.Blocks().Unknowns, blocks.Blocks().Unknowns);
+
+      Smoother smoother(squares, blocks, 2, D);
+      Smoother expected(stacked, blocksOfStacked, 2);
+      EXPECT_TRUE(smoother.HeldUnknowns().empty());
+      Vector<double> x, r, y, s;
+      smoother.PreSmooth(b, x, r, SerialContext());
+      expected.PreSmooth(b, y, s, SerialContext());
+      EXPECT_LE((x - y).norm(), 1e-5 * y.norm()); // the same ridge, rounded in other ways
+      EXPECT_LE((r - s).norm(), 1e-4 * b.norm());
+      const auto up = GaussSeidel(squares, blocks, 2, D, b, zero, true);
+      EXPECT_LE((x - up).norm(), OfInverses * up.norm());
+
+      smoother.PostSmooth(b, x, SerialContext());
+      expected.PostSmooth(b, y, SerialContext());
+      EXPECT_LE((x - y).norm(), 1e-5 * y.norm());
+      const auto down = GaussSeidel(squares, blocks, 2, D, b, up, false);
+      EXPECT_LE((x - down).norm(), OfInverses * down.norm());
+    }
+  }
+}
+
+TEST(TestBlockSmoother, HeldUnknownsStayZero)
+{
+  // The others are smoothed as if the held ones were not there: the columns of B left out, and the
+  // unknowns of blocks.
+  for (const Squares& squares : { Ring(200), Fan(60) })
+  {
+    const int size = squares.Size();
+    const SchwarzBlocks blocks = BlocksOf(squares);
+    const Vector<double> D = SomeHeld(size);
+    std::vector<int> held;
+    for (int i = 0; i < size; ++i)
+    {
+      if (!std::isfinite(D[i]))
+      {
+        held.push_back(i);
+      }
+    }
+    Smoother smoother(squares, blocks, 2, D);
+    EXPECT_EQ(smoother.HeldUnknowns(), held);
+
+    // Whatever stands in b.
+    const auto b = test::RandomVector<double>(size, 3112);
+    const Vector<double> zero = Vector<double>::Zero(size);
+    Vector<double> x, r;
+    smoother.PreSmooth(b, x, r, SerialContext());
+    EXPECT_EQ(x(held).norm(), 0.0);
+    EXPECT_EQ(r(held).norm(), 0.0);
+    const auto up = GaussSeidel(squares, blocks, 2, D, b, zero, true);
+    EXPECT_LE((x - up).norm(), OfInverses * up.norm());
+    const std::vector<int> free = FreeOf(D);
+    Eigen::MatrixXd A = test::BlockOf(squares.Matrix(), free);
+    A.diagonal() += D(free);
+    EXPECT_LE((r(free) - (b(free) - A * x(free))).norm(), 100 * Epsilon * A.norm() * b.norm());
+
+    smoother.PostSmooth(b, x, SerialContext());
+    EXPECT_EQ(x(held).norm(), 0.0);
+    const auto down = GaussSeidel(squares, blocks, 2, D, b, up, false);
+    EXPECT_LE((x - down).norm(), OfInverses * down.norm());
+  }
+}
+
+TEST(TestBlockSmoother, AllUnknownsHeldLeaveNothing)
+{
+  const Squares ring = Ring(40);
+  const SchwarzBlocks blocks = BlocksOf(ring);
+  Smoother smoother(ring, blocks, 2, Vector<double>::Constant(40, Infinity));
+  const Vector<double> all =
+    Smoothed(smoother, test::RandomVector<double>(40, 3113), SerialContext());
+  EXPECT_EQ(all.norm(), 0.0);
+}
+
+TEST(TestBlockSmoother, DiagonalsComeAndGo)
+{
+  for (const Squares& squares : { Ring(4000), Fan(60) })
+  {
+    const int size = squares.Size();
+    const SchwarzBlocks blocks = BlocksOf(squares);
+    const auto b = test::RandomVector<double>(size, 3114);
+    const Vector<double> zero = Vector<double>::Zero(size);
+    Smoother smoother(squares, blocks, 2);
+    const Vector<double> plain = Smoothed(smoother, b, SerialContext());
+    for (const Vector<double>& D : { SomeHeld(size), zero, SomeDiagonal(size),
+           SomeDiagonal(size, 1), Vector<double>(3.0 * SomeHeld(size)), zero })
+    {
+      smoother.SetDiagonal(D, SerialContext());
+      Smoother fresh(squares, blocks, 2, D);
+      const Vector<double> result = Smoothed(smoother, b, SerialContext());
+      EXPECT_EQ(result, Smoothed(fresh, b, SerialContext()));
+      EXPECT_EQ(smoother.HeldUnknowns(), fresh.HeldUnknowns());
+      EXPECT_EQ(D == zero, result == plain);
+    }
+  }
+}
+
+TEST(TestBlockSmoother, PostIsTheAdjointOfPre)
 {
   for (const int sweeps : { 1, 2, 3 })
   {
     SCOPED_TRACE(sweeps);
-    this->ExpectSymmetric(Path(40), sweeps);
-    this->ExpectSymmetric(Fan(20), sweeps);
-    this->ExpectSymmetric(Fan(100), sweeps); // blocks without a colour, one after the other
+    for (const Squares& squares : { Ring(40), Ring(100), Fan(20), Fan(40) })
+    {
+      const int size = squares.Size();
+      ExpectSymmetric(squares, sweeps, Vector<double>::Zero(size));
+      ExpectSymmetric(squares, sweeps, SomeDiagonal(size));
+      ExpectSymmetric(squares, sweeps, SomeHeld(size));
+    }
   }
 }
 
-TYPED_TEST(TestBlockSmoother, SweepsReduceTheEnergyOfTheError)
+TEST(TestBlockSmoother, SweepsReduceTheEnergyOfTheError)
 {
-  // Also where blocks run out of colours. Each step of a block minimises the energy over it.
-  for (const Squares& squares : { Path(200), Fan(100) })
+  // Each step of a block minimises the energy over it.
+  for (const Squares& squares : { Ring(200), Fan(100) })
   {
     const Eigen::MatrixXd A = squares.Matrix();
+    const SchwarzBlocks blocks = BlocksOf(squares);
     const Vector<double> exact = test::RandomVector<double>(squares.Size(), 3105);
-    const Vector<TypeParam> b = (A * exact).cast<TypeParam>();
+    const Vector<double> b = A * exact;
     double previous = exact.dot(A * exact);
     for (int sweeps = 1; sweeps <= 4; ++sweeps)
     {
-      BlockSmoother<TypeParam> smoother(squares.B, squares.Blocks, sweeps, SerialContext());
-      Vector<TypeParam> x(squares.Size()), r(squares.Size());
+      Smoother smoother(squares, blocks, sweeps);
+      Vector<double> x, r;
       smoother.PreSmooth(b, x, r, SerialContext());
-      EXPECT_LE((r.template cast<double>() - A * (exact - x.template cast<double>())).norm(),
-        50 * TestFixture::Epsilon * b.norm());
-      const Vector<double> error = exact - x.template cast<double>();
+      const Vector<double> error = exact - x;
+      EXPECT_LE((r - A * error).norm(), 50 * Epsilon * b.norm());
       const double energy = error.dot(A * error);
       EXPECT_LT(energy, previous);
       previous = energy;
@@ -238,43 +382,40 @@ TYPED_TEST(TestBlockSmoother, SweepsReduceTheEnergyOfTheError)
   }
 }
 
-TYPED_TEST(TestBlockSmoother, SameBitsForAnyNumberOfThreads)
+TEST(TestBlockSmoother, SameBitsForAnyNumberOfThreads)
 {
-  // More blocks of a colour than a thread takes at once; and blocks without a colour.
-  for (const Squares& squares : { Path(20000), Fan(150) })
+  // More tiles of a colour than threads; and a colour per tile.
+  for (const Squares& squares : { Ring(20000), Fan(150) })
   {
-    const auto b = RandomVector<TypeParam>(squares.Size(), 3106);
-    std::vector<Vector<TypeParam>> results;
+    const auto b = test::RandomVector<double>(squares.Size(), 3106);
+    std::vector<Vector<double>> results;
     for (const int threads : { 1, 2, 5 })
     {
       const test::TbbContext context(threads);
-      BlockSmoother<TypeParam> smoother(squares.B, squares.Blocks, 2, context);
-      Vector<TypeParam> x(squares.Size()), r(squares.Size());
-      smoother.PreSmooth(b, x, r, context);
-      smoother.PostSmooth(b, x, context);
-      Vector<TypeParam> both(2 * squares.Size());
-      both << x, r;
-      results.push_back(both);
+      const SchwarzBlocks blocks = BlocksOf(squares, context);
+      Smoother smoother(squares, blocks, 2, SomeHeld(squares.Size()), context);
+      results.push_back(Smoothed(smoother, b, context));
     }
     ASSERT_TRUE(results[0].allFinite());
-    for (const Vector<TypeParam>& result : results)
+    for (const Vector<double>& result : results)
     {
       EXPECT_EQ(result, results[0]);
     }
   }
 }
 
-TYPED_TEST(TestBlockSmoother, UnknownsOutsideTheBlocksStay)
+TEST(TestBlockSmoother, UnknownsOutsideTheBlocksStay)
 {
-  Squares path = Path(12);
-  path.Blocks.Unknowns.resize(4);
-  path.Blocks.Offsets = { 0, 4 };
-  BlockSmoother<TypeParam> smoother(path.B, path.Blocks, 2, SerialContext());
-  const auto b = RandomVector<TypeParam>(12, 3107);
-  Vector<TypeParam> x(12), r(12);
+  Squares ring = Ring(12);
+  ring.Blocks.Unknowns.resize(4);
+  ring.Blocks.Offsets = { 0, 4 };
+  const SchwarzBlocks blocks = BlocksOf(ring);
+  Smoother smoother(ring, blocks, 2, Vector<double>::Constant(12, 0.5));
+  const auto b = test::RandomVector<double>(12, 3107);
+  Vector<double> x, r;
   smoother.PreSmooth(b, x, r, SerialContext());
-  EXPECT_EQ(x.tail(8), Vector<TypeParam>::Zero(8));
-  const auto start = RandomVector<TypeParam>(12, 3108);
+  EXPECT_EQ(x.tail(8), Vector<double>::Zero(8));
+  const auto start = test::RandomVector<double>(12, 3108);
   x = start;
   smoother.PostSmooth(b, x, SerialContext());
   EXPECT_EQ(x.tail(8), start.tail(8));

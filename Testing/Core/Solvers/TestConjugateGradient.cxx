@@ -55,6 +55,7 @@ struct CyclePreconditioned
   }
 
   const SparseMatrix<Scalar>& A() const { return this->Problem.A; }
+  MatrixOperator<Scalar> Operator() const { return MatrixOperator<Scalar>(this->Problem.A); }
   int Size() const { return this->Hierarchy.NumberOfUnknowns(0); }
 
   const test::GridProblem<Scalar> Problem;
@@ -88,7 +89,8 @@ TYPED_TEST(TestConjugateGradient, AgreesWithCholesky)
   {
     SolveReport report;
     Vector<TypeParam> x;
-    ConjugateGradient(grid.A(), grid.Cycle, b, { tolerance, 100 }, x, report, SerialContext());
+    ConjugateGradient(
+      grid.Operator(), grid.Cycle, b, { tolerance, 100 }, x, report, SerialContext());
     EXPECT_TRUE(report.Converged);
     EXPECT_TRUE(report.Warnings.empty());
     EXPECT_LE(RelativeResidual(grid.A(), b, x), tolerance * (1.0 + 1e-6));
@@ -107,7 +109,7 @@ TYPED_TEST(TestConjugateGradient, IterationsDoNotGrowWithTheGrid)
     const auto b = test::RandomVector<TypeParam>(grid.Size(), 3102);
     SolveReport report;
     Vector<TypeParam> x;
-    ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-8, 100 }, x, report, SerialContext());
+    ConjugateGradient(grid.Operator(), grid.Cycle, b, { 1e-8, 100 }, x, report, SerialContext());
     ASSERT_TRUE(report.Converged);
     iterations.push_back(report.Iterations.back().Iteration);
   }
@@ -126,7 +128,7 @@ TYPED_TEST(TestConjugateGradient, SinglePrecisionInTheCycleCostsNoIteration)
     const auto b = test::RandomVector<TypeParam>(grid.Size(), 3103);
     SolveReport report;
     Vector<TypeParam> x;
-    ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-12, 100 }, x, report, SerialContext());
+    ConjugateGradient(grid.Operator(), grid.Cycle, b, { 1e-12, 100 }, x, report, SerialContext());
     EXPECT_TRUE(report.Converged);
     EXPECT_LE(RelativeResidual(grid.A(), b, x), 1.001e-12);
     iterations.push_back(report.Iterations.back().Iteration);
@@ -140,7 +142,7 @@ TYPED_TEST(TestConjugateGradient, HistoryStartsAtTheStartAndEndsAtTheTruth)
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3104);
   SolveReport report;
   Vector<TypeParam> x;
-  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-10, 100 }, x, report, SerialContext());
+  ConjugateGradient(grid.Operator(), grid.Cycle, b, { 1e-10, 100 }, x, report, SerialContext());
   ASSERT_GE(report.Iterations.size(), 2u);
   EXPECT_EQ(report.Iterations.front().RelativeResidual, 1.0);
   for (std::size_t i = 0; i < report.Iterations.size(); ++i)
@@ -159,16 +161,16 @@ TYPED_TEST(TestConjugateGradient, StartsFromTheGivenVector)
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3105);
   SolveReport report;
   Vector<TypeParam> x;
-  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-10, 100 }, x, report, SerialContext());
+  ConjugateGradient(grid.Operator(), grid.Cycle, b, { 1e-10, 100 }, x, report, SerialContext());
   const int fromZero = report.Iterations.back().Iteration;
 
   const Vector<TypeParam> solution = x;
-  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-9, 100 }, x, report, SerialContext());
+  ConjugateGradient(grid.Operator(), grid.Cycle, b, { 1e-9, 100 }, x, report, SerialContext());
   EXPECT_EQ(report.Iterations.size(), 1u);
   EXPECT_EQ(x, solution);
 
   x += 1e-5 * test::RandomVector<TypeParam>(grid.Size(), 3106);
-  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-10, 100 }, x, report, SerialContext());
+  ConjugateGradient(grid.Operator(), grid.Cycle, b, { 1e-10, 100 }, x, report, SerialContext());
   EXPECT_TRUE(report.Converged);
   EXPECT_LT(report.Iterations.back().Iteration, fromZero);
 }
@@ -179,7 +181,7 @@ TYPED_TEST(TestConjugateGradient, ZeroRightHandSideHasTheSolutionZero)
   const Vector<TypeParam> zero = Vector<TypeParam>::Zero(grid.Size());
   Vector<TypeParam> x = test::RandomVector<TypeParam>(grid.Size(), 3107);
   SolveReport report;
-  ConjugateGradient(grid.A(), grid.Cycle, zero, {}, x, report, SerialContext());
+  ConjugateGradient(grid.Operator(), grid.Cycle, zero, {}, x, report, SerialContext());
   EXPECT_TRUE(report.Converged);
   EXPECT_EQ(x, zero);
   EXPECT_EQ(report.Iterations.size(), 1u);
@@ -200,7 +202,7 @@ TYPED_TEST(TestConjugateGradient, TheLimitLeavesTheBestVector)
   Scaling<TypeParam> identity(1.0);
   SolveReport report;
   Vector<TypeParam> x;
-  ConjugateGradient(A, identity, b, { 1e-10, 10000 }, x, report, SerialContext());
+  ConjugateGradient(MatrixOperator(A), identity, b, { 1e-10, 10000 }, x, report, SerialContext());
   ASSERT_TRUE(report.Converged);
   double best = 1.0;
   int limit = 0;
@@ -216,7 +218,7 @@ TYPED_TEST(TestConjugateGradient, TheLimitLeavesTheBestVector)
   ASSERT_GT(limit, 0) << "residuals that only fall test nothing";
 
   x.resize(0);
-  ConjugateGradient(A, identity, b, { 1e-10, limit }, x, report, SerialContext());
+  ConjugateGradient(MatrixOperator(A), identity, b, { 1e-10, limit }, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   EXPECT_EQ(report.Iterations.back().Iteration, limit);
   EXPECT_GT(report.Iterations.back().RelativeResidual, best);
@@ -231,7 +233,7 @@ TYPED_TEST(TestConjugateGradient, StopsWhereRoundingForbidsProgress)
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3108);
   SolveReport report;
   Vector<TypeParam> x;
-  ConjugateGradient(grid.A(), grid.Cycle, b, { 1e-30, 1000 }, x, report, SerialContext());
+  ConjugateGradient(grid.Operator(), grid.Cycle, b, { 1e-30, 1000 }, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   EXPECT_LT(report.Iterations.back().Iteration, 100);
   // |A| |x| eps / |b|, |x| / |b| at most 1 / 0.005
@@ -249,13 +251,13 @@ TYPED_TEST(TestConjugateGradient, IndefiniteOperatorsEndWithAWarning)
   Scaling<TypeParam> reflection(-1.0);
   SolveReport report;
   Vector<TypeParam> x;
-  ConjugateGradient(negative, identity, b, {}, x, report, SerialContext());
+  ConjugateGradient(MatrixOperator(negative), identity, b, {}, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   ASSERT_EQ(report.Warnings.size(), 1u);
   EXPECT_NE(report.Warnings[0].find("matrix is not positive"), std::string::npos);
 
   x.resize(0);
-  ConjugateGradient(A, reflection, b, {}, x, report, SerialContext());
+  ConjugateGradient(MatrixOperator(A), reflection, b, {}, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   ASSERT_EQ(report.Warnings.size(), 2u);
   EXPECT_NE(report.Warnings[1].find("preconditioner is not positive"), std::string::npos);
@@ -270,13 +272,14 @@ TYPED_TEST(TestConjugateGradient, NumbersThatAreNotFiniteAreRefused)
   bad[5] = std::numeric_limits<double>::quiet_NaN();
   SolveReport report;
   Vector<TypeParam> x;
+  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, bad, {}, x, report, SerialContext()),
+    InvalidInput);
   EXPECT_THROW(
-    ConjugateGradient(A, identity, bad, {}, x, report, SerialContext()), InvalidInput);
-  EXPECT_THROW(
-    ConjugateGradient(A, identity, good, {}, bad, report, SerialContext()), InvalidInput);
+    ConjugateGradient(MatrixOperator(A), identity, good, {}, bad, report, SerialContext()),
+    InvalidInput);
   x.setZero(3);
-  EXPECT_THROW(
-    ConjugateGradient(A, identity, good, {}, x, report, SerialContext()), InvalidInput);
+  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, good, {}, x, report, SerialContext()),
+    InvalidInput);
 }
 
 TYPED_TEST(TestConjugateGradient, CanBeCancelledAtEveryIteration)
@@ -286,7 +289,7 @@ TYPED_TEST(TestConjugateGradient, CanBeCancelledAtEveryIteration)
   SolveReport report;
   Vector<TypeParam> x;
   const test::TbbContext all(2);
-  ConjugateGradient(grid.A(), grid.Cycle, b, {}, x, report, all);
+  ConjugateGradient(grid.Operator(), grid.Cycle, b, {}, x, report, all);
   EXPECT_EQ(all.Progress().size(), report.Iterations.size() - 1);
   EXPECT_TRUE(std::is_sorted(all.Progress().begin(), all.Progress().end()));
   for (std::size_t count = 1; count <= all.Progress().size(); ++count)
@@ -294,7 +297,8 @@ TYPED_TEST(TestConjugateGradient, CanBeCancelledAtEveryIteration)
     test::TbbContext context(2);
     context.CancelAfter(static_cast<int>(count));
     x.resize(0);
-    EXPECT_THROW(ConjugateGradient(grid.A(), grid.Cycle, b, {}, x, report, context), Cancelled);
+    EXPECT_THROW(
+      ConjugateGradient(grid.Operator(), grid.Cycle, b, {}, x, report, context), Cancelled);
     EXPECT_FALSE(report.Converged);
   }
 }
@@ -305,12 +309,12 @@ TYPED_TEST(TestConjugateGradient, SameBitsForAnyNumberOfThreads)
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3112);
   SolveReport report;
   Vector<TypeParam> expected;
-  ConjugateGradient(grid.A(), grid.Cycle, b, {}, expected, report, SerialContext());
+  ConjugateGradient(grid.Operator(), grid.Cycle, b, {}, expected, report, SerialContext());
   const double residual = report.Iterations.back().RelativeResidual;
   for (const int threads : { 1, 2, 3, 8 })
   {
     Vector<TypeParam> x;
-    ConjugateGradient(grid.A(), grid.Cycle, b, {}, x, report, test::TbbContext(threads));
+    ConjugateGradient(grid.Operator(), grid.Cycle, b, {}, x, report, test::TbbContext(threads));
     EXPECT_EQ(x, expected) << threads << " threads";
     EXPECT_EQ(report.Iterations.back().RelativeResidual, residual);
   }

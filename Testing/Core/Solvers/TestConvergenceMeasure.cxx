@@ -77,8 +77,8 @@ TYPED_TEST(TestConvergenceMeasure, WatchesIterations)
   {
     SolveReport report, unwatched;
     Vector<TypeParam> x, same;
-    solve(A, cycle, b, { 1e-12, 50 }, x, report, SerialContext(), &measure);
-    solve(A, cycle, b, { 1e-12, 50 }, same, unwatched, SerialContext(), nullptr);
+    solve(MatrixOperator(A), cycle, b, { 1e-12, 50 }, x, report, SerialContext(), &measure);
+    solve(MatrixOperator(A), cycle, b, { 1e-12, 50 }, same, unwatched, SerialContext(), nullptr);
     EXPECT_EQ(x, same) << "watching must not change what is watched";
     ASSERT_TRUE(report.Converged);
     const IterationReport& first = report.Iterations.front();
@@ -100,7 +100,7 @@ TYPED_TEST(TestConvergenceMeasure, WatchesIterations)
 
     // A zero right-hand side is solved by zero.
     const Vector<TypeParam> zero = Vector<TypeParam>::Zero(A.rows());
-    solve(A, cycle, zero, {}, x, report, SerialContext(), &measure);
+    solve(MatrixOperator(A), cycle, zero, {}, x, report, SerialContext(), &measure);
     ASSERT_EQ(report.Iterations.size(), 1u);
     EXPECT_EQ(report.Iterations[0].Energy, 3.0);
     EXPECT_DOUBLE_EQ(report.Iterations[0].Error, 1.0);
@@ -116,7 +116,8 @@ TYPED_TEST(TestConvergenceMeasure, SizesAreChecked)
   measure.Mass = Vector<double>::Ones(3);
   SolveReport report;
   Vector<TypeParam> x;
-  EXPECT_THROW(ConjugateGradient(problem.A, cycle, Vector<TypeParam>(Vector<TypeParam>::Ones(225)),
-                 {}, x, report, SerialContext(), &measure),
+  EXPECT_THROW(
+    ConjugateGradient(MatrixOperator(problem.A), cycle,
+      Vector<TypeParam>(Vector<TypeParam>::Ones(225)), {}, x, report, SerialContext(), &measure),
     InvalidInput);
 }

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <memory>
+#include <utility>
 
 using namespace dmg;
 
@@ -59,6 +59,7 @@ struct WeaklyHeld
     Eigen::MatrixXd dense = Q * eigenvalues.asDiagonal() * Q.transpose();
     dense = 0.5 * (dense + dense.transpose().eval());
     this->b = Vector<double>::Zero(size);
+    this->Largest = 2.0 + weight;
     for (int k = 0; k < prescribed; ++k)
     {
       const int unknown = (17 * k + 3) % size;
@@ -74,15 +75,13 @@ struct WeaklyHeld
     this->Inner = 0.5 * (this->Inner + this->Inner.transpose().eval());
   }
 
-  std::unique_ptr<Preconditioner<double>> NewInner() const
-  {
-    return std::make_unique<DenseOperator>(this->Inner);
-  }
+  MatrixOperator<double> Operator() const { return MatrixOperator<double>(this->A); }
 
   SparseMatrix<double> A;
   Eigen::MatrixXd H;
   Vector<double> b;
   Eigen::MatrixXd Inner;
+  double Largest = 0.0; ///< no eigenvalue is larger
 };
 
 int Iterations(
@@ -92,7 +91,7 @@ int Iterations(
   x.resize(0);
   StoppingCriteria stop;
   stop.MaximumIterations = limit;
-  ConjugateGradient(problem.A, B, problem.b, stop, x, report, SerialContext());
+  ConjugateGradient(problem.Operator(), B, problem.b, stop, x, report, SerialContext());
   EXPECT_TRUE(report.Converged);
   return static_cast<int>(report.Iterations.size()) - 1;
 }
@@ -108,7 +107,9 @@ TEST(TestDeflatedPreconditioner, IsItsFormula)
   const Eigen::MatrixXd one = Eigen::MatrixXd::Identity(60, 60);
   const Eigen::MatrixXd expected = Q + (one - Q * A) * problem.Inner * (one - A * Q);
 
-  DeflatedPreconditioner deflated(problem.NewInner(), problem.A, H);
+  DenseOperator inner(problem.Inner);
+  DeflatedPreconditioner deflated(
+    inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
   const Eigen::MatrixXd D = Densified(deflated, 60);
   EXPECT_LE((D - expected).norm(), 1e3 * Epsilon * expected.norm());
   EXPECT_LE((D - D.transpose()).norm(), 1e3 * Epsilon * D.norm());
@@ -125,7 +126,9 @@ TEST(TestDeflatedPreconditioner, IterationsDoNotKnowHowWeaklyTheKernelIsHeld)
   {
     SCOPED_TRACE(weight);
     const WeaklyHeld problem(200, 6, 9, weight);
-    DeflatedPreconditioner deflated(problem.NewInner(), problem.A, problem.H);
+    DenseOperator inner(problem.Inner);
+    DeflatedPreconditioner deflated(
+      inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
     Vector<double> x;
     EXPECT_LE(Iterations(problem, deflated, x), 16);
     const Vector<double> expected = Eigen::MatrixXd(problem.A).ldlt().solve(problem.b);
@@ -140,7 +143,9 @@ TEST(TestDeflatedPreconditioner, FewerPrescriptionsThanKernelVectors)
   {
     SCOPED_TRACE(prescribed);
     const WeaklyHeld problem(120, 6, prescribed, 1.0);
-    DeflatedPreconditioner deflated(problem.NewInner(), problem.A, problem.H);
+    DenseOperator inner(problem.Inner);
+    DeflatedPreconditioner deflated(
+      inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
     const Eigen::MatrixXd D = Densified(deflated, 120);
     ASSERT_TRUE(D.allFinite());
     EXPECT_LE((D - D.transpose()).norm(), 1e4 * Epsilon * D.norm());
@@ -148,4 +153,48 @@ TEST(TestDeflatedPreconditioner, FewerPrescriptionsThanKernelVectors)
     EXPECT_LE(Iterations(problem, deflated, x), 20);
     EXPECT_LE((problem.A * x - problem.b).norm(), 1e-7 * problem.b.norm());
   }
+}
+
+TEST(TestDeflatedPreconditioner, WhatRoundingMakesOfNoEnergyIsNotInverted)
+{
+  // One unknown is held and the kernel has six dimensions, so that five have no energy. Scaling the
+  // system scales its rounding errors, and what the preconditioner takes for one.
+  for (const double scale : { 1e-8, 1.0, 1e8 })
+  {
+    SCOPED_TRACE(scale);
+    WeaklyHeld problem(120, 6, 1, 1.0);
+    problem.A *= scale;
+    DenseOperator inner(problem.Inner / scale);
+    DeflatedPreconditioner deflated(
+      inner, problem.Operator(), problem.H, scale * problem.Largest, SerialContext());
+    // Q would be about 1e16 / scale; but the kernel has energies of 1 / 120 or so, or none.
+    const Eigen::MatrixXd D = Densified(deflated, 120);
+    EXPECT_LE(scale * D.norm(), 1e4);
+  }
+}
+
+TEST(TestDeflatedPreconditioner, HeldUnknownsStayZero)
+{
+  // Rows of A, B and H that are zero, as where an unknown is held.
+  WeaklyHeld problem(60, 4, 6, 0.5);
+  for (const int held : { 0, 17, 59 })
+  {
+    Eigen::MatrixXd A(problem.A);
+    A.row(held).setZero();
+    A.col(held).setZero();
+    problem.A = A.sparseView();
+    problem.Inner.row(held).setZero();
+    problem.Inner.col(held).setZero();
+    problem.H.row(held).setZero();
+  }
+  DenseOperator inner(problem.Inner);
+  DeflatedPreconditioner deflated(
+    inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
+  const Eigen::MatrixXd D = Densified(deflated, 60);
+  for (const int held : { 0, 17, 59 })
+  {
+    EXPECT_EQ(D.row(held).norm(), 0.0);
+  }
+  // Exact on what is left of H.
+  EXPECT_LE((D * problem.A * problem.H - problem.H).norm(), 1e4 * Epsilon * D.norm() * 2.5);
 }

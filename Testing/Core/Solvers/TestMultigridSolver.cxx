@@ -76,11 +76,11 @@ TYPED_TEST(TestMultigridSolver, UpdateHasTheBitsOfANewSolver)
   EXPECT_EQ(x, y);
   EXPECT_EQ(updated.Bytes(), fresh.Bytes());
 
-  // Who does not update gets the same for less.
+  // Who does not update gets the same for less, from prolongations that are not rounded.
   MultigridSolver<TypeParam> lean(problem.A, problem.P, {}, SerialContext());
   y.resize(0);
   lean.SolveByConjugateGradients(b, {}, y, report, SerialContext());
-  EXPECT_EQ(x, y);
+  EXPECT_LE((x - y).norm(), 1e-7 * x.norm());
   EXPECT_LT(lean.Bytes(), fresh.Bytes());
 }
 

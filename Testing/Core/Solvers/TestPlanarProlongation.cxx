@@ -66,6 +66,12 @@ Eigen::MatrixXd OnPairs(const PlanarProlongation& P)
   return pairs;
 }
 
+PlanarProlongation Smoothed(const SparseMatrix<double>& B, const PlanarProlongation& P, int degree,
+  double dropped, const ExecutionContext& context)
+{
+  return SmoothedPlanar(B, SparseMatrix<double>(B.transpose()), P, degree, dropped, context);
+}
+
 template <class Scalar>
 void ExpectIdentical(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B)
 {
@@ -81,7 +87,7 @@ void ExpectIdentical(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& 
 TEST(TestPlanarProlongation, DegreeZeroChangesNothing)
 {
   const PlanarProlongation P = Interpolation(60);
-  ExpectIdentical(SmoothedPlanar(Squares(60), P, 0, 0.5, SerialContext()), P);
+  ExpectIdentical(Smoothed(Squares(60), P, 0, 0.5, SerialContext()), P);
 }
 
 TEST(TestPlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
@@ -97,7 +103,7 @@ TEST(TestPlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
   const Eigen::MatrixXd lengths = before.transpose() * before;
   for (const int degree : { 1, 2, 3, 4 })
   {
-    const Eigen::MatrixXd after = OnPairs(SmoothedPlanar(B, P, degree, 0.0, SerialContext()));
+    const Eigen::MatrixXd after = OnPairs(Smoothed(B, P, degree, 0.0, SerialContext()));
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> worst(
       after.transpose() * A * after, lengths);
     const double bound = largest / ((2.0 * degree + 1.0) * (2.0 * degree + 1.0));
@@ -111,8 +117,7 @@ TEST(TestPlanarProlongation, IsThePolynomialInTheMatrix)
   const SparseMatrix<double> B = Squares(60);
   const PlanarProlongation P = Interpolation(60);
   const Eigen::MatrixXd A = Eigen::MatrixXd(B).transpose() * Eigen::MatrixXd(B);
-  const Eigen::MatrixXd change =
-    OnPairs(P) - OnPairs(SmoothedPlanar(B, P, 1, 0.0, SerialContext()));
+  const Eigen::MatrixXd change = OnPairs(P) - OnPairs(Smoothed(B, P, 1, 0.0, SerialContext()));
   const Eigen::MatrixXd AP = A * OnPairs(P);
   const double factor = (change.array() * AP.array()).sum() / AP.squaredNorm();
   EXPECT_LE((change - factor * AP).norm(), 100 * Epsilon * AP.norm());
@@ -153,7 +158,7 @@ TEST(TestPlanarProlongation, KernelVectorsStay)
   const SparseMatrix<double> sparse = B.sparseView();
   for (const int degree : { 1, 3, 5 })
   {
-    const PlanarProlongation Q = SmoothedPlanar(sparse, P, degree, 0.0, SerialContext());
+    const PlanarProlongation Q = Smoothed(sparse, P, degree, 0.0, SerialContext());
     EXPECT_LE((apply(Q) - kernel).norm(), 1e4 * Epsilon * kernel.norm());
     EXPECT_GT((Q - P).norm(), 0.1 * P.norm()) << "what is not in the kernel changes";
   }
@@ -164,8 +169,8 @@ TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
   const SparseMatrix<double> B = Squares(600);
   const PlanarProlongation P = Interpolation(600);
   const double dropped = 0.05;
-  const PlanarProlongation full = SmoothedPlanar(B, P, 3, 0.0, SerialContext());
-  const PlanarProlongation Q = SmoothedPlanar(B, P, 3, dropped, SerialContext());
+  const PlanarProlongation full = Smoothed(B, P, 3, 0.0, SerialContext());
+  const PlanarProlongation Q = Smoothed(B, P, 3, dropped, SerialContext());
   EXPECT_LT(Q.nonZeros(), full.nonZeros());
   EXPECT_LE((Q - full).norm(), 3 * dropped * full.norm());
   for (int i = 0; i < Q.rows(); ++i)
@@ -186,8 +191,7 @@ TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
 
 TEST(TestPlanarProlongation, GramIsTheProductOfPairs)
 {
-  const PlanarProlongation Q =
-    SmoothedPlanar(Squares(240), Interpolation(240), 2, 0.01, SerialContext());
+  const PlanarProlongation Q = Smoothed(Squares(240), Interpolation(240), 2, 0.01, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(Q, SerialContext());
   const Eigen::MatrixXd pairs = OnPairs(Q);
   const Eigen::MatrixXd expected = pairs.transpose() * pairs;
@@ -206,12 +210,12 @@ TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
 {
   const SparseMatrix<double> B = Squares(6000);
   const PlanarProlongation P = Interpolation(6000);
-  const PlanarProlongation expected = SmoothedPlanar(B, P, 3, 0.01, SerialContext());
+  const PlanarProlongation expected = Smoothed(B, P, 3, 0.01, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(expected, SerialContext());
   for (const int threads : { 1, 2, 5 })
   {
     const test::TbbContext context(threads);
-    ExpectIdentical(SmoothedPlanar(B, P, 3, 0.01, context), expected);
+    ExpectIdentical(Smoothed(B, P, 3, 0.01, context), expected);
     ExpectIdentical(GramOfPlanar(expected, context), gram);
   }
 }

@@ -55,7 +55,7 @@ TYPED_TEST(TestStationaryIteration, CyclesAgreeWithCholesky)
     MultigridCycle<TypeParam> cycle(hierarchy, options, SerialContext());
     SolveReport report;
     Vector<TypeParam> x;
-    StationaryIteration(A, cycle, b, { 1e-12, 100 }, x, report, SerialContext());
+    StationaryIteration(MatrixOperator(A), cycle, b, { 1e-12, 100 }, x, report, SerialContext());
     EXPECT_TRUE(report.Converged);
     EXPECT_LE((b - A * x).norm(), 1.001e-12 * b.norm());
     EXPECT_LE((x - expected).norm(), 1e-12 * (b.norm() / 1.2e-3 + expected.norm()));
@@ -75,7 +75,7 @@ TYPED_TEST(TestStationaryIteration, RichardsonContractsAsComputedByHand)
   Scaling<TypeParam> half(0.5);
   SolveReport report;
   Vector<TypeParam> x;
-  StationaryIteration(A, half, b, { 1e-3, 100 }, x, report, SerialContext());
+  StationaryIteration(MatrixOperator(A), half, b, { 1e-3, 100 }, x, report, SerialContext());
   for (const IterationReport& row : report.Iterations)
   {
     const double expected = row.Iteration == 0 ? 1.0 : std::pow(0.5, row.Iteration) / std::sqrt(2.0);
@@ -91,7 +91,7 @@ TYPED_TEST(TestStationaryIteration, DivergenceLeavesTheBestVector)
   Scaling<TypeParam> tooFar(1.0); // eigenvalues of B A up to 8
   SolveReport report;
   Vector<TypeParam> x;
-  StationaryIteration(A, tooFar, b, { 1e-8, 100 }, x, report, SerialContext());
+  StationaryIteration(MatrixOperator(A), tooFar, b, { 1e-8, 100 }, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   EXPECT_EQ(report.Iterations.back().Iteration, 10);
   EXPECT_EQ(x.norm(), 0.0) << "the start was the best";
@@ -107,18 +107,18 @@ TYPED_TEST(TestStationaryIteration, LimitZeroRightHandSideAndCancel)
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3203);
   SolveReport report;
   Vector<TypeParam> x;
-  StationaryIteration(A, cycle, b, { 1e-12, 3 }, x, report, SerialContext());
+  StationaryIteration(MatrixOperator(A), cycle, b, { 1e-12, 3 }, x, report, SerialContext());
   EXPECT_FALSE(report.Converged);
   EXPECT_EQ(report.Iterations.size(), 4u);
   EXPECT_NEAR((b - A * x).norm() / b.norm(), report.Iterations.back().RelativeResidual, 1e-14);
 
   const Vector<TypeParam> zero = Vector<TypeParam>::Zero(A.rows());
-  StationaryIteration(A, cycle, zero, {}, x, report, SerialContext());
+  StationaryIteration(MatrixOperator(A), cycle, zero, {}, x, report, SerialContext());
   EXPECT_TRUE(report.Converged);
   EXPECT_EQ(x, zero);
 
   test::TbbContext context(2);
   context.CancelAfter(3);
   x.resize(0);
-  EXPECT_THROW(StationaryIteration(A, cycle, b, {}, x, report, context), Cancelled);
+  EXPECT_THROW(StationaryIteration(MatrixOperator(A), cycle, b, {}, x, report, context), Cancelled);
 }

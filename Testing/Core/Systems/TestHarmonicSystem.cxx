@@ -45,27 +45,6 @@ SparseMatrix<Scalar> ThreeChains(Random& random)
   return L.sparseView();
 }
 
-/// The squares of such a sum: a row per link of the chains.
-template <class Scalar>
-SparseMatrix<Scalar> SquaresOfThreeChains(Random& random)
-{
-  std::vector<Eigen::Triplet<Scalar>> entries;
-  int row = 0;
-  for (int i = 0; i + 1 < 12; ++i)
-  {
-    if (i == 5 || i == 9)
-    {
-      continue;
-    }
-    entries.emplace_back(row, i, RandomScalar(random, static_cast<Scalar*>(nullptr)));
-    entries.emplace_back(row, i + 1, RandomScalar(random, static_cast<Scalar*>(nullptr)));
-    ++row;
-  }
-  SparseMatrix<Scalar> squares(row, 12);
-  squares.setFromTriplets(entries.begin(), entries.end());
-  return squares;
-}
-
 template <class Scalar>
 class HarmonicSystemTest : public ::testing::Test
 {
@@ -211,38 +190,25 @@ TYPED_TEST(HarmonicSystemTest, SoftPrescriptionsWithoutMassHoldNothing)
   EXPECT_EQ(system.RightHandSide(this->RandomVector(2)).size(), 4);
 }
 
-TYPED_TEST(HarmonicSystemTest, FactorIsTheSquareRootOfTheMatrix)
+TYPED_TEST(HarmonicSystemTest, MakeIsSoftOrHardAsThePrescriptionSays)
 {
   using Dense = typename TestFixture::Dense;
-  const SparseMatrix<TypeParam> squares = SquaresOfThreeChains<TypeParam>(this->Numbers);
-  const SparseMatrix<TypeParam> smoothness = SparseMatrix<TypeParam>(squares.adjoint()) * squares;
-  const auto expectFactored = [](const HarmonicSystem<TypeParam>& system) {
-    ASSERT_EQ(system.Factor().cols(), system.NumberOfFree());
-    const Dense B(system.Factor());
-    const Dense A(system.Matrix());
-    EXPECT_LE((B.adjoint() * B - A).norm(), 20 * MachinePrecision * A.norm());
-  };
-  // All reached; [10, 12) unreached; only the middle chain reached.
-  for (const std::vector<int>& prescribed :
-    { std::vector<int>{ 1, 4, 8, 11 }, std::vector<int>{ 2, 3, 9 }, std::vector<int>{ 7 } })
+  const std::vector<int> prescribed = { 1, 4, 8 };
+  const Vector<double> alignment = Eigen::Vector3d(0.7, 2.0, 0.3);
+  const Vector<TypeParam> y = this->RandomVector(3);
+  const auto expectSame = [&y](
+                            const HarmonicSystem<TypeParam>& a, const HarmonicSystem<TypeParam>& b)
   {
-    const auto size = static_cast<int>(prescribed.size());
-    const Vector<double> alignment = Vector<double>::LinSpaced(size, 0.7, 3.0);
-    const auto soft =
-      HarmonicSystem<TypeParam>::Soft(smoothness, this->M, prescribed, alignment, squares);
-    expectFactored(soft);
-    EXPECT_EQ(soft.Factor().rows(), squares.rows() + size);
-    const auto hard = HarmonicSystem<TypeParam>::Hard(smoothness, this->M, prescribed, squares);
-    expectFactored(hard);
-    EXPECT_EQ(hard.Factor().rows(), squares.rows());
-  }
-  // What holds nothing is no square.
-  const auto weak = HarmonicSystem<TypeParam>::Soft(
-    smoothness, this->M, { 1, 3, 8 }, Eigen::Vector3d(0.0, 1.0, 2.0), squares);
-  expectFactored(weak);
-  EXPECT_EQ(weak.Factor().rows(), squares.rows() + 2);
-  // Without a factor of the smoothness there is none of the matrix.
-  EXPECT_EQ(HarmonicSystem<TypeParam>::Hard(smoothness, this->M, { 1 }).Factor().rows(), 0);
+    EXPECT_EQ(a.FreeUnknowns(), b.FreeUnknowns());
+    EXPECT_EQ(Dense(a.Matrix()), Dense(b.Matrix()));
+    EXPECT_EQ(a.RightHandSide(y), b.RightHandSide(y));
+  };
+  expectSame(HarmonicSystem<TypeParam>::Make(
+               this->L, this->M, { ConstraintKind::Soft, prescribed, alignment }),
+    HarmonicSystem<TypeParam>::Soft(this->L, this->M, prescribed, alignment));
+  expectSame(
+    HarmonicSystem<TypeParam>::Make(this->L, this->M, { ConstraintKind::Hard, prescribed, {} }),
+    HarmonicSystem<TypeParam>::Hard(this->L, this->M, prescribed));
 }
 
 TYPED_TEST(HarmonicSystemTest, EverythingPrescribedHardLeavesNothing)

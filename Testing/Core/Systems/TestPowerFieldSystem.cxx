@@ -202,7 +202,8 @@ TEST(PowerFieldSystem, ComponentsWithoutAPrescriptionAreZeroAndMentioned)
     const HarmonicSystem<Complex> system =
       MakePowerFieldSystem(mesh, frames, 4, constraints.Prescribed, Weights(kind));
     EXPECT_EQ(system.NumberOfUnreached(), 80);
-    const std::string warning = WarningAboutUnreached(system);
+    const std::string warning =
+      WarningAboutUnreached(system.NumberOfUnreached(), system.NumberOfUnknowns());
     EXPECT_NE(warning.find("80 of 134 unknowns"), std::string::npos) << warning;
     const Vector<Complex> X = SolveField(mesh, frames, 4, constraints, Weights(kind));
     EXPECT_EQ(X.head(80).norm(), 0.0);
@@ -212,7 +213,7 @@ TEST(PowerFieldSystem, ComponentsWithoutAPrescriptionAreZeroAndMentioned)
   const TriangleMesh sphere = Icosphere(1).Mesh();
   const HarmonicSystem<Complex> whole = MakePowerFieldSystem(
     sphere, FaceFrames(sphere), 2, { { 3 }, { 1.0 } }, Weights(ConstraintKind::Soft));
-  EXPECT_TRUE(WarningAboutUnreached(whole).empty());
+  EXPECT_TRUE(WarningAboutUnreached(whole.NumberOfUnreached(), whole.NumberOfUnknowns()).empty());
 }
 
 TEST(PowerFieldSystem, ZeroAreaFacesGetAField)

@@ -1,0 +1,257 @@
+#include "LeastSquaresProblem.h"
+
+#include "Solvers/ConjugateGradient.h"
+#include "Solvers/DeflatedPreconditioner.h"
+#include "Solvers/LeastSquaresCycle.h"
+#include "Solvers/StationaryIteration.h"
+#include "Support/Permutations.h"
+
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+LeastSquaresCycleOptions OptionsOfCycle(const SolverOptions& options)
+{
+  LeastSquaresCycleOptions cycle;
+  cycle.Sweeps = options.Sweeps * options.FinestSweepsFactor;
+  cycle.Coarse.Smoothing.PreSweeps = options.Sweeps;
+  cycle.Coarse.Smoothing.PostSweeps = options.Sweeps;
+  return cycle;
+}
+
+}
+
+/// All vectors are in the order of the hierarchy. The equations are divided by the smoothness weight.
+class LeastSquaresProblem::Internals
+{
+public:
+  Internals(std::shared_ptr<const LeastSquaresSurface> surface, const SolverOptions& options)
+    : Surface(std::move(surface))
+    , Places(Inverse(this->Surface->Hierarchy.Order))
+    , Options(options)
+  {
+  }
+
+  void Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
+  Vector<double> RightHandSide(const Vector<double>& values, const ExecutionContext& context) const;
+  Vector<double> InOrder(const Vector<double>& all) const
+  {
+    return all.size() > 0 ? Vector<double>(all(this->Surface->Hierarchy.Order)) : all;
+  }
+
+  const std::shared_ptr<const LeastSquaresSurface> Surface;
+  const std::vector<int> Places; ///< of the caller's unknowns
+  const SolverOptions Options;
+  PrescribedUnknowns Prescribed;
+  double Smoothness = 1.0;
+  Vector<double> D; ///< infinite where an unknown is not free
+  int NumberOfFree = 0;
+  std::optional<LeastSquaresOperator> A;
+  std::optional<LeastSquaresCycle> Cycle;
+  std::optional<DeflatedPreconditioner> Deflated;
+  SolveReport Report;
+  std::vector<std::string> SystemWarnings;
+
+private:
+  void Deflate(const ExecutionContext& context);
+};
+
+void LeastSquaresProblem::Internals::Prescribe(
+  PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const LeastSquaresHierarchy& hierarchy = this->Surface->Hierarchy;
+  const bool isHard = prescribed.Kind == ConstraintKind::Hard;
+  this->Prescribed = std::move(prescribed);
+  this->Smoothness = isHard ? 1.0 : smoothness;
+
+  const std::vector<int>& unknowns = this->Prescribed.Unknowns;
+  this->D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
+  std::vector<char> isReached(hierarchy.NumberOfUnknowns(), 0); // by component
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+  {
+    const int place = this->Places[unknowns[k]];
+    this->D[place] = isHard ? Infinity : this->Prescribed.Alignment[k] / this->Smoothness;
+    isReached[hierarchy.Components[place]] |= this->D[place] > 0.0;
+  }
+  int unreached = 0;
+  this->NumberOfFree = 0;
+  for (Eigen::Index i = 0; i < this->D.size(); ++i)
+  {
+    if (!isReached[hierarchy.Components[i]])
+    {
+      this->D[i] = Infinity; // zero, the least of equal minimisers
+      ++unreached;
+    }
+    this->NumberOfFree += std::isfinite(this->D[i]);
+  }
+  this->SystemWarnings.clear();
+  if (const std::string warning = WarningAboutUnreached(unreached, hierarchy.NumberOfUnknowns());
+      !warning.empty())
+  {
+    this->SystemWarnings.push_back(warning);
+  }
+  context.Checkpoint(0.1);
+
+  this->Deflated.reset();
+  this->A.reset();
+  this->A.emplace(hierarchy, this->D);
+  if (this->Cycle)
+  {
+    this->Cycle->Update(this->D, PartOfContext(context, 0.1, 0.9));
+  }
+  else
+  {
+    this->Cycle.emplace(hierarchy, this->D, OptionsOfCycle(this->Options),
+      PartOfContext(context, 0.1, 0.9));
+  }
+  this->Report.Levels = this->Cycle->Levels();
+  this->Report.Bytes = hierarchy.Bytes() + this->Cycle->Bytes();
+  this->Deflate(context);
+  this->Report.Solver =
+    NameOf(this->Options.Kind) + " on " + this->Surface->Name + this->Surface->KernelNote;
+  this->Report.Warnings = this->SystemWarnings;
+  this->Report.PrepareSeconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  context.Checkpoint(1.0);
+}
+
+void LeastSquaresProblem::Internals::Deflate(const ExecutionContext& context)
+{
+  Eigen::MatrixXd kernel = this->Surface->Kernel;
+  if (kernel.cols() == 0)
+  {
+    return;
+  }
+  double largest = this->Surface->Hierarchy.Lengths.cwiseAbs2().maxCoeff();
+  for (Eigen::Index i = 0; i < this->D.size(); ++i)
+  {
+    if (std::isfinite(this->D[i]))
+    {
+      largest = std::max(largest, this->D[i]);
+    }
+    else
+    {
+      kernel.row(i).setZero();
+    }
+  }
+  this->Deflated.emplace(*this->Cycle, *this->A, std::move(kernel), largest, context);
+  this->Report.Bytes += this->Deflated->Bytes();
+}
+
+Vector<double> LeastSquaresProblem::Internals::RightHandSide(
+  const Vector<double>& values, const ExecutionContext& context) const
+{
+  const std::vector<int>& unknowns = this->Prescribed.Unknowns;
+  Vector<double> b = Vector<double>::Zero(this->D.size());
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+  {
+    b[this->Places[unknowns[k]]] = values[k];
+  }
+  if (this->Prescribed.Kind == ConstraintKind::Hard)
+  {
+    // - B_f^T B_b y
+    const LeastSquaresOperator roughness(
+      this->Surface->Hierarchy, Vector<double>::Zero(this->D.size()));
+    Vector<double> pull;
+    roughness.Apply(b, pull, context);
+    b = -pull;
+  }
+  for (Eigen::Index i = 0; i < b.size(); ++i)
+  {
+    if (!std::isfinite(this->D[i]))
+    {
+      b[i] = 0.0;
+    }
+    else if (this->Prescribed.Kind == ConstraintKind::Soft)
+    {
+      b[i] *= this->D[i];
+    }
+  }
+  return b;
+}
+
+LeastSquaresProblem::LeastSquaresProblem(std::shared_ptr<const LeastSquaresSurface> surface,
+  PrescribedUnknowns prescribed, double smoothness, const SolverOptions& options,
+  const ExecutionContext& context)
+  : Internal(std::make_unique<Internals>(std::move(surface), options))
+{
+  this->Internal->Prescribe(std::move(prescribed), smoothness, context);
+}
+
+LeastSquaresProblem::~LeastSquaresProblem() = default;
+
+LeastSquaresProblem::LeastSquaresProblem(LeastSquaresProblem&&) noexcept = default;
+
+void LeastSquaresProblem::Update(
+  PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+{
+  this->Internal->Prescribe(std::move(prescribed), smoothness, context);
+}
+
+int LeastSquaresProblem::NumberOfFree() const
+{
+  return this->Internal->NumberOfFree;
+}
+
+const SolveReport& LeastSquaresProblem::Report() const
+{
+  return this->Internal->Report;
+}
+
+Vector<double> LeastSquaresProblem::Solve(const Vector<double>& values,
+  const Vector<double>& start, const Vector<double>& reference, const StoppingCriteria& stop,
+  const ExecutionContext& context)
+{
+  Internals& of = *this->Internal;
+  assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
+  of.Report.Warnings = of.SystemWarnings;
+  const Vector<double> b = of.RightHandSide(values, context);
+  Vector<double> x = of.InOrder(start);
+  ConvergenceMeasure<double> measure;
+  measure.Mass = of.Surface->Mass;
+  measure.Reference = of.InOrder(reference);
+  measure.EnergyScale = of.Smoothness;
+  for (Eigen::Index i = 0; i < of.D.size(); ++i)
+  {
+    if (!std::isfinite(of.D[i]))
+    {
+      if (x.size() > 0)
+      {
+        x[i] = 0.0;
+      }
+      if (measure.Reference.size() > 0)
+      {
+        measure.Reference[i] = 0.0;
+      }
+    }
+  }
+  Preconditioner<double>* cycle = &*of.Cycle;
+  if (of.Deflated)
+  {
+    cycle = &*of.Deflated;
+  }
+  const auto solve = of.Options.Kind == SolverKind::VCycles ? &StationaryIteration<double>
+                                                            : &ConjugateGradient<double>;
+  solve(*of.A, *cycle, b, stop, x, of.Report, context, &measure);
+  if (of.Prescribed.Kind == ConstraintKind::Hard)
+  {
+    for (std::size_t k = 0; k < of.Prescribed.Unknowns.size(); ++k)
+    {
+      x[of.Places[of.Prescribed.Unknowns[k]]] = values[k];
+    }
+  }
+  return x(of.Places);
+}
+
+}

@@ -1,0 +1,70 @@
+#ifndef dmgLeastSquaresProblem_h
+#define dmgLeastSquaresProblem_h
+
+#include "SolverChoice.h"
+#include "Solvers/LeastSquaresHierarchy.h"
+#include "Solvers/SolveReport.h"
+#include "Solvers/StoppingCriteria.h"
+#include "Support/ExecutionContext.h"
+#include "Systems/HarmonicSystem.h"
+
+#include <memory>
+#include <string>
+
+namespace dmg
+{
+
+/// What cycles for face fields or 1-forms need of a surface, whatever is prescribed: the last part of
+/// the set-up. All in the order of the hierarchy.
+struct LeastSquaresSurface
+{
+  std::string Name; ///< says in reports what the coarse levels hold
+  LeastSquaresHierarchy Hierarchy;
+  /// Of the inner product that errors are measured in.
+  Vector<double> Mass;
+  /// Harmonic fields, a column each, orthonormal. Cycles hold them only nearly.
+  Eigen::MatrixXd Kernel;
+  std::string KernelNote; ///< for reports: why Kernel is left out, or empty
+};
+
+/// The problem of HarmonicSystem where the roughness is a sum of squares |B x|^2, by cycles on them: the
+/// system stage, and the solve stage on top of it. No matrix of all unknowns is ever formed.
+class LeastSquaresProblem
+{
+public:
+  /// System.
+  /// \param smoothness weight of the roughness, > 0.
+  /// \param options Kind is VCycles or ConjugateGradients.
+  /// \throw SolverFailure, Cancelled
+  LeastSquaresProblem(std::shared_ptr<const LeastSquaresSurface> surface,
+    PrescribedUnknowns prescribed, double smoothness, const SolverOptions& options,
+    const ExecutionContext& context);
+  ~LeastSquaresProblem();
+  LeastSquaresProblem(LeastSquaresProblem&&) noexcept;
+
+  /// Takes other prescribed unknowns or weights: numbers only, no pattern changes. After an error the
+  /// problem must not be used.
+  void Update(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
+
+  int NumberOfFree() const;
+
+  /// Solve for the prescribed values.
+  /// \param values one per prescribed unknown.
+  /// \param start first guess, one per unknown, or empty for zero.
+  /// \param reference the solution, for the Error of every row of the history, or empty.
+  /// \return one per unknown. Not converged: the best vector reached; see Report().
+  /// \throw Cancelled
+  Vector<double> Solve(const Vector<double>& values, const Vector<double>& start,
+    const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context);
+
+  /// Of the system stage and of the last solve.
+  const SolveReport& Report() const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif

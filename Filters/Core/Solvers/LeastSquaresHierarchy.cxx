@@ -1,0 +1,271 @@
+#include "Solvers/LeastSquaresHierarchy.h"
+
+#include "Support/Errors.h"
+#include "Support/Permutations.h"
+#include "Support/SparseKernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int RowGrain = 8192;
+
+/// Numbers 0, 1, ... of items in ascending order of their keys; equal keys keep their order.
+template <class Key>
+std::vector<int> SortedByKey(int size, int numberOfKeys, const Key& key)
+{
+  std::vector<int> next(numberOfKeys + 1, 0);
+  for (int i = 0; i < size; ++i)
+  {
+    ++next[key(i) + 1];
+  }
+  OffsetsFromCounts(next);
+  std::vector<int> order(size);
+  for (int i = 0; i < size; ++i)
+  {
+    order[next[key(i)]++] = i;
+  }
+  return order;
+}
+
+template <class Scalar>
+int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
+{
+  const int begin = A.outerIndexPtr()[row];
+  return begin < A.outerIndexPtr()[row + 1] ? A.innerIndexPtr()[begin] : otherwise;
+}
+
+/// Numbers 0 to size - 1 in the order in which a sequence comes to them; then those that it does not.
+template <class Iterator>
+std::vector<int> ByFirstOccurrence(Iterator begin, Iterator end, int size)
+{
+  std::vector<int> order;
+  order.reserve(size);
+  std::vector<char> hasOccurred(size, 0);
+  const auto append = [&](int number) {
+    if (!hasOccurred[number])
+    {
+      hasOccurred[number] = 1;
+      order.push_back(number);
+    }
+  };
+  std::for_each(begin, end, append);
+  for (int number = 0; number < size; ++number)
+  {
+    append(number);
+  }
+  return order;
+}
+
+UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& order,
+  const std::vector<int>& placesOfUnknowns)
+{
+  UnknownBlocks permuted;
+  permuted.Unknowns.reserve(blocks.Unknowns.size());
+  for (const int k : order)
+  {
+    for (int s = blocks.Offsets[k]; s < blocks.Offsets[k + 1]; ++s)
+    {
+      permuted.Unknowns.push_back(placesOfUnknowns[blocks.Unknowns[s]]);
+    }
+    permuted.EndBlock();
+  }
+  return permuted;
+}
+
+/// Lengths of the columns of B, each the row of a transpose; 1 where there is nothing.
+Vector<double> ColumnLengths(const SparseMatrix<double>& Bt, const ExecutionContext& context)
+{
+  Vector<double> lengths(Bt.rows());
+  context.ParallelFor(0, static_cast<int>(Bt.rows()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      double squared = 0.0;
+      for (int e = Bt.outerIndexPtr()[i]; e < Bt.outerIndexPtr()[i + 1]; ++e)
+      {
+        squared += Bt.valuePtr()[e] * Bt.valuePtr()[e];
+      }
+      lengths[i] = squared > 0.0 ? std::sqrt(squared) : 1.0;
+    }
+  });
+  return lengths;
+}
+
+/// Multiplies rows by \p rowFactor(row) and columns by \p columnFactor(column).
+template <class Scalar, class RowFactor, class ColumnFactor>
+void Scale(SparseMatrix<Scalar>& A, const RowFactor& rowFactor, const ColumnFactor& columnFactor,
+  const ExecutionContext& context)
+{
+  context.ParallelFor(0, static_cast<int>(A.rows()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      for (int e = A.outerIndexPtr()[i]; e < A.outerIndexPtr()[i + 1]; ++e)
+      {
+        A.valuePtr()[e] *= rowFactor(i) * columnFactor(A.innerIndexPtr()[e]);
+      }
+    }
+  });
+}
+
+/// Numbers of connected unknowns.
+std::vector<int> ConnectedThrough(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt)
+{
+  std::vector<int> components(B.cols(), -1);
+  std::vector<char> isRowVisited(B.rows(), 0);
+  std::vector<int> stack;
+  int number = 0;
+  for (int seed = 0; seed < B.cols(); ++seed)
+  {
+    if (components[seed] >= 0)
+    {
+      continue;
+    }
+    components[seed] = number;
+    stack.push_back(seed);
+    while (!stack.empty())
+    {
+      const int unknown = stack.back();
+      stack.pop_back();
+      for (SparseMatrix<double>::InnerIterator row(Bt, unknown); row; ++row)
+      {
+        if (isRowVisited[row.col()] || row.value() == 0.0)
+        {
+          continue;
+        }
+        isRowVisited[row.col()] = 1;
+        for (SparseMatrix<double>::InnerIterator entry(B, row.col()); entry; ++entry)
+        {
+          if (components[entry.col()] < 0 && entry.value() != 0.0)
+          {
+            components[entry.col()] = number;
+            stack.push_back(static_cast<int>(entry.col()));
+          }
+        }
+      }
+    }
+    ++number;
+  }
+  return components;
+}
+
+}
+
+LeastSquaresHierarchy CoarsenLeastSquares(const SparseMatrix<double>& factor,
+  LeastSquaresLevels levels, const LeastSquaresHierarchyOptions& options,
+  const ExecutionContext& context)
+{
+  PlanarProlongation& P = levels.Prolongation;
+  if (P.rows() != factor.cols())
+  {
+    throw InvalidInput("the prolongation to level 0 has " + std::to_string(P.rows()) +
+      " rows instead of " + std::to_string(factor.cols()) + "; use the operators of this surface");
+  }
+  long long size = 2 * P.cols();
+  for (std::size_t l = 0; l < levels.Coarser.size(); ++l)
+  {
+    if (levels.Coarser[l].rows() != size)
+    {
+      throw InvalidInput("the prolongation to level " + std::to_string(l + 1) + " has " +
+        std::to_string(levels.Coarser[l].rows()) + " rows instead of " + std::to_string(size) +
+        "; use the operators of this surface");
+    }
+    size = levels.Coarser[l].cols();
+  }
+  // Blocks by the coarse unknowns that they belong to; unknowns as the blocks come to them, and rows of
+  // B as the unknowns do.
+  const int unknowns = static_cast<int>(factor.cols());
+  const std::vector<int> blockOrder = SortedByKey(levels.Blocks.Size(),
+    std::max(1, static_cast<int>(P.cols())),
+    [&](int k) { return FirstColumn(P, levels.Blocks.Unknowns[levels.Blocks.Offsets[k]], 0); });
+  const std::vector<int> blocksInOrder = Permuted(levels.Blocks, blockOrder, Identity(unknowns)).Unknowns;
+  std::vector<int> order =
+    ByFirstOccurrence(blocksInOrder.begin(), blocksInOrder.end(), unknowns);
+  const std::vector<int> places = Inverse(order);
+  const SparseMatrix<double> rowsOfUnknowns =
+    Permuted(Adjoint(factor, context), order, Identity(static_cast<int>(factor.rows())), context);
+  const std::vector<int> rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
+    rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), static_cast<int>(factor.rows()));
+  SparseMatrix<double> B = Permuted(factor, rowOrder, places, context);
+  {
+    PlanarProlongation permuted = Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
+    P.swap(permuted);
+  }
+  Vector<double> lengths = ColumnLengths(rowsOfUnknowns, context);
+  const auto one = [](int) { return 1.0; };
+  Scale(B, one, [&lengths](int column) { return 1.0 / lengths[column]; }, context);
+  Scale(P, [&lengths](int row) { return lengths[row]; }, one, context);
+  SparseMatrix<double> Bt = Adjoint(B, context);
+  context.Checkpoint(0.1);
+
+  P = SmoothedPlanar(B, Bt, std::move(P), options.ProlongationDegree, options.Dropped, context);
+  context.Checkpoint(0.6);
+  // The coarse matrix is that of the rounded prolongation.
+  SparseMatrix<LeastSquaresHierarchy::Plane> rounded = P.cast<LeastSquaresHierarchy::Plane>();
+  P = rounded.cast<Complex>();
+  SparseMatrix<double> coarse = GramOfPlanar(Product(B, P, context), context);
+  context.Checkpoint(0.8);
+  SparseMatrix<LeastSquaresHierarchy::Plane> restriction = Adjoint(rounded, context);
+  SchwarzBlocks blocks(Bt, Permuted(levels.Blocks, blockOrder, places), context);
+  std::vector<int> components = ConnectedThrough(B, Bt);
+  context.Checkpoint(1.0);
+  return { std::move(order), std::move(components), std::move(lengths), std::move(B),
+    std::move(Bt), std::move(blocks), std::move(rounded), std::move(restriction),
+    std::move(coarse), std::move(levels.Coarser) };
+}
+
+long long LeastSquaresHierarchy::Bytes() const
+{
+  const auto bytes = [](const auto& matrix) {
+    return matrix.nonZeros() * static_cast<long long>(sizeof(*matrix.valuePtr()) + sizeof(int)) +
+      matrix.outerSize() * static_cast<long long>(sizeof(int));
+  };
+  long long sum = bytes(this->B) + bytes(this->Bt) + this->Blocks.Bytes() +
+    bytes(this->Prolongation) + bytes(this->Restriction) + bytes(this->CoarseMatrix) +
+    this->NumberOfUnknowns() * static_cast<long long>(2 * sizeof(int) + sizeof(double));
+  for (const SparseMatrix<double>& P : this->Coarser)
+  {
+    sum += bytes(P);
+  }
+  return sum;
+}
+
+LeastSquaresOperator::LeastSquaresOperator(
+  const LeastSquaresHierarchy& hierarchy, Vector<double> diagonal)
+  : Hierarchy(hierarchy)
+  , D(std::move(diagonal))
+  , Scaled(hierarchy.B.cols())
+  , Product(hierarchy.B.rows())
+{
+}
+
+double LeastSquaresOperator::Apply(
+  const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
+{
+  const LeastSquaresHierarchy& of = this->Hierarchy;
+  context.ParallelFor(0, this->Size(), RowGrain, [&](int first, int last) {
+    const int count = last - first;
+    this->Scaled.segment(first, count) =
+      x.segment(first, count).cwiseProduct(of.Lengths.segment(first, count));
+  });
+  Multiply(of.B, this->Scaled, this->Product, context);
+  y.resize(this->Size());
+  return SumOverBlocks<double>(this->Size(), context, [&](int first, int last) {
+    double product = 0.0;
+    for (int i = first; i < last; ++i)
+    {
+      y[i] = std::isfinite(this->D[i])
+        ? of.Lengths[i] * RowTimes(of.Bt, i, this->Product.data()) + this->D[i] * x[i]
+        : 0.0;
+      product += x[i] * y[i];
+    }
+    return product;
+  });
+}
+
+}

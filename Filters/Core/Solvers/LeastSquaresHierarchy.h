@@ -1,0 +1,96 @@
+#ifndef dmgLeastSquaresHierarchy_h
+#define dmgLeastSquaresHierarchy_h
+
+#include "Solvers/LinearOperator.h"
+#include "Solvers/PlanarProlongation.h"
+#include "Solvers/SchwarzBlocks.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <complex>
+#include <vector>
+
+namespace dmg
+{
+
+/// Where the levels of a LeastSquaresHierarchy come from.
+struct LeastSquaresLevels
+{
+  UnknownBlocks Blocks;                       ///< of the fine level
+  PlanarProlongation Prolongation;            ///< to the fine level
+  std::vector<SparseMatrix<double>> Coarser;  ///< between the levels below, finest first
+};
+
+struct LeastSquaresHierarchyOptions
+{
+  /// Degree of the polynomial that smooths the prolongation, >= 0.
+  int ProlongationDegree = 4;
+  /// Entries of the prolongation below so many times the largest of their row are left out.
+  double Dropped = 0.004;
+};
+
+/// What multigrid needs to know of a roughness |B x|^2, whatever is prescribed: its blocks, a smoothed
+/// prolongation from plane vectors, and the roughness of those. Built once per surface; each set of
+/// prescriptions then takes a LeastSquaresCycle on it.
+///
+/// The fine level costs most, so it is coarsened fast: the prolongation may skip a level, as the
+/// polynomial that smooths it reaches far.
+///
+/// Order and scale. Unknowns stand in an order of their own, by the coarse unknowns that they belong to,
+/// and columns of B are scaled to length 1. The caller's unknown Order[k] is x_k / Lengths[k].
+struct LeastSquaresHierarchy
+{
+  using Plane = std::complex<float>;
+
+  std::vector<int> Order;
+  /// A number that an unknown shares with all that it is connected with through B.
+  std::vector<int> Components;
+  /// Of the columns that B had; 1 if one was empty.
+  Vector<double> Lengths;
+  SparseMatrix<double> B;
+  SparseMatrix<double> Bt;
+  SchwarzBlocks Blocks;
+  /// In single precision, to which its energy is no worse; and the adjoint.
+  SparseMatrix<Plane> Prolongation;
+  SparseMatrix<Plane> Restriction;
+  /// P^T B^T B P, 2 N_1 x 2 N_1.
+  SparseMatrix<double> CoarseMatrix;
+  /// Between the levels below, finest first.
+  std::vector<SparseMatrix<double>> Coarser;
+
+  int NumberOfUnknowns() const { return static_cast<int>(this->Order.size()); }
+  /// Held by this object.
+  long long Bytes() const;
+};
+
+/// \param B m x n.
+/// \param levels Prolongation is n x N_1; Coarser [0] has 2 N_1 rows.
+/// \throw InvalidInput the sizes do not chain, or a block is too large.
+/// \throw Cancelled
+/// Cost: linear in the size of B; most of it smooths the prolongation.
+LeastSquaresHierarchy CoarsenLeastSquares(const SparseMatrix<double>& B, LeastSquaresLevels levels,
+  const LeastSquaresHierarchyOptions& options, const ExecutionContext& context);
+
+/// A = B^T B + D of a hierarchy as operator, on unknowns in its order, but not scaled.
+class LeastSquaresOperator : public LinearOperator<double>
+{
+public:
+  /// \param hierarchy is borrowed.
+  /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero, and so is its row of A x.
+  LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy, Vector<double> D);
+
+  int Size() const override { return this->Hierarchy.NumberOfUnknowns(); }
+  /// \pre x is zero where unknowns are held.
+  double Apply(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override;
+
+private:
+  const LeastSquaresHierarchy& Hierarchy;
+  const Vector<double> D;
+  mutable Vector<double> Scaled;
+  mutable Vector<double> Product;
+};
+
+}
+
+#endif

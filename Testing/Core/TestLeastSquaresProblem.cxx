@@ -1,0 +1,556 @@
+#include "LeastSquaresProblem.h"
+
+#include "HarmonicField.h"
+#include "Support/Errors.h"
+#include "Support/MeshFactory.h"
+#include "Support/Random.h"
+#include "Support/TbbContext.h"
+#include "Systems/FaceFieldSystem.h"
+#include "Systems/OneFormSystem.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+constexpr Discretisation Kinds[] = { Discretisation::FaceField, Discretisation::OneForm };
+constexpr ConstraintKind BothConstraints[] = { ConstraintKind::Soft, ConstraintKind::Hard };
+
+FieldOptions OptionsOf(Discretisation kind, SolverKind solver = SolverKind::ConjugateGradients)
+{
+  FieldOptions options;
+  options.Kind = kind;
+  options.Solver.Kind = solver;
+  return options;
+}
+
+StoppingCriteria Tight()
+{
+  return { 1e-12, 300 };
+}
+
+/// Prescribed faces or edges with their weights.
+struct Elements
+{
+  std::vector<int> Numbers;
+  std::vector<double> Weights;
+};
+
+/// A discretisation on a surface, for cycles and for a factorisation.
+struct Prepared
+{
+  Prepared(const Surface& surface, Discretisation kind)
+    : Kind(kind)
+    , Mesh(surface.Mesh())
+    , Frames(FaceFrames(this->Mesh))
+  {
+    HierarchyOptions options;
+    options.MinimumNumberOfFaces = 100;
+    this->Operators =
+      BuildSurfaceHierarchy(this->Mesh, options, SerialContext(), { false, false, false })
+        .Operators;
+    this->Levels = MakeLeastSquaresSurface(
+      this->Mesh, this->Frames, &this->Operators, OptionsOf(kind), SerialContext());
+  }
+
+  bool IsForm() const { return this->Kind == Discretisation::OneForm; }
+  int NumberOfElements() const
+  {
+    return this->IsForm() ? this->Mesh.NumberOfEdges() : this->Mesh.NumberOfFaces();
+  }
+  int NumberOfUnknowns() const
+  {
+    return this->IsForm() ? this->Mesh.NumberOfEdges() : 2 * this->Mesh.NumberOfFaces();
+  }
+  int UnknownsPerElement() const { return this->IsForm() ? 1 : 2; }
+
+  /// Elements first, first + step, ... below \p last, with random weights.
+  Elements Every(int step, int first = 0, int last = 1 << 30) const
+  {
+    Random random(3700 + step);
+    Elements elements;
+    for (int i = first; i < std::min(last, this->NumberOfElements()); i += step)
+    {
+      elements.Numbers.push_back(i);
+      elements.Weights.push_back(random.Uniform(0.5, 2.0));
+    }
+    return elements;
+  }
+
+  PrescribedUnknowns Prescribed(const Elements& elements, const FieldWeights& weights) const
+  {
+    return this->IsForm() ? PrescribedUnknownsOf(this->Mesh,
+                              PrescribedEdges{ elements.Numbers, elements.Weights }, weights)
+                          : PrescribedUnknownsOf(this->Mesh,
+                              PrescribedFaces{ elements.Numbers, elements.Weights }, weights);
+  }
+
+  LeastSquaresProblem Problem(const Elements& elements, const FieldWeights& weights,
+    SolverKind solver = SolverKind::ConjugateGradients) const
+  {
+    SolverOptions options;
+    options.Kind = solver;
+    options.FinestSweepsFactor = 2;
+    return LeastSquaresProblem(this->Levels, this->Prescribed(elements, weights),
+      weights.Smoothness, options, SerialContext());
+  }
+
+  /// The same by factoring the matrix of the system, which does not come from squares.
+  HarmonicProblem<double> Factored(const Elements& elements, const FieldWeights& weights) const
+  {
+    SolverOptions options;
+    options.Kind = SolverKind::Cholesky;
+    const auto makeSystem = [&](const ExecutionContext& context)
+    {
+      return this->IsForm()
+        ? MakeOneFormSystem(this->Mesh, { elements.Numbers, elements.Weights }, weights, context)
+        : MakeFaceFieldSystem(
+            this->Mesh, this->Frames, { elements.Numbers, elements.Weights }, weights, context);
+    };
+    return HarmonicProblem<double>(makeSystem, {}, options, SerialContext());
+  }
+
+  Vector<double> RandomValues(const Elements& elements, unsigned seed) const
+  {
+    Random random(seed);
+    Vector<double> values(this->UnknownsPerElement() * elements.Numbers.size());
+    for (double& value : values)
+    {
+      value = random.Uniform(-1.0, 1.0);
+    }
+    return values;
+  }
+
+  FieldConstraints Constraints(const Elements& elements, unsigned seed) const
+  {
+    return { elements.Numbers, elements.Weights, this->RandomValues(elements, seed) };
+  }
+
+  const Discretisation Kind;
+  const TriangleMesh Mesh;
+  const TangentFrames Frames;
+  ProlongationOperators Operators;
+  std::shared_ptr<const LeastSquaresSurface> Levels;
+};
+
+std::string Describe(Discretisation kind, ConstraintKind constraints)
+{
+  return std::string(kind == Discretisation::OneForm ? "1-form" : "face field") +
+    (constraints == ConstraintKind::Soft ? ", soft" : ", hard");
+}
+
+/// A torus, then a sphere beside it.
+struct TorusAndSphere
+{
+  const Surface Torus = IrregularTorus(28, 14, 4);
+  const Surface Both = Union(this->Torus, IrregularSphere(3, 3), Vector3(4.0, 0.0, 0.0));
+};
+
+/// Unknowns of the faces from \p firstFace on.
+std::vector<int> UnknownsOfFaces(const Prepared& on, int firstFace)
+{
+  std::vector<int> unknowns;
+  for (int h = 3 * firstFace; h < 3 * on.Mesh.NumberOfFaces(); ++h)
+  {
+    const int face = TriangleMesh::FaceOf(h);
+    unknowns.push_back(on.IsForm() ? on.Mesh.EdgeOf(h) : 2 * face + (h == 3 * face ? 0 : 1));
+  }
+  std::sort(unknowns.begin(), unknowns.end());
+  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+  return unknowns;
+}
+
+}
+
+TEST(LeastSquaresProblem, AgreesWithCholesky)
+{
+  for (const Surface& surface :
+    { IrregularTorus(28, 14, 4), IrregularPlane(20, 16, 5), TorusAndSphere().Both })
+  {
+    for (const Discretisation kind : Kinds)
+    {
+      const Prepared on(surface, kind);
+      for (const ConstraintKind constraints : BothConstraints)
+      {
+        SCOPED_TRACE(Describe(kind, constraints));
+        const Elements elements = on.Every(47);
+        const Vector<double> values = on.RandomValues(elements, 3701);
+        for (const double smoothness : { 1.0, 0.05, 30.0 })
+        {
+          const FieldWeights weights = { smoothness, 1.5, constraints };
+          HarmonicProblem<double> factored = on.Factored(elements, weights);
+          const Vector<double> expected = factored.Solve(values, {}, Tight(), SerialContext());
+          const IterationReport& best = factored.Report().Iterations.back();
+          for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
+          {
+            LeastSquaresProblem problem = on.Problem(elements, weights, solver);
+            const Vector<double> field =
+              problem.Solve(values, {}, expected, Tight(), SerialContext());
+            const SolveReport& report = problem.Report();
+            EXPECT_TRUE(report.Converged) << report.Solver;
+            EXPECT_LE((field - expected).norm(), 1e-7 * expected.norm());
+            // Both call energy what x minimises, in the same units.
+            EXPECT_NEAR(report.Iterations.back().Energy, best.Energy, 1e-9 * std::abs(best.Energy));
+            EXPECT_EQ(report.Iterations.front().Energy, 0.0);
+            EXPECT_LE(report.Iterations.back().Error, 1e-7);
+            EXPECT_DOUBLE_EQ(report.Iterations.front().Error, 1.0);
+            EXPECT_DOUBLE_EQ(report.Iterations.front().MassResidual, 1.0);
+            EXPECT_EQ(report.Warnings, factored.Report().Warnings);
+          }
+        }
+      }
+    }
+  }
+}
+
+// Cotangents of faces without area make matrices of 1-forms so uneven that rounding errors alone
+// are 1e-9 or so of a right-hand side.
+TEST(LeastSquaresProblem, FacesWithoutArea)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(SphereWithZeroAreaFaces(3, 12), kind);
+    for (const ConstraintKind constraints : BothConstraints)
+    {
+      SCOPED_TRACE(Describe(kind, constraints));
+      const Elements elements = on.Every(47);
+      const Vector<double> values = on.RandomValues(elements, 3710);
+      for (const double smoothness : { 1.0, 0.05, 30.0 })
+      {
+        const FieldWeights weights = { smoothness, 1.5, constraints };
+        HarmonicProblem<double> factored = on.Factored(elements, weights);
+        const Vector<double> expected = factored.Solve(values, {}, {}, SerialContext());
+        const double best = factored.Report().Iterations.back().Energy;
+        LeastSquaresProblem problem = on.Problem(elements, weights);
+        const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
+        EXPECT_TRUE(problem.Report().Converged);
+        EXPECT_LE((field - expected).norm(), 1e-3 * expected.norm());
+        EXPECT_NEAR(problem.Report().Iterations.back().Energy, best, 1e-7 * std::abs(best));
+      }
+    }
+  }
+}
+
+TEST(LeastSquaresProblem, HardConstraintsHoldExactly)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(IrregularTorus(28, 14, 4), kind);
+    const FieldWeights weights = { 1.0, 1.0, ConstraintKind::Hard };
+    const Elements elements = on.Every(31, 2);
+    const Vector<double> values = on.RandomValues(elements, 3702);
+    LeastSquaresProblem problem = on.Problem(elements, weights);
+    const PrescribedUnknowns prescribed = on.Prescribed(elements, weights);
+    EXPECT_EQ(
+      problem.NumberOfFree(), on.NumberOfUnknowns() - static_cast<int>(prescribed.Unknowns.size()));
+    const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
+    EXPECT_EQ(Vector<double>(field(prescribed.Unknowns)), values);
+    EXPECT_TRUE(std::isnan(problem.Report().Iterations.back().Error)) << "without a reference";
+  }
+}
+
+// What no prescription reaches is zero, and is said to be.
+TEST(LeastSquaresProblem, UnreachedComponentsAreZero)
+{
+  const TorusAndSphere surface;
+  const int facesOfTorus = static_cast<int>(surface.Torus.F.rows());
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(surface.Both, kind);
+    const std::vector<int> ofSphere = UnknownsOfFaces(on, facesOfTorus);
+    const Elements all = on.Every(29);
+    for (const ConstraintKind constraints : BothConstraints)
+    {
+      SCOPED_TRACE(Describe(kind, constraints));
+      Elements elements;
+      for (std::size_t k = 0; k < all.Numbers.size(); ++k)
+      {
+        const int unknown = on.UnknownsPerElement() * all.Numbers[k];
+        if (!std::binary_search(ofSphere.begin(), ofSphere.end(), unknown))
+        {
+          elements.Numbers.push_back(all.Numbers[k]);
+          elements.Weights.push_back(all.Weights[k]);
+        }
+      }
+      ASSERT_GT(elements.Numbers.size(), 10u);
+      const FieldWeights weights = { 1.0, 1.0, constraints };
+      const Vector<double> values = on.RandomValues(elements, 3703);
+      LeastSquaresProblem problem = on.Problem(elements, weights);
+      const std::string expected =
+        WarningAboutUnreached(static_cast<int>(ofSphere.size()), on.NumberOfUnknowns());
+      EXPECT_EQ(problem.Report().Warnings, std::vector<std::string>{ expected });
+      const int held = constraints == ConstraintKind::Hard ? static_cast<int>(values.size()) : 0;
+      EXPECT_EQ(
+        problem.NumberOfFree(), on.NumberOfUnknowns() - static_cast<int>(ofSphere.size()) - held);
+      // Whatever stands there at the start.
+      const Vector<double> start = Vector<double>::Ones(on.NumberOfUnknowns());
+      const Vector<double> field = problem.Solve(values, start, {}, Tight(), SerialContext());
+      EXPECT_TRUE(problem.Report().Converged);
+      EXPECT_EQ(problem.Report().Warnings, std::vector<std::string>{ expected });
+      EXPECT_EQ(field(ofSphere).norm(), 0.0);
+      HarmonicProblem<double> factored = on.Factored(elements, weights);
+      const Vector<double> reference = factored.Solve(values, {}, Tight(), SerialContext());
+      EXPECT_LE((field - reference).norm(), 1e-7 * reference.norm());
+    }
+  }
+}
+
+// The field depends on the ratio of the two weights, the energy on both.
+TEST(LeastSquaresProblem, WeightsCountByTheirRatio)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(IrregularTorus(28, 14, 4), kind);
+    const Elements elements = on.Every(31);
+    const Vector<double> values = on.RandomValues(elements, 3704);
+    const auto solve = [&](double factor)
+    {
+      LeastSquaresProblem problem =
+        on.Problem(elements, { 0.5 * factor, 3.0 * factor, ConstraintKind::Soft });
+      const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
+      return std::pair(field, problem.Report().Iterations.back().Energy);
+    };
+    const auto [field, energy] = solve(1.0);
+    const auto [same, larger] = solve(8.0); // a power of two rounds nothing
+    EXPECT_EQ(same, field);
+    EXPECT_EQ(larger, 8.0 * energy);
+    EXPECT_LT(energy, 0.0);
+  }
+}
+
+// A problem that was updated is the problem that a new one would be, whatever it was before.
+TEST(LeastSquaresProblem, UpdateIsANewProblem)
+{
+  const TorusAndSphere surface;
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(surface.Both, kind);
+    struct Case
+    {
+      Elements Of;
+      FieldWeights Weights;
+    };
+    const int few = on.NumberOfElements() / 3; // on the torus alone
+    const std::vector<Case> cases = {
+      { on.Every(31), { 1.0, 1.0, ConstraintKind::Soft } },
+      { on.Every(31), { 0.1, 7.0, ConstraintKind::Soft } },
+      { on.Every(17, 3), { 1.0, 1.0, ConstraintKind::Soft } },
+      { on.Every(31), { 1.0, 1.0, ConstraintKind::Hard } },
+      { on.Every(2), { 1.0, 1.0, ConstraintKind::Hard } },
+      { on.Every(19, 1, few), { 1.0, 1.0, ConstraintKind::Soft } },
+      { on.Every(23, 1, few), { 1.0, 1.0, ConstraintKind::Hard } },
+      { on.Every(31), { 1.0, 1.0, ConstraintKind::Soft } },
+    };
+    LeastSquaresProblem updated = on.Problem(cases[1].Of, cases[1].Weights);
+    for (std::size_t k = 0; k < cases.size(); ++k)
+    {
+      SCOPED_TRACE(Describe(kind, cases[k].Weights.Constraints) + ", case " + std::to_string(k));
+      const auto& [elements, weights] = cases[k];
+      updated.Update(on.Prescribed(elements, weights), weights.Smoothness, SerialContext());
+      LeastSquaresProblem fresh = on.Problem(elements, weights);
+      EXPECT_EQ(updated.NumberOfFree(), fresh.NumberOfFree());
+      EXPECT_EQ(updated.Report().Warnings, fresh.Report().Warnings);
+      EXPECT_EQ(updated.Report().Solver, fresh.Report().Solver);
+      EXPECT_EQ(updated.Report().Bytes, fresh.Report().Bytes);
+      ASSERT_EQ(updated.Report().Levels.size(), fresh.Report().Levels.size());
+      const Vector<double> values = on.RandomValues(elements, 3705);
+      const Vector<double> field = updated.Solve(values, {}, {}, {}, SerialContext());
+      EXPECT_EQ(field, fresh.Solve(values, {}, {}, {}, SerialContext()));
+      EXPECT_TRUE(fresh.Report().Converged);
+      ASSERT_EQ(updated.Report().Iterations.size(), fresh.Report().Iterations.size());
+      EXPECT_EQ(updated.Report().Iterations.back().Energy, fresh.Report().Iterations.back().Energy);
+    }
+  }
+}
+
+TEST(LeastSquaresProblem, StartsWhereItIsTold)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    for (const ConstraintKind constraints : BothConstraints)
+    {
+      SCOPED_TRACE(Describe(kind, constraints));
+      const Prepared on(IrregularTorus(28, 14, 4), kind);
+      const Elements elements = on.Every(31);
+      const FieldWeights weights = { 1.0, 1.0, constraints };
+      Vector<double> values = on.RandomValues(elements, 3706);
+      LeastSquaresProblem problem = on.Problem(elements, weights);
+      const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
+      const std::size_t cold = problem.Report().Iterations.size();
+      problem.Solve(values, field, {}, {}, SerialContext());
+      EXPECT_LE(problem.Report().Iterations.size(), 2u);
+      // Other values need no other system. What stands where unknowns are held does not matter.
+      values[0] += 0.01;
+      Vector<double> start = field;
+      const Vector<double> near = problem.Solve(values, start, {}, {}, SerialContext());
+      EXPECT_LT(problem.Report().Iterations.size(), cold);
+      if (constraints == ConstraintKind::Hard)
+      {
+        for (const int unknown : on.Prescribed(elements, weights).Unknowns)
+        {
+          start[unknown] = 1e3;
+        }
+        EXPECT_EQ(problem.Solve(values, start, {}, {}, SerialContext()), near);
+      }
+    }
+  }
+}
+
+// A torus has two harmonic fields, which a face or two hold weakly. Cycles know them.
+TEST(LeastSquaresProblem, FewPrescriptionsOnATorus)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(IrregularTorus(56, 24, 4), kind);
+    EXPECT_EQ(on.Levels->Kernel.cols(), 2);
+    for (const ConstraintKind constraints : BothConstraints)
+    {
+      SCOPED_TRACE(Describe(kind, constraints));
+      const Elements elements = { { 7, 200, 901 }, { 1.0, 0.01, 1.0 } };
+      const FieldWeights weights = { 100.0, 0.01, constraints };
+      const Vector<double> values = on.RandomValues(elements, 3707);
+      LeastSquaresProblem problem = on.Problem(elements, weights);
+      const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
+      EXPECT_TRUE(problem.Report().Converged);
+      EXPECT_LE(problem.Report().Iterations.back().Iteration, 15);
+      HarmonicProblem<double> factored = on.Factored(elements, weights);
+      const Vector<double> expected = factored.Solve(values, {}, Tight(), SerialContext());
+      EXPECT_LE((field - expected).norm(), 1e-4 * expected.norm());
+    }
+  }
+}
+
+TEST(LeastSquaresProblem, ReportsProgressOnceAndStopsWhenAsked)
+{
+  const Prepared on(IrregularTorus(28, 14, 4), Discretisation::FaceField);
+  const FieldWeights weights;
+  SolverOptions options;
+  options.Kind = SolverKind::ConjugateGradients;
+  const PrescribedUnknowns prescribed = on.Prescribed(on.Every(31), weights);
+  for (const bool isUpdate : { false, true })
+  {
+    const auto make = [&](const ExecutionContext& context)
+    {
+      const SerialContext serial;
+      const ExecutionContext& first = isUpdate ? serial : context;
+      LeastSquaresProblem problem(on.Levels, prescribed, 1.0, options, first);
+      if (isUpdate)
+      {
+        problem.Update(on.Prescribed(on.Every(7), weights), 2.0, context);
+      }
+    };
+    const TbbContext all(2);
+    make(all);
+    ASSERT_FALSE(all.Progress().empty());
+    EXPECT_TRUE(std::is_sorted(all.Progress().begin(), all.Progress().end()));
+    EXPECT_EQ(all.Progress().back(), 1.0);
+    for (std::size_t count = 1; count <= all.Progress().size(); ++count)
+    {
+      TbbContext context(2);
+      context.CancelAfter(static_cast<int>(count));
+      EXPECT_THROW(make(context), Cancelled);
+    }
+  }
+}
+
+TEST(FieldProblem, TakesLevelsOrMakesThem)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(IrregularTorus(28, 14, 4), kind);
+    for (const ConstraintKind constraints : BothConstraints)
+    {
+      SCOPED_TRACE(Describe(kind, constraints));
+      FieldOptions options = OptionsOf(kind);
+      options.Constraints = constraints;
+      options.Smoothness = 0.7;
+      const FieldConstraints prescribed = on.Constraints(on.Every(31), 3708);
+      const auto solve = [&](std::shared_ptr<const LeastSquaresSurface> levels)
+      {
+        FieldProblem problem(on.Mesh, on.Frames, &on.Operators, prescribed, options,
+          SerialContext(), std::move(levels));
+        const Vector<double> field =
+          problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
+        EXPECT_TRUE(problem.Report().Converged);
+        EXPECT_EQ(problem.Report().Solver,
+          std::string("conjugate gradients with a V-cycle on nodal levels"));
+        return field;
+      };
+      const Vector<double> made = solve(nullptr);
+      EXPECT_EQ(solve(on.Levels), made);
+      EXPECT_EQ(solve(on.Levels), made) << "once more, since levels do not change";
+      // Thread counts of levels and of problems do not matter either.
+      const TbbContext threads(3);
+      EXPECT_EQ(
+        solve(MakeLeastSquaresSurface(on.Mesh, on.Frames, &on.Operators, options, threads)), made);
+    }
+  }
+}
+
+TEST(FieldProblem, LevelsAreMadeOnlyWhereCyclesNeedThem)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(IrregularTorus(28, 14, 4), kind);
+    const auto areMade = [&on](const FieldOptions& options, const ProlongationOperators* operators)
+    {
+      return MakeLeastSquaresSurface(on.Mesh, on.Frames, operators, options, SerialContext()) !=
+        nullptr;
+    };
+    EXPECT_TRUE(areMade(OptionsOf(kind), &on.Operators));
+    EXPECT_TRUE(areMade(OptionsOf(kind, SolverKind::VCycles), &on.Operators));
+    EXPECT_FALSE(areMade(OptionsOf(kind), nullptr));
+    EXPECT_FALSE(areMade(OptionsOf(kind, SolverKind::Automatic), &on.Operators)) << "small";
+    EXPECT_FALSE(areMade(OptionsOf(kind, SolverKind::Cholesky), &on.Operators));
+    EXPECT_FALSE(areMade(OptionsOf(kind, SolverKind::NestedIterations), &on.Operators));
+    FieldOptions options = OptionsOf(kind);
+    options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
+    EXPECT_FALSE(areMade(options, &on.Operators));
+    options = OptionsOf(kind);
+    options.Solver.StartingLevel = 1;
+    EXPECT_FALSE(areMade(options, &on.Operators));
+    EXPECT_FALSE(areMade(OptionsOf(Discretisation::PowerField), &on.Operators));
+  }
+}
+
+// The same words, whichever way the problem would be solved.
+TEST(FieldProblem, RefusesWhatLeavesNothingToSolveFor)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(IrregularTorus(28, 14, 4), kind);
+    const FieldConstraints everything = on.Constraints(on.Every(1), 3709);
+    std::vector<std::string> messages;
+    for (const SolverKind solver : { SolverKind::Cholesky, SolverKind::ConjugateGradients })
+    {
+      FieldOptions options = OptionsOf(kind, solver);
+      options.Constraints = ConstraintKind::Hard;
+      for (const FieldConstraints& constraints : { everything, FieldConstraints() })
+      {
+        try
+        {
+          FieldProblem(on.Mesh, on.Frames, &on.Operators, constraints, options, SerialContext());
+          ADD_FAILURE() << Describe(kind, options.Constraints);
+        }
+        catch (const InvalidInput& error)
+        {
+          messages.push_back(error.what());
+        }
+      }
+    }
+    ASSERT_EQ(messages.size(), 4u);
+    EXPECT_EQ(messages[0], messages[2]);
+    EXPECT_EQ(messages[1], messages[3]);
+    EXPECT_NE(messages[0], messages[1]);
+  }
+}
