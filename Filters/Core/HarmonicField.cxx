@@ -114,9 +114,19 @@ typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
   };
 }
 
+// Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks).
+// Squares take longer to set up; a 1-form's matrix is easily factored, a face field's is not.
+constexpr int LargestPowerSystemForCholesky = 20000;
+constexpr int LargestFaceSystemForCholesky = 60000;
+constexpr int LargestOneFormSystemForCholesky = 500000;
+
 SolverOptions SolverFor(const FieldOptions& options)
 {
   SolverOptions solver = options.Solver;
+  solver.LargestForCholesky = options.Kind == Discretisation::PowerField
+    ? LargestPowerSystemForCholesky
+    : options.Kind == Discretisation::FaceField ? LargestFaceSystemForCholesky
+                                                : LargestOneFormSystemForCholesky;
   if (options.CoarseSpace == CoarseSpaceKind::Nodal)
   {
     // Blocks of stars cost three times as much as those of sides, and do more. Cycles that start on
@@ -225,23 +235,40 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
     spaces, SolverFor(options), context);
 }
 
+int NumberOfUnknowns(const TriangleMesh& mesh, const FieldOptions& options)
+{
+  switch (options.Kind)
+  {
+    case Discretisation::OneForm:
+      return mesh.NumberOfEdges();
+    case Discretisation::FaceField:
+      return 2 * mesh.NumberOfFaces();
+    default:
+      return mesh.NumberOfFaces();
+  }
+}
+
 /// Whether cycles on least squares solve this, and which.
 std::optional<SolverKind> LeastSquaresSolver(
   const TriangleMesh& mesh, const ProlongationOperators* operators, const FieldOptions& options)
 {
-  const bool isOneForm = options.Kind == Discretisation::OneForm;
   if (options.Kind == Discretisation::PowerField ||
     options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0 ||
     !operators || operators->Nodal.empty())
   {
     return std::nullopt;
   }
-  const int unknowns = isOneForm ? mesh.NumberOfEdges() : 2 * mesh.NumberOfFaces();
-  const SolverKind kind = ChooseSolver(options.Solver.Kind, unknowns, true).Kind;
+  const SolverKind kind = ChooseSolver(SolverFor(options), NumberOfUnknowns(mesh, options), true).Kind;
   const bool isCycle = kind == SolverKind::VCycles || kind == SolverKind::ConjugateGradients;
   return isCycle ? std::optional<SolverKind>(kind) : std::nullopt;
 }
 
+}
+
+bool NeedsLevels(const TriangleMesh& mesh, const FieldOptions& options)
+{
+  return ChooseSolver(SolverFor(options), NumberOfUnknowns(mesh, options), true).Kind !=
+    SolverKind::Cholesky;
 }
 
 std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const TriangleMesh& mesh,

@@ -100,6 +100,9 @@ FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFra
   const std::vector<PrescribedDirection>& directions, const FieldOptions& options,
   const ElementNames& names = {});
 
+/// Whether the solver that is asked for, or chosen, needs levels of the surface.
+bool NeedsLevels(const TriangleMesh& mesh, const FieldOptions& options);
+
 /// The last part of the set-up, for face fields and 1-forms: what cycles on nodal levels need, whatever
 /// is prescribed.
 /// \param operators of this mesh; used during the call only.

@@ -154,7 +154,7 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
 
   context.Checkpoint(0.2);
   const auto [solver, reason] =
-    ChooseSolver(options.Kind, system.NumberOfFree(), static_cast<bool>(coarseSpaces.Prolongations));
+    ChooseSolver(options, system.NumberOfFree(), static_cast<bool>(coarseSpaces.Prolongations));
   internal.Solver = solver;
   if (solver == SolverKind::Cholesky)
   {

@@ -2,14 +2,6 @@
 
 namespace dmg
 {
-namespace
-{
-
-// Below this many unknowns the factorisation is done before multigrid has its levels.
-constexpr int LargestSystemForCholesky = 20000;
-
-}
-
 std::string NameOf(SolverKind kind)
 {
   switch (kind)
@@ -27,9 +19,15 @@ std::string NameOf(SolverKind kind)
   }
 }
 
-SolverChoice ChooseSolver(SolverKind asked, int numberOfUnknowns, bool hasLevels)
+SolverChoice ChooseSolver(const SolverOptions& options, int numberOfUnknowns, bool hasLevels)
 {
-  if (asked == SolverKind::Cholesky || (asked != SolverKind::Automatic && hasLevels))
+  const SolverKind asked = options.Kind;
+  const std::string size = ", chosen for " + std::to_string(numberOfUnknowns) + " unknowns";
+  if (asked == SolverKind::Automatic && numberOfUnknowns <= options.LargestForCholesky)
+  {
+    return { SolverKind::Cholesky, size + ", few enough to factor at once" };
+  }
+  if (asked == SolverKind::Cholesky)
   {
     return { asked, "" };
   }
@@ -40,12 +38,8 @@ SolverChoice ChooseSolver(SolverKind asked, int numberOfUnknowns, bool hasLevels
       asked == SolverKind::Automatic ? "chosen" : "in place of " + NameOf(asked);
     return { SolverKind::Cholesky, ", " + instead + " because there are no coarse levels" };
   }
-  const std::string size = std::to_string(numberOfUnknowns) + " unknowns";
-  if (numberOfUnknowns <= LargestSystemForCholesky)
-  {
-    return { SolverKind::Cholesky, ", chosen for " + size + ", few enough to factor at once" };
-  }
-  return { SolverKind::ConjugateGradients, ", chosen for " + size };
+  return asked == SolverKind::Automatic ? SolverChoice{ SolverKind::ConjugateGradients, size }
+                                        : SolverChoice{ asked, "" };
 }
 
 }

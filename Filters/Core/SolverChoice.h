@@ -10,7 +10,7 @@ namespace dmg
 
 enum class SolverKind
 {
-  /// Cholesky for small systems, else conjugate gradients.
+  /// Cholesky for small systems, else conjugate gradients; see SolverOptions::LargestForCholesky.
   Automatic,
   /// Supernodal sparse Cholesky of the fine system (CHOLMOD).
   Cholesky,
@@ -28,6 +28,8 @@ enum class SolverKind
 struct SolverOptions
 {
   SolverKind Kind = SolverKind::Automatic;
+  /// Automatic factors systems of at most so many unknowns.
+  int LargestForCholesky = 20000;
   /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1.
   int Sweeps = 2;
   /// The finest level gets so many times as many sweeps, >= 1.
@@ -51,7 +53,7 @@ struct SolverChoice
 
 /// \param hasLevels whether there are coarse levels. Where there are none the system is factored,
 ///   whatever is asked for.
-SolverChoice ChooseSolver(SolverKind asked, int numberOfUnknowns, bool hasLevels);
+SolverChoice ChooseSolver(const SolverOptions& options, int numberOfUnknowns, bool hasLevels);
 
 /// In words.
 std::string NameOf(SolverKind kind);
