@@ -117,6 +117,12 @@ public:
     double Seconds;
   };
 
+  /// Output of the surface and a discretisation, whatever is prescribed.
+  struct BasisStage
+  {
+    dmg::BasisArrays Arrays;
+  };
+
   struct SystemStage
   {
     dmg::FieldConstraints Constraints;
@@ -136,6 +142,7 @@ public:
   std::unique_ptr<SurfaceStage> Surface;
   std::unique_ptr<OperatorsStage> Operators;
   std::unique_ptr<LevelsStage> Levels;
+  std::unique_ptr<BasisStage> Basis;
   std::unique_ptr<SystemStage> System;
   std::unique_ptr<SolveStage> Solution;
 
@@ -168,6 +175,7 @@ public:
       this->System.reset();
       this->Levels.reset();
       this->Operators.reset();
+      this->Basis.reset();
       this->Surface.reset(new SurfaceStage{ digest, std::move(framed), SecondsSince(start) });
       redone = true;
     }
@@ -305,6 +313,19 @@ public:
     }
   }
 
+  /// The harmonic fields; \return whether they were made, rather than kept.
+  bool MakeBasis(vtkPolyData* input, dmg::Discretisation kind, const dmg::ExecutionContext& context)
+  {
+    if (this->Basis && this->Basis->Arrays.Kind == kind)
+    {
+      return false;
+    }
+    this->Basis.reset(); // the memory of another kind first
+    this->Basis.reset(
+      new BasisStage{ dmg::MakeBasisArrays(this->Surface->Framed, kind, input, context) });
+    return true;
+  }
+
   double SetupSeconds() const
   {
     return this->Surface->Seconds + (this->Operators ? this->Operators->Seconds : 0.0) +
@@ -393,6 +414,7 @@ int vtkHarmonicFieldSolver::RequestData(
   }
 
   vtkInternals& stages = *this->Internals;
+  const bool hasBasis = this->HarmonicBasis && this->Discretisation != PowerField;
   try
   {
     const dmg::ContextFromAlgorithm context(this);
@@ -441,8 +463,16 @@ int vtkHarmonicFieldSolver::RequestData(
         vtkWarningMacro(<< warning);
       }
     }
-    stages.MakeArrays(
-      input, this->UnitLength, this->Combing, dmg::PartOfContext(context, 0.9, 1.0));
+    stages.MakeArrays(input, this->UnitLength, this->Combing,
+      dmg::PartOfContext(context, 0.9, hasBasis ? 0.92 : 1.0));
+    if (hasBasis &&
+      stages.MakeBasis(input, options.Kind, dmg::PartOfContext(context, 0.92, 1.0)) &&
+      stages.Basis->Arrays.TooMany)
+    {
+      vtkWarningMacro("the surface has " << stages.Basis->Arrays.NumberOfLoops
+        << " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes "
+           "and remove its small handles first, or switch HarmonicBasis off");
+    }
   }
   catch (const dmg::Cancelled&)
   {
@@ -460,12 +490,20 @@ int vtkHarmonicFieldSolver::RequestData(
   const dmg::FieldOptions& solved = stages.System->Options;
   dmg::AddPrescribed(stages.Surface->Framed.Surface, stages.System->Constraints, solved.Kind,
     solved.Kind == dmg::Discretisation::OneForm ? edges : output);
+  if (hasBasis)
+  {
+    dmg::AddBasisArrays(stages.Basis->Arrays, output, edges);
+  }
   dmg::MakeConvergenceTable(report, convergence);
   for (vtkDataObject* data :
     { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(convergence) })
   {
     dmg::AddReport(
       report, solved.NumberOfDirections(), stages.SetupSeconds(), data->GetFieldData());
+    if (hasBasis)
+    {
+      dmg::AddBasisSize(stages.Basis->Arrays, data->GetFieldData());
+    }
   }
   return 1;
 }
@@ -500,6 +538,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";
   os << indent << "Combing: " << (this->Combing ? "On" : "Off") << "\n";
+  os << indent << "HarmonicBasis: " << (this->HarmonicBasis ? "On" : "Off") << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
   os << indent << "NumberOfSystems: " << this->GetNumberOfSystems() << "\n";
   os << indent << "NumberOfSolves: " << this->GetNumberOfSolves() << "\n";
