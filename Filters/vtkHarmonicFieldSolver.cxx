@@ -117,6 +117,12 @@ public:
     double Seconds;
   };
 
+  /// Output of the surface and a discretisation, whatever is prescribed.
+  struct BasisStage
+  {
+    dmg::BasisArrays Arrays;
+  };
+
   struct SystemStage
   {
     dmg::FieldConstraints Constraints;
@@ -136,6 +142,7 @@ public:
   std::unique_ptr<SurfaceStage> Surface;
   std::unique_ptr<OperatorsStage> Operators;
   std::unique_ptr<LevelsStage> Levels;
+  std::unique_ptr<BasisStage> Basis;
   std::unique_ptr<SystemStage> System;
   std::unique_ptr<SolveStage> Solution;
 
@@ -143,10 +150,12 @@ public:
   int NumberOfSystems = 0;
   int NumberOfSolves = 0;
 
-  /// \param selection the operators that are needed; null for none.
+  /// \param options say whether operators are needed.
+  /// \param selection the operators besides the nodal ones.
   /// \param levels how to make them where neither the input nor an earlier run has any.
-  void SetUp(vtkPolyData* input, const dmg::OperatorSelection* selection,
-    dmg::LevelConstruction levels, const dmg::ExecutionContext& context)
+  void SetUp(vtkPolyData* input, const dmg::FieldOptions& options,
+    const dmg::OperatorSelection& selection, dmg::LevelConstruction levels,
+    const dmg::ExecutionContext& context)
   {
     const std::string digest = dmg::ContentDigest(input);
     const auto stored = dmg::OperatorsOriginOf(input->GetFieldData());
@@ -168,6 +177,7 @@ public:
       this->System.reset();
       this->Levels.reset();
       this->Operators.reset();
+      this->Basis.reset();
       this->Surface.reset(new SurfaceStage{ digest, std::move(framed), SecondsSince(start) });
       redone = true;
     }
@@ -179,17 +189,20 @@ public:
     }
     else
     {
-      AddTo(origin.Selection, selection ? *selection : origin.Selection);
+      AddTo(origin.Selection, selection);
       AddTo(
         origin.Selection, this->Operators ? this->Operators->Origin.Selection : origin.Selection);
       const bool haveCollapses = this->Operators &&
         this->Operators->Origin.Options.Levels == dmg::LevelConstruction::EdgeCollapses;
       origin.Options.Levels = haveCollapses ? dmg::LevelConstruction::EdgeCollapses : levels;
     }
-    if (selection && !(this->Operators && this->Operators->Origin == origin))
+    const dmg::TriangleMesh& mesh = this->Surface->Framed.Surface.Mesh;
+    // What the input brings along is read, and checked, even where the solver might do without.
+    const bool areNeeded = stored ? options.Solver.Kind != dmg::SolverKind::Cholesky
+                                  : dmg::NeedsLevels(mesh, options);
+    if (areNeeded && !(this->Operators && this->Operators->Origin == origin))
     {
       const auto start = std::chrono::steady_clock::now();
-      const dmg::TriangleMesh& mesh = this->Surface->Framed.Surface.Mesh;
       auto operators = stored
         ? dmg::OperatorsFromFieldData(input->GetFieldData(), mesh)
         : dmg::BuildSurfaceHierarchy(mesh, origin.Options, context, origin.Selection).Operators;
@@ -306,6 +319,19 @@ public:
     }
   }
 
+  /// The harmonic fields; \return whether they were made, rather than kept.
+  bool MakeBasis(vtkPolyData* input, dmg::Discretisation kind, const dmg::ExecutionContext& context)
+  {
+    if (this->Basis && this->Basis->Arrays.Kind == kind)
+    {
+      return false;
+    }
+    this->Basis.reset(); // the memory of another kind first
+    this->Basis.reset(
+      new BasisStage{ dmg::MakeBasisArrays(this->Surface->Framed, kind, input, context) });
+    return true;
+  }
+
   double SetupSeconds() const
   {
     return this->Surface->Seconds + (this->Operators ? this->Operators->Seconds : 0.0) +
@@ -394,6 +420,7 @@ int vtkHarmonicFieldSolver::RequestData(
   }
 
   vtkInternals& stages = *this->Internals;
+  const bool hasBasis = this->HarmonicBasis && this->Discretisation != PowerField;
   try
   {
     const dmg::ContextFromAlgorithm context(this);
@@ -404,11 +431,6 @@ int vtkHarmonicFieldSolver::RequestData(
     // Cycles for power fields need nothing that samples do not give, in a fifth of the time.
     const bool sampled = !structured && this->Discretisation == PowerField &&
       this->StartingLevel < 0 && (this->Solver == Automatic || this->Solver == ConjugateGradients);
-    stages.SetUp(input, this->Solver == Cholesky ? nullptr : &selection,
-      sampled ? dmg::LevelConstruction::Sampling : dmg::LevelConstruction::EdgeCollapses,
-      dmg::PartOfContext(context, 0.0, 0.5));
-
-    const dmg::FramedSurface& framed = stages.Surface->Framed;
     dmg::FieldOptions options;
     options.Kind = static_cast<dmg::Discretisation>(this->Discretisation);
     options.N = this->NumberOfDirections;
@@ -429,6 +451,11 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Solver.CompareWithCholesky = this->CompareWithCholesky ||
       (this->Solver == NestedIterations && this->NestedRule == WhileErrorFalls);
 
+    stages.SetUp(input, options, selection,
+      sampled ? dmg::LevelConstruction::Sampling : dmg::LevelConstruction::EdgeCollapses,
+      dmg::PartOfContext(context, 0.0, 0.5));
+
+    const dmg::FramedSurface& framed = stages.Surface->Framed;
     const dmg::FieldConstraints constraints =
       dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces, framed.Vertices,
         dmg::ChosenDirections(this, input, points, framed), options, framed.Surface.Names());
@@ -442,8 +469,16 @@ int vtkHarmonicFieldSolver::RequestData(
         vtkWarningMacro(<< warning);
       }
     }
-    stages.MakeArrays(
-      input, this->UnitLength, this->Combing, dmg::PartOfContext(context, 0.9, 1.0));
+    stages.MakeArrays(input, this->UnitLength, this->Combing,
+      dmg::PartOfContext(context, 0.9, hasBasis ? 0.92 : 1.0));
+    if (hasBasis &&
+      stages.MakeBasis(input, options.Kind, dmg::PartOfContext(context, 0.92, 1.0)) &&
+      stages.Basis->Arrays.TooMany)
+    {
+      vtkWarningMacro("the surface has " << stages.Basis->Arrays.NumberOfLoops
+        << " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes "
+           "and remove its small handles first, or switch HarmonicBasis off");
+    }
   }
   catch (const dmg::Cancelled&)
   {
@@ -461,12 +496,20 @@ int vtkHarmonicFieldSolver::RequestData(
   const dmg::FieldOptions& solved = stages.System->Options;
   dmg::AddPrescribed(stages.Surface->Framed.Surface, stages.System->Constraints, solved.Kind,
     solved.Kind == dmg::Discretisation::OneForm ? edges : output);
+  if (hasBasis)
+  {
+    dmg::AddBasisArrays(stages.Basis->Arrays, output, edges);
+  }
   dmg::MakeConvergenceTable(report, convergence);
   for (vtkDataObject* data :
     { static_cast<vtkDataObject*>(output), static_cast<vtkDataObject*>(convergence) })
   {
     dmg::AddReport(
       report, solved.NumberOfDirections(), stages.SetupSeconds(), data->GetFieldData());
+    if (hasBasis)
+    {
+      dmg::AddBasisSize(stages.Basis->Arrays, data->GetFieldData());
+    }
   }
   return 1;
 }
@@ -501,6 +544,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";
   os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";
   os << indent << "Combing: " << (this->Combing ? "On" : "Off") << "\n";
+  os << indent << "HarmonicBasis: " << (this->HarmonicBasis ? "On" : "Off") << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
   os << indent << "NumberOfSystems: " << this->GetNumberOfSystems() << "\n";
   os << indent << "NumberOfSolves: " << this->GetNumberOfSolves() << "\n";

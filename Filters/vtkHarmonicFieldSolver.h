@@ -70,6 +70,7 @@
  * | FaceField                | cells         | 3          | X in space (face fields only)      |
  * | Prescribed               | cells         | 1          | weight, else 0 (1-forms: on port 1) |
  * | SingularityIndex         | points        | 1          | multiple of 1 / N; 0 on boundaries |
+ * | HarmonicBasis 1, 2, ... k | cells        | 3          | harmonic fields, with HarmonicBasis |
  *
  * Directions are unit vectors (UnitLength) or have the field's length, in the unit of the
  * prescribed vectors. A 1-form shows the vector of its Whitney interpolant: on a cell that at the
@@ -77,11 +78,19 @@
  * both. Elements that belong to no triangle hold zeros. The frame of a face has its first axis
  * along the face's first side.
  *
+ * The arrays HarmonicBasis span the fields without divergence and curl: what a face field or a
+ * 1-form is free to be where nothing is prescribed, around the handles and holes of the surface.
+ * They are orthonormal: the sum over the faces of area times the product of two vectors is 1 for an
+ * array with itself, and 0 for two of them; so such sums with any other field are its coefficients.
+ * Their unit is 1 / length. Any rotation of the basis would do as well: its choice depends on the
+ * order of points and triangles.
+ *
  * Port 1, the edges of the surface: vtkPolyData, a line per edge, from the smaller to the larger
  * point index, with the cell array Turning (1 component, radians): by how much the field turns from
  * the face on the left of the edge to the face on the right, in [-pi / N, pi / N]; 0 on boundaries.
  * For 1-forms it also holds the cell array OneForm (1 component, unit of the prescribed vectors
- * times length), the 1-form itself.
+ * times length), the 1-form itself, and, with HarmonicBasis, the cell arrays HarmonicBasis 1, 2,
+ * ... k, the 1-forms whose vectors have the same names on the surface.
  *
  * Around an interior point, the turnings across its edges, taken counter-clockwise, and the point's
  * angle defect sum to 2 pi times its SingularityIndex.
@@ -111,6 +120,7 @@
  * | PrepareSeconds     | double | 1       | last system stage                                 |
  * | SolveSeconds       | double | 1       | last solve                                        |
  * | SolverBytes        | double | 1       | memory held by matrices, transfers and factors    |
+ * | HarmonicBasisSize  | int    | 1       | k, the arrays of HarmonicBasis; only where it acts |
  *
  * @section vtkHarmonicFieldSolver-Execution Execution
  *
@@ -123,8 +133,9 @@
  * | solve  | prescribed vectors; Tolerance, MaximumNumberOfIterations    | iterations         |
  *
  * A solve starts from the solution before. Other arrays repeat nothing, UnitLength and Combing only
- * the output arrays. A solve that does not reach Tolerance gives the best field that it reached,
- * Converged = 0 and a warning. An aborted run leaves empty outputs and keeps the stages that were
+ * the output arrays. HarmonicBasis repeats no stage; its fields are kept until points, triangles or
+ * Discretisation change. A solve that does not reach Tolerance gives the best field that it
+ * reached, Converged = 0 and a warning. An aborted run leaves empty outputs and keeps the stages that were
  * complete. Threads and pieces are as in vtkDirectionalProlongation.
  *
  * @sa vtkDirectionalProlongation
@@ -384,6 +395,20 @@ public:
   vtkBooleanMacro(Combing, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the harmonic fields of the surface, those without divergence and curl, come along as
+   * arrays: orthonormal in the integral over the surface, 2 g for a closed component of genus g,
+   * 2 g + b - 1 for one with b > 0 boundary loops, none of them across the boundary. Of face fields
+   * and 1-forms; without effect on power fields. They take a factorisation of the vertices, once
+   * per surface and discretisation. Where loops times faces are more than 5e7, a warning and no
+   * arrays. Default off.
+   */
+  vtkSetMacro(HarmonicBasis, bool);
+  vtkGetMacro(HarmonicBasis, bool);
+  vtkBooleanMacro(HarmonicBasis, bool);
+  ///@}
+
   /**
    * The dataset with directions, input port 1. Optional.
    */
@@ -432,6 +457,7 @@ private:
   int MaximumNumberOfIterations = 100;
   bool UnitLength = true;
   bool Combing = true;
+  bool HarmonicBasis = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

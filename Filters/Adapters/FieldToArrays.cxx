@@ -1,5 +1,8 @@
 #include "Adapters/FieldToArrays.h"
 
+#include "HarmonicBasis.h"
+#include "HarmonicForms.h"
+#include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldOperators.h"
 
@@ -27,6 +30,7 @@ namespace
 {
 
 constexpr int LargestN = 8;
+constexpr const char* BasisPrefix = "HarmonicBasis ";
 
 vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples)
 {
@@ -135,6 +139,24 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
   attributes->SetActiveVectors(ArrayNames::Direction(0).c_str());
 }
 
+/// Takes away the basis that an earlier solver left, of any size.
+void RemoveBasis(vtkPolyData* surface)
+{
+  vtkCellData* const cells = surface->GetCellData();
+  for (int i = cells->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const char* const chars = cells->GetArrayName(i);
+    const std::string name = chars ? chars : "";
+    const std::string prefix = BasisPrefix;
+    if (name.size() > prefix.size() && name.compare(0, prefix.size(), prefix) == 0 &&
+      name.find_first_not_of("0123456789", prefix.size()) == std::string::npos)
+    {
+      cells->RemoveArray(i);
+    }
+  }
+  surface->GetFieldData()->RemoveArray(ArrayNames::HarmonicBasisSize);
+}
+
 template <class ArrayType, class Value>
 void AddValue(vtkFieldData* fieldData, const char* name, const Value& value)
 {
@@ -149,6 +171,11 @@ void AddValue(vtkFieldData* fieldData, const char* name, const Value& value)
 std::string ArrayNames::Direction(int k)
 {
   return "Direction" + std::to_string(k);
+}
+
+std::string ArrayNames::HarmonicBasis(int k)
+{
+  return BasisPrefix + std::to_string(k);
 }
 
 std::string ArrayNames::Prolongation(const std::string& name, int level, const std::string& part)
@@ -230,8 +257,65 @@ void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData
 {
   AddAll(arrays.Cells, surface->GetCellData());
   AddAll(arrays.Points, surface->GetPointData());
+  RemoveBasis(surface);
   edges->ShallowCopy(arrays.Edges);
   edges->SetPoints(surface->GetPoints());
+}
+
+BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind, vtkPolyData* input,
+  const ExecutionContext& context)
+{
+  const SurfaceMesh& surface = framed.Surface;
+  const TriangleMesh& mesh = surface.Mesh;
+  context.Checkpoint(0.0);
+  const int loops = NumberOfLoops(mesh);
+  BasisArrays arrays{ kind, loops, AreTooManyToHold(loops, mesh),
+    vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New() };
+  if (loops == 0 || arrays.TooMany)
+  {
+    return arrays;
+  }
+  const bool isOneForm = kind == Discretisation::OneForm;
+  const PartOfContext most(context, 0.0, 0.9);
+  const Eigen::MatrixXd basis = isOneForm ? HarmonicBasisOfForms(mesh, framed.Faces, most)
+                                          : HarmonicBasisOfFaceFields(mesh, framed.Faces, most);
+  const auto cellOf = [&surface](int face) { return surface.CellOf(face); };
+  for (int k = 0; k < loops; ++k)
+  {
+    context.Checkpoint(0.9 + 0.1 * k / loops);
+    const Vector<double> field = basis.col(k);
+    const std::string name = ArrayNames::HarmonicBasis(k + 1);
+    const Points vectors =
+      isOneForm ? WhitneyAtFaces(mesh, field) : VectorsFromFaceField(framed.Faces, field);
+    AddArray(arrays.Cells, name, input->GetNumberOfCells(), 3, vectors.data(),
+      mesh.NumberOfFaces(), cellOf);
+    if (isOneForm)
+    {
+      AddArray(arrays.Edges, name, mesh.NumberOfEdges(), 1, field.data(), mesh.NumberOfEdges(),
+        [](int edge) { return edge; });
+    }
+  }
+  context.Checkpoint(1.0);
+  return arrays;
+}
+
+void AddBasisArrays(const BasisArrays& arrays, vtkPolyData* surface, vtkPolyData* edges)
+{
+  const auto add = [](vtkFieldData* from, vtkFieldData* to)
+  {
+    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+    {
+      to->AddArray(from->GetArray(i));
+    }
+  };
+  add(arrays.Cells, surface->GetCellData());
+  add(arrays.Edges, edges->GetCellData());
+}
+
+void AddBasisSize(const BasisArrays& arrays, vtkFieldData* fieldData)
+{
+  AddValue<vtkIntArray>(
+    fieldData, ArrayNames::HarmonicBasisSize, arrays.Cells->GetNumberOfArrays());
 }
 
 void AddPrescribed(const SurfaceMesh& surface, const FieldConstraints& constraints,

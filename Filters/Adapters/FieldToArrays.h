@@ -28,6 +28,10 @@ inline constexpr const char* FaceField = "FaceField";
 inline constexpr const char* Prescribed = "Prescribed";
 inline constexpr const char* SingularityIndex = "SingularityIndex";
 
+// cells and edges
+/// \param k from 1
+std::string HarmonicBasis(int k);
+
 // edges
 inline constexpr const char* Turning = "Turning";
 inline constexpr const char* OneForm = "OneForm";
@@ -51,6 +55,7 @@ inline constexpr const char* SetupSeconds = "SetupSeconds";
 inline constexpr const char* PrepareSeconds = "PrepareSeconds";
 inline constexpr const char* SolveSeconds = "SolveSeconds";
 inline constexpr const char* SolverBytes = "SolverBytes";
+inline constexpr const char* HarmonicBasisSize = "HarmonicBasisSize";
 
 // field data: the operators
 inline constexpr const char* ProlongationPrefix = "Prolongation.";
@@ -100,9 +105,33 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
   const ExecutionContext& context);
 
 /// Adds the arrays of cells and points to \p surface and makes its first direction the active
-/// vectors; direction arrays of another N that it brought along are removed. Makes \p edges its
-/// edges.
+/// vectors; direction arrays of another N and a harmonic basis that it brought along are removed.
+/// Makes \p edges its edges.
 void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData* edges);
+
+/// What the cells and edges of a surface show of its harmonic fields. Kept as long as the surface
+/// stands.
+struct BasisArrays
+{
+  Discretisation Kind;
+  int NumberOfLoops; ///< how many harmonic fields there are
+  bool TooMany;      ///< to hold (AreTooManyToHold): then there are no arrays
+  vtkSmartPointer<vtkFieldData> Cells; ///< vectors, one array per field
+  vtkSmartPointer<vtkFieldData> Edges; ///< 1-forms, one array per field; empty for face fields
+};
+
+/// \pre kind is not PowerField.
+/// \param input the surface as vtkPolyData.
+/// \throw SolverFailure as HarmonicBasisOfForms.
+/// \throw Cancelled
+BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind, vtkPolyData* input,
+  const ExecutionContext& context);
+
+/// Adds the arrays to the cells of the surface and of its edges.
+void AddBasisArrays(const BasisArrays& arrays, vtkPolyData* surface, vtkPolyData* edges);
+
+/// Adds the number of arrays to \p fieldData.
+void AddBasisSize(const BasisArrays& arrays, vtkFieldData* fieldData);
 
 /// Adds the weights of the prescribed elements to the cells of \p output: the surface, or, for
 /// 1-forms, its edges.

@@ -291,11 +291,8 @@ std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const Triangl
   const Vector<double> mass = isOneForm ? PositiveStar1(mesh) : MassOfFaceFields(mesh);
   Eigen::MatrixXd kernel;
   std::string note;
-  // Scans have handles by the hundred where they are noisy; what all of them have to say is not worth
-  // gigabytes.
-  constexpr double LargestNumberOfValues = 5e7;
   const int loops = NumberOfLoops(mesh);
-  if (static_cast<double>(loops) * mesh.NumberOfFaces() > LargestNumberOfValues)
+  if (AreTooManyToHold(loops, mesh))
   {
     note = ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
   }

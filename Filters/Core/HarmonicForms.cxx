@@ -132,6 +132,12 @@ int NumberOfLoops(const TriangleMesh& mesh)
   return static_cast<int>(std::count(isTaken.begin(), isTaken.end(), 0));
 }
 
+bool AreTooManyToHold(int loops, const TriangleMesh& mesh)
+{
+  constexpr double LargestNumberOfValues = 5e7;
+  return static_cast<double>(loops) * mesh.NumberOfFaces() > LargestNumberOfValues;
+}
+
 Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh)
 {
   std::vector<char> isTaken = EdgesOfTree(mesh);

@@ -16,6 +16,10 @@ namespace dmg
 /// zero). Cost: O(#E).
 int NumberOfLoops(const TriangleMesh& mesh);
 
+/// Scans have handles by the hundred where they are noisy; what all of their harmonic fields have to
+/// say is not worth gigabytes. \return whether the fields of so many loops are more than that.
+bool AreTooManyToHold(int loops, const TriangleMesh& mesh);
+
 /// Closed 1-forms that are no gradients, one per independent loop, #E x (2 g + b - 1): a basis of
 /// the first cohomology by integers. Tree and cotree (Eppstein 2003): edges of a spanning tree of the
 /// vertices get 0, one of the edges that neither tree holds gets 1, and every face, from the leaves of

@@ -301,11 +301,16 @@ TEST(HarmonicField, ChoosesASolverAndSaysWhy)
   const HarmonicProblem<Complex> direct = MakePowerFieldProblem(
     small.Mesh, small.Frames, &small.Operators, prescribed, options, SerialContext());
   EXPECT_NE(direct.Report().Solver.find("Cholesky, chosen for 1280 unknowns"), std::string::npos);
+  // Whether there are levels or not.
   const HarmonicProblem<Complex> without = MakePowerFieldProblem(
     small.Mesh, small.Frames, nullptr, prescribed, options, SerialContext());
-  EXPECT_NE(without.Report().Solver.find("no coarse levels"), std::string::npos);
+  EXPECT_EQ(without.Report().Solver, direct.Report().Solver);
 
   const Prepared large(Icosphere(6));
+  const HarmonicProblem<Complex> flat = MakePowerFieldProblem(large.Mesh, large.Frames, nullptr,
+    Every(300, large.Mesh.NumberOfFaces()), options, SerialContext());
+  EXPECT_NE(
+    flat.Report().Solver.find("chosen because there are no coarse levels"), std::string::npos);
   const HarmonicProblem<Complex> iterative = MakePowerFieldProblem(large.Mesh, large.Frames, &large.Operators,
     Every(300, large.Mesh.NumberOfFaces()), options, SerialContext());
   EXPECT_NE(iterative.Report().Solver.find("conjugate gradients"), std::string::npos);
@@ -474,6 +479,18 @@ TEST(FieldProblem, TakesDirectionsAtVertices)
 }
 
 // Without coarse levels multigrid is its exact solver; the report says what took its place.
+namespace
+{
+
+int UnknownsOf(const TriangleMesh& mesh, Discretisation kind)
+{
+  return kind == Discretisation::OneForm ? mesh.NumberOfEdges()
+    : kind == Discretisation::FaceField  ? 2 * mesh.NumberOfFaces()
+                                         : mesh.NumberOfFaces();
+}
+
+}
+
 TEST(FieldProblem, OnASurfaceOfOneLevelIsFactored)
 {
   const TriangleMesh mesh = IrregularSphere(2, 3).Mesh();
@@ -499,8 +516,12 @@ TEST(FieldProblem, OnASurfaceOfOneLevelIsFactored)
     };
     const auto [direct, name] = solve(SolverKind::Cholesky);
     EXPECT_EQ(name, "supernodal Cholesky");
+    const auto [automatic, reason] = solve(SolverKind::Automatic);
+    EXPECT_EQ(automatic, direct);
+    EXPECT_EQ(reason, name + ", chosen for " + std::to_string(UnknownsOf(mesh, kind)) +
+        " unknowns, few enough to factor at once");
     for (const auto& [solver, instead] : std::vector<std::pair<SolverKind, std::string>>{
-           { SolverKind::Automatic, "chosen" }, { SolverKind::VCycles, "in place of V-cycles" },
+           { SolverKind::VCycles, "in place of V-cycles" },
            { SolverKind::ConjugateGradients, "in place of conjugate gradients with a V-cycle" },
            { SolverKind::NestedIterations, "in place of nested iterations" },
            { SolverKind::CoarseProlongation, "in place of coarse prolongation" } })

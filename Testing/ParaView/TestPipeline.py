@@ -23,7 +23,8 @@ def solve():
     prolongation = simple.DirectionalProlongation(Input=directions, MinimumNumberOfFaces=200)
     return [simple.HarmonicFieldSolver(
         Input=prolongation, Mask=["POINTS", "Mask"], Directions=["POINTS", "Directions"],
-        Discretisation=discretisation, NumberOfDirections=4, Solver="Conjugate Gradients")
+        Discretisation=discretisation, NumberOfDirections=4, Solver="Conjugate Gradients",
+        HarmonicBasis=1)
             for discretisation in ("Power Field", "Face Field", "1-Form")]
 
 
@@ -33,6 +34,9 @@ def check(crosses, faceField, oneForm):
         field = simple.servermanager.Fetch(solver)
         assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1
         assert field.GetCellData().GetArray("PowerField") is None
+        # A sphere has no harmonic fields.
+        assert field.GetFieldData().GetArray("HarmonicBasisSize").GetValue(0) == 0
+        assert field.GetCellData().GetArray("HarmonicBasis 1") is None
         indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
         assert abs(indices.sum() - 2) < 1e-12, indices.sum()
     cells = simple.servermanager.Fetch(faceField).GetCellData()

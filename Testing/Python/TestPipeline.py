@@ -3,6 +3,7 @@
 import unittest
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from directionalmultigrid.vtkFiltersDirectionalFields import (
@@ -15,6 +16,12 @@ CELLS = vtkDataObject.FIELD_ASSOCIATION_CELLS
 def example():
     """A torus of 4800 faces with three prescribed directions."""
     return prescribe(torus(60, 40), {7: (1, 2, 3), 2000: (-1, 0, 1), 4000: (0, 1, 0)})
+
+
+def corner_points(surface):
+    """The corners of each triangle, #F x 3 x 3."""
+    corners = vtk_to_numpy(surface.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    return vtk_to_numpy(surface.GetPoints().GetData())[corners]
 
 
 class Pipeline(unittest.TestCase):
@@ -134,6 +141,26 @@ class Pipeline(unittest.TestCase):
             face, = [cell for cell in (7, 2000, 4000)
                      if set(ends) <= {surface.GetCell(cell).GetPointId(k) for k in range(3)}]
             self.assertAlmostEqual(form[edge], given[face] @ side, places=12)
+
+    def test_harmonic_basis_expands_fields(self):
+        """Two fields on a torus, orthonormal when summed with the areas of the faces."""
+        self.assertFalse(self.solver.GetHarmonicBasis())
+        self.assertIn("HarmonicBasis: Off", str(self.solver))
+        self.solver.HarmonicBasisOn()
+        self.prolongation.Update()
+        sides = np.diff(corner_points(self.prolongation.GetOutput()), axis=1)
+        areas = np.linalg.norm(np.cross(sides[:, 0], sides[:, 1]), axis=1) / 2
+        for discretisation in (vtkHarmonicFieldSolver.FaceField, vtkHarmonicFieldSolver.OneForm):
+            with self.subTest(discretisation=discretisation):
+                self.solver.SetDiscretisation(discretisation)
+                self.solver.Update()
+                size, = self.report("HarmonicBasisSize")
+                self.assertEqual(size, 2)
+                basis = np.stack([self.cells(f"HarmonicBasis {k + 1}") for k in range(size)])
+                gram = np.einsum("ifd,jfd,f->ij", basis, basis, areas)
+                np.testing.assert_allclose(gram, np.eye(2), atol=1e-12)
+                with self.assertRaises(KeyError):
+                    self.cells("HarmonicBasis 3")
 
     def test_values_changed_in_place_are_noticed(self):
         """numpy writes into the array; Modified() on it is all that VTK needs."""
