@@ -393,6 +393,66 @@ TEST(FieldProblem, SolversAgreeOnEveryDiscretisation)
   }
 }
 
+TEST(FieldProblem, TakesOtherPrescriptionsWithoutBeingMadeAnew)
+{
+  const Prepared on(IrregularTorus(48, 24, 4));
+  for (Discretisation kind : AllKinds)
+  {
+    SCOPED_TRACE(static_cast<int>(kind));
+    FieldOptions options;
+    options.Kind = kind;
+    options.Solver.Kind = SolverKind::ConjugateGradients;
+    const auto constraintsOf = [&](int step) {
+      return MakeFieldConstraints(on.Mesh, on.Frames, Directions(on.Mesh, step), options);
+    };
+    const auto make = [&](const FieldConstraints& constraints) {
+      return FieldProblem(
+        on.Mesh, on.Frames, &on.Operators, constraints, options, SerialContext());
+    };
+    const auto solve = [](FieldProblem& problem, const FieldConstraints& constraints) {
+      const Vector<double> field =
+        problem.Solve(constraints.Values, {}, { 1e-11, 200 }, SerialContext());
+      EXPECT_TRUE(problem.Report().Converged);
+      return field;
+    };
+    FieldProblem problem = make(constraintsOf(97));
+    const auto expectUpdates = [&](const FieldConstraints& constraints) {
+      ASSERT_TRUE(
+        problem.Update(on.Mesh, on.Frames, constraints, options, SerialContext()));
+      FieldProblem fresh = make(constraints);
+      const Vector<double> expected = solve(fresh, constraints);
+      EXPECT_LE((solve(problem, constraints) - expected).norm(), 1e-8 * expected.norm());
+    };
+    const FieldConstraints others = constraintsOf(53);
+    expectUpdates(others);
+    options.Smoothness = 0.5;
+    options.Alignment = 7.0;
+    expectUpdates(others);
+
+    // Hard constraints take rows away from the matrix of powers; squares do not mind.
+    options.Constraints = ConstraintKind::Hard;
+    if (kind == Discretisation::PowerField)
+    {
+      EXPECT_FALSE(problem.Update(on.Mesh, on.Frames, others, options, SerialContext()));
+      options.Constraints = ConstraintKind::Soft;
+      const Vector<double> kept = solve(problem, others);
+      FieldProblem fresh = make(others);
+      const Vector<double> expected = solve(fresh, others);
+      EXPECT_LE((kept - expected).norm(), 1e-8 * expected.norm());
+    }
+    else
+    {
+      expectUpdates(others);
+    }
+
+    // What nested iterations and comparisons keep cannot be updated.
+    options.Constraints = ConstraintKind::Soft;
+    options.Solver.CompareWithCholesky = true;
+    FieldProblem compared = make(others);
+    EXPECT_FALSE(compared.Update(on.Mesh, on.Frames, others, options, SerialContext()));
+  }
+}
+
 // System, levels, cycle, on a torus harmonic fields, and what it is compared with share one way from
 // 0 to 1.
 TEST(FieldProblem, ReportsProgressOnceAndStopsWhenAsked)
