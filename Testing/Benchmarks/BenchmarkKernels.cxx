@@ -3,10 +3,11 @@
 //
 //   BenchmarkKernels [--out folder] [--runs n] [--threads n] (--short | surface.ply ...)
 //
-// Writes kernels.csv. The matrices are those of the default solver with 0.5 % of the elements
-// prescribed: nodal levels, sorted by colours and in single precision, as its cycles have them (in
-// double precision, too, for comparison), and the system's own. Everything is measured with 1
-// thread, then with --threads of them.
+// Writes kernels.csv. For power fields the matrices are those of the default solver with 0.5 % of the
+// elements prescribed: nodal levels, sorted by colours and in single precision, as its cycles have them
+// (in double precision, too, for comparison), and the system's own. For 1-forms and face fields: the
+// product with B^T B and the blocks of the finest level. Everything is measured with 1 thread, then with
+// --threads of them.
 //
 // Bytes are what an algorithm must read and write if every array passes once per sweep through the
 // caches: values, columns and offsets of the rows, and each vector that it reads or writes. Copy
@@ -20,6 +21,7 @@
 #include "Benchmarks/Systems.h"
 #include "Benchmarks/Timing.h"
 #include "HarmonicField.h"
+#include "Solvers/BlockSmoother.h"
 #include "Solvers/GalerkinHierarchy.h"
 #include "Solvers/ScaledHierarchy.h"
 #include "Solvers/Smoother.h"
@@ -30,7 +32,6 @@
 #include "Support/TbbContext.h"
 
 #include <complex>
-#include <type_traits>
 
 using namespace dmg;
 using namespace dmg::benchmarks;
@@ -180,55 +181,67 @@ void MeasureSmoother(GalerkinHierarchy<Scalar>& hierarchy, const std::string& pr
   }
 }
 
-/// Nodal levels, as MakePowerFieldProblem and its siblings take them.
-template <class Scalar>
-std::vector<SparseMatrix<Scalar>> NodalProlongations(const TriangleMesh& mesh,
-  const TangentFrames& frames, const ProlongationOperators& operators, const FieldOptions& field,
-  const ExecutionContext& context)
-{
-  std::vector<SparseMatrix<Scalar>> prolongations;
-  for (const TransportOperator& transport : operators.Nodal)
-  {
-    if constexpr (std::is_same<Scalar, Complex>::value)
-    {
-      prolongations.push_back(OnPowers(transport, field.N, context));
-    }
-    else
-    {
-      prolongations.push_back(OnComponents(transport, context));
-    }
-  }
-  if constexpr (std::is_same<Scalar, double>::value)
-  {
-    if (field.Kind == Discretisation::OneForm)
-    {
-      SparseMatrix<double> toEdges = FormFromFaceField(mesh, frames, context) * prolongations[0];
-      prolongations[0].swap(toEdges);
-    }
-  }
-  return prolongations;
-}
-
-template <class Scalar>
-void MeasureSystem(const TriangleMesh& mesh, const TangentFrames& frames,
+/// What conjugate gradients and cycles do for power fields.
+void MeasurePowers(const TriangleMesh& mesh, const TangentFrames& frames,
   const ProlongationOperators& operators, const FieldOptions& field, int runs, KernelsTable& table,
   const ExecutionContext& context)
 {
-  using Single =
-    std::conditional_t<std::is_same<Scalar, Complex>::value, std::complex<float>, float>;
   test::Random random(20261121);
   const FieldConstraints constraints =
     RandomConstraints(mesh, field.Kind, { "0.5 %", 0, 0.005 }, random);
-  const HarmonicSystem<Scalar> system =
-    MakeSystem<Scalar>(mesh, frames, constraints, field, context);
+  const HarmonicSystem<Complex> system =
+    MakeSystem<Complex>(mesh, frames, constraints, field, context);
   MeasureProduct(system.Matrix(), runs, table, context);
-  std::vector<SparseMatrix<Scalar>> prolongations =
-    NodalProlongations<Scalar>(mesh, frames, operators, field, context);
+  std::vector<SparseMatrix<Complex>> prolongations;
+  for (const TransportOperator& transport : operators.Nodal)
+  {
+    prolongations.push_back(OnPowers(transport, field.N, context));
+  }
   prolongations[0] = SelectRows(prolongations[0], system.FreeUnknowns(), context);
-  GalerkinHierarchy<Scalar> hierarchy(
+  GalerkinHierarchy<Complex> hierarchy(
     system.Matrix(), std::move(prolongations), GalerkinOptions(), context);
-  MeasureSmoother<Single>(hierarchy, "single", runs, table, context);
-  MeasureSmoother<Scalar>(hierarchy, "double", runs, table, context);
+  MeasureSmoother<std::complex<float>>(hierarchy, "single", runs, table, context);
+  MeasureSmoother<Complex>(hierarchy, "double", runs, table, context);
+}
+
+/// What they do for 1-forms and face fields, on the finest level.
+void MeasureSquares(const TriangleMesh& mesh, const TangentFrames& frames,
+  const ProlongationOperators& operators, const FieldOptions& field, int runs, KernelsTable& table,
+  const ExecutionContext& context)
+{
+  FieldOptions byCycles = field;
+  byCycles.Solver.Kind = SolverKind::ConjugateGradients;
+  const auto surface = MakeLeastSquaresSurface(mesh, frames, &operators, byCycles, context);
+  const LeastSquaresHierarchy& hierarchy = surface->Hierarchy;
+  const double unknowns = hierarchy.NumberOfUnknowns();
+  const double rows = static_cast<double>(hierarchy.B.rows());
+  const double nonZeros = static_cast<double>(hierarchy.B.nonZeros());
+  Vector<double> x = Vector<double>::Random(hierarchy.NumberOfUnknowns());
+  Vector<double> y;
+
+  // Reads x and the lengths twice, B, and B^T; writes and reads what is in between; writes y.
+  const LeastSquaresOperator A(hierarchy, Vector<double>::Zero(x.size()));
+  const double product = BytesOf(hierarchy.B) + BytesOf(hierarchy.Bt) +
+    sizeof(double) * (8.0 * unknowns + 2.0 * rows);
+  table.Append("B^T B, double", 0, unknowns, nonZeros, product,
+    Fastest(runs, [&] { A.Apply(x, y, context); }));
+
+  // A sweep reads the blocks, their inverses, each column of B once, and b; and reads and writes x
+  // and B x.
+  BlockSmoother smoother(hierarchy.B, hierarchy.Bt, hierarchy.Blocks, Sweeps);
+  const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) +
+    sizeof(float) * (3.0 * unknowns + 2.0 * rows);
+  Vector<double> r;
+  // Then the residual: B^T, B x, b; x and r are written.
+  const double before = Sweeps * sweep + BytesOf(hierarchy.Bt) + sizeof(float) * (unknowns + rows) +
+    sizeof(double) * 3.0 * unknowns;
+  const Vector<double> b = Vector<double>::Random(x.size());
+  table.Append("blocks, pre", 0, unknowns, nonZeros, before,
+    Fastest(runs, [&] { smoother.PreSmooth(b, x, r, context); }));
+  const double after = Sweeps * sweep + BytesOf(hierarchy.B) + sizeof(float) * (2.0 * unknowns + rows) +
+    sizeof(double) * 4.0 * unknowns;
+  table.Append("blocks, post", 0, unknowns, nonZeros, after,
+    Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
 }
 
 void MeasureSurface(
@@ -250,8 +263,7 @@ void MeasureSurface(
       field.N = 2;
       const double stream = StreamBandwidth(options.Runs, context); // near what it measures
       table.Of = { name, mesh.NumberOfFaces(), NameOf(kind), threads, stream };
-      const auto measure =
-        kind == Discretisation::PowerField ? &MeasureSystem<Complex> : &MeasureSystem<double>;
+      const auto measure = kind == Discretisation::PowerField ? &MeasurePowers : &MeasureSquares;
       measure(mesh, frames, operators, field, options.Runs, table, context);
     }
     if (threads == options.Threads)

@@ -5,7 +5,6 @@
 #include "Support/Types.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace dmg
@@ -50,7 +49,8 @@ public:
     float Value;
   };
 
-  /// \param Bt B^T, a row per unknown. Rows of B^T B with a diagonal entry near 1.
+  /// \param Bt B^T, a row per unknown, about equally many entries in each: all get the room of the
+  ///   longest.
   /// \throw InvalidInput a block of more than LargestBlock unknowns.
   /// Cost: linear in the unknowns of all blocks.
   SchwarzBlocks(
