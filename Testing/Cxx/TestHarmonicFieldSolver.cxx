@@ -772,6 +772,7 @@ TEST(StoredOperators, AreUsedAfterWritingAndReading)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(input);
+  writer->SetDataModeToBinary(); // see README, "Files"
   ASSERT_EQ(writer->Write(), 1);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());

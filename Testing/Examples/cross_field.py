@@ -8,8 +8,8 @@ directions = Calculator(Input=mask, ResultArrayName="Directions", Function="jHat
 levels = DirectionalProlongation(Input=directions)
 field = HarmonicFieldSolver(Input=levels, Mask=["POINTS", "Mask"], Directions=["POINTS", "Directions"],
                             NumberOfDirections=4)
-SaveData("field.vtp", field)
+SaveData("field.vtp", field, DataMode="Binary")
 
 flow = HarmonicFieldSolver(Input=levels, Mask=["POINTS", "Mask"], Directions=["POINTS", "Directions"],
                            Discretisation="1-Form", UnitLength=0)
-SaveData("flow.vtp", flow)
+SaveData("flow.vtp", flow, DataMode="Binary")

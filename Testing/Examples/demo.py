@@ -295,7 +295,7 @@ def main():
     report = field.GetFieldData()
     say(f"solved: {report.GetAbstractArray('Solver').GetValue(0)}")
 
-    simple.SaveData("demo.vtp", solver)
+    simple.SaveData("demo.vtp", solver, DataMode="Binary")  # see README, "Files"
     draw(field, (segments, sides), size, "demo.png")
     say("wrote demo.vtp and demo.png")
 

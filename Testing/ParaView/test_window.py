@@ -36,6 +36,7 @@ def write_sphere(path):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(path))
     writer.SetInputData(sphere)
+    writer.SetDataModeToBinary()  # see README, "Files"
     writer.Write()
 
 

@@ -35,6 +35,7 @@ def write(path):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(path))
     writer.SetInputData(surface)
+    writer.SetDataModeToBinary()  # see README, "Files"
     assert writer.Write() == 1
     np.savez(path.with_suffix(".npz"),
              **{kind: unknowns(solve(surface, kind)) for kind in ("FaceField", "OneForm")})

@@ -40,5 +40,6 @@ int main(int argc, char* argv[])
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetInputConnection(solver->GetOutputPort());
   writer->SetFileName(argv[1]);
+  writer->SetDataModeToBinary(); // see README, "Files"
   return writer->Write() ? EXIT_SUCCESS : EXIT_FAILURE;
 }
