@@ -3,7 +3,7 @@
 
     test_window.py PARAVIEW OUTPUT-FOLDER
 
-plays FieldInTheWindow.xml, leaves FieldInTheWindow.vtp, as saved by the window, and a screenshot of
+plays FieldInTheWindow.xml, leaves FieldInTheWindow.vtk, as saved by the window, and a screenshot of
 it in the folder, and checks the former. Needs a display; ParaView has to find the plugin by itself.
 """
 
@@ -14,7 +14,8 @@ import time
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkSphereSource
-from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
+from vtkmodules.vtkIOLegacy import vtkPolyDataReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 EVENTS = pathlib.Path(__file__).with_name("FieldInTheWindow.xml")
 
@@ -66,7 +67,7 @@ def play(paraview, surface, result, folder):
 
 
 def check(result):
-    reader = vtkXMLPolyDataReader()
+    reader = vtkPolyDataReader()  # not XML: see README, "Files"
     reader.SetFileName(str(result))
     reader.Update()
     field = reader.GetOutput()
@@ -81,7 +82,7 @@ def check(result):
 def main():
     paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
     folder.mkdir(parents=True, exist_ok=True)
-    surface, result = folder / "sphere.vtp", folder / "FieldInTheWindow.vtp"
+    surface, result = folder / "sphere.vtp", folder / "FieldInTheWindow.vtk"
     result.unlink(missing_ok=True)
     write_sphere(surface)
     play(paraview, surface, result, folder)
