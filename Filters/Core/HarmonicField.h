@@ -59,8 +59,8 @@ struct FieldOptions
   CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
   /// Of 1-forms: the star of 0-forms.
   VertexAreas Areas = VertexAreas::MixedVoronoi;
-  /// On nodal levels, the finest gets twice the sweeps and a smoothed interpolation, whatever is said
-  /// here.
+  /// LargestForCholesky is that of the discretisation; and on nodal levels the finest gets the sweeps and
+  /// the smoothed interpolation that suit it; whatever is said here.
   SolverOptions Solver;
 
   /// Directions per point.
@@ -108,7 +108,7 @@ bool NeedsLevels(const TriangleMesh& mesh, const FieldOptions& options);
 /// \param operators of this mesh; used during the call only.
 /// \param options Kind, Areas and the choice of the solver count.
 /// \return null where what is asked for is solved otherwise.
-/// Cost: several products of sparse matrices, about 10 us per face on one core.
+/// Cost: several products of sparse matrices, 10 to 15 us per face with two threads.
 std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const FieldOptions& options, const ExecutionContext& context);
