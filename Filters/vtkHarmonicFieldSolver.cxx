@@ -152,10 +152,8 @@ public:
 
   /// \param options say whether operators are needed.
   /// \param selection the operators besides the nodal ones.
-  /// \param levels how to make them where neither the input nor an earlier run has any.
   void SetUp(vtkPolyData* input, const dmg::FieldOptions& options,
-    const dmg::OperatorSelection& selection, dmg::LevelConstruction levels,
-    const dmg::ExecutionContext& context)
+    const dmg::OperatorSelection& selection, const dmg::ExecutionContext& context)
   {
     const std::string digest = dmg::ContentDigest(input);
     const auto stored = dmg::OperatorsOriginOf(input->GetFieldData());
@@ -182,7 +180,7 @@ public:
       redone = true;
     }
 
-    dmg::OperatorsOrigin origin{ digest, dmg::HierarchyOptions(), { false, false, false } };
+    dmg::OperatorsOrigin origin{ digest, dmg::LevelsFor(options), { false, false, false } };
     if (stored)
     {
       origin = *stored;
@@ -190,11 +188,10 @@ public:
     else
     {
       AddTo(origin.Selection, selection);
-      AddTo(
-        origin.Selection, this->Operators ? this->Operators->Origin.Selection : origin.Selection);
-      const bool haveCollapses = this->Operators &&
-        this->Operators->Origin.Options.Levels == dmg::LevelConstruction::EdgeCollapses;
-      origin.Options.Levels = haveCollapses ? dmg::LevelConstruction::EdgeCollapses : levels;
+      if (this->Operators && this->Operators->Origin.Options.Levels == origin.Options.Levels)
+      {
+        AddTo(origin.Selection, this->Operators->Origin.Selection);
+      }
     }
     const dmg::TriangleMesh& mesh = this->Surface->Framed.Surface.Mesh;
     // What the input brings along is read, and checked, even where the solver might do without.
@@ -428,9 +425,6 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::OperatorSelection selection{ structured && this->Discretisation == PowerField,
       structured && this->Discretisation == FaceField,
       structured && this->Discretisation == OneForm };
-    // Cycles for power fields need nothing that samples do not give, in a fifth of the time.
-    const bool sampled = !structured && this->Discretisation == PowerField &&
-      this->StartingLevel < 0 && (this->Solver == Automatic || this->Solver == ConjugateGradients);
     dmg::FieldOptions options;
     options.Kind = static_cast<dmg::Discretisation>(this->Discretisation);
     options.N = this->NumberOfDirections;
@@ -451,9 +445,7 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Solver.CompareWithCholesky = this->CompareWithCholesky ||
       (this->Solver == NestedIterations && this->NestedRule == WhileErrorFalls);
 
-    stages.SetUp(input, options, selection,
-      sampled ? dmg::LevelConstruction::Sampling : dmg::LevelConstruction::EdgeCollapses,
-      dmg::PartOfContext(context, 0.0, 0.5));
+    stages.SetUp(input, options, selection, dmg::PartOfContext(context, 0.0, 0.5));
 
     const dmg::FramedSurface& framed = stages.Surface->Framed;
     const dmg::FieldConstraints constraints =

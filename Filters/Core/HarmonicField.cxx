@@ -271,6 +271,30 @@ bool NeedsLevels(const TriangleMesh& mesh, const FieldOptions& options)
     SolverKind::Cholesky;
 }
 
+HierarchyOptions LevelsFor(const FieldOptions& options)
+{
+  HierarchyOptions levels;
+  const SolverKind solver = options.Solver.Kind;
+  const bool isAutomatic = solver == SolverKind::Automatic || solver == SolverKind::ConjugateGradients;
+  if (options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0)
+  {
+    return levels;
+  }
+  if (options.Kind == Discretisation::PowerField)
+  {
+    // Cycles for power fields need nothing that samples do not give, in a fifth of the time.
+    levels.Levels = isAutomatic ? LevelConstruction::Sampling : LevelConstruction::EdgeCollapses;
+  }
+  else if (isAutomatic || solver == SolverKind::VCycles)
+  {
+    // Two steps, which the finest level takes at once, to an eighth; as many levels as it takes to come
+    // down to 1 : 64.
+    levels.FaceRatio = 1.0 / std::sqrt(8.0);
+    levels.MaximumNumberOfCoarseLevels = 4;
+  }
+  return levels;
+}
+
 std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const FieldOptions& options, const ExecutionContext& context)

@@ -2,6 +2,7 @@
 #define dmgHarmonicField_h
 
 #include "HarmonicProblem.h"
+#include "Hierarchy/HierarchyOptions.h"
 #include "LeastSquaresProblem.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
@@ -102,6 +103,10 @@ FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFra
 
 /// Whether the solver that is asked for, or chosen, needs levels of the surface.
 bool NeedsLevels(const TriangleMesh& mesh, const FieldOptions& options);
+
+/// The levels that suit a solver, where none are at hand: the thesis's; samples for cycles on power
+/// fields; for those on face fields and 1-forms, more levels in smaller steps.
+HierarchyOptions LevelsFor(const FieldOptions& options);
 
 /// The last part of the set-up, for face fields and 1-forms: what cycles on nodal levels need, whatever
 /// is prescribed.

@@ -133,7 +133,7 @@ void LeastSquaresProblem::Internals::Deflate(const ExecutionContext& context)
   {
     return;
   }
-  double largest = this->Surface->Hierarchy.Lengths.cwiseAbs2().maxCoeff();
+  double largest = this->Surface->Hierarchy.Scales.cwiseAbs2().maxCoeff();
   for (Eigen::Index i = 0; i < this->D.size(); ++i)
   {
     if (std::isfinite(this->D[i]))

@@ -9,18 +9,17 @@
 
 #include <vector>
 
-/// What multigrid needs of the surface to solve for face fields and 1-forms: blocks of unknowns, and
-/// coarse levels of vectors at vertices. The finest level takes its vectors
-/// from level 2 at once, if there is one.
+/// What multigrid needs of the surface to solve for face fields and 1-forms: blocks of unknowns
+/// (SmoothingBlocks), and coarse levels of vectors at vertices. The finest level takes its vectors from
+/// level 2 at once, if there is one.
 namespace dmg
 {
 
-/// Blocks are the faces around each vertex.
 /// \param nodal see ProlongationOperators; not empty.
 LeastSquaresLevels NodalLevelsOfFaceFields(const TriangleMesh& mesh,
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
 
-/// Blocks are the sides of each face and, where faces are uneven, the edges at their corners. A vector field becomes a 1-form by FormFromFaceField.
+/// A vector field becomes a 1-form by FormFromFaceField.
 LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
 

@@ -123,18 +123,9 @@ struct SetUp
 {
   SetUp(const TriangleMesh& mesh, const FieldOptions& field, const ExecutionContext& context)
     : Frames(FaceFrames(mesh, context))
-    , Operators(BuildSurfaceHierarchy(mesh, Levels(field), context, { false, false, false }).Operators)
+    , Operators(BuildSurfaceHierarchy(mesh, LevelsFor(field), context, { false, false, false }).Operators)
     , Surface(MakeLeastSquaresSurface(mesh, this->Frames, &this->Operators, field, context))
   {
-  }
-
-  /// As vtkHarmonicFieldSolver takes them.
-  static HierarchyOptions Levels(const FieldOptions& field)
-  {
-    HierarchyOptions options;
-    options.Levels = field.Kind == Discretisation::PowerField ? LevelConstruction::Sampling
-                                                              : LevelConstruction::EdgeCollapses;
-    return options;
   }
 
   TangentFrames Frames;

@@ -249,9 +249,6 @@ void MeasureSurface(
 {
   const test::TbbContext all(options.Threads);
   const TangentFrames frames = FaceFrames(mesh, all);
-  const ProlongationOperators operators =
-    BuildSurfaceHierarchy(mesh, HierarchyOptions(), all, OperatorSelection{ false, false, false })
-      .Operators;
   for (int threads = 1;; threads = options.Threads)
   {
     const test::TbbContext context(threads);
@@ -260,6 +257,8 @@ void MeasureSurface(
     {
       FieldOptions field;
       field.Kind = kind;
+      const ProlongationOperators operators =
+        BuildSurfaceHierarchy(mesh, LevelsFor(field), all, { false, false, false }).Operators;
       field.N = 2;
       const double stream = StreamBandwidth(options.Runs, context); // near what it measures
       table.Of = { name, mesh.NumberOfFaces(), NameOf(kind), threads, stream };

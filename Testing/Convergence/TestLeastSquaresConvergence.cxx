@@ -45,9 +45,12 @@ protected:
   static std::vector<int> Iterations(const Surface& surface)
   {
     const TbbContext context(2);
-    HierarchyOptions hierarchyOptions;
+    FieldOptions options;
+    options.Kind = Kind();
+    options.Solver.Kind = SolverKind::ConjugateGradients;
+    HierarchyOptions hierarchyOptions = LevelsFor(options);
     hierarchyOptions.Levels = std::get<1>(GetParam());
-    // Small surfaces are coarsened as far as large ones, 1:16 to the first level that is used.
+    // Small surfaces are coarsened as far as large ones, 1:8 to the first level that is used.
     hierarchyOptions.MinimumNumberOfFaces = 100;
     const TriangleMesh mesh = surface.Mesh();
     const TangentFrames frames = FaceFrames(mesh, context);
@@ -55,9 +58,6 @@ protected:
       BuildSurfaceHierarchy(mesh, hierarchyOptions, context, { false, false, false }).Operators;
     const bool isForm = Kind() == Discretisation::OneForm;
     const int elements = isForm ? mesh.NumberOfEdges() : mesh.NumberOfFaces();
-    FieldOptions options;
-    options.Kind = Kind();
-    options.Solver.Kind = SolverKind::ConjugateGradients;
     std::vector<int> iterations;
     for (const Prescription& prescription : Prescriptions())
     {

@@ -53,24 +53,25 @@ void LeastSquaresCycle::Update(const Vector<double>& D, const ExecutionContext& 
 Vector<double> LeastSquaresCycle::Scaled(const Vector<double>& D) const
 {
   assert(D.size() == this->Fine.NumberOfUnknowns());
-  return D.cwiseQuotient(this->Fine.Lengths.cwiseAbs2());
+  return D.cwiseQuotient(this->Fine.Scales.cwiseAbs2());
 }
 
 SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
   const Vector<double>& D, const ExecutionContext& context) const
 {
-  const auto& P = this->Fine.Prolongation;
+  const SparseMatrix<Plane>& P = this->Fine.Prolongation;
   SparseMatrix<double> coarse = this->Fine.CoarseMatrix;
   if (!this->Smoother.HeldUnknowns().empty())
   {
     // Their rows are zero, but stay in the pattern, so that it does not depend on D.
-    PlanarProlongation free = P.cast<Complex>();
+    SparseMatrix<Plane> free = P;
     for (const int i : this->Smoother.HeldUnknowns())
     {
       std::fill(free.valuePtr() + free.outerIndexPtr()[i],
-        free.valuePtr() + free.outerIndexPtr()[i + 1], Complex(0));
+        free.valuePtr() + free.outerIndexPtr()[i + 1], Plane(0));
     }
-    coarse = GramOfPlanar(Product(this->Fine.B, free, context), context);
+    coarse =
+      CoarseRoughness(this->Fine.B, this->Fine.Bt, free, Adjoint(free, context), context);
   }
   // What D adds are the squares of sqrt(D) P.
   std::vector<int> rows;
@@ -81,10 +82,10 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
       rows.push_back(static_cast<int>(i));
     }
   }
-  PlanarProlongation pulled = SelectRows(P, rows, context).cast<Complex>();
+  SparseMatrix<Plane> pulled = SelectRows(P, rows, context);
   for (std::size_t k = 0; k < rows.size(); ++k)
   {
-    const double root = std::sqrt(D[rows[k]]);
+    const auto root = static_cast<float>(std::sqrt(D[rows[k]]));
     for (int e = pulled.outerIndexPtr()[k]; e < pulled.outerIndexPtr()[k + 1]; ++e)
     {
       pulled.valuePtr()[e] *= root;
@@ -133,11 +134,11 @@ void LeastSquaresCycle::Correct(const ExecutionContext& context)
 void LeastSquaresCycle::Apply(
   const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
 {
-  const Vector<double>& lengths = this->Fine.Lengths;
+  const Vector<double>& scales = this->Fine.Scales;
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
     const int count = last - first;
     this->b.segment(first, count) =
-      r.segment(first, count).cwiseQuotient(lengths.segment(first, count));
+      r.segment(first, count).cwiseQuotient(scales.segment(first, count));
   });
   this->Smoother.PreSmooth(this->b, this->x, this->Residual, context);
   this->Restrict(context);
@@ -152,7 +153,7 @@ void LeastSquaresCycle::Apply(
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
     const int count = last - first;
     z.segment(first, count) =
-      this->x.segment(first, count).cwiseQuotient(lengths.segment(first, count));
+      this->x.segment(first, count).cwiseQuotient(scales.segment(first, count));
   });
 }
 

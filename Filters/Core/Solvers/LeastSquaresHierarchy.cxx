@@ -79,10 +79,16 @@ UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& orde
   return permuted;
 }
 
-/// Lengths of the columns of B, each the row of a transpose; 1 where there is nothing.
-Vector<double> ColumnLengths(const SparseMatrix<double>& Bt, const ExecutionContext& context)
+/// What B^T B is divided by, row and column, so that it has no eigenvalue above 1: of the unit
+/// diagonal that it gets by the lengths of columns, the sums of absolute rows (Gershgorin), or at least
+/// what |B|^T |B| says of them. Where a face or a valence makes one sum large the others are not. 1 where
+/// there is nothing.
+Vector<double> ScalesOfColumns(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  const ExecutionContext& context)
 {
   Vector<double> lengths(Bt.rows());
+  Vector<double> rowSums(B.rows());
+  Vector<double> scales(Bt.rows());
   context.ParallelFor(0, static_cast<int>(Bt.rows()), RowGrain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
@@ -94,7 +100,28 @@ Vector<double> ColumnLengths(const SparseMatrix<double>& Bt, const ExecutionCont
       lengths[i] = squared > 0.0 ? std::sqrt(squared) : 1.0;
     }
   });
-  return lengths;
+  context.ParallelFor(0, static_cast<int>(B.rows()), RowGrain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      rowSums[k] = 0.0;
+      for (int e = B.outerIndexPtr()[k]; e < B.outerIndexPtr()[k + 1]; ++e)
+      {
+        rowSums[k] += std::abs(B.valuePtr()[e]) / lengths[B.innerIndexPtr()[e]];
+      }
+    }
+  });
+  context.ParallelFor(0, static_cast<int>(Bt.rows()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      double sum = 0.0;
+      for (int e = Bt.outerIndexPtr()[i]; e < Bt.outerIndexPtr()[i + 1]; ++e)
+      {
+        sum += std::abs(Bt.valuePtr()[e]) * rowSums[Bt.innerIndexPtr()[e]];
+      }
+      scales[i] = sum > 0.0 ? std::sqrt(sum * lengths[i]) : 1.0;
+    }
+  });
+  return scales;
 }
 
 /// Multiplies rows by \p rowFactor(row) and columns by \p columnFactor(column).
@@ -196,26 +223,25 @@ LeastSquaresHierarchy CoarsenLeastSquares(const SparseMatrix<double>& factor,
     PlanarProlongation permuted = Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
     P.swap(permuted);
   }
-  Vector<double> lengths = ColumnLengths(rowsOfUnknowns, context);
-  const auto one = [](int) { return 1.0; };
-  Scale(B, one, [&lengths](int column) { return 1.0 / lengths[column]; }, context);
-  Scale(P, [&lengths](int row) { return lengths[row]; }, one, context);
   SparseMatrix<double> Bt = Adjoint(B, context);
+  Vector<double> scales = ScalesOfColumns(B, Bt, context);
+  const auto one = [](int) { return 1.0; };
+  Scale(B, one, [&scales](int column) { return 1.0 / scales[column]; }, context);
+  Scale(P, [&scales](int row) { return scales[row]; }, one, context);
+  Bt = Adjoint(B, context);
   context.Checkpoint(0.1);
 
-  P = SmoothedPlanar(B, Bt, std::move(P), options.ProlongationDegree, options.Dropped, context);
+  SparseMatrix<Plane> restriction =
+    SmoothedRestriction(B, Bt, P, options.ProlongationDegree, options.Dropped, context);
+  SparseMatrix<Plane> prolongation = Adjoint(restriction, context);
   context.Checkpoint(0.6);
-  // The coarse matrix is that of the rounded prolongation.
-  SparseMatrix<LeastSquaresHierarchy::Plane> rounded = P.cast<LeastSquaresHierarchy::Plane>();
-  P = rounded.cast<Complex>();
-  SparseMatrix<double> coarse = GramOfPlanar(Product(B, P, context), context);
+  SparseMatrix<double> coarse = CoarseRoughness(B, Bt, prolongation, restriction, context);
   context.Checkpoint(0.8);
-  SparseMatrix<LeastSquaresHierarchy::Plane> restriction = Adjoint(rounded, context);
   SchwarzBlocks blocks(Bt, Permuted(levels.Blocks, blockOrder, places), context);
   std::vector<int> components = ConnectedThrough(B, Bt);
   context.Checkpoint(1.0);
-  return { std::move(order), std::move(components), std::move(lengths), std::move(B),
-    std::move(Bt), std::move(blocks), std::move(rounded), std::move(restriction),
+  return { std::move(order), std::move(components), std::move(scales), std::move(B),
+    std::move(Bt), std::move(blocks), std::move(prolongation), std::move(restriction),
     std::move(coarse), std::move(levels.Coarser) };
 }
 
@@ -251,7 +277,7 @@ double LeastSquaresOperator::Apply(
   context.ParallelFor(0, this->Size(), RowGrain, [&](int first, int last) {
     const int count = last - first;
     this->Scaled.segment(first, count) =
-      x.segment(first, count).cwiseProduct(of.Lengths.segment(first, count));
+      x.segment(first, count).cwiseProduct(of.Scales.segment(first, count));
   });
   Multiply(of.B, this->Scaled, this->Product, context);
   y.resize(this->Size());
@@ -260,7 +286,7 @@ double LeastSquaresOperator::Apply(
     for (int i = first; i < last; ++i)
     {
       y[i] = std::isfinite(this->D[i])
-        ? of.Lengths[i] * RowTimes(of.Bt, i, this->Product.data()) + this->D[i] * x[i]
+        ? of.Scales[i] * RowTimes(of.Bt, i, this->Product.data()) + this->D[i] * x[i]
         : 0.0;
       product += x[i] * y[i];
     }

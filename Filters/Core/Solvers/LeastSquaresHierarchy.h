@@ -7,7 +7,6 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
-#include <complex>
 #include <vector>
 
 namespace dmg
@@ -24,9 +23,9 @@ struct LeastSquaresLevels
 struct LeastSquaresHierarchyOptions
 {
   /// Degree of the polynomial that smooths the prolongation, >= 0.
-  int ProlongationDegree = 4;
+  int ProlongationDegree = 5;
   /// Entries of the prolongation below so many times the largest of their row are left out.
-  double Dropped = 0.004;
+  double Dropped = 0.003;
 };
 
 /// What multigrid needs to know of a roughness |B x|^2, whatever is prescribed: its blocks, a smoothed
@@ -37,16 +36,15 @@ struct LeastSquaresHierarchyOptions
 /// polynomial that smooths it reaches far.
 ///
 /// Order and scale. Unknowns stand in an order of their own, by the coarse unknowns that they belong to,
-/// and columns of B are scaled to length 1. The caller's unknown Order[k] is x_k / Lengths[k].
+/// and columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large everywhere.
+/// The caller's unknown Order[k] is x_k / Scales[k].
 struct LeastSquaresHierarchy
 {
-  using Plane = std::complex<float>;
-
   std::vector<int> Order;
   /// A number that an unknown shares with all that it is connected with through B.
   std::vector<int> Components;
-  /// Of the columns that B had; 1 if one was empty.
-  Vector<double> Lengths;
+  /// What the columns of B were divided by; 1 if one was empty.
+  Vector<double> Scales;
   SparseMatrix<double> B;
   SparseMatrix<double> Bt;
   SchwarzBlocks Blocks;

@@ -2,7 +2,10 @@
 
 #include "Support/SparseRows.h"
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <vector>
 
 namespace dmg
 {
@@ -22,7 +25,8 @@ struct OuterProducts
   double YY = 0.0;
 };
 
-inline void AddProduct(OuterProducts& sum, Complex a, Complex b)
+template <class Other>
+inline void AddProduct(OuterProducts& sum, Complex a, std::complex<Other> b)
 {
   sum.XX += a.real() * b.real();
   sum.XY += a.real() * b.imag();
@@ -30,110 +34,237 @@ inline void AddProduct(OuterProducts& sum, Complex a, Complex b)
   sum.YY += a.imag() * b.imag();
 }
 
-/// Power iterations on B^T B and a margin.
-double LargestEigenvalue(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const ExecutionContext& context)
+/// Appends two rows, of the components of the first factors, columns ascending.
+void AppendPair(const SparseSum<OuterProducts>& sum, std::vector<int>& members, SparseRows<double>& rows)
 {
-  Vector<double> x(B.cols());
-  for (Eigen::Index i = 0; i < x.size(); ++i)
+  members.assign(sum.Indices(), sum.Indices() + sum.Size());
+  SortIndices(members.data(), static_cast<int>(members.size()));
+  for (const bool isY : { false, true })
   {
-    x[i] = std::fmod(i * 0.6180339887498949, 1.0) - 0.5; // holds all frequencies
-  }
-  Vector<double> Bx(B.rows());
-  double estimate = 1.0;
-  for (int iteration = 0; iteration < 8; ++iteration)
-  {
-    const double norm = std::sqrt(SquaredNorm(x, context));
-    if (!(norm > 0.0))
+    for (const int j : members)
     {
-      break;
+      const OuterProducts& products = sum[j];
+      rows.Columns.push_back(2 * j);
+      rows.Columns.push_back(2 * j + 1);
+      rows.Values.push_back(isY ? products.YX : products.XX);
+      rows.Values.push_back(isY ? products.YY : products.XY);
     }
-    x *= 1.0 / norm;
-    Multiply(B, x, Bx, context);
-    Multiply(Bt, Bx, x, context);
-    estimate = std::sqrt(SquaredNorm(x, context));
+    rows.EndRow();
   }
-  return 1.1 * estimate;
 }
 
-/// Adds a multiple of row i of P.
-void AddRow(SparseSum<Complex>& sum, double factor, const PlanarProlongation& P, int i)
+/// A vector of few non-zeros, with room for all.
+template <class Real>
+class SparseVector
 {
-  const int begin = P.outerIndexPtr()[i];
-  sum.Add(factor, P.innerIndexPtr() + begin, P.valuePtr() + begin, P.outerIndexPtr()[i + 1] - begin);
-}
-
-/// Appends what is not small, columns ascending.
-void AppendTruncated(const SparseSum<Complex>& sum, double dropped, SparseRows<Complex>& rows)
-{
-  double largest = 0.0;
-  for (int k = 0; k < sum.Size(); ++k)
+public:
+  explicit SparseVector(int size)
+    : Elements(size)
+    , Members(size + 1)
   {
-    largest = std::max(largest, std::norm(sum.Values()[k]));
   }
-  const std::size_t begin = rows.Columns.size();
-  for (int k = 0; k < sum.Size(); ++k)
+
+  int Size() const { return this->Count; }
+  const int* Indices() const { return this->Members.data(); }
+  std::complex<Real> operator[](int index) const 
   {
-    if (std::norm(sum.Values()[k]) > dropped * dropped * largest)
+    return { this->Elements[index].X, this->Elements[index].Y };
+  }
+
+  /// Adds factor times row \p row of a matrix. What changes stands in local variables, and nothing
+  /// branches, as in SparseSum.
+  void AddRow(std::complex<Real> factor, const SparseMatrix<double>& A, int row)
+  {
+    const int* const indices = A.innerIndexPtr();
+    const double* const entries = A.valuePtr();
+    Element* const elements = this->Elements.data();
+    int* const members = this->Members.data();
+    int count = this->Count;
+    const int end = A.outerIndexPtr()[row + 1];
+    for (int e = A.outerIndexPtr()[row]; e < end; ++e)
     {
-      rows.Columns.push_back(sum.Indices()[k]);
+      const int index = indices[e];
+      Element& element = elements[index];
+      members[count] = index;
+      count += element.IsNone;
+      element.IsNone = 0;
+      const auto entry = static_cast<Real>(entries[e]);
+      element.X += entry * factor.real();
+      element.Y += entry * factor.imag();
     }
+    this->Count = count;
   }
-  SortIndices(rows.Columns.data() + begin, static_cast<int>(rows.Columns.size() - begin));
-  for (std::size_t k = begin; k < rows.Columns.size(); ++k)
-  {
-    rows.Values.push_back(sum[rows.Columns[k]]);
-  }
-  rows.EndRow();
-}
 
-/// P - factor B^T Q.
-PlanarProlongation Corrected(const PlanarProlongation& P, double factor,
-  const SparseMatrix<double>& Bt, const PlanarProlongation& Q, double dropped,
-  const ExecutionContext& context)
-{
-  const auto makeWorker = [&, factor, dropped] {
-    return [&, factor, dropped, sum = SparseSum<Complex>(static_cast<int>(P.cols()))](
-             int firstRow, int lastRow, SparseRows<Complex>& rows) mutable {
-      for (int i = firstRow; i < lastRow; ++i)
+  /// \pre index is no member.
+  void Append(int index, std::complex<Real> value)
+  {
+    this->Members[this->Count++] = index;
+    this->Elements[index] = { value.real(), value.imag(), 0 };
+  }
+
+  /// Leaves out what is not larger than so many times a size of its own.
+  void Truncate(float share, const std::vector<float>& sizes)
+  {
+    int kept = 0;
+    for (int k = 0; k < this->Count; ++k)
+    {
+      const int index = this->Members[k];
+      const float smallest = share * sizes[index];
+      if (std::norm((*this)[index]) > smallest * smallest)
       {
-        sum.Clear();
-        AddRow(sum, 1.0, P, i);
-        for (int e = Bt.outerIndexPtr()[i]; e < Bt.outerIndexPtr()[i + 1]; ++e)
-        {
-          AddRow(sum, -factor * Bt.valuePtr()[e], Q, Bt.innerIndexPtr()[e]);
-        }
-        AppendTruncated(sum, dropped, rows);
+        this->Members[kept++] = index;
       }
-    };
-  };
-  return AssembleInBands<Complex>(
-    static_cast<int>(P.rows()), static_cast<int>(P.cols()), makeWorker, context);
-}
-
-}
-
-PlanarProlongation SmoothedPlanar(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  PlanarProlongation P, int degree, double dropped, const ExecutionContext& context)
-{
-  if (degree == 0)
-  {
-    return P;
+      else
+      {
+        this->Remove(index);
+      }
+    }
+    this->Count = kept;
   }
-  const double largest = LargestEigenvalue(B, Bt, context);
+
+  void Sort() { std::sort(this->Members.begin(), this->Members.begin() + this->Count); }
+
+  void Clear()
+  {
+    for (int k = 0; k < this->Count; ++k)
+    {
+      this->Remove(this->Members[k]);
+    }
+    this->Count = 0;
+  }
+
+private:
+  struct Element
+  {
+    Real X = 0;
+    Real Y = 0;
+    int IsNone = 1;
+  };
+
+  void Remove(int index) { this->Elements[index] = Element(); }
+
+  std::vector<Element> Elements; ///< zero but for members
+  std::vector<int> Members;
+  int Count = 0;
+};
+
+/// p - factor B^T B p.
+[[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt, float factor,
+  SparseVector<float>& p, SparseVector<float>& Bp)
+{
+  Bp.Clear();
+  for (int k = 0; k < p.Size(); ++k)
+  {
+    Bp.AddRow(p[p.Indices()[k]], Bt, p.Indices()[k]);
+  }
+  for (int k = 0; k < Bp.Size(); ++k)
+  {
+    p.AddRow(-factor * Bp[Bp.Indices()[k]], B, Bp.Indices()[k]);
+  }
+}
+
+/// The largest entry of each row.
+std::vector<float> LargestOfRows(const PlanarProlongation& P, const ExecutionContext& context)
+{
+  std::vector<float> largest(P.rows());
+  context.ParallelFor(0, static_cast<int>(P.rows()), 8192, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      double squared = 0.0;
+      for (int e = P.outerIndexPtr()[i]; e < P.outerIndexPtr()[i + 1]; ++e)
+      {
+        squared = std::max(squared, std::norm(P.valuePtr()[e]));
+      }
+      largest[i] = static_cast<float>(std::sqrt(squared));
+    }
+  });
+  return largest;
+}
+
+}
+
+SparseMatrix<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  const PlanarProlongation& P, int degree, double dropped, const ExecutionContext& context)
+{
+  const PlanarProlongation adjoint = Adjoint(P, context);
+  const std::vector<float> sizes = LargestOfRows(P, context);
+  std::vector<float> factors;
   for (int k = 1; k <= degree; ++k)
   {
     const double sine = std::sin(Pi * k / (2.0 * degree + 1.0));
-    PlanarProlongation next =
-      Corrected(P, 1.0 / (largest * sine * sine), Bt, Product(B, P, context), dropped, context);
-    P.swap(next); // an assignment would copy
+    factors.push_back(static_cast<float>(1.0 / (sine * sine)));
   }
-  return P;
+  const auto makeWorker = [&] {
+    return [&, p = SparseVector<float>(static_cast<int>(B.cols())),
+             Bp = SparseVector<float>(static_cast<int>(B.rows()))](
+             int firstRow, int lastRow, SparseRows<Plane>& rows) mutable {
+      for (int j = firstRow; j < lastRow; ++j)
+      {
+        p.Clear();
+        for (int e = adjoint.outerIndexPtr()[j]; e < adjoint.outerIndexPtr()[j + 1]; ++e)
+        {
+          p.Append(adjoint.innerIndexPtr()[e], Plane(adjoint.valuePtr()[e]));
+        }
+        for (const float factor : factors)
+        {
+          Smooth(B, Bt, factor, p, Bp);
+          p.Truncate(static_cast<float>(dropped), sizes);
+        }
+        p.Sort();
+        for (int k = 0; k < p.Size(); ++k)
+        {
+          rows.Columns.push_back(p.Indices()[k]);
+          rows.Values.push_back(p[p.Indices()[k]]);
+        }
+        rows.EndRow();
+      }
+    };
+  };
+  return AssembleInBands<Plane>(
+    static_cast<int>(adjoint.rows()), static_cast<int>(adjoint.cols()), makeWorker, context);
 }
 
-SparseMatrix<double> GramOfPlanar(const PlanarProlongation& Q, const ExecutionContext& context)
+SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  const SparseMatrix<Plane>& P, const SparseMatrix<Plane>& restriction,
+  const ExecutionContext& context)
 {
-  const PlanarProlongation conjugate = Adjoint(Q, context); // its entries turn the other way
+  const int columns = static_cast<int>(P.cols());
+  const auto makeWorker = [&] {
+    return [&, Bp = SparseVector<double>(static_cast<int>(B.rows())),
+             AP = SparseVector<double>(static_cast<int>(B.cols())),
+             sum = SparseSum<OuterProducts>(columns), members = std::vector<int>()](
+             int firstRow, int lastRow, SparseRows<double>& rows) mutable {
+      for (int j = firstRow / 2; j < lastRow / 2; ++j)
+      {
+        Bp.Clear();
+        for (int e = restriction.outerIndexPtr()[j]; e < restriction.outerIndexPtr()[j + 1]; ++e)
+        {
+          Bp.AddRow(
+            std::conj(Complex(restriction.valuePtr()[e])), Bt, restriction.innerIndexPtr()[e]);
+        }
+        AP.Clear();
+        for (int k = 0; k < Bp.Size(); ++k)
+        {
+          AP.AddRow(Bp[Bp.Indices()[k]], B, Bp.Indices()[k]);
+        }
+        sum.Clear();
+        for (int k = 0; k < AP.Size(); ++k)
+        {
+          const int i = AP.Indices()[k];
+          const int begin = P.outerIndexPtr()[i];
+          sum.Add(AP[i], P.innerIndexPtr() + begin, P.valuePtr() + begin,
+            P.outerIndexPtr()[i + 1] - begin);
+        }
+        AppendPair(sum, members, rows);
+      }
+    };
+  };
+  return AssembleInBands<double>(2 * columns, 2 * columns, makeWorker, context);
+}
+
+SparseMatrix<double> GramOfPlanar(const SparseMatrix<Plane>& Q, const ExecutionContext& context)
+{
+  const SparseMatrix<Plane> conjugate = Adjoint(Q, context); // its entries turn the other way
   const int columns = static_cast<int>(Q.cols());
   const auto makeWorker = [&, columns] {
     return [&, sum = SparseSum<OuterProducts>(columns), members = std::vector<int>()](
@@ -145,23 +276,10 @@ SparseMatrix<double> GramOfPlanar(const PlanarProlongation& Q, const ExecutionCo
         {
           const int row = conjugate.innerIndexPtr()[e];
           const int begin = Q.outerIndexPtr()[row];
-          sum.Add(std::conj(conjugate.valuePtr()[e]), Q.innerIndexPtr() + begin,
+          sum.Add(std::conj(Complex(conjugate.valuePtr()[e])), Q.innerIndexPtr() + begin,
             Q.valuePtr() + begin, Q.outerIndexPtr()[row + 1] - begin);
         }
-        members.assign(sum.Indices(), sum.Indices() + sum.Size());
-        SortIndices(members.data(), static_cast<int>(members.size()));
-        for (const bool isY : { false, true })
-        {
-          for (const int j : members)
-          {
-            const OuterProducts& products = sum[j];
-            rows.Columns.push_back(2 * j);
-            rows.Columns.push_back(2 * j + 1);
-            rows.Values.push_back(isY ? products.YX : products.XX);
-            rows.Values.push_back(isY ? products.YY : products.XY);
-          }
-          rows.EndRow();
-        }
+        AppendPair(sum, members, rows);
       }
     };
   };

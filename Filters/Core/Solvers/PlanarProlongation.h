@@ -4,6 +4,8 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <complex>
+
 /// Prolongations of plane vectors, one per coarse unknown, to real numbers. Their matrices are complex:
 /// row i takes the vectors z to
 ///   x_i = Re sum_j conj(p_ij) z_j ,
@@ -12,11 +14,12 @@ namespace dmg
 {
 
 using PlanarProlongation = SparseMatrix<Complex>;
+using Plane = std::complex<float>;
 
-/// A prolongation whose coarse functions have little energy: (I - c_1 A) ... (I - c_k A) P for
-/// A = B^T B, with the roots of the polynomial that minimises the largest energy of what is left,
-/// max over (0, largest eigenvalue] of t p(t)^2, namely 1 / (2 k + 1)^2 of what it was (Chebyshev;
-/// Brezina and Vanek 1999).
+/// The adjoint of a prolongation whose coarse functions have little energy: of
+/// (I - c_1 A) ... (I - c_k A) P for A = B^T B, with the roots of the polynomial that minimises the
+/// largest energy of what is left, max over (0, 1] of t p(t)^2, namely 1 / (2 k + 1)^2 of what it was
+/// (Chebyshev; Brezina and Vanek 1999). One coarse function after the other, in single precision.
 ///
 /// Fields of least roughness need it. Their energy counts divergence and curl, not the whole
 /// derivative: on a surface that curves inwards a field may change a lot and cost next to nothing,
@@ -24,14 +27,21 @@ using PlanarProlongation = SparseMatrix<Complex>;
 /// by an amount of the order of their size, and an interpolation, which knows nothing of it, has the
 /// energy of the whole derivative.
 ///
-/// \param B with columns of length 1. \param Bt its transpose.
-/// \param dropped entries below so many times the largest of their row are left out after each step.
-/// Cost: 2 k products of sparse matrices.
-PlanarProlongation SmoothedPlanar(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  PlanarProlongation P, int degree, double dropped, const ExecutionContext& context);
+/// \param B so that no eigenvalue of A is above 1. \param Bt its transpose.
+/// \param dropped entries below so many times the largest of their row of P are left out after each
+///   step.
+/// Cost: k products of A with all coarse functions, where they are not zero.
+SparseMatrix<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  const PlanarProlongation& P, int degree, double dropped, const ExecutionContext& context);
 
-/// Q^T Q on pairs of components: 2 m x 2 m for Q of m columns.
-SparseMatrix<double> GramOfPlanar(const PlanarProlongation& Q, const ExecutionContext& context);
+/// P^T B^T B P on pairs of components: 2 m x 2 m for P of m columns.
+/// \param restriction the adjoint of P.
+SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  const SparseMatrix<Plane>& P, const SparseMatrix<Plane>& restriction,
+  const ExecutionContext& context);
+
+/// Q^T Q on pairs of components.
+SparseMatrix<double> GramOfPlanar(const SparseMatrix<Plane>& Q, const ExecutionContext& context);
 
 }
 

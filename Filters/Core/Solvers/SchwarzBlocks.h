@@ -33,7 +33,7 @@ struct UnknownBlocks
 class SchwarzBlocks
 {
 public:
-  static constexpr int LargestBlock = 16;
+  static constexpr int LargestBlock = 64;
 
   /// Blocks from First to one before Last.
   struct Tile

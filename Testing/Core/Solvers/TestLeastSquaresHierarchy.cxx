@@ -37,7 +37,7 @@ LeastSquaresHierarchyOptions WithoutSmoothing()
 
 /// Plane vectors as pairs of components; the product of the vectors p and z is Re p Re z + Im p Im
 /// z.
-Eigen::MatrixXd OnPairs(const SparseMatrix<LeastSquaresHierarchy::Plane>& P)
+Eigen::MatrixXd OnPairs(const SparseMatrix<Plane>& P)
 {
   const Eigen::MatrixXcd dense = Eigen::MatrixXcf(P).cast<Complex>();
   Eigen::MatrixXd pairs(P.rows(), 2 * P.cols());
@@ -131,7 +131,7 @@ TEST_P(TestLeastSquaresHierarchy, OperatorIsTheRoughnessAndTheDiagonal)
   const std::vector<int>& order = hierarchy.Order;
   const auto size = hierarchy.NumberOfUnknowns();
   ASSERT_EQ(size, problem.Size());
-  const double largest = hierarchy.Lengths.cwiseAbs2().maxCoeff(); // of the diagonal of B^T B
+  const double largest = hierarchy.Scales.cwiseAbs2().maxCoeff(); // of the diagonal of B^T B
   for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
     const Vector<double> D = DiagonalOf(hierarchy, problem.Prescribed(5, kind));
@@ -147,9 +147,9 @@ TEST_P(TestLeastSquaresHierarchy, OperatorIsTheRoughnessAndTheDiagonal)
       const double scale = 100 * Epsilon * (largest + 2.0) * x.norm();
 
       // As it is held: S (B^T B) S + D.
-      const Vector<double> scaled = x.cwiseProduct(hierarchy.Lengths);
+      const Vector<double> scaled = x.cwiseProduct(hierarchy.Scales);
       Vector<double> held = hierarchy.Bt * Vector<double>(hierarchy.B * scaled);
-      held = held.cwiseProduct(hierarchy.Lengths);
+      held = held.cwiseProduct(hierarchy.Scales);
       // As it was given.
       Vector<double> all(size);
       all(order) = x;
@@ -172,7 +172,7 @@ TEST_P(TestLeastSquaresHierarchy, OperatorIsTheRoughnessAndTheDiagonal)
   }
 }
 
-TEST_P(TestLeastSquaresHierarchy, ColumnsHaveLengthOne)
+TEST_P(TestLeastSquaresHierarchy, NoEigenvalueIsAboveOne)
 {
   const SurfaceProblem problem(test::IrregularPlane(20, 16, 4), GetParam());
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
@@ -181,11 +181,17 @@ TEST_P(TestLeastSquaresHierarchy, ColumnsHaveLengthOne)
   EXPECT_EQ(sorted, Identity(problem.Size()));
 
   const Eigen::MatrixXd B(hierarchy.B);
-  EXPECT_LE((B.colwise().norm().array() - 1.0).abs().maxCoeff(), 10 * Epsilon);
+  const Vector<double> eigenvalues =
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(B.transpose() * B, Eigen::EigenvaluesOnly)
+      .eigenvalues();
+  EXPECT_LE(eigenvalues.maxCoeff(), 1.0 + 10 * Epsilon);
+  EXPECT_GE(eigenvalues.maxCoeff(), 0.5);
   EXPECT_EQ(Eigen::MatrixXd(hierarchy.Bt), B.transpose());
-  const Vector<double> lengths = Eigen::MatrixXd(problem.B).colwise().norm().transpose();
-  const Vector<double> expected = lengths(hierarchy.Order);
-  EXPECT_LE((hierarchy.Lengths - expected).norm(), 10 * Epsilon * expected.norm());
+  // The rows are those of the caller's B in some order.
+  const Eigen::MatrixXd unscaled = B * hierarchy.Scales.asDiagonal();
+  const Eigen::MatrixXd given = Eigen::MatrixXd(problem.B)(Eigen::all, hierarchy.Order);
+  EXPECT_LE((unscaled.transpose() * unscaled - given.transpose() * given).norm(),
+    100 * Epsilon * (given.transpose() * given).norm());
 }
 
 TEST_P(TestLeastSquaresHierarchy, BlocksAreThoseGiven)
@@ -220,7 +226,7 @@ TEST_P(TestLeastSquaresHierarchy, ProlongationIsTheGivenOneOfScaledUnknowns)
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy(WithoutSmoothing());
   const Eigen::MatrixXcd given(problem.Levels.Prolongation);
   const Eigen::MatrixXcd inOrder = given(hierarchy.Order, Eigen::all);
-  const Eigen::MatrixXcd expected = hierarchy.Lengths.asDiagonal() * inOrder;
+  const Eigen::MatrixXcd expected = hierarchy.Scales.asDiagonal() * inOrder;
   const Eigen::MatrixXcd P = Eigen::MatrixXcf(hierarchy.Prolongation).cast<Complex>();
   EXPECT_LE((P - expected).norm(), std::numeric_limits<float>::epsilon() * expected.norm());
 
@@ -275,7 +281,7 @@ TEST_P(TestLeastSquaresHierarchy, SameBitsForAnyNumberOfThreads)
     const LeastSquaresHierarchy hierarchy = problem.Hierarchy({}, context);
     EXPECT_EQ(hierarchy.Order, expected.Order);
     EXPECT_EQ(hierarchy.Components, expected.Components);
-    EXPECT_EQ(hierarchy.Lengths, expected.Lengths);
+    EXPECT_EQ(hierarchy.Scales, expected.Scales);
     EXPECT_EQ((hierarchy.B - expected.B).norm(), 0.0);
     EXPECT_EQ((hierarchy.Prolongation - expected.Prolongation).norm(), 0.0f);
     EXPECT_EQ((hierarchy.CoarseMatrix - expected.CoarseMatrix).norm(), 0.0);
@@ -318,7 +324,7 @@ TEST_P(TestLeastSquaresHierarchy, WrongSizesAreRefused)
   levels.Coarser.insert(levels.Coarser.begin(), SparseMatrix<double>(2 * coarse + 2, 10));
   EXPECT_THROW(make(levels), InvalidInput);
   levels = problem.Levels;
-  for (int i = 0; i < 17; ++i)
+  for (int i = 0; i <= SchwarzBlocks::LargestBlock; ++i)
   {
     levels.Blocks.Unknowns.push_back(i);
   }
@@ -342,7 +348,7 @@ TEST(TestLeastSquaresHierarchyOfPaths, ComponentsAreConnectedThroughB)
     const int unknown = hierarchy.Order[k];
     if (unknown == 7 || unknown == 20)
     {
-      EXPECT_EQ(hierarchy.Lengths[k], 1.0);
+      EXPECT_EQ(hierarchy.Scales[k], 1.0);
     }
   }
   EXPECT_TRUE(hierarchy.CoarseMatrix.coeffs().allFinite());

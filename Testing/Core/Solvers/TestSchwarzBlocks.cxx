@@ -232,7 +232,7 @@ TEST(TestSchwarzBlocks, NoBlocksHaveNoColour)
 
 TEST(TestSchwarzBlocks, LargeBlocksAreRefused)
 {
-  const test::Squares ring = test::Ring(40);
+  const test::Squares ring = test::Ring(80);
   const auto blocksOf = [](int size)
   {
     UnknownBlocks blocks;
@@ -245,18 +245,18 @@ TEST(TestSchwarzBlocks, LargeBlocksAreRefused)
     blocks.EndBlock();
     return blocks;
   };
-  const SchwarzBlocks largest(ring.Bt, blocksOf(16), SerialContext());
+  const SchwarzBlocks largest(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock), SerialContext());
   ExpectInverses(largest, ring.Matrix());
   try
   {
-    SchwarzBlocks(ring.Bt, blocksOf(17), SerialContext());
+    SchwarzBlocks(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock + 1), SerialContext());
     FAIL();
   }
   catch (const InvalidInput& error)
   {
     const std::string message = error.what();
-    EXPECT_NE(message.find("block 1 holds 17"), std::string::npos) << message;
-    EXPECT_NE(message.find("at most 16"), std::string::npos) << message;
+    EXPECT_NE(message.find("block 1 holds 65"), std::string::npos) << message;
+    EXPECT_NE(message.find("at most 64"), std::string::npos) << message;
   }
 }
 

@@ -1,0 +1,177 @@
+#include "SmoothingBlocks.h"
+
+#include "Support/MeshFactory.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace dmg;
+
+namespace
+{
+
+std::vector<std::set<int>> SetsOf(const UnknownBlocks& blocks)
+{
+  std::vector<std::set<int>> sets;
+  for (int k = 0; k < blocks.Size(); ++k)
+  {
+    sets.emplace_back(blocks.Unknowns.begin() + blocks.Offsets[k],
+      blocks.Unknowns.begin() + blocks.Offsets[k + 1]);
+    EXPECT_EQ(static_cast<int>(sets.back().size()), blocks.Offsets[k + 1] - blocks.Offsets[k])
+      << "block " << k << " holds an unknown twice";
+  }
+  return sets;
+}
+
+std::set<int> Union(const std::vector<std::set<int>>& sets)
+{
+  std::set<int> all;
+  for (const std::set<int>& set : sets)
+  {
+    all.insert(set.begin(), set.end());
+  }
+  return all;
+}
+
+std::set<int> SidesOf(const TriangleMesh& mesh, int face)
+{
+  return { mesh.EdgeOf(3 * face), mesh.EdgeOf(3 * face + 1), mesh.EdgeOf(3 * face + 2) };
+}
+
+std::vector<int> NeighboursOf(const TriangleMesh& mesh, int face)
+{
+  std::vector<int> neighbours;
+  for (int h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    if (mesh.Twin(h) >= 0)
+    {
+      neighbours.push_back(TriangleMesh::FaceOf(mesh.Twin(h)));
+    }
+  }
+  return neighbours;
+}
+
+/// A flat strip of right triangles, twice as many as columns; one column is thin.
+TriangleMesh StripWithThinColumn(int columns, int thin, double width)
+{
+  Points points(2 * (columns + 1), 3);
+  Triangles corners(2 * columns, 3);
+  double x = 0.0;
+  for (int i = 0; i <= columns; ++i)
+  {
+    points.row(2 * i) << x, 0.0, 0.0;
+    points.row(2 * i + 1) << x, 1.0, 0.0;
+    x += i == thin ? width : 1.0;
+  }
+  for (int i = 0; i < columns; ++i)
+  {
+    corners.row(2 * i) << 2 * i, 2 * i + 2, 2 * i + 1;
+    corners.row(2 * i + 1) << 2 * i + 2, 2 * i + 3, 2 * i + 1;
+  }
+  return TriangleMesh(points, corners);
+}
+
+}
+
+TEST(SmoothingBlocks, SidesOfEvenFaces)
+{
+  const TriangleMesh mesh = test::Icosphere(2).Mesh();
+  const std::vector<std::set<int>> blocks = SetsOf(BlocksOfOneForms(mesh));
+  ASSERT_EQ(static_cast<int>(blocks.size()), mesh.NumberOfFaces());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    EXPECT_EQ(blocks[face], SidesOf(mesh, face));
+  }
+}
+
+TEST(SmoothingBlocks, FacesAroundVerticesOfEvenFaces)
+{
+  const TriangleMesh mesh = test::Icosphere(2).Mesh();
+  const std::vector<std::set<int>> blocks = SetsOf(BlocksOfFaceFields(mesh));
+  ASSERT_EQ(static_cast<int>(blocks.size()), mesh.NumberOfVertices());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+    {
+      const bool isCorner = (mesh.FaceCorners().row(face).array() == vertex).any();
+      EXPECT_EQ(blocks[vertex].count(2 * face), isCorner);
+      EXPECT_EQ(blocks[vertex].count(2 * face + 1), isCorner);
+    }
+  }
+}
+
+TEST(SmoothingBlocks, UnevenFacesAreTogetherWithTwoRingsAroundThem)
+{
+  // Faces 8 and 9 are thin; two rings are the two faces on either side.
+  const TriangleMesh mesh = StripWithThinColumn(12, 4, 0.05);
+  const std::vector<std::set<int>> forms = SetsOf(BlocksOfOneForms(mesh));
+  ASSERT_EQ(static_cast<int>(forms.size()), mesh.NumberOfFaces() + 1);
+  std::set<int> sides;
+  std::set<int> components;
+  for (int face = 6; face <= 11; ++face)
+  {
+    const std::set<int> more = SidesOf(mesh, face);
+    sides.insert(more.begin(), more.end());
+    components.insert({ 2 * face, 2 * face + 1 });
+  }
+  EXPECT_EQ(forms.back(), sides);
+  const std::vector<std::set<int>> fields = SetsOf(BlocksOfFaceFields(mesh));
+  ASSERT_EQ(static_cast<int>(fields.size()), mesh.NumberOfVertices() + 1);
+  EXPECT_EQ(fields.back(), components);
+}
+
+TEST(SmoothingBlocks, ManyUnevenFacesAreInSeveralPatches)
+{
+  // Squeezed, every face is uneven.
+  test::Surface surface = test::IrregularPlane(30, 24, 4);
+  surface.V.col(1) *= 0.02;
+  const TriangleMesh mesh = surface.Mesh();
+  const std::vector<std::set<int>> forms = SetsOf(BlocksOfOneForms(mesh));
+  EXPECT_EQ(static_cast<int>(Union(forms).size()), mesh.NumberOfEdges());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    // With all its neighbours, or with the rim of a full patch.
+    const std::set<int> own = SidesOf(mesh, face);
+    EXPECT_TRUE(std::any_of(forms.begin() + mesh.NumberOfFaces(), forms.end(),
+      [&own](const std::set<int>& patch)
+      { return std::includes(patch.begin(), patch.end(), own.begin(), own.end()); }))
+      << "face " << face << " is in no patch";
+  }
+  const std::vector<std::set<int>> fields = SetsOf(BlocksOfFaceFields(mesh));
+  EXPECT_EQ(static_cast<int>(Union(fields).size()), 2 * mesh.NumberOfFaces());
+  for (const auto* blocks : { &forms, &fields })
+  {
+    for (const std::set<int>& block : *blocks)
+    {
+      EXPECT_LE(static_cast<int>(block.size()), SchwarzBlocks::LargestBlock);
+    }
+  }
+}
+
+TEST(SmoothingBlocks, PatchesAreConnected)
+{
+  test::Surface surface = test::IrregularPlane(20, 16, 4);
+  surface.V.col(1) *= 0.05;
+  const TriangleMesh mesh = surface.Mesh();
+  const std::vector<std::set<int>> blocks = SetsOf(BlocksOfFaceFields(mesh));
+  for (std::size_t k = mesh.NumberOfVertices(); k < blocks.size(); ++k)
+  {
+    std::set<int> reached = { *blocks[k].begin() / 2 };
+    std::vector<int> stack(reached.begin(), reached.end());
+    while (!stack.empty())
+    {
+      const int face = stack.back();
+      stack.pop_back();
+      for (const int neighbour : NeighboursOf(mesh, face))
+      {
+        if (blocks[k].count(2 * neighbour) > 0 && reached.insert(neighbour).second)
+        {
+          stack.push_back(neighbour);
+        }
+      }
+    }
+    EXPECT_EQ(2 * reached.size(), blocks[k].size());
+  }
+}
