@@ -320,7 +320,7 @@ std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const Triangl
   {
     note = ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
   }
-  else
+  else if (loops > 0)
   {
     const PartOfContext last(context, 0.8, 1.0);
     kernel = isOneForm ? HarmonicForms(mesh, last) : HarmonicFaceFields(mesh, faceFrames, last);
