@@ -108,12 +108,13 @@ public:
     double Seconds;
   };
 
-  /// The same for one discretisation; null where its solver needs no more.
+  /// The same for one discretisation.
   struct LevelsStage
   {
+    std::shared_ptr<const OperatorsStage> From;
     dmg::Discretisation Kind;
     dmg::VertexAreas Areas;
-    std::shared_ptr<const dmg::LeastSquaresSurface> Levels;
+    std::shared_ptr<const dmg::LeastSquaresSurface> Levels; ///< not null
     double Seconds;
   };
 
@@ -140,7 +141,9 @@ public:
   };
 
   std::unique_ptr<SurfaceStage> Surface;
-  std::unique_ptr<OperatorsStage> Operators;
+  std::shared_ptr<const OperatorsStage> Operators; ///< null where the solver does without
+  /// All that there are of this surface: discretisations and solvers want different levels.
+  std::vector<std::shared_ptr<const OperatorsStage>> Built;
   std::unique_ptr<LevelsStage> Levels;
   std::unique_ptr<BasisStage> Basis;
   std::unique_ptr<SystemStage> System;
@@ -175,23 +178,27 @@ public:
       this->System.reset();
       this->Levels.reset();
       this->Operators.reset();
+      this->Built.clear();
       this->Basis.reset();
       this->Surface.reset(new SurfaceStage{ digest, std::move(framed), SecondsSince(start) });
       redone = true;
     }
 
-    dmg::OperatorsOrigin origin{ digest, dmg::LevelsFor(options), { false, false, false } };
+    dmg::OperatorsOrigin origin{ digest, dmg::LevelsFor(options), selection };
     if (stored)
     {
       origin = *stored;
     }
-    else
+    const auto known = std::find_if(
+      this->Built.begin(), this->Built.end(), [&origin](const auto& stage) {
+        dmg::OperatorsOrigin other = stage->Origin;
+        other.Selection = origin.Selection;
+        return other == origin;
+      });
+    this->Operators = known == this->Built.end() ? nullptr : *known;
+    if (this->Operators && !stored)
     {
-      AddTo(origin.Selection, selection);
-      if (this->Operators && this->Operators->Origin.Options.Levels == origin.Options.Levels)
-      {
-        AddTo(origin.Selection, this->Operators->Origin.Selection);
-      }
+      AddTo(origin.Selection, this->Operators->Origin.Selection);
     }
     const dmg::TriangleMesh& mesh = this->Surface->Framed.Surface.Mesh;
     // What the input brings along is read, and checked, even where the solver might do without.
@@ -206,8 +213,13 @@ public:
       this->Solution.reset();
       this->System.reset();
       this->Levels.reset();
-      this->Operators.reset(
-        new OperatorsStage{ origin, std::move(operators), SecondsSince(start) });
+      if (this->Operators)
+      {
+        this->Built.erase(known);
+      }
+      this->Operators = std::make_shared<const OperatorsStage>(
+        OperatorsStage{ origin, std::move(operators), SecondsSince(start) });
+      this->Built.push_back(this->Operators);
       redone = true;
     }
     this->NumberOfSetups += redone;
@@ -228,29 +240,35 @@ public:
     const dmg::FramedSurface& framed = this->Surface->Framed;
     const dmg::ProlongationOperators* const operators =
       this->Operators ? &this->Operators->Operators : nullptr;
-    this->PrepareLevels(options, dmg::PartOfContext(context, 0.0, 0.6));
+    const auto levels = this->LevelsOf(options, dmg::PartOfContext(context, 0.0, 0.6));
     std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options,
       dmg::FieldProblem(framed.Surface.Mesh, framed.Faces, operators, constraints, options,
-        dmg::PartOfContext(context, 0.6, 1.0), this->Levels ? this->Levels->Levels : nullptr) });
+        dmg::PartOfContext(context, 0.6, 1.0), levels) });
     this->Solution.reset();
     this->System = std::move(system);
     ++this->NumberOfSystems;
   }
 
-  /// What the set-up knows for this discretisation, whatever is prescribed.
-  void PrepareLevels(const dmg::FieldOptions& options, const dmg::ExecutionContext& context)
+  /// What the set-up knows for this discretisation, whatever is prescribed; null where its solver needs
+  /// no more.
+  std::shared_ptr<const dmg::LeastSquaresSurface> LevelsOf(
+    const dmg::FieldOptions& options, const dmg::ExecutionContext& context)
   {
-    if (this->Levels && this->Levels->Kind == options.Kind && this->Levels->Areas == options.Areas &&
-      this->Levels->Levels)
+    if (!(this->Levels && this->Levels->From == this->Operators &&
+          this->Levels->Kind == options.Kind && this->Levels->Areas == options.Areas))
     {
-      return;
+      const auto start = std::chrono::steady_clock::now();
+      const dmg::FramedSurface& framed = this->Surface->Framed;
+      auto levels = dmg::MakeLeastSquaresSurface(framed.Surface.Mesh, framed.Faces,
+        this->Operators ? &this->Operators->Operators : nullptr, options, context);
+      if (!levels)
+      {
+        return nullptr; // what another discretisation has made stays
+      }
+      this->Levels.reset(new LevelsStage{ this->Operators, options.Kind, options.Areas,
+        std::move(levels), SecondsSince(start) });
     }
-    const auto start = std::chrono::steady_clock::now();
-    const dmg::FramedSurface& framed = this->Surface->Framed;
-    auto levels = dmg::MakeLeastSquaresSurface(framed.Surface.Mesh, framed.Faces,
-      this->Operators ? &this->Operators->Operators : nullptr, options, context);
-    this->Levels.reset(
-      new LevelsStage{ options.Kind, options.Areas, std::move(levels), SecondsSince(start) });
+    return this->Levels->Levels;
   }
 
   /// Other prescribed elements or weights, numbers only. \return whether the problem can do so.
@@ -331,8 +349,10 @@ public:
 
   double SetupSeconds() const
   {
+    const bool hasLevels = this->Levels && this->Levels->From == this->Operators &&
+      this->Levels->Kind == this->System->Options.Kind;
     return this->Surface->Seconds + (this->Operators ? this->Operators->Seconds : 0.0) +
-      (this->Levels ? this->Levels->Seconds : 0.0);
+      (hasLevels ? this->Levels->Seconds : 0.0);
   }
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace dmg
@@ -51,81 +52,123 @@ std::vector<char> AreUneven(const TriangleMesh& mesh, double evenFraction)
   return areUneven;
 }
 
-/// Appends patches: connected uneven faces and Rings rings of faces around them, as far as a block has
-/// room. Every uneven face is in the core of one patch.
-/// \param unknownsOf(face) an array of the unknowns of a face.
+/// Connected uneven faces, and rings of faces around them as far as a block has room.
 template <class UnknownsOf>
-void AppendPatches(const TriangleMesh& mesh, double evenFraction, const UnknownsOf& unknownsOf,
-  UnknownBlocks& blocks)
+class PatchGrower
 {
-  constexpr int rings = 2;
-  constexpr std::size_t largestCore = 3 * SchwarzBlocks::LargestBlock / 4;
-  const std::vector<char> areUneven = AreUneven(mesh, evenFraction);
-  std::vector<char> isInCore(mesh.NumberOfFaces(), 0);
-  std::vector<int> faces;
-  std::vector<int> unknowns;
-  const auto add = [&](int face, std::size_t largest) {
-    if (std::find(faces.begin(), faces.end(), face) != faces.end())
+public:
+  /// \param unknownsOf(face) an array of the unknowns of a face.
+  PatchGrower(const TriangleMesh& mesh, std::vector<char> areUneven, const UnknownsOf& unknownsOf)
+    : Mesh(mesh)
+    , AreUneven(std::move(areUneven))
+    , Of(unknownsOf)
+    , IsInCore(mesh.NumberOfFaces(), 0)
+  {
+  }
+
+  /// Every uneven face gets into the core of one patch.
+  void AppendTo(UnknownBlocks& blocks)
+  {
+    constexpr int rings = 2;
+    for (int seed = 0; seed < this->Mesh.NumberOfFaces(); ++seed)
+    {
+      if (!this->AreUneven[seed] || this->IsInCore[seed])
+      {
+        continue;
+      }
+      this->GrowCore(seed);
+      for (int ring = 0; ring < rings; ++ring)
+      {
+        this->AddRing();
+      }
+      blocks.Unknowns.insert(
+        blocks.Unknowns.end(), this->Unknowns.begin(), this->Unknowns.end());
+      blocks.EndBlock();
+    }
+  }
+
+private:
+  void GrowCore(int seed)
+  {
+    constexpr std::size_t largest = 3 * SchwarzBlocks::LargestBlock / 4; // leaves room for rings
+    this->Faces.clear();
+    this->Unknowns.clear();
+    this->IsInCore[seed] = this->Add(seed, largest);
+    for (std::size_t k = 0; k < this->Faces.size(); ++k)
+    {
+      this->ForNeighbours(this->Faces[k], [this](int face) {
+        if (this->AreUneven[face] && !this->IsInCore[face])
+        {
+          this->IsInCore[face] = this->Add(face, largest);
+        }
+      });
+    }
+  }
+
+  void AddRing()
+  {
+    const std::size_t size = this->Faces.size();
+    for (std::size_t k = 0; k < size; ++k)
+    {
+      this->ForNeighbours(
+        this->Faces[k], [this](int face) { this->Add(face, SchwarzBlocks::LargestBlock); });
+    }
+  }
+
+  /// \return whether the face is new, and the patch has no more than so many unknowns with it.
+  bool Add(int face, std::size_t largest)
+  {
+    if (std::find(this->Faces.begin(), this->Faces.end(), face) != this->Faces.end())
     {
       return false;
     }
-    const std::size_t before = unknowns.size();
-    for (const int unknown : unknownsOf(face))
+    const std::size_t before = this->Unknowns.size();
+    for (const int unknown : this->Of(face))
     {
-      if (std::find(unknowns.begin(), unknowns.begin() + before, unknown) ==
-        unknowns.begin() + before)
+      if (std::find(this->Unknowns.begin(), this->Unknowns.end(), unknown) == this->Unknowns.end())
       {
-        unknowns.push_back(unknown);
+        this->Unknowns.push_back(unknown);
       }
     }
-    if (unknowns.size() > largest)
+    if (this->Unknowns.size() > largest)
     {
-      unknowns.resize(before);
+      this->Unknowns.resize(before);
       return false;
     }
-    faces.push_back(face);
+    this->Faces.push_back(face);
     return true;
-  };
-  const auto forNeighbours = [&](int face, const auto& visit) {
+  }
+
+  template <class Visit>
+  void ForNeighbours(int face, const Visit& visit) const
+  {
     for (int h = 3 * face; h < 3 * face + 3; ++h)
     {
-      if (const int twin = mesh.Twin(h); twin >= 0)
+      if (const int twin = this->Mesh.Twin(h); twin >= 0)
       {
         visit(TriangleMesh::FaceOf(twin));
       }
     }
-  };
-  for (int seed = 0; seed < mesh.NumberOfFaces(); ++seed)
-  {
-    if (!areUneven[seed] || isInCore[seed])
-    {
-      continue;
-    }
-    faces.clear();
-    unknowns.clear();
-    add(seed, largestCore);
-    isInCore[seed] = 1;
-    for (std::size_t k = 0; k < faces.size(); ++k)
-    {
-      forNeighbours(faces[k], [&](int face) {
-        if (areUneven[face] && !isInCore[face] && add(face, largestCore))
-        {
-          isInCore[face] = 1;
-        }
-      });
-    }
-    for (int ring = 0; ring < rings; ++ring)
-    {
-      const std::size_t size = faces.size();
-      for (std::size_t k = 0; k < size; ++k)
-      {
-        forNeighbours(faces[k], [&](int face) { add(face, SchwarzBlocks::LargestBlock); });
-      }
-    }
-    blocks.Unknowns.insert(blocks.Unknowns.end(), unknowns.begin(), unknowns.end());
-    blocks.EndBlock();
   }
+
+  const TriangleMesh& Mesh;
+  const std::vector<char> AreUneven;
+  const UnknownsOf& Of;
+  std::vector<char> IsInCore;
+  std::vector<int> Faces; ///< of the patch
+  std::vector<int> Unknowns;
+};
+
+template <class UnknownsOf>
+void AppendPatches(const TriangleMesh& mesh, double evenFraction, const UnknownsOf& unknownsOf,
+  UnknownBlocks& blocks)
+{
+  PatchGrower<UnknownsOf>(mesh, AreUneven(mesh, evenFraction), unknownsOf).AppendTo(blocks);
 }
+
+// Stars tell smooth fields from rough ones even where faces are rather uneven; sides need help earlier.
+constexpr double EvenFractionForStars = 0.1;
+constexpr double EvenFractionForSides = 0.3;
 
 }
 
@@ -147,7 +190,7 @@ UnknownBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
     AppendStar(faces, h == first, blocks);
   }
   AppendPatches(
-    mesh, 0.1, [](int face) { return std::array<int, 2>{ 2 * face, 2 * face + 1 }; }, blocks);
+    mesh, EvenFractionForStars, [](int face) { return std::array<int, 2>{ 2 * face, 2 * face + 1 }; }, blocks);
   return blocks;
 }
 
@@ -167,7 +210,7 @@ UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh)
     }
     blocks.EndBlock();
   }
-  AppendPatches(mesh, 0.3, sides, blocks);
+  AppendPatches(mesh, EvenFractionForSides, sides, blocks);
   return blocks;
 }
 

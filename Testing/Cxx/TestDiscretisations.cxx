@@ -577,7 +577,7 @@ TEST(Discretisation, AnotherRepeatsTheSystemAndDecimatesOnlyForOperatorsThatAreM
   EXPECT_EQ(counts(Solver::FaceField, Solver::StructurePreserving), (Counts{ 4, 5, 5 }));
   EXPECT_EQ(counts(Solver::OneForm, Solver::StructurePreserving), (Counts{ 4, 6, 6 }));
   EXPECT_EQ(counts(Solver::FaceField, Solver::Nodal), (Counts{ 4, 7, 7 }));
-  EXPECT_EQ(counts(Solver::PowerField, Solver::Nodal), (Counts{ 4, 8, 8 })); // the collapses
+  EXPECT_EQ(counts(Solver::PowerField, Solver::Nodal), (Counts{ 4, 8, 8 })); // the samples again
 }
 
 // Operators
