@@ -17,8 +17,10 @@ LeastSquaresLevels NodalLevels(
   assert(!nodal.empty());
   const std::size_t skipped = nodal.size() > 1 ? 1 : 0;
   LeastSquaresLevels levels;
-  levels.Prolongation = RowsOfComponents(
-    skipped > 0 ? Product(nodal[0], nodal[1], context) : nodal[0], context);
+  PlanarProlongation rows = skipped > 0
+    ? RowsOfComponents(Product(nodal[0], nodal[1], context), context)
+    : RowsOfComponents(nodal[0], context);
+  levels.Prolongation.swap(rows); // an assignment would copy
   for (std::size_t l = skipped + 1; l < nodal.size(); ++l)
   {
     levels.Coarser.push_back(OnComponents(nodal[l], context));
@@ -40,8 +42,9 @@ LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const Tangent
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
 {
   LeastSquaresLevels levels = NodalLevels(nodal, context);
-  levels.Prolongation =
+  PlanarProlongation forms =
     Product(FormFromFaceField(mesh, faceFrames, context), levels.Prolongation, context);
+  levels.Prolongation.swap(forms);
   levels.Blocks = BlocksOfOneForms(mesh);
   return levels;
 }

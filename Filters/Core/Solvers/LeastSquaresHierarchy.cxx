@@ -237,12 +237,38 @@ LeastSquaresHierarchy CoarsenLeastSquares(const SparseMatrix<double>& factor,
   context.Checkpoint(0.6);
   SparseMatrix<double> coarse = CoarseRoughness(B, Bt, prolongation, restriction, context);
   context.Checkpoint(0.8);
-  SchwarzBlocks blocks(Bt, Permuted(levels.Blocks, blockOrder, places), context);
-  std::vector<int> components = ConnectedThrough(B, Bt);
+  LeastSquaresHierarchy hierarchy(
+    SchwarzBlocks(Bt, Permuted(levels.Blocks, blockOrder, places), context));
+  hierarchy.Components = ConnectedThrough(B, Bt);
+  hierarchy.Order = std::move(order);
+  hierarchy.Scales = std::move(scales);
+  hierarchy.B.swap(B); // an assignment would copy
+  hierarchy.Bt.swap(Bt);
+  hierarchy.Prolongation.swap(prolongation);
+  hierarchy.Restriction.swap(restriction);
+  hierarchy.CoarseMatrix.swap(coarse);
+  hierarchy.Coarser = std::move(levels.Coarser);
   context.Checkpoint(1.0);
-  return { std::move(order), std::move(components), std::move(scales), std::move(B),
-    std::move(Bt), std::move(blocks), std::move(prolongation), std::move(restriction),
-    std::move(coarse), std::move(levels.Coarser) };
+  return hierarchy;
+}
+
+LeastSquaresHierarchy::LeastSquaresHierarchy(SchwarzBlocks blocks)
+  : Blocks(std::move(blocks))
+{
+}
+
+LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept
+  : Order(std::move(other.Order))
+  , Components(std::move(other.Components))
+  , Scales(std::move(other.Scales))
+  , Blocks(std::move(other.Blocks))
+  , Coarser(std::move(other.Coarser))
+{
+  this->B.swap(other.B);
+  this->Bt.swap(other.Bt);
+  this->Prolongation.swap(other.Prolongation);
+  this->Restriction.swap(other.Restriction);
+  this->CoarseMatrix.swap(other.CoarseMatrix);
 }
 
 long long LeastSquaresHierarchy::Bytes() const

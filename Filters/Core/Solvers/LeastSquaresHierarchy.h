@@ -40,6 +40,10 @@ struct LeastSquaresHierarchyOptions
 /// The caller's unknown Order[k] is x_k / Scales[k].
 struct LeastSquaresHierarchy
 {
+  explicit LeastSquaresHierarchy(SchwarzBlocks blocks);
+  /// Eigen 3.4 would copy the matrices.
+  LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept;
+
   std::vector<int> Order;
   /// A number that an unknown shares with all that it is connected with through B.
   std::vector<int> Components;
