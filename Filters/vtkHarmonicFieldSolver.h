@@ -32,10 +32,12 @@
  * vtkDirectionalProlongation. If it carries that filter's operators, they are used, provided that
  * points and triangles are still those that they were built for; if those have changed the filter
  * reports an error and never uses them. Without operators the filter builds its own, with the
- * default properties of vtkDirectionalProlongation but for what Discretisation asks for (a Cholesky
- * solver needs none and builds none; for power fields on nodal levels, conjugate gradients take
- * levels of samples of the surface, in a fraction of the time). Operators that lack those of the
- * discretisation are an error.
+ * default properties of vtkDirectionalProlongation but for what Discretisation asks for. A Cholesky
+ * solver needs none and builds none. On nodal levels conjugate gradients take levels of samples of the
+ * surface for power fields, in a fraction of the time, and for face fields and 1-forms, as V-cycles
+ * do, four levels with 0.354 times the faces of the one before, which need fewer iterations. All
+ * levels that were built for a surface are kept. Operators that lack those of the discretisation are
+ * an error.
  *
  * Port 1, directions (optional): vtkDataSet, points in space with vectors. Each prescribes the face
  * of the surface that is nearest to it.
@@ -128,7 +130,7 @@
  *
  * | stage  | repeated when this changes                                  | cost               |
  * | ------ | ----------------------------------------------------------- | ------------------ |
- * | set-up | the content of points or triangles; operators               | decimation         |
+ * | set-up | the content of points or triangles; operators, or what asks for other levels | decimation |
  * | system | which elements are prescribed; weights; N and other options | products or factor |
  * | solve  | prescribed vectors; Tolerance, MaximumNumberOfIterations    | iterations         |
  *

@@ -113,7 +113,7 @@ HierarchyOptions LevelsFor(const FieldOptions& options);
 /// \param operators of this mesh; used during the call only.
 /// \param options Kind, Areas and the choice of the solver count.
 /// \return null where what is asked for is solved otherwise.
-/// Cost: several products of sparse matrices, 10 to 15 us per face with two threads.
+/// Cost: several products of sparse matrices, 8 to 12 us per face with two threads.
 std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const FieldOptions& options, const ExecutionContext& context);
