@@ -304,13 +304,19 @@ std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const Triangl
     return nullptr;
   }
   const bool isOneForm = options.Kind == Discretisation::OneForm;
+  LeastSquaresHierarchyOptions coarsening;
+  if (!isOneForm)
+  {
+    // Cycles for face fields sweep half as often, and leave more to the interpolation.
+    coarsening.ProlongationDegree = 6;
+  }
   context.Checkpoint(0.0);
   LeastSquaresHierarchy hierarchy = CoarsenLeastSquares(
     isOneForm ? OneFormLaplacianFactor(mesh, context, options.Areas)
               : FaceFieldSmoothnessFactor(mesh, faceFrames, context),
     isOneForm ? NodalLevelsOfOneForms(mesh, faceFrames, operators->Nodal, context)
               : NodalLevelsOfFaceFields(mesh, operators->Nodal, context),
-    {}, PartOfContext(context, 0.2, 0.8));
+    coarsening, PartOfContext(context, 0.2, 0.8));
   const std::vector<int>& order = hierarchy.Order;
   const Vector<double> mass = isOneForm ? PositiveStar1(mesh) : MassOfFaceFields(mesh);
   Eigen::MatrixXd kernel;
