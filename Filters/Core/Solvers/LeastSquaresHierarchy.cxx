@@ -79,10 +79,10 @@ UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& orde
   return permuted;
 }
 
-/// What B^T B is divided by, row and column, so that it has no eigenvalue above 1: of the unit
-/// diagonal that it gets by the lengths of columns, the sums of absolute rows (Gershgorin), or at least
-/// what |B|^T |B| says of them. Where a face or a valence makes one sum large the others are not. 1 where
-/// there is nothing.
+/// What the columns of B are divided by, so that B^T B has no eigenvalue above 1 (Gershgorin): their
+/// lengths, which alone would give it a unit diagonal, times the roots of the sums of rows that |B|^T |B|
+/// would then have. A sliver or a high valence makes a few sums large; a bound for all would be as large.
+/// 1 where there is nothing.
 Vector<double> ScalesOfColumns(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
   const ExecutionContext& context)
 {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 #include <vector>
 
 namespace dmg
@@ -35,7 +34,8 @@ inline void AddProduct(OuterProducts& sum, Complex a, std::complex<Other> b)
 }
 
 /// Appends two rows, of the components of the first factors, columns ascending.
-void AppendPair(const SparseSum<OuterProducts>& sum, std::vector<int>& members, SparseRows<double>& rows)
+void AppendPair(
+  const SparseSum<OuterProducts>& sum, std::vector<int>& members, SparseRows<double>& rows)
 {
   members.assign(sum.Indices(), sum.Indices() + sum.Size());
   SortIndices(members.data(), static_cast<int>(members.size()));
@@ -66,7 +66,7 @@ public:
 
   int Size() const { return this->Count; }
   const int* Indices() const { return this->Members.data(); }
-  std::complex<Real> operator[](int index) const 
+  std::complex<Real> operator[](int index) const
   {
     return { this->Elements[index].X, this->Elements[index].Y };
   }
@@ -148,9 +148,9 @@ private:
   int Count = 0;
 };
 
-/// p - factor B^T B p.
-[[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt, float factor,
-  SparseVector<float>& p, SparseVector<float>& Bp)
+/// p - factor B^T B p. Inside its caller it would run out of registers, and take a quarter longer.
+[[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  float factor, SparseVector<float>& p, SparseVector<float>& Bp)
 {
   Bp.Clear();
   for (int k = 0; k < p.Size(); ++k)
@@ -167,7 +167,8 @@ private:
 std::vector<float> LargestOfRows(const PlanarProlongation& P, const ExecutionContext& context)
 {
   std::vector<float> largest(P.rows());
-  context.ParallelFor(0, static_cast<int>(P.rows()), 8192, [&](int first, int last) {
+  constexpr int grain = 8192;
+  context.ParallelFor(0, static_cast<int>(P.rows()), grain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
       double squared = 0.0;
