@@ -195,6 +195,7 @@ public:
         other.Selection = origin.Selection;
         return other == origin;
       });
+    const auto former = this->Operators;
     this->Operators = known == this->Built.end() ? nullptr : *known;
     if (this->Operators && !stored)
     {
@@ -210,8 +211,6 @@ public:
       auto operators = stored
         ? dmg::OperatorsFromFieldData(input->GetFieldData(), mesh)
         : dmg::BuildSurfaceHierarchy(mesh, origin.Options, context, origin.Selection).Operators;
-      this->Solution.reset();
-      this->System.reset();
       this->Levels.reset();
       if (this->Operators)
       {
@@ -221,6 +220,12 @@ public:
         OperatorsStage{ origin, std::move(operators), SecondsSince(start) });
       this->Built.push_back(this->Operators);
       redone = true;
+    }
+    if (this->Operators != former)
+    {
+      // The same options may come with other operators of the input.
+      this->Solution.reset();
+      this->System.reset();
     }
     this->NumberOfSetups += redone;
   }
