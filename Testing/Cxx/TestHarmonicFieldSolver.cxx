@@ -746,6 +746,10 @@ TEST_F(Stages, OtherOperatorsOfTheSameSurfaceRepeatTheSetup)
   this->Solver->SetInputConnection(prolongation->GetOutputPort());
   this->Solver->Update();
   EXPECT_EQ(CountsOf(this->Solver), (Counts{ 2, 2, 2 }));
+  this->Solver->SetInputData(this->Input); // its levels are kept, what was solved on them is not
+  this->Solver->Update();
+  EXPECT_EQ(CountsOf(this->Solver), (Counts{ 2, 3, 3 }));
+  this->ExpectSameAsFresh();
 }
 
 TEST(HarmonicFieldSolver, CholeskyNeedsNoOperators)
