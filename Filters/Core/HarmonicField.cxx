@@ -275,22 +275,15 @@ HierarchyOptions LevelsFor(const FieldOptions& options)
 {
   HierarchyOptions levels;
   const SolverKind solver = options.Solver.Kind;
-  const bool isAutomatic = solver == SolverKind::Automatic || solver == SolverKind::ConjugateGradients;
-  if (options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0)
+  const bool isCycle = solver == SolverKind::Automatic ||
+    solver == SolverKind::ConjugateGradients || solver == SolverKind::VCycles;
+  if (isCycle && options.CoarseSpace == CoarseSpaceKind::Nodal && options.Solver.StartingLevel < 0)
   {
-    return levels;
-  }
-  if (options.Kind == Discretisation::PowerField)
-  {
-    // Cycles for power fields need nothing that samples do not give, in a fifth of the time.
-    levels.Levels = isAutomatic ? LevelConstruction::Sampling : LevelConstruction::EdgeCollapses;
-  }
-  else if (isAutomatic || solver == SolverKind::VCycles)
-  {
-    // Two steps, which the finest level takes at once, to an eighth; as many levels as it takes to come
-    // down to 1 : 64.
-    levels.FaceRatio = 1.0 / std::sqrt(8.0);
-    levels.MaximumNumberOfCoarseLevels = 4;
+    levels.Levels = LevelConstruction::Sampling;
+    if (options.Kind != Discretisation::PowerField)
+    {
+      levels.SampleDistance = 7.0; // as far as a smoothed interpolation reaches
+    }
   }
   return levels;
 }
@@ -308,7 +301,7 @@ std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const Triangl
   if (!isOneForm)
   {
     // Cycles for face fields sweep half as often, and leave more to the interpolation.
-    coarsening.ProlongationDegree = 6;
+    coarsening.ProlongationDegree = 8;
   }
   context.Checkpoint(0.0);
   LeastSquaresHierarchy hierarchy = CoarsenLeastSquares(

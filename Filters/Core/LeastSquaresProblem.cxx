@@ -26,6 +26,8 @@ LeastSquaresCycleOptions OptionsOfCycle(const SolverOptions& options)
   cycle.Sweeps = options.Sweeps * options.FinestSweepsFactor;
   cycle.Coarse.Smoothing.PreSweeps = options.Sweeps;
   cycle.Coarse.Smoothing.PostSweeps = options.Sweeps;
+  // Below, interpolations are not smoothed. A second cycle costs little on so few unknowns, and makes up.
+  cycle.Coarse.Repetitions = 2;
   return cycle;
 }
 

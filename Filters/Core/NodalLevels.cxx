@@ -11,19 +11,31 @@ namespace dmg
 namespace
 {
 
+/// The finest level is coarsened at once so far that there are at least so many faces for a vector.
+constexpr long long FewestFacesForAVector = 6;
+
 LeastSquaresLevels NodalLevels(
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
 {
   assert(!nodal.empty());
-  const std::size_t skipped = nodal.size() > 1 ? 1 : 0;
-  LeastSquaresLevels levels;
-  PlanarProlongation rows = skipped > 0
-    ? RowsOfComponents(Product(nodal[0], nodal[1], context), context)
-    : RowsOfComponents(nodal[0], context);
-  levels.Prolongation.swap(rows); // an assignment would copy
-  for (std::size_t l = skipped + 1; l < nodal.size(); ++l)
+  const auto isCoarse = [](const TransportOperator& finest) {
+    return FewestFacesForAVector * finest.cols() <= finest.rows();
+  };
+  TransportOperator product;
+  const TransportOperator* finest = &nodal[0];
+  std::size_t next = 1;
+  for (; next < nodal.size() && !isCoarse(*finest); ++next)
   {
-    levels.Coarser.push_back(OnComponents(nodal[l], context));
+    TransportOperator farther = Product(*finest, nodal[next], context);
+    product.swap(farther); // an assignment would copy
+    finest = &product;
+  }
+  LeastSquaresLevels levels;
+  PlanarProlongation rows = RowsOfComponents(*finest, context);
+  levels.Prolongation.swap(rows);
+  for (; next < nodal.size(); ++next)
+  {
+    levels.Coarser.push_back(OnComponents(nodal[next], context));
   }
   return levels;
 }

@@ -60,17 +60,19 @@ LevelOperators OperatorsFromOverlay(const LevelTransition& transition,
     std::move(overlay.SP) };
 }
 
-// Samples of the faces are farther apart, in units of their spacing, than those of samples: a face has
-// three neighbours where a sample has six.
-constexpr double RadiusOfFaceSamples = 2.8;
-constexpr double RadiusOfSamples = 1.8;
+// Leaves one sample of four.
+constexpr double DistanceOfCoarserSamples = 1.8;
+// Of what a sample covers, in radians. With twice as much of both, surfaces full of folds and limbs take
+// half as many iterations again.
+constexpr double LargestCurvatureOfFaces = 0.5;
+constexpr double LargestCurvatureOfSamples = 1.0;
 // So few are factored at once, and every level less keeps more of what has nearly no energy.
 constexpr int FewestSamplesToSample = 1500;
 // A level that keeps more of the points than this is not worth its cost.
 constexpr double LargestUsefulRatio = 0.5;
 
 ProlongationOperators OperatorsFromSamples(
-  const TriangleMesh& mesh, const ExecutionContext& context)
+  const TriangleMesh& mesh, double distance, const ExecutionContext& context)
 {
   ProlongationOperators operators;
   operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
@@ -83,8 +85,10 @@ ProlongationOperators OperatorsFromSamples(
   {
     // Most of the work is in the finest level.
     context.Checkpoint(operators.Nodal.empty() ? 0.3 : 0.9);
-    const PointSampling sampling = SamplePoints(
-      points, operators.Nodal.empty() ? RadiusOfFaceSamples : RadiusOfSamples, context);
+    const bool areFaces = operators.Nodal.empty();
+    const PointSampling sampling =
+      SamplePoints(points, areFaces ? distance : DistanceOfCoarserSamples,
+        areFaces ? LargestCurvatureOfFaces : LargestCurvatureOfSamples, context);
     const int numberOfSamples = static_cast<int>(sampling.Samples.size());
     if (numberOfSamples > LargestUsefulRatio * points.NumberOfPoints())
     {
@@ -116,7 +120,11 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
     {
       throw InvalidInput("structure-preserving operators need levels from edge collapses");
     }
-    return { {}, OperatorsFromSamples(mesh, context) };
+    if (!(options.SampleDistance > 1.0))
+    {
+      throw InvalidInput("the distance of samples must be above 1");
+    }
+    return { {}, OperatorsFromSamples(mesh, options.SampleDistance, context) };
   }
   SurfaceHierarchy result;
   ProlongationOperators& operators = result.Operators;

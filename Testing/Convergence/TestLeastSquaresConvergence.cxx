@@ -50,8 +50,7 @@ protected:
     options.Solver.Kind = SolverKind::ConjugateGradients;
     HierarchyOptions hierarchyOptions = LevelsFor(options);
     hierarchyOptions.Levels = std::get<1>(GetParam());
-    // Small surfaces are coarsened as far as large ones, 1:8 to the first level that is used.
-    hierarchyOptions.MinimumNumberOfFaces = 100;
+    hierarchyOptions.MinimumNumberOfFaces = 100; // edge collapses go on with small surfaces, too
     const TriangleMesh mesh = surface.Mesh();
     const TangentFrames frames = FaceFrames(mesh, context);
     const ProlongationOperators operators =
@@ -120,7 +119,7 @@ TEST_P(LeastSquaresConvergence, OnIrregularTori)
   std::vector<Surface> family = { IrregularTorus(112, 44, 4), IrregularTorus(160, 64, 4) };
   if (std::get<1>(GetParam()) == LevelConstruction::EdgeCollapses)
   {
-    family.insert(family.begin(), IrregularTorus(80, 32, 4)); // samples: 4, and 7 on the largest
+    family.insert(family.begin(), IrregularTorus(80, 32, 4));
   }
   ExpectBounded(family);
 }

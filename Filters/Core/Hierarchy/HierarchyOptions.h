@@ -35,8 +35,8 @@ enum class ProlongationConstruction
   ExactOverlay,
 };
 
-/// Defaults are the thesis's, section 5.4. All but Levels are those of edge collapses; sampling
-/// goes on down to some hundred samples and needs no options.
+/// Defaults are the thesis's, section 5.4. All but the last two are those of edge collapses; sampling
+/// goes on down to some hundred samples.
 struct HierarchyOptions
 {
   /// Faces of a level over faces of the next finer one, in (0, 1).
@@ -48,6 +48,9 @@ struct HierarchyOptions
   CollapsePolicy Policy = CollapsePolicy::IndependentRounds;
   ProlongationConstruction Construction = ProlongationConstruction::TrackedPaths;
   LevelConstruction Levels = LevelConstruction::EdgeCollapses;
+  /// How far apart the samples of the first level are, in spacings of the faces around them, > 1:
+  /// one for SampleDistance^2 / 1.5 faces, nearly, and more of them where the surface is curved.
+  double SampleDistance = 3.6;
 };
 
 }

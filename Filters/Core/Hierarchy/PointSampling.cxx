@@ -71,8 +71,10 @@ double Spacing(const TangentGraph& graph, int point)
 class Sampler
 {
 public:
-  Sampler(const TangentGraph& graph, double radius, const ExecutionContext& context)
+  Sampler(const TangentGraph& graph, double radius, double largestCurvature,
+    const ExecutionContext& context)
     : Graph(graph)
+    , LargestCurvature(largestCurvature)
     , Radii(graph.NumberOfPoints())
     , Seen(graph.NumberOfPoints())
     , Marks(graph.NumberOfPoints(), -1)
@@ -134,15 +136,22 @@ private:
     Sight Seen;
   };
 
-  /// The points within the radius of a sample, ring by ring. \return false if some lie beyond
-  /// [first, last).
+  /// The points within the radius of a sample, ring by ring, as far as the curvature lets it see.
+  /// \return false if some lie beyond [first, last).
   bool Flood(int sample, int first, int last, std::vector<Visit>& visits)
   {
     visits.assign(1, { sample, { sample, 0.0, 1.0 } });
     this->Marks[sample] = sample;
+    double curvature = 0.0;
     for (std::size_t next = 0; next < visits.size(); ++next)
     {
       const Visit visit = visits[next];
+      curvature += std::abs(this->Graph.Curvatures[visit.Point]);
+      if (next > 0 && curvature > this->LargestCurvature)
+      {
+        visits.resize(next);
+        break;
+      }
       for (int link = this->Graph.Offsets[visit.Point]; link < this->Graph.Offsets[visit.Point + 1];
            ++link)
       {
@@ -180,6 +189,7 @@ private:
   }
 
   const TangentGraph& Graph;
+  const double LargestCurvature;
   std::vector<double> Radii;
   Sights Seen;
   std::vector<int> Marks; // the last sample from where the point was visited
@@ -368,10 +378,10 @@ PointSampling Numbered(const Sights& sights, const ExecutionContext& context)
 
 }
 
-PointSampling SamplePoints(
-  const TangentGraph& graph, double radius, const ExecutionContext& context)
+PointSampling SamplePoints(const TangentGraph& graph, double radius, double largestCurvature,
+  const ExecutionContext& context)
 {
-  Sights sights = Sampler(graph, radius, context).Run(context);
+  Sights sights = Sampler(graph, radius, largestCurvature, context).Run(context);
   sights = FollowNeighbours(graph, sights, context);
   for (int k = 0; k < NumberOfMeans; ++k)
   {
@@ -403,11 +413,16 @@ TangentGraph GraphOfSamples(
   result.Neighbours.resize(links);
   result.Steps.resize(links);
   result.Turns.resize(links);
+  result.Curvatures.assign(samples, 0.0);
   context.ParallelFor(0, samples, Grain,
     [&](int first, int last)
     {
       for (int sample = first; sample < last; ++sample)
       {
+        for (int k = members.Offsets[sample]; k < members.Offsets[sample + 1]; ++k)
+        {
+          result.Curvatures[sample] += graph.Curvatures[members.Points[k]];
+        }
         SetLinks(result, sample, rows.Begin(sample), rows.End(sample));
       }
     });

@@ -4,6 +4,7 @@
 #include "Support/SparseKernels.h"
 
 #include <array>
+#include <cmath>
 
 namespace dmg
 {
@@ -49,6 +50,36 @@ bool IsLink(const TriangleMesh& mesh, int halfedge)
   return twin >= 0 && TriangleMesh::FaceOf(twin) != TriangleMesh::FaceOf(halfedge);
 }
 
+/// What the angles around each vertex lack of a full turn, over the number of its faces; 0 at the
+/// boundary.
+std::vector<double> CurvaturesOfCorners(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  constexpr double fullTurn = 2.0 * 3.14159265358979323846;
+  std::vector<double> curvatures(mesh.NumberOfVertices(), 0.0);
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
+    {
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        const int start = mesh.OutgoingHalfedge(vertex);
+        double angle = 0.0;
+        int faces = 0;
+        int h = start;
+        do
+        {
+          const int previous = TriangleMesh::Previous(h);
+          const Vector3 ahead = mesh.Position(mesh.Head(h)) - mesh.Position(vertex);
+          const Vector3 behind = mesh.Position(mesh.Tail(previous)) - mesh.Position(vertex);
+          angle += std::atan2(ahead.cross(behind).norm(), ahead.dot(behind));
+          ++faces;
+          h = mesh.Twin(previous);
+        } while (h >= 0 && h != start);
+        curvatures[vertex] = h >= 0 ? (fullTurn - angle) / faces : 0.0;
+      }
+    });
+  return curvatures;
+}
+
 std::vector<int> Inverse(const std::vector<int>& permutation)
 {
   std::vector<int> inverse(permutation.size());
@@ -86,15 +117,19 @@ TangentGraph FaceGraph(
   graph.Neighbours.resize(links);
   graph.Steps.resize(links);
   graph.Turns.resize(links);
+  const std::vector<double> ofCorners = CurvaturesOfCorners(mesh, context);
+  graph.Curvatures.resize(faces);
   context.ParallelFor(0, faces, Grain,
     [&](int first, int last)
     {
       for (int i = first; i < last; ++i)
       {
         int link = graph.Offsets[i];
+        graph.Curvatures[i] = 0.0;
         for (int k = 0; k < 3; ++k)
         {
           const int h = 3 * order[i] + k;
+          graph.Curvatures[i] += ofCorners[mesh.Tail(h)];
           if (IsLink(mesh, h))
           {
             const int twin = mesh.Twin(h);

@@ -24,6 +24,8 @@ struct TangentGraph
   std::vector<Complex> Steps;
   /// Carries directions from the neighbour's frame into the point's; unit.
   std::vector<Complex> Turns;
+  /// Per point, the Gaussian curvature integrated over what it stands for: with its sign, in radians.
+  std::vector<double> Curvatures;
 
   int NumberOfPoints() const { return static_cast<int>(this->Offsets.size()) - 1; }
   int NumberOfLinks() const { return static_cast<int>(this->Neighbours.size()); }
@@ -32,7 +34,8 @@ struct TangentGraph
 /// The faces of a surface, in their FaceFrames, linked across edges. The point of a face is the
 /// mean of the midpoints of its sides, each by its squared length, and steps are straight in the
 /// plane of the two faces, unfolded: faces that share a long side, which the energies bind tightly,
-/// are near each other. \param order [i] is the face of point i; a permutation. Cost: O(#F).
+/// are near each other. A face has its share of the angles that its corners lack of a full turn;
+/// corners at the boundary lack none. \param order [i] is the face of point i; a permutation. Cost: O(#F).
 TangentGraph FaceGraph(
   const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context);
 

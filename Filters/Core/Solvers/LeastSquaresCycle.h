@@ -18,7 +18,7 @@ struct LeastSquaresCycleOptions
   /// Sweeps over the blocks before and after the coarse correction, >= 1.
   int Sweeps = 4;
   /// The first coarse level is factored if it has at most so many unknowns.
-  int LargestFactor = 25000;
+  int LargestFactor = 10000;
   /// Of the levels below.
   CycleOptions Coarse;
 };

@@ -23,17 +23,17 @@ struct LeastSquaresLevels
 struct LeastSquaresHierarchyOptions
 {
   /// Degree of the polynomial that smooths the prolongation, >= 0.
-  int ProlongationDegree = 5;
+  int ProlongationDegree = 7;
   /// Entries of the prolongation below so many times the largest of their row are left out.
-  double Dropped = 0.003;
+  double Dropped = 0.001;
 };
 
 /// What multigrid needs to know of a roughness |B x|^2, whatever is prescribed: its blocks, a smoothed
 /// prolongation from plane vectors, and the roughness of those. Built once per surface; each set of
 /// prescriptions then takes a LeastSquaresCycle on it.
 ///
-/// The fine level costs most, so it is coarsened fast: the prolongation may skip a level, as the
-/// polynomial that smooths it reaches far.
+/// The fine level costs most, so it is coarsened fast: the polynomial that smooths the prolongation
+/// reaches far.
 ///
 /// Order and scale. Unknowns stand in an order of their own, by the coarse unknowns that they belong to,
 /// and columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large everywhere.

@@ -2,6 +2,7 @@
 
 #include "Solvers/ScaledHierarchy.h"
 #include "Support/Errors.h"
+#include "Support/SparseKernels.h"
 
 #include <complex>
 #include <type_traits>
@@ -9,6 +10,12 @@
 
 namespace dmg
 {
+namespace
+{
+
+constexpr int RowGrain = 4096;
+
+}
 
 template <class Scalar>
 class MultigridCycle<Scalar>::Internals
@@ -53,18 +60,13 @@ public:
     const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override
   {
     this->Levels.Load(r, context);
-    const int coarsest = this->Levels.NumberOfLevels() - 1;
-    for (int l = 0; l < coarsest; ++l)
+    this->Cycle(context);
+    if (!this->Residuals.empty())
     {
-      this->Smoothers[l]->PreSmooth(
-        this->Levels[l].b, this->Levels[l].x, this->Residuals[l], context);
-      this->Levels.Restrict(l, this->Residuals[l], context);
-    }
-    this->Levels.SolveCoarsest();
-    for (int l = coarsest; l-- > 0;)
-    {
-      this->Levels.Correct(l, context);
-      this->Smoothers[l]->PostSmooth(this->Levels[l].b, this->Levels[l].x, context);
+      for (int k = 1; k < this->Options.Repetitions; ++k)
+      {
+        this->Repeat(context);
+      }
     }
     this->Levels.Store(z, context);
   }
@@ -80,6 +82,43 @@ public:
   }
 
 private:
+  /// x_0 = B b_0.
+  void Cycle(const ExecutionContext& context)
+  {
+    const int coarsest = this->Levels.NumberOfLevels() - 1;
+    for (int l = 0; l < coarsest; ++l)
+    {
+      this->Smoothers[l]->PreSmooth(
+        this->Levels[l].b, this->Levels[l].x, this->Residuals[l], context);
+      this->Levels.Restrict(l, this->Residuals[l], context);
+    }
+    this->Levels.SolveCoarsest();
+    for (int l = coarsest; l-- > 0;)
+    {
+      this->Levels.Correct(l, context);
+      this->Smoothers[l]->PostSmooth(this->Levels[l].b, this->Levels[l].x, context);
+    }
+  }
+
+  /// x_0 += B (b_0 - A x_0).
+  void Repeat(const ExecutionContext& context)
+  {
+    const UnitDiagonalMatrix<Value>& A = this->Levels[0].A;
+    Vector<Value>& b = this->Levels[0].b;
+    Vector<Value>& x = this->Levels[0].x;
+    const Vector<Value> former = x;
+    const Vector<Value> rightHandSide = b;
+    context.ParallelFor(0, static_cast<int>(b.size()), RowGrain, [&](int first, int last) {
+      for (int i = first; i < last; ++i)
+      {
+        b[i] -= former[i] + RowTimes(A.Lower, i, former.data()) + RowTimes(A.Upper, i, former.data());
+      }
+    });
+    this->Cycle(context);
+    x += former;
+    b = rightHandSide;
+  }
+
   void MakeSmoothers(const ExecutionContext& context)
   {
     this->Smoothers.clear();

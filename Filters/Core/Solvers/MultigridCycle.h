@@ -26,6 +26,9 @@ struct CycleOptions
   SmootherOptions Smoothing;
   /// Level 0 gets so many times the sweeps of the coarser levels; >= 1.
   int FinestFactor = 1;
+  /// V-cycles in a row, x += B (b - A x), that count as one; >= 1. More than one where the cycle stands in
+  /// for an exact solution.
+  int Repetitions = 1;
   CyclePrecision Precision = CyclePrecision::Automatic;
 };
 

@@ -6,13 +6,18 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 using namespace dmg;
 using namespace dmg::test;
 
 namespace
 {
+
+/// More curvature than any test surface has.
+constexpr double Curved = 1e6;
 
 std::vector<int> AllFaces(const TriangleMesh& mesh)
 {
@@ -83,7 +88,7 @@ TEST(PointSampling, PlacesAndLevelsAreExactInThePlane)
   TangentGraph graph = FaceGraph(mesh, faces, SerialContext());
   for (int level = 0; level < 3; ++level)
   {
-    const PointSampling sampling = SamplePoints(graph, 2.5, SerialContext());
+    const PointSampling sampling = SamplePoints(graph, 2.5, Curved, SerialContext());
     for (int point = 0; point < graph.NumberOfPoints(); ++point)
     {
       const int sample = faces[sampling.Samples[sampling.Owners[point]]];
@@ -108,7 +113,7 @@ TEST(PointSampling, KeepsSamplesApartAndLeavesNoRoomForMore)
   const std::vector<int> faces = AllFaces(mesh);
   const TangentGraph graph = FaceGraph(mesh, faces, SerialContext());
   const double radius = 2.5;
-  const PointSampling sampling = SamplePoints(graph, radius, SerialContext());
+  const PointSampling sampling = SamplePoints(graph, radius, Curved, SerialContext());
   const int inside = mesh.NumberOfFaces() / 2;
   const int begin = graph.Offsets[inside];
   ASSERT_EQ(graph.Offsets[inside + 1], begin + 3);
@@ -137,6 +142,52 @@ TEST(PointSampling, KeepsSamplesApartAndLeavesNoRoomForMore)
   }
 }
 
+TEST(TangentGraph, SumsCurvatureToTheTheoremOfGaussAndBonnet)
+{
+  const double fullTurn = 2.0 * std::acos(-1.0);
+  for (const auto& [surface, characteristic] :
+    { std::make_pair(Icosphere(4), 2), std::make_pair(IrregularTorus(60, 30, 3), 0) })
+  {
+    const TriangleMesh mesh = surface.Mesh();
+    TangentGraph graph = FaceGraph(mesh, AllFaces(mesh), SerialContext());
+    for (int level = 0; level < 3; ++level)
+    {
+      EXPECT_NEAR(std::accumulate(graph.Curvatures.begin(), graph.Curvatures.end(), 0.0),
+        fullTurn * characteristic, 1e-9);
+      const PointSampling sampling = SamplePoints(graph, 2.5, 1.0, SerialContext());
+      graph = GraphOfSamples(graph, sampling, SerialContext());
+    }
+  }
+}
+
+TEST(TangentGraph, HasNoCurvatureInThePlaneNorAtItsBoundary)
+{
+  const TriangleMesh mesh = IrregularPlane(12, 9, 5).Mesh();
+  for (const double curvature : FaceGraph(mesh, AllFaces(mesh), SerialContext()).Curvatures)
+  {
+    EXPECT_NEAR(curvature, 0.0, 1e-12);
+  }
+}
+
+TEST(PointSampling, IsDenserWhereTheSurfaceIsCurved)
+{
+  // A sphere holds 4 pi: so many radians for each sample at most, and as many samples at least.
+  const TriangleMesh mesh = Icosphere(5).Mesh();
+  const TangentGraph graph = FaceGraph(mesh, AllFaces(mesh), SerialContext());
+  const double largest = 0.05;
+  const PointSampling sampling = SamplePoints(graph, 1e3, largest, SerialContext());
+  EXPECT_GE(sampling.Samples.size(), 4.0 * std::acos(-1.0) / largest);
+  EXPECT_LE(sampling.Samples.size(), mesh.NumberOfFaces() / 4);
+}
+
+TEST(PointSampling, TakesEveryPointWhereEachHoldsTooMuchCurvature)
+{
+  const TriangleMesh mesh = Icosphere(1).Mesh();
+  const TangentGraph graph = FaceGraph(mesh, AllFaces(mesh), SerialContext());
+  const PointSampling sampling = SamplePoints(graph, 3.0, 1e-3, SerialContext());
+  EXPECT_EQ(static_cast<int>(sampling.Samples.size()), mesh.NumberOfFaces());
+}
+
 TEST(PointSampling, HasTheSameBitsForAnyNumberOfThreads)
 {
   const TriangleMesh mesh = IrregularTorus(160, 70, 3).Mesh();
@@ -144,7 +195,7 @@ TEST(PointSampling, HasTheSameBitsForAnyNumberOfThreads)
   {
     const TbbContext context(threads);
     const TangentGraph graph = FaceGraph(mesh, AllFaces(mesh), context);
-    const PointSampling sampling = SamplePoints(graph, 3.0, context);
+    const PointSampling sampling = SamplePoints(graph, 3.0, 0.5, context);
     return std::make_pair(sampling, GraphOfSamples(graph, sampling, context));
   };
   const auto one = make(1);
@@ -158,5 +209,6 @@ TEST(PointSampling, HasTheSameBitsForAnyNumberOfThreads)
     EXPECT_EQ(one.second.Neighbours, other.second.Neighbours);
     EXPECT_EQ(one.second.Steps, other.second.Steps);
     EXPECT_EQ(one.second.Turns, other.second.Turns);
+    EXPECT_EQ(one.second.Curvatures, other.second.Curvatures);
   }
 }

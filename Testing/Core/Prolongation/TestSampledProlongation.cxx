@@ -60,7 +60,7 @@ void ExpectParallel(const TriangleMesh& mesh)
   Vector<Complex> field = ParallelField(graph);
   for (int level = 0; level < 3; ++level)
   {
-    const PointSampling sampling = SamplePoints(graph, 2.5, SerialContext());
+    const PointSampling sampling = SamplePoints(graph, 2.5, 1.0, SerialContext());
     const TangentGraph samples = GraphOfSamples(graph, sampling, SerialContext());
     ASSERT_LT(samples.NumberOfPoints(), graph.NumberOfPoints());
     Vector<Complex> coarse(samples.NumberOfPoints());
@@ -121,7 +121,7 @@ TEST(SampledProlongation, ReproducesLinearFunctionsInsideThePlane)
   const TriangleMesh mesh = IrregularPlane(60, 60, 13).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
   const TangentGraph graph = GraphOf(mesh);
-  const PointSampling sampling = SamplePoints(graph, 3.0, SerialContext());
+  const PointSampling sampling = SamplePoints(graph, 3.0, 1.0, SerialContext());
   const TangentGraph samples = GraphOfSamples(graph, sampling, SerialContext());
   const TransportOperator P = SampledProlongation(sampling, samples, SerialContext());
   int exact = 0;
@@ -189,6 +189,16 @@ TEST(SampledProlongation, HasTheSameBitsForAnyNumberOfThreads)
       EXPECT_EQ((one.Nodal[level] - other.Nodal[level]).norm(), 0.0);
     }
   }
+}
+
+TEST(SampledProlongation, RefusesADistanceWithoutSamples)
+{
+  HierarchyOptions options;
+  options.Levels = LevelConstruction::Sampling;
+  options.SampleDistance = 1.0;
+  EXPECT_THROW(BuildSurfaceHierarchy(
+                 Icosphere(3).Mesh(), options, SerialContext(), { false, false, false }),
+    InvalidInput);
 }
 
 TEST(SampledProlongation, RefusesStructurePreservingOperators)

@@ -109,6 +109,22 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
   EXPECT_LE((B - expected).norm(), 1e-10 * expected.norm());
 }
 
+TYPED_TEST(TestMultigridCycle, RepetitionsAreTheStationaryIteration)
+{
+  const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
+  GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
+  const Matrix<TypeParam> A(problem.A);
+  const Matrix<TypeParam> identity = Matrix<TypeParam>::Identity(A.rows(), A.cols());
+  CycleOptions options = Options(SmootherKind::GaussSeidel, 1, 1, CyclePrecision::Double);
+  MultigridCycle<TypeParam> once(hierarchy, options, SerialContext());
+  const Matrix<TypeParam> error = identity - Densified(once, static_cast<int>(A.rows())) * A;
+  options.Repetitions = 3;
+  MultigridCycle<TypeParam> thrice(hierarchy, options, SerialContext());
+  const Matrix<TypeParam> expected = (identity - error * error * error) * A.inverse();
+  const Matrix<TypeParam> B = Densified(thrice, static_cast<int>(A.rows()));
+  EXPECT_LE((B - expected).norm(), 1e-12 * expected.norm());
+}
+
 TYPED_TEST(TestMultigridCycle, SinglePrecisionStaysAtItsRounding)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 5);
