@@ -31,6 +31,31 @@ LeastSquaresCycleOptions OptionsOfCycle(const SolverOptions& options)
   return cycle;
 }
 
+/// A where its kernel has no part. What counts as kernel has energies of rounding errors rather than none,
+/// and a residual could not fall below their roots.
+class OutsideKernel : public LinearOperator<double>
+{
+public:
+  OutsideKernel(const LinearOperator<double>& A, const DeflatedPreconditioner& deflated)
+    : A(A)
+    , Deflated(deflated)
+  {
+  }
+
+  int Size() const override { return this->A.Size(); }
+  double Apply(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  {
+    const double product = this->A.Apply(x, y, context);
+    this->Deflated.RemoveKernel(y);
+    return product;
+  }
+
+private:
+  const LinearOperator<double>& A;
+  const DeflatedPreconditioner& Deflated;
+};
+
 }
 
 /// All vectors are in the order of the hierarchy. The equations are divided by the smoothness weight.
@@ -135,20 +160,30 @@ void LeastSquaresProblem::Internals::Deflate(const ExecutionContext& context)
   {
     return;
   }
-  double largest = this->Surface->Hierarchy.Scales.cwiseAbs2().maxCoeff();
+  // Energies of the kernel's vectors if nothing cancelled. Slivers have large scales, and hardly count.
+  Vector<double> energies = Vector<double>::Zero(kernel.cols());
   for (Eigen::Index i = 0; i < this->D.size(); ++i)
   {
     if (std::isfinite(this->D[i]))
     {
-      largest = std::max(largest, this->D[i]);
+      const double scale = this->Surface->Hierarchy.Scales[i];
+      energies += (scale * scale + this->D[i]) * kernel.row(i).transpose().cwiseAbs2();
     }
     else
     {
       kernel.row(i).setZero();
     }
   }
-  this->Deflated.emplace(*this->Cycle, *this->A, std::move(kernel), largest, context);
+  this->Deflated.emplace(
+    *this->Cycle, *this->A, std::move(kernel), energies.maxCoeff(), context);
   this->Report.Bytes += this->Deflated->Bytes();
+  if (const int free = this->Deflated->SizeOfKernel(); free > 0)
+  {
+    this->SystemWarnings.push_back(std::to_string(free) + " of the " +
+      std::to_string(this->Surface->Kernel.cols()) +
+      " harmonic fields of the surface are not determined by what is prescribed; the field has no "
+      "part in them; prescribe more directions, spread over the handles and holes");
+  }
 }
 
 Vector<double> LeastSquaresProblem::Internals::RightHandSide(
@@ -218,7 +253,7 @@ Vector<double> LeastSquaresProblem::Solve(const Vector<double>& values,
   Internals& of = *this->Internal;
   assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
   of.Report.Warnings = of.SystemWarnings;
-  const Vector<double> b = of.RightHandSide(values, context);
+  Vector<double> b = of.RightHandSide(values, context);
   Vector<double> x = of.InOrder(start);
   ConvergenceMeasure<double> measure;
   measure.Mass = of.Surface->Mass;
@@ -238,14 +273,22 @@ Vector<double> LeastSquaresProblem::Solve(const Vector<double>& values,
       }
     }
   }
+  const LinearOperator<double>* A = &*of.A;
   Preconditioner<double>* cycle = &*of.Cycle;
+  std::optional<OutsideKernel> outside;
   if (of.Deflated)
   {
     cycle = &*of.Deflated;
+    A = &outside.emplace(*of.A, *of.Deflated);
+    of.Deflated->RemoveKernel(b);
+    if (x.size() > 0)
+    {
+      of.Deflated->RemoveKernel(x);
+    }
   }
   const auto solve = of.Options.Kind == SolverKind::VCycles ? &StationaryIteration<double>
                                                             : &ConjugateGradient<double>;
-  solve(*of.A, *cycle, b, stop, x, of.Report, context, &measure);
+  solve(*A, *cycle, b, stop, x, of.Report, context, &measure);
   if (of.Prescribed.Kind == ConstraintKind::Hard)
   {
     for (std::size_t k = 0; k < of.Prescribed.Unknowns.size(); ++k)

@@ -1,6 +1,7 @@
 #include "Solvers/DeflatedPreconditioner.h"
 
 #include <Eigen/Eigenvalues>
+#include <Eigen/QR>
 
 #include <utility>
 
@@ -29,22 +30,47 @@ DeflatedPreconditioner::DeflatedPreconditioner(Preconditioner<double>& inner,
     [rounding](double energy) { return energy > rounding ? 1.0 / energy : 0.0; });
   this->Inverse =
     solver.eigenvectors() * inverses.asDiagonal() * solver.eigenvectors().transpose();
+  const Eigen::Index free = (solver.eigenvalues().array() <= rounding).count(); // ascending
+  if (free > 0)
+  {
+    // Where unknowns are held, vectors of H may have vanished.
+    const Eigen::MatrixXd spanned = this->H * solver.eigenvectors().leftCols(free);
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> basis;
+    basis.setThreshold(1e-8);
+    basis.compute(spanned);
+    if (spanned.norm() > 1e-8)
+    {
+      this->Kernel =
+        basis.householderQ() * Eigen::MatrixXd::Identity(spanned.rows(), basis.rank());
+    }
+  }
+}
+
+void DeflatedPreconditioner::RemoveKernel(Vector<double>& x) const
+{
+  if (this->Kernel.cols() > 0)
+  {
+    const Vector<double> parts = this->Kernel.transpose() * x;
+    x.noalias() -= this->Kernel * parts;
+  }
 }
 
 void DeflatedPreconditioner::Apply(
   const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
 {
-  const Vector<double> first = this->Inverse * (this->H.transpose() * r);
   this->Remainder = r;
+  this->RemoveKernel(this->Remainder);
+  const Vector<double> first = this->Inverse * (this->H.transpose() * this->Remainder);
   this->Remainder.noalias() -= this->AH * first;
   this->B.Apply(this->Remainder, z, context);
   const Vector<double> second = first - this->Inverse * (this->AH.transpose() * z);
   z.noalias() += this->H * second;
+  this->RemoveKernel(z);
 }
 
 long long DeflatedPreconditioner::Bytes() const
 {
-  return (this->H.size() + this->AH.size()) * static_cast<long long>(sizeof(double));
+  return (this->H.size() + this->AH.size() + this->Kernel.size()) * static_cast<long long>(sizeof(double));
 }
 
 }

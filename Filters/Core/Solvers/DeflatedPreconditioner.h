@@ -12,15 +12,16 @@ namespace dmg
 ///   Q + (1 - Q A) B (1 - A Q) ,   Q = H (H^T A H)^+ H^T ,
 ///
 /// that is, correct in H, apply B to what is left, correct in H again. For the vectors that A makes
-/// smallest, as harmonic fields do, and that coarse spaces hold only nearly. Symmetric positive
-/// definite if B is.
+/// smallest, as harmonic fields do, and that coarse spaces hold only nearly. Vectors of H that A maps to
+/// zero are the kernel of a singular system: they are taken out of what comes in and goes out, and the
+/// solution has no part in them. Symmetric, and positive definite if B is and there are no such vectors.
 class DeflatedPreconditioner : public Preconditioner<double>
 {
 public:
   /// \param B is borrowed.
   /// \param H n x k, columns of length 1 and orthogonal.
-  /// \param largest about the largest eigenvalue of A, whose rounding errors are that much times
-  ///   epsilon.
+  /// \param largest a bound of the terms that h^T A h sums up, whose rounding errors are that much times
+  ///   epsilon: below, an energy counts as none.
   /// Cost: k products with A; 4 k n multiplications per application.
   DeflatedPreconditioner(Preconditioner<double>& B, const LinearOperator<double>& A,
     Eigen::MatrixXd H, double largest, const ExecutionContext& context);
@@ -31,11 +32,17 @@ public:
   /// Held by this object, without B.
   long long Bytes() const;
 
+  /// How many vectors of H the matrix maps to zero.
+  int SizeOfKernel() const { return static_cast<int>(this->Kernel.cols()); }
+  /// Takes the part in the kernel away; right-hand sides must have none.
+  void RemoveKernel(Vector<double>& x) const;
+
 private:
   Preconditioner<double>& B;
   Eigen::MatrixXd H;
   Eigen::MatrixXd AH;
   Eigen::MatrixXd Inverse; ///< (H^T A H)^+
+  Eigen::MatrixXd Kernel;  ///< of A in H; orthogonal columns of length 1
   Vector<double> Remainder;
 };
 

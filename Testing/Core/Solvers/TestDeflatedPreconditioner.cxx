@@ -151,6 +151,10 @@ TEST(TestDeflatedPreconditioner, FewerPrescriptionsThanKernelVectors)
     EXPECT_LE((D - D.transpose()).norm(), 1e4 * Epsilon * D.norm());
     Vector<double> x;
     EXPECT_LE(Iterations(problem, deflated, x), 20);
+    // Of all solutions, the one with no part in what is not held.
+    const Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> pseudo{ Eigen::MatrixXd(problem.A) };
+    EXPECT_EQ(pseudo.rank(), 120 - 6 + prescribed);
+    EXPECT_LE((x - pseudo.solve(problem.b)).norm(), 1e-5 * x.norm());
     EXPECT_LE((problem.A * x - problem.b).norm(), 1e-7 * problem.b.norm());
   }
 }
@@ -171,6 +175,29 @@ TEST(TestDeflatedPreconditioner, WhatRoundingMakesOfNoEnergyIsNotInverted)
     const Eigen::MatrixXd D = Densified(deflated, 120);
     EXPECT_LE(scale * D.norm(), 1e4);
   }
+}
+
+TEST(TestDeflatedPreconditioner, VectorsThatAreHeldAreNoKernel)
+{
+  // Two blocks, one of them held; the kernel of A in H is one vector of the other.
+  const WeaklyHeld block(40, 2, 1, 1.0);
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(80, 80);
+  A.topLeftCorner(40, 40) = Eigen::MatrixXd(block.A);
+  Eigen::MatrixXd inner = Eigen::MatrixXd::Zero(80, 80);
+  inner.topLeftCorner(40, 40) = block.Inner;
+  Eigen::MatrixXd H = Eigen::MatrixXd::Zero(80, 4);
+  H.topLeftCorner(40, 2) = block.H;
+  const SparseMatrix<double> sparse = A.sparseView();
+  DenseOperator B(inner);
+  DeflatedPreconditioner deflated(
+    B, MatrixOperator<double>(sparse), H, block.Largest, SerialContext());
+  EXPECT_EQ(deflated.SizeOfKernel(), 1);
+  const Vector<double> x = test::RandomVector<double>(80, 3307);
+  Vector<double> without = x;
+  deflated.RemoveKernel(without);
+  EXPECT_LE((A * (x - without)).norm(), 1e3 * Epsilon * x.norm());
+  EXPECT_EQ((x - without).tail(40).norm(), 0.0);
+  EXPECT_GT((x - without).norm(), 1e-3);
 }
 
 TEST(TestDeflatedPreconditioner, HeldUnknownsStayZero)
