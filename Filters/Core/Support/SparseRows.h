@@ -6,6 +6,9 @@
 #include "Support/Types.h"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
+#include <utility>
 #include <vector>
 
 /// What it takes to compute a sparse matrix row by row when its pattern is not known before.
@@ -141,28 +144,64 @@ private:
   int Count = 0;
 };
 
+/// Things that are expensive to make, and that threads use one at a time: no more than threads.
+template <class Thing>
+class Pool
+{
+public:
+  std::unique_ptr<Thing> Take()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    if (this->Things.empty())
+    {
+      return nullptr;
+    }
+    std::unique_ptr<Thing> thing = std::move(this->Things.back());
+    this->Things.pop_back();
+    return thing;
+  }
+
+  void GiveBack(std::unique_ptr<Thing> thing)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Things.push_back(std::move(thing));
+  }
+
+private:
+  std::mutex Mutex;
+  std::vector<std::unique_ptr<Thing>> Things;
+};
+
 /// A sparse matrix in bands of rows, several at the same time.
 /// \param makeWorker called as makeWorker(), gives a function worker(firstRow, lastRow, rows) that
 ///   appends these rows to the empty \p rows, columns ascending. Each worker serves many bands, one
-///   after the other, and may own a workspace.
+///   after the other, and may own a workspace. The first row of a band is even.
 /// \throw InvalidInput more than 2^31 non-zeros.
 template <class Scalar, class MakeWorker>
 SparseMatrix<Scalar> AssembleInBands(
   int numberOfRows, int numberOfColumns, const MakeWorker& makeWorker, const ExecutionContext& context)
 {
-  constexpr int bandSize = 512;
+  // Long bands cost little to join; of few rows, there are enough for many threads.
+  const int bandSize = numberOfRows > 16384 ? 512 : 64;
   const int numberOfBands = (numberOfRows + bandSize - 1) / bandSize;
   std::vector<SparseRows<Scalar>> bands(numberOfBands);
   const int grain = std::max(1, numberOfBands / (8 * context.NumberOfThreads()));
+  using Worker = decltype(makeWorker());
+  Pool<Worker> workers;
   context.ParallelFor(0, numberOfBands, grain,
-    [numberOfRows, &makeWorker, &bands](int firstBand, int lastBand)
+    [numberOfRows, bandSize, &makeWorker, &workers, &bands](int firstBand, int lastBand)
     {
-      auto worker = makeWorker();
+      std::unique_ptr<Worker> worker = workers.Take();
+      if (!worker)
+      {
+        worker = std::make_unique<Worker>(makeWorker());
+      }
       for (int band = firstBand; band < lastBand; ++band)
       {
         const int firstRow = band * bandSize;
-        worker(firstRow, std::min(firstRow + bandSize, numberOfRows), bands[band]);
+        (*worker)(firstRow, std::min(firstRow + bandSize, numberOfRows), bands[band]);
       }
+      workers.GiveBack(std::move(worker));
     });
 
   std::vector<int> offsets(numberOfRows + 1, 0);
@@ -175,7 +214,7 @@ SparseMatrix<Scalar> AssembleInBands(
   A.resizeNonZeros(OffsetsFromCounts(offsets));
   std::copy(offsets.begin(), offsets.end(), A.outerIndexPtr());
   context.ParallelFor(0, numberOfBands, grain,
-    [&bands, &offsets, &A](int firstBand, int lastBand)
+    [bandSize, &bands, &offsets, &A](int firstBand, int lastBand)
     {
       for (int band = firstBand; band < lastBand; ++band)
       {
