@@ -227,7 +227,7 @@ std::vector<int> ReadSizes(vtkFieldData* fieldData, const std::string& name, int
 bool OperatorsOrigin::operator==(const OperatorsOrigin& other) const
 {
   return this->Digest == other.Digest && this->Options.Levels == other.Options.Levels &&
-    NumbersOf(*this) == NumbersOf(other);
+    this->Options.SampleDistance == other.Options.SampleDistance && NumbersOf(*this) == NumbersOf(other);
 }
 
 void OperatorsToFieldData(
