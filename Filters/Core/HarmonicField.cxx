@@ -311,7 +311,7 @@ std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const Triangl
               : NodalLevelsOfFaceFields(mesh, operators->Nodal, context),
     coarsening, PartOfContext(context, 0.2, 0.8));
   const std::vector<int>& order = hierarchy.Order;
-  const Vector<double> mass = isOneForm ? PositiveStar1(mesh) : MassOfFaceFields(mesh);
+  const Vector<double> mass = isOneForm ? PositiveStar1(mesh, context) : MassOfFaceFields(mesh);
   Eigen::MatrixXd kernel;
   std::string note;
   const int loops = NumberOfLoops(mesh);

@@ -172,19 +172,30 @@ Vector<double> Star1(const TriangleMesh& mesh)
   return star;
 }
 
-Vector<double> PositiveStar1(const TriangleMesh& mesh)
+double PositiveStar1OfEdge(const TriangleMesh& mesh, int edge)
 {
-  Vector<double> areas = Vector<double>::Zero(mesh.NumberOfEdges());
-  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  const int h = mesh.HalfedgeOf(edge);
+  const int twin = mesh.Twin(h);
+  double area = RaisedArea(mesh, TriangleMesh::FaceOf(h)) / 3.0;
+  if (twin >= 0)
   {
-    areas[mesh.EdgeOf(h)] += RaisedArea(mesh, TriangleMesh::FaceOf(h)) / 3.0;
+    area += RaisedArea(mesh, TriangleMesh::FaceOf(twin)) / 3.0;
   }
+  return std::min(2.0 * area / AlongEdge(mesh, edge).squaredNorm(), 1.0 / SmallestArea);
+}
+
+Vector<double> PositiveStar1(const TriangleMesh& mesh, const ExecutionContext& context)
+{
   Vector<double> star(mesh.NumberOfEdges());
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    star[edge] =
-      std::min(2.0 * areas[edge] / AlongEdge(mesh, edge).squaredNorm(), 1.0 / SmallestArea);
-  }
+  constexpr int grain = 4096;
+  context.ParallelFor(0, mesh.NumberOfEdges(), grain,
+    [&mesh, &star](int first, int last)
+    {
+      for (int edge = first; edge < last; ++edge)
+      {
+        star[edge] = PositiveStar1OfEdge(mesh, edge);
+      }
+    });
   return star;
 }
 

@@ -47,7 +47,11 @@ Vector<double> Star1(const TriangleMesh& mesh);
 /// faces at e, at most 1e4. It agrees with Star1 on equilateral triangles and, on every mesh
 /// without slivers, with |v|^2 times the area on the average over the directions of a constant
 /// vector v.
-Vector<double> PositiveStar1(const TriangleMesh& mesh);
+Vector<double> PositiveStar1(
+  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+
+/// The same of one edge.
+double PositiveStar1OfEdge(const TriangleMesh& mesh, int edge);
 
 /// Hodge star of 2-forms, #F: 1 / area.
 Vector<double> Star2(const TriangleMesh& mesh);

@@ -79,26 +79,47 @@ HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Soft(SparseMatrix<Scalar> smoothn
   const Vector<double>& mass, std::vector<int> prescribed, Vector<double> alignment)
 {
   return HarmonicSystem(
-    std::move(smoothness), mass, std::move(prescribed), std::move(alignment), false);
+    smoothness, mass, std::move(prescribed), std::move(alignment), false);
 }
 
 template <class Scalar>
 HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Hard(
   SparseMatrix<Scalar> smoothness, const Vector<double>& mass, std::vector<int> prescribed)
 {
-  return HarmonicSystem(std::move(smoothness), mass, std::move(prescribed), {}, true);
+  return HarmonicSystem(smoothness, mass, std::move(prescribed), {}, true);
 }
 
 template <class Scalar>
 HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Make(
   SparseMatrix<Scalar> smoothness, const Vector<double>& mass, PrescribedUnknowns prescribed)
 {
-  return HarmonicSystem(std::move(smoothness), mass, std::move(prescribed.Unknowns),
+  return HarmonicSystem(smoothness, mass, std::move(prescribed.Unknowns),
     std::move(prescribed.Alignment), prescribed.Kind == ConstraintKind::Hard);
 }
 
 template <class Scalar>
-HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
+HarmonicSystem<Scalar>::HarmonicSystem(HarmonicSystem&& other) noexcept
+{
+  *this = std::move(other);
+}
+
+template <class Scalar>
+HarmonicSystem<Scalar>& HarmonicSystem<Scalar>::operator=(HarmonicSystem&& other) noexcept
+{
+  this->IsHard = other.IsHard;
+  this->Prescribed.swap(other.Prescribed);
+  this->Alignment.swap(other.Alignment);
+  this->Free.swap(other.Free);
+  this->Rows.swap(other.Rows);
+  this->Unreached = other.Unreached;
+  this->A.swap(other.A);
+  this->ToPrescribed.swap(other.ToPrescribed);
+  this->M.swap(other.M);
+  return *this;
+}
+
+template <class Scalar>
+HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar>& smoothness, const Vector<double>& mass,
   std::vector<int> prescribed, Vector<double> alignment, bool isHard)
   : IsHard(isHard)
   , Prescribed(std::move(prescribed))
@@ -159,11 +180,13 @@ HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar> smoothness, const Ve
 
   if (this->NumberOfFree() == numberOfUnknowns)
   {
-    this->A = std::move(smoothness);
+    this->A.swap(smoothness);
   }
   else
   {
-    this->A = Submatrix(smoothness, this->Free, this->Rows, this->NumberOfFree());
+    SparseMatrix<Scalar> ofFree =
+      Submatrix(smoothness, this->Free, this->Rows, this->NumberOfFree());
+    this->A.swap(ofFree);
   }
   if (!this->IsHard)
   {

@@ -58,6 +58,10 @@ public:
   static HarmonicSystem Make(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
     PrescribedUnknowns prescribed);
 
+  /// Eigen 3.4 would copy the matrices.
+  HarmonicSystem(HarmonicSystem&& other) noexcept;
+  HarmonicSystem& operator=(HarmonicSystem&& other) noexcept;
+
   /// A, Hermitian; #free x #free.
   const SparseMatrix<Scalar>& Matrix() const { return this->A; }
 
@@ -86,10 +90,11 @@ public:
   Vector<Scalar> Expand(const Vector<Scalar>& solution, const Vector<Scalar>& values) const;
 
 private:
-  HarmonicSystem(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
+  /// \param smoothness is used up.
+  HarmonicSystem(SparseMatrix<Scalar>& smoothness, const Vector<double>& mass,
     std::vector<int> prescribed, Vector<double> alignment, bool isHard);
 
-  bool IsHard;
+  bool IsHard = false;
   std::vector<int> Prescribed;
   Vector<double> Alignment; // soft: m_b
   std::vector<int> Free;    // free -> all

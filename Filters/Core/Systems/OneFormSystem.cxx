@@ -22,12 +22,12 @@ PrescribedUnknowns PrescribedUnknownsOf(
   PrescribedUnknowns unknowns{ weights.Constraints, prescribed.Edges, {} };
   if (weights.Constraints == ConstraintKind::Soft)
   {
-    const Vector<double> mass = PositiveStar1(mesh);
     const double scale = weights.Alignment / (2.0 * Star2(mesh).cwiseInverse().mean());
     unknowns.Alignment.resize(prescribed.Edges.size());
     for (Eigen::Index b = 0; b < unknowns.Alignment.size(); ++b)
     {
-      unknowns.Alignment[b] = scale * prescribed.Weights[b] * mass[prescribed.Edges[b]];
+      unknowns.Alignment[b] = scale * prescribed.Weights[b] *
+        PositiveStar1OfEdge(mesh, prescribed.Edges[b]);
     }
   }
   return unknowns;
@@ -44,7 +44,7 @@ HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
     smoothness *= weights.Smoothness;
   }
   HarmonicSystem<double> system = HarmonicSystem<double>::Make(
-    std::move(smoothness), PositiveStar1(mesh), std::move(unknowns));
+    std::move(smoothness), PositiveStar1(mesh, context), std::move(unknowns));
   CheckAnyIsFree(system.NumberOfFree(), weights.Constraints, "edge");
   return system;
 }
