@@ -118,7 +118,7 @@ typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
 // Squares take longer to set up; a 1-form's matrix is easily factored, a face field's is not.
 constexpr int LargestPowerSystemForCholesky = 20000;
 constexpr int LargestFaceSystemForCholesky = 60000;
-constexpr int LargestOneFormSystemForCholesky = 500000;
+constexpr int LargestOneFormSystemForCholesky = 400000;
 
 SolverOptions SolverFor(const FieldOptions& options)
 {
