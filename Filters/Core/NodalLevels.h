@@ -11,8 +11,8 @@
 
 /// What multigrid needs of the surface to solve for face fields and 1-forms: blocks of unknowns
 /// (SmoothingBlocks), and coarse levels of vectors at points. The finest level takes its vectors from so
-/// far up that there are a dozen faces or more for each, if there are such levels: smoothed, its
-/// interpolation reaches that far.
+/// far up that there are six faces or more for each, if there are such levels: smoothed, its interpolation
+/// reaches farther than that.
 namespace dmg
 {
 

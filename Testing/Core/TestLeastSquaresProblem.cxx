@@ -1,6 +1,7 @@
 #include "LeastSquaresProblem.h"
 
 #include "HarmonicField.h"
+#include "HarmonicForms.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
@@ -428,6 +429,27 @@ TEST(LeastSquaresProblem, FewPrescriptionsOnATorus)
       EXPECT_LE((field - expected).norm(), 1e-4 * expected.norm());
     }
   }
+}
+
+// One edge determines one of the two harmonic fields: their combination that is largest there, as the
+// other vanishes there and is left out. It costs nothing and meets the prescription.
+TEST(LeastSquaresProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
+{
+  const Prepared on(IrregularTorus(28, 14, 4), Discretisation::OneForm);
+  const int edge = 7;
+  LeastSquaresProblem problem =
+    on.Problem({ { edge }, { 1.0 } }, { 1.0, 1.0, ConstraintKind::Soft });
+  const double value = 2.5;
+  const Vector<double> field =
+    problem.Solve(Vector<double>::Constant(1, value), {}, {}, {}, SerialContext());
+  EXPECT_TRUE(problem.Report().Converged);
+  ASSERT_EQ(problem.Report().Warnings.size(), 1u);
+  EXPECT_NE(problem.Report().Warnings[0].find("1 of the 2 harmonic fields"), std::string::npos);
+
+  const Eigen::MatrixXd basis = HarmonicForms(on.Mesh, SerialContext());
+  const Vector<double> there = basis.row(edge).transpose();
+  const Vector<double> expected = value / there.squaredNorm() * (basis * there);
+  EXPECT_LE((field - expected).norm(), 1e-6 * expected.norm());
 }
 
 TEST(LeastSquaresProblem, ReportsProgressOnceAndStopsWhenAsked)

@@ -33,7 +33,7 @@ struct PointSampling
 /// denser: what fields turn by from one side of a sample's region to the other cannot be interpolated.
 /// \param radius > 0.
 /// \param largestCurvature a sample covers no points that hold more, in radians; the curvature of each
-///   point counts without its sign. The sample itself does not count.
+///   point counts without its sign. Itself it covers always.
 /// Cost: linear for bounded radius and valence. Wiersma et al. 2023 sample the same way, with one
 /// radius for all points and without regard to curvature.
 PointSampling SamplePoints(const TangentGraph& graph, double radius, double largestCurvature,

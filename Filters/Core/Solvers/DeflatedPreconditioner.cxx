@@ -1,7 +1,6 @@
 #include "Solvers/DeflatedPreconditioner.h"
 
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <utility>
 
@@ -33,16 +32,13 @@ DeflatedPreconditioner::DeflatedPreconditioner(Preconditioner<double>& inner,
   const Eigen::Index free = (solver.eigenvalues().array() <= rounding).count(); // ascending
   if (free > 0)
   {
-    // Where unknowns are held, vectors of H may have vanished.
+    // Where unknowns are held, vectors of H have lost length, or vanished.
     const Eigen::MatrixXd spanned = this->H * solver.eigenvectors().leftCols(free);
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> basis;
-    basis.setThreshold(1e-8);
-    basis.compute(spanned);
-    if (spanned.norm() > 1e-8)
-    {
-      this->Kernel =
-        basis.householderQ() * Eigen::MatrixXd::Identity(spanned.rows(), basis.rank());
-    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> lengths(spanned.transpose() * spanned);
+    const Eigen::Index rank = (lengths.eigenvalues().array() > 1e-8).count();
+    const Vector<double> inverseRoots =
+      lengths.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse();
+    this->Kernel = spanned * lengths.eigenvectors().rightCols(rank) * inverseRoots.asDiagonal();
   }
 }
 
