@@ -136,7 +136,10 @@
  * A solve starts from the solution before. Other arrays repeat nothing, UnitLength and Combing only
  * the output arrays. HarmonicBasis repeats no stage; its fields are kept until points, triangles or
  * Discretisation change. A solve that does not reach Tolerance gives the best field that it
- * reached, Converged = 0 and a warning. An aborted run leaves empty outputs and keeps the stages that were
+ * reached, Converged = 0 and a warning. Where too little is prescribed for the harmonic fields of a
+ * surface with handles or holes, conjugate gradients and V-cycles on nodal levels leave out what is not
+ * determined, with a warning; a factorisation ends in an error or in what rounding errors make of the
+ * rest. An aborted run leaves empty outputs and keeps the stages that were
  * complete. Threads and pieces are as in vtkDirectionalProlongation.
  *
  * @sa vtkDirectionalProlongation
