@@ -22,7 +22,7 @@ namespace
 // smoothed, and the finest level gets more sweeps: all that sweeps gain, they gain there. (Smoothing
 // makes the coarse spaces of face fields and 1-forms worse, whose roughness is of second order.)
 constexpr int PowerProlongationSteps = 2;
-constexpr int FinestSweepsFactor = 2;
+constexpr int FinestSweepsFactor = 3;
 
 /// Complex numbers are pairs of real ones in memory, by the standard.
 Vector<double> AsPairs(const Vector<Complex>& numbers)

@@ -169,13 +169,14 @@ void MeasureSmoother(GalerkinHierarchy<Scalar>& hierarchy, const std::string& pr
     const auto smoother = Smoother<Value>::New(level.A, options, context);
     level.b.setRandom();
     Vector<Value> r(level.b.size());
-    // From zero the first sweep reads b and writes x; the others read b, read and write x, and
-    // write what lies right of the diagonal, r; the last step reads x, and reads and writes r.
-    const double before = Sweeps * matrix + (2.0 + 4.0 * (Sweeps - 1) + 3.0) * vector;
+    // A sweep passes through half the matrix, reads b, x and the sums of the sweep before, and writes x
+    // and its own. Before all, x, the residual and the sums are set; after all, the residual passes
+    // through the other half, and the corrected x before it.
+    const double sweep = 0.5 * matrix + 5.0 * vector;
+    const double before = Sweeps * sweep + 0.5 * matrix + 8.0 * vector;
     table.Append("pre-smoother, " + precision, l, rows, nonZeros, before,
       Fastest(runs, [&] { smoother->PreSmooth(level.b, level.x, r, context); }));
-    // A sweep reads b, and reads and writes x.
-    const double after = Sweeps * (matrix + 3.0 * vector);
+    const double after = Sweeps * sweep + 0.5 * matrix + 2.0 * vector;
     table.Append("post-smoother, " + precision, l, rows, nonZeros, after,
       Fastest(runs, [&] { smoother->PostSmooth(level.b, level.x, context); }));
   }

@@ -41,7 +41,7 @@ struct CycleOptions
 /// arithmetic and which keeps single precision away from overflow, and is sorted by colours.
 /// Vectors of Apply are in the order of the hierarchy's caller.
 ///
-/// Cost of a V(2,2)-cycle with Gauss-Seidel: per level four products with the matrix and two with
+/// Cost of a V(2,2)-cycle with Gauss-Seidel: per level three products with the matrix and two with
 /// the prolongation.
 template <class Scalar>
 class MultigridCycle : public Preconditioner<Scalar>

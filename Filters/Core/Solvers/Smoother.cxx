@@ -30,6 +30,9 @@ void StableSort(std::vector<int>& items, int numberOfKeys, const Key& key)
   items.swap(sorted);
 }
 
+/// Sweeps go to and fro. Where a sweep up has just been, the sums over earlier colours are those that the
+/// next one down wants, and the other way round, so each sweep after the first costs half a product
+/// (Conrad and Wallach 1979). The colour that it turns around at would not change and is left out.
 template <class Value>
 class GaussSeidelSmoother : public Smoother<Value>
 {
@@ -38,48 +41,28 @@ public:
     : A(matrix)
     , PreSweeps(options.PreSweeps)
     , PostSweeps(options.PostSweeps)
+    , Sums(matrix.Lower.rows())
   {
   }
 
-  // What has been summed up is not summed up again: from x = 0 the first sweep has nothing to the
-  // right of the diagonal, and as a sweep solves (I + L) x_new = b - U x_old, the residual that it
-  // leaves is U (x_old - x_new). A residual after n sweeps costs no more than n products.
   void PreSmooth(const Vector<Value>& b, Vector<Value>& x, Vector<Value>& r,
     const ExecutionContext& context) override
   {
+    x.setZero();
+    r = b;
     if (this->PreSweeps == 0)
     {
-      x.setZero();
-      r = b;
       return;
     }
-    this->ForEachColour(context,
-      [this, &b, &x](int first, int last)
-      {
-        for (int i = first; i < last; ++i)
-        {
-          x[i] = b[i] - RowTimes(this->A.Lower, i, x.data());
-        }
-      });
-    for (int sweep = 1; sweep < this->PreSweeps; ++sweep)
-    {
-      this->ForEachColour(context,
-        [this, &b, &x, &r](int first, int last)
-        {
-          for (int i = first; i < last; ++i)
-          {
-            r[i] = RowTimes(this->A.Upper, i, x.data());
-            x[i] = b[i] - r[i] - RowTimes(this->A.Lower, i, x.data());
-          }
-        });
-    }
-    const bool single = this->PreSweeps == 1;
+    this->Sums.setZero(); // over later colours
+    const bool endsUp = this->Sweep(true, this->PreSweeps, b, x, context);
+    const SparseMatrix<Value>& other = endsUp ? this->A.Upper : this->A.Lower;
     context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
-      [this, single, &x, &r](int first, int last)
+      [this, &other, &x, &r](int first, int last)
       {
         for (int i = first; i < last; ++i)
         {
-          r[i] = (single ? Value(0) : r[i]) - RowTimes(this->A.Upper, i, x.data());
+          r[i] -= x[i] + this->Sums[i] + RowTimes(other, i, x.data());
         }
       });
   }
@@ -87,37 +70,61 @@ public:
   void PostSmooth(
     const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
   {
-    for (int sweep = 0; sweep < this->PostSweeps; ++sweep)
+    if (this->PostSweeps == 0)
     {
-      for (std::size_t colour = this->A.Begins.size() - 1; colour-- > 0;)
+      return;
+    }
+    const bool up = this->PostSweeps % 2 == 0; // the adjoint ends with a sweep down
+    const SparseMatrix<Value>& other = up ? this->A.Upper : this->A.Lower;
+    context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
+      [this, &other, &x](int first, int last)
       {
+        for (int i = first; i < last; ++i)
+        {
+          this->Sums[i] = RowTimes(other, i, x.data());
+        }
+      });
+    this->Sweep(up, this->PostSweeps, b, x, context);
+  }
+
+private:
+  /// \pre Sums are those over later colours where the first sweep goes up, else over earlier ones.
+  /// \return whether the last sweep went up; then Sums are those over earlier colours.
+  bool Sweep(
+    bool up, int count, const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context)
+  {
+    const int colours = static_cast<int>(this->A.Begins.size()) - 1;
+    for (int sweep = 0; sweep < count; ++sweep, up = !up)
+    {
+      const SparseMatrix<Value>& part = up ? this->A.Lower : this->A.Upper;
+      for (int k = 0; k < colours; ++k)
+      {
+        const int colour = up ? k : colours - 1 - k;
+        if (sweep > 0 && k == 0)
+        {
+          const int first = this->A.Begins[colour];
+          this->Sums.segment(first, this->A.Begins[colour + 1] - first).setZero();
+          continue;
+        }
         context.ParallelFor(this->A.Begins[colour], this->A.Begins[colour + 1], RowGrain,
-          [this, &b, &x](int first, int last)
+          [this, &part, &b, &x](int first, int last)
           {
             for (int i = first; i < last; ++i)
             {
-              x[i] = b[i] - RowTimes(this->A.Upper, i, x.data()) -
-                RowTimes(this->A.Lower, i, x.data());
+              const Value sum = RowTimes(part, i, x.data());
+              x[i] = b[i] - this->Sums[i] - sum;
+              this->Sums[i] = sum;
             }
           });
       }
     }
-  }
-
-private:
-  template <class Body>
-  void ForEachColour(const ExecutionContext& context, const Body& body) const
-  {
-    for (std::size_t colour = 0; colour + 1 < this->A.Begins.size(); ++colour)
-    {
-      context.ParallelFor(
-        this->A.Begins[colour], this->A.Begins[colour + 1], RowGrain, std::cref(body));
-    }
+    return !up;
   }
 
   const UnitDiagonalMatrix<Value>& A;
   const int PreSweeps;
   const int PostSweeps;
+  Vector<Value> Sums; ///< over earlier or over later colours, whichever the last sweep added up
 };
 
 /// J. Lottes, Optimal polynomial smoothers for multigrid V-cycles, 2023: the polynomial of degree k

@@ -12,7 +12,7 @@ namespace dmg
 
 enum class SmootherKind
 {
-  /// Gauss-Seidel by colours, forward before and backward after the coarse correction. The fastest.
+  /// Gauss-Seidel by colours; sweeps go forward and backward in turn. The fastest.
   GaussSeidel,
   /// Jacobi accelerated by Chebyshev polynomials of the fourth kind: one parallel loop per degree.
   Chebyshev,

@@ -98,7 +98,7 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
   const Matrix<TypeParam> identity = Matrix<TypeParam>::Identity(size, size);
   Matrix<TypeParam> error = identity - forward * A;
   error = (identity - P * coarse.llt().solve(P.adjoint() * A)) * error;
-  error = (identity - forward.adjoint() * A) * error;
+  error = (identity - forward * A) * error;
   error = (identity - forward.adjoint() * A) * error;
   const Matrix<TypeParam> expected = (identity - error) * A.inverse();
 

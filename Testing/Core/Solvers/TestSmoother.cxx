@@ -20,13 +20,19 @@ constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// The grid Laplacian by colours, with unit diagonal.
+/// The grid Laplacian by colours, with unit diagonal: a chessboard; its square has more colours.
 template <class Scalar>
 struct ColouredGrid
 {
-  explicit ColouredGrid(int depth)
+  explicit ColouredGrid(int depth, bool isSquared = false)
   {
-    const SparseMatrix<Scalar> A = test::MakeGridProblem<Scalar>(depth, 1).A / Scalar(4.0);
+    SparseMatrix<Scalar> A = test::MakeGridProblem<Scalar>(depth, 1).A / Scalar(4.0);
+    if (isSquared)
+    {
+      A = SparseMatrix<Scalar>(A * A).pruned();
+      const Vector<Scalar> root = A.diagonal().cwiseSqrt().cwiseInverse();
+      A = root.asDiagonal() * A * root.asDiagonal();
+    }
     const ColourOrder order = Colouring(A);
     std::vector<int> places(order.Unknowns.size());
     for (std::size_t k = 0; k < places.size(); ++k)
@@ -105,28 +111,34 @@ TYPED_TEST(TestSmoother, ColoursSeparateNeighbours)
 
 TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
 {
-  const ColouredGrid<TypeParam> grid(4);
-  const auto b = test::RandomVector<TypeParam>(grid.Size(), 2801);
-  const Matrix<TypeParam> A(grid.A);
-  for (const int sweeps : { 0, 1, 2, 3 })
+  for (const auto& [isSquared, sweeps] : std::vector<std::pair<bool, int>>{
+         { false, 0 }, { false, 1 }, { false, 2 }, { false, 3 }, { true, 1 }, { true, 2 }, { true, 5 } })
   {
     SCOPED_TRACE(sweeps);
+    const ColouredGrid<TypeParam> grid(4, isSquared);
+    ASSERT_EQ(grid.Parts.Begins.size() > 4u, isSquared);
+    const auto b = test::RandomVector<TypeParam>(grid.Size(), 2801);
+    const Matrix<TypeParam> A(grid.A);
     const auto smoother = Smoother<TypeParam>::New(
       grid.Parts, { SmootherKind::GaussSeidel, sweeps, sweeps }, SerialContext());
     Vector<TypeParam> x(grid.Size()), r(grid.Size());
     smoother->PreSmooth(b, x, r, SerialContext());
 
     Vector<TypeParam> expected = Vector<TypeParam>::Zero(grid.Size());
+    const auto sweepUp = [&]
+    { expected += A.template triangularView<Eigen::Lower>().solve(b - A * expected); };
+    const auto sweepDown = [&]
+    { expected += A.template triangularView<Eigen::Upper>().solve(b - A * expected); };
     for (int sweep = 0; sweep < sweeps; ++sweep)
     {
-      expected += A.template triangularView<Eigen::Lower>().solve(b - A * expected);
+      sweep % 2 == 0 ? sweepUp() : sweepDown();
     }
     EXPECT_LE((x - expected).norm(), 20 * Epsilon * b.norm());
     EXPECT_LE((r - (b - A * expected)).norm(), 20 * Epsilon * b.norm());
 
-    for (int sweep = 0; sweep < sweeps; ++sweep)
+    for (int sweep = sweeps; sweep-- > 0;) // the last one before the correction is answered first
     {
-      expected += A.template triangularView<Eigen::Upper>().solve(b - A * expected);
+      sweep % 2 == 0 ? sweepDown() : sweepUp();
     }
     smoother->PostSmooth(b, x, SerialContext());
     EXPECT_LE((x - expected).norm(), 20 * Epsilon * b.norm());
