@@ -113,8 +113,9 @@ public:
   {
     std::shared_ptr<const OperatorsStage> From;
     dmg::Discretisation Kind;
+    int N;
     dmg::VertexAreas Areas;
-    std::shared_ptr<const dmg::LeastSquaresSurface> Levels; ///< not null
+    std::shared_ptr<const dmg::RoughnessSurface> Levels; ///< not null
     double Seconds;
   };
 
@@ -256,22 +257,23 @@ public:
 
   /// What the set-up knows for this discretisation, whatever is prescribed; null where its solver needs
   /// no more.
-  std::shared_ptr<const dmg::LeastSquaresSurface> LevelsOf(
+  std::shared_ptr<const dmg::RoughnessSurface> LevelsOf(
     const dmg::FieldOptions& options, const dmg::ExecutionContext& context)
   {
     if (!(this->Levels && this->Levels->From == this->Operators &&
-          this->Levels->Kind == options.Kind && this->Levels->Areas == options.Areas))
+          this->Levels->Kind == options.Kind &&
+          this->Levels->N == options.NumberOfDirections() && this->Levels->Areas == options.Areas))
     {
       const auto start = std::chrono::steady_clock::now();
       const dmg::FramedSurface& framed = this->Surface->Framed;
-      auto levels = dmg::MakeLeastSquaresSurface(framed.Surface.Mesh, framed.Faces,
+      auto levels = dmg::MakeRoughnessSurface(framed.Surface.Mesh, framed.Faces,
         this->Operators ? &this->Operators->Operators : nullptr, options, context);
       if (!levels)
       {
         return nullptr; // what another discretisation has made stays
       }
-      this->Levels.reset(new LevelsStage{ this->Operators, options.Kind, options.Areas,
-        std::move(levels), SecondsSince(start) });
+      this->Levels.reset(new LevelsStage{ this->Operators, options.Kind,
+        options.NumberOfDirections(), options.Areas, std::move(levels), SecondsSince(start) });
     }
     return this->Levels->Levels;
   }

@@ -4,7 +4,10 @@
 #include "NodalLevels.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldOperators.h"
+#include "Solvers/LaplacianHierarchy.h"
+#include "Solvers/LeastSquaresHierarchy.h"
 #include "Support/Errors.h"
+#include "Support/SparseAssembly.h"
 #include "Systems/FaceFieldSystem.h"
 #include "Systems/OneFormSystem.h"
 #include "Systems/PowerFieldSystem.h"
@@ -19,16 +22,34 @@ namespace
 
 // The couplings between the powers of faces are far from those of a linear function where triangles
 // are uneven; the coarse levels, nodal by nature, are not. So the interpolation to the faces is
-// smoothed, and the finest level gets more sweeps: all that sweeps gain, they gain there. (Smoothing
-// makes the coarse spaces of face fields and 1-forms worse, whose roughness is of second order.)
+// smoothed, and the finest level gets more sweeps: all that sweeps gain, they gain there.
 constexpr int PowerProlongationSteps = 2;
-constexpr int FinestSweepsFactor = 3;
+constexpr int FinestSweepsFactorOfPowers = 3;
+
+// Blocks of stars cost three times as much as those of sides, and do more.
+constexpr int FinestSweepsFactorOfOneForms = 2;
+constexpr int FinestSweepsFactorOfFaceFields = 1;
+// Below their finest level, interpolations are not smoothed. A second cycle costs little on so few
+// unknowns, and makes up.
+constexpr int CoarseCyclesOfSquares = 2;
+constexpr int LargestCoarseFactorOfSquares = 10000;
 
 /// Complex numbers are pairs of real ones in memory, by the standard.
 Vector<double> AsPairs(const Vector<Complex>& numbers)
 {
   return Eigen::Map<const Vector<double>>(
     reinterpret_cast<const double*>(numbers.data()), 2 * numbers.size());
+}
+
+PrescribedUnknowns AsPairs(const PrescribedUnknowns& powers)
+{
+  PrescribedUnknowns pairs{ powers.Kind, PairsOf(powers.Unknowns), {} };
+  pairs.Alignment.resize(2 * powers.Alignment.size());
+  for (Eigen::Index b = 0; b < pairs.Alignment.size(); ++b)
+  {
+    pairs.Alignment[b] = powers.Alignment[b / 2];
+  }
+  return pairs;
 }
 
 Vector<Complex> AsComplex(const Vector<double>& pairs)
@@ -129,13 +150,26 @@ SolverOptions SolverFor(const FieldOptions& options)
                                                 : LargestOneFormSystemForCholesky;
   if (options.CoarseSpace == CoarseSpaceKind::Nodal)
   {
-    // Blocks of stars cost three times as much as those of sides, and do more. Cycles that start on
-    // a chosen level have no blocks.
-    const bool hasStars =
-      options.Kind == Discretisation::FaceField && options.Solver.StartingLevel < 0;
-    solver.FinestSweepsFactor = hasStars ? 1 : FinestSweepsFactor;
-    solver.FinestProlongationSteps =
-      options.Kind == Discretisation::PowerField ? PowerProlongationSteps : 0;
+    switch (options.Kind)
+    {
+      case Discretisation::OneForm:
+        solver.FinestSweepsFactor = FinestSweepsFactorOfOneForms;
+        solver.CoarseCycles = CoarseCyclesOfSquares;
+        solver.LargestCoarseFactor = LargestCoarseFactorOfSquares;
+        break;
+      case Discretisation::FaceField:
+        // Cycles that start on a chosen level have no blocks.
+        solver.FinestSweepsFactor = options.Solver.StartingLevel < 0
+          ? FinestSweepsFactorOfFaceFields
+          : FinestSweepsFactorOfOneForms;
+        solver.CoarseCycles = CoarseCyclesOfSquares;
+        solver.LargestCoarseFactor = LargestCoarseFactorOfSquares;
+        break;
+      default:
+        solver.FinestSweepsFactor = FinestSweepsFactorOfPowers;
+        solver.FinestProlongationSteps = PowerProlongationSteps;
+        break;
+    }
   }
   return solver;
 }
@@ -248,19 +282,20 @@ int NumberOfUnknowns(const TriangleMesh& mesh, const FieldOptions& options)
   }
 }
 
-/// Whether cycles on least squares solve this, and which.
-std::optional<SolverKind> LeastSquaresSolver(
+/// Whether cycles that keep roughness and prescriptions apart solve this, and which.
+std::optional<SolverChoice> ChooseCycle(
   const TriangleMesh& mesh, const ProlongationOperators* operators, const FieldOptions& options)
 {
-  if (options.Kind == Discretisation::PowerField ||
-    options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0 ||
+  if (options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0 ||
     !operators || operators->Nodal.empty())
   {
     return std::nullopt;
   }
-  const SolverKind kind = ChooseSolver(SolverFor(options), NumberOfUnknowns(mesh, options), true).Kind;
-  const bool isCycle = kind == SolverKind::VCycles || kind == SolverKind::ConjugateGradients;
-  return isCycle ? std::optional<SolverKind>(kind) : std::nullopt;
+  const SolverChoice choice =
+    ChooseSolver(SolverFor(options), NumberOfUnknowns(mesh, options), true);
+  const bool isCycle =
+    choice.Kind == SolverKind::VCycles || choice.Kind == SolverKind::ConjugateGradients;
+  return isCycle ? std::optional<SolverChoice>(choice) : std::nullopt;
 }
 
 }
@@ -288,14 +323,13 @@ HierarchyOptions LevelsFor(const FieldOptions& options)
   return levels;
 }
 
-std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+namespace
+{
+
+std::unique_ptr<const RoughnessHierarchy> HierarchyOfSquares(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators& operators,
   const FieldOptions& options, const ExecutionContext& context)
 {
-  if (!LeastSquaresSolver(mesh, operators, options))
-  {
-    return nullptr;
-  }
   const bool isOneForm = options.Kind == Discretisation::OneForm;
   LeastSquaresHierarchyOptions coarsening;
   if (!isOneForm)
@@ -303,32 +337,71 @@ std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const Triangl
     // Cycles for face fields sweep half as often, and leave more to the interpolation.
     coarsening.ProlongationDegree = 8;
   }
-  context.Checkpoint(0.0);
-  LeastSquaresHierarchy hierarchy = CoarsenLeastSquares(
+  return std::make_unique<LeastSquaresHierarchy>(CoarsenLeastSquares(
     isOneForm ? OneFormLaplacianFactor(mesh, context, options.Areas)
               : FaceFieldSmoothnessFactor(mesh, faceFrames, context),
-    isOneForm ? NodalLevelsOfOneForms(mesh, faceFrames, operators->Nodal, context)
-              : NodalLevelsOfFaceFields(mesh, operators->Nodal, context),
-    coarsening, PartOfContext(context, 0.2, 0.8));
-  const std::vector<int>& order = hierarchy.Order;
-  const Vector<double> mass = isOneForm ? PositiveStar1(mesh, context) : MassOfFaceFields(mesh);
-  Eigen::MatrixXd kernel;
-  std::string note;
+    isOneForm ? NodalLevelsOfOneForms(mesh, faceFrames, operators.Nodal, context)
+              : NodalLevelsOfFaceFields(mesh, operators.Nodal, context),
+    coarsening, PartOfContext(context, 0.2, 1.0)));
+}
+
+std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators& operators,
+  const FieldOptions& options, const ExecutionContext& context)
+{
+  CheckNumberOfDirections(options.N);
+  return std::make_unique<LaplacianHierarchy>(
+    CoarsenLaplacian(PowerLaplacian(mesh, faceFrames, options.N, context),
+      OnPowers(operators.Nodal, options.N, context), PowerProlongationSteps,
+      PartOfContext(context, 0.2, 1.0)));
+}
+
+/// The harmonic fields of face fields and 1-forms, in the order of the hierarchy. Power fields have none
+/// but on flat surfaces, where one prescribed direction determines them.
+void AddKernel(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const FieldOptions& options, RoughnessSurface& surface, const ExecutionContext& context)
+{
   const int loops = NumberOfLoops(mesh);
   if (AreTooManyToHold(loops, mesh))
   {
-    note = ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
+    surface.KernelNote =
+      ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
   }
   else if (loops > 0)
   {
-    const PartOfContext last(context, 0.8, 1.0);
-    kernel = isOneForm ? HarmonicForms(mesh, last) : HarmonicFaceFields(mesh, faceFrames, last);
-    kernel = Eigen::MatrixXd(kernel(order, Eigen::all));
+    const Eigen::MatrixXd kernel = options.Kind == Discretisation::OneForm
+      ? HarmonicForms(mesh, context)
+      : HarmonicFaceFields(mesh, faceFrames, context);
+    surface.Kernel = kernel(surface.Hierarchy->Order, Eigen::all);
   }
-  Vector<double> massInOrder = mass(order);
+}
+
+}
+
+std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  const FieldOptions& options, const ExecutionContext& context)
+{
+  if (!ChooseCycle(mesh, operators, options))
+  {
+    return nullptr;
+  }
+  const bool isPower = options.Kind == Discretisation::PowerField;
+  context.Checkpoint(0.0);
+  const auto surface = std::make_shared<RoughnessSurface>();
+  surface->Name = NameOf(options);
+  surface->Hierarchy = (isPower ? HierarchyOfPowers : HierarchyOfSquares)(
+    mesh, faceFrames, *operators, options, PartOfContext(context, 0.0, isPower ? 1.0 : 0.8));
+  const Vector<double> mass = options.Kind == Discretisation::OneForm
+    ? PositiveStar1(mesh, context)
+    : MassOfFaceFields(mesh); // of powers, too
+  surface->Mass = mass(surface->Hierarchy->Order);
+  if (!isPower)
+  {
+    AddKernel(mesh, faceFrames, options, *surface, PartOfContext(context, 0.8, 1.0));
+  }
   context.Checkpoint(1.0);
-  return std::make_shared<const LeastSquaresSurface>(LeastSquaresSurface{ NameOf(options),
-    std::move(hierarchy), std::move(massInOrder), std::move(kernel), std::move(note) });
+  return surface;
 }
 
 namespace
@@ -382,19 +455,26 @@ FieldConstraints MakeFieldConstraints(const TriangleMesh& mesh, const TangentFra
 namespace
 {
 
+/// Of real unknowns: complex ones are pairs.
 PrescribedUnknowns PrescribedIn(
   const TriangleMesh& mesh, const FieldConstraints& constraints, const FieldOptions& options)
 {
   const auto& [elements, weights, values] = constraints;
-  if (options.Kind == Discretisation::OneForm)
+  switch (options.Kind)
   {
-    return PrescribedUnknownsOf(mesh, PrescribedEdges{ elements, weights }, WeightsOf(options));
+    case Discretisation::OneForm:
+      return PrescribedUnknownsOf(mesh, PrescribedEdges{ elements, weights }, WeightsOf(options));
+    case Discretisation::FaceField:
+      return PrescribedUnknownsOf(mesh, PrescribedFaces{ elements, weights }, WeightsOf(options));
+    default:
+      CheckNumberOfDirections(options.N);
+      return AsPairs(
+        PrescribedPowersOf(mesh, PrescribedFaces{ elements, weights }, WeightsOf(options)));
   }
-  return PrescribedUnknownsOf(mesh, PrescribedFaces{ elements, weights }, WeightsOf(options));
 }
 
-/// Without cycles on least squares.
-std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, LeastSquaresProblem> MakeProblem(
+/// Without cycles that keep roughness and prescriptions apart.
+std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, RoughnessProblem> MakeProblem(
   const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ProlongationOperators* operators, const FieldConstraints& constraints,
   const FieldOptions& options, const ExecutionContext& context)
@@ -414,28 +494,26 @@ std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, LeastSquaresProb
   }
 }
 
-void CheckFree(const LeastSquaresProblem& problem, const FieldOptions& options)
+void CheckFree(const RoughnessProblem& problem, const FieldOptions& options)
 {
   CheckAnyIsFree(problem.NumberOfFree(), options.Constraints,
     options.Kind == Discretisation::OneForm ? "edge" : "cell");
 }
 
-LeastSquaresProblem MakeLeastSquaresProblem(const TriangleMesh& mesh,
+RoughnessProblem MakeRoughnessProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const FieldConstraints& constraints, const FieldOptions& options,
-  std::shared_ptr<const LeastSquaresSurface> surface, const ExecutionContext& context)
+  std::shared_ptr<const RoughnessSurface> surface, const ExecutionContext& context)
 {
   PrescribedUnknowns prescribed = PrescribedIn(mesh, constraints, options);
   const double half = surface ? 0.0 : 0.6;
   if (!surface)
   {
-    surface = MakeLeastSquaresSurface(
+    surface = MakeRoughnessSurface(
       mesh, faceFrames, operators, options, PartOfContext(context, 0.0, half));
   }
-  SolverOptions solver = SolverFor(options);
-  solver.Kind = *LeastSquaresSolver(mesh, operators, options);
-  LeastSquaresProblem problem(std::move(surface), std::move(prescribed), options.Smoothness, solver,
-    PartOfContext(context, half, 1.0));
+  RoughnessProblem problem(std::move(surface), std::move(prescribed), options.Smoothness,
+    SolverFor(options), *ChooseCycle(mesh, operators, options), PartOfContext(context, half, 1.0));
   CheckFree(problem, options);
   return problem;
 }
@@ -445,21 +523,20 @@ LeastSquaresProblem MakeLeastSquaresProblem(const TriangleMesh& mesh,
 FieldProblem::FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ProlongationOperators* operators, const FieldConstraints& constraints,
   const FieldOptions& options, const ExecutionContext& context,
-  std::shared_ptr<const LeastSquaresSurface> surface)
-  : Problem(LeastSquaresSolver(mesh, operators, options)
-        ? MakeLeastSquaresProblem(mesh, faceFrames, operators, constraints, options,
+  std::shared_ptr<const RoughnessSurface> surface)
+  : Problem(ChooseCycle(mesh, operators, options)
+        ? MakeRoughnessProblem(mesh, faceFrames, operators, constraints, options,
             std::move(surface),
             PartOfContext(context, 0.0, options.Solver.CompareWithCholesky ? 0.5 : 1.0))
         : MakeProblem(mesh, faceFrames, operators, constraints, options, context))
 {
-  if (options.Solver.CompareWithCholesky &&
-    std::holds_alternative<LeastSquaresProblem>(this->Problem))
+  if (options.Solver.CompareWithCholesky && std::holds_alternative<RoughnessProblem>(this->Problem))
   {
     FieldOptions direct = options;
     direct.Solver.Kind = SolverKind::Cholesky;
-    this->Reference.emplace(std::get<HarmonicProblem<double>>(
-      MakeProblem(mesh, faceFrames, operators, constraints, direct,
-        PartOfContext(context, 0.5, 1.0))));
+    direct.Solver.CompareWithCholesky = false;
+    this->Reference = std::make_unique<FieldProblem>(
+      mesh, faceFrames, operators, constraints, direct, PartOfContext(context, 0.5, 1.0));
   }
 }
 
@@ -473,7 +550,7 @@ bool FieldProblem::Update(const TriangleMesh& mesh, const TangentFrames& faceFra
     return problem->Update(
       PowerFieldSystemMaker(mesh, faceFrames, { elements, weights }, options), context);
   }
-  auto* const problem = std::get_if<LeastSquaresProblem>(&this->Problem);
+  auto* const problem = std::get_if<RoughnessProblem>(&this->Problem);
   if (!problem || this->Reference)
   {
     return false;
@@ -486,7 +563,7 @@ bool FieldProblem::Update(const TriangleMesh& mesh, const TangentFrames& faceFra
 Vector<double> FieldProblem::Solve(const Vector<double>& values, const Vector<double>& start,
   const StoppingCriteria& stop, const ExecutionContext& context)
 {
-  if (auto* const problem = std::get_if<LeastSquaresProblem>(&this->Problem))
+  if (auto* const problem = std::get_if<RoughnessProblem>(&this->Problem))
   {
     const Vector<double> reference =
       this->Reference ? this->Reference->Solve(values, {}, stop, context) : Vector<double>();

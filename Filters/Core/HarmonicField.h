@@ -3,7 +3,7 @@
 
 #include "HarmonicProblem.h"
 #include "Hierarchy/HierarchyOptions.h"
-#include "LeastSquaresProblem.h"
+#include "RoughnessProblem.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 #include "Operators/ExteriorCalculus.h"
@@ -108,13 +108,12 @@ bool NeedsLevels(const TriangleMesh& mesh, const FieldOptions& options);
 /// samples do not give, and take a fifth of the time; the thesis's where these are asked for.
 HierarchyOptions LevelsFor(const FieldOptions& options);
 
-/// The last part of the set-up, for face fields and 1-forms: what cycles on nodal levels need, whatever
-/// is prescribed.
+/// The last part of the set-up: what cycles on nodal levels need, whatever is prescribed.
 /// \param operators of this mesh; used during the call only.
-/// \param options Kind, Areas and the choice of the solver count.
+/// \param options Kind, N, Areas and the choice of the solver count.
 /// \return null where what is asked for is solved otherwise.
-/// Cost: several products of sparse matrices, 8 to 12 us per face with two threads.
-std::shared_ptr<const LeastSquaresSurface> MakeLeastSquaresSurface(const TriangleMesh& mesh,
+/// Cost: several products of sparse matrices; 8 to 12 us per face with two threads, 2 for power fields.
+std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const FieldOptions& options, const ExecutionContext& context);
 
@@ -131,7 +130,7 @@ public:
   FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
     const ProlongationOperators* operators, const FieldConstraints& constraints,
     const FieldOptions& options, const ExecutionContext& context,
-    std::shared_ptr<const LeastSquaresSurface> surface = nullptr);
+    std::shared_ptr<const RoughnessSurface> surface = nullptr);
 
   /// System, where only the prescribed elements, their weights or those of options differ: numbers
   /// only, no pattern changes.
@@ -152,8 +151,8 @@ public:
   const SolveReport& Report() const;
 
 private:
-  std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, LeastSquaresProblem> Problem;
-  std::optional<HarmonicProblem<double>> Reference; ///< factors what LeastSquaresProblem solves
+  std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, RoughnessProblem> Problem;
+  std::unique_ptr<FieldProblem> Reference; ///< factors what RoughnessProblem solves, or null
 };
 
 /// A field as N-th powers, to be drawn: of the faces in their frames and of the vertices in theirs.

@@ -34,6 +34,11 @@ struct SolverOptions
   int Sweeps = 2;
   /// The finest level gets so many times as many sweeps, >= 1.
   int FinestSweepsFactor = 1;
+  /// V-cycles on the first coarse level that stand in for its solution, >= 1; where roughness and
+  /// prescriptions are kept apart (RoughnessProblem).
+  int CoarseCycles = 1;
+  /// The first coarse level is factored instead if it has at most so many unknowns; there as well.
+  int LargestCoarseFactor = 0;
   /// How often the finest prolongation is smoothed before use; see GalerkinOptions.
   int FinestProlongationSteps = 0;
   /// Of nested iterations.

@@ -125,13 +125,13 @@ struct SetUp
   SetUp(const TriangleMesh& mesh, const FieldOptions& field, const ExecutionContext& context)
     : Frames(FaceFrames(mesh, context))
     , Operators(BuildSurfaceHierarchy(mesh, LevelsFor(field), context, { false, false, false }).Operators)
-    , Surface(MakeLeastSquaresSurface(mesh, this->Frames, &this->Operators, field, context))
+    , Surface(MakeRoughnessSurface(mesh, this->Frames, &this->Operators, field, context))
   {
   }
 
   TangentFrames Frames;
   ProlongationOperators Operators;
-  std::shared_ptr<const LeastSquaresSurface> Surface; ///< null for power fields
+  std::shared_ptr<const RoughnessSurface> Surface; ///< null for power fields
 };
 
 template <class Scalar>

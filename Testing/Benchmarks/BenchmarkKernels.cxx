@@ -23,6 +23,7 @@
 #include "HarmonicField.h"
 #include "Solvers/BlockSmoother.h"
 #include "Solvers/GalerkinHierarchy.h"
+#include "Solvers/LeastSquaresHierarchy.h"
 #include "Solvers/ScaledHierarchy.h"
 #include "Solvers/Smoother.h"
 #include "Support/MeshFactory.h"
@@ -212,8 +213,8 @@ void MeasureSquares(const TriangleMesh& mesh, const TangentFrames& frames,
 {
   FieldOptions byCycles = field;
   byCycles.Solver.Kind = SolverKind::ConjugateGradients;
-  const auto surface = MakeLeastSquaresSurface(mesh, frames, &operators, byCycles, context);
-  const LeastSquaresHierarchy& hierarchy = surface->Hierarchy;
+  const auto surface = MakeRoughnessSurface(mesh, frames, &operators, byCycles, context);
+  const auto& hierarchy = dynamic_cast<const LeastSquaresHierarchy&>(*surface->Hierarchy);
   const double unknowns = hierarchy.NumberOfUnknowns();
   const double rows = static_cast<double>(hierarchy.B.rows());
   const double nonZeros = static_cast<double>(hierarchy.B.nonZeros());

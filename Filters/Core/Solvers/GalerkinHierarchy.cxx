@@ -1,5 +1,6 @@
 #include "Solvers/GalerkinHierarchy.h"
 
+#include "Solvers/HierarchicalOrder.h"
 #include "Solvers/SmoothedProlongation.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
@@ -17,57 +18,6 @@ namespace
 {
 
 constexpr int RowGrain = 4096;
-
-/// For each row the column of its largest entry; rows without entries follow the row before them.
-template <class Scalar>
-std::vector<int> Parents(const SparseMatrix<Scalar>& P, const ExecutionContext& context)
-{
-  constexpr int none = -1;
-  std::vector<int> parents(P.rows(), none);
-  context.ParallelFor(0, static_cast<int>(P.rows()), RowGrain,
-    [&P, &parents](int first, int last)
-    {
-      for (int i = first; i < last; ++i)
-      {
-        double largest = 0.0;
-        for (typename SparseMatrix<Scalar>::InnerIterator entry(P, i); entry; ++entry)
-        {
-          // Entries that are equal up to rounding must not let rounding decide.
-          const double size = Eigen::numext::abs2(entry.value());
-          if (size > largest * (1.0 + 1e-6))
-          {
-            largest = size;
-            parents[i] = static_cast<int>(entry.col());
-          }
-        }
-      }
-    });
-  int former = 0;
-  for (int& parent : parents)
-  {
-    parent = parent == none ? former : parent;
-    former = parent;
-  }
-  return parents;
-}
-
-/// Places such that children follow each other in the order of their parents' places.
-std::vector<int> PlacesOfChildren(
-  const std::vector<int>& parents, const std::vector<int>& placesOfParents)
-{
-  std::vector<int> next(placesOfParents.size() + 1, 0);
-  for (const int parent : parents)
-  {
-    ++next[placesOfParents[parent] + 1];
-  }
-  OffsetsFromCounts(next);
-  std::vector<int> places(parents.size());
-  for (std::size_t i = 0; i < parents.size(); ++i)
-  {
-    places[i] = next[placesOfParents[parents[i]]]++;
-  }
-  return places;
-}
 
 template <class Scalar>
 double RealDiagonalEntry(const SparseMatrix<Scalar>& A, int i)
@@ -111,13 +61,6 @@ void Free(SparseMatrix<Scalar>& A)
   A.swap(empty);
 }
 
-template <class Scalar>
-long long BytesOf(const SparseMatrix<Scalar>& A)
-{
-  return A.nonZeros() * static_cast<long long>(sizeof(Scalar) + sizeof(int)) +
-    A.outerSize() * static_cast<long long>(sizeof(int));
-}
-
 }
 
 template <class Scalar>
@@ -131,22 +74,13 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
   }
   prolongations.resize(
     std::min(prolongations.size(), static_cast<std::size_t>(options.CoarsestLevel)));
-  long long size = A.rows();
-  for (std::size_t level = 0; level < prolongations.size(); ++level)
-  {
-    if (prolongations[level].rows() != size)
-    {
-      throw InvalidInput("the prolongation to level " + std::to_string(level) + " has " +
-        std::to_string(prolongations[level].rows()) + " rows instead of " + std::to_string(size) +
-        "; use the operators of this surface");
-    }
-    size = prolongations[level].cols();
-  }
+  CheckChain(A.rows(), prolongations);
   if (A.rows() != A.cols())
   {
     throw InvalidInput("the matrix of a linear system must be square");
   }
-  this->BringIntoOrder(prolongations, static_cast<int>(A.rows()), context);
+  this->Order = BringIntoOrder(prolongations, static_cast<int>(A.rows()), context);
+  this->Prolongations = std::move(prolongations);
   this->SetFinest(A, context);
   if (!this->Prolongations.empty())
   {
@@ -161,26 +95,6 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
     this->UnshelveProlongations();
   }
   this->ComputeCoarser(context);
-}
-
-template <class Scalar>
-void GalerkinHierarchy<Scalar>::BringIntoOrder(
-  std::vector<SparseMatrix<Scalar>>& prolongations, int size, const ExecutionContext& context)
-{
-  this->Prolongations.resize(prolongations.size());
-  std::vector<int> places = Identity(
-    prolongations.empty() ? size : static_cast<int>(prolongations.back().cols()));
-  for (std::size_t level = prolongations.size(); level-- > 0;)
-  {
-    context.Checkpoint(0.0);
-    SparseMatrix<Scalar>& P = prolongations[level];
-    const std::vector<int> placesOfParents = std::move(places);
-    places = PlacesOfChildren(Parents(P, context), placesOfParents);
-    SparseMatrix<Scalar> permuted = Permuted(P, Inverse(places), placesOfParents, context);
-    this->Prolongations[level].swap(permuted);
-    Free(P);
-  }
-  this->Order = Inverse(places);
 }
 
 template <class Scalar>

@@ -30,9 +30,8 @@ struct GalerkinOptions
 /// factorisation of the coarsest. Level 0 is the finest.
 ///
 /// Order. The unknowns of surface meshes come in any order, and a random order makes every product
-/// two to four times as slow. The levels are therefore kept in an order of their own: the children
-/// of a coarse unknown follow each other, in the order of their parents, down from the coarsest
-/// level. FinestOrder relates it to the caller's.
+/// two to four times as slow. The levels are therefore kept in an order of their own (HierarchicalOrder).
+/// FinestOrder relates it to the caller's.
 ///
 /// Inactive unknowns. Where a diagonal entry of a semi-definite matrix is zero, up to rounding, its
 /// whole row is. Coarse unknowns that no fine unknown sees are of this kind, and those that carry
@@ -92,8 +91,6 @@ public:
   long long Bytes() const;
 
 private:
-  void BringIntoOrder(std::vector<SparseMatrix<Scalar>>& prolongations, int size,
-    const ExecutionContext& context);
   void UnshelveProlongations();
   void SetFinest(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
   void ComputeCoarser(const ExecutionContext& context);

@@ -17,7 +17,7 @@ constexpr int RowGrain = 8192;
 }
 
 LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
-  const Vector<double>& D, const LeastSquaresCycleOptions& options,
+  const Vector<double>& D, const RoughnessCycleOptions& options,
   const ExecutionContext& context)
   : Fine(hierarchy)
   , Smoother(hierarchy.B, hierarchy.Bt, hierarchy.Blocks, options.Sweeps)

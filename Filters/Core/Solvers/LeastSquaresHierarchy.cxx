@@ -1,5 +1,6 @@
 #include "Solvers/LeastSquaresHierarchy.h"
 
+#include "Solvers/LeastSquaresCycle.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
@@ -258,9 +259,7 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(SchwarzBlocks blocks)
 }
 
 LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept
-  : Order(std::move(other.Order))
-  , Components(std::move(other.Components))
-  , Scales(std::move(other.Scales))
+  : RoughnessHierarchy(std::move(other))
   , Blocks(std::move(other.Blocks))
   , Coarser(std::move(other.Coarser))
 {
@@ -273,18 +272,25 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noex
 
 long long LeastSquaresHierarchy::Bytes() const
 {
-  const auto bytes = [](const auto& matrix) {
-    return matrix.nonZeros() * static_cast<long long>(sizeof(*matrix.valuePtr()) + sizeof(int)) +
-      matrix.outerSize() * static_cast<long long>(sizeof(int));
-  };
-  long long sum = bytes(this->B) + bytes(this->Bt) + this->Blocks.Bytes() +
-    bytes(this->Prolongation) + bytes(this->Restriction) + bytes(this->CoarseMatrix) +
+  long long sum = BytesOf(this->B) + BytesOf(this->Bt) + this->Blocks.Bytes() +
+    BytesOf(this->Prolongation) + BytesOf(this->Restriction) + BytesOf(this->CoarseMatrix) +
     this->NumberOfUnknowns() * static_cast<long long>(2 * sizeof(int) + sizeof(double));
   for (const SparseMatrix<double>& P : this->Coarser)
   {
-    sum += bytes(P);
+    sum += BytesOf(P);
   }
   return sum;
+}
+
+std::unique_ptr<LinearOperator<double>> LeastSquaresHierarchy::Operator(Vector<double> D) const
+{
+  return std::make_unique<LeastSquaresOperator>(*this, std::move(D));
+}
+
+std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double>& D,
+  const RoughnessCycleOptions& options, const ExecutionContext& context) const
+{
+  return std::make_unique<LeastSquaresCycle>(*this, D, options, context);
 }
 
 LeastSquaresOperator::LeastSquaresOperator(

@@ -1,8 +1,8 @@
 #ifndef dmgLeastSquaresHierarchy_h
 #define dmgLeastSquaresHierarchy_h
 
-#include "Solvers/LinearOperator.h"
 #include "Solvers/PlanarProlongation.h"
+#include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SchwarzBlocks.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -38,18 +38,14 @@ struct LeastSquaresHierarchyOptions
 /// Order and scale. Unknowns stand in an order of their own, by the coarse unknowns that they belong to,
 /// and columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large everywhere.
 /// The caller's unknown Order[k] is x_k / Scales[k].
-struct LeastSquaresHierarchy
+class LeastSquaresHierarchy : public RoughnessHierarchy
 {
+public:
   explicit LeastSquaresHierarchy(SchwarzBlocks blocks);
   /// Eigen 3.4 would copy the matrices.
   LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept;
 
-  std::vector<int> Order;
-  /// A number that an unknown shares with all that it is connected with through B.
-  std::vector<int> Components;
-  /// What the columns of B were divided by; 1 if one was empty.
-  Vector<double> Scales;
-  SparseMatrix<double> B;
+  SparseMatrix<double> B; ///< columns divided by Scales
   SparseMatrix<double> Bt;
   SchwarzBlocks Blocks;
   /// In single precision, to which its energy is no worse; and the adjoint.
@@ -60,9 +56,10 @@ struct LeastSquaresHierarchy
   /// Between the levels below, finest first.
   std::vector<SparseMatrix<double>> Coarser;
 
-  int NumberOfUnknowns() const { return static_cast<int>(this->Order.size()); }
-  /// Held by this object.
-  long long Bytes() const;
+  std::unique_ptr<LinearOperator<double>> Operator(Vector<double> D) const override;
+  std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
+    const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  long long Bytes() const override;
 };
 
 /// \param B m x n.

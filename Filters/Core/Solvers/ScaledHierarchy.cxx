@@ -1,5 +1,7 @@
 #include "Solvers/ScaledHierarchy.h"
 
+#include "Solvers/ArrangedMatrix.h"
+#include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
 #include <cmath>
@@ -12,80 +14,9 @@ namespace
 
 constexpr int RowGrain = 4096;
 
-std::vector<int> Inverse(const std::vector<int>& permutation)
-{
-  std::vector<int> inverse(permutation.size());
-  for (std::size_t i = 0; i < permutation.size(); ++i)
-  {
-    inverse[permutation[i]] = static_cast<int>(i);
-  }
-  return inverse;
-}
-
 double Reciprocal(double x)
 {
   return x > 0.0 ? 1.0 / x : 0.0;
-}
-
-/// The entries of A with keep(place of row, place of column), in another order and scaled: entry
-/// (i, j) becomes rowScale_i a_ij columnScale_j.
-template <class Value, class Scalar, class Keep>
-void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
-  const std::vector<int>& columnPlaces, const Vector<double>& rowScale,
-  const Vector<double>& columnScale, const Keep& keep, SparseMatrix<Value>& result,
-  const ExecutionContext& context)
-{
-  const int rows = static_cast<int>(A.rows());
-  const int* offsetsOfA = A.outerIndexPtr();
-  const int* columnsOfA = A.innerIndexPtr();
-  const Scalar* valuesOfA = A.valuePtr();
-  std::vector<int> offsets(rows + 1, 0);
-  context.ParallelFor(0, rows, RowGrain,
-    [offsetsOfA, columnsOfA, &rowOrder, &columnPlaces, &keep, &offsets](int first, int last)
-    {
-      for (int k = first; k < last; ++k)
-      {
-        const int i = rowOrder[k];
-        int count = 0;
-        for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
-        {
-          count += keep(k, columnPlaces[columnsOfA[m]]) ? 1 : 0;
-        }
-        offsets[k + 1] = count;
-      }
-    });
-  result.resize(rows, A.cols());
-  result.resizeNonZeros(OffsetsFromCounts(offsets));
-  std::copy(offsets.begin(), offsets.end(), result.outerIndexPtr());
-  int* columns = result.innerIndexPtr();
-  Value* values = result.valuePtr();
-  context.ParallelFor(0, rows, RowGrain,
-    [offsetsOfA, columnsOfA, valuesOfA, columns, values, &rowOrder, &columnPlaces, &rowScale,
-      &columnScale, &keep, &offsets](int first, int last)
-    {
-      for (int k = first; k < last; ++k)
-      {
-        const int i = rowOrder[k];
-        int to = offsets[k];
-        for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
-        {
-          const int j = columnsOfA[m];
-          if (keep(k, columnPlaces[j]))
-          {
-            columns[to] = columnPlaces[j];
-            values[to] = static_cast<Value>(valuesOfA[m] * (rowScale[i] * columnScale[j]));
-            ++to;
-          }
-        }
-      }
-    });
-}
-
-template <class Value>
-long long BytesOf(const SparseMatrix<Value>& A)
-{
-  return A.nonZeros() * static_cast<long long>(sizeof(Value) + sizeof(int)) +
-    A.outerSize() * static_cast<long long>(sizeof(int));
 }
 
 /// D^{-1/2}; zero for inactive unknowns.
@@ -148,13 +79,11 @@ void ScaledHierarchy<Scalar, Value>::Update(const ExecutionContext& context)
     if (this->HasMatrices)
     {
       const SparseMatrix<Scalar>& A = this->Hierarchy.Matrix(l);
-      Arrange(A, order, places, scale, scale,
-        [](int row, int column) { return column < row; }, level.A.Lower, context);
-      Arrange(A, order, places, scale, scale,
-        [](int row, int column) { return column > row; }, level.A.Upper, context);
+      ArrangeLower(A, order, places, scale, level.A.Lower, context);
+      ArrangeUpper(A, order, places, scale, level.A.Upper, context);
     }
     Arrange(this->Hierarchy.Prolongation(l), order, coarsePlaces, scale.unaryExpr(&Reciprocal),
-      coarseScale, [](int, int) { return true; }, level.P, context);
+      coarseScale, EveryEntry(), level.P, context);
     SparseMatrix<Value> R = Adjoint(level.P, context);
     level.R.swap(R); // an assignment would copy
 

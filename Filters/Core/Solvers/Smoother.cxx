@@ -30,15 +30,30 @@ void StableSort(std::vector<int>& items, int numberOfKeys, const Key& key)
   items.swap(sorted);
 }
 
+/// Solves the diagonal of A + D for one unknown.
+template <class Value>
+struct UnitDiagonal
+{
+  Value operator()(int, Value value) const { return value; }
+};
+template <class Value>
+struct ShiftedDiagonal
+{
+  const Vector<typename Eigen::NumTraits<Value>::Real>& Inverse;
+  Value operator()(int i, Value value) const { return this->Inverse[i] * value; }
+};
+
 /// Sweeps go to and fro. Where a sweep up has just been, the sums over earlier colours are those that the
 /// next one down wants, and the other way round, so each sweep after the first costs half a product
 /// (Conrad and Wallach 1979). The colour that it turns around at would not change and is left out.
-template <class Value>
+template <class Value, class Diagonal>
 class GaussSeidelSmoother : public Smoother<Value>
 {
 public:
-  GaussSeidelSmoother(const UnitDiagonalMatrix<Value>& matrix, const SmootherOptions& options)
+  GaussSeidelSmoother(const UnitDiagonalMatrix<Value>& matrix, Diagonal diagonal,
+    const SmootherOptions& options)
     : A(matrix)
+    , Solved(diagonal)
     , PreSweeps(options.PreSweeps)
     , PostSweeps(options.PostSweeps)
     , Sums(matrix.Lower.rows())
@@ -49,20 +64,21 @@ public:
     const ExecutionContext& context) override
   {
     x.setZero();
-    r = b;
     if (this->PreSweeps == 0)
     {
+      r = b;
       return;
     }
     this->Sums.setZero(); // over later colours
-    const bool endsUp = this->Sweep(true, this->PreSweeps, b, x, context);
-    const SparseMatrix<Value>& other = endsUp ? this->A.Upper : this->A.Lower;
+    const bool endsUp = this->Sweep(true, this->PreSweeps, b, x, &r, context);
+    // The last sweep has solved each row with the sums that were there before it.
+    const SparseMatrix<Value>& changed = endsUp ? this->A.Upper : this->A.Lower;
     context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
-      [this, &other, &x, &r](int first, int last)
+      [&changed, &x, &r](int first, int last)
       {
         for (int i = first; i < last; ++i)
         {
-          r[i] -= x[i] + this->Sums[i] + RowTimes(other, i, x.data());
+          r[i] -= RowTimes(changed, i, x.data());
         }
       });
   }
@@ -84,35 +100,46 @@ public:
           this->Sums[i] = RowTimes(other, i, x.data());
         }
       });
-    this->Sweep(up, this->PostSweeps, b, x, context);
+    this->Sweep(up, this->PostSweeps, b, x, nullptr, context);
   }
 
 private:
   /// \pre Sums are those over later colours where the first sweep goes up, else over earlier ones.
+  /// \param former on exit the Sums that the last sweep began with, or null.
   /// \return whether the last sweep went up; then Sums are those over earlier colours.
-  bool Sweep(
-    bool up, int count, const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context)
+  bool Sweep(bool up, int count, const Vector<Value>& b, Vector<Value>& x, Vector<Value>* former,
+    const ExecutionContext& context)
   {
     const int colours = static_cast<int>(this->A.Begins.size()) - 1;
     for (int sweep = 0; sweep < count; ++sweep, up = !up)
     {
       const SparseMatrix<Value>& part = up ? this->A.Lower : this->A.Upper;
+      Vector<Value>* const kept = sweep + 1 == count ? former : nullptr;
       for (int k = 0; k < colours; ++k)
       {
         const int colour = up ? k : colours - 1 - k;
+        const int begin = this->A.Begins[colour];
+        const int end = this->A.Begins[colour + 1];
         if (sweep > 0 && k == 0)
         {
-          const int first = this->A.Begins[colour];
-          this->Sums.segment(first, this->A.Begins[colour + 1] - first).setZero();
+          if (kept)
+          {
+            kept->segment(begin, end - begin) = this->Sums.segment(begin, end - begin);
+          }
+          this->Sums.segment(begin, end - begin).setZero();
           continue;
         }
-        context.ParallelFor(this->A.Begins[colour], this->A.Begins[colour + 1], RowGrain,
-          [this, &part, &b, &x](int first, int last)
+        context.ParallelFor(begin, end, RowGrain,
+          [this, &part, &b, &x, kept](int first, int last)
           {
             for (int i = first; i < last; ++i)
             {
               const Value sum = RowTimes(part, i, x.data());
-              x[i] = b[i] - this->Sums[i] - sum;
+              x[i] = this->Solved(i, b[i] - this->Sums[i] - sum);
+              if (kept)
+              {
+                (*kept)[i] = this->Sums[i];
+              }
               this->Sums[i] = sum;
             }
           });
@@ -122,6 +149,7 @@ private:
   }
 
   const UnitDiagonalMatrix<Value>& A;
+  const Diagonal Solved;
   const int PreSweeps;
   const int PostSweeps;
   Vector<Value> Sums; ///< over earlier or over later colours, whichever the last sweep added up
@@ -328,7 +356,16 @@ std::unique_ptr<Smoother<Value>> Smoother<Value>::New(
   {
     return std::make_unique<ChebyshevSmoother<Value>>(A, options, context);
   }
-  return std::make_unique<GaussSeidelSmoother<Value>>(A, options);
+  return std::make_unique<GaussSeidelSmoother<Value, UnitDiagonal<Value>>>(
+    A, UnitDiagonal<Value>(), options);
+}
+
+template <class Value>
+std::unique_ptr<Smoother<Value>> Smoother<Value>::NewShifted(const UnitDiagonalMatrix<Value>& A,
+  const Vector<Real>& inverseDiagonal, const SmootherOptions& options)
+{
+  return std::make_unique<GaussSeidelSmoother<Value, ShiftedDiagonal<Value>>>(
+    A, ShiftedDiagonal<Value>{ inverseDiagonal }, options);
 }
 
 template ColourOrder Colouring(const SparseMatrix<double>&);

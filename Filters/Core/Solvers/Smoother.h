@@ -61,9 +61,17 @@ template <class Value>
 class Smoother
 {
 public:
+  using Real = typename Eigen::NumTraits<Value>::Real;
+
   /// \param A borrowed.
   static std::unique_ptr<Smoother> New(const UnitDiagonalMatrix<Value>& A,
     const SmootherOptions& options, const ExecutionContext& context);
+
+  /// The same for A + D, D diagonal, by Gauss-Seidel.
+  /// \param inverseDiagonal 1 / (1 + D_i), borrowed; or 0: the unknown is held at zero, and its residual has
+  ///   no meaning.
+  static std::unique_ptr<Smoother> NewShifted(const UnitDiagonalMatrix<Value>& A,
+    const Vector<Real>& inverseDiagonal, const SmootherOptions& options);
   virtual ~Smoother() = default;
 
   /// Smooths A x = b from x = 0.

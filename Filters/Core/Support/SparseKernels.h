@@ -49,6 +49,13 @@ inline Scalar RowTimes(const SparseMatrix<Scalar>& A, int i, const Scalar* x)
   return sum;
 }
 
+template <class Scalar>
+long long BytesOf(const SparseMatrix<Scalar>& A)
+{
+  return A.nonZeros() * static_cast<long long>(sizeof(Scalar) + sizeof(int)) +
+    A.outerSize() * static_cast<long long>(sizeof(int));
+}
+
 /// The sum of part(first, last) over blocks of fixed size that cover [0, size), added in order.
 /// \param part a function (int first, int last) -> Sum, called for several blocks at the same time.
 template <class Sum, class Part>

@@ -9,6 +9,17 @@
 namespace dmg
 {
 
+/// \throw InvalidInput N is not between 1 and 8.
+void CheckNumberOfDirections(int N);
+
+/// Which powers of the system below are prescribed, and how strongly.
+/// \throw InvalidInput a weight is out of range or nothing is prescribed.
+PrescribedUnknowns PrescribedPowersOf(
+  const TriangleMesh& mesh, const PrescribedFaces& prescribed, const FieldWeights& weights);
+
+/// The areas of the faces over their mean; ones where the whole surface has no area.
+Vector<double> MassOfPowerFields(const TriangleMesh& mesh);
+
 /// The system of the smoothest N-direction field that follows prescribed directions; unknowns are
 /// the powers of the faces, in their frames:
 ///   argmin  lambda_S X^H L X + lambda_A sum_b w_b (A_b / mean A) |X_b - Y_b|^2   (soft)

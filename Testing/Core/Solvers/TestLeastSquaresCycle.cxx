@@ -67,9 +67,9 @@ struct Prescribed
   const int NumberOfPrescribed;
 };
 
-LeastSquaresCycleOptions Deep()
+RoughnessCycleOptions Deep()
 {
-  LeastSquaresCycleOptions options;
+  RoughnessCycleOptions options;
   options.LargestFactor = 100;
   return options;
 }
@@ -131,7 +131,7 @@ TEST(TestLeastSquaresCycle, HeldUnknownsAreZero)
     [](const SurfaceProblem& problem)
     {
       const Prescribed prescribed(problem, ConstraintKind::Hard);
-      for (const LeastSquaresCycleOptions& options : { LeastSquaresCycleOptions(), Deep() })
+      for (const RoughnessCycleOptions& options : { RoughnessCycleOptions(), Deep() })
       {
         LeastSquaresCycle cycle(prescribed.Hierarchy, prescribed.D, options, SerialContext());
         // Whatever stands in the right-hand side.
@@ -195,7 +195,7 @@ TEST(TestLeastSquaresCycle, IterationsAgreeWithCholesky)
         Vector<double> product;
         const double energy = prescribed.A.Apply(expected, product, SerialContext());
         // The first coarse level factored, or cycles below.
-        for (const LeastSquaresCycleOptions& options : { LeastSquaresCycleOptions(), Deep() })
+        for (const RoughnessCycleOptions& options : { RoughnessCycleOptions(), Deep() })
         {
           LeastSquaresCycle cycle(prescribed.Hierarchy, prescribed.D, options, SerialContext());
           for (const auto solve : { &ConjugateGradient<double>, &StationaryIteration<double> })
@@ -229,7 +229,7 @@ TEST(TestLeastSquaresCycle, AnyDegreeAndSweeps)
     int previous = 1000;
     for (const int sweeps : { 1, 2, 4 })
     {
-      LeastSquaresCycleOptions options;
+      RoughnessCycleOptions options;
       options.Sweeps = sweeps;
       LeastSquaresCycle cycle(hierarchy, D, options, SerialContext());
       Vector<double> x;
@@ -264,7 +264,7 @@ TEST(TestLeastSquaresCycle, UpdateIsANewCycle)
       const std::vector<Vector<double>> diagonals = { soft(5, 0), 7.0 * soft(5, 0), soft(5, 2),
         hard(5, 0), hard(50, 3), mixed, soft(97, 1), soft(1, 0), soft(5, 0) };
       const auto r = test::RandomVector<double>(problem.Size(), 3423);
-      for (const LeastSquaresCycleOptions& options : { LeastSquaresCycleOptions(), Deep() })
+      for (const RoughnessCycleOptions& options : { RoughnessCycleOptions(), Deep() })
       {
         LeastSquaresCycle updated(hierarchy, diagonals.back(), options, SerialContext());
         for (std::size_t k = 0; k < diagonals.size(); ++k)

@@ -145,6 +145,48 @@ TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
   }
 }
 
+// With another diagonal, and where it is infinite, without those unknowns.
+TYPED_TEST(TestSmoother, ShiftedIsGaussSeidelOfTheSum)
+{
+  const ColouredGrid<TypeParam> grid(4, true);
+  Vector<double> inverse(grid.Size());
+  Matrix<TypeParam> A(grid.A);
+  for (int i = 0; i < grid.Size(); ++i)
+  {
+    inverse[i] = i % 7 == 2 ? 0.0 : 1.0 / (1.0 + i % 3);
+    A(i, i) = i % 7 == 2 ? 1.0 : 1.0 + i % 3;
+    if (i % 7 == 2)
+    {
+      A.row(i).head(i).setZero();
+      A.row(i).tail(grid.Size() - 1 - i).setZero();
+      A.col(i).head(i).setZero();
+      A.col(i).tail(grid.Size() - 1 - i).setZero();
+    }
+  }
+  const auto withoutHeld = [&inverse](const Vector<TypeParam>& v) {
+    return Vector<TypeParam>((inverse.array() > 0.0).template cast<TypeParam>() * v.array());
+  };
+  const Vector<TypeParam> b = withoutHeld(test::RandomVector<TypeParam>(grid.Size(), 2803));
+  for (const int sweeps : { 1, 2, 3 })
+  {
+    SCOPED_TRACE(sweeps);
+    const auto smoother = Smoother<TypeParam>::NewShifted(
+      grid.Parts, inverse, { SmootherKind::GaussSeidel, sweeps, sweeps });
+    Vector<TypeParam> x(grid.Size()), r(grid.Size());
+    smoother->PreSmooth(b, x, r, SerialContext());
+    Vector<TypeParam> expected = Vector<TypeParam>::Zero(grid.Size());
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+    {
+      const Vector<TypeParam> residual = b - A * expected;
+      expected += sweep % 2 == 0
+        ? Vector<TypeParam>(A.template triangularView<Eigen::Lower>().solve(residual))
+        : Vector<TypeParam>(A.template triangularView<Eigen::Upper>().solve(residual));
+    }
+    EXPECT_LE((x - expected).norm(), 20 * Epsilon * b.norm());
+    EXPECT_LE((withoutHeld(r) - (b - A * expected)).norm(), 20 * Epsilon * b.norm());
+  }
+}
+
 TEST(TestChebyshevSmoother, LeavesThePolynomialOfLottes)
 {
   // On an eigenvector the error is multiplied by W_k(1 - 2 t) / (2 k + 1), where t is the eigenvalue

@@ -1,8 +1,7 @@
-#include "LeastSquaresProblem.h"
+#include "RoughnessProblem.h"
 
 #include "Solvers/ConjugateGradient.h"
 #include "Solvers/DeflatedPreconditioner.h"
-#include "Solvers/LeastSquaresCycle.h"
 #include "Solvers/StationaryIteration.h"
 #include "Support/Permutations.h"
 
@@ -20,14 +19,14 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-LeastSquaresCycleOptions OptionsOfCycle(const SolverOptions& options)
+RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options)
 {
-  LeastSquaresCycleOptions cycle;
+  RoughnessCycleOptions cycle;
   cycle.Sweeps = options.Sweeps * options.FinestSweepsFactor;
   cycle.Coarse.Smoothing.PreSweeps = options.Sweeps;
   cycle.Coarse.Smoothing.PostSweeps = options.Sweeps;
-  // Below, interpolations are not smoothed. A second cycle costs little on so few unknowns, and makes up.
-  cycle.Coarse.Repetitions = 2;
+  cycle.Coarse.Repetitions = options.CoarseCycles;
+  cycle.LargestFactor = options.LargestCoarseFactor;
   return cycle;
 }
 
@@ -59,13 +58,15 @@ private:
 }
 
 /// All vectors are in the order of the hierarchy. The equations are divided by the smoothness weight.
-class LeastSquaresProblem::Internals
+class RoughnessProblem::Internals
 {
 public:
-  Internals(std::shared_ptr<const LeastSquaresSurface> surface, const SolverOptions& options)
+  Internals(std::shared_ptr<const RoughnessSurface> surface, const SolverOptions& options,
+    const SolverChoice& choice)
     : Surface(std::move(surface))
-    , Places(Inverse(this->Surface->Hierarchy.Order))
+    , Places(Inverse(this->Surface->Hierarchy->Order))
     , Options(options)
+    , Choice(choice)
   {
   }
 
@@ -73,18 +74,19 @@ public:
   Vector<double> RightHandSide(const Vector<double>& values, const ExecutionContext& context) const;
   Vector<double> InOrder(const Vector<double>& all) const
   {
-    return all.size() > 0 ? Vector<double>(all(this->Surface->Hierarchy.Order)) : all;
+    return all.size() > 0 ? Vector<double>(all(this->Surface->Hierarchy->Order)) : all;
   }
 
-  const std::shared_ptr<const LeastSquaresSurface> Surface;
+  const std::shared_ptr<const RoughnessSurface> Surface;
   const std::vector<int> Places; ///< of the caller's unknowns
   const SolverOptions Options;
+  const SolverChoice Choice;
   PrescribedUnknowns Prescribed;
   double Smoothness = 1.0;
   Vector<double> D; ///< infinite where an unknown is not free
   int NumberOfFree = 0;
-  std::optional<LeastSquaresOperator> A;
-  std::optional<LeastSquaresCycle> Cycle;
+  std::unique_ptr<LinearOperator<double>> A;
+  std::unique_ptr<RoughnessCycle> Cycle;
   std::optional<DeflatedPreconditioner> Deflated;
   SolveReport Report;
   std::vector<std::string> SystemWarnings;
@@ -93,11 +95,11 @@ private:
   void Deflate(const ExecutionContext& context);
 };
 
-void LeastSquaresProblem::Internals::Prescribe(
+void RoughnessProblem::Internals::Prescribe(
   PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
 {
   const auto start = std::chrono::steady_clock::now();
-  const LeastSquaresHierarchy& hierarchy = this->Surface->Hierarchy;
+  const RoughnessHierarchy& hierarchy = *this->Surface->Hierarchy;
   const bool isHard = prescribed.Kind == ConstraintKind::Hard;
   this->Prescribed = std::move(prescribed);
   this->Smoothness = isHard ? 1.0 : smoothness;
@@ -132,28 +134,28 @@ void LeastSquaresProblem::Internals::Prescribe(
 
   this->Deflated.reset();
   this->A.reset();
-  this->A.emplace(hierarchy, this->D);
+  this->A = hierarchy.Operator(this->D);
   if (this->Cycle)
   {
     this->Cycle->Update(this->D, PartOfContext(context, 0.1, 0.9));
   }
   else
   {
-    this->Cycle.emplace(hierarchy, this->D, OptionsOfCycle(this->Options),
-      PartOfContext(context, 0.1, 0.9));
+    this->Cycle = hierarchy.Cycle(
+      this->D, OptionsOfCycle(this->Options), PartOfContext(context, 0.1, 0.9));
   }
   this->Report.Levels = this->Cycle->Levels();
   this->Report.Bytes = hierarchy.Bytes() + this->Cycle->Bytes();
   this->Deflate(context);
   this->Report.Solver =
-    NameOf(this->Options.Kind) + " on " + this->Surface->Name + this->Surface->KernelNote;
+    NameOf(this->Choice.Kind) + " on " + this->Surface->Name + this->Choice.Reason + this->Surface->KernelNote;
   this->Report.Warnings = this->SystemWarnings;
   this->Report.PrepareSeconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   context.Checkpoint(1.0);
 }
 
-void LeastSquaresProblem::Internals::Deflate(const ExecutionContext& context)
+void RoughnessProblem::Internals::Deflate(const ExecutionContext& context)
 {
   Eigen::MatrixXd kernel = this->Surface->Kernel;
   if (kernel.cols() == 0)
@@ -166,7 +168,7 @@ void LeastSquaresProblem::Internals::Deflate(const ExecutionContext& context)
   {
     if (std::isfinite(this->D[i]))
     {
-      const double scale = this->Surface->Hierarchy.Scales[i];
+      const double scale = this->Surface->Hierarchy->Scales[i];
       energies += (scale * scale + this->D[i]) * kernel.row(i).transpose().cwiseAbs2();
     }
     else
@@ -186,7 +188,7 @@ void LeastSquaresProblem::Internals::Deflate(const ExecutionContext& context)
   }
 }
 
-Vector<double> LeastSquaresProblem::Internals::RightHandSide(
+Vector<double> RoughnessProblem::Internals::RightHandSide(
   const Vector<double>& values, const ExecutionContext& context) const
 {
   const std::vector<int>& unknowns = this->Prescribed.Unknowns;
@@ -197,11 +199,11 @@ Vector<double> LeastSquaresProblem::Internals::RightHandSide(
   }
   if (this->Prescribed.Kind == ConstraintKind::Hard)
   {
-    // - B_f^T B_b y
-    const LeastSquaresOperator roughness(
-      this->Surface->Hierarchy, Vector<double>::Zero(this->D.size()));
+    // - R_fb y
+    const auto roughness =
+      this->Surface->Hierarchy->Operator(Vector<double>::Zero(this->D.size()));
     Vector<double> pull;
-    roughness.Apply(b, pull, context);
+    roughness->Apply(b, pull, context);
     b = -pull;
   }
   for (Eigen::Index i = 0; i < b.size(); ++i)
@@ -218,35 +220,35 @@ Vector<double> LeastSquaresProblem::Internals::RightHandSide(
   return b;
 }
 
-LeastSquaresProblem::LeastSquaresProblem(std::shared_ptr<const LeastSquaresSurface> surface,
+RoughnessProblem::RoughnessProblem(std::shared_ptr<const RoughnessSurface> surface,
   PrescribedUnknowns prescribed, double smoothness, const SolverOptions& options,
-  const ExecutionContext& context)
-  : Internal(std::make_unique<Internals>(std::move(surface), options))
+  const SolverChoice& choice, const ExecutionContext& context)
+  : Internal(std::make_unique<Internals>(std::move(surface), options, choice))
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
 }
 
-LeastSquaresProblem::~LeastSquaresProblem() = default;
+RoughnessProblem::~RoughnessProblem() = default;
 
-LeastSquaresProblem::LeastSquaresProblem(LeastSquaresProblem&&) noexcept = default;
+RoughnessProblem::RoughnessProblem(RoughnessProblem&&) noexcept = default;
 
-void LeastSquaresProblem::Update(
+void RoughnessProblem::Update(
   PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
 }
 
-int LeastSquaresProblem::NumberOfFree() const
+int RoughnessProblem::NumberOfFree() const
 {
   return this->Internal->NumberOfFree;
 }
 
-const SolveReport& LeastSquaresProblem::Report() const
+const SolveReport& RoughnessProblem::Report() const
 {
   return this->Internal->Report;
 }
 
-Vector<double> LeastSquaresProblem::Solve(const Vector<double>& values,
+Vector<double> RoughnessProblem::Solve(const Vector<double>& values,
   const Vector<double>& start, const Vector<double>& reference, const StoppingCriteria& stop,
   const ExecutionContext& context)
 {
@@ -286,7 +288,7 @@ Vector<double> LeastSquaresProblem::Solve(const Vector<double>& values,
       of.Deflated->RemoveKernel(x);
     }
   }
-  const auto solve = of.Options.Kind == SolverKind::VCycles ? &StationaryIteration<double>
+  const auto solve = of.Choice.Kind == SolverKind::VCycles ? &StationaryIteration<double>
                                                             : &ConjugateGradient<double>;
   solve(*A, *cycle, b, stop, x, of.Report, context, &measure);
   if (of.Prescribed.Kind == ConstraintKind::Hard)

@@ -1,4 +1,4 @@
-#include "LeastSquaresProblem.h"
+#include "RoughnessProblem.h"
 
 #include "HarmonicField.h"
 #include "HarmonicForms.h"
@@ -24,7 +24,9 @@ using namespace dmg::test;
 namespace
 {
 
-constexpr Discretisation Kinds[] = { Discretisation::FaceField, Discretisation::OneForm };
+constexpr Discretisation Squares[] = { Discretisation::FaceField, Discretisation::OneForm };
+constexpr Discretisation Kinds[] = { Discretisation::FaceField, Discretisation::OneForm,
+  Discretisation::PowerField };
 constexpr ConstraintKind BothConstraints[] = { ConstraintKind::Soft, ConstraintKind::Hard };
 
 FieldOptions OptionsOf(Discretisation kind, SolverKind solver = SolverKind::ConjugateGradients)
@@ -60,7 +62,7 @@ struct Prepared
     this->Operators =
       BuildSurfaceHierarchy(this->Mesh, options, SerialContext(), { false, false, false })
         .Operators;
-    this->Levels = MakeLeastSquaresSurface(
+    this->Levels = MakeRoughnessSurface(
       this->Mesh, this->Frames, &this->Operators, OptionsOf(kind), SerialContext());
   }
 
@@ -90,35 +92,31 @@ struct Prepared
 
   PrescribedUnknowns Prescribed(const Elements& elements, const FieldWeights& weights) const
   {
+    // The areas of faces pull at powers as they do at vectors.
     return this->IsForm() ? PrescribedUnknownsOf(this->Mesh,
                               PrescribedEdges{ elements.Numbers, elements.Weights }, weights)
                           : PrescribedUnknownsOf(this->Mesh,
                               PrescribedFaces{ elements.Numbers, elements.Weights }, weights);
   }
 
-  LeastSquaresProblem Problem(const Elements& elements, const FieldWeights& weights,
+  RoughnessProblem Problem(const Elements& elements, const FieldWeights& weights,
     SolverKind solver = SolverKind::ConjugateGradients) const
   {
     SolverOptions options;
-    options.Kind = solver;
     options.FinestSweepsFactor = 2;
-    return LeastSquaresProblem(this->Levels, this->Prescribed(elements, weights),
-      weights.Smoothness, options, SerialContext());
+    return RoughnessProblem(this->Levels, this->Prescribed(elements, weights),
+      weights.Smoothness, options, { solver, "" }, SerialContext());
   }
 
-  /// The same by factoring the matrix of the system, which does not come from squares.
-  HarmonicProblem<double> Factored(const Elements& elements, const FieldWeights& weights) const
+  /// The same by factoring the matrix of the system, which is assembled otherwise.
+  FieldProblem Factored(const Elements& elements, const FieldWeights& weights) const
   {
-    SolverOptions options;
-    options.Kind = SolverKind::Cholesky;
-    const auto makeSystem = [&](const ExecutionContext& context)
-    {
-      return this->IsForm()
-        ? MakeOneFormSystem(this->Mesh, { elements.Numbers, elements.Weights }, weights, context)
-        : MakeFaceFieldSystem(
-            this->Mesh, this->Frames, { elements.Numbers, elements.Weights }, weights, context);
-    };
-    return HarmonicProblem<double>(makeSystem, {}, options, SerialContext());
+    FieldOptions options = OptionsOf(this->Kind, SolverKind::Cholesky);
+    options.Smoothness = weights.Smoothness;
+    options.Alignment = weights.Alignment;
+    options.Constraints = weights.Constraints;
+    return FieldProblem(this->Mesh, this->Frames, nullptr, { elements.Numbers, elements.Weights, {} },
+      options, SerialContext());
   }
 
   Vector<double> RandomValues(const Elements& elements, unsigned seed) const
@@ -141,12 +139,13 @@ struct Prepared
   const TriangleMesh Mesh;
   const TangentFrames Frames;
   ProlongationOperators Operators;
-  std::shared_ptr<const LeastSquaresSurface> Levels;
+  std::shared_ptr<const RoughnessSurface> Levels;
 };
 
 std::string Describe(Discretisation kind, ConstraintKind constraints)
 {
-  return std::string(kind == Discretisation::OneForm ? "1-form" : "face field") +
+  const bool isFace = kind == Discretisation::FaceField;
+  return std::string(kind == Discretisation::OneForm ? "1-form" : isFace ? "face field" : "powers") +
     (constraints == ConstraintKind::Soft ? ", soft" : ", hard");
 }
 
@@ -173,7 +172,7 @@ std::vector<int> UnknownsOfFaces(const Prepared& on, int firstFace)
 
 }
 
-TEST(LeastSquaresProblem, AgreesWithCholesky)
+TEST(RoughnessProblem, AgreesWithCholesky)
 {
   for (const Surface& surface :
     { IrregularTorus(28, 14, 4), IrregularPlane(20, 16, 5), TorusAndSphere().Both })
@@ -189,12 +188,12 @@ TEST(LeastSquaresProblem, AgreesWithCholesky)
         for (const double smoothness : { 1.0, 0.05, 30.0 })
         {
           const FieldWeights weights = { smoothness, 1.5, constraints };
-          HarmonicProblem<double> factored = on.Factored(elements, weights);
+          FieldProblem factored = on.Factored(elements, weights);
           const Vector<double> expected = factored.Solve(values, {}, Tight(), SerialContext());
           const IterationReport& best = factored.Report().Iterations.back();
           for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
           {
-            LeastSquaresProblem problem = on.Problem(elements, weights, solver);
+            RoughnessProblem problem = on.Problem(elements, weights, solver);
             const Vector<double> field =
               problem.Solve(values, {}, expected, Tight(), SerialContext());
             const SolveReport& report = problem.Report();
@@ -216,7 +215,7 @@ TEST(LeastSquaresProblem, AgreesWithCholesky)
 
 // Cotangents of faces without area make matrices of 1-forms so uneven that rounding errors alone
 // are 1e-9 or so of a right-hand side.
-TEST(LeastSquaresProblem, FacesWithoutArea)
+TEST(RoughnessProblem, FacesWithoutArea)
 {
   for (const Discretisation kind : Kinds)
   {
@@ -229,10 +228,10 @@ TEST(LeastSquaresProblem, FacesWithoutArea)
       for (const double smoothness : { 1.0, 0.05, 30.0 })
       {
         const FieldWeights weights = { smoothness, 1.5, constraints };
-        HarmonicProblem<double> factored = on.Factored(elements, weights);
+        FieldProblem factored = on.Factored(elements, weights);
         const Vector<double> expected = factored.Solve(values, {}, {}, SerialContext());
         const double best = factored.Report().Iterations.back().Energy;
-        LeastSquaresProblem problem = on.Problem(elements, weights);
+        RoughnessProblem problem = on.Problem(elements, weights);
         const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
         EXPECT_TRUE(problem.Report().Converged);
         EXPECT_LE((field - expected).norm(), 1e-3 * expected.norm());
@@ -242,7 +241,7 @@ TEST(LeastSquaresProblem, FacesWithoutArea)
   }
 }
 
-TEST(LeastSquaresProblem, HardConstraintsHoldExactly)
+TEST(RoughnessProblem, HardConstraintsHoldExactly)
 {
   for (const Discretisation kind : Kinds)
   {
@@ -250,7 +249,7 @@ TEST(LeastSquaresProblem, HardConstraintsHoldExactly)
     const FieldWeights weights = { 1.0, 1.0, ConstraintKind::Hard };
     const Elements elements = on.Every(31, 2);
     const Vector<double> values = on.RandomValues(elements, 3702);
-    LeastSquaresProblem problem = on.Problem(elements, weights);
+    RoughnessProblem problem = on.Problem(elements, weights);
     const PrescribedUnknowns prescribed = on.Prescribed(elements, weights);
     EXPECT_EQ(
       problem.NumberOfFree(), on.NumberOfUnknowns() - static_cast<int>(prescribed.Unknowns.size()));
@@ -261,7 +260,7 @@ TEST(LeastSquaresProblem, HardConstraintsHoldExactly)
 }
 
 // What no prescription reaches is zero, and is said to be.
-TEST(LeastSquaresProblem, UnreachedComponentsAreZero)
+TEST(RoughnessProblem, UnreachedComponentsAreZero)
 {
   const TorusAndSphere surface;
   const int facesOfTorus = static_cast<int>(surface.Torus.F.rows());
@@ -286,7 +285,7 @@ TEST(LeastSquaresProblem, UnreachedComponentsAreZero)
       ASSERT_GT(elements.Numbers.size(), 10u);
       const FieldWeights weights = { 1.0, 1.0, constraints };
       const Vector<double> values = on.RandomValues(elements, 3703);
-      LeastSquaresProblem problem = on.Problem(elements, weights);
+      RoughnessProblem problem = on.Problem(elements, weights);
       const std::string expected =
         WarningAboutUnreached(static_cast<int>(ofSphere.size()), on.NumberOfUnknowns());
       EXPECT_EQ(problem.Report().Warnings, std::vector<std::string>{ expected });
@@ -299,7 +298,7 @@ TEST(LeastSquaresProblem, UnreachedComponentsAreZero)
       EXPECT_TRUE(problem.Report().Converged);
       EXPECT_EQ(problem.Report().Warnings, std::vector<std::string>{ expected });
       EXPECT_EQ(field(ofSphere).norm(), 0.0);
-      HarmonicProblem<double> factored = on.Factored(elements, weights);
+      FieldProblem factored = on.Factored(elements, weights);
       const Vector<double> reference = factored.Solve(values, {}, Tight(), SerialContext());
       EXPECT_LE((field - reference).norm(), 1e-7 * reference.norm());
     }
@@ -307,7 +306,7 @@ TEST(LeastSquaresProblem, UnreachedComponentsAreZero)
 }
 
 // The field depends on the ratio of the two weights, the energy on both.
-TEST(LeastSquaresProblem, WeightsCountByTheirRatio)
+TEST(RoughnessProblem, WeightsCountByTheirRatio)
 {
   for (const Discretisation kind : Kinds)
   {
@@ -316,7 +315,7 @@ TEST(LeastSquaresProblem, WeightsCountByTheirRatio)
     const Vector<double> values = on.RandomValues(elements, 3704);
     const auto solve = [&](double factor)
     {
-      LeastSquaresProblem problem =
+      RoughnessProblem problem =
         on.Problem(elements, { 0.5 * factor, 3.0 * factor, ConstraintKind::Soft });
       const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
       return std::pair(field, problem.Report().Iterations.back().Energy);
@@ -330,7 +329,7 @@ TEST(LeastSquaresProblem, WeightsCountByTheirRatio)
 }
 
 // A problem that was updated is the problem that a new one would be, whatever it was before.
-TEST(LeastSquaresProblem, UpdateIsANewProblem)
+TEST(RoughnessProblem, UpdateIsANewProblem)
 {
   const TorusAndSphere surface;
   for (const Discretisation kind : Kinds)
@@ -352,13 +351,13 @@ TEST(LeastSquaresProblem, UpdateIsANewProblem)
       { on.Every(23, 1, few), { 1.0, 1.0, ConstraintKind::Hard } },
       { on.Every(31), { 1.0, 1.0, ConstraintKind::Soft } },
     };
-    LeastSquaresProblem updated = on.Problem(cases[1].Of, cases[1].Weights);
+    RoughnessProblem updated = on.Problem(cases[1].Of, cases[1].Weights);
     for (std::size_t k = 0; k < cases.size(); ++k)
     {
       SCOPED_TRACE(Describe(kind, cases[k].Weights.Constraints) + ", case " + std::to_string(k));
       const auto& [elements, weights] = cases[k];
       updated.Update(on.Prescribed(elements, weights), weights.Smoothness, SerialContext());
-      LeastSquaresProblem fresh = on.Problem(elements, weights);
+      RoughnessProblem fresh = on.Problem(elements, weights);
       EXPECT_EQ(updated.NumberOfFree(), fresh.NumberOfFree());
       EXPECT_EQ(updated.Report().Warnings, fresh.Report().Warnings);
       EXPECT_EQ(updated.Report().Solver, fresh.Report().Solver);
@@ -374,7 +373,7 @@ TEST(LeastSquaresProblem, UpdateIsANewProblem)
   }
 }
 
-TEST(LeastSquaresProblem, StartsWhereItIsTold)
+TEST(RoughnessProblem, StartsWhereItIsTold)
 {
   for (const Discretisation kind : Kinds)
   {
@@ -385,7 +384,7 @@ TEST(LeastSquaresProblem, StartsWhereItIsTold)
       const Elements elements = on.Every(31);
       const FieldWeights weights = { 1.0, 1.0, constraints };
       Vector<double> values = on.RandomValues(elements, 3706);
-      LeastSquaresProblem problem = on.Problem(elements, weights);
+      RoughnessProblem problem = on.Problem(elements, weights);
       const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
       const std::size_t cold = problem.Report().Iterations.size();
       problem.Solve(values, field, {}, {}, SerialContext());
@@ -408,9 +407,9 @@ TEST(LeastSquaresProblem, StartsWhereItIsTold)
 }
 
 // A torus has two harmonic fields, which a face or two hold weakly. Cycles know them.
-TEST(LeastSquaresProblem, FewPrescriptionsOnATorus)
+TEST(RoughnessProblem, FewPrescriptionsOnATorus)
 {
-  for (const Discretisation kind : Kinds)
+  for (const Discretisation kind : Squares)
   {
     const Prepared on(IrregularTorus(56, 24, 4), kind);
     EXPECT_EQ(on.Levels->Kernel.cols(), 2);
@@ -420,11 +419,11 @@ TEST(LeastSquaresProblem, FewPrescriptionsOnATorus)
       const Elements elements = { { 7, 200, 901 }, { 1.0, 0.01, 1.0 } };
       const FieldWeights weights = { 100.0, 0.01, constraints };
       const Vector<double> values = on.RandomValues(elements, 3707);
-      LeastSquaresProblem problem = on.Problem(elements, weights);
+      RoughnessProblem problem = on.Problem(elements, weights);
       const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
       EXPECT_TRUE(problem.Report().Converged);
       EXPECT_LE(problem.Report().Iterations.back().Iteration, 15);
-      HarmonicProblem<double> factored = on.Factored(elements, weights);
+      FieldProblem factored = on.Factored(elements, weights);
       const Vector<double> expected = factored.Solve(values, {}, Tight(), SerialContext());
       EXPECT_LE((field - expected).norm(), 1e-4 * expected.norm());
     }
@@ -433,11 +432,11 @@ TEST(LeastSquaresProblem, FewPrescriptionsOnATorus)
 
 // One edge determines one of the two harmonic fields: their combination that is largest there, as the
 // other vanishes there and is left out. It costs nothing and meets the prescription.
-TEST(LeastSquaresProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
+TEST(RoughnessProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
 {
   const Prepared on(IrregularTorus(28, 14, 4), Discretisation::OneForm);
   const int edge = 7;
-  LeastSquaresProblem problem =
+  RoughnessProblem problem =
     on.Problem({ { edge }, { 1.0 } }, { 1.0, 1.0, ConstraintKind::Soft });
   const double value = 2.5;
   const Vector<double> field =
@@ -452,12 +451,12 @@ TEST(LeastSquaresProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
   EXPECT_LE((field - expected).norm(), 1e-6 * expected.norm());
 }
 
-TEST(LeastSquaresProblem, ReportsProgressOnceAndStopsWhenAsked)
+TEST(RoughnessProblem, ReportsProgressOnceAndStopsWhenAsked)
 {
   const Prepared on(IrregularTorus(28, 14, 4), Discretisation::FaceField);
   const FieldWeights weights;
-  SolverOptions options;
-  options.Kind = SolverKind::ConjugateGradients;
+  const SolverOptions options;
+  const SolverChoice choice = { SolverKind::ConjugateGradients, "" };
   const PrescribedUnknowns prescribed = on.Prescribed(on.Every(31), weights);
   for (const bool isUpdate : { false, true })
   {
@@ -465,7 +464,7 @@ TEST(LeastSquaresProblem, ReportsProgressOnceAndStopsWhenAsked)
     {
       const SerialContext serial;
       const ExecutionContext& first = isUpdate ? serial : context;
-      LeastSquaresProblem problem(on.Levels, prescribed, 1.0, options, first);
+      RoughnessProblem problem(on.Levels, prescribed, 1.0, options, choice, first);
       if (isUpdate)
       {
         problem.Update(on.Prescribed(on.Every(7), weights), 2.0, context);
@@ -497,7 +496,7 @@ TEST(FieldProblem, TakesLevelsOrMakesThem)
       options.Constraints = constraints;
       options.Smoothness = 0.7;
       const FieldConstraints prescribed = on.Constraints(on.Every(31), 3708);
-      const auto solve = [&](std::shared_ptr<const LeastSquaresSurface> levels)
+      const auto solve = [&](std::shared_ptr<const RoughnessSurface> levels)
       {
         FieldProblem problem(on.Mesh, on.Frames, &on.Operators, prescribed, options,
           SerialContext(), std::move(levels));
@@ -514,7 +513,7 @@ TEST(FieldProblem, TakesLevelsOrMakesThem)
       // Thread counts of levels and of problems do not matter either.
       const TbbContext threads(3);
       EXPECT_EQ(
-        solve(MakeLeastSquaresSurface(on.Mesh, on.Frames, &on.Operators, options, threads)), made);
+        solve(MakeRoughnessSurface(on.Mesh, on.Frames, &on.Operators, options, threads)), made);
     }
   }
 }
@@ -526,7 +525,7 @@ TEST(FieldProblem, LevelsAreMadeOnlyWhereCyclesNeedThem)
     const Prepared on(IrregularTorus(28, 14, 4), kind);
     const auto areMade = [&on](const FieldOptions& options, const ProlongationOperators* operators)
     {
-      return MakeLeastSquaresSurface(on.Mesh, on.Frames, operators, options, SerialContext()) !=
+      return MakeRoughnessSurface(on.Mesh, on.Frames, operators, options, SerialContext()) !=
         nullptr;
     };
     EXPECT_TRUE(areMade(OptionsOf(kind), &on.Operators));
@@ -541,7 +540,6 @@ TEST(FieldProblem, LevelsAreMadeOnlyWhereCyclesNeedThem)
     options = OptionsOf(kind);
     options.Solver.StartingLevel = 1;
     EXPECT_FALSE(areMade(options, &on.Operators));
-    EXPECT_FALSE(areMade(OptionsOf(Discretisation::PowerField), &on.Operators));
   }
 }
 

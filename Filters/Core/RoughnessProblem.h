@@ -1,8 +1,8 @@
-#ifndef dmgLeastSquaresProblem_h
-#define dmgLeastSquaresProblem_h
+#ifndef dmgRoughnessProblem_h
+#define dmgRoughnessProblem_h
 
 #include "SolverChoice.h"
-#include "Solvers/LeastSquaresHierarchy.h"
+#include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SolveReport.h"
 #include "Solvers/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
@@ -14,12 +14,12 @@
 namespace dmg
 {
 
-/// What cycles for face fields or 1-forms need of a surface, whatever is prescribed: the last part of
-/// the set-up. All in the order of the hierarchy.
-struct LeastSquaresSurface
+/// What cycles need of a surface, whatever is prescribed: the last part of the set-up. All in the order of
+/// the hierarchy.
+struct RoughnessSurface
 {
   std::string Name; ///< says in reports what the coarse levels hold
-  LeastSquaresHierarchy Hierarchy;
+  std::unique_ptr<const RoughnessHierarchy> Hierarchy;
   /// Of the inner product that errors are measured in.
   Vector<double> Mass;
   /// Harmonic fields, a column each, orthonormal. Cycles hold them only nearly.
@@ -27,20 +27,21 @@ struct LeastSquaresSurface
   std::string KernelNote; ///< for reports: why Kernel is left out, or empty
 };
 
-/// The problem of HarmonicSystem where the roughness is a sum of squares |B x|^2, by cycles on them: the
-/// system stage, and the solve stage on top of it. No matrix of all unknowns is ever formed.
-class LeastSquaresProblem
+/// The problem of HarmonicSystem by cycles that keep roughness and prescriptions apart: the system stage,
+/// and the solve stage on top of it. Unknowns are real; those of power fields are pairs.
+class RoughnessProblem
 {
 public:
   /// System.
   /// \param smoothness weight of the roughness, > 0.
-  /// \param options Kind is VCycles or ConjugateGradients.
+  /// \param options of cycles; Kind does not count.
+  /// \param choice VCycles or ConjugateGradients, and why.
   /// \throw SolverFailure, Cancelled
-  LeastSquaresProblem(std::shared_ptr<const LeastSquaresSurface> surface,
+  RoughnessProblem(std::shared_ptr<const RoughnessSurface> surface,
     PrescribedUnknowns prescribed, double smoothness, const SolverOptions& options,
-    const ExecutionContext& context);
-  ~LeastSquaresProblem();
-  LeastSquaresProblem(LeastSquaresProblem&&) noexcept;
+    const SolverChoice& choice, const ExecutionContext& context);
+  ~RoughnessProblem();
+  RoughnessProblem(RoughnessProblem&&) noexcept;
 
   /// Takes other prescribed unknowns or weights: numbers only, no pattern changes. After an error the
   /// problem must not be used.

@@ -1,0 +1,97 @@
+#ifndef dmgArrangedMatrix_h
+#define dmgArrangedMatrix_h
+
+#include "Support/ExecutionContext.h"
+#include "Support/SparseKernels.h"
+#include "Support/Types.h"
+
+#include <algorithm>
+#include <vector>
+
+/// Parts of matrices in another order, scaled, and in numbers of another kind: what cycles work on.
+namespace dmg
+{
+
+/// The entries of A with keep(place of row, place of column), in another order and scaled: entry
+/// (i, j) becomes rowScale_i a_ij columnScale_j. Columns of a row are in any order.
+template <class Value, class Scalar, class Keep>
+void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
+  const std::vector<int>& columnPlaces, const Vector<double>& rowScale,
+  const Vector<double>& columnScale, const Keep& keep, SparseMatrix<Value>& result,
+  const ExecutionContext& context)
+{
+  const int rows = static_cast<int>(A.rows());
+  const int* offsetsOfA = A.outerIndexPtr();
+  const int* columnsOfA = A.innerIndexPtr();
+  const Scalar* valuesOfA = A.valuePtr();
+  std::vector<int> offsets(rows + 1, 0);
+  constexpr int RowGrain = 4096;
+  context.ParallelFor(0, rows, RowGrain,
+    [offsetsOfA, columnsOfA, &rowOrder, &columnPlaces, &keep, &offsets](int first, int last)
+    {
+      for (int k = first; k < last; ++k)
+      {
+        const int i = rowOrder[k];
+        int count = 0;
+        for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
+        {
+          count += keep(k, columnPlaces[columnsOfA[m]]) ? 1 : 0;
+        }
+        offsets[k + 1] = count;
+      }
+    });
+  result.resize(rows, A.cols());
+  result.resizeNonZeros(OffsetsFromCounts(offsets));
+  std::copy(offsets.begin(), offsets.end(), result.outerIndexPtr());
+  int* columns = result.innerIndexPtr();
+  Value* values = result.valuePtr();
+  context.ParallelFor(0, rows, RowGrain,
+    [offsetsOfA, columnsOfA, valuesOfA, columns, values, &rowOrder, &columnPlaces, &rowScale,
+      &columnScale, &keep, &offsets](int first, int last)
+    {
+      for (int k = first; k < last; ++k)
+      {
+        const int i = rowOrder[k];
+        int to = offsets[k];
+        for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
+        {
+          const int j = columnsOfA[m];
+          if (keep(k, columnPlaces[j]))
+          {
+            columns[to] = columnPlaces[j];
+            values[to] = static_cast<Value>(valuesOfA[m] * (rowScale[i] * columnScale[j]));
+            ++to;
+          }
+        }
+      }
+    });
+}
+
+struct EveryEntry
+{
+  bool operator()(int, int) const { return true; }
+};
+
+/// What is left of the diagonal in the new order, scaled from both sides.
+template <class Value, class Scalar>
+void ArrangeLower(const SparseMatrix<Scalar>& A, const std::vector<int>& order,
+  const std::vector<int>& places, const Vector<double>& scale, SparseMatrix<Value>& lower,
+  const ExecutionContext& context)
+{
+  Arrange(A, order, places, scale, scale,
+    [](int row, int column) { return column < row; }, lower, context);
+}
+
+/// What is right of it.
+template <class Value, class Scalar>
+void ArrangeUpper(const SparseMatrix<Scalar>& A, const std::vector<int>& order,
+  const std::vector<int>& places, const Vector<double>& scale, SparseMatrix<Value>& upper,
+  const ExecutionContext& context)
+{
+  Arrange(A, order, places, scale, scale,
+    [](int row, int column) { return column > row; }, upper, context);
+}
+
+}
+
+#endif

@@ -1,0 +1,219 @@
+#include "Solvers/LaplacianCycle.h"
+
+#include "Support/SparseKernels.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int RowGrain = 4096;
+
+SmootherOptions SweepsOf(const RoughnessCycleOptions& options)
+{
+  SmootherOptions smoothing;
+  smoothing.PreSweeps = smoothing.PostSweeps = options.Sweeps;
+  return smoothing;
+}
+
+}
+
+LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D,
+  const RoughnessCycleOptions& options, const ExecutionContext& context)
+  : Fine(hierarchy)
+  , InverseDiagonal(hierarchy.L.rows())
+  , FineSmoother(
+      Smoother<Single>::NewShifted(hierarchy.A, this->InverseDiagonal, SweepsOf(options)))
+  , b(hierarchy.L.rows())
+  , x(hierarchy.L.rows())
+  , Residual(hierarchy.L.rows())
+{
+  this->SetDiagonal(D);
+  const SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
+  context.Checkpoint(0.3);
+  GalerkinOptions coarsening;
+  if (2 * coarse.rows() <= options.LargestFactor)
+  {
+    coarsening.CoarsestLevel = 0;
+  }
+  this->Hierarchy = std::make_unique<GalerkinHierarchy<Complex>>(
+    coarse, hierarchy.Coarser, coarsening, PartOfContext(context, 0.3, 0.8));
+  this->Coarse = std::make_unique<MultigridCycle<Complex>>(
+    *this->Hierarchy, options.Coarse, PartOfContext(context, 0.8, 1.0));
+  this->Hierarchy->ForgetMatrices();
+}
+
+void LaplacianCycle::Update(const Vector<double>& D, const ExecutionContext& context)
+{
+  this->SetDiagonal(D);
+  const SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
+  this->Hierarchy->Update(coarse, PartOfContext(context, 0.3, 0.8));
+  this->Coarse->Update(PartOfContext(context, 0.8, 1.0));
+  this->Hierarchy->ForgetMatrices();
+}
+
+void LaplacianCycle::SetDiagonal(const Vector<double>& D)
+{
+  assert(D.size() == this->Fine.NumberOfUnknowns());
+  this->Shift.resize(D.size() / 2);
+  this->Held.clear();
+  for (int k = 0; k < static_cast<int>(this->Shift.size()); ++k)
+  {
+    const double scale = this->Fine.Scales[2 * k];
+    this->Shift[k] = D[2 * k] / (scale * scale);
+    if (!std::isfinite(this->Shift[k]))
+    {
+      this->Held.push_back(k);
+      this->InverseDiagonal[k] = 0.0f;
+      continue;
+    }
+    this->InverseDiagonal[k] = static_cast<float>(1.0 / (1.0 + this->Shift[k]));
+  }
+  for (const int k : this->Fine.Isolated)
+  {
+    const double shift = this->Shift[k];
+    this->InverseDiagonal[k] =
+      shift > 0.0 && std::isfinite(shift) ? static_cast<float>(1.0 / shift) : 0.0f;
+  }
+}
+
+SparseMatrix<Complex> LaplacianCycle::CoarseMatrixOfFree(const ExecutionContext& context) const
+{
+  SparseMatrix<Complex> P = this->Fine.Prolongation.cast<Complex>();
+  for (int k = 0; k < static_cast<int>(P.rows()); ++k)
+  {
+    // Held rows are zero, but stay in the pattern, so that it does not depend on D.
+    const double factor =
+      std::isfinite(this->Shift[k]) ? 1.0 / this->Fine.Scales[2 * k] : 0.0;
+    for (int e = P.outerIndexPtr()[k]; e < P.outerIndexPtr()[k + 1]; ++e)
+    {
+      P.valuePtr()[e] *= factor;
+    }
+  }
+  return TripleProduct(Adjoint(P, context), this->Fine.L, P, context);
+}
+
+SparseMatrix<Complex> LaplacianCycle::CoarseMatrix(const ExecutionContext& context) const
+{
+  SparseMatrix<Complex> coarse;
+  if (this->Held.empty())
+  {
+    coarse = this->Fine.CoarseMatrix;
+  }
+  else
+  {
+    SparseMatrix<Complex> ofFree = this->CoarseMatrixOfFree(context);
+    coarse.swap(ofFree); // an assignment would copy
+  }
+  // An unknown with a diagonal entry couples all that it is interpolated from, so the pattern has room
+  // for P^H D P.
+  const auto& P = this->Fine.Prolongation;
+  const auto& R = this->Fine.Restriction;
+  context.ParallelFor(0, static_cast<int>(R.rows()), RowGrain / 16, [&](int first, int last) {
+    for (int j = first; j < last; ++j)
+    {
+      const int* const begin = coarse.innerIndexPtr() + coarse.outerIndexPtr()[j];
+      const int* const end = coarse.innerIndexPtr() + coarse.outerIndexPtr()[j + 1];
+      Complex* const values = coarse.valuePtr() + coarse.outerIndexPtr()[j];
+      for (int e = R.outerIndexPtr()[j]; e < R.outerIndexPtr()[j + 1]; ++e)
+      {
+        const int k = R.innerIndexPtr()[e];
+        if (!(this->Shift[k] > 0.0 && std::isfinite(this->Shift[k])))
+        {
+          continue;
+        }
+        const Complex pull = this->Shift[k] * Complex(R.valuePtr()[e]);
+        for (int m = P.outerIndexPtr()[k]; m < P.outerIndexPtr()[k + 1]; ++m)
+        {
+          const int* const place = std::lower_bound(begin, end, P.innerIndexPtr()[m]);
+          assert(place != end && *place == P.innerIndexPtr()[m]);
+          values[place - begin] += pull * Complex(P.valuePtr()[m]);
+        }
+      }
+    }
+  });
+  return coarse;
+}
+
+void LaplacianCycle::Restrict(const ExecutionContext& context)
+{
+  const auto& R = this->Fine.Restriction;
+  this->CoarseResidual.resize(R.rows());
+  context.ParallelFor(0, static_cast<int>(R.rows()), RowGrain / 4, [&](int first, int last) {
+    for (int j = first; j < last; ++j)
+    {
+      this->CoarseResidual[j] = RowTimes(R, j, this->Residual.data());
+    }
+  });
+}
+
+void LaplacianCycle::Correct(const ExecutionContext& context)
+{
+  const auto& P = this->Fine.Prolongation;
+  const Vector<Single> correction = this->CoarseCorrection.cast<Single>();
+  context.ParallelFor(0, static_cast<int>(P.rows()), RowGrain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      this->x[k] += RowTimes(P, k, correction.data());
+    }
+  });
+  for (const int k : this->Held)
+  {
+    this->x[k] = 0.0f;
+  }
+}
+
+void LaplacianCycle::Apply(
+  const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
+{
+  const Vector<double>& scales = this->Fine.Scales;
+  const int size = static_cast<int>(this->b.size());
+  context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      const double factor = 1.0 / scales[2 * k];
+      this->b[k] = { static_cast<float>(r[2 * k] * factor),
+        static_cast<float>(r[2 * k + 1] * factor) };
+    }
+  });
+  this->FineSmoother->PreSmooth(this->b, this->x, this->Residual, context);
+  for (const int k : this->Held)
+  {
+    this->Residual[k] = 0.0f;
+  }
+  this->Restrict(context);
+  this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
+  this->Correct(context);
+  this->FineSmoother->PostSmooth(this->b, this->x, context);
+  z.resize(r.size());
+  context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      const double factor = 1.0 / scales[2 * k];
+      z[2 * k] = this->x[k].real() * factor;
+      z[2 * k + 1] = this->x[k].imag() * factor;
+    }
+  });
+}
+
+std::vector<LevelReport> LaplacianCycle::Levels() const
+{
+  std::vector<LevelReport> levels = {
+    { static_cast<long long>(this->Fine.L.rows()), static_cast<long long>(this->Fine.L.nonZeros()) }
+  };
+  levels.insert(levels.end(), this->Hierarchy->Levels().begin(), this->Hierarchy->Levels().end());
+  return levels;
+}
+
+long long LaplacianCycle::Bytes() const
+{
+  return this->Hierarchy->Bytes() + this->Coarse->Bytes() +
+    this->b.size() *
+    static_cast<long long>(4 * sizeof(Single) + sizeof(float) + sizeof(double));
+}
+
+}

@@ -1,0 +1,59 @@
+#ifndef dmgLaplacianCycle_h
+#define dmgLaplacianCycle_h
+
+#include "Solvers/GalerkinHierarchy.h"
+#include "Solvers/LaplacianHierarchy.h"
+#include "Solvers/MultigridCycle.h"
+#include "Solvers/RoughnessHierarchy.h"
+#include "Solvers/Smoother.h"
+
+#include <memory>
+#include <vector>
+
+namespace dmg
+{
+
+/// The V-cycle of a LaplacianHierarchy: Gauss-Seidel by colours on the finest level, its smoothed
+/// prolongation, and a MultigridCycle for the levels below.
+class LaplacianCycle : public RoughnessCycle
+{
+public:
+  /// See LaplacianHierarchy::Cycle.
+  LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D,
+    const RoughnessCycleOptions& options, const ExecutionContext& context);
+
+  void Update(const Vector<double>& D, const ExecutionContext& context) override;
+  void Apply(
+    const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override;
+  std::vector<LevelReport> Levels() const override;
+  long long Bytes() const override;
+
+private:
+  using Single = LaplacianHierarchy::Single;
+
+  /// Of the scaled unknowns, from D of the others.
+  void SetDiagonal(const Vector<double>& D);
+  /// P^H (L + D) P.
+  SparseMatrix<Complex> CoarseMatrix(const ExecutionContext& context) const;
+  /// P^H L P where unknowns are held at zero.
+  SparseMatrix<Complex> CoarseMatrixOfFree(const ExecutionContext& context) const;
+  void Restrict(const ExecutionContext& context);
+  void Correct(const ExecutionContext& context);
+
+  const LaplacianHierarchy& Fine;
+  Vector<double> Shift;          ///< D over the diagonal of L
+  Vector<float> InverseDiagonal; ///< of the scaled L + D; 0 where an unknown is held
+  std::vector<int> Held;         ///< at zero
+  std::unique_ptr<Smoother<Single>> FineSmoother;
+  std::unique_ptr<GalerkinHierarchy<Complex>> Hierarchy; ///< of the coarse levels
+  std::unique_ptr<MultigridCycle<Complex>> Coarse;
+  Vector<Single> b; ///< of the scaled unknowns
+  Vector<Single> x;
+  Vector<Single> Residual;
+  Vector<Complex> CoarseResidual;
+  Vector<Complex> CoarseCorrection;
+};
+
+}
+
+#endif

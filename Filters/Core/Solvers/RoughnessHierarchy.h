@@ -1,0 +1,82 @@
+#ifndef dmgRoughnessHierarchy_h
+#define dmgRoughnessHierarchy_h
+
+#include "Solvers/LinearOperator.h"
+#include "Solvers/MultigridCycle.h"
+#include "Solvers/Preconditioner.h"
+#include "Solvers/SolveReport.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <memory>
+#include <vector>
+
+/// Most harmonic fields minimise a roughness x^T R x, which knows the surface alone, and a sum of squares of
+/// prescribed unknowns, a diagonal D. Cycles for A = R + D keep the two apart: what they know of R is part
+/// of the set-up, and another D changes little.
+///
+/// Unknowns are real here; complex numbers are pairs of them.
+namespace dmg
+{
+
+struct RoughnessCycleOptions
+{
+  /// Sweeps on the finest level before and after the coarse correction, >= 1.
+  int Sweeps = 4;
+  /// The first coarse level is factored if it has at most so many unknowns.
+  int LargestFactor = 10000;
+  /// Of the levels below.
+  CycleOptions Coarse;
+};
+
+/// One V-cycle for A = R + D, as a linear operator that is symmetric positive definite. Unknowns are in the
+/// order of the hierarchy, and not scaled.
+class RoughnessCycle : public Preconditioner<double>
+{
+public:
+  /// Takes another D. No pattern changes: what D touches on the finest level, the coarse matrices and the
+  /// factor of the coarsest are computed anew. After an error the cycle must not be used.
+  virtual void Update(const Vector<double>& D, const ExecutionContext& context) = 0;
+
+  /// Unknowns and non-zeros, finest first.
+  virtual std::vector<LevelReport> Levels() const = 0;
+  /// Held by this object, without the hierarchy.
+  virtual long long Bytes() const = 0;
+};
+
+/// What cycles need to know of a roughness R. Its unknowns stand in an order of their own, which those of
+/// its cycles and operators share.
+class RoughnessHierarchy
+{
+public:
+  virtual ~RoughnessHierarchy() = default;
+
+  /// The caller's index of each unknown.
+  std::vector<int> Order;
+  /// A number that an unknown shares with all that it is connected with.
+  std::vector<int> Components;
+  /// How large R is at an unknown: |R_ii| <= Scales_i^2, nearly equal; 1 where R is zero.
+  Vector<double> Scales;
+
+  int NumberOfUnknowns() const { return static_cast<int>(this->Order.size()); }
+
+  /// R + D. Borrows the hierarchy.
+  /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero, and so is its row of A x.
+  virtual std::unique_ptr<LinearOperator<double>> Operator(Vector<double> D) const = 0;
+
+  /// A cycle for R + D. Borrows the hierarchy; several may share it.
+  /// \throw as GalerkinHierarchy.
+  virtual std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
+    const RoughnessCycleOptions& options, const ExecutionContext& context) const = 0;
+
+  /// Held by this object.
+  virtual long long Bytes() const = 0;
+
+protected:
+  RoughnessHierarchy() = default;
+  RoughnessHierarchy(RoughnessHierarchy&&) = default;
+};
+
+}
+
+#endif

@@ -1,0 +1,268 @@
+#include "Solvers/LaplacianCycle.h"
+
+#include "GridProblem.h"
+#include "Support/Errors.h"
+#include "Support/Permutations.h"
+#include "Support/TbbContext.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace dmg;
+using Dense = Eigen::MatrixXcd;
+
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr double SinglePrecision = 1e-6;
+
+/// A grid's Laplacian and its prolongations; the last unknown knows no other.
+struct Problem
+{
+  explicit Problem(int depth, int levels)
+  {
+    auto grid = test::MakeGridProblem<Complex>(depth, levels);
+    this->L = std::move(grid.A);
+    this->P = std::move(grid.P);
+    const int last = static_cast<int>(this->L.rows()) - 1;
+    this->L.prune([last](Eigen::Index i, Eigen::Index j, const Complex&) {
+      return (i == last) == (j == last);
+    });
+    this->L.coeffRef(last, last) = 0.0;
+    this->L.makeCompressed();
+  }
+
+  LaplacianHierarchy Hierarchy(int steps = 2) const
+  {
+    return CoarsenLaplacian(this->L, this->P, steps, SerialContext());
+  }
+
+  int Size() const { return static_cast<int>(this->L.rows()); }
+
+  /// D in the order of the hierarchy: a little nearly everywhere, much here and there.
+  Vector<double> Shift(const LaplacianHierarchy& hierarchy, bool holdsSome) const
+  {
+    Vector<double> D(2 * this->Size());
+    for (int i = 0; i < D.size(); ++i)
+    {
+      const int unknown = hierarchy.Order[i] / 2;
+      const bool isLast = unknown == this->Size() - 1;
+      D[i] = unknown % 7 == 0 && !isLast ? 0.0 : unknown % 5 == 0 ? 100.0 : 0.03;
+      if (holdsSome && unknown % 11 == 3)
+      {
+        D[i] = Infinity;
+      }
+    }
+    return D;
+  }
+
+  SparseMatrix<Complex> L;
+  std::vector<SparseMatrix<Complex>> P;
+};
+
+/// L + D in the order of the hierarchy, from L; held rows and columns are empty but for a one.
+Dense Expected(const Problem& problem, const LaplacianHierarchy& hierarchy, const Vector<double>& D)
+{
+  const Dense L(problem.L);
+  Dense A(problem.Size(), problem.Size());
+  for (int i = 0; i < problem.Size(); ++i)
+  {
+    for (int j = 0; j < problem.Size(); ++j)
+    {
+      const bool isHeld = std::isinf(D[2 * i]) || std::isinf(D[2 * j]);
+      A(i, j) = isHeld ? Complex(0.0) : L(hierarchy.Order[2 * i] / 2, hierarchy.Order[2 * j] / 2);
+      if (i == j)
+      {
+        A(i, i) += std::isinf(D[2 * i]) ? 1.0 : D[2 * i];
+      }
+    }
+  }
+  return A;
+}
+
+Vector<Complex> AsComplex(const Vector<double>& pairs)
+{
+  return Eigen::Map<const Vector<Complex>>(
+    reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
+}
+
+/// Pairs, zero where unknowns are held.
+Vector<double> RandomPairs(const Vector<double>& D, unsigned seed)
+{
+  return D.array().isInf().select(0.0, test::RandomVector<double>(D.size(), seed));
+}
+
+RoughnessCycleOptions Options(int sweeps, int largestFactor)
+{
+  RoughnessCycleOptions options;
+  options.Sweeps = sweeps;
+  options.LargestFactor = largestFactor;
+  return options;
+}
+
+}
+
+TEST(TestLaplacianHierarchy, IsTheMatrixInAnotherOrder)
+{
+  const Problem problem(4, 3);
+  const LaplacianHierarchy hierarchy = problem.Hierarchy();
+  ASSERT_EQ(hierarchy.NumberOfUnknowns(), 2 * problem.Size());
+  for (int k = 0; k < problem.Size(); ++k)
+  {
+    EXPECT_EQ(hierarchy.Order[2 * k] % 2, 0);
+    EXPECT_EQ(hierarchy.Order[2 * k + 1], hierarchy.Order[2 * k] + 1);
+  }
+  const Dense L = Expected(problem, hierarchy, Vector<double>::Zero(2 * problem.Size()));
+  EXPECT_EQ(Dense(hierarchy.L), L);
+
+  const Vector<double> scales = hierarchy.Scales(Eigen::seq(0, Eigen::last, 2));
+  Dense scaled = scales.cwiseInverse().asDiagonal() * L * scales.cwiseInverse().asDiagonal();
+  scaled.diagonal().setZero();
+  const Dense parts = Dense(hierarchy.A.Lower.cast<Complex>()) + Dense(hierarchy.A.Upper.cast<Complex>());
+  EXPECT_LE((parts - scaled).norm(), SinglePrecision * scaled.norm());
+
+  ASSERT_EQ(hierarchy.Isolated.size(), 1u);
+  const int isolated = hierarchy.Isolated[0];
+  EXPECT_EQ(hierarchy.Order[2 * isolated] / 2, problem.Size() - 1);
+  for (int k = 0; k < problem.Size(); ++k)
+  {
+    EXPECT_EQ(hierarchy.Components[2 * k], hierarchy.Components[2 * k + 1]);
+    EXPECT_EQ(hierarchy.Components[2 * k] == hierarchy.Components[2 * isolated], k == isolated);
+  }
+}
+
+TEST(TestLaplacianHierarchy, TheCoarseMatrixIsGalerkins)
+{
+  const Problem problem(4, 3);
+  for (const int steps : { 0, 2 })
+  {
+    const LaplacianHierarchy hierarchy = problem.Hierarchy(steps);
+    const Vector<double> scales = hierarchy.Scales(Eigen::seq(0, Eigen::last, 2));
+    const Dense P =
+      scales.cwiseInverse().asDiagonal() * Dense(hierarchy.Prolongation.cast<Complex>());
+    const Dense expected = P.adjoint() * Dense(hierarchy.L) * P;
+    EXPECT_LE((Dense(hierarchy.CoarseMatrix) - expected).norm(), SinglePrecision * expected.norm());
+    EXPECT_EQ(Dense(hierarchy.Restriction.cast<Complex>()),
+      Dense(hierarchy.Prolongation.cast<Complex>()).adjoint());
+  }
+}
+
+TEST(TestLaplacianHierarchy, OperatorsAddWhatIsPrescribed)
+{
+  const Problem problem(4, 2);
+  const LaplacianHierarchy hierarchy = problem.Hierarchy();
+  for (const bool holdsSome : { false, true })
+  {
+    const Vector<double> D = problem.Shift(hierarchy, holdsSome);
+    const Vector<double> x = RandomPairs(D, 4101);
+    Vector<double> y;
+    const double product = hierarchy.Operator(D)->Apply(x, y, SerialContext());
+    const Vector<Complex> expected = Expected(problem, hierarchy, D) * AsComplex(x);
+    EXPECT_LE((AsComplex(y) - expected).norm(), 1e-13 * expected.norm());
+    EXPECT_NEAR(product, x.dot(y), 1e-12 * product);
+  }
+}
+
+// On two levels with the coarse one factored, errors are swept, lose their part in the coarse space, and
+// are swept by the adjoint.
+TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
+{
+  const Problem problem(4, 2);
+  const LaplacianHierarchy hierarchy = problem.Hierarchy();
+  for (const bool holdsSome : { false, true })
+  {
+    for (const int sweeps : { 1, 2, 3 })
+    {
+      const Vector<double> D = problem.Shift(hierarchy, holdsSome);
+      const Dense A = Expected(problem, hierarchy, D);
+      const Dense identity = Dense::Identity(A.rows(), A.cols());
+      const Vector<double> scales = hierarchy.Scales(Eigen::seq(0, Eigen::last, 2));
+      Dense P = scales.cwiseInverse().asDiagonal() * Dense(hierarchy.Prolongation.cast<Complex>());
+      for (int k = 0; k < problem.Size(); ++k)
+      {
+        if (std::isinf(D[2 * k]))
+        {
+          P.row(k).setZero();
+        }
+      }
+      const Dense coarse = P.adjoint() * A * P;
+      const Dense up = A.triangularView<Eigen::Lower>().solve(identity);
+      Dense swept = identity;
+      for (int sweep = 0; sweep < sweeps; ++sweep)
+      {
+        swept = (identity - (sweep % 2 == 0 ? up : Dense(up.adjoint())) * A) * swept;
+      }
+      const Dense inverse = A.inverse();
+      const Dense corrected = identity - P * coarse.completeOrthogonalDecomposition().solve(P.adjoint() * A);
+      const Dense B = (identity - inverse * swept.adjoint() * A * corrected * swept) * inverse;
+
+      const auto cycle = hierarchy.Cycle(D, Options(sweeps, 1 << 20), SerialContext());
+      const Vector<double> r = RandomPairs(D, 4102);
+      Vector<double> z;
+      cycle->Apply(r, z, SerialContext());
+      const Vector<Complex> expected = B * AsComplex(r);
+      EXPECT_LE((AsComplex(z) - expected).norm(), 1e-5 * expected.norm());
+    }
+  }
+}
+
+TEST(TestLaplacianCycle, UpdateIsANewCycle)
+{
+  const Problem problem(5, 4);
+  const LaplacianHierarchy hierarchy = problem.Hierarchy();
+  const RoughnessCycleOptions options = Options(3, 0);
+  const auto cycle = hierarchy.Cycle(problem.Shift(hierarchy, false), options, SerialContext());
+  EXPECT_EQ(cycle->Levels().size(), 4u);
+  for (const bool holdsSome : { true, false })
+  {
+    const Vector<double> D = 3.0 * problem.Shift(hierarchy, holdsSome);
+    const Vector<double> r = RandomPairs(D, 4103);
+    Vector<double> updated, made;
+    cycle->Update(D, SerialContext());
+    cycle->Apply(r, updated, SerialContext());
+    hierarchy.Cycle(D, options, SerialContext())->Apply(r, made, SerialContext());
+    EXPECT_EQ(updated, made);
+  }
+}
+
+TEST(TestLaplacianCycle, SameBitsForAnyNumberOfThreads)
+{
+  const Problem problem(7, 4);
+  std::vector<Vector<double>> results;
+  for (const int threads : { 1, 2, 3, 8 })
+  {
+    const test::TbbContext context(threads);
+    const LaplacianHierarchy hierarchy = CoarsenLaplacian(problem.L, problem.P, 2, context);
+    const Vector<double> D = problem.Shift(hierarchy, true);
+    const auto cycle = hierarchy.Cycle(D, Options(4, 0), context);
+    Vector<double> z;
+    cycle->Apply(RandomPairs(D, 4104), z, context);
+    results.push_back(z);
+  }
+  for (const Vector<double>& result : results)
+  {
+    EXPECT_EQ(result, results[0]);
+  }
+}
+
+TEST(TestLaplacianHierarchy, RefusesSizesThatDoNotChain)
+{
+  const Problem problem(4, 3);
+  try
+  {
+    CoarsenLaplacian(problem.L, { problem.P[1] }, 0, SerialContext());
+    FAIL() << "nothing was refused";
+  }
+  catch (const InvalidInput& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("the prolongation to level 0 has"), std::string::npos)
+      << error.what();
+  }
+}
