@@ -351,9 +351,9 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& 
 {
   CheckNumberOfDirections(options.N);
   return std::make_unique<LaplacianHierarchy>(
-    CoarsenLaplacian(PowerLaplacian(mesh, faceFrames, options.N, context),
-      OnPowers(operators.Nodal, options.N, context), PowerProlongationSteps,
-      PartOfContext(context, 0.2, 1.0)));
+    CoarsenLaplacian([&](const std::vector<int>& order, const ExecutionContext& part)
+      { return PowerLaplacian(mesh, faceFrames, options.N, order, part); },
+      OnPowers(operators.Nodal, options.N, context), PowerProlongationSteps, context));
 }
 
 /// The harmonic fields of face fields and 1-forms, in the order of the hierarchy. Power fields have none
@@ -392,10 +392,21 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   surface->Name = NameOf(options);
   surface->Hierarchy = (isPower ? HierarchyOfPowers : HierarchyOfSquares)(
     mesh, faceFrames, *operators, options, PartOfContext(context, 0.0, isPower ? 1.0 : 0.8));
-  const Vector<double> mass = options.Kind == Discretisation::OneForm
-    ? PositiveStar1(mesh, context)
-    : MassOfFaceFields(mesh); // of powers, too
-  surface->Mass = mass(surface->Hierarchy->Order);
+  const std::vector<int>& order = surface->Hierarchy->Order;
+  if (isPower)
+  {
+    const Vector<double> mass = MassOfPowerFields(mesh, context);
+    surface->Mass.resize(order.size());
+    for (std::size_t k = 0; k < order.size(); ++k)
+    {
+      surface->Mass[k] = mass[order[k] / 2];
+    }
+  }
+  else
+  {
+    const bool isOneForm = options.Kind == Discretisation::OneForm;
+    surface->Mass = (isOneForm ? PositiveStar1(mesh, context) : MassOfFaceFields(mesh))(order);
+  }
   if (!isPower)
   {
     AddKernel(mesh, faceFrames, options, *surface, PartOfContext(context, 0.8, 1.0));
@@ -456,8 +467,8 @@ namespace
 {
 
 /// Of real unknowns: complex ones are pairs.
-PrescribedUnknowns PrescribedIn(
-  const TriangleMesh& mesh, const FieldConstraints& constraints, const FieldOptions& options)
+PrescribedUnknowns PrescribedIn(const TriangleMesh& mesh, const FieldConstraints& constraints,
+  const FieldOptions& options, const ExecutionContext& context)
 {
   const auto& [elements, weights, values] = constraints;
   switch (options.Kind)
@@ -468,8 +479,8 @@ PrescribedUnknowns PrescribedIn(
       return PrescribedUnknownsOf(mesh, PrescribedFaces{ elements, weights }, WeightsOf(options));
     default:
       CheckNumberOfDirections(options.N);
-      return AsPairs(
-        PrescribedPowersOf(mesh, PrescribedFaces{ elements, weights }, WeightsOf(options)));
+      return AsPairs(PrescribedPowersOf(
+        mesh, PrescribedFaces{ elements, weights }, WeightsOf(options), context));
   }
 }
 
@@ -505,7 +516,7 @@ RoughnessProblem MakeRoughnessProblem(const TriangleMesh& mesh,
   const FieldConstraints& constraints, const FieldOptions& options,
   std::shared_ptr<const RoughnessSurface> surface, const ExecutionContext& context)
 {
-  PrescribedUnknowns prescribed = PrescribedIn(mesh, constraints, options);
+  PrescribedUnknowns prescribed = PrescribedIn(mesh, constraints, options, context);
   const double half = surface ? 0.0 : 0.6;
   if (!surface)
   {
@@ -555,7 +566,7 @@ bool FieldProblem::Update(const TriangleMesh& mesh, const TangentFrames& faceFra
   {
     return false;
   }
-  problem->Update(PrescribedIn(mesh, constraints, options), options.Smoothness, context);
+  problem->Update(PrescribedIn(mesh, constraints, options, context), options.Smoothness, context);
   CheckFree(*problem, options);
   return true;
 }

@@ -79,6 +79,7 @@ ProlongationOperators OperatorsFromSamples(
   operators.NumbersOfEdges.push_back(mesh.NumberOfEdges());
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
   context.Checkpoint(0.0);
+  operators.Nodal.reserve(16); // growth would copy
   const std::vector<int> order = SpatialOrder(mesh, context).Faces();
   TangentGraph points = FaceGraph(mesh, order, context);
   while (points.NumberOfPoints() > FewestSamplesToSample)
@@ -95,7 +96,8 @@ ProlongationOperators OperatorsFromSamples(
       break; // so many pieces of surface, of few faces each
     }
     TangentGraph samples = GraphOfSamples(points, sampling, context);
-    operators.Nodal.push_back(SampledProlongation(sampling, samples, context));
+    TransportOperator prolongation = SampledProlongation(sampling, samples, context);
+    operators.Nodal.emplace_back().swap(prolongation); // Eigen 3.4 would copy it
     operators.NumbersOfVertices.push_back(numberOfSamples);
     operators.NumbersOfEdges.push_back(samples.NumberOfLinks() / 2);
     operators.NumbersOfFaces.push_back(numberOfSamples);
@@ -103,7 +105,8 @@ ProlongationOperators OperatorsFromSamples(
   }
   if (!operators.Nodal.empty())
   {
-    operators.Nodal[0] = RenumberRows(operators.Nodal[0], order, context);
+    TransportOperator renumbered = RenumberRows(operators.Nodal[0], order, context);
+    operators.Nodal[0].swap(renumbered);
   }
   context.Checkpoint(1.0);
   return operators;

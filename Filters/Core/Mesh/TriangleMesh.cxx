@@ -183,13 +183,16 @@ Vector3 TriangleMesh::FaceAreaVector(int face) const
   return (this->Position(corner[1]) - p).cross(this->Position(corner[2]) - p);
 }
 
-Vector<double> TriangleMesh::FaceAreas() const
+Vector<double> TriangleMesh::FaceAreas(const ExecutionContext& context) const
 {
+  constexpr int grain = 4096;
   Vector<double> areas(this->NumberOfFaces());
-  for (int f = 0; f < this->NumberOfFaces(); ++f)
-  {
-    areas[f] = this->FaceArea(f);
-  }
+  context.ParallelFor(0, this->NumberOfFaces(), grain, [this, &areas](int first, int last) {
+    for (int f = first; f < last; ++f)
+    {
+      areas[f] = this->FaceArea(f);
+    }
+  });
   return areas;
 }
 

@@ -2,6 +2,7 @@
 #define dmgTriangleMesh_h
 
 #include "Mesh/MeshChecks.h"
+#include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
 #include <array>
@@ -70,7 +71,7 @@ public:
   /// Area-weighted normal, its length twice the area.
   Vector3 FaceAreaVector(int face) const;
   double FaceArea(int face) const { return 0.5 * this->FaceAreaVector(face).norm(); }
-  Vector<double> FaceAreas() const;
+  Vector<double> FaceAreas(const ExecutionContext& context = SerialContext()) const;
 
 private:
   dmg::Points V;

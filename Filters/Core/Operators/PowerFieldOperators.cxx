@@ -1,5 +1,6 @@
 #include "Operators/PowerFieldOperators.h"
 
+#include "Support/Permutations.h"
 #include "Support/SparseAssembly.h"
 
 #include <algorithm>
@@ -13,6 +14,7 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
+constexpr int Grain = 4096;
 
 /// Keeps |e|^2 / area of slivers finite; relative to |e|^2.
 constexpr double SmallestArea = 1e-6;
@@ -41,40 +43,92 @@ Complex Phase(Complex power)
 }
 
 /// SideDirections of every face, per halfedge.
-std::vector<Complex> AllSideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const ExecutionContext& context = SerialContext())
+std::vector<Complex> AllSideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames)
 {
-  constexpr int Grain = 4096;
   std::vector<Complex> sides(3 * mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
-    for (int face = first; face < last; ++face)
-    {
-      const std::array<Complex, 3> directions = SideDirections(mesh, faceFrames, face);
-      std::copy(directions.begin(), directions.end(), sides.begin() + 3 * face);
-    }
-  });
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const std::array<Complex, 3> directions = SideDirections(mesh, faceFrames, face);
+    std::copy(directions.begin(), directions.end(), sides.begin() + 3 * face);
+  }
   return sides;
 }
 
-/// PowerEdgeWeights of one edge, the same number for both of its halfedges.
-double PowerEdgeWeight(const TriangleMesh& mesh, int halfedge)
+/// PowerEdgeWeights of one edge, the same number for both of its halfedges; it has two faces.
+double PowerEdgeWeight(double squaredLength, double areaOfBothFaces)
 {
-  const int twin = mesh.Twin(halfedge);
-  const double squaredLength =
-    (mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge))).squaredNorm();
-  if (twin < 0 || squaredLength == 0.0)
-  {
-    return 0.0;
-  }
-  const double area =
-    mesh.FaceArea(TriangleMesh::FaceOf(halfedge)) + mesh.FaceArea(TriangleMesh::FaceOf(twin));
-  return 3.0 * squaredLength / std::max(area, SmallestArea * squaredLength);
+  return squaredLength > 0.0
+    ? 3.0 * squaredLength / std::max(areaOfBothFaces, SmallestArea * squaredLength)
+    : 0.0;
 }
 
+double SquaredLength(const TriangleMesh& mesh, int halfedge)
+{
+  return (mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge))).squaredNorm();
+}
+
+/// What a Laplacian wants to know of a face.
+struct PowerFaceShape
+{
+  std::array<Complex, 3> Sides;
+  std::array<double, 3> SquaredLengths;
+  double Area;
+};
+
+/// The places of a face and its neighbours, ascending, each once.
+struct FaceAndNeighbours
+{
+  FaceAndNeighbours(const TriangleMesh& mesh, const std::vector<int>& places, int face)
+  {
+    this->Insert(places[face]);
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      const int twin = mesh.Twin(h);
+      if (twin >= 0)
+      {
+        const int place = places[TriangleMesh::FaceOf(twin)];
+        if (this->Find(place) == this->Count)
+        {
+          this->Insert(place);
+        }
+      }
+    }
+  }
+
+  /// Count if it is none of them.
+  int Find(int place) const
+  {
+    int k = 0;
+    while (k < this->Count && this->Places[k] != place)
+    {
+      ++k;
+    }
+    return k;
+  }
+
+  std::array<int, 4> Places;
+  int Count = 0;
+
+private:
+  void Insert(int place)
+  {
+    int k = this->Count++;
+    for (; k > 0 && this->Places[k - 1] > place; --k)
+    {
+      this->Places[k] = this->Places[k - 1];
+    }
+    this->Places[k] = place;
+  }
+};
+
 /// e^{i angle} of TransportAcrossEdge. Both sides run along the edge, in opposite directions.
+Complex Transport(Complex side, Complex sideOfTwin)
+{
+  return -sideOfTwin * std::conj(side);
+}
 Complex Transport(const std::vector<Complex>& sides, int halfedge, int twin)
 {
-  return -sides[twin] * std::conj(sides[halfedge]);
+  return Transport(sides[halfedge], sides[twin]);
 }
 
 /// Angle of a triangle at the tail of a halfedge; those of a triangle sum to pi.
@@ -122,9 +176,16 @@ double TransportAcrossEdge(const TriangleMesh& mesh, const TangentFrames& faceFr
 Vector<double> PowerEdgeWeights(const TriangleMesh& mesh)
 {
   Vector<double> weights = Vector<double>::Zero(mesh.NumberOfEdges());
+  const Vector<double> areas = mesh.FaceAreas();
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
-    weights[edge] = PowerEdgeWeight(mesh, mesh.HalfedgeOf(edge));
+    const int h = mesh.HalfedgeOf(edge);
+    const int twin = mesh.Twin(h);
+    if (twin >= 0)
+    {
+      weights[edge] = PowerEdgeWeight(SquaredLength(mesh, h),
+        areas[TriangleMesh::FaceOf(h)] + areas[TriangleMesh::FaceOf(twin)]);
+    }
   }
   return weights;
 }
@@ -132,21 +193,48 @@ Vector<double> PowerEdgeWeights(const TriangleMesh& mesh)
 SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   int N, const ExecutionContext& context)
 {
-  const std::vector<Complex> sides = AllSideDirections(mesh, faceFrames, context);
-  return AssembleMatrix<Complex>(mesh.NumberOfFaces(), mesh.NumberOfFaces(), context,
-    [&](int face, RowEntries<Complex>& row) {
-      row.emplace_back(face, 0.0);
-      for (int h = 3 * face; h < 3 * face + 3; ++h)
+  return PowerLaplacian(mesh, faceFrames, N, Identity(mesh.NumberOfFaces()), context);
+}
+
+SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  int N, const std::vector<int>& order, const ExecutionContext& context)
+{
+  const std::vector<int> places = Inverse(order);
+  const int faces = mesh.NumberOfFaces();
+  std::vector<PowerFaceShape> shapes(faces);
+  std::vector<int> sizes(faces);
+  context.ParallelFor(0, faces, Grain, [&](int first, int last) {
+    for (int place = first; place < last; ++place)
+    {
+      const int face = order[place];
+      shapes[place] = { SideDirections(mesh, faceFrames, face),
+        { SquaredLength(mesh, 3 * face), SquaredLength(mesh, 3 * face + 1),
+          SquaredLength(mesh, 3 * face + 2) },
+        mesh.FaceArea(face) };
+      sizes[place] = FaceAndNeighbours(mesh, places, face).Count;
+    }
+  });
+  return FillRows<Complex>(
+    faces, faces, context, [&](int place) { return sizes[place]; },
+    [&](int place, int* columns, Complex* entries) {
+      const FaceAndNeighbours around(mesh, places, order[place]);
+      std::copy_n(around.Places.begin(), around.Count, columns);
+      std::fill_n(entries, around.Count, Complex(0.0));
+      const PowerFaceShape& here = shapes[place];
+      for (int k = 0; k < 3; ++k)
       {
-        const double weight = PowerEdgeWeight(mesh, h);
-        if (weight > 0.0)
+        const int twin = mesh.Twin(3 * order[place] + k);
+        if (twin < 0)
         {
-          // Two faces may meet along two edges, whose entries add up.
-          const int twin = mesh.Twin(h);
-          AddTo<Complex>(row, face, weight);
-          AddTo<Complex>(
-            row, TriangleMesh::FaceOf(twin), -weight * Power(Transport(sides, twin, h), N));
+          continue;
         }
+        const int neighbour = places[TriangleMesh::FaceOf(twin)];
+        const PowerFaceShape& there = shapes[neighbour];
+        const double weight = PowerEdgeWeight(here.SquaredLengths[k], here.Area + there.Area);
+        // Two faces may meet along two edges, whose entries add up.
+        entries[around.Find(place)] += weight;
+        entries[around.Find(neighbour)] -=
+          weight * Power(Transport(there.Sides[twin % 3], here.Sides[k]), N);
       }
     });
 }

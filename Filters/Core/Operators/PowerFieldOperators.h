@@ -31,6 +31,11 @@ Vector<double> PowerEdgeWeights(const TriangleMesh& mesh);
 SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   int N, const ExecutionContext& context = SerialContext());
 
+/// The same, rows and columns in another order.
+/// \param order [i] is the face of row i; a permutation. Faster where neighbours follow each other.
+SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  int N, const std::vector<int>& order, const ExecutionContext& context);
+
 /// The N directions of a power field per element: result[k] is # x 3, the k-th root, of the power's
 /// magnitude or of unit length (zero where the power is zero). Directions are 2 pi / N apart and
 /// counter-clockwise.

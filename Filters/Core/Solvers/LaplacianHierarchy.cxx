@@ -19,6 +19,8 @@ namespace dmg
 namespace
 {
 
+constexpr int RowGrain = 8192;
+
 /// L + D as operator on pairs.
 class ShiftedLaplacian : public LinearOperator<double>
 {
@@ -56,60 +58,48 @@ private:
   const Vector<double> D;
 };
 
-/// Per row a number that it shares with all that it is connected with.
+/// Per row a number that it shares with all that it is connected with: the first of them.
 std::vector<int> ComponentsOf(const SparseMatrix<Complex>& L)
 {
-  std::vector<int> components(L.rows(), -1);
-  std::vector<int> stack;
-  int number = 0;
-  for (int seed = 0; seed < L.rows(); ++seed)
-  {
-    if (components[seed] >= 0)
+  std::vector<int> parents = Identity(static_cast<int>(L.rows()));
+  const auto root = [&parents](int i) {
+    while (parents[i] != i)
     {
-      continue;
+      parents[i] = parents[parents[i]];
+      i = parents[i];
     }
-    components[seed] = number;
-    stack.push_back(seed);
-    while (!stack.empty())
+    return i;
+  };
+  for (int i = 0; i < L.rows(); ++i)
+  {
+    for (SparseMatrix<Complex>::InnerIterator entry(L, i); entry && entry.col() < i; ++entry)
     {
-      const int row = stack.back();
-      stack.pop_back();
-      for (SparseMatrix<Complex>::InnerIterator entry(L, row); entry; ++entry)
+      if (entry.value() != Complex(0.0))
       {
-        if (components[entry.col()] < 0 && entry.value() != Complex(0.0))
-        {
-          components[entry.col()] = number;
-          stack.push_back(static_cast<int>(entry.col()));
-        }
+        const int a = root(i);
+        const int b = root(static_cast<int>(entry.col()));
+        parents[std::max(a, b)] = std::min(a, b);
       }
     }
-    ++number;
   }
-  return components;
+  for (int i = 0; i < L.rows(); ++i)
+  {
+    parents[i] = parents[parents[i]]; // parents come first
+  }
+  return parents;
 }
 
 /// 0 where it is empty.
-Vector<double> RootsOfDiagonal(const SparseMatrix<Complex>& L)
+Vector<double> RootsOfDiagonal(const SparseMatrix<Complex>& L, const ExecutionContext& context)
 {
   Vector<double> roots(L.rows());
-  for (int k = 0; k < L.rows(); ++k)
-  {
-    roots[k] = std::sqrt(std::max(0.0, L.coeff(k, k).real()));
-  }
+  context.ParallelFor(0, static_cast<int>(L.rows()), RowGrain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      roots[k] = std::sqrt(std::max(0.0, L.coeff(k, k).real()));
+    }
+  });
   return roots;
-}
-
-template <class Number>
-std::vector<Number> Doubled(const std::vector<Number>& numbers)
-{
-  std::vector<Number> doubled;
-  doubled.reserve(2 * numbers.size());
-  for (const Number& number : numbers)
-  {
-    doubled.push_back(number);
-    doubled.push_back(number);
-  }
-  return doubled;
 }
 
 Vector<double> Doubled(const Vector<double>& numbers)
@@ -124,16 +114,17 @@ Vector<double> Doubled(const Vector<double>& numbers)
 
 }
 
-LaplacianHierarchy CoarsenLaplacian(const SparseMatrix<Complex>& laplacian,
+LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   std::vector<SparseMatrix<Complex>> prolongations, int smoothingSteps,
   const ExecutionContext& context)
 {
-  CheckChain(laplacian.rows(), prolongations);
-  const int size = static_cast<int>(laplacian.rows());
+  const int size = static_cast<int>(prolongations[0].rows());
+  CheckChain(size, prolongations);
 
   // Sorted by parents, products are fast; sweeps want colours.
   const std::vector<int> byParents = BringIntoOrder(prolongations, size, context);
-  SparseMatrix<Complex> L = Permuted(laplacian, byParents, Inverse(byParents), context);
+  const SparseMatrix<Complex> L = makeL(byParents, context);
+  CheckChain(L.rows(), prolongations);
   context.Checkpoint(0.2);
   const SparseMatrix<Complex> P =
     SmoothedProlongation(L, prolongations[0], smoothingSteps, context);
@@ -145,7 +136,7 @@ LaplacianHierarchy CoarsenLaplacian(const SparseMatrix<Complex>& laplacian,
   ColourOrder colours = Colouring(L);
   const std::vector<int>& byColours = colours.Unknowns;
   const std::vector<int> places = Inverse(byColours);
-  Vector<double> roots = RootsOfDiagonal(L);
+  Vector<double> roots = RootsOfDiagonal(L, context);
   for (int k = 0; k < size; ++k)
   {
     if (roots[byColours[k]] == 0.0)
@@ -171,13 +162,16 @@ LaplacianHierarchy CoarsenLaplacian(const SparseMatrix<Complex>& laplacian,
   prolongations.erase(prolongations.begin());
   hierarchy.Coarser = std::move(prolongations);
 
+  // Both in the order of the parents so far.
+  const std::vector<int> components = ComponentsOf(L);
   std::vector<int> order(size);
+  hierarchy.Components.resize(2 * size);
   for (int k = 0; k < size; ++k)
   {
     order[k] = byParents[byColours[k]];
+    hierarchy.Components[2 * k] = hierarchy.Components[2 * k + 1] = components[byColours[k]];
   }
   hierarchy.Order = PairsOf(order);
-  hierarchy.Components = Doubled(ComponentsOf(hierarchy.L));
   hierarchy.Scales = Doubled(Vector<double>(roots(byColours)));
   context.Checkpoint(1.0);
   return hierarchy;

@@ -5,6 +5,7 @@
 #include "Solvers/Smoother.h"
 
 #include <complex>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -40,13 +41,17 @@ public:
   long long Bytes() const override;
 };
 
-/// \param L N_0 x N_0, compressed.
+/// Assembles a matrix with its rows and columns in another order; [k] is the caller's index of row k.
+using MatrixInOrder = std::function<SparseMatrix<Complex>(
+  const std::vector<int>& order, const ExecutionContext& context)>;
+
+/// \param makeL gives L, N_0 x N_0, compressed.
 /// \param prolongations [l] is N_l x N_{l+1}, compressed; one or more. The first is smoothed.
 /// \param smoothingSteps >= 0; see SmoothedProlongation.
 /// \throw InvalidInput the sizes do not chain.
 /// \throw Cancelled
 /// Cost: linear in the entries of L, 1.5 us for each row with two threads.
-LaplacianHierarchy CoarsenLaplacian(const SparseMatrix<Complex>& L,
+LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   std::vector<SparseMatrix<Complex>> prolongations, int smoothingSteps,
   const ExecutionContext& context);
 

@@ -196,10 +196,15 @@ SparseMatrix<Scalar> AssembleInBands(
       {
         worker = std::make_unique<Worker>(makeWorker());
       }
+      std::size_t size = 0;
       for (int band = firstBand; band < lastBand; ++band)
       {
+        // Bands are much alike.
+        bands[band].Columns.reserve(size + size / 8);
+        bands[band].Values.reserve(size + size / 8);
         const int firstRow = band * bandSize;
         (*worker)(firstRow, std::min(firstRow + bandSize, numberOfRows), bands[band]);
+        size = bands[band].Columns.size();
       }
       workers.GiveBack(std::move(worker));
     });

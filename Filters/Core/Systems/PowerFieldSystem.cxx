@@ -26,15 +26,15 @@ void CheckNumberOfDirections(int N)
   }
 }
 
-Vector<double> MassOfPowerFields(const TriangleMesh& mesh)
+Vector<double> MassOfPowerFields(const TriangleMesh& mesh, const ExecutionContext& context)
 {
-  const Vector<double> areas = mesh.FaceAreas();
+  const Vector<double> areas = mesh.FaceAreas(context);
   const double meanArea = areas.mean();
   return meanArea > 0.0 ? Vector<double>(areas / meanArea) : Vector<double>::Ones(areas.size());
 }
 
-PrescribedUnknowns PrescribedPowersOf(
-  const TriangleMesh& mesh, const PrescribedFaces& prescribed, const FieldWeights& weights)
+PrescribedUnknowns PrescribedPowersOf(const TriangleMesh& mesh, const PrescribedFaces& prescribed,
+  const FieldWeights& weights, const ExecutionContext& context)
 {
   CheckWeights(weights);
   if (prescribed.Faces.empty())
@@ -46,7 +46,7 @@ PrescribedUnknowns PrescribedPowersOf(
   PrescribedUnknowns unknowns{ weights.Constraints, prescribed.Faces, {} };
   if (weights.Constraints == ConstraintKind::Soft)
   {
-    const Vector<double> mass = MassOfPowerFields(mesh);
+    const Vector<double> mass = MassOfPowerFields(mesh, context);
     unknowns.Alignment.resize(prescribed.Faces.size());
     for (Eigen::Index b = 0; b < unknowns.Alignment.size(); ++b)
     {
@@ -61,14 +61,14 @@ HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
   const FieldWeights& weights, const ExecutionContext& context)
 {
   CheckNumberOfDirections(N);
-  PrescribedUnknowns unknowns = PrescribedPowersOf(mesh, prescribed, weights);
+  PrescribedUnknowns unknowns = PrescribedPowersOf(mesh, prescribed, weights, context);
   SparseMatrix<Complex> smoothness = PowerLaplacian(mesh, faceFrames, N, context);
   if (weights.Constraints == ConstraintKind::Soft)
   {
     smoothness *= weights.Smoothness;
   }
   HarmonicSystem<Complex> system = HarmonicSystem<Complex>::Make(
-    std::move(smoothness), MassOfPowerFields(mesh), std::move(unknowns));
+    std::move(smoothness), MassOfPowerFields(mesh, context), std::move(unknowns));
   CheckAnyIsFree(system.NumberOfFree(), weights.Constraints, "cell");
   return system;
 }

@@ -14,11 +14,12 @@ void CheckNumberOfDirections(int N);
 
 /// Which powers of the system below are prescribed, and how strongly.
 /// \throw InvalidInput a weight is out of range or nothing is prescribed.
-PrescribedUnknowns PrescribedPowersOf(
-  const TriangleMesh& mesh, const PrescribedFaces& prescribed, const FieldWeights& weights);
+PrescribedUnknowns PrescribedPowersOf(const TriangleMesh& mesh, const PrescribedFaces& prescribed,
+  const FieldWeights& weights, const ExecutionContext& context = SerialContext());
 
 /// The areas of the faces over their mean; ones where the whole surface has no area.
-Vector<double> MassOfPowerFields(const TriangleMesh& mesh);
+Vector<double> MassOfPowerFields(
+  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// The system of the smoothest N-direction field that follows prescribed directions; unknowns are
 /// the powers of the faces, in their frames:
