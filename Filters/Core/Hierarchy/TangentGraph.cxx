@@ -51,47 +51,49 @@ bool IsLink(const TriangleMesh& mesh, int halfedge)
   return twin >= 0 && TriangleMesh::FaceOf(twin) != TriangleMesh::FaceOf(halfedge);
 }
 
-/// What the angles around a vertex lack of a full turn, over the number of its faces; 0 at the boundary.
-/// \param start its outgoing halfedge.
-double CurvatureOfCorner(const TriangleMesh& mesh, int start)
+/// The angles of a face at the tails of its halfedges; those of a flat one are 0 and pi.
+std::array<double, 3> Angles(const FlatFace& face)
 {
-  constexpr double fullTurn = 2.0 * 3.14159265358979323846;
-  const Vector3 position = mesh.Position(mesh.Tail(start));
-  double angle = 0.0;
-  int faces = 0;
-  int h = start;
-  do
+  std::array<double, 3> angles;
+  for (int k = 0; k < 3; ++k)
   {
-    const int previous = TriangleMesh::Previous(h);
-    const Vector3 ahead = mesh.Position(mesh.Head(h)) - position;
-    const Vector3 behind = mesh.Position(mesh.Tail(previous)) - position;
-    angle += std::atan2(ahead.cross(behind).norm(), ahead.dot(behind));
-    ++faces;
-    h = mesh.Twin(previous);
-  } while (h >= 0 && h != start);
-  return h >= 0 ? (fullTurn - angle) / faces : 0.0;
+    const Complex turn = -face.Sides[(k + 2) % 3] * std::conj(face.Sides[k]);
+    angles[k] = std::abs(std::arg(turn));
+  }
+  return angles;
 }
 
-/// Of all vertices.
-std::vector<double> CurvaturesOfCorners(
-  const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context)
+/// Per vertex, what the angles around it lack of a full turn, over the number of its faces; 0 at the
+/// boundary.
+/// \param flat in the given order of the faces.
+std::vector<double> CurvaturesOfCorners(const TriangleMesh& mesh, const std::vector<int>& order,
+  const std::vector<FlatFace>& flat, const ExecutionContext& context)
 {
-  std::vector<double> curvatures(mesh.NumberOfVertices(), 0.0);
-  context.ParallelFor(0, static_cast<int>(order.size()), Grain,
+  constexpr double fullTurn = 2.0 * 3.14159265358979323846;
+  std::vector<std::array<double, 3>> angles(flat.size());
+  context.ParallelFor(0, static_cast<int>(flat.size()), Grain,
     [&](int first, int last)
     {
       for (int i = first; i < last; ++i)
       {
-        for (int h = 3 * order[i]; h < 3 * order[i] + 3; ++h)
-        {
-          // One of its faces sees to each vertex, in an order that is kind to the caches.
-          if (mesh.OutgoingHalfedge(mesh.Tail(h)) == h)
-          {
-            curvatures[mesh.Tail(h)] = CurvatureOfCorner(mesh, h);
-          }
-        }
+        angles[i] = Angles(flat[i]);
       }
     });
+  std::vector<double> curvatures(mesh.NumberOfVertices(), fullTurn);
+  std::vector<int> faces(mesh.NumberOfVertices(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const int vertex = mesh.Tail(3 * order[i] + k);
+      curvatures[vertex] -= angles[i][k];
+      ++faces[vertex];
+    }
+  }
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    curvatures[vertex] = mesh.IsBoundaryVertex(vertex) ? 0.0 : curvatures[vertex] / faces[vertex];
+  }
   return curvatures;
 }
 
@@ -122,7 +124,7 @@ TangentGraph FaceGraph(
   graph.Neighbours.resize(links);
   graph.Steps.resize(links);
   graph.Turns.resize(links);
-  const std::vector<double> ofCorners = CurvaturesOfCorners(mesh, order, context);
+  const std::vector<double> ofCorners = CurvaturesOfCorners(mesh, order, flat, context);
   graph.Curvatures.resize(faces);
   context.ParallelFor(0, faces, Grain,
     [&](int first, int last)

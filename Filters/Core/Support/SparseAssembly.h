@@ -68,9 +68,11 @@ public:
     const int numberOfPieces = static_cast<int>(this->Pieces.size());
     context.ParallelFor(0, numberOfPieces, 1, [&](int firstPiece, int lastPiece) {
       RowEntries<Entry> row;
+      std::size_t size = 0;
       for (int p = firstPiece; p < lastPiece; ++p)
       {
         Piece& piece = this->Pieces[p];
+        piece.Entries.reserve(size + size / 8); // pieces are much alike
         const int end = std::min(rows, (p + 1) * RowsPerPiece);
         piece.Offsets.assign(1, 0);
         for (int r = p * RowsPerPiece; r < end; ++r)
@@ -82,6 +84,7 @@ public:
           piece.Entries.insert(piece.Entries.end(), row.begin(), row.end());
           piece.Offsets.push_back(static_cast<int>(piece.Entries.size()));
         }
+        size = piece.Entries.size();
       }
     });
   }
