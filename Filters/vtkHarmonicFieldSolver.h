@@ -137,9 +137,8 @@
  * the output arrays. HarmonicBasis repeats no stage; its fields are kept until points, triangles or
  * Discretisation change. A solve that does not reach Tolerance gives the best field that it
  * reached, Converged = 0 and a warning. Where too little is prescribed for the harmonic fields of a
- * surface with handles or holes, conjugate gradients and V-cycles on nodal levels leave out what is not
- * determined, with a warning; a factorisation ends in an error or in what rounding errors make of the
- * rest. An aborted run leaves empty outputs and keeps the stages that were
+ * surface with handles or holes, 1-forms and face fields leave out what is not determined, with a
+ * warning, unless the surface has too many of them to hold. An aborted run leaves empty outputs and keeps the stages that were
  * complete. Threads and pieces are as in vtkDirectionalProlongation.
  *
  * @sa vtkDirectionalProlongation
@@ -269,9 +268,10 @@ public:
 
   ///@{
   /**
-   * Gauss-Seidel sweeps before and after the coarse correction of each level; on nodal levels the
-   * surface itself gets twice as many, but for face fields, whose cycles sweep over the stars of
-   * points unless StartingLevel is chosen. Default 2, range 1 to 10.
+   * Gauss-Seidel sweeps before and after the coarse correction of each level, up and down in turn; on
+   * nodal levels the surface itself gets three times as many for power fields, twice as many for
+   * 1-forms, and as many for face fields, whose cycles sweep over the stars of points. Default 2, range
+   * 1 to 10.
    */
   vtkSetClampMacro(Sweeps, int, 1, 10);
   vtkGetMacro(Sweeps, int);

@@ -227,6 +227,41 @@ HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
 namespace
 {
 
+/// The harmonic fields of face fields or 1-forms, the kernel of their roughness; no columns where there are
+/// none, or too many to hold.
+Eigen::MatrixXd KernelOf(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  Discretisation kind, const ExecutionContext& context)
+{
+  const int loops = NumberOfLoops(mesh);
+  if (loops == 0 || AreTooManyToHold(loops, mesh))
+  {
+    return {};
+  }
+  return kind == Discretisation::OneForm ? HarmonicForms(mesh, context)
+                                         : HarmonicFaceFields(mesh, faceFrames, context);
+}
+
+/// Of face fields or 1-forms. Arguments but the prescribed elements are borrowed.
+HarmonicProblem<double>::MakeSystem SystemMaker(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, std::vector<int> elements, std::vector<double> weights,
+  const FieldOptions& options)
+{
+  return [&, elements = std::move(elements), weights = std::move(weights)](
+           const ExecutionContext& context) {
+    const PartOfContext first(context, 0.0, 0.5);
+    HarmonicSystem<double> system = options.Kind == Discretisation::OneForm
+      ? MakeOneFormSystem(mesh, { elements, weights }, WeightsOf(options), first, options.Areas)
+      : MakeFaceFieldSystem(mesh, faceFrames, { elements, weights }, WeightsOf(options), first);
+    const Eigen::MatrixXd kernel =
+      KernelOf(mesh, faceFrames, options.Kind, PartOfContext(context, 0.5, 1.0));
+    if (kernel.cols() > 0)
+    {
+      system.LeaveOutUndetermined(kernel);
+    }
+    return system;
+  };
+}
+
 HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const PrescribedFaces& prescribed, const FieldOptions& options,
@@ -240,10 +275,8 @@ HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
                                                            : operators->SX;
     });
   return HarmonicProblem<double>(
-    [&](const ExecutionContext& part) {
-      return MakeFaceFieldSystem(mesh, faceFrames, prescribed, WeightsOf(options), part);
-    },
-    spaces, SolverFor(options), context);
+    SystemMaker(mesh, faceFrames, prescribed.Faces, prescribed.Weights, options), spaces,
+    SolverFor(options), context);
 }
 
 HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
@@ -263,10 +296,8 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
       return nodal;
     });
   return HarmonicProblem<double>(
-    [&](const ExecutionContext& part) {
-      return MakeOneFormSystem(mesh, prescribed, WeightsOf(options), part, options.Areas);
-    },
-    spaces, SolverFor(options), context);
+    SystemMaker(mesh, faceFrames, prescribed.Edges, prescribed.Weights, options), spaces,
+    SolverFor(options), context);
 }
 
 int NumberOfUnknowns(const TriangleMesh& mesh, const FieldOptions& options)
@@ -361,18 +392,15 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& 
 void AddKernel(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const FieldOptions& options, RoughnessSurface& surface, const ExecutionContext& context)
 {
-  const int loops = NumberOfLoops(mesh);
-  if (AreTooManyToHold(loops, mesh))
+  const Eigen::MatrixXd kernel = KernelOf(mesh, faceFrames, options.Kind, context);
+  if (kernel.cols() > 0)
+  {
+    surface.Kernel = kernel(surface.Hierarchy->Order, Eigen::all);
+  }
+  else if (const int loops = NumberOfLoops(mesh); loops > 0)
   {
     surface.KernelNote =
       ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
-  }
-  else if (loops > 0)
-  {
-    const Eigen::MatrixXd kernel = options.Kind == Discretisation::OneForm
-      ? HarmonicForms(mesh, context)
-      : HarmonicFaceFields(mesh, faceFrames, context);
-    surface.Kernel = kernel(surface.Hierarchy->Order, Eigen::all);
   }
 }
 
@@ -561,8 +589,12 @@ bool FieldProblem::Update(const TriangleMesh& mesh, const TangentFrames& faceFra
     return problem->Update(
       PowerFieldSystemMaker(mesh, faceFrames, { elements, weights }, options), context);
   }
+  if (auto* const problem = std::get_if<HarmonicProblem<double>>(&this->Problem))
+  {
+    return problem->Update(SystemMaker(mesh, faceFrames, elements, weights, options), context);
+  }
   auto* const problem = std::get_if<RoughnessProblem>(&this->Problem);
-  if (!problem || this->Reference)
+  if (this->Reference)
   {
     return false;
   }

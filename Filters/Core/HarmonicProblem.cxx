@@ -54,6 +54,22 @@ bool HaveSamePattern(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& 
     std::equal(A.innerIndexPtr(), A.innerIndexPtr() + A.nonZeros(), B.innerIndexPtr());
 }
 
+template <class Scalar>
+std::vector<std::string> WarningsAbout(const HarmonicSystem<Scalar>& system)
+{
+  std::vector<std::string> warnings;
+  for (const std::string& warning :
+    { WarningAboutUnreached(system.NumberOfUnreached(), system.NumberOfUnknowns()),
+      WarningAboutUndetermined(system.NumberOfUndetermined(), system.SizeOfKernel()) })
+  {
+    if (!warning.empty())
+    {
+      warnings.push_back(warning);
+    }
+  }
+  return warnings;
+}
+
 bool IsNested(SolverKind solver)
 {
   return solver == SolverKind::NestedIterations || solver == SolverKind::CoarseProlongation;
@@ -142,15 +158,11 @@ HarmonicProblem<Scalar>::HarmonicProblem(const MakeSystem& makeSystem,
 {
   const auto start = std::chrono::steady_clock::now();
   context.Checkpoint(0.0);
-  this->Internal = std::make_unique<Internals>(makeSystem(context));
+  this->Internal = std::make_unique<Internals>(makeSystem(PartOfContext(context, 0.0, 0.2)));
   Internals& internal = *this->Internal;
   const HarmonicSystem<Scalar>& system = internal.System;
   SolveReport& report = internal.Report;
-  if (const std::string warning = WarningAboutUnreached(system.NumberOfUnreached(), system.NumberOfUnknowns());
-      !warning.empty())
-  {
-    internal.SystemWarnings.push_back(warning);
-  }
+  internal.SystemWarnings = WarningsAbout(system);
 
   context.Checkpoint(0.2);
   const auto [solver, reason] =
@@ -195,6 +207,7 @@ bool HarmonicProblem<Scalar>::Update(const MakeSystem& makeSystem, const Executi
     return false;
   }
   internal.System = std::move(system);
+  internal.SystemWarnings = WarningsAbout(internal.System);
   if (internal.Cholesky)
   {
     internal.Cholesky->Update(internal.System.Matrix());

@@ -179,12 +179,11 @@ void RoughnessProblem::Internals::Deflate(const ExecutionContext& context)
   this->Deflated.emplace(
     *this->Cycle, *this->A, std::move(kernel), energies.maxCoeff(), context);
   this->Report.Bytes += this->Deflated->Bytes();
-  if (const int free = this->Deflated->SizeOfKernel(); free > 0)
+  if (const std::string warning = WarningAboutUndetermined(
+        this->Deflated->SizeOfKernel(), static_cast<int>(this->Surface->Kernel.cols()));
+      !warning.empty())
   {
-    this->SystemWarnings.push_back(std::to_string(free) + " of the " +
-      std::to_string(this->Surface->Kernel.cols()) +
-      " harmonic fields of the surface are not determined by what is prescribed; the field has no "
-      "part in them; prescribe more directions, spread over the handles and holes");
+    this->SystemWarnings.push_back(warning);
   }
 }
 

@@ -1,6 +1,6 @@
 #include "Solvers/DeflatedPreconditioner.h"
 
-#include <Eigen/Eigenvalues>
+#include "Support/UndeterminedSpace.h"
 
 #include <utility>
 
@@ -21,25 +21,9 @@ DeflatedPreconditioner::DeflatedPreconditioner(Preconditioner<double>& inner,
     this->AH.col(k) = product;
   }
   const Eigen::MatrixXd energies = this->H.transpose() * this->AH;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(energies);
-  // Fewer prescriptions than harmonic fields leave some of these without any energy but rounding
-  // errors.
-  const double rounding = 1e-13 * largest;
-  const Vector<double> inverses = solver.eigenvalues().unaryExpr(
-    [rounding](double energy) { return energy > rounding ? 1.0 / energy : 0.0; });
-  this->Inverse =
-    solver.eigenvectors() * inverses.asDiagonal() * solver.eigenvectors().transpose();
-  const Eigen::Index free = (solver.eigenvalues().array() <= rounding).count(); // ascending
-  if (free > 0)
-  {
-    // Where unknowns are held, vectors of H have lost length, or vanished.
-    const Eigen::MatrixXd spanned = this->H * solver.eigenvectors().leftCols(free);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> lengths(spanned.transpose() * spanned);
-    const Eigen::Index rank = (lengths.eigenvalues().array() > 1e-8).count();
-    const Vector<double> inverseRoots =
-      lengths.eigenvalues().tail(rank).cwiseSqrt().cwiseInverse();
-    this->Kernel = spanned * lengths.eigenvectors().rightCols(rank) * inverseRoots.asDiagonal();
-  }
+  const EnergiesOfSpace ofSpace(this->H, energies, largest);
+  this->Inverse = ofSpace.Inverse();
+  this->Kernel = ofSpace.Undetermined();
 }
 
 void DeflatedPreconditioner::RemoveKernel(Vector<double>& x) const

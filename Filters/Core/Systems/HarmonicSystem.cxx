@@ -1,6 +1,9 @@
 #include "Systems/HarmonicSystem.h"
 
 #include "Support/Errors.h"
+#include "Support/UndeterminedSpace.h"
+
+#include <Eigen/QR>
 
 #include <algorithm>
 #include <cassert>
@@ -72,6 +75,17 @@ SparseMatrix<Scalar> Submatrix(const SparseMatrix<Scalar>& matrix, const std::ve
   return part;
 }
 
+/// What a vector has in common with some orthonormal fields goes.
+template <class Scalar>
+void RemoveParts(const Eigen::MatrixXd& fields, Vector<Scalar>& x)
+{
+  if (fields.cols() > 0)
+  {
+    const Vector<Scalar> parts = fields.transpose().cast<Scalar>() * x;
+    x -= fields.cast<Scalar>() * parts;
+  }
+}
+
 }
 
 template <class Scalar>
@@ -115,6 +129,8 @@ HarmonicSystem<Scalar>& HarmonicSystem<Scalar>::operator=(HarmonicSystem&& other
   this->A.swap(other.A);
   this->ToPrescribed.swap(other.ToPrescribed);
   this->M.swap(other.M);
+  this->Undetermined.swap(other.Undetermined);
+  this->KernelSize = other.KernelSize;
   return *this;
 }
 
@@ -203,22 +219,51 @@ HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar>& smoothness, const V
 }
 
 template <class Scalar>
+void HarmonicSystem<Scalar>::LeaveOutUndetermined(const Eigen::MatrixXd& kernel)
+{
+  this->KernelSize = static_cast<int>(kernel.cols());
+  const Eigen::MatrixXd ofFree = kernel(this->Free, Eigen::all);
+  const auto fields = ofFree.cast<Scalar>();
+  const Eigen::MatrixXd energies = (fields.transpose() * (this->A * fields)).real();
+  const Vector<double> diagonal = this->A.diagonal().real();
+  const double largest = (ofFree.cwiseAbs2().transpose() * diagonal).maxCoeff();
+  this->Undetermined = EnergiesOfSpace(ofFree, energies, largest).Undetermined();
+  if (this->Undetermined.cols() == 0)
+  {
+    return;
+  }
+  // As many entries of the diagonal are doubled as there are such fields U, in rows where these are
+  // independent. They make A definite, and change no solution: as U^T b = 0 and U^T A = 0, what is added
+  // to the equations has no part in U, so it is zero, and the unknowns of these rows are.
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> pivots(this->Undetermined.transpose());
+  for (int k = 0; k < this->NumberOfUndetermined(); ++k)
+  {
+    const int row = pivots.colsPermutation().indices()[k];
+    this->A.coeffRef(row, row) += diagonal[row];
+  }
+}
+
+template <class Scalar>
 Vector<Scalar> HarmonicSystem<Scalar>::RightHandSide(const Vector<Scalar>& values) const
 {
   assert(values.size() == static_cast<Eigen::Index>(this->Prescribed.size()));
+  Vector<Scalar> right = Vector<Scalar>::Zero(this->NumberOfFree());
   if (this->IsHard)
   {
-    return -(this->ToPrescribed * values);
+    right = -(this->ToPrescribed * values);
   }
-  Vector<Scalar> right = Vector<Scalar>::Zero(this->NumberOfFree());
-  for (std::size_t b = 0; b < this->Prescribed.size(); ++b)
+  else
   {
-    const int row = this->Rows[this->Prescribed[b]];
-    if (row >= 0)
+    for (std::size_t b = 0; b < this->Prescribed.size(); ++b)
     {
-      right[row] = this->Alignment[b] * values[b];
+      const int row = this->Rows[this->Prescribed[b]];
+      if (row >= 0)
+      {
+        right[row] = this->Alignment[b] * values[b];
+      }
     }
   }
+  RemoveParts(this->Undetermined, right);
   return right;
 }
 
@@ -240,9 +285,11 @@ Vector<Scalar> HarmonicSystem<Scalar>::Expand(
 {
   assert(solution.size() == this->NumberOfFree());
   Vector<Scalar> all = Vector<Scalar>::Zero(this->NumberOfUnknowns());
+  Vector<Scalar> determined = solution;
+  RemoveParts(this->Undetermined, determined);
   for (int row = 0; row < this->NumberOfFree(); ++row)
   {
-    all[this->Free[row]] = solution[row];
+    all[this->Free[row]] = determined[row];
   }
   if (this->IsHard)
   {
@@ -263,6 +310,17 @@ std::string WarningAboutUnreached(int unreached, int unknowns)
   return std::to_string(unreached) + " of " + std::to_string(unknowns) +
     " unknowns lie in components of the surface that hold no prescribed direction; the field is "
     "zero there";
+}
+
+std::string WarningAboutUndetermined(int undetermined, int harmonicFields)
+{
+  if (undetermined == 0)
+  {
+    return {};
+  }
+  return std::to_string(undetermined) + " of the " + std::to_string(harmonicFields) +
+    " harmonic fields of the surface are not determined by what is prescribed; the field has no "
+    "part in them; prescribe more directions, spread over the handles and holes";
 }
 
 void CheckAnyIsFree(int numberOfFree, ConstraintKind kind, const std::string& element)

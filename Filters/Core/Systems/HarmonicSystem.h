@@ -62,6 +62,15 @@ public:
   HarmonicSystem(HarmonicSystem&& other) noexcept;
   HarmonicSystem& operator=(HarmonicSystem&& other) noexcept;
 
+  /// Takes fields out of the system that have no roughness and that no prescription determines: A would be
+  /// singular. The solution has no part in them.
+  /// \param kernel fields without roughness, one value per unknown, a column each, orthonormal.
+  /// Cost: a product with A per field.
+  void LeaveOutUndetermined(const Eigen::MatrixXd& kernel);
+  /// How many have been left out, and of how many.
+  int NumberOfUndetermined() const { return static_cast<int>(this->Undetermined.cols()); }
+  int SizeOfKernel() const { return this->KernelSize; }
+
   /// A, Hermitian; #free x #free.
   const SparseMatrix<Scalar>& Matrix() const { return this->A; }
 
@@ -103,10 +112,15 @@ private:
   SparseMatrix<Scalar> A;            // free x free
   SparseMatrix<Scalar> ToPrescribed; // hard: L_fb, free x prescribed
   Vector<double> M;                  // free
+  Eigen::MatrixXd Undetermined;      // free, orthonormal
+  int KernelSize = 0;
 };
 
 /// One sentence for the user where unknowns are zero because no prescription reaches them, else empty.
 std::string WarningAboutUnreached(int unreached, int unknowns);
+
+/// One sentence for the user where prescriptions leave some of the harmonic fields undetermined, else empty.
+std::string WarningAboutUndetermined(int undetermined, int harmonicFields);
 
 /// \param element for the message, as in "cell".
 /// \throw InvalidInput no unknown is free.
