@@ -365,8 +365,10 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfSquares(const TriangleMesh&
   LeastSquaresHierarchyOptions coarsening;
   if (!isOneForm)
   {
-    // Cycles for face fields sweep half as often, and leave more to the interpolation.
+    // Cycles for face fields sweep half as often, and leave more to the interpolation; but smaller entries
+    // do not help them.
     coarsening.ProlongationDegree = 8;
+    coarsening.Dropped = 0.001;
   }
   return std::make_unique<LeastSquaresHierarchy>(CoarsenLeastSquares(
     isOneForm ? OneFormLaplacianFactor(mesh, context, options.Areas)

@@ -24,8 +24,9 @@ struct LeastSquaresHierarchyOptions
 {
   /// Degree of the polynomial that smooths the prolongation, >= 0.
   int ProlongationDegree = 7;
-  /// Entries of the prolongation below so many times the largest of their row are left out.
-  double Dropped = 0.001;
+  /// Entries of the prolongation below so many times the largest of their row are left out. What they
+  /// leave is noise of as much energy as the smoothest fields have on a million edges.
+  double Dropped = 0.0003;
 };
 
 /// What multigrid needs to know of a roughness |B x|^2, whatever is prescribed: its blocks, a smoothed
