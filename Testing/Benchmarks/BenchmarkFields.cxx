@@ -131,7 +131,7 @@ struct SetUp
 
   TangentFrames Frames;
   ProlongationOperators Operators;
-  std::shared_ptr<const RoughnessSurface> Surface; ///< null for power fields
+  std::shared_ptr<const RoughnessSurface> Surface;
 };
 
 template <class Scalar>

@@ -30,19 +30,21 @@ int Iterations(LevelConstruction levels, const Surface& surface, int N, int pres
   const TangentFrames frames = FaceFrames(mesh);
   const SurfaceHierarchy hierarchy =
     BuildSurfaceHierarchy(mesh, hierarchyOptions, context, { false, false, false });
-  PrescribedFaces prescribed;
+  FieldConstraints constraints;
   Random random(53);
+  constraints.Values.resize(2 * prescribedFaces);
   for (int b = 0; b < prescribedFaces; ++b)
   {
-    prescribed.Faces.push_back(static_cast<int>((b + 0.5) * mesh.NumberOfFaces() / prescribedFaces));
-    prescribed.Weights.push_back(1.0);
+    constraints.Elements.push_back(static_cast<int>((b + 0.5) * mesh.NumberOfFaces() / prescribedFaces));
+    constraints.Weights.push_back(1.0);
+    constraints.Values[2 * b] = random.Uniform(-1.0, 1.0);
+    constraints.Values[2 * b + 1] = random.Uniform(-1.0, 1.0);
   }
   FieldOptions options;
   options.N = N;
   options.Solver.Kind = SolverKind::ConjugateGradients;
-  HarmonicProblem<Complex> problem =
-    MakePowerFieldProblem(mesh, frames, &hierarchy.Operators, prescribed, options, context);
-  problem.Solve(random.Numbers(prescribedFaces), {}, StoppingCriteria(), context);
+  FieldProblem problem(mesh, frames, &hierarchy.Operators, constraints, options, context);
+  problem.Solve(constraints.Values, {}, StoppingCriteria(), context);
   EXPECT_TRUE(problem.Report().Converged);
   return static_cast<int>(problem.Report().Iterations.size()) - 1;
 }

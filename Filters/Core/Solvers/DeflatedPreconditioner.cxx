@@ -1,6 +1,6 @@
 #include "Solvers/DeflatedPreconditioner.h"
 
-#include "Support/UndeterminedSpace.h"
+#include "Support/EnergiesOfSpace.h"
 
 #include <utility>
 

@@ -1,7 +1,7 @@
 #include "Systems/HarmonicSystem.h"
 
+#include "Support/EnergiesOfSpace.h"
 #include "Support/Errors.h"
-#include "Support/UndeterminedSpace.h"
 
 #include <Eigen/QR>
 

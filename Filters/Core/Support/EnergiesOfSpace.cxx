@@ -1,4 +1,4 @@
-#include "Support/UndeterminedSpace.h"
+#include "Support/EnergiesOfSpace.h"
 
 namespace dmg
 {

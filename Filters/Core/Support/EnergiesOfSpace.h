@@ -1,5 +1,5 @@
-#ifndef dmgUndeterminedSpace_h
-#define dmgUndeterminedSpace_h
+#ifndef dmgEnergiesOfSpace_h
+#define dmgEnergiesOfSpace_h
 
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
