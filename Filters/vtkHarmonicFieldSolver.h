@@ -138,8 +138,9 @@
  * Discretisation change. A solve that does not reach Tolerance gives the best field that it
  * reached, Converged = 0 and a warning. Where too little is prescribed for the harmonic fields of a
  * surface with handles or holes, 1-forms and face fields leave out what is not determined, with a
- * warning, unless the surface has too many of them to hold. An aborted run leaves empty outputs and keeps the stages that were
- * complete. Threads and pieces are as in vtkDirectionalProlongation.
+ * warning. Where a surface has too many of them to hold, cycles say so in Solver, and a factorisation
+ * may end in an error or in what rounding errors make of the rest. An aborted run leaves empty
+ * outputs and keeps the stages that were complete. Threads and pieces are as in vtkDirectionalProlongation.
  *
  * @sa vtkDirectionalProlongation
  */
@@ -270,8 +271,8 @@ public:
   /**
    * Gauss-Seidel sweeps before and after the coarse correction of each level, up and down in turn; on
    * nodal levels the surface itself gets three times as many for power fields, twice as many for
-   * 1-forms, and as many for face fields, whose cycles sweep over the stars of points. Default 2, range
-   * 1 to 10.
+   * 1-forms, and as many for face fields, whose cycles sweep over the stars of points unless
+   * StartingLevel is chosen (then twice as many). Default 2, range 1 to 10.
    */
   vtkSetClampMacro(Sweeps, int, 1, 10);
   vtkGetMacro(Sweeps, int);

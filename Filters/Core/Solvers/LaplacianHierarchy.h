@@ -26,10 +26,10 @@ public:
   /// Eigen 3.4 would copy the matrices.
   LaplacianHierarchy(LaplacianHierarchy&& other) noexcept;
 
-  SparseMatrix<Complex> L;        ///< not scaled
-  UnitDiagonalMatrix<Single> A;   ///< L
+  SparseMatrix<Complex> L;      ///< not scaled
+  UnitDiagonalMatrix<Single> A; ///< L but for its diagonal
   SparseMatrix<Single> Prolongation;
-  SparseMatrix<Single> Restriction; ///< its adjoint
+  SparseMatrix<Single> Restriction;   ///< its adjoint
   SparseMatrix<Complex> CoarseMatrix; ///< P^H L P
   std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
 
