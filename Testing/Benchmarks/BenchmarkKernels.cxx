@@ -221,22 +221,20 @@ void MeasureSquares(const TriangleMesh& mesh, const TangentFrames& frames,
   Vector<double> x = Vector<double>::Random(hierarchy.NumberOfUnknowns());
   Vector<double> y;
 
-  // Reads x and the lengths twice, B, and B^T; writes and reads what is in between; writes y.
+  // Reads B once; x and D, writes y; then reads x and the lengths, reads and writes y.
   const LeastSquaresOperator A(hierarchy, Vector<double>::Zero(x.size()));
-  const double product = BytesOf(hierarchy.B) + BytesOf(hierarchy.Bt) +
-    sizeof(double) * (8.0 * unknowns + 2.0 * rows);
+  const double product = BytesOf(hierarchy.B) + sizeof(double) * 7.0 * unknowns;
   table.Append("B^T B, double", 0, unknowns, nonZeros, product,
     Fastest(runs, [&] { A.Apply(x, y, context); }));
 
-  // A sweep reads the blocks, their inverses, each column of B once, and b; and reads and writes x
-  // and B x.
-  BlockSmoother smoother(hierarchy.B, hierarchy.Bt, hierarchy.Blocks, Sweeps);
+  // A sweep reads the blocks, their inverses and columns of B, and b; and reads and writes x and B x.
+  BlockSmoother smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, Sweeps);
   const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) +
     sizeof(float) * (3.0 * unknowns + 2.0 * rows);
   Vector<double> r;
-  // Then the residual: B^T, B x, b; x and r are written.
-  const double before = Sweeps * sweep + BytesOf(hierarchy.Bt) + sizeof(float) * (unknowns + rows) +
-    sizeof(double) * 3.0 * unknowns;
+  // Then the residual: b; x and r are written; B and B x are read, and r once more.
+  const double before = Sweeps * sweep + BytesOf(hierarchy.B) + sizeof(float) * (unknowns + rows) +
+    sizeof(double) * 5.0 * unknowns;
   const Vector<double> b = Vector<double>::Random(x.size());
   table.Append("blocks, pre", 0, unknowns, nonZeros, before,
     Fastest(runs, [&] { smoother.PreSmooth(b, x, r, context); }));
@@ -244,6 +242,17 @@ void MeasureSquares(const TriangleMesh& mesh, const TangentFrames& frames,
     sizeof(double) * 4.0 * unknowns;
   table.Append("blocks, post", 0, unknowns, nonZeros, after,
     Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
+
+  // The interpolation, and what it reads and writes on the fine level.
+  const CompactProlongation& P = hierarchy.Prolongation;
+  const double interpolation = static_cast<double>(P.Bytes()) + sizeof(double) * unknowns;
+  const auto entries = static_cast<double>(P.NonZeros());
+  Vector<double> coarse;
+  Vector<double> sums;
+  table.Append("restriction", 0, unknowns, entries, interpolation,
+    Fastest(runs, [&] { P.MultiplyAdjoint(b, coarse, sums, context); }));
+  table.Append("prolongation", 0, unknowns, entries, interpolation + sizeof(double) * unknowns,
+    Fastest(runs, [&] { P.AddProduct(coarse, x, context); }));
 }
 
 void MeasureSurface(

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <type_traits>
+#include <iterator>
 
 namespace dmg
 {
@@ -13,35 +13,129 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
-// So many blocks before it is their turn, the columns of their unknowns are asked for.
-constexpr int Ahead = 8;
 
-inline void Prefetch([[maybe_unused]] const void* address)
+/// A pattern of blocks as the kernel asks for it.
+class AnyShape
 {
-#if defined(__GNUC__)
-  __builtin_prefetch(address);
-#endif
+public:
+  static constexpr int MostUnknowns = SchwarzBlocks::LargestBlock;
+  static constexpr int MostRows = SchwarzBlocks::MostRows;
+
+  explicit AnyShape(const SchwarzBlocks::Pattern& pattern)
+    : Of(pattern)
+  {
+  }
+  int Unknowns() const { return this->Of.Unknowns(); }
+  int Rows() const { return this->Of.Rows(); }
+  int Begin(int unknown) const { return this->Of.Offsets[unknown]; }
+  int RowOf(int entry) const { return this->Of.RowOf[entry]; }
+  int RowBegin(int row) const { return this->Of.RowOffsets[row]; }
+  int EntryAt(int slot) const { return this->Of.EntryAt[slot]; }
+  int UnknownAt(int slot) const { return this->Of.UnknownAt[slot]; }
+
+private:
+  const SchwarzBlocks::Pattern& Of;
+};
+
+/// Three unknowns, with a row for each of them, for every two and for all: the sides of a face inside of
+/// a surface, the faces beyond them, its corners, and itself. The compiler knows it and unrolls all loops.
+class ShapeOfSides
+{
+public:
+  static constexpr int MostUnknowns = 3;
+  static constexpr int MostRows = 7;
+
+  static constexpr int Unknowns() { return 3; }
+  static constexpr int Rows() { return 7; }
+  static constexpr int Begin(int unknown) { return 4 * unknown; }
+  static constexpr int RowOf(int entry) { return RowsOfEntries[entry]; }
+  static constexpr int RowBegin(int row) { return RowBegins[row]; }
+  static constexpr int EntryAt(int slot) { return Entries[slot]; }
+  static constexpr int UnknownAt(int slot) { return Entries[slot] / 4; }
+
+  static bool Is(const SchwarzBlocks::Pattern& pattern)
+  {
+    return pattern.Unknowns() == Unknowns() && pattern.Rows() == Rows() &&
+      std::equal(pattern.RowOf.begin(), pattern.RowOf.end(), std::begin(RowsOfEntries),
+        std::end(RowsOfEntries));
+  }
+
+private:
+  // Rows ascend by the unknowns that touch them, as bits.
+  static constexpr int RowsOfEntries[] = { 0, 2, 4, 6, 1, 2, 5, 6, 3, 4, 5, 6 };
+  static constexpr int RowBegins[] = { 0, 1, 2, 4, 5, 7, 9, 12 };
+  static constexpr int Entries[] = { 0, 4, 1, 5, 8, 2, 9, 6, 10, 3, 7, 11 };
+};
+
+/// y = A x for a symmetric matrix in each lane, its lower triangle by rows.
+template <class Pack>
+inline void MultiplySymmetric(const float* triangle, int size, const Pack* x, Pack* y)
+{
+  constexpr int lanes = LanesOf<Pack>;
+  for (int i = 0; i < size; ++i, triangle += lanes)
+  {
+    Pack sum{};
+    for (int j = 0; j < i; ++j, triangle += lanes)
+    {
+      const Pack entry = LoadPack<Pack>(triangle);
+      sum += entry * x[j];
+      y[j] += entry * x[i];
+    }
+    y[i] = sum + LoadPack<Pack>(triangle) * x[i];
+  }
+}
+
+/// The same where lanes are of no use, but rows are long.
+inline void MultiplySymmetric(const float* triangle, int size, const float* x, float* y)
+{
+  constexpr int lanes = LanesOf<FloatPack>;
+  for (int i = 0; i < size; ++i, ++triangle)
+  {
+    FloatPack sums{};
+    const FloatPack factors = FloatPack{} + x[i];
+    int j = 0;
+    for (; j + lanes <= i; j += lanes, triangle += lanes)
+    {
+      const FloatPack entries = LoadPack<FloatPack>(triangle);
+      sums += entries * LoadPack<FloatPack>(x + j);
+      StorePack(LoadPack<FloatPack>(y + j) + entries * factors, y + j);
+    }
+    float sum = SumOfLanes(sums);
+    for (; j < i; ++j, ++triangle)
+    {
+      sum += *triangle * x[j];
+      y[j] += *triangle * x[i];
+    }
+    y[i] = sum + *triangle * x[i];
+  }
 }
 
 }
 
-BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor,
-  const SparseMatrix<double>& transpose, const SchwarzBlocks& blocks, int sweeps)
+BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles& tiles,
+  const SchwarzBlocks& blocks, int sweeps)
   : B(factor)
-  , Bt(transpose)
+  , Tiles(tiles)
   , Blocks(blocks)
   , Sweeps(sweeps)
-  , Diagonal(Vector<double>::Zero(factor.cols()))
+  , Diagonal(Vector<float>::Zero(factor.cols()))
   , IsPulled(blocks.NumberOfTiles(), 0)
-  , Inverses(blocks.Blocks().Size())
   , Right(factor.cols())
   , Step(factor.cols())
   , Bx(factor.rows())
 {
   assert(sweeps >= 1);
-  for (int k = 0; k < blocks.Blocks().Size(); ++k)
+  for (int k = 0; k < static_cast<int>(blocks.AllPatterns().size()); ++k)
   {
-    this->Inverses[k] = blocks.Inverse(k);
+    if (ShapeOfSides::Is(blocks.AllPatterns()[k]))
+    {
+      this->PatternOfSides = k;
+    }
+  }
+  this->Inverses.reserve(blocks.Groups().size());
+  for (const SchwarzBlocks::Group& group : blocks.Groups())
+  {
+    this->Inverses.push_back(blocks.Inverse(group));
   }
 }
 
@@ -51,44 +145,45 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
   this->Held.clear();
   for (Eigen::Index i = 0; i < D.size(); ++i)
   {
-    this->Diagonal[i] = std::isfinite(D[i]) ? D[i] : 0.0;
+    this->Diagonal[i] = std::isfinite(D[i]) ? static_cast<float>(D[i]) : 0.0f;
     if (!std::isfinite(D[i]))
     {
       this->Held.push_back(static_cast<int>(i));
     }
   }
-  const UnknownBlocks& blocks = this->Blocks.Blocks();
+  const std::vector<SchwarzBlocks::Group>& groups = this->Blocks.Groups();
+  const auto countsSome = [&](const SchwarzBlocks::Group& group, const auto& diagonal) {
+    const int* const unknowns = this->Blocks.Unknowns(group);
+    return std::any_of(unknowns, this->Blocks.Rows(group),
+      [&diagonal](int unknown) { return diagonal[unknown] != 0; });
+  };
   std::vector<int> changed;
   std::size_t size = 0;
-  for (int k = 0; k < blocks.Size(); ++k)
+  for (int g = 0; g < static_cast<int>(groups.size()); ++g)
   {
-    const bool isChanged = std::any_of(blocks.Unknowns.begin() + blocks.Offsets[k],
-      blocks.Unknowns.begin() + blocks.Offsets[k + 1],
-      [&D](int unknown) { return D[unknown] != 0.0; });
-    if (isChanged)
+    this->Inverses[g] = this->Blocks.Inverse(groups[g]);
+    if (countsSome(groups[g], D))
     {
-      changed.push_back(k);
-      size += this->Blocks.InverseSize(k);
+      changed.push_back(g);
+      size += this->Blocks.InverseSize(groups[g]);
     }
-    this->Inverses[k] = this->Blocks.Inverse(k);
   }
   this->ChangedInverses.resize(size);
   std::vector<float*> places;
   places.reserve(changed.size());
   float* next = this->ChangedInverses.data();
-  for (const int k : changed)
+  for (const int g : changed)
   {
     places.push_back(next);
-    this->Inverses[k] = next;
-    next += this->Blocks.InverseSize(k);
+    this->Inverses[g] = next;
+    next += this->Blocks.InverseSize(groups[g]);
   }
-  this->Blocks.Invert(this->Bt, D, changed, places, context);
+  this->Blocks.Invert(D, changed, places, context);
   for (int t = 0; t < this->Blocks.NumberOfTiles(); ++t)
   {
     const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
-    this->IsPulled[t] = std::any_of(blocks.Unknowns.begin() + blocks.Offsets[tile.First],
-      blocks.Unknowns.begin() + blocks.Offsets[tile.Last],
-      [this](int unknown) { return this->Diagonal[unknown] != 0.0; });
+    this->IsPulled[t] = std::any_of(groups.begin() + tile.First, groups.begin() + tile.Last,
+      [&](const SchwarzBlocks::Group& group) { return countsSome(group, this->Diagonal); });
   }
 }
 
@@ -104,74 +199,73 @@ void BlockSmoother::Begin(
   });
 }
 
-template <int Width, bool Pulled>
+template <class Pack, class Shape, bool Pulled>
+void BlockSmoother::SmoothGroup(
+  const SchwarzBlocks::Group& group, const Shape& shape, const float* inverse)
+{
+  constexpr int lanes = LanesOf<Pack>;
+  const int* const unknowns = this->Blocks.Unknowns(group);
+  const int* const rows = this->Blocks.Rows(group);
+  const float* const values = this->Blocks.Values(group);
+
+  Pack products[Shape::MostRows];
+  for (int k = 0; k < shape.Rows(); ++k)
+  {
+    products[k] = GatherPack<Pack>(this->Bx.data(), rows + k * lanes);
+  }
+  Pack residuals[Shape::MostUnknowns];
+  for (int i = 0; i < shape.Unknowns(); ++i)
+  {
+    Pack residual = GatherPack<Pack>(this->Right.data(), unknowns + i * lanes);
+    if (Pulled)
+    {
+      residual -= GatherPack<Pack>(this->Diagonal.data(), unknowns + i * lanes) *
+        GatherPack<Pack>(this->Step.data(), unknowns + i * lanes);
+    }
+    for (int e = shape.Begin(i); e < shape.Begin(i + 1); ++e)
+    {
+      residual -= LoadPack<Pack>(values + e * lanes) * products[shape.RowOf(e)];
+    }
+    residuals[i] = residual;
+  }
+  Pack steps[Shape::MostUnknowns];
+  MultiplySymmetric(inverse, shape.Unknowns(), residuals, steps);
+  for (int i = 0; i < shape.Unknowns(); ++i)
+  {
+    ScatterPack<Pack>(GatherPack<Pack>(this->Step.data(), unknowns + i * lanes) + steps[i],
+      this->Step.data(), unknowns + i * lanes);
+  }
+  for (int k = 0; k < shape.Rows(); ++k)
+  {
+    Pack product = products[k];
+    for (int s = shape.RowBegin(k); s < shape.RowBegin(k + 1); ++s)
+    {
+      product += LoadPack<Pack>(values + shape.EntryAt(s) * lanes) * steps[shape.UnknownAt(s)];
+    }
+    ScatterPack<Pack>(product, this->Bx.data(), rows + k * lanes);
+  }
+}
+
+template <bool Pulled>
 void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
 {
-  const UnknownBlocks& blocks = this->Blocks.Blocks();
-  const int width = Width > 0 ? Width : this->Blocks.EntriesPerUnknown();
-  const SchwarzBlocks::Entry* const entries = this->Blocks.Entries();
-  const float* const right = this->Right.data();
-  float* const total = this->Step.data();
-  float* const product = this->Bx.data();
-  float residuals[SchwarzBlocks::LargestBlock];
-  float steps[SchwarzBlocks::LargestBlock];
-  const auto smoothBlock = [&](auto sizeOfBlock, const int* unknowns, const float* inverse) {
-    const int size = sizeOfBlock;
-    for (int i = 0; i < size; ++i)
-    {
-      const int unknown = unknowns[i];
-      const SchwarzBlocks::Entry* const column = entries + static_cast<std::size_t>(unknown) * width;
-      float residual = right[unknown];
-      if (Pulled)
-      {
-        residual -= static_cast<float>(this->Diagonal[unknown]) * total[unknown];
-      }
-      for (int e = 0; e < width; ++e)
-      {
-        residual -= column[e].Value * product[column[e].Row];
-      }
-      residuals[i] = residual;
-      steps[i] = 0.0f;
-    }
-    for (int i = 0; i < size; inverse += ++i)
-    {
-      float step = inverse[i] * residuals[i];
-      for (int j = 0; j < i; ++j)
-      {
-        step += inverse[j] * residuals[j];
-        steps[j] += inverse[j] * residuals[i];
-      }
-      steps[i] += step;
-    }
-    for (int i = 0; i < size; ++i)
-    {
-      const int unknown = unknowns[i];
-      const SchwarzBlocks::Entry* const column = entries + static_cast<std::size_t>(unknown) * width;
-      total[unknown] += steps[i];
-      for (int e = 0; e < width; ++e)
-      {
-        product[column[e].Row] += column[e].Value * steps[i];
-      }
-    }
-  };
-  for (int k = 0; k < tile.Last - tile.First; ++k)
+  const int step = descending ? -1 : 1;
+  const int end = descending ? tile.First - 1 : tile.Last;
+  for (int g = descending ? tile.Last - 1 : tile.First; g != end; g += step)
   {
-    const int block = descending ? tile.Last - 1 - k : tile.First + k;
-    const int* const unknowns = blocks.Unknowns.data() + blocks.Offsets[block];
-    const int size = blocks.Offsets[block + 1] - blocks.Offsets[block];
-    const int later =
-      descending ? std::max(block - Ahead, tile.First) : std::min(block + Ahead, tile.Last - 1);
-    for (int s = blocks.Offsets[later]; s < blocks.Offsets[later + 1]; ++s)
+    const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
+    const AnyShape shape(this->Blocks.PatternOf(group));
+    if (group.Lanes == 1)
     {
-      Prefetch(entries + static_cast<std::size_t>(blocks.Unknowns[s]) * width);
+      this->SmoothGroup<float, AnyShape, Pulled>(group, shape, this->Inverses[g]);
     }
-    if (size == 3) // the sides of a face
+    else if (group.Pattern == this->PatternOfSides)
     {
-      smoothBlock(std::integral_constant<int, 3>(), unknowns, this->Inverses[block]);
+      this->SmoothGroup<FloatPack, ShapeOfSides, Pulled>(group, {}, this->Inverses[g]);
     }
     else
     {
-      smoothBlock(size, unknowns, this->Inverses[block]);
+      this->SmoothGroup<FloatPack, AnyShape, Pulled>(group, shape, this->Inverses[g]);
     }
   }
 }
@@ -183,19 +277,8 @@ void BlockSmoother::Sweep(bool descending, const ExecutionContext& context)
   {
     this->Blocks.ForTiles(descending ? colours - 1 - c : c, context, [&](int t) {
       const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
-      const auto smooth = [&](auto width) {
-        this->IsPulled[t] ? this->SmoothTile<width(), true>(tile, descending)
-                          : this->SmoothTile<width(), false>(tile, descending);
-      };
-      switch (this->Blocks.EntriesPerUnknown())
-      {
-        case 4: // 1-forms
-          return smooth(std::integral_constant<int, 4>());
-        case 6: // face fields
-          return smooth(std::integral_constant<int, 6>());
-        default:
-          return smooth(std::integral_constant<int, 0>());
-      }
+      this->IsPulled[t] ? this->SmoothTile<true>(tile, descending)
+                        : this->SmoothTile<false>(tile, descending);
     });
   }
 }
@@ -215,12 +298,16 @@ void BlockSmoother::PreSmooth(
     for (int i = first; i < last; ++i)
     {
       x[i] = this->Step[i];
-      double residual = b[i] - this->Diagonal[i] * x[i];
-      for (int e = this->Bt.outerIndexPtr()[i]; e < this->Bt.outerIndexPtr()[i + 1]; ++e)
+      r[i] = b[i] - this->Diagonal[i] * x[i];
+    }
+  });
+  this->Tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
+    for (int k = firstRow; k < lastRow; ++k)
+    {
+      for (int e = this->B.outerIndexPtr()[k]; e < this->B.outerIndexPtr()[k + 1]; ++e)
       {
-        residual -= this->Bt.valuePtr()[e] * this->Bx[this->Bt.innerIndexPtr()[e]];
+        r[this->B.innerIndexPtr()[e]] -= this->B.valuePtr()[e] * this->Bx[k];
       }
-      r[i] = residual;
     }
   });
   for (const int i : this->Held)

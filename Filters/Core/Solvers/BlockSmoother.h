@@ -3,6 +3,7 @@
 
 #include "Solvers/SchwarzBlocks.h"
 #include "Support/ExecutionContext.h"
+#include "Support/RowTiles.h"
 #include "Support/Types.h"
 
 #include <vector>
@@ -16,7 +17,8 @@ namespace dmg
 /// uneven triangles: the three sides of a sliver differ by little, and so do their equations.
 ///
 /// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A,
-/// so that a sweep over overlapping blocks costs no more than a sweep over the rows of A.
+/// so that a sweep over overlapping blocks costs no more than a sweep over the rows of A. Blocks that look
+/// alike and are independent are solved for at once (SchwarzBlocks).
 ///
 /// Steps are taken in single precision, and added up in double. What that costs is noise in B x, to which
 /// vectors of little energy, which the coarse levels are for, are blind. Same bits for any number of
@@ -25,11 +27,11 @@ class BlockSmoother
 {
 public:
   /// A = B^T B, until SetDiagonal. All arguments are borrowed and must stay where they are.
-  /// \param B, Bt the factor and its transpose.
+  /// \param B the factor. \param tiles of its rows.
   /// \param blocks of B, covering all unknowns that are to be smoothed.
   /// \param sweeps before and after the coarse correction, >= 1.
-  BlockSmoother(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-    const SchwarzBlocks& blocks, int sweeps);
+  BlockSmoother(const SparseMatrix<double>& B, const RowTiles& tiles, const SchwarzBlocks& blocks,
+    int sweeps);
   BlockSmoother(const BlockSmoother&) = delete; // inverses are referred to
   BlockSmoother& operator=(const BlockSmoother&) = delete;
 
@@ -58,20 +60,26 @@ private:
   void Begin(const Vector<double>& b, const ExecutionContext& context,
     const Vector<double>* x = nullptr);
   void Sweep(bool descending, const ExecutionContext& context);
-  /// Takes the blocks of a tile one after the other.
-  /// \tparam Width entries per unknown, or 0 if the compiler shall not know.
+  /// Takes the groups of a tile one after the other.
   /// \tparam Pulled D is not zero on the tile.
-  template <int Width, bool Pulled>
+  template <bool Pulled>
   void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
+  /// Solves for the unknowns of each block of a group.
+  /// \tparam Pack of so many lanes as the group has.
+  /// \tparam Shape the pattern of its blocks.
+  template <class Pack, class Shape, bool Pulled>
+  void SmoothGroup(
+    const SchwarzBlocks::Group& group, const Shape& shape, const float* inverse);
 
   const SparseMatrix<double>& B;
-  const SparseMatrix<double>& Bt;
+  const RowTiles& Tiles;
   const SchwarzBlocks& Blocks;
   const int Sweeps;
-  Vector<double> Diagonal;             ///< D where it is finite, else zero
+  int PatternOfSides = -1; ///< the one that most faces have
+  Vector<float> Diagonal;              ///< D where it is finite, else zero
   std::vector<int> Held;               ///< where D is infinite
   std::vector<char> IsPulled;          ///< by tile: whether Diagonal is not zero there
-  std::vector<const float*> Inverses;  ///< of each block
+  std::vector<const float*> Inverses;  ///< of each group
   std::vector<float> ChangedInverses;  ///< where D is not zero
   Vector<float> Right; ///< b - D x before the sweeps
   Vector<float> Step;  ///< what the sweeps have added to x

@@ -1,6 +1,5 @@
 #include "Solvers/LeastSquaresCycle.h"
 
-#include "Support/SparseAssembly.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -20,7 +19,7 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
   const Vector<double>& D, const RoughnessCycleOptions& options,
   const ExecutionContext& context)
   : Fine(hierarchy)
-  , Smoother(hierarchy.B, hierarchy.Bt, hierarchy.Blocks, options.Sweeps)
+  , Smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, options.Sweeps)
   , b(hierarchy.NumberOfUnknowns())
 {
   const Vector<double> scaled = this->Scaled(D);
@@ -59,19 +58,26 @@ Vector<double> LeastSquaresCycle::Scaled(const Vector<double>& D) const
 SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
   const Vector<double>& D, const ExecutionContext& context) const
 {
-  const SparseMatrix<Plane>& P = this->Fine.Prolongation;
-  SparseMatrix<double> coarse = this->Fine.CoarseMatrix;
-  if (!this->Smoother.HeldUnknowns().empty())
+  SparseMatrix<double> coarse;
+  if (this->Smoother.HeldUnknowns().empty())
+  {
+    SparseMatrix<double> ofAll = SymmetricFromLower(this->Fine.CoarseLower, context);
+    coarse.swap(ofAll); // an assignment would copy
+  }
+  else
   {
     // Their rows are zero, but stay in the pattern, so that it does not depend on D.
-    SparseMatrix<Plane> free = P;
+    SparseMatrix<Plane> free = this->Fine.Prolongation.Rounded(context);
     for (const int i : this->Smoother.HeldUnknowns())
     {
       std::fill(free.valuePtr() + free.outerIndexPtr()[i],
         free.valuePtr() + free.outerIndexPtr()[i + 1], Plane(0));
     }
-    coarse =
-      CoarseRoughness(this->Fine.B, this->Fine.Bt, free, Adjoint(free, context), context);
+    SparseMatrix<double> ofFree = SymmetricFromLower(
+      CoarseRoughness(
+        this->Fine.B, Adjoint(this->Fine.B, context), free, Adjoint(free, context), context),
+      context);
+    coarse.swap(ofFree);
   }
   // What D adds are the squares of sqrt(D) P.
   std::vector<int> rows;
@@ -82,7 +88,7 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
       rows.push_back(static_cast<int>(i));
     }
   }
-  SparseMatrix<Plane> pulled = SelectRows(P, rows, context);
+  SparseMatrix<Plane> pulled = this->Fine.Prolongation.SelectedRows(rows, context);
   for (std::size_t k = 0; k < rows.size(); ++k)
   {
     const auto root = static_cast<float>(std::sqrt(D[rows[k]]));
@@ -95,42 +101,6 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
   return coarse;
 }
 
-void LeastSquaresCycle::Restrict(const ExecutionContext& context)
-{
-  const auto& R = this->Fine.Restriction;
-  this->CoarseResidual.resize(2 * R.rows());
-  context.ParallelFor(0, static_cast<int>(R.rows()), RowGrain / 16, [&](int first, int last) {
-    for (int j = first; j < last; ++j)
-    {
-      Complex sum(0);
-      for (int e = R.outerIndexPtr()[j]; e < R.outerIndexPtr()[j + 1]; ++e)
-      {
-        sum += this->Residual[R.innerIndexPtr()[e]] * Complex(R.valuePtr()[e]);
-      }
-      this->CoarseResidual[2 * j] = sum.real();
-      this->CoarseResidual[2 * j + 1] = -sum.imag(); // R is the conjugate of the transpose
-    }
-  });
-}
-
-void LeastSquaresCycle::Correct(const ExecutionContext& context)
-{
-  const auto& P = this->Fine.Prolongation;
-  context.ParallelFor(0, static_cast<int>(P.rows()), RowGrain / 4, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
-    {
-      double sum = 0.0;
-      for (int e = P.outerIndexPtr()[i]; e < P.outerIndexPtr()[i + 1]; ++e)
-      {
-        const int j = 2 * P.innerIndexPtr()[e];
-        sum += P.valuePtr()[e].real() * this->CoarseCorrection[j] +
-          P.valuePtr()[e].imag() * this->CoarseCorrection[j + 1];
-      }
-      this->x[i] += sum;
-    }
-  });
-}
-
 void LeastSquaresCycle::Apply(
   const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
 {
@@ -141,9 +111,10 @@ void LeastSquaresCycle::Apply(
       r.segment(first, count).cwiseQuotient(scales.segment(first, count));
   });
   this->Smoother.PreSmooth(this->b, this->x, this->Residual, context);
-  this->Restrict(context);
+  this->Fine.Prolongation.MultiplyAdjoint(
+    this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
-  this->Correct(context);
+  this->Fine.Prolongation.AddProduct(this->CoarseCorrection, this->x, context);
   for (const int i : this->Smoother.HeldUnknowns())
   {
     this->x[i] = 0.0;

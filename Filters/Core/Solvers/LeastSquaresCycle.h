@@ -40,8 +40,6 @@ private:
   /// P^T (B^T B + D) P.
   SparseMatrix<double> CoarseMatrix(
     const Vector<double>& scaledD, const ExecutionContext& context) const;
-  void Restrict(const ExecutionContext& context);
-  void Correct(const ExecutionContext& context);
 
   const LeastSquaresHierarchy& Fine;
   BlockSmoother Smoother;
@@ -52,6 +50,7 @@ private:
   Vector<double> Residual;
   Vector<double> CoarseResidual;
   Vector<double> CoarseCorrection;
+  Vector<double> SumsOfTiles; ///< room for CompactProlongation
 };
 
 }

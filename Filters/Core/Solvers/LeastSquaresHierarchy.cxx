@@ -182,19 +182,15 @@ std::vector<int> ConnectedThrough(const SparseMatrix<double>& B, const SparseMat
   return components;
 }
 
-}
-
-LeastSquaresHierarchy CoarsenLeastSquares(const SparseMatrix<double>& factor,
-  LeastSquaresLevels levels, const LeastSquaresHierarchyOptions& options,
-  const ExecutionContext& context)
+/// The numbers chain.
+void CheckLevels(const LeastSquaresLevels& levels, Eigen::Index unknowns)
 {
-  PlanarProlongation& P = levels.Prolongation;
-  if (P.rows() != factor.cols())
+  if (levels.Prolongation.rows() != unknowns)
   {
-    throw InvalidInput("the prolongation to level 0 has " + std::to_string(P.rows()) +
-      " rows instead of " + std::to_string(factor.cols()) + "; use the operators of this surface");
+    throw InvalidInput("the prolongation to level 0 has " + std::to_string(levels.Prolongation.rows()) +
+      " rows instead of " + std::to_string(unknowns) + "; use the operators of this surface");
   }
-  long long size = 2 * P.cols();
+  long long size = 2 * levels.Prolongation.cols();
   for (std::size_t l = 0; l < levels.Coarser.size(); ++l)
   {
     if (levels.Coarser[l].rows() != size)
@@ -205,49 +201,78 @@ LeastSquaresHierarchy CoarsenLeastSquares(const SparseMatrix<double>& factor,
     }
     size = levels.Coarser[l].cols();
   }
-  // Blocks by the coarse unknowns that they belong to; unknowns as the blocks come to them, and rows of
-  // B as the unknowns do.
-  const int unknowns = static_cast<int>(factor.cols());
+}
+
+/// Blocks by the coarse unknowns that they belong to; unknowns as the blocks come to them, and rows of B
+/// as the unknowns do.
+/// \return the order of the unknowns.
+std::vector<int> BringIntoOrder(
+  SparseMatrix<double>& B, LeastSquaresLevels& levels, const ExecutionContext& context)
+{
+  PlanarProlongation& P = levels.Prolongation;
+  const int unknowns = static_cast<int>(B.cols());
+  const int rows = static_cast<int>(B.rows());
   const std::vector<int> blockOrder = SortedByKey(levels.Blocks.Size(),
     std::max(1, static_cast<int>(P.cols())),
     [&](int k) { return FirstColumn(P, levels.Blocks.Unknowns[levels.Blocks.Offsets[k]], 0); });
-  const std::vector<int> blocksInOrder = Permuted(levels.Blocks, blockOrder, Identity(unknowns)).Unknowns;
+  levels.Blocks = Permuted(levels.Blocks, blockOrder, Identity(unknowns));
   std::vector<int> order =
-    ByFirstOccurrence(blocksInOrder.begin(), blocksInOrder.end(), unknowns);
+    ByFirstOccurrence(levels.Blocks.Unknowns.begin(), levels.Blocks.Unknowns.end(), unknowns);
   const std::vector<int> places = Inverse(order);
-  const SparseMatrix<double> rowsOfUnknowns =
-    Permuted(Adjoint(factor, context), order, Identity(static_cast<int>(factor.rows())), context);
-  const std::vector<int> rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
-    rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), static_cast<int>(factor.rows()));
-  SparseMatrix<double> B = Permuted(factor, rowOrder, places, context);
+  for (int& unknown : levels.Blocks.Unknowns)
   {
-    PlanarProlongation permuted = Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
-    P.swap(permuted);
+    unknown = places[unknown];
   }
+  std::vector<int> rowOrder;
+  {
+    const SparseMatrix<double> rowsOfUnknowns =
+      Permuted(Adjoint(B, context), order, Identity(rows), context);
+    rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
+      rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), rows);
+  }
+  // An assignment would copy.
+  SparseMatrix<double> permuted = Permuted(B, rowOrder, places, context);
+  B.swap(permuted);
+  PlanarProlongation permutedP =
+    Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
+  P.swap(permutedP);
+  return order;
+}
+
+}
+
+LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLevels levels,
+  const LeastSquaresHierarchyOptions& options, const ExecutionContext& context)
+{
+  CheckLevels(levels, B.cols());
+  std::vector<int> order = BringIntoOrder(B, levels, context);
   SparseMatrix<double> Bt = Adjoint(B, context);
   Vector<double> scales = ScalesOfColumns(B, Bt, context);
   const auto one = [](int) { return 1.0; };
   Scale(B, one, [&scales](int column) { return 1.0 / scales[column]; }, context);
-  Scale(P, [&scales](int row) { return scales[row]; }, one, context);
-  Bt = Adjoint(B, context);
+  Scale(Bt, [&scales](int row) { return 1.0 / scales[row]; }, one, context);
+  Scale(levels.Prolongation, [&scales](int row) { return scales[row]; }, one, context);
   context.Checkpoint(0.1);
 
-  SparseMatrix<Plane> restriction =
-    SmoothedRestriction(B, Bt, P, options.ProlongationDegree, options.Dropped, context);
-  SparseMatrix<Plane> prolongation = Adjoint(restriction, context);
-  context.Checkpoint(0.6);
-  SparseMatrix<double> coarse = CoarseRoughness(B, Bt, prolongation, restriction, context);
+  LeastSquaresHierarchy hierarchy(SchwarzBlocks(Bt, levels.Blocks, context));
+  levels.Blocks = {};
+  context.Checkpoint(0.3);
+  hierarchy.Prolongation = CompactProlongation(
+    Adjoint(SmoothedRestriction(
+              B, Bt, std::move(levels.Prolongation), options.ProlongationDegree, options.Dropped, context),
+      context),
+    context);
   context.Checkpoint(0.8);
-  LeastSquaresHierarchy hierarchy(
-    SchwarzBlocks(Bt, Permuted(levels.Blocks, blockOrder, places), context));
+  {
+    const SparseMatrix<Plane> P = hierarchy.Prolongation.Rounded(context);
+    SparseMatrix<double> lower = CoarseRoughness(B, Bt, P, Adjoint(P, context), context);
+    hierarchy.CoarseLower.swap(lower); // an assignment would copy
+  }
   hierarchy.Components = ConnectedThrough(B, Bt);
   hierarchy.Order = std::move(order);
   hierarchy.Scales = std::move(scales);
-  hierarchy.B.swap(B); // an assignment would copy
-  hierarchy.Bt.swap(Bt);
-  hierarchy.Prolongation.swap(prolongation);
-  hierarchy.Restriction.swap(restriction);
-  hierarchy.CoarseMatrix.swap(coarse);
+  hierarchy.Tiles = RowTiles(B);
+  hierarchy.B.swap(B);
   hierarchy.Coarser = std::move(levels.Coarser);
   context.Checkpoint(1.0);
   return hierarchy;
@@ -260,20 +285,19 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(SchwarzBlocks blocks)
 
 LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept
   : RoughnessHierarchy(std::move(other))
+  , Tiles(std::move(other.Tiles))
   , Blocks(std::move(other.Blocks))
+  , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
 {
   this->B.swap(other.B);
-  this->Bt.swap(other.Bt);
-  this->Prolongation.swap(other.Prolongation);
-  this->Restriction.swap(other.Restriction);
-  this->CoarseMatrix.swap(other.CoarseMatrix);
+  this->CoarseLower.swap(other.CoarseLower);
 }
 
 long long LeastSquaresHierarchy::Bytes() const
 {
-  long long sum = BytesOf(this->B) + BytesOf(this->Bt) + this->Blocks.Bytes() +
-    BytesOf(this->Prolongation) + BytesOf(this->Restriction) + BytesOf(this->CoarseMatrix) +
+  long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() +
+    BytesOf(this->CoarseLower) +
     this->NumberOfUnknowns() * static_cast<long long>(2 * sizeof(int) + sizeof(double));
   for (const SparseMatrix<double>& P : this->Coarser)
   {
@@ -297,33 +321,63 @@ LeastSquaresOperator::LeastSquaresOperator(
   const LeastSquaresHierarchy& hierarchy, Vector<double> diagonal)
   : Hierarchy(hierarchy)
   , D(std::move(diagonal))
-  , Scaled(hierarchy.B.cols())
-  , Product(hierarchy.B.rows())
+  , SquaresOfTiles(hierarchy.Tiles.Size())
 {
+  for (int i = 0; i < this->Size(); ++i)
+  {
+    if (!std::isfinite(this->D[i]))
+    {
+      this->Held.push_back(i);
+    }
+  }
 }
 
+/// One pass over B: as soon as a row of B x is known, it is given to all columns.
 double LeastSquaresOperator::Apply(
   const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
 {
-  const LeastSquaresHierarchy& of = this->Hierarchy;
-  context.ParallelFor(0, this->Size(), RowGrain, [&](int first, int last) {
-    const int count = last - first;
-    this->Scaled.segment(first, count) =
-      x.segment(first, count).cwiseProduct(of.Scales.segment(first, count));
-  });
-  Multiply(of.B, this->Scaled, this->Product, context);
+  const SparseMatrix<double>& B = this->Hierarchy.B;
+  const Vector<double>& scales = this->Hierarchy.Scales;
   y.resize(this->Size());
-  return SumOverBlocks<double>(this->Size(), context, [&](int first, int last) {
-    double product = 0.0;
+  double product = SumOverBlocks<double>(this->Size(), context, [&](int first, int last) {
+    double ofD = 0.0;
     for (int i = first; i < last; ++i)
     {
-      y[i] = std::isfinite(this->D[i])
-        ? of.Scales[i] * RowTimes(of.Bt, i, this->Product.data()) + this->D[i] * x[i]
-        : 0.0;
-      product += x[i] * y[i];
+      y[i] = x[i] != 0.0 ? this->D[i] * x[i] : 0.0; // D may be infinite
+      ofD += x[i] * y[i];
     }
-    return product;
+    return ofD;
   });
+  this->Hierarchy.Tiles.ForTiles(context, [&](int tile, int firstRow, int lastRow) {
+    double squares = 0.0;
+    for (int k = firstRow; k < lastRow; ++k)
+    {
+      const int begin = B.outerIndexPtr()[k];
+      const int end = B.outerIndexPtr()[k + 1];
+      double row = 0.0;
+      for (int e = begin; e < end; ++e)
+      {
+        const int i = B.innerIndexPtr()[e];
+        row += B.valuePtr()[e] * (scales[i] * x[i]);
+      }
+      for (int e = begin; e < end; ++e)
+      {
+        const int i = B.innerIndexPtr()[e];
+        y[i] += scales[i] * (B.valuePtr()[e] * row);
+      }
+      squares += row * row;
+    }
+    this->SquaresOfTiles[tile] = squares;
+  });
+  for (const double squares : this->SquaresOfTiles)
+  {
+    product += squares;
+  }
+  for (const int i : this->Held)
+  {
+    y[i] = 0.0;
+  }
+  return product;
 }
 
 }

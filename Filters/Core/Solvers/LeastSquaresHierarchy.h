@@ -1,10 +1,11 @@
 #ifndef dmgLeastSquaresHierarchy_h
 #define dmgLeastSquaresHierarchy_h
 
-#include "Solvers/PlanarProlongation.h"
+#include "Solvers/CompactProlongation.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SchwarzBlocks.h"
 #include "Support/ExecutionContext.h"
+#include "Support/RowTiles.h"
 #include "Support/Types.h"
 
 #include <vector>
@@ -47,13 +48,11 @@ public:
   LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept;
 
   SparseMatrix<double> B; ///< columns divided by Scales
-  SparseMatrix<double> Bt;
+  RowTiles Tiles;         ///< of B, for products with its transpose
   SchwarzBlocks Blocks;
-  /// In single precision, to which its energy is no worse; and the adjoint.
-  SparseMatrix<Plane> Prolongation;
-  SparseMatrix<Plane> Restriction;
-  /// P^T B^T B P, 2 N_1 x 2 N_1.
-  SparseMatrix<double> CoarseMatrix;
+  CompactProlongation Prolongation;
+  /// The lower triangle of P^T B^T B P, 2 N_1 x 2 N_1.
+  SparseMatrix<double> CoarseLower;
   /// Between the levels below, finest first.
   std::vector<SparseMatrix<double>> Coarser;
 
@@ -63,12 +62,12 @@ public:
   long long Bytes() const override;
 };
 
-/// \param B m x n.
-/// \param levels Prolongation is n x N_1; Coarser [0] has 2 N_1 rows.
+/// \param B m x n. \param levels Prolongation is n x N_1; Coarser [0] has 2 N_1 rows. Both are given back
+///   early: move them in.
 /// \throw InvalidInput the sizes do not chain, or a block is too large.
 /// \throw Cancelled
 /// Cost: linear in the size of B; most of it smooths the prolongation.
-LeastSquaresHierarchy CoarsenLeastSquares(const SparseMatrix<double>& B, LeastSquaresLevels levels,
+LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLevels levels,
   const LeastSquaresHierarchyOptions& options, const ExecutionContext& context);
 
 /// A = B^T B + D of a hierarchy as operator, on unknowns in its order, but not scaled.
@@ -87,8 +86,8 @@ public:
 private:
   const LeastSquaresHierarchy& Hierarchy;
   const Vector<double> D;
-  mutable Vector<double> Scaled;
-  mutable Vector<double> Product;
+  std::vector<int> Held;
+  mutable std::vector<double> SquaresOfTiles;
 };
 
 }

@@ -34,20 +34,26 @@ inline void AddProduct(OuterProducts& sum, Complex a, std::complex<Other> b)
 }
 
 /// Appends two rows, of the components of the first factors, columns ascending.
-void AppendPair(
-  const SparseSum<OuterProducts>& sum, std::vector<int>& members, SparseRows<double>& rows)
+/// \param last column of the first row; the second has one more.
+void AppendPair(const SparseSum<OuterProducts>& sum, std::vector<int>& members, int last,
+  SparseRows<double>& rows)
 {
   members.assign(sum.Indices(), sum.Indices() + sum.Size());
   SortIndices(members.data(), static_cast<int>(members.size()));
   for (const bool isY : { false, true })
   {
+    const auto append = [&](int column, double value) {
+      if (column <= last + isY)
+      {
+        rows.Columns.push_back(column);
+        rows.Values.push_back(value);
+      }
+    };
     for (const int j : members)
     {
       const OuterProducts& products = sum[j];
-      rows.Columns.push_back(2 * j);
-      rows.Columns.push_back(2 * j + 1);
-      rows.Values.push_back(isY ? products.YX : products.XX);
-      rows.Values.push_back(isY ? products.YY : products.XY);
+      append(2 * j, isY ? products.YX : products.XX);
+      append(2 * j + 1, isY ? products.YY : products.XY);
     }
     rows.EndRow();
   }
@@ -185,10 +191,11 @@ std::vector<float> LargestOfRows(const PlanarProlongation& P, const ExecutionCon
 }
 
 SparseMatrix<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const PlanarProlongation& P, int degree, double dropped, const ExecutionContext& context)
+  PlanarProlongation&& P, int degree, double dropped, const ExecutionContext& context)
 {
   const PlanarProlongation adjoint = Adjoint(P, context);
   const std::vector<float> sizes = LargestOfRows(P, context);
+  PlanarProlongation().swap(P);
   std::vector<float> factors;
   for (int k = 1; k <= degree; ++k)
   {
@@ -253,10 +260,14 @@ SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const Sparse
         {
           const int i = AP.Indices()[k];
           const int begin = P.outerIndexPtr()[i];
-          sum.Add(AP[i], P.innerIndexPtr() + begin, P.valuePtr() + begin,
-            P.outerIndexPtr()[i + 1] - begin);
+          int size = P.outerIndexPtr()[i + 1] - begin;
+          while (size > 0 && P.innerIndexPtr()[begin + size - 1] > j)
+          {
+            --size;
+          }
+          sum.Add(AP[i], P.innerIndexPtr() + begin, P.valuePtr() + begin, size);
         }
-        AppendPair(sum, members, rows);
+        AppendPair(sum, members, 2 * j, rows);
       }
     };
   };
@@ -280,7 +291,7 @@ SparseMatrix<double> GramOfPlanar(const SparseMatrix<Plane>& Q, const ExecutionC
           sum.Add(std::conj(Complex(conjugate.valuePtr()[e])), Q.innerIndexPtr() + begin,
             Q.valuePtr() + begin, Q.outerIndexPtr()[row + 1] - begin);
         }
-        AppendPair(sum, members, rows);
+        AppendPair(sum, members, 2 * columns, rows);
       }
     };
   };

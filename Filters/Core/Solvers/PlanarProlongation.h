@@ -30,11 +30,12 @@ using Plane = std::complex<float>;
 /// \param B so that no eigenvalue of A is above 1. \param Bt its transpose.
 /// \param dropped entries below so many times the largest of their row of P are left out after each
 ///   step.
+/// \param P comes back empty, as soon as it is not needed any more.
 /// Cost: k products of A with all coarse functions, where they are not zero.
 SparseMatrix<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const PlanarProlongation& P, int degree, double dropped, const ExecutionContext& context);
+  PlanarProlongation&& P, int degree, double dropped, const ExecutionContext& context);
 
-/// P^T B^T B P on pairs of components: 2 m x 2 m for P of m columns.
+/// The lower triangle of P^T B^T B P on pairs of components: 2 m x 2 m for P of m columns.
 /// \param restriction the adjoint of P.
 SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
   const SparseMatrix<Plane>& P, const SparseMatrix<Plane>& restriction,

@@ -1,15 +1,15 @@
 #include "Solvers/SchwarzBlocks.h"
 
 #include "Support/Errors.h"
-#include "Support/SparseKernels.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <map>
 #include <numeric>
 #include <string>
+#include <tuple>
 #include <utility>
 
 namespace dmg
@@ -17,48 +17,145 @@ namespace dmg
 namespace
 {
 
-// Tiles for the caches of a core, and some for each of many threads on small surfaces.
-constexpr int LargestTile = 1024;
-constexpr int SmallestTile = 16;
-constexpr int WantedTiles = 128;
 // Keeps a block of dependent unknowns, as of a face without area, invertible in single precision.
 constexpr double Ridge = 1e-6;
 
-using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0,
-  SchwarzBlocks::LargestBlock, SchwarzBlocks::LargestBlock>;
+/// The number of unknowns of a block; then for each of its rows a bit per unknown that touches it,
+/// ascending.
+using Incidence = std::vector<std::uint64_t>;
+
+SchwarzBlocks::Pattern PatternFrom(const Incidence& incidence)
+{
+  SchwarzBlocks::Pattern pattern;
+  const int unknowns = static_cast<int>(incidence[0]);
+  const int rows = static_cast<int>(incidence.size()) - 1;
+  std::vector<std::vector<std::pair<int, int>>> byRow(rows); // entry, unknown
+  pattern.Offsets.push_back(0);
+  for (int i = 0; i < unknowns; ++i)
+  {
+    for (int k = 0; k < rows; ++k)
+    {
+      if ((incidence[k + 1] >> i & 1) != 0)
+      {
+        byRow[k].emplace_back(pattern.Entries(), i);
+        pattern.RowOf.push_back(static_cast<std::uint16_t>(k));
+      }
+    }
+    pattern.Offsets.push_back(pattern.Entries());
+  }
+  pattern.RowOffsets.push_back(0);
+  for (const auto& row : byRow)
+  {
+    for (const auto& [entry, unknown] : row)
+    {
+      pattern.EntryAt.push_back(static_cast<std::uint16_t>(entry));
+      pattern.UnknownAt.push_back(static_cast<std::uint16_t>(unknown));
+    }
+    pattern.RowOffsets.push_back(static_cast<int>(pattern.EntryAt.size()));
+  }
+  return pattern;
+}
+
+/// The rows of B that a block touches, those first that fewer of its unknowns touch. Rows that the same
+/// unknowns touch may change places, and so blocks that look alike get the same pattern.
+class RowsOfBlock
+{
+public:
+  explicit RowsOfBlock(const SparseMatrix<double>& transpose)
+    : Bt(transpose)
+    , Places(transpose.cols(), -1)
+  {
+  }
+
+  void Collect(const int* unknowns, int size)
+  {
+    for (const auto& [unknownsOfRow, row] : this->Touched)
+    {
+      this->Places[row] = -1;
+    }
+    this->Touched.clear();
+    for (int i = 0; i < size; ++i)
+    {
+      for (int e = this->Bt.outerIndexPtr()[unknowns[i]]; e < this->Bt.outerIndexPtr()[unknowns[i] + 1]; ++e)
+      {
+        const int row = this->Bt.innerIndexPtr()[e];
+        if (this->Places[row] < 0)
+        {
+          this->Places[row] = static_cast<int>(this->Touched.size());
+          this->Touched.emplace_back(0, row);
+        }
+        this->Touched[this->Places[row]].first |= std::uint64_t(1) << i;
+      }
+    }
+    std::sort(this->Touched.begin(), this->Touched.end());
+    this->Key.assign(1, size);
+    for (int k = 0; k < this->Size(); ++k)
+    {
+      this->Key.push_back(this->Touched[k].first);
+      this->Places[this->Touched[k].second] = k;
+    }
+  }
+
+  /// Entries of B in the column of an unknown of the block, where there are any.
+  void EntriesOf(int unknown, float* entries)
+  {
+    for (int e = this->Bt.outerIndexPtr()[unknown]; e < this->Bt.outerIndexPtr()[unknown + 1]; ++e)
+    {
+      entries[this->Places[this->Bt.innerIndexPtr()[e]]] = static_cast<float>(this->Bt.valuePtr()[e]);
+    }
+  }
+
+  const Incidence& OfBlock() const { return this->Key; }
+  int Size() const { return static_cast<int>(this->Touched.size()); }
+  int operator[](int k) const { return this->Touched[k].second; }
+
+private:
+  const SparseMatrix<double>& Bt;
+  std::vector<int> Places; ///< of rows among Touched, -1 elsewhere
+  std::vector<std::pair<std::uint64_t, int>> Touched;
+  Incidence Key;
+};
 
 /// Inverts blocks one after the other.
 class Inverter
 {
 public:
-  Inverter(const SparseMatrix<double>& transpose, const Vector<double>& diagonal)
-    : Bt(transpose)
+  Inverter(const SchwarzBlocks& blocks, const Vector<double>& diagonal)
+    : Blocks(blocks)
     , D(diagonal)
-    , Column(transpose.cols(), 0.0)
+    , Column(SchwarzBlocks::MostRows, 0.0)
   {
   }
 
-  void operator()(const int* unknowns, int size, float* inverse)
+  /// \param inverse of the whole group.
+  void operator()(const SchwarzBlocks::Group& group, int lane, float* inverse)
   {
+    const SchwarzBlocks::Pattern& pattern = this->Blocks.PatternOf(group);
+    const int* const unknowns = this->Blocks.Unknowns(group) + lane;
+    const float* const values = this->Blocks.Values(group) + lane;
+    const int size = pattern.Unknowns();
     // B^T B + D, scaled to ones on the diagonal.
     Dense A(size, size);
     double scales[SchwarzBlocks::LargestBlock];
     for (int i = 0; i < size; ++i)
     {
-      const int row = unknowns[i];
-      for (int e = this->Bt.outerIndexPtr()[row]; e < this->Bt.outerIndexPtr()[row + 1]; ++e)
+      for (int e = pattern.Offsets[i]; e < pattern.Offsets[i + 1]; ++e)
       {
-        this->Column[this->Bt.innerIndexPtr()[e]] = this->Bt.valuePtr()[e];
+        this->Column[pattern.RowOf[e]] = values[e * group.Lanes];
       }
       for (int j = 0; j <= i; ++j)
       {
-        A(i, j) = RowTimes(this->Bt, unknowns[j], this->Column.data());
+        A(i, j) = 0.0;
+        for (int e = pattern.Offsets[j]; e < pattern.Offsets[j + 1]; ++e)
+        {
+          A(i, j) += values[e * group.Lanes] * this->Column[pattern.RowOf[e]];
+        }
       }
-      for (int e = this->Bt.outerIndexPtr()[row]; e < this->Bt.outerIndexPtr()[row + 1]; ++e)
+      for (int e = pattern.Offsets[i]; e < pattern.Offsets[i + 1]; ++e)
       {
-        this->Column[this->Bt.innerIndexPtr()[e]] = 0.0;
+        this->Column[pattern.RowOf[e]] = 0.0;
       }
-      const double diagonal = A(i, i) + this->D[row];
+      const double diagonal = A(i, i) + this->D[unknowns[i * group.Lanes]];
       // Zero where there is nothing to solve for.
       scales[i] = diagonal > 0.0 ? 1.0 / std::sqrt(diagonal) : 0.0;
     }
@@ -72,221 +169,239 @@ public:
     }
     const Dense inverted =
       A.selfadjointView<Eigen::Lower>().llt().solve(Dense::Identity(size, size));
+    inverse += lane;
     for (int i = 0; i < size; ++i)
     {
-      for (int j = 0; j <= i; ++j)
+      for (int j = 0; j <= i; ++j, inverse += group.Lanes)
       {
-        *inverse++ = static_cast<float>(scales[i] * inverted(i, j) * scales[j]);
+        *inverse = static_cast<float>(scales[i] * inverted(i, j) * scales[j]);
       }
     }
   }
 
 private:
-  const SparseMatrix<double>& Bt;
+  using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, SchwarzBlocks::LargestBlock,
+    SchwarzBlocks::LargestBlock>;
+
+  const SchwarzBlocks& Blocks;
   const Vector<double>& D;
   std::vector<double> Column; ///< of B, zero in between
 };
 
 }
 
-SchwarzBlocks::SchwarzBlocks(
-  const SparseMatrix<double>& Bt, UnknownBlocks blocks, const ExecutionContext& context)
-  : Members(std::move(blocks))
+/// Puts blocks into groups, and what belongs to them into the arrays of SchwarzBlocks.
+class SchwarzBlocks::Packing
 {
-  const int size = this->Members.Size();
-  for (int k = 0; k < size; ++k)
+public:
+  Packing(SchwarzBlocks& blocks, const SparseMatrix<double>& transpose, const UnknownBlocks& unknowns,
+    const BlockTiles& tiles)
+    : To(blocks)
+    , Bt(transpose)
+    , Of(unknowns)
+    , Tiles(tiles)
+    , Order(unknowns.Size())
+    , Drafts(tiles.Size())
   {
-    const int unknowns = this->Members.Offsets[k + 1] - this->Members.Offsets[k];
+  }
+
+  void MakeGroups(const ExecutionContext& context);
+  void MakeRoom();
+  void Fill(const ExecutionContext& context);
+
+private:
+  /// The groups of a tile; patterns count from 0 in each.
+  struct Draft
+  {
+    std::vector<Group> Groups;
+    std::vector<Incidence> Patterns;
+  };
+
+  Draft DraftOf(int tile, RowsOfBlock& rows);
+  template <class Visit>
+  void ForTiles(const ExecutionContext& context, const Visit& visit) const
+  {
+    const int grain = std::max(1, this->Tiles.Size() / (4 * context.NumberOfThreads()));
+    context.ParallelFor(0, this->Tiles.Size(), grain, [&](int first, int last) {
+      RowsOfBlock rows(this->Bt);
+      for (int tile = first; tile < last; ++tile)
+      {
+        visit(tile, rows);
+      }
+    });
+  }
+  const int* UnknownsOf(int block) const { return this->Of.Unknowns.data() + this->Of.Offsets[block]; }
+  int SizeOf(int block) const { return this->Of.Offsets[block + 1] - this->Of.Offsets[block]; }
+
+  SchwarzBlocks& To;
+  const SparseMatrix<double>& Bt;
+  const UnknownBlocks& Of;
+  const BlockTiles& Tiles;
+  std::vector<int> Order; ///< of blocks, as groups hold them
+  std::vector<Draft> Drafts;
+};
+
+void SchwarzBlocks::Packing::MakeGroups(const ExecutionContext& context)
+{
+  this->ForTiles(context,
+    [this](int tile, RowsOfBlock& rows) { this->Drafts[tile] = this->DraftOf(tile, rows); });
+}
+
+SchwarzBlocks::Packing::Draft SchwarzBlocks::Packing::DraftOf(int tile, RowsOfBlock& rows)
+{
+  Draft draft;
+  std::map<Incidence, int> numbers;
+  std::vector<std::tuple<int, int, int>> keys; // colour, pattern, block
+  const int first = this->Tiles.BeginsOfTiles()[tile];
+  const int last = this->Tiles.BeginsOfTiles()[tile + 1];
+  for (int k = first; k < last; ++k)
+  {
+    rows.Collect(this->UnknownsOf(k), this->SizeOf(k));
+    if (rows.Size() > MostRows)
+    {
+      throw InvalidInput("block " + std::to_string(k) + " touches " + std::to_string(rows.Size()) +
+        " rows of the factor; split it into blocks of at most " + std::to_string(MostRows));
+    }
+    const auto [found, isNew] =
+      numbers.try_emplace(rows.OfBlock(), static_cast<int>(draft.Patterns.size()));
+    if (isNew)
+    {
+      draft.Patterns.push_back(rows.OfBlock());
+    }
+    keys.emplace_back(this->Tiles.BlockColours()[k], found->second, k);
+  }
+  std::sort(keys.begin(), keys.end());
+  const int size = last - first;
+  for (int k = 0; k < size;)
+  {
+    const auto& [colour, pattern, block] = keys[k];
+    constexpr int lanes = LanesOf<FloatPack>;
+    const bool isPack = k + lanes <= size && colour != BlockTiles::LastBlockColour &&
+      std::get<0>(keys[k + lanes - 1]) == colour && std::get<1>(keys[k + lanes - 1]) == pattern;
+    draft.Groups.push_back({ pattern, isPack ? lanes : 1, 0, 0, 0 });
+    for (int l = 0; l < draft.Groups.back().Lanes; ++l, ++k)
+    {
+      this->Order[first + k] = std::get<2>(keys[k]);
+    }
+  }
+  return draft;
+}
+
+/// Numbers patterns and groups through, and gives each group its place in the arrays.
+void SchwarzBlocks::Packing::MakeRoom()
+{
+  std::map<Incidence, int> numbers;
+  std::size_t indices = 0;
+  std::size_t values = 0;
+  std::size_t inverses = 0;
+  for (Draft& draft : this->Drafts)
+  {
+    this->To.TileBegins.push_back(static_cast<int>(this->To.GroupsInOrder.size()));
+    for (Group group : draft.Groups)
+    {
+      const Incidence& incidence = draft.Patterns[group.Pattern];
+      const auto [found, isNew] =
+        numbers.try_emplace(incidence, static_cast<int>(this->To.Patterns.size()));
+      if (isNew)
+      {
+        this->To.Patterns.push_back(PatternFrom(incidence));
+      }
+      const Pattern& pattern = this->To.Patterns[found->second];
+      group = { found->second, group.Lanes, indices, values, inverses };
+      indices += static_cast<std::size_t>(pattern.Unknowns() + pattern.Rows()) * group.Lanes;
+      values += static_cast<std::size_t>(pattern.Entries()) * group.Lanes;
+      inverses += this->To.InverseSize(group);
+      this->To.GroupsInOrder.push_back(group);
+    }
+    draft = {};
+  }
+  this->To.TileBegins.push_back(static_cast<int>(this->To.GroupsInOrder.size()));
+  this->To.Indices.resize(indices);
+  this->To.EntriesOfB.resize(values);
+  this->To.Inverses.resize(inverses);
+}
+
+void SchwarzBlocks::Packing::Fill(const ExecutionContext& context)
+{
+  this->ForTiles(context, [this](int tile, RowsOfBlock& rows) {
+    int place = this->Tiles.BeginsOfTiles()[tile];
+    float entries[MostRows]; // of a column of B
+    for (int g = this->To.TileBegins[tile]; g < this->To.TileBegins[tile + 1]; ++g)
+    {
+      const Group& group = this->To.GroupsInOrder[g];
+      const Pattern& pattern = this->To.PatternOf(group);
+      for (int l = 0; l < group.Lanes; ++l)
+      {
+        const int block = this->Order[place++];
+        const int* const unknowns = this->UnknownsOf(block);
+        rows.Collect(unknowns, this->SizeOf(block));
+        int* index = this->To.Indices.data() + group.Indices + l;
+        for (int i = 0; i < pattern.Unknowns(); ++i, index += group.Lanes)
+        {
+          *index = unknowns[i];
+        }
+        for (int k = 0; k < pattern.Rows(); ++k, index += group.Lanes)
+        {
+          *index = rows[k];
+        }
+        float* value = this->To.EntriesOfB.data() + group.Values + l;
+        for (int i = 0; i < pattern.Unknowns(); ++i)
+        {
+          rows.EntriesOf(unknowns[i], entries);
+          for (int e = pattern.Offsets[i]; e < pattern.Offsets[i + 1]; ++e, value += group.Lanes)
+          {
+            *value = entries[pattern.RowOf[e]];
+          }
+        }
+      }
+    }
+  });
+}
+
+SchwarzBlocks::SchwarzBlocks(
+  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
+  : Blocks(blocks.Size())
+{
+  for (int k = 0; k < blocks.Size(); ++k)
+  {
+    const int unknowns = blocks.Offsets[k + 1] - blocks.Offsets[k];
     if (unknowns > LargestBlock)
     {
       throw InvalidInput("block " + std::to_string(k) + " holds " + std::to_string(unknowns) +
         " unknowns; split it into blocks of at most " + std::to_string(LargestBlock));
     }
   }
-  this->MakeTiles();
-  this->SortTiles(Bt, context);
-  this->ColourTiles(Bt);
-  this->CopyEntries(Bt, context);
+  const BlockTiles tiles(Bt, blocks, context);
+  this->TileColours = tiles.Colouring();
+  Packing packing(*this, Bt, blocks, tiles);
+  packing.MakeGroups(context);
+  packing.MakeRoom();
+  packing.Fill(context);
 
-  this->InverseBegins.reserve(size + 1);
-  for (int k = 0; k < size; ++k)
-  {
-    const std::size_t unknowns = this->Members.Offsets[k + 1] - this->Members.Offsets[k];
-    this->InverseBegins.push_back(this->InverseBegins.back() + unknowns * (unknowns + 1) / 2);
-  }
-  this->Inverses.resize(this->InverseBegins.back());
-  std::vector<int> all(size);
+  std::vector<int> all(this->GroupsInOrder.size());
   std::iota(all.begin(), all.end(), 0);
-  std::vector<float*> places(size);
-  for (int k = 0; k < size; ++k)
+  std::vector<float*> places;
+  places.reserve(all.size());
+  for (const Group& group : this->GroupsInOrder)
   {
-    places[k] = this->Inverses.data() + this->InverseBegins[k];
+    places.push_back(this->Inverses.data() + group.Inverse);
   }
-  this->Invert(Bt, Vector<double>::Zero(Bt.rows()), all, places, context);
+  this->Invert(Vector<double>::Zero(Bt.rows()), all, places, context);
 }
 
-void SchwarzBlocks::MakeTiles()
+void SchwarzBlocks::Invert(const Vector<double>& D, const std::vector<int>& groups,
+  const std::vector<float*>& inverses, const ExecutionContext& context) const
 {
-  const int size = this->Members.Size();
-  const int tileSize = std::clamp(size / WantedTiles, SmallestTile, LargestTile);
-  for (int begin = 0; begin < size; begin += tileSize)
-  {
-    this->TileBegins.push_back(begin);
-  }
-  this->TileBegins.push_back(size);
-}
-
-void SchwarzBlocks::SortTiles(const SparseMatrix<double>& Bt, const ExecutionContext& context)
-{
-  constexpr int numberOfColours = 64; // blocks that find none share the last; none must be independent
-  const int numberOfTiles = static_cast<int>(this->TileBegins.size()) - 1;
-  const int grain = std::max(1, numberOfTiles / (4 * context.NumberOfThreads()));
-  context.ParallelFor(0, numberOfTiles, grain, [&](int firstTile, int lastTile) {
-    std::vector<std::uint64_t> taken(Bt.cols(), 0); // by row of B: colours of the blocks that touch it
-    std::vector<std::pair<int, int>> order;         // colour, block
-    UnknownBlocks sorted;
-    for (int tile = firstTile; tile < lastTile; ++tile)
-    {
-      const int first = this->TileBegins[tile];
-      const int last = this->TileBegins[tile + 1];
-      const auto forRows = [&](int firstBlock, int lastBlock, const auto& visit) {
-        const int lastSlot = this->Members.Offsets[lastBlock];
-        for (int s = this->Members.Offsets[firstBlock]; s < lastSlot; ++s)
-        {
-          const int unknown = this->Members.Unknowns[s];
-          for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
-          {
-            visit(taken[Bt.innerIndexPtr()[e]]);
-          }
-        }
-      };
-      order.clear();
-      for (int k = first; k < last; ++k)
-      {
-        std::uint64_t forbidden = 0;
-        forRows(k, k + 1, [&forbidden](std::uint64_t colours) { forbidden |= colours; });
-        int colour = 0;
-        while (colour + 1 < numberOfColours && (forbidden >> colour & 1) != 0)
-        {
-          ++colour;
-        }
-        forRows(k, k + 1, [colour](std::uint64_t& set) { set |= std::uint64_t(1) << colour; });
-        order.emplace_back(colour, k);
-      }
-      forRows(first, last, [](std::uint64_t& colours) { colours = 0; });
-      std::sort(order.begin(), order.end());
-
-      const int firstSlot = this->Members.Offsets[first];
-      sorted.Offsets = { firstSlot };
-      sorted.Unknowns.clear();
-      for (const auto& [colour, k] : order)
-      {
-        sorted.Unknowns.insert(sorted.Unknowns.end(),
-          this->Members.Unknowns.begin() + this->Members.Offsets[k],
-          this->Members.Unknowns.begin() + this->Members.Offsets[k + 1]);
-        sorted.Offsets.push_back(firstSlot + static_cast<int>(sorted.Unknowns.size()));
-      }
-      std::copy(
-        sorted.Unknowns.begin(), sorted.Unknowns.end(), this->Members.Unknowns.begin() + firstSlot);
-      // The ends of a tile are the same as before, and belong to its neighbours, too.
-      std::copy(sorted.Offsets.begin() + 1, sorted.Offsets.end() - 1,
-        this->Members.Offsets.begin() + first + 1);
-    }
-  });
-}
-
-/// Each tile gets the first colour that no earlier tile on one of its rows has.
-void SchwarzBlocks::ColourTiles(const SparseMatrix<double>& Bt)
-{
-  const int numberOfTiles = static_cast<int>(this->TileBegins.size()) - 1;
-  // Rows keep their tiles as linked lists, the last one first.
-  struct Touch
-  {
-    int Tile;
-    int Next;
-  };
-  std::vector<Touch> touches;
-  std::vector<int> lastTouch(Bt.cols(), -1);
-  std::vector<int> colours(numberOfTiles, 0);
-  std::vector<int> forbiddenBy(numberOfTiles, -1); // by colour: the last tile that must not have it
-  for (int tile = 0; tile < numberOfTiles; ++tile)
-  {
-    const int lastSlot = this->Members.Offsets[this->TileBegins[tile + 1]];
-    for (int s = this->Members.Offsets[this->TileBegins[tile]]; s < lastSlot; ++s)
-    {
-      const int unknown = this->Members.Unknowns[s];
-      for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
-      {
-        int& last = lastTouch[Bt.innerIndexPtr()[e]];
-        if (last >= 0 && touches[last].Tile == tile)
-        {
-          continue;
-        }
-        for (int touch = last; touch >= 0; touch = touches[touch].Next)
-        {
-          forbiddenBy[colours[touches[touch].Tile]] = tile;
-        }
-        touches.push_back({ tile, last });
-        last = static_cast<int>(touches.size()) - 1;
-      }
-    }
-    while (forbiddenBy[colours[tile]] == tile)
-    {
-      ++colours[tile];
-    }
-  }
-
-  const int numberOfColours =
-    numberOfTiles > 0 ? *std::max_element(colours.begin(), colours.end()) + 1 : 0;
-  this->ColourBegins.assign(numberOfColours + 1, 0);
-  for (const int colour : colours)
-  {
-    ++this->ColourBegins[colour + 1];
-  }
-  OffsetsFromCounts(this->ColourBegins);
-  std::vector<int> next = this->ColourBegins;
-  this->Tiles.resize(numberOfTiles);
-  for (int tile = 0; tile < numberOfTiles; ++tile)
-  {
-    this->Tiles[next[colours[tile]]++] = tile;
-  }
-}
-
-void SchwarzBlocks::CopyEntries(const SparseMatrix<double>& Bt, const ExecutionContext& context)
-{
-  const int* const offsets = Bt.outerIndexPtr();
-  for (Eigen::Index unknown = 0; unknown < Bt.rows(); ++unknown)
-  {
-    this->Width = std::max(this->Width, offsets[unknown + 1] - offsets[unknown]);
-  }
-  this->Columns.resize(static_cast<std::size_t>(Bt.rows()) * this->Width, { 0, 0.0f });
-  constexpr int grain = 4096;
-  context.ParallelFor(0, static_cast<int>(Bt.rows()), grain, [&](int first, int last) {
-    for (int unknown = first; unknown < last; ++unknown)
-    {
-      Entry* entry = this->Columns.data() + static_cast<std::size_t>(unknown) * this->Width;
-      for (int e = offsets[unknown]; e < offsets[unknown + 1]; ++e)
-      {
-        *entry++ = { Bt.innerIndexPtr()[e], static_cast<float>(Bt.valuePtr()[e]) };
-      }
-    }
-  });
-}
-
-void SchwarzBlocks::Invert(const SparseMatrix<double>& Bt, const Vector<double>& D,
-  const std::vector<int>& blocks, const std::vector<float*>& inverses,
-  const ExecutionContext& context) const
-{
-  const int size = static_cast<int>(blocks.size());
-  // Every part has a workspace of its own.
-  const int grain = std::max(1024, size / (4 * context.NumberOfThreads()));
-  context.ParallelFor(0, size, grain, [&](int first, int last) {
-    Inverter invert(Bt, D);
+  constexpr int grain = 256;
+  context.ParallelFor(0, static_cast<int>(groups.size()), grain, [&](int first, int last) {
+    Inverter invert(*this, D);
     for (int k = first; k < last; ++k)
     {
-      const int begin = this->Members.Offsets[blocks[k]];
-      invert(this->Members.Unknowns.data() + begin,
-        this->Members.Offsets[blocks[k] + 1] - begin, inverses[k]);
+      const Group& group = this->GroupsInOrder[groups[k]];
+      for (int l = 0; l < group.Lanes; ++l)
+      {
+        invert(group, l, inverses[k]);
+      }
     }
   });
 }
@@ -296,8 +411,15 @@ long long SchwarzBlocks::Bytes() const
   const auto bytes = [](const auto& vector) {
     return static_cast<long long>(vector.size() * sizeof(vector[0]));
   };
-  return bytes(this->Members.Offsets) + bytes(this->Members.Unknowns) + bytes(this->Tiles) +
-    bytes(this->Columns) + bytes(this->InverseBegins) + bytes(this->Inverses);
+  long long sum = bytes(this->TileBegins) + bytes(this->TileColours.Parts) + bytes(this->TileColours.Begins) +
+    bytes(this->GroupsInOrder) + bytes(this->Indices) + bytes(this->EntriesOfB) +
+    bytes(this->Inverses);
+  for (const Pattern& pattern : this->Patterns)
+  {
+    sum += sizeof(Pattern) + bytes(pattern.Offsets) + bytes(pattern.RowOf) +
+      bytes(pattern.RowOffsets) + bytes(pattern.EntryAt) + bytes(pattern.UnknownAt);
+  }
+  return sum;
 }
 
 }

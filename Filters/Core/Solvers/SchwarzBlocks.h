@@ -1,32 +1,24 @@
 #ifndef dmgSchwarzBlocks_h
 #define dmgSchwarzBlocks_h
 
+#include "Solvers/BlockTiles.h"
 #include "Support/ExecutionContext.h"
+#include "Support/Packs.h"
 #include "Support/Types.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace dmg
 {
 
-/// Small sets of unknowns that are solved for together; none is empty. They may overlap.
-struct UnknownBlocks
-{
-  std::vector<int> Offsets = { 0 }; ///< block k holds Unknowns[Offsets[k]] to [Offsets[k + 1] - 1]
-  std::vector<int> Unknowns;
-
-  int Size() const { return static_cast<int>(this->Offsets.size()) - 1; }
-  void EndBlock() { this->Offsets.push_back(static_cast<int>(this->Unknowns.size())); }
-};
-
-/// What BlockSmoother needs of the roughness B^T B alone: blocks in tiles, and the inverse of each block.
+/// What BlockSmoother needs of the roughness B^T B alone: for each block the entries of B in its columns
+/// and its inverse, in the order in which they are needed.
 ///
-/// A tile are blocks that follow each other, and stand near each other where blocks, unknowns and rows of
-/// B come in a spatial order: one thread takes them one after the other, in a working set that its cache
-/// holds. Tiles that share a row of B have different colours; tiles of a colour are independent. Inside
-/// a tile, blocks are sorted by colours as well: a processor works on several blocks at once as long as
-/// none waits for what another stores.
+/// Blocks are smoothed in groups of four, each in a lane of a pack: blocks of one colour of a tile
+/// (BlockTiles) whose unknowns share rows of B in the same way, as the sides of most faces do, and the
+/// faces around most vertices of a valence. Others are groups of one.
 ///
 /// All is single precision: the inverses of blocks and the entries of B, which makes them those of nearly
 /// the same problem.
@@ -34,87 +26,109 @@ class SchwarzBlocks
 {
 public:
   static constexpr int LargestBlock = 64;
+  static constexpr int MostRows = 512;
 
-  /// Blocks from First to one before Last.
+  /// How the unknowns of a block share rows of B, which count from 0 in each block.
+  struct Pattern
+  {
+    std::vector<int> Offsets;         ///< unknown i has entries Offsets[i] to [Offsets[i + 1] - 1]
+    std::vector<std::uint16_t> RowOf; ///< of each entry
+    /// Row k has entries EntryAt[s] of unknowns UnknownAt[s], s from RowOffsets[k] to
+    /// [RowOffsets[k + 1] - 1].
+    std::vector<int> RowOffsets;
+    std::vector<std::uint16_t> EntryAt;
+    std::vector<std::uint16_t> UnknownAt;
+
+    int Unknowns() const { return static_cast<int>(this->Offsets.size()) - 1; }
+    int Rows() const { return static_cast<int>(this->RowOffsets.size()) - 1; }
+    int Entries() const { return static_cast<int>(this->RowOf.size()); }
+    /// Of a lower triangle.
+    int InverseSize() const { return this->Unknowns() * (this->Unknowns() + 1) / 2; }
+  };
+
+  /// Blocks that are smoothed at once. All arrays hold lanes after each other: entry e of lane l is
+  /// [e * Lanes + l].
+  struct Group
+  {
+    int Pattern;
+    int Lanes; ///< 1, or those of FloatPack
+    std::size_t Indices;
+    std::size_t Values;
+    std::size_t Inverse;
+  };
+
+  /// Groups from First to one before Last.
   struct Tile
   {
     int First;
     int Last;
   };
 
-  /// Of a column of B.
-  struct Entry
-  {
-    int Row;
-    float Value;
-  };
-
-  /// \param Bt B^T, a row per unknown, about equally many entries in each: all get the room of the
-  ///   longest.
-  /// \throw InvalidInput a block of more than LargestBlock unknowns.
+  /// \param Bt B^T, a row per unknown.
+  /// \throw InvalidInput a block of more than LargestBlock unknowns, or that touches more than MostRows
+  ///   rows of B.
   /// Cost: linear in the unknowns of all blocks.
   SchwarzBlocks(
-    const SparseMatrix<double>& Bt, UnknownBlocks blocks, const ExecutionContext& context);
+    const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
 
-  /// In the order in which they are smoothed, which is not the caller's.
-  const UnknownBlocks& Blocks() const { return this->Members; }
+  int NumberOfBlocks() const { return this->Blocks; }
 
-  int NumberOfColours() const { return static_cast<int>(this->ColourBegins.size()) - 1; }
-  int NumberOfTiles() const { return static_cast<int>(this->Tiles.size()); }
+  int NumberOfColours() const { return this->TileColours.NumberOfColours(); }
+  int NumberOfTiles() const { return static_cast<int>(this->TileColours.Parts.size()); }
   /// Calls visit(tile) for each tile of a colour, several at the same time.
   template <class Visit>
   void ForTiles(int colour, const ExecutionContext& context, const Visit& visit) const
   {
-    context.ParallelFor(this->ColourBegins[colour], this->ColourBegins[colour + 1], 1,
+    context.ParallelFor(this->TileColours.Begins[colour], this->TileColours.Begins[colour + 1], 1,
       [this, &visit](int first, int last) {
         for (int t = first; t < last; ++t)
         {
-          visit(this->Tiles[t]);
+          visit(this->TileColours.Parts[t]);
         }
       });
   }
   Tile TileAt(int tile) const { return { this->TileBegins[tile], this->TileBegins[tile + 1] }; }
 
-  /// The column of B of each unknown, EntriesPerUnknown each, filled up with zeros.
-  const Entry* Entries() const { return this->Columns.data(); }
-  /// The most entries that a column of B has.
-  int EntriesPerUnknown() const { return this->Width; }
-
-  /// The inverse of a block, symmetric: its lower triangle by rows.
-  const float* Inverse(int block) const
+  /// In the order in which they are smoothed, tile by tile.
+  const std::vector<Group>& Groups() const { return this->GroupsInOrder; }
+  const std::vector<Pattern>& AllPatterns() const { return this->Patterns; }
+  const Pattern& PatternOf(const Group& group) const { return this->Patterns[group.Pattern]; }
+  const int* Unknowns(const Group& group) const { return this->Indices.data() + group.Indices; }
+  /// Of B.
+  const int* Rows(const Group& group) const
   {
-    return this->Inverses.data() + this->InverseBegins[block];
+    return this->Unknowns(group) + this->PatternOf(group).Unknowns() * group.Lanes;
   }
-  std::size_t InverseSize(int block) const
+  /// Entries of B, unknown by unknown.
+  const float* Values(const Group& group) const { return this->EntriesOfB.data() + group.Values; }
+  /// The inverses of its blocks, symmetric: lower triangles by rows.
+  const float* Inverse(const Group& group) const { return this->Inverses.data() + group.Inverse; }
+  std::size_t InverseSize(const Group& group) const
   {
-    return this->InverseBegins[block + 1] - this->InverseBegins[block];
+    return static_cast<std::size_t>(this->PatternOf(group).InverseSize()) * group.Lanes;
   }
 
-  /// The inverses of some blocks of B^T B + D.
+  /// The inverses of the blocks of some groups of B^T B + D.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is held, and its part of the inverse
   ///   is zero.
-  /// \param blocks whose inverses are to be found.
+  /// \param groups whose inverses are to be found.
   /// \param inverses where each shall go.
-  void Invert(const SparseMatrix<double>& Bt, const Vector<double>& D,
-    const std::vector<int>& blocks, const std::vector<float*>& inverses,
-    const ExecutionContext& context) const;
+  void Invert(const Vector<double>& D, const std::vector<int>& groups,
+    const std::vector<float*>& inverses, const ExecutionContext& context) const;
 
   /// Held by this object.
   long long Bytes() const;
 
 private:
-  void MakeTiles();
-  void SortTiles(const SparseMatrix<double>& Bt, const ExecutionContext& context);
-  void ColourTiles(const SparseMatrix<double>& Bt);
-  void CopyEntries(const SparseMatrix<double>& Bt, const ExecutionContext& context);
+  class Packing;
 
-  UnknownBlocks Members;
-  std::vector<int> TileBegins;   ///< the first block of each, in the order of blocks
-  std::vector<int> Tiles;        ///< colour by colour
-  std::vector<int> ColourBegins; ///< the place of the first tile of each
-  std::vector<Entry> Columns;
-  int Width = 0;
-  std::vector<std::size_t> InverseBegins = { 0 };
+  int Blocks = 0;
+  std::vector<int> TileBegins; ///< the first group of each
+  PartColouring TileColours;
+  std::vector<Pattern> Patterns;
+  std::vector<Group> GroupsInOrder;
+  std::vector<int> Indices; ///< of each group its unknowns, then its rows of B
+  std::vector<float> EntriesOfB;
   std::vector<float> Inverses;
 };
 

@@ -132,6 +132,43 @@ SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionConte
   return adjoint;
 }
 
+SparseMatrix<double> SymmetricFromLower(
+  const SparseMatrix<double>& lower, const ExecutionContext& context)
+{
+  const int rows = static_cast<int>(lower.rows());
+  const SparseMatrix<double> upper = Adjoint(lower, context);
+  const int* const offsetsOfLower = lower.outerIndexPtr();
+  const int* const offsetsOfUpper = upper.outerIndexPtr();
+  // The diagonal is the first entry of a row of the upper triangle, if there.
+  const auto beyondDiagonal = [&](int i) {
+    const int begin = offsetsOfUpper[i];
+    return begin + (begin < offsetsOfUpper[i + 1] && upper.innerIndexPtr()[begin] == i);
+  };
+  std::vector<int> offsets(rows + 1, 0);
+  for (int i = 0; i < rows; ++i)
+  {
+    offsets[i + 1] =
+      offsetsOfLower[i + 1] - offsetsOfLower[i] + offsetsOfUpper[i + 1] - beyondDiagonal(i);
+  }
+  SparseMatrix<double> A(rows, rows);
+  A.resizeNonZeros(OffsetsFromCounts(offsets));
+  std::copy(offsets.begin(), offsets.end(), A.outerIndexPtr());
+  context.ParallelFor(0, rows, RowGrain, [&](int first, int last) {
+    const auto copy = [](const SparseMatrix<double>& from, int begin, int end,
+                        SparseMatrix<double>& to, int at) {
+      std::copy(from.innerIndexPtr() + begin, from.innerIndexPtr() + end, to.innerIndexPtr() + at);
+      std::copy(from.valuePtr() + begin, from.valuePtr() + end, to.valuePtr() + at);
+      return at + end - begin;
+    };
+    for (int i = first; i < last; ++i)
+    {
+      const int at = copy(lower, offsetsOfLower[i], offsetsOfLower[i + 1], A, offsets[i]);
+      copy(upper, beyondDiagonal(i), offsetsOfUpper[i + 1], A, at);
+    }
+  });
+  return A;
+}
+
 template <class Scalar>
 SparseMatrix<Scalar> Permuted(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
   const std::vector<int>& columnPlaces, const ExecutionContext& context)

@@ -104,6 +104,10 @@ double SquaredNorm(const Vector<Scalar>& x, const ExecutionContext& context);
 template <class Scalar>
 SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
 
+/// A symmetric matrix from its lower triangle, columns ascending.
+SparseMatrix<double> SymmetricFromLower(
+  const SparseMatrix<double>& lower, const ExecutionContext& context);
+
 /// A with its rows and columns in another order.
 /// \param rowOrder [k] is the row of A that becomes row k.
 /// \param columnPlaces [j] is the new place of column j of A.

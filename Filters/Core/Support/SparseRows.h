@@ -224,7 +224,7 @@ SparseMatrix<Scalar> AssembleInBands(
       for (int band = firstBand; band < lastBand; ++band)
       {
         const int begin = offsets[band * bandSize];
-        const SparseRows<Scalar>& rows = bands[band];
+        const SparseRows<Scalar> rows = std::move(bands[band]); // gives its memory back
         std::copy(rows.Columns.begin(), rows.Columns.end(), A.innerIndexPtr() + begin);
         std::copy(rows.Values.begin(), rows.Values.end(), A.valuePtr() + begin);
       }

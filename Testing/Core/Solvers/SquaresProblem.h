@@ -3,6 +3,7 @@
 
 #include "GridProblem.h"
 #include "Solvers/SchwarzBlocks.h"
+#include "Support/RowTiles.h"
 
 #include <Eigen/Dense>
 
@@ -18,6 +19,7 @@ struct Squares
   Squares(const SparseMatrix<double>& factor, UnknownBlocks blocks)
     : B(factor)
     , Bt(factor.transpose())
+    , Tiles(this->B)
     , Blocks(std::move(blocks))
   {
   }
@@ -31,6 +33,7 @@ struct Squares
 
   SparseMatrix<double> B;
   SparseMatrix<double> Bt;
+  RowTiles Tiles;
   UnknownBlocks Blocks;
 };
 
@@ -89,23 +92,43 @@ inline Squares Fan(int blades)
   return { WithUnitColumns(FromTriplets(1 + size, size, entries)), std::move(blocks) };
 }
 
-/// The order in which a smoother takes the blocks upwards: colour by colour, tile by tile.
-inline std::vector<int> OrderOfBlocks(const SchwarzBlocks& blocks)
+/// The unknowns of a block of a group.
+inline std::vector<int> MembersOf(
+  const SchwarzBlocks& blocks, const SchwarzBlocks::Group& group, int lane)
 {
-  std::vector<int> order;
+  std::vector<int> members;
+  for (int i = 0; i < blocks.PatternOf(group).Unknowns(); ++i)
+  {
+    members.push_back(blocks.Unknowns(group)[i * group.Lanes + lane]);
+  }
+  return members;
+}
+
+/// The blocks of some groups, lane by lane.
+inline void AppendBlocks(
+  const SchwarzBlocks& blocks, const SchwarzBlocks::Tile& tile, UnknownBlocks& to)
+{
+  for (int g = tile.First; g < tile.Last; ++g)
+  {
+    for (int lane = 0; lane < blocks.Groups()[g].Lanes; ++lane)
+    {
+      const std::vector<int> members = MembersOf(blocks, blocks.Groups()[g], lane);
+      to.Unknowns.insert(to.Unknowns.end(), members.begin(), members.end());
+      to.EndBlock();
+    }
+  }
+}
+
+/// As a smoother takes them upwards: colour by colour, tile by tile.
+inline UnknownBlocks BlocksInOrder(const SchwarzBlocks& blocks)
+{
+  UnknownBlocks inOrder;
   for (int colour = 0; colour < blocks.NumberOfColours(); ++colour)
   {
     blocks.ForTiles(colour, SerialContext(),
-      [&blocks, &order](int t)
-      {
-        const SchwarzBlocks::Tile tile = blocks.TileAt(t);
-        for (int block = tile.First; block < tile.Last; ++block)
-        {
-          order.push_back(block);
-        }
-      });
+      [&blocks, &inOrder](int t) { AppendBlocks(blocks, blocks.TileAt(t), inOrder); });
   }
-  return order;
+  return inOrder;
 }
 
 /// The block of a matrix.

@@ -29,7 +29,7 @@ constexpr double OfInverses = 2e-5;
 struct Smoother : BlockSmoother
 {
   Smoother(const Squares& squares, const SchwarzBlocks& blocks, int sweeps)
-    : BlockSmoother(squares.B, squares.Bt, blocks, sweeps)
+    : BlockSmoother(squares.B, squares.Tiles, blocks, sweeps)
   {
   }
   Smoother(const Squares& squares, const SchwarzBlocks& blocks, int sweeps, const Vector<double>& D,
@@ -102,7 +102,8 @@ Vector<double> GaussSeidel(const Squares& squares, const SchwarzBlocks& blocks, 
 {
   Eigen::MatrixXd A = squares.Matrix();
   A.diagonal() += D.unaryExpr([](double entry) { return std::isfinite(entry) ? entry : 0.0; });
-  std::vector<int> order = test::OrderOfBlocks(blocks);
+  const UnknownBlocks inOrder = test::BlocksInOrder(blocks);
+  std::vector<int> order = Identity(inOrder.Size());
   if (!isUp)
   {
     std::reverse(order.begin(), order.end());
@@ -111,7 +112,7 @@ Vector<double> GaussSeidel(const Squares& squares, const SchwarzBlocks& blocks, 
   {
     for (const int block : order)
     {
-      const std::vector<int> free = FreeAmong(test::MembersOf(blocks.Blocks(), block), D);
+      const std::vector<int> free = FreeAmong(test::MembersOf(inOrder, block), D);
       const Vector<double> residual = b(free) - A(free, Eigen::all) * x;
       x(free) += test::BlockOf(A, free).llt().solve(residual);
     }
@@ -246,8 +247,8 @@ TEST(TestBlockSmoother, ADiagonalIsOneMoreSquarePerUnknown)
       }
       const Squares stacked(test::FromTriplets(rows + size, size, entries), squares.Blocks);
       const SchwarzBlocks blocksOfStacked = BlocksOf(stacked);
-      ASSERT_EQ(test::OrderOfBlocks(blocksOfStacked), test::OrderOfBlocks(blocks));
-      ASSERT_EQ(blocksOfStacked.Blocks().Unknowns, blocks.Blocks().Unknowns);
+      ASSERT_EQ(
+        test::BlocksInOrder(blocksOfStacked).Unknowns, test::BlocksInOrder(blocks).Unknowns);
 
       Smoother smoother(squares, blocks, 2, D);
       Smoother expected(stacked, blocksOfStacked, 2);

@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
 using namespace dmg;
@@ -23,75 +23,150 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 // much times its condition; single precision rounds it.
 constexpr double RidgeAndRounding = 1.2e-6;
 
-/// From a lower triangle by rows.
-Eigen::MatrixXd Unpacked(const float* triangle, int size)
+/// From the lower triangles by rows of a group.
+Eigen::MatrixXd Unpacked(const float* triangles, int size, int lanes, int lane)
 {
   Eigen::MatrixXd full(size, size);
+  triangles += lane;
   for (int i = 0; i < size; ++i)
   {
-    for (int j = 0; j <= i; ++j)
+    for (int j = 0; j <= i; ++j, triangles += lanes)
     {
-      full(i, j) = *triangle;
-      full(j, i) = *triangle++;
+      full(i, j) = *triangles;
+      full(j, i) = *triangles;
     }
   }
   return full;
 }
 
-/// All blocks against the inverses of dense matrices.
-void ExpectInverses(const SchwarzBlocks& blocks, const Eigen::MatrixXd& A)
+template <class Visit>
+void ForBlocks(const SchwarzBlocks& blocks, const Visit& visit)
 {
-  for (int k = 0; k < blocks.Blocks().Size(); ++k)
+  for (int g = 0; g < static_cast<int>(blocks.Groups().size()); ++g)
   {
-    const std::vector<int> members = test::MembersOf(blocks.Blocks(), k);
-    const int size = static_cast<int>(members.size());
-    ASSERT_EQ(blocks.InverseSize(k), members.size() * (members.size() + 1) / 2);
-    const Eigen::MatrixXd expected = test::BlockOf(A, members).inverse();
-    const double condition = expected.norm() * test::BlockOf(A, members).norm();
-    EXPECT_LE((Unpacked(blocks.Inverse(k), size) - expected).norm(),
-      condition * RidgeAndRounding * expected.norm())
-      << "block " << k;
+    for (int lane = 0; lane < blocks.Groups()[g].Lanes; ++lane)
+    {
+      visit(blocks.Groups()[g], lane, test::MembersOf(blocks, blocks.Groups()[g], lane));
+    }
   }
 }
 
-/// Tiles as pairs of first and last block, by colour.
-std::vector<std::vector<std::pair<int, int>>> Tiles(const SchwarzBlocks& blocks)
+/// All blocks against the inverses of dense matrices.
+void ExpectInverses(const SchwarzBlocks& blocks, const Eigen::MatrixXd& A)
 {
-  std::vector<std::vector<std::pair<int, int>>> tiles(blocks.NumberOfColours());
+  ForBlocks(blocks,
+    [&](const SchwarzBlocks::Group& group, int lane, const std::vector<int>& members)
+    {
+      const int size = static_cast<int>(members.size());
+      ASSERT_EQ(blocks.InverseSize(group), members.size() * (members.size() + 1) / 2 * group.Lanes);
+      const Eigen::MatrixXd expected = test::BlockOf(A, members).inverse();
+      const double condition = expected.norm() * test::BlockOf(A, members).norm();
+      EXPECT_LE((Unpacked(blocks.Inverse(group), size, group.Lanes, lane) - expected).norm(),
+        condition * RidgeAndRounding * expected.norm())
+        << "block of " << members[0];
+    });
+}
+
+/// The columns of B of all blocks, as groups hold them.
+void ExpectEntries(const SchwarzBlocks& blocks, const test::Squares& squares)
+{
+  const Eigen::MatrixXf B = Eigen::MatrixXd(squares.B).cast<float>();
+  ForBlocks(blocks,
+    [&](const SchwarzBlocks::Group& group, int lane, const std::vector<int>& members)
+    {
+      const SchwarzBlocks::Pattern& pattern = blocks.PatternOf(group);
+      Eigen::MatrixXf columns = Eigen::MatrixXf::Zero(squares.B.rows(), members.size());
+      Eigen::MatrixXf byRow = columns;
+      const auto rowOf = [&](int k) { return blocks.Rows(group)[k * group.Lanes + lane]; };
+      const auto valueOf = [&](int e) { return blocks.Values(group)[e * group.Lanes + lane]; };
+      for (int i = 0; i < pattern.Unknowns(); ++i)
+      {
+        for (int e = pattern.Offsets[i]; e < pattern.Offsets[i + 1]; ++e)
+        {
+          columns(rowOf(pattern.RowOf[e]), i) = valueOf(e);
+        }
+      }
+      for (int k = 0; k < pattern.Rows(); ++k)
+      {
+        for (int s = pattern.RowOffsets[k]; s < pattern.RowOffsets[k + 1]; ++s)
+        {
+          byRow(rowOf(k), pattern.UnknownAt[s]) = valueOf(pattern.EntryAt[s]);
+        }
+      }
+      EXPECT_EQ(columns, B(Eigen::all, members));
+      EXPECT_EQ(byRow, columns);
+    });
+}
+
+/// Tiles as blocks, by colour.
+std::vector<std::vector<UnknownBlocks>> Tiles(const SchwarzBlocks& blocks)
+{
+  std::vector<std::vector<UnknownBlocks>> tiles(blocks.NumberOfColours());
   for (int colour = 0; colour < blocks.NumberOfColours(); ++colour)
   {
     blocks.ForTiles(colour, SerialContext(),
-      [&](int t) { tiles[colour].emplace_back(blocks.TileAt(t).First, blocks.TileAt(t).Last); });
+      [&](int t)
+      {
+        tiles[colour].emplace_back();
+        test::AppendBlocks(blocks, blocks.TileAt(t), tiles[colour].back());
+      });
   }
   return tiles;
 }
 
-/// Each block is in one tile, and no two tiles of a colour share a row of B.
+/// Lists of unknowns, ascending.
+std::vector<std::vector<int>> Sorted(const UnknownBlocks& blocks)
+{
+  std::vector<std::vector<int>> sorted;
+  for (int k = 0; k < blocks.Size(); ++k)
+  {
+    sorted.push_back(test::MembersOf(blocks, k));
+  }
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
+std::set<int> RowsOf(const test::Squares& squares, const std::vector<int>& unknowns)
+{
+  std::set<int> rows;
+  for (const int unknown : unknowns)
+  {
+    for (SparseMatrix<double>::InnerIterator row(squares.Bt, unknown); row; ++row)
+    {
+      rows.insert(static_cast<int>(row.col()));
+    }
+  }
+  return rows;
+}
+
+/// Each block is in one tile; no two tiles of a colour share a row of B, and no two blocks of a group.
 void ExpectColoured(const test::Squares& squares, const SchwarzBlocks& blocks)
 {
-  std::vector<int> visits(squares.Blocks.Size(), 0);
+  EXPECT_EQ(blocks.NumberOfBlocks(), squares.Blocks.Size());
+  EXPECT_EQ(Sorted(test::BlocksInOrder(blocks)), Sorted(squares.Blocks));
   for (const auto& tiles : Tiles(blocks))
   {
     EXPECT_FALSE(tiles.empty());
-    std::vector<int> tileOfRow(squares.B.rows(), -1);
-    for (int tile = 0; tile < static_cast<int>(tiles.size()); ++tile)
+    std::set<int> taken;
+    for (const UnknownBlocks& tile : tiles)
     {
-      for (int block = tiles[tile].first; block < tiles[tile].second; ++block)
+      for (const int row : RowsOf(squares, tile.Unknowns))
       {
-        ++visits[block];
-        for (const int unknown : test::MembersOf(blocks.Blocks(), block))
-        {
-          for (SparseMatrix<double>::InnerIterator row(squares.Bt, unknown); row; ++row)
-          {
-            EXPECT_TRUE(tileOfRow[row.col()] < 0 || tileOfRow[row.col()] == tile)
-              << "row " << row.col();
-            tileOfRow[row.col()] = tile;
-          }
-        }
+        EXPECT_TRUE(taken.insert(row).second) << "row " << row;
       }
     }
   }
-  EXPECT_EQ(visits, std::vector<int>(squares.Blocks.Size(), 1));
+  for (const SchwarzBlocks::Group& group : blocks.Groups())
+  {
+    std::set<int> taken;
+    for (int lane = 0; lane < group.Lanes; ++lane)
+    {
+      for (const int row : RowsOf(squares, test::MembersOf(blocks, group, lane)))
+      {
+        EXPECT_TRUE(taken.insert(row).second) << "row " << row;
+      }
+    }
+  }
 }
 
 std::size_t NumberOfTiles(const SchwarzBlocks& blocks)
@@ -112,6 +187,27 @@ TEST(TestSchwarzBlocks, InversesAreThoseOfTheMatrix)
   {
     const SchwarzBlocks blocks(squares.Bt, squares.Blocks, SerialContext());
     ExpectInverses(blocks, squares.Matrix());
+    ExpectEntries(blocks, squares);
+  }
+}
+
+TEST(TestSchwarzBlocks, BlocksThatLookAlikeShareLanes)
+{
+  // All blocks of a ring look alike, and a colour has a half or a third of those of a tile.
+  const test::Squares ring = test::Ring(20000);
+  const SchwarzBlocks blocks(ring.Bt, ring.Blocks, SerialContext());
+  int inLanes = 0;
+  for (const SchwarzBlocks::Group& group : blocks.Groups())
+  {
+    inLanes += group.Lanes == LanesOf<FloatPack> ? group.Lanes : 0;
+  }
+  EXPECT_GE(inLanes, 0.85 * blocks.NumberOfBlocks());
+  // No two blocks of a fan are independent.
+  const test::Squares fan = test::Fan(150);
+  const SchwarzBlocks alone(fan.Bt, fan.Blocks, SerialContext());
+  for (const SchwarzBlocks::Group& group : alone.Groups())
+  {
+    EXPECT_EQ(group.Lanes, 1);
   }
 }
 
@@ -126,58 +222,57 @@ TEST(TestSchwarzBlocks, InversesOfSomeBlocksWithADiagonal)
   D[10] = Infinity;
   D[11] = Infinity;
   const Eigen::MatrixXd A = ring.Matrix();
-  std::vector<int> wanted; // 2 to 5, 8 to 11, 4 to 7, 30 to 33, wherever they stand
-  for (const int first : { 2, 8, 4, 30 })
-  {
-    int k = 0;
-    while (test::MembersOf(blocks.Blocks(), k).front() != first)
-    {
-      ++k;
-    }
-    wanted.push_back(k);
-  }
+  std::vector<int> wanted;
   std::vector<std::vector<float>> inverses;
   std::vector<float*> places;
-  for (const int k : wanted)
+  for (int g = 0; g < static_cast<int>(blocks.Groups().size()); g += 2)
   {
-    inverses.emplace_back(blocks.InverseSize(k), -1.0f);
+    wanted.push_back(g);
+    inverses.emplace_back(blocks.InverseSize(blocks.Groups()[g]), -1.0f);
   }
   for (std::vector<float>& inverse : inverses)
   {
     places.push_back(inverse.data());
   }
-  blocks.Invert(ring.Bt, D, wanted, places, SerialContext());
+  blocks.Invert(D, wanted, places, SerialContext());
+  int blocksWithHeld = 0;
   for (std::size_t n = 0; n < wanted.size(); ++n)
   {
-    SCOPED_TRACE(wanted[n]);
-    const std::vector<int> members = test::MembersOf(blocks.Blocks(), wanted[n]);
-    std::vector<int> free; // places in the block
-    Eigen::MatrixXd block = test::BlockOf(A, members);
-    for (int i = 0; i < 4; ++i)
+    const SchwarzBlocks::Group& group = blocks.Groups()[wanted[n]];
+    for (int lane = 0; lane < group.Lanes; ++lane)
     {
-      if (std::isfinite(D[members[i]]))
+      const std::vector<int> members = test::MembersOf(blocks, group, lane);
+      SCOPED_TRACE(members[0]);
+      std::vector<int> free; // places in the block
+      Eigen::MatrixXd block = test::BlockOf(A, members);
+      for (int i = 0; i < 4; ++i)
       {
-        free.push_back(i);
-        block(i, i) += D[members[i]];
+        if (std::isfinite(D[members[i]]))
+        {
+          free.push_back(i);
+          block(i, i) += D[members[i]];
+        }
       }
-    }
-    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(4, 4);
-    const Eigen::MatrixXd ofFree = test::BlockOf(block, free).inverse();
-    expected(free, free) = ofFree;
-    const Eigen::MatrixXd inverse = Unpacked(inverses[n].data(), 4);
-    EXPECT_LE((inverse - expected).norm(), 50 * RidgeAndRounding * expected.norm());
-    for (int i = 0; i < 4; ++i)
-    {
-      if (!std::isfinite(D[members[i]]))
+      blocksWithHeld += free.size() < 4;
+      Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(4, 4);
+      const Eigen::MatrixXd ofFree = test::BlockOf(block, free).inverse();
+      expected(free, free) = ofFree;
+      const Eigen::MatrixXd inverse = Unpacked(inverses[n].data(), 4, group.Lanes, lane);
+      EXPECT_LE((inverse - expected).norm(), 50 * RidgeAndRounding * expected.norm());
+      for (int i = 0; i < 4; ++i)
       {
-        EXPECT_EQ(inverse.row(i).norm(), 0.0);
-      }
-      else
-      {
-        EXPECT_GT(inverse(i, i), 0.0);
+        if (!std::isfinite(D[members[i]]))
+        {
+          EXPECT_EQ(inverse.row(i).norm(), 0.0);
+        }
+        else
+        {
+          EXPECT_GT(inverse(i, i), 0.0);
+        }
       }
     }
   }
+  EXPECT_GT(blocksWithHeld, 0);
 }
 
 TEST(TestSchwarzBlocks, DependentUnknownsHaveAnInverseAndEmptyOnesNone)
@@ -189,7 +284,7 @@ TEST(TestSchwarzBlocks, DependentUnknownsHaveAnInverseAndEmptyOnesNone)
   all.Unknowns = { 0, 1, 2, 3 };
   all.EndBlock();
   const SchwarzBlocks blocks(B.transpose(), all, SerialContext());
-  const Eigen::MatrixXd inverse = Unpacked(blocks.Inverse(0), 4);
+  const Eigen::MatrixXd inverse = Unpacked(blocks.Inverse(blocks.Groups()[0]), 4, 1, 0);
   ASSERT_TRUE(inverse.allFinite());
   EXPECT_EQ(inverse.row(2).norm(), 0.0);
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(inverse).eigenvalues().minCoeff(),
@@ -227,7 +322,8 @@ TEST(TestSchwarzBlocks, NoBlocksHaveNoColour)
 {
   const SchwarzBlocks blocks(test::Ring(8).Bt, {}, SerialContext());
   EXPECT_EQ(blocks.NumberOfColours(), 0);
-  EXPECT_EQ(blocks.Blocks().Size(), 0);
+  EXPECT_EQ(blocks.NumberOfBlocks(), 0);
+  EXPECT_TRUE(blocks.Groups().empty());
 }
 
 TEST(TestSchwarzBlocks, LargeBlocksAreRefused)
@@ -267,12 +363,15 @@ TEST(TestSchwarzBlocks, SameBitsForAnyNumberOfThreads)
   for (const int threads : { 1, 2, 5 })
   {
     const SchwarzBlocks blocks(ring.Bt, ring.Blocks, test::TbbContext(threads));
-    EXPECT_EQ(Tiles(blocks), Tiles(expected));
-    for (int k = 0; k < ring.Blocks.Size(); ++k)
+    EXPECT_EQ(test::BlocksInOrder(blocks).Unknowns, test::BlocksInOrder(expected).Unknowns);
+    ASSERT_EQ(blocks.Groups().size(), expected.Groups().size());
+    for (std::size_t g = 0; g < blocks.Groups().size(); ++g)
     {
-      ASSERT_TRUE(std::equal(
-        blocks.Inverse(k), blocks.Inverse(k) + blocks.InverseSize(k), expected.Inverse(k)))
-        << "block " << k;
+      const SchwarzBlocks::Group& group = blocks.Groups()[g];
+      ASSERT_EQ(group.Lanes, expected.Groups()[g].Lanes);
+      ASSERT_TRUE(std::equal(blocks.Inverse(group), blocks.Inverse(group) + blocks.InverseSize(group),
+        expected.Inverse(expected.Groups()[g])))
+        << "group " << g;
     }
   }
 }

@@ -94,6 +94,18 @@ TYPED_TEST(TestSparseKernels, AdjointIsThatOfEigen)
   }
 }
 
+TEST(TestSparseKernelsOfNumbers, SymmetricFromLowerIsThatOfEigen)
+{
+  for (const int rows : { 30, 9000 })
+  {
+    const SparseMatrix<double> lower =
+      RandomMatrix<double>(rows, rows, 2620).triangularView<Eigen::Lower>();
+    const SparseMatrix<double> expected = lower.selfadjointView<Eigen::Lower>();
+    EXPECT_TRUE(AreIdentical(SymmetricFromLower(lower, SerialContext()), expected));
+    EXPECT_TRUE(AreIdentical(SymmetricFromLower(lower, test::TbbContext(3)), expected));
+  }
+}
+
 TYPED_TEST(TestSparseKernels, PermutedMovesRowsAndColumns)
 {
   const auto A = RandomMatrix<TypeParam>(50, 40, 2604);

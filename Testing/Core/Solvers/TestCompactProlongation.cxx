@@ -1,0 +1,178 @@
+#include "Solvers/CompactProlongation.h"
+
+#include "GridProblem.h"
+#include "Support/Permutations.h"
+#include "Support/TbbContext.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+using namespace dmg;
+
+namespace
+{
+
+// Half a unit of a row's largest component, and what single precision makes of 32,767 of them.
+constexpr double Rounding = 0.51 / 32767.0;
+
+/// Each row takes some coarse vectors near its place, entries of all sizes; every ninth row is empty.
+SparseMatrix<Plane> Interpolation(int rows, int columns)
+{
+  test::Random random(3701);
+  std::vector<Eigen::Triplet<Plane>> entries;
+  for (int i = 0; i < rows; ++i)
+  {
+    const double size = std::pow(10.0, random.Uniform(-6.0, 3.0));
+    for (int k = 0; k < 7 && i % 9 != 5; ++k)
+    {
+      const int j = (static_cast<int>(static_cast<long long>(i) * columns / rows) + 3 * k) % columns;
+      entries.emplace_back(i, j, Plane(size * std::pow(10.0, -k) * random.Number()));
+    }
+  }
+  return test::FromTriplets(rows, columns, entries);
+}
+
+Eigen::MatrixXd OnPairs(const SparseMatrix<Plane>& P)
+{
+  const Eigen::MatrixXcf dense(P);
+  Eigen::MatrixXd pairs(P.rows(), 2 * P.cols());
+  for (int j = 0; j < P.cols(); ++j)
+  {
+    pairs.col(2 * j) = dense.col(j).real().cast<double>();
+    pairs.col(2 * j + 1) = dense.col(j).imag().cast<double>();
+  }
+  return pairs;
+}
+
+}
+
+TEST(TestCompactProlongation, RoundsToUnitsOfTheRow)
+{
+  const SparseMatrix<Plane> P = Interpolation(5000, 600);
+  const CompactProlongation compact(P, SerialContext());
+  EXPECT_EQ(compact.Rows(), 5000);
+  EXPECT_EQ(compact.Columns(), 600);
+  EXPECT_EQ(compact.NonZeros(), P.nonZeros());
+  const SparseMatrix<Plane> rounded = compact.Rounded(SerialContext());
+  ASSERT_EQ(rounded.nonZeros(), P.nonZeros());
+  for (int i = 0; i < P.rows(); ++i)
+  {
+    double largest = 0.0;
+    for (SparseMatrix<Plane>::InnerIterator entry(P, i); entry; ++entry)
+    {
+      largest = std::max({ largest, std::abs(static_cast<double>(entry.value().real())),
+        std::abs(static_cast<double>(entry.value().imag())) });
+    }
+    SparseMatrix<Plane>::InnerIterator after(rounded, i);
+    for (SparseMatrix<Plane>::InnerIterator entry(P, i); entry; ++entry, ++after)
+    {
+      ASSERT_TRUE(after);
+      EXPECT_EQ(after.col(), entry.col());
+      EXPECT_LE(std::abs(after.value().real() - entry.value().real()), Rounding * largest);
+      EXPECT_LE(std::abs(after.value().imag() - entry.value().imag()), Rounding * largest);
+    }
+  }
+  // What is rounded already stays.
+  const SparseMatrix<Plane> again =
+    CompactProlongation(rounded, SerialContext()).Rounded(SerialContext());
+  EXPECT_LE((again - rounded).norm(), 4 * std::numeric_limits<float>::epsilon() * rounded.norm());
+}
+
+TEST(TestCompactProlongation, ProductsAreThoseOfTheRoundedMatrix)
+{
+  const CompactProlongation compact(Interpolation(5000, 600), SerialContext());
+  const Eigen::MatrixXd P = OnPairs(compact.Rounded(SerialContext()));
+  const auto z = test::RandomVector<double>(1200, 3702);
+  const auto start = test::RandomVector<double>(5000, 3703);
+  Vector<double> x = start;
+  compact.AddProduct(z, x, SerialContext());
+  const Vector<double> sizes = P.cwiseAbs() * z.cwiseAbs(); // of the terms of each row
+  for (int i = 0; i < 5000; ++i)
+  {
+    EXPECT_NEAR(x[i], start[i] + P.row(i).dot(z), 1e-6 * sizes[i] + 1e-15);
+  }
+  Vector<double> adjoint, sums;
+  compact.MultiplyAdjoint(start, adjoint, sums, SerialContext());
+  const Vector<double> expected = P.transpose() * start;
+  EXPECT_LE((adjoint - expected).norm(), 1e-6 * expected.norm());
+}
+
+TEST(TestCompactProlongation, SomeRows)
+{
+  const CompactProlongation compact(Interpolation(5000, 600), SerialContext());
+  const Eigen::MatrixXcf all(compact.Rounded(SerialContext()));
+  const std::vector<int> rows = { 4999, 5, 17, 3000, 17 };
+  const Eigen::MatrixXcf expected = all(rows, Eigen::all);
+  EXPECT_EQ(Eigen::MatrixXcf(compact.SelectedRows(rows, SerialContext())), expected);
+  EXPECT_EQ(compact.SelectedRows({}, SerialContext()).rows(), 0);
+}
+
+TEST(TestCompactProlongation, TilesOfManyEntries)
+{
+  // 65,535 entries are reached long before 2048 rows.
+  std::vector<Eigen::Triplet<Plane>> entries;
+  test::Random random(3704);
+  for (int i = 0; i < 40; ++i)
+  {
+    for (int j = i; j < 70000; j += 9)
+    {
+      entries.emplace_back(i, j, Plane(random.Number()));
+    }
+  }
+  const SparseMatrix<Plane> P = test::FromTriplets(40, 70000, entries);
+  const CompactProlongation compact(P, SerialContext());
+  const SparseMatrix<Plane> rounded = compact.Rounded(SerialContext());
+  EXPECT_LE((rounded - P).norm(), 2 * Rounding * P.norm());
+  const auto x = test::RandomVector<double>(40, 3705);
+  Vector<double> z, sums;
+  compact.MultiplyAdjoint(x, z, sums, SerialContext());
+  const Eigen::VectorXcf expected = rounded.transpose() * x.cast<Plane>();
+  for (int j = 0; j < 70000; ++j)
+  {
+    ASSERT_NEAR(z[2 * j], expected[j].real(), 1e-5);
+    ASSERT_NEAR(z[2 * j + 1], expected[j].imag(), 1e-5);
+  }
+}
+
+TEST(TestCompactProlongation, EmptyOnes)
+{
+  const CompactProlongation none(SparseMatrix<Plane>(0, 0), SerialContext());
+  EXPECT_EQ(none.Rows(), 0);
+  EXPECT_EQ(none.Columns(), 0);
+  const CompactProlongation zero(SparseMatrix<Plane>(3, 2), SerialContext());
+  Vector<double> x = Vector<double>::Ones(3);
+  zero.AddProduct(Vector<double>::Ones(4), x, SerialContext());
+  EXPECT_EQ(x, Vector<double>::Ones(3));
+  Vector<double> z, sums;
+  zero.MultiplyAdjoint(x, z, sums, SerialContext());
+  EXPECT_EQ(z, Vector<double>::Zero(4));
+}
+
+TEST(TestCompactProlongation, SameBitsForAnyNumberOfThreads)
+{
+  const SparseMatrix<Plane> P = Interpolation(30000, 4000);
+  const CompactProlongation expected(P, SerialContext());
+  const auto z = test::RandomVector<double>(8000, 3706);
+  const auto x = test::RandomVector<double>(30000, 3707);
+  Vector<double> product = x;
+  expected.AddProduct(z, product, SerialContext());
+  Vector<double> adjoint, sums;
+  expected.MultiplyAdjoint(x, adjoint, sums, SerialContext());
+  for (const int threads : { 1, 2, 5 })
+  {
+    const test::TbbContext context(threads);
+    const CompactProlongation compact(P, context);
+    Vector<double> y = x;
+    compact.AddProduct(z, y, context);
+    EXPECT_EQ(y, product);
+    compact.MultiplyAdjoint(x, y, sums, context);
+    EXPECT_EQ(y, adjoint);
+    EXPECT_EQ(compact.Bytes(), expected.Bytes());
+  }
+  EXPECT_GT(expected.Bytes(), 6 * P.nonZeros());
+  EXPECT_LT(expected.Bytes(), 10 * P.nonZeros());
+}

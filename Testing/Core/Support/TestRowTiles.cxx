@@ -1,0 +1,97 @@
+#include "Support/RowTiles.h"
+
+#include "../Solvers/GridProblem.h"
+#include "Support/TbbContext.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <vector>
+
+using namespace dmg;
+
+namespace
+{
+
+/// Rows of three entries near the diagonal; the last rows also touch the first columns.
+SparseMatrix<double> Band(int rows)
+{
+  test::Random random(3801);
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < rows; ++i)
+  {
+    for (const int j : { i, (i + 1) % rows, (i + 7) % rows })
+    {
+      entries.emplace_back(i, j, random.Uniform(-1.0, 1.0));
+    }
+  }
+  return test::FromTriplets(rows, rows, entries);
+}
+
+Vector<double> AdjointProduct(
+  const RowTiles& tiles, const SparseMatrix<double>& A, const Vector<double>& x,
+  const ExecutionContext& context)
+{
+  Vector<double> y = Vector<double>::Zero(A.cols());
+  tiles.ForTiles(context,
+    [&](int, int firstRow, int lastRow)
+    {
+      for (int i = firstRow; i < lastRow; ++i)
+      {
+        for (SparseMatrix<double>::InnerIterator entry(A, i); entry; ++entry)
+        {
+          y[entry.col()] += entry.value() * x[i];
+        }
+      }
+    });
+  return y;
+}
+
+}
+
+TEST(TestRowTiles, ColoursShareNoItem)
+{
+  // Parts k and k + 1 share an item, and all multiples of 5 another.
+  const PartColouring colouring = ColourParts(40, 100,
+    [](int part, const auto& visit)
+    {
+      visit(part);
+      visit(part + 1);
+      visit(part);
+      if (part % 5 == 0)
+      {
+        visit(99);
+      }
+    });
+  EXPECT_EQ(std::set<int>(colouring.Parts.begin(), colouring.Parts.end()).size(), 40u);
+  EXPECT_EQ(colouring.Begins.back(), 40);
+  // Eight share item 99.
+  EXPECT_EQ(colouring.NumberOfColours(), 8);
+  for (int c = 0; c < colouring.NumberOfColours(); ++c)
+  {
+    EXPECT_LT(colouring.Begins[c], colouring.Begins[c + 1]);
+    for (int k = colouring.Begins[c] + 1; k < colouring.Begins[c + 1]; ++k)
+    {
+      EXPECT_GT(colouring.Parts[k], colouring.Parts[k - 1] + 1);
+    }
+  }
+  EXPECT_EQ(ColourParts(0, 10, [](int, const auto&) {}).NumberOfColours(), 0);
+}
+
+TEST(TestRowTiles, ProductsWithTheTranspose)
+{
+  for (const int rows : { 0, 10, 4096, 50000 })
+  {
+    const SparseMatrix<double> A = rows > 0 ? Band(rows) : SparseMatrix<double>(0, 0);
+    const RowTiles tiles(A);
+    EXPECT_EQ(tiles.Size(), (rows + 4095) / 4096);
+    const auto x = test::RandomVector<double>(rows, 3802);
+    const Vector<double> product = AdjointProduct(tiles, A, x, SerialContext());
+    const Vector<double> expected = A.transpose() * x;
+    EXPECT_LE((product - expected).norm(), 1e-14 * (1.0 + expected.norm()));
+    for (const int threads : { 1, 2, 5 })
+    {
+      EXPECT_EQ(AdjointProduct(tiles, A, x, test::TbbContext(threads)), product);
+    }
+  }
+}
