@@ -24,30 +24,23 @@ void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
   const int* offsetsOfA = A.outerIndexPtr();
   const int* columnsOfA = A.innerIndexPtr();
   const Scalar* valuesOfA = A.valuePtr();
-  std::vector<int> offsets(rows + 1, 0);
   constexpr int RowGrain = 4096;
-  context.ParallelFor(0, rows, RowGrain,
-    [offsetsOfA, columnsOfA, &rowOrder, &columnPlaces, &keep, &offsets](int first, int last)
-    {
-      for (int k = first; k < last; ++k)
-      {
-        const int i = rowOrder[k];
-        int count = 0;
-        for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
-        {
-          count += keep(k, columnPlaces[columnsOfA[m]]) ? 1 : 0;
-        }
-        offsets[k + 1] = count;
-      }
-    });
   result.resize(rows, A.cols());
-  result.resizeNonZeros(OffsetsFromCounts(offsets));
-  std::copy(offsets.begin(), offsets.end(), result.outerIndexPtr());
+  MakeRoom(result, context, [offsetsOfA, columnsOfA, &rowOrder, &columnPlaces, &keep](int k) {
+    const int i = rowOrder[k];
+    int count = 0;
+    for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
+    {
+      count += keep(k, columnPlaces[columnsOfA[m]]) ? 1 : 0;
+    }
+    return count;
+  });
+  const int* offsets = result.outerIndexPtr();
   int* columns = result.innerIndexPtr();
   Value* values = result.valuePtr();
   context.ParallelFor(0, rows, RowGrain,
-    [offsetsOfA, columnsOfA, valuesOfA, columns, values, &rowOrder, &columnPlaces, &rowScale,
-      &columnScale, &keep, &offsets](int first, int last)
+    [offsetsOfA, columnsOfA, valuesOfA, offsets, columns, values, &rowOrder, &columnPlaces,
+      &rowScale, &columnScale, &keep](int first, int last)
     {
       for (int k = first; k < last; ++k)
       {

@@ -2,6 +2,7 @@
 #define dmgSparseAssembly_h
 
 #include "Support/ExecutionContext.h"
+#include "Support/SparseKernels.h"
 #include "Support/Types.h"
 
 #include <algorithm>
@@ -38,13 +39,8 @@ SparseMatrix<Scalar> FillRows(
 {
   constexpr int Grain = 4096;
   SparseMatrix<Scalar> matrix(rows, columns);
-  int* const offsets = matrix.outerIndexPtr();
-  offsets[0] = 0;
-  for (int r = 0; r < rows; ++r)
-  {
-    offsets[r + 1] = offsets[r] + sizeOf(r);
-  }
-  matrix.resizeNonZeros(offsets[rows]);
+  MakeRoom(matrix, context, sizeOf);
+  const int* const offsets = matrix.outerIndexPtr();
   context.ParallelFor(0, rows, Grain, [&](int first, int last) {
     for (int r = first; r < last; ++r)
     {
@@ -112,21 +108,30 @@ private:
   std::vector<Piece> Pieces;
 };
 
+/// The matrix whose row r is \p assembled row \p sourceOf(r).
+template <class Scalar, class SourceOf>
+SparseMatrix<Scalar> MatrixOf(const AssembledRows<Scalar>& assembled, int rows, int columns,
+  const ExecutionContext& context, const SourceOf& sourceOf)
+{
+  return FillRows<Scalar>(
+    rows, columns, context, [&](int r) { return assembled.Size(sourceOf(r)); },
+    [&](int r, int* rowColumns, Scalar* values) {
+      const int source = sourceOf(r);
+      for (const auto* entry = assembled.Begin(source); entry != assembled.End(source); ++entry)
+      {
+        *rowColumns++ = entry->first;
+        *values++ = entry->second;
+      }
+    });
+}
+
 /// The matrix of the rows that \p appendRow adds; see AssembledRows.
 template <class Scalar, class AppendRow>
 SparseMatrix<Scalar> AssembleMatrix(
   int rows, int columns, const ExecutionContext& context, AppendRow appendRow)
 {
   const AssembledRows<Scalar> assembled(rows, context, appendRow);
-  return FillRows<Scalar>(
-    rows, columns, context, [&](int r) { return assembled.Size(r); },
-    [&](int r, int* rowColumns, Scalar* values) {
-      for (const auto* entry = assembled.Begin(r); entry != assembled.End(r); ++entry)
-      {
-        *rowColumns++ = entry->first;
-        *values++ = entry->second;
-      }
-    });
+  return MatrixOf(assembled, rows, columns, context, [](int r) { return r; });
 }
 
 /// What two numbers at one element make of two numbers at another.

@@ -15,11 +15,11 @@ constexpr int RowGrain = 4096;
 
 }
 
-int OffsetsFromCounts(std::vector<int>& counts)
+int OffsetsFromCounts(int* counts, int size)
 {
   long long total = 0;
   counts[0] = 0;
-  for (std::size_t i = 1; i < counts.size(); ++i)
+  for (int i = 1; i < size; ++i)
   {
     total += counts[i];
     if (total > std::numeric_limits<int>::max())
@@ -179,16 +179,11 @@ SparseMatrix<Scalar> Permuted(const SparseMatrix<Scalar>& A, const std::vector<i
   const int* columnsOfA = A.innerIndexPtr();
   const Scalar* valuesOfA = A.valuePtr();
   SparseMatrix<Scalar> B(rows, A.cols());
-  B.resizeNonZeros(A.nonZeros());
-  int* offsets = B.outerIndexPtr();
+  MakeRoom(B, context,
+    [offsetsOfA, &rowOrder](int k) { return offsetsOfA[rowOrder[k] + 1] - offsetsOfA[rowOrder[k]]; });
+  const int* offsets = B.outerIndexPtr();
   int* columns = B.innerIndexPtr();
   Scalar* values = B.valuePtr();
-  offsets[0] = 0;
-  for (int k = 0; k < rows; ++k)
-  {
-    const int i = rowOrder[k];
-    offsets[k + 1] = offsets[k] + offsetsOfA[i + 1] - offsetsOfA[i];
-  }
   context.ParallelFor(0, rows, RowGrain,
     [=, &rowOrder, &columnPlaces](int first, int last)
     {

@@ -85,7 +85,28 @@ Sum SumOverBlocks(int size, const ExecutionContext& context, const Part& part)
 /// \param counts on entry [anything, c0, c1, ...]; on exit the offsets, one more than counts.
 /// \return the total.
 /// \throw InvalidInput the total does not fit 32 bits.
-int OffsetsFromCounts(std::vector<int>& counts);
+int OffsetsFromCounts(int* counts, int size);
+inline int OffsetsFromCounts(std::vector<int>& counts)
+{
+  return OffsetsFromCounts(counts.data(), static_cast<int>(counts.size()));
+}
+
+/// Room for sizeOf(row) entries in every row of a matrix: its offsets. Entries are not written yet.
+/// \throw InvalidInput more than 2^31 non-zeros.
+template <class Scalar, class SizeOf>
+void MakeRoom(SparseMatrix<Scalar>& A, const ExecutionContext& context, const SizeOf& sizeOf)
+{
+  constexpr int RowGrain = 8192;
+  const int rows = static_cast<int>(A.rows());
+  int* const offsets = A.outerIndexPtr();
+  context.ParallelFor(0, rows, RowGrain, [&sizeOf, offsets](int first, int last) {
+    for (int row = first; row < last; ++row)
+    {
+      offsets[row + 1] = sizeOf(row);
+    }
+  });
+  A.resizeNonZeros(OffsetsFromCounts(offsets, rows + 1));
+}
 
 /// y = A x.
 template <class Scalar>

@@ -209,21 +209,17 @@ SparseMatrix<Scalar> AssembleInBands(
       workers.GiveBack(std::move(worker));
     });
 
-  std::vector<int> offsets(numberOfRows + 1, 0);
-  for (int row = 0; row < numberOfRows; ++row)
-  {
-    const std::vector<int>& inBand = bands[row / bandSize].Offsets;
-    offsets[row + 1] = inBand[row % bandSize + 1] - inBand[row % bandSize];
-  }
   SparseMatrix<Scalar> A(numberOfRows, numberOfColumns);
-  A.resizeNonZeros(OffsetsFromCounts(offsets));
-  std::copy(offsets.begin(), offsets.end(), A.outerIndexPtr());
+  MakeRoom(A, context, [bandSize, &bands](int row) {
+    const int* const inBand = bands[row / bandSize].Offsets.data() + row % bandSize;
+    return inBand[1] - inBand[0];
+  });
   context.ParallelFor(0, numberOfBands, grain,
-    [bandSize, &bands, &offsets, &A](int firstBand, int lastBand)
+    [bandSize, &bands, &A](int firstBand, int lastBand)
     {
       for (int band = firstBand; band < lastBand; ++band)
       {
-        const int begin = offsets[band * bandSize];
+        const int begin = A.outerIndexPtr()[band * bandSize];
         const SparseRows<Scalar> rows = std::move(bands[band]); // gives its memory back
         std::copy(rows.Columns.begin(), rows.Columns.end(), A.innerIndexPtr() + begin);
         std::copy(rows.Values.begin(), rows.Values.end(), A.valuePtr() + begin);

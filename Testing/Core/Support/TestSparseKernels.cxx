@@ -238,3 +238,17 @@ TEST(TestOffsets, CountsThatDoNotFitAreRefused)
   counts = { 0, std::numeric_limits<int>::max(), 1 };
   EXPECT_THROW(OffsetsFromCounts(counts), InvalidInput);
 }
+
+TEST(TestOffsets, RowsGetTheRoomTheyAskFor)
+{
+  constexpr int rows = 40000;
+  SparseMatrix<Complex> matrix(rows, 3);
+  MakeRoom(matrix, test::TbbContext(3), [](int row) { return row % 4; });
+  for (int row = 0; row < rows; ++row)
+  {
+    // 0 + 1 + 2 + 3 in each four rows.
+    ASSERT_EQ(matrix.outerIndexPtr()[row], row / 4 * 6 + row % 4 * (row % 4 - 1) / 2);
+  }
+  EXPECT_EQ(matrix.outerIndexPtr()[rows], rows / 4 * 6);
+  EXPECT_EQ(matrix.nonZeros(), rows / 4 * 6);
+}

@@ -1,0 +1,80 @@
+#ifndef dmgUnfilled_h
+#define dmgUnfilled_h
+
+#include <Eigen/SparseCore>
+
+#include <complex>
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <new>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+/// Memory that holds nothing before it is written. Large arrays are written by parallel loops; to fill
+/// them with zeros before would take one thread alone, which also waits for all their pages.
+namespace dmg
+{
+
+template <class T>
+class UnfilledAllocator : public std::allocator<T>
+{
+public:
+  template <class U>
+  struct rebind
+  {
+    using other = UnfilledAllocator<U>;
+  };
+
+  template <class U>
+  void construct(U*) noexcept
+  {
+    static_assert(std::is_trivially_copyable<U>::value, "is written as a whole");
+  }
+  template <class U, class... Arguments>
+  void construct(U* place, Arguments&&... arguments)
+  {
+    ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
+  }
+};
+
+/// A vector whose resize writes nothing into the new elements.
+template <class T>
+using Unfilled = std::vector<T, UnfilledAllocator<T>>;
+
+}
+
+namespace Eigen
+{
+namespace internal
+{
+
+/// Where the entries of a sparse matrix come from. Eigen writes no numbers there but complex ones, whose
+/// constructor sets them to zero; nothing relies on that.
+template <class Real>
+class scoped_array<std::complex<Real>> : noncopyable
+{
+public:
+  using Number = std::complex<Real>;
+
+  explicit scoped_array(std::ptrdiff_t size)
+  {
+    if (size < 0 || size > std::numeric_limits<std::ptrdiff_t>::max() / SizeOfNumber)
+    {
+      throw std::bad_array_new_length();
+    }
+    this->Numbers = static_cast<Number*>(::operator new[](size * SizeOfNumber));
+  }
+  ~scoped_array() { delete[] this->Numbers; }
+  Number*& ptr() { return this->Numbers; }
+
+private:
+  static constexpr std::ptrdiff_t SizeOfNumber = sizeof(Number);
+  Number* Numbers;
+};
+
+}
+}
+
+#endif
