@@ -1,5 +1,7 @@
 #include "Hierarchy/PointSampling.h"
 
+#include "Support/CountingSort.h"
+#include "Support/Permutations.h"
 #include "Support/SparseAssembly.h"
 #include "Support/SparseKernels.h"
 
@@ -32,7 +34,7 @@ struct Sight
   Complex Turn = 1.0;
 };
 
-using Sights = std::vector<Sight>;
+using Sights = Unfilled<Sight>;
 
 /// What a point sees if it looks along a link, where its neighbour knows what it sees.
 Sight Along(const TangentGraph& graph, int link, const Sight& neighbour)
@@ -77,7 +79,7 @@ public:
     , LargestCurvature(largestCurvature)
     , Radii(graph.NumberOfPoints())
     , Seen(graph.NumberOfPoints())
-    , Marks(graph.NumberOfPoints(), -1)
+    , Marks(graph.NumberOfPoints())
   {
     context.ParallelFor(0, graph.NumberOfPoints(), Grain,
       [&](int first, int last)
@@ -85,6 +87,8 @@ public:
         for (int point = first; point < last; ++point)
         {
           this->Radii[point] = radius * Spacing(graph, point);
+          this->Seen[point] = {};
+          this->Marks[point] = -1;
         }
       });
   }
@@ -94,21 +98,42 @@ public:
   {
     const int points = this->Graph.NumberOfPoints();
     const int blocks = (points + BlockSize - 1) / BlockSize;
+    std::vector<std::vector<int>> left(blocks);
     context.ParallelFor(0, blocks, 1,
       [&](int firstBlock, int lastBlock)
       {
         for (int block = firstBlock; block < lastBlock; ++block)
         {
-          this->SampleWithin(block * BlockSize, std::min((block + 1) * BlockSize, points));
+          left[block] = this->SampleBlock(block * BlockSize, std::min((block + 1) * BlockSize, points));
         }
       });
-    this->SampleWithin(0, points);
+    std::vector<Visit> visits;
+    for (const std::vector<int>& ofBlock : left)
+    {
+      for (const int point : ofBlock)
+      {
+        if (this->Seen[point].Owner < 0)
+        {
+          this->Flood(point, 0, points, visits);
+          this->Cover(visits);
+        }
+      }
+    }
     return std::move(this->Seen);
   }
 
 private:
-  void SampleWithin(int first, int last)
+  struct Visit
   {
+    int Point;
+    Sight Seen;
+  };
+
+  /// \return points that no sample covered when their turn came, for what they cover reaches beyond
+  ///   [first, last).
+  std::vector<int> SampleBlock(int first, int last)
+  {
+    std::vector<int> left;
     std::vector<Visit> visits;
     for (int point = first; point < last; ++point)
     {
@@ -122,19 +147,15 @@ private:
       }
       else
       {
+        left.push_back(point);
         for (const Visit& visit : visits)
         {
           this->Marks[visit.Point] = -1;
         }
       }
     }
+    return left;
   }
-
-  struct Visit
-  {
-    int Point;
-    Sight Seen;
-  };
 
   /// The points within the radius of a sample, ring by ring, as far as the curvature lets it see.
   /// \return false if some lie beyond [first, last).
@@ -190,9 +211,9 @@ private:
 
   const TangentGraph& Graph;
   const double LargestCurvature;
-  std::vector<double> Radii;
+  Unfilled<double> Radii;
   Sights Seen;
-  std::vector<int> Marks; // the last sample from where the point was visited
+  Unfilled<int> Marks; // the last sample from where the point was visited
 };
 
 /// Points whose neighbours belong to a nearer sample follow them.
@@ -281,28 +302,13 @@ struct Crossings
   }
 };
 
-/// The points of each sample, ascending: those of s are [Offsets[s], Offsets[s + 1]).
-struct PointsOfSamples
+/// The points of each sample, ascending.
+SortedItems PointsOfSamples(const PointSampling& sampling, const ExecutionContext& context)
 {
-  std::vector<int> Offsets;
-  std::vector<int> Points;
-
-  explicit PointsOfSamples(const PointSampling& sampling)
-    : Offsets(sampling.Samples.size() + 1, 0)
-    , Points(sampling.Owners.size())
-  {
-    for (const int owner : sampling.Owners)
-    {
-      ++this->Offsets[owner + 1];
-    }
-    OffsetsFromCounts(this->Offsets);
-    std::vector<int> next(this->Offsets.begin(), this->Offsets.end() - 1);
-    for (std::size_t point = 0; point < sampling.Owners.size(); ++point)
-    {
-      this->Points[next[sampling.Owners[point]]++] = static_cast<int>(point);
-    }
-  }
-};
+  return SortByKey(Identity(static_cast<int>(sampling.Owners.size())),
+    static_cast<int>(sampling.Samples.size()),
+    [&sampling](int point) { return sampling.Owners[point]; }, context);
+}
 
 void AddCrossings(
   const TangentGraph& graph, const PointSampling& sampling, int point, RowEntries<Crossings>& row)
@@ -351,14 +357,12 @@ PointSampling Numbered(const Sights& sights, const ExecutionContext& context)
 {
   const int points = static_cast<int>(sights.size());
   PointSampling sampling;
-  std::vector<int> numbers(points, -1);
-  for (int point = 0; point < points; ++point)
+  sampling.Samples =
+    Choose(points, [&sights](int point) { return sights[point].Owner == point; }, context);
+  Unfilled<int> numbers(points); // of samples only
+  for (std::size_t sample = 0; sample < sampling.Samples.size(); ++sample)
   {
-    if (sights[point].Owner == point)
-    {
-      numbers[point] = static_cast<int>(sampling.Samples.size());
-      sampling.Samples.push_back(point);
-    }
+    numbers[sampling.Samples[sample]] = static_cast<int>(sample);
   }
   sampling.Owners.resize(points);
   sampling.Places.resize(points);
@@ -394,13 +398,13 @@ TangentGraph GraphOfSamples(
   const TangentGraph& graph, const PointSampling& sampling, const ExecutionContext& context)
 {
   const int samples = static_cast<int>(sampling.Samples.size());
-  const PointsOfSamples members(sampling);
+  const SortedItems members = PointsOfSamples(sampling, context);
   const AssembledRows<Crossings> rows(samples, context,
     [&](int sample, RowEntries<Crossings>& row)
     {
-      for (int k = members.Offsets[sample]; k < members.Offsets[sample + 1]; ++k)
+      for (int k = members.Begins[sample]; k < members.Begins[sample + 1]; ++k)
       {
-        AddCrossings(graph, sampling, members.Points[k], row);
+        AddCrossings(graph, sampling, members.Items[k], row);
       }
     });
   TangentGraph result;
@@ -419,9 +423,9 @@ TangentGraph GraphOfSamples(
     {
       for (int sample = first; sample < last; ++sample)
       {
-        for (int k = members.Offsets[sample]; k < members.Offsets[sample + 1]; ++k)
+        for (int k = members.Begins[sample]; k < members.Begins[sample + 1]; ++k)
         {
-          result.Curvatures[sample] += graph.Curvatures[members.Points[k]];
+          result.Curvatures[sample] += graph.Curvatures[members.Items[k]];
         }
         SetLinks(result, sample, rows.Begin(sample), rows.End(sample));
       }

@@ -16,12 +16,12 @@ struct PointSampling
   /// The points chosen, ascending.
   std::vector<int> Samples;
   /// Per point the sample that it belongs to, as an index into Samples: the nearest one, nearly.
-  std::vector<int> Owners;
+  Unfilled<int> Owners;
   /// Per point its place in the tangent plane of its owner: the discrete exponential map (Schmidt,
   /// Grimm and Wyvill 2006), zero for the owner itself.
-  std::vector<Complex> Places;
+  Unfilled<Complex> Places;
   /// Carries directions from the frame of the point into the frame of its owner; unit.
-  std::vector<Complex> Turns;
+  Unfilled<Complex> Turns;
 };
 
 /// Chooses points at a distance of each other that follows the spacing of the points around them,

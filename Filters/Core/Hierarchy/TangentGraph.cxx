@@ -14,17 +14,20 @@ namespace
 {
 
 constexpr int Grain = 4096;
+constexpr double Pi = 3.14159265358979323846;
 
-/// A face in its frame, seen from its point.
+/// A face in its frame, seen from its point, and where its neighbours stand.
 struct FlatFace
 {
   std::array<Complex, 3> Sides; // unit
   std::array<Complex, 3> Midpoints;
+  std::array<int, 3> Twins; // 3 * place of the neighbour + its side; -1 where there is no link
 };
 
+/// Without twins.
 FlatFace Flatten(const TriangleMesh& mesh, int face)
 {
-  FlatFace flat{ SideDirections(mesh, face), {} };
+  FlatFace flat{ SideDirections(mesh, face), {}, {} };
   Complex corner = 0.0;
   Complex sum = 0.0;
   double weights = 0.0;
@@ -44,56 +47,56 @@ FlatFace Flatten(const TriangleMesh& mesh, int face)
   return flat;
 }
 
-/// Whether both halfedges exist and belong to different faces.
-bool IsLink(const TriangleMesh& mesh, int halfedge)
+/// -1 unless both halfedges exist and belong to different faces.
+int PlaceOfTwin(const TriangleMesh& mesh, const std::vector<int>& places, int halfedge)
 {
   const int twin = mesh.Twin(halfedge);
-  return twin >= 0 && TriangleMesh::FaceOf(twin) != TriangleMesh::FaceOf(halfedge);
+  const bool isLink =
+    twin >= 0 && TriangleMesh::FaceOf(twin) != TriangleMesh::FaceOf(halfedge);
+  return isLink ? 3 * places[TriangleMesh::FaceOf(twin)] + twin % 3 : -1;
 }
 
+using Angles = std::array<double, 3>;
+
 /// The angles of a face at the tails of its halfedges; those of a flat one are 0 and pi.
-std::array<double, 3> Angles(const FlatFace& face)
+Angles AnglesOf(const FlatFace& face)
 {
-  std::array<double, 3> angles;
-  for (int k = 0; k < 3; ++k)
-  {
-    const Complex turn = -face.Sides[(k + 2) % 3] * std::conj(face.Sides[k]);
-    angles[k] = std::abs(std::arg(turn));
-  }
-  return angles;
+  const auto angleAfter = [&face](int side)
+  { return std::abs(std::arg(-face.Sides[side] * std::conj(face.Sides[(side + 1) % 3]))); };
+  const double second = angleAfter(0);
+  const double third = angleAfter(1);
+  return { Pi - second - third, second, third };
 }
 
 /// Per vertex, what the angles around it lack of a full turn, over the number of its faces; 0 at the
 /// boundary.
-/// \param flat in the given order of the faces.
-std::vector<double> CurvaturesOfCorners(const TriangleMesh& mesh, const std::vector<int>& order,
-  const std::vector<FlatFace>& flat, const ExecutionContext& context)
+Unfilled<double> CurvaturesOfCorners(
+  const TriangleMesh& mesh, const Unfilled<Angles>& angles, const ExecutionContext& context)
 {
-  constexpr double fullTurn = 2.0 * 3.14159265358979323846;
-  std::vector<std::array<double, 3>> angles(flat.size());
-  context.ParallelFor(0, static_cast<int>(flat.size()), Grain,
+  Unfilled<double> curvatures(mesh.NumberOfVertices());
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
     [&](int first, int last)
     {
-      for (int i = first; i < last; ++i)
+      for (int vertex = first; vertex < last; ++vertex)
       {
-        angles[i] = Angles(flat[i]);
+        curvatures[vertex] = 0.0;
+        if (mesh.IsBoundaryVertex(vertex))
+        {
+          continue;
+        }
+        double lacking = 2.0 * Pi;
+        int faces = 0;
+        const int outgoing = mesh.OutgoingHalfedge(vertex);
+        int h = outgoing;
+        do
+        {
+          lacking -= angles[TriangleMesh::FaceOf(h)][h % 3];
+          ++faces;
+          h = mesh.Twin(TriangleMesh::Previous(h));
+        } while (h != outgoing);
+        curvatures[vertex] = lacking / faces;
       }
     });
-  std::vector<double> curvatures(mesh.NumberOfVertices(), fullTurn);
-  std::vector<int> faces(mesh.NumberOfVertices(), 0);
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const int vertex = mesh.Tail(3 * order[i] + k);
-      curvatures[vertex] -= angles[i][k];
-      ++faces[vertex];
-    }
-  }
-  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
-  {
-    curvatures[vertex] = mesh.IsBoundaryVertex(vertex) ? 0.0 : curvatures[vertex] / faces[vertex];
-  }
   return curvatures;
 }
 
@@ -103,10 +106,11 @@ TangentGraph FaceGraph(
   const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context)
 {
   const int faces = mesh.NumberOfFaces();
-  const std::vector<int> places = Inverse(order);
-  std::vector<FlatFace> flat(faces);
+  const std::vector<int> places = Inverse(order, context);
+  Unfilled<FlatFace> flat(faces);
+  Unfilled<Angles> angles(faces); // in the order of the mesh
   TangentGraph graph;
-  graph.Offsets.assign(faces + 1, 0);
+  graph.Offsets.resize(faces + 1);
   context.ParallelFor(0, faces, Grain,
     [&](int first, int last)
     {
@@ -114,9 +118,12 @@ TangentGraph FaceGraph(
       {
         const int face = order[i];
         flat[i] = Flatten(mesh, face);
-        for (int h = 3 * face; h < 3 * face + 3; ++h)
+        angles[face] = AnglesOf(flat[i]);
+        graph.Offsets[i + 1] = 0;
+        for (int k = 0; k < 3; ++k)
         {
-          graph.Offsets[i + 1] += IsLink(mesh, h);
+          flat[i].Twins[k] = PlaceOfTwin(mesh, places, 3 * face + k);
+          graph.Offsets[i + 1] += flat[i].Twins[k] >= 0;
         }
       }
     });
@@ -124,7 +131,7 @@ TangentGraph FaceGraph(
   graph.Neighbours.resize(links);
   graph.Steps.resize(links);
   graph.Turns.resize(links);
-  const std::vector<double> ofCorners = CurvaturesOfCorners(mesh, order, flat, context);
+  const Unfilled<double> ofCorners = CurvaturesOfCorners(mesh, angles, context);
   graph.Curvatures.resize(faces);
   context.ParallelFor(0, faces, Grain,
     [&](int first, int last)
@@ -135,16 +142,14 @@ TangentGraph FaceGraph(
         graph.Curvatures[i] = 0.0;
         for (int k = 0; k < 3; ++k)
         {
-          const int h = 3 * order[i] + k;
-          graph.Curvatures[i] += ofCorners[mesh.Tail(h)];
-          if (IsLink(mesh, h))
+          graph.Curvatures[i] += ofCorners[mesh.Tail(3 * order[i] + k)];
+          const int twin = flat[i].Twins[k];
+          if (twin >= 0)
           {
-            const int twin = mesh.Twin(h);
-            const int j = places[TriangleMesh::FaceOf(twin)];
-            const FlatFace& there = flat[j];
+            const FlatFace& there = flat[twin / 3];
             // Both sides run along the edge, in opposite directions.
             const Complex turn = -flat[i].Sides[k] * std::conj(there.Sides[twin % 3]);
-            graph.Neighbours[link] = j;
+            graph.Neighbours[link] = twin / 3;
             graph.Turns[link] = turn;
             graph.Steps[link] = flat[i].Midpoints[k] - turn * there.Midpoints[twin % 3];
             ++link;

@@ -19,13 +19,13 @@ namespace dmg
 struct TangentGraph
 {
   std::vector<int> Offsets = { 0 };
-  std::vector<int> Neighbours;
+  Unfilled<int> Neighbours;
   /// The way to the neighbour, in the frame of the point.
-  std::vector<Complex> Steps;
+  Unfilled<Complex> Steps;
   /// Carries directions from the neighbour's frame into the point's; unit.
-  std::vector<Complex> Turns;
+  Unfilled<Complex> Turns;
   /// Per point, the Gaussian curvature integrated over what it stands for: with its sign, in radians.
-  std::vector<double> Curvatures;
+  Unfilled<double> Curvatures;
 
   int NumberOfPoints() const { return static_cast<int>(this->Offsets.size()) - 1; }
   int NumberOfLinks() const { return static_cast<int>(this->Neighbours.size()); }

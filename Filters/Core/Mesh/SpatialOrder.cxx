@@ -1,5 +1,8 @@
 #include "Mesh/SpatialOrder.h"
 
+#include "Support/CountingSort.h"
+#include "Support/Permutations.h"
+
 #include <cstdint>
 
 namespace dmg
@@ -21,32 +24,21 @@ std::uint32_t Spread(std::uint32_t x)
   return x;
 }
 
-/// Stable counting sort by 15 of the bits of the keys.
-std::vector<int> SortByBits(
-  const std::vector<int>& order, const std::vector<std::uint32_t>& keys, int shift)
+constexpr int BitsPerSort = 15;
+
+/// Sorts by some bits of the keys, and keeps the order of those where these are equal.
+std::vector<int> SortByBits(const std::vector<int>& order, const Unfilled<std::uint32_t>& keys,
+  int shift, const ExecutionContext& context)
 {
-  constexpr std::uint32_t mask = (1u << 15) - 1;
-  std::vector<int> next(mask + 2, 0);
-  for (std::uint32_t key : keys)
-  {
-    ++next[((key >> shift) & mask) + 1];
-  }
-  for (std::uint32_t bucket = 0; bucket < mask; ++bucket)
-  {
-    next[bucket + 1] += next[bucket];
-  }
-  std::vector<int> sorted(order.size());
-  for (int i : order)
-  {
-    sorted[next[(keys[i] >> shift) & mask]++] = i;
-  }
-  return sorted;
+  constexpr int buckets = 1 << BitsPerSort;
+  return SortByKey(order, buckets,
+    [&keys, shift](int i) { return static_cast<int>((keys[i] >> shift) % buckets); }, context)
+    .Items;
 }
 
 }
 
-SpatialOrder::SpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context)
-  : NewVertices(mesh.NumberOfVertices(), -1)
+std::vector<int> FacesInSpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context)
 {
   const Points& V = mesh.VertexPositions();
   const Triangles& F = mesh.FaceCorners();
@@ -54,8 +46,7 @@ SpatialOrder::SpatialOrder(const TriangleMesh& mesh, const ExecutionContext& con
   const double size = (V.colwise().maxCoeff() - low).maxCoeff();
   const double scale = size > 0.0 ? ((1 << BitsPerAxis) - 1) / size : 0.0;
 
-  std::vector<std::uint32_t> keys(mesh.NumberOfFaces());
-  this->OldFaces.resize(mesh.NumberOfFaces());
+  Unfilled<std::uint32_t> keys(mesh.NumberOfFaces());
   context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
     for (int f = first; f < last; ++f)
     {
@@ -64,11 +55,18 @@ SpatialOrder::SpatialOrder(const TriangleMesh& mesh, const ExecutionContext& con
       keys[f] = Spread(static_cast<std::uint32_t>(center[0])) |
         (Spread(static_cast<std::uint32_t>(center[1])) << 1) |
         (Spread(static_cast<std::uint32_t>(center[2])) << 2);
-      this->OldFaces[f] = f;
     }
   });
-  this->OldFaces = SortByBits(SortByBits(this->OldFaces, keys, 0), keys, 15);
+  const std::vector<int> byLowBits =
+    SortByBits(Identity(mesh.NumberOfFaces()), keys, 0, context);
+  return SortByBits(byLowBits, keys, BitsPerSort, context);
+}
 
+SpatialOrder::SpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context)
+  : OldFaces(FacesInSpatialOrder(mesh, context))
+  , NewVertices(mesh.NumberOfVertices(), -1)
+{
+  const Triangles& F = mesh.FaceCorners();
   this->OldVertices.reserve(mesh.NumberOfVertices());
   for (int f : this->OldFaces)
   {

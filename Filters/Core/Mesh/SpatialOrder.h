@@ -9,8 +9,11 @@
 namespace dmg
 {
 
-/// A numbering in which what is near in space is near in memory: faces along Morton's curve through
-/// their centres, vertices by their first face. Files number surfaces in any order, and what walks
+/// The faces along Morton's curve through their centres.
+std::vector<int> FacesInSpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context);
+
+/// A numbering in which what is near in space is near in memory: faces in
+/// spatial order, vertices by their first face. Files number surfaces in any order, and what walks
 /// over them from neighbour to neighbour takes twice as long if that order is a bad one.
 /// Cost: O(#F).
 class SpatialOrder

@@ -1,5 +1,6 @@
 #include "Solvers/HierarchicalOrder.h"
 
+#include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
@@ -47,22 +48,14 @@ std::vector<int> Parents(const SparseMatrix<Scalar>& P, const ExecutionContext& 
   return parents;
 }
 
-/// Places such that children follow each other in the order of their parents' places.
-std::vector<int> PlacesOfChildren(
-  const std::vector<int>& parents, const std::vector<int>& placesOfParents)
+/// Children that follow each other in the order of their parents' places.
+std::vector<int> InOrderOfParents(const std::vector<int>& parents,
+  const std::vector<int>& placesOfParents, const ExecutionContext& context)
 {
-  std::vector<int> next(placesOfParents.size() + 1, 0);
-  for (const int parent : parents)
-  {
-    ++next[placesOfParents[parent] + 1];
-  }
-  OffsetsFromCounts(next);
-  std::vector<int> places(parents.size());
-  for (std::size_t i = 0; i < parents.size(); ++i)
-  {
-    places[i] = next[placesOfParents[parents[i]]]++;
-  }
-  return places;
+  return SortByKey(Identity(static_cast<int>(parents.size())),
+    static_cast<int>(placesOfParents.size()),
+    [&](int child) { return placesOfParents[parents[child]]; }, context)
+    .Items;
 }
 
 }
@@ -86,18 +79,18 @@ template <class Scalar>
 std::vector<int> BringIntoOrder(std::vector<SparseMatrix<Scalar>>& prolongations, int size,
   const ExecutionContext& context)
 {
-  std::vector<int> places = Identity(
+  std::vector<int> order = Identity(
     prolongations.empty() ? size : static_cast<int>(prolongations.back().cols()));
   for (std::size_t level = prolongations.size(); level-- > 0;)
   {
     context.Checkpoint(0.0);
     SparseMatrix<Scalar>& P = prolongations[level];
-    const std::vector<int> placesOfParents = std::move(places);
-    places = PlacesOfChildren(Parents(P, context), placesOfParents);
-    SparseMatrix<Scalar> permuted = Permuted(P, Inverse(places), placesOfParents, context);
+    const std::vector<int> placesOfParents = Inverse(order, context);
+    order = InOrderOfParents(Parents(P, context), placesOfParents, context);
+    SparseMatrix<Scalar> permuted = Permuted(P, order, placesOfParents, context);
     P.swap(permuted); // an assignment would copy
   }
-  return Inverse(places);
+  return order;
 }
 
 template void CheckChain(long long, const std::vector<SparseMatrix<double>>&);

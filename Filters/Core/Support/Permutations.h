@@ -1,20 +1,25 @@
 #ifndef dmgPermutations_h
 #define dmgPermutations_h
 
-#include <cstddef>
+#include "Support/ExecutionContext.h"
+
 #include <numeric>
 #include <vector>
 
 namespace dmg
 {
 
-inline std::vector<int> Inverse(const std::vector<int>& permutation)
+inline std::vector<int> Inverse(
+  const std::vector<int>& permutation, const ExecutionContext& context = SerialContext())
 {
+  constexpr int Grain = 8192;
   std::vector<int> inverse(permutation.size());
-  for (std::size_t i = 0; i < permutation.size(); ++i)
-  {
-    inverse[permutation[i]] = static_cast<int>(i);
-  }
+  context.ParallelFor(0, static_cast<int>(permutation.size()), Grain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      inverse[permutation[i]] = i;
+    }
+  });
   return inverse;
 }
 
