@@ -13,6 +13,7 @@
 #include "Prolongation/SampledProlongation.h"
 #include "Prolongation/ScalarProlongation.h"
 #include "Support/Errors.h"
+#include "Support/Permutations.h"
 #include "Support/SparseAssembly.h"
 
 #include <utility>
@@ -80,7 +81,7 @@ ProlongationOperators OperatorsFromSamples(
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
   context.Checkpoint(0.0);
   operators.Nodal.reserve(16); // growth would copy
-  const std::vector<int> order = SpatialOrder(mesh, context).Faces();
+  const std::vector<int> order = FacesInSpatialOrder(mesh, context);
   TangentGraph points = FaceGraph(mesh, order, context);
   while (points.NumberOfPoints() > FewestSamplesToSample)
   {
@@ -96,17 +97,14 @@ ProlongationOperators OperatorsFromSamples(
       break; // so many pieces of surface, of few faces each
     }
     TangentGraph samples = GraphOfSamples(points, sampling, context);
-    TransportOperator prolongation = SampledProlongation(sampling, samples, context);
+    TransportOperator prolongation = areFaces
+      ? SampledProlongation(sampling, samples, Inverse(order, context), context)
+      : SampledProlongation(sampling, samples, context);
     operators.Nodal.emplace_back().swap(prolongation); // Eigen 3.4 would copy it
     operators.NumbersOfVertices.push_back(numberOfSamples);
     operators.NumbersOfEdges.push_back(samples.NumberOfLinks() / 2);
     operators.NumbersOfFaces.push_back(numberOfSamples);
     points = std::move(samples);
-  }
-  if (!operators.Nodal.empty())
-  {
-    TransportOperator renumbered = RenumberRows(operators.Nodal[0], order, context);
-    operators.Nodal[0].swap(renumbered);
   }
   context.Checkpoint(1.0);
   return operators;

@@ -107,9 +107,7 @@ void Append(RowEntries<Complex>& row, int sample, Complex entry)
   }
 }
 
-}
-
-TransportOperator SampledProlongation(
+AssembledRows<Complex> RowsOfPoints(
   const PointSampling& sampling, const TangentGraph& samples, const ExecutionContext& context)
 {
   const auto appendRow = [&](int point, RowEntries<Complex>& row)
@@ -129,8 +127,24 @@ TransportOperator SampledProlongation(
     Append(row, samples.Neighbours[first], ofFirst * toPoint * samples.Turns[first]);
     Append(row, samples.Neighbours[second], ofSecond * toPoint * samples.Turns[second]);
   };
-  return AssembleMatrix<Complex>(static_cast<int>(sampling.Owners.size()),
-    static_cast<int>(sampling.Samples.size()), context, appendRow);
+  return { static_cast<int>(sampling.Owners.size()), context, appendRow };
+}
+
+}
+
+TransportOperator SampledProlongation(
+  const PointSampling& sampling, const TangentGraph& samples, const ExecutionContext& context)
+{
+  return MatrixOf(RowsOfPoints(sampling, samples, context),
+    static_cast<int>(sampling.Owners.size()), static_cast<int>(sampling.Samples.size()), context,
+    [](int point) { return point; });
+}
+
+TransportOperator SampledProlongation(const PointSampling& sampling, const TangentGraph& samples,
+  const std::vector<int>& points, const ExecutionContext& context)
+{
+  return MatrixOf(RowsOfPoints(sampling, samples, context), static_cast<int>(points.size()),
+    static_cast<int>(sampling.Samples.size()), context, [&points](int row) { return points[row]; });
 }
 
 }

@@ -6,6 +6,8 @@
 #include "Prolongation/TransportOperator.h"
 #include "Support/ExecutionContext.h"
 
+#include <vector>
+
 namespace dmg
 {
 
@@ -18,6 +20,11 @@ namespace dmg
 /// O(points).
 TransportOperator SampledProlongation(
   const PointSampling& sampling, const TangentGraph& samples, const ExecutionContext& context);
+
+/// The same with its rows in another order.
+/// \param points [i] is the point of row i; a permutation.
+TransportOperator SampledProlongation(const PointSampling& sampling, const TangentGraph& samples,
+  const std::vector<int>& points, const ExecutionContext& context);
 
 }
 

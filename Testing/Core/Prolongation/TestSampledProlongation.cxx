@@ -4,6 +4,7 @@
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
+#include "Support/SparseAssembly.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
@@ -206,4 +207,21 @@ TEST(SampledProlongation, RefusesStructurePreservingOperators)
   HierarchyOptions options;
   options.Levels = LevelConstruction::Sampling;
   EXPECT_THROW(BuildSurfaceHierarchy(Icosphere(3).Mesh(), options, SerialContext()), InvalidInput);
+}
+
+TEST(SampledProlongation, TakesItsRowsInAnyOrder)
+{
+  const TriangleMesh mesh = IrregularPlane(40, 30, 17).Mesh();
+  const TangentGraph graph = GraphOf(mesh);
+  const PointSampling sampling = SamplePoints(graph, 3.0, 1.0, SerialContext());
+  const TangentGraph samples = GraphOfSamples(graph, sampling, SerialContext());
+  std::vector<int> points(graph.NumberOfPoints());
+  for (int row = 0; row < graph.NumberOfPoints(); ++row)
+  {
+    points[row] = graph.NumberOfPoints() - 1 - row;
+  }
+  const TransportOperator inOrder = SampledProlongation(sampling, samples, SerialContext());
+  const TransportOperator reversed =
+    SampledProlongation(sampling, samples, points, SerialContext());
+  EXPECT_EQ((reversed - SelectRows(inOrder, points, SerialContext())).norm(), 0.0);
 }
