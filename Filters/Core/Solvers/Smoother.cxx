@@ -1,9 +1,13 @@
 #include "Solvers/Smoother.h"
 
+#include "Solvers/RowRuns.h"
+#include "Support/CountingSort.h"
+#include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dmg
 {
@@ -11,24 +15,6 @@ namespace
 {
 
 constexpr int RowGrain = 4096;
-
-/// Sorts items by key(item) in [0, numberOfKeys), keeping the order of equal ones.
-template <class Key>
-void StableSort(std::vector<int>& items, int numberOfKeys, const Key& key)
-{
-  std::vector<int> next(numberOfKeys + 1, 0);
-  for (const int item : items)
-  {
-    ++next[key(item) + 1];
-  }
-  OffsetsFromCounts(next);
-  std::vector<int> sorted(items.size());
-  for (const int item : items)
-  {
-    sorted[next[key(item)]++] = item;
-  }
-  items.swap(sorted);
-}
 
 /// Solves the diagonal of A + D for one unknown.
 template <class Value>
@@ -52,7 +38,9 @@ class GaussSeidelSmoother : public Smoother<Value>
 public:
   GaussSeidelSmoother(const UnitDiagonalMatrix<Value>& matrix, Diagonal diagonal,
     const SmootherOptions& options)
-    : A(matrix)
+    : Begins(matrix.Begins)
+    , Lower(matrix.Lower)
+    , Upper(matrix.Upper)
     , Solved(diagonal)
     , PreSweeps(options.PreSweeps)
     , PostSweeps(options.PostSweeps)
@@ -63,23 +51,20 @@ public:
   void PreSmooth(const Vector<Value>& b, Vector<Value>& x, Vector<Value>& r,
     const ExecutionContext& context) override
   {
-    x.setZero();
     if (this->PreSweeps == 0)
     {
+      x.setZero();
       r = b;
       return;
     }
-    this->Sums.setZero(); // over later colours
+    this->Sums.setZero(); // over later colours; the first sweep needs x of earlier ones only
     const bool endsUp = this->Sweep(true, this->PreSweeps, b, x, &r, context);
     // The last sweep has solved each row with the sums that were there before it.
-    const SparseMatrix<Value>& changed = endsUp ? this->A.Upper : this->A.Lower;
+    const RowRuns<Value>& changed = endsUp ? this->Upper : this->Lower;
     context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
       [&changed, &x, &r](int first, int last)
       {
-        for (int i = first; i < last; ++i)
-        {
-          r[i] -= RowTimes(changed, i, x.data());
-        }
+        changed.Multiply(first, last, x.data(), [&r](int i, Value sum) { r[i] -= sum; });
       });
   }
 
@@ -91,14 +76,12 @@ public:
       return;
     }
     const bool up = this->PostSweeps % 2 == 0; // the adjoint ends with a sweep down
-    const SparseMatrix<Value>& other = up ? this->A.Upper : this->A.Lower;
+    const RowRuns<Value>& other = up ? this->Upper : this->Lower;
     context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
       [this, &other, &x](int first, int last)
       {
-        for (int i = first; i < last; ++i)
-        {
-          this->Sums[i] = RowTimes(other, i, x.data());
-        }
+        other.Multiply(
+          first, last, x.data(), [this](int i, Value sum) { this->Sums[i] = sum; });
       });
     this->Sweep(up, this->PostSweeps, b, x, nullptr, context);
   }
@@ -110,16 +93,16 @@ private:
   bool Sweep(bool up, int count, const Vector<Value>& b, Vector<Value>& x, Vector<Value>* former,
     const ExecutionContext& context)
   {
-    const int colours = static_cast<int>(this->A.Begins.size()) - 1;
+    const int colours = static_cast<int>(this->Begins.size()) - 1;
     for (int sweep = 0; sweep < count; ++sweep, up = !up)
     {
-      const SparseMatrix<Value>& part = up ? this->A.Lower : this->A.Upper;
+      const RowRuns<Value>& part = up ? this->Lower : this->Upper;
       Vector<Value>* const kept = sweep + 1 == count ? former : nullptr;
       for (int k = 0; k < colours; ++k)
       {
         const int colour = up ? k : colours - 1 - k;
-        const int begin = this->A.Begins[colour];
-        const int end = this->A.Begins[colour + 1];
+        const int begin = this->Begins[colour];
+        const int end = this->Begins[colour + 1];
         if (sweep > 0 && k == 0)
         {
           if (kept)
@@ -132,23 +115,25 @@ private:
         context.ParallelFor(begin, end, RowGrain,
           [this, &part, &b, &x, kept](int first, int last)
           {
-            for (int i = first; i < last; ++i)
-            {
-              const Value sum = RowTimes(part, i, x.data());
-              x[i] = this->Solved(i, b[i] - this->Sums[i] - sum);
-              if (kept)
+            part.Multiply(first, last, x.data(),
+              [this, &b, &x, kept](int i, Value sum)
               {
-                (*kept)[i] = this->Sums[i];
-              }
-              this->Sums[i] = sum;
-            }
+                x[i] = this->Solved(i, b[i] - this->Sums[i] - sum);
+                if (kept)
+                {
+                  (*kept)[i] = this->Sums[i];
+                }
+                this->Sums[i] = sum;
+              });
           });
       }
     }
     return !up;
   }
 
-  const UnitDiagonalMatrix<Value>& A;
+  const std::vector<int>& Begins;
+  const RowRuns<Value> Lower;
+  const RowRuns<Value> Upper;
   const Diagonal Solved;
   const int PreSweeps;
   const int PostSweeps;
@@ -321,30 +306,19 @@ ColourOrder Colouring(const SparseMatrix<Scalar>& A)
       earlier[i] += colours[columns[k]] < colours[i] ? 1 : 0;
     }
   }
-  const int numberOfColours = static_cast<int>(seenBy.size());
-  ColourOrder order = SingleColour(size);
-  StableSort(order.Unknowns, longestRow + 1, [offsets](int i) { return offsets[i + 1] - offsets[i]; });
-  StableSort(order.Unknowns, longestRow + 1, [&earlier](int i) { return earlier[i]; });
-  StableSort(order.Unknowns, numberOfColours, [&colours](int i) { return colours[i]; });
-  order.Begins.assign(numberOfColours + 1, 0);
-  for (const int colour : colours)
-  {
-    ++order.Begins[colour + 1];
-  }
-  OffsetsFromCounts(order.Begins);
-  return order;
+  const SerialContext serial;
+  const auto length = [offsets](int i) { return offsets[i + 1] - offsets[i]; };
+  const auto byLength = SortByKey(Identity(size), longestRow + 1, length, serial);
+  const auto byEarlier = SortByKey(
+    byLength.Items, longestRow + 1, [&earlier](int i) { return earlier[i]; }, serial);
+  SortedItems byColours = SortByKey(byEarlier.Items, static_cast<int>(seenBy.size()),
+    [&colours](int i) { return colours[i]; }, serial);
+  return { std::move(byColours.Items), std::move(byColours.Begins) };
 }
 
 ColourOrder SingleColour(int size)
 {
-  ColourOrder order;
-  order.Begins = { 0, size };
-  order.Unknowns.resize(size);
-  for (int i = 0; i < size; ++i)
-  {
-    order.Unknowns[i] = i;
-  }
-  return order;
+  return { Identity(size), { 0, size } };
 }
 
 template <class Value>

@@ -1,0 +1,74 @@
+#include "Solvers/RowRuns.h"
+
+#include "Support/Random.h"
+
+#include <gtest/gtest.h>
+
+using namespace dmg;
+
+namespace
+{
+
+/// Runs of rows of all short lengths and some longer ones; the columns of a row are equally far apart.
+SparseMatrix<Complex> MatrixOfRuns(test::Random& random)
+{
+  std::vector<Eigen::Triplet<Complex>> entries;
+  int row = 0;
+  for (const int length : { 3, 0, 1, 4, 2, 9, 5, 1, 0 })
+  {
+    for (int end = row + 1 + random.Index(6); row < end; ++row)
+    {
+      for (int k = 0; k < length; ++k)
+      {
+        entries.emplace_back(row, (row + 5 * k) % 60, random.Number());
+      }
+    }
+  }
+  SparseMatrix<Complex> matrix(row, 60);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+}
+
+TEST(TestRowRuns, MultipliesPiecesOfRowsAsRowTimesDoes)
+{
+  test::Random random(2802);
+  const SparseMatrix<Complex> matrix = MatrixOfRuns(random);
+  const RowRuns<Complex> runs(matrix);
+  Vector<Complex> x(matrix.cols());
+  for (Complex& entry : x)
+  {
+    entry = random.Number();
+  }
+  const int rows = static_cast<int>(matrix.rows());
+  for (int first = 0; first <= rows; ++first)
+  {
+    for (int last = first; last <= rows; ++last)
+    {
+      int next = first;
+      runs.Multiply(first, last, x.data(), [&](int row, Complex product) {
+        EXPECT_EQ(row, next++);
+        EXPECT_LE(std::abs(product - RowTimes(matrix, row, x.data())), 1e-14);
+      });
+      EXPECT_EQ(next, last);
+    }
+  }
+}
+
+TEST(TestRowRuns, LaterRowsSeeWhatEarlierOnesChange)
+{
+  // x_{i+1} = 2 x_i makes powers of two.
+  constexpr int size = 20;
+  SparseMatrix<double> matrix(size, size + 1);
+  for (int i = 0; i < size; ++i)
+  {
+    matrix.insert(i, i) = 2.0;
+  }
+  matrix.makeCompressed();
+  Vector<double> x = Vector<double>::Zero(size + 1);
+  x[0] = 1.0;
+  RowRuns<double>(matrix).Multiply(
+    0, size, x.data(), [&x](int row, double product) { x[row + 1] = product; });
+  EXPECT_EQ(x[size], std::ldexp(1.0, size));
+}
