@@ -77,10 +77,11 @@ FieldWeights WeightsOf(const FieldOptions& options)
 std::vector<SparseMatrix<Complex>> OnPowers(
   const std::vector<TransportOperator>& transports, int N, const ExecutionContext& context)
 {
-  std::vector<SparseMatrix<Complex>> result;
-  for (const TransportOperator& transport : transports)
+  std::vector<SparseMatrix<Complex>> result(transports.size());
+  for (std::size_t level = 0; level < transports.size(); ++level)
   {
-    result.push_back(dmg::OnPowers(transport, N, context));
+    SparseMatrix<Complex> powers = dmg::OnPowers(transports[level], N, context);
+    result[level].swap(powers); // an assignment would copy
   }
   return result;
 }
@@ -426,11 +427,14 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   if (isPower)
   {
     const Vector<double> mass = MassOfPowerFields(mesh, context);
+    constexpr int Grain = 8192;
     surface->Mass.resize(order.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-    {
-      surface->Mass[k] = mass[order[k] / 2];
-    }
+    context.ParallelFor(0, static_cast<int>(order.size()), Grain, [&](int first, int last) {
+      for (int k = first; k < last; ++k)
+      {
+        surface->Mass[k] = mass[order[k] / 2];
+      }
+    });
   }
   else
   {

@@ -62,9 +62,9 @@ class RoughnessProblem::Internals
 {
 public:
   Internals(std::shared_ptr<const RoughnessSurface> surface, const SolverOptions& options,
-    const SolverChoice& choice)
+    const SolverChoice& choice, const ExecutionContext& context)
     : Surface(std::move(surface))
-    , Places(Inverse(this->Surface->Hierarchy->Order))
+    , Places(Inverse(this->Surface->Hierarchy->Order, context))
     , Options(options)
     , Choice(choice)
   {
@@ -222,7 +222,7 @@ Vector<double> RoughnessProblem::Internals::RightHandSide(
 RoughnessProblem::RoughnessProblem(std::shared_ptr<const RoughnessSurface> surface,
   PrescribedUnknowns prescribed, double smoothness, const SolverOptions& options,
   const SolverChoice& choice, const ExecutionContext& context)
-  : Internal(std::make_unique<Internals>(std::move(surface), options, choice))
+  : Internal(std::make_unique<Internals>(std::move(surface), options, choice, context))
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
 }

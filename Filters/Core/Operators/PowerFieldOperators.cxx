@@ -67,30 +67,39 @@ double SquaredLength(const TriangleMesh& mesh, int halfedge)
   return (mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge))).squaredNorm();
 }
 
-/// What a Laplacian wants to know of a face.
+/// What a Laplacian wants to know of a face, and where its neighbours stand.
 struct PowerFaceShape
 {
   std::array<Complex, 3> Sides;
   std::array<double, 3> SquaredLengths;
   double Area;
+  std::array<int, 3> Twins; ///< 3 * place of the neighbour + its side; -1 where there is none
 };
+
+PowerFaceShape ShapeOf(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<int>& places, int face)
+{
+  PowerFaceShape shape{ SideDirections(mesh, faceFrames, face), {}, mesh.FaceArea(face), {} };
+  for (int k = 0; k < 3; ++k)
+  {
+    shape.SquaredLengths[k] = SquaredLength(mesh, 3 * face + k);
+    const int twin = mesh.Twin(3 * face + k);
+    shape.Twins[k] = twin >= 0 ? 3 * places[TriangleMesh::FaceOf(twin)] + twin % 3 : -1;
+  }
+  return shape;
+}
 
 /// The places of a face and its neighbours, ascending, each once.
 struct FaceAndNeighbours
 {
-  FaceAndNeighbours(const TriangleMesh& mesh, const std::vector<int>& places, int face)
+  FaceAndNeighbours(int place, const std::array<int, 3>& twins)
   {
-    this->Insert(places[face]);
-    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    this->Insert(place);
+    for (const int twin : twins)
     {
-      const int twin = mesh.Twin(h);
-      if (twin >= 0)
+      if (twin >= 0 && this->Find(twin / 3) == this->Count)
       {
-        const int place = places[TriangleMesh::FaceOf(twin)];
-        if (this->Find(place) == this->Count)
-        {
-          this->Insert(place);
-        }
+        this->Insert(twin / 3);
       }
     }
   }
@@ -199,41 +208,36 @@ SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFram
 SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   int N, const std::vector<int>& order, const ExecutionContext& context)
 {
-  const std::vector<int> places = Inverse(order);
+  const std::vector<int> places = Inverse(order, context);
   const int faces = mesh.NumberOfFaces();
-  std::vector<PowerFaceShape> shapes(faces);
-  std::vector<int> sizes(faces);
+  // Once in the order of the rows, nothing is looked up at random.
+  Unfilled<PowerFaceShape> shapes(faces);
   context.ParallelFor(0, faces, Grain, [&](int first, int last) {
     for (int place = first; place < last; ++place)
     {
-      const int face = order[place];
-      shapes[place] = { SideDirections(mesh, faceFrames, face),
-        { SquaredLength(mesh, 3 * face), SquaredLength(mesh, 3 * face + 1),
-          SquaredLength(mesh, 3 * face + 2) },
-        mesh.FaceArea(face) };
-      sizes[place] = FaceAndNeighbours(mesh, places, face).Count;
+      shapes[place] = ShapeOf(mesh, faceFrames, places, order[place]);
     }
   });
   return FillRows<Complex>(
-    faces, faces, context, [&](int place) { return sizes[place]; },
+    faces, faces, context,
+    [&](int place) { return FaceAndNeighbours(place, shapes[place].Twins).Count; },
     [&](int place, int* columns, Complex* entries) {
-      const FaceAndNeighbours around(mesh, places, order[place]);
+      const PowerFaceShape& here = shapes[place];
+      const FaceAndNeighbours around(place, here.Twins);
       std::copy_n(around.Places.begin(), around.Count, columns);
       std::fill_n(entries, around.Count, Complex(0.0));
-      const PowerFaceShape& here = shapes[place];
       for (int k = 0; k < 3; ++k)
       {
-        const int twin = mesh.Twin(3 * order[place] + k);
+        const int twin = here.Twins[k];
         if (twin < 0)
         {
           continue;
         }
-        const int neighbour = places[TriangleMesh::FaceOf(twin)];
-        const PowerFaceShape& there = shapes[neighbour];
+        const PowerFaceShape& there = shapes[twin / 3];
         const double weight = PowerEdgeWeight(here.SquaredLengths[k], here.Area + there.Area);
         // Two faces may meet along two edges, whose entries add up.
         entries[around.Find(place)] += weight;
-        entries[around.Find(neighbour)] -=
+        entries[around.Find(twin / 3)] -=
           weight * Power(Transport(there.Sides[twin % 3], here.Sides[k]), N);
       }
     });

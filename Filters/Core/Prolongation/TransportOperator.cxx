@@ -6,26 +6,35 @@
 
 namespace dmg
 {
+namespace
+{
+
+Complex OnPowers(Complex entry, int N)
+{
+  const double weight = std::sqrt(std::norm(entry));
+  const Complex turn = N > 1 && weight > 0.0 ? entry / weight : Complex(1.0);
+  for (int n = 1; n < N; ++n)
+  {
+    entry *= turn;
+  }
+  return entry;
+}
+
+}
 
 SparseMatrix<Complex> OnPowers(
   const TransportOperator& transport, int N, const ExecutionContext& context)
 {
-  constexpr int Grain = 16384;
-  SparseMatrix<Complex> result = transport;
-  Complex* const entries = result.valuePtr();
-  const int size = N > 1 ? static_cast<int>(result.nonZeros()) : 0;
-  context.ParallelFor(0, size, Grain, [=](int first, int last) {
-    for (int i = first; i < last; ++i)
-    {
-      const double weight = std::sqrt(std::norm(entries[i]));
-      const Complex turn = weight > 0.0 ? entries[i] / weight : Complex(1.0);
-      for (int n = 1; n < N; ++n)
+  const int* const offsets = transport.outerIndexPtr();
+  return FillRows<Complex>(static_cast<int>(transport.rows()), static_cast<int>(transport.cols()),
+    context, [offsets](int row) { return offsets[row + 1] - offsets[row]; },
+    [&](int row, int* columns, Complex* values) {
+      for (int i = offsets[row]; i < offsets[row + 1]; ++i)
       {
-        entries[i] *= turn;
+        *columns++ = transport.innerIndexPtr()[i];
+        *values++ = OnPowers(transport.valuePtr()[i], N);
       }
-    }
-  });
-  return result;
+    });
 }
 
 SparseMatrix<Complex> RowsOfComponents(

@@ -1,5 +1,6 @@
 #include "Solvers/LaplacianCycle.h"
 
+#include "Support/CountingSort.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -25,6 +26,7 @@ SmootherOptions SweepsOf(const RoughnessCycleOptions& options)
 LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D,
   const RoughnessCycleOptions& options, const ExecutionContext& context)
   : Fine(hierarchy)
+  , InverseScales(hierarchy.Scales(Eigen::seqN(0, hierarchy.L.rows(), 2)).cwiseInverse())
   , InverseDiagonal(hierarchy.L.rows())
   , FineSmoother(
       Smoother<Single>::NewShifted(hierarchy.A, this->InverseDiagonal, SweepsOf(options)))
@@ -32,7 +34,7 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
   , x(hierarchy.L.rows())
   , Residual(hierarchy.L.rows())
 {
-  this->SetDiagonal(D);
+  this->SetDiagonal(D, context);
   const SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
   context.Checkpoint(0.3);
   GalerkinOptions coarsening;
@@ -49,30 +51,27 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
 
 void LaplacianCycle::Update(const Vector<double>& D, const ExecutionContext& context)
 {
-  this->SetDiagonal(D);
+  this->SetDiagonal(D, context);
   const SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
   this->Hierarchy->Update(coarse, PartOfContext(context, 0.3, 0.8));
   this->Coarse->Update(PartOfContext(context, 0.8, 1.0));
   this->Hierarchy->ForgetMatrices();
 }
 
-void LaplacianCycle::SetDiagonal(const Vector<double>& D)
+void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext& context)
 {
   assert(D.size() == this->Fine.NumberOfUnknowns());
-  this->Shift.resize(D.size() / 2);
-  this->Held.clear();
-  for (int k = 0; k < static_cast<int>(this->Shift.size()); ++k)
-  {
-    const double scale = this->Fine.Scales[2 * k];
-    this->Shift[k] = D[2 * k] / (scale * scale);
-    if (!std::isfinite(this->Shift[k]))
+  const int size = static_cast<int>(D.size() / 2);
+  this->Shift.resize(size);
+  context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
     {
-      this->Held.push_back(k);
-      this->InverseDiagonal[k] = 0.0f;
-      continue;
+      this->Shift[k] = D[2 * k] * this->InverseScales[k] * this->InverseScales[k];
+      this->InverseDiagonal[k] = static_cast<float>(1.0 / (1.0 + this->Shift[k]));
     }
-    this->InverseDiagonal[k] = static_cast<float>(1.0 / (1.0 + this->Shift[k]));
-  }
+  });
+  this->Held =
+    Choose(size, [this](int k) { return !std::isfinite(this->Shift[k]); }, context);
   for (const int k : this->Fine.Isolated)
   {
     const double shift = this->Shift[k];
@@ -88,7 +87,7 @@ SparseMatrix<Complex> LaplacianCycle::CoarseMatrixOfFree(const ExecutionContext&
   {
     // Held rows are zero, but stay in the pattern, so that it does not depend on D.
     const double factor =
-      std::isfinite(this->Shift[k]) ? 1.0 / this->Fine.Scales[2 * k] : 0.0;
+      std::isfinite(this->Shift[k]) ? this->InverseScales[k] : 0.0;
     for (int e = P.outerIndexPtr()[k]; e < P.outerIndexPtr()[k + 1]; ++e)
     {
       P.valuePtr()[e] *= factor;
@@ -170,12 +169,11 @@ void LaplacianCycle::Correct(const ExecutionContext& context)
 void LaplacianCycle::Apply(
   const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
 {
-  const Vector<double>& scales = this->Fine.Scales;
   const int size = static_cast<int>(this->b.size());
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
     for (int k = first; k < last; ++k)
     {
-      const double factor = 1.0 / scales[2 * k];
+      const double factor = this->InverseScales[k];
       this->b[k] = { static_cast<float>(r[2 * k] * factor),
         static_cast<float>(r[2 * k + 1] * factor) };
     }
@@ -193,7 +191,7 @@ void LaplacianCycle::Apply(
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
     for (int k = first; k < last; ++k)
     {
-      const double factor = 1.0 / scales[2 * k];
+      const double factor = this->InverseScales[k];
       z[2 * k] = this->x[k].real() * factor;
       z[2 * k + 1] = this->x[k].imag() * factor;
     }
@@ -213,7 +211,7 @@ long long LaplacianCycle::Bytes() const
 {
   return this->Hierarchy->Bytes() + this->Coarse->Bytes() +
     this->b.size() *
-    static_cast<long long>(4 * sizeof(Single) + sizeof(float) + sizeof(double));
+    static_cast<long long>(4 * sizeof(Single) + sizeof(float) + 2 * sizeof(double));
 }
 
 }

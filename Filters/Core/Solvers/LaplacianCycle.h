@@ -32,7 +32,7 @@ private:
   using Single = LaplacianHierarchy::Single;
 
   /// Of the scaled unknowns, from D of the others.
-  void SetDiagonal(const Vector<double>& D);
+  void SetDiagonal(const Vector<double>& D, const ExecutionContext& context);
   /// P^H (L + D) P.
   SparseMatrix<Complex> CoarseMatrix(const ExecutionContext& context) const;
   /// P^H L P where unknowns are held at zero.
@@ -41,6 +41,7 @@ private:
   void Correct(const ExecutionContext& context);
 
   const LaplacianHierarchy& Fine;
+  const Vector<double> InverseScales; ///< one per complex unknown
   Vector<double> Shift;          ///< D over the diagonal of L
   Vector<float> InverseDiagonal; ///< of the scaled L + D; 0 where an unknown is held
   std::vector<int> Held;         ///< at zero

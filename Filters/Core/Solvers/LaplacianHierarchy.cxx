@@ -3,10 +3,11 @@
 #include "Solvers/ArrangedMatrix.h"
 #include "Solvers/HierarchicalOrder.h"
 #include "Solvers/LaplacianCycle.h"
+#include "Solvers/RowRuns.h"
 #include "Solvers/SmoothedProlongation.h"
+#include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
-#include "Support/SparseAssembly.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -40,21 +41,19 @@ public:
     const auto* const from = reinterpret_cast<const Complex*>(x.data());
     auto* const to = reinterpret_cast<Complex*>(y.data());
     return SumOverBlocks<double>(
-      static_cast<int>(this->L.rows()), context, [this, from, to](int first, int last) {
+      this->Size() / 2, context, [this, from, to](int first, int last) {
         double product = 0.0;
-        for (int k = first; k < last; ++k)
-        {
+        this->L.Multiply(first, last, from, [this, from, to, &product](int k, Complex sum) {
           const double shift = this->D[2 * k];
-          to[k] =
-            std::isfinite(shift) ? RowTimes(this->L, k, from) + shift * from[k] : Complex(0.0);
+          to[k] = std::isfinite(shift) ? sum + shift * from[k] : Complex(0.0);
           product += from[k].real() * to[k].real() + from[k].imag() * to[k].imag();
-        }
+        });
         return product;
       });
   }
 
 private:
-  const SparseMatrix<Complex>& L;
+  const RowRuns<Complex> L;
   const Vector<double> D;
 };
 
@@ -102,14 +101,37 @@ Vector<double> RootsOfDiagonal(const SparseMatrix<Complex>& L, const ExecutionCo
   return roots;
 }
 
-Vector<double> Doubled(const Vector<double>& numbers)
+/// What is known of each unknown, two for each row. Components and roots are in the order of the parents.
+void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParents,
+  const std::vector<int>& byColours, const std::vector<int>& components,
+  const Vector<double>& roots, const ExecutionContext& context)
 {
-  Vector<double> doubled(2 * numbers.size());
-  for (Eigen::Index k = 0; k < numbers.size(); ++k)
-  {
-    doubled[2 * k] = doubled[2 * k + 1] = numbers[k];
-  }
-  return doubled;
+  const int unknowns = 2 * static_cast<int>(byColours.size());
+  hierarchy.Order.resize(unknowns);
+  hierarchy.Components.resize(unknowns);
+  hierarchy.Scales.resize(unknowns);
+  context.ParallelFor(0, unknowns, RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      const int k = byColours[i / 2];
+      hierarchy.Order[i] = 2 * byParents[k] + i % 2;
+      hierarchy.Components[i] = components[k];
+      hierarchy.Scales[i] = roots[k];
+    }
+  });
+}
+
+/// L by colours, and what sweeps read of it, scaled.
+void SetMatrix(LaplacianHierarchy& hierarchy, const SparseMatrix<Complex>& L,
+  const std::vector<int>& byColours, const ExecutionContext& context)
+{
+  const int size = static_cast<int>(byColours.size());
+  SparseMatrix<Complex> inOrder = Permuted(L, byColours, Inverse(byColours, context), context);
+  hierarchy.L.swap(inOrder); // an assignment would copy
+  const std::vector<int> same = Identity(size);
+  const Vector<double> scale = hierarchy.Scales(Eigen::seqN(0, size, 2)).cwiseInverse();
+  ArrangeLower(hierarchy.L, same, same, scale, hierarchy.A.Lower, context);
+  ArrangeUpper(hierarchy.L, same, same, scale, hierarchy.A.Upper, context);
 }
 
 }
@@ -133,21 +155,32 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   context.Checkpoint(0.7);
 
   LaplacianHierarchy hierarchy;
-  ColourOrder colours = Colouring(L);
-  const std::vector<int>& byColours = colours.Unknowns;
-  const std::vector<int> places = Inverse(byColours);
-  Vector<double> roots = RootsOfDiagonal(L, context);
-  for (int k = 0; k < size; ++k)
-  {
-    if (roots[byColours[k]] == 0.0)
+  // Greedy colours come one after the other, and so do components; but they do not wait for each other.
+  ColourOrder colours;
+  std::vector<int> components;
+  context.ParallelFor(0, 2, 1, [&](int first, int last) {
+    for (int task = first; task < last; ++task)
     {
-      hierarchy.Isolated.push_back(k);
-      roots[byColours[k]] = 1.0;
+      if (task == 0)
+      {
+        colours = Colouring(L);
+      }
+      else
+      {
+        components = ComponentsOf(L);
+      }
     }
+  });
+  const std::vector<int>& byColours = colours.Unknowns;
+  Vector<double> roots = RootsOfDiagonal(L, context);
+  hierarchy.Isolated =
+    Choose(size, [&](int k) { return roots[byColours[k]] == 0.0; }, context);
+  for (const int k : hierarchy.Isolated)
+  {
+    roots[byColours[k]] = 1.0;
   }
-  const Vector<double> scale = roots.cwiseInverse();
-  ArrangeLower(L, byColours, places, scale, hierarchy.A.Lower, context);
-  ArrangeUpper(L, byColours, places, scale, hierarchy.A.Upper, context);
+  SetUnknowns(hierarchy, byParents, byColours, components, roots, context);
+  SetMatrix(hierarchy, L, byColours, context);
   Arrange(P, byColours, Identity(static_cast<int>(P.cols())), roots,
     Vector<double>(Vector<double>::Ones(P.cols())),
     [&isolated = hierarchy.Isolated](
@@ -155,24 +188,10 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
     hierarchy.Prolongation, context);
   SparseMatrix<LaplacianHierarchy::Single> restriction = Adjoint(hierarchy.Prolongation, context);
   hierarchy.Restriction.swap(restriction); // an assignment would copy
-  SparseMatrix<Complex> inOrder = Permuted(L, byColours, places, context);
-  hierarchy.L.swap(inOrder);
   hierarchy.CoarseMatrix.swap(coarse);
   hierarchy.A.Begins = std::move(colours.Begins);
   prolongations.erase(prolongations.begin());
   hierarchy.Coarser = std::move(prolongations);
-
-  // Both in the order of the parents so far.
-  const std::vector<int> components = ComponentsOf(L);
-  std::vector<int> order(size);
-  hierarchy.Components.resize(2 * size);
-  for (int k = 0; k < size; ++k)
-  {
-    order[k] = byParents[byColours[k]];
-    hierarchy.Components[2 * k] = hierarchy.Components[2 * k + 1] = components[byColours[k]];
-  }
-  hierarchy.Order = PairsOf(order);
-  hierarchy.Scales = Doubled(Vector<double>(roots(byColours)));
   context.Checkpoint(1.0);
   return hierarchy;
 }

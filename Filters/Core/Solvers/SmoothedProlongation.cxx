@@ -35,13 +35,16 @@ void SmoothRow(
     sum.Add(factor, P.innerIndexPtr() + begin, P.valuePtr() + begin, size);
   };
   sum.Clear();
-  addRow(i, Scalar(1.0));
-  if (diagonal > 0.0)
+  if (!(diagonal > 0.0))
   {
-    for (int k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
-    {
-      addRow(A.innerIndexPtr()[k], -Damping / diagonal * A.valuePtr()[k]);
-    }
+    addRow(i, Scalar(1.0));
+    return;
+  }
+  const double factor = -Damping / diagonal;
+  for (int k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
+  {
+    const int column = A.innerIndexPtr()[k];
+    addRow(column, (column == i ? 1.0 : 0.0) + factor * A.valuePtr()[k]);
   }
 }
 
