@@ -27,6 +27,12 @@ public:
     using other = UnfilledAllocator<U>;
   };
 
+  UnfilledAllocator() = default;
+  template <class U>
+  UnfilledAllocator(const UnfilledAllocator<U>&) noexcept
+  {
+  }
+
   template <class U>
   void construct(U*) noexcept
   {
