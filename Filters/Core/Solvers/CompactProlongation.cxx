@@ -196,14 +196,9 @@ SparseMatrix<Plane> CompactProlongation::SelectedRows(
   const std::vector<int>& rows, const ExecutionContext& context) const
 {
   const int size = static_cast<int>(rows.size());
-  std::vector<int> offsets(size + 1, 0);
-  for (int k = 0; k < size; ++k)
-  {
-    offsets[k + 1] = this->RowBegins[rows[k] + 1] - this->RowBegins[rows[k]];
-  }
   SparseMatrix<Plane> selected(size, this->Columns());
-  selected.resizeNonZeros(OffsetsFromCounts(offsets));
-  std::copy(offsets.begin(), offsets.end(), selected.outerIndexPtr());
+  MakeRoom(selected, context,
+    [&](int k) { return this->RowBegins[rows[k] + 1] - this->RowBegins[rows[k]]; });
   context.ParallelFor(0, size, RowsOfTile, [&](int first, int last) {
     for (int k = first; k < last; ++k)
     {
@@ -212,7 +207,7 @@ SparseMatrix<Plane> CompactProlongation::SelectedRows(
         std::upper_bound(this->TileBegins.begin(), this->TileBegins.end(), row) - 1;
       const int* const columns = this->ColumnsOfTiles.data() +
         this->ColumnBegins[tile - this->TileBegins.begin()];
-      int at = offsets[k];
+      int at = selected.outerIndexPtr()[k];
       for (int e = this->RowBegins[row]; e < this->RowBegins[row + 1]; ++e, ++at)
       {
         const Entry& entry = this->Entries[e];

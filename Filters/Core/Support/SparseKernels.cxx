@@ -144,15 +144,10 @@ SparseMatrix<double> SymmetricFromLower(
     const int begin = offsetsOfUpper[i];
     return begin + (begin < offsetsOfUpper[i + 1] && upper.innerIndexPtr()[begin] == i);
   };
-  std::vector<int> offsets(rows + 1, 0);
-  for (int i = 0; i < rows; ++i)
-  {
-    offsets[i + 1] =
-      offsetsOfLower[i + 1] - offsetsOfLower[i] + offsetsOfUpper[i + 1] - beyondDiagonal(i);
-  }
   SparseMatrix<double> A(rows, rows);
-  A.resizeNonZeros(OffsetsFromCounts(offsets));
-  std::copy(offsets.begin(), offsets.end(), A.outerIndexPtr());
+  MakeRoom(A, context, [&](int i) {
+    return offsetsOfLower[i + 1] - offsetsOfLower[i] + offsetsOfUpper[i + 1] - beyondDiagonal(i);
+  });
   context.ParallelFor(0, rows, RowGrain, [&](int first, int last) {
     const auto copy = [](const SparseMatrix<double>& from, int begin, int end,
                         SparseMatrix<double>& to, int at) {
@@ -162,7 +157,7 @@ SparseMatrix<double> SymmetricFromLower(
     };
     for (int i = first; i < last; ++i)
     {
-      const int at = copy(lower, offsetsOfLower[i], offsetsOfLower[i + 1], A, offsets[i]);
+      const int at = copy(lower, offsetsOfLower[i], offsetsOfLower[i + 1], A, A.outerIndexPtr()[i]);
       copy(upper, beyondDiagonal(i), offsetsOfUpper[i + 1], A, at);
     }
   });
