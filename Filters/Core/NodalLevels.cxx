@@ -58,6 +58,7 @@ LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const Tangent
     Product(FormFromFaceField(mesh, faceFrames, context), levels.Prolongation, context);
   levels.Prolongation.swap(forms);
   levels.Blocks = BlocksOfOneForms(mesh);
+  levels.Subdomains = SubdomainsOfOneForms(mesh);
   return levels;
 }
 

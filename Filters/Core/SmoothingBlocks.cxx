@@ -52,6 +52,18 @@ std::vector<char> AreUneven(const TriangleMesh& mesh, double evenFraction)
   return areUneven;
 }
 
+template <class Visit>
+void ForNeighbours(const TriangleMesh& mesh, int face, const Visit& visit)
+{
+  for (int h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    if (const int twin = mesh.Twin(h); twin >= 0)
+    {
+      visit(TriangleMesh::FaceOf(twin));
+    }
+  }
+}
+
 /// Connected uneven faces, and rings of faces around them as far as a block has room.
 template <class UnknownsOf>
 class PatchGrower
@@ -96,7 +108,7 @@ private:
     this->IsInCore[seed] = this->Add(seed, largest);
     for (std::size_t k = 0; k < this->Faces.size(); ++k)
     {
-      this->ForNeighbours(this->Faces[k], [this](int face) {
+      ForNeighbours(this->Mesh, this->Faces[k], [this](int face) {
         if (this->AreUneven[face] && !this->IsInCore[face])
         {
           this->IsInCore[face] = this->Add(face, largest);
@@ -110,8 +122,8 @@ private:
     const std::size_t size = this->Faces.size();
     for (std::size_t k = 0; k < size; ++k)
     {
-      this->ForNeighbours(
-        this->Faces[k], [this](int face) { this->Add(face, SchwarzBlocks::LargestBlock); });
+      ForNeighbours(this->Mesh, this->Faces[k],
+        [this](int face) { this->Add(face, SchwarzBlocks::LargestBlock); });
     }
   }
 
@@ -139,18 +151,6 @@ private:
     return true;
   }
 
-  template <class Visit>
-  void ForNeighbours(int face, const Visit& visit) const
-  {
-    for (int h = 3 * face; h < 3 * face + 3; ++h)
-    {
-      if (const int twin = this->Mesh.Twin(h); twin >= 0)
-      {
-        visit(TriangleMesh::FaceOf(twin));
-      }
-    }
-  }
-
   const TriangleMesh& Mesh;
   const std::vector<char> AreUneven;
   const UnknownsOf& Of;
@@ -160,11 +160,144 @@ private:
 };
 
 template <class UnknownsOf>
-void AppendPatches(const TriangleMesh& mesh, double evenFraction, const UnknownsOf& unknownsOf,
-  UnknownBlocks& blocks)
+void AppendPatches(const TriangleMesh& mesh, std::vector<char> areUneven,
+  const UnknownsOf& unknownsOf, UnknownBlocks& blocks)
 {
-  PatchGrower<UnknownsOf>(mesh, AreUneven(mesh, evenFraction), unknownsOf).AppendTo(blocks);
+  PatchGrower<UnknownsOf>(mesh, std::move(areUneven), unknownsOf).AppendTo(blocks);
 }
+
+/// Regions of needles and of what is near them, in pieces that overlap.
+class NeedleRegions
+{
+public:
+  explicit NeedleRegions(const TriangleMesh& mesh)
+    : Mesh(mesh)
+    , IsNeedle(AreUneven(mesh, EvenFraction))
+    , IsInRegion(this->IsNeedle)
+    , PieceOf(mesh.NumberOfFaces(), -1)
+  {
+    std::vector<int> faces;
+    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+    {
+      if (this->IsNeedle[face])
+      {
+        faces.push_back(face);
+      }
+    }
+    this->AddRings(
+      RingsOfRegion, faces, [this](int face) { return !std::exchange(this->IsInRegion[face], 1); });
+    this->LeaveOutSmallRegions();
+  }
+
+  bool Contains(int face) const { return this->IsInRegion[face] != 0; }
+
+  /// The sides of the faces of every piece.
+  void AppendTo(UnknownBlocks& blocks)
+  {
+    std::vector<char> isTaken(this->Mesh.NumberOfFaces(), 0);
+    int piece = 0;
+    for (int seed = 0; seed < this->Mesh.NumberOfFaces(); ++seed)
+    {
+      if (!this->IsInRegion[seed] || isTaken[seed])
+      {
+        continue;
+      }
+      std::vector<int> faces = this->Connected(seed, LargestPiece, isTaken);
+      for (const int face : faces)
+      {
+        this->PieceOf[face] = piece;
+      }
+      this->AddRings(RingsOfPiece, faces,
+        [&](int face) { return std::exchange(this->PieceOf[face], piece) != piece; });
+      const std::size_t begin = blocks.Unknowns.size();
+      for (const int face : faces)
+      {
+        for (int h = 3 * face; h < 3 * face + 3; ++h)
+        {
+          blocks.Unknowns.push_back(this->Mesh.EdgeOf(h));
+        }
+      }
+      std::sort(blocks.Unknowns.begin() + begin, blocks.Unknowns.end());
+      blocks.Unknowns.erase(
+        std::unique(blocks.Unknowns.begin() + begin, blocks.Unknowns.end()), blocks.Unknowns.end());
+      blocks.EndBlock();
+      ++piece;
+    }
+  }
+
+private:
+  static constexpr double EvenFraction = 0.1;
+  static constexpr int RingsOfRegion = 3;
+  // Modes of needles decay slowly, and three rings are no wider than a quadrilateral cut into four.
+  static constexpr int RingsOfPiece = 6;
+  static constexpr int LargestPiece = 4000; // faces without its rings
+  static constexpr int FewestNeedles = 24; // fewer are what patches are for
+
+  /// Appends faces around those given. \param enter(face) whether a face is new.
+  template <class Enter>
+  void AddRings(int rings, std::vector<int>& faces, const Enter& enter) const
+  {
+    std::size_t begin = 0;
+    for (int ring = 0; ring < rings; ++ring)
+    {
+      const std::size_t end = faces.size();
+      for (; begin < end; ++begin)
+      {
+        ForNeighbours(this->Mesh, faces[begin], [&](int face) {
+          if (enter(face))
+          {
+            faces.push_back(face);
+          }
+        });
+      }
+    }
+  }
+
+  /// Faces of the region that are connected with a seed and not taken yet; the nearest so many.
+  std::vector<int> Connected(int seed, int largest, std::vector<char>& isTaken) const
+  {
+    std::vector<int> faces = { seed };
+    isTaken[seed] = 1;
+    for (std::size_t k = 0; k < faces.size(); ++k)
+    {
+      ForNeighbours(this->Mesh, faces[k], [&](int face) {
+        if (this->IsInRegion[face] && !isTaken[face] && static_cast<int>(faces.size()) < largest)
+        {
+          isTaken[face] = 1;
+          faces.push_back(face);
+        }
+      });
+    }
+    return faces;
+  }
+
+  void LeaveOutSmallRegions()
+  {
+    std::vector<char> isTaken(this->Mesh.NumberOfFaces(), 0);
+    for (int seed = 0; seed < this->Mesh.NumberOfFaces(); ++seed)
+    {
+      if (!this->IsInRegion[seed] || isTaken[seed])
+      {
+        continue;
+      }
+      const std::vector<int> region = this->Connected(seed, this->Mesh.NumberOfFaces(), isTaken);
+      const auto needles = std::count_if(
+        region.begin(), region.end(), [this](int face) { return this->IsNeedle[face] != 0; });
+      if (needles < FewestNeedles)
+      {
+        for (const int face : region)
+        {
+          this->IsInRegion[face] = 0;
+        }
+      }
+    }
+  }
+
+  const TriangleMesh& Mesh;
+  const std::vector<char> IsNeedle;
+  std::vector<char> IsInRegion;
+  std::vector<int> PieceOf; ///< the last one that a face has been in
+};
 
 // Stars tell smooth fields from rough ones even where faces are rather uneven; sides need help earlier.
 constexpr double EvenFractionForStars = 0.1;
@@ -189,8 +322,8 @@ UnknownBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
     } while (h >= 0 && h != first);
     AppendStar(faces, h == first, blocks);
   }
-  AppendPatches(
-    mesh, EvenFractionForStars, [](int face) { return std::array<int, 2>{ 2 * face, 2 * face + 1 }; }, blocks);
+  AppendPatches(mesh, AreUneven(mesh, EvenFractionForStars),
+    [](int face) { return std::array<int, 2>{ 2 * face, 2 * face + 1 }; }, blocks);
   return blocks;
 }
 
@@ -210,8 +343,21 @@ UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh)
     }
     blocks.EndBlock();
   }
-  AppendPatches(mesh, EvenFractionForSides, sides, blocks);
+  std::vector<char> areUneven = AreUneven(mesh, EvenFractionForSides);
+  const NeedleRegions regions(mesh);
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    areUneven[face] &= !regions.Contains(face);
+  }
+  AppendPatches(mesh, std::move(areUneven), sides, blocks);
   return blocks;
+}
+
+UnknownBlocks SubdomainsOfOneForms(const TriangleMesh& mesh)
+{
+  UnknownBlocks subdomains;
+  NeedleRegions(mesh).AppendTo(subdomains);
+  return subdomains;
 }
 
 }

@@ -124,10 +124,11 @@ TEST(SmoothingBlocks, UnevenFacesAreTogetherWithTwoRingsAroundThem)
 
 TEST(SmoothingBlocks, ManyUnevenFacesAreInSeveralPatches)
 {
-  // Squeezed, every face is uneven.
-  test::Surface surface = test::IrregularPlane(30, 24, 4);
-  surface.V.col(1) *= 0.02;
+  // Squeezed, every face is uneven, and none is a needle.
+  test::Surface surface = test::PlaneGrid(30, 24);
+  surface.V.col(1) *= 0.15;
   const TriangleMesh mesh = surface.Mesh();
+  ASSERT_EQ(SubdomainsOfOneForms(mesh).Size(), 0);
   const std::vector<std::set<int>> forms = SetsOf(BlocksOfOneForms(mesh));
   EXPECT_EQ(static_cast<int>(Union(forms).size()), mesh.NumberOfEdges());
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
@@ -139,7 +140,9 @@ TEST(SmoothingBlocks, ManyUnevenFacesAreInSeveralPatches)
       { return std::includes(patch.begin(), patch.end(), own.begin(), own.end()); }))
       << "face " << face << " is in no patch";
   }
-  const std::vector<std::set<int>> fields = SetsOf(BlocksOfFaceFields(mesh));
+  test::Surface needles = test::IrregularPlane(30, 24, 4);
+  needles.V.col(1) *= 0.02;
+  const std::vector<std::set<int>> fields = SetsOf(BlocksOfFaceFields(needles.Mesh()));
   EXPECT_EQ(static_cast<int>(Union(fields).size()), 2 * mesh.NumberOfFaces());
   for (const auto* blocks : { &forms, &fields })
   {
@@ -173,5 +176,37 @@ TEST(SmoothingBlocks, PatchesAreConnected)
       }
     }
     EXPECT_EQ(2 * reached.size(), blocks[k].size());
+  }
+}
+
+TEST(SmoothingBlocks, FewNeedlesAreInNoSubdomain)
+{
+  EXPECT_EQ(SubdomainsOfOneForms(test::IrregularSphere(3, 2).Mesh()).Size(), 0);
+  EXPECT_EQ(SubdomainsOfOneForms(StripWithThinColumn(12, 4, 0.01)).Size(), 0);
+}
+
+TEST(SmoothingBlocks, ManyNeedlesAreInSubdomainsAndNotInPatches)
+{
+  // More faces than a piece takes.
+  test::Surface surface = test::IrregularPlane(60, 48, 4);
+  surface.V.col(1) *= 0.01;
+  const TriangleMesh mesh = surface.Mesh();
+  EXPECT_EQ(BlocksOfOneForms(mesh).Size(), mesh.NumberOfFaces());
+  const UnknownBlocks subdomains = SubdomainsOfOneForms(mesh);
+  ASSERT_GE(subdomains.Size(), 2);
+  const std::vector<std::set<int>> sets = SetsOf(subdomains);
+  EXPECT_EQ(static_cast<int>(Union(sets).size()), mesh.NumberOfEdges());
+  EXPECT_GT(static_cast<int>(subdomains.Unknowns.size()), mesh.NumberOfEdges()); // they overlap
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    // With all that shares an equation with its sides.
+    std::set<int> near = SidesOf(mesh, face);
+    for (const int neighbour : NeighboursOf(mesh, face))
+    {
+      near.merge(SidesOf(mesh, neighbour));
+    }
+    EXPECT_TRUE(std::any_of(sets.begin(), sets.end(), [&near](const std::set<int>& subdomain)
+      { return std::includes(subdomain.begin(), subdomain.end(), near.begin(), near.end()); }))
+      << "face " << face;
   }
 }

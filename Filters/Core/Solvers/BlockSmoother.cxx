@@ -301,15 +301,7 @@ void BlockSmoother::PreSmooth(
       r[i] = b[i] - this->Diagonal[i] * x[i];
     }
   });
-  this->Tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
-    for (int k = firstRow; k < lastRow; ++k)
-    {
-      for (int e = this->B.outerIndexPtr()[k]; e < this->B.outerIndexPtr()[k + 1]; ++e)
-      {
-        r[this->B.innerIndexPtr()[e]] -= this->B.valuePtr()[e] * this->Bx[k];
-      }
-    }
-  });
+  SubtractAdjointProduct(this->B, this->Tiles, this->Bx, r, context);
   for (const int i : this->Held)
   {
     r[i] = 0.0;

@@ -22,8 +22,12 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
   , Smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, options.Sweeps)
   , b(hierarchy.NumberOfUnknowns())
 {
+  if (!hierarchy.Subdomains.empty())
+  {
+    this->Subdomains.emplace(hierarchy.B, hierarchy.Tiles, hierarchy.Subdomains);
+  }
   const Vector<double> scaled = this->Scaled(D);
-  this->Smoother.SetDiagonal(scaled, context);
+  this->SetDiagonal(scaled, context);
   context.Checkpoint(0.2);
   const SparseMatrix<double> coarse = this->CoarseMatrix(scaled, context);
   GalerkinOptions coarsening;
@@ -41,12 +45,21 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
 void LeastSquaresCycle::Update(const Vector<double>& D, const ExecutionContext& context)
 {
   const Vector<double> scaled = this->Scaled(D);
-  this->Smoother.SetDiagonal(scaled, context);
+  this->SetDiagonal(scaled, context);
   context.Checkpoint(0.2);
   this->Hierarchy->Update(
     this->CoarseMatrix(scaled, context), PartOfContext(context, 0.4, 0.8));
   this->Coarse->Update(PartOfContext(context, 0.8, 1.0));
   this->Hierarchy->ForgetMatrices();
+}
+
+void LeastSquaresCycle::SetDiagonal(const Vector<double>& scaledD, const ExecutionContext& context)
+{
+  this->Smoother.SetDiagonal(scaledD, context);
+  if (this->Subdomains)
+  {
+    this->Subdomains->SetDiagonal(scaledD, context);
+  }
 }
 
 Vector<double> LeastSquaresCycle::Scaled(const Vector<double>& D) const
@@ -101,6 +114,27 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
   return coarse;
 }
 
+void LeastSquaresCycle::PreSmooth(const ExecutionContext& context)
+{
+  if (!this->Subdomains)
+  {
+    this->Smoother.PreSmooth(this->b, this->x, this->Residual, context);
+    return;
+  }
+  this->Subdomains->PreSmooth(this->b, this->OfSubdomains, this->Remainder, context);
+  this->Smoother.PreSmooth(this->Remainder, this->x, this->Residual, context);
+  this->x += this->OfSubdomains;
+}
+
+void LeastSquaresCycle::PostSmooth(const ExecutionContext& context)
+{
+  this->Smoother.PostSmooth(this->b, this->x, context);
+  if (this->Subdomains)
+  {
+    this->Subdomains->PostSmooth(this->b, this->x, context);
+  }
+}
+
 void LeastSquaresCycle::Apply(
   const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
 {
@@ -110,7 +144,7 @@ void LeastSquaresCycle::Apply(
     this->b.segment(first, count) =
       r.segment(first, count).cwiseQuotient(scales.segment(first, count));
   });
-  this->Smoother.PreSmooth(this->b, this->x, this->Residual, context);
+  this->PreSmooth(context);
   this->Fine.Prolongation.MultiplyAdjoint(
     this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
@@ -119,7 +153,7 @@ void LeastSquaresCycle::Apply(
   {
     this->x[i] = 0.0;
   }
-  this->Smoother.PostSmooth(this->b, this->x, context);
+  this->PostSmooth(context);
   z.resize(r.size());
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
     const int count = last - first;
@@ -139,8 +173,9 @@ std::vector<LevelReport> LeastSquaresCycle::Levels() const
 
 long long LeastSquaresCycle::Bytes() const
 {
-  return this->Smoother.Bytes() + this->Hierarchy->Bytes() + this->Coarse->Bytes() +
-    3 * this->b.size() * static_cast<long long>(sizeof(double));
+  return this->Smoother.Bytes() + (this->Subdomains ? this->Subdomains->Bytes() : 0) +
+    this->Hierarchy->Bytes() + this->Coarse->Bytes() +
+    (3 * this->b.size() + this->OfSubdomains.size() + this->Remainder.size()) * static_cast<long long>(sizeof(double));
 }
 
 }

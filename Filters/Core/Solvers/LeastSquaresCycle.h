@@ -6,8 +6,10 @@
 #include "Solvers/LeastSquaresHierarchy.h"
 #include "Solvers/MultigridCycle.h"
 #include "Solvers/RoughnessHierarchy.h"
+#include "Solvers/SubdomainSmoother.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace dmg
@@ -15,7 +17,8 @@ namespace dmg
 
 /// One V-cycle for A = B^T B + D, as a linear operator that is symmetric positive definite: blocks are
 /// smoothed on the fine level, the smoothed prolongation of the hierarchy leads to plane vectors on the
-/// next, and a MultigridCycle serves the levels below.
+/// next, and a MultigridCycle serves the levels below. Subdomains, where there are any, are solved for
+/// first and last.
 class LeastSquaresCycle : public RoughnessCycle
 {
 public:
@@ -35,19 +38,27 @@ public:
   long long Bytes() const override;
 
 private:
+  /// Of the smoothers.
+  void SetDiagonal(const Vector<double>& scaledD, const ExecutionContext& context);
   /// D of the scaled unknowns.
   Vector<double> Scaled(const Vector<double>& D) const;
   /// P^T (B^T B + D) P.
   SparseMatrix<double> CoarseMatrix(
     const Vector<double>& scaledD, const ExecutionContext& context) const;
+  /// Solves for subdomains and smooths blocks from zero, which gives x and its Residual.
+  void PreSmooth(const ExecutionContext& context);
+  void PostSmooth(const ExecutionContext& context);
 
   const LeastSquaresHierarchy& Fine;
   BlockSmoother Smoother;
+  std::optional<SubdomainSmoother> Subdomains;
   std::unique_ptr<GalerkinHierarchy<double>> Hierarchy; ///< of the coarse levels
   std::unique_ptr<MultigridCycle<double>> Coarse;
   Vector<double> b; ///< of the scaled unknowns
   Vector<double> x;
   Vector<double> Residual;
+  Vector<double> OfSubdomains; ///< their part of x
+  Vector<double> Remainder;    ///< what they leave of b
   Vector<double> CoarseResidual;
   Vector<double> CoarseCorrection;
   Vector<double> SumsOfTiles; ///< room for CompactProlongation

@@ -1,6 +1,7 @@
 #include "Solvers/LeastSquaresHierarchy.h"
 
 #include "Solvers/LeastSquaresCycle.h"
+#include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
@@ -16,24 +17,6 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
-
-/// Numbers 0, 1, ... of items in ascending order of their keys; equal keys keep their order.
-template <class Key>
-std::vector<int> SortedByKey(int size, int numberOfKeys, const Key& key)
-{
-  std::vector<int> next(numberOfKeys + 1, 0);
-  for (int i = 0; i < size; ++i)
-  {
-    ++next[key(i) + 1];
-  }
-  OffsetsFromCounts(next);
-  std::vector<int> order(size);
-  for (int i = 0; i < size; ++i)
-  {
-    order[next[key(i)]++] = i;
-  }
-  return order;
-}
 
 template <class Scalar>
 int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
@@ -212,16 +195,20 @@ std::vector<int> BringIntoOrder(
   PlanarProlongation& P = levels.Prolongation;
   const int unknowns = static_cast<int>(B.cols());
   const int rows = static_cast<int>(B.rows());
-  const std::vector<int> blockOrder = SortedByKey(levels.Blocks.Size(),
+  const std::vector<int> blockOrder = SortByKey(Identity(levels.Blocks.Size()),
     std::max(1, static_cast<int>(P.cols())),
-    [&](int k) { return FirstColumn(P, levels.Blocks.Unknowns[levels.Blocks.Offsets[k]], 0); });
+    [&](int k) { return FirstColumn(P, levels.Blocks.Unknowns[levels.Blocks.Offsets[k]], 0); },
+    context).Items;
   levels.Blocks = Permuted(levels.Blocks, blockOrder, Identity(unknowns));
   std::vector<int> order =
     ByFirstOccurrence(levels.Blocks.Unknowns.begin(), levels.Blocks.Unknowns.end(), unknowns);
   const std::vector<int> places = Inverse(order);
-  for (int& unknown : levels.Blocks.Unknowns)
+  for (UnknownBlocks* blocks : { &levels.Blocks, &levels.Subdomains })
   {
-    unknown = places[unknown];
+    for (int& unknown : blocks->Unknowns)
+    {
+      unknown = places[unknown];
+    }
   }
   std::vector<int> rowOrder;
   {
@@ -256,6 +243,13 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
 
   LeastSquaresHierarchy hierarchy(SchwarzBlocks(Bt, levels.Blocks, context));
   levels.Blocks = {};
+  for (int k = 0; k < levels.Subdomains.Size(); ++k)
+  {
+    const auto unknowns = levels.Subdomains.Unknowns.begin();
+    hierarchy.Subdomains.emplace_back(Bt,
+      std::vector<int>(
+        unknowns + levels.Subdomains.Offsets[k], unknowns + levels.Subdomains.Offsets[k + 1]));
+  }
   context.Checkpoint(0.3);
   hierarchy.Prolongation = CompactProlongation(
     Adjoint(SmoothedRestriction(
@@ -287,6 +281,7 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noex
   : RoughnessHierarchy(std::move(other))
   , Tiles(std::move(other.Tiles))
   , Blocks(std::move(other.Blocks))
+  , Subdomains(std::move(other.Subdomains))
   , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
 {
@@ -299,6 +294,10 @@ long long LeastSquaresHierarchy::Bytes() const
   long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() +
     BytesOf(this->CoarseLower) +
     this->NumberOfUnknowns() * static_cast<long long>(2 * sizeof(int) + sizeof(double));
+  for (const Subdomain& subdomain : this->Subdomains)
+  {
+    sum += subdomain.Bytes();
+  }
   for (const SparseMatrix<double>& P : this->Coarser)
   {
     sum += BytesOf(P);

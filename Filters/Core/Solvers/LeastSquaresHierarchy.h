@@ -4,6 +4,7 @@
 #include "Solvers/CompactProlongation.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SchwarzBlocks.h"
+#include "Solvers/SubdomainSmoother.h"
 #include "Support/ExecutionContext.h"
 #include "Support/RowTiles.h"
 #include "Support/Types.h"
@@ -17,6 +18,7 @@ namespace dmg
 struct LeastSquaresLevels
 {
   UnknownBlocks Blocks;                       ///< of the fine level
+  UnknownBlocks Subdomains;                   ///< of the fine level, for SubdomainSmoother; may be none
   PlanarProlongation Prolongation;            ///< to the fine level
   std::vector<SparseMatrix<double>> Coarser;  ///< between the levels below, finest first
 };
@@ -50,6 +52,7 @@ public:
   SparseMatrix<double> B; ///< columns divided by Scales
   RowTiles Tiles;         ///< of B, for products with its transpose
   SchwarzBlocks Blocks;
+  std::vector<Subdomain> Subdomains; ///< that SubdomainSmoother solves for; mostly none
   CompactProlongation Prolongation;
   /// The lower triangle of P^T B^T B P, 2 N_1 x 2 N_1.
   SparseMatrix<double> CoarseLower;

@@ -19,86 +19,92 @@ constexpr double Ridge = 1e-12;
 
 }
 
-SubdomainSmoother::SubdomainSmoother(
-  const SparseMatrix<double>& factor, const SparseMatrix<double>& transpose, const UnknownBlocks& subdomains)
+Subdomain::Subdomain(const SparseMatrix<double>& Bt, std::vector<int> unknowns)
+  : Unknowns(std::move(unknowns))
+{
+  std::sort(this->Unknowns.begin(), this->Unknowns.end());
+  for (const int unknown : this->Unknowns)
+  {
+    this->Rows.insert(this->Rows.end(), Bt.innerIndexPtr() + Bt.outerIndexPtr()[unknown],
+      Bt.innerIndexPtr() + Bt.outerIndexPtr()[unknown + 1]);
+  }
+  const auto entries = static_cast<int>(this->Rows.size());
+  std::sort(this->Rows.begin(), this->Rows.end());
+  this->Rows.erase(std::unique(this->Rows.begin(), this->Rows.end()), this->Rows.end());
+
+  this->Columns.resize(static_cast<int>(this->Unknowns.size()), static_cast<int>(this->Rows.size()));
+  this->Columns.reserve(entries);
+  for (std::size_t k = 0; k < this->Unknowns.size(); ++k)
+  {
+    const int row = static_cast<int>(k);
+    this->Columns.startVec(row);
+    for (SparseMatrix<double>::InnerIterator entry(Bt, this->Unknowns[k]); entry; ++entry)
+    {
+      const auto place = std::lower_bound(this->Rows.begin(), this->Rows.end(), entry.col());
+      this->Columns.insertBack(row, static_cast<int>(place - this->Rows.begin())) = entry.value();
+    }
+  }
+  this->Columns.finalize();
+}
+
+long long Subdomain::Bytes() const
+{
+  return BytesOf(this->Columns) +
+    static_cast<long long>((this->Unknowns.size() + this->Rows.size()) * sizeof(int));
+}
+
+SubdomainSmoother::SubdomainSmoother(const SparseMatrix<double>& factor, const RowTiles& tiles,
+  const std::vector<Subdomain>& subdomains)
   : B(factor)
-  , Bt(transpose)
+  , Tiles(tiles)
+  , Subdomains(subdomains)
+  , States(subdomains.size())
   , Bx(factor.rows())
 {
-  std::vector<Subdomain> all(subdomains.Size());
-  for (int k = 0; k < subdomains.Size(); ++k)
-  {
-    all[k].Unknowns = subdomains.Unknowns.data() + subdomains.Offsets[k];
-    all[k].Size = subdomains.Offsets[k + 1] - subdomains.Offsets[k];
-    all[k].Residual.resize(all[k].Size);
-    all[k].Step.resize(all[k].Size);
-  }
-  this->SortByColour(std::move(all));
-}
-
-/// Subdomains of a colour share no unknown and no row of B. Each colour takes all that it can.
-void SubdomainSmoother::SortByColour(std::vector<Subdomain> subdomains)
-{
-  while (!subdomains.empty())
-  {
-    std::vector<char> isUnknownTaken(this->B.cols(), 0);
-    std::vector<char> isRowTaken(this->B.rows(), 0);
-    const auto anyOf = [&](const Subdomain& subdomain, const auto& visit) {
-      return std::any_of(
-        subdomain.Unknowns, subdomain.Unknowns + subdomain.Size, [&](int unknown) {
-          const int* const rows = this->Bt.innerIndexPtr();
-          return visit(isUnknownTaken[unknown]) ||
-            std::any_of(rows + this->Bt.outerIndexPtr()[unknown],
-              rows + this->Bt.outerIndexPtr()[unknown + 1],
-              [&](int row) { return visit(isRowTaken[row]); });
-        });
-    };
-    std::vector<Subdomain> others;
-    for (Subdomain& subdomain : subdomains)
-    {
-      if (anyOf(subdomain, [](char isTaken) { return isTaken != 0; }))
+  const int rows = static_cast<int>(factor.rows());
+  this->Colouring = ColourParts(static_cast<int>(subdomains.size()),
+    rows + static_cast<int>(factor.cols()), [&](int part, const auto& visit) {
+      std::for_each(subdomains[part].Rows.begin(), subdomains[part].Rows.end(), visit);
+      for (const int unknown : subdomains[part].Unknowns)
       {
-        others.push_back(std::move(subdomain));
-        continue;
+        visit(rows + unknown);
       }
-      anyOf(subdomain, [](char& isTaken) {
-        isTaken = 1;
-        return false;
-      });
-      this->Subdomains.push_back(std::move(subdomain));
-    }
-    this->ColourBegins.push_back(static_cast<int>(this->Subdomains.size()));
-    subdomains.swap(others);
+    });
+  for (std::size_t s = 0; s < subdomains.size(); ++s)
+  {
+    this->States[s].Bx.resize(subdomains[s].Rows.size());
+    this->States[s].Residual.resize(subdomains[s].Unknowns.size());
+    this->States[s].Step.resize(subdomains[s].Unknowns.size());
   }
 }
 
-/// B^T B on a subdomain, and the ridge.
+bool SubdomainSmoother::IsHeld(int unknown) const
+{
+  return !std::isfinite(this->D[unknown]);
+}
+
 SparseMatrix<double> SubdomainSmoother::MatrixOf(const Subdomain& subdomain) const
 {
-  std::vector<int> rows; // of B, on the subdomain
-  std::vector<Eigen::Triplet<double>> entries;
-  for (int k = 0; k < subdomain.Size; ++k)
+  const SparseMatrix<double> transpose = subdomain.Columns.transpose();
+  SparseMatrix<double> ridge(subdomain.Columns.rows(), subdomain.Columns.rows());
+  ridge.setIdentity(); // also where a column of B is empty
+  ridge *= Ridge;
+  SparseMatrix<double> A = SparseMatrix<double>(subdomain.Columns * transpose) + ridge;
+  for (int k = 0; k < A.rows(); ++k)
   {
-    for (SparseMatrix<double>::InnerIterator entry(this->Bt, subdomain.Unknowns[k]); entry; ++entry)
+    for (SparseMatrix<double>::InnerIterator entry(A, k); entry; ++entry)
     {
-      rows.push_back(static_cast<int>(entry.col()));
-      entries.emplace_back(k, static_cast<int>(entry.col()), entry.value());
+      if (this->IsHeld(subdomain.Unknowns[k]) || this->IsHeld(subdomain.Unknowns[entry.col()]))
+      {
+        entry.valueRef() = entry.col() == k ? 1.0 : 0.0; // stays in the pattern
+      }
+      else if (entry.col() == k)
+      {
+        entry.valueRef() += this->D[subdomain.Unknowns[k]];
+      }
     }
   }
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-  for (Eigen::Triplet<double>& entry : entries)
-  {
-    const auto place = std::lower_bound(rows.begin(), rows.end(), entry.col());
-    entry = { entry.row(), static_cast<int>(place - rows.begin()), entry.value() };
-  }
-  SparseMatrix<double> columns(subdomain.Size, static_cast<int>(rows.size()));
-  columns.setFromTriplets(entries.begin(), entries.end());
-  const SparseMatrix<double> transpose = columns.transpose();
-  SparseMatrix<double> ridge(subdomain.Size, subdomain.Size);
-  ridge.setIdentity();
-  ridge *= Ridge;
-  return SparseMatrix<double>(columns * transpose) + ridge;
+  return A;
 }
 
 void SubdomainSmoother::SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context)
@@ -108,73 +114,55 @@ void SubdomainSmoother::SetDiagonal(const Vector<double>& diagonal, const Execut
   context.ParallelFor(0, static_cast<int>(this->Subdomains.size()), 1, [&](int first, int last) {
     for (int s = first; s < last; ++s)
     {
-      Subdomain& subdomain = this->Subdomains[s];
-      SparseMatrix<double> A = this->MatrixOf(subdomain);
-      const auto isHeld = [&](Eigen::Index k) { return !std::isfinite(this->D[subdomain.Unknowns[k]]); };
-      for (int k = 0; k < subdomain.Size; ++k)
+      const SparseMatrix<double> A = this->MatrixOf(this->Subdomains[s]);
+      if (this->States[s].Factor)
       {
-        for (SparseMatrix<double>::InnerIterator entry(A, k); entry; ++entry)
-        {
-          if (isHeld(k) || isHeld(entry.col()))
-          {
-            entry.valueRef() = entry.col() == k ? 1.0 : 0.0; // stays in the pattern
-          }
-          else if (entry.col() == k)
-          {
-            entry.valueRef() += this->D[subdomain.Unknowns[k]];
-          }
-        }
-      }
-      if (subdomain.Factor)
-      {
-        subdomain.Factor->Update(A);
+        this->States[s].Factor->Update(A);
       }
       else
       {
-        subdomain.Factor.emplace(A);
+        this->States[s].Factor.emplace(A);
       }
     }
   });
 }
 
-double SubdomainSmoother::ResidualAt(
-  int unknown, const Vector<double>& b, const Vector<double>& x) const
+void SubdomainSmoother::Correct(int s, const Vector<double>& b, Vector<double>& x)
 {
-  return std::isfinite(this->D[unknown])
-    ? b[unknown] - this->D[unknown] * x[unknown] - RowTimes(this->Bt, unknown, this->Bx.data())
-    : 0.0;
-}
-
-void SubdomainSmoother::Correct(Subdomain& subdomain, const Vector<double>& b, Vector<double>& x)
-{
-  for (int k = 0; k < subdomain.Size; ++k)
-  {
-    subdomain.Residual[k] = this->ResidualAt(subdomain.Unknowns[k], b, x);
-  }
-  subdomain.Factor->Solve(subdomain.Residual, subdomain.Step);
-  for (int k = 0; k < subdomain.Size; ++k)
+  const Subdomain& subdomain = this->Subdomains[s];
+  State& state = this->States[s];
+  state.Bx = this->Bx(subdomain.Rows);
+  state.Residual.noalias() = -(subdomain.Columns * state.Bx);
+  for (std::size_t k = 0; k < subdomain.Unknowns.size(); ++k)
   {
     const int unknown = subdomain.Unknowns[k];
-    x[unknown] += subdomain.Step[k];
-    for (SparseMatrix<double>::InnerIterator entry(this->Bt, unknown); entry; ++entry)
-    {
-      this->Bx[entry.col()] += entry.value() * subdomain.Step[k];
-    }
+    state.Residual[k] =
+      this->IsHeld(unknown) ? 0.0 : state.Residual[k] + b[unknown] - this->D[unknown] * x[unknown];
+  }
+  state.Factor->Solve(state.Residual, state.Step);
+  for (std::size_t k = 0; k < subdomain.Unknowns.size(); ++k)
+  {
+    x[subdomain.Unknowns[k]] += state.Step[k];
+  }
+  state.Bx += subdomain.Columns.transpose() * state.Step;
+  for (std::size_t k = 0; k < subdomain.Rows.size(); ++k)
+  {
+    this->Bx[subdomain.Rows[k]] = state.Bx[k];
   }
 }
 
 void SubdomainSmoother::Sweep(
   bool descending, const Vector<double>& b, Vector<double>& x, const ExecutionContext& context)
 {
-  const int colours = static_cast<int>(this->ColourBegins.size()) - 1;
+  const int colours = this->Colouring.NumberOfColours();
   for (int c = 0; c < colours; ++c)
   {
     const int colour = descending ? colours - 1 - c : c;
-    context.ParallelFor(this->ColourBegins[colour], this->ColourBegins[colour + 1], 1,
+    context.ParallelFor(this->Colouring.Begins[colour], this->Colouring.Begins[colour + 1], 1,
       [&](int first, int last) {
-        for (int s = first; s < last; ++s)
+        for (int k = first; k < last; ++k)
         {
-          this->Correct(this->Subdomains[s], b, x);
+          this->Correct(this->Colouring.Parts[k], b, x);
         }
       });
   }
@@ -190,9 +178,17 @@ void SubdomainSmoother::PreSmooth(
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
-      r[i] = this->ResidualAt(i, b, x);
+      r[i] = this->IsHeld(i) ? 0.0 : b[i] - this->D[i] * x[i];
     }
   });
+  SubtractAdjointProduct(this->B, this->Tiles, this->Bx, r, context);
+  for (Eigen::Index i = 0; i < r.size(); ++i)
+  {
+    if (this->IsHeld(static_cast<int>(i)))
+    {
+      r[i] = 0.0;
+    }
+  }
 }
 
 void SubdomainSmoother::PostSmooth(
@@ -205,10 +201,10 @@ void SubdomainSmoother::PostSmooth(
 long long SubdomainSmoother::Bytes() const
 {
   long long sum = (this->D.size() + this->Bx.size()) * static_cast<long long>(sizeof(double));
-  for (const Subdomain& subdomain : this->Subdomains)
+  for (const State& state : this->States)
   {
-    sum += subdomain.Factor->Bytes() +
-      subdomain.Size * static_cast<long long>(2 * sizeof(double)) + static_cast<long long>(sizeof(Subdomain));
+    sum += state.Factor->Bytes() + static_cast<long long>(sizeof(State)) +
+      (state.Bx.size() + state.Residual.size() + state.Step.size()) * static_cast<long long>(sizeof(double));
   }
   return sum;
 }

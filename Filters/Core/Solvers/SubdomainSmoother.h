@@ -2,8 +2,9 @@
 #define dmgSubdomainSmoother_h
 
 #include "Solvers/CholeskySolver.h"
-#include "Solvers/SchwarzBlocks.h"
 #include "Support/ExecutionContext.h"
+#include "Support/PartColouring.h"
+#include "Support/RowTiles.h"
 #include "Support/Types.h"
 
 #include <optional>
@@ -11,6 +12,20 @@
 
 namespace dmg
 {
+
+/// Some unknowns of a sum of squares |B x|^2, and what B knows of them.
+struct Subdomain
+{
+  /// \param Bt B^T, a row per unknown.
+  /// \param unknowns in any order; each once.
+  Subdomain(const SparseMatrix<double>& Bt, std::vector<int> unknowns);
+
+  std::vector<int> Unknowns;    ///< ascending
+  std::vector<int> Rows;        ///< of B that they touch, ascending
+  SparseMatrix<double> Columns; ///< B^T there: a row per unknown, a column per row of B
+
+  long long Bytes() const;
+};
 
 /// Multiplicative Schwarz on subdomains of thousands of unknowns, for a sum of squares, A = B^T B + D with D
 /// diagonal. They need not cover all unknowns, and may overlap.
@@ -23,10 +38,10 @@ class SubdomainSmoother
 {
 public:
   /// All arguments are borrowed and must stay where they are. SetDiagonal comes next.
-  /// \param B, Bt the factor and its transpose.
-  /// \param subdomains of columns of B, each once and in ascending order; none is empty.
-  SubdomainSmoother(
-    const SparseMatrix<double>& B, const SparseMatrix<double>& Bt, const UnknownBlocks& subdomains);
+  /// \param B the factor. \param tiles of its rows.
+  /// \param subdomains none is empty.
+  SubdomainSmoother(const SparseMatrix<double>& B, const RowTiles& tiles,
+    const std::vector<Subdomain>& subdomains);
 
   /// A = B^T B + D.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
@@ -43,31 +58,32 @@ public:
   /// \pre x is zero where unknowns are held.
   void PostSmooth(const Vector<double>& b, Vector<double>& x, const ExecutionContext& context);
 
-  /// Held by this object.
+  /// Held by this object, without the subdomains.
   long long Bytes() const;
 
 private:
-  struct Subdomain
+  /// What a subdomain has of its own.
+  struct State
   {
-    const int* Unknowns;
-    int Size;
     std::optional<CholeskySolver<double>> Factor;
+    Vector<double> Bx; ///< on its rows
     Vector<double> Residual;
     Vector<double> Step;
   };
 
-  void SortByColour(std::vector<Subdomain> subdomains);
+  /// B^T B + D on a subdomain, and a ridge; held unknowns apart.
   SparseMatrix<double> MatrixOf(const Subdomain& subdomain) const;
-  double ResidualAt(int unknown, const Vector<double>& b, const Vector<double>& x) const;
+  bool IsHeld(int unknown) const;
   void Sweep(
     bool descending, const Vector<double>& b, Vector<double>& x, const ExecutionContext& context);
   /// Solves for the unknowns of one subdomain.
-  void Correct(Subdomain& subdomain, const Vector<double>& b, Vector<double>& x);
+  void Correct(int subdomain, const Vector<double>& b, Vector<double>& x);
 
   const SparseMatrix<double>& B;
-  const SparseMatrix<double>& Bt;
-  std::vector<Subdomain> Subdomains; ///< colour by colour
-  std::vector<int> ColourBegins = { 0 };
+  const RowTiles& Tiles;
+  const std::vector<Subdomain>& Subdomains;
+  PartColouring Colouring; ///< subdomains of a colour share no unknown and no row of B
+  std::vector<State> States;
   Vector<double> D;
   Vector<double> Bx;
 };

@@ -53,6 +53,23 @@ private:
   PartColouring Colouring;
 };
 
+/// y -= A^T x.
+/// \param tiles of the rows of A.
+template <class Scalar>
+void SubtractAdjointProduct(const SparseMatrix<double>& A, const RowTiles& tiles,
+  const Vector<Scalar>& x, Vector<double>& y, const ExecutionContext& context)
+{
+  tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
+    for (int i = firstRow; i < lastRow; ++i)
+    {
+      for (int e = A.outerIndexPtr()[i]; e < A.outerIndexPtr()[i + 1]; ++e)
+      {
+        y[A.innerIndexPtr()[e]] -= A.valuePtr()[e] * x[i];
+      }
+    }
+  });
+}
+
 }
 
 #endif

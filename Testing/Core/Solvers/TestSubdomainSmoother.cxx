@@ -35,6 +35,18 @@ UnknownBlocks Runs(int size, int length)
   return runs;
 }
 
+std::vector<Subdomain> SubdomainsOf(const Squares& squares, const UnknownBlocks& runs)
+{
+  std::vector<Subdomain> subdomains;
+  for (int k = 0; k < runs.Size(); ++k)
+  {
+    std::vector<int> unknowns = test::MembersOf(runs, k);
+    std::reverse(unknowns.begin(), unknowns.end());
+    subdomains.emplace_back(squares.Bt, unknowns);
+  }
+  return subdomains;
+}
+
 /// Zero but for some unknowns, some of which are held.
 Vector<double> SomeHeld(int size)
 {
@@ -76,11 +88,24 @@ Vector<double> GaussSeidel(const Squares& squares, const UnknownBlocks& runs,
 
 }
 
+TEST(TestSubdomainSmoother, SubdomainsHoldTheirColumns)
+{
+  const Squares ring = test::Ring(120);
+  for (const Subdomain& run : SubdomainsOf(ring, Runs(110, 36)))
+  {
+    EXPECT_TRUE(std::is_sorted(run.Unknowns.begin(), run.Unknowns.end()));
+    const Eigen::MatrixXd columns = Eigen::MatrixXd(ring.Bt)(run.Unknowns, run.Rows);
+    EXPECT_EQ(Eigen::MatrixXd(run.Columns), columns);
+    EXPECT_EQ(columns.squaredNorm(),
+      Eigen::MatrixXd(ring.Bt)(run.Unknowns, Eigen::all).squaredNorm()); // no other rows
+  }
+}
+
 TEST(TestSubdomainSmoother, OneSubdomainIsTheInverse)
 {
   const Squares ring = test::Ring(60);
-  const UnknownBlocks all = Runs(60, 60);
-  SubdomainSmoother smoother(ring.B, ring.Bt, all);
+  const std::vector<Subdomain> all = SubdomainsOf(ring, Runs(60, 60));
+  SubdomainSmoother smoother(ring.B, ring.Tiles, all);
   smoother.SetDiagonal(Vector<double>::Zero(60), SerialContext());
   const Vector<double> exact = test::RandomVector<double>(60, 3501);
   Vector<double> x, r;
@@ -96,7 +121,8 @@ TEST(TestSubdomainSmoother, IsGaussSeidelBySubdomains)
   const Squares ring = test::Ring(120);
   const UnknownBlocks runs = Runs(110, 36);
   ASSERT_EQ(runs.Size(), 5);
-  SubdomainSmoother smoother(ring.B, ring.Bt, runs);
+  const std::vector<Subdomain> subdomains = SubdomainsOf(ring, runs);
+  SubdomainSmoother smoother(ring.B, ring.Tiles, subdomains);
   for (const Vector<double>& D : { Vector<double>(Vector<double>::Zero(120)), SomeHeld(120) })
   {
     smoother.SetDiagonal(D, SerialContext()); // the second time an update
@@ -128,7 +154,8 @@ TEST(TestSubdomainSmoother, FaintFieldsAreSolvedFor)
     entries.emplace_back(i, i, 0.5);
   }
   const Squares chain(test::FromTriplets<double>(size, size, entries), Runs(size, size));
-  SubdomainSmoother smoother(chain.B, chain.Bt, chain.Blocks);
+  const std::vector<Subdomain> whole = SubdomainsOf(chain, chain.Blocks);
+  SubdomainSmoother smoother(chain.B, chain.Tiles, whole);
   smoother.SetDiagonal(Vector<double>::Zero(size), SerialContext());
   const Vector<double> constant = Vector<double>::Ones(size);
   Vector<double> x, r;
@@ -139,14 +166,14 @@ TEST(TestSubdomainSmoother, FaintFieldsAreSolvedFor)
 TEST(TestSubdomainSmoother, SameBitsForAnyNumberOfThreads)
 {
   const Squares ring = test::Ring(2000);
-  const UnknownBlocks runs = Runs(2000, 50);
+  const std::vector<Subdomain> runs = SubdomainsOf(ring, Runs(2000, 50));
   const Vector<double> D = SomeHeld(2000);
   const auto b = test::RandomVector<double>(2000, 3504);
   Vector<double> expected;
   for (const int threads : { 1, 2, 5 })
   {
     const test::TbbContext context(threads);
-    SubdomainSmoother smoother(ring.B, ring.Bt, runs);
+    SubdomainSmoother smoother(ring.B, ring.Tiles, runs);
     smoother.SetDiagonal(D, context);
     Vector<double> x, r;
     smoother.PreSmooth(b, x, r, context);
