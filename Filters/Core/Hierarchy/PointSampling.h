@@ -4,6 +4,7 @@
 #include "Hierarchy/TangentGraph.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
+#include "Support/Unfilled.h"
 
 #include <vector>
 

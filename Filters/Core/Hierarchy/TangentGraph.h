@@ -4,6 +4,7 @@
 #include "Mesh/TriangleMesh.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
+#include "Support/Unfilled.h"
 
 #include <vector>
 

@@ -2,6 +2,7 @@
 
 #include "Support/CountingSort.h"
 #include "Support/Permutations.h"
+#include "Support/Unfilled.h"
 
 #include <cstdint>
 

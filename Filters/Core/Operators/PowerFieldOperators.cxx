@@ -2,6 +2,7 @@
 
 #include "Support/Permutations.h"
 #include "Support/SparseAssembly.h"
+#include "Support/Unfilled.h"
 
 #include <algorithm>
 #include <array>

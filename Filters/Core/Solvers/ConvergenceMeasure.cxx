@@ -31,6 +31,23 @@ double Norm(
   return std::sqrt(square);
 }
 
+/// What one pass over an iterate sums up.
+struct Sums
+{
+  explicit Sums(int = 0) {}
+  double Energy = 0.0;   ///< Re x^H (b + r)
+  double Residual = 0.0; ///< |r|_M^2
+  double Right = 0.0;    ///< |b|_M^2
+
+  Sums& operator+=(const Sums& other)
+  {
+    this->Energy += other.Energy;
+    this->Residual += other.Residual;
+    this->Right += other.Right;
+    return *this;
+  }
+};
+
 /// Zero has no relative error.
 double Ratio(double number, double scale)
 {
@@ -66,12 +83,21 @@ template <class Scalar>
 void ConvergenceMeasure<Scalar>::Fill(IterationReport& row, const Vector<Scalar>& x,
   const Vector<Scalar>& b, const Vector<Scalar>& r, const ExecutionContext& context) const
 {
-  const int size = static_cast<int>(x.size());
-  row.Energy = this->EnergyConstant -
-    this->EnergyScale *
-      (Eigen::numext::real(Dot(x, b, context)) + Eigen::numext::real(Dot(x, r, context)));
-  row.MassResidual = Ratio(Norm(size, this->Mass, [&r](int i) { return r[i]; }, context),
-    Norm(size, this->Mass, [&b](int i) { return b[i]; }, context));
+  const bool hasMass = this->Mass.size() > 0;
+  const Sums sums =
+    SumOverBlocks<Sums>(static_cast<int>(x.size()), context, [&](int first, int last) {
+      Sums sum;
+      for (int i = first; i < last; ++i)
+      {
+        const double mass = hasMass ? this->Mass[i] : 1.0;
+        sum.Energy += Eigen::numext::real(Eigen::numext::conj(x[i]) * (b[i] + r[i]));
+        sum.Residual += mass * Eigen::numext::abs2(r[i]);
+        sum.Right += mass * Eigen::numext::abs2(b[i]);
+      }
+      return sum;
+    });
+  row.Energy = this->EnergyConstant - this->EnergyScale * sums.Energy;
+  row.MassResidual = Ratio(std::sqrt(sums.Residual), std::sqrt(sums.Right));
   if (this->Reference.size() > 0)
   {
     row.Error = this->Error(x, context);

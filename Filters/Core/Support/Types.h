@@ -1,8 +1,6 @@
 #ifndef dmgTypes_h
 #define dmgTypes_h
 
-#include "Support/Unfilled.h"
-
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <Eigen/SparseCore>

@@ -1,11 +1,6 @@
 #ifndef dmgUnfilled_h
 #define dmgUnfilled_h
 
-#include <Eigen/SparseCore>
-
-#include <complex>
-#include <cstddef>
-#include <limits>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -49,38 +44,6 @@ public:
 template <class T>
 using Unfilled = std::vector<T, UnfilledAllocator<T>>;
 
-}
-
-namespace Eigen
-{
-namespace internal
-{
-
-/// Where the entries of a sparse matrix come from. Eigen writes no numbers there but complex ones, whose
-/// constructor sets them to zero; nothing relies on that.
-template <class Real>
-class scoped_array<std::complex<Real>> : noncopyable
-{
-public:
-  using Number = std::complex<Real>;
-
-  explicit scoped_array(std::ptrdiff_t size)
-  {
-    if (size < 0 || size > std::numeric_limits<std::ptrdiff_t>::max() / SizeOfNumber)
-    {
-      throw std::bad_array_new_length();
-    }
-    this->Numbers = static_cast<Number*>(::operator new[](size * SizeOfNumber));
-  }
-  ~scoped_array() { delete[] this->Numbers; }
-  Number*& ptr() { return this->Numbers; }
-
-private:
-  static constexpr std::ptrdiff_t SizeOfNumber = sizeof(Number);
-  Number* Numbers;
-};
-
-}
 }
 
 #endif

@@ -96,8 +96,8 @@ TEST(TestSubdomainSmoother, SubdomainsHoldTheirColumns)
     EXPECT_TRUE(std::is_sorted(run.Unknowns.begin(), run.Unknowns.end()));
     const Eigen::MatrixXd columns = Eigen::MatrixXd(ring.Bt)(run.Unknowns, run.Rows);
     EXPECT_EQ(Eigen::MatrixXd(run.Columns), columns);
-    EXPECT_EQ(columns.squaredNorm(),
-      Eigen::MatrixXd(ring.Bt)(run.Unknowns, Eigen::all).squaredNorm()); // no other rows
+    const Eigen::MatrixXd all = Eigen::MatrixXd(ring.Bt)(run.Unknowns, Eigen::all);
+    EXPECT_EQ((columns.array() != 0.0).count(), (all.array() != 0.0).count()); // in no other rows
   }
 }
 
