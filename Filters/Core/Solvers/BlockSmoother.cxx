@@ -181,8 +181,8 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
   this->Blocks.Invert(D, changed, places, context);
   for (int t = 0; t < this->Blocks.NumberOfTiles(); ++t)
   {
-    const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
-    this->IsPulled[t] = std::any_of(groups.begin() + tile.First, groups.begin() + tile.Last,
+    const SchwarzBlocks::Run ofTile = this->Blocks.GroupsOf(this->Blocks.TileAt(t));
+    this->IsPulled[t] = std::any_of(groups.begin() + ofTile.First, groups.begin() + ofTile.Last,
       [&](const SchwarzBlocks::Group& group) { return countsSome(group, this->Diagonal); });
   }
 }
@@ -246,26 +246,30 @@ void BlockSmoother::SmoothGroup(
   }
 }
 
+/// Memory is read upwards both ways, which a processor foresees: groups of a run are independent.
 template <bool Pulled>
 void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
 {
-  const int step = descending ? -1 : 1;
-  const int end = descending ? tile.First - 1 : tile.Last;
-  for (int g = descending ? tile.Last - 1 : tile.First; g != end; g += step)
+  for (int k = 0; k < tile.Last - tile.First; ++k)
   {
-    const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
-    const AnyShape shape(this->Blocks.PatternOf(group));
-    if (group.Lanes == 1)
+    const SchwarzBlocks::Run run =
+      this->Blocks.RunAt(descending ? tile.Last - 1 - k : tile.First + k);
+    for (int g = run.First; g < run.Last; ++g)
     {
-      this->SmoothGroup<float, AnyShape, Pulled>(group, shape, this->Inverses[g]);
-    }
-    else if (group.Pattern == this->PatternOfSides)
-    {
-      this->SmoothGroup<FloatPack, ShapeOfSides, Pulled>(group, {}, this->Inverses[g]);
-    }
-    else
-    {
-      this->SmoothGroup<FloatPack, AnyShape, Pulled>(group, shape, this->Inverses[g]);
+      const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
+      const AnyShape shape(this->Blocks.PatternOf(group));
+      if (group.Lanes == 1)
+      {
+        this->SmoothGroup<float, AnyShape, Pulled>(group, shape, this->Inverses[g]);
+      }
+      else if (group.Pattern == this->PatternOfSides)
+      {
+        this->SmoothGroup<FloatPack, ShapeOfSides, Pulled>(group, {}, this->Inverses[g]);
+      }
+      else
+      {
+        this->SmoothGroup<FloatPack, AnyShape, Pulled>(group, shape, this->Inverses[g]);
+      }
     }
   }
 }

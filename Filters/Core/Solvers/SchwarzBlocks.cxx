@@ -210,10 +210,11 @@ public:
   void Fill(const ExecutionContext& context);
 
 private:
-  /// The groups of a tile; patterns count from 0 in each.
+  /// The groups of a tile; patterns and groups count from 0 in each.
   struct Draft
   {
     std::vector<Group> Groups;
+    std::vector<int> RunBegins;
     std::vector<Incidence> Patterns;
   };
 
@@ -272,9 +273,15 @@ SchwarzBlocks::Packing::Draft SchwarzBlocks::Packing::DraftOf(int tile, RowsOfBl
   }
   std::sort(keys.begin(), keys.end());
   const int size = last - first;
+  int colourOfRun = -1;
   for (int k = 0; k < size;)
   {
     const auto& [colour, pattern, block] = keys[k];
+    if (colour != colourOfRun || colour == BlockTiles::LastBlockColour)
+    {
+      draft.RunBegins.push_back(static_cast<int>(draft.Groups.size()));
+      colourOfRun = colour;
+    }
     constexpr int lanes = LanesOf<FloatPack>;
     const bool isPack = k + lanes <= size && colour != BlockTiles::LastBlockColour &&
       std::get<0>(keys[k + lanes - 1]) == colour && std::get<1>(keys[k + lanes - 1]) == pattern;
@@ -296,7 +303,11 @@ void SchwarzBlocks::Packing::MakeRoom()
   std::size_t inverses = 0;
   for (Draft& draft : this->Drafts)
   {
-    this->To.TileBegins.push_back(static_cast<int>(this->To.GroupsInOrder.size()));
+    this->To.TileBegins.push_back(static_cast<int>(this->To.RunBegins.size()));
+    for (const int begin : draft.RunBegins)
+    {
+      this->To.RunBegins.push_back(static_cast<int>(this->To.GroupsInOrder.size()) + begin);
+    }
     for (Group group : draft.Groups)
     {
       const Incidence& incidence = draft.Patterns[group.Pattern];
@@ -315,7 +326,8 @@ void SchwarzBlocks::Packing::MakeRoom()
     }
     draft = {};
   }
-  this->To.TileBegins.push_back(static_cast<int>(this->To.GroupsInOrder.size()));
+  this->To.TileBegins.push_back(static_cast<int>(this->To.RunBegins.size()));
+  this->To.RunBegins.push_back(static_cast<int>(this->To.GroupsInOrder.size()));
   this->To.Indices.resize(indices);
   this->To.EntriesOfB.resize(values);
   this->To.Inverses.resize(inverses);
@@ -326,7 +338,8 @@ void SchwarzBlocks::Packing::Fill(const ExecutionContext& context)
   this->ForTiles(context, [this](int tile, RowsOfBlock& rows) {
     int place = this->Tiles.BeginsOfTiles()[tile];
     float entries[MostRows]; // of a column of B
-    for (int g = this->To.TileBegins[tile]; g < this->To.TileBegins[tile + 1]; ++g)
+    const Run groups = this->To.GroupsOf(this->To.TileAt(tile));
+    for (int g = groups.First; g < groups.Last; ++g)
     {
       const Group& group = this->To.GroupsInOrder[g];
       const Pattern& pattern = this->To.PatternOf(group);
@@ -411,7 +424,7 @@ long long SchwarzBlocks::Bytes() const
   const auto bytes = [](const auto& vector) {
     return static_cast<long long>(vector.size() * sizeof(vector[0]));
   };
-  long long sum = bytes(this->TileBegins) + bytes(this->TileColours.Parts) + bytes(this->TileColours.Begins) +
+  long long sum = bytes(this->TileBegins) + bytes(this->RunBegins) + bytes(this->TileColours.Parts) + bytes(this->TileColours.Begins) +
     bytes(this->GroupsInOrder) + bytes(this->Indices) + bytes(this->EntriesOfB) +
     bytes(this->Inverses);
   for (const Pattern& pattern : this->Patterns)

@@ -57,7 +57,14 @@ public:
     std::size_t Inverse;
   };
 
-  /// Groups from First to one before Last.
+  /// Groups from First to one before Last, which may be taken in any order: of one colour.
+  struct Run
+  {
+    int First;
+    int Last;
+  };
+
+  /// Runs from First to one before Last, which depend on each other.
   struct Tile
   {
     int First;
@@ -88,6 +95,12 @@ public:
       });
   }
   Tile TileAt(int tile) const { return { this->TileBegins[tile], this->TileBegins[tile + 1] }; }
+  Run RunAt(int run) const { return { this->RunBegins[run], this->RunBegins[run + 1] }; }
+  /// All groups of a tile.
+  Run GroupsOf(const Tile& tile) const
+  {
+    return { this->RunBegins[tile.First], this->RunBegins[tile.Last] };
+  }
 
   /// In the order in which they are smoothed, tile by tile.
   const std::vector<Group>& Groups() const { return this->GroupsInOrder; }
@@ -123,7 +136,8 @@ private:
   class Packing;
 
   int Blocks = 0;
-  std::vector<int> TileBegins; ///< the first group of each
+  std::vector<int> TileBegins; ///< the first run of each
+  std::vector<int> RunBegins;  ///< the first group of each
   PartColouring TileColours;
   std::vector<Pattern> Patterns;
   std::vector<Group> GroupsInOrder;

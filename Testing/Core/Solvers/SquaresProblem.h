@@ -108,7 +108,8 @@ inline std::vector<int> MembersOf(
 inline void AppendBlocks(
   const SchwarzBlocks& blocks, const SchwarzBlocks::Tile& tile, UnknownBlocks& to)
 {
-  for (int g = tile.First; g < tile.Last; ++g)
+  const SchwarzBlocks::Run groups = blocks.GroupsOf(tile);
+  for (int g = groups.First; g < groups.Last; ++g)
   {
     for (int lane = 0; lane < blocks.Groups()[g].Lanes; ++lane)
     {

@@ -139,7 +139,7 @@ std::set<int> RowsOf(const test::Squares& squares, const std::vector<int>& unkno
   return rows;
 }
 
-/// Each block is in one tile; no two tiles of a colour share a row of B, and no two blocks of a group.
+/// Each block is in one tile; no two tiles of a colour share a row of B, and no two blocks of a run.
 void ExpectColoured(const test::Squares& squares, const SchwarzBlocks& blocks)
 {
   EXPECT_EQ(blocks.NumberOfBlocks(), squares.Blocks.Size());
@@ -156,14 +156,22 @@ void ExpectColoured(const test::Squares& squares, const SchwarzBlocks& blocks)
       }
     }
   }
-  for (const SchwarzBlocks::Group& group : blocks.Groups())
+  for (int t = 0; t < blocks.NumberOfTiles(); ++t)
   {
-    std::set<int> taken;
-    for (int lane = 0; lane < group.Lanes; ++lane)
+    const SchwarzBlocks::Tile tile = blocks.TileAt(t);
+    for (int k = tile.First; k < tile.Last; ++k)
     {
-      for (const int row : RowsOf(squares, test::MembersOf(blocks, group, lane)))
+      std::set<int> taken;
+      for (int g = blocks.RunAt(k).First; g < blocks.RunAt(k).Last; ++g)
       {
-        EXPECT_TRUE(taken.insert(row).second) << "row " << row;
+        const SchwarzBlocks::Group& group = blocks.Groups()[g];
+        for (int lane = 0; lane < group.Lanes; ++lane)
+        {
+          for (const int row : RowsOf(squares, test::MembersOf(blocks, group, lane)))
+          {
+            EXPECT_TRUE(taken.insert(row).second) << "row " << row;
+          }
+        }
       }
     }
   }
