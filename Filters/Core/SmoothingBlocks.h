@@ -16,9 +16,9 @@ UnknownBlocks BlocksOfFaceFields(const TriangleMesh& mesh);
 /// Of 1-forms, an unknown per edge: the sides of each face. No patches where subdomains are.
 UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh);
 
-/// Of 1-forms, the sides of all faces where needles are many, faces with less than a tenth of the area of
-/// an equilateral triangle with their longest side: overlapping subdomains of up to ten
-/// thousand unknowns or so, to be solved for by sparse factors (SubdomainSmoother). Fields run along chains of needles, with
+/// Of 1-forms, the sides of all faces where needles are many: faces with less than a tenth of the area of
+/// an equilateral triangle with their longest side. Overlapping subdomains of up to ten thousand unknowns
+/// or so, to be solved for by sparse factors (SubdomainSmoother). Fields run along chains of needles, with
 /// next to no energy, farther than patches reach. None where needles are alone or few together.
 /// Cost: linear in the number of faces.
 UnknownBlocks SubdomainsOfOneForms(const TriangleMesh& mesh);

@@ -175,7 +175,9 @@ long long LeastSquaresCycle::Bytes() const
 {
   return this->Smoother.Bytes() + (this->Subdomains ? this->Subdomains->Bytes() : 0) +
     this->Hierarchy->Bytes() + this->Coarse->Bytes() +
-    (3 * this->b.size() + this->OfSubdomains.size() + this->Remainder.size()) * static_cast<long long>(sizeof(double));
+    (3 * this->b.size() + this->OfSubdomains.size() + this->Remainder.size() +
+      this->SumsOfTiles.size()) *
+    static_cast<long long>(sizeof(double));
 }
 
 }
