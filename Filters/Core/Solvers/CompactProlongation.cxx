@@ -157,7 +157,7 @@ void CompactProlongation::MultiplyAdjoint(const Vector<double>& x, Vector<double
   Vector<double>& sums, const ExecutionContext& context) const
 {
   assert(x.size() == this->Rows());
-  sums.resize(2 * this->ColumnsOfTiles.size());
+  sums.resize(this->SizeOfSums());
   context.ParallelFor(0, this->NumberOfTiles(), 1, [&](int firstTile, int lastTile) {
     for (int tile = firstTile; tile < lastTile; ++tile)
     {

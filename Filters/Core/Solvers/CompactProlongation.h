@@ -33,6 +33,9 @@ public:
   /// \param z components, two per column.
   void AddProduct(const Vector<double>& z, Vector<double>& x, const ExecutionContext& context) const;
 
+  /// How many numbers MultiplyAdjoint needs room for.
+  int SizeOfSums() const { return 2 * static_cast<int>(this->ColumnsOfTiles.size()); }
+
   /// z = P^T x.
   /// \param sums room for the sums of the tiles.
   void MultiplyAdjoint(const Vector<double>& x, Vector<double>& z, Vector<double>& sums,

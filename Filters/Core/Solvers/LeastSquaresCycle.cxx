@@ -21,9 +21,12 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
   : Fine(hierarchy)
   , Smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, options.Sweeps)
   , b(hierarchy.NumberOfUnknowns())
+  , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
 {
   if (!hierarchy.Subdomains.empty())
   {
+    this->OfSubdomains.resize(this->b.size());
+    this->Remainder.resize(this->b.size());
     this->Subdomains.emplace(hierarchy.B, hierarchy.Tiles, hierarchy.Subdomains);
   }
   const Vector<double> scaled = this->Scaled(D);
