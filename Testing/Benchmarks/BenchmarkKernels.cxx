@@ -221,9 +221,10 @@ void MeasureSquares(const TriangleMesh& mesh, const TangentFrames& frames,
   Vector<double> x = Vector<double>::Random(hierarchy.NumberOfUnknowns());
   Vector<double> y;
 
-  // Reads B once; x and D, writes y; then reads x and the lengths, reads and writes y.
+  // Before B: x and the scales are read, their product and zeros in y written. With it, once: the
+  // product is read, y read and written. After it: x, y, D and the scales are read, y is written.
   const LeastSquaresOperator A(hierarchy, Vector<double>::Zero(x.size()));
-  const double product = BytesOf(hierarchy.B) + sizeof(double) * 7.0 * unknowns;
+  const double product = BytesOf(hierarchy.B) + sizeof(double) * 12.0 * unknowns;
   table.Append("B^T B, double", 0, unknowns, nonZeros, product,
     Fastest(runs, [&] { A.Apply(x, y, context); }));
 

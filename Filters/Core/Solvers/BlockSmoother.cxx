@@ -141,7 +141,7 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
 
 void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext& context)
 {
-  assert(D.size() == this->B.cols());
+  assert(D.size() == this->Diagonal.size());
   this->Held.clear();
   for (Eigen::Index i = 0; i < D.size(); ++i)
   {
@@ -316,10 +316,8 @@ void BlockSmoother::PostSmooth(
   const Vector<double>& b, Vector<double>& x, const ExecutionContext& context)
 {
   context.ParallelFor(0, static_cast<int>(this->Bx.size()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
-    {
-      this->Bx[i] = static_cast<float>(RowTimes(this->B, i, x.data()));
-    }
+    this->B.Multiply(first, last, x.data(),
+      [this](int row, double product) { this->Bx[row] = static_cast<float>(product); });
   });
   this->Begin(b, context, &x);
   for (int sweep = 0; sweep < this->Sweeps; ++sweep)

@@ -3,6 +3,7 @@
 
 #include "Solvers/SchwarzBlocks.h"
 #include "Support/ExecutionContext.h"
+#include "Support/RowRuns.h"
 #include "Support/RowTiles.h"
 #include "Support/Types.h"
 
@@ -71,7 +72,7 @@ private:
   void SmoothGroup(
     const SchwarzBlocks::Group& group, const Shape& shape, const float* inverse);
 
-  const SparseMatrix<double>& B;
+  const RowRuns<double> B;
   const RowTiles& Tiles;
   const SchwarzBlocks& Blocks;
   const int Sweeps;

@@ -1,127 +1,243 @@
 #include "Solvers/CompactProlongation.h"
 
+#include "Support/CountingSort.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <numeric>
 
 namespace dmg
 {
 namespace
 {
 
-constexpr int RowsOfTile = 2048;
-constexpr int MostEntriesOfTile = 65535; // so that their columns have numbers of 16 bits
+constexpr int MostRowsOfTile = 2048;
+constexpr int MostColumnsOfTile = 65536; // they have numbers of 16 bits
+constexpr int RowsOfSlice = 4;
 constexpr int ColumnGrain = 4096;
 constexpr float LargestInteger = 32767.0f;
 
-/// Ranges of rows.
-std::vector<int> BeginsOfTiles(const SparseMatrix<Plane>& P)
+}
+
+/// Packs the adjoint tile by tile. Columns ascend in its rows, so that what a tile needs of one is a
+/// segment of it.
+class CompactProlongation::Packing
 {
-  const int* const offsets = P.outerIndexPtr();
-  std::vector<int> begins = { 0 };
-  for (int row = 0; row < P.rows(); ++row)
+public:
+  Packing(CompactProlongation& prolongation, const RowBands<Plane>& restriction)
+    : To(prolongation)
+    , R(restriction)
   {
-    assert(offsets[row + 1] - offsets[row] <= MostEntriesOfTile);
-    if (row - begins.back() == RowsOfTile ||
-      offsets[row + 1] - offsets[begins.back()] > MostEntriesOfTile)
+  }
+
+  /// Tiles of so few rows that their columns can be numbered.
+  void CutIntoTiles(const ExecutionContext& context);
+  /// Rows of tiles by length, and room for their slices.
+  void MakeSlices(const ExecutionContext& context);
+  void Fill(const ExecutionContext& context);
+
+private:
+  /// Of a column in a tile.
+  struct Segment
+  {
+    int Column;
+    int Tile;
+    int Begin; ///< among the entries of the column
+  };
+
+  void FindSegments(const ExecutionContext& context);
+  /// Calls visit(slot in the tile, row in the tile, value) for all entries of a tile, columns ascending.
+  template <class Visit>
+  void ForEntries(int tile, const Visit& visit) const;
+  template <class Visit>
+  void ForTiles(const ExecutionContext& context, const Visit& visit) const
+  {
+    context.ParallelFor(0, this->To.NumberOfTiles(), 1, [&visit](int first, int last) {
+      for (int tile = first; tile < last; ++tile)
+      {
+        visit(tile);
+      }
+    });
+  }
+  int RowsIn(int tile) const { return this->To.LastRow(tile) - this->To.FirstRow(tile); }
+
+  CompactProlongation& To;
+  const RowBands<Plane>& R;
+  std::vector<Segment> Segments; ///< column by column
+  std::vector<int> Order;        ///< of segments, tile by tile
+};
+
+void CompactProlongation::Packing::FindSegments(const ExecutionContext& context)
+{
+  const int columns = this->R.Rows();
+  const int rowsOfTile = this->To.RowsOfTile;
+  const auto forSegments = [this, rowsOfTile](int column, const auto& visit) {
+    const RowOfBand<Plane> entries = this->R.Row(column);
+    int end = 0; // of the rows of the tile
+    for (int e = 0; e < entries.Size; ++e)
     {
-      begins.push_back(row);
+      if (e == 0 || entries.Columns[e] >= end)
+      {
+        const int tile = entries.Columns[e] / rowsOfTile;
+        end = (tile + 1) * rowsOfTile;
+        visit(Segment{ column, tile, e });
+      }
     }
-  }
-  if (P.rows() > 0)
-  {
-    begins.push_back(static_cast<int>(P.rows()));
-  }
-  return begins;
-}
-
-/// Calls visit(k) for the entries of a tile whose column it has not had before.
-template <class Visit>
-void ForNewColumns(const SparseMatrix<Plane>& P, int firstRow, int lastRow,
-  std::vector<int>& lastTileOf, int tile, const Visit& visit)
-{
-  for (int e = P.outerIndexPtr()[firstRow]; e < P.outerIndexPtr()[lastRow]; ++e)
-  {
-    const int column = P.innerIndexPtr()[e];
-    if (lastTileOf[column] != tile)
+  };
+  std::vector<int>& begins = this->To.SlotBegins;
+  begins.assign(columns + 1, 0);
+  context.ParallelFor(0, columns, ColumnGrain, [&](int first, int last) {
+    for (int column = first; column < last; ++column)
     {
-      lastTileOf[column] = tile;
-      visit(column);
+      forSegments(column, [&](const Segment&) { ++begins[column + 1]; });
     }
-  }
-}
-
-}
-
-CompactProlongation::CompactProlongation(
-  const SparseMatrix<Plane>& P, const ExecutionContext& context)
-  : TileBegins(BeginsOfTiles(P))
-  , ColumnBegins(this->TileBegins.size(), 0)
-  , RowBegins(P.outerIndexPtr(), P.outerIndexPtr() + P.rows() + 1)
-  , Units(P.rows())
-  , Entries(P.nonZeros())
-  , SlotBegins(P.cols() + 1, 0)
-{
-  std::vector<int> lastTileOf(P.cols(), -1);
-  for (int tile = 0; tile < this->NumberOfTiles(); ++tile)
-  {
-    ForNewColumns(P, this->TileBegins[tile], this->TileBegins[tile + 1], lastTileOf, tile,
-      [this](int column) { this->ColumnsOfTiles.push_back(column); });
-    std::sort(this->ColumnsOfTiles.begin() + this->ColumnBegins[tile], this->ColumnsOfTiles.end());
-    this->ColumnBegins[tile + 1] = static_cast<int>(this->ColumnsOfTiles.size());
-  }
-  for (const int column : this->ColumnsOfTiles)
-  {
-    ++this->SlotBegins[column + 1];
-  }
-  OffsetsFromCounts(this->SlotBegins);
-  std::vector<int> next = this->SlotBegins;
-  this->Slots.resize(this->ColumnsOfTiles.size());
-  for (std::size_t slot = 0; slot < this->ColumnsOfTiles.size(); ++slot)
-  {
-    this->Slots[next[this->ColumnsOfTiles[slot]]++] = static_cast<int>(slot);
-  }
-  const int grain = std::max(1, this->NumberOfTiles() / (4 * context.NumberOfThreads()));
-  context.ParallelFor(0, this->NumberOfTiles(), grain, [&](int first, int last) {
-    std::vector<int> places(P.cols()); // of columns in a tile
-    for (int tile = first; tile < last; ++tile)
+  });
+  this->Segments.resize(OffsetsFromCounts(begins));
+  context.ParallelFor(0, columns, ColumnGrain, [&](int first, int last) {
+    for (int column = first; column < last; ++column)
     {
-      this->FillTile(tile, P, places);
+      auto next = this->Segments.begin() + begins[column];
+      forSegments(column, [&next](const Segment& segment) { *next++ = segment; });
     }
   });
 }
 
-void CompactProlongation::FillTile(
-  int tile, const SparseMatrix<Plane>& P, std::vector<int>& places)
+void CompactProlongation::Packing::CutIntoTiles(const ExecutionContext& context)
 {
-  const int begin = this->ColumnBegins[tile];
-  for (int slot = begin; slot < this->ColumnBegins[tile + 1]; ++slot)
+  this->To.NumberOfRows = this->R.Columns();
+  for (this->To.RowsOfTile = MostRowsOfTile;; this->To.RowsOfTile /= 2)
   {
-    places[this->ColumnsOfTiles[slot]] = slot - begin;
-  }
-  for (int row = this->TileBegins[tile]; row < this->TileBegins[tile + 1]; ++row)
-  {
-    float largest = 0.0f;
-    for (int e = this->RowBegins[row]; e < this->RowBegins[row + 1]; ++e)
+    this->FindSegments(context);
+    const int tiles = (this->To.NumberOfRows + this->To.RowsOfTile - 1) / this->To.RowsOfTile;
+    SortedItems byTiles = SortByKey(Identity(static_cast<int>(this->Segments.size())), tiles,
+      [this](int segment) { return this->Segments[segment].Tile; }, context);
+    this->Order = std::move(byTiles.Items);
+    this->To.ColumnBegins = std::move(byTiles.Begins);
+    int most = 0;
+    for (int tile = 0; tile < tiles; ++tile)
     {
-      const Plane entry = P.valuePtr()[e];
-      largest = std::max({ largest, std::abs(entry.real()), std::abs(entry.imag()) });
+      most = std::max(most, this->To.ColumnBegins[tile + 1] - this->To.ColumnBegins[tile]);
     }
-    this->Units[row] = largest > 0.0f ? largest / LargestInteger : 1.0f;
-    const auto inUnits = [unit = this->Units[row]](float component) {
-      return static_cast<std::int16_t>(
-        std::clamp(std::nearbyint(component / unit), -LargestInteger, LargestInteger));
-    };
-    for (int e = this->RowBegins[row]; e < this->RowBegins[row + 1]; ++e)
+    if (most <= MostColumnsOfTile || this->To.RowsOfTile == 1)
     {
-      const Plane entry = P.valuePtr()[e];
-      this->Entries[e] = { static_cast<std::uint16_t>(places[P.innerIndexPtr()[e]]),
-        inUnits(entry.real()), inUnits(entry.imag()) };
+      assert(most <= MostColumnsOfTile);
+      break;
     }
   }
+  this->To.Slots = Inverse(this->Order);
+  this->To.ColumnsOfTiles.reserve(this->Order.size());
+  for (const int segment : this->Order)
+  {
+    this->To.ColumnsOfTiles.push_back(this->Segments[segment].Column);
+  }
+}
+
+template <class Visit>
+void CompactProlongation::Packing::ForEntries(int tile, const Visit& visit) const
+{
+  const int firstRow = this->To.FirstRow(tile);
+  const int lastRow = this->To.LastRow(tile);
+  const int firstSlot = this->To.ColumnBegins[tile];
+  for (int slot = firstSlot; slot < this->To.ColumnBegins[tile + 1]; ++slot)
+  {
+    const Segment& segment = this->Segments[this->Order[slot]];
+    const RowOfBand<Plane> entries = this->R.Row(segment.Column);
+    for (int e = segment.Begin; e < entries.Size && entries.Columns[e] < lastRow; ++e)
+    {
+      visit(slot - firstSlot, entries.Columns[e] - firstRow, std::conj(entries.Values[e]));
+    }
+  }
+}
+
+void CompactProlongation::Packing::MakeSlices(const ExecutionContext& context)
+{
+  const int tiles = this->To.NumberOfTiles();
+  const int slices = tiles > 0 ? this->To.LastSlice(tiles - 1) : 0;
+  this->To.StepBegins.assign(slices + 1, 0);
+  this->To.RowsAt.assign(RowsOfSlice * slices, this->To.RowsOfTile); // which is no row
+  std::vector<long long> entries(tiles, 0);
+  this->ForTiles(context, [&](int tile) {
+    std::vector<int> lengths(this->RowsIn(tile), 0);
+    this->ForEntries(tile, [&](int, int row, Plane) { ++lengths[row]; });
+    std::vector<int> byLength = Identity(static_cast<int>(lengths.size()));
+    // Lanes are far from each other, so that they seldom add to one sum, and wait for each other.
+    constexpr int distance = 64;
+    std::stable_sort(byLength.begin(), byLength.end(), [&lengths](int a, int b) {
+      return lengths[a] != lengths[b] ? lengths[a] > lengths[b] : a % distance < b % distance;
+    });
+    const int firstSlice = this->To.FirstSlice(tile);
+    std::copy(byLength.begin(), byLength.end(), this->To.RowsAt.begin() + RowsOfSlice * firstSlice);
+    for (int slice = firstSlice; slice < this->To.LastSlice(tile); ++slice)
+    {
+      this->To.StepBegins[slice + 1] = lengths[byLength[RowsOfSlice * (slice - firstSlice)]];
+    }
+  });
+  this->To.Steps.resize(OffsetsFromCounts(this->To.StepBegins));
+  this->To.Units.resize(this->To.RowsAt.size());
+}
+
+void CompactProlongation::Packing::Fill(const ExecutionContext& context)
+{
+  std::vector<long long> entries(this->To.NumberOfTiles(), 0);
+  this->ForTiles(context, [&](int tile) {
+    const int rows = this->RowsIn(tile);
+    std::vector<float> units(rows, 0.0f);
+    this->ForEntries(tile, [&units](int, int row, Plane entry) {
+      units[row] = std::max({ units[row], std::abs(entry.real()), std::abs(entry.imag()) });
+    });
+    const int firstPlace = RowsOfSlice * this->To.FirstSlice(tile);
+    std::vector<int> places(rows);
+    std::vector<int> next(rows); // the step of the next entry
+    for (int k = 0; k < rows; ++k)
+    {
+      const int row = this->To.RowsAt[firstPlace + k];
+      places[row] = k;
+      next[row] = this->To.StepBegins[(firstPlace + k) / RowsOfSlice];
+      units[row] = units[row] > 0.0f ? units[row] / LargestInteger : 1.0f;
+      this->To.Units[firstPlace + k] = units[row];
+    }
+    this->ForEntries(tile, [&](int slot, int row, Plane entry) {
+      const auto inUnits = [unit = units[row]](float component) {
+        return static_cast<std::int16_t>(
+          std::clamp(std::nearbyint(component / unit), -LargestInteger, LargestInteger));
+      };
+      const std::int16_t x = inUnits(entry.real());
+      const std::int16_t y = inUnits(entry.imag());
+      if (x != 0 || y != 0)
+      {
+        Step& step = this->To.Steps[next[row]++];
+        const int lane = places[row] % RowsOfSlice;
+        step.Columns[lane] = static_cast<std::uint16_t>(slot);
+        step.Components[2 * lane] = x;
+        step.Components[2 * lane + 1] = y;
+        ++entries[tile];
+      }
+    });
+  });
+  this->To.NumberOfEntries = std::accumulate(entries.begin(), entries.end(), 0LL);
+}
+
+CompactProlongation::CompactProlongation(
+  const RowBands<Plane>& restriction, const ExecutionContext& context)
+{
+  Packing packing(*this, restriction);
+  packing.CutIntoTiles(context);
+  packing.MakeSlices(context);
+  packing.Fill(context);
+}
+
+int CompactProlongation::LastRow(int tile) const
+{
+  return std::min(this->FirstRow(tile + 1), this->NumberOfRows);
+}
+
+int CompactProlongation::LastSlice(int tile) const
+{
+  const int rows = this->LastRow(tile) - this->FirstRow(tile);
+  return this->FirstSlice(tile) + (rows + RowsOfSlice - 1) / RowsOfSlice;
 }
 
 void CompactProlongation::AddProduct(
@@ -130,6 +246,7 @@ void CompactProlongation::AddProduct(
   assert(z.size() == 2 * this->Columns() && x.size() == this->Rows());
   context.ParallelFor(0, this->NumberOfTiles(), 1, [&](int firstTile, int lastTile) {
     std::vector<float> ofTile;
+    std::vector<float> products(this->RowsOfTile + 1);
     for (int tile = firstTile; tile < lastTile; ++tile)
     {
       ofTile.clear();
@@ -139,15 +256,28 @@ void CompactProlongation::AddProduct(
         ofTile.push_back(static_cast<float>(z[2 * column]));
         ofTile.push_back(static_cast<float>(z[2 * column + 1]));
       }
-      for (int row = this->TileBegins[tile]; row < this->TileBegins[tile + 1]; ++row)
+      for (int slice = this->FirstSlice(tile); slice < this->LastSlice(tile); ++slice)
       {
-        float sum = 0.0f;
-        for (int e = this->RowBegins[row]; e < this->RowBegins[row + 1]; ++e)
+        FloatPack ofFirstTwo{};
+        FloatPack ofLastTwo{};
+        for (int s = this->StepBegins[slice]; s < this->StepBegins[slice + 1]; ++s)
         {
-          const Entry& entry = this->Entries[e];
-          sum += entry.X * ofTile[2 * entry.Column] + entry.Y * ofTile[2 * entry.Column + 1];
+          const Step& step = this->Steps[s];
+          IntegerPack first, last;
+          LoadIntegers(step.Components, first, last);
+          ofFirstTwo += ToFloats(first) * GatherPairs(ofTile.data(), step.Columns[0], step.Columns[1]);
+          ofLastTwo += ToFloats(last) * GatherPairs(ofTile.data(), step.Columns[2], step.Columns[3]);
         }
-        x[row] += this->Units[row] * sum;
+        const std::uint16_t* const places = this->RowsAt.data() + RowsOfSlice * slice;
+        const float* const units = this->Units.data() + RowsOfSlice * slice;
+        products[places[0]] = units[0] * (ofFirstTwo[0] + ofFirstTwo[1]);
+        products[places[1]] = units[1] * (ofFirstTwo[2] + ofFirstTwo[3]);
+        products[places[2]] = units[2] * (ofLastTwo[0] + ofLastTwo[1]);
+        products[places[3]] = units[3] * (ofLastTwo[2] + ofLastTwo[3]);
+      }
+      for (int row = this->FirstRow(tile); row < this->LastRow(tile); ++row)
+      {
+        x[row] += products[row - this->FirstRow(tile)];
       }
     }
   });
@@ -159,18 +289,35 @@ void CompactProlongation::MultiplyAdjoint(const Vector<double>& x, Vector<double
   assert(x.size() == this->Rows());
   sums.resize(this->SizeOfSums());
   context.ParallelFor(0, this->NumberOfTiles(), 1, [&](int firstTile, int lastTile) {
+    std::vector<double> rows; // read one after the other, and then from a cache
     for (int tile = firstTile; tile < lastTile; ++tile)
     {
       double* const ofTile = sums.data() + 2 * this->ColumnBegins[tile];
       std::fill(ofTile, sums.data() + 2 * this->ColumnBegins[tile + 1], 0.0);
-      for (int row = this->TileBegins[tile]; row < this->TileBegins[tile + 1]; ++row)
+      rows.assign(x.data() + this->FirstRow(tile), x.data() + this->LastRow(tile));
+      rows.resize(this->RowsOfTile + 1, 0.0);
+      for (int slice = this->FirstSlice(tile); slice < this->LastSlice(tile); ++slice)
       {
-        const double factor = x[row] * this->Units[row];
-        for (int e = this->RowBegins[row]; e < this->RowBegins[row + 1]; ++e)
+        const std::uint16_t* const places = this->RowsAt.data() + RowsOfSlice * slice;
+        const float* const units = this->Units.data() + RowsOfSlice * slice;
+        DoublePack factors[RowsOfSlice];
+        for (int lane = 0; lane < RowsOfSlice; ++lane)
         {
-          const Entry& entry = this->Entries[e];
-          ofTile[2 * entry.Column] += factor * entry.X;
-          ofTile[2 * entry.Column + 1] += factor * entry.Y;
+          factors[lane] = DoublePack{} + units[lane] * rows[places[lane]];
+        }
+        for (int s = this->StepBegins[slice]; s < this->StepBegins[slice + 1]; ++s)
+        {
+          const Step& step = this->Steps[s];
+          IntegerPack first, last;
+          LoadIntegers(step.Components, first, last);
+          DoublePack entries[RowsOfSlice];
+          ToDoubles(first, entries[0], entries[1]);
+          ToDoubles(last, entries[2], entries[3]);
+          for (int lane = 0; lane < RowsOfSlice; ++lane)
+          {
+            double* const sum = ofTile + 2 * step.Columns[lane];
+            StorePack(LoadPack<DoublePack>(sum) + entries[lane] * factors[lane], sum);
+          }
         }
       }
     }
@@ -192,36 +339,119 @@ void CompactProlongation::MultiplyAdjoint(const Vector<double>& x, Vector<double
   });
 }
 
+const SparseRows<Plane>& CompactProlongation::Reader::TileAt(int tile)
+{
+  SparseRows<Plane>& rows = this->Tiles[tile];
+  if (rows.Offsets.size() > 1)
+  {
+    return rows;
+  }
+  this->Unpacked.push_back(tile);
+  const int* const columns = this->P.ColumnsOfTiles.data() + this->P.ColumnBegins[tile];
+  const int firstSlice = this->P.FirstSlice(tile);
+  const auto forEntries = [&](const auto& visit) {
+    for (int slice = firstSlice; slice < this->P.LastSlice(tile); ++slice)
+    {
+      for (int lane = 0; lane < RowsOfSlice; ++lane)
+      {
+        const int place = RowsOfSlice * slice + lane;
+        for (int s = this->P.StepBegins[slice]; s < this->P.StepBegins[slice + 1]; ++s)
+        {
+          const Step& step = this->P.Steps[s];
+          const Plane entry(step.Components[2 * lane], step.Components[2 * lane + 1]);
+          if (entry == Plane(0))
+          {
+            break;
+          }
+          visit(this->P.RowsAt[place], columns[step.Columns[lane]], this->P.Units[place] * entry);
+        }
+      }
+    }
+  };
+  rows.Offsets.assign(this->P.LastRow(tile) - this->P.FirstRow(tile) + 1, 0);
+  forEntries([&rows](int row, int, Plane) { ++rows.Offsets[row + 1]; });
+  rows.Columns.resize(OffsetsFromCounts(rows.Offsets));
+  rows.Values.resize(rows.Columns.size());
+  std::vector<int> next(rows.Offsets.begin(), rows.Offsets.end() - 1);
+  forEntries([&rows, &next](int row, int column, Plane value) {
+    rows.Columns[next[row]] = column;
+    rows.Values[next[row]++] = value;
+  });
+  return rows;
+}
+
+RowOfBand<Plane> CompactProlongation::Reader::Row(int row)
+{
+  const int tile = row / this->P.RowsOfTile;
+  return this->TileAt(tile).Row(row - this->P.FirstRow(tile));
+}
+
+void CompactProlongation::Reader::AdjointRows(
+  int firstColumn, int lastColumn, SparseRows<Plane>& restriction)
+{
+  std::vector<int> tiles;
+  for (int s = this->P.SlotBegins[firstColumn]; s < this->P.SlotBegins[lastColumn]; ++s)
+  {
+    tiles.push_back(static_cast<int>(std::upper_bound(this->P.ColumnBegins.begin(),
+                      this->P.ColumnBegins.end(), this->P.Slots[s]) -
+      this->P.ColumnBegins.begin() - 1));
+  }
+  std::sort(tiles.begin(), tiles.end());
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  const auto forEntries = [&](const auto& visit) {
+    for (const int tile : tiles)
+    {
+      const SparseRows<Plane>& rows = this->TileAt(tile);
+      for (int i = 0; i < rows.Size(); ++i)
+      {
+        const RowOfBand<Plane> row = rows.Row(i);
+        for (int e = 0; e < row.Size; ++e)
+        {
+          if (row.Columns[e] >= firstColumn && row.Columns[e] < lastColumn)
+          {
+            visit(row.Columns[e] - firstColumn, this->P.FirstRow(tile) + i, std::conj(row.Values[e]));
+          }
+        }
+      }
+    }
+  };
+  restriction.Offsets.assign(lastColumn - firstColumn + 1, 0);
+  forEntries([&](int column, int, Plane) { ++restriction.Offsets[column + 1]; });
+  restriction.Columns.resize(OffsetsFromCounts(restriction.Offsets));
+  restriction.Values.resize(restriction.Columns.size());
+  std::vector<int> next(restriction.Offsets.begin(), restriction.Offsets.end() - 1);
+  forEntries([&](int column, int row, Plane value) {
+    restriction.Columns[next[column]] = row;
+    restriction.Values[next[column]++] = value;
+  });
+}
+
+void CompactProlongation::Reader::Clear()
+{
+  for (const int tile : this->Unpacked)
+  {
+    this->Tiles[tile].Clear();
+  }
+  this->Unpacked.clear();
+}
+
 SparseMatrix<Plane> CompactProlongation::SelectedRows(
   const std::vector<int>& rows, const ExecutionContext& context) const
 {
-  const int size = static_cast<int>(rows.size());
-  SparseMatrix<Plane> selected(size, this->Columns());
-  MakeRoom(selected, context,
-    [&](int k) { return this->RowBegins[rows[k] + 1] - this->RowBegins[rows[k]]; });
-  context.ParallelFor(0, size, RowsOfTile, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
-    {
-      const int row = rows[k];
-      const auto tile =
-        std::upper_bound(this->TileBegins.begin(), this->TileBegins.end(), row) - 1;
-      const int* const columns = this->ColumnsOfTiles.data() +
-        this->ColumnBegins[tile - this->TileBegins.begin()];
-      int at = selected.outerIndexPtr()[k];
-      for (int e = this->RowBegins[row]; e < this->RowBegins[row + 1]; ++e, ++at)
+  const auto makeWorker = [&] {
+    return [&, reader = Reader(*this)](int first, int last, SparseRows<Plane>& selected) mutable {
+      for (int k = first; k < last; ++k)
       {
-        const Entry& entry = this->Entries[e];
-        selected.innerIndexPtr()[at] = columns[entry.Column];
-        selected.valuePtr()[at] = this->Units[row] * Plane(entry.X, entry.Y);
+        const RowOfBand<Plane> row = reader.Row(rows[k]);
+        selected.Columns.insert(selected.Columns.end(), row.Columns, row.Columns + row.Size);
+        selected.Values.insert(selected.Values.end(), row.Values, row.Values + row.Size);
+        selected.EndRow();
       }
-    }
-  });
-  return selected;
-}
-
-SparseMatrix<Plane> CompactProlongation::Rounded(const ExecutionContext& context) const
-{
-  return this->SelectedRows(Identity(this->Rows()), context);
+      reader.Clear();
+    };
+  };
+  return AssembleInBands<Plane>(
+    static_cast<int>(rows.size()), this->Columns(), makeWorker, context);
 }
 
 long long CompactProlongation::Bytes() const
@@ -229,9 +459,9 @@ long long CompactProlongation::Bytes() const
   const auto bytes = [](const auto& vector) {
     return static_cast<long long>(vector.size() * sizeof(vector[0]));
   };
-  return bytes(this->TileBegins) + bytes(this->ColumnBegins) + bytes(this->ColumnsOfTiles) +
-    bytes(this->RowBegins) + bytes(this->Units) + bytes(this->Entries) + bytes(this->SlotBegins) +
-    bytes(this->Slots);
+  return bytes(this->ColumnBegins) + bytes(this->ColumnsOfTiles) + bytes(this->SlotBegins) +
+    bytes(this->Slots) + bytes(this->StepBegins) + bytes(this->Steps) + bytes(this->RowsAt) +
+    bytes(this->Units);
 }
 
 }

@@ -3,6 +3,8 @@
 
 #include "Solvers/PlanarProlongation.h"
 #include "Support/ExecutionContext.h"
+#include "Support/Packs.h"
+#include "Support/SparseRows.h"
 #include "Support/Types.h"
 
 #include <cstdint>
@@ -14,20 +16,25 @@ namespace dmg
 /// A planar prolongation in a quarter of the memory that it and its adjoint take in single precision. Both
 /// products read the same entries: six bytes each, a number among the coarse unknowns of a tile of rows,
 /// and two components in units of the row, of 16 bits each. Rounding is 2^-16 of the largest component
-/// of the row.
+/// of the row; what rounds to nothing is left out.
+///
+/// The rows of a tile stand by their lengths, and four that follow each other, a slice, are taken at once:
+/// entry k of all four, then entry k + 1 (sliced ELLPACK; Monakov et al. 2010). Short rows of a slice end
+/// in zeros.
 ///
 /// Rows and columns should come in a spatial order, so that a tile has few coarse unknowns.
 class CompactProlongation
 {
 public:
   CompactProlongation() = default;
-  /// \pre no row has more than 65,535 entries.
-  CompactProlongation(const SparseMatrix<Plane>& P, const ExecutionContext& context);
+  /// \param restriction the adjoint of the prolongation, columns ascending.
+  /// \pre no row of the prolongation has more than 65,536 entries.
+  CompactProlongation(const RowBands<Plane>& restriction, const ExecutionContext& context);
 
-  int Rows() const { return static_cast<int>(this->Units.size()); }
+  int Rows() const { return this->NumberOfRows; }
   /// Plane vectors.
   int Columns() const { return static_cast<int>(this->SlotBegins.size()) - 1; }
-  long long NonZeros() const { return static_cast<long long>(this->Entries.size()); }
+  long long NonZeros() const { return this->NumberOfEntries; }
 
   /// x += P z.
   /// \param z components, two per column.
@@ -44,31 +51,64 @@ public:
   /// Some rows, as they are after rounding.
   SparseMatrix<Plane> SelectedRows(
     const std::vector<int>& rows, const ExecutionContext& context) const;
-  /// All rows.
-  SparseMatrix<Plane> Rounded(const ExecutionContext& context) const;
+
+  /// Rows as they are after rounding, for one thread. A tile is unpacked when one of its rows is asked for.
+  class Reader
+  {
+  public:
+    /// \param prolongation borrowed.
+    explicit Reader(const CompactProlongation& prolongation)
+      : P(prolongation)
+      , Tiles(prolongation.NumberOfTiles())
+    {
+    }
+
+    /// Columns ascend. Valid until Clear.
+    RowOfBand<Plane> Row(int row);
+    /// \param columns consecutive.
+    /// \param restriction on exit so many rows of the adjoint.
+    void AdjointRows(int firstColumn, int lastColumn, SparseRows<Plane>& restriction);
+    /// Forgets what was unpacked.
+    void Clear();
+
+  private:
+    const SparseRows<Plane>& TileAt(int tile);
+
+    const CompactProlongation& P;
+    std::vector<SparseRows<Plane>> Tiles; ///< those that are unpacked; others have no offsets but 0
+    std::vector<int> Unpacked;
+  };
 
   /// Held by this object.
   long long Bytes() const;
 
 private:
-  struct Entry
+  class Packing;
+
+  /// An entry of each of four rows.
+  struct Step
   {
-    std::uint16_t Column; ///< among those of the tile
-    std::int16_t X;
-    std::int16_t Y;
+    std::uint16_t Columns[4];   ///< among those of the tile
+    std::int16_t Components[8]; ///< X and Y of each
   };
 
-  int NumberOfTiles() const { return static_cast<int>(this->TileBegins.size()) - 1; }
-  void FillTile(int tile, const SparseMatrix<Plane>& P, std::vector<int>& places);
+  int NumberOfTiles() const { return static_cast<int>(this->ColumnBegins.size()) - 1; }
+  int FirstRow(int tile) const { return tile * this->RowsOfTile; }
+  int LastRow(int tile) const;
+  int FirstSlice(int tile) const { return tile * ((this->RowsOfTile + 3) / 4); }
+  int LastSlice(int tile) const;
 
-  std::vector<int> TileBegins;    ///< the first row of each
-  std::vector<int> ColumnBegins;  ///< the first of each tile among ColumnsOfTiles
+  int NumberOfRows = 0;
+  int RowsOfTile = 1;
+  long long NumberOfEntries = 0;
+  std::vector<int> ColumnBegins = { 0 }; ///< the first of each tile among ColumnsOfTiles
   std::vector<int> ColumnsOfTiles;
-  std::vector<int> RowBegins;     ///< among Entries
-  std::vector<float> Units;       ///< by row
-  std::vector<Entry> Entries;
-  std::vector<int> SlotBegins;    ///< by column, among Slots
-  std::vector<int> Slots;         ///< where a column stands among ColumnsOfTiles
+  std::vector<int> SlotBegins = { 0 };   ///< by column, among Slots
+  std::vector<int> Slots;                ///< where a column stands among ColumnsOfTiles
+  std::vector<int> StepBegins = { 0 };   ///< the first of each slice
+  std::vector<Step> Steps;
+  std::vector<std::uint16_t> RowsAt;     ///< of a tile, four to a slice; RowsOfTile where it has fewer
+  std::vector<float> Units;              ///< as RowsAt
 };
 
 }

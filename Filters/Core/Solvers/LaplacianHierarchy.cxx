@@ -3,11 +3,11 @@
 #include "Solvers/ArrangedMatrix.h"
 #include "Solvers/HierarchicalOrder.h"
 #include "Solvers/LaplacianCycle.h"
-#include "Solvers/RowRuns.h"
 #include "Solvers/SmoothedProlongation.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
+#include "Support/RowRuns.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>

@@ -82,17 +82,10 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
   }
   else
   {
-    // Their rows are zero, but stay in the pattern, so that it does not depend on D.
-    SparseMatrix<Plane> free = this->Fine.Prolongation.Rounded(context);
-    for (const int i : this->Smoother.HeldUnknowns())
-    {
-      std::fill(free.valuePtr() + free.outerIndexPtr()[i],
-        free.valuePtr() + free.outerIndexPtr()[i + 1], Plane(0));
-    }
-    SparseMatrix<double> ofFree = SymmetricFromLower(
-      CoarseRoughness(
-        this->Fine.B, Adjoint(this->Fine.B, context), free, Adjoint(free, context), context),
-      context);
+    SparseMatrix<double> ofFree =
+      SymmetricFromLower(CoarseRoughness(this->Fine.B, Adjoint(this->Fine.B, context),
+                           this->Fine.Prolongation, this->Smoother.HeldUnknowns(), context),
+        context);
     coarse.swap(ofFree);
   }
   // What D adds are the squares of sqrt(D) P.

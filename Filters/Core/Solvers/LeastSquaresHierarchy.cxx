@@ -186,6 +186,23 @@ void CheckLevels(const LeastSquaresLevels& levels, Eigen::Index unknowns)
   }
 }
 
+/// So that the rows of B that a tile will have make a few runs.
+void SortTilesByLength(
+  const SparseMatrix<double>& B, std::vector<int>& rowOrder, const ExecutionContext& context)
+{
+  const auto length = [&B](int row) { return B.outerIndexPtr()[row + 1] - B.outerIndexPtr()[row]; };
+  const int rows = static_cast<int>(rowOrder.size());
+  context.ParallelFor(0, (rows + RowTiles::RowsOfTile - 1) / RowTiles::RowsOfTile, 1,
+    [&](int firstTile, int lastTile) {
+      for (int tile = firstTile; tile < lastTile; ++tile)
+      {
+        std::stable_sort(rowOrder.begin() + tile * RowTiles::RowsOfTile,
+          rowOrder.begin() + std::min((tile + 1) * RowTiles::RowsOfTile, rows),
+          [&length](int a, int b) { return length(a) < length(b); });
+      }
+    });
+}
+
 /// Blocks by the coarse unknowns that they belong to; unknowns as the blocks come to them, and rows of B
 /// as the unknowns do.
 /// \return the order of the unknowns.
@@ -217,6 +234,7 @@ std::vector<int> BringIntoOrder(
     rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
       rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), rows);
   }
+  SortTilesByLength(B, rowOrder, context);
   // An assignment would copy.
   SparseMatrix<double> permuted = Permuted(B, rowOrder, places, context);
   B.swap(permuted);
@@ -241,6 +259,14 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   Scale(levels.Prolongation, [&scales](int row) { return scales[row]; }, one, context);
   context.Checkpoint(0.1);
 
+  // The interpolation takes most memory until it is packed; blocks come after it.
+  CompactProlongation prolongation(SmoothedRestriction(B, Bt, std::move(levels.Prolongation),
+                                     options.ProlongationDegree, options.Dropped, context),
+    context);
+  context.Checkpoint(0.6);
+  SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation, {}, context);
+  context.Checkpoint(0.8);
+
   LeastSquaresHierarchy hierarchy(SchwarzBlocks(Bt, levels.Blocks, context));
   levels.Blocks = {};
   for (int k = 0; k < levels.Subdomains.Size(); ++k)
@@ -250,18 +276,8 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
       std::vector<int>(
         unknowns + levels.Subdomains.Offsets[k], unknowns + levels.Subdomains.Offsets[k + 1]));
   }
-  context.Checkpoint(0.3);
-  hierarchy.Prolongation = CompactProlongation(
-    Adjoint(SmoothedRestriction(
-              B, Bt, std::move(levels.Prolongation), options.ProlongationDegree, options.Dropped, context),
-      context),
-    context);
-  context.Checkpoint(0.8);
-  {
-    const SparseMatrix<Plane> P = hierarchy.Prolongation.Rounded(context);
-    SparseMatrix<double> lower = CoarseRoughness(B, Bt, P, Adjoint(P, context), context);
-    hierarchy.CoarseLower.swap(lower); // an assignment would copy
-  }
+  hierarchy.Prolongation = std::move(prolongation);
+  hierarchy.CoarseLower.swap(lower); // an assignment would copy
   hierarchy.Components = ConnectedThrough(B, Bt);
   hierarchy.Order = std::move(order);
   hierarchy.Scales = std::move(scales);
@@ -319,62 +335,42 @@ std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double
 LeastSquaresOperator::LeastSquaresOperator(
   const LeastSquaresHierarchy& hierarchy, Vector<double> diagonal)
   : Hierarchy(hierarchy)
+  , B(hierarchy.B)
   , D(std::move(diagonal))
+  , Scaled(this->D.size())
   , SquaresOfTiles(hierarchy.Tiles.Size())
 {
-  for (int i = 0; i < this->Size(); ++i)
-  {
-    if (!std::isfinite(this->D[i]))
-    {
-      this->Held.push_back(i);
-    }
-  }
 }
 
 /// One pass over B: as soon as a row of B x is known, it is given to all columns.
 double LeastSquaresOperator::Apply(
   const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
 {
-  const SparseMatrix<double>& B = this->Hierarchy.B;
   const Vector<double>& scales = this->Hierarchy.Scales;
   y.resize(this->Size());
+  context.ParallelFor(0, this->Size(), RowGrain, [&](int first, int last) {
+    const int count = last - first;
+    this->Scaled.segment(first, count) =
+      scales.segment(first, count).cwiseProduct(x.segment(first, count));
+    y.segment(first, count).setZero();
+  });
+  this->Hierarchy.Tiles.ForTiles(context, [&](int tile, int firstRow, int lastRow) {
+    this->SquaresOfTiles[tile] =
+      this->B.AddGram(firstRow, lastRow, this->Scaled.data(), y.data());
+  });
   double product = SumOverBlocks<double>(this->Size(), context, [&](int first, int last) {
     double ofD = 0.0;
     for (int i = first; i < last; ++i)
     {
-      y[i] = x[i] != 0.0 ? this->D[i] * x[i] : 0.0; // D may be infinite
-      ofD += x[i] * y[i];
+      const double pull = std::isfinite(this->D[i]) ? this->D[i] * x[i] : 0.0;
+      y[i] = std::isfinite(this->D[i]) ? pull + scales[i] * y[i] : 0.0;
+      ofD += x[i] * pull;
     }
     return ofD;
-  });
-  this->Hierarchy.Tiles.ForTiles(context, [&](int tile, int firstRow, int lastRow) {
-    double squares = 0.0;
-    for (int k = firstRow; k < lastRow; ++k)
-    {
-      const int begin = B.outerIndexPtr()[k];
-      const int end = B.outerIndexPtr()[k + 1];
-      double row = 0.0;
-      for (int e = begin; e < end; ++e)
-      {
-        const int i = B.innerIndexPtr()[e];
-        row += B.valuePtr()[e] * (scales[i] * x[i]);
-      }
-      for (int e = begin; e < end; ++e)
-      {
-        const int i = B.innerIndexPtr()[e];
-        y[i] += scales[i] * (B.valuePtr()[e] * row);
-      }
-      squares += row * row;
-    }
-    this->SquaresOfTiles[tile] = squares;
   });
   for (const double squares : this->SquaresOfTiles)
   {
     product += squares;
-  }
-  for (const int i : this->Held)
-  {
-    y[i] = 0.0;
   }
   return product;
 }

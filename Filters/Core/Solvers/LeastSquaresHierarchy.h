@@ -6,6 +6,7 @@
 #include "Solvers/SchwarzBlocks.h"
 #include "Solvers/SubdomainSmoother.h"
 #include "Support/ExecutionContext.h"
+#include "Support/RowRuns.h"
 #include "Support/RowTiles.h"
 #include "Support/Types.h"
 
@@ -39,8 +40,8 @@ struct LeastSquaresHierarchyOptions
 /// The fine level costs most, so it is coarsened fast: the polynomial that smooths the prolongation
 /// reaches far.
 ///
-/// Order and scale. Unknowns stand in an order of their own, by the coarse unknowns that they belong to,
-/// and columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large everywhere.
+/// Order and scale. Unknowns stand in an order of their own, by the coarse unknowns that they belong to;
+/// rows of B as unknowns come to them, and within a tile by length (RowRuns). Columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large everywhere.
 /// The caller's unknown Order[k] is x_k / Scales[k].
 class LeastSquaresHierarchy : public RoughnessHierarchy
 {
@@ -88,8 +89,9 @@ public:
 
 private:
   const LeastSquaresHierarchy& Hierarchy;
+  const RowRuns<double> B;
   const Vector<double> D;
-  std::vector<int> Held;
+  mutable Vector<double> Scaled; ///< x in the units of B
   mutable std::vector<double> SquaresOfTiles;
 };
 

@@ -1,5 +1,6 @@
 #include "Solvers/PlanarProlongation.h"
 
+#include "Solvers/CompactProlongation.h"
 #include "Support/SparseRows.h"
 
 #include <algorithm>
@@ -190,7 +191,7 @@ std::vector<float> LargestOfRows(const PlanarProlongation& P, const ExecutionCon
 
 }
 
-SparseMatrix<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
   PlanarProlongation&& P, int degree, double dropped, const ExecutionContext& context)
 {
   const PlanarProlongation adjoint = Adjoint(P, context);
@@ -228,27 +229,35 @@ SparseMatrix<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const Spa
       }
     };
   };
-  return AssembleInBands<Plane>(
+  return AssembleBands<Plane>(
     static_cast<int>(adjoint.rows()), static_cast<int>(adjoint.cols()), makeWorker, context);
 }
 
 SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const SparseMatrix<Plane>& P, const SparseMatrix<Plane>& restriction,
-  const ExecutionContext& context)
+  const CompactProlongation& P, const std::vector<int>& held, const ExecutionContext& context)
 {
-  const int columns = static_cast<int>(P.cols());
+  std::vector<float> weights(P.Rows(), 1.0f);
+  for (const int i : held)
+  {
+    weights[i] = 0.0f;
+  }
+  const int columns = P.Columns();
   const auto makeWorker = [&] {
-    return [&, Bp = SparseVector<double>(static_cast<int>(B.rows())),
+    return [&, reader = CompactProlongation::Reader(P), restriction = SparseRows<Plane>(),
+             Bp = SparseVector<double>(static_cast<int>(B.rows())),
              AP = SparseVector<double>(static_cast<int>(B.cols())),
              sum = SparseSum<OuterProducts>(columns), members = std::vector<int>()](
              int firstRow, int lastRow, SparseRows<double>& rows) mutable {
+      reader.Clear();
+      reader.AdjointRows(firstRow / 2, lastRow / 2, restriction);
       for (int j = firstRow / 2; j < lastRow / 2; ++j)
       {
+        const RowOfBand<Plane> p = restriction.Row(j - firstRow / 2);
         Bp.Clear();
-        for (int e = restriction.outerIndexPtr()[j]; e < restriction.outerIndexPtr()[j + 1]; ++e)
+        for (int e = 0; e < p.Size; ++e)
         {
-          Bp.AddRow(
-            std::conj(Complex(restriction.valuePtr()[e])), Bt, restriction.innerIndexPtr()[e]);
+          const int i = p.Columns[e];
+          Bp.AddRow(std::conj(Complex(weights[i] * p.Values[e])), Bt, i);
         }
         AP.Clear();
         for (int k = 0; k < Bp.Size(); ++k)
@@ -259,13 +268,12 @@ SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const Sparse
         for (int k = 0; k < AP.Size(); ++k)
         {
           const int i = AP.Indices()[k];
-          const int begin = P.outerIndexPtr()[i];
-          int size = P.outerIndexPtr()[i + 1] - begin;
-          while (size > 0 && P.innerIndexPtr()[begin + size - 1] > j)
+          RowOfBand<Plane> row = reader.Row(i);
+          while (row.Size > 0 && row.Columns[row.Size - 1] > j)
           {
-            --size;
+            --row.Size;
           }
-          sum.Add(AP[i], P.innerIndexPtr() + begin, P.valuePtr() + begin, size);
+          sum.Add(static_cast<double>(weights[i]) * AP[i], row.Columns, row.Values, row.Size);
         }
         AppendPair(sum, members, 2 * j, rows);
       }

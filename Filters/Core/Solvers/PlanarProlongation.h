@@ -2,9 +2,11 @@
 #define dmgPlanarProlongation_h
 
 #include "Support/ExecutionContext.h"
+#include "Support/SparseRows.h"
 #include "Support/Types.h"
 
 #include <complex>
+#include <vector>
 
 /// Prolongations of plane vectors, one per coarse unknown, to real numbers. Their matrices are complex:
 /// row i takes the vectors z to
@@ -15,6 +17,7 @@ namespace dmg
 
 using PlanarProlongation = SparseMatrix<Complex>;
 using Plane = std::complex<float>;
+class CompactProlongation;
 
 /// The adjoint of a prolongation whose coarse functions have little energy: of
 /// (I - c_1 A) ... (I - c_k A) P for A = B^T B, with the roots of the polynomial that minimises the
@@ -32,14 +35,13 @@ using Plane = std::complex<float>;
 ///   step.
 /// \param P comes back empty, as soon as it is not needed any more.
 /// Cost: k products of A with all coarse functions, where they are not zero.
-SparseMatrix<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
   PlanarProlongation&& P, int degree, double dropped, const ExecutionContext& context);
 
 /// The lower triangle of P^T B^T B P on pairs of components: 2 m x 2 m for P of m columns.
-/// \param restriction the adjoint of P.
+/// \param held rows of P that count as zero, ascending. The pattern does not depend on them.
 SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const SparseMatrix<Plane>& P, const SparseMatrix<Plane>& restriction,
-  const ExecutionContext& context);
+  const CompactProlongation& P, const std::vector<int>& held, const ExecutionContext& context);
 
 /// Q^T Q on pairs of components.
 SparseMatrix<double> GramOfPlanar(const SparseMatrix<Plane>& Q, const ExecutionContext& context);

@@ -1,8 +1,8 @@
 #include "Solvers/Smoother.h"
 
-#include "Solvers/RowRuns.h"
 #include "Support/CountingSort.h"
 #include "Support/Permutations.h"
+#include "Support/RowRuns.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>

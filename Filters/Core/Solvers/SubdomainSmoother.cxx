@@ -181,7 +181,7 @@ void SubdomainSmoother::PreSmooth(
       r[i] = this->IsHeld(i) ? 0.0 : b[i] - this->D[i] * x[i];
     }
   });
-  SubtractAdjointProduct(this->B, this->Tiles, this->Bx, r, context);
+  SubtractAdjointProduct(RowRuns<double>(this->B), this->Tiles, this->Bx, r, context);
   for (Eigen::Index i = 0; i < r.size(); ++i)
   {
     if (this->IsHeld(static_cast<int>(i)))

@@ -1,6 +1,7 @@
 #ifndef dmgPacks_h
 #define dmgPacks_h
 
+#include <cstdint>
 #include <cstring>
 
 namespace dmg
@@ -8,26 +9,24 @@ namespace dmg
 
 /// As many numbers as one instruction of every processor takes. A loop over packs is written like one
 /// over numbers; a float is a pack of one.
-#if defined(__GNUC__)
 using FloatPack = float __attribute__((vector_size(4 * sizeof(float))));
-#else
-using FloatPack = float;
-#endif
+using IntegerPack = std::int32_t __attribute__((vector_size(4 * sizeof(std::int32_t))));
+using DoublePack = double __attribute__((vector_size(2 * sizeof(double))));
 
 template <class Pack>
 constexpr int LanesOf = sizeof(Pack) / sizeof(float);
 
 /// Consecutive numbers.
-template <class Pack>
-Pack LoadPack(const float* from)
+template <class Pack, class Number>
+Pack LoadPack(const Number* from)
 {
   Pack pack;
   std::memcpy(&pack, from, sizeof(Pack));
   return pack;
 }
 
-template <class Pack>
-void StorePack(Pack pack, float* to)
+template <class Pack, class Number>
+void StorePack(Pack pack, Number* to)
 {
   std::memcpy(to, &pack, sizeof(Pack));
 }
@@ -59,7 +58,40 @@ Pack GatherPack(const float* from, const int* places)
   }
 }
 
-/// The other way round. Where places are the same, the last lane's number stays.
+/// Pairs of numbers from two places, which count pairs.
+inline FloatPack GatherPairs(const float* from, int first, int second)
+{
+  using Pair = double; // of the same size
+  const DoublePack pairs = { LoadPack<Pair>(from + 2 * first), LoadPack<Pair>(from + 2 * second) };
+  return LoadPack<FloatPack>(&pairs);
+}
+
+/// Eight integers.
+inline void LoadIntegers(const std::int16_t* from, IntegerPack& first, IntegerPack& last)
+{
+  using Short = std::int16_t __attribute__((vector_size(8 * sizeof(std::int16_t))));
+  const auto integers = LoadPack<Short>(from);
+  const Short low = __builtin_shufflevector(integers, integers, 0, 0, 1, 1, 2, 2, 3, 3);
+  const Short high = __builtin_shufflevector(integers, integers, 4, 4, 5, 5, 6, 6, 7, 7);
+  // The upper halves, with their signs.
+  first = LoadPack<IntegerPack>(&low) >> 16;
+  last = LoadPack<IntegerPack>(&high) >> 16;
+}
+
+inline FloatPack ToFloats(IntegerPack integers)
+{
+  return __builtin_convertvector(integers, FloatPack);
+}
+
+inline void ToDoubles(IntegerPack integers, DoublePack& first, DoublePack& last)
+{
+  using Four = double __attribute__((vector_size(4 * sizeof(double))));
+  const Four numbers = __builtin_convertvector(integers, Four);
+  first = __builtin_shufflevector(numbers, numbers, 0, 1);
+  last = __builtin_shufflevector(numbers, numbers, 2, 3);
+}
+
+/// GatherPack the other way round. Where places are the same, the last lane's number stays.
 template <class Pack>
 void ScatterPack(Pack pack, float* to, const int* places)
 {

@@ -3,6 +3,7 @@
 
 #include "Support/ExecutionContext.h"
 #include "Support/PartColouring.h"
+#include "Support/RowRuns.h"
 #include "Support/Types.h"
 
 namespace dmg
@@ -14,6 +15,8 @@ namespace dmg
 class RowTiles
 {
 public:
+  static constexpr int RowsOfTile = 4096;
+
   RowTiles() = default;
   explicit RowTiles(const SparseMatrix<double>& A)
     : Rows(static_cast<int>(A.rows()))
@@ -47,8 +50,6 @@ public:
   }
 
 private:
-  static constexpr int RowsOfTile = 4096;
-
   int Rows = 0;
   PartColouring Colouring;
 };
@@ -56,17 +57,12 @@ private:
 /// y -= A^T x.
 /// \param tiles of the rows of A.
 template <class Scalar>
-void SubtractAdjointProduct(const SparseMatrix<double>& A, const RowTiles& tiles,
+void SubtractAdjointProduct(const RowRuns<double>& A, const RowTiles& tiles,
   const Vector<Scalar>& x, Vector<double>& y, const ExecutionContext& context)
 {
   tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
-    for (int i = firstRow; i < lastRow; ++i)
-    {
-      for (int e = A.outerIndexPtr()[i]; e < A.outerIndexPtr()[i + 1]; ++e)
-      {
-        y[A.innerIndexPtr()[e]] -= A.valuePtr()[e] * x[i];
-      }
-    }
+    A.AddAdjoint(
+      firstRow, lastRow, [&x](int row) { return -static_cast<double>(x[row]); }, y.data());
   });
 }
 

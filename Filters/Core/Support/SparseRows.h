@@ -49,6 +49,15 @@ private:
   int Count = 0;
 };
 
+/// The entries of a row that others hold.
+template <class Scalar>
+struct RowOfBand
+{
+  const int* Columns;
+  const Scalar* Values;
+  int Size;
+};
+
 /// Consecutive rows of a sparse matrix.
 template <class Scalar>
 struct SparseRows
@@ -62,6 +71,14 @@ struct SparseRows
     this->Offsets.resize(1);
     this->Columns.clear();
     this->Values.clear();
+  }
+
+  int Size() const { return static_cast<int>(this->Offsets.size()) - 1; }
+  RowOfBand<Scalar> Row(int k) const
+  {
+    const int begin = this->Offsets[k];
+    return { this->Columns.data() + begin, this->Values.data() + begin,
+      this->Offsets[k + 1] - begin };
   }
 
   /// The last row ends here.
@@ -172,24 +189,61 @@ private:
   std::vector<std::unique_ptr<Thing>> Things;
 };
 
-/// A sparse matrix in bands of rows, several at the same time.
+/// A sparse matrix as bands of consecutive rows.
+template <class Scalar>
+class RowBands
+{
+public:
+  RowBands(int numberOfRows, int numberOfColumns)
+    : NumberOfRows(numberOfRows)
+    , NumberOfColumns(numberOfColumns)
+    // Long bands cost little to join; of few rows, there are enough for many threads.
+    , BandSize(numberOfRows > 16384 ? 512 : 64)
+    , Bands((numberOfRows + this->BandSize - 1) / this->BandSize)
+  {
+  }
+
+  int Rows() const { return this->NumberOfRows; }
+  int Columns() const { return this->NumberOfColumns; }
+  RowOfBand<Scalar> Row(int row) const
+  {
+    return this->Bands[row / this->BandSize].Row(row % this->BandSize);
+  }
+
+  int NumberOfBands() const { return static_cast<int>(this->Bands.size()); }
+  SparseRows<Scalar>& Band(int band) { return this->Bands[band]; }
+  int FirstRow(int band) const { return band * this->BandSize; }
+  int LastRow(int band) const
+  {
+    return std::min(this->FirstRow(band + 1), this->NumberOfRows);
+  }
+
+  /// How many bands a thread should take one after the other.
+  int Grain(const ExecutionContext& context) const
+  {
+    return std::max(1, this->NumberOfBands() / (8 * context.NumberOfThreads()));
+  }
+
+private:
+  int NumberOfRows;
+  int NumberOfColumns;
+  int BandSize;
+  std::vector<SparseRows<Scalar>> Bands;
+};
+
+/// Assembles bands, several at the same time.
 /// \param makeWorker called as makeWorker(), gives a function worker(firstRow, lastRow, rows) that
 ///   appends these rows to the empty \p rows, columns ascending. Each worker serves many bands, one
 ///   after the other, and may own a workspace. The first row of a band is even.
-/// \throw InvalidInput more than 2^31 non-zeros.
 template <class Scalar, class MakeWorker>
-SparseMatrix<Scalar> AssembleInBands(
+RowBands<Scalar> AssembleBands(
   int numberOfRows, int numberOfColumns, const MakeWorker& makeWorker, const ExecutionContext& context)
 {
-  // Long bands cost little to join; of few rows, there are enough for many threads.
-  const int bandSize = numberOfRows > 16384 ? 512 : 64;
-  const int numberOfBands = (numberOfRows + bandSize - 1) / bandSize;
-  std::vector<SparseRows<Scalar>> bands(numberOfBands);
-  const int grain = std::max(1, numberOfBands / (8 * context.NumberOfThreads()));
+  RowBands<Scalar> bands(numberOfRows, numberOfColumns);
   using Worker = decltype(makeWorker());
   Pool<Worker> workers;
-  context.ParallelFor(0, numberOfBands, grain,
-    [numberOfRows, bandSize, &makeWorker, &workers, &bands](int firstBand, int lastBand)
+  context.ParallelFor(0, bands.NumberOfBands(), bands.Grain(context),
+    [&makeWorker, &workers, &bands](int firstBand, int lastBand)
     {
       std::unique_ptr<Worker> worker = workers.Take();
       if (!worker)
@@ -200,32 +254,45 @@ SparseMatrix<Scalar> AssembleInBands(
       for (int band = firstBand; band < lastBand; ++band)
       {
         // Bands are much alike.
-        bands[band].Columns.reserve(size + size / 8);
-        bands[band].Values.reserve(size + size / 8);
-        const int firstRow = band * bandSize;
-        (*worker)(firstRow, std::min(firstRow + bandSize, numberOfRows), bands[band]);
-        size = bands[band].Columns.size();
+        SparseRows<Scalar>& rows = bands.Band(band);
+        rows.Columns.reserve(size + size / 8);
+        rows.Values.reserve(size + size / 8);
+        (*worker)(bands.FirstRow(band), bands.LastRow(band), rows);
+        size = rows.Columns.size();
       }
       workers.GiveBack(std::move(worker));
     });
+  return bands;
+}
 
-  SparseMatrix<Scalar> A(numberOfRows, numberOfColumns);
-  MakeRoom(A, context, [bandSize, &bands](int row) {
-    const int* const inBand = bands[row / bandSize].Offsets.data() + row % bandSize;
-    return inBand[1] - inBand[0];
-  });
-  context.ParallelFor(0, numberOfBands, grain,
-    [bandSize, &bands, &A](int firstBand, int lastBand)
+/// One matrix; bands give their memory back on the way.
+/// \throw InvalidInput more than 2^31 non-zeros.
+template <class Scalar>
+SparseMatrix<Scalar> Joined(RowBands<Scalar>&& bands, const ExecutionContext& context)
+{
+  SparseMatrix<Scalar> A(bands.Rows(), bands.Columns());
+  MakeRoom(A, context, [&bands](int row) { return bands.Row(row).Size; });
+  context.ParallelFor(0, bands.NumberOfBands(), bands.Grain(context),
+    [&bands, &A](int firstBand, int lastBand)
     {
       for (int band = firstBand; band < lastBand; ++band)
       {
-        const int begin = A.outerIndexPtr()[band * bandSize];
-        const SparseRows<Scalar> rows = std::move(bands[band]); // gives its memory back
+        const int begin = A.outerIndexPtr()[bands.FirstRow(band)];
+        const SparseRows<Scalar> rows = std::move(bands.Band(band));
         std::copy(rows.Columns.begin(), rows.Columns.end(), A.innerIndexPtr() + begin);
         std::copy(rows.Values.begin(), rows.Values.end(), A.valuePtr() + begin);
       }
     });
   return A;
+}
+
+/// AssembleBands as one matrix.
+template <class Scalar, class MakeWorker>
+SparseMatrix<Scalar> AssembleInBands(
+  int numberOfRows, int numberOfColumns, const MakeWorker& makeWorker, const ExecutionContext& context)
+{
+  return Joined(
+    AssembleBands<Scalar>(numberOfRows, numberOfColumns, makeWorker, context), context);
 }
 
 }

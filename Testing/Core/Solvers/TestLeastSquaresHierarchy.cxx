@@ -1,5 +1,6 @@
 #include "Solvers/LeastSquaresHierarchy.h"
 
+#include "Bands.h"
 #include "GridProblem.h"
 #include "SquaresProblem.h"
 #include "Support/Errors.h"
@@ -209,7 +210,7 @@ TEST_P(TestLeastSquaresHierarchy, CoarseMatrixIsTheRoughnessOfPlaneVectors)
     { LeastSquaresHierarchyOptions(), WithoutSmoothing() })
   {
     const LeastSquaresHierarchy hierarchy = problem.Hierarchy(options);
-    const Eigen::MatrixXd P = OnPairs(hierarchy.Prolongation.Rounded(SerialContext()));
+    const Eigen::MatrixXd P = OnPairs(test::AllRows(hierarchy.Prolongation));
     ASSERT_EQ(P.cols(), 2 * problem.Levels.Prolongation.cols());
     const Eigen::MatrixXd BP = Eigen::MatrixXd(hierarchy.B) * P;
     const Eigen::MatrixXd expected = BP.transpose() * BP;
@@ -228,7 +229,7 @@ TEST_P(TestLeastSquaresHierarchy, ProlongationIsTheGivenOneOfScaledUnknowns)
   const Eigen::MatrixXcd inOrder = given(hierarchy.Order, Eigen::all);
   const Eigen::MatrixXcd expected = hierarchy.Scales.asDiagonal() * inOrder;
   const Eigen::MatrixXcd P =
-    Eigen::MatrixXcf(hierarchy.Prolongation.Rounded(SerialContext())).cast<Complex>();
+    Eigen::MatrixXcf(test::AllRows(hierarchy.Prolongation)).cast<Complex>();
   EXPECT_LE((P - expected).norm(), std::ldexp(1.0, -15) * expected.norm());
 
   // Smoothing lowers the energy of every plane vector's worst, by 1 / (2 k + 1)^2 of a bound.
@@ -284,8 +285,8 @@ TEST_P(TestLeastSquaresHierarchy, SameBitsForAnyNumberOfThreads)
     EXPECT_EQ(hierarchy.Components, expected.Components);
     EXPECT_EQ(hierarchy.Scales, expected.Scales);
     EXPECT_EQ((hierarchy.B - expected.B).norm(), 0.0);
-    const SparseMatrix<Plane> P = hierarchy.Prolongation.Rounded(SerialContext());
-    EXPECT_EQ((P - expected.Prolongation.Rounded(context)).norm(), 0.0f);
+    const SparseMatrix<Plane> P = test::AllRows(hierarchy.Prolongation);
+    EXPECT_EQ((P - test::AllRows(expected.Prolongation)).norm(), 0.0f);
     EXPECT_EQ((hierarchy.CoarseLower - expected.CoarseLower).norm(), 0.0);
     EXPECT_EQ(hierarchy.CoarseLower.nonZeros(), expected.CoarseLower.nonZeros());
     Vector<double> y;

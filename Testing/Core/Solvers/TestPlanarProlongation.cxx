@@ -1,5 +1,6 @@
 #include "Solvers/PlanarProlongation.h"
 
+#include "Bands.h"
 #include "GridProblem.h"
 #include "Support/SparseKernels.h"
 #include "Support/TbbContext.h"
@@ -7,8 +8,10 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 using namespace dmg;
 
@@ -76,9 +79,9 @@ Eigen::MatrixXd OnPairs(const SparseMatrix<Scalar>& P)
 SparseMatrix<Plane> Smoothed(const SparseMatrix<double>& B, const PlanarProlongation& P, int degree,
   double dropped, const ExecutionContext& context)
 {
-  return Adjoint(
-    SmoothedRestriction(
-      B, SparseMatrix<double>(B.transpose()), PlanarProlongation(P), degree, dropped, context),
+  return Adjoint(Joined(SmoothedRestriction(B, SparseMatrix<double>(B.transpose()),
+                          PlanarProlongation(P), degree, dropped, context),
+                   context),
     context);
 }
 
@@ -200,13 +203,33 @@ TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
 TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
 {
   const SparseMatrix<double> B = Squares(240);
-  const SparseMatrix<Plane> P = Smoothed(B, Interpolation(240), 2, 0.01, SerialContext());
-  const SparseMatrix<double> coarse = CoarseRoughness(B, SparseMatrix<double>(B.transpose()), P,
-    Adjoint(P, SerialContext()), SerialContext());
-  const Eigen::MatrixXd BP = Eigen::MatrixXd(B) * OnPairs(P);
-  const Eigen::MatrixXd expected = (BP.transpose() * BP).triangularView<Eigen::Lower>();
-  ASSERT_EQ(coarse.rows(), 80);
-  EXPECT_LE((Eigen::MatrixXd(coarse) - expected).norm(), 20 * Epsilon * expected.norm());
+  const SparseMatrix<double> Bt = B.transpose();
+  const CompactProlongation P =
+    test::Compact(Smoothed(B, Interpolation(240), 2, 0.01, SerialContext()));
+  // The first coarse vector has nothing left.
+  std::vector<int> held = { 100, 101, 177 };
+  for (int i = 200; i < 260; ++i)
+  {
+    held.push_back(i % 240);
+  }
+  std::sort(held.begin(), held.end());
+  const SparseMatrix<double> ofAll = CoarseRoughness(B, Bt, P, {}, SerialContext());
+  for (const std::vector<int>& rows : { std::vector<int>(), held })
+  {
+    Eigen::MatrixXd free = OnPairs(test::AllRows(P));
+    for (const int i : rows)
+    {
+      free.row(i).setZero();
+    }
+    const SparseMatrix<double> coarse = CoarseRoughness(B, Bt, P, rows, SerialContext());
+    const Eigen::MatrixXd BP = Eigen::MatrixXd(B) * free;
+    const Eigen::MatrixXd expected = (BP.transpose() * BP).triangularView<Eigen::Lower>();
+    ASSERT_EQ(coarse.rows(), 80);
+    EXPECT_LE((Eigen::MatrixXd(coarse) - expected).norm(), 20 * Epsilon * expected.norm());
+    EXPECT_EQ(expected.col(0).isZero(), !rows.empty());
+    EXPECT_EQ(coarse.coeff(0, 0) == 0.0, !rows.empty());
+    EXPECT_EQ(coarse.nonZeros(), ofAll.nonZeros()); // the pattern does not depend on what is held
+  }
 }
 
 TEST(TestPlanarProlongation, GramIsTheProductOfPairs)
@@ -232,15 +255,15 @@ TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
   const PlanarProlongation P = Interpolation(6000);
   const SparseMatrix<double> Bt = B.transpose();
   const SparseMatrix<Plane> expected = Smoothed(B, P, 3, 0.01, SerialContext());
-  const SparseMatrix<Plane> restriction = Adjoint(expected, SerialContext());
+  const CompactProlongation compact = test::Compact(expected);
   const SparseMatrix<double> gram = GramOfPlanar(expected, SerialContext());
   const SparseMatrix<double> coarse =
-    CoarseRoughness(B, Bt, expected, restriction, SerialContext());
+    CoarseRoughness(B, Bt, compact, { 7, 8 }, SerialContext());
   for (const int threads : { 1, 2, 5 })
   {
     const test::TbbContext context(threads);
     ExpectIdentical(Smoothed(B, P, 3, 0.01, context), expected);
     ExpectIdentical(GramOfPlanar(expected, context), gram);
-    ExpectIdentical(CoarseRoughness(B, Bt, expected, restriction, context), coarse);
+    ExpectIdentical(CoarseRoughness(B, Bt, compact, { 7, 8 }, context), coarse);
   }
 }

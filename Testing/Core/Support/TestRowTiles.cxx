@@ -33,18 +33,8 @@ Vector<double> AdjointProduct(
   const ExecutionContext& context)
 {
   Vector<double> y = Vector<double>::Zero(A.cols());
-  tiles.ForTiles(context,
-    [&](int, int firstRow, int lastRow)
-    {
-      for (int i = firstRow; i < lastRow; ++i)
-      {
-        for (SparseMatrix<double>::InnerIterator entry(A, i); entry; ++entry)
-        {
-          y[entry.col()] += entry.value() * x[i];
-        }
-      }
-    });
-  return y;
+  SubtractAdjointProduct(RowRuns<double>(A), tiles, x, y, context);
+  return -y;
 }
 
 }
