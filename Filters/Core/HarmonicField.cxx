@@ -7,6 +7,7 @@
 #include "Solvers/LaplacianHierarchy.h"
 #include "Solvers/LeastSquaresHierarchy.h"
 #include "Support/Errors.h"
+#include "Support/FreedMemory.h"
 #include "Support/SparseAssembly.h"
 #include "Systems/FaceFieldSystem.h"
 #include "Systems/OneFormSystem.h"
@@ -417,6 +418,7 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   {
     return nullptr;
   }
+  GiveBackFreedMemory(); // by those who made the operators
   const bool isPower = options.Kind == Discretisation::PowerField;
   context.Checkpoint(0.0);
   const auto surface = std::make_shared<RoughnessSurface>();
@@ -445,6 +447,7 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   {
     AddKernel(mesh, faceFrames, options, *surface, PartOfContext(context, 0.8, 1.0));
   }
+  GiveBackFreedMemory();
   context.Checkpoint(1.0);
   return surface;
 }

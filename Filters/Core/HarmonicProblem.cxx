@@ -242,7 +242,7 @@ Vector<Scalar> HarmonicProblem<Scalar>::Solve(const Vector<Scalar>& values,
     x = system.Restrict(start);
   }
   ConvergenceMeasure<Scalar> measure;
-  measure.Mass = system.Mass();
+  measure.Mass = &system.Mass();
   if (internal.Cholesky && internal.Solver != SolverKind::Cholesky)
   {
     internal.Cholesky->Solve(b, measure.Reference);

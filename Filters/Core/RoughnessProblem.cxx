@@ -3,6 +3,7 @@
 #include "Solvers/ConjugateGradient.h"
 #include "Solvers/DeflatedPreconditioner.h"
 #include "Solvers/StationaryIteration.h"
+#include "Support/FreedMemory.h"
 #include "Support/Permutations.h"
 
 #include <cassert>
@@ -225,6 +226,7 @@ RoughnessProblem::RoughnessProblem(std::shared_ptr<const RoughnessSurface> surfa
   : Internal(std::make_unique<Internals>(std::move(surface), options, choice, context))
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
+  GiveBackFreedMemory();
 }
 
 RoughnessProblem::~RoughnessProblem() = default;
@@ -257,7 +259,7 @@ Vector<double> RoughnessProblem::Solve(const Vector<double>& values,
   Vector<double> b = of.RightHandSide(values, context);
   Vector<double> x = of.InOrder(start);
   ConvergenceMeasure<double> measure;
-  measure.Mass = of.Surface->Mass;
+  measure.Mass = &of.Surface->Mass;
   measure.Reference = of.InOrder(reference);
   measure.EnergyScale = of.Smoothness;
   for (Eigen::Index i = 0; i < of.D.size(); ++i)

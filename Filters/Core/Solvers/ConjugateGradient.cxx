@@ -55,17 +55,16 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
   Vector<Scalar> r;
   iteration.Begin(r);
 
-  Vector<Scalar> z;
   Vector<Scalar> p = Vector<Scalar>::Zero(b.size());
-  Vector<Scalar> q(b.size());
+  Vector<Scalar> image(b.size()); // B r; then, where that has become a direction, A p
   double oldProduct = 0.0; // r^H z of the iteration before; zero: no direction to continue
   double normAtRestart = iteration.ResidualNorm();
   while (!iteration.HasConverged() && iteration.MayContinue())
   {
-    B.Apply(r, z, context);
-    const double product = Eigen::numext::real(Dot(r, z, context));
-    ContinueDirection(z, oldProduct > 0.0 ? product / oldProduct : 0.0, p, context);
-    const double energy = A.Apply(p, q, context);
+    B.Apply(r, image, context);
+    const double product = Eigen::numext::real(Dot(r, image, context));
+    ContinueDirection(image, oldProduct > 0.0 ? product / oldProduct : 0.0, p, context);
+    const double energy = A.Apply(p, image, context);
     if (!(product > 0.0 && energy > 0.0))
     {
       iteration.StopShort(product > 0.0 ? "the matrix is not positive definite"
@@ -74,7 +73,7 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
     }
     oldProduct = product;
     const double alpha = product / energy;
-    const double norm = std::sqrt(Step(alpha, p, q, x, r, context));
+    const double norm = std::sqrt(Step(alpha, p, image, x, r, context));
     iteration.Append(norm, [alpha, &p](Vector<Scalar>& previous) { previous -= alpha * p; });
 
     if (iteration.HasConverged())

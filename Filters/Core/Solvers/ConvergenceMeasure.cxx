@@ -15,16 +15,15 @@ namespace
 /// |v|_M of v_i = entry(i).
 template <class Entry>
 double Norm(
-  int size, const Vector<double>& mass, const Entry& entry, const ExecutionContext& context)
+  int size, const Vector<double>* mass, const Entry& entry, const ExecutionContext& context)
 {
-  const bool hasMass = mass.size() > 0;
   const double square = SumOverBlocks<double>(size, context,
-    [&mass, hasMass, &entry](int first, int last)
+    [mass, &entry](int first, int last)
     {
       double sum = 0.0;
       for (int i = first; i < last; ++i)
       {
-        sum += (hasMass ? mass[i] : 1.0) * Eigen::numext::abs2(entry(i));
+        sum += (mass ? (*mass)[i] : 1.0) * Eigen::numext::abs2(entry(i));
       }
       return sum;
     });
@@ -59,9 +58,8 @@ double Ratio(double number, double scale)
 template <class Scalar>
 void ConvergenceMeasure<Scalar>::Check(int numberOfUnknowns) const
 {
-  const auto fits = [numberOfUnknowns](Eigen::Index size)
-  { return size == 0 || size == numberOfUnknowns; };
-  if (!fits(this->Mass.size()) || !fits(this->Reference.size()))
+  if ((this->Mass && this->Mass->size() != numberOfUnknowns) ||
+    (this->Reference.size() > 0 && this->Reference.size() != numberOfUnknowns))
   {
     throw InvalidInput("the mass and the reference of a convergence measure must have " +
       std::to_string(numberOfUnknowns) + " values, one per unknown");
@@ -83,13 +81,12 @@ template <class Scalar>
 void ConvergenceMeasure<Scalar>::Fill(IterationReport& row, const Vector<Scalar>& x,
   const Vector<Scalar>& b, const Vector<Scalar>& r, const ExecutionContext& context) const
 {
-  const bool hasMass = this->Mass.size() > 0;
   const Sums sums =
     SumOverBlocks<Sums>(static_cast<int>(x.size()), context, [&](int first, int last) {
       Sums sum;
       for (int i = first; i < last; ++i)
       {
-        const double mass = hasMass ? this->Mass[i] : 1.0;
+        const double mass = this->Mass ? (*this->Mass)[i] : 1.0;
         sum.Energy += Eigen::numext::real(Eigen::numext::conj(x[i]) * (b[i] + r[i]));
         sum.Residual += mass * Eigen::numext::abs2(r[i]);
         sum.Right += mass * Eigen::numext::abs2(b[i]);

@@ -68,6 +68,45 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
   std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
   const ExecutionContext& context)
 {
+  this->SetOrder(A, std::move(prolongations), options, context);
+  this->SetFinest(A, context);
+  this->SmoothProlongation(options, context);
+  this->ComputeCoarser(context);
+}
+
+template <class Scalar>
+GalerkinHierarchy<Scalar>::GalerkinHierarchy(SparseMatrix<Scalar>&& A,
+  std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
+  const ExecutionContext& context)
+{
+  this->SetOrder(A, std::move(prolongations), options, context);
+  this->SetFinest(A, context);
+  Free(A);
+  this->SmoothProlongation(options, context);
+  this->ComputeCoarser(context);
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::Update(
+  const SparseMatrix<Scalar>& A, const ExecutionContext& context)
+{
+  this->SetFinest(A, context);
+  this->ComputeCoarser(context);
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::Update(SparseMatrix<Scalar>&& A, const ExecutionContext& context)
+{
+  this->SetFinest(A, context);
+  Free(A);
+  this->ComputeCoarser(context);
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::SetOrder(const SparseMatrix<Scalar>& A,
+  std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
+  const ExecutionContext& context)
+{
   if (options.CoarsestLevel < 0)
   {
     throw InvalidInput("the coarsest level must be 0, the finest, or more");
@@ -81,7 +120,12 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
   }
   this->Order = BringIntoOrder(prolongations, static_cast<int>(A.rows()), context);
   this->Prolongations = std::move(prolongations);
-  this->SetFinest(A, context);
+}
+
+template <class Scalar>
+void GalerkinHierarchy<Scalar>::SmoothProlongation(
+  const GalerkinOptions& options, const ExecutionContext& context)
+{
   if (!this->Prolongations.empty())
   {
     context.Checkpoint(0.0);
@@ -94,23 +138,14 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
     this->ShelveProlongations();
     this->UnshelveProlongations();
   }
-  this->ComputeCoarser(context);
-}
-
-template <class Scalar>
-void GalerkinHierarchy<Scalar>::Update(
-  const SparseMatrix<Scalar>& A, const ExecutionContext& context)
-{
-  this->UnshelveProlongations();
-  assert(this->Prolongations.empty() || this->Prolongations[0].rows() == A.rows());
-  this->SetFinest(A, context);
-  this->ComputeCoarser(context);
 }
 
 template <class Scalar>
 void GalerkinHierarchy<Scalar>::SetFinest(
   const SparseMatrix<Scalar>& A, const ExecutionContext& context)
 {
+  this->UnshelveProlongations();
+  assert(this->Prolongations.empty() || this->Prolongations[0].rows() == A.rows());
   this->Matrices.resize(this->Prolongations.size() + 1);
   this->Diagonals.resize(this->Matrices.size());
   SparseMatrix<Scalar> permuted = Permuted(A, this->Order, Inverse(this->Order), context);

@@ -53,12 +53,16 @@ public:
   GalerkinHierarchy(const SparseMatrix<Scalar>& A,
     std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
     const ExecutionContext& context);
+  /// \param A comes back empty, as soon as it is not needed any more.
+  GalerkinHierarchy(SparseMatrix<Scalar>&& A, std::vector<SparseMatrix<Scalar>> prolongations,
+    const GalerkinOptions& options, const ExecutionContext& context);
 
   /// Takes other values in the same pattern. Prolongations, orders and analyses are kept, so that the
   /// bits are those of a new hierarchy with the prolongations of this one.
   /// \pre the prolongations have not been forgotten.
   /// \throw as the constructor; the hierarchy must not be used after that.
   void Update(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
+  void Update(SparseMatrix<Scalar>&& A, const ExecutionContext& context);
 
   int NumberOfLevels() const { return static_cast<int>(this->Reports.size()); }
   int NumberOfUnknowns(int level) const { return static_cast<int>(this->Reports[level].Unknowns); }
@@ -92,7 +96,10 @@ public:
 
 private:
   void UnshelveProlongations();
+  void SetOrder(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
+    const GalerkinOptions& options, const ExecutionContext& context);
   void SetFinest(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
+  void SmoothProlongation(const GalerkinOptions& options, const ExecutionContext& context);
   void ComputeCoarser(const ExecutionContext& context);
   /// \param scales of the entries of this level: their rounding errors are that much times epsilon.
   ///   On exit zero diagonals are zero exactly, and scales are the diagonal of active unknowns.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace dmg
 {
@@ -35,7 +36,7 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
   , Residual(hierarchy.L.rows())
 {
   this->SetDiagonal(D, context);
-  const SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
+  SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
   context.Checkpoint(0.3);
   GalerkinOptions coarsening;
   if (2 * coarse.rows() <= options.LargestFactor)
@@ -43,7 +44,7 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
     coarsening.CoarsestLevel = 0;
   }
   this->Hierarchy = std::make_unique<GalerkinHierarchy<Complex>>(
-    coarse, hierarchy.Coarser, coarsening, PartOfContext(context, 0.3, 0.8));
+    std::move(coarse), hierarchy.Coarser, coarsening, PartOfContext(context, 0.3, 0.8));
   this->Coarse = std::make_unique<MultigridCycle<Complex>>(
     *this->Hierarchy, options.Coarse, PartOfContext(context, 0.8, 1.0));
   this->Hierarchy->ForgetMatrices();
@@ -52,8 +53,7 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
 void LaplacianCycle::Update(const Vector<double>& D, const ExecutionContext& context)
 {
   this->SetDiagonal(D, context);
-  const SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
-  this->Hierarchy->Update(coarse, PartOfContext(context, 0.3, 0.8));
+  this->Hierarchy->Update(this->CoarseMatrix(context), PartOfContext(context, 0.3, 0.8));
   this->Coarse->Update(PartOfContext(context, 0.8, 1.0));
   this->Hierarchy->ForgetMatrices();
 }

@@ -4,6 +4,7 @@
 #include "Solvers/HierarchicalOrder.h"
 #include "Solvers/LaplacianCycle.h"
 #include "Solvers/SmoothedProlongation.h"
+#include "Solvers/SparseDiagonal.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
@@ -26,13 +27,13 @@ constexpr int RowGrain = 8192;
 class ShiftedLaplacian : public LinearOperator<double>
 {
 public:
-  ShiftedLaplacian(const SparseMatrix<Complex>& matrix, Vector<double> diagonal)
+  ShiftedLaplacian(const SparseMatrix<Complex>& matrix, const Vector<double>& diagonal)
     : L(matrix)
-    , D(std::move(diagonal))
+    , D(diagonal)
   {
   }
 
-  int Size() const override { return static_cast<int>(this->D.size()); }
+  int Size() const override { return this->D.Size(); }
 
   double Apply(
     const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
@@ -40,21 +41,21 @@ public:
     y.resize(this->Size());
     const auto* const from = reinterpret_cast<const Complex*>(x.data());
     auto* const to = reinterpret_cast<Complex*>(y.data());
-    return SumOverBlocks<double>(
+    const double ofL = SumOverBlocks<double>(
       this->Size() / 2, context, [this, from, to](int first, int last) {
         double product = 0.0;
-        this->L.Multiply(first, last, from, [this, from, to, &product](int k, Complex sum) {
-          const double shift = this->D[2 * k];
-          to[k] = std::isfinite(shift) ? sum + shift * from[k] : Complex(0.0);
-          product += from[k].real() * to[k].real() + from[k].imag() * to[k].imag();
+        this->L.Multiply(first, last, from, [from, to, &product](int k, Complex sum) {
+          to[k] = sum;
+          product += from[k].real() * sum.real() + from[k].imag() * sum.imag();
         });
         return product;
       });
+    return ofL + this->D.AddProduct(x, y);
   }
 
 private:
   const RowRuns<Complex> L;
-  const Vector<double> D;
+  const SparseDiagonal D;
 };
 
 /// Per row a number that it shares with all that it is connected with: the first of them.
@@ -210,9 +211,9 @@ LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
   this->CoarseMatrix.swap(other.CoarseMatrix);
 }
 
-std::unique_ptr<LinearOperator<double>> LaplacianHierarchy::Operator(Vector<double> D) const
+std::unique_ptr<LinearOperator<double>> LaplacianHierarchy::Operator(const Vector<double>& D) const
 {
-  return std::make_unique<ShiftedLaplacian>(this->L, std::move(D));
+  return std::make_unique<ShiftedLaplacian>(this->L, D);
 }
 
 std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& D,

@@ -35,7 +35,7 @@ public:
 
   std::vector<int> Isolated; ///< complex unknowns that L says nothing of, ascending
 
-  std::unique_ptr<LinearOperator<double>> Operator(Vector<double> D) const override;
+  std::unique_ptr<LinearOperator<double>> Operator(const Vector<double>& D) const override;
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
   long long Bytes() const override;

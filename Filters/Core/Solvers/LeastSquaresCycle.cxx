@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace dmg
 {
@@ -32,14 +33,14 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
   const Vector<double> scaled = this->Scaled(D);
   this->SetDiagonal(scaled, context);
   context.Checkpoint(0.2);
-  const SparseMatrix<double> coarse = this->CoarseMatrix(scaled, context);
+  SparseMatrix<double> coarse = this->CoarseMatrix(scaled, context);
   GalerkinOptions coarsening;
   if (coarse.rows() <= options.LargestFactor)
   {
     coarsening.CoarsestLevel = 0;
   }
   this->Hierarchy = std::make_unique<GalerkinHierarchy<double>>(
-    coarse, hierarchy.Coarser, coarsening, PartOfContext(context, 0.4, 0.8));
+    std::move(coarse), hierarchy.Coarser, coarsening, PartOfContext(context, 0.4, 0.8));
   this->Coarse = std::make_unique<MultigridCycle<double>>(
     *this->Hierarchy, options.Coarse, PartOfContext(context, 0.8, 1.0));
   this->Hierarchy->ForgetMatrices();
@@ -74,20 +75,16 @@ Vector<double> LeastSquaresCycle::Scaled(const Vector<double>& D) const
 SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
   const Vector<double>& D, const ExecutionContext& context) const
 {
-  SparseMatrix<double> coarse;
-  if (this->Smoother.HeldUnknowns().empty())
+  SparseMatrix<double> lowerOfFree;
+  const bool areAllFree = this->Smoother.HeldUnknowns().empty();
+  if (!areAllFree)
   {
-    SparseMatrix<double> ofAll = SymmetricFromLower(this->Fine.CoarseLower, context);
-    coarse.swap(ofAll); // an assignment would copy
+    SparseMatrix<double> lower = CoarseRoughness(this->Fine.B, Adjoint(this->Fine.B, context),
+      this->Fine.Prolongation, this->Smoother.HeldUnknowns(), context);
+    lowerOfFree.swap(lower); // an assignment would copy
   }
-  else
-  {
-    SparseMatrix<double> ofFree =
-      SymmetricFromLower(CoarseRoughness(this->Fine.B, Adjoint(this->Fine.B, context),
-                           this->Fine.Prolongation, this->Smoother.HeldUnknowns(), context),
-        context);
-    coarse.swap(ofFree);
-  }
+  SparseMatrix<double> coarse =
+    SymmetricFromLower(areAllFree ? this->Fine.CoarseLower : lowerOfFree, context);
   // What D adds are the squares of sqrt(D) P.
   std::vector<int> rows;
   for (Eigen::Index i = 0; i < D.size(); ++i)
@@ -106,33 +103,33 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
       pulled.valuePtr()[e] *= root;
     }
   }
-  coarse += GramOfPlanar(pulled, context);
+  AddInPattern(coarse, GramOfPlanar(pulled, context), context);
   return coarse;
 }
 
-void LeastSquaresCycle::PreSmooth(const ExecutionContext& context)
+void LeastSquaresCycle::PreSmooth(Vector<double>& x, const ExecutionContext& context)
 {
   if (!this->Subdomains)
   {
-    this->Smoother.PreSmooth(this->b, this->x, this->Residual, context);
+    this->Smoother.PreSmooth(this->b, x, this->Residual, context);
     return;
   }
   this->Subdomains->PreSmooth(this->b, this->OfSubdomains, this->Remainder, context);
-  this->Smoother.PreSmooth(this->Remainder, this->x, this->Residual, context);
-  this->x += this->OfSubdomains;
+  this->Smoother.PreSmooth(this->Remainder, x, this->Residual, context);
+  x += this->OfSubdomains;
 }
 
-void LeastSquaresCycle::PostSmooth(const ExecutionContext& context)
+void LeastSquaresCycle::PostSmooth(Vector<double>& x, const ExecutionContext& context)
 {
-  this->Smoother.PostSmooth(this->b, this->x, context);
+  this->Smoother.PostSmooth(this->b, x, context);
   if (this->Subdomains)
   {
-    this->Subdomains->PostSmooth(this->b, this->x, context);
+    this->Subdomains->PostSmooth(this->b, x, context);
   }
 }
 
 void LeastSquaresCycle::Apply(
-  const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
+  const Vector<double>& r, Vector<double>& x, const ExecutionContext& context)
 {
   const Vector<double>& scales = this->Fine.Scales;
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
@@ -140,21 +137,19 @@ void LeastSquaresCycle::Apply(
     this->b.segment(first, count) =
       r.segment(first, count).cwiseQuotient(scales.segment(first, count));
   });
-  this->PreSmooth(context);
+  this->PreSmooth(x, context);
   this->Fine.Prolongation.MultiplyAdjoint(
     this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
-  this->Fine.Prolongation.AddProduct(this->CoarseCorrection, this->x, context);
+  this->Fine.Prolongation.AddProduct(this->CoarseCorrection, x, context);
   for (const int i : this->Smoother.HeldUnknowns())
   {
-    this->x[i] = 0.0;
+    x[i] = 0.0;
   }
-  this->PostSmooth(context);
-  z.resize(r.size());
+  this->PostSmooth(x, context);
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
     const int count = last - first;
-    z.segment(first, count) =
-      this->x.segment(first, count).cwiseQuotient(scales.segment(first, count));
+    x.segment(first, count).array() /= scales.segment(first, count).array();
   });
 }
 
@@ -171,7 +166,7 @@ long long LeastSquaresCycle::Bytes() const
 {
   return this->Smoother.Bytes() + (this->Subdomains ? this->Subdomains->Bytes() : 0) +
     this->Hierarchy->Bytes() + this->Coarse->Bytes() +
-    (3 * this->b.size() + this->OfSubdomains.size() + this->Remainder.size() +
+    (2 * this->b.size() + this->OfSubdomains.size() + this->Remainder.size() +
       this->SumsOfTiles.size()) *
     static_cast<long long>(sizeof(double));
 }

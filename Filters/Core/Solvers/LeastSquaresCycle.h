@@ -32,7 +32,7 @@ public:
   void Update(const Vector<double>& D, const ExecutionContext& context) override;
 
   void Apply(
-    const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override;
+    const Vector<double>& r, Vector<double>& x, const ExecutionContext& context) override;
 
   std::vector<LevelReport> Levels() const override;
   long long Bytes() const override;
@@ -46,8 +46,8 @@ private:
   SparseMatrix<double> CoarseMatrix(
     const Vector<double>& scaledD, const ExecutionContext& context) const;
   /// Solves for subdomains and smooths blocks from zero, which gives x and its Residual.
-  void PreSmooth(const ExecutionContext& context);
-  void PostSmooth(const ExecutionContext& context);
+  void PreSmooth(Vector<double>& x, const ExecutionContext& context);
+  void PostSmooth(Vector<double>& x, const ExecutionContext& context);
 
   const LeastSquaresHierarchy& Fine;
   BlockSmoother Smoother;
@@ -55,7 +55,6 @@ private:
   std::unique_ptr<GalerkinHierarchy<double>> Hierarchy; ///< of the coarse levels
   std::unique_ptr<MultigridCycle<double>> Coarse;
   Vector<double> b; ///< of the scaled unknowns
-  Vector<double> x;
   Vector<double> Residual;
   Vector<double> OfSubdomains; ///< their part of x
   Vector<double> Remainder;    ///< what they leave of b

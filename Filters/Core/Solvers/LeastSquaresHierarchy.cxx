@@ -321,9 +321,10 @@ long long LeastSquaresHierarchy::Bytes() const
   return sum;
 }
 
-std::unique_ptr<LinearOperator<double>> LeastSquaresHierarchy::Operator(Vector<double> D) const
+std::unique_ptr<LinearOperator<double>> LeastSquaresHierarchy::Operator(
+  const Vector<double>& D) const
 {
-  return std::make_unique<LeastSquaresOperator>(*this, std::move(D));
+  return std::make_unique<LeastSquaresOperator>(*this, D);
 }
 
 std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double>& D,
@@ -333,11 +334,11 @@ std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double
 }
 
 LeastSquaresOperator::LeastSquaresOperator(
-  const LeastSquaresHierarchy& hierarchy, Vector<double> diagonal)
+  const LeastSquaresHierarchy& hierarchy, const Vector<double>& diagonal)
   : Hierarchy(hierarchy)
   , B(hierarchy.B)
-  , D(std::move(diagonal))
-  , Scaled(this->D.size())
+  , D(diagonal)
+  , Scaled(diagonal.size())
   , SquaresOfTiles(hierarchy.Tiles.Size())
 {
 }
@@ -358,16 +359,11 @@ double LeastSquaresOperator::Apply(
     this->SquaresOfTiles[tile] =
       this->B.AddGram(firstRow, lastRow, this->Scaled.data(), y.data());
   });
-  double product = SumOverBlocks<double>(this->Size(), context, [&](int first, int last) {
-    double ofD = 0.0;
-    for (int i = first; i < last; ++i)
-    {
-      const double pull = std::isfinite(this->D[i]) ? this->D[i] * x[i] : 0.0;
-      y[i] = std::isfinite(this->D[i]) ? pull + scales[i] * y[i] : 0.0;
-      ofD += x[i] * pull;
-    }
-    return ofD;
+  context.ParallelFor(0, this->Size(), RowGrain, [&](int first, int last) {
+    const int count = last - first;
+    y.segment(first, count).array() *= scales.segment(first, count).array();
   });
+  double product = this->D.AddProduct(x, y);
   for (const double squares : this->SquaresOfTiles)
   {
     product += squares;

@@ -4,6 +4,7 @@
 #include "Solvers/CompactProlongation.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SchwarzBlocks.h"
+#include "Solvers/SparseDiagonal.h"
 #include "Solvers/SubdomainSmoother.h"
 #include "Support/ExecutionContext.h"
 #include "Support/RowRuns.h"
@@ -60,7 +61,7 @@ public:
   /// Between the levels below, finest first.
   std::vector<SparseMatrix<double>> Coarser;
 
-  std::unique_ptr<LinearOperator<double>> Operator(Vector<double> D) const override;
+  std::unique_ptr<LinearOperator<double>> Operator(const Vector<double>& D) const override;
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
   long long Bytes() const override;
@@ -80,7 +81,7 @@ class LeastSquaresOperator : public LinearOperator<double>
 public:
   /// \param hierarchy is borrowed.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero, and so is its row of A x.
-  LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy, Vector<double> D);
+  LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy, const Vector<double>& D);
 
   int Size() const override { return this->Hierarchy.NumberOfUnknowns(); }
   /// \pre x is zero where unknowns are held.
@@ -90,7 +91,7 @@ public:
 private:
   const LeastSquaresHierarchy& Hierarchy;
   const RowRuns<double> B;
-  const Vector<double> D;
+  const SparseDiagonal D;
   mutable Vector<double> Scaled; ///< x in the units of B
   mutable std::vector<double> SquaresOfTiles;
 };

@@ -2,6 +2,7 @@
 
 #include "Solvers/CompactProlongation.h"
 #include "Support/SparseRows.h"
+#include "Support/Unfilled.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,8 +94,8 @@ public:
       const int index = indices[e];
       Element& element = elements[index];
       members[count] = index;
-      count += element.IsNone;
-      element.IsNone = 0;
+      count += 1 - element.IsMember;
+      element.IsMember = 1;
       const auto entry = static_cast<Real>(entries[e]);
       element.X += entry * factor.real();
       element.Y += entry * factor.imag();
@@ -106,7 +107,7 @@ public:
   void Append(int index, std::complex<Real> value)
   {
     this->Members[this->Count++] = index;
-    this->Elements[index] = { value.real(), value.imag(), 0 };
+    this->Elements[index] = { value.real(), value.imag(), 1 };
   }
 
   /// Leaves out what is not larger than so many times a size of its own.
@@ -129,7 +130,7 @@ public:
     this->Count = kept;
   }
 
-  void Sort() { std::sort(this->Members.begin(), this->Members.begin() + this->Count); }
+  void Sort() { std::sort(this->Members.data(), this->Members.data() + this->Count); }
 
   void Clear()
   {
@@ -143,15 +144,15 @@ public:
 private:
   struct Element
   {
-    Real X = 0;
-    Real Y = 0;
-    int IsNone = 1;
+    Real X;
+    Real Y;
+    int IsMember;
   };
 
-  void Remove(int index) { this->Elements[index] = Element(); }
+  void Remove(int index) { this->Elements[index] = { 0, 0, 0 }; }
 
-  std::vector<Element> Elements; ///< zero but for members
-  std::vector<int> Members;
+  LazyZeros<Element> Elements; ///< zero but for members
+  LazyZeros<int> Members;
   int Count = 0;
 };
 

@@ -62,7 +62,7 @@ public:
 
   /// R + D. Borrows the hierarchy.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero, and so is its row of A x.
-  virtual std::unique_ptr<LinearOperator<double>> Operator(Vector<double> D) const = 0;
+  virtual std::unique_ptr<LinearOperator<double>> Operator(const Vector<double>& D) const = 0;
 
   /// A cycle for R + D. Borrows the hierarchy; several may share it.
   /// \throw as GalerkinHierarchy.

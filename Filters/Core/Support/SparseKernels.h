@@ -5,6 +5,7 @@
 #include "Support/Types.h"
 
 #include <algorithm>
+#include <cassert>
 #include <complex>
 #include <vector>
 
@@ -128,6 +129,31 @@ SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionConte
 /// A symmetric matrix from its lower triangle, columns ascending.
 SparseMatrix<double> SymmetricFromLower(
   const SparseMatrix<double>& lower, const ExecutionContext& context);
+
+/// A += B, in place.
+/// \pre B has entries only where A has some; columns ascend in both.
+template <class Scalar>
+void AddInPattern(
+  SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B, const ExecutionContext& context)
+{
+  assert(A.rows() == B.rows() && A.cols() == B.cols());
+  constexpr int RowGrain = 4096;
+  context.ParallelFor(0, static_cast<int>(A.rows()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      int place = A.outerIndexPtr()[i];
+      for (int e = B.outerIndexPtr()[i]; e < B.outerIndexPtr()[i + 1]; ++e)
+      {
+        while (A.innerIndexPtr()[place] < B.innerIndexPtr()[e])
+        {
+          ++place;
+        }
+        assert(place < A.outerIndexPtr()[i + 1] && A.innerIndexPtr()[place] == B.innerIndexPtr()[e]);
+        A.valuePtr()[place] += B.valuePtr()[e];
+      }
+    }
+  });
+}
 
 /// A with its rows and columns in another order.
 /// \param rowOrder [k] is the row of A that becomes row k.

@@ -6,6 +6,7 @@
 #include "Support/Types.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <memory>
 #include <mutex>
 #include <utility>
@@ -161,32 +162,37 @@ private:
   int Count = 0;
 };
 
-/// Things that are expensive to make, and that threads use one at a time: no more than threads.
+/// Things that are expensive to make, and that threads use one at a time: no more than threads. Each is at a
+/// place, and taken again near it: what it holds of a cache or of memory differs little.
 template <class Thing>
 class Pool
 {
 public:
-  std::unique_ptr<Thing> Take()
+  /// The thing that is nearest; null if all are taken.
+  std::unique_ptr<Thing> Take(int place)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     if (this->Things.empty())
     {
       return nullptr;
     }
-    std::unique_ptr<Thing> thing = std::move(this->Things.back());
-    this->Things.pop_back();
+    const auto nearest = std::min_element(this->Things.begin(), this->Things.end(),
+      [place](const auto& a, const auto& b)
+      { return std::abs(a.first - place) < std::abs(b.first - place); });
+    std::unique_ptr<Thing> thing = std::move(nearest->second);
+    this->Things.erase(nearest);
     return thing;
   }
 
-  void GiveBack(std::unique_ptr<Thing> thing)
+  void GiveBack(int place, std::unique_ptr<Thing> thing)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
-    this->Things.push_back(std::move(thing));
+    this->Things.emplace_back(place, std::move(thing));
   }
 
 private:
   std::mutex Mutex;
-  std::vector<std::unique_ptr<Thing>> Things;
+  std::vector<std::pair<int, std::unique_ptr<Thing>>> Things;
 };
 
 /// A sparse matrix as bands of consecutive rows.
@@ -245,7 +251,7 @@ RowBands<Scalar> AssembleBands(
   context.ParallelFor(0, bands.NumberOfBands(), bands.Grain(context),
     [&makeWorker, &workers, &bands](int firstBand, int lastBand)
     {
-      std::unique_ptr<Worker> worker = workers.Take();
+      std::unique_ptr<Worker> worker = workers.Take(firstBand);
       if (!worker)
       {
         worker = std::make_unique<Worker>(makeWorker());
@@ -260,7 +266,7 @@ RowBands<Scalar> AssembleBands(
         (*worker)(bands.FirstRow(band), bands.LastRow(band), rows);
         size = rows.Columns.size();
       }
-      workers.GiveBack(std::move(worker));
+      workers.GiveBack(lastBand, std::move(worker));
     });
   return bands;
 }

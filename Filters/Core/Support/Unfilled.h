@@ -1,6 +1,8 @@
 #ifndef dmgUnfilled_h
 #define dmgUnfilled_h
 
+#include <cstddef>
+#include <cstdlib>
 #include <memory>
 #include <new>
 #include <type_traits>
@@ -43,6 +45,36 @@ public:
 /// A vector whose resize writes nothing into the new elements.
 template <class T>
 using Unfilled = std::vector<T, UnfilledAllocator<T>>;
+
+/// An array of zeros that takes no memory before it is written, page by page: room for all indices, for
+/// those who meet few of them that stand near each other.
+template <class T>
+class LazyZeros
+{
+  static_assert(std::is_trivially_copyable<T>::value, "is all bits zero");
+
+public:
+  explicit LazyZeros(std::size_t size)
+    : Begin(static_cast<T*>(std::calloc(size + 1, sizeof(T)))) // none of no bytes
+  {
+    if (!this->Begin)
+    {
+      throw std::bad_alloc();
+    }
+  }
+
+  T* data() { return this->Begin.get(); }
+  const T* data() const { return this->Begin.get(); }
+  T& operator[](std::size_t index) { return this->Begin.get()[index]; }
+  const T& operator[](std::size_t index) const { return this->Begin.get()[index]; }
+
+private:
+  struct Free
+  {
+    void operator()(T* begin) const { std::free(begin); }
+  };
+  std::unique_ptr<T, Free> Begin;
+};
 
 }
 

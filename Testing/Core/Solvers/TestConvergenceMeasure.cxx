@@ -50,10 +50,11 @@ TYPED_TEST(TestConvergenceMeasure, ColumnsEqualTheirDefinitions)
   EXPECT_NEAR(row.MassResidual, r.norm() / b.norm(), 1e-14);
   EXPECT_TRUE(std::isnan(row.Error));
 
-  measure.Mass = PositiveMass(6);
+  const Vector<double> mass = PositiveMass(6);
+  measure.Mass = &mass;
   measure.Reference = test::RandomVector<TypeParam>(6, 3405);
   measure.Fill(row, x, b, r, SerialContext());
-  const Matrix M = measure.Mass.template cast<TypeParam>().asDiagonal();
+  const Matrix M = mass.template cast<TypeParam>().asDiagonal();
   const auto norm = [&M](const Vector<TypeParam>& v)
   { return std::sqrt(Eigen::numext::real((v.adjoint() * M * v)(0, 0))); };
   EXPECT_NEAR(row.MassResidual, norm(r) / norm(b), 1e-14);
@@ -69,7 +70,8 @@ TYPED_TEST(TestConvergenceMeasure, WatchesIterations)
   MultigridCycle<TypeParam> cycle(hierarchy, {}, SerialContext());
   ConvergenceMeasure<TypeParam> measure;
   measure.EnergyConstant = 3.0;
-  measure.Mass = PositiveMass(static_cast<int>(A.rows()));
+  const Vector<double> mass = PositiveMass(static_cast<int>(A.rows()));
+  measure.Mass = &mass;
   CholeskySolver<TypeParam>(A).Solve(b, measure.Reference);
   const double energyOfSolution = 3.0 - std::abs(b.dot(measure.Reference));
 
@@ -113,7 +115,8 @@ TYPED_TEST(TestConvergenceMeasure, SizesAreChecked)
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   MultigridCycle<TypeParam> cycle(hierarchy, {}, SerialContext());
   ConvergenceMeasure<TypeParam> measure;
-  measure.Mass = Vector<double>::Ones(3);
+  const Vector<double> mass = Vector<double>::Ones(3);
+  measure.Mass = &mass;
   SolveReport report;
   Vector<TypeParam> x;
   EXPECT_THROW(

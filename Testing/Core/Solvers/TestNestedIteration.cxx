@@ -285,7 +285,8 @@ TYPED_TEST(TestNestedIteration, HistoryFollowsTheLevels)
   NestedIteration<TypeParam> nested(problem.A, problem.P, {}, SerialContext());
   ConvergenceMeasure<TypeParam> measure;
   measure.EnergyConstant = 7.0;
-  measure.Mass = test::RandomVector<double>(problem.A.rows(), 3507).array() + 2.0;
+  const Vector<double> mass = test::RandomVector<double>(problem.A.rows(), 3507).array() + 2.0;
+  measure.Mass = &mass;
   measure.Reference = SolveByCholesky(problem.A, b);
   SolveReport report, other;
   Vector<TypeParam> x, y;
@@ -310,8 +311,8 @@ TYPED_TEST(TestNestedIteration, HistoryFollowsTheLevels)
     7.0 + Eigen::numext::real(x.dot(problem.A * x - 2.0 * b)),
     1e-11 * std::abs(report.Iterations.back().Energy));
   const Vector<TypeParam> error = x - measure.Reference;
-  const auto norm = [&measure](const Vector<TypeParam>& v)
-  { return std::sqrt(v.cwiseAbs2().dot(measure.Mass)); };
+  const auto norm = [&mass](const Vector<TypeParam>& v)
+  { return std::sqrt(v.cwiseAbs2().dot(mass)); };
   EXPECT_NEAR(report.Iterations.back().Error, norm(error) / norm(measure.Reference), 1e-13);
   EXPECT_NEAR(report.Iterations.back().MassResidual, norm(b - problem.A * x) / norm(b), 1e-13);
 
