@@ -418,7 +418,6 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   {
     return nullptr;
   }
-  GiveBackFreedMemory(); // by those who made the operators
   const bool isPower = options.Kind == Discretisation::PowerField;
   context.Checkpoint(0.0);
   const auto surface = std::make_shared<RoughnessSurface>();

@@ -20,6 +20,99 @@ constexpr int RowsOfSlice = 4;
 constexpr int ColumnGrain = 4096;
 constexpr float LargestInteger = 32767.0f;
 
+/// \param largest component of the row.
+template <class Real>
+Real UnitOf(Real largest)
+{
+  return largest > 0 ? largest / LargestInteger : Real(1);
+}
+
+/// Rounded. \pre |component| is at most the largest.
+template <class Real>
+std::int16_t InUnits(Real component, Real unit)
+{
+  const Real number = component / unit;
+  return static_cast<std::int16_t>(number < 0 ? number - Real(0.5) : number + Real(0.5));
+}
+
+/// The products of the rows of a slice with plane vectors.
+class PlanarSlice
+{
+public:
+  void Add(FloatPack firstTwo, FloatPack lastTwo, FloatPack ofFirstTwo, FloatPack ofLastTwo)
+  {
+    this->FirstTwo += firstTwo * ofFirstTwo;
+    this->LastTwo += lastTwo * ofLastTwo;
+  }
+
+  float operator[](int lane) const { return this->Sum(lane, 0) + this->Sum(lane, 1); }
+  float Difference(int lane) const { return this->Sum(lane, 0) - this->Sum(lane, 1); }
+
+private:
+  float Sum(int lane, int component) const
+  {
+    return (lane < 2 ? this->FirstTwo : this->LastTwo)[2 * (lane % 2) + component];
+  }
+
+  FloatPack FirstTwo{};
+  FloatPack LastTwo{};
+};
+
+/// The same with complex numbers.
+class ComplexSlice
+{
+public:
+  void Add(FloatPack firstTwo, FloatPack lastTwo, FloatPack ofFirstTwo, FloatPack ofLastTwo)
+  {
+    this->Straight.Add(firstTwo, lastTwo, ofFirstTwo, ofLastTwo);
+    this->Crossed.Add(firstTwo, lastTwo, SwapPairs(ofFirstTwo), SwapPairs(ofLastTwo));
+  }
+
+  Plane operator[](int lane) const
+  {
+    return { this->Straight.Difference(lane), this->Crossed[lane] };
+  }
+
+private:
+  PlanarSlice Straight;
+  PlanarSlice Crossed;
+};
+
+/// What a row of planes adds to the sums of its columns.
+class PlanarFactor
+{
+public:
+  PlanarFactor(float unit, double row)
+    : Both(DoublePack{} + unit * row)
+  {
+  }
+
+  DoublePack operator*(DoublePack entry) const { return entry * this->Both; }
+
+private:
+  DoublePack Both;
+};
+
+/// The same for conjugates of complex numbers.
+class ComplexFactor
+{
+public:
+  ComplexFactor(float unit, Plane row)
+    : OfX{ unit * row.real(), unit * row.imag() }
+    , OfY{ unit * row.imag(), -unit * row.real() }
+  {
+  }
+
+  DoublePack operator*(DoublePack entry) const
+  {
+    return (DoublePack{} + entry[0]) * this->OfX + (DoublePack{} + entry[1]) * this->OfY;
+  }
+
+private:
+  DoublePack OfX;
+  DoublePack OfY;
+};
+
 }
 
 /// Packs the adjoint tile by tile. Columns ascend in its rows, so that what a tile needs of one is a
@@ -158,16 +251,17 @@ void CompactProlongation::Packing::MakeSlices(const ExecutionContext& context)
   const int slices = tiles > 0 ? this->To.LastSlice(tiles - 1) : 0;
   this->To.StepBegins.assign(slices + 1, 0);
   this->To.RowsAt.assign(RowsOfSlice * slices, this->To.RowsOfTile); // which is no row
-  std::vector<long long> entries(tiles, 0);
   this->ForTiles(context, [&](int tile) {
     std::vector<int> lengths(this->RowsIn(tile), 0);
     this->ForEntries(tile, [&](int, int row, Plane) { ++lengths[row]; });
-    std::vector<int> byLength = Identity(static_cast<int>(lengths.size()));
+    const int longest = lengths.empty() ? 0 : *std::max_element(lengths.begin(), lengths.end());
     // Lanes are far from each other, so that they seldom add to one sum, and wait for each other.
     constexpr int distance = 64;
-    std::stable_sort(byLength.begin(), byLength.end(), [&lengths](int a, int b) {
-      return lengths[a] != lengths[b] ? lengths[a] > lengths[b] : a % distance < b % distance;
-    });
+    const SerialContext serial;
+    const std::vector<int> byDistance = SortByKey(Identity(static_cast<int>(lengths.size())),
+      distance, [](int row) { return row % distance; }, serial).Items;
+    const std::vector<int> byLength = SortByKey(byDistance, longest + 1,
+      [&lengths, longest](int row) { return longest - lengths[row]; }, serial).Items;
     const int firstSlice = this->To.FirstSlice(tile);
     std::copy(byLength.begin(), byLength.end(), this->To.RowsAt.begin() + RowsOfSlice * firstSlice);
     for (int slice = firstSlice; slice < this->To.LastSlice(tile); ++slice)
@@ -196,16 +290,12 @@ void CompactProlongation::Packing::Fill(const ExecutionContext& context)
       const int row = this->To.RowsAt[firstPlace + k];
       places[row] = k;
       next[row] = this->To.StepBegins[(firstPlace + k) / RowsOfSlice];
-      units[row] = units[row] > 0.0f ? units[row] / LargestInteger : 1.0f;
+      units[row] = UnitOf(units[row]);
       this->To.Units[firstPlace + k] = units[row];
     }
     this->ForEntries(tile, [&](int slot, int row, Plane entry) {
-      const auto inUnits = [unit = units[row]](float component) {
-        return static_cast<std::int16_t>(
-          std::clamp(std::nearbyint(component / unit), -LargestInteger, LargestInteger));
-      };
-      const std::int16_t x = inUnits(entry.real());
-      const std::int16_t y = inUnits(entry.imag());
+      const std::int16_t x = InUnits(entry.real(), units[row]);
+      const std::int16_t y = InUnits(entry.imag(), units[row]);
       if (x != 0 || y != 0)
       {
         Step& step = this->To.Steps[next[row]++];
@@ -229,6 +319,25 @@ CompactProlongation::CompactProlongation(
   packing.Fill(context);
 }
 
+void CompactProlongation::Round(SparseMatrix<Complex>& P, const ExecutionContext& context)
+{
+  context.ParallelFor(0, static_cast<int>(P.rows()), MostRowsOfTile, [&P](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      Complex* const begin = P.valuePtr() + P.outerIndexPtr()[i];
+      Complex* const end = P.valuePtr() + P.outerIndexPtr()[i + 1];
+      double largest = 0.0;
+      std::for_each(begin, end, [&largest](Complex entry) {
+        largest = std::max({ largest, std::abs(entry.real()), std::abs(entry.imag()) });
+      });
+      const double unit = UnitOf(largest);
+      std::transform(begin, end, begin, [unit](Complex entry) {
+        return unit * Complex(InUnits(entry.real(), unit), InUnits(entry.imag(), unit));
+      });
+    }
+  });
+}
+
 int CompactProlongation::LastRow(int tile) const
 {
   return std::min(this->FirstRow(tile + 1), this->NumberOfRows);
@@ -240,13 +349,14 @@ int CompactProlongation::LastSlice(int tile) const
   return this->FirstSlice(tile) + (rows + RowsOfSlice - 1) / RowsOfSlice;
 }
 
-void CompactProlongation::AddProduct(
-  const Vector<double>& z, Vector<double>& x, const ExecutionContext& context) const
+template <class Slice, class Row>
+void CompactProlongation::AddProductBySlices(
+  const double* z, Vector<Row>& x, const ExecutionContext& context) const
 {
-  assert(z.size() == 2 * this->Columns() && x.size() == this->Rows());
+  assert(x.size() == this->Rows());
   context.ParallelFor(0, this->NumberOfTiles(), 1, [&](int firstTile, int lastTile) {
     std::vector<float> ofTile;
-    std::vector<float> products(this->RowsOfTile + 1);
+    std::vector<decltype(1.0f * Slice()[0])> products(this->RowsOfTile + 1);
     for (int tile = firstTile; tile < lastTile; ++tile)
     {
       ofTile.clear();
@@ -258,22 +368,21 @@ void CompactProlongation::AddProduct(
       }
       for (int slice = this->FirstSlice(tile); slice < this->LastSlice(tile); ++slice)
       {
-        FloatPack ofFirstTwo{};
-        FloatPack ofLastTwo{};
+        Slice sums;
         for (int s = this->StepBegins[slice]; s < this->StepBegins[slice + 1]; ++s)
         {
           const Step& step = this->Steps[s];
-          IntegerPack first, last;
-          LoadIntegers(step.Components, first, last);
-          ofFirstTwo += ToFloats(first) * GatherPairs(ofTile.data(), step.Columns[0], step.Columns[1]);
-          ofLastTwo += ToFloats(last) * GatherPairs(ofTile.data(), step.Columns[2], step.Columns[3]);
+          IntegerPack firstTwo, lastTwo;
+          LoadIntegers(step.Components, firstTwo, lastTwo);
+          sums.Add(ToFloats(firstTwo), ToFloats(lastTwo),
+            GatherPairs(ofTile.data(), step.Columns[0], step.Columns[1]),
+            GatherPairs(ofTile.data(), step.Columns[2], step.Columns[3]));
         }
-        const std::uint16_t* const places = this->RowsAt.data() + RowsOfSlice * slice;
-        const float* const units = this->Units.data() + RowsOfSlice * slice;
-        products[places[0]] = units[0] * (ofFirstTwo[0] + ofFirstTwo[1]);
-        products[places[1]] = units[1] * (ofFirstTwo[2] + ofFirstTwo[3]);
-        products[places[2]] = units[2] * (ofLastTwo[0] + ofLastTwo[1]);
-        products[places[3]] = units[3] * (ofLastTwo[2] + ofLastTwo[3]);
+        for (int lane = 0; lane < RowsOfSlice; ++lane)
+        {
+          const int place = RowsOfSlice * slice + lane;
+          products[this->RowsAt[place]] = this->Units[place] * sums[lane];
+        }
       }
       for (int row = this->FirstRow(tile); row < this->LastRow(tile); ++row)
       {
@@ -283,70 +392,96 @@ void CompactProlongation::AddProduct(
   });
 }
 
-void CompactProlongation::MultiplyAdjoint(const Vector<double>& x, Vector<double>& z,
-  Vector<double>& sums, const ExecutionContext& context) const
+void CompactProlongation::AddProduct(
+  const Vector<double>& z, Vector<double>& x, const ExecutionContext& context) const
+{
+  assert(z.size() == 2 * this->Columns());
+  this->AddProductBySlices<PlanarSlice>(z.data(), x, context);
+}
+
+void CompactProlongation::AddProduct(
+  const Vector<Complex>& z, Vector<Plane>& x, const ExecutionContext& context) const
+{
+  assert(z.size() == this->Columns());
+  this->AddProductBySlices<ComplexSlice>(reinterpret_cast<const double*>(z.data()), x, context);
+}
+
+template <class Factor, class Row>
+void CompactProlongation::MultiplyAdjointBySlices(
+  const Vector<Row>& x, double* z, Vector<double>& sums, const ExecutionContext& context) const
 {
   assert(x.size() == this->Rows());
   sums.resize(this->SizeOfSums());
   context.ParallelFor(0, this->NumberOfTiles(), 1, [&](int firstTile, int lastTile) {
-    std::vector<double> rows; // read one after the other, and then from a cache
+    std::vector<Row> rows; // read one after the other, and then from a cache
     for (int tile = firstTile; tile < lastTile; ++tile)
     {
       double* const ofTile = sums.data() + 2 * this->ColumnBegins[tile];
       std::fill(ofTile, sums.data() + 2 * this->ColumnBegins[tile + 1], 0.0);
       rows.assign(x.data() + this->FirstRow(tile), x.data() + this->LastRow(tile));
-      rows.resize(this->RowsOfTile + 1, 0.0);
+      rows.resize(this->RowsOfTile + 1, Row(0));
       for (int slice = this->FirstSlice(tile); slice < this->LastSlice(tile); ++slice)
       {
         const std::uint16_t* const places = this->RowsAt.data() + RowsOfSlice * slice;
         const float* const units = this->Units.data() + RowsOfSlice * slice;
-        DoublePack factors[RowsOfSlice];
-        for (int lane = 0; lane < RowsOfSlice; ++lane)
-        {
-          factors[lane] = DoublePack{} + units[lane] * rows[places[lane]];
-        }
+        const Factor factors[RowsOfSlice] = { { units[0], rows[places[0]] },
+          { units[1], rows[places[1]] }, { units[2], rows[places[2]] },
+          { units[3], rows[places[3]] } };
         for (int s = this->StepBegins[slice]; s < this->StepBegins[slice + 1]; ++s)
         {
           const Step& step = this->Steps[s];
-          IntegerPack first, last;
-          LoadIntegers(step.Components, first, last);
+          IntegerPack firstTwo, lastTwo;
+          LoadIntegers(step.Components, firstTwo, lastTwo);
           DoublePack entries[RowsOfSlice];
-          ToDoubles(first, entries[0], entries[1]);
-          ToDoubles(last, entries[2], entries[3]);
+          ToDoubles(firstTwo, entries[0], entries[1]);
+          ToDoubles(lastTwo, entries[2], entries[3]);
           for (int lane = 0; lane < RowsOfSlice; ++lane)
           {
             double* const sum = ofTile + 2 * step.Columns[lane];
-            StorePack(LoadPack<DoublePack>(sum) + entries[lane] * factors[lane], sum);
+            StorePack(LoadPack<DoublePack>(sum) + factors[lane] * entries[lane], sum);
           }
         }
       }
     }
   });
-  z.resize(2 * this->Columns());
   context.ParallelFor(0, this->Columns(), ColumnGrain, [&](int first, int last) {
     for (int column = first; column < last; ++column)
     {
-      double X = 0.0;
-      double Y = 0.0;
+      DoublePack sum{};
       for (int s = this->SlotBegins[column]; s < this->SlotBegins[column + 1]; ++s)
       {
-        X += sums[2 * this->Slots[s]];
-        Y += sums[2 * this->Slots[s] + 1];
+        sum += LoadPack<DoublePack>(sums.data() + 2 * this->Slots[s]);
       }
-      z[2 * column] = X;
-      z[2 * column + 1] = Y;
+      StorePack(sum, z + 2 * column);
     }
   });
 }
 
+void CompactProlongation::MultiplyAdjoint(const Vector<double>& x, Vector<double>& z,
+  Vector<double>& sums, const ExecutionContext& context) const
+{
+  z.resize(2 * this->Columns());
+  this->MultiplyAdjointBySlices<PlanarFactor>(x, z.data(), sums, context);
+}
+
+void CompactProlongation::MultiplyAdjoint(const Vector<Plane>& x, Vector<Complex>& z,
+  Vector<double>& sums, const ExecutionContext& context) const
+{
+  z.resize(this->Columns());
+  this->MultiplyAdjointBySlices<ComplexFactor>(
+    x, reinterpret_cast<double*>(z.data()), sums, context);
+}
+
 const SparseRows<Plane>& CompactProlongation::Reader::TileAt(int tile)
 {
-  SparseRows<Plane>& rows = this->Tiles[tile];
-  if (rows.Offsets.size() > 1)
+  if (this->Places[tile] >= 0)
   {
-    return rows;
+    return this->Unpacked[this->Places[tile]];
   }
-  this->Unpacked.push_back(tile);
+  this->Places[tile] = static_cast<int>(this->Tiles.size());
+  this->Tiles.push_back(tile);
+  this->Unpacked.resize(std::max(this->Unpacked.size(), this->Tiles.size()));
+  SparseRows<Plane>& rows = this->Unpacked[this->Places[tile]];
   const int* const columns = this->P.ColumnsOfTiles.data() + this->P.ColumnBegins[tile];
   const int firstSlice = this->P.FirstSlice(tile);
   const auto forEntries = [&](const auto& visit) {
@@ -428,11 +563,11 @@ void CompactProlongation::Reader::AdjointRows(
 
 void CompactProlongation::Reader::Clear()
 {
-  for (const int tile : this->Unpacked)
+  for (const int tile : this->Tiles)
   {
-    this->Tiles[tile].Clear();
+    this->Places[tile] = -1;
   }
-  this->Unpacked.clear();
+  this->Tiles.clear();
 }
 
 SparseMatrix<Plane> CompactProlongation::SelectedRows(

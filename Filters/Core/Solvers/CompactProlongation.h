@@ -13,7 +13,7 @@
 namespace dmg
 {
 
-/// A planar prolongation in a quarter of the memory that it and its adjoint take in single precision. Both
+/// A planar prolongation, or one of complex numbers, in a quarter of the memory that it and its adjoint take in single precision. Both
 /// products read the same entries: six bytes each, a number among the coarse unknowns of a tile of rows,
 /// and two components in units of the row, of 16 bits each. Rounding is 2^-16 of the largest component
 /// of the row; what rounds to nothing is left out.
@@ -31,6 +31,9 @@ public:
   /// \pre no row of the prolongation has more than 65,536 entries.
   CompactProlongation(const RowBands<Plane>& restriction, const ExecutionContext& context);
 
+  /// Rounds a prolongation so that packing loses no more.
+  static void Round(SparseMatrix<Complex>& P, const ExecutionContext& context);
+
   int Rows() const { return this->NumberOfRows; }
   /// Plane vectors.
   int Columns() const { return static_cast<int>(this->SlotBegins.size()) - 1; }
@@ -39,6 +42,9 @@ public:
   /// x += P z.
   /// \param z components, two per column.
   void AddProduct(const Vector<double>& z, Vector<double>& x, const ExecutionContext& context) const;
+  /// The same with P as a complex matrix.
+  void AddProduct(
+    const Vector<Complex>& z, Vector<Plane>& x, const ExecutionContext& context) const;
 
   /// How many numbers MultiplyAdjoint needs room for.
   int SizeOfSums() const { return 2 * static_cast<int>(this->ColumnsOfTiles.size()); }
@@ -46,6 +52,9 @@ public:
   /// z = P^T x.
   /// \param sums room for the sums of the tiles.
   void MultiplyAdjoint(const Vector<double>& x, Vector<double>& z, Vector<double>& sums,
+    const ExecutionContext& context) const;
+  /// z = P^H x with P as a complex matrix.
+  void MultiplyAdjoint(const Vector<Plane>& x, Vector<Complex>& z, Vector<double>& sums,
     const ExecutionContext& context) const;
 
   /// Some rows, as they are after rounding.
@@ -59,7 +68,7 @@ public:
     /// \param prolongation borrowed.
     explicit Reader(const CompactProlongation& prolongation)
       : P(prolongation)
-      , Tiles(prolongation.NumberOfTiles())
+      , Places(prolongation.NumberOfTiles(), -1)
     {
     }
 
@@ -75,8 +84,9 @@ public:
     const SparseRows<Plane>& TileAt(int tile);
 
     const CompactProlongation& P;
-    std::vector<SparseRows<Plane>> Tiles; ///< those that are unpacked; others have no offsets but 0
-    std::vector<int> Unpacked;
+    std::vector<int> Places;                 ///< of tiles among the unpacked, -1 elsewhere
+    std::vector<SparseRows<Plane>> Unpacked; ///< and, after these, room for more
+    std::vector<int> Tiles;                  ///< that are unpacked
   };
 
   /// Held by this object.
@@ -91,6 +101,12 @@ private:
     std::uint16_t Columns[4];   ///< among those of the tile
     std::int16_t Components[8]; ///< X and Y of each
   };
+
+  template <class Slice, class Row>
+  void AddProductBySlices(const double* z, Vector<Row>& x, const ExecutionContext& context) const;
+  template <class Factor, class Row>
+  void MultiplyAdjointBySlices(
+    const Vector<Row>& x, double* z, Vector<double>& sums, const ExecutionContext& context) const;
 
   int NumberOfTiles() const { return static_cast<int>(this->ColumnBegins.size()) - 1; }
   int FirstRow(int tile) const { return tile * this->RowsOfTile; }

@@ -1,6 +1,7 @@
 #include "Solvers/LaplacianCycle.h"
 
 #include "Support/CountingSort.h"
+#include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -34,6 +35,7 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
   , b(hierarchy.L.rows())
   , x(hierarchy.L.rows())
   , Residual(hierarchy.L.rows())
+  , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
 {
   this->SetDiagonal(D, context);
   SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
@@ -82,7 +84,7 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
 
 SparseMatrix<Complex> LaplacianCycle::CoarseMatrixOfFree(const ExecutionContext& context) const
 {
-  SparseMatrix<Complex> P = this->Fine.Prolongation.cast<Complex>();
+  SparseMatrix<Complex> P = this->Rows(Identity(this->Fine.Prolongation.Rows()), context);
   for (int k = 0; k < static_cast<int>(P.rows()); ++k)
   {
     // Held rows are zero, but stay in the pattern, so that it does not depend on D.
@@ -108,62 +110,27 @@ SparseMatrix<Complex> LaplacianCycle::CoarseMatrix(const ExecutionContext& conte
     SparseMatrix<Complex> ofFree = this->CoarseMatrixOfFree(context);
     coarse.swap(ofFree); // an assignment would copy
   }
-  // An unknown with a diagonal entry couples all that it is interpolated from, so the pattern has room
-  // for P^H D P.
-  const auto& P = this->Fine.Prolongation;
-  const auto& R = this->Fine.Restriction;
-  context.ParallelFor(0, static_cast<int>(R.rows()), RowGrain / 16, [&](int first, int last) {
-    for (int j = first; j < last; ++j)
+  // P^H D P is the product of sqrt(D) P with its adjoint. An unknown with an entry of D couples all that
+  // it is interpolated from, so the pattern has room for it.
+  const std::vector<int> pulled = Choose(static_cast<int>(this->Shift.size()),
+    [this](int k) { return this->Shift[k] > 0.0 && std::isfinite(this->Shift[k]); }, context);
+  SparseMatrix<Complex> rows = this->Rows(pulled, context);
+  for (std::size_t k = 0; k < pulled.size(); ++k)
+  {
+    const double root = std::sqrt(this->Shift[pulled[k]]);
+    for (int e = rows.outerIndexPtr()[k]; e < rows.outerIndexPtr()[k + 1]; ++e)
     {
-      const int* const begin = coarse.innerIndexPtr() + coarse.outerIndexPtr()[j];
-      const int* const end = coarse.innerIndexPtr() + coarse.outerIndexPtr()[j + 1];
-      Complex* const values = coarse.valuePtr() + coarse.outerIndexPtr()[j];
-      for (int e = R.outerIndexPtr()[j]; e < R.outerIndexPtr()[j + 1]; ++e)
-      {
-        const int k = R.innerIndexPtr()[e];
-        if (!(this->Shift[k] > 0.0 && std::isfinite(this->Shift[k])))
-        {
-          continue;
-        }
-        const Complex pull = this->Shift[k] * Complex(R.valuePtr()[e]);
-        for (int m = P.outerIndexPtr()[k]; m < P.outerIndexPtr()[k + 1]; ++m)
-        {
-          const int* const place = std::lower_bound(begin, end, P.innerIndexPtr()[m]);
-          assert(place != end && *place == P.innerIndexPtr()[m]);
-          values[place - begin] += pull * Complex(P.valuePtr()[m]);
-        }
-      }
+      rows.valuePtr()[e] *= root;
     }
-  });
+  }
+  AddInPattern(coarse, NormalMatrix(rows, context), context);
   return coarse;
 }
 
-void LaplacianCycle::Restrict(const ExecutionContext& context)
+SparseMatrix<Complex> LaplacianCycle::Rows(
+  const std::vector<int>& rows, const ExecutionContext& context) const
 {
-  const auto& R = this->Fine.Restriction;
-  this->CoarseResidual.resize(R.rows());
-  context.ParallelFor(0, static_cast<int>(R.rows()), RowGrain / 4, [&](int first, int last) {
-    for (int j = first; j < last; ++j)
-    {
-      this->CoarseResidual[j] = RowTimes(R, j, this->Residual.data());
-    }
-  });
-}
-
-void LaplacianCycle::Correct(const ExecutionContext& context)
-{
-  const auto& P = this->Fine.Prolongation;
-  const Vector<Single> correction = this->CoarseCorrection.cast<Single>();
-  context.ParallelFor(0, static_cast<int>(P.rows()), RowGrain, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
-    {
-      this->x[k] += RowTimes(P, k, correction.data());
-    }
-  });
-  for (const int k : this->Held)
-  {
-    this->x[k] = 0.0f;
-  }
+  return this->Fine.Prolongation.SelectedRows(rows, context).cast<Complex>();
 }
 
 void LaplacianCycle::Apply(
@@ -183,9 +150,14 @@ void LaplacianCycle::Apply(
   {
     this->Residual[k] = 0.0f;
   }
-  this->Restrict(context);
+  this->Fine.Prolongation.MultiplyAdjoint(
+    this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
-  this->Correct(context);
+  this->Fine.Prolongation.AddProduct(this->CoarseCorrection, this->x, context);
+  for (const int k : this->Held)
+  {
+    this->x[k] = 0.0f;
+  }
   this->FineSmoother->PostSmooth(this->b, this->x, context);
   z.resize(r.size());
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
@@ -211,7 +183,8 @@ long long LaplacianCycle::Bytes() const
 {
   return this->Hierarchy->Bytes() + this->Coarse->Bytes() +
     this->b.size() *
-    static_cast<long long>(4 * sizeof(Single) + sizeof(float) + 2 * sizeof(double));
+    static_cast<long long>(4 * sizeof(Single) + sizeof(float) + 2 * sizeof(double)) +
+    this->SumsOfTiles.size() * static_cast<long long>(sizeof(double));
 }
 
 }

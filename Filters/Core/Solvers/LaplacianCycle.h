@@ -35,10 +35,10 @@ private:
   void SetDiagonal(const Vector<double>& D, const ExecutionContext& context);
   /// P^H (L + D) P.
   SparseMatrix<Complex> CoarseMatrix(const ExecutionContext& context) const;
+  /// Of the prolongation.
+  SparseMatrix<Complex> Rows(const std::vector<int>& rows, const ExecutionContext& context) const;
   /// P^H L P where unknowns are held at zero.
   SparseMatrix<Complex> CoarseMatrixOfFree(const ExecutionContext& context) const;
-  void Restrict(const ExecutionContext& context);
-  void Correct(const ExecutionContext& context);
 
   const LaplacianHierarchy& Fine;
   const Vector<double> InverseScales; ///< one per complex unknown
@@ -53,6 +53,7 @@ private:
   Vector<Single> Residual;
   Vector<Complex> CoarseResidual;
   Vector<Complex> CoarseCorrection;
+  Vector<double> SumsOfTiles; ///< room for CompactProlongation
 };
 
 }

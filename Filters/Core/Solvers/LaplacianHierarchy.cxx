@@ -135,6 +135,44 @@ void SetMatrix(LaplacianHierarchy& hierarchy, const SparseMatrix<Complex>& L,
   ArrangeUpper(hierarchy.L, same, same, scale, hierarchy.A.Upper, context);
 }
 
+/// The restriction on scaled unknowns by colours.
+/// \param isolated unknowns that it leaves out, ascending.
+RowBands<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& restriction,
+  const std::vector<int>& byColours, const Vector<double>& roots, const std::vector<int>& isolated,
+  const ExecutionContext& context)
+{
+  using Entry = std::pair<int, LaplacianHierarchy::Single>;
+  const std::vector<int> places = Inverse(byColours, context);
+  const auto makeWorker = [&] {
+    return [&, entries = std::vector<Entry>()](
+             int firstRow, int lastRow, SparseRows<LaplacianHierarchy::Single>& rows) mutable {
+      for (int j = firstRow; j < lastRow; ++j)
+      {
+        entries.clear();
+        for (SparseMatrix<Complex>::InnerIterator entry(restriction, j); entry; ++entry)
+        {
+          const int place = places[entry.col()];
+          if (!std::binary_search(isolated.begin(), isolated.end(), place))
+          {
+            entries.emplace_back(
+              place, static_cast<LaplacianHierarchy::Single>(entry.value() * roots[entry.col()]));
+          }
+        }
+        std::sort(entries.begin(), entries.end(),
+          [](const Entry& a, const Entry& b) { return a.first < b.first; });
+        for (const auto& [place, value] : entries)
+        {
+          rows.Columns.push_back(place);
+          rows.Values.push_back(value);
+        }
+        rows.EndRow();
+      }
+    };
+  };
+  return AssembleBands<LaplacianHierarchy::Single>(static_cast<int>(restriction.rows()),
+    static_cast<int>(restriction.cols()), makeWorker, context);
+}
+
 }
 
 LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
@@ -149,10 +187,12 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   const SparseMatrix<Complex> L = makeL(byParents, context);
   CheckChain(L.rows(), prolongations);
   context.Checkpoint(0.2);
-  const SparseMatrix<Complex> P =
-    SmoothedProlongation(L, prolongations[0], smoothingSteps, context);
+  SparseMatrix<Complex> P = SmoothedProlongation(L, prolongations[0], smoothingSteps, context);
   context.Checkpoint(0.5);
-  SparseMatrix<Complex> coarse = TripleProduct(Adjoint(P, context), L, P, context);
+  CompactProlongation::Round(P, context); // so that the coarse matrix is that of the packed one
+  const SparseMatrix<Complex> R = Adjoint(P, context);
+  SparseMatrix<Complex> coarse = TripleProduct(R, L, P, context);
+  SparseMatrix<Complex>().swap(P);
   context.Checkpoint(0.7);
 
   LaplacianHierarchy hierarchy;
@@ -182,13 +222,8 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   }
   SetUnknowns(hierarchy, byParents, byColours, components, roots, context);
   SetMatrix(hierarchy, L, byColours, context);
-  Arrange(P, byColours, Identity(static_cast<int>(P.cols())), roots,
-    Vector<double>(Vector<double>::Ones(P.cols())),
-    [&isolated = hierarchy.Isolated](
-      int row, int) { return !std::binary_search(isolated.begin(), isolated.end(), row); },
-    hierarchy.Prolongation, context);
-  SparseMatrix<LaplacianHierarchy::Single> restriction = Adjoint(hierarchy.Prolongation, context);
-  hierarchy.Restriction.swap(restriction); // an assignment would copy
+  hierarchy.Prolongation =
+    CompactProlongation(InColours(R, byColours, roots, hierarchy.Isolated, context), context);
   hierarchy.CoarseMatrix.swap(coarse);
   hierarchy.A.Begins = std::move(colours.Begins);
   prolongations.erase(prolongations.begin());
@@ -199,6 +234,7 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
 
 LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
   : RoughnessHierarchy(std::move(other))
+  , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
   , Isolated(std::move(other.Isolated))
 {
@@ -206,8 +242,6 @@ LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
   this->A.Begins.swap(other.A.Begins);
   this->A.Lower.swap(other.A.Lower);
   this->A.Upper.swap(other.A.Upper);
-  this->Prolongation.swap(other.Prolongation);
-  this->Restriction.swap(other.Restriction);
   this->CoarseMatrix.swap(other.CoarseMatrix);
 }
 
@@ -225,7 +259,7 @@ std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& 
 long long LaplacianHierarchy::Bytes() const
 {
   long long bytes = BytesOf(this->L) + BytesOf(this->A.Lower) + BytesOf(this->A.Upper) +
-    BytesOf(this->Prolongation) + BytesOf(this->Restriction) + BytesOf(this->CoarseMatrix) +
+    this->Prolongation.Bytes() + BytesOf(this->CoarseMatrix) +
     this->NumberOfUnknowns() * static_cast<long long>(2 * sizeof(int) + sizeof(double));
   for (const SparseMatrix<Complex>& P : this->Coarser)
   {

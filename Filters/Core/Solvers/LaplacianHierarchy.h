@@ -1,6 +1,7 @@
 #ifndef dmgLaplacianHierarchy_h
 #define dmgLaplacianHierarchy_h
 
+#include "Solvers/CompactProlongation.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/Smoother.h"
 
@@ -16,7 +17,7 @@ namespace dmg
 /// entries per row, which Gauss-Seidel smooths. Unknowns 2 k and 2 k + 1 are the parts of complex unknown k.
 ///
 /// Order and scale. Complex unknowns are sorted by colours. Cycles work on them in single precision, scaled
-/// to a unit diagonal: x_k times the root of the diagonal. So are A, Prolongation and Restriction.
+/// to a unit diagonal: x_k times the root of the diagonal. So are A and Prolongation.
 class LaplacianHierarchy : public RoughnessHierarchy
 {
 public:
@@ -28,8 +29,7 @@ public:
 
   SparseMatrix<Complex> L;      ///< not scaled
   UnitDiagonalMatrix<Single> A; ///< L but for its diagonal
-  SparseMatrix<Single> Prolongation;
-  SparseMatrix<Single> Restriction;   ///< its adjoint
+  CompactProlongation Prolongation;   ///< complex
   SparseMatrix<Complex> CoarseMatrix; ///< P^H L P
   std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
 

@@ -66,6 +66,11 @@ inline FloatPack GatherPairs(const float* from, int first, int second)
   return LoadPack<FloatPack>(&pairs);
 }
 
+inline FloatPack SwapPairs(FloatPack pack)
+{
+  return __builtin_shufflevector(pack, pack, 1, 0, 3, 2);
+}
+
 /// Eight integers.
 inline void LoadIntegers(const std::int16_t* from, IntegerPack& first, IntegerPack& last)
 {
