@@ -3,11 +3,10 @@
 //
 //   BenchmarkKernels [--out folder] [--runs n] [--threads n] (--short | surface.ply ...)
 //
-// Writes kernels.csv. For power fields the matrices are those of the default solver with 0.5 % of the
-// elements prescribed: nodal levels, sorted by colours and in single precision, as its cycles have them
-// (in double precision, too, for comparison), and the system's own. For 1-forms and face fields: the
-// product with B^T B and the blocks of the finest level. Everything is measured with 1 thread, then with
-// --threads of them.
+// Writes kernels.csv. All are those of the default solver: for power fields the product with the
+// Laplacian, and the sweeps of every level; for 1-forms and face fields the product with B^T B, and the
+// blocks of the finest level; for all three the interpolation from the finest level. Everything is
+// measured with 1 thread, then with --threads of them.
 //
 // Bytes are what an algorithm must read and write if every array passes once per sweep through the
 // caches: values, columns and offsets of the rows, and each vector that it reads or writes. Copy
@@ -18,17 +17,16 @@
 #include "Benchmarks/CommandLine.h"
 #include "Benchmarks/Csv.h"
 #include "Benchmarks/Prescriptions.h"
-#include "Benchmarks/Systems.h"
 #include "Benchmarks/Timing.h"
 #include "HarmonicField.h"
 #include "Solvers/BlockSmoother.h"
 #include "Solvers/GalerkinHierarchy.h"
+#include "Solvers/LaplacianHierarchy.h"
 #include "Solvers/LeastSquaresHierarchy.h"
 #include "Solvers/ScaledHierarchy.h"
 #include "Solvers/Smoother.h"
 #include "Support/MeshFactory.h"
 #include "Support/ReadPly.h"
-#include "Support/SparseAssembly.h"
 #include "Support/SparseKernels.h"
 #include "Support/TbbContext.h"
 
@@ -138,105 +136,105 @@ private:
   Csv File;
 };
 
-template <class Scalar>
-void MeasureProduct(
-  const SparseMatrix<Scalar>& A, int runs, KernelsTable& table, const ExecutionContext& context)
+/// The product of conjugate gradients, and the bytes that it reads and writes.
+void MeasureProduct(const std::string& name, const RoughnessHierarchy& hierarchy, double rows,
+  double nonZeros, double bytes, int runs, KernelsTable& table, const ExecutionContext& context)
 {
-  const Vector<Scalar> x = Vector<Scalar>::Random(A.cols());
-  Vector<Scalar> y(A.rows());
-  const double seconds = Fastest(runs, [&] { Multiply(A, x, y, context); });
-  const double vectors = 2.0 * sizeof(Scalar) * static_cast<double>(A.rows());
-  table.Append("product, double", 0, static_cast<double>(A.rows()),
-    static_cast<double>(A.nonZeros()), BytesOf(A) + vectors, seconds);
+  const int unknowns = hierarchy.NumberOfUnknowns();
+  const auto A = hierarchy.Operator(Vector<double>::Zero(unknowns));
+  const Vector<double> x = Vector<double>::Random(unknowns);
+  Vector<double> y;
+  table.Append(
+    name, 0, rows, nonZeros, bytes, Fastest(runs, [&] { A->Apply(x, y, context); }));
 }
 
-/// All levels but the coarsest, which is factored.
-template <class Value, class Scalar>
-void MeasureSmoother(GalerkinHierarchy<Scalar>& hierarchy, const std::string& precision, int runs,
+/// Both directions, and what they read and write on the fine level.
+template <class Coarse, class Fine>
+void MeasureInterpolation(
+  const CompactProlongation& P, Coarse coarse, int runs, KernelsTable& table, const ExecutionContext& context)
+{
+  Vector<Fine> fine = Vector<Fine>::Random(P.Rows());
+  Vector<double> sums;
+  const double rows = P.Rows();
+  const auto entries = static_cast<double>(P.NonZeros());
+  const double bytes = static_cast<double>(P.Bytes()) + sizeof(Fine) * rows;
+  table.Append("restriction", 0, rows, entries, bytes,
+    Fastest(runs, [&] { P.MultiplyAdjoint(fine, coarse, sums, context); }));
+  table.Append("prolongation", 0, rows, entries, bytes + sizeof(Fine) * rows,
+    Fastest(runs, [&] { P.AddProduct(coarse, fine, context); }));
+}
+
+void MeasureSweeps(const UnitDiagonalMatrix<std::complex<float>>& A, int level, int runs,
   KernelsTable& table, const ExecutionContext& context)
 {
-  using Scaled = ScaledHierarchy<Scalar, Value>;
-  Scaled scaled(hierarchy, Scaled::Content::ColouredMatrices, context);
+  using Value = std::complex<float>;
+  const double rows = static_cast<double>(A.Lower.rows());
+  const double nonZeros = static_cast<double>(A.Lower.nonZeros() + A.Upper.nonZeros()) + rows;
+  const double matrix = BytesOf(A.Lower) + BytesOf(A.Upper);
+  const double vector = sizeof(Value) * rows;
   SmootherOptions options;
   options.PreSweeps = options.PostSweeps = Sweeps;
-  for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
-  {
-    auto& level = scaled[l];
-    const double rows = static_cast<double>(level.A.Lower.rows());
-    const double nonZeros =
-      static_cast<double>(level.A.Lower.nonZeros() + level.A.Upper.nonZeros()) + rows;
-    const double matrix = BytesOf(level.A.Lower) + BytesOf(level.A.Upper);
-    const double vector = sizeof(Value) * rows;
-    const auto smoother = Smoother<Value>::New(level.A, options, context);
-    level.b.setRandom();
-    Vector<Value> r(level.b.size());
-    // A sweep passes through half the matrix, reads b, x and the sums of the sweep before, and writes x
-    // and its own. Before all, x, the residual and the sums are set; after all, the residual passes
-    // through the other half, and the corrected x before it.
-    const double sweep = 0.5 * matrix + 5.0 * vector;
-    const double before = Sweeps * sweep + 0.5 * matrix + 8.0 * vector;
-    table.Append("pre-smoother, " + precision, l, rows, nonZeros, before,
-      Fastest(runs, [&] { smoother->PreSmooth(level.b, level.x, r, context); }));
-    const double after = Sweeps * sweep + 0.5 * matrix + 2.0 * vector;
-    table.Append("post-smoother, " + precision, l, rows, nonZeros, after,
-      Fastest(runs, [&] { smoother->PostSmooth(level.b, level.x, context); }));
-  }
+  const auto smoother = Smoother<Value>::New(A, options, context);
+  const Vector<Value> b = Vector<Value>::Random(A.Lower.rows());
+  Vector<Value> x(b.size());
+  Vector<Value> r(b.size());
+  // A sweep passes through half the matrix, reads b, x and the sums of the sweep before, and writes x
+  // and its own. Before all, x, the residual and the sums are set; after all, the residual passes
+  // through the other half, and the corrected x before it.
+  const double sweep = 0.5 * matrix + 5.0 * vector;
+  const double before = Sweeps * sweep + 0.5 * matrix + 8.0 * vector;
+  table.Append("sweeps, pre", level, rows, nonZeros, before,
+    Fastest(runs, [&] { smoother->PreSmooth(b, x, r, context); }));
+  const double after = Sweeps * sweep + 0.5 * matrix + 2.0 * vector;
+  table.Append("sweeps, post", level, rows, nonZeros, after,
+    Fastest(runs, [&] { smoother->PostSmooth(b, x, context); }));
 }
 
 /// What conjugate gradients and cycles do for power fields.
-void MeasurePowers(const TriangleMesh& mesh, const TangentFrames& frames,
-  const ProlongationOperators& operators, const FieldOptions& field, int runs, KernelsTable& table,
-  const ExecutionContext& context)
+void MeasurePowers(
+  const RoughnessHierarchy& surface, int runs, KernelsTable& table, const ExecutionContext& context)
 {
-  test::Random random(20261121);
-  const FieldConstraints constraints =
-    RandomConstraints(mesh, field.Kind, { "0.5 %", 0, 0.005 }, random);
-  const HarmonicSystem<Complex> system =
-    MakeSystem<Complex>(mesh, frames, constraints, field, context);
-  MeasureProduct(system.Matrix(), runs, table, context);
-  std::vector<SparseMatrix<Complex>> prolongations;
-  for (const TransportOperator& transport : operators.Nodal)
+  const auto& hierarchy = dynamic_cast<const LaplacianHierarchy&>(surface);
+  MeasureProduct("product, double", hierarchy, static_cast<double>(hierarchy.L.rows()),
+    static_cast<double>(hierarchy.L.nonZeros()),
+    BytesOf(hierarchy.L) + 2.0 * sizeof(double) * hierarchy.NumberOfUnknowns(), runs, table, context);
+  MeasureInterpolation<Vector<Complex>, std::complex<float>>(hierarchy.Prolongation,
+    Vector<Complex>(hierarchy.CoarseMatrix.rows()), runs, table, context);
+  MeasureSweeps(hierarchy.A, 0, runs, table, context);
+  // All levels but the coarsest, which is factored.
+  GalerkinHierarchy<Complex> coarser(
+    hierarchy.CoarseMatrix, hierarchy.Coarser, GalerkinOptions(), context);
+  using Scaled = ScaledHierarchy<Complex, std::complex<float>>;
+  Scaled scaled(coarser, Scaled::Content::ColouredMatrices, context);
+  for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
   {
-    prolongations.push_back(OnPowers(transport, field.N, context));
+    MeasureSweeps(scaled[l].A, l + 1, runs, table, context);
   }
-  prolongations[0] = SelectRows(prolongations[0], system.FreeUnknowns(), context);
-  GalerkinHierarchy<Complex> hierarchy(
-    system.Matrix(), std::move(prolongations), GalerkinOptions(), context);
-  MeasureSmoother<std::complex<float>>(hierarchy, "single", runs, table, context);
-  MeasureSmoother<Complex>(hierarchy, "double", runs, table, context);
 }
 
 /// What they do for 1-forms and face fields, on the finest level.
-void MeasureSquares(const TriangleMesh& mesh, const TangentFrames& frames,
-  const ProlongationOperators& operators, const FieldOptions& field, int runs, KernelsTable& table,
-  const ExecutionContext& context)
+void MeasureSquares(
+  const RoughnessHierarchy& surface, int runs, KernelsTable& table, const ExecutionContext& context)
 {
-  FieldOptions byCycles = field;
-  byCycles.Solver.Kind = SolverKind::ConjugateGradients;
-  const auto surface = MakeRoughnessSurface(mesh, frames, &operators, byCycles, context);
-  const auto& hierarchy = dynamic_cast<const LeastSquaresHierarchy&>(*surface->Hierarchy);
+  const auto& hierarchy = dynamic_cast<const LeastSquaresHierarchy&>(surface);
   const double unknowns = hierarchy.NumberOfUnknowns();
   const double rows = static_cast<double>(hierarchy.B.rows());
   const double nonZeros = static_cast<double>(hierarchy.B.nonZeros());
-  Vector<double> x = Vector<double>::Random(hierarchy.NumberOfUnknowns());
-  Vector<double> y;
 
   // Before B: x and the scales are read, their product and zeros in y written. With it, once: the
-  // product is read, y read and written. After it: x, y, D and the scales are read, y is written.
-  const LeastSquaresOperator A(hierarchy, Vector<double>::Zero(x.size()));
-  const double product = BytesOf(hierarchy.B) + sizeof(double) * 12.0 * unknowns;
-  table.Append("B^T B, double", 0, unknowns, nonZeros, product,
-    Fastest(runs, [&] { A.Apply(x, y, context); }));
+  // product is read, y read and written. After it: y and the scales are read, y is written.
+  MeasureProduct("B^T B, double", hierarchy, unknowns, nonZeros,
+    BytesOf(hierarchy.B) + sizeof(double) * 10.0 * unknowns, runs, table, context);
 
   // A sweep reads the blocks, their inverses and columns of B, and b; and reads and writes x and B x.
   BlockSmoother smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, Sweeps);
   const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) +
     sizeof(float) * (3.0 * unknowns + 2.0 * rows);
-  Vector<double> r;
+  Vector<double> x, r;
   // Then the residual: b; x and r are written; B and B x are read, and r once more.
   const double before = Sweeps * sweep + BytesOf(hierarchy.B) + sizeof(float) * (unknowns + rows) +
     sizeof(double) * 5.0 * unknowns;
-  const Vector<double> b = Vector<double>::Random(x.size());
+  const Vector<double> b = Vector<double>::Random(hierarchy.NumberOfUnknowns());
   table.Append("blocks, pre", 0, unknowns, nonZeros, before,
     Fastest(runs, [&] { smoother.PreSmooth(b, x, r, context); }));
   const double after = Sweeps * sweep + BytesOf(hierarchy.B) + sizeof(float) * (2.0 * unknowns + rows) +
@@ -244,16 +242,8 @@ void MeasureSquares(const TriangleMesh& mesh, const TangentFrames& frames,
   table.Append("blocks, post", 0, unknowns, nonZeros, after,
     Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
 
-  // The interpolation, and what it reads and writes on the fine level.
-  const CompactProlongation& P = hierarchy.Prolongation;
-  const double interpolation = static_cast<double>(P.Bytes()) + sizeof(double) * unknowns;
-  const auto entries = static_cast<double>(P.NonZeros());
-  Vector<double> coarse;
-  Vector<double> sums;
-  table.Append("restriction", 0, unknowns, entries, interpolation,
-    Fastest(runs, [&] { P.MultiplyAdjoint(b, coarse, sums, context); }));
-  table.Append("prolongation", 0, unknowns, entries, interpolation + sizeof(double) * unknowns,
-    Fastest(runs, [&] { P.AddProduct(coarse, x, context); }));
+  MeasureInterpolation<Vector<double>, double>(hierarchy.Prolongation,
+    Vector<double>(hierarchy.CoarseLower.rows()), runs, table, context);
 }
 
 void MeasureSurface(
@@ -269,13 +259,15 @@ void MeasureSurface(
     {
       FieldOptions field;
       field.Kind = kind;
+      field.N = 2;
+      field.Solver.Kind = SolverKind::ConjugateGradients;
       const ProlongationOperators operators =
         BuildSurfaceHierarchy(mesh, LevelsFor(field), all, { false, false, false }).Operators;
-      field.N = 2;
+      const auto surface = MakeRoughnessSurface(mesh, frames, &operators, field, all);
       const double stream = StreamBandwidth(options.Runs, context); // near what it measures
       table.Of = { name, mesh.NumberOfFaces(), NameOf(kind), threads, stream };
       const auto measure = kind == Discretisation::PowerField ? &MeasurePowers : &MeasureSquares;
-      measure(mesh, frames, operators, field, options.Runs, table, context);
+      measure(*surface->Hierarchy, options.Runs, table, context);
     }
     if (threads == options.Threads)
     {
