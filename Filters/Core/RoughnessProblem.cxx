@@ -84,8 +84,7 @@ public:
   const SolverChoice Choice;
   PrescribedUnknowns Prescribed;
   double Smoothness = 1.0;
-  Vector<double> D; ///< infinite where an unknown is not free
-  int NumberOfFree = 0;
+  std::vector<int> Held; ///< unknowns that are not free, ascending
   std::unique_ptr<LinearOperator<double>> A;
   std::unique_ptr<RoughnessCycle> Cycle;
   std::optional<DeflatedPreconditioner> Deflated;
@@ -93,7 +92,9 @@ public:
   std::vector<std::string> SystemWarnings;
 
 private:
-  void Deflate(const ExecutionContext& context);
+  /// Infinite where an unknown is held.
+  Vector<double> DiagonalOfPrescribed();
+  void Deflate(const Vector<double>& D, const ExecutionContext& context);
 };
 
 void RoughnessProblem::Internals::Prescribe(
@@ -101,53 +102,26 @@ void RoughnessProblem::Internals::Prescribe(
 {
   const auto start = std::chrono::steady_clock::now();
   const RoughnessHierarchy& hierarchy = *this->Surface->Hierarchy;
-  const bool isHard = prescribed.Kind == ConstraintKind::Hard;
+  this->Smoothness = prescribed.Kind == ConstraintKind::Hard ? 1.0 : smoothness;
   this->Prescribed = std::move(prescribed);
-  this->Smoothness = isHard ? 1.0 : smoothness;
-
-  const std::vector<int>& unknowns = this->Prescribed.Unknowns;
-  this->D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
-  std::vector<char> isReached(hierarchy.NumberOfUnknowns(), 0); // by component
-  for (std::size_t k = 0; k < unknowns.size(); ++k)
-  {
-    const int place = this->Places[unknowns[k]];
-    this->D[place] = isHard ? Infinity : this->Prescribed.Alignment[k] / this->Smoothness;
-    isReached[hierarchy.Components[place]] |= this->D[place] > 0.0;
-  }
-  int unreached = 0;
-  this->NumberOfFree = 0;
-  for (Eigen::Index i = 0; i < this->D.size(); ++i)
-  {
-    if (!isReached[hierarchy.Components[i]])
-    {
-      this->D[i] = Infinity; // zero, the least of equal minimisers
-      ++unreached;
-    }
-    this->NumberOfFree += std::isfinite(this->D[i]);
-  }
-  this->SystemWarnings.clear();
-  if (const std::string warning = WarningAboutUnreached(unreached, hierarchy.NumberOfUnknowns());
-      !warning.empty())
-  {
-    this->SystemWarnings.push_back(warning);
-  }
+  const Vector<double> D = this->DiagonalOfPrescribed();
   context.Checkpoint(0.1);
 
   this->Deflated.reset();
   this->A.reset();
-  this->A = hierarchy.Operator(this->D);
+  this->A = hierarchy.Operator(D);
   if (this->Cycle)
   {
-    this->Cycle->Update(this->D, PartOfContext(context, 0.1, 0.9));
+    this->Cycle->Update(D, PartOfContext(context, 0.1, 0.9));
   }
   else
   {
-    this->Cycle = hierarchy.Cycle(
-      this->D, OptionsOfCycle(this->Options), PartOfContext(context, 0.1, 0.9));
+    this->Cycle =
+      hierarchy.Cycle(D, OptionsOfCycle(this->Options), PartOfContext(context, 0.1, 0.9));
   }
   this->Report.Levels = this->Cycle->Levels();
   this->Report.Bytes = hierarchy.Bytes() + this->Cycle->Bytes();
-  this->Deflate(context);
+  this->Deflate(D, context);
   this->Report.Solver =
     NameOf(this->Choice.Kind) + " on " + this->Surface->Name + this->Choice.Reason + this->Surface->KernelNote;
   this->Report.Warnings = this->SystemWarnings;
@@ -156,7 +130,43 @@ void RoughnessProblem::Internals::Prescribe(
   context.Checkpoint(1.0);
 }
 
-void RoughnessProblem::Internals::Deflate(const ExecutionContext& context)
+Vector<double> RoughnessProblem::Internals::DiagonalOfPrescribed()
+{
+  const RoughnessHierarchy& hierarchy = *this->Surface->Hierarchy;
+  const std::vector<int>& unknowns = this->Prescribed.Unknowns;
+  const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
+  Vector<double> D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
+  std::vector<char> isReached(hierarchy.NumberOfUnknowns(), 0); // by component
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+  {
+    const int place = this->Places[unknowns[k]];
+    D[place] = isHard ? Infinity : this->Prescribed.Alignment[k] / this->Smoothness;
+    isReached[hierarchy.Components[place]] |= D[place] > 0.0;
+  }
+  int unreached = 0;
+  this->Held.clear();
+  for (int i = 0; i < hierarchy.NumberOfUnknowns(); ++i)
+  {
+    if (!isReached[hierarchy.Components[i]])
+    {
+      D[i] = Infinity; // zero, the least of equal minimisers
+      ++unreached;
+    }
+    if (!std::isfinite(D[i]))
+    {
+      this->Held.push_back(i);
+    }
+  }
+  this->SystemWarnings.clear();
+  if (const std::string warning = WarningAboutUnreached(unreached, hierarchy.NumberOfUnknowns());
+      !warning.empty())
+  {
+    this->SystemWarnings.push_back(warning);
+  }
+  return D;
+}
+
+void RoughnessProblem::Internals::Deflate(const Vector<double>& D, const ExecutionContext& context)
 {
   Eigen::MatrixXd kernel = this->Surface->Kernel;
   if (kernel.cols() == 0)
@@ -165,12 +175,12 @@ void RoughnessProblem::Internals::Deflate(const ExecutionContext& context)
   }
   // Energies of the kernel's vectors if nothing cancelled. Slivers have large scales, and hardly count.
   Vector<double> energies = Vector<double>::Zero(kernel.cols());
-  for (Eigen::Index i = 0; i < this->D.size(); ++i)
+  for (Eigen::Index i = 0; i < D.size(); ++i)
   {
-    if (std::isfinite(this->D[i]))
+    if (std::isfinite(D[i]))
     {
       const double scale = this->Surface->Hierarchy->Scales[i];
-      energies += (scale * scale + this->D[i]) * kernel.row(i).transpose().cwiseAbs2();
+      energies += (scale * scale + D[i]) * kernel.row(i).transpose().cwiseAbs2();
     }
     else
     {
@@ -192,30 +202,25 @@ Vector<double> RoughnessProblem::Internals::RightHandSide(
   const Vector<double>& values, const ExecutionContext& context) const
 {
   const std::vector<int>& unknowns = this->Prescribed.Unknowns;
-  Vector<double> b = Vector<double>::Zero(this->D.size());
+  const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
+  const int size = this->Surface->Hierarchy->NumberOfUnknowns();
+  Vector<double> b = Vector<double>::Zero(size);
   for (std::size_t k = 0; k < unknowns.size(); ++k)
   {
-    b[this->Places[unknowns[k]]] = values[k];
+    const double weight = isHard ? 1.0 : this->Prescribed.Alignment[k] / this->Smoothness;
+    b[this->Places[unknowns[k]]] = weight * values[k];
   }
-  if (this->Prescribed.Kind == ConstraintKind::Hard)
+  if (isHard)
   {
     // - R_fb y
-    const auto roughness =
-      this->Surface->Hierarchy->Operator(Vector<double>::Zero(this->D.size()));
+    const auto roughness = this->Surface->Hierarchy->Operator(Vector<double>::Zero(size));
     Vector<double> pull;
     roughness->Apply(b, pull, context);
     b = -pull;
   }
-  for (Eigen::Index i = 0; i < b.size(); ++i)
+  for (const int i : this->Held)
   {
-    if (!std::isfinite(this->D[i]))
-    {
-      b[i] = 0.0;
-    }
-    else if (this->Prescribed.Kind == ConstraintKind::Soft)
-    {
-      b[i] *= this->D[i];
-    }
+    b[i] = 0.0;
   }
   return b;
 }
@@ -241,7 +246,8 @@ void RoughnessProblem::Update(
 
 int RoughnessProblem::NumberOfFree() const
 {
-  return this->Internal->NumberOfFree;
+  return this->Internal->Surface->Hierarchy->NumberOfUnknowns() -
+    static_cast<int>(this->Internal->Held.size());
 }
 
 const SolveReport& RoughnessProblem::Report() const
@@ -262,18 +268,11 @@ Vector<double> RoughnessProblem::Solve(const Vector<double>& values,
   measure.Mass = &of.Surface->Mass;
   measure.Reference = of.InOrder(reference);
   measure.EnergyScale = of.Smoothness;
-  for (Eigen::Index i = 0; i < of.D.size(); ++i)
+  for (Vector<double>* const vector : { &x, &measure.Reference })
   {
-    if (!std::isfinite(of.D[i]))
+    if (vector->size() > 0)
     {
-      if (x.size() > 0)
-      {
-        x[i] = 0.0;
-      }
-      if (measure.Reference.size() > 0)
-      {
-        measure.Reference[i] = 0.0;
-      }
+      (*vector)(of.Held).setZero();
     }
   }
   const LinearOperator<double>* A = &*of.A;

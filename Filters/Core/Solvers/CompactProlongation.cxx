@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace dmg
@@ -21,10 +22,12 @@ constexpr int ColumnGrain = 4096;
 constexpr float LargestInteger = 32767.0f;
 
 /// \param largest component of the row.
+/// \return 1 where there is nothing, or too little for a normal number.
 template <class Real>
 Real UnitOf(Real largest)
 {
-  return largest > 0 ? largest / LargestInteger : Real(1);
+  const Real unit = largest / LargestInteger;
+  return unit >= std::numeric_limits<Real>::min() ? unit : Real(1);
 }
 
 /// Rounded. \pre |component| is at most the largest.
@@ -46,6 +49,7 @@ public:
   }
 
   float operator[](int lane) const { return this->Sum(lane, 0) + this->Sum(lane, 1); }
+  /// X x - Y y instead of X x + Y y.
   float Difference(int lane) const { return this->Sum(lane, 0) - this->Sum(lane, 1); }
 
 private:

@@ -107,6 +107,52 @@ TEST(TestCompactProlongation, ProductsAreThoseOfTheRoundedMatrix)
   EXPECT_LE((adjoint - expected).norm(), 1e-6 * expected.norm());
 }
 
+TEST(TestCompactProlongation, ProductsWithComplexNumbers)
+{
+  const CompactProlongation compact = test::Compact(Interpolation(5000, 600));
+  const Eigen::MatrixXcd P = Eigen::MatrixXcf(test::AllRows(compact)).cast<Complex>();
+  const auto z = test::RandomVector<Complex>(600, 3710);
+  const Vector<Plane> start = test::RandomVector<Complex>(5000, 3711).cast<Plane>();
+  Vector<Plane> x = start;
+  compact.AddProduct(z, x, SerialContext());
+  const Vector<double> sizes = P.cwiseAbs() * z.cwiseAbs(); // of the terms of each row
+  for (int i = 0; i < 5000; ++i)
+  {
+    const Complex expected = Complex(start[i]) + P.row(i).transpose().cwiseProduct(z).sum();
+    EXPECT_LE(std::abs(Complex(x[i]) - expected), 2e-6 * (sizes[i] + std::abs(Complex(start[i]))));
+  }
+  Vector<Complex> adjoint;
+  Vector<double> sums;
+  compact.MultiplyAdjoint(start, adjoint, sums, SerialContext());
+  const Vector<Complex> expected = P.adjoint() * start.cast<Complex>();
+  EXPECT_LE((adjoint - expected).norm(), 1e-6 * expected.norm());
+}
+
+TEST(TestCompactProlongation, RoundedMatricesArePackedAsTheyAre)
+{
+  SparseMatrix<Complex> P = Interpolation(5000, 600).cast<Complex>();
+  const SparseMatrix<Complex> given = P;
+  CompactProlongation::Round(P, test::TbbContext(2));
+  EXPECT_GT((P - given).norm(), 0.0);
+  EXPECT_LE((P - given).norm(), Rounding * std::sqrt(14.0) * given.norm());
+  const SparseMatrix<Plane> packed =
+    test::AllRows(test::Compact(SparseMatrix<Plane>(P.cast<Plane>())));
+  const SparseMatrix<Complex> difference = P - SparseMatrix<Complex>(packed.cast<Complex>());
+  EXPECT_LE(difference.norm(), 2 * std::numeric_limits<float>::epsilon() * P.norm());
+}
+
+TEST(TestCompactProlongation, RowsOfNearlyNothing)
+{
+  // Units of these would be below the smallest numbers.
+  const SparseMatrix<Plane> P = test::FromTriplets(
+    2, 1, std::vector<Eigen::Triplet<Plane>>{ { 0, 0, Plane(3e-41f, -1e-42f) }, { 1, 0, Plane(1e-36f) } });
+  const SparseMatrix<Plane> rounded = test::AllRows(test::Compact(P));
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_LE(std::abs(rounded.coeff(i, 0) - P.coeff(i, 0)), 1e-34f);
+  }
+}
+
 TEST(TestCompactProlongation, SomeRows)
 {
   const CompactProlongation compact = test::Compact(Interpolation(5000, 600));

@@ -118,6 +118,19 @@ TYPED_TEST(TestGalerkinHierarchy, UpdateHasTheBitsOfANewHierarchy)
   updated.CoarsestSolver().Solve(b, x);
   fresh.CoarsestSolver().Solve(b, y);
   EXPECT_EQ(x, y);
+
+  // A matrix that is given away comes back empty, and makes no difference.
+  SparseMatrix<TypeParam> given = problem.A;
+  GalerkinHierarchy<TypeParam> owner(std::move(given), problem.P, {}, SerialContext());
+  EXPECT_EQ(given.nonZeros(), 0);
+  given = problem.A;
+  updated.Update(std::move(given), SerialContext());
+  EXPECT_EQ(given.nonZeros(), 0);
+  for (int level = 0; level < 4; ++level)
+  {
+    EXPECT_TRUE(AreIdentical(owner.Matrix(level), fresh.Matrix(level)));
+    EXPECT_TRUE(AreIdentical(updated.Matrix(level), fresh.Matrix(level)));
+  }
 }
 
 TYPED_TEST(TestGalerkinHierarchy, SameBitsForAnyNumberOfThreads)

@@ -106,6 +106,27 @@ TEST(TestSparseKernelsOfNumbers, SymmetricFromLowerIsThatOfEigen)
   }
 }
 
+TYPED_TEST(TestSparseKernels, AddInPatternIsTheSum)
+{
+  for (const int rows : { 0, 40, 9000 })
+  {
+    const auto A = RandomMatrix<TypeParam>(rows, 700, 2630);
+    // Every third entry, some rows empty.
+    SparseMatrix<TypeParam> B = A;
+    int count = 0;
+    B.prune([&count](Eigen::Index row, Eigen::Index, const TypeParam&)
+      { return ++count % 3 == 0 && row % 5 != 2; });
+    B *= 2.5;
+    const SparseMatrix<TypeParam> expected = A + B;
+    for (const int threads : { 1, 3 })
+    {
+      SparseMatrix<TypeParam> sum = A;
+      AddInPattern(sum, B, test::TbbContext(threads));
+      EXPECT_TRUE(AreIdentical(sum, expected));
+    }
+  }
+}
+
 TYPED_TEST(TestSparseKernels, PermutedMovesRowsAndColumns)
 {
   const auto A = RandomMatrix<TypeParam>(50, 40, 2604);
