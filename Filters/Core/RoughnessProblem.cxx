@@ -56,6 +56,20 @@ private:
   const DeflatedPreconditioner& Deflated;
 };
 
+/// Where some items stand in an order.
+std::vector<int> PlacesOf(
+  const std::vector<int>& items, const std::vector<int>& order, const ExecutionContext& context)
+{
+  const std::vector<int> all = Inverse(order, context);
+  std::vector<int> places;
+  places.reserve(items.size());
+  for (const int item : items)
+  {
+    places.push_back(all[item]);
+  }
+  return places;
+}
+
 }
 
 /// All vectors are in the order of the hierarchy. The equations are divided by the smoothness weight.
@@ -63,9 +77,8 @@ class RoughnessProblem::Internals
 {
 public:
   Internals(std::shared_ptr<const RoughnessSurface> surface, const SolverOptions& options,
-    const SolverChoice& choice, const ExecutionContext& context)
+    const SolverChoice& choice)
     : Surface(std::move(surface))
-    , Places(Inverse(this->Surface->Hierarchy->Order, context))
     , Options(options)
     , Choice(choice)
   {
@@ -77,12 +90,18 @@ public:
   {
     return all.size() > 0 ? Vector<double>(all(this->Surface->Hierarchy->Order)) : all;
   }
+  Vector<double> InCallersOrder(const Vector<double>& x) const
+  {
+    Vector<double> all(x.size());
+    all(this->Surface->Hierarchy->Order) = x;
+    return all;
+  }
 
   const std::shared_ptr<const RoughnessSurface> Surface;
-  const std::vector<int> Places; ///< of the caller's unknowns
   const SolverOptions Options;
   const SolverChoice Choice;
   PrescribedUnknowns Prescribed;
+  std::vector<int> Places; ///< of those
   double Smoothness = 1.0;
   std::vector<int> Held; ///< unknowns that are not free, ascending
   std::unique_ptr<LinearOperator<double>> A;
@@ -104,6 +123,7 @@ void RoughnessProblem::Internals::Prescribe(
   const RoughnessHierarchy& hierarchy = *this->Surface->Hierarchy;
   this->Smoothness = prescribed.Kind == ConstraintKind::Hard ? 1.0 : smoothness;
   this->Prescribed = std::move(prescribed);
+  this->Places = PlacesOf(this->Prescribed.Unknowns, hierarchy.Order, context);
   const Vector<double> D = this->DiagonalOfPrescribed();
   context.Checkpoint(0.1);
 
@@ -133,21 +153,20 @@ void RoughnessProblem::Internals::Prescribe(
 Vector<double> RoughnessProblem::Internals::DiagonalOfPrescribed()
 {
   const RoughnessHierarchy& hierarchy = *this->Surface->Hierarchy;
-  const std::vector<int>& unknowns = this->Prescribed.Unknowns;
   const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
   Vector<double> D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
   std::vector<char> isReached(hierarchy.NumberOfUnknowns(), 0); // by component
-  for (std::size_t k = 0; k < unknowns.size(); ++k)
+  for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
-    const int place = this->Places[unknowns[k]];
+    const int place = this->Places[k];
     D[place] = isHard ? Infinity : this->Prescribed.Alignment[k] / this->Smoothness;
-    isReached[hierarchy.Components[place]] |= D[place] > 0.0;
+    isReached[hierarchy.ComponentOf(place)] |= D[place] > 0.0;
   }
   int unreached = 0;
   this->Held.clear();
   for (int i = 0; i < hierarchy.NumberOfUnknowns(); ++i)
   {
-    if (!isReached[hierarchy.Components[i]])
+    if (!isReached[hierarchy.ComponentOf(i)])
     {
       D[i] = Infinity; // zero, the least of equal minimisers
       ++unreached;
@@ -201,14 +220,13 @@ void RoughnessProblem::Internals::Deflate(const Vector<double>& D, const Executi
 Vector<double> RoughnessProblem::Internals::RightHandSide(
   const Vector<double>& values, const ExecutionContext& context) const
 {
-  const std::vector<int>& unknowns = this->Prescribed.Unknowns;
   const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
   const int size = this->Surface->Hierarchy->NumberOfUnknowns();
   Vector<double> b = Vector<double>::Zero(size);
-  for (std::size_t k = 0; k < unknowns.size(); ++k)
+  for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
     const double weight = isHard ? 1.0 : this->Prescribed.Alignment[k] / this->Smoothness;
-    b[this->Places[unknowns[k]]] = weight * values[k];
+    b[this->Places[k]] = weight * values[k];
   }
   if (isHard)
   {
@@ -228,7 +246,7 @@ Vector<double> RoughnessProblem::Internals::RightHandSide(
 RoughnessProblem::RoughnessProblem(std::shared_ptr<const RoughnessSurface> surface,
   PrescribedUnknowns prescribed, double smoothness, const SolverOptions& options,
   const SolverChoice& choice, const ExecutionContext& context)
-  : Internal(std::make_unique<Internals>(std::move(surface), options, choice, context))
+  : Internal(std::make_unique<Internals>(std::move(surface), options, choice))
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
   GiveBackFreedMemory();
@@ -295,10 +313,10 @@ Vector<double> RoughnessProblem::Solve(const Vector<double>& values,
   {
     for (std::size_t k = 0; k < of.Prescribed.Unknowns.size(); ++k)
     {
-      x[of.Places[of.Prescribed.Unknowns[k]]] = values[k];
+      x[of.Places[k]] = values[k];
     }
   }
-  return x(of.Places);
+  return of.InCallersOrder(x);
 }
 
 }

@@ -109,17 +109,18 @@ void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParent
 {
   const int unknowns = 2 * static_cast<int>(byColours.size());
   hierarchy.Order.resize(unknowns);
-  hierarchy.Components.resize(unknowns);
+  std::vector<int> ofUnknowns(unknowns);
   hierarchy.Scales.resize(unknowns);
   context.ParallelFor(0, unknowns, RowGrain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
       const int k = byColours[i / 2];
       hierarchy.Order[i] = 2 * byParents[k] + i % 2;
-      hierarchy.Components[i] = components[k];
+      ofUnknowns[i] = components[k];
       hierarchy.Scales[i] = roots[k];
     }
   });
+  hierarchy.SetComponents(std::move(ofUnknowns));
 }
 
 /// L by colours, and what sweeps read of it, scaled.
@@ -260,7 +261,7 @@ long long LaplacianHierarchy::Bytes() const
 {
   long long bytes = BytesOf(this->L) + BytesOf(this->A.Lower) + BytesOf(this->A.Upper) +
     this->Prolongation.Bytes() + BytesOf(this->CoarseMatrix) +
-    this->NumberOfUnknowns() * static_cast<long long>(2 * sizeof(int) + sizeof(double));
+    this->BytesOfUnknowns();
   for (const SparseMatrix<Complex>& P : this->Coarser)
   {
     bytes += BytesOf(P);

@@ -278,7 +278,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   }
   hierarchy.Prolongation = std::move(prolongation);
   hierarchy.CoarseLower.swap(lower); // an assignment would copy
-  hierarchy.Components = ConnectedThrough(B, Bt);
+  hierarchy.SetComponents(ConnectedThrough(B, Bt));
   hierarchy.Order = std::move(order);
   hierarchy.Scales = std::move(scales);
   hierarchy.Tiles = RowTiles(B);
@@ -308,8 +308,7 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noex
 long long LeastSquaresHierarchy::Bytes() const
 {
   long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() +
-    BytesOf(this->CoarseLower) +
-    this->NumberOfUnknowns() * static_cast<long long>(2 * sizeof(int) + sizeof(double));
+    BytesOf(this->CoarseLower) + this->BytesOfUnknowns();
   for (const Subdomain& subdomain : this->Subdomains)
   {
     sum += subdomain.Bytes();

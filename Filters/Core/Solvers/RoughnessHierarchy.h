@@ -8,7 +8,9 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <algorithm>
 #include <memory>
+#include <utility>
 #include <vector>
 
 /// Most harmonic fields minimise a roughness x^T R x, which knows the surface alone, and a sum of squares of
@@ -53,12 +55,23 @@ public:
 
   /// The caller's index of each unknown.
   std::vector<int> Order;
-  /// A number that an unknown shares with all that it is connected with.
+  /// A number for each unknown, which it shares with all that it is connected with; empty if all are.
   std::vector<int> Components;
   /// How large R is at an unknown: |R_ii| <= Scales_i^2, nearly equal; 1 where R is zero.
   Vector<double> Scales;
 
   int NumberOfUnknowns() const { return static_cast<int>(this->Order.size()); }
+  /// \param components of each unknown.
+  void SetComponents(std::vector<int> components)
+  {
+    const bool areConnected = std::all_of(components.begin(), components.end(),
+      [&components](int component) { return component == components[0]; });
+    this->Components = areConnected ? std::vector<int>() : std::move(components);
+  }
+  int ComponentOf(int unknown) const
+  {
+    return this->Components.empty() ? 0 : this->Components[unknown];
+  }
 
   /// R + D. Borrows the hierarchy.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero, and so is its row of A x.
@@ -75,6 +88,13 @@ public:
 protected:
   RoughnessHierarchy() = default;
   RoughnessHierarchy(RoughnessHierarchy&&) = default;
+
+  /// Of what this class holds.
+  long long BytesOfUnknowns() const
+  {
+    return static_cast<long long>((this->Order.size() + this->Components.size()) * sizeof(int) +
+      this->Scales.size() * sizeof(double));
+  }
 };
 
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <string>
@@ -318,7 +319,8 @@ void SchwarzBlocks::Packing::MakeRoom()
         this->To.Patterns.push_back(PatternFrom(incidence));
       }
       const Pattern& pattern = this->To.Patterns[found->second];
-      group = { found->second, group.Lanes, indices, values, inverses };
+      group = { found->second, group.Lanes, static_cast<std::uint32_t>(indices),
+        static_cast<std::uint32_t>(values), static_cast<std::uint32_t>(inverses) };
       indices += static_cast<std::size_t>(pattern.Unknowns() + pattern.Rows()) * group.Lanes;
       values += static_cast<std::size_t>(pattern.Entries()) * group.Lanes;
       inverses += this->To.InverseSize(group);
@@ -328,6 +330,10 @@ void SchwarzBlocks::Packing::MakeRoom()
   }
   this->To.TileBegins.push_back(static_cast<int>(this->To.RunBegins.size()));
   this->To.RunBegins.push_back(static_cast<int>(this->To.GroupsInOrder.size()));
+  if (std::max({ indices, values, inverses }) > std::numeric_limits<std::uint32_t>::max())
+  {
+    throw InvalidInput("the smoothing blocks hold more than 2^32 numbers; decimate the surface");
+  }
   this->To.Indices.resize(indices);
   this->To.EntriesOfB.resize(values);
   this->To.Inverses.resize(inverses);

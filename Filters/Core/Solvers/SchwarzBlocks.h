@@ -52,9 +52,9 @@ public:
   {
     int Pattern;
     int Lanes; ///< 1, or those of FloatPack
-    std::size_t Indices;
-    std::size_t Values;
-    std::size_t Inverse;
+    std::uint32_t Indices;
+    std::uint32_t Values;
+    std::uint32_t Inverse;
   };
 
   /// Groups from First to one before Last, which may be taken in any order: of one colour.

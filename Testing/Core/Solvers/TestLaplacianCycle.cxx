@@ -142,8 +142,8 @@ TEST(TestLaplacianHierarchy, IsTheMatrixInAnotherOrder)
   EXPECT_EQ(hierarchy.Order[2 * isolated] / 2, problem.Size() - 1);
   for (int k = 0; k < problem.Size(); ++k)
   {
-    EXPECT_EQ(hierarchy.Components[2 * k], hierarchy.Components[2 * k + 1]);
-    EXPECT_EQ(hierarchy.Components[2 * k] == hierarchy.Components[2 * isolated], k == isolated);
+    EXPECT_EQ(hierarchy.ComponentOf(2 * k), hierarchy.ComponentOf(2 * k + 1));
+    EXPECT_EQ(hierarchy.ComponentOf(2 * k) == hierarchy.ComponentOf(2 * isolated), k == isolated);
   }
 }
 

@@ -110,8 +110,8 @@ void ExpectComponents(const LeastSquaresHierarchy& hierarchy, const std::vector<
   std::set<int> components;
   for (int k = 0; k < hierarchy.NumberOfUnknowns(); ++k)
   {
-    pairs.emplace(hierarchy.Components[k], pieces[hierarchy.Order[k]]);
-    components.insert(hierarchy.Components[k]);
+    pairs.emplace(hierarchy.ComponentOf(k), pieces[hierarchy.Order[k]]);
+    components.insert(hierarchy.ComponentOf(k));
   }
   EXPECT_EQ(components.size(), std::set<int>(pieces.begin(), pieces.end()).size());
   EXPECT_EQ(pairs.size(), components.size());
