@@ -256,7 +256,10 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   const auto one = [](int) { return 1.0; };
   Scale(B, one, [&scales](int column) { return 1.0 / scales[column]; }, context);
   Scale(Bt, [&scales](int row) { return 1.0 / scales[row]; }, one, context);
-  Scale(levels.Prolongation, [&scales](int row) { return scales[row]; }, one, context);
+  // An unknown that no row of B touches is left to its block: the coarse matrix has no place for it.
+  const auto isTouched = [&Bt](int i) { return Bt.outerIndexPtr()[i] < Bt.outerIndexPtr()[i + 1]; };
+  Scale(levels.Prolongation,
+    [&scales, &isTouched](int row) { return isTouched(row) ? scales[row] : 0.0; }, one, context);
   context.Checkpoint(0.1);
 
   // The interpolation takes most memory until it is packed; blocks come after it.

@@ -355,6 +355,26 @@ TEST(TestLeastSquaresHierarchyOfPaths, ComponentsAreConnectedThroughB)
     }
   }
   EXPECT_TRUE(hierarchy.CoarseLower.coeffs().allFinite());
+
+  // Such unknowns are left to their blocks, which solve D x = r.
+  const SparseMatrix<Plane> P = test::AllRows(hierarchy.Prolongation);
+  Vector<double> D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
+  for (int k = 0; k < hierarchy.NumberOfUnknowns(); ++k)
+  {
+    const bool isAlone = hierarchy.Order[k] == 7 || hierarchy.Order[k] == 20;
+    EXPECT_EQ(P.outerIndexPtr()[k] == P.outerIndexPtr()[k + 1], isAlone);
+    D[k] = isAlone ? 4.0 : 0.5;
+  }
+  const auto cycle = hierarchy.Cycle(D, {}, SerialContext());
+  Vector<double> x;
+  cycle->Apply(Vector<double>::Ones(D.size()), x, SerialContext());
+  for (int k = 0; k < hierarchy.NumberOfUnknowns(); ++k)
+  {
+    if (D[k] == 4.0)
+    {
+      EXPECT_NEAR(x[k], 0.25, 1e-5);
+    }
+  }
 }
 
 TEST(TestLeastSquaresHierarchyOfPaths, ZerosConnectNothing)
