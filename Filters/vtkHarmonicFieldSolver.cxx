@@ -100,7 +100,7 @@ public:
     double Seconds;
   };
 
-  /// Set-up, second half: what multigrid needs.
+  /// Set-up, second half: the thesis's levels, or those of the input.
   struct OperatorsStage
   {
     dmg::OperatorsOrigin Origin;
@@ -108,10 +108,10 @@ public:
     double Seconds;
   };
 
-  /// The same for one discretisation.
+  /// What cycles need for one discretisation.
   struct LevelsStage
   {
-    std::shared_ptr<const OperatorsStage> From;
+    std::shared_ptr<const OperatorsStage> From; ///< null for samples
     dmg::Discretisation Kind;
     int N;
     dmg::VertexAreas Areas;
@@ -129,6 +129,7 @@ public:
   {
     dmg::FieldConstraints Constraints;
     dmg::FieldOptions Options;
+    std::shared_ptr<const dmg::RoughnessSurface> Levels; ///< null where its solver needs none
     dmg::FieldProblem Problem;
   };
 
@@ -150,6 +151,7 @@ public:
   std::unique_ptr<SystemStage> System;
   std::unique_ptr<SolveStage> Solution;
 
+  bool IsSetupCounted = false; ///< that of this run
   int NumberOfSetups = 0;
   int NumberOfSystems = 0;
   int NumberOfSolves = 0;
@@ -205,7 +207,8 @@ public:
     const dmg::TriangleMesh& mesh = this->Surface->Framed.Surface.Mesh;
     // What the input brings along is read, and checked, even where the solver might do without.
     const bool areNeeded = stored ? options.Solver.Kind != dmg::SolverKind::Cholesky
-                                  : dmg::NeedsLevels(mesh, options);
+                                  : dmg::NeedsLevels(mesh, options) &&
+        !dmg::UsesRoughnessSurface(mesh, nullptr, options);
     if (areNeeded && !(this->Operators && this->Operators->Origin == origin))
     {
       const auto start = std::chrono::steady_clock::now();
@@ -229,6 +232,7 @@ public:
       this->System.reset();
     }
     this->NumberOfSetups += redone;
+    this->IsSetupCounted = redone;
   }
 
   void Prepare(const dmg::FieldConstraints& constraints, const dmg::FieldOptions& options,
@@ -246,10 +250,10 @@ public:
     const dmg::FramedSurface& framed = this->Surface->Framed;
     const dmg::ProlongationOperators* const operators =
       this->Operators ? &this->Operators->Operators : nullptr;
-    const auto levels = this->LevelsOf(options, dmg::PartOfContext(context, 0.0, 0.6));
-    std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options,
+    const auto levels = this->LevelsOf(options, dmg::PartOfContext(context, 0.0, 0.8));
+    std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options, levels,
       dmg::FieldProblem(framed.Surface.Mesh, framed.Faces, operators, constraints, options,
-        dmg::PartOfContext(context, 0.6, 1.0), levels) });
+        dmg::PartOfContext(context, 0.8, 1.0), levels) });
     this->Solution.reset();
     this->System = std::move(system);
     ++this->NumberOfSystems;
@@ -260,20 +264,34 @@ public:
   std::shared_ptr<const dmg::RoughnessSurface> LevelsOf(
     const dmg::FieldOptions& options, const dmg::ExecutionContext& context)
   {
+    const dmg::FramedSurface& framed = this->Surface->Framed;
+    const dmg::ProlongationOperators* const operators =
+      this->Operators ? &this->Operators->Operators : nullptr;
+    if (!dmg::UsesRoughnessSurface(framed.Surface.Mesh, operators, options))
+    {
+      return nullptr; // what another discretisation has made stays
+    }
     if (!(this->Levels && this->Levels->From == this->Operators &&
           this->Levels->Kind == options.Kind &&
           this->Levels->N == options.NumberOfDirections() && this->Levels->Areas == options.Areas))
     {
       const auto start = std::chrono::steady_clock::now();
-      const dmg::FramedSurface& framed = this->Surface->Framed;
-      auto levels = dmg::MakeRoughnessSurface(framed.Surface.Mesh, framed.Faces,
-        this->Operators ? &this->Operators->Operators : nullptr, options, context);
+      this->Solution.reset(); // their memory first
+      this->System.reset();
+      this->Levels.reset();
+      auto levels = dmg::MakeRoughnessSurface(
+        framed.Surface.Mesh, framed.Faces, operators, options, context);
       if (!levels)
       {
-        return nullptr; // what another discretisation has made stays
+        return nullptr;
       }
       this->Levels.reset(new LevelsStage{ this->Operators, options.Kind,
         options.NumberOfDirections(), options.Areas, std::move(levels), SecondsSince(start) });
+      if (!operators && !this->IsSetupCounted)
+      {
+        ++this->NumberOfSetups;
+        this->IsSetupCounted = true;
+      }
     }
     return this->Levels->Levels;
   }
@@ -356,10 +374,8 @@ public:
 
   double SetupSeconds() const
   {
-    const bool hasLevels = this->Levels && this->Levels->From == this->Operators &&
-      this->Levels->Kind == this->System->Options.Kind;
     return this->Surface->Seconds + (this->Operators ? this->Operators->Seconds : 0.0) +
-      (hasLevels ? this->Levels->Seconds : 0.0);
+      (this->System->Levels ? this->Levels->Seconds : 0.0);
   }
 };
 
@@ -472,13 +488,13 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Solver.CompareWithCholesky = this->CompareWithCholesky ||
       (this->Solver == NestedIterations && this->NestedRule == WhileErrorFalls);
 
-    stages.SetUp(input, options, selection, dmg::PartOfContext(context, 0.0, 0.5));
+    stages.SetUp(input, options, selection, dmg::PartOfContext(context, 0.0, 0.3));
 
     const dmg::FramedSurface& framed = stages.Surface->Framed;
     const dmg::FieldConstraints constraints =
       dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces, framed.Vertices,
         dmg::ChosenDirections(this, input, points, framed), options, framed.Surface.Names());
-    stages.Prepare(constraints, options, dmg::PartOfContext(context, 0.5, 0.7));
+    stages.Prepare(constraints, options, dmg::PartOfContext(context, 0.3, 0.7));
 
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
     if (stages.Solve(constraints.Values, stop, dmg::PartOfContext(context, 0.7, 0.9)))

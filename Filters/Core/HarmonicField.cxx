@@ -105,6 +105,11 @@ const std::vector<TransportOperator>& CoarseSpaceOf(
   return options.CoarseSpace == CoarseSpaceKind::Nodal ? operators.Nodal : operators.SP;
 }
 
+bool TakesSamples(const FieldOptions& options)
+{
+  return LevelsFor(options).Levels == LevelConstruction::Sampling;
+}
+
 /// Where the problem takes its prolongations from; empty where the surface has one level.
 template <class Scalar>
 typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
@@ -112,7 +117,8 @@ typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
   typename HarmonicProblem<Scalar>::MakeProlongations make)
 {
   const SolverKind solver = options.Solver.Kind;
-  if (!operators && solver != SolverKind::Automatic && solver != SolverKind::Cholesky)
+  if (!operators && !TakesSamples(options) && solver != SolverKind::Automatic &&
+    solver != SolverKind::Cholesky)
   {
     throw InvalidInput("multigrid needs the prolongation operators of the surface");
   }
@@ -317,10 +323,10 @@ int NumberOfUnknowns(const TriangleMesh& mesh, const FieldOptions& options)
 
 /// Whether cycles that keep roughness and prescriptions apart solve this, and which.
 std::optional<SolverChoice> ChooseCycle(
-  const TriangleMesh& mesh, const ProlongationOperators* operators, const FieldOptions& options)
+  const TriangleMesh& mesh, bool hasNodalLevels, const FieldOptions& options)
 {
   if (options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0 ||
-    !operators || operators->Nodal.empty())
+    !hasNodalLevels)
   {
     return std::nullopt;
   }
@@ -331,6 +337,18 @@ std::optional<SolverChoice> ChooseCycle(
   return isCycle ? std::optional<SolverChoice>(choice) : std::nullopt;
 }
 
+/// Or will have, where there are no operators yet.
+bool HasNodalLevels(const ProlongationOperators* operators, const FieldOptions& options)
+{
+  return operators ? !operators->Nodal.empty() : TakesSamples(options);
+}
+
+}
+
+bool UsesRoughnessSurface(
+  const TriangleMesh& mesh, const ProlongationOperators* operators, const FieldOptions& options)
+{
+  return ChooseCycle(mesh, HasNodalLevels(operators, options), options).has_value();
 }
 
 bool NeedsLevels(const TriangleMesh& mesh, const FieldOptions& options)
@@ -359,9 +377,24 @@ HierarchyOptions LevelsFor(const FieldOptions& options)
 namespace
 {
 
+/// Nodal levels that may be forgotten as soon as they have been read.
+struct NodalLevels
+{
+  const std::vector<TransportOperator>& Prolongations;
+  std::vector<TransportOperator>* Own; ///< the same, or null
+
+  void Forget() const
+  {
+    if (this->Own)
+    {
+      this->Own->clear();
+    }
+  }
+};
+
 std::unique_ptr<const RoughnessHierarchy> HierarchyOfSquares(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const ProlongationOperators& operators,
-  const FieldOptions& options, const ExecutionContext& context)
+  const TangentFrames& faceFrames, const NodalLevels& nodal, const FieldOptions& options,
+  const ExecutionContext& context)
 {
   const bool isOneForm = options.Kind == Discretisation::OneForm;
   LeastSquaresHierarchyOptions coarsening;
@@ -372,23 +405,27 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfSquares(const TriangleMesh&
     coarsening.ProlongationDegree = 8;
     coarsening.Dropped = 0.001;
   }
-  return std::make_unique<LeastSquaresHierarchy>(CoarsenLeastSquares(
-    isOneForm ? OneFormLaplacianFactor(mesh, context, options.Areas)
-              : FaceFieldSmoothnessFactor(mesh, faceFrames, context),
-    isOneForm ? NodalLevelsOfOneForms(mesh, faceFrames, operators.Nodal, context)
-              : NodalLevelsOfFaceFields(mesh, operators.Nodal, context),
-    coarsening, PartOfContext(context, 0.2, 1.0)));
+  LeastSquaresLevels levels = isOneForm
+    ? NodalLevelsOfOneForms(mesh, faceFrames, nodal.Prolongations, context)
+    : NodalLevelsOfFaceFields(mesh, nodal.Prolongations, context);
+  nodal.Forget();
+  return std::make_unique<LeastSquaresHierarchy>(
+    CoarsenLeastSquares(isOneForm ? OneFormLaplacianFactor(mesh, context, options.Areas)
+                                  : FaceFieldSmoothnessFactor(mesh, faceFrames, context),
+      std::move(levels), coarsening, PartOfContext(context, 0.2, 1.0)));
 }
 
 std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const ProlongationOperators& operators,
-  const FieldOptions& options, const ExecutionContext& context)
+  const TangentFrames& faceFrames, const NodalLevels& nodal, const FieldOptions& options,
+  const ExecutionContext& context)
 {
   CheckNumberOfDirections(options.N);
+  std::vector<SparseMatrix<Complex>> onPowers = OnPowers(nodal.Prolongations, options.N, context);
+  nodal.Forget();
   return std::make_unique<LaplacianHierarchy>(
     CoarsenLaplacian([&](const std::vector<int>& order, const ExecutionContext& part)
       { return PowerLaplacian(mesh, faceFrames, options.N, order, part); },
-      OnPowers(operators.Nodal, options.N, context), PowerProlongationSteps, context));
+      std::move(onPowers), PowerProlongationSteps, context));
 }
 
 /// The harmonic fields of face fields and 1-forms, in the order of the hierarchy. Power fields have none
@@ -408,32 +445,26 @@ void AddKernel(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   }
 }
 
-}
-
 std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const ProlongationOperators* operators,
-  const FieldOptions& options, const ExecutionContext& context)
+  const TangentFrames& faceFrames, const NodalLevels& nodal, const FieldOptions& options,
+  const ExecutionContext& context)
 {
-  if (!ChooseCycle(mesh, operators, options))
-  {
-    return nullptr;
-  }
   const bool isPower = options.Kind == Discretisation::PowerField;
   context.Checkpoint(0.0);
   const auto surface = std::make_shared<RoughnessSurface>();
   surface->Name = NameOf(options);
   surface->Hierarchy = (isPower ? HierarchyOfPowers : HierarchyOfSquares)(
-    mesh, faceFrames, *operators, options, PartOfContext(context, 0.0, isPower ? 1.0 : 0.8));
+    mesh, faceFrames, nodal, options, PartOfContext(context, 0.0, isPower ? 1.0 : 0.8));
   const std::vector<int>& order = surface->Hierarchy->Order;
   if (isPower)
   {
     const Vector<double> mass = MassOfPowerFields(mesh, context);
     constexpr int Grain = 8192;
-    surface->Mass.resize(order.size());
-    context.ParallelFor(0, static_cast<int>(order.size()), Grain, [&](int first, int last) {
+    surface->Mass.resize(mass.size());
+    context.ParallelFor(0, static_cast<int>(mass.size()), Grain, [&](int first, int last) {
       for (int k = first; k < last; ++k)
       {
-        surface->Mass[k] = mass[order[k] / 2];
+        surface->Mass[k] = mass[order[2 * k] / 2];
       }
     });
   }
@@ -449,6 +480,35 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   GiveBackFreedMemory();
   context.Checkpoint(1.0);
   return surface;
+}
+
+}
+
+std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  const FieldOptions& options, const ExecutionContext& context)
+{
+  if (!UsesRoughnessSurface(mesh, operators, options))
+  {
+    return nullptr;
+  }
+  context.Checkpoint(0.0);
+  constexpr double partOfSamples = 0.3;
+  std::vector<TransportOperator> own;
+  if (!operators)
+  {
+    own = std::move(BuildSurfaceHierarchy(mesh, LevelsFor(options),
+      PartOfContext(context, 0.0, partOfSamples), { false, false, false })
+                      .Operators.Nodal);
+  }
+  if (!operators && own.empty())
+  {
+    return nullptr;
+  }
+  GiveBackFreedMemory();
+  const NodalLevels nodal = operators ? NodalLevels{ operators->Nodal, nullptr } : NodalLevels{ own, &own };
+  return MakeRoughnessSurface(mesh, faceFrames, nodal, options,
+    PartOfContext(context, operators ? 0.0 : partOfSamples, 1.0));
 }
 
 namespace
@@ -520,8 +580,11 @@ PrescribedUnknowns PrescribedIn(const TriangleMesh& mesh, const FieldConstraints
   }
 }
 
+using AnyProblem =
+  std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, RoughnessProblem>;
+
 /// Without cycles that keep roughness and prescriptions apart.
-std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, RoughnessProblem> MakeProblem(
+AnyProblem MakeAssembledProblem(
   const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ProlongationOperators* operators, const FieldConstraints& constraints,
   const FieldOptions& options, const ExecutionContext& context)
@@ -547,11 +610,17 @@ void CheckFree(const RoughnessProblem& problem, const FieldOptions& options)
     options.Kind == Discretisation::OneForm ? "edge" : "cell");
 }
 
-RoughnessProblem MakeRoughnessProblem(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const ProlongationOperators* operators,
-  const FieldConstraints& constraints, const FieldOptions& options,
-  std::shared_ptr<const RoughnessSurface> surface, const ExecutionContext& context)
+/// By cycles from a surface, which is made if it is null and they can be.
+AnyProblem MakeProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const ProlongationOperators* operators, const FieldConstraints& constraints,
+  const FieldOptions& options, std::shared_ptr<const RoughnessSurface> surface,
+  const ExecutionContext& context)
 {
+  const auto choice = ChooseCycle(mesh, surface || HasNodalLevels(operators, options), options);
+  if (!choice)
+  {
+    return MakeAssembledProblem(mesh, faceFrames, operators, constraints, options, context);
+  }
   PrescribedUnknowns prescribed = PrescribedIn(mesh, constraints, options, context);
   const double half = surface ? 0.0 : 0.6;
   if (!surface)
@@ -559,8 +628,13 @@ RoughnessProblem MakeRoughnessProblem(const TriangleMesh& mesh,
     surface = MakeRoughnessSurface(
       mesh, faceFrames, operators, options, PartOfContext(context, 0.0, half));
   }
+  const PartOfContext rest(context, half, 1.0);
+  if (!surface)
+  {
+    return MakeAssembledProblem(mesh, faceFrames, operators, constraints, options, rest);
+  }
   RoughnessProblem problem(std::move(surface), std::move(prescribed), options.Smoothness,
-    SolverFor(options), *ChooseCycle(mesh, operators, options), PartOfContext(context, half, 1.0));
+    SolverFor(options), *choice, rest);
   CheckFree(problem, options);
   return problem;
 }
@@ -571,11 +645,10 @@ FieldProblem::FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFr
   const ProlongationOperators* operators, const FieldConstraints& constraints,
   const FieldOptions& options, const ExecutionContext& context,
   std::shared_ptr<const RoughnessSurface> surface)
-  : Problem(ChooseCycle(mesh, operators, options)
-        ? MakeRoughnessProblem(mesh, faceFrames, operators, constraints, options,
-            std::move(surface),
-            PartOfContext(context, 0.0, options.Solver.CompareWithCholesky ? 0.5 : 1.0))
-        : MakeProblem(mesh, faceFrames, operators, constraints, options, context))
+  : Problem(MakeProblem(mesh, faceFrames, operators, constraints, options, std::move(surface),
+      PartOfContext(context, 0.0,
+        options.Solver.CompareWithCholesky && UsesRoughnessSurface(mesh, operators, options) ? 0.5
+                                                                                             : 1.0)))
 {
   if (options.Solver.CompareWithCholesky && std::holds_alternative<RoughnessProblem>(this->Problem))
   {

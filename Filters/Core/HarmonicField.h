@@ -108,10 +108,16 @@ bool NeedsLevels(const TriangleMesh& mesh, const FieldOptions& options);
 /// samples do not give, and take a fifth of the time; the thesis's where these are asked for.
 HierarchyOptions LevelsFor(const FieldOptions& options);
 
+/// Whether cycles solve this from a RoughnessSurface.
+/// \param operators of this mesh; null if there are none: LevelsFor count.
+bool UsesRoughnessSurface(
+  const TriangleMesh& mesh, const ProlongationOperators* operators, const FieldOptions& options);
+
 /// The last part of the set-up: what cycles on nodal levels need, whatever is prescribed.
-/// \param operators of this mesh; used during the call only.
+/// \param operators of this mesh; used during the call only. Null: samples are taken (LevelsFor), and
+///   forgotten as soon as possible; they are much memory, and made in less time than what is made of them.
 /// \param options Kind, N, Areas and the choice of the solver count.
-/// \return null where what is asked for is solved otherwise.
+/// \return null where UsesRoughnessSurface says no, or there are too few faces for samples.
 /// Cost: several products of sparse matrices; 8 to 12 us per face with two threads, 2 for power fields.
 std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
@@ -126,6 +132,7 @@ public:
   /// System. Unknowns and values are those of MakePowerFieldSystem, MakeFaceFieldSystem and
   /// MakeOneFormSystem, in their order; errors as above. The values of the constraints are not looked
   /// at.
+  /// \param operators null: samples, where these do.
   /// \param surface of this mesh and these options, if it is at hand; else it is made if needed.
   FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
     const ProlongationOperators* operators, const FieldConstraints& constraints,

@@ -198,8 +198,7 @@ void RoughnessProblem::Internals::Deflate(const Vector<double>& D, const Executi
   {
     if (std::isfinite(D[i]))
     {
-      const double scale = this->Surface->Hierarchy->Scales[i];
-      energies += (scale * scale + D[i]) * kernel.row(i).transpose().cwiseAbs2();
+      energies += (this->Surface->Hierarchy->DiagonalOf(i) + D[i]) * kernel.row(i).transpose().cwiseAbs2();
     }
     else
     {

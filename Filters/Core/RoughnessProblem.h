@@ -20,7 +20,7 @@ struct RoughnessSurface
 {
   std::string Name; ///< says in reports what the coarse levels hold
   std::unique_ptr<const RoughnessHierarchy> Hierarchy;
-  /// Of the inner product that errors are measured in.
+  /// Of the inner product that errors are measured in; see ConvergenceMeasure.
   Vector<double> Mass;
   /// Harmonic fields, a column each, orthonormal. Cycles hold them only nearly.
   Eigen::MatrixXd Kernel;

@@ -124,13 +124,11 @@ struct SetUp
 {
   SetUp(const TriangleMesh& mesh, const FieldOptions& field, const ExecutionContext& context)
     : Frames(FaceFrames(mesh, context))
-    , Operators(BuildSurfaceHierarchy(mesh, LevelsFor(field), context, { false, false, false }).Operators)
-    , Surface(MakeRoughnessSurface(mesh, this->Frames, &this->Operators, field, context))
+    , Surface(MakeRoughnessSurface(mesh, this->Frames, nullptr, field, context))
   {
   }
 
   TangentFrames Frames;
-  ProlongationOperators Operators;
   std::shared_ptr<const RoughnessSurface> Surface;
 };
 
@@ -342,7 +340,7 @@ Measured MeasureOurs(const Job& job, const Options& options)
       seconds[Row::Prepare] = Seconds(
         [&]
         {
-          problem.emplace(place.Mesh, of->Frames, &of->Operators, place.Constraints, place.Field,
+          problem.emplace(place.Mesh, of->Frames, nullptr, place.Constraints, place.Field,
             place.Context, of->Surface);
         });
       seconds[Row::Solve] = Seconds(
@@ -503,7 +501,7 @@ private:
       !this->Problem->Update(
         this->Place.Mesh, this->Of.Frames, constraints, field, this->Place.Context))
     {
-      this->Problem.emplace(this->Place.Mesh, this->Of.Frames, &this->Of.Operators, constraints,
+      this->Problem.emplace(this->Place.Mesh, this->Of.Frames, nullptr, constraints,
         field, this->Place.Context, this->Of.Surface);
     }
   }
@@ -820,7 +818,7 @@ private:
     try
     {
       FieldProblem problem(
-        mesh, of.Frames, &of.Operators, constraints, field, context, of.Surface);
+        mesh, of.Frames, nullptr, constraints, field, context, of.Surface);
       problem.Solve(constraints.Values, {}, { Tolerance, 500 }, context);
       return problem.Report();
     }

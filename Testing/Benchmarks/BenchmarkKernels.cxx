@@ -149,12 +149,12 @@ void MeasureProduct(const std::string& name, const RoughnessHierarchy& hierarchy
 }
 
 /// Both directions, and what they read and write on the fine level.
-template <class Coarse, class Fine>
+template <class Coarse, class Fine, class Sum>
 void MeasureInterpolation(
   const CompactProlongation& P, Coarse coarse, int runs, KernelsTable& table, const ExecutionContext& context)
 {
   Vector<Fine> fine = Vector<Fine>::Random(P.Rows());
-  Vector<double> sums;
+  Vector<Sum> sums;
   const double rows = P.Rows();
   const auto entries = static_cast<double>(P.NonZeros());
   const double bytes = static_cast<double>(P.Bytes()) + sizeof(Fine) * rows;
@@ -164,8 +164,10 @@ void MeasureInterpolation(
     Fastest(runs, [&] { P.AddProduct(coarse, fine, context); }));
 }
 
-void MeasureSweeps(const UnitDiagonalMatrix<std::complex<float>>& A, int level, int runs,
-  KernelsTable& table, const ExecutionContext& context)
+/// \param inverseDiagonal of A.
+void MeasureSweeps(const TriangularParts<std::complex<float>>& A,
+  const Vector<float>& inverseDiagonal, int level, int runs, KernelsTable& table,
+  const ExecutionContext& context)
 {
   using Value = std::complex<float>;
   const double rows = static_cast<double>(A.Lower.rows());
@@ -174,14 +176,14 @@ void MeasureSweeps(const UnitDiagonalMatrix<std::complex<float>>& A, int level, 
   const double vector = sizeof(Value) * rows;
   SmootherOptions options;
   options.PreSweeps = options.PostSweeps = Sweeps;
-  const auto smoother = Smoother<Value>::New(A, options, context);
+  const auto smoother = Smoother<Value>::NewWithDiagonal(A, inverseDiagonal, options);
   const Vector<Value> b = Vector<Value>::Random(A.Lower.rows());
   Vector<Value> x(b.size());
   Vector<Value> r(b.size());
-  // A sweep passes through half the matrix, reads b, x and the sums of the sweep before, and writes x
-  // and its own. Before all, x, the residual and the sums are set; after all, the residual passes
+  // A sweep passes through half the matrix, reads the diagonal, b, x and the sums of the sweep before, and
+  // writes x and its own. Before all, x, the residual and the sums are set; after all, the residual passes
   // through the other half, and the corrected x before it.
-  const double sweep = 0.5 * matrix + 5.0 * vector;
+  const double sweep = 0.5 * matrix + 5.5 * vector;
   const double before = Sweeps * sweep + 0.5 * matrix + 8.0 * vector;
   table.Append("sweeps, pre", level, rows, nonZeros, before,
     Fastest(runs, [&] { smoother->PreSmooth(b, x, r, context); }));
@@ -195,20 +197,21 @@ void MeasurePowers(
   const RoughnessHierarchy& surface, int runs, KernelsTable& table, const ExecutionContext& context)
 {
   const auto& hierarchy = dynamic_cast<const LaplacianHierarchy&>(surface);
-  MeasureProduct("product, double", hierarchy, static_cast<double>(hierarchy.L.rows()),
-    static_cast<double>(hierarchy.L.nonZeros()),
-    BytesOf(hierarchy.L) + 2.0 * sizeof(double) * hierarchy.NumberOfUnknowns(), runs, table, context);
-  MeasureInterpolation<Vector<Complex>, std::complex<float>>(hierarchy.Prolongation,
-    Vector<Complex>(hierarchy.CoarseMatrix.rows()), runs, table, context);
-  MeasureSweeps(hierarchy.A, 0, runs, table, context);
+  MeasureProduct("product, double", hierarchy, hierarchy.L.Size(),
+    static_cast<double>(hierarchy.L.NonZeros()),
+    hierarchy.L.Bytes() + 2.0 * sizeof(double) * hierarchy.NumberOfUnknowns(), runs, table, context);
+  MeasureInterpolation<Vector<Complex>, std::complex<float>, float>(hierarchy.Prolongation,
+    Vector<Complex>(hierarchy.CoarseLower.rows()), runs, table, context);
+  MeasureSweeps(hierarchy.L.Rounded, hierarchy.L.Diagonal.cwiseInverse().cast<float>(), 0, runs,
+    table, context);
   // All levels but the coarsest, which is factored.
   GalerkinHierarchy<Complex> coarser(
-    hierarchy.CoarseMatrix, hierarchy.Coarser, GalerkinOptions(), context);
+    SymmetricFromLower(hierarchy.CoarseLower, context), hierarchy.Coarser, GalerkinOptions(), context);
   using Scaled = ScaledHierarchy<Complex, std::complex<float>>;
   Scaled scaled(coarser, Scaled::Content::ColouredMatrices, context);
   for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
   {
-    MeasureSweeps(scaled[l].A, l + 1, runs, table, context);
+    MeasureSweeps(scaled[l].A, Vector<float>::Ones(scaled[l].x.size()), l + 1, runs, table, context);
   }
 }
 
@@ -242,7 +245,7 @@ void MeasureSquares(
   table.Append("blocks, post", 0, unknowns, nonZeros, after,
     Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
 
-  MeasureInterpolation<Vector<double>, double>(hierarchy.Prolongation,
+  MeasureInterpolation<Vector<double>, double, double>(hierarchy.Prolongation,
     Vector<double>(hierarchy.CoarseLower.rows()), runs, table, context);
 }
 
@@ -261,9 +264,7 @@ void MeasureSurface(
       field.Kind = kind;
       field.N = 2;
       field.Solver.Kind = SolverKind::ConjugateGradients;
-      const ProlongationOperators operators =
-        BuildSurfaceHierarchy(mesh, LevelsFor(field), all, { false, false, false }).Operators;
-      const auto surface = MakeRoughnessSurface(mesh, frames, &operators, field, all);
+      const auto surface = MakeRoughnessSurface(mesh, frames, nullptr, field, all);
       const double stream = StreamBandwidth(options.Runs, context); // near what it measures
       table.Of = { name, mesh.NumberOfFaces(), NameOf(kind), threads, stream };
       const auto measure = kind == Discretisation::PowerField ? &MeasurePowers : &MeasureSquares;

@@ -523,6 +523,13 @@ TEST(FieldProblem, TakesLevelsOrMakesThem)
       const TbbContext threads(3);
       EXPECT_EQ(
         solve(MakeRoughnessSurface(on.Mesh, on.Frames, &on.Operators, options, threads)), made);
+      // Without operators, it takes the samples itself.
+      const ProlongationOperators samples = BuildSurfaceHierarchy(
+        on.Mesh, LevelsFor(options), SerialContext(), { false, false, false })
+                                              .Operators;
+      EXPECT_EQ(
+        solve(MakeRoughnessSurface(on.Mesh, on.Frames, nullptr, options, threads)),
+        solve(MakeRoughnessSurface(on.Mesh, on.Frames, &samples, options, SerialContext())));
     }
   }
 }
@@ -531,24 +538,49 @@ TEST(FieldProblem, LevelsAreMadeOnlyWhereCyclesNeedThem)
 {
   for (const Discretisation kind : Kinds)
   {
-    const Prepared on(IrregularTorus(28, 14, 4), kind);
+    const Prepared on(IrregularTorus(84, 42, 4), kind);
     const auto areMade = [&on](const FieldOptions& options, const ProlongationOperators* operators)
     {
       return MakeRoughnessSurface(on.Mesh, on.Frames, operators, options, SerialContext()) !=
         nullptr;
     };
-    EXPECT_TRUE(areMade(OptionsOf(kind), &on.Operators));
-    EXPECT_TRUE(areMade(OptionsOf(kind, SolverKind::VCycles), &on.Operators));
-    EXPECT_FALSE(areMade(OptionsOf(kind), nullptr));
-    EXPECT_FALSE(areMade(OptionsOf(kind, SolverKind::Automatic), &on.Operators)) << "small";
-    EXPECT_FALSE(areMade(OptionsOf(kind, SolverKind::Cholesky), &on.Operators));
-    EXPECT_FALSE(areMade(OptionsOf(kind, SolverKind::NestedIterations), &on.Operators));
-    FieldOptions options = OptionsOf(kind);
-    options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
-    EXPECT_FALSE(areMade(options, &on.Operators));
-    options = OptionsOf(kind);
-    options.Solver.StartingLevel = 1;
-    EXPECT_FALSE(areMade(options, &on.Operators));
+    const ProlongationOperators none;
+    EXPECT_FALSE(areMade(OptionsOf(kind), &none));
+    const ProlongationOperators* const samples = nullptr;
+    for (const ProlongationOperators* operators : { &on.Operators, samples })
+    {
+      EXPECT_TRUE(areMade(OptionsOf(kind), operators));
+      EXPECT_TRUE(areMade(OptionsOf(kind, SolverKind::VCycles), operators));
+      EXPECT_FALSE(areMade(OptionsOf(kind, SolverKind::Automatic), operators)) << "small";
+      EXPECT_FALSE(areMade(OptionsOf(kind, SolverKind::Cholesky), operators));
+      EXPECT_FALSE(areMade(OptionsOf(kind, SolverKind::NestedIterations), operators));
+      FieldOptions options = OptionsOf(kind);
+      options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
+      EXPECT_FALSE(areMade(options, operators));
+      options = OptionsOf(kind);
+      options.Solver.StartingLevel = 1;
+      EXPECT_FALSE(areMade(options, operators));
+    }
+  }
+}
+
+TEST(FieldProblem, IsFactoredWhereThereAreTooFewFacesForSamples)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(Icosphere(1), kind);
+    const FieldOptions options = OptionsOf(kind);
+    ASSERT_TRUE(UsesRoughnessSurface(on.Mesh, nullptr, options));
+    ASSERT_EQ(MakeRoughnessSurface(on.Mesh, on.Frames, nullptr, options, SerialContext()), nullptr);
+    const Elements elements = on.Every(31);
+    const FieldConstraints prescribed = on.Constraints(elements, 3720);
+    const auto solve = [&](FieldProblem problem) {
+      return problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
+    };
+    const Vector<double> field = solve(
+      FieldProblem(on.Mesh, on.Frames, nullptr, prescribed, options, SerialContext()));
+    const Vector<double> expected = solve(on.Factored(elements, FieldWeights()));
+    EXPECT_LE((field - expected).norm(), 1e-7 * expected.norm());
   }
 }
 

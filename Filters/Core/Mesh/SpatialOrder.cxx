@@ -120,13 +120,12 @@ TangentFrames SpatialOrder::ApplyToFaces(
   const TangentFrames& faceFrames, const ExecutionContext& context) const
 {
   const int faces = static_cast<int>(faceFrames.X.rows());
-  TangentFrames result{ Points(faces, 3), Points(faces, 3), Points(faces, 3) };
+  TangentFrames result{ Points(faces, 3), Points(faces, 3) };
   context.ParallelFor(0, faces, Grain, [&](int first, int last) {
     for (int f = first; f < last; ++f)
     {
       result.X.row(f) = faceFrames.X.row(this->OldFaces[f]);
       result.Y.row(f) = faceFrames.Y.row(this->OldFaces[f]);
-      result.N.row(f) = faceFrames.N.row(this->OldFaces[f]);
     }
   });
   return result;

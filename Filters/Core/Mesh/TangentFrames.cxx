@@ -80,12 +80,11 @@ void SetFrame(TangentFrames& frames, int element, const Vector3& x, const Vector
 {
   frames.X.row(element) = x.transpose();
   frames.Y.row(element) = normal.cross(x).transpose();
-  frames.N.row(element) = normal.transpose();
 }
 
 TangentFrames FramesOfSize(int size)
 {
-  return { Points(size, 3), Points(size, 3), Points(size, 3) };
+  return { Points(size, 3), Points(size, 3) };
 }
 
 /// Carries normals from the faces that have one into the degenerate ones, ring by ring.
@@ -117,7 +116,7 @@ void FillDegenerateFrames(
         const int neighbour = mesh.Twin(h) < 0 ? face : TriangleMesh::FaceOf(mesh.Twin(h));
         if (state[neighbour] == Known)
         {
-          sum += frames.N.row(neighbour).transpose();
+          sum += frames.Normal(neighbour);
         }
         else if (state[neighbour] == Unknown)
         {

@@ -9,13 +9,18 @@
 namespace dmg
 {
 
-/// An orthonormal frame (X, Y, N) per element; in it a tangent vector v is the complex number whose
+/// An orthonormal frame (X, Y, N) per element, N = X x Y the normal; in it a tangent vector v is the complex number whose
 /// real and imaginary part are the dot products of v with X and Y.
 struct TangentFrames
 {
   Points X; ///< # x 3, unit
-  Points Y; ///< # x 3, unit, Y = N x X
-  Points N; ///< # x 3, unit, the outward normal
+  Points Y; ///< # x 3, unit
+
+  /// The outward normal, unit.
+  Vector3 Normal(int element) const
+  {
+    return Vector3(this->X.row(element)).cross(Vector3(this->Y.row(element)));
+  }
 
   Complex ToComplex(int element, const Vector3& v) const
   {

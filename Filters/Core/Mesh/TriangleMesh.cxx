@@ -115,7 +115,6 @@ TriangleMesh::TriangleMesh(dmg::Points points, dmg::Triangles triangles, const E
   this->Twins.assign(numberOfHalfedges, -1);
   this->HalfedgeEdges.resize(numberOfHalfedges);
   this->EdgeHalfedges.reserve(numberOfHalfedges / 2);
-  this->EdgeEnds.reserve(numberOfHalfedges / 2);
   for (int v = 0; v < numberOfVertices; ++v)
   {
     const Side* const end = sides.data() + offsets[v + 1];
@@ -127,7 +126,6 @@ TriangleMesh::TriangleMesh(dmg::Points points, dmg::Triangles triangles, const E
         ++last;
       }
       const int edge = this->NumberOfEdges();
-      this->EdgeEnds.push_back({ v, first->Larger });
       this->EdgeHalfedges.push_back(first->Halfedge);
       this->HalfedgeEdges[first->Halfedge] = edge;
       if (last - first == 2 && this->Tail(first[0].Halfedge) != this->Tail(first[1].Halfedge))

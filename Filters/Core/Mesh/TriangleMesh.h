@@ -5,6 +5,7 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -33,7 +34,7 @@ public:
 
   int NumberOfVertices() const { return static_cast<int>(this->V.rows()); }
   int NumberOfFaces() const { return static_cast<int>(this->F.rows()); }
-  int NumberOfEdges() const { return static_cast<int>(this->EdgeEnds.size()); }
+  int NumberOfEdges() const { return static_cast<int>(this->EdgeHalfedges.size()); }
 
   const dmg::Points& VertexPositions() const { return this->V; }
   const dmg::Triangles& FaceCorners() const { return this->F; }
@@ -55,7 +56,12 @@ public:
   bool IsBoundaryVertex(int vertex) const { return this->Twins[this->Outgoing[vertex]] < 0; }
 
   /// {smaller, larger} vertex of an edge.
-  const std::array<int, 2>& EdgeVertices(int edge) const { return this->EdgeEnds[edge]; }
+  std::array<int, 2> EdgeVertices(int edge) const
+  {
+    const auto [smaller, larger] =
+      std::minmax({ this->Tail(this->HalfedgeOf(edge)), this->Head(this->HalfedgeOf(edge)) });
+    return { smaller, larger };
+  }
   int EdgeOf(int halfedge) const { return this->HalfedgeEdges[halfedge]; }
   /// +1 where the halfedge runs along its edge's orientation, else -1.
   int EdgeSign(int halfedge) const { return this->Tail(halfedge) < this->Head(halfedge) ? 1 : -1; }
@@ -76,11 +82,10 @@ public:
 private:
   dmg::Points V;
   dmg::Triangles F;
-  std::vector<int> Twins;                   // per halfedge
-  std::vector<int> Outgoing;                // per vertex
-  std::vector<int> HalfedgeEdges;           // per halfedge
-  std::vector<int> EdgeHalfedges;           // per edge
-  std::vector<std::array<int, 2>> EdgeEnds; // per edge
+  std::vector<int> Twins;         // per halfedge
+  std::vector<int> Outgoing;      // per vertex
+  std::vector<int> HalfedgeEdges; // per halfedge
+  std::vector<int> EdgeHalfedges; // per edge
 };
 
 /// Connected component (by shared edges) of every face, numbered from 0 in order of first face.

@@ -77,15 +77,25 @@ struct PowerFaceShape
   std::array<int, 3> Twins; ///< 3 * place of the neighbour + its side; -1 where there is none
 };
 
+std::array<int, 3> TwinsOf(const TriangleMesh& mesh, const std::vector<int>& places, int face)
+{
+  std::array<int, 3> twins;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int twin = mesh.Twin(3 * face + k);
+    twins[k] = twin >= 0 ? 3 * places[TriangleMesh::FaceOf(twin)] + twin % 3 : -1;
+  }
+  return twins;
+}
+
 PowerFaceShape ShapeOf(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<int>& places, int face)
 {
-  PowerFaceShape shape{ SideDirections(mesh, faceFrames, face), {}, mesh.FaceArea(face), {} };
+  PowerFaceShape shape{ SideDirections(mesh, faceFrames, face), {}, mesh.FaceArea(face),
+    TwinsOf(mesh, places, face) };
   for (int k = 0; k < 3; ++k)
   {
     shape.SquaredLengths[k] = SquaredLength(mesh, 3 * face + k);
-    const int twin = mesh.Twin(3 * face + k);
-    shape.Twins[k] = twin >= 0 ? 3 * places[TriangleMesh::FaceOf(twin)] + twin % 3 : -1;
   }
   return shape;
 }
@@ -211,37 +221,55 @@ SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFram
 {
   const std::vector<int> places = Inverse(order, context);
   const int faces = mesh.NumberOfFaces();
-  // Once in the order of the rows, nothing is looked up at random.
-  Unfilled<PowerFaceShape> shapes(faces);
-  context.ParallelFor(0, faces, Grain, [&](int first, int last) {
-    for (int place = first; place < last; ++place)
+  SparseMatrix<Complex> L(faces, faces);
+  MakeRoom(L, context, [&](int place) {
+    return FaceAndNeighbours(place, TwinsOf(mesh, places, order[place])).Count;
+  });
+  const auto fillRow = [&L, N](int place, const PowerFaceShape& here, const auto& shapeAt) {
+    const FaceAndNeighbours around(place, here.Twins);
+    Complex* const entries = L.valuePtr() + L.outerIndexPtr()[place];
+    std::copy_n(around.Places.begin(), around.Count, L.innerIndexPtr() + L.outerIndexPtr()[place]);
+    std::fill_n(entries, around.Count, Complex(0.0));
+    for (int k = 0; k < 3; ++k)
     {
-      shapes[place] = ShapeOf(mesh, faceFrames, places, order[place]);
+      const int twin = here.Twins[k];
+      if (twin < 0)
+      {
+        continue;
+      }
+      const PowerFaceShape& there = shapeAt(twin / 3);
+      const double weight = PowerEdgeWeight(here.SquaredLengths[k], here.Area + there.Area);
+      // Two faces may meet along two edges, whose entries add up.
+      entries[around.Find(place)] += weight;
+      entries[around.Find(twin / 3)] -=
+        weight * Power(Transport(there.Sides[twin % 3], here.Sides[k]), N);
+    }
+  };
+  // Neighbours stand near each other. So most shapes are found once, and none is held for long.
+  constexpr int bandSize = 2048;
+  context.ParallelFor(0, (faces + bandSize - 1) / bandSize, 1, [&](int firstBand, int lastBand) {
+    const auto shapeOf = [&](int place) { return ShapeOf(mesh, faceFrames, places, order[place]); };
+    std::vector<PowerFaceShape> shapes;
+    for (int band = firstBand; band < lastBand; ++band)
+    {
+      const int first = band * bandSize;
+      const int last = std::min(first + bandSize, faces);
+      shapes.clear();
+      for (int place = first; place < last; ++place)
+      {
+        shapes.push_back(shapeOf(place));
+      }
+      PowerFaceShape elsewhere;
+      const auto shapeAt = [&](int place) -> const PowerFaceShape& {
+        return first <= place && place < last ? shapes[place - first] : elsewhere = shapeOf(place);
+      };
+      for (int place = first; place < last; ++place)
+      {
+        fillRow(place, shapes[place - first], shapeAt);
+      }
     }
   });
-  return FillRows<Complex>(
-    faces, faces, context,
-    [&](int place) { return FaceAndNeighbours(place, shapes[place].Twins).Count; },
-    [&](int place, int* columns, Complex* entries) {
-      const PowerFaceShape& here = shapes[place];
-      const FaceAndNeighbours around(place, here.Twins);
-      std::copy_n(around.Places.begin(), around.Count, columns);
-      std::fill_n(entries, around.Count, Complex(0.0));
-      for (int k = 0; k < 3; ++k)
-      {
-        const int twin = here.Twins[k];
-        if (twin < 0)
-        {
-          continue;
-        }
-        const PowerFaceShape& there = shapes[twin / 3];
-        const double weight = PowerEdgeWeight(here.SquaredLengths[k], here.Area + there.Area);
-        // Two faces may meet along two edges, whose entries add up.
-        entries[around.Find(place)] += weight;
-        entries[around.Find(twin / 3)] -=
-          weight * Power(Transport(there.Sides[twin % 3], here.Sides[k]), N);
-      }
-    });
+  return L;
 }
 
 std::vector<Points> DirectionsFromPowers(const TangentFrames& frames, const Vector<Complex>& powers,

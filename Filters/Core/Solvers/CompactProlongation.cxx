@@ -82,39 +82,71 @@ private:
   PlanarSlice Crossed;
 };
 
-/// What a row of planes adds to the sums of its columns.
-class PlanarFactor
+/// What the rows of a slice, times units, add to the sums of their columns.
+class PlanarFactors
 {
 public:
-  PlanarFactor(float unit, double row)
-    : Both(DoublePack{} + unit * row)
+  using Sum = double;
+
+  PlanarFactors(const float* units, const double* rows, const std::uint16_t* places)
   {
+    for (int lane = 0; lane < RowsOfSlice; ++lane)
+    {
+      this->Rows[lane] = DoublePack{} + units[lane] * rows[places[lane]];
+    }
   }
 
-  DoublePack operator*(DoublePack entry) const { return entry * this->Both; }
+  void Add(
+    IntegerPack firstTwo, IntegerPack lastTwo, const std::uint16_t* columns, double* sums) const
+  {
+    DoublePack entries[RowsOfSlice];
+    ToDoubles(firstTwo, entries[0], entries[1]);
+    ToDoubles(lastTwo, entries[2], entries[3]);
+    for (int lane = 0; lane < RowsOfSlice; ++lane)
+    {
+      double* const sum = sums + 2 * columns[lane];
+      StorePack(LoadPack<DoublePack>(sum) + entries[lane] * this->Rows[lane], sum);
+    }
+  }
 
 private:
-  DoublePack Both;
+  DoublePack Rows[RowsOfSlice];
 };
 
-/// The same for conjugates of complex numbers.
-class ComplexFactor
+/// The same for conjugates of complex numbers. Rows are in single precision, and so are the sums of the
+/// entries that a column has in a tile.
+class ComplexFactors
 {
 public:
-  ComplexFactor(float unit, Plane row)
-    : OfX{ unit * row.real(), unit * row.imag() }
-    , OfY{ unit * row.imag(), -unit * row.real() }
+  using Sum = float;
+
+  ComplexFactors(const float* units, const Plane* rows, const std::uint16_t* places)
   {
+    for (int two = 0; two < 2; ++two)
+    {
+      const Plane first = units[2 * two] * rows[places[2 * two]];
+      const Plane last = units[2 * two + 1] * rows[places[2 * two + 1]];
+      this->OfX[two] = FloatPack{ first.real(), first.imag(), last.real(), last.imag() };
+      this->OfY[two] = FloatPack{ first.imag(), -first.real(), last.imag(), -last.real() };
+    }
   }
 
-  DoublePack operator*(DoublePack entry) const
+  void Add(
+    IntegerPack firstTwo, IntegerPack lastTwo, const std::uint16_t* columns, float* sums) const
   {
-    return (DoublePack{} + entry[0]) * this->OfX + (DoublePack{} + entry[1]) * this->OfY;
+    AddPairs(this->Times(ToFloats(firstTwo), 0), sums, columns[0], columns[1]);
+    AddPairs(this->Times(ToFloats(lastTwo), 1), sums, columns[2], columns[3]);
   }
 
 private:
-  DoublePack OfX;
-  DoublePack OfY;
+  FloatPack Times(FloatPack entries, int two) const
+  {
+    return __builtin_shufflevector(entries, entries, 0, 0, 2, 2) * this->OfX[two] +
+      __builtin_shufflevector(entries, entries, 1, 1, 3, 3) * this->OfY[two];
+  }
+
+  FloatPack OfX[2];
+  FloatPack OfY[2];
 };
 
 }
@@ -410,9 +442,9 @@ void CompactProlongation::AddProduct(
   this->AddProductBySlices<ComplexSlice>(reinterpret_cast<const double*>(z.data()), x, context);
 }
 
-template <class Factor, class Row>
-void CompactProlongation::MultiplyAdjointBySlices(
-  const Vector<Row>& x, double* z, Vector<double>& sums, const ExecutionContext& context) const
+template <class Factors, class Row>
+void CompactProlongation::MultiplyAdjointBySlices(const Vector<Row>& x, double* z,
+  Vector<typename Factors::Sum>& sums, const ExecutionContext& context) const
 {
   assert(x.size() == this->Rows());
   sums.resize(this->SizeOfSums());
@@ -420,30 +452,20 @@ void CompactProlongation::MultiplyAdjointBySlices(
     std::vector<Row> rows; // read one after the other, and then from a cache
     for (int tile = firstTile; tile < lastTile; ++tile)
     {
-      double* const ofTile = sums.data() + 2 * this->ColumnBegins[tile];
-      std::fill(ofTile, sums.data() + 2 * this->ColumnBegins[tile + 1], 0.0);
+      typename Factors::Sum* const ofTile = sums.data() + 2 * this->ColumnBegins[tile];
+      std::fill(ofTile, sums.data() + 2 * this->ColumnBegins[tile + 1], 0);
       rows.assign(x.data() + this->FirstRow(tile), x.data() + this->LastRow(tile));
       rows.resize(this->RowsOfTile + 1, Row(0));
       for (int slice = this->FirstSlice(tile); slice < this->LastSlice(tile); ++slice)
       {
-        const std::uint16_t* const places = this->RowsAt.data() + RowsOfSlice * slice;
-        const float* const units = this->Units.data() + RowsOfSlice * slice;
-        const Factor factors[RowsOfSlice] = { { units[0], rows[places[0]] },
-          { units[1], rows[places[1]] }, { units[2], rows[places[2]] },
-          { units[3], rows[places[3]] } };
+        const Factors factors(this->Units.data() + RowsOfSlice * slice, rows.data(),
+          this->RowsAt.data() + RowsOfSlice * slice);
         for (int s = this->StepBegins[slice]; s < this->StepBegins[slice + 1]; ++s)
         {
           const Step& step = this->Steps[s];
           IntegerPack firstTwo, lastTwo;
           LoadIntegers(step.Components, firstTwo, lastTwo);
-          DoublePack entries[RowsOfSlice];
-          ToDoubles(firstTwo, entries[0], entries[1]);
-          ToDoubles(lastTwo, entries[2], entries[3]);
-          for (int lane = 0; lane < RowsOfSlice; ++lane)
-          {
-            double* const sum = ofTile + 2 * step.Columns[lane];
-            StorePack(LoadPack<DoublePack>(sum) + factors[lane] * entries[lane], sum);
-          }
+          factors.Add(firstTwo, lastTwo, step.Columns, ofTile);
         }
       }
     }
@@ -454,7 +476,8 @@ void CompactProlongation::MultiplyAdjointBySlices(
       DoublePack sum{};
       for (int s = this->SlotBegins[column]; s < this->SlotBegins[column + 1]; ++s)
       {
-        sum += LoadPack<DoublePack>(sums.data() + 2 * this->Slots[s]);
+        const auto* const ofTile = sums.data() + 2 * this->Slots[s];
+        sum += DoublePack{ ofTile[0], ofTile[1] };
       }
       StorePack(sum, z + 2 * column);
     }
@@ -465,14 +488,14 @@ void CompactProlongation::MultiplyAdjoint(const Vector<double>& x, Vector<double
   Vector<double>& sums, const ExecutionContext& context) const
 {
   z.resize(2 * this->Columns());
-  this->MultiplyAdjointBySlices<PlanarFactor>(x, z.data(), sums, context);
+  this->MultiplyAdjointBySlices<PlanarFactors>(x, z.data(), sums, context);
 }
 
 void CompactProlongation::MultiplyAdjoint(const Vector<Plane>& x, Vector<Complex>& z,
-  Vector<double>& sums, const ExecutionContext& context) const
+  Vector<float>& sums, const ExecutionContext& context) const
 {
   z.resize(this->Columns());
-  this->MultiplyAdjointBySlices<ComplexFactor>(
+  this->MultiplyAdjointBySlices<ComplexFactors>(
     x, reinterpret_cast<double*>(z.data()), sums, context);
 }
 

@@ -54,7 +54,7 @@ public:
   void MultiplyAdjoint(const Vector<double>& x, Vector<double>& z, Vector<double>& sums,
     const ExecutionContext& context) const;
   /// z = P^H x with P as a complex matrix.
-  void MultiplyAdjoint(const Vector<Plane>& x, Vector<Complex>& z, Vector<double>& sums,
+  void MultiplyAdjoint(const Vector<Plane>& x, Vector<Complex>& z, Vector<float>& sums,
     const ExecutionContext& context) const;
 
   /// Some rows, as they are after rounding.
@@ -104,9 +104,9 @@ private:
 
   template <class Slice, class Row>
   void AddProductBySlices(const double* z, Vector<Row>& x, const ExecutionContext& context) const;
-  template <class Factor, class Row>
-  void MultiplyAdjointBySlices(
-    const Vector<Row>& x, double* z, Vector<double>& sums, const ExecutionContext& context) const;
+  template <class Factors, class Row>
+  void MultiplyAdjointBySlices(const Vector<Row>& x, double* z,
+    Vector<typename Factors::Sum>& sums, const ExecutionContext& context) const;
 
   int NumberOfTiles() const { return static_cast<int>(this->ColumnBegins.size()) - 1; }
   int FirstRow(int tile) const { return tile * this->RowsOfTile; }

@@ -12,18 +12,38 @@ namespace dmg
 namespace
 {
 
+/// M_ii.
+class MassOf
+{
+public:
+  MassOf(const Vector<double>* mass, int numberOfUnknowns)
+    : Mass(mass)
+    , IsOfPairs(mass && mass->size() < numberOfUnknowns)
+  {
+  }
+  double operator()(int i) const
+  {
+    return this->Mass ? (*this->Mass)[this->IsOfPairs ? i / 2 : i] : 1.0;
+  }
+
+private:
+  const Vector<double>* const Mass;
+  const bool IsOfPairs;
+};
+
 /// |v|_M of v_i = entry(i).
 template <class Entry>
 double Norm(
   int size, const Vector<double>* mass, const Entry& entry, const ExecutionContext& context)
 {
+  const MassOf massOf(mass, size);
   const double square = SumOverBlocks<double>(size, context,
-    [mass, &entry](int first, int last)
+    [&massOf, &entry](int first, int last)
     {
       double sum = 0.0;
       for (int i = first; i < last; ++i)
       {
-        sum += (mass ? (*mass)[i] : 1.0) * Eigen::numext::abs2(entry(i));
+        sum += massOf(i) * Eigen::numext::abs2(entry(i));
       }
       return sum;
     });
@@ -58,11 +78,12 @@ double Ratio(double number, double scale)
 template <class Scalar>
 void ConvergenceMeasure<Scalar>::Check(int numberOfUnknowns) const
 {
-  if ((this->Mass && this->Mass->size() != numberOfUnknowns) ||
+  if ((this->Mass && this->Mass->size() != numberOfUnknowns &&
+        2 * this->Mass->size() != numberOfUnknowns) ||
     (this->Reference.size() > 0 && this->Reference.size() != numberOfUnknowns))
   {
     throw InvalidInput("the mass and the reference of a convergence measure must have " +
-      std::to_string(numberOfUnknowns) + " values, one per unknown");
+      std::to_string(numberOfUnknowns) + " values, one per unknown, or the mass half as many");
   }
 }
 
@@ -81,12 +102,13 @@ template <class Scalar>
 void ConvergenceMeasure<Scalar>::Fill(IterationReport& row, const Vector<Scalar>& x,
   const Vector<Scalar>& b, const Vector<Scalar>& r, const ExecutionContext& context) const
 {
+  const MassOf massOf(this->Mass, static_cast<int>(x.size()));
   const Sums sums =
     SumOverBlocks<Sums>(static_cast<int>(x.size()), context, [&](int first, int last) {
       Sums sum;
       for (int i = first; i < last; ++i)
       {
-        const double mass = this->Mass ? (*this->Mass)[i] : 1.0;
+        const double mass = massOf(i);
         sum.Energy += Eigen::numext::real(Eigen::numext::conj(x[i]) * (b[i] + r[i]));
         sum.Residual += mass * Eigen::numext::abs2(r[i]);
         sum.Right += mass * Eigen::numext::abs2(b[i]);

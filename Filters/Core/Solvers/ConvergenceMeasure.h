@@ -23,7 +23,8 @@ struct ConvergenceMeasure
   double EnergyConstant = 0.0;
   /// What the equations were divided by.
   double EnergyScale = 1.0;
-  /// Diagonal of M, > 0, one per unknown, borrowed; null for ones. |x|_M^2 = x^H M x.
+  /// Diagonal of M, > 0, one per unknown or per pair of consecutive ones, borrowed; null for ones.
+  /// |x|_M^2 = x^H M x.
   const Vector<double>* Mass = nullptr;
   /// The solution by other means, one value per unknown; empty if there is none, then Error is NaN.
   Vector<Scalar> Reference;

@@ -129,9 +129,8 @@ void GalerkinHierarchy<Scalar>::SmoothProlongation(
   if (!this->Prolongations.empty())
   {
     context.Checkpoint(0.0);
-    SparseMatrix<Scalar> smoothed = SmoothedProlongation(
+    dmg::SmoothProlongation(
       this->Matrices[0], this->Prolongations[0], options.FinestProlongationSteps, context);
-    this->Prolongations[0].swap(smoothed); // an assignment would copy
   }
   if (options.RoundProlongations)
   {

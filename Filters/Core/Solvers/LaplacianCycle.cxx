@@ -28,13 +28,13 @@ SmootherOptions SweepsOf(const RoughnessCycleOptions& options)
 LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D,
   const RoughnessCycleOptions& options, const ExecutionContext& context)
   : Fine(hierarchy)
-  , InverseScales(hierarchy.Scales(Eigen::seqN(0, hierarchy.L.rows(), 2)).cwiseInverse())
-  , InverseDiagonal(hierarchy.L.rows())
+  , InverseDiagonal(hierarchy.L.Size())
   , FineSmoother(
-      Smoother<Single>::NewShifted(hierarchy.A, this->InverseDiagonal, SweepsOf(options)))
-  , b(hierarchy.L.rows())
-  , x(hierarchy.L.rows())
-  , Residual(hierarchy.L.rows())
+      Smoother<Single>::NewWithDiagonal(
+          hierarchy.L.Rounded, this->InverseDiagonal, SweepsOf(options)))
+  , b(hierarchy.L.Size())
+  , x(hierarchy.L.Size())
+  , Residual(hierarchy.L.Size())
   , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
 {
   this->SetDiagonal(D, context);
@@ -64,60 +64,46 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
 {
   assert(D.size() == this->Fine.NumberOfUnknowns());
   const int size = static_cast<int>(D.size() / 2);
-  this->Shift.resize(size);
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
     for (int k = first; k < last; ++k)
     {
-      this->Shift[k] = D[2 * k] * this->InverseScales[k] * this->InverseScales[k];
-      this->InverseDiagonal[k] = static_cast<float>(1.0 / (1.0 + this->Shift[k]));
+      // An isolated unknown that nothing pulls is held as well.
+      const double diagonal = this->Fine.L.Diagonal[k] + D[2 * k];
+      this->InverseDiagonal[k] = diagonal > 0.0 ? static_cast<float>(1.0 / diagonal) : 0.0f;
     }
   });
-  this->Held =
-    Choose(size, [this](int k) { return !std::isfinite(this->Shift[k]); }, context);
-  for (const int k : this->Fine.Isolated)
+  this->Held = Choose(size, [&D](int k) { return !std::isfinite(D[2 * k]); }, context);
+  this->Pulled =
+    Choose(size, [&D](int k) { return D[2 * k] > 0.0 && std::isfinite(D[2 * k]); }, context);
+  this->Pull.resize(this->Pulled.size());
+  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
   {
-    const double shift = this->Shift[k];
-    this->InverseDiagonal[k] =
-      shift > 0.0 && std::isfinite(shift) ? static_cast<float>(1.0 / shift) : 0.0f;
+    this->Pull[k] = D[2 * this->Pulled[k]];
   }
 }
 
 SparseMatrix<Complex> LaplacianCycle::CoarseMatrixOfFree(const ExecutionContext& context) const
 {
   SparseMatrix<Complex> P = this->Rows(Identity(this->Fine.Prolongation.Rows()), context);
-  for (int k = 0; k < static_cast<int>(P.rows()); ++k)
+  for (const int k : this->Held)
   {
-    // Held rows are zero, but stay in the pattern, so that it does not depend on D.
-    const double factor =
-      std::isfinite(this->Shift[k]) ? this->InverseScales[k] : 0.0;
-    for (int e = P.outerIndexPtr()[k]; e < P.outerIndexPtr()[k + 1]; ++e)
-    {
-      P.valuePtr()[e] *= factor;
-    }
+    // Rows become zero, but stay in the pattern, so that it does not depend on D.
+    std::fill(P.valuePtr() + P.outerIndexPtr()[k], P.valuePtr() + P.outerIndexPtr()[k + 1], 0.0);
   }
-  return TripleProduct(Adjoint(P, context), this->Fine.L, P, context);
+  return TripleProduct(Adjoint(P, context), this->Fine.L.Whole(context), P, context);
 }
 
 SparseMatrix<Complex> LaplacianCycle::CoarseMatrix(const ExecutionContext& context) const
 {
-  SparseMatrix<Complex> coarse;
-  if (this->Held.empty())
-  {
-    coarse = this->Fine.CoarseMatrix;
-  }
-  else
-  {
-    SparseMatrix<Complex> ofFree = this->CoarseMatrixOfFree(context);
-    coarse.swap(ofFree); // an assignment would copy
-  }
+  SparseMatrix<Complex> coarse = this->Held.empty()
+    ? SymmetricFromLower(this->Fine.CoarseLower, context)
+    : this->CoarseMatrixOfFree(context);
   // P^H D P is the product of sqrt(D) P with its adjoint. An unknown with an entry of D couples all that
   // it is interpolated from, so the pattern has room for it.
-  const std::vector<int> pulled = Choose(static_cast<int>(this->Shift.size()),
-    [this](int k) { return this->Shift[k] > 0.0 && std::isfinite(this->Shift[k]); }, context);
-  SparseMatrix<Complex> rows = this->Rows(pulled, context);
-  for (std::size_t k = 0; k < pulled.size(); ++k)
+  SparseMatrix<Complex> rows = this->Rows(this->Pulled, context);
+  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
   {
-    const double root = std::sqrt(this->Shift[pulled[k]]);
+    const double root = std::sqrt(this->Pull[k]);
     for (int e = rows.outerIndexPtr()[k]; e < rows.outerIndexPtr()[k + 1]; ++e)
     {
       rows.valuePtr()[e] *= root;
@@ -140,9 +126,7 @@ void LaplacianCycle::Apply(
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
     for (int k = first; k < last; ++k)
     {
-      const double factor = this->InverseScales[k];
-      this->b[k] = { static_cast<float>(r[2 * k] * factor),
-        static_cast<float>(r[2 * k + 1] * factor) };
+      this->b[k] = { static_cast<float>(r[2 * k]), static_cast<float>(r[2 * k + 1]) };
     }
   });
   this->FineSmoother->PreSmooth(this->b, this->x, this->Residual, context);
@@ -163,9 +147,8 @@ void LaplacianCycle::Apply(
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
     for (int k = first; k < last; ++k)
     {
-      const double factor = this->InverseScales[k];
-      z[2 * k] = this->x[k].real() * factor;
-      z[2 * k + 1] = this->x[k].imag() * factor;
+      z[2 * k] = this->x[k].real();
+      z[2 * k + 1] = this->x[k].imag();
     }
   });
 }
@@ -173,7 +156,7 @@ void LaplacianCycle::Apply(
 std::vector<LevelReport> LaplacianCycle::Levels() const
 {
   std::vector<LevelReport> levels = {
-    { static_cast<long long>(this->Fine.L.rows()), static_cast<long long>(this->Fine.L.nonZeros()) }
+    { this->Fine.L.Size(), this->Fine.L.NonZeros() }
   };
   levels.insert(levels.end(), this->Hierarchy->Levels().begin(), this->Hierarchy->Levels().end());
   return levels;
@@ -183,8 +166,9 @@ long long LaplacianCycle::Bytes() const
 {
   return this->Hierarchy->Bytes() + this->Coarse->Bytes() +
     this->b.size() *
-    static_cast<long long>(4 * sizeof(Single) + sizeof(float) + 2 * sizeof(double)) +
-    this->SumsOfTiles.size() * static_cast<long long>(sizeof(double));
+    static_cast<long long>(4 * sizeof(Single) + sizeof(float)) +
+    this->SumsOfTiles.size() * static_cast<long long>(sizeof(float)) +
+    this->Pull.size() * static_cast<long long>(sizeof(double) + sizeof(int));
 }
 
 }

@@ -31,7 +31,6 @@ public:
 private:
   using Single = LaplacianHierarchy::Single;
 
-  /// Of the scaled unknowns, from D of the others.
   void SetDiagonal(const Vector<double>& D, const ExecutionContext& context);
   /// P^H (L + D) P.
   SparseMatrix<Complex> CoarseMatrix(const ExecutionContext& context) const;
@@ -41,19 +40,19 @@ private:
   SparseMatrix<Complex> CoarseMatrixOfFree(const ExecutionContext& context) const;
 
   const LaplacianHierarchy& Fine;
-  const Vector<double> InverseScales; ///< one per complex unknown
-  Vector<double> Shift;          ///< D over the diagonal of L
-  Vector<float> InverseDiagonal; ///< of the scaled L + D; 0 where an unknown is held
+  Vector<float> InverseDiagonal; ///< of L + D; 0 where an unknown is held
+  std::vector<int> Pulled;       ///< unknowns with finite entries of D
+  Vector<double> Pull;           ///< those
   std::vector<int> Held;         ///< at zero
   std::unique_ptr<Smoother<Single>> FineSmoother;
   std::unique_ptr<GalerkinHierarchy<Complex>> Hierarchy; ///< of the coarse levels
   std::unique_ptr<MultigridCycle<Complex>> Coarse;
-  Vector<Single> b; ///< of the scaled unknowns
+  Vector<Single> b;
   Vector<Single> x;
   Vector<Single> Residual;
   Vector<Complex> CoarseResidual;
   Vector<Complex> CoarseCorrection;
-  Vector<double> SumsOfTiles; ///< room for CompactProlongation
+  Vector<float> SumsOfTiles; ///< room for CompactProlongation
 };
 
 }

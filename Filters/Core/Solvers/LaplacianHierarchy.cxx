@@ -1,14 +1,13 @@
 #include "Solvers/LaplacianHierarchy.h"
 
-#include "Solvers/ArrangedMatrix.h"
 #include "Solvers/HierarchicalOrder.h"
 #include "Solvers/LaplacianCycle.h"
 #include "Solvers/SmoothedProlongation.h"
 #include "Solvers/SparseDiagonal.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
+#include "Support/FreedMemory.h"
 #include "Support/Permutations.h"
-#include "Support/RowRuns.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -27,7 +26,7 @@ constexpr int RowGrain = 8192;
 class ShiftedLaplacian : public LinearOperator<double>
 {
 public:
-  ShiftedLaplacian(const SparseMatrix<Complex>& matrix, const Vector<double>& diagonal)
+  ShiftedLaplacian(const SplitMatrix& matrix, const Vector<double>& diagonal)
     : L(matrix)
     , D(diagonal)
   {
@@ -42,19 +41,13 @@ public:
     const auto* const from = reinterpret_cast<const Complex*>(x.data());
     auto* const to = reinterpret_cast<Complex*>(y.data());
     const double ofL = SumOverBlocks<double>(
-      this->Size() / 2, context, [this, from, to](int first, int last) {
-        double product = 0.0;
-        this->L.Multiply(first, last, from, [from, to, &product](int k, Complex sum) {
-          to[k] = sum;
-          product += from[k].real() * sum.real() + from[k].imag() * sum.imag();
-        });
-        return product;
-      });
+      this->Size() / 2, context,
+      [this, from, to](int first, int last) { return this->L.Multiply(first, last, from, to); });
     return ofL + this->D.AddProduct(x, y);
   }
 
 private:
-  const RowRuns<Complex> L;
+  const SplitMatrix::Operator L;
   const SparseDiagonal D;
 };
 
@@ -89,61 +82,34 @@ std::vector<int> ComponentsOf(const SparseMatrix<Complex>& L)
   return parents;
 }
 
-/// 0 where it is empty.
-Vector<double> RootsOfDiagonal(const SparseMatrix<Complex>& L, const ExecutionContext& context)
-{
-  Vector<double> roots(L.rows());
-  context.ParallelFor(0, static_cast<int>(L.rows()), RowGrain, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
-    {
-      roots[k] = std::sqrt(std::max(0.0, L.coeff(k, k).real()));
-    }
-  });
-  return roots;
-}
-
-/// What is known of each unknown, two for each row. Components and roots are in the order of the parents.
+/// What is known of each unknown, two for each row.
+/// \param components in the order of the parents.
 void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParents,
   const std::vector<int>& byColours, const std::vector<int>& components,
-  const Vector<double>& roots, const ExecutionContext& context)
+  const ExecutionContext& context)
 {
   const int unknowns = 2 * static_cast<int>(byColours.size());
   hierarchy.Order.resize(unknowns);
   std::vector<int> ofUnknowns(unknowns);
-  hierarchy.Scales.resize(unknowns);
   context.ParallelFor(0, unknowns, RowGrain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
       const int k = byColours[i / 2];
       hierarchy.Order[i] = 2 * byParents[k] + i % 2;
       ofUnknowns[i] = components[k];
-      hierarchy.Scales[i] = roots[k];
     }
   });
   hierarchy.SetComponents(std::move(ofUnknowns));
 }
 
-/// L by colours, and what sweeps read of it, scaled.
-void SetMatrix(LaplacianHierarchy& hierarchy, const SparseMatrix<Complex>& L,
-  const std::vector<int>& byColours, const ExecutionContext& context)
-{
-  const int size = static_cast<int>(byColours.size());
-  SparseMatrix<Complex> inOrder = Permuted(L, byColours, Inverse(byColours, context), context);
-  hierarchy.L.swap(inOrder); // an assignment would copy
-  const std::vector<int> same = Identity(size);
-  const Vector<double> scale = hierarchy.Scales(Eigen::seqN(0, size, 2)).cwiseInverse();
-  ArrangeLower(hierarchy.L, same, same, scale, hierarchy.A.Lower, context);
-  ArrangeUpper(hierarchy.L, same, same, scale, hierarchy.A.Upper, context);
-}
-
-/// The restriction on scaled unknowns by colours.
-/// \param isolated unknowns that it leaves out, ascending.
+/// The restriction on unknowns by colours, without those that L says nothing of.
 RowBands<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& restriction,
-  const std::vector<int>& byColours, const Vector<double>& roots, const std::vector<int>& isolated,
-  const ExecutionContext& context)
+  const SparseMatrix<Complex>& L, const std::vector<int>& byColours, const ExecutionContext& context)
 {
   using Entry = std::pair<int, LaplacianHierarchy::Single>;
   const std::vector<int> places = Inverse(byColours, context);
+  const std::vector<int> isolated = Choose(
+    static_cast<int>(L.rows()), [&L](int i) { return L.coeff(i, i) == Complex(0.0); }, context);
   const auto makeWorker = [&] {
     return [&, entries = std::vector<Entry>()](
              int firstRow, int lastRow, SparseRows<LaplacianHierarchy::Single>& rows) mutable {
@@ -152,11 +118,10 @@ RowBands<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& rest
         entries.clear();
         for (SparseMatrix<Complex>::InnerIterator entry(restriction, j); entry; ++entry)
         {
-          const int place = places[entry.col()];
-          if (!std::binary_search(isolated.begin(), isolated.end(), place))
+          if (!std::binary_search(isolated.begin(), isolated.end(), entry.col()))
           {
             entries.emplace_back(
-              place, static_cast<LaplacianHierarchy::Single>(entry.value() * roots[entry.col()]));
+              places[entry.col()], static_cast<LaplacianHierarchy::Single>(entry.value()));
           }
         }
         std::sort(entries.begin(), entries.end(),
@@ -185,18 +150,23 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
 
   // Sorted by parents, products are fast; sweeps want colours.
   const std::vector<int> byParents = BringIntoOrder(prolongations, size, context);
-  const SparseMatrix<Complex> L = makeL(byParents, context);
+  SparseMatrix<Complex> L = makeL(byParents, context);
   CheckChain(L.rows(), prolongations);
   context.Checkpoint(0.2);
-  SparseMatrix<Complex> P = SmoothedProlongation(L, prolongations[0], smoothingSteps, context);
+  SparseMatrix<Complex>& P = prolongations[0];
+  SmoothProlongation(L, P, smoothingSteps, context);
+  GiveBackFreedMemory(); // of bands; what comes now is large, and would not fit there
   context.Checkpoint(0.5);
   CompactProlongation::Round(P, context); // so that the coarse matrix is that of the packed one
-  const SparseMatrix<Complex> R = Adjoint(P, context);
-  SparseMatrix<Complex> coarse = TripleProduct(R, L, P, context);
-  SparseMatrix<Complex>().swap(P);
-  context.Checkpoint(0.7);
+  SparseMatrix<Complex> R = Adjoint(P, context);
 
   LaplacianHierarchy hierarchy;
+  hierarchy.CoarseLower =
+    TripleProduct(R, L, P, context).triangularView<Eigen::Lower>();
+  SparseMatrix<Complex>().swap(P);
+  GiveBackFreedMemory();
+  context.Checkpoint(0.7);
+
   // Greedy colours come one after the other, and so do components; but they do not wait for each other.
   ColourOrder colours;
   std::vector<int> components;
@@ -213,37 +183,28 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
       }
     }
   });
-  const std::vector<int>& byColours = colours.Unknowns;
-  Vector<double> roots = RootsOfDiagonal(L, context);
-  hierarchy.Isolated =
-    Choose(size, [&](int k) { return roots[byColours[k]] == 0.0; }, context);
-  for (const int k : hierarchy.Isolated)
+  const auto restriction = InColours(R, L, colours.Unknowns, context);
+  SparseMatrix<Complex>().swap(R);
+  hierarchy.L = SplitMatrix(L, colours, context);
+  SparseMatrix<Complex>().swap(L);
+  hierarchy.Prolongation = CompactProlongation(restriction, context);
+  SetUnknowns(hierarchy, byParents, colours.Unknowns, components, context);
+  hierarchy.Coarser.reserve(prolongations.size()); // growth would copy
+  for (std::size_t level = 1; level < prolongations.size(); ++level)
   {
-    roots[byColours[k]] = 1.0;
+    hierarchy.Coarser.emplace_back().swap(prolongations[level]);
   }
-  SetUnknowns(hierarchy, byParents, byColours, components, roots, context);
-  SetMatrix(hierarchy, L, byColours, context);
-  hierarchy.Prolongation =
-    CompactProlongation(InColours(R, byColours, roots, hierarchy.Isolated, context), context);
-  hierarchy.CoarseMatrix.swap(coarse);
-  hierarchy.A.Begins = std::move(colours.Begins);
-  prolongations.erase(prolongations.begin());
-  hierarchy.Coarser = std::move(prolongations);
   context.Checkpoint(1.0);
   return hierarchy;
 }
 
 LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
   : RoughnessHierarchy(std::move(other))
+  , L(std::move(other.L))
   , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
-  , Isolated(std::move(other.Isolated))
 {
-  this->L.swap(other.L);
-  this->A.Begins.swap(other.A.Begins);
-  this->A.Lower.swap(other.A.Lower);
-  this->A.Upper.swap(other.A.Upper);
-  this->CoarseMatrix.swap(other.CoarseMatrix);
+  this->CoarseLower.swap(other.CoarseLower);
 }
 
 std::unique_ptr<LinearOperator<double>> LaplacianHierarchy::Operator(const Vector<double>& D) const
@@ -259,8 +220,7 @@ std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& 
 
 long long LaplacianHierarchy::Bytes() const
 {
-  long long bytes = BytesOf(this->L) + BytesOf(this->A.Lower) + BytesOf(this->A.Upper) +
-    this->Prolongation.Bytes() + BytesOf(this->CoarseMatrix) +
+  long long bytes = this->L.Bytes() + this->Prolongation.Bytes() + BytesOf(this->CoarseLower) +
     this->BytesOfUnknowns();
   for (const SparseMatrix<Complex>& P : this->Coarser)
   {

@@ -3,7 +3,7 @@
 
 #include "Solvers/CompactProlongation.h"
 #include "Solvers/RoughnessHierarchy.h"
-#include "Solvers/Smoother.h"
+#include "Solvers/SplitMatrix.h"
 
 #include <complex>
 #include <functional>
@@ -16,25 +16,22 @@ namespace dmg
 /// The levels of a roughness that is given by its matrix: a Hermitian positive semi-definite L of few
 /// entries per row, which Gauss-Seidel smooths. Unknowns 2 k and 2 k + 1 are the parts of complex unknown k.
 ///
-/// Order and scale. Complex unknowns are sorted by colours. Cycles work on them in single precision, scaled
-/// to a unit diagonal: x_k times the root of the diagonal. So are A and Prolongation.
+/// Complex unknowns are sorted by colours.
 class LaplacianHierarchy : public RoughnessHierarchy
 {
 public:
   using Single = std::complex<float>;
 
   LaplacianHierarchy() = default;
-  /// Eigen 3.4 would copy the matrices.
+  /// Eigen 3.4 would copy the matrix.
   LaplacianHierarchy(LaplacianHierarchy&& other) noexcept;
 
-  SparseMatrix<Complex> L;      ///< not scaled
-  UnitDiagonalMatrix<Single> A; ///< L but for its diagonal
+  SplitMatrix L;
   CompactProlongation Prolongation;   ///< complex
-  SparseMatrix<Complex> CoarseMatrix; ///< P^H L P
+  SparseMatrix<Complex> CoarseLower;  ///< the lower triangle of P^H L P
   std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
 
-  std::vector<int> Isolated; ///< complex unknowns that L says nothing of, ascending
-
+  double DiagonalOf(int unknown) const override { return this->L.Diagonal[unknown / 2]; }
   std::unique_ptr<LinearOperator<double>> Operator(const Vector<double>& D) const override;
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const override;

@@ -298,6 +298,7 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(SchwarzBlocks blocks)
 
 LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept
   : RoughnessHierarchy(std::move(other))
+  , Scales(std::move(other.Scales))
   , Tiles(std::move(other.Tiles))
   , Blocks(std::move(other.Blocks))
   , Subdomains(std::move(other.Subdomains))
@@ -311,7 +312,8 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noex
 long long LeastSquaresHierarchy::Bytes() const
 {
   long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() +
-    BytesOf(this->CoarseLower) + this->BytesOfUnknowns();
+    BytesOf(this->CoarseLower) + this->BytesOfUnknowns() +
+    this->Scales.size() * static_cast<long long>(sizeof(double));
   for (const Subdomain& subdomain : this->Subdomains)
   {
     sum += subdomain.Bytes();

@@ -51,6 +51,7 @@ public:
   /// Eigen 3.4 would copy the matrices.
   LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept;
 
+  Vector<double> Scales;  ///< |R_ii| <= Scales_i^2, nearly equal; 1 where R is zero
   SparseMatrix<double> B; ///< columns divided by Scales
   RowTiles Tiles;         ///< of B, for products with its transpose
   SchwarzBlocks Blocks;
@@ -61,6 +62,10 @@ public:
   /// Between the levels below, finest first.
   std::vector<SparseMatrix<double>> Coarser;
 
+  double DiagonalOf(int unknown) const override
+  {
+    return this->Scales[unknown] * this->Scales[unknown];
+  }
   std::unique_ptr<LinearOperator<double>> Operator(const Vector<double>& D) const override;
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const override;

@@ -103,7 +103,7 @@ private:
   /// x_0 += B (b_0 - A x_0).
   void Repeat(const ExecutionContext& context)
   {
-    const UnitDiagonalMatrix<Value>& A = this->Levels[0].A;
+    const TriangularParts<Value>& A = this->Levels[0].A;
     Vector<Value>& b = this->Levels[0].b;
     Vector<Value>& x = this->Levels[0].x;
     const Vector<Value> former = x;

@@ -16,7 +16,7 @@ using Clock = std::chrono::steady_clock;
 
 /// b - A x.
 template <class Value>
-Vector<Value> Residual(const UnitDiagonalMatrix<Value>& A, const Vector<Value>& b,
+Vector<Value> Residual(const TriangularParts<Value>& A, const Vector<Value>& b,
   const Vector<Value>& x, const ExecutionContext& context)
 {
   constexpr int Grain = 4096;

@@ -57,9 +57,6 @@ public:
   std::vector<int> Order;
   /// A number for each unknown, which it shares with all that it is connected with; empty if all are.
   std::vector<int> Components;
-  /// How large R is at an unknown: |R_ii| <= Scales_i^2, nearly equal; 1 where R is zero.
-  Vector<double> Scales;
-
   int NumberOfUnknowns() const { return static_cast<int>(this->Order.size()); }
   /// \param components of each unknown.
   void SetComponents(std::vector<int> components)
@@ -72,6 +69,9 @@ public:
   {
     return this->Components.empty() ? 0 : this->Components[unknown];
   }
+
+  /// R_ii, or nearly: no less. Where R is zero, any number up to one.
+  virtual double DiagonalOf(int unknown) const = 0;
 
   /// R + D. Borrows the hierarchy.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero, and so is its row of A x.
@@ -92,8 +92,7 @@ protected:
   /// Of what this class holds.
   long long BytesOfUnknowns() const
   {
-    return static_cast<long long>((this->Order.size() + this->Components.size()) * sizeof(int) +
-      this->Scales.size() * sizeof(double));
+    return static_cast<long long>((this->Order.size() + this->Components.size()) * sizeof(int));
   }
 };
 

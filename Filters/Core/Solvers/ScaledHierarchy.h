@@ -25,7 +25,7 @@ class ScaledHierarchy
 public:
   struct Level
   {
-    UnitDiagonalMatrix<Value> A; ///< empty on the coarsest level, and without matrices
+    TriangularParts<Value> A; ///< empty on the coarsest level, and without matrices
     Vector<Value> b;
     Vector<Value> x;
 

@@ -101,26 +101,20 @@ SparseMatrix<Scalar> Step(const SparseMatrix<Scalar>& A, const SparseMatrix<Scal
 }
 
 template <class Scalar>
-SparseMatrix<Scalar> SmoothedProlongation(const SparseMatrix<Scalar>& A,
-  const SparseMatrix<Scalar>& P, int steps, const ExecutionContext& context)
+void SmoothProlongation(const SparseMatrix<Scalar>& A, SparseMatrix<Scalar>& P, int steps,
+  const ExecutionContext& context)
 {
   assert(A.rows() == A.cols() && A.cols() == P.rows());
-  SparseMatrix<Scalar> smoothed;
-  if (steps == 0)
-  {
-    smoothed = P;
-  }
   for (int step = 0; step < steps; ++step)
   {
-    SparseMatrix<Scalar> next = Step(A, step == 0 ? P : smoothed, context);
-    smoothed.swap(next); // an assignment would copy
+    SparseMatrix<Scalar> next = Step(A, P, context);
+    P.swap(next); // an assignment would copy
   }
-  return smoothed;
 }
 
-template SparseMatrix<double> SmoothedProlongation(
-  const SparseMatrix<double>&, const SparseMatrix<double>&, int, const ExecutionContext&);
-template SparseMatrix<Complex> SmoothedProlongation(
-  const SparseMatrix<Complex>&, const SparseMatrix<Complex>&, int, const ExecutionContext&);
+template void SmoothProlongation(
+  const SparseMatrix<double>&, SparseMatrix<double>&, int, const ExecutionContext&);
+template void SmoothProlongation(
+  const SparseMatrix<Complex>&, SparseMatrix<Complex>&, int, const ExecutionContext&);
 
 }

@@ -7,7 +7,7 @@
 namespace dmg
 {
 
-/// A prolongation whose coarse functions have less energy: steps of damped Jacobi on A P = 0, as in
+/// Takes energy from the coarse functions of a prolongation, in place: steps of damped Jacobi on A P = 0, as in
 /// smoothed aggregation (Vanek, Mandel and Brezina 1996), but with the fill taken back.
 ///
 /// Each step is P <- (I - 2/3 D^{-1} A) P, D the diagonal of A. Then, in every row, entries below a
@@ -17,11 +17,11 @@ namespace dmg
 /// than those of a barycentric interpolation.
 ///
 /// \param A N x N, symmetric or Hermitian, positive semi-definite.
-/// \param P N x n.
+/// \param P N x n; its former entries are freed after the first step.
 /// Cost per step: one product A P.
 template <class Scalar>
-SparseMatrix<Scalar> SmoothedProlongation(const SparseMatrix<Scalar>& A,
-  const SparseMatrix<Scalar>& P, int steps, const ExecutionContext& context);
+void SmoothProlongation(const SparseMatrix<Scalar>& A, SparseMatrix<Scalar>& P, int steps,
+  const ExecutionContext& context);
 
 }
 

@@ -16,14 +16,14 @@ namespace
 
 constexpr int RowGrain = 4096;
 
-/// Solves the diagonal of A + D for one unknown.
+/// Solves the diagonal for one unknown.
 template <class Value>
 struct UnitDiagonal
 {
   Value operator()(int, Value value) const { return value; }
 };
 template <class Value>
-struct ShiftedDiagonal
+struct GivenDiagonal
 {
   const Vector<typename Eigen::NumTraits<Value>::Real>& Inverse;
   Value operator()(int i, Value value) const { return this->Inverse[i] * value; }
@@ -36,7 +36,7 @@ template <class Value, class Diagonal>
 class GaussSeidelSmoother : public Smoother<Value>
 {
 public:
-  GaussSeidelSmoother(const UnitDiagonalMatrix<Value>& matrix, Diagonal diagonal,
+  GaussSeidelSmoother(const TriangularParts<Value>& matrix, Diagonal diagonal,
     const SmootherOptions& options)
     : Begins(matrix.Begins)
     , Lower(matrix.Lower)
@@ -148,7 +148,7 @@ class ChebyshevSmoother : public Smoother<Value>
   using Real = typename Eigen::NumTraits<Value>::Real;
 
 public:
-  ChebyshevSmoother(const UnitDiagonalMatrix<Value>& matrix, const SmootherOptions& options,
+  ChebyshevSmoother(const TriangularParts<Value>& matrix, const SmootherOptions& options,
     const ExecutionContext& context)
     : A(matrix)
     , PreDegree(options.PreSweeps)
@@ -259,7 +259,7 @@ private:
       { return static_cast<double>(x.segment(first, last - first).squaredNorm()); });
   }
 
-  const UnitDiagonalMatrix<Value>& A;
+  const TriangularParts<Value>& A;
   const int PreDegree;
   const int PostDegree;
   Vector<Value> Residual;
@@ -323,7 +323,7 @@ ColourOrder SingleColour(int size)
 
 template <class Value>
 std::unique_ptr<Smoother<Value>> Smoother<Value>::New(
-  const UnitDiagonalMatrix<Value>& A, const SmootherOptions& options,
+  const TriangularParts<Value>& A, const SmootherOptions& options,
   const ExecutionContext& context)
 {
   if (options.Kind == SmootherKind::Chebyshev)
@@ -335,11 +335,11 @@ std::unique_ptr<Smoother<Value>> Smoother<Value>::New(
 }
 
 template <class Value>
-std::unique_ptr<Smoother<Value>> Smoother<Value>::NewShifted(const UnitDiagonalMatrix<Value>& A,
+std::unique_ptr<Smoother<Value>> Smoother<Value>::NewWithDiagonal(const TriangularParts<Value>& A,
   const Vector<Real>& inverseDiagonal, const SmootherOptions& options)
 {
-  return std::make_unique<GaussSeidelSmoother<Value, ShiftedDiagonal<Value>>>(
-    A, ShiftedDiagonal<Value>{ inverseDiagonal }, options);
+  return std::make_unique<GaussSeidelSmoother<Value, GivenDiagonal<Value>>>(
+    A, GivenDiagonal<Value>{ inverseDiagonal }, options);
 }
 
 template ColourOrder Colouring(const SparseMatrix<double>&);

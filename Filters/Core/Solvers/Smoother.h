@@ -43,10 +43,10 @@ ColourOrder Colouring(const SparseMatrix<Scalar>& A);
 /// One colour only, the order of the matrix: what a smoother without colours needs.
 ColourOrder SingleColour(int size);
 
-/// A matrix with unit diagonal as smoothers read it: the parts left and right of the diagonal, so
-/// that half a product touches half the memory. Columns of a row are in any order.
+/// A matrix but for its diagonal as smoothers read it: the parts left and right of it, so that half a
+/// product touches half the memory. Columns of a row are in any order.
 template <class Value>
-struct UnitDiagonalMatrix
+struct TriangularParts
 {
   std::vector<int> Begins; ///< of its colours
   SparseMatrix<Value> Lower;
@@ -54,7 +54,7 @@ struct UnitDiagonalMatrix
 };
 
 /// Damps the part of an error that a coarser level cannot represent, for a symmetric or Hermitian
-/// positive semi-definite matrix A with unit diagonal.
+/// positive semi-definite matrix A.
 ///
 /// Value is double, float or their complex numbers. Same bits for any number of threads.
 template <class Value>
@@ -63,14 +63,15 @@ class Smoother
 public:
   using Real = typename Eigen::NumTraits<Value>::Real;
 
+  /// For a unit diagonal.
   /// \param A borrowed.
-  static std::unique_ptr<Smoother> New(const UnitDiagonalMatrix<Value>& A,
+  static std::unique_ptr<Smoother> New(const TriangularParts<Value>& A,
     const SmootherOptions& options, const ExecutionContext& context);
 
-  /// The same for A + D, D diagonal, by Gauss-Seidel.
-  /// \param inverseDiagonal 1 / (1 + D_i), borrowed; or 0: the unknown is held at zero, and its residual has
-  ///   no meaning.
-  static std::unique_ptr<Smoother> NewShifted(const UnitDiagonalMatrix<Value>& A,
+  /// For any other diagonal, by Gauss-Seidel.
+  /// \param inverseDiagonal 1 / A_ii, borrowed; or 0: the unknown is held at zero, and its residual has no
+  ///   meaning.
+  static std::unique_ptr<Smoother> NewWithDiagonal(const TriangularParts<Value>& A,
     const Vector<Real>& inverseDiagonal, const SmootherOptions& options);
   virtual ~Smoother() = default;
 

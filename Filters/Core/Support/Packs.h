@@ -66,6 +66,16 @@ inline FloatPack GatherPairs(const float* from, int first, int second)
   return LoadPack<FloatPack>(&pairs);
 }
 
+/// Adds to pairs of numbers at two places, which may be the same.
+inline void AddPairs(FloatPack pairs, float* to, int first, int second)
+{
+  using Pair = float __attribute__((vector_size(2 * sizeof(float))));
+  const Pair low = __builtin_shufflevector(pairs, pairs, 0, 1);
+  const Pair high = __builtin_shufflevector(pairs, pairs, 2, 3);
+  StorePack(LoadPack<Pair>(to + 2 * first) + low, to + 2 * first);
+  StorePack(LoadPack<Pair>(to + 2 * second) + high, to + 2 * second);
+}
+
 inline FloatPack SwapPairs(FloatPack pack)
 {
   return __builtin_shufflevector(pack, pack, 1, 0, 3, 2);

@@ -66,6 +66,22 @@ public:
     return squares;
   }
 
+  /// Calls visit(row, columns, values, length) for rows [first, last), ascending; short lengths are integral
+  /// constants.
+  template <class Visit>
+  void ForRows(int first, int last, const Visit& visit) const
+  {
+    auto run = std::upper_bound(this->Runs.begin(), this->Runs.end(), first,
+      [](int row, const Run& candidate) { return row < candidate.End; });
+    for (; first < last; first = (run++)->End)
+    {
+      const int end = std::min(run->End, last);
+      WithLength(run->Length,
+        [&](auto length) { this->ForRowsOfRun(first, end, length, visit); },
+        std::make_integer_sequence<int, LongestUnrolled + 1>());
+    }
+  }
+
 private:
   struct Run
   {
@@ -93,21 +109,6 @@ private:
     for (int k = 0; k < length; ++k)
     {
       AddProduct(y[columns[k]], values[k], factor);
-    }
-  }
-
-  /// Calls visit(row, columns, values, length), ascending; short lengths are integral constants.
-  template <class Visit>
-  void ForRows(int first, int last, const Visit& visit) const
-  {
-    auto run = std::upper_bound(this->Runs.begin(), this->Runs.end(), first,
-      [](int row, const Run& candidate) { return row < candidate.End; });
-    for (; first < last; first = (run++)->End)
-    {
-      const int end = std::min(run->End, last);
-      WithLength(run->Length,
-        [&](auto length) { this->ForRowsOfRun(first, end, length, visit); },
-        std::make_integer_sequence<int, LongestUnrolled + 1>());
     }
   }
 

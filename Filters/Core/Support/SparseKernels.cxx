@@ -132,11 +132,12 @@ SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionConte
   return adjoint;
 }
 
-SparseMatrix<double> SymmetricFromLower(
-  const SparseMatrix<double>& lower, const ExecutionContext& context)
+template <class Scalar>
+SparseMatrix<Scalar> SymmetricFromLower(
+  const SparseMatrix<Scalar>& lower, const ExecutionContext& context)
 {
   const int rows = static_cast<int>(lower.rows());
-  const SparseMatrix<double> upper = Adjoint(lower, context);
+  const SparseMatrix<Scalar> upper = Adjoint(lower, context);
   const int* const offsetsOfLower = lower.outerIndexPtr();
   const int* const offsetsOfUpper = upper.outerIndexPtr();
   // The diagonal is the first entry of a row of the upper triangle, if there.
@@ -144,13 +145,13 @@ SparseMatrix<double> SymmetricFromLower(
     const int begin = offsetsOfUpper[i];
     return begin + (begin < offsetsOfUpper[i + 1] && upper.innerIndexPtr()[begin] == i);
   };
-  SparseMatrix<double> A(rows, rows);
+  SparseMatrix<Scalar> A(rows, rows);
   MakeRoom(A, context, [&](int i) {
     return offsetsOfLower[i + 1] - offsetsOfLower[i] + offsetsOfUpper[i + 1] - beyondDiagonal(i);
   });
   context.ParallelFor(0, rows, RowGrain, [&](int first, int last) {
-    const auto copy = [](const SparseMatrix<double>& from, int begin, int end,
-                        SparseMatrix<double>& to, int at) {
+    const auto copy = [](const SparseMatrix<Scalar>& from, int begin, int end,
+                        SparseMatrix<Scalar>& to, int at) {
       std::copy(from.innerIndexPtr() + begin, from.innerIndexPtr() + end, to.innerIndexPtr() + at);
       std::copy(from.valuePtr() + begin, from.valuePtr() + end, to.valuePtr() + at);
       return at + end - begin;
@@ -336,6 +337,10 @@ template SparseMatrix<Complex> Adjoint(const SparseMatrix<Complex>&, const Execu
 template SparseMatrix<float> Adjoint(const SparseMatrix<float>&, const ExecutionContext&);
 template SparseMatrix<std::complex<float>> Adjoint(
   const SparseMatrix<std::complex<float>>&, const ExecutionContext&);
+template SparseMatrix<double> SymmetricFromLower(
+  const SparseMatrix<double>&, const ExecutionContext&);
+template SparseMatrix<Complex> SymmetricFromLower(
+  const SparseMatrix<Complex>&, const ExecutionContext&);
 template SparseMatrix<double> Permuted(const SparseMatrix<double>&, const std::vector<int>&,
   const std::vector<int>&, const ExecutionContext&);
 template SparseMatrix<Complex> Permuted(const SparseMatrix<Complex>&, const std::vector<int>&,

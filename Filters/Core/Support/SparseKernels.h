@@ -126,9 +126,10 @@ double SquaredNorm(const Vector<Scalar>& x, const ExecutionContext& context);
 template <class Scalar>
 SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
 
-/// A symmetric matrix from its lower triangle, columns ascending.
-SparseMatrix<double> SymmetricFromLower(
-  const SparseMatrix<double>& lower, const ExecutionContext& context);
+/// A symmetric or Hermitian matrix from its lower triangle, columns ascending.
+template <class Scalar>
+SparseMatrix<Scalar> SymmetricFromLower(
+  const SparseMatrix<Scalar>& lower, const ExecutionContext& context);
 
 /// A += B, in place.
 /// \pre B has entries only where A has some; columns ascend in both.

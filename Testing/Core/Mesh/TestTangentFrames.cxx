@@ -22,7 +22,7 @@ void ExpectOrthonormal(const TangentFrames& frames)
   for (int i = 0; i < frames.X.rows(); ++i)
   {
     Eigen::Matrix3d frame;
-    frame << frames.X.row(i), frames.Y.row(i), frames.N.row(i);
+    frame << frames.X.row(i), frames.Y.row(i), frames.Normal(i).transpose();
     EXPECT_LT(
       (frame * frame.transpose() - Eigen::Matrix3d::Identity()).norm(), 20.0 * MachinePrecision);
     EXPECT_GT(frame.determinant(), 0.0);
@@ -40,7 +40,7 @@ TEST(TangentFrames, OfFacesAreOrthonormalAndAlongTheFirstSide)
     {
       const Vector3 side = mesh.Position(mesh.Head(3 * f)) - mesh.Position(mesh.Tail(3 * f));
       EXPECT_NEAR(frames.X.row(f).dot(side), side.norm(), 4.0 * MachinePrecision * side.norm());
-      EXPECT_NEAR(frames.N.row(f).dot(mesh.FaceAreaVector(f)), 2.0 * mesh.FaceArea(f),
+      EXPECT_NEAR(frames.Normal(f).dot(mesh.FaceAreaVector(f)), 2.0 * mesh.FaceArea(f),
         1e-12 * mesh.FaceArea(f));
     }
   }
@@ -63,7 +63,7 @@ TEST(TangentFrames, OfZeroAreaFacesComeFromTheirNeighbours)
   ExpectOrthonormal(frames);
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
-    EXPECT_LT((frames.N.row(f) - Eigen::RowVector3d(0.0, 0.0, 1.0)).norm(), 4 * MachinePrecision);
+    EXPECT_LT((frames.Normal(f) - Vector3(0.0, 0.0, 1.0)).norm(), 4 * MachinePrecision);
   }
 
   const TriangleMesh sphere = SphereWithZeroAreaFaces(3, 8).Mesh();
@@ -73,7 +73,7 @@ TEST(TangentFrames, OfZeroAreaFacesComeFromTheirNeighbours)
   for (int f = 0; f < sphere.NumberOfFaces(); ++f)
   {
     // Outwards, as everywhere on the sphere: within the angle between neighbouring facets.
-    EXPECT_GT(onSphere.N.row(f).dot(sphere.Position(sphere.Tail(3 * f))), 0.9);
+    EXPECT_GT(onSphere.Normal(f).dot(sphere.Position(sphere.Tail(3 * f))), 0.9);
   }
 }
 
@@ -135,7 +135,7 @@ TEST(TangentFrames, OfVerticesFollowTheSphere)
   ExpectOrthonormal(frames);
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
   {
-    EXPECT_GT(frames.N.row(v).dot(mesh.Position(v)), 0.999);
+    EXPECT_GT(frames.Normal(v).dot(mesh.Position(v)), 0.999);
     const Vector3 edge = mesh.Position(mesh.Head(mesh.OutgoingHalfedge(v))) - mesh.Position(v);
     EXPECT_NEAR(frames.Y.row(v).dot(edge), 0.0, 8.0 * MachinePrecision);
     EXPECT_GT(frames.X.row(v).dot(edge), 0.0);
@@ -145,7 +145,7 @@ TEST(TangentFrames, OfVerticesFollowTheSphere)
 TEST(TransportTurn, IsTheShortestRotationBetweenTheNormals)
 {
   Random random(7);
-  TangentFrames frames{ Points(200, 3), Points(200, 3), Points(200, 3) };
+  TangentFrames frames{ Points(200, 3), Points(200, 3) };
   for (int i = 0; i < 200; ++i)
   {
     const Eigen::Matrix3d turn = Eigen::Quaterniond(
@@ -154,18 +154,16 @@ TEST(TransportTurn, IsTheShortestRotationBetweenTheNormals)
                                    .toRotationMatrix();
     frames.X.row(i) = turn.col(0).transpose();
     frames.Y.row(i) = turn.col(1).transpose();
-    frames.N.row(i) = turn.col(2).transpose();
   }
   for (int i = 0; i + 1 < 200; ++i)
   {
-    const Eigen::Quaterniond shortest = Eigen::Quaterniond::FromTwoVectors(
-      Vector3(frames.N.row(i).transpose()), Vector3(frames.N.row(i + 1).transpose()));
+    const Eigen::Quaterniond shortest = Eigen::Quaterniond::FromTwoVectors(frames.Normal(i), frames.Normal(i + 1));
     const Vector3 carried = shortest * Vector3(frames.X.row(i).transpose());
     const Complex turn = TransportTurn(frames, i, frames, i + 1);
     EXPECT_NEAR(std::abs(turn), 1.0, 4.0 * MachinePrecision);
     // Near opposite normals the rotation is ill-conditioned, like one over the cosine of half the
     // angle between them, squared.
-    const double condition = 1.0 + frames.N.row(i).dot(frames.N.row(i + 1));
+    const double condition = 1.0 + frames.Normal(i).dot(frames.Normal(i + 1));
     EXPECT_LT(
       std::abs(frames.ToComplex(i + 1, carried) - turn), 100.0 * MachinePrecision / condition);
     EXPECT_LT(std::abs(TransportTurn(frames, i + 1, frames, i) - std::conj(turn)),
@@ -175,10 +173,9 @@ TEST(TransportTurn, IsTheShortestRotationBetweenTheNormals)
 
 TEST(TransportTurn, IsDefinedBetweenOppositeNormals)
 {
-  TangentFrames frames{ Points(2, 3), Points(2, 3), Points(2, 3) };
+  TangentFrames frames{ Points(2, 3), Points(2, 3) };
   frames.X << 1, 0, 0, 0, 1, 0;
   frames.Y << 0, 1, 0, 1, 0, 0;
-  frames.N << 0, 0, 1, 0, 0, -1;
   // Every half turn about a tangential axis is a shortest one; ours keeps X of the first frame.
   EXPECT_LT(
     std::abs(TransportTurn(frames, 0, frames, 1) - Complex(0.0, 1.0)), 4.0 * MachinePrecision);

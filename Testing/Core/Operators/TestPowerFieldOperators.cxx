@@ -472,7 +472,7 @@ TEST(PowersAtVertices, FollowASmoothFieldOnTheSphere)
       Vector<Complex> X(mesh.NumberOfFaces());
       for (int f = 0; f < mesh.NumberOfFaces(); ++f)
       {
-        const Vector3 centre = faceFrames.N.row(f).transpose();
+        const Vector3 centre = faceFrames.Normal(f);
         X[f] = std::polar(1.0, N * std::arg(faceFrames.ToComplex(f, east(centre))));
       }
       const Vector<Complex> atVertices = PowersAtVertices(mesh, faceFrames, vertexFrames, X, N);
@@ -550,7 +550,7 @@ TEST(SingularityIndices, OfEastAreOneAtThePoles)
     Vector<Complex> X(mesh.NumberOfFaces());
     for (int f = 0; f < mesh.NumberOfFaces(); ++f)
     {
-      const Vector3 n = frames.N.row(f).transpose();
+      const Vector3 n = frames.Normal(f);
       const Complex east = frames.ToComplex(f, Vector3(-n.y(), n.x(), 0.0));
       X[f] = std::polar(1.0, N * std::arg(east));
     }

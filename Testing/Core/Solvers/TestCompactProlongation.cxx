@@ -122,7 +122,7 @@ TEST(TestCompactProlongation, ProductsWithComplexNumbers)
     EXPECT_LE(std::abs(Complex(x[i]) - expected), 2e-6 * (sizes[i] + std::abs(Complex(start[i]))));
   }
   Vector<Complex> adjoint;
-  Vector<double> sums;
+  Vector<float> sums;
   compact.MultiplyAdjoint(start, adjoint, sums, SerialContext());
   const Vector<Complex> expected = P.adjoint() * start.cast<Complex>();
   EXPECT_LE((adjoint - expected).norm(), 1e-6 * expected.norm());

@@ -20,6 +20,14 @@ template <class Scalar>
 class TestSmoothedProlongation : public ::testing::Test
 {
 };
+template <class Scalar>
+SparseMatrix<Scalar> Smoothed(const SparseMatrix<Scalar>& A, SparseMatrix<Scalar> P, int steps,
+  const ExecutionContext& context)
+{
+  SmoothProlongation(A, P, steps, context);
+  return P;
+}
+
 using Scalars = ::testing::Types<double, Complex>;
 TYPED_TEST_SUITE(TestSmoothedProlongation, Scalars);
 
@@ -42,7 +50,7 @@ TYPED_TEST(TestSmoothedProlongation, OneStepByHand)
   }
   const auto A = test::FromTriplets(4, 4, entries);
   const auto P = test::FromTriplets<TypeParam>(4, 2, { { 0, 0, 1.0 }, { 3, 1, 1.0 } });
-  const auto smoothed = SmoothedProlongation(A, P, 1, SerialContext());
+  const auto smoothed = Smoothed(A, P, 1, SerialContext());
   ASSERT_EQ(smoothed.nonZeros(), 4);
   EXPECT_LE(std::abs(smoothed.coeff(0, 0) - TypeParam(1.0 / 3.0)), Epsilon);
   EXPECT_LE(std::abs(smoothed.coeff(1, 0) - Eigen::numext::conj(i) / 3.0), Epsilon);
@@ -53,7 +61,7 @@ TYPED_TEST(TestSmoothedProlongation, OneStepByHand)
 TYPED_TEST(TestSmoothedProlongation, NoStepChangesNothing)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
-  const auto P = SmoothedProlongation(problem.A, problem.P[0], 0, SerialContext());
+  const auto P = Smoothed(problem.A, problem.P[0], 0, SerialContext());
   EXPECT_EQ((P - problem.P[0]).norm(), 0.0);
   EXPECT_EQ(P.nonZeros(), problem.P[0].nonZeros());
 }
@@ -63,7 +71,7 @@ TYPED_TEST(TestSmoothedProlongation, SmallEntriesAreDroppedAndMadeUpFor)
   const auto problem = test::MakeGridProblem<TypeParam>(5, 2);
   const SparseMatrix<TypeParam> AP = problem.A * problem.P[0];
   const SparseMatrix<TypeParam> full = problem.P[0] - TypeParam(2.0 / 3.0 / 4.0) * AP;
-  const auto smoothed = SmoothedProlongation(problem.A, problem.P[0], 1, SerialContext());
+  const auto smoothed = Smoothed(problem.A, problem.P[0], 1, SerialContext());
   EXPECT_LT(smoothed.nonZeros(), full.nonZeros());
   for (int row = 0; row < full.rows(); ++row)
   {
@@ -120,7 +128,7 @@ TYPED_TEST(TestSmoothedProlongation, CoarseFunctionsLoseEnergyWhereCoefficientsJ
   double before = energy(problem.P[0]);
   for (const int steps : { 1, 2, 3 })
   {
-    const double after = energy(SmoothedProlongation(A, problem.P[0], steps, SerialContext()));
+    const double after = energy(Smoothed(A, problem.P[0], steps, SerialContext()));
     EXPECT_LT(after, before) << steps << " steps";
     before = after;
   }
@@ -129,10 +137,10 @@ TYPED_TEST(TestSmoothedProlongation, CoarseFunctionsLoseEnergyWhereCoefficientsJ
 TYPED_TEST(TestSmoothedProlongation, SameBitsForAnyNumberOfThreads)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 2);
-  const auto expected = SmoothedProlongation(problem.A, problem.P[0], 2, SerialContext());
+  const auto expected = Smoothed(problem.A, problem.P[0], 2, SerialContext());
   for (const int threads : { 1, 2, 3, 8 })
   {
-    const auto P = SmoothedProlongation(problem.A, problem.P[0], 2, test::TbbContext(threads));
+    const auto P = Smoothed(problem.A, problem.P[0], 2, test::TbbContext(threads));
     ASSERT_EQ(P.nonZeros(), expected.nonZeros());
     EXPECT_TRUE(std::equal(P.valuePtr(), P.valuePtr() + P.nonZeros(), expected.valuePtr()));
     EXPECT_TRUE(

@@ -48,7 +48,7 @@ struct ColouredGrid
   int Size() const { return static_cast<int>(this->A.rows()); }
 
   SparseMatrix<Scalar> A;
-  UnitDiagonalMatrix<Scalar> Parts;
+  TriangularParts<Scalar> Parts;
 };
 
 /// B of x = B b, column by column, where smooth(b, x) starts from x = 0.
@@ -145,8 +145,8 @@ TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
   }
 }
 
-// With another diagonal, and where it is infinite, without those unknowns.
-TYPED_TEST(TestSmoother, ShiftedIsGaussSeidelOfTheSum)
+// With any diagonal, and without unknowns that are held.
+TYPED_TEST(TestSmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
 {
   const ColouredGrid<TypeParam> grid(4, true);
   Vector<double> inverse(grid.Size());
@@ -170,7 +170,7 @@ TYPED_TEST(TestSmoother, ShiftedIsGaussSeidelOfTheSum)
   for (const int sweeps : { 1, 2, 3 })
   {
     SCOPED_TRACE(sweeps);
-    const auto smoother = Smoother<TypeParam>::NewShifted(
+    const auto smoother = Smoother<TypeParam>::NewWithDiagonal(
       grid.Parts, inverse, { SmootherKind::GaussSeidel, sweeps, sweeps });
     Vector<TypeParam> x(grid.Size()), r(grid.Size());
     smoother->PreSmooth(b, x, r, SerialContext());

@@ -31,7 +31,7 @@ TEST_F(AlignmentConstraintsTest, AreSortedPowersOfTheTangentialParts)
 {
   for (int N = 1; N <= 8; ++N)
   {
-    const Vector3 normal = this->Frames.N.row(9).transpose();
+    const Vector3 normal = this->Frames.Normal(9);
     const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, N,
       { { 20, this->Direction(20, 0.3, 2.5), 3.0 },
         { 9, this->Direction(9, -1.1, 0.5) + 4.0 * normal, 1.5 } });
@@ -79,7 +79,7 @@ TEST_F(AlignmentConstraintsTest, RefuseWhatIsNoDirection)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();
-  const Vector3 normal = this->Frames.N.row(5).transpose();
+  const Vector3 normal = this->Frames.Normal(5);
   const Vector3 good = this->Direction(5, 0.0);
   ElementNames names;
   for (int f = 0; f < this->Mesh.NumberOfFaces(); ++f)

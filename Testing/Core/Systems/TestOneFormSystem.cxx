@@ -47,7 +47,7 @@ int FlatVertex(const TriangleMesh& mesh)
   std::vector<bool> isFlat(mesh.NumberOfVertices(), true);
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
-    if (faces.N.row(TriangleMesh::FaceOf(h)).dot(vertices.N.row(mesh.Tail(h))) < 1.0 - 1e-12)
+    if (faces.Normal(TriangleMesh::FaceOf(h)).dot(vertices.Normal(mesh.Tail(h))) < 1.0 - 1e-12)
     {
       isFlat[mesh.Tail(h)] = false;
     }
