@@ -129,7 +129,7 @@
  *
  * | stage  | repeated when this changes                                  | cost               |
  * | ------ | ----------------------------------------------------------- | ------------------ |
- * | set-up | the content of points or triangles; operators, or what asks for other levels | decimation |
+ * | set-up | the content of points or triangles; operators, or what asks for other levels; Discretisation and N, where the input brings no operators | decimation, or samples |
  * | system | which elements are prescribed; weights; N and other options | products or factor |
  * | solve  | prescribed vectors; Tolerance, MaximumNumberOfIterations    | iterations         |
  *

@@ -26,9 +26,11 @@ namespace dmg
 class CompactProlongation
 {
 public:
+  static constexpr int RowsOfSlice = 4;
+
   CompactProlongation() = default;
   /// \param restriction the adjoint of the prolongation, columns ascending.
-  /// \pre no row of the prolongation has more than 65,536 entries.
+  /// \throw InvalidInput a row of the prolongation has more than 65,536 entries.
   CompactProlongation(const RowBands<Plane>& restriction, const ExecutionContext& context);
 
   /// Rounds a prolongation so that packing loses no more.

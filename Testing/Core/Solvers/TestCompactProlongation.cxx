@@ -2,6 +2,7 @@
 
 #include "Bands.h"
 #include "GridProblem.h"
+#include "Support/Errors.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Dense>
@@ -214,6 +215,18 @@ TEST(TestCompactProlongation, TilesOfManyEntries)
     ASSERT_NEAR(z[2 * j], expected[j].real(), 1e-5);
     ASSERT_NEAR(z[2 * j + 1], expected[j].imag(), 1e-5);
   }
+}
+
+TEST(TestCompactProlongation, RefusesRowsOfTooManyEntries)
+{
+  std::vector<Eigen::Triplet<Plane>> entries;
+  for (int j = 0; j < 65537; ++j)
+  {
+    entries.emplace_back(1, j, Plane(1.0f));
+  }
+  EXPECT_THROW(test::Compact(test::FromTriplets(3, 65537, entries)), InvalidInput);
+  entries.pop_back();
+  EXPECT_EQ(test::Compact(test::FromTriplets(3, 65537, entries)).NonZeros(), 65536);
 }
 
 TEST(TestCompactProlongation, EmptyOnes)
