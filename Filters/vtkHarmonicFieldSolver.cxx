@@ -115,7 +115,7 @@ public:
     dmg::Discretisation Kind;
     int N;
     dmg::VertexAreas Areas;
-    std::shared_ptr<const dmg::RoughnessSurface> Levels; ///< not null
+    std::shared_ptr<const dmg::RoughnessSurface> Levels; ///< null where there are too few faces
     double Seconds;
   };
 
@@ -129,7 +129,7 @@ public:
   {
     dmg::FieldConstraints Constraints;
     dmg::FieldOptions Options;
-    std::shared_ptr<const dmg::RoughnessSurface> Levels; ///< null where its solver needs none
+    std::shared_ptr<const LevelsStage> Levels; ///< null where its solver needs none
     dmg::FieldProblem Problem;
   };
 
@@ -146,12 +146,12 @@ public:
   std::shared_ptr<const OperatorsStage> Operators; ///< null where the solver does without
   /// All that there are of this surface: discretisations and solvers want different levels.
   std::vector<std::shared_ptr<const OperatorsStage>> Built;
-  std::unique_ptr<LevelsStage> Levels;
+  std::shared_ptr<const LevelsStage> Levels;
   std::unique_ptr<BasisStage> Basis;
   std::unique_ptr<SystemStage> System;
   std::unique_ptr<SolveStage> Solution;
 
-  bool IsSetupCounted = false; ///< that of this run
+  bool IsSetupUncounted = false; ///< a run has set up something, and stopped half-way
   int NumberOfSetups = 0;
   int NumberOfSystems = 0;
   int NumberOfSolves = 0;
@@ -172,7 +172,6 @@ public:
         "); apply vtkDirectionalProlongation after the last filter that changes the surface");
     }
 
-    bool redone = false;
     if (!this->Surface || this->Surface->Digest != digest)
     {
       const auto start = std::chrono::steady_clock::now();
@@ -184,7 +183,7 @@ public:
       this->Built.clear();
       this->Basis.reset();
       this->Surface.reset(new SurfaceStage{ digest, std::move(framed), SecondsSince(start) });
-      redone = true;
+      this->IsSetupUncounted = true;
     }
 
     dmg::OperatorsOrigin origin{ digest, dmg::LevelsFor(options), selection };
@@ -209,13 +208,20 @@ public:
     const bool areNeeded = stored ? options.Solver.Kind != dmg::SolverKind::Cholesky
                                   : dmg::NeedsLevels(mesh, options) &&
         !dmg::UsesRoughnessSurface(mesh, nullptr, options);
-    if (areNeeded && !(this->Operators && this->Operators->Origin == origin))
+    const bool areBuilt =
+      areNeeded && !(this->Operators && this->Operators->Origin == origin);
+    if (areBuilt)
     {
       const auto start = std::chrono::steady_clock::now();
       auto operators = stored
         ? dmg::OperatorsFromFieldData(input->GetFieldData(), mesh)
-        : dmg::BuildSurfaceHierarchy(mesh, origin.Options, context, origin.Selection).Operators;
-      this->Levels.reset();
+        : dmg::BuildSurfaceHierarchy(mesh, origin.Options, dmg::PartOfContext(context, 0.0, 0.6),
+            origin.Selection)
+            .Operators;
+      if (this->Levels && this->Levels->From)
+      {
+        this->Levels.reset();
+      }
       if (this->Operators)
       {
         this->Built.erase(known);
@@ -223,7 +229,7 @@ public:
       this->Operators = std::make_shared<const OperatorsStage>(
         OperatorsStage{ origin, std::move(operators), SecondsSince(start) });
       this->Built.push_back(this->Operators);
-      redone = true;
+      this->IsSetupUncounted = true;
     }
     if (this->Operators != former)
     {
@@ -231,8 +237,15 @@ public:
       this->Solution.reset();
       this->System.reset();
     }
-    this->NumberOfSetups += redone;
-    this->IsSetupCounted = redone;
+    this->IsSetupUncounted |=
+      this->MakeLevels(options, dmg::PartOfContext(context, areBuilt ? 0.6 : 0.0, 1.0));
+    this->NumberOfSetups += this->IsSetupUncounted;
+    this->IsSetupUncounted = false;
+  }
+
+  const dmg::ProlongationOperators* GivenOperators() const
+  {
+    return this->Operators ? &this->Operators->Operators : nullptr;
   }
 
   void Prepare(const dmg::FieldConstraints& constraints, const dmg::FieldOptions& options,
@@ -248,52 +261,50 @@ public:
       return;
     }
     const dmg::FramedSurface& framed = this->Surface->Framed;
-    const dmg::ProlongationOperators* const operators =
-      this->Operators ? &this->Operators->Operators : nullptr;
-    const auto levels = this->LevelsOf(options, dmg::PartOfContext(context, 0.0, 0.8));
+    const auto levels = this->LevelsOf(options);
     std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options, levels,
-      dmg::FieldProblem(framed.Surface.Mesh, framed.Faces, operators, constraints, options,
-        dmg::PartOfContext(context, 0.8, 1.0), levels) });
+      dmg::FieldProblem(framed.Surface.Mesh, framed.Faces, this->GivenOperators(), constraints,
+        options, context, levels ? levels->Levels : nullptr) });
     this->Solution.reset();
     this->System = std::move(system);
     ++this->NumberOfSystems;
   }
 
-  /// What the set-up knows for this discretisation, whatever is prescribed; null where its solver needs
-  /// no more.
-  std::shared_ptr<const dmg::RoughnessSurface> LevelsOf(
-    const dmg::FieldOptions& options, const dmg::ExecutionContext& context)
+  /// Whether levels are those that such options want.
+  bool Serves(const LevelsStage* levels, const dmg::FieldOptions& options) const
+  {
+    return levels && levels->From == this->Operators && levels->Kind == options.Kind &&
+      levels->N == options.NumberOfDirections() && levels->Areas == options.Areas;
+  }
+
+  /// Null where the solver needs none, or they have not been made.
+  std::shared_ptr<const LevelsStage> LevelsOf(const dmg::FieldOptions& options) const
+  {
+    if (!dmg::UsesRoughnessSurface(this->Surface->Framed.Surface.Mesh, this->GivenOperators(), options))
+    {
+      return nullptr;
+    }
+    const auto& ofSystem = this->System ? this->System->Levels : this->Levels;
+    return this->Serves(ofSystem.get(), options) ? ofSystem
+      : this->Serves(this->Levels.get(), options) ? this->Levels
+                                                  : nullptr;
+  }
+
+  /// \return whether samples were taken.
+  bool MakeLevels(const dmg::FieldOptions& options, const dmg::ExecutionContext& context)
   {
     const dmg::FramedSurface& framed = this->Surface->Framed;
-    const dmg::ProlongationOperators* const operators =
-      this->Operators ? &this->Operators->Operators : nullptr;
-    if (!dmg::UsesRoughnessSurface(framed.Surface.Mesh, operators, options))
+    if (!dmg::UsesRoughnessSurface(framed.Surface.Mesh, this->GivenOperators(), options) ||
+      this->LevelsOf(options))
     {
-      return nullptr; // what another discretisation has made stays
+      return false; // what another discretisation has made stays
     }
-    if (!(this->Levels && this->Levels->From == this->Operators &&
-          this->Levels->Kind == options.Kind &&
-          this->Levels->N == options.NumberOfDirections() && this->Levels->Areas == options.Areas))
-    {
-      const auto start = std::chrono::steady_clock::now();
-      this->Solution.reset(); // their memory first
-      this->System.reset();
-      this->Levels.reset();
-      auto levels = dmg::MakeRoughnessSurface(
-        framed.Surface.Mesh, framed.Faces, operators, options, context);
-      if (!levels)
-      {
-        return nullptr;
-      }
-      this->Levels.reset(new LevelsStage{ this->Operators, options.Kind,
-        options.NumberOfDirections(), options.Areas, std::move(levels), SecondsSince(start) });
-      if (!operators && !this->IsSetupCounted)
-      {
-        ++this->NumberOfSetups;
-        this->IsSetupCounted = true;
-      }
-    }
-    return this->Levels->Levels;
+    const auto start = std::chrono::steady_clock::now();
+    auto levels = dmg::MakeRoughnessSurface(
+      framed.Surface.Mesh, framed.Faces, this->GivenOperators(), options, context);
+    this->Levels = std::make_shared<const LevelsStage>(LevelsStage{ this->Operators, options.Kind,
+      options.NumberOfDirections(), options.Areas, std::move(levels), SecondsSince(start) });
+    return !this->Operators;
   }
 
   /// Other prescribed elements or weights, numbers only. \return whether the problem can do so.
@@ -375,7 +386,7 @@ public:
   double SetupSeconds() const
   {
     return this->Surface->Seconds + (this->Operators ? this->Operators->Seconds : 0.0) +
-      (this->System->Levels ? this->Levels->Seconds : 0.0);
+      (this->System->Levels ? this->System->Levels->Seconds : 0.0);
   }
 };
 
@@ -488,13 +499,13 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Solver.CompareWithCholesky = this->CompareWithCholesky ||
       (this->Solver == NestedIterations && this->NestedRule == WhileErrorFalls);
 
-    stages.SetUp(input, options, selection, dmg::PartOfContext(context, 0.0, 0.3));
+    stages.SetUp(input, options, selection, dmg::PartOfContext(context, 0.0, 0.5));
 
     const dmg::FramedSurface& framed = stages.Surface->Framed;
     const dmg::FieldConstraints constraints =
       dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces, framed.Vertices,
         dmg::ChosenDirections(this, input, points, framed), options, framed.Surface.Names());
-    stages.Prepare(constraints, options, dmg::PartOfContext(context, 0.3, 0.7));
+    stages.Prepare(constraints, options, dmg::PartOfContext(context, 0.5, 0.7));
 
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
     if (stages.Solve(constraints.Values, stop, dmg::PartOfContext(context, 0.7, 0.9)))

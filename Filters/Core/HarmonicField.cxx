@@ -117,8 +117,7 @@ typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
   typename HarmonicProblem<Scalar>::MakeProlongations make)
 {
   const SolverKind solver = options.Solver.Kind;
-  if (!operators && !TakesSamples(options) && solver != SolverKind::Automatic &&
-    solver != SolverKind::Cholesky)
+  if (!operators && solver != SolverKind::Automatic && solver != SolverKind::Cholesky)
   {
     throw InvalidInput("multigrid needs the prolongation operators of the surface");
   }
@@ -631,7 +630,8 @@ AnyProblem MakeProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames
   const PartOfContext rest(context, half, 1.0);
   if (!surface)
   {
-    return MakeAssembledProblem(mesh, faceFrames, operators, constraints, options, rest);
+    const ProlongationOperators oneLevel;
+    return MakeAssembledProblem(mesh, faceFrames, &oneLevel, constraints, options, rest);
   }
   RoughnessProblem problem(std::move(surface), std::move(prescribed), options.Smoothness,
     SolverFor(options), *choice, rest);
