@@ -404,14 +404,17 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfSquares(const TriangleMesh&
     coarsening.ProlongationDegree = 8;
     coarsening.Dropped = 0.001;
   }
-  LeastSquaresLevels levels = isOneForm
-    ? NodalLevelsOfOneForms(mesh, faceFrames, nodal.Prolongations, context)
-    : NodalLevelsOfFaceFields(mesh, nodal.Prolongations, context);
-  nodal.Forget();
+  const auto takeLevels = [&] {
+    LeastSquaresLevels levels = isOneForm
+      ? NodalLevelsOfOneForms(mesh, faceFrames, nodal.Prolongations, context)
+      : NodalLevelsOfFaceFields(mesh, nodal.Prolongations, context);
+    nodal.Forget();
+    return levels; // handed on as it is: Eigen 3.4 would copy what is moved
+  };
   return std::make_unique<LeastSquaresHierarchy>(
     CoarsenLeastSquares(isOneForm ? OneFormLaplacianFactor(mesh, context, options.Areas)
                                   : FaceFieldSmoothnessFactor(mesh, faceFrames, context),
-      std::move(levels), coarsening, PartOfContext(context, 0.2, 1.0)));
+      takeLevels(), coarsening, PartOfContext(context, 0.2, 1.0)));
 }
 
 std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& mesh,
@@ -491,23 +494,22 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   {
     return nullptr;
   }
-  context.Checkpoint(0.0);
-  constexpr double partOfSamples = 0.3;
-  std::vector<TransportOperator> own;
-  if (!operators)
+  if (operators)
   {
-    own = std::move(BuildSurfaceHierarchy(mesh, LevelsFor(options),
-      PartOfContext(context, 0.0, partOfSamples), { false, false, false })
-                      .Operators.Nodal);
+    return MakeRoughnessSurface(
+      mesh, faceFrames, NodalLevels{ operators->Nodal, nullptr }, options, context);
   }
-  if (!operators && own.empty())
+  context.Checkpoint(0.0);
+  ProlongationOperators samples = BuildSurfaceHierarchy(mesh, LevelsFor(options),
+    PartOfContext(context, 0.0, 0.3), { false, false, false })
+                                    .Operators;
+  if (samples.Nodal.empty())
   {
     return nullptr;
   }
   GiveBackFreedMemory();
-  const NodalLevels nodal = operators ? NodalLevels{ operators->Nodal, nullptr } : NodalLevels{ own, &own };
-  return MakeRoughnessSurface(mesh, faceFrames, nodal, options,
-    PartOfContext(context, operators ? 0.0 : partOfSamples, 1.0));
+  return MakeRoughnessSurface(mesh, faceFrames, NodalLevels{ samples.Nodal, &samples.Nodal },
+    options, PartOfContext(context, 0.3, 1.0));
 }
 
 namespace

@@ -3,6 +3,7 @@
 #include "Solvers/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
+#include "Support/FreedMemory.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
@@ -244,6 +245,15 @@ std::vector<int> BringIntoOrder(
   return order;
 }
 
+CompactProlongation SmoothedAndPacked(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  PlanarProlongation&& P, const LeastSquaresHierarchyOptions& options, const ExecutionContext& context)
+{
+  const RowBands<Plane> restriction = SmoothedRestriction(
+    B, Bt, std::move(P), options.ProlongationDegree, options.Dropped, context);
+  GiveBackFreedMemory(); // it lies between what was needed for it
+  return CompactProlongation(restriction, context);
+}
+
 }
 
 LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLevels levels,
@@ -263,9 +273,9 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   context.Checkpoint(0.1);
 
   // The interpolation takes most memory until it is packed; blocks come after it.
-  CompactProlongation prolongation(SmoothedRestriction(B, Bt, std::move(levels.Prolongation),
-                                     options.ProlongationDegree, options.Dropped, context),
-    context);
+  CompactProlongation prolongation =
+    SmoothedAndPacked(B, Bt, std::move(levels.Prolongation), options, context);
+  GiveBackFreedMemory();
   context.Checkpoint(0.6);
   SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation, {}, context);
   context.Checkpoint(0.8);

@@ -18,10 +18,9 @@ constexpr int RowGrain = 4096;
 using Two = float __attribute__((vector_size(2 * sizeof(float))));
 
 /// The two parts of an entry as a pair of numbers.
-DoublePack Sum(const Single* rounded, const Single* rest)
+DoublePack Sum(Single rounded, Single rest)
 {
-  return __builtin_convertvector(LoadPack<Two>(rounded), DoublePack) +
-    __builtin_convertvector(LoadPack<Two>(rest), DoublePack);
+  return DoublePack{ rounded.real(), rounded.imag() } + DoublePack{ rest.real(), rest.imag() };
 }
 
 /// The entries of A with keep(row, column), rows and columns in another order.
@@ -57,10 +56,10 @@ void Split(const SparseMatrix<Complex>& A, const std::vector<int>& order,
         const auto entry = LoadPack<DoublePack>(&value);
         const Two nearest = __builtin_convertvector(entry, Two);
         rounded.innerIndexPtr()[next] = column;
-        StorePack(nearest, rounded.valuePtr() + next);
-        StorePack(__builtin_convertvector(
-                    entry - __builtin_convertvector(nearest, DoublePack), Two),
-          rests.data() + next);
+        const Two rest =
+          __builtin_convertvector(entry - __builtin_convertvector(nearest, DoublePack), Two);
+        rounded.valuePtr()[next] = { nearest[0], nearest[1] };
+        rests[next] = { rest[0], rest[1] };
         ++next;
       });
     }
@@ -78,7 +77,7 @@ void MultiplyPart(const RowRuns<Single>& part, const SparseMatrix<Single>& round
     DoublePack crossed{};
     for (int k = 0; k < length; ++k)
     {
-      const DoublePack entry = Sum(values + k, restsOfRow + k);
+      const DoublePack entry = Sum(values[k], restsOfRow[k]);
       const auto factor = LoadPack<DoublePack>(x + columns[k]);
       straight += entry * factor;
       crossed += entry * __builtin_shufflevector(factor, factor, 1, 0);
