@@ -34,7 +34,6 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
           hierarchy.L.Rounded, this->InverseDiagonal, SweepsOf(options)))
   , b(hierarchy.L.Size())
   , x(hierarchy.L.Size())
-  , Residual(hierarchy.L.Size())
   , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
 {
   this->SetDiagonal(D, context);
@@ -129,13 +128,13 @@ void LaplacianCycle::Apply(
       this->b[k] = { static_cast<float>(r[2 * k]), static_cast<float>(r[2 * k + 1]) };
     }
   });
-  this->FineSmoother->PreSmooth(this->b, this->x, this->Residual, context);
+  Vector<Single>& residual = this->FineSmoother->PreSmooth(this->b, this->x, context);
   for (const int k : this->Held)
   {
-    this->Residual[k] = 0.0f;
+    residual[k] = 0.0f;
   }
   this->Fine.Prolongation.MultiplyAdjoint(
-    this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
+    residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, this->x, context);
   for (const int k : this->Held)
@@ -164,9 +163,8 @@ std::vector<LevelReport> LaplacianCycle::Levels() const
 
 long long LaplacianCycle::Bytes() const
 {
-  return this->Hierarchy->Bytes() + this->Coarse->Bytes() +
-    this->b.size() *
-    static_cast<long long>(4 * sizeof(Single) + sizeof(float)) +
+  return this->Hierarchy->Bytes() + this->Coarse->Bytes() + this->FineSmoother->Bytes() +
+    this->b.size() * static_cast<long long>(2 * sizeof(Single) + sizeof(float)) +
     this->SumsOfTiles.size() * static_cast<long long>(sizeof(float)) +
     this->Pull.size() * static_cast<long long>(sizeof(double) + sizeof(int));
 }

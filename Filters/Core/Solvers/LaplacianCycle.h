@@ -49,7 +49,6 @@ private:
   std::unique_ptr<MultigridCycle<Complex>> Coarse;
   Vector<Single> b;
   Vector<Single> x;
-  Vector<Single> Residual;
   Vector<Complex> CoarseResidual;
   Vector<Complex> CoarseCorrection;
   Vector<float> SumsOfTiles; ///< room for CompactProlongation

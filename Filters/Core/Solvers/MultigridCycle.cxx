@@ -41,12 +41,7 @@ public:
           ? ScaledHierarchy<Scalar, Value>::Content::ColouredMatrices
           : ScaledHierarchy<Scalar, Value>::Content::Matrices,
         context)
-    , Residuals(this->Levels.NumberOfLevels() - 1)
   {
-    for (std::size_t l = 0; l < this->Residuals.size(); ++l)
-    {
-      this->Residuals[l].resize(this->Levels[l].x.size());
-    }
     this->MakeSmoothers(context);
   }
 
@@ -61,7 +56,7 @@ public:
   {
     this->Levels.Load(r, context);
     this->Cycle(context);
-    if (!this->Residuals.empty())
+    if (!this->Smoothers.empty())
     {
       for (int k = 1; k < this->Options.Repetitions; ++k)
       {
@@ -74,9 +69,9 @@ public:
   long long Bytes() const override
   {
     long long bytes = this->Levels.Bytes();
-    for (const Vector<Value>& residual : this->Residuals)
+    for (const auto& smoother : this->Smoothers)
     {
-      bytes += residual.size() * static_cast<long long>(sizeof(Value));
+      bytes += smoother->Bytes();
     }
     return bytes;
   }
@@ -88,9 +83,8 @@ private:
     const int coarsest = this->Levels.NumberOfLevels() - 1;
     for (int l = 0; l < coarsest; ++l)
     {
-      this->Smoothers[l]->PreSmooth(
-        this->Levels[l].b, this->Levels[l].x, this->Residuals[l], context);
-      this->Levels.Restrict(l, this->Residuals[l], context);
+      this->Levels.Restrict(l,
+        this->Smoothers[l]->PreSmooth(this->Levels[l].b, this->Levels[l].x, context), context);
     }
     this->Levels.SolveCoarsest();
     for (int l = coarsest; l-- > 0;)
@@ -122,7 +116,7 @@ private:
   void MakeSmoothers(const ExecutionContext& context)
   {
     this->Smoothers.clear();
-    for (std::size_t l = 0; l < this->Residuals.size(); ++l)
+    for (int l = 0; l + 1 < this->Levels.NumberOfLevels(); ++l)
     {
       SmootherOptions smoothing = this->Options.Smoothing;
       smoothing.PreSweeps *= l == 0 ? this->Options.FinestFactor : 1;
@@ -133,8 +127,7 @@ private:
 
   const CycleOptions Options;
   ScaledHierarchy<Scalar, Value> Levels;
-  std::vector<Vector<Value>> Residuals; // no entry for the coarsest level, here and below
-  std::vector<std::unique_ptr<Smoother<Value>>> Smoothers;
+  std::vector<std::unique_ptr<Smoother<Value>>> Smoothers; // none for the coarsest level
 };
 
 template <class Scalar>

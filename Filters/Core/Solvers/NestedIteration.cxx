@@ -114,12 +114,10 @@ public:
     auto& levels = this->Nested.Scaled;
     const auto& smoothers = this->Nested.Smoothers;
     const int coarsest = levels.NumberOfLevels() - 1;
-    Vector<Scalar> residual;
     for (int l = level; l < coarsest; ++l)
     {
-      residual.resize(levels[l].x.size());
-      smoothers[l]->PreSmooth(levels[l].b, levels[l].x, residual, this->Context);
-      levels.Restrict(l, residual, this->Context);
+      levels.Restrict(
+        l, smoothers[l]->PreSmooth(levels[l].b, levels[l].x, this->Context), this->Context);
     }
     levels.SolveCoarsest();
     for (int l = coarsest; l-- > level;)

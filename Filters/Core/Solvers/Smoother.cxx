@@ -48,24 +48,27 @@ public:
   {
   }
 
-  void PreSmooth(const Vector<Value>& b, Vector<Value>& x, Vector<Value>& r,
-    const ExecutionContext& context) override
+  Vector<Value>& PreSmooth(
+    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
   {
     if (this->PreSweeps == 0)
     {
       x.setZero();
-      r = b;
-      return;
+      this->Sums = b;
+      return this->Sums;
     }
     this->Sums.setZero(); // over later colours; the first sweep needs x of earlier ones only
-    const bool endsUp = this->Sweep(true, this->PreSweeps, b, x, &r, context);
+    constexpr bool keepsSums = true;
+    const bool endsUp = this->Sweep(true, this->PreSweeps, b, x, keepsSums, context);
     // The last sweep has solved each row with the sums that were there before it.
     const RowRuns<Value>& changed = endsUp ? this->Upper : this->Lower;
     context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
-      [&changed, &x, &r](int first, int last)
+      [this, &changed, &x](int first, int last)
       {
-        changed.Multiply(first, last, x.data(), [&r](int i, Value sum) { r[i] -= sum; });
+        changed.Multiply(
+          first, last, x.data(), [this](int i, Value sum) { this->Sums[i] -= sum; });
       });
+    return this->Sums;
   }
 
   void PostSmooth(
@@ -83,21 +86,26 @@ public:
         other.Multiply(
           first, last, x.data(), [this](int i, Value sum) { this->Sums[i] = sum; });
       });
-    this->Sweep(up, this->PostSweeps, b, x, nullptr, context);
+    this->Sweep(up, this->PostSweeps, b, x, false, context);
+  }
+
+  long long Bytes() const override
+  {
+    return this->Sums.size() * static_cast<long long>(sizeof(Value));
   }
 
 private:
   /// \pre Sums are those over later colours where the first sweep goes up, else over earlier ones.
-  /// \param former on exit the Sums that the last sweep began with, or null.
-  /// \return whether the last sweep went up; then Sums are those over earlier colours.
-  bool Sweep(bool up, int count, const Vector<Value>& b, Vector<Value>& x, Vector<Value>* former,
+  /// \param keepsSums the last sweep leaves Sums as they were.
+  /// \return whether the last sweep went up; then Sums, if not kept, are those over earlier colours.
+  bool Sweep(bool up, int count, const Vector<Value>& b, Vector<Value>& x, bool keepsSums,
     const ExecutionContext& context)
   {
     const int colours = static_cast<int>(this->Begins.size()) - 1;
     for (int sweep = 0; sweep < count; ++sweep, up = !up)
     {
       const RowRuns<Value>& part = up ? this->Lower : this->Upper;
-      Vector<Value>* const kept = sweep + 1 == count ? former : nullptr;
+      const bool isKept = keepsSums && sweep + 1 == count;
       for (int k = 0; k < colours; ++k)
       {
         const int colour = up ? k : colours - 1 - k;
@@ -105,25 +113,23 @@ private:
         const int end = this->Begins[colour + 1];
         if (sweep > 0 && k == 0)
         {
-          if (kept)
+          if (!isKept)
           {
-            kept->segment(begin, end - begin) = this->Sums.segment(begin, end - begin);
+            this->Sums.segment(begin, end - begin).setZero();
           }
-          this->Sums.segment(begin, end - begin).setZero();
           continue;
         }
         context.ParallelFor(begin, end, RowGrain,
-          [this, &part, &b, &x, kept](int first, int last)
+          [this, &part, &b, &x, isKept](int first, int last)
           {
             part.Multiply(first, last, x.data(),
-              [this, &b, &x, kept](int i, Value sum)
+              [this, &b, &x, isKept](int i, Value sum)
               {
                 x[i] = this->Solved(i, b[i] - this->Sums[i] - sum);
-                if (kept)
+                if (!isKept)
                 {
-                  (*kept)[i] = this->Sums[i];
+                  this->Sums[i] = sum;
                 }
-                this->Sums[i] = sum;
               });
           });
       }
@@ -137,7 +143,7 @@ private:
   const Diagonal Solved;
   const int PreSweeps;
   const int PostSweeps;
-  Vector<Value> Sums; ///< over earlier or over later colours, whichever the last sweep added up
+  Vector<Value> Sums; ///< over earlier or over later colours, whichever the last sweep added up; or residuals
 };
 
 /// J. Lottes, Optimal polynomial smoothers for multigrid V-cycles, 2023: the polynomial of degree k
@@ -159,12 +165,13 @@ public:
   {
   }
 
-  void PreSmooth(const Vector<Value>& b, Vector<Value>& x, Vector<Value>& r,
-    const ExecutionContext& context) override
+  Vector<Value>& PreSmooth(
+    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
   {
     x.setZero();
-    r = b;
-    this->Smooth(this->PreDegree, x, r, context);
+    this->Residual = b;
+    this->Smooth(this->PreDegree, x, this->Residual, context);
+    return this->Residual;
   }
 
   void PostSmooth(
@@ -173,6 +180,11 @@ public:
     this->Residual = b;
     this->Subtract(x, this->Residual, context);
     this->Smooth(this->PostDegree, x, this->Residual, context);
+  }
+
+  long long Bytes() const override
+  {
+    return (this->Residual.size() + this->Step.size()) * static_cast<long long>(sizeof(Value));
   }
 
 private:

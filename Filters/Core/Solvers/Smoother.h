@@ -76,13 +76,17 @@ public:
   virtual ~Smoother() = default;
 
   /// Smooths A x = b from x = 0.
-  /// \param x, r on exit the result and its residual b - A x.
-  virtual void PreSmooth(const Vector<Value>& b, Vector<Value>& x, Vector<Value>& r,
-    const ExecutionContext& context) = 0;
+  /// \param x on exit the result.
+  /// \return its residual b - A x, in room of the smoother that the next call uses again.
+  virtual Vector<Value>& PreSmooth(
+    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) = 0;
 
   /// Smooths A x = b from the given x by the adjoint of the iteration of PreSmooth.
   virtual void PostSmooth(
     const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) = 0;
+
+  /// Held by this object.
+  virtual long long Bytes() const = 0;
 };
 
 }

@@ -122,7 +122,7 @@ TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
     const auto smoother = Smoother<TypeParam>::New(
       grid.Parts, { SmootherKind::GaussSeidel, sweeps, sweeps }, SerialContext());
     Vector<TypeParam> x(grid.Size()), r(grid.Size());
-    smoother->PreSmooth(b, x, r, SerialContext());
+    r = smoother->PreSmooth(b, x, SerialContext());
 
     Vector<TypeParam> expected = Vector<TypeParam>::Zero(grid.Size());
     const auto sweepUp = [&]
@@ -173,7 +173,7 @@ TYPED_TEST(TestSmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
     const auto smoother = Smoother<TypeParam>::NewWithDiagonal(
       grid.Parts, inverse, { SmootherKind::GaussSeidel, sweeps, sweeps });
     Vector<TypeParam> x(grid.Size()), r(grid.Size());
-    smoother->PreSmooth(b, x, r, SerialContext());
+    r = smoother->PreSmooth(b, x, SerialContext());
     Vector<TypeParam> expected = Vector<TypeParam>::Zero(grid.Size());
     for (int sweep = 0; sweep < sweeps; ++sweep)
     {
@@ -204,7 +204,7 @@ TEST(TestChebyshevSmoother, LeavesThePolynomialOfLottes)
       const double eigenvalue = modes.eigenvalues()[mode];
       const Vector<double> b = modes.eigenvectors().col(mode);
       Vector<double> x(grid.Size()), r(grid.Size());
-      smoother->PreSmooth(b, x, r, SerialContext());
+      r = smoother->PreSmooth(b, x, SerialContext());
       const double angle = std::acos(1.0 - 2.0 * eigenvalue / 2.0);
       const double factor =
         std::sin((degree + 0.5) * angle) / std::sin(angle / 2.0) / (2.0 * degree + 1.0);
@@ -224,7 +224,7 @@ TYPED_TEST(TestSmoother, PostIsTheAdjointOfPre)
       [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
       {
         Vector<TypeParam> r(b.size());
-        smoother->PreSmooth(b, x, r, SerialContext());
+        r = smoother->PreSmooth(b, x, SerialContext());
         const Vector<TypeParam> residual = b - grid.A * x;
         EXPECT_LE((r - residual).norm(), 20 * Epsilon);
       });
@@ -247,7 +247,7 @@ TYPED_TEST(TestSmoother, SameBitsForAnyNumberOfThreads)
       const test::TbbContext context(threads);
       const auto smoother = Smoother<TypeParam>::New(grid.Parts, { kind, 2, 2 }, context);
       Vector<TypeParam> x(grid.Size()), r(grid.Size());
-      smoother->PreSmooth(b, x, r, context);
+      r = smoother->PreSmooth(b, x, context);
       smoother->PostSmooth(b, x, context);
       results.push_back(x + r);
     }
