@@ -152,10 +152,12 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   const std::vector<int> byParents = BringIntoOrder(prolongations, size, context);
   SparseMatrix<Complex> L = makeL(byParents, context);
   CheckChain(L.rows(), prolongations);
+  // What comes now is large, and would not fit where smaller arrays were; here and below.
+  GiveBackFreedMemory();
   context.Checkpoint(0.2);
   SparseMatrix<Complex>& P = prolongations[0];
   SmoothProlongation(L, P, smoothingSteps, context);
-  GiveBackFreedMemory(); // of bands; what comes now is large, and would not fit there
+  GiveBackFreedMemory();
   context.Checkpoint(0.5);
   CompactProlongation::Round(P, context); // so that the coarse matrix is that of the packed one
   SparseMatrix<Complex> R = Adjoint(P, context);

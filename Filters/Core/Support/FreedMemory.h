@@ -16,7 +16,7 @@ namespace dmg
 inline void GiveBackFreedMemory()
 {
 #ifdef __GLIBC__
-  constexpr std::size_t much = 40 << 20;
+  constexpr std::size_t much = 24 << 20;
   if (mallinfo2().fordblks > much)
   {
     malloc_trim(0);
