@@ -15,8 +15,8 @@ namespace dmg
 
 /// A planar prolongation, or one of complex numbers, in a quarter of the memory that it and its adjoint
 /// take in single precision. Both products read the same entries: six bytes each, a number among the
-/// coarse unknowns of a tile of rows, and two components in units of the row, of 16 bits each. Rounding is 2^-16 of the largest component
-/// of the row; what rounds to nothing is left out.
+/// coarse unknowns of a tile of rows, and two components in units of the row, of 16 bits each. Rounding is
+/// 2^-16 of the largest component of the row; what rounds to nothing is left out.
 ///
 /// The rows of a tile stand by their lengths, and four that follow each other, a slice, are taken at once:
 /// entry k of all four, then entry k + 1 (sliced ELLPACK; Monakov et al. 2010). Short rows of a slice end

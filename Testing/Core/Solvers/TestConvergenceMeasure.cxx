@@ -61,6 +61,26 @@ TYPED_TEST(TestConvergenceMeasure, ColumnsEqualTheirDefinitions)
   EXPECT_NEAR(row.Error, norm(x - measure.Reference) / norm(measure.Reference), 1e-14);
 }
 
+TYPED_TEST(TestConvergenceMeasure, OneMassForEachPairIsTheSameForBoth)
+{
+  const auto x = test::RandomVector<TypeParam>(6, 3420);
+  const auto b = test::RandomVector<TypeParam>(6, 3421);
+  const auto r = test::RandomVector<TypeParam>(6, 3422);
+  const Vector<double> ofPairs = PositiveMass(3);
+  Vector<double> ofEach(6);
+  ofEach << ofPairs[0], ofPairs[0], ofPairs[1], ofPairs[1], ofPairs[2], ofPairs[2];
+  IterationReport rows[2];
+  for (const bool arePairs : { false, true })
+  {
+    ConvergenceMeasure<TypeParam> measure;
+    measure.Mass = arePairs ? &ofPairs : &ofEach;
+    measure.Reference = b;
+    measure.Fill(rows[arePairs], x, b, r, SerialContext());
+  }
+  EXPECT_EQ(rows[1].MassResidual, rows[0].MassResidual);
+  EXPECT_EQ(rows[1].Error, rows[0].Error);
+}
+
 TYPED_TEST(TestConvergenceMeasure, WatchesIterations)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
