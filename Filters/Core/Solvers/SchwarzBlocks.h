@@ -16,9 +16,10 @@ namespace dmg
 /// What BlockSmoother needs of the roughness B^T B alone: for each block the entries of B in its columns
 /// and its inverse, in the order in which they are needed.
 ///
-/// Blocks are smoothed in groups of four, each in a lane of a pack: blocks of one colour of a tile
+/// Blocks are smoothed in groups of four, each in a lane of a pack: independent blocks of a tile
 /// (BlockTiles) whose unknowns share rows of B in the same way, as the sides of most faces do, and the
-/// faces around most vertices of a valence. Others are groups of one.
+/// faces around most vertices of a valence. First those of one colour, then what is left of all colours.
+/// Others are groups of one.
 ///
 /// All is single precision: the inverses of blocks and the entries of B, which makes them those of nearly
 /// the same problem.
@@ -57,7 +58,7 @@ public:
     std::uint32_t Inverse;
   };
 
-  /// Groups from First to one before Last, which may be taken in any order: of one colour.
+  /// Groups from First to one before Last, which may be taken in any order: of one colour, or one group.
   struct Run
   {
     int First;

@@ -219,6 +219,37 @@ TEST(TestSchwarzBlocks, BlocksThatLookAlikeShareLanes)
   }
 }
 
+TEST(TestSchwarzBlocks, BlocksLeftOfTheirColoursShareLanes)
+{
+  // Clusters whose blocks, of an unknown each, share a row, in one tile: a block has its place in the
+  // cluster for a colour. The first two colours have five and four blocks, which fill a pack each.
+  // The third has the first three clusters': with the last cluster's only block, left of the first
+  // colour, they fill another. The other four are of two clusters.
+  UnknownBlocks alone;
+  std::vector<Eigen::Triplet<double>> entries;
+  int cluster = 0;
+  for (const int size : { 6, 4, 3, 2, 1 })
+  {
+    for (int place = 0; place < size; ++place)
+    {
+      const int unknown = alone.Size();
+      entries.emplace_back(cluster, unknown, 0.6);
+      entries.emplace_back(5 + unknown, unknown, 0.8);
+      alone.Unknowns.push_back(unknown);
+      alone.EndBlock();
+    }
+    ++cluster;
+  }
+  const test::Squares squares(test::FromTriplets(5 + 16, 16, entries), alone);
+  const SchwarzBlocks blocks(squares.Bt, squares.Blocks, SerialContext());
+  ASSERT_EQ(blocks.NumberOfTiles(), 1);
+  ExpectColoured(squares, blocks);
+  ExpectInverses(blocks, squares.Matrix());
+  EXPECT_EQ(std::count_if(blocks.Groups().begin(), blocks.Groups().end(),
+              [](const SchwarzBlocks::Group& group) { return group.Lanes == LanesOf<FloatPack>; }),
+    3);
+}
+
 TEST(TestSchwarzBlocks, InversesOfSomeBlocksWithADiagonal)
 {
   const test::Squares ring = test::Ring(40);
