@@ -119,7 +119,6 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
   , Blocks(blocks)
   , Sweeps(sweeps)
   , Diagonal(Vector<float>::Zero(factor.cols()))
-  , IsPulled(blocks.NumberOfTiles(), 0)
   , Right(factor.cols())
   , Step(factor.cols())
   , Bx(factor.rows())
@@ -152,17 +151,13 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
     }
   }
   const std::vector<SchwarzBlocks::Group>& groups = this->Blocks.Groups();
-  const auto countsSome = [&](const SchwarzBlocks::Group& group, const auto& diagonal) {
-    const int* const unknowns = this->Blocks.Unknowns(group);
-    return std::any_of(unknowns, this->Blocks.Rows(group),
-      [&diagonal](int unknown) { return diagonal[unknown] != 0; });
-  };
   std::vector<int> changed;
   std::size_t size = 0;
   for (int g = 0; g < static_cast<int>(groups.size()); ++g)
   {
     this->Inverses[g] = this->Blocks.Inverse(groups[g]);
-    if (countsSome(groups[g], D))
+    if (std::any_of(this->Blocks.Unknowns(groups[g]), this->Blocks.Rows(groups[g]),
+          [&D](int unknown) { return D[unknown] != 0.0; }))
     {
       changed.push_back(g);
       size += this->Blocks.InverseSize(groups[g]);
@@ -179,12 +174,6 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
     next += this->Blocks.InverseSize(groups[g]);
   }
   this->Blocks.Invert(D, changed, places, context);
-  for (int t = 0; t < this->Blocks.NumberOfTiles(); ++t)
-  {
-    const SchwarzBlocks::Run ofTile = this->Blocks.GroupsOf(this->Blocks.TileAt(t));
-    this->IsPulled[t] = std::any_of(groups.begin() + ofTile.First, groups.begin() + ofTile.Last,
-      [&](const SchwarzBlocks::Group& group) { return countsSome(group, this->Diagonal); });
-  }
 }
 
 void BlockSmoother::Begin(
@@ -199,8 +188,8 @@ void BlockSmoother::Begin(
   });
 }
 
-template <class Pack, class Shape, bool Pulled>
-void BlockSmoother::SmoothGroup(
+template <bool Pulled, class Pack, class Shape>
+void BlockSmoother::SmoothBlocks(
   const SchwarzBlocks::Group& group, const Shape& shape, const float* inverse)
 {
   constexpr int lanes = LanesOf<Pack>;
@@ -246,8 +235,25 @@ void BlockSmoother::SmoothGroup(
   }
 }
 
-/// Memory is read upwards both ways, which a processor foresees: groups of a run are independent.
 template <bool Pulled>
+void BlockSmoother::SmoothGroup(const SchwarzBlocks::Group& group, const float* inverse)
+{
+  const AnyShape shape(this->Blocks.PatternOf(group));
+  if (group.Lanes == 1)
+  {
+    this->SmoothBlocks<Pulled, float>(group, shape, inverse);
+  }
+  else if (group.Pattern == this->PatternOfSides)
+  {
+    this->SmoothBlocks<Pulled, FloatPack>(group, ShapeOfSides(), inverse);
+  }
+  else
+  {
+    this->SmoothBlocks<Pulled, FloatPack>(group, shape, inverse);
+  }
+}
+
+/// Memory is read upwards both ways, which a processor foresees: groups of a run are independent.
 void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
 {
   for (int k = 0; k < tile.Last - tile.First; ++k)
@@ -257,19 +263,10 @@ void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
     for (int g = run.First; g < run.Last; ++g)
     {
       const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
-      const AnyShape shape(this->Blocks.PatternOf(group));
-      if (group.Lanes == 1)
-      {
-        this->SmoothGroup<float, AnyShape, Pulled>(group, shape, this->Inverses[g]);
-      }
-      else if (group.Pattern == this->PatternOfSides)
-      {
-        this->SmoothGroup<FloatPack, ShapeOfSides, Pulled>(group, {}, this->Inverses[g]);
-      }
-      else
-      {
-        this->SmoothGroup<FloatPack, AnyShape, Pulled>(group, shape, this->Inverses[g]);
-      }
+      const float* const inverse = this->Inverses[g];
+      // Where D is zero, the inverse is that of the roughness.
+      inverse == this->Blocks.Inverse(group) ? this->SmoothGroup<false>(group, inverse)
+                                             : this->SmoothGroup<true>(group, inverse);
     }
   }
 }
@@ -279,11 +276,8 @@ void BlockSmoother::Sweep(bool descending, const ExecutionContext& context)
   const int colours = this->Blocks.NumberOfColours();
   for (int c = 0; c < colours; ++c)
   {
-    this->Blocks.ForTiles(descending ? colours - 1 - c : c, context, [&](int t) {
-      const SchwarzBlocks::Tile tile = this->Blocks.TileAt(t);
-      this->IsPulled[t] ? this->SmoothTile<true>(tile, descending)
-                        : this->SmoothTile<false>(tile, descending);
-    });
+    this->Blocks.ForTiles(descending ? colours - 1 - c : c, context,
+      [&](int t) { this->SmoothTile(this->Blocks.TileAt(t), descending); });
   }
 }
 
@@ -334,9 +328,8 @@ long long BlockSmoother::Bytes() const
 {
   return static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
     this->ChangedInverses.size() * sizeof(float) + this->Held.size() * sizeof(int) +
-    this->IsPulled.size() +
-    (this->Right.size() + this->Step.size() + this->Bx.size()) * sizeof(float) +
-    this->Diagonal.size() * sizeof(double));
+    (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) *
+      sizeof(float));
 }
 
 }

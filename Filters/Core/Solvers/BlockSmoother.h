@@ -62,15 +62,15 @@ private:
     const Vector<double>* x = nullptr);
   void Sweep(bool descending, const ExecutionContext& context);
   /// Takes the groups of a tile one after the other.
-  /// \tparam Pulled D is not zero on the tile.
-  template <bool Pulled>
   void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
+  /// \tparam Pulled D is not zero on some of its unknowns.
+  template <bool Pulled>
+  void SmoothGroup(const SchwarzBlocks::Group& group, const float* inverse);
   /// Solves for the unknowns of each block of a group.
   /// \tparam Pack of so many lanes as the group has.
-  /// \tparam Shape the pattern of its blocks.
-  template <class Pack, class Shape, bool Pulled>
-  void SmoothGroup(
-    const SchwarzBlocks::Group& group, const Shape& shape, const float* inverse);
+  /// \param shape the pattern of its blocks.
+  template <bool Pulled, class Pack, class Shape>
+  void SmoothBlocks(const SchwarzBlocks::Group& group, const Shape& shape, const float* inverse);
 
   const RowRuns<double> B;
   const RowTiles& Tiles;
@@ -79,8 +79,7 @@ private:
   int PatternOfSides = -1; ///< the one that most faces have
   Vector<float> Diagonal;              ///< D where it is finite, else zero
   std::vector<int> Held;               ///< where D is infinite
-  std::vector<char> IsPulled;          ///< by tile: whether Diagonal is not zero there
-  std::vector<const float*> Inverses;  ///< of each group
+  std::vector<const float*> Inverses;  ///< of each group: of the roughness alone where D is zero
   std::vector<float> ChangedInverses;  ///< where D is not zero
   Vector<float> Right; ///< b - D x before the sweeps
   Vector<float> Step;  ///< what the sweeps have added to x
