@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
+constexpr int GroupsAhead = 2;
 
 /// A pattern of blocks as the kernel asks for it.
 class AnyShape
@@ -68,12 +69,16 @@ private:
 };
 
 /// y = A x for a symmetric matrix in each lane, its lower triangle by rows.
+/// \param ahead a matrix that will be needed soon.
 template <class Pack>
-inline void MultiplySymmetric(const float* triangle, int size, const Pack* x, Pack* y)
+inline void MultiplySymmetric(
+  const float* triangle, int size, const Pack* x, Pack* y, const float* ahead)
 {
   constexpr int lanes = LanesOf<Pack>;
   for (int i = 0; i < size; ++i, triangle += lanes)
   {
+    Prefetch(ahead, (i + 1) * lanes);
+    ahead += (i + 1) * lanes;
     Pack sum{};
     for (int j = 0; j < i; ++j, triangle += lanes)
     {
@@ -86,7 +91,8 @@ inline void MultiplySymmetric(const float* triangle, int size, const Pack* x, Pa
 }
 
 /// The same where lanes are of no use, but rows are long.
-inline void MultiplySymmetric(const float* triangle, int size, const float* x, float* y)
+inline void MultiplySymmetric(
+  const float* triangle, int size, const float* x, float* y, const float*)
 {
   constexpr int lanes = LanesOf<FloatPack>;
   for (int i = 0; i < size; ++i, ++triangle)
@@ -109,6 +115,48 @@ inline void MultiplySymmetric(const float* triangle, int size, const float* x, f
     y[i] = sum + *triangle * x[i];
   }
 }
+
+/// Walks through the groups of a tile as a sweep takes them: runs up or down, but each of them upwards, which
+/// processors foresee better; its groups are independent.
+class GroupsInOrder
+{
+public:
+  GroupsInOrder(const SchwarzBlocks& blocks, const SchwarzBlocks::Tile& tile, bool descending)
+    : Blocks(blocks)
+    , NextRun(descending ? tile.Last - 1 : tile.First)
+    , EndOfRuns(descending ? tile.First - 1 : tile.Last)
+    , Step(descending ? -1 : 1)
+  {
+    this->Enter();
+  }
+
+  bool IsAtEnd() const { return this->Of.First == this->Of.Last; }
+  int Group() const { return this->Of.First; }
+  void Advance()
+  {
+    if (!this->IsAtEnd() && ++this->Of.First == this->Of.Last)
+    {
+      this->Enter();
+    }
+  }
+
+private:
+  /// The next run, if there is one; none is empty.
+  void Enter()
+  {
+    if (this->NextRun != this->EndOfRuns)
+    {
+      this->Of = this->Blocks.RunAt(this->NextRun);
+      this->NextRun += this->Step;
+    }
+  }
+
+  const SchwarzBlocks& Blocks;
+  int NextRun;
+  const int EndOfRuns;
+  const int Step;
+  SchwarzBlocks::Run Of = { 0, 0 }; ///< what is left of the run
+};
 
 }
 
@@ -189,14 +237,14 @@ void BlockSmoother::Begin(
 }
 
 template <bool Pulled, class Pack, class Shape>
-void BlockSmoother::SmoothBlocks(
-  const SchwarzBlocks::Group& group, const Shape& shape, const float* inverse)
+void BlockSmoother::SmoothBlocks(const Shape& shape, const Streams& of, const Streams& ahead)
 {
   constexpr int lanes = LanesOf<Pack>;
-  const int* const unknowns = this->Blocks.Unknowns(group);
-  const int* const rows = this->Blocks.Rows(group);
-  const float* const values = this->Blocks.Values(group);
+  const int* const unknowns = of.Indices;
+  const int* const rows = unknowns + shape.Unknowns() * lanes;
+  const float* const values = of.Values;
 
+  Prefetch(ahead.Indices, (shape.Unknowns() + shape.Rows()) * lanes);
   Pack products[Shape::MostRows];
   for (int k = 0; k < shape.Rows(); ++k)
   {
@@ -211,14 +259,17 @@ void BlockSmoother::SmoothBlocks(
       residual -= GatherPack<Pack>(this->Diagonal.data(), unknowns + i * lanes) *
         GatherPack<Pack>(this->Step.data(), unknowns + i * lanes);
     }
-    for (int e = shape.Begin(i); e < shape.Begin(i + 1); ++e)
+    const int begin = shape.Begin(i);
+    const int end = shape.Begin(i + 1);
+    Prefetch(ahead.Values + begin * lanes, (end - begin) * lanes);
+    for (int e = begin; e < end; ++e)
     {
       residual -= LoadPack<Pack>(values + e * lanes) * products[shape.RowOf(e)];
     }
     residuals[i] = residual;
   }
   Pack steps[Shape::MostUnknowns];
-  MultiplySymmetric(inverse, shape.Unknowns(), residuals, steps);
+  MultiplySymmetric(of.Inverse, shape.Unknowns(), residuals, steps, ahead.Inverse);
   for (int i = 0; i < shape.Unknowns(); ++i)
   {
     ScatterPack<Pack>(GatherPack<Pack>(this->Step.data(), unknowns + i * lanes) + steps[i],
@@ -236,38 +287,46 @@ void BlockSmoother::SmoothBlocks(
 }
 
 template <bool Pulled>
-void BlockSmoother::SmoothGroup(const SchwarzBlocks::Group& group, const float* inverse)
+void BlockSmoother::SmoothGroup(
+  const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead)
 {
   const AnyShape shape(this->Blocks.PatternOf(group));
   if (group.Lanes == 1)
   {
-    this->SmoothBlocks<Pulled, float>(group, shape, inverse);
+    this->SmoothBlocks<Pulled, float>(shape, of, ahead);
   }
   else if (group.Pattern == this->PatternOfSides)
   {
-    this->SmoothBlocks<Pulled, FloatPack>(group, ShapeOfSides(), inverse);
+    this->SmoothBlocks<Pulled, FloatPack>(ShapeOfSides(), of, ahead);
   }
   else
   {
-    this->SmoothBlocks<Pulled, FloatPack>(group, shape, inverse);
+    this->SmoothBlocks<Pulled, FloatPack>(shape, of, ahead);
   }
 }
 
-/// Memory is read upwards both ways, which a processor foresees: groups of a run are independent.
+BlockSmoother::Streams BlockSmoother::StreamsOf(int g) const
+{
+  const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
+  return { this->Blocks.Unknowns(group), this->Blocks.Values(group), this->Inverses[g] };
+}
+
 void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
 {
-  for (int k = 0; k < tile.Last - tile.First; ++k)
+  GroupsInOrder ahead(this->Blocks, tile, descending);
+  for (int k = 0; k < GroupsAhead; ++k)
   {
-    const SchwarzBlocks::Run run =
-      this->Blocks.RunAt(descending ? tile.Last - 1 - k : tile.First + k);
-    for (int g = run.First; g < run.Last; ++g)
-    {
-      const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
-      const float* const inverse = this->Inverses[g];
-      // Where D is zero, the inverse is that of the roughness.
-      inverse == this->Blocks.Inverse(group) ? this->SmoothGroup<false>(group, inverse)
-                                             : this->SmoothGroup<true>(group, inverse);
-    }
+    ahead.Advance();
+  }
+  for (GroupsInOrder at(this->Blocks, tile, descending); !at.IsAtEnd(); at.Advance(), ahead.Advance())
+  {
+    const int g = at.Group();
+    const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
+    const Streams of = this->StreamsOf(g);
+    const Streams later = this->StreamsOf(ahead.IsAtEnd() ? g : ahead.Group());
+    // Where D is zero, the inverse is that of the roughness.
+    of.Inverse == this->Blocks.Inverse(group) ? this->SmoothGroup<false>(group, of, later)
+                                              : this->SmoothGroup<true>(group, of, later);
   }
 }
 

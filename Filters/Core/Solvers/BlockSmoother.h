@@ -63,14 +63,24 @@ private:
   void Sweep(bool descending, const ExecutionContext& context);
   /// Takes the groups of a tile one after the other.
   void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
+  /// Where a group begins in the arrays that are read from first to last.
+  struct Streams
+  {
+    const int* Indices; ///< of unknowns, then of rows of B
+    const float* Values;
+    const float* Inverse;
+  };
+  Streams StreamsOf(int group) const;
   /// \tparam Pulled D is not zero on some of its unknowns.
+  /// \param ahead of a group that is soon to be smoothed. Between reads from all over the vectors a
+  ///   processor does not foresee how streams go on.
   template <bool Pulled>
-  void SmoothGroup(const SchwarzBlocks::Group& group, const float* inverse);
+  void SmoothGroup(const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead);
   /// Solves for the unknowns of each block of a group.
   /// \tparam Pack of so many lanes as the group has.
   /// \param shape the pattern of its blocks.
   template <bool Pulled, class Pack, class Shape>
-  void SmoothBlocks(const SchwarzBlocks::Group& group, const Shape& shape, const float* inverse);
+  void SmoothBlocks(const Shape& shape, const Streams& of, const Streams& ahead);
 
   const RowRuns<double> B;
   const RowTiles& Tiles;
