@@ -236,10 +236,10 @@ namespace
 
 /// The harmonic fields of face fields or 1-forms, the kernel of their roughness; no columns where there are
 /// none, or too many to hold.
+/// \param loops of the mesh.
 Eigen::MatrixXd KernelOf(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  Discretisation kind, const ExecutionContext& context)
+  Discretisation kind, int loops, const ExecutionContext& context)
 {
-  const int loops = NumberOfLoops(mesh);
   if (loops == 0 || AreTooManyToHold(loops, mesh))
   {
     return {};
@@ -259,8 +259,8 @@ HarmonicProblem<double>::MakeSystem SystemMaker(const TriangleMesh& mesh,
     HarmonicSystem<double> system = options.Kind == Discretisation::OneForm
       ? MakeOneFormSystem(mesh, { elements, weights }, WeightsOf(options), first, options.Areas)
       : MakeFaceFieldSystem(mesh, faceFrames, { elements, weights }, WeightsOf(options), first);
-    const Eigen::MatrixXd kernel =
-      KernelOf(mesh, faceFrames, options.Kind, PartOfContext(context, 0.5, 1.0));
+    const Eigen::MatrixXd kernel = KernelOf(
+      mesh, faceFrames, options.Kind, NumberOfLoops(mesh), PartOfContext(context, 0.5, 1.0));
     if (kernel.cols() > 0)
     {
       system.LeaveOutUndetermined(kernel);
@@ -435,12 +435,13 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& 
 void AddKernel(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const FieldOptions& options, RoughnessSurface& surface, const ExecutionContext& context)
 {
-  const Eigen::MatrixXd kernel = KernelOf(mesh, faceFrames, options.Kind, context);
+  const int loops = NumberOfLoops(mesh);
+  const Eigen::MatrixXd kernel = KernelOf(mesh, faceFrames, options.Kind, loops, context);
   if (kernel.cols() > 0)
   {
     surface.Kernel = kernel(surface.Hierarchy->Order, Eigen::all);
   }
-  else if (const int loops = NumberOfLoops(mesh); loops > 0)
+  else if (loops > 0)
   {
     surface.KernelNote =
       ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";

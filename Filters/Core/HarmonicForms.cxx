@@ -127,9 +127,22 @@ Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns)
 
 int NumberOfLoops(const TriangleMesh& mesh)
 {
-  std::vector<char> isTaken = EdgesOfTree(mesh);
-  MakeCotree(mesh, isTaken);
-  return static_cast<int>(std::count(isTaken.begin(), isTaken.end(), 0));
+  const std::vector<int> components = FaceComponents(mesh);
+  std::vector<char> isClosed; // by component
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    isClosed.resize(std::max<std::size_t>(isClosed.size(), components[face] + 1), 1);
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      isClosed[components[face]] &= mesh.Twin(h) >= 0;
+    }
+  }
+  // What is left of the edges by a spanning tree of the vertices and one of the faces, which has what lies
+  // beyond the boundary for a root where there is one.
+  const auto numberOfTrees = static_cast<int>(isClosed.size());
+  const auto numberOfClosed = static_cast<int>(std::count(isClosed.begin(), isClosed.end(), 1));
+  return mesh.NumberOfEdges() - (mesh.NumberOfVertices() - numberOfTrees) -
+    (mesh.NumberOfFaces() - numberOfClosed);
 }
 
 bool AreTooManyToHold(int loops, const TriangleMesh& mesh)

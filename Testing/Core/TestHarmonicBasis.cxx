@@ -243,6 +243,17 @@ TEST(HarmonicBasis, ReportsProgressOnceAndStopsWhenAsked)
   }
 }
 
+TEST(HarmonicForms, OnePerLoop)
+{
+  for (const Case& surface : Cases())
+  {
+    SCOPED_TRACE(surface.Name);
+    const TriangleMesh mesh = surface.Shape.Mesh();
+    EXPECT_EQ(NumberOfLoops(mesh), surface.Dimension);
+    EXPECT_EQ(ClosedForms(mesh).cols(), surface.Dimension);
+  }
+}
+
 TEST(HarmonicForms, AreTooManyToHoldBeyondFiftyMillionNumbers)
 {
   const TriangleMesh mesh = Torus(50, 10).Mesh(); // 1000 faces

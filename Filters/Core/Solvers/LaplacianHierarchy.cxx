@@ -5,6 +5,7 @@
 #include "Solvers/SmoothedProlongation.h"
 #include "Solvers/SparseDiagonal.h"
 #include "Support/CountingSort.h"
+#include "Support/DisjointSets.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
 #include "Support/Permutations.h"
@@ -50,37 +51,6 @@ private:
   const SplitMatrix::Operator L;
   const SparseDiagonal D;
 };
-
-/// Per row a number that it shares with all that it is connected with: the first of them.
-std::vector<int> ComponentsOf(const SparseMatrix<Complex>& L)
-{
-  std::vector<int> parents = Identity(static_cast<int>(L.rows()));
-  const auto root = [&parents](int i) {
-    while (parents[i] != i)
-    {
-      parents[i] = parents[parents[i]];
-      i = parents[i];
-    }
-    return i;
-  };
-  for (int i = 0; i < L.rows(); ++i)
-  {
-    for (SparseMatrix<Complex>::InnerIterator entry(L, i); entry && entry.col() < i; ++entry)
-    {
-      if (entry.value() != Complex(0.0))
-      {
-        const int a = root(i);
-        const int b = root(static_cast<int>(entry.col()));
-        parents[std::max(a, b)] = std::min(a, b);
-      }
-    }
-  }
-  for (int i = 0; i < L.rows(); ++i)
-  {
-    parents[i] = parents[parents[i]]; // parents come first
-  }
-  return parents;
-}
 
 /// What is known of each unknown, two for each row.
 /// \param components in the order of the parents.
@@ -181,7 +151,7 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
       }
       else
       {
-        components = ComponentsOf(L);
+        components = ConnectedColumns(L);
       }
     }
   });

@@ -2,6 +2,7 @@
 
 #include "Solvers/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
+#include "Support/DisjointSets.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
 #include "Support/Permutations.h"
@@ -125,47 +126,6 @@ void Scale(SparseMatrix<Scalar>& A, const RowFactor& rowFactor, const ColumnFact
   });
 }
 
-/// Numbers of connected unknowns.
-std::vector<int> ConnectedThrough(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt)
-{
-  std::vector<int> components(B.cols(), -1);
-  std::vector<char> isRowVisited(B.rows(), 0);
-  std::vector<int> stack;
-  int number = 0;
-  for (int seed = 0; seed < B.cols(); ++seed)
-  {
-    if (components[seed] >= 0)
-    {
-      continue;
-    }
-    components[seed] = number;
-    stack.push_back(seed);
-    while (!stack.empty())
-    {
-      const int unknown = stack.back();
-      stack.pop_back();
-      for (SparseMatrix<double>::InnerIterator row(Bt, unknown); row; ++row)
-      {
-        if (isRowVisited[row.col()] || row.value() == 0.0)
-        {
-          continue;
-        }
-        isRowVisited[row.col()] = 1;
-        for (SparseMatrix<double>::InnerIterator entry(B, row.col()); entry; ++entry)
-        {
-          if (components[entry.col()] < 0 && entry.value() != 0.0)
-          {
-            components[entry.col()] = number;
-            stack.push_back(static_cast<int>(entry.col()));
-          }
-        }
-      }
-    }
-    ++number;
-  }
-  return components;
-}
-
 /// The numbers chain.
 void CheckLevels(const LeastSquaresLevels& levels, Eigen::Index unknowns)
 {
@@ -220,7 +180,7 @@ std::vector<int> BringIntoOrder(
   levels.Blocks = Permuted(levels.Blocks, blockOrder, Identity(unknowns));
   std::vector<int> order =
     ByFirstOccurrence(levels.Blocks.Unknowns.begin(), levels.Blocks.Unknowns.end(), unknowns);
-  const std::vector<int> places = Inverse(order);
+  const std::vector<int> places = Inverse(order, context);
   for (UnknownBlocks* blocks : { &levels.Blocks, &levels.Subdomains })
   {
     for (int& unknown : blocks->Unknowns)
@@ -291,7 +251,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   }
   hierarchy.Prolongation = std::move(prolongation);
   hierarchy.CoarseLower.swap(lower); // an assignment would copy
-  hierarchy.SetComponents(ConnectedThrough(B, Bt));
+  hierarchy.SetComponents(ConnectedColumns(B));
   hierarchy.Order = std::move(order);
   hierarchy.Scales = std::move(scales);
   hierarchy.Tiles = RowTiles(B);

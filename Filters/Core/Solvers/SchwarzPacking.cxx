@@ -327,17 +327,22 @@ void SchwarzBlocks::Packing::MakeRoom()
     {
       this->To.RunBegins.push_back(static_cast<int>(this->To.GroupsInOrder.size()) + begin);
     }
-    for (Group group : draft.Groups)
+    std::vector<int> numbersOfTile; // of its patterns
+    for (const Incidence& incidence : draft.Patterns)
     {
-      const Incidence& incidence = draft.Patterns[group.Pattern];
       const auto [found, isNew] =
         numbers.try_emplace(incidence, static_cast<int>(this->To.Patterns.size()));
       if (isNew)
       {
         this->To.Patterns.push_back(PatternFrom(incidence));
       }
-      const Pattern& pattern = this->To.Patterns[found->second];
-      group = { found->second, group.Lanes, static_cast<std::uint32_t>(indices),
+      numbersOfTile.push_back(found->second);
+    }
+    for (Group group : draft.Groups)
+    {
+      const int number = numbersOfTile[group.Pattern];
+      const Pattern& pattern = this->To.Patterns[number];
+      group = { number, group.Lanes, static_cast<std::uint32_t>(indices),
         static_cast<std::uint32_t>(values), static_cast<std::uint32_t>(inverses) };
       indices += static_cast<std::size_t>(pattern.Unknowns() + pattern.Rows()) * group.Lanes;
       values += static_cast<std::size_t>(pattern.Entries()) * group.Lanes;
