@@ -72,8 +72,9 @@ private:
   };
   Streams StreamsOf(int group) const;
   /// \tparam Pulled D is not zero on some of its unknowns.
-  /// \param ahead of a group that is soon to be smoothed. Between reads from all over the vectors a
-  ///   processor does not foresee how streams go on.
+  /// \param ahead of a group that is soon to be smoothed, and is asked for meanwhile: between reads from all
+  ///   over the vectors a processor does not foresee how streams go on. It may be smaller; what lies
+  ///   behind it is not read.
   template <bool Pulled>
   void SmoothGroup(const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead);
   /// Solves for the unknowns of each block of a group.
