@@ -160,7 +160,7 @@ private:
     std::vector<Group> Groups;
     std::vector<int> RunBegins;
     std::vector<Incidence> Patterns;
-    int* Next; ///< where the blocks of the next group go
+    int* Next = nullptr; ///< where the blocks of the next group go
 
     void BeginRun() { this->RunBegins.push_back(static_cast<int>(this->Groups.size())); }
     void AppendGroup(const Key* blocks, int lanes)
