@@ -27,9 +27,8 @@ namespace
 constexpr int PowerProlongationSteps = 2;
 constexpr int FinestSweepsFactorOfPowers = 3;
 
-// Blocks of stars cost three times as much as those of sides, and do more.
-constexpr int FinestSweepsFactorOfOneForms = 2;
-constexpr int FinestSweepsFactorOfFaceFields = 1;
+// Blocks on the finest level do not overlap, and are cheap for what they do.
+constexpr int FinestSweepsFactorOfSquares = 2;
 // Below their finest level, interpolations are not smoothed. A second cycle costs little on so few
 // unknowns, and makes up.
 constexpr int CoarseCyclesOfSquares = 2;
@@ -160,15 +159,8 @@ SolverOptions SolverFor(const FieldOptions& options)
     switch (options.Kind)
     {
       case Discretisation::OneForm:
-        solver.FinestSweepsFactor = FinestSweepsFactorOfOneForms;
-        solver.CoarseCycles = CoarseCyclesOfSquares;
-        solver.LargestCoarseFactor = LargestCoarseFactorOfSquares;
-        break;
       case Discretisation::FaceField:
-        // Cycles that start on a chosen level have no blocks.
-        solver.FinestSweepsFactor = options.Solver.StartingLevel < 0
-          ? FinestSweepsFactorOfFaceFields
-          : FinestSweepsFactorOfOneForms;
+        solver.FinestSweepsFactor = FinestSweepsFactorOfSquares;
         solver.CoarseCycles = CoarseCyclesOfSquares;
         solver.LargestCoarseFactor = LargestCoarseFactorOfSquares;
         break;

@@ -1,5 +1,7 @@
 #include "SmoothingBlocks.h"
 
+#include "Mesh/FaceFans.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -10,28 +12,6 @@ namespace dmg
 {
 namespace
 {
-
-/// Appends the unknowns of faces around a vertex as a block; where there are many, as arcs, each half of
-/// which the next one shares.
-void AppendStar(const std::vector<int>& faces, bool isClosed, UnknownBlocks& blocks)
-{
-  constexpr int largestArc = SchwarzBlocks::LargestBlock / 2;
-  const int size = static_cast<int>(faces.size());
-  for (int begin = 0; begin < size; begin += largestArc / 2)
-  {
-    const int length = std::min(largestArc, isClosed ? size : size - begin);
-    for (int k = begin; k < begin + length; ++k)
-    {
-      blocks.Unknowns.push_back(2 * faces[k % size]);
-      blocks.Unknowns.push_back(2 * faces[k % size] + 1);
-    }
-    blocks.EndBlock();
-    if (length == size || (!isClosed && begin + length == size))
-    {
-      break;
-    }
-  }
-}
 
 /// Whether each face has less than so many times the area of an equilateral triangle with its longest
 /// side.
@@ -299,31 +279,29 @@ private:
   std::vector<int> PieceOf; ///< the last one that a face has been in
 };
 
-// Stars tell smooth fields from rough ones even where faces are rather uneven; sides need help earlier.
-constexpr double EvenFractionForStars = 0.1;
+// Fans tell smooth fields from rough ones even where faces are rather uneven; sides need help earlier.
+constexpr double EvenFractionForFans = 0.1;
 constexpr double EvenFractionForSides = 0.3;
 
 }
 
 UnknownBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
 {
+  constexpr int largestFan = SchwarzBlocks::LargestBlock / 4;
+  const auto components = [](int face) { return std::array<int, 2>{ 2 * face, 2 * face + 1 }; };
   UnknownBlocks blocks;
-  blocks.Unknowns.reserve(6 * mesh.NumberOfFaces());
-  std::vector<int> faces;
-  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  blocks.Unknowns.reserve(2 * mesh.NumberOfFaces());
+  const FaceFans fans = PackFans(mesh, largestFan);
+  for (int fan = 0; fan < fans.Size(); ++fan)
   {
-    faces.clear();
-    const int first = mesh.OutgoingHalfedge(vertex);
-    int h = first;
-    do
+    for (int k = fans.Offsets[fan]; k < fans.Offsets[fan + 1]; ++k)
     {
-      faces.push_back(TriangleMesh::FaceOf(h));
-      h = mesh.Twin(TriangleMesh::Previous(h));
-    } while (h >= 0 && h != first);
-    AppendStar(faces, h == first, blocks);
+      const auto unknowns = components(fans.Faces[k]);
+      blocks.Unknowns.insert(blocks.Unknowns.end(), unknowns.begin(), unknowns.end());
+    }
+    blocks.EndBlock();
   }
-  AppendPatches(mesh, AreUneven(mesh, EvenFractionForStars),
-    [](int face) { return std::array<int, 2>{ 2 * face, 2 * face + 1 }; }, blocks);
+  AppendPatches(mesh, AreUneven(mesh, EvenFractionForFans), components, blocks);
   return blocks;
 }
 
@@ -334,14 +312,36 @@ UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh)
       mesh.EdgeOf(3 * face + 2) };
   };
   UnknownBlocks blocks;
-  blocks.Unknowns.reserve(3 * mesh.NumberOfFaces());
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
+  blocks.Unknowns.reserve(mesh.NumberOfEdges());
+  std::vector<char> isTaken(mesh.NumberOfEdges(), 0);
+  const auto take = [&](int face) {
     for (const int edge : sides(face))
     {
-      blocks.Unknowns.push_back(edge);
+      if (!std::exchange(isTaken[edge], 1))
+      {
+        blocks.Unknowns.push_back(edge);
+      }
     }
-    blocks.EndBlock();
+    if (blocks.Offsets.back() < static_cast<int>(blocks.Unknowns.size()))
+    {
+      blocks.EndBlock();
+    }
+  };
+  for (const int face : PackFaces(mesh))
+  {
+    take(face);
+  }
+  // What is left over, two sides of a face before single ones.
+  for (const int least : { 2, 1 })
+  {
+    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+    {
+      const auto edges = sides(face);
+      if (std::count_if(edges.begin(), edges.end(), [&](int edge) { return !isTaken[edge]; }) >= least)
+      {
+        take(face);
+      }
+    }
   }
   std::vector<char> areUneven = AreUneven(mesh, EvenFractionForSides);
   const NeedleRegions regions(mesh);

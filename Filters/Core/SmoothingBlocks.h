@@ -4,16 +4,17 @@
 #include "Mesh/TriangleMesh.h"
 #include "Solvers/SchwarzBlocks.h"
 
-/// Unknowns of a surface that multigrid smooths together. Blocks cover all unknowns and overlap; where
-/// faces are far from equilateral, patches of many faces are added. On those, fields exist that the
-/// small blocks cannot tell from rough ones and coarse levels cannot represent.
+/// Unknowns of a surface that multigrid smooths together. Small blocks part all unknowns; where faces are far
+/// from equilateral, patches of many faces are added. On those, fields exist that the small blocks cannot
+/// tell from rough ones and coarse levels cannot represent.
 namespace dmg
 {
 
-/// Of face fields, unknowns 2 f and 2 f + 1: the faces around each vertex.
+/// Of face fields, unknowns 2 f and 2 f + 1: fans of faces (PackFans), most of them all those around a vertex.
 UnknownBlocks BlocksOfFaceFields(const TriangleMesh& mesh);
 
-/// Of 1-forms, an unknown per edge: the sides of each face. No patches where subdomains are.
+/// Of 1-forms, an unknown per edge: the sides of faces that have none in common (PackFaces), and what
+/// these leave of others. No patches where subdomains are.
 UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh);
 
 /// Of 1-forms, the sides of all faces where needles are many: faces with less than a tenth of the area of

@@ -161,17 +161,18 @@ private:
 }
 
 BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles& tiles,
-  const SchwarzBlocks& blocks, int sweeps)
+  const SchwarzBlocks& blocks, int sweeps, double relaxation)
   : B(factor)
   , Tiles(tiles)
   , Blocks(blocks)
   , Sweeps(sweeps)
+  , Relaxation(static_cast<float>(relaxation))
   , Diagonal(Vector<float>::Zero(factor.cols()))
   , Right(factor.cols())
   , Step(factor.cols())
   , Bx(factor.rows())
 {
-  assert(sweeps >= 1);
+  assert(sweeps >= 1 && relaxation > 0.0 && relaxation < 2.0);
   for (int k = 0; k < static_cast<int>(blocks.AllPatterns().size()); ++k)
   {
     if (ShapeOfSides::Is(blocks.AllPatterns()[k]))
@@ -272,6 +273,7 @@ void BlockSmoother::SmoothBlocks(const Shape& shape, const Streams& of, const St
   MultiplySymmetric(of.Inverse, shape.Unknowns(), residuals, steps, ahead.Inverse);
   for (int i = 0; i < shape.Unknowns(); ++i)
   {
+    steps[i] *= this->Relaxation;
     ScatterPack<Pack>(GatherPack<Pack>(this->Step.data(), unknowns + i * lanes) + steps[i],
       this->Step.data(), unknowns + i * lanes);
   }

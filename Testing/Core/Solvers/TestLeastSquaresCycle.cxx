@@ -447,7 +447,7 @@ TEST(TestLeastSquaresCycle, LevelsThatDoNotChainAreRefused)
 TEST(TestLeastSquaresCycle, ManyNeedlesTakeFewIterations)
 {
   SurfaceProblem problem(PlaneWithNeedles(60, 40), SurfaceProblem::Of::OneForms);
-  const auto iterations = [&problem](ConstraintKind kind) {
+  const auto iterations = [&problem](ConstraintKind kind, bool converges) {
     const Prescribed prescribed(problem, kind);
     const Vector<double> exact = prescribed.RandomVector(3440);
     Vector<double> b;
@@ -457,19 +457,22 @@ TEST(TestLeastSquaresCycle, ManyNeedlesTakeFewIterations)
     SolveReport report;
     ConjugateGradient<double>(
       prescribed.A, cycle, b, { 1e-8, 100 }, x, report, SerialContext(), nullptr);
-    EXPECT_TRUE(report.Converged);
-    const Vector<double> difference = x - exact;
-    Vector<double> product;
-    const double energy = prescribed.A.Apply(exact, product, SerialContext());
-    EXPECT_LE(prescribed.A.Apply(difference, product, SerialContext()), 1e-8 * energy);
+    if (converges)
+    {
+      EXPECT_TRUE(report.Converged);
+      const Vector<double> difference = x - exact;
+      Vector<double> product;
+      const double energy = prescribed.A.Apply(exact, product, SerialContext());
+      EXPECT_LE(prescribed.A.Apply(difference, product, SerialContext()), 1e-8 * energy);
+    }
     return static_cast<int>(report.Iterations.size()) - 1;
   };
   std::vector<int> with;
   for (const ConstraintKind kind : BothConstraints)
   {
-    with.push_back(iterations(kind));
+    with.push_back(iterations(kind, true));
     EXPECT_LE(with.back(), 12);
   }
   problem.Levels.Subdomains = {};
-  EXPECT_GE(iterations(ConstraintKind::Soft), 2 * with[0]);
+  EXPECT_GE(iterations(ConstraintKind::Soft, false), 2 * with[0]);
 }
