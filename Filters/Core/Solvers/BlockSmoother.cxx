@@ -273,7 +273,10 @@ void BlockSmoother::SmoothBlocks(const Shape& shape, const Streams& of, const St
   MultiplySymmetric(of.Inverse, shape.Unknowns(), residuals, steps, ahead.Inverse);
   for (int i = 0; i < shape.Unknowns(); ++i)
   {
-    steps[i] *= this->Relaxation;
+    if (!Pulled) // a strong pull is better not overshot
+    {
+      steps[i] *= this->Relaxation;
+    }
     ScatterPack<Pack>(GatherPack<Pack>(this->Step.data(), unknowns + i * lanes) + steps[i],
       this->Step.data(), unknowns + i * lanes);
   }

@@ -95,8 +95,30 @@ std::vector<int> FreeOf(const Vector<double>& D)
   return FreeAmong(Identity(static_cast<int>(D.size())), D);
 }
 
-/// Sweeps over the blocks of a dense matrix, each solved for exactly and relaxed; those of its unknowns
-/// that are held stay.
+/// Of each block, in the order of BlocksInOrder: whether D touches its group.
+std::vector<char> ArePulled(const SchwarzBlocks& blocks, const Vector<double>& D)
+{
+  std::vector<char> arePulled;
+  for (int colour = 0; colour < blocks.NumberOfColours(); ++colour)
+  {
+    blocks.ForTiles(colour, SerialContext(),
+      [&](int t)
+      {
+        const SchwarzBlocks::Run groups = blocks.GroupsOf(blocks.TileAt(t));
+        for (int g = groups.First; g < groups.Last; ++g)
+        {
+          const SchwarzBlocks::Group& group = blocks.Groups()[g];
+          const bool isPulled = std::any_of(blocks.Unknowns(group), blocks.Rows(group),
+            [&D](int unknown) { return D[unknown] != 0.0; });
+          arePulled.insert(arePulled.end(), group.Lanes, isPulled);
+        }
+      });
+  }
+  return arePulled;
+}
+
+/// Sweeps over the blocks of a dense matrix, each solved for exactly and relaxed, but for those in groups
+/// that D touches; those of its unknowns that are held stay.
 Vector<double> Relaxed(const Squares& squares, const SchwarzBlocks& blocks, int sweeps,
   const Vector<double>& D, const Vector<double>& b, Vector<double> x, bool isUp,
   double relaxation = BlockSmoother::UsualRelaxation)
@@ -104,6 +126,7 @@ Vector<double> Relaxed(const Squares& squares, const SchwarzBlocks& blocks, int 
   Eigen::MatrixXd A = squares.Matrix();
   A.diagonal() += D.unaryExpr([](double entry) { return std::isfinite(entry) ? entry : 0.0; });
   const UnknownBlocks inOrder = test::BlocksInOrder(blocks);
+  const std::vector<char> arePulled = ArePulled(blocks, D);
   std::vector<int> order = Identity(inOrder.Size());
   if (!isUp)
   {
@@ -115,7 +138,7 @@ Vector<double> Relaxed(const Squares& squares, const SchwarzBlocks& blocks, int 
     {
       const std::vector<int> free = FreeAmong(test::MembersOf(inOrder, block), D);
       const Vector<double> residual = b(free) - A(free, Eigen::all) * x;
-      x(free) += relaxation * test::BlockOf(A, free).llt().solve(residual);
+      x(free) += (arePulled[block] ? 1.0 : relaxation) * test::BlockOf(A, free).llt().solve(residual);
     }
   }
   return x;
@@ -254,21 +277,22 @@ TEST(TestBlockSmoother, ADiagonalIsOneMoreSquarePerUnknown)
       ASSERT_EQ(
         test::BlocksInOrder(blocksOfStacked).Unknowns, test::BlocksInOrder(blocks).Unknowns);
 
-      Smoother smoother(squares, blocks, 2, D);
-      Smoother expected(stacked, blocksOfStacked, 2);
+      Smoother smoother(squares, blocks, 2, 1.0);
+      smoother.SetDiagonal(D, SerialContext());
+      Smoother expected(stacked, blocksOfStacked, 2, 1.0);
       EXPECT_TRUE(smoother.HeldUnknowns().empty());
       Vector<double> x, r, y, s;
       smoother.PreSmooth(b, x, r, SerialContext());
       expected.PreSmooth(b, y, s, SerialContext());
       EXPECT_LE((x - y).norm(), 1e-5 * y.norm()); // the same ridge, rounded in other ways
       EXPECT_LE((r - s).norm(), 1e-4 * b.norm());
-      const auto up = Relaxed(squares, blocks, 2, D, b, zero, true);
+      const auto up = Relaxed(squares, blocks, 2, D, b, zero, true, 1.0);
       EXPECT_LE((x - up).norm(), OfInverses * up.norm());
 
       smoother.PostSmooth(b, x, SerialContext());
       expected.PostSmooth(b, y, SerialContext());
       EXPECT_LE((x - y).norm(), 1e-5 * y.norm());
-      const auto down = Relaxed(squares, blocks, 2, D, b, up, false);
+      const auto down = Relaxed(squares, blocks, 2, D, b, up, false, 1.0);
       EXPECT_LE((x - down).norm(), OfInverses * down.norm());
     }
   }
