@@ -31,7 +31,7 @@ namespace dmg
 class BlockSmoother
 {
 public:
-  /// Of the multigrid iterations of fields: between 1.3 and 1.5 all counts are the same, 1 takes two more.
+  /// Iterations of fields are the same within one from 1.3 to 1.5. Over fans, 1 takes two more.
   static constexpr double UsualRelaxation = 1.4;
 
   /// A = B^T B, until SetDiagonal. Matrices, tiles and blocks are borrowed and must stay where they are.

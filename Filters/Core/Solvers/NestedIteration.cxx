@@ -54,7 +54,7 @@ public:
     this->Report.Iterations.clear();
     this->Report.Converged = true;
     this->x.setZero(this->b.size());
-    this->AppendRow(0);
+    this->AppendRow(0, 0.0);
     this->Start = Clock::now();
   }
 
@@ -64,8 +64,9 @@ public:
     if (this->Measure)
     {
       const Clock::time_point begin = Clock::now();
+      const double seconds = this->SecondsAt(begin); // bringing it to the finest level is measuring, too
       this->BringToFinest(level);
-      this->AppendRow(level);
+      this->AppendRow(level, seconds);
       this->Start += Clock::now() - begin;
     }
   }
@@ -162,10 +163,10 @@ public:
   void End()
   {
     this->Nested.Scaled.Store(this->x, this->Context);
-    const double seconds = this->Seconds();
+    const double seconds = this->SecondsAt(Clock::now());
     if (!this->Measure)
     {
-      this->AppendRow(0);
+      this->AppendRow(0, seconds);
     }
     this->Report.Iterations.back().Seconds = seconds;
     this->Report.SolveSeconds = seconds;
@@ -229,9 +230,8 @@ private:
   }
 
   /// \pre x holds the iterate of this level.
-  void AppendRow(int level)
+  void AppendRow(int level, double seconds)
   {
-    const double seconds = this->Seconds();
     Multiply(*this->Nested.A, this->x, this->r, this->Context);
     this->r = this->b - this->r;
     const double norm = std::sqrt(SquaredNorm(this->r, this->Context));
@@ -245,9 +245,9 @@ private:
     this->Report.Iterations.push_back(row);
   }
 
-  double Seconds() const
+  double SecondsAt(Clock::time_point now) const
   {
-    const std::chrono::duration<double> elapsed = Clock::now() - this->Start;
+    const std::chrono::duration<double> elapsed = now - this->Start;
     return elapsed.count();
   }
 
