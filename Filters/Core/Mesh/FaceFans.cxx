@@ -1,6 +1,7 @@
 #include "Mesh/FaceFans.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dmg
 {
