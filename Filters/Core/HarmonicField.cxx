@@ -27,8 +27,10 @@ namespace
 constexpr int PowerProlongationSteps = 2;
 constexpr int FinestSweepsFactorOfPowers = 3;
 
-// Blocks on the finest level do not overlap, and are cheap for what they do.
-constexpr int FinestSweepsFactorOfSquares = 2;
+// Blocks on the finest level do not overlap, and sweeps over them follow each other in the caches: for what
+// they do, they are cheap.
+constexpr int FinestSweepsFactorOfOneForms = 3;
+constexpr int FinestSweepsFactorOfFaceFields = 2;
 // Below their finest level, interpolations are not smoothed. A second cycle costs little on so few
 // unknowns, and makes up.
 constexpr int CoarseCyclesOfSquares = 2;
@@ -160,7 +162,9 @@ SolverOptions SolverFor(const FieldOptions& options)
     {
       case Discretisation::OneForm:
       case Discretisation::FaceField:
-        solver.FinestSweepsFactor = FinestSweepsFactorOfSquares;
+        solver.FinestSweepsFactor = options.Kind == Discretisation::OneForm
+          ? FinestSweepsFactorOfOneForms
+          : FinestSweepsFactorOfFaceFields;
         solver.CoarseCycles = CoarseCyclesOfSquares;
         solver.LargestCoarseFactor = LargestCoarseFactorOfSquares;
         break;
@@ -391,9 +395,9 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfSquares(const TriangleMesh&
   LeastSquaresHierarchyOptions coarsening;
   if (!isOneForm)
   {
-    // Cycles for face fields sweep half as often, and leave more to the interpolation; but smaller entries
-    // do not help them.
-    coarsening.ProlongationDegree = 8;
+    // Cycles for face fields sweep less often, and leave more to the interpolation; but smaller entries do
+    // not help them.
+    coarsening.ProlongationDegree = 9;
     coarsening.Dropped = 0.001;
   }
   const auto takeLevels = [&] {

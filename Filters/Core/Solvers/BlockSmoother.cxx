@@ -165,14 +165,14 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
   : B(factor)
   , Tiles(tiles)
   , Blocks(blocks)
-  , Sweeps(sweeps)
+  , Waves(blocks.NeighboursOfTiles(), sweeps)
   , Relaxation(static_cast<float>(relaxation))
   , Diagonal(Vector<float>::Zero(factor.cols()))
   , Right(factor.cols())
   , Step(factor.cols())
   , Bx(factor.rows())
 {
-  assert(sweeps >= 1 && relaxation > 0.0 && relaxation < 2.0);
+  assert(relaxation > 0.0 && relaxation < 2.0);
   for (int k = 0; k < static_cast<int>(blocks.AllPatterns().size()); ++k)
   {
     if (ShapeOfSides::Is(blocks.AllPatterns()[k]))
@@ -335,14 +335,10 @@ void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
   }
 }
 
-void BlockSmoother::Sweep(bool descending, const ExecutionContext& context)
+void BlockSmoother::RunSweeps(bool descending, const ExecutionContext& context)
 {
-  const int colours = this->Blocks.NumberOfColours();
-  for (int c = 0; c < colours; ++c)
-  {
-    this->Blocks.ForTiles(descending ? colours - 1 - c : c, context,
-      [&](int t) { this->SmoothTile(this->Blocks.TileAt(t), descending); });
-  }
+  this->Waves.Run(descending, context,
+    [this, descending](int t) { this->SmoothTile(this->Blocks.TileAt(t), descending); });
 }
 
 void BlockSmoother::PreSmooth(
@@ -350,10 +346,7 @@ void BlockSmoother::PreSmooth(
 {
   this->Begin(b, context);
   this->Bx.setZero();
-  for (int sweep = 0; sweep < this->Sweeps; ++sweep)
-  {
-    this->Sweep(false, context);
-  }
+  this->RunSweeps(false, context);
   x.resize(b.size());
   r.resize(b.size());
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
@@ -378,10 +371,7 @@ void BlockSmoother::PostSmooth(
       [this](int row, double product) { this->Bx[row] = static_cast<float>(product); });
   });
   this->Begin(b, context, &x);
-  for (int sweep = 0; sweep < this->Sweeps; ++sweep)
-  {
-    this->Sweep(true, context);
-  }
+  this->RunSweeps(true, context);
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
     const int count = last - first;
     x.segment(first, count) += this->Step.segment(first, count).cast<double>();
@@ -390,7 +380,8 @@ void BlockSmoother::PostSmooth(
 
 long long BlockSmoother::Bytes() const
 {
-  return static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
+  return this->Waves.Bytes() +
+    static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
     this->ChangedInverses.size() * sizeof(float) + this->Held.size() * sizeof(int) +
     (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) *
       sizeof(float));

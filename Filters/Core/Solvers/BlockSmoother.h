@@ -2,6 +2,7 @@
 #define dmgBlockSmoother_h
 
 #include "Solvers/SchwarzBlocks.h"
+#include "Solvers/TileWaves.h"
 #include "Support/ExecutionContext.h"
 #include "Support/RowRuns.h"
 #include "Support/RowTiles.h"
@@ -23,7 +24,8 @@ namespace dmg
 /// would be missed by 0.4 of what it was, sweep by sweep.
 ///
 /// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A. Blocks
-/// that look alike and are independent are solved for at once (SchwarzBlocks).
+/// that look alike and are independent are solved for at once (SchwarzBlocks). Sweeps follow each other
+/// through the caches (TileWaves).
 ///
 /// Steps are taken in single precision, and added up in double. What that costs is noise in B x, to which
 /// vectors of little energy, which the coarse levels are for, are blind. Same bits for any number of
@@ -52,12 +54,12 @@ public:
   /// Where D is infinite; ascending.
   const std::vector<int>& HeldUnknowns() const { return this->Held; }
 
-  /// Smooths A x = b from x = 0, blocks in ascending order.
+  /// Smooths A x = b from x = 0, tiles in ascending order.
   /// \param x, r on exit the result and its residual b - A x; zero where unknowns are held.
   void PreSmooth(const Vector<double>& b, Vector<double>& x, Vector<double>& r,
     const ExecutionContext& context);
 
-  /// Smooths A x = b from the given x, blocks in descending order: the adjoint of PreSmooth.
+  /// Smooths A x = b from the given x, tiles in descending order: the adjoint of PreSmooth.
   /// \pre x is zero where unknowns are held.
   void PostSmooth(const Vector<double>& b, Vector<double>& x, const ExecutionContext& context);
 
@@ -68,7 +70,7 @@ private:
   /// \param x what the sweeps start from; null for zero.
   void Begin(const Vector<double>& b, const ExecutionContext& context,
     const Vector<double>* x = nullptr);
-  void Sweep(bool descending, const ExecutionContext& context);
+  void RunSweeps(bool descending, const ExecutionContext& context);
   /// Takes the groups of a tile one after the other.
   void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
   /// Where a group begins in the arrays that are read from first to last.
@@ -94,7 +96,7 @@ private:
   const RowRuns<double> B;
   const RowTiles& Tiles;
   const SchwarzBlocks& Blocks;
-  const int Sweeps;
+  TileWaves Waves;
   const float Relaxation;
   int PatternOfSides = -1; ///< the one that most faces have
   Vector<float> Diagonal;              ///< D where it is finite, else zero

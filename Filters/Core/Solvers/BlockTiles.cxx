@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <numeric>
 
 namespace dmg
 {
 namespace
 {
 
-// Tiles for the caches of a core, and some for each of many threads on small surfaces.
 constexpr int LargestTile = 1024;
 constexpr int SmallestTile = 16;
 constexpr int WantedTiles = 128;
@@ -30,21 +30,62 @@ void ForRows(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, int fi
 
 }
 
-BlockTiles::BlockTiles(
-  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
+int BlockTiles::SizeFor(int numberOfBlocks)
 {
-  const int size = blocks.Size();
-  const int tileSize = std::clamp(size / WantedTiles, SmallestTile, LargestTile);
-  for (int begin = 0; begin < size; begin += tileSize)
-  {
-    this->Begins.push_back(begin);
-  }
-  this->Begins.push_back(size);
+  return std::clamp(numberOfBlocks / WantedTiles, SmallestTile, LargestTile);
+}
+
+BlockTiles::BlockTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
+  const std::vector<int>& strips, const ExecutionContext& context)
+{
+  std::vector<int> tilesOfStrips = this->CutStrips(strips, blocks.Size());
+  this->Graph = GraphOfParts(this->Size(), static_cast<int>(Bt.cols()), [&](int tile, const auto& visit) {
+    ForRows(Bt, blocks, this->First(tile), this->Last(tile), visit);
+  });
+  this->OrderTilesOfStrips(tilesOfStrips);
   this->ColourBlocks(Bt, blocks, context);
-  this->TileColours = ColourParts(
-    this->Size(), static_cast<int>(Bt.cols()), [&](int tile, const auto& visit) {
-      ForRows(Bt, blocks, this->Begins[tile], this->Begins[tile + 1], visit);
-    });
+}
+
+/// Into tiles of about the same size.
+/// \return the first tile of each strip, and their number.
+std::vector<int> BlockTiles::CutStrips(const std::vector<int>& strips, int numberOfBlocks)
+{
+  const int wanted = SizeFor(numberOfBlocks);
+  std::vector<int> begins;
+  for (std::size_t strip = 0; strip + 1 < strips.size(); ++strip)
+  {
+    begins.push_back(this->Size());
+    const long long size = strips[strip + 1] - strips[strip];
+    const int tiles = size > 0 ? std::max(1, static_cast<int>((size + wanted / 2) / wanted)) : 0;
+    for (int k = 0; k < tiles; ++k)
+    {
+      this->Tiles.push_back({ strips[strip] + static_cast<int>(size * k / tiles),
+        strips[strip] + static_cast<int>(size * (k + 1) / tiles) });
+    }
+  }
+  begins.push_back(this->Size());
+  return begins;
+}
+
+/// Those of a strip by colours.
+void BlockTiles::OrderTilesOfStrips(const std::vector<int>& tilesOfStrips)
+{
+  std::vector<int> colours(this->Size());
+  std::vector<int> order(this->Size());
+  std::iota(order.begin(), order.end(), 0);
+  for (std::size_t strip = 0; strip + 1 < tilesOfStrips.size(); ++strip)
+  {
+    ColourGreedily(this->Graph, tilesOfStrips[strip], tilesOfStrips[strip + 1], colours);
+    std::stable_sort(order.begin() + tilesOfStrips[strip], order.begin() + tilesOfStrips[strip + 1],
+      [&colours](int a, int b) { return colours[a] < colours[b]; });
+  }
+  this->Graph = Permuted(this->Graph, order);
+  std::vector<Tile> ordered;
+  for (const int tile : order)
+  {
+    ordered.push_back(this->Tiles[tile]);
+  }
+  this->Tiles.swap(ordered);
 }
 
 /// Each block gets the first colour that no earlier block of its tile on one of its rows has.
@@ -57,7 +98,7 @@ void BlockTiles::ColourBlocks(
     std::vector<std::uint64_t> taken(Bt.cols(), 0); // by row of B: colours of the blocks that touch it
     for (int tile = firstTile; tile < lastTile; ++tile)
     {
-      for (int k = this->Begins[tile]; k < this->Begins[tile + 1]; ++k)
+      for (int k = this->First(tile); k < this->Last(tile); ++k)
       {
         std::uint64_t forbidden = 0;
         ForRows(Bt, blocks, k, k + 1, [&](int row) { forbidden |= taken[row]; });
@@ -69,7 +110,7 @@ void BlockTiles::ColourBlocks(
         ForRows(Bt, blocks, k, k + 1, [&](int row) { taken[row] |= std::uint64_t(1) << colour; });
         this->Colours[k] = static_cast<char>(colour);
       }
-      ForRows(Bt, blocks, this->Begins[tile], this->Begins[tile + 1], [&](int row) { taken[row] = 0; });
+      ForRows(Bt, blocks, this->First(tile), this->Last(tile), [&](int row) { taken[row] = 0; });
     }
   });
 }

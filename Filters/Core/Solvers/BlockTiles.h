@@ -1,8 +1,9 @@
 #ifndef dmgBlockTiles_h
 #define dmgBlockTiles_h
 
+#include "Solvers/UnknownBlocks.h"
 #include "Support/ExecutionContext.h"
-#include "Support/PartColouring.h"
+#include "Support/PartGraph.h"
 #include "Support/Types.h"
 
 #include <vector>
@@ -10,33 +11,32 @@
 namespace dmg
 {
 
-/// Small sets of unknowns that are solved for together; none is empty. They may overlap.
-struct UnknownBlocks
-{
-  std::vector<int> Offsets = { 0 }; ///< block k holds Unknowns[Offsets[k]] to [Offsets[k + 1] - 1]
-  std::vector<int> Unknowns;
-
-  int Size() const { return static_cast<int>(this->Offsets.size()) - 1; }
-  void EndBlock() { this->Offsets.push_back(static_cast<int>(this->Unknowns.size())); }
-};
-
 /// An order of blocks for a smoother of B^T B. Blocks depend on each other where they share a row of B.
 ///
-/// A tile are blocks that follow each other, and stand near each other where blocks, unknowns and rows of
-/// B come in a spatial order: one thread takes them one after the other, in a working set that its cache
-/// holds. Tiles that share a row have different colours; tiles of a colour are independent. The blocks of
-/// a tile have colours as well: a processor works on several independent ones at once.
+/// A tile are blocks of a strip that follow each other, and stand near each other where blocks, unknowns and
+/// rows of B come in a spatial order: one thread takes them one after the other, in a working set that its
+/// cache holds. Tiles stand strip by strip, and in a strip those come first that are independent, for many
+/// threads. The blocks of a tile have colours as well: a processor works on several independent ones at
+/// once.
 class BlockTiles
 {
 public:
-  /// \param Bt B^T, a row per unknown.
-  /// Cost: linear in the unknowns of all blocks.
-  BlockTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
+  /// Of most tiles, in blocks: for the caches of a core, and some for each of many threads on small surfaces.
+  static int SizeFor(int numberOfBlocks);
 
-  int Size() const { return static_cast<int>(this->Begins.size()) - 1; }
-  /// The first block of each tile, and the number of blocks.
-  const std::vector<int>& BeginsOfTiles() const { return this->Begins; }
-  const PartColouring& Colouring() const { return this->TileColours; }
+  /// \param Bt B^T, a row per unknown.
+  /// \param strips the first block of each strip (BlockStrips), and their number. Where everything is in
+  ///   one, sweeps take all independent tiles at the same time, but cannot follow each other closely.
+  /// Cost: linear in the unknowns of all blocks.
+  BlockTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
+    const std::vector<int>& strips, const ExecutionContext& context);
+
+  int Size() const { return static_cast<int>(this->Tiles.size()); }
+  /// Its blocks are First(tile) to one before Last(tile).
+  int First(int tile) const { return this->Tiles[tile].First; }
+  int Last(int tile) const { return this->Tiles[tile].Last; }
+  /// Tiles that share a row.
+  const PartGraph& Neighbours() const { return this->Graph; }
 
   /// Blocks of a tile with the same colour share no row, but for the last colour, which is for those
   /// that found none.
@@ -45,11 +45,19 @@ public:
   const std::vector<char>& BlockColours() const { return this->Colours; }
 
 private:
+  struct Tile
+  {
+    int First;
+    int Last;
+  };
+
+  std::vector<int> CutStrips(const std::vector<int>& strips, int numberOfBlocks);
+  void OrderTilesOfStrips(const std::vector<int>& tilesOfStrips);
   void ColourBlocks(
     const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
 
-  std::vector<int> Begins;
-  PartColouring TileColours;
+  std::vector<Tile> Tiles;
+  PartGraph Graph;
   std::vector<char> Colours;
 };
 

@@ -1,5 +1,6 @@
 #include "Solvers/LeastSquaresHierarchy.h"
 
+#include "Solvers/BlockStrips.h"
 #include "Solvers/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -19,6 +20,9 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
+// Thinner strips would let sweeps follow each other more closely; but what is far apart in the order of
+// unknowns makes the set-up slower.
+constexpr int TilesOfStrip = 3;
 
 template <class Scalar>
 int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
@@ -164,10 +168,15 @@ void SortTilesByLength(
     });
 }
 
-/// Blocks by the coarse unknowns that they belong to; unknowns as the blocks come to them, and rows of B
-/// as the unknowns do.
-/// \return the order of the unknowns.
-std::vector<int> BringIntoOrder(
+struct Arrangement
+{
+  std::vector<int> Order;  ///< of the unknowns
+  std::vector<int> Strips; ///< of the blocks: the first of each, and their number
+};
+
+/// Blocks by strips, and in these by the coarse unknowns that they belong to; unknowns as the blocks come to
+/// them, and rows of B as the unknowns do.
+Arrangement BringIntoOrder(
   SparseMatrix<double>& B, LeastSquaresLevels& levels, const ExecutionContext& context)
 {
   PlanarProlongation& P = levels.Prolongation;
@@ -178,6 +187,9 @@ std::vector<int> BringIntoOrder(
     [&](int k) { return FirstColumn(P, levels.Blocks.Unknowns[levels.Blocks.Offsets[k]], 0); },
     context).Items;
   levels.Blocks = Permuted(levels.Blocks, blockOrder, Identity(unknowns));
+  BlockStrips strips =
+    StripsOf(P, levels.Blocks, TilesOfStrip * BlockTiles::SizeFor(levels.Blocks.Size()), context);
+  levels.Blocks = Permuted(levels.Blocks, strips.Order, Identity(unknowns));
   std::vector<int> order =
     ByFirstOccurrence(levels.Blocks.Unknowns.begin(), levels.Blocks.Unknowns.end(), unknowns);
   const std::vector<int> places = Inverse(order, context);
@@ -202,7 +214,7 @@ std::vector<int> BringIntoOrder(
   PlanarProlongation permutedP =
     Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
   P.swap(permutedP);
-  return order;
+  return { std::move(order), std::move(strips.Begins) };
 }
 
 CompactProlongation SmoothedAndPacked(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
@@ -220,7 +232,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   const LeastSquaresHierarchyOptions& options, const ExecutionContext& context)
 {
   CheckLevels(levels, B.cols());
-  std::vector<int> order = BringIntoOrder(B, levels, context);
+  Arrangement arrangement = BringIntoOrder(B, levels, context);
   SparseMatrix<double> Bt = Adjoint(B, context);
   Vector<double> scales = ScalesOfColumns(B, Bt, context);
   const auto one = [](int) { return 1.0; };
@@ -240,7 +252,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation, {}, context);
   context.Checkpoint(0.8);
 
-  LeastSquaresHierarchy hierarchy(SchwarzBlocks(Bt, levels.Blocks, context));
+  LeastSquaresHierarchy hierarchy(SchwarzBlocks(Bt, levels.Blocks, arrangement.Strips, context));
   levels.Blocks = {};
   for (int k = 0; k < levels.Subdomains.Size(); ++k)
   {
@@ -252,7 +264,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   hierarchy.Prolongation = std::move(prolongation);
   hierarchy.CoarseLower.swap(lower); // an assignment would copy
   hierarchy.SetComponents(ConnectedColumns(B));
-  hierarchy.Order = std::move(order);
+  hierarchy.Order = std::move(arrangement.Order);
   hierarchy.Scales = std::move(scales);
   hierarchy.Tiles = RowTiles(B);
   hierarchy.B.swap(B);

@@ -109,8 +109,8 @@ long long SchwarzBlocks::Bytes() const
   const auto bytes = [](const auto& vector) {
     return static_cast<long long>(vector.size() * sizeof(vector[0]));
   };
-  long long sum = bytes(this->TileBegins) + bytes(this->RunBegins) + bytes(this->TileColours.Parts) + bytes(this->TileColours.Begins) +
-    bytes(this->GroupsInOrder) + bytes(this->Indices) + bytes(this->EntriesOfB) +
+  long long sum = bytes(this->TileBegins) + bytes(this->RunBegins) + bytes(this->Neighbours.Begins) +
+    bytes(this->Neighbours.Neighbours) + bytes(this->GroupsInOrder) + bytes(this->Indices) + bytes(this->EntriesOfB) +
     bytes(this->Inverses);
   for (const Pattern& pattern : this->Patterns)
   {

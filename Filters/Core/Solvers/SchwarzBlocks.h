@@ -73,28 +73,18 @@ public:
   };
 
   /// \param Bt B^T, a row per unknown.
+  /// \param strips of the blocks, for tiles (BlockTiles); none: all in one.
   /// \throw InvalidInput a block of more than LargestBlock unknowns, or that touches more than MostRows
   ///   rows of B.
   /// Cost: linear in the unknowns of all blocks.
-  SchwarzBlocks(
-    const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
+  SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
+    const std::vector<int>& strips, const ExecutionContext& context);
 
   int NumberOfBlocks() const { return this->Blocks; }
 
-  int NumberOfColours() const { return this->TileColours.NumberOfColours(); }
-  int NumberOfTiles() const { return static_cast<int>(this->TileColours.Parts.size()); }
-  /// Calls visit(tile) for each tile of a colour, several at the same time.
-  template <class Visit>
-  void ForTiles(int colour, const ExecutionContext& context, const Visit& visit) const
-  {
-    context.ParallelFor(this->TileColours.Begins[colour], this->TileColours.Begins[colour + 1], 1,
-      [this, &visit](int first, int last) {
-        for (int t = first; t < last; ++t)
-        {
-          visit(this->TileColours.Parts[t]);
-        }
-      });
-  }
+  int NumberOfTiles() const { return static_cast<int>(this->TileBegins.size()) - 1; }
+  /// Tiles that share a row of B.
+  const PartGraph& NeighboursOfTiles() const { return this->Neighbours; }
   Tile TileAt(int tile) const { return { this->TileBegins[tile], this->TileBegins[tile + 1] }; }
   Run RunAt(int run) const { return { this->RunBegins[run], this->RunBegins[run + 1] }; }
   /// All groups of a tile.
@@ -139,7 +129,7 @@ private:
   int Blocks = 0;
   std::vector<int> TileBegins; ///< the first run of each
   std::vector<int> RunBegins;  ///< the first group of each
-  PartColouring TileColours;
+  PartGraph Neighbours; ///< of tiles
   std::vector<Pattern> Patterns;
   std::vector<Group> GroupsInOrder;
   std::vector<int> Indices; ///< of each group its unknowns, then its rows of B

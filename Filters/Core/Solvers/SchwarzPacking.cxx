@@ -224,7 +224,7 @@ std::vector<SchwarzBlocks::Packing::Key> SchwarzBlocks::Packing::KeysOf(
 {
   std::map<Incidence, int> numbers;
   std::vector<Key> keys;
-  for (int k = this->Tiles.BeginsOfTiles()[tile]; k < this->Tiles.BeginsOfTiles()[tile + 1]; ++k)
+  for (int k = this->Tiles.First(tile); k < this->Tiles.Last(tile); ++k)
   {
     rows.Collect(this->UnknownsOf(k), this->SizeOf(k));
     if (rows.Size() > MostRows)
@@ -277,7 +277,7 @@ std::vector<std::vector<SchwarzBlocks::Packing::Key>> SchwarzBlocks::Packing::In
 SchwarzBlocks::Packing::Draft SchwarzBlocks::Packing::DraftOf(int tile, RowsOfBlock& rows)
 {
   Draft draft;
-  draft.Next = this->Order.data() + this->Tiles.BeginsOfTiles()[tile];
+  draft.Next = this->Order.data() + this->Tiles.First(tile);
   std::vector<Key> keys = this->KeysOf(tile, rows, draft.Patterns);
   std::vector<Key> left;
   int colourOfRun = BlockTiles::LastBlockColour;
@@ -365,7 +365,7 @@ void SchwarzBlocks::Packing::MakeRoom()
 void SchwarzBlocks::Packing::Fill(const ExecutionContext& context)
 {
   this->ForTiles(context, [this](int tile, RowsOfBlock& rows) {
-    int place = this->Tiles.BeginsOfTiles()[tile];
+    int place = this->Tiles.First(tile);
     float entries[MostRows]; // of a column of B
     const Run groups = this->To.GroupsOf(this->To.TileAt(tile));
     for (int g = groups.First; g < groups.Last; ++g)
@@ -400,8 +400,8 @@ void SchwarzBlocks::Packing::Fill(const ExecutionContext& context)
   });
 }
 
-SchwarzBlocks::SchwarzBlocks(
-  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
+SchwarzBlocks::SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
+  const std::vector<int>& strips, const ExecutionContext& context)
   : Blocks(blocks.Size())
 {
   for (int k = 0; k < blocks.Size(); ++k)
@@ -413,8 +413,9 @@ SchwarzBlocks::SchwarzBlocks(
         " unknowns; split it into blocks of at most " + std::to_string(LargestBlock));
     }
   }
-  const BlockTiles tiles(Bt, blocks, context);
-  this->TileColours = tiles.Colouring();
+  const BlockTiles tiles(
+    Bt, blocks, strips.empty() ? std::vector<int>{ 0, blocks.Size() } : strips, context);
+  this->Neighbours = tiles.Neighbours();
   Packing packing(*this, Bt, blocks, tiles);
   packing.MakeGroups(context);
   packing.MakeRoom();

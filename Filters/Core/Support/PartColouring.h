@@ -1,6 +1,7 @@
 #ifndef dmgPartColouring_h
 #define dmgPartColouring_h
 
+#include "Support/PartGraph.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -20,41 +21,12 @@ struct PartColouring
 };
 
 /// Gives each part the first colour that no earlier part on one of its items has.
-/// \param forItems(part, visit) calls visit(item) for all items of a part; several times does no harm.
-/// Cost: linear in the visits, but for items of many parts.
+/// \param forItems see GraphOfParts.
 template <class ForItems>
 PartColouring ColourParts(int numberOfParts, int numberOfItems, const ForItems& forItems)
 {
-  // Items keep their parts as linked lists, the last one first.
-  struct Touch
-  {
-    int Part;
-    int Next;
-  };
-  std::vector<Touch> touches;
-  std::vector<int> lastTouch(numberOfItems, -1);
-  std::vector<int> colours(numberOfParts, 0);
-  std::vector<int> forbiddenBy(numberOfParts, -1); // by colour: the last part that must not have it
-  for (int part = 0; part < numberOfParts; ++part)
-  {
-    forItems(part, [&](int item) {
-      int& last = lastTouch[item];
-      if (last >= 0 && touches[last].Part == part)
-      {
-        return;
-      }
-      for (int touch = last; touch >= 0; touch = touches[touch].Next)
-      {
-        forbiddenBy[colours[touches[touch].Part]] = part;
-      }
-      touches.push_back({ part, last });
-      last = static_cast<int>(touches.size()) - 1;
-    });
-    while (forbiddenBy[colours[part]] == part)
-    {
-      ++colours[part];
-    }
-  }
+  std::vector<int> colours(numberOfParts);
+  ColourGreedily(GraphOfParts(numberOfParts, numberOfItems, forItems), 0, numberOfParts, colours);
 
   PartColouring colouring;
   const int numberOfColours =

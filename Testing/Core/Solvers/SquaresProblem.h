@@ -120,14 +120,13 @@ inline void AppendBlocks(
   }
 }
 
-/// As a smoother takes them upwards: colour by colour, tile by tile.
+/// As a smoother takes them upwards.
 inline UnknownBlocks BlocksInOrder(const SchwarzBlocks& blocks)
 {
   UnknownBlocks inOrder;
-  for (int colour = 0; colour < blocks.NumberOfColours(); ++colour)
+  for (int tile = 0; tile < blocks.NumberOfTiles(); ++tile)
   {
-    blocks.ForTiles(colour, SerialContext(),
-      [&blocks, &inOrder](int t) { AppendBlocks(blocks, blocks.TileAt(t), inOrder); });
+    AppendBlocks(blocks, blocks.TileAt(tile), inOrder);
   }
   return inOrder;
 }

@@ -42,7 +42,7 @@ struct Smoother : BlockSmoother
 
 SchwarzBlocks BlocksOf(const Squares& squares, const ExecutionContext& context = SerialContext())
 {
-  return SchwarzBlocks(squares.Bt, squares.Blocks, context);
+  return SchwarzBlocks(squares.Bt, squares.Blocks, {}, context);
 }
 
 /// What both ways make of b, and the residual in between, in one vector.
@@ -99,20 +99,16 @@ std::vector<int> FreeOf(const Vector<double>& D)
 std::vector<char> ArePulled(const SchwarzBlocks& blocks, const Vector<double>& D)
 {
   std::vector<char> arePulled;
-  for (int colour = 0; colour < blocks.NumberOfColours(); ++colour)
+  for (int tile = 0; tile < blocks.NumberOfTiles(); ++tile)
   {
-    blocks.ForTiles(colour, SerialContext(),
-      [&](int t)
-      {
-        const SchwarzBlocks::Run groups = blocks.GroupsOf(blocks.TileAt(t));
-        for (int g = groups.First; g < groups.Last; ++g)
-        {
-          const SchwarzBlocks::Group& group = blocks.Groups()[g];
-          const bool isPulled = std::any_of(blocks.Unknowns(group), blocks.Rows(group),
-            [&D](int unknown) { return D[unknown] != 0.0; });
-          arePulled.insert(arePulled.end(), group.Lanes, isPulled);
-        }
-      });
+    const SchwarzBlocks::Run groups = blocks.GroupsOf(blocks.TileAt(tile));
+    for (int g = groups.First; g < groups.Last; ++g)
+    {
+      const SchwarzBlocks::Group& group = blocks.Groups()[g];
+      const bool isPulled = std::any_of(blocks.Unknowns(group), blocks.Rows(group),
+        [&D](int unknown) { return D[unknown] != 0.0; });
+      arePulled.insert(arePulled.end(), group.Lanes, isPulled);
+    }
   }
   return arePulled;
 }

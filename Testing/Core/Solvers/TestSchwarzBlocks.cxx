@@ -98,22 +98,6 @@ void ExpectEntries(const SchwarzBlocks& blocks, const test::Squares& squares)
     });
 }
 
-/// Tiles as blocks, by colour.
-std::vector<std::vector<UnknownBlocks>> Tiles(const SchwarzBlocks& blocks)
-{
-  std::vector<std::vector<UnknownBlocks>> tiles(blocks.NumberOfColours());
-  for (int colour = 0; colour < blocks.NumberOfColours(); ++colour)
-  {
-    blocks.ForTiles(colour, SerialContext(),
-      [&](int t)
-      {
-        tiles[colour].emplace_back();
-        test::AppendBlocks(blocks, blocks.TileAt(t), tiles[colour].back());
-      });
-  }
-  return tiles;
-}
-
 /// Lists of unknowns, ascending.
 std::vector<std::vector<int>> Sorted(const UnknownBlocks& blocks)
 {
@@ -124,6 +108,13 @@ std::vector<std::vector<int>> Sorted(const UnknownBlocks& blocks)
   }
   std::sort(sorted.begin(), sorted.end());
   return sorted;
+}
+
+std::vector<int> UnknownsOfTile(const SchwarzBlocks& blocks, int tile)
+{
+  UnknownBlocks ofTile;
+  test::AppendBlocks(blocks, blocks.TileAt(tile), ofTile);
+  return ofTile.Unknowns;
 }
 
 std::set<int> RowsOf(const test::Squares& squares, const std::vector<int>& unknowns)
@@ -139,22 +130,33 @@ std::set<int> RowsOf(const test::Squares& squares, const std::vector<int>& unkno
   return rows;
 }
 
-/// Each block is in one tile; no two tiles of a colour share a row of B, and no two blocks of a run.
-void ExpectColoured(const test::Squares& squares, const SchwarzBlocks& blocks)
+/// Each block is in one tile; neighbours are tiles that share a row of B. No two blocks of a run do.
+void ExpectParted(const test::Squares& squares, const SchwarzBlocks& blocks)
 {
   EXPECT_EQ(blocks.NumberOfBlocks(), squares.Blocks.Size());
   EXPECT_EQ(Sorted(test::BlocksInOrder(blocks)), Sorted(squares.Blocks));
-  for (const auto& tiles : Tiles(blocks))
+  std::vector<std::set<int>> tilesOfRows(squares.B.rows());
+  for (int t = 0; t < blocks.NumberOfTiles(); ++t)
   {
-    EXPECT_FALSE(tiles.empty());
-    std::set<int> taken;
-    for (const UnknownBlocks& tile : tiles)
+    for (const int row : RowsOf(squares, UnknownsOfTile(blocks, t)))
     {
-      for (const int row : RowsOf(squares, tile.Unknowns))
-      {
-        EXPECT_TRUE(taken.insert(row).second) << "row " << row;
-      }
+      tilesOfRows[row].insert(t);
     }
+  }
+  std::vector<std::set<int>> neighbours(blocks.NumberOfTiles());
+  for (const std::set<int>& tiles : tilesOfRows)
+  {
+    for (const int tile : tiles)
+    {
+      neighbours[tile].insert(tiles.begin(), tiles.end());
+    }
+  }
+  ASSERT_EQ(blocks.NeighboursOfTiles().Size(), blocks.NumberOfTiles());
+  for (int t = 0; t < blocks.NumberOfTiles(); ++t)
+  {
+    neighbours[t].erase(t);
+    EXPECT_EQ(std::vector<int>(blocks.NeighboursOfTiles().Begin(t), blocks.NeighboursOfTiles().End(t)),
+      std::vector<int>(neighbours[t].begin(), neighbours[t].end()));
   }
   for (int t = 0; t < blocks.NumberOfTiles(); ++t)
   {
@@ -177,23 +179,13 @@ void ExpectColoured(const test::Squares& squares, const SchwarzBlocks& blocks)
   }
 }
 
-std::size_t NumberOfTiles(const SchwarzBlocks& blocks)
-{
-  std::size_t sum = 0;
-  for (const auto& tiles : Tiles(blocks))
-  {
-    sum += tiles.size();
-  }
-  return sum;
-}
-
 }
 
 TEST(TestSchwarzBlocks, InversesAreThoseOfTheMatrix)
 {
   for (const test::Squares& squares : { test::Ring(60), test::Fan(30) })
   {
-    const SchwarzBlocks blocks(squares.Bt, squares.Blocks, SerialContext());
+    const SchwarzBlocks blocks(squares.Bt, squares.Blocks, {}, SerialContext());
     ExpectInverses(blocks, squares.Matrix());
     ExpectEntries(blocks, squares);
   }
@@ -203,7 +195,7 @@ TEST(TestSchwarzBlocks, BlocksThatLookAlikeShareLanes)
 {
   // All blocks of a ring look alike, and a colour has a half or a third of those of a tile.
   const test::Squares ring = test::Ring(20000);
-  const SchwarzBlocks blocks(ring.Bt, ring.Blocks, SerialContext());
+  const SchwarzBlocks blocks(ring.Bt, ring.Blocks, {}, SerialContext());
   int inLanes = 0;
   for (const SchwarzBlocks::Group& group : blocks.Groups())
   {
@@ -212,7 +204,7 @@ TEST(TestSchwarzBlocks, BlocksThatLookAlikeShareLanes)
   EXPECT_GE(inLanes, 0.85 * blocks.NumberOfBlocks());
   // No two blocks of a fan are independent.
   const test::Squares fan = test::Fan(150);
-  const SchwarzBlocks alone(fan.Bt, fan.Blocks, SerialContext());
+  const SchwarzBlocks alone(fan.Bt, fan.Blocks, {}, SerialContext());
   for (const SchwarzBlocks::Group& group : alone.Groups())
   {
     EXPECT_EQ(group.Lanes, 1);
@@ -241,9 +233,9 @@ TEST(TestSchwarzBlocks, BlocksLeftOfTheirColoursShareLanes)
     ++cluster;
   }
   const test::Squares squares(test::FromTriplets(5 + 16, 16, entries), alone);
-  const SchwarzBlocks blocks(squares.Bt, squares.Blocks, SerialContext());
+  const SchwarzBlocks blocks(squares.Bt, squares.Blocks, {}, SerialContext());
   ASSERT_EQ(blocks.NumberOfTiles(), 1);
-  ExpectColoured(squares, blocks);
+  ExpectParted(squares, blocks);
   ExpectInverses(blocks, squares.Matrix());
   EXPECT_EQ(std::count_if(blocks.Groups().begin(), blocks.Groups().end(),
               [](const SchwarzBlocks::Group& group) { return group.Lanes == LanesOf<FloatPack>; }),
@@ -253,7 +245,7 @@ TEST(TestSchwarzBlocks, BlocksLeftOfTheirColoursShareLanes)
 TEST(TestSchwarzBlocks, InversesOfSomeBlocksWithADiagonal)
 {
   const test::Squares ring = test::Ring(40);
-  const SchwarzBlocks blocks(ring.Bt, ring.Blocks, SerialContext());
+  const SchwarzBlocks blocks(ring.Bt, ring.Blocks, {}, SerialContext());
   Vector<double> D = Vector<double>::Zero(40);
   D[4] = 0.3;
   D[5] = 1e6;
@@ -322,7 +314,7 @@ TEST(TestSchwarzBlocks, DependentUnknownsHaveAnInverseAndEmptyOnesNone)
   UnknownBlocks all;
   all.Unknowns = { 0, 1, 2, 3 };
   all.EndBlock();
-  const SchwarzBlocks blocks(B.transpose(), all, SerialContext());
+  const SchwarzBlocks blocks(B.transpose(), all, {}, SerialContext());
   const Eigen::MatrixXd inverse = Unpacked(blocks.Inverse(blocks.Groups()[0]), 4, 1, 0);
   ASSERT_TRUE(inverse.allFinite());
   EXPECT_EQ(inverse.row(2).norm(), 0.0);
@@ -330,37 +322,70 @@ TEST(TestSchwarzBlocks, DependentUnknownsHaveAnInverseAndEmptyOnesNone)
     -1e-7 * inverse.norm());
 }
 
-TEST(TestSchwarzBlocks, TilesOfAColourShareNoRow)
+TEST(TestSchwarzBlocks, TilesAreCutEvenly)
 {
-  // Tiles hold 16 blocks at least; beyond 128 x 16 blocks they grow.
+  // Tiles hold 16 blocks or so; beyond 128 x 16 blocks they grow.
   for (const int size : { 20, 200, 2000, 9000, 20000 })
   {
     SCOPED_TRACE(size);
     const test::Squares ring = test::Ring(size);
-    const SchwarzBlocks blocks(ring.Bt, ring.Blocks, SerialContext());
-    ExpectColoured(ring, blocks);
+    const SchwarzBlocks blocks(ring.Bt, ring.Blocks, {}, SerialContext());
+    ExpectParted(ring, blocks);
     const int count = ring.Blocks.Size();
     const int ofTile = std::max(16, count / 128);
-    EXPECT_EQ(NumberOfTiles(blocks), static_cast<std::size_t>((count + ofTile - 1) / ofTile));
-    // Neighbours along a ring: two colours, and a third where it closes oddly.
-    EXPECT_LE(blocks.NumberOfColours(), 3);
-    EXPECT_EQ(blocks.NumberOfColours() > 1, count > 16);
+    EXPECT_EQ(blocks.NumberOfTiles(), std::max(1, (count + ofTile / 2) / ofTile));
+    for (int t = 0; t < blocks.NumberOfTiles(); ++t)
+    {
+      const double blocksOfTile = UnknownsOfTile(blocks, t).size() / 4.0;
+      EXPECT_NEAR(blocksOfTile, count / double(blocks.NumberOfTiles()), 1.0);
+    }
   }
 }
 
-TEST(TestSchwarzBlocks, TilesThatAllShareARowAreAColourEach)
+TEST(TestSchwarzBlocks, TilesStayInStripsAndIndependentOnesComeFirst)
 {
-  const test::Squares fan = test::Fan(150);
-  const SchwarzBlocks blocks(fan.Bt, fan.Blocks, SerialContext());
-  ExpectColoured(fan, blocks);
-  EXPECT_EQ(NumberOfTiles(blocks), 10u); // of 16 blocks
-  EXPECT_EQ(blocks.NumberOfColours(), 10);
+  const test::Squares ring = test::Ring(2000);
+  const std::vector<int> strips = { 0, 10, 330, 999 };
+  ASSERT_EQ(ring.Blocks.Size(), strips.back());
+  const SchwarzBlocks blocks(ring.Bt, ring.Blocks, strips, SerialContext());
+  ExpectParted(ring, blocks);
+  const auto stripOf = [&](int tile)
+  {
+    // Block k begins with unknown 2 k.
+    const std::vector<int> unknowns = UnknownsOfTile(blocks, tile);
+    const int first = *std::min_element(unknowns.begin(), unknowns.end()) / 2;
+    const int last = (*std::max_element(unknowns.begin(), unknowns.end()) - 3) / 2;
+    const auto strip = std::upper_bound(strips.begin(), strips.end(), first);
+    EXPECT_LT(last, *strip);
+    return strip - strips.begin() - 1;
+  };
+  ASSERT_EQ(blocks.NumberOfTiles(), 1 + 20 + 42);
+  const PartGraph& graph = blocks.NeighboursOfTiles();
+  for (int t = 0; t < blocks.NumberOfTiles(); ++t)
+  {
+    EXPECT_EQ(stripOf(t), t < 1 ? 0 : t < 21 ? 1 : 2);
+  }
+  // Every other tile of a strip first: they have no neighbours among each other.
+  for (int t = 1; t < 11; ++t)
+  {
+    EXPECT_TRUE(std::none_of(
+      graph.Begin(t), graph.End(t), [](int other) { return other >= 1 && other < 11; }));
+  }
 }
 
-TEST(TestSchwarzBlocks, NoBlocksHaveNoColour)
+TEST(TestSchwarzBlocks, TilesThatAllShareARowAreAllNeighbours)
 {
-  const SchwarzBlocks blocks(test::Ring(8).Bt, {}, SerialContext());
-  EXPECT_EQ(blocks.NumberOfColours(), 0);
+  const test::Squares fan = test::Fan(150);
+  const SchwarzBlocks blocks(fan.Bt, fan.Blocks, {}, SerialContext());
+  ExpectParted(fan, blocks);
+  EXPECT_EQ(blocks.NumberOfTiles(), 9); // of 16 or 17 blocks
+  EXPECT_EQ(blocks.NeighboursOfTiles().Begins.back(), 9 * 8);
+}
+
+TEST(TestSchwarzBlocks, NoBlocksHaveNoTile)
+{
+  const SchwarzBlocks blocks(test::Ring(8).Bt, {}, {}, SerialContext());
+  EXPECT_EQ(blocks.NumberOfTiles(), 0);
   EXPECT_EQ(blocks.NumberOfBlocks(), 0);
   EXPECT_TRUE(blocks.Groups().empty());
 }
@@ -380,11 +405,11 @@ TEST(TestSchwarzBlocks, LargeBlocksAreRefused)
     blocks.EndBlock();
     return blocks;
   };
-  const SchwarzBlocks largest(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock), SerialContext());
+  const SchwarzBlocks largest(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock), {}, SerialContext());
   ExpectInverses(largest, ring.Matrix());
   try
   {
-    SchwarzBlocks(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock + 1), SerialContext());
+    SchwarzBlocks(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock + 1), {}, SerialContext());
     FAIL();
   }
   catch (const InvalidInput& error)
@@ -398,10 +423,10 @@ TEST(TestSchwarzBlocks, LargeBlocksAreRefused)
 TEST(TestSchwarzBlocks, SameBitsForAnyNumberOfThreads)
 {
   const test::Squares ring = test::Ring(20000);
-  const SchwarzBlocks expected(ring.Bt, ring.Blocks, SerialContext());
+  const SchwarzBlocks expected(ring.Bt, ring.Blocks, {}, SerialContext());
   for (const int threads : { 1, 2, 5 })
   {
-    const SchwarzBlocks blocks(ring.Bt, ring.Blocks, test::TbbContext(threads));
+    const SchwarzBlocks blocks(ring.Bt, ring.Blocks, {}, test::TbbContext(threads));
     EXPECT_EQ(test::BlocksInOrder(blocks).Unknowns, test::BlocksInOrder(expected).Unknowns);
     ASSERT_EQ(blocks.Groups().size(), expected.Groups().size());
     for (std::size_t g = 0; g < blocks.Groups().size(); ++g)
