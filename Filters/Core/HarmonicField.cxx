@@ -29,8 +29,7 @@ constexpr int FinestSweepsFactorOfPowers = 3;
 
 // Blocks on the finest level do not overlap, and sweeps over them follow each other in the caches: for what
 // they do, they are cheap.
-constexpr int FinestSweepsFactorOfOneForms = 3;
-constexpr int FinestSweepsFactorOfFaceFields = 2;
+constexpr int FinestSweepsFactorOfSquares = 3;
 // Below their finest level, interpolations are not smoothed. A second cycle costs little on so few
 // unknowns, and makes up.
 constexpr int CoarseCyclesOfSquares = 2;
@@ -162,9 +161,7 @@ SolverOptions SolverFor(const FieldOptions& options)
     {
       case Discretisation::OneForm:
       case Discretisation::FaceField:
-        solver.FinestSweepsFactor = options.Kind == Discretisation::OneForm
-          ? FinestSweepsFactorOfOneForms
-          : FinestSweepsFactorOfFaceFields;
+        solver.FinestSweepsFactor = FinestSweepsFactorOfSquares;
         solver.CoarseCycles = CoarseCyclesOfSquares;
         solver.LargestCoarseFactor = LargestCoarseFactorOfSquares;
         break;
@@ -395,8 +392,7 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfSquares(const TriangleMesh&
   LeastSquaresHierarchyOptions coarsening;
   if (!isOneForm)
   {
-    // Cycles for face fields sweep less often, and leave more to the interpolation; but smaller entries do
-    // not help them.
+    // Face fields leave more to the interpolation; but smaller entries do not help them.
     coarsening.ProlongationDegree = 9;
     coarsening.Dropped = 0.001;
   }

@@ -39,7 +39,7 @@ namespace
 {
 
 constexpr int Sweeps = 2;
-constexpr int SweepsOfBlocks = 4; // as the solver; they follow each other in the caches
+constexpr int SweepsOfBlocks = 6; // as the solver; they follow each other in the caches
 
 struct Options
 {
