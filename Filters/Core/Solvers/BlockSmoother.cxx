@@ -382,9 +382,9 @@ long long BlockSmoother::Bytes() const
 {
   return this->Waves.Bytes() +
     static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
-    this->ChangedInverses.size() * sizeof(float) + this->Held.size() * sizeof(int) +
-    (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) *
-      sizeof(float));
+      this->ChangedInverses.size() * sizeof(float) + this->Held.size() * sizeof(int) +
+      (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) *
+        sizeof(float));
 }
 
 }

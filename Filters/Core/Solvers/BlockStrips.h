@@ -19,9 +19,9 @@ struct BlockStrips
   std::vector<int> Begins; ///< the place of the first block of each strip, and their number
 };
 
-/// Blocks by their distance from the first one, in steps between blocks whose first unknowns take from a
-/// coarse unknown in common; component by component. Whole levels make a strip, as few as hold \p smallest
-/// blocks.
+/// Blocks by their distance from the first one, in steps between blocks that take from a coarse unknown in
+/// common (as far as three unknowns of each tell); component by component. Whole levels make a strip, as few
+/// as hold \p smallest blocks. Components of fewer blocks join the strip of the block before them.
 /// \param P prolongation to the unknowns.
 /// Cost: linear in the blocks.
 BlockStrips StripsOf(const PlanarProlongation& P, const UnknownBlocks& blocks, int smallest,

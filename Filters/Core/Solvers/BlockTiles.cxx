@@ -1,8 +1,9 @@
 #include "Solvers/BlockTiles.h"
 
+#include "Support/Permutations.h"
+
 #include <algorithm>
 #include <cstdint>
-#include <numeric>
 
 namespace dmg
 {
@@ -71,8 +72,7 @@ std::vector<int> BlockTiles::CutStrips(const std::vector<int>& strips, int numbe
 void BlockTiles::OrderTilesOfStrips(const std::vector<int>& tilesOfStrips)
 {
   std::vector<int> colours(this->Size());
-  std::vector<int> order(this->Size());
-  std::iota(order.begin(), order.end(), 0);
+  std::vector<int> order = Identity(this->Size());
   for (std::size_t strip = 0; strip + 1 < tilesOfStrips.size(); ++strip)
   {
     ColourGreedily(this->Graph, tilesOfStrips[strip], tilesOfStrips[strip + 1], colours);

@@ -1,6 +1,8 @@
 #ifndef dmgPartGraph_h
 #define dmgPartGraph_h
 
+#include "Support/Permutations.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -72,11 +74,7 @@ PartGraph GraphOfParts(int numberOfParts, int numberOfItems, const ForItems& for
 /// \param order where part k of the result stands in the graph.
 inline PartGraph Permuted(const PartGraph& graph, const std::vector<int>& order)
 {
-  std::vector<int> places(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-  {
-    places[order[k]] = static_cast<int>(k);
-  }
+  const std::vector<int> places = Inverse(order);
   PartGraph permuted;
   for (const int part : order)
   {
