@@ -231,17 +231,20 @@ void MeasureSquares(
 
   // A sweep reads the blocks, their inverses and columns of B, and b; and reads and writes x and B x.
   BlockSmoother smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, SweepsOfBlocks);
-  const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) +
+  const double places = sizeof(int) * (unknowns + rows);
+  const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) - places +
     sizeof(float) * (3.0 * unknowns + 2.0 * rows);
   Vector<double> x, r;
-  // Then the residual: b; x and r are written; B and B x are read, and r once more.
-  const double before = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + sizeof(float) * (unknowns + rows) +
-    sizeof(double) * 5.0 * unknowns;
+  // Then the residual: x and b by their places; x and r are written; B and B x, by its places, are read, and r
+  // once more.
+  const double before = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + places +
+    sizeof(float) * (unknowns + rows) + sizeof(double) * 5.0 * unknowns;
   const Vector<double> b = Vector<double>::Random(hierarchy.NumberOfUnknowns());
   table.Append("blocks, pre", 0, unknowns, nonZeros, before,
     Fastest(runs, [&] { smoother.PreSmooth(b, x, r, context); }));
-  const double after = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + sizeof(float) * (2.0 * unknowns + rows) +
-    sizeof(double) * 4.0 * unknowns;
+  // Or before it B x, and b; and then x is read and written.
+  const double after = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + places +
+    sizeof(float) * (2.0 * unknowns + rows) + sizeof(double) * 4.0 * unknowns;
   table.Append("blocks, post", 0, unknowns, nonZeros, after,
     Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
 

@@ -1,11 +1,15 @@
 #include "Solvers/BlockSmoother.h"
 
+#include "Support/Packs.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <iterator>
+#include <cstddef>
+#include <cstdint>
+#include <type_traits>
+#include <utility>
 
 namespace dmg
 {
@@ -15,85 +19,239 @@ namespace
 constexpr int RowGrain = 8192;
 constexpr int GroupsAhead = 2;
 
+/// Calls visit(0) to visit(Size - 1), each with a number that the compiler knows.
+template <int... Numbers, class Visit>
+[[gnu::always_inline]] inline void ForConstants(
+  std::integer_sequence<int, Numbers...>, const Visit& visit)
+{
+  (visit(std::integral_constant<int, Numbers>()), ...);
+}
+
 /// A pattern of blocks as the kernel asks for it.
 class AnyShape
 {
 public:
-  static constexpr int MostUnknowns = SchwarzBlocks::LargestBlock;
-  static constexpr int MostRows = SchwarzBlocks::MostRows;
+  static constexpr int MostUnknowns = BlockGroups::LargestBlock;
+  static constexpr int MostRows = BlockGroups::MostRows;
 
-  explicit AnyShape(const SchwarzBlocks::Pattern& pattern)
+  explicit AnyShape(const BlockPattern& pattern)
     : Of(pattern)
   {
   }
   int Unknowns() const { return this->Of.Unknowns(); }
   int Rows() const { return this->Of.Rows(); }
-  int Begin(int unknown) const { return this->Of.Offsets[unknown]; }
-  int RowOf(int entry) const { return this->Of.RowOf[entry]; }
-  int RowBegin(int row) const { return this->Of.RowOffsets[row]; }
-  int EntryAt(int slot) const { return this->Of.EntryAt[slot]; }
-  int UnknownAt(int slot) const { return this->Of.UnknownAt[slot]; }
+  int InnerRows() const { return this->Of.InnerRows; }
+
+  template <class Visit>
+  void ForUnknowns(const Visit& visit) const
+  {
+    ForNumbers(0, this->Unknowns(), visit);
+  }
+  template <class Visit>
+  void ForRows(const Visit& visit) const
+  {
+    ForNumbers(0, this->Rows(), visit);
+  }
+  template <class Visit>
+  void ForUnknownsBefore(int unknown, const Visit& visit) const
+  {
+    ForNumbers(0, unknown, visit);
+  }
+  /// Calls visit(entry, row).
+  template <class Visit>
+  void ForEntriesOf(int unknown, const Visit& visit) const
+  {
+    ForNumbers(this->Of.Offsets[unknown], this->Of.Offsets[unknown + 1],
+      [&](int entry) { visit(entry, this->Of.RowOf[entry]); });
+  }
+  /// Calls visit(entry, unknown).
+  template <class Visit>
+  void ForEntriesOfRow(int row, const Visit& visit) const
+  {
+    ForNumbers(this->Of.RowOffsets[row], this->Of.RowOffsets[row + 1],
+      [&](int slot) { visit(this->Of.EntryAt[slot], this->Of.UnknownAt[slot]); });
+  }
+  int FirstEntryOf(int unknown) const { return this->Of.Offsets[unknown]; }
 
 private:
-  const SchwarzBlocks::Pattern& Of;
+  template <class Visit>
+  static void ForNumbers(int first, int last, const Visit& visit)
+  {
+    for (int k = first; k < last; ++k)
+    {
+      visit(k);
+    }
+  }
+
+  const BlockPattern& Of;
 };
 
-/// Three unknowns, with a row for each of them, for every two and for all: the sides of a face inside of
-/// a surface, the faces beyond them, its corners, and itself. The compiler knows it and unrolls all loops.
-class ShapeOfSides
+/// Which unknowns touch the rows of a block, as bits: inner rows first, and both kinds ascending.
+template <int U, int R, int Inner>
+struct FixedIncidence
 {
-public:
-  static constexpr int MostUnknowns = 3;
-  static constexpr int MostRows = 7;
+  static constexpr int Unknowns = U;
+  static constexpr int Rows = R;
+  static constexpr int InnerRows = Inner;
+  std::uint64_t UnknownsOf[R] = {};
 
-  static constexpr int Unknowns() { return 3; }
-  static constexpr int Rows() { return 7; }
-  static constexpr int Begin(int unknown) { return 4 * unknown; }
-  static constexpr int RowOf(int entry) { return RowsOfEntries[entry]; }
-  static constexpr int RowBegin(int row) { return RowBegins[row]; }
-  static constexpr int EntryAt(int slot) { return Entries[slot]; }
-  static constexpr int UnknownAt(int slot) { return Entries[slot] / 4; }
-
-  static bool Is(const SchwarzBlocks::Pattern& pattern)
+  constexpr bool Touches(int unknown, int row) const { return (this->UnknownsOf[row] >> unknown & 1) != 0; }
+  constexpr void Sort()
   {
-    return pattern.Unknowns() == Unknowns() && pattern.Rows() == Rows() &&
-      std::equal(pattern.RowOf.begin(), pattern.RowOf.end(), std::begin(RowsOfEntries),
-        std::end(RowsOfEntries));
+    this->Sort(0, Inner);
+    this->Sort(Inner, R);
   }
 
 private:
-  // Rows ascend by the unknowns that touch them, as bits.
-  static constexpr int RowsOfEntries[] = { 0, 2, 4, 6, 1, 2, 5, 6, 3, 4, 5, 6 };
-  static constexpr int RowBegins[] = { 0, 1, 2, 4, 5, 7, 9, 12 };
-  static constexpr int Entries[] = { 0, 4, 1, 5, 8, 2, 9, 6, 10, 3, 7, 11 };
+  constexpr void Sort(int first, int last)
+  {
+    for (; first < last; ++first)
+    {
+      for (int k = first + 1; k < last; ++k)
+      {
+        if (this->UnknownsOf[k] < this->UnknownsOf[first])
+        {
+          const std::uint64_t smaller = this->UnknownsOf[k];
+          this->UnknownsOf[k] = this->UnknownsOf[first];
+          this->UnknownsOf[first] = smaller;
+        }
+      }
+    }
+  }
+};
+
+/// The sides of a face: a row for the face itself; for each side one for the face beyond it, and one for each
+/// corner, which two sides have in common.
+constexpr FixedIncidence<3, 7, 1> Sides = { { 7, 1, 2, 3, 4, 5, 6 } };
+
+/// Two components for each face around a vertex: rows for the vertex itself and for its edges; for the other
+/// vertices and the edges between those.
+template <int Faces>
+constexpr auto Wheel()
+{
+  FixedIncidence<2 * Faces, 3 * Faces + 1, Faces + 1> wheel;
+  for (int face = 0; face < Faces; ++face)
+  {
+    const std::uint64_t ofFace = std::uint64_t(3) << 2 * face;
+    const std::uint64_t ofTwo = ofFace | std::uint64_t(3) << 2 * ((face + 1) % Faces);
+    wheel.UnknownsOf[Faces] |= ofFace;
+    wheel.UnknownsOf[face] = ofTwo;
+    wheel.UnknownsOf[Faces + 1 + face] = ofTwo;
+    wheel.UnknownsOf[2 * Faces + 1 + face] = ofFace;
+  }
+  wheel.Sort();
+  return wheel;
+}
+
+constexpr auto WheelOf6 = Wheel<6>();
+
+/// A pattern that the compiler knows: all loops are unrolled.
+template <const auto& Incidence>
+class FixedShape
+{
+public:
+  static constexpr int MostUnknowns = Incidence.Unknowns;
+  static constexpr int MostRows = Incidence.Rows;
+
+  static constexpr int Unknowns() { return Incidence.Unknowns; }
+  static constexpr int Rows() { return Incidence.Rows; }
+  static constexpr int InnerRows() { return Incidence.InnerRows; }
+
+  static bool Is(const BlockPattern& pattern)
+  {
+    bool is = pattern.Unknowns() == Unknowns() && pattern.Rows() == Rows() &&
+      pattern.InnerRows == InnerRows();
+    std::size_t entry = 0;
+    for (int i = 0; is && i < Unknowns(); ++i)
+    {
+      for (int k = 0; is && k < Rows(); ++k)
+      {
+        is = !Incidence.Touches(i, k) ||
+          (entry < pattern.RowOf.size() && pattern.RowOf[entry++] == k);
+      }
+      is = is && pattern.Offsets[i + 1] == static_cast<int>(entry);
+    }
+    return is;
+  }
+
+  template <class Visit>
+  [[gnu::always_inline]] static void ForUnknowns(const Visit& visit)
+  {
+    ForConstants(std::make_integer_sequence<int, Unknowns()>(), visit);
+  }
+  template <class Visit>
+  [[gnu::always_inline]] static void ForRows(const Visit& visit)
+  {
+    ForConstants(std::make_integer_sequence<int, Rows()>(), visit);
+  }
+  template <class Unknown, class Visit>
+  [[gnu::always_inline]] static void ForUnknownsBefore(Unknown, const Visit& visit)
+  {
+    ForConstants(std::make_integer_sequence<int, Unknown::value>(), visit);
+  }
+  template <class Unknown, class Visit>
+  [[gnu::always_inline]] static void ForEntriesOf(Unknown, const Visit& visit)
+  {
+    ForRows([&visit](auto row) __attribute__((always_inline)) {
+      if constexpr (Incidence.Touches(Unknown::value, row))
+      {
+        visit(EntryOf(Unknown::value, row), row);
+      }
+    });
+  }
+  template <class Row, class Visit>
+  [[gnu::always_inline]] static void ForEntriesOfRow(Row, const Visit& visit)
+  {
+    ForUnknowns([&visit](auto unknown) __attribute__((always_inline)) {
+      if constexpr (Incidence.Touches(unknown, Row::value))
+      {
+        visit(EntryOf(unknown, Row::value), unknown);
+      }
+    });
+  }
+  static constexpr int FirstEntryOf(int unknown) { return EntryOf(unknown, 0); }
+
+private:
+  static constexpr int EntryOf(int unknown, int row)
+  {
+    int entry = 0;
+    for (int i = 0; i <= unknown; ++i)
+    {
+      for (int k = 0; k < (i < unknown ? Rows() : row); ++k)
+      {
+        entry += Incidence.Touches(i, k);
+      }
+    }
+    return entry;
+  }
 };
 
 /// y = A x for a symmetric matrix in each lane, its lower triangle by rows.
 /// \param ahead a matrix that will be needed soon.
-template <class Pack>
-inline void MultiplySymmetric(
-  const float* triangle, int size, const Pack* x, Pack* y, const float* ahead)
+template <class Pack, class Shape>
+[[gnu::always_inline]] inline void MultiplySymmetric(
+  const float* triangle, const Shape& shape, const Pack* x, Pack* y, const float* ahead)
 {
   constexpr int lanes = LanesOf<Pack>;
-  for (int i = 0; i < size; ++i, triangle += lanes)
-  {
-    Prefetch(ahead, (i + 1) * lanes);
-    ahead += (i + 1) * lanes;
-    Pack sum{};
-    for (int j = 0; j < i; ++j, triangle += lanes)
-    {
-      const Pack entry = LoadPack<Pack>(triangle);
+  shape.ForUnknowns([&](auto i) __attribute__((always_inline)) {
+    const int begin = i * (i + 1) / 2;
+    const float* const row = triangle + begin * lanes;
+    Prefetch(ahead + begin * lanes, (i + 1) * lanes);
+    Pack sum = LoadPack<Pack>(row + i * lanes) * x[i];
+    shape.ForUnknownsBefore(i, [&](auto j) __attribute__((always_inline)) {
+      const Pack entry = LoadPack<Pack>(row + j * lanes);
       sum += entry * x[j];
       y[j] += entry * x[i];
-    }
-    y[i] = sum + LoadPack<Pack>(triangle) * x[i];
-  }
+    });
+    y[i] = sum;
+  });
 }
 
 /// The same where lanes are of no use, but rows are long.
 inline void MultiplySymmetric(
-  const float* triangle, int size, const float* x, float* y, const float*)
+  const float* triangle, const AnyShape& shape, const float* x, float* y, const float*)
 {
+  const int size = shape.Unknowns();
   constexpr int lanes = LanesOf<FloatPack>;
   for (int i = 0; i < size; ++i, ++triangle)
   {
@@ -115,6 +273,79 @@ inline void MultiplySymmetric(
     y[i] = sum + *triangle * x[i];
   }
 }
+
+/// Where unknowns and rows of B stand in vectors: anywhere.
+template <class Pack>
+class AnyPlaces
+{
+public:
+  template <class Shape>
+  AnyPlaces(const Shape& shape, const int* places)
+    : Unknowns(places)
+    , Rows(places + shape.Unknowns() * Lanes)
+    , NumberOfPlaces((shape.Unknowns() + shape.Rows()) * Lanes)
+  {
+  }
+  int Size() const { return this->NumberOfPlaces; }
+
+  Pack UnknownOf(const float* x, int i) const { return GatherPack<Pack>(x, this->Unknowns + i * Lanes); }
+  void SetUnknown(Pack pack, float* x, int i) const
+  {
+    ScatterPack<Pack>(pack, x, this->Unknowns + i * Lanes);
+  }
+  Pack RowOf(const float* Bx, int k) const { return GatherPack<Pack>(Bx, this->Rows + k * Lanes); }
+  void SetRow(Pack pack, float* Bx, int k) const { ScatterPack<Pack>(pack, Bx, this->Rows + k * Lanes); }
+
+private:
+  static constexpr int Lanes = LanesOf<Pack>;
+  const int* const Unknowns;
+  const int* const Rows;
+  const int NumberOfPlaces;
+};
+
+/// The lanes of unknowns and of inner rows side by side.
+template <class Shape>
+class PlacesInOrder
+{
+public:
+  PlacesInOrder(const Shape& shape, const int* rows, int firstPlace)
+    : Of(shape)
+    , FirstPlace(firstPlace)
+    , Rows(rows)
+  {
+  }
+  int Size() const { return this->Of.InnerRows() + (this->Of.Rows() - this->Of.InnerRows()) * Lanes; }
+
+  FloatPack UnknownOf(const float* x, int i) const
+  {
+    return LoadPack<FloatPack>(x + this->FirstPlace + i * Lanes);
+  }
+  void SetUnknown(FloatPack pack, float* x, int i) const
+  {
+    StorePack(pack, x + this->FirstPlace + i * Lanes);
+  }
+  FloatPack RowOf(const float* Bx, int k) const
+  {
+    return k < this->Of.InnerRows() ? LoadPack<FloatPack>(Bx + this->Rows[k])
+                                    : GatherPack<FloatPack>(Bx, this->OuterRow(k));
+  }
+  void SetRow(FloatPack pack, float* Bx, int k) const
+  {
+    k < this->Of.InnerRows() ? StorePack(pack, Bx + this->Rows[k])
+                             : ScatterPack<FloatPack>(pack, Bx, this->OuterRow(k));
+  }
+
+private:
+  static constexpr int Lanes = LanesOf<FloatPack>;
+  const int* OuterRow(int k) const
+  {
+    return this->Rows + this->Of.InnerRows() + (k - this->Of.InnerRows()) * Lanes;
+  }
+
+  const Shape& Of;
+  const int FirstPlace;
+  const int* const Rows; ///< of inner ones the first lane's
+};
 
 /// Walks through the groups of a tile as a sweep takes them: runs up or down, but each of them upwards, which
 /// processors foresee better; its groups are independent.
@@ -173,12 +404,11 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
   , Bx(factor.rows())
 {
   assert(relaxation > 0.0 && relaxation < 2.0);
-  for (int k = 0; k < static_cast<int>(blocks.AllPatterns().size()); ++k)
+  for (const BlockPattern& pattern : blocks.AllPatterns())
   {
-    if (ShapeOfSides::Is(blocks.AllPatterns()[k]))
-    {
-      this->PatternOfSides = k;
-    }
+    this->KnownShapes.push_back(FixedShape<Sides>::Is(pattern) ? KnownShape::Sides
+        : FixedShape<WheelOf6>::Is(pattern)                     ? KnownShape::WheelOf6
+                                                                : KnownShape::None);
   }
   this->Inverses.reserve(blocks.Groups().size());
   for (const SchwarzBlocks::Group& group : blocks.Groups())
@@ -187,17 +417,31 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
   }
 }
 
+/// Whether D is not zero on some unknowns of a group.
+bool BlockSmoother::Touches(const Vector<double>& D, const SchwarzBlocks::Group& group) const
+{
+  for (int slot = 0; slot < this->Blocks.NumberOfUnknowns(group); ++slot)
+  {
+    if (D[this->Blocks.UnknownOf(group, slot)] != 0.0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext& context)
 {
   assert(D.size() == this->Diagonal.size());
   this->Held.clear();
   for (Eigen::Index i = 0; i < D.size(); ++i)
   {
-    this->Diagonal[i] = std::isfinite(D[i]) ? static_cast<float>(D[i]) : 0.0f;
     if (!std::isfinite(D[i]))
     {
       this->Held.push_back(static_cast<int>(i));
     }
+    const double atPlace = D[this->Blocks.UnknownsAt()[i]];
+    this->Diagonal[i] = std::isfinite(atPlace) ? static_cast<float>(atPlace) : 0.0f;
   }
   const std::vector<SchwarzBlocks::Group>& groups = this->Blocks.Groups();
   std::vector<int> changed;
@@ -205,8 +449,7 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
   for (int g = 0; g < static_cast<int>(groups.size()); ++g)
   {
     this->Inverses[g] = this->Blocks.Inverse(groups[g]);
-    if (std::any_of(this->Blocks.Unknowns(groups[g]), this->Blocks.Rows(groups[g]),
-          [&D](int unknown) { return D[unknown] != 0.0; }))
+    if (this->Touches(D, groups[g]))
     {
       changed.push_back(g);
       size += this->Blocks.InverseSize(groups[g]);
@@ -229,91 +472,94 @@ void BlockSmoother::Begin(
   const Vector<double>& b, const ExecutionContext& context, const Vector<double>* x)
 {
   context.ParallelFor(0, static_cast<int>(b.size()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+    for (int place = first; place < last; ++place)
     {
-      this->Right[i] = static_cast<float>(x ? b[i] - this->Diagonal[i] * (*x)[i] : b[i]);
-      this->Step[i] = 0.0f;
+      const int i = this->Blocks.UnknownsAt()[place];
+      this->Right[place] = static_cast<float>(x ? b[i] - this->Diagonal[place] * (*x)[i] : b[i]);
+      this->Step[place] = 0.0f;
     }
   });
 }
 
-template <bool Pulled, class Pack, class Shape>
-void BlockSmoother::SmoothBlocks(const Shape& shape, const Streams& of, const Streams& ahead)
+template <bool Pulled, class Pack, class Shape, class Places>
+void BlockSmoother::SmoothBlocks(
+  const Shape& shape, const Places& places, const Streams& of, const Streams& ahead)
 {
   constexpr int lanes = LanesOf<Pack>;
-  const int* const unknowns = of.Indices;
-  const int* const rows = unknowns + shape.Unknowns() * lanes;
   const float* const values = of.Values;
+  float* const Bx = this->Bx.data();
+  float* const step = this->Step.data();
 
-  Prefetch(ahead.Indices, (shape.Unknowns() + shape.Rows()) * lanes);
+  Prefetch(ahead.Places, places.Size());
   Pack products[Shape::MostRows];
-  for (int k = 0; k < shape.Rows(); ++k)
-  {
-    products[k] = GatherPack<Pack>(this->Bx.data(), rows + k * lanes);
-  }
+  shape.ForRows([&](auto k) __attribute__((always_inline)) { products[k] = places.RowOf(Bx, k); });
   Pack residuals[Shape::MostUnknowns];
-  for (int i = 0; i < shape.Unknowns(); ++i)
-  {
-    Pack residual = GatherPack<Pack>(this->Right.data(), unknowns + i * lanes);
+  shape.ForUnknowns([&](auto i) __attribute__((always_inline)) {
+    Pack residual = places.UnknownOf(this->Right.data(), i);
     if (Pulled)
     {
-      residual -= GatherPack<Pack>(this->Diagonal.data(), unknowns + i * lanes) *
-        GatherPack<Pack>(this->Step.data(), unknowns + i * lanes);
+      residual -= places.UnknownOf(this->Diagonal.data(), i) * places.UnknownOf(step, i);
     }
-    const int begin = shape.Begin(i);
-    const int end = shape.Begin(i + 1);
-    Prefetch(ahead.Values + begin * lanes, (end - begin) * lanes);
-    for (int e = begin; e < end; ++e)
-    {
-      residual -= LoadPack<Pack>(values + e * lanes) * products[shape.RowOf(e)];
-    }
+    const int begin = shape.FirstEntryOf(i);
+    Prefetch(ahead.Values + begin * lanes, (shape.FirstEntryOf(i + 1) - begin) * lanes);
+    shape.ForEntriesOf(i, [&](int entry, auto row) __attribute__((always_inline)) {
+      residual -= LoadPack<Pack>(values + entry * lanes) * products[row];
+    });
     residuals[i] = residual;
-  }
+  });
   Pack steps[Shape::MostUnknowns];
-  MultiplySymmetric(of.Inverse, shape.Unknowns(), residuals, steps, ahead.Inverse);
-  for (int i = 0; i < shape.Unknowns(); ++i)
-  {
+  MultiplySymmetric(of.Inverse, shape, residuals, steps, ahead.Inverse);
+  shape.ForUnknowns([&](auto i) __attribute__((always_inline)) {
     if (!Pulled) // a strong pull is better not overshot
     {
       steps[i] *= this->Relaxation;
     }
-    ScatterPack<Pack>(GatherPack<Pack>(this->Step.data(), unknowns + i * lanes) + steps[i],
-      this->Step.data(), unknowns + i * lanes);
-  }
-  for (int k = 0; k < shape.Rows(); ++k)
-  {
+    places.SetUnknown(places.UnknownOf(step, i) + steps[i], step, i);
+  });
+  shape.ForRows([&](auto k) __attribute__((always_inline)) {
     Pack product = products[k];
-    for (int s = shape.RowBegin(k); s < shape.RowBegin(k + 1); ++s)
-    {
-      product += LoadPack<Pack>(values + shape.EntryAt(s) * lanes) * steps[shape.UnknownAt(s)];
-    }
-    ScatterPack<Pack>(product, this->Bx.data(), rows + k * lanes);
-  }
+    shape.ForEntriesOfRow(k, [&](int entry, auto unknown) __attribute__((always_inline)) {
+      product += LoadPack<Pack>(values + entry * lanes) * steps[unknown];
+    });
+    places.SetRow(product, Bx, k);
+  });
 }
 
 template <bool Pulled>
 void BlockSmoother::SmoothGroup(
   const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead)
 {
-  const AnyShape shape(this->Blocks.PatternOf(group));
+  const AnyShape any(this->Blocks.PatternOf(group));
   if (group.Lanes == 1)
   {
-    this->SmoothBlocks<Pulled, float>(shape, of, ahead);
+    this->SmoothBlocks<Pulled, float>(any, AnyPlaces<float>(any, of.Places), of, ahead);
   }
-  else if (group.Pattern == this->PatternOfSides)
+  else if (group.FirstPlace < 0)
   {
-    this->SmoothBlocks<Pulled, FloatPack>(ShapeOfSides(), of, ahead);
+    this->SmoothBlocks<Pulled, FloatPack>(any, AnyPlaces<FloatPack>(any, of.Places), of, ahead);
   }
   else
   {
-    this->SmoothBlocks<Pulled, FloatPack>(shape, of, ahead);
+    const auto smooth = [&](const auto& shape) {
+      this->SmoothBlocks<Pulled, FloatPack>(
+        shape, PlacesInOrder(shape, of.Places, group.FirstPlace), of, ahead);
+    };
+    switch (this->KnownShapes[group.Pattern])
+    {
+      case KnownShape::Sides:
+        return smooth(FixedShape<Sides>());
+      case KnownShape::WheelOf6:
+        return smooth(FixedShape<WheelOf6>());
+      case KnownShape::None:
+        return smooth(any);
+    }
   }
 }
 
 BlockSmoother::Streams BlockSmoother::StreamsOf(int g) const
 {
   const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
-  return { this->Blocks.Unknowns(group), this->Blocks.Values(group), this->Inverses[g] };
+  return { this->Blocks.PlacesOf(group), this->Blocks.Values(group), this->Inverses[g] };
 }
 
 void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
@@ -350,13 +596,18 @@ void BlockSmoother::PreSmooth(
   x.resize(b.size());
   r.resize(b.size());
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+    for (int place = first; place < last; ++place)
     {
-      x[i] = this->Step[i];
-      r[i] = b[i] - this->Diagonal[i] * x[i];
+      const int i = this->Blocks.UnknownsAt()[place];
+      x[i] = this->Step[place];
+      r[i] = b[i] - this->Diagonal[place] * x[i];
     }
   });
-  SubtractAdjointProduct(this->B, this->Tiles, this->Bx, r, context);
+  const int* const placesOfRows = this->Blocks.PlacesOfRows().data();
+  this->Tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
+    this->B.AddAdjoint(firstRow, lastRow,
+      [&](int row) { return -static_cast<double>(this->Bx[placesOfRows[row]]); }, r.data());
+  });
   for (const int i : this->Held)
   {
     r[i] = 0.0;
@@ -366,15 +617,19 @@ void BlockSmoother::PreSmooth(
 void BlockSmoother::PostSmooth(
   const Vector<double>& b, Vector<double>& x, const ExecutionContext& context)
 {
+  const int* const placesOfRows = this->Blocks.PlacesOfRows().data();
   context.ParallelFor(0, static_cast<int>(this->Bx.size()), RowGrain, [&](int first, int last) {
-    this->B.Multiply(first, last, x.data(),
-      [this](int row, double product) { this->Bx[row] = static_cast<float>(product); });
+    this->B.Multiply(first, last, x.data(), [this, placesOfRows](int row, double product) {
+      this->Bx[placesOfRows[row]] = static_cast<float>(product);
+    });
   });
   this->Begin(b, context, &x);
   this->RunSweeps(true, context);
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
-    const int count = last - first;
-    x.segment(first, count) += this->Step.segment(first, count).cast<double>();
+    for (int place = first; place < last; ++place)
+    {
+      x[this->Blocks.UnknownsAt()[place]] += this->Step[place];
+    }
   });
 }
 

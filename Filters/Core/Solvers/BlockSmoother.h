@@ -73,10 +73,18 @@ private:
   void RunSweeps(bool descending, const ExecutionContext& context);
   /// Takes the groups of a tile one after the other.
   void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
+  bool Touches(const Vector<double>& D, const SchwarzBlocks::Group& group) const;
+  /// Patterns that most blocks have, which the compiler knows.
+  enum class KnownShape : char
+  {
+    None,
+    Sides,   ///< of a face
+    WheelOf6 ///< of faces around a vertex
+  };
   /// Where a group begins in the arrays that are read from first to last.
   struct Streams
   {
-    const int* Indices; ///< of unknowns, then of rows of B
+    const int* Places;
     const float* Values;
     const float* Inverse;
   };
@@ -89,23 +97,24 @@ private:
   void SmoothGroup(const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead);
   /// Solves for the unknowns of each block of a group.
   /// \tparam Pack of so many lanes as the group has.
-  /// \param shape the pattern of its blocks.
-  template <bool Pulled, class Pack, class Shape>
-  void SmoothBlocks(const Shape& shape, const Streams& of, const Streams& ahead);
+  /// \param shape the pattern of its blocks. \param places of its unknowns and rows in vectors.
+  template <bool Pulled, class Pack, class Shape, class Places>
+  void SmoothBlocks(
+    const Shape& shape, const Places& places, const Streams& of, const Streams& ahead);
 
   const RowRuns<double> B;
   const RowTiles& Tiles;
   const SchwarzBlocks& Blocks;
   TileWaves Waves;
   const float Relaxation;
-  int PatternOfSides = -1; ///< the one that most faces have
-  Vector<float> Diagonal;              ///< D where it is finite, else zero
+  std::vector<KnownShape> KnownShapes; ///< of each pattern
+  Vector<float> Diagonal;              ///< D where it is finite, else zero; by place
   std::vector<int> Held;               ///< where D is infinite
   std::vector<const float*> Inverses;  ///< of each group: of the roughness alone where D is zero
   std::vector<float> ChangedInverses;  ///< where D is not zero
-  Vector<float> Right; ///< b - D x before the sweeps
-  Vector<float> Step;  ///< what the sweeps have added to x
-  Vector<float> Bx;
+  Vector<float> Right; ///< b - D x before the sweeps; by place
+  Vector<float> Step;  ///< what the sweeps have added to x; by place
+  Vector<float> Bx;    ///< by place
 };
 
 }

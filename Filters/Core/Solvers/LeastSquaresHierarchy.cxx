@@ -1,6 +1,7 @@
 #include "Solvers/LeastSquaresHierarchy.h"
 
 #include "Solvers/BlockStrips.h"
+#include "Solvers/BlockTiles.h"
 #include "Solvers/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"

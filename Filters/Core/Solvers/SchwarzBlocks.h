@@ -1,9 +1,8 @@
 #ifndef dmgSchwarzBlocks_h
 #define dmgSchwarzBlocks_h
 
-#include "Solvers/BlockTiles.h"
+#include "Solvers/BlockGroups.h"
 #include "Support/ExecutionContext.h"
-#include "Support/Packs.h"
 #include "Support/Types.h"
 
 #include <cstddef>
@@ -14,38 +13,16 @@ namespace dmg
 {
 
 /// What BlockSmoother needs of the roughness B^T B alone: for each block the entries of B in its columns
-/// and its inverse, in the order in which they are needed.
-///
-/// Blocks are smoothed in groups of four, each in a lane of a pack: independent blocks of a tile
-/// (BlockTiles) whose unknowns share rows of B in the same way, as the sides of most faces do, and the
-/// faces around most vertices of a valence. First those of one colour, then what is left of all colours.
-/// Others are groups of one.
+/// and its inverse, group by group (BlockGroups), in the order in which they are needed.
 ///
 /// All is single precision: the inverses of blocks and the entries of B, which makes them those of nearly
 /// the same problem.
+///
+/// Unknowns and rows of B have places of their own, in which groups find theirs side by side (BlockGroups).
 class SchwarzBlocks
 {
 public:
-  static constexpr int LargestBlock = 64;
-  static constexpr int MostRows = 512;
-
-  /// How the unknowns of a block share rows of B, which count from 0 in each block.
-  struct Pattern
-  {
-    std::vector<int> Offsets;         ///< unknown i has entries Offsets[i] to [Offsets[i + 1] - 1]
-    std::vector<std::uint16_t> RowOf; ///< of each entry
-    /// Row k has entries EntryAt[s] of unknowns UnknownAt[s], s from RowOffsets[k] to
-    /// [RowOffsets[k + 1] - 1].
-    std::vector<int> RowOffsets;
-    std::vector<std::uint16_t> EntryAt;
-    std::vector<std::uint16_t> UnknownAt;
-
-    int Unknowns() const { return static_cast<int>(this->Offsets.size()) - 1; }
-    int Rows() const { return static_cast<int>(this->RowOffsets.size()) - 1; }
-    int Entries() const { return static_cast<int>(this->RowOf.size()); }
-    /// Of a lower triangle.
-    int InverseSize() const { return this->Unknowns() * (this->Unknowns() + 1) / 2; }
-  };
+  static constexpr int LargestBlock = BlockGroups::LargestBlock;
 
   /// Blocks that are smoothed at once. All arrays hold lanes after each other: entry e of lane l is
   /// [e * Lanes + l].
@@ -53,7 +30,10 @@ public:
   {
     int Pattern;
     int Lanes; ///< 1, or those of FloatPack
-    std::uint32_t Indices;
+    /// The place of the first unknown, if they follow each other, and so do the lanes of each inner row of B;
+    /// -1 if not.
+    int FirstPlace;
+    std::uint32_t Places;
     std::uint32_t Values;
     std::uint32_t Inverse;
   };
@@ -73,14 +53,11 @@ public:
   };
 
   /// \param Bt B^T, a row per unknown.
-  /// \param strips of the blocks, for tiles (BlockTiles); none: all in one.
-  /// \throw InvalidInput a block of more than LargestBlock unknowns, or that touches more than MostRows
-  ///   rows of B.
-  /// Cost: linear in the unknowns of all blocks.
+  /// \param strips the first of the blocks of each strip (BlockStrips), and their number; for tiles.
+  /// \throw as GroupBlocks; InvalidInput there are more than 2^32 entries.
+  /// Cost: linear in the entries, and in the cubes of the sizes of blocks.
   SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
     const std::vector<int>& strips, const ExecutionContext& context);
-
-  int NumberOfBlocks() const { return this->Blocks; }
 
   int NumberOfTiles() const { return static_cast<int>(this->TileBegins.size()) - 1; }
   /// Tiles that share a row of B.
@@ -95,14 +72,26 @@ public:
 
   /// In the order in which they are smoothed, tile by tile.
   const std::vector<Group>& Groups() const { return this->GroupsInOrder; }
-  const std::vector<Pattern>& AllPatterns() const { return this->Patterns; }
-  const Pattern& PatternOf(const Group& group) const { return this->Patterns[group.Pattern]; }
-  const int* Unknowns(const Group& group) const { return this->Indices.data() + group.Indices; }
-  /// Of B.
-  const int* Rows(const Group& group) const
+  const std::vector<BlockPattern>& AllPatterns() const { return this->Patterns; }
+  const BlockPattern& PatternOf(const Group& group) const { return this->Patterns[group.Pattern]; }
+
+  /// The unknown at each place.
+  const std::vector<int>& UnknownsAt() const { return this->OrderOfUnknowns; }
+  /// The place of each row of B.
+  const std::vector<int>& PlacesOfRows() const { return this->PlacesInRows; }
+  /// \param slot i * Lanes + lane for unknown i of a block.
+  int UnknownOf(const Group& group, int slot) const
   {
-    return this->Unknowns(group) + this->PatternOf(group).Unknowns() * group.Lanes;
+    return this->OrderOfUnknowns[group.FirstPlace >= 0 ? group.FirstPlace + slot
+                                                       : this->PlacesOf(group)[slot]];
   }
+  int NumberOfUnknowns(const Group& group) const
+  {
+    return this->PatternOf(group).Unknowns() * group.Lanes;
+  }
+  /// Of unknowns by slots, and then of rows. But where there is a first place: of each inner row in the first
+  /// lane, and then of the other rows by slots.
+  const int* PlacesOf(const Group& group) const { return this->Places.data() + group.Places; }
   /// Entries of B, unknown by unknown.
   const float* Values(const Group& group) const { return this->EntriesOfB.data() + group.Values; }
   /// The inverses of its blocks, symmetric: lower triangles by rows.
@@ -124,15 +113,17 @@ public:
   long long Bytes() const;
 
 private:
-  class Packing;
+  void MakeRoom(const BlockGroups& groups);
+  void Fill(const SparseMatrix<double>& Bt, const BlockGroups& groups, const ExecutionContext& context);
 
-  int Blocks = 0;
   std::vector<int> TileBegins; ///< the first run of each
   std::vector<int> RunBegins;  ///< the first group of each
   PartGraph Neighbours; ///< of tiles
-  std::vector<Pattern> Patterns;
+  std::vector<BlockPattern> Patterns;
   std::vector<Group> GroupsInOrder;
-  std::vector<int> Indices; ///< of each group its unknowns, then its rows of B
+  std::vector<int> OrderOfUnknowns;
+  std::vector<int> PlacesInRows;
+  std::vector<int> Places;
   std::vector<float> EntriesOfB;
   std::vector<float> Inverses;
 };

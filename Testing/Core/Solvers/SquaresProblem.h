@@ -7,6 +7,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+#include <cstdint>
 #include <utility>
 #include <vector>
 
@@ -92,6 +94,80 @@ inline Squares Fan(int blades)
   return { WithUnitColumns(FromTriplets(1 + size, size, entries)), std::move(blocks) };
 }
 
+/// Copies of a block: which of its unknowns touch each row of B is told by bits. Rows from \p innerRows on are
+/// touched by one more unknown each, a block by itself. Copies share no row.
+inline Squares Copies(
+  int copies, int unknowns, int innerRows, const std::vector<std::uint64_t>& unknownsOfRows)
+{
+  Random random(3115);
+  std::vector<Eigen::Triplet<double>> entries;
+  UnknownBlocks blocks;
+  UnknownBlocks others;
+  const int rows = static_cast<int>(unknownsOfRows.size());
+  const int ofCopy = unknowns + rows - innerRows;
+  for (int copy = 0; copy < copies; ++copy)
+  {
+    const auto append = [&](int row, int unknown, double least) {
+      entries.emplace_back(copy * rows + row, copy * ofCopy + unknown,
+        random.Uniform(least, 1.0) * (random.Uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0));
+    };
+    for (int i = 0; i < unknowns; ++i)
+    {
+      for (int k = 0; k < rows; ++k)
+      {
+        if ((unknownsOfRows[k] >> i & 1) != 0)
+        {
+          append(k, i, 0.1);
+        }
+      }
+      blocks.Unknowns.push_back(copy * ofCopy + i);
+    }
+    blocks.EndBlock();
+    for (int k = innerRows; k < rows; ++k)
+    {
+      append(k, unknowns + k - innerRows, 0.5);
+      others.Unknowns.push_back(copy * ofCopy + unknowns + k - innerRows);
+      others.EndBlock();
+    }
+  }
+  for (const int unknown : others.Unknowns)
+  {
+    blocks.Unknowns.push_back(unknown);
+    blocks.EndBlock();
+  }
+  return { WithUnitColumns(FromTriplets(copies * rows, copies * ofCopy, entries)), std::move(blocks) };
+}
+
+/// Blocks like the sides of faces inside of a surface (the face; the faces beyond and the corners).
+inline Squares Sides(int copies)
+{
+  return Copies(copies, 3, 1, { 7, 1, 2, 4, 3, 5, 6 });
+}
+
+/// Blocks like the components of the faces around a vertex (its edges and itself; the edges opposite and
+/// the other vertices).
+inline Squares Wheels(int copies, int faces)
+{
+  std::vector<std::uint64_t> ofFaces, ofTwo;
+  for (int face = 0; face < faces; ++face)
+  {
+    ofFaces.push_back(std::uint64_t(3) << 2 * face);
+    ofTwo.push_back(ofFaces.back() | std::uint64_t(3) << 2 * ((face + 1) % faces));
+  }
+  std::vector<std::uint64_t> rows = ofTwo;
+  rows.push_back((std::uint64_t(1) << 2 * faces) - 1);
+  rows.insert(rows.end(), ofFaces.begin(), ofFaces.end());
+  rows.insert(rows.end(), ofTwo.begin(), ofTwo.end());
+  return Copies(copies, 2 * faces, faces + 1, rows);
+}
+
+/// All blocks in one strip.
+inline SchwarzBlocks BlocksOf(
+  const Squares& squares, const ExecutionContext& context = SerialContext())
+{
+  return { squares.Bt, squares.Blocks, { 0, squares.Blocks.Size() }, context };
+}
+
 /// The unknowns of a block of a group.
 inline std::vector<int> MembersOf(
   const SchwarzBlocks& blocks, const SchwarzBlocks::Group& group, int lane)
@@ -99,7 +175,7 @@ inline std::vector<int> MembersOf(
   std::vector<int> members;
   for (int i = 0; i < blocks.PatternOf(group).Unknowns(); ++i)
   {
-    members.push_back(blocks.Unknowns(group)[i * group.Lanes + lane]);
+    members.push_back(blocks.UnknownOf(group, i * group.Lanes + lane));
   }
   return members;
 }

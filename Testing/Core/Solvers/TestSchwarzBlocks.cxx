@@ -2,6 +2,8 @@
 
 #include "SquaresProblem.h"
 #include "Support/Errors.h"
+#include "Support/Packs.h"
+#include "Support/Permutations.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
@@ -67,6 +69,18 @@ void ExpectInverses(const SchwarzBlocks& blocks, const Eigen::MatrixXd& A)
     });
 }
 
+/// Row k of a block of a group.
+int RowOf(const SchwarzBlocks& blocks, const SchwarzBlocks::Group& group, int k, int lane)
+{
+  const int inner = blocks.PatternOf(group).InnerRows;
+  const int* const places = blocks.PlacesOf(group);
+  const int place = group.FirstPlace < 0 ? places[blocks.NumberOfUnknowns(group) + k * group.Lanes + lane]
+    : k < inner                          ? places[k] + lane
+                                         : places[inner + (k - inner) * group.Lanes + lane];
+  const auto found = std::find(blocks.PlacesOfRows().begin(), blocks.PlacesOfRows().end(), place);
+  return static_cast<int>(found - blocks.PlacesOfRows().begin());
+}
+
 /// The columns of B of all blocks, as groups hold them.
 void ExpectEntries(const SchwarzBlocks& blocks, const test::Squares& squares)
 {
@@ -74,10 +88,10 @@ void ExpectEntries(const SchwarzBlocks& blocks, const test::Squares& squares)
   ForBlocks(blocks,
     [&](const SchwarzBlocks::Group& group, int lane, const std::vector<int>& members)
     {
-      const SchwarzBlocks::Pattern& pattern = blocks.PatternOf(group);
+      const BlockPattern& pattern = blocks.PatternOf(group);
       Eigen::MatrixXf columns = Eigen::MatrixXf::Zero(squares.B.rows(), members.size());
       Eigen::MatrixXf byRow = columns;
-      const auto rowOf = [&](int k) { return blocks.Rows(group)[k * group.Lanes + lane]; };
+      const auto rowOf = [&](int k) { return RowOf(blocks, group, k, lane); };
       const auto valueOf = [&](int e) { return blocks.Values(group)[e * group.Lanes + lane]; };
       for (int i = 0; i < pattern.Unknowns(); ++i)
       {
@@ -133,7 +147,6 @@ std::set<int> RowsOf(const test::Squares& squares, const std::vector<int>& unkno
 /// Each block is in one tile; neighbours are tiles that share a row of B. No two blocks of a run do.
 void ExpectParted(const test::Squares& squares, const SchwarzBlocks& blocks)
 {
-  EXPECT_EQ(blocks.NumberOfBlocks(), squares.Blocks.Size());
   EXPECT_EQ(Sorted(test::BlocksInOrder(blocks)), Sorted(squares.Blocks));
   std::vector<std::set<int>> tilesOfRows(squares.B.rows());
   for (int t = 0; t < blocks.NumberOfTiles(); ++t)
@@ -183,9 +196,10 @@ void ExpectParted(const test::Squares& squares, const SchwarzBlocks& blocks)
 
 TEST(TestSchwarzBlocks, InversesAreThoseOfTheMatrix)
 {
-  for (const test::Squares& squares : { test::Ring(60), test::Fan(30) })
+  for (const test::Squares& squares :
+    { test::Ring(60), test::Fan(30), test::Sides(9), test::Wheels(9, 6), test::Wheels(4, 5) })
   {
-    const SchwarzBlocks blocks(squares.Bt, squares.Blocks, {}, SerialContext());
+    const SchwarzBlocks blocks = test::BlocksOf(squares);
     ExpectInverses(blocks, squares.Matrix());
     ExpectEntries(blocks, squares);
   }
@@ -195,19 +209,54 @@ TEST(TestSchwarzBlocks, BlocksThatLookAlikeShareLanes)
 {
   // All blocks of a ring look alike, and a colour has a half or a third of those of a tile.
   const test::Squares ring = test::Ring(20000);
-  const SchwarzBlocks blocks(ring.Bt, ring.Blocks, {}, SerialContext());
+  const SchwarzBlocks blocks = test::BlocksOf(ring);
   int inLanes = 0;
   for (const SchwarzBlocks::Group& group : blocks.Groups())
   {
     inLanes += group.Lanes == LanesOf<FloatPack> ? group.Lanes : 0;
   }
-  EXPECT_GE(inLanes, 0.85 * blocks.NumberOfBlocks());
+  EXPECT_GE(inLanes, 0.85 * ring.Blocks.Size());
   // No two blocks of a fan are independent.
   const test::Squares fan = test::Fan(150);
-  const SchwarzBlocks alone(fan.Bt, fan.Blocks, {}, SerialContext());
+  const SchwarzBlocks alone = test::BlocksOf(fan);
   for (const SchwarzBlocks::Group& group : alone.Groups())
   {
     EXPECT_EQ(group.Lanes, 1);
+  }
+}
+
+TEST(TestSchwarzBlocks, WhatAGroupHasToItselfStandsSideBySide)
+{
+  for (const test::Squares& squares : { test::Sides(12), test::Wheels(8, 6) })
+  {
+    const SchwarzBlocks blocks = test::BlocksOf(squares);
+    for (const std::vector<int>& all : { blocks.UnknownsAt(), blocks.PlacesOfRows() })
+    {
+      std::vector<int> sorted = all;
+      std::sort(sorted.begin(), sorted.end());
+      EXPECT_EQ(sorted, Identity(static_cast<int>(all.size())));
+    }
+    for (const SchwarzBlocks::Group& group : blocks.Groups())
+    {
+      // No block touches unknowns of another, and so all packs have theirs to themselves.
+      EXPECT_EQ(group.FirstPlace >= 0, group.Lanes == LanesOf<FloatPack>);
+    }
+  }
+  // Each unknown of a ring is in two blocks.
+  const test::Squares ring = test::Ring(400);
+  const SchwarzBlocks shared = test::BlocksOf(ring);
+  EXPECT_TRUE(std::any_of(shared.Groups().begin(), shared.Groups().end(),
+    [](const SchwarzBlocks::Group& group) { return group.Lanes > 1 && group.FirstPlace < 0; }));
+}
+
+TEST(TestSchwarzBlocks, RowsInsideOfBlocksComeFirst)
+{
+  const SchwarzBlocks blocks = test::BlocksOf(test::Wheels(8, 6));
+  for (const SchwarzBlocks::Group& group : blocks.Groups())
+  {
+    const BlockPattern& pattern = blocks.PatternOf(group);
+    EXPECT_EQ(pattern.InnerRows, pattern.Unknowns() == 12 ? 7 : 0);
+    EXPECT_EQ(pattern.Rows(), pattern.Unknowns() == 12 ? 19 : 1);
   }
 }
 
@@ -216,7 +265,8 @@ TEST(TestSchwarzBlocks, BlocksLeftOfTheirColoursShareLanes)
   // Clusters whose blocks, of an unknown each, share a row, in one tile: a block has its place in the
   // cluster for a colour. The first two colours have five and four blocks, which fill a pack each.
   // The third has the first three clusters': with the last cluster's only block, left of the first
-  // colour, they fill another. The other four are of two clusters.
+  // colour, they fill another. The other four are of two clusters. The last cluster's row is not inside of its
+  // block, either: an unknown of no block touches it.
   UnknownBlocks alone;
   std::vector<Eigen::Triplet<double>> entries;
   int cluster = 0;
@@ -232,8 +282,9 @@ TEST(TestSchwarzBlocks, BlocksLeftOfTheirColoursShareLanes)
     }
     ++cluster;
   }
-  const test::Squares squares(test::FromTriplets(5 + 16, 16, entries), alone);
-  const SchwarzBlocks blocks(squares.Bt, squares.Blocks, {}, SerialContext());
+  entries.emplace_back(4, 16, 1.0);
+  const test::Squares squares(test::FromTriplets(5 + 16, 17, entries), alone);
+  const SchwarzBlocks blocks = test::BlocksOf(squares);
   ASSERT_EQ(blocks.NumberOfTiles(), 1);
   ExpectParted(squares, blocks);
   ExpectInverses(blocks, squares.Matrix());
@@ -245,7 +296,7 @@ TEST(TestSchwarzBlocks, BlocksLeftOfTheirColoursShareLanes)
 TEST(TestSchwarzBlocks, InversesOfSomeBlocksWithADiagonal)
 {
   const test::Squares ring = test::Ring(40);
-  const SchwarzBlocks blocks(ring.Bt, ring.Blocks, {}, SerialContext());
+  const SchwarzBlocks blocks = test::BlocksOf(ring);
   Vector<double> D = Vector<double>::Zero(40);
   D[4] = 0.3;
   D[5] = 1e6;
@@ -314,7 +365,7 @@ TEST(TestSchwarzBlocks, DependentUnknownsHaveAnInverseAndEmptyOnesNone)
   UnknownBlocks all;
   all.Unknowns = { 0, 1, 2, 3 };
   all.EndBlock();
-  const SchwarzBlocks blocks(B.transpose(), all, {}, SerialContext());
+  const SchwarzBlocks blocks(B.transpose(), all, { 0, 1 }, SerialContext());
   const Eigen::MatrixXd inverse = Unpacked(blocks.Inverse(blocks.Groups()[0]), 4, 1, 0);
   ASSERT_TRUE(inverse.allFinite());
   EXPECT_EQ(inverse.row(2).norm(), 0.0);
@@ -329,7 +380,7 @@ TEST(TestSchwarzBlocks, TilesAreCutEvenly)
   {
     SCOPED_TRACE(size);
     const test::Squares ring = test::Ring(size);
-    const SchwarzBlocks blocks(ring.Bt, ring.Blocks, {}, SerialContext());
+    const SchwarzBlocks blocks = test::BlocksOf(ring);
     ExpectParted(ring, blocks);
     const int count = ring.Blocks.Size();
     const int ofTile = std::max(16, count / 128);
@@ -376,7 +427,7 @@ TEST(TestSchwarzBlocks, TilesStayInStripsAndIndependentOnesComeFirst)
 TEST(TestSchwarzBlocks, TilesThatAllShareARowAreAllNeighbours)
 {
   const test::Squares fan = test::Fan(150);
-  const SchwarzBlocks blocks(fan.Bt, fan.Blocks, {}, SerialContext());
+  const SchwarzBlocks blocks = test::BlocksOf(fan);
   ExpectParted(fan, blocks);
   EXPECT_EQ(blocks.NumberOfTiles(), 9); // of 16 or 17 blocks
   EXPECT_EQ(blocks.NeighboursOfTiles().Begins.back(), 9 * 8);
@@ -384,9 +435,8 @@ TEST(TestSchwarzBlocks, TilesThatAllShareARowAreAllNeighbours)
 
 TEST(TestSchwarzBlocks, NoBlocksHaveNoTile)
 {
-  const SchwarzBlocks blocks(test::Ring(8).Bt, {}, {}, SerialContext());
+  const SchwarzBlocks blocks(test::Ring(8).Bt, {}, { 0 }, SerialContext());
   EXPECT_EQ(blocks.NumberOfTiles(), 0);
-  EXPECT_EQ(blocks.NumberOfBlocks(), 0);
   EXPECT_TRUE(blocks.Groups().empty());
 }
 
@@ -405,11 +455,11 @@ TEST(TestSchwarzBlocks, LargeBlocksAreRefused)
     blocks.EndBlock();
     return blocks;
   };
-  const SchwarzBlocks largest(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock), {}, SerialContext());
+  const SchwarzBlocks largest(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock), { 0, 2 }, SerialContext());
   ExpectInverses(largest, ring.Matrix());
   try
   {
-    SchwarzBlocks(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock + 1), {}, SerialContext());
+    SchwarzBlocks(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock + 1), { 0, 2 }, SerialContext());
     FAIL();
   }
   catch (const InvalidInput& error)
@@ -423,10 +473,10 @@ TEST(TestSchwarzBlocks, LargeBlocksAreRefused)
 TEST(TestSchwarzBlocks, SameBitsForAnyNumberOfThreads)
 {
   const test::Squares ring = test::Ring(20000);
-  const SchwarzBlocks expected(ring.Bt, ring.Blocks, {}, SerialContext());
+  const SchwarzBlocks expected = test::BlocksOf(ring);
   for (const int threads : { 1, 2, 5 })
   {
-    const SchwarzBlocks blocks(ring.Bt, ring.Blocks, {}, test::TbbContext(threads));
+    const SchwarzBlocks blocks = test::BlocksOf(ring, test::TbbContext(threads));
     EXPECT_EQ(test::BlocksInOrder(blocks).Unknowns, test::BlocksInOrder(expected).Unknowns);
     ASSERT_EQ(blocks.Groups().size(), expected.Groups().size());
     for (std::size_t g = 0; g < blocks.Groups().size(); ++g)
