@@ -1,37 +1,87 @@
 #include "Solvers/BlockStrips.h"
 
-#include "Support/CountingSort.h"
-#include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace dmg
 {
 namespace
 {
 
+/// The rows of B that each block touches, each once.
+struct RowsOfBlocks
+{
+  RowsOfBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
+    : Begins(blocks.Size() + 1, 0)
+  {
+    const int parts = context.NumberOfThreads();
+    std::vector<std::vector<int>> ofParts(parts);
+    const auto firstOf = [&](int part) { return static_cast<int>(1LL * blocks.Size() * part / parts); };
+    context.ParallelFor(0, parts, 1, [&](int firstPart, int lastPart) {
+      std::vector<int> lastToTouch(Bt.cols(), -1); // of the rows
+      for (int part = firstPart; part < lastPart; ++part)
+      {
+        for (int k = firstOf(part); k < firstOf(part + 1); ++k)
+        {
+          const std::size_t before = ofParts[part].size();
+          ForEntries(Bt, blocks, k, [&](int row) {
+            if (std::exchange(lastToTouch[row], k) != k)
+            {
+              ofParts[part].push_back(row);
+            }
+          });
+          this->Begins[k + 1] = static_cast<int>(ofParts[part].size() - before);
+        }
+      }
+    });
+    this->Rows.reserve(OffsetsFromCounts(this->Begins));
+    for (const std::vector<int>& rows : ofParts)
+    {
+      this->Rows.insert(this->Rows.end(), rows.begin(), rows.end());
+    }
+  }
+
+  std::vector<int> Begins; ///< by block, among Rows
+  std::vector<int> Rows;
+
+private:
+  template <class Visit>
+  static void ForEntries(
+    const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, int block, const Visit& visit)
+  {
+    for (int s = blocks.Offsets[block]; s < blocks.Offsets[block + 1]; ++s)
+    {
+      const int unknown = blocks.Unknowns[s];
+      std::for_each(Bt.innerIndexPtr() + Bt.outerIndexPtr()[unknown],
+        Bt.innerIndexPtr() + Bt.outerIndexPtr()[unknown + 1], visit);
+    }
+  }
+};
+
 /// Blocks of a component, level by level: those at the same distance from a first one.
 class BlockLevels
 {
 public:
-  BlockLevels(const PlanarProlongation& prolongation, const UnknownBlocks& blocks)
-    : P(prolongation)
-    , Blocks(blocks)
-    , Begins(prolongation.cols() + 1, 0)
+  BlockLevels(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
+    : Of(Bt, blocks, context)
+    , Begins(Bt.cols() + 1, 0)
     , IsReached(blocks.Size(), 0)
-    , IsSpread(prolongation.cols(), 0)
+    , IsSpread(Bt.cols(), 0)
   {
-    const auto forEntries = [&](const auto& visit) {
-      for (int k = 0; k < blocks.Size(); ++k)
-      {
-        this->ForColumns(k, [&](int column) { visit(column, k); });
-      }
-    };
-    forEntries([this](int column, int) { ++this->Begins[column + 1]; });
-    this->Takers.resize(OffsetsFromCounts(this->Begins));
+    for (const int row : this->Of.Rows)
+    {
+      ++this->Begins[row + 1];
+    }
+    this->Blocks.resize(OffsetsFromCounts(this->Begins));
     std::vector<int> next(this->Begins.begin(), this->Begins.end() - 1);
-    forEntries([this, &next](int column, int block) { this->Takers[next[column]++] = block; });
+    for (int k = 0; k < blocks.Size(); ++k)
+    {
+      this->ForRows(k, [this, &next, k](int row) { this->Blocks[next[row]++] = k; });
+    }
   }
 
   bool HasReached(int block) const { return this->IsReached[block] != 0; }
@@ -48,7 +98,7 @@ public:
       {
         this->Ends.push_back(this->Reached.size());
       }
-      this->ForColumns(this->Reached[k], [this](int column) { this->Spread(column); });
+      this->ForRows(this->Reached[k], [this](int row) { this->Spread(row); });
     }
   }
   /// Level by level.
@@ -57,20 +107,11 @@ public:
   const std::vector<std::size_t>& EndsOfLevels() const { return this->Ends; }
 
 private:
-  /// The coarse unknowns that a block takes from; those of three of its unknowns will do.
   template <class Visit>
-  void ForColumns(int block, const Visit& visit) const
+  void ForRows(int block, const Visit& visit) const
   {
-    const int first = this->Blocks.Offsets[block];
-    const int last = this->Blocks.Offsets[block + 1] - 1;
-    for (const int place : { first, (first + last) / 2, last })
-    {
-      const int unknown = this->Blocks.Unknowns[place];
-      for (int e = this->P.outerIndexPtr()[unknown]; e < this->P.outerIndexPtr()[unknown + 1]; ++e)
-      {
-        visit(this->P.innerIndexPtr()[e]);
-      }
-    }
+    std::for_each(this->Of.Rows.begin() + this->Of.Begins[block],
+      this->Of.Rows.begin() + this->Of.Begins[block + 1], visit);
   }
   void Reach(int block)
   {
@@ -79,37 +120,36 @@ private:
       this->Reached.push_back(block);
     }
   }
-  /// To all blocks that take from a coarse unknown.
-  void Spread(int column)
+  /// To all blocks that touch a row.
+  void Spread(int row)
   {
-    if (std::exchange(this->IsSpread[column], 1) == 0)
+    if (std::exchange(this->IsSpread[row], 1) == 0)
     {
-      for (int s = this->Begins[column]; s < this->Begins[column + 1]; ++s)
+      for (int s = this->Begins[row]; s < this->Begins[row + 1]; ++s)
       {
-        this->Reach(this->Takers[s]);
+        this->Reach(this->Blocks[s]);
       }
     }
   }
 
-  const PlanarProlongation& P;
-  const UnknownBlocks& Blocks;
-  std::vector<int> Begins; ///< by coarse unknown, among Takers
-  std::vector<int> Takers; ///< blocks
+  const RowsOfBlocks Of;
+  std::vector<int> Begins; ///< by row, among Blocks
+  std::vector<int> Blocks;
   std::vector<char> IsReached; ///< blocks
-  std::vector<char> IsSpread;  ///< coarse unknowns
+  std::vector<char> IsSpread;  ///< rows
   std::vector<int> Reached;
   std::vector<std::size_t> Ends;
 };
 
 }
 
-BlockStrips StripsOf(const PlanarProlongation& P, const UnknownBlocks& blocks, int smallest,
+BlockStrips StripsOf(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, int smallest,
   const ExecutionContext& context)
 {
   std::vector<int> strips(blocks.Size());
   int strip = 0;
   int size = 0; // of the strip
-  BlockLevels levels(P, blocks);
+  BlockLevels levels(Bt, blocks, context);
   for (int first = 0; first < blocks.Size(); ++first)
   {
     if (levels.HasReached(first))
@@ -120,7 +160,7 @@ BlockStrips StripsOf(const PlanarProlongation& P, const UnknownBlocks& blocks, i
     const std::vector<int>& component = levels.OfComponent();
     if (first > 0 && static_cast<int>(component.size()) < smallest)
     {
-      // A few blocks that share no coarse unknown with what is around them.
+      // A few blocks that share no row with what is around them.
       for (const int block : component)
       {
         strips[block] = strips[first - 1];
@@ -142,9 +182,7 @@ BlockStrips StripsOf(const PlanarProlongation& P, const UnknownBlocks& blocks, i
       }
     }
   }
-  SortedItems sorted = SortByKey(
-    Identity(blocks.Size()), strip + 1, [&strips](int block) { return strips[block]; }, context);
-  return { std::move(sorted.Items), std::move(sorted.Begins) };
+  return { std::move(strips), blocks.Size() > 0 ? strip + 1 : 0 };
 }
 
 }

@@ -1,7 +1,6 @@
 #ifndef dmgBlockStrips_h
 #define dmgBlockStrips_h
 
-#include "Solvers/PlanarProlongation.h"
 #include "Solvers/UnknownBlocks.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -11,20 +10,20 @@
 namespace dmg
 {
 
-/// An order of blocks by strips across a surface, so that blocks that depend on each other are in the same
-/// strip or in one of the next: sweeps can follow each other closely (TileWaves).
+/// Strips of blocks across a surface, so that blocks that depend on each other are in the same strip or in one of
+/// the next: sweeps can follow each other closely (TileWaves).
 struct BlockStrips
 {
-  std::vector<int> Order;  ///< of blocks, strip by strip, ascending in each
-  std::vector<int> Begins; ///< the place of the first block of each strip, and their number
+  std::vector<int> OfBlocks; ///< the strip of each block
+  int Size = 0;
 };
 
-/// Blocks by their distance from the first one, in steps between blocks that take from a coarse unknown in
-/// common (as far as three unknowns of each tell); component by component. Whole levels make a strip, as few
-/// as hold \p smallest blocks. Components of fewer blocks join the strip of the block before them.
-/// \param P prolongation to the unknowns.
-/// Cost: linear in the blocks.
-BlockStrips StripsOf(const PlanarProlongation& P, const UnknownBlocks& blocks, int smallest,
+/// Blocks by their distance from the first one, in steps between blocks that share a row of B; component by
+/// component. Whole levels make a strip, as few as hold \p smallest blocks. Components of fewer blocks join the
+/// strip of the block before them.
+/// \param Bt B^T, a row per unknown.
+/// Cost: linear in the entries of B in all blocks.
+BlockStrips StripsOf(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, int smallest,
   const ExecutionContext& context);
 
 }

@@ -21,9 +21,9 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
-// Thinner strips would let sweeps follow each other more closely; but what is far apart in the order of
-// unknowns makes the set-up slower.
-constexpr int TilesOfStrip = 3;
+// Unknowns in strips, which are thin, would make the set-up slower, as what is near on the surface is then far
+// apart; those in the order of coarse unknowns alone would be far from their places in the smoother.
+constexpr int StripsOfBand = 8;
 
 template <class Scalar>
 int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
@@ -171,51 +171,62 @@ void SortTilesByLength(
 
 struct Arrangement
 {
-  std::vector<int> Order;  ///< of the unknowns
-  std::vector<int> Strips; ///< of the blocks: the first of each, and their number
+  std::vector<int> Order; ///< of the unknowns
+  BlockStrips Strips;
 };
 
-/// Blocks by strips, and in these by the coarse unknowns that they belong to; unknowns as the blocks come to
+/// Blocks by the coarse unknowns that they belong to, in bands of a few strips; unknowns as the blocks come to
 /// them, and rows of B as the unknowns do.
 Arrangement BringIntoOrder(
   SparseMatrix<double>& B, LeastSquaresLevels& levels, const ExecutionContext& context)
 {
   PlanarProlongation& P = levels.Prolongation;
+  UnknownBlocks& blocks = levels.Blocks;
   const int unknowns = static_cast<int>(B.cols());
   const int rows = static_cast<int>(B.rows());
-  const std::vector<int> blockOrder = SortByKey(Identity(levels.Blocks.Size()),
-    std::max(1, static_cast<int>(P.cols())),
-    [&](int k) { return FirstColumn(P, levels.Blocks.Unknowns[levels.Blocks.Offsets[k]], 0); },
-    context).Items;
-  levels.Blocks = Permuted(levels.Blocks, blockOrder, Identity(unknowns));
-  BlockStrips strips =
-    StripsOf(P, levels.Blocks, TilesOfStrip * BlockTiles::SizeFor(levels.Blocks.Size()), context);
-  levels.Blocks = Permuted(levels.Blocks, strips.Order, Identity(unknowns));
-  std::vector<int> order =
-    ByFirstOccurrence(levels.Blocks.Unknowns.begin(), levels.Blocks.Unknowns.end(), unknowns);
-  const std::vector<int> places = Inverse(order, context);
-  for (UnknownBlocks* blocks : { &levels.Blocks, &levels.Subdomains })
-  {
-    for (int& unknown : blocks->Unknowns)
-    {
-      unknown = places[unknown];
-    }
-  }
+  blocks = Permuted(blocks,
+    SortByKey(Identity(blocks.Size()), std::max(1, static_cast<int>(P.cols())),
+      [&](int k) { return FirstColumn(P, blocks.Unknowns[blocks.Offsets[k]], 0); }, context).Items,
+    Identity(unknowns));
+  const SparseMatrix<double> Bt = Adjoint(B, context);
+  BlockStrips strips = StripsOf(Bt, blocks, BlockTiles::SizeFor(blocks.Size()), context);
+  const std::vector<int> blockOrder =
+    SortByKey(Identity(blocks.Size()), strips.Size / StripsOfBand + 1,
+      [&strips](int k) { return strips.OfBlocks[k] / StripsOfBand; }, context).Items;
+  std::vector<int> order;
   std::vector<int> rowOrder;
   {
-    const SparseMatrix<double> rowsOfUnknowns =
-      Permuted(Adjoint(B, context), order, Identity(rows), context);
+    const UnknownBlocks inOrder = Permuted(blocks, blockOrder, Identity(unknowns));
+    order = ByFirstOccurrence(inOrder.Unknowns.begin(), inOrder.Unknowns.end(), unknowns);
+    const SparseMatrix<double> rowsOfUnknowns = Permuted(Bt, order, Identity(rows), context);
     rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
       rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), rows);
   }
   SortTilesByLength(B, rowOrder, context);
+  const std::vector<int> places = Inverse(order, context);
+  for (UnknownBlocks* of : { &levels.Blocks, &levels.Subdomains })
+  {
+    for (int& unknown : of->Unknowns)
+    {
+      unknown = places[unknown];
+    }
+  }
   // An assignment would copy.
   SparseMatrix<double> permuted = Permuted(B, rowOrder, places, context);
   B.swap(permuted);
   PlanarProlongation permutedP =
     Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
   P.swap(permutedP);
-  return { std::move(order), std::move(strips.Begins) };
+  return { std::move(order), std::move(strips) };
+}
+
+SchwarzBlocks BlocksByStrips(const SparseMatrix<double>& Bt, UnknownBlocks blocks,
+  const BlockStrips& strips, const ExecutionContext& context)
+{
+  const SortedItems byStrips = SortByKey(Identity(blocks.Size()), strips.Size,
+    [&strips](int block) { return strips.OfBlocks[block]; }, context);
+  blocks = Permuted(blocks, byStrips.Items, Identity(static_cast<int>(Bt.rows())));
+  return SchwarzBlocks(Bt, blocks, byStrips.Begins, context);
 }
 
 CompactProlongation SmoothedAndPacked(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
@@ -253,8 +264,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation, {}, context);
   context.Checkpoint(0.8);
 
-  LeastSquaresHierarchy hierarchy(SchwarzBlocks(Bt, levels.Blocks, arrangement.Strips, context));
-  levels.Blocks = {};
+  LeastSquaresHierarchy hierarchy(BlocksByStrips(Bt, std::move(levels.Blocks), arrangement.Strips, context));
   for (int k = 0; k < levels.Subdomains.Size(); ++k)
   {
     const auto unknowns = levels.Subdomains.Unknowns.begin();
