@@ -4,6 +4,7 @@
 #include "Support/Errors.h"
 #include "Support/SparseKernels.h"
 
+#include <cmath>
 #include <complex>
 #include <type_traits>
 #include <vector>
@@ -14,6 +15,8 @@ namespace
 {
 
 constexpr int RowGrain = 4096;
+// Of B A, for most errors: fewer iterations of fields on some surfaces from 0.3, as many from 0.6.
+constexpr double LeastEigenvalue = 0.5;
 
 }
 
@@ -56,11 +59,12 @@ public:
   {
     this->Levels.Load(r, context);
     this->Cycle(context);
-    if (!this->Smoothers.empty())
+    if (!this->Smoothers.empty() && this->Options.Repetitions > 1)
     {
+      this->Levels[0].x *= this->StepOf(0);
       for (int k = 1; k < this->Options.Repetitions; ++k)
       {
-        this->Repeat(context);
+        this->Repeat(this->StepOf(k), context);
       }
     }
     this->Levels.Store(z, context);
@@ -77,6 +81,8 @@ public:
   }
 
 private:
+  using Real = typename Eigen::NumTraits<Value>::Real;
+
   /// x_0 = B b_0.
   void Cycle(const ExecutionContext& context)
   {
@@ -94,8 +100,17 @@ private:
     }
   }
 
-  /// x_0 += B (b_0 - A x_0).
-  void Repeat(const ExecutionContext& context)
+  /// Of a cycle among the repetitions: they damp errors of eigenvalues of B A from LeastEigenvalue to 1 evenly,
+  /// and others by some (Chebyshev's semi-iteration; Saad 2003, section 12.3).
+  Real StepOf(int repetition) const
+  {
+    const double root =
+      std::cos(EIGEN_PI * (2 * repetition + 1) / (2.0 * this->Options.Repetitions)); // in [-1, 1]
+    return static_cast<Real>(2.0 / (1.0 + LeastEigenvalue + (1.0 - LeastEigenvalue) * root));
+  }
+
+  /// x_0 += step B (b_0 - A x_0).
+  void Repeat(Real step, const ExecutionContext& context)
   {
     const TriangularParts<Value>& A = this->Levels[0].A;
     Vector<Value>& b = this->Levels[0].b;
@@ -109,7 +124,7 @@ private:
       }
     });
     this->Cycle(context);
-    x += former;
+    x = former + step * x;
     b = rightHandSide;
   }
 

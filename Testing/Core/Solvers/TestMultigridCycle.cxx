@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <utility>
 
 using namespace dmg;
 
@@ -109,20 +110,30 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
   EXPECT_LE((B - expected).norm(), 1e-10 * expected.norm());
 }
 
-TYPED_TEST(TestMultigridCycle, RepetitionsAreTheStationaryIteration)
+TYPED_TEST(TestMultigridCycle, RepetitionsAreChebyshevsIteration)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const Matrix<TypeParam> A(problem.A);
   const Matrix<TypeParam> identity = Matrix<TypeParam>::Identity(A.rows(), A.cols());
-  CycleOptions options = Options(SmootherKind::GaussSeidel, 1, 1, CyclePrecision::Double);
-  MultigridCycle<TypeParam> once(hierarchy, options, SerialContext());
-  const Matrix<TypeParam> error = identity - Densified(once, static_cast<int>(A.rows())) * A;
-  options.Repetitions = 3;
-  MultigridCycle<TypeParam> thrice(hierarchy, options, SerialContext());
-  const Matrix<TypeParam> expected = (identity - error * error * error) * A.inverse();
-  const Matrix<TypeParam> B = Densified(thrice, static_cast<int>(A.rows()));
-  EXPECT_LE((B - expected).norm(), 1e-12 * expected.norm());
+  const auto cycleOf = [&](int repetitions)
+  {
+    CycleOptions options = Options(SmootherKind::GaussSeidel, 1, 1, CyclePrecision::Double);
+    options.Repetitions = repetitions;
+    MultigridCycle<TypeParam> cycle(hierarchy, options, SerialContext());
+    return Densified(cycle, static_cast<int>(A.rows()));
+  };
+  // Chebyshev's polynomials take eigenvalues from 1/2 to 1 to [-1, 1], and zero to 3: T_2(3) = 17, T_3(3) = 99.
+  const Matrix<TypeParam> Z = 3.0 * identity - 4.0 * cycleOf(1) * A;
+  const Matrix<TypeParam> errorOfTwo = (2.0 * Z * Z - identity) / 17.0;
+  const Matrix<TypeParam> errorOfThree = (4.0 * Z * Z * Z - 3.0 * Z) / 99.0;
+  for (const auto& [repetitions, error] : { std::pair(2, errorOfTwo), std::pair(3, errorOfThree) })
+  {
+    const Matrix<TypeParam> expected = (identity - error) * A.inverse();
+    const Matrix<TypeParam> B = cycleOf(repetitions);
+    EXPECT_LE((B - expected).norm(), 1e-12 * expected.norm());
+    EXPECT_LE((B - B.adjoint()).norm(), 1e-12 * B.norm());
+  }
 }
 
 TYPED_TEST(TestMultigridCycle, SinglePrecisionStaysAtItsRounding)
