@@ -71,14 +71,14 @@ template <class Visit>
 void MultiplyPart(const RowRuns<Single>& part, const SparseMatrix<Single>& rounded,
   const Unfilled<Single>& rests, int first, int last, const Complex* x, const Visit& visit)
 {
-  part.ForRows(first, last, [&](int row, const int* columns, const Single* values, auto length) {
-    const Single* const restsOfRow = rests.data() + (values - rounded.valuePtr());
+  part.ForRows(first, last, [&](int row, const auto& entries) {
+    const Single* const restsOfRow = rests.data() + (entries.Values - rounded.valuePtr());
     DoublePack straight{}; // real times real, imaginary times imaginary
     DoublePack crossed{};
-    for (int k = 0; k < length; ++k)
+    for (int k = 0; k < entries.Size; ++k)
     {
-      const DoublePack entry = Sum(values[k], restsOfRow[k]);
-      const auto factor = LoadPack<DoublePack>(x + columns[k]);
+      const DoublePack entry = Sum(entries.Values[k], restsOfRow[k]);
+      const auto factor = LoadPack<DoublePack>(x + entries.Columns[k]);
       straight += entry * factor;
       crossed += entry * __builtin_shufflevector(factor, factor, 1, 0);
     }

@@ -1,6 +1,7 @@
 #ifndef dmgRowRuns_h
 #define dmgRowRuns_h
 
+#include "Support/Packs.h"
 #include "Support/SparseKernels.h"
 #include "Support/Types.h"
 
@@ -12,8 +13,69 @@
 namespace dmg
 {
 
+/// The entries of a row. \tparam Length an int, or an integral constant.
+template <class Value, class Length>
+struct ShortRow
+{
+  const int* Columns;
+  const Value* Values;
+  Length Size;
+
+  Value Times(const Value* x) const
+  {
+    Value sum(0);
+    for (int k = 0; k < this->Size; ++k)
+    {
+      AddProduct(sum, this->Values[k], x[this->Columns[k]]);
+    }
+    return sum;
+  }
+
+  /// y += factor times the row.
+  void AddTo(Value* y, Value factor) const
+  {
+    for (int k = 0; k < this->Size; ++k)
+    {
+      AddProduct(y[this->Columns[k]], this->Values[k], factor);
+    }
+  }
+};
+
+/// The entries of a row whose columns are pairs of neighbours, as the two components in a face are.
+/// \tparam Length of the pairs.
+template <class Length>
+struct PairedRow
+{
+  const int* Columns;
+  const double* Values;
+  Length Size; ///< pairs
+
+  double Times(const double* x) const
+  {
+    DoublePack sums{};
+    for (int k = 0; k < this->Size; ++k)
+    {
+      sums +=
+        LoadPack<DoublePack>(this->Values + 2 * k) * LoadPack<DoublePack>(x + this->Columns[2 * k]);
+    }
+    return sums[0] + sums[1];
+  }
+
+  void AddTo(double* y, double factor) const
+  {
+    const DoublePack factors = { factor, factor };
+    for (int k = 0; k < this->Size; ++k)
+    {
+      double* const pair = y + this->Columns[2 * k];
+      StorePack(
+        LoadPack<DoublePack>(pair) + LoadPack<DoublePack>(this->Values + 2 * k) * factors, pair);
+    }
+  }
+};
+
 /// A matrix of short rows, where rows of equal length follow each other: loops over a known number of
-/// entries are unrolled, and a processor foresees where the others end.
+/// entries are unrolled, and a processor foresees where the others end. Pairs of real entries side by side are
+/// taken at once.
 template <class Value>
 class RowRuns
 {
@@ -22,15 +84,17 @@ public:
   explicit RowRuns(const SparseMatrix<Value>& matrix)
     : A(matrix)
   {
-    const int* const offsets = matrix.outerIndexPtr();
     for (int row = 0; row < static_cast<int>(matrix.rows()); ++row)
     {
-      const int length = offsets[row + 1] - offsets[row];
+      const int length = matrix.outerIndexPtr()[row + 1] - matrix.outerIndexPtr()[row];
       if (this->Runs.empty() || this->Runs.back().Length != length)
       {
-        this->Runs.push_back({ row, length });
+        this->Runs.push_back({ row, length, HasPairs });
       }
-      this->Runs.back().End = row + 1;
+      Run& run = this->Runs.back();
+      run.End = row + 1;
+      run.ArePairs =
+        run.ArePairs && ArePairs(matrix.innerIndexPtr() + matrix.outerIndexPtr()[row], length);
     }
   }
 
@@ -39,18 +103,16 @@ public:
   template <class Visit>
   void Multiply(int first, int last, const Value* x, const Visit& visit) const
   {
-    this->ForRows(first, last, [&](int row, const int* columns, const Value* values, auto length) {
-      visit(row, Product(columns, values, length, x));
-    });
+    this->ForRows(
+      first, last, [&](int row, const auto& entries) { visit(row, entries.Times(x)); });
   }
 
   /// y += A^T u for rows [first, last), where u_row = factor(row).
   template <class Factor>
   void AddAdjoint(int first, int last, const Factor& factor, Value* y) const
   {
-    this->ForRows(first, last, [&](int row, const int* columns, const Value* values, auto length) {
-      AddMultiple(columns, values, length, factor(row), y);
-    });
+    this->ForRows(
+      first, last, [&](int row, const auto& entries) { entries.AddTo(y, factor(row)); });
   }
 
   /// y += A^T A x for rows [first, last), which are read once.
@@ -58,16 +120,15 @@ public:
   Value AddGram(int first, int last, const Value* x, Value* y) const
   {
     Value squares(0);
-    this->ForRows(first, last, [&](int, const int* columns, const Value* values, auto length) {
-      const Value product = Product(columns, values, length, x);
-      AddMultiple(columns, values, length, product, y);
+    this->ForRows(first, last, [&](int, const auto& entries) {
+      const Value product = entries.Times(x);
+      entries.AddTo(y, product);
       squares += product * product;
     });
     return squares;
   }
 
-  /// Calls visit(row, columns, values, length) for rows [first, last), ascending; short lengths are integral
-  /// constants.
+  /// Calls visit(row, its entries) for rows [first, last), ascending.
   template <class Visit>
   void ForRows(int first, int last, const Visit& visit) const
   {
@@ -76,9 +137,19 @@ public:
     for (; first < last; first = (run++)->End)
     {
       const int end = std::min(run->End, last);
-      WithLength(run->Length,
-        [&](auto length) { this->ForRowsOfRun(first, end, length, visit); },
-        std::make_integer_sequence<int, LongestUnrolled + 1>());
+      if constexpr (HasPairs)
+      {
+        if (run->ArePairs)
+        {
+          WithLength(run->Length / 2, [&](auto pairs) {
+            this->ForRowsOfRun<PairedRow<decltype(pairs)>>(first, end, pairs, 2 * pairs, visit);
+          });
+          continue;
+        }
+      }
+      WithLength(run->Length, [&](auto length) {
+        this->ForRowsOfRun<ShortRow<Value, decltype(length)>>(first, end, length, length, visit);
+      });
     }
   }
 
@@ -87,32 +158,28 @@ private:
   {
     int End;
     int Length;
+    bool ArePairs; ///< in all of its rows
   };
 
+  static constexpr bool HasPairs = std::is_same_v<Value, double>;
   static constexpr int LongestUnrolled = 8;
 
-  template <class Length>
-  static Value Product(const int* columns, const Value* values, Length length, const Value* x)
+  static bool ArePairs(const int* columns, int length)
   {
-    Value sum(0);
-    for (int k = 0; k < length; ++k)
+    bool arePairs = length % 2 == 0;
+    for (int k = 0; arePairs && k < length; k += 2)
     {
-      AddProduct(sum, values[k], x[columns[k]]);
+      arePairs = columns[k + 1] == columns[k] + 1;
     }
-    return sum;
+    return arePairs;
   }
 
-  template <class Length>
-  static void AddMultiple(
-    const int* columns, const Value* values, Length length, Value factor, Value* y)
+  /// Calls visit(length), an integral constant if it is short.
+  template <class Visit>
+  static void WithLength(int length, const Visit& visit)
   {
-    for (int k = 0; k < length; ++k)
-    {
-      AddProduct(y[columns[k]], values[k], factor);
-    }
+    WithLength(length, visit, std::make_integer_sequence<int, LongestUnrolled + 1>());
   }
-
-  /// Calls visit(length), an integral constant if it is one of those.
   template <class Visit, int... Lengths>
   static void WithLength(
     int length, const Visit& visit, std::integer_sequence<int, Lengths...>)
@@ -123,15 +190,14 @@ private:
     }
   }
 
-  template <class Length, class Visit>
-  void ForRowsOfRun(int first, int last, Length length, const Visit& visit) const
+  template <class Entries, class Size, class Visit>
+  void ForRowsOfRun(int first, int last, Size size, int length, const Visit& visit) const
   {
     const int begin = this->A.outerIndexPtr()[first];
-    const int* columns = this->A.innerIndexPtr() + begin;
-    const Value* values = this->A.valuePtr() + begin;
-    for (int row = first; row < last; ++row, columns += length, values += length)
+    Entries entries = { this->A.innerIndexPtr() + begin, this->A.valuePtr() + begin, size };
+    for (int row = first; row < last; ++row, entries.Columns += length, entries.Values += length)
     {
-      visit(row, columns, values, length);
+      visit(row, entries);
     }
   }
 

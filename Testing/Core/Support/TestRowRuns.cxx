@@ -36,17 +36,46 @@ SparseMatrix<Value> MatrixOfRuns(test::Random& random)
   return matrix;
 }
 
+/// Runs of rows of pairs of neighbouring columns, at even and at odd places; after one run a row of as many entries has
+/// none, after another one that begins with some.
+SparseMatrix<double> MatrixOfPairs(test::Random& random)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  int row = 0;
+  for (const int pairs : { 1, 3, 0, 2, 9, 6, 8, 4, 10 })
+  {
+    for (int end = row + 1 + random.Index(6); row < end; ++row)
+    {
+      for (int k = 0; k < pairs; ++k)
+      {
+        for (const int column : { 5 * k + row % 4, 5 * k + row % 4 + 1 })
+        {
+          entries.emplace_back(row, column, random.Uniform(-1.0, 1.0));
+        }
+      }
+    }
+    if (pairs == 2 || pairs == 6)
+    {
+      for (int k = 0; k < 2 * pairs; ++k)
+      {
+        entries.emplace_back(row, pairs == 2 || k > 6 ? 3 * k : k, random.Uniform(-1.0, 1.0));
+      }
+      ++row;
+    }
+  }
+  SparseMatrix<double> matrix(row, 60);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
 }
 
-TEST(TestRowRuns, MultipliesPiecesOfRowsAsRowTimesDoes)
+template <class Value>
+void ExpectRowsTimes(const SparseMatrix<Value>& matrix, test::Random& random)
 {
-  test::Random random(2802);
-  const SparseMatrix<Complex> matrix = MatrixOfRuns<Complex>(random);
-  const RowRuns<Complex> runs(matrix);
-  Vector<Complex> x(matrix.cols());
-  for (Complex& entry : x)
+  const RowRuns<Value> runs(matrix);
+  Vector<Value> x(matrix.cols());
+  for (Value& entry : x)
   {
-    entry = random.Number();
+    entry = Any(Value(), random);
   }
   const int rows = static_cast<int>(matrix.rows());
   for (int first = 0; first <= rows; ++first)
@@ -54,13 +83,23 @@ TEST(TestRowRuns, MultipliesPiecesOfRowsAsRowTimesDoes)
     for (int last = first; last <= rows; ++last)
     {
       int next = first;
-      runs.Multiply(first, last, x.data(), [&](int row, Complex product) {
+      runs.Multiply(first, last, x.data(), [&](int row, Value product) {
         EXPECT_EQ(row, next++);
         EXPECT_LE(std::abs(product - RowTimes(matrix, row, x.data())), 1e-14);
       });
       EXPECT_EQ(next, last);
     }
   }
+}
+
+}
+
+TEST(TestRowRuns, MultipliesPiecesOfRowsAsRowTimesDoes)
+{
+  test::Random random(2802);
+  ExpectRowsTimes(MatrixOfRuns<Complex>(random), random);
+  ExpectRowsTimes(MatrixOfRuns<double>(random), random);
+  ExpectRowsTimes(MatrixOfPairs(random), random);
 }
 
 TEST(TestRowRuns, LaterRowsSeeWhatEarlierOnesChange)
@@ -83,29 +122,31 @@ TEST(TestRowRuns, LaterRowsSeeWhatEarlierOnesChange)
 TEST(TestRowRuns, AddsProductsWithTheTranspose)
 {
   test::Random random(2803);
-  const SparseMatrix<double> matrix = MatrixOfRuns<double>(random);
-  const RowRuns<double> runs(matrix);
-  const int rows = static_cast<int>(matrix.rows());
-  Vector<double> u(rows), x(matrix.cols()), start(matrix.cols());
-  for (Vector<double>* vector : { &u, &x, &start })
+  for (const SparseMatrix<double>& matrix : { MatrixOfRuns<double>(random), MatrixOfPairs(random) })
   {
-    for (double& entry : *vector)
+    const RowRuns<double> runs(matrix);
+    const int rows = static_cast<int>(matrix.rows());
+    Vector<double> u(rows), x(matrix.cols()), start(matrix.cols());
+    for (Vector<double>* vector : { &u, &x, &start })
     {
-      entry = random.Uniform(-1.0, 1.0);
+      for (double& entry : *vector)
+      {
+        entry = random.Uniform(-1.0, 1.0);
+      }
     }
-  }
-  for (const auto& [first, last] : { std::pair(0, rows), std::pair(2, rows - 7), std::pair(5, 5) })
-  {
-    const SparseMatrix<double> piece = matrix.middleRows(first, last - first);
-    Vector<double> y = start;
-    runs.AddAdjoint(first, last, [&u](int row) { return u[row]; }, y.data());
-    const Vector<double> expected = start + piece.transpose() * u.segment(first, last - first);
-    EXPECT_LE((y - expected).cwiseAbs().maxCoeff(), 1e-13);
+    for (const auto& [first, last] : { std::pair(0, rows), std::pair(2, rows - 7), std::pair(5, 5) })
+    {
+      const SparseMatrix<double> piece = matrix.middleRows(first, last - first);
+      Vector<double> y = start;
+      runs.AddAdjoint(first, last, [&u](int row) { return u[row]; }, y.data());
+      const Vector<double> expected = start + piece.transpose() * u.segment(first, last - first);
+      EXPECT_LE((y - expected).cwiseAbs().maxCoeff(), 1e-13);
 
-    y = start;
-    const double squares = runs.AddGram(first, last, x.data(), y.data());
-    const Vector<double> product = piece * x;
-    EXPECT_NEAR(squares, product.squaredNorm(), 1e-12 * (1.0 + product.squaredNorm()));
-    EXPECT_LE((y - start - piece.transpose() * product).cwiseAbs().maxCoeff(), 1e-12);
+      y = start;
+      const double squares = runs.AddGram(first, last, x.data(), y.data());
+      const Vector<double> product = piece * x;
+      EXPECT_NEAR(squares, product.squaredNorm(), 1e-12 * (1.0 + product.squaredNorm()));
+      EXPECT_LE((y - start - piece.transpose() * product).cwiseAbs().maxCoeff(), 1e-12);
+    }
   }
 }
