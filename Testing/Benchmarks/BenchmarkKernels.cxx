@@ -229,11 +229,12 @@ void MeasureSquares(
   MeasureProduct("B^T B, double", hierarchy, unknowns, nonZeros,
     BytesOf(hierarchy.B) + sizeof(double) * 10.0 * unknowns, runs, table, context);
 
-  // A sweep reads the blocks, their inverses and columns of B, and b; and reads and writes x and B x.
+  // A sweep reads the blocks, their inverses and columns of B, and b; and reads and writes x and B x. It does not
+  // read what tells places of unknowns, and unknowns at places.
   BlockSmoother smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, SweepsOfBlocks);
   const double places = sizeof(int) * (unknowns + rows);
-  const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) - places +
-    sizeof(float) * (3.0 * unknowns + 2.0 * rows);
+  const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) - places -
+    sizeof(int) * unknowns + sizeof(float) * (3.0 * unknowns + 2.0 * rows);
   Vector<double> x, r;
   // Then the residual: x and b by their places; x and r are written; B and B x, by its places, are read, and r
   // once more.

@@ -162,13 +162,8 @@ public:
     ForAlike(left, [&](const Key* begin, const Key* end) {
       for (const std::vector<Key>& pack : this->IndependentBlocks(begin, end))
       {
-        const int size = static_cast<int>(pack.size());
-        const int lanes = size == PackLanes ? PackLanes : 1;
-        for (int k = 0; k < size; k += lanes)
-        {
-          this->BeginRun();
-          this->AppendGroup(&pack[k], lanes);
-        }
+        this->BeginRun();
+        this->AppendGroup(pack.data(), static_cast<int>(pack.size()));
       }
     });
     this->OfBlocks.clear();
@@ -272,14 +267,15 @@ private:
   }
 
   void BeginRun() { this->RunBegins.push_back(static_cast<int>(this->Groups.size())); }
-  void AppendGroup(const Key* blocks, int lanes)
+  void AppendGroup(const Key* blocks, int size)
   {
-    this->Groups.push_back({ blocks->Pattern, lanes, this->Indices.size() });
+    const int lanes = size > 1 ? PackLanes : 1;
+    this->Groups.push_back({ blocks->Pattern, lanes, size, this->Indices.size() });
     for (int k = 0; k < this->IndicesOf(blocks->Pattern); ++k)
     {
       for (int lane = 0; lane < lanes; ++lane)
       {
-        this->Indices.push_back(this->OfBlocks[blocks[lane].Begin + k]);
+        this->Indices.push_back(this->OfBlocks[blocks[lane < size ? lane : 0].Begin + k]);
       }
     }
   }
@@ -315,7 +311,7 @@ void Append(GroupsOfTile& tile, std::map<Incidence, int>& numbers, BlockGroups& 
   for (const BlockGroups::Group& group : tile.Groups)
   {
     to.Groups.push_back(
-      { numbersOfTile[group.Pattern], group.Lanes, to.Indices.size() + group.Indices });
+      { numbersOfTile[group.Pattern], group.Lanes, group.Blocks, to.Indices.size() + group.Indices });
   }
   to.Indices.insert(to.Indices.end(), tile.Indices.begin(), tile.Indices.end());
   tile = {};

@@ -34,7 +34,8 @@ struct BlockPattern
 
 /// Blocks in groups of four, each in a lane of a pack: independent blocks of a tile (BlockTiles) whose
 /// unknowns share rows of B in the same way, as the sides of most faces do, and the faces around most vertices
-/// of a valence. First those of one colour, then what is left of all colours. Others are groups of one.
+/// of a valence. First those of one colour, then what is left of all colours; with less than four, a block takes
+/// several lanes, which read, compute and write the same. Others are groups of one.
 ///
 /// Groups tell an order of the unknowns and of the rows of B in which unknowns that a group has to itself, and
 /// rows inside of its blocks, have those of all lanes side by side, to be read and written at once.
@@ -47,6 +48,7 @@ struct BlockGroups
   {
     int Pattern;
     int Lanes; ///< 1, or those of FloatPack
+    int Blocks; ///< >= 2 if there are lanes for more; the first block has those that are left as well
     /// Where its unknowns begin among Indices: of each lane the first, of each lane the second, and so on. Then
     /// its rows of B, in the same way.
     std::size_t Indices;

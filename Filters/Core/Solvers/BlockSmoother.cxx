@@ -434,14 +434,19 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
 {
   assert(D.size() == this->Diagonal.size());
   this->Held.clear();
-  for (Eigen::Index i = 0; i < D.size(); ++i)
+  this->Pulled.clear();
+  this->Diagonal.setZero();
+  for (int i = 0; i < static_cast<int>(D.size()); ++i)
   {
     if (!std::isfinite(D[i]))
     {
-      this->Held.push_back(static_cast<int>(i));
+      this->Held.push_back(i);
     }
-    const double atPlace = D[this->Blocks.UnknownsAt()[i]];
-    this->Diagonal[i] = std::isfinite(atPlace) ? static_cast<float>(atPlace) : 0.0f;
+    else if (D[i] != 0.0)
+    {
+      this->Pulled.push_back(i);
+      this->Diagonal[this->Blocks.PlacesOfUnknowns()[i]] = static_cast<float>(D[i]);
+    }
   }
   const std::vector<SchwarzBlocks::Group>& groups = this->Blocks.Groups();
   std::vector<int> changed;
@@ -468,15 +473,31 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
   this->Blocks.Invert(D, changed, places, context);
 }
 
+template <class Visit>
+void BlockSmoother::ForPulled(int first, int last, const Visit& visit) const
+{
+  for (auto i = std::lower_bound(this->Pulled.begin(), this->Pulled.end(), first);
+       i != this->Pulled.end() && *i < last; ++i)
+  {
+    visit(*i, this->Diagonal[this->Blocks.PlacesOfUnknowns()[*i]]);
+  }
+}
+
 void BlockSmoother::Begin(
   const Vector<double>& b, const ExecutionContext& context, const Vector<double>* x)
 {
+  const int* const places = this->Blocks.PlacesOfUnknowns().data();
   context.ParallelFor(0, static_cast<int>(b.size()), RowGrain, [&](int first, int last) {
-    for (int place = first; place < last; ++place)
+    this->Step.segment(first, last - first).setZero();
+    for (int i = first; i < last; ++i)
     {
-      const int i = this->Blocks.UnknownsAt()[place];
-      this->Right[place] = static_cast<float>(x ? b[i] - this->Diagonal[place] * (*x)[i] : b[i]);
-      this->Step[place] = 0.0f;
+      this->Right[places[i]] = static_cast<float>(b[i]);
+    }
+    if (x)
+    {
+      this->ForPulled(first, last, [&](int i, double pull) {
+        this->Right[places[i]] = static_cast<float>(b[i] - pull * (*x)[i]);
+      });
     }
   });
 }
@@ -595,13 +616,14 @@ void BlockSmoother::PreSmooth(
   this->RunSweeps(false, context);
   x.resize(b.size());
   r.resize(b.size());
+  const int* const places = this->Blocks.PlacesOfUnknowns().data();
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
-    for (int place = first; place < last; ++place)
+    for (int i = first; i < last; ++i)
     {
-      const int i = this->Blocks.UnknownsAt()[place];
-      x[i] = this->Step[place];
-      r[i] = b[i] - this->Diagonal[place] * x[i];
+      x[i] = this->Step[places[i]];
+      r[i] = b[i];
     }
+    this->ForPulled(first, last, [&x, &r](int i, double pull) { r[i] -= pull * x[i]; });
   });
   const int* const placesOfRows = this->Blocks.PlacesOfRows().data();
   this->Tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
@@ -626,9 +648,9 @@ void BlockSmoother::PostSmooth(
   this->Begin(b, context, &x);
   this->RunSweeps(true, context);
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
-    for (int place = first; place < last; ++place)
+    for (int i = first; i < last; ++i)
     {
-      x[this->Blocks.UnknownsAt()[place]] += this->Step[place];
+      x[i] += this->Step[this->Blocks.PlacesOfUnknowns()[i]];
     }
   });
 }
@@ -637,7 +659,8 @@ long long BlockSmoother::Bytes() const
 {
   return this->Waves.Bytes() +
     static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
-      this->ChangedInverses.size() * sizeof(float) + this->Held.size() * sizeof(int) +
+      this->ChangedInverses.size() * sizeof(float) +
+      (this->Held.size() + this->Pulled.size()) * sizeof(int) +
       (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) *
         sizeof(float));
 }

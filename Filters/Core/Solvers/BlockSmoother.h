@@ -67,9 +67,13 @@ public:
   long long Bytes() const;
 
 private:
+  /// Sets the right sides of the sweeps, b - D x, and their steps to zero.
   /// \param x what the sweeps start from; null for zero.
   void Begin(const Vector<double>& b, const ExecutionContext& context,
     const Vector<double>* x = nullptr);
+  /// Calls visit(i, D_i) for unknowns [first, last) where D is neither zero nor infinite.
+  template <class Visit>
+  void ForPulled(int first, int last, const Visit& visit) const;
   void RunSweeps(bool descending, const ExecutionContext& context);
   /// Takes the groups of a tile one after the other.
   void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
@@ -109,7 +113,8 @@ private:
   const float Relaxation;
   std::vector<KnownShape> KnownShapes; ///< of each pattern
   Vector<float> Diagonal;              ///< D where it is finite, else zero; by place
-  std::vector<int> Held;               ///< where D is infinite
+  std::vector<int> Held;               ///< where D is infinite; ascending
+  std::vector<int> Pulled;             ///< where it is neither that nor zero; ascending
   std::vector<const float*> Inverses;  ///< of each group: of the roughness alone where D is zero
   std::vector<float> ChangedInverses;  ///< where D is not zero
   Vector<float> Right; ///< b - D x before the sweeps; by place

@@ -123,8 +123,9 @@ SchwarzBlocks::SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks
   {
     BlockGroups groups = GroupBlocks(Bt, blocks, strips, context);
     this->OrderOfUnknowns = groups.OrderOfUnknowns(static_cast<int>(Bt.rows()));
+    this->PlacesInUnknowns = dmg::Inverse(this->OrderOfUnknowns, context);
     this->PlacesInRows = dmg::Inverse(groups.OrderOfRows(static_cast<int>(Bt.cols())), context);
-    groups.Renumber(dmg::Inverse(this->OrderOfUnknowns, context), this->PlacesInRows);
+    groups.Renumber(this->PlacesInUnknowns, this->PlacesInRows);
     this->MakeRoom(groups);
     this->Fill(Bt, groups, context);
     this->TileBegins = std::move(groups.TileBegins);
@@ -153,7 +154,7 @@ void SchwarzBlocks::MakeRoom(const BlockGroups& groups)
   {
     const BlockPattern& pattern = groups.PatternOf(group);
     const bool areInOrder = AreInOrder(groups, group);
-    this->GroupsInOrder.push_back({ group.Pattern, group.Lanes,
+    this->GroupsInOrder.push_back({ group.Pattern, group.Lanes, group.Blocks,
       areInOrder ? groups.Unknowns(group)[0] : -1, static_cast<std::uint32_t>(places),
       static_cast<std::uint32_t>(values), static_cast<std::uint32_t>(inverses) });
     places += areInOrder ? pattern.InnerRows + (pattern.Rows() - pattern.InnerRows) * group.Lanes
@@ -240,7 +241,8 @@ long long SchwarzBlocks::Bytes() const
   };
   long long sum = bytes(this->TileBegins) + bytes(this->RunBegins) + bytes(this->Neighbours.Begins) +
     bytes(this->Neighbours.Neighbours) + bytes(this->GroupsInOrder) +
-    bytes(this->OrderOfUnknowns) + bytes(this->PlacesInRows) + bytes(this->Places) + bytes(this->EntriesOfB) + bytes(this->Inverses);
+    bytes(this->OrderOfUnknowns) + bytes(this->PlacesInUnknowns) + bytes(this->PlacesInRows) +
+    bytes(this->Places) + bytes(this->EntriesOfB) + bytes(this->Inverses);
   for (const BlockPattern& pattern : this->Patterns)
   {
     sum += sizeof(BlockPattern) + bytes(pattern.Offsets) + bytes(pattern.RowOf) +

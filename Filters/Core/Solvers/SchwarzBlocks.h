@@ -30,6 +30,7 @@ public:
   {
     int Pattern;
     int Lanes; ///< 1, or those of FloatPack
+    int Blocks; ///< in the first lanes; the first of them has those that are left as well
     /// The place of the first unknown, if they follow each other, and so do the lanes of each inner row of B;
     /// -1 if not.
     int FirstPlace;
@@ -75,8 +76,9 @@ public:
   const std::vector<BlockPattern>& AllPatterns() const { return this->Patterns; }
   const BlockPattern& PatternOf(const Group& group) const { return this->Patterns[group.Pattern]; }
 
-  /// The unknown at each place.
+  /// The unknown at each place, and the place of each unknown.
   const std::vector<int>& UnknownsAt() const { return this->OrderOfUnknowns; }
+  const std::vector<int>& PlacesOfUnknowns() const { return this->PlacesInUnknowns; }
   /// The place of each row of B.
   const std::vector<int>& PlacesOfRows() const { return this->PlacesInRows; }
   /// \param slot i * Lanes + lane for unknown i of a block.
@@ -122,6 +124,7 @@ private:
   std::vector<BlockPattern> Patterns;
   std::vector<Group> GroupsInOrder;
   std::vector<int> OrderOfUnknowns;
+  std::vector<int> PlacesInUnknowns;
   std::vector<int> PlacesInRows;
   std::vector<int> Places;
   std::vector<float> EntriesOfB;

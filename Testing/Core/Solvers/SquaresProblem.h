@@ -187,7 +187,7 @@ inline void AppendBlocks(
   const SchwarzBlocks::Run groups = blocks.GroupsOf(tile);
   for (int g = groups.First; g < groups.Last; ++g)
   {
-    for (int lane = 0; lane < blocks.Groups()[g].Lanes; ++lane)
+    for (int lane = 0; lane < blocks.Groups()[g].Blocks; ++lane)
     {
       const std::vector<int> members = MembersOf(blocks, blocks.Groups()[g], lane);
       to.Unknowns.insert(to.Unknowns.end(), members.begin(), members.end());

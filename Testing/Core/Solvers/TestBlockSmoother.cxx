@@ -128,7 +128,7 @@ std::vector<char> ArePulled(const SchwarzBlocks& blocks, const Vector<double>& D
       {
         isPulled |= D[blocks.UnknownOf(group, slot)] != 0.0;
       }
-      arePulled.insert(arePulled.end(), group.Lanes, isPulled);
+      arePulled.insert(arePulled.end(), group.Blocks, isPulled);
     }
   }
   return arePulled;

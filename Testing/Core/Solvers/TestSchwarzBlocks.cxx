@@ -180,7 +180,7 @@ void ExpectParted(const test::Squares& squares, const SchwarzBlocks& blocks)
       for (int g = blocks.RunAt(k).First; g < blocks.RunAt(k).Last; ++g)
       {
         const SchwarzBlocks::Group& group = blocks.Groups()[g];
-        for (int lane = 0; lane < group.Lanes; ++lane)
+        for (int lane = 0; lane < group.Blocks; ++lane)
         {
           for (const int row : RowsOf(squares, test::MembersOf(blocks, group, lane)))
           {
@@ -213,7 +213,7 @@ TEST(TestSchwarzBlocks, BlocksThatLookAlikeShareLanes)
   int inLanes = 0;
   for (const SchwarzBlocks::Group& group : blocks.Groups())
   {
-    inLanes += group.Lanes == LanesOf<FloatPack> ? group.Lanes : 0;
+    inLanes += group.Lanes == LanesOf<FloatPack> ? group.Blocks : 0;
   }
   EXPECT_GE(inLanes, 0.85 * ring.Blocks.Size());
   // No two blocks of a fan are independent.
@@ -238,8 +238,8 @@ TEST(TestSchwarzBlocks, WhatAGroupHasToItselfStandsSideBySide)
     }
     for (const SchwarzBlocks::Group& group : blocks.Groups())
     {
-      // No block touches unknowns of another, and so all packs have theirs to themselves.
-      EXPECT_EQ(group.FirstPlace >= 0, group.Lanes == LanesOf<FloatPack>);
+      // No block touches unknowns of another, and so all full packs have theirs to themselves.
+      EXPECT_EQ(group.FirstPlace >= 0, group.Blocks == LanesOf<FloatPack>);
     }
   }
   // Each unknown of a ring is in two blocks.
@@ -265,8 +265,8 @@ TEST(TestSchwarzBlocks, BlocksLeftOfTheirColoursShareLanes)
   // Clusters whose blocks, of an unknown each, share a row, in one tile: a block has its place in the
   // cluster for a colour. The first two colours have five and four blocks, which fill a pack each.
   // The third has the first three clusters': with the last cluster's only block, left of the first
-  // colour, they fill another. The other four are of two clusters. The last cluster's row is not inside of its
-  // block, either: an unknown of no block touches it.
+  // colour, they fill another. Of the other four, of two clusters, the two of the fourth colour share a pack. The
+  // last cluster's row is not inside of its block, either: an unknown of no block touches it.
   UnknownBlocks alone;
   std::vector<Eigen::Triplet<double>> entries;
   int cluster = 0;
@@ -288,9 +288,19 @@ TEST(TestSchwarzBlocks, BlocksLeftOfTheirColoursShareLanes)
   ASSERT_EQ(blocks.NumberOfTiles(), 1);
   ExpectParted(squares, blocks);
   ExpectInverses(blocks, squares.Matrix());
-  EXPECT_EQ(std::count_if(blocks.Groups().begin(), blocks.Groups().end(),
-              [](const SchwarzBlocks::Group& group) { return group.Lanes == LanesOf<FloatPack>; }),
-    3);
+  std::vector<int> sizes;
+  for (const SchwarzBlocks::Group& group : blocks.Groups())
+  {
+    EXPECT_EQ(group.Lanes, group.Blocks > 1 ? LanesOf<FloatPack> : 1);
+    sizes.push_back(group.Blocks);
+    const std::vector<int> first = test::MembersOf(blocks, group, 0);
+    for (int lane = group.Blocks; lane < group.Lanes; ++lane)
+    {
+      EXPECT_EQ(test::MembersOf(blocks, group, lane), first);
+    }
+  }
+  std::sort(sizes.begin(), sizes.end());
+  EXPECT_EQ(sizes, (std::vector<int>{ 1, 1, 2, 4, 4, 4 }));
 }
 
 TEST(TestSchwarzBlocks, InversesOfSomeBlocksWithADiagonal)
