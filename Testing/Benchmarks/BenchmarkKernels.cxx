@@ -208,7 +208,7 @@ void MeasurePowers(
   GalerkinHierarchy<Complex> coarser(
     SymmetricFromLower(hierarchy.CoarseLower, context), hierarchy.Coarser, GalerkinOptions(), context);
   using Scaled = ScaledHierarchy<Complex, std::complex<float>>;
-  Scaled scaled(coarser, Scaled::Content::ColouredMatrices, context);
+  Scaled scaled(coarser, Scaled::Content::MatricesForSweeps, context);
   for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
   {
     MeasureSweeps(scaled[l].A, Vector<float>::Ones(scaled[l].x.size()), l + 1, runs, table, context);

@@ -85,6 +85,35 @@ void ArrangeUpper(const SparseMatrix<Scalar>& A, const std::vector<int>& order,
     [](int row, int column) { return column > row; }, upper, context);
 }
 
+/// The same two parts of a matrix of pairs, so that both are matrices of pairs: a row has its own pair in the part
+/// where the other of the two is, and there zero on the diagonal.
+template <class Value, class Scalar>
+void ArrangePairs(const SparseMatrix<Scalar>& A, const std::vector<int>& order,
+  const std::vector<int>& places, const Vector<double>& scale, SparseMatrix<Value>& lower,
+  SparseMatrix<Value>& upper, const ExecutionContext& context)
+{
+  Arrange(A, order, places, scale, scale,
+    [](int row, int column) { return column / 2 < row / 2 + row % 2; }, lower, context);
+  Arrange(A, order, places, scale, scale,
+    [](int row, int column) { return column / 2 > row / 2 - 1 + row % 2; }, upper, context);
+  constexpr int RowGrain = 1024;
+  for (SparseMatrix<Value>* const part : { &lower, &upper })
+  {
+    context.ParallelFor(0, static_cast<int>(part->rows()), RowGrain, [part](int first, int last) {
+      for (int i = first; i < last; ++i)
+      {
+        const int* const columns = part->innerIndexPtr();
+        const int end = part->outerIndexPtr()[i + 1];
+        const auto e = std::find(columns + part->outerIndexPtr()[i], columns + end, i) - columns;
+        if (e < end)
+        {
+          part->valuePtr()[e] = Value(0);
+        }
+      }
+    });
+  }
+}
+
 }
 
 #endif

@@ -45,6 +45,13 @@ std::vector<int> Parents(const SparseMatrix<Scalar>& P, const ExecutionContext& 
     parent = parent == none ? former : parent;
     former = parent;
   }
+  if (parents.size() % 2 == 0 && HasPairs(P))
+  {
+    for (std::size_t i = 0; i < parents.size(); i += 2)
+    {
+      parents[i + 1] = parents[i];
+    }
+  }
   return parents;
 }
 

@@ -140,7 +140,7 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   context.Checkpoint(0.7);
 
   // Greedy colours come one after the other, and so do components; but they do not wait for each other.
-  ColourOrder colours;
+  SweepOrder colours;
   std::vector<int> components;
   context.ParallelFor(0, 2, 1, [&](int first, int last) {
     for (int task = first; task < last; ++task)

@@ -14,7 +14,7 @@ namespace dmg
 namespace
 {
 
-constexpr int RowGrain = 4096;
+constexpr int RowGrain = 256; // rows are long on the levels that cycles are repeated on
 // Of B A, for most errors: fewer iterations of fields on some surfaces from 0.3, as many from 0.6.
 constexpr double LeastEigenvalue = 0.5;
 
@@ -41,7 +41,7 @@ public:
     : Options(options)
     , Levels(hierarchy,
         options.Smoothing.Kind == SmootherKind::GaussSeidel
-          ? ScaledHierarchy<Scalar, Value>::Content::ColouredMatrices
+          ? ScaledHierarchy<Scalar, Value>::Content::MatricesForSweeps
           : ScaledHierarchy<Scalar, Value>::Content::Matrices,
         context)
   {
@@ -120,7 +120,7 @@ private:
     context.ParallelFor(0, static_cast<int>(b.size()), RowGrain, [&](int first, int last) {
       for (int i = first; i < last; ++i)
       {
-        b[i] -= former[i] + RowTimes(A.Lower, i, former.data()) + RowTimes(A.Upper, i, former.data());
+        b[i] -= former[i] + A.LowerTimes(i, former.data()) + A.UpperTimes(i, former.data());
       }
     });
     this->Cycle(context);

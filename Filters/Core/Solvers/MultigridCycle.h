@@ -39,7 +39,8 @@ struct CycleOptions
 /// stationary iteration, x += B (b - A x).
 ///
 /// Inside, each level is scaled to unit diagonal, which no smoother here notices in exact
-/// arithmetic and which keeps single precision away from overflow, and is sorted by colours.
+/// arithmetic and which keeps single precision away from overflow, and stands in an
+/// order for sweeps (SweepOrder).
 /// Vectors of Apply are in the order of the hierarchy's caller.
 ///
 /// Cost of a V(2,2)-cycle with Gauss-Seidel: per level three products with the matrix and two with
@@ -54,7 +55,7 @@ public:
     const ExecutionContext& context);
   ~MultigridCycle() override;
 
-  /// After an Update of the hierarchy. Colours are kept unless the precision changes.
+  /// After an Update of the hierarchy. Orders are kept unless the precision changes.
   void Update(const ExecutionContext& context);
 
   /// z = B r, both N_0 long.

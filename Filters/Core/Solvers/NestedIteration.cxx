@@ -272,7 +272,7 @@ NestedIteration<Scalar>::NestedIteration(const SparseMatrix<Scalar>& matrix,
   , Hierarchy(
       matrix, std::move(prolongations), options.Coarsening, PartOfContext(context, 0.0, 0.7))
   , Scaled(this->Hierarchy,
-      options.MaySweep ? ScaledHierarchy<Scalar, Scalar>::Content::ColouredMatrices
+      options.MaySweep ? ScaledHierarchy<Scalar, Scalar>::Content::MatricesForSweeps
                        : ScaledHierarchy<Scalar, Scalar>::Content::Transfers,
       PartOfContext(context, 0.7, 1.0))
 {

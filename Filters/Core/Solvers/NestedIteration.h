@@ -60,8 +60,8 @@ struct NestedOptions
 /// Without either this is coarse prolongation (3.4.3 and 6.5.1), x = P (P^H A P)^-1 P^H b, P the product of all
 /// prolongations. A rough solution at the price of a few cycles, to be looked at or to start from.
 ///
-/// Galerkin matrices A_{l+1} = P_l^H A_l P_l, right-hand sides b_{l+1} = P_l^H b_l. Sweeps go by
-/// colours, in double precision. Built once per matrix, asked for many right-hand sides.
+/// Galerkin matrices A_{l+1} = P_l^H A_l P_l, right-hand sides b_{l+1} = P_l^H b_l. Sweeps go down
+/// in the order of each level (SweepOrder), in double precision. Built once per matrix, asked for many right-hand sides.
 ///
 /// Cost: one product with every matrix per sweep, five per cycle, and two with every prolongation.
 template <class Scalar>

@@ -1,6 +1,7 @@
 #include "Solvers/ScaledHierarchy.h"
 
 #include "Solvers/ArrangedMatrix.h"
+#include "Solvers/SweepOrder.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
@@ -43,12 +44,13 @@ ScaledHierarchy<Scalar, Value>::ScaledHierarchy(
       for (int l = first; l < last; ++l)
       {
         const int size = hierarchy.NumberOfUnknowns(l);
-        ColourOrder colours = l < coarsest && content == Content::ColouredMatrices
-          ? Colouring(hierarchy.Matrix(l))
+        SweepOrder order = l < coarsest && content == Content::MatricesForSweeps
+          ? OrderForSweeps(hierarchy.Matrix(l))
           : SingleColour(size);
         Level& level = this->Levels[l];
-        level.A.Begins = std::move(colours.Begins);
-        level.Order = std::move(colours.Unknowns);
+        level.A.Begins = std::move(order.Begins);
+        level.A.CoupledTiles = std::move(order.CoupledTiles);
+        level.Order = std::move(order.Unknowns);
         level.x.resize(size);
         level.b.resize(size);
       }
@@ -79,8 +81,17 @@ void ScaledHierarchy<Scalar, Value>::Update(const ExecutionContext& context)
     if (this->HasMatrices)
     {
       const SparseMatrix<Scalar>& A = this->Hierarchy.Matrix(l);
-      ArrangeLower(A, order, places, scale, level.A.Lower, context);
-      ArrangeUpper(A, order, places, scale, level.A.Upper, context);
+      TriangularParts<Value>& parts = level.A;
+      parts.HavePairs = parts.CoupledTiles.Size() > 0 && HasPairs(A);
+      if (parts.HavePairs)
+      {
+        ArrangePairs(A, order, places, scale, parts.Lower, parts.Upper, context);
+      }
+      else
+      {
+        ArrangeLower(A, order, places, scale, parts.Lower, context);
+        ArrangeUpper(A, order, places, scale, parts.Upper, context);
+      }
     }
     Arrange(this->Hierarchy.Prolongation(l), order, coarsePlaces, scale.unaryExpr(&Reciprocal),
       coarseScale, EveryEntry(), level.P, context);

@@ -10,8 +10,8 @@ namespace dmg
 {
 
 /// The levels of a Galerkin hierarchy as smoothers want them: scaled to unit diagonal, which none of
-/// ours notices in exact arithmetic and which keeps single precision away from overflow; sorted by
-/// colours; in numbers of kind Value.
+/// ours notices in exact arithmetic and which keeps single precision away from overflow; in the
+/// order of sweeps; in numbers of kind Value.
 ///
 /// With D the diagonal of A_l, a level's unknowns are D^{1/2} x and its right-hand sides D^{-1/2} b.
 /// Inactive unknowns have empty rows and columns everywhere.
@@ -39,15 +39,15 @@ public:
   enum class Content
   {
     Transfers, ///< P and R only
-    Matrices,  ///< also A, in one colour
-    ColouredMatrices,
+    Matrices,  ///< also A, in the order of the hierarchy
+    MatricesForSweeps, ///< in an order of each level's own
   };
 
   /// \param hierarchy must outlive this object; its matrices may be forgotten.
   ScaledHierarchy(
     GalerkinHierarchy<Scalar>& hierarchy, Content content, const ExecutionContext& context);
 
-  /// After an Update of the hierarchy. Colours are kept.
+  /// After an Update of the hierarchy. Orders are kept.
   void Update(const ExecutionContext& context);
 
   int NumberOfLevels() const { return static_cast<int>(this->Levels.size()); }

@@ -1,13 +1,11 @@
 #include "Solvers/Smoother.h"
 
-#include "Support/CountingSort.h"
-#include "Support/Permutations.h"
+#include "Solvers/TileWaves.h"
 #include "Support/RowRuns.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace dmg
 {
@@ -29,18 +27,125 @@ struct GivenDiagonal
   Value operator()(int i, Value value) const { return this->Inverse[i] * value; }
 };
 
-/// Sweeps go to and fro. Where a sweep up has just been, the sums over earlier colours are those that the
+/// Sweeps and products by colours: threads share the rows of each.
+template <class Value>
+class ColourSweeps
+{
+public:
+  static constexpr bool ReadsOwnPlaces = false;
+
+  explicit ColourSweeps(const TriangularParts<Value>& matrix)
+    : Begins(matrix.Begins)
+    , Lower(matrix.Lower)
+    , Upper(matrix.Upper)
+  {
+  }
+
+  /// Calls visit(i, product of row i of the lower or the upper part with x).
+  template <class Visit>
+  void Multiply(
+    bool isLower, const Vector<Value>& x, const Visit& visit, const ExecutionContext& context)
+  {
+    const RowRuns<Value>& part = isLower ? this->Lower : this->Upper;
+    context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
+      [&part, &x, &visit](int first, int last) { part.Multiply(first, last, x.data(), visit); });
+  }
+
+  /// The same row by row in the order of a sweep, which changes x. The colour that it turns around at would not
+  /// change and is left out.
+  /// \param turns after a sweep the other way.
+  /// \param leave called for ranges of rows that are left out.
+  template <class Visit, class Leave>
+  void Sweep(bool up, bool turns, const Vector<Value>& x, const Visit& visit, const Leave& leave,
+    const ExecutionContext& context)
+  {
+    const RowRuns<Value>& part = up ? this->Lower : this->Upper;
+    const int colours = static_cast<int>(this->Begins.size()) - 1;
+    for (int k = 0; k < colours; ++k)
+    {
+      const int colour = up ? k : colours - 1 - k;
+      const int begin = this->Begins[colour];
+      const int end = this->Begins[colour + 1];
+      if (turns && k == 0)
+      {
+        leave(begin, end);
+        continue;
+      }
+      context.ParallelFor(begin, end, RowGrain, [&part, &x, &visit](int first, int last) {
+        part.Multiply(first, last, x.data(), visit);
+      });
+    }
+  }
+
+private:
+  const std::vector<int>& Begins;
+  const RowRuns<Value> Lower;
+  const RowRuns<Value> Upper;
+};
+
+/// The same by tiles, which threads take as wholes.
+template <class Value>
+class TileSweeps
+{
+public:
+  static constexpr bool ReadsOwnPlaces = true; ///< of x, times zero
+
+  explicit TileSweeps(const TriangularParts<Value>& matrix)
+    : A(matrix)
+    , Waves(matrix.CoupledTiles, 1) // a sweep begins where the one before ends, and cannot follow it closely
+  {
+  }
+
+  template <class Visit>
+  void Multiply(
+    bool isLower, const Vector<Value>& x, const Visit& visit, const ExecutionContext& context)
+  {
+    const int tiles = static_cast<int>(this->A.Begins.size()) - 1;
+    context.ParallelFor(0, tiles, 1, [&](int first, int last) {
+      for (int i = this->A.Begins[first]; i < this->A.Begins[last]; ++i)
+      {
+        visit(i, this->Product(isLower, i, x));
+      }
+    });
+  }
+
+  template <class Visit, class Leave>
+  void Sweep(bool up, bool, const Vector<Value>& x, const Visit& visit, const Leave&,
+    const ExecutionContext& context)
+  {
+    const bool descending = !up;
+    this->Waves.Run(descending, context, [this, up, &x, &visit](int tile) {
+      const int begin = this->A.Begins[tile];
+      const int end = this->A.Begins[tile + 1];
+      for (int k = begin; k < end; ++k)
+      {
+        const int i = up ? k : begin + end - 1 - k;
+        visit(i, this->Product(up, i, x));
+      }
+    });
+  }
+
+private:
+  Value Product(bool isLower, int i, const Vector<Value>& x) const
+  {
+    return isLower ? this->A.LowerTimes(i, x.data()) : this->A.UpperTimes(i, x.data());
+  }
+
+  const TriangularParts<Value>& A;
+  TileWaves Waves;
+};
+
+/// Sweeps go to and fro. Where a sweep up has just been, the sums over earlier unknowns are those that the
 /// next one down wants, and the other way round, so each sweep after the first costs half a product
-/// (Conrad and Wallach 1979). The colour that it turns around at would not change and is left out.
-template <class Value, class Diagonal>
+/// (Conrad and Wallach 1979).
+/// \tparam Sweeps ColourSweeps or TileSweeps.
+template <class Value, class Diagonal, class Sweeps>
 class GaussSeidelSmoother : public Smoother<Value>
 {
 public:
   GaussSeidelSmoother(const TriangularParts<Value>& matrix, Diagonal diagonal,
     const SmootherOptions& options)
-    : Begins(matrix.Begins)
-    , Lower(matrix.Lower)
-    , Upper(matrix.Upper)
+    : Parts(matrix)
     , Solved(diagonal)
     , PreSweeps(options.PreSweeps)
     , PostSweeps(options.PostSweeps)
@@ -51,23 +156,22 @@ public:
   Vector<Value>& PreSmooth(
     const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
   {
+    if (Sweeps::ReadsOwnPlaces)
+    {
+      x.setZero();
+    }
     if (this->PreSweeps == 0)
     {
       x.setZero();
       this->Sums = b;
       return this->Sums;
     }
-    this->Sums.setZero(); // over later colours; the first sweep needs x of earlier ones only
+    this->Sums.setZero(); // over later unknowns; the first sweep needs x of earlier ones only
     constexpr bool keepsSums = true;
     const bool endsUp = this->Sweep(true, this->PreSweeps, b, x, keepsSums, context);
     // The last sweep has solved each row with the sums that were there before it.
-    const RowRuns<Value>& changed = endsUp ? this->Upper : this->Lower;
-    context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
-      [this, &changed, &x](int first, int last)
-      {
-        changed.Multiply(
-          first, last, x.data(), [this](int i, Value sum) { this->Sums[i] -= sum; });
-      });
+    this->Parts.Multiply(
+      !endsUp, x, [this](int i, Value sum) { this->Sums[i] -= sum; }, context);
     return this->Sums;
   }
 
@@ -79,13 +183,8 @@ public:
       return;
     }
     const bool up = this->PostSweeps % 2 == 0; // the adjoint ends with a sweep down
-    const RowRuns<Value>& other = up ? this->Upper : this->Lower;
-    context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
-      [this, &other, &x](int first, int last)
-      {
-        other.Multiply(
-          first, last, x.data(), [this](int i, Value sum) { this->Sums[i] = sum; });
-      });
+    this->Parts.Multiply(
+      !up, x, [this](int i, Value sum) { this->Sums[i] = sum; }, context);
     this->Sweep(up, this->PostSweeps, b, x, false, context);
   }
 
@@ -95,56 +194,50 @@ public:
   }
 
 private:
-  /// \pre Sums are those over later colours where the first sweep goes up, else over earlier ones.
+  /// \pre Sums are those over later unknowns where the first sweep goes up, else over earlier ones.
   /// \param keepsSums the last sweep leaves Sums as they were.
-  /// \return whether the last sweep went up; then Sums, if not kept, are those over earlier colours.
+  /// \return whether the last sweep went up; then Sums, if not kept, are those over earlier unknowns.
   bool Sweep(bool up, int count, const Vector<Value>& b, Vector<Value>& x, bool keepsSums,
     const ExecutionContext& context)
   {
-    const int colours = static_cast<int>(this->Begins.size()) - 1;
     for (int sweep = 0; sweep < count; ++sweep, up = !up)
     {
-      const RowRuns<Value>& part = up ? this->Lower : this->Upper;
       const bool isKept = keepsSums && sweep + 1 == count;
-      for (int k = 0; k < colours; ++k)
-      {
-        const int colour = up ? k : colours - 1 - k;
-        const int begin = this->Begins[colour];
-        const int end = this->Begins[colour + 1];
-        if (sweep > 0 && k == 0)
+      const auto relax = [this, &b, &x, isKept](int i, Value sum) {
+        x[i] = this->Solved(i, b[i] - this->Sums[i] - sum);
+        if (!isKept)
         {
-          if (!isKept)
-          {
-            this->Sums.segment(begin, end - begin).setZero();
-          }
-          continue;
+          this->Sums[i] = sum;
         }
-        context.ParallelFor(begin, end, RowGrain,
-          [this, &part, &b, &x, isKept](int first, int last)
-          {
-            part.Multiply(first, last, x.data(),
-              [this, &b, &x, isKept](int i, Value sum)
-              {
-                x[i] = this->Solved(i, b[i] - this->Sums[i] - sum);
-                if (!isKept)
-                {
-                  this->Sums[i] = sum;
-                }
-              });
-          });
-      }
+      };
+      const auto leave = [this, isKept](int begin, int end) {
+        if (!isKept)
+        {
+          this->Sums.segment(begin, end - begin).setZero();
+        }
+      };
+      this->Parts.Sweep(up, sweep > 0, x, relax, leave, context);
     }
     return !up;
   }
 
-  const std::vector<int>& Begins;
-  const RowRuns<Value> Lower;
-  const RowRuns<Value> Upper;
+  Sweeps Parts;
   const Diagonal Solved;
   const int PreSweeps;
   const int PostSweeps;
-  Vector<Value> Sums; ///< over earlier or over later colours, whichever the last sweep added up; or residuals
+  Vector<Value> Sums; ///< over earlier or over later unknowns, whichever the last sweep added up; or residuals
 };
+
+template <class Value, class Diagonal>
+std::unique_ptr<Smoother<Value>> NewGaussSeidel(const TriangularParts<Value>& A,
+  const Diagonal& diagonal, const SmootherOptions& options)
+{
+  if (A.CoupledTiles.Size() > 0)
+  {
+    return std::make_unique<GaussSeidelSmoother<Value, Diagonal, TileSweeps<Value>>>(A, diagonal, options);
+  }
+  return std::make_unique<GaussSeidelSmoother<Value, Diagonal, ColourSweeps<Value>>>(A, diagonal, options);
+}
 
 /// J. Lottes, Optimal polynomial smoothers for multigrid V-cycles, 2023: the polynomial of degree k
 /// that needs no lower bound of the spectrum.
@@ -281,58 +374,6 @@ private:
 
 }
 
-template <class Scalar>
-ColourOrder Colouring(const SparseMatrix<Scalar>& A)
-{
-  const int size = static_cast<int>(A.rows());
-  const int* offsets = A.outerIndexPtr();
-  const int* columns = A.innerIndexPtr();
-  std::vector<int> colours(size, -1);
-  std::vector<int> seenBy; // of each colour: the unknown that saw it last among its neighbours
-  int longestRow = 0;
-  for (int i = 0; i < size; ++i)
-  {
-    for (int k = offsets[i]; k < offsets[i + 1]; ++k)
-    {
-      const int colour = colours[columns[k]];
-      if (colour >= 0)
-      {
-        seenBy[colour] = i;
-      }
-    }
-    const auto free =
-      std::find_if(seenBy.begin(), seenBy.end(), [i](int last) { return last != i; });
-    colours[i] = static_cast<int>(free - seenBy.begin());
-    if (free == seenBy.end())
-    {
-      seenBy.push_back(-1);
-    }
-    longestRow = std::max(longestRow, offsets[i + 1] - offsets[i]);
-  }
-
-  std::vector<int> earlier(size, 0);
-  for (int i = 0; i < size; ++i)
-  {
-    for (int k = offsets[i]; k < offsets[i + 1]; ++k)
-    {
-      earlier[i] += colours[columns[k]] < colours[i] ? 1 : 0;
-    }
-  }
-  const SerialContext serial;
-  const auto length = [offsets](int i) { return offsets[i + 1] - offsets[i]; };
-  const auto byLength = SortByKey(Identity(size), longestRow + 1, length, serial);
-  const auto byEarlier = SortByKey(
-    byLength.Items, longestRow + 1, [&earlier](int i) { return earlier[i]; }, serial);
-  SortedItems byColours = SortByKey(byEarlier.Items, static_cast<int>(seenBy.size()),
-    [&colours](int i) { return colours[i]; }, serial);
-  return { std::move(byColours.Items), std::move(byColours.Begins) };
-}
-
-ColourOrder SingleColour(int size)
-{
-  return { Identity(size), { 0, size } };
-}
-
 template <class Value>
 std::unique_ptr<Smoother<Value>> Smoother<Value>::New(
   const TriangularParts<Value>& A, const SmootherOptions& options,
@@ -342,20 +383,16 @@ std::unique_ptr<Smoother<Value>> Smoother<Value>::New(
   {
     return std::make_unique<ChebyshevSmoother<Value>>(A, options, context);
   }
-  return std::make_unique<GaussSeidelSmoother<Value, UnitDiagonal<Value>>>(
-    A, UnitDiagonal<Value>(), options);
+  return NewGaussSeidel(A, UnitDiagonal<Value>(), options);
 }
 
 template <class Value>
 std::unique_ptr<Smoother<Value>> Smoother<Value>::NewWithDiagonal(const TriangularParts<Value>& A,
   const Vector<Real>& inverseDiagonal, const SmootherOptions& options)
 {
-  return std::make_unique<GaussSeidelSmoother<Value, GivenDiagonal<Value>>>(
-    A, GivenDiagonal<Value>{ inverseDiagonal }, options);
+  return NewGaussSeidel(A, GivenDiagonal<Value>{ inverseDiagonal }, options);
 }
 
-template ColourOrder Colouring(const SparseMatrix<double>&);
-template ColourOrder Colouring(const SparseMatrix<Complex>&);
 template class Smoother<float>;
 template class Smoother<double>;
 template class Smoother<std::complex<float>>;

@@ -1,6 +1,7 @@
 #ifndef dmgSmoother_h
 #define dmgSmoother_h
 
+#include "Solvers/TriangularParts.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -12,7 +13,7 @@ namespace dmg
 
 enum class SmootherKind
 {
-  /// Gauss-Seidel by colours; sweeps go forward and backward in turn. The fastest.
+  /// Gauss-Seidel in a SweepOrder; sweeps go forward and backward in turn. The fastest.
   GaussSeidel,
   /// Jacobi accelerated by Chebyshev polynomials of the fourth kind: one parallel loop per degree.
   Chebyshev,
@@ -25,32 +26,6 @@ struct SmootherOptions
   int PreSweeps = 2;
   /// After it, >= 0; equal to PreSweeps inside conjugate gradients, which need symmetry.
   int PostSweeps = 2;
-};
-
-/// The unknowns of a matrix colour by colour: no two of one colour are coupled.
-struct ColourOrder
-{
-  std::vector<int> Unknowns; ///< a permutation
-  std::vector<int> Begins;   ///< where each colour begins; one more than colours
-};
-
-/// Greedy: each unknown, in ascending order, takes the smallest colour free among its neighbours.
-/// Within a colour, unknowns with as many neighbours of earlier and of later colours follow each
-/// other, so that loops over their rows repeat their lengths and run a sixth faster; then ascending.
-template <class Scalar>
-ColourOrder Colouring(const SparseMatrix<Scalar>& A);
-
-/// One colour only, the order of the matrix: what a smoother without colours needs.
-ColourOrder SingleColour(int size);
-
-/// A matrix but for its diagonal as smoothers read it: the parts left and right of it, so that half a
-/// product touches half the memory. Columns of a row are in any order.
-template <class Value>
-struct TriangularParts
-{
-  std::vector<int> Begins; ///< of its colours
-  SparseMatrix<Value> Lower;
-  SparseMatrix<Value> Upper;
 };
 
 /// Damps the part of an error that a coarser level cannot represent, for a symmetric or Hermitian

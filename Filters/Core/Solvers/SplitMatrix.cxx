@@ -89,7 +89,7 @@ void MultiplyPart(const RowRuns<Single>& part, const SparseMatrix<Single>& round
 }
 
 SplitMatrix::SplitMatrix(
-  const SparseMatrix<Complex>& A, const ColourOrder& colours, const ExecutionContext& context)
+  const SparseMatrix<Complex>& A, const SweepOrder& colours, const ExecutionContext& context)
 {
   const std::vector<int>& order = colours.Unknowns;
   const std::vector<int> places = Inverse(order, context);

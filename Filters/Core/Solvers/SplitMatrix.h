@@ -1,7 +1,8 @@
 #ifndef dmgSplitMatrix_h
 #define dmgSplitMatrix_h
 
-#include "Solvers/Smoother.h"
+#include "Solvers/SweepOrder.h"
+#include "Solvers/TriangularParts.h"
 #include "Support/ExecutionContext.h"
 #include "Support/RowRuns.h"
 #include "Support/Types.h"
@@ -24,7 +25,7 @@ public:
   /// \param A Hermitian. Its entries must be within the range of single precision.
   /// \param colours of its unknowns, which stand in that order here.
   SplitMatrix(
-    const SparseMatrix<Complex>& A, const ColourOrder& colours, const ExecutionContext& context);
+    const SparseMatrix<Complex>& A, const SweepOrder& colours, const ExecutionContext& context);
   /// Eigen 3.4 would copy the matrices.
   SplitMatrix(SplitMatrix&& other) noexcept { this->Swap(other); }
   SplitMatrix& operator=(SplitMatrix&& other) noexcept

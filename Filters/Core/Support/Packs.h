@@ -70,12 +70,18 @@ Pack GatherPack(const float* from, const int* places)
   }
 }
 
-/// Pairs of numbers from two places, which count pairs.
-inline FloatPack GatherPairs(const float* from, int first, int second)
+/// Two pairs of numbers.
+inline FloatPack LoadPairs(const float* first, const float* second)
 {
   using Pair = double; // of the same size
-  const DoublePack pairs = { LoadPack<Pair>(from + 2 * first), LoadPack<Pair>(from + 2 * second) };
+  const DoublePack pairs = { LoadPack<Pair>(first), LoadPack<Pair>(second) };
   return LoadPack<FloatPack>(&pairs);
+}
+
+/// The same from two places, which count pairs.
+inline FloatPack GatherPairs(const float* from, int first, int second)
+{
+  return LoadPairs(from + 2 * first, from + 2 * second);
 }
 
 /// Adds to pairs of numbers at two places, which may be the same.

@@ -23,6 +23,10 @@ struct ShortRow
 
   Value Times(const Value* x) const
   {
+    if constexpr (std::is_same_v<Length, int>)
+    {
+      return EntriesTimes(this->Columns, this->Values, this->Size, x);
+    }
     Value sum(0);
     for (int k = 0; k < this->Size; ++k)
     {

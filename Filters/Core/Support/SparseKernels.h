@@ -35,19 +35,53 @@ inline void AddProduct(std::complex<Real>& sum, Real a, std::complex<Real> b)
   sum = { sum.real() + a * b.real(), sum.imag() + a * b.imag() };
 }
 
+/// The product of some entries, of any number, with x. Four sums at once: additions to one would wait for each
+/// other.
+template <class Scalar>
+inline Scalar EntriesTimes(const int* columns, const Scalar* values, int size, const Scalar* x)
+{
+  Scalar sums[4] = {};
+  int k = 0;
+  for (; k + 4 <= size; k += 4)
+  {
+    for (int s = 0; s < 4; ++s)
+    {
+      AddProduct(sums[s], values[k + s], x[columns[k + s]]);
+    }
+  }
+  for (; k < size; ++k)
+  {
+    AddProduct(sums[0], values[k], x[columns[k]]);
+  }
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
 /// The product of row i of A with x.
 template <class Scalar>
 inline Scalar RowTimes(const SparseMatrix<Scalar>& A, int i, const Scalar* x)
 {
-  const int* columns = A.innerIndexPtr();
-  const Scalar* values = A.valuePtr();
-  const int end = A.outerIndexPtr()[i + 1];
-  Scalar sum(0);
-  for (int k = A.outerIndexPtr()[i]; k < end; ++k)
+  const int begin = A.outerIndexPtr()[i];
+  return EntriesTimes(
+    A.innerIndexPtr() + begin, A.valuePtr() + begin, A.outerIndexPtr()[i + 1] - begin, x);
+}
+
+/// Whether the columns of each row are pairs of an even one and the next.
+template <class Scalar>
+bool HasPairs(const SparseMatrix<Scalar>& A)
+{
+  const int* const columns = A.innerIndexPtr();
+  for (int i = 0; i < static_cast<int>(A.rows()); ++i)
   {
-    AddProduct(sum, values[k], x[columns[k]]);
+    const int end = A.outerIndexPtr()[i + 1];
+    for (int e = A.outerIndexPtr()[i]; e < end; e += 2)
+    {
+      if (e + 1 == end || columns[e] % 2 != 0 || columns[e + 1] != columns[e] + 1)
+      {
+        return false;
+      }
+    }
   }
-  return sum;
+  return true;
 }
 
 template <class Scalar>

@@ -94,6 +94,29 @@ TYPED_TEST(TestGalerkinHierarchy, ChildrenFollowEachOther)
   }
 }
 
+TYPED_TEST(TestGalerkinHierarchy, PairsStayTogether)
+{
+  // Pair k takes from pair k mod 4, each unknown most from the other component: alone, the two would part.
+  SparseMatrix<TypeParam> A(64, 64);
+  A.setIdentity();
+  std::vector<Eigen::Triplet<TypeParam>> entries;
+  for (int i = 0; i < 64; ++i)
+  {
+    const int parent = i / 2 % 4 * 2;
+    entries.emplace_back(i, parent, TypeParam(i % 2 == 0 ? 0.5 : 1.0));
+    entries.emplace_back(i, parent + 1, TypeParam(i % 2 == 0 ? 1.0 : 0.5));
+  }
+  const GalerkinHierarchy<TypeParam> hierarchy(
+    A, { test::FromTriplets(64, 8, entries) }, {}, SerialContext());
+  const std::vector<int>& order = hierarchy.FinestOrder();
+  for (int i = 0; i < 64; i += 2)
+  {
+    EXPECT_EQ(order[i] % 2, 0);
+    EXPECT_EQ(order[i + 1], order[i] + 1);
+    EXPECT_EQ(hierarchy.Prolongation(0).innerIndexPtr()[2 * i], i / 16 * 2);
+  }
+}
+
 TYPED_TEST(TestGalerkinHierarchy, UpdateHasTheBitsOfANewHierarchy)
 {
   auto problem = test::MakeGridProblem<TypeParam>(6, 4);

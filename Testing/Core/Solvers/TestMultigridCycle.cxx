@@ -1,4 +1,5 @@
 #include "Solvers/MultigridCycle.h"
+#include "Solvers/SweepOrder.h"
 
 #include "GridProblem.h"
 #include "Support/Errors.h"
@@ -84,17 +85,16 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
   const Matrix<TypeParam> A(problem.A);
   const Matrix<TypeParam> P(problem.P[0]);
   const Matrix<TypeParam> coarse = P.adjoint() * A * P;
-  // Gauss-Seidel by colours on a chessboard, red before black.
-  const ColourOrder order = Colouring(hierarchy.Matrix(0));
-  Eigen::PermutationMatrix<Eigen::Dynamic> toColours(size);
+  const SweepOrder order = OrderForSweeps(hierarchy.Matrix(0));
+  Eigen::PermutationMatrix<Eigen::Dynamic> toOrder(size);
   for (int k = 0; k < size; ++k)
   {
-    toColours.indices()[hierarchy.FinestOrder()[order.Unknowns[k]]] = k;
+    toOrder.indices()[hierarchy.FinestOrder()[order.Unknowns[k]]] = k;
   }
-  const Matrix<TypeParam> byColours = toColours * A * toColours.transpose();
-  const Matrix<TypeParam> inverse = byColours.template triangularView<Eigen::Lower>().solve(
+  const Matrix<TypeParam> inOrder = toOrder * A * toOrder.transpose();
+  const Matrix<TypeParam> inverse = inOrder.template triangularView<Eigen::Lower>().solve(
     Matrix<TypeParam>::Identity(size, size));
-  const Matrix<TypeParam> forward = toColours.transpose() * inverse * toColours;
+  const Matrix<TypeParam> forward = toOrder.transpose() * inverse * toOrder;
 
   const Matrix<TypeParam> identity = Matrix<TypeParam>::Identity(size, size);
   Matrix<TypeParam> error = identity - forward * A;

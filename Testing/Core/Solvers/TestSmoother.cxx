@@ -1,14 +1,18 @@
 #include "Solvers/Smoother.h"
+#include "Solvers/ArrangedMatrix.h"
+#include "Solvers/SweepOrder.h"
 
 #include "GridProblem.h"
+#include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <limits>
+#include <utility>
+#include <vector>
 
 using namespace dmg;
 
@@ -16,39 +20,84 @@ namespace
 {
 
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
 
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-/// The grid Laplacian by colours, with unit diagonal: a chessboard; its square has more colours.
-template <class Scalar>
-struct ColouredGrid
+/// The grid Laplacian in some order, with unit diagonal.
+enum class Ordered
 {
-  explicit ColouredGrid(int depth, bool isSquared = false)
+  ByTwoColours,  ///< a chessboard
+  ByManyColours, ///< its square
+  ByTiles,
+  ByTilesOfPairs ///< two coupled unknowns at each place
+};
+
+template <class Scalar>
+struct OrderedGrid
+{
+  OrderedGrid(int depth, Ordered ordered)
   {
     SparseMatrix<Scalar> A = test::MakeGridProblem<Scalar>(depth, 1).A / Scalar(4.0);
-    if (isSquared)
+    if (ordered == Ordered::ByManyColours)
     {
       A = SparseMatrix<Scalar>(A * A).pruned();
       const Vector<Scalar> root = A.diagonal().cwiseSqrt().cwiseInverse();
       A = root.asDiagonal() * A * root.asDiagonal();
     }
-    const ColourOrder order = Colouring(A);
-    std::vector<int> places(order.Unknowns.size());
-    for (std::size_t k = 0; k < places.size(); ++k)
+    if (ordered == Ordered::ByTilesOfPairs)
     {
-      places[order.Unknowns[k]] = static_cast<int>(k);
+      A = InPairs(A);
     }
+    const bool byTiles = ordered == Ordered::ByTiles || ordered == Ordered::ByTilesOfPairs;
+    const SweepOrder order = byTiles ? Tiling(A) : Colouring(A);
+    const std::vector<int> places = Inverse(order.Unknowns);
     this->A = Permuted(A, order.Unknowns, places, SerialContext());
     this->Parts.Begins = order.Begins;
-    this->Parts.Lower = this->A.template triangularView<Eigen::StrictlyLower>();
-    this->Parts.Upper = this->A.template triangularView<Eigen::StrictlyUpper>();
+    this->Parts.CoupledTiles = order.CoupledTiles;
+    this->Parts.HavePairs = ordered == Ordered::ByTilesOfPairs;
+    const Vector<double> ones = Vector<double>::Ones(A.rows());
+    if (this->Parts.HavePairs)
+    {
+      ArrangePairs(
+        A, order.Unknowns, places, ones, this->Parts.Lower, this->Parts.Upper, SerialContext());
+    }
+    else
+    {
+      this->Parts.Lower = this->A.template triangularView<Eigen::StrictlyLower>();
+      this->Parts.Upper = this->A.template triangularView<Eigen::StrictlyUpper>();
+    }
   }
 
   int Size() const { return static_cast<int>(this->A.rows()); }
 
   SparseMatrix<Scalar> A;
   TriangularParts<Scalar> Parts;
+
+private:
+  /// Each entry times a matrix of two rows, with ones on its diagonal.
+  static SparseMatrix<Scalar> InPairs(const SparseMatrix<Scalar>& A)
+  {
+    std::vector<Eigen::Triplet<Scalar>> entries;
+    for (int i = 0; i < A.rows(); ++i)
+    {
+      for (typename SparseMatrix<Scalar>::InnerIterator entry(A, i); entry; ++entry)
+      {
+        for (const int k : { 0, 1, 2, 3 })
+        {
+          const double coupling = k % 2 == k / 2 ? 1.0 : 0.3;
+          entries.emplace_back(
+            2 * i + k / 2, 2 * static_cast<int>(entry.col()) + k % 2, entry.value() * coupling);
+        }
+      }
+    }
+    return test::FromTriplets(2 * static_cast<int>(A.rows()), 2 * static_cast<int>(A.cols()), entries);
+  }
+};
+
+constexpr Ordered AllOrders[] = {
+  Ordered::ByTwoColours, Ordered::ByManyColours, Ordered::ByTiles, Ordered::ByTilesOfPairs
 };
 
 /// B of x = B b, column by column, where smooth(b, x) starts from x = 0.
@@ -75,54 +124,26 @@ TYPED_TEST_SUITE(TestSmoother, Scalars);
 
 }
 
-TYPED_TEST(TestSmoother, ColoursSeparateNeighbours)
-{
-  const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(5, 1).A;
-  const SparseMatrix<TypeParam> wider = A * A; // neighbours of neighbours
-  for (const SparseMatrix<TypeParam>& matrix : { A, wider })
-  {
-    const ColourOrder order = Colouring(matrix);
-    std::vector<int> sorted = order.Unknowns;
-    std::sort(sorted.begin(), sorted.end());
-    std::vector<int> colours(matrix.rows());
-    for (int i = 0; i < matrix.rows(); ++i)
-    {
-      ASSERT_EQ(sorted[i], i);
-    }
-    for (std::size_t colour = 0; colour + 1 < order.Begins.size(); ++colour)
-    {
-      ASSERT_LT(order.Begins[colour], order.Begins[colour + 1]);
-      for (int k = order.Begins[colour]; k < order.Begins[colour + 1]; ++k)
-      {
-        colours[order.Unknowns[k]] = static_cast<int>(colour);
-      }
-    }
-    ASSERT_EQ(order.Begins.back(), matrix.rows());
-    for (int i = 0; i < matrix.rows(); ++i)
-    {
-      for (typename SparseMatrix<TypeParam>::InnerIterator entry(matrix, i); entry; ++entry)
-      {
-        EXPECT_TRUE(entry.col() == i || colours[entry.col()] != colours[i]);
-      }
-    }
-  }
-  EXPECT_EQ(Colouring(A).Begins.size(), 3u) << "a chessboard has two colours";
-}
-
 TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
 {
-  for (const auto& [isSquared, sweeps] : std::vector<std::pair<bool, int>>{
-         { false, 0 }, { false, 1 }, { false, 2 }, { false, 3 }, { true, 1 }, { true, 2 }, { true, 5 } })
+  for (const auto& [ordered, sweeps] :
+    { std::pair(Ordered::ByTwoColours, 0), std::pair(Ordered::ByTwoColours, 1),
+      std::pair(Ordered::ByTwoColours, 2), std::pair(Ordered::ByTwoColours, 3),
+      std::pair(Ordered::ByManyColours, 1), std::pair(Ordered::ByManyColours, 2),
+      std::pair(Ordered::ByManyColours, 5), std::pair(Ordered::ByTiles, 0), std::pair(Ordered::ByTiles, 1),
+      std::pair(Ordered::ByTiles, 2), std::pair(Ordered::ByTiles, 3),
+      std::pair(Ordered::ByTilesOfPairs, 1), std::pair(Ordered::ByTilesOfPairs, 2) })
   {
+    SCOPED_TRACE(static_cast<int>(ordered));
     SCOPED_TRACE(sweeps);
-    const ColouredGrid<TypeParam> grid(4, isSquared);
-    ASSERT_EQ(grid.Parts.Begins.size() > 4u, isSquared);
+    const OrderedGrid<TypeParam> grid(4, ordered);
+    ASSERT_EQ(grid.Parts.Begins.size() > 3u, ordered != Ordered::ByTwoColours);
     const auto b = test::RandomVector<TypeParam>(grid.Size(), 2801);
     const Matrix<TypeParam> A(grid.A);
     const auto smoother = Smoother<TypeParam>::New(
       grid.Parts, { SmootherKind::GaussSeidel, sweeps, sweeps }, SerialContext());
-    Vector<TypeParam> x(grid.Size()), r(grid.Size());
-    r = smoother->PreSmooth(b, x, SerialContext());
+    Vector<TypeParam> x = Vector<TypeParam>::Constant(grid.Size(), NaN); // whatever was there
+    const Vector<TypeParam> r = smoother->PreSmooth(b, x, SerialContext());
 
     Vector<TypeParam> expected = Vector<TypeParam>::Zero(grid.Size());
     const auto sweepUp = [&]
@@ -148,7 +169,7 @@ TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
 // With any diagonal, and without unknowns that are held.
 TYPED_TEST(TestSmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
 {
-  const ColouredGrid<TypeParam> grid(4, true);
+  const OrderedGrid<TypeParam> grid(4, Ordered::ByManyColours);
   Vector<double> inverse(grid.Size());
   Matrix<TypeParam> A(grid.A);
   for (int i = 0; i < grid.Size(); ++i)
@@ -192,7 +213,7 @@ TEST(TestChebyshevSmoother, LeavesThePolynomialOfLottes)
   // On an eigenvector the error is multiplied by W_k(1 - 2 t) / (2 k + 1), where t is the eigenvalue
   // over the upper bound and W_k Chebyshev's polynomial of the fourth kind,
   // W_k(cos s) = sin((k + 1/2) s) / sin(s / 2). The bound is the row sum, 2, for these grids.
-  const ColouredGrid<double> grid(4);
+  const OrderedGrid<double> grid(4, Ordered::ByTwoColours);
   const Eigen::SelfAdjointEigenSolver<Matrix<double>> modes{ Matrix<double>(grid.A) };
   for (const int degree : { 1, 2, 3, 4 })
   {
@@ -216,44 +237,70 @@ TEST(TestChebyshevSmoother, LeavesThePolynomialOfLottes)
 
 TYPED_TEST(TestSmoother, PostIsTheAdjointOfPre)
 {
-  const ColouredGrid<TypeParam> grid(4);
-  for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
+  for (const Ordered ordered : AllOrders)
   {
-    const auto smoother = Smoother<TypeParam>::New(grid.Parts, { kind, 3, 3 }, SerialContext());
-    const auto pre = Densified<TypeParam>(grid.Size(),
-      [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
-      {
-        Vector<TypeParam> r(b.size());
-        r = smoother->PreSmooth(b, x, SerialContext());
-        const Vector<TypeParam> residual = b - grid.A * x;
-        EXPECT_LE((r - residual).norm(), 20 * Epsilon);
-      });
-    const auto post = Densified<TypeParam>(grid.Size(),
-      [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
-      { smoother->PostSmooth(b, x, SerialContext()); });
-    EXPECT_LE((post - pre.adjoint()).norm(), 20 * Epsilon * pre.norm());
+    const OrderedGrid<TypeParam> grid(4, ordered);
+    for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
+    {
+      const auto smoother = Smoother<TypeParam>::New(grid.Parts, { kind, 3, 3 }, SerialContext());
+      const auto pre = Densified<TypeParam>(grid.Size(),
+        [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
+        {
+          Vector<TypeParam> r(b.size());
+          r = smoother->PreSmooth(b, x, SerialContext());
+          const Vector<TypeParam> residual = b - grid.A * x;
+          EXPECT_LE((r - residual).norm(), 20 * Epsilon);
+        });
+      const auto post = Densified<TypeParam>(grid.Size(),
+        [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
+        { smoother->PostSmooth(b, x, SerialContext()); });
+      EXPECT_LE((post - pre.adjoint()).norm(), 20 * Epsilon * pre.norm());
+    }
   }
 }
 
 TYPED_TEST(TestSmoother, SameBitsForAnyNumberOfThreads)
 {
-  const ColouredGrid<TypeParam> grid(8);
-  const auto b = test::RandomVector<TypeParam>(grid.Size(), 2802);
-  for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
+  for (const Ordered ordered : AllOrders)
   {
-    std::vector<Vector<TypeParam>> results;
-    for (const int threads : { 1, 2, 3, 8 })
+    const OrderedGrid<TypeParam> grid(8, ordered);
+    const auto b = test::RandomVector<TypeParam>(grid.Size(), 2802);
+    for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
     {
-      const test::TbbContext context(threads);
-      const auto smoother = Smoother<TypeParam>::New(grid.Parts, { kind, 2, 2 }, context);
-      Vector<TypeParam> x(grid.Size()), r(grid.Size());
-      r = smoother->PreSmooth(b, x, context);
-      smoother->PostSmooth(b, x, context);
-      results.push_back(x + r);
-    }
-    for (const Vector<TypeParam>& result : results)
-    {
-      EXPECT_EQ(result, results[0]);
+      std::vector<Vector<TypeParam>> results;
+      for (const int threads : { 1, 2, 3, 8 })
+      {
+        const test::TbbContext context(threads);
+        const auto smoother = Smoother<TypeParam>::New(grid.Parts, { kind, 2, 2 }, context);
+        Vector<TypeParam> x(grid.Size()), r(grid.Size());
+        r = smoother->PreSmooth(b, x, context);
+        smoother->PostSmooth(b, x, context);
+        results.push_back(x + r);
+      }
+      for (const Vector<TypeParam>& result : results)
+      {
+        EXPECT_EQ(result, results[0]);
+      }
     }
   }
+}
+
+TEST(TestSinglePrecisionSmoother, PairsAreTakenAtOnce)
+{
+  const OrderedGrid<double> grid(5, Ordered::ByTilesOfPairs);
+  TriangularParts<float> parts;
+  parts.Begins = grid.Parts.Begins;
+  parts.CoupledTiles = grid.Parts.CoupledTiles;
+  parts.HavePairs = true;
+  parts.Lower = grid.Parts.Lower.cast<float>();
+  parts.Upper = grid.Parts.Upper.cast<float>();
+  const auto b = test::RandomVector<double>(grid.Size(), 2804);
+  const auto exact = Smoother<double>::New(grid.Parts, {}, SerialContext());
+  const auto smoother = Smoother<float>::New(parts, {}, SerialContext());
+  Vector<double> expected(grid.Size());
+  Vector<float> x(grid.Size());
+  const Vector<double> expectedResidual = exact->PreSmooth(b, expected, SerialContext());
+  const Vector<float> r = smoother->PreSmooth(b.cast<float>(), x, SerialContext());
+  EXPECT_LE((x.cast<double>() - expected).norm(), 1e-6 * expected.norm());
+  EXPECT_LE((r.cast<double>() - expectedResidual).norm(), 1e-6 * b.norm());
 }

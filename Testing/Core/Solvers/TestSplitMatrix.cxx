@@ -26,7 +26,7 @@ SparseMatrix<Complex> UnevenMatrix()
 }
 
 /// A by colours.
-Dense InColours(const SparseMatrix<Complex>& A, const ColourOrder& colours)
+Dense InColours(const SparseMatrix<Complex>& A, const SweepOrder& colours)
 {
   return Dense(A)(colours.Unknowns, colours.Unknowns);
 }
@@ -36,7 +36,7 @@ Dense InColours(const SparseMatrix<Complex>& A, const ColourOrder& colours)
 TEST(TestSplitMatrix, HoldsEveryEntry)
 {
   const SparseMatrix<Complex> A = UnevenMatrix();
-  const ColourOrder colours = Colouring(A);
+  const SweepOrder colours = Colouring(A);
   const SplitMatrix split(A, colours, SerialContext());
   EXPECT_EQ(split.Size(), A.rows());
   EXPECT_EQ(split.NonZeros(), A.nonZeros());
@@ -64,7 +64,7 @@ TEST(TestSplitMatrix, HoldsEveryEntry)
 TEST(TestSplitMatrix, MultipliesInDoublePrecision)
 {
   const SparseMatrix<Complex> A = UnevenMatrix();
-  const ColourOrder colours = Colouring(A);
+  const SweepOrder colours = Colouring(A);
   const SplitMatrix split(A, colours, SerialContext());
   const SplitMatrix::Operator times(split);
   const Vector<Complex> x = test::RandomVector<Complex>(split.Size(), 5102);
@@ -84,7 +84,7 @@ TEST(TestSplitMatrix, MultipliesInDoublePrecision)
 TEST(TestSplitMatrix, SameBitsForAnyNumberOfThreads)
 {
   const SparseMatrix<Complex> A = UnevenMatrix();
-  const ColourOrder colours = Colouring(A);
+  const SweepOrder colours = Colouring(A);
   const Dense expected(SplitMatrix(A, colours, SerialContext()).Whole(SerialContext()));
   for (const int threads : { 2, 3, 8 })
   {

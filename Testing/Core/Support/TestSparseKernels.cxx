@@ -273,3 +273,22 @@ TEST(TestOffsets, RowsGetTheRoomTheyAskFor)
   EXPECT_EQ(matrix.outerIndexPtr()[rows], rows / 4 * 6);
   EXPECT_EQ(matrix.nonZeros(), rows / 4 * 6);
 }
+
+TEST(TestPairs, AreAnEvenColumnAndTheNext)
+{
+  const auto matrixOf = [](std::vector<std::pair<int, int>> places) {
+    std::vector<Eigen::Triplet<double>> entries;
+    for (const auto& [row, column] : places)
+    {
+      entries.emplace_back(row, column, 1.0);
+    }
+    SparseMatrix<double> matrix(3, 8);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    return matrix;
+  };
+  EXPECT_TRUE(HasPairs(matrixOf({})));
+  EXPECT_TRUE(HasPairs(matrixOf({ { 0, 2 }, { 0, 3 }, { 2, 0 }, { 2, 1 }, { 2, 6 }, { 2, 7 } })));
+  EXPECT_FALSE(HasPairs(matrixOf({ { 0, 2 }, { 0, 3 }, { 2, 1 }, { 2, 2 } })));
+  EXPECT_FALSE(HasPairs(matrixOf({ { 0, 2 }, { 0, 4 } })));
+  EXPECT_FALSE(HasPairs(matrixOf({ { 0, 2 }, { 0, 3 }, { 0, 4 } })));
+}

@@ -1,0 +1,118 @@
+#include "Solvers/SweepOrder.h"
+
+#include "GridProblem.h"
+#include "Support/Permutations.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+using namespace dmg;
+
+namespace
+{
+
+template <class Scalar>
+class TestSweepOrder : public ::testing::Test
+{
+};
+using Scalars = ::testing::Types<double, Complex>;
+TYPED_TEST_SUITE(TestSweepOrder, Scalars);
+
+}
+
+TYPED_TEST(TestSweepOrder, ColoursSeparateNeighbours)
+{
+  const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(5, 1).A;
+  const SparseMatrix<TypeParam> wider = A * A; // neighbours of neighbours
+  for (const SparseMatrix<TypeParam>& matrix : { A, wider })
+  {
+    const SweepOrder order = Colouring(matrix);
+    std::vector<int> sorted = order.Unknowns;
+    std::sort(sorted.begin(), sorted.end());
+    std::vector<int> colours(matrix.rows());
+    for (int i = 0; i < matrix.rows(); ++i)
+    {
+      ASSERT_EQ(sorted[i], i);
+    }
+    for (std::size_t colour = 0; colour + 1 < order.Begins.size(); ++colour)
+    {
+      ASSERT_LT(order.Begins[colour], order.Begins[colour + 1]);
+      for (int k = order.Begins[colour]; k < order.Begins[colour + 1]; ++k)
+      {
+        colours[order.Unknowns[k]] = static_cast<int>(colour);
+      }
+    }
+    ASSERT_EQ(order.Begins.back(), matrix.rows());
+    for (int i = 0; i < matrix.rows(); ++i)
+    {
+      for (typename SparseMatrix<TypeParam>::InnerIterator entry(matrix, i); entry; ++entry)
+      {
+        EXPECT_TRUE(entry.col() == i || colours[entry.col()] != colours[i]);
+      }
+    }
+  }
+  EXPECT_EQ(Colouring(A).Begins.size(), 3u) << "a chessboard has two colours";
+}
+
+TYPED_TEST(TestSweepOrder, TilesAreRangesAndKnowWithWhichTheyAreCoupled)
+{
+  const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(6, 1).A;
+  const SweepOrder order = Tiling(A);
+  ASSERT_TRUE(order.HasTiles());
+  const int tiles = order.CoupledTiles.Size();
+  ASSERT_EQ(order.Begins.size(), tiles + 1u);
+  ASSERT_EQ(order.Begins.back(), A.rows());
+  EXPECT_GT(tiles, 30);
+  std::vector<int> tileOf(A.rows(), -1);
+  for (int tile = 0; tile < tiles; ++tile)
+  {
+    ASSERT_LT(order.Begins[tile], order.Begins[tile + 1]);
+    const int first = order.Unknowns[order.Begins[tile]];
+    EXPECT_EQ(first % 2, 0);
+    for (int k = order.Begins[tile]; k < order.Begins[tile + 1]; ++k)
+    {
+      EXPECT_EQ(order.Unknowns[k], first + k - order.Begins[tile]);
+      EXPECT_EQ(tileOf[order.Unknowns[k]], -1);
+      tileOf[order.Unknowns[k]] = tile;
+    }
+  }
+  std::vector<std::set<int>> coupled(tiles);
+  for (int i = 0; i < A.rows(); ++i)
+  {
+    for (typename SparseMatrix<TypeParam>::InnerIterator entry(A, i); entry; ++entry)
+    {
+      coupled[tileOf[i]].insert(tileOf[entry.col()]);
+    }
+  }
+  int uncoupledAtFirst = 0;
+  for (int tile = 0; tile < tiles; ++tile)
+  {
+    coupled[tile].erase(tile);
+    EXPECT_EQ(std::vector<int>(order.CoupledTiles.Begin(tile), order.CoupledTiles.End(tile)),
+      std::vector<int>(coupled[tile].begin(), coupled[tile].end()));
+    uncoupledAtFirst += coupled[tile].empty() || *coupled[tile].begin() > tile;
+  }
+  // Strips of a grid are coupled with the next ones.
+  EXPECT_GE(uncoupledAtFirst, tiles / 3);
+}
+
+TYPED_TEST(TestSweepOrder, ColoursWhereTheyAreLarge)
+{
+  const SparseMatrix<TypeParam> small = test::MakeGridProblem<TypeParam>(4, 1).A;
+  EXPECT_TRUE(OrderForSweeps(small).HasTiles());
+  const SparseMatrix<TypeParam> large = test::MakeGridProblem<TypeParam>(8, 1).A;
+  const SweepOrder colours = OrderForSweeps(large);
+  EXPECT_FALSE(colours.HasTiles());
+  EXPECT_EQ(colours.Begins, Colouring(large).Begins);
+  const SparseMatrix<TypeParam> longRows = large * large * large;
+  EXPECT_TRUE(OrderForSweeps(SparseMatrix<TypeParam>(longRows * large)).HasTiles());
+}
+
+TYPED_TEST(TestSweepOrder, NoUnknownsHaveNoTile)
+{
+  const SweepOrder order = OrderForSweeps(SparseMatrix<TypeParam>(0, 0));
+  EXPECT_TRUE(order.Unknowns.empty());
+  EXPECT_EQ(order.Begins, std::vector<int>{ 0 });
+}
