@@ -174,6 +174,19 @@ SolverOptions SolverFor(const FieldOptions& options)
   return solver;
 }
 
+std::string NamesOfFields(const FieldOptions& options)
+{
+  switch (options.Kind)
+  {
+    case Discretisation::OneForm:
+      return "1-forms";
+    case Discretisation::FaceField:
+      return "face fields";
+    default:
+      return "power fields with N = " + std::to_string(options.N);
+  }
+}
+
 /// What the coarse levels hold, for the report.
 std::string NameOf(const FieldOptions& options)
 {
@@ -447,6 +460,7 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   const bool isPower = options.Kind == Discretisation::PowerField;
   context.Checkpoint(0.0);
   const auto surface = std::make_shared<RoughnessSurface>();
+  surface->Fields = NamesOfFields(options);
   surface->Name = NameOf(options);
   surface->Hierarchy = (isPower ? HierarchyOfPowers : HierarchyOfSquares)(
     mesh, faceFrames, nodal, options, PartOfContext(context, 0.0, isPower ? 1.0 : 0.8));
@@ -598,6 +612,15 @@ AnyProblem MakeAssembledProblem(
   }
 }
 
+void CheckFields(const RoughnessSurface& surface, const FieldOptions& options)
+{
+  if (surface.Fields != NamesOfFields(options))
+  {
+    throw InvalidInput("the surface was set up for " + surface.Fields + "; set it up for " +
+      NamesOfFields(options));
+  }
+}
+
 void CheckFree(const RoughnessProblem& problem, const FieldOptions& options)
 {
   CheckAnyIsFree(problem.NumberOfFree(), options.Constraints,
@@ -614,6 +637,10 @@ AnyProblem MakeProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames
   if (!choice)
   {
     return MakeAssembledProblem(mesh, faceFrames, operators, constraints, options, context);
+  }
+  if (surface)
+  {
+    CheckFields(*surface, options);
   }
   PrescribedUnknowns prescribed = PrescribedIn(mesh, constraints, options, context);
   const double half = surface ? 0.0 : 0.6;

@@ -134,6 +134,7 @@ public:
   /// at.
   /// \param operators null: samples, where these do.
   /// \param surface of this mesh and these options, if it is at hand; else it is made if needed.
+  /// \throw InvalidInput the surface was set up for another discretisation or another N.
   FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
     const ProlongationOperators* operators, const FieldConstraints& constraints,
     const FieldOptions& options, const ExecutionContext& context,

@@ -18,7 +18,8 @@ namespace dmg
 /// the hierarchy.
 struct RoughnessSurface
 {
-  std::string Name; ///< says in reports what the coarse levels hold
+  std::string Fields; ///< whose roughness it is: their discretisation and, of powers, N
+  std::string Name;   ///< says in reports what the coarse levels hold
   std::unique_ptr<const RoughnessHierarchy> Hierarchy;
   /// Of the inner product that errors are measured in; see ConvergenceMeasure.
   Vector<double> Mass;

@@ -845,9 +845,9 @@ void CountIterations(const Source& surface, const Options& options, IterationsTa
   for (const Discretisation kind : Discretisations(options))
   {
     const bool isPower = kind == Discretisation::PowerField;
-    const SetUp of(mesh, FieldOf(kind), context);
     for (const int N : isPower ? std::vector<int>{ 1, 2, 4, 6 } : std::vector<int>{ 1 })
     {
+      const SetUp of(mesh, FieldOf(kind, N), context);
       table.Append(surface, mesh, of, FieldOf(kind, N),
         options.Robustness ? Regimes : MoreRegimes, alignments, context);
     }

@@ -534,6 +534,25 @@ TEST(FieldProblem, TakesLevelsOrMakesThem)
   }
 }
 
+TEST(FieldProblem, LevelsOfOtherFieldsAreRefused)
+{
+  const auto make = [](const Prepared& on, const FieldOptions& options) {
+    FieldProblem(on.Mesh, on.Frames, &on.Operators, on.Constraints(on.Every(31), 3709), options,
+      SerialContext(), on.Levels);
+  };
+  const Prepared powers(IrregularTorus(28, 14, 4), Discretisation::PowerField);
+  FieldOptions options = OptionsOf(Discretisation::PowerField);
+  EXPECT_NO_THROW(make(powers, options));
+  options.N += 1;
+  EXPECT_THROW(make(powers, options), InvalidInput);
+  // As many unknowns.
+  EXPECT_THROW(make(powers, OptionsOf(Discretisation::FaceField)), InvalidInput);
+  const Prepared faceFields(IrregularTorus(28, 14, 4), Discretisation::FaceField);
+  options = OptionsOf(Discretisation::FaceField);
+  options.N = 5; // does not count
+  EXPECT_NO_THROW(make(faceFields, options));
+}
+
 TEST(FieldProblem, LevelsAreMadeOnlyWhereCyclesNeedThem)
 {
   for (const Discretisation kind : Kinds)

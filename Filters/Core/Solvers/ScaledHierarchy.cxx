@@ -82,7 +82,7 @@ void ScaledHierarchy<Scalar, Value>::Update(const ExecutionContext& context)
     {
       const SparseMatrix<Scalar>& A = this->Hierarchy.Matrix(l);
       TriangularParts<Value>& parts = level.A;
-      parts.HavePairs = parts.CoupledTiles.Size() > 0 && HasPairs(A);
+      parts.HavePairs = parts.HaveTiles() && HasPairs(A);
       if (parts.HavePairs)
       {
         ArrangePairs(A, order, places, scale, parts.Lower, parts.Upper, context);

@@ -232,7 +232,7 @@ template <class Value, class Diagonal>
 std::unique_ptr<Smoother<Value>> NewGaussSeidel(const TriangularParts<Value>& A,
   const Diagonal& diagonal, const SmootherOptions& options)
 {
-  if (A.CoupledTiles.Size() > 0)
+  if (A.HaveTiles())
   {
     return std::make_unique<GaussSeidelSmoother<Value, Diagonal, TileSweeps<Value>>>(A, diagonal, options);
   }

@@ -25,6 +25,7 @@ struct TriangularParts
   /// the diagonal in the part where the other unknown of its pair is.
   bool HavePairs = false;
 
+  bool HaveTiles() const { return this->CoupledTiles.Size() > 0; }
   /// The product of row i of a part with x, which is finite.
   Value LowerTimes(int i, const Value* x) const { return this->Times(this->Lower, i, x); }
   Value UpperTimes(int i, const Value* x) const { return this->Times(this->Upper, i, x); }
