@@ -75,9 +75,14 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
   this->Pulled =
     Choose(size, [&D](int k) { return D[2 * k] > 0.0 && std::isfinite(D[2 * k]); }, context);
   this->Pull.resize(this->Pulled.size());
+  this->Yielded.resize(this->Pulled.size());
+  this->Smoothed.resize(this->Pulled.size());
   for (std::size_t k = 0; k < this->Pulled.size(); ++k)
   {
-    this->Pull[k] = D[2 * this->Pulled[k]];
+    const double coupling = this->Fine.L.Diagonal[this->Pulled[k]];
+    const double pull = D[2 * this->Pulled[k]];
+    this->Pull[k] = pull * (coupling / (coupling + pull));
+    this->Yielded[k] = static_cast<float>(coupling / (coupling + pull));
   }
 }
 
@@ -97,8 +102,8 @@ SparseMatrix<Complex> LaplacianCycle::CoarseMatrix(const ExecutionContext& conte
   SparseMatrix<Complex> coarse = this->Held.empty()
     ? SymmetricFromLower(this->Fine.CoarseLower, context)
     : this->CoarseMatrixOfFree(context);
-  // P^H D P is the product of sqrt(D) P with its adjoint. An unknown with an entry of D couples all that
-  // it is interpolated from, so the pattern has room for it.
+  // What is added is the product of some rows of P, times roots, with their adjoint. An unknown couples all that it
+  // is interpolated from, so the pattern has room for it.
   SparseMatrix<Complex> rows = this->Rows(this->Pulled, context);
   for (std::size_t k = 0; k < this->Pulled.size(); ++k)
   {
@@ -133,6 +138,11 @@ void LaplacianCycle::Apply(
   {
     residual[k] = 0.0f;
   }
+  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
+  {
+    residual[this->Pulled[k]] *= this->Yielded[k];
+    this->Smoothed[k] = this->x[this->Pulled[k]];
+  }
   this->Fine.Prolongation.MultiplyAdjoint(
     residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
@@ -140,6 +150,11 @@ void LaplacianCycle::Apply(
   for (const int k : this->Held)
   {
     this->x[k] = 0.0f;
+  }
+  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
+  {
+    Single& pulled = this->x[this->Pulled[k]];
+    pulled = this->Smoothed[k] + this->Yielded[k] * (pulled - this->Smoothed[k]);
   }
   this->FineSmoother->PostSmooth(this->b, this->x, context);
   z.resize(r.size());
@@ -166,7 +181,8 @@ long long LaplacianCycle::Bytes() const
   return this->Hierarchy->Bytes() + this->Coarse->Bytes() + this->FineSmoother->Bytes() +
     this->b.size() * static_cast<long long>(2 * sizeof(Single) + sizeof(float)) +
     this->SumsOfTiles.size() * static_cast<long long>(sizeof(float)) +
-    this->Pull.size() * static_cast<long long>(sizeof(double) + sizeof(int));
+    this->Pull.size() *
+    static_cast<long long>(sizeof(double) + sizeof(float) + sizeof(Single) + sizeof(int));
 }
 
 }

@@ -15,8 +15,8 @@ namespace
 constexpr int WantedTiles = 64;
 constexpr int SmallestTile = 64;
 constexpr int LargestTile = 1024;
-// Below, starting threads takes longer than what they share.
-constexpr int RowsOfSharedColour = 4096;
+// Short rows are taken faster in runs of one length, as colours have them, even by one thread.
+constexpr int LongRow = 32;
 
 /// Tiles that have entries in each other's columns.
 template <class Scalar>
@@ -123,9 +123,7 @@ SweepOrder Tiling(const SparseMatrix<Scalar>& A)
 template <class Scalar>
 SweepOrder OrderForSweeps(const SparseMatrix<Scalar>& A)
 {
-  // There are about as many colours as a row has entries.
-  const auto rows = static_cast<double>(A.rows());
-  return rows * rows < static_cast<double>(RowsOfSharedColour) * A.nonZeros() ? Tiling(A) : Colouring(A);
+  return A.nonZeros() < LongRow * static_cast<long long>(A.rows()) ? Colouring(A) : Tiling(A);
 }
 
 SweepOrder SingleColour(int size)

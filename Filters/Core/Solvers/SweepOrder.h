@@ -34,7 +34,8 @@ SweepOrder Colouring(const SparseMatrix<Scalar>& A);
 template <class Scalar>
 SweepOrder Tiling(const SparseMatrix<Scalar>& A);
 
-/// Colours where rows are short and many; tiles where colours would be too small to share, as on coarse levels.
+/// Colours where rows are short; tiles where they are long and colours would be too small to share, as on coarse
+/// levels of vectors.
 template <class Scalar>
 SweepOrder OrderForSweeps(const SparseMatrix<Scalar>& A);
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <complex>
+#include <type_traits>
 #include <vector>
 
 /// Products and transposes of sparse matrices, and sums over vectors, on all threads and with the
@@ -35,25 +36,30 @@ inline void AddProduct(std::complex<Real>& sum, Real a, std::complex<Real> b)
   sum = { sum.real() + a * b.real(), sum.imag() + a * b.imag() };
 }
 
-/// The product of some entries, of any number, with x. Four sums at once: additions to one would wait for each
-/// other.
+/// The product of some entries, of any number, with x.
 template <class Scalar>
 inline Scalar EntriesTimes(const int* columns, const Scalar* values, int size, const Scalar* x)
 {
-  Scalar sums[4] = {};
+  Scalar sum(0);
   int k = 0;
-  for (; k + 4 <= size; k += 4)
+  if constexpr (std::is_floating_point_v<Scalar>)
   {
-    for (int s = 0; s < 4; ++s)
+    // Four sums at once: additions to one would wait for each other. Complex numbers have two, and are slower so.
+    Scalar sums[4] = {};
+    for (; k + 4 <= size; k += 4)
     {
-      AddProduct(sums[s], values[k + s], x[columns[k + s]]);
+      for (int s = 0; s < 4; ++s)
+      {
+        AddProduct(sums[s], values[k + s], x[columns[k + s]]);
+      }
     }
+    sum = (sums[0] + sums[1]) + (sums[2] + sums[3]);
   }
   for (; k < size; ++k)
   {
-    AddProduct(sums[0], values[k], x[columns[k]]);
+    AddProduct(sum, values[k], x[columns[k]]);
   }
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  return sum;
 }
 
 /// The product of row i of A with x.

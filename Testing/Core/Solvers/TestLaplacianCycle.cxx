@@ -188,14 +188,24 @@ TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
       const Dense A = Expected(problem, hierarchy, D);
       const Dense identity = Dense::Identity(A.rows(), A.cols());
       Dense P(test::AllRows(hierarchy.Prolongation).cast<Complex>());
+      // A and P, where those that are pulled yield to their neighbours.
+      Dense AsCoarse = A;
+      Dense yielding = P;
       for (int k = 0; k < problem.Size(); ++k)
       {
         if (std::isinf(D[2 * k]))
         {
           P.row(k).setZero();
+          yielding.row(k).setZero();
+        }
+        else if (D[2 * k] > 0.0)
+        {
+          const double L = A(k, k).real() - D[2 * k];
+          AsCoarse(k, k) = L + 1.0 / (1.0 / D[2 * k] + (L > 0.0 ? 1.0 / L : Infinity));
+          yielding.row(k) *= L / (L + D[2 * k]);
         }
       }
-      const Dense coarse = P.adjoint() * A * P;
+      const Dense coarse = P.adjoint() * AsCoarse * P;
       const Dense up = A.triangularView<Eigen::Lower>().solve(identity);
       Dense swept = identity;
       for (int sweep = 0; sweep < sweeps; ++sweep)
@@ -203,7 +213,8 @@ TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
         swept = (identity - (sweep % 2 == 0 ? up : Dense(up.adjoint())) * A) * swept;
       }
       const Dense inverse = A.inverse();
-      const Dense corrected = identity - P * coarse.completeOrthogonalDecomposition().solve(P.adjoint() * A);
+      const Dense corrected = identity -
+        yielding * coarse.completeOrthogonalDecomposition().solve(yielding.adjoint() * A);
       const Dense B = (identity - inverse * swept.adjoint() * A * corrected * swept) * inverse;
 
       const auto cycle = hierarchy.Cycle(D, Options(sweeps, 1 << 20), SerialContext());
