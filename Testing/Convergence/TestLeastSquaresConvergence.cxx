@@ -42,11 +42,12 @@ protected:
   static Discretisation Kind() { return std::get<0>(GetParam()); }
 
   /// Iterations to 1e-8 for each prescription.
-  static std::vector<int> Iterations(const Surface& surface)
+  static std::vector<int> Iterations(const Surface& surface, double alignment = 1.0)
   {
     const TbbContext context(2);
     FieldOptions options;
     options.Kind = Kind();
+    options.Alignment = alignment;
     options.Solver.Kind = SolverKind::ConjugateGradients;
     HierarchyOptions hierarchyOptions = LevelsFor(options);
     hierarchyOptions.Levels = std::get<1>(GetParam());
@@ -118,6 +119,18 @@ TEST_P(LeastSquaresConvergence, OnIrregularTori)
 {
   ExpectBounded(
     { IrregularTorus(80, 32, 4), IrregularTorus(112, 44, 4), IrregularTorus(160, 64, 4) });
+}
+
+TEST_P(LeastSquaresConvergence, ForAnyAlignment)
+{
+  for (const double alignment : { 1e-6, 1e-3, 1e-1, 1e1, 1e2, 1e3, 1e6 })
+  {
+    SCOPED_TRACE(alignment);
+    for (const int iterations : Iterations(IrregularSphere(4, 3), alignment))
+    {
+      EXPECT_LE(iterations, 12);
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Fields, LeastSquaresConvergence,

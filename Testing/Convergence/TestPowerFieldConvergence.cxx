@@ -21,7 +21,8 @@ class PowerFieldConvergence : public ::testing::TestWithParam<LevelConstruction>
 {
 };
 
-int Iterations(LevelConstruction levels, const Surface& surface, int N, int prescribedFaces)
+int Iterations(LevelConstruction levels, const Surface& surface, int N, int prescribedFaces,
+  double alignment = 1.0)
 {
   const TbbContext context(2);
   HierarchyOptions hierarchyOptions;
@@ -42,6 +43,7 @@ int Iterations(LevelConstruction levels, const Surface& surface, int N, int pres
   }
   FieldOptions options;
   options.N = N;
+  options.Alignment = alignment;
   options.Solver.Kind = SolverKind::ConjugateGradients;
   FieldProblem problem(mesh, frames, &hierarchy.Operators, constraints, options, context);
   problem.Solve(constraints.Values, {}, StoppingCriteria(), context);
@@ -75,6 +77,20 @@ TEST_P(PowerFieldConvergence, DoesNotDependOnGenus)
     SCOPED_TRACE(N);
     EXPECT_LE(Iterations(GetParam(), IrregularTorus(200, 80, 4), N, 20), 12); // 32,000 faces
     EXPECT_LE(Iterations(GetParam(), DoubleTorus(16), N, 20), 12);
+  }
+}
+
+TEST_P(PowerFieldConvergence, DoesNotDependOnAlignment)
+{
+  for (int N : { 1, 2, 4, 6 })
+  {
+    for (double alignment : { 1e-6, 1e-3, 1e-1, 1e1, 1e2, 1e3, 1e6 })
+    {
+      SCOPED_TRACE(N);
+      SCOPED_TRACE(alignment);
+      const int prescribed = alignment == 1e2 ? 1000 : 20;
+      EXPECT_LE(Iterations(GetParam(), IrregularSphere(5, 3), N, prescribed, alignment), 12);
+    }
   }
 }
 
