@@ -1,5 +1,6 @@
 #include "Solvers/LeastSquaresCycle.h"
 
+#include "Support/CountingSort.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -13,6 +14,16 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
+
+Vector<double> SquaredLengthsOfColumns(const SparseMatrix<double>& B)
+{
+  Vector<double> squared = Vector<double>::Zero(B.cols());
+  for (Eigen::Index e = 0; e < B.nonZeros(); ++e)
+  {
+    squared[B.innerIndexPtr()[e]] += B.valuePtr()[e] * B.valuePtr()[e];
+  }
+  return squared;
+}
 
 }
 
@@ -59,6 +70,16 @@ void LeastSquaresCycle::Update(const Vector<double>& D, const ExecutionContext& 
 
 void LeastSquaresCycle::SetDiagonal(const Vector<double>& scaledD, const ExecutionContext& context)
 {
+  this->Pulled = Choose(static_cast<int>(scaledD.size()),
+    [&scaledD](int i) { return scaledD[i] > 0.0 && std::isfinite(scaledD[i]); }, context);
+  const Vector<double> couplings = SquaredLengthsOfColumns(this->Fine.B);
+  this->Yielded.resize(this->Pulled.size());
+  this->Smoothed.resize(this->Pulled.size());
+  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
+  {
+    const int i = this->Pulled[k];
+    this->Yielded[k] = couplings[i] / (couplings[i] + scaledD[i]);
+  }
   this->Smoother.SetDiagonal(scaledD, context);
   if (this->Subdomains)
   {
@@ -85,19 +106,11 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
   }
   SparseMatrix<double> coarse =
     SymmetricFromLower(areAllFree ? this->Fine.CoarseLower : lowerOfFree, context);
-  // What D adds are the squares of sqrt(D) P.
-  std::vector<int> rows;
-  for (Eigen::Index i = 0; i < D.size(); ++i)
+  // What is added are the squares of rows of P, times roots.
+  SparseMatrix<Plane> pulled = this->Fine.Prolongation.SelectedRows(this->Pulled, context);
+  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
   {
-    if (D[i] > 0.0 && std::isfinite(D[i]))
-    {
-      rows.push_back(static_cast<int>(i));
-    }
-  }
-  SparseMatrix<Plane> pulled = this->Fine.Prolongation.SelectedRows(rows, context);
-  for (std::size_t k = 0; k < rows.size(); ++k)
-  {
-    const auto root = static_cast<float>(std::sqrt(D[rows[k]]));
+    const auto root = static_cast<float>(std::sqrt(D[this->Pulled[k]] * this->Yielded[k]));
     for (int e = pulled.outerIndexPtr()[k]; e < pulled.outerIndexPtr()[k + 1]; ++e)
     {
       pulled.valuePtr()[e] *= root;
@@ -138,6 +151,11 @@ void LeastSquaresCycle::Apply(
       r.segment(first, count).cwiseQuotient(scales.segment(first, count));
   });
   this->PreSmooth(x, context);
+  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
+  {
+    this->Residual[this->Pulled[k]] *= this->Yielded[k];
+    this->Smoothed[k] = x[this->Pulled[k]];
+  }
   this->Fine.Prolongation.MultiplyAdjoint(
     this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
@@ -145,6 +163,11 @@ void LeastSquaresCycle::Apply(
   for (const int i : this->Smoother.HeldUnknowns())
   {
     x[i] = 0.0;
+  }
+  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
+  {
+    double& pulled = x[this->Pulled[k]];
+    pulled = this->Smoothed[k] + this->Yielded[k] * (pulled - this->Smoothed[k]);
   }
   this->PostSmooth(x, context);
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
@@ -167,7 +190,7 @@ long long LeastSquaresCycle::Bytes() const
   return this->Smoother.Bytes() + (this->Subdomains ? this->Subdomains->Bytes() : 0) +
     this->Hierarchy->Bytes() + this->Coarse->Bytes() +
     (2 * this->b.size() + this->OfSubdomains.size() + this->Remainder.size() +
-      this->SumsOfTiles.size()) *
+      this->SumsOfTiles.size() + 2 * this->Yielded.size()) *
     static_cast<long long>(sizeof(double));
 }
 

@@ -19,6 +19,9 @@ namespace dmg
 /// smoothed on the fine level, the smoothed prolongation of the hierarchy leads to plane vectors on the
 /// next, and a MultigridCycle serves the levels below. Subdomains, where there are any, are solved for
 /// first and last.
+///
+/// Unknowns that D pulls yield to the coarse correction, and to coarse functions are two springs in a row, as in
+/// LaplacianCycle, with (B^T B)_ii for L_ii. Without, pulls of a hundred times that took up to four iterations more.
 class LeastSquaresCycle : public RoughnessCycle
 {
 public:
@@ -38,11 +41,11 @@ public:
   long long Bytes() const override;
 
 private:
-  /// Of the smoothers.
+  /// Of the smoothers, and who yields.
   void SetDiagonal(const Vector<double>& scaledD, const ExecutionContext& context);
   /// D of the scaled unknowns.
   Vector<double> Scaled(const Vector<double>& D) const;
-  /// P^T (B^T B + D) P.
+  /// P^T B^T B P and the springs of what is pulled.
   SparseMatrix<double> CoarseMatrix(
     const Vector<double>& scaledD, const ExecutionContext& context) const;
   /// Solves for subdomains and smooths blocks from zero, which gives x and its Residual.
@@ -54,6 +57,9 @@ private:
   std::optional<SubdomainSmoother> Subdomains;
   std::unique_ptr<GalerkinHierarchy<double>> Hierarchy; ///< of the coarse levels
   std::unique_ptr<MultigridCycle<double>> Coarse;
+  std::vector<int> Pulled;  ///< unknowns with finite entries of D; ascending
+  Vector<double> Yielded;   ///< (B^T B)_ii / ((B^T B)_ii + D_i) of those
+  Vector<double> Smoothed;  ///< before the coarse correction
   Vector<double> b; ///< of the scaled unknowns
   Vector<double> Residual;
   Vector<double> OfSubdomains; ///< their part of x
