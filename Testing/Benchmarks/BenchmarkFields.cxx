@@ -9,7 +9,7 @@
 //                   a person draws, and 0.5 % of them
 //   resolves.csv    what a second solve takes: one value moved, other weights, another set
 //   iterations.csv  ours alone, for N = 1, 2, 4, 6 and other numbers of elements
-//                   (--iterations-only), or for weights of alignment over twelve orders of
+//                   (--iterations-only), or for weights of alignment over sixteen orders of
 //                   magnitude (--robustness)
 //
 // The columns of fields.csv, in seconds, medians of the runs:
@@ -840,7 +840,7 @@ void CountIterations(const Source& surface, const Options& options, IterationsTa
   std::vector<double> alignments = { 1.0 };
   if (options.Robustness)
   {
-    alignments = { 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6 };
+    alignments = { 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e10 };
   }
   for (const Discretisation kind : Discretisations(options))
   {
@@ -859,7 +859,7 @@ void PrintIterationsHeader(const Options& options)
   std::printf("%-26s %8s %-10s N  ", "surface", "faces", "discret.");
   if (options.Robustness)
   {
-    std::printf("20 prescribed, alignment 1e-6, 1e-4, ..., 1e6; then 0.5 %%\n");
+    std::printf("20 prescribed, alignment 1e-6, 1e-4, ..., 1e10; then 0.5 %%\n");
     return;
   }
   for (const Regime& regime : MoreRegimes)

@@ -18,8 +18,6 @@ namespace dmg::test
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 /// Collects points and triangles.
 class Builder
 {

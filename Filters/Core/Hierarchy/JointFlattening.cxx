@@ -9,8 +9,6 @@ namespace dmg
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 // A sliver would outweigh all other faces of its ring; its area counts as at least this part of its
 // squared size.
 constexpr double LeastRelativeArea = 1e-4;

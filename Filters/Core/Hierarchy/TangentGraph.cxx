@@ -14,7 +14,6 @@ namespace
 {
 
 constexpr int Grain = 4096;
-constexpr double Pi = 3.14159265358979323846;
 
 /// A face in its frame, seen from its point, and where its neighbours stand.
 struct FlatFace

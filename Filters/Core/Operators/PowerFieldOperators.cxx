@@ -14,7 +14,6 @@ namespace dmg
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
 constexpr int Grain = 4096;
 
 /// Keeps |e|^2 / area of slivers finite; relative to |e|^2.

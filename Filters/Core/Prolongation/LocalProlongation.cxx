@@ -93,7 +93,6 @@ struct FlatTriangle
 
   FlatTriangle(const std::vector<Vector3>& positions, const std::array<int, 3>& corners)
   {
-    constexpr double HalfPi = 1.57079632679489661923;
     std::array<Vector3, 3> sides;
     for (int k = 0; k < 3; ++k)
     {
@@ -103,7 +102,7 @@ struct FlatTriangle
     {
       if (sides[incoming].squaredNorm() == 0.0 || sides[outgoing].squaredNorm() == 0.0)
       {
-        return HalfPi;
+        return 0.5 * Pi;
       }
       return std::atan2(
         sides[incoming].cross(sides[outgoing]).norm(), sides[incoming].dot(sides[outgoing]));

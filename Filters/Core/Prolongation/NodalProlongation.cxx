@@ -11,8 +11,6 @@ namespace dmg
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 constexpr int Grain = 4096;
 
 using Row = RowEntries<Complex>;

@@ -37,26 +37,14 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
   , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
 {
   this->SetDiagonal(D, context);
-  SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
-  context.Checkpoint(0.3);
-  GalerkinOptions coarsening;
-  if (2 * coarse.rows() <= options.LargestFactor)
-  {
-    coarsening.CoarsestLevel = 0;
-  }
-  this->Hierarchy = std::make_unique<GalerkinHierarchy<Complex>>(
-    std::move(coarse), hierarchy.Coarser, coarsening, PartOfContext(context, 0.3, 0.8));
-  this->Coarse = std::make_unique<MultigridCycle<Complex>>(
-    *this->Hierarchy, options.Coarse, PartOfContext(context, 0.8, 1.0));
-  this->Hierarchy->ForgetMatrices();
+  this->Coarse = std::make_unique<CoarseCycle<Complex>>(
+    this->CoarseMatrix(context), hierarchy.Coarser, options, PartOfContext(context, 0.3, 1.0));
 }
 
 void LaplacianCycle::Update(const Vector<double>& D, const ExecutionContext& context)
 {
   this->SetDiagonal(D, context);
-  this->Hierarchy->Update(this->CoarseMatrix(context), PartOfContext(context, 0.3, 0.8));
-  this->Coarse->Update(PartOfContext(context, 0.8, 1.0));
-  this->Hierarchy->ForgetMatrices();
+  this->Coarse->Update(this->CoarseMatrix(context), PartOfContext(context, 0.3, 1.0));
 }
 
 void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext& context)
@@ -72,18 +60,9 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
     }
   });
   this->Held = Choose(size, [&D](int k) { return !std::isfinite(D[2 * k]); }, context);
-  this->Pulled =
-    Choose(size, [&D](int k) { return D[2 * k] > 0.0 && std::isfinite(D[2 * k]); }, context);
-  this->Pull.resize(this->Pulled.size());
-  this->Yielded.resize(this->Pulled.size());
-  this->Smoothed.resize(this->Pulled.size());
-  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
-  {
-    const double coupling = this->Fine.L.Diagonal[this->Pulled[k]];
-    const double pull = D[2 * this->Pulled[k]];
-    this->Pull[k] = pull * (coupling / (coupling + pull));
-    this->Yielded[k] = static_cast<float>(coupling / (coupling + pull));
-  }
+  this->Pulled = YieldingUnknowns<Single>(
+    size, [&D](int k) { return D[2 * k]; }, [this](int k) { return this->Fine.L.Diagonal[k]; },
+    context);
 }
 
 SparseMatrix<Complex> LaplacianCycle::CoarseMatrixOfFree(const ExecutionContext& context) const
@@ -104,15 +83,8 @@ SparseMatrix<Complex> LaplacianCycle::CoarseMatrix(const ExecutionContext& conte
     : this->CoarseMatrixOfFree(context);
   // What is added is the product of some rows of P, times roots, with their adjoint. An unknown couples all that it
   // is interpolated from, so the pattern has room for it.
-  SparseMatrix<Complex> rows = this->Rows(this->Pulled, context);
-  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
-  {
-    const double root = std::sqrt(this->Pull[k]);
-    for (int e = rows.outerIndexPtr()[k]; e < rows.outerIndexPtr()[k + 1]; ++e)
-    {
-      rows.valuePtr()[e] *= root;
-    }
-  }
+  SparseMatrix<Complex> rows = this->Rows(this->Pulled.Unknowns(), context);
+  this->Pulled.ScaleRows(rows);
   AddInPattern(coarse, NormalMatrix(rows, context), context);
   return coarse;
 }
@@ -138,11 +110,7 @@ void LaplacianCycle::Apply(
   {
     residual[k] = 0.0f;
   }
-  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
-  {
-    residual[this->Pulled[k]] *= this->Yielded[k];
-    this->Smoothed[k] = this->x[this->Pulled[k]];
-  }
+  this->Pulled.Yield(residual, this->x);
   this->Fine.Prolongation.MultiplyAdjoint(
     residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
@@ -151,11 +119,7 @@ void LaplacianCycle::Apply(
   {
     this->x[k] = 0.0f;
   }
-  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
-  {
-    Single& pulled = this->x[this->Pulled[k]];
-    pulled = this->Smoothed[k] + this->Yielded[k] * (pulled - this->Smoothed[k]);
-  }
+  this->Pulled.Resist(this->x);
   this->FineSmoother->PostSmooth(this->b, this->x, context);
   z.resize(r.size());
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
@@ -169,20 +133,14 @@ void LaplacianCycle::Apply(
 
 std::vector<LevelReport> LaplacianCycle::Levels() const
 {
-  std::vector<LevelReport> levels = {
-    { this->Fine.L.Size(), this->Fine.L.NonZeros() }
-  };
-  levels.insert(levels.end(), this->Hierarchy->Levels().begin(), this->Hierarchy->Levels().end());
-  return levels;
+  return this->Coarse->LevelsBelow({ this->Fine.L.Size(), this->Fine.L.NonZeros() });
 }
 
 long long LaplacianCycle::Bytes() const
 {
-  return this->Hierarchy->Bytes() + this->Coarse->Bytes() + this->FineSmoother->Bytes() +
+  return this->Coarse->Bytes() + this->FineSmoother->Bytes() + this->Pulled.Bytes() +
     this->b.size() * static_cast<long long>(2 * sizeof(Single) + sizeof(float)) +
-    this->SumsOfTiles.size() * static_cast<long long>(sizeof(float)) +
-    this->Pull.size() *
-    static_cast<long long>(sizeof(double) + sizeof(float) + sizeof(Single) + sizeof(int));
+    this->SumsOfTiles.size() * static_cast<long long>(sizeof(float));
 }
 
 }

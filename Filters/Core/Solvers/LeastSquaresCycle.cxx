@@ -15,16 +15,6 @@ namespace
 
 constexpr int RowGrain = 8192;
 
-Vector<double> SquaredLengthsOfColumns(const SparseMatrix<double>& B)
-{
-  Vector<double> squared = Vector<double>::Zero(B.cols());
-  for (Eigen::Index e = 0; e < B.nonZeros(); ++e)
-  {
-    squared[B.innerIndexPtr()[e]] += B.valuePtr()[e] * B.valuePtr()[e];
-  }
-  return squared;
-}
-
 }
 
 LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
@@ -41,45 +31,24 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
     this->Remainder.resize(this->b.size());
     this->Subdomains.emplace(hierarchy.B, hierarchy.Tiles, hierarchy.Subdomains);
   }
-  const Vector<double> scaled = this->Scaled(D);
-  this->SetDiagonal(scaled, context);
+  this->SetDiagonal(this->Scaled(D), context);
   context.Checkpoint(0.2);
-  SparseMatrix<double> coarse = this->CoarseMatrix(scaled, context);
-  GalerkinOptions coarsening;
-  if (coarse.rows() <= options.LargestFactor)
-  {
-    coarsening.CoarsestLevel = 0;
-  }
-  this->Hierarchy = std::make_unique<GalerkinHierarchy<double>>(
-    std::move(coarse), hierarchy.Coarser, coarsening, PartOfContext(context, 0.4, 0.8));
-  this->Coarse = std::make_unique<MultigridCycle<double>>(
-    *this->Hierarchy, options.Coarse, PartOfContext(context, 0.8, 1.0));
-  this->Hierarchy->ForgetMatrices();
+  this->Coarse = std::make_unique<CoarseCycle<double>>(
+    this->CoarseMatrix(context), hierarchy.Coarser, options, PartOfContext(context, 0.4, 1.0));
 }
 
 void LeastSquaresCycle::Update(const Vector<double>& D, const ExecutionContext& context)
 {
-  const Vector<double> scaled = this->Scaled(D);
-  this->SetDiagonal(scaled, context);
+  this->SetDiagonal(this->Scaled(D), context);
   context.Checkpoint(0.2);
-  this->Hierarchy->Update(
-    this->CoarseMatrix(scaled, context), PartOfContext(context, 0.4, 0.8));
-  this->Coarse->Update(PartOfContext(context, 0.8, 1.0));
-  this->Hierarchy->ForgetMatrices();
+  this->Coarse->Update(this->CoarseMatrix(context), PartOfContext(context, 0.4, 1.0));
 }
 
 void LeastSquaresCycle::SetDiagonal(const Vector<double>& scaledD, const ExecutionContext& context)
 {
-  this->Pulled = Choose(static_cast<int>(scaledD.size()),
-    [&scaledD](int i) { return scaledD[i] > 0.0 && std::isfinite(scaledD[i]); }, context);
-  const Vector<double> couplings = SquaredLengthsOfColumns(this->Fine.B);
-  this->Yielded.resize(this->Pulled.size());
-  this->Smoothed.resize(this->Pulled.size());
-  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
-  {
-    const int i = this->Pulled[k];
-    this->Yielded[k] = couplings[i] / (couplings[i] + scaledD[i]);
-  }
+  this->Pulled = YieldingUnknowns<double>(
+    this->Fine.NumberOfUnknowns(), [&scaledD](int i) { return scaledD[i]; },
+    [this](int i) { return this->Fine.Diagonal[i]; }, context);
   this->Smoother.SetDiagonal(scaledD, context);
   if (this->Subdomains)
   {
@@ -93,8 +62,7 @@ Vector<double> LeastSquaresCycle::Scaled(const Vector<double>& D) const
   return D.cwiseQuotient(this->Fine.Scales.cwiseAbs2());
 }
 
-SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
-  const Vector<double>& D, const ExecutionContext& context) const
+SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(const ExecutionContext& context) const
 {
   SparseMatrix<double> lowerOfFree;
   const bool areAllFree = this->Smoother.HeldUnknowns().empty();
@@ -107,16 +75,9 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(
   SparseMatrix<double> coarse =
     SymmetricFromLower(areAllFree ? this->Fine.CoarseLower : lowerOfFree, context);
   // What is added are the squares of rows of P, times roots.
-  SparseMatrix<Plane> pulled = this->Fine.Prolongation.SelectedRows(this->Pulled, context);
-  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
-  {
-    const auto root = static_cast<float>(std::sqrt(D[this->Pulled[k]] * this->Yielded[k]));
-    for (int e = pulled.outerIndexPtr()[k]; e < pulled.outerIndexPtr()[k + 1]; ++e)
-    {
-      pulled.valuePtr()[e] *= root;
-    }
-  }
-  AddInPattern(coarse, GramOfPlanar(pulled, context), context);
+  SparseMatrix<Plane> rows = this->Fine.Prolongation.SelectedRows(this->Pulled.Unknowns(), context);
+  this->Pulled.ScaleRows(rows);
+  AddInPattern(coarse, GramOfPlanar(rows, context), context);
   return coarse;
 }
 
@@ -151,11 +112,7 @@ void LeastSquaresCycle::Apply(
       r.segment(first, count).cwiseQuotient(scales.segment(first, count));
   });
   this->PreSmooth(x, context);
-  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
-  {
-    this->Residual[this->Pulled[k]] *= this->Yielded[k];
-    this->Smoothed[k] = x[this->Pulled[k]];
-  }
+  this->Pulled.Yield(this->Residual, x);
   this->Fine.Prolongation.MultiplyAdjoint(
     this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
@@ -164,11 +121,7 @@ void LeastSquaresCycle::Apply(
   {
     x[i] = 0.0;
   }
-  for (std::size_t k = 0; k < this->Pulled.size(); ++k)
-  {
-    double& pulled = x[this->Pulled[k]];
-    pulled = this->Smoothed[k] + this->Yielded[k] * (pulled - this->Smoothed[k]);
-  }
+  this->Pulled.Resist(x);
   this->PostSmooth(x, context);
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
     const int count = last - first;
@@ -178,19 +131,16 @@ void LeastSquaresCycle::Apply(
 
 std::vector<LevelReport> LeastSquaresCycle::Levels() const
 {
-  std::vector<LevelReport> levels = {
-    { this->Fine.NumberOfUnknowns(), static_cast<long long>(this->Fine.B.nonZeros()) }
-  };
-  levels.insert(levels.end(), this->Hierarchy->Levels().begin(), this->Hierarchy->Levels().end());
-  return levels;
+  return this->Coarse->LevelsBelow(
+    { this->Fine.NumberOfUnknowns(), static_cast<long long>(this->Fine.B.nonZeros()) });
 }
 
 long long LeastSquaresCycle::Bytes() const
 {
   return this->Smoother.Bytes() + (this->Subdomains ? this->Subdomains->Bytes() : 0) +
-    this->Hierarchy->Bytes() + this->Coarse->Bytes() +
+    this->Coarse->Bytes() + this->Pulled.Bytes() +
     (2 * this->b.size() + this->OfSubdomains.size() + this->Remainder.size() +
-      this->SumsOfTiles.size() + 2 * this->Yielded.size()) *
+      this->SumsOfTiles.size()) *
     static_cast<long long>(sizeof(double));
 }
 

@@ -2,11 +2,11 @@
 #define dmgLeastSquaresCycle_h
 
 #include "Solvers/BlockSmoother.h"
-#include "Solvers/GalerkinHierarchy.h"
+#include "Solvers/CoarseCycle.h"
 #include "Solvers/LeastSquaresHierarchy.h"
-#include "Solvers/MultigridCycle.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SubdomainSmoother.h"
+#include "Solvers/YieldingUnknowns.h"
 
 #include <memory>
 #include <optional>
@@ -17,11 +17,8 @@ namespace dmg
 
 /// One V-cycle for A = B^T B + D, as a linear operator that is symmetric positive definite: blocks are
 /// smoothed on the fine level, the smoothed prolongation of the hierarchy leads to plane vectors on the
-/// next, and a MultigridCycle serves the levels below. Subdomains, where there are any, are solved for
-/// first and last.
-///
-/// Unknowns that D pulls yield to the coarse correction, and to coarse functions are two springs in a row, as in
-/// LaplacianCycle, with (B^T B)_ii for L_ii. Without, pulls of a hundred times that took up to four iterations more.
+/// next, and a CoarseCycle serves the levels below, to which what D pulls yields (YieldingUnknowns).
+/// Subdomains, where there are any, are solved for first and last.
 class LeastSquaresCycle : public RoughnessCycle
 {
 public:
@@ -46,8 +43,7 @@ private:
   /// D of the scaled unknowns.
   Vector<double> Scaled(const Vector<double>& D) const;
   /// P^T B^T B P and the springs of what is pulled.
-  SparseMatrix<double> CoarseMatrix(
-    const Vector<double>& scaledD, const ExecutionContext& context) const;
+  SparseMatrix<double> CoarseMatrix(const ExecutionContext& context) const;
   /// Solves for subdomains and smooths blocks from zero, which gives x and its Residual.
   void PreSmooth(Vector<double>& x, const ExecutionContext& context);
   void PostSmooth(Vector<double>& x, const ExecutionContext& context);
@@ -55,11 +51,8 @@ private:
   const LeastSquaresHierarchy& Fine;
   BlockSmoother Smoother;
   std::optional<SubdomainSmoother> Subdomains;
-  std::unique_ptr<GalerkinHierarchy<double>> Hierarchy; ///< of the coarse levels
-  std::unique_ptr<MultigridCycle<double>> Coarse;
-  std::vector<int> Pulled;  ///< unknowns with finite entries of D; ascending
-  Vector<double> Yielded;   ///< (B^T B)_ii / ((B^T B)_ii + D_i) of those
-  Vector<double> Smoothed;  ///< before the coarse correction
+  YieldingUnknowns<double> Pulled;
+  std::unique_ptr<CoarseCycle<double>> Coarse;
   Vector<double> b; ///< of the scaled unknowns
   Vector<double> Residual;
   Vector<double> OfSubdomains; ///< their part of x

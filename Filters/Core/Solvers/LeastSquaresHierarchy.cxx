@@ -70,6 +70,22 @@ UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& orde
   return permuted;
 }
 
+Vector<double> SquaredLengthsOfRows(const SparseMatrix<double>& M, const ExecutionContext& context)
+{
+  Vector<double> squared(M.rows());
+  context.ParallelFor(0, static_cast<int>(M.rows()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      squared[i] = 0.0;
+      for (int e = M.outerIndexPtr()[i]; e < M.outerIndexPtr()[i + 1]; ++e)
+      {
+        squared[i] += M.valuePtr()[e] * M.valuePtr()[e];
+      }
+    }
+  });
+  return squared;
+}
+
 /// What the columns of B are divided by, so that B^T B has no eigenvalue above 1 (Gershgorin): their
 /// lengths, which alone would give it a unit diagonal, times the roots of the sums of rows that |B|^T |B|
 /// would then have. A sliver or a high valence makes a few sums large; a bound for all would be as large.
@@ -77,20 +93,10 @@ UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& orde
 Vector<double> ScalesOfColumns(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
   const ExecutionContext& context)
 {
-  Vector<double> lengths(Bt.rows());
+  Vector<double> lengths = SquaredLengthsOfRows(Bt, context).cwiseSqrt();
+  lengths = (lengths.array() > 0.0).select(lengths, 1.0);
   Vector<double> rowSums(B.rows());
   Vector<double> scales(Bt.rows());
-  context.ParallelFor(0, static_cast<int>(Bt.rows()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
-    {
-      double squared = 0.0;
-      for (int e = Bt.outerIndexPtr()[i]; e < Bt.outerIndexPtr()[i + 1]; ++e)
-      {
-        squared += Bt.valuePtr()[e] * Bt.valuePtr()[e];
-      }
-      lengths[i] = squared > 0.0 ? std::sqrt(squared) : 1.0;
-    }
-  });
   context.ParallelFor(0, static_cast<int>(B.rows()), RowGrain, [&](int first, int last) {
     for (int k = first; k < last; ++k)
     {
@@ -277,6 +283,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   hierarchy.SetComponents(ConnectedColumns(B));
   hierarchy.Order = std::move(arrangement.Order);
   hierarchy.Scales = std::move(scales);
+  hierarchy.Diagonal = SquaredLengthsOfRows(Bt, context).cast<float>();
   hierarchy.Tiles = RowTiles(B);
   hierarchy.B.swap(B);
   hierarchy.Coarser = std::move(levels.Coarser);
@@ -292,6 +299,7 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(SchwarzBlocks blocks)
 LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept
   : RoughnessHierarchy(std::move(other))
   , Scales(std::move(other.Scales))
+  , Diagonal(std::move(other.Diagonal))
   , Tiles(std::move(other.Tiles))
   , Blocks(std::move(other.Blocks))
   , Subdomains(std::move(other.Subdomains))
@@ -306,7 +314,7 @@ long long LeastSquaresHierarchy::Bytes() const
 {
   long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() +
     BytesOf(this->CoarseLower) + this->BytesOfUnknowns() +
-    this->Scales.size() * static_cast<long long>(sizeof(double));
+    this->Scales.size() * static_cast<long long>(sizeof(double) + sizeof(float));
   for (const Subdomain& subdomain : this->Subdomains)
   {
     sum += subdomain.Bytes();

@@ -54,6 +54,7 @@ public:
 
   Vector<double> Scales;  ///< |R_ii| <= Scales_i^2, nearly equal; 1 where R is zero
   SparseMatrix<double> B; ///< columns divided by Scales
+  Vector<float> Diagonal; ///< of B^T B; 0 to 1
   RowTiles Tiles;         ///< of B, for products with its transpose
   SchwarzBlocks Blocks;
   std::vector<Subdomain> Subdomains; ///< that SubdomainSmoother solves for; mostly none

@@ -13,8 +13,6 @@ namespace dmg
 namespace
 {
 
-constexpr double Pi = 3.14159265358979323846;
-
 /// A sum of products of two plane vectors, all with all: the 2 x 2 matrix sum of a b^T.
 struct OuterProducts
 {

@@ -14,6 +14,8 @@ namespace dmg
 
 using Complex = std::complex<double>;
 
+constexpr double Pi = EIGEN_PI;
+
 using Vector2 = Eigen::Vector2d;
 using Vector3 = Eigen::Vector3d;
 

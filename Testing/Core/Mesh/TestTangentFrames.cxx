@@ -15,8 +15,6 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-constexpr double Pi = 3.14159265358979323846;
-
 void ExpectOrthonormal(const TangentFrames& frames)
 {
   for (int i = 0; i < frames.X.rows(); ++i)

@@ -15,8 +15,6 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-constexpr double Pi = 3.14159265358979323846;
-
 std::vector<NamedSurface> Surfaces()
 {
   std::vector<NamedSurface> surfaces = SmallSurfaces();

@@ -28,6 +28,7 @@ namespace
 {
 
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
+constexpr double SinglePrecision = 1e-7;
 
 LeastSquaresHierarchyOptions WithoutSmoothing()
 {
@@ -193,6 +194,8 @@ TEST_P(TestLeastSquaresHierarchy, NoEigenvalueIsAboveOne)
   const Eigen::MatrixXd given = Eigen::MatrixXd(problem.B)(Eigen::all, hierarchy.Order);
   EXPECT_LE((unscaled.transpose() * unscaled - given.transpose() * given).norm(),
     100 * Epsilon * (given.transpose() * given).norm());
+  EXPECT_LE((hierarchy.Diagonal.cast<double>() - B.colwise().squaredNorm().transpose()).norm(),
+    SinglePrecision * std::sqrt(static_cast<double>(problem.Size())));
 }
 
 TEST_P(TestLeastSquaresHierarchy, BlocksAreThoseGiven)

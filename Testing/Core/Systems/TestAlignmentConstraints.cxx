@@ -51,7 +51,7 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatAreEqualForNDirectionFieldsAgree)
     std::vector<PrescribedDirection> directions;
     for (int k = 0; k < N; ++k)
     {
-      directions.push_back({ 4, this->Direction(4, 0.2 + 2.0 * M_PI * k / N), 1.0 + k });
+      directions.push_back({ 4, this->Direction(4, 0.2 + 2.0 * Pi * k / N), 1.0 + k });
     }
     const PowerConstraints constraints =
       MakePowerConstraints(this->Mesh, this->Frames, N, directions);
@@ -64,7 +64,7 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatAreEqualForNDirectionFieldsAgree)
 TEST_F(AlignmentConstraintsTest, DirectionsOnOneFaceAreAveragedByWeight)
 {
   const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, 1,
-    { { 7, this->Direction(7, 0.0), 3.0 }, { 7, this->Direction(7, 0.5 * M_PI), 1.0 } });
+    { { 7, this->Direction(7, 0.0), 3.0 }, { 7, this->Direction(7, 0.5 * Pi), 1.0 } });
   EXPECT_LT(std::abs(constraints.Values[0] - Complex(0.75, 0.25)), 10 * MachinePrecision);
 }
 

@@ -22,8 +22,6 @@ using namespace dmg::test;
 
 using Dense = Eigen::MatrixXd;
 
-constexpr double Pi = 3.14159265358979323846;
-
 Vector<double> SolveForm(
   const TriangleMesh& mesh, const OneFormConstraints& constraints, const FieldWeights& weights)
 {

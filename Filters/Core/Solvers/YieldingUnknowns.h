@@ -1,0 +1,103 @@
+#ifndef dmgYieldingUnknowns_h
+#define dmgYieldingUnknowns_h
+
+#include "Support/CountingSort.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace dmg
+{
+
+/// The unknowns of A = R + D that D pulls, in a cycle for A.
+///
+/// An unknown that is pulled does not follow its neighbours, but yields to them by R_ii / (R_ii + D_i): so much of
+/// the coarse correction it takes, and of its residual it gives. To a coarse function it is a spring behind a
+/// spring, D_i R_ii / (R_ii + D_i), which the coarse matrix has in place of D_i. With D_i itself and a
+/// correction that it follows, pulls of a hundred times R_ii took up to five iterations more.
+template <class Scalar>
+class YieldingUnknowns
+{
+public:
+  /// None.
+  YieldingUnknowns() = default;
+  /// \param pull (i) is D_i, \param coupling (i) is R_ii, of unknowns 0 to \param size - 1. Those with an
+  ///   infinite D_i are held and none of ours.
+  template <class Pull, class Coupling>
+  YieldingUnknowns(
+    int size, const Pull& pull, const Coupling& coupling, const ExecutionContext& context)
+    : Indices(Choose(
+        size, [&pull](int i) { return pull(i) > 0.0 && std::isfinite(pull(i)); }, context))
+    , Springs(this->Indices.size())
+    , Shares(this->Indices.size())
+    , Smoothed(this->Indices.size())
+  {
+    for (std::size_t k = 0; k < this->Indices.size(); ++k)
+    {
+      const double D = pull(this->Indices[k]);
+      const double R = coupling(this->Indices[k]);
+      this->Shares[k] = static_cast<Real>(R / (R + D));
+      this->Springs[k] = D * (R / (R + D));
+    }
+  }
+
+  /// Ascending.
+  const std::vector<int>& Unknowns() const { return this->Indices; }
+
+  /// Multiplies the rows of a prolongation to Unknowns by the roots of their springs: what the coarse matrix
+  /// has of them is then the product of these rows and their adjoint.
+  template <class Matrix>
+  void ScaleRows(Matrix& rows) const
+  {
+    using Factor = typename Eigen::NumTraits<typename Matrix::Scalar>::Real;
+    for (std::size_t k = 0; k < this->Indices.size(); ++k)
+    {
+      const auto root = static_cast<Factor>(std::sqrt(this->Springs[k]));
+      for (int e = rows.outerIndexPtr()[k]; e < rows.outerIndexPtr()[k + 1]; ++e)
+      {
+        rows.valuePtr()[e] *= root;
+      }
+    }
+  }
+
+  /// Before the coarse correction of x, for which residual is restricted.
+  void Yield(Vector<Scalar>& residual, const Vector<Scalar>& x)
+  {
+    for (std::size_t k = 0; k < this->Indices.size(); ++k)
+    {
+      residual[this->Indices[k]] *= this->Shares[k];
+      this->Smoothed[k] = x[this->Indices[k]];
+    }
+  }
+
+  /// After it.
+  void Resist(Vector<Scalar>& x) const
+  {
+    for (std::size_t k = 0; k < this->Indices.size(); ++k)
+    {
+      Scalar& pulled = x[this->Indices[k]];
+      pulled = this->Smoothed[k] + this->Shares[k] * (pulled - this->Smoothed[k]);
+    }
+  }
+
+  long long Bytes() const
+  {
+    return static_cast<long long>(this->Indices.size() *
+      (sizeof(int) + sizeof(double) + sizeof(Real) + sizeof(Scalar)));
+  }
+
+private:
+  using Real = typename Eigen::NumTraits<Scalar>::Real;
+
+  std::vector<int> Indices;
+  Vector<double> Springs;  ///< D_i R_ii / (R_ii + D_i)
+  Vector<Real> Shares;     ///< R_ii / (R_ii + D_i)
+  Vector<Scalar> Smoothed; ///< x before the coarse correction
+};
+
+}
+
+#endif

@@ -1,0 +1,76 @@
+#include "Solvers/YieldingUnknowns.h"
+
+#include "Support/ExecutionContext.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <vector>
+
+using namespace dmg;
+
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// Of six unknowns, 1, 3 and 4 are pulled, 5 is held.
+const std::vector<double> Pulls = { 0.0, 2.0, 0.0, 1e-3, 50.0, Infinity };
+const std::vector<double> Couplings = { 1.0, 4.0, 1.0, 0.5, 0.0, 1.0 };
+const std::vector<int> Pulled = { 1, 3, 4 };
+
+template <class Scalar>
+YieldingUnknowns<Scalar> Make()
+{
+  return YieldingUnknowns<Scalar>(
+    static_cast<int>(Pulls.size()), [](int i) { return Pulls[i]; },
+    [](int i) { return Couplings[i]; }, SerialContext());
+}
+
+/// Where (y - c)^2 R + y^2 D is least.
+double Yielded(int i, double c)
+{
+  return Couplings[i] * c / (Couplings[i] + Pulls[i]);
+}
+
+}
+
+TEST(TestYieldingUnknowns, ArePulledButNotHeld)
+{
+  EXPECT_EQ(Make<double>().Unknowns(), Pulled);
+  EXPECT_TRUE(YieldingUnknowns<double>().Unknowns().empty());
+}
+
+TEST(TestYieldingUnknowns, TakeTheCorrectionOfLeastEnergy)
+{
+  YieldingUnknowns<double> unknowns = Make<double>();
+  const Vector<double> smoothed = Vector<double>::LinSpaced(6, 1.0, 2.0);
+  const Vector<double> correction = Vector<double>::LinSpaced(6, -3.0, 7.0);
+  Vector<double> residual = Vector<double>::Ones(6);
+  unknowns.Yield(residual, smoothed);
+  Vector<double> x = smoothed + correction;
+  unknowns.Resist(x);
+  for (int i = 0; i < 6; ++i)
+  {
+    const bool isPulled = i == 1 || i == 3 || i == 4;
+    const double taken = isPulled ? Yielded(i, correction[i]) : correction[i];
+    EXPECT_NEAR(x[i], smoothed[i] + taken, 1e-14);
+    // The restriction is the adjoint of the prolongation.
+    EXPECT_NEAR(residual[i], isPulled ? Yielded(i, 1.0) : 1.0, 1e-15);
+  }
+}
+
+TEST(TestYieldingUnknowns, AreSpringsOfThatEnergy)
+{
+  // A coarse function of one at each.
+  SparseMatrix<Complex> rows(3, 3);
+  rows.setIdentity();
+  Make<std::complex<float>>().ScaleRows(rows);
+  for (int k = 0; k < 3; ++k)
+  {
+    const int i = Pulled[k];
+    const double y = Yielded(i, 1.0);
+    const double energy = (y - 1.0) * (y - 1.0) * Couplings[i] + y * y * Pulls[i];
+    EXPECT_NEAR(std::norm(rows.coeff(k, k)), energy, 1e-14);
+  }
+}
