@@ -5,7 +5,6 @@
 #include "vtkDirectionalProlongation.h"
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
-#include "vtkMath.h"
 #include "vtkSMPTools.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
@@ -26,7 +25,6 @@ namespace
 
 constexpr int OnPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 constexpr int OnCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
-const double Pi = vtkMath::Pi();
 
 vtkSmartPointer<vtkHarmonicFieldSolver> NewSolver(vtkPolyData* input, int association = OnCells)
 {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <utility>
 
 namespace dmg
 {
@@ -84,7 +83,7 @@ SparseMatrix<Complex> LaplacianCycle::CoarseMatrix(const ExecutionContext& conte
   // What is added is the product of some rows of P, times roots, with their adjoint. An unknown couples all that it
   // is interpolated from, so the pattern has room for it.
   SparseMatrix<Complex> rows = this->Rows(this->Pulled.Unknowns(), context);
-  this->Pulled.ScaleRows(rows);
+  this->Pulled.ScaleRows(rows, context);
   AddInPattern(coarse, NormalMatrix(rows, context), context);
   return coarse;
 }
@@ -110,7 +109,7 @@ void LaplacianCycle::Apply(
   {
     residual[k] = 0.0f;
   }
-  this->Pulled.Yield(residual, this->x);
+  this->Pulled.Yield(residual, this->x, context);
   this->Fine.Prolongation.MultiplyAdjoint(
     residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
@@ -119,7 +118,7 @@ void LaplacianCycle::Apply(
   {
     this->x[k] = 0.0f;
   }
-  this->Pulled.Resist(this->x);
+  this->Pulled.Resist(this->x, context);
   this->FineSmoother->PostSmooth(this->b, this->x, context);
   z.resize(r.size());
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {

@@ -44,7 +44,7 @@ public:
     const double ofL = SumOverBlocks<double>(
       this->Size() / 2, context,
       [this, from, to](int first, int last) { return this->L.Multiply(first, last, from, to); });
-    return ofL + this->D.AddProduct(x, y);
+    return ofL + this->D.AddProduct(x, y, context);
   }
 
 private:

@@ -1,12 +1,8 @@
 #include "Solvers/LeastSquaresCycle.h"
 
-#include "Support/CountingSort.h"
 #include "Support/SparseKernels.h"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-#include <utility>
 
 namespace dmg
 {
@@ -76,7 +72,7 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(const ExecutionContext& con
     SymmetricFromLower(areAllFree ? this->Fine.CoarseLower : lowerOfFree, context);
   // What is added are the squares of rows of P, times roots.
   SparseMatrix<Plane> rows = this->Fine.Prolongation.SelectedRows(this->Pulled.Unknowns(), context);
-  this->Pulled.ScaleRows(rows);
+  this->Pulled.ScaleRows(rows, context);
   AddInPattern(coarse, GramOfPlanar(rows, context), context);
   return coarse;
 }
@@ -112,7 +108,7 @@ void LeastSquaresCycle::Apply(
       r.segment(first, count).cwiseQuotient(scales.segment(first, count));
   });
   this->PreSmooth(x, context);
-  this->Pulled.Yield(this->Residual, x);
+  this->Pulled.Yield(this->Residual, x, context);
   this->Fine.Prolongation.MultiplyAdjoint(
     this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
@@ -121,7 +117,7 @@ void LeastSquaresCycle::Apply(
   {
     x[i] = 0.0;
   }
-  this->Pulled.Resist(x);
+  this->Pulled.Resist(x, context);
   this->PostSmooth(x, context);
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
     const int count = last - first;

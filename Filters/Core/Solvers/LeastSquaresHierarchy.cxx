@@ -368,7 +368,7 @@ double LeastSquaresOperator::Apply(
     const int count = last - first;
     y.segment(first, count).array() *= scales.segment(first, count).array();
   });
-  double product = this->D.AddProduct(x, y);
+  double product = this->D.AddProduct(x, y, context);
   for (const double squares : this->SquaresOfTiles)
   {
     product += squares;

@@ -1,6 +1,8 @@
 #ifndef dmgSparseDiagonal_h
 #define dmgSparseDiagonal_h
 
+#include "Support/ExecutionContext.h"
+#include "Support/SparseKernels.h"
 #include "Support/Types.h"
 
 #include <cmath>
@@ -30,16 +32,21 @@ public:
   /// y += D x, and zero where unknowns are held.
   /// \return x^T D x.
   /// \pre x is zero where unknowns are held.
-  double AddProduct(const Vector<double>& x, Vector<double>& y) const
+  double AddProduct(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
   {
-    double product = 0.0;
-    for (const auto& [i, value] : this->Entries)
-    {
-      const double pull = std::isfinite(value) ? value * x[i] : 0.0;
-      y[i] = std::isfinite(value) ? y[i] + pull : 0.0;
-      product += x[i] * pull;
-    }
-    return product;
+    return SumOverBlocks<double>(
+      static_cast<int>(this->Entries.size()), context, [this, &x, &y](int first, int last) {
+        double product = 0.0;
+        for (int k = first; k < last; ++k)
+        {
+          const auto& [i, value] = this->Entries[k];
+          const double pull = std::isfinite(value) ? value * x[i] : 0.0;
+          y[i] = std::isfinite(value) ? y[i] + pull : 0.0;
+          product += x[i] * pull;
+        }
+        return product;
+      });
   }
 
 private:

@@ -6,7 +6,6 @@
 #include "Support/Types.h"
 
 #include <cmath>
-#include <cstddef>
 #include <vector>
 
 namespace dmg
@@ -35,13 +34,12 @@ public:
     , Shares(this->Indices.size())
     , Smoothed(this->Indices.size())
   {
-    for (std::size_t k = 0; k < this->Indices.size(); ++k)
-    {
-      const double D = pull(this->Indices[k]);
-      const double R = coupling(this->Indices[k]);
+    this->ForEach(context, [&](int k, int i) {
+      const double D = pull(i);
+      const double R = coupling(i);
       this->Shares[k] = static_cast<Real>(R / (R + D));
       this->Springs[k] = D * (R / (R + D));
-    }
+    });
   }
 
   /// Ascending.
@@ -50,37 +48,33 @@ public:
   /// Multiplies the rows of a prolongation to Unknowns by the roots of their springs: what the coarse matrix
   /// has of them is then the product of these rows and their adjoint.
   template <class Matrix>
-  void ScaleRows(Matrix& rows) const
+  void ScaleRows(Matrix& rows, const ExecutionContext& context) const
   {
     using Factor = typename Eigen::NumTraits<typename Matrix::Scalar>::Real;
-    for (std::size_t k = 0; k < this->Indices.size(); ++k)
-    {
+    this->ForEach(context, [this, &rows](int k, int) {
       const auto root = static_cast<Factor>(std::sqrt(this->Springs[k]));
       for (int e = rows.outerIndexPtr()[k]; e < rows.outerIndexPtr()[k + 1]; ++e)
       {
         rows.valuePtr()[e] *= root;
       }
-    }
+    });
   }
 
   /// Before the coarse correction of x, for which residual is restricted.
-  void Yield(Vector<Scalar>& residual, const Vector<Scalar>& x)
+  void Yield(Vector<Scalar>& residual, const Vector<Scalar>& x, const ExecutionContext& context)
   {
-    for (std::size_t k = 0; k < this->Indices.size(); ++k)
-    {
-      residual[this->Indices[k]] *= this->Shares[k];
-      this->Smoothed[k] = x[this->Indices[k]];
-    }
+    this->ForEach(context, [this, &residual, &x](int k, int i) {
+      residual[i] *= this->Shares[k];
+      this->Smoothed[k] = x[i];
+    });
   }
 
   /// After it.
-  void Resist(Vector<Scalar>& x) const
+  void Resist(Vector<Scalar>& x, const ExecutionContext& context) const
   {
-    for (std::size_t k = 0; k < this->Indices.size(); ++k)
-    {
-      Scalar& pulled = x[this->Indices[k]];
-      pulled = this->Smoothed[k] + this->Shares[k] * (pulled - this->Smoothed[k]);
-    }
+    this->ForEach(context, [this, &x](int k, int i) {
+      x[i] = this->Smoothed[k] + this->Shares[k] * (x[i] - this->Smoothed[k]);
+    });
   }
 
   long long Bytes() const
@@ -91,6 +85,20 @@ public:
 
 private:
   using Real = typename Eigen::NumTraits<Scalar>::Real;
+
+  /// Calls visit (k, i) for unknown i = Indices [k].
+  template <class Visit>
+  void ForEach(const ExecutionContext& context, const Visit& visit) const
+  {
+    constexpr int Grain = 8192;
+    context.ParallelFor(
+      0, static_cast<int>(this->Indices.size()), Grain, [this, &visit](int first, int last) {
+        for (int k = first; k < last; ++k)
+        {
+          visit(k, this->Indices[k]);
+        }
+      });
+  }
 
   std::vector<int> Indices;
   Vector<double> Springs;  ///< D_i R_ii / (R_ii + D_i)

@@ -47,9 +47,9 @@ TEST(TestYieldingUnknowns, TakeTheCorrectionOfLeastEnergy)
   const Vector<double> smoothed = Vector<double>::LinSpaced(6, 1.0, 2.0);
   const Vector<double> correction = Vector<double>::LinSpaced(6, -3.0, 7.0);
   Vector<double> residual = Vector<double>::Ones(6);
-  unknowns.Yield(residual, smoothed);
+  unknowns.Yield(residual, smoothed, SerialContext());
   Vector<double> x = smoothed + correction;
-  unknowns.Resist(x);
+  unknowns.Resist(x, SerialContext());
   for (int i = 0; i < 6; ++i)
   {
     const bool isPulled = i == 1 || i == 3 || i == 4;
@@ -65,7 +65,7 @@ TEST(TestYieldingUnknowns, AreSpringsOfThatEnergy)
   // A coarse function of one at each.
   SparseMatrix<Complex> rows(3, 3);
   rows.setIdentity();
-  Make<std::complex<float>>().ScaleRows(rows);
+  Make<std::complex<float>>().ScaleRows(rows, SerialContext());
   for (int k = 0; k < 3; ++k)
   {
     const int i = Pulled[k];
