@@ -133,6 +133,19 @@ TEST_P(LeastSquaresConvergence, ForAnyAlignment)
   }
 }
 
+/// Harmonic fields cost nothing, but must yield where they are pulled.
+TEST_P(LeastSquaresConvergence, OnManyHandlesForAnyAlignment)
+{
+  for (const double alignment : { 1e-2, 1.0, 1e1, 1e2, 1e4, 1e6, 1e8, 1e10 })
+  {
+    SCOPED_TRACE(alignment);
+    for (const int iterations : Iterations(PerforatedSlab(4, 3, 5), alignment))
+    {
+      EXPECT_LE(iterations, 12);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Fields, LeastSquaresConvergence,
   ::testing::Combine(::testing::Values(Discretisation::OneForm, Discretisation::FaceField),
     ::testing::Values(LevelConstruction::EdgeCollapses, LevelConstruction::Sampling)),

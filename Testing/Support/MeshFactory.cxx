@@ -357,22 +357,19 @@ Surface IrregularTorus(int around, int across, unsigned seed, double major, doub
     [&](int, int) { return random.Uniform() < 0.5; });
 }
 
-Surface DoubleTorus(int resolution)
+Surface PerforatedSlab(int columns, int rows, int resolution)
 {
-  // A slab of 5 x 3 x 1 blocks without the second and the fourth of the middle row.
+  // Blocks of which every second of every second row is left out.
   const int r = resolution;
-  const std::array<int, 3> size = { 5 * r, 3 * r, r };
-  std::vector<char> filled(size[0] * size[1] * size[2], 1);
+  const std::array<int, 3> size = { (2 * columns + 1) * r, (2 * rows + 1) * r, r };
+  std::vector<char> filled;
   for (int z = 0; z < size[2]; ++z)
   {
-    for (int y = r; y < 2 * r; ++y)
+    for (int y = 0; y < size[1]; ++y)
     {
       for (int x = 0; x < size[0]; ++x)
       {
-        if (x / r == 1 || x / r == 3)
-        {
-          filled[(z * size[1] + y) * size[0] + x] = 0;
-        }
+        filled.push_back(x / r % 2 == 0 || y / r % 2 == 0);
       }
     }
   }
@@ -384,6 +381,11 @@ Surface DoubleTorus(int resolution)
     SmoothOnce(surface);
   }
   return surface;
+}
+
+Surface DoubleTorus(int resolution)
+{
+  return PerforatedSlab(2, 1, resolution);
 }
 
 Surface Prism(int around, int along)

@@ -49,7 +49,11 @@ Surface Torus(int around, int across, double major = 1.0, double minor = 0.4);
 Surface IrregularTorus(
   int around, int across, unsigned seed, double major = 1.0, double minor = 0.4);
 
-/// Closed surface of genus 2, a slab with two holes, rounded; 112 resolution^2 faces or so.
+/// Closed surface of genus columns x rows, a slab with so many holes, rounded. Holes, and what is between
+/// them, are cubes of side 1.
+Surface PerforatedSlab(int columns, int rows, int resolution);
+
+/// That with two holes; 112 resolution^2 faces or so.
 Surface DoubleTorus(int resolution);
 
 // Intrinsically flat, though not in a plane -------------------------------------------------------

@@ -66,7 +66,7 @@ public:
 
   double DiagonalOf(int unknown) const override
   {
-    return this->Scales[unknown] * this->Scales[unknown];
+    return this->Scales[unknown] * this->Scales[unknown] * this->Diagonal[unknown];
   }
   std::unique_ptr<LinearOperator<double>> Operator(const Vector<double>& D) const override;
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
