@@ -19,7 +19,7 @@ class DeflatedPreconditioner : public Preconditioner<double>
 {
 public:
   /// \param B is borrowed.
-  /// \param H n x k, columns of length 1 and orthogonal.
+  /// \param H n x k, columns of length 1 and orthogonal, but for what they lose where A holds or pulls unknowns.
   /// \param largest a bound of the terms that h^T A h sums up, whose rounding errors are that much times
   ///   epsilon: below, an energy counts as none.
   /// Cost: k products with A; 4 k n multiplications per application.

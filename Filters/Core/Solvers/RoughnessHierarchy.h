@@ -70,7 +70,7 @@ public:
     return this->Components.empty() ? 0 : this->Components[unknown];
   }
 
-  /// R_ii, or nearly: no less. Where R is zero, any number up to one.
+  /// R_ii, in single precision.
   virtual double DiagonalOf(int unknown) const = 0;
 
   /// R + D. Borrows the hierarchy.

@@ -15,7 +15,7 @@ EnergiesOfSpace::EnergiesOfSpace(
   const Eigen::Index free = (solver.eigenvalues().array() <= rounding).count(); // ascending
   if (free > 0)
   {
-    // Where unknowns are held, vectors of H have lost length, or vanished.
+    // Where unknowns are held or yield, vectors of H have lost length, or vanished.
     const Eigen::MatrixXd spanned = H * solver.eigenvectors().leftCols(free);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> lengths(spanned.transpose() * spanned);
     const Eigen::Index rank = (lengths.eigenvalues().array() > 1e-8).count();

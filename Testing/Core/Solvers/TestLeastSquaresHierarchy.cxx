@@ -196,6 +196,11 @@ TEST_P(TestLeastSquaresHierarchy, NoEigenvalueIsAboveOne)
     100 * Epsilon * (given.transpose() * given).norm());
   EXPECT_LE((hierarchy.Diagonal.cast<double>() - B.colwise().squaredNorm().transpose()).norm(),
     SinglePrecision * std::sqrt(static_cast<double>(problem.Size())));
+  for (int i = 0; i < problem.Size(); ++i)
+  {
+    const double squared = given.col(i).squaredNorm();
+    EXPECT_NEAR(hierarchy.DiagonalOf(i), squared, SinglePrecision * squared);
+  }
 }
 
 TEST_P(TestLeastSquaresHierarchy, BlocksAreThoseGiven)
