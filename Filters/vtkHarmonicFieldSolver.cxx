@@ -45,7 +45,7 @@ bool operator==(const dmg::SolverOptions& a, const dmg::SolverOptions& b)
   const auto values = [](const dmg::SolverOptions& o)
   {
     return std::tie(o.Kind, o.Sweeps, o.FinestSweepsFactor, o.FinestProlongationSteps,
-      o.StartingLevel, o.CompareWithCholesky);
+      o.StartingLevel, o.CompareWithCholesky, o.ExpectedSolves);
   };
   return values(a) == values(b) && a.Nested == b.Nested;
 }
@@ -150,6 +150,7 @@ public:
   std::unique_ptr<BasisStage> Basis;
   std::unique_ptr<SystemStage> System;
   std::unique_ptr<SolveStage> Solution;
+  dmg::Vector<double> Start; ///< where there is none: unknowns of the system before its last update, or empty
 
   bool IsSetupUncounted = false; ///< a run has set up something, and stopped half-way
   int NumberOfSetups = 0;
@@ -266,6 +267,7 @@ public:
       dmg::FieldProblem(framed.Surface.Mesh, framed.Faces, this->GivenOperators(), constraints,
         options, context, levels ? levels->Levels : nullptr) });
     this->Solution.reset();
+    this->Start.resize(0);
     this->System = std::move(system);
     ++this->NumberOfSystems;
   }
@@ -326,7 +328,11 @@ public:
     }
     // Half-updated, it must not be seen again.
     std::unique_ptr<SystemStage> system = std::move(this->System);
-    this->Solution.reset();
+    if (this->Solution)
+    {
+      this->Start = std::move(this->Solution->Unknowns);
+      this->Solution.reset();
+    }
     const dmg::FramedSurface& framed = this->Surface->Framed;
     if (!system->Problem.Update(framed.Surface.Mesh, framed.Faces, constraints, options, context))
     {
@@ -348,8 +354,7 @@ public:
     {
       return false;
     }
-    const dmg::Vector<double> start =
-      this->Solution ? this->Solution->Unknowns : dmg::Vector<double>();
+    const dmg::Vector<double>& start = this->Solution ? this->Solution->Unknowns : this->Start;
     dmg::FieldProblem& problem = this->System->Problem;
     dmg::Vector<double> unknowns = problem.Solve(values, start, stop, context);
     this->Solution.reset(
@@ -496,6 +501,7 @@ int vtkHarmonicFieldSolver::RequestData(
     options.Solver.Nested.Sweeps = this->NestedSweeps;
     options.Solver.Nested.MaximumSweeps = this->MaximumNumberOfNestedSweeps;
     options.Solver.StartingLevel = this->StartingLevel;
+    options.Solver.ExpectedSolves = this->ExpectedSolves;
     options.Solver.CompareWithCholesky = this->CompareWithCholesky ||
       (this->Solver == NestedIterations && this->NestedRule == WhileErrorFalls);
 
@@ -574,6 +580,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
+  os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")
      << "\n";
   os << indent << "Sweeps: " << this->Sweeps << "\n";

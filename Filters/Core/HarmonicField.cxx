@@ -148,9 +148,19 @@ constexpr int LargestPowerSystemForCholesky = 20000;
 constexpr int LargestFaceSystemForCholesky = 60000;
 constexpr int LargestOneFormSystemForCholesky = 400000;
 
+// What a factorisation of t01 takes more, over what its back-substitution takes less than a second solve by cycles
+// (Benchmarks, "Second solves"): 2.5 s / 0.07 s, 7.5 s / 0.02 s, 1.2 s / 0.04 s. At 1.1M faces these are fewer.
+constexpr int SolvesOfOneFormsForCholesky = 40;
+constexpr int SolvesOfFaceFieldsForCholesky = 400;
+constexpr int SolvesOfPowerFieldsForCholesky = 30;
+
 SolverOptions SolverFor(const FieldOptions& options)
 {
   SolverOptions solver = options.Solver;
+  solver.SolvesForCholesky = options.Kind == Discretisation::PowerField
+    ? SolvesOfPowerFieldsForCholesky
+    : options.Kind == Discretisation::FaceField ? SolvesOfFaceFieldsForCholesky
+                                                : SolvesOfOneFormsForCholesky;
   solver.LargestForCholesky = options.Kind == Discretisation::PowerField
     ? LargestPowerSystemForCholesky
     : options.Kind == Discretisation::FaceField ? LargestFaceSystemForCholesky

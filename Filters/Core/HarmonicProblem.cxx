@@ -2,6 +2,7 @@
 
 #include "Solvers/CholeskySolver.h"
 #include "Solvers/MultigridSolver.h"
+#include "Solvers/StationaryIteration.h"
 #include "Support/SparseAssembly.h"
 
 #include <algorithm>
@@ -20,30 +21,35 @@ double SecondsSince(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Back-substitution, reported as one iteration.
+template <class Scalar>
+class FactoredInverse : public Preconditioner<Scalar>
+{
+public:
+  explicit FactoredInverse(CholeskySolver<Scalar>& solver)
+    : Solver(solver)
+  {
+  }
+
+  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext&) override
+  {
+    this->Solver.Solve(r, z);
+  }
+
+private:
+  CholeskySolver<Scalar>& Solver;
+};
+
+/// Back-substitution is the first iteration, and nearly always the last. More refine its solution, where the
+/// matrix is nearly singular.
 template <class Scalar>
 void SolveDirectly(const SparseMatrix<Scalar>& A, CholeskySolver<Scalar>& solver,
-  const Vector<Scalar>& b, const ConvergenceMeasure<Scalar>& measure, Vector<Scalar>& x,
-  SolveReport& report, const ExecutionContext& context)
+  const Vector<Scalar>& b, const StoppingCriteria& stop, const ConvergenceMeasure<Scalar>& measure,
+  Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context)
 {
-  const double norm = b.norm();
-  const auto append = [&](double seconds) {
-    const Vector<Scalar> r = b - A * x;
-    IterationReport row;
-    row.Iteration = static_cast<int>(report.Iterations.size());
-    row.Seconds = seconds;
-    row.RelativeResidual = norm > 0.0 ? r.norm() / norm : 0.0;
-    measure.Fill(row, x, b, r, context);
-    report.Iterations.push_back(row);
-  };
-  report.Iterations.clear();
-  x = Vector<Scalar>::Zero(b.size());
-  append(0.0);
-  const auto start = std::chrono::steady_clock::now();
-  solver.Solve(b, x);
-  report.SolveSeconds = SecondsSince(start);
-  append(report.SolveSeconds);
-  report.Converged = true;
+  x.resize(0);
+  FactoredInverse<Scalar> inverse(solver);
+  StationaryIteration<Scalar>(
+    MatrixOperator<Scalar>(A), inverse, b, stop, x, report, context, &measure);
 }
 
 template <class Scalar>
@@ -250,7 +256,7 @@ Vector<Scalar> HarmonicProblem<Scalar>::Solve(const Vector<Scalar>& values,
   switch (internal.Solver)
   {
     case SolverKind::Cholesky:
-      SolveDirectly(system.Matrix(), *internal.Cholesky, b, measure, x, report, context);
+      SolveDirectly(system.Matrix(), *internal.Cholesky, b, stop, measure, x, report, context);
       break;
     case SolverKind::NestedIterations:
     case SolverKind::CoarseProlongation:

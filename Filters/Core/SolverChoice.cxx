@@ -23,9 +23,17 @@ SolverChoice ChooseSolver(const SolverOptions& options, int numberOfUnknowns, bo
 {
   const SolverKind asked = options.Kind;
   const std::string size = ", chosen for " + std::to_string(numberOfUnknowns) + " unknowns";
+  const std::string largest = std::to_string(options.LargestForCholesky);
   if (asked == SolverKind::Automatic && numberOfUnknowns <= options.LargestForCholesky)
   {
-    return { SolverKind::Cholesky, size + ", few enough to factor at once" };
+    return { SolverKind::Cholesky, size + ", few enough to factor at once (up to " + largest + ")" };
+  }
+  if (asked == SolverKind::Automatic && options.ExpectedSolves >= options.SolvesForCholesky)
+  {
+    return { SolverKind::Cholesky,
+      size + " and " + std::to_string(options.ExpectedSolves) +
+        " solves, enough for a factor to pay (" + std::to_string(options.SolvesForCholesky) +
+        " or more)" };
   }
   if (asked == SolverKind::Cholesky)
   {
@@ -38,8 +46,10 @@ SolverChoice ChooseSolver(const SolverOptions& options, int numberOfUnknowns, bo
       asked == SolverKind::Automatic ? "chosen" : "in place of " + NameOf(asked);
     return { SolverKind::Cholesky, ", " + instead + " because there are no coarse levels" };
   }
-  return asked == SolverKind::Automatic ? SolverChoice{ SolverKind::ConjugateGradients, size }
-                                        : SolverChoice{ asked, "" };
+  return asked == SolverKind::Automatic
+    ? SolverChoice{ SolverKind::ConjugateGradients,
+        size + ", too many to factor at once (more than " + largest + ")" }
+    : SolverChoice{ asked, "" };
 }
 
 }

@@ -3,6 +3,7 @@
 
 #include "Solvers/NestedIteration.h"
 
+#include <limits>
 #include <string>
 
 namespace dmg
@@ -10,7 +11,7 @@ namespace dmg
 
 enum class SolverKind
 {
-  /// Cholesky for small systems, else conjugate gradients; see SolverOptions::LargestForCholesky.
+  /// Cholesky for small systems and for many solves, else conjugate gradients; see SolverOptions.
   Automatic,
   /// Supernodal sparse Cholesky of the fine system (CHOLMOD).
   Cholesky,
@@ -30,6 +31,10 @@ struct SolverOptions
   SolverKind Kind = SolverKind::Automatic;
   /// Automatic factors systems of at most so many unknowns.
   int LargestForCholesky = 20000;
+  /// How many solves with the same prescribed places are expected, >= 1.
+  int ExpectedSolves = 1;
+  /// Automatic factors where at least so many are expected, whatever the size.
+  int SolvesForCholesky = std::numeric_limits<int>::max();
   /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1.
   int Sweeps = 2;
   /// The finest level gets so many times as many sweeps, >= 1.

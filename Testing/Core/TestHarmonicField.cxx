@@ -314,8 +314,51 @@ TEST(HarmonicField, ChoosesASolverAndSaysWhy)
   const HarmonicProblem<Complex> iterative = MakePowerFieldProblem(large.Mesh, large.Frames, &large.Operators,
     Every(300, large.Mesh.NumberOfFaces()), options, SerialContext());
   EXPECT_NE(iterative.Report().Solver.find("conjugate gradients"), std::string::npos);
+  EXPECT_NE(iterative.Report().Solver.find("81920 unknowns, too many to factor at once"), std::string::npos);
   EXPECT_GE(iterative.Report().Levels.size(), 3u);
   EXPECT_LT(iterative.Report().OperatorComplexity(), 2.5);
+}
+
+TEST(HarmonicField, ManySolvesAreWorthAFactor)
+{
+  const TriangleMesh mesh = Icosphere(6).Mesh(); // above all limits of sizes but that of 1-forms
+  for (const Discretisation kind : { Discretisation::PowerField, Discretisation::FaceField })
+  {
+    FieldOptions options;
+    options.Kind = kind;
+    EXPECT_TRUE(NeedsLevels(mesh, options));
+    options.Solver.ExpectedSolves = 1000;
+    EXPECT_FALSE(NeedsLevels(mesh, options));
+    options.Solver.Kind = SolverKind::ConjugateGradients;
+    EXPECT_TRUE(NeedsLevels(mesh, options));
+  }
+  SolverOptions options;
+  options.SolvesForCholesky = 30;
+  options.ExpectedSolves = 29;
+  EXPECT_EQ(ChooseSolver(options, 1000000, true).Kind, SolverKind::ConjugateGradients);
+  options.ExpectedSolves = 30;
+  const SolverChoice choice = ChooseSolver(options, 1000000, true);
+  EXPECT_EQ(choice.Kind, SolverKind::Cholesky);
+  EXPECT_NE(choice.Reason.find("1000000 unknowns and 30 solves"), std::string::npos);
+}
+
+TEST(HarmonicField, AFactorisationSaysWhereItStops)
+{
+  const Prepared on(IrregularSphere(3, 3));
+  const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
+  const Vector<Complex> values = Vector<Complex>::Ones(static_cast<int>(prescribed.Faces.size()));
+  HarmonicProblem<Complex> problem = MakePowerFieldProblem(
+    on.Mesh, on.Frames, nullptr, prescribed, FieldOptions(), SerialContext());
+  problem.Solve(values, {}, StoppingCriteria(), SerialContext());
+  EXPECT_TRUE(problem.Report().Converged);
+  EXPECT_TRUE(problem.Report().Warnings.empty());
+  EXPECT_EQ(problem.Report().Iterations.size(), 2u);
+  // Below what doubles can hold it refines, and gives up.
+  problem.Solve(values, {}, StoppingCriteria{ 1e-30, 100 }, SerialContext());
+  EXPECT_FALSE(problem.Report().Converged);
+  ASSERT_EQ(problem.Report().Warnings.size(), 1u);
+  EXPECT_NE(problem.Report().Warnings[0].find("instead of 1.0e-30"), std::string::npos);
+  EXPECT_LE(problem.Report().Iterations.size(), 30u);
 }
 
 TEST(HarmonicField, RefusesWhatItCannotSolve)
@@ -576,8 +619,8 @@ TEST(FieldProblem, OnASurfaceOfOneLevelIsFactored)
     EXPECT_EQ(name, "supernodal Cholesky");
     const auto [automatic, reason] = solve(SolverKind::Automatic);
     EXPECT_EQ(automatic, direct);
-    EXPECT_EQ(reason, name + ", chosen for " + std::to_string(UnknownsOf(mesh, kind)) +
-        " unknowns, few enough to factor at once");
+    EXPECT_EQ(reason.rfind(name + ", chosen for " + std::to_string(UnknownsOf(mesh, kind)) +
+                  " unknowns, few enough to factor at once", 0), 0u) << reason;
     for (const auto& [solver, instead] : std::vector<std::pair<SolverKind, std::string>>{
            { SolverKind::VCycles, "in place of V-cycles" },
            { SolverKind::ConjugateGradients, "in place of conjugate gradients with a V-cycle" },

@@ -689,6 +689,8 @@ TEST_F(Stages, AMovedConstraintRepeatsTheSystem)
   this->Input->Modified();
   this->Solver->Update();
   EXPECT_EQ(CountsOf(this->Solver), (Counts{ 1, 2, 2 }));
+  // From the field before; from zero it is 1.
+  EXPECT_LT(Convergence(this->Solver)->GetValueByName(0, "RelativeResidual").ToDouble(), 0.9);
   this->ExpectSameAsFresh();
 }
 
@@ -698,6 +700,7 @@ TEST_F(Stages, EveryOptionOfTheSystemRepeatsIt)
   const std::function<void(vtkHarmonicFieldSolver*)> changes[] = {
     [](vtkHarmonicFieldSolver* s) { s->SetNumberOfDirections(6); },
     [](vtkHarmonicFieldSolver* s) { s->SetSmoothness(0.5); },
+    [](vtkHarmonicFieldSolver* s) { s->SetExpectedSolves(2); },
     [](vtkHarmonicFieldSolver* s) { s->SetAlignment(3.0); },
     [](vtkHarmonicFieldSolver* s) { s->SetConstraintType(vtkHarmonicFieldSolver::Hard); },
     [](vtkHarmonicFieldSolver* s) { s->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving); },
