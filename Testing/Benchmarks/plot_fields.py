@@ -40,11 +40,15 @@ def draw_solvers(rows, quantity, label):
     return draw
 
 
+def stem_of(regime):
+    return "_" + regime.replace(" %", "_percent")
+
+
 def plot_fields(folder):
     rows = read(folder / "fields.csv")
     for regime in sorted({row["prescribed"] for row in rows}):
         some = [row for row in rows if row["prescribed"] == regime]
-        stem = "_" + regime.replace(" %", "_percent")
+        stem = stem_of(regime)
         for quantity, label in (("total", "prepare + solve, seconds"),
                                 ("bare", "from the bare mesh, seconds"),
                                 ("iterations", "iterations"), ("peak_mb", "peak memory, MB")):
@@ -54,10 +58,15 @@ def plot_fields(folder):
 
 def plot_resolves(folder):
     rows = read(folder / "resolves.csv")
-    regime = rows[0]["prescribed"]
+    for regime in sorted({row["prescribed"] for row in rows}):
+        some = [row for row in rows if row["prescribed"] == regime]
+        figure(folder, "resolves" + stem_of(regime) + ".png",
+               f"Second solves, seconds; {regime} prescribed", draw_resolves(some))
 
+
+def draw_resolves(rows):
     def draw(axis, discretisation):
-        here = [row for row in of(rows, discretisation) if row["prescribed"] == regime]
+        here = of(rows, discretisation)
         surfaces = list(dict.fromkeys(row["surface"] for row in here))
         kinds = list(dict.fromkeys((row["change"], name_of(row["solver"])) for row in here))
         for change, solver in kinds:
@@ -68,9 +77,10 @@ def plot_resolves(folder):
                           "o" if solver.startswith("ours") else "x", label=f"{change}: {solver}")
         axis.set_xticks(range(len(surfaces)))
         axis.set_xticklabels([name[:14] for name in surfaces], rotation=60, ha="right", fontsize=7)
+        axis.set_xlim(-0.5, 2 * len(surfaces))  # the right half is the legend's
         axis.grid(True, axis="y", alpha=0.3)
-        axis.legend(fontsize=6)
-    figure(folder, "resolves.png", f"Second solves, seconds; {regime} prescribed", draw)
+        axis.legend(fontsize=6, loc="right")
+    return draw
 
 
 def plot_iterations(folder):

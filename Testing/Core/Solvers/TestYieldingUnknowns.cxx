@@ -1,6 +1,6 @@
 #include "Solvers/YieldingUnknowns.h"
 
-#include "Support/ExecutionContext.h"
+#include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
 
@@ -57,6 +57,26 @@ TEST(TestYieldingUnknowns, TakeTheCorrectionOfLeastEnergy)
     EXPECT_NEAR(x[i], smoothed[i] + taken, 1e-14);
     // The restriction is the adjoint of the prolongation.
     EXPECT_NEAR(residual[i], isPulled ? Yielded(i, 1.0) : 1.0, 1e-15);
+  }
+}
+
+TEST(TestYieldingUnknowns, SameBitsForAnyNumberOfThreads)
+{
+  constexpr int Size = 50000; // several pieces of a loop
+  const auto corrected = [](const ExecutionContext& context) {
+    YieldingUnknowns<double> unknowns(
+      Size, [](int i) { return 1.0 / (1 + i % 7); }, [](int i) { return 1.0 + i % 3; }, context);
+    const Vector<double> smoothed = Vector<double>::LinSpaced(Size, 0.1, 0.9);
+    Vector<double> residual = Vector<double>::LinSpaced(Size, -1.0, 1.0);
+    unknowns.Yield(residual, smoothed, context);
+    Vector<double> x = smoothed + residual;
+    unknowns.Resist(x, context);
+    return x;
+  };
+  const Vector<double> expected = corrected(SerialContext());
+  for (const int threads : { 2, 3 })
+  {
+    EXPECT_EQ(corrected(test::TbbContext(threads)), expected) << threads;
   }
 }
 
