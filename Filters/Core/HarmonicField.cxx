@@ -265,9 +265,10 @@ Eigen::MatrixXd KernelOf(const TriangleMesh& mesh, const TangentFrames& faceFram
 }
 
 /// Of face fields or 1-forms. Arguments but the prescribed elements are borrowed.
+/// \param kernel is computed if it is not there.
 HarmonicProblem<double>::MakeSystem SystemMaker(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, std::vector<int> elements, std::vector<double> weights,
-  const FieldOptions& options)
+  const FieldOptions& options, std::optional<Eigen::MatrixXd>& kernel)
 {
   return [&, elements = std::move(elements), weights = std::move(weights)](
            const ExecutionContext& context) {
@@ -275,11 +276,14 @@ HarmonicProblem<double>::MakeSystem SystemMaker(const TriangleMesh& mesh,
     HarmonicSystem<double> system = options.Kind == Discretisation::OneForm
       ? MakeOneFormSystem(mesh, { elements, weights }, WeightsOf(options), first, options.Areas)
       : MakeFaceFieldSystem(mesh, faceFrames, { elements, weights }, WeightsOf(options), first);
-    const Eigen::MatrixXd kernel = KernelOf(
-      mesh, faceFrames, options.Kind, NumberOfLoops(mesh), PartOfContext(context, 0.5, 1.0));
-    if (kernel.cols() > 0)
+    if (!kernel)
     {
-      system.LeaveOutUndetermined(kernel);
+      kernel = KernelOf(
+        mesh, faceFrames, options.Kind, NumberOfLoops(mesh), PartOfContext(context, 0.5, 1.0));
+    }
+    if (kernel->cols() > 0)
+    {
+      system.LeaveOutUndetermined(*kernel);
     }
     return system;
   };
@@ -288,7 +292,7 @@ HarmonicProblem<double>::MakeSystem SystemMaker(const TriangleMesh& mesh,
 HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
   const PrescribedFaces& prescribed, const FieldOptions& options,
-  const ExecutionContext& context)
+  std::optional<Eigen::MatrixXd>& kernel, const ExecutionContext& context)
 {
   HarmonicProblem<double>::CoarseSpaces spaces;
   spaces.Name = NameOf(options);
@@ -298,13 +302,14 @@ HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
                                                            : operators->SX;
     });
   return HarmonicProblem<double>(
-    SystemMaker(mesh, faceFrames, prescribed.Faces, prescribed.Weights, options), spaces,
+    SystemMaker(mesh, faceFrames, prescribed.Faces, prescribed.Weights, options, kernel), spaces,
     SolverFor(options), context);
 }
 
 HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const ProlongationOperators* operators,
-  const PrescribedEdges& prescribed, const FieldOptions& options, const ExecutionContext& context)
+  const PrescribedEdges& prescribed, const FieldOptions& options,
+  std::optional<Eigen::MatrixXd>& kernel, const ExecutionContext& context)
 {
   HarmonicProblem<double>::CoarseSpaces spaces;
   spaces.Name = NameOf(options);
@@ -319,7 +324,7 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
       return nodal;
     });
   return HarmonicProblem<double>(
-    SystemMaker(mesh, faceFrames, prescribed.Edges, prescribed.Weights, options), spaces,
+    SystemMaker(mesh, faceFrames, prescribed.Edges, prescribed.Weights, options, kernel), spaces,
     SolverFor(options), context);
 }
 
@@ -605,17 +610,18 @@ using AnyProblem =
 AnyProblem MakeAssembledProblem(
   const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ProlongationOperators* operators, const FieldConstraints& constraints,
-  const FieldOptions& options, const ExecutionContext& context)
+  const FieldOptions& options, std::optional<Eigen::MatrixXd>& kernel,
+  const ExecutionContext& context)
 {
   const auto& [elements, weights, values] = constraints;
   switch (options.Kind)
   {
     case Discretisation::OneForm:
       return MakeOneFormProblem(
-        mesh, faceFrames, operators, { elements, weights }, options, context);
+        mesh, faceFrames, operators, { elements, weights }, options, kernel, context);
     case Discretisation::FaceField:
       return MakeFaceFieldProblem(
-        mesh, faceFrames, operators, { elements, weights }, options, context);
+        mesh, faceFrames, operators, { elements, weights }, options, kernel, context);
     default:
       return MakePowerFieldProblem(
         mesh, faceFrames, operators, { elements, weights }, options, context);
@@ -641,12 +647,12 @@ void CheckFree(const RoughnessProblem& problem, const FieldOptions& options)
 AnyProblem MakeProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ProlongationOperators* operators, const FieldConstraints& constraints,
   const FieldOptions& options, std::shared_ptr<const RoughnessSurface> surface,
-  const ExecutionContext& context)
+  std::optional<Eigen::MatrixXd>& kernel, const ExecutionContext& context)
 {
   const auto choice = ChooseCycle(mesh, surface || HasNodalLevels(operators, options), options);
   if (!choice)
   {
-    return MakeAssembledProblem(mesh, faceFrames, operators, constraints, options, context);
+    return MakeAssembledProblem(mesh, faceFrames, operators, constraints, options, kernel, context);
   }
   if (surface)
   {
@@ -663,7 +669,7 @@ AnyProblem MakeProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames
   if (!surface)
   {
     const ProlongationOperators oneLevel;
-    return MakeAssembledProblem(mesh, faceFrames, &oneLevel, constraints, options, rest);
+    return MakeAssembledProblem(mesh, faceFrames, &oneLevel, constraints, options, kernel, rest);
   }
   RoughnessProblem problem(std::move(surface), std::move(prescribed), options.Smoothness,
     SolverFor(options), *choice, rest);
@@ -678,6 +684,7 @@ FieldProblem::FieldProblem(const TriangleMesh& mesh, const TangentFrames& faceFr
   const FieldOptions& options, const ExecutionContext& context,
   std::shared_ptr<const RoughnessSurface> surface)
   : Problem(MakeProblem(mesh, faceFrames, operators, constraints, options, std::move(surface),
+      this->Kernel,
       PartOfContext(context, 0.0,
         options.Solver.CompareWithCholesky && UsesRoughnessSurface(mesh, operators, options) ? 0.5
                                                                                              : 1.0)))
@@ -704,7 +711,8 @@ bool FieldProblem::Update(const TriangleMesh& mesh, const TangentFrames& faceFra
   }
   if (auto* const problem = std::get_if<HarmonicProblem<double>>(&this->Problem))
   {
-    return problem->Update(SystemMaker(mesh, faceFrames, elements, weights, options), context);
+    return problem->Update(
+      SystemMaker(mesh, faceFrames, elements, weights, options, this->Kernel), context);
   }
   auto* const problem = std::get_if<RoughnessProblem>(&this->Problem);
   if (this->Reference)

@@ -14,6 +14,7 @@
 
 #include <memory>
 #include <optional>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -159,6 +160,9 @@ public:
   const SolveReport& Report() const;
 
 private:
+  /// Harmonic face fields or 1-forms, as soon as an assembled system has needed them: they do not depend on what is
+  /// prescribed.
+  std::optional<Eigen::MatrixXd> Kernel;
   std::variant<HarmonicProblem<Complex>, HarmonicProblem<double>, RoughnessProblem> Problem;
   std::unique_ptr<FieldProblem> Reference; ///< factors what RoughnessProblem solves, or null
 };
