@@ -10,7 +10,7 @@
 //   resolves.csv    what a second solve takes: one value moved, other weights, another set
 //   iterations.csv  ours alone, for N = 1, 2, 4, 6 and other numbers of elements
 //                   (--iterations-only), or for weights of alignment over sixteen orders of
-//                   magnitude (--robustness)
+//                   magnitude and hard constraints, an alignment of inf (--robustness)
 //
 // The columns of fields.csv, in seconds, medians of the runs:
 //   setup     what ours needs of the surface, whatever is prescribed, from the bare mesh
@@ -46,8 +46,10 @@
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
 
+#include <cmath>
 #include <cstring>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <type_traits>
 
@@ -63,6 +65,7 @@ constexpr double LoosenedTolerance =
 constexpr double LargestDifference = 1e-6;
 constexpr double LongRun = 20.0; // seconds
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
+constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr unsigned Seed = 20261121;
 
 const std::vector<Regime> Regimes = { { "20", 20, 0.0 }, { "0.5 %", 0, 0.005 } };
@@ -794,7 +797,14 @@ public:
       for (const double alignment : alignments)
       {
         FieldOptions options = field;
-        options.Alignment = alignment;
+        if (std::isfinite(alignment))
+        {
+          options.Alignment = alignment;
+        }
+        else
+        {
+          options.Constraints = ConstraintKind::Hard;
+        }
         const SolveReport report = Solve(mesh, of, options, regime, context);
         const bool ran = !report.Iterations.empty();
         const int iterations = ran ? report.Iterations.back().Iteration : 0;
@@ -840,7 +850,7 @@ void CountIterations(const Source& surface, const Options& options, IterationsTa
   std::vector<double> alignments = { 1.0 };
   if (options.Robustness)
   {
-    alignments = { 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e10 };
+    alignments = { 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e10, Infinity };
   }
   for (const Discretisation kind : Discretisations(options))
   {
@@ -859,7 +869,7 @@ void PrintIterationsHeader(const Options& options)
   std::printf("%-26s %8s %-10s N  ", "surface", "faces", "discret.");
   if (options.Robustness)
   {
-    std::printf("20 prescribed, alignment 1e-6, 1e-4, ..., 1e10; then 0.5 %%\n");
+    std::printf("20 prescribed, alignment 1e-6, 1e-4, ..., 1e10, then hard; then 0.5 %%\n");
     return;
   }
   for (const Regime& regime : MoreRegimes)
