@@ -56,7 +56,7 @@
  *
  * The work is repeated when the content of points or triangles, or a property, changes; an array
  * that is added to the input, or new objects with the same content, repeat nothing. Linear in the
- * number of triangles. Runs in the threads of vtkSMPTools (in std::thread where the backend is
+ * number of triangles. Runs in the threads of vtkSMPTools (in those of TBB where the backend is
  * Sequential by default rather than by choice) and gives the same bits for any number of threads.
  * An aborted run leaves empty outputs. With several pieces, piece 0 asks for the whole surface and
  * holds the whole result; the other pieces are empty.

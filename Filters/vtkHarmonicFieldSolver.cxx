@@ -176,7 +176,7 @@ public:
     if (!this->Surface || this->Surface->Digest != digest)
     {
       const auto start = std::chrono::steady_clock::now();
-      dmg::FramedSurface framed(dmg::MeshFromPolyData(input));
+      dmg::FramedSurface framed(dmg::MeshFromPolyData(input), context);
       this->Solution.reset();
       this->System.reset();
       this->Levels.reset();

@@ -9,6 +9,9 @@
 #include "vtkSMPTools.h"
 #include "vtkVersionMacros.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -28,18 +31,16 @@ bool SequentialByDefault()
     std::getenv("VTK_SMP_BACKEND_IN_USE") == nullptr;
 }
 
-template <class Functor>
-void InBackend(const std::string& backend, Functor&& functor)
+/// Of STDThread, which a limit set by the environment or the application holds for.
+int NumberOfStandardThreads()
 {
-  if (backend.empty())
-  {
-    functor();
-    return;
-  }
   vtkSMPTools::Config config; // limit and nesting as they are
-  config.Backend = backend;
+  config.Backend = "STDThread";
   config.NestedParallelism = vtkSMPTools::GetNestedParallelism();
-  vtkSMPTools::LocalScope(config, functor);
+  int threads = 1;
+  vtkSMPTools::LocalScope(
+    config, [&threads] { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  return threads;
 }
 
 }
@@ -47,11 +48,20 @@ void InBackend(const std::string& backend, Functor&& functor)
 ContextFromAlgorithm::ContextFromAlgorithm(vtkAlgorithm* algorithm)
   : Algorithm(algorithm)
   , Caller(std::this_thread::get_id())
-  , Backend(SequentialByDefault() ? "STDThread" : "")
   , Threads(1)
 {
-  InBackend(this->Backend, [this] { this->Threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  if (SequentialByDefault())
+  {
+    this->Threads = NumberOfStandardThreads();
+    this->Arena = std::make_unique<tbb::task_arena>(this->Threads);
+  }
+  else
+  {
+    this->Threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  }
 }
+
+ContextFromAlgorithm::~ContextFromAlgorithm() = default;
 
 bool ContextFromAlgorithm::IsCancelled() const
 {
@@ -75,6 +85,14 @@ void ContextFromAlgorithm::ReportProgress(double fraction) const
 void ContextFromAlgorithm::RunInParallel(
   int begin, int end, int grain, const std::function<void(int, int)>& body) const
 {
+  if (this->Arena)
+  {
+    this->Arena->execute([begin, end, grain, &body] {
+      tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
+        [&body](const tbb::blocked_range<int>& piece) { body(piece.begin(), piece.end()); });
+    });
+    return;
+  }
   // Not every backend carries exceptions over to the calling thread.
   std::exception_ptr error;
   std::atomic<bool> failed{ false };
@@ -96,8 +114,7 @@ void ContextFromAlgorithm::RunInParallel(
       }
     }
   };
-  InBackend(
-    this->Backend, [begin, end, grain, &guarded] { vtkSMPTools::For(begin, end, grain, guarded); });
+  vtkSMPTools::For(begin, end, grain, guarded);
   if (error)
   {
     std::rethrow_exception(error);

@@ -3,8 +3,10 @@
 
 #include "Support/ExecutionContext.h"
 
+#include <tbb/task_arena.h>
+
 #include <atomic>
-#include <string>
+#include <memory>
 #include <thread>
 
 class vtkAlgorithm;
@@ -16,13 +18,15 @@ namespace dmg
 /// Lends a filter's progress, abort flag and VTK's threads to the core, for one execution.
 ///
 /// Threads are those of vtkSMPTools with its backend and limit. Where the backend is Sequential and
-/// nobody asked for that (ParaView's packages default to it), loops run in STDThread instead;
-/// VTK_SMP_BACKEND_IN_USE=Sequential keeps them in one thread.
+/// nobody asked for that (ParaView's packages default to it), they are TBB's, as many as STDThread
+/// would start: that one does so for every loop, which made solving half as slow again.
+/// VTK_SMP_BACKEND_IN_USE=Sequential keeps loops in one thread.
 class ContextFromAlgorithm : public ExecutionContext
 {
 public:
   /// Borrows the algorithm. To be made in the thread that executes it.
   explicit ContextFromAlgorithm(vtkAlgorithm* algorithm);
+  ~ContextFromAlgorithm() override;
 
   int NumberOfThreads() const override { return this->Threads; }
 
@@ -40,7 +44,7 @@ protected:
 private:
   vtkAlgorithm* const Algorithm;
   const std::thread::id Caller;
-  std::string Backend; // to switch to during loops; empty: the one in use
+  std::unique_ptr<tbb::task_arena> Arena; // null: vtkSMPTools
   int Threads;
   mutable std::atomic<bool> Cancelled{ false };
 };

@@ -4,7 +4,7 @@
 #include "HarmonicForms.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
-#include "Operators/PowerFieldOperators.h"
+#include "Operators/PowerFieldDirections.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -21,7 +21,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
+#include <utility>
 
 namespace dmg
 {
@@ -30,78 +30,108 @@ namespace
 {
 
 constexpr int LargestN = 8;
+constexpr int Grain = 8192;
 constexpr const char* BasisPrefix = "HarmonicBasis ";
 
-vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples)
+/// \param elements how many tuples will be written; the others hold zeros.
+vtkSmartPointer<vtkDoubleArray> NewArray(
+  const std::string& name, int components, vtkIdType tuples, vtkIdType elements = 0)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
-  array->Fill(0.0);
+  if (elements < tuples)
+  {
+    array->Fill(0.0);
+  }
   return array;
 }
 
-/// Adds an array with values for the elements of the mesh; the other tuples hold zeros.
-/// \param id the tuple of element i.
+/// Arrays of some elements of the surface: its cells, points or edges.
 template <class Id>
-void AddArray(vtkFieldData* data, const std::string& name, vtkIdType tuples, int components,
-  const double* values, int elements, Id&& id)
+class ArraysOfElements
 {
-  const auto array = NewArray(name, components, tuples);
-  for (int i = 0; i < elements; ++i, values += components)
+public:
+  /// \param tuples of each array.
+  /// \param id the tuple of element i.
+  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, Id id, const ExecutionContext& context)
+    : Data(data)
+    , Tuples(tuples)
+    , TupleOf(std::move(id))
+    , Context(context)
   {
-    std::copy_n(values, components, array->GetPointer(components * id(i)));
   }
-  data->AddArray(array);
-}
 
-/// Directions of powers.
-template <class Id>
-void AddDirections(vtkFieldData* data, vtkIdType tuples, const TangentFrames& frames,
-  const Vector<Complex>& powers, int N, bool unitLength, const std::vector<int>& labels, Id&& id)
-{
-  const int elements = static_cast<int>(powers.size());
-  const std::vector<Points> directions =
-    DirectionsFromPowers(frames, powers, N, unitLength, labels);
-  for (int k = 0; k < N; ++k)
+  void Add(const std::string& name, int components, const double* values, int elements) const
   {
-    AddArray(data, ArrayNames::Direction(k), tuples, 3, directions[k].data(), elements, id);
+    double* const tuples = this->NewTuples(name, components, elements);
+    this->Context.ParallelFor(0, elements, Grain, [&](int first, int last) {
+      for (int i = first; i < last; ++i)
+      {
+        std::copy_n(values + static_cast<vtkIdType>(components) * i, components,
+          tuples + components * this->TupleOf(i));
+      }
+    });
   }
-}
 
-template <class Id>
-void AddPowers(vtkFieldData* data, vtkIdType tuples, const Vector<Complex>& powers, Id&& id)
-{
-  // std::complex is two consecutive numbers by the standard.
-  AddArray(data, ArrayNames::PowerField, tuples, 2, reinterpret_cast<const double*>(powers.data()),
-    static_cast<int>(powers.size()), id);
-}
+  void AddDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N,
+    bool unitLength) const
+  {
+    std::vector<double*> tuples;
+    for (int k = 0; k < N; ++k)
+    {
+      tuples.push_back(
+        this->NewTuples(ArrayNames::Direction(k), 3, static_cast<int>(firstDirections.size())));
+    }
+    ForDirections(
+      frames, firstDirections, N, unitLength,
+      [&](int i, int k, const Vector3& vector) {
+        std::copy_n(vector.data(), 3, tuples[k] + 3 * this->TupleOf(i));
+      },
+      this->Context);
+  }
+
+  void AddPowers(const Vector<Complex>& powers) const
+  {
+    // std::complex is two consecutive numbers by the standard.
+    this->Add(ArrayNames::PowerField, 2, reinterpret_cast<const double*>(powers.data()),
+      static_cast<int>(powers.size()));
+  }
+
+private:
+  double* NewTuples(const std::string& name, int components, int elements) const
+  {
+    const auto array = NewArray(name, components, this->Tuples, elements);
+    this->Data->AddArray(array);
+    return array->GetPointer(0);
+  }
+
+  vtkFieldData* const Data;
+  const vtkIdType Tuples;
+  const Id TupleOf;
+  const ExecutionContext& Context;
+};
 
 /// The edges as lines, without points, with the angle by which the field turns across each.
 vtkSmartPointer<vtkPolyData> MakeEdges(
-  const FramedSurface& framed, const Vector<Complex>& powers, int N)
+  const SurfaceMesh& surface, const Vector<double>& turnings, const ExecutionContext& context)
 {
-  const TriangleMesh& mesh = framed.Surface.Mesh;
+  const TriangleMesh& mesh = surface.Mesh;
   const vtkIdType numberOfEdges = mesh.NumberOfEdges();
   vtkNew<vtkIdTypeArray> ends;
   ends->SetNumberOfValues(2 * numberOfEdges);
-  const auto turning = NewArray(ArrayNames::Turning, 1, numberOfEdges);
-  for (vtkIdType edge = 0; edge < numberOfEdges; ++edge)
-  {
-    const auto& vertices = mesh.EdgeVertices(static_cast<int>(edge));
-    ends->SetValue(2 * edge, framed.Surface.PointOf(vertices[0]));
-    ends->SetValue(2 * edge + 1, framed.Surface.PointOf(vertices[1]));
-    const int left = mesh.HalfedgeOf(static_cast<int>(edge));
-    const int right = mesh.Twin(left);
-    if (right >= 0)
+  vtkIdType* const points = ends->GetPointer(0);
+  context.ParallelFor(0, mesh.NumberOfEdges(), Grain, [&](int first, int last) {
+    for (vtkIdType edge = first; edge < last; ++edge)
     {
-      const Complex carried = powers[TriangleMesh::FaceOf(left)] *
-        std::polar(1.0, N * TransportAcrossEdge(mesh, framed.Faces, left));
-      turning->SetValue(
-        edge, std::arg(powers[TriangleMesh::FaceOf(right)] * std::conj(carried)) / N);
+      const auto& vertices = mesh.EdgeVertices(static_cast<int>(edge));
+      points[2 * edge] = surface.PointOf(vertices[0]);
+      points[2 * edge + 1] = surface.PointOf(vertices[1]);
     }
-  }
+  });
+  const auto turning = NewArray(ArrayNames::Turning, 1, numberOfEdges, numberOfEdges);
+  std::copy_n(turnings.data(), numberOfEdges, turning->GetPointer(0));
   vtkNew<vtkCellArray> lines;
   lines->SetData(2, ends);
   auto edges = vtkSmartPointer<vtkPolyData>::New();
@@ -110,17 +140,21 @@ vtkSmartPointer<vtkPolyData> MakeEdges(
   return edges;
 }
 
-/// Calls all functions, at the same time where there are threads.
-void CallAll(const ExecutionContext& context, const std::vector<std::function<void()>>& functions)
+auto OfEdges(const TriangleMesh& mesh, vtkFieldData* data, const ExecutionContext& context)
 {
-  context.ParallelFor(0, static_cast<int>(functions.size()), 1,
-    [&functions](int first, int last)
+  return ArraysOfElements(data, mesh.NumberOfEdges(), [](int edge) { return edge; }, context);
+}
+
+/// Calls two functions, at the same time where there are threads.
+template <class First, class Second>
+void CallBoth(const ExecutionContext& context, const First& first, const Second& second)
+{
+  context.ParallelFor(0, 2, 1, [&](int begin, int end) {
+    for (int i = begin; i < end; ++i)
     {
-      for (int i = first; i < last; ++i)
-      {
-        functions[i]();
-      }
-    });
+      i == 0 ? first() : second();
+    }
+  });
 }
 
 void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
@@ -190,63 +224,56 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
   const SurfaceMesh& surface = framed.Surface;
   const TriangleMesh& mesh = surface.Mesh;
   const int N = options.NumberOfDirections();
+  const std::vector<Complex> sides = SideDirections(mesh, framed.Faces, context);
+  const std::vector<Corner> corners = Corners(mesh, sides, framed.Faces, framed.Vertices, context);
   const FieldPowers powers =
-    PowersOfField(mesh, framed.Faces, framed.Vertices, unknowns, options);
+    PowersOfField(mesh, framed.Faces, framed.Vertices, corners, unknowns, options, context);
   context.Checkpoint(0.2);
-
-  Vector<double> indices;
-  std::vector<int> faceLabels, vertexLabels;
-  FieldArrays arrays{ unitLength, combing, vtkSmartPointer<vtkFieldData>::New(),
-    vtkSmartPointer<vtkFieldData>::New(), nullptr };
-  CallAll(context,
-    { [&] { indices = SingularityIndices(mesh, framed.Faces, powers.Faces, N); },
-      [&]
-      {
-        if (combing)
-        {
-          faceLabels = CombingLabels(mesh, framed.Faces, powers.Faces, N);
-        }
-      } });
+  const PrincipalMatching matching = MatchDirections(mesh, sides, powers.Faces, N, context);
   context.Checkpoint(0.4);
 
-  if (combing)
-  {
-    vertexLabels = VertexLabels(
-      mesh, framed.Faces, framed.Vertices, powers.Faces, faceLabels, powers.Vertices, N);
-  }
+  // A tree grows in one thread.
+  Vector<double> indices;
+  std::vector<int> labels;
+  CallBoth(
+    context, [&] { indices = SingularityIndices(mesh, corners, matching.Turning, N); },
+    [&] {
+      if (combing)
+      {
+        labels = CombingLabels(mesh, powers.Faces, matching, N);
+      }
+    });
   context.Checkpoint(0.6);
+  const Vector<Complex> onFaces = FirstDirections(powers.Faces, N, labels, context);
+  const Vector<Complex> atVertices = combing
+    ? FirstDirectionsAtVertices(mesh, corners, onFaces, powers.Vertices, N, context)
+    : FirstDirections(powers.Vertices, N, {}, context);
 
-  const auto cellOf = [&surface](int face) { return surface.CellOf(face); };
-  const auto pointOf = [&surface](int vertex) { return surface.PointOf(vertex); };
-  const vtkIdType numberOfCells = input->GetNumberOfCells();
-  const vtkIdType numberOfPoints = input->GetNumberOfPoints();
-  CallAll(context,
-    { [&] { arrays.Edges = MakeEdges(framed, powers.Faces, N); },
-      [&]
-      {
-        AddDirections(arrays.Cells, numberOfCells, framed.Faces, powers.Faces, N, unitLength,
-          faceLabels, cellOf);
-      },
-      [&]
-      {
-        AddDirections(arrays.Points, numberOfPoints, framed.Vertices, powers.Vertices, N,
-          unitLength, vertexLabels, pointOf);
-        AddArray(arrays.Points, ArrayNames::SingularityIndex, numberOfPoints, 1, indices.data(),
-          static_cast<int>(indices.size()), pointOf);
-      } });
+  FieldArrays arrays{ unitLength, combing, vtkSmartPointer<vtkFieldData>::New(),
+    vtkSmartPointer<vtkFieldData>::New(), MakeEdges(surface, matching.Turning, context) };
+  const ArraysOfElements cells(
+    arrays.Cells, input->GetNumberOfCells(), [&surface](int face) { return surface.CellOf(face); },
+    context);
+  const ArraysOfElements points(
+    arrays.Points, input->GetNumberOfPoints(),
+    [&surface](int vertex) { return surface.PointOf(vertex); }, context);
+  cells.AddDirections(framed.Faces, onFaces, N, unitLength);
+  context.Checkpoint(0.8);
+  points.AddDirections(framed.Vertices, atVertices, N, unitLength);
+  points.Add(ArrayNames::SingularityIndex, 1, indices.data(), static_cast<int>(indices.size()));
   switch (options.Kind)
   {
     case Discretisation::PowerField:
-      AddPowers(arrays.Cells, numberOfCells, powers.Faces, cellOf);
-      AddPowers(arrays.Points, numberOfPoints, powers.Vertices, pointOf);
+      cells.AddPowers(powers.Faces);
+      points.AddPowers(powers.Vertices);
       break;
     case Discretisation::FaceField:
-      AddArray(arrays.Cells, ArrayNames::FaceField, numberOfCells, 3,
-        VectorsFromFaceField(framed.Faces, unknowns).data(), mesh.NumberOfFaces(), cellOf);
+      cells.Add(ArrayNames::FaceField, 3, VectorsFromFaceField(framed.Faces, unknowns).data(),
+        mesh.NumberOfFaces());
       break;
     case Discretisation::OneForm:
-      AddArray(arrays.Edges->GetCellData(), ArrayNames::OneForm, mesh.NumberOfEdges(), 1,
-        unknowns.data(), mesh.NumberOfEdges(), [](int edge) { return edge; });
+      OfEdges(mesh, arrays.Edges->GetCellData(), context)
+        .Add(ArrayNames::OneForm, 1, unknowns.data(), mesh.NumberOfEdges());
       break;
   }
   context.Checkpoint(1.0);
@@ -279,20 +306,20 @@ BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind, vt
   const PartOfContext most(context, 0.0, 0.9);
   const Eigen::MatrixXd basis = isOneForm ? HarmonicBasisOfForms(mesh, framed.Faces, most)
                                           : HarmonicBasisOfFaceFields(mesh, framed.Faces, most);
-  const auto cellOf = [&surface](int face) { return surface.CellOf(face); };
+  const ArraysOfElements cells(
+    arrays.Cells, input->GetNumberOfCells(), [&surface](int face) { return surface.CellOf(face); },
+    context);
   for (int k = 0; k < loops; ++k)
   {
     context.Checkpoint(0.9 + 0.1 * k / loops);
     const Vector<double> field = basis.col(k);
     const std::string name = ArrayNames::HarmonicBasis(k + 1);
-    const Points vectors =
-      isOneForm ? WhitneyAtFaces(mesh, field) : VectorsFromFaceField(framed.Faces, field);
-    AddArray(arrays.Cells, name, input->GetNumberOfCells(), 3, vectors.data(),
-      mesh.NumberOfFaces(), cellOf);
+    const Points vectors = isOneForm ? WhitneyAtFaces(mesh, field, context)
+                                     : VectorsFromFaceField(framed.Faces, field);
+    cells.Add(name, 3, vectors.data(), mesh.NumberOfFaces());
     if (isOneForm)
     {
-      AddArray(arrays.Edges, name, mesh.NumberOfEdges(), 1, field.data(), mesh.NumberOfEdges(),
-        [](int edge) { return edge; });
+      OfEdges(mesh, arrays.Edges, context).Add(name, 1, field.data(), mesh.NumberOfEdges());
     }
   }
   context.Checkpoint(1.0);

@@ -78,10 +78,10 @@ struct FramedSurface
   TangentFrames Faces;
   TangentFrames Vertices;
 
-  explicit FramedSurface(SurfaceMesh surface)
+  FramedSurface(SurfaceMesh surface, const ExecutionContext& context)
     : Surface(std::move(surface))
-    , Faces(FaceFrames(this->Surface.Mesh))
-    , Vertices(VertexFrames(this->Surface.Mesh))
+    , Faces(FaceFrames(this->Surface.Mesh, context))
+    , Vertices(VertexFrames(this->Surface.Mesh, context))
   {
   }
 };

@@ -3,6 +3,7 @@
 #include "HarmonicForms.h"
 #include "NodalLevels.h"
 #include "Operators/FaceFieldOperators.h"
+#include "Operators/PowerFieldDirections.h"
 #include "Operators/PowerFieldOperators.h"
 #include "Solvers/LaplacianHierarchy.h"
 #include "Solvers/LeastSquaresHierarchy.h"
@@ -145,7 +146,7 @@ typename HarmonicProblem<Scalar>::MakeProlongations Prolongations(
 // Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks).
 // Squares take longer to set up; a 1-form's matrix is easily factored, a face field's is not.
 constexpr int LargestPowerSystemForCholesky = 20000;
-constexpr int LargestFaceSystemForCholesky = 60000;
+constexpr int LargestFaceSystemForCholesky = 30000;
 constexpr int LargestOneFormSystemForCholesky = 400000;
 
 // What a factorisation of t01 takes more, over what its back-substitution takes less than a second solve by cycles
@@ -748,16 +749,18 @@ const SolveReport& FieldProblem::Report() const
 }
 
 FieldPowers PowersOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const Vector<double>& unknowns, const FieldOptions& options)
+  const TangentFrames& vertexFrames, const std::vector<Corner>& corners,
+  const Vector<double>& unknowns, const FieldOptions& options, const ExecutionContext& context)
 {
   if (options.Kind == Discretisation::OneForm)
   {
-    return { InFrames(faceFrames, WhitneyAtFaces(mesh, unknowns)),
-      InFrames(vertexFrames, WhitneyAtVertices(mesh, faceFrames, vertexFrames, unknowns)) };
+    return { InFrames(faceFrames, WhitneyAtFaces(mesh, unknowns, context)),
+      InFrames(vertexFrames,
+        WhitneyAtVertices(mesh, faceFrames, vertexFrames, corners, unknowns, context)) };
   }
   Vector<Complex> faces = AsComplex(unknowns);
   Vector<Complex> vertices =
-    PowersAtVertices(mesh, faceFrames, vertexFrames, faces, options.NumberOfDirections());
+    PowersAtVertices(mesh, corners, faces, options.NumberOfDirections(), context);
   return { std::move(faces), std::move(vertices) };
 }
 

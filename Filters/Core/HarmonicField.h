@@ -14,7 +14,6 @@
 
 #include <memory>
 #include <optional>
-#include <optional>
 #include <variant>
 #include <vector>
 
@@ -177,7 +176,8 @@ struct FieldPowers
 /// \param unknowns as FieldProblem::Solve returns them. A 1-form becomes the vectors of its Whitney
 ///   interpolant.
 FieldPowers PowersOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const Vector<double>& unknowns, const FieldOptions& options);
+  const TangentFrames& vertexFrames, const std::vector<Corner>& corners,
+  const Vector<double>& unknowns, const FieldOptions& options, const ExecutionContext& context);
 
 }
 

@@ -142,7 +142,7 @@ TEST(HarmonicField, AFlatTorusCarriesAParallelField)
     EXPECT_LT((field.cwiseAbs().array() - 1.0).abs().maxCoeff(), 1e-7);
     const SparseMatrix<Complex> L = PowerLaplacian(on.Mesh, on.Frames, N);
     EXPECT_LT(std::real(field.dot(L * field)), 1e-9);
-    EXPECT_EQ(SingularityIndices(on.Mesh, on.Frames, field, N).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ(IndicesOf(on.Mesh, on.Frames, field, N).cwiseAbs().maxCoeff(), 0.0);
   }
 }
 
@@ -161,7 +161,7 @@ TEST(HarmonicField, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
       options.N = N;
       options.Solver.Kind = SolverKind::ConjugateGradients;
       const Vector<Complex> field = Solve(on, prescribed, values, options);
-      EXPECT_NEAR(SingularityIndices(on.Mesh, on.Frames, field, N).sum(),
+      EXPECT_NEAR(IndicesOf(on.Mesh, on.Frames, field, N).sum(),
         on.Mesh.EulerCharacteristic(), 1e-9);
     }
   }

@@ -1,6 +1,7 @@
 #include "Support/Identities.h"
 
 #include "Operators/ExteriorCalculus.h"
+#include "Operators/PowerFieldDirections.h"
 #include "Support/Random.h"
 
 #include <Eigen/Eigenvalues>
@@ -162,6 +163,19 @@ Vector<Complex> InTurnedFrames(
     turned[i] *= std::polar(1.0, -N * angles[i]);
   }
   return turned;
+}
+
+std::vector<Corner> CornersOf(const TriangleMesh& mesh)
+{
+  const TangentFrames frames = FaceFrames(mesh);
+  return Corners(mesh, SideDirections(mesh, frames), frames, VertexFrames(mesh));
+}
+
+Vector<double> IndicesOf(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const Vector<Complex>& powers, int N)
+{
+  return SingularityIndices(
+    mesh, CornersOf(mesh), MatchDirections(mesh, SideDirections(mesh, faceFrames), powers, N).Turning, N);
 }
 
 Vector<Complex> PowersOfDirection(const TangentFrames& frames, const Vector3& v, int N)

@@ -72,6 +72,13 @@ TangentFrames Turned(const TangentFrames& frames, const std::vector<double>& ang
 Vector<Complex> InTurnedFrames(
   const Vector<Complex>& powers, const std::vector<double>& angles, int N);
 
+/// Corners with the frames that meshes come with.
+std::vector<Corner> CornersOf(const TriangleMesh& mesh);
+
+/// SingularityIndices of powers.
+Vector<double> IndicesOf(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const Vector<Complex>& powers, int N);
+
 /// The power of the same direction v in every face: (v . X + i v . Y)^N, of unit magnitude.
 Vector<Complex> PowersOfDirection(const TangentFrames& frames, const Vector3& v, int N);
 

@@ -85,14 +85,10 @@ Unfilled<double> CurvaturesOfCorners(
         }
         double lacking = 2.0 * Pi;
         int faces = 0;
-        const int outgoing = mesh.OutgoingHalfedge(vertex);
-        int h = outgoing;
-        do
-        {
+        mesh.VisitFan(vertex, [&](int h) {
           lacking -= angles[TriangleMesh::FaceOf(h)][h % 3];
           ++faces;
-          h = mesh.Twin(TriangleMesh::Previous(h));
-        } while (h != outgoing);
+        });
         curvatures[vertex] = lacking / faces;
       }
     });

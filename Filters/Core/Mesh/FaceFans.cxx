@@ -61,7 +61,7 @@ private:
     TakeOutwards(
       this->Mesh.NumberOfVertices(), [this](int vertex) { return this->TakeStar(vertex); },
       [this](int vertex, const auto& visit) {
-        this->ForHalfedges(vertex, [&](int h) {
+        this->Mesh.VisitFan(vertex, [&](int h) {
           if (const int beyond = this->Mesh.Twin(TriangleMesh::Next(h)); beyond >= 0)
           {
             visit(this->Mesh.Tail(TriangleMesh::Previous(beyond)));
@@ -109,22 +109,10 @@ private:
     }
   }
 
-  template <class Visit>
-  void ForHalfedges(int vertex, const Visit& visit) const
-  {
-    const int first = this->Mesh.OutgoingHalfedge(vertex);
-    int h = first;
-    do
-    {
-      visit(h);
-      h = this->Mesh.Twin(TriangleMesh::Previous(h));
-    } while (h >= 0 && h != first);
-  }
-
   void CollectStar(int vertex)
   {
     this->Star.clear();
-    this->ForHalfedges(vertex, [this](int h) { this->Star.push_back(TriangleMesh::FaceOf(h)); });
+    this->Mesh.VisitFan(vertex, [this](int h) { this->Star.push_back(TriangleMesh::FaceOf(h)); });
     this->IsClosed = !this->Mesh.IsBoundaryVertex(vertex);
   }
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace dmg
@@ -206,6 +207,20 @@ std::array<Complex, 3> SideDirections(
   return directions;
 }
 
+std::vector<Complex> SideDirections(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
+{
+  std::vector<Complex> sides(3 * mesh.NumberOfFaces());
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
+    for (int face = first; face < last; ++face)
+    {
+      const std::array<Complex, 3> directions = SideDirections(mesh, faceFrames, face);
+      std::copy(directions.begin(), directions.end(), sides.begin() + 3 * face);
+    }
+  });
+  return sides;
+}
+
 std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face)
 {
   const FaceShape shape = ShapeOf(mesh, face);
@@ -220,34 +235,27 @@ std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face)
     UnitOf({ x.dot(shape.Sides[2]), -doubledArea }) };
 }
 
-TangentFrames VertexFrames(const TriangleMesh& mesh)
+TangentFrames VertexFrames(const TriangleMesh& mesh, const ExecutionContext& context)
 {
-  const int numberOfVertices = mesh.NumberOfVertices();
-  Points normals = Points::Zero(numberOfVertices, 3);
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    const Eigen::RowVector3d areaVector = mesh.FaceAreaVector(face).transpose();
-    for (int h = 3 * face; h < 3 * face + 3; ++h)
+  TangentFrames frames = FramesOfSize(mesh.NumberOfVertices());
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
+    for (int v = first; v < last; ++v)
     {
-      normals.row(mesh.Tail(h)) += areaVector;
+      Vector3 normal = Vector3::Zero();
+      mesh.VisitFan(
+        v, [&](int h) { normal += mesh.FaceAreaVector(TriangleMesh::FaceOf(h)); });
+      const int h = mesh.OutgoingHalfedge(v);
+      if (normal.squaredNorm() == 0.0)
+      {
+        const FaceShape shape = ShapeOf(mesh, TriangleMesh::FaceOf(h));
+        normal = shape.AreaVector.squaredNorm() > 0.0 ? shape.AreaVector
+                                                      : shape.Sides[shape.Longest].unitOrthogonal();
+      }
+      normal.normalize();
+      SetFrame(frames, v,
+        PerpendicularPart(mesh.Position(mesh.Head(h)) - mesh.Position(v), normal), normal);
     }
-  }
-
-  TangentFrames frames = FramesOfSize(numberOfVertices);
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    const int h = mesh.OutgoingHalfedge(v);
-    Vector3 normal = normals.row(v).transpose();
-    if (normal.squaredNorm() == 0.0)
-    {
-      const FaceShape shape = ShapeOf(mesh, TriangleMesh::FaceOf(h));
-      normal = shape.AreaVector.squaredNorm() > 0.0 ? shape.AreaVector
-                                                    : shape.Sides[shape.Longest].unitOrthogonal();
-    }
-    normal.normalize();
-    SetFrame(
-      frames, v, PerpendicularPart(mesh.Position(mesh.Head(h)) - mesh.Position(v), normal), normal);
-  }
+  });
   return frames;
 }
 
@@ -264,6 +272,32 @@ Complex TransportTurn(const TangentFrames& from, int a, const TangentFrames& to,
   const double length = std::sqrt(std::norm(turn));
   // Opposite normals: a half turn about from.X.
   return length < 1e-14 ? Complex(xx, xy) : turn / length;
+}
+
+std::vector<Corner> Corners(const TriangleMesh& mesh, const std::vector<Complex>& sides,
+  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
+  const ExecutionContext& context)
+{
+  std::vector<Corner> corners(3 * mesh.NumberOfFaces());
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
+    for (int face = first; face < last; ++face)
+    {
+      const auto angleAt = [&sides](int h) {
+        const double angle = std::arg(-sides[TriangleMesh::Previous(h)] * std::conj(sides[h]));
+        // Between 0 and pi; rounding may show a straight one as -pi.
+        return angle < -0.5 * Pi ? angle + 2.0 * Pi : angle;
+      };
+      const int h = 3 * face;
+      const std::array<double, 2> angles = { angleAt(h), angleAt(h + 1) };
+      const double rest = std::max(Pi - angles[0] - angles[1], 0.0);
+      for (int k = 0; k < 3; ++k)
+      {
+        corners[h + k] = { TransportTurn(faceFrames, face, vertexFrames, mesh.Tail(h + k)),
+          k < 2 ? angles[k] : rest };
+      }
+    }
+  });
+  return corners;
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Support/ExecutionContext.h"
 
 #include <array>
+#include <vector>
 
 namespace dmg
 {
@@ -44,19 +45,37 @@ TangentFrames FaceFrames(
 std::array<Complex, 3> SideDirections(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
 
-/// The same in FaceFrames, for those who need no more of these frames.
+/// Of all faces, per halfedge.
+std::vector<Complex> SideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const ExecutionContext& context = SerialContext());
+
+/// Those of one face in FaceFrames, for those who need no more of these frames.
 std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face);
 
 /// Per vertex: N the normalised sum of the area vectors of the faces around it (where that
 /// vanishes, the normal of one of them), X its outgoing halfedge projected to the tangent plane
 /// (where that vanishes, any direction there).
 /// Cost: O(#F).
-TangentFrames VertexFrames(const TriangleMesh& mesh);
+TangentFrames VertexFrames(
+  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// How a direction turns when it is carried from one tangent plane to another along the shortest
 /// rotation between their normals: z becomes turn * z, |turn| = 1. Defined for every pair; where
 /// the normals are opposite, any shortest rotation.
 Complex TransportTurn(const TangentFrames& from, int a, const TangentFrames& to, int b);
+
+/// A corner of a face, for those who gather from the faces around a vertex.
+struct Corner
+{
+  Complex Turn; ///< TransportTurn from the face to the vertex
+  double Angle; ///< between its sides; those of a triangle sum to pi
+};
+
+/// All corners: [h] is that of the face of halfedge h at the tail of h.
+/// \param sides SideDirections of all faces.
+std::vector<Corner> Corners(const TriangleMesh& mesh, const std::vector<Complex>& sides,
+  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
+  const ExecutionContext& context = SerialContext());
 
 }
 

@@ -158,13 +158,7 @@ TriangleMesh::TriangleMesh(dmg::Points points, dmg::Triangles triangles, const E
   }
   for (int v = 0; v < numberOfVertices; ++v)
   {
-    const int first = this->Outgoing[v];
-    int h = first;
-    do
-    {
-      --valences[v];
-      h = this->Twins[Previous(h)];
-    } while (h >= 0 && h != first);
+    this->VisitFan(v, [&](int) { --valences[v]; });
     if (valences[v] > 0)
     {
       throw InvalidInput("the triangles around " + names.Vertex(v) +

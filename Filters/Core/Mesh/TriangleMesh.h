@@ -53,6 +53,18 @@ public:
   /// A halfedge that leaves the vertex; on the boundary the one without a twin, so that
   /// h -> Twin(Previous(h)) visits the whole fan, counter-clockwise, from it.
   int OutgoingHalfedge(int vertex) const { return this->Outgoing[vertex]; }
+  /// Calls visit(h) for the halfedges that leave the vertex with a face of the fan to their left, in that order.
+  template <class Visit>
+  void VisitFan(int vertex, const Visit& visit) const
+  {
+    const int first = this->OutgoingHalfedge(vertex);
+    int h = first;
+    do
+    {
+      visit(h);
+      h = this->Twin(Previous(h));
+    } while (h >= 0 && h != first);
+  }
   bool IsBoundaryVertex(int vertex) const { return this->Twins[this->Outgoing[vertex]] < 0; }
 
   /// {smaller, larger} vertex of an edge.

@@ -12,6 +12,8 @@ namespace dmg
 namespace
 {
 
+constexpr int Grain = 4096;
+
 /// Relative to the square of the longest side.
 constexpr double SmallestArea = 1e-4;
 
@@ -277,50 +279,52 @@ SparseMatrix<double> OneFormLaplacianFactor(
     });
 }
 
-Points WhitneyAtFaces(const TriangleMesh& mesh, const Vector<double>& form)
+Points WhitneyAtFaces(
+  const TriangleMesh& mesh, const Vector<double>& form, const ExecutionContext& context)
 {
-  Points vectors = Points::Zero(mesh.NumberOfFaces(), 3);
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
-    for (int k = 0; k < 3; ++k)
+  Points vectors(mesh.NumberOfFaces(), 3);
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
+    for (int face = first; face < last; ++face)
     {
-      vectors.row(face) += ValueAlong(mesh, form, 3 * face + k) / 3.0 *
-        (gradients[(k + 1) % 3] - gradients[k]).transpose();
+      const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
+      Vector3 vector = Vector3::Zero();
+      for (int k = 0; k < 3; ++k)
+      {
+        vector +=
+          ValueAlong(mesh, form, 3 * face + k) / 3.0 * (gradients[(k + 1) % 3] - gradients[k]);
+      }
+      vectors.row(face) = vector.transpose();
     }
-  }
+  });
   return vectors;
 }
 
 Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const Vector<double>& form)
+  const TangentFrames& vertexFrames, const std::vector<Corner>& corners, const Vector<double>& form,
+  const ExecutionContext& context)
 {
-  Vector<Complex> sums = Vector<Complex>::Zero(mesh.NumberOfVertices());
-  Vector<double> angleSums = Vector<double>::Zero(mesh.NumberOfVertices());
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
-    const std::array<double, 3> products = CornerProducts(mesh, face);
-    const double doubleArea = 2.0 * mesh.FaceArea(face);
-    for (int k = 0; k < 3; ++k)
-    {
-      const int vertex = mesh.FaceCorners()(face, k);
-      const int next = (k + 1) % 3;
-      const int previous = (k + 2) % 3;
-      const Vector3 inFace = ValueAlong(mesh, form, 3 * face + k) * gradients[next] -
-        ValueAlong(mesh, form, 3 * face + previous) * gradients[previous];
-      const double angle = std::atan2(doubleArea, products[k]);
-      sums[vertex] += angle * TransportTurn(faceFrames, face, vertexFrames, vertex) *
-        faceFrames.ToComplex(face, inFace);
-      angleSums[vertex] += angle;
-    }
-  }
   Points vectors(mesh.NumberOfVertices(), 3);
-  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
-  {
-    const double scale = angleSums[vertex] > 0.0 ? 1.0 / angleSums[vertex] : 0.0;
-    vectors.row(vertex) = vertexFrames.ToVector(vertex, scale * sums[vertex]).transpose();
-  }
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
+    for (int vertex = first; vertex < last; ++vertex)
+    {
+      Complex sum = 0.0;
+      double sumOfAngles = 0.0;
+      mesh.VisitFan(vertex, [&](int h) {
+        const int face = TriangleMesh::FaceOf(h);
+        const int k = h % 3;
+        const int next = (k + 1) % 3;
+        const int previous = (k + 2) % 3;
+        const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
+        const Vector3 inFace = ValueAlong(mesh, form, h) * gradients[next] -
+          ValueAlong(mesh, form, 3 * face + previous) * gradients[previous];
+        const auto& [turn, angle] = corners[h];
+        sum += angle * turn * faceFrames.ToComplex(face, inFace);
+        sumOfAngles += angle;
+      });
+      const double scale = sumOfAngles > 0.0 ? 1.0 / sumOfAngles : 0.0;
+      vectors.row(vertex) = vertexFrames.ToVector(vertex, scale * sum).transpose();
+    }
+  });
   return vectors;
 }
 

@@ -76,13 +76,15 @@ SparseMatrix<double> OneFormLaplacianFactor(const TriangleMesh& mesh,
 /// The vector of a 1-form at the centre of each face, #F x 3: that of its Whitney interpolant
 ///   sum over sides ij of z_ij (b_i grad b_j - b_j grad b_i),   b the barycentric coordinates.
 /// Exact for constant vectors in a plane.
-Points WhitneyAtFaces(const TriangleMesh& mesh, const Vector<double>& form);
+Points WhitneyAtFaces(const TriangleMesh& mesh, const Vector<double>& form,
+  const ExecutionContext& context = SerialContext());
 
 /// The vector of a 1-form at each vertex, #V x 3, tangent to \p vertexFrames: the mean of the
 /// Whitney interpolants of the faces around, by corner angle, each carried into the tangent plane
 /// of the vertex by the shortest rotation between the normals.
 Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const Vector<double>& form);
+  const TangentFrames& vertexFrames, const std::vector<Corner>& corners, const Vector<double>& form,
+  const ExecutionContext& context = SerialContext());
 
 /// The 1-form of a vector per face (#F x 3): along an edge, the mean over its faces of the vector's
 /// product with the edge.

@@ -1,7 +1,6 @@
 #include "Operators/FaceFieldOperators.h"
 
 #include "Mesh/FaceProjection.h"
-#include "Operators/PowerFieldOperators.h"
 #include "Support/SparseAssembly.h"
 #include "Support/SparseKernels.h"
 
@@ -56,15 +55,11 @@ void AppendFace(RowEntries<double>& row, int face, const Vector2& entries)
 void AppendDivergence(const TriangleMesh& mesh, const std::vector<FaceProjection>& projections,
   int vertex, RowEntries<double>& row)
 {
-  const int first = mesh.OutgoingHalfedge(vertex);
-  int h = first;
-  do
-  {
+  mesh.VisitFan(vertex, [&](int h) {
     const int face = TriangleMesh::FaceOf(h);
     const Vector2 opposite = projections[face].row((h + 1) % 3).transpose();
     AppendFace(row, face, -0.5 * QuarterTurn(opposite));
-    h = mesh.Twin(TriangleMesh::Previous(h));
-  } while (h >= 0 && h != first);
+  });
 }
 
 void AppendCurl(const TriangleMesh& mesh, const std::vector<FaceProjection>& projections, int edge,
@@ -222,23 +217,6 @@ Points VectorsFromFaceField(const TangentFrames& faceFrames, const Vector<double
   {
     vectors.row(face) =
       faceFrames.ToVector(face, { field[2 * face], field[2 * face + 1] }).transpose();
-  }
-  return vectors;
-}
-
-Points FaceFieldAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const Vector<double>& field)
-{
-  Vector<Complex> complex(field.size() / 2);
-  for (int face = 0; face < complex.size(); ++face)
-  {
-    complex[face] = { field[2 * face], field[2 * face + 1] };
-  }
-  complex = PowersAtVertices(mesh, faceFrames, vertexFrames, complex, 1);
-  Points vectors(complex.size(), 3);
-  for (int vertex = 0; vertex < vectors.rows(); ++vertex)
-  {
-    vectors.row(vertex) = vertexFrames.ToVector(vertex, complex[vertex]).transpose();
   }
   return vectors;
 }

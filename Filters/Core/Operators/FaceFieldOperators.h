@@ -74,11 +74,6 @@ Vector<double> FaceFieldFromVectors(const TangentFrames& faceFrames, const Point
 /// A face field as vectors in space, #F x 3.
 Points VectorsFromFaceField(const TangentFrames& faceFrames, const Vector<double>& field);
 
-/// Vectors at the vertices, #V x 3, tangential: the mean of the faces around, by corner angle, each
-/// carried into the tangent plane of the vertex by the shortest rotation between the normals.
-Points FaceFieldAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const Vector<double>& field);
-
 }
 
 #endif

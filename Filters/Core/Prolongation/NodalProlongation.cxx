@@ -90,20 +90,11 @@ std::vector<Complex> CornerTurns(
   });
   std::vector<Complex> turns(3 * mesh.NumberOfFaces());
   const auto turnAround = [&](int vertex) {
-    const int first = mesh.OutgoingHalfedge(vertex);
-    const auto visit = [&](auto visitCorner) {
-      int h = first;
-      do
-      {
-        visitCorner(h);
-        h = mesh.Twin(TriangleMesh::Previous(h));
-      } while (h >= 0 && h != first);
-    };
     double sum = 0.0;
-    visit([&](int h) { sum += angles[h]; });
+    mesh.VisitFan(vertex, [&](int h) { sum += angles[h]; });
     const double stretch = mesh.IsBoundaryVertex(vertex) || sum == 0.0 ? 1.0 : 2.0 * Pi / sum;
     double polar = 0.0;
-    visit([&](int h) {
+    mesh.VisitFan(vertex, [&](int h) {
       // The bisectors of the corner coincide.
       turns[h] =
         directions[h] * std::polar(1.0, 0.5 * angles[h] - (polar + 0.5 * stretch * angles[h]));
@@ -153,14 +144,10 @@ TransportOperator VerticesFromVertices(const TriangleMesh& fine,
     }
     thread_local Row turns;
     turns.clear();
-    const int first = fine.OutgoingHalfedge(vertex);
-    int h = first;
-    do
-    {
+    fine.VisitFan(vertex, [&](int h) {
       AddTurns(turns, std::conj(fineCornerTurns[h]), TriangleMesh::FaceOf(h), SP, coarse,
         coarseCornerTurns);
-      h = fine.Twin(TriangleMesh::Previous(h));
-    } while (h >= 0 && h != first);
+    });
     Turn(row, turns);
   };
   return AssembleMatrix<Complex>(

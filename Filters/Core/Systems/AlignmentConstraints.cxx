@@ -75,15 +75,11 @@ std::vector<CarriedDirection> CarriedIntoFaces(const TriangleMesh& mesh,
   const Complex direction =
     TangentialPart(vertexFrames, vertex, inSpace, weight, names.Vertex(vertex), "point");
   std::vector<CarriedDirection> carried;
-  const int first = mesh.OutgoingHalfedge(vertex);
-  int halfedge = first;
-  do
-  {
+  mesh.VisitFan(prescribed.Vertex, [&](int halfedge) {
     const int face = TriangleMesh::FaceOf(halfedge);
-    const Complex turn = TransportTurn(vertexFrames, vertex, faceFrames, face);
+    const Complex turn = TransportTurn(vertexFrames, prescribed.Vertex, faceFrames, face);
     carried.push_back({ halfedge, faceFrames.ToVector(face, turn * direction) });
-    halfedge = mesh.Twin(TriangleMesh::Previous(halfedge));
-  } while (halfedge >= 0 && halfedge != first);
+  });
   return carried;
 }
 

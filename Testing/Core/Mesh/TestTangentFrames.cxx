@@ -179,4 +179,24 @@ TEST(TransportTurn, IsDefinedBetweenOppositeNormals)
     std::abs(TransportTurn(frames, 0, frames, 1) - Complex(0.0, 1.0)), 4.0 * MachinePrecision);
 }
 
+TEST(Corners, AddUpToHalfATurnPerFace)
+{
+  for (const Surface& surface : { IrregularTorus(8, 5, 3), SphereWithZeroAreaFaces(2, 3) })
+  {
+    const TriangleMesh mesh = surface.Mesh();
+    const TangentFrames faces = FaceFrames(mesh);
+    const TangentFrames vertices = VertexFrames(mesh);
+    const std::vector<Complex> sides = SideDirections(mesh, faces);
+    const std::vector<Corner> corners = Corners(mesh, sides, faces, vertices);
+    for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+    {
+      EXPECT_GE(corners[h].Angle, 0.0);
+      EXPECT_EQ(corners[h].Turn, TransportTurn(faces, h / 3, vertices, mesh.Tail(h)));
+      // From one side to the other, counter-clockwise.
+      const Complex turned = sides[h] * std::polar(1.0, corners[h].Angle);
+      EXPECT_LT(std::abs(turned + sides[TriangleMesh::Previous(h)]), 20.0 * MachinePrecision);
+    }
+  }
+}
+
 }

@@ -235,7 +235,7 @@ TEST(Whitney, ReproducesConstantsInAPlane)
     const Vector<double> form = FormFromFaceVectors(mesh, onFaces);
     EXPECT_LT((form - FormFromVertexVectors(mesh, onVertices)).cwiseAbs().maxCoeff(), 1e-14);
     EXPECT_LT((WhitneyAtFaces(mesh, form) - onFaces).cwiseAbs().maxCoeff(), 1e-13);
-    EXPECT_LT((WhitneyAtVertices(mesh, FaceFrames(mesh), VertexFrames(mesh), form) - onVertices)
+    EXPECT_LT((WhitneyAtVertices(mesh, FaceFrames(mesh), VertexFrames(mesh), CornersOf(mesh), form) - onVertices)
                 .cwiseAbs()
                 .maxCoeff(),
       1e-13);
@@ -276,6 +276,6 @@ TEST(Whitney, StaysFiniteOnFacesWithoutArea)
   const TriangleMesh mesh = SphereWithZeroAreaFaces(2, 3).Mesh();
   const Vector<double> form = Vector<double>::Ones(mesh.NumberOfEdges());
   EXPECT_TRUE(WhitneyAtFaces(mesh, form).allFinite());
-  EXPECT_TRUE(WhitneyAtVertices(mesh, FaceFrames(mesh), VertexFrames(mesh), form).allFinite());
+  EXPECT_TRUE(WhitneyAtVertices(mesh, FaceFrames(mesh), VertexFrames(mesh), CornersOf(mesh), form).allFinite());
   EXPECT_TRUE(OneFormLaplacian(mesh, SerialContext()).coeffs().allFinite());
 }

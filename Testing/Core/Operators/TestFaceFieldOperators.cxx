@@ -242,14 +242,4 @@ TEST(FaceFieldOperators, ZeroAreaFacesStayFinite)
   EXPECT_GT(eigenvalues[0], 1e-8);
 }
 
-TEST(FaceFieldOperators, VertexVectorsOfAConstantFieldInAPlaneAreThatVector)
-{
-  const TriangleMesh mesh = IrregularPlane(8, 6, 4).Mesh();
-  const TangentFrames frames = FaceFrames(mesh);
-  const Vector3 v(0.3, -1.7, 0.0);
-  const Points vectors =
-    FaceFieldAtVertices(mesh, frames, VertexFrames(mesh), FaceFieldOfVector(frames, v));
-  EXPECT_LT((vectors.rowwise() - v.transpose()).cwiseAbs().maxCoeff(), 1e-13);
-}
-
 }

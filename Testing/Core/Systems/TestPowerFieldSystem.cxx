@@ -96,7 +96,7 @@ TEST(PowerFieldSystem, OneDirectionOnAFlatTorusGivesAParallelField)
         X[TriangleMesh::FaceOf(h)] * std::polar(1.0, N * TransportAcrossEdge(mesh, frames, h));
       EXPECT_LT(std::abs(carried - X[TriangleMesh::FaceOf(mesh.Twin(h))]), 1e-10);
     }
-    EXPECT_EQ(SingularityIndices(mesh, frames, X, N).cwiseAbs().maxCoeff(), 0.0);
+    EXPECT_EQ(IndicesOf(mesh, frames, X, N).cwiseAbs().maxCoeff(), 0.0);
   }
 }
 
@@ -113,7 +113,7 @@ TEST(PowerFieldSystem, SmoothFieldsHaveIndicesThatSumToTheEulerCharacteristic)
         MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 3, 8));
       const Vector<Complex> X =
         SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
-      const Vector<double> indices = SingularityIndices(mesh, frames, X, N);
+      const Vector<double> indices = IndicesOf(mesh, frames, X, N);
       EXPECT_NEAR(indices.sum(), mesh.EulerCharacteristic(), 1e-9);
       // A smooth field has few singularities; a random one has them at most vertices.
       EXPECT_LT((indices.array() != 0.0).count(), mesh.NumberOfVertices() / 4);
@@ -228,7 +228,7 @@ TEST(PowerFieldSystem, ZeroAreaFacesGetAField)
       SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
     EXPECT_TRUE(X.allFinite());
     EXPECT_LT(X.cwiseAbs().maxCoeff(), constraints.Values.cwiseAbs().maxCoeff() * (1.0 + 1e-6));
-    EXPECT_NEAR(SingularityIndices(mesh, frames, X, N).sum(), 2.0, 1e-9);
+    EXPECT_NEAR(IndicesOf(mesh, frames, X, N).sum(), 2.0, 1e-9);
   }
 }
 

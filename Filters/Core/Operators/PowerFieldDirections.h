@@ -1,0 +1,73 @@
+#ifndef dmgPowerFieldDirections_h
+#define dmgPowerFieldDirections_h
+
+#include "Mesh/TangentFrames.h"
+#include "Mesh/TriangleMesh.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <functional>
+#include <vector>
+
+/// What is to be seen of a power field: the directions, which of them go on across an edge, and the
+/// singularities, where none can. Powers are one per face or per vertex, in its frame. Direction k of an
+/// element is at the angle (arg(power) + 2 pi k) / N there; that of a zero power is counted as zero. All cost
+/// O(#F).
+namespace dmg
+{
+
+/// Matches each direction of a face with the nearest one beyond an edge.
+struct PrincipalMatching
+{
+  /// Angle from carried to matched directions, from the face of HalfedgeOf(edge) to that of its twin, in
+  /// [-pi / N, pi / N]; #E, 0 on the boundary. N times this is also called the effort of the edge.
+  Vector<double> Turning;
+  /// Direction k of the face of halfedge h is matched with k + Offsets[h], modulo N, of the face of its
+  /// twin; 3 #F, each in [0, N).
+  std::vector<signed char> Offsets;
+};
+
+/// \param sides SideDirections of all faces.
+PrincipalMatching MatchDirections(const TriangleMesh& mesh, const std::vector<Complex>& sides,
+  const Vector<Complex>& powers, int N, const ExecutionContext& context = SerialContext());
+
+/// Which direction of each face comes first, along a tree over the faces that crosses the edges of least turning
+/// first: each goes on as the first of the next face but for a cut, which vanishes on a disc without
+/// singularities.
+/// \param matching of these powers.
+std::vector<int> CombingLabels(const TriangleMesh& mesh, const Vector<Complex>& powers,
+  const PrincipalMatching& matching, int N, const ExecutionContext& context = SerialContext());
+
+/// The first direction of each element in its frame, of the power's magnitude.
+/// \param labels which comes first, per element; empty for direction 0.
+Vector<Complex> FirstDirections(const Vector<Complex>& powers, int N,
+  const std::vector<int>& labels = {}, const ExecutionContext& context = SerialContext());
+
+/// Calls write(i, k, vector), possibly at the same time, with the N directions of each element in space, of
+/// the power's magnitude or of unit length (zero where the power is zero). k = 0 is the first one; they are 2 pi / N
+/// apart and counter-clockwise.
+void ForDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N,
+  bool unitLength, const std::function<void(int i, int k, const Vector3& vector)>& write,
+  const ExecutionContext& context = SerialContext());
+
+/// Powers at the vertices: the mean of the faces around, by corner angle, each carried into the
+/// tangent plane of the vertex by the shortest rotation between the normals.
+Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const std::vector<Corner>& corners,
+  const Vector<Complex>& powers, int N, const ExecutionContext& context = SerialContext());
+
+/// First directions of vertices: the nearest to those of the faces around.
+Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh,
+  const std::vector<Corner>& corners, const Vector<Complex>& ofFaces,
+  const Vector<Complex>& vertexPowers, int N, const ExecutionContext& context = SerialContext());
+
+/// Index of the singularity at each vertex, a multiple of 1/N, 0 at regular and at boundary
+/// vertices: (angle defect + turning of the field around the vertex) / 2 pi. On a closed surface they
+/// sum to the Euler characteristic. A vertex beside a zero power has no well-defined index; any
+/// multiple may result, the sum still holds.
+/// \param turning of the principal matching.
+Vector<double> SingularityIndices(const TriangleMesh& mesh, const std::vector<Corner>& corners,
+  const Vector<double>& turning, int N, const ExecutionContext& context = SerialContext());
+
+}
+
+#endif
