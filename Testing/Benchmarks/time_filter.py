@@ -1,0 +1,76 @@
+"""The whole job as a user sees it: vtkHarmonicFieldSolver, from a bare surface to all of its arrays.
+
+    pvpython time_filter.py [--out folder] [--runs n] surface.ply|vtp ...
+
+Twenty triangles are prescribed; everything else is as the filter comes. Each run has a filter of its own. Leaves
+filter.csv: medians of the seconds that Update() takes, and of what the filter reports of its stages; "other" is
+what it needs besides, most of it for the arrays.
+"""
+import argparse
+import csv
+import statistics
+import time
+from pathlib import Path
+
+import numpy as np
+from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkIOPLY import vtkPLYReader
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+PRESCRIBED = 20
+JOBS = [("power, N = 4", 0, 4), ("power, N = 2", 0, 2), ("face-based", 1, 1), ("DEC", 2, 1)]
+STAGES = ["SetupSeconds", "PrepareSeconds", "SolveSeconds"]
+
+
+def read(path):
+    reader = vtkXMLPolyDataReader() if path.suffix == ".vtp" else vtkPLYReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    surface = reader.GetOutput()
+    faces = surface.GetNumberOfCells()
+    directions = np.zeros((faces, 3))
+    directions[np.arange(PRESCRIBED) * faces // PRESCRIBED] = 1.0, 0.3, 0.2
+    array = numpy_to_vtk(directions, deep=True)
+    array.SetName("Given")
+    surface.GetCellData().AddArray(array)
+    return surface
+
+
+def run(surface, discretisation, number):
+    """Seconds: of all, of the stages, and of the rest."""
+    solver = vtkHarmonicFieldSolver()
+    solver.SetDiscretisation(discretisation)
+    solver.SetNumberOfDirections(number)
+    solver.SetInputData(surface)
+    solver.SetInputArrayToProcess(1, 0, 0, 1, "Given")
+    start = time.perf_counter()
+    solver.Update()
+    total = time.perf_counter() - start
+    report = solver.GetOutput().GetFieldData()
+    if not report.GetArray("Converged").GetValue(0):
+        raise SystemExit("the solver has not converged")
+    stages = [report.GetArray(stage).GetValue(0) for stage in STAGES]
+    return [total, *stages, total - sum(stages)]
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--out", type=Path, default=Path("."))
+    parser.add_argument("--runs", type=int, default=5)
+    parser.add_argument("surfaces", nargs="+", type=Path)
+    options = parser.parse_args()
+    with open(options.out / "filter.csv", "w", newline="") as file:
+        rows = csv.writer(file)
+        rows.writerow("surface,faces,field,runs,total,setup,prepare,solve,other".split(","))
+        for path in options.surfaces:
+            surface = read(path)
+            for name, discretisation, number in JOBS:
+                runs = [run(surface, discretisation, number) for _ in range(options.runs)]
+                medians = [f"{statistics.median(column):.3f}" for column in zip(*runs)]
+                row = [path.stem, surface.GetNumberOfCells(), name, options.runs, *medians]
+                rows.writerow(row)
+                print(*row, sep="  ", flush=True)
+
+
+main()
