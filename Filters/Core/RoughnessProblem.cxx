@@ -3,11 +3,14 @@
 #include "Solvers/ConjugateGradient.h"
 #include "Solvers/DeflatedPreconditioner.h"
 #include "Solvers/StationaryIteration.h"
+#include "Support/CountingSort.h"
 #include "Support/FreedMemory.h"
 #include "Support/Permutations.h"
+#include "Support/SparseKernels.h"
 
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cassert>
 #include <chrono>
 #include <cmath>
@@ -21,6 +24,7 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr int Grain = 8192;
 
 RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options)
 {
@@ -49,7 +53,7 @@ public:
     const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
   {
     const double product = this->A.Apply(x, y, context);
-    this->Deflated.RemoveKernel(y);
+    this->Deflated.RemoveKernel(y, context);
     return product;
   }
 
@@ -62,34 +66,53 @@ private:
 /// (YieldingUnknowns). Strong pulls would otherwise cost them so much energy that they helped nothing: 46
 /// iterations were seen instead of 13. But where there is a harmonic field with any values that may be prescribed,
 /// it is the solution, and they do not yield.
-Eigen::MatrixXd UnderPulls(
-  Eigen::MatrixXd fields, const RoughnessHierarchy& hierarchy, const Vector<double>& D)
+Eigen::MatrixXd UnderPulls(Eigen::MatrixXd fields, const RoughnessHierarchy& hierarchy,
+  const Vector<double>& D, const ExecutionContext& context)
 {
-  std::vector<int> pulled;
-  for (int i = 0; i < hierarchy.NumberOfUnknowns(); ++i)
-  {
-    if (!std::isfinite(D[i]))
-    {
-      fields.row(i).setZero();
-    }
-    else if (D[i] > 0.0)
-    {
-      pulled.push_back(i);
-    }
-  }
+  const int size = hierarchy.NumberOfUnknowns();
+  const std::vector<int> pulled =
+    Choose(size, [&D](int i) { return D[i] > 0.0 && std::isfinite(D[i]); }, context);
   const auto count = static_cast<Eigen::Index>(pulled.size());
-  if (count == 0 ||
+  const bool areMet = count == 0 ||
     (count <= fields.cols() &&
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(fields(pulled, Eigen::all)).rank() == count))
-  {
-    return fields;
-  }
-  for (const int i : pulled)
-  {
-    const double R = hierarchy.DiagonalOf(i);
-    fields.row(i) *= R / (R + D[i]);
-  }
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(fields(pulled, Eigen::all)).rank() == count);
+  context.ParallelFor(0, size, Grain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      if (!std::isfinite(D[i]))
+      {
+        fields.row(i).setZero();
+      }
+      else if (D[i] > 0.0 && !areMet)
+      {
+        const double R = hierarchy.DiagonalOf(i);
+        fields.row(i) *= R / (R + D[i]);
+      }
+    }
+  });
   return fields;
+}
+
+/// What the energies of some vectors would be if nothing cancelled. Slivers have large scales, and hardly count.
+double LargestEnergy(const Eigen::MatrixXd& vectors, const RoughnessHierarchy& hierarchy,
+  const Vector<double>& D, const ExecutionContext& context)
+{
+  double largest = 0.0;
+  for (Eigen::Index k = 0; k < vectors.cols(); ++k)
+  {
+    largest = std::max(largest,
+      SumOverBlocks<double>(hierarchy.NumberOfUnknowns(), context, [&](int first, int last) {
+        double energy = 0.0;
+        for (int i = first; i < last; ++i)
+        {
+          energy += std::isfinite(D[i])
+            ? (hierarchy.DiagonalOf(i) + D[i]) * vectors(i, k) * vectors(i, k)
+            : 0.0;
+        }
+        return energy;
+      }));
+  }
+  return largest;
 }
 
 /// Where some items stand in an order.
@@ -122,16 +145,9 @@ public:
 
   void Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
   Vector<double> RightHandSide(const Vector<double>& values, const ExecutionContext& context) const;
-  Vector<double> InOrder(const Vector<double>& all) const
-  {
-    return all.size() > 0 ? Vector<double>(all(this->Surface->Hierarchy->Order)) : all;
-  }
-  Vector<double> InCallersOrder(const Vector<double>& x) const
-  {
-    Vector<double> all(x.size());
-    all(this->Surface->Hierarchy->Order) = x;
-    return all;
-  }
+  /// \param all in the caller's order, or empty.
+  Vector<double> InOrder(const Vector<double>& all, const ExecutionContext& context) const;
+  Vector<double> InCallersOrder(const Vector<double>& x, const ExecutionContext& context) const;
 
   const std::shared_ptr<const RoughnessSurface> Surface;
   const SolverOptions Options;
@@ -140,7 +156,7 @@ public:
   std::vector<int> Places; ///< of those
   double Smoothness = 1.0;
   std::vector<int> Held; ///< unknowns that are not free, ascending
-  std::unique_ptr<LinearOperator<double>> A;
+  std::unique_ptr<RoughnessOperator> A;
   std::unique_ptr<RoughnessCycle> Cycle;
   std::optional<DeflatedPreconditioner> Deflated;
   SolveReport Report;
@@ -148,7 +164,7 @@ public:
 
 private:
   /// Infinite where an unknown is held.
-  Vector<double> DiagonalOfPrescribed();
+  Vector<double> DiagonalOfPrescribed(const ExecutionContext& context);
   void Deflate(const Vector<double>& D, const ExecutionContext& context);
 };
 
@@ -160,12 +176,15 @@ void RoughnessProblem::Internals::Prescribe(
   this->Smoothness = prescribed.Kind == ConstraintKind::Hard ? 1.0 : smoothness;
   this->Prescribed = std::move(prescribed);
   this->Places = PlacesOf(this->Prescribed.Unknowns, hierarchy.Order, context);
-  const Vector<double> D = this->DiagonalOfPrescribed();
+  const Vector<double> D = this->DiagonalOfPrescribed(context);
   context.Checkpoint(0.1);
 
   this->Deflated.reset();
-  this->A.reset();
-  this->A = hierarchy.Operator(D);
+  if (!this->A)
+  {
+    this->A = hierarchy.Operator();
+  }
+  this->A->SetDiagonal(D, context);
   if (this->Cycle)
   {
     this->Cycle->Update(D, PartOfContext(context, 0.1, 0.9));
@@ -186,39 +205,59 @@ void RoughnessProblem::Internals::Prescribe(
   context.Checkpoint(1.0);
 }
 
-Vector<double> RoughnessProblem::Internals::DiagonalOfPrescribed()
+Vector<double> RoughnessProblem::Internals::DiagonalOfPrescribed(const ExecutionContext& context)
 {
   const RoughnessHierarchy& hierarchy = *this->Surface->Hierarchy;
   const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
-  Vector<double> D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
-  std::vector<char> isReached(hierarchy.NumberOfUnknowns(), 0); // by component
+  const int size = hierarchy.NumberOfUnknowns();
+  Vector<double> D = Vector<double>::Zero(size);
+  std::vector<char> isReached(hierarchy.Components.empty() ? 1 : size, 0); // by component
   for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
     const int place = this->Places[k];
     D[place] = isHard ? Infinity : this->Prescribed.Alignment[k] / this->Smoothness;
     isReached[hierarchy.ComponentOf(place)] |= D[place] > 0.0;
   }
-  int unreached = 0;
-  this->Held.clear();
-  for (int i = 0; i < hierarchy.NumberOfUnknowns(); ++i)
-  {
-    if (!isReached[hierarchy.ComponentOf(i)])
-    {
-      D[i] = Infinity; // zero, the least of equal minimisers
-      ++unreached;
-    }
-    if (!std::isfinite(D[i]))
-    {
-      this->Held.push_back(i);
-    }
-  }
+  const std::vector<int> unreached = Choose(
+    size, [&](int i) { return !isReached[hierarchy.ComponentOf(i)]; }, context);
+  D(unreached).setConstant(Infinity); // zero, the least of equal minimisers
+  this->Held = Choose(size, [&D](int i) { return !std::isfinite(D[i]); }, context);
   this->SystemWarnings.clear();
-  if (const std::string warning = WarningAboutUnreached(unreached, hierarchy.NumberOfUnknowns());
+  if (const std::string warning =
+        WarningAboutUnreached(static_cast<int>(unreached.size()), size);
       !warning.empty())
   {
     this->SystemWarnings.push_back(warning);
   }
   return D;
+}
+
+Vector<double> RoughnessProblem::Internals::InOrder(
+  const Vector<double>& all, const ExecutionContext& context) const
+{
+  const std::vector<int>& order = this->Surface->Hierarchy->Order;
+  Vector<double> x(all.size());
+  context.ParallelFor(0, static_cast<int>(all.size()), Grain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      x[k] = all[order[k]];
+    }
+  });
+  return x;
+}
+
+Vector<double> RoughnessProblem::Internals::InCallersOrder(
+  const Vector<double>& x, const ExecutionContext& context) const
+{
+  const std::vector<int>& order = this->Surface->Hierarchy->Order;
+  Vector<double> all(x.size());
+  context.ParallelFor(0, static_cast<int>(x.size()), Grain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      all[order[k]] = x[k];
+    }
+  });
+  return all;
 }
 
 void RoughnessProblem::Internals::Deflate(const Vector<double>& D, const ExecutionContext& context)
@@ -227,18 +266,9 @@ void RoughnessProblem::Internals::Deflate(const Vector<double>& D, const Executi
   {
     return;
   }
-  Eigen::MatrixXd kernel = UnderPulls(this->Surface->Kernel, *this->Surface->Hierarchy, D);
-  // Energies of the kernel's vectors if nothing cancelled. Slivers have large scales, and hardly count.
-  Vector<double> energies = Vector<double>::Zero(kernel.cols());
-  for (Eigen::Index i = 0; i < D.size(); ++i)
-  {
-    if (std::isfinite(D[i]))
-    {
-      energies += (this->Surface->Hierarchy->DiagonalOf(i) + D[i]) * kernel.row(i).transpose().cwiseAbs2();
-    }
-  }
-  this->Deflated.emplace(
-    *this->Cycle, *this->A, std::move(kernel), energies.maxCoeff(), context);
+  Eigen::MatrixXd kernel = UnderPulls(this->Surface->Kernel, *this->Surface->Hierarchy, D, context);
+  const double largest = LargestEnergy(kernel, *this->Surface->Hierarchy, D, context);
+  this->Deflated.emplace(*this->Cycle, *this->A, std::move(kernel), largest, context);
   this->Report.Bytes += this->Deflated->Bytes();
   if (const std::string warning = WarningAboutUndetermined(
         this->Deflated->SizeOfKernel(), static_cast<int>(this->Surface->Kernel.cols()));
@@ -261,16 +291,12 @@ Vector<double> RoughnessProblem::Internals::RightHandSide(
   }
   if (isHard)
   {
-    // - R_fb y
-    const auto roughness = this->Surface->Hierarchy->Operator(Vector<double>::Zero(size));
+    // - R_fb y, as D is zero on what is free
     Vector<double> pull;
-    roughness->Apply(b, pull, context);
+    this->A->Apply(b, pull, context);
     b = -pull;
   }
-  for (const int i : this->Held)
-  {
-    b[i] = 0.0;
-  }
+  SetZero(b, this->Held, context);
   return b;
 }
 
@@ -312,16 +338,16 @@ Vector<double> RoughnessProblem::Solve(const Vector<double>& values,
   assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
   of.Report.Warnings = of.SystemWarnings;
   Vector<double> b = of.RightHandSide(values, context);
-  Vector<double> x = of.InOrder(start);
+  Vector<double> x = of.InOrder(start, context);
   ConvergenceMeasure<double> measure;
   measure.Mass = &of.Surface->Mass;
-  measure.Reference = of.InOrder(reference);
+  measure.Reference = of.InOrder(reference, context);
   measure.EnergyScale = of.Smoothness;
   for (Vector<double>* const vector : { &x, &measure.Reference })
   {
     if (vector->size() > 0)
     {
-      (*vector)(of.Held).setZero();
+      SetZero(*vector, of.Held, context);
     }
   }
   const LinearOperator<double>* A = &*of.A;
@@ -331,10 +357,10 @@ Vector<double> RoughnessProblem::Solve(const Vector<double>& values,
   {
     cycle = &*of.Deflated;
     A = &outside.emplace(*of.A, *of.Deflated);
-    of.Deflated->RemoveKernel(b);
+    of.Deflated->RemoveKernel(b, context);
     if (x.size() > 0)
     {
-      of.Deflated->RemoveKernel(x);
+      of.Deflated->RemoveKernel(x, context);
     }
   }
   const auto solve = of.Choice.Kind == SolverKind::VCycles ? &StationaryIteration<double>
@@ -347,7 +373,7 @@ Vector<double> RoughnessProblem::Solve(const Vector<double>& values,
       x[of.Places[k]] = values[k];
     }
   }
-  return of.InCallersOrder(x);
+  return of.InCallersOrder(x, context);
 }
 
 }

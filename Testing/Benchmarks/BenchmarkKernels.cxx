@@ -142,7 +142,7 @@ void MeasureProduct(const std::string& name, const RoughnessHierarchy& hierarchy
   double nonZeros, double bytes, int runs, KernelsTable& table, const ExecutionContext& context)
 {
   const int unknowns = hierarchy.NumberOfUnknowns();
-  const auto A = hierarchy.Operator(Vector<double>::Zero(unknowns));
+  const auto A = hierarchy.Operator();
   const Vector<double> x = Vector<double>::Random(unknowns);
   Vector<double> y;
   table.Append(

@@ -1,6 +1,7 @@
 #include "Solvers/BlockSmoother.h"
 
 #include "Support/Packs.h"
+#include "Support/CountingSort.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -433,32 +434,26 @@ bool BlockSmoother::Touches(const Vector<double>& D, const SchwarzBlocks::Group&
 void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext& context)
 {
   assert(D.size() == this->Diagonal.size());
-  this->Held.clear();
-  this->Pulled.clear();
+  const int unknowns = static_cast<int>(D.size());
+  this->Held = Choose(unknowns, [&D](int i) { return !std::isfinite(D[i]); }, context);
+  this->Pulled =
+    Choose(unknowns, [&D](int i) { return std::isfinite(D[i]) && D[i] != 0.0; }, context);
   this->Diagonal.setZero();
-  for (int i = 0; i < static_cast<int>(D.size()); ++i)
+  for (const int i : this->Pulled)
   {
-    if (!std::isfinite(D[i]))
-    {
-      this->Held.push_back(i);
-    }
-    else if (D[i] != 0.0)
-    {
-      this->Pulled.push_back(i);
-      this->Diagonal[this->Blocks.PlacesOfUnknowns()[i]] = static_cast<float>(D[i]);
-    }
+    this->Diagonal[this->Blocks.PlacesOfUnknowns()[i]] = static_cast<float>(D[i]);
   }
   const std::vector<SchwarzBlocks::Group>& groups = this->Blocks.Groups();
-  std::vector<int> changed;
+  const std::vector<int> changed = Choose(
+    static_cast<int>(groups.size()), [&](int g) { return this->Touches(D, groups[g]); }, context);
   std::size_t size = 0;
-  for (int g = 0; g < static_cast<int>(groups.size()); ++g)
+  for (const int g : changed)
+  {
+    size += this->Blocks.InverseSize(groups[g]);
+  }
+  for (std::size_t g = 0; g < groups.size(); ++g)
   {
     this->Inverses[g] = this->Blocks.Inverse(groups[g]);
-    if (this->Touches(D, groups[g]))
-    {
-      changed.push_back(g);
-      size += this->Blocks.InverseSize(groups[g]);
-    }
   }
   this->ChangedInverses.resize(size);
   std::vector<float*> places;

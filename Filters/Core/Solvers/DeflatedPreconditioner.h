@@ -35,7 +35,7 @@ public:
   /// How many vectors of H the matrix maps to zero.
   int SizeOfKernel() const { return static_cast<int>(this->Kernel.cols()); }
   /// Takes the part in the kernel away; right-hand sides must have none.
-  void RemoveKernel(Vector<double>& x) const;
+  void RemoveKernel(Vector<double>& x, const ExecutionContext& context) const;
 
 private:
   Preconditioner<double>& B;

@@ -105,19 +105,13 @@ void LaplacianCycle::Apply(
     }
   });
   Vector<Single>& residual = this->FineSmoother->PreSmooth(this->b, this->x, context);
-  for (const int k : this->Held)
-  {
-    residual[k] = 0.0f;
-  }
+  SetZero(residual, this->Held, context);
   this->Pulled.Yield(residual, this->x, context);
   this->Fine.Prolongation.MultiplyAdjoint(
     residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, this->x, context);
-  for (const int k : this->Held)
-  {
-    this->x[k] = 0.0f;
-  }
+  SetZero(this->x, this->Held, context);
   this->Pulled.Resist(this->x, context);
   this->FineSmoother->PostSmooth(this->b, this->x, context);
   z.resize(r.size());

@@ -24,16 +24,20 @@ namespace
 constexpr int RowGrain = 8192;
 
 /// L + D as operator on pairs.
-class ShiftedLaplacian : public LinearOperator<double>
+class ShiftedLaplacian : public RoughnessOperator
 {
 public:
-  ShiftedLaplacian(const SplitMatrix& matrix, const Vector<double>& diagonal)
-    : L(matrix)
-    , D(diagonal)
+  explicit ShiftedLaplacian(const SplitMatrix& matrix)
+    : Rows(2 * matrix.Size())
+    , L(matrix)
   {
   }
 
-  int Size() const override { return this->D.Size(); }
+  int Size() const override { return this->Rows; }
+  void SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context) override
+  {
+    this->D = SparseDiagonal(diagonal, context);
+  }
 
   double Apply(
     const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
@@ -48,8 +52,9 @@ public:
   }
 
 private:
+  const int Rows;
   const SplitMatrix::Operator L;
-  const SparseDiagonal D;
+  SparseDiagonal D;
 };
 
 /// What is known of each unknown, two for each row.
@@ -179,9 +184,9 @@ LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
   this->CoarseLower.swap(other.CoarseLower);
 }
 
-std::unique_ptr<LinearOperator<double>> LaplacianHierarchy::Operator(const Vector<double>& D) const
+std::unique_ptr<RoughnessOperator> LaplacianHierarchy::Operator() const
 {
-  return std::make_unique<ShiftedLaplacian>(this->L, D);
+  return std::make_unique<ShiftedLaplacian>(this->L);
 }
 
 std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& D,

@@ -32,7 +32,7 @@ public:
   std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
 
   double DiagonalOf(int unknown) const override { return this->L.Diagonal[unknown / 2]; }
-  std::unique_ptr<LinearOperator<double>> Operator(const Vector<double>& D) const override;
+  std::unique_ptr<RoughnessOperator> Operator() const override;
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
   long long Bytes() const override;

@@ -113,10 +113,7 @@ void LeastSquaresCycle::Apply(
     this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, x, context);
-  for (const int i : this->Smoother.HeldUnknowns())
-  {
-    x[i] = 0.0;
-  }
+  SetZero(x, this->Smoother.HeldUnknowns(), context);
   this->Pulled.Resist(x, context);
   this->PostSmooth(x, context);
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {

@@ -326,10 +326,9 @@ long long LeastSquaresHierarchy::Bytes() const
   return sum;
 }
 
-std::unique_ptr<LinearOperator<double>> LeastSquaresHierarchy::Operator(
-  const Vector<double>& D) const
+std::unique_ptr<RoughnessOperator> LeastSquaresHierarchy::Operator() const
 {
-  return std::make_unique<LeastSquaresOperator>(*this, D);
+  return std::make_unique<LeastSquaresOperator>(*this);
 }
 
 std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double>& D,
@@ -338,14 +337,18 @@ std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double
   return std::make_unique<LeastSquaresCycle>(*this, D, options, context);
 }
 
-LeastSquaresOperator::LeastSquaresOperator(
-  const LeastSquaresHierarchy& hierarchy, const Vector<double>& diagonal)
+LeastSquaresOperator::LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy)
   : Hierarchy(hierarchy)
   , B(hierarchy.B)
-  , D(diagonal)
-  , Scaled(diagonal.size())
+  , Scaled(hierarchy.NumberOfUnknowns())
   , SquaresOfTiles(hierarchy.Tiles.Size())
 {
+}
+
+void LeastSquaresOperator::SetDiagonal(
+  const Vector<double>& diagonal, const ExecutionContext& context)
+{
+  this->D = SparseDiagonal(diagonal, context);
 }
 
 /// One pass over B: as soon as a row of B x is known, it is given to all columns.

@@ -68,7 +68,7 @@ public:
   {
     return this->Scales[unknown] * this->Scales[unknown] * this->Diagonal[unknown];
   }
-  std::unique_ptr<LinearOperator<double>> Operator(const Vector<double>& D) const override;
+  std::unique_ptr<RoughnessOperator> Operator() const override;
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
   long long Bytes() const override;
@@ -83,22 +83,21 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   const LeastSquaresHierarchyOptions& options, const ExecutionContext& context);
 
 /// A = B^T B + D of a hierarchy as operator, on unknowns in its order, but not scaled.
-class LeastSquaresOperator : public LinearOperator<double>
+class LeastSquaresOperator : public RoughnessOperator
 {
 public:
-  /// \param hierarchy is borrowed.
-  /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero, and so is its row of A x.
-  LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy, const Vector<double>& D);
+  /// D = 0. \param hierarchy is borrowed.
+  explicit LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy);
 
+  void SetDiagonal(const Vector<double>& D, const ExecutionContext& context) override;
   int Size() const override { return this->Hierarchy.NumberOfUnknowns(); }
-  /// \pre x is zero where unknowns are held.
   double Apply(
     const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override;
 
 private:
   const LeastSquaresHierarchy& Hierarchy;
   const RowRuns<double> B;
-  const SparseDiagonal D;
+  SparseDiagonal D;
   mutable Vector<double> Scaled; ///< x in the units of B
   mutable std::vector<double> SquaresOfTiles;
 };

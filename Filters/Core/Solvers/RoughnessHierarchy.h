@@ -46,6 +46,15 @@ public:
   virtual long long Bytes() const = 0;
 };
 
+/// A = R + D. Where D is infinite the unknown is zero: x should be, and its row of A x is. Whatever x is there, the
+/// other rows of A x are those of R x + D x; only the product that Apply returns counts it.
+class RoughnessOperator : public LinearOperator<double>
+{
+public:
+  /// Takes another D, >= 0.
+  virtual void SetDiagonal(const Vector<double>& D, const ExecutionContext& context) = 0;
+};
+
 /// What cycles need to know of a roughness R. Its unknowns stand in an order of their own, which those of
 /// its cycles and operators share.
 class RoughnessHierarchy
@@ -73,11 +82,11 @@ public:
   /// R_ii, in single precision.
   virtual double DiagonalOf(int unknown) const = 0;
 
-  /// R + D. Borrows the hierarchy.
-  /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero, and so is its row of A x.
-  virtual std::unique_ptr<LinearOperator<double>> Operator(const Vector<double>& D) const = 0;
+  /// R, with D = 0. Borrows the hierarchy.
+  virtual std::unique_ptr<RoughnessOperator> Operator() const = 0;
 
   /// A cycle for R + D. Borrows the hierarchy; several may share it.
+  /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
   /// \throw as GalerkinHierarchy.
   virtual std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const = 0;

@@ -1,6 +1,7 @@
 #ifndef dmgSparseDiagonal_h
 #define dmgSparseDiagonal_h
 
+#include "Support/CountingSort.h"
 #include "Support/ExecutionContext.h"
 #include "Support/SparseKernels.h"
 #include "Support/Types.h"
@@ -15,32 +16,27 @@ namespace dmg
 class SparseDiagonal
 {
 public:
-  explicit SparseDiagonal(const Vector<double>& D)
-    : Rows(static_cast<int>(D.size()))
+  /// Zero.
+  SparseDiagonal() = default;
+  SparseDiagonal(const Vector<double>& D, const ExecutionContext& context)
+    : Indices(Choose(
+        static_cast<int>(D.size()), [&D](int i) { return D[i] != 0.0; }, context))
+    , Values(D(this->Indices))
   {
-    for (int i = 0; i < this->Rows; ++i)
-    {
-      if (D[i] != 0.0)
-      {
-        this->Entries.push_back({ i, D[i] });
-      }
-    }
   }
 
-  int Size() const { return this->Rows; }
-
   /// y += D x, and zero where unknowns are held.
-  /// \return x^T D x.
-  /// \pre x is zero where unknowns are held.
+  /// \return x^T D x, where unknowns are not held.
   double AddProduct(
     const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
   {
     return SumOverBlocks<double>(
-      static_cast<int>(this->Entries.size()), context, [this, &x, &y](int first, int last) {
+      static_cast<int>(this->Indices.size()), context, [this, &x, &y](int first, int last) {
         double product = 0.0;
         for (int k = first; k < last; ++k)
         {
-          const auto& [i, value] = this->Entries[k];
+          const int i = this->Indices[k];
+          const double value = this->Values[k];
           const double pull = std::isfinite(value) ? value * x[i] : 0.0;
           y[i] = std::isfinite(value) ? y[i] + pull : 0.0;
           product += x[i] * pull;
@@ -50,14 +46,8 @@ public:
   }
 
 private:
-  struct Entry
-  {
-    int Index;
-    double Value;
-  };
-
-  int Rows;
-  std::vector<Entry> Entries;
+  std::vector<int> Indices;
+  Vector<double> Values;
 };
 
 }

@@ -122,6 +122,20 @@ Sum SumOverBlocks(int size, const ExecutionContext& context, const Part& part)
   return total;
 }
 
+/// x_i = 0 for some i, each once.
+template <class Scalar>
+void SetZero(Vector<Scalar>& x, const std::vector<int>& indices, const ExecutionContext& context)
+{
+  constexpr int Grain = 8192;
+  context.ParallelFor(
+    0, static_cast<int>(indices.size()), Grain, [&x, &indices](int first, int last) {
+      for (int k = first; k < last; ++k)
+      {
+        x[indices[k]] = Scalar(0);
+      }
+    });
+}
+
 /// The first number per index of a loop from the count of each: [0, c0, c0 + c1, ...].
 /// \param counts on entry [anything, c0, c1, ...]; on exit the offsets, one more than counts.
 /// \return the total.

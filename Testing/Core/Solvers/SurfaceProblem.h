@@ -13,6 +13,7 @@
 #include "Systems/OneFormSystem.h"
 
 #include <limits>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -105,6 +106,15 @@ inline constexpr SurfaceProblem::Of BothKinds[] = { SurfaceProblem::Of::FaceFiel
 inline std::string NameOf(SurfaceProblem::Of kind)
 {
   return kind == SurfaceProblem::Of::FaceFields ? "face fields" : "1-forms";
+}
+
+/// R + D.
+inline std::unique_ptr<const RoughnessOperator> OperatorOf(
+  const RoughnessHierarchy& hierarchy, const Vector<double>& D)
+{
+  auto A = hierarchy.Operator();
+  A->SetDiagonal(D, SerialContext());
+  return A;
 }
 
 /// What a prescription adds to B^T B in the order of a hierarchy; infinite where it is hard.

@@ -194,7 +194,7 @@ TEST(TestDeflatedPreconditioner, VectorsThatAreHeldAreNoKernel)
   EXPECT_EQ(deflated.SizeOfKernel(), 1);
   const Vector<double> x = test::RandomVector<double>(80, 3307);
   Vector<double> without = x;
-  deflated.RemoveKernel(without);
+  deflated.RemoveKernel(without, SerialContext());
   EXPECT_LE((A * (x - without)).norm(), 1e3 * Epsilon * x.norm());
   EXPECT_EQ((x - without).tail(40).norm(), 0.0);
   EXPECT_GT((x - without).norm(), 1e-3);

@@ -23,6 +23,7 @@ using namespace dmg;
 using test::BothKinds;
 using test::DiagonalOf;
 using test::NameOf;
+using test::OperatorOf;
 using test::SurfaceProblem;
 using test::WithoutHeld;
 
@@ -38,7 +39,8 @@ struct Prescribed
     : Hierarchy(problem.Hierarchy())
     , System(problem.System(5, kind))
     , D(DiagonalOf(this->Hierarchy, problem.Prescribed(5, kind)))
-    , A(this->Hierarchy, this->D)
+    , Operator(OperatorOf(this->Hierarchy, this->D))
+    , A(*this->Operator)
     , NumberOfPrescribed(static_cast<int>(problem.Prescribed(5, kind).Unknowns.size()))
   {
   }
@@ -64,7 +66,8 @@ struct Prescribed
   const LeastSquaresHierarchy Hierarchy;
   const HarmonicSystem<double> System;
   const Vector<double> D;
-  const LeastSquaresOperator A;
+  const std::unique_ptr<const RoughnessOperator> Operator;
+  const RoughnessOperator& A;
   const int NumberOfPrescribed;
 };
 
@@ -276,7 +279,8 @@ TEST(TestLeastSquaresCycle, AnyDegreeAndSweeps)
     coarsening.ProlongationDegree = degree;
     const LeastSquaresHierarchy hierarchy = problem.Hierarchy(coarsening);
     const Vector<double> D = DiagonalOf(hierarchy, problem.Prescribed(5, ConstraintKind::Soft));
-    const LeastSquaresOperator A(hierarchy, D);
+    const auto of = OperatorOf(hierarchy, D);
+    const RoughnessOperator& A = *of;
     const auto b = test::RandomVector<double>(problem.Size(), 3421);
     int previous = 1000;
     for (const int sweeps : { 1, 2, 4 })

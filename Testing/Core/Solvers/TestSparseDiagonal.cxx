@@ -15,7 +15,7 @@ TEST(TestSparseDiagonal, AddsTheProductAndHoldsUnknowns)
   Vector<double> x(5);
   x << 3.0, 4.0, 0.0, -2.0, 1.0;
   Vector<double> y = Vector<double>::Ones(5);
-  EXPECT_EQ(SparseDiagonal(D).AddProduct(x, y, SerialContext()), 2.0 * 9.0 + 0.5 * 4.0);
+  EXPECT_EQ(SparseDiagonal(D, SerialContext()).AddProduct(x, y, SerialContext()), 2.0 * 9.0 + 0.5 * 4.0);
   Vector<double> expected(5);
   expected << 7.0, 1.0, 0.0, 0.0, 1.0;
   EXPECT_EQ(y, expected);
@@ -24,7 +24,7 @@ TEST(TestSparseDiagonal, AddsTheProductAndHoldsUnknowns)
 TEST(TestSparseDiagonal, SameBitsForAnyNumberOfThreads)
 {
   constexpr int Size = 100000; // several pieces of a loop
-  const SparseDiagonal D(Vector<double>::LinSpaced(Size, 0.1, 3.0));
+  const SparseDiagonal D(Vector<double>::LinSpaced(Size, 0.1, 3.0), SerialContext());
   const Vector<double> x = Vector<double>::LinSpaced(Size, -1.0, 0.7);
   Vector<double> expected = Vector<double>::Zero(Size);
   const double product = D.AddProduct(x, expected, SerialContext());
