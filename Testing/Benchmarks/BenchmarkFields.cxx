@@ -1,15 +1,15 @@
 // The three discretisations beside their peers: time, memory, iterations and agreement, in one run.
 //
 //   BenchmarkFields [--out folder] [--runs n] [--threads n] [--limit seconds]
-//     [--discretisation name] [--solver name] (--short | surface.ply ...)
+//     [--discretisation name] [--solver name] [--cut n | --loop n] (--short | surface.ply ...)
 //   BenchmarkFields [--out folder] [--threads n] (--iterations-only | --robustness)
-//     [--discretisation name] (--short | surface.ply ...)
+//     [--discretisation name] [--cut n | --loop n] (--short | surface.ply ...)
 //
 //   fields.csv      every solver to a relative residual of 1e-8, with 20 prescribed elements, as
 //                   a person draws, and 0.5 % of them
 //   resolves.csv    what a second solve takes: one value moved, other weights, another set
 //   iterations.csv  ours alone, for N = 1, 2, 4, 6 and other numbers of elements
-//                   (--iterations-only), or for weights of alignment over sixteen orders of
+//                   (--iterations-only), or for weights of alignment over eighteen orders of
 //                   magnitude and hard constraints, an alignment of inf (--robustness)
 //
 // The columns of fields.csv, in seconds, medians of the runs:
@@ -26,8 +26,8 @@
 // differs by more than 1e-6.
 //
 // --discretisation and --solver restrict the run to names that contain the word ("second solves" are
-// those of resolves.csv). --short does all
-// of it on a small surface that it makes.
+// those of resolves.csv). --cut and --loop cut each surface 1:4 so many times, in its plane triangles or by
+// Loop's rule. --short does all of it on a small surface that it makes.
 
 #include "Benchmarks/CommandLine.h"
 #include "Benchmarks/Csv.h"
@@ -52,6 +52,7 @@
 #include <limits>
 #include <optional>
 #include <type_traits>
+#include <utility>
 
 using namespace dmg;
 using namespace dmg::benchmarks;
@@ -81,6 +82,8 @@ struct Options
   int Runs = 3;
   int Threads = 2;
   int Limit = 600; // seconds, of all runs of a solver
+  int Cuts = 0;      // 1:4, before anything else
+  int LoopCuts = 0;
   bool IterationsOnly = false;
   bool Robustness = false;
   std::string Discretisation;
@@ -92,6 +95,29 @@ struct Source
   std::string Name;
   std::function<TriangleMesh()> Load;
 };
+
+/// A file, cut as the options say.
+Source SourceOf(const std::string& path, const Options& options)
+{
+  std::string name = BaseName(path);
+  for (const auto& [times, how] :
+    { std::pair(options.Cuts, ", cut 1:4"), std::pair(options.LoopCuts, ", Loop") })
+  {
+    name += times == 0 ? "" : how + std::string(times == 1 ? "" : " x " + std::to_string(times));
+  }
+  return { name, [path, cuts = options.Cuts, loopCuts = options.LoopCuts] {
+            test::Surface surface = test::ReadPly(path);
+            for (int k = 0; k < cuts; ++k)
+            {
+              surface = test::Subdivide(surface);
+            }
+            for (int k = 0; k < loopCuts; ++k)
+            {
+              surface = test::SubdivideByLoop(surface);
+            }
+            return surface.Mesh();
+          } };
+}
 
 /// One system on one surface.
 struct Job
@@ -850,7 +876,7 @@ void CountIterations(const Source& surface, const Options& options, IterationsTa
   std::vector<double> alignments = { 1.0 };
   if (options.Robustness)
   {
-    alignments = { 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e10, Infinity };
+    alignments = { 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12, Infinity };
   }
   for (const Discretisation kind : Discretisations(options))
   {
@@ -869,7 +895,7 @@ void PrintIterationsHeader(const Options& options)
   std::printf("%-26s %8s %-10s N  ", "surface", "faces", "discret.");
   if (options.Robustness)
   {
-    std::printf("20 prescribed, alignment 1e-6, 1e-4, ..., 1e10, then hard; then 0.5 %%\n");
+    std::printf("20 prescribed, alignment 1e-6, 1e-4, ..., 1e12, then hard; then 0.5 %%\n");
     return;
   }
   for (const Regime& regime : MoreRegimes)
@@ -889,6 +915,8 @@ int main(int argc, char* argv[])
   words.Take("--runs", options.Runs);
   words.Take("--threads", options.Threads);
   words.Take("--limit", options.Limit);
+  words.Take("--cut", options.Cuts);
+  words.Take("--loop", options.LoopCuts);
   words.Take("--discretisation", options.Discretisation);
   words.Take("--solver", options.Solver);
   options.IterationsOnly = words.Take("--iterations-only");
@@ -901,15 +929,15 @@ int main(int argc, char* argv[])
   }
   for (const std::string& path : words.Paths())
   {
-    surfaces.push_back({ BaseName(path), [path] { return test::ReadPly(path).Mesh(); } });
+    surfaces.push_back(SourceOf(path, options));
   }
-  if (words.HasUnknown() || surfaces.empty() || options.Runs < 1 || options.Threads < 1 ||
+  if (words.HasUnknown() || surfaces.empty() || options.Cuts < 0 || options.LoopCuts < 0 || options.Runs < 1 || options.Threads < 1 ||
     options.Limit < 1)
   {
     std::fprintf(stderr,
       "usage: BenchmarkFields [--out folder] [--runs n] [--threads n] [--limit seconds]\n"
       "         [--discretisation name] [--solver name] [--iterations-only | --robustness]\n"
-      "         (--short | surface.ply ...)\n");
+      "         [--cut n | --loop n] (--short | surface.ply ...)\n");
     return 2;
   }
   const bool countsOnly = options.IterationsOnly || options.Robustness;

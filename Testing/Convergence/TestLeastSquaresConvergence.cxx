@@ -35,7 +35,7 @@ struct Prescription
 const std::vector<Prescription>& Prescriptions()
 {
   static const std::vector<Prescription> all = { { "one", [](int) { return 1; } },
-    { "twenty", [](int) { return 20; } }, { "5 percent", [](int size) { return size / 20; } } };
+    { "twenty", [](int) { return 20; } }, { "hundred", [](int) { return 100; } }, { "5 percent", [](int size) { return size / 20; } } };
   return all;
 }
 
@@ -89,7 +89,7 @@ protected:
   }
 
   /// \param family smallest first.
-  static void ExpectBounded(const std::vector<Surface>& family)
+  static void ExpectBounded(const std::vector<Surface>& family, int limit = 12)
   {
     std::vector<std::vector<int>> iterations;
     for (const Surface& surface : family)
@@ -101,7 +101,7 @@ protected:
       SCOPED_TRACE(Prescriptions()[p].Name);
       for (std::size_t size = 0; size < family.size(); ++size)
       {
-        EXPECT_LE(iterations[size][p], 12) << family[size].F.rows() << " faces";
+        EXPECT_LE(iterations[size][p], limit) << family[size].F.rows() << " faces";
       }
       EXPECT_LE(iterations.back()[p], iterations.front()[p] + 2);
     }
@@ -124,6 +124,16 @@ TEST_P(LeastSquaresConvergence, OnIrregularTori)
 {
   ExpectBounded(
     { IrregularTorus(80, 32, 4), IrregularTorus(112, 44, 4), IrregularTorus(160, 64, 4) });
+}
+
+TEST_P(LeastSquaresConvergence, WithBoundaries)
+{
+  ExpectBounded({ IrregularPlane(40, 30, 5), IrregularPlane(80, 60, 5), IrregularPlane(160, 120, 5) }, 20);
+}
+
+TEST_P(LeastSquaresConvergence, OnThinSurfaces)
+{
+  ExpectBounded({ Flattened(DoubleTorus(8), 0.1), Flattened(DoubleTorus(16), 0.1) }, 20);
 }
 
 TEST_P(LeastSquaresConvergence, ForAnyAlignment)

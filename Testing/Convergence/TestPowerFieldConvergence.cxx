@@ -62,7 +62,7 @@ TEST_P(PowerFieldConvergence, DoesNotDependOnSize)
 {
   for (int N : { 1, 2, 4, 6 })
   {
-    for (int prescribed : { 1, 20 })
+    for (int prescribed : { 1, 20, 100, 4096 })
     {
       SCOPED_TRACE(N);
       SCOPED_TRACE(prescribed);
@@ -82,6 +82,20 @@ TEST_P(PowerFieldConvergence, DoesNotDependOnGenus)
     SCOPED_TRACE(N);
     EXPECT_LE(Iterations(GetParam(), IrregularTorus(200, 80, 4), N, 20), 12); // 32,000 faces
     EXPECT_LE(Iterations(GetParam(), DoubleTorus(16), N, 20), 12);
+  }
+}
+
+TEST_P(PowerFieldConvergence, IsAlmostAsFastOnThinSurfacesAndWithBoundaries)
+{
+  for (int N : { 1, 2, 4, 6 })
+  {
+    for (int prescribed : { 1, 20, 100, 960 })
+    {
+      SCOPED_TRACE(N);
+      SCOPED_TRACE(prescribed);
+      EXPECT_LE(Iterations(GetParam(), Flattened(DoubleTorus(16), 0.1), N, prescribed), 20);
+      EXPECT_LE(Iterations(GetParam(), IrregularPlane(120, 80, 5), N, prescribed), 20);
+    }
   }
 }
 

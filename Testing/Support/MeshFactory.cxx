@@ -592,6 +592,13 @@ Surface Union(const Surface& a, const Surface& b, const Vector3& offset)
   return both;
 }
 
+Surface Flattened(const Surface& surface, double factor)
+{
+  Surface flat = surface;
+  flat.V.col(2) *= factor;
+  return flat;
+}
+
 Surface Subdivide(const Surface& surface)
 {
   const TriangleMesh mesh = surface.Mesh();

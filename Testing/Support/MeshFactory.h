@@ -95,8 +95,14 @@ Surface PinchedTetrahedra();
 /// Both, as separate components; \p b moved by \p offset.
 Surface Union(const Surface& a, const Surface& b, const Vector3& offset);
 
+/// Its z times \p factor: two sheets near each other, of a slab or of anything that is closed.
+Surface Flattened(const Surface& surface, double factor);
+
 /// Each triangle into four; new points are midpoints.
 Surface Subdivide(const Surface& surface);
+
+/// Each triangle into four; by Loop's rule, whose surfaces become smooth (CGAL). \pre manifold.
+Surface SubdivideByLoop(const Surface& surface);
 
 /// Vertices and faces numbered in a random order, the first corner of each face chosen at random.
 struct Relabelled
