@@ -384,7 +384,8 @@ public:
     }
     this->Basis.reset(); // the memory of another kind first
     this->Basis.reset(
-      new BasisStage{ dmg::MakeBasisArrays(this->Surface->Framed, kind, input, context) });
+      new BasisStage{ dmg::MakeBasisArrays(this->Surface->Framed, kind,
+        this->System->Problem.HarmonicFields(), input, context) });
     return true;
   }
 

@@ -289,8 +289,8 @@ void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData
   edges->SetPoints(surface->GetPoints());
 }
 
-BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind, vtkPolyData* input,
-  const ExecutionContext& context)
+BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind,
+  Eigen::MatrixXd known, vtkPolyData* input, const ExecutionContext& context)
 {
   const SurfaceMesh& surface = framed.Surface;
   const TriangleMesh& mesh = surface.Mesh;
@@ -303,9 +303,15 @@ BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind, vt
     return arrays;
   }
   const bool isOneForm = kind == Discretisation::OneForm;
-  const PartOfContext most(context, 0.0, 0.9);
-  const Eigen::MatrixXd basis = isOneForm ? HarmonicBasisOfForms(mesh, framed.Faces, most)
-                                          : HarmonicBasisOfFaceFields(mesh, framed.Faces, most);
+  if (known.cols() == 0)
+  {
+    const PartOfContext part(context, 0.0, 0.6);
+    known = isOneForm ? HarmonicForms(mesh, part) : HarmonicFaceFields(mesh, framed.Faces, part);
+  }
+  const PartOfContext rest(context, 0.6, 0.9);
+  const Eigen::MatrixXd basis = isOneForm
+    ? HarmonicBasisOfForms(mesh, framed.Faces, std::move(known), rest)
+    : HarmonicBasisOfFaceFields(mesh, std::move(known), rest);
   const ArraysOfElements cells(
     arrays.Cells, input->GetNumberOfCells(), [&surface](int face) { return surface.CellOf(face); },
     context);

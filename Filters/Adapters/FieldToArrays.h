@@ -121,11 +121,12 @@ struct BasisArrays
 };
 
 /// \pre kind is not PowerField.
+/// \param known harmonic fields of this kind (FieldProblem::HarmonicFields); without columns they are computed.
 /// \param input the surface as vtkPolyData.
-/// \throw SolverFailure as HarmonicBasisOfForms.
+/// \throw SolverFailure as HarmonicForms and HarmonicBasisOfForms.
 /// \throw Cancelled
-BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind, vtkPolyData* input,
-  const ExecutionContext& context);
+BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind,
+  Eigen::MatrixXd known, vtkPolyData* input, const ExecutionContext& context);
 
 /// Adds the arrays to the cells of the surface and of its edges.
 void AddBasisArrays(const BasisArrays& arrays, vtkPolyData* surface, vtkPolyData* edges);

@@ -1,6 +1,5 @@
 #include "HarmonicBasis.h"
 
-#include "HarmonicForms.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Support/Errors.h"
@@ -77,25 +76,23 @@ void MakeOrthonormal(const TriangleMesh& mesh, Eigen::MatrixXd& fields, Eigen::M
 
 }
 
-Eigen::MatrixXd HarmonicBasisOfForms(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
+Eigen::MatrixXd HarmonicBasisOfForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  Eigen::MatrixXd forms, const ExecutionContext& context)
 {
-  Eigen::MatrixXd forms = HarmonicForms(mesh, PartOfContext(context, 0.0, 0.6));
   Eigen::MatrixXd fields(2 * mesh.NumberOfFaces(), forms.cols());
   for (int k = 0; k < forms.cols(); ++k)
   {
-    context.Checkpoint(0.6 + 0.1 * k / forms.cols());
-    fields.col(k) = FaceFieldFromVectors(faceFrames, WhitneyAtFaces(mesh, forms.col(k)));
+    context.Checkpoint(0.2 * k / forms.cols());
+    fields.col(k) = FaceFieldFromVectors(faceFrames, WhitneyAtFaces(mesh, forms.col(k), context));
   }
-  MakeOrthonormal(mesh, fields, &forms, PartOfContext(context, 0.7, 1.0));
+  MakeOrthonormal(mesh, fields, &forms, PartOfContext(context, 0.2, 1.0));
   return forms;
 }
 
 Eigen::MatrixXd HarmonicBasisOfFaceFields(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
+  const TriangleMesh& mesh, Eigen::MatrixXd fields, const ExecutionContext& context)
 {
-  Eigen::MatrixXd fields = HarmonicFaceFields(mesh, faceFrames, PartOfContext(context, 0.0, 0.7));
-  MakeOrthonormal(mesh, fields, nullptr, PartOfContext(context, 0.7, 1.0));
+  MakeOrthonormal(mesh, fields, nullptr, context);
   return fields;
 }
 

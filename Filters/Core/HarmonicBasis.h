@@ -17,18 +17,17 @@ namespace dmg
 /// orthonormal in the product that is weighted by the areas of the faces. That is the integral: a
 /// closed form is a gradient in each face, and its interpolant constant there. The vectors have the
 /// unit 1 / length, the numbers none.
-/// \throw SolverFailure the scalar Laplacian could not be factored, or forms differ only in faces
-///   without area.
+/// \param forms any basis of them: HarmonicForms, or what a solver takes out (FieldProblem::HarmonicFields).
+/// \throw SolverFailure forms differ only in faces without area.
 /// \throw Cancelled
-/// Cost: HarmonicForms, and O(#F (2 g + b - 1)^2). Memory: besides the result, two numbers per face
-/// and form.
-Eigen::MatrixXd HarmonicBasisOfForms(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context);
+/// Cost: O(#F (2 g + b - 1)^2). Memory: besides the result, two numbers per face and form.
+Eigen::MatrixXd HarmonicBasisOfForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  Eigen::MatrixXd forms, const ExecutionContext& context);
 
 /// Harmonic face fields, 2 #F x (2 g + b - 1), orthonormal in the product that is weighted by the
-/// areas of the faces. Errors and cost as above.
+/// areas of the faces, from any basis of them (HarmonicFaceFields). Errors and cost as above.
 Eigen::MatrixXd HarmonicBasisOfFaceFields(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context);
+  const TriangleMesh& mesh, Eigen::MatrixXd fields, const ExecutionContext& context);
 
 }
 

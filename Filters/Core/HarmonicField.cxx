@@ -742,6 +742,13 @@ Vector<double> FieldProblem::Solve(const Vector<double>& values, const Vector<do
                    .Solve(AsComplex(values), AsComplex(start), stop, context));
 }
 
+Eigen::MatrixXd FieldProblem::HarmonicFields() const
+{
+  const auto* const problem = std::get_if<RoughnessProblem>(&this->Problem);
+  return problem ? problem->Surface().HarmonicFields()
+                 : this->Kernel.value_or(Eigen::MatrixXd());
+}
+
 const SolveReport& FieldProblem::Report() const
 {
   return std::visit(

@@ -156,6 +156,10 @@ public:
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start,
     const StoppingCriteria& stop, const ExecutionContext& context);
 
+  /// The harmonic face fields or 1-forms that the problem knows of: any basis, a column each. None where it has
+  /// not needed them, or there are too many to hold.
+  Eigen::MatrixXd HarmonicFields() const;
+
   const SolveReport& Report() const;
 
 private:

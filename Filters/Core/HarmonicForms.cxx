@@ -151,7 +151,7 @@ bool AreTooManyToHold(int loops, const TriangleMesh& mesh)
   return static_cast<double>(loops) * mesh.NumberOfFaces() > LargestNumberOfValues;
 }
 
-Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh)
+Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context)
 {
   std::vector<char> isTaken = EdgesOfTree(mesh);
   const Cotree cotree = MakeCotree(mesh, isTaken);
@@ -165,10 +165,7 @@ Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh)
   }
   Eigen::MatrixXd forms =
     Eigen::MatrixXd::Zero(mesh.NumberOfEdges(), static_cast<int>(generators.size()));
-  for (int k = 0; k < forms.cols(); ++k)
-  {
-    auto form = forms.col(k);
-    form[generators[k]] = 1.0;
+  const auto close = [&mesh, &cotree](auto&& form) {
     for (std::size_t i = cotree.Faces.size(); i-- > 0;)
     {
       const int face = cotree.Faces[i];
@@ -184,13 +181,20 @@ Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh)
       }
       form[mesh.EdgeOf(toParent)] = -sum * mesh.EdgeSign(toParent);
     }
-  }
+  };
+  context.ParallelFor(0, static_cast<int>(forms.cols()), 1, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      forms(generators[k], k) = 1.0;
+      close(forms.col(k));
+    }
+  });
   return forms;
 }
 
 Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context)
 {
-  Eigen::MatrixXd forms = ClosedForms(mesh);
+  Eigen::MatrixXd forms = ClosedForms(mesh, context);
   if (forms.cols() == 0)
   {
     return forms;
@@ -208,16 +212,24 @@ Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& 
   context.Checkpoint(0.1);
   CholeskySolver<double> solver(laplacian);
   constexpr int Corrections = 3;
-  Vector<double> potential;
-  for (int k = 0; k < forms.cols(); ++k)
+  Eigen::MatrixXd divergences(mesh.NumberOfVertices(), forms.cols());
+  Eigen::MatrixXd potentials;
+  const auto forColumns = [&](const auto& visit) {
+    context.ParallelFor(0, static_cast<int>(forms.cols()), 1, [&visit](int first, int last) {
+      for (int k = first; k < last; ++k)
+      {
+        visit(k);
+      }
+    });
+  };
+  for (int correction = 0; correction < Corrections; ++correction)
   {
-    context.Checkpoint(0.5 + 0.5 * k / forms.cols());
-    for (int correction = 0; correction < Corrections; ++correction)
-    {
-      solver.Solve(divergence * forms.col(k), potential);
-      forms.col(k) -= d0 * potential;
-    }
+    context.Checkpoint(0.5 + 0.4 * correction / Corrections);
+    forColumns([&](int k) { divergences.col(k) = divergence * forms.col(k); });
+    solver.Solve(divergences, potentials);
+    forColumns([&](int k) { forms.col(k) -= d0 * potentials.col(k); });
   }
+  context.Checkpoint(0.9);
   return Orthonormal(forms);
 }
 

@@ -25,15 +25,16 @@ bool AreTooManyToHold(int loops, const TriangleMesh& mesh);
 /// vertices get 0, one of the edges that neither tree holds gets 1, and every face, from the leaves of
 /// a spanning tree of the faces, closes its sum by the edge to its parent. Components one by one.
 /// Cost: O(#E) and O(#E) per form.
-Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh);
+Eigen::MatrixXd ClosedForms(
+  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// A basis of the harmonic 1-forms, the kernel of OneFormLaplacian, #E x (2 g + b - 1): closed forms
 /// less the gradients of u with d0^T star1 d0 u = d0^T star1 w. Columns are orthogonal and of length 1
 /// for the Euclidean product.
 /// \throw SolverFailure the scalar Laplacian could not be factored.
 /// \throw Cancelled
-/// Cost: one Cholesky factorisation for the vertices, if there is a loop at all, and one solve per
-/// form.
+/// Cost: one Cholesky factorisation for the vertices, if there is a loop at all, and three solves for all forms
+/// at once.
 Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context);
 
 /// A basis of the harmonic face fields, the kernel of FaceFieldSmoothness, 2 #F x (2 g + b - 1): the

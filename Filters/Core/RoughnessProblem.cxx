@@ -131,6 +131,13 @@ std::vector<int> PlacesOf(
 
 }
 
+Eigen::MatrixXd RoughnessSurface::HarmonicFields() const
+{
+  Eigen::MatrixXd fields(this->Kernel.rows(), this->Kernel.cols());
+  fields(this->Hierarchy->Order, Eigen::all) = this->Kernel;
+  return fields;
+}
+
 /// All vectors are in the order of the hierarchy. The equations are divided by the smoothness weight.
 class RoughnessProblem::Internals
 {
@@ -195,7 +202,8 @@ void RoughnessProblem::Internals::Prescribe(
       hierarchy.Cycle(D, OptionsOfCycle(this->Options), PartOfContext(context, 0.1, 0.9));
   }
   this->Report.Levels = this->Cycle->Levels();
-  this->Report.Bytes = hierarchy.Bytes() + this->Cycle->Bytes();
+  this->Report.Bytes = hierarchy.Bytes() + this->Cycle->Bytes() +
+    this->Surface->Kernel.size() * static_cast<long long>(sizeof(double));
   this->Deflate(D, context);
   this->Report.Solver =
     NameOf(this->Choice.Kind) + " on " + this->Surface->Name + this->Choice.Reason + this->Surface->KernelNote;
@@ -323,6 +331,11 @@ int RoughnessProblem::NumberOfFree() const
 {
   return this->Internal->Surface->Hierarchy->NumberOfUnknowns() -
     static_cast<int>(this->Internal->Held.size());
+}
+
+const RoughnessSurface& RoughnessProblem::Surface() const
+{
+  return *this->Internal->Surface;
 }
 
 const SolveReport& RoughnessProblem::Report() const

@@ -26,6 +26,9 @@ struct RoughnessSurface
   /// Harmonic fields, a column each, orthonormal. Cycles hold them only nearly.
   Eigen::MatrixXd Kernel;
   std::string KernelNote; ///< for reports: why Kernel is left out, or empty
+
+  /// Kernel in the caller's order.
+  Eigen::MatrixXd HarmonicFields() const;
 };
 
 /// The problem of HarmonicSystem by cycles that keep roughness and prescriptions apart: the system stage,
@@ -58,6 +61,8 @@ public:
   /// \throw Cancelled
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start,
     const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context);
+
+  const RoughnessSurface& Surface() const;
 
   /// Of the system stage and of the last solve.
   const SolveReport& Report() const;

@@ -4,9 +4,9 @@
 //   BenchmarkKernels [--out folder] [--runs n] [--threads n] (--short | surface.ply ...)
 //
 // Writes kernels.csv. All are those of the default solver: for power fields the product with the
-// Laplacian, and the sweeps of every level; for 1-forms and face fields the product with B^T B, and the
-// blocks of the finest level; for all three the interpolation from the finest level. Everything is
-// measured with 1 thread, then with --threads of them.
+// Laplacian, and the sweeps of the finest level; for 1-forms and face fields the product with B^T B, and the
+// blocks of the finest level; for all three the interpolation from the finest level, and the sweeps of the
+// levels below. Everything is measured with 1 thread, then with --threads of them.
 //
 // Bytes are what an algorithm must read and write if every array passes once per sweep through the
 // caches: values, columns and offsets of the rows, and each vector that it reads or writes. Copy
@@ -165,19 +165,22 @@ void MeasureInterpolation(
     Fastest(runs, [&] { P.AddProduct(coarse, fine, context); }));
 }
 
-/// \param inverseDiagonal of A.
-void MeasureSweeps(const TriangularParts<std::complex<float>>& A,
-  const Vector<float>& inverseDiagonal, int level, int runs, KernelsTable& table,
-  const ExecutionContext& context)
+constexpr SmootherOptions SweepsOfLevels()
 {
-  using Value = std::complex<float>;
+  SmootherOptions options;
+  options.PreSweeps = options.PostSweeps = Sweeps;
+  return options;
+}
+
+/// \param smoother for A, by SweepsOfLevels.
+template <class Value>
+void MeasureSweeps(const TriangularParts<Value>& A, Smoother<Value>& smoother, int level, int runs,
+  KernelsTable& table, const ExecutionContext& context)
+{
   const double rows = static_cast<double>(A.Lower.rows());
   const double nonZeros = static_cast<double>(A.Lower.nonZeros() + A.Upper.nonZeros()) + rows;
   const double matrix = BytesOf(A.Lower) + BytesOf(A.Upper);
   const double vector = sizeof(Value) * rows;
-  SmootherOptions options;
-  options.PreSweeps = options.PostSweeps = Sweeps;
-  const auto smoother = Smoother<Value>::NewWithDiagonal(A, inverseDiagonal, options);
   const Vector<Value> b = Vector<Value>::Random(A.Lower.rows());
   Vector<Value> x(b.size());
   // A sweep passes through half the matrix, reads the diagonal, b, x and the sums of the sweep before, and
@@ -186,10 +189,28 @@ void MeasureSweeps(const TriangularParts<std::complex<float>>& A,
   const double sweep = 0.5 * matrix + 5.5 * vector;
   const double before = Sweeps * sweep + 0.5 * matrix + 3.0 * vector;
   table.Append("sweeps, pre", level, rows, nonZeros, before,
-    Fastest(runs, [&] { smoother->PreSmooth(b, x, context); }));
+    Fastest(runs, [&] { smoother.PreSmooth(b, x, context); }));
   const double after = Sweeps * sweep + 0.5 * matrix + 2.0 * vector;
   table.Append("sweeps, post", level, rows, nonZeros, after,
-    Fastest(runs, [&] { smoother->PostSmooth(b, x, context); }));
+    Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
+}
+
+/// The levels below the finest but the coarsest, which is factored.
+/// \param lower of the first of them.
+template <class Value, class Scalar>
+void MeasureCoarseLevels(const SparseMatrix<Scalar>& lower,
+  const std::vector<SparseMatrix<Scalar>>& coarser, int runs, KernelsTable& table,
+  const ExecutionContext& context)
+{
+  GalerkinHierarchy<Scalar> hierarchy(
+    SymmetricFromLower(lower, context), coarser, GalerkinOptions(), context);
+  using Scaled = ScaledHierarchy<Scalar, Value>;
+  Scaled scaled(hierarchy, Scaled::Content::MatricesForSweeps, context);
+  for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
+  {
+    const auto smoother = Smoother<Value>::New(scaled[l].A, SweepsOfLevels(), context);
+    MeasureSweeps(scaled[l].A, *smoother, l + 1, runs, table, context);
+  }
 }
 
 /// What conjugate gradients and cycles do for power fields.
@@ -202,20 +223,15 @@ void MeasurePowers(
     hierarchy.L.Bytes() + 2.0 * sizeof(double) * hierarchy.NumberOfUnknowns(), runs, table, context);
   MeasureInterpolation<Vector<Complex>, std::complex<float>, float>(hierarchy.Prolongation,
     Vector<Complex>(hierarchy.CoarseLower.rows()), runs, table, context);
-  MeasureSweeps(hierarchy.L.Rounded, hierarchy.L.Diagonal.cwiseInverse().cast<float>(), 0, runs,
-    table, context);
-  // All levels but the coarsest, which is factored.
-  GalerkinHierarchy<Complex> coarser(
-    SymmetricFromLower(hierarchy.CoarseLower, context), hierarchy.Coarser, GalerkinOptions(), context);
-  using Scaled = ScaledHierarchy<Complex, std::complex<float>>;
-  Scaled scaled(coarser, Scaled::Content::MatricesForSweeps, context);
-  for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
-  {
-    MeasureSweeps(scaled[l].A, Vector<float>::Ones(scaled[l].x.size()), l + 1, runs, table, context);
-  }
+  const Vector<float> inverseDiagonal = hierarchy.L.Diagonal.cwiseInverse().cast<float>();
+  const auto smoother = Smoother<std::complex<float>>::NewWithDiagonal(
+    hierarchy.L.Rounded, inverseDiagonal, SweepsOfLevels());
+  MeasureSweeps(hierarchy.L.Rounded, *smoother, 0, runs, table, context);
+  MeasureCoarseLevels<std::complex<float>>(
+    hierarchy.CoarseLower, hierarchy.Coarser, runs, table, context);
 }
 
-/// What they do for 1-forms and face fields, on the finest level.
+/// What they do for 1-forms and face fields.
 void MeasureSquares(
   const RoughnessHierarchy& surface, int runs, KernelsTable& table, const ExecutionContext& context)
 {
@@ -251,6 +267,7 @@ void MeasureSquares(
 
   MeasureInterpolation<Vector<double>, double, double>(hierarchy.Prolongation,
     Vector<double>(hierarchy.CoarseLower.rows()), runs, table, context);
+  MeasureCoarseLevels<float>(hierarchy.CoarseLower, hierarchy.Coarser, runs, table, context);
 }
 
 void MeasureSurface(

@@ -86,6 +86,25 @@ public:
     return upper;
   }
 
+  /// \return A^-1 b, all columns one after the other, until the next call.
+  const Scalar* Solve(const Scalar* b, std::size_t rows, std::size_t columns)
+  {
+    assert(rows == this->L->n);
+    cholmod_dense right = {};
+    right.nrow = right.d = rows;
+    right.ncol = columns;
+    right.nzmax = rows * columns;
+    right.x = const_cast<Scalar*>(b); // CHOLMOD reads it and has no const
+    right.xtype = Internals::ValueKind;
+    right.dtype = CHOLMOD_DOUBLE;
+    if (!cholmod_l_solve2(CHOLMOD_A, this->L, &right, nullptr, &this->Solution, nullptr,
+          &this->SolveWork1, &this->SolveWork2, &this->Common))
+    {
+      this->ThrowFailure();
+    }
+    return static_cast<const Scalar*>(this->Solution->x);
+  }
+
   void Analyze(UpperTriangle& A)
   {
     this->L = cholmod_l_analyze(&A.View, &this->Common);
@@ -159,21 +178,14 @@ void CholeskySolver<Scalar>::Update(const SparseMatrix<Scalar>& A)
 template <class Scalar>
 void CholeskySolver<Scalar>::Solve(const Vector<Scalar>& b, Vector<Scalar>& x)
 {
-  assert(b.size() == this->NumberOfUnknowns());
-  cholmod_dense right = {};
-  right.nrow = right.nzmax = right.d = b.size();
-  right.ncol = 1;
-  right.x = const_cast<Scalar*>(b.data()); // CHOLMOD reads it and has no const
-  right.xtype = Internals::ValueKind;
-  right.dtype = CHOLMOD_DOUBLE;
-  Internals& internal = *this->Internal;
-  if (!cholmod_l_solve2(CHOLMOD_A, internal.L, &right, nullptr, &internal.Solution, nullptr,
-        &internal.SolveWork1, &internal.SolveWork2, &internal.Common))
-  {
-    internal.ThrowFailure();
-  }
-  x = Eigen::Map<const Vector<Scalar>>(
-    static_cast<const Scalar*>(internal.Solution->x), b.size());
+  x = Eigen::Map<const Vector<Scalar>>(this->Internal->Solve(b.data(), b.size(), 1), b.size());
+}
+
+template <class Scalar>
+void CholeskySolver<Scalar>::Solve(const Columns& b, Columns& x)
+{
+  x = Eigen::Map<const Columns>(
+    this->Internal->Solve(b.data(), b.rows(), b.cols()), b.rows(), b.cols());
 }
 
 template <class Scalar>

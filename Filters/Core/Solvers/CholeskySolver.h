@@ -42,6 +42,10 @@ public:
   /// x = A^-1 b. Uses a workspace of the solver: one solve at a time.
   void Solve(const Vector<Scalar>& b, Vector<Scalar>& x);
 
+  /// The same for each column of b, in little more time than for one.
+  using Columns = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  void Solve(const Columns& b, Columns& x);
+
   int NumberOfUnknowns() const;
   /// Of L, with the explicit zeros of its supernodes.
   long long NonZeros() const;
