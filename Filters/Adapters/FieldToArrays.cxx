@@ -232,16 +232,29 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
   const PrincipalMatching matching = MatchDirections(mesh, sides, powers.Faces, N, context);
   context.Checkpoint(0.4);
 
-  // A tree grows in one thread.
-  Vector<double> indices;
+  FieldArrays arrays{ unitLength, combing, vtkSmartPointer<vtkFieldData>::New(),
+    vtkSmartPointer<vtkFieldData>::New(), nullptr };
+  const ArraysOfElements cells(
+    arrays.Cells, input->GetNumberOfCells(), [&surface](int face) { return surface.CellOf(face); },
+    context);
+  const ArraysOfElements points(
+    arrays.Points, input->GetNumberOfPoints(),
+    [&surface](int vertex) { return surface.PointOf(vertex); }, context);
+  // A tree grows in one thread; what does not need it goes on beside.
   std::vector<int> labels;
   CallBoth(
-    context, [&] { indices = SingularityIndices(mesh, corners, matching.Turning, N); },
+    context,
     [&] {
       if (combing)
       {
-        labels = CombingLabels(mesh, powers.Faces, matching, N);
+        labels = CombingLabels(mesh, powers.Faces, matching, N, context);
       }
+    },
+    [&] {
+      const Vector<double> indices =
+        SingularityIndices(mesh, corners, matching.Turning, N, context);
+      points.Add(ArrayNames::SingularityIndex, 1, indices.data(), mesh.NumberOfVertices());
+      arrays.Edges = MakeEdges(surface, matching.Turning, context);
     });
   context.Checkpoint(0.6);
   const Vector<Complex> onFaces = FirstDirections(powers.Faces, N, labels, context);
@@ -249,18 +262,9 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
     ? FirstDirectionsAtVertices(mesh, corners, onFaces, powers.Vertices, N, context)
     : FirstDirections(powers.Vertices, N, {}, context);
 
-  FieldArrays arrays{ unitLength, combing, vtkSmartPointer<vtkFieldData>::New(),
-    vtkSmartPointer<vtkFieldData>::New(), MakeEdges(surface, matching.Turning, context) };
-  const ArraysOfElements cells(
-    arrays.Cells, input->GetNumberOfCells(), [&surface](int face) { return surface.CellOf(face); },
-    context);
-  const ArraysOfElements points(
-    arrays.Points, input->GetNumberOfPoints(),
-    [&surface](int vertex) { return surface.PointOf(vertex); }, context);
   cells.AddDirections(framed.Faces, onFaces, N, unitLength);
   context.Checkpoint(0.8);
   points.AddDirections(framed.Vertices, atVertices, N, unitLength);
-  points.Add(ArrayNames::SingularityIndex, 1, indices.data(), static_cast<int>(indices.size()));
   switch (options.Kind)
   {
     case Discretisation::PowerField:
