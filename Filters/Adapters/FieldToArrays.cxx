@@ -224,8 +224,8 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
   const SurfaceMesh& surface = framed.Surface;
   const TriangleMesh& mesh = surface.Mesh;
   const int N = options.NumberOfDirections();
-  const std::vector<Complex> sides = SideDirections(mesh, framed.Faces, context);
-  const std::vector<Corner> corners = Corners(mesh, sides, framed.Faces, framed.Vertices, context);
+  const Unfilled<Complex> sides = SideDirections(mesh, framed.Faces, context);
+  const Unfilled<Corner> corners = Corners(mesh, sides, framed.Faces, framed.Vertices, context);
   const FieldPowers powers =
     PowersOfField(mesh, framed.Faces, framed.Vertices, corners, unknowns, options, context);
   context.Checkpoint(0.2);

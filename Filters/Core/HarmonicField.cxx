@@ -756,7 +756,7 @@ const SolveReport& FieldProblem::Report() const
 }
 
 FieldPowers PowersOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const std::vector<Corner>& corners,
+  const TangentFrames& vertexFrames, const Unfilled<Corner>& corners,
   const Vector<double>& unknowns, const FieldOptions& options, const ExecutionContext& context)
 {
   if (options.Kind == Discretisation::OneForm)

@@ -180,7 +180,7 @@ struct FieldPowers
 /// \param unknowns as FieldProblem::Solve returns them. A 1-form becomes the vectors of its Whitney
 ///   interpolant.
 FieldPowers PowersOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const std::vector<Corner>& corners,
+  const TangentFrames& vertexFrames, const Unfilled<Corner>& corners,
   const Vector<double>& unknowns, const FieldOptions& options, const ExecutionContext& context);
 
 }

@@ -165,7 +165,7 @@ Vector<Complex> InTurnedFrames(
   return turned;
 }
 
-std::vector<Corner> CornersOf(const TriangleMesh& mesh)
+Unfilled<Corner> CornersOf(const TriangleMesh& mesh)
 {
   const TangentFrames frames = FaceFrames(mesh);
   return Corners(mesh, SideDirections(mesh, frames), frames, VertexFrames(mesh));

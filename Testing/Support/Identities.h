@@ -73,7 +73,7 @@ Vector<Complex> InTurnedFrames(
   const Vector<Complex>& powers, const std::vector<double>& angles, int N);
 
 /// Corners with the frames that meshes come with.
-std::vector<Corner> CornersOf(const TriangleMesh& mesh);
+Unfilled<Corner> CornersOf(const TriangleMesh& mesh);
 
 /// SingularityIndices of powers.
 Vector<double> IndicesOf(

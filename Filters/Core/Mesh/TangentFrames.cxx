@@ -207,10 +207,10 @@ std::array<Complex, 3> SideDirections(
   return directions;
 }
 
-std::vector<Complex> SideDirections(
+Unfilled<Complex> SideDirections(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
-  std::vector<Complex> sides(3 * mesh.NumberOfFaces());
+  Unfilled<Complex> sides(3 * mesh.NumberOfFaces());
   context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
     for (int face = first; face < last; ++face)
     {
@@ -237,13 +237,20 @@ std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face)
 
 TangentFrames VertexFrames(const TriangleMesh& mesh, const ExecutionContext& context)
 {
+  Points areaVectors(mesh.NumberOfFaces(), 3);
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
+    for (int face = first; face < last; ++face)
+    {
+      areaVectors.row(face) = mesh.FaceAreaVector(face).transpose();
+    }
+  });
   TangentFrames frames = FramesOfSize(mesh.NumberOfVertices());
   context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
     for (int v = first; v < last; ++v)
     {
       Vector3 normal = Vector3::Zero();
       mesh.VisitFan(
-        v, [&](int h) { normal += mesh.FaceAreaVector(TriangleMesh::FaceOf(h)); });
+        v, [&](int h) { normal += areaVectors.row(TriangleMesh::FaceOf(h)).transpose(); });
       const int h = mesh.OutgoingHalfedge(v);
       if (normal.squaredNorm() == 0.0)
       {
@@ -274,11 +281,11 @@ Complex TransportTurn(const TangentFrames& from, int a, const TangentFrames& to,
   return length < 1e-14 ? Complex(xx, xy) : turn / length;
 }
 
-std::vector<Corner> Corners(const TriangleMesh& mesh, const std::vector<Complex>& sides,
+Unfilled<Corner> Corners(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
   const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
   const ExecutionContext& context)
 {
-  std::vector<Corner> corners(3 * mesh.NumberOfFaces());
+  Unfilled<Corner> corners(3 * mesh.NumberOfFaces());
   context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
     for (int face = first; face < last; ++face)
     {

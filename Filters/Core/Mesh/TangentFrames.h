@@ -3,9 +3,9 @@
 
 #include "Mesh/TriangleMesh.h"
 #include "Support/ExecutionContext.h"
+#include "Support/Unfilled.h"
 
 #include <array>
-#include <vector>
 
 namespace dmg
 {
@@ -46,7 +46,7 @@ std::array<Complex, 3> SideDirections(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
 
 /// Of all faces, per halfedge.
-std::vector<Complex> SideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+Unfilled<Complex> SideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ExecutionContext& context = SerialContext());
 
 /// Those of one face in FaceFrames, for those who need no more of these frames.
@@ -73,7 +73,7 @@ struct Corner
 
 /// All corners: [h] is that of the face of halfedge h at the tail of h.
 /// \param sides SideDirections of all faces.
-std::vector<Corner> Corners(const TriangleMesh& mesh, const std::vector<Complex>& sides,
+Unfilled<Corner> Corners(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
   const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
   const ExecutionContext& context = SerialContext());
 

@@ -300,7 +300,7 @@ Points WhitneyAtFaces(
 }
 
 Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const std::vector<Corner>& corners, const Vector<double>& form,
+  const TangentFrames& vertexFrames, const Unfilled<Corner>& corners, const Vector<double>& form,
   const ExecutionContext& context)
 {
   Points vectors(mesh.NumberOfVertices(), 3);

@@ -83,7 +83,7 @@ Points WhitneyAtFaces(const TriangleMesh& mesh, const Vector<double>& form,
 /// Whitney interpolants of the faces around, by corner angle, each carried into the tangent plane
 /// of the vertex by the shortest rotation between the normals.
 Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const std::vector<Corner>& corners, const Vector<double>& form,
+  const TangentFrames& vertexFrames, const Unfilled<Corner>& corners, const Vector<double>& form,
   const ExecutionContext& context = SerialContext());
 
 /// The 1-form of a vector per face (#F x 3): along an edge, the mean over its faces of the vector's

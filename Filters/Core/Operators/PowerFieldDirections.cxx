@@ -60,7 +60,7 @@ std::vector<TurningClass> ClassesOf(const TriangleMesh& mesh, const Vector<Compl
 
 }
 
-PrincipalMatching MatchDirections(const TriangleMesh& mesh, const std::vector<Complex>& sides,
+PrincipalMatching MatchDirections(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
   const Vector<Complex>& powers, int N, const ExecutionContext& context)
 {
   Vector<double> arguments(powers.size());
@@ -178,7 +178,7 @@ void ForDirections(const TangentFrames& frames, const Vector<Complex>& firstDire
   });
 }
 
-Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const std::vector<Corner>& corners,
+Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
   const Vector<Complex>& powers, int N, const ExecutionContext& context)
 {
   Vector<Complex> atVertices(mesh.NumberOfVertices());
@@ -199,7 +199,7 @@ Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const std::vector<Cor
 }
 
 Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh,
-  const std::vector<Corner>& corners, const Vector<Complex>& ofFaces,
+  const Unfilled<Corner>& corners, const Vector<Complex>& ofFaces,
   const Vector<Complex>& vertexPowers, int N, const ExecutionContext& context)
 {
   Vector<Complex> directions(mesh.NumberOfVertices());
@@ -218,7 +218,7 @@ Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh,
   return directions;
 }
 
-Vector<double> SingularityIndices(const TriangleMesh& mesh, const std::vector<Corner>& corners,
+Vector<double> SingularityIndices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
   const Vector<double>& turning, int N, const ExecutionContext& context)
 {
   Vector<double> indices(mesh.NumberOfVertices());

@@ -28,7 +28,7 @@ struct PrincipalMatching
 };
 
 /// \param sides SideDirections of all faces.
-PrincipalMatching MatchDirections(const TriangleMesh& mesh, const std::vector<Complex>& sides,
+PrincipalMatching MatchDirections(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
   const Vector<Complex>& powers, int N, const ExecutionContext& context = SerialContext());
 
 /// Which direction of each face comes first, along a tree over the faces that crosses the edges of least turning
@@ -52,12 +52,12 @@ void ForDirections(const TangentFrames& frames, const Vector<Complex>& firstDire
 
 /// Powers at the vertices: the mean of the faces around, by corner angle, each carried into the
 /// tangent plane of the vertex by the shortest rotation between the normals.
-Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const std::vector<Corner>& corners,
+Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
   const Vector<Complex>& powers, int N, const ExecutionContext& context = SerialContext());
 
 /// First directions of vertices: the nearest to those of the faces around.
 Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh,
-  const std::vector<Corner>& corners, const Vector<Complex>& ofFaces,
+  const Unfilled<Corner>& corners, const Vector<Complex>& ofFaces,
   const Vector<Complex>& vertexPowers, int N, const ExecutionContext& context = SerialContext());
 
 /// Index of the singularity at each vertex, a multiple of 1/N, 0 at regular and at boundary
@@ -65,7 +65,7 @@ Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh,
 /// sum to the Euler characteristic. A vertex beside a zero power has no well-defined index; any
 /// multiple may result, the sum still holds.
 /// \param turning of the principal matching.
-Vector<double> SingularityIndices(const TriangleMesh& mesh, const std::vector<Corner>& corners,
+Vector<double> SingularityIndices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
   const Vector<double>& turning, int N, const ExecutionContext& context = SerialContext());
 
 }

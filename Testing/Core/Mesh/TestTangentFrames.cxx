@@ -186,8 +186,8 @@ TEST(Corners, AddUpToHalfATurnPerFace)
     const TriangleMesh mesh = surface.Mesh();
     const TangentFrames faces = FaceFrames(mesh);
     const TangentFrames vertices = VertexFrames(mesh);
-    const std::vector<Complex> sides = SideDirections(mesh, faces);
-    const std::vector<Corner> corners = Corners(mesh, sides, faces, vertices);
+    const Unfilled<Complex> sides = SideDirections(mesh, faces);
+    const Unfilled<Corner> corners = Corners(mesh, sides, faces, vertices);
     for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
     {
       EXPECT_GE(corners[h].Angle, 0.0);
