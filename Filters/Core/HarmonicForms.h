@@ -29,7 +29,9 @@ Eigen::MatrixXd ClosedForms(
   const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// A basis of the harmonic 1-forms, the kernel of OneFormLaplacian, #E x (2 g + b - 1): closed forms
-/// less the gradients of u with d0^T star1 d0 u = d0^T star1 w. Columns are orthogonal and of length 1
+/// less the gradients of u with d0^T star1 d0 u = d0^T star1 w. (The kernel of a coarse level, prolonged by S1, has
+/// the same classes. But levels of samples have no meshes and no S1, integers are exact, and the scalar solve, most
+/// of the work, is the same.) Columns are orthogonal and of length 1
 /// for the Euclidean product.
 /// \throw SolverFailure the scalar Laplacian could not be factored.
 /// \throw Cancelled
