@@ -272,7 +272,8 @@ public:
   /**
    * What the coarse levels of multigrid hold, one of CoarseSpaces; without effect on Cholesky.
    * StructurePreserving takes operators of the discretisation (vtkDirectionalProlongation:
-   * PowerFields, FaceFields, OneForms). Default Nodal.
+   * PowerFields, FaceFields, OneForms). Conjugate gradients then take 11 to 14 iterations for power fields, and 12 to
+   * 46 and 86 for face fields and 1-forms, instead of 5 to 9 (surfaces of 14,000 to 280,000 triangles). Default Nodal.
    */
   vtkSetClampMacro(CoarseSpace, int, Nodal, StructurePreserving);
   vtkGetMacro(CoarseSpace, int);

@@ -89,6 +89,21 @@ TEST(ContextFromAlgorithm, LoopsCoverTheirRangeOnce)
   }
 }
 
+TEST(ContextFromAlgorithm, LoopsMayHaveLoops)
+{
+  vtkNew<vtkPolyDataAlgorithm> algorithm;
+  const ContextFromAlgorithm context(algorithm);
+  std::atomic<int> calls{ 0 };
+  context.ParallelFor(0, 2, 1, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      context.ParallelFor(
+        0, 1000, 10, [&calls](int begin, int end) { calls += end - begin; });
+    }
+  });
+  EXPECT_EQ(calls, 2000);
+}
+
 TEST(ContextFromAlgorithm, ExceptionsReachTheCaller)
 {
   vtkNew<vtkPolyDataAlgorithm> algorithm;

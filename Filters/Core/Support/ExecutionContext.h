@@ -27,7 +27,7 @@ public:
 
   /// Calls body(first, last) for consecutive pieces of [begin, end), possibly at the same time.
   /// Pieces hold about \p grain indices; a loop of at most \p grain indices runs in the calling
-  /// thread.
+  /// thread. A body may have loops of its own.
   void ParallelFor(
     int begin, int end, int grain, const std::function<void(int first, int last)>& body) const;
 
