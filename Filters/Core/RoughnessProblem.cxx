@@ -134,7 +134,10 @@ std::vector<int> PlacesOf(
 Eigen::MatrixXd RoughnessSurface::HarmonicFields() const
 {
   Eigen::MatrixXd fields(this->Kernel.rows(), this->Kernel.cols());
-  fields(this->Hierarchy->Order, Eigen::all) = this->Kernel;
+  if (this->Kernel.cols() > 0) // else it has no rows either
+  {
+    fields(this->Hierarchy->Order, Eigen::all) = this->Kernel;
+  }
   return fields;
 }
 

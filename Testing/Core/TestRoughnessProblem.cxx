@@ -2,6 +2,8 @@
 
 #include "HarmonicField.h"
 #include "HarmonicForms.h"
+#include "Operators/ExteriorCalculus.h"
+#include "Operators/FaceFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
@@ -530,6 +532,34 @@ TEST(FieldProblem, TakesLevelsOrMakesThem)
       EXPECT_EQ(
         solve(MakeRoughnessSurface(on.Mesh, on.Frames, nullptr, options, threads)),
         solve(MakeRoughnessSurface(on.Mesh, on.Frames, &samples, options, SerialContext())));
+    }
+  }
+}
+
+TEST(FieldProblem, KnowsTheHarmonicFieldsInTheCallersOrder)
+{
+  for (const Discretisation kind : Squares)
+  {
+    for (const auto& [surface, loops] :
+      { std::pair(IrregularTorus(28, 14, 4), 2), std::pair(IrregularSphere(3, 3), 0) })
+    {
+      const Prepared on(surface, kind);
+      const SparseMatrix<double> A = kind == Discretisation::OneForm
+        ? OneFormLaplacian(on.Mesh, SerialContext())
+        : FaceFieldSmoothness(on.Mesh, on.Frames, SerialContext());
+      for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky })
+      {
+        SCOPED_TRACE(NameOf(solver));
+        const FieldProblem problem(on.Mesh, on.Frames, &on.Operators,
+          on.Constraints(on.Every(31), 3721), OptionsOf(kind, solver), SerialContext());
+        const Eigen::MatrixXd fields = problem.HarmonicFields();
+        ASSERT_EQ(fields.cols(), loops);
+        for (int k = 0; k < loops; ++k)
+        {
+          EXPECT_NEAR(fields.col(k).norm(), 1.0, 1e-12);
+          EXPECT_LT((A * fields.col(k)).norm(), 1e-9 * A.norm());
+        }
+      }
     }
   }
 }
