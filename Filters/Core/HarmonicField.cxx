@@ -253,25 +253,29 @@ namespace
 
 /// The harmonic fields of face fields or 1-forms, the kernel of their roughness; no columns where there are
 /// none, or too many to hold.
+/// \param operators as for HarmonicForms.
 /// \param loops of the mesh.
 Eigen::MatrixXd KernelOf(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  Discretisation kind, int loops, const ExecutionContext& context)
+  const ProlongationOperators* operators, Discretisation kind, int loops,
+  const ExecutionContext& context)
 {
   if (loops == 0 || AreTooManyToHold(loops, mesh))
   {
     return {};
   }
-  return kind == Discretisation::OneForm ? HarmonicForms(mesh, context)
-                                         : HarmonicFaceFields(mesh, faceFrames, context);
+  return kind == Discretisation::OneForm
+    ? HarmonicForms(mesh, context, operators)
+    : HarmonicFaceFields(mesh, faceFrames, context, operators);
 }
 
 /// Of face fields or 1-forms. Arguments but the prescribed elements are borrowed.
-/// \param kernel is computed if it is not there.
+/// \param kernel is computed if it is not there, with \p operators where they do.
 HarmonicProblem<double>::MakeSystem SystemMaker(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, std::vector<int> elements, std::vector<double> weights,
-  const FieldOptions& options, std::optional<Eigen::MatrixXd>& kernel)
+  const TangentFrames& faceFrames, const ProlongationOperators* operators,
+  std::vector<int> elements, std::vector<double> weights, const FieldOptions& options,
+  std::optional<Eigen::MatrixXd>& kernel)
 {
-  return [&, elements = std::move(elements), weights = std::move(weights)](
+  return [&, operators, elements = std::move(elements), weights = std::move(weights)](
            const ExecutionContext& context) {
     const PartOfContext first(context, 0.0, 0.5);
     HarmonicSystem<double> system = options.Kind == Discretisation::OneForm
@@ -279,8 +283,8 @@ HarmonicProblem<double>::MakeSystem SystemMaker(const TriangleMesh& mesh,
       : MakeFaceFieldSystem(mesh, faceFrames, { elements, weights }, WeightsOf(options), first);
     if (!kernel)
     {
-      kernel = KernelOf(
-        mesh, faceFrames, options.Kind, NumberOfLoops(mesh), PartOfContext(context, 0.5, 1.0));
+      kernel = KernelOf(mesh, faceFrames, operators, options.Kind, NumberOfLoops(mesh),
+        PartOfContext(context, 0.5, 1.0));
     }
     if (kernel->cols() > 0)
     {
@@ -303,8 +307,9 @@ HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
                                                            : operators->SX;
     });
   return HarmonicProblem<double>(
-    SystemMaker(mesh, faceFrames, prescribed.Faces, prescribed.Weights, options, kernel), spaces,
-    SolverFor(options), context);
+    SystemMaker(
+      mesh, faceFrames, operators, prescribed.Faces, prescribed.Weights, options, kernel),
+    spaces, SolverFor(options), context);
 }
 
 HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
@@ -325,8 +330,9 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
       return nodal;
     });
   return HarmonicProblem<double>(
-    SystemMaker(mesh, faceFrames, prescribed.Edges, prescribed.Weights, options, kernel), spaces,
-    SolverFor(options), context);
+    SystemMaker(
+      mesh, faceFrames, operators, prescribed.Edges, prescribed.Weights, options, kernel),
+    spaces, SolverFor(options), context);
 }
 
 int NumberOfUnknowns(const TriangleMesh& mesh, const FieldOptions& options)
@@ -398,17 +404,19 @@ HierarchyOptions LevelsFor(const FieldOptions& options)
 namespace
 {
 
-/// Nodal levels that may be forgotten as soon as they have been read.
+/// Operators whose nodal levels may be forgotten as soon as they have been read.
 struct NodalLevels
 {
-  const std::vector<TransportOperator>& Prolongations;
-  std::vector<TransportOperator>* Own; ///< the same, or null
+  const ProlongationOperators& Operators;
+  ProlongationOperators* Own; ///< the same, or null
+
+  const std::vector<TransportOperator>& Prolongations() const { return this->Operators.Nodal; }
 
   void Forget() const
   {
     if (this->Own)
     {
-      this->Own->clear();
+      this->Own->Nodal.clear();
     }
   }
 };
@@ -427,8 +435,8 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfSquares(const TriangleMesh&
   }
   const auto takeLevels = [&] {
     LeastSquaresLevels levels = isOneForm
-      ? NodalLevelsOfOneForms(mesh, faceFrames, nodal.Prolongations, context)
-      : NodalLevelsOfFaceFields(mesh, nodal.Prolongations, context);
+      ? NodalLevelsOfOneForms(mesh, faceFrames, nodal.Prolongations(), context)
+      : NodalLevelsOfFaceFields(mesh, nodal.Prolongations(), context);
     nodal.Forget();
     return levels; // handed on as it is: Eigen 3.4 would copy what is moved
   };
@@ -443,7 +451,7 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& 
   const ExecutionContext& context)
 {
   CheckNumberOfDirections(options.N);
-  std::vector<SparseMatrix<Complex>> onPowers = OnPowers(nodal.Prolongations, options.N, context);
+  std::vector<SparseMatrix<Complex>> onPowers = OnPowers(nodal.Prolongations(), options.N, context);
   nodal.Forget();
   return std::make_unique<LaplacianHierarchy>(
     CoarsenLaplacian([&](const std::vector<int>& order, const ExecutionContext& part)
@@ -454,10 +462,12 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& 
 /// The harmonic fields of face fields and 1-forms, in the order of the hierarchy. Power fields have none
 /// but on flat surfaces, where one prescribed direction determines them.
 void AddKernel(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const FieldOptions& options, RoughnessSurface& surface, const ExecutionContext& context)
+  const ProlongationOperators& operators, const FieldOptions& options, RoughnessSurface& surface,
+  const ExecutionContext& context)
 {
   const int loops = NumberOfLoops(mesh);
-  const Eigen::MatrixXd kernel = KernelOf(mesh, faceFrames, options.Kind, loops, context);
+  const Eigen::MatrixXd kernel =
+    KernelOf(mesh, faceFrames, &operators, options.Kind, loops, context);
   if (kernel.cols() > 0)
   {
     surface.Kernel = kernel(surface.Hierarchy->Order, Eigen::all);
@@ -500,7 +510,8 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   }
   if (!isPower)
   {
-    AddKernel(mesh, faceFrames, options, *surface, PartOfContext(context, 0.8, 1.0));
+    AddKernel(
+      mesh, faceFrames, nodal.Operators, options, *surface, PartOfContext(context, 0.8, 1.0));
   }
   GiveBackFreedMemory();
   context.Checkpoint(1.0);
@@ -520,7 +531,7 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
   if (operators)
   {
     return MakeRoughnessSurface(
-      mesh, faceFrames, NodalLevels{ operators->Nodal, nullptr }, options, context);
+      mesh, faceFrames, NodalLevels{ *operators, nullptr }, options, context);
   }
   context.Checkpoint(0.0);
   ProlongationOperators samples = BuildSurfaceHierarchy(mesh, LevelsFor(options),
@@ -531,8 +542,8 @@ std::shared_ptr<const RoughnessSurface> MakeRoughnessSurface(const TriangleMesh&
     return nullptr;
   }
   GiveBackFreedMemory();
-  return MakeRoughnessSurface(mesh, faceFrames, NodalLevels{ samples.Nodal, &samples.Nodal },
-    options, PartOfContext(context, 0.3, 1.0));
+  return MakeRoughnessSurface(mesh, faceFrames, NodalLevels{ samples, &samples }, options,
+    PartOfContext(context, 0.3, 1.0));
 }
 
 namespace
@@ -713,7 +724,7 @@ bool FieldProblem::Update(const TriangleMesh& mesh, const TangentFrames& faceFra
   if (auto* const problem = std::get_if<HarmonicProblem<double>>(&this->Problem))
   {
     return problem->Update(
-      SystemMaker(mesh, faceFrames, elements, weights, options, this->Kernel), context);
+      SystemMaker(mesh, faceFrames, nullptr, elements, weights, options, this->Kernel), context);
   }
   auto* const problem = std::get_if<RoughnessProblem>(&this->Problem);
   if (this->Reference)

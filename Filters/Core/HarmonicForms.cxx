@@ -113,6 +113,18 @@ Cotree MakeCotree(const TriangleMesh& mesh, std::vector<char>& isTaken)
   return cotree;
 }
 
+/// Calls visit(k) for each column of \p columns, in all threads.
+template <class Visit>
+void ForColumns(const Eigen::MatrixXd& columns, const ExecutionContext& context, const Visit& visit)
+{
+  context.ParallelFor(0, static_cast<int>(columns.cols()), 1, [&visit](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      visit(k);
+    }
+  });
+}
+
 Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns)
 {
   if (columns.cols() == 0)
@@ -182,19 +194,35 @@ Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& co
       form[mesh.EdgeOf(toParent)] = -sum * mesh.EdgeSign(toParent);
     }
   };
-  context.ParallelFor(0, static_cast<int>(forms.cols()), 1, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
-    {
-      forms(generators[k], k) = 1.0;
-      close(forms.col(k));
-    }
+  ForColumns(forms, context, [&](int k) {
+    forms(generators[k], k) = 1.0;
+    close(forms.col(k));
   });
   return forms;
 }
 
-Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context)
+Eigen::MatrixXd ProlongedClosedForms(
+  const ProlongationOperators& operators, const ExecutionContext& context)
 {
-  Eigen::MatrixXd forms = ClosedForms(mesh, context);
+  const SparseMatrix<double>& coarse = operators.ClosedForms;
+  Eigen::MatrixXd forms(operators.NumbersOfEdges.front(), coarse.cols());
+  ForColumns(forms, context, [&](int k) {
+    Vector<double> form = coarse.col(k);
+    for (std::size_t level = operators.S1.size(); level-- > 0;)
+    {
+      form = operators.S1[level] * form;
+    }
+    forms.col(k) = form;
+  });
+  return forms;
+}
+
+Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context,
+  const ProlongationOperators* operators)
+{
+  const bool areProlonged = operators && !operators->S1.empty() && operators->ClosedForms.cols() > 0;
+  Eigen::MatrixXd forms =
+    areProlonged ? ProlongedClosedForms(*operators, context) : ClosedForms(mesh, context);
   if (forms.cols() == 0)
   {
     return forms;
@@ -214,29 +242,21 @@ Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& 
   constexpr int Corrections = 3;
   Eigen::MatrixXd divergences(mesh.NumberOfVertices(), forms.cols());
   Eigen::MatrixXd potentials;
-  const auto forColumns = [&](const auto& visit) {
-    context.ParallelFor(0, static_cast<int>(forms.cols()), 1, [&visit](int first, int last) {
-      for (int k = first; k < last; ++k)
-      {
-        visit(k);
-      }
-    });
-  };
   for (int correction = 0; correction < Corrections; ++correction)
   {
     context.Checkpoint(0.5 + 0.4 * correction / Corrections);
-    forColumns([&](int k) { divergences.col(k) = divergence * forms.col(k); });
+    ForColumns(forms, context, [&](int k) { divergences.col(k) = divergence * forms.col(k); });
     solver.Solve(divergences, potentials);
-    forColumns([&](int k) { forms.col(k) -= d0 * potentials.col(k); });
+    ForColumns(forms, context, [&](int k) { forms.col(k) -= d0 * potentials.col(k); });
   }
   context.Checkpoint(0.9);
   return Orthonormal(forms);
 }
 
-Eigen::MatrixXd HarmonicFaceFields(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
+Eigen::MatrixXd HarmonicFaceFields(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const ExecutionContext& context, const ProlongationOperators* operators)
 {
-  const Eigen::MatrixXd forms = HarmonicForms(mesh, context);
+  const Eigen::MatrixXd forms = HarmonicForms(mesh, context, operators);
   if (forms.cols() == 0)
   {
     return Eigen::MatrixXd(2 * mesh.NumberOfFaces(), 0);

@@ -3,6 +3,7 @@
 
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
+#include "Prolongation/ProlongationOperators.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -21,29 +22,40 @@ int NumberOfLoops(const TriangleMesh& mesh);
 bool AreTooManyToHold(int loops, const TriangleMesh& mesh);
 
 /// Closed 1-forms that are no gradients, one per independent loop, #E x (2 g + b - 1): a basis of
-/// the first cohomology by integers. Tree and cotree (Eppstein 2003): edges of a spanning tree of the
-/// vertices get 0, one of the edges that neither tree holds gets 1, and every face, from the leaves of
-/// a spanning tree of the faces, closes its sum by the edge to its parent. Components one by one.
+/// the first cohomology by integers. Tree and cotree (Eppstein 2003): contract the edges of a spanning tree of
+/// the vertices and merge the faces along a spanning tree of theirs, and one vertex, one face and the loops are left,
+/// where any numbers are closed and none is a gradient. Undone, the contractions give their edges 0, and every face, from the
+/// leaves on, closes its sum by the edge to its parent. Components one by one.
 /// Cost: O(#E) and O(#E) per form.
 Eigen::MatrixXd ClosedForms(
   const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
+/// The same by the hierarchy: closed forms of its coarsest level (ProlongationOperators::ClosedForms),
+/// prolonged by S1, which keeps their integrals around loops: the same classes, closed to rounding and as
+/// smooth as the coarse level. Thesis, section 4.2.
+/// \pre operators has both.
+/// Cost: O(#E) per form.
+Eigen::MatrixXd ProlongedClosedForms(
+  const ProlongationOperators& operators, const ExecutionContext& context);
+
 /// A basis of the harmonic 1-forms, the kernel of OneFormLaplacian, #E x (2 g + b - 1): closed forms
-/// less the gradients of u with d0^T star1 d0 u = d0^T star1 w. (The kernel of a coarse level, prolonged by S1, has
-/// the same classes. But levels of samples have no meshes and no S1, integers are exact, and the scalar solve, most
-/// of the work, is the same.) Columns are orthogonal and of length 1
+/// less the gradients of u with d0^T star1 d0 u = d0^T star1 w. Columns are orthogonal and of length 1
 /// for the Euclidean product.
+/// \param operators of this mesh: where they have S1 and the forms of the coarsest level, the closed forms are
+///   ProlongedClosedForms. Levels of samples, and what was stored, do not; there, and where it is null,
+///   they are ClosedForms of the mesh itself.
 /// \throw SolverFailure the scalar Laplacian could not be factored.
 /// \throw Cancelled
 /// Cost: one Cholesky factorisation for the vertices, if there is a loop at all, and three solves for all forms
-/// at once.
-Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context);
+/// at once; the closed forms are a tenth of it, whichever they are.
+Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context,
+  const ProlongationOperators* operators = nullptr);
 
 /// A basis of the harmonic face fields, the kernel of FaceFieldSmoothness, 2 #F x (2 g + b - 1): the
 /// vectors whose integrals along the sides of a face are those of the harmonic 1-forms. Columns are
 /// orthogonal and of length 1.
-Eigen::MatrixXd HarmonicFaceFields(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context);
+Eigen::MatrixXd HarmonicFaceFields(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const ExecutionContext& context, const ProlongationOperators* operators = nullptr);
 
 }
 

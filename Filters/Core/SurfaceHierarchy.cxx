@@ -1,5 +1,6 @@
 #include "SurfaceHierarchy.h"
 
+#include "HarmonicForms.h"
 #include "Hierarchy/MeshHierarchy.h"
 #include "Hierarchy/PointSampling.h"
 #include "Hierarchy/TangentGraph.h"
@@ -187,6 +188,10 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
     const SpatialOrder::SignedEdges edges = order.Edges(mesh, sorted);
     operators.S1[0] = edges.Signs.asDiagonal() * operators.S1[0];
     renumber(operators.S1, edges.Numbers);
+    if (!AreTooManyToHold(NumberOfLoops(mesh), mesh))
+    {
+      operators.ClosedForms = ClosedForms(result.CoarseLevels.back(), context).sparseView();
+    }
   }
   return result;
 }

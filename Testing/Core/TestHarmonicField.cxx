@@ -656,6 +656,30 @@ TEST(FieldProblem, HasTheSameBitsForAnyNumberOfThreads)
   }
 }
 
+TEST(FieldProblem, TakesHarmonicFieldsFromItsLevels)
+{
+  Prepared on(IrregularTorus(28, 14, 4));
+  for (const int known : { 2, 1 })
+  {
+    // What the coarsest level lacks is missed, so it is this that was prolonged.
+    on.Operators.ClosedForms = SparseMatrix<double>(on.Operators.ClosedForms.leftCols(known));
+    for (Discretisation kind : { Discretisation::FaceField, Discretisation::OneForm })
+    {
+      for (CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+      {
+        FieldOptions options;
+        options.Kind = kind;
+        options.CoarseSpace = space;
+        options.Solver.Kind = SolverKind::ConjugateGradients;
+        const FieldProblem problem(on.Mesh, on.Frames, &on.Operators,
+          MakeFieldConstraints(on.Mesh, on.Frames, Directions(on.Mesh, 50), options), options,
+          SerialContext());
+        EXPECT_EQ(problem.HarmonicFields().cols(), known);
+      }
+    }
+  }
+}
+
 TEST(FieldProblem, NamesTheOperatorsThatAreMissing)
 {
   const TriangleMesh mesh = IrregularSphere(3, 3).Mesh();

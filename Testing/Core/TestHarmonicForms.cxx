@@ -5,6 +5,7 @@
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/TbbContext.h"
+#include "SurfaceHierarchy.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -92,6 +93,100 @@ TEST(ClosedForms, AreClosedByIntegersAndNoGradients)
     both << gradients, forms;
     EXPECT_EQ(Rank(both), Rank(gradients) + surface.Dimension);
   }
+}
+
+/// Surfaces that two levels of edge collapses leave enough of.
+std::vector<Case> CasesWithLevels()
+{
+  const Vector3 aside(6.0, 0.0, 0.0);
+  return {
+    { "torus", IrregularTorus(18, 10, 3), 2 },
+    { "double torus", DoubleTorus(3), 4 },
+    { "annulus", Annulus(20, 6), 1 },
+    { "torus with two holes", WithoutFaces(IrregularTorus(18, 10, 3), 0, 200), 3 },
+    { "torus and annulus", Union(IrregularTorus(14, 8, 4), Annulus(20, 5), aside), 3 },
+    { "sphere", IrregularSphere(2, 2), 0 },
+  };
+}
+
+ProlongationOperators OperatorsWithLevels(
+  const TriangleMesh& mesh, ProlongationConstruction construction)
+{
+  HierarchyOptions options;
+  options.MinimumNumberOfFaces = 30;
+  options.MaximumNumberOfCoarseLevels = 2;
+  options.Construction = construction;
+  ProlongationOperators operators =
+    BuildSurfaceHierarchy(mesh, options, SerialContext(), { false, false, true }).Operators;
+  EXPECT_EQ(operators.NumberOfLevels(), 3);
+  return operators;
+}
+
+TEST(ProlongedClosedForms, HaveTheClassesOfTheCoarsestLevel)
+{
+  // Closed forms by integers have integers for integrals around the loops of their level. S1 keeps these, and the
+  // forms of either level have all of them: what is prolonged is, up to gradients, an integer combination
+  // of the fine level's own, and the other way around.
+  for (const auto construction :
+    { ProlongationConstruction::TrackedPaths, ProlongationConstruction::ExactOverlay })
+  {
+    for (const Case& surface : CasesWithLevels())
+    {
+      SCOPED_TRACE(surface.Name);
+      const TriangleMesh mesh = surface.Shape.Mesh();
+      const ProlongationOperators operators = OperatorsWithLevels(mesh, construction);
+      const Eigen::MatrixXd forms = ProlongedClosedForms(operators, SerialContext());
+      ASSERT_EQ(forms.rows(), mesh.NumberOfEdges());
+      ASSERT_EQ(forms.cols(), surface.Dimension);
+      if (surface.Dimension == 0)
+      {
+        continue;
+      }
+      EXPECT_LE((D1(mesh, SerialContext()) * forms).cwiseAbs().maxCoeff(), 1e-12);
+      const Eigen::MatrixXd gradients(D0(mesh, SerialContext()));
+      Eigen::MatrixXd both(mesh.NumberOfEdges(), gradients.cols() + forms.cols());
+      both << gradients, ClosedForms(mesh);
+      const Eigen::MatrixXd parts =
+        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(both).solve(forms);
+      EXPECT_LE((both * parts - forms).cwiseAbs().maxCoeff(), 1e-11);
+      const Eigen::MatrixXd combination = parts.bottomRows(surface.Dimension);
+      EXPECT_LE((combination - combination.array().round().matrix()).cwiseAbs().maxCoeff(), 1e-10);
+      EXPECT_NEAR(std::abs(combination.determinant()), 1.0, 1e-9);
+    }
+  }
+}
+
+TEST(HarmonicForms, OfTheCoarsestLevelAreThoseOfTheSurface)
+{
+  for (const Case& surface : CasesWithLevels())
+  {
+    SCOPED_TRACE(surface.Name);
+    const TriangleMesh mesh = surface.Shape.Mesh();
+    const ProlongationOperators operators =
+      OperatorsWithLevels(mesh, ProlongationConstruction::TrackedPaths);
+    const Eigen::MatrixXd prolonged = HarmonicForms(mesh, SerialContext(), &operators);
+    const Eigen::MatrixXd own = HarmonicForms(mesh, SerialContext());
+    ASSERT_EQ(prolonged.cols(), surface.Dimension);
+    if (surface.Dimension == 0)
+    {
+      continue;
+    }
+    ExpectOrthonormal(prolonged);
+    EXPECT_LE((prolonged - own * (own.transpose() * prolonged)).norm(), 1e-10);
+  }
+}
+
+TEST(HarmonicForms, AreAsManyAsTheHierarchyHas)
+{
+  // It is asked where it has any: what it lacks is missed.
+  const TriangleMesh mesh = IrregularTorus(18, 10, 3).Mesh();
+  ProlongationOperators operators =
+    OperatorsWithLevels(mesh, ProlongationConstruction::TrackedPaths);
+  operators.ClosedForms = SparseMatrix<double>(operators.ClosedForms.leftCols(1));
+  EXPECT_EQ(HarmonicForms(mesh, SerialContext(), &operators).cols(), 1);
+  EXPECT_EQ(HarmonicFaceFields(mesh, FaceFrames(mesh), SerialContext(), &operators).cols(), 1);
+  operators.ClosedForms.resize(0, 0); // stored operators
+  EXPECT_EQ(HarmonicForms(mesh, SerialContext(), &operators).cols(), 2);
 }
 
 TEST(HarmonicForms, HaveNeitherCurlNorDivergence)

@@ -37,6 +37,11 @@ struct ProlongationOperators
   /// section 4.2.
   std::vector<SparseMatrix<double>> S1;
 
+  /// #E_L x (2 g + b - 1), L the coarsest level: its closed 1-forms that are no gradients, by integers, one per
+  /// independent loop of the surface (HarmonicForms.h). S1[0] ... S1[L - 1] carries them to the finest. Made with S1;
+  /// without columns where there is none, or the operators were stored.
+  SparseMatrix<double> ClosedForms;
+
   /// SX[l], 2 #F_l x 2 #F_{l+1}: face fields, in FaceFrames. Thesis, section 4.3.
   std::vector<SparseMatrix<double>> SX;
 
