@@ -5,6 +5,7 @@
 #include "Support/SparseKernels.h"
 
 #include <cassert>
+#include <utility>
 
 namespace dmg
 {
@@ -14,8 +15,8 @@ namespace
 /// The finest level is coarsened at once so far that there are at least so many faces for a vector.
 constexpr long long FewestFacesForAVector = 6;
 
-LeastSquaresLevels NodalLevels(
-  const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
+LeastSquaresLevels NodalLevels(const std::vector<TransportOperator>& nodal,
+  SmoothingBlocks smoothing, const ExecutionContext& context)
 {
   assert(!nodal.empty());
   const auto isCoarse = [](const TransportOperator& finest) {
@@ -31,6 +32,8 @@ LeastSquaresLevels NodalLevels(
     finest = &product;
   }
   LeastSquaresLevels levels;
+  levels.Blocks = std::move(smoothing.Small);
+  levels.Subdomains = std::move(smoothing.Subdomains);
   PlanarProlongation rows = RowsOfComponents(*finest, context);
   levels.Prolongation.swap(rows);
   for (; next < nodal.size(); ++next)
@@ -45,20 +48,16 @@ LeastSquaresLevels NodalLevels(
 LeastSquaresLevels NodalLevelsOfFaceFields(const TriangleMesh& mesh,
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
 {
-  LeastSquaresLevels levels = NodalLevels(nodal, context);
-  levels.Blocks = BlocksOfFaceFields(mesh);
-  return levels;
+  return NodalLevels(nodal, BlocksOfFaceFields(mesh), context);
 }
 
 LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
 {
-  LeastSquaresLevels levels = NodalLevels(nodal, context);
+  LeastSquaresLevels levels = NodalLevels(nodal, BlocksOfOneForms(mesh), context);
   PlanarProlongation forms =
     Product(FormFromFaceField(mesh, faceFrames, context), levels.Prolongation, context);
   levels.Prolongation.swap(forms);
-  levels.Blocks = BlocksOfOneForms(mesh);
-  levels.Subdomains = SubdomainsOfOneForms(mesh);
   return levels;
 }
 

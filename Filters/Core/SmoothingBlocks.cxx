@@ -1,10 +1,10 @@
 #include "SmoothingBlocks.h"
 
 #include "Mesh/FaceFans.h"
+#include "Mesh/NeedleRegions.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -12,37 +12,6 @@ namespace dmg
 {
 namespace
 {
-
-/// Whether each face has less than so many times the area of an equilateral triangle with its longest
-/// side.
-std::vector<char> AreUneven(const TriangleMesh& mesh, double evenFraction)
-{
-  std::vector<char> areUneven(mesh.NumberOfFaces(), 0);
-  const Vector<double> areas = mesh.FaceAreas();
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    double longest = 0.0;
-    for (int h = 3 * face; h < 3 * face + 3; ++h)
-    {
-      longest =
-        std::max(longest, (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm());
-    }
-    areUneven[face] = areas[face] <= evenFraction * std::sqrt(3.0) / 4.0 * longest;
-  }
-  return areUneven;
-}
-
-template <class Visit>
-void ForNeighbours(const TriangleMesh& mesh, int face, const Visit& visit)
-{
-  for (int h = 3 * face; h < 3 * face + 3; ++h)
-  {
-    if (const int twin = mesh.Twin(h); twin >= 0)
-    {
-      visit(TriangleMesh::FaceOf(twin));
-    }
-  }
-}
 
 /// Connected uneven faces, and rings of faces around them as far as a block has room.
 template <class UnknownsOf>
@@ -88,7 +57,7 @@ private:
     this->IsInCore[seed] = this->Add(seed, largest);
     for (std::size_t k = 0; k < this->Faces.size(); ++k)
     {
-      ForNeighbours(this->Mesh, this->Faces[k], [this](int face) {
+      this->Mesh.VisitNeighbours(this->Faces[k], [this](int face) {
         if (this->AreUneven[face] && !this->IsInCore[face])
         {
           this->IsInCore[face] = this->Add(face, largest);
@@ -102,7 +71,7 @@ private:
     const std::size_t size = this->Faces.size();
     for (std::size_t k = 0; k < size; ++k)
     {
-      ForNeighbours(this->Mesh, this->Faces[k],
+      this->Mesh.VisitNeighbours(this->Faces[k],
         [this](int face) { this->Add(face, SchwarzBlocks::LargestBlock); });
     }
   }
@@ -139,193 +108,87 @@ private:
   std::vector<int> Unknowns;
 };
 
-template <class UnknownsOf>
-void AppendPatches(const TriangleMesh& mesh, std::vector<char> areUneven,
-  const UnknownsOf& unknownsOf, UnknownBlocks& blocks)
-{
-  PatchGrower<UnknownsOf>(mesh, std::move(areUneven), unknownsOf).AppendTo(blocks);
-}
-
-/// Regions of needles and of what is near them, in pieces that overlap.
-class NeedleRegions
-{
-public:
-  explicit NeedleRegions(const TriangleMesh& mesh)
-    : Mesh(mesh)
-    , IsNeedle(AreUneven(mesh, EvenFraction))
-    , IsInRegion(this->IsNeedle)
-    , PieceOf(mesh.NumberOfFaces(), -1)
-  {
-    std::vector<int> faces;
-    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-    {
-      if (this->IsNeedle[face])
-      {
-        faces.push_back(face);
-      }
-    }
-    this->AddRings(
-      RingsOfRegion, faces, [this](int face) { return !std::exchange(this->IsInRegion[face], 1); });
-    this->LeaveOutSmallRegions();
-  }
-
-  bool Contains(int face) const { return this->IsInRegion[face] != 0; }
-
-  /// The sides of the faces of every piece.
-  void AppendTo(UnknownBlocks& blocks)
-  {
-    std::vector<char> isTaken(this->Mesh.NumberOfFaces(), 0);
-    int piece = 0;
-    for (int seed = 0; seed < this->Mesh.NumberOfFaces(); ++seed)
-    {
-      if (!this->IsInRegion[seed] || isTaken[seed])
-      {
-        continue;
-      }
-      std::vector<int> faces = this->Connected(seed, LargestPiece, isTaken);
-      for (const int face : faces)
-      {
-        this->PieceOf[face] = piece;
-      }
-      this->AddRings(RingsOfPiece, faces,
-        [&](int face) { return std::exchange(this->PieceOf[face], piece) != piece; });
-      const std::size_t begin = blocks.Unknowns.size();
-      for (const int face : faces)
-      {
-        for (int h = 3 * face; h < 3 * face + 3; ++h)
-        {
-          blocks.Unknowns.push_back(this->Mesh.EdgeOf(h));
-        }
-      }
-      std::sort(blocks.Unknowns.begin() + begin, blocks.Unknowns.end());
-      blocks.Unknowns.erase(
-        std::unique(blocks.Unknowns.begin() + begin, blocks.Unknowns.end()), blocks.Unknowns.end());
-      blocks.EndBlock();
-      ++piece;
-    }
-  }
-
-private:
-  static constexpr double EvenFraction = 0.1;
-  static constexpr int RingsOfRegion = 3;
-  // Modes of needles decay slowly, and three rings are no wider than a quadrilateral cut into four.
-  static constexpr int RingsOfPiece = 6;
-  static constexpr int LargestPiece = 4000; // faces without its rings
-  static constexpr int FewestNeedles = 24; // fewer are what patches are for
-
-  /// Appends faces around those given. \param enter(face) whether a face is new.
-  template <class Enter>
-  void AddRings(int rings, std::vector<int>& faces, const Enter& enter) const
-  {
-    std::size_t begin = 0;
-    for (int ring = 0; ring < rings; ++ring)
-    {
-      const std::size_t end = faces.size();
-      for (; begin < end; ++begin)
-      {
-        ForNeighbours(this->Mesh, faces[begin], [&](int face) {
-          if (enter(face))
-          {
-            faces.push_back(face);
-          }
-        });
-      }
-    }
-  }
-
-  /// Faces of the region that are connected with a seed and not taken yet; the nearest so many.
-  std::vector<int> Connected(int seed, int largest, std::vector<char>& isTaken) const
-  {
-    std::vector<int> faces = { seed };
-    isTaken[seed] = 1;
-    for (std::size_t k = 0; k < faces.size(); ++k)
-    {
-      ForNeighbours(this->Mesh, faces[k], [&](int face) {
-        if (this->IsInRegion[face] && !isTaken[face] && static_cast<int>(faces.size()) < largest)
-        {
-          isTaken[face] = 1;
-          faces.push_back(face);
-        }
-      });
-    }
-    return faces;
-  }
-
-  void LeaveOutSmallRegions()
-  {
-    std::vector<char> isTaken(this->Mesh.NumberOfFaces(), 0);
-    for (int seed = 0; seed < this->Mesh.NumberOfFaces(); ++seed)
-    {
-      if (!this->IsInRegion[seed] || isTaken[seed])
-      {
-        continue;
-      }
-      const std::vector<int> region = this->Connected(seed, this->Mesh.NumberOfFaces(), isTaken);
-      const auto needles = std::count_if(
-        region.begin(), region.end(), [this](int face) { return this->IsNeedle[face] != 0; });
-      if (needles < FewestNeedles)
-      {
-        for (const int face : region)
-        {
-          this->IsInRegion[face] = 0;
-        }
-      }
-    }
-  }
-
-  const TriangleMesh& Mesh;
-  const std::vector<char> IsNeedle;
-  std::vector<char> IsInRegion;
-  std::vector<int> PieceOf; ///< the last one that a face has been in
-};
-
 // Fans tell smooth fields from rough ones even where faces are rather uneven; sides need help a little
 // earlier. From 0.3 on, patches are most of the work on some surfaces, and save two iterations of ten.
 constexpr double EvenFractionForFans = 0.1;
 constexpr double EvenFractionForSides = 0.2;
 
+// Forms run along chains of needles that hang together loosely. Vectors do not: patches are enough for them, but where
+// needles that share sides are more than a patch has room for, as those of a needle that was cut into 64.
+constexpr NeedleRegions::Rule NeedlesForSides = { 0.1, NeedleRegions::RingsOfRegion };
+constexpr NeedleRegions::Rule NeedlesForFans = { 0.05, 0 };
+
+/// Patches where a region has no subdomains, and subdomains where it has.
+/// \param unknownsOf(face) an array of the unknowns of a face.
+template <class UnknownsOf>
+void AppendLarge(const TriangleMesh& mesh, double evenFraction, const NeedleRegions& regions,
+  const UnknownsOf& unknownsOf, SmoothingBlocks& blocks)
+{
+  std::vector<char> areUneven = AreUneven(mesh, evenFraction);
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    areUneven[face] &= !regions.Contains(face);
+  }
+  PatchGrower<UnknownsOf>(mesh, std::move(areUneven), unknownsOf).AppendTo(blocks.Small);
+  for (const std::vector<int>& piece : regions.Pieces())
+  {
+    std::vector<int> unknowns;
+    for (const int face : piece)
+    {
+      const auto own = unknownsOf(face);
+      unknowns.insert(unknowns.end(), own.begin(), own.end());
+    }
+    std::sort(unknowns.begin(), unknowns.end());
+    blocks.Subdomains.Unknowns.insert(blocks.Subdomains.Unknowns.end(), unknowns.begin(),
+      std::unique(unknowns.begin(), unknowns.end()));
+    blocks.Subdomains.EndBlock();
+  }
 }
 
-UnknownBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
+}
+
+SmoothingBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
 {
   constexpr int largestFan = SchwarzBlocks::LargestBlock / 4; // inverses grow by the square
   const auto components = [](int face) { return std::array<int, 2>{ 2 * face, 2 * face + 1 }; };
-  UnknownBlocks blocks;
-  blocks.Unknowns.reserve(2 * mesh.NumberOfFaces());
+  SmoothingBlocks blocks;
+  blocks.Small.Unknowns.reserve(2 * mesh.NumberOfFaces());
   const FaceFans fans = PackFans(mesh, largestFan);
   for (int fan = 0; fan < fans.Size(); ++fan)
   {
     for (int k = fans.Offsets[fan]; k < fans.Offsets[fan + 1]; ++k)
     {
       const auto unknowns = components(fans.Faces[k]);
-      blocks.Unknowns.insert(blocks.Unknowns.end(), unknowns.begin(), unknowns.end());
+      blocks.Small.Unknowns.insert(
+        blocks.Small.Unknowns.end(), unknowns.begin(), unknowns.end());
     }
-    blocks.EndBlock();
+    blocks.Small.EndBlock();
   }
-  AppendPatches(mesh, AreUneven(mesh, EvenFractionForFans), components, blocks);
+  AppendLarge(mesh, EvenFractionForFans, NeedleRegions(mesh, NeedlesForFans), components, blocks);
   return blocks;
 }
 
-UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh)
+SmoothingBlocks BlocksOfOneForms(const TriangleMesh& mesh)
 {
   const auto sides = [&mesh](int face) {
     return std::array<int, 3>{ mesh.EdgeOf(3 * face), mesh.EdgeOf(3 * face + 1),
       mesh.EdgeOf(3 * face + 2) };
   };
-  UnknownBlocks blocks;
-  blocks.Unknowns.reserve(mesh.NumberOfEdges());
+  SmoothingBlocks blocks;
+  UnknownBlocks& small = blocks.Small;
+  small.Unknowns.reserve(mesh.NumberOfEdges());
   std::vector<char> isTaken(mesh.NumberOfEdges(), 0);
   const auto take = [&](int face) {
     for (const int edge : sides(face))
     {
       if (!std::exchange(isTaken[edge], 1))
       {
-        blocks.Unknowns.push_back(edge);
+        small.Unknowns.push_back(edge);
       }
     }
-    if (blocks.Offsets.back() < static_cast<int>(blocks.Unknowns.size()))
+    if (small.Offsets.back() < static_cast<int>(small.Unknowns.size()))
     {
-      blocks.EndBlock();
+      small.EndBlock();
     }
   };
   for (const int face : PackFaces(mesh))
@@ -344,21 +207,8 @@ UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh)
       }
     }
   }
-  std::vector<char> areUneven = AreUneven(mesh, EvenFractionForSides);
-  const NeedleRegions regions(mesh);
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    areUneven[face] &= !regions.Contains(face);
-  }
-  AppendPatches(mesh, std::move(areUneven), sides, blocks);
+  AppendLarge(mesh, EvenFractionForSides, NeedleRegions(mesh, NeedlesForSides), sides, blocks);
   return blocks;
-}
-
-UnknownBlocks SubdomainsOfOneForms(const TriangleMesh& mesh)
-{
-  UnknownBlocks subdomains;
-  NeedleRegions(mesh).AppendTo(subdomains);
-  return subdomains;
 }
 
 }

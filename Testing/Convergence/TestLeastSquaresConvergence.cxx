@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -134,6 +135,21 @@ TEST_P(LeastSquaresConvergence, WithBoundaries)
 TEST_P(LeastSquaresConvergence, OnThinSurfaces)
 {
   ExpectBounded({ Flattened(DoubleTorus(8), 0.1), Flattened(DoubleTorus(16), 0.1) }, 20);
+}
+
+/// Cut into 64, a needle is 64 of them, and no patch holds them all.
+TEST_P(LeastSquaresConvergence, OnNeedlesThatAreCut)
+{
+  Surface surface = IrregularPlane(24, 16, 4);
+  for (int v = 0; v < surface.V.rows(); ++v)
+  {
+    const double x = surface.V(v, 0);
+    surface.V(v, 0) = x - 0.99 * std::clamp(x - 12.0, 0.0, 1.0); // a band of width 1 gets a hundredth of it
+  }
+  for (const int iterations : Iterations(Subdivide(Subdivide(Subdivide(surface)))))
+  {
+    EXPECT_LE(iterations, 12);
+  }
 }
 
 TEST_P(LeastSquaresConvergence, ForAnyAlignment)

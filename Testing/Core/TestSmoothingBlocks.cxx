@@ -56,13 +56,7 @@ std::set<int> SidesOf(const TriangleMesh& mesh, int face)
 std::vector<int> NeighboursOf(const TriangleMesh& mesh, int face)
 {
   std::vector<int> neighbours;
-  for (int h = 3 * face; h < 3 * face + 3; ++h)
-  {
-    if (mesh.Twin(h) >= 0)
-    {
-      neighbours.push_back(TriangleMesh::FaceOf(mesh.Twin(h)));
-    }
-  }
+  mesh.VisitNeighbours(face, [&neighbours](int neighbour) { neighbours.push_back(neighbour); });
   return neighbours;
 }
 
@@ -92,10 +86,10 @@ TEST(SmoothingBlocks, SidesOfEvenFaces)
 {
   // Every second face of a regular torus has all sides between them.
   const TriangleMesh torus = test::Torus(12, 9, 1.0, 0.5).Mesh();
-  EXPECT_EQ(BlocksOfOneForms(torus).Size(), torus.NumberOfFaces() / 2);
+  EXPECT_EQ(BlocksOfOneForms(torus).Small.Size(), torus.NumberOfFaces() / 2);
 
   const TriangleMesh mesh = test::Icosphere(2).Mesh();
-  const std::vector<std::set<int>> blocks = SetsOf(BlocksOfOneForms(mesh));
+  const std::vector<std::set<int>> blocks = SetsOf(BlocksOfOneForms(mesh).Small);
   ExpectParts(blocks, mesh.NumberOfEdges());
   for (const std::set<int>& block : blocks)
   {
@@ -112,7 +106,7 @@ TEST(SmoothingBlocks, SidesOfEvenFaces)
 TEST(SmoothingBlocks, FansOfEvenFaces)
 {
   const TriangleMesh mesh = test::Icosphere(2).Mesh();
-  const std::vector<std::set<int>> blocks = SetsOf(BlocksOfFaceFields(mesh));
+  const std::vector<std::set<int>> blocks = SetsOf(BlocksOfFaceFields(mesh).Small);
   ExpectParts(blocks, 2 * mesh.NumberOfFaces());
   const FaceFans fans = PackFans(mesh, 16);
   ASSERT_EQ(static_cast<int>(blocks.size()), fans.Size());
@@ -130,7 +124,7 @@ TEST(SmoothingBlocks, UnevenFacesAreTogetherWithTwoRingsAroundThem)
 {
   // Faces 8 and 9 are thin; two rings are the two faces on either side.
   const TriangleMesh mesh = StripWithThinColumn(12, 4, 0.05);
-  const std::vector<std::set<int>> forms = SetsOf(BlocksOfOneForms(mesh));
+  const std::vector<std::set<int>> forms = SetsOf(BlocksOfOneForms(mesh).Small);
   std::set<int> sides;
   std::set<int> components;
   for (int face = 6; face <= 11; ++face)
@@ -141,7 +135,7 @@ TEST(SmoothingBlocks, UnevenFacesAreTogetherWithTwoRingsAroundThem)
   }
   EXPECT_EQ(forms.back(), sides);
   ExpectParts({ forms.begin(), forms.end() - 1 }, mesh.NumberOfEdges());
-  const std::vector<std::set<int>> fields = SetsOf(BlocksOfFaceFields(mesh));
+  const std::vector<std::set<int>> fields = SetsOf(BlocksOfFaceFields(mesh).Small);
   EXPECT_EQ(fields.back(), components);
   ExpectParts({ fields.begin(), fields.end() - 1 }, 2 * mesh.NumberOfFaces());
 }
@@ -152,8 +146,8 @@ TEST(SmoothingBlocks, ManyUnevenFacesAreInSeveralPatches)
   test::Surface surface = test::PlaneGrid(30, 24);
   surface.V.col(1) *= 0.15;
   const TriangleMesh mesh = surface.Mesh();
-  ASSERT_EQ(SubdomainsOfOneForms(mesh).Size(), 0);
-  const std::vector<std::set<int>> forms = SetsOf(BlocksOfOneForms(mesh));
+  ASSERT_EQ(BlocksOfOneForms(mesh).Subdomains.Size(), 0);
+  const std::vector<std::set<int>> forms = SetsOf(BlocksOfOneForms(mesh).Small);
   EXPECT_EQ(static_cast<int>(Union(forms).size()), mesh.NumberOfEdges());
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
@@ -167,9 +161,11 @@ TEST(SmoothingBlocks, ManyUnevenFacesAreInSeveralPatches)
       }))
       << "face " << face << " is in no patch";
   }
-  test::Surface needles = test::IrregularPlane(30, 24, 4);
-  needles.V.col(1) *= 0.02;
-  const std::vector<std::set<int>> fields = SetsOf(BlocksOfFaceFields(needles.Mesh()));
+  surface.V.col(1) *= 0.5;
+  const TriangleMesh thinner = surface.Mesh();
+  ASSERT_EQ(BlocksOfFaceFields(thinner).Subdomains.Size(), 0);
+  const std::vector<std::set<int>> fields = SetsOf(BlocksOfFaceFields(thinner).Small);
+  EXPECT_GT(static_cast<int>(fields.size()), PackFans(thinner, SchwarzBlocks::LargestBlock / 4).Size());
   EXPECT_EQ(static_cast<int>(Union(fields).size()), 2 * mesh.NumberOfFaces());
   for (const auto* blocks : { &forms, &fields })
   {
@@ -183,9 +179,10 @@ TEST(SmoothingBlocks, ManyUnevenFacesAreInSeveralPatches)
 TEST(SmoothingBlocks, PatchesAreConnected)
 {
   test::Surface surface = test::IrregularPlane(20, 16, 4);
-  surface.V.col(1) *= 0.05;
+  surface.V.col(1) *= 0.1;
   const TriangleMesh mesh = surface.Mesh();
-  const std::vector<std::set<int>> blocks = SetsOf(BlocksOfFaceFields(mesh));
+  const std::vector<std::set<int>> blocks = SetsOf(BlocksOfFaceFields(mesh).Small);
+  ASSERT_GT(static_cast<int>(blocks.size()), PackFans(mesh, SchwarzBlocks::LargestBlock / 4).Size());
   for (std::size_t k = 0; k < blocks.size(); ++k) // fans, too
   {
     std::set<int> reached = { *blocks[k].begin() / 2 };
@@ -208,32 +205,41 @@ TEST(SmoothingBlocks, PatchesAreConnected)
 
 TEST(SmoothingBlocks, FewNeedlesAreInNoSubdomain)
 {
-  EXPECT_EQ(SubdomainsOfOneForms(test::IrregularSphere(3, 2).Mesh()).Size(), 0);
-  EXPECT_EQ(SubdomainsOfOneForms(StripWithThinColumn(12, 4, 0.01)).Size(), 0);
+  for (const TriangleMesh& mesh :
+    { test::IrregularSphere(3, 2).Mesh(), StripWithThinColumn(12, 4, 0.01) })
+  {
+    EXPECT_EQ(BlocksOfOneForms(mesh).Subdomains.Size(), 0);
+    EXPECT_EQ(BlocksOfFaceFields(mesh).Subdomains.Size(), 0);
+  }
 }
 
 TEST(SmoothingBlocks, ManyNeedlesAreInSubdomainsAndNotInPatches)
 {
   // More faces than a piece takes.
   test::Surface surface = test::IrregularPlane(60, 48, 4);
-  surface.V.col(1) *= 0.01;
+  surface.V.col(1) *= 0.005;
   const TriangleMesh mesh = surface.Mesh();
-  ExpectParts(SetsOf(BlocksOfOneForms(mesh)), mesh.NumberOfEdges());
-  const UnknownBlocks subdomains = SubdomainsOfOneForms(mesh);
-  ASSERT_GE(subdomains.Size(), 2);
-  const std::vector<std::set<int>> sets = SetsOf(subdomains);
-  EXPECT_EQ(static_cast<int>(Union(sets).size()), mesh.NumberOfEdges());
-  EXPECT_GT(static_cast<int>(subdomains.Unknowns.size()), mesh.NumberOfEdges()); // they overlap
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    // With all that shares an equation with its sides.
-    std::set<int> near = SidesOf(mesh, face);
-    for (const int neighbour : NeighboursOf(mesh, face))
+  const auto componentsOf = [](int face) { return std::set<int>{ 2 * face, 2 * face + 1 }; };
+  const auto expect = [&mesh](const SmoothingBlocks& blocks, int unknowns, const auto& unknownsOf) {
+    ExpectParts(SetsOf(blocks.Small), unknowns);
+    ASSERT_GE(blocks.Subdomains.Size(), 2);
+    const std::vector<std::set<int>> sets = SetsOf(blocks.Subdomains);
+    EXPECT_EQ(static_cast<int>(Union(sets).size()), unknowns);
+    EXPECT_GT(static_cast<int>(blocks.Subdomains.Unknowns.size()), unknowns); // they overlap
+    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
     {
-      near.merge(SidesOf(mesh, neighbour));
+      // With all that shares an equation with its unknowns.
+      std::set<int> near = unknownsOf(face);
+      for (const int neighbour : NeighboursOf(mesh, face))
+      {
+        near.merge(unknownsOf(neighbour));
+      }
+      EXPECT_TRUE(std::any_of(sets.begin(), sets.end(), [&near](const std::set<int>& subdomain)
+        { return std::includes(subdomain.begin(), subdomain.end(), near.begin(), near.end()); }))
+        << "face " << face;
     }
-    EXPECT_TRUE(std::any_of(sets.begin(), sets.end(), [&near](const std::set<int>& subdomain)
-      { return std::includes(subdomain.begin(), subdomain.end(), near.begin(), near.end()); }))
-      << "face " << face;
-  }
+  };
+  expect(BlocksOfOneForms(mesh), mesh.NumberOfEdges(),
+    [&mesh](int face) { return SidesOf(mesh, face); });
+  expect(BlocksOfFaceFields(mesh), 2 * mesh.NumberOfFaces(), componentsOf);
 }

@@ -173,15 +173,6 @@ std::vector<int> PackFaces(const TriangleMesh& mesh)
 {
   std::vector<char> hasTakenSide(mesh.NumberOfFaces(), 0);
   std::vector<int> taken;
-  const auto forNeighbours = [&mesh](int face, const auto& visit) {
-    for (int h = 3 * face; h < 3 * face + 3; ++h)
-    {
-      if (const int twin = mesh.Twin(h); twin >= 0)
-      {
-        visit(TriangleMesh::FaceOf(twin));
-      }
-    }
-  };
   TakeOutwards(
     mesh.NumberOfFaces(),
     [&](int face) {
@@ -190,11 +181,11 @@ std::vector<int> PackFaces(const TriangleMesh& mesh)
         return false;
       }
       taken.push_back(face);
-      forNeighbours(face, [&hasTakenSide](int neighbour) { hasTakenSide[neighbour] = 1; });
+      mesh.VisitNeighbours(face, [&hasTakenSide](int neighbour) { hasTakenSide[neighbour] = 1; });
       return true;
     },
     [&](int face, const auto& visit) {
-      forNeighbours(face, [&](int neighbour) { forNeighbours(neighbour, visit); });
+      mesh.VisitNeighbours(face, [&](int neighbour) { mesh.VisitNeighbours(neighbour, visit); });
     });
   return taken;
 }

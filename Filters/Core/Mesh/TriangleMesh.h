@@ -65,6 +65,18 @@ public:
       h = this->Twin(Previous(h));
     } while (h >= 0 && h != first);
   }
+  /// visit(f) for the faces beyond the sides of a face, side by side.
+  template <class Visit>
+  void VisitNeighbours(int face, const Visit& visit) const
+  {
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      if (const int twin = this->Twin(h); twin >= 0)
+      {
+        visit(FaceOf(twin));
+      }
+    }
+  }
   bool IsBoundaryVertex(int vertex) const { return this->Twins[this->Outgoing[vertex]] < 0; }
 
   /// {smaller, larger} vertex of an edge.

@@ -17,11 +17,13 @@ template <class Scalar>
 class CholeskySolver<Scalar>::Internals
 {
 public:
-  explicit Internals(FillOrdering ordering)
+  Internals(FillOrdering ordering, FactorKind kind)
   {
     cholmod_l_start(&this->Common);
     this->Common.print = 0;
-    this->Common.supernodal = CHOLMOD_SUPERNODAL;
+    this->Common.supernodal =
+      kind == FactorKind::Supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
+    this->Common.final_ll = true;
     this->Common.quick_return_if_not_posdef = true;
     if (ordering != FillOrdering::Best)
     {
@@ -152,8 +154,9 @@ public:
 };
 
 template <class Scalar>
-CholeskySolver<Scalar>::CholeskySolver(const SparseMatrix<Scalar>& A, FillOrdering ordering)
-  : Internal(std::make_unique<Internals>(ordering))
+CholeskySolver<Scalar>::CholeskySolver(
+  const SparseMatrix<Scalar>& A, FillOrdering ordering, FactorKind kind)
+  : Internal(std::make_unique<Internals>(ordering, kind))
 {
   auto upper = Internals::UpperTriangleOf(A);
   this->Internal->Analyze(upper);
@@ -197,15 +200,18 @@ int CholeskySolver<Scalar>::NumberOfUnknowns() const
 template <class Scalar>
 long long CholeskySolver<Scalar>::NonZeros() const
 {
-  return static_cast<long long>(this->Internal->L->xsize);
+  const cholmod_factor& L = *this->Internal->L;
+  return static_cast<long long>(L.is_super ? L.xsize : L.nzmax);
 }
 
 template <class Scalar>
 long long CholeskySolver<Scalar>::Bytes() const
 {
   const cholmod_factor& L = *this->Internal->L;
-  const std::size_t indices = 2 * L.n + 4 * (L.nsuper + 1) + L.ssize;
-  return static_cast<long long>(L.xsize * sizeof(Scalar) + indices * sizeof(SuiteSparse_long));
+  const std::size_t indices =
+    2 * L.n + (L.is_super ? 4 * (L.nsuper + 1) + L.ssize : 4 * (L.n + 1) + L.nzmax);
+  return this->NonZeros() * static_cast<long long>(sizeof(Scalar)) +
+    static_cast<long long>(indices * sizeof(SuiteSparse_long));
 }
 
 template <class Scalar>

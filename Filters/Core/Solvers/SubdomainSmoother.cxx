@@ -121,7 +121,7 @@ void SubdomainSmoother::SetDiagonal(const Vector<double>& diagonal, const Execut
       }
       else
       {
-        this->States[s].Factor.emplace(A);
+        this->States[s].Factor.emplace(A, FillOrdering::AMD, FactorKind::Simplicial);
       }
     }
   });
