@@ -1,5 +1,6 @@
 #include "Solvers/SubdomainSmoother.h"
 
+#include "Support/CountingSort.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -59,9 +60,17 @@ SubdomainSmoother::SubdomainSmoother(const SparseMatrix<double>& factor, const R
   , Tiles(tiles)
   , Subdomains(subdomains)
   , States(subdomains.size())
+  , HaveRows(tiles.Size(), 0)
   , Bx(factor.rows())
 {
   const int rows = static_cast<int>(factor.rows());
+  for (const Subdomain& subdomain : subdomains)
+  {
+    for (const int row : subdomain.Rows)
+    {
+      this->HaveRows[row / RowTiles::RowsOfTile] = 1;
+    }
+  }
   this->Colouring = ColourParts(static_cast<int>(subdomains.size()),
     rows + static_cast<int>(factor.cols()), [&](int part, const auto& visit) {
       std::for_each(subdomains[part].Rows.begin(), subdomains[part].Rows.end(), visit);
@@ -111,6 +120,8 @@ void SubdomainSmoother::SetDiagonal(const Vector<double>& diagonal, const Execut
 {
   assert(diagonal.size() == this->B.cols());
   this->D = diagonal;
+  this->Held = Choose(
+    static_cast<int>(diagonal.size()), [this](int i) { return this->IsHeld(i); }, context);
   context.ParallelFor(0, static_cast<int>(this->Subdomains.size()), 1, [&](int first, int last) {
     for (int s = first; s < last; ++s)
     {
@@ -168,11 +179,26 @@ void SubdomainSmoother::Sweep(
   }
 }
 
+template <class Visit>
+void SubdomainSmoother::ForTilesWithRows(const ExecutionContext& context, const Visit& visit) const
+{
+  this->Tiles.ForTiles(context, [&](int tile, int firstRow, int lastRow) {
+    if (this->HaveRows[tile])
+    {
+      visit(firstRow, lastRow);
+    }
+  });
+}
+
 void SubdomainSmoother::PreSmooth(
   const Vector<double>& b, Vector<double>& x, Vector<double>& r, const ExecutionContext& context)
 {
-  x.setZero(b.size());
-  this->Bx.setZero();
+  x.resize(b.size());
+  context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
+    [&x](int first, int last) { x.segment(first, last - first).setZero(); });
+  this->ForTilesWithRows(context, [this](int first, int last) {
+    this->Bx.segment(first, last - first).setZero();
+  });
   this->Sweep(false, b, x, context);
   r.resize(b.size());
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
@@ -181,26 +207,29 @@ void SubdomainSmoother::PreSmooth(
       r[i] = this->IsHeld(i) ? 0.0 : b[i] - this->D[i] * x[i];
     }
   });
-  SubtractAdjointProduct(RowRuns<double>(this->B), this->Tiles, this->Bx, r, context);
-  for (Eigen::Index i = 0; i < r.size(); ++i)
-  {
-    if (this->IsHeld(static_cast<int>(i)))
-    {
-      r[i] = 0.0;
-    }
-  }
+  const RowRuns<double> runs(this->B);
+  this->ForTilesWithRows(context, [&](int first, int last) {
+    runs.AddAdjoint(first, last, [this](int row) { return -this->Bx[row]; }, r.data());
+  });
+  SetZero(r, this->Held, context);
 }
 
 void SubdomainSmoother::PostSmooth(
   const Vector<double>& b, Vector<double>& x, const ExecutionContext& context)
 {
-  Multiply(this->B, x, this->Bx, context);
+  this->ForTilesWithRows(context, [&](int first, int last) {
+    for (int row = first; row < last; ++row)
+    {
+      this->Bx[row] = RowTimes(this->B, row, x.data());
+    }
+  });
   this->Sweep(true, b, x, context);
 }
 
 long long SubdomainSmoother::Bytes() const
 {
-  long long sum = (this->D.size() + this->Bx.size()) * static_cast<long long>(sizeof(double));
+  long long sum = (this->D.size() + this->Bx.size()) * static_cast<long long>(sizeof(double)) +
+    static_cast<long long>(this->HaveRows.size() + this->Held.size() * sizeof(int));
   for (const State& state : this->States)
   {
     sum += state.Factor->Bytes() + static_cast<long long>(sizeof(State)) +

@@ -33,7 +33,7 @@ struct Subdomain
 /// Where triangles are needles, fields of 1e-9 of the diagonal's energy reach over many of them: too far for
 /// the dense blocks of BlockSmoother, and too faint for their single precision. A sparse factor in double
 /// precision holds them, in less memory than dense blocks of a tenth of its size. Same bits for any number of
-/// threads, as far as those of CholeskySolver.
+/// threads.
 class SubdomainSmoother
 {
 public:
@@ -43,7 +43,7 @@ public:
   SubdomainSmoother(const SparseMatrix<double>& B, const RowTiles& tiles,
     const std::vector<Subdomain>& subdomains);
 
-  /// A = B^T B + D.
+  /// A = B^T B + D. Factors are simplicial (FactorKind): many of them are made at once.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
   /// \throw SolverFailure memory ran out.
   /// Cost: a sparse Cholesky factorisation per subdomain; ordered and analysed the first time only.
@@ -76,6 +76,9 @@ private:
   bool IsHeld(int unknown) const;
   void Sweep(
     bool descending, const Vector<double>& b, Vector<double>& x, const ExecutionContext& context);
+  /// Calls visit(firstRow, lastRow) for the tiles of B that know of subdomains; mostly few.
+  template <class Visit>
+  void ForTilesWithRows(const ExecutionContext& context, const Visit& visit) const;
   /// Solves for the unknowns of one subdomain.
   void Correct(int subdomain, const Vector<double>& b, Vector<double>& x);
 
@@ -84,8 +87,10 @@ private:
   const std::vector<Subdomain>& Subdomains;
   PartColouring Colouring; ///< subdomains of a colour share no unknown and no row of B
   std::vector<State> States;
+  std::vector<char> HaveRows; ///< of subdomains; by tile
   Vector<double> D;
-  Vector<double> Bx;
+  std::vector<int> Held; ///< unknowns where D is infinite
+  Vector<double> Bx; ///< current where subdomains have rows
 };
 
 }

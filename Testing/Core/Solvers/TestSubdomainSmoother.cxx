@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <vector>
 
 using namespace dmg;
@@ -141,6 +142,36 @@ TEST(TestSubdomainSmoother, IsGaussSeidelBySubdomains)
     smoother.PostSmooth(b, y, SerialContext());
     EXPECT_LE((y - back).norm(), Tolerance * back.norm());
   }
+}
+
+TEST(TestSubdomainSmoother, NothingChangesFarFromSubdomains)
+{
+  // Most tiles of rows know of none.
+  constexpr int size = 6 * RowTiles::RowsOfTile;
+  constexpr int first = 3 * RowTiles::RowsOfTile - 20;
+  constexpr int length = 40;
+  const Squares ring = test::Ring(size);
+  std::vector<int> unknowns(length);
+  std::iota(unknowns.begin(), unknowns.end(), first);
+  const std::vector<Subdomain> one = { Subdomain(ring.Bt, unknowns) };
+  SubdomainSmoother smoother(ring.B, ring.Tiles, one);
+  smoother.SetDiagonal(Vector<double>::Zero(size), SerialContext());
+  const auto b = test::RandomVector<double>(size, 3505);
+  const auto expectSolved = [&](const Vector<double>& x, const Vector<double>& start) {
+    const Vector<double> residual = b - ring.Bt * Vector<double>(ring.B * x);
+    EXPECT_LE(residual.segment(first, length).norm(), Tolerance * b.norm());
+    EXPECT_EQ(x.head(first), start.head(first));
+    EXPECT_EQ(x.tail(size - first - length), start.tail(size - first - length));
+    return residual;
+  };
+  Vector<double> x, r;
+  smoother.PreSmooth(b, x, r, SerialContext());
+  const Vector<double> residual = expectSolved(x, Vector<double>::Zero(size));
+  EXPECT_LE((r - residual).norm(), Tolerance * b.norm());
+  const auto start = test::RandomVector<double>(size, 3506);
+  x = start;
+  smoother.PostSmooth(b, x, SerialContext());
+  expectSolved(x, start);
 }
 
 TEST(TestSubdomainSmoother, FaintFieldsAreSolvedFor)
