@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <set>
+#include <vector>
 
 using namespace dmg;
 
@@ -60,24 +61,12 @@ std::vector<int> NeighboursOf(const TriangleMesh& mesh, int face)
   return neighbours;
 }
 
-/// A flat strip of right triangles, twice as many as columns; one column is thin.
+/// A strip of columns one wide; one of them is thin.
 TriangleMesh StripWithThinColumn(int columns, int thin, double width)
 {
-  Points points(2 * (columns + 1), 3);
-  Triangles corners(2 * columns, 3);
-  double x = 0.0;
-  for (int i = 0; i <= columns; ++i)
-  {
-    points.row(2 * i) << x, 0.0, 0.0;
-    points.row(2 * i + 1) << x, 1.0, 0.0;
-    x += i == thin ? width : 1.0;
-  }
-  for (int i = 0; i < columns; ++i)
-  {
-    corners.row(2 * i) << 2 * i, 2 * i + 2, 2 * i + 1;
-    corners.row(2 * i + 1) << 2 * i + 2, 2 * i + 3, 2 * i + 1;
-  }
-  return TriangleMesh(points, corners);
+  std::vector<double> widths(columns, 1.0);
+  widths[thin] = width;
+  return test::Strip(widths).Mesh();
 }
 
 }

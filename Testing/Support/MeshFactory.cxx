@@ -259,6 +259,25 @@ Surface IrregularPlane(int columns, int rows, unsigned seed, double amount)
     [&](int, int) { return random.Uniform() < 0.5; });
 }
 
+Surface Strip(const std::vector<double>& widths)
+{
+  const auto columns = static_cast<int>(widths.size());
+  Surface strip{ Points(2 * (columns + 1), 3), Triangles(2 * columns, 3) };
+  double x = 0.0;
+  for (int i = 0; i <= columns; ++i)
+  {
+    strip.V.row(2 * i) << x, 0.0, 0.0;
+    strip.V.row(2 * i + 1) << x, 1.0, 0.0;
+    x += i < columns ? widths[i] : 0.0;
+  }
+  for (int i = 0; i < columns; ++i)
+  {
+    strip.F.row(2 * i) << 2 * i, 2 * i + 2, 2 * i + 1;
+    strip.F.row(2 * i + 1) << 2 * i + 2, 2 * i + 3, 2 * i + 1;
+  }
+  return strip;
+}
+
 Surface Disk(int rings)
 {
   Builder builder;

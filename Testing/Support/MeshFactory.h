@@ -4,6 +4,8 @@
 #include "Mesh/TriangleMesh.h"
 #include "Support/Types.h"
 
+#include <vector>
+
 /// Small surfaces of known shape and topology, and families of them for scale.
 namespace dmg::test
 {
@@ -26,6 +28,9 @@ Surface PlaneGrid(int columns, int rows);
 /// The same outline, with inner points moved by up to \p amount (below 0.3 no face turns over) and
 /// diagonals chosen at random.
 Surface IrregularPlane(int columns, int rows, unsigned seed, double amount = 0.25);
+
+/// A strip of right triangles, one high, two per column of a given width: column i has faces 2 i and 2 i + 1.
+Surface Strip(const std::vector<double>& widths);
 
 /// Unit disc: a centre and \p rings rings of 6, 12, 18 ... points; 6 rings^2 faces.
 Surface Disk(int rings);

@@ -19,27 +19,6 @@ constexpr double Fraction = 0.05;
 constexpr NeedleRegions::Rule BySides = { Fraction, 0 };
 constexpr NeedleRegions::Rule ByRings = { Fraction, NeedleRegions::RingsOfRegion };
 
-/// A flat strip of right triangles, twice as many as columns: column i has faces 2 i and 2 i + 1.
-TriangleMesh Strip(const std::vector<double>& widths)
-{
-  const auto columns = static_cast<int>(widths.size());
-  Points points(2 * (columns + 1), 3);
-  Triangles corners(2 * columns, 3);
-  double x = 0.0;
-  for (int i = 0; i <= columns; ++i)
-  {
-    points.row(2 * i) << x, 0.0, 0.0;
-    points.row(2 * i + 1) << x, 1.0, 0.0;
-    x += i < columns ? widths[i] : 0.0;
-  }
-  for (int i = 0; i < columns; ++i)
-  {
-    corners.row(2 * i) << 2 * i, 2 * i + 2, 2 * i + 1;
-    corners.row(2 * i + 1) << 2 * i + 2, 2 * i + 3, 2 * i + 1;
-  }
-  return TriangleMesh(points, corners);
-}
-
 std::set<int> FacesOf(const NeedleRegions& regions, const TriangleMesh& mesh)
 {
   std::set<int> faces;
@@ -79,7 +58,7 @@ TEST(AreUneven, ByTheAreaOverThatOfAnEquilateralTriangle)
   // Legs 1 and h, hypotenuse sqrt(1 + h^2).
   for (const double h : { 1.0, 0.1, 0.01 })
   {
-    const TriangleMesh mesh = Strip({ h });
+    const TriangleMesh mesh = Strip({ h }).Mesh();
     const double fraction = 0.5 * h / (std::sqrt(3.0) / 4.0 * (1.0 + h * h));
     EXPECT_EQ(AreUneven(mesh, 1.001 * fraction), std::vector<char>(2, 1));
     EXPECT_EQ(AreUneven(mesh, 0.999 * fraction), std::vector<char>(2, 0));
@@ -89,7 +68,7 @@ TEST(AreUneven, ByTheAreaOverThatOfAnEquilateralTriangle)
 TEST(NeedleRegions, HoldNeedlesAndThreeRingsAroundThem)
 {
   const int thin = NeedleRegions::FewestNeedles / 2; // two needles each
-  const TriangleMesh mesh = Strip(Widths(10, thin, 10));
+  const TriangleMesh mesh = Strip(Widths(10, thin, 10)).Mesh();
   for (const NeedleRegions::Rule& rule : { BySides, ByRings })
   {
     EXPECT_EQ(FacesOf(NeedleRegions(mesh, rule), mesh), Range(20 - 3, 20 + 2 * thin + 3));
@@ -98,7 +77,7 @@ TEST(NeedleRegions, HoldNeedlesAndThreeRingsAroundThem)
 
 TEST(NeedleRegions, LeaveFewNeedlesToOthers)
 {
-  const TriangleMesh mesh = Strip(Widths(10, NeedleRegions::FewestNeedles / 2 - 1, 10));
+  const TriangleMesh mesh = Strip(Widths(10, NeedleRegions::FewestNeedles / 2 - 1, 10)).Mesh();
   for (const NeedleRegions::Rule& rule : { BySides, ByRings })
   {
     EXPECT_TRUE(FacesOf(NeedleRegions(mesh, rule), mesh).empty());
@@ -115,7 +94,7 @@ TEST(NeedleRegions, CountNeedlesTogetherAcrossRingsOnlyIfAsked)
   const std::vector<double> third = Widths(0, thin, 10);
   widths.insert(widths.end(), second.begin(), second.end());
   widths.insert(widths.end(), third.begin(), third.end());
-  const TriangleMesh mesh = Strip(widths);
+  const TriangleMesh mesh = Strip(widths).Mesh();
   EXPECT_TRUE(FacesOf(NeedleRegions(mesh, BySides), mesh).empty());
   EXPECT_EQ(
     FacesOf(NeedleRegions(mesh, ByRings), mesh), Range(20 - 3, 20 + 2 * (2 * thin + 1) + 3));
@@ -148,7 +127,7 @@ TEST(NeedleRegions, PiecesCoverThemAndOverlap)
 
 TEST(VisitNeighbours, OfAFaceAreBeyondItsSides)
 {
-  const TriangleMesh mesh = Strip({ 1.0, 1.0, 1.0 });
+  const TriangleMesh mesh = Strip({ 1.0, 1.0, 1.0 }).Mesh();
   const auto neighbours = [&mesh](int face) {
     std::vector<int> visited;
     mesh.VisitNeighbours(face, [&visited](int neighbour) { visited.push_back(neighbour); });
