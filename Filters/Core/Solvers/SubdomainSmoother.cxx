@@ -1,6 +1,7 @@
 #include "Solvers/SubdomainSmoother.h"
 
 #include "Support/CountingSort.h"
+#include "Support/RowRuns.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>

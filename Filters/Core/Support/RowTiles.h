@@ -3,8 +3,9 @@
 
 #include "Support/ExecutionContext.h"
 #include "Support/PartColouring.h"
-#include "Support/RowRuns.h"
 #include "Support/Types.h"
+
+#include <algorithm>
 
 namespace dmg
 {
@@ -53,18 +54,6 @@ private:
   int Rows = 0;
   PartColouring Colouring;
 };
-
-/// y -= A^T x.
-/// \param tiles of the rows of A.
-template <class Scalar>
-void SubtractAdjointProduct(const RowRuns<double>& A, const RowTiles& tiles,
-  const Vector<Scalar>& x, Vector<double>& y, const ExecutionContext& context)
-{
-  tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
-    A.AddAdjoint(
-      firstRow, lastRow, [&x](int row) { return -static_cast<double>(x[row]); }, y.data());
-  });
-}
 
 }
 

@@ -1,6 +1,7 @@
 #include "Support/RowTiles.h"
 
 #include "../Solvers/GridProblem.h"
+#include "Support/RowRuns.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
@@ -33,8 +34,11 @@ Vector<double> AdjointProduct(
   const ExecutionContext& context)
 {
   Vector<double> y = Vector<double>::Zero(A.cols());
-  SubtractAdjointProduct(RowRuns<double>(A), tiles, x, y, context);
-  return -y;
+  const RowRuns<double> runs(A);
+  tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
+    runs.AddAdjoint(firstRow, lastRow, [&x](int row) { return x[row]; }, y.data());
+  });
+  return y;
 }
 
 }
