@@ -34,6 +34,7 @@ LeastSquaresLevels NodalLevels(const std::vector<TransportOperator>& nodal,
   LeastSquaresLevels levels;
   levels.Blocks = std::move(smoothing.Small);
   levels.Subdomains = std::move(smoothing.Subdomains);
+  levels.Needles = std::move(smoothing.Needles);
   PlanarProlongation rows = RowsOfComponents(*finest, context);
   levels.Prolongation.swap(rows);
   for (; next < nodal.size(); ++next)

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -117,6 +118,31 @@ constexpr double EvenFractionForSides = 0.2;
 // needles that share sides are more than a patch has room for, as those of a needle that was cut into 64.
 constexpr NeedleRegions::Rule NeedlesForSides = { 0.1, NeedleRegions::RingsOfRegion };
 constexpr NeedleRegions::Rule NeedlesForFans = { 0.05, 0 };
+// Coarse functions do not fit into any needle.
+constexpr NeedleRegions::Rule NeedlesOfCoarseFunctions = { 0.05, 1, 1, 1 };
+// A region of n unknowns takes about n^2 operations, and all of them at most so many per unknown of the surface.
+constexpr double WorkOnNeedles = 300.0;
+
+/// \param unknownsOf(face) an array of the unknowns of a face.
+template <class UnknownsOf>
+std::vector<int> UnknownsOfFaces(const std::vector<int>& faces, const UnknownsOf& unknownsOf)
+{
+  std::vector<int> unknowns;
+  for (const int face : faces)
+  {
+    const auto own = unknownsOf(face);
+    unknowns.insert(unknowns.end(), own.begin(), own.end());
+  }
+  std::sort(unknowns.begin(), unknowns.end());
+  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
+  return unknowns;
+}
+
+void Append(const std::vector<int>& unknowns, UnknownBlocks& blocks)
+{
+  blocks.Unknowns.insert(blocks.Unknowns.end(), unknowns.begin(), unknowns.end());
+  blocks.EndBlock();
+}
 
 /// Patches where a region has no subdomains, and subdomains where it has.
 /// \param unknownsOf(face) an array of the unknowns of a face.
@@ -132,17 +158,33 @@ void AppendLarge(const TriangleMesh& mesh, double evenFraction, const NeedleRegi
   PatchGrower<UnknownsOf>(mesh, std::move(areUneven), unknownsOf).AppendTo(blocks.Small);
   for (const std::vector<int>& piece : regions.Pieces())
   {
-    std::vector<int> unknowns;
-    for (const int face : piece)
-    {
-      const auto own = unknownsOf(face);
-      unknowns.insert(unknowns.end(), own.begin(), own.end());
-    }
-    std::sort(unknowns.begin(), unknowns.end());
-    blocks.Subdomains.Unknowns.insert(blocks.Subdomains.Unknowns.end(), unknowns.begin(),
-      std::unique(unknowns.begin(), unknowns.end()));
-    blocks.Subdomains.EndBlock();
+    Append(UnknownsOfFaces(piece, unknownsOf), blocks.Subdomains);
   }
+}
+
+/// The smaller ones first.
+template <class UnknownsOf>
+UnknownBlocks NeedlesOf(const TriangleMesh& mesh, const UnknownsOf& unknownsOf, int numberOfUnknowns)
+{
+  std::vector<std::vector<int>> regions;
+  for (const std::vector<int>& faces : NeedleRegions(mesh, NeedlesOfCoarseFunctions).Components())
+  {
+    regions.push_back(UnknownsOfFaces(faces, unknownsOf));
+  }
+  std::stable_sort(regions.begin(), regions.end(),
+    [](const std::vector<int>& a, const std::vector<int>& b) { return a.size() < b.size(); });
+  UnknownBlocks needles;
+  double work = 0.0;
+  for (const std::vector<int>& unknowns : regions)
+  {
+    work += std::pow(static_cast<double>(unknowns.size()), 2);
+    if (work > WorkOnNeedles * numberOfUnknowns)
+    {
+      break;
+    }
+    Append(unknowns, needles);
+  }
+  return needles;
 }
 
 }
@@ -165,6 +207,7 @@ SmoothingBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
     blocks.Small.EndBlock();
   }
   AppendLarge(mesh, EvenFractionForFans, NeedleRegions(mesh, NeedlesForFans), components, blocks);
+  blocks.Needles = NeedlesOf(mesh, components, 2 * mesh.NumberOfFaces());
   return blocks;
 }
 
@@ -208,6 +251,7 @@ SmoothingBlocks BlocksOfOneForms(const TriangleMesh& mesh)
     }
   }
   AppendLarge(mesh, EvenFractionForSides, NeedleRegions(mesh, NeedlesForSides), sides, blocks);
+  blocks.Needles = NeedlesOf(mesh, sides, mesh.NumberOfEdges());
   return blocks;
 }
 

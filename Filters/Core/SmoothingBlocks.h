@@ -16,6 +16,7 @@ struct SmoothingBlocks
 {
   UnknownBlocks Small;      ///< and patches: for BlockSmoother
   UnknownBlocks Subdomains; ///< for SubdomainSmoother; mostly none
+  UnknownBlocks Needles;    ///< for LeastEnergyRegions: needles that hang together, and one ring of faces around them
 };
 
 /// Of face fields, unknowns 2 f and 2 f + 1: fans of faces (PackFans), most of them all those around a vertex.

@@ -232,3 +232,32 @@ TEST(SmoothingBlocks, ManyNeedlesAreInSubdomainsAndNotInPatches)
     [&mesh](int face) { return SidesOf(mesh, face); });
   expect(BlocksOfFaceFields(mesh), 2 * mesh.NumberOfFaces(), componentsOf);
 }
+
+TEST(SmoothingBlocks, CoarseFunctionsAreKeptOffNeedlesAndOneRingAroundThem)
+{
+  const TriangleMesh mesh = StripWithThinColumn(12, 4, 0.01);
+  std::set<int> edges;
+  std::set<int> components;
+  for (int face = 2 * 4 - 1; face < 2 * 4 + 3; ++face)
+  {
+    edges.merge(SidesOf(mesh, face));
+    components.insert({ 2 * face, 2 * face + 1 });
+  }
+  EXPECT_EQ(SetsOf(BlocksOfOneForms(mesh).Needles), std::vector<std::set<int>>{ edges });
+  EXPECT_EQ(SetsOf(BlocksOfFaceFields(mesh).Needles), std::vector<std::set<int>>{ components });
+  EXPECT_EQ(BlocksOfOneForms(test::IrregularSphere(3, 2).Mesh()).Needles.Size(), 0);
+}
+
+TEST(SmoothingBlocks, CoarseFunctionsRunIntoNeedlesWhereTheseAreTooMany)
+{
+  // Two thin columns, and then nothing but needles.
+  std::vector<double> widths(12, 1.0);
+  widths[4] = 0.01;
+  widths.insert(widths.end(), 400, 0.01);
+  const TriangleMesh mesh = test::Strip(widths).Mesh();
+  for (const UnknownBlocks& needles : { BlocksOfOneForms(mesh).Needles, BlocksOfFaceFields(mesh).Needles })
+  {
+    ASSERT_EQ(needles.Size(), 1);
+    EXPECT_LT(needles.Unknowns.size(), 12U);
+  }
+}

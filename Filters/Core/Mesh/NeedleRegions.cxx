@@ -37,11 +37,11 @@ NeedleRegions::NeedleRegions(const TriangleMesh& mesh, const Rule& rule)
   : Mesh(mesh)
   , IsInRegion(AreUneven(mesh, rule.Fraction))
 {
-  assert(rule.RingsBetween <= RingsOfRegion);
+  assert(rule.RingsBetween <= rule.Rings);
   const std::vector<char> isNeedle = this->IsInRegion;
   this->Grow(rule.RingsBetween);
-  this->LeaveOutSmallRegions(isNeedle);
-  this->Grow(RingsOfRegion - rule.RingsBetween);
+  this->LeaveOutSmallRegions(isNeedle, rule.Fewest);
+  this->Grow(rule.Rings - rule.RingsBetween);
 }
 
 template <class Enter>
@@ -93,19 +93,13 @@ std::vector<int> NeedleRegions::Connected(int seed, int largest, std::vector<cha
   return faces;
 }
 
-void NeedleRegions::LeaveOutSmallRegions(const std::vector<char>& isNeedle)
+void NeedleRegions::LeaveOutSmallRegions(const std::vector<char>& isNeedle, int fewest)
 {
-  std::vector<char> isTaken(this->Mesh.NumberOfFaces(), 0);
-  for (int seed = 0; seed < this->Mesh.NumberOfFaces(); ++seed)
+  for (const std::vector<int>& region : this->Components())
   {
-    if (!this->IsInRegion[seed] || isTaken[seed])
-    {
-      continue;
-    }
-    const std::vector<int> region = this->Connected(seed, this->Mesh.NumberOfFaces(), isTaken);
     const auto needles = std::count_if(
       region.begin(), region.end(), [&isNeedle](int face) { return isNeedle[face] != 0; });
-    if (needles < FewestNeedles)
+    if (needles < fewest)
     {
       for (const int face : region)
       {
@@ -113,6 +107,20 @@ void NeedleRegions::LeaveOutSmallRegions(const std::vector<char>& isNeedle)
       }
     }
   }
+}
+
+std::vector<std::vector<int>> NeedleRegions::Components() const
+{
+  std::vector<std::vector<int>> components;
+  std::vector<char> isTaken(this->Mesh.NumberOfFaces(), 0);
+  for (int seed = 0; seed < this->Mesh.NumberOfFaces(); ++seed)
+  {
+    if (this->IsInRegion[seed] && !isTaken[seed])
+    {
+      components.push_back(this->Connected(seed, this->Mesh.NumberOfFaces(), isTaken));
+    }
+  }
+  return components;
 }
 
 std::vector<std::vector<int>> NeedleRegions::Pieces() const

@@ -2,6 +2,7 @@
 
 #include "Solvers/BlockStrips.h"
 #include "Solvers/BlockTiles.h"
+#include "Solvers/LeastEnergyRegions.h"
 #include "Solvers/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -210,7 +211,7 @@ Arrangement BringIntoOrder(
   }
   SortTilesByLength(B, rowOrder, context);
   const std::vector<int> places = Inverse(order, context);
-  for (UnknownBlocks* of : { &levels.Blocks, &levels.Subdomains })
+  for (UnknownBlocks* of : { &levels.Blocks, &levels.Subdomains, &levels.Needles })
   {
     for (int& unknown : of->Unknowns)
     {
@@ -235,11 +236,19 @@ SchwarzBlocks BlocksByStrips(const SparseMatrix<double>& Bt, UnknownBlocks block
   return SchwarzBlocks(Bt, blocks, byStrips.Begins, context);
 }
 
-CompactProlongation SmoothedAndPacked(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  PlanarProlongation&& P, const LeastSquaresHierarchyOptions& options, const ExecutionContext& context)
+double Dropped(const LeastSquaresHierarchyOptions& options, Eigen::Index unknowns)
 {
-  const RowBands<Plane> restriction = SmoothedRestriction(
-    B, Bt, std::move(P), options.ProlongationDegree, options.Dropped, context);
+  constexpr double largest = 3e5;
+  return options.Dropped * std::sqrt(std::min(1.0, largest / static_cast<double>(unknowns)));
+}
+
+CompactProlongation SmoothedAndPacked(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  PlanarProlongation&& P, const UnknownBlocks& needles, const LeastSquaresHierarchyOptions& options,
+  const ExecutionContext& context)
+{
+  const LeastEnergyRegions regions(Bt, needles, context);
+  const RowBands<Plane> restriction = SmoothedRestriction(B, Bt, std::move(P),
+    options.ProlongationDegree, Dropped(options, B.cols()), regions, context);
   GiveBackFreedMemory(); // it lies between what was needed for it
   return CompactProlongation(restriction, context);
 }
@@ -264,7 +273,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
 
   // The interpolation takes most memory until it is packed; blocks come after it.
   CompactProlongation prolongation =
-    SmoothedAndPacked(B, Bt, std::move(levels.Prolongation), options, context);
+    SmoothedAndPacked(B, Bt, std::move(levels.Prolongation), levels.Needles, options, context);
   GiveBackFreedMemory();
   context.Checkpoint(0.6);
   SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation, {}, context);

@@ -21,6 +21,7 @@ struct LeastSquaresLevels
 {
   UnknownBlocks Blocks;                       ///< of the fine level
   UnknownBlocks Subdomains;                   ///< of the fine level, for SubdomainSmoother; may be none
+  UnknownBlocks Needles;                      ///< where coarse functions have the least energy (LeastEnergyRegions)
   PlanarProlongation Prolongation;            ///< to the fine level
   std::vector<SparseMatrix<double>> Coarser;  ///< between the levels below, finest first
 };
@@ -29,8 +30,9 @@ struct LeastSquaresHierarchyOptions
 {
   /// Degree of the polynomial that smooths the prolongation, >= 0.
   int ProlongationDegree = 7;
-  /// Entries of the prolongation below so many times the largest of their row are left out. What they
-  /// leave is noise of as much energy as the smoothest fields have on a million edges.
+  /// Entries of the prolongation below so many times the largest of their row are left out. The noise that they leave
+  /// must have less energy than the smoothest fields, whose energies, in units of the diagonal, fall as their unknowns
+  /// grow in number: of more than 300,000 unknowns, fewer are left out, by the root of the ratio.
   double Dropped = 0.0003;
 };
 

@@ -2,6 +2,7 @@
 #define dmgSubdomainSmoother_h
 
 #include "Solvers/CholeskySolver.h"
+#include "Solvers/Subdomain.h"
 #include "Support/ExecutionContext.h"
 #include "Support/PartColouring.h"
 #include "Support/RowTiles.h"
@@ -12,20 +13,6 @@
 
 namespace dmg
 {
-
-/// Some unknowns of a sum of squares |B x|^2, and what B knows of them.
-struct Subdomain
-{
-  /// \param Bt B^T, a row per unknown.
-  /// \param unknowns in any order; each once.
-  Subdomain(const SparseMatrix<double>& Bt, std::vector<int> unknowns);
-
-  std::vector<int> Unknowns;    ///< ascending
-  std::vector<int> Rows;        ///< of B that they touch, ascending
-  SparseMatrix<double> Columns; ///< B^T there: a row per unknown, a column per row of B
-
-  long long Bytes() const;
-};
 
 /// Multiplicative Schwarz on subdomains of thousands of unknowns, for a sum of squares, A = B^T B + D with D
 /// diagonal. They need not cover all unknowns, and may overlap.

@@ -100,6 +100,30 @@ TEST(NeedleRegions, CountNeedlesTogetherAcrossRingsOnlyIfAsked)
     FacesOf(NeedleRegions(mesh, ByRings), mesh), Range(20 - 3, 20 + 2 * (2 * thin + 1) + 3));
 }
 
+TEST(NeedleRegions, ComponentsShareNoSides)
+{
+  // Two thin columns with one between them, another one far away; single needles count.
+  std::vector<double> widths = Widths(10, 1, 1);
+  const std::vector<double> second = Widths(0, 1, 20);
+  const std::vector<double> third = Widths(0, 1, 10);
+  widths.insert(widths.end(), second.begin(), second.end());
+  widths.insert(widths.end(), third.begin(), third.end());
+  const TriangleMesh mesh = Strip(widths).Mesh();
+  const auto expect = [&mesh](const NeedleRegions::Rule& rule, const std::vector<std::set<int>>& expected) {
+    const std::vector<std::vector<int>> components = NeedleRegions(mesh, rule).Components();
+    ASSERT_EQ(components.size(), expected.size());
+    for (std::size_t k = 0; k < components.size(); ++k)
+    {
+      EXPECT_EQ(components[k].size(), expected[k].size());
+      EXPECT_EQ(std::set<int>(components[k].begin(), components[k].end()), expected[k]);
+    }
+  };
+  expect({ Fraction, 0, 0, 1 }, { Range(20, 22), Range(24, 26), Range(66, 68) });
+  expect({ Fraction, 1, 1, 1 }, { Range(19, 27), Range(65, 69) });
+  expect({ Fraction, 0, 1, 3 }, {});
+  expect({ Fraction, 1, 2, 3 }, { Range(18, 28) });
+}
+
 TEST(NeedleRegions, PiecesCoverThemAndOverlap)
 {
   // More faces than a piece takes.
