@@ -7,6 +7,7 @@
 #include "Operators/PowerFieldOperators.h"
 #include "Solvers/LaplacianHierarchy.h"
 #include "Solvers/LeastSquaresHierarchy.h"
+#include "SmoothingBlocks.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
 #include "Support/SparseAssembly.h"
@@ -31,9 +32,9 @@ constexpr int FinestSweepsFactorOfPowers = 3;
 // Blocks on the finest level do not overlap, and sweeps over them follow each other in the caches: for what
 // they do, they are cheap.
 constexpr int FinestSweepsFactorOfSquares = 3;
-// Below their finest level, interpolations are not smoothed. A second cycle costs little on so few
+// Below the finest level, interpolations are not smoothed. A second cycle costs little on so few
 // unknowns, and makes up.
-constexpr int CoarseCyclesOfSquares = 2;
+constexpr int CoarseCycles = 2;
 constexpr int LargestCoarseFactorOfSquares = 10000;
 
 /// Complex numbers are pairs of real ones in memory, by the standard.
@@ -168,12 +169,12 @@ SolverOptions SolverFor(const FieldOptions& options)
                                                 : LargestOneFormSystemForCholesky;
   if (options.CoarseSpace == CoarseSpaceKind::Nodal)
   {
+    solver.CoarseCycles = CoarseCycles;
     switch (options.Kind)
     {
       case Discretisation::OneForm:
       case Discretisation::FaceField:
         solver.FinestSweepsFactor = FinestSweepsFactorOfSquares;
-        solver.CoarseCycles = CoarseCyclesOfSquares;
         solver.LargestCoarseFactor = LargestCoarseFactorOfSquares;
         break;
       default:
@@ -456,7 +457,7 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& 
   return std::make_unique<LaplacianHierarchy>(
     CoarsenLaplacian([&](const std::vector<int>& order, const ExecutionContext& part)
       { return PowerLaplacian(mesh, faceFrames, options.N, order, part); },
-      std::move(onPowers), PowerProlongationSteps, context));
+      std::move(onPowers), PowerProlongationSteps, RegionsOfPowerFields(mesh), context));
 }
 
 /// The harmonic fields of face fields and 1-forms, in the order of the hierarchy. Power fields have none

@@ -118,6 +118,8 @@ constexpr double EvenFractionForSides = 0.2;
 // needles that share sides are more than a patch has room for, as those of a needle that was cut into 64.
 constexpr NeedleRegions::Rule NeedlesForSides = { 0.1, NeedleRegions::RingsOfRegion };
 constexpr NeedleRegions::Rule NeedlesForFans = { 0.05, 0 };
+// Sweeps and coarse levels deal with a few.
+constexpr NeedleRegions::Rule NeedlesForPowers = { 0.1, NeedleRegions::RingsOfRegion, NeedleRegions::RingsOfRegion, 8 };
 // Coarse functions do not fit into any needle.
 constexpr NeedleRegions::Rule NeedlesOfCoarseFunctions = { 0.05, 1, 1, 1 };
 // A region of n unknowns takes about n^2 operations, and all of them at most so many per unknown of the surface.
@@ -253,6 +255,20 @@ SmoothingBlocks BlocksOfOneForms(const TriangleMesh& mesh)
   AppendLarge(mesh, EvenFractionForSides, NeedleRegions(mesh, NeedlesForSides), sides, blocks);
   blocks.Needles = NeedlesOf(mesh, sides, mesh.NumberOfEdges());
   return blocks;
+}
+
+UnknownBlocks RegionsOfPowerFields(const TriangleMesh& mesh)
+{
+  constexpr std::size_t largest = 5000; // a factor of so many is ready sooner than levels of as many
+  UnknownBlocks regions;
+  for (const std::vector<int>& faces : NeedleRegions(mesh, NeedlesForPowers).Components())
+  {
+    if (faces.size() <= largest)
+    {
+      Append(faces, regions);
+    }
+  }
+  return regions;
 }
 
 }

@@ -27,6 +27,10 @@ SmoothingBlocks BlocksOfFaceFields(const TriangleMesh& mesh);
 /// these leave of others. Cost as above.
 SmoothingBlocks BlocksOfOneForms(const TriangleMesh& mesh);
 
+/// Of power fields, an unknown per face, for RegionSmoother: where needles hang together, unless they are more than a
+/// factor should take. No two regions share a side.
+UnknownBlocks RegionsOfPowerFields(const TriangleMesh& mesh);
+
 }
 
 #endif

@@ -99,6 +99,23 @@ TEST_P(PowerFieldConvergence, IsAlmostAsFastOnThinSurfacesAndWithBoundaries)
   }
 }
 
+TEST_P(PowerFieldConvergence, HardlyDependsOnHowOftenNeedlesAreCut)
+{
+  for (int N : { 1, 2, 4, 6 })
+  {
+    for (int prescribed : { 1, 20, 100, 2048 })
+    {
+      SCOPED_TRACE(N);
+      SCOPED_TRACE(prescribed);
+      Surface surface = Subdivide(PlaneWithNeedles(24, 16));
+      const int once = Iterations(GetParam(), surface, N, prescribed);
+      const int threeTimes = Iterations(GetParam(), Subdivide(Subdivide(surface)), N, prescribed);
+      EXPECT_LE(threeTimes, 12);
+      EXPECT_LE(threeTimes, once + (GetParam() == LevelConstruction::Sampling ? 2 : 6));
+    }
+  }
+}
+
 TEST_P(PowerFieldConvergence, DoesNotDependOnAlignment)
 {
   for (int N : { 1, 2, 4, 6 })

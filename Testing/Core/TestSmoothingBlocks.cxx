@@ -261,3 +261,21 @@ TEST(SmoothingBlocks, CoarseFunctionsRunIntoNeedlesWhereTheseAreTooMany)
     EXPECT_LT(needles.Unknowns.size(), 12U);
   }
 }
+
+TEST(SmoothingBlocks, RegionsOfPowersHoldNeedlesAndThreeRingsAroundThem)
+{
+  const auto strip = [](int thin) {
+    std::vector<double> widths(12, 1.0);
+    std::fill_n(widths.begin() + 4, thin, 0.01);
+    return test::Strip(widths).Mesh();
+  };
+  EXPECT_EQ(RegionsOfPowerFields(strip(3)).Size(), 0); // six needles
+  std::set<int> expected;
+  for (int face = 2 * 4 - 3; face < 2 * 8 + 3; ++face)
+  {
+    expected.insert(face);
+  }
+  EXPECT_EQ(SetsOf(RegionsOfPowerFields(strip(4))), std::vector<std::set<int>>{ expected });
+  // More than a factor should take.
+  EXPECT_EQ(RegionsOfPowerFields(test::Strip(std::vector<double>(3000, 0.01)).Mesh()).Size(), 0);
+}

@@ -259,6 +259,17 @@ Surface IrregularPlane(int columns, int rows, unsigned seed, double amount)
     [&](int, int) { return random.Uniform() < 0.5; });
 }
 
+Surface PlaneWithNeedles(int columns, int rows)
+{
+  Surface surface = IrregularPlane(columns, rows, 4);
+  for (int v = 0; v < surface.V.rows(); ++v)
+  {
+    const double x = surface.V(v, 0);
+    surface.V(v, 0) = x - 0.99 * std::clamp(x - columns / 2, 0.0, 1.0);
+  }
+  return surface;
+}
+
 Surface Strip(const std::vector<double>& widths)
 {
   const auto columns = static_cast<int>(widths.size());

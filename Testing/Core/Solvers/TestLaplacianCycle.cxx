@@ -11,6 +11,7 @@
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -42,9 +43,44 @@ struct Problem
     this->L.makeCompressed();
   }
 
-  LaplacianHierarchy Hierarchy(int steps = 2) const
+  LaplacianHierarchy Hierarchy(int steps = 2, const UnknownBlocks& regions = {}) const
   {
-    return CoarsenLaplacian(this->InOrder(), this->P, steps, SerialContext());
+    return CoarsenLaplacian(this->InOrder(), this->P, steps, regions, SerialContext());
+  }
+
+  /// Unknowns and their neighbours; no two regions know of each other.
+  UnknownBlocks Regions() const
+  {
+    UnknownBlocks regions;
+    std::vector<char> isNear(this->Size(), 0);
+    const auto neighbours = [this](int i) {
+      std::vector<int> columns;
+      for (SparseMatrix<Complex>::InnerIterator entry(this->L, i); entry; ++entry)
+      {
+        columns.push_back(static_cast<int>(entry.col()));
+      }
+      return columns;
+    };
+    for (int i = 0; i < this->Size(); i += 5)
+    {
+      const std::vector<int> own = neighbours(i);
+      std::vector<int> around = own;
+      for (const int k : own)
+      {
+        const std::vector<int> next = neighbours(k);
+        around.insert(around.end(), next.begin(), next.end());
+      }
+      if (std::none_of(own.begin(), own.end(), [&isNear](int k) { return isNear[k] != 0; }))
+      {
+        regions.Unknowns.insert(regions.Unknowns.end(), own.begin(), own.end());
+        regions.EndBlock();
+        for (const int k : around)
+        {
+          isNear[k] = 1;
+        }
+      }
+    }
+    return regions;
   }
 
   MatrixInOrder InOrder() const
@@ -180,10 +216,14 @@ TEST(TestLaplacianHierarchy, OperatorsAddWhatIsPrescribed)
 TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
 {
   const Problem problem(4, 2);
-  const LaplacianHierarchy hierarchy = problem.Hierarchy();
-  for (const bool holdsSome : { false, true })
+  ASSERT_GE(problem.Regions().Size(), 3);
+  for (const bool hasRegions : { false, true })
   {
-    for (const int sweeps : { 1, 2, 3 })
+    const LaplacianHierarchy hierarchy =
+      problem.Hierarchy(2, hasRegions ? problem.Regions() : UnknownBlocks());
+    ASSERT_EQ(static_cast<int>(hierarchy.Regions.size()), hasRegions ? problem.Regions().Size() : 0);
+    for (const auto& [holdsSome, sweeps] :
+      { std::pair(false, 1), { false, 2 }, { false, 3 }, { true, 1 }, { true, 2 }, { true, 3 } })
     {
       const Vector<double> D = problem.Shift(hierarchy, holdsSome);
       const Dense A = Expected(problem, hierarchy, D);
@@ -213,6 +253,13 @@ TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
       {
         swept = (identity - (sweep % 2 == 0 ? up : Dense(up.adjoint())) * A) * swept;
       }
+      for (const MatrixRegion& region : hierarchy.Regions)
+      {
+        const std::vector<int>& own = region.Unknowns;
+        const Dense block = A(own, own);
+        const Dense solved = block.llt().solve(A(own, Eigen::all) * swept);
+        swept(own, Eigen::all) -= solved;
+      }
       const Dense inverse = A.inverse();
       const Dense corrected = identity -
         yielding * coarse.completeOrthogonalDecomposition().solve(yielding.adjoint() * A);
@@ -231,7 +278,7 @@ TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
 TEST(TestLaplacianCycle, UpdateIsANewCycle)
 {
   const Problem problem(5, 4);
-  const LaplacianHierarchy hierarchy = problem.Hierarchy();
+  const LaplacianHierarchy hierarchy = problem.Hierarchy(2, problem.Regions());
   const RoughnessCycleOptions options = Options(3, 0);
   const auto cycle = hierarchy.Cycle(problem.Shift(hierarchy, false), options, SerialContext());
   EXPECT_EQ(cycle->Levels().size(), 4u);
@@ -254,7 +301,8 @@ TEST(TestLaplacianCycle, SameBitsForAnyNumberOfThreads)
   for (const int threads : { 1, 2, 3, 8 })
   {
     const test::TbbContext context(threads);
-    const LaplacianHierarchy hierarchy = CoarsenLaplacian(problem.InOrder(), problem.P, 2, context);
+    const LaplacianHierarchy hierarchy =
+      CoarsenLaplacian(problem.InOrder(), problem.P, 2, problem.Regions(), context);
     const Vector<double> D = problem.Shift(hierarchy, true);
     const auto cycle = hierarchy.Cycle(D, Options(4, 0), context);
     Vector<double> z;
@@ -272,7 +320,7 @@ TEST(TestLaplacianHierarchy, RefusesSizesThatDoNotChain)
   const Problem problem(4, 3);
   try
   {
-    CoarsenLaplacian(problem.InOrder(), { problem.P[0], problem.P[0] }, 0, SerialContext());
+    CoarsenLaplacian(problem.InOrder(), { problem.P[0], problem.P[0] }, 0, {}, SerialContext());
     FAIL() << "nothing was refused";
   }
   catch (const InvalidInput& error)
