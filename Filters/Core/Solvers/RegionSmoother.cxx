@@ -79,25 +79,25 @@ RegionSmoother::RegionSmoother(const SplitMatrix& matrix, const std::vector<Matr
   : L(matrix)
   , Regions(regions)
   , States(regions.size())
-  , Steps(Vector<Single>::Zero(matrix.Size()))
+  , Begins(1, 0)
 {
-  std::vector<char> isInside(matrix.Size(), 0);
-  for (std::size_t k = 0; k < regions.size(); ++k)
+  std::vector<int> slots(matrix.Size(), -1);
+  for (const MatrixRegion& region : regions)
   {
-    const auto size = static_cast<Eigen::Index>(regions[k].Unknowns.size());
-    this->States[k].Residual.resize(size);
-    this->States[k].Step.resize(size);
-    for (const int unknown : regions[k].Unknowns)
+    int slot = this->Begins.back();
+    for (const int unknown : region.Unknowns)
     {
-      isInside[unknown] = 1;
+      slots[unknown] = slot++;
     }
+    this->Begins.push_back(slot);
   }
+  this->Steps.resize(this->Begins.back());
   for (const MatrixRegion& region : regions)
   {
     for (const int unknown : region.Unknowns)
     {
       ForEntries(matrix, unknown, [&](int column, Single) {
-        if (!isInside[column])
+        if (slots[column] < 0)
         {
           this->Around.push_back(column);
         }
@@ -106,25 +106,37 @@ RegionSmoother::RegionSmoother(const SplitMatrix& matrix, const std::vector<Matr
   }
   std::sort(this->Around.begin(), this->Around.end());
   this->Around.erase(std::unique(this->Around.begin(), this->Around.end()), this->Around.end());
+  this->AreAroundHeld.resize(this->Around.size());
+  std::vector<Eigen::Triplet<Single>> entries;
+  for (std::size_t k = 0; k < this->Around.size(); ++k)
+  {
+    ForEntries(matrix, this->Around[k], [&](int column, Single value) {
+      if (slots[column] >= 0)
+      {
+        entries.emplace_back(static_cast<int>(k), slots[column], value);
+      }
+    });
+  }
+  this->Coupling.resize(static_cast<Eigen::Index>(this->Around.size()), this->Steps.size());
+  this->Coupling.setFromTriplets(entries.begin(), entries.end());
 }
 
-SparseMatrix<Complex> RegionSmoother::MatrixOf(const MatrixRegion& region) const
+SparseMatrix<Complex> RegionSmoother::MatrixOf(int region) const
 {
-  SparseMatrix<Complex> A = region.A;
+  const Vector<double>& D = this->States[region].D;
+  SparseMatrix<Complex> A = this->Regions[region].A;
   for (int k = 0; k < A.rows(); ++k)
   {
     for (SparseMatrix<Complex>::InnerIterator entry(A, k); entry; ++entry)
     {
-      const int row = region.Unknowns[k];
-      if (this->IsHeld(row) || this->IsHeld(region.Unknowns[entry.col()]))
+      if (std::isinf(D[k]) || std::isinf(D[entry.col()]))
       {
         entry.valueRef() = entry.col() == k ? 1.0 : 0.0; // stays in the pattern
       }
       else if (entry.col() == k)
       {
         const double diagonal = entry.value().real();
-        entry.valueRef() = diagonal > 0.0 ? (1.0 + Ridge) * diagonal + this->D[2 * row]
-                                          : std::max(1.0, this->D[2 * row]);
+        entry.valueRef() = diagonal > 0.0 ? (1.0 + Ridge) * diagonal + D[k] : std::max(1.0, D[k]);
       }
     }
   }
@@ -134,31 +146,31 @@ SparseMatrix<Complex> RegionSmoother::MatrixOf(const MatrixRegion& region) const
 void RegionSmoother::SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context)
 {
   assert(diagonal.size() == 2 * this->L.Size());
-  this->D = diagonal;
+  for (std::size_t k = 0; k < this->Around.size(); ++k)
+  {
+    this->AreAroundHeld[k] = std::isinf(diagonal[2 * this->Around[k]]) ? 1 : 0;
+  }
   context.ParallelFor(0, static_cast<int>(this->Regions.size()), 1, [&](int first, int last) {
     for (int k = first; k < last; ++k)
     {
-      const SparseMatrix<Complex> A = this->MatrixOf(this->Regions[k]);
-      if (this->States[k].Factor)
+      State& state = this->States[k];
+      const std::vector<int>& unknowns = this->Regions[k].Unknowns;
+      state.D.resize(static_cast<Eigen::Index>(unknowns.size()));
+      for (std::size_t i = 0; i < unknowns.size(); ++i)
       {
-        this->States[k].Factor->Update(A);
+        state.D[i] = diagonal[2 * unknowns[i]];
+      }
+      const SparseMatrix<Complex> A = this->MatrixOf(k);
+      if (state.Factor)
+      {
+        state.Factor->Update(A);
       }
       else
       {
-        this->States[k].Factor.emplace(A, FillOrdering::AMD, FactorKind::Simplicial);
+        state.Factor.emplace(A, FillOrdering::AMD, FactorKind::Simplicial);
       }
     }
   });
-}
-
-template <class Entry>
-Complex RegionSmoother::RowTimes(int row, const Entry& entryOfX) const
-{
-  Complex sum = 0.0;
-  ForEntries(this->L, row, [&](int column, Single value) {
-    sum += static_cast<Complex>(value) * static_cast<Complex>(entryOfX(column));
-  });
-  return sum;
 }
 
 template <class ResidualOf>
@@ -170,15 +182,18 @@ void RegionSmoother::Solve(
     {
       const std::vector<int>& unknowns = this->Regions[k].Unknowns;
       State& state = this->States[k];
+      state.Residual.resize(state.D.size());
       for (std::size_t i = 0; i < unknowns.size(); ++i)
       {
-        state.Residual[i] = this->IsHeld(unknowns[i]) ? Complex(0.0) : residualOf(unknowns[i]);
+        state.Residual[i] =
+          std::isinf(state.D[i]) ? Complex(0.0) : residualOf(unknowns[i], state.D[i]);
       }
       state.Factor->Solve(state.Residual, state.Step);
       for (std::size_t i = 0; i < unknowns.size(); ++i)
       {
-        this->Steps[unknowns[i]] = static_cast<Single>(state.Step[i]);
-        x[unknowns[i]] += this->Steps[unknowns[i]];
+        const auto step = static_cast<Single>(state.Step[i]);
+        this->Steps[this->Begins[k] + i] = step;
+        x[unknowns[i]] += step;
       }
     }
   });
@@ -187,7 +202,7 @@ void RegionSmoother::Solve(
 void RegionSmoother::PreSmooth(
   Vector<Single>& r, Vector<Single>& x, const ExecutionContext& context)
 {
-  this->Solve([&r](int unknown) { return static_cast<Complex>(r[unknown]); }, x, context);
+  this->Solve([&r](int unknown, double) { return static_cast<Complex>(r[unknown]); }, x, context);
   for (const MatrixRegion& region : this->Regions)
   {
     for (const int unknown : region.Unknowns)
@@ -198,11 +213,14 @@ void RegionSmoother::PreSmooth(
   context.ParallelFor(0, static_cast<int>(this->Around.size()), Grain, [&](int first, int last) {
     for (int k = first; k < last; ++k)
     {
-      const int row = this->Around[k];
-      if (!this->IsHeld(row))
+      if (!this->AreAroundHeld[k])
       {
-        r[row] -= static_cast<Single>(
-          this->RowTimes(row, [this](int column) { return this->Steps[column]; }));
+        Complex sum = 0.0;
+        for (SparseMatrix<Single>::InnerIterator entry(this->Coupling, k); entry; ++entry)
+        {
+          sum += static_cast<Complex>(entry.value()) * static_cast<Complex>(this->Steps[entry.col()]);
+        }
+        r[this->Around[k]] -= static_cast<Single>(sum);
       }
     }
   });
@@ -213,23 +231,26 @@ void RegionSmoother::PostSmooth(
 {
   // Regions do not know of each other, so that none sees what another one changes.
   this->Solve(
-    [&](int unknown) {
-      const double diagonal = this->L.Diagonal[unknown] + this->D[2 * unknown];
-      return static_cast<Complex>(b[unknown]) - diagonal * static_cast<Complex>(x[unknown]) -
-        this->RowTimes(unknown, [&x](int column) { return x[column]; });
+    [&](int unknown, double D) {
+      Complex residual = static_cast<Complex>(b[unknown]) -
+        (this->L.Diagonal[unknown] + D) * static_cast<Complex>(x[unknown]);
+      ForEntries(this->L, unknown, [&](int column, Single value) {
+        residual -= static_cast<Complex>(value) * static_cast<Complex>(x[column]);
+      });
+      return residual;
     },
     x, context);
 }
 
 long long RegionSmoother::Bytes() const
 {
-  long long sum = this->D.size() * static_cast<long long>(sizeof(double)) +
-    this->Steps.size() * static_cast<long long>(sizeof(Single)) +
-    static_cast<long long>(this->Around.size() * sizeof(int));
+  long long sum = this->Steps.size() * static_cast<long long>(sizeof(Single)) +
+    static_cast<long long>(this->Around.size() * (sizeof(int) + sizeof(char))) +
+    BytesOf(this->Coupling);
   for (const State& state : this->States)
   {
     sum += state.Factor->Bytes() + static_cast<long long>(sizeof(State)) +
-      2 * state.Step.size() * static_cast<long long>(sizeof(Complex));
+      state.D.size() * static_cast<long long>(sizeof(double) + 2 * sizeof(Complex));
   }
   return sum;
 }

@@ -59,26 +59,25 @@ private:
   /// What a region has of its own.
   struct State
   {
+    Vector<double> D; ///< of its unknowns
     std::optional<CholeskySolver<Complex>> Factor;
     Vector<Complex> Residual;
     Vector<Complex> Step;
   };
 
-  bool IsHeld(int unknown) const { return !std::isfinite(this->D[2 * unknown]); }
-  SparseMatrix<Complex> MatrixOf(const MatrixRegion& region) const;
-  /// Row k of L without its diagonal, times x, in double precision.
-  template <class Entry>
-  Complex RowTimes(int row, const Entry& entryOfX) const;
-  /// x += what solves for the residuals, residualOf(unknown), on each region.
+  SparseMatrix<Complex> MatrixOf(int region) const;
+  /// x += what solves for the residuals, residualOf(unknown, its D), on each region.
   template <class ResidualOf>
   void Solve(const ResidualOf& residualOf, Vector<Single>& x, const ExecutionContext& context);
 
   const SplitMatrix& L;
   const std::vector<MatrixRegion>& Regions;
   std::vector<State> States;
-  std::vector<int> Around; ///< unknowns that are coupled with some of a region, but in none
-  Vector<Single> Steps;    ///< of all unknowns; zero but on regions
-  Vector<double> D;
+  std::vector<int> Begins;       ///< of regions among the unknowns of all
+  Vector<Single> Steps;          ///< of these
+  std::vector<int> Around;       ///< unknowns that L couples with some of a region, but in none
+  SparseMatrix<Single> Coupling; ///< of these, with the unknowns of all regions
+  std::vector<char> AreAroundHeld;
 };
 
 }

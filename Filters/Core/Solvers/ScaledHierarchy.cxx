@@ -13,7 +13,7 @@ namespace dmg
 namespace
 {
 
-constexpr int RowGrain = 4096;
+constexpr int RowGrain = 1024;
 
 double Reciprocal(double x)
 {

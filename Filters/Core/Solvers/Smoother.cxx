@@ -12,7 +12,7 @@ namespace dmg
 namespace
 {
 
-constexpr int RowGrain = 4096;
+constexpr int RowGrain = 256;
 
 /// Solves the diagonal for one unknown.
 template <class Value>
