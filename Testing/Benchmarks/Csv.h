@@ -2,7 +2,9 @@
 #define dmgBenchmarksCsv_h
 
 #include <cmath>
+#include <filesystem>
 #include <fstream>
+#include <stdexcept>
 #include <string>
 
 namespace dmg::benchmarks
@@ -12,9 +14,16 @@ namespace dmg::benchmarks
 class Csv
 {
 public:
-  Csv(const std::string& path, const std::string& header)
-    : File(path)
+  /// Makes the folder, if there is none.
+  /// \throw std::runtime_error the file cannot be written.
+  Csv(const std::filesystem::path& path, const std::string& header)
   {
+    std::filesystem::create_directories(std::filesystem::absolute(path).parent_path());
+    this->File.open(path);
+    if (!this->File)
+    {
+      throw std::runtime_error("cannot write " + path.string());
+    }
     this->File << header << "\n";
   }
 

@@ -130,6 +130,17 @@ TEST_P(PowerFieldConvergence, DoesNotDependOnAlignment)
   }
 }
 
+/// Parallel fields cost nothing there, and so weak pulls little: rounding errors in the cycle must not decide.
+TEST_P(PowerFieldConvergence, OnAPlaneUnderWeakPulls)
+{
+  const Surface plane = Subdivide(IrregularPlane(120, 80, 4)); // 76,800
+  for (int N : { 1, 2, 4, 6 })
+  {
+    SCOPED_TRACE(N);
+    EXPECT_LE(Iterations(GetParam(), plane, N, 20, 1e-5), 12);
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Levels, PowerFieldConvergence,
   ::testing::Values(LevelConstruction::EdgeCollapses, LevelConstruction::Sampling),
   [](const auto& info) {

@@ -164,9 +164,19 @@ MultigridCycle<Scalar>::~MultigridCycle() = default;
 template <class Scalar>
 bool MultigridCycle<Scalar>::NeedsDoublePrecision() const
 {
-  return this->Options.Precision == CyclePrecision::Double ||
-    (this->Options.Precision == CyclePrecision::Automatic &&
-      this->Hierarchy.CoarsestSolver().ReciprocalCondition() < 1e-5);
+  if (this->Options.Precision != CyclePrecision::Automatic)
+  {
+    return this->Options.Precision == CyclePrecision::Double;
+  }
+  // Diagonals are as large on all levels, so that the least eigenvalue falls with the share of unknowns. Cycles in a
+  // row subtract A x from b, and these nearly agree for its error.
+  double smallest = this->Hierarchy.CoarsestSolver().ReciprocalCondition();
+  if (this->Options.Repetitions > 1)
+  {
+    const int coarsest = this->Hierarchy.NumberOfLevels() - 1;
+    smallest *= static_cast<double>(this->Hierarchy.NumberOfUnknowns(coarsest)) / this->Hierarchy.NumberOfUnknowns(0);
+  }
+  return smallest < 2e-5;
 }
 
 template <class Scalar>

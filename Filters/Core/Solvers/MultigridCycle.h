@@ -14,8 +14,9 @@ namespace dmg
 /// rounding errors and reach any tolerance that double precision allows.
 enum class CyclePrecision
 {
-  /// Single, unless the coarsest matrix is nearly singular (reciprocal condition below 1e-5), as under
-  /// very weak constraints: rounding errors would then swamp the smoothest part of the solution.
+  /// Single, unless the coarsest matrix is nearly singular (reciprocal condition below 2e-5), as under
+  /// very weak constraints: rounding errors would then swamp the smoothest part of the solution. Of cycles in
+  /// a row the finest matrix counts, whose condition is estimated from the coarsest one's.
   Automatic,
   Single, ///< half the memory traffic
   Double,
