@@ -97,15 +97,14 @@ ProlongationOperators OperatorsFromSamples(
     {
       break; // so many pieces of surface, of few faces each
     }
-    TangentGraph samples = GraphOfSamples(points, sampling, context);
+    points = GraphOfSamples(points, sampling, context); // the finer one takes much memory, and makes room
     TransportOperator prolongation = areFaces
-      ? SampledProlongation(sampling, samples, Inverse(order, context), context)
-      : SampledProlongation(sampling, samples, context);
+      ? SampledProlongation(sampling, points, Inverse(order, context), context)
+      : SampledProlongation(sampling, points, context);
     operators.Nodal.emplace_back().swap(prolongation); // Eigen 3.4 would copy it
     operators.NumbersOfVertices.push_back(numberOfSamples);
-    operators.NumbersOfEdges.push_back(samples.NumberOfLinks() / 2);
+    operators.NumbersOfEdges.push_back(points.NumberOfLinks() / 2);
     operators.NumbersOfFaces.push_back(numberOfSamples);
-    points = std::move(samples);
   }
   context.Checkpoint(1.0);
   return operators;
