@@ -60,6 +60,7 @@ def main():
     parser.add_argument("--runs", type=int, default=5)
     parser.add_argument("surfaces", nargs="+", type=Path)
     options = parser.parse_args()
+    options.out.mkdir(parents=True, exist_ok=True)
     with open(options.out / "filter.csv", "w", newline="") as file:
         rows = csv.writer(file)
         rows.writerow("surface,faces,field,runs,total,setup,prepare,solve,other".split(","))
