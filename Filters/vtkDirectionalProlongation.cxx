@@ -46,7 +46,8 @@ public:
     {
       return;
     }
-    const dmg::SurfaceMesh mesh = dmg::MeshFromPolyData(surface);
+    const dmg::SurfaceMesh mesh =
+      dmg::MeshFromPolyData(surface, dmg::Numbering::OfPolyData, context);
     const dmg::SurfaceHierarchy hierarchy =
       dmg::BuildSurfaceHierarchy(mesh.Mesh, options, context, selection);
     auto setup = std::make_unique<Setup>();

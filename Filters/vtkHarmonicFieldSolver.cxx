@@ -96,6 +96,7 @@ public:
   struct SurfaceStage
   {
     std::string Digest;
+    dmg::Numbering Numbering;
     dmg::FramedSurface Framed;
     double Seconds;
   };
@@ -173,17 +174,19 @@ public:
         "); apply vtkDirectionalProlongation after the last filter that changes the surface");
     }
 
-    if (!this->Surface || this->Surface->Digest != digest)
+    // Operators that are stored number the elements as the input does.
+    const auto numbering = stored ? dmg::Numbering::OfPolyData : dmg::Numbering::Spatial;
+    if (!this->Surface || this->Surface->Digest != digest || this->Surface->Numbering != numbering)
     {
       const auto start = std::chrono::steady_clock::now();
-      dmg::FramedSurface framed(dmg::MeshFromPolyData(input), context);
+      dmg::FramedSurface framed(dmg::MeshFromPolyData(input, numbering, context), context);
       this->Solution.reset();
       this->System.reset();
       this->Levels.reset();
       this->Operators.reset();
       this->Built.clear();
       this->Basis.reset();
-      this->Surface.reset(new SurfaceStage{ digest, std::move(framed), SecondsSince(start) });
+      this->Surface.reset(new SurfaceStage{ digest, numbering, std::move(framed), SecondsSince(start) });
       this->IsSetupUncounted = true;
     }
 

@@ -1,6 +1,7 @@
 #include "Adapters/ConstraintsFromArrays.h"
 
 #include "Support/Errors.h"
+#include "Support/Permutations.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -14,6 +15,7 @@
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dmg
@@ -85,13 +87,13 @@ Chosen ChosenArray(vtkAlgorithm* algorithm, int index, vtkDataSet* dataset, int 
   return chosen;
 }
 
-/// Calls add(index, vector, weight) for everything that is prescribed among elements [0, size).
+/// Calls add(i, vector, weight, name) for all of some elements that are prescribed.
 /// \param tuple where element i stands in the arrays.
 template <class Tuple, class Add>
-void VisitPrescribed(
-  const ConstraintArrays& arrays, int size, const std::string& element, Tuple&& tuple, Add&& add)
+void VisitPrescribed(const ConstraintArrays& arrays, const std::vector<int>& elements,
+  const std::string& element, Tuple&& tuple, Add&& add)
 {
-  for (int i = 0; i < size; ++i)
+  for (const int i : elements)
   {
     const vtkIdType id = tuple(i);
     Vector3 vector;
@@ -151,8 +153,20 @@ ConstraintArrays ChosenConstraints(vtkAlgorithm* algorithm, int first, vtkDataSe
     vectors.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
 }
 
+/// In the order of their points.
+std::vector<int> VerticesByPoint(const SurfaceMesh& surface, vtkIdType numberOfPoints)
+{
+  std::vector<int> vertices(numberOfPoints, -1);
+  for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); ++vertex)
+  {
+    vertices[surface.PointOf(vertex)] = vertex;
+  }
+  vertices.erase(std::remove(vertices.begin(), vertices.end(), -1), vertices.end());
+  return vertices;
+}
+
 PrescribedDirections DirectionsOnSurface(
-  const ConstraintArrays& arrays, const SurfaceMesh& surface)
+  const ConstraintArrays& arrays, vtkPolyData* input, const SurfaceMesh& surface)
 {
   PrescribedDirections directions;
   if (!arrays.Vectors)
@@ -162,7 +176,7 @@ PrescribedDirections DirectionsOnSurface(
   if (arrays.OnPoints)
   {
     VisitPrescribed(
-      arrays, surface.Mesh.NumberOfVertices(), "point",
+      arrays, VerticesByPoint(surface, input->GetNumberOfPoints()), "point",
       [&surface](int vertex) { return surface.PointOf(vertex); },
       [&directions](int vertex, const Vector3& vector, double weight, const std::string&) {
         directions.AtVertices.push_back({ vertex, vector, weight });
@@ -171,7 +185,7 @@ PrescribedDirections DirectionsOnSurface(
   else
   {
     VisitPrescribed(
-      arrays, surface.Mesh.NumberOfFaces(), "cell",
+      arrays, Inverse(surface.Polygons), "cell",
       [&surface](int face) { return surface.CellOf(face); },
       [&directions](int face, const Vector3& vector, double weight, const std::string&) {
         directions.OnFaces.push_back({ face, vector, weight });
@@ -194,7 +208,8 @@ std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& ar
       "' prescribes directions on cells of the second input; convert it with "
       "vtkCellDataToPointData, or choose a point array");
   }
-  vtkNew<vtkPolyData> triangles; // its cells are the faces
+  const std::vector<int> faces = Inverse(framed.Surface.Polygons);
+  vtkNew<vtkPolyData> triangles; // its cells are the polygons
   triangles->SetPoints(input->GetPoints());
   triangles->SetPolys(input->GetPolys());
   vtkNew<vtkStaticCellLocator> locator;
@@ -202,29 +217,30 @@ std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& ar
   locator->BuildLocator();
   vtkNew<vtkGenericCell> cell;
   VisitPrescribed(
-    arrays, static_cast<int>(points->GetNumberOfPoints()), "point",
+    arrays, Identity(static_cast<int>(points->GetNumberOfPoints())), "point",
     [](int point) { return static_cast<vtkIdType>(point); },
-    [&directions, &framed, &locator, &cell, points](
+    [&directions, &framed, &faces, &locator, &cell, points](
       int point, const Vector3& vector, double weight, const std::string& name)
     {
       double position[3], closest[3], squaredDistance;
       points->GetPoint(point, position);
-      vtkIdType face = -1;
+      vtkIdType polygon = -1;
       int subId;
-      locator->FindClosestPoint(position, closest, cell, face, subId, squaredDistance);
-      if (face < 0)
+      locator->FindClosestPoint(position, closest, cell, polygon, subId, squaredDistance);
+      if (polygon < 0)
       {
         throw InvalidInput(name + " of the second input has no nearest triangle; is it finite?");
       }
-      const Complex direction = framed.Faces.ToComplex(static_cast<int>(face), vector);
+      const int face = faces[polygon];
+      const Complex direction = framed.Faces.ToComplex(face, vector);
       if (std::abs(direction) <= SmallestTangentialPart * vector.norm())
       {
         throw InvalidInput("the direction prescribed at " + name +
           " of the second input is perpendicular to the nearest triangle, cell " +
-          std::to_string(framed.Surface.CellOf(static_cast<int>(face))) +
+          std::to_string(framed.Surface.CellOf(face)) +
           "; turn it or take it out of the mask");
       }
-      directions.push_back({ static_cast<int>(face), vector, weight });
+      directions.push_back({ face, vector, weight });
     });
   return directions;
 }
@@ -235,7 +251,8 @@ PrescribedDirections ChosenDirections(
   vtkAlgorithm* algorithm, vtkPolyData* surface, vtkDataSet* points, const FramedSurface& framed)
 {
   PrescribedDirections directions = DirectionsOnSurface(
-    ChosenConstraints(algorithm, 0, surface, nullptr, "the surface"), framed.Surface);
+    ChosenConstraints(algorithm, 0, surface, nullptr, "the surface"), surface,
+    framed.Surface);
   if (points)
   {
     const ConstraintArrays arrays = ChosenConstraints(

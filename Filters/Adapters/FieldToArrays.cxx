@@ -5,6 +5,7 @@
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldDirections.h"
+#include "Support/Permutations.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -113,36 +114,48 @@ private:
   const ExecutionContext& Context;
 };
 
+/// Adds an array of the lines of edges: of numbers that change their sign with the edge's orientation, one per
+/// edge of the mesh.
+void AddOnEdges(const SurfaceMesh& surface, const std::string& name, const Vector<double>& values,
+  vtkFieldData* data, const ExecutionContext& context)
+{
+  const int numberOfEdges = surface.Mesh.NumberOfEdges();
+  const auto array = NewArray(name, 1, numberOfEdges, numberOfEdges);
+  double* const tuples = array->GetPointer(0);
+  context.ParallelFor(0, numberOfEdges, Grain, [&](int first, int last) {
+    for (int line = first; line < last; ++line)
+    {
+      const int edge = surface.Edges[line];
+      tuples[line] = surface.EdgeSign(edge) * values[edge];
+    }
+  });
+  data->AddArray(array);
+}
+
 /// The edges as lines, without points, with the angle by which the field turns across each.
 vtkSmartPointer<vtkPolyData> MakeEdges(
   const SurfaceMesh& surface, const Vector<double>& turnings, const ExecutionContext& context)
 {
-  const TriangleMesh& mesh = surface.Mesh;
-  const vtkIdType numberOfEdges = mesh.NumberOfEdges();
+  const vtkIdType numberOfEdges = surface.Mesh.NumberOfEdges();
   vtkNew<vtkIdTypeArray> ends;
   ends->SetNumberOfValues(2 * numberOfEdges);
   vtkIdType* const points = ends->GetPointer(0);
-  context.ParallelFor(0, mesh.NumberOfEdges(), Grain, [&](int first, int last) {
-    for (vtkIdType edge = first; edge < last; ++edge)
+  context.ParallelFor(0, surface.Mesh.NumberOfEdges(), Grain, [&](int first, int last) {
+    for (vtkIdType line = first; line < last; ++line)
     {
-      const auto& vertices = mesh.EdgeVertices(static_cast<int>(edge));
-      points[2 * edge] = surface.PointOf(vertices[0]);
-      points[2 * edge + 1] = surface.PointOf(vertices[1]);
+      const auto [a, b] = surface.Mesh.EdgeVertices(surface.Edges[line]);
+      const auto [smaller, larger] = std::minmax({ surface.PointOf(a), surface.PointOf(b) });
+      points[2 * line] = smaller;
+      points[2 * line + 1] = larger;
     }
   });
-  const auto turning = NewArray(ArrayNames::Turning, 1, numberOfEdges, numberOfEdges);
-  std::copy_n(turnings.data(), numberOfEdges, turning->GetPointer(0));
   vtkNew<vtkCellArray> lines;
   lines->SetData(2, ends);
   auto edges = vtkSmartPointer<vtkPolyData>::New();
   edges->SetLines(lines);
-  edges->GetCellData()->SetScalars(turning);
+  AddOnEdges(surface, ArrayNames::Turning, turnings, edges->GetCellData(), context);
+  edges->GetCellData()->SetActiveScalars(ArrayNames::Turning);
   return edges;
-}
-
-auto OfEdges(const TriangleMesh& mesh, vtkFieldData* data, const ExecutionContext& context)
-{
-  return ArraysOfElements(data, mesh.NumberOfEdges(), [](int edge) { return edge; }, context);
 }
 
 /// Calls two functions, at the same time where there are threads.
@@ -276,8 +289,8 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
         mesh.NumberOfFaces());
       break;
     case Discretisation::OneForm:
-      OfEdges(mesh, arrays.Edges->GetCellData(), context)
-        .Add(ArrayNames::OneForm, 1, unknowns.data(), mesh.NumberOfEdges());
+      AddOnEdges(
+        surface, ArrayNames::OneForm, unknowns, arrays.Edges->GetCellData(), context);
       break;
   }
   context.Checkpoint(1.0);
@@ -329,7 +342,7 @@ BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind,
     cells.Add(name, 3, vectors.data(), mesh.NumberOfFaces());
     if (isOneForm)
     {
-      OfEdges(mesh, arrays.Edges, context).Add(name, 1, field.data(), mesh.NumberOfEdges());
+      AddOnEdges(surface, name, field, arrays.Edges, context);
     }
   }
   context.Checkpoint(1.0);
@@ -358,12 +371,14 @@ void AddBasisSize(const BasisArrays& arrays, vtkFieldData* fieldData)
 void AddPrescribed(const SurfaceMesh& surface, const FieldConstraints& constraints,
   Discretisation kind, vtkPolyData* output)
 {
+  const bool isOneForm = kind == Discretisation::OneForm;
+  const std::vector<int> lines = isOneForm ? Inverse(surface.Edges) : std::vector<int>();
   const auto weights = NewArray(ArrayNames::Prescribed, 1, output->GetNumberOfCells());
   for (std::size_t i = 0; i < constraints.Elements.size(); ++i)
   {
     const int element = constraints.Elements[i];
-    weights->SetValue(kind == Discretisation::OneForm ? element : surface.CellOf(element),
-      constraints.Weights[i]);
+    weights->SetValue(
+      isOneForm ? lines[element] : surface.CellOf(element), constraints.Weights[i]);
   }
   output->GetCellData()->AddArray(weights);
 }

@@ -1,6 +1,9 @@
 #include "Adapters/MeshFromPolyData.h"
 
+#include "Mesh/SpatialOrder.h"
+#include "Support/CountingSort.h"
 #include "Support/Errors.h"
+#include "Support/Permutations.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -17,7 +20,7 @@
 #include <cstdio>
 #include <cstring>
 #include <limits>
-#include <numeric>
+#include <utility>
 
 namespace dmg
 {
@@ -114,24 +117,133 @@ std::string Cell(vtkIdType id)
   return "cell " + std::to_string(id);
 }
 
+/// What a vtkPolyData says of its triangles. Points without a triangle are left out.
+struct GivenTriangles
+{
+  Points Positions;
+  Triangles Corners; ///< rows of Positions
+  std::vector<vtkIdType> PointIds; ///< of these rows, ascending
+};
+
+GivenTriangles ReadTriangles(vtkPolyData* surface, vtkIdType firstCell)
+{
+  const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
+  std::vector<int> vertices(numberOfPoints, -1);
+  GivenTriangles given;
+  given.Corners.resize(surface->GetNumberOfPolys(), 3);
+  VisitPolygons(surface,
+    [&vertices, &given, firstCell](vtkIdType face, vtkIdType size, const vtkIdType* points)
+    {
+      if (size != 3)
+      {
+        throw InvalidInput(Cell(firstCell + face) + " is not a triangle, it has " +
+          std::to_string(size) + " points; apply vtkTriangleFilter first");
+      }
+      for (int k = 0; k < 3; ++k)
+      {
+        if (points[k] < 0 || points[k] >= static_cast<vtkIdType>(vertices.size()))
+        {
+          throw InvalidInput(Cell(firstCell + face) + " uses point " + std::to_string(points[k]) +
+            ", and the surface has " + std::to_string(vertices.size()) +
+            " points; repair the source of the surface");
+        }
+        vertices[points[k]] = 0;
+        given.Corners(face, k) = static_cast<int>(points[k]);
+      }
+    });
+
+  for (vtkIdType point = 0; point < numberOfPoints; ++point)
+  {
+    if (vertices[point] == 0)
+    {
+      vertices[point] = static_cast<int>(given.PointIds.size());
+      given.PointIds.push_back(point);
+    }
+  }
+  for (int i = 0; i < given.Corners.size(); ++i)
+  {
+    given.Corners.data()[i] = vertices[given.Corners.data()[i]];
+  }
+  given.Positions.resize(given.PointIds.size(), 3);
+  VisitPoints(surface->GetPoints(),
+    [&vertices, &given](vtkIdType point, double x, double y, double z)
+    {
+      if (vertices[point] >= 0)
+      {
+        given.Positions.row(vertices[point]) << x, y, z;
+      }
+    });
+  return given;
+}
+
 ElementNames NamesOf(
-  const std::vector<vtkIdType>& pointIds, vtkIdType firstCell, vtkIdType numberOfFaces)
+  const std::vector<vtkIdType>& points, const std::vector<int>& polygons, vtkIdType firstCell)
 {
   ElementNames names;
-  names.Vertices.assign(pointIds.begin(), pointIds.end());
-  names.Faces.resize(numberOfFaces);
-  std::iota(names.Faces.begin(), names.Faces.end(), static_cast<long long>(firstCell));
+  names.Vertices.assign(points.begin(), points.end());
+  names.Faces.resize(polygons.size());
+  std::transform(polygons.begin(), polygons.end(), names.Faces.begin(),
+    [firstCell](int polygon) { return static_cast<long long>(firstCell) + polygon; });
   return names;
+}
+
+/// The edges in ascending order of their (smaller, larger) point.
+std::vector<int> EdgesByPoints(const TriangleMesh& mesh, const std::vector<int>& vertexRanks,
+  const ExecutionContext& context)
+{
+  const auto ranks = [&mesh, &vertexRanks](int edge) {
+    const auto [a, b] = mesh.EdgeVertices(edge);
+    return std::minmax(vertexRanks[a], vertexRanks[b]); // of references, which stay
+  };
+  SortedItems edges = SortByKey(
+    Identity(mesh.NumberOfEdges()), mesh.NumberOfVertices(),
+    [&ranks](int edge) { return ranks(edge).first; }, context);
+  constexpr int Grain = 4096;
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
+    for (int smaller = first; smaller < last; ++smaller)
+    {
+      std::sort(edges.Items.begin() + edges.Begins[smaller],
+        edges.Items.begin() + edges.Begins[smaller + 1],
+        [&ranks](int e, int f) { return ranks(e).second < ranks(f).second; });
+    }
+  });
+  return std::move(edges.Items);
+}
+
+SurfaceMesh InSpatialOrder(
+  const GivenTriangles& given, vtkIdType firstCell, const ExecutionContext& context)
+{
+  const SpatialOrder order(given.Positions, given.Corners, context);
+  TriangleMesh mesh = order.Apply(given.Positions, given.Corners, context);
+  std::vector<int> edges = EdgesByPoints(mesh, order.Vertices(), context);
+  std::vector<vtkIdType> points;
+  points.reserve(given.PointIds.size());
+  for (const int vertex : order.Vertices())
+  {
+    points.push_back(given.PointIds[vertex]);
+  }
+  return { std::move(mesh), firstCell, order.Faces(), std::move(points), std::move(edges) };
+}
+
+SurfaceMesh AsGiven(GivenTriangles given, vtkIdType firstCell)
+{
+  std::vector<int> polygons = Identity(static_cast<int>(given.Corners.rows()));
+  const ElementNames names = NamesOf(given.PointIds, polygons, firstCell);
+  TriangleMesh mesh(std::move(given.Positions), std::move(given.Corners), names);
+  std::vector<int> edges = Identity(mesh.NumberOfEdges());
+  return { std::move(mesh), firstCell, std::move(polygons), std::move(given.PointIds),
+    std::move(edges) };
 }
 
 }
 
 ElementNames SurfaceMesh::Names() const
 {
-  return NamesOf(this->PointIds, this->FirstCell, this->Mesh.NumberOfFaces());
+  return NamesOf(this->Points, this->Polygons, this->FirstCell);
 }
 
-SurfaceMesh MeshFromPolyData(vtkPolyData* surface)
+SurfaceMesh MeshFromPolyData(
+  vtkPolyData* surface, Numbering numbering, const ExecutionContext& context)
 {
   const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
   const vtkIdType numberOfFaces = surface->GetNumberOfPolys();
@@ -153,55 +265,19 @@ SurfaceMesh MeshFromPolyData(vtkPolyData* surface)
       " can be numbered; decimate it or split it into its parts first");
   }
 
-  std::vector<int> vertices(numberOfPoints, -1);
-  Triangles triangles(numberOfFaces, 3);
-  VisitPolygons(surface,
-    [&vertices, &triangles, firstCell](vtkIdType face, vtkIdType size, const vtkIdType* points)
-    {
-      if (size != 3)
-      {
-        throw InvalidInput(Cell(firstCell + face) + " is not a triangle, it has " +
-          std::to_string(size) + " points; apply vtkTriangleFilter first");
-      }
-      for (int k = 0; k < 3; ++k)
-      {
-        if (points[k] < 0 || points[k] >= static_cast<vtkIdType>(vertices.size()))
-        {
-          throw InvalidInput(Cell(firstCell + face) + " uses point " + std::to_string(points[k]) +
-            ", and the surface has " + std::to_string(vertices.size()) +
-            " points; repair the source of the surface");
-        }
-        vertices[points[k]] = 0;
-        triangles(face, k) = static_cast<int>(points[k]);
-      }
-    });
-
-  std::vector<vtkIdType> pointIds;
-  for (vtkIdType point = 0; point < numberOfPoints; ++point)
+  GivenTriangles given = ReadTriangles(surface, firstCell);
+  if (numbering == Numbering::Spatial)
   {
-    if (vertices[point] == 0)
+    try
     {
-      vertices[point] = static_cast<int>(pointIds.size());
-      pointIds.push_back(point);
+      return InSpatialOrder(given, firstCell, context);
+    }
+    catch (const InvalidInput&)
+    {
+      // It is refused below, for what is the first reason in the caller's order.
     }
   }
-  for (int i = 0; i < triangles.size(); ++i)
-  {
-    triangles.data()[i] = vertices[triangles.data()[i]];
-  }
-  Points positions(pointIds.size(), 3);
-  VisitPoints(surface->GetPoints(),
-    [&vertices, &positions](vtkIdType point, double x, double y, double z)
-    {
-      if (vertices[point] >= 0)
-      {
-        positions.row(vertices[point]) << x, y, z;
-      }
-    });
-
-  const ElementNames names = NamesOf(pointIds, firstCell, numberOfFaces);
-  return { TriangleMesh(std::move(positions), std::move(triangles), names), firstCell,
-    std::move(pointIds) };
+  return AsGiven(std::move(given), firstCell);
 }
 
 vtkSmartPointer<vtkPolyData> PolyDataFromMesh(const TriangleMesh& mesh)

@@ -2,6 +2,7 @@
 #define dmgMeshFromPolyData_h
 
 #include "Mesh/TriangleMesh.h"
+#include "Support/ExecutionContext.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h" // For vtkIdType
@@ -14,18 +15,33 @@ class vtkPolyData;
 namespace dmg
 {
 
+/// How a mesh numbers its faces and vertices.
+enum class Numbering
+{
+  OfPolyData, ///< in the order of polygons and points
+  Spatial,    ///< as SpatialOrder does: files have any order, and loops over the surface like this one
+};
+
 /// The triangles of a vtkPolyData as a mesh, and how its elements are numbered there.
 ///
-/// Faces keep the order of the polygons; their cells follow the vertex and line cells, as in every
-/// vtkPolyData. Vertices keep the order of the points; points without a triangle are left out.
+/// The cells of polygons follow those of vertices and lines, as in every vtkPolyData. Points without
+/// a triangle are left out.
 struct SurfaceMesh
 {
   TriangleMesh Mesh;
-  vtkIdType FirstCell = 0; ///< cell of face 0; face f is cell FirstCell + f
-  std::vector<vtkIdType> PointIds; ///< point of every vertex, ascending
+  vtkIdType FirstCell = 0; ///< cell of polygon 0; polygon p is cell FirstCell + p
+  std::vector<int> Polygons; ///< polygon of every face
+  std::vector<vtkIdType> Points; ///< point of every vertex
+  std::vector<int> Edges; ///< all edges, in ascending order of their (smaller, larger) point
 
-  vtkIdType CellOf(int face) const { return this->FirstCell + face; }
-  vtkIdType PointOf(int vertex) const { return this->PointIds[vertex]; }
+  vtkIdType CellOf(int face) const { return this->FirstCell + this->Polygons[face]; }
+  vtkIdType PointOf(int vertex) const { return this->Points[vertex]; }
+  /// +1 where an edge of the mesh runs from its smaller to its larger point, else -1.
+  int EdgeSign(int edge) const
+  {
+    const auto [tail, head] = this->Mesh.EdgeVertices(edge);
+    return this->Points[tail] < this->Points[head] ? 1 : -1;
+  }
 
   /// How messages about the mesh name the caller's cells and points.
   ElementNames Names() const;
@@ -33,8 +49,9 @@ struct SurfaceMesh
 
 /// \throw InvalidInput no triangles, a polygon that is not a triangle, triangle strips, too many
 /// for 32-bit numbers, and what MeshChecks.h refuses; messages name cells and points of the \p
-/// surface. Cost: linear.
-SurfaceMesh MeshFromPolyData(vtkPolyData* surface);
+/// surface, the first in its order. Cost: linear.
+SurfaceMesh MeshFromPolyData(
+  vtkPolyData* surface, Numbering numbering, const ExecutionContext& context);
 
 /// The way back: a new vtkPolyData with the mesh's vertices and faces.
 vtkSmartPointer<vtkPolyData> PolyDataFromMesh(const TriangleMesh& mesh);

@@ -82,7 +82,8 @@ ProlongationOperators OperatorsFromSamples(
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
   context.Checkpoint(0.0);
   operators.Nodal.reserve(16); // growth would copy
-  const std::vector<int> order = FacesInSpatialOrder(mesh, context);
+  const std::vector<int> order =
+    FacesInSpatialOrder(mesh.VertexPositions(), mesh.FaceCorners(), context);
   TangentGraph points = FaceGraph(mesh, order, context);
   while (points.NumberOfPoints() > FewestSamplesToSample)
   {
@@ -134,8 +135,8 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
 
   // The work is done in an order that is kind to the caches; coarse levels inherit it.
-  const SpatialOrder order(mesh, context);
-  const TriangleMesh sorted = order.Apply(mesh);
+  const SpatialOrder order(mesh.VertexPositions(), mesh.FaceCorners(), context);
+  const TriangleMesh sorted = order.Apply(mesh.VertexPositions(), mesh.FaceCorners(), context);
   TangentFrames fineFrames = order.ApplyToFaces(FaceFrames(mesh, context), context);
   std::vector<Complex> fineCornerTurns; // from level 1 on
   result.CoarseLevels =

@@ -39,45 +39,49 @@ std::vector<int> SortByBits(const std::vector<int>& order, const Unfilled<std::u
 
 }
 
-std::vector<int> FacesInSpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context)
+std::vector<int> FacesInSpatialOrder(
+  const Points& points, const Triangles& triangles, const ExecutionContext& context)
 {
-  const Points& V = mesh.VertexPositions();
-  const Triangles& F = mesh.FaceCorners();
-  const Eigen::RowVector3d low = V.colwise().minCoeff();
-  const double size = (V.colwise().maxCoeff() - low).maxCoeff();
-  const double scale = size > 0.0 ? ((1 << BitsPerAxis) - 1) / size : 0.0;
+  const Eigen::RowVector3d low = points.colwise().minCoeff();
+  const double size = (points.colwise().maxCoeff() - low).maxCoeff();
+  const double scale = ((1 << BitsPerAxis) - 1) / size;
+  // Also where a coordinate is not finite, or all points are one.
+  const auto bits = [](double place) {
+    return place >= 0.0 && place < (1 << BitsPerAxis) ? static_cast<std::uint32_t>(place) : 0;
+  };
 
-  Unfilled<std::uint32_t> keys(mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
+  const int faces = static_cast<int>(triangles.rows());
+  Unfilled<std::uint32_t> keys(faces);
+  context.ParallelFor(0, faces, Grain, [&](int first, int last) {
     for (int f = first; f < last; ++f)
     {
+      const auto& corners = triangles.row(f);
       const Eigen::RowVector3d center =
-        ((V.row(F(f, 0)) + V.row(F(f, 1)) + V.row(F(f, 2))) / 3.0 - low) * scale;
-      keys[f] = Spread(static_cast<std::uint32_t>(center[0])) |
-        (Spread(static_cast<std::uint32_t>(center[1])) << 1) |
-        (Spread(static_cast<std::uint32_t>(center[2])) << 2);
+        ((points.row(corners[0]) + points.row(corners[1]) + points.row(corners[2])) / 3.0 - low) *
+        scale;
+      keys[f] = Spread(bits(center[0])) | (Spread(bits(center[1])) << 1) |
+        (Spread(bits(center[2])) << 2);
     }
   });
-  const std::vector<int> byLowBits =
-    SortByBits(Identity(mesh.NumberOfFaces()), keys, 0, context);
+  const std::vector<int> byLowBits = SortByBits(Identity(faces), keys, 0, context);
   return SortByBits(byLowBits, keys, BitsPerSort, context);
 }
 
-SpatialOrder::SpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context)
-  : OldFaces(FacesInSpatialOrder(mesh, context))
-  , NewVertices(mesh.NumberOfVertices(), -1)
+SpatialOrder::SpatialOrder(
+  const Points& points, const Triangles& triangles, const ExecutionContext& context)
+  : OldFaces(FacesInSpatialOrder(points, triangles, context))
+  , NewVertices(points.rows(), -1)
 {
-  const Triangles& F = mesh.FaceCorners();
-  this->OldVertices.reserve(mesh.NumberOfVertices());
+  this->OldVertices.reserve(points.rows());
   for (int f : this->OldFaces)
   {
     for (int k = 0; k < 3; ++k)
     {
-      int& number = this->NewVertices[F(f, k)];
+      int& number = this->NewVertices[triangles(f, k)];
       if (number < 0)
       {
         number = static_cast<int>(this->OldVertices.size());
-        this->OldVertices.push_back(F(f, k));
+        this->OldVertices.push_back(triangles(f, k));
       }
     }
   }
@@ -98,22 +102,27 @@ SpatialOrder::SignedEdges SpatialOrder::Edges(
   return edges;
 }
 
-TriangleMesh SpatialOrder::Apply(const TriangleMesh& mesh) const
+TriangleMesh SpatialOrder::Apply(
+  const Points& points, const Triangles& triangles, const ExecutionContext& context) const
 {
-  Points points(mesh.NumberOfVertices(), 3);
-  Triangles triangles(mesh.NumberOfFaces(), 3);
-  for (int v = 0; v < mesh.NumberOfVertices(); ++v)
-  {
-    points.row(v) = mesh.VertexPositions().row(this->OldVertices[v]);
-  }
-  for (int f = 0; f < mesh.NumberOfFaces(); ++f)
-  {
-    for (int k = 0; k < 3; ++k)
+  Points newPoints(points.rows(), 3);
+  context.ParallelFor(0, static_cast<int>(points.rows()), Grain, [&](int first, int last) {
+    for (int v = first; v < last; ++v)
     {
-      triangles(f, k) = this->NewVertices[mesh.FaceCorners()(this->OldFaces[f], k)];
+      newPoints.row(v) = points.row(this->OldVertices[v]);
     }
-  }
-  return TriangleMesh(std::move(points), std::move(triangles));
+  });
+  Triangles newTriangles(triangles.rows(), 3);
+  context.ParallelFor(0, static_cast<int>(triangles.rows()), Grain, [&](int first, int last) {
+    for (int f = first; f < last; ++f)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        newTriangles(f, k) = this->NewVertices[triangles(this->OldFaces[f], k)];
+      }
+    }
+  });
+  return TriangleMesh(std::move(newPoints), std::move(newTriangles));
 }
 
 TangentFrames SpatialOrder::ApplyToFaces(

@@ -9,8 +9,11 @@
 namespace dmg
 {
 
-/// The faces along Morton's curve through their centres.
-std::vector<int> FacesInSpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context);
+/// The faces along Morton's curve through their centres. Whatever the numbers are: elements that CheckElements
+/// would refuse stand anywhere.
+/// \pre corners are in range.
+std::vector<int> FacesInSpatialOrder(
+  const Points& points, const Triangles& triangles, const ExecutionContext& context);
 
 /// A numbering in which what is near in space is near in memory: faces in
 /// spatial order, vertices by their first face. Files number surfaces in any order, and what walks
@@ -19,7 +22,8 @@ std::vector<int> FacesInSpatialOrder(const TriangleMesh& mesh, const ExecutionCo
 class SpatialOrder
 {
 public:
-  SpatialOrder(const TriangleMesh& mesh, const ExecutionContext& context);
+  /// \pre as FacesInSpatialOrder; every vertex has a face.
+  SpatialOrder(const Points& points, const Triangles& triangles, const ExecutionContext& context);
 
   /// [new number] is the old one.
   const std::vector<int>& Faces() const { return this->OldFaces; }
@@ -34,8 +38,10 @@ public:
   };
   SignedEdges Edges(const TriangleMesh& mesh, const TriangleMesh& sorted) const;
 
-  /// The same mesh in this order; the corners of a face stay in theirs.
-  TriangleMesh Apply(const TriangleMesh& mesh) const;
+  /// The same surface in this order; the corners of a face stay in theirs.
+  /// \throw InvalidInput as the constructor of TriangleMesh, with numbers of this order.
+  TriangleMesh Apply(
+    const Points& points, const Triangles& triangles, const ExecutionContext& context) const;
   TangentFrames ApplyToFaces(
     const TangentFrames& faceFrames, const ExecutionContext& context) const;
 

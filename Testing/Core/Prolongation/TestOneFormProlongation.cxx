@@ -221,9 +221,11 @@ TEST(SurfaceHierarchy, HasOneFormsInTheCallersNumbering)
     {
       edges[mesh.EdgeVertices(edge)] = edge;
     }
-    const SpatialOrder order(mesh, SerialContext());
+    const SpatialOrder order(mesh.VertexPositions(), mesh.FaceCorners(), SerialContext());
+    const TriangleMesh sorted =
+      order.Apply(mesh.VertexPositions(), mesh.FaceCorners(), SerialContext());
     options.MaximumNumberOfCoarseLevels = 1;
-    VisitLevels(order.Apply(mesh), options, [&](const LevelTransition& transition) {
+    VisitLevels(sorted, options, [&](const LevelTransition& transition) {
         const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
         for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
         {
