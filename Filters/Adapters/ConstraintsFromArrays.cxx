@@ -1,7 +1,6 @@
 #include "Adapters/ConstraintsFromArrays.h"
 
 #include "Support/Errors.h"
-#include "Support/Permutations.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -15,7 +14,6 @@
 #include "vtkPolyData.h"
 #include "vtkStaticCellLocator.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace dmg
@@ -87,15 +85,19 @@ Chosen ChosenArray(vtkAlgorithm* algorithm, int index, vtkDataSet* dataset, int 
   return chosen;
 }
 
-/// Calls add(i, vector, weight, name) for all of some elements that are prescribed.
-/// \param tuple where element i stands in the arrays.
-template <class Tuple, class Add>
-void VisitPrescribed(const ConstraintArrays& arrays, const std::vector<int>& elements,
-  const std::string& element, Tuple&& tuple, Add&& add)
+/// Calls add(element, vector, weight, name) for all that are prescribed among tuples [0, size) of some arrays.
+/// \param elementOf the element of a tuple, or -1, where it does not count.
+template <class ElementOf, class Add>
+void VisitPrescribed(const ConstraintArrays& arrays, vtkIdType size, const std::string& kind,
+  const ElementOf& elementOf, const Add& add)
 {
-  for (const int i : elements)
+  for (vtkIdType id = 0; id < size; ++id)
   {
-    const vtkIdType id = tuple(i);
+    const auto element = elementOf(id);
+    if (element < 0)
+    {
+      continue;
+    }
     Vector3 vector;
     arrays.Vectors->GetTuple(id, vector.data());
     if (arrays.Mask ? arrays.Mask->GetComponent(id, 0) == 0.0 : vector.isZero(0.0))
@@ -103,7 +105,7 @@ void VisitPrescribed(const ConstraintArrays& arrays, const std::vector<int>& ele
       continue;
     }
     const double weight = arrays.Weights ? arrays.Weights->GetComponent(id, 0) : 1.0;
-    const std::string name = element + " " + std::to_string(id);
+    const std::string name = kind + " " + std::to_string(id);
     if (!vector.allFinite())
     {
       throw InvalidInput("the direction prescribed at " + name +
@@ -114,7 +116,7 @@ void VisitPrescribed(const ConstraintArrays& arrays, const std::vector<int>& ele
       throw InvalidInput("the weight of the direction prescribed at " + name + " is " +
         std::to_string(weight) + "; make it positive or take it out of the mask");
     }
-    add(i, vector, weight, name);
+    add(element, vector, weight, name);
   }
 }
 
@@ -153,18 +155,6 @@ ConstraintArrays ChosenConstraints(vtkAlgorithm* algorithm, int first, vtkDataSe
     vectors.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
 }
 
-/// In the order of their points.
-std::vector<int> VerticesByPoint(const SurfaceMesh& surface, vtkIdType numberOfPoints)
-{
-  std::vector<int> vertices(numberOfPoints, -1);
-  for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); ++vertex)
-  {
-    vertices[surface.PointOf(vertex)] = vertex;
-  }
-  vertices.erase(std::remove(vertices.begin(), vertices.end(), -1), vertices.end());
-  return vertices;
-}
-
 PrescribedDirections DirectionsOnSurface(
   const ConstraintArrays& arrays, vtkPolyData* input, const SurfaceMesh& surface)
 {
@@ -176,8 +166,8 @@ PrescribedDirections DirectionsOnSurface(
   if (arrays.OnPoints)
   {
     VisitPrescribed(
-      arrays, VerticesByPoint(surface, input->GetNumberOfPoints()), "point",
-      [&surface](int vertex) { return surface.PointOf(vertex); },
+      arrays, input->GetNumberOfPoints(), "point",
+      [&surface](vtkIdType point) { return surface.VertexOf(point); },
       [&directions](int vertex, const Vector3& vector, double weight, const std::string&) {
         directions.AtVertices.push_back({ vertex, vector, weight });
       });
@@ -185,8 +175,8 @@ PrescribedDirections DirectionsOnSurface(
   else
   {
     VisitPrescribed(
-      arrays, Inverse(surface.Polygons), "cell",
-      [&surface](int face) { return surface.CellOf(face); },
+      arrays, input->GetNumberOfCells(), "cell",
+      [&surface](vtkIdType cell) { return surface.FaceOf(cell); },
       [&directions](int face, const Vector3& vector, double weight, const std::string&) {
         directions.OnFaces.push_back({ face, vector, weight });
       });
@@ -208,7 +198,6 @@ std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& ar
       "' prescribes directions on cells of the second input; convert it with "
       "vtkCellDataToPointData, or choose a point array");
   }
-  const std::vector<int> faces = Inverse(framed.Surface.Polygons);
   vtkNew<vtkPolyData> triangles; // its cells are the polygons
   triangles->SetPoints(input->GetPoints());
   triangles->SetPolys(input->GetPolys());
@@ -217,10 +206,9 @@ std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& ar
   locator->BuildLocator();
   vtkNew<vtkGenericCell> cell;
   VisitPrescribed(
-    arrays, Identity(static_cast<int>(points->GetNumberOfPoints())), "point",
-    [](int point) { return static_cast<vtkIdType>(point); },
-    [&directions, &framed, &faces, &locator, &cell, points](
-      int point, const Vector3& vector, double weight, const std::string& name)
+    arrays, points->GetNumberOfPoints(), "point", [](vtkIdType point) { return point; },
+    [&directions, &framed, &locator, &cell, points](
+      vtkIdType point, const Vector3& vector, double weight, const std::string& name)
     {
       double position[3], closest[3], squaredDistance;
       points->GetPoint(point, position);
@@ -231,7 +219,7 @@ std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& ar
       {
         throw InvalidInput(name + " of the second input has no nearest triangle; is it finite?");
       }
-      const int face = faces[polygon];
+      const int face = framed.Surface.Faces[polygon];
       const Complex direction = framed.Faces.ToComplex(face, vector);
       if (std::abs(direction) <= SmallestTangentialPart * vector.norm())
       {

@@ -34,46 +34,41 @@ constexpr int LargestN = 8;
 constexpr int Grain = 8192;
 constexpr const char* BasisPrefix = "HarmonicBasis ";
 
-/// \param elements how many tuples will be written; the others hold zeros.
+/// Its values are to be written.
 vtkSmartPointer<vtkDoubleArray> NewArray(
-  const std::string& name, int components, vtkIdType tuples, vtkIdType elements = 0)
+  const std::string& name, int components, vtkIdType tuples)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
-  if (elements < tuples)
-  {
-    array->Fill(0.0);
-  }
   return array;
 }
 
-/// Arrays of some elements of the surface: its cells, points or edges.
-template <class Id>
+/// Arrays of the cells or points of the surface: zeros where these are no elements of the mesh.
+template <class ElementOf>
 class ArraysOfElements
 {
 public:
   /// \param tuples of each array.
-  /// \param id the tuple of element i.
-  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, Id id, const ExecutionContext& context)
+  /// \param elementOf the face or vertex of a tuple, or -1.
+  ArraysOfElements(
+    vtkFieldData* data, vtkIdType tuples, ElementOf elementOf, const ExecutionContext& context)
     : Data(data)
-    , Tuples(tuples)
-    , TupleOf(std::move(id))
+    , Tuples(static_cast<int>(tuples)) // MeshFromPolyData has seen to it
+    , ElementOfTuple(std::move(elementOf))
     , Context(context)
   {
   }
 
-  void Add(const std::string& name, int components, const double* values, int elements) const
+  /// \param values of each element, one after the other.
+  void Add(const std::string& name, int components, const double* values) const
   {
-    double* const tuples = this->NewTuples(name, components, elements);
-    this->Context.ParallelFor(0, elements, Grain, [&](int first, int last) {
-      for (int i = first; i < last; ++i)
-      {
-        std::copy_n(values + static_cast<vtkIdType>(components) * i, components,
-          tuples + components * this->TupleOf(i));
-      }
-    });
+    double* const tuples = this->NewTuples(name, components);
+    this->ForTuples([&](vtkIdType tuple, vtkIdType element) {
+      std::copy_n(values + components * element, components, tuples + components * tuple);
+    },
+      [&](vtkIdType tuple) { std::fill_n(tuples + components * tuple, components, 0.0); });
   }
 
   void AddDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N,
@@ -82,37 +77,73 @@ public:
     std::vector<double*> tuples;
     for (int k = 0; k < N; ++k)
     {
-      tuples.push_back(
-        this->NewTuples(ArrayNames::Direction(k), 3, static_cast<int>(firstDirections.size())));
+      tuples.push_back(this->NewTuples(ArrayNames::Direction(k), 3));
     }
-    ForDirections(
-      frames, firstDirections, N, unitLength,
-      [&](int i, int k, const Vector3& vector) {
-        std::copy_n(vector.data(), 3, tuples[k] + 3 * this->TupleOf(i));
-      },
-      this->Context);
+    const DirectionVectors vectors(N, unitLength);
+    this->ForTuples([&](vtkIdType tuple, int element) {
+      vectors.VisitAt(frames, element, firstDirections[element],
+        [&](int k, const Vector3& vector) { std::copy_n(vector.data(), 3, tuples[k] + 3 * tuple); });
+    },
+      [&](vtkIdType tuple) {
+        for (double* const direction : tuples)
+        {
+          std::fill_n(direction + 3 * tuple, 3, 0.0);
+        }
+      });
   }
 
   void AddPowers(const Vector<Complex>& powers) const
   {
     // std::complex is two consecutive numbers by the standard.
-    this->Add(ArrayNames::PowerField, 2, reinterpret_cast<const double*>(powers.data()),
-      static_cast<int>(powers.size()));
+    this->Add(ArrayNames::PowerField, 2, reinterpret_cast<const double*>(powers.data()));
   }
 
 private:
-  double* NewTuples(const std::string& name, int components, int elements) const
+  double* NewTuples(const std::string& name, int components) const
   {
-    const auto array = NewArray(name, components, this->Tuples, elements);
+    const auto array = NewArray(name, components, this->Tuples);
     this->Data->AddArray(array);
     return array->GetPointer(0);
   }
 
+  /// Arrays are written from one end to the other: what they are made from is less.
+  template <class OfElement, class OfNone>
+  void ForTuples(const OfElement& ofElement, const OfNone& ofNone) const
+  {
+    this->Context.ParallelFor(0, this->Tuples, Grain, [&](int first, int last) {
+      for (int tuple = first; tuple < last; ++tuple)
+      {
+        if (const int element = this->ElementOfTuple(tuple); element >= 0)
+        {
+          ofElement(tuple, element);
+        }
+        else
+        {
+          ofNone(tuple);
+        }
+      }
+    });
+  }
+
   vtkFieldData* const Data;
-  const vtkIdType Tuples;
-  const Id TupleOf;
+  const int Tuples;
+  const ElementOf ElementOfTuple;
   const ExecutionContext& Context;
 };
+
+auto ArraysOfCells(const SurfaceMesh& surface, vtkPolyData* input, vtkFieldData* data,
+  const ExecutionContext& context)
+{
+  return ArraysOfElements(data, input->GetNumberOfCells(),
+    [&surface](vtkIdType cell) { return surface.FaceOf(cell); }, context);
+}
+
+auto ArraysOfPoints(const SurfaceMesh& surface, vtkPolyData* input, vtkFieldData* data,
+  const ExecutionContext& context)
+{
+  return ArraysOfElements(data, input->GetNumberOfPoints(),
+    [&surface](vtkIdType point) { return surface.VertexOf(point); }, context);
+}
 
 /// Adds an array of the lines of edges: of numbers that change their sign with the edge's orientation, one per
 /// edge of the mesh.
@@ -120,7 +151,7 @@ void AddOnEdges(const SurfaceMesh& surface, const std::string& name, const Vecto
   vtkFieldData* data, const ExecutionContext& context)
 {
   const int numberOfEdges = surface.Mesh.NumberOfEdges();
-  const auto array = NewArray(name, 1, numberOfEdges, numberOfEdges);
+  const auto array = NewArray(name, 1, numberOfEdges);
   double* const tuples = array->GetPointer(0);
   context.ParallelFor(0, numberOfEdges, Grain, [&](int first, int last) {
     for (int line = first; line < last; ++line)
@@ -247,12 +278,8 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
 
   FieldArrays arrays{ unitLength, combing, vtkSmartPointer<vtkFieldData>::New(),
     vtkSmartPointer<vtkFieldData>::New(), nullptr };
-  const ArraysOfElements cells(
-    arrays.Cells, input->GetNumberOfCells(), [&surface](int face) { return surface.CellOf(face); },
-    context);
-  const ArraysOfElements points(
-    arrays.Points, input->GetNumberOfPoints(),
-    [&surface](int vertex) { return surface.PointOf(vertex); }, context);
+  const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
+  const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
   // A tree grows in one thread; what does not need it goes on beside.
   std::vector<int> labels;
   CallBoth(
@@ -266,7 +293,7 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
     [&] {
       const Vector<double> indices =
         SingularityIndices(mesh, corners, matching.Turning, N, context);
-      points.Add(ArrayNames::SingularityIndex, 1, indices.data(), mesh.NumberOfVertices());
+      points.Add(ArrayNames::SingularityIndex, 1, indices.data());
       arrays.Edges = MakeEdges(surface, matching.Turning, context);
     });
   context.Checkpoint(0.6);
@@ -285,8 +312,7 @@ FieldArrays MakeFieldArrays(const FramedSurface& framed, const Vector<double>& u
       points.AddPowers(powers.Vertices);
       break;
     case Discretisation::FaceField:
-      cells.Add(ArrayNames::FaceField, 3, VectorsFromFaceField(framed.Faces, unknowns).data(),
-        mesh.NumberOfFaces());
+      cells.Add(ArrayNames::FaceField, 3, VectorsFromFaceField(framed.Faces, unknowns).data());
       break;
     case Discretisation::OneForm:
       AddOnEdges(
@@ -329,9 +355,7 @@ BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind,
   const Eigen::MatrixXd basis = isOneForm
     ? HarmonicBasisOfForms(mesh, framed.Faces, std::move(known), rest)
     : HarmonicBasisOfFaceFields(mesh, std::move(known), rest);
-  const ArraysOfElements cells(
-    arrays.Cells, input->GetNumberOfCells(), [&surface](int face) { return surface.CellOf(face); },
-    context);
+  const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
   for (int k = 0; k < loops; ++k)
   {
     context.Checkpoint(0.9 + 0.1 * k / loops);
@@ -339,7 +363,7 @@ BasisArrays MakeBasisArrays(const FramedSurface& framed, Discretisation kind,
     const std::string name = ArrayNames::HarmonicBasis(k + 1);
     const Points vectors = isOneForm ? WhitneyAtFaces(mesh, field, context)
                                      : VectorsFromFaceField(framed.Faces, field);
-    cells.Add(name, 3, vectors.data(), mesh.NumberOfFaces());
+    cells.Add(name, 3, vectors.data());
     if (isOneForm)
     {
       AddOnEdges(surface, name, field, arrays.Edges, context);
@@ -374,6 +398,7 @@ void AddPrescribed(const SurfaceMesh& surface, const FieldConstraints& constrain
   const bool isOneForm = kind == Discretisation::OneForm;
   const std::vector<int> lines = isOneForm ? Inverse(surface.Edges) : std::vector<int>();
   const auto weights = NewArray(ArrayNames::Prescribed, 1, output->GetNumberOfCells());
+  weights->Fill(0.0);
   for (std::size_t i = 0; i < constraints.Elements.size(); ++i)
   {
     const int element = constraints.Elements[i];

@@ -123,13 +123,15 @@ struct GivenTriangles
   Points Positions;
   Triangles Corners; ///< rows of Positions
   std::vector<vtkIdType> PointIds; ///< of these rows, ascending
+  std::vector<int> Vertices; ///< row of every point, -1 for none
 };
 
 GivenTriangles ReadTriangles(vtkPolyData* surface, vtkIdType firstCell)
 {
   const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
-  std::vector<int> vertices(numberOfPoints, -1);
   GivenTriangles given;
+  std::vector<int>& vertices = given.Vertices;
+  vertices.assign(numberOfPoints, -1);
   given.Corners.resize(surface->GetNumberOfPolys(), 3);
   VisitPolygons(surface,
     [&vertices, &given, firstCell](vtkIdType face, vtkIdType size, const vtkIdType* points)
@@ -215,24 +217,34 @@ SurfaceMesh InSpatialOrder(
 {
   const SpatialOrder order(given.Positions, given.Corners, context);
   TriangleMesh mesh = order.Apply(given.Positions, given.Corners, context);
+  const std::vector<int> ranks = Inverse(order.Vertices(), context);
+  std::vector<vtkIdType> points(ranks.size());
+  std::vector<int> vertices(given.Vertices.size());
+  constexpr int Grain = 8192;
+  context.ParallelFor(0, static_cast<int>(vertices.size()), Grain, [&](int first, int last) {
+    for (int point = first; point < last; ++point)
+    {
+      const int row = given.Vertices[point];
+      vertices[point] = row < 0 ? -1 : ranks[row];
+      if (row >= 0)
+      {
+        points[ranks[row]] = point;
+      }
+    }
+  });
   std::vector<int> edges = EdgesByPoints(mesh, order.Vertices(), context);
-  std::vector<vtkIdType> points;
-  points.reserve(given.PointIds.size());
-  for (const int vertex : order.Vertices())
-  {
-    points.push_back(given.PointIds[vertex]);
-  }
-  return { std::move(mesh), firstCell, order.Faces(), std::move(points), std::move(edges) };
+  return { std::move(mesh), firstCell, order.Faces(), Inverse(order.Faces(), context),
+    std::move(points), std::move(vertices), std::move(edges) };
 }
 
 SurfaceMesh AsGiven(GivenTriangles given, vtkIdType firstCell)
 {
-  std::vector<int> polygons = Identity(static_cast<int>(given.Corners.rows()));
+  const std::vector<int> polygons = Identity(static_cast<int>(given.Corners.rows()));
   const ElementNames names = NamesOf(given.PointIds, polygons, firstCell);
   TriangleMesh mesh(std::move(given.Positions), std::move(given.Corners), names);
   std::vector<int> edges = Identity(mesh.NumberOfEdges());
-  return { std::move(mesh), firstCell, std::move(polygons), std::move(given.PointIds),
-    std::move(edges) };
+  return { std::move(mesh), firstCell, polygons, polygons, std::move(given.PointIds),
+    std::move(given.Vertices), std::move(edges) };
 }
 
 }
@@ -258,7 +270,8 @@ SurfaceMesh MeshFromPolyData(
     throw InvalidInput("the surface has no triangles; connect one, or extract the surface of the "
                        "dataset with vtkGeometryFilter and vtkTriangleFilter first");
   }
-  if (std::max(numberOfPoints, 3 * numberOfFaces) > std::numeric_limits<int>::max())
+  if (std::max({ numberOfPoints, surface->GetNumberOfCells(), 3 * numberOfFaces }) >
+    std::numeric_limits<int>::max())
   {
     throw InvalidInput("the surface has " + std::to_string(numberOfFaces) + " triangles, at most " +
       std::to_string(std::numeric_limits<int>::max() / 3) +

@@ -29,13 +29,23 @@ enum class Numbering
 struct SurfaceMesh
 {
   TriangleMesh Mesh;
-  vtkIdType FirstCell = 0; ///< cell of polygon 0; polygon p is cell FirstCell + p
-  std::vector<int> Polygons; ///< polygon of every face
+  vtkIdType FirstCell = 0;       ///< cell of polygon 0; polygon p is cell FirstCell + p
+  std::vector<int> Polygons;     ///< polygon of every face
+  std::vector<int> Faces;        ///< face of every polygon
   std::vector<vtkIdType> Points; ///< point of every vertex
-  std::vector<int> Edges; ///< all edges, in ascending order of their (smaller, larger) point
+  std::vector<int> Vertices;     ///< vertex of every point, -1 for none
+  std::vector<int> Edges;        ///< all edges, in ascending order of their (smaller, larger) point
 
   vtkIdType CellOf(int face) const { return this->FirstCell + this->Polygons[face]; }
   vtkIdType PointOf(int vertex) const { return this->Points[vertex]; }
+  /// -1 for a cell that is no face.
+  int FaceOf(vtkIdType cell) const
+  {
+    const vtkIdType polygon = cell - this->FirstCell;
+    return polygon >= 0 && polygon < this->Mesh.NumberOfFaces() ? this->Faces[polygon] : -1;
+  }
+  /// -1 for a point that is no vertex.
+  int VertexOf(vtkIdType point) const { return this->Vertices[point]; }
   /// +1 where an edge of the mesh runs from its smaller to its larger point, else -1.
   int EdgeSign(int edge) const
   {

@@ -317,7 +317,7 @@ RoughnessProblem::RoughnessProblem(std::shared_ptr<const RoughnessSurface> surfa
   : Internal(std::make_unique<Internals>(std::move(surface), options, choice))
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
-  GiveBackFreedMemory(24 << 20); // once; the vectors of a solve are large
+  GiveBackFreedMemory(); // once; the vectors of a solve are large
 }
 
 RoughnessProblem::~RoughnessProblem() = default;

@@ -156,28 +156,6 @@ Vector<Complex> FirstDirections(const Vector<Complex>& powers, int N,
   return directions;
 }
 
-void ForDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N,
-  bool unitLength, const std::function<void(int, int, const Vector3&)>& write,
-  const ExecutionContext& context)
-{
-  const Complex step = std::polar(1.0, 2.0 * Pi / N);
-  context.ParallelFor(0, static_cast<int>(firstDirections.size()), Grain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
-    {
-      Complex direction = firstDirections[i];
-      if (unitLength && direction != 0.0)
-      {
-        direction /= std::abs(direction);
-      }
-      for (int k = 0; k < N; ++k)
-      {
-        write(i, k, frames.ToVector(i, direction));
-        direction *= step;
-      }
-    }
-  });
-}
-
 Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
   const Vector<Complex>& powers, int N, const ExecutionContext& context)
 {

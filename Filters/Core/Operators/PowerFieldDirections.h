@@ -6,7 +6,7 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
-#include <functional>
+#include <complex>
 #include <vector>
 
 /// What is to be seen of a power field: the directions, which of them go on across an edge, and the
@@ -43,12 +43,36 @@ std::vector<int> CombingLabels(const TriangleMesh& mesh, const Vector<Complex>& 
 Vector<Complex> FirstDirections(const Vector<Complex>& powers, int N,
   const std::vector<int>& labels = {}, const ExecutionContext& context = SerialContext());
 
-/// Calls write(i, k, vector), possibly at the same time, with the N directions of each element in space, of
-/// the power's magnitude or of unit length (zero where the power is zero). k = 0 is the first one; they are 2 pi / N
-/// apart and counter-clockwise.
-void ForDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N,
-  bool unitLength, const std::function<void(int i, int k, const Vector3& vector)>& write,
-  const ExecutionContext& context = SerialContext());
+/// The N directions of an element as vectors in space, 2 pi / N apart and counter-clockwise.
+class DirectionVectors
+{
+public:
+  /// \param unitLength whether they have unit length, rather than that of the first; zero where that is zero.
+  DirectionVectors(int N, bool unitLength)
+    : N(N)
+    , UnitLength(unitLength)
+    , Step(std::polar(1.0, 2.0 * Pi / N))
+  {
+  }
+
+  /// Calls visit(k, vector) for all directions of an element, the first for k = 0.
+  template <class Visit>
+  void VisitAt(const TangentFrames& frames, int element, Complex first, const Visit& visit) const
+  {
+    Complex direction =
+      this->UnitLength && first != 0.0 ? first / std::abs(first) : first;
+    for (int k = 0; k < this->N; ++k)
+    {
+      visit(k, frames.ToVector(element, direction));
+      direction *= this->Step;
+    }
+  }
+
+private:
+  const int N;
+  const bool UnitLength;
+  const Complex Step;
+};
 
 /// Powers at the vertices: the mean of the faces around, by corner angle, each carried into the
 /// tangent plane of the vertex by the shortest rotation between the normals.

@@ -26,8 +26,13 @@ std::vector<Points> DirectionsOf(const TangentFrames& frames, const Vector<Compl
   bool unitLength, const std::vector<int>& labels = {})
 {
   std::vector<Points> directions(N, Points(X.size(), 3));
-  ForDirections(frames, FirstDirections(X, N, labels), N, unitLength,
-    [&](int i, int k, const Vector3& vector) { directions[k].row(i) = vector.transpose(); });
+  const Vector<Complex> first = FirstDirections(X, N, labels);
+  const DirectionVectors vectors(N, unitLength);
+  for (int i = 0; i < static_cast<int>(X.size()); ++i)
+  {
+    vectors.VisitAt(frames, i, first[i],
+      [&](int k, const Vector3& vector) { directions[k].row(i) = vector.transpose(); });
+  }
   return directions;
 }
 
@@ -69,7 +74,7 @@ TEST(MatchDirections, LeadsEachDirectionToTheNearestBeyondTheEdge)
   }
 }
 
-TEST(ForDirections, AreSymmetricRootsOfThePower)
+TEST(DirectionVectors, AreSymmetricRootsOfThePower)
 {
   const TriangleMesh mesh = IrregularSphere(1, 4).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
@@ -106,7 +111,7 @@ TEST(ForDirections, AreSymmetricRootsOfThePower)
   }
 }
 
-TEST(ForDirections, OfZeroAreZero)
+TEST(DirectionVectors, OfZeroAreZero)
 {
   const TriangleMesh mesh = PlaneGrid(1, 1).Mesh();
   const Vector<Complex> zero = Vector<Complex>::Zero(2);
