@@ -193,23 +193,17 @@ ElementNames NamesOf(
 std::vector<int> EdgesByPoints(const TriangleMesh& mesh, const std::vector<int>& vertexRanks,
   const ExecutionContext& context)
 {
-  const auto ranks = [&mesh, &vertexRanks](int edge) {
-    const auto [a, b] = mesh.EdgeVertices(edge);
-    return std::minmax(vertexRanks[a], vertexRanks[b]); // of references, which stay
-  };
-  SortedItems edges = SortByKey(
-    Identity(mesh.NumberOfEdges()), mesh.NumberOfVertices(),
-    [&ranks](int edge) { return ranks(edge).first; }, context);
-  constexpr int Grain = 4096;
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int smaller = first; smaller < last; ++smaller)
-    {
-      std::sort(edges.Items.begin() + edges.Begins[smaller],
-        edges.Items.begin() + edges.Begins[smaller + 1],
-        [&ranks](int e, int f) { return ranks(e).second < ranks(f).second; });
-    }
-  });
-  return std::move(edges.Items);
+  const ItemsByPair byPoints = SortByPair(
+    mesh.NumberOfEdges(), mesh.NumberOfVertices(),
+    [&mesh, &vertexRanks](int edge) -> std::pair<int, int> {
+      const auto [a, b] = mesh.EdgeVertices(edge);
+      return std::minmax({ vertexRanks[a], vertexRanks[b] });
+    },
+    context);
+  std::vector<int> edges(byPoints.Items.size());
+  std::transform(byPoints.Items.begin(), byPoints.Items.end(), edges.begin(),
+    [](const ItemOfPair& edge) { return edge.Item; });
+  return edges;
 }
 
 SurfaceMesh InSpatialOrder(
@@ -237,11 +231,12 @@ SurfaceMesh InSpatialOrder(
     std::move(points), std::move(vertices), std::move(edges) };
 }
 
-SurfaceMesh AsGiven(GivenTriangles given, vtkIdType firstCell)
+SurfaceMesh AsGiven(
+  GivenTriangles given, vtkIdType firstCell, const ExecutionContext& context)
 {
   const std::vector<int> polygons = Identity(static_cast<int>(given.Corners.rows()));
   const ElementNames names = NamesOf(given.PointIds, polygons, firstCell);
-  TriangleMesh mesh(std::move(given.Positions), std::move(given.Corners), names);
+  TriangleMesh mesh(std::move(given.Positions), std::move(given.Corners), names, context);
   std::vector<int> edges = Identity(mesh.NumberOfEdges());
   return { std::move(mesh), firstCell, polygons, polygons, std::move(given.PointIds),
     std::move(given.Vertices), std::move(edges) };
@@ -290,7 +285,7 @@ SurfaceMesh MeshFromPolyData(
       // It is refused below, for what is the first reason in the caller's order.
     }
   }
-  return AsGiven(std::move(given), firstCell);
+  return AsGiven(std::move(given), firstCell, context);
 }
 
 vtkSmartPointer<vtkPolyData> PolyDataFromMesh(const TriangleMesh& mesh)

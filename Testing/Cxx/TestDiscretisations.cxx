@@ -446,6 +446,73 @@ INSTANTIATE_TEST_SUITE_P(Discretisations, AnyField,
 
 }
 
+// Files number points and cells as they like; so does the solver inside.
+TEST_P(AnyField, DoesNotDependOnTheOrderOfPointsAndCells)
+{
+  const Surface surface = IrregularTorus(40, 24, 5);
+  const Relabelled relabelled = Relabel(surface, 12);
+  const Vectors given{ { 10, { 1.0, 0.5, -0.25 } }, { 700, { -0.5, 0.25, 1.0 } } };
+  Vectors relabelledGiven = given;
+  for (auto& [cell, vector] : relabelledGiven)
+  {
+    cell = relabelled.NewFaces[cell];
+  }
+  const auto input = PolyDataOf(surface);
+  AddCellVectors(input, "Given", given);
+  const auto relabelledInput = PolyDataOf(relabelled.Result);
+  AddCellVectors(relabelledInput, "Given", relabelledGiven);
+  const auto solver = NewSolver(input, GetParam());
+  const auto other = NewSolver(relabelledInput, GetParam());
+  const auto point = [&relabelled](vtkIdType id) { return relabelled.NewVertices[id]; };
+  const auto cell = [&relabelled](vtkIdType id) { return relabelled.NewFaces[id]; };
+  for (Solver* s : { solver.Get(), other.Get() })
+  {
+    s->SetTolerance(1e-12);
+    s->UnitLengthOff();
+    s->Update();
+    ASSERT_EQ(Converged(s), 1);
+  }
+
+  // Which of the N directions is the first is a matter of where combing starts.
+  const auto expectDirections = [](vtkDataSetAttributes* a, vtkDataSetAttributes* b, auto number) {
+    const int N = a->HasArray("Direction1") ? 4 : 1;
+    for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
+    {
+      const Vector3 expected = Tuple(a, "Direction0", i);
+      double nearest = std::numeric_limits<double>::infinity();
+      for (int k = 0; k < N; ++k)
+      {
+        const Vector3 direction = Tuple(b, "Direction" + std::to_string(k), number(i));
+        nearest = std::min(nearest, (direction - expected).norm());
+      }
+      ASSERT_LT(nearest, 1e-7 * expected.norm()) << i;
+    }
+  };
+  expectDirections(solver->GetOutput()->GetCellData(), other->GetOutput()->GetCellData(), cell);
+  expectDirections(solver->GetOutput()->GetPointData(), other->GetOutput()->GetPointData(), point);
+  const auto indices = Values(solver->GetOutput()->GetPointData(), "SingularityIndex");
+  const auto otherIndices = Values(other->GetOutput()->GetPointData(), "SingularityIndex");
+  for (std::size_t i = 0; i < indices.size(); ++i)
+  {
+    EXPECT_NEAR(otherIndices[point(i)], indices[i], 1e-12);
+  }
+
+  const char* const name = GetParam() == Solver::OneForm ? "OneForm" : "Turning";
+  const std::vector<double> onEdges = Values(Edges(solver)->GetCellData(), name);
+  const std::vector<double> otherOnEdges = Values(Edges(other)->GetCellData(), name);
+  const std::map<Edge, int> numbers = EdgesOf(input), otherNumbers = EdgesOf(relabelledInput);
+  ASSERT_EQ(onEdges.size(), numbers.size());
+  ASSERT_EQ(otherOnEdges.size(), numbers.size());
+  const double scale = *std::max_element(onEdges.begin(), onEdges.end());
+  for (const auto& [edge, number] : numbers)
+  {
+    const int a = point(edge.first), b = point(edge.second);
+    const double sign = a < b ? 1.0 : -1.0;
+    const int otherNumber = otherNumbers.at(std::minmax<vtkIdType>({ a, b }));
+    EXPECT_NEAR(sign * otherOnEdges[otherNumber], onEdges[number], 1e-7 * scale);
+  }
+}
+
 TEST_P(AnyField, OfNestedIterationsComesCloserToThatOfCholesky)
 {
   for (int space : { Solver::Nodal, Solver::StructurePreserving })

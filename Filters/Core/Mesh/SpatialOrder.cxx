@@ -122,7 +122,7 @@ TriangleMesh SpatialOrder::Apply(
       }
     }
   });
-  return TriangleMesh(std::move(newPoints), std::move(newTriangles));
+  return TriangleMesh(std::move(newPoints), std::move(newTriangles), {}, context);
 }
 
 TangentFrames SpatialOrder::ApplyToFaces(

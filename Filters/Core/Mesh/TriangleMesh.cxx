@@ -1,10 +1,13 @@
 #include "Mesh/TriangleMesh.h"
 
+#include "Support/CountingSort.h"
 #include "Support/Errors.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <atomic>
+#include <numeric>
 #include <utility>
 
 namespace dmg
@@ -13,48 +16,45 @@ namespace dmg
 namespace
 {
 
-/// A halfedge, filed under the smaller vertex of its edge.
-struct Side
+constexpr int Grain = 4096;
+
+/// A halfedge under the larger vertex of its edge.
+using Side = ItemOfPair;
+
+/// All halfedges by edge, under its smaller vertex.
+ItemsByPair SortedSides(int numberOfVertices, const Triangles& F, const ExecutionContext& context)
 {
-  int Larger;
-  int Halfedge;
+  const int* const tails = F.data();
+  return SortByPair(
+    3 * static_cast<int>(F.rows()), numberOfVertices,
+    [tails](int h) -> std::pair<int, int> {
+      return std::minmax({ tails[h], tails[TriangleMesh::Next(h)] });
+    },
+    context);
+}
 
-  bool operator<(const Side& other) const
-  {
-    return this->Larger != other.Larger ? this->Larger < other.Larger
-                                        : this->Halfedge < other.Halfedge;
-  }
-};
-
-/// All halfedges by edge: those of smaller vertex v are [offsets[v], offsets[v + 1]), ascending.
-std::vector<Side> SortedSides(int numberOfVertices, const Triangles& F, std::vector<int>& offsets)
+/// Calls visit(first, last) for the sides of each edge of smaller vertex v.
+template <class Visit>
+void VisitEdges(const ItemsByPair& sides, int v, const Visit& visit)
 {
-  const int numberOfHalfedges = 3 * static_cast<int>(F.rows());
-  const int* tails = F.data();
-  const auto head = [tails](int h) { return tails[TriangleMesh::Next(h)]; };
+  const Side* const end = sides.Items.data() + sides.Begins[v + 1];
+  for (const Side* first = sides.Items.data() + sides.Begins[v]; first != end;)
+  {
+    const Side* last = first + 1;
+    while (last != end && last->Second == first->Second)
+    {
+      ++last;
+    }
+    visit(first, last);
+    first = last;
+  }
+}
 
-  offsets.assign(numberOfVertices + 1, 0);
-  for (int h = 0; h < numberOfHalfedges; ++h)
-  {
-    ++offsets[std::min(tails[h], head(h)) + 1];
-  }
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    offsets[v + 1] += offsets[v];
-  }
-
-  std::vector<Side> sides(numberOfHalfedges);
-  std::vector<int> next(offsets.begin(), offsets.end() - 1);
-  for (int h = 0; h < numberOfHalfedges; ++h)
-  {
-    const auto [smaller, larger] = std::minmax({ tails[h], head(h) });
-    sides[next[smaller]++] = { larger, h };
-  }
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    std::sort(sides.begin() + offsets[v], sides.begin() + offsets[v + 1]);
-  }
-  return sides;
+/// One face or two that run along the edge in opposite directions.
+bool IsManifold(const Triangles& F, const Side* first, const Side* last)
+{
+  return last - first == 1 ||
+    (last - first == 2 && F.data()[first[0].Item] != F.data()[first[1].Item]);
 }
 
 bool HaveSameCorners(const Triangles& F, int f, int g)
@@ -69,13 +69,13 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
   const Triangles& F, const ElementNames& names, const Side* first, const Side* last, int smaller)
 {
   const std::string edge =
-    "the edge between " + names.Vertex(smaller) + " and " + names.Vertex(first->Larger);
+    "the edge between " + names.Vertex(smaller) + " and " + names.Vertex(first->Second);
   for (const Side* a = first; a != last; ++a)
   {
     for (const Side* b = a + 1; b != last; ++b)
     {
-      const int f = TriangleMesh::FaceOf(a->Halfedge);
-      const int g = TriangleMesh::FaceOf(b->Halfedge);
+      const int f = TriangleMesh::FaceOf(a->Item);
+      const int g = TriangleMesh::FaceOf(b->Item);
       if (HaveSameCorners(F, f, g))
       {
         throw InvalidInput(names.Face(f) + " and " + names.Face(g) +
@@ -83,13 +83,13 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
       }
     }
   }
-  const int f = TriangleMesh::FaceOf(first[0].Halfedge);
-  const int g = TriangleMesh::FaceOf(first[1].Halfedge);
+  const int f = TriangleMesh::FaceOf(first[0].Item);
+  const int g = TriangleMesh::FaceOf(first[1].Item);
   if (last - first > 2)
   {
     throw InvalidInput(edge + " belongs to " + std::to_string(last - first) +
       " triangles, among them " + names.Face(f) + ", " + names.Face(g) + " and " +
-      names.Face(TriangleMesh::FaceOf(first[2].Halfedge)) +
+      names.Face(TriangleMesh::FaceOf(first[2].Item)) +
       "; remove the surplus ones, or cut them apart with Surface Normals (vtkPolyDataNormals), "
       "Splitting on, Feature Angle 180 and Non-Manifold Traversal off");
   }
@@ -101,51 +101,73 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
 
 }
 
-TriangleMesh::TriangleMesh(dmg::Points points, dmg::Triangles triangles, const ElementNames& names)
+TriangleMesh::TriangleMesh(dmg::Points points, dmg::Triangles triangles,
+  const ElementNames& names, const ExecutionContext& context)
   : V(std::move(points))
   , F(std::move(triangles))
 {
   CheckElements(this->V, this->F, names);
+  this->JoinFaces(names, context);
+  this->StartFans(names, context);
+}
+
+void TriangleMesh::JoinFaces(const ElementNames& names, const ExecutionContext& context)
+{
   const int numberOfVertices = this->NumberOfVertices();
   const int numberOfHalfedges = 3 * this->NumberOfFaces();
+  const ItemsByPair sides = SortedSides(numberOfVertices, this->F, context);
 
-  std::vector<int> offsets;
-  const std::vector<Side> sides = SortedSides(numberOfVertices, this->F, offsets);
-
-  this->Twins.assign(numberOfHalfedges, -1);
-  this->HalfedgeEdges.resize(numberOfHalfedges);
-  this->EdgeHalfedges.reserve(numberOfHalfedges / 2);
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    const Side* const end = sides.data() + offsets[v + 1];
-    for (const Side* first = sides.data() + offsets[v]; first != end;)
+  std::vector<int> edgeBegins(numberOfVertices + 1, 0);
+  std::atomic<bool> isManifold{ true };
+  context.ParallelFor(0, numberOfVertices, Grain, [&](int firstVertex, int lastVertex) {
+    for (int v = firstVertex; v < lastVertex; ++v)
     {
-      const Side* last = first + 1;
-      while (last != end && last->Larger == first->Larger)
-      {
-        ++last;
-      }
-      const int edge = this->NumberOfEdges();
-      this->EdgeHalfedges.push_back(first->Halfedge);
-      this->HalfedgeEdges[first->Halfedge] = edge;
-      if (last - first == 2 && this->Tail(first[0].Halfedge) != this->Tail(first[1].Halfedge))
-      {
-        const int a = first[0].Halfedge;
-        const int b = first[1].Halfedge;
-        this->Twins[a] = b;
-        this->Twins[b] = a;
-        this->HalfedgeEdges[b] = edge;
-        this->EdgeHalfedges.back() = this->Tail(a) == v ? a : b;
-      }
-      else if (last - first >= 2)
+      VisitEdges(sides, v, [&](const Side* first, const Side* last) {
+        ++edgeBegins[v + 1];
+        if (!IsManifold(this->F, first, last))
+        {
+          isManifold = false;
+        }
+      });
+    }
+  });
+  for (int v = 0; v < numberOfVertices && !isManifold; ++v) // the first one is named
+  {
+    VisitEdges(sides, v, [&](const Side* first, const Side* last) {
+      if (!IsManifold(this->F, first, last))
       {
         RefuseEdge(this->F, names, first, last, v);
       }
-      first = last;
-    }
+    });
   }
+  std::partial_sum(edgeBegins.begin(), edgeBegins.end(), edgeBegins.begin());
 
-  std::vector<int> valences(numberOfVertices, 0);
+  this->Twins.assign(numberOfHalfedges, -1);
+  this->HalfedgeEdges.resize(numberOfHalfedges);
+  this->EdgeHalfedges.resize(edgeBegins.back());
+  context.ParallelFor(0, numberOfVertices, Grain, [&](int firstVertex, int lastVertex) {
+    for (int v = firstVertex; v < lastVertex; ++v)
+    {
+      int edge = edgeBegins[v];
+      VisitEdges(sides, v, [&](const Side* first, const Side* last) {
+        const int a = first->Item;
+        const int b = last[-1].Item;
+        this->HalfedgeEdges[a] = this->HalfedgeEdges[b] = edge;
+        this->EdgeHalfedges[edge++] = this->Tail(a) == v ? a : b;
+        if (a != b)
+        {
+          this->Twins[a] = b;
+          this->Twins[b] = a;
+        }
+      });
+    }
+  });
+}
+
+void TriangleMesh::StartFans(const ElementNames& names, const ExecutionContext& context)
+{
+  const int numberOfVertices = this->NumberOfVertices();
+  const int numberOfHalfedges = 3 * this->NumberOfFaces();
   this->Outgoing.assign(numberOfVertices, -1);
   for (int h = 0; h < numberOfHalfedges; ++h)
   {
@@ -154,18 +176,29 @@ TriangleMesh::TriangleMesh(dmg::Points points, dmg::Triangles triangles, const E
     {
       outgoing = h;
     }
-    ++valences[this->Tail(h)];
   }
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    this->VisitFan(v, [&](int) { --valences[v]; });
-    if (valences[v] > 0)
+
+  std::vector<int> sizes(numberOfVertices, 0);
+  context.ParallelFor(0, numberOfVertices, Grain, [&](int first, int last) {
+    for (int v = first; v < last; ++v)
     {
-      throw InvalidInput("the triangles around " + names.Vertex(v) +
-        " form more than one fan, so the surface is pinched there; split the point with Surface "
-        "Normals (vtkPolyDataNormals), Splitting on and Feature Angle 180");
+      this->VisitFan(v, [&](int) { ++sizes[v]; });
     }
+  });
+  if (std::accumulate(sizes.begin(), sizes.end(), 0) == numberOfHalfedges)
+  {
+    return;
   }
+  for (int h = 0; h < numberOfHalfedges; ++h)
+  {
+    --sizes[this->Tail(h)];
+  }
+  const auto pinched =
+    std::find_if(sizes.begin(), sizes.end(), [](int size) { return size < 0; });
+  throw InvalidInput("the triangles around " +
+    names.Vertex(static_cast<int>(pinched - sizes.begin())) +
+    " form more than one fan, so the surface is pinched there; split the point with Surface "
+    "Normals (vtkPolyDataNormals), Splitting on and Feature Angle 180");
 }
 
 Vector3 TriangleMesh::FaceAreaVector(int face) const
@@ -177,9 +210,8 @@ Vector3 TriangleMesh::FaceAreaVector(int face) const
 
 Vector<double> TriangleMesh::FaceAreas(const ExecutionContext& context) const
 {
-  constexpr int grain = 4096;
   Vector<double> areas(this->NumberOfFaces());
-  context.ParallelFor(0, this->NumberOfFaces(), grain, [this, &areas](int first, int last) {
+  context.ParallelFor(0, this->NumberOfFaces(), Grain, [this, &areas](int first, int last) {
     for (int f = first; f < last; ++f)
     {
       areas[f] = this->FaceArea(f);

@@ -30,7 +30,8 @@ public:
   /// faces, two faces that run along their edge in the same direction, a vertex whose faces form
   /// more than one fan. The message names the element and the remedy.
   /// Cost: O(#F) for bounded valence.
-  TriangleMesh(Points points, Triangles triangles, const ElementNames& names = {});
+  TriangleMesh(Points points, Triangles triangles, const ElementNames& names = {},
+    const ExecutionContext& context = SerialContext());
 
   int NumberOfVertices() const { return static_cast<int>(this->V.rows()); }
   int NumberOfFaces() const { return static_cast<int>(this->F.rows()); }
@@ -104,6 +105,10 @@ public:
   Vector<double> FaceAreas(const ExecutionContext& context = SerialContext()) const;
 
 private:
+  /// Twins and edges.
+  void JoinFaces(const ElementNames& names, const ExecutionContext& context);
+  void StartFans(const ElementNames& names, const ExecutionContext& context);
+
   dmg::Points V;
   dmg::Triangles F;
   std::vector<int> Twins;         // per halfedge

@@ -2,6 +2,8 @@
 #define dmgCountingSort_h
 
 #include "Support/ExecutionContext.h"
+#include "Support/Permutations.h"
+#include "Support/Unfilled.h"
 
 #include <algorithm>
 #include <utility>
@@ -58,6 +60,50 @@ SortedItems SortByKey(const std::vector<int>& items, int numberOfKeys, const Key
   sorted.Begins[numberOfKeys] = next;
   sorted.Items.resize(size);
   forEach([&](int band, int item) { sorted.Items[places[band][key(item)]++] = item; });
+  return sorted;
+}
+
+/// An item under the second of two keys.
+struct ItemOfPair
+{
+  int Second;
+  int Item;
+
+  bool operator<(const ItemOfPair& other) const
+  {
+    return this->Second != other.Second ? this->Second < other.Second : this->Item < other.Item;
+  }
+};
+
+/// Items sorted by two keys: those of first key k are [Begins[k], Begins[k + 1]).
+struct ItemsByPair
+{
+  Unfilled<ItemOfPair> Items;
+  std::vector<int> Begins;
+};
+
+/// Sorts the numbers below \p size by keys(number), a pair, the first in [0, numberOfKeys), and then by themselves.
+/// Cost: linear where few have the same first key.
+template <class Keys>
+ItemsByPair SortByPair(
+  int size, int numberOfKeys, const Keys& keys, const ExecutionContext& context)
+{
+  constexpr int Grain = 4096;
+  SortedItems byFirst = SortByKey(
+    Identity(size), numberOfKeys, [&keys](int item) { return keys(item).first; }, context);
+  ItemsByPair sorted{ Unfilled<ItemOfPair>(size), std::move(byFirst.Begins) };
+  context.ParallelFor(0, numberOfKeys, Grain, [&](int firstKey, int lastKey) {
+    for (int key = firstKey; key < lastKey; ++key)
+    {
+      const int begin = sorted.Begins[key];
+      const int end = sorted.Begins[key + 1];
+      for (int k = begin; k < end; ++k)
+      {
+        sorted.Items[k] = { keys(byFirst.Items[k]).second, byFirst.Items[k] };
+      }
+      std::sort(sorted.Items.begin() + begin, sorted.Items.begin() + end);
+    }
+  });
   return sorted;
 }
 

@@ -2,6 +2,7 @@
 
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
+#include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
 
@@ -160,6 +161,30 @@ TEST(TriangleMesh, FansVisitEveryCornerOnceFromTheBoundary)
   }
 }
 
+TEST(TriangleMesh, IsTheSameForAnyNumberOfThreads)
+{
+  const Surface shape = Relabel(IrregularSphere(5, 2), 3).Result; // 20480 faces, some grains
+  const TriangleMesh mesh = shape.Mesh();
+  for (const int threads : { 2, 5 })
+  {
+    const TriangleMesh other(shape.V, shape.F, {}, TbbContext(threads));
+    ASSERT_EQ(other.NumberOfEdges(), mesh.NumberOfEdges());
+    for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+    {
+      ASSERT_EQ(other.Twin(h), mesh.Twin(h));
+      ASSERT_EQ(other.EdgeOf(h), mesh.EdgeOf(h));
+    }
+    for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+    {
+      ASSERT_EQ(other.HalfedgeOf(edge), mesh.HalfedgeOf(edge));
+    }
+    for (int v = 0; v < mesh.NumberOfVertices(); ++v)
+    {
+      ASSERT_EQ(other.OutgoingHalfedge(v), mesh.OutgoingHalfedge(v));
+    }
+  }
+}
+
 TEST(TriangleMesh, SamplesAreOrientedOutwards)
 {
   for (const Sample& sample : Samples())
@@ -193,12 +218,12 @@ TEST(TriangleMesh, AreasAddUp)
 
 // Refusals: each names the element, by the caller's number, and the remedy ------------------------
 
-void ExpectRefusal(
-  const Surface& surface, const std::vector<std::string>& words, const ElementNames& names = {})
+void ExpectRefusal(const Surface& surface, const std::vector<std::string>& words,
+  const ElementNames& names = {}, const ExecutionContext& context = SerialContext())
 {
   try
   {
-    const TriangleMesh mesh(surface.V, surface.F, names);
+    const TriangleMesh mesh(surface.V, surface.F, names, context);
     FAIL() << "accepted; expected a refusal with \"" << words.front() << '"';
   }
   catch (const InvalidInput& error)
@@ -304,6 +329,52 @@ TEST(TriangleMesh, RefusesAPinchedVertex)
   bow.V << 0, 0, 0, 1, -1, 0, 1, 1, 0, -1, 1, 0, -1, -1, 0;
   bow.F << 0, 1, 2, 0, 3, 4;
   ExpectRefusal(bow, { "point 0", "more than one fan" });
+}
+
+TEST(TriangleMesh, RefusalsNameTheFirstElementForAnyNumberOfThreads)
+{
+  Surface turned = Icosphere(5);
+  for (const int face : { 20000, 11000, 300 })
+  {
+    turned.F.row(face).reverseInPlace();
+  }
+  const TriangleMesh whole = Icosphere(5).Mesh();
+  int first = whole.NumberOfEdges(); // the smallest edge of a turned face
+  for (const int face : { 20000, 11000, 300 })
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      first = std::min(first, whole.EdgeOf(3 * face + k));
+    }
+  }
+  const auto [a, b] = whole.EdgeVertices(first);
+  const std::string edge = "point " + std::to_string(a) + " and point " + std::to_string(b);
+
+  Surface pinched = Union(Icosphere(5), Icosphere(5), Vector3(3.0, 0.0, 0.0));
+  for (const int v : { 10200, 9000, 4500 }) // drawn to the other component's
+  {
+    const int other = v + static_cast<int>(pinched.V.rows()) / 2;
+    pinched.F = (pinched.F.array() == other).select(v, pinched.F);
+  }
+  std::vector<int> numbers(pinched.V.rows(), -1); // without the three points left over
+  int count = 0;
+  for (int v = 0; v < pinched.V.rows(); ++v)
+  {
+    if ((pinched.F.array() == v).any())
+    {
+      pinched.V.row(count) = pinched.V.row(v);
+      numbers[v] = count++;
+    }
+  }
+  pinched.V.conservativeResize(count, 3);
+  pinched.F = pinched.F.unaryExpr([&numbers](int v) { return numbers[v]; }).eval();
+
+  for (const int threads : { 1, 2, 5 })
+  {
+    const TbbContext context(threads);
+    ExpectRefusal(turned, { edge, "oriented against each other" }, {}, context);
+    ExpectRefusal(pinched, { "point 4500", "more than one fan" }, {}, context);
+  }
 }
 
 TEST(TriangleMesh, RefusalsUseTheCallersNumbers)

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 
 using namespace dmg;
 
@@ -38,6 +39,41 @@ TEST(TestCountingSort, SortsAsStableSortDoesForAnyNumberOfThreads)
         const auto first = std::find_if(
           expected.begin(), expected.end(), [&](int item) { return keys[item] >= key; });
         EXPECT_EQ(sorted.Begins[key], first - expected.begin());
+      }
+    }
+  }
+}
+
+TEST(TestCountingSort, SortsByPairsForAnyNumberOfThreads)
+{
+  test::Random random(2802);
+  for (const int size : { 0, 1, 50, 60000 })
+  {
+    const int numberOfKeys = size / 5 + 3;
+    std::vector<std::pair<int, int>> keys(size);
+    for (auto& [first, second] : keys)
+    {
+      first = random.Index(numberOfKeys - 2) + 1; // the first and the last key have no items
+      second = random.Index(5) - 2;               // any number, some of them twice
+    }
+    std::vector<int> expected = Identity(size);
+    std::stable_sort(
+      expected.begin(), expected.end(), [&keys](int a, int b) { return keys[a] < keys[b]; });
+    for (const int threads : { 1, 2, 5 })
+    {
+      const ItemsByPair sorted = SortByPair(
+        size, numberOfKeys, [&keys](int item) { return keys[item]; }, test::TbbContext(threads));
+      ASSERT_EQ(sorted.Items.size(), expected.size());
+      ASSERT_EQ(sorted.Begins.size(), numberOfKeys + 1u);
+      EXPECT_EQ(sorted.Begins.front(), 0);
+      EXPECT_EQ(sorted.Begins.back(), size);
+      for (int key = 0; key < numberOfKeys; ++key)
+      {
+        for (int k = sorted.Begins[key]; k < sorted.Begins[key + 1]; ++k)
+        {
+          EXPECT_EQ(sorted.Items[k].Item, expected[k]);
+          EXPECT_EQ(keys[expected[k]], std::make_pair(key, sorted.Items[k].Second));
+        }
       }
     }
   }
