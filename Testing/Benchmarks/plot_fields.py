@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Draws what BenchmarkFields wrote: plot_fields.py [folder] reads its CSV files and leaves PNGs beside them.
+"""Draws what BenchmarkFields, BenchmarkKernels and time_filter.py wrote: plot_fields.py [folder] reads their CSV
+files and leaves PNGs beside them.
 
 Files that are not there are left out.
 """
 import sys
 from pathlib import Path
 
-from plot_thesis import DISCRETISATIONS, column, figure, of, read
+from plot_thesis import column, figure, of, pyplot, read
 
 COLOURS = {"ours": "tab:red", "CHOLMOD, AMD": "tab:blue", "CHOLMOD, METIS": "tab:cyan",
            "IC(0)-CG, RCM": "tab:green", "Eigen SimplicialLDLT": "tab:purple",
@@ -124,8 +125,29 @@ def plot_kernels(folder):
     figure(folder, "kernels.png", "Memory bandwidth of the kernels on the finest level", draw)
 
 
+def plot_filter(folder):
+    rows = read(folder / "filter.csv")
+    names = [f"{row['surface'][:18]}, {row['field']}: {row['solver']}" for row in rows]
+    drawing, axis = pyplot.subplots(figsize=(10, 1 + 0.3 * len(rows)), constrained_layout=True)
+    left = [0.0] * len(rows)
+    for stage in ("setup", "prepare", "solve", "other"):
+        seconds = column(rows, stage)
+        axis.barh(range(len(rows)), seconds, left=left, label=stage)
+        left = [a + b for a, b in zip(left, seconds)]
+    axis.set_yticks(range(len(rows)))
+    axis.set_yticklabels(names, fontsize=7)
+    axis.invert_yaxis()
+    axis.set_xlabel("seconds")
+    axis.grid(True, axis="x", alpha=0.3)
+    axis.legend(fontsize=7)
+    axis.set_title("The whole job: from a bare vtkPolyData to all arrays")
+    drawing.savefig(folder / "filter.png", dpi=100)
+    pyplot.close(drawing)
+    print(folder / "filter.png")
+
+
 PLOTS = {"fields.csv": plot_fields, "resolves.csv": plot_resolves,
-         "iterations.csv": plot_iterations, "kernels.csv": plot_kernels}
+         "iterations.csv": plot_iterations, "kernels.csv": plot_kernels, "filter.csv": plot_filter}
 
 
 def main():

@@ -2,12 +2,13 @@
 
     pvpython time_filter.py [--out folder] [--runs n] surface.ply|vtp ...
 
-Twenty triangles are prescribed; everything else is as the filter comes. Each run has a filter of its own. Leaves
-filter.csv: medians of the seconds that Update() takes, and of what the filter reports of its stages; "other" is
-what it needs besides, most of it for the arrays.
+Twenty triangles are prescribed; everything else is as the filter comes, and then with Cholesky as its solver. Each
+run has a filter of its own. Leaves filter.csv: medians of the seconds that Update() takes, and of what the filter
+reports of its stages; "other" is what it needs besides, most of it for the arrays.
 """
 import argparse
 import csv
+import itertools
 import statistics
 import time
 from pathlib import Path
@@ -20,6 +21,8 @@ from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 PRESCRIBED = 20
 JOBS = [("power, N = 4", 0, 4), ("power, N = 2", 0, 2), ("face-based", 1, 1), ("DEC", 2, 1)]
+SOLVERS = [("Automatic", vtkHarmonicFieldSolver.Automatic),
+           ("Cholesky", vtkHarmonicFieldSolver.Cholesky)]
 STAGES = ["SetupSeconds", "PrepareSeconds", "SolveSeconds"]
 
 
@@ -37,11 +40,12 @@ def read(path):
     return surface
 
 
-def run(surface, discretisation, number):
+def run(surface, discretisation, number, kind):
     """Seconds: of all, of the stages, and of the rest."""
     solver = vtkHarmonicFieldSolver()
     solver.SetDiscretisation(discretisation)
     solver.SetNumberOfDirections(number)
+    solver.SetSolver(kind)
     solver.SetInputData(surface)
     solver.SetInputArrayToProcess(1, 0, 0, 1, "Given")
     start = time.perf_counter()
@@ -63,13 +67,14 @@ def main():
     options.out.mkdir(parents=True, exist_ok=True)
     with open(options.out / "filter.csv", "w", newline="") as file:
         rows = csv.writer(file)
-        rows.writerow("surface,faces,field,runs,total,setup,prepare,solve,other".split(","))
+        rows.writerow("surface,faces,field,solver,runs,total,setup,prepare,solve,other".split(","))
         for path in options.surfaces:
             surface = read(path)
-            for name, discretisation, number in JOBS:
-                runs = [run(surface, discretisation, number) for _ in range(options.runs)]
-                medians = [f"{statistics.median(column):.3f}" for column in zip(*runs)]
-                row = [path.stem, surface.GetNumberOfCells(), name, options.runs, *medians]
+            for job, (solver, kind) in itertools.product(JOBS, SOLVERS):
+                field, discretisation, number = job
+                runs = [run(surface, discretisation, number, kind) for _ in range(options.runs)]
+                medians = [f"{statistics.median(column):.4f}" for column in zip(*runs)]
+                row = [path.stem, surface.GetNumberOfCells(), field, solver, options.runs, *medians]
                 rows.writerow(row)
                 print(*row, sep="  ", flush=True)
 

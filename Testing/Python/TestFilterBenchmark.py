@@ -1,0 +1,40 @@
+"""A short run of Testing/Benchmarks/time_filter.py: its table and its plot are whole."""
+
+import csv
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+from vtkmodules.vtkIOPLY import vtkPLYWriter
+
+from surfaces import torus
+
+BENCHMARKS = Path(__file__).resolve().parent.parent / "Benchmarks"
+
+
+class FilterBenchmark(unittest.TestCase):
+    def test_times_every_field_by_both_solvers(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            writer = vtkPLYWriter()
+            writer.SetInputData(torus(60, 40))
+            writer.SetFileName(str(folder / "torus.ply"))
+            writer.Write()
+            subprocess.run([sys.executable, str(BENCHMARKS / "time_filter.py"), "--out", name,
+                            "--runs", "1", str(folder / "torus.ply")], check=True)
+            with open(folder / "filter.csv", newline="") as file:
+                rows = list(csv.DictReader(file))
+            self.assertEqual(len({row["field"] for row in rows}), 4)
+            self.assertEqual(len({(row["field"], row["solver"]) for row in rows}), 8)
+            for row in rows:
+                stages = [float(row[stage]) for stage in ("setup", "prepare", "solve", "other")]
+                self.assertGreater(min(stages), 0.0, row)
+                self.assertAlmostEqual(sum(stages), float(row["total"]), delta=3e-4)
+            subprocess.run([sys.executable, str(BENCHMARKS / "plot_fields.py"), name], check=True)
+            self.assertGreater((folder / "filter.png").stat().st_size, 5000)
+
+
+if __name__ == "__main__":
+    unittest.main()
