@@ -13,7 +13,7 @@ import sys
 
 def free_port():
     with socket.socket() as probe:
-        probe.bind(("localhost", 0))
+        probe.bind(("127.0.0.1", 0))  # a bare Debian may have no /etc/hosts
         return probe.getsockname()[1]
 
 
