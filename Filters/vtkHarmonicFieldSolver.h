@@ -168,14 +168,16 @@ public:
     /** A vector per face. */
     FaceField = 1,
     /** A number per edge. */
-    OneForm = 2
+    OneForm = 2,
+    /** A number per point: a function, whose gradient is shown. */
+    ScalarFunction = 3
   };
 
   ///@{
   /**
    * What the unknowns are, one of Discretisations. Default PowerField.
    */
-  vtkSetClampMacro(Discretisation, int, PowerField, OneForm);
+  vtkSetClampMacro(Discretisation, int, PowerField, ScalarFunction);
   vtkGetMacro(Discretisation, int);
   ///@}
 

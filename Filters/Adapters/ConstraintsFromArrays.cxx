@@ -156,7 +156,7 @@ ConstraintArrays ChosenConstraints(vtkAlgorithm* algorithm, int first, vtkDataSe
 }
 
 PrescribedDirections DirectionsOnSurface(
-  const ConstraintArrays& arrays, vtkPolyData* input, const SurfaceMesh& surface)
+  const ConstraintArrays& arrays, vtkPolyData* input, const SurfaceNumbering& surface)
 {
   PrescribedDirections directions;
   if (!arrays.Vectors)
@@ -185,7 +185,8 @@ PrescribedDirections DirectionsOnSurface(
 }
 
 std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& arrays,
-  vtkDataSet* points, vtkPolyData* input, const FramedSurface& framed)
+  vtkDataSet* points, vtkPolyData* input, const FramedMesh& framed,
+  const SurfaceNumbering& numbering)
 {
   std::vector<PrescribedDirection> directions;
   if (!arrays.Vectors)
@@ -207,7 +208,7 @@ std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& ar
   vtkNew<vtkGenericCell> cell;
   VisitPrescribed(
     arrays, points->GetNumberOfPoints(), "point", [](vtkIdType point) { return point; },
-    [&directions, &framed, &locator, &cell, points](
+    [&directions, &framed, &numbering, &locator, &cell, points](
       vtkIdType point, const Vector3& vector, double weight, const std::string& name)
     {
       double position[3], closest[3], squaredDistance;
@@ -219,13 +220,13 @@ std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& ar
       {
         throw InvalidInput(name + " of the second input has no nearest triangle; is it finite?");
       }
-      const int face = framed.Surface.Faces[polygon];
+      const int face = numbering.Faces[polygon];
       const Complex direction = framed.Faces.ToComplex(face, vector);
       if (std::abs(direction) <= SmallestTangentialPart * vector.norm())
       {
         throw InvalidInput("the direction prescribed at " + name +
           " of the second input is perpendicular to the nearest triangle, cell " +
-          std::to_string(framed.Surface.CellOf(face)) +
+          std::to_string(numbering.CellOf(face)) +
           "; turn it or take it out of the mask");
       }
       directions.push_back({ face, vector, weight });
@@ -236,16 +237,17 @@ std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& ar
 }
 
 PrescribedDirections ChosenDirections(
-  vtkAlgorithm* algorithm, vtkPolyData* surface, vtkDataSet* points, const FramedSurface& framed)
+  vtkAlgorithm* algorithm, vtkPolyData* surface, vtkDataSet* points, const FramedMesh& framed,
+  const SurfaceNumbering& numbering)
 {
   PrescribedDirections directions = DirectionsOnSurface(
     ChosenConstraints(algorithm, 0, surface, nullptr, "the surface"), surface,
-    framed.Surface);
+    numbering);
   if (points)
   {
     const ConstraintArrays arrays = ChosenConstraints(
       algorithm, 3, points, points->GetPointData()->GetVectors(), "the second input");
-    const auto more = DirectionsFromPoints(arrays, points, surface, framed);
+    const auto more = DirectionsFromPoints(arrays, points, surface, framed, numbering);
     directions.OnFaces.insert(directions.OnFaces.end(), more.begin(), more.end());
   }
   if (directions.OnFaces.empty() && directions.AtVertices.empty())

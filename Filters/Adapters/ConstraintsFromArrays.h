@@ -1,8 +1,8 @@
 #ifndef dmgConstraintsFromArrays_h
 #define dmgConstraintsFromArrays_h
 
-#include "Adapters/FieldToArrays.h"
-#include "Systems/AlignmentConstraints.h"
+#include "Adapters/MeshFromPolyData.h"
+#include "Discretisations/Prescriptions.h"
 
 class vtkAlgorithm;
 class vtkDataSet;
@@ -25,7 +25,8 @@ namespace dmg
 /// the other dataset whose vector is not tangential. Cost: linear; with points, a locator over the
 /// surface and logarithmic time per point.
 PrescribedDirections ChosenDirections(
-  vtkAlgorithm* algorithm, vtkPolyData* surface, vtkDataSet* points, const FramedSurface& framed);
+  vtkAlgorithm* algorithm, vtkPolyData* surface, vtkDataSet* points, const FramedMesh& framed,
+  const SurfaceNumbering& numbering);
 
 }
 

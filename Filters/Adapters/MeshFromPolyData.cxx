@@ -227,8 +227,9 @@ SurfaceMesh InSpatialOrder(
     }
   });
   std::vector<int> edges = EdgesByPoints(mesh, order.Vertices(), context);
-  return { std::move(mesh), firstCell, order.Faces(), Inverse(order.Faces(), context),
-    std::move(points), std::move(vertices), std::move(edges) };
+  return { { firstCell, order.Faces(), Inverse(order.Faces(), context), std::move(points),
+             std::move(vertices), std::move(edges) },
+    std::move(mesh) };
 }
 
 SurfaceMesh AsGiven(
@@ -238,13 +239,14 @@ SurfaceMesh AsGiven(
   const ElementNames names = NamesOf(given.PointIds, polygons, firstCell);
   TriangleMesh mesh(std::move(given.Positions), std::move(given.Corners), names, context);
   std::vector<int> edges = Identity(mesh.NumberOfEdges());
-  return { std::move(mesh), firstCell, polygons, polygons, std::move(given.PointIds),
-    std::move(given.Vertices), std::move(edges) };
+  return { { firstCell, polygons, polygons, std::move(given.PointIds), std::move(given.Vertices),
+             std::move(edges) },
+    std::move(mesh) };
 }
 
 }
 
-ElementNames SurfaceMesh::Names() const
+ElementNames SurfaceNumbering::Names() const
 {
   return NamesOf(this->Points, this->Polygons, this->FirstCell);
 }

@@ -22,13 +22,12 @@ enum class Numbering
   Spatial,    ///< as SpatialOrder does: files have any order, and loops over the surface like this one
 };
 
-/// The triangles of a vtkPolyData as a mesh, and how its elements are numbered there.
+/// How the elements of a mesh are numbered in the vtkPolyData that it was made from.
 ///
 /// The cells of polygons follow those of vertices and lines, as in every vtkPolyData. Points without
 /// a triangle are left out.
-struct SurfaceMesh
+struct SurfaceNumbering
 {
-  TriangleMesh Mesh;
   vtkIdType FirstCell = 0;       ///< cell of polygon 0; polygon p is cell FirstCell + p
   std::vector<int> Polygons;     ///< polygon of every face
   std::vector<int> Faces;        ///< face of every polygon
@@ -42,19 +41,25 @@ struct SurfaceMesh
   int FaceOf(vtkIdType cell) const
   {
     const vtkIdType polygon = cell - this->FirstCell;
-    return polygon >= 0 && polygon < this->Mesh.NumberOfFaces() ? this->Faces[polygon] : -1;
+    return polygon >= 0 && polygon < static_cast<vtkIdType>(this->Faces.size()) ? this->Faces[polygon] : -1;
   }
   /// -1 for a point that is no vertex.
   int VertexOf(vtkIdType point) const { return this->Vertices[point]; }
   /// +1 where an edge of the mesh runs from its smaller to its larger point, else -1.
-  int EdgeSign(int edge) const
+  int EdgeSign(const TriangleMesh& mesh, int edge) const
   {
-    const auto [tail, head] = this->Mesh.EdgeVertices(edge);
+    const auto [tail, head] = mesh.EdgeVertices(edge);
     return this->Points[tail] < this->Points[head] ? 1 : -1;
   }
 
   /// How messages about the mesh name the caller's cells and points.
   ElementNames Names() const;
+};
+
+/// The triangles of a vtkPolyData as a mesh.
+struct SurfaceMesh : SurfaceNumbering
+{
+  TriangleMesh Mesh;
 };
 
 /// \throw InvalidInput no triangles, a polygon that is not a triangle, triangle strips, too many

@@ -1,6 +1,6 @@
 #include "Adapters/OperatorsToFieldData.h"
 
-#include "Adapters/FieldToArrays.h"
+#include "Adapters/ArrayNames.h"
 #include "Support/Errors.h"
 
 #include "vtkDoubleArray.h"

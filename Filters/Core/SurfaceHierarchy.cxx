@@ -1,6 +1,6 @@
 #include "SurfaceHierarchy.h"
 
-#include "HarmonicForms.h"
+#include "Analysis/HarmonicForms.h"
 #include "Hierarchy/MeshHierarchy.h"
 #include "Hierarchy/PointSampling.h"
 #include "Hierarchy/TangentGraph.h"

@@ -11,10 +11,10 @@ CLEAN = {
     "Data/README.md": "| `plane.ply` | made by Testing/Support |\n",
     "Data/plane.ply": "ply\n",
     "Filters/vtkFilter.h": '#include "vtkPolyDataAlgorithm.h"\n#include <memory>\n',
-    "Filters/Core/HarmonicField.h": '#include "Systems/System.h"\n#include "Solvers/Solver.h"\n',
+    "Filters/Core/FieldSolver.h": '#include "Discretisations/Field.h"\n#include "Solvers/Solver.h"\n',
     "Filters/Core/Support/Types.h": "#include <Eigen/Core>\n",
     "Filters/Core/Mesh/Mesh.h": '#include "Support/Types.h"\n',
-    "Filters/Core/Systems/System.h": '#include "Mesh/Mesh.h"\n',
+    "Filters/Core/Discretisations/Field.h": '#include "Mesh/Mesh.h"\n',
     "Filters/Core/Solvers/Solver.h": '#include "Support/Types.h"\n',
     "Testing/Core/TestMesh.cxx": '#include "Mesh/Mesh.h"\n',
 }
@@ -45,8 +45,8 @@ class CheckSources(unittest.TestCase):
                           "2: a test of the core includes vtkNew.h")
 
     def test_arrows_point_downwards(self):
-        self.assert_found("Filters/Core/Mesh/Mesh.h", '#include "Systems/System.h"\n',
-                          "1: Mesh may not include Systems")
+        self.assert_found("Filters/Core/Mesh/Mesh.h", '#include "Discretisations/Field.h"\n',
+                          "1: Mesh may not include Discretisations")
 
     def test_solvers_know_no_mesh(self):
         self.assert_found("Filters/Core/Solvers/Solver.h", '#include "Mesh/Mesh.h"\n',

@@ -1,6 +1,8 @@
 #ifndef dmgHierarchyOptions_h
 #define dmgHierarchyOptions_h
 
+#include <tuple>
+
 namespace dmg
 {
 
@@ -51,6 +53,16 @@ struct HierarchyOptions
   /// How far apart the samples of the first level are, in spacings of the faces around them, > 1:
   /// one for SampleDistance^2 / 1.5 faces, nearly, and more of them where the surface is curved.
   double SampleDistance = 3.6;
+
+  friend bool operator==(const HierarchyOptions& a, const HierarchyOptions& b)
+  {
+    const auto members = [](const HierarchyOptions& options) {
+      // A member that is forgotten here does not compile.
+      const auto& [ratio, levels, faces, policy, construction, kind, distance] = options;
+      return std::tie(ratio, levels, faces, policy, construction, kind, distance);
+    };
+    return members(a) == members(b);
+  }
 };
 
 }

@@ -15,6 +15,19 @@ struct OperatorSelection
   bool PowerFields = true; ///< SP
   bool FaceFields = true;  ///< SX
   bool OneForms = true;    ///< S1
+
+  /// Whether it has all that another one has.
+  bool Includes(const OperatorSelection& other) const
+  {
+    return this->PowerFields >= other.PowerFields && this->FaceFields >= other.FaceFields &&
+      this->OneForms >= other.OneForms;
+  }
+  void Add(const OperatorSelection& more)
+  {
+    this->PowerFields |= more.PowerFields;
+    this->FaceFields |= more.FaceFields;
+    this->OneForms |= more.OneForms;
+  }
 };
 
 /// Everything the solvers need to know of a hierarchy: the prolongations between its levels.

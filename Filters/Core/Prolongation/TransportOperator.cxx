@@ -75,4 +75,28 @@ SparseMatrix<double> OnComponents(
     });
 }
 
+std::vector<SparseMatrix<Complex>> OnPowers(
+  const std::vector<TransportOperator>& transports, int N, const ExecutionContext& context)
+{
+  std::vector<SparseMatrix<Complex>> result(transports.size());
+  for (std::size_t level = 0; level < transports.size(); ++level)
+  {
+    SparseMatrix<Complex> powers = OnPowers(transports[level], N, context);
+    result[level].swap(powers); // an assignment would copy
+  }
+  return result;
+}
+
+std::vector<SparseMatrix<double>> OnComponents(
+  const std::vector<TransportOperator>& transports, const ExecutionContext& context)
+{
+  std::vector<SparseMatrix<double>> result(transports.size());
+  for (std::size_t level = 0; level < transports.size(); ++level)
+  {
+    SparseMatrix<double> components = OnComponents(transports[level], context);
+    result[level].swap(components); // an assignment would copy
+  }
+  return result;
+}
+
 }

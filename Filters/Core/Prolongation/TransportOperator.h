@@ -4,6 +4,8 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <vector>
+
 namespace dmg
 {
 
@@ -19,6 +21,10 @@ using TransportOperator = SparseMatrix<Complex>;
 SparseMatrix<Complex> OnPowers(const TransportOperator& transport, int N,
   const ExecutionContext& context = SerialContext());
 
+/// The same of several operators.
+std::vector<SparseMatrix<Complex>> OnPowers(
+  const std::vector<TransportOperator>& transports, int N, const ExecutionContext& context);
+
 /// The components of what the operator makes of vectors: rows (2 i, 2 i + 1) hold the vectors whose
 /// products with the coarse ones sum up to the two components; see PlanarProlongation.
 SparseMatrix<Complex> RowsOfComponents(
@@ -27,6 +33,10 @@ SparseMatrix<Complex> RowsOfComponents(
 /// The operator on vectors, each a pair of components (2 i, 2 i + 1): entries become 2 x 2 blocks.
 SparseMatrix<double> OnComponents(
   const TransportOperator& transport, const ExecutionContext& context = SerialContext());
+
+/// The same of several operators.
+std::vector<SparseMatrix<double>> OnComponents(
+  const std::vector<TransportOperator>& transports, const ExecutionContext& context);
 
 }
 

@@ -64,10 +64,10 @@ DeflatedPreconditioner::DeflatedPreconditioner(Preconditioner<double>& inner,
   }
   const EnergiesOfSpace ofSpace(this->H, energies, largest);
   this->Inverse = ofSpace.Inverse();
-  this->Kernel = ofSpace.Undetermined();
+  this->OfA = KernelProjection(ofSpace.Undetermined());
 }
 
-void DeflatedPreconditioner::RemoveKernel(Vector<double>& x, const ExecutionContext& context) const
+void KernelProjection::Remove(Vector<double>& x, const ExecutionContext& context) const
 {
   if (this->Kernel.cols() > 0)
   {
@@ -79,18 +79,19 @@ void DeflatedPreconditioner::Apply(
   const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
 {
   this->Remainder = r;
-  this->RemoveKernel(this->Remainder, context);
+  this->OfA.Remove(this->Remainder, context);
   const Vector<double> first = this->Inverse * Coefficients(this->H, this->Remainder, context);
   AddCombination(this->AH, -first, this->Remainder, context);
   this->B.Apply(this->Remainder, z, context);
   const Vector<double> second = first - this->Inverse * Coefficients(this->AH, z, context);
   AddCombination(this->H, second, z, context);
-  this->RemoveKernel(z, context);
+  this->OfA.Remove(z, context);
 }
 
 long long DeflatedPreconditioner::Bytes() const
 {
-  return (this->H.size() + this->AH.size() + this->Kernel.size()) * static_cast<long long>(sizeof(double));
+  return (this->H.size() + this->AH.size()) * static_cast<long long>(sizeof(double)) +
+    this->OfA.Bytes();
 }
 
 }

@@ -4,8 +4,33 @@
 #include "Solvers/LinearOperator.h"
 #include "Solvers/Preconditioner.h"
 
+#include <utility>
+
 namespace dmg
 {
+
+/// Takes what a vector has in common with the kernel of a matrix out of it.
+class KernelProjection
+{
+public:
+  /// No kernel.
+  KernelProjection() = default;
+  /// \param kernel n x k, orthogonal columns of length 1.
+  explicit KernelProjection(Eigen::MatrixXd kernel)
+    : Kernel(std::move(kernel))
+  {
+  }
+
+  int Size() const { return static_cast<int>(this->Kernel.cols()); }
+  long long Bytes() const
+  {
+    return this->Kernel.size() * static_cast<long long>(sizeof(double));
+  }
+  void Remove(Vector<double>& x, const ExecutionContext& context) const;
+
+private:
+  Eigen::MatrixXd Kernel;
+};
 
 /// A preconditioner B with an exact solve on a small space, given by the columns of H:
 ///
@@ -32,17 +57,15 @@ public:
   /// Held by this object, without B.
   long long Bytes() const;
 
-  /// How many vectors of H the matrix maps to zero.
-  int SizeOfKernel() const { return static_cast<int>(this->Kernel.cols()); }
-  /// Takes the part in the kernel away; right-hand sides must have none.
-  void RemoveKernel(Vector<double>& x, const ExecutionContext& context) const;
+  /// Of A in H. Right-hand sides must have no part in it.
+  const KernelProjection& Kernel() const { return this->OfA; }
 
 private:
   Preconditioner<double>& B;
   Eigen::MatrixXd H;
   Eigen::MatrixXd AH;
   Eigen::MatrixXd Inverse; ///< (H^T A H)^+
-  Eigen::MatrixXd Kernel;  ///< of A in H; orthogonal columns of length 1
+  KernelProjection OfA;
   Vector<double> Remainder;
 };
 

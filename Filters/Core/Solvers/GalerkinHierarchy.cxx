@@ -132,18 +132,12 @@ void GalerkinHierarchy<Scalar>::SmoothProlongation(
     dmg::SmoothProlongation(
       this->Matrices[0], this->Prolongations[0], options.FinestProlongationSteps, context);
   }
-  if (options.RoundProlongations)
-  {
-    this->ShelveProlongations();
-    this->UnshelveProlongations();
-  }
 }
 
 template <class Scalar>
 void GalerkinHierarchy<Scalar>::SetFinest(
   const SparseMatrix<Scalar>& A, const ExecutionContext& context)
 {
-  this->UnshelveProlongations();
   assert(this->Prolongations.empty() || this->Prolongations[0].rows() == A.rows());
   this->Matrices.resize(this->Prolongations.size() + 1);
   this->Diagonals.resize(this->Matrices.size());
@@ -186,26 +180,6 @@ void GalerkinHierarchy<Scalar>::ForgetMatrices()
     Free(A);
   }
   this->Diagonals.clear();
-}
-
-template <class Scalar>
-void GalerkinHierarchy<Scalar>::ShelveProlongations()
-{
-  for (SparseMatrix<Scalar>& P : this->Prolongations)
-  {
-    this->Shelved.push_back(P.template cast<Single>());
-    Free(P);
-  }
-}
-
-template <class Scalar>
-void GalerkinHierarchy<Scalar>::UnshelveProlongations()
-{
-  for (std::size_t level = 0; level < this->Shelved.size(); ++level)
-  {
-    this->Prolongations[level] = this->Shelved[level].template cast<Scalar>();
-  }
-  this->Shelved.clear();
 }
 
 template <class Scalar>
@@ -295,10 +269,6 @@ long long GalerkinHierarchy<Scalar>::Bytes() const
     {
       bytes += BytesOf(matrix);
     }
-  }
-  for (const SparseMatrix<Single>& P : this->Shelved)
-  {
-    bytes += BytesOf(P);
   }
   for (const Vector<double>& diagonal : this->Diagonals)
   {

@@ -6,10 +6,8 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
-#include <complex>
 #include <limits>
 #include <optional>
-#include <type_traits>
 #include <vector>
 
 namespace dmg
@@ -22,8 +20,6 @@ struct GalerkinOptions
   /// How often the finest prolongation is smoothed before it is used, >= 0; see
   /// SmoothedProlongation.h. For a fine level whose coefficients jump where the coarse do not.
   int FinestProlongationSteps = 0;
-  /// Rounds the prolongations to single precision, so that ShelveProlongations loses nothing.
-  bool RoundProlongations = false;
 };
 
 /// The matrices of a multigrid method by Galerkin's products A_{l+1} = P_l^H A_l P_l, and a
@@ -78,10 +74,7 @@ public:
 
   /// Frees all A_l and diagonals, which nothing needs once a cycle is built. Update brings them back.
   void ForgetMatrices();
-  /// Holds all P_l in half the memory until the next update.
-  /// \pre RoundProlongations
-  void ShelveProlongations();
-  /// Frees all P_l, too. The hierarchy cannot be updated any more.
+  /// Frees all P_l. The hierarchy cannot be updated any more.
   void ForgetProlongations();
 
   /// Factor of D^{-1/2} A D^{-1/2} on the coarsest level, D its diagonal. Inactive unknowns have
@@ -95,7 +88,6 @@ public:
   long long Bytes() const;
 
 private:
-  void UnshelveProlongations();
   void SetOrder(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
     const GalerkinOptions& options, const ExecutionContext& context);
   void SetFinest(const SparseMatrix<Scalar>& A, const ExecutionContext& context);
@@ -107,10 +99,7 @@ private:
   void FactorCoarsest();
 
   std::vector<int> Order;
-  using Single = std::conditional_t<std::is_same<Scalar, double>::value, float, std::complex<float>>;
-
   std::vector<SparseMatrix<Scalar>> Prolongations;
-  std::vector<SparseMatrix<Single>> Shelved; ///< in place of Prolongations, or empty
   std::vector<SparseMatrix<Scalar>> Matrices;
   std::vector<Vector<double>> Diagonals;
   std::vector<LevelReport> Reports;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <utility>
 
 namespace dmg
 {
@@ -40,8 +41,10 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
     this->Regions.emplace(hierarchy.L, hierarchy.Regions);
   }
   this->SetDiagonal(D, context);
-  this->Coarse = std::make_unique<CoarseCycle<Complex>>(
-    this->CoarseMatrix(context), hierarchy.Coarser, options, PartOfContext(context, 0.3, 1.0));
+  SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
+  const GalerkinOptions coarsening = options.CoarseningOf(2 * static_cast<int>(coarse.rows()));
+  this->Coarse = std::make_unique<GalerkinCycle<Complex>>(std::move(coarse), hierarchy.Coarser,
+    coarsening, options.Coarse, PartOfContext(context, 0.3, 1.0));
 }
 
 void LaplacianCycle::Update(const Vector<double>& D, const ExecutionContext& context)
@@ -142,7 +145,7 @@ void LaplacianCycle::Apply(
 
 std::vector<LevelReport> LaplacianCycle::Levels() const
 {
-  return this->Coarse->LevelsBelow({ this->Fine.L.Size(), this->Fine.L.NonZeros() });
+  return FinestAnd({ this->Fine.L.Size(), this->Fine.L.NonZeros() }, this->Coarse->Levels());
 }
 
 long long LaplacianCycle::Bytes() const

@@ -1,7 +1,7 @@
 #ifndef dmgLaplacianCycle_h
 #define dmgLaplacianCycle_h
 
-#include "Solvers/CoarseCycle.h"
+#include "Solvers/GalerkinCycle.h"
 #include "Solvers/LaplacianHierarchy.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/Smoother.h"
@@ -15,7 +15,7 @@ namespace dmg
 {
 
 /// The V-cycle of a LaplacianHierarchy: Gauss-Seidel by colours on the finest level, its smoothed
-/// prolongation, and a CoarseCycle for the levels below. What D pulls yields to it (YieldingUnknowns). Regions
+/// prolongation, and a GalerkinCycle for the levels below. What D pulls yields to it (YieldingUnknowns). Regions
 /// are solved for exactly before and after the coarse correction.
 class LaplacianCycle : public RoughnessCycle
 {
@@ -47,7 +47,7 @@ private:
   std::vector<int> Held; ///< at zero
   std::unique_ptr<Smoother<Single>> FineSmoother;
   std::optional<RegionSmoother> Regions;
-  std::unique_ptr<CoarseCycle<Complex>> Coarse;
+  std::unique_ptr<GalerkinCycle<Complex>> Coarse;
   Vector<Single> b;
   Vector<Single> x;
   Vector<Complex> CoarseResidual;

@@ -3,6 +3,7 @@
 #include "Support/SparseKernels.h"
 
 #include <cassert>
+#include <utility>
 
 namespace dmg
 {
@@ -29,8 +30,10 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
   }
   this->SetDiagonal(this->Scaled(D), context);
   context.Checkpoint(0.2);
-  this->Coarse = std::make_unique<CoarseCycle<double>>(
-    this->CoarseMatrix(context), hierarchy.Coarser, options, PartOfContext(context, 0.4, 1.0));
+  SparseMatrix<double> coarse = this->CoarseMatrix(context);
+  const GalerkinOptions coarsening = options.CoarseningOf(static_cast<int>(coarse.rows()));
+  this->Coarse = std::make_unique<GalerkinCycle<double>>(std::move(coarse), hierarchy.Coarser,
+    coarsening, options.Coarse, PartOfContext(context, 0.4, 1.0));
 }
 
 void LeastSquaresCycle::Update(const Vector<double>& D, const ExecutionContext& context)
@@ -124,8 +127,9 @@ void LeastSquaresCycle::Apply(
 
 std::vector<LevelReport> LeastSquaresCycle::Levels() const
 {
-  return this->Coarse->LevelsBelow(
-    { this->Fine.NumberOfUnknowns(), static_cast<long long>(this->Fine.B.nonZeros()) });
+  return FinestAnd(
+    { this->Fine.NumberOfUnknowns(), static_cast<long long>(this->Fine.B.nonZeros()) },
+    this->Coarse->Levels());
 }
 
 long long LeastSquaresCycle::Bytes() const

@@ -2,7 +2,7 @@
 #define dmgLeastSquaresCycle_h
 
 #include "Solvers/BlockSmoother.h"
-#include "Solvers/CoarseCycle.h"
+#include "Solvers/GalerkinCycle.h"
 #include "Solvers/LeastSquaresHierarchy.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SubdomainSmoother.h"
@@ -17,7 +17,7 @@ namespace dmg
 
 /// One V-cycle for A = B^T B + D, as a linear operator that is symmetric positive definite: blocks are
 /// smoothed on the fine level, the smoothed prolongation of the hierarchy leads to plane vectors on the
-/// next, and a CoarseCycle serves the levels below, to which what D pulls yields (YieldingUnknowns).
+/// next, and a GalerkinCycle serves the levels below, to which what D pulls yields (YieldingUnknowns).
 /// Subdomains, where there are any, are solved for first and last.
 class LeastSquaresCycle : public RoughnessCycle
 {
@@ -52,7 +52,7 @@ private:
   BlockSmoother Smoother;
   std::optional<SubdomainSmoother> Subdomains;
   YieldingUnknowns<double> Pulled;
-  std::unique_ptr<CoarseCycle<double>> Coarse;
+  std::unique_ptr<GalerkinCycle<double>> Coarse;
   Vector<double> b; ///< of the scaled unknowns
   Vector<double> Residual;
   Vector<double> OfSubdomains; ///< their part of x

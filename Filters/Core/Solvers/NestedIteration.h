@@ -9,6 +9,7 @@
 #include "Support/Types.h"
 
 #include <memory>
+#include <tuple>
 #include <vector>
 
 namespace dmg
@@ -44,6 +45,15 @@ struct SweepOptions
   int Limit() const
   {
     return this->Rule == SweepRule::FixedNumber ? this->Sweeps : this->MaximumSweeps;
+  }
+
+  friend bool operator==(const SweepOptions& a, const SweepOptions& b)
+  {
+    const auto members = [](const SweepOptions& options) {
+      const auto& [rule, sweeps, least, maximum, cycles] = options; // all of them, or it does not compile
+      return std::tie(rule, sweeps, least, maximum, cycles);
+    };
+    return members(a) == members(b);
   }
 };
 

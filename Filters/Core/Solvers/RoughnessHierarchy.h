@@ -2,7 +2,9 @@
 #define dmgRoughnessHierarchy_h
 
 #include "Solvers/LinearOperator.h"
+#include "Solvers/ConvergenceMeasure.h"
 #include "Solvers/MultigridCycle.h"
+#include "Solvers/NestedIteration.h"
 #include "Solvers/Preconditioner.h"
 #include "Solvers/SolveReport.h"
 #include "Support/ExecutionContext.h"
@@ -25,10 +27,24 @@ struct RoughnessCycleOptions
 {
   /// Sweeps on the finest level before and after the coarse correction, >= 1.
   int Sweeps = 4;
-  /// The first coarse level is factored if it has at most so many unknowns.
+  /// The first coarse level is factored if it has at most so many unknowns; where R and D are kept apart.
   int LargestFactor = 10000;
   /// Of the levels below.
   CycleOptions Coarse;
+  /// Of a matrix that is assembled (AssembledHierarchy): the level that is factored, and how often the
+  /// finest prolongation is smoothed.
+  GalerkinOptions Coarsening;
+
+  /// Of the first coarse level: none, but a factor, where it is small.
+  GalerkinOptions CoarseningOf(int numberOfUnknowns) const
+  {
+    GalerkinOptions coarsening;
+    if (numberOfUnknowns <= this->LargestFactor)
+    {
+      coarsening.CoarsestLevel = 0;
+    }
+    return coarsening;
+  }
 };
 
 /// One V-cycle for A = R + D, as a linear operator that is symmetric positive definite. Unknowns are in the
@@ -43,6 +59,28 @@ public:
   /// Unknowns and non-zeros, finest first.
   virtual std::vector<LevelReport> Levels() const = 0;
   /// Held by this object, without the hierarchy.
+  virtual long long Bytes() const = 0;
+
+protected:
+  static std::vector<LevelReport> FinestAnd(
+    const LevelReport& finest, const std::vector<LevelReport>& coarser)
+  {
+    std::vector<LevelReport> levels = { finest };
+    levels.insert(levels.end(), coarser.begin(), coarser.end());
+    return levels;
+  }
+};
+
+/// Nested iterations for A = R + D; see NestedIteration. Unknowns are those of the hierarchy.
+class RoughnessNestedIteration
+{
+public:
+  virtual ~RoughnessNestedIteration() = default;
+
+  virtual void Solve(const Vector<double>& b, const SweepOptions& sweeps, Vector<double>& x,
+    SolveReport& report, const ExecutionContext& context,
+    const ConvergenceMeasure<double>& measure) = 0;
+  virtual std::vector<LevelReport> Levels() const = 0;
   virtual long long Bytes() const = 0;
 };
 
@@ -85,11 +123,20 @@ public:
   /// R, with D = 0. Borrows the hierarchy.
   virtual std::unique_ptr<RoughnessOperator> Operator() const = 0;
 
-  /// A cycle for R + D. Borrows the hierarchy; several may share it.
+  /// A cycle for R + D, or its factor where there are no coarse levels. Borrows the hierarchy; several may
+  /// share it.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
   /// \throw as GalerkinHierarchy.
   virtual std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const = 0;
+
+  /// Nested iterations for R + D, where the hierarchy has them; else null. Parameters as above.
+  /// \param maySweep see NestedOptions.
+  virtual std::unique_ptr<RoughnessNestedIteration> NestedIterations(const Vector<double>&,
+    const RoughnessCycleOptions&, bool /*maySweep*/, const ExecutionContext&) const
+  {
+    return nullptr;
+  }
 
   /// Held by this object.
   virtual long long Bytes() const = 0;

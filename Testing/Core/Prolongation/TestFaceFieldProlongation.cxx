@@ -1,6 +1,6 @@
 #include "Prolongation/FaceFieldProlongation.h"
 
-#include "HarmonicField.h"
+#include "SurfaceHierarchy.h"
 #include "Hierarchy/CollapsibleMesh.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Prolongation/ScalarProlongation.h"

@@ -1,6 +1,6 @@
 #include "Prolongation/OneFormProlongation.h"
 
-#include "HarmonicField.h"
+#include "SurfaceHierarchy.h"
 #include "Hierarchy/MeshHierarchy.h"
 #include "Mesh/SpatialOrder.h"
 #include "Operators/ExteriorCalculus.h"

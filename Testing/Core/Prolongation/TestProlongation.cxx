@@ -1,4 +1,4 @@
-#include "HarmonicField.h"
+#include "SurfaceHierarchy.h"
 #include "Hierarchy/MeshHierarchy.h"
 #include "Prolongation/FineEdgePaths.h"
 #include "Prolongation/PowerFieldProlongation.h"

@@ -1,6 +1,7 @@
 #include "Prolongation/SampledProlongation.h"
 
-#include "HarmonicField.h"
+#include "Mesh/TangentFrames.h"
+#include "SurfaceHierarchy.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"

@@ -1,7 +1,7 @@
 #ifndef dmgTestSurfaceProblem_h
 #define dmgTestSurfaceProblem_h
 
-#include "NodalLevels.h"
+#include "Discretisations/LeastSquaresLevels.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Solvers/LeastSquaresHierarchy.h"
@@ -9,8 +9,7 @@
 #include "Support/Permutations.h"
 #include "Support/Random.h"
 #include "SurfaceHierarchy.h"
-#include "Systems/FaceFieldSystem.h"
-#include "Systems/OneFormSystem.h"
+#include "Support/FieldSystems.h"
 
 #include <limits>
 #include <memory>

@@ -191,10 +191,10 @@ TEST(TestDeflatedPreconditioner, VectorsThatAreHeldAreNoKernel)
   DenseOperator B(inner);
   DeflatedPreconditioner deflated(
     B, MatrixOperator<double>(sparse), H, block.Largest, SerialContext());
-  EXPECT_EQ(deflated.SizeOfKernel(), 1);
+  EXPECT_EQ(deflated.Kernel().Size(), 1);
   const Vector<double> x = test::RandomVector<double>(80, 3307);
   Vector<double> without = x;
-  deflated.RemoveKernel(without, SerialContext());
+  deflated.Kernel().Remove(without, SerialContext());
   EXPECT_LE((A * (x - without)).norm(), 1e3 * Epsilon * x.norm());
   EXPECT_EQ((x - without).tail(40).norm(), 0.0);
   EXPECT_GT((x - without).norm(), 1e-3);

@@ -1,0 +1,64 @@
+#ifndef dmgArrayNames_h
+#define dmgArrayNames_h
+
+#include <string>
+
+namespace dmg
+{
+
+/// The names of all arrays that the filters write, but for the values of a discretisation, which it names itself. The
+/// headers of the filters tell their meaning.
+namespace ArrayNames
+{
+
+// cells and points
+std::string Direction(int k);
+inline constexpr const char* Prescribed = "Prescribed";
+inline constexpr const char* SingularityIndex = "SingularityIndex";
+
+// cells and edges
+inline constexpr const char* HarmonicBasisPrefix = "HarmonicBasis ";
+/// \param k from 1
+std::string HarmonicBasis(int k);
+
+// edges
+inline constexpr const char* Turning = "Turning";
+
+// columns of the convergence table
+inline constexpr const char* Iteration = "Iteration";
+inline constexpr const char* Seconds = "Seconds";
+inline constexpr const char* RelativeResidual = "RelativeResidual";
+inline constexpr const char* Energy = "Energy";
+inline constexpr const char* MassResidual = "MassResidual";
+inline constexpr const char* Error = "Error";
+
+// field data: the report
+inline constexpr const char* NumberOfDirections = "NumberOfDirections";
+inline constexpr const char* Solver = "Solver";
+inline constexpr const char* Converged = "Converged";
+inline constexpr const char* LevelUnknowns = "LevelUnknowns";
+inline constexpr const char* LevelNonZeros = "LevelNonZeros";
+inline constexpr const char* OperatorComplexity = "OperatorComplexity";
+inline constexpr const char* SetupSeconds = "SetupSeconds";
+inline constexpr const char* PrepareSeconds = "PrepareSeconds";
+inline constexpr const char* SolveSeconds = "SolveSeconds";
+inline constexpr const char* SolverBytes = "SolverBytes";
+inline constexpr const char* HarmonicBasisSize = "HarmonicBasisSize";
+
+// field data: the operators
+inline constexpr const char* ProlongationPrefix = "Prolongation.";
+inline constexpr const char* ProlongationFormat = "Prolongation.Format";
+inline constexpr const char* ProlongationDigest = "Prolongation.Digest";
+inline constexpr const char* ProlongationOptions = "Prolongation.Options";
+inline constexpr const char* NumbersOfVertices = "Prolongation.NumbersOfVertices";
+inline constexpr const char* NumbersOfEdges = "Prolongation.NumbersOfEdges";
+inline constexpr const char* NumbersOfFaces = "Prolongation.NumbersOfFaces";
+/// \param part "Offsets", "Columns" or "Values" of operator \p name ("S0", "S1", "SX", "SP",
+/// "Nodal") of a level.
+std::string Prolongation(const std::string& name, int level, const std::string& part);
+
+}
+
+}
+
+#endif

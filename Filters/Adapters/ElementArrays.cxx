@@ -1,0 +1,33 @@
+#include "Adapters/ElementArrays.h"
+
+namespace dmg
+{
+
+vtkSmartPointer<vtkDoubleArray> NewArray(
+  const std::string& name, int components, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<vtkDoubleArray>::New();
+  array->SetName(name.c_str());
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  return array;
+}
+
+void AddOnEdges(const TriangleMesh& mesh, const SurfaceNumbering& surface, const std::string& name,
+  const Vector<double>& values, vtkFieldData* data, const ExecutionContext& context)
+{
+  constexpr int Grain = 8192;
+  const int numberOfEdges = mesh.NumberOfEdges();
+  const auto array = NewArray(name, 1, numberOfEdges);
+  double* const tuples = array->GetPointer(0);
+  context.ParallelFor(0, numberOfEdges, Grain, [&](int first, int last) {
+    for (int line = first; line < last; ++line)
+    {
+      const int edge = surface.Edges[line];
+      tuples[line] = surface.EdgeSign(mesh, edge) * values[edge];
+    }
+  });
+  data->AddArray(array);
+}
+
+}

@@ -1,0 +1,141 @@
+#include "Adapters/SolvedSurface.h"
+
+#include "Adapters/ArrayNames.h"
+#include "Support/Errors.h"
+
+#include "vtkPolyData.h"
+
+#include <chrono>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+using Clock = std::chrono::steady_clock;
+
+double SecondsSince(Clock::time_point start)
+{
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+}
+
+void SolvedSurface::SetSurface(
+  vtkPolyData* input, SolverKind asked, const ExecutionContext& context)
+{
+  const std::string digest = ContentDigest(input);
+  const auto stored = OperatorsOriginOf(input->GetFieldData());
+  if (stored && stored->Digest != digest)
+  {
+    throw InvalidInput("the surface is another than the one its operators were built for "
+                       "(field array '" +
+      std::string(ArrayNames::ProlongationDigest) + "' says " + stored->Digest +
+      ", the points and triangles give " + digest +
+      "); apply vtkDirectionalProlongation after the last filter that changes the surface");
+  }
+  // Operators that are stored number the elements as the input does.
+  const dmg::Numbering order = stored ? dmg::Numbering::OfPolyData : dmg::Numbering::Spatial;
+  if (!this->Solver || this->Digest != digest || this->Order != order)
+  {
+    const auto start = Clock::now();
+    SurfaceMesh surface = MeshFromPolyData(input, order, context);
+    auto solver = std::make_unique<FieldSolver>(std::move(surface.Mesh), context);
+    this->OfFormerSurfaces = this->Counts();
+    this->Arrays.reset();
+    this->BasisOfSurface.reset();
+    this->Read.clear();
+    this->OperatorsSeconds = 0.0;
+    this->Solver = std::move(solver);
+    this->Numbers = std::move(static_cast<SurfaceNumbering&>(surface));
+    this->Digest = digest;
+    this->Order = order;
+    this->SurfaceSeconds = SecondsSince(start);
+  }
+  this->Solver->SetOperators(
+    stored && asked != SolverKind::Cholesky ? this->Operators(input, *stored) : nullptr);
+}
+
+/// Those that the input brings along.
+std::shared_ptr<const ProlongationOperators> SolvedSurface::Operators(
+  vtkPolyData* input, const OperatorsOrigin& origin)
+{
+  for (const auto& [known, operators] : this->Read)
+  {
+    if (known == origin)
+    {
+      return operators;
+    }
+  }
+  const auto start = Clock::now();
+  const bool isFirst = this->Solver->Counts().Setups == 0; // then the solver counts it
+  this->Read.emplace_back(origin,
+    std::make_shared<const ProlongationOperators>(
+      OperatorsFromFieldData(input->GetFieldData(), this->Surface().Mesh)));
+  this->OperatorsSeconds = SecondsSince(start);
+  this->OfFormerSurfaces.Setups += isFirst ? 0 : 1;
+  return this->Read.back().second;
+}
+
+std::vector<std::string> SolvedSurface::Solve(const PrescribedDirections& directions,
+  const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  const int solves = this->Solver->Counts().Solves;
+  this->Solver->Solve(directions, options, stop, context, this->Numbers.Names());
+  if (this->Solver->Counts().Solves == solves)
+  {
+    return {};
+  }
+  this->Arrays.reset();
+  return this->Report().Warnings;
+}
+
+void SolvedSurface::MakeArrays(
+  vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context)
+{
+  if (!this->Arrays || this->Arrays->UnitLength != unitLength || this->Arrays->Combing != combing)
+  {
+    this->Arrays = MakeFieldArrays(this->Surface(), this->Numbers, this->Field(),
+      this->Solver->Unknowns(), unitLength, combing, input, context);
+  }
+}
+
+void SolvedSurface::AddArraysTo(vtkPolyData* surface, vtkPolyData* edges) const
+{
+  AddFieldArrays(*this->Arrays, surface, edges);
+  AddPrescribed(
+    this->Numbers, this->Solver->Constraints(), this->Field().Elements(), surface, edges);
+}
+
+bool SolvedSurface::MakeBasis(vtkPolyData* input, const ExecutionContext& context)
+{
+  if (this->BasisOfSurface && this->BasisOfSurface->Fields == this->Field().Name())
+  {
+    return false;
+  }
+  this->BasisOfSurface.reset(); // the memory of another discretisation first
+  this->BasisOfSurface = MakeBasisArrays(this->Surface(), this->Numbers, this->Field(),
+    this->Solver->HarmonicFields(), input, context);
+  return true;
+}
+
+FieldSolver::StageCounts SolvedSurface::Counts() const
+{
+  FieldSolver::StageCounts counts = this->OfFormerSurfaces;
+  if (this->Solver)
+  {
+    const FieldSolver::StageCounts& now = this->Solver->Counts();
+    counts.Setups += now.Setups;
+    counts.Systems += now.Systems;
+    counts.Solves += now.Solves;
+  }
+  return counts;
+}
+
+double SolvedSurface::SetupSeconds() const
+{
+  return this->SurfaceSeconds + this->OperatorsSeconds + this->Solver->SetupSeconds();
+}
+
+}

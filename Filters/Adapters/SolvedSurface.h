@@ -1,0 +1,73 @@
+#ifndef dmgSolvedSurface_h
+#define dmgSolvedSurface_h
+
+#include "Adapters/BasisToArrays.h"
+#include "Adapters/FieldToArrays.h"
+#include "Adapters/MeshFromPolyData.h"
+#include "Adapters/OperatorsToFieldData.h"
+#include "FieldSolver.h"
+#include "Support/ExecutionContext.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkPolyData;
+
+namespace dmg
+{
+
+/// A FieldSolver for the surface of a vtkPolyData, and the arrays that show its field: what a solver filter keeps from
+/// one execution to the next. Keys are contents, not modification times.
+class SolvedSurface
+{
+public:
+  /// Takes another surface, if its content is another, and the operators that it brings along. What the input
+  /// brings along is read, and checked, even where a solver might do without; but not by Cholesky.
+  /// \throw InvalidInput as MeshFromPolyData and OperatorsFromFieldData, or the operators are those of another surface.
+  void SetSurface(vtkPolyData* input, SolverKind asked, const ExecutionContext& context);
+
+  const FramedMesh& Surface() const { return this->Solver->Surface(); }
+  const SurfaceNumbering& Numbering() const { return this->Numbers; }
+
+  /// See FieldSolver::Solve. \return warnings for the user, where something was solved rather than kept.
+  std::vector<std::string> Solve(const PrescribedDirections& directions,
+    const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context);
+
+  /// The arrays of the field, where they are not those that stand.
+  void MakeArrays(
+    vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context);
+  void AddArraysTo(vtkPolyData* surface, vtkPolyData* edges) const;
+
+  /// The harmonic fields; \return whether they were made, rather than kept.
+  bool MakeBasis(vtkPolyData* input, const ExecutionContext& context);
+  const BasisArrays& Basis() const { return *this->BasisOfSurface; }
+
+  const Discretisation& Field() const { return this->Solver->Field(); }
+  const SolveReport& Report() const { return this->Solver->Report(); }
+  /// Over all surfaces.
+  FieldSolver::StageCounts Counts() const;
+  double SetupSeconds() const;
+
+private:
+  std::shared_ptr<const ProlongationOperators> Operators(
+    vtkPolyData* input, const OperatorsOrigin& origin);
+
+  std::string Digest;
+  dmg::Numbering Order = dmg::Numbering::Spatial;
+  SurfaceNumbering Numbers;
+  std::unique_ptr<FieldSolver> Solver;
+  /// All operators of this surface that were read.
+  std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> Read;
+  std::optional<FieldArrays> Arrays;     ///< of the last solution
+  std::optional<BasisArrays> BasisOfSurface;
+  double SurfaceSeconds = 0.0;
+  double OperatorsSeconds = 0.0;
+  FieldSolver::StageCounts OfFormerSurfaces;
+};
+
+}
+
+#endif

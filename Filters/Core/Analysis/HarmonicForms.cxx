@@ -1,0 +1,272 @@
+#include "Analysis/HarmonicForms.h"
+
+#include "Operators/ExteriorCalculus.h"
+#include "Operators/FaceFieldOperators.h"
+#include "Solvers/CholeskySolver.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <vector>
+
+namespace dmg
+{
+
+namespace
+{
+
+constexpr int None = -1;
+
+/// Marks the edges of a spanning forest of the vertices.
+std::vector<char> EdgesOfTree(const TriangleMesh& mesh)
+{
+  std::vector<char> isInTree(mesh.NumberOfEdges(), 0);
+  std::vector<char> reached(mesh.NumberOfVertices(), 0);
+  std::vector<int> queue;
+  for (int root = 0; root < mesh.NumberOfVertices(); ++root)
+  {
+    if (reached[root])
+    {
+      continue;
+    }
+    reached[root] = 1;
+    queue.assign(1, root);
+    for (std::size_t k = 0; k < queue.size(); ++k)
+    {
+      const int first = mesh.OutgoingHalfedge(queue[k]);
+      const auto visit = [&](int edge, int vertex) {
+        if (!reached[vertex])
+        {
+          reached[vertex] = 1;
+          isInTree[edge] = 1;
+          queue.push_back(vertex);
+        }
+      };
+      int h = first;
+      do
+      {
+        visit(mesh.EdgeOf(h), mesh.Head(h));
+        const int incoming = TriangleMesh::Previous(h);
+        h = mesh.Twin(incoming);
+        if (h < 0)
+        {
+          visit(mesh.EdgeOf(incoming), mesh.Tail(incoming));
+        }
+      } while (h >= 0 && h != first);
+    }
+  }
+  return isInTree;
+}
+
+/// A spanning forest of the faces that does not cross the edges of the tree. What lies beyond the
+/// boundary is the root of every component that has one.
+struct Cotree
+{
+  std::vector<int> Faces;           ///< parents before children
+  std::vector<int> ParentHalfedges; ///< by face, the side towards the parent; None at other roots
+};
+
+Cotree MakeCotree(const TriangleMesh& mesh, std::vector<char>& isTaken)
+{
+  Cotree cotree;
+  cotree.ParentHalfedges.assign(mesh.NumberOfFaces(), None);
+  std::vector<char> reached(mesh.NumberOfFaces(), 0);
+  const auto grow = [&](std::size_t k) {
+    for (; k < cotree.Faces.size(); ++k)
+    {
+      for (int h = 3 * cotree.Faces[k]; h < 3 * cotree.Faces[k] + 3; ++h)
+      {
+        const int twin = mesh.Twin(h);
+        if (twin < 0 || isTaken[mesh.EdgeOf(h)] || reached[TriangleMesh::FaceOf(twin)])
+        {
+          continue;
+        }
+        reached[TriangleMesh::FaceOf(twin)] = 1;
+        cotree.ParentHalfedges[TriangleMesh::FaceOf(twin)] = twin;
+        isTaken[mesh.EdgeOf(h)] = 1;
+        cotree.Faces.push_back(TriangleMesh::FaceOf(twin));
+      }
+    }
+  };
+  // From beyond the boundary first.
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    const int face = TriangleMesh::FaceOf(h);
+    if (mesh.Twin(h) < 0 && !isTaken[mesh.EdgeOf(h)] && !reached[face])
+    {
+      reached[face] = 1;
+      cotree.ParentHalfedges[face] = h;
+      isTaken[mesh.EdgeOf(h)] = 1;
+      cotree.Faces.push_back(face);
+    }
+  }
+  grow(0);
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    if (!reached[face])
+    {
+      reached[face] = 1;
+      cotree.Faces.push_back(face);
+      grow(cotree.Faces.size() - 1);
+    }
+  }
+  return cotree;
+}
+
+/// Calls visit(k) for each column of \p columns, in all threads.
+template <class Visit>
+void ForColumns(const Eigen::MatrixXd& columns, const ExecutionContext& context, const Visit& visit)
+{
+  context.ParallelFor(0, static_cast<int>(columns.cols()), 1, [&visit](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      visit(k);
+    }
+  });
+}
+
+Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns)
+{
+  if (columns.cols() == 0)
+  {
+    return columns;
+  }
+  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
+  return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
+}
+
+}
+
+int NumberOfLoops(const TriangleMesh& mesh)
+{
+  const std::vector<int> components = FaceComponents(mesh);
+  std::vector<char> isClosed; // by component
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    isClosed.resize(std::max<std::size_t>(isClosed.size(), components[face] + 1), 1);
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      isClosed[components[face]] &= mesh.Twin(h) >= 0;
+    }
+  }
+  // What is left of the edges by a spanning tree of the vertices and one of the faces, which has what lies
+  // beyond the boundary for a root where there is one.
+  const auto numberOfTrees = static_cast<int>(isClosed.size());
+  const auto numberOfClosed = static_cast<int>(std::count(isClosed.begin(), isClosed.end(), 1));
+  return mesh.NumberOfEdges() - (mesh.NumberOfVertices() - numberOfTrees) -
+    (mesh.NumberOfFaces() - numberOfClosed);
+}
+
+bool AreTooManyToHold(int loops, const TriangleMesh& mesh)
+{
+  constexpr double LargestNumberOfValues = 5e7;
+  return static_cast<double>(loops) * mesh.NumberOfFaces() > LargestNumberOfValues;
+}
+
+Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  std::vector<char> isTaken = EdgesOfTree(mesh);
+  const Cotree cotree = MakeCotree(mesh, isTaken);
+  std::vector<int> generators;
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    if (!isTaken[edge])
+    {
+      generators.push_back(edge);
+    }
+  }
+  Eigen::MatrixXd forms =
+    Eigen::MatrixXd::Zero(mesh.NumberOfEdges(), static_cast<int>(generators.size()));
+  const auto close = [&mesh, &cotree](auto&& form) {
+    for (std::size_t i = cotree.Faces.size(); i-- > 0;)
+    {
+      const int face = cotree.Faces[i];
+      const int toParent = cotree.ParentHalfedges[face];
+      if (toParent == None)
+      {
+        continue;
+      }
+      double sum = 0.0;
+      for (int h = 3 * face; h < 3 * face + 3; ++h)
+      {
+        sum += h == toParent ? 0.0 : mesh.EdgeSign(h) * form[mesh.EdgeOf(h)];
+      }
+      form[mesh.EdgeOf(toParent)] = -sum * mesh.EdgeSign(toParent);
+    }
+  };
+  ForColumns(forms, context, [&](int k) {
+    forms(generators[k], k) = 1.0;
+    close(forms.col(k));
+  });
+  return forms;
+}
+
+Eigen::MatrixXd ProlongedClosedForms(
+  const ProlongationOperators& operators, const ExecutionContext& context)
+{
+  const SparseMatrix<double>& coarse = operators.ClosedForms;
+  Eigen::MatrixXd forms(operators.NumbersOfEdges.front(), coarse.cols());
+  ForColumns(forms, context, [&](int k) {
+    Vector<double> form = coarse.col(k);
+    for (std::size_t level = operators.S1.size(); level-- > 0;)
+    {
+      form = operators.S1[level] * form;
+    }
+    forms.col(k) = form;
+  });
+  return forms;
+}
+
+Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context,
+  const ProlongationOperators* operators)
+{
+  const bool areProlonged = operators && !operators->S1.empty() && operators->ClosedForms.cols() > 0;
+  Eigen::MatrixXd forms =
+    areProlonged ? ProlongedClosedForms(*operators, context) : ClosedForms(mesh, context);
+  if (forms.cols() == 0)
+  {
+    return forms;
+  }
+  const SparseMatrix<double> d0 = D0(mesh, context);
+  const SparseMatrix<double> divergence = SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal();
+  SparseMatrix<double> laplacian = divergence * d0;
+  // Constants cost nothing; a little of the diagonal holds them, and the corrections below undo it.
+  const double shift = 1e-10 * laplacian.diagonal().cwiseAbs().maxCoeff();
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    laplacian.coeffRef(vertex, vertex) += shift;
+  }
+  laplacian.makeCompressed();
+  context.Checkpoint(0.1);
+  CholeskySolver<double> solver(laplacian);
+  constexpr int Corrections = 3;
+  Eigen::MatrixXd divergences(mesh.NumberOfVertices(), forms.cols());
+  Eigen::MatrixXd potentials;
+  for (int correction = 0; correction < Corrections; ++correction)
+  {
+    context.Checkpoint(0.5 + 0.4 * correction / Corrections);
+    ForColumns(forms, context, [&](int k) { divergences.col(k) = divergence * forms.col(k); });
+    solver.Solve(divergences, potentials);
+    ForColumns(forms, context, [&](int k) { forms.col(k) -= d0 * potentials.col(k); });
+  }
+  context.Checkpoint(0.9);
+  return Orthonormal(forms);
+}
+
+Eigen::MatrixXd HarmonicFaceFields(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const ExecutionContext& context, const ProlongationOperators* operators)
+{
+  const Eigen::MatrixXd forms = HarmonicForms(mesh, context, operators);
+  if (forms.cols() == 0)
+  {
+    return Eigen::MatrixXd(2 * mesh.NumberOfFaces(), 0);
+  }
+  Eigen::MatrixXd alongHalfedges(3 * mesh.NumberOfFaces(), forms.cols());
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    alongHalfedges.row(h) = mesh.EdgeSign(h) * forms.row(mesh.EdgeOf(h));
+  }
+  return Orthonormal(HalfedgePseudoInverse(mesh, faceFrames, context) * alongHalfedges);
+}
+
+}

@@ -1,0 +1,71 @@
+#include "Discretisations/Discretisation.h"
+
+#include "Support/Errors.h"
+#include "Support/SparseAssembly.h"
+
+#include <cassert>
+
+namespace dmg
+{
+
+int Discretisation::NumberOfElements() const
+{
+  switch (this->Elements())
+  {
+    case ElementKind::Vertices:
+      return this->Surface.Mesh.NumberOfVertices();
+    case ElementKind::Edges:
+      return this->Surface.Mesh.NumberOfEdges();
+    default:
+      return this->Surface.Mesh.NumberOfFaces();
+  }
+}
+
+Eigen::MatrixXd Discretisation::HarmonicFields(
+  const ProlongationOperators*, const ExecutionContext&) const
+{
+  return Eigen::MatrixXd(this->NumberOfUnknowns(), 0);
+}
+
+Eigen::MatrixXd Discretisation::HarmonicBasis(
+  Eigen::MatrixXd basis, const ExecutionContext&) const
+{
+  return basis;
+}
+
+PrescribedUnknowns Discretisation::Penalties(const FieldConstraints& constraints,
+  const FieldWeights& weights, const ExecutionContext& context) const
+{
+  CheckWeights(weights);
+  if (constraints.Elements.empty())
+  {
+    throw InvalidInput("nothing is prescribed, so the smoothest field is zero; "
+                       "prescribe a direction on at least one cell or point");
+  }
+  assert(constraints.Elements.size() == constraints.Weights.size());
+  const int parts = this->UnknownsPerElement();
+  PrescribedUnknowns unknowns{ weights.Constraints,
+    parts == 2 ? PairsOf(constraints.Elements) : constraints.Elements, {} };
+  if (weights.Constraints == ConstraintKind::Soft)
+  {
+    const Vector<double> penalties = this->PenaltiesOfElements(constraints.Elements, context);
+    unknowns.Alignment.resize(unknowns.Unknowns.size());
+    for (Eigen::Index b = 0; b < unknowns.Alignment.size(); ++b)
+    {
+      unknowns.Alignment[b] =
+        weights.Alignment * constraints.Weights[b / parts] * penalties[b / parts];
+    }
+  }
+  return unknowns;
+}
+
+void Discretisation::CheckOperators(bool areThere, const std::string& property)
+{
+  if (!areThere)
+  {
+    throw InvalidInput("the operators of the surface do not include those that are needed; apply "
+                       "vtkDirectionalProlongation with " + property + " on");
+  }
+}
+
+}

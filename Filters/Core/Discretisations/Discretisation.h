@@ -1,0 +1,203 @@
+#ifndef dmgDiscretisation_h
+#define dmgDiscretisation_h
+
+#include "Discretisations/DiscretisationOptions.h"
+#include "Discretisations/Prescriptions.h"
+#include "Hierarchy/HierarchyOptions.h"
+#include "Mesh/FramedMesh.h"
+#include "Prolongation/ProlongationOperators.h"
+#include "Solvers/RoughnessHierarchy.h"
+#include "Solvers/SolverOptions.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// Which elements of a surface hold values.
+enum class ElementKind
+{
+  Vertices,
+  Edges, ///< values are integrals in the edge's orientation, and change their sign with it
+  Faces,
+};
+
+/// What is prescribed, as a discretisation takes it.
+struct FieldConstraints
+{
+  // Key of the system.
+  std::vector<int> Elements;   ///< that the unknowns stand on; ascending, each once
+  std::vector<double> Weights; ///< one per element, > 0
+  // Key of the solution.
+  Vector<double> Values; ///< UnknownsPerElement for each element
+};
+
+/// A field as N-th powers, to be drawn: of the faces in their frames and of the vertices in theirs.
+struct FieldPowers
+{
+  Vector<Complex> Faces;
+  Vector<Complex> Vertices;
+};
+
+/// Numbers that a field has on elements, to be shown beside its directions.
+struct ElementValues
+{
+  std::string Name;
+  ElementKind On;
+  int Components;
+  Vector<double> Values;
+};
+
+/// Which prolongations multigrid's coarse spaces come from.
+enum class CoarseSpaceKind
+{
+  /// Vectors at the vertices of the coarse levels, whatever the fine level holds; the fast one.
+  Nodal,
+  /// The thesis's, which keep structure: S0, S1, SX or SP.
+  StructurePreserving,
+};
+
+/// Nodal prolongations of a surface, which may be forgotten as soon as they have been read.
+class NodalProlongations
+{
+public:
+  /// They stay.
+  explicit NodalProlongations(const ProlongationOperators& operators)
+    : Operators(operators)
+  {
+  }
+  /// They are forgotten.
+  explicit NodalProlongations(ProlongationOperators& operators)
+    : Operators(operators)
+    , Own(&operators)
+  {
+  }
+
+  /// Finest first; not empty.
+  const std::vector<TransportOperator>& All() const { return this->Operators.Nodal; }
+  void Forget() const
+  {
+    if (this->Own)
+    {
+      this->Own->Nodal.clear();
+    }
+  }
+
+private:
+  const ProlongationOperators& Operators;
+  ProlongationOperators* const Own = nullptr;
+};
+
+/// A way to represent fields on a surface by numbers, and everything that set-up, solvers and output ask about it.
+/// Whatever differs between discretisations is an answer of such an object; nothing else asks which one it is.
+/// A further one is a further subclass and a line in MakeDiscretisation.
+///
+/// The roughness x^T R x measures how far a field is from the smoothest ones. A most harmonic field minimises the
+/// sum of its roughness and of penalties on prescribed unknowns (HarmonicProblem).
+class Discretisation
+{
+public:
+  /// \param surface is borrowed.
+  explicit Discretisation(const FramedMesh& surface)
+    : Surface(surface)
+  {
+  }
+  virtual ~Discretisation() = default;
+  Discretisation(const Discretisation&) = delete;
+  Discretisation& operator=(const Discretisation&) = delete;
+
+  /// In words, plural, with the options that count.
+  virtual std::string Name() const = 0;
+
+  // Unknowns: UnknownsPerElement() consecutive numbers for each element. -------------------------
+
+  virtual ElementKind Elements() const = 0;
+  virtual int UnknownsPerElement() const = 0;
+  int NumberOfElements() const;
+  int NumberOfUnknowns() const { return this->UnknownsPerElement() * this->NumberOfElements(); }
+  /// Rows of the system; fewer than unknowns where these are the parts of complex numbers.
+  virtual int NumberOfEquations() const { return this->NumberOfUnknowns(); }
+  /// Directions per point.
+  virtual int DirectionsPerPoint() const { return 1; }
+
+  // The roughness and its solvers. ---------------------------------------------------------------
+
+  /// The inner product that errors are measured in: a positive diagonal, one entry per equation.
+  virtual Vector<double> Mass(const ExecutionContext& context) const = 0;
+
+  /// The multigrid that suits this discretisation best, with roughness and penalties apart.
+  virtual std::unique_ptr<const RoughnessHierarchy> Coarsen(
+    const NodalProlongations& nodal, const ExecutionContext& context) const = 0;
+
+  /// R as a matrix, with prolongations from coarse spaces of either kind.
+  /// \param operators of the surface; null: there are no coarse levels, and R is to be factored.
+  /// \throw InvalidInput the operators lack those that are needed.
+  virtual std::unique_ptr<const RoughnessHierarchy> Assemble(const ProlongationOperators* operators,
+    CoarseSpaceKind space, const ExecutionContext& context) const = 0;
+
+  /// Which structure-preserving operators Assemble needs.
+  virtual OperatorSelection StructurePreservingOperators() const = 0;
+  /// What the levels of those hold, in words.
+  virtual std::string NameOfLevels() const = 0;
+  /// How far apart samples are on the first nodal level; see HierarchyOptions.
+  virtual double SampleDistance() const { return HierarchyOptions().SampleDistance; }
+  virtual SolverTuning Tuning() const = 0;
+
+  // The kernel of the roughness: harmonic fields, around handles and holes. ------------------------
+
+  /// Whether there are such fields on some surfaces.
+  virtual bool HasHarmonicFields() const { return false; }
+  /// Their dimension on this surface.
+  virtual int NumberOfHarmonicFields() const { return 0; }
+  /// A basis of them, a column each, orthonormal in the Euclidean product.
+  /// \param operators of the surface, which help where they have S1; may be null.
+  virtual Eigen::MatrixXd HarmonicFields(
+    const ProlongationOperators* operators, const ExecutionContext& context) const;
+  /// A basis that is orthonormal in the integral over the surface, from any basis.
+  virtual Eigen::MatrixXd HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const;
+
+  // What is prescribed. ----------------------------------------------------------------------------
+
+  /// \param names says how messages call vertices and faces.
+  /// \throw InvalidInput a direction is out of range, not finite, perpendicular to the surface, or its weight is
+  ///   not positive; or nothing that this discretisation takes is prescribed.
+  virtual FieldConstraints Prescribe(
+    const PrescribedDirections& directions, const ElementNames& names) const = 0;
+  /// The penalties m_b, weights included.
+  /// \throw InvalidInput a weight is out of range, or nothing is prescribed.
+  PrescribedUnknowns Penalties(const FieldConstraints& constraints, const FieldWeights& weights,
+    const ExecutionContext& context) const;
+
+  // What is drawn. ---------------------------------------------------------------------------------
+
+  /// \param corners of the surface; see Corners.
+  virtual FieldPowers Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
+    const ExecutionContext& context) const = 0;
+  /// \param powers of the same field.
+  virtual std::vector<ElementValues> Values(
+    const Vector<double>& unknowns, const FieldPowers& powers) const = 0;
+  /// The vectors of a field of one direction, #F x 3.
+  /// \pre DirectionsPerPoint() == 1
+  virtual Points VectorsOnFaces(
+    const Vector<double>& unknowns, const ExecutionContext& context) const = 0;
+
+protected:
+  /// The penalty of a prescribed element of weight 1, where the alignment weight is 1; one per element of the
+  /// constraints.
+  virtual Vector<double> PenaltiesOfElements(
+    const std::vector<int>& elements, const ExecutionContext& context) const = 0;
+
+  /// \param property of the filter that makes the operators, for the message.
+  /// \throw InvalidInput they are not there.
+  static void CheckOperators(bool areThere, const std::string& property);
+
+  const FramedMesh& Surface;
+};
+
+}
+
+#endif

@@ -1,0 +1,44 @@
+#ifndef dmgDiscretisationOptions_h
+#define dmgDiscretisationOptions_h
+
+#include "Operators/ExteriorCalculus.h"
+
+#include <tuple>
+
+namespace dmg
+{
+
+/// What the unknowns of a field are.
+enum class DiscretisationKind
+{
+  /// The N-th power of N directions per face: one complex number in the face's frame. Thesis, 6.3.
+  PowerField,
+  /// A vector per face: two numbers in the face's frame. Thesis, 6.2.
+  FaceField,
+  /// A number per edge, the integral of a 1-form. Thesis, 6.1.
+  OneForm,
+  /// A number per vertex: a function, whose gradient is drawn.
+  ScalarFunction,
+};
+
+struct DiscretisationOptions
+{
+  DiscretisationKind Kind = DiscretisationKind::PowerField;
+  /// Power fields have N directions per point, 2 pi / N apart; 1 to 8. The others have one.
+  int N = 4;
+  /// Of 1-forms: the star of 0-forms.
+  VertexAreas Areas = VertexAreas::MixedVoronoi;
+
+  friend bool operator==(const DiscretisationOptions& a, const DiscretisationOptions& b)
+  {
+    const auto members = [](const DiscretisationOptions& options) {
+      const auto& [kind, N, areas] = options; // all of them, or it does not compile
+      return std::tie(kind, N, areas);
+    };
+    return members(a) == members(b);
+  }
+};
+
+}
+
+#endif

@@ -1,0 +1,159 @@
+#include "Discretisations/FaceField.h"
+
+#include "Analysis/HarmonicBasis.h"
+#include "Analysis/HarmonicForms.h"
+#include "Discretisations/LeastSquaresLevels.h"
+#include "Operators/FaceFieldOperators.h"
+#include "Operators/PowerFieldDirections.h"
+#include "Solvers/AssembledHierarchy.h"
+#include "Solvers/LeastSquaresHierarchy.h"
+#include "Support/ComplexPairs.h"
+
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+// Blocks on the finest level do not overlap, and sweeps over them follow each other in the caches: for what
+// they do, they are cheap.
+constexpr int FinestSweepsFactor = 3;
+constexpr int CoarseCycles = 2;
+constexpr int LargestCoarseFactor = 10000;
+// As far as a smoothed interpolation reaches.
+constexpr double DistanceOfSamples = 7.0;
+// Face fields leave more to the interpolation than 1-forms do; but smaller entries do not help them.
+constexpr int ProlongationDegree = 9;
+constexpr double DroppedEntries = 0.001;
+
+// Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks).
+constexpr int LargestForCholesky = 30000;
+// What a factorisation of t01 takes more, over what its back-substitution takes less than a second solve by cycles
+// (Benchmarks, "Second solves"): 7.5 s / 0.02 s. At 1.1M faces these are fewer.
+constexpr int SolvesForCholesky = 400;
+
+}
+
+Vector<double> FaceField::Mass(const ExecutionContext&) const
+{
+  const Vector<double> mass = MassesOfFaceFields(this->Surface.Mesh).Faces;
+  const double meanArea = mass.mean();
+  // Where the whole surface has no area, every face counts alike.
+  return meanArea > 0.0 ? Vector<double>(mass / meanArea) : Vector<double>::Ones(mass.size());
+}
+
+std::unique_ptr<const RoughnessHierarchy> FaceField::Coarsen(
+  const NodalProlongations& nodal, const ExecutionContext& context) const
+{
+  LeastSquaresHierarchyOptions coarsening;
+  coarsening.ProlongationDegree = ProlongationDegree;
+  coarsening.Dropped = DroppedEntries;
+  const auto takeLevels = [&] {
+    LeastSquaresLevels levels =
+      NodalLevelsOfFaceFields(this->Surface.Mesh, nodal.All(), context);
+    nodal.Forget();
+    return levels; // handed on as it is: Eigen 3.4 would copy what is moved
+  };
+  return std::make_unique<LeastSquaresHierarchy>(CoarsenLeastSquares(
+    FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context), takeLevels(),
+    coarsening, PartOfContext(context, 0.2, 1.0)));
+}
+
+std::unique_ptr<const RoughnessHierarchy> FaceField::Assemble(
+  const ProlongationOperators* operators, CoarseSpaceKind space,
+  const ExecutionContext& context) const
+{
+  std::vector<SparseMatrix<double>> prolongations;
+  if (operators && space == CoarseSpaceKind::Nodal)
+  {
+    CheckOperators(!operators->Nodal.empty(), "FaceFields");
+    prolongations = OnComponents(operators->Nodal, context);
+  }
+  else if (operators)
+  {
+    CheckOperators(!operators->SX.empty(), "FaceFields");
+    prolongations = operators->SX;
+  }
+  SparseMatrix<double> A =
+    FaceFieldSmoothness(this->Surface.Mesh, this->Surface.Faces, context);
+  return std::make_unique<AssembledHierarchy<double>>(A, std::move(prolongations));
+}
+
+double FaceField::SampleDistance() const
+{
+  return DistanceOfSamples;
+}
+
+SolverTuning FaceField::Tuning() const
+{
+  SolverTuning tuning;
+  tuning.LargestForCholesky = LargestForCholesky;
+  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.FinestSweepsFactor = FinestSweepsFactor;
+  tuning.CoarseCycles = CoarseCycles;
+  tuning.LargestCoarseFactor = LargestCoarseFactor;
+  return tuning;
+}
+
+int FaceField::NumberOfHarmonicFields() const
+{
+  return NumberOfLoops(this->Surface.Mesh);
+}
+
+Eigen::MatrixXd FaceField::HarmonicFields(
+  const ProlongationOperators* operators, const ExecutionContext& context) const
+{
+  return HarmonicFaceFields(this->Surface.Mesh, this->Surface.Faces, context, operators);
+}
+
+Eigen::MatrixXd FaceField::HarmonicBasis(
+  Eigen::MatrixXd basis, const ExecutionContext& context) const
+{
+  return HarmonicBasisOfFaceFields(this->Surface.Mesh, std::move(basis), context);
+}
+
+FieldConstraints FaceField::Prescribe(
+  const PrescribedDirections& directions, const ElementNames& names) const
+{
+  constexpr int OneDirection = 1;
+  PowerConstraints constraints = MakePowerConstraints(this->Surface.Mesh, this->Surface.Faces,
+    OneDirection, DirectionsOnFaces(this->Surface, directions, names), names);
+  return { std::move(constraints.Prescribed.Faces), std::move(constraints.Prescribed.Weights),
+    AsPairs(constraints.Values) };
+}
+
+Vector<double> FaceField::PenaltiesOfElements(
+  const std::vector<int>& faces, const ExecutionContext& context) const
+{
+  const Vector<double> mass = this->Mass(context);
+  Vector<double> penalties(faces.size());
+  for (std::size_t b = 0; b < faces.size(); ++b)
+  {
+    penalties[b] = mass[2 * faces[b]];
+  }
+  return penalties;
+}
+
+FieldPowers FaceField::Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
+  const ExecutionContext& context) const
+{
+  Vector<Complex> faces = AsComplex(unknowns);
+  Vector<Complex> vertices = PowersAtVertices(this->Surface.Mesh, corners, faces, 1, context);
+  return { std::move(faces), std::move(vertices) };
+}
+
+std::vector<ElementValues> FaceField::Values(
+  const Vector<double>& unknowns, const FieldPowers&) const
+{
+  const Points vectors = VectorsFromFaceField(this->Surface.Faces, unknowns);
+  return { { "FaceField", ElementKind::Faces, 3,
+    Eigen::Map<const Vector<double>>(vectors.data(), vectors.size()) } };
+}
+
+Points FaceField::VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext&) const
+{
+  return VectorsFromFaceField(this->Surface.Faces, unknowns);
+}
+
+}

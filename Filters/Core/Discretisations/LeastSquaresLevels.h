@@ -1,0 +1,29 @@
+#ifndef dmgLeastSquaresLevels_h
+#define dmgLeastSquaresLevels_h
+
+#include "Mesh/TangentFrames.h"
+#include "Mesh/TriangleMesh.h"
+#include "Prolongation/TransportOperator.h"
+#include "Solvers/LeastSquaresHierarchy.h"
+#include "Support/ExecutionContext.h"
+
+#include <vector>
+
+/// What multigrid needs of the surface to solve for face fields and 1-forms: blocks of unknowns
+/// (SmoothingBlocks), and coarse levels of vectors at points. The finest level takes its vectors from so
+/// far up that there are six faces or more for each, if there are such levels: smoothed, its interpolation
+/// reaches farther than that.
+namespace dmg
+{
+
+/// \param nodal see ProlongationOperators; not empty.
+LeastSquaresLevels NodalLevelsOfFaceFields(const TriangleMesh& mesh,
+  const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
+
+/// A vector field becomes a 1-form by FormFromFaceField.
+LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
+
+}
+
+#endif

@@ -1,0 +1,32 @@
+#include "Discretisations/MakeDiscretisation.h"
+
+#include "Discretisations/FaceField.h"
+#include "Discretisations/OneForm.h"
+#include "Discretisations/PowerField.h"
+#include "Discretisations/ScalarFunction.h"
+
+namespace dmg
+{
+
+std::unique_ptr<const Discretisation> MakeDiscretisation(
+  const DiscretisationOptions& options, const FramedMesh& surface)
+{
+  switch (options.Kind)
+  {
+    case DiscretisationKind::ScalarFunction:
+      return std::make_unique<ScalarFunction>(surface, options.Areas);
+    case DiscretisationKind::OneForm:
+      return std::make_unique<OneForm>(surface, options.Areas);
+    case DiscretisationKind::FaceField:
+      return std::make_unique<FaceField>(surface);
+    default:
+      return std::make_unique<PowerField>(surface, options.N);
+  }
+}
+
+std::vector<std::string> NamesOfValues()
+{
+  return { "PowerField", "FaceField", "OneForm", "ScalarFunction" };
+}
+
+}

@@ -1,0 +1,24 @@
+#ifndef dmgMakeDiscretisation_h
+#define dmgMakeDiscretisation_h
+
+#include "Discretisations/Discretisation.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// The only place that knows which discretisations there are.
+/// \param surface is borrowed.
+/// \throw InvalidInput options out of range.
+std::unique_ptr<const Discretisation> MakeDiscretisation(
+  const DiscretisationOptions& options, const FramedMesh& surface);
+
+/// The names of the Values of all discretisations.
+std::vector<std::string> NamesOfValues();
+
+}
+
+#endif

@@ -1,0 +1,161 @@
+#include "Discretisations/OneForm.h"
+
+#include "Analysis/HarmonicBasis.h"
+#include "Analysis/HarmonicForms.h"
+#include "Discretisations/LeastSquaresLevels.h"
+#include "Discretisations/OneFormConstraints.h"
+#include "Solvers/AssembledHierarchy.h"
+#include "Solvers/LeastSquaresHierarchy.h"
+
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+// As for face fields.
+constexpr int FinestSweepsFactor = 3;
+constexpr int CoarseCycles = 2;
+constexpr int LargestCoarseFactor = 10000;
+constexpr double DistanceOfSamples = 7.0;
+
+// Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks): the matrix
+// is easily factored.
+constexpr int LargestForCholesky = 400000;
+// What a factorisation of t01 takes more, over what its back-substitution takes less than a second solve by cycles
+// (Benchmarks, "Second solves"): 2.5 s / 0.07 s. At 1.1M faces these are fewer.
+constexpr int SolvesForCholesky = 40;
+
+Vector<Complex> InFrames(const TangentFrames& frames, const Points& vectors)
+{
+  Vector<Complex> result(vectors.rows());
+  for (int i = 0; i < static_cast<int>(result.size()); ++i)
+  {
+    result[i] = frames.ToComplex(i, vectors.row(i).transpose());
+  }
+  return result;
+}
+
+}
+
+Vector<double> OneForm::Mass(const ExecutionContext& context) const
+{
+  return PositiveStar1(this->Surface.Mesh, context);
+}
+
+std::unique_ptr<const RoughnessHierarchy> OneForm::Coarsen(
+  const NodalProlongations& nodal, const ExecutionContext& context) const
+{
+  const auto takeLevels = [&] {
+    LeastSquaresLevels levels = NodalLevelsOfOneForms(
+      this->Surface.Mesh, this->Surface.Faces, nodal.All(), context);
+    nodal.Forget();
+    return levels; // handed on as it is: Eigen 3.4 would copy what is moved
+  };
+  return std::make_unique<LeastSquaresHierarchy>(
+    CoarsenLeastSquares(OneFormLaplacianFactor(this->Surface.Mesh, context, this->Areas),
+      takeLevels(), {}, PartOfContext(context, 0.2, 1.0)));
+}
+
+std::unique_ptr<const RoughnessHierarchy> OneForm::Assemble(
+  const ProlongationOperators* operators, CoarseSpaceKind space,
+  const ExecutionContext& context) const
+{
+  std::vector<SparseMatrix<double>> prolongations;
+  if (operators && space == CoarseSpaceKind::Nodal)
+  {
+    CheckOperators(!operators->Nodal.empty(), "OneForms");
+    prolongations = OnComponents(operators->Nodal, context);
+    prolongations[0] = SparseMatrix<double>(
+      FormFromFaceField(this->Surface.Mesh, this->Surface.Faces, context) * prolongations[0]);
+  }
+  else if (operators)
+  {
+    CheckOperators(!operators->S1.empty(), "OneForms");
+    prolongations = operators->S1;
+  }
+  SparseMatrix<double> L1 = OneFormLaplacian(this->Surface.Mesh, context, this->Areas);
+  return std::make_unique<AssembledHierarchy<double>>(L1, std::move(prolongations));
+}
+
+double OneForm::SampleDistance() const
+{
+  return DistanceOfSamples;
+}
+
+SolverTuning OneForm::Tuning() const
+{
+  SolverTuning tuning;
+  tuning.LargestForCholesky = LargestForCholesky;
+  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.FinestSweepsFactor = FinestSweepsFactor;
+  tuning.CoarseCycles = CoarseCycles;
+  tuning.LargestCoarseFactor = LargestCoarseFactor;
+  return tuning;
+}
+
+int OneForm::NumberOfHarmonicFields() const
+{
+  return NumberOfLoops(this->Surface.Mesh);
+}
+
+Eigen::MatrixXd OneForm::HarmonicFields(
+  const ProlongationOperators* operators, const ExecutionContext& context) const
+{
+  return HarmonicForms(this->Surface.Mesh, context, operators);
+}
+
+Eigen::MatrixXd OneForm::HarmonicBasis(
+  Eigen::MatrixXd basis, const ExecutionContext& context) const
+{
+  return HarmonicBasisOfForms(this->Surface.Mesh, this->Surface.Faces, std::move(basis), context);
+}
+
+FieldConstraints OneForm::Prescribe(
+  const PrescribedDirections& directions, const ElementNames& names) const
+{
+  const auto& [mesh, faceFrames, vertexFrames] = this->Surface;
+  const OneFormConstraints onFaces =
+    OneFormConstraintsOnFaces(mesh, faceFrames, directions.OnFaces, names);
+  const OneFormConstraints atVertices =
+    OneFormConstraintsAtVertices(mesh, faceFrames, vertexFrames, directions.AtVertices, names);
+  OneFormConstraints constraints = Joined(onFaces, atVertices);
+  return { std::move(constraints.Prescribed.Edges), std::move(constraints.Prescribed.Weights),
+    std::move(constraints.Values) };
+}
+
+Vector<double> OneForm::PenaltiesOfElements(
+  const std::vector<int>& edges, const ExecutionContext&) const
+{
+  const double scale = 1.0 / (2.0 * Star2(this->Surface.Mesh).cwiseInverse().mean());
+  Vector<double> penalties(edges.size());
+  for (std::size_t b = 0; b < edges.size(); ++b)
+  {
+    penalties[b] = scale * PositiveStar1OfEdge(this->Surface.Mesh, edges[b]);
+  }
+  return penalties;
+}
+
+FieldPowers OneForm::Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
+  const ExecutionContext& context) const
+{
+  const auto& [mesh, faceFrames, vertexFrames] = this->Surface;
+  return { InFrames(faceFrames, WhitneyAtFaces(mesh, unknowns, context)),
+    InFrames(vertexFrames,
+      WhitneyAtVertices(mesh, faceFrames, vertexFrames, corners, unknowns, context)) };
+}
+
+std::vector<ElementValues> OneForm::Values(
+  const Vector<double>& unknowns, const FieldPowers&) const
+{
+  return { { "OneForm", ElementKind::Edges, 1, unknowns } };
+}
+
+Points OneForm::VectorsOnFaces(
+  const Vector<double>& unknowns, const ExecutionContext& context) const
+{
+  return WhitneyAtFaces(this->Surface.Mesh, unknowns, context);
+}
+
+}

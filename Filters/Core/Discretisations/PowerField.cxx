@@ -1,0 +1,143 @@
+#include "Discretisations/PowerField.h"
+
+#include "Discretisations/SmoothingBlocks.h"
+#include "Operators/FaceFieldOperators.h"
+#include "Operators/PowerFieldDirections.h"
+#include "Operators/PowerFieldOperators.h"
+#include "Solvers/AssembledHierarchy.h"
+#include "Solvers/LaplacianHierarchy.h"
+#include "Support/ComplexPairs.h"
+#include "Support/Errors.h"
+
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int LargestN = 8;
+
+// The couplings between the powers of faces are far from those of a linear function where triangles
+// are uneven; the coarse levels, nodal by nature, are not. So the interpolation to the faces is
+// smoothed, and the finest level gets more sweeps: all that sweeps gain, they gain there.
+constexpr int ProlongationSteps = 2;
+constexpr int FinestSweepsFactor = 3;
+// Below the finest level, interpolations are not smoothed. A second cycle costs little on so few
+// unknowns, and makes up.
+constexpr int CoarseCycles = 2;
+
+// Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks).
+constexpr int LargestForCholesky = 20000;
+// What a factorisation of t01 takes more, over what its back-substitution takes less than a second solve by cycles
+// (Benchmarks, "Second solves"): 1.2 s / 0.04 s. At 1.1M faces these are fewer.
+constexpr int SolvesForCholesky = 30;
+
+}
+
+void CheckNumberOfDirections(int N)
+{
+  if (N < 1 || N > LargestN)
+  {
+    throw InvalidInput("fields of " + std::to_string(N) +
+      " directions per point are not supported; choose N from 1 to " + std::to_string(LargestN));
+  }
+}
+
+PowerField::PowerField(const FramedMesh& surface, int directions)
+  : Discretisation(surface)
+  , N(directions)
+{
+  CheckNumberOfDirections(directions);
+}
+
+std::string PowerField::Name() const
+{
+  return "power fields with N = " + std::to_string(this->N);
+}
+
+Vector<double> PowerField::Mass(const ExecutionContext& context) const
+{
+  const Vector<double> areas = this->Surface.Mesh.FaceAreas(context);
+  const double meanArea = areas.mean();
+  return meanArea > 0.0 ? Vector<double>(areas / meanArea) : Vector<double>::Ones(areas.size());
+}
+
+std::unique_ptr<const RoughnessHierarchy> PowerField::Coarsen(
+  const NodalProlongations& nodal, const ExecutionContext& context) const
+{
+  std::vector<SparseMatrix<Complex>> onPowers = OnPowers(nodal.All(), this->N, context);
+  nodal.Forget();
+  return std::make_unique<LaplacianHierarchy>(
+    CoarsenLaplacian([&surface = this->Surface, N = this->N](const std::vector<int>& order,
+                       const ExecutionContext& part)
+      { return PowerLaplacian(surface.Mesh, surface.Faces, N, order, part); },
+      std::move(onPowers), ProlongationSteps, RegionsOfPowerFields(this->Surface.Mesh), context));
+}
+
+std::unique_ptr<const RoughnessHierarchy> PowerField::Assemble(
+  const ProlongationOperators* operators, CoarseSpaceKind space,
+  const ExecutionContext& context) const
+{
+  std::vector<SparseMatrix<Complex>> prolongations;
+  if (operators)
+  {
+    const auto& transports =
+      space == CoarseSpaceKind::Nodal ? operators->Nodal : operators->SP;
+    CheckOperators(!transports.empty(), "PowerFields");
+    prolongations = OnPowers(transports, this->N, context);
+  }
+  SparseMatrix<Complex> L =
+    PowerLaplacian(this->Surface.Mesh, this->Surface.Faces, this->N, context);
+  return std::make_unique<AssembledHierarchy<Complex>>(L, std::move(prolongations));
+}
+
+SolverTuning PowerField::Tuning() const
+{
+  SolverTuning tuning;
+  tuning.LargestForCholesky = LargestForCholesky;
+  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.FinestSweepsFactor = FinestSweepsFactor;
+  tuning.CoarseCycles = CoarseCycles;
+  tuning.FinestProlongationSteps = ProlongationSteps;
+  return tuning;
+}
+
+FieldConstraints PowerField::Prescribe(
+  const PrescribedDirections& directions, const ElementNames& names) const
+{
+  PowerConstraints constraints = MakePowerConstraints(this->Surface.Mesh, this->Surface.Faces,
+    this->N, DirectionsOnFaces(this->Surface, directions, names), names);
+  return { std::move(constraints.Prescribed.Faces), std::move(constraints.Prescribed.Weights),
+    AsPairs(constraints.Values) };
+}
+
+Vector<double> PowerField::PenaltiesOfElements(
+  const std::vector<int>& faces, const ExecutionContext& context) const
+{
+  return this->Mass(context)(faces);
+}
+
+FieldPowers PowerField::Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
+  const ExecutionContext& context) const
+{
+  Vector<Complex> faces = AsComplex(unknowns);
+  Vector<Complex> vertices =
+    PowersAtVertices(this->Surface.Mesh, corners, faces, this->N, context);
+  return { std::move(faces), std::move(vertices) };
+}
+
+std::vector<ElementValues> PowerField::Values(
+  const Vector<double>& unknowns, const FieldPowers& powers) const
+{
+  return { { "PowerField", ElementKind::Faces, 2, unknowns },
+    { "PowerField", ElementKind::Vertices, 2, AsPairs(powers.Vertices) } };
+}
+
+Points PowerField::VectorsOnFaces(
+  const Vector<double>& unknowns, const ExecutionContext&) const
+{
+  return VectorsFromFaceField(this->Surface.Faces, unknowns);
+}
+
+}

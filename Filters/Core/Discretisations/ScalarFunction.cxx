@@ -1,0 +1,182 @@
+#include "Discretisations/ScalarFunction.h"
+
+#include "Operators/FaceFieldOperators.h"
+#include "Operators/PowerFieldDirections.h"
+#include "Solvers/AssembledHierarchy.h"
+#include "Support/ComplexPairs.h"
+#include "Support/Errors.h"
+#include "Support/SparseAssembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int LargestForCholesky = 20000;
+constexpr int SolvesForCholesky = 30;
+constexpr int ProlongationSteps = 1;
+
+/// d0^T star1 d0.
+SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  const SparseMatrix<double> d0 = D0(mesh, context);
+  return SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal() * d0;
+}
+
+/// The mean over the faces around each vertex, #V x #F.
+SparseMatrix<double> MeanOfFaces(const TriangleMesh& mesh)
+{
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(3 * mesh.NumberOfFaces());
+  std::vector<int> numbers(mesh.NumberOfVertices(), 0);
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    ++numbers[mesh.Tail(h)];
+  }
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    entries.emplace_back(mesh.Tail(h), TriangleMesh::FaceOf(h), 1.0 / numbers[mesh.Tail(h)]);
+  }
+  SparseMatrix<double> mean(mesh.NumberOfVertices(), mesh.NumberOfFaces());
+  mean.setFromTriplets(entries.begin(), entries.end());
+  return mean;
+}
+
+/// The weights of transports, without their turns.
+std::vector<SparseMatrix<double>> WeightsOf(const std::vector<TransportOperator>& transports)
+{
+  std::vector<SparseMatrix<double>> weights;
+  for (const TransportOperator& transport : transports)
+  {
+    weights.emplace_back(transport.cwiseAbs());
+  }
+  return weights;
+}
+
+std::vector<SparseMatrix<double>> ProlongationsOfNodes(
+  const TriangleMesh& mesh, const std::vector<TransportOperator>& nodal)
+{
+  std::vector<SparseMatrix<double>> prolongations = WeightsOf(nodal);
+  prolongations[0] = SparseMatrix<double>(MeanOfFaces(mesh) * prolongations[0]);
+  return prolongations;
+}
+
+}
+
+Vector<double> ScalarFunction::Mass(const ExecutionContext&) const
+{
+  return Star0(this->Surface.Mesh, this->Areas);
+}
+
+std::unique_ptr<const RoughnessHierarchy> ScalarFunction::Coarsen(
+  const NodalProlongations& nodal, const ExecutionContext& context) const
+{
+  std::vector<SparseMatrix<double>> prolongations =
+    ProlongationsOfNodes(this->Surface.Mesh, nodal.All());
+  nodal.Forget();
+  SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context);
+  return std::make_unique<AssembledHierarchy<double>>(L0, std::move(prolongations));
+}
+
+std::unique_ptr<const RoughnessHierarchy> ScalarFunction::Assemble(
+  const ProlongationOperators* operators, CoarseSpaceKind space,
+  const ExecutionContext& context) const
+{
+  std::vector<SparseMatrix<double>> prolongations;
+  if (operators && space == CoarseSpaceKind::Nodal)
+  {
+    CheckOperators(!operators->Nodal.empty(), "PowerFields");
+    prolongations = ProlongationsOfNodes(this->Surface.Mesh, operators->Nodal);
+  }
+  else if (operators)
+  {
+    CheckOperators(!operators->S0.empty(), "PowerFields");
+    prolongations = operators->S0;
+  }
+  SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context);
+  return std::make_unique<AssembledHierarchy<double>>(L0, std::move(prolongations));
+}
+
+SolverTuning ScalarFunction::Tuning() const
+{
+  SolverTuning tuning;
+  tuning.LargestForCholesky = LargestForCholesky;
+  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.FinestProlongationSteps = ProlongationSteps;
+  return tuning;
+}
+
+FieldConstraints ScalarFunction::Prescribe(
+  const PrescribedDirections& directions, const ElementNames& names) const
+{
+  if (directions.Values.empty())
+  {
+    throw InvalidInput("no value is prescribed, so the function of least roughness is zero; choose an array of "
+                       "values at points");
+  }
+  std::vector<PrescribedValue> values = directions.Values;
+  std::stable_sort(values.begin(), values.end(),
+    [](const PrescribedValue& a, const PrescribedValue& b) { return a.Vertex < b.Vertex; });
+  FieldConstraints constraints;
+  std::vector<double> sums;
+  for (const auto& [vertex, value, weight] : values)
+  {
+    CheckPrescribedElement(vertex, this->Surface.Mesh.NumberOfVertices(), "vertex");
+    if (!std::isfinite(value) || !(weight > 0.0) || !std::isfinite(weight))
+    {
+      throw InvalidInput("the value " + std::to_string(value) + " with the weight " +
+        std::to_string(weight) + ", prescribed on " + names.Vertex(vertex) +
+        ", is not finite or its weight not positive; repair it or take the point out of the mask");
+    }
+    if (constraints.Elements.empty() || constraints.Elements.back() != vertex)
+    {
+      constraints.Elements.push_back(vertex);
+      constraints.Weights.push_back(0.0);
+      sums.push_back(0.0);
+    }
+    constraints.Weights.back() += weight;
+    sums.back() += weight * value;
+  }
+  constraints.Values.resize(sums.size());
+  for (std::size_t b = 0; b < sums.size(); ++b)
+  {
+    constraints.Values[b] = sums[b] / constraints.Weights[b];
+  }
+  return constraints;
+}
+
+Vector<double> ScalarFunction::PenaltiesOfElements(
+  const std::vector<int>& vertices, const ExecutionContext& context) const
+{
+  const Vector<double> areas = this->Mass(context);
+  return areas(vertices) / areas.mean();
+}
+
+FieldPowers ScalarFunction::Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
+  const ExecutionContext& context) const
+{
+  const Vector<double> gradient =
+    FaceGradient(this->Surface.Mesh, this->Surface.Faces, context) * unknowns;
+  Vector<Complex> faces = AsComplex(gradient);
+  Vector<Complex> vertices = PowersAtVertices(this->Surface.Mesh, corners, faces, 1, context);
+  return { std::move(faces), std::move(vertices) };
+}
+
+std::vector<ElementValues> ScalarFunction::Values(
+  const Vector<double>& unknowns, const FieldPowers&) const
+{
+  return { { "ScalarFunction", ElementKind::Vertices, 1, unknowns } };
+}
+
+Points ScalarFunction::VectorsOnFaces(
+  const Vector<double>& unknowns, const ExecutionContext& context) const
+{
+  return VectorsFromFaceField(this->Surface.Faces,
+    FaceGradient(this->Surface.Mesh, this->Surface.Faces, context) * unknowns);
+}
+
+}

@@ -1,0 +1,69 @@
+#ifndef dmgScalarFunction_h
+#define dmgScalarFunction_h
+
+#include "Discretisations/Discretisation.h"
+
+namespace dmg
+{
+
+/// A function u, linear on faces, by its values at the vertices: solutions of the Laplace equation with given values
+/// at some vertices, and potentials.
+///
+/// The roughness is u^T L0 u, L0 = d0^T star1 d0 the cotangent Laplacian: the Dirichlet energy. A prescribed vertex v has the
+/// penalty A_v / mean A with the areas A_v of Star0, which are the mass as well. What crosses a boundary vanishes
+/// there, by the natural condition. The kernel are the constants of the components of the surface: one prescribed value
+/// determines that of its component.
+///
+/// Solved by cycles on the assembled matrix. Coarse functions live at the samples of the nodal levels: a vertex takes the mean
+/// over its faces of what these take from the samples; or at the vertices of decimated levels, by S0.
+class ScalarFunction : public Discretisation
+{
+public:
+  /// \param areas Star0.
+  ScalarFunction(const FramedMesh& surface, VertexAreas areas)
+    : Discretisation(surface)
+    , Areas(areas)
+  {
+  }
+
+  std::string Name() const override
+  {
+    return this->Areas == VertexAreas::MixedVoronoi ? "functions" : "functions with barycentric areas";
+  }
+  ElementKind Elements() const override { return ElementKind::Vertices; }
+  int UnknownsPerElement() const override { return 1; }
+
+  Vector<double> Mass(const ExecutionContext& context) const override;
+  std::unique_ptr<const RoughnessHierarchy> Coarsen(
+    const NodalProlongations& nodal, const ExecutionContext& context) const override;
+  std::unique_ptr<const RoughnessHierarchy> Assemble(const ProlongationOperators* operators,
+    CoarseSpaceKind space, const ExecutionContext& context) const override;
+  /// S0 is always there.
+  OperatorSelection StructurePreservingOperators() const override { return { false, false, false }; }
+  std::string NameOfLevels() const override { return "levels of functions"; }
+  SolverTuning Tuning() const override;
+
+  /// Takes the prescribed values, not the directions; those at one vertex are averaged by weight.
+  /// \throw InvalidInput no value is prescribed, or one is out of range or not finite, or its weight not positive.
+  FieldConstraints Prescribe(
+    const PrescribedDirections& directions, const ElementNames& names) const override;
+
+  /// The gradient.
+  FieldPowers Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
+    const ExecutionContext& context) const override;
+  std::vector<ElementValues> Values(
+    const Vector<double>& unknowns, const FieldPowers& powers) const override;
+  Points VectorsOnFaces(
+    const Vector<double>& unknowns, const ExecutionContext& context) const override;
+
+protected:
+  Vector<double> PenaltiesOfElements(
+    const std::vector<int>& vertices, const ExecutionContext& context) const override;
+
+private:
+  const VertexAreas Areas;
+};
+
+}
+
+#endif

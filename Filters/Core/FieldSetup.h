@@ -1,0 +1,57 @@
+#ifndef dmgFieldSetup_h
+#define dmgFieldSetup_h
+
+#include "Discretisations/Discretisation.h"
+#include "FieldOptions.h"
+#include "Hierarchy/HierarchyOptions.h"
+#include "Prolongation/ProlongationOperators.h"
+#include "Solvers/MultigridSetup.h"
+#include "Support/ExecutionContext.h"
+
+#include <memory>
+
+namespace dmg
+{
+
+/// How a field is solved, and which levels of the surface that takes: decided once, before any work.
+struct SolverPlan
+{
+  SolverChoice Choice;
+  SolverChoice WithoutLevels; ///< in its place where the surface turns out to have one level
+  /// By cycles that keep roughness and penalties apart (Discretisation::Coarsen); else the system is assembled.
+  bool KeepsApart = false;
+  /// Levels that the solver needs, where none are given.
+  HierarchyOptions Levels;
+  OperatorSelection Selection; ///< besides the nodal operators
+
+  bool NeedsLevels() const { return this->Choice.Kind != SolverKind::Cholesky; }
+  const SolverChoice& ChoiceOn(const MultigridSetup& setup) const
+  {
+    return setup.HasLevels ? this->Choice : this->WithoutLevels;
+  }
+  /// Whether Levels are samples that are made, read and forgotten in the set-up.
+  bool TakesSamples() const
+  {
+    return this->KeepsApart && this->Levels.Levels == LevelConstruction::Sampling;
+  }
+};
+
+/// \param given operators of the surface, or null: those of Levels will be built.
+SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& options,
+  const ProlongationOperators* given);
+
+/// The last part of the set-up: what the planned solver needs of the surface, whatever is prescribed.
+/// \param operators given or built; used during the call only. Null: the system is factored, or samples are
+///   taken and forgotten as soon as possible; they are much memory, and made in less time than what is made of them.
+///   Where there are too few faces for samples the system is factored.
+/// \throw InvalidInput the operators lack those that are needed, or there are none.
+/// \throw SolverFailure, Cancelled
+/// Cost: assembly, where the system is assembled; else several products of sparse matrices, 8 to 12 us per face with two
+/// threads, 2 for power fields.
+std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface,
+  const Discretisation& discretisation, const ProlongationOperators* operators,
+  const SolverPlan& plan, CoarseSpaceKind space, const ExecutionContext& context);
+
+}
+
+#endif

@@ -1,0 +1,92 @@
+#ifndef dmgFieldSolver_h
+#define dmgFieldSolver_h
+
+#include "Discretisations/Discretisation.h"
+#include "FieldOptions.h"
+#include "Mesh/FramedMesh.h"
+#include "Prolongation/ProlongationOperators.h"
+#include "Solvers/SolveReport.h"
+#include "Solvers/StoppingCriteria.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <memory>
+
+namespace dmg
+{
+
+/// Solves for the smoothest fields on one surface that follow what is prescribed, and keeps what a change leaves valid:
+///
+///   stage   is redone when this changes
+///   set-up  discretisation (with N and areas), operators, or what asks for other levels
+///   system  which elements are prescribed, weights, solver options
+///   solve   prescribed values, tolerance, iteration limit
+///
+///   dmg::FieldSolver solver(dmg::TriangleMesh(points, triangles));
+///   solver.Solve({ { { face, direction, weight } }, {} }, options);
+///   const dmg::Points vectors = solver.Directions(0);
+///
+/// Levels that were built for a surface are all kept, and so is what the set-up makes of them for a discretisation,
+/// while there is room (SetMemoryLimit): going back to a former N costs no set-up. A stage that throws leaves those before it as they are.
+class FieldSolver
+{
+public:
+  /// Cost: O(#F).
+  explicit FieldSolver(TriangleMesh mesh, const ExecutionContext& context = SerialContext());
+  ~FieldSolver();
+
+  const FramedMesh& Surface() const;
+
+  /// Operators of this surface that were built before, in place of those that solvers would build for themselves.
+  /// \param operators null: none.
+  void SetOperators(std::shared_ptr<const ProlongationOperators> operators);
+
+  /// What the set-up has made for former discretisations and N is kept, too, up to so many bytes of all; by default
+  /// 1 GiB, some dozen set-ups of power fields on a quarter of a million triangles. What is in use is always kept.
+  void SetMemoryLimit(long long bytes);
+
+  /// Brings all stages up to date. A solve starts from the solution before.
+  /// \param names says how messages call vertices and faces.
+  /// \return the unknowns: Field().UnknownsPerElement() for each element. Not converged: the best that was reached;
+  ///   see Report().
+  /// \throw InvalidInput an option is out of range, a prescription is wrong, nothing is prescribed, hard constraints
+  ///   leave nothing to solve for, or operators lack those that are needed.
+  /// \throw SolverFailure the system could not be factored.
+  /// \throw Cancelled
+  const Vector<double>& Solve(const PrescribedDirections& directions, const FieldOptions& options,
+    const StoppingCriteria& stop = {}, const ExecutionContext& context = SerialContext(),
+    const ElementNames& names = {});
+
+  // Of the last solve. \pre there was one.
+
+  const Discretisation& Field() const;
+  const FieldOptions& Options() const;
+  const FieldConstraints& Constraints() const;
+  const Vector<double>& Unknowns() const;
+  const SolveReport& Report() const;
+  /// Direction k of each face as a vector in space, of the field's magnitude; #F x 3.
+  Points Directions(int k, const ExecutionContext& context = SerialContext()) const;
+  /// The harmonic fields that the solver knows of: any basis, a column each. None where it has not needed them, or there are
+  /// too many to hold.
+  Eigen::MatrixXd HarmonicFields() const;
+
+  /// How often each stage has been completed. What is made of given operators is no set-up, and neither is what is found
+  /// again.
+  struct StageCounts
+  {
+    int Setups = 0;
+    int Systems = 0;
+    int Solves = 0;
+  };
+  const StageCounts& Counts() const;
+  /// What the set-up of the last solve has taken.
+  double SetupSeconds() const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif

@@ -1,0 +1,565 @@
+#include "Solvers/HarmonicProblem.h"
+
+#include "Solvers/ConjugateGradient.h"
+#include "Solvers/DeflatedPreconditioner.h"
+#include "Solvers/StationaryIteration.h"
+#include "Support/CountingSort.h"
+#include "Support/EnergiesOfSpace.h"
+#include "Support/Errors.h"
+#include "Support/FreedMemory.h"
+#include "Support/Permutations.h"
+#include "Support/SparseKernels.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+constexpr int Grain = 8192;
+
+RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverTuning& tuning)
+{
+  RoughnessCycleOptions cycle;
+  cycle.Sweeps = options.Sweeps * tuning.FinestSweepsFactor;
+  cycle.Coarse.Smoothing.PreSweeps = options.Sweeps;
+  cycle.Coarse.Smoothing.PostSweeps = options.Sweeps;
+  cycle.Coarse.Repetitions = tuning.CoarseCycles;
+  cycle.LargestFactor = tuning.LargestCoarseFactor;
+  cycle.Coarsening.FinestProlongationSteps = tuning.FinestProlongationSteps;
+  if (options.StartingLevel >= 0)
+  {
+    cycle.Coarsening.CoarsestLevel = options.StartingLevel;
+  }
+  return cycle;
+}
+
+/// A where its kernel has no part. What counts as kernel has energies of rounding errors rather than none,
+/// and a residual could not fall below their roots.
+class OutsideKernel : public LinearOperator<double>
+{
+public:
+  OutsideKernel(const LinearOperator<double>& A, const KernelProjection& projection)
+    : A(A)
+    , Projection(projection)
+  {
+  }
+
+  int Size() const override { return this->A.Size(); }
+  double Apply(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  {
+    const double product = this->A.Apply(x, y, context);
+    this->Projection.Remove(y, context);
+    return product;
+  }
+
+private:
+  const LinearOperator<double>& A;
+  const KernelProjection& Projection;
+};
+
+/// A factor, whose solutions have no part in the kernel.
+class FactorOutsideKernel : public Preconditioner<double>
+{
+public:
+  FactorOutsideKernel(Preconditioner<double>& factor, const KernelProjection& projection)
+    : Factor(factor)
+    , Projection(projection)
+  {
+  }
+
+  void Apply(
+    const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
+  {
+    this->Factor.Apply(r, z, context);
+    this->Projection.Remove(z, context);
+  }
+
+private:
+  Preconditioner<double>& Factor;
+  const KernelProjection& Projection;
+};
+
+/// What deflation takes of harmonic fields: they are zero where unknowns are held, and yield where D pulls
+/// (YieldingUnknowns). Strong pulls would otherwise cost them so much energy that they helped nothing: 46
+/// iterations were seen instead of 13. But where there is a harmonic field with any values that may be prescribed,
+/// it is the solution, and they do not yield.
+Eigen::MatrixXd UnderPulls(Eigen::MatrixXd fields, const RoughnessHierarchy& hierarchy,
+  const Vector<double>& D, const ExecutionContext& context)
+{
+  const int size = hierarchy.NumberOfUnknowns();
+  const std::vector<int> pulled =
+    Choose(size, [&D](int i) { return D[i] > 0.0 && std::isfinite(D[i]); }, context);
+  const auto count = static_cast<Eigen::Index>(pulled.size());
+  const bool areMet = count == 0 ||
+    (count <= fields.cols() &&
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(fields(pulled, Eigen::all)).rank() == count);
+  context.ParallelFor(0, size, Grain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      if (!std::isfinite(D[i]))
+      {
+        fields.row(i).setZero();
+      }
+      else if (D[i] > 0.0 && !areMet)
+      {
+        const double R = hierarchy.DiagonalOf(i);
+        fields.row(i) *= R / (R + D[i]);
+      }
+    }
+  });
+  return fields;
+}
+
+/// What the energies of some vectors would be if nothing cancelled. Slivers have large scales, and hardly count.
+double LargestEnergy(const Eigen::MatrixXd& vectors, const RoughnessHierarchy& hierarchy,
+  const Vector<double>& D, const ExecutionContext& context)
+{
+  double largest = 0.0;
+  for (Eigen::Index k = 0; k < vectors.cols(); ++k)
+  {
+    largest = std::max(largest,
+      SumOverBlocks<double>(hierarchy.NumberOfUnknowns(), context, [&](int first, int last) {
+        double energy = 0.0;
+        for (int i = first; i < last; ++i)
+        {
+          energy += std::isfinite(D[i])
+            ? (hierarchy.DiagonalOf(i) + D[i]) * vectors(i, k) * vectors(i, k)
+            : 0.0;
+        }
+        return energy;
+      }));
+  }
+  return largest;
+}
+
+/// Where some items stand in an order.
+std::vector<int> PlacesOf(
+  const std::vector<int>& items, const std::vector<int>& order, const ExecutionContext& context)
+{
+  const std::vector<int> all = Inverse(order, context);
+  std::vector<int> places;
+  places.reserve(items.size());
+  for (const int item : items)
+  {
+    places.push_back(all[item]);
+  }
+  return places;
+}
+
+std::string WarningAboutUnreached(int unreached, int unknowns)
+{
+  if (unreached == 0)
+  {
+    return {};
+  }
+  return std::to_string(unreached) + " of " + std::to_string(unknowns) +
+    " unknowns lie in components of the surface that hold no prescribed direction; the field is "
+    "zero there";
+}
+
+std::string WarningAboutUndetermined(int undetermined, int harmonicFields)
+{
+  if (undetermined == 0)
+  {
+    return {};
+  }
+  return std::to_string(undetermined) + " of the " + std::to_string(harmonicFields) +
+    " harmonic fields of the surface are not determined by what is prescribed; the field has no "
+    "part in them; prescribe more directions, spread over the handles and holes";
+}
+
+}
+
+Eigen::MatrixXd MultigridSetup::HarmonicFields() const
+{
+  Eigen::MatrixXd fields(this->Kernel.rows(), this->Kernel.cols());
+  if (this->Kernel.cols() > 0) // else it has no rows either
+  {
+    fields(this->Hierarchy->Order, Eigen::all) = this->Kernel;
+  }
+  return fields;
+}
+
+/// All vectors are in the order of the hierarchy. The equations are divided by the smoothness weight.
+class HarmonicProblem::Internals
+{
+public:
+  Internals(std::shared_ptr<const MultigridSetup> setup, const SolverOptions& options,
+    const SolverChoice& choice)
+    : Setup(std::move(setup))
+    , Options(options)
+    , Kind(choice.Kind)
+    , Reason(choice.Reason)
+  {
+  }
+
+  void Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
+  Vector<double> RightHandSide(const Vector<double>& values, const ExecutionContext& context) const;
+  /// By a factor, V-cycles or conjugate gradients.
+  void Iterate(Vector<double>& b, const StoppingCriteria& stop,
+    const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context);
+  /// \param all in the caller's order, or empty.
+  Vector<double> InOrder(const Vector<double>& all, const ExecutionContext& context) const;
+  Vector<double> InCallersOrder(const Vector<double>& x, const ExecutionContext& context) const;
+
+  const std::shared_ptr<const MultigridSetup> Setup;
+  const SolverOptions Options;
+  const SolverKind Kind;
+  const std::string Reason; ///< why it is this
+  PrescribedUnknowns Prescribed;
+  std::vector<int> Places; ///< of those
+  double Smoothness = 1.0;
+  std::vector<int> Held; ///< unknowns that are not free, ascending
+  std::unique_ptr<RoughnessOperator> A;
+  std::unique_ptr<RoughnessCycle> Cycle;
+  std::optional<DeflatedPreconditioner> Deflated; ///< the cycle, where there are harmonic fields
+  std::optional<KernelProjection> Undetermined;   ///< harmonic fields that nothing determines
+  std::unique_ptr<RoughnessNestedIteration> Nested; ///< in place of a cycle
+  SolveReport Report;
+  std::vector<std::string> SystemWarnings;
+
+private:
+  /// Infinite where an unknown is held.
+  Vector<double> DiagonalOfPrescribed(const ExecutionContext& context);
+  void MakeCycle(const Vector<double>& D, const ExecutionContext& context);
+  void MakeNested(const Vector<double>& D, const ExecutionContext& context);
+  void Deflate(const Vector<double>& D, const ExecutionContext& context);
+  void MakeDefinite(Vector<double>& D, const ExecutionContext& context);
+  void WarnOfUndetermined(int number);
+  void CheckAnyIsFree() const;
+};
+
+void HarmonicProblem::Internals::Prescribe(
+  PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+{
+  const auto start = std::chrono::steady_clock::now();
+  const RoughnessHierarchy& hierarchy = *this->Setup->Hierarchy;
+  this->Smoothness = prescribed.Kind == ConstraintKind::Hard ? 1.0 : smoothness;
+  this->Prescribed = std::move(prescribed);
+  this->Places = PlacesOf(this->Prescribed.Unknowns, hierarchy.Order, context);
+  Vector<double> D = this->DiagonalOfPrescribed(context);
+  this->CheckAnyIsFree();
+  context.Checkpoint(0.1);
+
+  this->Deflated.reset();
+  this->Undetermined.reset();
+  if (!this->A)
+  {
+    this->A = hierarchy.Operator();
+  }
+  this->A->SetDiagonal(D, context);
+  const PartOfContext most(context, 0.1, 0.9);
+  if (this->Kind == SolverKind::Cholesky || IsNested(this->Kind))
+  {
+    this->MakeDefinite(D, context);
+    IsNested(this->Kind) ? this->MakeNested(D, most) : this->MakeCycle(D, most);
+  }
+  else
+  {
+    this->MakeCycle(D, most);
+    this->Deflate(D, context);
+  }
+  const bool hasLevels = this->Kind != SolverKind::Cholesky;
+  this->Report.Solver = NameOf(this->Kind) + (hasLevels ? " on " + this->Setup->Name : "") +
+    this->Reason + (hasLevels ? this->Setup->KernelNote : "");
+  this->Report.Warnings = this->SystemWarnings;
+  this->Report.PrepareSeconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  context.Checkpoint(1.0);
+}
+
+void HarmonicProblem::Internals::MakeCycle(
+  const Vector<double>& D, const ExecutionContext& context)
+{
+  const RoughnessHierarchy& hierarchy = *this->Setup->Hierarchy;
+  if (this->Cycle)
+  {
+    this->Cycle->Update(D, context);
+  }
+  else
+  {
+    this->Cycle =
+      hierarchy.Cycle(D, OptionsOfCycle(this->Options, this->Setup->Tuning), context);
+  }
+  this->Report.Levels = this->Cycle->Levels();
+  this->Report.Bytes = this->Setup->Bytes() + this->Cycle->Bytes();
+}
+
+void HarmonicProblem::Internals::MakeNested(
+  const Vector<double>& D, const ExecutionContext& context)
+{
+  this->Nested.reset(); // makes room
+  this->Nested = this->Setup->Hierarchy->NestedIterations(D,
+    OptionsOfCycle(this->Options, this->Setup->Tuning), this->Kind == SolverKind::NestedIterations,
+    context);
+  this->Report.Levels = this->Nested->Levels();
+  this->Report.Bytes = this->Setup->Bytes() + this->Nested->Bytes();
+}
+
+Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionContext& context)
+{
+  const RoughnessHierarchy& hierarchy = *this->Setup->Hierarchy;
+  const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
+  const int size = hierarchy.NumberOfUnknowns();
+  Vector<double> D = Vector<double>::Zero(size);
+  std::vector<char> isReached(hierarchy.Components.empty() ? 1 : size, 0); // by component
+  for (std::size_t k = 0; k < this->Places.size(); ++k)
+  {
+    const int place = this->Places[k];
+    D[place] = isHard ? Infinity : this->Prescribed.Alignment[k] / this->Smoothness;
+    isReached[hierarchy.ComponentOf(place)] |= D[place] > 0.0;
+  }
+  const std::vector<int> unreached = Choose(
+    size, [&](int i) { return !isReached[hierarchy.ComponentOf(i)]; }, context);
+  D(unreached).setConstant(Infinity); // zero, the least of equal minimisers
+  this->Held = Choose(size, [&D](int i) { return !std::isfinite(D[i]); }, context);
+  this->SystemWarnings.clear();
+  if (const std::string warning =
+        WarningAboutUnreached(static_cast<int>(unreached.size()), size);
+      !warning.empty())
+  {
+    this->SystemWarnings.push_back(warning);
+  }
+  return D;
+}
+
+Vector<double> HarmonicProblem::Internals::InOrder(
+  const Vector<double>& all, const ExecutionContext& context) const
+{
+  const std::vector<int>& order = this->Setup->Hierarchy->Order;
+  Vector<double> x(all.size());
+  context.ParallelFor(0, static_cast<int>(all.size()), Grain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      x[k] = all[order[k]];
+    }
+  });
+  return x;
+}
+
+Vector<double> HarmonicProblem::Internals::InCallersOrder(
+  const Vector<double>& x, const ExecutionContext& context) const
+{
+  const std::vector<int>& order = this->Setup->Hierarchy->Order;
+  Vector<double> all(x.size());
+  context.ParallelFor(0, static_cast<int>(x.size()), Grain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      all[order[k]] = x[k];
+    }
+  });
+  return all;
+}
+
+void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const ExecutionContext& context)
+{
+  if (this->Setup->Kernel.cols() == 0)
+  {
+    return;
+  }
+  Eigen::MatrixXd kernel = UnderPulls(this->Setup->Kernel, *this->Setup->Hierarchy, D, context);
+  const double largest = LargestEnergy(kernel, *this->Setup->Hierarchy, D, context);
+  this->Deflated.emplace(*this->Cycle, *this->A, std::move(kernel), largest, context);
+  this->Report.Bytes += this->Deflated->Bytes();
+  this->WarnOfUndetermined(this->Deflated->Kernel().Size());
+}
+
+/// A factor wants a definite matrix. As many entries of the diagonal are doubled as there are harmonic fields U that
+/// nothing determines, in rows where these are independent. This changes no solution: as U^T b = 0 and U^T A = 0,
+/// what is added to the equations has no part in U, so it is zero, and the unknowns of these rows are.
+void HarmonicProblem::Internals::MakeDefinite(Vector<double>& D, const ExecutionContext& context)
+{
+  Eigen::MatrixXd fields = this->Setup->Kernel;
+  if (fields.cols() == 0)
+  {
+    return;
+  }
+  fields(this->Held, Eigen::all).setZero();
+  Eigen::MatrixXd energies(fields.cols(), fields.cols());
+  Vector<double> product;
+  for (Eigen::Index k = 0; k < fields.cols(); ++k)
+  {
+    this->A->Apply(fields.col(k), product, context);
+    energies.col(k) = fields.transpose() * product;
+  }
+  const EnergiesOfSpace ofSpace(
+    fields, energies, LargestEnergy(fields, *this->Setup->Hierarchy, D, context));
+  const Eigen::MatrixXd& undetermined = ofSpace.Undetermined();
+  if (undetermined.cols() == 0)
+  {
+    return;
+  }
+  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> pivots(undetermined.transpose());
+  for (Eigen::Index k = 0; k < undetermined.cols(); ++k)
+  {
+    const int row = pivots.colsPermutation().indices()[k];
+    D[row] += this->Setup->Hierarchy->DiagonalOf(row) + D[row];
+  }
+  this->Undetermined.emplace(undetermined);
+  this->WarnOfUndetermined(this->Undetermined->Size());
+}
+
+void HarmonicProblem::Internals::CheckAnyIsFree() const
+{
+  if (static_cast<int>(this->Held.size()) < this->Setup->Hierarchy->NumberOfUnknowns())
+  {
+    return;
+  }
+  throw InvalidInput(this->Prescribed.Kind == ConstraintKind::Hard
+      ? "hard constraints leave nothing to solve for; prescribe fewer cells or points or make the "
+        "constraints soft"
+      : "all prescribed cells have zero area, so that they hold nothing; prescribe a direction on "
+        "another cell or make the constraints hard");
+}
+
+void HarmonicProblem::Internals::WarnOfUndetermined(int number)
+{
+  if (const std::string warning =
+        WarningAboutUndetermined(number, static_cast<int>(this->Setup->Kernel.cols()));
+      !warning.empty())
+  {
+    this->SystemWarnings.push_back(warning);
+  }
+}
+
+Vector<double> HarmonicProblem::Internals::RightHandSide(
+  const Vector<double>& values, const ExecutionContext& context) const
+{
+  const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
+  const int size = this->Setup->Hierarchy->NumberOfUnknowns();
+  Vector<double> b = Vector<double>::Zero(size);
+  for (std::size_t k = 0; k < this->Places.size(); ++k)
+  {
+    const double weight = isHard ? 1.0 : this->Prescribed.Alignment[k] / this->Smoothness;
+    b[this->Places[k]] = weight * values[k];
+  }
+  if (isHard)
+  {
+    // - R_fb y, as D is zero on what is free
+    Vector<double> pull;
+    this->A->Apply(b, pull, context);
+    b = -pull;
+  }
+  SetZero(b, this->Held, context);
+  return b;
+}
+
+void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriteria& stop,
+  const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context)
+{
+  const KernelProjection* const kernel = this->Deflated ? &this->Deflated->Kernel()
+    : this->Undetermined                                ? &*this->Undetermined
+                                                        : nullptr;
+  Preconditioner<double>* inverse = this->Cycle.get();
+  const LinearOperator<double>* matrix = this->A.get();
+  std::optional<OutsideKernel> outside;
+  std::optional<FactorOutsideKernel> factor;
+  if (this->Deflated)
+  {
+    inverse = &*this->Deflated;
+  }
+  else if (kernel)
+  {
+    inverse = &factor.emplace(*this->Cycle, *kernel);
+  }
+  if (kernel)
+  {
+    matrix = &outside.emplace(*this->A, *kernel);
+    kernel->Remove(b, context);
+    if (x.size() > 0)
+    {
+      kernel->Remove(x, context);
+    }
+  }
+  const auto solve = this->Kind == SolverKind::ConjugateGradients ? &ConjugateGradient<double>
+                                                                  : &StationaryIteration<double>;
+  solve(*matrix, *inverse, b, stop, x, this->Report, context, &measure);
+}
+
+HarmonicProblem::HarmonicProblem(std::shared_ptr<const MultigridSetup> setup,
+  PrescribedUnknowns prescribed, double smoothness, const SolverOptions& options,
+  const SolverChoice& choice, const ExecutionContext& context)
+  : Internal(std::make_unique<Internals>(std::move(setup), options, choice))
+{
+  this->Internal->Prescribe(std::move(prescribed), smoothness, context);
+  GiveBackFreedMemory(); // once; the vectors of a solve are large
+}
+
+HarmonicProblem::~HarmonicProblem() = default;
+
+HarmonicProblem::HarmonicProblem(HarmonicProblem&&) noexcept = default;
+
+void HarmonicProblem::Update(
+  PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+{
+  this->Internal->Prescribe(std::move(prescribed), smoothness, context);
+}
+
+int HarmonicProblem::NumberOfFree() const
+{
+  return this->Internal->Setup->Hierarchy->NumberOfUnknowns() -
+    static_cast<int>(this->Internal->Held.size());
+}
+
+const MultigridSetup& HarmonicProblem::Setup() const
+{
+  return *this->Internal->Setup;
+}
+
+const SolveReport& HarmonicProblem::Report() const
+{
+  return this->Internal->Report;
+}
+
+Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector<double>& start,
+  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  Internals& of = *this->Internal;
+  assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
+  of.Report.Warnings = of.SystemWarnings;
+  Vector<double> b = of.RightHandSide(values, context);
+  // A factor needs no start: what it would improve is found at once.
+  Vector<double> x =
+    of.Kind == SolverKind::Cholesky ? Vector<double>() : of.InOrder(start, context);
+  ConvergenceMeasure<double> measure;
+  measure.Mass = &of.Setup->Mass;
+  measure.Reference = of.InOrder(reference, context);
+  measure.EnergyScale = of.Smoothness;
+  for (Vector<double>* const vector : { &x, &measure.Reference })
+  {
+    if (vector->size() > 0)
+    {
+      SetZero(*vector, of.Held, context);
+    }
+  }
+  if (of.Nested)
+  {
+    of.Nested->Solve(b, of.Options.Nested, x, of.Report, context, measure);
+  }
+  else
+  {
+    of.Iterate(b, stop, measure, x, context);
+  }
+  if (of.Prescribed.Kind == ConstraintKind::Hard)
+  {
+    for (std::size_t k = 0; k < of.Prescribed.Unknowns.size(); ++k)
+    {
+      x[of.Places[k]] = values[k];
+    }
+  }
+  return of.InCallersOrder(x, context);
+}
+
+}

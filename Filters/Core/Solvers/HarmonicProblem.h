@@ -1,0 +1,73 @@
+#ifndef dmgHarmonicProblem_h
+#define dmgHarmonicProblem_h
+
+#include "Solvers/MultigridSetup.h"
+#include "Solvers/PrescribedUnknowns.h"
+#include "Solvers/SolveReport.h"
+#include "Solvers/SolverOptions.h"
+#include "Solvers/StoppingCriteria.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <memory>
+
+namespace dmg
+{
+
+/// The linear system of every most harmonic field, with its solver: the system stage, and the solve stage on top
+/// of it.
+///
+///   soft  argmin  s x^T R x + sum_b m_b |x_b - y_b|^2
+///   hard  argmin  x^T R x  subject to  x_b = y_b
+///
+/// over all unknowns x, with prescribed values y_b for some of them; R is the roughness of the set-up, s the
+/// smoothness weight. With a diagonal D, which is m_b / s where a soft prescription is, infinite where a hard one
+/// is, and zero elsewhere, both are (R + D) x = D y, divided by s. Unknowns that no prescription reaches through R are
+/// zero, the least of their equal minimisers, and so is the part in harmonic fields that no prescription determines.
+///
+/// Unknowns are real; those of power fields are pairs.
+class HarmonicProblem
+{
+public:
+  /// System.
+  /// \param smoothness s > 0.
+  /// \param choice which solver runs, and why; Cholesky where the set-up has no levels. options.Kind does not count.
+  /// \throw InvalidInput nothing is left to solve for.
+  /// \throw SolverFailure the system could not be factored.
+  /// \throw Cancelled
+  HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, PrescribedUnknowns prescribed,
+    double smoothness, const SolverOptions& options, const SolverChoice& choice,
+    const ExecutionContext& context);
+  ~HarmonicProblem();
+  HarmonicProblem(HarmonicProblem&&) noexcept;
+
+  /// Takes other prescribed unknowns or weights: orders, patterns and analyses are kept where they can be. After
+  /// an error the problem must not be used.
+  void Update(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
+
+  /// Unknowns to solve for.
+  int NumberOfFree() const;
+
+  /// Solve for the prescribed values.
+  /// \param values y, one per prescribed unknown.
+  /// \param start first guess, one per unknown, or empty for zero; not of factorisations and nested iterations.
+  /// \param reference the solution, for the Error of every row of the history, or empty.
+  /// \return one per unknown. Not converged: the best vector reached; see Report().
+  /// \throw InvalidInput nested iterations while the error falls, without a reference.
+  /// \throw Cancelled
+  Vector<double> Solve(const Vector<double>& values, const Vector<double>& start,
+    const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context);
+
+  const MultigridSetup& Setup() const;
+
+  /// Of the system stage and of the last solve.
+  const SolveReport& Report() const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif

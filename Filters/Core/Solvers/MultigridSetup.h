@@ -1,0 +1,42 @@
+#ifndef dmgMultigridSetup_h
+#define dmgMultigridSetup_h
+
+#include "Solvers/RoughnessHierarchy.h"
+#include "Solvers/SolverOptions.h"
+#include "Support/Types.h"
+
+#include <memory>
+#include <string>
+
+namespace dmg
+{
+
+/// What solvers need of a roughness, whatever is prescribed: the last part of the set-up. All in the order of
+/// the hierarchy.
+struct MultigridSetup
+{
+  std::string Fields; ///< whose roughness it is: a discretisation by name
+  std::string Name;   ///< says in reports what the coarse levels hold
+  bool HasLevels = true; ///< else it is to be factored
+  SolverTuning Tuning;
+  std::unique_ptr<const RoughnessHierarchy> Hierarchy;
+  /// Of the inner product that errors are measured in; see ConvergenceMeasure.
+  Vector<double> Mass;
+  /// Harmonic fields, a column each, orthonormal: the kernel of the roughness, which cycles hold only nearly.
+  Eigen::MatrixXd Kernel;
+  std::string KernelNote; ///< for reports: why Kernel is left out, or empty
+
+  /// Kernel in the caller's order.
+  Eigen::MatrixXd HarmonicFields() const;
+
+  /// Held by this object.
+  long long Bytes() const
+  {
+    return this->Hierarchy->Bytes() +
+      (this->Mass.size() + this->Kernel.size()) * static_cast<long long>(sizeof(double));
+  }
+};
+
+}
+
+#endif

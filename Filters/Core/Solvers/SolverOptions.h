@@ -1,0 +1,93 @@
+#ifndef dmgSolverOptions_h
+#define dmgSolverOptions_h
+
+#include "Solvers/NestedIteration.h"
+
+#include <limits>
+#include <string>
+#include <tuple>
+
+namespace dmg
+{
+
+enum class SolverKind
+{
+  /// Cholesky for small systems and for many solves, else conjugate gradients; see ChooseSolver.
+  Automatic,
+  /// Supernodal sparse Cholesky of the fine system (CHOLMOD).
+  Cholesky,
+  /// Stationary V-cycles.
+  VCycles,
+  /// Conjugate gradients, one V-cycle as preconditioner.
+  ConjugateGradients,
+  /// Nested iterations: a rough solution for the price of a few cycles.
+  NestedIterations,
+  /// Nested iterations without sweeps: a sketch.
+  CoarseProlongation,
+};
+
+/// How a user wants a system to be solved, whatever its unknowns mean.
+struct SolverOptions
+{
+  SolverKind Kind = SolverKind::Automatic;
+  /// How many solves with the same prescribed places are expected, >= 1.
+  int ExpectedSolves = 1;
+  /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1.
+  int Sweeps = 2;
+  /// Of nested iterations.
+  SweepOptions Nested;
+  /// The level that is solved exactly; negative or beyond the coarsest: the coarsest.
+  int StartingLevel = -1;
+  /// Factors the fine system as well, for the Error of every row of the history.
+  bool CompareWithCholesky = false;
+
+  friend bool operator==(const SolverOptions& a, const SolverOptions& b)
+  {
+    const auto members = [](const SolverOptions& options) {
+      // A member that is forgotten here does not compile.
+      const auto& [kind, solves, sweeps, nested, level, isCompared] = options;
+      return std::tie(kind, solves, sweeps, nested, level, isCompared);
+    };
+    return members(a) == members(b);
+  }
+};
+
+/// What measurements say of a discretisation (its file names them); not for users.
+struct SolverTuning
+{
+  /// Automatic factors systems of at most so many unknowns.
+  int LargestForCholesky = 20000;
+  /// Automatic factors where at least so many solves are expected, whatever the size.
+  int SolvesForCholesky = std::numeric_limits<int>::max();
+  /// The finest level gets so many times as many sweeps as the others, >= 1.
+  int FinestSweepsFactor = 1;
+  /// V-cycles on the first coarse level that stand in for its solution, >= 1; where roughness and
+  /// penalties are kept apart.
+  int CoarseCycles = 1;
+  /// The first coarse level is factored instead if it has at most so many unknowns; there as well.
+  int LargestCoarseFactor = 0;
+  /// How often the finest prolongation is smoothed before use; see GalerkinOptions.
+  int FinestProlongationSteps = 0;
+};
+
+/// The solver that runs, and why if it is not the one asked for.
+struct SolverChoice
+{
+  SolverKind Kind;
+  std::string Reason; ///< the rest of a sentence, or empty
+};
+
+/// \param hasLevels whether there are coarse levels. Where there are none the system is factored,
+///   whatever is asked for.
+SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuning,
+  int numberOfUnknowns, bool hasLevels);
+
+/// Whether nested iterations solve, rather than a Krylov method or a stationary iteration.
+bool IsNested(SolverKind kind);
+
+/// In words.
+std::string NameOf(SolverKind kind);
+
+}
+
+#endif

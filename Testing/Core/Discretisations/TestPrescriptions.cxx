@@ -1,0 +1,125 @@
+#include "Discretisations/Prescriptions.h"
+
+#include "Support/Errors.h"
+#include "Support/Identities.h"
+#include "Support/MeshFactory.h"
+#include "Support/Random.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace
+{
+
+using namespace dmg;
+using namespace dmg::test;
+
+class AlignmentConstraintsTest : public ::testing::Test
+{
+protected:
+  const TriangleMesh Mesh = IrregularSphere(1, 1).Mesh();
+  const TangentFrames Frames = FaceFrames(this->Mesh);
+
+  Vector3 Direction(int face, double angle, double length = 1.0) const
+  {
+    return this->Frames.ToVector(face, std::polar(length, angle));
+  }
+};
+
+TEST_F(AlignmentConstraintsTest, AreSortedPowersOfTheTangentialParts)
+{
+  for (int N = 1; N <= 8; ++N)
+  {
+    const Vector3 normal = this->Frames.Normal(9);
+    const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, N,
+      { { 20, this->Direction(20, 0.3, 2.5), 3.0 },
+        { 9, this->Direction(9, -1.1, 0.5) + 4.0 * normal, 1.5 } });
+    EXPECT_EQ(constraints.Prescribed.Faces, (std::vector<int>{ 9, 20 }));
+    EXPECT_EQ(constraints.Prescribed.Weights, (std::vector<double>{ 1.5, 3.0 }));
+    ASSERT_EQ(constraints.Values.size(), 2);
+    // The length is kept, the angle is multiplied.
+    EXPECT_LT(std::abs(constraints.Values[0] - std::polar(0.5, -1.1 * N)), 50 * MachinePrecision);
+    EXPECT_LT(std::abs(constraints.Values[1] - std::polar(2.5, 0.3 * N)), 50 * MachinePrecision);
+  }
+}
+
+TEST_F(AlignmentConstraintsTest, DirectionsThatAreEqualForNDirectionFieldsAgree)
+{
+  for (int N = 1; N <= 8; ++N)
+  {
+    std::vector<PrescribedDirection> directions;
+    for (int k = 0; k < N; ++k)
+    {
+      directions.push_back({ 4, this->Direction(4, 0.2 + 2.0 * Pi * k / N), 1.0 + k });
+    }
+    const PowerConstraints constraints =
+      MakePowerConstraints(this->Mesh, this->Frames, N, directions);
+    ASSERT_EQ(constraints.Values.size(), 1);
+    EXPECT_LT(std::abs(constraints.Values[0] - std::polar(1.0, 0.2 * N)), 50 * MachinePrecision);
+    EXPECT_DOUBLE_EQ(constraints.Prescribed.Weights[0], 0.5 * N * (N + 1));
+  }
+}
+
+TEST_F(AlignmentConstraintsTest, DirectionsOnOneFaceAreAveragedByWeight)
+{
+  const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, 1,
+    { { 7, this->Direction(7, 0.0), 3.0 }, { 7, this->Direction(7, 0.5 * Pi), 1.0 } });
+  EXPECT_LT(std::abs(constraints.Values[0] - Complex(0.75, 0.25)), 10 * MachinePrecision);
+}
+
+TEST_F(AlignmentConstraintsTest, NothingPrescribedIsEmpty)
+{
+  const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, 4, {});
+  EXPECT_TRUE(constraints.Prescribed.Faces.empty());
+  EXPECT_EQ(constraints.Values.size(), 0);
+}
+
+TEST_F(AlignmentConstraintsTest, RefuseWhatIsNoDirection)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  const Vector3 normal = this->Frames.Normal(5);
+  const Vector3 good = this->Direction(5, 0.0);
+  ElementNames names;
+  for (int f = 0; f < this->Mesh.NumberOfFaces(); ++f)
+  {
+    names.Faces.push_back(1000 + f);
+  }
+  const struct
+  {
+    PrescribedDirection Bad;
+    const char* Word;
+  } cases[] = {
+    { { 5, Vector3(nan, 0.0, 0.0), 1.0 }, "not finite" },
+    { { 5, Vector3(0.0, infinity, 0.0), 1.0 }, "not finite" },
+    { { 5, Vector3::Zero(), 1.0 }, "zero" },
+    { { 5, 3.0 * normal, 1.0 }, "perpendicular" },
+    { { 5, good, 0.0 }, "weight" },
+    { { 5, good, -1.0 }, "weight" },
+    { { 5, good, nan }, "weight" },
+    { { 5, good, infinity }, "weight" },
+  };
+  for (const auto& example : cases)
+  {
+    try
+    {
+      MakePowerConstraints(this->Mesh, this->Frames, 2, { example.Bad }, names);
+      ADD_FAILURE() << "accepted; expected \"" << example.Word << '"';
+    }
+    catch (const InvalidInput& error)
+    {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("cell 1005"), std::string::npos) << message;
+      EXPECT_NE(message.find(example.Word), std::string::npos) << message;
+      EXPECT_NE(message.find("mask"), std::string::npos) << message; // the remedy
+    }
+  }
+  for (int face : { -1, this->Mesh.NumberOfFaces() })
+  {
+    EXPECT_THROW(
+      MakePowerConstraints(this->Mesh, this->Frames, 2, { { face, good, 1.0 } }), InvalidInput);
+  }
+}
+
+}

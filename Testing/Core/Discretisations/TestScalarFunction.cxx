@@ -1,0 +1,185 @@
+#include "Discretisations/ScalarFunction.h"
+
+#include "FieldSolver.h"
+#include "Operators/FaceFieldOperators.h"
+#include "Support/Errors.h"
+#include "Support/MeshFactory.h"
+#include "Support/TbbContext.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+FieldOptions Functions(SolverKind solver = SolverKind::ConjugateGradients)
+{
+  FieldOptions options;
+  options.Field.Kind = DiscretisationKind::ScalarFunction;
+  options.Constraints = ConstraintKind::Hard;
+  options.Solver.Kind = solver;
+  return options;
+}
+
+/// The values of a function at the boundary.
+template <class Function>
+PrescribedDirections OnBoundary(const TriangleMesh& mesh, const Function& function)
+{
+  PrescribedDirections prescribed;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    if (mesh.IsBoundaryVertex(vertex))
+    {
+      prescribed.Values.push_back({ vertex, function(Vector3(mesh.Position(vertex))), 1.0 });
+    }
+  }
+  return prescribed;
+}
+
+PrescribedDirections SomeValues(const TriangleMesh& mesh)
+{
+  PrescribedDirections prescribed;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); vertex += 97)
+  {
+    prescribed.Values.push_back({ vertex, std::sin(0.1 * vertex), 1.0 });
+  }
+  return prescribed;
+}
+
+}
+
+// Linear functions are discrete harmonic on any plane mesh, and their gradient is exact.
+TEST(ScalarFunction, LinearFunctionsAreReproduced)
+{
+  const TriangleMesh mesh = IrregularPlane(40, 30, 9).Mesh();
+  const Vector3 slope(0.7, -1.3, 0.0);
+  const auto linear = [&slope](const Vector3& p) { return 2.0 + slope.dot(p); };
+  for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky,
+         SolverKind::VCycles })
+  {
+    FieldSolver fields(mesh);
+    const Vector<double> u =
+      fields.Solve(OnBoundary(mesh, linear), Functions(solver), { 1e-12, 200 });
+    EXPECT_TRUE(fields.Report().Converged);
+    for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+    {
+      EXPECT_NEAR(u[vertex], linear(mesh.Position(vertex)), 1e-8);
+    }
+    const Points gradient = fields.Directions(0);
+    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+    {
+      EXPECT_LE((Vector3(gradient.row(face)) - slope).norm(), 1e-6);
+    }
+  }
+}
+
+// On a tube between two circles at different values, the function is that of the height.
+TEST(ScalarFunction, APotentialRunsAlongATube)
+{
+  const TriangleMesh mesh = IrregularPlane(64, 20, 3).Mesh();
+  const double left = mesh.VertexPositions().col(0).minCoeff();
+  const double right = mesh.VertexPositions().col(0).maxCoeff();
+  PrescribedDirections prescribed;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    const double x = mesh.Position(vertex)[0];
+    if (x == left || x == right)
+    {
+      prescribed.Values.push_back({ vertex, x == left ? -1.0 : 3.0, 1.0 });
+    }
+  }
+  ASSERT_GE(prescribed.Values.size(), 40u);
+  FieldSolver fields(mesh);
+  const Vector<double> u = fields.Solve(prescribed, Functions(), { 1e-12, 200 });
+  // Natural conditions above and below: nothing crosses them.
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    const double x = mesh.Position(vertex)[0];
+    EXPECT_NEAR(u[vertex], -1.0 + 4.0 * (x - left) / (right - left), 1e-8);
+  }
+}
+
+// L0 = - D_V G, a second way to the cotangent Laplacian, and the mean value property that comes with it.
+TEST(ScalarFunction, MinimisesTheDirichletEnergy)
+{
+  const TriangleMesh mesh = IrregularTorus(48, 24, 4).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  const PrescribedDirections prescribed = SomeValues(mesh);
+  FieldSolver fields(mesh);
+  const Vector<double> u = fields.Solve(prescribed, Functions(), { 1e-13, 200 });
+  Vector<double> residual = FaceDivergence(mesh, frames) * (FaceGradient(mesh, frames) * u);
+  for (const PrescribedValue& value : prescribed.Values)
+  {
+    EXPECT_EQ(u[value.Vertex], value.Value);
+    residual[value.Vertex] = 0.0;
+  }
+  EXPECT_LE(residual.cwiseAbs().maxCoeff(), 1e-8 * u.cwiseAbs().maxCoeff());
+}
+
+TEST(ScalarFunction, SolversAndLevelsAgree)
+{
+  for (const Surface& surface : { IrregularSphere(4, 3), IrregularTorus(64, 32, 4),
+         IrregularPlane(50, 40, 5) })
+  {
+    const TriangleMesh mesh = surface.Mesh();
+    for (const ConstraintKind constraints : { ConstraintKind::Soft, ConstraintKind::Hard })
+    {
+      FieldOptions options = Functions(SolverKind::Cholesky);
+      options.Constraints = constraints;
+      FieldSolver direct(mesh);
+      const Vector<double> expected = direct.Solve(SomeValues(mesh), options, { 1e-12, 200 });
+      for (const CoarseSpaceKind space :
+        { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+      {
+        options.Solver.Kind = SolverKind::ConjugateGradients;
+        options.CoarseSpace = space;
+        FieldSolver fields(mesh);
+        const Vector<double> u = fields.Solve(SomeValues(mesh), options, { 1e-12, 200 });
+        EXPECT_LE((u - expected).norm(), 1e-9 * expected.norm()) << fields.Report().Solver;
+        EXPECT_LE(fields.Report().Iterations.size(), 26u) << fields.Report().Solver;
+      }
+    }
+  }
+}
+
+TEST(ScalarFunction, HasTheSameBitsForAnyNumberOfThreads)
+{
+  const TriangleMesh mesh = IrregularTorus(64, 32, 4).Mesh();
+  const auto solve = [&mesh](const ExecutionContext& context) {
+    FieldSolver fields(mesh, context);
+    return fields.Solve(SomeValues(mesh), Functions(), {}, context);
+  };
+  const Vector<double> expected = solve(SerialContext());
+  EXPECT_EQ(solve(TbbContext(2)), expected);
+  EXPECT_EQ(solve(TbbContext(3)), expected);
+}
+
+TEST(ScalarFunction, ValuesAtOneVertexAreAveraged)
+{
+  const FramedMesh surface(IrregularSphere(2, 3).Mesh());
+  const ScalarFunction functions(surface, VertexAreas::MixedVoronoi);
+  const FieldConstraints constraints =
+    functions.Prescribe({ {}, {}, { { 9, 1.0, 3.0 }, { 4, 2.0, 1.0 }, { 9, 5.0, 1.0 } } }, {});
+  EXPECT_EQ(constraints.Elements, (std::vector<int>{ 4, 9 }));
+  EXPECT_EQ(constraints.Weights, (std::vector<double>{ 1.0, 4.0 }));
+  EXPECT_EQ(constraints.Values[0], 2.0);
+  EXPECT_EQ(constraints.Values[1], 2.0);
+}
+
+TEST(ScalarFunction, RefusesWhatIsNoValue)
+{
+  const FramedMesh surface(IrregularSphere(2, 3).Mesh());
+  const ScalarFunction functions(surface, VertexAreas::MixedVoronoi);
+  const std::vector<std::vector<PrescribedValue>> wrong = { {}, { { -1, 1.0, 1.0 } },
+    { { 4, std::nan(""), 1.0 } }, { { 4, 1.0, 0.0 } } };
+  for (const std::vector<PrescribedValue>& values : wrong)
+  {
+    EXPECT_THROW(functions.Prescribe({ {}, {}, values }, {}), InvalidInput);
+  }
+}

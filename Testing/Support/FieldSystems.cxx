@@ -1,0 +1,106 @@
+#include "Support/FieldSystems.h"
+
+#include "Discretisations/FaceField.h"
+#include "Discretisations/OneForm.h"
+#include "Discretisations/PowerField.h"
+#include "Operators/FaceFieldOperators.h"
+#include "Operators/PowerFieldOperators.h"
+#include "Support/Errors.h"
+
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+template <class Scalar>
+HarmonicSystem<Scalar> MakeSystem(SparseMatrix<Scalar> roughness, const Vector<double>& mass,
+  PrescribedUnknowns prescribed, const FieldWeights& weights)
+{
+  if (weights.Constraints == ConstraintKind::Soft)
+  {
+    roughness *= weights.Smoothness;
+  }
+  HarmonicSystem<Scalar> system =
+    HarmonicSystem<Scalar>::Make(std::move(roughness), mass, std::move(prescribed));
+  if (system.NumberOfFree() == 0)
+  {
+    throw InvalidInput("nothing is left to solve for");
+  }
+  return system;
+}
+
+/// One per complex unknown instead of one per part.
+PrescribedUnknowns OfComplex(const PrescribedUnknowns& pairs)
+{
+  PrescribedUnknowns powers{ pairs.Kind, {}, Vector<double>(pairs.Alignment.size() / 2) };
+  for (std::size_t b = 0; b < pairs.Unknowns.size(); b += 2)
+  {
+    powers.Unknowns.push_back(pairs.Unknowns[b] / 2);
+  }
+  for (Eigen::Index b = 0; b < powers.Alignment.size(); ++b)
+  {
+    powers.Alignment[b] = pairs.Alignment[2 * b];
+  }
+  return powers;
+}
+
+}
+
+HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
+  const FieldWeights& weights, const ExecutionContext& context)
+{
+  const FramedMesh surface(mesh);
+  const PowerField field(surface, N);
+  return MakeSystem<Complex>(PowerLaplacian(mesh, faceFrames, N, context), field.Mass(context),
+    OfComplex(field.Penalties({ prescribed.Faces, prescribed.Weights, {} }, weights, context)),
+    weights);
+}
+
+HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
+  const TangentFrames& faceFrames, const PrescribedFaces& prescribed, const FieldWeights& weights,
+  const ExecutionContext& context)
+{
+  return MakeSystem<double>(FaceFieldSmoothness(mesh, faceFrames, context), MassOfFaceFields(mesh),
+    PrescribedUnknownsOf(mesh, prescribed, weights), weights);
+}
+
+HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
+  const PrescribedEdges& prescribed, const FieldWeights& weights, const ExecutionContext& context,
+  VertexAreas areas)
+{
+  return MakeSystem<double>(OneFormLaplacian(mesh, context, areas), PositiveStar1(mesh, context),
+    PrescribedUnknownsOf(mesh, prescribed, weights), weights);
+}
+
+PrescribedUnknowns PrescribedUnknownsOf(
+  const TriangleMesh& mesh, const PrescribedFaces& prescribed, const FieldWeights& weights)
+{
+  const FramedMesh surface(mesh);
+  return FaceField(surface).Penalties(
+    { prescribed.Faces, prescribed.Weights, {} }, weights, SerialContext());
+}
+
+PrescribedUnknowns PrescribedUnknownsOf(
+  const TriangleMesh& mesh, const PrescribedEdges& prescribed, const FieldWeights& weights)
+{
+  const FramedMesh surface(mesh);
+  return OneForm(surface, VertexAreas::MixedVoronoi)
+    .Penalties({ prescribed.Edges, prescribed.Weights, {} }, weights, SerialContext());
+}
+
+Vector<double> MassOfPowerFields(const TriangleMesh& mesh)
+{
+  const FramedMesh surface(mesh);
+  return PowerField(surface, 1).Mass(SerialContext());
+}
+
+Vector<double> MassOfFaceFields(const TriangleMesh& mesh)
+{
+  const FramedMesh surface(mesh);
+  return FaceField(surface).Mass(SerialContext());
+}
+
+}
