@@ -9,7 +9,6 @@
 #include "HarmonicField.h"
 #include "Support/Errors.h"
 
-#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -142,6 +141,8 @@ public:
     dmg::SolveReport Report;
     std::optional<dmg::FieldArrays> Arrays;
   };
+
+  dmg::ConstraintChoices OnSource; ///< SetSourceArrayToProcess
 
   std::unique_ptr<SurfaceStage> Surface;
   std::shared_ptr<const OperatorsStage> Operators; ///< null where the solver does without
@@ -411,6 +412,29 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
 vtkHarmonicFieldSolver::~vtkHarmonicFieldSolver() = default;
 
 //------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::SetSourceArrayToProcess(
+  int index, int port, int connection, int association, const char* name)
+{
+  dmg::ConstraintChoices& choices = this->Internals->OnSource;
+  dmg::ArrayChoice* const chosen[] = { &choices.Mask, &choices.Vectors, &choices.Weights };
+  if (index < 0 || index > 2 || port != 1 || connection != 0)
+  {
+    vtkErrorMacro("the second input has no array of index "
+      << index << ", port " << port << ", connection " << connection
+      << "; choose index 0 (mask), 1 (directions) or 2 (weights), port 1, connection 0");
+    return;
+  }
+  dmg::ArrayChoice choice;
+  choice.Name = name ? name : "";
+  choice.Association = association;
+  if (!(*chosen[index] == choice))
+  {
+    *chosen[index] = choice;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::GetNumberOfSetups() const
 {
   return this->Internals->NumberOfSetups;
@@ -435,7 +459,8 @@ int vtkHarmonicFieldSolver::FillInputPortInformation(int port, vtkInformation* i
   {
     return this->Superclass::FillInputPortInformation(port, information);
   }
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  // Composite datasets come as a whole, and other types get an error that says what to do.
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return 1;
 }
@@ -460,7 +485,7 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
-  vtkDataSet* const points = vtkDataSet::GetData(inputVector[1]);
+  vtkDataObject* const source = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* const edges = vtkPolyData::GetData(outputVector, 1);
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
@@ -514,7 +539,8 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::FramedSurface& framed = stages.Surface->Framed;
     const dmg::FieldConstraints constraints =
       dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces, framed.Vertices,
-        dmg::ChosenDirections(this, input, points, framed), options, framed.Surface.Names());
+        dmg::ChosenDirections(dmg::ChoicesOf(this), input, stages.OnSource, source, framed),
+        options, framed.Surface.Names());
     stages.Prepare(constraints, options, dmg::PartOfContext(context, 0.5, 0.7));
 
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };

@@ -38,20 +38,24 @@
  * one of thirty for face fields and 1-forms. All levels that were built for a surface are kept.
  * Operators that lack those of the discretisation are an error.
  *
- * Port 1, directions (optional): vtkDataSet, points in space with vectors. Each prescribes the face
- * of the surface that is nearest to it.
+ * Port 1, directions (optional): vtkDataSet, points in space with vectors, or a composite dataset,
+ * of which all leaves that are vtkDataSet take part. Each vector prescribes the face of the surface
+ * that is nearest to its point. Anything else is an error.
  *
- * The arrays are chosen by SetInputArrayToProcess(index, port, 0, association, name), where index,
- * port and admissible associations are:
+ * The arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name),
+ * those of port 1 by SetSourceArrayToProcess(index, 1, 0, association, name), where index and
+ * admissible associations are:
  *
- * | index | port | association   | components | meaning                                    |
- * | ----- | ---- | ------------- | ---------- | ------------------------------------------ |
- * | 0     | 0    | cells, points | 1          | mask (optional): not zero where prescribed |
- * | 1     | 0    | cells, points | 3          | prescribed directions                      |
- * | 2     | 0    | cells, points | 1          | weight > 0 (optional), by default 1        |
- * | 3     | 1    | points        | 1          | mask (optional), as 0                      |
- * | 4     | 1    | points        | 3          | directions; by default the active vectors  |
- * | 5     | 1    | points        | 1          | weight (optional), as 2                    |
+ * | index | components | meaning                                    | surface       | port 1 |
+ * | ----- | ---------- | ------------------------------------------ | ------------- | ------ |
+ * | 0     | 1          | mask (optional): not zero where prescribed | cells, points | points |
+ * | 1     | 3          | directions; of port 1 by default the active vectors | cells, points | points |
+ * | 2     | 1          | weight > 0 (optional), by default 1        | cells, points | points |
+ *
+ * Port 1 has a method of its own, since ParaView 5.11 ends where the first index that
+ * SetInputArrayToProcess knows for a connection is not 0. A leaf that lacks the chosen directions
+ * takes no part if another has them. Each array has a tuple for every element; one that has fewer, or
+ * other components, is an error.
  *
  * The three arrays of a port share one association. An empty name, or "None" where no array has
  * that name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not
@@ -429,6 +433,15 @@ public:
    * The dataset with directions, input port 1. Optional.
    */
   void SetDirectionsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+
+  /**
+   * Chooses an array of port 1, as SetInputArrayToProcess does for the surface: index 0 mask, 1
+   * directions, 2 weights; port 1; connection 0; association vtkDataObject::FIELD_ASSOCIATION_POINTS
+   * (or POINTS_THEN_CELLS); a name, of which an empty one or null chooses nothing. By default nothing
+   * is chosen, which leaves the active vectors.
+   */
+  void SetSourceArrayToProcess(
+    int index, int port, int connection, int association, const char* name);
 
   ///@{
   /**

@@ -2,19 +2,19 @@
 
 #include "Support/Errors.h"
 
-#include "vtkAlgorithm.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
 #include "vtkGenericCell.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
-#include "vtkInformationStringKey.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStaticCellLocator.h"
 
-#include <cmath>
+#include <algorithm>
+#include <sstream>
 
 namespace dmg
 {
@@ -25,234 +25,188 @@ namespace
 /// A direction leaning less than this (as a sine) out of the normal has no tangential part.
 constexpr double SmallestTangentialPart = 1e-6;
 
-/// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.
-struct ConstraintArrays
-{
-  vtkDataArray* Mask = nullptr; // 1 component; null: where the vector is not zero
-  vtkDataArray* Vectors = nullptr; // 3 components
-  vtkDataArray* Weights = nullptr; // 1 component; null: 1
-  bool OnPoints = false; // else on cells
-};
-
-struct Chosen
-{
-  vtkDataArray* Array = nullptr;
-  int Association = vtkDataObject::FIELD_ASSOCIATION_NONE;
-};
-
-Chosen ChosenArray(vtkAlgorithm* algorithm, int index, vtkDataSet* dataset, int components,
-  const std::string& what, const std::string& whose)
-{
-  vtkInformation* const choice = algorithm->GetInputArrayInformation(index);
-  const bool byName = choice->Has(vtkDataObject::FIELD_NAME());
-  const std::string name = byName ? choice->Get(vtkDataObject::FIELD_NAME()) : "";
-  if (byName ? name.empty() : !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
-  {
-    return {};
-  }
-  const int wanted = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
-  vtkAbstractArray* found = nullptr;
-  Chosen chosen;
-  for (int association :
-    { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
-  {
-    if (!found &&
-      (wanted == association || wanted == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS))
-    {
-      vtkDataSetAttributes* const attributes = dataset->GetAttributes(association);
-      found = byName
-        ? attributes->GetAbstractArray(name.c_str())
-        : attributes->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
-      chosen.Association = association;
-    }
-  }
-  if (!found && name == "None") // how menus say that nothing is chosen
-  {
-    return {};
-  }
-  const std::string called = "array '" + name + "', chosen for the " + what + " of " + whose + ",";
-  if (!found)
-  {
-    throw InvalidInput(
-      called + " is not among its point or cell arrays; choose one of those, or none");
-  }
-  chosen.Array = vtkDataArray::SafeDownCast(found);
-  if (!chosen.Array || chosen.Array->GetNumberOfComponents() != components)
-  {
-    throw InvalidInput(called + " does not hold " + std::to_string(components) +
-      (components == 1 ? " number" : " numbers") + " per element; choose another");
-  }
-  return chosen;
-}
-
-/// Calls add(element, vector, weight, name) for all that are prescribed among tuples [0, size) of some arrays.
-/// \param elementOf the element of a tuple, or -1, where it does not count.
-template <class ElementOf, class Add>
-void VisitPrescribed(const ConstraintArrays& arrays, vtkIdType size, const std::string& kind,
-  const ElementOf& elementOf, const Add& add)
-{
-  for (vtkIdType id = 0; id < size; ++id)
-  {
-    const auto element = elementOf(id);
-    if (element < 0)
-    {
-      continue;
-    }
-    Vector3 vector;
-    arrays.Vectors->GetTuple(id, vector.data());
-    if (arrays.Mask ? arrays.Mask->GetComponent(id, 0) == 0.0 : vector.isZero(0.0))
-    {
-      continue;
-    }
-    const double weight = arrays.Weights ? arrays.Weights->GetComponent(id, 0) : 1.0;
-    const std::string name = kind + " " + std::to_string(id);
-    if (!vector.allFinite())
-    {
-      throw InvalidInput("the direction prescribed at " + name +
-        " is not finite; repair it or take it out of the mask");
-    }
-    if (!(weight > 0.0) || !std::isfinite(weight))
-    {
-      throw InvalidInput("the weight of the direction prescribed at " + name + " is " +
-        std::to_string(weight) + "; make it positive or take it out of the mask");
-    }
-    add(element, vector, weight, name);
-  }
-}
-
-std::string NameOf(vtkDataArray* array)
-{
-  return array->GetName() ? array->GetName() : "(without a name)";
-}
-
-/// What was chosen with indices \p first (mask), \p first + 1 (vectors), \p first + 2 (weights).
-/// \param byDefault the vectors where none are chosen; may be null.
-ConstraintArrays ChosenConstraints(vtkAlgorithm* algorithm, int first, vtkDataSet* dataset,
-  vtkDataArray* byDefault, const std::string& whose)
-{
-  const Chosen mask = ChosenArray(algorithm, first, dataset, 1, "mask", whose);
-  const Chosen weights = ChosenArray(algorithm, first + 2, dataset, 1, "weights", whose);
-  Chosen vectors = ChosenArray(algorithm, first + 1, dataset, 3, "directions", whose);
-  if (!vectors.Array && byDefault)
-  {
-    vectors = { byDefault, vtkDataObject::FIELD_ASSOCIATION_POINTS };
-  }
-  for (const Chosen& other : { mask, weights })
-  {
-    if (other.Array && !vectors.Array)
-    {
-      throw InvalidInput("array '" + NameOf(other.Array) + "' is chosen as mask or weights of " +
-        whose + ", and no directions are; choose an array of vectors as well");
-    }
-    if (other.Array && other.Association != vectors.Association)
-    {
-      throw InvalidInput("array '" + NameOf(other.Array) + "' of " + whose +
-        " and its directions '" + NameOf(vectors.Array) +
-        "' are not both on points or both on cells; choose arrays of one kind");
-    }
-  }
-  return { mask.Array, vectors.Array, weights.Array,
-    vectors.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
-}
-
-PrescribedDirections DirectionsOnSurface(
-  const ConstraintArrays& arrays, vtkPolyData* input, const SurfaceMesh& surface)
+PrescribedDirections DirectionsOnSurface(const ConstraintArrays& arrays, const SurfaceMesh& surface)
 {
   PrescribedDirections directions;
-  if (!arrays.Vectors)
-  {
-    return directions;
-  }
   if (arrays.OnPoints)
   {
     VisitPrescribed(
-      arrays, input->GetNumberOfPoints(), "point",
-      [&surface](vtkIdType point) { return surface.VertexOf(point); },
-      [&directions](int vertex, const Vector3& vector, double weight, const std::string&) {
-        directions.AtVertices.push_back({ vertex, vector, weight });
+      arrays, [&surface](vtkIdType point) { return surface.VertexOf(point) >= 0; },
+      [&directions, &surface](const ElementDirection& given)
+      {
+        directions.AtVertices.push_back(
+          { surface.VertexOf(given.Element), given.Vector, given.Weight });
       });
   }
   else
   {
     VisitPrescribed(
-      arrays, input->GetNumberOfCells(), "cell",
-      [&surface](vtkIdType cell) { return surface.FaceOf(cell); },
-      [&directions](int face, const Vector3& vector, double weight, const std::string&) {
-        directions.OnFaces.push_back({ face, vector, weight });
+      arrays, [&surface](vtkIdType cell) { return surface.FaceOf(cell) >= 0; },
+      [&directions, &surface](const ElementDirection& given) {
+        directions.OnFaces.push_back({ surface.FaceOf(given.Element), given.Vector, given.Weight });
       });
   }
   return directions;
 }
 
-std::vector<PrescribedDirection> DirectionsFromPoints(const ConstraintArrays& arrays,
-  vtkDataSet* points, vtkPolyData* input, const FramedSurface& framed)
+/// A dataset of the second input.
+struct SourceDataSet
 {
-  std::vector<PrescribedDirection> directions;
-  if (!arrays.Vectors)
+  vtkDataSet* Data;
+  std::string Name; ///< for messages
+};
+
+/// \throw InvalidInput \p source is neither a dataset nor made of some.
+std::vector<SourceDataSet> DataSetsOf(vtkDataObject* source)
+{
+  const std::string name = "the second input";
+  std::vector<SourceDataSet> datasets;
+  if (auto* const dataset = vtkDataSet::SafeDownCast(source))
   {
-    return directions;
+    datasets.push_back({ dataset, name });
   }
-  if (!arrays.OnPoints)
+  else if (auto* const composite = vtkCompositeDataSet::SafeDownCast(source))
   {
-    throw InvalidInput("array '" + NameOf(arrays.Vectors) +
-      "' prescribes directions on cells of the second input; convert it with "
-      "vtkCellDataToPointData, or choose a point array");
-  }
-  vtkNew<vtkPolyData> triangles; // its cells are the polygons
-  triangles->SetPoints(input->GetPoints());
-  triangles->SetPolys(input->GetPolys());
-  vtkNew<vtkStaticCellLocator> locator;
-  locator->SetDataSet(triangles);
-  locator->BuildLocator();
-  vtkNew<vtkGenericCell> cell;
-  VisitPrescribed(
-    arrays, points->GetNumberOfPoints(), "point", [](vtkIdType point) { return point; },
-    [&directions, &framed, &locator, &cell, points](
-      vtkIdType point, const Vector3& vector, double weight, const std::string& name)
+    const auto leaves = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaves->InitTraversal(); !leaves->IsDoneWithTraversal(); leaves->GoToNextItem())
     {
-      double position[3], closest[3], squaredDistance;
-      points->GetPoint(point, position);
-      vtkIdType polygon = -1;
-      int subId;
-      locator->FindClosestPoint(position, closest, cell, polygon, subId, squaredDistance);
-      if (polygon < 0)
+      if (auto* const leaf = vtkDataSet::SafeDownCast(leaves->GetCurrentDataObject()))
       {
-        throw InvalidInput(name + " of the second input has no nearest triangle; is it finite?");
+        datasets.push_back(
+          { leaf, "block " + std::to_string(leaves->GetCurrentFlatIndex()) + " of " + name });
       }
-      const int face = framed.Surface.Faces[polygon];
-      const Complex direction = framed.Faces.ToComplex(face, vector);
-      if (std::abs(direction) <= SmallestTangentialPart * vector.norm())
-      {
-        throw InvalidInput("the direction prescribed at " + name +
-          " of the second input is perpendicular to the nearest triangle, cell " +
-          std::to_string(framed.Surface.CellOf(face)) +
-          "; turn it or take it out of the mask");
-      }
-      directions.push_back({ face, vector, weight });
-    });
-  return directions;
-}
-
-}
-
-PrescribedDirections ChosenDirections(
-  vtkAlgorithm* algorithm, vtkPolyData* surface, vtkDataSet* points, const FramedSurface& framed)
-{
-  PrescribedDirections directions = DirectionsOnSurface(
-    ChosenConstraints(algorithm, 0, surface, nullptr, "the surface"), surface,
-    framed.Surface);
-  if (points)
+    }
+  }
+  else if (source)
   {
-    const ConstraintArrays arrays = ChosenConstraints(
-      algorithm, 3, points, points->GetPointData()->GetVectors(), "the second input");
-    const auto more = DirectionsFromPoints(arrays, points, surface, framed);
-    directions.OnFaces.insert(directions.OnFaces.end(), more.begin(), more.end());
+    throw InvalidInput(name + " is a " + source->GetClassName() +
+      ", which is no dataset; connect points with vectors, as Table To Points "
+      "(vtkTableToPolyData) makes of a table");
+  }
+  const auto isEmpty = [](const SourceDataSet& source)
+  { return source.Data->GetNumberOfPoints() == 0; };
+  datasets.erase(std::remove_if(datasets.begin(), datasets.end(), isEmpty), datasets.end());
+  return datasets;
+}
+
+/// The arrays of all datasets; those without the chosen vectors take no part if another has them.
+std::vector<ConstraintArrays> ArraysOfSource(
+  const ConstraintChoices& choices, const std::vector<SourceDataSet>& datasets)
+{
+  const auto hasVectors = [&choices](const SourceDataSet& source)
+  { return HasArray(choices.Vectors, source.Data); };
+  const bool onlyWithVectors = std::any_of(datasets.begin(), datasets.end(), hasVectors);
+  std::vector<ConstraintArrays> arrays;
+  for (const SourceDataSet& source : datasets)
+  {
+    if (!onlyWithVectors || hasVectors(source))
+    {
+      arrays.push_back(
+        FindArrays(choices, source.Data, source.Data->GetPointData()->GetVectors(), source.Name));
+    }
+    else
+    {
+      arrays.emplace_back();
+    }
+  }
+  return arrays;
+}
+
+/// Finds the face of a surface that is nearest to a point.
+class NearestFaces
+{
+public:
+  NearestFaces(vtkPolyData* surface, const SurfaceMesh& mesh)
+    : Mesh(mesh)
+  {
+    vtkNew<vtkPolyData> triangles; // its cells are the polygons
+    triangles->SetPoints(surface->GetPoints());
+    triangles->SetPolys(surface->GetPolys());
+    this->Locator->SetDataSet(triangles);
+    this->Locator->BuildLocator();
+  }
+
+  /// \param name of the point, for the message.
+  /// \throw InvalidInput the point is not finite, or too far away for its distance to be a number.
+  int operator()(const Vector3& position, const std::string& name)
+  {
+    // The locator asserts what is checked here.
+    const double scale = position.squaredNorm();
+    vtkIdType polygon = -1;
+    if (std::isfinite(scale))
+    {
+      double closest[3], squaredDistance;
+      int subId;
+      this->Locator->FindClosestPoint(
+        position.data(), closest, this->Cell, polygon, subId, squaredDistance);
+    }
+    if (polygon < 0)
+    {
+      std::ostringstream message;
+      message << name << " lies at (" << position.x() << ", " << position.y() << ", "
+              << position.z() << "), which has no nearest triangle; move the point, remove it, or "
+              << "make its direction zero";
+      throw InvalidInput(message.str());
+    }
+    return this->Mesh.Faces[polygon];
+  }
+
+private:
+  const SurfaceMesh& Mesh;
+  vtkNew<vtkStaticCellLocator> Locator;
+  vtkNew<vtkGenericCell> Cell;
+};
+
+void AddDirectionsFromPoints(const ConstraintArrays& arrays, vtkDataSet* points,
+  const FramedSurface& framed, NearestFaces& nearest, std::vector<PrescribedDirection>& directions)
+{
+  if (arrays.Vectors && !arrays.OnPoints)
+  {
+    throw InvalidInput(std::string("array '") + arrays.Vectors->GetName() +
+      "' prescribes directions on cells of " + arrays.Whose +
+      "; convert it with Cell Data To Point Data (vtkCellDataToPointData), or choose a point "
+      "array");
+  }
+  VisitPrescribed(
+    arrays, [](vtkIdType) { return true; },
+    [&](const ElementDirection& given)
+    {
+      Vector3 position;
+      points->GetPoint(given.Element, position.data());
+      const int face = nearest(position, arrays.NameOf(given.Element));
+      const Complex direction = framed.Faces.ToComplex(face, given.Vector);
+      if (std::abs(direction) <= SmallestTangentialPart * given.Vector.norm())
+      {
+        throw InvalidInput("the direction prescribed at " + arrays.NameOf(given.Element) +
+          " is perpendicular to the nearest triangle, cell " +
+          std::to_string(framed.Surface.CellOf(face)) + "; turn it or make it zero");
+      }
+      directions.push_back({ face, given.Vector, given.Weight });
+    });
+}
+
+}
+
+PrescribedDirections ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface,
+  const ConstraintChoices& onSource, vtkDataObject* source, const FramedSurface& framed)
+{
+  PrescribedDirections directions =
+    DirectionsOnSurface(FindArrays(onSurface, surface, nullptr, "the surface"), framed.Surface);
+  const std::vector<SourceDataSet> datasets = DataSetsOf(source);
+  const std::vector<ConstraintArrays> arrays = ArraysOfSource(onSource, datasets);
+  if (!datasets.empty())
+  {
+    NearestFaces nearest(surface, framed.Surface);
+    for (std::size_t i = 0; i < datasets.size(); ++i)
+    {
+      AddDirectionsFromPoints(arrays[i], datasets[i].Data, framed, nearest, directions.OnFaces);
+    }
   }
   if (directions.OnFaces.empty() && directions.AtVertices.empty())
   {
-    throw InvalidInput("no direction is prescribed; choose an array of vectors on the surface "
-                       "(SetInputArrayToProcess, index 1) or on the second input (index 4), and a "
-                       "mask, if any, that is not zero everywhere");
+    throw InvalidInput("no direction is prescribed; choose an array of vectors for Directions, on "
+                       "the surface, or for Source Directions, on the second input, and a Mask, if "
+                       "any, that is not zero everywhere");
   }
   return directions;
 }

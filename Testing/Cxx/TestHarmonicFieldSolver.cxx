@@ -514,7 +514,7 @@ TEST(Constraints, FromAnotherDatasetPrescribeTheNearestFace)
   vtkNew<vtkHarmonicFieldSolver> solver;
   solver->SetInputData(input);
   solver->SetInputData(1, points);
-  solver->SetInputArrayToProcess(4, 1, 0, OnPoints, "Wind");
+  solver->SetSourceArrayToProcess(1, 1, 0, OnPoints, "Wind");
   EXPECT_EQ(PrescribedCells(solver), (Cells{ { 5, 1.0 }, { 20, 1.0 } }));
 
   // The active vectors where nothing is chosen, and both sources together.
@@ -987,7 +987,7 @@ class RefusedConstraints : public testing::TestWithParam<BadInput>
 
 void Choose(vtkHarmonicFieldSolver* solver, int index, int association, const char* name)
 {
-  solver->SetInputArrayToProcess(index, index / 3, 0, association, name);
+  solver->SetInputArrayToProcess(index, 0, 0, association, name);
 }
 
 void SetCell(vtkPolyData* input, vtkIdType cell, double x, double y, double z)
@@ -1081,7 +1081,7 @@ const BadInput BadInputs[] = {
       vtkNew<vtkPolyData> other;
       other->DeepCopy(input);
       solver->SetInputData(1, other);
-      Choose(solver, 4, OnCells, "Given");
+      solver->SetSourceArrayToProcess(1, 1, 0, OnCells, "Given");
     },
     { "'Given'", "second input", "vtkCellDataToPointData" } },
   { "SecondInputNormal",
@@ -1101,7 +1101,7 @@ const BadInput BadInputs[] = {
       other->GetPoints()->SetPoint(7, center.data());
       AddPointVectors(other, "Normal", { { 7, (b - a).cross(c - a) } });
       solver->SetInputData(1, other);
-      Choose(solver, 4, OnPoints, "Normal");
+      solver->SetSourceArrayToProcess(1, 1, 0, OnPoints, "Normal");
     },
     { "point 7 of the second input", "cell 600" } },
   { "SmoothnessNotPositive",
