@@ -142,7 +142,7 @@ public:
     std::optional<dmg::FieldArrays> Arrays;
   };
 
-  dmg::ConstraintChoices OnSource; ///< SetSourceArrayToProcess
+  dmg::ConstraintChoices OfGuides; ///< SetGuideArrayToProcess
 
   std::unique_ptr<SurfaceStage> Surface;
   std::shared_ptr<const OperatorsStage> Operators; ///< null where the solver does without
@@ -412,14 +412,26 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
 vtkHarmonicFieldSolver::~vtkHarmonicFieldSolver() = default;
 
 //------------------------------------------------------------------------------
-void vtkHarmonicFieldSolver::SetSourceArrayToProcess(
+void vtkHarmonicFieldSolver::AddGuidesConnection(vtkAlgorithmOutput* output)
+{
+  this->AddInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::RemoveAllGuides()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::SetGuideArrayToProcess(
   int index, int port, int connection, int association, const char* name)
 {
-  dmg::ConstraintChoices& choices = this->Internals->OnSource;
+  dmg::ConstraintChoices& choices = this->Internals->OfGuides;
   dmg::ArrayChoice* const chosen[] = { &choices.Mask, &choices.Vectors, &choices.Weights };
   if (index < 0 || index > 2 || port != 1 || connection != 0)
   {
-    vtkErrorMacro("the second input has no array of index "
+    vtkErrorMacro("guides have no array of index "
       << index << ", port " << port << ", connection " << connection
       << "; choose index 0 (mask), 1 (directions) or 2 (weights), port 1, connection 0");
     return;
@@ -462,6 +474,7 @@ int vtkHarmonicFieldSolver::FillInputPortInformation(int port, vtkInformation* i
   // Composite datasets come as a whole, and other types get an error that says what to do.
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  information->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   return 1;
 }
 
@@ -485,7 +498,6 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
-  vtkDataObject* const source = vtkDataObject::GetData(inputVector[1]);
   vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* const edges = vtkPolyData::GetData(outputVector, 1);
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
@@ -506,6 +518,12 @@ int vtkHarmonicFieldSolver::RequestData(
 
   vtkInternals& stages = *this->Internals;
   const bool hasBasis = this->HarmonicBasis && this->Discretisation != PowerField;
+  dmg::Guides guides{ {}, stages.OfGuides, this->MaximumDistance };
+  for (int i = 0; i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
+  {
+    guides.Data.push_back(vtkDataObject::GetData(inputVector[1], i));
+  }
+  dmg::GuidesReport guidesReport;
   try
   {
     const dmg::ContextFromAlgorithm context(this);
@@ -537,10 +555,16 @@ int vtkHarmonicFieldSolver::RequestData(
     stages.SetUp(input, options, selection, dmg::PartOfContext(context, 0.0, 0.5));
 
     const dmg::FramedSurface& framed = stages.Surface->Framed;
+    const dmg::Prescription prescribed = dmg::ChosenDirections(
+      dmg::ChoicesOf(this), input, guides, framed, dmg::PartOfContext(context, 0.5, 0.5));
+    guidesReport = prescribed.Report;
+    if (!guidesReport.IsAllTaken())
+    {
+      vtkWarningMacro(<< guidesReport.LeftOut());
+    }
     const dmg::FieldConstraints constraints =
       dmg::MakeFieldConstraints(framed.Surface.Mesh, framed.Faces, framed.Vertices,
-        dmg::ChosenDirections(dmg::ChoicesOf(this), input, stages.OnSource, source, framed),
-        options, framed.Surface.Names());
+        prescribed.Directions, options, framed.Surface.Names());
     stages.Prepare(constraints, options, dmg::PartOfContext(context, 0.5, 0.7));
 
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
@@ -588,6 +612,10 @@ int vtkHarmonicFieldSolver::RequestData(
   {
     dmg::AddReport(
       report, solved.NumberOfDirections(), stages.SetupSeconds(), data->GetFieldData());
+    if (!guides.Data.empty())
+    {
+      dmg::AddGuidesReport(guidesReport, data->GetFieldData());
+    }
     if (hasBasis)
     {
       dmg::AddBasisSize(stages.Basis->Arrays, data->GetFieldData());
@@ -609,6 +637,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")

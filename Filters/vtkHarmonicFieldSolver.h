@@ -38,26 +38,43 @@
  * one of thirty for face fields and 1-forms. All levels that were built for a surface are kept.
  * Operators that lack those of the discretisation are an error.
  *
- * Port 1, directions (optional): vtkDataSet, points in space with vectors, or a composite dataset,
- * of which all leaves that are vtkDataSet take part. Each vector prescribes the face of the surface
- * that is nearest to its point. Anything else is an error.
+ * Port 1, the guides (optional, any number of connections): what the field shall follow, wherever it
+ * stands in space. A guide is a vtkDataSet, or a composite dataset, of which all leaves that are
+ * vtkDataSet take part. Each is brought to the nearest place of the surface:
+ *
+ * - points and cells with vectors prescribe the face that is nearest to the point, or to the mean of
+ *   the cell's points; a cell that is a line, all faces that the line passes;
+ * - where no vectors are chosen, lines (VTK_LINE, VTK_POLY_LINE) prescribe their own tangents, of
+ *   length 1, in their direction, on all faces that they pass, however few points they have: polylines
+ *   and splines drawn on the surface, streamlines, feature edges;
+ * - without lines and without a choice, the active vectors of the points, else of the cells, count.
+ *
+ * Vectors are no powers: whether a line runs to or fro does not matter to a field of two directions,
+ * nor do quarter turns to crosses. A line weighs as much on each face that it passes; what several
+ * guides prescribe on one face adds up.
+ *
+ * What is farther from the surface than MaximumDistance is left out, and so is a part of a chord that
+ * comes out of the other side of a thin wall: the side that counts is the one that the faces at both
+ * ends of the chord show. The part of a line that is perpendicular to the surface is left out as
+ * well; a vector that is perpendicular is an error. What was left out is told by a warning and by
+ * the report (Outputs). A guide with neither lines nor vectors is an error, an empty one is not.
  *
  * The arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name),
- * those of port 1 by SetSourceArrayToProcess(index, 1, 0, association, name), where index and
- * admissible associations are:
+ * those of the guides by SetGuideArrayToProcess(index, 1, 0, association, name), where index is:
  *
- * | index | components | meaning                                    | surface       | port 1 |
- * | ----- | ---------- | ------------------------------------------ | ------------- | ------ |
- * | 0     | 1          | mask (optional): not zero where prescribed | cells, points | points |
- * | 1     | 3          | directions; of port 1 by default the active vectors | cells, points | points |
- * | 2     | 1          | weight > 0 (optional), by default 1        | cells, points | points |
+ * | index | components | meaning                                    |
+ * | ----- | ---------- | ------------------------------------------ |
+ * | 0     | 1          | mask (optional): not zero where prescribed |
+ * | 1     | 3          | directions; of guides optional, see above  |
+ * | 2     | 1          | weight > 0 (optional), by default 1        |
  *
- * Port 1 has a method of its own, since ParaView 5.11 ends where the first index that
- * SetInputArrayToProcess knows for a connection is not 0. A leaf that lacks the chosen directions
- * takes no part if another has them. Each array has a tuple for every element; one that has fewer, or
- * other components, is an error.
+ * and the association is that of points or cells. The weights of guides may also be in field data
+ * (FIELD_ASSOCIATION_NONE), one number for a whole dataset. One choice serves all guides: those
+ * without such an array do as if nothing were chosen, and it is an error if none has it. Along a line
+ * that is followed itself, mask and weight are those of the cell, or of both ends of a segment.
  *
- * The three arrays of a port share one association. An empty name, or "None" where no array has
+ * Each array has a tuple for every element; one that has fewer, or other components, is an error.
+ * Mask and weights share the association of the directions. An empty name, or "None" where no array has
  * that name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not
  * zero. Of a vector its tangential part counts: on a face, in the plane of the face; at a point of
  * the surface, in the tangent plane of the point, from where it is carried to the faces around, or,
@@ -126,6 +143,14 @@
  * | SolveSeconds       | double | 1       | last solve                                        |
  * | SolverBytes        | double | 1       | memory held by matrices, transfers and factors    |
  * | HarmonicBasisSize  | int    | 1       | k, the arrays of HarmonicBasis; only where it acts |
+ * | GuidesTaken        | int    | 1       | elements of guides that prescribe a face          |
+ * | GuidesTooFar       | int    | 1       | those left out, at least in part, beyond MaximumDistance |
+ * | GuidesOnFarSide    | int    | 1       | those left out, at least in part, on the other side of a thin wall |
+ * | GuidesPerpendicular | int   | 1       | those left out, at least in part, perpendicular to the surface |
+ * | GuidesFarthest     | double | 1       | largest distance of what is taken, unit of the points |
+ *
+ * The last five are there with guides only; their elements are points and cells with vectors, and the
+ * segments of lines.
  *
  * @section vtkHarmonicFieldSolver-Execution Execution
  *
@@ -429,19 +454,33 @@ public:
   vtkBooleanMacro(HarmonicBasis, bool);
   ///@}
 
+  ///@{
   /**
-   * The dataset with directions, input port 1. Optional.
+   * The guides, input port 1. AddInputConnection(1, output) and AddInputDataObject(1, data) do the
+   * same as the first.
    */
-  void SetDirectionsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void AddGuidesConnection(vtkAlgorithmOutput* output);
+  void RemoveAllGuides();
+  ///@}
 
   /**
-   * Chooses an array of port 1, as SetInputArrayToProcess does for the surface: index 0 mask, 1
-   * directions, 2 weights; port 1; connection 0; association vtkDataObject::FIELD_ASSOCIATION_POINTS
-   * (or POINTS_THEN_CELLS); a name, of which an empty one or null chooses nothing. By default nothing
-   * is chosen, which leaves the active vectors.
+   * Chooses an array of the guides, as SetInputArrayToProcess does for the surface: index 0 mask, 1
+   * directions, 2 weights; port 1; connection 0, whatever the number of guides; an association of
+   * vtkDataObject; a name, of which an empty one or null chooses nothing, the default. (Why not
+   * SetInputArrayToProcess: ParaView 5.11 ends where the first index that it knows for a connection
+   * is not 0.)
    */
-  void SetSourceArrayToProcess(
+  void SetGuideArrayToProcess(
     int index, int port, int connection, int association, const char* name);
+
+  ///@{
+  /**
+   * How far from the surface guides count, relative to the diagonal of its bounding box. Default
+   * 0.1, at least 0.
+   */
+  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
 
   ///@{
   /**
@@ -472,6 +511,7 @@ private:
   int ConstraintType = Soft;
   double Smoothness = 1.0;
   double Alignment = 1.0;
+  double MaximumDistance = 0.1;
   int Solver = Automatic;
   int ExpectedSolves = 1;
   int CoarseSpace = Nodal;

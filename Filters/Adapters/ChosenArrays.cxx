@@ -74,12 +74,6 @@ std::string NameOf(vtkAbstractArray* array)
                           : std::string("the array without a name");
 }
 
-struct ChosenArray
-{
-  vtkDataArray* Array = nullptr;
-  int Association = vtkDataObject::FIELD_ASSOCIATION_NONE;
-};
-
 /// \throw InvalidInput the array has not a tuple of so many components for every element.
 ChosenArray Checked(const FoundArray& found, vtkDataSet* dataset, int components,
   const std::string& what, const std::string& whose)
@@ -100,10 +94,28 @@ ChosenArray Checked(const FoundArray& found, vtkDataSet* dataset, int components
       (found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? " points" : " cells") +
       "; choose another, or have its source write one for each");
   }
-  return { array, found.Association };
+  return { array, found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
 }
 
-ChosenArray FindChecked(const ArrayChoice& choice, vtkDataSet* dataset, int components,
+/// How to do without an element.
+std::string WayOut(const ConstraintArrays& arrays)
+{
+  return arrays.Mask ? "take it out of the mask" : "make the direction zero";
+}
+
+}
+
+ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)
+{
+  return { ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2) };
+}
+
+bool HasArray(const ArrayChoice& choice, vtkDataSet* dataset)
+{
+  return Find(choice, dataset).Array != nullptr;
+}
+
+ChosenArray FindArray(const ArrayChoice& choice, vtkDataSet* dataset, int components,
   const std::string& what, const std::string& whose)
 {
   const FoundArray found = Find(choice, dataset);
@@ -120,29 +132,12 @@ ChosenArray FindChecked(const ArrayChoice& choice, vtkDataSet* dataset, int comp
     ", is not among its point or cell arrays; choose one of those, or none");
 }
 
-}
-
-ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)
+ConstraintArrays FindArrays(
+  const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose)
 {
-  return { ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2) };
-}
-
-bool HasArray(const ArrayChoice& choice, vtkDataSet* dataset)
-{
-  return Find(choice, dataset).Array != nullptr;
-}
-
-ConstraintArrays FindArrays(const ConstraintChoices& choices, vtkDataSet* dataset,
-  vtkDataArray* byDefault, const std::string& whose)
-{
-  const ChosenArray mask = FindChecked(choices.Mask, dataset, 1, "mask", whose);
-  const ChosenArray weights = FindChecked(choices.Weights, dataset, 1, "weights", whose);
-  ChosenArray vectors = FindChecked(choices.Vectors, dataset, 3, "directions", whose);
-  if (!vectors.Array && byDefault)
-  {
-    vectors = Checked(
-      { byDefault, vtkDataObject::FIELD_ASSOCIATION_POINTS }, dataset, 3, "directions", whose);
-  }
+  const ChosenArray mask = FindArray(choices.Mask, dataset, 1, "mask", whose);
+  const ChosenArray weights = FindArray(choices.Weights, dataset, 1, "weights", whose);
+  const ChosenArray vectors = FindArray(choices.Vectors, dataset, 3, "directions", whose);
   for (const ChosenArray& other : { mask, weights })
   {
     if (other.Array && !vectors.Array)
@@ -150,15 +145,14 @@ ConstraintArrays FindArrays(const ConstraintChoices& choices, vtkDataSet* datase
       throw InvalidInput(NameOf(other.Array) + " is chosen as mask or weights of " + whose +
         ", and no directions are; choose an array of vectors as well");
     }
-    if (other.Array && other.Association != vectors.Association)
+    if (other.Array && other.OnPoints != vectors.OnPoints)
     {
       throw InvalidInput(NameOf(other.Array) + " of " + whose + " and " + NameOf(vectors.Array) +
         " of its directions are not both on points or both on cells; choose arrays of one kind");
     }
   }
-  const bool onPoints = vectors.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS;
-  return { mask.Array, vectors.Array, weights.Array, onPoints,
-    onPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells(), whose };
+  return { mask.Array, vectors.Array, weights.Array, vectors.OnPoints,
+    vectors.OnPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells(), whose };
 }
 
 std::string ConstraintArrays::NameOf(vtkIdType element) const
@@ -184,12 +178,12 @@ void VisitPrescribed(const ConstraintArrays& arrays,
     if (!vector.allFinite())
     {
       throw InvalidInput("the direction prescribed at " + arrays.NameOf(element) +
-        " is not finite; repair it or take it out of the mask");
+        " is not finite; repair it or " + WayOut(arrays));
     }
     if (!(weight > 0.0) || !std::isfinite(weight))
     {
       throw InvalidInput("the weight of the direction prescribed at " + arrays.NameOf(element) +
-        " is " + std::to_string(weight) + "; make it positive or take it out of the mask");
+        " is " + std::to_string(weight) + "; make it positive or " + WayOut(arrays));
     }
     visit({ element, vector, weight });
   }

@@ -58,15 +58,26 @@ struct ConstraintArrays
 /// Whether a choice is made and the dataset has such an array, whatever its form.
 bool HasArray(const ArrayChoice& choice, vtkDataSet* dataset);
 
-/// The arrays of a dataset that were chosen. This is where their form is checked, once: each has a
-/// tuple for every element.
-/// \param byDefault vectors at the points where none are chosen; may be null.
+/// An array with a tuple for every point or cell of a dataset.
+struct ChosenArray
+{
+  vtkDataArray* Array = nullptr;
+  bool OnPoints = false; ///< else on cells
+};
+
+/// The array of a dataset that was chosen, or none. This is where its form is checked, once.
+/// \param what, whose for messages, as in "mask", "the surface".
+/// \throw InvalidInput it does not exist, has another number of components, or fewer tuples than
+/// there are elements.
+ChosenArray FindArray(const ArrayChoice& choice, vtkDataSet* dataset, int components,
+  const std::string& what, const std::string& whose);
+
+/// What was chosen of a dataset.
 /// \param whose how messages call the dataset, as in "the surface".
-/// \throw InvalidInput a chosen array does not exist, has another number of components or fewer
-/// tuples than there are elements; arrays that are not of the same elements; mask or weights
+/// \throw InvalidInput as FindArray; arrays that are not of the same elements; mask or weights
 /// without vectors.
-ConstraintArrays FindArrays(const ConstraintChoices& choices, vtkDataSet* dataset,
-  vtkDataArray* byDefault, const std::string& whose);
+ConstraintArrays FindArrays(
+  const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose);
 
 /// A direction that an element of a dataset prescribes.
 struct ElementDirection

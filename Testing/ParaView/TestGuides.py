@@ -1,6 +1,6 @@
-"""Every kind of source that ParaView offers as second input of the solver: a field, or one error.
+"""Every kind of source that ParaView offers as guide of the solver: a field, or one error.
 
-    TestSecondInput.py --plugin FILE
+    TestGuides.py --plugin FILE
 
 runs each case in a process of its own, since what is tested for is that none of them aborts.
 """
@@ -19,7 +19,8 @@ import paraview.simple as simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
-    vtkMultiBlockDataSet, vtkMutableDirectedGraph, vtkPolyData, vtkRectilinearGrid, vtkTable)
+    vtkCellArray, vtkMultiBlockDataSet, vtkMutableDirectedGraph, vtkPolyData, vtkRectilinearGrid,
+    vtkTable)
 
 VECTOR = np.array([0.3, 0.5, 1.0])
 FUNCTION = "0.3*iHat+0.5*jHat+kHat"
@@ -124,8 +125,8 @@ ACTIVE = {
 
 # One error. By name: the source, the array that is chosen, if any, and words of the message.
 ERRORS = {
-    "line without vectors": (simple.Line, None, "no direction is prescribed"),
-    "image without vectors": (simple.Wavelet, None, "no direction is prescribed"),
+    "points without vectors": (simple.PointSource, None, "neither lines nor vectors.*Calculator"),
+    "image without vectors": (simple.Wavelet, None, "neither lines nor vectors.*Calculator"),
     "image without the array": (simple.Wavelet, "D", "array 'D'.*choose"),
     "scalars": (simple.Wavelet, "RTData", "array 'RTData'.*3 numbers.*choose"),
     "nothing": (lambda: producer(vtkPolyData()), "D", "no direction is prescribed"),
@@ -146,10 +147,11 @@ ERRORS = {
 
 def solver_of(source, array):
     surface = simple.Sphere(Radius=1, ThetaResolution=24, PhiResolution=24)
-    solver = simple.HarmonicFieldSolver(Input=surface, DirectionsSource=source,
-                                        NumberOfDirections=1, ConstraintType="Hard")
+    solver = simple.HarmonicFieldSolver(Input=surface, Guides=source,
+                                        NumberOfDirections=1, ConstraintType="Hard",
+                                        MaximumDistance=1000)
     if array:
-        solver.SourceDirections = ["POINTS", array]
+        solver.GuideDirections = ["POINTS", array]
     return solver
 
 
@@ -185,12 +187,67 @@ def check_error(source, array):
 
 
 def check_the_first_example():
-    """As a user has it."""
+    """As a user has it; the middle of the line is farther from the sphere than guides count."""
     c = simple.Calculator(Input=simple.Line(), ResultArrayName="D", Function="jHat")
     solver = simple.HarmonicFieldSolver(
-        Input=simple.Sphere(), DirectionsSource=c, SourceDirections=["POINTS", "D"])
+        Input=simple.Sphere(), Guides=c, GuideDirections=["POINTS", "D"])
     solver.UpdatePipeline()
     assert simple.servermanager.Fetch(solver).GetFieldData().GetArray("Converged").GetValue(0) == 1
+
+
+def check_lines_and_points():
+    """A polyline above a plate, which is followed, and points with vectors, at once."""
+    plate = simple.Plane(Origin=[0, 0, 0], Point1=[8, 0, 0], Point2=[0, 8, 0],
+                         XResolution=8, YResolution=8)
+    line = simple.PolyLineSource(Points=[0.1, 3.3, 0.2, 7.9, 3.3, 0.2])
+    points = simple.Calculator(
+        Input=simple.PointSource(Center=[4.2, 6.3, 0.1], NumberOfPoints=1, Radius=0),
+        ResultArrayName="D", Function="jHat")
+    spline = simple.SplineSource(ParametricFunction="Spline")
+    spline.ParametricFunction.Points = [0.1, 0.4, 0.0, 4.0, 0.4, 0.0, 7.9, 0.4, 0.0]
+    solver = simple.HarmonicFieldSolver(
+        Input=simple.Triangulate(Input=plate), Guides=[line, points, spline], NumberOfDirections=1,
+        GuideDirections=["POINTS", "D"], ConstraintType="Hard")
+    solver.UpdatePipeline()
+    field = simple.servermanager.Fetch(solver)
+    cells = field.GetCellData()
+    held = vtk_to_numpy(cells.GetArray("Prescribed")) > 0
+    y = corner_points(field).mean(axis=1)[:, 1]
+    directions = vtk_to_numpy(cells.GetArray("Direction0"))
+    for row in (0, 3):  # of squares
+        inside = (y > row) & (y < row + 1)
+        assert inside.sum() == 16 and held[inside].all(), row
+        assert np.abs(directions[inside] - (1, 0, 0)).max() < 1e-6
+    others = held & (y > 4)
+    assert others.sum() == 1 and held.sum() == 33
+    assert np.abs(directions[others] - (0, 1, 0)).max() < 1e-6
+    report = field.GetFieldData()
+    assert report.GetArray("GuidesTooFar").GetValue(0) == 0
+    assert abs(report.GetArray("GuidesFarthest").GetValue(0) - 0.2) < 1e-6
+    solver.Guides = [points]
+    solver.UpdatePipeline()
+    cells = simple.servermanager.Fetch(solver).GetCellData()
+    assert (vtk_to_numpy(cells.GetArray("Prescribed")) > 0).sum() == 1
+
+
+def check_weights_in_field_data():
+    line = vtkPolyData()
+    line.SetPoints(vtkPoints())
+    line.SetLines(vtkCellArray())
+    line.GetLines().InsertNextCell(2)
+    for point, position in enumerate(((0.9, 0, 0.5), (0.9, 0.5, 0))):
+        line.GetPoints().InsertNextPoint(position)
+        line.GetLines().InsertCellPoint(point)
+    weights = vtkDoubleArray()
+    weights.SetName("W")
+    weights.InsertNextValue(2.5)
+    line.GetFieldData().AddArray(weights)
+    solver = simple.HarmonicFieldSolver(
+        Input=simple.Sphere(Radius=1), Guides=producer(line), GuideWeights=["FIELD", "W"])
+    solver.UpdatePipeline()
+    prescribed = vtk_to_numpy(
+        simple.servermanager.Fetch(solver).GetCellData().GetArray("Prescribed"))
+    assert np.abs(prescribed[prescribed > 0] - 2.5).max() < 1e-12
 
 
 def run(check):
@@ -214,30 +271,30 @@ def run(check):
         return status, messages.read().decode(errors="replace")
 
 
-def problem_of(status, messages, words):
+def problem_of(status, output, words):
     """What is wrong with how a case has ended, or nothing."""
     if os.WIFSIGNALED(status):
         return f"ended by {signal.Signals(os.WTERMSIG(status)).name}"
     if status != 0:
         return "failed"
-    errors = [line for line in messages.splitlines() if re.search(r"\bERR\||\bERROR\b", line)
-              and "returned failure for request" not in line]  # which VTK adds
-    if words is None:
-        return "reported errors" if errors or "WARN" in messages else None
-    if len(errors) != 1:
-        return f"reported {len(errors)} errors"
-    return None if re.search(words, errors[0]) else f"'{words}' is not in the message"
+    messages = [line for line in output.splitlines() if re.search(r"\b(ERR|WARN)\|", line)
+                and "returned failure for request" not in line]  # which VTK adds
+    if len(messages) != (1 if words else 0):
+        return f"reported {len(messages)} errors and warnings"
+    return None if not words or re.search(words, messages[0]) else f"does not say '{words}'"
 
 
 def cases():
-    """(name, check, words of the error or None) of each case."""
-    yield "the first example", check_the_first_example, None
+    """(name, check, words of the only error or warning, or None) of each case."""
+    yield "the first example", check_the_first_example, "WARN.*left out.*Maximum Distance"
+    yield "lines and points", check_lines_and_points, None
+    yield "weights in field data", check_weights_in_field_data, None
     for name, source in FIELDS.items():
         yield name, functools.partial(check_field, source, "D"), None
     for name, source in ACTIVE.items():
         yield name, functools.partial(check_field, source, None), None
     for name, (source, array, words) in ERRORS.items():
-        yield name, functools.partial(check_error, source, array), words
+        yield name, functools.partial(check_error, source, array), "ERR.*" + words
 
 
 def main():

@@ -1,4 +1,4 @@
-"""Directions from a second input in plain Python: numpy arrays that fit, and some that do not."""
+"""Guides in plain Python: numpy arrays that fit, and some that do not."""
 
 import unittest
 
@@ -22,12 +22,13 @@ def points_at(positions, vectors):
     return data
 
 
-class SecondInput(unittest.TestCase):
+class Guides(unittest.TestCase):
     def setUp(self):
         self.surface = torus(60, 40)
         self.solver = vtkHarmonicFieldSolver()
         self.solver.SetInputData(self.surface)
-        self.solver.SetSourceArrayToProcess(1, 1, 0, POINTS, "Wind")
+        self.solver.SetGuideArrayToProcess(1, 1, 0, POINTS, "Wind")
+        self.solver.SetMaximumDistance(1)  # of the diagonal
         self.errors = []
         self.solver.AddObserver("ErrorEvent", self.note)
         self.solver.GetExecutive().AddObserver("ErrorEvent", lambda *_: None)

@@ -1,4 +1,4 @@
-// Directions from a second input, and arrays that do not fit, of both inputs.
+// Guides, and arrays that do not fit, of the surface and of guides.
 
 #include "vtkHarmonicFieldSolver.h"
 
@@ -52,13 +52,13 @@ vtkSmartPointer<vtkPolyData> PointsAt(const std::vector<Vector3>& positions)
   return data;
 }
 
-class SecondInput : public testing::Test
+class Guides : public testing::Test
 {
 protected:
   void SetUp() override
   {
     this->Solver->SetInputData(this->Plate);
-    this->Solver->SetSourceArrayToProcess(1, 1, 0, OnPoints, "Wind");
+    this->Solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, "Wind");
   }
 
   /// Expects one error of the filter, with some words, and empty outputs.
@@ -88,6 +88,11 @@ protected:
     const Messages messages(this->Solver);
     this->Solver->Update();
     EXPECT_TRUE(messages.Silent()) << messages.Error();
+    return this->CellsOfOutput();
+  }
+
+  std::set<vtkIdType> CellsOfOutput()
+  {
     std::set<vtkIdType> cells;
     const auto prescribed = Values(this->Solver->GetOutput()->GetCellData(), "Prescribed");
     for (std::size_t cell = 0; cell < prescribed.size(); ++cell)
@@ -107,7 +112,7 @@ protected:
 
 }
 
-TEST_F(SecondInput, MayBeComposite)
+TEST_F(Guides, MayBeComposite)
 {
   vtkNew<vtkMultiBlockDataSet> inner, outer;
   inner->SetBlock(1, PointsAt({ Centroid(this->Plate, 7) })); // block 0 is null
@@ -122,22 +127,22 @@ TEST_F(SecondInput, MayBeComposite)
   EXPECT_EQ(this->PrescribedCells(), (std::set<vtkIdType>{ 7, 90 }));
 }
 
-TEST_F(SecondInput, MessagesNameTheBlock)
+TEST_F(Guides, MessagesNameTheBlock)
 {
   vtkNew<vtkMultiBlockDataSet> blocks;
   blocks->SetBlock(0, PointsAt({ this->Inside }));
   blocks->SetBlock(1, PointsAt({ this->Inside, { 0.0, NaN, 0.0 } }));
   this->Solver->SetInputDataObject(1, blocks);
-  this->ExpectOneError({ "point 1 of block 2 of the second input" });
+  this->ExpectOneError({ "point 1 of block 2 of the guide" });
 }
 
-TEST_F(SecondInput, IsNoTable)
+TEST_F(Guides, AreNoTables)
 {
   this->Solver->SetInputDataObject(1, vtkNew<vtkTable>());
   this->ExpectOneError({ "vtkTable", "Table To Points" });
 }
 
-TEST_F(SecondInput, WithoutPointsPrescribesNothing)
+TEST_F(Guides, WithoutPointsPrescribeNothing)
 {
   this->Solver->SetInputDataObject(1, vtkNew<vtkPolyData>());
   this->ExpectOneError({ "no direction is prescribed", "choose" });
@@ -146,7 +151,7 @@ TEST_F(SecondInput, WithoutPointsPrescribesNothing)
   EXPECT_EQ(this->PrescribedCells(), (std::set<vtkIdType>{ 3 }));
 }
 
-TEST_F(SecondInput, HasItsOwnMaskAndWeights)
+TEST_F(Guides, HaveTheirOwnMaskAndWeights)
 {
   const auto points = PointsAt({ Centroid(this->Plate, 7), Centroid(this->Plate, 90) });
   const auto mask = Zeros("Mask", 2, 1);
@@ -156,39 +161,39 @@ TEST_F(SecondInput, HasItsOwnMaskAndWeights)
   points->GetPointData()->AddArray(mask);
   points->GetPointData()->AddArray(weights);
   this->Solver->SetInputDataObject(1, points);
-  this->Solver->SetSourceArrayToProcess(0, 1, 0, OnPoints, "Mask");
-  this->Solver->SetSourceArrayToProcess(2, 1, 0, OnPoints, "Weights");
+  this->Solver->SetGuideArrayToProcess(0, 1, 0, OnPoints, "Mask");
+  this->Solver->SetGuideArrayToProcess(2, 1, 0, OnPoints, "Weights");
   EXPECT_EQ(this->PrescribedCells(), (std::set<vtkIdType>{ 90 }));
   EXPECT_EQ(Values(this->Solver->GetOutput()->GetCellData(), "Prescribed")[90], 2.5);
 }
 
-TEST_F(SecondInput, MayHaveVectorsWithoutAName)
+TEST_F(Guides, MayHaveVectorsWithoutAName)
 {
   const auto points = PointsAt({ this->Inside });
   points->GetPointData()->GetArray("Wind")->SetName(nullptr);
   points->GetPointData()->SetAttribute(
     points->GetPointData()->GetArray(0), vtkDataSetAttributes::VECTORS);
   this->Solver->SetInputDataObject(1, points);
-  this->Solver->SetSourceArrayToProcess(1, 1, 0, OnPoints, nullptr);
+  this->Solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, nullptr);
   EXPECT_EQ(this->PrescribedCells(), (std::set<vtkIdType>{ 40 }));
 }
 
-TEST_F(SecondInput, HasNoOtherArrays)
+TEST_F(Guides, HaveNoOtherArrays)
 {
   const Messages messages(this->Solver);
-  this->Solver->SetSourceArrayToProcess(3, 1, 0, OnPoints, "Wind");
+  this->Solver->SetGuideArrayToProcess(3, 1, 0, OnPoints, "Wind");
   ASSERT_EQ(messages.GetErrors().size(), 1u);
   EXPECT_NE(messages.Error().find("choose"), std::string::npos) << messages.Error();
 }
 
-TEST_F(SecondInput, RefusesPointsThatAreNowhere)
+TEST_F(Guides, RefusePointsThatAreNowhere)
 {
-  for (const Vector3& position : { Vector3(NaN, 0.0, 0.0), Vector3(0.0, Infinity, 0.0),
-         Vector3(0.0, 0.0, -Infinity), Vector3(1e200, 0.0, 0.0) })
+  for (const Vector3& position :
+    { Vector3(NaN, 0.0, 0.0), Vector3(0.0, Infinity, 0.0), Vector3(0.0, 0.0, -Infinity) })
   {
     const auto points = PointsAt({ this->Inside, position, this->Inside });
     this->Solver->SetInputDataObject(1, points);
-    this->ExpectOneError({ "point 1 of the second input", "move" });
+    this->ExpectOneError({ "point 1 of the guide", "move" });
     // The remedy works.
     points->GetPointData()->GetArray("Wind")->SetTuple3(1, 0.0, 0.0, 0.0);
     points->Modified();
@@ -196,13 +201,14 @@ TEST_F(SecondInput, RefusesPointsThatAreNowhere)
   }
 }
 
-TEST_F(SecondInput, ReachesPointsThatAreFarAway)
+TEST_F(Guides, ReachPointsThatAreFarAway)
 {
+  this->Solver->SetMaximumDistance(1e6);
   this->Solver->SetInputDataObject(1, PointsAt({ this->Inside + Vector3(0.0, 0.0, 1e6) }));
   EXPECT_EQ(this->PrescribedCells(), (std::set<vtkIdType>{ 40 }));
 }
 
-TEST_F(SecondInput, RefusesArraysWithTooFewTuples)
+TEST_F(Guides, RefuseArraysWithTooFewTuples)
 {
   for (const char* name : { "Wind", "Mask", "Weights" })
   {
@@ -216,29 +222,29 @@ TEST_F(SecondInput, RefusesArraysWithTooFewTuples)
         ones->Fill(1.0);
         points->GetPointData()->AddArray(ones);
       }
-      this->Solver->SetSourceArrayToProcess(0, 1, 0, OnPoints, "Mask");
-      this->Solver->SetSourceArrayToProcess(2, 1, 0, OnPoints, "Weights");
+      this->Solver->SetGuideArrayToProcess(0, 1, 0, OnPoints, "Mask");
+      this->Solver->SetGuideArrayToProcess(2, 1, 0, OnPoints, "Weights");
       this->Solver->SetInputDataObject(1, points);
       EXPECT_EQ(this->PrescribedCells(), (std::set<vtkIdType>{ 40 }));
       points->GetPointData()->GetArray(name)->SetNumberOfTuples(tuples);
       points->Modified();
-      this->ExpectOneError({ "array '" + std::string(name) + "'", "of the second input",
+      this->ExpectOneError({ "array '" + std::string(name) + "'", "of the guide",
         std::to_string(tuples) + " tuples for 2 points", "choose another" });
     }
   }
 }
 
-TEST_F(SecondInput, RefusesActiveVectorsWithTooFewTuples)
+TEST_F(Guides, RefuseActiveVectorsWithTooFewTuples)
 {
   const auto points = PointsAt({ this->Inside, this->Inside });
   points->GetPointData()->SetActiveVectors("Wind");
   points->GetPointData()->GetArray("Wind")->SetNumberOfTuples(1);
   this->Solver->SetInputDataObject(1, points);
-  this->Solver->SetSourceArrayToProcess(1, 1, 0, OnPoints, "");
+  this->Solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, "");
   this->ExpectOneError({ "array 'Wind'", "1 tuples for 2 points" });
 }
 
-TEST_F(SecondInput, MayHaveArraysWithTooManyTuples)
+TEST_F(Guides, MayHaveArraysWithTooManyTuples)
 {
   const auto points = PointsAt({ this->Inside });
   auto* const wind = points->GetPointData()->GetArray("Wind");
@@ -248,12 +254,12 @@ TEST_F(SecondInput, MayHaveArraysWithTooManyTuples)
 }
 
 class Surfaces
-  : public SecondInput
+  : public Guides
   , public testing::WithParamInterface<int>
 {
 };
 
-INSTANTIATE_TEST_SUITE_P(SecondInput, Surfaces, testing::Values(OnPoints, OnCells));
+INSTANTIATE_TEST_SUITE_P(Guides, Surfaces, testing::Values(OnPoints, OnCells));
 
 TEST_P(Surfaces, RefuseArraysWithTooFewTuples)
 {
