@@ -521,7 +521,10 @@ int vtkHarmonicFieldSolver::RequestData(
   dmg::Guides guides{ {}, stages.OfGuides, this->MaximumDistance };
   for (int i = 0; i < inputVector[1]->GetNumberOfInformationObjects(); ++i)
   {
-    guides.Data.push_back(vtkDataObject::GetData(inputVector[1], i));
+    if (vtkDataObject* const data = vtkDataObject::GetData(inputVector[1], i))
+    {
+      guides.Data.push_back(data);
+    }
   }
   dmg::GuidesReport guidesReport;
   try

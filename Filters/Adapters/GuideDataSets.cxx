@@ -96,6 +96,12 @@ bool HasLines(vtkDataSet* dataset)
 
 Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point)
 {
+  const vtkIdType size = dataset.Data->GetNumberOfPoints();
+  if (point < 0 || point >= size)
+  {
+    throw InvalidInput("a cell of " + dataset.Name + " uses point " + std::to_string(point) +
+      ", and there are " + std::to_string(size) + " points; repair the source of the guide");
+  }
   Vector3 position;
   dataset.Data->GetPoint(point, position.data());
   if (!position.allFinite())

@@ -29,7 +29,7 @@ std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides);
 bool IsLine(vtkDataSet* dataset, vtkIdType cell);
 bool HasLines(vtkDataSet* dataset);
 
-/// \throw InvalidInput it is not finite.
+/// \throw InvalidInput there is no such point, or it is not finite.
 Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point);
 
 /// \throw InvalidInput something is chosen that no dataset has.

@@ -184,10 +184,10 @@ void Projection::AddLines(const GuideDataSet& dataset, const ConstraintChoices& 
     for (vtkIdType i = 0; i + 1 < points->GetNumberOfIds(); ++i)
     {
       const vtkIdType start = points->GetId(i), end = points->GetId(i + 1);
+      const Vector3 from = PositionOf(dataset, start), to = PositionOf(dataset, end);
       if (arrays.IsFollowed(cell, start, end))
       {
-        this->AddSegment(PositionOf(dataset, start), PositionOf(dataset, end), nullptr,
-          this->OfWhole * arrays.Weight(cell, start, end), line);
+        this->AddSegment(from, to, nullptr, this->OfWhole * arrays.Weight(cell, start, end), line);
       }
     }
     this->AddLine(line);

@@ -6,6 +6,7 @@
 
 #include "vtkIdList.h"
 #include "vtkIntArray.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
@@ -348,4 +349,34 @@ TEST_F(GuideLines, WithNothingToFollowAreAnError)
   this->Solver->AddInputDataObject(1, Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 } }));
   this->Solver->AddInputDataObject(1, PolyDataOf(PlaneGrid(2, 2)));
   EXPECT_NE(this->Error().find("guide 1 has neither lines nor vectors"), std::string::npos);
+}
+
+TEST_F(GuideLines, WithoutDataAreAnError)
+{
+  this->Solver->AddInputConnection(1, vtkNew<vtkTrivialProducer>()->GetOutputPort());
+  EXPECT_NE(this->Error().find("is a vtkDataObject"), std::string::npos);
+}
+
+TEST_F(GuideLines, WithPointsThatDoNotExistAreAnError)
+{
+  const auto line = Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 } });
+  line->GetLines()->InsertNextCell({ 1, 99 });
+  this->Solver->SetInputDataObject(1, line);
+  EXPECT_NE(this->Error().find("uses point 99"), std::string::npos);
+}
+
+// A unit vector along the line, whatever the discretisation.
+TEST_F(GuideLines, PrescribeFlows)
+{
+  this->Solver->UnitLengthOff();
+  this->Solver->SetInputDataObject(1, Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 } }));
+  for (int kind : { vtkHarmonicFieldSolver::FaceField, vtkHarmonicFieldSolver::OneForm })
+  {
+    this->Solver->SetDiscretisation(kind);
+    this->Prescribed();
+    for (const auto& cell : this->CellsInRow(3))
+    {
+      EXPECT_LT((this->Direction(cell.first) - Vector3(1.0, 0.0, 0.0)).norm(), 1e-9);
+    }
+  }
 }
