@@ -36,8 +36,8 @@ public:
     , Framed(framed)
     , Context(context)
     , MaximumDistance(guides.MaximumDistance * SizeOf(framed.Surface.Mesh))
-    , Nearest(surface, framed, this->MaximumDistance)
-    , Segments(this->Nearest)
+    , Nearest(surface, framed)
+    , Segments(this->Nearest, this->MaximumDistance)
   {
     this->Result.Report.MaximumDistance = this->MaximumDistance;
   }
@@ -151,7 +151,7 @@ void Projection::AddVector(
   this->CountElement();
   GuidesReport& report = this->Result.Report;
   const NearestPlace place = this->Nearest(position);
-  if (place.Face < 0)
+  if (place.Face < 0 || place.Distance > this->MaximumDistance)
   {
     ++report.TooFar;
     return;

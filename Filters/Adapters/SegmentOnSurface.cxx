@@ -5,6 +5,7 @@
 #include "vtkStaticCellLocator.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -25,6 +26,9 @@ constexpr double NearEnd = 1e-3;
 /// Normals that are perpendicular to each other are not against each other.
 constexpr double LeastAgainst = -1e-3;
 
+/// Relative to the edge.
+constexpr double AtEdge = 1e-3;
+
 constexpr int MaximumDepth = 50; // beyond which parameters in double precision are too coarse
 
 double MeanEdgeOf(const TriangleMesh& mesh)
@@ -38,19 +42,48 @@ double MeanEdgeOf(const TriangleMesh& mesh)
   return sum / mesh.NumberOfEdges();
 }
 
-/// Adds a part, or lengthens the last one if that is of the same face.
-void Append(std::vector<SegmentPart>& parts, const NearestPlace& place, double length)
+Vector3 ClosestOnSide(const Vector3& tail, const Vector3& head, const Vector3& position)
 {
-  if (!parts.empty() && parts.back().Face == place.Face)
+  const Vector3 side = head - tail;
+  const double squaredLength = side.squaredNorm();
+  const double along = squaredLength > 0.0 ? side.dot(position - tail) / squaredLength : 0.0;
+  return tail + std::clamp(along, 0.0, 1.0) * side;
+}
+
+/// The place of a face, also one without area, that is nearest to a point.
+NearestPlace ClosestOnFace(const TriangleMesh& mesh, int face, const Vector3& position)
+{
+  std::array<Vector3, 3> corners;
+  for (int k = 0; k < 3; ++k)
   {
-    parts.back().Length += length;
-    parts.back().Distance = std::max(parts.back().Distance, place.Distance);
+    corners[k] = mesh.Position(mesh.Tail(3 * face + k));
   }
-  else
+  const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double squaredNormal = normal.squaredNorm();
+  bool isInside = squaredNormal > 0.0;
+  NearestPlace place{ face };
+  for (int k = 0; k < 3; ++k)
   {
-    const auto kind = place.Face < 0 ? SegmentPart::TooFar : SegmentPart::OnSurface;
-    parts.push_back({ kind, place.Face, length, place.Distance });
+    const Vector3 &tail = corners[k], &head = corners[(k + 1) % 3];
+    if (squaredNormal == 0.0 || normal.cross(head - tail).dot(position - tail) < 0.0)
+    {
+      isInside = false;
+      const Vector3 onSide = ClosestOnSide(tail, head, position);
+      const double distance = (position - onSide).norm();
+      if (distance < place.Distance)
+      {
+        place.Distance = distance;
+        place.Position = onSide;
+      }
+    }
   }
+  if (isInside)
+  {
+    const double height = normal.dot(position - corners[0]) / squaredNormal;
+    place.Position = position - height * normal;
+    place.Distance = std::abs(height) * std::sqrt(squaredNormal);
+  }
+  return place;
 }
 
 }
@@ -62,10 +95,8 @@ double SizeOf(const TriangleMesh& mesh)
 }
 
 //------------------------------------------------------------------------------
-NearestPlaces::NearestPlaces(
-  vtkPolyData* surface, const FramedSurface& framed, double maximumDistance)
+NearestPlaces::NearestPlaces(vtkPolyData* surface, const FramedSurface& framed)
   : Framed(framed)
-  , MaximumDistance(maximumDistance)
 {
   vtkNew<vtkPolyData> triangles; // its cells are the polygons
   triangles->SetPoints(surface->GetPoints());
@@ -79,20 +110,43 @@ NearestPlaces::~NearestPlaces() = default;
 NearestPlace NearestPlaces::operator()(const Vector3& position) const
 {
   NearestPlace place;
-  vtkIdType polygon = -1;
-  double squaredDistance = std::numeric_limits<double>::infinity();
   if (std::isfinite(position.squaredNorm())) // which the locator needs
   {
+    vtkIdType polygon = -1;
+    double squaredDistance;
     int subId;
     this->Locator->FindClosestPoint(
       position.data(), place.Position.data(), this->Cell, polygon, subId, squaredDistance);
-  }
-  place.Distance = std::sqrt(squaredDistance);
-  if (polygon >= 0 && place.Distance <= this->MaximumDistance)
-  {
-    place.Face = this->Framed.Surface.Faces[polygon];
+    if (polygon >= 0)
+    {
+      place.Face = this->Framed.Surface.Faces[polygon];
+      place.Distance = std::sqrt(squaredDistance);
+    }
   }
   return place;
+}
+
+NearestPlace NearestPlaces::From(int face, const Vector3& position) const
+{
+  const TriangleMesh& mesh = this->Framed.Surface.Mesh;
+  NearestPlace nearest = ClosestOnFace(mesh, face, position);
+  for (int former = -1; former != nearest.Face;)
+  {
+    former = nearest.Face;
+    for (int h = 3 * former; h < 3 * former + 3; ++h)
+    {
+      mesh.VisitFan(mesh.Tail(h),
+        [&mesh, &position, &nearest](int halfedge)
+        {
+          const NearestPlace place = ClosestOnFace(mesh, TriangleMesh::FaceOf(halfedge), position);
+          if (place.Distance < nearest.Distance)
+          {
+            nearest = place;
+          }
+        });
+    }
+  }
+  return nearest;
 }
 
 //------------------------------------------------------------------------------
@@ -109,8 +163,9 @@ struct SegmentOnSurface::Sample
   NearestPlace Place;
 };
 
-SegmentOnSurface::SegmentOnSurface(const NearestPlaces& nearest)
+SegmentOnSurface::SegmentOnSurface(const NearestPlaces& nearest, double maximumDistance)
   : Nearest(nearest)
+  , MaximumDistance(maximumDistance)
   , MeanEdge(MeanEdgeOf(nearest.Framed.Surface.Mesh))
   , Size(SizeOf(nearest.Framed.Surface.Mesh))
 {
@@ -121,6 +176,24 @@ SegmentOnSurface::Sample SegmentOnSurface::At(const Segment& segment, double par
   return { parameter, this->Nearest(segment.Start + parameter * segment.Direction) };
 }
 
+SegmentOnSurface::Sample SegmentOnSurface::Between(
+  const Segment& segment, const Sample& a, const Sample& b, double parameter) const
+{
+  if (a.Place.Face < 0 || b.Place.Face < 0)
+  {
+    return this->At(segment, parameter);
+  }
+  const Vector3 position = segment.Start + parameter * segment.Direction;
+  const NearestPlace fromA = this->Nearest.From(a.Place.Face, position);
+  const NearestPlace fromB = this->Nearest.From(b.Place.Face, position);
+  return { parameter, fromB.Distance < fromA.Distance ? fromB : fromA };
+}
+
+int SegmentOnSurface::FaceOf(const Sample& sample) const
+{
+  return sample.Place.Distance <= this->MaximumDistance ? sample.Place.Face : -1;
+}
+
 std::vector<SegmentPart> SegmentOnSurface::PartsOf(const Vector3& start, const Vector3& end) const
 {
   std::vector<SegmentPart> parts;
@@ -129,11 +202,12 @@ std::vector<SegmentPart> SegmentOnSurface::PartsOf(const Vector3& start, const V
   {
     const Segment segment{ start, end - start, length,
       std::min(SmallestOfSurface * this->Size, SmallestOfSegment * length) };
-    this->Split(segment, this->At(segment, 0.0), this->At(segment, 1.0), 0, parts);
+    const Sample first = this->At(segment, 0.0), last = this->At(segment, 1.0);
+    this->Split(segment, first, last, 0, parts);
     const auto isSmall = [&segment](const SegmentPart& part)
     { return part.Length <= 2.0 * segment.Smallest; };
     parts.erase(std::remove_if(parts.begin(), parts.end(), isSmall), parts.end());
-    this->MarkFarSide(segment, parts);
+    this->MarkFarSide(segment, first, last, parts);
   }
   return parts;
 }
@@ -143,33 +217,37 @@ void SegmentOnSurface::Split(const Segment& segment, const Sample& a, const Samp
 {
   const double length = (b.Parameter - a.Parameter) * segment.Length;
   const double nearer = std::min(a.Place.Distance, b.Place.Distance);
-  if (length <= std::max(this->MeanEdge, 0.5 * nearer) || depth == MaximumDepth)
+  const bool isStep = length <= std::max(this->MeanEdge, 0.5 * nearer) || depth >= MaximumDepth;
+  if (isStep)
   {
-    const bool isEnd = length <= segment.Smallest || depth == MaximumDepth;
-    const double crossing = a.Place.Face == b.Place.Face ? 0.5
-      : isEnd                                            ? 0.5
-                                                         : this->Crossing(a.Place, b.Place);
+    const bool isWhole =
+      this->FaceOf(a) == this->FaceOf(b) || length <= segment.Smallest || depth >= MaximumDepth;
+    const double crossing = isWhole ? 0.5 : this->Crossing(segment, a, b);
     if (crossing >= 0.0)
     {
-      Append(parts, a.Place, crossing * length);
-      Append(parts, b.Place, (1.0 - crossing) * length);
+      this->Append(parts, a, crossing * length);
+      this->Append(parts, b, (1.0 - crossing) * length);
       return;
     }
   }
-  const Sample middle = this->At(segment, 0.5 * (a.Parameter + b.Parameter));
+  const double parameter = 0.5 * (a.Parameter + b.Parameter);
+  const Sample middle =
+    isStep ? this->Between(segment, a, b, parameter) : this->At(segment, parameter);
   this->Split(segment, a, middle, depth + 1, parts);
   this->Split(segment, middle, b, depth + 1, parts);
 }
 
 /// Where the way between two places on faces that share an edge crosses it, as a fraction of the
-/// way, in the plane into which both unfold; -1 where it does not, or there is no such edge.
-double SegmentOnSurface::Crossing(const NearestPlace& a, const NearestPlace& b) const
+/// way, in the plane into which both unfold; -1 where it does not, or there is no such edge, or the
+/// place that is nearest there is another one, since the surface bends.
+double SegmentOnSurface::Crossing(const Segment& segment, const Sample& a, const Sample& b) const
 {
   const TriangleMesh& mesh = this->Nearest.Framed.Surface.Mesh;
-  for (int h = 3 * a.Face; a.Face >= 0 && b.Face >= 0 && h < 3 * a.Face + 3; ++h)
+  const int from = this->FaceOf(a), to = this->FaceOf(b);
+  for (int h = 3 * from; from >= 0 && to >= 0 && h < 3 * from + 3; ++h)
   {
     const int twin = mesh.Twin(h);
-    if (twin < 0 || TriangleMesh::FaceOf(twin) != b.Face)
+    if (twin < 0 || TriangleMesh::FaceOf(twin) != to)
     {
       continue;
     }
@@ -177,26 +255,45 @@ double SegmentOnSurface::Crossing(const NearestPlace& a, const NearestPlace& b) 
     const Vector3 side = mesh.Position(mesh.Head(h)) - tail;
     const double length = side.norm();
     const Vector3 along = side / length;
-    const double xOfA = along.dot(a.Position - tail), xOfB = along.dot(b.Position - tail);
-    const double yOfA = (a.Position - tail - xOfA * along).norm();
-    const double yOfB = (b.Position - tail - xOfB * along).norm();
+    const Vector3 placeA = a.Place.Position - tail, placeB = b.Place.Position - tail;
+    const double xOfA = along.dot(placeA), xOfB = along.dot(placeB);
+    const double yOfA = (placeA - xOfA * along).norm(), yOfB = (placeB - xOfB * along).norm();
     // Both on the edge: either face will do.
     const double crossing = yOfA + yOfB > 0.0 ? yOfA / (yOfA + yOfB) : 0.5;
     const double x = xOfA + crossing * (xOfB - xOfA);
     if (length > 0.0 && x >= 0.0 && x <= length)
     {
-      return crossing;
+      const double parameter = a.Parameter + crossing * (b.Parameter - a.Parameter);
+      const Vector3 there = this->Between(segment, a, b, parameter).Place.Position - tail;
+      if ((there - x * along).norm() <= AtEdge * length)
+      {
+        return crossing;
+      }
     }
   }
   return -1.0;
 }
 
-void SegmentOnSurface::MarkFarSide(const Segment& segment, std::vector<SegmentPart>& parts) const
+/// Adds a part, or lengthens the last one if that is of the same face.
+void SegmentOnSurface::Append(
+  std::vector<SegmentPart>& parts, const Sample& sample, double length) const
+{
+  const int face = this->FaceOf(sample);
+  if (parts.empty() || parts.back().Face != face)
+  {
+    parts.push_back({ face < 0 ? SegmentPart::TooFar : SegmentPart::OnSurface, face, 0.0, 0.0 });
+  }
+  parts.back().Length += length;
+  parts.back().Distance = std::max(parts.back().Distance, sample.Place.Distance);
+}
+
+void SegmentOnSurface::MarkFarSide(const Segment& segment, const Sample& first, const Sample& last,
+  std::vector<SegmentPart>& parts) const
 {
   const auto normalAt = [this](int face)
   { return face < 0 ? Vector3(0.0, 0.0, 0.0) : this->Nearest.Framed.Faces.Normal(face); };
-  const Vector3 atStart = normalAt(this->At(segment, NearEnd).Place.Face);
-  const Vector3 atEnd = normalAt(this->At(segment, 1.0 - NearEnd).Place.Face);
+  const Vector3 atStart = normalAt(this->FaceOf(this->Between(segment, first, first, NearEnd)));
+  const Vector3 atEnd = normalAt(this->FaceOf(this->Between(segment, last, last, 1.0 - NearEnd)));
   double before = 0.0;
   for (SegmentPart& part : parts)
   {

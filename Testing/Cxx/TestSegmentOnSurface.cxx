@@ -24,8 +24,8 @@ public:
   explicit Setting(const Surface& surface, double maximumDistance = Everywhere)
     : Data(PolyDataOf(surface))
     , Framed(MeshFromPolyData(this->Data, Numbering::Spatial, SerialContext()), SerialContext())
-    , Nearest(this->Data, this->Framed, maximumDistance)
-    , Segments(this->Nearest)
+    , Nearest(this->Data, this->Framed)
+    , Segments(this->Nearest, maximumDistance)
   {
   }
 
@@ -204,6 +204,38 @@ TEST(SegmentOnSurface, HasAPartForEachFaceAlongAChordOfASphere)
     }
   }
   EXPECT_TRUE(setting.LengthsOf(start, end, SegmentPart::OnFarSide).empty());
+}
+
+// The nearest faces of very many points say the same. (Inside of a sphere, where a point has one.)
+TEST(SegmentOnSurface, HasPartsAsLongAsManySamplesSay)
+{
+  constexpr int Seed = 917, Samples = 1000;
+  SCOPED_TRACE(Seed);
+  std::mt19937 random(Seed);
+  std::normal_distribution<double> coordinate;
+  const Setting setting(IrregularSphere(3, 11));
+  const auto inside = [&random, &coordinate]
+  {
+    const Vector3 position(coordinate(random), coordinate(random), coordinate(random));
+    return Vector3(0.98 * position.normalized());
+  };
+  for (int i = 0; i < 30; ++i)
+  {
+    const Vector3 start = inside(), other = inside();
+    const double length = std::min(0.8, (other - start).norm());
+    const Vector3 end = start + length * (other - start).normalized();
+    Lengths expected;
+    for (int k = 0; k < Samples; ++k)
+    {
+      const NearestPlace place = setting.Nearest(start + (k + 0.5) / Samples * (end - start));
+      expected[setting.Framed.Surface.CellOf(place.Face)] += length / Samples;
+    }
+    Lengths lengths = setting.LengthsOf(start, end, SegmentPart::OnSurface);
+    const Lengths onFarSide = setting.LengthsOf(start, end, SegmentPart::OnFarSide);
+    lengths.insert(onFarSide.begin(), onFarSide.end());
+    // Two ends, each off by a sample or by what a crossing may be.
+    ExpectSame(lengths, expected, 4.0 * length / Samples);
+  }
 }
 
 TEST(SegmentOnSurface, EndsWhereItIsTooFar)
