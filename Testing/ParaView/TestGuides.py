@@ -76,6 +76,12 @@ def selected_points():
     return simple.ExtractSelection(Input=source, Selection=selection)
 
 
+def selected_cells():
+    source = with_vectors(simple.Sphere(), AttributeType="Cell Data")
+    selection = simple.IDSelectionSource(IDs=[-1, 3, -1, 7], FieldType="CELL")
+    return simple.ExtractSelection(Input=source, Selection=selection)
+
+
 def glyphs():
     source = with_vectors(simple.PointSource(NumberOfPoints=30, Radius=2))
     return simple.Glyph(Input=source, GlyphType="Arrow", OrientationArray=["POINTS", "D"],
@@ -117,6 +123,15 @@ FIELDS = {
     "glyphs": glyphs,
 }
 
+# The same with vectors on cells.
+ON_CELLS = {
+    "cells": lambda: with_vectors(simple.Cone(), AttributeType="Cell Data"),
+    "cells of an image": lambda: with_vectors(simple.Wavelet(), AttributeType="Cell Data"),
+    "cells that are lines": lambda: with_vectors(
+        simple.PolyLineSource(Points=[1, 0, 0, 0.7, 0.5, 0.5]), AttributeType="Cell Data"),
+    "selected cells": selected_cells,
+}
+
 # The same with what is active, which is not chosen.
 ACTIVE = {
     "active vectors": lambda: with_vectors(simple.PointSource(NumberOfPoints=30)),
@@ -145,13 +160,13 @@ ERRORS = {
 }
 
 
-def solver_of(source, array):
+def solver_of(source, array, elements="POINTS"):
     surface = simple.Sphere(Radius=1, ThetaResolution=24, PhiResolution=24)
     solver = simple.HarmonicFieldSolver(Input=surface, Guides=source,
                                         NumberOfDirections=1, ConstraintType="Hard",
                                         MaximumDistance=1000)
     if array:
-        solver.GuideDirections = ["POINTS", array]
+        solver.GuideDirections = [elements, array]
     return solver
 
 
@@ -161,9 +176,9 @@ def corner_points(surface):
     return vtk_to_numpy(surface.GetPoints().GetData()).astype(float)[corners]
 
 
-def check_field(source, array):
+def check_field(source, array, elements="POINTS"):
     """Where directions are prescribed, the field is the tangential part of the vector."""
-    solver = solver_of(source(), array)
+    solver = solver_of(source(), array, elements)
     solver.UpdatePipeline()
     field = simple.servermanager.Fetch(solver)
     assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1
@@ -291,6 +306,8 @@ def cases():
     yield "weights in field data", check_weights_in_field_data, None
     for name, source in FIELDS.items():
         yield name, functools.partial(check_field, source, "D"), None
+    for name, source in ON_CELLS.items():
+        yield name, functools.partial(check_field, source, "D", "CELLS"), None
     for name, source in ACTIVE.items():
         yield name, functools.partial(check_field, source, None), None
     for name, (source, array, words) in ERRORS.items():
