@@ -7,7 +7,6 @@
 #include "Adapters/SolvedSurface.h"
 #include "Support/Errors.h"
 
-#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,6 +20,7 @@ class vtkHarmonicFieldSolver::vtkInternals
 {
 public:
   dmg::SolvedSurface Kept;
+  dmg::ConstraintChoices OfGuides; ///< SetGuideArrayToProcess
 };
 
 namespace
@@ -64,6 +64,41 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
 vtkHarmonicFieldSolver::~vtkHarmonicFieldSolver() = default;
 
 //------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::AddGuidesConnection(vtkAlgorithmOutput* output)
+{
+  this->AddInputConnection(1, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::RemoveAllGuides()
+{
+  this->SetInputConnection(1, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::SetGuideArrayToProcess(
+  int index, int port, int connection, int association, const char* name)
+{
+  dmg::ConstraintChoices& choices = this->Internals->OfGuides;
+  dmg::ArrayChoice* const chosen[] = { &choices.Mask, &choices.Vectors, &choices.Weights };
+  if (index < 0 || index > 2 || port != 1 || connection != 0)
+  {
+    vtkErrorMacro("guides have no array of index "
+      << index << ", port " << port << ", connection " << connection
+      << "; choose index 0 (mask), 1 (directions) or 2 (weights), port 1, connection 0");
+    return;
+  }
+  dmg::ArrayChoice choice;
+  choice.Name = name ? name : "";
+  choice.Association = association;
+  if (!(*chosen[index] == choice))
+  {
+    *chosen[index] = choice;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::GetNumberOfSetups() const
 {
   return this->Internals->Kept.Counts().Setups;
@@ -88,8 +123,10 @@ int vtkHarmonicFieldSolver::FillInputPortInformation(int port, vtkInformation* i
   {
     return this->Superclass::FillInputPortInformation(port, information);
   }
-  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  // Composite datasets come as a whole, and other types get an error that says what to do.
+  information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
   information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  information->Set(vtkAlgorithm::INPUT_IS_REPEATABLE(), 1);
   return 1;
 }
 
@@ -113,7 +150,6 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
-  vtkDataSet* const points = vtkDataSet::GetData(inputVector[1]);
   vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* const edges = vtkPolyData::GetData(outputVector, 1);
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
@@ -133,6 +169,9 @@ int vtkHarmonicFieldSolver::RequestData(
   }
 
   dmg::SolvedSurface& kept = this->Internals->Kept;
+  const dmg::Guides guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides,
+    this->MaximumDistance };
+  dmg::GuidesReport guidesReport;
   bool hasBasis = false;
   try
   {
@@ -140,9 +179,15 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::FieldOptions options = OptionsOf(this);
     kept.SetSurface(input, options.Solver.Kind, dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
+    const dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOf(this), input, guides,
+      kept.Surface(), dmg::PartOfContext(context, 0.1, 0.1));
+    guidesReport = prescribed.Report;
+    if (!guidesReport.IsAllTaken())
+    {
+      vtkWarningMacro(<< guidesReport.LeftOut());
+    }
     const auto warnings = kept.Solve(
-      dmg::ChosenDirections(this, input, points, kept.Surface(), kept.Numbering()), options, stop,
-      dmg::PartOfContext(context, 0.1, 0.9));
+      prescribed.Directions, options, stop, dmg::PartOfContext(context, 0.1, 0.9));
     for (const std::string& warning : warnings)
     {
       vtkWarningMacro(<< warning);
@@ -179,6 +224,10 @@ int vtkHarmonicFieldSolver::RequestData(
   {
     dmg::AddReport(
       kept.Report(), kept.Field().DirectionsPerPoint(), kept.SetupSeconds(), data);
+    if (!guides.Data.empty())
+    {
+      dmg::AddGuidesReport(guidesReport, data);
+    }
     if (hasBasis)
     {
       dmg::AddBasisSize(kept.Basis(), data);
@@ -200,6 +249,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Smoothness: " << this->Smoothness << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")

@@ -22,8 +22,12 @@
  *   three sides, each with the mean weight of its two faces. One at a point prescribes those along
  *   the edges there, each with the mean weight of its two ends: where both are prescribed by the
  *   trapezoidal rule, else as if the direction were constant along the edge.
+ * - ScalarFunction: X is a number per point, the value of a function that is linear on triangles. Its
+ *   roughness is its Dirichlet energy, with the cotangent Laplacian; m_b is the area of the point over the
+ *   mean one. What is shown is its gradient. For potentials and harmonic functions. Values are prescribed at
+ *   points: where the mask is not zero, or, without a mask, where they are not NaN.
  *
- * N is 1 for the latter two. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
+ * N is 1 for the latter three. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
  * 6.3.
  *
  * @section vtkHarmonicFieldSolver-Inputs Inputs
@@ -38,22 +42,44 @@
  * one of thirty for face fields and 1-forms. All levels that were built for a surface are kept.
  * Operators that lack those of the discretisation are an error.
  *
- * Port 1, directions (optional): vtkDataSet, points in space with vectors. Each prescribes the face
- * of the surface that is nearest to it.
+ * Port 1, the guides (optional, any number of connections): what the field shall follow, wherever it
+ * stands in space. A guide is a vtkDataSet, or a composite dataset, of which all leaves that are
+ * vtkDataSet take part. Each is brought to the nearest place of the surface:
  *
- * The arrays are chosen by SetInputArrayToProcess(index, port, 0, association, name), where index,
- * port and admissible associations are:
+ * - points and cells with vectors prescribe the face that is nearest to the point, or to the mean of
+ *   the cell's points; a cell that is a line, all faces that the line passes;
+ * - where no vectors are chosen, lines (VTK_LINE, VTK_POLY_LINE) prescribe their own tangents, of
+ *   length 1, in their direction, on all faces that they pass, however few points they have: polylines
+ *   and splines drawn on the surface, streamlines, feature edges;
+ * - without lines and without a choice, the active vectors of the points, else of the cells, count.
  *
- * | index | port | association   | components | meaning                                    |
- * | ----- | ---- | ------------- | ---------- | ------------------------------------------ |
- * | 0     | 0    | cells, points | 1          | mask (optional): not zero where prescribed |
- * | 1     | 0    | cells, points | 3          | prescribed directions                      |
- * | 2     | 0    | cells, points | 1          | weight > 0 (optional), by default 1        |
- * | 3     | 1    | points        | 1          | mask (optional), as 0                      |
- * | 4     | 1    | points        | 3          | directions; by default the active vectors  |
- * | 5     | 1    | points        | 1          | weight (optional), as 2                    |
+ * Vectors are no powers: whether a line runs to or fro does not matter to a field of two directions,
+ * nor do quarter turns to crosses. A line weighs as much on each face that it passes; what several
+ * guides prescribe on one face adds up.
  *
- * The three arrays of a port share one association. An empty name, or "None" where no array has
+ * What is farther from the surface than MaximumDistance is left out, and so is a part of a chord that
+ * comes out of the other side of a thin wall: the side that counts is the one that the faces at both
+ * ends of the chord show. The part of a line that is perpendicular to the surface is left out as
+ * well; a vector that is perpendicular is an error. What was left out is told by a warning and by
+ * the report (Outputs). A guide with neither lines nor vectors is an error, an empty one is not.
+ *
+ * The arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name),
+ * those of the guides by SetGuideArrayToProcess(index, 1, 0, association, name), where index is:
+ *
+ * | index | components | meaning                                    |
+ * | ----- | ---------- | ------------------------------------------ |
+ * | 0     | 1          | mask (optional): not zero where prescribed |
+ * | 1     | 3          | directions; of guides optional, see above  |
+ * | 2     | 1          | weight > 0 (optional), by default 1        |
+ * | 3     | 1          | values of functions, at points; not of guides |
+ *
+ * and the association is that of points or cells. The weights of guides may also be in field data
+ * (FIELD_ASSOCIATION_NONE), one number for a whole dataset. One choice serves all guides: those
+ * without such an array do as if nothing were chosen, and it is an error if none has it. Along a line
+ * that is followed itself, mask and weight are those of the cell, or of both ends of a segment.
+ *
+ * Each array has a tuple for every element; one that has fewer, or other components, is an error.
+ * Mask and weights share the association of the directions. An empty name, or "None" where no array has
  * that name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not
  * zero. Of a vector its tangential part counts: on a face, in the plane of the face; at a point of
  * the surface, in the tangent plane of the point, from where it is carried to the faces around, or,
@@ -69,7 +95,8 @@
  * | Direction0, 1, ... N - 1 | cells, points | 3          | the directions, counter-clockwise  |
  * | PowerField               | cells, points | 2          | the N-th power, a complex number   |
  * | FaceField                | cells         | 3          | X in space (face fields only)      |
- * | Prescribed               | cells         | 1          | weight, else 0 (1-forms: on port 1) |
+ * | ScalarFunction           | points        | 1          | X (functions only)                 |
+ * | Prescribed               | cells         | 1          | weight, else 0 (1-forms: on port 1, functions: on points) |
  * | SingularityIndex         | points        | 1          | multiple of 1 / N; 0 on boundaries |
  * | HarmonicBasis 1, 2, ... k | cells        | 3          | harmonic fields, with HarmonicBasis |
  *
@@ -122,6 +149,14 @@
  * | SolveSeconds       | double | 1       | last solve                                        |
  * | SolverBytes        | double | 1       | memory held by matrices, transfers and factors    |
  * | HarmonicBasisSize  | int    | 1       | k, the arrays of HarmonicBasis; only where it acts |
+ * | GuidesTaken        | int    | 1       | elements of guides that prescribe a face          |
+ * | GuidesTooFar       | int    | 1       | those left out, at least in part, beyond MaximumDistance |
+ * | GuidesOnFarSide    | int    | 1       | those left out, at least in part, on the other side of a thin wall |
+ * | GuidesPerpendicular | int   | 1       | those left out, at least in part, perpendicular to the surface |
+ * | GuidesFarthest     | double | 1       | largest distance of what is taken, unit of the points |
+ *
+ * The last five are there with guides only; their elements are points and cells with vectors, and the
+ * segments of lines.
  *
  * @section vtkHarmonicFieldSolver-Execution Execution
  *
@@ -427,10 +462,33 @@ public:
   vtkBooleanMacro(HarmonicBasis, bool);
   ///@}
 
+  ///@{
   /**
-   * The dataset with directions, input port 1. Optional.
+   * The guides, input port 1. AddInputConnection(1, output) and AddInputDataObject(1, data) do the
+   * same as the first.
    */
-  void SetDirectionsConnection(vtkAlgorithmOutput* output) { this->SetInputConnection(1, output); }
+  void AddGuidesConnection(vtkAlgorithmOutput* output);
+  void RemoveAllGuides();
+  ///@}
+
+  /**
+   * Chooses an array of the guides, as SetInputArrayToProcess does for the surface: index 0 mask, 1
+   * directions, 2 weights; port 1; connection 0, whatever the number of guides; an association of
+   * vtkDataObject; a name, of which an empty one or null chooses nothing, the default. (Why not
+   * SetInputArrayToProcess: ParaView 5.11 ends where the first index that it knows for a connection
+   * is not 0.)
+   */
+  void SetGuideArrayToProcess(
+    int index, int port, int connection, int association, const char* name);
+
+  ///@{
+  /**
+   * How far from the surface guides count, relative to the diagonal of its bounding box. Default
+   * 0.1, at least 0.
+   */
+  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MaximumDistance, double);
+  ///@}
 
   ///@{
   /**
@@ -461,6 +519,7 @@ private:
   int ConstraintType = Soft;
   double Smoothness = 1.0;
   double Alignment = 1.0;
+  double MaximumDistance = 0.1;
   int Solver = Automatic;
   int ExpectedSolves = 1;
   int CoarseSpace = Nodal;

@@ -44,6 +44,11 @@ inline constexpr const char* PrepareSeconds = "PrepareSeconds";
 inline constexpr const char* SolveSeconds = "SolveSeconds";
 inline constexpr const char* SolverBytes = "SolverBytes";
 inline constexpr const char* HarmonicBasisSize = "HarmonicBasisSize";
+inline constexpr const char* GuidesTaken = "GuidesTaken";
+inline constexpr const char* GuidesTooFar = "GuidesTooFar";
+inline constexpr const char* GuidesOnFarSide = "GuidesOnFarSide";
+inline constexpr const char* GuidesPerpendicular = "GuidesPerpendicular";
+inline constexpr const char* GuidesFarthest = "GuidesFarthest";
 
 // field data: the operators
 inline constexpr const char* ProlongationPrefix = "Prolongation.";

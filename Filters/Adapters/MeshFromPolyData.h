@@ -1,7 +1,7 @@
 #ifndef dmgMeshFromPolyData_h
 #define dmgMeshFromPolyData_h
 
-#include "Mesh/TriangleMesh.h"
+#include "Mesh/FramedMesh.h"
 #include "Support/ExecutionContext.h"
 
 #include "vtkSmartPointer.h"
@@ -60,6 +60,13 @@ struct SurfaceNumbering
 struct SurfaceMesh : SurfaceNumbering
 {
   TriangleMesh Mesh;
+};
+
+/// A surface with the frames that its fields refer to; borrowed.
+struct FramedSurface
+{
+  const FramedMesh& On;
+  const SurfaceNumbering& Numbering;
 };
 
 /// \throw InvalidInput no triangles, a polygon that is not a triangle, triangle strips, too many

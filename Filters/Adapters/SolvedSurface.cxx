@@ -72,7 +72,7 @@ std::shared_ptr<const ProlongationOperators> SolvedSurface::Operators(
   const bool isFirst = this->Solver->Counts().Setups == 0; // then the solver counts it
   this->Read.emplace_back(origin,
     std::make_shared<const ProlongationOperators>(
-      OperatorsFromFieldData(input->GetFieldData(), this->Surface().Mesh)));
+      OperatorsFromFieldData(input->GetFieldData(), this->Solver->Surface().Mesh)));
   this->OperatorsSeconds = SecondsSince(start);
   this->OfFormerSurfaces.Setups += isFirst ? 0 : 1;
   return this->Read.back().second;
@@ -96,7 +96,7 @@ void SolvedSurface::MakeArrays(
 {
   if (!this->Arrays || this->Arrays->UnitLength != unitLength || this->Arrays->Combing != combing)
   {
-    this->Arrays = MakeFieldArrays(this->Surface(), this->Numbers, this->Field(),
+    this->Arrays = MakeFieldArrays(this->Solver->Surface(), this->Numbers, this->Field(),
       this->Solver->Unknowns(), unitLength, combing, input, context);
   }
 }
@@ -115,7 +115,7 @@ bool SolvedSurface::MakeBasis(vtkPolyData* input, const ExecutionContext& contex
     return false;
   }
   this->BasisOfSurface.reset(); // the memory of another discretisation first
-  this->BasisOfSurface = MakeBasisArrays(this->Surface(), this->Numbers, this->Field(),
+  this->BasisOfSurface = MakeBasisArrays(this->Solver->Surface(), this->Numbers, this->Field(),
     this->Solver->HarmonicFields(), input, context);
   return true;
 }

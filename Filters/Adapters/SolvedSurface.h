@@ -29,8 +29,7 @@ public:
   /// \throw InvalidInput as MeshFromPolyData and OperatorsFromFieldData, or the operators are those of another surface.
   void SetSurface(vtkPolyData* input, SolverKind asked, const ExecutionContext& context);
 
-  const FramedMesh& Surface() const { return this->Solver->Surface(); }
-  const SurfaceNumbering& Numbering() const { return this->Numbers; }
+  FramedSurface Surface() const { return { this->Solver->Surface(), this->Numbers }; }
 
   /// See FieldSolver::Solve. \return warnings for the user, where something was solved rather than kept.
   std::vector<std::string> Solve(const PrescribedDirections& directions,

@@ -486,7 +486,7 @@ TEST(Constraints, AtPointsAreCarriedIntoTheFaces)
   }
 }
 
-TEST(Constraints, FromAnotherDatasetPrescribeTheNearestFace)
+TEST(Constraints, FromAGuidePrescribeTheNearestFace)
 {
   const auto input = PolyDataOf(PlaneGrid(4, 4));
   // Centroids of cells 5 and 20, from above, between them a zero vector.
@@ -514,7 +514,8 @@ TEST(Constraints, FromAnotherDatasetPrescribeTheNearestFace)
   vtkNew<vtkHarmonicFieldSolver> solver;
   solver->SetInputData(input);
   solver->SetInputData(1, points);
-  solver->SetInputArrayToProcess(4, 1, 0, OnPoints, "Wind");
+  solver->SetMaximumDistance(0.2);
+  solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, "Wind");
   EXPECT_EQ(PrescribedCells(solver), (Cells{ { 5, 1.0 }, { 20, 1.0 } }));
 
   // The active vectors where nothing is chosen, and both sources together.
@@ -522,6 +523,7 @@ TEST(Constraints, FromAnotherDatasetPrescribeTheNearestFace)
   AddCellVectors(input, "Given", { { 12, { 1.0, 1.0, 0.0 } } });
   const auto both = NewSolver(input);
   both->SetInputData(1, points);
+  both->SetMaximumDistance(0.2);
   EXPECT_EQ(PrescribedCells(both), (Cells{ { 5, 1.0 }, { 12, 1.0 }, { 20, 1.0 } }));
 }
 
@@ -987,7 +989,7 @@ class RefusedConstraints : public testing::TestWithParam<BadInput>
 
 void Choose(vtkHarmonicFieldSolver* solver, int index, int association, const char* name)
 {
-  solver->SetInputArrayToProcess(index, index / 3, 0, association, name);
+  solver->SetInputArrayToProcess(index, 0, 0, association, name);
 }
 
 void SetCell(vtkPolyData* input, vtkIdType cell, double x, double y, double z)
@@ -1075,16 +1077,7 @@ const BadInput BadInputs[] = {
       Choose(solver, 1, OnPoints, "Normal");
     },
     { "point 2", "perpendicular", "out of the mask" } },
-  { "SecondInputOnCells",
-    [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
-    {
-      vtkNew<vtkPolyData> other;
-      other->DeepCopy(input);
-      solver->SetInputData(1, other);
-      Choose(solver, 4, OnCells, "Given");
-    },
-    { "'Given'", "second input", "vtkCellDataToPointData" } },
-  { "SecondInputNormal",
+  { "GuideNormal",
     [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
     {
       vtkNew<vtkPolyData> other;
@@ -1101,9 +1094,9 @@ const BadInput BadInputs[] = {
       other->GetPoints()->SetPoint(7, center.data());
       AddPointVectors(other, "Normal", { { 7, (b - a).cross(c - a) } });
       solver->SetInputData(1, other);
-      Choose(solver, 4, OnPoints, "Normal");
+      solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, "Normal");
     },
-    { "point 7 of the second input", "cell 600" } },
+    { "point 7 of the guide", "cell 600" } },
   { "SmoothnessNotPositive",
     [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { solver->SetSmoothness(0.0); },
     { "moothness" } },

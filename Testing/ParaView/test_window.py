@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Drives ParaView's window as a user does: both filters from the menu, arrays from their lists, Apply.
+"""Drives ParaView's window as a user does: filters from the menu, arrays and guides from their lists, Apply.
 
-    test_window.py PARAVIEW OUTPUT-FOLDER
+    test_window.py PARAVIEW OUTPUT-FOLDER NAME
 
-plays FieldInTheWindow.xml, leaves FieldInTheWindow.vtk, as saved by the window, and a screenshot of
-it in the folder, and checks the former. Needs a display; ParaView has to find the plugin by itself.
+plays NAME.xml (FieldInTheWindow or GuideInTheWindow), leaves NAME.vtk, as saved by the window, and a
+screenshot of it in the folder, and checks the former. Needs a display; ParaView has to find the
+plugin by itself.
 """
 
 import pathlib
@@ -13,11 +14,9 @@ import sys
 import time
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersSources import vtkArcSource, vtkSphereSource
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
-
-EVENTS = pathlib.Path(__file__).with_name("FieldInTheWindow.xml")
 
 
 def write_sphere(path):
@@ -34,18 +33,33 @@ def write_sphere(path):
         array = numpy_to_vtk(values, deep=True)
         array.SetName(name)
         sphere.GetPointData().AddArray(array)
+    write(path, sphere)
+
+
+def write_guide(path):
+    """An arc around a part of the equator of ParaView's own sphere, of radius 1/2."""
+    arc = vtkArcSource()
+    arc.SetPoint1(0.5, 0, 0.01)
+    arc.SetPoint2(0, 0.5, 0.01)
+    arc.SetCenter(0, 0, 0.01)
+    arc.SetResolution(9)
+    arc.Update()
+    write(path, arc.GetOutput())
+
+
+def write(path, data):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(path))
-    writer.SetInputData(sphere)
+    writer.SetInputData(data)
     writer.SetDataModeToBinary()  # see README, "Files"
     writer.Write()
 
 
-def play(paraview, surface, result, folder):
+def play(paraview, data, result, folder):
     """Runs the window until the result is written and no longer grows; takes the screenshot then."""
-    command = [paraview, "--disable-registry", f"--data={surface}", f"--test-directory={folder}",
-               f"--test-script={EVENTS}"]
-    log = folder / "FieldInTheWindow.log"
+    command = [paraview, "--disable-registry", f"--data={data}", f"--test-directory={folder}",
+               f"--test-script={pathlib.Path(__file__).with_name(result.stem + '.xml')}"]
+    log = result.with_suffix(".log")
     with log.open("w") as output:
         window = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT)
     try:
@@ -77,16 +91,26 @@ def check(result):
     # Poincare-Hopf: the indices sum to the Euler characteristic.
     indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
     assert abs(indices.sum() - 2) < 1e-12, indices.sum()
+    return field
+
+
+def check_guide(result):
+    """The arc was followed, segment by segment, and nothing else was."""
+    report = check(result).GetFieldData()
+    assert report.GetArray("GuidesTaken").GetValue(0) == 9
+    assert report.GetArray("GuidesTooFar").GetValue(0) == 0
 
 
 def main():
-    paraview, folder = sys.argv[1], pathlib.Path(sys.argv[2]).resolve()
+    paraview, folder, name = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
     folder.mkdir(parents=True, exist_ok=True)
-    surface, result = folder / "sphere.vtp", folder / "FieldInTheWindow.vtk"
+    data, result = folder / f"{name}.vtp", folder / f"{name}.vtk"
     result.unlink(missing_ok=True)
-    write_sphere(surface)
-    play(paraview, surface, result, folder)
-    check(result)
+    write_data, check_result = {"FieldInTheWindow": (write_sphere, check),
+                                "GuideInTheWindow": (write_guide, check_guide)}[name]
+    write_data(data)
+    play(paraview, data, result, folder)
+    check_result(result)
 
 
 if __name__ == "__main__":

@@ -1,0 +1,100 @@
+#ifndef dmgChosenArrays_h
+#define dmgChosenArrays_h
+
+#include "Mesh/TriangleMesh.h" // For Vector3
+
+#include "vtkDataObject.h"
+
+#include <functional>
+#include <string>
+
+class vtkAlgorithm;
+class vtkDataArray;
+class vtkDataSet;
+
+namespace dmg
+{
+
+/// Which array of a dataset somebody has chosen: one by its name, the active one of some attribute,
+/// or none.
+struct ArrayChoice
+{
+  std::string Name; ///< empty for none
+  int Attribute = -1; ///< of vtkDataSetAttributes, where nothing is chosen by name; -1 for none
+  int Association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+
+  bool IsMade() const { return !this->Name.empty() || this->Attribute >= 0; }
+  bool operator==(const ArrayChoice& other) const
+  {
+    return this->Name == other.Name && this->Attribute == other.Attribute &&
+      this->Association == other.Association;
+  }
+};
+
+/// The choices that say what is prescribed on a dataset.
+struct ConstraintChoices
+{
+  ArrayChoice Mask, Vectors, Weights;
+  ArrayChoice Values = {}; ///< of functions, on the surface alone
+};
+
+/// What was chosen with vtkAlgorithm::SetInputArrayToProcess and indices 0 (mask), 1 (vectors),
+/// 2 (weights) and 3 (values).
+ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm);
+
+/// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.
+struct ConstraintArrays
+{
+  vtkDataArray* Mask = nullptr; ///< 1 component; null: where the vector is not zero
+  vtkDataArray* Vectors = nullptr; ///< 3 components
+  vtkDataArray* Weights = nullptr; ///< 1 component; null: 1
+  bool OnPoints = false; ///< else on cells
+  vtkIdType Size = 0; ///< points or cells
+  std::string Whose; ///< how messages call the dataset
+
+  /// For messages, as in "point 7 of the surface".
+  std::string NameOf(vtkIdType element) const;
+};
+
+/// Whether a choice is made and the dataset has such an array, whatever its form.
+bool HasArray(const ArrayChoice& choice, vtkDataSet* dataset);
+
+/// An array with a tuple for every point or cell of a dataset.
+struct ChosenArray
+{
+  vtkDataArray* Array = nullptr;
+  bool OnPoints = false; ///< else on cells
+};
+
+/// The array of a dataset that was chosen, or none. This is where its form is checked, once.
+/// \param what, whose for messages, as in "mask", "the surface".
+/// \throw InvalidInput it does not exist, has another number of components, or fewer tuples than
+/// there are elements.
+ChosenArray FindArray(const ArrayChoice& choice, vtkDataSet* dataset, int components,
+  const std::string& what, const std::string& whose);
+
+/// What was chosen of a dataset.
+/// \param whose how messages call the dataset, as in "the surface".
+/// \throw InvalidInput as FindArray; arrays that are not of the same elements; mask or weights
+/// without vectors.
+ConstraintArrays FindArrays(
+  const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose);
+
+/// A direction that an element of a dataset prescribes.
+struct ElementDirection
+{
+  vtkIdType Element;
+  Vector3 Vector;
+  double Weight;
+};
+
+/// Visits all that is prescribed, in ascending order of elements.
+/// \param takesPart elements for which it is false are passed over, whatever they hold.
+/// \throw InvalidInput a vector is not finite, or a weight is not positive.
+void VisitPrescribed(const ConstraintArrays& arrays,
+  const std::function<bool(vtkIdType)>& takesPart,
+  const std::function<void(const ElementDirection&)>& visit);
+
+}
+
+#endif

@@ -1,0 +1,65 @@
+#ifndef dmgGuideDataSets_h
+#define dmgGuideDataSets_h
+
+#include "Adapters/ChosenArrays.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace dmg
+{
+
+/// A dataset of a guide, which may be composite.
+struct GuideDataSet
+{
+  vtkDataSet* Data;
+  std::size_t Guide; ///< number of its connection
+  std::string Name; ///< for messages, as in "block 2 of guide 0"
+};
+
+/// How messages call guide \p guide of several.
+std::string NameOfGuide(std::size_t guide, std::size_t guides);
+
+/// All datasets with points.
+/// \throw InvalidInput a guide is neither a dataset nor composite.
+std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides);
+
+bool IsLine(vtkDataSet* dataset, vtkIdType cell);
+bool HasLines(vtkDataSet* dataset);
+
+/// \throw InvalidInput there is no such point, or it is not finite.
+Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point);
+
+/// \throw InvalidInput something is chosen that no dataset has.
+void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataSet>& datasets);
+
+/// What is chosen, as far as a dataset has it.
+ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset);
+
+/// The weight of a whole dataset: 1, unless one in its field data is chosen.
+/// \throw InvalidInput it is not positive.
+double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset);
+
+/// Mask and weights along lines that are followed themselves.
+class LineArrays
+{
+public:
+  /// \throw InvalidInput as FindArray.
+  LineArrays(const ConstraintChoices& choices, const GuideDataSet& dataset);
+
+  /// Whether a segment between two points of a cell takes part.
+  bool IsFollowed(vtkIdType cell, vtkIdType start, vtkIdType end) const;
+
+  /// \throw InvalidInput it is not positive.
+  double Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const;
+
+private:
+  ChosenArray Mask, Weights;
+  std::string Name;
+};
+
+}
+
+#endif

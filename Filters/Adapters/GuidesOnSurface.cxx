@@ -1,0 +1,341 @@
+#include "Adapters/GuidesOnSurface.h"
+
+#include "Adapters/ArrayNames.h"
+#include "Adapters/GuideDataSets.h"
+#include "Adapters/SegmentOnSurface.h"
+#include "Support/Errors.h"
+
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <sstream>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// A direction leaning less than this (as a sine) out of the normal has no tangential part.
+constexpr double SmallestTangentialPart = 1e-6;
+
+/// Brings one dataset after the other to a surface.
+class Projection
+{
+public:
+  Projection(const Guides& guides, vtkPolyData* surface, const FramedSurface& framed,
+    const ExecutionContext& context)
+    : Choices(guides.Choices)
+    , Framed(framed)
+    , Context(context)
+    , MaximumDistance(guides.MaximumDistance * SizeOf(framed.On.Mesh))
+    , Nearest(surface, framed)
+    , Segments(this->Nearest, this->MaximumDistance)
+  {
+    this->Result.Report.MaximumDistance = this->MaximumDistance;
+  }
+
+  /// \return whether it has anything to follow.
+  bool Add(const GuideDataSet& dataset);
+
+  GuidesOnSurface Result;
+
+private:
+  void AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arrays);
+  void AddVector(
+    const Vector3& position, const Vector3& vector, double weight, const std::string& name);
+  void AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices);
+
+  /// What a line prescribes on a face, and on which length.
+  struct Passage
+  {
+    int Face;
+    Vector3 Direction;
+    double Length;
+    double Weight;
+  };
+  void AddSegment(const Vector3& start, const Vector3& end, const Vector3* vector, double weight,
+    std::vector<Passage>& line);
+  void AddLine(const std::vector<Passage>& line);
+  void CountElement();
+
+  const ConstraintChoices& Choices;
+  const FramedSurface Framed;
+  const ExecutionContext& Context;
+  const double MaximumDistance;
+  const NearestPlaces Nearest;
+  const SegmentOnSurface Segments;
+  double OfWhole = 1.0; ///< the weight of the dataset
+  long long Elements = 0;
+};
+
+void Projection::CountElement()
+{
+  if (++this->Elements % 100 == 0)
+  {
+    this->Context.Checkpoint(0.0);
+  }
+}
+
+bool Projection::Add(const GuideDataSet& dataset)
+{
+  ConstraintChoices choices = ChoicesFor(this->Choices, dataset.Data);
+  this->OfWhole = WholeWeight(this->Choices.Weights, dataset);
+  if (!choices.Vectors.IsMade() && HasLines(dataset.Data))
+  {
+    this->AddLines(dataset, choices);
+    return true;
+  }
+  if (!choices.Vectors.IsMade())
+  {
+    choices.Vectors.Attribute = vtkDataSetAttributes::VECTORS;
+    choices.Vectors.Association = vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+  }
+  if (!HasArray(choices.Vectors, dataset.Data))
+  {
+    return false;
+  }
+  this->AddVectors(dataset, FindArrays(choices, dataset.Data, dataset.Name));
+  return true;
+}
+
+void Projection::AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arrays)
+{
+  vtkNew<vtkIdList> points;
+  std::vector<Passage> line;
+  VisitPrescribed(
+    arrays, [](vtkIdType) { return true; },
+    [&](const ElementDirection& given)
+    {
+      const double weight = this->OfWhole * given.Weight;
+      if (arrays.OnPoints)
+      {
+        this->AddVector(
+          PositionOf(dataset, given.Element), given.Vector, weight, arrays.NameOf(given.Element));
+        return;
+      }
+      dataset.Data->GetCellPoints(given.Element, points);
+      const vtkIdType size = points->GetNumberOfIds();
+      if (IsLine(dataset.Data, given.Element))
+      {
+        line.clear();
+        for (vtkIdType i = 0; i + 1 < size; ++i)
+        {
+          this->AddSegment(PositionOf(dataset, points->GetId(i)),
+            PositionOf(dataset, points->GetId(i + 1)), &given.Vector, weight, line);
+        }
+        this->AddLine(line);
+      }
+      else if (size > 0)
+      {
+        Vector3 center = Vector3::Zero();
+        for (vtkIdType i = 0; i < size; ++i)
+        {
+          center += PositionOf(dataset, points->GetId(i)) / static_cast<double>(size);
+        }
+        this->AddVector(center, given.Vector, weight, arrays.NameOf(given.Element));
+      }
+    });
+}
+
+void Projection::AddVector(
+  const Vector3& position, const Vector3& vector, double weight, const std::string& name)
+{
+  this->CountElement();
+  GuidesReport& report = this->Result.Report;
+  const NearestPlace place = this->Nearest(position);
+  if (place.Face < 0 || place.Distance > this->MaximumDistance)
+  {
+    ++report.TooFar;
+    return;
+  }
+  const Complex direction = this->Framed.On.Faces.ToComplex(place.Face, vector);
+  if (std::abs(direction) <= SmallestTangentialPart * vector.norm())
+  {
+    throw InvalidInput("the direction prescribed at " + name +
+      " is perpendicular to the nearest triangle, cell " +
+      std::to_string(this->Framed.Numbering.CellOf(place.Face)) + "; turn it or make it zero");
+  }
+  ++report.Taken;
+  report.Farthest = std::max(report.Farthest, place.Distance);
+  this->Result.Directions.push_back({ place.Face, vector, weight });
+}
+
+void Projection::AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices)
+{
+  const LineArrays arrays(choices, dataset);
+  vtkNew<vtkIdList> points;
+  std::vector<Passage> line;
+  for (vtkIdType cell = 0; cell < dataset.Data->GetNumberOfCells(); ++cell)
+  {
+    if (!IsLine(dataset.Data, cell))
+    {
+      continue;
+    }
+    dataset.Data->GetCellPoints(cell, points);
+    line.clear();
+    for (vtkIdType i = 0; i + 1 < points->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType start = points->GetId(i), end = points->GetId(i + 1);
+      const Vector3 from = PositionOf(dataset, start), to = PositionOf(dataset, end);
+      if (arrays.IsFollowed(cell, start, end))
+      {
+        this->AddSegment(from, to, nullptr, this->OfWhole * arrays.Weight(cell, start, end), line);
+      }
+    }
+    this->AddLine(line);
+  }
+}
+
+/// \param vector what the segment prescribes; null for its own direction, of unit length.
+void Projection::AddSegment(const Vector3& start, const Vector3& end, const Vector3* vector,
+  double weight, std::vector<Passage>& line)
+{
+  this->CountElement();
+  GuidesReport& report = this->Result.Report;
+  bool isTaken = false, isTooFar = false, isOnFarSide = false, isPerpendicular = false;
+  const Vector3 given = vector ? *vector : Vector3((end - start).stableNormalized());
+  for (const SegmentPart& part : this->Segments.PartsOf(start, end))
+  {
+    isTooFar |= part.Kind == SegmentPart::TooFar;
+    isOnFarSide |= part.Kind == SegmentPart::OnFarSide;
+    if (part.Kind != SegmentPart::OnSurface)
+    {
+      continue;
+    }
+    const Complex tangential = this->Framed.On.Faces.ToComplex(part.Face, given);
+    if (std::abs(tangential) <= SmallestTangentialPart * given.norm())
+    {
+      isPerpendicular = true;
+      continue;
+    }
+    // A chord leans into the surface; that says nothing about how strong the field shall be.
+    const double length = vector ? 1.0 : std::abs(tangential);
+    line.push_back({ part.Face, this->Framed.On.Faces.ToVector(part.Face, tangential / length),
+      part.Length, weight });
+    isTaken = true;
+    report.Farthest = std::max(report.Farthest, part.Distance);
+  }
+  report.Taken += isTaken;
+  report.TooFar += isTooFar;
+  report.OnFarSide += isOnFarSide;
+  report.Perpendicular += isPerpendicular;
+}
+
+/// A line weighs the same on each face that it touches, however long it stays there.
+void Projection::AddLine(const std::vector<Passage>& line)
+{
+  std::map<int, double> lengths;
+  for (const Passage& passage : line)
+  {
+    lengths[passage.Face] += passage.Length;
+  }
+  for (const Passage& passage : line)
+  {
+    this->Result.Directions.push_back(
+      { passage.Face, passage.Direction, passage.Weight * passage.Length / lengths[passage.Face] });
+  }
+}
+
+std::string Elements(long long number)
+{
+  return std::to_string(number) + (number == 1 ? " element" : " elements");
+}
+
+}
+
+std::string GuidesReport::LeftOut() const
+{
+  if (this->IsAllTaken())
+  {
+    return "";
+  }
+  std::ostringstream text;
+  text << "parts of the guides are left out: ";
+  const char* separator = "";
+  const auto say = [&text, &separator](long long number, const std::string& where)
+  {
+    if (number > 0)
+    {
+      text << separator << Elements(number) << where;
+      separator = ", ";
+    }
+  };
+  std::ostringstream distance;
+  distance << this->MaximumDistance;
+  say(this->TooFar, " farther from the surface than " + distance.str());
+  say(this->OnFarSide, " nearer to the far side of a thin wall than to the near one");
+  say(this->Perpendicular, " perpendicular to the surface");
+  text << "; move them nearer to the surface, give their lines more points";
+  text << (this->TooFar > 0 ? ", or raise Maximum Distance" : ", or take them out of Guides");
+  return text.str();
+}
+
+std::vector<vtkDataObject*> DataOf(vtkInformationVector* port)
+{
+  std::vector<vtkDataObject*> all;
+  for (int i = 0; i < port->GetNumberOfInformationObjects(); ++i)
+  {
+    if (vtkDataObject* const data = vtkDataObject::GetData(port, i))
+    {
+      all.push_back(data);
+    }
+  }
+  return all;
+}
+
+GuidesOnSurface BringToSurface(const Guides& guides, vtkPolyData* surface,
+  const FramedSurface& framed, const ExecutionContext& context)
+{
+  const std::vector<GuideDataSet> datasets = DataSetsOf(guides.Data);
+  if (datasets.empty())
+  {
+    return {};
+  }
+  CheckChoices(guides.Choices, datasets);
+  Projection projection(guides, surface, framed, context);
+  std::map<std::size_t, bool> isFollowed; // by guide
+  for (const GuideDataSet& dataset : datasets)
+  {
+    isFollowed[dataset.Guide] |= projection.Add(dataset);
+  }
+  for (const auto& [guide, something] : isFollowed)
+  {
+    if (!something)
+    {
+      throw InvalidInput(NameOfGuide(guide, guides.Data.size()) +
+        " has neither lines nor vectors to follow; add vectors to its points or cells, as "
+        "Calculator (vtkArrayCalculator) does, or take it out of Guides");
+    }
+  }
+  return std::move(projection.Result);
+}
+
+void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData)
+{
+  const auto add = [fieldData](const char* name, auto* array, auto value)
+  {
+    array->SetName(name);
+    array->InsertNextValue(value);
+    fieldData->AddArray(array);
+  };
+  const std::pair<const char*, long long> counts[] = { { ArrayNames::GuidesTaken, report.Taken },
+    { ArrayNames::GuidesTooFar, report.TooFar }, { ArrayNames::GuidesOnFarSide, report.OnFarSide },
+    { ArrayNames::GuidesPerpendicular, report.Perpendicular } };
+  for (const auto& [name, count] : counts)
+  {
+    add(name, vtkNew<vtkIntArray>().Get(), static_cast<int>(count));
+  }
+  add(ArrayNames::GuidesFarthest, vtkNew<vtkDoubleArray>().Get(), report.Farthest);
+}
+
+}

@@ -1,0 +1,355 @@
+#include "Adapters/SegmentOnSurface.h"
+
+#include "TestTools.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <map>
+#include <random>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+constexpr double Everywhere = std::numeric_limits<double>::infinity();
+using Lengths = std::map<vtkIdType, double>; // by cell
+
+/// A surface and the parts of segments on it.
+class Setting
+{
+public:
+  explicit Setting(const Surface& surface, double maximumDistance = Everywhere)
+    : Data(PolyDataOf(surface))
+    , Mesh(MeshFromPolyData(this->Data, Numbering::Spatial, SerialContext()))
+    , Frames(this->Mesh.Mesh)
+    , Framed{ this->Frames, this->Mesh }
+    , Nearest(this->Data, this->Framed)
+    , Segments(this->Nearest, maximumDistance)
+  {
+  }
+
+  Lengths LengthsOf(const Vector3& start, const Vector3& end, SegmentPart::Kinds kind) const
+  {
+    Lengths lengths;
+    for (const SegmentPart& part : this->Segments.PartsOf(start, end))
+    {
+      if (part.Kind == kind)
+      {
+        lengths[part.Face < 0 ? -1 : this->Framed.Numbering.CellOf(part.Face)] += part.Length;
+      }
+    }
+    return lengths;
+  }
+
+  vtkSmartPointer<vtkPolyData> Data;
+  SurfaceMesh Mesh;
+  FramedMesh Frames;
+  FramedSurface Framed;
+  NearestPlaces Nearest;
+  SegmentOnSurface Segments;
+};
+
+/// Which fraction of a segment is where functions that are linear along it are not negative.
+/// \param ends their values at the start and the end.
+double FractionInside(const std::vector<std::pair<double, double>>& ends)
+{
+  double from = 0.0, to = 1.0;
+  for (const auto& [atStart, atEnd] : ends)
+  {
+    const double root = atStart / (atStart - atEnd);
+    if (atStart < 0.0)
+    {
+      from = atEnd < 0.0 ? 1.0 : std::max(from, root);
+    }
+    else if (atEnd < 0.0)
+    {
+      to = std::min(to, root);
+    }
+  }
+  return std::max(0.0, to - from);
+}
+
+/// On which length a segment is above or below the faces of a plane with z constant.
+Lengths LengthsAbovePlane(const Surface& plane, const Vector3& start, const Vector3& end)
+{
+  Lengths lengths;
+  for (int f = 0; f < plane.F.rows(); ++f)
+  {
+    std::vector<std::pair<double, double>> ends;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 tail = plane.V.row(plane.F(f, k));
+      const Vector3 side = Vector3(plane.V.row(plane.F(f, (k + 1) % 3))) - tail;
+      ends.push_back({ side.cross(start - tail).z(), side.cross(end - tail).z() });
+    }
+    const double length = FractionInside(ends) * (end - start).norm();
+    if (length > 0.0)
+    {
+      lengths[f] = length;
+    }
+  }
+  return lengths;
+}
+
+void ExpectSame(const Lengths& lengths, const Lengths& expected, double tolerance)
+{
+  const auto difference = [tolerance](const Lengths& all, const Lengths& others)
+  {
+    for (const auto& [cell, length] : all)
+    {
+      const auto other = others.find(cell);
+      EXPECT_NEAR(length, other == others.end() ? 0.0 : other->second, tolerance)
+        << "cell " << cell;
+    }
+  };
+  difference(lengths, expected);
+  difference(expected, lengths);
+}
+
+}
+
+// A segment with two ends touches each triangle below it, with the length that it has there.
+TEST(SegmentOnSurface, HasAPartForEachTriangleOfAPlane)
+{
+  constexpr int Seed = 5281;
+  SCOPED_TRACE(Seed);
+  std::mt19937 random(Seed);
+  std::uniform_real_distribution<double> fraction(0.01, 0.99);
+  for (const Surface& plane : { PlaneGrid(9, 7), IrregularPlane(12, 9, 7) })
+  {
+    const Setting setting(plane);
+    const Vector3 lower = plane.V.colwise().minCoeff(), upper = plane.V.colwise().maxCoeff();
+    const auto anywhere = [&](double z)
+    {
+      return Vector3(lower.x() + fraction(random) * (upper.x() - lower.x()),
+        lower.y() + fraction(random) * (upper.y() - lower.y()), lower.z() + z);
+    };
+    const double smallest = 4e-6 * (upper - lower).norm(); // twice two smallest parts
+    for (double z : { 0.0, 0.4, -1.5 })
+    {
+      for (int i = 0; i < 30; ++i)
+      {
+        const Vector3 start = anywhere(z), end = anywhere(z);
+        ExpectSame(setting.LengthsOf(start, end, SegmentPart::OnSurface),
+          LengthsAbovePlane(plane, start, end), smallest);
+      }
+    }
+  }
+}
+
+// From vertex to vertex, through others.
+TEST(SegmentOnSurface, TouchesNoFaceBesideItsWay)
+{
+  const Surface plane = PlaneGrid(9, 7);
+  const Setting setting(plane);
+  for (const auto& [start, end] : { std::pair(Vector3(1.0, 1.0, 0.0), Vector3(5.0, 3.0, 0.0)),
+         std::pair(Vector3(2.0, 5.0, 0.5), Vector3(8.0, 2.0, 0.5)),
+         std::pair(Vector3(3.0, 1.0, 0.0), Vector3(4.0, 6.0, 0.0)) })
+  {
+    ExpectSame(setting.LengthsOf(start, end, SegmentPart::OnSurface),
+      LengthsAbovePlane(plane, start, end), 1e-4);
+  }
+}
+
+TEST(SegmentOnSurface, AlongAnEdgeTouchesTheFacesBesideIt)
+{
+  const Setting setting(PlaneGrid(4, 4));
+  const Vector3 start(1.0, 2.0, 0.0), end(3.0, 2.0, 0.0);
+  const Lengths lengths = setting.LengthsOf(start, end, SegmentPart::OnSurface);
+  double sum = 0.0;
+  for (const auto& [cell, length] : lengths)
+  {
+    int ofSegment = 0; // corners of the face
+    vtkNew<vtkIdList> corners;
+    setting.Data->GetCellPoints(cell, corners);
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 corner(setting.Data->GetPoint(corners->GetId(k)));
+      ofSegment += corner.y() == 2.0 && corner.x() >= 1.0 && corner.x() <= 3.0;
+    }
+    EXPECT_EQ(ofSegment, 2) << "cell " << cell;
+    sum += length;
+  }
+  EXPECT_NEAR(sum, 2.0, 1e-4);
+}
+
+// A chord of a sphere touches what lies along the great circle.
+TEST(SegmentOnSurface, HasAPartForEachFaceAlongAChordOfASphere)
+{
+  const Surface sphere = Icosphere(3);
+  const Setting setting(sphere);
+  const Vector3 start = Vector3(0.3, -0.2, 0.9).normalized();
+  const Vector3 end = Vector3(0.9, 0.4, 0.3).normalized();
+  const Lengths lengths = setting.LengthsOf(start, end, SegmentPart::OnSurface);
+  // The nearest face is not quite the one that is seen from the center.
+  const double margin = 0.02;
+  for (int f = 0; f < sphere.F.rows(); ++f)
+  {
+    std::vector<std::pair<double, double>> within, around;
+    for (int k = 0; k < 3; ++k)
+    {
+      const Vector3 tail = sphere.V.row(sphere.F(f, k)),
+                    head = sphere.V.row(sphere.F(f, (k + 1) % 3));
+      const Vector3 inwards = tail.cross(head).normalized();
+      within.push_back({ inwards.dot(start), inwards.dot(end) });
+      around.push_back({ inwards.dot(start) + margin, inwards.dot(end) + margin });
+    }
+    const bool isTouched = lengths.count(f) > 0;
+    if (FractionInside(within) * (end - start).norm() > 2.0 * margin)
+    {
+      EXPECT_TRUE(isTouched) << "cell " << f;
+    }
+    if (isTouched)
+    {
+      EXPECT_GT(FractionInside(around), 0.0) << "cell " << f;
+    }
+  }
+  EXPECT_TRUE(setting.LengthsOf(start, end, SegmentPart::OnFarSide).empty());
+}
+
+// The nearest faces of very many points say the same. (Inside of a sphere, where a point has one.)
+TEST(SegmentOnSurface, HasPartsAsLongAsManySamplesSay)
+{
+  constexpr int Seed = 917, Samples = 1000;
+  SCOPED_TRACE(Seed);
+  std::mt19937 random(Seed);
+  std::normal_distribution<double> coordinate;
+  const Setting setting(IrregularSphere(3, 11));
+  const auto inside = [&random, &coordinate]
+  {
+    const Vector3 position(coordinate(random), coordinate(random), coordinate(random));
+    return Vector3(0.98 * position.normalized());
+  };
+  for (int i = 0; i < 30; ++i)
+  {
+    const Vector3 start = inside(), other = inside();
+    const double length = std::min(0.8, (other - start).norm());
+    const Vector3 end = start + length * (other - start).normalized();
+    Lengths expected;
+    for (int k = 0; k < Samples; ++k)
+    {
+      const NearestPlace place = setting.Nearest(start + (k + 0.5) / Samples * (end - start));
+      expected[setting.Framed.Numbering.CellOf(place.Face)] += length / Samples;
+    }
+    Lengths lengths = setting.LengthsOf(start, end, SegmentPart::OnSurface);
+    const Lengths onFarSide = setting.LengthsOf(start, end, SegmentPart::OnFarSide);
+    lengths.insert(onFarSide.begin(), onFarSide.end());
+    // Two ends, each off by a sample or by what a crossing may be.
+    ExpectSame(lengths, expected, 4.0 * length / Samples);
+  }
+}
+
+TEST(SegmentOnSurface, EndsWhereItIsTooFar)
+{
+  const Setting setting(PlaneGrid(8, 8), 2.0);
+  const Vector3 start(1.1, 1.2, 0.0), end(6.3, 1.3, 6.5);
+  double onSurface = 0.0, tooFar = 0.0;
+  for (const SegmentPart& part : setting.Segments.PartsOf(start, end))
+  {
+    (part.Kind == SegmentPart::OnSurface ? onSurface : tooFar) += part.Length;
+    if (part.Kind == SegmentPart::OnSurface)
+    {
+      EXPECT_LE(part.Distance, 2.0);
+    }
+  }
+  const double length = (end - start).norm();
+  EXPECT_NEAR(onSurface, length * 2.0 / 6.5, 1e-4);
+  EXPECT_NEAR(tooFar, length * 4.5 / 6.5, 1e-4);
+}
+
+TEST(SegmentOnSurface, MayBeVeryLong)
+{
+  const Surface plane = PlaneGrid(8, 8);
+  const Setting setting(plane, 1.0);
+  const Lengths lengths =
+    setting.LengthsOf({ -1e7, 2.3, 0.5 }, { 1e7, 2.3, 0.5 }, SegmentPart::OnSurface);
+  const Lengths expected = LengthsAbovePlane(plane, { 0.0, 2.3, 0.5 }, { 8.0, 2.3, 0.5 });
+  EXPECT_EQ(lengths.size(), expected.size());
+  for (const auto& [cell, length] : expected)
+  {
+    EXPECT_EQ(lengths.count(cell), 1u) << "cell " << cell;
+  }
+}
+
+TEST(SegmentOnSurface, WithoutLengthHasNoParts)
+{
+  const Setting setting(PlaneGrid(4, 4));
+  EXPECT_TRUE(setting.Segments.PartsOf({ 1.1, 1.2, 0.0 }, { 1.1, 1.2, 0.0 }).empty());
+}
+
+namespace
+{
+
+/// A wall: the outside of a half cylinder of radius 1 and, turned inwards, that of another radius.
+/// The first half of the faces is outside.
+Surface HalfPipe(double innerRadius)
+{
+  const Surface flat = PlaneGrid(60, 6);
+  const int points = static_cast<int>(flat.V.rows()), faces = static_cast<int>(flat.F.rows());
+  Surface wall{ Points(2 * points, 3), Triangles(2 * faces, 3) };
+  for (int i = 0; i < points; ++i)
+  {
+    const double angle = Pi * (1.0 - flat.V(i, 0) / 60.0);
+    const Vector3 outside(std::cos(angle), 0.2 * flat.V(i, 1), std::sin(angle));
+    wall.V.row(i) = outside;
+    wall.V.row(points + i) =
+      Vector3(innerRadius * outside.x(), outside.y(), innerRadius * outside.z());
+  }
+  for (int f = 0; f < faces; ++f)
+  {
+    wall.F.row(f) = flat.F.row(f);
+    wall.F.row(faces + f) << flat.F(f, 0) + points, flat.F(f, 2) + points, flat.F(f, 1) + points;
+  }
+  return wall;
+}
+
+Vector3 OnPipe(double angle, double y)
+{
+  return { std::cos(angle), y, std::sin(angle) };
+}
+
+}
+
+// The middle of the chord is inside the pipe, 0.11 below the outside and 0.05 below the inside.
+TEST(SegmentOnSurface, DoesNotTouchTheFarSideOfAThinWall)
+{
+  const Setting setting(HalfPipe(0.94));
+  const vtkIdType outside = setting.Data->GetNumberOfCells() / 2;
+  const double half = std::acos(0.89);
+  const Vector3 start = OnPipe(1.5 - half, 0.53), end = OnPipe(1.5 + half, 0.67);
+  for (const auto& [cell, length] : setting.LengthsOf(start, end, SegmentPart::OnSurface))
+  {
+    EXPECT_LT(cell, outside);
+  }
+  double onFarSide = 0.0;
+  for (const auto& [cell, length] : setting.LengthsOf(start, end, SegmentPart::OnFarSide))
+  {
+    EXPECT_GE(cell, outside);
+    onFarSide += length;
+  }
+  // It is nearer to the inside where it is less than 0.97 from the axis.
+  const double across = std::sqrt(0.97 * 0.97 - 0.89 * 0.89), chord = std::sin(half);
+  EXPECT_NEAR(onFarSide / (end - start).norm(), across / chord, 0.02);
+}
+
+TEST(SegmentOnSurface, TouchesTheNearSideOfAThinWallOnly)
+{
+  const Setting setting(HalfPipe(0.94));
+  const vtkIdType outside = setting.Data->GetNumberOfCells() / 2;
+  // The first is drawn on the outside, the second on the inside.
+  for (double radius : { 1.0, 0.94 })
+  {
+    const Vector3 start(radius * OnPipe(1.4, 0.0)), end(radius * OnPipe(1.7, 0.0));
+    const Vector3 y(0.0, 0.61, 0.0);
+    const Lengths lengths = setting.LengthsOf(start + y, end + y, SegmentPart::OnSurface);
+    EXPECT_GE(lengths.size(), 5u); // a face is 0.05 wide
+    for (const auto& [cell, length] : lengths)
+    {
+      EXPECT_EQ(cell < outside, radius == 1.0) << "cell " << cell;
+    }
+    EXPECT_TRUE(setting.LengthsOf(start + y, end + y, SegmentPart::OnFarSide).empty());
+  }
+}
