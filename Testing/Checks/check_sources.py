@@ -24,6 +24,7 @@ ARROWS = {
     "Prolongation": {"Hierarchy", "Mesh", "Support"},
     "Operators": {"Mesh", "Support"},
     "Systems": {"Operators", "Mesh", "Support"},
+    "Drawing": {"Operators", "Mesh", "Support"},
     "Solvers": {"Support"},  # a solver receives matrices and never learns that a mesh exists
 }
 
