@@ -26,8 +26,9 @@
  *   SetInputArrayToProcess(0, 0, 0, association, name).
  *
  * Where nothing is chosen it is Direction0 of the cells, or of the points, or else the active vectors of the cells, or
- * of the points. It holds one direction of N; the others are those, turned by 2 pi / N. Vectors at points are averaged
- * over the corners of each triangle, as N-th powers.
+ * of the points. Where cells and points have an array Direction0, as vtkHarmonicFieldSolver leaves them, that of the
+ * cells is taken for both: the other one is its mean. The array holds one direction of N; the others are those, turned
+ * by 2 pi / N. Vectors at points are averaged over the corners of each triangle, as N-th powers.
  *
  * @section vtkFieldLines-Output Output
  *
@@ -36,12 +37,10 @@
  * | array     | of     | components | type   | meaning                                                    |
  * | --------- | ------ | ---------- | ------ | ---------------------------------------------------------- |
  * | Length    | cells  | 1          | double | of the line, in the unit of the points                     |
- * | Branch    | cells  | 1          | int    | the family at the seed: 0 along the chosen array, 1 along the next direction, ... |
+ * | Branch    | cells  | 1          | int    | the family at the seed: 0 along the chosen array, 1 along the next direction, ...; the active scalars |
  * | Seed      | cells  | 1          | int    | number of the line, in the order in which they were drawn  |
  * | Magnitude | points | 1          | double | of the field; on an edge, the mean of both sides           |
  * | Normals   | points | 3          | double | of the surface, unit; the active normals, for ribbons      |
- *
- * Seed is the active scalars of the cells in no case: lines are drawn in one colour unless another one is asked for.
  *
  * @section vtkFieldLines-Execution Execution
  *

@@ -89,6 +89,11 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
     vtkAbstractArray* const found = byName
       ? attributes->GetAbstractArray(name.c_str())
       : attributes->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+    vtkDataArray* const ofCells = surface->GetCellData()->GetArray(DirectionName(0).c_str());
+    if (found && name == DirectionName(0) && ofCells)
+    {
+      return { ofCells, false };
+    }
     if (found)
     {
       return { vtkDataArray::SafeDownCast(found),

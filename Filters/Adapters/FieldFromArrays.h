@@ -25,7 +25,8 @@ struct SurfaceWithField
 };
 
 /// The field that was chosen with SetInputArrayToProcess, index 0; where nothing was chosen, the first of these that
-/// is there: the cell array Direction0, the point array Direction0, the active vectors of cells, those of points.
+/// is there: the cell array Direction0, the point array Direction0, the active vectors of cells, those of points. Where
+/// cells and points have an array Direction0, both names mean that of the cells.
 ///
 /// \param N of the field; 0: of an array Direction0, as many as there are arrays Direction0, Direction1, ... beside
 /// it, of any other one.

@@ -28,6 +28,11 @@ public:
   double Magnitude(int face) const { return this->Magnitudes[face]; }
   bool HasDirection(int face) const { return this->Magnitudes[face] > 0.0; }
 
+  /// Direction 0 of all faces with its magnitude, as given.
+  Vector<Complex> First() const
+  {
+    return this->Units.cwiseProduct(this->Magnitudes.cast<Complex>());
+  }
   /// Direction k, unit; zero where there is none. k in [0, N).
   Complex Direction(int face, int k) const { return this->Units[face] * this->Turns[k]; }
   /// Which direction of a face turns least from another one.

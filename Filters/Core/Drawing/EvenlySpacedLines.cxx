@@ -19,7 +19,7 @@ constexpr double NearestSeed = 0.95;   ///< a seed beside a bent line is a littl
 constexpr double ShortestStep = 0.02;  ///< between two looks at the neighbours
 constexpr double WidestClosing = 0.1;  ///< offset across which a line is closed
 constexpr double CoverRadius = 0.9;
-constexpr double CoverStep = 0.3;      ///< the faces within CoverRadius of such samples are near the line
+constexpr double CoverStep = 0.5;      ///< the faces within CoverRadius of such samples are near the line
 constexpr double SeedStep = 0.5;       ///< along a line, between seeds beside it
 
 /// A line that does not move by a thousandth of the separation in so many pieces does not move at all.

@@ -6,19 +6,6 @@
 namespace dmg
 {
 
-namespace
-{
-
-double DistanceToSegment(Complex a, Complex b)
-{
-  const Complex way = b - a;
-  const double length = std::norm(way);
-  const double part = length > 0.0 ? std::clamp(-Dot(a, way) / length, 0.0, 1.0) : 0.0;
-  return std::abs(a + part * way);
-}
-
-}
-
 LineSpacing::LineSpacing(const UnfoldedSurface& surface, const DirectionsOnFaces& field)
   : Surface(surface)
   , Field(field)
@@ -58,9 +45,9 @@ void LineSpacing::VisitNear(
       {
         continue;
       }
-      const double gap =
-        DistanceToSegment(placement.Place(segment.From), placement.Place(segment.To));
-      if (gap < distance && !visit(segment, gap))
+      const double squaredGap =
+        SquaredDistanceToSegment(placement.Place(segment.From), placement.Place(segment.To));
+      if (squaredGap < distance * distance && !visit(segment, std::sqrt(squaredGap)))
       {
         return false;
       }

@@ -4,6 +4,8 @@
 #include "Drawing/DirectionsOnFaces.h"
 #include "Drawing/UnfoldedSurface.h"
 
+#include <cmath>
+
 namespace dmg
 {
 
@@ -30,7 +32,7 @@ public:
     double Part;  ///< of the way along it
     bool IsAlongEdge; ///< the piece is a part of that halfedge, and To one of its ends
 
-    double Length() const { return std::abs(this->To - this->From); }
+    double Length() const { return std::sqrt(std::norm(this->To - this->From)); }
   };
 
   /// Borrows both.

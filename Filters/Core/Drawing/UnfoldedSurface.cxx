@@ -1,6 +1,7 @@
 #include "Drawing/UnfoldedSurface.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace dmg
@@ -11,15 +12,14 @@ namespace
 
 constexpr int Grain = 4096;
 
-/// Squared distance of zero from the segment between two points; safe for one without length.
+}
+
 double SquaredDistanceToSegment(Complex a, Complex b)
 {
   const Complex way = b - a;
   const double length = std::norm(way);
   const double part = length > 0.0 ? std::clamp(-Dot(a, way) / length, 0.0, 1.0) : 0.0;
   return std::norm(a + part * way);
-}
-
 }
 
 UnfoldedSurface::UnfoldedSurface(
@@ -140,20 +140,24 @@ void SurfaceWalk::Begin(const SurfacePoint& centre)
 void SurfaceWalk::AddNeighbours(const Placement& placement, double squaredDistance)
 {
   const TriangleMesh& mesh = this->Surface.Mesh();
-  for (int h = 3 * placement.Face; h < 3 * placement.Face + 3; ++h)
+  const int first = 3 * placement.Face;
+  const std::array<Complex, 3> corners = { placement.Place(this->Surface.Corner(first)),
+    placement.Place(this->Surface.Corner(first + 1)),
+    placement.Place(this->Surface.Corner(first + 2)) };
+  for (int k = 0; k < 3; ++k)
   {
-    const int twin = mesh.Twin(h);
+    const int twin = mesh.Twin(first + k);
     if (twin < 0 || this->Rounds[TriangleMesh::FaceOf(twin)] == this->Round)
     {
       continue;
     }
-    const Complex tail = placement.Place(this->Surface.Corner(h));
-    const Complex head = placement.Place(this->Surface.CornerOfHead(h));
-    if (SquaredDistanceToSegment(tail, head) < squaredDistance)
+    const Complex head = corners[k == 2 ? 0 : k + 1];
+    if (std::norm(head) < squaredDistance ||
+      SquaredDistanceToSegment(corners[k], head) < squaredDistance)
     {
       const int face = TriangleMesh::FaceOf(twin);
       this->Rounds[face] = this->Round;
-      const Complex turn = placement.Turn * std::conj(this->Surface.Across(h));
+      const Complex turn = placement.Turn * std::conj(this->Surface.Across(first + k));
       this->Queue.push_back({ face, turn, head - turn * this->Surface.Corner(twin) });
     }
   }

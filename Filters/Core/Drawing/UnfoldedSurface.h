@@ -23,6 +23,9 @@ inline double Dot(Complex a, Complex b)
   return a.real() * b.real() + a.imag() * b.imag();
 }
 
+/// Of zero from the segment between two points, which may have no length.
+double SquaredDistanceToSegment(Complex a, Complex b);
+
 /// A place on the surface: a point of a face, in its frame, from its first corner.
 struct SurfacePoint
 {
