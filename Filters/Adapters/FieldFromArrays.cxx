@@ -186,21 +186,38 @@ Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int
 
 /// Refuses arrays Direction1, ... that are not Direction0, turned.
 void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const TangentFrames& frames,
-  const Vector<Complex>& first, int N)
+  const Vector<Complex>& first, int N, const ExecutionContext& context)
 {
   for (int k = 1; k < N; ++k)
   {
     vtkDataArray* const array = input->GetCellData()->GetArray(DirectionName(k).c_str());
-    const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
-    for (int face = 0; array && array->GetNumberOfComponents() == 3 && face < first.size(); ++face)
+    if (!array || array->GetNumberOfComponents() != 3)
     {
+      continue;
+    }
+    const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
+    const auto isTurned = [&](int face) {
       const Complex given = ReadTuple(array, surface.CellOf(face), frames, face);
       const Complex expected = turn * first[face];
-      if (!(std::abs(given / std::max(std::abs(given), 1e-300) -
-              expected / std::max(std::abs(expected), 1e-300)) <= LargestAngle))
+      return std::abs(given / std::max(std::abs(given), 1e-300) -
+               expected / std::max(std::abs(expected), 1e-300)) <= LargestAngle;
+    };
+    std::atomic<bool> areTurned{ true };
+    context.ParallelFor(0, static_cast<int>(first.size()), Grain, [&](int begin, int end) {
+      for (int face = begin; face < end; ++face)
+      {
+        if (!isTurned(face))
+        {
+          areTurned = false;
+        }
+      }
+    });
+    for (int polygon = 0; !areTurned && polygon < first.size(); ++polygon)
+    {
+      if (!isTurned(surface.Faces[polygon]))
       {
         throw InvalidInput("the vectors Direction0 and " + DirectionName(k) + " of cell " +
-          std::to_string(surface.CellOf(face)) + " are not " + std::to_string(360 * k / N) +
+          std::to_string(surface.FirstCell + polygon) + " are not " + std::to_string(360 * k / N) +
           " degrees apart, as those of a field of " + std::to_string(N) +
           " directions are; draw one array at a time, with 1 or 2 for the number of directions");
       }
@@ -242,7 +259,7 @@ SurfaceWithField ReadField(
       [&](int face) { return surface.CellOf(face); }, context);
     if (areSiblings)
     {
-      CheckSiblings(input, surface, frames, first, N);
+      CheckSiblings(input, surface, frames, first, N, context);
     }
   }
   if (first.isZero(0.0))

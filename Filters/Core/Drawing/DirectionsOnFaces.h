@@ -7,6 +7,7 @@
 #include "Support/Types.h"
 
 #include <array>
+#include <cmath>
 
 namespace dmg
 {
@@ -58,6 +59,24 @@ public:
   /// an even N has N / 2 families through each point and an odd one has N.
   int NumberOfFamilies() const { return this->Number % 2 == 0 ? this->Number / 2 : this->Number; }
   int FamilyOf(int k) const { return k % this->NumberOfFamilies(); }
+  /// Of the first direction of each family, the one that turns least from a line, whichever way that runs.
+  int NearestFamily(int face, Complex direction) const
+  {
+    int nearest = 0;
+    double largest = -1.0;
+    for (int k = 0; k < this->NumberOfFamilies(); ++k)
+    {
+      const Complex candidate = this->Direction(face, k);
+      const double cosine = std::abs(
+        candidate.real() * direction.real() + candidate.imag() * direction.imag());
+      if (cosine > largest)
+      {
+        largest = cosine;
+        nearest = k;
+      }
+    }
+    return nearest;
+  }
   /// Two lines at an angle with at least this cosine, whichever way they run, are of the same family: the cosine of
   /// half the angle between families.
   double CosineOfFamily() const { return this->FamilyCosine; }

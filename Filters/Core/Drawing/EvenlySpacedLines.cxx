@@ -22,8 +22,9 @@ constexpr double CoverRadius = 0.9;
 constexpr double CoverStep = 0.5;      ///< the faces within CoverRadius of such samples are near the line
 constexpr double SeedStep = 0.5;       ///< along a line, between seeds beside it
 
-/// A line that does not move by a thousandth of the separation in so many pieces does not move at all.
-constexpr int IdlePieces = 1000;
+/// A line that has not moved by a part of the separation in so many pieces turns around one place.
+constexpr int IdlePieces = 300;
+constexpr double IdleDistance = 0.05;
 
 /// Pieces between two checkpoints; a millisecond or so.
 constexpr int PiecesBetweenCheckpoints = 4096;
@@ -145,7 +146,7 @@ private:
     if (this->Surface.GoStraight(place, left, this->Options.Separation) &&
       this->Field.HasDirection(place.Face))
     {
-      waiting.push_back({ place, this->Field.Nearest(place.Face, Complex(0.0, -1.0) * left) });
+      waiting.push_back({ place, this->Field.NearestFamily(place.Face, Complex(0.0, 1.0) * left) });
     }
   }
 
@@ -192,8 +193,10 @@ private:
   void Follow(const Seed& seed, double sign, Trail& trail)
   {
     // How far the line can go without coming too near to another one: distances change no faster than it moves.
-    double room = (NearestSeed - this->Options.StopRatio) * this->Options.Separation;
-    double lengthBefore = 0.0;
+    // The second half looks at once where the first one has ended.
+    double room =
+      sign > 0.0 ? (NearestSeed - this->Options.StopRatio) * this->Options.Separation : 0.0;
+    Vector3 placeBefore = trail.Points.back().Position;
     for (int pieces = 1;; ++pieces)
     {
       const LineTracer::Piece piece = this->Tracer.Current();
@@ -228,11 +231,12 @@ private:
       this->Count();
       if (pieces % IdlePieces == 0)
       {
-        if (trail.Length - lengthBefore < 1e-3 * this->Options.Separation)
+        const Vector3 place = trail.Points.back().Position;
+        if ((place - placeBefore).norm() < IdleDistance * this->Options.Separation)
         {
           return;
         }
-        lengthBefore = trail.Length;
+        placeBefore = place;
       }
       if (!goesOn)
       {

@@ -66,7 +66,7 @@ LineSpacing::Neighbour LineSpacing::Nearest(
         own.Excluded;
     if (!isExcluded && gap < nearest.Distance)
     {
-      nearest = { gap, segment.Line, segment.ArcTo };
+      nearest = { gap, segment.Line, segment.ArcFrom };
     }
     return true;
   });
@@ -89,19 +89,8 @@ void LineSpacing::Cover(const SurfacePoint& at, Complex direction, double distan
     const SurfacePoint centre = this->Surface.Centre(placement.Face);
     if (std::norm(placement.Place(centre.Point)) < distance * distance)
     {
-      const Complex here = std::conj(placement.Turn) * direction;
-      int family = 0;
-      double largest = -1.0;
-      for (int k = 0; k < this->Field.NumberOfFamilies(); ++k)
-      {
-        const double cosine = std::abs(Dot(here, this->Field.Direction(placement.Face, k)));
-        if (cosine > largest)
-        {
-          largest = cosine;
-          family = k;
-        }
-      }
-      this->CoverFamily(placement.Face, family);
+      this->CoverFamily(placement.Face,
+        this->Field.NearestFamily(placement.Face, std::conj(placement.Turn) * direction));
     }
     return true;
   });

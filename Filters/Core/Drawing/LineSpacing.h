@@ -41,7 +41,7 @@ public:
   {
     double Distance = std::numeric_limits<double>::infinity();
     int Line = -1;
-    double Arc = 0.0; ///< of its segment
+    double Arc = 0.0; ///< of its segment, where that is nearest to the seed
   };
 
   /// Borrows both.
