@@ -129,6 +129,7 @@ class Drawing(unittest.TestCase):
                 self.assertGreater((self.colours(view) != plain).any(axis=1).mean(), 0.001)
                 simple.Hide(source, view)
         self.assertEqual(display.Representation, "Point Gaussian")
+        simple.Delete(view)
 
     @staticmethod
     def colours(view):
