@@ -19,6 +19,7 @@ constexpr double NearestSeed = 0.95;   ///< a seed beside a bent line is a littl
 constexpr double ShortestStep = 0.02;  ///< between two looks at the neighbours
 constexpr double WidestClosing = 0.1;  ///< offset across which a line is closed
 constexpr double CoverRadius = 0.9;
+constexpr double FailureRadius = 0.25; ///< around a seed whose line is too short, other lines are as well
 constexpr double CoverStep = 0.5;      ///< the faces within CoverRadius of such samples are near the line
 constexpr double SeedStep = 0.5;       ///< along a line, between seeds beside it
 
@@ -105,17 +106,22 @@ private:
       this->Count();
       const Complex direction = this->Field.Direction(seed.Place.Face, seed.Direction);
       const std::size_t size = this->Spacing.Segments().size();
-      if (this->Spacing.IsFree(seed.Place, direction, NearestSeed * this->Options.Separation) &&
-        this->DrawThrough(seed))
+      if (!this->Spacing.IsFree(seed.Place, direction, NearestSeed * this->Options.Separation))
       {
-        this->VisitSamples(size, CoverStep, [&](const SurfacePoint& at, Complex along) {
-          this->Spacing.Cover(at, along, CoverRadius * this->Options.Separation);
-        });
-        this->VisitSamples(size, SeedStep, [&](const SurfacePoint& at, Complex along) {
-          this->SeedBeside(at, along, waiting);
-          this->SeedBeside(at, -along, waiting);
-        });
+        continue;
       }
+      if (!this->DrawThrough(seed))
+      {
+        this->Spacing.Cover(seed.Place, direction, FailureRadius * this->Options.Separation);
+        continue;
+      }
+      this->VisitSamples(size, CoverStep, [&](const SurfacePoint& at, Complex along) {
+        this->Spacing.Cover(at, along, CoverRadius * this->Options.Separation);
+      });
+      this->VisitSamples(size, SeedStep, [&](const SurfacePoint& at, Complex along) {
+        this->SeedBeside(at, along, waiting);
+        this->SeedBeside(at, -along, waiting);
+      });
     }
   }
 
@@ -205,6 +211,7 @@ private:
       while (done + room < length)
       {
         done += room;
+        this->Count();
         const Complex at = piece.From + done / length * (piece.To - piece.From);
         const LineSpacing::Neighbour neighbour = this->Spacing.Nearest({ piece.Face, at },
           piece.Direction, this->Options.Separation,
