@@ -28,22 +28,23 @@ int vtkFieldGlyphs::RequestData(
 {
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
-    [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context) {
+    [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    {
       dmg::GlyphPlaceOptions where;
       where.Placement = static_cast<dmg::GlyphPlacement>(this->Placement);
       where.Distance = this->SeparatingDistance * given.Diagonal;
       where.Sizing = static_cast<dmg::GlyphSizing>(this->Sizing);
       where.Scale = this->ScaleFactor;
       dmg::GlyphOptions how;
-      how.Form = this->Style == Solid ? dmg::GlyphOptions::Shape::Solid
-                                      : dmg::GlyphOptions::Shape::Strokes;
+      how.Form =
+        this->Style == Solid ? dmg::GlyphOptions::Shape::Solid : dmg::GlyphOptions::Shape::Strokes;
       how.Width = this->Width;
       how.Lift = this->Lift * given.Diagonal;
       const dmg::UnfoldedSurface surface(given.Surface.Mesh, given.Faces, context);
       const std::vector<dmg::GlyphPlace> places =
         dmg::PlaceGlyphs(surface, given.Field, where, dmg::PartOfContext(context, 0.0, 0.6));
-      const dmg::GlyphsOnSurface glyphs = dmg::FieldGlyphs(
-        surface, given.Field, places, how, dmg::PartOfContext(context, 0.6, 1.0));
+      const dmg::GlyphsOnSurface glyphs =
+        dmg::FieldGlyphs(surface, given.Field, places, how, dmg::PartOfContext(context, 0.6, 1.0));
       dmg::GlyphsToPolyData(glyphs, given.Field.NumberOfFamilies(), this->Style == Strokes, output);
     });
 }

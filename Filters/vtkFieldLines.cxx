@@ -25,7 +25,8 @@ int vtkFieldLines::RequestData(
 {
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
-    [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context) {
+    [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    {
       dmg::LineOptions options;
       options.Separation = this->SeparatingDistance * given.Diagonal;
       options.StopRatio = this->SeparatingDistanceRatio;

@@ -30,7 +30,8 @@ int vtkFieldSingularities::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
-    [outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context) {
+    [outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    {
       const dmg::FieldTopology topology = dmg::TopologyOfField(
         given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));

@@ -52,8 +52,8 @@ vtkSmartPointer<vtkPoints> NewPoints(const std::vector<Vector3>& positions)
 
 }
 
-void LinesToPolyData(const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift,
-  vtkPolyData* output)
+void LinesToPolyData(
+  const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output)
 {
   const std::size_t numberOfPoints = lines.Positions.size();
   std::vector<Vector3> positions(numberOfPoints);
@@ -186,9 +186,8 @@ void CutsToPolyData(
       isAlong ? topology.Jumps[i] : N - topology.Jumps[i],
       (isAlong ? 1.0 : -1.0) * topology.Turning[edge], edge });
   }
-  std::sort(cuts.begin(), cuts.end(), [](const Cut& a, const Cut& b) {
-    return std::pair(a.From, a.To) < std::pair(b.From, b.To);
-  });
+  std::sort(cuts.begin(), cuts.end(),
+    [](const Cut& a, const Cut& b) { return std::pair(a.From, a.To) < std::pair(b.From, b.To); });
   std::map<vtkIdType, vtkIdType> numbers; // of the ends, in the output
   std::vector<Vector3> positions;
   std::vector<int> jumps;
@@ -239,8 +238,8 @@ void BoundaryLoopsToPolyData(
   }
   output->SetPoints(NewPoints(positions));
   output->SetLines(cells);
-  output->GetCellData()->SetScalars(NewArray<vtkDoubleArray>(
-    "Index", 1, indices.data(), static_cast<vtkIdType>(indices.size())));
+  output->GetCellData()->SetScalars(
+    NewArray<vtkDoubleArray>("Index", 1, indices.data(), static_cast<vtkIdType>(indices.size())));
 }
 
 }

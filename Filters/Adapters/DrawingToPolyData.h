@@ -16,8 +16,8 @@ namespace dmg
 
 /// Polylines with the arrays of vtkFieldLines.
 /// \param lift along the normals of the faces, in the unit of the points.
-void LinesToPolyData(const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift,
-  vtkPolyData* output);
+void LinesToPolyData(
+  const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output);
 
 /// Polylines or polygons with the arrays of vtkFieldGlyphs.
 /// \param families of the field, of which branch k belongs to number k modulo this.

@@ -61,11 +61,13 @@ ChosenVectors DefaultVectors(vtkPolyData* surface)
   {
     if (array)
     {
-      return { array, points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str()) };
+      return { array,
+        points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str()) };
     }
   }
-  throw InvalidInput("the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
-                     "vtkHarmonicFieldSolver first, or choose an array of vectors");
+  throw InvalidInput(
+    "the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
+    "vtkHarmonicFieldSolver first, or choose an array of vectors");
 }
 
 ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
@@ -105,7 +107,8 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
     return DefaultVectors(surface);
   }
   throw InvalidInput("array '" + name +
-    "', chosen for the directions, is not among the surface's point or cell arrays; choose one of those, or none");
+    "', chosen for the directions, is not among the surface's point or cell arrays; choose one of "
+    "those, or none");
 }
 
 ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
@@ -127,11 +130,11 @@ int NumberOfSiblings(vtkPolyData* surface, const ChosenVectors& chosen)
   {
     return 1;
   }
-  vtkDataSetAttributes* const attributes = surface->GetAttributes(
-    chosen.OnPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+  vtkDataSetAttributes* const attributes =
+    surface->GetAttributes(chosen.OnPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
   int number = 1;
-  while (number < DirectionsOnFaces::LargestN &&
-    attributes->GetArray(DirectionName(number).c_str()))
+  while (
+    number < DirectionsOnFaces::LargestN && attributes->GetArray(DirectionName(number).c_str()))
   {
     ++number;
   }
@@ -145,8 +148,8 @@ Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& fra
   array->GetTuple(tuple, vector.data());
   const Complex tangential = frames.ToComplex(element, vector);
   return std::abs(tangential) > SmallestTangentialPart * vector.norm() ? tangential
-      : vector.allFinite() ? Complex(0.0)
-                           : Complex(std::numeric_limits<double>::infinity());
+    : vector.allFinite()                                               ? Complex(0.0)
+                         : Complex(std::numeric_limits<double>::infinity());
 }
 
 /// Directions of elements, and the first one of the caller's that is not finite.
@@ -156,17 +159,19 @@ Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int
 {
   Vector<Complex> directions(size);
   std::atomic<bool> areFinite{ true };
-  context.ParallelFor(0, size, Grain, [&](int first, int last) {
-    for (int element = first; element < last; ++element)
+  context.ParallelFor(0, size, Grain,
+    [&](int first, int last)
     {
-      const Complex direction = ReadTuple(array, tupleOf(element), frames, element);
-      directions[element] = direction;
-      if (!std::isfinite(direction.real()) || !std::isfinite(direction.imag()))
+      for (int element = first; element < last; ++element)
       {
-        areFinite = false;
+        const Complex direction = ReadTuple(array, tupleOf(element), frames, element);
+        directions[element] = direction;
+        if (!std::isfinite(direction.real()) || !std::isfinite(direction.imag()))
+        {
+          areFinite = false;
+        }
       }
-    }
-  });
+    });
   if (!areFinite)
   {
     vtkIdType tuple = std::numeric_limits<vtkIdType>::max();
@@ -196,22 +201,25 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
       continue;
     }
     const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
-    const auto isTurned = [&](int face) {
+    const auto isTurned = [&](int face)
+    {
       const Complex given = ReadTuple(array, surface.CellOf(face), frames, face);
       const Complex expected = turn * first[face];
       return std::abs(given / std::max(std::abs(given), 1e-300) -
                expected / std::max(std::abs(expected), 1e-300)) <= LargestAngle;
     };
     std::atomic<bool> areTurned{ true };
-    context.ParallelFor(0, static_cast<int>(first.size()), Grain, [&](int begin, int end) {
-      for (int face = begin; face < end; ++face)
+    context.ParallelFor(0, static_cast<int>(first.size()), Grain,
+      [&](int begin, int end)
       {
-        if (!isTurned(face))
+        for (int face = begin; face < end; ++face)
         {
-          areTurned = false;
+          if (!isTurned(face))
+          {
+            areTurned = false;
+          }
         }
-      }
-    });
+      });
     for (int polygon = 0; !areTurned && polygon < first.size(); ++polygon)
     {
       if (!isTurned(surface.Faces[polygon]))
@@ -249,13 +257,15 @@ SurfaceWithField ReadField(
   if (chosen.OnPoints)
   {
     const TangentFrames vertexFrames = VertexFrames(mesh, context);
-    const Vector<Complex> ofVertices = ReadTuples(chosen.Array, vertexFrames,
-      mesh.NumberOfVertices(), "point", [&](int v) { return surface.PointOf(v); }, context);
+    const Vector<Complex> ofVertices = ReadTuples(
+      chosen.Array, vertexFrames, mesh.NumberOfVertices(), "point",
+      [&](int v) { return surface.PointOf(v); }, context);
     first = FirstDirectionsOfFaces(mesh, frames, vertexFrames, ofVertices, N, context);
   }
   else
   {
-    first = ReadTuples(chosen.Array, frames, mesh.NumberOfFaces(), "cell",
+    first = ReadTuples(
+      chosen.Array, frames, mesh.NumberOfFaces(), "cell",
       [&](int face) { return surface.CellOf(face); }, context);
     if (areSiblings)
     {
@@ -265,7 +275,8 @@ SurfaceWithField ReadField(
   if (first.isZero(0.0))
   {
     throw InvalidInput("array '" + NameOf(chosen.Array) +
-      "' has no direction on any triangle, its vectors are zero or perpendicular to the surface; choose another");
+      "' has no direction on any triangle, its vectors are zero or perpendicular to the surface; "
+      "choose another");
   }
   context.Checkpoint(1.0);
   const double diagonal = DiagonalOf(mesh);

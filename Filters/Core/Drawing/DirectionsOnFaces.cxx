@@ -31,14 +31,16 @@ DirectionsOnFaces::DirectionsOnFaces(
   {
     this->Turns[k] = std::polar(1.0, 2.0 * Pi * k / N);
   }
-  context.ParallelFor(0, static_cast<int>(first.size()), Grain, [&](int begin, int end) {
-    for (int face = begin; face < end; ++face)
+  context.ParallelFor(0, static_cast<int>(first.size()), Grain,
+    [&](int begin, int end)
     {
-      const double magnitude = std::abs(first[face]);
-      this->Magnitudes[face] = magnitude;
-      this->Units[face] = magnitude > 0.0 ? first[face] / magnitude : Complex(0.0);
-    }
-  });
+      for (int face = begin; face < end; ++face)
+      {
+        const double magnitude = std::abs(first[face]);
+        this->Magnitudes[face] = magnitude;
+        this->Units[face] = magnitude > 0.0 ? first[face] / magnitude : Complex(0.0);
+      }
+    });
 }
 
 Vector<Complex> FirstDirectionsOfFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
@@ -46,29 +48,31 @@ Vector<Complex> FirstDirectionsOfFaces(const TriangleMesh& mesh, const TangentFr
   const ExecutionContext& context)
 {
   Vector<Complex> ofFaces(mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int begin, int end) {
-    for (int face = begin; face < end; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int begin, int end)
     {
-      Complex sum = 0.0;
-      Complex guide = 0.0;
-      for (int k = 0; k < 3; ++k)
+      for (int face = begin; face < end; ++face)
       {
-        const int vertex = mesh.FaceCorners()(face, k);
-        const Complex carried =
-          TransportTurn(vertexFrames, vertex, faceFrames, face) * ofVertices[vertex];
-        guide = guide == 0.0 ? carried : guide;
-        sum += PowerOfLength(carried, std::abs(carried), N) / 3.0;
+        Complex sum = 0.0;
+        Complex guide = 0.0;
+        for (int k = 0; k < 3; ++k)
+        {
+          const int vertex = mesh.FaceCorners()(face, k);
+          const Complex carried =
+            TransportTurn(vertexFrames, vertex, faceFrames, face) * ofVertices[vertex];
+          guide = guide == 0.0 ? carried : guide;
+          sum += PowerOfLength(carried, std::abs(carried), N) / 3.0;
+        }
+        if (sum == 0.0)
+        {
+          ofFaces[face] = 0.0;
+          continue;
+        }
+        const double root = std::arg(sum) / N;
+        const double turns = std::round((std::arg(guide) - root) * N / (2.0 * Pi));
+        ofFaces[face] = std::polar(std::abs(sum), root + 2.0 * Pi * turns / N);
       }
-      if (sum == 0.0)
-      {
-        ofFaces[face] = 0.0;
-        continue;
-      }
-      const double root = std::arg(sum) / N;
-      const double turns = std::round((std::arg(guide) - root) * N / (2.0 * Pi));
-      ofFaces[face] = std::polar(std::abs(sum), root + 2.0 * Pi * turns / N);
-    }
-  });
+    });
   return ofFaces;
 }
 

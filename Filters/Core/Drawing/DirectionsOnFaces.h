@@ -67,8 +67,8 @@ public:
     for (int k = 0; k < this->NumberOfFamilies(); ++k)
     {
       const Complex candidate = this->Direction(face, k);
-      const double cosine = std::abs(
-        candidate.real() * direction.real() + candidate.imag() * direction.imag());
+      const double cosine =
+        std::abs(candidate.real() * direction.real() + candidate.imag() * direction.imag());
       if (cosine > largest)
       {
         largest = cosine;

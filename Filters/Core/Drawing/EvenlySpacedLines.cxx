@@ -15,13 +15,16 @@ namespace
 {
 
 // Distances, as parts of the separation.
-constexpr double NearestSeed = 0.95;   ///< a seed beside a bent line is a little nearer to it than it was put
-constexpr double ShortestStep = 0.02;  ///< between two looks at the neighbours
-constexpr double WidestClosing = 0.1;  ///< offset across which a line is closed
+constexpr double NearestSeed =
+  0.95; ///< a seed beside a bent line is a little nearer to it than it was put
+constexpr double ShortestStep = 0.02; ///< between two looks at the neighbours
+constexpr double WidestClosing = 0.1; ///< offset across which a line is closed
 constexpr double CoverRadius = 0.9;
-constexpr double FailureRadius = 0.25; ///< around a seed whose line is too short, other lines are as well
-constexpr double CoverStep = 0.5;      ///< the faces within CoverRadius of such samples are near the line
-constexpr double SeedStep = 0.5;       ///< along a line, between seeds beside it
+constexpr double FailureRadius =
+  0.25; ///< around a seed whose line is too short, other lines are as well
+constexpr double CoverStep =
+  0.5; ///< the faces within CoverRadius of such samples are near the line
+constexpr double SeedStep = 0.5; ///< along a line, between seeds beside it
 
 /// A line that has not moved by a part of the separation in so many pieces turns around one place.
 constexpr int IdlePieces = 300;
@@ -115,13 +118,15 @@ private:
         this->Spacing.Cover(seed.Place, direction, FailureRadius * this->Options.Separation);
         continue;
       }
-      this->VisitSamples(size, CoverStep, [&](const SurfacePoint& at, Complex along) {
-        this->Spacing.Cover(at, along, CoverRadius * this->Options.Separation);
-      });
-      this->VisitSamples(size, SeedStep, [&](const SurfacePoint& at, Complex along) {
-        this->SeedBeside(at, along, waiting);
-        this->SeedBeside(at, -along, waiting);
-      });
+      this->VisitSamples(size, CoverStep,
+        [&](const SurfacePoint& at, Complex along)
+        { this->Spacing.Cover(at, along, CoverRadius * this->Options.Separation); });
+      this->VisitSamples(size, SeedStep,
+        [&](const SurfacePoint& at, Complex along)
+        {
+          this->SeedBeside(at, along, waiting);
+          this->SeedBeside(at, -along, waiting);
+        });
     }
   }
 
@@ -257,8 +262,9 @@ private:
   void Close(const Seed& seed, Complex from, Trail& trail)
   {
     std::unordered_map<int, SurfaceWalk::Placement> aroundSeed;
-    this->Walk.Around(
-      seed.Place, 2.0 * this->Options.Separation, [&](const SurfaceWalk::Placement& placement) {
+    this->Walk.Around(seed.Place, 2.0 * this->Options.Separation,
+      [&](const SurfaceWalk::Placement& placement)
+      {
         aroundSeed.emplace(placement.Face, placement);
         return true;
       });
@@ -269,8 +275,7 @@ private:
     {
       const LineTracer::Piece& piece = this->Tracer.Current();
       const auto found = aroundSeed.find(piece.Face);
-      if (found == aroundSeed.end() ||
-        Dot(found->second.Turn * piece.Direction, along) < 0.5)
+      if (found == aroundSeed.end() || Dot(found->second.Turn * piece.Direction, along) < 0.5)
       {
         break;
       }
@@ -291,8 +296,8 @@ private:
         return;
       }
       this->AddSegment(piece, from, piece.To, 1.0, rest);
-      this->AddPoint(rest, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face,
-        piece.Face);
+      this->AddPoint(
+        rest, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face, piece.Face);
       if (!this->Tracer.Advance())
       {
         break;
@@ -318,8 +323,8 @@ private:
     {
       return;
     }
-    trail.Points.push_back({ position, before,
-      0.5 * (this->Field.Magnitude(before) + this->Field.Magnitude(after)) });
+    trail.Points.push_back(
+      { position, before, 0.5 * (this->Field.Magnitude(before) + this->Field.Magnitude(after)) });
   }
 
   const UnfoldedSurface& Surface;

@@ -23,8 +23,8 @@ constexpr int GlyphsBetweenCheckpoints = 1024;
 class GlyphDrawing
 {
 public:
-  GlyphDrawing(const UnfoldedSurface& surface, const DirectionsOnFaces& field,
-    const GlyphOptions& options)
+  GlyphDrawing(
+    const UnfoldedSurface& surface, const DirectionsOnFaces& field, const GlyphOptions& options)
     : Surface(surface)
     , Field(field)
     , Options(options)
@@ -61,8 +61,7 @@ private:
     SurfacePoint at = this->Place.Centre;
     if (length > 0.0)
     {
-      Complex direction =
-        this->Field.Direction(at.Face, this->Branch) * (offset / length);
+      Complex direction = this->Field.Direction(at.Face, this->Branch) * (offset / length);
       this->Surface.GoStraight(at, direction, length * this->Place.Radius);
     }
     const Vector3 normal = this->Surface.Frames().Normal(at.Face);
@@ -135,8 +134,7 @@ private:
   void AddBranch()
   {
     const double width = this->Options.Width;
-    const double base =
-      this->Field.N() == 2 ? 0.0 : width / std::tan(Pi / this->Field.N());
+    const double base = this->Field.N() == 2 ? 0.0 : width / std::tan(Pi / this->Field.N());
     if (base > 0.0)
     {
       const int centre = this->AddPoint(0.0);

@@ -17,8 +17,8 @@ double InscribedRadius(double area)
   return std::sqrt(area / (3.0 * std::sqrt(3.0)));
 }
 
-std::vector<SurfacePoint> PointsFor(const UnfoldedSurface& surface,
-  const GlyphPlaceOptions& options, const ExecutionContext& context)
+std::vector<SurfacePoint> PointsFor(
+  const UnfoldedSurface& surface, const GlyphPlaceOptions& options, const ExecutionContext& context)
 {
   if (options.Placement == GlyphPlacement::EvenlySpread)
   {

@@ -37,63 +37,71 @@ void LineSpacing::VisitNear(
 {
   // Two families are as near as it gets where the direction lies between them; rounding must not lose it for both.
   const double cosine = this->Field.CosineOfFamily() - 1e-9;
-  this->Walk.Around(at, distance, [&](const SurfaceWalk::Placement& placement) {
-    for (int i = this->Last[placement.Face]; i >= 0; i = this->All[i].Next)
+  this->Walk.Around(at, distance,
+    [&](const SurfaceWalk::Placement& placement)
     {
-      const Segment& segment = this->All[i];
-      if (std::abs(Dot(direction, placement.Turn * segment.Direction)) < cosine)
+      for (int i = this->Last[placement.Face]; i >= 0; i = this->All[i].Next)
       {
-        continue;
+        const Segment& segment = this->All[i];
+        if (std::abs(Dot(direction, placement.Turn * segment.Direction)) < cosine)
+        {
+          continue;
+        }
+        const double squaredGap =
+          SquaredDistanceToSegment(placement.Place(segment.From), placement.Place(segment.To));
+        if (squaredGap < distance * distance && !visit(segment, std::sqrt(squaredGap)))
+        {
+          return false;
+        }
       }
-      const double squaredGap =
-        SquaredDistanceToSegment(placement.Place(segment.From), placement.Place(segment.To));
-      if (squaredGap < distance * distance && !visit(segment, std::sqrt(squaredGap)))
-      {
-        return false;
-      }
-    }
-    return true;
-  });
+      return true;
+    });
 }
 
 LineSpacing::Neighbour LineSpacing::Nearest(
   const SurfacePoint& at, Complex direction, double distance, const Own& own)
 {
   Neighbour nearest;
-  this->VisitNear(at, direction, distance, [&](const Segment& segment, double gap) {
-    const bool isExcluded = segment.Line == own.Line &&
-      std::min(std::abs(segment.ArcFrom - own.Arc), std::abs(segment.ArcTo - own.Arc)) <
-        own.Excluded;
-    if (!isExcluded && gap < nearest.Distance)
+  this->VisitNear(at, direction, distance,
+    [&](const Segment& segment, double gap)
     {
-      nearest = { gap, segment.Line, segment.ArcFrom };
-    }
-    return true;
-  });
+      const bool isExcluded = segment.Line == own.Line &&
+        std::min(std::abs(segment.ArcFrom - own.Arc), std::abs(segment.ArcTo - own.Arc)) <
+          own.Excluded;
+      if (!isExcluded && gap < nearest.Distance)
+      {
+        nearest = { gap, segment.Line, segment.ArcFrom };
+      }
+      return true;
+    });
   return nearest;
 }
 
 bool LineSpacing::IsFree(const SurfacePoint& at, Complex direction, double distance)
 {
   bool isFree = true;
-  this->VisitNear(at, direction, distance, [&isFree](const Segment&, double) {
-    isFree = false;
-    return false;
-  });
+  this->VisitNear(at, direction, distance,
+    [&isFree](const Segment&, double)
+    {
+      isFree = false;
+      return false;
+    });
   return isFree;
 }
 
 void LineSpacing::Cover(const SurfacePoint& at, Complex direction, double distance)
 {
-  this->Walk.Around(at, distance, [&](const SurfaceWalk::Placement& placement) {
-    const SurfacePoint centre = this->Surface.Centre(placement.Face);
-    if (std::norm(placement.Place(centre.Point)) < distance * distance)
+  this->Walk.Around(at, distance,
+    [&](const SurfaceWalk::Placement& placement)
     {
-      this->CoverFamily(placement.Face,
-        this->Field.NearestFamily(placement.Face, std::conj(placement.Turn) * direction));
-    }
-    return true;
-  });
+      const SurfacePoint centre = this->Surface.Centre(placement.Face);
+      if (std::norm(placement.Place(centre.Point)) < distance * distance)
+      {
+        this->CoverFamily(placement.Face,
+          this->Field.NearestFamily(placement.Face, std::conj(placement.Turn) * direction));
+      }
+      return true;
+    });
 }
 
 void LineSpacing::CoverFamily(int face, int family)

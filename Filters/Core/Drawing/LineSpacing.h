@@ -53,8 +53,7 @@ public:
   void Shrink(std::size_t size);
 
   /// The nearest segment of the family of a direction within a distance. Cost: the faces within it.
-  Neighbour Nearest(
-    const SurfacePoint& at, Complex direction, double distance, const Own& own);
+  Neighbour Nearest(const SurfacePoint& at, Complex direction, double distance, const Own& own);
   Neighbour Nearest(const SurfacePoint& at, Complex direction, double distance)
   {
     return this->Nearest(at, direction, distance, Own());
@@ -71,14 +70,13 @@ public:
 
 private:
   template <class Visit>
-  void VisitNear(
-    const SurfacePoint& at, Complex direction, double distance, const Visit& visit);
+  void VisitNear(const SurfacePoint& at, Complex direction, double distance, const Visit& visit);
 
   const UnfoldedSurface& Surface;
   const DirectionsOnFaces& Field;
   SurfaceWalk Walk;
   std::vector<Segment> All;
-  std::vector<int> Last;              // per face: its newest segment, or -1
+  std::vector<int> Last; // per face: its newest segment, or -1
   std::vector<unsigned char> Covered; // per face: a bit per family
   long long NumberCovered = 0;
 };

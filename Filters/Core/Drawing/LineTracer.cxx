@@ -80,8 +80,7 @@ bool LineTracer::CrossEdge()
   const Complex beyond = this->Matched(face, this->Surface.Across(h) * this->Now.Direction);
   if (Cross(this->Surface.Side(twin), beyond) > Parallel)
   {
-    this->GoThrough(
-      { face, this->Surface.PointAlong(twin, 1.0 - this->Now.Part) }, beyond, twin);
+    this->GoThrough({ face, this->Surface.PointAlong(twin, 1.0 - this->Now.Part) }, beyond, twin);
     return true;
   }
   return this->GoAlongEdge(twin, beyond);
@@ -173,9 +172,8 @@ bool LineTracer::LeaveVertexFrom(int start, Complex direction)
   const UnfoldedSurface::Exit exit = way->IsAlongEdge
     ? UnfoldedSurface::Exit{ way->Halfedge, 1.0 }
     : this->Surface.Meet({ face, corner }, way->Direction, TriangleMesh::Next(way->Halfedge));
-  this->Now = { face, way->Direction, corner,
-    this->Surface.PointAlong(exit.Halfedge, exit.Part), exit.Halfedge, exit.Part,
-    way->IsAlongEdge };
+  this->Now = { face, way->Direction, corner, this->Surface.PointAlong(exit.Halfedge, exit.Part),
+    exit.Halfedge, exit.Part, way->IsAlongEdge };
   return true;
 }
 

@@ -64,16 +64,17 @@ private:
       sums[face] += sums[face - 1];
     }
     const double area = sums[mesh.NumberOfFaces() - 1];
-    const auto darts =
-      static_cast<long long>(std::min(DartsPerSquare * area / this->Distance / this->Distance, 1e9));
+    const auto darts = static_cast<long long>(
+      std::min(DartsPerSquare * area / this->Distance / this->Distance, 1e9));
     for (long long i = 0; i < darts; ++i)
     {
-      const double* const found =
-        std::upper_bound(sums.data(), sums.data() + sums.size(), area * Sequence(i, 0.8191725133961645));
+      const double* const found = std::upper_bound(
+        sums.data(), sums.data() + sums.size(), area * Sequence(i, 0.8191725133961645));
       const int face = std::min(static_cast<int>(found - sums.data()), mesh.NumberOfFaces() - 1);
       if (!this->IsCovered[face])
       {
-        this->Try(this->PointOf(face, Sequence(i, 0.6710436067037893), Sequence(i, 0.5497004779019703)));
+        this->Try(
+          this->PointOf(face, Sequence(i, 0.6710436067037893), Sequence(i, 0.5497004779019703)));
       }
       if (i % DartsBetweenCheckpoints == 0)
       {
@@ -100,13 +101,15 @@ private:
   {
     const double square = this->Distance * this->Distance;
     bool isFree = true;
-    this->Walk.Around(point, this->Distance, [&](const SurfaceWalk::Placement& placement) {
-      for (int i = this->Last[placement.Face]; i >= 0 && isFree; i = this->Next[i])
+    this->Walk.Around(point, this->Distance,
+      [&](const SurfaceWalk::Placement& placement)
       {
-        isFree = std::norm(placement.Place(this->Points[i].Point)) >= square;
-      }
-      return isFree;
-    });
+        for (int i = this->Last[placement.Face]; i >= 0 && isFree; i = this->Next[i])
+        {
+          isFree = std::norm(placement.Place(this->Points[i].Point)) >= square;
+        }
+        return isFree;
+      });
     if (!isFree)
     {
       return;
@@ -114,15 +117,17 @@ private:
     this->Next.push_back(this->Last[point.Face]);
     this->Last[point.Face] = static_cast<int>(this->Points.size());
     this->Points.push_back(point);
-    this->Walk.Around(point, this->Distance, [&](const SurfaceWalk::Placement& placement) {
-      bool isCovered = true;
-      for (int h = 3 * placement.Face; h < 3 * placement.Face + 3; ++h)
+    this->Walk.Around(point, this->Distance,
+      [&](const SurfaceWalk::Placement& placement)
       {
-        isCovered = isCovered && std::norm(placement.Place(this->Surface.Corner(h))) < square;
-      }
-      this->IsCovered[placement.Face] |= static_cast<char>(isCovered);
-      return true;
-    });
+        bool isCovered = true;
+        for (int h = 3 * placement.Face; h < 3 * placement.Face + 3; ++h)
+        {
+          isCovered = isCovered && std::norm(placement.Place(this->Surface.Corner(h))) < square;
+        }
+        this->IsCovered[placement.Face] |= static_cast<char>(isCovered);
+        return true;
+      });
   }
 
   const UnfoldedSurface& Surface;
@@ -130,8 +135,8 @@ private:
   const ExecutionContext& Context;
   SurfaceWalk Walk;
   std::vector<SurfacePoint> Points;
-  std::vector<int> Last;       // per face: its newest point, or -1
-  std::vector<int> Next;       // per point: the one before on the same face
+  std::vector<int> Last; // per face: its newest point, or -1
+  std::vector<int> Next; // per point: the one before on the same face
   std::vector<char> IsCovered; // per face: whether all of it is near one point
 };
 

@@ -29,18 +29,20 @@ UnfoldedSurface::UnfoldedSurface(
   , Corners(3 * mesh.NumberOfFaces())
   , Sides(SideDirections(mesh, frames, context))
 {
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
-    for (int face = first; face < last; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int first, int last)
     {
-      const int h = 3 * face;
-      const Vector3 origin = mesh.Position(mesh.Tail(h));
-      this->Corners[h] = 0.0;
-      for (int k = 1; k < 3; ++k)
+      for (int face = first; face < last; ++face)
       {
-        this->Corners[h + k] = frames.ToComplex(face, mesh.Position(mesh.Tail(h + k)) - origin);
+        const int h = 3 * face;
+        const Vector3 origin = mesh.Position(mesh.Tail(h));
+        this->Corners[h] = 0.0;
+        for (int k = 1; k < 3; ++k)
+        {
+          this->Corners[h + k] = frames.ToComplex(face, mesh.Position(mesh.Tail(h + k)) - origin);
+        }
       }
-    }
-  });
+    });
 }
 
 Complex UnfoldedSurface::Across(int halfedge) const
@@ -58,7 +60,8 @@ double UnfoldedSurface::AngleAt(int halfedge) const
 
 SurfacePoint UnfoldedSurface::Centre(int face) const
 {
-  return { face, (this->Corners[3 * face] + this->Corners[3 * face + 1] + this->Corners[3 * face + 2]) / 3.0 };
+  return { face,
+    (this->Corners[3 * face] + this->Corners[3 * face + 1] + this->Corners[3 * face + 2]) / 3.0 };
 }
 
 Vector3 UnfoldedSurface::PositionAlong(int halfedge, double part) const

@@ -96,7 +96,7 @@ private:
   const TriangleMesh& Surface;
   const TangentFrames& FaceFrames;
   Unfilled<Complex> Corners; // per halfedge
-  Unfilled<Complex> Sides;   // per halfedge
+  Unfilled<Complex> Sides; // per halfedge
 };
 
 /// Visits the faces around a point in the order in which they are reached across edges, each laid out in the plane

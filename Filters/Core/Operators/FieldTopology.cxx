@@ -18,16 +18,18 @@ double TurnAtBoundary(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
   const Vector<double>& turning, int vertex)
 {
   double turn = Pi;
-  mesh.VisitFan(vertex, [&](int h) {
-    // As in SingularityIndices; the edges at both ends of the fan turn nothing.
-    const int edge = mesh.EdgeOf(h);
-    turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
-  });
+  mesh.VisitFan(vertex,
+    [&](int h)
+    {
+      // As in SingularityIndices; the edges at both ends of the fan turn nothing.
+      const int edge = mesh.EdgeOf(h);
+      turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
+    });
   return turn;
 }
 
-std::vector<BoundaryLoop> LoopsOf(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
-  const Vector<double>& turning, int N)
+std::vector<BoundaryLoop> LoopsOf(
+  const TriangleMesh& mesh, const Unfilled<Corner>& corners, const Vector<double>& turning, int N)
 {
   std::vector<BoundaryLoop> loops;
   std::vector<char> isDone(mesh.NumberOfVertices(), 0);
@@ -72,14 +74,16 @@ FieldTopology TopologyOfField(const TriangleMesh& mesh, const TangentFrames& fac
     Corners(mesh, sides, faceFrames, VertexFrames(mesh, context), context);
   Vector<Complex> powers(first.size());
   std::vector<signed char> labels(first.size());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int begin, int end) {
-    for (int face = begin; face < end; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int begin, int end)
     {
-      const double length = std::abs(first[face]);
-      powers[face] = length > 0.0 ? Power(first[face] / length, N) : Complex(0.0);
-      labels[face] = static_cast<signed char>(LabelOf(first[face], powers[face], N));
-    }
-  });
+      for (int face = begin; face < end; ++face)
+      {
+        const double length = std::abs(first[face]);
+        powers[face] = length > 0.0 ? Power(first[face] / length, N) : Complex(0.0);
+        labels[face] = static_cast<signed char>(LabelOf(first[face], powers[face], N));
+      }
+    });
   context.Checkpoint(0.4);
   PrincipalMatching matching = MatchDirections(mesh, sides, powers, N, context);
   context.Checkpoint(0.7);

@@ -24,9 +24,12 @@ struct BoundaryLoop
 struct FieldTopology
 {
   Vector<double> Indices; ///< per vertex; SingularityIndices
-  std::vector<BoundaryLoop> Loops; ///< in ascending order of their smallest vertex, with which each begins
-  std::vector<int> Cuts; ///< the edges across which direction 0 does not go on as direction 0, ascending
-  std::vector<int> Jumps; ///< of these: it goes on as this one, of 1 to N - 1, from the face of HalfedgeOf to its twin's
+  std::vector<BoundaryLoop>
+    Loops; ///< in ascending order of their smallest vertex, with which each begins
+  std::vector<int>
+    Cuts; ///< the edges across which direction 0 does not go on as direction 0, ascending
+  std::vector<int>
+    Jumps; ///< of these: it goes on as this one, of 1 to N - 1, from the face of HalfedgeOf to its twin's
   Vector<double> Turning; ///< per edge; PrincipalMatching
 };
 

@@ -46,10 +46,9 @@ double LengthOf(const LinesOnSurface& lines, int line)
   {
     length += (lines.Positions[i] - lines.Positions[i - 1]).norm();
   }
-  return lines.IsClosed[line]
-    ? length +
+  return lines.IsClosed[line] ? length +
       (lines.Positions[lines.Offsets[line]] - lines.Positions[lines.Offsets[line + 1] - 1]).norm()
-    : length;
+                              : length;
 }
 
 double DistanceToSegment(const Vector3& point, const Vector3& a, const Vector3& b)
@@ -157,9 +156,8 @@ TEST(EvenlySpacedLines, RunAlongAllFamiliesOfAField)
 
 TEST(EvenlySpacedLines, OfOneFamilyKeepTheirDistance)
 {
-  const auto waves = [](const Vector3& p) {
-    return Cosines(0.8 * std::sin(0.21 * p[0]) + 0.9 * std::cos(0.17 * p[1]));
-  };
+  const auto waves = [](const Vector3& p)
+  { return Cosines(0.8 * std::sin(0.21 * p[0]) + 0.9 * std::cos(0.17 * p[1])); };
   for (const int N : { 1, 4 })
   {
     for (const double ratio : { 0.3, 0.6, 0.9 })
@@ -177,11 +175,13 @@ TEST(EvenlySpacedLines, CloseAroundATorus)
 {
   const double R = 1.0, r = 0.4;
   // Along the edges that go around, in all faces between two circles across.
-  const DrawnField field(Torus(90, 40, R, r), 2, [](const Vector3& p) {
-    const double step = 2.0 * Pi / 90.0;
-    const double angle = step * (std::floor(std::atan2(p[1], p[0]) / step) + 0.5);
-    return Vector3(-std::sin(angle), std::cos(angle), 0.0);
-  });
+  const DrawnField field(Torus(90, 40, R, r), 2,
+    [](const Vector3& p)
+    {
+      const double step = 2.0 * Pi / 90.0;
+      const double angle = step * (std::floor(std::atan2(p[1], p[0]) / step) + 0.5);
+      return Vector3(-std::sin(angle), std::cos(angle), 0.0);
+    });
   const LinesOnSurface lines = Draw(field, { 0.1, 0.6, 0.3 });
   EXPECT_GT(lines.NumberOfLines(), 2.0 * Pi * r / 0.2);
   for (int line = 0; line < lines.NumberOfLines(); ++line)
@@ -199,9 +199,8 @@ TEST(EvenlySpacedLines, CloseAroundAPrismUnlessTheyAreHelices)
   for (const auto& [slope, distance] : std::vector<std::pair<double, double>>{
          { 0.0, 0.1 }, { 0.0, 0.07 }, { 0.0, 0.05 }, { 0.02, 0.1 }, { 0.3, 0.1 } })
   {
-    const DrawnField field(Prism(12, 6), 1, [&, rise = slope](const Vector3& p) {
-      return Vector3(around(p) + rise * Vector3::UnitZ());
-    });
+    const DrawnField field(Prism(12, 6), 1,
+      [&, rise = slope](const Vector3& p) { return Vector3(around(p) + rise * Vector3::UnitZ()); });
     const double height = field.Mesh.VertexPositions().col(2).maxCoeff();
     const double perimeter = 12.0 * 2.0 * std::sin(Pi / 12.0);
     const LinesOnSurface lines = Draw(field, { distance * height, 0.6, 0.0 });
@@ -226,8 +225,8 @@ TEST(EvenlySpacedLines, StayOnTheSurface)
   {
     for (int i = lines.Offsets[line] + 1; i < lines.Offsets[line + 1]; ++i)
     {
-      for (const Vector3& p : { lines.Positions[i],
-             Vector3(0.5 * (lines.Positions[i] + lines.Positions[i - 1])) })
+      for (const Vector3& p :
+        { lines.Positions[i], Vector3(0.5 * (lines.Positions[i] + lines.Positions[i - 1])) })
       {
         EXPECT_GT(p.norm(), hole - 1e-12);
         EXPECT_LT(p.norm(), 2.0 + 1e-12);
@@ -258,9 +257,8 @@ TEST(EvenlySpacedLines, OnBothSidesOfAThinPlateDoNotSeeEachOther)
 
 TEST(EvenlySpacedLines, EndWhereTheFieldDoes)
 {
-  const DrawnField field(PlaneGrid(20, 10), 1, [](const Vector3& p) {
-    return p[0] > 12.0 ? Vector3(0.0, 0.0, 0.0) : Vector3(2.0, 0.0, 0.0);
-  });
+  const DrawnField field(PlaneGrid(20, 10), 1,
+    [](const Vector3& p) { return p[0] > 12.0 ? Vector3(0.0, 0.0, 0.0) : Vector3(2.0, 0.0, 0.0); });
   const LinesOnSurface lines = Draw(field, { 1.0, 0.5, 0.0 });
   ASSERT_GT(lines.NumberOfLines(), 5);
   for (std::size_t i = 0; i < lines.Positions.size(); ++i)
@@ -273,9 +271,8 @@ TEST(EvenlySpacedLines, EndWhereTheFieldDoes)
 /// Left and right of the edges x = 1, 2, ... the field leads to them: a line cannot cross, and goes along.
 TEST(EvenlySpacedLines, GoAlongEdgesToWhichTheFieldLeads)
 {
-  const DrawnField field(PlaneGrid(2, 30), 1, [](const Vector3& p) {
-    return Vector3(p[0] < 1.0 ? 1.0 : -1.0, 1.0, 0.0);
-  });
+  const DrawnField field(PlaneGrid(2, 30), 1,
+    [](const Vector3& p) { return Vector3(p[0] < 1.0 ? 1.0 : -1.0, 1.0, 0.0); });
   const LinesOnSurface lines = Draw(field, { 0.5, 0.5, 4.0 });
   ASSERT_GE(lines.NumberOfLines(), 1);
   double highest = 0.0;
@@ -301,8 +298,8 @@ TEST(EvenlySpacedLines, AreTheSameForAnyNumberOfThreads)
     {
       first[face] = frames.ToComplex(face, Vector3(0.3, 1.0, 0.2));
     }
-    drawn.push_back(
-      EvenlySpacedLines(unfolded, DirectionsOnFaces(4, first, context), { 0.05, 0.5, 0.1 }, context));
+    drawn.push_back(EvenlySpacedLines(
+      unfolded, DirectionsOnFaces(4, first, context), { 0.05, 0.5, 0.1 }, context));
     EXPECT_EQ(context.Progress().back(), 1.0);
     EXPECT_TRUE(std::is_sorted(context.Progress().begin(), context.Progress().end()));
   }

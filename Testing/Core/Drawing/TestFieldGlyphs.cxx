@@ -23,8 +23,7 @@ TEST(FieldGlyphs, HaveABranchAlongEachDirection)
   const Vector3 direction = Vector3(2.0, 1.0, 0.0);
   for (int N = 2; N <= 8; ++N)
   {
-    const DrawnField field(
-      IrregularPlane(10, 10, 1), N, [&](const Vector3&) { return direction; });
+    const DrawnField field(IrregularPlane(10, 10, 1), N, [&](const Vector3&) { return direction; });
     const SurfacePoint centre = field.Unfolded.Centre(90);
     const GlyphsOnSurface glyphs =
       FieldGlyphs(field.Unfolded, field.Field, { { centre, 2.0 } }, { Strokes, 0.1, 0.5 });
@@ -38,8 +37,8 @@ TEST(FieldGlyphs, HaveABranchAlongEachDirection)
       const Vector3 lifted =
         field.Unfolded.Position(centre.Face, centre.Point) + Vector3(0.0, 0.0, 0.5);
       EXPECT_LT((root - lifted).norm(), 1e-13);
-      const Vector3 expected = 2.0 *
-        (Eigen::AngleAxisd(2.0 * Pi * k / N, Vector3::UnitZ()) * direction.normalized());
+      const Vector3 expected =
+        2.0 * (Eigen::AngleAxisd(2.0 * Pi * k / N, Vector3::UnitZ()) * direction.normalized());
       EXPECT_LT((tip - root - expected).norm(), 1e-12) << "N " << N << ", k " << k;
     }
   }
@@ -96,8 +95,7 @@ TEST(FieldGlyphs, AreLaidOntoTheSurface)
 
 TEST(FieldGlyphs, EndAtTheBoundary)
 {
-  const DrawnField field(
-    PlaneGrid(4, 4), 4, [](const Vector3&) { return Vector3(1.0, 0.0, 0.0); });
+  const DrawnField field(PlaneGrid(4, 4), 4, [](const Vector3&) { return Vector3(1.0, 0.0, 0.0); });
   const GlyphsOnSurface glyphs = FieldGlyphs(
     field.Unfolded, field.Field, { { field.Unfolded.Centre(9), 100.0 } }, { Solid, 0.1, 0.0 });
   for (const Vector3& p : glyphs.Positions)
@@ -113,8 +111,8 @@ TEST(FieldGlyphs, AreFiniteOnFacesWithoutArea)
     const DrawnField field(surface, 4, 5u);
     for (const auto placement : { GlyphPlacement::EvenlySpread, GlyphPlacement::EveryTriangle })
     {
-      const std::vector<GlyphPlace> places = PlaceGlyphs(
-        field.Unfolded, field.Field, { placement, 0.2, GlyphSizing::ByTriangle, 1.0 });
+      const std::vector<GlyphPlace> places =
+        PlaceGlyphs(field.Unfolded, field.Field, { placement, 0.2, GlyphSizing::ByTriangle, 1.0 });
       const GlyphsOnSurface glyphs =
         FieldGlyphs(field.Unfolded, field.Field, places, GlyphOptions());
       EXPECT_GT(glyphs.NumberOfCells(), 0);

@@ -83,10 +83,12 @@ TEST(SurfaceWalk, FindsTheFacesThatAreNearInAPlane)
     const SurfacePoint centre = field.Unfolded.Centre(start);
     const Vector3 from = field.Unfolded.Position(start, centre.Point);
     std::map<int, SurfaceWalk::Placement> found;
-    walk.Around(centre, 3.0, [&](const SurfaceWalk::Placement& placement) {
-      EXPECT_TRUE(found.emplace(placement.Face, placement).second) << "twice";
-      return true;
-    });
+    walk.Around(centre, 3.0,
+      [&](const SurfaceWalk::Placement& placement)
+      {
+        EXPECT_TRUE(found.emplace(placement.Face, placement).second) << "twice";
+        return true;
+      });
     for (int face = 0; face < field.Mesh.NumberOfFaces(); ++face)
     {
       const double distance = (field.Centre(face) - from).norm();
@@ -176,8 +178,8 @@ TEST(FirstDirectionsOfFaces, OfAParallelFieldAreParallel)
     Vector<Complex> ofVertices(mesh.NumberOfVertices());
     for (int v = 0; v < mesh.NumberOfVertices(); ++v)
     {
-      ofVertices[v] = std::polar(1.0, 2.0 * Pi * (v % N) / N) *
-        vertices.ToComplex(v, Vector3(3.0, 1.0, 0.0));
+      ofVertices[v] =
+        std::polar(1.0, 2.0 * Pi * (v % N) / N) * vertices.ToComplex(v, Vector3(3.0, 1.0, 0.0));
     }
     const Vector<Complex> ofFaces = FirstDirectionsOfFaces(mesh, faces, vertices, ofVertices, N);
     for (int face = 0; face < mesh.NumberOfFaces(); ++face)

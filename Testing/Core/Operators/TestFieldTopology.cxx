@@ -138,9 +138,8 @@ TEST(FieldTopology, CutsAreWhereTheFirstDirectionBecomesAnotherOne)
       {
         continue;
       }
-      const int jump = (labels[TriangleMesh::FaceOf(h)] -
-                         labels[TriangleMesh::FaceOf(mesh.Twin(h))] + N) %
-        N;
+      const int jump =
+        (labels[TriangleMesh::FaceOf(h)] - labels[TriangleMesh::FaceOf(mesh.Twin(h))] + N) % N;
       if (jump != 0)
       {
         ASSERT_LT(next, topology.Cuts.size());
