@@ -48,7 +48,7 @@ public:
     , Field(field)
     , Options(options)
     , Context(context)
-    , Spacing(surface, field)
+    , Spacing(surface, field, options.Separation)
     , Walk(surface)
     , Tracer(surface, field)
     , StopDistance(options.StopRatio * options.Separation)
@@ -312,7 +312,7 @@ private:
   {
     const double length = std::abs(to - from);
     this->Spacing.Add({ piece.Face, from, to, piece.Direction, this->Lines.NumberOfLines(),
-      sign * trail.Length, sign * (trail.Length + length), -1 });
+      sign * trail.Length, sign * (trail.Length + length), piece.IsAlongEdge, -1 });
     trail.Length += length;
   }
 

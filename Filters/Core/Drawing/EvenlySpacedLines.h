@@ -48,8 +48,7 @@ struct LinesOnSurface
 /// tenth of Separation, is closed.
 ///
 /// Lines are in the order in which they were drawn. The same for any number of threads: one draws.
-/// Cost: linear in faces and lines, a line costs a few visits of the faces within Separation of it; times the number of
-/// lines on one face where faces are larger than that.
+/// Cost: linear in faces and in the length of all lines; a line looks at the faces within Separation of it a few times.
 /// \throw Cancelled
 LinesOnSurface EvenlySpacedLines(const UnfoldedSurface& surface, const DirectionsOnFaces& field,
   const LineOptions& options, const ExecutionContext& context = SerialContext());

@@ -4,7 +4,9 @@
 #include "Drawing/DirectionsOnFaces.h"
 #include "Drawing/UnfoldedSurface.h"
 
+#include <cstdint>
 #include <limits>
+#include <unordered_map>
 #include <vector>
 
 namespace dmg
@@ -26,7 +28,8 @@ public:
     int Line;
     double ArcFrom; ///< signed length of the line from its seed
     double ArcTo;
-    int Next; ///< the one that came to the same face before, or -1
+    bool IsAlongEdge; ///< rather than along the direction
+    int Next;         ///< the one that came to the same list before, or -1; set by Add
   };
 
   /// What does not count although it is near: the part of the asking line that leads here.
@@ -45,7 +48,8 @@ public:
   };
 
   /// Borrows both.
-  LineSpacing(const UnfoldedSurface& surface, const DirectionsOnFaces& field);
+  /// \param distance at which lines are looked for; on faces that are much larger, segments are sorted by it.
+  LineSpacing(const UnfoldedSurface& surface, const DirectionsOnFaces& field, double distance);
 
   const std::vector<Segment>& Segments() const { return this->All; }
   void Add(Segment segment);
@@ -69,13 +73,27 @@ public:
   double CoveredPart() const;
 
 private:
+  bool IsLarge(int face) const;
+  std::uint64_t StripOf(int face, int family, double offset) const;
+  /// Where the list of a segment begins: by face, or by strip of a large face.
+  int& LastOf(const Segment& segment);
+  /// Visits the segments of one list; \return whether visit wants more.
+  template <class Visit>
+  bool VisitList(int last, const SurfaceWalk::Placement& placement, Complex direction,
+    double distance, const Visit& visit) const;
+  template <class Visit>
+  bool VisitStrips(const SurfaceWalk::Placement& placement, Complex direction, double distance,
+    const Visit& visit) const;
   template <class Visit>
   void VisitNear(const SurfacePoint& at, Complex direction, double distance, const Visit& visit);
 
   const UnfoldedSurface& Surface;
   const DirectionsOnFaces& Field;
   SurfaceWalk Walk;
+  const double StripWidth;
   std::vector<Segment> All;
+  /// Lines of one family are parallel on a face: strips along them, each with its newest segment.
+  std::unordered_map<std::uint64_t, int> Strips;
   std::vector<int> Last; // per face: its newest segment, or -1
   std::vector<unsigned char> Covered; // per face: a bit per family
   long long NumberCovered = 0;

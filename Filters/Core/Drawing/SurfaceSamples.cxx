@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <unordered_map>
 
 namespace dmg
 {
@@ -11,6 +13,9 @@ namespace
 
 /// So many darts per square of the distance; about 0.7 of them would do if none missed.
 constexpr double DartsPerSquare = 20.0;
+
+/// A face is large if one of its sides is so many times the distance.
+constexpr double LargeFace = 8.0;
 
 constexpr int DartsBetweenCheckpoints = 2048;
 
@@ -104,18 +109,25 @@ private:
     this->Walk.Around(point, this->Distance,
       [&](const SurfaceWalk::Placement& placement)
       {
-        for (int i = this->Last[placement.Face]; i >= 0 && isFree; i = this->Next[i])
-        {
-          isFree = std::norm(placement.Place(this->Points[i].Point)) >= square;
-        }
+        this->VisitLists(placement,
+          [&](int last)
+          {
+            for (int i = last; i >= 0 && isFree; i = this->Next[i])
+            {
+              isFree = std::norm(placement.Place(this->Points[i].Point)) >= square;
+            }
+          });
         return isFree;
       });
     if (!isFree)
     {
       return;
     }
-    this->Next.push_back(this->Last[point.Face]);
-    this->Last[point.Face] = static_cast<int>(this->Points.size());
+    int& last = this->IsLarge(point.Face)
+      ? this->Cells.emplace(this->CellOf(point.Face, point.Point), -1).first->second
+      : this->Last[point.Face];
+    this->Next.push_back(last);
+    last = static_cast<int>(this->Points.size());
     this->Points.push_back(point);
     this->Walk.Around(point, this->Distance,
       [&](const SurfaceWalk::Placement& placement)
@@ -130,13 +142,57 @@ private:
       });
   }
 
+  /// Whether the points of a face are sorted into square cells, rather than in one list.
+  bool IsLarge(int face) const
+  {
+    const double square = LargeFace * LargeFace * this->Distance * this->Distance;
+    const Complex origin = this->Surface.Corner(3 * face);
+    return std::norm(this->Surface.Corner(3 * face + 1) - origin) > square ||
+      std::norm(this->Surface.Corner(3 * face + 2) - origin) > square;
+  }
+
+  /// Cells of one face whose numbers differ by 2^16 are one, which costs nothing but time.
+  std::uint64_t CellOf(int face, Complex point) const
+  {
+    const auto number = [this](double x)
+    { return static_cast<std::uint64_t>(static_cast<std::int64_t>(std::floor(x / this->Distance))); };
+    return static_cast<std::uint64_t>(face) << 32 | (number(point.real()) & 0xffffu) << 16 |
+      (number(point.imag()) & 0xffffu);
+  }
+
+  /// Calls visit with the newest point of each list that may hold points of a face near the centre of the walk.
+  template <class Visit>
+  void VisitLists(const SurfaceWalk::Placement& placement, const Visit& visit) const
+  {
+    if (!this->IsLarge(placement.Face))
+    {
+      visit(this->Last[placement.Face]);
+      return;
+    }
+    const Complex centre = -std::conj(placement.Turn) * placement.Origin;
+    for (int x = -1; x <= 1; ++x)
+    {
+      for (int y = -1; y <= 1; ++y)
+      {
+        // A point at the distance, to rounding, may lie beyond the next cell; it is far enough.
+        const auto found = this->Cells.find(
+          this->CellOf(placement.Face, centre + this->Distance * Complex(x, y)));
+        if (found != this->Cells.end())
+        {
+          visit(found->second);
+        }
+      }
+    }
+  }
+
   const UnfoldedSurface& Surface;
   const double Distance;
   const ExecutionContext& Context;
   SurfaceWalk Walk;
   std::vector<SurfacePoint> Points;
   std::vector<int> Last; // per face: its newest point, or -1
-  std::vector<int> Next; // per point: the one before on the same face
+  std::unordered_map<std::uint64_t, int> Cells; // of large faces: the newest point
+  std::vector<int> Next; // per point: the one before in the same list, or -1
   std::vector<char> IsCovered; // per face: whether all of it is near one point
 };
 

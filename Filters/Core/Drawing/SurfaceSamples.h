@@ -16,7 +16,7 @@ namespace dmg
 ///
 /// \param distance > 0, in the unit of the points.
 /// \pre the faces have places in the sequence by their order, which should follow the surface (SpatialOrder).
-/// Cost: O(#F + area / distance^2), times the number of points on one face where faces are larger than the distance.
+/// Cost: O(#F + area / distance^2).
 /// \throw Cancelled
 std::vector<SurfacePoint> EvenlySpreadPoints(const UnfoldedSurface& surface, double distance,
   const ExecutionContext& context = SerialContext());

@@ -171,6 +171,18 @@ TEST(EvenlySpacedLines, OfOneFamilyKeepTheirDistance)
   }
 }
 
+TEST(EvenlySpacedLines, KeepTheirDistanceOnFacesThatAreMuchLarger)
+{
+  const auto waves = [](const Vector3& p) { return Cosines(0.3 * std::sin(p[0]) + 0.2 * p[1]); };
+  for (const int N : { 1, 3, 4 })
+  {
+    const DrawnField field(IrregularPlane(4, 4, 3), N, waves);
+    const LinesOnSurface lines = Draw(field, { 0.1, 0.5, 0.2 });
+    EXPECT_GE(LeastDistance(lines), (0.5 - 0.021) * 0.1) << "N " << N;
+    EXPECT_GT(SumOfLengths(lines), 0.7 * field.Field.NumberOfFamilies() * 16.0 / 0.1);
+  }
+}
+
 TEST(EvenlySpacedLines, CloseAroundATorus)
 {
   const double R = 1.0, r = 0.4;

@@ -111,16 +111,17 @@ TEST(SurfaceWalk, FindsTheFacesThatAreNearInAPlane)
 
 TEST(EvenlySpreadPoints, KeepTheirDistanceAndLeaveNoGap)
 {
-  const DrawnField field(IrregularPlane(30, 30, 2), 1, Along);
-  for (const double distance : { 0.4, 1.0, 4.0 }) // smaller and larger than faces
+  for (const auto& [size, distance] : std::vector<std::pair<int, double>>{
+         { 5, 0.1 }, { 30, 0.4 }, { 30, 1.0 }, { 30, 4.0 } }) // smaller and larger than faces
   {
+    const DrawnField field(IrregularPlane(size, size, 2), 1, Along);
     std::vector<Vector3> points;
     for (const SurfacePoint& point : EvenlySpreadPoints(field.Unfolded, distance))
     {
       points.push_back(field.Unfolded.Position(point.Face, point.Point));
     }
     // The densest packing of discs has 2 / sqrt(3) per square of the distance, the thinnest cover 0.38.
-    const double perSquare = static_cast<double>(points.size()) * distance * distance / 900.0;
+    const double perSquare = static_cast<double>(points.size()) * distance * distance / (size * size);
     EXPECT_GT(perSquare, 0.5);
     EXPECT_LT(perSquare, 1.3);
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -134,7 +135,8 @@ TEST(EvenlySpreadPoints, KeepTheirDistanceAndLeaveNoGap)
     {
       const Vector3 centre = field.Centre(face);
       const bool isNear = std::any_of(points.begin(), points.end(),
-        [&](const Vector3& point) { return (point - centre).norm() <= distance * (1.0 + 1e-12); });
+        [&, reach = distance * (1.0 + 1e-12)](const Vector3& point)
+        { return (point - centre).norm() <= reach; });
       ASSERT_TRUE(isNear) << "distance " << distance << ", face " << face;
     }
   }
