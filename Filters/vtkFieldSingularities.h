@@ -38,7 +38,7 @@
  *
  * | array   | of    | components | type   | meaning                                                    |
  * | ------- | ----- | ---------- | ------ | ---------------------------------------------------------- |
- * | Jump    | cells | 1          | int    | direction 0 of the triangle on the left goes on as this one, of 1 to N - 1, on the right |
+ * | Jump    | cells | 1          | int    | direction 0 on the left goes on as this one on the right |
  * | Turning | cells | 1          | double | by how much directions turn from left to right, in radians |
  *
  * Port 2, the boundary: vtkPolyData, a closed polyline per loop, with the surface on its left.
