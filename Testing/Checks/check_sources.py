@@ -26,6 +26,7 @@ ARROWS = {
     "Analysis": {"Solvers", "Prolongation", "Operators", "Mesh", "Support"},
     "Discretisations": {
         "Analysis", "Solvers", "Prolongation", "Hierarchy", "Operators", "Mesh", "Support"},
+    "Drawing": {"Operators", "Mesh", "Support"},
     "Solvers": {"Support"},  # a solver receives matrices and never learns that a mesh exists
 }
 

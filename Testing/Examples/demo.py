@@ -1,8 +1,9 @@
 """A smooth cross field on a surface, through ParaView's Python:  pvbatch demo.py SURFACE
 
 Prescribes the directions of principal curvature at a few places where they are clear, lets
-DirectionalProlongation and HarmonicFieldSolver find the smoothest cross field that follows them, and
-leaves demo.vtp, the surface with the field, and demo.png, a picture of it, in the current folder.
+DirectionalProlongation and HarmonicFieldSolver find the smoothest cross field that follows them, draws it
+by FieldLines and FieldSingularities, and leaves demo.vtp, the surface with the field, and demo.png, a
+picture of it, in the current folder.
 
 SURFACE is a PLY, OBJ, STL, OFF, VTK or VTP file.
 """
@@ -16,8 +17,6 @@ import paraview.simple as simple
 from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
-
-from evenly_spaced_lines import evenly_spaced_lines
 
 START = time.monotonic()
 
@@ -201,18 +200,23 @@ def show(data, view, colour, **properties):
         setattr(display, name, value)
 
 
-def tubes(points, lines, radius):
-    return simple.Tube(Input=source(poly_data(points, lines=lines)), Radius=radius,
-                       NumberofSides=8, Capping=1)
+def tubes(lines, radius):
+    return simple.Tube(Input=lines, Radius=radius, NumberofSides=8, Capping=1)
 
 
-def balls(points, radius):
-    glyphs = simple.Glyph(Input=source(poly_data(points)), GlyphType="Sphere",
-                          GlyphMode="All Points", ScaleFactor=2 * radius,
-                          ScaleArray=["POINTS", "No scale array"],
-                          OrientationArray=["POINTS", "No orientation array"])
-    glyphs.GlyphType.ThetaResolution = glyphs.GlyphType.PhiResolution = 24
-    return glyphs
+def show_singularities(field, view, radius):
+    """Balls, red where the index is positive and green where it is negative; returns the indices."""
+    singularities = simple.FieldSingularities(Input=field)
+    balls = simple.Glyph(Input=singularities, GlyphType="Sphere", GlyphMode="All Points",
+                         ScaleFactor=2 * radius, ScaleArray=["POINTS", "No scale array"],
+                         OrientationArray=["POINTS", "No orientation array"])
+    balls.GlyphType.ThetaResolution = balls.GlyphType.PhiResolution = 24
+    show(balls, view, [1.0, 1.0, 1.0], Specular=0.4)
+    simple.ColorBy(simple.GetDisplayProperties(balls, view), ("POINTS", "Index"))
+    colours = simple.GetColorTransferFunction("Index")
+    colours.RGBPoints = [-1.0, 0.12, 0.53, 0.30, -0.01, 0.12, 0.53, 0.30,
+                         0.01, 0.83, 0.15, 0.17, 1.0, 0.83, 0.15, 0.17]
+    return vtk_to_numpy(simple.servermanager.Fetch(singularities).GetPointData().GetArray("Index"))
 
 
 def look_at(view, points):
@@ -232,36 +236,29 @@ def look_at(view, points):
     view.CameraViewUp = up
 
 
-def draw(field, strokes, size, image):
-    points, triangles = arrays_of(field)
-    cells = field.GetCellData()
-    directions = [vtk_to_numpy(cells.GetArray(f"Direction{k}")) for k in range(4)]
-    lines = evenly_spaced_lines(points, triangles, directions, 0.016 * size)
-    say(f"{len(lines)} lines along the crosses")
-
-    view = simple.CreateRenderView(ViewSize=[1200, 1050])
+def white_view(size):
+    view = simple.CreateRenderView(ViewSize=size)
     view.OrientationAxesVisibility = 0
     view.UseColorPaletteForBackground = 0
     view.Background = [1.0, 1.0, 1.0]
+    return view
 
-    smooth = simple.GenerateSurfaceNormals(Input=source(field), FeatureAngle=60)
+
+def draw(field, points, strokes, size, image):
+    view = white_view([1200, 1050])
+    smooth = simple.GenerateSurfaceNormals(Input=field, FeatureAngle=60)
     show(smooth, view, [1.0, 0.97, 0.92], Ambient=0.12, Specular=0.1, SpecularPower=30)
 
-    offset = 0.0006 * size
-    parts = [np.array(p) + offset * np.array(n) for p, n in lines]
-    ends = np.cumsum([len(part) for part in parts])
-    indices = [np.arange(end - len(part), end) for part, end in zip(parts, ends)]
-    show(tubes(np.concatenate(parts), indices, 0.0009 * size), view, [0.16, 0.33, 0.52])
+    lines = simple.FieldLines(Input=field, SeparatingDistance=0.016)
+    show(tubes(lines, 0.0009 * size), view, [0.16, 0.33, 0.52])
+    say(f"{lines.GetDataInformation().GetNumberOfCells()} lines along the crosses")
 
     segments, sides = strokes
-    pairs = np.arange(len(segments)).reshape(-1, 2)
-    show(tubes(segments + 0.002 * size * sides, list(pairs), 0.0035 * size), view,
-         [0.98, 0.72, 0.10], Specular=0.4)
+    pairs = list(np.arange(len(segments)).reshape(-1, 2))
+    gold = source(poly_data(segments + 0.002 * size * sides, lines=pairs))
+    show(tubes(gold, 0.0035 * size), view, [0.98, 0.72, 0.10], Specular=0.4)
 
-    index = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
-    for where, colour in ((index > 0, [0.83, 0.15, 0.17]), (index < 0, [0.12, 0.53, 0.30])):
-        if where.any():
-            show(balls(points[where], 0.008 * size), view, colour, Specular=0.4)
+    index = show_singularities(field, view, 0.008 * size)
     say(f"{(index > 0).sum()} singularities of positive index (red), {(index < 0).sum()} of negative"
         f" (green); the indices sum to {index.sum():g}")
 
@@ -291,12 +288,11 @@ def main():
         Input=prolongation, NumberOfDirections=4, Mask=["CELLS", "PrescribedMask"],
         Directions=["CELLS", "PrescribedDirections"])
     solver.UpdatePipeline()
-    field = simple.servermanager.Fetch(solver)
-    report = field.GetFieldData()
+    report = simple.servermanager.Fetch(solver).GetFieldData()
     say(f"solved: {report.GetAbstractArray('Solver').GetValue(0)}")
 
     simple.SaveData("demo.vtp", solver, DataMode="Binary")  # see README, "Files"
-    draw(field, (segments, sides), size, "demo.png")
+    draw(solver, points, (segments, sides), size, "demo.png")
     say("wrote demo.vtp and demo.png")
 
 

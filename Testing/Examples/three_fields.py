@@ -14,9 +14,8 @@ import numpy as np
 import paraview.simple as simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from demo import (add_array, arrays_of, balls, look_at, normals_of, open_surface, poly_data, say,
-                  show, source, tubes)
-from evenly_spaced_lines import evenly_spaced_lines
+from demo import (add_array, arrays_of, look_at, normals_of, open_surface, poly_data, say, show,
+                  show_singularities, source, tubes, white_view)
 
 # Where directions are prescribed, as parts of the surface's box, and which way. The second opposes the
 # flow from the first to the third.
@@ -70,29 +69,27 @@ def heads(points, directions, length):
 
 def draw_field(field, view, size):
     """Lines along the field; with arrow heads if it has one direction, not four."""
-    points, triangles = arrays_of(field)
-    number = int(vtk_to_numpy(field.GetFieldData().GetArray("NumberOfDirections"))[0])
-    directions = [vtk_to_numpy(field.GetCellData().GetArray(f"Direction{k}")) for k in range(number)]
-    unit = [d / np.maximum(np.linalg.norm(d, axis=1, keepdims=True), 1e-300) for d in directions]
-    lines = evenly_spaced_lines(points, triangles, unit, 0.03 * size)
-    parts = [np.array(p) + 0.001 * size * np.array(n) for p, n in lines]
-    ends = np.cumsum([len(part) for part in parts])
-    indices = [np.arange(end - len(part), end) for part, end in zip(parts, ends)]
+    lines = simple.FieldLines(Input=field, SeparatingDistance=0.03)
     ink = [0.16, 0.33, 0.52]
-    show(tubes(np.concatenate(parts), indices, 0.0017 * size), view, ink)
-    if number == 1:
-        middles = np.array([part[len(part) // 2] for part in parts])
-        centres = points[triangles].mean(axis=1)
-        faces = [np.linalg.norm(centres - middle, axis=1).argmin() for middle in middles]
-        show(heads(middles, unit[0][faces], 0.022 * size), view, ink)
+    show(tubes(lines, 0.0017 * size), view, ink)
+    data = simple.servermanager.Fetch(lines)
+    if vtk_to_numpy(data.GetCellData().GetArray("Branch")).max() > 0:
+        return
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    sizes = np.diff(vtk_to_numpy(data.GetLines().GetOffsetsArray()))
+    line = np.repeat(np.arange(len(sizes)), sizes)
+    points = points[vtk_to_numpy(data.GetLines().GetConnectivityArray())]
+    ways = np.diff(points, axis=0)
+    ways[line[1:] != line[:-1]] = 0
+    # A head wherever the length of all lines has grown by another part.
+    parts = np.cumsum(np.linalg.norm(ways, axis=1)) // (0.25 * size)
+    at = np.flatnonzero(np.diff(parts)) + 1
+    show(heads(points[at], ways[at], 0.022 * size), view, ink)
 
 
 def draw(field, strokes, size, image):
     points, triangles = arrays_of(field)
-    view = simple.CreateRenderView(ViewSize=[580, 406])
-    view.OrientationAxesVisibility = 0
-    view.UseColorPaletteForBackground = 0
-    view.Background = [1.0, 1.0, 1.0]
+    view = white_view([580, 406])
 
     magnitude = np.linalg.norm(vtk_to_numpy(field.GetCellData().GetArray("Direction0")), axis=1)
     around = np.bincount(triangles.ravel(), minlength=len(points))
@@ -105,21 +102,17 @@ def draw(field, strokes, size, image):
     colours.RGBPoints = [0.0, 0.62, 0.74, 0.90, 0.5, 1.0, 0.97, 0.88, 1.0, 0.93, 0.55, 0.42]
     colours.ColorSpace = "Lab"
 
-    draw_field(field, view, size)
+    draw_field(source(field), view, size)
 
     places, normals, ways = strokes
     middles, ways = places + 0.006 * size * normals, size * ways
     segments = np.stack([middles - 0.035 * ways, middles + 0.03 * ways], axis=1).reshape(-1, 3)
     gold = [0.98, 0.72, 0.10]
-    show(tubes(segments, np.arange(len(segments)).reshape(-1, 2), 0.006 * size), view, gold,
-         Specular=0.4)
+    pairs = list(np.arange(len(segments)).reshape(-1, 2))
+    show(tubes(source(poly_data(segments, lines=pairs)), 0.006 * size), view, gold, Specular=0.4)
     show(heads(middles + 0.04 * ways, ways, 0.035 * size), view, gold, Specular=0.4)
 
-    index = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
-    for where, colour in ((index > 0, [0.83, 0.15, 0.17]), (index < 0, [0.12, 0.53, 0.30])):
-        if where.any():
-            show(balls(points[where], 0.011 * size), view, colour, Specular=0.4)
-
+    show_singularities(source(field), view, 0.011 * size)
     look_at(view, points)
     simple.SaveScreenshot(image, view, ImageResolution=[580, 406], CompressionLevel="9")
     simple.Delete(view)

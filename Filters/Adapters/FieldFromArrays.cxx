@@ -1,0 +1,326 @@
+#include "Adapters/FieldFromArrays.h"
+
+#include "Adapters/ContextFromAlgorithm.h"
+#include "Adapters/PieceRequest.h"
+#include "Support/Errors.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+constexpr int Grain = 4096;
+
+/// A vector that leans out of the normal by less than this (as a sine) has no tangential part.
+constexpr double SmallestTangentialPart = 1e-6;
+
+/// How far the directions of a cell may be from 2 pi / N apart: single precision, rounded some times.
+constexpr double LargestAngle = 1e-3;
+
+struct ChosenVectors
+{
+  vtkDataArray* Array = nullptr;
+  bool OnPoints = false;
+};
+
+std::string DirectionName(int k)
+{
+  return "Direction" + std::to_string(k);
+}
+
+std::string NameOf(vtkDataArray* array)
+{
+  return array->GetName() ? array->GetName() : "(without a name)";
+}
+
+ChosenVectors DefaultVectors(vtkPolyData* surface)
+{
+  vtkDataSetAttributes* const cells = surface->GetCellData();
+  vtkDataSetAttributes* const points = surface->GetPointData();
+  const std::string name = DirectionName(0);
+  for (vtkDataArray* array : { cells->GetArray(name.c_str()), points->GetArray(name.c_str()),
+         cells->GetVectors(), points->GetVectors() })
+  {
+    if (array)
+    {
+      return { array,
+        points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str()) };
+    }
+  }
+  throw InvalidInput(
+    "the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
+    "vtkHarmonicFieldSolver first, or choose an array of vectors");
+}
+
+ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
+{
+  vtkInformation* const choice = algorithm->GetInputArrayInformation(0);
+  const bool byName = choice->Has(vtkDataObject::FIELD_NAME());
+  const std::string name = byName ? choice->Get(vtkDataObject::FIELD_NAME()) : "";
+  if (byName ? name.empty() : !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+  {
+    return DefaultVectors(surface);
+  }
+  const int wanted = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  for (const int association :
+    { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  {
+    if (wanted != association && wanted != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+    {
+      continue;
+    }
+    vtkDataSetAttributes* const attributes = surface->GetAttributes(association);
+    vtkAbstractArray* const found = byName
+      ? attributes->GetAbstractArray(name.c_str())
+      : attributes->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+    vtkDataArray* const ofCells = surface->GetCellData()->GetArray(DirectionName(0).c_str());
+    if (found && name == DirectionName(0) && ofCells)
+    {
+      return { ofCells, false };
+    }
+    if (found)
+    {
+      return { vtkDataArray::SafeDownCast(found),
+        association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
+    }
+  }
+  if (name == "None") // how menus say that nothing is chosen
+  {
+    return DefaultVectors(surface);
+  }
+  throw InvalidInput("array '" + name +
+    "', chosen for the directions, is not among the surface's point or cell arrays; choose one of "
+    "those, or none");
+}
+
+ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
+{
+  const ChosenVectors chosen = FindVectors(algorithm, surface);
+  if (!chosen.Array || chosen.Array->GetNumberOfComponents() != 3)
+  {
+    const std::string name = chosen.Array ? NameOf(chosen.Array) : "that was chosen";
+    throw InvalidInput(
+      "array '" + name + "' does not hold 3 numbers per element; choose an array of vectors");
+  }
+  return chosen;
+}
+
+/// How many arrays Direction0, Direction1, ... there are.
+int NumberOfSiblings(vtkPolyData* surface, const ChosenVectors& chosen)
+{
+  if (NameOf(chosen.Array) != DirectionName(0))
+  {
+    return 1;
+  }
+  vtkDataSetAttributes* const attributes =
+    surface->GetAttributes(chosen.OnPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+  int number = 1;
+  while (
+    number < DirectionsOnFaces::LargestN && attributes->GetArray(DirectionName(number).c_str()))
+  {
+    ++number;
+  }
+  return number;
+}
+
+/// The tangential part of a vector.
+Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& frames, int element)
+{
+  Vector3 vector;
+  array->GetTuple(tuple, vector.data());
+  const Complex tangential = frames.ToComplex(element, vector);
+  return std::abs(tangential) > SmallestTangentialPart * vector.norm() ? tangential
+    : vector.allFinite()                                               ? Complex(0.0)
+                         : Complex(std::numeric_limits<double>::infinity());
+}
+
+/// Directions of elements, and the first one of the caller's that is not finite.
+template <class TupleOf>
+Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int size,
+  const std::string& kind, const TupleOf& tupleOf, const ExecutionContext& context)
+{
+  Vector<Complex> directions(size);
+  std::atomic<bool> areFinite{ true };
+  context.ParallelFor(0, size, Grain,
+    [&](int first, int last)
+    {
+      for (int element = first; element < last; ++element)
+      {
+        const Complex direction = ReadTuple(array, tupleOf(element), frames, element);
+        directions[element] = direction;
+        if (!std::isfinite(direction.real()) || !std::isfinite(direction.imag()))
+        {
+          areFinite = false;
+        }
+      }
+    });
+  if (!areFinite)
+  {
+    vtkIdType tuple = std::numeric_limits<vtkIdType>::max();
+    for (int element = 0; element < size; ++element)
+    {
+      const Complex direction = directions[element];
+      if (!std::isfinite(direction.real()) || !std::isfinite(direction.imag()))
+      {
+        tuple = std::min<vtkIdType>(tuple, tupleOf(element));
+      }
+    }
+    throw InvalidInput("the direction of " + kind + " " + std::to_string(tuple) + " in array '" +
+      NameOf(array) + "' is not finite; repair it, or set it to zero for no direction");
+  }
+  return directions;
+}
+
+/// Refuses arrays Direction1, ... that are not Direction0, turned.
+void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const TangentFrames& frames,
+  const Vector<Complex>& first, int N, const ExecutionContext& context)
+{
+  for (int k = 1; k < N; ++k)
+  {
+    vtkDataArray* const array = input->GetCellData()->GetArray(DirectionName(k).c_str());
+    if (!array || array->GetNumberOfComponents() != 3)
+    {
+      continue;
+    }
+    const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
+    const auto isTurned = [&](int face)
+    {
+      const Complex given = ReadTuple(array, surface.CellOf(face), frames, face);
+      const Complex expected = turn * first[face];
+      return std::abs(given / std::max(std::abs(given), 1e-300) -
+               expected / std::max(std::abs(expected), 1e-300)) <= LargestAngle;
+    };
+    std::atomic<bool> areTurned{ true };
+    context.ParallelFor(0, static_cast<int>(first.size()), Grain,
+      [&](int begin, int end)
+      {
+        for (int face = begin; face < end; ++face)
+        {
+          if (!isTurned(face))
+          {
+            areTurned = false;
+          }
+        }
+      });
+    for (int polygon = 0; !areTurned && polygon < first.size(); ++polygon)
+    {
+      if (!isTurned(surface.Faces[polygon]))
+      {
+        throw InvalidInput("the vectors Direction0 and " + DirectionName(k) + " of cell " +
+          std::to_string(surface.FirstCell + polygon) + " are not " + std::to_string(360 * k / N) +
+          " degrees apart, as those of a field of " + std::to_string(N) +
+          " directions are; draw one array at a time, with 1 or 2 for the number of directions");
+      }
+    }
+  }
+}
+
+double DiagonalOf(const TriangleMesh& mesh)
+{
+  const Points& positions = mesh.VertexPositions();
+  return (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+}
+
+}
+
+SurfaceWithField ReadField(
+  vtkAlgorithm* algorithm, vtkPolyData* input, int N, const ExecutionContext& context)
+{
+  const ChosenVectors chosen = ReadChoice(algorithm, input);
+  const int siblings = NumberOfSiblings(input, chosen);
+  const bool areSiblings = N == 0 || N == siblings;
+  N = N == 0 ? siblings : N;
+  SurfaceMesh surface = MeshFromPolyData(input, Numbering::Spatial, context);
+  const TriangleMesh& mesh = surface.Mesh;
+  TangentFrames frames = FaceFrames(mesh, context);
+  context.Checkpoint(0.5);
+
+  Vector<Complex> first;
+  if (chosen.OnPoints)
+  {
+    const TangentFrames vertexFrames = VertexFrames(mesh, context);
+    const Vector<Complex> ofVertices = ReadTuples(
+      chosen.Array, vertexFrames, mesh.NumberOfVertices(), "point",
+      [&](int v) { return surface.PointOf(v); }, context);
+    first = FirstDirectionsOfFaces(mesh, frames, vertexFrames, ofVertices, N, context);
+  }
+  else
+  {
+    first = ReadTuples(
+      chosen.Array, frames, mesh.NumberOfFaces(), "cell",
+      [&](int face) { return surface.CellOf(face); }, context);
+    if (areSiblings)
+    {
+      CheckSiblings(input, surface, frames, first, N, context);
+    }
+  }
+  if (first.isZero(0.0))
+  {
+    throw InvalidInput("array '" + NameOf(chosen.Array) +
+      "' has no direction on any triangle, its vectors are zero or perpendicular to the surface; "
+      "choose another");
+  }
+  context.Checkpoint(1.0);
+  const double diagonal = DiagonalOf(mesh);
+  DirectionsOnFaces field(N, first, context);
+  return { std::move(surface), std::move(frames), std::move(field), diagonal };
+}
+
+int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, int N,
+  const std::function<void(const SurfaceWithField&, const ExecutionContext&)>& draw)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+  vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
+  if (input->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+  if (!IsPieceZero(request, outputs))
+  {
+    vtkWarningWithObjectMacro(algorithm,
+      "a piece of the surface other than the first holds "
+        << input->GetNumberOfCells()
+        << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
+    return 1;
+  }
+  try
+  {
+    const ContextFromAlgorithm context(algorithm);
+    const SurfaceWithField field = ReadField(algorithm, input, N, PartOfContext(context, 0.0, 0.3));
+    draw(field, PartOfContext(context, 0.3, 1.0));
+  }
+  catch (const Cancelled&)
+  {
+    return Aborted(algorithm, outputs);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(algorithm, << error.what());
+    return 0;
+  }
+  return 1;
+}
+
+}

@@ -1,0 +1,48 @@
+#ifndef dmgFieldFromArrays_h
+#define dmgFieldFromArrays_h
+
+#include "Adapters/MeshFromPolyData.h"
+#include "Drawing/DirectionsOnFaces.h"
+#include "Mesh/TangentFrames.h"
+#include "Support/ExecutionContext.h"
+
+#include <functional>
+
+class vtkAlgorithm;
+class vtkInformation;
+class vtkInformationVector;
+
+namespace dmg
+{
+
+/// A surface with a field of N directions that stands in its arrays.
+struct SurfaceWithField
+{
+  SurfaceMesh Surface;
+  TangentFrames Faces;
+  DirectionsOnFaces Field;
+  double Diagonal; ///< of the box around the triangles
+};
+
+/// The field that was chosen with SetInputArrayToProcess, index 0; where nothing was chosen, the first of these that
+/// is there: the cell array Direction0, the point array Direction0, the active vectors of cells, those of points. Where
+/// cells and points have an array Direction0, both names mean that of the cells.
+///
+/// \param N of the field; 0: of an array Direction0, as many as there are arrays Direction0, Direction1, ... beside
+/// it, of any other one.
+/// \throw InvalidInput what MeshFromPolyData refuses; a chosen array that is not there or does not hold vectors; a
+/// vector that is not finite; no direction on any triangle; arrays Direction0, Direction1, ... of cells that are not
+/// 2 pi / N apart. Cost: linear.
+SurfaceWithField ReadField(
+  vtkAlgorithm* algorithm, vtkPolyData* surface, int N, const ExecutionContext& context);
+
+/// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
+/// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.
+/// \return what RequestData returns.
+int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, int N,
+  const std::function<void(const SurfaceWithField&, const ExecutionContext&)>& draw);
+
+}
+
+#endif

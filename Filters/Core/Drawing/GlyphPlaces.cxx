@@ -1,0 +1,65 @@
+#include "Drawing/GlyphPlaces.h"
+
+#include "Drawing/SurfaceSamples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Of the inscribed circle of an equilateral triangle.
+double InscribedRadius(double area)
+{
+  return std::sqrt(area / (3.0 * std::sqrt(3.0)));
+}
+
+std::vector<SurfacePoint> PointsFor(
+  const UnfoldedSurface& surface, const GlyphPlaceOptions& options, const ExecutionContext& context)
+{
+  if (options.Placement == GlyphPlacement::EvenlySpread)
+  {
+    return EvenlySpreadPoints(surface, options.Distance, context);
+  }
+  std::vector<SurfacePoint> points;
+  for (int face = 0; face < surface.Mesh().NumberOfFaces(); ++face)
+  {
+    points.push_back(surface.Centre(face));
+  }
+  return points;
+}
+
+}
+
+std::vector<GlyphPlace> PlaceGlyphs(const UnfoldedSurface& surface, const DirectionsOnFaces& field,
+  const GlyphPlaceOptions& options, const ExecutionContext& context)
+{
+  const Vector<double> areas = surface.Mesh().FaceAreas(context);
+  double largest = 0.0;
+  double sumOfRadii = 0.0;
+  for (int face = 0; face < areas.size(); ++face)
+  {
+    largest = std::max(largest, field.Magnitude(face));
+    sumOfRadii += InscribedRadius(areas[face]);
+  }
+  const double even = options.Placement == GlyphPlacement::EvenlySpread
+    ? 0.5 * options.Distance
+    : sumOfRadii / static_cast<double>(areas.size());
+
+  std::vector<GlyphPlace> places;
+  for (const SurfacePoint& point : PointsFor(surface, options, context))
+  {
+    const double magnitude = field.Magnitude(point.Face);
+    const double size = options.Sizing == GlyphSizing::ByTriangle
+      ? InscribedRadius(areas[point.Face])
+      : options.Sizing == GlyphSizing::ByMagnitude && largest > 0.0 ? even * (magnitude / largest)
+                                                                    : even;
+    places.push_back({ point, options.Scale * size });
+  }
+  return places;
+}
+
+}

@@ -1,0 +1,67 @@
+#include "vtkFieldGlyphs.h"
+
+#include "Adapters/DrawingToPolyData.h"
+#include "Adapters/FieldFromArrays.h"
+#include "Adapters/PieceRequest.h"
+#include "Drawing/FieldGlyphs.h"
+#include "Drawing/GlyphPlaces.h"
+
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+#include <vector>
+
+vtkStandardNewMacro(vtkFieldGlyphs);
+
+//------------------------------------------------------------------------------
+int vtkFieldGlyphs::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldGlyphs::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
+    [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    {
+      dmg::GlyphPlaceOptions where;
+      where.Placement = static_cast<dmg::GlyphPlacement>(this->Placement);
+      where.Distance = this->SeparatingDistance * given.Diagonal;
+      where.Sizing = static_cast<dmg::GlyphSizing>(this->Sizing);
+      where.Scale = this->ScaleFactor;
+      dmg::GlyphOptions how;
+      how.Form =
+        this->Style == Solid ? dmg::GlyphOptions::Shape::Solid : dmg::GlyphOptions::Shape::Strokes;
+      how.Width = this->Width;
+      how.Lift = this->Lift * given.Diagonal;
+      const dmg::UnfoldedSurface surface(given.Surface.Mesh, given.Faces, context);
+      const std::vector<dmg::GlyphPlace> places =
+        dmg::PlaceGlyphs(surface, given.Field, where, dmg::PartOfContext(context, 0.0, 0.6));
+      const dmg::GlyphsOnSurface glyphs =
+        dmg::FieldGlyphs(surface, given.Field, places, how, dmg::PartOfContext(context, 0.6, 1.0));
+      dmg::GlyphsToPolyData(glyphs, given.Field.NumberOfFamilies(), this->Style == Strokes, output);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldGlyphs::PrintSelf(ostream& os, vtkIndent indent)
+{
+  const char* const sizings[] = { "Even", "ByTriangle", "ByMagnitude" };
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent
+     << "Placement: " << (this->Placement == EvenlySpread ? "EvenlySpread" : "EveryTriangle")
+     << "\n";
+  os << indent << "SeparatingDistance: " << this->SeparatingDistance << "\n";
+  os << indent << "Sizing: " << sizings[this->Sizing] << "\n";
+  os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";
+  os << indent << "Style: " << (this->Style == Solid ? "Solid" : "Strokes") << "\n";
+  os << indent << "Width: " << this->Width << "\n";
+  os << indent << "Lift: " << this->Lift << "\n";
+}

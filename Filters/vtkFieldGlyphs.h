@@ -1,0 +1,169 @@
+/**
+ * @class   vtkFieldGlyphs
+ * @brief   arrows, lines, crosses and stars of a field of N directions on a surface
+ *
+ * vtkFieldGlyphs draws a field of N directions by glyphs on the surface: an arrow for N = 1, a line for N = 2, a cross
+ * for N = 4, and a star of N branches for every other N. They are spread evenly, at a distance of the user's choice,
+ * or stand on every triangle.
+ *
+ * A glyph is laid onto the surface: its branches go straight on over the triangles and bend with them, and end at the
+ * boundary. So even large ones on strongly curved places neither stick out nor sink in.
+ *
+ * Evenly spread places are Poisson-disc samples (R. L. Cook, "Stochastic sampling in computer graphics", 1986): none is
+ * nearer to another one than the distance, measured over the surface, and hardly a place is farther than that from all
+ * of them. They do not depend on the field: those of two fields on one surface stand at the same places.
+ *
+ * @section vtkFieldGlyphs-Inputs Inputs
+ *
+ * Port 0: vtkPolyData, a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
+ * SetInputArrayToProcess(0, 0, 0, association, name).
+ *
+ * @section vtkFieldGlyphs-Output Output
+ *
+ * Port 0: vtkPolyData, polygons (Solid) or polylines (Strokes), several per branch and glyph.
+ *
+ * | array     | of     | components | type   | meaning                                                    |
+ * | --------- | ------ | ---------- | ------ | ---------------------------------------------------------- |
+ * | Branch    | cells  | 1          | int    | family, the same for opposite directions; active scalars |
+ * | Direction | cells  | 1          | int    | 0 for the direction of the chosen array, 1 for the next one, ... N - 1 |
+ * | Glyph     | cells  | 1          | int    | number of the place                                        |
+ * | Magnitude | cells  | 1          | double | of the field in the triangle at the centre                 |
+ * | Normals   | points | 3          | double | of the surface, unit; the active normals                   |
+ *
+ * @section vtkFieldGlyphs-Execution Execution
+ *
+ * Linear in the triangles and in the number of glyphs. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ *
+ * @sa vtkFieldLines vtkFieldSingularities vtkHarmonicFieldSolver
+ */
+
+#ifndef vtkFieldGlyphs_h
+#define vtkFieldGlyphs_h
+
+#include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldGlyphs : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkFieldGlyphs* New();
+  vtkTypeMacro(vtkFieldGlyphs, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
+   * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
+   */
+  vtkSetClampMacro(NumberOfDirections, int, 0, 8);
+  vtkGetMacro(NumberOfDirections, int);
+  ///@}
+
+  enum Placements
+  {
+    /** At SeparatingDistance from each other. */
+    EvenlySpread = 0,
+    /** In the centre of each triangle. */
+    EveryTriangle = 1
+  };
+
+  ///@{
+  /**
+   * Where glyphs stand, one of Placements. Default EvenlySpread.
+   */
+  vtkSetClampMacro(Placement, int, EvenlySpread, EveryTriangle);
+  vtkGetMacro(Placement, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance between glyphs that are evenly spread, as a fraction of the surface's size, the diagonal of the box around
+   * its triangles. Default 0.02, range 0.0005 to 1.
+   */
+  vtkSetClampMacro(SeparatingDistance, double, 0.0005, 1.0);
+  vtkGetMacro(SeparatingDistance, double);
+  ///@}
+
+  enum Sizings
+  {
+    /** All alike: half the distance between glyphs; on every triangle, the mean size of the triangles. */
+    Even = 0,
+    /** As large as the triangle at the centre. */
+    ByTriangle = 1,
+    /** As Even where the field is largest, elsewhere in proportion to its magnitude. */
+    ByMagnitude = 2
+  };
+
+  ///@{
+  /**
+   * How long branches are, one of Sizings. Default Even.
+   */
+  vtkSetClampMacro(Sizing, int, Even, ByMagnitude);
+  vtkGetMacro(Sizing, int);
+  ///@}
+
+  ///@{
+  /**
+   * All lengths are multiplied by this. Default 0.9, range 0.01 to 100.
+   */
+  vtkSetClampMacro(ScaleFactor, double, 0.01, 100.0);
+  vtkGetMacro(ScaleFactor, double);
+  ///@}
+
+  enum Styles
+  {
+    /** Polygons: wide branches, which grow with the picture. */
+    Solid = 0,
+    /** Polylines: as wide on the screen as the line width says. */
+    Strokes = 1
+  };
+
+  ///@{
+  /**
+   * What glyphs are made of, one of Styles. Default Solid.
+   */
+  vtkSetClampMacro(Style, int, Solid, Strokes);
+  vtkGetMacro(Style, int);
+  ///@}
+
+  ///@{
+  /**
+   * Half the width of a solid branch over its length. Default 0.1, range 0.005 to 0.3.
+   */
+  vtkSetClampMacro(Width, double, 0.005, 0.3);
+  vtkGetMacro(Width, double);
+  ///@}
+
+  ///@{
+  /**
+   * By how much glyphs are lifted off the surface along its normal, as a fraction of the surface's size, so that it
+   * does not hide them. Default 0.001, range 0 to 0.1.
+   */
+  vtkSetClampMacro(Lift, double, 0.0, 0.1);
+  vtkGetMacro(Lift, double);
+  ///@}
+
+  vtkFieldGlyphs(const vtkFieldGlyphs&) = delete;
+  void operator=(const vtkFieldGlyphs&) = delete;
+
+protected:
+  vtkFieldGlyphs() = default;
+  ~vtkFieldGlyphs() override = default;
+
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  int NumberOfDirections = 0;
+  int Placement = EvenlySpread;
+  double SeparatingDistance = 0.02;
+  int Sizing = Even;
+  double ScaleFactor = 0.9;
+  int Style = Solid;
+  double Width = 0.1;
+  double Lift = 0.001;
+};
+
+#endif

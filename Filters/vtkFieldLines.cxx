@@ -1,0 +1,50 @@
+#include "vtkFieldLines.h"
+
+#include "Adapters/DrawingToPolyData.h"
+#include "Adapters/FieldFromArrays.h"
+#include "Adapters/PieceRequest.h"
+#include "Drawing/EvenlySpacedLines.h"
+
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkFieldLines);
+
+//------------------------------------------------------------------------------
+int vtkFieldLines::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldLines::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
+    [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    {
+      dmg::LineOptions options;
+      options.Separation = this->SeparatingDistance * given.Diagonal;
+      options.StopRatio = this->SeparatingDistanceRatio;
+      options.MinimumLength = this->MinimumLength * options.Separation;
+      const dmg::UnfoldedSurface surface(given.Surface.Mesh, given.Faces, context);
+      const dmg::LinesOnSurface lines =
+        dmg::EvenlySpacedLines(surface, given.Field, options, context);
+      dmg::LinesToPolyData(lines, given.Faces, this->Lift * given.Diagonal, output);
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldLines::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "SeparatingDistance: " << this->SeparatingDistance << "\n";
+  os << indent << "SeparatingDistanceRatio: " << this->SeparatingDistanceRatio << "\n";
+  os << indent << "MinimumLength: " << this->MinimumLength << "\n";
+  os << indent << "Lift: " << this->Lift << "\n";
+}

@@ -1,0 +1,132 @@
+/**
+ * @class   vtkFieldLines
+ * @brief   evenly spaced lines along a field of N directions on a surface
+ *
+ * vtkFieldLines draws a field of N directions (N = 1: vectors, 2: lines, 4: crosses, 6: hexagonal) by streamlines on
+ * the surface, along all of its directions and at an even distance from each other.
+ *
+ * A field of N directions has N / 2 families of lines through each point if N is even, two for crosses, and N if it is
+ * odd. Lines of different families cross; those of one family keep a distance. It is measured along the surface:
+ * the two sides of a thin plate do not see each other. Around a singularity families go over into each other.
+ *
+ * Lines are traced exactly: the field is constant on each triangle, where a line is straight, and beyond an edge it
+ * goes on along the direction that turns least. There is no step length. A line ends at the boundary, in a
+ * singularity, where the field is zero, or where it comes too near to another line of its family. One that comes back
+ * to where it began is closed.
+ *
+ * See B. Jobard and W. Lefer, "Creating evenly-spaced streamlines of arbitrary density", 1997, and B. Spencer et al.,
+ * "Evenly spaced streamlines for surfaces", 2009.
+ *
+ * @section vtkFieldLines-Inputs Inputs
+ *
+ * Port 0: vtkPolyData, an oriented manifold triangle surface as described in vtkDirectionalProlongation, with the
+ * field as vectors on cells or points. Of a vector its tangential part counts; its length is the magnitude of the
+ * field; where it is zero there is no direction. The array is chosen by
+ *
+ *   SetInputArrayToProcess(0, 0, 0, association, name).
+ *
+ * Where nothing is chosen it is Direction0 of the cells, or of the points, or else the active vectors of the cells, or
+ * of the points. Where cells and points have an array Direction0, as vtkHarmonicFieldSolver leaves them, that of the
+ * cells is taken for both: the other one is its mean. The array holds one direction of N; the others are those, turned
+ * by 2 pi / N. Vectors at points are averaged over the corners of each triangle, as N-th powers.
+ *
+ * @section vtkFieldLines-Output Output
+ *
+ * Port 0: vtkPolyData, a polyline per line. One that is closed ends with the point with which it began.
+ *
+ * | array     | of     | components | type   | meaning                                                    |
+ * | --------- | ------ | ---------- | ------ | ---------------------------------------------------------- |
+ * | Length    | cells  | 1          | double | of the line, in the unit of the points                     |
+ * | Branch    | cells  | 1          | int    | family at the seed, 0 that of the array; active scalars |
+ * | Seed      | cells  | 1          | int    | number of the line, in the order in which they were drawn  |
+ * | Magnitude | points | 1          | double | of the field; on an edge, the mean of both sides           |
+ * | Normals   | points | 3          | double | of the surface, unit; the active normals, for ribbons      |
+ *
+ * @section vtkFieldLines-Execution Execution
+ *
+ * Linear in the triangles of the surface and in the length of all lines over their distance. One thread draws, what
+ * comes before runs in the threads of vtkSMPTools as in vtkDirectionalProlongation; same lines for any number of
+ * threads. An aborted run leaves an empty output, and so does an error. With several pieces, piece 0 asks for the
+ * whole surface and holds all lines; the other pieces are empty.
+ *
+ * @sa vtkFieldGlyphs vtkFieldSingularities vtkHarmonicFieldSolver
+ */
+
+#ifndef vtkFieldLines_h
+#define vtkFieldLines_h
+
+#include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldLines : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkFieldLines* New();
+  vtkTypeMacro(vtkFieldLines, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
+   * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
+   */
+  vtkSetClampMacro(NumberOfDirections, int, 0, 8);
+  vtkGetMacro(NumberOfDirections, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance between lines of one family where they begin, as a fraction of the surface's size, the diagonal of the
+   * box around its triangles. Default 0.015, range 0.0001 to 1.
+   */
+  vtkSetClampMacro(SeparatingDistance, double, 0.0001, 1.0);
+  vtkGetMacro(SeparatingDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * A line ends where it comes nearer to another one of its family than this times SeparatingDistance. Smaller values
+   * give longer lines, which are less even. Default 0.5, range 0.05 to 0.9.
+   */
+  vtkSetClampMacro(SeparatingDistanceRatio, double, 0.05, 0.9);
+  vtkGetMacro(SeparatingDistanceRatio, double);
+  ///@}
+
+  ///@{
+  /**
+   * Lines shorter than this times the distance between lines are left out. Default 4, range 0 to 1000.
+   */
+  vtkSetClampMacro(MinimumLength, double, 0.0, 1000.0);
+  vtkGetMacro(MinimumLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * By how much lines are lifted off the surface along its normal, as a fraction of the surface's size, so that it does
+   * not hide them. Default 0.0005, range 0 to 0.1.
+   */
+  vtkSetClampMacro(Lift, double, 0.0, 0.1);
+  vtkGetMacro(Lift, double);
+  ///@}
+
+  vtkFieldLines(const vtkFieldLines&) = delete;
+  void operator=(const vtkFieldLines&) = delete;
+
+protected:
+  vtkFieldLines() = default;
+  ~vtkFieldLines() override = default;
+
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  int NumberOfDirections = 0;
+  double SeparatingDistance = 0.015;
+  double SeparatingDistanceRatio = 0.5;
+  double MinimumLength = 4.0;
+  double Lift = 0.0005;
+};
+
+#endif

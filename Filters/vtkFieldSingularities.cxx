@@ -1,0 +1,48 @@
+#include "vtkFieldSingularities.h"
+
+#include "Adapters/DrawingToPolyData.h"
+#include "Adapters/FieldFromArrays.h"
+#include "Adapters/PieceRequest.h"
+#include "Operators/FieldTopology.h"
+
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkFieldSingularities);
+
+//------------------------------------------------------------------------------
+vtkFieldSingularities::vtkFieldSingularities()
+{
+  this->SetNumberOfOutputPorts(3);
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldSingularities::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldSingularities::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
+    [outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    {
+      const dmg::FieldTopology topology = dmg::TopologyOfField(
+        given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
+      dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
+      dmg::CutsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 1));
+      dmg::BoundaryLoopsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 2));
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldSingularities::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+}

@@ -1,0 +1,95 @@
+/**
+ * @class   vtkFieldSingularities
+ * @brief   singularities, cuts and boundary indices of a field of N directions on a surface
+ *
+ * Around a singularity a field of N directions turns by a multiple of 1 / N of a turn: its index. vtkFieldSingularities
+ * finds those at the vertices of the surface, the index of each loop of its boundary, and the cuts: the edges across
+ * which the first direction does not go on as the first one.
+ *
+ * The directions on both sides of an edge are matched so that they turn least. The index of an inner vertex is its
+ * angle defect plus the turning of the field around it, over 2 pi. The index of a boundary loop is how many turns the
+ * boundary's tangent makes against the field, with the surface on the left: 1 for a parallel field on a disc, 0 where
+ * the field follows the boundary, -1 for a parallel field around a hole. With these, all indices sum to the Euler
+ * characteristic on every surface (Poincare and Hopf).
+ *
+ * All three are outputs of one filter, since they are read from one matching of the field, and since their sum means
+ * something only if they belong to the same field; one Apply shows the first, and the eye shows the others.
+ *
+ * @section vtkFieldSingularities-Inputs Inputs
+ *
+ * Port 0: vtkPolyData, a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
+ * SetInputArrayToProcess(0, 0, 0, association, name). On triangles without direction indices mean nothing, but still
+ * have their sum.
+ *
+ * @section vtkFieldSingularities-Outputs Outputs
+ *
+ * Port 0, the singularities: vtkPolyData, a vertex per singular point, in the order of the points.
+ *
+ * | array               | of     | components | type   | meaning                                            |
+ * | ------------------- | ------ | ---------- | ------ | -------------------------------------------------- |
+ * | Index               | points | 1          | double | a multiple of 1 / N, never 0; the active scalars   |
+ * | NumberOfDirections  | points | 1          | int    | N                                                  |
+ * | PointId             | points | 1          | id     | number of the point in the input                   |
+ * | SumOfIndices        | field  | 1          | double | of all points and all boundary loops               |
+ * | EulerCharacteristic | field  | 1          | int    | of the surface, which is the same                  |
+ *
+ * Port 1, the cuts: vtkPolyData, a line per edge, from the smaller to the larger point index of the input. With combed
+ * directions (vtkHarmonicFieldSolver::Combing) they are few, and N = 1 has none.
+ *
+ * | array   | of    | components | type   | meaning                                                    |
+ * | ------- | ----- | ---------- | ------ | ---------------------------------------------------------- |
+ * | Jump    | cells | 1          | int    | direction 0 on the left goes on as this one on the right |
+ * | Turning | cells | 1          | double | by how much directions turn from left to right, in radians |
+ *
+ * Port 2, the boundary: vtkPolyData, a closed polyline per loop, with the surface on its left.
+ *
+ * | array | of    | components | type   | meaning                                              |
+ * | ----- | ----- | ---------- | ------ | ---------------------------------------------------- |
+ * | Index | cells | 1          | double | a multiple of 1 / N, also 0; the active scalars      |
+ *
+ * @section vtkFieldSingularities-Execution Execution
+ *
+ * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ *
+ * @sa vtkFieldLines vtkFieldGlyphs vtkHarmonicFieldSolver
+ */
+
+#ifndef vtkFieldSingularities_h
+#define vtkFieldSingularities_h
+
+#include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldSingularities : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkFieldSingularities* New();
+  vtkTypeMacro(vtkFieldSingularities, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
+   * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
+   */
+  vtkSetClampMacro(NumberOfDirections, int, 0, 8);
+  vtkGetMacro(NumberOfDirections, int);
+  ///@}
+
+  vtkFieldSingularities(const vtkFieldSingularities&) = delete;
+  void operator=(const vtkFieldSingularities&) = delete;
+
+protected:
+  vtkFieldSingularities();
+  ~vtkFieldSingularities() override = default;
+
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  int NumberOfDirections = 0;
+};
+
+#endif

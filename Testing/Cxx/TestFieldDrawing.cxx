@@ -1,0 +1,357 @@
+#include "vtkFieldGlyphs.h"
+#include "vtkFieldLines.h"
+#include "vtkFieldSingularities.h"
+#include "vtkHarmonicFieldSolver.h"
+
+#include "TestTools.h"
+
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace
+{
+
+using namespace dmg::test;
+using dmg::Vector3;
+
+constexpr int Points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
+constexpr int Cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+
+/// The three filters, by turns.
+class FieldDrawing : public testing::TestWithParam<int>
+{
+protected:
+  static vtkSmartPointer<vtkPolyDataAlgorithm> New()
+  {
+    switch (GetParam())
+    {
+      case 0:
+        return vtkSmartPointer<vtkFieldLines>::New();
+      case 1:
+        return vtkSmartPointer<vtkFieldGlyphs>::New();
+      default:
+        return vtkSmartPointer<vtkFieldSingularities>::New();
+    }
+  }
+
+  /// What a filter with this input says, and that its outputs are empty then.
+  static std::string ErrorFor(vtkPolyDataAlgorithm* filter, vtkPolyData* input)
+  {
+    Messages messages(filter);
+    filter->SetInputDataObject(input);
+    filter->Update();
+    for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+    {
+      EXPECT_EQ(filter->GetOutput(port)->GetNumberOfPoints(), 0);
+      EXPECT_EQ(filter->GetOutput(port)->GetNumberOfCells(), 0);
+    }
+    return messages.Error();
+  }
+};
+
+vtkSmartPointer<vtkPolyData> Crosses(const Surface& surface, int N = 4)
+{
+  const auto input = PolyDataOf(surface);
+  AddCellVectors(input, "Given", { { 0, { 0.3, 1.0, 0.2 } }, { 5, { 1.0, 0.1, 0.4 } } });
+  vtkNew<vtkHarmonicFieldSolver> solver;
+  solver->SetInputData(input);
+  solver->SetNumberOfDirections(N);
+  solver->SetInputArrayToProcess(1, 0, 0, Cells, "Given");
+  solver->Update();
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->ShallowCopy(solver->GetOutput());
+  return output;
+}
+
+/// One constant vector on all cells or points.
+vtkSmartPointer<vtkPolyData> WithVectors(
+  const Surface& surface, const std::string& name, int association, const Vector3& vector)
+{
+  auto data = PolyDataOf(surface);
+  const vtkIdType size =
+    data->GetNumberOfElements(association == Points ? vtkDataObject::POINT : vtkDataObject::CELL);
+  const auto array = Zeros(name, size, 3);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    array->SetTuple(i, vector.data());
+  }
+  data->GetAttributes(association)->AddArray(array);
+  return data;
+}
+
+TEST_P(FieldDrawing, OfNothingIsNothing)
+{
+  const auto filter = New();
+  EXPECT_EQ(ErrorFor(filter, vtkSmartPointer<vtkPolyData>::New()), "");
+}
+
+TEST_P(FieldDrawing, DrawsTheSolversFieldWithoutFurtherAdo)
+{
+  const auto filter = New();
+  filter->SetInputDataObject(Crosses(IrregularSphere(3, 3)));
+  Messages messages(filter);
+  filter->Update();
+  EXPECT_TRUE(messages.Silent());
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 3);
+}
+
+TEST_P(FieldDrawing, NamesWhatIsWrongWithTheInput)
+{
+  const auto filter = New();
+  EXPECT_NE(ErrorFor(filter, PolyDataOf(Icosphere(1))).find("apply vtkHarmonicFieldSolver first"),
+    std::string::npos);
+
+  auto data = WithVectors(Icosphere(1), "Direction0", Cells, { 0.0, 0.0, 0.0 });
+  EXPECT_NE(ErrorFor(filter, data).find("'Direction0' has no direction"), std::string::npos);
+
+  data = WithVectors(Icosphere(1), "Direction0", Cells, { 1.0, 0.0, 0.0 });
+  data->GetCellData()
+    ->GetArray("Direction0")
+    ->SetComponent(7, 1, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_NE(
+    ErrorFor(filter, data).find("cell 7 in array 'Direction0' is not finite"), std::string::npos);
+
+  data = WithVectors(Icosphere(1), "Direction0", Points, { 1.0, 0.0, 0.0 });
+  data->GetPointData()
+    ->GetArray("Direction0")
+    ->SetComponent(9, 2, std::numeric_limits<double>::infinity());
+  EXPECT_NE(
+    ErrorFor(filter, data).find("point 9 in array 'Direction0' is not finite"), std::string::npos);
+
+  data = WithVectors(Icosphere(1), "Direction0", Cells, { 1.0, 0.0, 0.0 });
+  const auto askew = Zeros("Direction1", data->GetNumberOfCells(), 3);
+  askew->Fill(1.0);
+  data->GetCellData()->AddArray(askew);
+  EXPECT_NE(ErrorFor(filter, data).find("of cell 0 are not 180 degrees apart"), std::string::npos);
+
+  Surface quad = PlaneGrid(1, 1);
+  data = WithVectors(quad, "Direction0", Cells, { 1.0, 0.0, 0.0 });
+  data->GetPolys()->Reset();
+  data->GetPolys()->InsertNextCell({ 0, 1, 3, 2 });
+  data->GetCellData()->GetArray("Direction0")->SetNumberOfTuples(1);
+  EXPECT_NE(ErrorFor(filter, data).find("cell 0 is not a triangle"), std::string::npos);
+}
+
+TEST_P(FieldDrawing, NamesWhatIsWrongWithTheChoice)
+{
+  const auto filter = New();
+  const auto data = WithVectors(Icosphere(1), "Direction0", Cells, { 1.0, 0.0, 0.0 });
+  filter->SetInputArrayToProcess(0, 0, 0, Cells, "Wind");
+  EXPECT_NE(ErrorFor(filter, data).find("array 'Wind'"), std::string::npos);
+  data->GetCellData()->AddArray(Zeros("Wind", data->GetNumberOfCells(), 2));
+  EXPECT_NE(ErrorFor(filter, data).find("does not hold 3 numbers"), std::string::npos);
+  filter->SetInputArrayToProcess(0, 0, 0, Cells, "None");
+  Messages messages(filter);
+  filter->Update();
+  EXPECT_TRUE(messages.Silent()) << messages.Error();
+}
+
+TEST_P(FieldDrawing, RecoversFromAnError)
+{
+  const auto filter = New();
+  EXPECT_NE(ErrorFor(filter, PolyDataOf(Icosphere(1))), "");
+  filter->SetInputDataObject(Crosses(Icosphere(2)));
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+TEST_P(FieldDrawing, StopsWhenAsked)
+{
+  const auto filter = New();
+  filter->SetInputDataObject(Crosses(IrregularSphere(3, 3)));
+  {
+    const AbortAt abort(filter, 0.2);
+    filter->Update();
+    EXPECT_TRUE(abort.Asked());
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  }
+  filter->Modified();
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(AllFilters, FieldDrawing, testing::Range(0, 3));
+
+TEST(FieldLines, ReadAUsersArrays)
+{
+  const Vector3 direction(1.0, 0.0, 0.0);
+  for (const int association : { Points, Cells })
+  {
+    for (const int N : { 0, 1, 2, 4 })
+    {
+      vtkNew<vtkFieldLines> lines;
+      lines->SetInputData(WithVectors(IrregularPlane(20, 20, 4), "Wind", association, direction));
+      lines->SetInputArrayToProcess(0, 0, 0, association, "Wind");
+      lines->SetNumberOfDirections(N);
+      lines->Update();
+      vtkPolyData* const output = lines->GetOutput();
+      ASSERT_GT(output->GetNumberOfLines(), 10);
+      double range[2];
+      output->GetCellData()->GetArray("Branch")->GetRange(range);
+      EXPECT_EQ(range[0], 0.0);
+      EXPECT_EQ(range[1], N == 4 ? 1.0 : 0.0);
+      output->GetPointData()->GetArray("Magnitude")->GetRange(range);
+      EXPECT_NEAR(range[0], 1.0, 1e-12);
+      EXPECT_NEAR(range[1], 1.0, 1e-12);
+      for (vtkIdType line = 0; line < output->GetNumberOfLines(); ++line)
+      {
+        const double branch = output->GetCellData()->GetArray("Branch")->GetComponent(line, 0);
+        const double* const bounds = output->GetCell(line)->GetBounds();
+        EXPECT_NEAR(
+          branch == 0.0 ? bounds[2] : bounds[0], branch == 0.0 ? bounds[3] : bounds[1], 1e-9);
+        EXPECT_NEAR(output->GetCellData()->GetArray("Length")->GetComponent(line, 0), 20.0, 1e-9);
+        EXPECT_EQ(output->GetCellData()->GetArray("Seed")->GetComponent(line, 0), line);
+      }
+    }
+  }
+}
+
+TEST(FieldLines, AreLiftedAlongTheNormals)
+{
+  vtkNew<vtkFieldLines> lines;
+  lines->SetInputData(WithVectors(PlaneGrid(3, 4), "Direction0", Cells, { 0.0, 2.0, 0.0 }));
+  lines->SetLift(0.1);
+  lines->Update();
+  double bounds[6];
+  lines->GetOutput()->GetBounds(bounds);
+  EXPECT_NEAR(bounds[4], 0.5, 1e-12); // a tenth of the diagonal
+  EXPECT_NEAR(bounds[5], 0.5, 1e-12);
+  EXPECT_EQ(Tuple(lines->GetOutput()->GetPointData(), "Normals", 0), Vector3(0.0, 0.0, 1.0));
+}
+
+TEST(FieldLines, ThatAreClosedEndWhereTheyBegan)
+{
+  const Surface prism = Prism(12, 6);
+  const auto data = PolyDataOf(prism);
+  const auto around = Zeros("Direction0", data->GetNumberOfPoints(), 3);
+  for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+  {
+    around->SetTuple3(i, -prism.V(i, 1), prism.V(i, 0), 0.0);
+  }
+  data->GetPointData()->AddArray(around);
+  vtkNew<vtkFieldLines> lines;
+  lines->SetInputData(data);
+  lines->SetSeparatingDistance(0.05);
+  lines->Update();
+  ASSERT_GT(lines->GetOutput()->GetNumberOfLines(), 2);
+  for (vtkIdType line = 0; line < lines->GetOutput()->GetNumberOfLines(); ++line)
+  {
+    vtkIdList* const ids = lines->GetOutput()->GetCell(line)->GetPointIds();
+    EXPECT_EQ(ids->GetId(0), ids->GetId(ids->GetNumberOfIds() - 1));
+  }
+}
+
+TEST(FieldGlyphs, OffersStylesPlacementsAndSizings)
+{
+  const auto data = WithVectors(PlaneGrid(10, 10), "Wind", Cells, { 1.0, 0.0, 0.0 });
+  vtkNew<vtkFieldGlyphs> glyphs;
+  glyphs->SetInputData(data);
+  glyphs->SetInputArrayToProcess(0, 0, 0, Cells, "Wind");
+  glyphs->SetNumberOfDirections(4);
+  glyphs->SetPlacement(vtkFieldGlyphs::EveryTriangle);
+  glyphs->SetStyle(vtkFieldGlyphs::Strokes);
+  glyphs->SetSizing(vtkFieldGlyphs::ByTriangle);
+  glyphs->Update();
+  EXPECT_EQ(glyphs->GetOutput()->GetNumberOfLines(), 4 * 200);
+  double range[2];
+  glyphs->GetOutput()->GetCellData()->GetArray("Direction")->GetRange(range);
+  EXPECT_EQ(range[1], 3.0);
+  glyphs->GetOutput()->GetCellData()->GetArray("Branch")->GetRange(range);
+  EXPECT_EQ(range[1], 1.0);
+  glyphs->GetOutput()->GetCellData()->GetArray("Glyph")->GetRange(range);
+  EXPECT_EQ(range[1], 199.0);
+
+  glyphs->SetStyle(vtkFieldGlyphs::Solid);
+  glyphs->SetPlacement(vtkFieldGlyphs::EvenlySpread);
+  glyphs->SetSeparatingDistance(0.1);
+  glyphs->Update();
+  EXPECT_EQ(glyphs->GetOutput()->GetNumberOfLines(), 0);
+  EXPECT_GT(glyphs->GetOutput()->GetNumberOfPolys(), 100);
+}
+
+TEST(FieldSingularities, AreTheSolversAndSumToTheEulerCharacteristic)
+{
+  for (const auto& [surface, euler] :
+    std::vector<std::pair<Surface, int>>{
+      { IrregularSphere(3, 3), 2 }, { DoubleTorus(4), -2 }, { Disk(8), 1 }, { Annulus(24, 6), 0 } })
+  {
+    const auto field = Crosses(surface);
+    vtkNew<vtkFieldSingularities> singularities;
+    singularities->SetInputData(field);
+    singularities->Update();
+    vtkPolyData* const points = singularities->GetOutput(0);
+    vtkDataArray* const expected = field->GetPointData()->GetArray("SingularityIndex");
+    vtkDataArray* const indices = points->GetPointData()->GetArray("Index");
+    vtkDataArray* const ids = points->GetPointData()->GetArray("PointId");
+    vtkIdType next = 0;
+    for (vtkIdType point = 0; point < field->GetNumberOfPoints(); ++point)
+    {
+      if (expected->GetComponent(point, 0) != 0.0)
+      {
+        ASSERT_LT(next, points->GetNumberOfPoints());
+        EXPECT_EQ(ids->GetComponent(next, 0), point);
+        EXPECT_EQ(indices->GetComponent(next, 0), expected->GetComponent(point, 0));
+        double a[3], b[3];
+        field->GetPoint(point, a);
+        points->GetPoint(next++, b);
+        EXPECT_EQ(Vector3(a[0], a[1], a[2]), Vector3(b[0], b[1], b[2]));
+      }
+    }
+    EXPECT_EQ(next, points->GetNumberOfPoints());
+    EXPECT_EQ(points->GetNumberOfVerts(), next);
+    vtkFieldData* const sums = points->GetFieldData();
+    EXPECT_EQ(sums->GetArray("EulerCharacteristic")->GetComponent(0, 0), euler);
+    EXPECT_NEAR(sums->GetArray("SumOfIndices")->GetComponent(0, 0), euler, 1e-9);
+  }
+}
+
+TEST(FieldSingularities, CutsAreWhereTheSolverDidNotGoOn)
+{
+  const auto field = Crosses(IrregularSphere(3, 3));
+  vtkNew<vtkFieldSingularities> singularities;
+  singularities->SetInputData(field);
+  singularities->Update();
+  vtkPolyData* const cuts = singularities->GetOutput(1);
+  EXPECT_GT(cuts->GetNumberOfLines(), 0);
+  EXPECT_LT(cuts->GetNumberOfLines(), field->GetNumberOfCells() / 4);
+  double range[2];
+  cuts->GetCellData()->GetArray("Jump")->GetRange(range);
+  EXPECT_GE(range[0], 1.0);
+  EXPECT_LE(range[1], 3.0);
+  cuts->GetCellData()->GetArray("Turning")->GetRange(range);
+  EXPECT_GE(range[0], -0.25 * dmg::Pi - 1e-12);
+  EXPECT_LE(range[1], 0.25 * dmg::Pi + 1e-12);
+
+  const auto flow = Crosses(IrregularSphere(3, 3), 1);
+  singularities->SetInputData(flow);
+  singularities->Update();
+  EXPECT_EQ(singularities->GetOutput(1)->GetNumberOfLines(), 0) << "one direction has no cuts";
+}
+
+TEST(FieldSingularities, LoopsOfTheBoundaryAreClosedLines)
+{
+  vtkNew<vtkFieldSingularities> singularities;
+  singularities->SetInputData(WithVectors(Annulus(24, 4), "Direction0", Cells, { 1.0, 0.0, 0.0 }));
+  singularities->Update();
+  vtkPolyData* const loops = singularities->GetOutput(2);
+  ASSERT_EQ(loops->GetNumberOfLines(), 2);
+  double sum = 0.0;
+  for (vtkIdType loop = 0; loop < 2; ++loop)
+  {
+    vtkIdList* const ids = loops->GetCell(loop)->GetPointIds();
+    EXPECT_EQ(ids->GetNumberOfIds(), 25);
+    EXPECT_EQ(ids->GetId(0), ids->GetId(24));
+    const double index = loops->GetCellData()->GetArray("Index")->GetComponent(loop, 0);
+    EXPECT_EQ(std::abs(index), 1.0);
+    sum += index;
+  }
+  EXPECT_EQ(sum, 0.0);
+}
+
+}

@@ -1,0 +1,145 @@
+"""Field Lines, Field Glyphs and Field Singularities as a user of ParaView reaches them.
+
+Crosses on the unit sphere are drawn with nothing said, and with every property; ParaView has to find
+the plugin by itself. Where there is a display, what is shown after Apply is looked at as well.
+
+    TestDrawing.py [IMAGE]
+"""
+
+import sys
+import unittest
+
+import numpy as np
+import paraview.simple as simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+IMAGE = sys.argv.pop() if len(sys.argv) > 1 and sys.argv[-1].endswith(".png") else None
+
+
+def crosses():
+    sphere = simple.Sphere(Radius=1, ThetaResolution=60, PhiResolution=60)
+    given = simple.Calculator(Input=sphere, ResultArrayName="Given",
+                              Function="if(coordsX > 0.9, jHat, 0*jHat)")
+    return simple.HarmonicFieldSolver(Input=given, Directions=["POINTS", "Given"])
+
+
+def fetch(source, port=0):
+    source.UpdatePipeline()
+    return simple.servermanager.Fetch(source, idx=port)
+
+
+def array(attributes, name):
+    return vtk_to_numpy(attributes.GetArray(name))
+
+
+class Drawing(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.field = crosses()
+
+    def test_lines_with_nothing_said(self):
+        lines = fetch(simple.FieldLines(Input=self.field))
+        self.assertGreater(lines.GetNumberOfLines(), 50)
+        self.assertEqual(set(array(lines.GetCellData(), "Branch")), {0, 1})
+        # Two families at about 0.015 of the diagonal on an area of 4 pi.
+        total = array(lines.GetCellData(), "Length").sum()
+        distance = 0.015 * 2 * 3 ** 0.5
+        self.assertGreater(total * distance, 0.8 * 2 * 4 * np.pi)
+        self.assertLess(total * distance, 1.3 * 2 * 4 * np.pi)
+
+    def test_lines_with_every_property(self):
+        lines = simple.FieldLines(Input=self.field)
+        default = fetch(lines)
+        lines.SeparatingDistance = 0.06
+        self.assertLess(fetch(lines).GetNumberOfPoints(), default.GetNumberOfPoints() / 2)
+        lines.SeparatingDistanceRatio = 0.9
+        lines.MinimumLength = 8
+        shortest = array(fetch(lines).GetCellData(), "Length").min()
+        self.assertGreaterEqual(shortest, 8 * 0.06 * 2 * 3 ** 0.5 * 0.99)
+        lines.Lift = 0.05
+        points = vtk_to_numpy(fetch(lines).GetPoints().GetData())
+        self.assertGreater(np.linalg.norm(points, axis=1).min(), 1.1)
+        lines.NumberOfDirections = 1
+        self.assertEqual(set(array(fetch(lines).GetCellData(), "Branch")), {0})
+        # Those of the points, which the solver averages, are the cells'.
+        lines.Directions = ["POINTS", "Direction0"]
+        at_points = array(fetch(lines).GetCellData(), "Length")
+        lines.Directions = ["CELLS", "Direction0"]
+        self.assertEqual(list(at_points), list(array(fetch(lines).GetCellData(), "Length")))
+        lines.Directions = ["CELLS", "Direction1"]
+        self.assertNotEqual(list(at_points), list(array(fetch(lines).GetCellData(), "Length")))
+
+    def test_glyphs_with_every_property(self):
+        glyphs = simple.FieldGlyphs(Input=self.field)
+        default = fetch(glyphs)
+        self.assertGreater(default.GetNumberOfPolys(), 1000)
+        self.assertEqual(set(array(default.GetCellData(), "Branch")), {0, 1})
+        self.assertEqual(set(array(default.GetCellData(), "Direction")), {0, 1, 2, 3})
+        glyphs.Style = "Strokes"
+        strokes = fetch(glyphs)
+        self.assertEqual(strokes.GetNumberOfPolys(), 0)
+        places = array(strokes.GetCellData(), "Glyph").max() + 1
+        self.assertEqual(strokes.GetNumberOfLines(), 4 * places)
+        glyphs.SeparatingDistance = 0.06
+        self.assertLess(fetch(glyphs).GetNumberOfLines(), strokes.GetNumberOfLines() / 2)
+        for sizing in ("Even", "By Triangle", "By Magnitude"):
+            glyphs.Sizing = sizing
+            self.assertGreater(fetch(glyphs).GetNumberOfLines(), 0)
+        glyphs.Placement = "Every Triangle"
+        self.assertEqual(fetch(glyphs).GetNumberOfLines(),
+                         4 * fetch(self.field).GetNumberOfCells())
+        glyphs.NumberOfDirections = 2
+        self.assertEqual(fetch(glyphs).GetNumberOfLines(),
+                         2 * fetch(self.field).GetNumberOfCells())
+        glyphs.Style, glyphs.Width, glyphs.ScaleFactor, glyphs.Lift = "Solid", 0.2, 2, 0.05
+        points = vtk_to_numpy(fetch(glyphs).GetPoints().GetData())
+        self.assertGreater(np.linalg.norm(points, axis=1).min(), 1.1)
+        glyphs.Directions = ["CELLS", "Direction1"]
+        self.assertGreater(fetch(glyphs).GetNumberOfPolys(), 0)
+
+    def test_singularities_and_their_other_outputs(self):
+        singularities = simple.FieldSingularities(Input=self.field)
+        points = fetch(singularities)
+        indices = array(points.GetPointData(), "Index")
+        self.assertAlmostEqual(indices.sum(), 2)
+        self.assertEqual(set(array(points.GetPointData(), "NumberOfDirections")), {4})
+        self.assertEqual(points.GetFieldData().GetArray("EulerCharacteristic").GetValue(0), 2)
+        self.assertAlmostEqual(points.GetFieldData().GetArray("SumOfIndices").GetValue(0), 2)
+        self.assertGreater(fetch(singularities, 1).GetNumberOfLines(), 0)
+        self.assertEqual(fetch(singularities, 2).GetNumberOfLines(), 0)
+        singularities.NumberOfDirections = 2
+        self.assertAlmostEqual(array(fetch(singularities).GetPointData(), "Index").sum(), 2)
+        singularities.Directions = ["CELLS", "Direction1"]
+        self.assertGreater(fetch(singularities).GetNumberOfPoints(), 0)
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_apply_shows_them(self):
+        view = simple.CreateRenderView(ViewSize=[500, 500])
+        simple.Show(self.field, view)
+        singular = vtk_to_numpy(fetch(simple.FieldSingularities(Input=self.field)).GetPoints().GetData())
+        view.CameraPosition = 3 * singular[0].astype(float)
+        plain = self.colours(view)
+        for proxy in (simple.FieldLines, simple.FieldGlyphs, simple.FieldSingularities):
+            with self.subTest(proxy=proxy.__name__):
+                source = proxy(Input=self.field)
+                display = simple.Show(source, view)
+                display.GaussianRadius = 0.03
+                self.assertNotEqual(display.ColorArrayName[1], "", "it has a colour of its own")
+                self.assertGreater((self.colours(view) != plain).any(axis=1).mean(), 0.001)
+                simple.Hide(source, view)
+        self.assertEqual(display.Representation, "Point Gaussian")
+        simple.Delete(view)
+
+    @staticmethod
+    def colours(view):
+        simple.Render(view)
+        simple.SaveScreenshot(IMAGE, view)
+        reader = vtkPNGReader()
+        reader.SetFileName(IMAGE)
+        reader.Update()
+        return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3]
+
+
+if __name__ == "__main__":
+    unittest.main()
