@@ -7,7 +7,6 @@
 #include "Operators/PowerFieldOperators.h"
 #include "Solvers/LaplacianHierarchy.h"
 #include "Solvers/LeastSquaresHierarchy.h"
-#include "SmoothingBlocks.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
 #include "Support/SparseAssembly.h"
@@ -457,7 +456,7 @@ std::unique_ptr<const RoughnessHierarchy> HierarchyOfPowers(const TriangleMesh& 
   return std::make_unique<LaplacianHierarchy>(
     CoarsenLaplacian([&](const std::vector<int>& order, const ExecutionContext& part)
       { return PowerLaplacian(mesh, faceFrames, options.N, order, part); },
-      std::move(onPowers), PowerProlongationSteps, RegionsOfPowerFields(mesh), context));
+      std::move(onPowers), PowerProlongationSteps, context));
 }
 
 /// The harmonic fields of face fields and 1-forms, in the order of the hierarchy. Power fields have none

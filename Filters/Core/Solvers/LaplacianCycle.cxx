@@ -35,10 +35,6 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
   , x(hierarchy.L.Size())
   , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
 {
-  if (!hierarchy.Regions.empty())
-  {
-    this->Regions.emplace(hierarchy.L, hierarchy.Regions);
-  }
   this->SetDiagonal(D, context);
   this->Coarse = std::make_unique<CoarseCycle<Complex>>(
     this->CoarseMatrix(context), hierarchy.Coarser, options, PartOfContext(context, 0.3, 1.0));
@@ -63,10 +59,6 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
     }
   });
   this->Held = Choose(size, [&D](int k) { return !std::isfinite(D[2 * k]); }, context);
-  if (this->Regions)
-  {
-    this->Regions->SetDiagonal(D, context);
-  }
   this->Pulled = YieldingUnknowns<Single>(
     size, [&D](int k) { return D[2 * k]; }, [this](int k) { return this->Fine.L.Diagonal[k]; },
     context);
@@ -114,10 +106,6 @@ void LaplacianCycle::Apply(
   });
   Vector<Single>& residual = this->FineSmoother->PreSmooth(this->b, this->x, context);
   SetZero(residual, this->Held, context);
-  if (this->Regions)
-  {
-    this->Regions->PreSmooth(residual, this->x, context);
-  }
   this->Pulled.Yield(residual, this->x, context);
   this->Fine.Prolongation.MultiplyAdjoint(
     residual, this->CoarseResidual, this->SumsOfTiles, context);
@@ -125,10 +113,6 @@ void LaplacianCycle::Apply(
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, this->x, context);
   SetZero(this->x, this->Held, context);
   this->Pulled.Resist(this->x, context);
-  if (this->Regions)
-  {
-    this->Regions->PostSmooth(this->b, this->x, context);
-  }
   this->FineSmoother->PostSmooth(this->b, this->x, context);
   z.resize(r.size());
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
@@ -148,7 +132,6 @@ std::vector<LevelReport> LaplacianCycle::Levels() const
 long long LaplacianCycle::Bytes() const
 {
   return this->Coarse->Bytes() + this->FineSmoother->Bytes() + this->Pulled.Bytes() +
-    (this->Regions ? this->Regions->Bytes() : 0) +
     this->b.size() * static_cast<long long>(2 * sizeof(Single) + sizeof(float)) +
     this->SumsOfTiles.size() * static_cast<long long>(sizeof(float));
 }

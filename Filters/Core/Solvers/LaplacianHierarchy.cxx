@@ -77,23 +77,6 @@ void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParent
   hierarchy.SetComponents(std::move(ofUnknowns));
 }
 
-/// \param byParents the order of L. \param byColours that of the hierarchy, of these.
-std::vector<MatrixRegion> RegionsByColours(const SparseMatrix<Complex>& L, const UnknownBlocks& regions,
-  const std::vector<int>& byParents, const std::vector<int>& byColours, const ExecutionContext& context)
-{
-  if (regions.Size() == 0)
-  {
-    return {};
-  }
-  std::vector<int> places = Inverse(byParents, context);
-  const std::vector<int> ofColours = Inverse(byColours, context);
-  for (int& place : places)
-  {
-    place = ofColours[place];
-  }
-  return RegionsOf(L, regions, places, byColours);
-}
-
 /// The restriction on unknowns by colours, without those that L says nothing of.
 RowBands<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& restriction,
   const SparseMatrix<Complex>& L, const std::vector<int>& byColours, const ExecutionContext& context)
@@ -135,7 +118,7 @@ RowBands<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& rest
 
 LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   std::vector<SparseMatrix<Complex>> prolongations, int smoothingSteps,
-  const UnknownBlocks& regions, const ExecutionContext& context)
+  const ExecutionContext& context)
 {
   const int size = static_cast<int>(prolongations[0].rows());
   CheckChain(size, prolongations);
@@ -179,7 +162,6 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   });
   const auto restriction = InColours(R, L, colours.Unknowns, context);
   SparseMatrix<Complex>().swap(R);
-  hierarchy.Regions = RegionsByColours(L, regions, byParents, colours.Unknowns, context);
   hierarchy.L = SplitMatrix(L, colours, context);
   SparseMatrix<Complex>().swap(L);
   hierarchy.Prolongation = CompactProlongation(restriction, context);
@@ -196,7 +178,6 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
 LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
   : RoughnessHierarchy(std::move(other))
   , L(std::move(other.L))
-  , Regions(std::move(other.Regions))
   , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
 {
@@ -218,10 +199,6 @@ long long LaplacianHierarchy::Bytes() const
 {
   long long bytes = this->L.Bytes() + this->Prolongation.Bytes() + BytesOf(this->CoarseLower) +
     this->BytesOfUnknowns();
-  for (const MatrixRegion& region : this->Regions)
-  {
-    bytes += region.Bytes();
-  }
   for (const SparseMatrix<Complex>& P : this->Coarser)
   {
     bytes += BytesOf(P);

@@ -2,7 +2,6 @@
 
 #include "Solvers/BlockStrips.h"
 #include "Solvers/BlockTiles.h"
-#include "Solvers/LeastEnergyRegions.h"
 #include "Solvers/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -211,12 +210,9 @@ Arrangement BringIntoOrder(
   }
   SortTilesByLength(B, rowOrder, context);
   const std::vector<int> places = Inverse(order, context);
-  for (UnknownBlocks* of : { &levels.Blocks, &levels.Subdomains, &levels.Needles })
+  for (int& unknown : blocks.Unknowns)
   {
-    for (int& unknown : of->Unknowns)
-    {
-      unknown = places[unknown];
-    }
+    unknown = places[unknown];
   }
   // An assignment would copy.
   SparseMatrix<double> permuted = Permuted(B, rowOrder, places, context);
@@ -243,12 +239,11 @@ double Dropped(const LeastSquaresHierarchyOptions& options, Eigen::Index unknown
 }
 
 CompactProlongation SmoothedAndPacked(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  PlanarProlongation&& P, const UnknownBlocks& needles, const LeastSquaresHierarchyOptions& options,
+  PlanarProlongation&& P, const LeastSquaresHierarchyOptions& options,
   const ExecutionContext& context)
 {
-  const LeastEnergyRegions regions(Bt, needles, context);
-  const RowBands<Plane> restriction = SmoothedRestriction(B, Bt, std::move(P),
-    options.ProlongationDegree, Dropped(options, B.cols()), regions, context);
+  const RowBands<Plane> restriction = SmoothedRestriction(
+    B, Bt, std::move(P), options.ProlongationDegree, Dropped(options, B.cols()), context);
   GiveBackFreedMemory(); // it lies between what was needed for it
   return CompactProlongation(restriction, context);
 }
@@ -273,20 +268,13 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
 
   // The interpolation takes most memory until it is packed; blocks come after it.
   CompactProlongation prolongation =
-    SmoothedAndPacked(B, Bt, std::move(levels.Prolongation), levels.Needles, options, context);
+    SmoothedAndPacked(B, Bt, std::move(levels.Prolongation), options, context);
   GiveBackFreedMemory();
   context.Checkpoint(0.6);
   SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation, {}, context);
   context.Checkpoint(0.8);
 
   LeastSquaresHierarchy hierarchy(BlocksByStrips(Bt, std::move(levels.Blocks), arrangement.Strips, context));
-  for (int k = 0; k < levels.Subdomains.Size(); ++k)
-  {
-    const auto unknowns = levels.Subdomains.Unknowns.begin();
-    hierarchy.Subdomains.emplace_back(Bt,
-      std::vector<int>(
-        unknowns + levels.Subdomains.Offsets[k], unknowns + levels.Subdomains.Offsets[k + 1]));
-  }
   hierarchy.Prolongation = std::move(prolongation);
   hierarchy.CoarseLower.swap(lower); // an assignment would copy
   hierarchy.SetComponents(ConnectedColumns(B));
@@ -311,7 +299,6 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noex
   , Diagonal(std::move(other.Diagonal))
   , Tiles(std::move(other.Tiles))
   , Blocks(std::move(other.Blocks))
-  , Subdomains(std::move(other.Subdomains))
   , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
 {
@@ -324,10 +311,6 @@ long long LeastSquaresHierarchy::Bytes() const
   long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() +
     BytesOf(this->CoarseLower) + this->BytesOfUnknowns() +
     this->Scales.size() * static_cast<long long>(sizeof(double) + sizeof(float));
-  for (const Subdomain& subdomain : this->Subdomains)
-  {
-    sum += subdomain.Bytes();
-  }
   for (const SparseMatrix<double>& P : this->Coarser)
   {
     sum += BytesOf(P);

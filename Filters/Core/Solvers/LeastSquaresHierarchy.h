@@ -5,7 +5,6 @@
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SchwarzBlocks.h"
 #include "Solvers/SparseDiagonal.h"
-#include "Solvers/SubdomainSmoother.h"
 #include "Support/ExecutionContext.h"
 #include "Support/RowRuns.h"
 #include "Support/RowTiles.h"
@@ -20,8 +19,6 @@ namespace dmg
 struct LeastSquaresLevels
 {
   UnknownBlocks Blocks;                       ///< of the fine level
-  UnknownBlocks Subdomains;                   ///< of the fine level, for SubdomainSmoother; may be none
-  UnknownBlocks Needles;                      ///< where coarse functions have the least energy (LeastEnergyRegions)
   PlanarProlongation Prolongation;            ///< to the fine level
   std::vector<SparseMatrix<double>> Coarser;  ///< between the levels below, finest first
 };
@@ -59,7 +56,6 @@ public:
   Vector<float> Diagonal; ///< of B^T B; 0 to 1
   RowTiles Tiles;         ///< of B, for products with its transpose
   SchwarzBlocks Blocks;
-  std::vector<Subdomain> Subdomains; ///< that SubdomainSmoother solves for; mostly none
   CompactProlongation Prolongation;
   /// The lower triangle of P^T B^T B P, 2 N_1 x 2 N_1.
   SparseMatrix<double> CoarseLower;

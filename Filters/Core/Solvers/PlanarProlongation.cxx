@@ -1,13 +1,11 @@
 #include "Solvers/PlanarProlongation.h"
 
 #include "Solvers/CompactProlongation.h"
-#include "Solvers/LeastEnergyRegions.h"
 #include "Support/SparseRows.h"
 #include "Support/Unfilled.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <vector>
 
 namespace dmg
@@ -110,16 +108,6 @@ public:
     this->Elements[index] = { value.real(), value.imag(), 1 };
   }
 
-  void Add(int index, std::complex<Real> value)
-  {
-    if (!this->Elements[index].IsMember)
-    {
-      this->Append(index, 0);
-    }
-    this->Elements[index].X += value.real();
-    this->Elements[index].Y += value.imag();
-  }
-
   /// Leaves out what is not larger than so many times a size of its own.
   void Truncate(float share, const std::vector<float>& sizes)
   {
@@ -166,62 +154,19 @@ private:
   int Count = 0;
 };
 
-/// Bp = B p.
-void Multiply(const SparseMatrix<double>& Bt, const SparseVector<float>& p, SparseVector<float>& Bp)
+/// p - factor B^T B p. Inside its caller it would run out of registers, and take a quarter longer.
+[[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  float factor, SparseVector<float>& p, SparseVector<float>& Bp)
 {
   Bp.Clear();
   for (int k = 0; k < p.Size(); ++k)
   {
     Bp.AddRow(p[p.Indices()[k]], Bt, p.Indices()[k]);
   }
-}
-
-/// p - factor B^T B p. Inside its caller it would run out of registers, and take a quarter longer.
-[[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  float factor, SparseVector<float>& p, SparseVector<float>& Bp)
-{
-  Multiply(Bt, p, Bp);
   for (int k = 0; k < Bp.Size(); ++k)
   {
     p.AddRow(-factor * Bp[Bp.Indices()[k]], B, Bp.Indices()[k]);
   }
-}
-
-/// Gives p the values of least energy in the regions that it comes near to, one after the other.
-/// \return whether there are any.
-bool TakeLeastEnergy(const SparseMatrix<double>& Bt, const LeastEnergyRegions& regions,
-  SparseVector<float>& p, SparseVector<float>& Bp)
-{
-  if (regions.IsEmpty() ||
-    std::none_of(p.Indices(), p.Indices() + p.Size(), [&](int i) { return regions.IsNear(i); }))
-  {
-    return false;
-  }
-  Multiply(Bt, p, Bp);
-  std::set<int> touched;
-  for (int k = 0; k < Bp.Size(); ++k)
-  {
-    regions.VisitRegions(Bp.Indices()[k], [&touched](int region) { touched.insert(region); });
-  }
-  for (const int region : touched)
-  {
-    const Subdomain& own = regions[region];
-    LeastEnergyRegions::Columns ofRows(own.Rows.size(), 2);
-    for (std::size_t k = 0; k < own.Rows.size(); ++k)
-    {
-      const std::complex<float> value = Bp[own.Rows[k]];
-      ofRows.row(k) << value.real(), value.imag();
-    }
-    LeastEnergyRegions::Columns step;
-    regions.Solve(region, own.Columns * ofRows, step);
-    for (std::size_t k = 0; k < own.Unknowns.size(); ++k)
-    {
-      const std::complex<float> value(static_cast<float>(-step(k, 0)), static_cast<float>(-step(k, 1)));
-      p.Add(own.Unknowns[k], value);
-      Bp.AddRow(value, Bt, own.Unknowns[k]);
-    }
-  }
-  return true;
 }
 
 /// The largest entry of each row.
@@ -246,8 +191,7 @@ std::vector<float> LargestOfRows(const PlanarProlongation& P, const ExecutionCon
 }
 
 RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  PlanarProlongation&& P, int degree, double dropped, const LeastEnergyRegions& regions,
-  const ExecutionContext& context)
+  PlanarProlongation&& P, int degree, double dropped, const ExecutionContext& context)
 {
   const PlanarProlongation adjoint = Adjoint(P, context);
   const std::vector<float> sizes = LargestOfRows(P, context);
@@ -272,10 +216,6 @@ RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseM
         for (const float factor : factors)
         {
           Smooth(B, Bt, factor, p, Bp);
-          p.Truncate(static_cast<float>(dropped), sizes);
-        }
-        if (TakeLeastEnergy(Bt, regions, p, Bp))
-        {
           p.Truncate(static_cast<float>(dropped), sizes);
         }
         p.Sort();

@@ -1,7 +1,6 @@
 #include "Solvers/PlanarProlongation.h"
 
 #include "Bands.h"
-#include "Solvers/LeastEnergyRegions.h"
 #include "SquaresProblem.h"
 #include "Support/SparseKernels.h"
 #include "Support/TbbContext.h"
@@ -79,28 +78,12 @@ Eigen::MatrixXd OnPairs(const SparseMatrix<Scalar>& P)
 }
 
 SparseMatrix<Plane> Smoothed(const SparseMatrix<double>& B, const PlanarProlongation& P, int degree,
-  double dropped, const ExecutionContext& context, const UnknownBlocks& regions = {})
+  double dropped, const ExecutionContext& context)
 {
   const SparseMatrix<double> Bt = B.transpose();
-  return Adjoint(Joined(SmoothedRestriction(B, Bt, PlanarProlongation(P), degree, dropped,
-                          LeastEnergyRegions(Bt, regions, context), context),
-                   context),
+  return Adjoint(
+    Joined(SmoothedRestriction(B, Bt, PlanarProlongation(P), degree, dropped, context), context),
     context);
-}
-
-/// [begin, end) each.
-UnknownBlocks Intervals(const std::vector<std::pair<int, int>>& intervals)
-{
-  UnknownBlocks blocks;
-  for (const auto& [begin, end] : intervals)
-  {
-    for (int i = begin; i < end; ++i)
-    {
-      blocks.Unknowns.push_back(i);
-    }
-    blocks.EndBlock();
-  }
-  return blocks;
 }
 
 template <class Scalar>
@@ -218,57 +201,6 @@ TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
   }
 }
 
-TEST(TestPlanarProlongation, RegionsTakeTheValuesOfLeastEnergy)
-{
-  const int size = 120;
-  const SparseMatrix<double> B = Squares(size);
-  const UnknownBlocks regions = Intervals({ { 30, 41 }, { 80, 96 } }); // no row of B knows of both
-  const Eigen::MatrixXd A = Eigen::MatrixXd(B).transpose() * Eigen::MatrixXd(B);
-  for (const int degree : { 0, 2 })
-  {
-    const Eigen::MatrixXd without =
-      OnPairs(Smoothed(B, Interpolation(size), degree, 0.0, SerialContext()));
-    Eigen::MatrixXd expected = without;
-    for (int k = 0; k < regions.Size(); ++k)
-    {
-      const std::vector<int> inside = test::MembersOf(regions, k);
-      const Eigen::MatrixXd block = A(inside, inside);
-      expected(inside, Eigen::all) -= block.llt().solve(A(inside, Eigen::all) * expected);
-    }
-    ASSERT_GT((expected - without).norm(), 0.01 * without.norm());
-    const Eigen::MatrixXd P =
-      OnPairs(Smoothed(B, Interpolation(size), degree, 0.0, SerialContext(), regions));
-    EXPECT_LE((P - expected).norm(), 100 * SingleEpsilon * expected.norm());
-  }
-}
-
-TEST(TestPlanarProlongation, RegionsOneAfterTheOtherTakeEnergyFromCoarseFunctions)
-{
-  const int size = 120;
-  const SparseMatrix<double> B = Squares(size);
-  const UnknownBlocks regions = Intervals({ { 30, 41 }, { 41, 52 } });
-  const auto energies = [&B](const SparseMatrix<Plane>& P)
-  { return Vector<double>((B * OnPairs(P)).colwise().squaredNorm()); };
-  const Vector<double> without = energies(Smoothed(B, Interpolation(size), 1, 0.0, SerialContext()));
-  const Vector<double> with =
-    energies(Smoothed(B, Interpolation(size), 1, 0.0, SerialContext(), regions));
-  EXPECT_TRUE((with.array() <= (1.0 + 10 * SingleEpsilon) * without.array()).all());
-  EXPECT_LT(with.sum(), 0.99 * without.sum());
-}
-
-TEST(TestPlanarProlongation, NothingIsLeftOfACoarseFunctionInsideOfARegion)
-{
-  const int size = 120;
-  const int inside = 6; // from 31 to 41
-  const SparseMatrix<Plane> P = Smoothed(
-    Squares(size), Interpolation(size), 0, 0.001, SerialContext(), Intervals({ { 25, 50 } }));
-  const Eigen::MatrixXd pairs = OnPairs(P);
-  for (int j = 0; j < P.cols(); ++j)
-  {
-    EXPECT_EQ(pairs.col(2 * j).isZero(0.0), j == inside || j == inside - 1 || j == inside + 1) << j;
-  }
-}
-
 TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
 {
   const SparseMatrix<double> B = Squares(240);
@@ -324,8 +256,6 @@ TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
   const PlanarProlongation P = Interpolation(6000);
   const SparseMatrix<double> Bt = B.transpose();
   const SparseMatrix<Plane> expected = Smoothed(B, P, 3, 0.01, SerialContext());
-  const UnknownBlocks regions = Intervals({ { 100, 180 }, { 180, 200 }, { 3000, 3500 } });
-  const SparseMatrix<Plane> withRegions = Smoothed(B, P, 3, 0.01, SerialContext(), regions);
   const CompactProlongation compact = test::Compact(expected);
   const SparseMatrix<double> gram = GramOfPlanar(expected, SerialContext());
   const SparseMatrix<double> coarse =
@@ -334,7 +264,6 @@ TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
   {
     const test::TbbContext context(threads);
     ExpectIdentical(Smoothed(B, P, 3, 0.01, context), expected);
-    ExpectIdentical(Smoothed(B, P, 3, 0.01, context, regions), withRegions);
     ExpectIdentical(GramOfPlanar(expected, context), gram);
     ExpectIdentical(CoarseRoughness(B, Bt, compact, { 7, 8 }, context), coarse);
   }
