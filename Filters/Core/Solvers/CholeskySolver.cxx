@@ -1,7 +1,5 @@
 #include "Solvers/CholeskySolver.h"
 
-#include "Support/Errors.h"
-
 #include <cholmod.h>
 
 #include <cassert>
@@ -120,7 +118,7 @@ public:
     if (this->Common.status == CHOLMOD_NOT_POSDEF)
     {
       const auto* permutation = static_cast<const SuiteSparse_long*>(this->L->Perm);
-      throw SolverFailure("the matrix is not positive definite: the Cholesky factorisation stopped "
+      throw NotPositiveDefinite("the matrix is not positive definite: the Cholesky factorisation stopped "
                           "at unknown " + std::to_string(permutation[this->L->minor]) +
         "; prescribe more elements or make all weights positive");
     }

@@ -1,6 +1,7 @@
 #ifndef dmgCholeskySolver_h
 #define dmgCholeskySolver_h
 
+#include "Support/Errors.h"
 #include "Support/Types.h"
 
 #include <memory>
@@ -16,6 +17,13 @@ enum class FillOrdering
   Best,  ///< AMD, and METIS too where AMD predicts high fill; the smaller factor is kept
 };
 
+/// A pivot is not positive: the matrix is not positive definite, or rounding errors hide that it is.
+class NotPositiveDefinite : public SolverFailure
+{
+public:
+  using SolverFailure::SolverFailure;
+};
+
 /// Supernodal sparse Cholesky factorisation A = L L^H of a symmetric (double) or Hermitian (Complex)
 /// positive definite matrix, by CHOLMOD with its 64-bit indices.
 ///
@@ -28,14 +36,15 @@ class CholeskySolver
 public:
   /// Orders, analyses and factors \p A. Only its lower triangle is read.
   /// \pre A is square and compressed.
-  /// \throw SolverFailure A is not positive definite, or memory ran out.
+  /// \throw NotPositiveDefinite
+  /// \throw SolverFailure memory ran out.
   explicit CholeskySolver(const SparseMatrix<Scalar>& A, FillOrdering ordering = FillOrdering::AMD);
   ~CholeskySolver();
   CholeskySolver(CholeskySolver&&) noexcept;
   CholeskySolver& operator=(CholeskySolver&&) noexcept;
 
   /// Factors other values in the same pattern; ordering and analysis are kept.
-  /// \throw SolverFailure as above; Solve must not be called after that.
+  /// \throw as above; Solve must not be called after that.
   void Update(const SparseMatrix<Scalar>& A);
 
   /// x = A^-1 b. Uses a workspace of the solver: one solve at a time.
