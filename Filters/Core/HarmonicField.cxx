@@ -1,5 +1,6 @@
 #include "HarmonicField.h"
 
+#include "FactorChoice.h"
 #include "HarmonicForms.h"
 #include "NodalLevels.h"
 #include "Operators/FaceFieldOperators.h"
@@ -155,9 +156,14 @@ constexpr int SolvesOfOneFormsForCholesky = 40;
 constexpr int SolvesOfFaceFieldsForCholesky = 400;
 constexpr int SolvesOfPowerFieldsForCholesky = 30;
 
-SolverOptions SolverFor(const FieldOptions& options)
+SolverOptions SolverFor(const TriangleMesh& mesh, const FieldOptions& options)
 {
   SolverOptions solver = options.Solver;
+  if (solver.Kind == SolverKind::Automatic)
+  {
+    solver.WhyFactor = WhyFactorIsBetter(
+      ObstaclesOf(mesh, options.Kind != Discretisation::PowerField, SerialContext()));
+  }
   solver.SolvesForCholesky = options.Kind == Discretisation::PowerField
     ? SolvesOfPowerFieldsForCholesky
     : options.Kind == Discretisation::FaceField ? SolvesOfFaceFieldsForCholesky
@@ -245,7 +251,7 @@ HarmonicProblem<Complex> MakePowerFieldProblem(const TriangleMesh& mesh,
       return OnPowers(CoarseSpaceOf(*operators, options), options.N, part);
     });
   return HarmonicProblem<Complex>(PowerFieldSystemMaker(mesh, faceFrames, prescribed, options),
-    spaces, SolverFor(options), context);
+    spaces, SolverFor(mesh, options), context);
 }
 
 namespace
@@ -309,7 +315,7 @@ HarmonicProblem<double> MakeFaceFieldProblem(const TriangleMesh& mesh,
   return HarmonicProblem<double>(
     SystemMaker(
       mesh, faceFrames, operators, prescribed.Faces, prescribed.Weights, options, kernel),
-    spaces, SolverFor(options), context);
+    spaces, SolverFor(mesh, options), context);
 }
 
 HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
@@ -332,7 +338,7 @@ HarmonicProblem<double> MakeOneFormProblem(const TriangleMesh& mesh,
   return HarmonicProblem<double>(
     SystemMaker(
       mesh, faceFrames, operators, prescribed.Edges, prescribed.Weights, options, kernel),
-    spaces, SolverFor(options), context);
+    spaces, SolverFor(mesh, options), context);
 }
 
 int NumberOfUnknowns(const TriangleMesh& mesh, const FieldOptions& options)
@@ -358,7 +364,7 @@ std::optional<SolverChoice> ChooseCycle(
     return std::nullopt;
   }
   const SolverChoice choice =
-    ChooseSolver(SolverFor(options), NumberOfUnknowns(mesh, options), true);
+    ChooseSolver(SolverFor(mesh, options), NumberOfUnknowns(mesh, options), true);
   const bool isCycle =
     choice.Kind == SolverKind::VCycles || choice.Kind == SolverKind::ConjugateGradients;
   return isCycle ? std::optional<SolverChoice>(choice) : std::nullopt;
@@ -380,7 +386,7 @@ bool UsesRoughnessSurface(
 
 bool NeedsLevels(const TriangleMesh& mesh, const FieldOptions& options)
 {
-  return ChooseSolver(SolverFor(options), NumberOfUnknowns(mesh, options), true).Kind !=
+  return ChooseSolver(SolverFor(mesh, options), NumberOfUnknowns(mesh, options), true).Kind !=
     SolverKind::Cholesky;
 }
 
@@ -684,7 +690,7 @@ AnyProblem MakeProblem(const TriangleMesh& mesh, const TangentFrames& faceFrames
     return MakeAssembledProblem(mesh, faceFrames, &oneLevel, constraints, options, kernel, rest);
   }
   RoughnessProblem problem(std::move(surface), std::move(prescribed), options.Smoothness,
-    SolverFor(options), *choice, rest);
+    SolverFor(mesh, options), *choice, rest);
   CheckFree(problem, options);
   return problem;
 }

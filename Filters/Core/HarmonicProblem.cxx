@@ -1,8 +1,8 @@
 #include "HarmonicProblem.h"
 
-#include "Solvers/CholeskySolver.h"
+#include "Solvers/ConjugateGradient.h"
 #include "Solvers/MultigridSolver.h"
-#include "Solvers/StationaryIteration.h"
+#include "Solvers/ShiftedFactor.h"
 #include "Support/SparseAssembly.h"
 
 #include <algorithm>
@@ -21,35 +21,16 @@ double SecondsSince(std::chrono::steady_clock::time_point start)
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Back-substitution is the first iteration, and nearly always the last. More undo what the shift and rounding errors
+/// did to fields of hardly any energy, where the matrix is nearly singular.
 template <class Scalar>
-class FactoredInverse : public Preconditioner<Scalar>
-{
-public:
-  explicit FactoredInverse(CholeskySolver<Scalar>& solver)
-    : Solver(solver)
-  {
-  }
-
-  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext&) override
-  {
-    this->Solver.Solve(r, z);
-  }
-
-private:
-  CholeskySolver<Scalar>& Solver;
-};
-
-/// Back-substitution is the first iteration, and nearly always the last. More refine its solution, where the
-/// matrix is nearly singular.
-template <class Scalar>
-void SolveDirectly(const SparseMatrix<Scalar>& A, CholeskySolver<Scalar>& solver,
+void SolveDirectly(const SparseMatrix<Scalar>& A, ShiftedFactor<Scalar>& factor,
   const Vector<Scalar>& b, const StoppingCriteria& stop, const ConvergenceMeasure<Scalar>& measure,
   Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context)
 {
   x.resize(0);
-  FactoredInverse<Scalar> inverse(solver);
-  StationaryIteration<Scalar>(
-    MatrixOperator<Scalar>(A), inverse, b, stop, x, report, context, &measure);
+  ConjugateGradient<Scalar>(
+    MatrixOperator<Scalar>(A), factor, b, stop, x, report, context, &measure);
 }
 
 template <class Scalar>
@@ -99,7 +80,7 @@ public:
     const ConvergenceMeasure<Scalar>& measure, Vector<Scalar>& x, const ExecutionContext& context);
 
   HarmonicSystem<Scalar> System;
-  std::optional<CholeskySolver<Scalar>> Cholesky;
+  std::optional<ShiftedFactor<Scalar>> Cholesky;
   std::optional<MultigridSolver<Scalar>> Multigrid;
   std::optional<NestedIteration<Scalar>> Nested;
   SweepOptions Sweeps; // of nested iterations
@@ -251,7 +232,10 @@ Vector<Scalar> HarmonicProblem<Scalar>::Solve(const Vector<Scalar>& values,
   measure.Mass = &system.Mass();
   if (internal.Cholesky && internal.Solver != SolverKind::Cholesky)
   {
-    internal.Cholesky->Solve(b, measure.Reference);
+    constexpr StoppingCriteria AsFarAsItGoes = { 1e-13, 10 };
+    SolveReport ofReference;
+    ConjugateGradient<Scalar>(MatrixOperator<Scalar>(system.Matrix()), *internal.Cholesky, b,
+      AsFarAsItGoes, measure.Reference, ofReference, context);
   }
   switch (internal.Solver)
   {

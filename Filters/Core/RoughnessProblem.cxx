@@ -4,6 +4,7 @@
 #include "Solvers/DeflatedPreconditioner.h"
 #include "Solvers/StationaryIteration.h"
 #include "Support/CountingSort.h"
+#include "Support/Errors.h"
 #include "Support/FreedMemory.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
@@ -168,9 +169,17 @@ public:
   std::vector<int> Held; ///< unknowns that are not free, ascending
   std::unique_ptr<RoughnessOperator> A;
   std::unique_ptr<RoughnessCycle> Cycle;
+  std::unique_ptr<Preconditioner<double>> Factor; ///< as soon as cycles have not converged
   std::optional<DeflatedPreconditioner> Deflated;
   SolveReport Report;
   std::vector<std::string> SystemWarnings;
+
+  /// Conjugate gradients with a factor instead of cycles, which have not converged. Where that fails, all stays as
+  /// it was.
+  /// \param x in and out.
+  void SolveByFactor(const LinearOperator<double>& A, const Vector<double>& b,
+    const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure, Vector<double>& x,
+    const ExecutionContext& context);
 
 private:
   /// Infinite where an unknown is held.
@@ -189,6 +198,7 @@ void RoughnessProblem::Internals::Prescribe(
   const Vector<double> D = this->DiagonalOfPrescribed(context);
   context.Checkpoint(0.1);
 
+  this->Factor.reset();
   this->Deflated.reset();
   if (!this->A)
   {
@@ -311,6 +321,28 @@ Vector<double> RoughnessProblem::Internals::RightHandSide(
   return b;
 }
 
+void RoughnessProblem::Internals::SolveByFactor(const LinearOperator<double>& A,
+  const Vector<double>& b, const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure,
+  Vector<double>& x, const ExecutionContext& context)
+{
+  try
+  {
+    if (!this->Factor)
+    {
+      const Vector<double> D = this->DiagonalOfPrescribed(context);
+      this->Factor = this->Surface->Hierarchy->Factor(D, context);
+    }
+  }
+  catch (const SolverFailure&)
+  {
+    return;
+  }
+  this->Report.Warnings = this->SystemWarnings;
+  ConjugateGradient<double>(A, *this->Factor, b, stop, x, this->Report, context, &measure);
+  this->Report.Warnings.push_back(
+    "Cycles did not converge, so conjugate gradients with a factor of the system took over.");
+}
+
 RoughnessProblem::RoughnessProblem(std::shared_ptr<const RoughnessSurface> surface,
   PrescribedUnknowns prescribed, double smoothness, const SolverOptions& options,
   const SolverChoice& choice, const ExecutionContext& context)
@@ -381,7 +413,14 @@ Vector<double> RoughnessProblem::Solve(const Vector<double>& values,
   }
   const auto solve = of.Choice.Kind == SolverKind::VCycles ? &StationaryIteration<double>
                                                             : &ConjugateGradient<double>;
-  solve(*A, *cycle, b, stop, x, of.Report, context, &measure);
+  if (!of.Factor)
+  {
+    solve(*A, *cycle, b, stop, x, of.Report, context, &measure);
+  }
+  if (of.Factor || (!of.Report.Converged && of.Choice.Kind == SolverKind::ConjugateGradients))
+  {
+    of.SolveByFactor(*A, b, stop, measure, x, context);
+  }
   if (of.Prescribed.Kind == ConstraintKind::Hard)
   {
     for (std::size_t k = 0; k < of.Prescribed.Unknowns.size(); ++k)

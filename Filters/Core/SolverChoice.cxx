@@ -28,6 +28,10 @@ SolverChoice ChooseSolver(const SolverOptions& options, int numberOfUnknowns, bo
   {
     return { SolverKind::Cholesky, size + ", few enough to factor at once (up to " + largest + ")" };
   }
+  if (asked == SolverKind::Automatic && !options.WhyFactor.empty())
+  {
+    return { SolverKind::Cholesky, options.WhyFactor };
+  }
   if (asked == SolverKind::Automatic && options.ExpectedSolves >= options.SolvesForCholesky)
   {
     return { SolverKind::Cholesky,

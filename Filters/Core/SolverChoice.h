@@ -35,6 +35,8 @@ struct SolverOptions
   int ExpectedSolves = 1;
   /// Automatic factors where at least so many are expected, whatever the size.
   int SolvesForCholesky = std::numeric_limits<int>::max();
+  /// Automatic factors where this is not empty; the rest of a sentence for the report (FactorChoice).
+  std::string WhyFactor;
   /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1.
   int Sweeps = 2;
   /// The finest level gets so many times as many sweeps, >= 1.

@@ -462,6 +462,39 @@ TEST(RoughnessProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
   }
 }
 
+// Two iterations are too few for cycles, and enough for a factor.
+TEST(RoughnessProblem, AFactorTakesOverWhereCyclesDoNotConverge)
+{
+  for (const Discretisation kind : Kinds)
+  {
+    const Prepared on(IrregularTorus(28, 14, 4), kind);
+    for (const ConstraintKind constraints : BothConstraints)
+    {
+      SCOPED_TRACE(Describe(kind, constraints));
+      const Elements elements = on.Every(31);
+      const FieldWeights weights = { 0.3, 2.0, constraints };
+      const StoppingCriteria few = { 1e-8, 2 };
+      RoughnessProblem problem = on.Problem(elements, weights);
+      for (const unsigned seed : { 3730U, 3731U })
+      {
+        const Vector<double> values = on.RandomValues(elements, seed);
+        const Vector<double> field = problem.Solve(values, {}, {}, few, SerialContext());
+        EXPECT_TRUE(problem.Report().Converged);
+        ASSERT_EQ(problem.Report().Warnings.size(), 1u);
+        EXPECT_NE(problem.Report().Warnings[0].find("a factor of the system took over"),
+          std::string::npos);
+        const Vector<double> expected =
+          on.Factored(elements, weights).Solve(values, {}, Tight(), SerialContext());
+        EXPECT_LE((field - expected).norm(), 1e-6 * expected.norm());
+      }
+      // Where V-cycles are asked for, they are all that there is.
+      RoughnessProblem cycles = on.Problem(elements, weights, SolverKind::VCycles);
+      cycles.Solve(on.RandomValues(elements, 3730), {}, {}, few, SerialContext());
+      EXPECT_FALSE(cycles.Report().Converged);
+    }
+  }
+}
+
 TEST(RoughnessProblem, ReportsProgressOnceAndStopsWhenAsked)
 {
   const Prepared on(IrregularTorus(28, 14, 4), Discretisation::FaceField);
@@ -631,6 +664,28 @@ TEST(FieldProblem, IsFactoredWhereThereAreTooFewFacesForSamples)
     const Vector<double> expected = solve(on.Factored(elements, FieldWeights()));
     EXPECT_LE((field - expected).norm(), 1e-7 * expected.norm());
   }
+}
+
+// Too many unknowns to be factored for their number alone.
+TEST(FieldProblem, IsFactoredWhereThereAreManyNeedles)
+{
+  const TriangleMesh mesh = Subdivide(Subdivide(Subdivide(PlaneWithNeedles(12, 32)))).Mesh();
+  const TangentFrames frames = FaceFrames(mesh);
+  FieldConstraints prescribed;
+  for (int face = 0; face < mesh.NumberOfFaces(); face += 5000)
+  {
+    prescribed.Elements.push_back(face);
+    prescribed.Weights.push_back(1.0);
+  }
+  prescribed.Values = Vector<double>::Ones(2 * prescribed.Elements.size());
+  const FieldOptions options = OptionsOf(Discretisation::PowerField, SolverKind::Automatic);
+  EXPECT_FALSE(NeedsLevels(mesh, options));
+  EXPECT_FALSE(UsesRoughnessSurface(mesh, nullptr, options));
+  FieldProblem problem(mesh, frames, nullptr, prescribed, options, SerialContext());
+  problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
+  EXPECT_TRUE(problem.Report().Converged);
+  EXPECT_NE(problem.Report().Solver.find("of the triangles are needles"), std::string::npos)
+    << problem.Report().Solver;
 }
 
 // The same words, whichever way the problem would be solved.

@@ -2,6 +2,7 @@
 
 #include "Solvers/HierarchicalOrder.h"
 #include "Solvers/LaplacianCycle.h"
+#include "Solvers/ShiftedFactor.h"
 #include "Solvers/SmoothedProlongation.h"
 #include "Solvers/SparseDiagonal.h"
 #include "Support/CountingSort.h"
@@ -55,6 +56,30 @@ private:
   const int Rows;
   const SplitMatrix::Operator L;
   SparseDiagonal D;
+};
+
+/// A factor of a complex matrix as preconditioner on pairs.
+class FactorOnPairs : public Preconditioner<double>
+{
+public:
+  explicit FactorOnPairs(const SparseMatrix<Complex>& A)
+    : Factor(A)
+  {
+  }
+
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
+  {
+    this->Right = Eigen::Map<const Vector<Complex>>(
+      reinterpret_cast<const Complex*>(r.data()), r.size() / 2);
+    this->Factor.Apply(this->Right, this->Solution, context);
+    z = Eigen::Map<const Vector<double>>(
+      reinterpret_cast<const double*>(this->Solution.data()), r.size());
+  }
+
+private:
+  ShiftedFactor<Complex> Factor;
+  Vector<Complex> Right;
+  Vector<Complex> Solution;
 };
 
 /// What is known of each unknown, two for each row.
@@ -193,6 +218,21 @@ std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& 
   const RoughnessCycleOptions& options, const ExecutionContext& context) const
 {
   return std::make_unique<LaplacianCycle>(*this, D, options, context);
+}
+
+std::unique_ptr<Preconditioner<double>> LaplacianHierarchy::Factor(
+  const Vector<double>& D, const ExecutionContext& context) const
+{
+  SparseMatrix<Complex> A = this->L.Whole(context);
+  for (int k = 0; k < A.rows(); ++k)
+  {
+    for (SparseMatrix<Complex>::InnerIterator entry(A, k); entry; ++entry)
+    {
+      const bool isHeld = !std::isfinite(D[2 * k]) || !std::isfinite(D[2 * entry.col()]);
+      entry.valueRef() = isHeld ? 0.0 : entry.value() + (entry.col() == k ? D[2 * k] : 0.0);
+    }
+  }
+  return std::make_unique<FactorOnPairs>(A);
 }
 
 long long LaplacianHierarchy::Bytes() const

@@ -3,6 +3,7 @@
 #include "Solvers/BlockStrips.h"
 #include "Solvers/BlockTiles.h"
 #include "Solvers/LeastSquaresCycle.h"
+#include "Solvers/ShiftedFactor.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
 #include "Support/Errors.h"
@@ -327,6 +328,19 @@ std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double
   const RoughnessCycleOptions& options, const ExecutionContext& context) const
 {
   return std::make_unique<LeastSquaresCycle>(*this, D, options, context);
+}
+
+std::unique_ptr<Preconditioner<double>> LeastSquaresHierarchy::Factor(
+  const Vector<double>& D, const ExecutionContext& context) const
+{
+  SparseMatrix<double> unscaled = this->B;
+  const auto one = [](int) { return 1.0; };
+  Scale(unscaled, one,
+    [&](int column) { return std::isfinite(D[column]) ? this->Scales[column] : 0.0; }, context);
+  SparseMatrix<double> A = NormalMatrix(unscaled, context);
+  A += SparseMatrix<double>(D.array().isFinite().select(D, 0.0).matrix().asDiagonal());
+  A.makeCompressed();
+  return std::make_unique<ShiftedFactor<double>>(A);
 }
 
 LeastSquaresOperator::LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy)
