@@ -152,7 +152,7 @@ void MeasureProduct(const std::string& name, const RoughnessHierarchy& hierarchy
 /// Both directions, and what they read and write on the fine level.
 template <class Coarse, class Fine, class Sum>
 void MeasureInterpolation(
-  const CompactProlongation& P, Coarse coarse, int runs, KernelsTable& table, const ExecutionContext& context)
+  const SingleProlongation& P, Coarse coarse, int runs, KernelsTable& table, const ExecutionContext& context)
 {
   Vector<Fine> fine = Vector<Fine>::Random(P.Rows());
   Vector<Sum> sums;

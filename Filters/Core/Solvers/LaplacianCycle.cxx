@@ -33,7 +33,7 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
           hierarchy.L.Rounded, this->InverseDiagonal, SweepsOf(options)))
   , b(hierarchy.L.Size())
   , x(hierarchy.L.Size())
-  , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
+  , SumsOfParts(hierarchy.Prolongation.SizeOfSums())
 {
   this->SetDiagonal(D, context);
   this->Coarse = std::make_unique<CoarseCycle<Complex>>(
@@ -108,7 +108,7 @@ void LaplacianCycle::Apply(
   SetZero(residual, this->Held, context);
   this->Pulled.Yield(residual, this->x, context);
   this->Fine.Prolongation.MultiplyAdjoint(
-    residual, this->CoarseResidual, this->SumsOfTiles, context);
+    residual, this->CoarseResidual, this->SumsOfParts, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, this->x, context);
   SetZero(this->x, this->Held, context);
@@ -133,7 +133,7 @@ long long LaplacianCycle::Bytes() const
 {
   return this->Coarse->Bytes() + this->FineSmoother->Bytes() + this->Pulled.Bytes() +
     this->b.size() * static_cast<long long>(2 * sizeof(Single) + sizeof(float)) +
-    this->SumsOfTiles.size() * static_cast<long long>(sizeof(float));
+    this->SumsOfParts.size() * static_cast<long long>(sizeof(float));
 }
 
 }

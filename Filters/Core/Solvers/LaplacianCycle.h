@@ -49,7 +49,7 @@ private:
   Vector<Single> x;
   Vector<Complex> CoarseResidual;
   Vector<Complex> CoarseCorrection;
-  Vector<float> SumsOfTiles; ///< room for CompactProlongation
+  Vector<float> SumsOfParts; ///< room for SingleProlongation
 };
 
 }

@@ -102,41 +102,41 @@ void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParent
   hierarchy.SetComponents(std::move(ofUnknowns));
 }
 
-/// The restriction on unknowns by colours, without those that L says nothing of.
-RowBands<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& restriction,
+/// To single precision, so that the coarse matrix is that of the prolongation that cycles read.
+void Round(SparseMatrix<Complex>& P, const ExecutionContext& context)
+{
+  context.ParallelFor(0, static_cast<int>(P.nonZeros()), RowGrain, [&P](int first, int last) {
+    for (int e = first; e < last; ++e)
+    {
+      P.valuePtr()[e] = Complex(LaplacianHierarchy::Single(P.valuePtr()[e]));
+    }
+  });
+}
+
+/// The prolongation to unknowns by colours; nothing to those that L says nothing of.
+SparseMatrix<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& P,
   const SparseMatrix<Complex>& L, const std::vector<int>& byColours, const ExecutionContext& context)
 {
-  using Entry = std::pair<int, LaplacianHierarchy::Single>;
-  const std::vector<int> places = Inverse(byColours, context);
-  const std::vector<int> isolated = Choose(
-    static_cast<int>(L.rows()), [&L](int i) { return L.coeff(i, i) == Complex(0.0); }, context);
+  using Single = LaplacianHierarchy::Single;
   const auto makeWorker = [&] {
-    return [&, entries = std::vector<Entry>()](
-             int firstRow, int lastRow, SparseRows<LaplacianHierarchy::Single>& rows) mutable {
-      for (int j = firstRow; j < lastRow; ++j)
+    return [&](int firstRow, int lastRow, SparseRows<Single>& rows) {
+      for (int k = firstRow; k < lastRow; ++k)
       {
-        entries.clear();
-        for (SparseMatrix<Complex>::InnerIterator entry(restriction, j); entry; ++entry)
+        const int row = byColours[k];
+        if (L.coeff(row, row) != Complex(0.0))
         {
-          if (!std::binary_search(isolated.begin(), isolated.end(), entry.col()))
+          for (SparseMatrix<Complex>::InnerIterator entry(P, row); entry; ++entry)
           {
-            entries.emplace_back(
-              places[entry.col()], static_cast<LaplacianHierarchy::Single>(entry.value()));
+            rows.Columns.push_back(static_cast<int>(entry.col()));
+            rows.Values.push_back(static_cast<Single>(entry.value()));
           }
-        }
-        std::sort(entries.begin(), entries.end(),
-          [](const Entry& a, const Entry& b) { return a.first < b.first; });
-        for (const auto& [place, value] : entries)
-        {
-          rows.Columns.push_back(place);
-          rows.Values.push_back(value);
         }
         rows.EndRow();
       }
     };
   };
-  return AssembleBands<LaplacianHierarchy::Single>(static_cast<int>(restriction.rows()),
-    static_cast<int>(restriction.cols()), makeWorker, context);
+  return AssembleInBands<Single>(
+    static_cast<int>(P.rows()), static_cast<int>(P.cols()), makeWorker, context);
 }
 
 }
@@ -159,13 +159,11 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   SmoothProlongation(L, P, smoothingSteps, context);
   GiveBackFreedMemory();
   context.Checkpoint(0.5);
-  CompactProlongation::Round(P, context); // so that the coarse matrix is that of the packed one
-  SparseMatrix<Complex> R = Adjoint(P, context);
+  Round(P, context);
 
   LaplacianHierarchy hierarchy;
   hierarchy.CoarseLower =
-    TripleProduct(R, L, P, context).triangularView<Eigen::Lower>();
-  SparseMatrix<Complex>().swap(P);
+    TripleProduct(Adjoint(P, context), L, P, context).triangularView<Eigen::Lower>();
   GiveBackFreedMemory();
   context.Checkpoint(0.7);
 
@@ -185,11 +183,10 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
       }
     }
   });
-  const auto restriction = InColours(R, L, colours.Unknowns, context);
-  SparseMatrix<Complex>().swap(R);
+  hierarchy.Prolongation = SingleProlongation(InColours(P, L, colours.Unknowns, context));
+  SparseMatrix<Complex>().swap(P);
   hierarchy.L = SplitMatrix(L, colours, context);
   SparseMatrix<Complex>().swap(L);
-  hierarchy.Prolongation = CompactProlongation(restriction, context);
   SetUnknowns(hierarchy, byParents, colours.Unknowns, components, context);
   hierarchy.Coarser.reserve(prolongations.size()); // growth would copy
   for (std::size_t level = 1; level < prolongations.size(); ++level)

@@ -1,7 +1,7 @@
 #ifndef dmgLaplacianHierarchy_h
 #define dmgLaplacianHierarchy_h
 
-#include "Solvers/CompactProlongation.h"
+#include "Solvers/SingleProlongation.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SplitMatrix.h"
 
@@ -27,7 +27,7 @@ public:
   LaplacianHierarchy(LaplacianHierarchy&& other) noexcept;
 
   SplitMatrix L;
-  CompactProlongation Prolongation;   ///< complex
+  SingleProlongation Prolongation;    ///< complex
   SparseMatrix<Complex> CoarseLower;  ///< the lower triangle of P^H L P
   std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
 

@@ -19,7 +19,7 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
   : Fine(hierarchy)
   , Smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, options.Sweeps)
   , b(hierarchy.NumberOfUnknowns())
-  , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
+  , SumsOfParts(hierarchy.Prolongation.SizeOfSums())
 {
   this->SetDiagonal(this->Scaled(D), context);
   context.Checkpoint(0.2);
@@ -54,8 +54,9 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(const ExecutionContext& con
   const bool areAllFree = this->Smoother.HeldUnknowns().empty();
   if (!areAllFree)
   {
-    SparseMatrix<double> lower = CoarseRoughness(this->Fine.B, Adjoint(this->Fine.B, context),
-      this->Fine.Prolongation, this->Smoother.HeldUnknowns(), context);
+    const SparseMatrix<Plane>& P = this->Fine.Prolongation.Matrix();
+    SparseMatrix<double> lower = CoarseRoughness(this->Fine.B, Adjoint(this->Fine.B, context), P,
+      Adjoint(P, context), this->Smoother.HeldUnknowns(), context);
     lowerOfFree.swap(lower); // an assignment would copy
   }
   SparseMatrix<double> coarse =
@@ -79,7 +80,7 @@ void LeastSquaresCycle::Apply(
   this->Smoother.PreSmooth(this->b, x, this->Residual, context);
   this->Pulled.Yield(this->Residual, x, context);
   this->Fine.Prolongation.MultiplyAdjoint(
-    this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
+    this->Residual, this->CoarseResidual, this->SumsOfParts, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, x, context);
   SetZero(x, this->Smoother.HeldUnknowns(), context);
@@ -100,7 +101,7 @@ std::vector<LevelReport> LeastSquaresCycle::Levels() const
 long long LeastSquaresCycle::Bytes() const
 {
   return this->Smoother.Bytes() + this->Coarse->Bytes() + this->Pulled.Bytes() +
-    (2 * this->b.size() + this->SumsOfTiles.size()) * static_cast<long long>(sizeof(double));
+    (2 * this->b.size() + this->SumsOfParts.size()) * static_cast<long long>(sizeof(double));
 }
 
 }

@@ -50,7 +50,7 @@ private:
   Vector<double> Residual;
   Vector<double> CoarseResidual;
   Vector<double> CoarseCorrection;
-  Vector<double> SumsOfTiles; ///< room for CompactProlongation
+  Vector<double> SumsOfParts; ///< room for SingleProlongation
 };
 
 }

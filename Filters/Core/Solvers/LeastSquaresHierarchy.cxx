@@ -239,16 +239,6 @@ double Dropped(const LeastSquaresHierarchyOptions& options, Eigen::Index unknown
   return options.Dropped * std::sqrt(std::min(1.0, largest / static_cast<double>(unknowns)));
 }
 
-CompactProlongation SmoothedAndPacked(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  PlanarProlongation&& P, const LeastSquaresHierarchyOptions& options,
-  const ExecutionContext& context)
-{
-  const RowBands<Plane> restriction = SmoothedRestriction(
-    B, Bt, std::move(P), options.ProlongationDegree, Dropped(options, B.cols()), context);
-  GiveBackFreedMemory(); // it lies between what was needed for it
-  return CompactProlongation(restriction, context);
-}
-
 }
 
 LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLevels levels,
@@ -267,12 +257,18 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
     [&scales, &isTouched](int row) { return isTouched(row) ? scales[row] : 0.0; }, one, context);
   context.Checkpoint(0.1);
 
-  // The interpolation takes most memory until it is packed; blocks come after it.
-  CompactProlongation prolongation =
-    SmoothedAndPacked(B, Bt, std::move(levels.Prolongation), options, context);
+  // The interpolation takes most memory while it is smoothed; blocks come after it.
+  SparseMatrix<Plane> restriction = Joined(
+    SmoothedRestriction(B, Bt, std::move(levels.Prolongation), options.ProlongationDegree,
+      Dropped(options, B.cols()), context),
+    context);
   GiveBackFreedMemory();
+  SingleProlongation prolongation(Adjoint(restriction, context));
   context.Checkpoint(0.6);
-  SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation, {}, context);
+  SparseMatrix<double> lower =
+    CoarseRoughness(B, Bt, prolongation.Matrix(), restriction, {}, context);
+  SparseMatrix<Plane>().swap(restriction);
+  GiveBackFreedMemory();
   context.Checkpoint(0.8);
 
   LeastSquaresHierarchy hierarchy(BlocksByStrips(Bt, std::move(levels.Blocks), arrangement.Strips, context));

@@ -1,7 +1,7 @@
 #ifndef dmgLeastSquaresHierarchy_h
 #define dmgLeastSquaresHierarchy_h
 
-#include "Solvers/CompactProlongation.h"
+#include "Solvers/SingleProlongation.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SchwarzBlocks.h"
 #include "Solvers/SparseDiagonal.h"
@@ -56,7 +56,7 @@ public:
   Vector<float> Diagonal; ///< of B^T B; 0 to 1
   RowTiles Tiles;         ///< of B, for products with its transpose
   SchwarzBlocks Blocks;
-  CompactProlongation Prolongation;
+  SingleProlongation Prolongation;
   /// The lower triangle of P^T B^T B P, 2 N_1 x 2 N_1.
   SparseMatrix<double> CoarseLower;
   /// Between the levels below, finest first.

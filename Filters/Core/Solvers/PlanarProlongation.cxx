@@ -1,6 +1,5 @@
 #include "Solvers/PlanarProlongation.h"
 
-#include "Solvers/CompactProlongation.h"
 #include "Support/SparseRows.h"
 #include "Support/Unfilled.h"
 
@@ -233,30 +232,28 @@ RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseM
 }
 
 SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const CompactProlongation& P, const std::vector<int>& held, const ExecutionContext& context)
+  const SparseMatrix<Plane>& P, const SparseMatrix<Plane>& adjoint, const std::vector<int>& held,
+  const ExecutionContext& context)
 {
-  std::vector<float> weights(P.Rows(), 1.0f);
+  std::vector<float> weights(P.rows(), 1.0f);
   for (const int i : held)
   {
     weights[i] = 0.0f;
   }
-  const int columns = P.Columns();
-  const auto makeWorker = [&] {
-    return [&, reader = CompactProlongation::Reader(P), restriction = SparseRows<Plane>(),
+  const int columns = static_cast<int>(P.cols());
+  const auto makeWorker = [&, columns] {
+    return [&, columns,
              Bp = SparseVector<double>(static_cast<int>(B.rows())),
              AP = SparseVector<double>(static_cast<int>(B.cols())),
              sum = SparseSum<OuterProducts>(columns), members = std::vector<int>()](
              int firstRow, int lastRow, SparseRows<double>& rows) mutable {
-      reader.Clear();
-      reader.AdjointRows(firstRow / 2, lastRow / 2, restriction);
       for (int j = firstRow / 2; j < lastRow / 2; ++j)
       {
-        const RowOfBand<Plane> p = restriction.Row(j - firstRow / 2);
         Bp.Clear();
-        for (int e = 0; e < p.Size; ++e)
+        for (int e = adjoint.outerIndexPtr()[j]; e < adjoint.outerIndexPtr()[j + 1]; ++e)
         {
-          const int i = p.Columns[e];
-          Bp.AddRow(std::conj(Complex(weights[i] * p.Values[e])), Bt, i);
+          const int i = adjoint.innerIndexPtr()[e];
+          Bp.AddRow(std::conj(Complex(weights[i] * adjoint.valuePtr()[e])), Bt, i);
         }
         AP.Clear();
         for (int k = 0; k < Bp.Size(); ++k)
@@ -267,12 +264,14 @@ SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const Sparse
         for (int k = 0; k < AP.Size(); ++k)
         {
           const int i = AP.Indices()[k];
-          RowOfBand<Plane> row = reader.Row(i);
-          while (row.Size > 0 && row.Columns[row.Size - 1] > j)
+          const int begin = P.outerIndexPtr()[i];
+          int end = P.outerIndexPtr()[i + 1];
+          while (end > begin && P.innerIndexPtr()[end - 1] > j)
           {
-            --row.Size;
+            --end;
           }
-          sum.Add(static_cast<double>(weights[i]) * AP[i], row.Columns, row.Values, row.Size);
+          sum.Add(static_cast<double>(weights[i]) * AP[i], P.innerIndexPtr() + begin,
+            P.valuePtr() + begin, end - begin);
         }
         AppendPair(sum, members, 2 * j, rows);
       }

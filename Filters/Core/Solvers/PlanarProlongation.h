@@ -17,7 +17,6 @@ namespace dmg
 
 using PlanarProlongation = SparseMatrix<Complex>;
 using Plane = std::complex<float>;
-class CompactProlongation;
 
 /// The adjoint of a prolongation whose coarse functions have little energy: of
 /// (I - c_1 A) ... (I - c_k A) P for A = B^T B, with the roots of the polynomial that minimises the
@@ -39,9 +38,11 @@ RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseM
   PlanarProlongation&& P, int degree, double dropped, const ExecutionContext& context);
 
 /// The lower triangle of P^T B^T B P on pairs of components: 2 m x 2 m for P of m columns.
+/// \param adjoint of P as a complex matrix.
 /// \param held rows of P that count as zero, ascending. The pattern does not depend on them.
 SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const CompactProlongation& P, const std::vector<int>& held, const ExecutionContext& context);
+  const SparseMatrix<Plane>& P, const SparseMatrix<Plane>& adjoint, const std::vector<int>& held,
+  const ExecutionContext& context);
 
 /// Q^T Q on pairs of components.
 SparseMatrix<double> GramOfPlanar(const SparseMatrix<Plane>& Q, const ExecutionContext& context);

@@ -1,6 +1,5 @@
 #include "Solvers/LaplacianCycle.h"
 
-#include "Bands.h"
 #include "GridProblem.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
@@ -139,7 +138,7 @@ TEST(TestLaplacianHierarchy, IsTheMatrixInAnotherOrder)
     EXPECT_EQ(hierarchy.DiagonalOf(2 * k + 1), L(k, k).real());
     isolated = hierarchy.Order[2 * k] / 2 == problem.Size() - 1 ? k : isolated;
   }
-  EXPECT_EQ(Dense(test::AllRows(hierarchy.Prolongation).cast<Complex>()).row(isolated).norm(), 0.0);
+  EXPECT_EQ(Dense(hierarchy.Prolongation.Matrix().cast<Complex>()).row(isolated).norm(), 0.0);
   for (int k = 0; k < problem.Size(); ++k)
   {
     EXPECT_EQ(hierarchy.ComponentOf(2 * k), hierarchy.ComponentOf(2 * k + 1));
@@ -153,7 +152,7 @@ TEST(TestLaplacianHierarchy, TheCoarseMatrixIsGalerkins)
   for (const int steps : { 0, 2 })
   {
     const LaplacianHierarchy hierarchy = problem.Hierarchy(steps);
-    const Dense P(test::AllRows(hierarchy.Prolongation).cast<Complex>());
+    const Dense P(hierarchy.Prolongation.Matrix().cast<Complex>());
     const Dense expected = P.adjoint() * Dense(hierarchy.L.Whole(SerialContext())) * P;
     const Dense coarse(SymmetricFromLower(hierarchy.CoarseLower, SerialContext()));
     EXPECT_LE((coarse - expected).norm(), SinglePrecision * expected.norm());
@@ -188,7 +187,7 @@ TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
     const Vector<double> D = problem.Shift(hierarchy, holdsSome);
     const Dense A = Expected(problem, hierarchy, D);
     const Dense identity = Dense::Identity(A.rows(), A.cols());
-    Dense P(test::AllRows(hierarchy.Prolongation).cast<Complex>());
+    Dense P(hierarchy.Prolongation.Matrix().cast<Complex>());
     // A and P, where those that are pulled yield to their neighbours.
     Dense AsCoarse = A;
     Dense yielding = P;

@@ -1,6 +1,5 @@
 #include "Solvers/PlanarProlongation.h"
 
-#include "Bands.h"
 #include "SquaresProblem.h"
 #include "Support/SparseKernels.h"
 #include "Support/TbbContext.h"
@@ -205,8 +204,8 @@ TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
 {
   const SparseMatrix<double> B = Squares(240);
   const SparseMatrix<double> Bt = B.transpose();
-  const CompactProlongation P =
-    test::Compact(Smoothed(B, Interpolation(240), 2, 0.01, SerialContext()));
+  const SparseMatrix<Plane> P = Smoothed(B, Interpolation(240), 2, 0.01, SerialContext());
+  const SparseMatrix<Plane> adjoint = Adjoint(P, SerialContext());
   // The first coarse vector has nothing left.
   std::vector<int> held = { 100, 101, 177 };
   for (int i = 200; i < 260; ++i)
@@ -214,15 +213,15 @@ TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
     held.push_back(i % 240);
   }
   std::sort(held.begin(), held.end());
-  const SparseMatrix<double> ofAll = CoarseRoughness(B, Bt, P, {}, SerialContext());
+  const SparseMatrix<double> ofAll = CoarseRoughness(B, Bt, P, adjoint, {}, SerialContext());
   for (const std::vector<int>& rows : { std::vector<int>(), held })
   {
-    Eigen::MatrixXd free = OnPairs(test::AllRows(P));
+    Eigen::MatrixXd free = OnPairs(P);
     for (const int i : rows)
     {
       free.row(i).setZero();
     }
-    const SparseMatrix<double> coarse = CoarseRoughness(B, Bt, P, rows, SerialContext());
+    const SparseMatrix<double> coarse = CoarseRoughness(B, Bt, P, adjoint, rows, SerialContext());
     const Eigen::MatrixXd BP = Eigen::MatrixXd(B) * free;
     const Eigen::MatrixXd expected = (BP.transpose() * BP).triangularView<Eigen::Lower>();
     ASSERT_EQ(coarse.rows(), 80);
@@ -256,15 +255,15 @@ TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
   const PlanarProlongation P = Interpolation(6000);
   const SparseMatrix<double> Bt = B.transpose();
   const SparseMatrix<Plane> expected = Smoothed(B, P, 3, 0.01, SerialContext());
-  const CompactProlongation compact = test::Compact(expected);
+  const SparseMatrix<Plane> adjoint = Adjoint(expected, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(expected, SerialContext());
   const SparseMatrix<double> coarse =
-    CoarseRoughness(B, Bt, compact, { 7, 8 }, SerialContext());
+    CoarseRoughness(B, Bt, expected, adjoint, { 7, 8 }, SerialContext());
   for (const int threads : { 1, 2, 5 })
   {
     const test::TbbContext context(threads);
     ExpectIdentical(Smoothed(B, P, 3, 0.01, context), expected);
     ExpectIdentical(GramOfPlanar(expected, context), gram);
-    ExpectIdentical(CoarseRoughness(B, Bt, compact, { 7, 8 }, context), coarse);
+    ExpectIdentical(CoarseRoughness(B, Bt, expected, adjoint, { 7, 8 }, context), coarse);
   }
 }
