@@ -6,7 +6,9 @@
 
 /// Unknowns of a surface that multigrid smooths together. Small blocks part all unknowns. Where faces are far
 /// from equilateral, patches of many faces are added: fields exist there that the small blocks cannot tell from
-/// rough ones and coarse levels cannot represent.
+/// rough ones and coarse levels cannot represent. Patches gain iterations rather than time: without them 1-forms take 15
+/// instead of 9 on t02, 19 instead of 12 on t05, and face fields 29 instead of 13 and twice the time of a second solve on
+/// bnd_camelhead; on the median of 14 surfaces they gain no time.
 namespace dmg
 {
 
