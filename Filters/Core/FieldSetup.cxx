@@ -44,6 +44,11 @@ void AddKernel(const FramedMesh& surface, const Discretisation& discretisation,
     setup.KernelNote =
       ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
   }
+  else if (loops > LargestNumberOfLoops && !setup.HasLevels)
+  {
+    // A factor does not need them, and they would take many times as long as it does.
+    setup.KernelNote = ", without looking at its " + std::to_string(loops) + " harmonic fields";
+  }
   else if (loops > 0)
   {
     setup.Kernel = discretisation.HarmonicFields(operators, context)(
@@ -120,7 +125,7 @@ std::shared_ptr<const MultigridSetup> MakeCoarsened(const FramedMesh& surface,
 }
 
 SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& options,
-  const ProlongationOperators* given)
+  const ProlongationOperators* given, const CycleObstacles& obstacles)
 {
   SolverPlan plan;
   plan.Levels = LevelsFor(discretisation, options);
@@ -128,9 +133,11 @@ SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& 
     ? discretisation.StructurePreservingOperators()
     : OperatorSelection{ false, false, false };
   const bool hasLevels = !given || given->NumberOfLevels() > 1;
+  CycleObstacles ofCycles = obstacles;
+  ofCycles.Loops = discretisation.HasHarmonicFields() ? obstacles.Loops : 0;
   const auto choose = [&](bool areThere) {
-    return ChooseSolver(
-      options.Solver, discretisation.Tuning(), discretisation.NumberOfEquations(), areThere);
+    return ChooseSolver(options.Solver, discretisation.Tuning(),
+      discretisation.NumberOfEquations(), areThere, WhyFactorIsBetter(ofCycles));
   };
   plan.Choice = choose(hasLevels);
   plan.WithoutLevels = choose(false);

@@ -2,6 +2,7 @@
 #define dmgFieldSetup_h
 
 #include "Discretisations/Discretisation.h"
+#include "FactorChoice.h"
 #include "FieldOptions.h"
 #include "Hierarchy/HierarchyOptions.h"
 #include "Prolongation/ProlongationOperators.h"
@@ -37,8 +38,9 @@ struct SolverPlan
 };
 
 /// \param given operators of the surface, or null: those of Levels will be built.
+/// \param obstacles of the surface, harmonic fields included; they count where the solver is to be chosen.
 SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& options,
-  const ProlongationOperators* given);
+  const ProlongationOperators* given, const CycleObstacles& obstacles);
 
 /// The last part of the set-up: what the planned solver needs of the surface, whatever is prescribed.
 /// \param operators given or built; used during the call only. Null: the system is factored, or samples are

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -129,6 +130,7 @@ public:
   std::vector<BuiltOperators> Built; ///< all that there are: discretisations and solvers want different levels
   DiscretisationOptions FieldOptionsOfDiscretisation;
   std::shared_ptr<const Discretisation> Field;
+  std::optional<CycleObstacles> Obstacles; ///< of the surface
   SolverPlan Plan;
   /// What the last one needs stands last; those before it are kept while there is room.
   std::vector<std::shared_ptr<const SetupStage>> Setups;
@@ -196,11 +198,17 @@ std::shared_ptr<const ProlongationOperators> FieldSolver::Internals::OperatorsOf
 void FieldSolver::Internals::SetUp(const FieldOptions& options, const ExecutionContext& context)
 {
   this->SetDiscretisation(options.Field);
-  this->Plan = PlanSolver(*this->Field, options, this->Given.get());
+  if (!this->Obstacles)
+  {
+    constexpr bool HasHarmonicFields = true;
+    this->Obstacles = ObstaclesOf(this->Surface.Mesh, HasHarmonicFields, context);
+  }
+  this->Plan = PlanSolver(*this->Field, options, this->Given.get(), *this->Obstacles);
   auto operators = this->OperatorsOfPlan(PartOfContext(context, 0.0, 0.6));
   if (operators)
   {
-    this->Plan = PlanSolver(*this->Field, options, operators.get()); // they may have one level
+    this->Plan =
+      PlanSolver(*this->Field, options, operators.get(), *this->Obstacles); // they may have one level
     operators = this->Plan.NeedsLevels() ? operators : nullptr;
   }
   const SetupKey key{ this->Field->Name(), !this->Plan.NeedsLevels(), this->Plan.KeepsApart,
@@ -328,8 +336,10 @@ void FieldSolver::Internals::Solve(
   Vector<double> reference;
   if (system.Reference)
   {
-    reference =
-      system.Reference->Solve(values, {}, {}, stop, PartOfContext(context, 0.0, 0.2));
+    constexpr double Rounding = 1e-13;
+    constexpr int Corrections = 10;
+    reference = system.Reference->Solve(
+      values, {}, {}, { Rounding, Corrections }, PartOfContext(context, 0.0, 0.2));
   }
   Vector<double> unknowns = system.Problem.Solve(
     values, start, reference, stop, PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0));

@@ -1,4 +1,4 @@
-// The three discretisations beside their peers: time, memory, iterations and agreement, in one run.
+// The four discretisations beside their peers: time, memory, iterations and agreement, in one run.
 //
 //   BenchmarkFields [--out folder] [--runs n] [--threads n] [--limit seconds]
 //     [--discretisation name] [--solver name] [--cut n | --loop n] (--short | surface.ply ...)
@@ -40,8 +40,10 @@
 #include "Benchmarks/Prescriptions.h"
 #include "Benchmarks/Systems.h"
 #include "Benchmarks/Timing.h"
-#include "HarmonicField.h"
+#include "Discretisations/MakeDiscretisation.h"
 #include "Operators/FaceFieldOperators.h"
+#include "Support/ComplexPairs.h"
+#include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
@@ -123,7 +125,7 @@ Source SourceOf(const std::string& path, const Options& options)
 struct Job
 {
   Source Surface;
-  FieldOptions Field;
+  FieldOptions Asked;
   Regime Prescribed;
 };
 
@@ -134,31 +136,29 @@ struct Workplace
 {
   Workplace(const Job& job, const Options& options)
     : Context(options.Threads)
-    , Mesh(job.Surface.Load())
-    , Field(job.Field)
+    , Surface(job.Surface.Load(), this->Context)
+    , Asked(job.Asked)
+    , Field(MakeDiscretisation(job.Asked.Field, this->Surface))
   {
     UseBlasThreads(options.Threads);
     test::Random random(Seed);
-    this->Constraints = RandomConstraints(this->Mesh, this->Field.Kind, job.Prescribed, random);
+    this->Constraints =
+      RandomConstraints(this->Surface.Mesh, *this->Field, job.Prescribed, random);
+  }
+  Workplace(const Workplace&) = delete; // the field refers to the surface
+  Workplace& operator=(const Workplace&) = delete;
+
+  /// Whether the unknowns are the parts of complex numbers.
+  bool IsComplex() const
+  {
+    return this->Field->NumberOfEquations() < this->Field->NumberOfUnknowns();
   }
 
   test::TbbContext Context;
-  TriangleMesh Mesh;
-  FieldOptions Field;
+  FramedMesh Surface;
+  FieldOptions Asked;
+  std::unique_ptr<const Discretisation> Field;
   FieldConstraints Constraints;
-};
-
-/// What the solver needs of the surface, whatever is prescribed.
-struct SetUp
-{
-  SetUp(const TriangleMesh& mesh, const FieldOptions& field, const ExecutionContext& context)
-    : Frames(FaceFrames(mesh, context))
-    , Surface(MakeRoughnessSurface(mesh, this->Frames, nullptr, field, context))
-  {
-  }
-
-  TangentFrames Frames;
-  std::shared_ptr<const RoughnessSurface> Surface;
 };
 
 template <class Scalar>
@@ -166,7 +166,7 @@ Vector<Scalar> ValuesOf(const FieldConstraints& constraints)
 {
   if constexpr (std::is_same<Scalar, Complex>::value)
   {
-    return peers::ComplexForm(constraints.Values);
+    return AsComplex(constraints.Values);
   }
   else
   {
@@ -180,7 +180,7 @@ Vector<double> AsReal(const Vector<double>& x)
 }
 Vector<double> AsReal(const Vector<Complex>& x)
 {
-  return peers::RealForm(x);
+  return AsPairs(x);
 }
 
 double RelativeDifference(const Vector<double>& x, const Vector<double>& reference)
@@ -188,38 +188,41 @@ double RelativeDifference(const Vector<double>& x, const Vector<double>& referen
   return (x - reference).norm() / reference.norm();
 }
 
-/// The coordinate fields, projected to the surface, as unknowns of a discretisation; a column each.
-Eigen::MatrixXd CoordinateFields(
-  const TriangleMesh& mesh, const TangentFrames& frames, const FieldOptions& options)
+/// What coarse spaces shall contain: the coordinate fields, projected to the surface, as unknowns of a discretisation,
+/// a column each; of functions, the constants.
+Eigen::MatrixXd SmoothFields(const FramedMesh& surface, const Discretisation& field)
 {
-  const bool isOneForm = options.Kind == Discretisation::OneForm;
-  Eigen::MatrixXd fields(isOneForm ? mesh.NumberOfEdges() : 2 * mesh.NumberOfFaces(), 3);
+  if (field.Elements() == ElementKind::Vertices)
+  {
+    return Eigen::MatrixXd::Ones(field.NumberOfUnknowns(), 1);
+  }
+  Eigen::MatrixXd fields(field.NumberOfUnknowns(), 3);
   for (int k = 0; k < 3; ++k)
   {
-    Points constant = Points::Zero(mesh.NumberOfFaces(), 3);
+    Points constant = Points::Zero(surface.Mesh.NumberOfFaces(), 3);
     constant.col(k).setOnes();
-    if (isOneForm)
+    if (field.Elements() == ElementKind::Edges)
     {
-      fields.col(k) = FormFromFaceVectors(mesh, constant);
+      fields.col(k) = FormFromFaceVectors(surface.Mesh, constant);
       continue;
     }
-    Vector<Complex> vectors = peers::ComplexForm(FaceFieldFromVectors(frames, constant));
+    Vector<Complex> vectors = AsComplex(FaceFieldFromVectors(surface.Faces, constant));
     for (Complex& v : vectors)
     {
-      v = std::polar(std::abs(v), options.NumberOfDirections() * std::arg(v));
+      v = std::polar(std::abs(v), field.DirectionsPerPoint() * std::arg(v));
     }
-    fields.col(k) = peers::RealForm(vectors);
+    fields.col(k) = AsPairs(vectors);
   }
   return fields;
 }
 
 // Peers -------------------------------------------------------------------------------------------
 
-std::vector<std::string> Solvers(Discretisation kind)
+std::vector<std::string> Solvers(DiscretisationKind kind)
 {
   std::vector<std::string> names = { Reference, Ours, "CHOLMOD, METIS", "IC(0)-CG, RCM",
     "Eigen SimplicialLDLT", "hypre BoomerAMG", "PETSc GAMG" };
-  if (kind == Discretisation::OneForm)
+  if (kind == DiscretisationKind::OneForm)
   {
     names.insert(names.end() - 1, "hypre AMS");
   }
@@ -227,10 +230,11 @@ std::vector<std::string> Solvers(Discretisation kind)
 }
 
 /// \return null for a library that is not there.
-std::unique_ptr<peers::Peer<double>> NewRealPeer(const std::string& name, const Workplace& place,
-  const TangentFrames& frames, const std::vector<int>& unknowns)
+std::unique_ptr<peers::Peer<double>> NewRealPeer(
+  const std::string& name, const Workplace& place, const std::vector<int>& unknowns)
 {
-  const int numbersPerElement = place.Field.Kind == Discretisation::OneForm ? 1 : 2;
+  const int numbersPerElement = place.Field->UnknownsPerElement();
+  const TriangleMesh& mesh = place.Surface.Mesh;
   if (name == "Eigen SimplicialLDLT")
   {
     return std::make_unique<peers::SimplicialPeer<double>>();
@@ -241,16 +245,16 @@ std::unique_ptr<peers::Peer<double>> NewRealPeer(const std::string& name, const 
   }
   if (name == "hypre AMS")
   {
-    return peers::NewAmsPeer(SelectRows(D0(place.Mesh, place.Context), unknowns, place.Context),
-      place.Mesh.VertexPositions());
+    return peers::NewAmsPeer(
+      SelectRows(D0(mesh, place.Context), unknowns, place.Context), mesh.VertexPositions());
   }
-  const Eigen::MatrixXd fields = CoordinateFields(place.Mesh, frames, place.Field);
+  const Eigen::MatrixXd fields = SmoothFields(place.Surface, *place.Field);
   return peers::NewGamgPeer(numbersPerElement, fields(unknowns, Eigen::all));
 }
 
 template <class Scalar>
-std::unique_ptr<peers::Peer<Scalar>> NewPeer(const std::string& name, const Workplace& place,
-  const TangentFrames& frames, const HarmonicSystem<Scalar>& system)
+std::unique_ptr<peers::Peer<Scalar>> NewPeer(
+  const std::string& name, const Workplace& place, const HarmonicSystem<Scalar>& system)
 {
   if (name == "CHOLMOD, AMD" || name == "CHOLMOD, METIS")
   {
@@ -263,12 +267,12 @@ std::unique_ptr<peers::Peer<Scalar>> NewPeer(const std::string& name, const Work
   }
   if constexpr (std::is_same<Scalar, Complex>::value)
   {
-    auto real = NewRealPeer(name, place, frames, PairsOf(system.FreeUnknowns()));
+    auto real = NewRealPeer(name, place, PairsOf(system.FreeUnknowns()));
     return real ? std::make_unique<peers::RealFormPeer>(std::move(real)) : nullptr;
   }
   else
   {
-    return NewRealPeer(name, place, frames, system.FreeUnknowns());
+    return NewRealPeer(name, place, system.FreeUnknowns());
   }
 }
 
@@ -351,26 +355,29 @@ void MeasureRuns(int runs, Row& row, const Run& run)
   std::transform(seconds.begin(), seconds.end(), row.Seconds.begin(), &Median);
 }
 
-Measured MeasureOurs(const Job& job, const Options& options)
+Measured MeasureOurs(const Workplace& place, const Options& options)
 {
-  const Workplace place(job, options);
   Measured measured;
   Row& row = measured.Numbers;
-  row.Faces = place.Mesh.NumberOfFaces();
-  std::optional<FieldProblem> problem;
+  row.Faces = place.Surface.Mesh.NumberOfFaces();
+  std::optional<test::FieldProblem> problem;
   MeasureRuns(options.Runs, row,
     [&](Row::Times& seconds)
     {
       problem.reset();
-      std::optional<SetUp> of;
-      seconds[Row::Setup] =
-        Seconds([&] { of.emplace(place.Mesh, place.Field, place.Context); });
+      std::shared_ptr<const MultigridSetup> setup;
+      seconds[Row::Setup] = Seconds(
+        [&]
+        {
+          FaceFrames(place.Surface.Mesh, place.Context); // the bare mesh has none
+          setup = test::SetupOf(place.Surface, nullptr, place.Asked, place.Context);
+        });
       const PeakMemory memory;
       seconds[Row::Prepare] = Seconds(
         [&]
         {
-          problem.emplace(place.Mesh, of->Frames, nullptr, place.Constraints, place.Field,
-            place.Context, of->Surface);
+          problem.emplace(
+            place.Surface, nullptr, place.Constraints, place.Asked, place.Context, setup);
         });
       seconds[Row::Solve] = Seconds(
         [&]
@@ -391,12 +398,11 @@ Measured MeasureOurs(const Job& job, const Options& options)
 }
 
 template <class Scalar>
-Measured MeasurePeer(const Job& job, const std::string& name, const Options& options)
+Measured MeasurePeer(const Workplace& place, const std::string& name, const Options& options)
 {
-  const Workplace place(job, options);
   Measured measured;
   Row& row = measured.Numbers;
-  row.Faces = place.Mesh.NumberOfFaces();
+  row.Faces = place.Surface.Mesh.NumberOfFaces();
   const Vector<Scalar> values = ValuesOf<Scalar>(place.Constraints);
   std::unique_ptr<peers::Peer<Scalar>> peer;
   std::optional<HarmonicSystem<Scalar>> system;
@@ -404,16 +410,15 @@ Measured MeasurePeer(const Job& job, const std::string& name, const Options& opt
     [&](Row::Times& seconds)
     {
       peer.reset();
-      TangentFrames frames;
       seconds[Row::Assembly] = Seconds(
         [&]
         {
-          frames = FaceFrames(place.Mesh, place.Context);
-          system.emplace(
-            MakeSystem<Scalar>(place.Mesh, frames, place.Constraints, place.Field, place.Context));
+          const TangentFrames frames = FaceFrames(place.Surface.Mesh, place.Context);
+          system.emplace(MakeSystem<Scalar>(place.Surface.Mesh, frames, *place.Field,
+            place.Constraints, place.Asked, place.Context));
         });
       const Vector<Scalar> b = system->RightHandSide(values);
-      peer = NewPeer(name, place, frames, *system);
+      peer = NewPeer(name, place, *system);
       if (!peer)
       {
         throw SolverFailure("not built");
@@ -437,9 +442,10 @@ Measured Measure(const Job& job, const std::string& solver, const Options& optio
   const ProcessOutcome outcome = InOwnProcess(options.Limit,
     [&]
     {
-      const Measured measured = solver == Ours         ? MeasureOurs(job, options)
-        : job.Field.Kind == Discretisation::PowerField ? MeasurePeer<Complex>(job, solver, options)
-                                                       : MeasurePeer<double>(job, solver, options);
+      const Workplace place(job, options);
+      const Measured measured = solver == Ours ? MeasureOurs(place, options)
+        : place.IsComplex()                    ? MeasurePeer<Complex>(place, solver, options)
+                                               : MeasurePeer<double>(place, solver, options);
       return measured.Pack();
     });
   if (!outcome.Failure.empty())
@@ -468,18 +474,25 @@ struct Resolve
 };
 static_assert(std::is_trivially_copyable<Resolve>::value, "it goes through a pipe as it is");
 
-/// A tenth of a radian, or of the edge's length.
+/// A tenth of a radian, of the edge's length, or of the largest value at a vertex.
 Vector<double> WithFirstValueMoved(const Workplace& place)
 {
   Vector<double> values = place.Constraints.Values;
-  if (place.Field.Kind == Discretisation::OneForm)
+  switch (place.Field->Elements())
   {
-    const auto [i, j] = place.Mesh.EdgeVertices(place.Constraints.Elements[0]);
-    values[0] += 0.1 * (place.Mesh.Position(j) - place.Mesh.Position(i)).norm();
-  }
-  else
-  {
-    values.head<2>() = Eigen::Rotation2Dd(0.1) * Vector2(values.head<2>());
+    case ElementKind::Vertices:
+      values[0] += 0.1;
+      break;
+    case ElementKind::Edges:
+    {
+      const TriangleMesh& mesh = place.Surface.Mesh;
+      const auto [i, j] = mesh.EdgeVertices(place.Constraints.Elements[0]);
+      values[0] += 0.1 * (mesh.Position(j) - mesh.Position(i)).norm();
+      break;
+    }
+    default:
+      values.head<2>() = Eigen::Rotation2Dd(0.1) * Vector2(values.head<2>());
+      break;
   }
   return values;
 }
@@ -488,56 +501,44 @@ template <class Scalar>
 class ResolveMeasurement
 {
 public:
-  ResolveMeasurement(const Job& job, const Options& options)
-    : Place(job, options)
-    , Runs(options.Runs)
-    , Of(this->Place.Mesh, this->Place.Field, this->Place.Context)
-    , System(this->SystemOf(this->Place.Constraints, this->Place.Field))
+  ResolveMeasurement(const Workplace& place, int runs)
+    : Place(place)
+    , Runs(runs)
+    , Setup(test::SetupOf(place.Surface, nullptr, place.Asked, place.Context))
+    , System(this->SystemOf(place.Constraints, place.Asked))
     , Cholesky(this->System.Matrix())
+    , Problem(place.Surface, nullptr, place.Constraints, place.Asked, place.Context, this->Setup)
   {
-    this->MakeProblem(this->Place.Constraints, this->Place.Field);
-    this->Old = this->Solve(this->Place.Constraints.Values, {}, Tolerance);
-    this->OldExact = this->SolveExactly(this->System, this->Place.Constraints.Values);
+    this->Old = this->Solve(place.Constraints.Values, {}, Tolerance);
+    this->OldExact = this->SolveExactly(this->System, place.Constraints.Values);
   }
 
   std::vector<Resolve> Measure()
   {
     this->MoveValue();
-    FieldOptions heavier = this->Place.Field;
+    FieldOptions heavier = this->Place.Asked;
     heavier.Alignment *= 2.0;
     this->ChangeSystemTo("weights", this->Place.Constraints, heavier);
     test::Random random(Seed + 1);
     const Regime asMany = { "", static_cast<int>(this->Place.Constraints.Elements.size()), 0.0 };
     this->ChangeSystemTo("prescribed set",
-      RandomConstraints(this->Place.Mesh, this->Place.Field.Kind, asMany, random),
-      this->Place.Field);
+      RandomConstraints(this->Place.Surface.Mesh, *this->Place.Field, asMany, random),
+      this->Place.Asked);
     return std::move(this->Rows);
   }
 
 private:
   HarmonicSystem<Scalar> SystemOf(
-    const FieldConstraints& constraints, const FieldOptions& field) const
+    const FieldConstraints& constraints, const FieldOptions& asked) const
   {
+    const auto& [mesh, faceFrames, vertexFrames] = this->Place.Surface;
     return MakeSystem<Scalar>(
-      this->Place.Mesh, this->Of.Frames, constraints, field, this->Place.Context);
-  }
-
-  /// Other weights or another set of prescribed elements: updated where the problem can do so, else
-  /// made anew.
-  void MakeProblem(const FieldConstraints& constraints, const FieldOptions& field)
-  {
-    if (!this->Problem ||
-      !this->Problem->Update(
-        this->Place.Mesh, this->Of.Frames, constraints, field, this->Place.Context))
-    {
-      this->Problem.emplace(this->Place.Mesh, this->Of.Frames, nullptr, constraints,
-        field, this->Place.Context, this->Of.Surface);
-    }
+      mesh, faceFrames, *this->Place.Field, constraints, asked, this->Place.Context);
   }
 
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, double tolerance)
   {
-    return this->Problem->Solve(values, start, { tolerance, 1000 }, this->Place.Context);
+    return this->Problem.Solve(values, start, { tolerance, 1000 }, this->Place.Context);
   }
 
   Vector<double> SolveExactly(const HarmonicSystem<Scalar>& system, const Vector<double>& values)
@@ -583,9 +584,9 @@ private:
   }
 
   void ChangeSystemTo(
-    const char* change, const FieldConstraints& constraints, const FieldOptions& field)
+    const char* change, const FieldConstraints& constraints, const FieldOptions& asked)
   {
-    const HarmonicSystem<Scalar> system = this->SystemOf(constraints, field);
+    const HarmonicSystem<Scalar> system = this->SystemOf(constraints, asked);
     std::vector<double> prepare;
     std::vector<double> solve;
     Vector<double> exact;
@@ -601,14 +602,15 @@ private:
     Vector<double> x;
     for (int run = 0; run < this->Runs; ++run)
     {
-      prepare.push_back(Seconds([&] { this->MakeProblem(constraints, field); }));
+      prepare.push_back(
+        Seconds([&] { this->Problem.Update(constraints, asked, this->Place.Context); }));
       solve.push_back(Seconds([&] { x = this->Solve(constraints.Values, this->Old, Tolerance); }));
     }
     this->Append(change, "ours, warm, to 1e-8", Median(prepare), Median(solve),
       this->LastIteration(), system, constraints.Values, x, exact);
   }
 
-  int LastIteration() const { return this->Problem->Report().Iterations.back().Iteration; }
+  int LastIteration() const { return this->Problem.Report().Iterations.back().Iteration; }
 
   void Append(const char* change, const char* solver, double prepare, double solve, int iterations,
     const HarmonicSystem<Scalar>& system, const Vector<double>& values, const Vector<double>& x,
@@ -619,12 +621,12 @@ private:
         RelativeDifference(x, exact), (x - exact).norm() / (exact - this->OldExact).norm() });
   }
 
-  const Workplace Place;
+  const Workplace& Place;
   const int Runs;
-  const SetUp Of;
+  const std::shared_ptr<const MultigridSetup> Setup;
   const HarmonicSystem<Scalar> System;
   CholeskySolver<Scalar> Cholesky;
-  std::optional<FieldProblem> Problem;
+  test::FieldProblem Problem;
   Vector<double> Old;
   Vector<double> OldExact;
   std::vector<Resolve> Rows;
@@ -635,9 +637,10 @@ std::vector<Resolve> MeasureResolves(const Job& job, const Options& options, std
   const ProcessOutcome outcome = InOwnProcess(options.Limit,
     [&]
     {
-      const std::vector<Resolve> rows = job.Field.Kind == Discretisation::PowerField
-        ? ResolveMeasurement<Complex>(job, options).Measure()
-        : ResolveMeasurement<double>(job, options).Measure();
+      const Workplace place(job, options);
+      const std::vector<Resolve> rows = place.IsComplex()
+        ? ResolveMeasurement<Complex>(place, options.Runs).Measure()
+        : ResolveMeasurement<double>(place, options.Runs).Measure();
       return std::string(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Resolve));
     });
   failure = outcome.Failure;
@@ -648,20 +651,21 @@ std::vector<Resolve> MeasureResolves(const Job& job, const Options& options, std
 
 // Tables ------------------------------------------------------------------------------------------
 
-FieldOptions FieldOf(Discretisation kind, int N = 2)
+FieldOptions FieldOf(DiscretisationKind kind, int N = 2)
 {
   FieldOptions options;
-  options.Kind = kind;
-  options.N = N;
+  options.Field.Kind = kind;
+  options.Field.N = N;
   options.Solver.Kind = SolverKind::ConjugateGradients;
   return options;
 }
 
-std::vector<Discretisation> Discretisations(const Options& options)
+std::vector<DiscretisationKind> Discretisations(const Options& options)
 {
-  std::vector<Discretisation> kinds;
-  for (const Discretisation kind :
-    { Discretisation::OneForm, Discretisation::FaceField, Discretisation::PowerField })
+  std::vector<DiscretisationKind> kinds;
+  for (const DiscretisationKind kind :
+    { DiscretisationKind::OneForm, DiscretisationKind::FaceField, DiscretisationKind::PowerField,
+      DiscretisationKind::ScalarFunction })
   {
     if (NameOf(kind).find(options.Discretisation) != std::string::npos)
     {
@@ -688,7 +692,7 @@ public:
   void Append(const Job& job, const std::string& solver, const Measured& measured,
     const Vector<double>& reference)
   {
-    const std::string kind = NameOf(job.Field.Kind);
+    const std::string kind = NameOf(job.Asked.Field.Kind);
     const char* const surface = job.Surface.Name.c_str();
     const char* const regime = job.Prescribed.Name.c_str();
     if (measured.Solution.size() == 0)
@@ -750,7 +754,7 @@ public:
   {
     for (const Resolve& row : rows)
     {
-      const std::string kind = NameOf(job.Field.Kind);
+      const std::string kind = NameOf(job.Asked.Field.Kind);
       this->File.Row(job.Surface.Name, kind, job.Prescribed.Name, row.Change, row.Solver,
         row.Prepare, row.Solve, row.Iterations, row.Residual, row.Error, row.ErrorOfChange);
       std::printf("%-20.20s %-10s %-5s changed %-14s %-30s %7.3f + %7.3f %4d  residual %.1e, error "
@@ -768,7 +772,7 @@ private:
 void MeasureSurface(
   const Source& surface, const Options& options, FieldsTable& fields, ResolvesTable& resolves)
 {
-  for (const Discretisation kind : Discretisations(options))
+  for (const DiscretisationKind kind : Discretisations(options))
   {
     for (const Regime& regime : Regimes)
     {
@@ -814,17 +818,19 @@ public:
 
   /// One line of counts; a count in brackets stands for a solve that did not converge, and its row also has the
   /// residual that a factorisation leaves, refined as long as that helps.
-  void Append(const Source& surface, const TriangleMesh& mesh, const SetUp& of,
-    const FieldOptions& field, const std::vector<Regime>& regimes,
-    const std::vector<double>& alignments, const ExecutionContext& context)
+  void Append(const Source& source, const FramedMesh& surface, const FieldOptions& asked,
+    const std::vector<Regime>& regimes, const std::vector<double>& alignments,
+    const ExecutionContext& context)
   {
-    std::printf("%-26s %8d %-10s %d ", surface.Name.c_str(), mesh.NumberOfFaces(),
-      NameOf(field.Kind).c_str(), field.NumberOfDirections());
+    const std::string kind = NameOf(asked.Field.Kind);
+    const int faces = surface.Mesh.NumberOfFaces();
+    std::printf("%-26s %8d %-10s %d ", source.Name.c_str(), faces, kind.c_str(), asked.Field.N);
+    const auto setup = test::SetupOf(surface, nullptr, asked, context);
     for (const Regime& regime : regimes)
     {
       for (const double alignment : alignments)
       {
-        FieldOptions options = field;
+        FieldOptions options = asked;
         if (std::isfinite(alignment))
         {
           options.Alignment = alignment;
@@ -833,12 +839,11 @@ public:
         {
           options.Constraints = ConstraintKind::Hard;
         }
-        const SolveReport report = Solve(mesh, of, options, regime, context);
+        const SolveReport report = Solve(surface, setup, options, regime, context);
         const int iterations = report.Iterations.empty() ? 0 : report.Iterations.back().Iteration;
-        this->File.Row(surface.Name, mesh.NumberOfFaces(), NameOf(field.Kind),
-          field.NumberOfDirections(), regime.Name, alignment, iterations,
+        this->File.Row(source.Name, faces, kind, asked.Field.N, regime.Name, alignment, iterations,
           ResidualOf(report), report.Converged ? 1 : 0,
-          report.Converged ? None : ResidualByCholesky(mesh, of, options, regime, context),
+          report.Converged ? None : ResidualByCholesky(surface, options, regime, context),
           report.Warnings.empty() ? "" : report.Warnings.front());
         std::printf(report.Converged ? " %5d " : " [%4d]", iterations);
       }
@@ -853,23 +858,23 @@ private:
     return report.Iterations.empty() ? None : report.Iterations.back().RelativeResidual;
   }
 
-  static double ResidualByCholesky(const TriangleMesh& mesh, const SetUp& of, FieldOptions field,
+  static double ResidualByCholesky(const FramedMesh& surface, FieldOptions options,
     const Regime& regime, const ExecutionContext& context)
   {
-    field.Solver.Kind = SolverKind::Cholesky;
-    return ResidualOf(Solve(mesh, of, field, regime, context));
+    options.Solver.Kind = SolverKind::Cholesky;
+    return ResidualOf(Solve(surface, nullptr, options, regime, context));
   }
 
-  static SolveReport Solve(const TriangleMesh& mesh, const SetUp& of, const FieldOptions& field,
-    const Regime& regime, const ExecutionContext& context)
+  static SolveReport Solve(const FramedMesh& surface, std::shared_ptr<const MultigridSetup> setup,
+    const FieldOptions& options, const Regime& regime, const ExecutionContext& context)
   {
     test::Random random(Seed);
-    const FieldConstraints constraints = RandomConstraints(mesh, field.Kind, regime, random);
+    const auto field = MakeDiscretisation(options.Field, surface);
+    const FieldConstraints constraints = RandomConstraints(surface.Mesh, *field, regime, random);
     try
     {
-      FieldProblem problem(
-        mesh, of.Frames, nullptr, constraints, field, context,
-        field.Solver.Kind == SolverKind::Cholesky ? nullptr : of.Surface);
+      test::FieldProblem problem(
+        surface, nullptr, constraints, options, context, std::move(setup));
       problem.Solve(constraints.Values, {}, { Tolerance, 500 }, context);
       return problem.Report();
     }
@@ -884,23 +889,25 @@ private:
   Csv File;
 };
 
-void CountIterations(const Source& surface, const Options& options, IterationsTable& table)
+void CountIterations(const Source& source, const Options& options, IterationsTable& table)
 {
   const test::TbbContext context(options.Threads);
-  const TriangleMesh mesh = surface.Load();
+  const FramedMesh surface(source.Load(), context);
   std::vector<double> alignments = { 1.0 };
   if (options.Robustness)
   {
     alignments = { 1e-6, 1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6, 1e8, 1e10, 1e12, Infinity };
   }
-  for (const Discretisation kind : Discretisations(options))
+  for (const DiscretisationKind kind : Discretisations(options))
   {
-    const bool isPower = kind == Discretisation::PowerField;
-    for (const int N : isPower ? std::vector<int>{ 1, 2, 4, 6 } : std::vector<int>{ 1 })
+    for (const int N : { 1, 2, 4, 6 })
     {
-      const SetUp of(mesh, FieldOf(kind, N), context);
-      table.Append(surface, mesh, of, FieldOf(kind, N),
-        options.Robustness ? Regimes : MoreRegimes, alignments, context);
+      const FieldOptions asked = FieldOf(kind, N);
+      if (MakeDiscretisation(asked.Field, surface)->DirectionsPerPoint() == N) // or it knows no N
+      {
+        table.Append(source, surface, asked, options.Robustness ? Regimes : MoreRegimes, alignments,
+          context);
+      }
     }
   }
 }

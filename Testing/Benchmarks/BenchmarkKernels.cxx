@@ -18,13 +18,13 @@
 #include "Benchmarks/Csv.h"
 #include "Benchmarks/Prescriptions.h"
 #include "Benchmarks/Timing.h"
-#include "HarmonicField.h"
 #include "Solvers/BlockSmoother.h"
 #include "Solvers/GalerkinHierarchy.h"
 #include "Solvers/LaplacianHierarchy.h"
 #include "Solvers/LeastSquaresHierarchy.h"
 #include "Solvers/ScaledHierarchy.h"
 #include "Solvers/Smoother.h"
+#include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/ReadPly.h"
 #include "Support/SparseKernels.h"
@@ -152,7 +152,7 @@ void MeasureProduct(const std::string& name, const RoughnessHierarchy& hierarchy
 /// Both directions, and what they read and write on the fine level.
 template <class Coarse, class Fine, class Sum>
 void MeasureInterpolation(
-  const CompactProlongation& P, Coarse coarse, int runs, KernelsTable& table, const ExecutionContext& context)
+  const SingleProlongation& P, Coarse coarse, int runs, KernelsTable& table, const ExecutionContext& context)
 {
   Vector<Fine> fine = Vector<Fine>::Random(P.Rows());
   Vector<Sum> sums;
@@ -214,10 +214,9 @@ void MeasureCoarseLevels(const SparseMatrix<Scalar>& lower,
 }
 
 /// What conjugate gradients and cycles do for power fields.
-void MeasurePowers(
-  const RoughnessHierarchy& surface, int runs, KernelsTable& table, const ExecutionContext& context)
+void MeasurePowers(const LaplacianHierarchy& hierarchy, int runs, KernelsTable& table,
+  const ExecutionContext& context)
 {
-  const auto& hierarchy = dynamic_cast<const LaplacianHierarchy&>(surface);
   MeasureProduct("product, double", hierarchy, hierarchy.L.Size(),
     static_cast<double>(hierarchy.L.NonZeros()),
     hierarchy.L.Bytes() + 2.0 * sizeof(double) * hierarchy.NumberOfUnknowns(), runs, table, context);
@@ -232,10 +231,9 @@ void MeasurePowers(
 }
 
 /// What they do for 1-forms and face fields.
-void MeasureSquares(
-  const RoughnessHierarchy& surface, int runs, KernelsTable& table, const ExecutionContext& context)
+void MeasureSquares(const LeastSquaresHierarchy& hierarchy, int runs, KernelsTable& table,
+  const ExecutionContext& context)
 {
-  const auto& hierarchy = dynamic_cast<const LeastSquaresHierarchy&>(surface);
   const double unknowns = hierarchy.NumberOfUnknowns();
   const double rows = static_cast<double>(hierarchy.B.rows());
   const double nonZeros = static_cast<double>(hierarchy.B.nonZeros());
@@ -274,22 +272,30 @@ void MeasureSurface(
   const std::string& name, const TriangleMesh& mesh, const Options& options, KernelsTable& table)
 {
   const test::TbbContext all(options.Threads);
-  const TangentFrames frames = FaceFrames(mesh, all);
+  const FramedMesh surface(mesh, all);
   for (int threads = 1;; threads = options.Threads)
   {
     const test::TbbContext context(threads);
-    for (const Discretisation kind :
-      { Discretisation::OneForm, Discretisation::FaceField, Discretisation::PowerField })
+    for (const DiscretisationKind kind :
+      { DiscretisationKind::OneForm, DiscretisationKind::FaceField, DiscretisationKind::PowerField })
     {
       FieldOptions field;
-      field.Kind = kind;
-      field.N = 2;
+      field.Field.Kind = kind;
+      field.Field.N = 2;
       field.Solver.Kind = SolverKind::ConjugateGradients;
-      const auto surface = MakeRoughnessSurface(mesh, frames, nullptr, field, all);
+      const auto setup = test::SetupOf(surface, nullptr, field, all);
       const double stream = StreamBandwidth(options.Runs, context); // near what it measures
       table.Of = { name, mesh.NumberOfFaces(), NameOf(kind), threads, stream };
-      const auto measure = kind == Discretisation::PowerField ? &MeasurePowers : &MeasureSquares;
-      measure(*surface->Hierarchy, options.Runs, table, context);
+      if (const auto* const powers =
+            dynamic_cast<const LaplacianHierarchy*>(setup->Hierarchy.get()))
+      {
+        MeasurePowers(*powers, options.Runs, table, context);
+      }
+      else
+      {
+        MeasureSquares(dynamic_cast<const LeastSquaresHierarchy&>(*setup->Hierarchy), options.Runs,
+          table, context);
+      }
     }
     if (threads == options.Threads)
     {

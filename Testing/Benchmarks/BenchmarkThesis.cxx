@@ -24,10 +24,12 @@
 #include "Benchmarks/Prescriptions.h"
 #include "Benchmarks/ThesisTables.h"
 #include "Benchmarks/Timing.h"
-#include "HarmonicField.h"
+#include "Discretisations/MakeDiscretisation.h"
+#include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
+#include "SurfaceHierarchy.h"
 
 #include <functional>
 #include <optional>
@@ -94,30 +96,39 @@ struct Problem
   std::function<Outcome(const FieldOptions&)> Solve;
 };
 
-std::vector<Problem> Problems(const TriangleMesh& mesh, const TangentFrames& frames,
-  const ProlongationOperators& operators, const ExecutionContext& context)
+std::vector<Problem> Problems(const FramedMesh& surface, const ProlongationOperators& operators,
+  const ExecutionContext& context)
 {
   test::Random random(20261121);
-  const FieldConstraints onEdges =
-    RandomConstraints(mesh, Discretisation::OneForm, Prescribed, random);
-  const FieldConstraints onFaces =
-    RandomConstraints(mesh, Discretisation::PowerField, Prescribed, random);
+  const auto prescribe = [&surface, &random](DiscretisationKind kind) {
+    const auto field = MakeDiscretisation({ kind }, surface);
+    return RandomConstraints(surface.Mesh, *field, Prescribed, random);
+  };
+  const FieldConstraints onEdges = prescribe(DiscretisationKind::OneForm);
+  const FieldConstraints onFaces = prescribe(DiscretisationKind::PowerField);
+  const StoppingCriteria stop = { 1e-12, LargestNumberOfCycles };
   std::vector<Problem> problems;
-  for (const Discretisation kind :
-    { Discretisation::OneForm, Discretisation::FaceField, Discretisation::PowerField })
+  for (const DiscretisationKind kind :
+    { DiscretisationKind::OneForm, DiscretisationKind::FaceField, DiscretisationKind::PowerField })
   {
     FieldOptions options;
-    options.Kind = kind;
-    options.N = 2;
+    options.Field.Kind = kind;
+    options.Field.N = 2;
     options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
-    const FieldConstraints& constraints = kind == Discretisation::OneForm ? onEdges : onFaces;
-    const auto solve = [&mesh, &frames, &operators, &context, constraints](
+    const FieldConstraints& constraints = kind == DiscretisationKind::OneForm ? onEdges : onFaces;
+    FieldOptions direct = options;
+    direct.Solver.Kind = SolverKind::Cholesky;
+    const Vector<double> truth =
+      test::FieldProblem(surface, &operators, constraints, direct, context)
+        .Solve(constraints.Values, {}, stop, context);
+    const auto solve = [&surface, &operators, &context, constraints, stop, truth](
                          const FieldOptions& asked) {
-      FieldProblem problem(mesh, frames, &operators, constraints, asked, context);
-      problem.Solve(constraints.Values, {}, { 1e-12, LargestNumberOfCycles }, context);
+      std::optional<test::FieldProblem> problem;
       Outcome outcome;
-      outcome.Report = problem.Report();
-      outcome.Prepare = 1e3 * outcome.Report.PrepareSeconds;
+      outcome.Prepare = 1e3 *
+        Seconds([&] { problem.emplace(surface, &operators, constraints, asked, context); });
+      problem->Solve(constraints.Values, {}, stop, context, truth);
+      outcome.Report = problem->Report();
       outcome.Solve = 1e3 * outcome.Report.SolveSeconds;
       return outcome;
     };
@@ -149,7 +160,6 @@ FieldOptions FullMultigrid(const Problem& problem)
   FieldOptions options = problem.Options;
   options.CoarseSpace = CoarseSpaceKind::Nodal;
   options.Solver.Kind = SolverKind::NestedIterations;
-  options.Solver.CompareWithCholesky = true;
   options.Solver.Nested.Cycles = cycles[problem.Index];
   options.Solver.Nested.Sweeps = 0;
   return options;
@@ -158,7 +168,6 @@ FieldOptions FullMultigrid(const Problem& problem)
 FieldOptions With(FieldOptions options, SolverKind kind)
 {
   options.Solver.Kind = kind;
-  options.Solver.CompareWithCholesky = true;
   options.Solver.Nested.Rule = SweepRule::WhileErrorFalls;
   options.Solver.Nested.MaximumSweeps = LargestNumberOfSweeps;
   return options;
@@ -269,13 +278,13 @@ void MeasureCurve(const std::string& surface, const Problem& problem, Tables& ta
   }
 }
 
-void Measure(const Options& options, const std::string& surface, const TriangleMesh& mesh,
+void Measure(const Options& options, const std::string& name, const TriangleMesh& mesh,
   const ExecutionContext& context, Tables& tables)
 {
   const thesis::Mesh* printed = nullptr;
   for (const thesis::Mesh& candidate : thesis::Meshes)
   {
-    printed = surface == candidate.File ? &candidate : printed;
+    printed = name == candidate.File ? &candidate : printed;
   }
 
   SurfaceHierarchy hierarchy;
@@ -285,25 +294,25 @@ void Measure(const Options& options, const std::string& surface, const TriangleM
     setup.push_back(
       Seconds([&] { hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context); }));
   }
-  tables.Setup.Row(surface, mesh.NumberOfFaces(), 1e3 * Median(setup),
+  tables.Setup.Row(name, mesh.NumberOfFaces(), 1e3 * Median(setup),
     printed ? printed->Setup : thesis::Failed);
 
-  const TangentFrames frames = FaceFrames(mesh);
+  const FramedMesh surface(mesh);
   // Tables 7.14 to 7.17 are of the thesis's largest mesh.
   const bool isLargest = printed == &thesis::Meshes.front();
   const int coarsest = hierarchy.Operators.NumberOfLevels() - 1;
-  for (const Problem& problem : Problems(mesh, frames, hierarchy.Operators, context))
+  for (const Problem& problem : Problems(surface, hierarchy.Operators, context))
   {
-    MeasureSolves(options, surface, mesh.NumberOfFaces(), problem, printed, tables);
+    MeasureSolves(options, name, mesh.NumberOfFaces(), problem, printed, tables);
     if (options.SolvesOnly)
     {
       continue;
     }
-    MeasureCurve(surface, problem, tables);
+    MeasureCurve(name, problem, tables);
     if (isLargest || options.Short)
     {
-      MeasureCycles(options, surface, problem, isLargest, tables);
-      MeasureStarts(options, surface, problem, coarsest, isLargest, tables);
+      MeasureCycles(options, name, problem, isLargest, tables);
+      MeasureStarts(options, name, problem, coarsest, isLargest, tables);
     }
   }
 }

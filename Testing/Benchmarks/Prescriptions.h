@@ -1,7 +1,7 @@
 #ifndef dmgBenchmarksPrescriptions_h
 #define dmgBenchmarksPrescriptions_h
 
-#include "HarmonicField.h"
+#include "Discretisations/Discretisation.h"
 #include "Support/Random.h"
 
 #include <cmath>
@@ -13,15 +13,17 @@
 namespace dmg::benchmarks
 {
 
-/// The names of the tables; the thesis's.
-inline std::string NameOf(Discretisation kind)
+/// The names of the tables; the thesis's, where it has one.
+inline std::string NameOf(DiscretisationKind kind)
 {
   switch (kind)
   {
-    case Discretisation::OneForm:
+    case DiscretisationKind::OneForm:
       return "DEC";
-    case Discretisation::FaceField:
+    case DiscretisationKind::FaceField:
       return "face-based";
+    case DiscretisationKind::ScalarFunction:
+      return "scalar";
     default:
       return "power";
   }
@@ -41,19 +43,14 @@ struct Regime
   }
 };
 
-/// Elements that can be prescribed.
-inline int NumberOfElements(const TriangleMesh& mesh, Discretisation kind)
-{
-  return kind == Discretisation::OneForm ? mesh.NumberOfEdges() : mesh.NumberOfFaces();
-}
-
-/// Random elements with weight 1 and random directions of unit length; on an edge, the integral of
-/// one in its plane.
-inline FieldConstraints RandomConstraints(
-  const TriangleMesh& mesh, Discretisation kind, const Regime& regime, test::Random& random)
+/// Random elements with weight 1: faces with random directions of unit length, edges with the integrals of such in
+/// their planes, vertices with values between -1 and 1.
+/// \param mesh of the field.
+inline FieldConstraints RandomConstraints(const TriangleMesh& mesh, const Discretisation& field,
+  const Regime& regime, test::Random& random)
 {
   constexpr double pi = 3.14159265358979323846;
-  const int elements = NumberOfElements(mesh, kind);
+  const int elements = field.NumberOfElements();
   std::set<int> chosen;
   while (static_cast<int>(chosen.size()) < regime.Of(elements))
   {
@@ -63,12 +60,16 @@ inline FieldConstraints RandomConstraints(
   constraints.Elements.assign(chosen.begin(), chosen.end());
   const int size = static_cast<int>(chosen.size());
   constraints.Weights.assign(size, 1.0);
-  const bool isOneForm = kind == Discretisation::OneForm;
-  constraints.Values.resize(isOneForm ? size : 2 * size);
+  constraints.Values.resize(field.UnknownsPerElement() * size);
   for (int b = 0; b < size; ++b)
   {
+    if (field.Elements() == ElementKind::Vertices)
+    {
+      constraints.Values[b] = random.Uniform(-1.0, 1.0);
+      continue;
+    }
     const double angle = random.Uniform(0.0, 2.0 * pi);
-    if (isOneForm)
+    if (field.Elements() == ElementKind::Edges)
     {
       const auto [i, j] = mesh.EdgeVertices(constraints.Elements[b]);
       constraints.Values[b] = (mesh.Position(j) - mesh.Position(i)).norm() * std::cos(angle);

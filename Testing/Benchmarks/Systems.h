@@ -1,37 +1,86 @@
 #ifndef dmgBenchmarksSystems_h
 #define dmgBenchmarksSystems_h
 
-#include "HarmonicField.h"
-#include "Systems/FaceFieldSystem.h"
-#include "Systems/OneFormSystem.h"
-#include "Systems/PowerFieldSystem.h"
+#include "FieldOptions.h"
+#include "Operators/ExteriorCalculus.h"
+#include "Operators/FaceFieldOperators.h"
+#include "Operators/PowerFieldOperators.h"
+#include "Support/HarmonicSystem.h"
 
 #include <type_traits>
+#include <utility>
 
 namespace dmg::benchmarks
 {
 
-/// The system that FieldProblem solves, for who solves it otherwise.
+/// d0^T star1 d0: the roughness of functions.
+inline SparseMatrix<double> CotangentLaplacian(
+  const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  const SparseMatrix<double> d0 = D0(mesh, context);
+  return SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal() * d0;
+}
+
+/// The roughness of a field as a matrix.
 /// \tparam Scalar Complex for power fields, else double.
 template <class Scalar>
-HarmonicSystem<Scalar> MakeSystem(const TriangleMesh& mesh, const TangentFrames& frames,
-  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
+SparseMatrix<Scalar> MakeRoughness(const TriangleMesh& mesh, const TangentFrames& frames,
+  const DiscretisationOptions& options, const ExecutionContext& context)
 {
-  const FieldWeights weights = { options.Smoothness, options.Alignment, options.Constraints };
-  const auto& [elements, elementWeights, values] = constraints;
   if constexpr (std::is_same<Scalar, Complex>::value)
   {
-    return MakePowerFieldSystem(
-      mesh, frames, options.N, { elements, elementWeights }, weights, context);
-  }
-  else if (options.Kind == Discretisation::OneForm)
-  {
-    return MakeOneFormSystem(mesh, { elements, elementWeights }, weights, context, options.Areas);
+    return PowerLaplacian(mesh, frames, options.N, context);
   }
   else
   {
-    return MakeFaceFieldSystem(mesh, frames, { elements, elementWeights }, weights, context);
+    switch (options.Kind)
+    {
+      case DiscretisationKind::OneForm:
+        return OneFormLaplacian(mesh, context, options.Areas);
+      case DiscretisationKind::FaceField:
+        return FaceFieldSmoothness(mesh, frames, context);
+      default:
+        return CotangentLaplacian(mesh, context);
+    }
   }
+}
+
+/// Complex unknowns instead of the pairs of their parts.
+inline PrescribedUnknowns OfPairs(const PrescribedUnknowns& pairs)
+{
+  PrescribedUnknowns powers{ pairs.Kind, {}, Vector<double>(pairs.Alignment.size() / 2) };
+  for (std::size_t b = 0; b < pairs.Unknowns.size(); b += 2)
+  {
+    powers.Unknowns.push_back(pairs.Unknowns[b] / 2);
+  }
+  for (Eigen::Index b = 0; b < powers.Alignment.size(); ++b)
+  {
+    powers.Alignment[b] = pairs.Alignment[2 * b];
+  }
+  return powers;
+}
+
+/// The system that FieldProblem solves, for who solves it otherwise.
+/// \tparam Scalar Complex for power fields, else double.
+/// \param frames of the faces.
+/// \param field, options on this mesh.
+template <class Scalar>
+HarmonicSystem<Scalar> MakeSystem(const TriangleMesh& mesh, const TangentFrames& frames,
+  const Discretisation& field, const FieldConstraints& constraints, const FieldOptions& options,
+  const ExecutionContext& context)
+{
+  SparseMatrix<Scalar> roughness = MakeRoughness<Scalar>(mesh, frames, options.Field, context);
+  if (options.Constraints == ConstraintKind::Soft)
+  {
+    roughness *= options.Smoothness;
+  }
+  PrescribedUnknowns prescribed = field.Penalties(constraints, options.Weights(), context);
+  if constexpr (std::is_same<Scalar, Complex>::value)
+  {
+    prescribed = OfPairs(prescribed);
+  }
+  return HarmonicSystem<Scalar>::Make(
+    std::move(roughness), field.Mass(context), std::move(prescribed));
 }
 
 }

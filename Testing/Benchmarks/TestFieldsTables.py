@@ -11,7 +11,7 @@ from pathlib import Path
 program, folder = sys.argv[1], Path(sys.argv[2])
 folder.mkdir(parents=True, exist_ok=True)
 here = Path(__file__).resolve().parent
-DISCRETISATIONS, REGIMES = ["DEC", "face-based", "power"], ["20", "0.5 %"]
+DISCRETISATIONS, REGIMES = ["DEC", "face-based", "power", "scalar"], ["20", "0.5 %"]
 EVERYWHERE = ["ours", "CHOLMOD; AMD", "CHOLMOD; METIS", "IC(0)-CG; RCM", "Eigen SimplicialLDLT"]
 LIBRARIES = ["hypre BoomerAMG", "hypre AMS", "PETSc GAMG"]
 
@@ -54,7 +54,7 @@ for row in resolves:
 run("--iterations-only")
 plot()
 iterations = read("iterations")
-assert len(iterations) == (1 + 1 + 4) * 5, len(iterations)
+assert len(iterations) == (1 + 1 + 4 + 1) * 5, len(iterations)
 run("--robustness")
 plot()
 weights = {float(row["alignment"]) for row in read("iterations")}

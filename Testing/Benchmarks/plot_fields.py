@@ -14,6 +14,10 @@ COLOURS = {"ours": "tab:red", "CHOLMOD, AMD": "tab:blue", "CHOLMOD, METIS": "tab
            "hypre BoomerAMG": "tab:brown", "hypre AMS": "tab:olive", "PETSc GAMG": "tab:orange"}
 
 
+def discretisations_of(rows):
+    return list(dict.fromkeys(row["discretisation"] for row in rows))
+
+
 def name_of(solver):
     """As in the program; cells of a CSV hold no commas."""
     return solver.replace(";", ",")
@@ -54,7 +58,7 @@ def plot_fields(folder):
                                 ("bare", "from the bare mesh, seconds"),
                                 ("iterations", "iterations"), ("peak_mb", "peak memory, MB")):
             figure(folder, quantity + stem + ".png", f"{label}; {regime} prescribed",
-                   draw_solvers(some, quantity, label))
+                   draw_solvers(some, quantity, label), discretisations_of(some))
 
 
 def plot_resolves(folder):
@@ -62,7 +66,8 @@ def plot_resolves(folder):
     for regime in sorted({row["prescribed"] for row in rows}):
         some = [row for row in rows if row["prescribed"] == regime]
         figure(folder, "resolves" + stem_of(regime) + ".png",
-               f"Second solves, seconds; {regime} prescribed", draw_resolves(some))
+               f"Second solves, seconds; {regime} prescribed", draw_resolves(some),
+               discretisations_of(some))
 
 
 def draw_resolves(rows):
@@ -99,7 +104,8 @@ def plot_iterations(folder):
         axis.set_ylim(bottom=0)
         axis.grid(True, alpha=0.3)
         axis.legend(fontsize=6)
-    figure(folder, f"iterations_by_{varied}.png", "Iterations of ours", draw)
+    figure(folder, f"iterations_by_{varied}.png", "Iterations of ours", draw,
+           discretisations_of(rows))
 
 
 def plot_kernels(folder):
@@ -122,7 +128,8 @@ def plot_kernels(folder):
         axis.set_ylim(bottom=0)
         axis.grid(True, alpha=0.3)
         axis.legend(fontsize=6)
-    figure(folder, "kernels.png", "Memory bandwidth of the kernels on the finest level", draw)
+    figure(folder, "kernels.png", "Memory bandwidth of the kernels on the finest level", draw,
+           discretisations_of(rows))
 
 
 def plot_filter(folder):

@@ -42,9 +42,10 @@ def pairs(axis, rows, names):
     axis.legend(fontsize=7)
 
 
-def figure(folder, name, title, draw):
-    drawing, axes = pyplot.subplots(1, len(DISCRETISATIONS), figsize=(15, 5), constrained_layout=True)
-    for axis, discretisation in zip(axes, DISCRETISATIONS):
+def figure(folder, name, title, draw, discretisations=DISCRETISATIONS):
+    drawing, axes = pyplot.subplots(1, len(discretisations), figsize=(5 * len(discretisations), 5),
+                                    constrained_layout=True, squeeze=False)
+    for axis, discretisation in zip(axes[0], discretisations):
         axis.set_title(discretisation)
         draw(axis, discretisation)
     drawing.suptitle(title)

@@ -331,7 +331,7 @@ TEST(HarmonicField, ManySolvesAreWorthAFactor)
     FieldOptions options;
     options.Field.Kind = kind;
     const auto needsLevels = [&] {
-      return PlanSolver(*MakeDiscretisation(options.Field, surface), options, nullptr).NeedsLevels();
+      return PlanSolver(*MakeDiscretisation(options.Field, surface), options, nullptr, {}).NeedsLevels();
     };
     EXPECT_TRUE(needsLevels());
     options.Solver.ExpectedSolves = 1000;

@@ -464,6 +464,43 @@ TEST(HarmonicProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
   }
 }
 
+// Below rounding cycles stagnate, and so does the factor that takes over, but that is where the solution is.
+TEST(HarmonicProblem, AFactorTakesOverWhereCyclesDoNotConverge)
+{
+  for (const DiscretisationKind kind : Kinds)
+  {
+    const Prepared on(IrregularTorus(28, 14, 4), kind);
+    for (const ConstraintKind constraints : BothConstraints)
+    {
+      SCOPED_TRACE(Describe(kind, constraints));
+      const Elements elements = on.Every(31);
+      const FieldWeights weights = { 0.3, 2.0, constraints };
+      const StoppingCriteria impossible = { 1e-18, 100 };
+      HarmonicProblem problem = on.Problem(elements, weights);
+      for (const unsigned seed : { 3730U, 3731U })
+      {
+        const Vector<double> values = on.RandomValues(elements, seed);
+        const Vector<double> field = problem.Solve(values, {}, {}, impossible, SerialContext());
+        ASSERT_EQ(problem.Report().Warnings.size(), 2u);
+        EXPECT_NE(problem.Report().Warnings[1].find("a factor of the system took over"),
+          std::string::npos);
+        const Vector<double> expected =
+          on.Factored(elements, weights).Solve(values, {}, Tight(), SerialContext());
+        EXPECT_LE((field - expected).norm(), 1e-8 * expected.norm());
+      }
+      // Who allows few iterations gets no factor after them.
+      problem.Update(on.Prescribed(elements, weights), weights.Smoothness, SerialContext());
+      problem.Solve(on.RandomValues(elements, 3730), {}, {}, { 1e-8, 2 }, SerialContext());
+      EXPECT_FALSE(problem.Report().Converged);
+      ASSERT_EQ(problem.Report().Warnings.size(), 1u);
+      // Where V-cycles are asked for, they are all that there is.
+      HarmonicProblem cycles = on.Problem(elements, weights, SolverKind::VCycles);
+      cycles.Solve(on.RandomValues(elements, 3730), {}, {}, impossible, SerialContext());
+      EXPECT_EQ(cycles.Report().Warnings.size(), 1u);
+    }
+  }
+}
+
 TEST(HarmonicProblem, ReportsProgressOnceAndStopsWhenAsked)
 {
   const Prepared on(IrregularTorus(28, 14, 4), DiscretisationKind::FaceField);
@@ -547,7 +584,7 @@ TEST(FieldProblem, TakesSamplesWithoutOperators)
     const TbbContext threads(3);
     const auto field = MakeDiscretisation(options.Field, on.Framed);
     const ProlongationOperators samples =
-      BuildSurfaceHierarchy(on.Mesh, PlanSolver(*field, options, nullptr).Levels, SerialContext(),
+      BuildSurfaceHierarchy(on.Mesh, PlanSolver(*field, options, nullptr, {}).Levels, SerialContext(),
         { false, false, false })
         .Operators;
     EXPECT_EQ(solve(SetupOf(on.Framed, nullptr, options, threads)),
@@ -628,4 +665,24 @@ TEST(FieldProblem, IsFactoredWhereThereAreTooFewFacesForSamples)
     const Vector<double> expected = solve(on.Factored(elements, FieldWeights()));
     EXPECT_LE((field - expected).norm(), 1e-7 * expected.norm());
   }
+}
+
+// Too many unknowns to be factored for their number alone.
+TEST(FieldProblem, IsFactoredWhereThereAreManyNeedles)
+{
+  const FramedMesh surface(Subdivide(Subdivide(Subdivide(PlaneWithNeedles(12, 32)))).Mesh());
+  FieldConstraints prescribed;
+  for (int face = 0; face < surface.Mesh.NumberOfFaces(); face += 5000)
+  {
+    prescribed.Elements.push_back(face);
+    prescribed.Weights.push_back(1.0);
+  }
+  prescribed.Values = Vector<double>::Ones(2 * prescribed.Elements.size());
+  const FieldOptions options = OptionsOf(DiscretisationKind::PowerField, SolverKind::Automatic);
+  EXPECT_FALSE(KeepsApart(surface, nullptr, options));
+  FieldProblem problem(surface, nullptr, prescribed, options, SerialContext());
+  problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
+  EXPECT_TRUE(problem.Report().Converged);
+  EXPECT_NE(problem.Report().Solver.find("of the triangles are needles"), std::string::npos)
+    << problem.Report().Solver;
 }

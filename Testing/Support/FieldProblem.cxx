@@ -7,13 +7,24 @@
 
 namespace dmg::test
 {
+namespace
+{
+
+SolverPlan PlanOf(const FramedMesh& surface, const Discretisation& field,
+  const ProlongationOperators* operators, const FieldOptions& options)
+{
+  return PlanSolver(
+    field, options, operators, ObstaclesOf(surface.Mesh, true, SerialContext()));
+}
+
+}
 
 std::shared_ptr<const MultigridSetup> SetupOf(const FramedMesh& surface,
   const ProlongationOperators* operators, const FieldOptions& options,
   const ExecutionContext& context)
 {
   const auto field = MakeDiscretisation(options.Field, surface);
-  return MakeSetup(surface, *field, operators, PlanSolver(*field, options, operators),
+  return MakeSetup(surface, *field, operators, PlanOf(surface, *field, operators, options),
     options.CoarseSpace, context);
 }
 
@@ -21,7 +32,7 @@ bool KeepsApart(const FramedMesh& surface, const ProlongationOperators* operator
   const FieldOptions& options)
 {
   const auto field = MakeDiscretisation(options.Field, surface);
-  return PlanSolver(*field, options, operators).KeepsApart;
+  return PlanOf(surface, *field, operators, options).KeepsApart;
 }
 
 FieldConstraints MakeFieldConstraints(const FramedMesh& surface,
@@ -35,7 +46,7 @@ FieldProblem::FieldProblem(const FramedMesh& surface, const ProlongationOperator
   const ExecutionContext& context, std::shared_ptr<const MultigridSetup> setup)
   : Field(MakeDiscretisation(options.Field, surface))
 {
-  const SolverPlan plan = PlanSolver(*this->Field, options, operators);
+  const SolverPlan plan = PlanOf(surface, *this->Field, operators, options);
   PrescribedUnknowns penalties = this->Field->Penalties(constraints, options.Weights(), context);
   const double half = setup ? 0.0 : 0.6;
   if (!setup)

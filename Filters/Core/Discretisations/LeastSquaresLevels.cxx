@@ -16,7 +16,7 @@ namespace
 constexpr long long FewestFacesForAVector = 6;
 
 LeastSquaresLevels NodalLevels(const std::vector<TransportOperator>& nodal,
-  SmoothingBlocks smoothing, const ExecutionContext& context)
+  UnknownBlocks blocks, const ExecutionContext& context)
 {
   assert(!nodal.empty());
   const auto isCoarse = [](const TransportOperator& finest) {
@@ -32,9 +32,7 @@ LeastSquaresLevels NodalLevels(const std::vector<TransportOperator>& nodal,
     finest = &product;
   }
   LeastSquaresLevels levels;
-  levels.Blocks = std::move(smoothing.Small);
-  levels.Subdomains = std::move(smoothing.Subdomains);
-  levels.Needles = std::move(smoothing.Needles);
+  levels.Blocks = std::move(blocks);
   PlanarProlongation rows = RowsOfComponents(*finest, context);
   levels.Prolongation.swap(rows);
   for (; next < nodal.size(); ++next)

@@ -1,6 +1,5 @@
 #include "Discretisations/PowerField.h"
 
-#include "Discretisations/SmoothingBlocks.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Operators/PowerFieldOperators.h"
@@ -72,7 +71,7 @@ std::unique_ptr<const RoughnessHierarchy> PowerField::Coarsen(
     CoarsenLaplacian([&surface = this->Surface, N = this->N](const std::vector<int>& order,
                        const ExecutionContext& part)
       { return PowerLaplacian(surface.Mesh, surface.Faces, N, order, part); },
-      std::move(onPowers), ProlongationSteps, RegionsOfPowerFields(this->Surface.Mesh), context));
+      std::move(onPowers), ProlongationSteps, context));
 }
 
 std::unique_ptr<const RoughnessHierarchy> PowerField::Assemble(

@@ -1,7 +1,6 @@
 #include "Discretisations/SmoothingBlocks.h"
 
 #include "Mesh/FaceFans.h"
-#include "Mesh/NeedleRegions.h"
 
 #include <algorithm>
 #include <array>
@@ -13,6 +12,24 @@ namespace dmg
 {
 namespace
 {
+
+/// Whether each face has at most so many times the area of an equilateral triangle with its longest side.
+std::vector<char> AreUneven(const TriangleMesh& mesh, double fraction)
+{
+  std::vector<char> areUneven(mesh.NumberOfFaces(), 0);
+  const Vector<double> areas = mesh.FaceAreas();
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    double longest = 0.0;
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      longest =
+        std::max(longest, (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm());
+    }
+    areUneven[face] = areas[face] <= fraction * std::sqrt(3.0) / 4.0 * longest;
+  }
+  return areUneven;
+}
 
 /// Connected uneven faces, and rings of faces around them as far as a block has room.
 template <class UnknownsOf>
@@ -114,126 +131,56 @@ private:
 constexpr double EvenFractionForFans = 0.1;
 constexpr double EvenFractionForSides = 0.2;
 
-// Forms run along chains of needles that hang together loosely. Vectors do not: patches are enough for them, but where
-// needles that share sides are more than a patch has room for, as those of a needle that was cut into 64.
-constexpr NeedleRegions::Rule NeedlesForSides = { 0.1, NeedleRegions::RingsOfRegion };
-constexpr NeedleRegions::Rule NeedlesForFans = { 0.05, 0 };
-// Sweeps and coarse levels deal with a few.
-constexpr NeedleRegions::Rule NeedlesForPowers = { 0.1, NeedleRegions::RingsOfRegion, NeedleRegions::RingsOfRegion, 8 };
-// Coarse functions do not fit into any needle.
-constexpr NeedleRegions::Rule NeedlesOfCoarseFunctions = { 0.05, 1, 1, 1 };
-// A region of n unknowns takes about n^2 operations, and all of them at most so many per unknown of the surface.
-constexpr double WorkOnNeedles = 300.0;
-
 /// \param unknownsOf(face) an array of the unknowns of a face.
 template <class UnknownsOf>
-std::vector<int> UnknownsOfFaces(const std::vector<int>& faces, const UnknownsOf& unknownsOf)
+void AppendPatches(
+  const TriangleMesh& mesh, double evenFraction, const UnknownsOf& unknownsOf, UnknownBlocks& blocks)
 {
-  std::vector<int> unknowns;
-  for (const int face : faces)
-  {
-    const auto own = unknownsOf(face);
-    unknowns.insert(unknowns.end(), own.begin(), own.end());
-  }
-  std::sort(unknowns.begin(), unknowns.end());
-  unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());
-  return unknowns;
-}
-
-void Append(const std::vector<int>& unknowns, UnknownBlocks& blocks)
-{
-  blocks.Unknowns.insert(blocks.Unknowns.end(), unknowns.begin(), unknowns.end());
-  blocks.EndBlock();
-}
-
-/// Patches where a region has no subdomains, and subdomains where it has.
-/// \param unknownsOf(face) an array of the unknowns of a face.
-template <class UnknownsOf>
-void AppendLarge(const TriangleMesh& mesh, double evenFraction, const NeedleRegions& regions,
-  const UnknownsOf& unknownsOf, SmoothingBlocks& blocks)
-{
-  std::vector<char> areUneven = AreUneven(mesh, evenFraction);
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    areUneven[face] &= !regions.Contains(face);
-  }
-  PatchGrower<UnknownsOf>(mesh, std::move(areUneven), unknownsOf).AppendTo(blocks.Small);
-  for (const std::vector<int>& piece : regions.Pieces())
-  {
-    Append(UnknownsOfFaces(piece, unknownsOf), blocks.Subdomains);
-  }
-}
-
-/// The smaller ones first.
-template <class UnknownsOf>
-UnknownBlocks NeedlesOf(const TriangleMesh& mesh, const UnknownsOf& unknownsOf, int numberOfUnknowns)
-{
-  std::vector<std::vector<int>> regions;
-  for (const std::vector<int>& faces : NeedleRegions(mesh, NeedlesOfCoarseFunctions).Components())
-  {
-    regions.push_back(UnknownsOfFaces(faces, unknownsOf));
-  }
-  std::stable_sort(regions.begin(), regions.end(),
-    [](const std::vector<int>& a, const std::vector<int>& b) { return a.size() < b.size(); });
-  UnknownBlocks needles;
-  double work = 0.0;
-  for (const std::vector<int>& unknowns : regions)
-  {
-    work += std::pow(static_cast<double>(unknowns.size()), 2);
-    if (work > WorkOnNeedles * numberOfUnknowns)
-    {
-      break;
-    }
-    Append(unknowns, needles);
-  }
-  return needles;
+  PatchGrower<UnknownsOf>(mesh, AreUneven(mesh, evenFraction), unknownsOf).AppendTo(blocks);
 }
 
 }
 
-SmoothingBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
+UnknownBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
 {
   constexpr int largestFan = SchwarzBlocks::LargestBlock / 4; // inverses grow by the square
   const auto components = [](int face) { return std::array<int, 2>{ 2 * face, 2 * face + 1 }; };
-  SmoothingBlocks blocks;
-  blocks.Small.Unknowns.reserve(2 * mesh.NumberOfFaces());
+  UnknownBlocks blocks;
+  blocks.Unknowns.reserve(2 * mesh.NumberOfFaces());
   const FaceFans fans = PackFans(mesh, largestFan);
   for (int fan = 0; fan < fans.Size(); ++fan)
   {
     for (int k = fans.Offsets[fan]; k < fans.Offsets[fan + 1]; ++k)
     {
       const auto unknowns = components(fans.Faces[k]);
-      blocks.Small.Unknowns.insert(
-        blocks.Small.Unknowns.end(), unknowns.begin(), unknowns.end());
+      blocks.Unknowns.insert(blocks.Unknowns.end(), unknowns.begin(), unknowns.end());
     }
-    blocks.Small.EndBlock();
+    blocks.EndBlock();
   }
-  AppendLarge(mesh, EvenFractionForFans, NeedleRegions(mesh, NeedlesForFans), components, blocks);
-  blocks.Needles = NeedlesOf(mesh, components, 2 * mesh.NumberOfFaces());
+  AppendPatches(mesh, EvenFractionForFans, components, blocks);
   return blocks;
 }
 
-SmoothingBlocks BlocksOfOneForms(const TriangleMesh& mesh)
+UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh)
 {
   const auto sides = [&mesh](int face) {
     return std::array<int, 3>{ mesh.EdgeOf(3 * face), mesh.EdgeOf(3 * face + 1),
       mesh.EdgeOf(3 * face + 2) };
   };
-  SmoothingBlocks blocks;
-  UnknownBlocks& small = blocks.Small;
-  small.Unknowns.reserve(mesh.NumberOfEdges());
+  UnknownBlocks blocks;
+  blocks.Unknowns.reserve(mesh.NumberOfEdges());
   std::vector<char> isTaken(mesh.NumberOfEdges(), 0);
   const auto take = [&](int face) {
     for (const int edge : sides(face))
     {
       if (!std::exchange(isTaken[edge], 1))
       {
-        small.Unknowns.push_back(edge);
+        blocks.Unknowns.push_back(edge);
       }
     }
-    if (small.Offsets.back() < static_cast<int>(small.Unknowns.size()))
+    if (blocks.Offsets.back() < static_cast<int>(blocks.Unknowns.size()))
     {
-      small.EndBlock();
+      blocks.EndBlock();
     }
   };
   for (const int face : PackFaces(mesh))
@@ -252,23 +199,8 @@ SmoothingBlocks BlocksOfOneForms(const TriangleMesh& mesh)
       }
     }
   }
-  AppendLarge(mesh, EvenFractionForSides, NeedleRegions(mesh, NeedlesForSides), sides, blocks);
-  blocks.Needles = NeedlesOf(mesh, sides, mesh.NumberOfEdges());
+  AppendPatches(mesh, EvenFractionForSides, sides, blocks);
   return blocks;
-}
-
-UnknownBlocks RegionsOfPowerFields(const TriangleMesh& mesh)
-{
-  constexpr std::size_t largest = 5000; // a factor of so many is ready sooner than levels of as many
-  UnknownBlocks regions;
-  for (const std::vector<int>& faces : NeedleRegions(mesh, NeedlesForPowers).Components())
-  {
-    if (faces.size() <= largest)
-    {
-      Append(faces, regions);
-    }
-  }
-  return regions;
 }
 
 }

@@ -1,7 +1,7 @@
 #include "Solvers/AssembledHierarchy.h"
 
-#include "Solvers/CholeskySolver.h"
 #include "Solvers/GalerkinCycle.h"
+#include "Solvers/ShiftedFactor.h"
 #include "Solvers/SparseDiagonal.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -41,7 +41,7 @@ class FreeRows
 {
 public:
   FreeRows(const Vector<double>& D, const ExecutionContext& context)
-    : Size(static_cast<int>(D.size()))
+    : Unknowns(static_cast<int>(D.size()))
     , Numbers(Choose(
         static_cast<int>(D.size()) / PartsOf<Scalar>,
         [&D](int row) { return std::isfinite(D[PartsOf<Scalar> * row]); }, context))
@@ -50,8 +50,9 @@ public:
 
   bool AreAll() const
   {
-    return PartsOf<Scalar> * static_cast<int>(this->Numbers.size()) == this->Size;
+    return PartsOf<Scalar> * this->Size() == this->Unknowns;
   }
+  int Size() const { return static_cast<int>(this->Numbers.size()); }
   const std::vector<int>& Rows() const { return this->Numbers; }
   bool operator==(const FreeRows& other) const { return this->Numbers == other.Numbers; }
 
@@ -64,8 +65,8 @@ public:
   /// Zero elsewhere.
   Vector<double> Expanded(const Vector<Scalar>& part) const
   {
-    Vector<double> all = Vector<double>::Zero(this->Size);
-    Eigen::Map<Vector<Scalar>>(AsRows<Scalar>(all), this->Size / PartsOf<Scalar>)(this->Numbers) =
+    Vector<double> all = Vector<double>::Zero(this->Unknowns);
+    Eigen::Map<Vector<Scalar>>(AsRows<Scalar>(all), this->Unknowns / PartsOf<Scalar>)(this->Numbers) =
       part;
     return all;
   }
@@ -85,7 +86,7 @@ public:
   }
 
 private:
-  int Size; ///< unknowns
+  int Unknowns; ///< of all rows
   std::vector<int> Numbers;
 };
 
@@ -173,10 +174,12 @@ template <class Scalar>
 class AssembledCycle : public RoughnessCycle
 {
 public:
+  /// \param isFactored whether to factor although there are coarse levels.
   AssembledCycle(const AssembledHierarchy<Scalar>& hierarchy, const Vector<double>& D,
-    const RoughnessCycleOptions& options, const ExecutionContext& context)
+    const RoughnessCycleOptions& options, bool isFactored, const ExecutionContext& context)
     : Fine(hierarchy)
     , Options(options)
+    , IsFactored(isFactored || hierarchy.Prolongations().empty())
     , Free(D, context)
   {
     this->Build(D, context);
@@ -212,7 +215,7 @@ public:
     const Vector<Scalar> residual = this->Free.Restricted(r);
     if (this->Factor)
     {
-      this->Factor->Solve(residual, solution);
+      this->Factor->Apply(residual, solution, context);
     }
     else
     {
@@ -223,7 +226,7 @@ public:
 
   std::vector<LevelReport> Levels() const override
   {
-    return this->Factor ? std::vector<LevelReport>{ { this->Factor->NumberOfUnknowns(),
+    return this->Factor ? std::vector<LevelReport>{ { this->Free.Size(),
                             this->Factor->NonZeros() } }
                         : this->Cycle->Levels();
   }
@@ -237,7 +240,7 @@ private:
   {
     SparseMatrix<Scalar> A = this->Free.Matrix(this->Fine.Matrix(), D);
     context.Checkpoint(0.2);
-    if (this->Fine.Prolongations().empty())
+    if (this->IsFactored)
     {
       this->Factor.emplace(A);
       return;
@@ -252,8 +255,9 @@ private:
 
   const AssembledHierarchy<Scalar>& Fine;
   const RoughnessCycleOptions Options;
+  const bool IsFactored;
   FreeRows<Scalar> Free;
-  std::optional<CholeskySolver<Scalar>> Factor; ///< or
+  std::optional<ShiftedFactor<Scalar>> Factor; ///< or
   std::optional<GalerkinCycle<Scalar>> Cycle;
 };
 
@@ -329,7 +333,15 @@ template <class Scalar>
 std::unique_ptr<RoughnessCycle> AssembledHierarchy<Scalar>::Cycle(const Vector<double>& D,
   const RoughnessCycleOptions& options, const ExecutionContext& context) const
 {
-  return std::make_unique<AssembledCycle<Scalar>>(*this, D, options, context);
+  return std::make_unique<AssembledCycle<Scalar>>(*this, D, options, false, context);
+}
+
+template <class Scalar>
+std::unique_ptr<Preconditioner<double>> AssembledHierarchy<Scalar>::Factor(
+  const Vector<double>& D, const ExecutionContext& context) const
+{
+  return std::make_unique<AssembledCycle<Scalar>>(
+    *this, D, RoughnessCycleOptions(), true, context);
 }
 
 template <class Scalar>

@@ -26,10 +26,12 @@ public:
 
   double DiagonalOf(int unknown) const override;
   std::unique_ptr<RoughnessOperator> Operator() const override;
-  /// Where D is infinite the unknown is taken out of the matrix.
+  /// Where D is infinite the unknown is taken out of the matrix. A factor is a ShiftedFactor.
   /// \throw SolverFailure R + D could not be factored.
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<Preconditioner<double>> Factor(
+    const Vector<double>& D, const ExecutionContext& context) const override;
   std::unique_ptr<RoughnessNestedIteration> NestedIterations(const Vector<double>& D,
     const RoughnessCycleOptions& options, bool maySweep,
     const ExecutionContext& context) const override;

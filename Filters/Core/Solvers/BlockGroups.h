@@ -35,7 +35,9 @@ struct BlockPattern
 /// Blocks in groups of four, each in a lane of a pack: independent blocks of a tile (BlockTiles) whose
 /// unknowns share rows of B in the same way, as the sides of most faces do, and the faces around most vertices
 /// of a valence. First those of one colour, then what is left of all colours; with less than four, a block takes
-/// several lanes, which read, compute and write the same. Others are groups of one.
+/// several lanes, which read, compute and write the same. Others are groups of one. With groups of one alone,
+/// a second solve takes 1.4 times as long for face fields and 1.5 times for 1-forms, and all from the bare mesh 6 and 10 %
+/// longer (medians of 14 surfaces).
 ///
 /// Groups tell an order of the unknowns and of the rows of B in which unknowns that a group has to itself, and
 /// rows inside of its blocks, have those of all lanes side by side, to be read and written at once.

@@ -8,9 +8,6 @@
 #include <cassert>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
-#include <type_traits>
-#include <utility>
 
 namespace dmg
 {
@@ -20,22 +17,14 @@ namespace
 constexpr int RowGrain = 8192;
 constexpr int GroupsAhead = 2;
 
-/// Calls visit(0) to visit(Size - 1), each with a number that the compiler knows.
-template <int... Numbers, class Visit>
-[[gnu::always_inline]] inline void ForConstants(
-  std::integer_sequence<int, Numbers...>, const Visit& visit)
-{
-  (visit(std::integral_constant<int, Numbers>()), ...);
-}
-
 /// A pattern of blocks as the kernel asks for it.
-class AnyShape
+class BlockShape
 {
 public:
   static constexpr int MostUnknowns = BlockGroups::LargestBlock;
   static constexpr int MostRows = BlockGroups::MostRows;
 
-  explicit AnyShape(const BlockPattern& pattern)
+  explicit BlockShape(const BlockPattern& pattern)
     : Of(pattern)
   {
   }
@@ -87,159 +76,19 @@ private:
   const BlockPattern& Of;
 };
 
-/// Which unknowns touch the rows of a block, as bits: inner rows first, and both kinds ascending.
-template <int U, int R, int Inner>
-struct FixedIncidence
-{
-  static constexpr int Unknowns = U;
-  static constexpr int Rows = R;
-  static constexpr int InnerRows = Inner;
-  std::uint64_t UnknownsOf[R] = {};
-
-  constexpr bool Touches(int unknown, int row) const { return (this->UnknownsOf[row] >> unknown & 1) != 0; }
-  constexpr void Sort()
-  {
-    this->Sort(0, Inner);
-    this->Sort(Inner, R);
-  }
-
-private:
-  constexpr void Sort(int first, int last)
-  {
-    for (; first < last; ++first)
-    {
-      for (int k = first + 1; k < last; ++k)
-      {
-        if (this->UnknownsOf[k] < this->UnknownsOf[first])
-        {
-          const std::uint64_t smaller = this->UnknownsOf[k];
-          this->UnknownsOf[k] = this->UnknownsOf[first];
-          this->UnknownsOf[first] = smaller;
-        }
-      }
-    }
-  }
-};
-
-/// The sides of a face: a row for the face itself; for each side one for the face beyond it, and one for each
-/// corner, which two sides have in common.
-constexpr FixedIncidence<3, 7, 1> Sides = { { 7, 1, 2, 3, 4, 5, 6 } };
-
-/// Two components for each face around a vertex: rows for the vertex itself and for its edges; for the other
-/// vertices and the edges between those.
-template <int Faces>
-constexpr auto Wheel()
-{
-  FixedIncidence<2 * Faces, 3 * Faces + 1, Faces + 1> wheel;
-  for (int face = 0; face < Faces; ++face)
-  {
-    const std::uint64_t ofFace = std::uint64_t(3) << 2 * face;
-    const std::uint64_t ofTwo = ofFace | std::uint64_t(3) << 2 * ((face + 1) % Faces);
-    wheel.UnknownsOf[Faces] |= ofFace;
-    wheel.UnknownsOf[face] = ofTwo;
-    wheel.UnknownsOf[Faces + 1 + face] = ofTwo;
-    wheel.UnknownsOf[2 * Faces + 1 + face] = ofFace;
-  }
-  wheel.Sort();
-  return wheel;
-}
-
-constexpr auto WheelOf6 = Wheel<6>();
-
-/// A pattern that the compiler knows: all loops are unrolled.
-template <const auto& Incidence>
-class FixedShape
-{
-public:
-  static constexpr int MostUnknowns = Incidence.Unknowns;
-  static constexpr int MostRows = Incidence.Rows;
-
-  static constexpr int Unknowns() { return Incidence.Unknowns; }
-  static constexpr int Rows() { return Incidence.Rows; }
-  static constexpr int InnerRows() { return Incidence.InnerRows; }
-
-  static bool Is(const BlockPattern& pattern)
-  {
-    bool is = pattern.Unknowns() == Unknowns() && pattern.Rows() == Rows() &&
-      pattern.InnerRows == InnerRows();
-    std::size_t entry = 0;
-    for (int i = 0; is && i < Unknowns(); ++i)
-    {
-      for (int k = 0; is && k < Rows(); ++k)
-      {
-        is = !Incidence.Touches(i, k) ||
-          (entry < pattern.RowOf.size() && pattern.RowOf[entry++] == k);
-      }
-      is = is && pattern.Offsets[i + 1] == static_cast<int>(entry);
-    }
-    return is;
-  }
-
-  template <class Visit>
-  [[gnu::always_inline]] static void ForUnknowns(const Visit& visit)
-  {
-    ForConstants(std::make_integer_sequence<int, Unknowns()>(), visit);
-  }
-  template <class Visit>
-  [[gnu::always_inline]] static void ForRows(const Visit& visit)
-  {
-    ForConstants(std::make_integer_sequence<int, Rows()>(), visit);
-  }
-  template <class Unknown, class Visit>
-  [[gnu::always_inline]] static void ForUnknownsBefore(Unknown, const Visit& visit)
-  {
-    ForConstants(std::make_integer_sequence<int, Unknown::value>(), visit);
-  }
-  template <class Unknown, class Visit>
-  [[gnu::always_inline]] static void ForEntriesOf(Unknown, const Visit& visit)
-  {
-    ForRows([&visit](auto row) __attribute__((always_inline)) {
-      if constexpr (Incidence.Touches(Unknown::value, row))
-      {
-        visit(EntryOf(Unknown::value, row), row);
-      }
-    });
-  }
-  template <class Row, class Visit>
-  [[gnu::always_inline]] static void ForEntriesOfRow(Row, const Visit& visit)
-  {
-    ForUnknowns([&visit](auto unknown) __attribute__((always_inline)) {
-      if constexpr (Incidence.Touches(unknown, Row::value))
-      {
-        visit(EntryOf(unknown, Row::value), unknown);
-      }
-    });
-  }
-  static constexpr int FirstEntryOf(int unknown) { return EntryOf(unknown, 0); }
-
-private:
-  static constexpr int EntryOf(int unknown, int row)
-  {
-    int entry = 0;
-    for (int i = 0; i <= unknown; ++i)
-    {
-      for (int k = 0; k < (i < unknown ? Rows() : row); ++k)
-      {
-        entry += Incidence.Touches(i, k);
-      }
-    }
-    return entry;
-  }
-};
-
 /// y = A x for a symmetric matrix in each lane, its lower triangle by rows.
 /// \param ahead a matrix that will be needed soon.
-template <class Pack, class Shape>
-[[gnu::always_inline]] inline void MultiplySymmetric(
-  const float* triangle, const Shape& shape, const Pack* x, Pack* y, const float* ahead)
+template <class Pack>
+inline void MultiplySymmetric(
+  const float* triangle, const BlockShape& shape, const Pack* x, Pack* y, const float* ahead)
 {
   constexpr int lanes = LanesOf<Pack>;
-  shape.ForUnknowns([&](auto i) __attribute__((always_inline)) {
+  shape.ForUnknowns([&](auto i) {
     const int begin = i * (i + 1) / 2;
     const float* const row = triangle + begin * lanes;
     Prefetch(ahead + begin * lanes, (i + 1) * lanes);
     Pack sum = LoadPack<Pack>(row + i * lanes) * x[i];
-    shape.ForUnknownsBefore(i, [&](auto j) __attribute__((always_inline)) {
+    shape.ForUnknownsBefore(i, [&](auto j) {
       const Pack entry = LoadPack<Pack>(row + j * lanes);
       sum += entry * x[j];
       y[j] += entry * x[i];
@@ -250,7 +99,7 @@ template <class Pack, class Shape>
 
 /// The same where lanes are of no use, but rows are long.
 inline void MultiplySymmetric(
-  const float* triangle, const AnyShape& shape, const float* x, float* y, const float*)
+  const float* triangle, const BlockShape& shape, const float* x, float* y, const float*)
 {
   const int size = shape.Unknowns();
   constexpr int lanes = LanesOf<FloatPack>;
@@ -277,11 +126,10 @@ inline void MultiplySymmetric(
 
 /// Where unknowns and rows of B stand in vectors: anywhere.
 template <class Pack>
-class AnyPlaces
+class PlacesAnywhere
 {
 public:
-  template <class Shape>
-  AnyPlaces(const Shape& shape, const int* places)
+  PlacesAnywhere(const BlockShape& shape, const int* places)
     : Unknowns(places)
     , Rows(places + shape.Unknowns() * Lanes)
     , NumberOfPlaces((shape.Unknowns() + shape.Rows()) * Lanes)
@@ -305,11 +153,10 @@ private:
 };
 
 /// The lanes of unknowns and of inner rows side by side.
-template <class Shape>
 class PlacesInOrder
 {
 public:
-  PlacesInOrder(const Shape& shape, const int* rows, int firstPlace)
+  PlacesInOrder(const BlockShape& shape, const int* rows, int firstPlace)
     : Of(shape)
     , FirstPlace(firstPlace)
     , Rows(rows)
@@ -343,7 +190,7 @@ private:
     return this->Rows + this->Of.InnerRows() + (k - this->Of.InnerRows()) * Lanes;
   }
 
-  const Shape& Of;
+  const BlockShape& Of;
   const int FirstPlace;
   const int* const Rows; ///< of inner ones the first lane's
 };
@@ -405,12 +252,6 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
   , Bx(factor.rows())
 {
   assert(relaxation > 0.0 && relaxation < 2.0);
-  for (const BlockPattern& pattern : blocks.AllPatterns())
-  {
-    this->KnownShapes.push_back(FixedShape<Sides>::Is(pattern) ? KnownShape::Sides
-        : FixedShape<WheelOf6>::Is(pattern)                     ? KnownShape::WheelOf6
-                                                                : KnownShape::None);
-  }
   this->Inverses.reserve(blocks.Groups().size());
   for (const SchwarzBlocks::Group& group : blocks.Groups())
   {
@@ -497,20 +338,21 @@ void BlockSmoother::Begin(
   });
 }
 
-template <bool Pulled, class Pack, class Shape, class Places>
+template <bool Pulled, class Pack, class Places>
 void BlockSmoother::SmoothBlocks(
-  const Shape& shape, const Places& places, const Streams& of, const Streams& ahead)
+  const BlockPattern& pattern, const Places& places, const Streams& of, const Streams& ahead)
 {
   constexpr int lanes = LanesOf<Pack>;
+  const BlockShape shape(pattern);
   const float* const values = of.Values;
   float* const Bx = this->Bx.data();
   float* const step = this->Step.data();
 
   Prefetch(ahead.Places, places.Size());
-  Pack products[Shape::MostRows];
-  shape.ForRows([&](auto k) __attribute__((always_inline)) { products[k] = places.RowOf(Bx, k); });
-  Pack residuals[Shape::MostUnknowns];
-  shape.ForUnknowns([&](auto i) __attribute__((always_inline)) {
+  Pack products[BlockShape::MostRows];
+  shape.ForRows([&](auto k) { products[k] = places.RowOf(Bx, k); });
+  Pack residuals[BlockShape::MostUnknowns];
+  shape.ForUnknowns([&](auto i) {
     Pack residual = places.UnknownOf(this->Right.data(), i);
     if (Pulled)
     {
@@ -518,23 +360,23 @@ void BlockSmoother::SmoothBlocks(
     }
     const int begin = shape.FirstEntryOf(i);
     Prefetch(ahead.Values + begin * lanes, (shape.FirstEntryOf(i + 1) - begin) * lanes);
-    shape.ForEntriesOf(i, [&](int entry, auto row) __attribute__((always_inline)) {
+    shape.ForEntriesOf(i, [&](int entry, auto row) {
       residual -= LoadPack<Pack>(values + entry * lanes) * products[row];
     });
     residuals[i] = residual;
   });
-  Pack steps[Shape::MostUnknowns];
+  Pack steps[BlockShape::MostUnknowns];
   MultiplySymmetric(of.Inverse, shape, residuals, steps, ahead.Inverse);
-  shape.ForUnknowns([&](auto i) __attribute__((always_inline)) {
+  shape.ForUnknowns([&](auto i) {
     if (!Pulled) // a strong pull is better not overshot
     {
       steps[i] *= this->Relaxation;
     }
     places.SetUnknown(places.UnknownOf(step, i) + steps[i], step, i);
   });
-  shape.ForRows([&](auto k) __attribute__((always_inline)) {
+  shape.ForRows([&](auto k) {
     Pack product = products[k];
-    shape.ForEntriesOfRow(k, [&](int entry, auto unknown) __attribute__((always_inline)) {
+    shape.ForEntriesOfRow(k, [&](int entry, auto unknown) {
       product += LoadPack<Pack>(values + entry * lanes) * steps[unknown];
     });
     places.SetRow(product, Bx, k);
@@ -545,30 +387,22 @@ template <bool Pulled>
 void BlockSmoother::SmoothGroup(
   const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead)
 {
-  const AnyShape any(this->Blocks.PatternOf(group));
+  const BlockPattern& pattern = this->Blocks.PatternOf(group);
+  const BlockShape shape(pattern);
   if (group.Lanes == 1)
   {
-    this->SmoothBlocks<Pulled, float>(any, AnyPlaces<float>(any, of.Places), of, ahead);
+    this->SmoothBlocks<Pulled, float>(
+      pattern, PlacesAnywhere<float>(shape, of.Places), of, ahead);
   }
   else if (group.FirstPlace < 0)
   {
-    this->SmoothBlocks<Pulled, FloatPack>(any, AnyPlaces<FloatPack>(any, of.Places), of, ahead);
+    this->SmoothBlocks<Pulled, FloatPack>(
+      pattern, PlacesAnywhere<FloatPack>(shape, of.Places), of, ahead);
   }
   else
   {
-    const auto smooth = [&](const auto& shape) {
-      this->SmoothBlocks<Pulled, FloatPack>(
-        shape, PlacesInOrder(shape, of.Places, group.FirstPlace), of, ahead);
-    };
-    switch (this->KnownShapes[group.Pattern])
-    {
-      case KnownShape::Sides:
-        return smooth(FixedShape<Sides>());
-      case KnownShape::WheelOf6:
-        return smooth(FixedShape<WheelOf6>());
-      case KnownShape::None:
-        return smooth(any);
-    }
+    this->SmoothBlocks<Pulled, FloatPack>(
+      pattern, PlacesInOrder(shape, of.Places, group.FirstPlace), of, ahead);
   }
 }
 

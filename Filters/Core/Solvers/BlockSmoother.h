@@ -78,13 +78,6 @@ private:
   /// Takes the groups of a tile one after the other.
   void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
   bool Touches(const Vector<double>& D, const SchwarzBlocks::Group& group) const;
-  /// Patterns that most blocks have, which the compiler knows.
-  enum class KnownShape : char
-  {
-    None,
-    Sides,   ///< of a face
-    WheelOf6 ///< of faces around a vertex
-  };
   /// Where a group begins in the arrays that are read from first to last.
   struct Streams
   {
@@ -101,17 +94,16 @@ private:
   void SmoothGroup(const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead);
   /// Solves for the unknowns of each block of a group.
   /// \tparam Pack of so many lanes as the group has.
-  /// \param shape the pattern of its blocks. \param places of its unknowns and rows in vectors.
-  template <bool Pulled, class Pack, class Shape, class Places>
+  /// \param pattern of its blocks. \param places of its unknowns and rows in vectors.
+  template <bool Pulled, class Pack, class Places>
   void SmoothBlocks(
-    const Shape& shape, const Places& places, const Streams& of, const Streams& ahead);
+    const BlockPattern& pattern, const Places& places, const Streams& of, const Streams& ahead);
 
   const RowRuns<double> B;
   const RowTiles& Tiles;
   const SchwarzBlocks& Blocks;
   TileWaves Waves;
   const float Relaxation;
-  std::vector<KnownShape> KnownShapes; ///< of each pattern
   Vector<float> Diagonal;              ///< D where it is finite, else zero; by place
   std::vector<int> Held;               ///< where D is infinite; ascending
   std::vector<int> Pulled;             ///< where it is neither that nor zero; ascending

@@ -1,7 +1,5 @@
 #include "Solvers/CholeskySolver.h"
 
-#include "Support/Errors.h"
-
 #include <cholmod.h>
 
 #include <cassert>
@@ -17,13 +15,11 @@ template <class Scalar>
 class CholeskySolver<Scalar>::Internals
 {
 public:
-  Internals(FillOrdering ordering, FactorKind kind)
+  explicit Internals(FillOrdering ordering)
   {
     cholmod_l_start(&this->Common);
     this->Common.print = 0;
-    this->Common.supernodal =
-      kind == FactorKind::Supernodal ? CHOLMOD_SUPERNODAL : CHOLMOD_SIMPLICIAL;
-    this->Common.final_ll = true;
+    this->Common.supernodal = CHOLMOD_SUPERNODAL;
     this->Common.quick_return_if_not_posdef = true;
     if (ordering != FillOrdering::Best)
     {
@@ -122,7 +118,7 @@ public:
     if (this->Common.status == CHOLMOD_NOT_POSDEF)
     {
       const auto* permutation = static_cast<const SuiteSparse_long*>(this->L->Perm);
-      throw SolverFailure("the matrix is not positive definite: the Cholesky factorisation stopped "
+      throw NotPositiveDefinite("the matrix is not positive definite: the Cholesky factorisation stopped "
                           "at unknown " + std::to_string(permutation[this->L->minor]) +
         "; prescribe more elements or make all weights positive");
     }
@@ -154,9 +150,8 @@ public:
 };
 
 template <class Scalar>
-CholeskySolver<Scalar>::CholeskySolver(
-  const SparseMatrix<Scalar>& A, FillOrdering ordering, FactorKind kind)
-  : Internal(std::make_unique<Internals>(ordering, kind))
+CholeskySolver<Scalar>::CholeskySolver(const SparseMatrix<Scalar>& A, FillOrdering ordering)
+  : Internal(std::make_unique<Internals>(ordering))
 {
   auto upper = Internals::UpperTriangleOf(A);
   this->Internal->Analyze(upper);
@@ -200,18 +195,15 @@ int CholeskySolver<Scalar>::NumberOfUnknowns() const
 template <class Scalar>
 long long CholeskySolver<Scalar>::NonZeros() const
 {
-  const cholmod_factor& L = *this->Internal->L;
-  return static_cast<long long>(L.is_super ? L.xsize : L.nzmax);
+  return static_cast<long long>(this->Internal->L->xsize);
 }
 
 template <class Scalar>
 long long CholeskySolver<Scalar>::Bytes() const
 {
   const cholmod_factor& L = *this->Internal->L;
-  const std::size_t indices =
-    2 * L.n + (L.is_super ? 4 * (L.nsuper + 1) + L.ssize : 4 * (L.n + 1) + L.nzmax);
-  return this->NonZeros() * static_cast<long long>(sizeof(Scalar)) +
-    static_cast<long long>(indices * sizeof(SuiteSparse_long));
+  const std::size_t indices = 2 * L.n + 4 * (L.nsuper + 1) + L.ssize;
+  return static_cast<long long>(L.xsize * sizeof(Scalar) + indices * sizeof(SuiteSparse_long));
 }
 
 template <class Scalar>

@@ -1,6 +1,7 @@
 #ifndef dmgCholeskySolver_h
 #define dmgCholeskySolver_h
 
+#include "Support/Errors.h"
 #include "Support/Types.h"
 
 #include <memory>
@@ -16,36 +17,34 @@ enum class FillOrdering
   Best,  ///< AMD, and METIS too where AMD predicts high fill; the smaller factor is kept
 };
 
-/// How a factor is computed.
-enum class FactorKind
+/// A pivot is not positive: the matrix is not positive definite, or rounding errors hide that it is.
+class NotPositiveDefinite : public SolverFailure
 {
-  Supernodal, ///< by dense blocks, which BLAS does; for all but small matrices
-  Simplicial, ///< column by column without BLAS, whose threads get in the way of those that factor many small
-              ///< matrices at once; same bits for any number of threads
+public:
+  using SolverFailure::SolverFailure;
 };
 
-/// Sparse Cholesky factorisation A = L L^H of a symmetric (double) or Hermitian (Complex)
+/// Supernodal sparse Cholesky factorisation A = L L^H of a symmetric (double) or Hermitian (Complex)
 /// positive definite matrix, by CHOLMOD with its 64-bit indices.
 ///
 /// For matrices of surface meshes, n unknowns: about n^1.5 operations and n log n memory to factor,
-/// one pass over the factor to solve. The bits of a result of a supernodal factor may depend on the BLAS in use
-/// and on its own threads.
+/// one pass over the factor to solve. The bits of a result may depend on the BLAS in use and on its
+/// own threads.
 template <class Scalar>
 class CholeskySolver
 {
 public:
   /// Orders, analyses and factors \p A. Only its lower triangle is read.
   /// \pre A is square and compressed.
-  /// \throw SolverFailure A is not positive definite, or memory ran out.
-  explicit CholeskySolver(
-    const SparseMatrix<Scalar>& A, FillOrdering ordering = FillOrdering::AMD,
-    FactorKind kind = FactorKind::Supernodal);
+  /// \throw NotPositiveDefinite
+  /// \throw SolverFailure memory ran out.
+  explicit CholeskySolver(const SparseMatrix<Scalar>& A, FillOrdering ordering = FillOrdering::AMD);
   ~CholeskySolver();
   CholeskySolver(CholeskySolver&&) noexcept;
   CholeskySolver& operator=(CholeskySolver&&) noexcept;
 
   /// Factors other values in the same pattern; ordering and analysis are kept.
-  /// \throw SolverFailure as above; Solve must not be called after that.
+  /// \throw as above; Solve must not be called after that.
   void Update(const SparseMatrix<Scalar>& A);
 
   /// x = A^-1 b. Uses a workspace of the solver: one solve at a time.
@@ -56,7 +55,7 @@ public:
   void Solve(const Columns& b, Columns& x);
 
   int NumberOfUnknowns() const;
-  /// Of L, with the explicit zeros of its supernodes, if it has some.
+  /// Of L, with the explicit zeros of its supernodes.
   long long NonZeros() const;
   /// Held by the factor.
   long long Bytes() const;

@@ -27,6 +27,8 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int Grain = 8192;
+// Who allows fewer wants an answer in that time, and no factor after it.
+constexpr int FewestIterationsBeforeFactor = 100;
 
 RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverTuning& tuning)
 {
@@ -210,6 +212,11 @@ public:
   /// By a factor, V-cycles or conjugate gradients.
   void Iterate(Vector<double>& b, const StoppingCriteria& stop,
     const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context);
+  /// Conjugate gradients with a factor instead of cycles, which have not converged, from where these are. Where there
+  /// is none, all stays as it was.
+  void IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b,
+    const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure, Vector<double>& x,
+    const ExecutionContext& context);
   /// \param all in the caller's order, or empty.
   Vector<double> InOrder(const Vector<double>& all, const ExecutionContext& context) const;
   Vector<double> InCallersOrder(const Vector<double>& x, const ExecutionContext& context) const;
@@ -226,6 +233,7 @@ public:
   std::unique_ptr<RoughnessCycle> Cycle;
   std::optional<DeflatedPreconditioner> Deflated; ///< the cycle, where there are harmonic fields
   std::optional<KernelProjection> Undetermined;   ///< harmonic fields that nothing determines
+  std::unique_ptr<Preconditioner<double>> Factor; ///< as soon as cycles have stagnated
   std::unique_ptr<RoughnessNestedIteration> Nested; ///< in place of a cycle
   SolveReport Report;
   std::vector<std::string> SystemWarnings;
@@ -236,7 +244,7 @@ private:
   void MakeCycle(const Vector<double>& D, const ExecutionContext& context);
   void MakeNested(const Vector<double>& D, const ExecutionContext& context);
   void Deflate(const Vector<double>& D, const ExecutionContext& context);
-  void MakeDefinite(Vector<double>& D, const ExecutionContext& context);
+  void FindUndetermined(const Vector<double>& D, const ExecutionContext& context);
   void WarnOfUndetermined(int number);
   void CheckAnyIsFree() const;
 };
@@ -249,10 +257,11 @@ void HarmonicProblem::Internals::Prescribe(
   this->Smoothness = prescribed.Kind == ConstraintKind::Hard ? 1.0 : smoothness;
   this->Prescribed = std::move(prescribed);
   this->Places = PlacesOf(this->Prescribed.Unknowns, hierarchy.Order, context);
-  Vector<double> D = this->DiagonalOfPrescribed(context);
+  const Vector<double> D = this->DiagonalOfPrescribed(context);
   this->CheckAnyIsFree();
   context.Checkpoint(0.1);
 
+  this->Factor.reset();
   this->Deflated.reset();
   this->Undetermined.reset();
   if (!this->A)
@@ -263,7 +272,7 @@ void HarmonicProblem::Internals::Prescribe(
   const PartOfContext most(context, 0.1, 0.9);
   if (this->Kind == SolverKind::Cholesky || IsNested(this->Kind))
   {
-    this->MakeDefinite(D, context);
+    this->FindUndetermined(D, context);
     IsNested(this->Kind) ? this->MakeNested(D, most) : this->MakeCycle(D, most);
   }
   else
@@ -273,7 +282,7 @@ void HarmonicProblem::Internals::Prescribe(
   }
   const bool hasLevels = this->Kind != SolverKind::Cholesky;
   this->Report.Solver = NameOf(this->Kind) + (hasLevels ? " on " + this->Setup->Name : "") +
-    this->Reason + (hasLevels ? this->Setup->KernelNote : "");
+    this->Reason + this->Setup->KernelNote;
   this->Report.Warnings = this->SystemWarnings;
   this->Report.PrepareSeconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -376,10 +385,9 @@ void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const Executio
   this->WarnOfUndetermined(this->Deflated->Kernel().Size());
 }
 
-/// A factor wants a definite matrix. As many entries of the diagonal are doubled as there are harmonic fields U that
-/// nothing determines, in rows where these are independent. This changes no solution: as U^T b = 0 and U^T A = 0,
-/// what is added to the equations has no part in U, so it is zero, and the unknowns of these rows are.
-void HarmonicProblem::Internals::MakeDefinite(Vector<double>& D, const ExecutionContext& context)
+/// Harmonic fields that nothing determines are the kernel of A. The solution has no part in them.
+void HarmonicProblem::Internals::FindUndetermined(
+  const Vector<double>& D, const ExecutionContext& context)
 {
   Eigen::MatrixXd fields = this->Setup->Kernel;
   if (fields.cols() == 0)
@@ -396,19 +404,11 @@ void HarmonicProblem::Internals::MakeDefinite(Vector<double>& D, const Execution
   }
   const EnergiesOfSpace ofSpace(
     fields, energies, LargestEnergy(fields, *this->Setup->Hierarchy, D, context));
-  const Eigen::MatrixXd& undetermined = ofSpace.Undetermined();
-  if (undetermined.cols() == 0)
+  if (ofSpace.Undetermined().cols() > 0)
   {
-    return;
+    this->Undetermined.emplace(ofSpace.Undetermined());
+    this->WarnOfUndetermined(this->Undetermined->Size());
   }
-  const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> pivots(undetermined.transpose());
-  for (Eigen::Index k = 0; k < undetermined.cols(); ++k)
-  {
-    const int row = pivots.colsPermutation().indices()[k];
-    D[row] += this->Setup->Hierarchy->DiagonalOf(row) + D[row];
-  }
-  this->Undetermined.emplace(undetermined);
-  this->WarnOfUndetermined(this->Undetermined->Size());
 }
 
 void HarmonicProblem::Internals::CheckAnyIsFree() const
@@ -483,9 +483,41 @@ void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriter
       kernel->Remove(x, context);
     }
   }
-  const auto solve = this->Kind == SolverKind::ConjugateGradients ? &ConjugateGradient<double>
-                                                                  : &StationaryIteration<double>;
-  solve(*matrix, *inverse, b, stop, x, this->Report, context, &measure);
+  if (!this->Factor)
+  {
+    const auto solve = this->Kind == SolverKind::VCycles ? &StationaryIteration<double>
+                                                         : &ConjugateGradient<double>;
+    solve(*matrix, *inverse, b, stop, x, this->Report, context, &measure);
+  }
+  const bool haveStagnated = this->Kind == SolverKind::ConjugateGradients &&
+    !this->Report.Converged && stop.MaximumIterations >= FewestIterationsBeforeFactor;
+  if (this->Factor || haveStagnated)
+  {
+    this->IterateWithFactor(*matrix, b, stop, measure, x, context);
+  }
+}
+
+void HarmonicProblem::Internals::IterateWithFactor(const LinearOperator<double>& matrix,
+  const Vector<double>& b, const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure,
+  Vector<double>& x, const ExecutionContext& context)
+{
+  try
+  {
+    if (!this->Factor)
+    {
+      this->Factor =
+        this->Setup->Hierarchy->Factor(this->DiagonalOfPrescribed(context), context);
+    }
+  }
+  catch (const SolverFailure&)
+  {
+    return; // what the cycles have reached, and their warning, stand
+  }
+  this->Report.Warnings = this->SystemWarnings;
+  ConjugateGradient<double>(
+    matrix, *this->Factor, b, stop, x, this->Report, context, &measure);
+  this->Report.Warnings.push_back(
+    "Cycles did not converge, so conjugate gradients with a factor of the system took over.");
 }
 
 HarmonicProblem::HarmonicProblem(std::shared_ptr<const MultigridSetup> setup,

@@ -34,12 +34,8 @@ LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector
           hierarchy.L.Rounded, this->InverseDiagonal, SweepsOf(options)))
   , b(hierarchy.L.Size())
   , x(hierarchy.L.Size())
-  , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
+  , SumsOfParts(hierarchy.Prolongation.SizeOfSums())
 {
-  if (!hierarchy.Regions.empty())
-  {
-    this->Regions.emplace(hierarchy.L, hierarchy.Regions);
-  }
   this->SetDiagonal(D, context);
   SparseMatrix<Complex> coarse = this->CoarseMatrix(context);
   const GalerkinOptions coarsening = options.CoarseningOf(2 * static_cast<int>(coarse.rows()));
@@ -66,10 +62,6 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
     }
   });
   this->Held = Choose(size, [&D](int k) { return !std::isfinite(D[2 * k]); }, context);
-  if (this->Regions)
-  {
-    this->Regions->SetDiagonal(D, context);
-  }
   this->Pulled = YieldingUnknowns<Single>(
     size, [&D](int k) { return D[2 * k]; }, [this](int k) { return this->Fine.L.Diagonal[k]; },
     context);
@@ -117,21 +109,13 @@ void LaplacianCycle::Apply(
   });
   Vector<Single>& residual = this->FineSmoother->PreSmooth(this->b, this->x, context);
   SetZero(residual, this->Held, context);
-  if (this->Regions)
-  {
-    this->Regions->PreSmooth(residual, this->x, context);
-  }
   this->Pulled.Yield(residual, this->x, context);
   this->Fine.Prolongation.MultiplyAdjoint(
-    residual, this->CoarseResidual, this->SumsOfTiles, context);
+    residual, this->CoarseResidual, this->SumsOfParts, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, this->x, context);
   SetZero(this->x, this->Held, context);
   this->Pulled.Resist(this->x, context);
-  if (this->Regions)
-  {
-    this->Regions->PostSmooth(this->b, this->x, context);
-  }
   this->FineSmoother->PostSmooth(this->b, this->x, context);
   z.resize(r.size());
   context.ParallelFor(0, size, RowGrain, [&](int first, int last) {
@@ -151,9 +135,8 @@ std::vector<LevelReport> LaplacianCycle::Levels() const
 long long LaplacianCycle::Bytes() const
 {
   return this->Coarse->Bytes() + this->FineSmoother->Bytes() + this->Pulled.Bytes() +
-    (this->Regions ? this->Regions->Bytes() : 0) +
     this->b.size() * static_cast<long long>(2 * sizeof(Single) + sizeof(float)) +
-    this->SumsOfTiles.size() * static_cast<long long>(sizeof(float));
+    this->SumsOfParts.size() * static_cast<long long>(sizeof(float));
 }
 
 }

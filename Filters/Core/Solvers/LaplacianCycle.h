@@ -8,15 +8,13 @@
 #include "Solvers/YieldingUnknowns.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace dmg
 {
 
 /// The V-cycle of a LaplacianHierarchy: Gauss-Seidel by colours on the finest level, its smoothed
-/// prolongation, and a GalerkinCycle for the levels below. What D pulls yields to it (YieldingUnknowns). Regions
-/// are solved for exactly before and after the coarse correction.
+/// prolongation, and a GalerkinCycle for the levels below. What D pulls yields to it (YieldingUnknowns).
 class LaplacianCycle : public RoughnessCycle
 {
 public:
@@ -46,13 +44,12 @@ private:
   YieldingUnknowns<Single> Pulled;
   std::vector<int> Held; ///< at zero
   std::unique_ptr<Smoother<Single>> FineSmoother;
-  std::optional<RegionSmoother> Regions;
   std::unique_ptr<GalerkinCycle<Complex>> Coarse;
   Vector<Single> b;
   Vector<Single> x;
   Vector<Complex> CoarseResidual;
   Vector<Complex> CoarseCorrection;
-  Vector<float> SumsOfTiles; ///< room for CompactProlongation
+  Vector<float> SumsOfParts; ///< room for SingleProlongation
 };
 
 }

@@ -2,12 +2,14 @@
 
 #include "Solvers/HierarchicalOrder.h"
 #include "Solvers/LaplacianCycle.h"
+#include "Solvers/ShiftedFactor.h"
 #include "Solvers/SmoothedProlongation.h"
 #include "Solvers/SparseDiagonal.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
+#include "Support/Packs.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
 
@@ -57,6 +59,30 @@ private:
   SparseDiagonal D;
 };
 
+/// A factor of a complex matrix as preconditioner on pairs.
+class FactorOnPairs : public Preconditioner<double>
+{
+public:
+  explicit FactorOnPairs(const SparseMatrix<Complex>& A)
+    : Factor(A)
+  {
+  }
+
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
+  {
+    this->Right = Eigen::Map<const Vector<Complex>>(
+      reinterpret_cast<const Complex*>(r.data()), r.size() / 2);
+    this->Factor.Apply(this->Right, this->Solution, context);
+    z = Eigen::Map<const Vector<double>>(
+      reinterpret_cast<const double*>(this->Solution.data()), r.size());
+  }
+
+private:
+  ShiftedFactor<Complex> Factor;
+  Vector<Complex> Right;
+  Vector<Complex> Solution;
+};
+
 /// What is known of each unknown, two for each row.
 /// \param components in the order of the parents.
 void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParents,
@@ -77,65 +103,52 @@ void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParent
   hierarchy.SetComponents(std::move(ofUnknowns));
 }
 
-/// \param byParents the order of L. \param byColours that of the hierarchy, of these.
-std::vector<MatrixRegion> RegionsByColours(const SparseMatrix<Complex>& L, const UnknownBlocks& regions,
-  const std::vector<int>& byParents, const std::vector<int>& byColours, const ExecutionContext& context)
+/// To single precision, so that the coarse matrix is that of the prolongation that cycles read.
+void Round(SparseMatrix<Complex>& P, const ExecutionContext& context)
 {
-  if (regions.Size() == 0)
-  {
-    return {};
-  }
-  std::vector<int> places = Inverse(byParents, context);
-  const std::vector<int> ofColours = Inverse(byColours, context);
-  for (int& place : places)
-  {
-    place = ofColours[place];
-  }
-  return RegionsOf(L, regions, places, byColours);
+  using FloatPair = float __attribute__((vector_size(2 * sizeof(float))));
+  context.ParallelFor(0, static_cast<int>(P.nonZeros()), RowGrain, [&P](int first, int last) {
+    for (int e = first; e < last; ++e)
+    {
+      // In packs, because GCC 12 takes a number for its rounded one when it makes packs of this itself.
+      const auto entry = LoadPack<DoublePack>(P.valuePtr() + e);
+      const FloatPair nearest = __builtin_convertvector(entry, FloatPair);
+      StorePack(__builtin_convertvector(nearest, DoublePack), P.valuePtr() + e);
+    }
+  });
 }
 
-/// The restriction on unknowns by colours, without those that L says nothing of.
-RowBands<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& restriction,
+/// The prolongation to unknowns by colours; nothing to those that L says nothing of.
+SparseMatrix<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& P,
   const SparseMatrix<Complex>& L, const std::vector<int>& byColours, const ExecutionContext& context)
 {
-  using Entry = std::pair<int, LaplacianHierarchy::Single>;
-  const std::vector<int> places = Inverse(byColours, context);
-  const std::vector<int> isolated = Choose(
-    static_cast<int>(L.rows()), [&L](int i) { return L.coeff(i, i) == Complex(0.0); }, context);
+  using Single = LaplacianHierarchy::Single;
   const auto makeWorker = [&] {
-    return [&, entries = std::vector<Entry>()](
-             int firstRow, int lastRow, SparseRows<LaplacianHierarchy::Single>& rows) mutable {
-      for (int j = firstRow; j < lastRow; ++j)
+    return [&](int firstRow, int lastRow, SparseRows<Single>& rows) {
+      for (int k = firstRow; k < lastRow; ++k)
       {
-        entries.clear();
-        for (SparseMatrix<Complex>::InnerIterator entry(restriction, j); entry; ++entry)
+        const int row = byColours[k];
+        if (L.coeff(row, row) != Complex(0.0))
         {
-          if (!std::binary_search(isolated.begin(), isolated.end(), entry.col()))
+          for (SparseMatrix<Complex>::InnerIterator entry(P, row); entry; ++entry)
           {
-            entries.emplace_back(
-              places[entry.col()], static_cast<LaplacianHierarchy::Single>(entry.value()));
+            rows.Columns.push_back(static_cast<int>(entry.col()));
+            rows.Values.push_back(static_cast<Single>(entry.value()));
           }
-        }
-        std::sort(entries.begin(), entries.end(),
-          [](const Entry& a, const Entry& b) { return a.first < b.first; });
-        for (const auto& [place, value] : entries)
-        {
-          rows.Columns.push_back(place);
-          rows.Values.push_back(value);
         }
         rows.EndRow();
       }
     };
   };
-  return AssembleBands<LaplacianHierarchy::Single>(static_cast<int>(restriction.rows()),
-    static_cast<int>(restriction.cols()), makeWorker, context);
+  return AssembleInBands<Single>(
+    static_cast<int>(P.rows()), static_cast<int>(P.cols()), makeWorker, context);
 }
 
 }
 
 LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   std::vector<SparseMatrix<Complex>> prolongations, int smoothingSteps,
-  const UnknownBlocks& regions, const ExecutionContext& context)
+  const ExecutionContext& context)
 {
   const int size = static_cast<int>(prolongations[0].rows());
   CheckChain(size, prolongations);
@@ -151,13 +164,11 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   SmoothProlongation(L, P, smoothingSteps, context);
   GiveBackFreedMemory();
   context.Checkpoint(0.5);
-  CompactProlongation::Round(P, context); // so that the coarse matrix is that of the packed one
-  SparseMatrix<Complex> R = Adjoint(P, context);
+  Round(P, context);
 
   LaplacianHierarchy hierarchy;
   hierarchy.CoarseLower =
-    TripleProduct(R, L, P, context).triangularView<Eigen::Lower>();
-  SparseMatrix<Complex>().swap(P);
+    TripleProduct(Adjoint(P, context), L, P, context).triangularView<Eigen::Lower>();
   GiveBackFreedMemory();
   context.Checkpoint(0.7);
 
@@ -177,12 +188,10 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
       }
     }
   });
-  const auto restriction = InColours(R, L, colours.Unknowns, context);
-  SparseMatrix<Complex>().swap(R);
-  hierarchy.Regions = RegionsByColours(L, regions, byParents, colours.Unknowns, context);
+  hierarchy.Prolongation = SingleProlongation(InColours(P, L, colours.Unknowns, context));
+  SparseMatrix<Complex>().swap(P);
   hierarchy.L = SplitMatrix(L, colours, context);
   SparseMatrix<Complex>().swap(L);
-  hierarchy.Prolongation = CompactProlongation(restriction, context);
   SetUnknowns(hierarchy, byParents, colours.Unknowns, components, context);
   hierarchy.Coarser.reserve(prolongations.size()); // growth would copy
   for (std::size_t level = 1; level < prolongations.size(); ++level)
@@ -196,7 +205,6 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
 LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
   : RoughnessHierarchy(std::move(other))
   , L(std::move(other.L))
-  , Regions(std::move(other.Regions))
   , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
 {
@@ -214,14 +222,25 @@ std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& 
   return std::make_unique<LaplacianCycle>(*this, D, options, context);
 }
 
+std::unique_ptr<Preconditioner<double>> LaplacianHierarchy::Factor(
+  const Vector<double>& D, const ExecutionContext& context) const
+{
+  SparseMatrix<Complex> A = this->L.Whole(context);
+  for (int k = 0; k < A.rows(); ++k)
+  {
+    for (SparseMatrix<Complex>::InnerIterator entry(A, k); entry; ++entry)
+    {
+      const bool isHeld = !std::isfinite(D[2 * k]) || !std::isfinite(D[2 * entry.col()]);
+      entry.valueRef() = isHeld ? 0.0 : entry.value() + (entry.col() == k ? D[2 * k] : 0.0);
+    }
+  }
+  return std::make_unique<FactorOnPairs>(A);
+}
+
 long long LaplacianHierarchy::Bytes() const
 {
   long long bytes = this->L.Bytes() + this->Prolongation.Bytes() + BytesOf(this->CoarseLower) +
     this->BytesOfUnknowns();
-  for (const MatrixRegion& region : this->Regions)
-  {
-    bytes += region.Bytes();
-  }
   for (const SparseMatrix<Complex>& P : this->Coarser)
   {
     bytes += BytesOf(P);

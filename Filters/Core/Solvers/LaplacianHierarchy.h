@@ -1,8 +1,7 @@
 #ifndef dmgLaplacianHierarchy_h
 #define dmgLaplacianHierarchy_h
 
-#include "Solvers/CompactProlongation.h"
-#include "Solvers/RegionSmoother.h"
+#include "Solvers/SingleProlongation.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SplitMatrix.h"
 
@@ -28,8 +27,7 @@ public:
   LaplacianHierarchy(LaplacianHierarchy&& other) noexcept;
 
   SplitMatrix L;
-  std::vector<MatrixRegion> Regions;  ///< that RegionSmoother solves for; mostly none
-  CompactProlongation Prolongation;   ///< complex
+  SingleProlongation Prolongation;    ///< complex
   SparseMatrix<Complex> CoarseLower;  ///< the lower triangle of P^H L P
   std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
 
@@ -37,6 +35,8 @@ public:
   std::unique_ptr<RoughnessOperator> Operator() const override;
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<Preconditioner<double>> Factor(
+    const Vector<double>& D, const ExecutionContext& context) const override;
   long long Bytes() const override;
 };
 
@@ -47,13 +47,12 @@ using MatrixInOrder = std::function<SparseMatrix<Complex>(
 /// \param makeL gives L, N_0 x N_0, compressed.
 /// \param prolongations [l] is N_l x N_{l+1}, compressed; one or more. The first is smoothed.
 /// \param smoothingSteps >= 0; see SmoothedProlongation.
-/// \param regions unknowns that are solved for together (RegionSmoother); L couples none with one of another region.
 /// \throw InvalidInput the sizes do not chain.
 /// \throw Cancelled
 /// Cost: linear in the entries of L, 1.5 us for each row with two threads.
 LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   std::vector<SparseMatrix<Complex>> prolongations, int smoothingSteps,
-  const UnknownBlocks& regions, const ExecutionContext& context);
+  const ExecutionContext& context);
 
 }
 

@@ -20,14 +20,8 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
   : Fine(hierarchy)
   , Smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, options.Sweeps)
   , b(hierarchy.NumberOfUnknowns())
-  , SumsOfTiles(hierarchy.Prolongation.SizeOfSums())
+  , SumsOfParts(hierarchy.Prolongation.SizeOfSums())
 {
-  if (!hierarchy.Subdomains.empty())
-  {
-    this->OfSubdomains.resize(this->b.size());
-    this->Remainder.resize(this->b.size());
-    this->Subdomains.emplace(hierarchy.B, hierarchy.Tiles, hierarchy.Subdomains);
-  }
   this->SetDiagonal(this->Scaled(D), context);
   context.Checkpoint(0.2);
   SparseMatrix<double> coarse = this->CoarseMatrix(context);
@@ -49,10 +43,6 @@ void LeastSquaresCycle::SetDiagonal(const Vector<double>& scaledD, const Executi
     this->Fine.NumberOfUnknowns(), [&scaledD](int i) { return scaledD[i]; },
     [this](int i) { return this->Fine.Diagonal[i]; }, context);
   this->Smoother.SetDiagonal(scaledD, context);
-  if (this->Subdomains)
-  {
-    this->Subdomains->SetDiagonal(scaledD, context);
-  }
 }
 
 Vector<double> LeastSquaresCycle::Scaled(const Vector<double>& D) const
@@ -67,8 +57,9 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(const ExecutionContext& con
   const bool areAllFree = this->Smoother.HeldUnknowns().empty();
   if (!areAllFree)
   {
-    SparseMatrix<double> lower = CoarseRoughness(this->Fine.B, Adjoint(this->Fine.B, context),
-      this->Fine.Prolongation, this->Smoother.HeldUnknowns(), context);
+    const SparseMatrix<Plane>& P = this->Fine.Prolongation.Matrix();
+    SparseMatrix<double> lower = CoarseRoughness(this->Fine.B, Adjoint(this->Fine.B, context), P,
+      Adjoint(P, context), this->Smoother.HeldUnknowns(), context);
     lowerOfFree.swap(lower); // an assignment would copy
   }
   SparseMatrix<double> coarse =
@@ -80,27 +71,6 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(const ExecutionContext& con
   return coarse;
 }
 
-void LeastSquaresCycle::PreSmooth(Vector<double>& x, const ExecutionContext& context)
-{
-  if (!this->Subdomains)
-  {
-    this->Smoother.PreSmooth(this->b, x, this->Residual, context);
-    return;
-  }
-  this->Subdomains->PreSmooth(this->b, this->OfSubdomains, this->Remainder, context);
-  this->Smoother.PreSmooth(this->Remainder, x, this->Residual, context);
-  x += this->OfSubdomains;
-}
-
-void LeastSquaresCycle::PostSmooth(Vector<double>& x, const ExecutionContext& context)
-{
-  this->Smoother.PostSmooth(this->b, x, context);
-  if (this->Subdomains)
-  {
-    this->Subdomains->PostSmooth(this->b, x, context);
-  }
-}
-
 void LeastSquaresCycle::Apply(
   const Vector<double>& r, Vector<double>& x, const ExecutionContext& context)
 {
@@ -110,15 +80,15 @@ void LeastSquaresCycle::Apply(
     this->b.segment(first, count) =
       r.segment(first, count).cwiseQuotient(scales.segment(first, count));
   });
-  this->PreSmooth(x, context);
+  this->Smoother.PreSmooth(this->b, x, this->Residual, context);
   this->Pulled.Yield(this->Residual, x, context);
   this->Fine.Prolongation.MultiplyAdjoint(
-    this->Residual, this->CoarseResidual, this->SumsOfTiles, context);
+    this->Residual, this->CoarseResidual, this->SumsOfParts, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, x, context);
   SetZero(x, this->Smoother.HeldUnknowns(), context);
   this->Pulled.Resist(x, context);
-  this->PostSmooth(x, context);
+  this->Smoother.PostSmooth(this->b, x, context);
   context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
     const int count = last - first;
     x.segment(first, count).array() /= scales.segment(first, count).array();
@@ -134,11 +104,8 @@ std::vector<LevelReport> LeastSquaresCycle::Levels() const
 
 long long LeastSquaresCycle::Bytes() const
 {
-  return this->Smoother.Bytes() + (this->Subdomains ? this->Subdomains->Bytes() : 0) +
-    this->Coarse->Bytes() + this->Pulled.Bytes() +
-    (2 * this->b.size() + this->OfSubdomains.size() + this->Remainder.size() +
-      this->SumsOfTiles.size()) *
-    static_cast<long long>(sizeof(double));
+  return this->Smoother.Bytes() + this->Coarse->Bytes() + this->Pulled.Bytes() +
+    (2 * this->b.size() + this->SumsOfParts.size()) * static_cast<long long>(sizeof(double));
 }
 
 }

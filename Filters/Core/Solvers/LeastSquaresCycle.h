@@ -5,11 +5,9 @@
 #include "Solvers/GalerkinCycle.h"
 #include "Solvers/LeastSquaresHierarchy.h"
 #include "Solvers/RoughnessHierarchy.h"
-#include "Solvers/SubdomainSmoother.h"
 #include "Solvers/YieldingUnknowns.h"
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 namespace dmg
@@ -18,7 +16,6 @@ namespace dmg
 /// One V-cycle for A = B^T B + D, as a linear operator that is symmetric positive definite: blocks are
 /// smoothed on the fine level, the smoothed prolongation of the hierarchy leads to plane vectors on the
 /// next, and a GalerkinCycle serves the levels below, to which what D pulls yields (YieldingUnknowns).
-/// Subdomains, where there are any, are solved for first and last.
 class LeastSquaresCycle : public RoughnessCycle
 {
 public:
@@ -44,22 +41,16 @@ private:
   Vector<double> Scaled(const Vector<double>& D) const;
   /// P^T B^T B P and the springs of what is pulled.
   SparseMatrix<double> CoarseMatrix(const ExecutionContext& context) const;
-  /// Solves for subdomains and smooths blocks from zero, which gives x and its Residual.
-  void PreSmooth(Vector<double>& x, const ExecutionContext& context);
-  void PostSmooth(Vector<double>& x, const ExecutionContext& context);
 
   const LeastSquaresHierarchy& Fine;
   BlockSmoother Smoother;
-  std::optional<SubdomainSmoother> Subdomains;
   YieldingUnknowns<double> Pulled;
   std::unique_ptr<GalerkinCycle<double>> Coarse;
   Vector<double> b; ///< of the scaled unknowns
   Vector<double> Residual;
-  Vector<double> OfSubdomains; ///< their part of x
-  Vector<double> Remainder;    ///< what they leave of b
   Vector<double> CoarseResidual;
   Vector<double> CoarseCorrection;
-  Vector<double> SumsOfTiles; ///< room for CompactProlongation
+  Vector<double> SumsOfParts; ///< room for SingleProlongation
 };
 
 }

@@ -2,8 +2,8 @@
 
 #include "Solvers/BlockStrips.h"
 #include "Solvers/BlockTiles.h"
-#include "Solvers/LeastEnergyRegions.h"
 #include "Solvers/LeastSquaresCycle.h"
+#include "Solvers/ShiftedFactor.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
 #include "Support/Errors.h"
@@ -211,12 +211,9 @@ Arrangement BringIntoOrder(
   }
   SortTilesByLength(B, rowOrder, context);
   const std::vector<int> places = Inverse(order, context);
-  for (UnknownBlocks* of : { &levels.Blocks, &levels.Subdomains, &levels.Needles })
+  for (int& unknown : blocks.Unknowns)
   {
-    for (int& unknown : of->Unknowns)
-    {
-      unknown = places[unknown];
-    }
+    unknown = places[unknown];
   }
   // An assignment would copy.
   SparseMatrix<double> permuted = Permuted(B, rowOrder, places, context);
@@ -242,17 +239,6 @@ double Dropped(const LeastSquaresHierarchyOptions& options, Eigen::Index unknown
   return options.Dropped * std::sqrt(std::min(1.0, largest / static_cast<double>(unknowns)));
 }
 
-CompactProlongation SmoothedAndPacked(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  PlanarProlongation&& P, const UnknownBlocks& needles, const LeastSquaresHierarchyOptions& options,
-  const ExecutionContext& context)
-{
-  const LeastEnergyRegions regions(Bt, needles, context);
-  const RowBands<Plane> restriction = SmoothedRestriction(B, Bt, std::move(P),
-    options.ProlongationDegree, Dropped(options, B.cols()), regions, context);
-  GiveBackFreedMemory(); // it lies between what was needed for it
-  return CompactProlongation(restriction, context);
-}
-
 }
 
 LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLevels levels,
@@ -271,22 +257,21 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
     [&scales, &isTouched](int row) { return isTouched(row) ? scales[row] : 0.0; }, one, context);
   context.Checkpoint(0.1);
 
-  // The interpolation takes most memory until it is packed; blocks come after it.
-  CompactProlongation prolongation =
-    SmoothedAndPacked(B, Bt, std::move(levels.Prolongation), levels.Needles, options, context);
+  // The interpolation takes most memory while it is smoothed; blocks come after it.
+  SparseMatrix<Plane> restriction = Joined(
+    SmoothedRestriction(B, Bt, std::move(levels.Prolongation), options.ProlongationDegree,
+      Dropped(options, B.cols()), context),
+    context);
   GiveBackFreedMemory();
+  SingleProlongation prolongation(Adjoint(restriction, context));
   context.Checkpoint(0.6);
-  SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation, {}, context);
+  SparseMatrix<double> lower =
+    CoarseRoughness(B, Bt, prolongation.Matrix(), restriction, {}, context);
+  SparseMatrix<Plane>().swap(restriction);
+  GiveBackFreedMemory();
   context.Checkpoint(0.8);
 
   LeastSquaresHierarchy hierarchy(BlocksByStrips(Bt, std::move(levels.Blocks), arrangement.Strips, context));
-  for (int k = 0; k < levels.Subdomains.Size(); ++k)
-  {
-    const auto unknowns = levels.Subdomains.Unknowns.begin();
-    hierarchy.Subdomains.emplace_back(Bt,
-      std::vector<int>(
-        unknowns + levels.Subdomains.Offsets[k], unknowns + levels.Subdomains.Offsets[k + 1]));
-  }
   hierarchy.Prolongation = std::move(prolongation);
   hierarchy.CoarseLower.swap(lower); // an assignment would copy
   hierarchy.SetComponents(ConnectedColumns(B));
@@ -311,7 +296,6 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noex
   , Diagonal(std::move(other.Diagonal))
   , Tiles(std::move(other.Tiles))
   , Blocks(std::move(other.Blocks))
-  , Subdomains(std::move(other.Subdomains))
   , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
 {
@@ -324,10 +308,6 @@ long long LeastSquaresHierarchy::Bytes() const
   long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() +
     BytesOf(this->CoarseLower) + this->BytesOfUnknowns() +
     this->Scales.size() * static_cast<long long>(sizeof(double) + sizeof(float));
-  for (const Subdomain& subdomain : this->Subdomains)
-  {
-    sum += subdomain.Bytes();
-  }
   for (const SparseMatrix<double>& P : this->Coarser)
   {
     sum += BytesOf(P);
@@ -344,6 +324,19 @@ std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double
   const RoughnessCycleOptions& options, const ExecutionContext& context) const
 {
   return std::make_unique<LeastSquaresCycle>(*this, D, options, context);
+}
+
+std::unique_ptr<Preconditioner<double>> LeastSquaresHierarchy::Factor(
+  const Vector<double>& D, const ExecutionContext& context) const
+{
+  SparseMatrix<double> unscaled = this->B;
+  const auto one = [](int) { return 1.0; };
+  Scale(unscaled, one,
+    [&](int column) { return std::isfinite(D[column]) ? this->Scales[column] : 0.0; }, context);
+  SparseMatrix<double> A = NormalMatrix(unscaled, context);
+  A += SparseMatrix<double>(D.array().isFinite().select(D, 0.0).matrix().asDiagonal());
+  A.makeCompressed();
+  return std::make_unique<ShiftedFactor<double>>(A);
 }
 
 LeastSquaresOperator::LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy)

@@ -1,11 +1,10 @@
 #ifndef dmgLeastSquaresHierarchy_h
 #define dmgLeastSquaresHierarchy_h
 
-#include "Solvers/CompactProlongation.h"
+#include "Solvers/SingleProlongation.h"
 #include "Solvers/RoughnessHierarchy.h"
 #include "Solvers/SchwarzBlocks.h"
 #include "Solvers/SparseDiagonal.h"
-#include "Solvers/SubdomainSmoother.h"
 #include "Support/ExecutionContext.h"
 #include "Support/RowRuns.h"
 #include "Support/RowTiles.h"
@@ -20,8 +19,6 @@ namespace dmg
 struct LeastSquaresLevels
 {
   UnknownBlocks Blocks;                       ///< of the fine level
-  UnknownBlocks Subdomains;                   ///< of the fine level, for SubdomainSmoother; may be none
-  UnknownBlocks Needles;                      ///< where coarse functions have the least energy (LeastEnergyRegions)
   PlanarProlongation Prolongation;            ///< to the fine level
   std::vector<SparseMatrix<double>> Coarser;  ///< between the levels below, finest first
 };
@@ -59,8 +56,7 @@ public:
   Vector<float> Diagonal; ///< of B^T B; 0 to 1
   RowTiles Tiles;         ///< of B, for products with its transpose
   SchwarzBlocks Blocks;
-  std::vector<Subdomain> Subdomains; ///< that SubdomainSmoother solves for; mostly none
-  CompactProlongation Prolongation;
+  SingleProlongation Prolongation;
   /// The lower triangle of P^T B^T B P, 2 N_1 x 2 N_1.
   SparseMatrix<double> CoarseLower;
   /// Between the levels below, finest first.
@@ -73,6 +69,8 @@ public:
   std::unique_ptr<RoughnessOperator> Operator() const override;
   std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
     const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<Preconditioner<double>> Factor(
+    const Vector<double>& D, const ExecutionContext& context) const override;
   long long Bytes() const override;
 };
 

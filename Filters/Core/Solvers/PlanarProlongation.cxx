@@ -1,13 +1,10 @@
 #include "Solvers/PlanarProlongation.h"
 
-#include "Solvers/CompactProlongation.h"
-#include "Solvers/LeastEnergyRegions.h"
 #include "Support/SparseRows.h"
 #include "Support/Unfilled.h"
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 #include <vector>
 
 namespace dmg
@@ -110,16 +107,6 @@ public:
     this->Elements[index] = { value.real(), value.imag(), 1 };
   }
 
-  void Add(int index, std::complex<Real> value)
-  {
-    if (!this->Elements[index].IsMember)
-    {
-      this->Append(index, 0);
-    }
-    this->Elements[index].X += value.real();
-    this->Elements[index].Y += value.imag();
-  }
-
   /// Leaves out what is not larger than so many times a size of its own.
   void Truncate(float share, const std::vector<float>& sizes)
   {
@@ -166,62 +153,19 @@ private:
   int Count = 0;
 };
 
-/// Bp = B p.
-void Multiply(const SparseMatrix<double>& Bt, const SparseVector<float>& p, SparseVector<float>& Bp)
+/// p - factor B^T B p. Inside its caller it would run out of registers, and take a quarter longer.
+[[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  float factor, SparseVector<float>& p, SparseVector<float>& Bp)
 {
   Bp.Clear();
   for (int k = 0; k < p.Size(); ++k)
   {
     Bp.AddRow(p[p.Indices()[k]], Bt, p.Indices()[k]);
   }
-}
-
-/// p - factor B^T B p. Inside its caller it would run out of registers, and take a quarter longer.
-[[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  float factor, SparseVector<float>& p, SparseVector<float>& Bp)
-{
-  Multiply(Bt, p, Bp);
   for (int k = 0; k < Bp.Size(); ++k)
   {
     p.AddRow(-factor * Bp[Bp.Indices()[k]], B, Bp.Indices()[k]);
   }
-}
-
-/// Gives p the values of least energy in the regions that it comes near to, one after the other.
-/// \return whether there are any.
-bool TakeLeastEnergy(const SparseMatrix<double>& Bt, const LeastEnergyRegions& regions,
-  SparseVector<float>& p, SparseVector<float>& Bp)
-{
-  if (regions.IsEmpty() ||
-    std::none_of(p.Indices(), p.Indices() + p.Size(), [&](int i) { return regions.IsNear(i); }))
-  {
-    return false;
-  }
-  Multiply(Bt, p, Bp);
-  std::set<int> touched;
-  for (int k = 0; k < Bp.Size(); ++k)
-  {
-    regions.VisitRegions(Bp.Indices()[k], [&touched](int region) { touched.insert(region); });
-  }
-  for (const int region : touched)
-  {
-    const Subdomain& own = regions[region];
-    LeastEnergyRegions::Columns ofRows(own.Rows.size(), 2);
-    for (std::size_t k = 0; k < own.Rows.size(); ++k)
-    {
-      const std::complex<float> value = Bp[own.Rows[k]];
-      ofRows.row(k) << value.real(), value.imag();
-    }
-    LeastEnergyRegions::Columns step;
-    regions.Solve(region, own.Columns * ofRows, step);
-    for (std::size_t k = 0; k < own.Unknowns.size(); ++k)
-    {
-      const std::complex<float> value(static_cast<float>(-step(k, 0)), static_cast<float>(-step(k, 1)));
-      p.Add(own.Unknowns[k], value);
-      Bp.AddRow(value, Bt, own.Unknowns[k]);
-    }
-  }
-  return true;
 }
 
 /// The largest entry of each row.
@@ -246,8 +190,7 @@ std::vector<float> LargestOfRows(const PlanarProlongation& P, const ExecutionCon
 }
 
 RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  PlanarProlongation&& P, int degree, double dropped, const LeastEnergyRegions& regions,
-  const ExecutionContext& context)
+  PlanarProlongation&& P, int degree, double dropped, const ExecutionContext& context)
 {
   const PlanarProlongation adjoint = Adjoint(P, context);
   const std::vector<float> sizes = LargestOfRows(P, context);
@@ -274,10 +217,6 @@ RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseM
           Smooth(B, Bt, factor, p, Bp);
           p.Truncate(static_cast<float>(dropped), sizes);
         }
-        if (TakeLeastEnergy(Bt, regions, p, Bp))
-        {
-          p.Truncate(static_cast<float>(dropped), sizes);
-        }
         p.Sort();
         for (int k = 0; k < p.Size(); ++k)
         {
@@ -293,30 +232,28 @@ RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseM
 }
 
 SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const CompactProlongation& P, const std::vector<int>& held, const ExecutionContext& context)
+  const SparseMatrix<Plane>& P, const SparseMatrix<Plane>& adjoint, const std::vector<int>& held,
+  const ExecutionContext& context)
 {
-  std::vector<float> weights(P.Rows(), 1.0f);
+  std::vector<float> weights(P.rows(), 1.0f);
   for (const int i : held)
   {
     weights[i] = 0.0f;
   }
-  const int columns = P.Columns();
-  const auto makeWorker = [&] {
-    return [&, reader = CompactProlongation::Reader(P), restriction = SparseRows<Plane>(),
+  const int columns = static_cast<int>(P.cols());
+  const auto makeWorker = [&, columns] {
+    return [&, columns,
              Bp = SparseVector<double>(static_cast<int>(B.rows())),
              AP = SparseVector<double>(static_cast<int>(B.cols())),
              sum = SparseSum<OuterProducts>(columns), members = std::vector<int>()](
              int firstRow, int lastRow, SparseRows<double>& rows) mutable {
-      reader.Clear();
-      reader.AdjointRows(firstRow / 2, lastRow / 2, restriction);
       for (int j = firstRow / 2; j < lastRow / 2; ++j)
       {
-        const RowOfBand<Plane> p = restriction.Row(j - firstRow / 2);
         Bp.Clear();
-        for (int e = 0; e < p.Size; ++e)
+        for (int e = adjoint.outerIndexPtr()[j]; e < adjoint.outerIndexPtr()[j + 1]; ++e)
         {
-          const int i = p.Columns[e];
-          Bp.AddRow(std::conj(Complex(weights[i] * p.Values[e])), Bt, i);
+          const int i = adjoint.innerIndexPtr()[e];
+          Bp.AddRow(std::conj(Complex(weights[i] * adjoint.valuePtr()[e])), Bt, i);
         }
         AP.Clear();
         for (int k = 0; k < Bp.Size(); ++k)
@@ -327,12 +264,14 @@ SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const Sparse
         for (int k = 0; k < AP.Size(); ++k)
         {
           const int i = AP.Indices()[k];
-          RowOfBand<Plane> row = reader.Row(i);
-          while (row.Size > 0 && row.Columns[row.Size - 1] > j)
+          const int begin = P.outerIndexPtr()[i];
+          int end = P.outerIndexPtr()[i + 1];
+          while (end > begin && P.innerIndexPtr()[end - 1] > j)
           {
-            --row.Size;
+            --end;
           }
-          sum.Add(static_cast<double>(weights[i]) * AP[i], row.Columns, row.Values, row.Size);
+          sum.Add(static_cast<double>(weights[i]) * AP[i], P.innerIndexPtr() + begin,
+            P.valuePtr() + begin, end - begin);
         }
         AppendPair(sum, members, 2 * j, rows);
       }

@@ -17,8 +17,6 @@ namespace dmg
 
 using PlanarProlongation = SparseMatrix<Complex>;
 using Plane = std::complex<float>;
-class CompactProlongation;
-class LeastEnergyRegions;
 
 /// The adjoint of a prolongation whose coarse functions have little energy: of
 /// (I - c_1 A) ... (I - c_k A) P for A = B^T B, with the roots of the polynomial that minimises the
@@ -31,21 +29,20 @@ class LeastEnergyRegions;
 /// by an amount of the order of their size, and an interpolation, which knows nothing of it, has the
 /// energy of the whole derivative.
 ///
-/// In \p regions, which the polynomial does not mend, values of least energy that go with those around take its place.
-///
 /// \param B so that no eigenvalue of A is above 1. \param Bt its transpose.
 /// \param dropped entries below so many times the largest of their row of P are left out after each
 ///   step.
 /// \param P comes back empty, as soon as it is not needed any more.
 /// Cost: k products of A with all coarse functions, where they are not zero.
 RowBands<Plane> SmoothedRestriction(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  PlanarProlongation&& P, int degree, double dropped, const LeastEnergyRegions& regions,
-  const ExecutionContext& context);
+  PlanarProlongation&& P, int degree, double dropped, const ExecutionContext& context);
 
 /// The lower triangle of P^T B^T B P on pairs of components: 2 m x 2 m for P of m columns.
+/// \param adjoint of P as a complex matrix.
 /// \param held rows of P that count as zero, ascending. The pattern does not depend on them.
 SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const CompactProlongation& P, const std::vector<int>& held, const ExecutionContext& context);
+  const SparseMatrix<Plane>& P, const SparseMatrix<Plane>& adjoint, const std::vector<int>& held,
+  const ExecutionContext& context);
 
 /// Q^T Q on pairs of components.
 SparseMatrix<double> GramOfPlanar(const SparseMatrix<Plane>& Q, const ExecutionContext& context);

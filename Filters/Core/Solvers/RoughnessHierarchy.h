@@ -138,6 +138,12 @@ public:
     return nullptr;
   }
 
+  /// The inverse of R + D by a factor of the whole matrix (ShiftedFactor), for where cycles do not converge.
+  /// \param D as for cycles.
+  /// \throw as ShiftedFactor.
+  virtual std::unique_ptr<Preconditioner<double>> Factor(
+    const Vector<double>& D, const ExecutionContext& context) const = 0;
+
   /// Held by this object.
   virtual long long Bytes() const = 0;
 

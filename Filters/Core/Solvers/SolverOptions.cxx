@@ -25,7 +25,7 @@ bool IsNested(SolverKind kind)
 }
 
 SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuning,
-  int numberOfUnknowns, bool hasLevels)
+  int numberOfUnknowns, bool hasLevels, const std::string& whyFactor)
 {
   const SolverKind asked = options.Kind;
   const std::string size = ", chosen for " + std::to_string(numberOfUnknowns) + " unknowns";
@@ -33,6 +33,10 @@ SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuni
   if (asked == SolverKind::Automatic && numberOfUnknowns <= tuning.LargestForCholesky)
   {
     return { SolverKind::Cholesky, size + ", few enough to factor at once (up to " + largest + ")" };
+  }
+  if (asked == SolverKind::Automatic && !whyFactor.empty())
+  {
+    return { SolverKind::Cholesky, whyFactor };
   }
   if (asked == SolverKind::Automatic && options.ExpectedSolves >= tuning.SolvesForCholesky)
   {

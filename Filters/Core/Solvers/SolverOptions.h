@@ -79,8 +79,9 @@ struct SolverChoice
 
 /// \param hasLevels whether there are coarse levels. Where there are none the system is factored,
 ///   whatever is asked for.
+/// \param whyFactor Automatic factors where this is not empty; the rest of a sentence for the report.
 SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuning,
-  int numberOfUnknowns, bool hasLevels);
+  int numberOfUnknowns, bool hasLevels, const std::string& whyFactor = {});
 
 /// Whether nested iterations solve, rather than a Krylov method or a stationary iteration.
 bool IsNested(SolverKind kind);

@@ -19,6 +19,9 @@ namespace dmg
 /// on unstructured grids, Strout, Carter, Ferrante, Kreaseck 2004). How closely depends on the tiles: the
 /// neighbours of each should have numbers near its own.
 ///
+/// With caches that hold a surface this gains little: 0 to 5 % of a second solve on the median of 14 surfaces, 3 and 12 % on
+/// 500,000 faces, one thread.
+///
 /// Neighbours are visited in the same order as by one sweep after the other, so the result is the same, bit by
 /// bit, for any number of threads. These take the visits from a list, in which each comes after those that it
 /// waits for: whatever the number of threads that really run, one of them can go on.

@@ -2,6 +2,7 @@
 #define dmgBenchmarksRealForm_h
 
 #include "Benchmarks/Peers/Peer.h"
+#include "Support/ComplexPairs.h"
 #include "Support/ExecutionContext.h"
 #include "Support/SparseAssembly.h"
 
@@ -12,18 +13,7 @@
 namespace dmg::peers
 {
 
-/// Complex numbers as pairs (real, imaginary), which they are in memory.
-inline Vector<double> RealForm(const Vector<Complex>& x)
-{
-  return Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(x.data()), 2 * x.size());
-}
-inline Vector<Complex> ComplexForm(const Vector<double>& pairs)
-{
-  return Eigen::Map<const Vector<Complex>>(
-    reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
-}
-
-/// The matrix on pairs: an entry a + ib becomes the block (a, -b; b, a). A Hermitian matrix becomes
+/// A matrix on pairs (real, imaginary): an entry a + ib becomes the block (a, -b; b, a). A Hermitian matrix becomes
 /// a symmetric one with each eigenvalue twice.
 inline SparseMatrix<double> RealForm(const SparseMatrix<Complex>& A)
 {
@@ -65,8 +55,8 @@ public:
   int Solve(const Vector<Complex>& b, double tolerance, Vector<Complex>& x) override
   {
     Vector<double> pairs;
-    const int iterations = this->Real->Solve(RealForm(b), tolerance, pairs);
-    x = ComplexForm(pairs);
+    const int iterations = this->Real->Solve(AsPairs(b), tolerance, pairs);
+    x = AsComplex(pairs);
     return iterations;
   }
 

@@ -41,29 +41,6 @@ TYPED_TEST(TestCholeskySolver, SolvesWithEveryOrdering)
   }
 }
 
-TYPED_TEST(TestCholeskySolver, IsTheSameWithoutSupernodes)
-{
-  auto A = test::MakeGridProblem<TypeParam>(6, 1).A;
-  const auto b = test::RandomVector<TypeParam>(A.rows(), 2705);
-  CholeskySolver<TypeParam> blocks(A);
-  CholeskySolver<TypeParam> columns(A, FillOrdering::AMD, FactorKind::Simplicial);
-  EXPECT_GT(columns.NonZeros(), A.nonZeros() / 2);
-  EXPECT_LE(columns.NonZeros(), blocks.NonZeros()); // no zeros in it
-  EXPECT_GE(columns.Bytes(), columns.NonZeros() * static_cast<long long>(sizeof(TypeParam)));
-  for (const double factor : { 1.0, 3.0 })
-  {
-    A *= factor;
-    columns.Update(A);
-    Vector<TypeParam> x;
-    columns.Solve(b, x);
-    EXPECT_LE((b - A * x).norm(), 100 * Epsilon * 8.0 * factor * x.norm());
-  }
-  A.coeffRef(5, 5) = -1.0;
-  EXPECT_THROW(columns.Update(A), SolverFailure);
-  EXPECT_THROW(
-    CholeskySolver<TypeParam>(A, FillOrdering::AMD, FactorKind::Simplicial), SolverFailure);
-}
-
 TYPED_TEST(TestCholeskySolver, ReadsTheLowerTriangleOnly)
 {
   const auto A = test::MakeGridProblem<TypeParam>(3, 1).A;

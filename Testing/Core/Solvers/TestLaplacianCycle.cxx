@@ -1,6 +1,5 @@
 #include "Solvers/LaplacianCycle.h"
 
-#include "Bands.h"
 #include "GridProblem.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
@@ -43,44 +42,9 @@ struct Problem
     this->L.makeCompressed();
   }
 
-  LaplacianHierarchy Hierarchy(int steps = 2, const UnknownBlocks& regions = {}) const
+  LaplacianHierarchy Hierarchy(int steps = 2) const
   {
-    return CoarsenLaplacian(this->InOrder(), this->P, steps, regions, SerialContext());
-  }
-
-  /// Unknowns and their neighbours; no two regions know of each other.
-  UnknownBlocks Regions() const
-  {
-    UnknownBlocks regions;
-    std::vector<char> isNear(this->Size(), 0);
-    const auto neighbours = [this](int i) {
-      std::vector<int> columns;
-      for (SparseMatrix<Complex>::InnerIterator entry(this->L, i); entry; ++entry)
-      {
-        columns.push_back(static_cast<int>(entry.col()));
-      }
-      return columns;
-    };
-    for (int i = 0; i < this->Size(); i += 5)
-    {
-      const std::vector<int> own = neighbours(i);
-      std::vector<int> around = own;
-      for (const int k : own)
-      {
-        const std::vector<int> next = neighbours(k);
-        around.insert(around.end(), next.begin(), next.end());
-      }
-      if (std::none_of(own.begin(), own.end(), [&isNear](int k) { return isNear[k] != 0; }))
-      {
-        regions.Unknowns.insert(regions.Unknowns.end(), own.begin(), own.end());
-        regions.EndBlock();
-        for (const int k : around)
-        {
-          isNear[k] = 1;
-        }
-      }
-    }
-    return regions;
+    return CoarsenLaplacian(this->InOrder(), this->P, steps, SerialContext());
   }
 
   MatrixInOrder InOrder() const
@@ -174,7 +138,7 @@ TEST(TestLaplacianHierarchy, IsTheMatrixInAnotherOrder)
     EXPECT_EQ(hierarchy.DiagonalOf(2 * k + 1), L(k, k).real());
     isolated = hierarchy.Order[2 * k] / 2 == problem.Size() - 1 ? k : isolated;
   }
-  EXPECT_EQ(Dense(test::AllRows(hierarchy.Prolongation).cast<Complex>()).row(isolated).norm(), 0.0);
+  EXPECT_EQ(Dense(hierarchy.Prolongation.Matrix().cast<Complex>()).row(isolated).norm(), 0.0);
   for (int k = 0; k < problem.Size(); ++k)
   {
     EXPECT_EQ(hierarchy.ComponentOf(2 * k), hierarchy.ComponentOf(2 * k + 1));
@@ -188,7 +152,7 @@ TEST(TestLaplacianHierarchy, TheCoarseMatrixIsGalerkins)
   for (const int steps : { 0, 2 })
   {
     const LaplacianHierarchy hierarchy = problem.Hierarchy(steps);
-    const Dense P(test::AllRows(hierarchy.Prolongation).cast<Complex>());
+    const Dense P(hierarchy.Prolongation.Matrix().cast<Complex>());
     const Dense expected = P.adjoint() * Dense(hierarchy.L.Whole(SerialContext())) * P;
     const Dense coarse(SymmetricFromLower(hierarchy.CoarseLower, SerialContext()));
     EXPECT_LE((coarse - expected).norm(), SinglePrecision * expected.norm());
@@ -216,69 +180,56 @@ TEST(TestLaplacianHierarchy, OperatorsAddWhatIsPrescribed)
 TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
 {
   const Problem problem(4, 2);
-  ASSERT_GE(problem.Regions().Size(), 3);
-  for (const bool hasRegions : { false, true })
+  const LaplacianHierarchy hierarchy = problem.Hierarchy();
+  for (const auto& [holdsSome, sweeps] :
+    { std::pair(false, 1), { false, 2 }, { false, 3 }, { true, 1 }, { true, 2 }, { true, 3 } })
   {
-    const LaplacianHierarchy hierarchy =
-      problem.Hierarchy(2, hasRegions ? problem.Regions() : UnknownBlocks());
-    ASSERT_EQ(static_cast<int>(hierarchy.Regions.size()), hasRegions ? problem.Regions().Size() : 0);
-    for (const auto& [holdsSome, sweeps] :
-      { std::pair(false, 1), { false, 2 }, { false, 3 }, { true, 1 }, { true, 2 }, { true, 3 } })
+    const Vector<double> D = problem.Shift(hierarchy, holdsSome);
+    const Dense A = Expected(problem, hierarchy, D);
+    const Dense identity = Dense::Identity(A.rows(), A.cols());
+    Dense P(hierarchy.Prolongation.Matrix().cast<Complex>());
+    // A and P, where those that are pulled yield to their neighbours.
+    Dense AsCoarse = A;
+    Dense yielding = P;
+    for (int k = 0; k < problem.Size(); ++k)
     {
-      const Vector<double> D = problem.Shift(hierarchy, holdsSome);
-      const Dense A = Expected(problem, hierarchy, D);
-      const Dense identity = Dense::Identity(A.rows(), A.cols());
-      Dense P(test::AllRows(hierarchy.Prolongation).cast<Complex>());
-      // A and P, where those that are pulled yield to their neighbours.
-      Dense AsCoarse = A;
-      Dense yielding = P;
-      for (int k = 0; k < problem.Size(); ++k)
+      if (std::isinf(D[2 * k]))
       {
-        if (std::isinf(D[2 * k]))
-        {
-          P.row(k).setZero();
-          yielding.row(k).setZero();
-        }
-        else if (D[2 * k] > 0.0)
-        {
-          const double L = A(k, k).real() - D[2 * k];
-          AsCoarse(k, k) = L + 1.0 / (1.0 / D[2 * k] + (L > 0.0 ? 1.0 / L : Infinity));
-          yielding.row(k) *= L / (L + D[2 * k]);
-        }
+        P.row(k).setZero();
+        yielding.row(k).setZero();
       }
-      const Dense coarse = P.adjoint() * AsCoarse * P;
-      const Dense up = A.triangularView<Eigen::Lower>().solve(identity);
-      Dense swept = identity;
-      for (int sweep = 0; sweep < sweeps; ++sweep)
+      else if (D[2 * k] > 0.0)
       {
-        swept = (identity - (sweep % 2 == 0 ? up : Dense(up.adjoint())) * A) * swept;
+        const double L = A(k, k).real() - D[2 * k];
+        AsCoarse(k, k) = L + 1.0 / (1.0 / D[2 * k] + (L > 0.0 ? 1.0 / L : Infinity));
+        yielding.row(k) *= L / (L + D[2 * k]);
       }
-      for (const MatrixRegion& region : hierarchy.Regions)
-      {
-        const std::vector<int>& own = region.Unknowns;
-        const Dense block = A(own, own);
-        const Dense solved = block.llt().solve(A(own, Eigen::all) * swept);
-        swept(own, Eigen::all) -= solved;
-      }
-      const Dense inverse = A.inverse();
-      const Dense corrected = identity -
-        yielding * coarse.completeOrthogonalDecomposition().solve(yielding.adjoint() * A);
-      const Dense B = (identity - inverse * swept.adjoint() * A * corrected * swept) * inverse;
-
-      const auto cycle = hierarchy.Cycle(D, Options(sweeps, 1 << 20), SerialContext());
-      const Vector<double> r = RandomPairs(D, 4102);
-      Vector<double> z;
-      cycle->Apply(r, z, SerialContext());
-      const Vector<Complex> expected = B * AsComplex(r);
-      EXPECT_LE((AsComplex(z) - expected).norm(), 1e-5 * expected.norm());
     }
+    const Dense coarse = P.adjoint() * AsCoarse * P;
+    const Dense up = A.triangularView<Eigen::Lower>().solve(identity);
+    Dense swept = identity;
+    for (int sweep = 0; sweep < sweeps; ++sweep)
+    {
+      swept = (identity - (sweep % 2 == 0 ? up : Dense(up.adjoint())) * A) * swept;
+    }
+    const Dense inverse = A.inverse();
+    const Dense corrected = identity -
+      yielding * coarse.completeOrthogonalDecomposition().solve(yielding.adjoint() * A);
+    const Dense B = (identity - inverse * swept.adjoint() * A * corrected * swept) * inverse;
+
+    const auto cycle = hierarchy.Cycle(D, Options(sweeps, 1 << 20), SerialContext());
+    const Vector<double> r = RandomPairs(D, 4102);
+    Vector<double> z;
+    cycle->Apply(r, z, SerialContext());
+    const Vector<Complex> expected = B * AsComplex(r);
+    EXPECT_LE((AsComplex(z) - expected).norm(), 1e-5 * expected.norm());
   }
 }
 
 TEST(TestLaplacianCycle, UpdateIsANewCycle)
 {
   const Problem problem(5, 4);
-  const LaplacianHierarchy hierarchy = problem.Hierarchy(2, problem.Regions());
+  const LaplacianHierarchy hierarchy = problem.Hierarchy();
   const RoughnessCycleOptions options = Options(3, 0);
   const auto cycle = hierarchy.Cycle(problem.Shift(hierarchy, false), options, SerialContext());
   EXPECT_EQ(cycle->Levels().size(), 4u);
@@ -302,7 +253,7 @@ TEST(TestLaplacianCycle, SameBitsForAnyNumberOfThreads)
   {
     const test::TbbContext context(threads);
     const LaplacianHierarchy hierarchy =
-      CoarsenLaplacian(problem.InOrder(), problem.P, 2, problem.Regions(), context);
+      CoarsenLaplacian(problem.InOrder(), problem.P, 2, context);
     const Vector<double> D = problem.Shift(hierarchy, true);
     const auto cycle = hierarchy.Cycle(D, Options(4, 0), context);
     Vector<double> z;
@@ -320,7 +271,7 @@ TEST(TestLaplacianHierarchy, RefusesSizesThatDoNotChain)
   const Problem problem(4, 3);
   try
   {
-    CoarsenLaplacian(problem.InOrder(), { problem.P[0], problem.P[0] }, 0, {}, SerialContext());
+    CoarsenLaplacian(problem.InOrder(), { problem.P[0], problem.P[0] }, 0, SerialContext());
     FAIL() << "nothing was refused";
   }
   catch (const InvalidInput& error)

@@ -12,7 +12,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -92,57 +91,6 @@ void ForProblems(int scale, const Visit& visit)
       visit(SurfaceProblem(surface, kind));
     }
   }
-}
-
-/// A wavy plane of squares. Every fourth column is narrow, and its quadrilaterals are cut into four
-/// triangles around their middles: needles of 1:200 and 1:50 by turns, in chains.
-test::Surface PlaneWithNeedles(int columns, int rows)
-{
-  constexpr double width = 0.01;
-  std::vector<Vector3> points;
-  std::vector<std::array<int, 3>> corners;
-  const auto height = [](double x, double y) { return 0.2 * std::sin(0.7 * x) * std::cos(0.5 * y); };
-  double x = 0.0;
-  for (int i = 0; i <= columns; ++i)
-  {
-    for (int j = 0; j <= rows; ++j)
-    {
-      points.emplace_back(x, j, height(x, j));
-    }
-    x += i % 4 == 0 ? width : 1.0;
-  }
-  for (int i = 0; i < columns; ++i)
-  {
-    for (int j = 0; j < rows; ++j)
-    {
-      const int a = i * (rows + 1) + j;
-      const int b = a + rows + 1;
-      if (i % 4 != 0)
-      {
-        corners.push_back({ a, b, b + 1 });
-        corners.push_back({ a, b + 1, a + 1 });
-        continue;
-      }
-      const int middle = static_cast<int>(points.size());
-      points.push_back(0.25 * (points[a] + points[b] + points[a + 1] + points[b + 1]));
-      for (const auto& [from, to] : { std::pair(a, b), { b, b + 1 }, { b + 1, a + 1 }, { a + 1, a } })
-      {
-        corners.push_back({ from, to, middle });
-      }
-    }
-  }
-  test::Surface surface;
-  surface.V.resize(points.size(), 3);
-  surface.F.resize(corners.size(), 3);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    surface.V.row(i) = points[i].transpose();
-  }
-  for (std::size_t f = 0; f < corners.size(); ++f)
-  {
-    surface.F.row(f) << corners[f][0], corners[f][1], corners[f][2];
-  }
-  return surface;
 }
 
 constexpr ConstraintKind BothConstraints[] = { ConstraintKind::Soft, ConstraintKind::Hard };
@@ -446,41 +394,4 @@ TEST(TestLeastSquaresCycle, LevelsThatDoNotChainAreRefused)
   ASSERT_FALSE(levels.Coarser.empty());
   levels.Coarser.push_back(SparseMatrix<double>(levels.Coarser.back().cols() + 2, 10));
   EXPECT_THROW(make(levels), InvalidInput);
-}
-
-TEST(TestLeastSquaresCycle, ManyNeedlesTakeFewIterations)
-{
-  for (const SurfaceProblem::Of kind : BothKinds)
-  {
-    SCOPED_TRACE(NameOf(kind));
-    SurfaceProblem problem(PlaneWithNeedles(60, 40), kind);
-    const auto iterations = [&problem](ConstraintKind constraints, bool converges) {
-      const Prescribed prescribed(problem, constraints);
-      const Vector<double> exact = prescribed.RandomVector(3440);
-      Vector<double> b;
-      prescribed.A.Apply(exact, b, SerialContext());
-      LeastSquaresCycle cycle(prescribed.Hierarchy, prescribed.D, {}, SerialContext());
-      Vector<double> x;
-      SolveReport report;
-      ConjugateGradient<double>(
-        prescribed.A, cycle, b, { 1e-8, 100 }, x, report, SerialContext(), nullptr);
-      if (converges)
-      {
-        EXPECT_TRUE(report.Converged);
-        const Vector<double> difference = x - exact;
-        Vector<double> product;
-        const double energy = prescribed.A.Apply(exact, product, SerialContext());
-        EXPECT_LE(prescribed.A.Apply(difference, product, SerialContext()), 1e-8 * energy);
-      }
-      return static_cast<int>(report.Iterations.size()) - 1;
-    };
-    std::vector<int> with;
-    for (const ConstraintKind constraints : BothConstraints)
-    {
-      with.push_back(iterations(constraints, true));
-      EXPECT_LE(with.back(), 12);
-    }
-    problem.Levels.Subdomains = {};
-    EXPECT_GE(iterations(ConstraintKind::Soft, false), 2 * with[0]);
-  }
 }

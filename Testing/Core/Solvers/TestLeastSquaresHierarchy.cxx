@@ -1,6 +1,5 @@
 #include "Solvers/LeastSquaresHierarchy.h"
 
-#include "Bands.h"
 #include "GridProblem.h"
 #include "SquaresProblem.h"
 #include "Support/Errors.h"
@@ -220,7 +219,7 @@ TEST_P(TestLeastSquaresHierarchy, CoarseMatrixIsTheRoughnessOfPlaneVectors)
     { LeastSquaresHierarchyOptions(), WithoutSmoothing() })
   {
     const LeastSquaresHierarchy hierarchy = problem.Hierarchy(options);
-    const Eigen::MatrixXd P = OnPairs(test::AllRows(hierarchy.Prolongation));
+    const Eigen::MatrixXd P = OnPairs(hierarchy.Prolongation.Matrix());
     ASSERT_EQ(P.cols(), 2 * problem.Levels.Prolongation.cols());
     const Eigen::MatrixXd BP = Eigen::MatrixXd(hierarchy.B) * P;
     const Eigen::MatrixXd expected = BP.transpose() * BP;
@@ -239,7 +238,7 @@ TEST_P(TestLeastSquaresHierarchy, ProlongationIsTheGivenOneOfScaledUnknowns)
   const Eigen::MatrixXcd inOrder = given(hierarchy.Order, Eigen::all);
   const Eigen::MatrixXcd expected = hierarchy.Scales.asDiagonal() * inOrder;
   const Eigen::MatrixXcd P =
-    Eigen::MatrixXcf(test::AllRows(hierarchy.Prolongation)).cast<Complex>();
+    Eigen::MatrixXcf(hierarchy.Prolongation.Matrix()).cast<Complex>();
   EXPECT_LE((P - expected).norm(), std::ldexp(1.0, -15) * expected.norm());
 
   // Smoothing lowers the energy of every plane vector's worst, by 1 / (2 k + 1)^2 of a bound.
@@ -295,8 +294,8 @@ TEST_P(TestLeastSquaresHierarchy, SameBitsForAnyNumberOfThreads)
     EXPECT_EQ(hierarchy.Components, expected.Components);
     EXPECT_EQ(hierarchy.Scales, expected.Scales);
     EXPECT_EQ((hierarchy.B - expected.B).norm(), 0.0);
-    const SparseMatrix<Plane> P = test::AllRows(hierarchy.Prolongation);
-    EXPECT_EQ((P - test::AllRows(expected.Prolongation)).norm(), 0.0f);
+    const SparseMatrix<Plane> P = hierarchy.Prolongation.Matrix();
+    EXPECT_EQ((P - expected.Prolongation.Matrix()).norm(), 0.0f);
     EXPECT_EQ((hierarchy.CoarseLower - expected.CoarseLower).norm(), 0.0);
     EXPECT_EQ(hierarchy.CoarseLower.nonZeros(), expected.CoarseLower.nonZeros());
     Vector<double> y;
@@ -367,7 +366,7 @@ TEST(TestLeastSquaresHierarchyOfPaths, ComponentsAreConnectedThroughB)
   EXPECT_TRUE(hierarchy.CoarseLower.coeffs().allFinite());
 
   // Such unknowns are left to their blocks, which solve D x = r.
-  const SparseMatrix<Plane> P = test::AllRows(hierarchy.Prolongation);
+  const SparseMatrix<Plane> P = hierarchy.Prolongation.Matrix();
   Vector<double> D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
   for (int k = 0; k < hierarchy.NumberOfUnknowns(); ++k)
   {

@@ -1,7 +1,5 @@
 #include "Solvers/PlanarProlongation.h"
 
-#include "Bands.h"
-#include "Solvers/LeastEnergyRegions.h"
 #include "SquaresProblem.h"
 #include "Support/SparseKernels.h"
 #include "Support/TbbContext.h"
@@ -79,28 +77,12 @@ Eigen::MatrixXd OnPairs(const SparseMatrix<Scalar>& P)
 }
 
 SparseMatrix<Plane> Smoothed(const SparseMatrix<double>& B, const PlanarProlongation& P, int degree,
-  double dropped, const ExecutionContext& context, const UnknownBlocks& regions = {})
+  double dropped, const ExecutionContext& context)
 {
   const SparseMatrix<double> Bt = B.transpose();
-  return Adjoint(Joined(SmoothedRestriction(B, Bt, PlanarProlongation(P), degree, dropped,
-                          LeastEnergyRegions(Bt, regions, context), context),
-                   context),
+  return Adjoint(
+    Joined(SmoothedRestriction(B, Bt, PlanarProlongation(P), degree, dropped, context), context),
     context);
-}
-
-/// [begin, end) each.
-UnknownBlocks Intervals(const std::vector<std::pair<int, int>>& intervals)
-{
-  UnknownBlocks blocks;
-  for (const auto& [begin, end] : intervals)
-  {
-    for (int i = begin; i < end; ++i)
-    {
-      blocks.Unknowns.push_back(i);
-    }
-    blocks.EndBlock();
-  }
-  return blocks;
 }
 
 template <class Scalar>
@@ -218,63 +200,12 @@ TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
   }
 }
 
-TEST(TestPlanarProlongation, RegionsTakeTheValuesOfLeastEnergy)
-{
-  const int size = 120;
-  const SparseMatrix<double> B = Squares(size);
-  const UnknownBlocks regions = Intervals({ { 30, 41 }, { 80, 96 } }); // no row of B knows of both
-  const Eigen::MatrixXd A = Eigen::MatrixXd(B).transpose() * Eigen::MatrixXd(B);
-  for (const int degree : { 0, 2 })
-  {
-    const Eigen::MatrixXd without =
-      OnPairs(Smoothed(B, Interpolation(size), degree, 0.0, SerialContext()));
-    Eigen::MatrixXd expected = without;
-    for (int k = 0; k < regions.Size(); ++k)
-    {
-      const std::vector<int> inside = test::MembersOf(regions, k);
-      const Eigen::MatrixXd block = A(inside, inside);
-      expected(inside, Eigen::all) -= block.llt().solve(A(inside, Eigen::all) * expected);
-    }
-    ASSERT_GT((expected - without).norm(), 0.01 * without.norm());
-    const Eigen::MatrixXd P =
-      OnPairs(Smoothed(B, Interpolation(size), degree, 0.0, SerialContext(), regions));
-    EXPECT_LE((P - expected).norm(), 100 * SingleEpsilon * expected.norm());
-  }
-}
-
-TEST(TestPlanarProlongation, RegionsOneAfterTheOtherTakeEnergyFromCoarseFunctions)
-{
-  const int size = 120;
-  const SparseMatrix<double> B = Squares(size);
-  const UnknownBlocks regions = Intervals({ { 30, 41 }, { 41, 52 } });
-  const auto energies = [&B](const SparseMatrix<Plane>& P)
-  { return Vector<double>((B * OnPairs(P)).colwise().squaredNorm()); };
-  const Vector<double> without = energies(Smoothed(B, Interpolation(size), 1, 0.0, SerialContext()));
-  const Vector<double> with =
-    energies(Smoothed(B, Interpolation(size), 1, 0.0, SerialContext(), regions));
-  EXPECT_TRUE((with.array() <= (1.0 + 10 * SingleEpsilon) * without.array()).all());
-  EXPECT_LT(with.sum(), 0.99 * without.sum());
-}
-
-TEST(TestPlanarProlongation, NothingIsLeftOfACoarseFunctionInsideOfARegion)
-{
-  const int size = 120;
-  const int inside = 6; // from 31 to 41
-  const SparseMatrix<Plane> P = Smoothed(
-    Squares(size), Interpolation(size), 0, 0.001, SerialContext(), Intervals({ { 25, 50 } }));
-  const Eigen::MatrixXd pairs = OnPairs(P);
-  for (int j = 0; j < P.cols(); ++j)
-  {
-    EXPECT_EQ(pairs.col(2 * j).isZero(0.0), j == inside || j == inside - 1 || j == inside + 1) << j;
-  }
-}
-
 TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
 {
   const SparseMatrix<double> B = Squares(240);
   const SparseMatrix<double> Bt = B.transpose();
-  const CompactProlongation P =
-    test::Compact(Smoothed(B, Interpolation(240), 2, 0.01, SerialContext()));
+  const SparseMatrix<Plane> P = Smoothed(B, Interpolation(240), 2, 0.01, SerialContext());
+  const SparseMatrix<Plane> adjoint = Adjoint(P, SerialContext());
   // The first coarse vector has nothing left.
   std::vector<int> held = { 100, 101, 177 };
   for (int i = 200; i < 260; ++i)
@@ -282,15 +213,15 @@ TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
     held.push_back(i % 240);
   }
   std::sort(held.begin(), held.end());
-  const SparseMatrix<double> ofAll = CoarseRoughness(B, Bt, P, {}, SerialContext());
+  const SparseMatrix<double> ofAll = CoarseRoughness(B, Bt, P, adjoint, {}, SerialContext());
   for (const std::vector<int>& rows : { std::vector<int>(), held })
   {
-    Eigen::MatrixXd free = OnPairs(test::AllRows(P));
+    Eigen::MatrixXd free = OnPairs(P);
     for (const int i : rows)
     {
       free.row(i).setZero();
     }
-    const SparseMatrix<double> coarse = CoarseRoughness(B, Bt, P, rows, SerialContext());
+    const SparseMatrix<double> coarse = CoarseRoughness(B, Bt, P, adjoint, rows, SerialContext());
     const Eigen::MatrixXd BP = Eigen::MatrixXd(B) * free;
     const Eigen::MatrixXd expected = (BP.transpose() * BP).triangularView<Eigen::Lower>();
     ASSERT_EQ(coarse.rows(), 80);
@@ -324,18 +255,15 @@ TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
   const PlanarProlongation P = Interpolation(6000);
   const SparseMatrix<double> Bt = B.transpose();
   const SparseMatrix<Plane> expected = Smoothed(B, P, 3, 0.01, SerialContext());
-  const UnknownBlocks regions = Intervals({ { 100, 180 }, { 180, 200 }, { 3000, 3500 } });
-  const SparseMatrix<Plane> withRegions = Smoothed(B, P, 3, 0.01, SerialContext(), regions);
-  const CompactProlongation compact = test::Compact(expected);
+  const SparseMatrix<Plane> adjoint = Adjoint(expected, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(expected, SerialContext());
   const SparseMatrix<double> coarse =
-    CoarseRoughness(B, Bt, compact, { 7, 8 }, SerialContext());
+    CoarseRoughness(B, Bt, expected, adjoint, { 7, 8 }, SerialContext());
   for (const int threads : { 1, 2, 5 })
   {
     const test::TbbContext context(threads);
     ExpectIdentical(Smoothed(B, P, 3, 0.01, context), expected);
-    ExpectIdentical(Smoothed(B, P, 3, 0.01, context, regions), withRegions);
     ExpectIdentical(GramOfPlanar(expected, context), gram);
-    ExpectIdentical(CoarseRoughness(B, Bt, compact, { 7, 8 }, context), coarse);
+    ExpectIdentical(CoarseRoughness(B, Bt, expected, adjoint, { 7, 8 }, context), coarse);
   }
 }
