@@ -4,7 +4,7 @@
 #include "Adapters/MeshFromPolyData.h"
 #include "Adapters/OperatorsToFieldData.h"
 #include "Adapters/PieceRequest.h"
-#include "SurfaceHierarchy.h"
+#include "Levels/SurfaceHierarchy.h"
 #include "Support/Errors.h"
 
 #include "vtkCompositeDataSet.h"

@@ -8,11 +8,13 @@
  *
  *   Smoothness * roughness(X) + Alignment * sum over prescribed elements of w_b m_b |X_b - Y_b|^2,
  *
- * or, with hard constraints, the roughness subject to X_b = Y_b; m_b is A_b / (mean A) on faces.
+ * or, with hard constraints, the roughness subject to X_b = Y_b. w_b are the weights that are given; m_b is
+ * A_b / (mean A) of a face or of a point, A its area, and, of an edge, its positive mass 2 A_e / |e|^2 (A_e a third of
+ * the faces at it, at most 1e4) over 2 (mean A of the faces).
  *
  * - PowerField (default): X is the N-th power of any of the directions, one complex number per face
- *   in a tangent frame of the face. Its roughness is the sum over the edges of w_e |difference of X
- *   across the edge|^2. The magnitude of X fades away from the constraints and vanishes at
+ *   in a tangent frame of the face. Its roughness is the sum over the edges e of
+ *   3 |e|^2 / (A_f + A_g) |difference of X across the edge|^2, A_f and A_g the areas of its two faces. The magnitude of X fades away from the constraints and vanishes at
  *   singularities. For crosses and lines, and wherever the direction matters more than the length.
  * - FaceField: X is a vector per face, two components in the face's frame. Its roughness is its
  *   squared divergence and curl, integrated. For flows: harmonic where nothing is prescribed.
@@ -93,7 +95,7 @@
  * | array                    | of            | components | meaning                            |
  * | ------------------------ | ------------- | ---------- | ---------------------------------- |
  * | Direction0, 1, ... N - 1 | cells, points | 3          | the directions, counter-clockwise  |
- * | PowerField               | cells, points | 2          | the N-th power, a complex number   |
+ * | PowerField               | cells, points | 2          | the N-th power, a complex number (power fields only) |
  * | FaceField                | cells         | 3          | X in space (face fields only)      |
  * | ScalarFunction           | points        | 1          | X (functions only)                 |
  * | Prescribed               | cells         | 1          | weight, else 0 (1-forms: on port 1, functions: on points) |
@@ -164,8 +166,8 @@
  *
  * | stage  | repeated when this changes                                  | cost               |
  * | ------ | ----------------------------------------------------------- | ------------------ |
- * | set-up | the content of points or triangles; operators, or what asks for other levels; Discretisation and N, where the input brings no operators | decimation, or samples |
- * | system | which elements are prescribed; weights; N and other options | products or factor |
+ * | set-up | the content of points or triangles; operators, or what asks for other levels; Discretisation and N, unless they were solved for before (up to 1 GiB is kept) or the input brings operators | decimation, or samples |
+ * | system | which elements are prescribed; weights; other options   | products or factor |
  * | solve  | prescribed vectors; Tolerance, MaximumNumberOfIterations    | iterations         |
  *
  * A solve starts from the solution before. Other arrays repeat nothing, UnitLength and Combing only
@@ -251,8 +253,9 @@ public:
 
   ///@{
   /**
-   * Weight of soft constraints; without effect on hard ones. At 1, a prescribed face of mean area
-   * pulls as hard as one of its edges. Default 1; a value that is not positive is an error.
+   * Weight of soft constraints; without effect on hard ones. At 1, a prescribed face of mean area counts as much as
+   * a difference across one of its edges of weight 1; on equilateral triangles edges have 3.46. Default 1; a value
+   * that is not positive is an error.
    */
   vtkSetMacro(Alignment, double);
   vtkGetMacro(Alignment, double);
@@ -260,13 +263,19 @@ public:
 
   enum Solvers
   {
-    /** Cholesky for small systems and for many solves (ExpectedSolves), else conjugate gradients. */
+    /**
+     * Cholesky for small systems, for many solves (ExpectedSolves), where more than 3 % of the triangles are needles,
+     * and, for face fields and 1-forms, where more than 40 loops carry harmonic fields; else conjugate gradients.
+     */
     Automatic = 0,
     /** Supernodal sparse Cholesky factorisation. */
     Cholesky = 1,
     /** Multigrid V-cycles alone. */
     VCycles = 2,
-    /** Conjugate gradients, preconditioned by one V-cycle. */
+    /**
+     * Conjugate gradients, preconditioned by one V-cycle. Where these stagnate, or do not converge in 100 iterations
+     * (MaximumNumberOfIterations allowing), a factor of the system takes over from where they are, with a warning.
+     */
     ConjugateGradients = 3,
     /**
      * Solved on the coarsest level, carried up level by level and smoothed on each: a rough field
@@ -299,9 +308,9 @@ public:
 
   enum CoarseSpaces
   {
-    /** Vectors at the vertices of the coarse levels; the fast one. */
+    /** Vectors, or values of functions, at samples of the surface or at vertices of the coarse levels; the fast one. */
     Nodal = 0,
-    /** Powers, face fields or 1-forms as on the surface, as in the thesis. */
+    /** Powers, face fields, 1-forms or functions as on the surface, as in the thesis. */
     StructurePreserving = 1
   };
 
@@ -309,8 +318,9 @@ public:
   /**
    * What the coarse levels of multigrid hold, one of CoarseSpaces; without effect on Cholesky.
    * StructurePreserving takes operators of the discretisation (vtkDirectionalProlongation:
-   * PowerFields, FaceFields, OneForms). Conjugate gradients then take 11 to 14 iterations for power fields, and 12 to
-   * 46 and 86 for face fields and 1-forms, instead of 5 to 9 (surfaces of 14,000 to 280,000 triangles). Default Nodal.
+   * PowerFields, FaceFields, OneForms). Conjugate gradients then take 11 to 14 iterations for power fields, and
+   * 12 to 30 and 13 to 33 for face fields and 1-forms on even surfaces of 14,000 to 100,000 triangles, instead of 5 to 9; on
+   * uneven ones (beetle) 33, 58 and more than 100. Default Nodal.
    */
   vtkSetClampMacro(CoarseSpace, int, Nodal, StructurePreserving);
   vtkGetMacro(CoarseSpace, int);
@@ -394,7 +404,8 @@ public:
 
   ///@{
   /**
-   * The areas that belong to the points in the divergence of 1-forms, one of VertexAreaKinds.
+   * The areas that belong to the points in the divergence of 1-forms and in the mass of functions, one of
+   * VertexAreaKinds.
    * Default MixedVoronoi.
    */
   vtkSetClampMacro(VertexAreas, int, MixedVoronoi, Barycentric);
@@ -453,7 +464,7 @@ public:
    * Whether the harmonic fields of the surface, those without divergence and curl, come along as
    * arrays: orthonormal in the integral over the surface, 2 g for a closed component of genus g,
    * 2 g + b - 1 for one with b > 0 boundary loops, none of them across the boundary. Of face fields
-   * and 1-forms; without effect on power fields. They take a factorisation of the vertices, once
+   * and 1-forms; without effect on power fields and functions. They take a factorisation of the vertices, once
    * per surface and discretisation. Where loops times faces are more than 5e7, a warning and no
    * arrays. Default off.
    */

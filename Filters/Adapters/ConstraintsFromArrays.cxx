@@ -95,7 +95,8 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
     throw InvalidInput("no direction is prescribed; " +
       (leftOut.empty()
           ? "choose an array of vectors on the surface for Directions and a Mask, if any, that is "
-            "not zero everywhere, or connect lines or points with vectors to Guides"
+            "not zero everywhere, connect lines or points with vectors to Guides, or, for a Function, choose "
+            "an array of numbers for Values"
           : leftOut));
   }
   return { std::move(directions), followed.Report };

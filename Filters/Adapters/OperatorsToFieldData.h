@@ -1,9 +1,9 @@
 #ifndef dmgOperatorsToFieldData_h
 #define dmgOperatorsToFieldData_h
 
-#include "Hierarchy/HierarchyOptions.h"
+#include "Levels/Decimation/HierarchyOptions.h"
+#include "Levels/Transfers/ProlongationOperators.h"
 #include "Mesh/TriangleMesh.h"
-#include "Prolongation/ProlongationOperators.h"
 
 #include <optional>
 #include <string>

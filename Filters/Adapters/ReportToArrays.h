@@ -1,7 +1,7 @@
 #ifndef dmgReportToArrays_h
 #define dmgReportToArrays_h
 
-#include "Solvers/SolveReport.h"
+#include "Solvers/Krylov/SolveReport.h"
 
 class vtkFieldData;
 class vtkTable;

@@ -1,9 +1,9 @@
 #include "FieldSetup.h"
 
 #include "Analysis/HarmonicForms.h"
+#include "Levels/SurfaceHierarchy.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
-#include "SurfaceHierarchy.h"
 
 #include <string>
 #include <utility>

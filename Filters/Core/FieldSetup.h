@@ -4,8 +4,8 @@
 #include "Discretisations/Discretisation.h"
 #include "FactorChoice.h"
 #include "FieldOptions.h"
-#include "Hierarchy/HierarchyOptions.h"
-#include "Prolongation/ProlongationOperators.h"
+#include "Levels/Decimation/HierarchyOptions.h"
+#include "Levels/Transfers/ProlongationOperators.h"
 #include "Solvers/MultigridSetup.h"
 #include "Support/ExecutionContext.h"
 

@@ -2,9 +2,9 @@
 
 #include "Discretisations/MakeDiscretisation.h"
 #include "FieldSetup.h"
+#include "Levels/SurfaceHierarchy.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Solvers/HarmonicProblem.h"
-#include "SurfaceHierarchy.h"
 
 #include <algorithm>
 #include <cassert>

@@ -3,10 +3,10 @@
 
 #include "Discretisations/Discretisation.h"
 #include "FieldOptions.h"
+#include "Levels/Transfers/ProlongationOperators.h"
 #include "Mesh/FramedMesh.h"
-#include "Prolongation/ProlongationOperators.h"
-#include "Solvers/SolveReport.h"
-#include "Solvers/StoppingCriteria.h"
+#include "Solvers/Krylov/SolveReport.h"
+#include "Solvers/Krylov/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

@@ -8,9 +8,9 @@
 
 #include "Benchmarks/CommandLine.h"
 #include "Benchmarks/Timing.h"
+#include "Levels/SurfaceHierarchy.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
-#include "SurfaceHierarchy.h"
 
 using namespace dmg;
 

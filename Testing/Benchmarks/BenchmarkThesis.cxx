@@ -25,11 +25,11 @@
 #include "Benchmarks/ThesisTables.h"
 #include "Benchmarks/Timing.h"
 #include "Discretisations/MakeDiscretisation.h"
+#include "Levels/SurfaceHierarchy.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
-#include "SurfaceHierarchy.h"
 
 #include <functional>
 #include <optional>

@@ -46,11 +46,11 @@ class CheckSources(unittest.TestCase):
 
     def test_arrows_point_downwards(self):
         self.assert_found("Filters/Core/Mesh/Mesh.h", '#include "Discretisations/Field.h"\n',
-                          "1: Mesh may not include Discretisations")
+                          "1: Mesh may not include Discretisations/Field.h")
 
     def test_solvers_know_no_mesh(self):
         self.assert_found("Filters/Core/Solvers/Solver.h", '#include "Mesh/Mesh.h"\n',
-                          "1: Solvers may not include Mesh")
+                          "1: Solvers may not include Mesh/Mesh.h")
 
     def test_only_the_top_sees_the_top(self):
         self.assert_found("Filters/Core/Mesh/Mesh.h", '#include "FieldSolver.h"\n',
@@ -58,7 +58,7 @@ class CheckSources(unittest.TestCase):
 
     def test_new_folder_needs_a_place(self):
         self.assertEqual(self.found({"Filters/Core/Odds/Ends.h": ""}),
-                         ["Filters/Core/Odds:0: this folder of the core has no place in ARROWS"])
+                         ["Filters/Core/Odds/Ends.h:0: Odds has no place in ARROWS"])
 
     def test_wrapped_headers_are_plain(self):
         self.assert_found("Filters/vtkFilter.h", "#include <Eigen/Core>\n",

@@ -2,11 +2,11 @@
 // grow with the surface, for 1-forms and face fields: generated families at several sizes.
 
 #include "Discretisations/MakeDiscretisation.h"
+#include "Levels/SurfaceHierarchy.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
-#include "SurfaceHierarchy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // Conjugate gradients with a nodal V-cycle take a number of iterations that does not grow with the
 // surface: generated families, each cut 1:4 several times.
 
+#include "Levels/SurfaceHierarchy.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
-#include "SurfaceHierarchy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 #include "FieldSolver.h"
 
+#include "Levels/SurfaceHierarchy.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
-#include "SurfaceHierarchy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,16 +1,16 @@
 #include "Solvers/HarmonicProblem.h"
 
 #include "Analysis/HarmonicForms.h"
+#include "Discretisations/MakeDiscretisation.h"
+#include "Levels/SurfaceHierarchy.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
-#include "Discretisations/MakeDiscretisation.h"
 #include "Support/Errors.h"
 #include "Support/FieldProblem.h"
+#include "Support/FieldSystems.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
-#include "Support/FieldSystems.h"
-#include "SurfaceHierarchy.h"
 
 #include <gtest/gtest.h>
 

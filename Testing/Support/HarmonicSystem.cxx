@@ -1,6 +1,6 @@
 #include "Support/HarmonicSystem.h"
 
-#include "Support/EnergiesOfSpace.h"
+#include "Solvers/Krylov/EnergiesOfSpace.h"
 
 #include <Eigen/QR>
 

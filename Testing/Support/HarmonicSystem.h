@@ -1,8 +1,8 @@
 #ifndef dmgHarmonicSystem_h
 #define dmgHarmonicSystem_h
 
-#include "Support/Types.h"
 #include "Solvers/PrescribedUnknowns.h"
+#include "Support/Types.h"
 
 #include <string>
 #include <vector>

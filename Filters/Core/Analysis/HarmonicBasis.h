@@ -17,7 +17,7 @@ namespace dmg
 /// orthonormal in the product that is weighted by the areas of the faces. That is the integral: a
 /// closed form is a gradient in each face, and its interpolant constant there. The vectors have the
 /// unit 1 / length, the numbers none.
-/// \param forms any basis of them: HarmonicForms, or what a solver takes out (FieldProblem::HarmonicFields).
+/// \param forms any basis of them: HarmonicForms, or what a solver takes out (FieldSolver::HarmonicFields).
 /// \throw SolverFailure forms differ only in faces without area.
 /// \throw Cancelled
 /// Cost: O(#F (2 g + b - 1)^2). Memory: besides the result, two numbers per face and form.

@@ -2,7 +2,7 @@
 
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
-#include "Solvers/CholeskySolver.h"
+#include "Solvers/Direct/CholeskySolver.h"
 
 #include <Eigen/QR>
 
@@ -230,7 +230,7 @@ Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& 
   const SparseMatrix<double> d0 = D0(mesh, context);
   const SparseMatrix<double> divergence = SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal();
   SparseMatrix<double> laplacian = divergence * d0;
-  // Constants cost nothing; a little of the diagonal holds them, and the corrections below undo it.
+  // Constants are the kernel; a little of the diagonal makes it definite, and the corrections below undo it.
   const double shift = 1e-10 * laplacian.diagonal().cwiseAbs().maxCoeff();
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {

@@ -1,9 +1,9 @@
 #ifndef dmgHarmonicForms_h
 #define dmgHarmonicForms_h
 
+#include "Levels/Transfers/ProlongationOperators.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
-#include "Prolongation/ProlongationOperators.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

@@ -3,10 +3,10 @@
 
 #include "Discretisations/DiscretisationOptions.h"
 #include "Discretisations/Prescriptions.h"
-#include "Hierarchy/HierarchyOptions.h"
+#include "Levels/Decimation/HierarchyOptions.h"
+#include "Levels/Transfers/ProlongationOperators.h"
 #include "Mesh/FramedMesh.h"
-#include "Prolongation/ProlongationOperators.h"
-#include "Solvers/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/RoughnessHierarchy.h"
 #include "Solvers/SolverOptions.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -55,7 +55,8 @@ struct ElementValues
 /// Which prolongations multigrid's coarse spaces come from.
 enum class CoarseSpaceKind
 {
-  /// Vectors at the vertices of the coarse levels, whatever the fine level holds; the fast one.
+  /// Vectors, or values of functions, at samples or at vertices of coarse levels, whatever the fine level holds; the
+  /// fast one.
   Nodal,
   /// The thesis's, which keep structure: S0, S1, SX or SP.
   StructurePreserving,

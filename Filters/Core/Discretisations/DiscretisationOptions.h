@@ -26,7 +26,7 @@ struct DiscretisationOptions
   DiscretisationKind Kind = DiscretisationKind::PowerField;
   /// Power fields have N directions per point, 2 pi / N apart; 1 to 8. The others have one.
   int N = 4;
-  /// Of 1-forms: the star of 0-forms.
+  /// The star of 0-forms: of 1-forms in their divergence, of functions in their mass.
   VertexAreas Areas = VertexAreas::MixedVoronoi;
 
   friend bool operator==(const DiscretisationOptions& a, const DiscretisationOptions& b)

@@ -5,8 +5,8 @@
 #include "Discretisations/LeastSquaresLevels.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldDirections.h"
-#include "Solvers/AssembledHierarchy.h"
-#include "Solvers/LeastSquaresHierarchy.h"
+#include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
+#include "Solvers/Multigrid/AssembledHierarchy.h"
 #include "Support/ComplexPairs.h"
 
 #include <utility>

@@ -1,7 +1,7 @@
 #include "Discretisations/LeastSquaresLevels.h"
 
-#include "Operators/ExteriorCalculus.h"
 #include "Discretisations/SmoothingBlocks.h"
+#include "Operators/ExteriorCalculus.h"
 #include "Support/SparseKernels.h"
 
 #include <cassert>

@@ -1,10 +1,10 @@
 #ifndef dmgLeastSquaresLevels_h
 #define dmgLeastSquaresLevels_h
 
+#include "Levels/Transfers/TransportOperator.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
-#include "Prolongation/TransportOperator.h"
-#include "Solvers/LeastSquaresHierarchy.h"
+#include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
 #include "Support/ExecutionContext.h"
 
 #include <vector>

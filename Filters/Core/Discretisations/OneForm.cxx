@@ -4,8 +4,8 @@
 #include "Analysis/HarmonicForms.h"
 #include "Discretisations/LeastSquaresLevels.h"
 #include "Discretisations/OneFormConstraints.h"
-#include "Solvers/AssembledHierarchy.h"
-#include "Solvers/LeastSquaresHierarchy.h"
+#include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
+#include "Solvers/Multigrid/AssembledHierarchy.h"
 
 #include <utility>
 

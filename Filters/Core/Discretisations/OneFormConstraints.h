@@ -1,9 +1,9 @@
 #ifndef dmgOneFormConstraints_h
 #define dmgOneFormConstraints_h
 
+#include "Discretisations/Prescriptions.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
-#include "Discretisations/Prescriptions.h"
 
 #include <vector>
 

@@ -3,8 +3,8 @@
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Operators/PowerFieldOperators.h"
-#include "Solvers/AssembledHierarchy.h"
-#include "Solvers/LaplacianHierarchy.h"
+#include "Solvers/Laplacian/LaplacianHierarchy.h"
+#include "Solvers/Multigrid/AssembledHierarchy.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 

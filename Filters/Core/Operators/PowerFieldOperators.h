@@ -36,7 +36,9 @@ inline Complex TransportOfSides(Complex side, Complex sideOfTwin)
 double TransportAcrossEdge(const TriangleMesh& mesh, const TangentFrames& faceFrames, int halfedge);
 
 /// Weight of each interior edge in the smoothness energy, 3 |e|^2 / (A_f + A_g); #E, dimensionless,
-/// 0 on the boundary. Twice the consistent two-point flux, as in the thesis. A_f + A_g of slivers
+/// 0 on the boundary. As in the thesis; on equilateral triangles twice
+/// the consistent two-point flux. Elsewhere it is not consistent: on a grid with all diagonals alike, a linear field of
+/// slope p has 3 |p|^2 along one diagonal and 1.5 |p|^2 along the other. A_f + A_g of slivers
 /// is raised to 1e-6 |e|^2 so that zero-area faces keep a finite weight; an edge of no length has
 /// none.
 Vector<double> PowerEdgeWeights(const TriangleMesh& mesh);

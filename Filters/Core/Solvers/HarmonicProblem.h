@@ -1,11 +1,11 @@
 #ifndef dmgHarmonicProblem_h
 #define dmgHarmonicProblem_h
 
+#include "Solvers/Krylov/SolveReport.h"
+#include "Solvers/Krylov/StoppingCriteria.h"
 #include "Solvers/MultigridSetup.h"
 #include "Solvers/PrescribedUnknowns.h"
-#include "Solvers/SolveReport.h"
 #include "Solvers/SolverOptions.h"
-#include "Solvers/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -23,7 +23,8 @@ namespace dmg
 /// over all unknowns x, with prescribed values y_b for some of them; R is the roughness of the set-up, s the
 /// smoothness weight. With a diagonal D, which is m_b / s where a soft prescription is, infinite where a hard one
 /// is, and zero elsewhere, both are (R + D) x = D y, divided by s. Unknowns that no prescription reaches through R are
-/// zero, the least of their equal minimisers, and so is the part in harmonic fields that no prescription determines.
+/// zero, the least of their equal minimisers, and so is the part in the harmonic fields of
+/// the set-up that no prescription determines.
 ///
 /// Unknowns are real; those of power fields are pairs.
 class HarmonicProblem

@@ -1,7 +1,7 @@
 #ifndef dmgMultigridSetup_h
 #define dmgMultigridSetup_h
 
-#include "Solvers/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/RoughnessHierarchy.h"
 #include "Solvers/SolverOptions.h"
 #include "Support/Types.h"
 

@@ -1,7 +1,7 @@
 #ifndef dmgSolverOptions_h
 #define dmgSolverOptions_h
 
-#include "Solvers/NestedIteration.h"
+#include "Solvers/Multigrid/NestedIteration.h"
 
 #include <limits>
 #include <string>
@@ -12,7 +12,8 @@ namespace dmg
 
 enum class SolverKind
 {
-  /// Cholesky for small systems and for many solves, else conjugate gradients; see ChooseSolver.
+  /// Cholesky for small systems, for many solves, and where needles or loops are many, else conjugate gradients; see
+  /// ChooseSolver.
   Automatic,
   /// Supernodal sparse Cholesky of the fine system (CHOLMOD).
   Cholesky,

@@ -13,6 +13,7 @@ namespace dmg
 {
 
 using Complex = std::complex<double>;
+using Complex32 = std::complex<float>; ///< parts of 32 bits
 
 constexpr double Pi = EIGEN_PI;
 

@@ -2,7 +2,7 @@
 #define dmgBenchmarksDirectPeers_h
 
 #include "Benchmarks/Peers/Peer.h"
-#include "Solvers/CholeskySolver.h"
+#include "Solvers/Direct/CholeskySolver.h"
 #include "Support/Errors.h"
 
 #include <Eigen/SparseCholesky>

@@ -1,8 +1,8 @@
 #ifndef dmgBenchmarksIterativePeer_h
 #define dmgBenchmarksIterativePeer_h
 
-#include "Solvers/ConjugateGradient.h"
-#include "Solvers/Preconditioner.h"
+#include "Solvers/Krylov/ConjugateGradient.h"
+#include "Solvers/Krylov/Preconditioner.h"
 #include "Support/Errors.h"
 
 namespace dmg::peers

@@ -1,7 +1,7 @@
 #ifndef dmgBenchmarksPeer_h
 #define dmgBenchmarksPeer_h
 
-#include "Solvers/SolveReport.h"
+#include "Solvers/Krylov/SolveReport.h"
 #include "Support/Types.h"
 
 #include <string>

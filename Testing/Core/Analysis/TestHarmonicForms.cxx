@@ -1,11 +1,11 @@
 #include "Analysis/HarmonicForms.h"
 
+#include "Levels/SurfaceHierarchy.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/TbbContext.h"
-#include "SurfaceHierarchy.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 #ifndef dmgTestExamples_h
 #define dmgTestExamples_h
 
-#include "Support/Random.h"
 #include "Discretisations/Prescriptions.h"
+#include "Support/Random.h"
 
 #include <complex>
 #include <vector>

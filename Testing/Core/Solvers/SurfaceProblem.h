@@ -2,14 +2,14 @@
 #define dmgTestSurfaceProblem_h
 
 #include "Discretisations/LeastSquaresLevels.h"
+#include "Levels/SurfaceHierarchy.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
-#include "Solvers/LeastSquaresHierarchy.h"
+#include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
+#include "Support/FieldSystems.h"
 #include "Support/MeshFactory.h"
 #include "Support/Permutations.h"
 #include "Support/Random.h"
-#include "SurfaceHierarchy.h"
-#include "Support/FieldSystems.h"
 
 #include <limits>
 #include <memory>

@@ -1,4 +1,4 @@
-#include "Solvers/ArrangedMatrix.h"
+#include "Solvers/Kernels/ArrangedMatrix.h"
 
 #include "GridProblem.h"
 #include "Support/Permutations.h"

@@ -1,6 +1,6 @@
-#include "Solvers/BlockSmoother.h"
+#include "Solvers/LeastSquares/BlockSmoother.h"
 
-#include "SquaresProblem.h"
+#include "LeastSquaresProblem.h"
 #include "Support/Permutations.h"
 #include "Support/TbbContext.h"
 
@@ -114,24 +114,24 @@ std::vector<int> FreeOf(const Vector<double>& D)
 }
 
 /// Of each block, in the order of BlocksInOrder: whether D touches its group.
-std::vector<char> ArePulled(const SchwarzBlocks& blocks, const Vector<double>& D)
+std::vector<char> ArePenalised(const SchwarzBlocks& blocks, const Vector<double>& D)
 {
-  std::vector<char> arePulled;
+  std::vector<char> arePenalised;
   for (int tile = 0; tile < blocks.NumberOfTiles(); ++tile)
   {
     const SchwarzBlocks::Run groups = blocks.GroupsOf(blocks.TileAt(tile));
     for (int g = groups.First; g < groups.Last; ++g)
     {
       const SchwarzBlocks::Group& group = blocks.Groups()[g];
-      bool isPulled = false;
+      bool isPenalised = false;
       for (int slot = 0; slot < blocks.NumberOfUnknowns(group); ++slot)
       {
-        isPulled |= D[blocks.UnknownOf(group, slot)] != 0.0;
+        isPenalised |= D[blocks.UnknownOf(group, slot)] != 0.0;
       }
-      arePulled.insert(arePulled.end(), group.Blocks, isPulled);
+      arePenalised.insert(arePenalised.end(), group.Blocks, isPenalised);
     }
   }
-  return arePulled;
+  return arePenalised;
 }
 
 /// Sweeps over the blocks of a dense matrix, each solved for exactly and relaxed, but for those in groups
@@ -143,7 +143,7 @@ Vector<double> Relaxed(const Squares& squares, const SchwarzBlocks& blocks, int 
   Eigen::MatrixXd A = squares.Matrix();
   A.diagonal() += D.unaryExpr([](double entry) { return std::isfinite(entry) ? entry : 0.0; });
   const UnknownBlocks inOrder = test::BlocksInOrder(blocks);
-  const std::vector<char> arePulled = ArePulled(blocks, D);
+  const std::vector<char> arePenalised = ArePenalised(blocks, D);
   std::vector<int> order = Identity(inOrder.Size());
   if (!isUp)
   {
@@ -155,7 +155,7 @@ Vector<double> Relaxed(const Squares& squares, const SchwarzBlocks& blocks, int 
     {
       const std::vector<int> free = FreeAmong(test::MembersOf(inOrder, block), D);
       const Vector<double> residual = b(free) - A(free, Eigen::all) * x;
-      x(free) += (arePulled[block] ? 1.0 : relaxation) * test::BlockOf(A, free).llt().solve(residual);
+      x(free) += (arePenalised[block] ? 1.0 : relaxation) * test::BlockOf(A, free).llt().solve(residual);
     }
   }
   return x;

@@ -1,4 +1,4 @@
-#include "Solvers/BlockStrips.h"
+#include "Solvers/LeastSquares/BlockStrips.h"
 
 #include "Support/TbbContext.h"
 

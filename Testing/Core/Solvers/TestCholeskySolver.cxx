@@ -1,4 +1,4 @@
-#include "Solvers/CholeskySolver.h"
+#include "Solvers/Direct/CholeskySolver.h"
 
 #include "GridProblem.h"
 #include "Support/Errors.h"

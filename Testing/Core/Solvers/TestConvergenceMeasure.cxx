@@ -1,10 +1,10 @@
-#include "Solvers/ConvergenceMeasure.h"
+#include "Solvers/Krylov/ConvergenceMeasure.h"
 
 #include "GridProblem.h"
-#include "Solvers/CholeskySolver.h"
-#include "Solvers/ConjugateGradient.h"
-#include "Solvers/MultigridCycle.h"
-#include "Solvers/StationaryIteration.h"
+#include "Solvers/Direct/CholeskySolver.h"
+#include "Solvers/Krylov/ConjugateGradient.h"
+#include "Solvers/Krylov/StationaryIteration.h"
+#include "Solvers/Multigrid/MultigridCycle.h"
 #include "Support/Errors.h"
 #include "Support/TbbContext.h"
 

@@ -1,7 +1,7 @@
-#include "Solvers/DeflatedPreconditioner.h"
+#include "Solvers/Krylov/DeflatedPreconditioner.h"
 
 #include "GridProblem.h"
-#include "Solvers/ConjugateGradient.h"
+#include "Solvers/Krylov/ConjugateGradient.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
-#include "Solvers/GalerkinHierarchy.h"
+#include "Solvers/Multigrid/GalerkinHierarchy.h"
 
 #include "GridProblem.h"
-#include "Solvers/SmoothedProlongation.h"
+#include "Solvers/Multigrid/SmoothedProlongation.h"
 #include "Support/Errors.h"
 #include "Support/TbbContext.h"
 

@@ -1,4 +1,4 @@
-#include "Solvers/LaplacianCycle.h"
+#include "Solvers/Laplacian/LaplacianCycle.h"
 
 #include "GridProblem.h"
 #include "Support/Errors.h"

@@ -1,9 +1,9 @@
-#include "Solvers/LeastSquaresCycle.h"
+#include "Solvers/LeastSquares/LeastSquaresCycle.h"
 
 #include "GridProblem.h"
-#include "Solvers/CholeskySolver.h"
-#include "Solvers/ConjugateGradient.h"
-#include "Solvers/StationaryIteration.h"
+#include "Solvers/Direct/CholeskySolver.h"
+#include "Solvers/Krylov/ConjugateGradient.h"
+#include "Solvers/Krylov/StationaryIteration.h"
 #include "Support/Errors.h"
 #include "Support/TbbContext.h"
 #include "SurfaceProblem.h"

@@ -1,7 +1,7 @@
-#include "Solvers/LeastSquaresHierarchy.h"
+#include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
 
 #include "GridProblem.h"
-#include "SquaresProblem.h"
+#include "LeastSquaresProblem.h"
 #include "Support/Errors.h"
 #include "Support/TbbContext.h"
 #include "SurfaceProblem.h"
@@ -40,7 +40,7 @@ LeastSquaresHierarchyOptions WithoutSmoothing()
 
 /// Plane vectors as pairs of components; the product of the vectors p and z is Re p Re z + Im p Im
 /// z.
-Eigen::MatrixXd OnPairs(const SparseMatrix<Plane>& P)
+Eigen::MatrixXd OnPairs(const SparseMatrix<Complex32>& P)
 {
   const Eigen::MatrixXcd dense = Eigen::MatrixXcf(P).cast<Complex>();
   Eigen::MatrixXd pairs(P.rows(), 2 * P.cols());
@@ -294,7 +294,7 @@ TEST_P(TestLeastSquaresHierarchy, SameBitsForAnyNumberOfThreads)
     EXPECT_EQ(hierarchy.Components, expected.Components);
     EXPECT_EQ(hierarchy.Scales, expected.Scales);
     EXPECT_EQ((hierarchy.B - expected.B).norm(), 0.0);
-    const SparseMatrix<Plane> P = hierarchy.Prolongation.Matrix();
+    const SparseMatrix<Complex32> P = hierarchy.Prolongation.Matrix();
     EXPECT_EQ((P - expected.Prolongation.Matrix()).norm(), 0.0f);
     EXPECT_EQ((hierarchy.CoarseLower - expected.CoarseLower).norm(), 0.0);
     EXPECT_EQ(hierarchy.CoarseLower.nonZeros(), expected.CoarseLower.nonZeros());
@@ -366,7 +366,7 @@ TEST(TestLeastSquaresHierarchyOfPaths, ComponentsAreConnectedThroughB)
   EXPECT_TRUE(hierarchy.CoarseLower.coeffs().allFinite());
 
   // Such unknowns are left to their blocks, which solve D x = r.
-  const SparseMatrix<Plane> P = hierarchy.Prolongation.Matrix();
+  const SparseMatrix<Complex32> P = hierarchy.Prolongation.Matrix();
   Vector<double> D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
   for (int k = 0; k < hierarchy.NumberOfUnknowns(); ++k)
   {

@@ -1,4 +1,4 @@
-#include "Solvers/LinearOperator.h"
+#include "Solvers/Krylov/LinearOperator.h"
 
 #include "GridProblem.h"
 #include "Support/Errors.h"

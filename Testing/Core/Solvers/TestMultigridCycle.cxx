@@ -1,5 +1,5 @@
-#include "Solvers/MultigridCycle.h"
-#include "Solvers/SweepOrder.h"
+#include "Solvers/Kernels/SweepOrder.h"
+#include "Solvers/Multigrid/MultigridCycle.h"
 
 #include "GridProblem.h"
 #include "Support/Errors.h"

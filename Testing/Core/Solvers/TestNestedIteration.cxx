@@ -1,7 +1,7 @@
-#include "Solvers/NestedIteration.h"
+#include "Solvers/Multigrid/NestedIteration.h"
 
 #include "GridProblem.h"
-#include "Solvers/CholeskySolver.h"
+#include "Solvers/Direct/CholeskySolver.h"
 #include "Support/Errors.h"
 #include "Support/TbbContext.h"
 

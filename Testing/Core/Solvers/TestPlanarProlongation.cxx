@@ -1,6 +1,6 @@
-#include "Solvers/PlanarProlongation.h"
+#include "Solvers/LeastSquares/PlanarProlongation.h"
 
-#include "SquaresProblem.h"
+#include "LeastSquaresProblem.h"
 #include "Support/SparseKernels.h"
 #include "Support/TbbContext.h"
 
@@ -76,7 +76,7 @@ Eigen::MatrixXd OnPairs(const SparseMatrix<Scalar>& P)
   return pairs;
 }
 
-SparseMatrix<Plane> Smoothed(const SparseMatrix<double>& B, const PlanarProlongation& P, int degree,
+SparseMatrix<Complex32> Smoothed(const SparseMatrix<double>& B, const PlanarProlongation& P, int degree,
   double dropped, const ExecutionContext& context)
 {
   const SparseMatrix<double> Bt = B.transpose();
@@ -101,7 +101,7 @@ TEST(TestPlanarProlongation, DegreeZeroRoundsOnly)
 {
   const PlanarProlongation P = Interpolation(60);
   ExpectIdentical(
-    Smoothed(Squares(60), P, 0, 0.5, SerialContext()), SparseMatrix<Plane>(P.cast<Plane>()));
+    Smoothed(Squares(60), P, 0, 0.5, SerialContext()), SparseMatrix<Complex32>(P.cast<Complex32>()));
 }
 
 TEST(TestPlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
@@ -179,8 +179,8 @@ TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
   const SparseMatrix<double> B = Squares(600);
   const PlanarProlongation P = Interpolation(600);
   const double dropped = 0.05;
-  const SparseMatrix<Plane> full = Smoothed(B, P, 3, 0.0, SerialContext());
-  const SparseMatrix<Plane> Q = Smoothed(B, P, 3, dropped, SerialContext());
+  const SparseMatrix<Complex32> full = Smoothed(B, P, 3, 0.0, SerialContext());
+  const SparseMatrix<Complex32> Q = Smoothed(B, P, 3, dropped, SerialContext());
   EXPECT_LT(Q.nonZeros(), full.nonZeros());
   EXPECT_LE((Q - full).norm(), 3 * dropped * full.norm());
   for (int i = 0; i < Q.rows(); ++i)
@@ -191,7 +191,7 @@ TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
       largest = std::max(largest, std::abs(entry.value()));
     }
     int previous = -1;
-    for (SparseMatrix<Plane>::InnerIterator entry(Q, i); entry; ++entry)
+    for (SparseMatrix<Complex32>::InnerIterator entry(Q, i); entry; ++entry)
     {
       ASSERT_GE(std::abs(entry.value()), (1.0 - 10 * SingleEpsilon) * dropped * largest);
       EXPECT_LT(previous, entry.col());
@@ -204,8 +204,8 @@ TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
 {
   const SparseMatrix<double> B = Squares(240);
   const SparseMatrix<double> Bt = B.transpose();
-  const SparseMatrix<Plane> P = Smoothed(B, Interpolation(240), 2, 0.01, SerialContext());
-  const SparseMatrix<Plane> adjoint = Adjoint(P, SerialContext());
+  const SparseMatrix<Complex32> P = Smoothed(B, Interpolation(240), 2, 0.01, SerialContext());
+  const SparseMatrix<Complex32> adjoint = Adjoint(P, SerialContext());
   // The first coarse vector has nothing left.
   std::vector<int> held = { 100, 101, 177 };
   for (int i = 200; i < 260; ++i)
@@ -234,7 +234,7 @@ TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
 
 TEST(TestPlanarProlongation, GramIsTheProductOfPairs)
 {
-  const SparseMatrix<Plane> Q = Smoothed(Squares(240), Interpolation(240), 2, 0.01, SerialContext());
+  const SparseMatrix<Complex32> Q = Smoothed(Squares(240), Interpolation(240), 2, 0.01, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(Q, SerialContext());
   const Eigen::MatrixXd pairs = OnPairs(Q);
   const Eigen::MatrixXd expected = pairs.transpose() * pairs;
@@ -254,8 +254,8 @@ TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
   const SparseMatrix<double> B = Squares(6000);
   const PlanarProlongation P = Interpolation(6000);
   const SparseMatrix<double> Bt = B.transpose();
-  const SparseMatrix<Plane> expected = Smoothed(B, P, 3, 0.01, SerialContext());
-  const SparseMatrix<Plane> adjoint = Adjoint(expected, SerialContext());
+  const SparseMatrix<Complex32> expected = Smoothed(B, P, 3, 0.01, SerialContext());
+  const SparseMatrix<Complex32> adjoint = Adjoint(expected, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(expected, SerialContext());
   const SparseMatrix<double> coarse =
     CoarseRoughness(B, Bt, expected, adjoint, { 7, 8 }, SerialContext());

@@ -1,8 +1,8 @@
-#include "Solvers/SchwarzBlocks.h"
+#include "Solvers/LeastSquares/SchwarzBlocks.h"
 
-#include "SquaresProblem.h"
+#include "LeastSquaresProblem.h"
+#include "Solvers/Kernels/Packs.h"
 #include "Support/Errors.h"
-#include "Support/Packs.h"
 #include "Support/Permutations.h"
 #include "Support/TbbContext.h"
 

@@ -1,7 +1,7 @@
-#include "Solvers/ShiftedFactor.h"
+#include "Solvers/Direct/ShiftedFactor.h"
 
 #include "GridProblem.h"
-#include "Solvers/ConjugateGradient.h"
+#include "Solvers/Krylov/ConjugateGradient.h"
 #include "Support/Errors.h"
 #include "Support/Random.h"
 

@@ -1,4 +1,4 @@
-#include "Solvers/SingleProlongation.h"
+#include "Solvers/Kernels/SingleProlongation.h"
 
 #include "GridProblem.h"
 #include "Support/TbbContext.h"
@@ -16,28 +16,28 @@ namespace
 {
 
 /// Each row takes some coarse vectors near its place, entries of all sizes; every ninth row is empty.
-SparseMatrix<Plane> Interpolation(int rows, int columns)
+SparseMatrix<Complex32> Interpolation(int rows, int columns)
 {
   test::Random random(3701);
-  std::vector<Eigen::Triplet<Plane>> entries;
+  std::vector<Eigen::Triplet<Complex32>> entries;
   for (int i = 0; i < rows; ++i)
   {
     const double size = std::pow(10.0, random.Uniform(-6.0, 3.0));
     for (int k = 0; k < 7 && i % 9 != 5; ++k)
     {
       const int j = (static_cast<int>(static_cast<long long>(i) * columns / rows) + 3 * k) % columns;
-      entries.emplace_back(i, j, Plane(size * std::pow(10.0, -k) * random.Number()));
+      entries.emplace_back(i, j, Complex32(size * std::pow(10.0, -k) * random.Number()));
     }
   }
   return test::FromTriplets(rows, columns, entries);
 }
 
-SingleProlongation Single(SparseMatrix<Plane> P)
+SingleProlongation Single(SparseMatrix<Complex32> P)
 {
   return SingleProlongation(std::move(P));
 }
 
-Eigen::MatrixXd OnPairs(const SparseMatrix<Plane>& P)
+Eigen::MatrixXd OnPairs(const SparseMatrix<Complex32>& P)
 {
   const Eigen::MatrixXcf dense(P);
   Eigen::MatrixXd pairs(P.rows(), 2 * P.cols());
@@ -75,8 +75,8 @@ TEST(TestSingleProlongation, ProductsWithComplexNumbers)
   const SingleProlongation single = Single(Interpolation(5000, 600));
   const Eigen::MatrixXcd P = Eigen::MatrixXcf(single.Matrix()).cast<Complex>();
   const auto z = test::RandomVector<Complex>(600, 3710);
-  const Vector<Plane> start = test::RandomVector<Complex>(5000, 3711).cast<Plane>();
-  Vector<Plane> x = start;
+  const Vector<Complex32> start = test::RandomVector<Complex>(5000, 3711).cast<Complex32>();
+  Vector<Complex32> x = start;
   single.AddProduct(z, x, SerialContext());
   const Vector<double> sizes = P.cwiseAbs() * z.cwiseAbs(); // of the terms of each row
   for (int i = 0; i < 5000; ++i)
@@ -103,10 +103,10 @@ TEST(TestSingleProlongation, SomeRows)
 
 TEST(TestSingleProlongation, EmptyOnes)
 {
-  const SingleProlongation none = Single(SparseMatrix<Plane>(0, 0));
+  const SingleProlongation none = Single(SparseMatrix<Complex32>(0, 0));
   EXPECT_EQ(none.Rows(), 0);
   EXPECT_EQ(none.Columns(), 0);
-  const SingleProlongation zero = Single(SparseMatrix<Plane>(3, 2));
+  const SingleProlongation zero = Single(SparseMatrix<Complex32>(3, 2));
   Vector<double> x = Vector<double>::Ones(3);
   zero.AddProduct(Vector<double>::Ones(4), x, SerialContext());
   EXPECT_EQ(x, Vector<double>::Ones(3));
@@ -117,7 +117,7 @@ TEST(TestSingleProlongation, EmptyOnes)
 
 TEST(TestSingleProlongation, SameBitsForAnyNumberOfThreads)
 {
-  const SparseMatrix<Plane> P = Interpolation(30000, 4000);
+  const SparseMatrix<Complex32> P = Interpolation(30000, 4000);
   const SingleProlongation single = Single(P);
   const auto z = test::RandomVector<double>(8000, 3706);
   const auto x = test::RandomVector<double>(30000, 3707);

@@ -1,4 +1,4 @@
-#include "Solvers/SmoothedProlongation.h"
+#include "Solvers/Multigrid/SmoothedProlongation.h"
 
 #include "GridProblem.h"
 #include "Support/SparseKernels.h"

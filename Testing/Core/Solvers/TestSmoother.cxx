@@ -1,6 +1,6 @@
-#include "Solvers/Smoother.h"
-#include "Solvers/ArrangedMatrix.h"
-#include "Solvers/SweepOrder.h"
+#include "Solvers/Kernels/ArrangedMatrix.h"
+#include "Solvers/Kernels/SweepOrder.h"
+#include "Solvers/Multigrid/Smoother.h"
 
 #include "GridProblem.h"
 #include "Support/Permutations.h"

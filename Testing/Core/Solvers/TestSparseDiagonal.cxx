@@ -1,4 +1,4 @@
-#include "Solvers/SparseDiagonal.h"
+#include "Solvers/Kernels/SparseDiagonal.h"
 
 #include "Support/TbbContext.h"
 

@@ -1,4 +1,4 @@
-#include "Solvers/SplitMatrix.h"
+#include "Solvers/Kernels/SplitMatrix.h"
 
 #include "GridProblem.h"
 #include "Support/TbbContext.h"

@@ -1,8 +1,8 @@
-#include "Solvers/StationaryIteration.h"
+#include "Solvers/Krylov/StationaryIteration.h"
 
 #include "GridProblem.h"
-#include "Solvers/CholeskySolver.h"
-#include "Solvers/MultigridCycle.h"
+#include "Solvers/Direct/CholeskySolver.h"
+#include "Solvers/Multigrid/MultigridCycle.h"
 #include "Support/Errors.h"
 #include "Support/TbbContext.h"
 

@@ -1,4 +1,4 @@
-#include "Solvers/SweepOrder.h"
+#include "Solvers/Kernels/SweepOrder.h"
 
 #include "GridProblem.h"
 #include "Support/Permutations.h"

@@ -1,0 +1,60 @@
+#ifndef dmgRowTiles_h
+#define dmgRowTiles_h
+
+#include "Solvers/Kernels/PartColouring.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <algorithm>
+
+namespace dmg
+{
+
+/// Ranges of rows of a sparse matrix, for products with its transpose: threads add what their rows give to
+/// the columns, in an order that does not depend on their number. Rows near each other should have columns
+/// in common, and few with rows elsewhere.
+class RowTiles
+{
+public:
+  static constexpr int RowsOfTile = 4096;
+
+  RowTiles() = default;
+  explicit RowTiles(const SparseMatrix<double>& A)
+    : Rows(static_cast<int>(A.rows()))
+    , Colouring(ColourParts((this->Rows + RowsOfTile - 1) / RowsOfTile, static_cast<int>(A.cols()),
+        [&](int tile, const auto& visit) {
+          const int last = std::min((tile + 1) * RowsOfTile, this->Rows);
+          const int* const offsets = A.outerIndexPtr();
+          std::for_each(
+            A.innerIndexPtr() + offsets[tile * RowsOfTile], A.innerIndexPtr() + offsets[last], visit);
+        }))
+  {
+  }
+
+  int Size() const { return static_cast<int>(this->Colouring.Parts.size()); }
+
+  /// Calls visit(tile, firstRow, lastRow), at the same time for tiles that share no column.
+  template <class Visit>
+  void ForTiles(const ExecutionContext& context, const Visit& visit) const
+  {
+    for (int colour = 0; colour < this->Colouring.NumberOfColours(); ++colour)
+    {
+      context.ParallelFor(this->Colouring.Begins[colour], this->Colouring.Begins[colour + 1], 1,
+        [&](int first, int last) {
+          for (int t = first; t < last; ++t)
+          {
+            const int tile = this->Colouring.Parts[t];
+            visit(tile, tile * RowsOfTile, std::min((tile + 1) * RowsOfTile, this->Rows));
+          }
+        });
+    }
+  }
+
+private:
+  int Rows = 0;
+  PartColouring Colouring;
+};
+
+}
+
+#endif

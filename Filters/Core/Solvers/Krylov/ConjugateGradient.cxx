@@ -1,0 +1,105 @@
+#include "Solvers/Krylov/ConjugateGradient.h"
+
+#include "Solvers/Krylov/IterationMonitor.h"
+#include "Support/SparseKernels.h"
+
+#include <cmath>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int ElementGrain = 8192;
+
+/// p = z + beta p.
+template <class Scalar>
+void ContinueDirection(const Vector<Scalar>& z, double beta, Vector<Scalar>& p,
+  const ExecutionContext& context)
+{
+  context.ParallelFor(0, static_cast<int>(p.size()), ElementGrain,
+    [&z, beta, &p](int first, int last)
+    {
+      const int count = last - first;
+      p.segment(first, count) = z.segment(first, count) + beta * p.segment(first, count);
+    });
+}
+
+/// x += alpha p and r -= alpha q. \return |r|^2.
+template <class Scalar>
+double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vector<Scalar>& x,
+  Vector<Scalar>& r, const ExecutionContext& context)
+{
+  return SumOverBlocks<double>(static_cast<int>(p.size()), context,
+    [alpha, &p, &q, &x, &r](int first, int last)
+    {
+      const int count = last - first;
+      x.segment(first, count) += alpha * p.segment(first, count);
+      r.segment(first, count) -= alpha * q.segment(first, count);
+      return r.segment(first, count).squaredNorm();
+    });
+}
+
+}
+
+template <class Scalar>
+void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B,
+  const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
+  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
+{
+  IterationMonitor<Scalar> iteration(A, b, stop, x, report, context, measure);
+  if (iteration.IsTrivial())
+  {
+    return;
+  }
+  Vector<Scalar> r;
+  iteration.Begin(r);
+
+  Vector<Scalar> p = Vector<Scalar>::Zero(b.size());
+  Vector<Scalar> image(b.size()); // B r; then, where that has become a direction, A p
+  double oldProduct = 0.0; // r^H z of the iteration before; zero: no direction to continue
+  double normAtRestart = iteration.ResidualNorm();
+  while (!iteration.HasConverged() && iteration.MayContinue())
+  {
+    B.Apply(r, image, context);
+    const double product = Eigen::numext::real(Dot(r, image, context));
+    ContinueDirection(image, oldProduct > 0.0 ? product / oldProduct : 0.0, p, context);
+    const double energy = A.Apply(p, image, context);
+    if (!(product > 0.0 && energy > 0.0))
+    {
+      iteration.StopShort(product > 0.0 ? "the matrix is not positive definite"
+                                        : "the preconditioner is not positive definite");
+      break;
+    }
+    oldProduct = product;
+    const double alpha = product / energy;
+    const double norm = std::sqrt(Step(alpha, p, image, x, r, context));
+    iteration.Append(norm, [alpha, &p](Vector<Scalar>& previous) { previous -= alpha * p; });
+
+    if (iteration.HasConverged())
+    {
+      // The recurrence drifts away from b - A x by rounding errors; the latter counts.
+      iteration.ComputeResidual(r);
+      if (!iteration.HasConverged())
+      {
+        if (iteration.ResidualNorm() > 0.5 * normAtRestart)
+        {
+          iteration.StopShort("rounding errors forbid a smaller residual");
+          break;
+        }
+        normAtRestart = iteration.ResidualNorm();
+        oldProduct = 0.0;
+      }
+    }
+  }
+  iteration.End();
+}
+
+template void ConjugateGradient(const LinearOperator<double>&, Preconditioner<double>&,
+  const Vector<double>&, const StoppingCriteria&, Vector<double>&, SolveReport&,
+  const ExecutionContext&, const ConvergenceMeasure<double>*);
+template void ConjugateGradient(const LinearOperator<Complex>&, Preconditioner<Complex>&,
+  const Vector<Complex>&, const StoppingCriteria&, Vector<Complex>&, SolveReport&,
+  const ExecutionContext&, const ConvergenceMeasure<Complex>*);
+
+}

@@ -1,0 +1,187 @@
+#include "Solvers/Krylov/IterationMonitor.h"
+
+#include "Support/Errors.h"
+#include "Support/SparseKernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace dmg
+{
+namespace
+{
+
+/// Two digits are enough for a message.
+std::string Rounded(double number)
+{
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1e", number);
+  return text;
+}
+
+}
+
+template <class Scalar>
+IterationMonitor<Scalar>::IterationMonitor(const LinearOperator<Scalar>& matrix, const Vector<Scalar>& rightHandSide,
+  const StoppingCriteria& stop, Vector<Scalar>& iterate, SolveReport& report,
+  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
+  : A(matrix)
+  , b(rightHandSide)
+  , Stop(stop)
+  , x(iterate)
+  , Report(report)
+  , Context(context)
+  , AskedMeasure(measure)
+  , Start(std::chrono::steady_clock::now())
+{
+  if (this->b.size() != this->A.Size() || (this->x.size() != 0 && this->x.size() != this->b.size()))
+  {
+    throw InvalidInput("the right-hand side and the start must have " +
+      std::to_string(this->A.Size()) + " values, one per unknown");
+  }
+  if (measure)
+  {
+    measure->Check(static_cast<int>(this->b.size()));
+  }
+  this->NormOfB = std::sqrt(SquaredNorm(this->b, context));
+  if (!std::isfinite(this->NormOfB) || !std::isfinite(SquaredNorm(this->x, context)))
+  {
+    throw InvalidInput("the right-hand side or the start holds numbers that are not finite; "
+                       "check the prescribed values");
+  }
+  this->Report.Iterations.clear();
+  this->Report.Converged = false;
+  this->Report.SolveSeconds = 0.0;
+  if (this->IsTrivial())
+  {
+    this->x.setZero(this->b.size());
+    this->Residual = &this->b;
+    this->AppendRow(0.0);
+    this->End();
+  }
+}
+
+template <class Scalar>
+void IterationMonitor<Scalar>::Begin(Vector<Scalar>& r)
+{
+  this->Residual = &r;
+  if (this->x.size() == 0)
+  {
+    this->x.setZero(this->b.size());
+    r = this->b;
+    this->AppendRow(this->NormOfB);
+  }
+  else
+  {
+    this->AppendRow(this->SubtractFromB(r));
+  }
+  this->BestNorm = this->Norm;
+}
+
+template <class Scalar>
+bool IterationMonitor<Scalar>::HasConverged() const
+{
+  return this->Norm <= this->Stop.RelativeTolerance * this->NormOfB;
+}
+
+template <class Scalar>
+bool IterationMonitor<Scalar>::MayContinue()
+{
+  // Digits gained over digits wanted: residuals fall geometrically.
+  const double start = this->Report.Iterations.front().RelativeResidual;
+  const double wanted = std::log(start / this->Stop.RelativeTolerance);
+  const double gained = std::log(start * this->NormOfB / this->BestNorm);
+  if (wanted > 0.0 && gained > 0.0)
+  {
+    this->Progress = std::max(this->Progress, std::min(1.0, gained / wanted));
+  }
+  this->Context.Checkpoint(this->Progress);
+  if (this->Stop.MaximumIterations > this->LastRow().Iteration)
+  {
+    return true;
+  }
+  this->Reason = "the limit of " + std::to_string(this->Stop.MaximumIterations) +
+    " iterations is reached";
+  return false;
+}
+
+template <class Scalar>
+void IterationMonitor<Scalar>::ComputeResidual(Vector<Scalar>& r)
+{
+  this->Norm = this->SubtractFromB(r);
+  this->Report.Iterations.back().RelativeResidual = this->Norm / this->NormOfB;
+  this->Report.Iterations.back().Seconds = this->Seconds();
+  this->Measure();
+  if (this->Best.size() == 0)
+  {
+    this->BestNorm = this->Norm;
+  }
+}
+
+template <class Scalar>
+void IterationMonitor<Scalar>::End()
+{
+  this->Report.Converged = this->IsTrivial() || this->HasConverged();
+  if (!this->Report.Converged)
+  {
+    if (this->Best.size() != 0)
+    {
+      this->x.swap(this->Best);
+    }
+    Vector<Scalar> r;
+    const double reached = this->SubtractFromB(r) / this->NormOfB;
+    this->Report.Warnings.push_back("The solver stopped at a relative residual of " +
+      Rounded(reached) + " instead of " + Rounded(this->Stop.RelativeTolerance) + ": " +
+      this->Reason + ".");
+  }
+  this->Report.SolveSeconds = this->Seconds();
+}
+
+template <class Scalar>
+void IterationMonitor<Scalar>::AppendRow(double norm)
+{
+  this->Norm = norm;
+  const double relative = this->IsTrivial() ? 0.0 : norm / this->NormOfB;
+  const int number = static_cast<int>(this->Report.Iterations.size());
+  this->Report.Iterations.push_back({ number, this->Seconds(), relative });
+  this->Measure();
+}
+
+template <class Scalar>
+void IterationMonitor<Scalar>::Measure()
+{
+  if (this->AskedMeasure)
+  {
+    const auto begin = std::chrono::steady_clock::now();
+    this->AskedMeasure->Fill(
+      this->Report.Iterations.back(), this->x, this->b, *this->Residual, this->Context);
+    this->Start += std::chrono::steady_clock::now() - begin;
+  }
+}
+
+template <class Scalar>
+double IterationMonitor<Scalar>::SubtractFromB(Vector<Scalar>& r) const
+{
+  this->A.Apply(this->x, r, this->Context);
+  const double squaredNorm = SumOverBlocks<double>(static_cast<int>(r.size()), this->Context,
+    [this, &r](int first, int last)
+    {
+      const int count = last - first;
+      r.segment(first, count) = this->b.segment(first, count) - r.segment(first, count);
+      return r.segment(first, count).squaredNorm();
+    });
+  return std::sqrt(squaredNorm);
+}
+
+template <class Scalar>
+double IterationMonitor<Scalar>::Seconds() const
+{
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - this->Start;
+  return elapsed.count();
+}
+
+template class IterationMonitor<double>;
+template class IterationMonitor<Complex>;
+
+}

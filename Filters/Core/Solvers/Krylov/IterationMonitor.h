@@ -1,0 +1,114 @@
+#ifndef dmgIterationMonitor_h
+#define dmgIterationMonitor_h
+
+#include "Solvers/Krylov/ConvergenceMeasure.h"
+#include "Solvers/Krylov/LinearOperator.h"
+#include "Solvers/Krylov/SolveReport.h"
+#include "Solvers/Krylov/StoppingCriteria.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <chrono>
+#include <string>
+
+namespace dmg
+{
+
+/// What iterative solvers of A x = b share: the start, the history, the best vector met so far, and
+/// the ways to end. Its methods are called in the order in which they stand here.
+///
+/// x is the solver's iterate. The best vector is copied only once the iteration leaves it, and then
+/// by taking the last step back; a solve that improves all the time never copies.
+template <class Scalar>
+class IterationMonitor
+{
+public:
+  /// Empties the solver's part of the report and starts the clock. All arguments are borrowed.
+  /// \param x the start, or empty for zero.
+  /// \throw InvalidInput sizes differ, or b or x is not finite.
+  /// \param measure of each row of the history, or null.
+  IterationMonitor(const LinearOperator<Scalar>& A, const Vector<Scalar>& b, const StoppingCriteria& stop,
+    Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
+    const ConvergenceMeasure<Scalar>* measure);
+
+  /// True for b = 0, which is solved by x = 0: all is done.
+  bool IsTrivial() const { return this->NormOfB == 0.0; }
+
+  /// r = b - A x; the first row of the history. Whenever a row is appended, r must belong to x.
+  void Begin(Vector<Scalar>& r);
+
+  bool HasConverged() const;
+
+  /// False once the iterations are used up. Otherwise reports progress.
+  /// \throw Cancelled
+  bool MayContinue();
+
+  /// One more iteration ended.
+  /// \param norm of the residual.
+  /// \param stepBack called as stepBack(v), where v is a copy of x, to take the last step back.
+  template <class StepBack>
+  void Append(double norm, const StepBack& stepBack)
+  {
+    this->AppendRow(norm);
+    if (norm < this->BestNorm)
+    {
+      this->BestNorm = norm;
+      this->BestIteration = this->LastRow().Iteration;
+      this->Best.resize(0);
+    }
+    else if (this->Best.size() == 0)
+    {
+      this->Best = this->x;
+      stepBack(this->Best);
+    }
+  }
+
+  /// The same with r = b - A x.
+  template <class StepBack>
+  void AppendResidual(Vector<Scalar>& r, const StepBack& stepBack)
+  {
+    this->Append(this->SubtractFromB(r), stepBack);
+  }
+
+  /// r = b - A x replaces the residual of the last row.
+  void ComputeResidual(Vector<Scalar>& r);
+
+  double ResidualNorm() const { return this->Norm; }
+  int IterationsSinceBest() const { return this->LastRow().Iteration - this->BestIteration; }
+
+  /// Ends without convergence. \param reason half a sentence.
+  void StopShort(const std::string& reason) { this->Reason = reason; }
+
+  /// Without convergence, x becomes the best vector, and the report gets a warning.
+  void End();
+
+private:
+  void AppendRow(double norm);
+  /// Fills the last row.
+  void Measure();
+  double SubtractFromB(Vector<Scalar>& r) const;
+  const IterationReport& LastRow() const { return this->Report.Iterations.back(); }
+  double Seconds() const;
+
+  const LinearOperator<Scalar>& A;
+  const Vector<Scalar>& b;
+  const StoppingCriteria Stop;
+  Vector<Scalar>& x;
+  SolveReport& Report;
+  const ExecutionContext& Context;
+  const ConvergenceMeasure<Scalar>* const AskedMeasure;
+  std::chrono::steady_clock::time_point Start; ///< later by what measuring has taken
+  const Vector<Scalar>* Residual = nullptr;
+
+  double NormOfB = 0.0;
+  double Norm = 0.0; ///< of the last residual
+  double BestNorm = 0.0;
+  int BestIteration = 0;
+  Vector<Scalar> Best; ///< empty while x is the best
+  double Progress = 0.0;
+  std::string Reason;
+};
+
+}
+
+#endif

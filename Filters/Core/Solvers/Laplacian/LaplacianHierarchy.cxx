@@ -1,0 +1,252 @@
+#include "Solvers/Laplacian/LaplacianHierarchy.h"
+
+#include "Solvers/Direct/ShiftedFactor.h"
+#include "Solvers/Kernels/Packs.h"
+#include "Solvers/Kernels/SparseDiagonal.h"
+#include "Solvers/Laplacian/LaplacianCycle.h"
+#include "Solvers/Multigrid/HierarchicalOrder.h"
+#include "Solvers/Multigrid/SmoothedProlongation.h"
+#include "Support/CountingSort.h"
+#include "Support/DisjointSets.h"
+#include "Support/Errors.h"
+#include "Support/FreedMemory.h"
+#include "Support/Permutations.h"
+#include "Support/SparseKernels.h"
+#include "Support/SparseRows.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int RowGrain = 8192;
+
+/// L + D as operator on pairs.
+class ShiftedLaplacian : public RoughnessOperator
+{
+public:
+  explicit ShiftedLaplacian(const SplitMatrix& matrix)
+    : Rows(2 * matrix.Size())
+    , L(matrix)
+  {
+  }
+
+  int Size() const override { return this->Rows; }
+  void SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context) override
+  {
+    this->D = SparseDiagonal(diagonal, context);
+  }
+
+  double Apply(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  {
+    y.resize(this->Size());
+    const auto* const from = reinterpret_cast<const Complex*>(x.data());
+    auto* const to = reinterpret_cast<Complex*>(y.data());
+    const double ofL = SumOverBlocks<double>(
+      this->Size() / 2, context,
+      [this, from, to](int first, int last) { return this->L.Multiply(first, last, from, to); });
+    return ofL + this->D.AddProduct(x, y, context);
+  }
+
+private:
+  const int Rows;
+  const SplitMatrix::Operator L;
+  SparseDiagonal D;
+};
+
+/// A factor of a complex matrix as preconditioner on pairs.
+class FactorOnPairs : public Preconditioner<double>
+{
+public:
+  explicit FactorOnPairs(const SparseMatrix<Complex>& A)
+    : Factor(A)
+  {
+  }
+
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
+  {
+    this->Right = Eigen::Map<const Vector<Complex>>(
+      reinterpret_cast<const Complex*>(r.data()), r.size() / 2);
+    this->Factor.Apply(this->Right, this->Solution, context);
+    z = Eigen::Map<const Vector<double>>(
+      reinterpret_cast<const double*>(this->Solution.data()), r.size());
+  }
+
+private:
+  ShiftedFactor<Complex> Factor;
+  Vector<Complex> Right;
+  Vector<Complex> Solution;
+};
+
+/// What is known of each unknown, two for each row.
+/// \param components in the order of the parents.
+void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParents,
+  const std::vector<int>& byColours, const std::vector<int>& components,
+  const ExecutionContext& context)
+{
+  const int unknowns = 2 * static_cast<int>(byColours.size());
+  hierarchy.Order.resize(unknowns);
+  std::vector<int> ofUnknowns(unknowns);
+  context.ParallelFor(0, unknowns, RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      const int k = byColours[i / 2];
+      hierarchy.Order[i] = 2 * byParents[k] + i % 2;
+      ofUnknowns[i] = components[k];
+    }
+  });
+  hierarchy.SetComponents(std::move(ofUnknowns));
+}
+
+/// To single precision, so that the coarse matrix is that of the prolongation that cycles read.
+void Round(SparseMatrix<Complex>& P, const ExecutionContext& context)
+{
+  using FloatPair = float __attribute__((vector_size(2 * sizeof(float))));
+  context.ParallelFor(0, static_cast<int>(P.nonZeros()), RowGrain, [&P](int first, int last) {
+    for (int e = first; e < last; ++e)
+    {
+      // In packs, because GCC 12 takes a number for its rounded one when it makes packs of this itself.
+      const auto entry = LoadPack<DoublePack>(P.valuePtr() + e);
+      const FloatPair nearest = __builtin_convertvector(entry, FloatPair);
+      StorePack(__builtin_convertvector(nearest, DoublePack), P.valuePtr() + e);
+    }
+  });
+}
+
+/// The prolongation to unknowns by colours; nothing to those that L says nothing of.
+SparseMatrix<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& P,
+  const SparseMatrix<Complex>& L, const std::vector<int>& byColours, const ExecutionContext& context)
+{
+  using Single = LaplacianHierarchy::Single;
+  const auto makeWorker = [&] {
+    return [&](int firstRow, int lastRow, SparseRows<Single>& rows) {
+      for (int k = firstRow; k < lastRow; ++k)
+      {
+        const int row = byColours[k];
+        if (L.coeff(row, row) != Complex(0.0))
+        {
+          for (SparseMatrix<Complex>::InnerIterator entry(P, row); entry; ++entry)
+          {
+            rows.Columns.push_back(static_cast<int>(entry.col()));
+            rows.Values.push_back(static_cast<Single>(entry.value()));
+          }
+        }
+        rows.EndRow();
+      }
+    };
+  };
+  return AssembleInBands<Single>(
+    static_cast<int>(P.rows()), static_cast<int>(P.cols()), makeWorker, context);
+}
+
+}
+
+LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
+  std::vector<SparseMatrix<Complex>> prolongations, int smoothingSteps,
+  const ExecutionContext& context)
+{
+  const int size = static_cast<int>(prolongations[0].rows());
+  CheckChain(size, prolongations);
+
+  // Sorted by parents, products are fast; sweeps want colours.
+  const std::vector<int> byParents = RenumberHierarchically(prolongations, size, context);
+  SparseMatrix<Complex> L = makeL(byParents, context);
+  CheckChain(L.rows(), prolongations);
+  // What comes now is large, and would not fit where smaller arrays were; here and below.
+  GiveBackFreedMemory();
+  context.Checkpoint(0.2);
+  SparseMatrix<Complex>& P = prolongations[0];
+  SmoothProlongation(L, P, smoothingSteps, context);
+  GiveBackFreedMemory();
+  context.Checkpoint(0.5);
+  Round(P, context);
+
+  LaplacianHierarchy hierarchy;
+  hierarchy.CoarseLower =
+    TripleProduct(Adjoint(P, context), L, P, context).triangularView<Eigen::Lower>();
+  GiveBackFreedMemory();
+  context.Checkpoint(0.7);
+
+  // Greedy colours come one after the other, and so do components; but they do not wait for each other.
+  SweepOrder colours;
+  std::vector<int> components;
+  context.ParallelFor(0, 2, 1, [&](int first, int last) {
+    for (int task = first; task < last; ++task)
+    {
+      if (task == 0)
+      {
+        colours = Colouring(L);
+      }
+      else
+      {
+        components = ConnectedColumns(L);
+      }
+    }
+  });
+  hierarchy.Prolongation = SingleProlongation(InColours(P, L, colours.Unknowns, context));
+  SparseMatrix<Complex>().swap(P);
+  hierarchy.L = SplitMatrix(L, colours, context);
+  SparseMatrix<Complex>().swap(L);
+  SetUnknowns(hierarchy, byParents, colours.Unknowns, components, context);
+  hierarchy.Coarser.reserve(prolongations.size()); // growth would copy
+  for (std::size_t level = 1; level < prolongations.size(); ++level)
+  {
+    hierarchy.Coarser.emplace_back().swap(prolongations[level]);
+  }
+  context.Checkpoint(1.0);
+  return hierarchy;
+}
+
+LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
+  : RoughnessHierarchy(std::move(other))
+  , L(std::move(other.L))
+  , Prolongation(std::move(other.Prolongation))
+  , Coarser(std::move(other.Coarser))
+{
+  this->CoarseLower.swap(other.CoarseLower);
+}
+
+std::unique_ptr<RoughnessOperator> LaplacianHierarchy::Operator() const
+{
+  return std::make_unique<ShiftedLaplacian>(this->L);
+}
+
+std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& D,
+  const RoughnessCycleOptions& options, const ExecutionContext& context) const
+{
+  return std::make_unique<LaplacianCycle>(*this, D, options, context);
+}
+
+std::unique_ptr<Preconditioner<double>> LaplacianHierarchy::Factor(
+  const Vector<double>& D, const ExecutionContext& context) const
+{
+  SparseMatrix<Complex> A = this->L.Whole(context);
+  for (int k = 0; k < A.rows(); ++k)
+  {
+    for (SparseMatrix<Complex>::InnerIterator entry(A, k); entry; ++entry)
+    {
+      const bool isHeld = !std::isfinite(D[2 * k]) || !std::isfinite(D[2 * entry.col()]);
+      entry.valueRef() = isHeld ? 0.0 : entry.value() + (entry.col() == k ? D[2 * k] : 0.0);
+    }
+  }
+  return std::make_unique<FactorOnPairs>(A);
+}
+
+long long LaplacianHierarchy::Bytes() const
+{
+  long long bytes = this->L.Bytes() + this->Prolongation.Bytes() + BytesOf(this->CoarseLower) +
+    this->BytesOfUnknowns();
+  for (const SparseMatrix<Complex>& P : this->Coarser)
+  {
+    bytes += BytesOf(P);
+  }
+  return bytes;
+}
+
+}

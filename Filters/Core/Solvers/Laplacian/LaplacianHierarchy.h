@@ -1,0 +1,59 @@
+#ifndef dmgLaplacianHierarchy_h
+#define dmgLaplacianHierarchy_h
+
+#include "Solvers/Kernels/SingleProlongation.h"
+#include "Solvers/Kernels/SplitMatrix.h"
+#include "Solvers/Multigrid/RoughnessHierarchy.h"
+
+#include <complex>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace dmg
+{
+
+/// The levels of a roughness that is given by its matrix: a Hermitian positive semi-definite L of few
+/// entries per row, which Gauss-Seidel smooths. Unknowns 2 k and 2 k + 1 are the parts of complex unknown k.
+///
+/// Complex unknowns are sorted by colours.
+class LaplacianHierarchy : public RoughnessHierarchy
+{
+public:
+  using Single = std::complex<float>;
+
+  LaplacianHierarchy() = default;
+  /// Eigen 3.4 would copy the matrix.
+  LaplacianHierarchy(LaplacianHierarchy&& other) noexcept;
+
+  SplitMatrix L;
+  SingleProlongation Prolongation;    ///< complex
+  SparseMatrix<Complex> CoarseLower;  ///< the lower triangle of P^H L P
+  std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
+
+  double DiagonalOf(int unknown) const override { return this->L.Diagonal[unknown / 2]; }
+  std::unique_ptr<RoughnessOperator> Operator() const override;
+  std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
+    const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<Preconditioner<double>> Factor(
+    const Vector<double>& D, const ExecutionContext& context) const override;
+  long long Bytes() const override;
+};
+
+/// Assembles a matrix with its rows and columns in another order; [k] is the caller's index of row k.
+using MatrixInOrder = std::function<SparseMatrix<Complex>(
+  const std::vector<int>& order, const ExecutionContext& context)>;
+
+/// \param makeL gives L, N_0 x N_0, compressed.
+/// \param prolongations [l] is N_l x N_{l+1}, compressed; one or more. The first is smoothed.
+/// \param smoothingSteps >= 0; see SmoothedProlongation.
+/// \throw InvalidInput the sizes do not chain.
+/// \throw Cancelled
+/// Cost: linear in the entries of L, 1.5 us for each row with two threads.
+LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
+  std::vector<SparseMatrix<Complex>> prolongations, int smoothingSteps,
+  const ExecutionContext& context);
+
+}
+
+#endif

@@ -1,0 +1,384 @@
+#include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
+
+#include "Solvers/Direct/ShiftedFactor.h"
+#include "Solvers/LeastSquares/BlockStrips.h"
+#include "Solvers/LeastSquares/BlockTiles.h"
+#include "Solvers/LeastSquares/LeastSquaresCycle.h"
+#include "Support/CountingSort.h"
+#include "Support/DisjointSets.h"
+#include "Support/Errors.h"
+#include "Support/FreedMemory.h"
+#include "Support/Permutations.h"
+#include "Support/SparseKernels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int RowGrain = 8192;
+// Unknowns in strips, which are thin, would make the set-up slower, as what is near on the surface is then far
+// apart; those in the order of coarse unknowns alone would be far from their places in the smoother.
+constexpr int StripsOfBand = 8;
+
+template <class Scalar>
+int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
+{
+  const int begin = A.outerIndexPtr()[row];
+  return begin < A.outerIndexPtr()[row + 1] ? A.innerIndexPtr()[begin] : otherwise;
+}
+
+/// Numbers 0 to size - 1 in the order in which a sequence comes to them; then those that it does not.
+template <class Iterator>
+std::vector<int> ByFirstOccurrence(Iterator begin, Iterator end, int size)
+{
+  std::vector<int> order;
+  order.reserve(size);
+  std::vector<char> hasOccurred(size, 0);
+  const auto append = [&](int number) {
+    if (!hasOccurred[number])
+    {
+      hasOccurred[number] = 1;
+      order.push_back(number);
+    }
+  };
+  std::for_each(begin, end, append);
+  for (int number = 0; number < size; ++number)
+  {
+    append(number);
+  }
+  return order;
+}
+
+UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& order,
+  const std::vector<int>& placesOfUnknowns)
+{
+  UnknownBlocks permuted;
+  permuted.Unknowns.reserve(blocks.Unknowns.size());
+  for (const int k : order)
+  {
+    for (int s = blocks.Offsets[k]; s < blocks.Offsets[k + 1]; ++s)
+    {
+      permuted.Unknowns.push_back(placesOfUnknowns[blocks.Unknowns[s]]);
+    }
+    permuted.EndBlock();
+  }
+  return permuted;
+}
+
+Vector<double> SquaredLengthsOfRows(const SparseMatrix<double>& M, const ExecutionContext& context)
+{
+  Vector<double> squared(M.rows());
+  context.ParallelFor(0, static_cast<int>(M.rows()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      squared[i] = 0.0;
+      for (int e = M.outerIndexPtr()[i]; e < M.outerIndexPtr()[i + 1]; ++e)
+      {
+        squared[i] += M.valuePtr()[e] * M.valuePtr()[e];
+      }
+    }
+  });
+  return squared;
+}
+
+/// What the columns of B are divided by, so that B^T B has no eigenvalue above 1 (Gershgorin): their
+/// lengths, which alone would give it a unit diagonal, times the roots of the sums of rows that |B|^T |B|
+/// would then have. A sliver or a high valence makes a few sums large; a bound for all would be as large.
+/// 1 where there is nothing.
+Vector<double> ScalesOfColumns(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+  const ExecutionContext& context)
+{
+  Vector<double> lengths = SquaredLengthsOfRows(Bt, context).cwiseSqrt();
+  lengths = (lengths.array() > 0.0).select(lengths, 1.0);
+  Vector<double> rowSums(B.rows());
+  Vector<double> scales(Bt.rows());
+  context.ParallelFor(0, static_cast<int>(B.rows()), RowGrain, [&](int first, int last) {
+    for (int k = first; k < last; ++k)
+    {
+      rowSums[k] = 0.0;
+      for (int e = B.outerIndexPtr()[k]; e < B.outerIndexPtr()[k + 1]; ++e)
+      {
+        rowSums[k] += std::abs(B.valuePtr()[e]) / lengths[B.innerIndexPtr()[e]];
+      }
+    }
+  });
+  context.ParallelFor(0, static_cast<int>(Bt.rows()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      double sum = 0.0;
+      for (int e = Bt.outerIndexPtr()[i]; e < Bt.outerIndexPtr()[i + 1]; ++e)
+      {
+        sum += std::abs(Bt.valuePtr()[e]) * rowSums[Bt.innerIndexPtr()[e]];
+      }
+      scales[i] = sum > 0.0 ? std::sqrt(sum * lengths[i]) : 1.0;
+    }
+  });
+  return scales;
+}
+
+/// Multiplies rows by \p rowFactor(row) and columns by \p columnFactor(column).
+template <class Scalar, class RowFactor, class ColumnFactor>
+void Scale(SparseMatrix<Scalar>& A, const RowFactor& rowFactor, const ColumnFactor& columnFactor,
+  const ExecutionContext& context)
+{
+  context.ParallelFor(0, static_cast<int>(A.rows()), RowGrain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      for (int e = A.outerIndexPtr()[i]; e < A.outerIndexPtr()[i + 1]; ++e)
+      {
+        A.valuePtr()[e] *= rowFactor(i) * columnFactor(A.innerIndexPtr()[e]);
+      }
+    }
+  });
+}
+
+/// The numbers chain.
+void CheckLevels(const LeastSquaresLevels& levels, Eigen::Index unknowns)
+{
+  if (levels.Prolongation.rows() != unknowns)
+  {
+    throw InvalidInput("the prolongation to level 0 has " + std::to_string(levels.Prolongation.rows()) +
+      " rows instead of " + std::to_string(unknowns) + "; use the operators of this surface");
+  }
+  long long size = 2 * levels.Prolongation.cols();
+  for (std::size_t l = 0; l < levels.Coarser.size(); ++l)
+  {
+    if (levels.Coarser[l].rows() != size)
+    {
+      throw InvalidInput("the prolongation to level " + std::to_string(l + 1) + " has " +
+        std::to_string(levels.Coarser[l].rows()) + " rows instead of " + std::to_string(size) +
+        "; use the operators of this surface");
+    }
+    size = levels.Coarser[l].cols();
+  }
+}
+
+/// So that the rows of B that a tile will have make a few runs.
+void SortTilesByLength(
+  const SparseMatrix<double>& B, std::vector<int>& rowOrder, const ExecutionContext& context)
+{
+  const auto length = [&B](int row) { return B.outerIndexPtr()[row + 1] - B.outerIndexPtr()[row]; };
+  const int rows = static_cast<int>(rowOrder.size());
+  context.ParallelFor(0, (rows + RowTiles::RowsOfTile - 1) / RowTiles::RowsOfTile, 1,
+    [&](int firstTile, int lastTile) {
+      for (int tile = firstTile; tile < lastTile; ++tile)
+      {
+        std::stable_sort(rowOrder.begin() + tile * RowTiles::RowsOfTile,
+          rowOrder.begin() + std::min((tile + 1) * RowTiles::RowsOfTile, rows),
+          [&length](int a, int b) { return length(a) < length(b); });
+      }
+    });
+}
+
+struct Arrangement
+{
+  std::vector<int> Order; ///< of the unknowns
+  BlockStrips Strips;
+};
+
+/// Blocks by the coarse unknowns that they belong to, in bands of a few strips; unknowns as the blocks come to
+/// them, and rows of B as the unknowns do.
+Arrangement RenumberHierarchically(
+  SparseMatrix<double>& B, LeastSquaresLevels& levels, const ExecutionContext& context)
+{
+  PlanarProlongation& P = levels.Prolongation;
+  UnknownBlocks& blocks = levels.Blocks;
+  const int unknowns = static_cast<int>(B.cols());
+  const int rows = static_cast<int>(B.rows());
+  blocks = Permuted(blocks,
+    SortByKey(Identity(blocks.Size()), std::max(1, static_cast<int>(P.cols())),
+      [&](int k) { return FirstColumn(P, blocks.Unknowns[blocks.Offsets[k]], 0); }, context).Items,
+    Identity(unknowns));
+  const SparseMatrix<double> Bt = Adjoint(B, context);
+  BlockStrips strips = StripsOf(Bt, blocks, BlockTiles::SizeFor(blocks.Size()), context);
+  const std::vector<int> blockOrder =
+    SortByKey(Identity(blocks.Size()), strips.Size / StripsOfBand + 1,
+      [&strips](int k) { return strips.OfBlocks[k] / StripsOfBand; }, context).Items;
+  std::vector<int> order;
+  std::vector<int> rowOrder;
+  {
+    const UnknownBlocks inOrder = Permuted(blocks, blockOrder, Identity(unknowns));
+    order = ByFirstOccurrence(inOrder.Unknowns.begin(), inOrder.Unknowns.end(), unknowns);
+    const SparseMatrix<double> rowsOfUnknowns = Permuted(Bt, order, Identity(rows), context);
+    rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
+      rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), rows);
+  }
+  SortTilesByLength(B, rowOrder, context);
+  const std::vector<int> places = Inverse(order, context);
+  for (int& unknown : blocks.Unknowns)
+  {
+    unknown = places[unknown];
+  }
+  // An assignment would copy.
+  SparseMatrix<double> permuted = Permuted(B, rowOrder, places, context);
+  B.swap(permuted);
+  PlanarProlongation permutedP =
+    Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
+  P.swap(permutedP);
+  return { std::move(order), std::move(strips) };
+}
+
+SchwarzBlocks BlocksByStrips(const SparseMatrix<double>& Bt, UnknownBlocks blocks,
+  const BlockStrips& strips, const ExecutionContext& context)
+{
+  const SortedItems byStrips = SortByKey(Identity(blocks.Size()), strips.Size,
+    [&strips](int block) { return strips.OfBlocks[block]; }, context);
+  blocks = Permuted(blocks, byStrips.Items, Identity(static_cast<int>(Bt.rows())));
+  return SchwarzBlocks(Bt, blocks, byStrips.Begins, context);
+}
+
+double Dropped(const LeastSquaresHierarchyOptions& options, Eigen::Index unknowns)
+{
+  constexpr double largest = 3e5;
+  return options.Dropped * std::sqrt(std::min(1.0, largest / static_cast<double>(unknowns)));
+}
+
+}
+
+LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLevels levels,
+  const LeastSquaresHierarchyOptions& options, const ExecutionContext& context)
+{
+  CheckLevels(levels, B.cols());
+  Arrangement arrangement = RenumberHierarchically(B, levels, context);
+  SparseMatrix<double> Bt = Adjoint(B, context);
+  Vector<double> scales = ScalesOfColumns(B, Bt, context);
+  const auto one = [](int) { return 1.0; };
+  Scale(B, one, [&scales](int column) { return 1.0 / scales[column]; }, context);
+  Scale(Bt, [&scales](int row) { return 1.0 / scales[row]; }, one, context);
+  // An unknown that no row of B touches is left to its block: the coarse matrix has no place for it.
+  const auto isTouched = [&Bt](int i) { return Bt.outerIndexPtr()[i] < Bt.outerIndexPtr()[i + 1]; };
+  Scale(levels.Prolongation,
+    [&scales, &isTouched](int row) { return isTouched(row) ? scales[row] : 0.0; }, one, context);
+  context.Checkpoint(0.1);
+
+  // The interpolation takes most memory while it is smoothed; blocks come after it.
+  SparseMatrix<Complex32> restriction = Joined(
+    SmoothedRestriction(B, Bt, std::move(levels.Prolongation), options.ProlongationDegree,
+      Dropped(options, B.cols()), context),
+    context);
+  GiveBackFreedMemory();
+  SingleProlongation prolongation(Adjoint(restriction, context));
+  context.Checkpoint(0.6);
+  SparseMatrix<double> lower =
+    CoarseRoughness(B, Bt, prolongation.Matrix(), restriction, {}, context);
+  SparseMatrix<Complex32>().swap(restriction);
+  GiveBackFreedMemory();
+  context.Checkpoint(0.8);
+
+  LeastSquaresHierarchy hierarchy(BlocksByStrips(Bt, std::move(levels.Blocks), arrangement.Strips, context));
+  hierarchy.Prolongation = std::move(prolongation);
+  hierarchy.CoarseLower.swap(lower); // an assignment would copy
+  hierarchy.SetComponents(ConnectedColumns(B));
+  hierarchy.Order = std::move(arrangement.Order);
+  hierarchy.Scales = std::move(scales);
+  hierarchy.Diagonal = SquaredLengthsOfRows(Bt, context).cast<float>();
+  hierarchy.Tiles = RowTiles(B);
+  hierarchy.B.swap(B);
+  hierarchy.Coarser = std::move(levels.Coarser);
+  context.Checkpoint(1.0);
+  return hierarchy;
+}
+
+LeastSquaresHierarchy::LeastSquaresHierarchy(SchwarzBlocks blocks)
+  : Blocks(std::move(blocks))
+{
+}
+
+LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept
+  : RoughnessHierarchy(std::move(other))
+  , Scales(std::move(other.Scales))
+  , Diagonal(std::move(other.Diagonal))
+  , Tiles(std::move(other.Tiles))
+  , Blocks(std::move(other.Blocks))
+  , Prolongation(std::move(other.Prolongation))
+  , Coarser(std::move(other.Coarser))
+{
+  this->B.swap(other.B);
+  this->CoarseLower.swap(other.CoarseLower);
+}
+
+long long LeastSquaresHierarchy::Bytes() const
+{
+  long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() +
+    BytesOf(this->CoarseLower) + this->BytesOfUnknowns() +
+    this->Scales.size() * static_cast<long long>(sizeof(double) + sizeof(float));
+  for (const SparseMatrix<double>& P : this->Coarser)
+  {
+    sum += BytesOf(P);
+  }
+  return sum;
+}
+
+std::unique_ptr<RoughnessOperator> LeastSquaresHierarchy::Operator() const
+{
+  return std::make_unique<LeastSquaresOperator>(*this);
+}
+
+std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double>& D,
+  const RoughnessCycleOptions& options, const ExecutionContext& context) const
+{
+  return std::make_unique<LeastSquaresCycle>(*this, D, options, context);
+}
+
+std::unique_ptr<Preconditioner<double>> LeastSquaresHierarchy::Factor(
+  const Vector<double>& D, const ExecutionContext& context) const
+{
+  SparseMatrix<double> unscaled = this->B;
+  const auto one = [](int) { return 1.0; };
+  Scale(unscaled, one,
+    [&](int column) { return std::isfinite(D[column]) ? this->Scales[column] : 0.0; }, context);
+  SparseMatrix<double> A = NormalMatrix(unscaled, context);
+  A += SparseMatrix<double>(D.array().isFinite().select(D, 0.0).matrix().asDiagonal());
+  A.makeCompressed();
+  return std::make_unique<ShiftedFactor<double>>(A);
+}
+
+LeastSquaresOperator::LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy)
+  : Hierarchy(hierarchy)
+  , B(hierarchy.B)
+  , Scaled(hierarchy.NumberOfUnknowns())
+  , SquaresOfTiles(hierarchy.Tiles.Size())
+{
+}
+
+void LeastSquaresOperator::SetDiagonal(
+  const Vector<double>& diagonal, const ExecutionContext& context)
+{
+  this->D = SparseDiagonal(diagonal, context);
+}
+
+/// One pass over B: as soon as a row of B x is known, it is given to all columns.
+double LeastSquaresOperator::Apply(
+  const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
+{
+  const Vector<double>& scales = this->Hierarchy.Scales;
+  y.resize(this->Size());
+  context.ParallelFor(0, this->Size(), RowGrain, [&](int first, int last) {
+    const int count = last - first;
+    this->Scaled.segment(first, count) =
+      scales.segment(first, count).cwiseProduct(x.segment(first, count));
+    y.segment(first, count).setZero();
+  });
+  this->Hierarchy.Tiles.ForTiles(context, [&](int tile, int firstRow, int lastRow) {
+    this->SquaresOfTiles[tile] =
+      this->B.AddGram(firstRow, lastRow, this->Scaled.data(), y.data());
+  });
+  context.ParallelFor(0, this->Size(), RowGrain, [&](int first, int last) {
+    const int count = last - first;
+    y.segment(first, count).array() *= scales.segment(first, count).array();
+  });
+  double product = this->D.AddProduct(x, y, context);
+  for (const double squares : this->SquaresOfTiles)
+  {
+    product += squares;
+  }
+  return product;
+}
+
+}

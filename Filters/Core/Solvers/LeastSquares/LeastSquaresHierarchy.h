@@ -1,0 +1,108 @@
+#ifndef dmgLeastSquaresHierarchy_h
+#define dmgLeastSquaresHierarchy_h
+
+#include "Solvers/Kernels/RowRuns.h"
+#include "Solvers/Kernels/RowTiles.h"
+#include "Solvers/Kernels/SingleProlongation.h"
+#include "Solvers/Kernels/SparseDiagonal.h"
+#include "Solvers/LeastSquares/PlanarProlongation.h"
+#include "Solvers/LeastSquares/SchwarzBlocks.h"
+#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// Where the levels of a LeastSquaresHierarchy come from.
+struct LeastSquaresLevels
+{
+  UnknownBlocks Blocks;                       ///< of the fine level
+  PlanarProlongation Prolongation;            ///< to the fine level
+  std::vector<SparseMatrix<double>> Coarser;  ///< between the levels below, finest first
+};
+
+struct LeastSquaresHierarchyOptions
+{
+  /// Degree of the polynomial that smooths the prolongation, >= 0.
+  int ProlongationDegree = 7;
+  /// Entries of the prolongation below so many times the largest of their row are left out. The noise that they leave
+  /// must have less energy than the smoothest fields, whose energies, in units of the diagonal, fall as their unknowns
+  /// grow in number: of more than 300,000 unknowns, fewer are left out, by the root of the ratio.
+  double Dropped = 0.0003;
+};
+
+/// What multigrid needs to know of a roughness |B x|^2, whatever is prescribed: its blocks, a smoothed
+/// prolongation from plane vectors, and the roughness of those. Built once per surface; each set of
+/// prescriptions then takes a LeastSquaresCycle on it.
+///
+/// The fine level costs most, so it is coarsened fast: the polynomial that smooths the prolongation
+/// reaches far.
+///
+/// Order and scale. Unknowns stand in an order of their own, by bands across the surface (BlockStrips) and by
+/// the coarse unknowns that they belong to; rows of B as unknowns come to them, and within a tile by length
+/// (RowRuns). Columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large
+/// everywhere. The caller's unknown Order[k] is x_k / Scales[k].
+class LeastSquaresHierarchy : public RoughnessHierarchy
+{
+public:
+  explicit LeastSquaresHierarchy(SchwarzBlocks blocks);
+  /// Eigen 3.4 would copy the matrices.
+  LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept;
+
+  Vector<double> Scales;  ///< |R_ii| <= Scales_i^2, nearly equal; 1 where R is zero
+  SparseMatrix<double> B; ///< columns divided by Scales
+  Vector<float> Diagonal; ///< of B^T B; 0 to 1
+  RowTiles Tiles;         ///< of B, for products with its transpose
+  SchwarzBlocks Blocks;
+  SingleProlongation Prolongation;
+  /// The lower triangle of P^T B^T B P, 2 N_1 x 2 N_1.
+  SparseMatrix<double> CoarseLower;
+  /// Between the levels below, finest first.
+  std::vector<SparseMatrix<double>> Coarser;
+
+  double DiagonalOf(int unknown) const override
+  {
+    return this->Scales[unknown] * this->Scales[unknown] * this->Diagonal[unknown];
+  }
+  std::unique_ptr<RoughnessOperator> Operator() const override;
+  std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
+    const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<Preconditioner<double>> Factor(
+    const Vector<double>& D, const ExecutionContext& context) const override;
+  long long Bytes() const override;
+};
+
+/// \param B m x n. \param levels Prolongation is n x N_1; Coarser [0] has 2 N_1 rows. Both are given back
+///   early: move them in.
+/// \throw InvalidInput the sizes do not chain, or a block is too large.
+/// \throw Cancelled
+/// Cost: linear in the size of B; most of it smooths the prolongation.
+LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLevels levels,
+  const LeastSquaresHierarchyOptions& options, const ExecutionContext& context);
+
+/// A = B^T B + D of a hierarchy as operator, on unknowns in its order, but not scaled.
+class LeastSquaresOperator : public RoughnessOperator
+{
+public:
+  /// D = 0. \param hierarchy is borrowed.
+  explicit LeastSquaresOperator(const LeastSquaresHierarchy& hierarchy);
+
+  void SetDiagonal(const Vector<double>& D, const ExecutionContext& context) override;
+  int Size() const override { return this->Hierarchy.NumberOfUnknowns(); }
+  double Apply(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override;
+
+private:
+  const LeastSquaresHierarchy& Hierarchy;
+  const RowRuns<double> B;
+  SparseDiagonal D;
+  mutable Vector<double> Scaled; ///< x in the units of B
+  mutable std::vector<double> SquaresOfTiles;
+};
+
+}
+
+#endif

@@ -1,0 +1,51 @@
+#ifndef dmgAssembledHierarchy_h
+#define dmgAssembledHierarchy_h
+
+#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Support/Types.h"
+
+#include <memory>
+#include <vector>
+
+namespace dmg
+{
+
+/// A roughness R that is given by its matrix, and prolongations for the Galerkin products of R + D: all of them are
+/// computed anew for every D. It serves what RoughnessCycles with R and D apart do not: Cholesky factorisation, coarse
+/// spaces of any kind, nested iterations.
+///
+/// Unknowns stand in the caller's order. Those of a complex matrix are pairs: 2 k and 2 k + 1 are the parts of
+/// complex unknown k, and D has the same value for both.
+template <class Scalar>
+class AssembledHierarchy : public RoughnessHierarchy
+{
+public:
+  /// \param R n x n, symmetric or Hermitian, positive semi-definite, compressed.
+  /// \param prolongations [l] is N_l x N_{l+1}, finest first. None: R + D is factored.
+  AssembledHierarchy(SparseMatrix<Scalar>& R, std::vector<SparseMatrix<Scalar>> prolongations);
+
+  double DiagonalOf(int unknown) const override;
+  std::unique_ptr<RoughnessOperator> Operator() const override;
+  /// Where D is infinite the unknown is taken out of the matrix. A factor is a ShiftedFactor.
+  /// \throw SolverFailure R + D could not be factored.
+  std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
+    const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<Preconditioner<double>> Factor(
+    const Vector<double>& D, const ExecutionContext& context) const override;
+  std::unique_ptr<RoughnessNestedIteration> NestedIterations(const Vector<double>& D,
+    const RoughnessCycleOptions& options, bool maySweep,
+    const ExecutionContext& context) const override;
+  long long Bytes() const override;
+
+  const SparseMatrix<Scalar>& Matrix() const { return this->R; }
+  const std::vector<SparseMatrix<Scalar>>& Prolongations() const { return this->P; }
+
+private:
+  SparseMatrix<Scalar> R;
+  Vector<double> Diagonal; ///< of R
+  std::vector<SparseMatrix<Scalar>> P;
+};
+
+}
+
+#endif

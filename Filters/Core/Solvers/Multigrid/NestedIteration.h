@@ -1,0 +1,122 @@
+#ifndef dmgNestedIteration_h
+#define dmgNestedIteration_h
+
+#include "Solvers/Krylov/ConvergenceMeasure.h"
+#include "Solvers/Krylov/SolveReport.h"
+#include "Solvers/Multigrid/GalerkinHierarchy.h"
+#include "Solvers/Multigrid/ScaledHierarchy.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <memory>
+#include <tuple>
+#include <vector>
+
+namespace dmg
+{
+
+/// When nested iterations leave a level for the next finer one.
+enum class SweepRule
+{
+  FixedNumber, ///< after Sweeps sweeps
+  /// After the first sweep that lowers the error by less than the fraction LeastImprovement of it
+  /// (thesis, section 6.5.2). The error is that of the iterate prolonged to the finest level,
+  /// against the reference of a ConvergenceMeasure.
+  WhileErrorFalls,
+  /// The same with the residual of the level's own system scaled to unit diagonal: for those who
+  /// have no reference.
+  WhileResidualFalls,
+};
+
+struct SweepOptions
+{
+  SweepRule Rule = SweepRule::FixedNumber;
+  int Sweeps = 10; ///< of FixedNumber, on each level but the coarsest, >= 0
+  double LeastImprovement = 1e-3; ///< of the other rules, by one sweep, as a fraction
+  /// Limit of the other rules, on each level, >= 0. The default never cuts them short: 40,000 sweeps
+  /// that lower the error by 1e-3 each lower it to 4e-18, below rounding.
+  int MaximumSweeps = 40000;
+  /// Steps of conjugate gradients on each level but the coarsest, before the sweeps, with a V(1,1)-cycle
+  /// down from the level as preconditioner: full multigrid, where sweeps alone, as in the thesis, leave
+  /// whatever the coarser level missed. >= 0.
+  int Cycles = 0;
+
+  /// Sweeps on each level at most.
+  int Limit() const
+  {
+    return this->Rule == SweepRule::FixedNumber ? this->Sweeps : this->MaximumSweeps;
+  }
+
+  friend bool operator==(const SweepOptions& a, const SweepOptions& b)
+  {
+    const auto members = [](const SweepOptions& options) {
+      const auto& [rule, sweeps, least, maximum, cycles] = options; // all of them, or it does not compile
+      return std::tie(rule, sweeps, least, maximum, cycles);
+    };
+    return members(a) == members(b);
+  }
+};
+
+struct NestedOptions
+{
+  /// Its CoarsestLevel is where the iterations start: a finer one costs a larger factor, and saves
+  /// sweeps (thesis, section 7.2.2).
+  GalerkinOptions Coarsening;
+  bool MaySweep = true; ///< false: coarse prolongation whatever the sweeps; no matrices are kept
+};
+
+/// Nested iterations (thesis, sections 3.4.2 and 6.5.2): the coarsest system is solved exactly; the
+/// solution goes up level by level, improved by V-cycles and smoothed by Gauss-Seidel sweeps on each.
+/// Without either this is coarse prolongation (3.4.3 and 6.5.1), x = P (P^H A P)^-1 P^H b, P the product of all
+/// prolongations. A rough solution at the price of a few cycles, to be looked at or to start from.
+///
+/// Galerkin matrices A_{l+1} = P_l^H A_l P_l, right-hand sides b_{l+1} = P_l^H b_l. Sweeps go down
+/// in the order of each level (SweepOrder), in double precision. Built once per matrix, asked for many right-hand sides.
+///
+/// Cost: one product with every matrix per sweep, five per cycle, and two with every prolongation.
+template <class Scalar>
+class NestedIteration
+{
+public:
+  /// \param A, prolongations see GalerkinHierarchy. A is borrowed: it must stay where it is.
+  /// \throw as GalerkinHierarchy.
+  NestedIteration(const SparseMatrix<Scalar>& A,
+    std::vector<SparseMatrix<Scalar>> prolongations, const NestedOptions& options, const ExecutionContext& context);
+  NestedIteration(const NestedIteration&) = delete; // the levels refer to the hierarchy
+  NestedIteration& operator=(const NestedIteration&) = delete;
+
+  /// \param x on exit the solution, zero for inactive unknowns.
+  /// \param report gets Iterations, SolveSeconds and Converged anew. The history begins with x = 0
+  ///   and ends with the solution. With a measure, it has a row for the coarsest solution, one for
+  ///   each level in between after its last sweep, both prolonged to the finest level, and one for
+  ///   each sweep there. Converged is false, with a warning, if MaximumSweeps cut a level short of
+  ///   the rule.
+  /// \param measure may be null, except under WhileErrorFalls. What it takes, the errors of the rule
+  ///   included, does not count in Seconds: the thesis determines the sweeps beforehand.
+  /// \return the sweeps on each level, finest first; 0 for the coarsest.
+  /// \throw InvalidInput sizes differ, b is not finite, a number of sweeps is negative, or the
+  ///   reference is missing.
+  /// \throw Cancelled
+  /// Checkpoints: every sweep.
+  std::vector<int> Solve(const Vector<Scalar>& b, const SweepOptions& sweeps, Vector<Scalar>& x,
+    SolveReport& report, const ExecutionContext& context,
+    const ConvergenceMeasure<Scalar>* measure = nullptr);
+
+  /// Unknowns and non-zeros, finest first.
+  const std::vector<LevelReport>& Levels() const { return this->Hierarchy.Levels(); }
+  /// Held by this object.
+  long long Bytes() const { return this->Hierarchy.Bytes() + this->Scaled.Bytes(); }
+
+private:
+  class Run;
+
+  const SparseMatrix<Scalar>* A;
+  const bool MaySweep;
+  GalerkinHierarchy<Scalar> Hierarchy;
+  ScaledHierarchy<Scalar, Scalar> Scaled;
+  std::vector<std::unique_ptr<Smoother<Scalar>>> Smoothers; ///< one sweep each
+};
+
+}
+
+#endif

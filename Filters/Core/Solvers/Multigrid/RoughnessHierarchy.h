@@ -1,0 +1,163 @@
+#ifndef dmgRoughnessHierarchy_h
+#define dmgRoughnessHierarchy_h
+
+#include "Solvers/Krylov/ConvergenceMeasure.h"
+#include "Solvers/Krylov/LinearOperator.h"
+#include "Solvers/Krylov/Preconditioner.h"
+#include "Solvers/Krylov/SolveReport.h"
+#include "Solvers/Multigrid/MultigridCycle.h"
+#include "Solvers/Multigrid/NestedIteration.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+/// Most harmonic fields minimise a roughness x^T R x, which knows the surface alone, and a sum of squares of
+/// prescribed unknowns, a diagonal D. Cycles for A = R + D keep the two apart: what they know of R is part
+/// of the set-up, and another D changes little.
+///
+/// Unknowns are real here; complex numbers are pairs of them.
+namespace dmg
+{
+
+struct RoughnessCycleOptions
+{
+  /// Sweeps on the finest level before and after the coarse correction, >= 1.
+  int Sweeps = 4;
+  /// The first coarse level is factored if it has at most so many unknowns; where R and D are kept apart.
+  int LargestFactor = 10000;
+  /// Of the levels below.
+  CycleOptions Coarse;
+  /// Of a matrix that is assembled (AssembledHierarchy): the level that is factored, and how often the
+  /// finest prolongation is smoothed.
+  GalerkinOptions Coarsening;
+
+  /// Of the first coarse level: none, but a factor, where it is small.
+  GalerkinOptions CoarseningOf(int numberOfUnknowns) const
+  {
+    GalerkinOptions coarsening;
+    if (numberOfUnknowns <= this->LargestFactor)
+    {
+      coarsening.CoarsestLevel = 0;
+    }
+    return coarsening;
+  }
+};
+
+/// One V-cycle for A = R + D, as a linear operator that is symmetric positive definite. Unknowns are in the
+/// order of the hierarchy, and not scaled.
+class RoughnessCycle : public Preconditioner<double>
+{
+public:
+  /// Takes another D. No pattern changes: what D touches on the finest level, the coarse matrices and the
+  /// factor of the coarsest are computed anew. After an error the cycle must not be used.
+  virtual void Update(const Vector<double>& D, const ExecutionContext& context) = 0;
+
+  /// Unknowns and non-zeros, finest first.
+  virtual std::vector<LevelReport> Levels() const = 0;
+  /// Held by this object, without the hierarchy.
+  virtual long long Bytes() const = 0;
+
+protected:
+  static std::vector<LevelReport> FinestAnd(
+    const LevelReport& finest, const std::vector<LevelReport>& coarser)
+  {
+    std::vector<LevelReport> levels = { finest };
+    levels.insert(levels.end(), coarser.begin(), coarser.end());
+    return levels;
+  }
+};
+
+/// Nested iterations for A = R + D; see NestedIteration. Unknowns are those of the hierarchy.
+class RoughnessNestedIteration
+{
+public:
+  virtual ~RoughnessNestedIteration() = default;
+
+  virtual void Solve(const Vector<double>& b, const SweepOptions& sweeps, Vector<double>& x,
+    SolveReport& report, const ExecutionContext& context,
+    const ConvergenceMeasure<double>& measure) = 0;
+  virtual std::vector<LevelReport> Levels() const = 0;
+  virtual long long Bytes() const = 0;
+};
+
+/// A = R + D. Where D is infinite the unknown is zero: x should be, and its row of A x is. Whatever x is there, the
+/// other rows of A x are those of R x + D x; only the product that Apply returns counts it.
+class RoughnessOperator : public LinearOperator<double>
+{
+public:
+  /// Takes another D, >= 0.
+  virtual void SetDiagonal(const Vector<double>& D, const ExecutionContext& context) = 0;
+};
+
+/// What cycles need to know of a roughness R. Its unknowns stand in an order of their own, which those of
+/// its cycles and operators share.
+class RoughnessHierarchy
+{
+public:
+  virtual ~RoughnessHierarchy() = default;
+
+  /// The caller's index of each unknown.
+  std::vector<int> Order;
+  /// A number for each unknown, which it shares with all that it is connected with; empty if all are.
+  std::vector<int> Components;
+  int NumberOfUnknowns() const { return static_cast<int>(this->Order.size()); }
+  /// \param components of each unknown.
+  void SetComponents(std::vector<int> components)
+  {
+    const bool areConnected = std::all_of(components.begin(), components.end(),
+      [&components](int component) { return component == components[0]; });
+    this->Components = areConnected ? std::vector<int>() : std::move(components);
+  }
+  int ComponentOf(int unknown) const
+  {
+    return this->Components.empty() ? 0 : this->Components[unknown];
+  }
+
+  /// R_ii, in single precision.
+  virtual double DiagonalOf(int unknown) const = 0;
+
+  /// R, with D = 0. Borrows the hierarchy.
+  virtual std::unique_ptr<RoughnessOperator> Operator() const = 0;
+
+  /// A cycle for R + D, or its factor where there are no coarse levels. Borrows the hierarchy; several may
+  /// share it.
+  /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
+  /// \throw as GalerkinHierarchy.
+  virtual std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
+    const RoughnessCycleOptions& options, const ExecutionContext& context) const = 0;
+
+  /// Nested iterations for R + D, where the hierarchy has them; else null. Parameters as above.
+  /// \param maySweep see NestedOptions.
+  virtual std::unique_ptr<RoughnessNestedIteration> NestedIterations(const Vector<double>&,
+    const RoughnessCycleOptions&, bool /*maySweep*/, const ExecutionContext&) const
+  {
+    return nullptr;
+  }
+
+  /// The inverse of R + D by a factor of the whole matrix (ShiftedFactor), for where cycles do not converge.
+  /// \param D as for cycles.
+  /// \throw as ShiftedFactor.
+  virtual std::unique_ptr<Preconditioner<double>> Factor(
+    const Vector<double>& D, const ExecutionContext& context) const = 0;
+
+  /// Held by this object.
+  virtual long long Bytes() const = 0;
+
+protected:
+  RoughnessHierarchy() = default;
+  RoughnessHierarchy(RoughnessHierarchy&&) = default;
+
+  /// Of what this class holds.
+  long long BytesOfUnknowns() const
+  {
+    return static_cast<long long>((this->Order.size() + this->Components.size()) * sizeof(int));
+  }
+};
+
+}
+
+#endif
