@@ -16,13 +16,11 @@ namespace dmg
 namespace
 {
 
-// A factorisation was ready before multigrid on eight surfaces of up to 250,000 vertices, from the bare mesh
-// (ScalarFunction.md).
-constexpr int LargestForCholesky = 400000;
+// Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (ScalarFunction.md).
+constexpr int LargestForCholesky = 100000;
 constexpr int SolvesForCholesky = 30;
-// As for power fields: what sweeps gain, they gain on the finest level, whose interpolation from samples is smoothed.
-constexpr int ProlongationSteps = 1;
-constexpr int FinestSweepsFactor = 3;
+// Two cycles halve the iterations, and take as long; they mind uneven triangles less.
+constexpr int CyclesInARow = 2;
 
 /// d0^T star1 d0.
 SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh, const ExecutionContext& context)
@@ -110,8 +108,7 @@ SolverTuning ScalarFunction::Tuning() const
   SolverTuning tuning;
   tuning.LargestForCholesky = LargestForCholesky;
   tuning.SolvesForCholesky = SolvesForCholesky;
-  tuning.FinestProlongationSteps = ProlongationSteps;
-  tuning.FinestSweepsFactor = FinestSweepsFactor;
+  tuning.CyclesInARow = CyclesInARow;
   return tuning;
 }
 

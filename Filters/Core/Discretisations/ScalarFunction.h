@@ -14,7 +14,7 @@ namespace dmg
 /// there, by the natural condition. The kernel are the constants of the components of the surface: one prescribed value
 /// determines that of its component.
 ///
-/// Solved by cycles on the assembled matrix. Coarse functions live at the samples of the nodal levels: a vertex takes the mean
+/// Solved by cycles on the assembled matrix, two in a row. Coarse functions live at the samples of the nodal levels: a vertex takes the mean
 /// over its faces of what these take from the samples; or at the vertices of decimated levels, by S0.
 class ScalarFunction : public Discretisation
 {

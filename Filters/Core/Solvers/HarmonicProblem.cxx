@@ -1,16 +1,14 @@
 #include "Solvers/HarmonicProblem.h"
 
+#include "Solvers/HarmonicFieldsOfSystem.h"
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Krylov/DeflatedPreconditioner.h"
-#include "Solvers/Krylov/EnergiesOfSpace.h"
 #include "Solvers/Krylov/StationaryIteration.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
 #include "Support/Permutations.h"
 #include "Support/SparseKernels.h"
-
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cassert>
@@ -38,112 +36,13 @@ RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverT
   cycle.Coarse.Smoothing.PostSweeps = options.Sweeps;
   cycle.Coarse.Repetitions = tuning.CoarseCycles;
   cycle.LargestFactor = tuning.LargestCoarseFactor;
+  cycle.CyclesInARow = tuning.CyclesInARow;
   cycle.Coarsening.FinestProlongationSteps = tuning.FinestProlongationSteps;
   if (options.StartingLevel >= 0)
   {
     cycle.Coarsening.CoarsestLevel = options.StartingLevel;
   }
   return cycle;
-}
-
-/// A where its kernel has no part. What counts as kernel has energies of rounding errors rather than none,
-/// and a residual could not fall below their roots.
-class OutsideKernel : public LinearOperator<double>
-{
-public:
-  OutsideKernel(const LinearOperator<double>& A, const KernelProjection& projection)
-    : A(A)
-    , Projection(projection)
-  {
-  }
-
-  int Size() const override { return this->A.Size(); }
-  double Apply(
-    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
-  {
-    const double product = this->A.Apply(x, y, context);
-    this->Projection.Remove(y, context);
-    return product;
-  }
-
-private:
-  const LinearOperator<double>& A;
-  const KernelProjection& Projection;
-};
-
-/// A factor, whose solutions have no part in the kernel.
-class FactorOutsideKernel : public Preconditioner<double>
-{
-public:
-  FactorOutsideKernel(Preconditioner<double>& factor, const KernelProjection& projection)
-    : Factor(factor)
-    , Projection(projection)
-  {
-  }
-
-  void Apply(
-    const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
-  {
-    this->Factor.Apply(r, z, context);
-    this->Projection.Remove(z, context);
-  }
-
-private:
-  Preconditioner<double>& Factor;
-  const KernelProjection& Projection;
-};
-
-/// What deflation takes of harmonic fields: they are zero where unknowns are held, and take the share R / (R + D) where
-/// unknowns are penalised (PenalisedUnknowns). Strong penalties would otherwise give them so much energy that they helped
-/// nothing: 46 iterations were seen instead of 13. But where there is a harmonic field with any values that may be
-/// prescribed, it is the solution, and the fields stay as they are.
-Eigen::MatrixXd AdjustKernelToPenalties(Eigen::MatrixXd fields, const RoughnessHierarchy& hierarchy,
-  const Vector<double>& D, const ExecutionContext& context)
-{
-  const int size = hierarchy.NumberOfUnknowns();
-  const std::vector<int> penalised =
-    Choose(size, [&D](int i) { return D[i] > 0.0 && std::isfinite(D[i]); }, context);
-  const auto count = static_cast<Eigen::Index>(penalised.size());
-  const bool areMet = count == 0 ||
-    (count <= fields.cols() &&
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(fields(penalised, Eigen::all)).rank() == count);
-  context.ParallelFor(0, size, Grain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
-    {
-      if (!std::isfinite(D[i]))
-      {
-        fields.row(i).setZero();
-      }
-      else if (D[i] > 0.0 && !areMet)
-      {
-        const double R = hierarchy.DiagonalOf(i);
-        fields.row(i) *= R / (R + D[i]);
-      }
-    }
-  });
-  return fields;
-}
-
-/// What the energies of some vectors would be if nothing cancelled. Slivers have large scales, and hardly count.
-double LargestEnergy(const Eigen::MatrixXd& vectors, const RoughnessHierarchy& hierarchy,
-  const Vector<double>& D, const ExecutionContext& context)
-{
-  double largest = 0.0;
-  for (Eigen::Index k = 0; k < vectors.cols(); ++k)
-  {
-    largest = std::max(largest,
-      SumOverBlocks<double>(hierarchy.NumberOfUnknowns(), context, [&](int first, int last) {
-        double energy = 0.0;
-        for (int i = first; i < last; ++i)
-        {
-          energy += std::isfinite(D[i])
-            ? (hierarchy.DiagonalOf(i) + D[i]) * vectors(i, k) * vectors(i, k)
-            : 0.0;
-        }
-        return energy;
-      }));
-  }
-  return largest;
 }
 
 /// Where some items stand in an order.
@@ -169,17 +68,6 @@ std::string WarningAboutUnreached(int unreached, int unknowns)
   return std::to_string(unreached) + " of " + std::to_string(unknowns) +
     " unknowns lie in components of the surface that hold no prescribed direction; the field is "
     "zero there";
-}
-
-std::string WarningAboutUndetermined(int undetermined, int harmonicFields)
-{
-  if (undetermined == 0)
-  {
-    return {};
-  }
-  return std::to_string(undetermined) + " of the " + std::to_string(harmonicFields) +
-    " harmonic fields of the surface are not determined by what is prescribed; the field has no "
-    "part in them; prescribe more directions, spread over the handles and holes";
 }
 
 }
@@ -217,10 +105,6 @@ public:
   void IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b,
     const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure, Vector<double>& x,
     const ExecutionContext& context);
-  /// \param all in the caller's order, or empty.
-  Vector<double> InOrder(const Vector<double>& all, const ExecutionContext& context) const;
-  Vector<double> InCallersOrder(const Vector<double>& x, const ExecutionContext& context) const;
-
   const std::shared_ptr<const MultigridSetup> Setup;
   const SolverOptions Options;
   const SolverKind Kind;
@@ -344,34 +228,6 @@ Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionC
   return D;
 }
 
-Vector<double> HarmonicProblem::Internals::InOrder(
-  const Vector<double>& all, const ExecutionContext& context) const
-{
-  const std::vector<int>& order = this->Setup->Hierarchy->Order;
-  Vector<double> x(all.size());
-  context.ParallelFor(0, static_cast<int>(all.size()), Grain, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
-    {
-      x[k] = all[order[k]];
-    }
-  });
-  return x;
-}
-
-Vector<double> HarmonicProblem::Internals::InCallersOrder(
-  const Vector<double>& x, const ExecutionContext& context) const
-{
-  const std::vector<int>& order = this->Setup->Hierarchy->Order;
-  Vector<double> all(x.size());
-  context.ParallelFor(0, static_cast<int>(x.size()), Grain, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
-    {
-      all[order[k]] = x[k];
-    }
-  });
-  return all;
-}
-
 void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const ExecutionContext& context)
 {
   if (this->Setup->Kernel.cols() == 0)
@@ -385,28 +241,19 @@ void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const Executio
   this->WarnOfUndetermined(this->Deflated->Kernel().Size());
 }
 
-/// Harmonic fields that nothing determines are the kernel of A. The solution has no part in them.
 void HarmonicProblem::Internals::FindUndetermined(
   const Vector<double>& D, const ExecutionContext& context)
 {
-  Eigen::MatrixXd fields = this->Setup->Kernel;
-  if (fields.cols() == 0)
+  const MultigridSetup& setup = *this->Setup;
+  if (setup.Kernel.cols() == 0)
   {
     return;
   }
-  fields(this->Held, Eigen::all).setZero();
-  Eigen::MatrixXd energies(fields.cols(), fields.cols());
-  Vector<double> product;
-  for (Eigen::Index k = 0; k < fields.cols(); ++k)
+  const Eigen::MatrixXd undetermined = UndeterminedFields(
+    setup.Kernel, *this->A, *setup.Hierarchy, D, this->Held, context);
+  if (undetermined.cols() > 0)
   {
-    this->A->Apply(fields.col(k), product, context);
-    energies.col(k) = fields.transpose() * product;
-  }
-  const EnergiesOfSpace ofSpace(
-    fields, energies, LargestEnergy(fields, *this->Setup->Hierarchy, D, context));
-  if (ofSpace.Undetermined().cols() > 0)
-  {
-    this->Undetermined.emplace(ofSpace.Undetermined());
+    this->Undetermined.emplace(undetermined);
     this->WarnOfUndetermined(this->Undetermined->Size());
   }
 }
@@ -464,8 +311,8 @@ void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriter
                                                         : nullptr;
   Preconditioner<double>* inverse = this->Cycle.get();
   const LinearOperator<double>* matrix = this->A.get();
-  std::optional<OutsideKernel> outside;
-  std::optional<FactorOutsideKernel> factor;
+  std::optional<OperatorOutsideKernel> outside;
+  std::optional<PreconditionerOutsideKernel> factor;
   if (this->Deflated)
   {
     inverse = &*this->Deflated;
@@ -515,7 +362,7 @@ void HarmonicProblem::Internals::IterateWithFactor(const LinearOperator<double>&
   }
   this->Report.Warnings = this->SystemWarnings;
   const KernelProjection none;
-  FactorOutsideKernel inverse(*this->Factor, this->Deflated ? this->Deflated->Kernel() : none);
+  PreconditionerOutsideKernel inverse(*this->Factor, this->Deflated ? this->Deflated->Kernel() : none);
   ConjugateGradient<double>(matrix, inverse, b, stop, x, this->Report, context, &measure);
   this->Report.Warnings.push_back(
     "Cycles did not converge, so conjugate gradients with a factor of the system took over.");
@@ -562,13 +409,14 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   Internals& of = *this->Internal;
   assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
   of.Report.Warnings = of.SystemWarnings;
+  const std::vector<int>& order = of.Setup->Hierarchy->Order;
   Vector<double> b = of.RightHandSide(values, context);
   // A factor needs no start: what it would improve is found at once.
   Vector<double> x =
-    of.Kind == SolverKind::Cholesky ? Vector<double>() : of.InOrder(start, context);
+    of.Kind == SolverKind::Cholesky ? Vector<double>() : Gathered(start, order, context);
   ConvergenceMeasure<double> measure;
   measure.Mass = &of.Setup->Mass;
-  measure.Reference = of.InOrder(reference, context);
+  measure.Reference = Gathered(reference, order, context);
   measure.EnergyScale = of.Smoothness;
   for (Vector<double>* const vector : { &x, &measure.Reference })
   {
@@ -592,7 +440,7 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
       x[of.Places[k]] = values[k];
     }
   }
-  return of.InCallersOrder(x, context);
+  return Scattered(x, order, context);
 }
 
 }

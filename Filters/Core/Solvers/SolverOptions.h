@@ -67,6 +67,8 @@ struct SolverTuning
   int CoarseCycles = 1;
   /// The first coarse level is factored instead if it has at most so many unknowns; there as well.
   int LargestCoarseFactor = 0;
+  /// V-cycles in a row that count as one, of an assembled matrix (CycleOptions::Repetitions), >= 1.
+  int CyclesInARow = 1;
   /// How often the finest prolongation is smoothed before use; see GalerkinOptions.
   int FinestProlongationSteps = 0;
 };

@@ -26,7 +26,7 @@ Pack LoadPack(const Number* from)
 template <class Pack, class Number>
 void StorePack(Pack pack, Number* to)
 {
-  std::memcpy(to, &pack, sizeof(Pack));
+  std::memcpy(static_cast<void*>(to), &pack, sizeof(Pack)); // complex numbers are pairs, by the standard
 }
 
 /// Asks for numbers that will be read soon, by lines of the cache. Inlined in any case: GCC 12 takes a

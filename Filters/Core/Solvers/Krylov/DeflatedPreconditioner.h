@@ -1,6 +1,7 @@
 #ifndef dmgDeflatedPreconditioner_h
 #define dmgDeflatedPreconditioner_h
 
+#include "Solvers/Krylov/KernelProjection.h"
 #include "Solvers/Krylov/LinearOperator.h"
 #include "Solvers/Krylov/Preconditioner.h"
 
@@ -8,29 +9,6 @@
 
 namespace dmg
 {
-
-/// Takes what a vector has in common with the kernel of a matrix out of it.
-class KernelProjection
-{
-public:
-  /// No kernel.
-  KernelProjection() = default;
-  /// \param kernel n x k, orthogonal columns of length 1.
-  explicit KernelProjection(Eigen::MatrixXd kernel)
-    : Kernel(std::move(kernel))
-  {
-  }
-
-  int Size() const { return static_cast<int>(this->Kernel.cols()); }
-  long long Bytes() const
-  {
-    return this->Kernel.size() * static_cast<long long>(sizeof(double));
-  }
-  void Remove(Vector<double>& x, const ExecutionContext& context) const;
-
-private:
-  Eigen::MatrixXd Kernel;
-};
 
 /// A preconditioner B with an exact solve on a small space, given by the columns of H:
 ///

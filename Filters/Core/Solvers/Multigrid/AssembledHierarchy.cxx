@@ -247,6 +247,7 @@ private:
     }
     CycleOptions cycle;
     cycle.Smoothing = this->Options.Coarse.Smoothing;
+    cycle.Repetitions = this->Options.CyclesInARow;
     cycle.FinestFactor = this->Options.Sweeps / cycle.Smoothing.PreSweeps;
     this->Cycle.emplace(std::move(A),
       this->Free.Prolongations(this->Fine.Prolongations(), context), this->Options.Coarsening,

@@ -31,8 +31,9 @@ struct RoughnessCycleOptions
   int LargestFactor = 10000;
   /// Of the levels below.
   CycleOptions Coarse;
-  /// Of a matrix that is assembled (AssembledHierarchy): the level that is factored, and how often the
-  /// finest prolongation is smoothed.
+  /// Of a matrix that is assembled (AssembledHierarchy): V-cycles in a row, the level that is factored, and how often
+  /// the finest prolongation is smoothed.
+  int CyclesInARow = 1;
   GalerkinOptions Coarsening;
 
   /// Of the first coarse level: none, but a factor, where it is small.

@@ -1,0 +1,88 @@
+#ifndef dmgKernelProjection_h
+#define dmgKernelProjection_h
+
+#include "Solvers/Krylov/LinearOperator.h"
+#include "Solvers/Krylov/Preconditioner.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <utility>
+
+namespace dmg
+{
+
+/// Takes what a vector has in common with the kernel of a matrix out of it.
+class KernelProjection
+{
+public:
+  /// No kernel.
+  KernelProjection() = default;
+  /// \param kernel n x k, orthogonal columns of length 1.
+  explicit KernelProjection(Eigen::MatrixXd kernel)
+    : Kernel(std::move(kernel))
+  {
+  }
+
+  int Size() const { return static_cast<int>(this->Kernel.cols()); }
+  long long Bytes() const
+  {
+    return this->Kernel.size() * static_cast<long long>(sizeof(double));
+  }
+  void Remove(Vector<double>& x, const ExecutionContext& context) const;
+
+private:
+  Eigen::MatrixXd Kernel;
+};
+
+/// A where its kernel has no part. What counts as kernel has energies of rounding errors rather than none,
+/// and a residual could not fall below their roots.
+class OperatorOutsideKernel : public LinearOperator<double>
+{
+public:
+  /// Both are borrowed.
+  OperatorOutsideKernel(const LinearOperator<double>& A, const KernelProjection& projection)
+    : A(A)
+    , Projection(projection)
+  {
+  }
+
+  int Size() const override { return this->A.Size(); }
+  double Apply(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  {
+    const double product = this->A.Apply(x, y, context);
+    this->Projection.Remove(y, context);
+    return product;
+  }
+
+private:
+  const LinearOperator<double>& A;
+  const KernelProjection& Projection;
+};
+
+/// A preconditioner whose results have no part in the kernel.
+class PreconditionerOutsideKernel : public Preconditioner<double>
+{
+public:
+  /// Both are borrowed.
+  PreconditionerOutsideKernel(Preconditioner<double>& inner, const KernelProjection& projection)
+    : Inner(inner)
+    , Projection(projection)
+  {
+  }
+
+  void Apply(
+    const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
+  {
+    this->Inner.Apply(r, z, context);
+    this->Projection.Remove(z, context);
+  }
+
+private:
+  Preconditioner<double>& Inner;
+  const KernelProjection& Projection;
+};
+
+}
+
+#endif
