@@ -2,6 +2,7 @@
 
 #include "Adapters/ConstraintsFromArrays.h"
 #include "Adapters/ContextFromAlgorithm.h"
+#include "Adapters/OptionsOfSolver.h"
 #include "Adapters/PieceRequest.h"
 #include "Adapters/ReportToArrays.h"
 #include "Adapters/SolvedSurface.h"
@@ -22,35 +23,6 @@ public:
   dmg::SolvedSurface Kept;
   dmg::ConstraintChoices OfGuides; ///< SetGuideArrayToProcess
 };
-
-namespace
-{
-
-dmg::FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter)
-{
-  dmg::FieldOptions options;
-  options.Field.Kind = static_cast<dmg::DiscretisationKind>(filter->GetDiscretisation());
-  options.Field.N = filter->GetNumberOfDirections();
-  options.Field.Areas = filter->GetVertexAreas() == vtkHarmonicFieldSolver::MixedVoronoi
-    ? dmg::VertexAreas::MixedVoronoi
-    : dmg::VertexAreas::Barycentric;
-  options.Smoothness = filter->GetSmoothness();
-  options.Alignment = filter->GetAlignment();
-  options.Constraints = static_cast<dmg::ConstraintKind>(filter->GetConstraintType());
-  options.CoarseSpace = static_cast<dmg::CoarseSpaceKind>(filter->GetCoarseSpace());
-  options.Solver.Kind = static_cast<dmg::SolverKind>(filter->GetSolver());
-  options.Solver.Sweeps = filter->GetSweeps();
-  options.Solver.Nested.Cycles = filter->GetNestedCycles();
-  options.Solver.Nested.Rule = static_cast<dmg::SweepRule>(filter->GetNestedRule());
-  options.Solver.Nested.Sweeps = filter->GetNestedSweeps();
-  options.Solver.Nested.MaximumSweeps = filter->GetMaximumNumberOfNestedSweeps();
-  options.Solver.StartingLevel = filter->GetStartingLevel();
-  options.Solver.ExpectedSolves = filter->GetExpectedSolves();
-  options.Solver.CompareWithCholesky = filter->GetCompareWithCholesky();
-  return options;
-}
-
-}
 
 //------------------------------------------------------------------------------
 vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
@@ -176,7 +148,7 @@ int vtkHarmonicFieldSolver::RequestData(
   try
   {
     const dmg::ContextFromAlgorithm context(this);
-    const dmg::FieldOptions options = OptionsOf(this);
+    const dmg::FieldOptions options = dmg::OptionsOf(this);
     kept.SetSurface(input, options.Solver.Kind, dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
     const dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOf(this), input, guides,
@@ -214,23 +186,14 @@ int vtkHarmonicFieldSolver::RequestData(
   }
 
   output->ShallowCopy(input);
-  kept.AddArraysTo(output, edges);
-  if (hasBasis)
-  {
-    dmg::AddBasisArrays(kept.Basis(), output, edges);
-  }
+  kept.AddArraysTo(output, edges, hasBasis);
   dmg::MakeConvergenceTable(kept.Report(), convergence);
   for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
   {
-    dmg::AddReport(
-      kept.Report(), kept.Field().DirectionsPerPoint(), kept.SetupSeconds(), data);
+    kept.AddReportTo(data, hasBasis);
     if (!guides.Data.empty())
     {
       dmg::AddGuidesReport(guidesReport, data);
-    }
-    if (hasBasis)
-    {
-      dmg::AddBasisSize(kept.Basis(), data);
     }
   }
   return 1;

@@ -1,6 +1,7 @@
 #include "Adapters/SolvedSurface.h"
 
 #include "Adapters/ArrayNames.h"
+#include "Adapters/ReportToArrays.h"
 #include "Support/Errors.h"
 
 #include "vtkPolyData.h"
@@ -101,11 +102,24 @@ void SolvedSurface::MakeArrays(
   }
 }
 
-void SolvedSurface::AddArraysTo(vtkPolyData* surface, vtkPolyData* edges) const
+void SolvedSurface::AddArraysTo(vtkPolyData* surface, vtkPolyData* edges, bool hasBasis) const
 {
   AddFieldArrays(*this->Arrays, surface, edges);
   AddPrescribed(
     this->Numbers, this->Solver->Constraints(), this->Field().Elements(), surface, edges);
+  if (hasBasis)
+  {
+    AddBasisArrays(this->Basis(), surface, edges);
+  }
+}
+
+void SolvedSurface::AddReportTo(vtkFieldData* data, bool hasBasis) const
+{
+  AddReport(this->Report(), this->Field().DirectionsPerPoint(), this->SetupSeconds(), data);
+  if (hasBasis)
+  {
+    AddBasisSize(this->Basis(), data);
+  }
 }
 
 bool SolvedSurface::MakeBasis(vtkPolyData* input, const ExecutionContext& context)

@@ -38,7 +38,10 @@ public:
   /// The arrays of the field, where they are not those that stand.
   void MakeArrays(
     vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context);
-  void AddArraysTo(vtkPolyData* surface, vtkPolyData* edges) const;
+  /// \param hasBasis whether the harmonic fields come along.
+  void AddArraysTo(vtkPolyData* surface, vtkPolyData* edges, bool hasBasis) const;
+  /// Sizes, cost and convergence.
+  void AddReportTo(vtkFieldData* data, bool hasBasis) const;
 
   /// The harmonic fields; \return whether they were made, rather than kept.
   bool MakeBasis(vtkPolyData* input, const ExecutionContext& context);
