@@ -92,6 +92,9 @@ std::shared_ptr<const MultigridSetup> FinishSetup(const FramedMesh& surface,
   std::shared_ptr<MultigridSetup> setup, const ExecutionContext& context)
 {
   setup->Mass = MassInOrder(discretisation.Mass(context), setup->Hierarchy->Order, context);
+  setup->HasSmoothest = discretisation.HasSmoothest();
+  setup->Area = surface.Mesh.FaceAreas(context).sum();
+  setup->SquaredNormOfUnit = discretisation.SquaredNormOfUnit(setup->Mass);
   AddKernel(surface, discretisation, operators, *setup, context);
   GiveBackFreedMemory();
   context.Checkpoint(1.0);

@@ -37,11 +37,6 @@ PrescribedUnknowns Discretisation::Penalties(const FieldConstraints& constraints
   const FieldWeights& weights, const ExecutionContext& context) const
 {
   CheckWeights(weights);
-  if (constraints.Elements.empty())
-  {
-    throw InvalidInput("nothing is prescribed, so the smoothest field is zero; "
-                       "prescribe a direction on at least one cell or point");
-  }
   assert(constraints.Elements.size() == constraints.Weights.size());
   const int parts = this->UnknownsPerElement();
   PrescribedUnknowns unknowns{ weights.Constraints,

@@ -129,6 +129,14 @@ public:
 
   /// The inner product that errors are measured in: a positive diagonal, one entry per equation.
   virtual Vector<double> Mass(const ExecutionContext& context) const = 0;
+  /// Squared, in that product, the norm of a field of magnitude 1.
+  virtual double SquaredNormOfUnit(const Vector<double>& mass) const
+  {
+    return mass.sum() * this->NumberOfElements() / this->NumberOfEquations();
+  }
+  /// Whether a component where nothing is prescribed has a smoothest field, among those of unit norm, that is worth
+  /// looking at; else the field is zero there.
+  virtual bool HasSmoothest() const { return true; }
 
   /// The multigrid that suits this discretisation best, with roughness and penalties apart.
   virtual std::unique_ptr<const RoughnessHierarchy> Coarsen(
@@ -165,11 +173,11 @@ public:
 
   /// \param names says how messages call vertices and faces.
   /// \throw InvalidInput a direction is out of range, not finite, perpendicular to the surface, or its weight is
-  ///   not positive; or nothing that this discretisation takes is prescribed.
+  ///   not positive; or nothing is prescribed, and there is no smoothest field.
   virtual FieldConstraints Prescribe(
     const PrescribedDirections& directions, const ElementNames& names) const = 0;
   /// The penalties m_b, weights included.
-  /// \throw InvalidInput a weight is out of range, or nothing is prescribed.
+  /// \throw InvalidInput a weight is out of range.
   PrescribedUnknowns Penalties(const FieldConstraints& constraints, const FieldWeights& weights,
     const ExecutionContext& context) const;
 

@@ -37,6 +37,10 @@ public:
   int UnknownsPerElement() const override { return 1; }
 
   Vector<double> Mass(const ExecutionContext& context) const override;
+  double SquaredNormOfUnit(const Vector<double>&) const override
+  {
+    return this->Surface.Mesh.FaceAreas().sum();
+  }
   std::unique_ptr<const RoughnessHierarchy> Coarsen(
     const NodalProlongations& nodal, const ExecutionContext& context) const override;
   std::unique_ptr<const RoughnessHierarchy> Assemble(const ProlongationOperators* operators,

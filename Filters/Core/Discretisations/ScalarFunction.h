@@ -34,6 +34,8 @@ public:
   int UnknownsPerElement() const override { return 1; }
 
   Vector<double> Mass(const ExecutionContext& context) const override;
+  /// Constants.
+  bool HasSmoothest() const override { return false; }
   std::unique_ptr<const RoughnessHierarchy> Coarsen(
     const NodalProlongations& nodal, const ExecutionContext& context) const override;
   std::unique_ptr<const RoughnessHierarchy> Assemble(const ProlongationOperators* operators,

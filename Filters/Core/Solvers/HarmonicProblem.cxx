@@ -3,6 +3,7 @@
 #include "Solvers/HarmonicFieldsOfSystem.h"
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Krylov/DeflatedPreconditioner.h"
+#include "Solvers/Krylov/LowestEigenvectors.h"
 #include "Solvers/Krylov/StationaryIteration.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
@@ -61,10 +62,6 @@ std::vector<int> PlacesOf(
 
 std::string WarningAboutUnreached(int unreached, int unknowns)
 {
-  if (unreached == 0)
-  {
-    return {};
-  }
   return std::to_string(unreached) + " of " + std::to_string(unknowns) +
     " unknowns lie in components of the surface that hold no prescribed direction; the field is "
     "zero there";
@@ -105,6 +102,9 @@ public:
   void IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b,
     const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure, Vector<double>& x,
     const ExecutionContext& context);
+  /// The smoothest field on the components without prescriptions. \param start of it.
+  void FindSmoothest(Vector<double> start, const StoppingCriteria& stop, Vector<double>& x,
+    const ExecutionContext& context);
   const std::shared_ptr<const MultigridSetup> Setup;
   const SolverOptions Options;
   const SolverKind Kind;
@@ -113,6 +113,9 @@ public:
   std::vector<int> Places; ///< of those
   double Smoothness = 1.0;
   std::vector<int> Held; ///< unknowns that are not free, ascending
+  /// Unknowns by component, of those components that have no prescription: their field is an eigenvector.
+  SortedItems Unprescribed;
+  std::vector<double> Shifts; ///< of their matrices, by component
   std::unique_ptr<RoughnessOperator> A;
   std::unique_ptr<RoughnessCycle> Cycle;
   std::optional<DeflatedPreconditioner> Deflated; ///< the cycle, where there are harmonic fields
@@ -125,6 +128,7 @@ public:
 private:
   /// Infinite where an unknown is held.
   Vector<double> DiagonalOfPrescribed(const ExecutionContext& context);
+  void ShiftUnprescribed(Vector<double>& D);
   void MakeCycle(const Vector<double>& D, const ExecutionContext& context);
   void MakeNested(const Vector<double>& D, const ExecutionContext& context);
   void Deflate(const Vector<double>& D, const ExecutionContext& context);
@@ -157,7 +161,14 @@ void HarmonicProblem::Internals::Prescribe(
   if (this->Kind == SolverKind::Cholesky || IsNested(this->Kind))
   {
     this->FindUndetermined(D, context);
-    IsNested(this->Kind) ? this->MakeNested(D, most) : this->MakeCycle(D, most);
+    if (IsNested(this->Kind))
+    {
+      this->MakeNested(D, most);
+    }
+    if (!IsNested(this->Kind) || !this->Unprescribed.Items.empty())
+    {
+      this->MakeCycle(D, most);
+    }
   }
   else
   {
@@ -207,25 +218,67 @@ Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionC
   const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
   const int size = hierarchy.NumberOfUnknowns();
   Vector<double> D = Vector<double>::Zero(size);
-  std::vector<char> isReached(hierarchy.Components.empty() ? 1 : size, 0); // by component
+  std::vector<char> isReached(hierarchy.NumberOfComponents(), 0);
+  bool holdsAny = this->Places.empty();
   for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
     const int place = this->Places[k];
     D[place] = isHard ? Infinity : this->Prescribed.Alignment[k] / this->Smoothness;
     isReached[hierarchy.ComponentOf(place)] |= D[place] > 0.0;
+    holdsAny |= D[place] > 0.0;
+  }
+  if (!holdsAny)
+  {
+    throw InvalidInput("all prescribed cells have zero area, so that they hold nothing; prescribe a "
+                       "direction on another cell or make the constraints hard");
   }
   const std::vector<int> unreached = Choose(
     size, [&](int i) { return !isReached[hierarchy.ComponentOf(i)]; }, context);
-  D(unreached).setConstant(Infinity); // zero, the least of equal minimisers
-  this->Held = Choose(size, [&D](int i) { return !std::isfinite(D[i]); }, context);
   this->SystemWarnings.clear();
-  if (const std::string warning =
-        WarningAboutUnreached(static_cast<int>(unreached.size()), size);
-      !warning.empty())
+  this->Unprescribed = {};
+  if (this->Setup->HasSmoothest)
   {
-    this->SystemWarnings.push_back(warning);
+    this->Unprescribed = SortByKey(unreached, hierarchy.NumberOfComponents(),
+      [&hierarchy](int i) { return hierarchy.ComponentOf(i); }, context);
+    this->ShiftUnprescribed(D);
   }
+  else if (!unreached.empty())
+  {
+    D(unreached).setConstant(Infinity); // zero, the least of equal minimisers
+    this->SystemWarnings.push_back(
+      WarningAboutUnreached(static_cast<int>(unreached.size()), size));
+  }
+  this->Held = Choose(size, [&D](int i) { return !std::isfinite(D[i]); }, context);
   return D;
+}
+
+/// Where nothing is prescribed, D is a small multiple of the mass, about the lowest eigenvalue: A is positive definite,
+/// has the eigenvectors of R, and eigenvalues that are so much larger. A surface of size L has eigenvalues from
+/// about 1 / L^2 to 1 / h^2, where the diagonal is, and n unknowns have the size (L / h)^2.
+void HarmonicProblem::Internals::ShiftUnprescribed(Vector<double>& D)
+{
+  const std::vector<int>& begins = this->Unprescribed.Begins;
+  this->Shifts.assign(begins.size() - 1, 0.0);
+  std::vector<double> diagonal;
+  for (std::size_t part = 0; part < this->Shifts.size(); ++part)
+  {
+    const int* const first = this->Unprescribed.Items.data() + begins[part];
+    const int* const last = this->Unprescribed.Items.data() + begins[part + 1];
+    if (first == last)
+    {
+      continue;
+    }
+    diagonal.clear();
+    std::transform(first, last, std::back_inserter(diagonal), [this](int i) {
+      return this->Setup->Hierarchy->DiagonalOf(i) / this->Setup->MassOf(i);
+    });
+    const auto median = diagonal.begin() + diagonal.size() / 2;
+    std::nth_element(diagonal.begin(), median, diagonal.end());
+    const double scale = *median > 0.0 ? *median : 1.0; // a triangle by itself has no roughness
+    this->Shifts[part] = scale / static_cast<double>(diagonal.size());
+    std::for_each(first, last,
+      [&, this](int i) { D[i] = this->Shifts[part] * this->Setup->MassOf(i); });
+  }
 }
 
 void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const ExecutionContext& context)
@@ -264,11 +317,8 @@ void HarmonicProblem::Internals::CheckAnyIsFree() const
   {
     return;
   }
-  throw InvalidInput(this->Prescribed.Kind == ConstraintKind::Hard
-      ? "hard constraints leave nothing to solve for; prescribe fewer cells or points or make the "
-        "constraints soft"
-      : "all prescribed cells have zero area, so that they hold nothing; prescribe a direction on "
-        "another cell or make the constraints hard");
+  throw InvalidInput(
+    "hard constraints leave nothing to solve for; prescribe fewer cells or points or make the constraints soft");
 }
 
 void HarmonicProblem::Internals::WarnOfUndetermined(int number)
@@ -403,6 +453,57 @@ const SolveReport& HarmonicProblem::Report() const
   return this->Internal->Report;
 }
 
+void HarmonicProblem::Internals::FindSmoothest(Vector<double> start, const StoppingCriteria& stop,
+  Vector<double>& x, const ExecutionContext& context)
+{
+  const MultigridSetup& setup = *this->Setup;
+  const std::vector<int>& begins = this->Unprescribed.Begins;
+  if (start.size() == 0)
+  {
+    // Nothing is smoother than a harmonic field.
+    start = setup.Kernel.cols() > 0 ? Vector<double>(setup.Kernel.rowwise().sum())
+                                    : Vector<double>::Zero(x.size());
+  }
+  Preconditioner<double>* inverse = this->Cycle.get();
+  if (this->Deflated)
+  {
+    inverse = &*this->Deflated;
+  }
+  SolveReport ofEigenvectors;
+  const std::vector<double> theta = FindLowestEigenvectors(
+    { *this->A, *inverse, setup.Mass, this->Unprescribed }, stop, start, ofEigenvectors, context);
+  this->Report.Eigenvalues.clear();
+  for (std::size_t part = 0; part < theta.size(); ++part)
+  {
+    if (begins[part] == begins[part + 1])
+    {
+      continue;
+    }
+    double share = 0.0; // of the surface
+    for (int item = begins[part]; item < begins[part + 1]; ++item)
+    {
+      share += setup.MassOf(this->Unprescribed.Items[item]);
+    }
+    share /= setup.Mass.sum() * (x.size() / setup.Mass.size());
+    for (int item = begins[part]; item < begins[part + 1]; ++item)
+    {
+      const int i = this->Unprescribed.Items[item];
+      x[i] = std::sqrt(share * setup.SquaredNormOfUnit) * start[i];
+    }
+    this->Report.Eigenvalues.push_back(
+      (theta[part] - this->Shifts[part]) * setup.SquaredNormOfUnit / setup.Area);
+  }
+  if (this->Prescribed.Unknowns.empty())
+  {
+    this->Report.Iterations = std::move(ofEigenvectors.Iterations);
+    this->Report.Converged = true;
+  }
+  this->Report.SolveSeconds += ofEigenvectors.SolveSeconds;
+  this->Report.Converged &= ofEigenvectors.Converged;
+  this->Report.Warnings.insert(this->Report.Warnings.end(), ofEigenvectors.Warnings.begin(),
+    ofEigenvectors.Warnings.end());
+}
+
 Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector<double>& start,
   const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context)
 {
@@ -410,10 +511,14 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
   of.Report.Warnings = of.SystemWarnings;
   const std::vector<int>& order = of.Setup->Hierarchy->Order;
-  Vector<double> b = of.RightHandSide(values, context);
+  const std::vector<int>& unprescribed = of.Unprescribed.Items;
+  Vector<double> x = Gathered(start, order, context);
+  Vector<double> smoothest = unprescribed.empty() ? Vector<double>() : x;
   // A factor needs no start: what it would improve is found at once.
-  Vector<double> x =
-    of.Kind == SolverKind::Cholesky ? Vector<double>() : Gathered(start, order, context);
+  if (of.Kind == SolverKind::Cholesky)
+  {
+    x.resize(0);
+  }
   ConvergenceMeasure<double> measure;
   measure.Mass = &of.Setup->Mass;
   measure.Reference = Gathered(reference, order, context);
@@ -423,15 +528,27 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
     if (vector->size() > 0)
     {
       SetZero(*vector, of.Held, context);
+      SetZero(*vector, unprescribed, context);
     }
   }
-  if (of.Nested)
+  if (of.Prescribed.Unknowns.empty())
   {
+    x = Vector<double>::Zero(order.size());
+    of.Report.SolveSeconds = 0.0;
+  }
+  else if (of.Nested)
+  {
+    Vector<double> b = of.RightHandSide(values, context);
     of.Nested->Solve(b, of.Options.Nested, x, of.Report, context, measure);
   }
   else
   {
+    Vector<double> b = of.RightHandSide(values, context);
     of.Iterate(b, stop, measure, x, context);
+  }
+  if (!unprescribed.empty())
+  {
+    of.FindSmoothest(std::move(smoothest), stop, x, context);
   }
   if (of.Prescribed.Kind == ConstraintKind::Hard)
   {

@@ -24,7 +24,17 @@ struct MultigridSetup
   Vector<double> Mass;
   /// Harmonic fields, a column each, orthonormal: the kernel of the roughness, which cycles hold only nearly.
   Eigen::MatrixXd Kernel;
+  /// Whether components without prescriptions get the smoothest field of unit norm, the lowest eigenvector of R in
+  /// Mass; else zero.
+  bool HasSmoothest = false;
+  double Area = 1.0;             ///< of the surface
+  double SquaredNormOfUnit = 1.0; ///< in Mass, of a field of magnitude 1
   std::string KernelNote; ///< for reports: why Kernel is left out, or empty
+
+  double MassOf(int unknown) const
+  {
+    return this->Mass[this->Mass.size() * unknown / this->Hierarchy->NumberOfUnknowns()];
+  }
 
   /// Kernel in the caller's order.
   Eigen::MatrixXd HarmonicFields() const;

@@ -43,6 +43,8 @@ struct SolveReport
   double SolveSeconds = 0.0;
   std::vector<IterationReport> Iterations;
   bool Converged = false;
+  /// Of the smoothest field of unit norm on each component without prescriptions.
+  std::vector<double> Eigenvalues;
   std::vector<std::string> Warnings; ///< one sentence each, for the user
 
   /// Non-zeros of all levels over those of the finest; 1 for a direct solver.

@@ -111,8 +111,11 @@ public:
   {
     const bool areConnected = std::all_of(components.begin(), components.end(),
       [&components](int component) { return component == components[0]; });
+    this->CountOfComponents =
+      areConnected ? 1 : 1 + *std::max_element(components.begin(), components.end());
     this->Components = areConnected ? std::vector<int>() : std::move(components);
   }
+  int NumberOfComponents() const { return this->CountOfComponents; }
   int ComponentOf(int unknown) const
   {
     return this->Components.empty() ? 0 : this->Components[unknown];
@@ -157,6 +160,9 @@ protected:
   {
     return static_cast<long long>((this->Order.size() + this->Components.size()) * sizeof(int));
   }
+
+private:
+  int CountOfComponents = 1;
 };
 
 }

@@ -1,0 +1,271 @@
+// Fields where nothing is prescribed: the lowest eigenvectors of the roughness.
+
+#include "Discretisations/MakeDiscretisation.h"
+#include "FieldSolver.h"
+#include "Operators/FieldTopology.h"
+#include "Operators/PowerFieldDirections.h"
+#include "Support/ComplexPairs.h"
+#include "Support/MeshFactory.h"
+#include "Support/TbbContext.h"
+
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <string>
+#include <vector>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+FieldOptions OptionsOf(DiscretisationKind kind, int N, SolverKind solver = SolverKind::Automatic)
+{
+  FieldOptions options;
+  options.Field.Kind = kind;
+  options.Field.N = N;
+  options.Solver.Kind = solver;
+  return options;
+}
+
+/// The lowest eigenvalue by a dense eigensolver, with the integral over the surface as inner product.
+double LowestEigenvalue(const FramedMesh& surface, const FieldOptions& options)
+{
+  const auto field = MakeDiscretisation(options.Field, surface);
+  const auto hierarchy = field->Assemble(nullptr, CoarseSpaceKind::Nodal, SerialContext());
+  const auto R = hierarchy->Operator();
+  const int size = field->NumberOfUnknowns();
+  R->SetDiagonal(Vector<double>::Zero(size), SerialContext());
+  Eigen::MatrixXd matrix(size, size);
+  Vector<double> column;
+  for (int i = 0; i < size; ++i)
+  {
+    R->Apply(Vector<double>::Unit(size, i), column, SerialContext());
+    matrix.col(i) = column;
+  }
+  const Vector<double> mass = field->Mass(SerialContext());
+  Vector<double> ofUnknowns(size);
+  for (int i = 0; i < size; ++i)
+  {
+    ofUnknowns[i] = mass[i * mass.size() / size];
+  }
+  const double lowest = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(
+    matrix, Eigen::MatrixXd(ofUnknowns.asDiagonal()), Eigen::EigenvaluesOnly)
+                          .eigenvalues()[0];
+  return lowest * field->SquaredNormOfUnit(mass) / surface.Mesh.FaceAreas().sum();
+}
+
+FieldTopology TopologyOf(const FieldSolver& solver)
+{
+  const auto& [mesh, faces, vertices] = solver.Surface();
+  const Points directions = solver.Directions(0);
+  Vector<Complex> first(directions.rows());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    first[face] = faces.ToComplex(face, directions.row(face).transpose());
+  }
+  return TopologyOfField(mesh, faces, first, solver.Field().DirectionsPerPoint());
+}
+
+/// How many singularities have which index, a multiple of 1 / N.
+std::map<int, int> SingularitiesOf(const FieldSolver& solver)
+{
+  std::map<int, int> numbers;
+  for (const double index : TopologyOf(solver).Indices)
+  {
+    const int times = static_cast<int>(std::lround(index * solver.Field().DirectionsPerPoint()));
+    if (times != 0)
+    {
+      ++numbers[times];
+    }
+  }
+  return numbers;
+}
+
+/// Its area is 4 pi.
+Surface Ellipsoid(int subdivisions, const Vector3& axes)
+{
+  Surface surface = IrregularSphere(subdivisions, 7);
+  surface.V = surface.V * axes.asDiagonal();
+  return surface;
+}
+
+/// The cube [-1, 1]^3, from a sphere whose points are moved along the rays through its centre.
+Surface Cube(int subdivisions)
+{
+  Surface surface = IrregularSphere(subdivisions, 7, 0.1);
+  for (Eigen::Index v = 0; v < surface.V.rows(); ++v)
+  {
+    surface.V.row(v) /= surface.V.row(v).cwiseAbs().maxCoeff();
+  }
+  return surface;
+}
+
+const std::vector<std::pair<std::string, Surface>>& SmallSurfaces()
+{
+  static const std::vector<std::pair<std::string, Surface>> surfaces{
+    { "sphere", IrregularSphere(2, 3) }, { "ellipsoid", Ellipsoid(2, { 1.0, 1.3, 2.0 }) },
+    { "torus", IrregularTorus(16, 10, 4) }, { "double torus", DoubleTorus(1) },
+    { "plane", IrregularPlane(14, 10, 3) }, { "annulus", Annulus(18, 4) },
+    { "genus 4", PerforatedSlab(2, 2, 1) }
+  };
+  return surfaces;
+}
+
+}
+
+TEST(SmoothestField, HasTheEigenvalueOfADenseSolver)
+{
+  const std::vector<FieldOptions> fields{ OptionsOf(DiscretisationKind::PowerField, 1),
+    OptionsOf(DiscretisationKind::PowerField, 2), OptionsOf(DiscretisationKind::PowerField, 4),
+    OptionsOf(DiscretisationKind::PowerField, 6), OptionsOf(DiscretisationKind::FaceField, 1),
+    OptionsOf(DiscretisationKind::OneForm, 1) };
+  for (const auto& [name, surface] : SmallSurfaces())
+  {
+    for (const FieldOptions& options : fields)
+    {
+      FieldSolver solver(surface.Mesh());
+      solver.Solve({}, options, { 1e-13, 300 });
+      EXPECT_TRUE(solver.Report().Converged) << name;
+      ASSERT_EQ(solver.Report().Eigenvalues.size(), 1u) << name;
+      const double expected = LowestEigenvalue(solver.Surface(), options);
+      const double scale = 1.0 / solver.Surface().Mesh.FaceAreas().sum();
+      EXPECT_NEAR(solver.Report().Eigenvalues[0], expected, 1e-9 * expected + 1e-10 * scale)
+        << name << ", " << solver.Field().Name();
+    }
+  }
+}
+
+// The factor that small surfaces take and the cycles of large ones find the same field, if it is the only one.
+TEST(SmoothestField, IsTheSameBySolversOfAllKinds)
+{
+  for (const DiscretisationKind kind :
+    { DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
+  {
+    const TriangleMesh mesh = Ellipsoid(4, { 1.0, 1.3, 2.0 }).Mesh();
+    FieldSolver factored(mesh);
+    factored.Solve({}, OptionsOf(kind, 1, SolverKind::Cholesky), { 1e-12, 100 });
+    const double expected = factored.Report().Eigenvalues[0];
+    for (const SolverKind solverKind : { SolverKind::ConjugateGradients, SolverKind::VCycles,
+           SolverKind::NestedIterations, SolverKind::CoarseProlongation })
+    {
+      FieldSolver solver(mesh);
+      solver.Solve({}, OptionsOf(kind, 1, solverKind), { 1e-12, 100 });
+      EXPECT_TRUE(solver.Report().Converged);
+      EXPECT_LE(solver.Report().Iterations.size(), 40u);
+      EXPECT_NEAR(solver.Report().Eigenvalues[0], expected, 1e-9 * expected);
+    }
+  }
+}
+
+// The spheres' are those of Knoeppel et al. 2013, figures 1 and 4: 2 N singularities of index 1 / N.
+TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
+{
+  const auto expectAll = [](const Surface& surface, int N, int number) {
+    FieldSolver solver(surface.Mesh());
+    solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N), { 1e-12, 300 });
+    EXPECT_EQ(SingularitiesOf(solver), (std::map<int, int>{ { 1, number } })) << "N = " << N;
+  };
+  for (const int N : { 1, 2, 4, 6 })
+  {
+    expectAll(IrregularSphere(4, 3), N, 2 * N);
+    expectAll(Ellipsoid(4, { 1.0, 1.2, 1.5 }), N, 2 * N);
+  }
+  // At its corners.
+  expectAll(Cube(4), 4, 8);
+  FieldSolver cube(Cube(4).Mesh());
+  cube.Solve({}, OptionsOf(DiscretisationKind::PowerField, 4));
+  const Vector<double> indices = TopologyOf(cube).Indices;
+  for (int v = 0; v < indices.size(); ++v)
+  {
+    if (indices[v] > 0.1)
+    {
+      EXPECT_GE(cube.Surface().Mesh.Position(v).norm(), 1.6) << v;
+    }
+  }
+}
+
+TEST(SmoothestField, HasIndicesThatSumToTheEulerCharacteristic)
+{
+  const std::map<std::string, int> characteristics{ { "sphere", 2 }, { "ellipsoid", 2 },
+    { "torus", 0 }, { "double torus", -2 }, { "plane", 1 }, { "annulus", 0 }, { "genus 4", -6 } };
+  for (const auto& [name, surface] : SmallSurfaces())
+  {
+    for (int N = 1; N <= 6; ++N)
+    {
+      FieldSolver solver(surface.Mesh());
+      solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N));
+      const FieldTopology topology = TopologyOf(solver);
+      double sum = topology.Indices.sum();
+      for (const BoundaryLoop& loop : topology.Loops)
+      {
+        sum += loop.Index;
+      }
+      EXPECT_NEAR(sum, characteristics.at(name), 1e-9) << name << ", N = " << N;
+    }
+  }
+}
+
+// Harmonic fields have no roughness.
+TEST(SmoothestField, IsHarmonicWhereTheSurfaceHasHandlesOrHoles)
+{
+  for (const Surface& surface : { IrregularTorus(48, 24, 4), Annulus(60, 12), DoubleTorus(3) })
+  {
+    for (const DiscretisationKind kind : { DiscretisationKind::FaceField, DiscretisationKind::OneForm })
+    {
+      for (const SolverKind solverKind : { SolverKind::ConjugateGradients, SolverKind::Cholesky })
+      {
+        FieldSolver solver(surface.Mesh());
+        solver.Solve({}, OptionsOf(kind, 1, solverKind));
+        EXPECT_TRUE(solver.Report().Converged);
+        const double area = solver.Surface().Mesh.FaceAreas().sum();
+        EXPECT_NEAR(solver.Report().Eigenvalues[0] * area, 0.0, 1e-6);
+        // The masses of edges are areas on the average over directions.
+        EXPECT_NEAR(solver.Directions(0).rowwise().squaredNorm().dot(solver.Surface().Mesh.FaceAreas()),
+          area, 0.2 * area);
+      }
+    }
+  }
+}
+
+// Each component has what it would have alone.
+TEST(SmoothestField, StandsBesideGuidedComponents)
+{
+  const Surface guided = IrregularTorus(48, 24, 4);
+  const Surface other = Ellipsoid(3, { 1.0, 1.3, 2.0 });
+  for (const DiscretisationKind kind :
+    { DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
+  {
+    const StoppingCriteria stop{ 1e-11, 200 };
+    FieldOptions options = OptionsOf(kind, 2, SolverKind::ConjugateGradients);
+    options.Constraints = ConstraintKind::Hard; // the weights of soft ones know the whole surface
+    const PrescribedDirections directions{
+      { { 5, Vector3(0.3, 0.2, 0.9), 1.0 }, { 700, Vector3(0.3, -0.2, 0.5), 1.0 } }, {}, {}
+    };
+    FieldSolver both(Union(guided, other, Vector3(5.0, 0.0, 0.0)).Mesh());
+    both.Solve(directions, options, stop);
+    FieldSolver first(guided.Mesh());
+    first.Solve(directions, options, stop);
+    FieldSolver second(other.Mesh());
+    second.Solve({}, options, stop);
+    EXPECT_TRUE(both.Report().Converged);
+    EXPECT_TRUE(both.Report().Warnings.empty());
+    const Points directionsOfBoth = both.Directions(0);
+    EXPECT_LE((directionsOfBoth.topRows(guided.F.rows()) - first.Directions(0)).norm(),
+      1e-5 * first.Directions(0).norm());
+    ASSERT_EQ(both.Report().Eigenvalues.size(), 1u);
+    EXPECT_NEAR(both.Report().Eigenvalues[0], second.Report().Eigenvalues[0],
+      1e-8 * second.Report().Eigenvalues[0]);
+  }
+}
+
+TEST(SmoothestField, HasTheSameBitsForAnyNumberOfThreads)
+{
+  const TriangleMesh mesh = IrregularSphere(5, 3).Mesh();
+  FieldSolver one(mesh);
+  FieldSolver three(mesh);
+  const FieldOptions options = OptionsOf(DiscretisationKind::PowerField, 4, SolverKind::ConjugateGradients);
+  EXPECT_EQ(one.Solve({}, options), three.Solve({}, options, {}, TbbContext(3)));
+}
