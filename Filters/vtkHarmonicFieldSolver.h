@@ -29,6 +29,12 @@
  *   mean one. What is shown is its gradient. For potentials and harmonic functions. Values are prescribed at
  *   points: where the mask is not zero, or, without a mask, where they are not NaN.
  *
+ * Where nothing is prescribed, on the whole surface or on one of its components, the field is the smoothest one: of
+ * least roughness among those of mean square magnitude 1 (Knoeppel et al. 2013, "Globally optimal direction
+ * fields"), the eigenvector of the lowest eigenvalue of the roughness in the field's mass. Of face fields and 1-forms it is a
+ * harmonic field where the surface has one. Where the eigenvalue is multiple, as on spheres, any of its fields would
+ * do as well; which one comes out depends on the numbering of the triangles. A function is zero there.
+ *
  * N is 1 for the latter three. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
  * 6.3.
  *
@@ -131,7 +137,7 @@
  * | ---------------- | ------- | --------------------------------------------- |
  * | Iteration        | -       | 0 for the start                               |
  * | Seconds          | seconds | since the solve began                         |
- * | RelativeResidual | -       | norm of the residual over that of the right-hand side |
+ * | RelativeResidual | -       | norm of the residual over that of the right-hand side; where nothing is prescribed, how far the eigenvalue is above the lowest, about, relative to it |
  * | Energy           | -       | what the system minimises, less its value at X = 0 |
  * | MassResidual     | -       | residual in the mass norm ("energy" in the thesis, section 6.4) |
  * | Error            | -       | of X against Cholesky in the mass norm; with CompareWithCholesky |
@@ -150,6 +156,7 @@
  * | PrepareSeconds     | double | 1       | last system stage                                 |
  * | SolveSeconds       | double | 1       | last solve                                        |
  * | SolverBytes        | double | 1       | memory held by matrices, transfers and factors    |
+ * | Eigenvalues        | double | components | roughness of the smoothest field per area, 1 / length^2, for each component without prescriptions; only where there are some |
  * | HarmonicBasisSize  | int    | 1       | k, the arrays of HarmonicBasis; only where it acts |
  * | GuidesTaken        | int    | 1       | elements of guides that prescribe a face          |
  * | GuidesTooFar       | int    | 1       | those left out, at least in part, beyond MaximumDistance |

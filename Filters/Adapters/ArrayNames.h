@@ -43,6 +43,7 @@ inline constexpr const char* SetupSeconds = "SetupSeconds";
 inline constexpr const char* PrepareSeconds = "PrepareSeconds";
 inline constexpr const char* SolveSeconds = "SolveSeconds";
 inline constexpr const char* SolverBytes = "SolverBytes";
+inline constexpr const char* Eigenvalues = "Eigenvalues";
 inline constexpr const char* HarmonicBasisSize = "HarmonicBasisSize";
 inline constexpr const char* GuidesTaken = "GuidesTaken";
 inline constexpr const char* GuidesTooFar = "GuidesTooFar";

@@ -89,15 +89,16 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
   const GuidesOnSurface followed = BringToSurface(guides, surface, framed, context);
   directions.OnFaces.insert(
     directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
-  if (directions.OnFaces.empty() && directions.AtVertices.empty() && directions.Values.empty())
+  const bool isEmpty =
+    directions.OnFaces.empty() && directions.AtVertices.empty() && directions.Values.empty();
+  if (isEmpty && !followed.Report.IsAllTaken())
   {
-    const std::string leftOut = followed.Report.LeftOut();
-    throw InvalidInput("no direction is prescribed; " +
-      (leftOut.empty()
-          ? "choose an array of vectors on the surface for Directions and a Mask, if any, that is "
-            "not zero everywhere, connect lines or points with vectors to Guides, or, for a Function, choose "
-            "an array of numbers for Values"
-          : leftOut));
+    throw InvalidInput("no direction is prescribed; " + followed.Report.LeftOut());
+  }
+  if (isEmpty && HasArray(onSurface.Vectors, surface))
+  {
+    throw InvalidInput("no direction is prescribed: the directions of the surface are zero, or its mask is; "
+                       "choose other arrays for Directions and Mask, or none for the smoothest field");
   }
   return { std::move(directions), followed.Report };
 }

@@ -20,7 +20,8 @@ struct Prescription
 /// take no part. Guides prescribe faces.
 ///
 /// \param surface that \p framed was made from.
-/// \throw InvalidInput as FindArrays, VisitPrescribed and BringToSurface; nothing is prescribed.
+/// \return without directions where nothing is chosen and guides are empty.
+/// \throw InvalidInput as FindArrays, VisitPrescribed and BringToSurface; what is chosen prescribes nothing.
 /// \throw Cancelled
 /// Cost: linear, besides the guides.
 Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface,

@@ -8,6 +8,7 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dmg
@@ -77,6 +78,13 @@ void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldDa
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::PrepareSeconds, report.PrepareSeconds);
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::SolveSeconds, report.SolveSeconds);
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::SolverBytes, static_cast<double>(report.Bytes));
+  if (!report.Eigenvalues.empty())
+  {
+    const auto eigenvalues = NewArray(
+      ArrayNames::Eigenvalues, 1, static_cast<vtkIdType>(report.Eigenvalues.size()));
+    std::copy(report.Eigenvalues.begin(), report.Eigenvalues.end(), eigenvalues->GetPointer(0));
+    fieldData->AddArray(eigenvalues);
+  }
 }
 
 }

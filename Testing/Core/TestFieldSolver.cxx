@@ -193,7 +193,9 @@ TEST(FieldSolver, AnErrorLeavesWhatStands)
   wrong = {};
   wrong.Field.N = 9;
   EXPECT_THROW(solver.Solve(Directions(mesh), wrong), InvalidInput);
-  EXPECT_THROW(solver.Solve({}, FieldOptions()), InvalidInput);
+  wrong = {};
+  wrong.Field.Kind = DiscretisationKind::ScalarFunction;
+  EXPECT_THROW(solver.Solve({}, wrong), InvalidInput);
   EXPECT_EQ(solver.Solve(Directions(mesh), {}), field);
   EXPECT_EQ(solver.Counts().Solves, 1);
 }

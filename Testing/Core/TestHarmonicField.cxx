@@ -372,8 +372,6 @@ TEST(HarmonicField, RefusesWhatItCannotSolve)
 {
   const Prepared on(Icosphere(2));
   FieldOptions options;
-  EXPECT_THROW(PowerFieldProblem(on.Framed, nullptr, {}, options, SerialContext()),
-    InvalidInput);
   options.Solver.Kind = SolverKind::NestedIterations;
   EXPECT_THROW(PowerFieldProblem(on.Framed, nullptr, Every(10, 320), options,
                  SerialContext()),

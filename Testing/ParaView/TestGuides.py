@@ -138,16 +138,19 @@ ACTIVE = {
     "vectors without a name": lambda: three_points(name=None),
 }
 
+# Nothing to follow: the smoothest field.
+EMPTY = {
+    "nothing": lambda: producer(vtkPolyData()),
+    "group of nothing": lambda: producer(vtkMultiBlockDataSet()),
+    "group of tables": group_of_tables,
+}
+
 # One error. By name: the source, the array that is chosen, if any, and words of the message.
 ERRORS = {
     "points without vectors": (simple.PointSource, None, "neither lines nor vectors.*Calculator"),
     "image without vectors": (simple.Wavelet, None, "neither lines nor vectors.*Calculator"),
     "image without the array": (simple.Wavelet, "D", "array 'D'.*choose"),
     "scalars": (simple.Wavelet, "RTData", "array 'RTData'.*3 numbers.*choose"),
-    "nothing": (lambda: producer(vtkPolyData()), "D", "no direction is prescribed"),
-    "group of nothing": (
-        lambda: producer(vtkMultiBlockDataSet()), "D", "no direction is prescribed"),
-    "group of tables": (group_of_tables, "D", "no direction is prescribed"),
     "table": (simple.Text, "D", "is a vtkTable.*Table To Points"),
     "hyper tree grid": (simple.HyperTreeGridRandom, "D", "is a vtkHyperTreeGrid.*connect"),
     "graph": (
@@ -192,6 +195,15 @@ def check_field(source, array, elements="POINTS"):
     expected /= np.linalg.norm(expected, axis=1, keepdims=True)
     directions = vtk_to_numpy(cells.GetArray("Direction0"))
     assert np.abs(directions - expected)[held].max() < 1e-6  # points in single precision
+
+
+def check_smoothest(source):
+    solver = solver_of(source(), "D")
+    solver.UpdatePipeline()
+    report = simple.servermanager.Fetch(solver).GetFieldData()
+    assert report.GetArray("Converged").GetValue(0) == 1
+    assert report.GetArray("Eigenvalues").GetNumberOfTuples() == 1
+    assert report.GetArray("GuidesTaken").GetValue(0) == 0
 
 
 def check_error(source, array):
@@ -310,6 +322,8 @@ def cases():
         yield name, functools.partial(check_field, source, "D", "CELLS"), None
     for name, source in ACTIVE.items():
         yield name, functools.partial(check_field, source, None), None
+    for name, source in EMPTY.items():
+        yield name, functools.partial(check_smoothest, source), None
     for name, (source, array, words) in ERRORS.items():
         yield name, functools.partial(check_error, source, array), "ERR.*" + words
 

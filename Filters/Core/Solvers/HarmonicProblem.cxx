@@ -491,7 +491,7 @@ void HarmonicProblem::Internals::FindSmoothest(Vector<double> start, const Stopp
       x[i] = std::sqrt(share * setup.SquaredNormOfUnit) * start[i];
     }
     this->Report.Eigenvalues.push_back(
-      (theta[part] - this->Shifts[part]) * setup.SquaredNormOfUnit / setup.Area);
+      std::max(theta[part] - this->Shifts[part], 0.0) * setup.SquaredNormOfUnit / setup.Area);
   }
   if (this->Prescribed.Unknowns.empty())
   {
