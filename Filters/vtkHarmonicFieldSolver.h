@@ -459,7 +459,9 @@ public:
   /**
    * Whether Direction0 is chosen to continue from face to face wherever possible (combing), or is
    * the principal root in each frame. On, Direction0 jumps only along cuts, which streamlines and
-   * line integral convolution need; off saves a little time. Default on.
+   * line integral convolution need; off saves a little time. While guides move, Direction0 of a cell goes on as
+   * the direction that is nearest to the one before, unless half of the field turns by more than 90 / N degrees
+   * at once; then, and after Combing was off, it is combed anew. Default on.
    */
   vtkSetMacro(Combing, bool);
   vtkGetMacro(Combing, bool);

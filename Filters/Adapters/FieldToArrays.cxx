@@ -83,49 +83,60 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
 
 }
 
-FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, const Vector<double>& unknowns, bool unitLength,
-  bool combing, vtkPolyData* input, const ExecutionContext& context)
+ShownField ShowField(const FramedMesh& framed, const SurfaceNumbering& surface,
+  const Discretisation& discretisation, const Vector<double>& unknowns, bool combing,
+  const ShownField* former, const ExecutionContext& context)
 {
   const TriangleMesh& mesh = framed.Mesh;
   const int N = discretisation.DirectionsPerPoint();
   const Unfilled<Complex> sides = SideDirections(mesh, framed.Faces, context);
   const Unfilled<Corner> corners = Corners(mesh, sides, framed.Faces, framed.Vertices, context);
-  const FieldPowers powers = discretisation.Powers(unknowns, corners, context);
-  context.Checkpoint(0.2);
-  const PrincipalMatching matching = MatchDirections(mesh, sides, powers.Faces, N, context);
-  context.Checkpoint(0.4);
+  ShownField shown{ combing, N, discretisation.Powers(unknowns, corners, context), {}, {}, {}, {} };
+  const Vector<Complex>& powers = shown.Powers.Faces;
+  context.Checkpoint(0.3);
+  const PrincipalMatching matching = MatchDirections(mesh, sides, powers, N, context);
+  context.Checkpoint(0.6);
 
-  FieldArrays arrays{ unitLength, combing, vtkSmartPointer<vtkFieldData>::New(),
-    vtkSmartPointer<vtkFieldData>::New(), nullptr };
-  const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
-  const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
-  // A tree grows in one thread; what does not need it goes on beside.
   std::vector<int> labels;
+  if (combing && former && former->Combing && former->N == N)
+  {
+    labels = LabelsNearTo(former->OnFaces, powers, N, context);
+  }
+  // A tree grows in one thread; what does not need it goes on beside.
   CallBoth(
     context,
     [&] {
-      if (combing)
+      if (combing && labels.empty())
       {
-        labels = CombingLabels(mesh, powers.Faces, matching, N, context);
+        labels = CombingLabels(mesh, powers, matching, N, context);
       }
     },
     [&] {
-      const Vector<double> indices =
-        SingularityIndices(mesh, corners, matching.Turning, N, context);
-      points.Add(ArrayNames::SingularityIndex, 1, indices.data());
-      arrays.Edges = MakeEdges(mesh, surface, matching.Turning, context);
+      shown.Indices = SingularityIndices(mesh, corners, matching.Turning, N, context);
+      shown.Edges = MakeEdges(mesh, surface, matching.Turning, context);
     });
-  context.Checkpoint(0.6);
-  const Vector<Complex> onFaces = FirstDirections(powers.Faces, N, labels, context);
-  const Vector<Complex> atVertices = combing
-    ? FirstDirectionsAtVertices(mesh, corners, onFaces, powers.Vertices, N, context)
-    : FirstDirections(powers.Vertices, N, {}, context);
+  shown.OnFaces = FirstDirections(powers, N, labels, context);
+  shown.AtVertices = combing
+    ? FirstDirectionsAtVertices(mesh, corners, shown.OnFaces, shown.Powers.Vertices, N, context)
+    : FirstDirections(shown.Powers.Vertices, N, {}, context);
+  context.Checkpoint(1.0);
+  return shown;
+}
 
-  cells.AddDirections(framed.Faces, onFaces, N, unitLength);
-  context.Checkpoint(0.8);
-  points.AddDirections(framed.Vertices, atVertices, N, unitLength);
-  for (const ElementValues& values : discretisation.Values(unknowns, powers))
+FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
+  const Discretisation& discretisation, const Vector<double>& unknowns, const ShownField& shown,
+  bool unitLength, vtkPolyData* input, const ExecutionContext& context)
+{
+  FieldArrays arrays{ unitLength, vtkSmartPointer<vtkFieldData>::New(),
+    vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkPolyData>::New() };
+  arrays.Edges->ShallowCopy(shown.Edges);
+  const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
+  const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
+  points.Add(ArrayNames::SingularityIndex, 1, shown.Indices.data());
+  cells.AddDirections(framed.Faces, shown.OnFaces, shown.N, unitLength);
+  context.Checkpoint(0.5);
+  points.AddDirections(framed.Vertices, shown.AtVertices, shown.N, unitLength);
+  for (const ElementValues& values : discretisation.Values(unknowns, shown.Powers))
   {
     switch (values.On)
     {
@@ -136,8 +147,8 @@ FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& su
         points.Add(values.Name, values.Components, values.Values.data());
         break;
       case ElementKind::Edges:
-        AddOnEdges(
-          mesh, surface, values.Name, values.Values, arrays.Edges->GetCellData(), context);
+        AddOnEdges(framed.Mesh, surface, values.Name, values.Values,
+          arrays.Edges->GetCellData(), context);
         break;
     }
   }

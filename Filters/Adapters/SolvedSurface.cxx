@@ -45,6 +45,7 @@ void SolvedSurface::SetSurface(
     auto solver = std::make_unique<FieldSolver>(std::move(surface.Mesh), context);
     this->OfFormerSurfaces = this->Counts();
     this->Arrays.reset();
+    this->Shown.reset();
     this->BasisOfSurface.reset();
     this->Read.clear();
     this->OperatorsSeconds = 0.0;
@@ -89,16 +90,25 @@ std::vector<std::string> SolvedSurface::Solve(const PrescribedDirections& direct
     return {};
   }
   this->Arrays.reset();
+  this->IsShownCurrent = false;
   return this->Report().Warnings;
 }
 
 void SolvedSurface::MakeArrays(
   vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context)
 {
-  if (!this->Arrays || this->Arrays->UnitLength != unitLength || this->Arrays->Combing != combing)
+  if (!this->Shown || !this->IsShownCurrent || this->Shown->Combing != combing)
+  {
+    this->Arrays.reset();
+    this->Shown = ShowField(this->Solver->Surface(), this->Numbers, this->Field(),
+      this->Solver->Unknowns(), combing, this->Shown ? &*this->Shown : nullptr,
+      PartOfContext(context, 0.0, 0.6));
+    this->IsShownCurrent = true;
+  }
+  if (!this->Arrays || this->Arrays->UnitLength != unitLength)
   {
     this->Arrays = MakeFieldArrays(this->Solver->Surface(), this->Numbers, this->Field(),
-      this->Solver->Unknowns(), unitLength, combing, input, context);
+      this->Solver->Unknowns(), *this->Shown, unitLength, input, PartOfContext(context, 0.6, 1.0));
   }
 }
 

@@ -63,7 +63,9 @@ private:
   std::unique_ptr<FieldSolver> Solver;
   /// All operators of this surface that were read.
   std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> Read;
-  std::optional<FieldArrays> Arrays;     ///< of the last solution
+  std::optional<ShownField> Shown;       ///< of the last solution or, if it is not current, one before
+  bool IsShownCurrent = false;
+  std::optional<FieldArrays> Arrays;     ///< of Shown
   std::optional<BasisArrays> BasisOfSurface;
   double SurfaceSeconds = 0.0;
   double OperatorsSeconds = 0.0;

@@ -527,6 +527,53 @@ TEST(Constraints, FromAGuidePrescribeTheNearestFace)
   EXPECT_EQ(PrescribedCells(both), (Cells{ { 5, 1.0 }, { 12, 1.0 }, { 20, 1.0 } }));
 }
 
+// While the prescribed directions turn and move, the first direction of a cell goes on as the nearest one, so that it turns by
+// no more than half a step; and after a jump it is combed as by a new filter.
+TEST(Combing, HoldsStillWhilePrescribedDirectionsMove)
+{
+  constexpr int N = 4;
+  constexpr int Frames = 24;
+  const auto input = PolyDataOf(IrregularSphere(4, 3));
+  const auto solver = NewSolver(input);
+  solver->SetNumberOfDirections(N);
+  const auto directionsOfFrame = [&](double frame) {
+    const double turn = 0.6 * frame * Pi / Frames;
+    AddCellVectors(input, "Given",
+      { { 10, { 1.0, 0.5, -0.25 } }, { 2000, { std::cos(turn), std::sin(turn), 0.3 } },
+        { 3000 + 7 * static_cast<int>(frame), { 0.2, std::sin(turn), std::cos(turn) } } });
+    input->Modified();
+    solver->Update();
+    return CellValues(solver, "Direction0");
+  };
+  const auto cosine = [](const std::vector<double>& a, const std::vector<double>& b, std::size_t cell) {
+    return a[3 * cell] * b[3 * cell] + a[3 * cell + 1] * b[3 * cell + 1] + a[3 * cell + 2] * b[3 * cell + 2];
+  };
+  std::vector<double> former = directionsOfFrame(0);
+  for (int frame = 1; frame < Frames; ++frame)
+  {
+    const std::vector<double> current = directionsOfFrame(frame);
+    for (std::size_t cell = 0; cell < current.size() / 3; ++cell)
+    {
+      ASSERT_GE(cosine(former, current, cell), std::cos(Pi / N) - 1e-6) << frame << ", " << cell;
+    }
+    former = current;
+  }
+
+  solver->SetNumberOfDirections(3);
+  solver->Update();
+  solver->SetNumberOfDirections(N);
+  solver->Update();
+  const auto fresh = NewSolver(input);
+  fresh->SetNumberOfDirections(N);
+  fresh->Update();
+  const std::vector<double> expected = CellValues(fresh, "Direction0");
+  const std::vector<double> combed = CellValues(solver, "Direction0");
+  for (std::size_t cell = 0; cell < combed.size() / 3; ++cell)
+  {
+    ASSERT_GE(cosine(expected, combed, cell), 0.999) << cell;
+  }
+}
+
 // Each of these chooses nothing.
 TEST(Constraints, WithoutThemTheFieldIsTheSmoothest)
 {

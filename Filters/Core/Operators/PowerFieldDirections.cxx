@@ -1,6 +1,7 @@
 #include "Operators/PowerFieldDirections.h"
 
 #include "Operators/PowerFieldOperators.h"
+#include "Support/SparseKernels.h"
 
 #include <algorithm>
 #include <array>
@@ -28,6 +29,12 @@ double Argument(Complex power)
 double AngleOfDirection(Complex power, int k, int N)
 {
   return (Argument(power) + 2.0 * Pi * k) / N;
+}
+
+/// How many times 2 pi / N a direction is ahead of direction 0 of an element.
+double StepsFromFirst(Complex direction, Complex power, int N)
+{
+  return (N * Argument(direction) - Argument(power)) / (2.0 * Pi);
 }
 
 /// Classes of turning, by halfedge: the queue of a tree sorts edges only by them.
@@ -142,6 +149,25 @@ std::vector<int> CombingLabels(const TriangleMesh& mesh, const Vector<Complex>& 
   return std::vector<int>(labels.begin(), labels.end());
 }
 
+std::vector<int> LabelsNearTo(const Vector<Complex>& former, const Vector<Complex>& powers, int N,
+  const ExecutionContext& context)
+{
+  constexpr double LargeTurn = 0.25; // in steps of 2 pi / N
+  std::vector<int> labels(powers.size());
+  const int turned = SumOverBlocks<int>(
+    static_cast<int>(powers.size()), context, [&](int first, int last) {
+      int count = 0;
+      for (int i = first; i < last; ++i)
+      {
+        const double steps = StepsFromFirst(former[i], powers[i], N);
+        labels[i] = former[i] == 0.0 ? 0 : Modulo(static_cast<int>(std::lround(steps)), N);
+        count += std::abs(steps - std::round(steps)) > LargeTurn;
+      }
+      return count;
+    });
+  return 2 * turned > static_cast<int>(powers.size()) ? std::vector<int>() : labels;
+}
+
 Vector<Complex> FirstDirections(const Vector<Complex>& powers, int N,
   const std::vector<int>& labels, const ExecutionContext& context)
 {
@@ -188,9 +214,8 @@ Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh,
       mesh.VisitFan(
         vertex, [&](int h) { sum += corners[h].Turn * ofFaces[TriangleMesh::FaceOf(h)]; });
       const Complex power = vertexPowers[vertex];
-      const double turns = (N * std::arg(sum) - Argument(power)) / (2.0 * Pi);
-      directions[vertex] = std::polar(
-        std::abs(power), AngleOfDirection(power, static_cast<int>(std::lround(turns)), N));
+      const auto step = static_cast<int>(std::lround(StepsFromFirst(sum, power, N)));
+      directions[vertex] = std::polar(std::abs(power), AngleOfDirection(power, step, N));
     }
   });
   return directions;

@@ -38,6 +38,14 @@ PrincipalMatching MatchDirections(const TriangleMesh& mesh, const Unfilled<Compl
 std::vector<int> CombingLabels(const TriangleMesh& mesh, const Vector<Complex>& powers,
   const PrincipalMatching& matching, int N, const ExecutionContext& context = SerialContext());
 
+/// Which direction of each face comes nearest to a former first direction of it: labels that hold still while the field
+/// turns. Where there was none, direction 0.
+/// \return empty where the field is another one: half of the faces have turned by more than a half of what would make
+///   another direction the nearest, pi / (2 N).
+/// \param former first directions of the faces in the same frames, of any length.
+std::vector<int> LabelsNearTo(const Vector<Complex>& former, const Vector<Complex>& powers, int N,
+  const ExecutionContext& context = SerialContext());
+
 /// The first direction of each element in its frame, of the power's magnitude.
 /// \param labels which comes first, per element; empty for direction 0.
 Vector<Complex> FirstDirections(const Vector<Complex>& powers, int N,
