@@ -6,7 +6,7 @@
  * vectors per point, 2 pi / N apart. vtkHarmonicFieldSolver represents it as Discretisation says,
  * by unknowns X, and finds those that minimise
  *
- *   Smoothness * roughness(X) + Alignment * sum over prescribed elements of w_b m_b |X_b - Y_b|^2,
+ *   roughness(X) + Alignment * sum over prescribed elements of w_b m_b |X_b - Y_b|^2,
  *
  * or, with hard constraints, the roughness subject to X_b = Y_b. w_b are the weights that are given; m_b is
  * A_b / (mean A) of a face or of a point, A its area, and, of an edge, its positive mass 2 A_e / |e|^2 (A_e a third of
@@ -77,7 +77,7 @@
  * | index | components | meaning                                    |
  * | ----- | ---------- | ------------------------------------------ |
  * | 0     | 1          | mask (optional): not zero where prescribed |
- * | 1     | 3          | directions; of guides optional, see above  |
+ * | 1     | 3          | directions; by default the active vectors of the points, else of the cells; of guides see above |
  * | 2     | 1          | weight > 0 (optional), by default 1        |
  * | 3     | 1          | values of functions, at points; not of guides |
  *
@@ -248,14 +248,6 @@ public:
    */
   vtkSetClampMacro(ConstraintType, int, Soft, Hard);
   vtkGetMacro(ConstraintType, int);
-  ///@}
-
-  ///@{
-  /**
-   * Weight of the smoothness energy. Default 1; a value that is not positive is an error.
-   */
-  vtkSetMacro(Smoothness, double);
-  vtkGetMacro(Smoothness, double);
   ///@}
 
   ///@{
@@ -537,7 +529,6 @@ private:
   int Discretisation = PowerField;
   int NumberOfDirections = 4;
   int ConstraintType = Soft;
-  double Smoothness = 1.0;
   double Alignment = 1.0;
   double MaximumDistance = 0.1;
   int Solver = Automatic;

@@ -13,7 +13,6 @@ FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter)
   options.Field.Areas = filter->GetVertexAreas() == vtkHarmonicFieldSolver::MixedVoronoi
     ? VertexAreas::MixedVoronoi
     : VertexAreas::Barycentric;
-  options.Smoothness = filter->GetSmoothness();
   options.Alignment = filter->GetAlignment();
   options.Constraints = static_cast<ConstraintKind>(filter->GetConstraintType());
   options.CoarseSpace = static_cast<CoarseSpaceKind>(filter->GetCoarseSpace());

@@ -1027,7 +1027,7 @@ TEST_P(VectorField, HasItsHarmonicBasisWithoutRepeatingAnyStageAndOnce)
   solver->Update();
   EXPECT_EQ(CountsOf(solver), (Counts{ 1, 1, 2 }));
   EXPECT_EQ(firstArray(), kept);
-  solver->SetSmoothness(2.0);
+  solver->SetAlignment(2.0);
   solver->SetSolver(Solver::Cholesky);
   solver->Update();
   EXPECT_EQ(CountsOf(solver), (Counts{ 1, 2, 3 }));

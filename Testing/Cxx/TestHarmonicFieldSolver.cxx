@@ -574,16 +574,29 @@ TEST(Combing, HoldsStillWhilePrescribedDirectionsMove)
   }
 }
 
+TEST(Constraints, AreTheActiveVectorsByDefault)
+{
+  const auto input = PolyDataOf(Icosphere(3));
+  AddCellVectors(input, "Given", { { 12, { 1.0, 1.0, 0.0 } } });
+  input->GetCellData()->SetActiveVectors("Given");
+  vtkNew<vtkHarmonicFieldSolver> solver;
+  solver->SetInputData(input);
+  EXPECT_EQ(PrescribedCells(solver), (Cells{ { 12, 1.0 } }));
+}
+
 // Each of these chooses nothing.
 TEST(Constraints, WithoutThemTheFieldIsTheSmoothest)
 {
-  for (const char* const chosen : { "", "None" })
+  for (const char* const chosen : { static_cast<const char*>(nullptr), "", "None" })
   {
     const auto input = PolyDataOf(Icosphere(3));
     AddCellVectors(input, "Given", { { 12, { 1.0, 1.0, 0.0 } } });
     vtkNew<vtkHarmonicFieldSolver> solver;
     solver->SetInputData(input);
-    solver->SetInputArrayToProcess(1, 0, 0, OnCells, chosen);
+    if (chosen)
+    {
+      solver->SetInputArrayToProcess(1, 0, 0, OnCells, chosen);
+    }
     EXPECT_TRUE(PrescribedCells(solver).empty());
     EXPECT_EQ(Converged(solver), 1);
     // The lowest eigenvalue of crosses on the unit sphere is 4, and twice that with edges of weight 2 sqrt(3).
@@ -676,7 +689,6 @@ protected:
     const auto fresh = NewSolver(vtkPolyData::SafeDownCast(this->Solver->GetInput()));
     fresh->SetSolver(vtkHarmonicFieldSolver::Cholesky);
     fresh->SetNumberOfDirections(this->Solver->GetNumberOfDirections());
-    fresh->SetSmoothness(this->Solver->GetSmoothness());
     fresh->SetAlignment(this->Solver->GetAlignment());
     fresh->SetConstraintType(this->Solver->GetConstraintType());
     fresh->Update();
@@ -777,7 +789,6 @@ TEST_F(Stages, EveryOptionOfTheSystemRepeatsIt)
   int systems = 1;
   const std::function<void(vtkHarmonicFieldSolver*)> changes[] = {
     [](vtkHarmonicFieldSolver* s) { s->SetNumberOfDirections(6); },
-    [](vtkHarmonicFieldSolver* s) { s->SetSmoothness(0.5); },
     [](vtkHarmonicFieldSolver* s) { s->SetExpectedSolves(2); },
     [](vtkHarmonicFieldSolver* s) { s->SetAlignment(3.0); },
     [](vtkHarmonicFieldSolver* s) { s->SetConstraintType(vtkHarmonicFieldSolver::Hard); },
@@ -1160,9 +1171,6 @@ const BadInput BadInputs[] = {
       solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, "Normal");
     },
     { "point 7 of the guide", "cell 600" } },
-  { "SmoothnessNotPositive",
-    [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { solver->SetSmoothness(0.0); },
-    { "moothness" } },
   { "AlignmentNotPositive",
     [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { solver->SetAlignment(-1.0); },
     { "lignment" } },
