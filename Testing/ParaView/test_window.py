@@ -3,7 +3,7 @@
 
     test_window.py PARAVIEW OUTPUT-FOLDER NAME
 
-plays NAME.xml (FieldInTheWindow or GuideInTheWindow), leaves NAME.vtk, as saved by the window, and a
+plays NAME.xml (FieldInTheWindow, GuideInTheWindow or NothingSaidInTheWindow), leaves NAME.vtk, as saved by the window, and a
 screenshot of it in the folder, and checks the former. Needs a display; ParaView has to find the
 plugin by itself.
 """
@@ -15,6 +15,7 @@ import time
 
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkArcSource, vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -80,14 +81,14 @@ def play(paraview, data, result, folder):
         raise SystemExit("ParaView reported errors or wrote no field")
 
 
-def check(result):
+def check(result, N=4):
     reader = vtkPolyDataReader()  # not XML: see README, "Files"
     reader.SetFileName(str(result))
     reader.Update()
     field = reader.GetOutput()
     assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1
     for attributes in (field.GetPointData(), field.GetCellData()):
-        assert attributes.HasArray("Direction0") and attributes.HasArray("Direction3")
+        assert attributes.HasArray("Direction0") and attributes.HasArray(f"Direction{N - 1}")
     # Poincare-Hopf: the indices sum to the Euler characteristic.
     indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
     assert abs(indices.sum() - 2) < 1e-12, indices.sum()
@@ -101,13 +102,28 @@ def check_guide(result):
     assert report.GetArray("GuidesTooFar").GetValue(0) == 0
 
 
+def check_nothing_said(result):
+    """The window shows the smoothest lines: four singularities, and lines and spheres in the colours of the map."""
+    field = check(result, 2)
+    assert field.GetFieldData().GetArray("Eigenvalues").GetNumberOfTuples() == 1
+    indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
+    assert list(indices[indices != 0]) == [0.5] * 4, indices[indices != 0]
+    reader = vtkPNGReader()
+    reader.SetFileName(str(result.with_suffix(".png")))
+    reader.Update()
+    image = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
+    blue = (image[:, 2] > 1.8 * image[:, 0]) & (image[:, 2] > 100)
+    assert blue.sum() > 5000, blue.sum()
+
+
 def main():
     paraview, folder, name = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
     folder.mkdir(parents=True, exist_ok=True)
     data, result = folder / f"{name}.vtp", folder / f"{name}.vtk"
     result.unlink(missing_ok=True)
     write_data, check_result = {"FieldInTheWindow": (write_sphere, check),
-                                "GuideInTheWindow": (write_guide, check_guide)}[name]
+                                "GuideInTheWindow": (write_guide, check_guide),
+                                "NothingSaidInTheWindow": (write_sphere, check_nothing_said)}[name]
     write_data(data)
     play(paraview, data, result, folder)
     check_result(result)
