@@ -137,7 +137,7 @@
  * | ---------------- | ------- | --------------------------------------------- |
  * | Iteration        | -       | 0 for the start                               |
  * | Seconds          | seconds | since the solve began                         |
- * | RelativeResidual | -       | norm of the residual over that of the right-hand side; where nothing is prescribed, how far the eigenvalue is above the lowest, about, relative to it |
+ * | RelativeResidual | -       | norm of the residual over that of the right-hand side; where nothing is prescribed, about the relative error of X in the energy norm, times the relative distance to the next eigenvalue |
  * | Energy           | -       | what the system minimises, less its value at X = 0 |
  * | MassResidual     | -       | residual in the mass norm ("energy" in the thesis, section 6.4) |
  * | Error            | -       | of X against Cholesky in the mass norm; with CompareWithCholesky |
@@ -422,8 +422,10 @@ public:
 
   ///@{
   /**
-   * The solve stops at this norm of the residual relative to the right-hand side's. Default 1e-8,
-   * range 1e-14 to 1.
+   * The solve stops at this norm of the residual relative to the right-hand side's. At 1e-4, the default, directions are
+   * within 0.05 degrees of those at 1e-12 on 99.9 % of the area and within 1 degree everywhere (20 prescribed cells on
+   * scans of 50,000 to 150,000 triangles), which neither a picture nor a remesher can tell; at 1e-3 these are 0.9 and
+   * 6 degrees. Choose 1e-8 for computations that go on with the numbers. Range 1e-14 to 1.
    */
   vtkSetClampMacro(Tolerance, double, 1e-14, 1.0);
   vtkGetMacro(Tolerance, double);
@@ -542,7 +544,7 @@ private:
   int StartingLevel = -1;
   int VertexAreas = MixedVoronoi;
   bool CompareWithCholesky = false;
-  double Tolerance = 1e-8;
+  double Tolerance = 1e-4;
   int MaximumNumberOfIterations = 100;
   bool UnitLength = true;
   bool Combing = true;

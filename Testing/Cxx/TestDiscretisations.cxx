@@ -35,6 +35,7 @@ vtkSmartPointer<Solver> NewSolver(vtkPolyData* input, int discretisation)
   solver->SetInputData(input);
   solver->SetInputArrayToProcess(1, 0, 0, OnCells, "Given");
   solver->SetDiscretisation(discretisation);
+  solver->SetTolerance(1e-8);
   return solver;
 }
 

@@ -31,6 +31,7 @@ vtkSmartPointer<vtkHarmonicFieldSolver> NewSolver(vtkPolyData* input, int associ
   auto solver = vtkSmartPointer<vtkHarmonicFieldSolver>::New();
   solver->SetInputData(input);
   solver->SetInputArrayToProcess(1, 0, 0, association, "Given");
+  solver->SetTolerance(1e-8);
   return solver;
 }
 
