@@ -384,7 +384,7 @@ void BlockGroups::Renumber(
 }
 
 BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-  const std::vector<int>& strips, const ExecutionContext& context)
+  const ExecutionContext& context)
 {
   for (int k = 0; k < blocks.Size(); ++k)
   {
@@ -398,7 +398,7 @@ BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blo
   std::vector<int> lengths(Bt.cols(), 0); // of the rows of B
   std::for_each(
     Bt.innerIndexPtr(), Bt.innerIndexPtr() + Bt.nonZeros(), [&lengths](int row) { ++lengths[row]; });
-  const BlockTiles tiles(Bt, blocks, strips, context);
+  const BlockTiles tiles(Bt, blocks, context);
   std::vector<GroupsOfTile> ofTiles(tiles.Size());
   const int grain = std::max(1, tiles.Size() / (4 * context.NumberOfThreads()));
   context.ParallelFor(0, tiles.Size(), grain, [&](int first, int last) {
@@ -410,7 +410,7 @@ BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blo
   });
 
   BlockGroups groups;
-  groups.NeighboursOfTiles = tiles.Neighbours();
+  groups.ColoursOfTiles = tiles.ColoursOfTiles();
   std::size_t indices = 0;
   for (const GroupsOfTile& tile : ofTiles)
   {

@@ -1,8 +1,6 @@
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
 
 #include "Solvers/Direct/ShiftedFactor.h"
-#include "Solvers/LeastSquares/BlockStrips.h"
-#include "Solvers/LeastSquares/BlockTiles.h"
 #include "Solvers/LeastSquares/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -22,9 +20,6 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
-// Unknowns in strips, which are thin, would make the set-up slower, as what is near on the surface is then far
-// apart; those in the order of coarse unknowns alone would be far from their places in the smoother.
-constexpr int StripsOfBand = 8;
 
 template <class Scalar>
 int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
@@ -176,36 +171,26 @@ void SortTilesByLength(
     });
 }
 
-struct Arrangement
-{
-  std::vector<int> Order; ///< of the unknowns
-  BlockStrips Strips;
-};
-
-/// Blocks by the coarse unknowns that they belong to, in bands of a few strips; unknowns as the blocks come to
-/// them, and rows of B as the unknowns do.
-Arrangement RenumberHierarchically(
+/// Blocks by the coarse unknowns that they belong to; unknowns as the blocks come to them, and rows of B as the
+/// unknowns do.
+/// \return the order of the unknowns.
+std::vector<int> RenumberHierarchically(
   SparseMatrix<double>& B, LeastSquaresLevels& levels, const ExecutionContext& context)
 {
   PlanarProlongation& P = levels.Prolongation;
   UnknownBlocks& blocks = levels.Blocks;
   const int unknowns = static_cast<int>(B.cols());
   const int rows = static_cast<int>(B.rows());
-  blocks = Permuted(blocks,
-    SortByKey(Identity(blocks.Size()), std::max(1, static_cast<int>(P.cols())),
-      [&](int k) { return FirstColumn(P, blocks.Unknowns[blocks.Offsets[k]], 0); }, context).Items,
-    Identity(unknowns));
-  const SparseMatrix<double> Bt = Adjoint(B, context);
-  BlockStrips strips = StripsOf(Bt, blocks, BlockTiles::SizeFor(blocks.Size()), context);
-  const std::vector<int> blockOrder =
-    SortByKey(Identity(blocks.Size()), strips.Size / StripsOfBand + 1,
-      [&strips](int k) { return strips.OfBlocks[k] / StripsOfBand; }, context).Items;
-  std::vector<int> order;
+  const SortedItems byCoarse = SortByKey(Identity(blocks.Size()),
+    std::max(1, static_cast<int>(P.cols())),
+    [&](int k) { return FirstColumn(P, blocks.Unknowns[blocks.Offsets[k]], 0); }, context);
+  blocks = Permuted(blocks, byCoarse.Items, Identity(unknowns));
+  const std::vector<int> order =
+    ByFirstOccurrence(blocks.Unknowns.begin(), blocks.Unknowns.end(), unknowns);
   std::vector<int> rowOrder;
   {
-    const UnknownBlocks inOrder = Permuted(blocks, blockOrder, Identity(unknowns));
-    order = ByFirstOccurrence(inOrder.Unknowns.begin(), inOrder.Unknowns.end(), unknowns);
-    const SparseMatrix<double> rowsOfUnknowns = Permuted(Bt, order, Identity(rows), context);
+    const SparseMatrix<double> rowsOfUnknowns =
+      Permuted(Adjoint(B, context), order, Identity(rows), context);
     rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
       rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), rows);
   }
@@ -221,16 +206,7 @@ Arrangement RenumberHierarchically(
   PlanarProlongation permutedP =
     Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
   P.swap(permutedP);
-  return { std::move(order), std::move(strips) };
-}
-
-SchwarzBlocks BlocksByStrips(const SparseMatrix<double>& Bt, UnknownBlocks blocks,
-  const BlockStrips& strips, const ExecutionContext& context)
-{
-  const SortedItems byStrips = SortByKey(Identity(blocks.Size()), strips.Size,
-    [&strips](int block) { return strips.OfBlocks[block]; }, context);
-  blocks = Permuted(blocks, byStrips.Items, Identity(static_cast<int>(Bt.rows())));
-  return SchwarzBlocks(Bt, blocks, byStrips.Begins, context);
+  return order;
 }
 
 double Dropped(const LeastSquaresHierarchyOptions& options, Eigen::Index unknowns)
@@ -245,7 +221,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   const LeastSquaresHierarchyOptions& options, const ExecutionContext& context)
 {
   CheckLevels(levels, B.cols());
-  Arrangement arrangement = RenumberHierarchically(B, levels, context);
+  std::vector<int> order = RenumberHierarchically(B, levels, context);
   SparseMatrix<double> Bt = Adjoint(B, context);
   Vector<double> scales = ScalesOfColumns(B, Bt, context);
   const auto one = [](int) { return 1.0; };
@@ -271,11 +247,11 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   GiveBackFreedMemory();
   context.Checkpoint(0.8);
 
-  LeastSquaresHierarchy hierarchy(BlocksByStrips(Bt, std::move(levels.Blocks), arrangement.Strips, context));
+  LeastSquaresHierarchy hierarchy(SchwarzBlocks(Bt, levels.Blocks, context));
   hierarchy.Prolongation = std::move(prolongation);
   hierarchy.CoarseLower.swap(lower); // an assignment would copy
   hierarchy.SetComponents(ConnectedColumns(B));
-  hierarchy.Order = std::move(arrangement.Order);
+  hierarchy.Order = std::move(order);
   hierarchy.Scales = std::move(scales);
   hierarchy.Diagonal = SquaredLengthsOfRows(Bt, context).cast<float>();
   hierarchy.Tiles = RowTiles(B);
