@@ -222,7 +222,7 @@ void MeasurePowers(const LaplacianHierarchy& hierarchy, int runs, KernelsTable& 
     BytesOf(hierarchy.L) + 2.0 * sizeof(double) * hierarchy.NumberOfUnknowns(), runs, table, context);
   MeasureInterpolation<Vector<Complex>, std::complex<float>, float>(hierarchy.Prolongation,
     Vector<Complex>(hierarchy.CoarseLower.rows()), runs, table, context);
-  const Vector<float> inverseDiagonal = hierarchy.Diagonal.cwiseInverse().cast<float>();
+  const Vector<float> inverseDiagonal = hierarchy.L.diagonal().real().cwiseInverse().cast<float>();
   const auto smoother = Smoother<std::complex<float>>::NewWithDiagonal(
     hierarchy.Sweeps, inverseDiagonal, SweepsOfLevels());
   MeasureSweeps(hierarchy.Sweeps, *smoother, 0, runs, table, context);

@@ -57,13 +57,13 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
     for (int k = first; k < last; ++k)
     {
       // An isolated unknown without a penalty is held as well.
-      const double diagonal = this->Fine.Diagonal[k] + D[2 * k];
+      const double diagonal = this->Fine.DiagonalOf(2 * k) + D[2 * k];
       this->InverseDiagonal[k] = diagonal > 0.0 ? static_cast<float>(1.0 / diagonal) : 0.0f;
     }
   });
   this->Held = Choose(size, [&D](int k) { return !std::isfinite(D[2 * k]); }, context);
   this->Penalised = PenalisedUnknowns<Single>(
-    size, [&D](int k) { return D[2 * k]; }, [this](int k) { return this->Fine.Diagonal[k]; },
+    size, [&D](int k) { return D[2 * k]; }, [this](int k) { return this->Fine.DiagonalOf(2 * k); },
     context);
 }
 

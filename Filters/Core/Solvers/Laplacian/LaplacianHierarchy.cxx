@@ -172,7 +172,6 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
 
 LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
   : RoughnessHierarchy(std::move(other))
-  , Diagonal(std::move(other.Diagonal))
   , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
 {
@@ -194,7 +193,6 @@ void LaplacianHierarchy::SetMatrix(
   ArrangeUpper(matrix, order, places, unscaled, this->Sweeps.Upper, context);
   SparseMatrix<Complex> inColours = Permuted(matrix, order, places, context);
   this->L.swap(inColours); // Eigen 3.4 would copy what is moved
-  this->Diagonal = this->L.diagonal().real();
 }
 
 std::unique_ptr<RoughnessOperator> LaplacianHierarchy::Operator() const
@@ -226,8 +224,7 @@ std::unique_ptr<Preconditioner<double>> LaplacianHierarchy::Factor(
 long long LaplacianHierarchy::Bytes() const
 {
   long long bytes = BytesOf(this->L) + BytesOf(this->Sweeps.Lower) + BytesOf(this->Sweeps.Upper) +
-    this->Prolongation.Bytes() + BytesOf(this->CoarseLower) + this->BytesOfUnknowns() +
-    this->Diagonal.size() * static_cast<long long>(sizeof(double));
+    this->Prolongation.Bytes() + BytesOf(this->CoarseLower) + this->BytesOfUnknowns();
   for (const SparseMatrix<Complex>& P : this->Coarser)
   {
     bytes += BytesOf(P);
