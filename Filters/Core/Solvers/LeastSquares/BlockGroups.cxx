@@ -1,5 +1,6 @@
 #include "Solvers/LeastSquares/BlockGroups.h"
 
+#include "Solvers/Kernels/FirstOccurrences.h"
 #include "Solvers/Kernels/Packs.h"
 #include "Solvers/LeastSquares/BlockTiles.h"
 #include "Support/Errors.h"
@@ -317,36 +318,6 @@ void Append(GroupsOfTile& tile, std::map<Incidence, int>& numbers, BlockGroups& 
   tile = {};
 }
 
-/// Numbers in the order in which they are first said, and then the others.
-class FirstOccurrences
-{
-public:
-  explicit FirstOccurrences(int size)
-    : HaveOccurred(size, 0)
-  {
-    this->Order.reserve(size);
-  }
-  void Say(int number)
-  {
-    if (!std::exchange(this->HaveOccurred[number], 1))
-    {
-      this->Order.push_back(number);
-    }
-  }
-  std::vector<int> Complete()
-  {
-    for (int number = 0; number < static_cast<int>(this->HaveOccurred.size()); ++number)
-    {
-      this->Say(number);
-    }
-    return std::move(this->Order);
-  }
-
-private:
-  std::vector<char> HaveOccurred;
-  std::vector<int> Order;
-};
-
 }
 
 std::vector<int> BlockGroups::OrderOfUnknowns(int unknowns) const
@@ -354,7 +325,7 @@ std::vector<int> BlockGroups::OrderOfUnknowns(int unknowns) const
   FirstOccurrences order(unknowns);
   for (const Group& group : this->Groups)
   {
-    std::for_each(this->Unknowns(group), this->Rows(group), [&order](int unknown) { order.Say(unknown); });
+    order.Say(this->Unknowns(group), this->Rows(group));
   }
   return order.Complete();
 }
@@ -364,8 +335,7 @@ std::vector<int> BlockGroups::OrderOfRows(int rows) const
   FirstOccurrences order(rows);
   for (const Group& group : this->Groups)
   {
-    std::for_each(this->Rows(group), this->Rows(group) + this->PatternOf(group).Rows() * group.Lanes,
-      [&order](int row) { order.Say(row); });
+    order.Say(this->Rows(group), this->Rows(group) + this->PatternOf(group).Rows() * group.Lanes);
   }
   return order.Complete();
 }

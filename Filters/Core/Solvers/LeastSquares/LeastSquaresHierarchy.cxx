@@ -1,6 +1,7 @@
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
 
 #include "Solvers/Direct/ShiftedFactor.h"
+#include "Solvers/Kernels/FirstOccurrences.h"
 #include "Solvers/LeastSquares/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -26,28 +27,6 @@ int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
 {
   const int begin = A.outerIndexPtr()[row];
   return begin < A.outerIndexPtr()[row + 1] ? A.innerIndexPtr()[begin] : otherwise;
-}
-
-/// Numbers 0 to size - 1 in the order in which a sequence comes to them; then those that it does not.
-template <class Iterator>
-std::vector<int> ByFirstOccurrence(Iterator begin, Iterator end, int size)
-{
-  std::vector<int> order;
-  order.reserve(size);
-  std::vector<char> hasOccurred(size, 0);
-  const auto append = [&](int number) {
-    if (!hasOccurred[number])
-    {
-      hasOccurred[number] = 1;
-      order.push_back(number);
-    }
-  };
-  std::for_each(begin, end, append);
-  for (int number = 0; number < size; ++number)
-  {
-    append(number);
-  }
-  return order;
 }
 
 UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& order,
@@ -185,15 +164,17 @@ std::vector<int> RenumberHierarchically(
     std::max(1, static_cast<int>(P.cols())),
     [&](int k) { return FirstColumn(P, blocks.Unknowns[blocks.Offsets[k]], 0); }, context);
   blocks = Permuted(blocks, byCoarse.Items, Identity(unknowns));
-  const std::vector<int> order =
-    ByFirstOccurrence(blocks.Unknowns.begin(), blocks.Unknowns.end(), unknowns);
-  std::vector<int> rowOrder;
+  FirstOccurrences ofUnknowns(unknowns);
+  ofUnknowns.Say(blocks.Unknowns.begin(), blocks.Unknowns.end());
+  const std::vector<int> order = ofUnknowns.Complete();
+  FirstOccurrences ofRows(rows);
   {
     const SparseMatrix<double> rowsOfUnknowns =
       Permuted(Adjoint(B, context), order, Identity(rows), context);
-    rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
-      rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), rows);
+    ofRows.Say(rowsOfUnknowns.innerIndexPtr(),
+      rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros());
   }
+  std::vector<int> rowOrder = ofRows.Complete();
   SortTilesByLength(B, rowOrder, context);
   const std::vector<int> places = Inverse(order, context);
   for (int& unknown : blocks.Unknowns)
