@@ -55,7 +55,7 @@ struct OrderedGrid
     const std::vector<int> places = Inverse(order.Unknowns);
     this->A = Permuted(A, order.Unknowns, places, SerialContext());
     this->Parts.Begins = order.Begins;
-    this->Parts.CoupledTiles = order.CoupledTiles;
+    this->Parts.ColoursOfTiles = order.ColoursOfTiles;
     this->Parts.HavePairs = ordered == Ordered::ByTilesOfPairs;
     const Vector<double> ones = Vector<double>::Ones(A.rows());
     if (this->Parts.HavePairs)
@@ -290,7 +290,7 @@ TEST(TestSinglePrecisionSmoother, PairsAreTakenAtOnce)
   const OrderedGrid<double> grid(5, Ordered::ByTilesOfPairs);
   TriangularParts<float> parts;
   parts.Begins = grid.Parts.Begins;
-  parts.CoupledTiles = grid.Parts.CoupledTiles;
+  parts.ColoursOfTiles = grid.Parts.ColoursOfTiles;
   parts.HavePairs = true;
   parts.Lower = grid.Parts.Lower.cast<float>();
   parts.Upper = grid.Parts.Upper.cast<float>();

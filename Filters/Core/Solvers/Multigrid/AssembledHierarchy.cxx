@@ -1,8 +1,8 @@
 #include "Solvers/Multigrid/AssembledHierarchy.h"
 
 #include "Solvers/Direct/ShiftedFactor.h"
-#include "Solvers/Kernels/SparseDiagonal.h"
 #include "Solvers/Multigrid/GalerkinCycle.h"
+#include "Solvers/Multigrid/MatrixPlusDiagonal.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
 #include "Support/Permutations.h"
@@ -11,29 +11,12 @@
 
 #include <cmath>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace dmg
 {
 namespace
 {
-
-/// Real unknowns of a row.
-template <class Scalar>
-constexpr int PartsOf = std::is_same<Scalar, Complex>::value ? 2 : 1;
-
-template <class Scalar>
-const Scalar* AsRows(const Vector<double>& unknowns)
-{
-  return reinterpret_cast<const Scalar*>(unknowns.data());
-}
-
-template <class Scalar>
-Scalar* AsRows(Vector<double>& unknowns)
-{
-  return reinterpret_cast<Scalar*>(unknowns.data());
-}
 
 /// The rows of a matrix that D leaves free.
 template <class Scalar>
@@ -129,46 +112,6 @@ SparseMatrix<Scalar> FreeRows<Scalar>::Matrix(
   A.finalize();
   return A;
 }
-
-template <class Scalar>
-class AssembledOperator : public RoughnessOperator
-{
-public:
-  explicit AssembledOperator(const SparseMatrix<Scalar>& matrix)
-    : R(matrix)
-  {
-  }
-
-  int Size() const override { return PartsOf<Scalar> * static_cast<int>(this->R.rows()); }
-
-  void SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context) override
-  {
-    this->D = SparseDiagonal(diagonal, context);
-  }
-
-  double Apply(
-    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
-  {
-    y.resize(x.size());
-    const Scalar* const from = AsRows<Scalar>(x);
-    Scalar* const to = AsRows<Scalar>(y);
-    const double ofR = SumOverBlocks<double>(
-      static_cast<int>(this->R.rows()), context, [this, from, to](int first, int last) {
-        double product = 0.0;
-        for (int i = first; i < last; ++i)
-        {
-          to[i] = RowTimes(this->R, i, from);
-          product += Eigen::numext::real(Eigen::numext::conj(from[i]) * to[i]);
-        }
-        return product;
-      });
-    return ofR + this->D.AddProduct(x, y, context);
-  }
-
-private:
-  const SparseMatrix<Scalar>& R;
-  SparseDiagonal D;
-};
 
 template <class Scalar>
 class AssembledCycle : public RoughnessCycle
@@ -327,7 +270,7 @@ double AssembledHierarchy<Scalar>::DiagonalOf(int unknown) const
 template <class Scalar>
 std::unique_ptr<RoughnessOperator> AssembledHierarchy<Scalar>::Operator() const
 {
-  return std::make_unique<AssembledOperator<Scalar>>(this->R);
+  return std::make_unique<MatrixPlusDiagonal<Scalar>>(this->R);
 }
 
 template <class Scalar>

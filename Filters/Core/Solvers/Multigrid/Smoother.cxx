@@ -1,7 +1,7 @@
 #include "Solvers/Multigrid/Smoother.h"
 
+#include "Solvers/Kernels/PartColouring.h"
 #include "Solvers/Kernels/RowRuns.h"
-#include "Solvers/Kernels/TimeSkewedSweeps.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -83,7 +83,7 @@ private:
   const RowRuns<Value> Upper;
 };
 
-/// The same by tiles, which threads take as wholes.
+/// The same by tiles, which threads take as wholes, colour by colour.
 template <class Value>
 class TileSweeps
 {
@@ -92,7 +92,6 @@ public:
 
   explicit TileSweeps(const TriangularParts<Value>& matrix)
     : A(matrix)
-    , Waves(matrix.CoupledTiles, 1) // a sweep begins where the one before ends, and cannot follow it closely
   {
   }
 
@@ -113,8 +112,7 @@ public:
   void Sweep(bool up, bool, const Vector<Value>& x, const Visit& visit, const Leave&,
     const ExecutionContext& context)
   {
-    const bool descending = !up;
-    this->Waves.Run(descending, context, [this, up, &x, &visit](int tile) {
+    ForColours(this->A.ColoursOfTiles, !up, context, [this, up, &x, &visit](int tile) {
       const int begin = this->A.Begins[tile];
       const int end = this->A.Begins[tile + 1];
       for (int k = begin; k < end; ++k)
@@ -132,7 +130,6 @@ private:
   }
 
   const TriangularParts<Value>& A;
-  TimeSkewedSweeps Waves;
 };
 
 /// Sweeps go to and fro. Where a sweep up has just been, the sums over earlier unknowns are those that the
