@@ -208,7 +208,7 @@ void MeasureCoarseLevels(const SparseMatrix<Scalar>& lower,
   Scaled scaled(hierarchy, Scaled::Content::MatricesForSweeps, context);
   for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
   {
-    const auto smoother = Smoother<Value>::New(scaled[l].A, SweepsOfLevels(), context);
+    const auto smoother = Smoother<Value>::New(scaled[l].A, SweepsOfLevels());
     MeasureSweeps(scaled[l].A, *smoother, l + 1, runs, table, context);
   }
 }
