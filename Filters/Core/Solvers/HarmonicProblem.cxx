@@ -27,6 +27,8 @@ constexpr double Infinity = std::numeric_limits<double>::infinity();
 constexpr int Grain = 8192;
 // Who allows fewer wants an answer in that time, and no factor after it.
 constexpr int FewestIterationsBeforeFactor = 100;
+// Times the diagonal of R. Such a penalty holds its unknown to rounding, and a stronger one would drown the rest in it.
+constexpr double StrongestPenalty = 1e13;
 
 RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverTuning& tuning)
 {
@@ -97,6 +99,10 @@ public:
 
   void Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
   Vector<double> RightHandSide(const Vector<double>& values, const ExecutionContext& context) const;
+  /// What penalties alone make of unknowns, D y / (R + D) with the diagonal of R. Solvers start from there: weak penalties
+  /// are nothing to start from, and strong ones hold y but for rounding. Otherwise these would outweigh all the
+  /// rest in residuals.
+  Vector<double> HeldByPenalties(const Vector<double>& values) const;
   /// By a factor, V-cycles or conjugate gradients.
   void Iterate(Vector<double>& b, const StoppingCriteria& stop,
     const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context);
@@ -111,20 +117,22 @@ public:
   const std::string Reason; ///< why it is this
   PrescribedUnknowns Prescribed;
   std::vector<int> Places; ///< of those
+  Vector<double> Penalties; ///< D, of soft ones
   double Smoothness = 1.0;
   std::vector<int> Held; ///< unknowns that are not free, ascending
   std::unique_ptr<RoughnessOperator> A;
   std::unique_ptr<RoughnessCycle> Cycle;
-  std::optional<DeflatedPreconditioner> Deflated; ///< the cycle, where there are harmonic fields
-  std::optional<KernelProjection> Undetermined;   ///< harmonic fields that nothing determines
+  std::optional<DeflatedPreconditioner> Deflated; ///< the cycle or factor, where there are harmonic fields
   std::unique_ptr<Preconditioner<double>> Factor; ///< as soon as cycles have stagnated
   std::unique_ptr<RoughnessNestedIteration> Nested; ///< in place of a cycle
   SolveReport Report;
   std::vector<std::string> SystemWarnings;
 
 private:
-  /// Infinite where an unknown is held.
+  /// D, infinite where an unknown is held.
   Vector<double> DiagonalOfPrescribed(const ExecutionContext& context);
+  double PenaltyOf(int prescribed) const;
+  Vector<double> InverseDiagonal(const Vector<double>& D, const ExecutionContext& context) const;
   void MakeCycle(const Vector<double>& D, const ExecutionContext& context);
   void MakeNested(const Vector<double>& D, const ExecutionContext& context);
   void Deflate(const Vector<double>& D, const ExecutionContext& context);
@@ -147,17 +155,17 @@ void HarmonicProblem::Internals::Prescribe(
 
   this->Factor.reset();
   this->Deflated.reset();
-  this->Undetermined.reset();
   if (!this->A)
   {
     this->A = hierarchy.Operator();
   }
   this->A->SetDiagonal(D, context);
+  this->A->SetInverseDiagonal(this->InverseDiagonal(D, context));
   const PartOfContext most(context, 0.1, 0.9);
-  if (this->Kind == SolverKind::Cholesky || IsNested(this->Kind))
+  if (IsNested(this->Kind))
   {
     this->FindUndetermined(D, context);
-    IsNested(this->Kind) ? this->MakeNested(D, most) : this->MakeCycle(D, most);
+    this->MakeNested(D, most);
   }
   else
   {
@@ -207,11 +215,12 @@ Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionC
   const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
   const int size = hierarchy.NumberOfUnknowns();
   Vector<double> D = Vector<double>::Zero(size);
+  this->Penalties.setZero(isHard ? 0 : static_cast<Eigen::Index>(this->Places.size()));
   std::vector<char> isReached(hierarchy.Components.empty() ? 1 : size, 0); // by component
   for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
     const int place = this->Places[k];
-    D[place] = isHard ? Infinity : this->Prescribed.Alignment[k] / this->Smoothness;
+    D[place] = isHard ? Infinity : this->Penalties[k] = this->PenaltyOf(static_cast<int>(k));
     isReached[hierarchy.ComponentOf(place)] |= D[place] > 0.0;
   }
   const std::vector<int> unreached = Choose(
@@ -226,6 +235,40 @@ Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionC
     this->SystemWarnings.push_back(warning);
   }
   return D;
+}
+
+double HarmonicProblem::Internals::PenaltyOf(int prescribed) const
+{
+  const double penalty = this->Prescribed.Alignment[prescribed] / this->Smoothness;
+  const double roughness = this->Setup->Hierarchy->DiagonalOf(this->Places[prescribed]);
+  return roughness > 0.0 ? std::min(penalty, StrongestPenalty * roughness) : penalty;
+}
+
+Vector<double> HarmonicProblem::Internals::InverseDiagonal(
+  const Vector<double>& D, const ExecutionContext& context) const
+{
+  const RoughnessHierarchy& hierarchy = *this->Setup->Hierarchy;
+  Vector<double> inverse(D.size());
+  context.ParallelFor(0, static_cast<int>(D.size()), Grain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      const double diagonal = hierarchy.DiagonalOf(i) + D[i];
+      inverse[i] = diagonal > 0.0 ? 1.0 / diagonal : 0.0;
+    }
+  });
+  return inverse;
+}
+
+Vector<double> HarmonicProblem::Internals::HeldByPenalties(const Vector<double>& values) const
+{
+  Vector<double> held = Vector<double>::Zero(this->Setup->Hierarchy->NumberOfUnknowns());
+  const Vector<double>& inverse = *this->A->InverseDiagonal();
+  for (Eigen::Index k = 0; k < this->Penalties.size(); ++k)
+  {
+    const int place = this->Places[k];
+    held[place] = this->Penalties[k] * inverse[place] * values[k];
+  }
+  return held;
 }
 
 void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const ExecutionContext& context)
@@ -249,13 +292,10 @@ void HarmonicProblem::Internals::FindUndetermined(
   {
     return;
   }
-  const Eigen::MatrixXd undetermined = UndeterminedFields(
-    setup.Kernel, *this->A, *setup.Hierarchy, D, this->Held, context);
-  if (undetermined.cols() > 0)
-  {
-    this->Undetermined.emplace(undetermined);
-    this->WarnOfUndetermined(this->Undetermined->Size());
-  }
+  const Eigen::MatrixXd undetermined =
+    UndeterminedFields(AdjustKernelToPenalties(setup.Kernel, *setup.Hierarchy, D, context), *this->A,
+      *setup.Hierarchy, D, this->Held, context);
+  this->WarnOfUndetermined(static_cast<int>(undetermined.cols()));
 }
 
 void HarmonicProblem::Internals::CheckAnyIsFree() const
@@ -289,8 +329,7 @@ Vector<double> HarmonicProblem::Internals::RightHandSide(
   Vector<double> b = Vector<double>::Zero(size);
   for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
-    const double weight = isHard ? 1.0 : this->Prescribed.Alignment[k] / this->Smoothness;
-    b[this->Places[k]] = weight * values[k];
+    b[this->Places[k]] = (isHard ? 1.0 : this->Penalties[k]) * values[k];
   }
   if (isHard)
   {
@@ -306,28 +345,18 @@ Vector<double> HarmonicProblem::Internals::RightHandSide(
 void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriteria& stop,
   const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context)
 {
-  const KernelProjection* const kernel = this->Deflated ? &this->Deflated->Kernel()
-    : this->Undetermined                                ? &*this->Undetermined
-                                                        : nullptr;
   Preconditioner<double>* inverse = this->Cycle.get();
   const LinearOperator<double>* matrix = this->A.get();
   std::optional<OperatorOutsideKernel> outside;
-  std::optional<PreconditionerOutsideKernel> factor;
   if (this->Deflated)
   {
+    const KernelProjection& kernel = this->Deflated->Kernel();
     inverse = &*this->Deflated;
-  }
-  else if (kernel)
-  {
-    inverse = &factor.emplace(*this->Cycle, *kernel);
-  }
-  if (kernel)
-  {
-    matrix = &outside.emplace(*this->A, *kernel);
-    kernel->Remove(b, context);
+    matrix = &outside.emplace(*this->A, kernel);
+    kernel.Remove(b, context);
     if (x.size() > 0)
     {
-      kernel->Remove(x, context);
+      kernel.Remove(x, context);
     }
   }
   if (!this->Factor)
@@ -337,7 +366,8 @@ void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriter
     solve(*matrix, *inverse, b, stop, x, this->Report, context, &measure);
   }
   const bool haveStagnated = this->Kind == SolverKind::ConjugateGradients &&
-    !this->Report.Converged && stop.MaximumIterations >= FewestIterationsBeforeFactor;
+    !this->Report.Converged && !this->Report.EndedByRounding &&
+    stop.MaximumIterations >= FewestIterationsBeforeFactor;
   if (this->Factor || haveStagnated)
   {
     this->IterateWithFactor(*matrix, b, stop, measure, x, context);
@@ -410,28 +440,44 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
   of.Report.Warnings = of.SystemWarnings;
   const std::vector<int>& order = of.Setup->Hierarchy->Order;
-  Vector<double> b = of.RightHandSide(values, context);
+  const Vector<double> b = of.RightHandSide(values, context);
+  const Vector<double> held = of.HeldByPenalties(values);
+  Vector<double> difference; // b - A held
+  of.A->Apply(held, difference, context);
+  difference = b - difference;
+  SetZero(difference, of.Held, context);
   // A factor needs no start: what it would improve is found at once.
   Vector<double> x =
     of.Kind == SolverKind::Cholesky ? Vector<double>() : Gathered(start, order, context);
+  if (x.size() > 0)
+  {
+    SetZero(x, of.Held, context);
+    x -= held;
+  }
   ConvergenceMeasure<double> measure;
   measure.Mass = &of.Setup->Mass;
-  measure.Reference = Gathered(reference, order, context);
   measure.EnergyScale = of.Smoothness;
-  for (Vector<double>* const vector : { &x, &measure.Reference })
+  measure.Offset = &held;
+  measure.RightHandSide = &b;
+  measure.Reference = Gathered(reference, order, context);
+  if (measure.Reference.size() > 0)
   {
-    if (vector->size() > 0)
-    {
-      SetZero(*vector, of.Held, context);
-    }
+    SetZero(measure.Reference, of.Held, context);
   }
   if (of.Nested)
   {
-    of.Nested->Solve(b, of.Options.Nested, x, of.Report, context, measure);
+    of.Nested->Solve(difference, of.Options.Nested, x, of.Report, context, measure);
+    of.Report.Returned = of.Report.Iterations.back().Iteration;
+    of.Report.Converged = of.Report.Iterations.back().RelativeResidual <= stop.RelativeTolerance;
   }
   else
   {
-    of.Iterate(b, stop, measure, x, context);
+    of.Iterate(difference, stop, measure, x, context);
+  }
+  x += held;
+  if (of.Deflated)
+  {
+    of.Deflated->Kernel().Remove(x, context);
   }
   if (of.Prescribed.Kind == ConstraintKind::Hard)
   {

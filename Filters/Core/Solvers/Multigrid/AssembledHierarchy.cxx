@@ -170,6 +170,38 @@ private:
   SparseDiagonal D;
 };
 
+/// B^T (B x) + D x.
+class FactoredOperator : public RoughnessOperator
+{
+public:
+  FactoredOperator(const SparseMatrix<double>& factor, const ExecutionContext& context)
+    : B(factor)
+    , Bt(Adjoint(factor, context))
+  {
+  }
+
+  int Size() const override { return static_cast<int>(this->B.cols()); }
+
+  void SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context) override
+  {
+    this->D = SparseDiagonal(diagonal, context);
+  }
+
+  double Apply(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  {
+    Multiply(this->B, x, this->Product, context);
+    Multiply(this->Bt, this->Product, y, context);
+    return SquaredNorm(this->Product, context) + this->D.AddProduct(x, y, context);
+  }
+
+private:
+  const SparseMatrix<double>& B;
+  const SparseMatrix<double> Bt;
+  SparseDiagonal D;
+  mutable Vector<double> Product; ///< B x
+};
+
 template <class Scalar>
 class AssembledCycle : public RoughnessCycle
 {
@@ -279,7 +311,19 @@ public:
     const ConvergenceMeasure<double>& measure) override
   {
     const Vector<double> mass = (*measure.Mass)(this->Free.Rows()); // one per row
-    ConvergenceMeasure<Scalar> ofFree{ measure.EnergyConstant, measure.EnergyScale, &mass, {} };
+    ConvergenceMeasure<Scalar> ofFree;
+    ofFree.EnergyConstant = measure.EnergyConstant;
+    ofFree.EnergyScale = measure.EnergyScale;
+    ofFree.Mass = &mass;
+    Vector<Scalar> offset;
+    Vector<Scalar> rightHandSide;
+    if (measure.Offset)
+    {
+      offset = this->Free.Restricted(*measure.Offset);
+      rightHandSide = this->Free.Restricted(*measure.RightHandSide);
+      ofFree.Offset = &offset;
+      ofFree.RightHandSide = &rightHandSide;
+    }
     if (measure.Reference.size() > 0)
     {
       ofFree.Reference = this->Free.Restricted(measure.Reference);
@@ -303,10 +347,12 @@ private:
 
 template <class Scalar>
 AssembledHierarchy<Scalar>::AssembledHierarchy(
-  SparseMatrix<Scalar>& matrix, std::vector<SparseMatrix<Scalar>> prolongations)
+  SparseMatrix<Scalar>& matrix, std::vector<SparseMatrix<Scalar>> prolongations,
+  SparseMatrix<double> factor)
   : P(std::move(prolongations))
 {
   this->R.swap(matrix); // Eigen 3.4 would copy what is moved
+  this->B.swap(factor);
   this->Diagonal = this->R.diagonal().real();
   this->Order = Identity(PartsOf<Scalar> * static_cast<int>(this->R.rows()));
   const std::vector<int> ofRows = ConnectedColumns(this->R);
@@ -327,6 +373,10 @@ double AssembledHierarchy<Scalar>::DiagonalOf(int unknown) const
 template <class Scalar>
 std::unique_ptr<RoughnessOperator> AssembledHierarchy<Scalar>::Operator() const
 {
+  if (this->B.rows() > 0)
+  {
+    return std::make_unique<FactoredOperator>(this->B, SerialContext());
+  }
   return std::make_unique<AssembledOperator<Scalar>>(this->R);
 }
 
@@ -357,7 +407,7 @@ std::unique_ptr<RoughnessNestedIteration> AssembledHierarchy<Scalar>::NestedIter
 template <class Scalar>
 long long AssembledHierarchy<Scalar>::Bytes() const
 {
-  long long bytes = BytesOf(this->R) + this->BytesOfUnknowns();
+  long long bytes = BytesOf(this->R) + BytesOf(this->B) + this->BytesOfUnknowns();
   for (const SparseMatrix<Scalar>& prolongation : this->P)
   {
     bytes += BytesOf(prolongation);
