@@ -4,6 +4,7 @@
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Krylov/DeflatedPreconditioner.h"
 #include "Solvers/Krylov/StationaryIteration.h"
+#include "Solvers/PenaltiesOfSystem.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
@@ -24,11 +25,8 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr int Grain = 8192;
 // Who allows fewer wants an answer in that time, and no factor after it.
 constexpr int FewestIterationsBeforeFactor = 100;
-// Times the diagonal of R. Such a penalty holds its unknown to rounding, and a stronger one would drown the rest in it.
-constexpr double StrongestPenalty = 1e13;
 
 RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverTuning& tuning)
 {
@@ -45,31 +43,6 @@ RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverT
     cycle.Coarsening.CoarsestLevel = options.StartingLevel;
   }
   return cycle;
-}
-
-/// Where some items stand in an order.
-std::vector<int> PlacesOf(
-  const std::vector<int>& items, const std::vector<int>& order, const ExecutionContext& context)
-{
-  const std::vector<int> all = Inverse(order, context);
-  std::vector<int> places;
-  places.reserve(items.size());
-  for (const int item : items)
-  {
-    places.push_back(all[item]);
-  }
-  return places;
-}
-
-std::string WarningAboutUnreached(int unreached, int unknowns)
-{
-  if (unreached == 0)
-  {
-    return {};
-  }
-  return std::to_string(unreached) + " of " + std::to_string(unknowns) +
-    " unknowns lie in components of the surface that hold no prescribed direction; the field is "
-    "zero there";
 }
 
 }
@@ -131,8 +104,6 @@ public:
 private:
   /// D, infinite where an unknown is held.
   Vector<double> DiagonalOfPrescribed(const ExecutionContext& context);
-  double PenaltyOf(int prescribed) const;
-  Vector<double> InverseDiagonal(const Vector<double>& D, const ExecutionContext& context) const;
   void MakeCycle(const Vector<double>& D, const ExecutionContext& context);
   void MakeNested(const Vector<double>& D, const ExecutionContext& context);
   void Deflate(const Vector<double>& D, const ExecutionContext& context);
@@ -160,7 +131,7 @@ void HarmonicProblem::Internals::Prescribe(
     this->A = hierarchy.Operator();
   }
   this->A->SetDiagonal(D, context);
-  this->A->SetInverseDiagonal(this->InverseDiagonal(D, context));
+  this->A->SetInverseDiagonal(InverseDiagonal(hierarchy, D, context));
   const PartOfContext most(context, 0.1, 0.9);
   if (IsNested(this->Kind))
   {
@@ -220,7 +191,10 @@ Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionC
   for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
     const int place = this->Places[k];
-    D[place] = isHard ? Infinity : this->Penalties[k] = this->PenaltyOf(static_cast<int>(k));
+    D[place] = isHard
+      ? Infinity
+      : this->Penalties[k] = LimitedPenalty(
+          this->Prescribed.Alignment[k] / this->Smoothness, hierarchy.DiagonalOf(place));
     isReached[hierarchy.ComponentOf(place)] |= D[place] > 0.0;
   }
   const std::vector<int> unreached = Choose(
@@ -235,28 +209,6 @@ Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionC
     this->SystemWarnings.push_back(warning);
   }
   return D;
-}
-
-double HarmonicProblem::Internals::PenaltyOf(int prescribed) const
-{
-  const double penalty = this->Prescribed.Alignment[prescribed] / this->Smoothness;
-  const double roughness = this->Setup->Hierarchy->DiagonalOf(this->Places[prescribed]);
-  return roughness > 0.0 ? std::min(penalty, StrongestPenalty * roughness) : penalty;
-}
-
-Vector<double> HarmonicProblem::Internals::InverseDiagonal(
-  const Vector<double>& D, const ExecutionContext& context) const
-{
-  const RoughnessHierarchy& hierarchy = *this->Setup->Hierarchy;
-  Vector<double> inverse(D.size());
-  context.ParallelFor(0, static_cast<int>(D.size()), Grain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
-    {
-      const double diagonal = hierarchy.DiagonalOf(i) + D[i];
-      inverse[i] = diagonal > 0.0 ? 1.0 / diagonal : 0.0;
-    }
-  });
-  return inverse;
 }
 
 Vector<double> HarmonicProblem::Internals::HeldByPenalties(const Vector<double>& values) const
