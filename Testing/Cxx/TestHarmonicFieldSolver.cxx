@@ -272,6 +272,7 @@ TEST(HarmonicFieldSolver, OutputsCarryTheReport)
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     EXPECT_EQ(table->GetValueByName(row, "Iteration").ToInt(), row);
+    EXPECT_EQ(table->GetValueByName(row, "Returned").ToInt(), row + 1 == table->GetNumberOfRows());
   }
   const vtkIdType last = table->GetNumberOfRows() - 1;
   EXPECT_NEAR(table->GetValueByName(0, "RelativeResidual").ToDouble(), 1.0, 1e-12);

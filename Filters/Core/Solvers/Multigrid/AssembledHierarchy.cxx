@@ -2,6 +2,7 @@
 
 #include "Solvers/Direct/ShiftedFactor.h"
 #include "Solvers/Multigrid/GalerkinCycle.h"
+#include "Solvers/Kernels/SparseDiagonal.h"
 #include "Solvers/Multigrid/MatrixPlusDiagonal.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -113,6 +114,38 @@ SparseMatrix<Scalar> FreeRows<Scalar>::Matrix(
   return A;
 }
 
+/// B^T (B x) + D x.
+class FactoredOperator : public RoughnessOperator
+{
+public:
+  FactoredOperator(const SparseMatrix<double>& factor, const ExecutionContext& context)
+    : B(factor)
+    , Bt(Adjoint(factor, context))
+  {
+  }
+
+  int Size() const override { return static_cast<int>(this->B.cols()); }
+
+  void SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context) override
+  {
+    this->D = SparseDiagonal(diagonal, context);
+  }
+
+  double Apply(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  {
+    Multiply(this->B, x, this->Product, context);
+    Multiply(this->Bt, this->Product, y, context);
+    return SquaredNorm(this->Product, context) + this->D.AddProduct(x, y, context);
+  }
+
+private:
+  const SparseMatrix<double>& B;
+  const SparseMatrix<double> Bt;
+  SparseDiagonal D;
+  mutable Vector<double> Product; ///< B x
+};
+
 template <class Scalar>
 class AssembledCycle : public RoughnessCycle
 {
@@ -222,7 +255,19 @@ public:
     const ConvergenceMeasure<double>& measure) override
   {
     const Vector<double> mass = (*measure.Mass)(this->Free.Rows()); // one per row
-    ConvergenceMeasure<Scalar> ofFree{ measure.EnergyConstant, measure.EnergyScale, &mass, {} };
+    ConvergenceMeasure<Scalar> ofFree;
+    ofFree.EnergyConstant = measure.EnergyConstant;
+    ofFree.EnergyScale = measure.EnergyScale;
+    ofFree.Mass = &mass;
+    Vector<Scalar> offset;
+    Vector<Scalar> rightHandSide;
+    if (measure.Offset)
+    {
+      offset = this->Free.Restricted(*measure.Offset);
+      rightHandSide = this->Free.Restricted(*measure.RightHandSide);
+      ofFree.Offset = &offset;
+      ofFree.RightHandSide = &rightHandSide;
+    }
     if (measure.Reference.size() > 0)
     {
       ofFree.Reference = this->Free.Restricted(measure.Reference);
@@ -246,10 +291,12 @@ private:
 
 template <class Scalar>
 AssembledHierarchy<Scalar>::AssembledHierarchy(
-  SparseMatrix<Scalar>& matrix, std::vector<SparseMatrix<Scalar>> prolongations)
+  SparseMatrix<Scalar>& matrix, std::vector<SparseMatrix<Scalar>> prolongations,
+  SparseMatrix<double> factor)
   : P(std::move(prolongations))
 {
   this->R.swap(matrix); // Eigen 3.4 would copy what is moved
+  this->B.swap(factor);
   this->Diagonal = this->R.diagonal().real();
   this->Order = Identity(PartsOf<Scalar> * static_cast<int>(this->R.rows()));
   const std::vector<int> ofRows = ConnectedColumns(this->R);
@@ -270,6 +317,10 @@ double AssembledHierarchy<Scalar>::DiagonalOf(int unknown) const
 template <class Scalar>
 std::unique_ptr<RoughnessOperator> AssembledHierarchy<Scalar>::Operator() const
 {
+  if (this->B.rows() > 0)
+  {
+    return std::make_unique<FactoredOperator>(this->B, SerialContext());
+  }
   return std::make_unique<MatrixPlusDiagonal<Scalar>>(this->R);
 }
 
@@ -300,7 +351,7 @@ std::unique_ptr<RoughnessNestedIteration> AssembledHierarchy<Scalar>::NestedIter
 template <class Scalar>
 long long AssembledHierarchy<Scalar>::Bytes() const
 {
-  long long bytes = BytesOf(this->R) + this->BytesOfUnknowns();
+  long long bytes = BytesOf(this->R) + BytesOf(this->B) + this->BytesOfUnknowns();
   for (const SparseMatrix<Scalar>& prolongation : this->P)
   {
     bytes += BytesOf(prolongation);
