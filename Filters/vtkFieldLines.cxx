@@ -2,7 +2,7 @@
 
 #include "Adapters/DrawingToPolyData.h"
 #include "Adapters/FieldFromArrays.h"
-#include "Adapters/PieceRequest.h"
+#include "Adapters/FilterRequests.h"
 #include "Drawing/EvenlySpacedLines.h"
 
 #include "vtkInformationVector.h"
@@ -15,8 +15,7 @@ vtkStandardNewMacro(vtkFieldLines);
 int vtkFieldLines::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
-  return 1;
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------

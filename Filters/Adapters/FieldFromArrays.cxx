@@ -1,7 +1,6 @@
 #include "Adapters/FieldFromArrays.h"
 
-#include "Adapters/ContextFromAlgorithm.h"
-#include "Adapters/PieceRequest.h"
+#include "Adapters/FilterRequests.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
@@ -288,39 +287,11 @@ int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVe
   vtkInformationVector* outputs, int N,
   const std::function<void(const SurfaceWithField&, const ExecutionContext&)>& draw)
 {
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkDataObject::GetData(outputs, port)->Initialize();
-  }
-  vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
-  if (input->GetNumberOfCells() == 0)
-  {
-    return 1;
-  }
-  if (!IsPieceZero(request, outputs))
-  {
-    vtkWarningWithObjectMacro(algorithm,
-      "a piece of the surface other than the first holds "
-        << input->GetNumberOfCells()
-        << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
-    return 1;
-  }
-  try
-  {
-    const ContextFromAlgorithm context(algorithm);
-    const SurfaceWithField field = ReadField(algorithm, input, N, PartOfContext(context, 0.0, 0.3));
+  return MakeOutputs(algorithm, request, inputs, outputs, [&](const ExecutionContext& context) {
+    const SurfaceWithField field =
+      ReadField(algorithm, vtkPolyData::GetData(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
     draw(field, PartOfContext(context, 0.3, 1.0));
-  }
-  catch (const Cancelled&)
-  {
-    return Aborted(algorithm, outputs);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorWithObjectMacro(algorithm, << error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 }

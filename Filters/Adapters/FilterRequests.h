@@ -1,0 +1,33 @@
+#ifndef dmgFilterRequests_h
+#define dmgFilterRequests_h
+
+#include "Support/ExecutionContext.h"
+
+#include <functional>
+
+class vtkAlgorithm;
+class vtkInformation;
+class vtkInformationVector;
+
+namespace dmg
+{
+
+/// What all filters answer to the pipeline. Their result depends on the whole surface: piece 0 works on the whole, and the
+/// others stay empty. In a parallel run piece and rank are the same.
+
+/// RequestUpdateExtent: asks for the whole of all inputs where piece 0 is requested, and for nothing elsewhere. A request
+/// to abort that came after the end of the last execution is forgotten.
+int AskForInputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs);
+
+/// RequestData: calls \p make with the algorithm's context, outputs empty, unless the first input has no cells or this is
+/// not the piece to work on; sources that do not know of pieces deliver the same to all.
+/// The outputs are empty in the end where \p make throws (Cancelled is no error, all else goes to the algorithm), or where
+/// an array or point that it made is not finite, which is an error as well.
+/// \return what RequestData returns.
+int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const std::function<void(const ExecutionContext&)>& make);
+
+}
+
+#endif
