@@ -77,6 +77,12 @@ int vtkDirectionalProlongation::GetNumberOfSetups() const
 }
 
 //------------------------------------------------------------------------------
+int vtkDirectionalProlongation::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
 int vtkDirectionalProlongation::FillOutputPortInformation(int port, vtkInformation* information)
 {
   information->Set(

@@ -15,6 +15,12 @@
 vtkStandardNewMacro(vtkFieldGlyphs);
 
 //------------------------------------------------------------------------------
+int vtkFieldGlyphs::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldGlyphs::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

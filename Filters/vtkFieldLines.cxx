@@ -12,6 +12,12 @@
 vtkStandardNewMacro(vtkFieldLines);
 
 //------------------------------------------------------------------------------
+int vtkFieldLines::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldLines::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

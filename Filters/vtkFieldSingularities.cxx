@@ -18,6 +18,12 @@ vtkFieldSingularities::vtkFieldSingularities()
 }
 
 //------------------------------------------------------------------------------
+int vtkFieldSingularities::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldSingularities::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -91,7 +91,7 @@ int vtkHarmonicFieldSolver::FillInputPortInformation(int port, vtkInformation* i
 {
   if (port == 0)
   {
-    return this->Superclass::FillInputPortInformation(port, information);
+    return dmg::TakeAnyDataSet(information);
   }
   // Composite datasets come as a whole, and other types get an error that says what to do.
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");

@@ -66,7 +66,7 @@ ChosenVectors DefaultVectors(vtkPolyData* surface)
   }
   throw InvalidInput(
     "the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
-    "vtkHarmonicFieldSolver first, or choose an array of vectors");
+    "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
 }
 
 ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)

@@ -5,16 +5,19 @@
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <new>
+#include <string>
 
 namespace dmg
 {
@@ -56,13 +59,19 @@ int Aborted(vtkAlgorithm* algorithm, vtkInformationVector* outputs)
   return 1;
 }
 
-int Failed(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const char* message)
+int Failed(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& message)
 {
   Empty(outputs);
   vtkErrorWithObjectMacro(algorithm, << message);
   return 0;
 }
 
+}
+
+int TakeAnyDataSet(vtkInformation* port)
+{
+  port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
 }
 
 int AskForInputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
@@ -87,10 +96,17 @@ int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformation
   vtkInformationVector* outputs, const std::function<void(const ExecutionContext&)>& make)
 {
   Empty(outputs);
-  vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
-  if (input->GetNumberOfCells() == 0)
+  vtkDataSet* const given = vtkDataSet::GetData(inputs[0]);
+  if (given->GetNumberOfCells() == 0)
   {
     return 1;
+  }
+  auto* const input = vtkPolyData::SafeDownCast(given);
+  if (!input)
+  {
+    return Failed(algorithm, outputs,
+      std::string("the input is a ") + given->GetClassName() +
+        ", which is no surface; apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first");
   }
   if (!IsPieceZero(request, outputs))
   {

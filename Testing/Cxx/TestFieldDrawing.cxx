@@ -104,7 +104,7 @@ TEST_P(FieldDrawing, DrawsTheSolversFieldWithoutFurtherAdo)
 TEST_P(FieldDrawing, NamesWhatIsWrongWithTheInput)
 {
   const auto filter = New();
-  EXPECT_NE(ErrorFor(filter, PolyDataOf(Icosphere(1))).find("apply vtkHarmonicFieldSolver first"),
+  EXPECT_NE(ErrorFor(filter, PolyDataOf(Icosphere(1))).find("apply Harmonic Field Solver (vtkHarmonicFieldSolver) first"),
     std::string::npos);
 
   auto data = WithVectors(Icosphere(1), "Direction0", Cells, { 0.0, 0.0, 0.0 });

@@ -66,7 +66,7 @@ void CheckElements(const Points& points, const Triangles& triangles, const Eleme
   if (triangles.rows() == 0)
   {
     throw InvalidInput("the surface has no triangles, so there is nothing to solve on; "
-                       "apply Extract Surface and Triangulate (vtkTriangleFilter) first");
+                       "apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first");
   }
   if (triangles.rows() > std::numeric_limits<int>::max() / 3)
   {
