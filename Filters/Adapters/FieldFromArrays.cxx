@@ -110,6 +110,18 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
     "those, or none");
 }
 
+/// \throw InvalidInput there is not a tuple for every element.
+void CheckTuples(vtkDataArray* array, vtkPolyData* surface, bool isOnPoints)
+{
+  const vtkIdType elements = isOnPoints ? surface->GetNumberOfPoints() : surface->GetNumberOfCells();
+  if (array->GetNumberOfTuples() < elements)
+  {
+    throw InvalidInput("array '" + NameOf(array) + "' has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples for " + std::to_string(elements) + (isOnPoints ? " points" : " cells") +
+      "; choose another, or have its source write one for each");
+  }
+}
+
 ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
 {
   const ChosenVectors chosen = FindVectors(algorithm, surface);
@@ -119,6 +131,7 @@ ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
     throw InvalidInput(
       "array '" + name + "' does not hold 3 numbers per element; choose an array of vectors");
   }
+  CheckTuples(chosen.Array, surface, chosen.OnPoints);
   return chosen;
 }
 
@@ -199,6 +212,7 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
     {
       continue;
     }
+    CheckTuples(array, input, false);
     const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
     const auto isTurned = [&](int face)
     {

@@ -92,32 +92,32 @@ int AskForInputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformatio
   return 1;
 }
 
-int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, const std::function<void(const ExecutionContext&)>& make)
+int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkAlgorithm* algorithm,
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  Empty(outputs);
-  vtkDataSet* const given = vtkDataSet::GetData(inputs[0]);
-  if (given->GetNumberOfCells() == 0)
-  {
-    return 1;
-  }
-  auto* const input = vtkPolyData::SafeDownCast(given);
-  if (!input)
-  {
-    return Failed(algorithm, outputs,
-      std::string("the input is a ") + given->GetClassName() +
-        ", which is no surface; apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first");
-  }
-  if (!IsPieceZero(request, outputs))
-  {
-    vtkWarningWithObjectMacro(algorithm,
-      "a piece of the surface other than the first holds "
-        << input->GetNumberOfCells()
-        << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
-    return 1;
-  }
   try
   {
+    Empty(outputs);
+    vtkDataSet* const given = vtkDataSet::GetData(inputs[0]);
+    if (given->GetNumberOfCells() == 0)
+    {
+      return 1;
+    }
+    auto* const input = vtkPolyData::SafeDownCast(given);
+    if (!input)
+    {
+      return Failed(algorithm, outputs,
+        std::string("the input is a ") + given->GetClassName() +
+          ", which is no surface; apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first");
+    }
+    if (!IsPieceZero(request, outputs))
+    {
+      vtkWarningWithObjectMacro(algorithm,
+        "a piece of the surface other than the first holds "
+          << input->GetNumberOfCells()
+          << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
+      return 1;
+    }
     make(ContextFromAlgorithm(algorithm));
     for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
     {

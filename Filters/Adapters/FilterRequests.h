@@ -24,14 +24,23 @@ int TakeAnyDataSet(vtkInformation* port);
 int AskForInputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
   vtkInformationVector* outputs);
 
+/// MakeOutputs of any type of function.
+int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkAlgorithm* algorithm,
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
+
 /// RequestData: calls \p make with the algorithm's context, outputs empty, unless the first input has no cells or this is
 /// not the piece to work on; sources that do not know of pieces deliver the same to all. An input that is no vtkPolyData is
 /// an error.
 /// The outputs are empty in the end where \p make throws (Cancelled is no error, all else goes to the algorithm), or where
 /// an array or point that it made is not finite, which is an error as well.
 /// \return what RequestData returns.
+template <class Make>
 int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, const std::function<void(const ExecutionContext&)>& make);
+  vtkInformationVector* outputs, const Make& make)
+{
+  // A reference takes no memory, which may be all gone already.
+  return MakeOutputsBy(std::cref(make), algorithm, request, inputs, outputs);
+}
 
 }
 

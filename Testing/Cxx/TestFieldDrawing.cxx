@@ -138,6 +138,20 @@ TEST_P(FieldDrawing, NamesWhatIsWrongWithTheInput)
   EXPECT_NE(ErrorFor(filter, data).find("cell 0 is not a triangle"), std::string::npos);
 }
 
+TEST_P(FieldDrawing, RefusesArraysWithTooFewTuples)
+{
+  for (const char* const name : { "Direction0", "Direction1" })
+  {
+    const auto input = PolyDataOf(Icosphere(1));
+    for (const char* const other : { "Direction0", "Direction1" })
+    {
+      AddVectors(input->GetCellData(), other, other == std::string(name) ? 7 : 80, { { 2, { 1.0, 0.5, -0.25 } } });
+    }
+    EXPECT_NE(ErrorFor(New(), input).find(std::string("array '") + name + "' has 7 tuples for 80 cells"),
+      std::string::npos);
+  }
+}
+
 TEST_P(FieldDrawing, NamesWhatIsWrongWithTheChoice)
 {
   const auto filter = New();
