@@ -2,7 +2,7 @@
 
 #include "Adapters/DrawingToPolyData.h"
 #include "Adapters/FieldFromArrays.h"
-#include "Adapters/PieceRequest.h"
+#include "Adapters/FilterRequests.h"
 #include "Operators/FieldTopology.h"
 
 #include "vtkInformationVector.h"
@@ -18,11 +18,16 @@ vtkFieldSingularities::vtkFieldSingularities()
 }
 
 //------------------------------------------------------------------------------
+int vtkFieldSingularities::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldSingularities::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
-  return 1;
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------

@@ -94,6 +94,7 @@ protected:
   vtkFieldSingularities();
   ~vtkFieldSingularities() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

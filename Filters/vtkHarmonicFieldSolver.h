@@ -14,12 +14,18 @@
  *
  * - PowerField (default): X is the N-th power of any of the directions, one complex number per face
  *   in a tangent frame of the face. Its roughness is the sum over the edges e of
- *   3 |e|^2 / (A_f + A_g) |difference of X across the edge|^2, A_f and A_g the areas of its two faces. The magnitude of X fades away from the constraints and vanishes at
- *   singularities. For crosses and lines, and wherever the direction matters more than the length.
+ *   3 |e|^2 / (A_f + A_g) |difference of X across the edge|^2, A_f and A_g the areas of its two faces (together at least
+ *   1e-6 |e|^2). On equilateral triangles that is twice the consistent two-point flux; elsewhere it is not consistent:
+ *   on a grid with all diagonals alike a linear field of slope p costs 3 |p|^2 along one diagonal and 1.5 |p|^2 along
+ *   the other, and fields converge to another limit (6.6 % apart on an annulus, at every size). The magnitude of X fades
+ *   away from the constraints and vanishes at singularities. For crosses and lines, and wherever the direction matters
+ *   more than the length.
  * - FaceField: X is a vector per face, two components in the face's frame. Its roughness is its
- *   squared divergence and curl, integrated. For flows: harmonic where nothing is prescribed.
+ *   squared divergence and curl, integrated; faces count there with at least 1e-6 times the square of their longest
+ *   side for an area. For flows: harmonic where nothing is prescribed.
  * - OneForm: X is a number per edge, the integral of a 1-form along it. Its roughness is h^T L1 h,
- *   the Hodge Laplacian: squared divergence and curl again. For what is integrated along paths;
+ *   the Hodge Laplacian: squared divergence and curl again, with areas of at least 1e-4 times the square of the longest
+ *   side, as in functions. For what is integrated along paths;
  *   tangentially continuous. A direction prescribed on a face prescribes the integrals along its
  *   three sides, each with the mean weight of its two faces. One at a point prescribes those along
  *   the edges there, each with the mean weight of its two ends: where both are prescribed by the
@@ -91,8 +97,14 @@
  * that name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not
  * zero. Of a vector its tangential part counts: on a face, in the plane of the face; at a point of
  * the surface, in the tangent plane of the point, from where it is carried to the faces around, or,
- * for 1-forms, to the edges there. Its length is the magnitude that is asked for. Directions on the
+ * for 1-forms, to the edges there. Each face around a point gets its whole weight: power fields and face fields follow a
+ * region that is prescribed at points three times as strongly as one that is prescribed on cells (1-forms equally).
+ * Its length is the magnitude that is asked for. Directions on the
  * same face are averaged as powers, values on the same edge as numbers, by weight.
+ *
+ * Coordinates are at most 1e40, the surface is larger than 1e-40, the longest direction (or largest value) is between
+ * 1e-40 and 1e40, and the largest weight, as well as Smoothness and Alignment, between 1e-20 and 1e20; all else is an
+ * error, as is a dataset of another type.
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
  *
@@ -112,7 +124,10 @@
  * prescribed vectors. A 1-form shows the vector of its Whitney interpolant: on a cell that at the
  * centre, at a point the mean over the faces around it. Direction0 becomes the active vector of
  * both. Elements that belong to no triangle hold zeros. The frame of a face has its first axis
- * along the face's first side.
+ * along the face's first side. At a point, directions and powers are the mean of those of the faces around, weighted by
+ * the angles of their corners, each carried into the tangent plane of the point (perpendicular to the sum of the faces'
+ * area vectors) by the shortest rotation between the normals. The first axis of that plane, to which PowerField at points
+ * refers, is the projection of an edge at the point, which one depends on the order of points and cells.
  *
  * The arrays HarmonicBasis span the fields without divergence and curl: what a face field or a
  * 1-form is free to be where nothing is prescribed, around the handles and holes of the surface.
@@ -150,6 +165,10 @@
  * weights from 1e-6 to 1e12, mixed ones too; the residual relative to that of b, which strong constraints dominate, said
  * 1e-8 for errors of 1e-2. Of nested iterations and coarse prolongation, which have no B, it is the norm of r over that of
  * the start. Weights that are more than 1e13 times what the roughness holds an element with act as if they were as large.
+ *
+ * The mass norm of v is the root of the sum of M_k v_k^2, and both are relative: |b - A X|_M / |b|_M and
+ * |X - X'|_M / |X'|_M. M_k is the area of the face of power fields and face fields, of the point of functions (1 / 3 of
+ * the faces around, or as VertexAreas says), and 2 A_e / |e|^2 of the edge of 1-forms, as for m_b.
  *
  * Ports 0 and 2 carry the report as field data:
  *

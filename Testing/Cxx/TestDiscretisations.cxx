@@ -688,7 +688,7 @@ TEST_P(AnyField, NamesThePropertyThatMissingOperatorsTake)
   Messages messages(solver);
   solver->Update();
   const char* const properties[] = { "PowerFields", "FaceFields", "OneForms" };
-  EXPECT_NE(messages.Error().find(std::string("vtkDirectionalProlongation with ") +
+  EXPECT_NE(messages.Error().find(std::string("Directional Prolongation (vtkDirectionalProlongation) with ") +
               properties[GetParam()] + " on"),
     std::string::npos)
     << messages.Error();

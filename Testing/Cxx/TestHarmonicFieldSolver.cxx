@@ -898,7 +898,7 @@ TEST(StoredOperators, OfAnotherSurfaceAreRefused)
   input->GetPoints()->Modified();
   input->Modified();
   solver->Update();
-  EXPECT_NE(messages.Error().find("apply vtkDirectionalProlongation"), std::string::npos)
+  EXPECT_NE(messages.Error().find("apply Directional Prolongation (vtkDirectionalProlongation)"), std::string::npos)
     << messages.Error();
   ExpectEmpty(solver);
   EXPECT_EQ(CountsOf(solver), (Counts{ 1, 1, 1 }));

@@ -66,6 +66,8 @@ std::unique_ptr<SurfaceTracking::Worker> SurfaceTracking::TakeWorker()
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (this->IdleWorkers.empty())
   {
+    // Room for all workers that there are: destructors give them back, and must not fail.
+    this->IdleWorkers.reserve(this->IdleWorkers.capacity() + 1);
     return std::make_unique<Worker>();
   }
   std::unique_ptr<Worker> worker = std::move(this->IdleWorkers.back());
