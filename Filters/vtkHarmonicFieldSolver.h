@@ -39,7 +39,8 @@
  * least roughness among those of mean square magnitude 1 (Knoeppel et al. 2013, "Globally optimal direction
  * fields"), the eigenvector of the lowest eigenvalue of the roughness in the field's mass. Of face fields and 1-forms it is a
  * harmonic field where the surface has one. Where the eigenvalue is multiple, as on spheres, any of its fields would
- * do as well; which one comes out depends on the numbering of the triangles. A function is zero there.
+ * do as well; which one comes out depends on the numbering of the triangles. Beside components with prescriptions, its
+ * magnitude is of the order of the largest prescribed value. A function is zero there.
  *
  * N is 1 for the latter three. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
  * 6.3.

@@ -297,6 +297,37 @@ SurfaceWithField ReadField(
   return { std::move(surface), std::move(frames), std::move(field), diagonal };
 }
 
+Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh,
+  const Vector3& otherwise)
+{
+  Points references(mesh.Mesh.NumberOfFaces(), 3);
+  references.rowwise() = otherwise.transpose();
+  if (const ChosenArray chosen = FindArray(choice, surface, 3, "reference vectors", "the surface"); chosen.Array)
+  {
+    Vector3 vector;
+    for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
+    {
+      references.row(face).setZero();
+      for (int corner = 0; corner < (chosen.OnPoints ? 3 : 1); ++corner)
+      {
+        chosen.Array->GetTuple(chosen.OnPoints ? mesh.PointOf(mesh.Mesh.FaceCorners()(face, corner))
+                                               : mesh.CellOf(face),
+          vector.data());
+        references.row(face) += vector.transpose();
+      }
+    }
+  }
+  for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
+  {
+    if (!references.row(face).allFinite())
+    {
+      throw InvalidInput("the reference vector of cell " + std::to_string(mesh.CellOf(face)) +
+        " is not finite; repair it, or choose other vectors or Axis");
+    }
+  }
+  return references;
+}
+
 int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
   vtkInformationVector* outputs, int N,
   const std::function<void(const SurfaceWithField&, const ExecutionContext&)>& draw)

@@ -1,6 +1,7 @@
 #ifndef dmgFieldFromArrays_h
 #define dmgFieldFromArrays_h
 
+#include "Adapters/ChosenArrays.h"
 #include "Adapters/MeshFromPolyData.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Mesh/TangentFrames.h"
@@ -35,6 +36,12 @@ struct SurfaceWithField
 /// 2 pi / N apart. Cost: linear.
 SurfaceWithField ReadField(
   vtkAlgorithm* algorithm, vtkPolyData* surface, int N, const ExecutionContext& context);
+
+/// The vectors of an array, one for each face of the mesh; of points, the mean over the corners.
+/// \param otherwise the vector of all faces where none is chosen.
+/// \throw InvalidInput as FindArray; a vector is not finite.
+Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh,
+  const Vector3& otherwise);
 
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.

@@ -239,71 +239,7 @@ TEST(ExtremeNumbers, WeightsAreRefusedWhereAllAreTooSmallOrOneIsTooLarge)
     const auto aligned = NewSolver(input, vtkHarmonicFieldSolver::PowerField);
     aligned->SetAlignment(weight);
     ExpectWords(Refusal(aligned), { "Alignment", "from 1e-20 to 1e20" });
-    const auto smooth = NewSolver(input, vtkHarmonicFieldSolver::PowerField);
-    smooth->SetSmoothness(weight);
-    ExpectWords(Refusal(smooth), { "Smoothness", "from 1e-20 to 1e20" });
   }
-}
-
-// Together they change the unit of the energy only.
-TEST(ExtremeNumbers, WeightsOfBothEnergiesMayBeLargeOrSmall)
-{
-  for (int discretisation = 0; discretisation < 4; ++discretisation)
-  {
-    const auto field = [discretisation](int exponent) {
-      const auto solver = NewSolver(Given(0, 0), discretisation);
-      solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
-      solver->SetAlignment(std::ldexp(1.0, exponent));
-      solver->SetSmoothness(std::ldexp(1.0, exponent));
-      solver->Update();
-      return Values(solver->GetOutput()->GetCellData(), "Direction0");
-    };
-    const std::vector<double> expected = field(0);
-    ASSERT_FALSE(expected.empty());
-    for (const int exponent : { -60, 60 })
-    {
-      const std::vector<double> scaled = field(exponent);
-      ASSERT_EQ(scaled.size(), expected.size());
-      for (std::size_t i = 0; i < expected.size(); ++i)
-      {
-        ASSERT_NEAR(scaled[i], expected[i], 1e-6); // ten times the tolerance, by the condition
-      }
-    }
-  }
-}
-
-// The exit
-// ----------------------------------------------------------------------------------------------
-
-namespace
-{
-
-/// Writes a number into an array of cells and into a point.
-class WritesNumber : public vtkPolyDataAlgorithm
-{
-public:
-  static WritesNumber* New();
-  vtkTypeMacro(WritesNumber, vtkPolyDataAlgorithm);
-  double InArray = 0.0;
-  double InPoint = 0.0;
-
-protected:
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
-  {
-    return MakeOutputs(this, request, inputs, outputs, [&](const ExecutionContext&) {
-      vtkPolyData* const output = vtkPolyData::GetData(outputs);
-      output->DeepCopy(vtkPolyData::GetData(inputs[0]));
-      output->GetPoints()->SetPoint(2, 0.0, this->InPoint, 0.0);
-      const auto array = Zeros("Mine", output->GetNumberOfCells(), 1);
-      array->SetValue(5, this->InArray);
-      output->GetCellData()->AddArray(array);
-    });
-  }
-};
-
-vtkStandardNewMacro(WritesNumber);
-
 }
 
 TEST(FilterRequests, NoNumberThatIsNotFiniteLeavesAFilter)

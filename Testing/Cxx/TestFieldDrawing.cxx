@@ -1,3 +1,4 @@
+#include "vtkFieldAngles.h"
 #include "vtkFieldGlyphs.h"
 #include "vtkFieldLines.h"
 #include "vtkFieldSingularities.h"
@@ -23,7 +24,7 @@ using dmg::Vector3;
 constexpr int Points = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 constexpr int Cells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 
-/// The three filters, by turns.
+/// The four filters, by turns.
 class FieldDrawing : public testing::TestWithParam<int>
 {
 protected:
@@ -35,8 +36,10 @@ protected:
         return vtkSmartPointer<vtkFieldLines>::New();
       case 1:
         return vtkSmartPointer<vtkFieldGlyphs>::New();
-      default:
+      case 2:
         return vtkSmartPointer<vtkFieldSingularities>::New();
+      default:
+        return vtkSmartPointer<vtkFieldAngles>::New();
     }
   }
 
@@ -190,7 +193,7 @@ TEST_P(FieldDrawing, StopsWhenAsked)
   EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(AllFilters, FieldDrawing, testing::Range(0, 3));
+INSTANTIATE_TEST_SUITE_P(AllFilters, FieldDrawing, testing::Range(0, 4));
 
 TEST(FieldLines, ReadAUsersArrays)
 {

@@ -236,7 +236,6 @@ void SetOptions(Choices& choose, vtkHarmonicFieldSolver* solver)
   if (choose.OneIn(4))
   {
     solver->SetAlignment(choose.Number());
-    solver->SetSmoothness(choose.OneIn(2) ? 1.0 : std::abs(choose.Number()));
   }
   const char* const names[] = { "Mask", "Given", "Weights", "Values" };
   const int association = choose.Below(2);

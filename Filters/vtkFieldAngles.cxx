@@ -1,0 +1,57 @@
+#include "vtkFieldAngles.h"
+
+#include "Adapters/ChosenArrays.h"
+#include "Adapters/ElementArrays.h"
+#include "Adapters/FieldFromArrays.h"
+#include "Adapters/FilterRequests.h"
+#include "Drawing/AnglesOfField.h"
+
+#include "vtkCellData.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkFieldAngles);
+
+//------------------------------------------------------------------------------
+int vtkFieldAngles::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldAngles::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldAngles::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
+    [this, inputVector, outputVector](
+      const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    {
+      vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
+      vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+      const dmg::Points references = dmg::ReferenceVectors(
+        dmg::ChoicesOf(this).Vectors, input, given.Surface, dmg::Vector3(this->Axis));
+      const dmg::Vector<double> angles = 180.0 / dmg::Pi *
+        dmg::AnglesOfField(given.Faces, given.Field, references, context);
+      output->ShallowCopy(input);
+      vtkNew<vtkFieldData> arrays;
+      dmg::ArraysOfCells(given.Surface, input, arrays, context).Add("Angle", 1, angles.data());
+      output->GetCellData()->SetScalars(arrays->GetArray(0));
+    });
+}
+
+//------------------------------------------------------------------------------
+void vtkFieldAngles::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
+}

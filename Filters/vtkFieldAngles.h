@@ -1,0 +1,79 @@
+/**
+ * @class   vtkFieldAngles
+ * @brief   angles of a field of N directions on a surface against an axis or other vectors
+ *
+ * For fibre, helix and layer angles: vtkFieldAngles tells on each triangle how far the nearest direction of a field is turned
+ * from a reference vector, which is projected to the plane of the triangle. Angles are counted counter-clockwise, seen
+ * from the side to which the normal points, and lie above -180 / N up to 180 / N degrees. For lines and crosses the sign
+ * of the reference does not matter.
+ *
+ * @section vtkFieldAngles-Inputs Inputs
+ *
+ * Port 0: vtkPolyData, a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
+ * SetInputArrayToProcess(0, 0, 0, association, name). The reference is Axis, or an array of vectors on cells or points,
+ * chosen with SetInputArrayToProcess(1, 0, 0, association, name); of points, the mean over the corners of a triangle.
+ *
+ * @section vtkFieldAngles-Output Output
+ *
+ * Port 0: vtkPolyData, the input with all its arrays and
+ *
+ * | array | of    | components | type   | meaning                                                        |
+ * | ----- | ----- | ---------- | ------ | -------------------------------------------------------------- |
+ * | Angle | cells | 1          | double | in degrees; 0 where there is no direction or where the reference is perpendicular to the triangle; active scalars |
+ *
+ * @section vtkFieldAngles-Execution Execution
+ *
+ * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ *
+ * @sa vtkHarmonicFieldSolver
+ */
+
+#ifndef vtkFieldAngles_h
+#define vtkFieldAngles_h
+
+#include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldAngles : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkFieldAngles* New();
+  vtkTypeMacro(vtkFieldAngles, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
+   * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
+   */
+  vtkSetClampMacro(NumberOfDirections, int, 0, 8);
+  vtkGetMacro(NumberOfDirections, int);
+  ///@}
+
+  ///@{
+  /**
+   * The reference vector, of any length, where no array of reference vectors is chosen. Default (0, 0, 1).
+   */
+  vtkSetVector3Macro(Axis, double);
+  vtkGetVector3Macro(Axis, double);
+  ///@}
+
+  vtkFieldAngles(const vtkFieldAngles&) = delete;
+  void operator=(const vtkFieldAngles&) = delete;
+
+protected:
+  vtkFieldAngles() = default;
+  ~vtkFieldAngles() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
+
+private:
+  int NumberOfDirections = 0;
+  double Axis[3] = { 0.0, 0.0, 1.0 };
+};
+
+#endif
