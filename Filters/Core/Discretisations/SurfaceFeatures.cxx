@@ -178,13 +178,15 @@ FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureO
 namespace
 {
 
+/// \param nameOf (element) for the message.
+template <class NameOf>
 Vector3 Turned(const Vector3& direction, const TangentFrames& frames, int element, double angle,
-  const std::string& name)
+  const NameOf& nameOf)
 {
   if (!std::isfinite(angle))
   {
-    throw InvalidInput("the rotation at " + name + " is not finite, and a direction is prescribed there; repair it, or "
-      "leave the direction out");
+    throw InvalidInput("the rotation at " + nameOf(element) +
+      " is not finite, and a direction is prescribed there; repair it, or leave the direction out");
   }
   return angle == 0.0 ? direction
                       : Vector3(Eigen::AngleAxisd(angle, frames.Normal(element)) * direction);
@@ -199,15 +201,15 @@ void Turn(PrescribedDirections& directions, const FramedMesh& surface, const Rot
   {
     CheckPrescribedElement(on.Face, surface.Mesh.NumberOfFaces(), "face");
     const double more = angles.Faces.size() > 0 ? angles.Faces[on.Face] : 0.0;
-    on.Direction = Turned(
-      on.Direction, surface.Faces, on.Face, angles.Everywhere + more, names.Face(on.Face));
+    on.Direction = Turned(on.Direction, surface.Faces, on.Face, angles.Everywhere + more,
+      [&names](int face) { return names.Face(face); });
   }
   for (PrescribedVertexDirection& at : directions.AtVertices)
   {
     CheckPrescribedElement(at.Vertex, surface.Mesh.NumberOfVertices(), "vertex");
     const double more = angles.Vertices.size() > 0 ? angles.Vertices[at.Vertex] : 0.0;
-    at.Direction = Turned(
-      at.Direction, surface.Vertices, at.Vertex, angles.Everywhere + more, names.Vertex(at.Vertex));
+    at.Direction = Turned(at.Direction, surface.Vertices, at.Vertex, angles.Everywhere + more,
+      [&names](int vertex) { return names.Vertex(vertex); });
   }
 }
 
