@@ -1,11 +1,9 @@
 #include "vtkDirectionalProlongation.h"
 
-#include "Adapters/ContextFromAlgorithm.h"
+#include "Adapters/FilterRequests.h"
 #include "Adapters/MeshFromPolyData.h"
 #include "Adapters/OperatorsToFieldData.h"
-#include "Adapters/PieceRequest.h"
 #include "Levels/SurfaceHierarchy.h"
-#include "Support/Errors.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"
@@ -79,6 +77,12 @@ int vtkDirectionalProlongation::GetNumberOfSetups() const
 }
 
 //------------------------------------------------------------------------------
+int vtkDirectionalProlongation::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
 int vtkDirectionalProlongation::FillOutputPortInformation(int port, vtkInformation* information)
 {
   information->Set(
@@ -90,8 +94,7 @@ int vtkDirectionalProlongation::FillOutputPortInformation(int port, vtkInformati
 int vtkDirectionalProlongation::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
-  return 1;
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -101,58 +104,34 @@ int vtkDirectionalProlongation::RequestData(
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
   auto* const levels = vtkPartitionedDataSetCollection::GetData(outputVector, 1);
-  output->Initialize();
-  levels->Initialize();
-  if (input->GetNumberOfCells() == 0)
-  {
-    return 1;
-  }
-  if (!dmg::IsPieceZero(request, outputVector))
-  {
-    vtkWarningMacro("a piece of the surface other than the first holds "
-      << input->GetNumberOfCells()
-      << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
-    return 1;
-  }
-
-  try
-  {
+  const auto make = [this, input, output, levels](const dmg::ExecutionContext& context) {
     dmg::HierarchyOptions options;
     options.FaceRatio = this->FaceRatio;
     options.MaximumNumberOfCoarseLevels = this->MaximumNumberOfCoarseLevels;
     options.MinimumNumberOfFaces = this->MinimumNumberOfFaces;
     options.Policy = static_cast<dmg::CollapsePolicy>(this->CollapsePolicy);
     options.Construction = static_cast<dmg::ProlongationConstruction>(this->Construction);
-    this->Internals->SetUp(input, options, { this->PowerFields, this->FaceFields, this->OneForms },
-      dmg::ContextFromAlgorithm(this));
-  }
-  catch (const dmg::Cancelled&)
-  {
-    return dmg::Aborted(this, outputVector);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
+    this->Internals->SetUp(
+      input, options, { this->PowerFields, this->FaceFields, this->OneForms }, context);
 
-  const vtkInternals::Setup& setup = *this->Internals->Last;
-  output->ShallowCopy(input);
-  dmg::RemoveOperators(output->GetFieldData());
-  for (int i = 0; i < setup.Operators->GetNumberOfArrays(); ++i)
-  {
-    output->GetFieldData()->AddArray(setup.Operators->GetAbstractArray(i));
-  }
-  vtkNew<vtkPolyData> finest;
-  finest->ShallowCopy(input);
-  const unsigned int numberOfLevels = 1 + static_cast<unsigned int>(setup.CoarseLevels.size());
-  levels->SetNumberOfPartitionedDataSets(numberOfLevels);
-  for (unsigned int level = 0; level < numberOfLevels; ++level)
-  {
-    levels->SetPartition(level, 0, level == 0 ? finest.Get() : setup.CoarseLevels[level - 1].Get());
-    levels->GetMetaData(level)->Set(vtkCompositeDataSet::NAME(), "Level " + std::to_string(level));
-  }
-  return 1;
+    const vtkInternals::Setup& setup = *this->Internals->Last;
+    output->ShallowCopy(input);
+    dmg::RemoveOperators(output->GetFieldData());
+    for (int i = 0; i < setup.Operators->GetNumberOfArrays(); ++i)
+    {
+      output->GetFieldData()->AddArray(setup.Operators->GetAbstractArray(i));
+    }
+    vtkNew<vtkPolyData> finest;
+    finest->ShallowCopy(input);
+    const unsigned int numberOfLevels = 1 + static_cast<unsigned int>(setup.CoarseLevels.size());
+    levels->SetNumberOfPartitionedDataSets(numberOfLevels);
+    for (unsigned int level = 0; level < numberOfLevels; ++level)
+    {
+      levels->SetPartition(level, 0, level == 0 ? finest.Get() : setup.CoarseLevels[level - 1].Get());
+      levels->GetMetaData(level)->Set(vtkCompositeDataSet::NAME(), "Level " + std::to_string(level));
+    }
+  };
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }
 
 //------------------------------------------------------------------------------

@@ -167,6 +167,7 @@ protected:
   vtkDirectionalProlongation();
   ~vtkDirectionalProlongation() override;
 
+  int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;

@@ -2,7 +2,7 @@
 
 #include "Adapters/DrawingToPolyData.h"
 #include "Adapters/FieldFromArrays.h"
-#include "Adapters/PieceRequest.h"
+#include "Adapters/FilterRequests.h"
 #include "Drawing/FieldGlyphs.h"
 #include "Drawing/GlyphPlaces.h"
 
@@ -15,11 +15,16 @@
 vtkStandardNewMacro(vtkFieldGlyphs);
 
 //------------------------------------------------------------------------------
+int vtkFieldGlyphs::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldGlyphs::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
-  return 1;
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------

@@ -150,6 +150,7 @@ protected:
   vtkFieldGlyphs() = default;
   ~vtkFieldGlyphs() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

@@ -2,7 +2,7 @@
 
 #include "Adapters/DrawingToPolyData.h"
 #include "Adapters/FieldFromArrays.h"
-#include "Adapters/PieceRequest.h"
+#include "Adapters/FilterRequests.h"
 #include "Drawing/EvenlySpacedLines.h"
 
 #include "vtkInformationVector.h"
@@ -12,11 +12,16 @@
 vtkStandardNewMacro(vtkFieldLines);
 
 //------------------------------------------------------------------------------
+int vtkFieldLines::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
 int vtkFieldLines::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
-  return 1;
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------

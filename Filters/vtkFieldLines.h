@@ -116,6 +116,7 @@ protected:
   vtkFieldLines() = default;
   ~vtkFieldLines() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

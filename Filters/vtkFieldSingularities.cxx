@@ -2,7 +2,7 @@
 
 #include "Adapters/DrawingToPolyData.h"
 #include "Adapters/FieldFromArrays.h"
-#include "Adapters/PieceRequest.h"
+#include "Adapters/FilterRequests.h"
 #include "Operators/FieldTopology.h"
 
 #include "vtkInformationVector.h"
@@ -14,15 +14,20 @@ vtkStandardNewMacro(vtkFieldSingularities);
 //------------------------------------------------------------------------------
 vtkFieldSingularities::vtkFieldSingularities()
 {
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldSingularities::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
 }
 
 //------------------------------------------------------------------------------
 int vtkFieldSingularities::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dmg::RequestWholeInPieceZero(request, inputVector, 1, outputVector);
-  return 1;
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -30,11 +35,14 @@ int vtkFieldSingularities::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
-    [outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    [this, inputVector, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       const dmg::FieldTopology topology = dmg::TopologyOfField(
         given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
+      dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0),
+        this->SphereRadius * vtkPolyData::GetData(inputVector[0])->GetLength(),
+        vtkPolyData::GetData(outputVector, 3));
       dmg::CutsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 1));
       dmg::BoundaryLoopsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 2));
     });
@@ -45,4 +53,5 @@ void vtkFieldSingularities::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "SphereRadius: " << this->SphereRadius << "\n";
 }

@@ -12,8 +12,8 @@
  * the field follows the boundary, -1 for a parallel field around a hole. With these, all indices sum to the Euler
  * characteristic on every surface (Poincare and Hopf).
  *
- * All three are outputs of one filter, since they are read from one matching of the field, and since their sum means
- * something only if they belong to the same field; one Apply shows the first, and the eye shows the others.
+ * All are outputs of one filter, since they are read from one matching of the field, and since their sum means
+ * something only if they belong to the same field; one Apply shows the spheres, and the eye shows the others.
  *
  * @section vtkFieldSingularities-Inputs Inputs
  *
@@ -47,6 +47,9 @@
  * | ----- | ----- | ---------- | ------ | ---------------------------------------------------- |
  * | Index | cells | 1          | double | a multiple of 1 / N, also 0; the active scalars      |
  *
+ * Port 3, the spheres: vtkPolyData, a sphere of triangles around each singularity, with its Index at all points, to be
+ * looked at.
+ *
  * @section vtkFieldSingularities-Execution Execution
  *
  * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines.
@@ -76,6 +79,14 @@ public:
   vtkGetMacro(NumberOfDirections, int);
   ///@}
 
+  ///@{
+  /**
+   * Radius of the spheres, relative to the diagonal of the input's bounding box. Default 0.012, range 0 to 0.1.
+   */
+  vtkSetClampMacro(SphereRadius, double, 0.0, 0.1);
+  vtkGetMacro(SphereRadius, double);
+  ///@}
+
   vtkFieldSingularities(const vtkFieldSingularities&) = delete;
   void operator=(const vtkFieldSingularities&) = delete;
 
@@ -83,6 +94,7 @@ protected:
   vtkFieldSingularities();
   ~vtkFieldSingularities() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -90,6 +102,7 @@ protected:
 
 private:
   int NumberOfDirections = 0;
+  double SphereRadius = 0.012;
 };
 
 #endif

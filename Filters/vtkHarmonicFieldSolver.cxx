@@ -1,13 +1,11 @@
 #include "vtkHarmonicFieldSolver.h"
 
 #include "Adapters/ConstraintsFromArrays.h"
-#include "Adapters/ContextFromAlgorithm.h"
 #include "Adapters/FeaturesOfSurface.h"
+#include "Adapters/FilterRequests.h"
 #include "Adapters/OptionsOfSolver.h"
-#include "Adapters/PieceRequest.h"
 #include "Adapters/ReportToArrays.h"
 #include "Adapters/SolvedSurface.h"
-#include "Support/Errors.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -97,7 +95,7 @@ int vtkHarmonicFieldSolver::FillInputPortInformation(int port, vtkInformation* i
 {
   if (port == 0)
   {
-    return this->Superclass::FillInputPortInformation(port, information);
+    return dmg::TakeAnyDataSet(information);
   }
   // Composite datasets come as a whole, and other types get an error that says what to do.
   information->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataObject");
@@ -117,8 +115,7 @@ int vtkHarmonicFieldSolver::FillOutputPortInformation(int port, vtkInformation* 
 int vtkHarmonicFieldSolver::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dmg::RequestWholeInPieceZero(request, inputVector, 2, outputVector);
-  return 1;
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -129,38 +126,18 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* const edges = vtkPolyData::GetData(outputVector, 1);
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
-  output->Initialize();
-  edges->Initialize();
-  convergence->Initialize();
-  if (input->GetNumberOfCells() == 0)
-  {
-    return 1;
-  }
-  if (!dmg::IsPieceZero(request, outputVector))
-  {
-    vtkWarningMacro("a piece of the surface other than the first holds "
-      << input->GetNumberOfCells()
-      << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
-    return 1;
-  }
-
-  dmg::SolvedSurface& kept = this->Internals->Kept;
-  const dmg::Guides guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides,
-    this->MaximumDistance };
-  dmg::GuidesReport guidesReport;
-  bool hasBasis = false;
-  try
-  {
-    const dmg::ContextFromAlgorithm context(this);
+  const auto make = [&](const dmg::ExecutionContext& context) {
+    dmg::SolvedSurface& kept = this->Internals->Kept;
+    const dmg::Guides guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides,
+      this->MaximumDistance };
     const dmg::FieldOptions options = dmg::OptionsOf(this);
     kept.SetSurface(input, options.Solver.Kind, dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
     dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOf(this), input, guides,
       kept.Surface(), dmg::PartOfContext(context, 0.1, 0.1));
-    guidesReport = prescribed.Report;
-    if (!guidesReport.IsAllTaken())
+    if (!prescribed.Report.IsAllTaken())
     {
-      vtkWarningMacro(<< guidesReport.LeftOut());
+      vtkWarningMacro(<< prescribed.Report.LeftOut());
     }
     const auto missing = dmg::FollowFeatures(
       this, input, kept, prescribed.Directions, dmg::PartOfContext(context, 0.1, 0.1));
@@ -173,7 +150,7 @@ int vtkHarmonicFieldSolver::RequestData(
         vtkWarningMacro(<< text);
       }
     }
-    hasBasis = this->HarmonicBasis && kept.Field().HasHarmonicFields();
+    const bool hasBasis = this->HarmonicBasis && kept.Field().HasHarmonicFields();
     kept.MakeArrays(input, this->UnitLength, this->Combing,
       dmg::PartOfContext(context, 0.9, hasBasis ? 0.92 : 1.0));
     if (hasBasis && kept.MakeBasis(input, dmg::PartOfContext(context, 0.92, 1.0)) &&
@@ -183,29 +160,20 @@ int vtkHarmonicFieldSolver::RequestData(
         << " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes "
            "and remove its small handles first, or switch HarmonicBasis off");
     }
-  }
-  catch (const dmg::Cancelled&)
-  {
-    return dmg::Aborted(this, outputVector);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
 
-  output->ShallowCopy(input);
-  kept.AddArraysTo(output, edges, hasBasis);
-  dmg::MakeConvergenceTable(kept.Report(), convergence);
-  for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
-  {
-    kept.AddReportTo(data, hasBasis);
-    if (!guides.Data.empty())
+    output->ShallowCopy(input);
+    kept.AddArraysTo(output, edges, hasBasis);
+    dmg::MakeConvergenceTable(kept.Report(), convergence);
+    for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
     {
-      dmg::AddGuidesReport(guidesReport, data);
+      kept.AddReportTo(data, hasBasis);
+      if (!guides.Data.empty())
+      {
+        dmg::AddGuidesReport(prescribed.Report, data);
+      }
     }
-  }
-  return 1;
+  };
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }
 
 //------------------------------------------------------------------------------

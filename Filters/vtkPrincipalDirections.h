@@ -79,6 +79,7 @@ protected:
   vtkPrincipalDirections() = default;
   ~vtkPrincipalDirections() override = default;
 
+  int FillInputPortInformation(int port, vtkInformation* information) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

@@ -12,6 +12,10 @@ paraview_plugin_build(
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
   PLUGINS_FILE_NAME "directionalmultigrid.plugins.xml")
 
+# It finds the module's library below any prefix.
+file(RELATIVE_PATH to_libraries "/${PARAVIEW_PLUGIN_SUBDIR}/DirectionalMultigrid" "/")
+set_target_properties(DirectionalMultigrid PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
+
 configure_file("${CMAKE_CURRENT_LIST_DIR}/RegisterPlugin.cmake.in"
   "${PROJECT_BINARY_DIR}/RegisterPlugin.cmake" @ONLY)
 install(SCRIPT "${PROJECT_BINARY_DIR}/RegisterPlugin.cmake" COMPONENT paraview_plugins)

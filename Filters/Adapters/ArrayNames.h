@@ -34,6 +34,7 @@ inline constexpr const char* Turning = "Turning";
 inline constexpr const char* Iteration = "Iteration";
 inline constexpr const char* Seconds = "Seconds";
 inline constexpr const char* RelativeResidual = "RelativeResidual";
+inline constexpr const char* Returned = "Returned";
 inline constexpr const char* Energy = "Energy";
 inline constexpr const char* MassResidual = "MassResidual";
 inline constexpr const char* Error = "Error";

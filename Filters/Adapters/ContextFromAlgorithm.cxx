@@ -1,13 +1,7 @@
 #include "Adapters/ContextFromAlgorithm.h"
 
 #include "vtkAlgorithm.h"
-#include "vtkDataObject.h"
-#include "vtkDemandDrivenPipeline.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
-#include "vtkInformationVector.h"
 #include "vtkSMPTools.h"
-#include "vtkVersionMacros.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -15,9 +9,6 @@
 #include <cstdlib>
 #include <cstring>
 #include <exception>
-
-// VTK 9.2 of ParaView 5.11 is the first whose algorithms also hear of aborts upstream.
-#define DMG_VTK_CHECKS_ABORT (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111))
 
 namespace dmg
 {
@@ -119,21 +110,6 @@ void ContextFromAlgorithm::RunInParallel(
   {
     std::rethrow_exception(error);
   }
-}
-
-int Aborted(vtkAlgorithm* algorithm, vtkInformationVector* outputs)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkInformation* const information = outputs->GetInformationObject(port);
-    vtkDataObject::GetData(information)->ReleaseData();
-    information->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
-  }
-#if DMG_VTK_CHECKS_ABORT
-  algorithm->SetAbortOutput(true);
-#endif
-  algorithm->SetAbortExecute(0);
-  return 1;
 }
 
 }

@@ -3,14 +3,18 @@
 
 #include "Support/ExecutionContext.h"
 
+#include "vtkVersionMacros.h"
+
 #include <tbb/task_arena.h>
 
 #include <atomic>
 #include <memory>
 #include <thread>
 
+// VTK 9.2 of ParaView 5.11 is the first whose algorithms also hear of aborts upstream.
+#define DMG_VTK_CHECKS_ABORT (VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20230111))
+
 class vtkAlgorithm;
-class vtkInformationVector;
 
 namespace dmg
 {
@@ -48,10 +52,6 @@ private:
   int Threads;
   mutable std::atomic<bool> Cancelled{ false };
 };
-
-/// What RequestData returns after Cancelled: empties the outputs and marks them as not generated,
-/// so that the next update runs again, and takes the request to abort as fulfilled.
-int Aborted(vtkAlgorithm* algorithm, vtkInformationVector* outputs);
 
 }
 

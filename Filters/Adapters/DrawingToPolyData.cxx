@@ -4,6 +4,7 @@
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
+#include "vtkGlyph3D.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -11,6 +12,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
 
 #include <algorithm>
 #include <map>
@@ -160,6 +162,28 @@ void SingularitiesToPolyData(
   const int euler = surface.Mesh.EulerCharacteristic();
   output->GetFieldData()->AddArray(NewArray<vtkDoubleArray>("SumOfIndices", 1, &sum, 1));
   output->GetFieldData()->AddArray(NewArray<vtkIntArray>("EulerCharacteristic", 1, &euler, 1));
+}
+
+void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* output)
+{
+  if (singularities->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  constexpr int Resolution = 16;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(Resolution);
+  sphere->SetPhiResolution(Resolution);
+  vtkNew<vtkGlyph3D> glyphs;
+  glyphs->SetInputData(singularities);
+  glyphs->SetSourceConnection(sphere->GetOutputPort());
+  glyphs->ScalingOff();
+  glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  glyphs->Update();
+  output->ShallowCopy(glyphs->GetOutput());
+  output->GetPointData()->SetActiveScalars("Index");
+  output->GetFieldData()->Initialize();
 }
 
 void CutsToPolyData(

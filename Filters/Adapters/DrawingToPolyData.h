@@ -25,10 +25,12 @@ void LinesToPolyData(
 void GlyphsToPolyData(
   const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output);
 
-/// The three outputs of vtkFieldSingularities.
+/// The outputs of vtkFieldSingularities.
 /// \param given the surface, of which \p topology is made.
 void SingularitiesToPolyData(
   const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
+/// \param radius of the spheres, in the unit of the points.
+void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* output);
 void CutsToPolyData(
   const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
 void BoundaryLoopsToPolyData(

@@ -1,5 +1,9 @@
 #include "Adapters/ElementArrays.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <new>
+
 namespace dmg
 {
 
@@ -9,7 +13,15 @@ vtkSmartPointer<vtkDoubleArray> NewArray(
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
-  array->SetNumberOfTuples(tuples);
+  // Where there is no memory, arrays of ParaView's VTK end the process; this throws.
+  const vtkIdType size = components * tuples;
+  auto* const values =
+    static_cast<double*>(std::malloc(std::max<vtkIdType>(size, 1) * sizeof(double)));
+  if (!values)
+  {
+    throw std::bad_alloc();
+  }
+  array->SetArray(values, size, 0, vtkDoubleArray::VTK_DATA_ARRAY_FREE);
   return array;
 }
 

@@ -1,7 +1,6 @@
 #include "Adapters/FieldFromArrays.h"
 
-#include "Adapters/ContextFromAlgorithm.h"
-#include "Adapters/PieceRequest.h"
+#include "Adapters/FilterRequests.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
@@ -67,7 +66,7 @@ ChosenVectors DefaultVectors(vtkPolyData* surface)
   }
   throw InvalidInput(
     "the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
-    "vtkHarmonicFieldSolver first, or choose an array of vectors");
+    "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
 }
 
 ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
@@ -111,6 +110,18 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
     "those, or none");
 }
 
+/// \throw InvalidInput there is not a tuple for every element.
+void CheckTuples(vtkDataArray* array, vtkPolyData* surface, bool isOnPoints)
+{
+  const vtkIdType elements = isOnPoints ? surface->GetNumberOfPoints() : surface->GetNumberOfCells();
+  if (array->GetNumberOfTuples() < elements)
+  {
+    throw InvalidInput("array '" + NameOf(array) + "' has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples for " + std::to_string(elements) + (isOnPoints ? " points" : " cells") +
+      "; choose another, or have its source write one for each");
+  }
+}
+
 ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
 {
   const ChosenVectors chosen = FindVectors(algorithm, surface);
@@ -120,6 +131,7 @@ ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
     throw InvalidInput(
       "array '" + name + "' does not hold 3 numbers per element; choose an array of vectors");
   }
+  CheckTuples(chosen.Array, surface, chosen.OnPoints);
   return chosen;
 }
 
@@ -200,6 +212,7 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
     {
       continue;
     }
+    CheckTuples(array, input, false);
     const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
     const auto isTurned = [&](int face)
     {
@@ -288,39 +301,11 @@ int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVe
   vtkInformationVector* outputs, int N,
   const std::function<void(const SurfaceWithField&, const ExecutionContext&)>& draw)
 {
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkDataObject::GetData(outputs, port)->Initialize();
-  }
-  vtkPolyData* const input = vtkPolyData::GetData(inputs[0]);
-  if (input->GetNumberOfCells() == 0)
-  {
-    return 1;
-  }
-  if (!IsPieceZero(request, outputs))
-  {
-    vtkWarningWithObjectMacro(algorithm,
-      "a piece of the surface other than the first holds "
-        << input->GetNumberOfCells()
-        << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
-    return 1;
-  }
-  try
-  {
-    const ContextFromAlgorithm context(algorithm);
-    const SurfaceWithField field = ReadField(algorithm, input, N, PartOfContext(context, 0.0, 0.3));
+  return MakeOutputs(algorithm, request, inputs, outputs, [&](const ExecutionContext& context) {
+    const SurfaceWithField field =
+      ReadField(algorithm, vtkPolyData::GetData(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
     draw(field, PartOfContext(context, 0.3, 1.0));
-  }
-  catch (const Cancelled&)
-  {
-    return Aborted(algorithm, outputs);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorWithObjectMacro(algorithm, << error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 }

@@ -159,7 +159,7 @@ void Projection::AddVector(
     return;
   }
   const Complex direction = this->Framed.On.Faces.ToComplex(place.Face, vector);
-  if (std::abs(direction) <= SmallestTangentialPart * vector.norm())
+  if (std::abs(direction) <= SmallestTangentialPart * vector.stableNorm())
   {
     throw InvalidInput("the direction prescribed at " + name +
       " is perpendicular to the nearest triangle, cell " +
@@ -213,7 +213,7 @@ void Projection::AddSegment(const Vector3& start, const Vector3& end, const Vect
       continue;
     }
     const Complex tangential = this->Framed.On.Faces.ToComplex(part.Face, given);
-    if (std::abs(tangential) <= SmallestTangentialPart * given.norm())
+    if (std::abs(tangential) <= SmallestTangentialPart * given.stableNorm())
     {
       isPerpendicular = true;
       continue;

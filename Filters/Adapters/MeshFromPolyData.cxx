@@ -139,7 +139,7 @@ GivenTriangles ReadTriangles(vtkPolyData* surface, vtkIdType firstCell)
       if (size != 3)
       {
         throw InvalidInput(Cell(firstCell + face) + " is not a triangle, it has " +
-          std::to_string(size) + " points; apply vtkTriangleFilter first");
+          std::to_string(size) + " points; apply Triangulate (vtkTriangleFilter) first");
       }
       for (int k = 0; k < 3; ++k)
       {
@@ -206,6 +206,27 @@ std::vector<int> EdgesByPoints(const TriangleMesh& mesh, const std::vector<int>&
   return edges;
 }
 
+/// \throw InvalidInput no triangle has an area above 1e-10 times the square of its longest side: then no direction is
+/// tangential to the surface.
+void CheckArea(const TriangleMesh& mesh)
+{
+  constexpr double SmallestArea = 1e-10;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    double longest = 0.0;
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      longest = std::max(longest, (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm());
+    }
+    if (mesh.FaceArea(face) > SmallestArea * longest)
+    {
+      return;
+    }
+  }
+  throw InvalidInput("no triangle of the surface has an area, as the corners of each lie on a line; undo what has "
+                     "flattened the surface, or take another");
+}
+
 SurfaceMesh InSpatialOrder(
   const GivenTriangles& given, vtkIdType firstCell, const ExecutionContext& context)
 {
@@ -226,6 +247,7 @@ SurfaceMesh InSpatialOrder(
       }
     }
   });
+  CheckArea(mesh);
   std::vector<int> edges = EdgesByPoints(mesh, order.Vertices(), context);
   return { { firstCell, order.Faces(), Inverse(order.Faces(), context), std::move(points),
              std::move(vertices), std::move(edges) },
@@ -238,6 +260,7 @@ SurfaceMesh AsGiven(
   const std::vector<int> polygons = Identity(static_cast<int>(given.Corners.rows()));
   const ElementNames names = NamesOf(given.PointIds, polygons, firstCell);
   TriangleMesh mesh(std::move(given.Positions), std::move(given.Corners), names, context);
+  CheckArea(mesh);
   std::vector<int> edges = Identity(mesh.NumberOfEdges());
   return { { firstCell, polygons, polygons, std::move(given.PointIds), std::move(given.Vertices),
              std::move(edges) },
@@ -260,12 +283,12 @@ SurfaceMesh MeshFromPolyData(
   if (surface->GetNumberOfStrips() > 0)
   {
     throw InvalidInput(
-      Cell(firstCell + numberOfFaces) + " is a triangle strip; apply vtkTriangleFilter first");
+      Cell(firstCell + numberOfFaces) + " is a triangle strip; apply Triangulate (vtkTriangleFilter) first");
   }
   if (numberOfFaces == 0)
   {
-    throw InvalidInput("the surface has no triangles; connect one, or extract the surface of the "
-                       "dataset with vtkGeometryFilter and vtkTriangleFilter first");
+    throw InvalidInput("the surface has no triangles; connect another, or the dataset that it was made of, through "
+                       "Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter)");
   }
   if (std::max({ numberOfPoints, surface->GetNumberOfCells(), 3 * numberOfFaces }) >
     std::numeric_limits<int>::max())

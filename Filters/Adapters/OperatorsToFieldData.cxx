@@ -93,7 +93,7 @@ void AddOperator(
 [[noreturn]] void Refuse(const std::string& name, const std::string& what)
 {
   throw InvalidInput("field array '" + name + "' " + what +
-    "; remove the damaged operators or apply vtkDirectionalProlongation again");
+    "; remove the damaged operators or apply Directional Prolongation (vtkDirectionalProlongation) again");
 }
 
 template <class ArrayType>

@@ -56,6 +56,14 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
   {
     addColumn(ArrayNames::Error, &IterationReport::Error);
   }
+  vtkNew<vtkIntArray> returned;
+  returned->SetName(ArrayNames::Returned);
+  returned->SetNumberOfValues(size);
+  for (vtkIdType i = 0; i < size; ++i)
+  {
+    returned->SetValue(i, report.Iterations[i].Iteration == report.Returned ? 1 : 0);
+  }
+  table->AddColumn(returned);
 }
 
 void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldData* fieldData)

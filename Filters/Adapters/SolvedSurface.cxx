@@ -34,7 +34,7 @@ void SolvedSurface::SetSurface(
                        "(field array '" +
       std::string(ArrayNames::ProlongationDigest) + "' says " + stored->Digest +
       ", the points and triangles give " + digest +
-      "); apply vtkDirectionalProlongation after the last filter that changes the surface");
+      "); apply Directional Prolongation (vtkDirectionalProlongation) after the last filter that changes the surface");
   }
   // Operators that are stored number the elements as the input does.
   const dmg::Numbering order = stored ? dmg::Numbering::OfPolyData : dmg::Numbering::Spatial;

@@ -55,4 +55,9 @@ if (DMG_WRAP_PYTHON)
     MODULE_DESTINATION "${DMG_PYTHON_DESTINATION}"
     CMAKE_DESTINATION "${package_destination}"
     INSTALL_HEADERS OFF)
+  # It finds the module's library below any prefix.
+  file(RELATIVE_PATH to_libraries
+    "/${DMG_PYTHON_DESTINATION}/directionalmultigrid" "/${CMAKE_INSTALL_LIBDIR}")
+  set_target_properties(vtkFiltersDirectionalFieldsPython PROPERTIES
+    INSTALL_RPATH "$ORIGIN/${to_libraries}")
 endif ()

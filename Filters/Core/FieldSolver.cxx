@@ -5,6 +5,7 @@
 #include "Levels/SurfaceHierarchy.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Solvers/HarmonicProblem.h"
+#include "Solvers/SolveInUnits.h"
 
 #include <algorithm>
 #include <cassert>
@@ -338,13 +339,13 @@ void FieldSolver::Internals::Solve(
   {
     constexpr double Rounding = 1e-13;
     constexpr int Corrections = 10;
-    reference = system.Reference->Solve(
-      values, {}, {}, { Rounding, Corrections }, PartOfContext(context, 0.0, 0.2));
+    reference = SolveInUnits(*system.Reference, values, {}, {}, { Rounding, Corrections },
+      PartOfContext(context, 0.0, 0.2))
+                  .Unknowns;
   }
-  Vector<double> unknowns = system.Problem.Solve(
-    values, start, reference, stop, PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0));
-  this->Solution.reset(
-    new SolveStage{ values, stop, std::move(unknowns), system.Problem.Report() });
+  auto [unknowns, report] = SolveInUnits(system.Problem, values, start, reference, stop,
+    PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0));
+  this->Solution.reset(new SolveStage{ values, stop, std::move(unknowns), std::move(report) });
   this->SolvedField = this->Field;
   ++this->Counts.Solves;
 }
@@ -379,6 +380,7 @@ const Vector<double>& FieldSolver::Solve(const PrescribedDirections& directions,
   Internals& of = *this->Internal;
   of.SetDiscretisation(options.Field);
   const FieldConstraints constraints = of.Field->Prescribe(directions, names);
+  CheckSizes(directions, names);
   of.SetUp(options, PartOfContext(context, 0.0, 0.5));
   of.Prepare(constraints, options, PartOfContext(context, 0.5, 0.75));
   of.Solve(constraints.Values, stop, PartOfContext(context, 0.75, 1.0));

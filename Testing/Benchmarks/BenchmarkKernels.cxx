@@ -208,7 +208,7 @@ void MeasureCoarseLevels(const SparseMatrix<Scalar>& lower,
   Scaled scaled(hierarchy, Scaled::Content::MatricesForSweeps, context);
   for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
   {
-    const auto smoother = Smoother<Value>::New(scaled[l].A, SweepsOfLevels(), context);
+    const auto smoother = Smoother<Value>::New(scaled[l].A, SweepsOfLevels());
     MeasureSweeps(scaled[l].A, *smoother, l + 1, runs, table, context);
   }
 }
@@ -217,15 +217,15 @@ void MeasureCoarseLevels(const SparseMatrix<Scalar>& lower,
 void MeasurePowers(const LaplacianHierarchy& hierarchy, int runs, KernelsTable& table,
   const ExecutionContext& context)
 {
-  MeasureProduct("product, double", hierarchy, hierarchy.L.Size(),
-    static_cast<double>(hierarchy.L.NonZeros()),
-    hierarchy.L.Bytes() + 2.0 * sizeof(double) * hierarchy.NumberOfUnknowns(), runs, table, context);
+  MeasureProduct("product, double", hierarchy, hierarchy.Rows(),
+    static_cast<double>(hierarchy.L.nonZeros()),
+    BytesOf(hierarchy.L) + 2.0 * sizeof(double) * hierarchy.NumberOfUnknowns(), runs, table, context);
   MeasureInterpolation<Vector<Complex>, std::complex<float>, float>(hierarchy.Prolongation,
     Vector<Complex>(hierarchy.CoarseLower.rows()), runs, table, context);
-  const Vector<float> inverseDiagonal = hierarchy.L.Diagonal.cwiseInverse().cast<float>();
+  const Vector<float> inverseDiagonal = hierarchy.L.diagonal().real().cwiseInverse().cast<float>();
   const auto smoother = Smoother<std::complex<float>>::NewWithDiagonal(
-    hierarchy.L.Rounded, inverseDiagonal, SweepsOfLevels());
-  MeasureSweeps(hierarchy.L.Rounded, *smoother, 0, runs, table, context);
+    hierarchy.Sweeps, inverseDiagonal, SweepsOfLevels());
+  MeasureSweeps(hierarchy.Sweeps, *smoother, 0, runs, table, context);
   MeasureCoarseLevels<std::complex<float>>(
     hierarchy.CoarseLower, hierarchy.Coarser, runs, table, context);
 }

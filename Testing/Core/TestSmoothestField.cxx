@@ -127,7 +127,7 @@ TEST(SmoothestField, HasTheEigenvalueOfADenseSolver)
     for (const FieldOptions& options : fields)
     {
       FieldSolver solver(surface.Mesh());
-      solver.Solve({}, options, { 1e-13, 300 });
+      solver.Solve({}, options, { 1e-6, 300 });
       EXPECT_TRUE(solver.Report().Converged) << name;
       ASSERT_EQ(solver.Report().Eigenvalues.size(), 1u) << name;
       const double expected = LowestEigenvalue(solver.Surface(), options);
@@ -146,13 +146,13 @@ TEST(SmoothestField, IsTheSameBySolversOfAllKinds)
   {
     const TriangleMesh mesh = Ellipsoid(4, { 1.0, 1.3, 2.0 }).Mesh();
     FieldSolver factored(mesh);
-    factored.Solve({}, OptionsOf(kind, 1, SolverKind::Cholesky), { 1e-12, 100 });
+    factored.Solve({}, OptionsOf(kind, 1, SolverKind::Cholesky), { 1e-6, 100 });
     const double expected = factored.Report().Eigenvalues[0];
     for (const SolverKind solverKind : { SolverKind::ConjugateGradients, SolverKind::VCycles,
            SolverKind::NestedIterations, SolverKind::CoarseProlongation })
     {
       FieldSolver solver(mesh);
-      solver.Solve({}, OptionsOf(kind, 1, solverKind), { 1e-12, 100 });
+      solver.Solve({}, OptionsOf(kind, 1, solverKind), { 1e-6, 100 });
       EXPECT_TRUE(solver.Report().Converged);
       EXPECT_LE(solver.Report().Iterations.size(), 40u);
       EXPECT_NEAR(solver.Report().Eigenvalues[0], expected, 1e-9 * expected);
@@ -165,7 +165,7 @@ TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
 {
   const auto expectAll = [](const Surface& surface, int N, int number) {
     FieldSolver solver(surface.Mesh());
-    solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N), { 1e-12, 300 });
+    solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N), { 1e-5, 300 });
     EXPECT_EQ(SingularitiesOf(solver), (std::map<int, int>{ { 1, number } })) << "N = " << N;
   };
   for (const int N : { 1, 2, 4, 6 })
@@ -238,7 +238,7 @@ TEST(SmoothestField, StandsBesideGuidedComponents)
   for (const DiscretisationKind kind :
     { DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
   {
-    const StoppingCriteria stop{ 1e-11, 200 };
+    const StoppingCriteria stop{ 1e-7, 200 };
     FieldOptions options = OptionsOf(kind, 2, SolverKind::ConjugateGradients);
     options.Constraints = ConstraintKind::Hard; // the weights of soft ones know the whole surface
     const PrescribedDirections directions{

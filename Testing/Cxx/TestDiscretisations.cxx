@@ -35,6 +35,7 @@ vtkSmartPointer<Solver> NewSolver(vtkPolyData* input, int discretisation)
   solver->SetInputData(input);
   solver->SetInputArrayToProcess(1, 0, 0, OnCells, "Given");
   solver->SetDiscretisation(discretisation);
+  solver->SetTolerance(1e-8);
   return solver;
 }
 
@@ -687,7 +688,7 @@ TEST_P(AnyField, NamesThePropertyThatMissingOperatorsTake)
   Messages messages(solver);
   solver->Update();
   const char* const properties[] = { "PowerFields", "FaceFields", "OneForms" };
-  EXPECT_NE(messages.Error().find(std::string("vtkDirectionalProlongation with ") +
+  EXPECT_NE(messages.Error().find(std::string("Directional Prolongation (vtkDirectionalProlongation) with ") +
               properties[GetParam()] + " on"),
     std::string::npos)
     << messages.Error();

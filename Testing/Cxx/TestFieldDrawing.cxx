@@ -104,7 +104,7 @@ TEST_P(FieldDrawing, DrawsTheSolversFieldWithoutFurtherAdo)
 TEST_P(FieldDrawing, NamesWhatIsWrongWithTheInput)
 {
   const auto filter = New();
-  EXPECT_NE(ErrorFor(filter, PolyDataOf(Icosphere(1))).find("apply vtkHarmonicFieldSolver first"),
+  EXPECT_NE(ErrorFor(filter, PolyDataOf(Icosphere(1))).find("apply Harmonic Field Solver (vtkHarmonicFieldSolver) first"),
     std::string::npos);
 
   auto data = WithVectors(Icosphere(1), "Direction0", Cells, { 0.0, 0.0, 0.0 });
@@ -136,6 +136,20 @@ TEST_P(FieldDrawing, NamesWhatIsWrongWithTheInput)
   data->GetPolys()->InsertNextCell({ 0, 1, 3, 2 });
   data->GetCellData()->GetArray("Direction0")->SetNumberOfTuples(1);
   EXPECT_NE(ErrorFor(filter, data).find("cell 0 is not a triangle"), std::string::npos);
+}
+
+TEST_P(FieldDrawing, RefusesArraysWithTooFewTuples)
+{
+  for (const char* const name : { "Direction0", "Direction1" })
+  {
+    const auto input = PolyDataOf(Icosphere(1));
+    for (const char* const other : { "Direction0", "Direction1" })
+    {
+      AddVectors(input->GetCellData(), other, other == std::string(name) ? 7 : 80, { { 2, { 1.0, 0.5, -0.25 } } });
+    }
+    EXPECT_NE(ErrorFor(New(), input).find(std::string("array '") + name + "' has 7 tuples for 80 cells"),
+      std::string::npos);
+  }
 }
 
 TEST_P(FieldDrawing, NamesWhatIsWrongWithTheChoice)

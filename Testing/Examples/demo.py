@@ -9,7 +9,6 @@ import sys
 from paraview.simple import *
 
 GREEN, RED, BLUE, IVORY = [0.12, 0.53, 0.3], [0.83, 0.15, 0.17], [0.16, 0.33, 0.52], [1, 0.97, 0.92]
-AS_THEY_ARE = dict(GlyphMode="All Points", ScaleArray=["POINTS", "No scale array"])
 
 
 def open_surface(path):
@@ -25,12 +24,10 @@ def show(source, view, colour="", **properties):
         display.AmbientColor = display.DiffuseColor = colour
 
 
-def show_singularities(field, view, radius):
+def show_singularities(field, view, radius=0.012):
     """Balls, red where the index is positive and green where it is negative."""
-    singularities = FieldSingularities(Input=field)
-    balls = Glyph(Input=singularities, GlyphType="Sphere", ScaleFactor=2 * radius, **AS_THEY_ARE)
-    balls.GlyphType.ThetaResolution = balls.GlyphType.PhiResolution = 24
-    show(balls, view, "Index", Specular=0.4)
+    singularities = FieldSingularities(Input=field, SphereRadius=radius)
+    show(OutputPort(singularities, 3), view, "Index", Specular=0.4)
     GetColorTransferFunction("Index").RGBPoints = [-1, *GREEN, 0, *GREEN, 0, *RED, 1, *RED]
     return servermanager.Fetch(singularities)
 
@@ -48,7 +45,7 @@ def main(path):
     view = view_from([0.35, 0.3, 1], [1200, 1050])
     show(GenerateSurfaceNormals(Input=field, FeatureAngle=60), view, IVORY, Ambient=0.12, Specular=0.1)
     show(Tube(Input=FieldLines(Input=field, SeparatingDistance=0.016), Radius=0.0009 * size), view, BLUE)
-    singularities = show_singularities(field, view, 0.008 * size)
+    singularities = show_singularities(field, view, 0.008)
     ResetCamera(view)
     GetActiveCamera().Zoom(1.37)
     SaveScreenshot("demo.png", view, ImageResolution=[2400, 2100])

@@ -1,6 +1,4 @@
-"""The three discretisations beside each other, through ParaView's Python:
-
-    pvbatch three_fields.py Data/double_torus.vtp
+"""The three discretisations beside each other:  pvbatch three_fields.py Data/double_torus.vtp
 
 Solves for a cross field (power field), a face field and a 1-form that follow the same three arrows, and leaves
 power_field.png, face_field.png and one_form.png in the current folder: the pictures of the README and of the help. Lines
@@ -9,7 +7,7 @@ follow the field; the colour of the surface is its magnitude, from 0 (blue) to 1
 
 import sys
 
-from demo import AS_THEY_ARE, BLUE, open_surface, show, show_singularities, view_from
+from demo import BLUE, open_surface, show, show_singularities, view_from
 from paraview.simple import *
 
 # From and to. The second opposes the flow from the first to the third.
@@ -19,13 +17,14 @@ FIELDS = {"power_field": dict(Discretisation="Power Field", NumberOfDirections=4
           "one_form": dict(Discretisation="1-Form")}
 
 
-def show_arrow(line, view, colour, length):
+def show_arrow(line, view):
     """From the first point of a line, along it."""
     way = " + ".join(f"({b} - {a}) * {axis}" for a, b, axis in zip(line.Point1, line.Point2, ("iHat", "jHat", "kHat")))
-    arrow = Glyph(Input=Calculator(Input=line, ResultArrayName="Way", Function=way), GlyphType="Arrow", ScaleFactor=length,
-                  OrientationArray=["POINTS", "Way"], **dict(AS_THEY_ARE, GlyphMode="Every Nth Point"), Stride=1000)
+    arrow = Glyph(Input=Calculator(Input=line, ResultArrayName="Way", Function=way), GlyphType="Arrow", ScaleFactor=0.5,
+                  OrientationArray=["POINTS", "Way"], ScaleArray=["POINTS", "No scale array"])
+    arrow.GlyphMode, arrow.Stride = "Every Nth Point", 1000
     arrow.GlyphType.ShaftRadius, arrow.GlyphType.TipRadius, arrow.GlyphType.TipLength = 0.06, 0.16, 0.4
-    show(arrow, view, colour, Specular=0.4, Position=[0, 0, 0.05])
+    show(arrow, view, [0.98, 0.72, 0.10], Specular=0.4, Position=[0, 0, 0.05])
 
 
 def draw(field, strokes, image):
@@ -37,8 +36,8 @@ def draw(field, strokes, image):
     if image != "power_field.png":
         show(FieldGlyphs(Input=field, SeparatingDistance=0.05), view, BLUE)
     for stroke in strokes:
-        show_arrow(stroke, view, [0.98, 0.72, 0.10], 0.5)
-    show_singularities(field, view, 0.065)
+        show_arrow(stroke, view)
+    show_singularities(field, view)
     ResetCamera(view)
     GetActiveCamera().Zoom(1.67)
     SaveScreenshot(image, view, ImageResolution=[580, 406], CompressionLevel="9")

@@ -108,6 +108,12 @@ class Drawing(unittest.TestCase):
         self.assertAlmostEqual(points.GetFieldData().GetArray("SumOfIndices").GetValue(0), 2)
         self.assertGreater(fetch(singularities, 1).GetNumberOfLines(), 0)
         self.assertEqual(fetch(singularities, 2).GetNumberOfLines(), 0)
+        spheres = fetch(singularities, 3)
+        self.assertEqual(set(array(spheres.GetPointData(), "Index")), set(indices))
+        singularities.SphereRadius = 0.1
+        centres, around = (vtk_to_numpy(fetch(singularities, port).GetPoints().GetData()) for port in (0, 3))
+        distances = np.linalg.norm(around[:, None] - centres, axis=2).min(axis=1)
+        self.assertAlmostEqual(distances.max(), 0.1 * 2 * 3 ** 0.5, places=2)
         singularities.NumberOfDirections = 2
         self.assertAlmostEqual(array(fetch(singularities).GetPointData(), "Index").sum(), 2)
         singularities.Directions = ["CELLS", "Direction1"]

@@ -3,9 +3,8 @@
 
     test_window.py PARAVIEW OUTPUT-FOLDER NAME
 
-plays NAME.xml (FieldInTheWindow, GuideInTheWindow or FeaturesInTheWindow), leaves NAME.vtk, as saved by the window, and a
-screenshot of it in the folder, and checks the former. Needs a display; ParaView has to find the
-plugin by itself.
+plays NAME.xml (FieldInTheWindow, GuideInTheWindow, NothingSaidInTheWindow or FeaturesInTheWindow), leaves NAME.vtk, as saved by
+the window, and a screenshot of it in the folder, and checks the former. Needs a display; ParaView has to find the plugin by itself.
 """
 
 import pathlib
@@ -16,6 +15,7 @@ import time
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkArcSource, vtkSphereSource
+from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
@@ -92,14 +92,14 @@ def play(paraview, data, result, folder):
         raise SystemExit("ParaView reported errors or wrote no field")
 
 
-def check(result):
+def check(result, N=4):
     reader = vtkPolyDataReader()  # not XML: see README, "Files"
     reader.SetFileName(str(result))
     reader.Update()
     field = reader.GetOutput()
     assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1
     for attributes in (field.GetPointData(), field.GetCellData()):
-        assert attributes.HasArray("Direction0") and attributes.HasArray("Direction3")
+        assert attributes.HasArray("Direction0") and attributes.HasArray(f"Direction{N - 1}")
     # Poincare-Hopf: the indices sum to the Euler characteristic.
     indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
     assert abs(indices.sum() - 2) < 1e-12, indices.sum()
@@ -126,6 +126,20 @@ def check_features(result):
     assert field.GetPointData().HasArray("MaximumDirection")
 
 
+def check_nothing_said(result):
+    """The window shows the smoothest lines: four singularities, and lines and spheres in the colours of the map."""
+    field = check(result, 2)
+    assert field.GetFieldData().GetArray("Eigenvalues").GetNumberOfTuples() == 1
+    indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
+    assert list(indices[indices != 0]) == [0.5] * 4, indices[indices != 0]
+    reader = vtkPNGReader()
+    reader.SetFileName(str(result.with_suffix(".png")))
+    reader.Update()
+    image = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
+    blue = (image[:, 2] > 1.8 * image[:, 0]) & (image[:, 2] > 100)
+    assert blue.sum() > 5000, blue.sum()
+
+
 def main():
     paraview, folder, name = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
     folder.mkdir(parents=True, exist_ok=True)
@@ -133,6 +147,7 @@ def main():
     result.unlink(missing_ok=True)
     write_data, check_result = {"FieldInTheWindow": (write_sphere, check),
                                 "GuideInTheWindow": (write_guide, check_guide),
+                                "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
                                 "FeaturesInTheWindow": (write_ellipsoid, check_features)}[name]
     write_data(data)
     play(paraview, data, result, folder)

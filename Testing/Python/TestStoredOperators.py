@@ -122,7 +122,7 @@ class StoredOperators(unittest.TestCase):
         point = np.array(surface.GetPoint(17))
         surface.GetPoints().SetPoint(17, *(1.01 * point))
         solver = solve(surface)
-        self.assertIn("apply vtkDirectionalProlongation", self.messages())
+        self.assertIn("apply Directional Prolongation (vtkDirectionalProlongation)", self.messages())
         self.assertEqual(solver.GetOutput().GetNumberOfCells(), 0)
 
 

@@ -59,7 +59,7 @@ void Discretisation::CheckOperators(bool areThere, const std::string& property)
   if (!areThere)
   {
     throw InvalidInput("the operators of the surface do not include those that are needed; apply "
-                       "vtkDirectionalProlongation with " + property + " on");
+                       "Directional Prolongation (vtkDirectionalProlongation) with " + property + " on");
   }
 }
 

@@ -8,6 +8,7 @@
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
 #include "Solvers/Multigrid/AssembledHierarchy.h"
 #include "Support/ComplexPairs.h"
+#include "Support/SparseKernels.h"
 
 #include <utility>
 
@@ -75,9 +76,10 @@ std::unique_ptr<const RoughnessHierarchy> FaceField::Assemble(
     CheckOperators(!operators->SX.empty(), "FaceFields");
     prolongations = operators->SX;
   }
-  SparseMatrix<double> A =
-    FaceFieldSmoothness(this->Surface.Mesh, this->Surface.Faces, context);
-  return std::make_unique<AssembledHierarchy<double>>(A, std::move(prolongations));
+  SparseMatrix<double> B =
+    FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context);
+  SparseMatrix<double> A = NormalMatrix(B, context);
+  return std::make_unique<AssembledHierarchy<double>>(A, std::move(prolongations), std::move(B));
 }
 
 double FaceField::SampleDistance() const

@@ -76,7 +76,8 @@ std::unique_ptr<const RoughnessHierarchy> OneForm::Assemble(
     prolongations = operators->S1;
   }
   SparseMatrix<double> L1 = OneFormLaplacian(this->Surface.Mesh, context, this->Areas);
-  return std::make_unique<AssembledHierarchy<double>>(L1, std::move(prolongations));
+  return std::make_unique<AssembledHierarchy<double>>(L1, std::move(prolongations),
+    OneFormLaplacianFactor(this->Surface.Mesh, context, this->Areas));
 }
 
 double OneForm::SampleDistance() const

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 #include <string>
 
 namespace dmg
@@ -16,21 +17,85 @@ namespace
 /// A direction leaning less than this (as a sine) out of the normal has no part in the plane.
 constexpr double SmallestTangentialPart = 1e-6;
 
-void CheckWeight(const char* name, double weight)
+std::string InShort(double number)
 {
-  if (!(weight > 0.0) || !std::isfinite(weight))
+  std::ostringstream text;
+  text << number;
+  return text.str();
+}
+
+void CheckWeight(const std::string& name, double weight)
+{
+  if (!(weight >= SmallestWeight && weight <= LargestWeight))
   {
-    throw InvalidInput(std::string("the ") + name + " weight is " + std::to_string(weight) +
-      "; make it positive and finite");
+    throw InvalidInput(name + " is " + InShort(weight) + "; make it positive, from 1e-20 to 1e20");
   }
 }
+
+/// How the names of elements are asked for.
+using Naming = std::string (ElementNames::*)(int) const;
+
+/// The largest of some numbers, and whose it is.
+struct Largest
+{
+  double Number = 0.0;
+  Naming Name = nullptr;
+  int Element = -1;
+
+  void Add(double number, Naming name, int element)
+  {
+    if (number > this->Number)
+    {
+      *this = { number, name, element };
+    }
+  }
+
+  void Check(const std::string& what, double from, double to, const ElementNames& names) const
+  {
+    if (this->Number > to)
+    {
+      throw InvalidInput("the " + what + " prescribed on " + (names.*this->Name)(this->Element) + " is " +
+        InShort(this->Number) + ", too large to compute with; bring it to at most " + InShort(to) +
+        ", with Calculator (vtkArrayCalculator) for example");
+    }
+    if (this->Number > 0.0 && this->Number < from)
+    {
+      throw InvalidInput("the largest " + what + " of all, on " + (names.*this->Name)(this->Element) + ", is " +
+        InShort(this->Number) + ", too small to compute with; multiply all of them, so that it is at least " +
+        InShort(from) + ", with Calculator (vtkArrayCalculator) for example");
+    }
+  }
+};
 
 }
 
 void CheckWeights(const FieldWeights& weights)
 {
-  CheckWeight("smoothness", weights.Smoothness);
-  CheckWeight("alignment", weights.Alignment);
+  CheckWeight("Smoothness", weights.Smoothness);
+  CheckWeight("Alignment", weights.Alignment);
+}
+
+void CheckSizes(const PrescribedDirections& directions, const ElementNames& names)
+{
+  Largest length, value, weight;
+  for (const PrescribedDirection& prescribed : directions.OnFaces)
+  {
+    length.Add(prescribed.Direction.stableNorm(), &ElementNames::Face, prescribed.Face);
+    weight.Add(prescribed.Weight, &ElementNames::Face, prescribed.Face);
+  }
+  for (const PrescribedVertexDirection& prescribed : directions.AtVertices)
+  {
+    length.Add(prescribed.Direction.stableNorm(), &ElementNames::Vertex, prescribed.Vertex);
+    weight.Add(prescribed.Weight, &ElementNames::Vertex, prescribed.Vertex);
+  }
+  for (const PrescribedValue& prescribed : directions.Values)
+  {
+    value.Add(std::abs(prescribed.Value), &ElementNames::Vertex, prescribed.Vertex);
+    weight.Add(prescribed.Weight, &ElementNames::Vertex, prescribed.Vertex);
+  }
+  length.Check("length of the directions", SmallestPrescribed, LargestPrescribed, names);
+  value.Check("value", SmallestPrescribed, LargestPrescribed, names);
+  weight.Check("weight", SmallestWeight, LargestWeight, names);
 }
 
 void CheckPrescribedElement(int element, int size, const std::string& kind)
@@ -53,14 +118,14 @@ Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& 
   }
   if (!(weight > 0.0) || !std::isfinite(weight))
   {
-    throw InvalidInput("the weight of the direction" + where + " is " + std::to_string(weight) +
+    throw InvalidInput("the weight of the direction" + where + " is " + InShort(weight) +
       "; make it positive and finite" + orLeaveOut);
   }
   const Complex tangential = frames.ToComplex(element, direction);
-  if (!(std::abs(tangential) > SmallestTangentialPart * direction.norm()))
+  if (!(std::abs(tangential) > SmallestTangentialPart * direction.stableNorm()))
   {
     throw InvalidInput("the direction" + where +
-      (direction.norm() > 0.0 ? " is perpendicular to the surface" : " is zero") +
+      (!direction.isZero(0.0) ? " is perpendicular to the surface" : " is zero") +
       "; give it a part along the surface" + orLeaveOut);
   }
   return tangential;

@@ -19,7 +19,14 @@ struct FieldWeights
   ConstraintKind Constraints = ConstraintKind::Soft;
 };
 
-/// \throw InvalidInput a weight is not positive and finite.
+/// Weights reach from 1e-20 to 1e20, and what is prescribed from 1e-40 to 1e40: what is computed of them then stays far
+/// from the ends of what doubles hold.
+constexpr double SmallestWeight = 1e-20;
+constexpr double LargestWeight = 1e20;
+constexpr double SmallestPrescribed = 1e-40;
+constexpr double LargestPrescribed = 1e40;
+
+/// \throw InvalidInput a weight is not positive and finite, or beyond SmallestWeight and LargestWeight.
 void CheckWeights(const FieldWeights& weights);
 
 /// Which faces are prescribed, and how strongly. Part of the system's key; values are not.
@@ -71,6 +78,11 @@ struct PrescribedDirections
   std::vector<PrescribedVertexDirection> AtVertices;
   std::vector<PrescribedValue> Values = {};
 };
+
+/// \throw InvalidInput a length, an absolute value or a weight is too large to compute with, or all of them are too small.
+/// Where some are large enough, the others may be as small as they like. The message names the element.
+/// \pre The elements exist.
+void CheckSizes(const PrescribedDirections& directions, const ElementNames& names = {});
 
 /// Directions at vertices as directions on the faces around (CarriedIntoFaces), after those on faces.
 std::vector<PrescribedDirection> DirectionsOnFaces(const FramedMesh& surface,

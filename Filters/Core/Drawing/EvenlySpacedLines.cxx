@@ -2,6 +2,7 @@
 
 #include "Drawing/LineSpacing.h"
 #include "Drawing/LineTracer.h"
+#include "Support/Errors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,6 +29,7 @@ constexpr double SeedStep = 0.5; ///< along a line, between seeds beside it
 
 /// A line that has not moved by a part of the separation in so many pieces turns around one place.
 constexpr int IdlePieces = 300;
+constexpr std::size_t MostSegments = 20000000; // 2 GB
 constexpr double IdleDistance = 0.05;
 
 /// Pieces between two checkpoints; a millisecond or so.
@@ -237,6 +239,11 @@ private:
       }
       room -= length - done;
       this->AddSegment(piece, piece.From, piece.To, sign, trail);
+      if (this->Spacing.Segments().size() > MostSegments)
+      {
+        throw InvalidInput("the lines cross more than 20,000,000 triangles; raise Separating Distance, or take a surface "
+                           "of fewer and less thin triangles");
+      }
       const bool goesOn = this->Tracer.Advance();
       this->AddPoint(trail, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face,
         goesOn ? this->Tracer.Current().Face : piece.Face);
@@ -244,7 +251,7 @@ private:
       if (pieces % IdlePieces == 0)
       {
         const Vector3 place = trail.Points.back().Position;
-        if ((place - placeBefore).norm() < IdleDistance * this->Options.Separation)
+        if (!((place - placeBefore).norm() >= IdleDistance * this->Options.Separation)) // nor where it is not finite
         {
           return;
         }

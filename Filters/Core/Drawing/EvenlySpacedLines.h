@@ -49,7 +49,7 @@ struct LinesOnSurface
 ///
 /// Lines are in the order in which they were drawn. The same for any number of threads: one draws.
 /// Cost: linear in faces and in the length of all lines; a line looks at the faces within Separation of it a few times.
-/// \throw Cancelled
+/// \throw Cancelled, InvalidInput (lines that cross more than 20,000,000 triangles)
 LinesOnSurface EvenlySpacedLines(const UnfoldedSurface& surface, const DirectionsOnFaces& field,
   const LineOptions& options, const ExecutionContext& context = SerialContext());
 

@@ -2,6 +2,7 @@
 
 #include "Support/Errors.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace dmg
@@ -10,9 +11,42 @@ namespace dmg
 namespace
 {
 
+constexpr double SmallestSize = 1e-40;
+constexpr double SmallestFace = 1e-60;
+constexpr double LargestCoordinate = 1e40;
+
 std::string NameOf(const char* kind, const std::vector<long long>& numbers, int i)
 {
   return kind + std::to_string(numbers.empty() ? i : numbers[i]);
+}
+
+double Distance(const Points& points, int a, int b)
+{
+  return (points.row(a) - points.row(b)).cwiseAbs().maxCoeff();
+}
+
+void CheckPoints(const Points& points, const ElementNames& names)
+{
+  for (int v = 0; v < static_cast<int>(points.rows()); ++v)
+  {
+    if (!points.row(v).allFinite())
+    {
+      throw InvalidInput(names.Vertex(v) +
+        " has a coordinate that is not finite; repair it or remove the cells around it");
+    }
+    if (!(points.row(v).cwiseAbs().maxCoeff() <= LargestCoordinate))
+    {
+      throw InvalidInput(names.Vertex(v) +
+        " has a coordinate beyond 1e40, too large to compute with; repair it, or make the whole surface smaller with "
+        "Transform (vtkTransformPolyDataFilter)");
+    }
+  }
+  const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
+  if (size > 0.0 && size <= SmallestSize)
+  {
+    throw InvalidInput("the surface is smaller than 1e-40, too small to compute with; make it larger with Transform "
+                       "(vtkTransformPolyDataFilter)");
+  }
 }
 
 }
@@ -32,24 +66,16 @@ void CheckElements(const Points& points, const Triangles& triangles, const Eleme
   if (triangles.rows() == 0)
   {
     throw InvalidInput("the surface has no triangles, so there is nothing to solve on; "
-                       "apply Extract Surface and Triangulate (vtkTriangleFilter) first");
+                       "apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first");
   }
   if (triangles.rows() > std::numeric_limits<int>::max() / 3)
   {
     throw InvalidInput("the surface has more than 715,827,882 triangles; "
                        "apply Decimate (vtkDecimatePro) first");
   }
+  CheckPoints(points, names);
   const int numberOfVertices = static_cast<int>(points.rows());
   const int numberOfFaces = static_cast<int>(triangles.rows());
-
-  for (int v = 0; v < numberOfVertices; ++v)
-  {
-    if (!points.row(v).allFinite())
-    {
-      throw InvalidInput(names.Vertex(v) +
-        " has a coordinate that is not finite; repair it or remove the cells around it");
-    }
-  }
 
   std::vector<char> used(numberOfVertices, 0);
   for (int f = 0; f < numberOfFaces; ++f)
@@ -71,11 +97,13 @@ void CheckElements(const Points& points, const Triangles& triangles, const Eleme
         names.Vertex(corner[0] == corner[1] ? corner[0] : corner[2]) +
         " twice; apply Clean (vtkCleanPolyData), then Triangulate (vtkTriangleFilter)");
     }
-    if (points.row(corner[0]) == points.row(corner[1]) &&
-      points.row(corner[0]) == points.row(corner[2]))
+    const double size = std::max(Distance(points, corner[0], corner[1]), Distance(points, corner[0], corner[2]));
+    if (!(size > SmallestFace))
     {
-      throw InvalidInput("the three corners of " + names.Face(f) +
-        " lie in one place; apply Clean (vtkCleanPolyData), which merges them and drops the cell");
+      throw InvalidInput("the three corners of " + names.Face(f) + " lie in one place" +
+        (size > 0.0 ? ", nearly; apply Clean (vtkCleanPolyData) with a Tolerance of 1e-12"
+                    : "; apply Clean (vtkCleanPolyData)") +
+        ", which merges them and drops the cell");
     }
   }
 

@@ -24,7 +24,8 @@ struct ElementNames
 
 /// Refuses elements that are wrong by themselves, naming the element and the remedy: no face at
 /// all, a corner index out of range, a repeated corner, a non-finite point, a face whose corners
-/// share one place, an unused vertex.
+/// share one place, an unused vertex. Coordinates beyond 1e40 are refused, as well as surfaces no larger than
+/// 1e-40 and faces no larger than 1e-60: doubles hardly hold the squares of their areas.
 /// The constructor of TriangleMesh starts with it; refusals about how faces meet come from there.
 /// \throw InvalidInput
 /// Cost: O(#V + #F).

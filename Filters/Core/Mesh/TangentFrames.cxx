@@ -89,72 +89,100 @@ TangentFrames FramesOfSize(int size)
 }
 
 /// Carries normals from the faces that have one into the degenerate ones, ring by ring.
-void FillDegenerateFrames(
-  const TriangleMesh& mesh, const std::vector<int>& degenerate, TangentFrames& frames)
+class DegenerateFrames
 {
+public:
+  DegenerateFrames(
+    const TriangleMesh& mesh, const std::vector<int>& degenerate, TangentFrames& frames)
+    : Mesh(mesh)
+    , Frames(frames)
+    , States(mesh.NumberOfFaces(), Known)
+  {
+    for (const int face : degenerate)
+    {
+      this->States[face] = Unknown;
+    }
+  }
+
+  bool IsUnknown(int face) const { return this->States[face] == Unknown; }
+  bool TouchesKnown(int face) const
+  {
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      if (this->States[this->Neighbour(h)] == Known)
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// All unknown faces that hang together with this one.
+  void FillFrom(int first)
+  {
+    std::vector<int> queue = { first };
+    this->States[first] = Queued;
+    for (std::size_t next = 0; next < queue.size(); ++next)
+    {
+      const int face = queue[next];
+      Vector3 sum = Vector3::Zero(); // of the normals of known neighbours
+      for (int h = 3 * face; h < 3 * face + 3; ++h)
+      {
+        const int neighbour = this->Neighbour(h);
+        if (this->States[neighbour] == Known)
+        {
+          sum += this->Frames.Normal(neighbour);
+        }
+        else if (this->IsUnknown(neighbour))
+        {
+          this->States[neighbour] = Queued;
+          queue.push_back(neighbour);
+        }
+      }
+      const FaceShape shape = ShapeOf(this->Mesh, face);
+      const Vector3 x = shape.Sides[shape.Longest].normalized();
+      SetFrame(this->Frames, face, x, PerpendicularPart(sum, x));
+      this->States[face] = Known;
+    }
+  }
+
+private:
   enum State : char
   {
     Known,
     Queued,
     Unknown
   };
-  std::vector<char> state(mesh.NumberOfFaces(), Known);
-  for (int face : degenerate)
+
+  /// The face over a halfedge; at the boundary its own.
+  int Neighbour(int halfedge) const
   {
-    state[face] = Unknown;
+    const int twin = this->Mesh.Twin(halfedge);
+    return TriangleMesh::FaceOf(twin < 0 ? halfedge : twin);
   }
 
-  std::vector<int> queue;
-  const auto enqueueFrom = [&](int first) {
-    queue.assign(1, first);
-    state[first] = Queued;
-    for (std::size_t next = 0; next < queue.size(); ++next)
-    {
-      const int face = queue[next];
-      Vector3 sum = Vector3::Zero();
-      for (int h = 3 * face; h < 3 * face + 3; ++h)
-      {
-        const int neighbour = mesh.Twin(h) < 0 ? face : TriangleMesh::FaceOf(mesh.Twin(h));
-        if (state[neighbour] == Known)
-        {
-          sum += frames.Normal(neighbour);
-        }
-        else if (state[neighbour] == Unknown)
-        {
-          state[neighbour] = Queued;
-          queue.push_back(neighbour);
-        }
-      }
-      const FaceShape shape = ShapeOf(mesh, face);
-      const Vector3 x = shape.Sides[shape.Longest].normalized();
-      SetFrame(frames, face, x, PerpendicularPart(sum, x));
-      state[face] = Known;
-    }
-  };
-  const auto touchesKnown = [&](int face) {
-    for (int h = 3 * face; h < 3 * face + 3; ++h)
-    {
-      if (mesh.Twin(h) >= 0 && state[TriangleMesh::FaceOf(mesh.Twin(h))] == Known)
-      {
-        return true;
-      }
-    }
-    return false;
-  };
+  const TriangleMesh& Mesh;
+  TangentFrames& Frames;
+  std::vector<State> States;
+};
 
-  for (int face : degenerate)
+void FillDegenerateFrames(
+  const TriangleMesh& mesh, const std::vector<int>& degenerate, TangentFrames& frames)
+{
+  DegenerateFrames filling(mesh, degenerate, frames);
+  for (const int face : degenerate)
   {
-    if (state[face] == Unknown && touchesKnown(face))
+    if (filling.IsUnknown(face) && filling.TouchesKnown(face))
     {
-      enqueueFrom(face);
+      filling.FillFrom(face);
     }
   }
   // What is left lies in components that are degenerate as a whole, where any normal will do.
-  for (int face : degenerate)
+  for (const int face : degenerate)
   {
-    if (state[face] == Unknown)
+    if (filling.IsUnknown(face))
     {
-      enqueueFrom(face);
+      filling.FillFrom(face);
     }
   }
 }

@@ -18,6 +18,10 @@ namespace
 
 constexpr int Grain = 4096;
 
+/// Turns faces and cuts the surface, but along creases.
+const std::string Remedy = "Generate Surface Normals (vtkPolyDataNormals) with Consistency and Splitting on, "
+                           "Feature Angle 180 and Non-Manifold Traversal off";
+
 /// A halfedge under the larger vertex of its edge.
 using Side = ItemOfPair;
 
@@ -79,7 +83,8 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
       if (HaveSameCorners(F, f, g))
       {
         throw InvalidInput(names.Face(f) + " and " + names.Face(g) +
-          " are the same triangle; remove one of them (vtkRemoveDuplicatePolys)");
+          " are the same triangle; remove one of them with Clean to Grid, Clean Cells to Grid and Extract Surface "
+          "(vtkRemoveDuplicatePolys)");
       }
     }
   }
@@ -90,13 +95,11 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
     throw InvalidInput(edge + " belongs to " + std::to_string(last - first) +
       " triangles, among them " + names.Face(f) + ", " + names.Face(g) + " and " +
       names.Face(TriangleMesh::FaceOf(first[2].Item)) +
-      "; remove the surplus ones, or cut them apart with Surface Normals (vtkPolyDataNormals), "
-      "Splitting on, Feature Angle 180 and Non-Manifold Traversal off");
+      "; remove the surplus ones, or cut them apart with " + Remedy);
   }
   throw InvalidInput(names.Face(f) + " and " + names.Face(g) +
     " are oriented against each other along " + edge +
-    "; apply Surface Normals (vtkPolyDataNormals) with Consistency on and Splitting off (a surface "
-    "with one side only, like a Moebius strip, must be cut)");
+    "; apply " + Remedy + "; a surface with one side only, like a Moebius strip, is cut by a Feature Angle of 150");
 }
 
 }
@@ -197,8 +200,7 @@ void TriangleMesh::StartFans(const ElementNames& names, const ExecutionContext& 
     std::find_if(sizes.begin(), sizes.end(), [](int size) { return size < 0; });
   throw InvalidInput("the triangles around " +
     names.Vertex(static_cast<int>(pinched - sizes.begin())) +
-    " form more than one fan, so the surface is pinched there; split the point with Surface "
-    "Normals (vtkPolyDataNormals), Splitting on and Feature Angle 180");
+    " form more than one fan, so the surface is pinched there; split the point with " + Remedy);
 }
 
 Vector3 TriangleMesh::FaceAreaVector(int face) const

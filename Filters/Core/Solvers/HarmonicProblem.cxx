@@ -5,6 +5,7 @@
 #include "Solvers/Krylov/DeflatedPreconditioner.h"
 #include "Solvers/Krylov/LowestEigenvectors.h"
 #include "Solvers/Krylov/StationaryIteration.h"
+#include "Solvers/PenaltiesOfSystem.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
@@ -25,7 +26,6 @@ namespace
 {
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
-constexpr int Grain = 8192;
 // Who allows fewer wants an answer in that time, and no factor after it.
 constexpr int FewestIterationsBeforeFactor = 100;
 
@@ -44,27 +44,6 @@ RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverT
     cycle.Coarsening.CoarsestLevel = options.StartingLevel;
   }
   return cycle;
-}
-
-/// Where some items stand in an order.
-std::vector<int> PlacesOf(
-  const std::vector<int>& items, const std::vector<int>& order, const ExecutionContext& context)
-{
-  const std::vector<int> all = Inverse(order, context);
-  std::vector<int> places;
-  places.reserve(items.size());
-  for (const int item : items)
-  {
-    places.push_back(all[item]);
-  }
-  return places;
-}
-
-std::string WarningAboutUnreached(int unreached, int unknowns)
-{
-  return std::to_string(unreached) + " of " + std::to_string(unknowns) +
-    " unknowns lie in components of the surface that hold no prescribed direction; the field is "
-    "zero there";
 }
 
 }
@@ -94,6 +73,10 @@ public:
 
   void Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
   Vector<double> RightHandSide(const Vector<double>& values, const ExecutionContext& context) const;
+  /// What penalties alone make of unknowns, D y / (R + D) with the diagonal of R. Solvers start from there: weak penalties
+  /// are nothing to start from, and strong ones hold y but for rounding. Otherwise these would outweigh all the
+  /// rest in residuals.
+  Vector<double> HeldByPenalties(const Vector<double>& values) const;
   /// By a factor, V-cycles or conjugate gradients.
   void Iterate(Vector<double>& b, const StoppingCriteria& stop,
     const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context);
@@ -111,6 +94,7 @@ public:
   const std::string Reason; ///< why it is this
   PrescribedUnknowns Prescribed;
   std::vector<int> Places; ///< of those
+  Vector<double> Penalties; ///< D, of soft ones
   double Smoothness = 1.0;
   std::vector<int> Held; ///< unknowns that are not free, ascending
   /// Unknowns by component, of those components that have no prescription: their field is an eigenvector.
@@ -118,15 +102,14 @@ public:
   std::vector<double> Shifts; ///< of their matrices, by component
   std::unique_ptr<RoughnessOperator> A;
   std::unique_ptr<RoughnessCycle> Cycle;
-  std::optional<DeflatedPreconditioner> Deflated; ///< the cycle, where there are harmonic fields
-  std::optional<KernelProjection> Undetermined;   ///< harmonic fields that nothing determines
+  std::optional<DeflatedPreconditioner> Deflated; ///< the cycle or factor, where there are harmonic fields
   std::unique_ptr<Preconditioner<double>> Factor; ///< as soon as cycles have stagnated
   std::unique_ptr<RoughnessNestedIteration> Nested; ///< in place of a cycle
   SolveReport Report;
   std::vector<std::string> SystemWarnings;
 
 private:
-  /// Infinite where an unknown is held.
+  /// D, infinite where an unknown is held.
   Vector<double> DiagonalOfPrescribed(const ExecutionContext& context);
   void ShiftUnprescribed(Vector<double>& D);
   void MakeCycle(const Vector<double>& D, const ExecutionContext& context);
@@ -151,21 +134,18 @@ void HarmonicProblem::Internals::Prescribe(
 
   this->Factor.reset();
   this->Deflated.reset();
-  this->Undetermined.reset();
   if (!this->A)
   {
     this->A = hierarchy.Operator();
   }
   this->A->SetDiagonal(D, context);
+  this->A->SetInverseDiagonal(InverseDiagonal(hierarchy, D, context));
   const PartOfContext most(context, 0.1, 0.9);
-  if (this->Kind == SolverKind::Cholesky || IsNested(this->Kind))
+  if (IsNested(this->Kind))
   {
     this->FindUndetermined(D, context);
-    if (IsNested(this->Kind))
-    {
-      this->MakeNested(D, most);
-    }
-    if (!IsNested(this->Kind) || !this->Unprescribed.Items.empty())
+    this->MakeNested(D, most);
+    if (!this->Unprescribed.Items.empty())
     {
       this->MakeCycle(D, most);
     }
@@ -218,12 +198,16 @@ Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionC
   const bool isHard = this->Prescribed.Kind == ConstraintKind::Hard;
   const int size = hierarchy.NumberOfUnknowns();
   Vector<double> D = Vector<double>::Zero(size);
+  this->Penalties.setZero(isHard ? 0 : static_cast<Eigen::Index>(this->Places.size()));
   std::vector<char> isReached(hierarchy.NumberOfComponents(), 0);
   bool holdsAny = this->Places.empty();
   for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
     const int place = this->Places[k];
-    D[place] = isHard ? Infinity : this->Prescribed.Alignment[k] / this->Smoothness;
+    D[place] = isHard
+      ? Infinity
+      : this->Penalties[k] = LimitedPenalty(
+          this->Prescribed.Alignment[k] / this->Smoothness, hierarchy.DiagonalOf(place));
     isReached[hierarchy.ComponentOf(place)] |= D[place] > 0.0;
     holdsAny |= D[place] > 0.0;
   }
@@ -281,6 +265,18 @@ void HarmonicProblem::Internals::ShiftUnprescribed(Vector<double>& D)
   }
 }
 
+Vector<double> HarmonicProblem::Internals::HeldByPenalties(const Vector<double>& values) const
+{
+  Vector<double> held = Vector<double>::Zero(this->Setup->Hierarchy->NumberOfUnknowns());
+  const Vector<double>& inverse = *this->A->InverseDiagonal();
+  for (Eigen::Index k = 0; k < this->Penalties.size(); ++k)
+  {
+    const int place = this->Places[k];
+    held[place] = this->Penalties[k] * inverse[place] * values[k];
+  }
+  return held;
+}
+
 void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const ExecutionContext& context)
 {
   if (this->Setup->Kernel.cols() == 0)
@@ -302,13 +298,10 @@ void HarmonicProblem::Internals::FindUndetermined(
   {
     return;
   }
-  const Eigen::MatrixXd undetermined = UndeterminedFields(
-    setup.Kernel, *this->A, *setup.Hierarchy, D, this->Held, context);
-  if (undetermined.cols() > 0)
-  {
-    this->Undetermined.emplace(undetermined);
-    this->WarnOfUndetermined(this->Undetermined->Size());
-  }
+  const Eigen::MatrixXd undetermined =
+    UndeterminedFields(AdjustKernelToPenalties(setup.Kernel, *setup.Hierarchy, D, context), *this->A,
+      *setup.Hierarchy, D, this->Held, context);
+  this->WarnOfUndetermined(static_cast<int>(undetermined.cols()));
 }
 
 void HarmonicProblem::Internals::CheckAnyIsFree() const
@@ -339,8 +332,7 @@ Vector<double> HarmonicProblem::Internals::RightHandSide(
   Vector<double> b = Vector<double>::Zero(size);
   for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
-    const double weight = isHard ? 1.0 : this->Prescribed.Alignment[k] / this->Smoothness;
-    b[this->Places[k]] = weight * values[k];
+    b[this->Places[k]] = (isHard ? 1.0 : this->Penalties[k]) * values[k];
   }
   if (isHard)
   {
@@ -356,28 +348,18 @@ Vector<double> HarmonicProblem::Internals::RightHandSide(
 void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriteria& stop,
   const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context)
 {
-  const KernelProjection* const kernel = this->Deflated ? &this->Deflated->Kernel()
-    : this->Undetermined                                ? &*this->Undetermined
-                                                        : nullptr;
   Preconditioner<double>* inverse = this->Cycle.get();
   const LinearOperator<double>* matrix = this->A.get();
   std::optional<OperatorOutsideKernel> outside;
-  std::optional<PreconditionerOutsideKernel> factor;
   if (this->Deflated)
   {
+    const KernelProjection& kernel = this->Deflated->Kernel();
     inverse = &*this->Deflated;
-  }
-  else if (kernel)
-  {
-    inverse = &factor.emplace(*this->Cycle, *kernel);
-  }
-  if (kernel)
-  {
-    matrix = &outside.emplace(*this->A, *kernel);
-    kernel->Remove(b, context);
+    matrix = &outside.emplace(*this->A, kernel);
+    kernel.Remove(b, context);
     if (x.size() > 0)
     {
-      kernel->Remove(x, context);
+      kernel.Remove(x, context);
     }
   }
   if (!this->Factor)
@@ -387,7 +369,8 @@ void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriter
     solve(*matrix, *inverse, b, stop, x, this->Report, context, &measure);
   }
   const bool haveStagnated = this->Kind == SolverKind::ConjugateGradients &&
-    !this->Report.Converged && stop.MaximumIterations >= FewestIterationsBeforeFactor;
+    !this->Report.Converged && !this->Report.EndedByRounding &&
+    stop.MaximumIterations >= FewestIterationsBeforeFactor;
   if (this->Factor || haveStagnated)
   {
     this->IterateWithFactor(*matrix, b, stop, measure, x, context);
@@ -496,6 +479,7 @@ void HarmonicProblem::Internals::FindSmoothest(Vector<double> start, const Stopp
   if (this->Prescribed.Unknowns.empty())
   {
     this->Report.Iterations = std::move(ofEigenvectors.Iterations);
+    this->Report.Returned = this->Report.Iterations.back().Iteration;
     this->Report.Converged = true;
   }
   this->Report.SolveSeconds += ofEigenvectors.SolveSeconds;
@@ -512,24 +496,32 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   of.Report.Warnings = of.SystemWarnings;
   const std::vector<int>& order = of.Setup->Hierarchy->Order;
   const std::vector<int>& unprescribed = of.Unprescribed.Items;
-  Vector<double> x = Gathered(start, order, context);
-  Vector<double> smoothest = unprescribed.empty() ? Vector<double>() : x;
+  Vector<double> smoothest = unprescribed.empty() ? Vector<double>() : Gathered(start, order, context);
+  const Vector<double> b = of.RightHandSide(values, context);
+  const Vector<double> held = of.HeldByPenalties(values);
+  Vector<double> difference; // b - A held
+  of.A->Apply(held, difference, context);
+  difference = b - difference;
+  SetZero(difference, of.Held, context);
   // A factor needs no start: what it would improve is found at once.
-  if (of.Kind == SolverKind::Cholesky)
+  Vector<double> x =
+    of.Kind == SolverKind::Cholesky ? Vector<double>() : Gathered(start, order, context);
+  if (x.size() > 0)
   {
-    x.resize(0);
+    SetZero(x, of.Held, context);
+    SetZero(x, unprescribed, context);
+    x -= held;
   }
   ConvergenceMeasure<double> measure;
   measure.Mass = &of.Setup->Mass;
-  measure.Reference = Gathered(reference, order, context);
   measure.EnergyScale = of.Smoothness;
-  for (Vector<double>* const vector : { &x, &measure.Reference })
+  measure.Offset = &held;
+  measure.RightHandSide = &b;
+  measure.Reference = Gathered(reference, order, context);
+  if (measure.Reference.size() > 0)
   {
-    if (vector->size() > 0)
-    {
-      SetZero(*vector, of.Held, context);
-      SetZero(*vector, unprescribed, context);
-    }
+    SetZero(measure.Reference, of.Held, context);
+    SetZero(measure.Reference, unprescribed, context);
   }
   if (of.Prescribed.Unknowns.empty())
   {
@@ -538,13 +530,18 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   }
   else if (of.Nested)
   {
-    Vector<double> b = of.RightHandSide(values, context);
-    of.Nested->Solve(b, of.Options.Nested, x, of.Report, context, measure);
+    of.Nested->Solve(difference, of.Options.Nested, x, of.Report, context, measure);
+    of.Report.Returned = of.Report.Iterations.back().Iteration;
+    of.Report.Converged = of.Report.Iterations.back().RelativeResidual <= stop.RelativeTolerance;
   }
   else
   {
-    Vector<double> b = of.RightHandSide(values, context);
-    of.Iterate(b, stop, measure, x, context);
+    of.Iterate(difference, stop, measure, x, context);
+  }
+  x += held;
+  if (of.Deflated)
+  {
+    of.Deflated->Kernel().Remove(x, context);
   }
   if (!unprescribed.empty())
   {

@@ -26,6 +26,10 @@ namespace dmg
 /// zero, the least of their equal minimisers, and so is the part in the harmonic fields of
 /// the set-up that no prescription determines.
 ///
+/// Where soft prescriptions are strong, x is known there but for R / D. Solvers start from what penalties alone hold,
+/// x_0 = D y / (R + D) with the diagonal of R, and are given the equations of x - x_0, by whose energy
+/// residuals are judged. D is cut at 1e13 times the diagonal of R, where it holds to rounding.
+///
 /// Unknowns are real; those of power fields are pairs.
 class HarmonicProblem
 {
@@ -53,7 +57,8 @@ public:
   /// \param values y, one per prescribed unknown.
   /// \param start first guess, one per unknown, or empty for zero; not of factorisations and nested iterations.
   /// \param reference the solution, for the Error of every row of the history, or empty.
-  /// \return one per unknown. Not converged: the best vector reached; see Report().
+  /// \return one per unknown. Not converged: the best vector reached; see Report(). Nested iterations are approximations, and
+  ///   not to converge is no warning.
   /// \throw InvalidInput nested iterations while the error falls, without a reference.
   /// \throw Cancelled
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start,

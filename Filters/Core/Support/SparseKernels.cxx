@@ -3,8 +3,10 @@
 #include "Support/Errors.h"
 #include "Support/SparseRows.h"
 
+#include <algorithm>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 namespace dmg
 {
@@ -69,66 +71,55 @@ SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionConte
   assert(A.isCompressed());
   const int rows = static_cast<int>(A.rows());
   const int columns = static_cast<int>(A.cols());
-  const int* offsetsOfA = A.outerIndexPtr();
-  const int* columnsOfA = A.innerIndexPtr();
-  const Scalar* valuesOfA = A.valuePtr();
+  const int* const offsetsOfA = A.outerIndexPtr();
+  const int* const columnsOfA = A.innerIndexPtr();
 
   // Bands of rows of A are counted and scattered side by side. Each band's part of a row of the
   // adjoint follows that of the band before it, so the result does not depend on their number.
   const int numberOfBands =
     A.nonZeros() < RowGrain ? 1 : std::min(context.NumberOfThreads(), 16);
-  const auto bandBegin = [rows, numberOfBands](int band)
-  { return static_cast<int>(static_cast<long long>(rows) * band / numberOfBands); };
-
-  std::vector<std::vector<int>> places(numberOfBands);
-  context.ParallelFor(0, numberOfBands, 1,
-    [columns, offsetsOfA, columnsOfA, &bandBegin, &places](int first, int last)
-    {
+  std::vector<std::vector<int>> places(numberOfBands); // by column of A: first counts, then where entries go
+  const auto forBands = [&](const auto& visit) {
+    const auto begin = [&](int band) {
+      return static_cast<int>(static_cast<long long>(rows) * band / numberOfBands);
+    };
+    context.ParallelFor(0, numberOfBands, 1, [&](int first, int last) {
       for (int band = first; band < last; ++band)
       {
-        places[band].assign(columns, 0);
-        for (int k = offsetsOfA[bandBegin(band)]; k < offsetsOfA[bandBegin(band + 1)]; ++k)
-        {
-          ++places[band][columnsOfA[k]];
-        }
+        visit(places[band], begin(band), begin(band + 1));
       }
     });
+  };
+  forBands([=](std::vector<int>& counts, int firstRow, int lastRow) {
+    counts.assign(columns, 0);
+    std::for_each(columnsOfA + offsetsOfA[firstRow], columnsOfA + offsetsOfA[lastRow],
+      [&counts](int column) { ++counts[column]; });
+  });
 
   SparseMatrix<Scalar> adjoint(columns, rows);
   adjoint.resizeNonZeros(A.nonZeros());
-  int* offsets = adjoint.outerIndexPtr();
   int next = 0;
   for (int j = 0; j < columns; ++j)
   {
-    offsets[j] = next;
-    for (std::vector<int>& place : places)
+    adjoint.outerIndexPtr()[j] = next;
+    for (std::vector<int>& ofBand : places)
     {
-      const int count = place[j];
-      place[j] = next;
-      next += count;
+      next += std::exchange(ofBand[j], next);
     }
   }
-  offsets[columns] = next;
+  adjoint.outerIndexPtr()[columns] = next;
 
-  int* indices = adjoint.innerIndexPtr();
-  Scalar* values = adjoint.valuePtr();
-  context.ParallelFor(0, numberOfBands, 1,
-    [offsetsOfA, columnsOfA, valuesOfA, indices, values, &bandBegin, &places](int first, int last)
+  forBands([&](std::vector<int>& ofBand, int firstRow, int lastRow) {
+    for (int i = firstRow; i < lastRow; ++i)
     {
-      for (int band = first; band < last; ++band)
+      for (int k = offsetsOfA[i]; k < offsetsOfA[i + 1]; ++k)
       {
-        std::vector<int>& place = places[band];
-        for (int i = bandBegin(band); i < bandBegin(band + 1); ++i)
-        {
-          for (int k = offsetsOfA[i]; k < offsetsOfA[i + 1]; ++k)
-          {
-            const int to = place[columnsOfA[k]]++;
-            indices[to] = i;
-            values[to] = Eigen::numext::conj(valuesOfA[k]);
-          }
-        }
+        const int to = ofBand[columnsOfA[k]]++;
+        adjoint.innerIndexPtr()[to] = i;
+        adjoint.valuePtr()[to] = Eigen::numext::conj(A.valuePtr()[k]);
       }
-    });
+    }
+  });
   return adjoint;
 }
 

@@ -210,9 +210,9 @@ TEST(FaceFieldSystem, RefusesWhatItCannotSolve)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expectRefusal({}, Weights(ConstraintKind::Soft), "prescribe a direction");
   expectRefusal(all, Weights(ConstraintKind::Hard), "soft");
-  expectRefusal(one, Weights(ConstraintKind::Soft, 0.0, 1.0), "smoothness");
-  expectRefusal(one, Weights(ConstraintKind::Soft, 1.0, -1.0), "alignment");
-  expectRefusal(one, Weights(ConstraintKind::Soft, nan, 1.0), "smoothness");
+  expectRefusal(one, Weights(ConstraintKind::Soft, 0.0, 1.0), "Smoothness");
+  expectRefusal(one, Weights(ConstraintKind::Soft, 1.0, -1.0), "Alignment");
+  expectRefusal(one, Weights(ConstraintKind::Soft, nan, 1.0), "Smoothness");
   EXPECT_NO_THROW(MakeFaceFieldSystem(mesh, frames, all, Weights(ConstraintKind::Soft)));
 }
 

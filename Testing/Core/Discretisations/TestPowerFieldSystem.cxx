@@ -272,9 +272,9 @@ TEST(PowerFieldSystem, RefusesWhatItCannotSolve)
   expectRefusal(9, one, Weights(ConstraintKind::Soft), "choose N from 1 to 8");
   expectRefusal(4, {}, Weights(ConstraintKind::Soft), "prescribe a direction");
   expectRefusal(4, all, Weights(ConstraintKind::Hard), "soft");
-  expectRefusal(4, one, Weights(ConstraintKind::Soft, 0.0, 1.0), "smoothness");
-  expectRefusal(4, one, Weights(ConstraintKind::Soft, 1.0, -1.0), "alignment");
-  expectRefusal(4, one, Weights(ConstraintKind::Soft, nan, 1.0), "smoothness");
+  expectRefusal(4, one, Weights(ConstraintKind::Soft, 0.0, 1.0), "Smoothness");
+  expectRefusal(4, one, Weights(ConstraintKind::Soft, 1.0, -1.0), "Alignment");
+  expectRefusal(4, one, Weights(ConstraintKind::Soft, nan, 1.0), "Smoothness");
   EXPECT_NO_THROW(MakePowerFieldSystem(mesh, frames, 4, all, Weights(ConstraintKind::Soft)));
 }
 

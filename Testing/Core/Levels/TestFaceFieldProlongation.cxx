@@ -232,7 +232,7 @@ TEST(FineEdgePaths, LeadThroughAFaceThatOnlyOneSideShows)
   const SparseMatrix<double> A = FaceFieldSmoothness(fine, fineFrames);
   const Vector3 direction(0.6, -0.8, 0.0);
   OneRing ring;
-  ASSERT_TRUE(CollapsibleMesh(fine).GatherOneRing(h, ring));
+  ASSERT_TRUE(GatherOneRing(CollapsibleMesh(fine), h, ring));
   for (int k = 0; k < ring.NumberOfSectors(); ++k)
   {
     SCOPED_TRACE(k);

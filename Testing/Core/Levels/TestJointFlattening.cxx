@@ -24,7 +24,7 @@ int VisitRings(const CollapsibleMesh& mesh, Visit visit)
   int count = 0;
   for (int h = 0; h < mesh.NumberOfHalfedgeSlots(); ++h)
   {
-    if ((mesh.Twin(h) < 0 || h < mesh.Twin(h)) && mesh.GatherOneRing(h, ring))
+    if ((mesh.Twin(h) < 0 || h < mesh.Twin(h)) && GatherOneRing(mesh, h, ring))
     {
       visit(ring);
       ++count;

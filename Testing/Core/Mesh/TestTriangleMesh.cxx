@@ -280,6 +280,21 @@ TEST(MeshChecks, RefuseAFaceInOnePlace)
   ExpectRefusal(surface, { "cell 6", "one place", "vtkCleanPolyData" });
 }
 
+TEST(MeshChecks, RefuseCoordinatesThatAreTooLargeOrTooSmallToComputeWith)
+{
+  Surface surface = PlaneGrid(2, 2);
+  surface.V *= 1e-45;
+  ExpectRefusal(surface, { "surface", "1e-40", "Transform" });
+  surface.V *= 1e90;
+  ExpectRefusal(surface, { "point 1", "1e40", "Transform" });
+  surface = PlaneGrid(2, 2);
+  for (int k = 0; k < 3; ++k)
+  {
+    surface.V.row(surface.F(6, k)) << k * 1e-70, 0.0, 0.0;
+  }
+  ExpectRefusal(surface, { "cell 6", "one place", "Tolerance" });
+}
+
 TEST(MeshChecks, RefuseAnUnusedPoint)
 {
   Surface surface = PlaneGrid(2, 2);
@@ -315,7 +330,7 @@ TEST(TriangleMesh, RefusesDuplicateFaces)
   Surface surface = PlaneGrid(2, 2);
   surface.F.conservativeResize(9, 3);
   surface.F.row(8) << surface.F(2, 1), surface.F(2, 2), surface.F(2, 0);
-  ExpectRefusal(surface, { "cell 2 and cell 8", "same triangle", "vtkRemoveDuplicatePolys" });
+  ExpectRefusal(surface, { "cell 2 and cell 8", "same triangle", "vtkRemoveDuplicatePolys", "Clean Cells to Grid" });
   surface.F.row(8).reverseInPlace();
   ExpectRefusal(surface, { "cell 2 and cell 8", "same triangle" });
 }

@@ -161,11 +161,10 @@ inline Squares Wheels(int copies, int faces)
   return Copies(copies, 2 * faces, faces + 1, rows);
 }
 
-/// All blocks in one strip.
 inline SchwarzBlocks BlocksOf(
   const Squares& squares, const ExecutionContext& context = SerialContext())
 {
-  return { squares.Bt, squares.Blocks, { 0, squares.Blocks.Size() }, context };
+  return { squares.Bt, squares.Blocks, context };
 }
 
 /// The unknowns of a block of a group.

@@ -21,10 +21,10 @@ constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
-CycleOptions Options(SmootherKind kind, int preSweeps, int postSweeps, CyclePrecision precision)
+CycleOptions Options(int preSweeps, int postSweeps, CyclePrecision precision)
 {
   CycleOptions options;
-  options.Smoothing = { kind, preSweeps, postSweeps };
+  options.Smoothing = { preSweeps, postSweeps };
   options.Precision = precision;
   return options;
 }
@@ -56,24 +56,21 @@ TYPED_TEST(TestMultigridCycle, IsHermitianPositiveDefinite)
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const Matrix<TypeParam> A(problem.A);
-  for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
+  for (const int sweeps : { 1, 2, 3 })
   {
-    for (const int sweeps : { 1, 2, 3 })
-    {
-      MultigridCycle<TypeParam> cycle(
-        hierarchy, Options(kind, sweeps, sweeps, CyclePrecision::Double), SerialContext());
-      const Matrix<TypeParam> B = Densified(cycle, static_cast<int>(A.rows()));
-      EXPECT_LE((B - B.adjoint()).norm(), 50 * Epsilon * B.norm());
-      const Eigen::SelfAdjointEigenSolver<Matrix<TypeParam>> spectrum(B);
-      EXPECT_GT(spectrum.eigenvalues().minCoeff(), 0.0);
+    MultigridCycle<TypeParam> cycle(
+      hierarchy, Options(sweeps, sweeps, CyclePrecision::Double), SerialContext());
+    const Matrix<TypeParam> B = Densified(cycle, static_cast<int>(A.rows()));
+    EXPECT_LE((B - B.adjoint()).norm(), 50 * Epsilon * B.norm());
+    const Eigen::SelfAdjointEigenSolver<Matrix<TypeParam>> spectrum(B);
+    EXPECT_GT(spectrum.eigenvalues().minCoeff(), 0.0);
 
-      // I - B A is a product of projections and contractions and their adjoints: no eigenvalue of
-      // B A exceeds 1, and two sweeps of textbook multigrid leave none below 0.8.
-      const Matrix<TypeParam> root = spectrum.operatorSqrt();
-      const Eigen::SelfAdjointEigenSolver<Matrix<TypeParam>> product(root * A * root);
-      EXPECT_LE(product.eigenvalues().maxCoeff(), 1.0 + 1000 * Epsilon);
-      EXPECT_GE(product.eigenvalues().minCoeff(), sweeps == 1 ? 0.5 : 0.8);
-    }
+    // I - B A is a product of projections and contractions and their adjoints: no eigenvalue of
+    // B A exceeds 1, and two sweeps of textbook multigrid leave none below 0.8.
+    const Matrix<TypeParam> root = spectrum.operatorSqrt();
+    const Eigen::SelfAdjointEigenSolver<Matrix<TypeParam>> product(root * A * root);
+    EXPECT_LE(product.eigenvalues().maxCoeff(), 1.0 + 1000 * Epsilon);
+    EXPECT_GE(product.eigenvalues().minCoeff(), sweeps == 1 ? 0.5 : 0.8);
   }
 }
 
@@ -104,7 +101,7 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
   const Matrix<TypeParam> expected = (identity - error) * A.inverse();
 
   MultigridCycle<TypeParam> cycle(hierarchy,
-    Options(SmootherKind::GaussSeidel, 1, 2, CyclePrecision::Double), SerialContext());
+    Options(1, 2, CyclePrecision::Double), SerialContext());
   const Matrix<TypeParam> B = Densified(cycle, size);
   // The coarsest matrix is lifted by 1e-12 of its diagonal.
   EXPECT_LE((B - expected).norm(), 1e-10 * expected.norm());
@@ -118,7 +115,7 @@ TYPED_TEST(TestMultigridCycle, RepetitionsAreChebyshevsIteration)
   const Matrix<TypeParam> identity = Matrix<TypeParam>::Identity(A.rows(), A.cols());
   const auto cycleOf = [&](int repetitions)
   {
-    CycleOptions options = Options(SmootherKind::GaussSeidel, 1, 1, CyclePrecision::Double);
+    CycleOptions options = Options(1, 1, CyclePrecision::Double);
     options.Repetitions = repetitions;
     MultigridCycle<TypeParam> cycle(hierarchy, options, SerialContext());
     return Densified(cycle, static_cast<int>(A.rows()));
@@ -145,10 +142,10 @@ TYPED_TEST(TestMultigridCycle, SinglePrecisionStaysAtItsRounding)
   {
     Vector<TypeParam> single, exact;
     MultigridCycle<TypeParam>(
-      hierarchy, Options(SmootherKind::GaussSeidel, 2, 2, CyclePrecision::Single), SerialContext())
+      hierarchy, Options(2, 2, CyclePrecision::Single), SerialContext())
       .Apply(scale * r, single, SerialContext());
     MultigridCycle<TypeParam>(
-      hierarchy, Options(SmootherKind::GaussSeidel, 2, 2, CyclePrecision::Double), SerialContext())
+      hierarchy, Options(2, 2, CyclePrecision::Double), SerialContext())
       .Apply(scale * r, exact, SerialContext());
     EXPECT_LE((single - exact).norm(), 10 * std::numeric_limits<float>::epsilon() * exact.norm());
     EXPECT_GT((single - exact).norm(), 0.0);
@@ -160,7 +157,7 @@ TYPED_TEST(TestMultigridCycle, OneLevelIsTheInverse)
   const auto problem = test::MakeGridProblem<TypeParam>(4, 1);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, {}, {}, SerialContext());
   MultigridCycle<TypeParam> cycle(hierarchy,
-    Options(SmootherKind::GaussSeidel, 2, 2, CyclePrecision::Double), SerialContext());
+    Options(2, 2, CyclePrecision::Double), SerialContext());
   const auto x = test::RandomVector<TypeParam>(problem.A.rows(), 3002);
   Vector<TypeParam> z;
   cycle.Apply(problem.A * x, z, SerialContext());
@@ -171,25 +168,22 @@ TYPED_TEST(TestMultigridCycle, UpdateHasTheBitsOfANewCycle)
 {
   auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
-  for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
+  const CycleOptions options = Options(2, 2, CyclePrecision::Single);
+  MultigridCycle<TypeParam> updated(hierarchy, options, SerialContext());
+  for (int i = 0; i < problem.A.rows(); i += 5)
   {
-    const CycleOptions options = Options(kind, 2, 2, CyclePrecision::Single);
-    MultigridCycle<TypeParam> updated(hierarchy, options, SerialContext());
-    for (int i = 0; i < problem.A.rows(); i += 5)
-    {
-      problem.A.coeffRef(i, i) += 1.7;
-    }
-    hierarchy.Update(problem.A, SerialContext());
-    updated.Update(SerialContext());
-    GalerkinHierarchy<TypeParam> freshHierarchy(problem.A, problem.P, {}, SerialContext());
-    MultigridCycle<TypeParam> fresh(freshHierarchy, options, SerialContext());
-    const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3003);
-    Vector<TypeParam> x, y;
-    updated.Apply(r, x, SerialContext());
-    fresh.Apply(r, y, SerialContext());
-    EXPECT_EQ(x, y);
-    EXPECT_EQ(updated.Bytes(), fresh.Bytes());
+    problem.A.coeffRef(i, i) += 1.7;
   }
+  hierarchy.Update(problem.A, SerialContext());
+  updated.Update(SerialContext());
+  GalerkinHierarchy<TypeParam> freshHierarchy(problem.A, problem.P, {}, SerialContext());
+  MultigridCycle<TypeParam> fresh(freshHierarchy, options, SerialContext());
+  const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3003);
+  Vector<TypeParam> x, y;
+  updated.Apply(r, x, SerialContext());
+  fresh.Apply(r, y, SerialContext());
+  EXPECT_EQ(x, y);
+  EXPECT_EQ(updated.Bytes(), fresh.Bytes());
 }
 
 TYPED_TEST(TestMultigridCycle, SameBitsForAnyNumberOfThreads)
@@ -197,19 +191,16 @@ TYPED_TEST(TestMultigridCycle, SameBitsForAnyNumberOfThreads)
   const auto problem = test::MakeGridProblem<TypeParam>(8, 5);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3004);
-  for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
+  const CycleOptions options = Options(2, 2, CyclePrecision::Single);
+  Vector<TypeParam> expected;
+  MultigridCycle<TypeParam>(hierarchy, options, SerialContext())
+    .Apply(r, expected, SerialContext());
+  for (const int threads : { 1, 2, 3, 8 })
   {
-    const CycleOptions options = Options(kind, 2, 2, CyclePrecision::Single);
-    Vector<TypeParam> expected;
-    MultigridCycle<TypeParam>(hierarchy, options, SerialContext())
-      .Apply(r, expected, SerialContext());
-    for (const int threads : { 1, 2, 3, 8 })
-    {
-      const test::TbbContext context(threads);
-      Vector<TypeParam> z;
-      MultigridCycle<TypeParam>(hierarchy, options, context).Apply(r, z, context);
-      EXPECT_EQ(z, expected) << threads << " threads";
-    }
+    const test::TbbContext context(threads);
+    Vector<TypeParam> z;
+    MultigridCycle<TypeParam>(hierarchy, options, context).Apply(r, z, context);
+    EXPECT_EQ(z, expected) << threads << " threads";
   }
 }
 
@@ -218,7 +209,7 @@ TYPED_TEST(TestMultigridCycle, NegativeSweepsAreRefused)
   const auto problem = test::MakeGridProblem<TypeParam>(3, 2);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
   EXPECT_THROW(MultigridCycle<TypeParam>(hierarchy,
-                 Options(SmootherKind::GaussSeidel, -1, 2, CyclePrecision::Single),
+                 Options(-1, 2, CyclePrecision::Single),
                  SerialContext()),
     InvalidInput);
 }

@@ -53,21 +53,15 @@ TEST(TestRowTiles, NeighboursShareAnItem)
       visit(part + 1);
       visit(part % 3 == 0 ? 19 : part);
     });
-  const std::vector<int> order = { 3, 9, 0, 1, 2, 4, 5, 6, 8, 7 };
-  const PartGraph permuted = Permuted(graph, order);
   ASSERT_EQ(graph.Size(), 10);
-  ASSERT_EQ(permuted.Size(), 10);
   for (int a = 0; a < 10; ++a)
   {
-    EXPECT_TRUE(std::is_sorted(permuted.Begin(a), permuted.End(a)));
+    EXPECT_TRUE(std::is_sorted(graph.Begin(a), graph.End(a)));
     for (int b = 0; b < 10; ++b)
     {
       const bool areNeighbours =
         a != b && (std::abs(a - b) == 1 || (a % 3 == 0 && b % 3 == 0));
       EXPECT_EQ(std::count(graph.Begin(a), graph.End(a), b), areNeighbours);
-      const int placeOfA = static_cast<int>(std::find(order.begin(), order.end(), a) - order.begin());
-      const int placeOfB = static_cast<int>(std::find(order.begin(), order.end(), b) - order.begin());
-      EXPECT_EQ(std::count(permuted.Begin(placeOfA), permuted.End(placeOfA), placeOfB), areNeighbours);
     }
   }
 }

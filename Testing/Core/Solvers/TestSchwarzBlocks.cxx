@@ -144,32 +144,22 @@ std::set<int> RowsOf(const test::Squares& squares, const std::vector<int>& unkno
   return rows;
 }
 
-/// Each block is in one tile; neighbours are tiles that share a row of B. No two blocks of a run do.
+/// Each block is in one tile. No two tiles of a colour share a row of B, and no two blocks of a run.
 void ExpectParted(const test::Squares& squares, const SchwarzBlocks& blocks)
 {
   EXPECT_EQ(Sorted(test::BlocksInOrder(blocks)), Sorted(squares.Blocks));
-  std::vector<std::set<int>> tilesOfRows(squares.B.rows());
-  for (int t = 0; t < blocks.NumberOfTiles(); ++t)
+  const std::vector<int>& colours = blocks.ColoursOfTiles();
+  ASSERT_EQ(colours.back(), blocks.NumberOfTiles());
+  for (std::size_t colour = 0; colour + 1 < colours.size(); ++colour)
   {
-    for (const int row : RowsOf(squares, UnknownsOfTile(blocks, t)))
+    std::set<int> taken;
+    for (int t = colours[colour]; t < colours[colour + 1]; ++t)
     {
-      tilesOfRows[row].insert(t);
+      for (const int row : RowsOf(squares, UnknownsOfTile(blocks, t)))
+      {
+        EXPECT_TRUE(taken.insert(row).second) << "row " << row;
+      }
     }
-  }
-  std::vector<std::set<int>> neighbours(blocks.NumberOfTiles());
-  for (const std::set<int>& tiles : tilesOfRows)
-  {
-    for (const int tile : tiles)
-    {
-      neighbours[tile].insert(tiles.begin(), tiles.end());
-    }
-  }
-  ASSERT_EQ(blocks.NeighboursOfTiles().Size(), blocks.NumberOfTiles());
-  for (int t = 0; t < blocks.NumberOfTiles(); ++t)
-  {
-    neighbours[t].erase(t);
-    EXPECT_EQ(std::vector<int>(blocks.NeighboursOfTiles().Begin(t), blocks.NeighboursOfTiles().End(t)),
-      std::vector<int>(neighbours[t].begin(), neighbours[t].end()));
   }
   for (int t = 0; t < blocks.NumberOfTiles(); ++t)
   {
@@ -375,7 +365,7 @@ TEST(TestSchwarzBlocks, DependentUnknownsHaveAnInverseAndEmptyOnesNone)
   UnknownBlocks all;
   all.Unknowns = { 0, 1, 2, 3 };
   all.EndBlock();
-  const SchwarzBlocks blocks(B.transpose(), all, { 0, 1 }, SerialContext());
+  const SchwarzBlocks blocks(B.transpose(), all, SerialContext());
   const Eigen::MatrixXd inverse = Unpacked(blocks.Inverse(blocks.Groups()[0]), 4, 1, 0);
   ASSERT_TRUE(inverse.allFinite());
   EXPECT_EQ(inverse.row(2).norm(), 0.0);
@@ -403,49 +393,18 @@ TEST(TestSchwarzBlocks, TilesAreCutEvenly)
   }
 }
 
-TEST(TestSchwarzBlocks, TilesStayInStripsAndIndependentOnesComeFirst)
-{
-  const test::Squares ring = test::Ring(2000);
-  const std::vector<int> strips = { 0, 10, 330, 999 };
-  ASSERT_EQ(ring.Blocks.Size(), strips.back());
-  const SchwarzBlocks blocks(ring.Bt, ring.Blocks, strips, SerialContext());
-  ExpectParted(ring, blocks);
-  const auto stripOf = [&](int tile)
-  {
-    // Block k begins with unknown 2 k.
-    const std::vector<int> unknowns = UnknownsOfTile(blocks, tile);
-    const int first = *std::min_element(unknowns.begin(), unknowns.end()) / 2;
-    const int last = (*std::max_element(unknowns.begin(), unknowns.end()) - 3) / 2;
-    const auto strip = std::upper_bound(strips.begin(), strips.end(), first);
-    EXPECT_LT(last, *strip);
-    return strip - strips.begin() - 1;
-  };
-  ASSERT_EQ(blocks.NumberOfTiles(), 1 + 20 + 42);
-  const PartGraph& graph = blocks.NeighboursOfTiles();
-  for (int t = 0; t < blocks.NumberOfTiles(); ++t)
-  {
-    EXPECT_EQ(stripOf(t), t < 1 ? 0 : t < 21 ? 1 : 2);
-  }
-  // Every other tile of a strip first: they have no neighbours among each other.
-  for (int t = 1; t < 11; ++t)
-  {
-    EXPECT_TRUE(std::none_of(
-      graph.Begin(t), graph.End(t), [](int other) { return other >= 1 && other < 11; }));
-  }
-}
-
-TEST(TestSchwarzBlocks, TilesThatAllShareARowAreAllNeighbours)
+TEST(TestSchwarzBlocks, TilesThatAllShareARowHaveAColourEach)
 {
   const test::Squares fan = test::Fan(150);
   const SchwarzBlocks blocks = test::BlocksOf(fan);
   ExpectParted(fan, blocks);
   EXPECT_EQ(blocks.NumberOfTiles(), 9); // of 16 or 17 blocks
-  EXPECT_EQ(blocks.NeighboursOfTiles().Begins.back(), 9 * 8);
+  EXPECT_EQ(blocks.ColoursOfTiles().size(), 10u);
 }
 
 TEST(TestSchwarzBlocks, NoBlocksHaveNoTile)
 {
-  const SchwarzBlocks blocks(test::Ring(8).Bt, {}, { 0 }, SerialContext());
+  const SchwarzBlocks blocks(test::Ring(8).Bt, {}, SerialContext());
   EXPECT_EQ(blocks.NumberOfTiles(), 0);
   EXPECT_TRUE(blocks.Groups().empty());
 }
@@ -465,11 +424,11 @@ TEST(TestSchwarzBlocks, LargeBlocksAreRefused)
     blocks.EndBlock();
     return blocks;
   };
-  const SchwarzBlocks largest(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock), { 0, 2 }, SerialContext());
+  const SchwarzBlocks largest(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock), SerialContext());
   ExpectInverses(largest, ring.Matrix());
   try
   {
-    SchwarzBlocks(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock + 1), { 0, 2 }, SerialContext());
+    SchwarzBlocks(ring.Bt, blocksOf(SchwarzBlocks::LargestBlock + 1), SerialContext());
     FAIL();
   }
   catch (const InvalidInput& error)

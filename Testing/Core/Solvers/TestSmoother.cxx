@@ -55,7 +55,7 @@ struct OrderedGrid
     const std::vector<int> places = Inverse(order.Unknowns);
     this->A = Permuted(A, order.Unknowns, places, SerialContext());
     this->Parts.Begins = order.Begins;
-    this->Parts.CoupledTiles = order.CoupledTiles;
+    this->Parts.ColoursOfTiles = order.ColoursOfTiles;
     this->Parts.HavePairs = ordered == Ordered::ByTilesOfPairs;
     const Vector<double> ones = Vector<double>::Ones(A.rows());
     if (this->Parts.HavePairs)
@@ -141,7 +141,7 @@ TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
     const auto b = test::RandomVector<TypeParam>(grid.Size(), 2801);
     const Matrix<TypeParam> A(grid.A);
     const auto smoother = Smoother<TypeParam>::New(
-      grid.Parts, { SmootherKind::GaussSeidel, sweeps, sweeps }, SerialContext());
+      grid.Parts, { sweeps, sweeps });
     Vector<TypeParam> x = Vector<TypeParam>::Constant(grid.Size(), NaN); // whatever was there
     const Vector<TypeParam> r = smoother->PreSmooth(b, x, SerialContext());
 
@@ -192,7 +192,7 @@ TYPED_TEST(TestSmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
   {
     SCOPED_TRACE(sweeps);
     const auto smoother = Smoother<TypeParam>::NewWithDiagonal(
-      grid.Parts, inverse, { SmootherKind::GaussSeidel, sweeps, sweeps });
+      grid.Parts, inverse, { sweeps, sweeps });
     Vector<TypeParam> x(grid.Size()), r(grid.Size());
     r = smoother->PreSmooth(b, x, SerialContext());
     Vector<TypeParam> expected = Vector<TypeParam>::Zero(grid.Size());
@@ -208,54 +208,24 @@ TYPED_TEST(TestSmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
   }
 }
 
-TEST(TestChebyshevSmoother, LeavesThePolynomialOfLottes)
-{
-  // On an eigenvector the error is multiplied by W_k(1 - 2 t) / (2 k + 1), where t is the eigenvalue
-  // over the upper bound and W_k Chebyshev's polynomial of the fourth kind,
-  // W_k(cos s) = sin((k + 1/2) s) / sin(s / 2). The bound is the row sum, 2, for these grids.
-  const OrderedGrid<double> grid(4, Ordered::ByTwoColours);
-  const Eigen::SelfAdjointEigenSolver<Matrix<double>> modes{ Matrix<double>(grid.A) };
-  for (const int degree : { 1, 2, 3, 4 })
-  {
-    SCOPED_TRACE(degree);
-    const auto smoother = Smoother<double>::New(
-      grid.Parts, { SmootherKind::Chebyshev, degree, degree }, SerialContext());
-    for (const int mode : { 0, 5, 100, grid.Size() - 1 })
-    {
-      const double eigenvalue = modes.eigenvalues()[mode];
-      const Vector<double> b = modes.eigenvectors().col(mode);
-      Vector<double> x(grid.Size()), r(grid.Size());
-      r = smoother->PreSmooth(b, x, SerialContext());
-      const double angle = std::acos(1.0 - 2.0 * eigenvalue / 2.0);
-      const double factor =
-        std::sin((degree + 0.5) * angle) / std::sin(angle / 2.0) / (2.0 * degree + 1.0);
-      EXPECT_LE((r - factor * b).norm(), 500 * Epsilon);
-      EXPECT_LE((x - (1.0 - factor) / eigenvalue * b).norm(), 500 * Epsilon / eigenvalue);
-    }
-  }
-}
-
 TYPED_TEST(TestSmoother, PostIsTheAdjointOfPre)
 {
   for (const Ordered ordered : AllOrders)
   {
     const OrderedGrid<TypeParam> grid(4, ordered);
-    for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
-    {
-      const auto smoother = Smoother<TypeParam>::New(grid.Parts, { kind, 3, 3 }, SerialContext());
-      const auto pre = Densified<TypeParam>(grid.Size(),
-        [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
-        {
-          Vector<TypeParam> r(b.size());
-          r = smoother->PreSmooth(b, x, SerialContext());
-          const Vector<TypeParam> residual = b - grid.A * x;
-          EXPECT_LE((r - residual).norm(), 20 * Epsilon);
-        });
-      const auto post = Densified<TypeParam>(grid.Size(),
-        [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
-        { smoother->PostSmooth(b, x, SerialContext()); });
-      EXPECT_LE((post - pre.adjoint()).norm(), 20 * Epsilon * pre.norm());
-    }
+    const auto smoother = Smoother<TypeParam>::New(grid.Parts, { 3, 3 });
+    const auto pre = Densified<TypeParam>(grid.Size(),
+      [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
+      {
+        Vector<TypeParam> r(b.size());
+        r = smoother->PreSmooth(b, x, SerialContext());
+        const Vector<TypeParam> residual = b - grid.A * x;
+        EXPECT_LE((r - residual).norm(), 20 * Epsilon);
+      });
+    const auto post = Densified<TypeParam>(grid.Size(),
+      [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
+      { smoother->PostSmooth(b, x, SerialContext()); });
+    EXPECT_LE((post - pre.adjoint()).norm(), 20 * Epsilon * pre.norm());
   }
 }
 
@@ -265,22 +235,19 @@ TYPED_TEST(TestSmoother, SameBitsForAnyNumberOfThreads)
   {
     const OrderedGrid<TypeParam> grid(8, ordered);
     const auto b = test::RandomVector<TypeParam>(grid.Size(), 2802);
-    for (const SmootherKind kind : { SmootherKind::GaussSeidel, SmootherKind::Chebyshev })
+    std::vector<Vector<TypeParam>> results;
+    for (const int threads : { 1, 2, 3, 8 })
     {
-      std::vector<Vector<TypeParam>> results;
-      for (const int threads : { 1, 2, 3, 8 })
-      {
-        const test::TbbContext context(threads);
-        const auto smoother = Smoother<TypeParam>::New(grid.Parts, { kind, 2, 2 }, context);
-        Vector<TypeParam> x(grid.Size()), r(grid.Size());
-        r = smoother->PreSmooth(b, x, context);
-        smoother->PostSmooth(b, x, context);
-        results.push_back(x + r);
-      }
-      for (const Vector<TypeParam>& result : results)
-      {
-        EXPECT_EQ(result, results[0]);
-      }
+      const test::TbbContext context(threads);
+      const auto smoother = Smoother<TypeParam>::New(grid.Parts, { 2, 2 });
+      Vector<TypeParam> x(grid.Size()), r(grid.Size());
+      r = smoother->PreSmooth(b, x, context);
+      smoother->PostSmooth(b, x, context);
+      results.push_back(x + r);
+    }
+    for (const Vector<TypeParam>& result : results)
+    {
+      EXPECT_EQ(result, results[0]);
     }
   }
 }
@@ -290,13 +257,13 @@ TEST(TestSinglePrecisionSmoother, PairsAreTakenAtOnce)
   const OrderedGrid<double> grid(5, Ordered::ByTilesOfPairs);
   TriangularParts<float> parts;
   parts.Begins = grid.Parts.Begins;
-  parts.CoupledTiles = grid.Parts.CoupledTiles;
+  parts.ColoursOfTiles = grid.Parts.ColoursOfTiles;
   parts.HavePairs = true;
   parts.Lower = grid.Parts.Lower.cast<float>();
   parts.Upper = grid.Parts.Upper.cast<float>();
   const auto b = test::RandomVector<double>(grid.Size(), 2804);
-  const auto exact = Smoother<double>::New(grid.Parts, {}, SerialContext());
-  const auto smoother = Smoother<float>::New(parts, {}, SerialContext());
+  const auto exact = Smoother<double>::New(grid.Parts, {});
+  const auto smoother = Smoother<float>::New(parts, {});
   Vector<double> expected(grid.Size());
   Vector<float> x(grid.Size());
   const Vector<double> expectedResidual = exact->PreSmooth(b, expected, SerialContext());

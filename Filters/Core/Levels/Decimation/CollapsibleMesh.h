@@ -14,7 +14,7 @@ namespace dmg
 /// A triangle mesh that shrinks by edge collapses. Vertices, faces and halfedges keep their numbers
 /// while it does; Compact() renumbers what is left.
 ///
-/// Two threads may gather and collapse at the same time if no face touches both edges
+/// Two threads may gather rings (GatherOneRing) and collapse at the same time if no face touches both edges
 /// (CollapsePolicy.h selects such edges).
 class CollapsibleMesh
 {
@@ -31,6 +31,8 @@ public:
   int Tail(int halfedge) const { return this->Corners[halfedge]; }
   int Head(int halfedge) const { return this->Corners[TriangleMesh::Next(halfedge)]; }
   int Twin(int halfedge) const { return this->Twins[halfedge]; }
+  /// As in TriangleMesh.
+  int OutgoingHalfedge(int vertex) const { return this->Outgoing[vertex]; }
   bool IsBoundaryVertex(int vertex) const { return this->Twins[this->Outgoing[vertex]] < 0; }
   const Vector3& Position(int vertex) const { return this->Positions[vertex]; }
 
@@ -42,11 +44,6 @@ public:
   /// allowed: an inner edge between two boundary vertices.
   /// Thesis, section 5.1; the length term keeps coarse triangles round.
   double CollapseCost(int halfedge) const;
-
-  /// The faces that the collapse of an edge would replace.
-  /// \return false where the surface would not stay manifold (the link condition) or an ear of the
-  /// boundary would be lost.
-  bool GatherOneRing(int halfedge, OneRing& ring) const;
 
   /// What a collapse leaves to do when no other thread collapses: vertices of the loop, which other
   /// rings share, may still name a dead face as theirs.
@@ -106,10 +103,6 @@ public:
 
 private:
   void AddPlanes(const TriangleMesh& mesh, int halfedge, Quadric& quadric) const;
-  bool GatherInterior(int halfedge, OneRing& ring) const;
-  bool GatherOntoBoundary(int halfedge, OneRing& ring) const;
-  bool GatherAlongBoundary(int halfedge, OneRing& ring) const;
-  void SetPositions(OneRing& ring, const Vector3& hub) const;
 
   std::vector<Vector3> Positions;
   std::vector<Quadric> Quadrics; // about Origin

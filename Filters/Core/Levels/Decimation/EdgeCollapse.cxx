@@ -34,7 +34,7 @@ TriangleShape ShapeOf(const std::vector<Vector3>& positions, const std::array<in
 std::optional<CollapsibleMesh::Afterwork> EdgeCollapse::Try(
   int halfedge, const CollapseLimits& limits)
 {
-  if (!this->Mesh.GatherOneRing(halfedge, this->LastRing) ||
+  if (!GatherOneRing(this->Mesh, halfedge, this->LastRing) ||
     this->LastRing.LoopSize() > limits.MaximumValence || this->MakesAPoint() ||
     !this->KeepsShape(limits))
   {

@@ -9,6 +9,8 @@
 namespace dmg
 {
 
+class CollapsibleMesh;
+
 /// What an edge collapse does to the boundary of the surface.
 enum class CollapseKind
 {
@@ -91,6 +93,11 @@ struct OneRing
     return { this->HubIndex(), k, this->NextOnLoop(k) };
   }
 };
+
+/// The faces that the collapse of an edge would replace.
+/// \return false where the surface would not stay manifold (the link condition) or an ear of the
+/// boundary would be lost.
+bool GatherOneRing(const CollapsibleMesh& mesh, int halfedge, OneRing& ring);
 
 }
 

@@ -19,26 +19,6 @@ double Cross(Complex a, Complex b)
   return a.real() * b.imag() - a.imag() * b.real();
 }
 
-double Dot(Complex a, Complex b)
-{
-  return a.real() * b.real() + a.imag() * b.imag();
-}
-
-/// The t in [0, 1] at which the line from \p from to \p to meets t \p spoke. Where the line has no
-/// length or runs along the spoke, as boundary edges do that pass a corner, the nearest place.
-double CrossingOfSpoke(Complex spoke, Complex from, Complex to)
-{
-  constexpr double tiny = 1e-8;
-  const Complex line = to - from;
-  const double slope = Cross(spoke, line);
-  const double length = std::sqrt(std::norm(spoke));
-  const bool isTransversal =
-    std::abs(slope) > tiny * length * std::max(std::sqrt(std::norm(line)), tiny * length);
-  const double t = isTransversal ? Cross(from, line) / slope
-                                 : Dot(0.5 * (from + to), spoke) / (length * length);
-  return std::clamp(t, 0.0, 1.0);
-}
-
 std::array<double, 3> Clamped(std::array<double, 3> weights)
 {
   double sum = 0.0;
@@ -55,16 +35,6 @@ std::array<double, 3> Clamped(std::array<double, 3> weights)
 }
 
 }
-
-/// An end of a chain, in the plane. It touches the sectors FirstSector to LastSector, in turning
-/// order: one sector, or two at a corner x_k of the polygon, or all at the hub.
-struct SurfaceTracking::PathEnd
-{
-  Complex Place;
-  int FirstSector;
-  int LastSector;
-  bool AtHub;
-};
 
 SurfaceTracking::SurfaceTracking(const TriangleMesh& fine)
   : Fine(fine)
@@ -96,6 +66,8 @@ std::unique_ptr<SurfaceTracking::Worker> SurfaceTracking::TakeWorker()
   const std::lock_guard<std::mutex> lock(this->Mutex);
   if (this->IdleWorkers.empty())
   {
+    // Room for all workers that there are: destructors give them back, and must not fail.
+    this->IdleWorkers.reserve(this->IdleWorkers.capacity() + 1);
     return std::make_unique<Worker>();
   }
   std::unique_ptr<Worker> worker = std::move(this->IdleWorkers.back());
@@ -146,7 +118,10 @@ void SurfaceTracking::Move(
   this->CollectEdgesThatLeaveTheMesh(ring, worker);
   this->MovePoints(ring, plane, worker);
   this->KeepBorder(ring, worker);
-  this->DrawChains(ring, plane, worker);
+  for (const Chain& chain : worker.Chains)
+  {
+    this->DrawChain(chain, ring, plane, worker);
+  }
 }
 
 void SurfaceTracking::NumberSectors(const OneRing& ring)
@@ -373,7 +348,7 @@ void SurfaceTracking::KeepBorder(const OneRing& ring, Worker& worker)
   }
 }
 
-SurfaceTracking::PathEnd SurfaceTracking::LocateFineVertex(
+PlaceInRing SurfaceTracking::LocateFineVertex(
   int fineVertex, const OneRing& ring, const std::vector<Complex>& plane) const
 {
   const int face = this->PointFaces[fineVertex];
@@ -403,7 +378,7 @@ SurfaceTracking::PathEnd SurfaceTracking::LocateFineVertex(
   return { plane[k], std::max(k - 1, 0), std::min(k, last), false };
 }
 
-SurfaceTracking::PathEnd SurfaceTracking::LocateCrossing(
+PlaceInRing SurfaceTracking::LocateCrossing(
   int halfedge, double fraction, const OneRing& ring, const std::vector<Complex>& plane) const
 {
   const int k = this->SectorOfFace[halfedge / 3];
@@ -414,107 +389,48 @@ SurfaceTracking::PathEnd SurfaceTracking::LocateCrossing(
   return { (1.0 - fraction) * tail + fraction * head, k, k, false };
 }
 
-// Each chain becomes the straight line between its ends, cut where it crosses spokes.
-void SurfaceTracking::DrawChains(
-  const OneRing& ring, const std::vector<Complex>& plane, Worker& worker)
+// Where a chain begins or ends, after the collapse.
+PlaceInRing SurfaceTracking::Locate(int node, int halfedge, double fraction, const OneRing& ring,
+  const std::vector<Complex>& plane) const
 {
-  const int sectors = ring.NumberOfSectors();
-  const Complex hub = plane[ring.HubIndex()];
-  const bool closed = ring.IsClosed();
+  return this->IsPathEnd(node) ? this->LocateFineVertex(this->FineVertexAt(node), ring, plane)
+                               : this->LocateCrossing(halfedge, fraction, ring, plane);
+}
 
-  for (const Chain& chain : worker.Chains)
+// The piece from a node to the next lies in the face of a halfedge.
+void SurfaceTracking::BeginPiece(int node, int leavingHalfedge)
+{
+  PathNode& from = this->Node(node);
+  from.LeavingHalfedge = leavingHalfedge;
+  from.NextInFace = this->FirstPieceInFace[leavingHalfedge / 3];
+  this->FirstPieceInFace[leavingHalfedge / 3] = node;
+}
+
+// A chain becomes the straight line between its ends, cut where it crosses spokes.
+void SurfaceTracking::DrawChain(
+  const Chain& chain, const OneRing& ring, const std::vector<Complex>& plane, Worker& worker)
+{
+  const PathNode& first = this->Node(chain.First);
+  const PathNode& last = this->Node(chain.Last);
+  const LineThroughRing line(ring, plane,
+    this->Locate(chain.First, first.LeavingHalfedge, 1.0 - first.Fraction, ring, plane),
+    this->Locate(chain.Last, last.ArrivingHalfedge, last.Fraction, ring, plane));
+  int node = chain.First;
+  int sector = line.FirstSector();
+  this->BeginPiece(
+    node, this->IsPathEnd(node) ? 3 * ring.Sectors[sector].Face : first.LeavingHalfedge);
+  for (int k = 0; k < line.NumberOfCrossings(); ++k)
   {
-    const auto locate = [&](int node, int halfedge, double fraction) {
-      if (this->IsPathEnd(node))
-      {
-        return this->LocateFineVertex(this->Fine.EdgeVertices(node / 2)[node % 2], ring, plane);
-      }
-      return this->LocateCrossing(halfedge, fraction, ring, plane);
-    };
-    const PathNode& firstNode = this->Node(chain.First);
-    const PathNode& lastNode = this->Node(chain.Last);
-    const PathEnd from = locate(chain.First, firstNode.LeavingHalfedge, 1.0 - firstNode.Fraction);
-    const PathEnd to = locate(chain.Last, lastNode.ArrivingHalfedge, lastNode.Fraction);
-
-    // From which sector to which, and which way around the hub.
-    int sector = from.FirstSector;
-    int steps = 0;
-    int direction = 1;
-    if (from.AtHub)
-    {
-      sector = to.FirstSector;
-    }
-    else if (!to.AtHub)
-    {
-      const auto turns = [&](int a, int b) { return b >= a ? b - a : b - a + sectors; };
-      const auto touches = [&](const PathEnd& end, int s) {
-        return s == end.FirstSector || s == end.LastSector;
-      };
-      if (touches(to, from.FirstSector))
-      {
-        sector = from.FirstSector;
-      }
-      else if (touches(to, from.LastSector))
-      {
-        sector = from.LastSector;
-      }
-      else
-      {
-        const int left = turns(from.LastSector, to.FirstSector);  // counter-clockwise
-        const int right = turns(to.LastSector, from.FirstSector); // clockwise
-        const double turn = Cross(from.Place - hub, to.Place - hub);
-        const double squaredScale = std::norm(from.Place - hub) * std::norm(to.Place - hub);
-        bool counterClockwise = turn > 0.0;
-        if (!closed)
-        {
-          counterClockwise = to.FirstSector > from.LastSector;
-        }
-        else if (turn * turn <= 1e-24 * squaredScale)
-        {
-          counterClockwise = left <= right; // the line passes the hub: the sign is rounding
-        }
-        direction = counterClockwise ? 1 : -1;
-        steps = counterClockwise ? left : right;
-        sector = counterClockwise ? from.LastSector : from.FirstSector;
-      }
-    }
-
-    int node = chain.First;
-    const auto enter = [&](int s, int leavingHalfedge) {
-      PathNode& current = this->Node(node);
-      current.LeavingHalfedge = leavingHalfedge;
-      current.NextInFace = this->FirstPieceInFace[ring.Sectors[s].Face];
-      this->FirstPieceInFace[ring.Sectors[s].Face] = node;
-    };
-    enter(sector, this->IsPathEnd(chain.First) ? 3 * ring.Sectors[sector].Face
-                                               : firstNode.LeavingHalfedge);
-    for (int step = 0; step < steps; ++step)
-    {
-      const int next = direction > 0 ? (sector + 1 == sectors ? 0 : sector + 1)
-                                     : (sector == 0 ? sectors - 1 : sector - 1);
-      const int spoke = direction > 0 ? ring.NextOnLoop(sector) : sector;
-      const double t = CrossingOfSpoke(plane[spoke] - hub, from.Place - hub, to.Place - hub);
-      const int crossing = this->AllocateNode(worker);
-      PathNode& crossed = this->Node(crossing);
-      if (direction > 0)
-      {
-        crossed.ArrivingHalfedge = ring.Sectors[sector].ReturningSpoke();
-        crossed.Fraction = 1.0 - t;
-      }
-      else
-      {
-        crossed.ArrivingHalfedge = ring.Sectors[sector].LeavingSpoke();
-        crossed.Fraction = t;
-      }
-      this->Node(node).Next = crossing;
-      node = crossing;
-      sector = next;
-      enter(sector,
-        direction > 0 ? ring.Sectors[sector].LeavingSpoke()
-                      : ring.Sectors[sector].ReturningSpoke());
-    }
-    this->Node(node).Next = chain.Last;
+    const LineThroughRing::Crossing crossing = line.LeaveSector(sector);
+    const int next = this->AllocateNode(worker);
+    this->Node(next).ArrivingHalfedge = crossing.Leaving;
+    this->Node(next).Fraction = crossing.Fraction;
+    this->Node(node).Next = next;
+    this->BeginPiece(next, crossing.Entering);
+    node = next;
+    sector = crossing.Sector;
   }
+  this->Node(node).Next = chain.Last;
 }
 
 }

@@ -1,6 +1,7 @@
 #ifndef dmgSurfaceTracking_h
 #define dmgSurfaceTracking_h
 
+#include "Levels/Decimation/LineThroughRing.h"
 #include "Levels/Decimation/OneRing.h"
 #include "Mesh/TriangleMesh.h"
 
@@ -180,7 +181,6 @@ private:
     return visit(face, start, end);
   }
 
-  struct PathEnd;
   void NumberSectors(const OneRing& ring);
   void CollectPieces(const OneRing& ring, Worker& worker);
   void CollectEdgesThatLeaveTheMesh(const OneRing& ring, Worker& worker);
@@ -188,10 +188,14 @@ private:
   void MovePoint(
     int fineVertex, Complex place, const OneRing& ring, const std::vector<Complex>& plane);
   void KeepBorder(const OneRing& ring, Worker& worker);
-  void DrawChains(const OneRing& ring, const std::vector<Complex>& plane, Worker& worker);
-  PathEnd LocateFineVertex(
+  void DrawChain(const Chain& chain, const OneRing& ring, const std::vector<Complex>& plane,
+    Worker& worker);
+  void BeginPiece(int node, int leavingHalfedge);
+  PlaceInRing Locate(int node, int halfedge, double fraction, const OneRing& ring,
+    const std::vector<Complex>& plane) const;
+  PlaceInRing LocateFineVertex(
     int fineVertex, const OneRing& ring, const std::vector<Complex>& plane) const;
-  PathEnd LocateCrossing(int halfedge, double fraction, const OneRing& ring,
+  PlaceInRing LocateCrossing(int halfedge, double fraction, const OneRing& ring,
     const std::vector<Complex>& plane) const;
 
   const TriangleMesh& Fine;

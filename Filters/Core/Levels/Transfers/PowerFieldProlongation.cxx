@@ -12,12 +12,62 @@ namespace
 
 constexpr int Grain = 4096;
 
-/// Sum over the pieces of one fine face on one coarse face.
-struct Overlap
+/// The pieces of one fine face's sides, summed up on each coarse face.
+class Overlaps
 {
-  int Face;
-  double Length;
-  Complex Turning; // sum of length e^{i angle}
+public:
+  void Add(int face, Complex piece, Complex direction)
+  {
+    this->AnyFace = face;
+    int i = 0;
+    while (i < this->Count && this->OnFaces[i].Face != face)
+    {
+      ++i;
+    }
+    if (i == this->Count)
+    {
+      if (this->Count == static_cast<int>(this->OnFaces.size()))
+      {
+        return; // a hair of a long thin face; the others say enough
+      }
+      this->OnFaces[this->Count++] = { face, 0.0, 0.0 };
+    }
+    const double length = std::sqrt(std::norm(piece));
+    this->OnFaces[i].Length += length;
+    this->OnFaces[i].Turning += direction * std::conj(piece);
+    this->TotalLength += length;
+  }
+
+  /// Weights are shares of the length, turns are those of the mean direction.
+  void AppendTo(RowEntries<Complex>& row) const
+  {
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const OnFace& overlap = this->OnFaces[i];
+      const double turning = std::sqrt(std::norm(overlap.Turning));
+      if (turning > 0.0)
+      {
+        row.emplace_back(
+          overlap.Face, overlap.Length / this->TotalLength * (overlap.Turning / turning));
+      }
+    }
+  }
+
+  /// One of the faces.
+  int Any() const { return this->AnyFace; }
+
+private:
+  struct OnFace
+  {
+    int Face;
+    double Length;
+    Complex Turning; ///< sum of length e^{i angle}
+  };
+
+  std::array<OnFace, 64> OnFaces;
+  int Count = 0;
+  double TotalLength = 0.0;
+  int AnyFace = -1;
 };
 
 /// Corners of a face as complex numbers in its frame.
@@ -50,51 +100,24 @@ TransportOperator PowerFieldProlongation(const FineEdgePaths& paths,
   });
 
   const auto appendRow = [&](int face, RowEntries<Complex>& row) {
-    std::array<Overlap, 64> overlaps;
-    int count = 0;
-    double total = 0.0;
-    int anyFace = -1;
+    Overlaps overlaps;
     const std::array<Complex, 3> directions = SideDirections(fine, fineFrames, face);
     for (int k = 0; k < 3; ++k)
     {
       paths.VisitPieces(3 * face + k,
         [&](int t, const std::array<double, 3>& from, const std::array<double, 3>& to) {
-          anyFace = t;
           const std::array<Complex, 3>& corners = coarseCorners[t];
           const Complex piece = (to[0] - from[0]) * corners[0] + (to[1] - from[1]) * corners[1] +
             (to[2] - from[2]) * corners[2];
-          const double length = std::sqrt(std::norm(piece));
-          int i = 0;
-          while (i < count && overlaps[i].Face != t)
-          {
-            ++i;
-          }
-          if (i == count)
-          {
-            if (count == static_cast<int>(overlaps.size()))
-            {
-              return; // a hair of a long thin face; the others say enough
-            }
-            overlaps[count++] = { t, 0.0, 0.0 };
-          }
-          overlaps[i].Length += length;
-          overlaps[i].Turning += directions[k] * std::conj(piece);
-          total += length;
+          overlaps.Add(t, piece, directions[k]);
         });
     }
-    for (int i = 0; i < count; ++i)
-    {
-      const double turning = std::sqrt(std::norm(overlaps[i].Turning));
-      if (turning > 0.0)
-      {
-        row.emplace_back(
-          overlaps[i].Face, overlaps[i].Length / total * (overlaps[i].Turning / turning));
-      }
-    }
+    overlaps.AppendTo(row);
     if (row.empty())
     {
       // The whole face lies in one point of the coarse mesh: no piece has a direction.
-      row.emplace_back(anyFace, TransportTurn(coarseFrames, anyFace, fineFrames, face));
+      row.emplace_back(
+        overlaps.Any(), TransportTurn(coarseFrames, overlaps.Any(), fineFrames, face));
     }
   };
   return AssembleMatrix<Complex>(

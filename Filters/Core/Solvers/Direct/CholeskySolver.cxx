@@ -11,6 +11,9 @@
 namespace dmg
 {
 
+/// CHOLMOD without Eigen's CholmodSupport, which keeps the factor to itself, so that neither its size nor the pivot that
+/// failed nor an estimate of the condition could be told, and which allocates solution and workspaces for each
+/// solve. It would copy the triangle in 64-bit indices as this does.
 template <class Scalar>
 class CholeskySolver<Scalar>::Internals
 {

@@ -32,7 +32,7 @@ namespace dmg
 /// reason, whatever the shift. Such fields have to be left out of the problem.
 ///
 /// With a matrix that was assembled, the product A x has rounding errors of epsilon |A| |x|, as the pivots have. Where the
-/// smallest eigenvalues count, conjugate gradients take B^T (B x) + D x instead.
+/// smallest eigenvalues count, conjugate gradients take B^T (B x) + D x instead (AssembledHierarchy).
 template <class Scalar>
 class ShiftedFactor : public Preconditioner<Scalar>
 {

@@ -37,17 +37,10 @@ public:
   template <class Visit>
   void ForTiles(const ExecutionContext& context, const Visit& visit) const
   {
-    for (int colour = 0; colour < this->Colouring.NumberOfColours(); ++colour)
-    {
-      context.ParallelFor(this->Colouring.Begins[colour], this->Colouring.Begins[colour + 1], 1,
-        [&](int first, int last) {
-          for (int t = first; t < last; ++t)
-          {
-            const int tile = this->Colouring.Parts[t];
-            visit(tile, tile * RowsOfTile, std::min((tile + 1) * RowsOfTile, this->Rows));
-          }
-        });
-    }
+    ForColours(this->Colouring.Begins, false, context, [this, &visit](int t) {
+      const int tile = this->Colouring.Parts[t];
+      visit(tile, tile * RowsOfTile, std::min((tile + 1) * RowsOfTile, this->Rows));
+    });
   }
 
 private:

@@ -1,5 +1,6 @@
 #include "Solvers/Kernels/SweepOrder.h"
 
+#include "Solvers/Kernels/PartColouring.h"
 #include "Support/CountingSort.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Permutations.h"
@@ -98,17 +99,11 @@ SweepOrder Tiling(const SparseMatrix<Scalar>& A)
   const int size = static_cast<int>(A.rows());
   const int rowsOfTile = std::clamp(size / WantedTiles / 2 * 2, SmallestTile, LargestTile);
   const int tiles = (size + rowsOfTile - 1) / rowsOfTile;
-  const PartGraph graph = CoupledTiles(A, tiles, rowsOfTile);
-  std::vector<int> colours(tiles);
-  ColourGreedily(graph, 0, tiles, colours);
-  std::vector<int> tileOrder = Identity(tiles);
-  std::stable_sort(tileOrder.begin(), tileOrder.end(),
-    [&colours](int a, int b) { return colours[a] < colours[b]; });
-
+  PartColouring colouring = ColourParts(CoupledTiles(A, tiles, rowsOfTile));
   SweepOrder order;
   order.Unknowns.reserve(size);
   order.Begins.push_back(0);
-  for (const int tile : tileOrder)
+  for (const int tile : colouring.Parts)
   {
     for (int i = tile * rowsOfTile; i < std::min((tile + 1) * rowsOfTile, size); ++i)
     {
@@ -116,7 +111,7 @@ SweepOrder Tiling(const SparseMatrix<Scalar>& A)
     }
     order.Begins.push_back(static_cast<int>(order.Unknowns.size()));
   }
-  order.CoupledTiles = Permuted(graph, tileOrder);
+  order.ColoursOfTiles = std::move(colouring.Begins);
   return order;
 }
 

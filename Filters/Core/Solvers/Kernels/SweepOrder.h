@@ -1,7 +1,6 @@
 #ifndef dmgSweepOrder_h
 #define dmgSweepOrder_h
 
-#include "Solvers/Kernels/PartGraph.h"
 #include "Support/Types.h"
 
 #include <vector>
@@ -12,14 +11,14 @@ namespace dmg
 /// The unknowns of a symmetric matrix in the order in which Gauss-Seidel takes them, part by part.
 ///
 /// Parts are colours, no two unknowns of which are coupled: threads share each. Or they are tiles of unknowns
-/// near each other, in an order of their own: threads take tiles that are not coupled.
+/// near each other, which have colours themselves: threads share the tiles of each.
 struct SweepOrder
 {
   std::vector<int> Unknowns; ///< a permutation
   std::vector<int> Begins;   ///< where each part begins; one more than parts
-  PartGraph CoupledTiles;    ///< none for colours
+  std::vector<int> ColoursOfTiles; ///< the first tile of each colour, and their number; none for colours
 
-  bool HasTiles() const { return this->CoupledTiles.Size() > 0; }
+  bool HasTiles() const { return !this->ColoursOfTiles.empty(); }
 };
 
 /// Greedy colours: each unknown, in ascending order, takes the smallest colour free among its neighbours.
@@ -28,8 +27,7 @@ struct SweepOrder
 template <class Scalar>
 SweepOrder Colouring(const SparseMatrix<Scalar>& A);
 
-/// Tiles of unknowns that follow each other in A, by greedy colours of the tiles, so that many are not coupled
-/// with those just before. Tiles begin with even unknowns.
+/// Tiles of unknowns that follow each other in A, by greedy colours of the tiles. Tiles begin with even unknowns.
 /// \pre unknowns come in a spatial order.
 template <class Scalar>
 SweepOrder Tiling(const SparseMatrix<Scalar>& A);

@@ -2,7 +2,6 @@
 #define dmgTriangularParts_h
 
 #include "Solvers/Kernels/Packs.h"
-#include "Solvers/Kernels/PartGraph.h"
 #include "Support/SparseKernels.h"
 #include "Support/Types.h"
 
@@ -18,14 +17,14 @@ template <class Value>
 struct TriangularParts
 {
   std::vector<int> Begins; ///< of the parts of its SweepOrder
-  PartGraph CoupledTiles;  ///< if those are tiles
+  std::vector<int> ColoursOfTiles; ///< if those are tiles
   SparseMatrix<Value> Lower;
   SparseMatrix<Value> Upper;
   /// Columns come in pairs of an even one and the next, as the components of vectors do. Then a row has a zero on
   /// the diagonal in the part where the other unknown of its pair is.
   bool HavePairs = false;
 
-  bool HaveTiles() const { return this->CoupledTiles.Size() > 0; }
+  bool HaveTiles() const { return !this->ColoursOfTiles.empty(); }
   /// The product of row i of a part with x, which is finite.
   Value LowerTimes(int i, const Value* x) const { return this->Times(this->Lower, i, x); }
   Value UpperTimes(int i, const Value* x) const { return this->Times(this->Upper, i, x); }

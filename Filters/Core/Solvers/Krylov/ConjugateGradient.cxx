@@ -25,19 +25,22 @@ void ContinueDirection(const Vector<Scalar>& z, double beta, Vector<Scalar>& p,
     });
 }
 
-/// x += alpha p and r -= alpha q. \return |r|^2.
+/// x += alpha p and r -= alpha q. \return the norm of r that the monitor wants.
 template <class Scalar>
 double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vector<Scalar>& x,
-  Vector<Scalar>& r, const ExecutionContext& context)
+  Vector<Scalar>& r, const IterationMonitor<Scalar>& monitor, const ExecutionContext& context)
 {
-  return SumOverBlocks<double>(static_cast<int>(p.size()), context,
-    [alpha, &p, &q, &x, &r](int first, int last)
-    {
-      const int count = last - first;
-      x.segment(first, count) += alpha * p.segment(first, count);
-      r.segment(first, count) -= alpha * q.segment(first, count);
-      return r.segment(first, count).squaredNorm();
-    });
+  return std::sqrt(
+    SumOverBlocks<double>(static_cast<int>(p.size()), context, [&, alpha](int first, int last) {
+      double sum = 0.0;
+      for (int i = first; i < last; ++i)
+      {
+        x[i] += alpha * p[i];
+        r[i] -= alpha * q[i];
+        sum += monitor.SquareOf(i, r[i]);
+      }
+      return sum;
+    }));
 }
 
 }
@@ -58,11 +61,17 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
   Vector<Scalar> p = Vector<Scalar>::Zero(b.size());
   Vector<Scalar> image(b.size()); // B r; then, where that has become a direction, A p
   double oldProduct = 0.0; // r^H z of the iteration before; zero: no direction to continue
-  double normAtRestart = iteration.ResidualNorm();
-  while (!iteration.HasConverged() && iteration.MayContinue())
+  double normAtRestart = 0.0;
+  while (iteration.MayContinue())
   {
     B.Apply(r, image, context);
     const double product = Eigen::numext::real(Dot(r, image, context));
+    iteration.SetProduct(product);
+    if (iteration.HasConverged())
+    {
+      break;
+    }
+    normAtRestart = normAtRestart > 0.0 ? normAtRestart : iteration.ResidualNorm();
     ContinueDirection(image, oldProduct > 0.0 ? product / oldProduct : 0.0, p, context);
     const double energy = A.Apply(p, image, context);
     if (!(product > 0.0 && energy > 0.0))
@@ -73,23 +82,24 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
     }
     oldProduct = product;
     const double alpha = product / energy;
-    const double norm = std::sqrt(Step(alpha, p, image, x, r, context));
+    const double norm = Step(alpha, p, image, x, r, iteration, context);
     iteration.Append(norm, [alpha, &p](Vector<Scalar>& previous) { previous -= alpha * p; });
 
     if (iteration.HasConverged())
     {
       // The recurrence drifts away from b - A x by rounding errors; the latter counts.
       iteration.ComputeResidual(r);
-      if (!iteration.HasConverged())
+      if (iteration.HasConverged())
       {
-        if (iteration.ResidualNorm() > 0.5 * normAtRestart)
-        {
-          iteration.StopShort("rounding errors forbid a smaller residual");
-          break;
-        }
-        normAtRestart = iteration.ResidualNorm();
-        oldProduct = 0.0;
+        break;
       }
+      if (iteration.ResidualNorm() > 0.5 * normAtRestart)
+      {
+        iteration.StopAtRounding();
+        break;
+      }
+      normAtRestart = iteration.ResidualNorm();
+      oldProduct = 0.0;
     }
   }
   iteration.End();

@@ -20,7 +20,8 @@ namespace dmg
 ///   vector with the smallest residual that it met.
 /// \param report gets Iterations, SolveSeconds and Converged anew, and a warning if the iteration
 ///   stops short: at the limit, where rounding errors forbid progress, or because A or B is not
-///   positive definite. The residuals are those of the recurrence, the last is b - A x.
+///   positive definite. Residuals are measured as IterationMonitor says; they are those of the recurrence, the last is
+///   b - A x.
 /// \param measure for the columns Energy, MassResidual and Error of the history; may be null.
 /// \throw InvalidInput b or the start is not finite, or sizes differ.
 /// \throw Cancelled

@@ -92,7 +92,9 @@ double ConvergenceMeasure<Scalar>::Error(
   const Vector<Scalar>& x, const ExecutionContext& context) const
 {
   const int size = static_cast<int>(x.size());
-  const auto error = [this, &x](int i) { return x[i] - this->Reference[i]; };
+  const auto error = [this, &x](int i) {
+    return x[i] + (this->Offset ? (*this->Offset)[i] : Scalar(0)) - this->Reference[i];
+  };
   const auto reference = [this](int i) { return this->Reference[i]; };
   return Ratio(
     Norm(size, this->Mass, error, context), Norm(size, this->Mass, reference, context));
@@ -100,8 +102,9 @@ double ConvergenceMeasure<Scalar>::Error(
 
 template <class Scalar>
 void ConvergenceMeasure<Scalar>::Fill(IterationReport& row, const Vector<Scalar>& x,
-  const Vector<Scalar>& b, const Vector<Scalar>& r, const ExecutionContext& context) const
+  const Vector<Scalar>& rightHandSide, const Vector<Scalar>& r, const ExecutionContext& context) const
 {
+  const Vector<Scalar>& b = this->RightHandSide ? *this->RightHandSide : rightHandSide;
   const MassOf massOf(this->Mass, static_cast<int>(x.size()));
   const Sums sums =
     SumOverBlocks<Sums>(static_cast<int>(x.size()), context, [&](int first, int last) {
@@ -109,7 +112,8 @@ void ConvergenceMeasure<Scalar>::Fill(IterationReport& row, const Vector<Scalar>
       for (int i = first; i < last; ++i)
       {
         const double mass = massOf(i);
-        sum.Energy += Eigen::numext::real(Eigen::numext::conj(x[i]) * (b[i] + r[i]));
+        const Scalar value = this->Offset ? x[i] + (*this->Offset)[i] : x[i];
+        sum.Energy += Eigen::numext::real(Eigen::numext::conj(value) * (b[i] + r[i]));
         sum.Residual += mass * Eigen::numext::abs2(r[i]);
         sum.Right += mass * Eigen::numext::abs2(b[i]);
       }

@@ -26,6 +26,9 @@ struct ConvergenceMeasure
   /// Diagonal of M, > 0, one per unknown or per pair of consecutive ones, borrowed; null for ones.
   /// |x|_M^2 = x^H M x.
   const Vector<double>* Mass = nullptr;
+  /// Where the solver is given A x = b - A Offset: all is about x + Offset and A x = b. Both are borrowed; null for none.
+  const Vector<Scalar>* Offset = nullptr;
+  const Vector<Scalar>* RightHandSide = nullptr; ///< b
   /// The solution by other means, one value per unknown; empty if there is none, then Error is NaN.
   Vector<Scalar> Reference;
 

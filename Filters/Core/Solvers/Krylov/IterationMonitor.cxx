@@ -34,6 +34,7 @@ IterationMonitor<Scalar>::IterationMonitor(const LinearOperator<Scalar>& matrix,
   , Context(context)
   , AskedMeasure(measure)
   , Start(std::chrono::steady_clock::now())
+  , InverseDiagonal(matrix.InverseDiagonal())
 {
   if (this->b.size() != this->A.Size() || (this->x.size() != 0 && this->x.size() != this->b.size()))
   {
@@ -52,6 +53,7 @@ IterationMonitor<Scalar>::IterationMonitor(const LinearOperator<Scalar>& matrix,
   }
   this->Report.Iterations.clear();
   this->Report.Converged = false;
+  this->Report.EndedByRounding = false;
   this->Report.SolveSeconds = 0.0;
   if (this->IsTrivial())
   {
@@ -66,23 +68,44 @@ template <class Scalar>
 void IterationMonitor<Scalar>::Begin(Vector<Scalar>& r)
 {
   this->Residual = &r;
-  if (this->x.size() == 0)
+  const bool isFromZero = this->x.size() == 0;
+  if (isFromZero)
   {
     this->x.setZero(this->b.size());
     r = this->b;
-    this->AppendRow(this->NormOfB);
   }
-  else
+  this->AppendRow(isFromZero ? this->NormOf(r) : this->SubtractFromB(r));
+  this->BestNorm = this->ResidualNorm();
+}
+
+template <class Scalar>
+void IterationMonitor<Scalar>::SetProduct(double product)
+{
+  if (!(product > 0.0 && this->Norm > 0.0))
   {
-    this->AppendRow(this->SubtractFromB(r));
+    return;
   }
-  this->BestNorm = this->Norm;
+  this->Ratio = std::sqrt(product) / this->Norm;
+  this->SetRelativeResidual();
+  if (this->BestIteration == this->LastRow().Iteration)
+  {
+    this->BestRatio = this->Ratio;
+    this->BestNorm = this->ResidualNorm();
+  }
+}
+
+template <class Scalar>
+void IterationMonitor<Scalar>::SetRelativeResidual()
+{
+  const double otherwise = this->Norm > 0.0 ? 1.0 : 0.0;
+  this->Report.Iterations.back().RelativeResidual =
+    this->Energy > 0.0 ? this->ResidualNorm() / this->Energy : otherwise;
 }
 
 template <class Scalar>
 bool IterationMonitor<Scalar>::HasConverged() const
 {
-  return this->Norm <= this->Stop.RelativeTolerance * this->NormOfB;
+  return this->LastRow().RelativeResidual <= this->Stop.RelativeTolerance;
 }
 
 template <class Scalar>
@@ -90,8 +113,9 @@ bool IterationMonitor<Scalar>::MayContinue()
 {
   // Digits gained over digits wanted: residuals fall geometrically.
   const double start = this->Report.Iterations.front().RelativeResidual;
+  const double best = this->Report.Iterations[this->BestIteration].RelativeResidual;
   const double wanted = std::log(start / this->Stop.RelativeTolerance);
-  const double gained = std::log(start * this->NormOfB / this->BestNorm);
+  const double gained = std::log(start / best);
   if (wanted > 0.0 && gained > 0.0)
   {
     this->Progress = std::max(this->Progress, std::min(1.0, gained / wanted));
@@ -107,21 +131,30 @@ bool IterationMonitor<Scalar>::MayContinue()
 }
 
 template <class Scalar>
+void IterationMonitor<Scalar>::StopAtRounding()
+{
+  this->StopShort("rounding errors forbid a smaller residual");
+  this->Report.EndedByRounding = true;
+}
+
+template <class Scalar>
 void IterationMonitor<Scalar>::ComputeResidual(Vector<Scalar>& r)
 {
   this->Norm = this->SubtractFromB(r);
-  this->Report.Iterations.back().RelativeResidual = this->Norm / this->NormOfB;
+  this->Energy = this->EnergyNorm(r);
+  this->SetRelativeResidual();
   this->Report.Iterations.back().Seconds = this->Seconds();
   this->Measure();
   if (this->Best.size() == 0)
   {
-    this->BestNorm = this->Norm;
+    this->BestNorm = this->ResidualNorm();
   }
 }
 
 template <class Scalar>
 void IterationMonitor<Scalar>::End()
 {
+  this->Report.Returned = this->LastRow().Iteration;
   this->Report.Converged = this->IsTrivial() || this->HasConverged();
   if (!this->Report.Converged)
   {
@@ -130,10 +163,14 @@ void IterationMonitor<Scalar>::End()
       this->x.swap(this->Best);
     }
     Vector<Scalar> r;
-    const double reached = this->SubtractFromB(r) / this->NormOfB;
+    const double norm = this->BestRatio * this->SubtractFromB(r);
+    const double energy = this->EnergyNorm(r);
+    const double reached = energy > 0.0 ? norm / energy : 1.0;
+    this->Report.Returned = this->BestIteration;
+    this->Report.Iterations[this->BestIteration].RelativeResidual = reached;
     this->Report.Warnings.push_back("The solver stopped at a relative residual of " +
-      Rounded(reached) + " instead of " + Rounded(this->Stop.RelativeTolerance) + ": " +
-      this->Reason + ".");
+      Rounded(reached) + " (iteration " + std::to_string(this->BestIteration) + ", the best) instead of " +
+      Rounded(this->Stop.RelativeTolerance) + ": " + this->Reason + ".");
   }
   this->Report.SolveSeconds = this->Seconds();
 }
@@ -142,10 +179,23 @@ template <class Scalar>
 void IterationMonitor<Scalar>::AppendRow(double norm)
 {
   this->Norm = norm;
-  const double relative = this->IsTrivial() ? 0.0 : norm / this->NormOfB;
+  this->Energy = this->EnergyNorm(*this->Residual);
   const int number = static_cast<int>(this->Report.Iterations.size());
-  this->Report.Iterations.push_back({ number, this->Seconds(), relative });
+  this->Report.Iterations.push_back({ number, this->Seconds(), 0.0 });
+  this->SetRelativeResidual();
   this->Measure();
+}
+
+template <class Scalar>
+double IterationMonitor<Scalar>::EnergyNorm(const Vector<Scalar>& r) const
+{
+  const double square = SumOverBlocks<double>(
+    static_cast<int>(r.size()), this->Context, [this, &r](int first, int last) {
+      const int count = last - first;
+      return Eigen::numext::real(this->x.segment(first, count)
+                                   .dot(this->b.segment(first, count) - r.segment(first, count)));
+    });
+  return std::sqrt(std::max(0.0, square));
 }
 
 template <class Scalar>
@@ -164,14 +214,26 @@ template <class Scalar>
 double IterationMonitor<Scalar>::SubtractFromB(Vector<Scalar>& r) const
 {
   this->A.Apply(this->x, r, this->Context);
-  const double squaredNorm = SumOverBlocks<double>(static_cast<int>(r.size()), this->Context,
-    [this, &r](int first, int last)
-    {
-      const int count = last - first;
-      r.segment(first, count) = this->b.segment(first, count) - r.segment(first, count);
-      return r.segment(first, count).squaredNorm();
-    });
-  return std::sqrt(squaredNorm);
+  constexpr int Grain = 8192;
+  this->Context.ParallelFor(0, static_cast<int>(r.size()), Grain, [this, &r](int first, int last) {
+    const int count = last - first;
+    r.segment(first, count) = this->b.segment(first, count) - r.segment(first, count);
+  });
+  return this->NormOf(r);
+}
+
+template <class Scalar>
+double IterationMonitor<Scalar>::NormOf(const Vector<Scalar>& r) const
+{
+  return std::sqrt(SumOverBlocks<double>(
+    static_cast<int>(r.size()), this->Context, [this, &r](int first, int last) {
+      double sum = 0.0;
+      for (int i = first; i < last; ++i)
+      {
+        sum += this->SquareOf(i, r[i]);
+      }
+      return sum;
+    }));
 }
 
 template <class Scalar>

@@ -54,6 +54,7 @@ public:
     this->Projection.Remove(y, context);
     return product;
   }
+  const Vector<double>* InverseDiagonal() const override { return this->A.InverseDiagonal(); }
 
 private:
   const LinearOperator<double>& A;

@@ -21,6 +21,9 @@ public:
   /// \return x^H A x.
   virtual double Apply(
     const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context) const = 0;
+
+  /// 1 / A_ii, one per row, 0 where it is not defined; null where it is not known.
+  virtual const Vector<double>* InverseDiagonal() const { return nullptr; }
 };
 
 /// A sparse matrix as operator.

@@ -93,7 +93,7 @@ public:
 
   /// x^T M x = 1.
   void Start();
-  /// theta, r = A x - theta M x, w = B r. \return the largest r^T w / theta.
+  /// theta, r = A x - theta M x, w = B r. \return the largest sqrt(r^T w / theta).
   double FindResidual();
   /// The best combination of x, w and p becomes x.
   void Step();
@@ -219,7 +219,7 @@ double LocallyOptimalIteration::FindResidual()
   {
     largest = std::max(largest, squares[part] / this->Theta[part]);
   }
-  return largest;
+  return std::sqrt(largest);
 }
 
 void LocallyOptimalIteration::Step()
@@ -289,10 +289,9 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
   if (!report.Converged)
   {
     std::ostringstream text;
-    text << std::setprecision(2) << "The smoothest field has a roughness that is about "
-         << 100.0 * report.Iterations.back().RelativeResidual
-         << " % above the least, as no more than " << stop.MaximumIterations
-         << " iterations are allowed.";
+    text << std::setprecision(2) << "The smoothest field was found to a residual of "
+         << report.Iterations.back().RelativeResidual << " instead of " << stop.RelativeTolerance
+         << ", as no more than " << stop.MaximumIterations << " iterations are allowed.";
     report.Warnings.push_back(text.str());
   }
   report.SolveSeconds = report.Iterations.back().Seconds;

@@ -31,9 +31,9 @@ struct EigenProblem
 /// 2001), with a vector for each part: the least Rayleigh quotient in the span of x, the preconditioned residual w
 /// and the last step p. Where an eigenvalue is multiple, which of its vectors comes out depends on the start.
 ///
-/// The residual in the history is the largest r^T B r / theta of all parts, with r = A x - theta M x for x^T M x = 1 and
-/// the preconditioner B: about the relative error of theta. That of x is about its square root, over the relative distance
-/// to the next eigenvalue.
+/// The residual in the history is the largest sqrt(r^T B r / theta) of all parts, with r = A x - theta M x for x^T M x = 1
+/// and the preconditioner B: about the relative error of x in the energy norm, times the relative distance of theta to the
+/// next eigenvalue. The relative error of theta is about its square.
 /// \param x a start, which parts without one (zero) take from a fixed sequence of pseudo-random numbers; on exit x^T M x =
 ///   1 in each part.
 /// \param report its Iterations (with the sum of all theta as Energy), SolveSeconds, Converged and Warnings.

@@ -20,7 +20,9 @@ struct IterationReport
 {
   int Iteration = 0;
   double Seconds = 0.0;          ///< since the solve began, without measuring
-  double RelativeResidual = 0.0; ///< |b - A x| / |b|
+  /// An estimate of the relative error in the energy norm: the residual in the norm of the preconditioner over the energy
+  /// norm of x; see IterationMonitor. Of nested iterations |b - A x| / |b|.
+  double RelativeResidual = 0.0;
 
   // Of x on the finest level; NaN unless the caller handed over a ConvergenceMeasure.
   /// What the solution minimises.
@@ -42,9 +44,11 @@ struct SolveReport
   double PrepareSeconds = 0.0; ///< system stage: assembly, Galerkin products, factorisation
   double SolveSeconds = 0.0;
   std::vector<IterationReport> Iterations;
+  int Returned = 0; ///< the iteration whose x is the result
   bool Converged = false;
   /// Of the smoothest field of unit norm on each component without prescriptions.
   std::vector<double> Eigenvalues;
+  bool EndedByRounding = false; ///< not converged, and no residual could be smaller
   std::vector<std::string> Warnings; ///< one sentence each, for the user
 
   /// Non-zeros of all levels over those of the finest; 1 for a direct solver.

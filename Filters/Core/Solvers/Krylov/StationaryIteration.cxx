@@ -1,6 +1,7 @@
 #include "Solvers/Krylov/StationaryIteration.h"
 
 #include "Solvers/Krylov/IterationMonitor.h"
+#include "Support/SparseKernels.h"
 
 namespace dmg
 {
@@ -19,11 +20,20 @@ void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>
   Vector<Scalar> r;
   iteration.Begin(r);
   Vector<Scalar> z;
-  while (!iteration.HasConverged() && iteration.MayContinue())
+  while (iteration.MayContinue())
   {
     B.Apply(r, z, context);
+    iteration.SetProduct(Eigen::numext::real(Dot(r, z, context)));
+    if (iteration.HasConverged())
+    {
+      break;
+    }
     x += z;
     iteration.AppendResidual(r, [&z](Vector<Scalar>& previous) { previous -= z; });
+    if (iteration.HasConverged())
+    {
+      break;
+    }
     if (iteration.IterationsSinceBest() >= patience)
     {
       iteration.StopShort("the last cycles did not reduce the residual");

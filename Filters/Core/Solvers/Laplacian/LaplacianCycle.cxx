@@ -28,12 +28,12 @@ SmootherOptions SweepsOf(const RoughnessCycleOptions& options)
 LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D,
   const RoughnessCycleOptions& options, const ExecutionContext& context)
   : Fine(hierarchy)
-  , InverseDiagonal(hierarchy.L.Size())
+  , InverseDiagonal(hierarchy.Rows())
   , FineSmoother(
       Smoother<Single>::NewWithDiagonal(
-          hierarchy.L.Rounded, this->InverseDiagonal, SweepsOf(options)))
-  , b(hierarchy.L.Size())
-  , x(hierarchy.L.Size())
+          hierarchy.Sweeps, this->InverseDiagonal, SweepsOf(options)))
+  , b(hierarchy.Rows())
+  , x(hierarchy.Rows())
   , SumsOfParts(hierarchy.Prolongation.SizeOfSums())
 {
   this->SetDiagonal(D, context);
@@ -57,13 +57,13 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
     for (int k = first; k < last; ++k)
     {
       // An isolated unknown without a penalty is held as well.
-      const double diagonal = this->Fine.L.Diagonal[k] + D[2 * k];
+      const double diagonal = this->Fine.DiagonalOf(2 * k) + D[2 * k];
       this->InverseDiagonal[k] = diagonal > 0.0 ? static_cast<float>(1.0 / diagonal) : 0.0f;
     }
   });
   this->Held = Choose(size, [&D](int k) { return !std::isfinite(D[2 * k]); }, context);
   this->Penalised = PenalisedUnknowns<Single>(
-    size, [&D](int k) { return D[2 * k]; }, [this](int k) { return this->Fine.L.Diagonal[k]; },
+    size, [&D](int k) { return D[2 * k]; }, [this](int k) { return this->Fine.DiagonalOf(2 * k); },
     context);
 }
 
@@ -75,7 +75,7 @@ SparseMatrix<Complex> LaplacianCycle::CoarseMatrixOfFree(const ExecutionContext&
     // Rows become zero, but stay in the pattern, so that it does not depend on D.
     std::fill(P.valuePtr() + P.outerIndexPtr()[k], P.valuePtr() + P.outerIndexPtr()[k + 1], 0.0);
   }
-  return TripleProduct(Adjoint(P, context), this->Fine.L.Whole(context), P, context);
+  return TripleProduct(Adjoint(P, context), this->Fine.L, P, context);
 }
 
 SparseMatrix<Complex> LaplacianCycle::CoarseMatrix(const ExecutionContext& context) const
@@ -129,7 +129,7 @@ void LaplacianCycle::Apply(
 
 std::vector<LevelReport> LaplacianCycle::Levels() const
 {
-  return FinestAnd({ this->Fine.L.Size(), this->Fine.L.NonZeros() }, this->Coarse->Levels());
+  return FinestAnd({ this->Fine.Rows(), this->Fine.L.nonZeros() }, this->Coarse->Levels());
 }
 
 long long LaplacianCycle::Bytes() const

@@ -1,10 +1,11 @@
 #include "Solvers/Laplacian/LaplacianHierarchy.h"
 
 #include "Solvers/Direct/ShiftedFactor.h"
+#include "Solvers/Kernels/ArrangedMatrix.h"
 #include "Solvers/Kernels/Packs.h"
-#include "Solvers/Kernels/SparseDiagonal.h"
 #include "Solvers/Laplacian/LaplacianCycle.h"
 #include "Solvers/Multigrid/HierarchicalOrder.h"
+#include "Solvers/Multigrid/MatrixPlusDiagonal.h"
 #include "Solvers/Multigrid/SmoothedProlongation.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -25,40 +26,6 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
-
-/// L + D as operator on pairs.
-class ShiftedLaplacian : public RoughnessOperator
-{
-public:
-  explicit ShiftedLaplacian(const SplitMatrix& matrix)
-    : Rows(2 * matrix.Size())
-    , L(matrix)
-  {
-  }
-
-  int Size() const override { return this->Rows; }
-  void SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context) override
-  {
-    this->D = SparseDiagonal(diagonal, context);
-  }
-
-  double Apply(
-    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
-  {
-    y.resize(this->Size());
-    const auto* const from = reinterpret_cast<const Complex*>(x.data());
-    auto* const to = reinterpret_cast<Complex*>(y.data());
-    const double ofL = SumOverBlocks<double>(
-      this->Size() / 2, context,
-      [this, from, to](int first, int last) { return this->L.Multiply(first, last, from, to); });
-    return ofL + this->D.AddProduct(x, y, context);
-  }
-
-private:
-  const int Rows;
-  const SplitMatrix::Operator L;
-  SparseDiagonal D;
-};
 
 /// A factor of a complex matrix as preconditioner on pairs.
 class FactorOnPairs : public Preconditioner<double>
@@ -191,7 +158,7 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   });
   hierarchy.Prolongation = SingleProlongation(InColours(P, L, colours.Unknowns, context));
   SparseMatrix<Complex>().swap(P);
-  hierarchy.L = SplitMatrix(L, colours, context);
+  hierarchy.SetMatrix(L, colours, context);
   SparseMatrix<Complex>().swap(L);
   SetUnknowns(hierarchy, byParents, colours.Unknowns, components, context);
   hierarchy.Coarser.reserve(prolongations.size()); // growth would copy
@@ -205,16 +172,32 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
 
 LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
   : RoughnessHierarchy(std::move(other))
-  , L(std::move(other.L))
   , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
 {
+  this->L.swap(other.L);
+  this->Sweeps.Begins.swap(other.Sweeps.Begins);
+  this->Sweeps.Lower.swap(other.Sweeps.Lower);
+  this->Sweeps.Upper.swap(other.Sweeps.Upper);
   this->CoarseLower.swap(other.CoarseLower);
+}
+
+void LaplacianHierarchy::SetMatrix(
+  const SparseMatrix<Complex>& matrix, const SweepOrder& colours, const ExecutionContext& context)
+{
+  const std::vector<int>& order = colours.Unknowns;
+  const std::vector<int> places = Inverse(order, context);
+  const Vector<double> unscaled = Vector<double>::Ones(matrix.rows());
+  this->Sweeps.Begins = colours.Begins;
+  ArrangeLower(matrix, order, places, unscaled, this->Sweeps.Lower, context);
+  ArrangeUpper(matrix, order, places, unscaled, this->Sweeps.Upper, context);
+  SparseMatrix<Complex> inColours = Permuted(matrix, order, places, context);
+  this->L.swap(inColours); // Eigen 3.4 would copy what is moved
 }
 
 std::unique_ptr<RoughnessOperator> LaplacianHierarchy::Operator() const
 {
-  return std::make_unique<ShiftedLaplacian>(this->L);
+  return std::make_unique<MatrixPlusDiagonal<Complex>>(this->L);
 }
 
 std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& D,
@@ -224,9 +207,9 @@ std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& 
 }
 
 std::unique_ptr<Preconditioner<double>> LaplacianHierarchy::Factor(
-  const Vector<double>& D, const ExecutionContext& context) const
+  const Vector<double>& D, const ExecutionContext&) const
 {
-  SparseMatrix<Complex> A = this->L.Whole(context);
+  SparseMatrix<Complex> A = this->L;
   for (int k = 0; k < A.rows(); ++k)
   {
     for (SparseMatrix<Complex>::InnerIterator entry(A, k); entry; ++entry)
@@ -240,8 +223,8 @@ std::unique_ptr<Preconditioner<double>> LaplacianHierarchy::Factor(
 
 long long LaplacianHierarchy::Bytes() const
 {
-  long long bytes = this->L.Bytes() + this->Prolongation.Bytes() + BytesOf(this->CoarseLower) +
-    this->BytesOfUnknowns();
+  long long bytes = BytesOf(this->L) + BytesOf(this->Sweeps.Lower) + BytesOf(this->Sweeps.Upper) +
+    this->Prolongation.Bytes() + BytesOf(this->CoarseLower) + this->BytesOfUnknowns();
   for (const SparseMatrix<Complex>& P : this->Coarser)
   {
     bytes += BytesOf(P);

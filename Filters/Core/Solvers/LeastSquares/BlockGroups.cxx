@@ -1,5 +1,6 @@
 #include "Solvers/LeastSquares/BlockGroups.h"
 
+#include "Solvers/Kernels/FirstOccurrences.h"
 #include "Solvers/Kernels/Packs.h"
 #include "Solvers/LeastSquares/BlockTiles.h"
 #include "Support/Errors.h"
@@ -317,36 +318,6 @@ void Append(GroupsOfTile& tile, std::map<Incidence, int>& numbers, BlockGroups& 
   tile = {};
 }
 
-/// Numbers in the order in which they are first said, and then the others.
-class FirstOccurrences
-{
-public:
-  explicit FirstOccurrences(int size)
-    : HaveOccurred(size, 0)
-  {
-    this->Order.reserve(size);
-  }
-  void Say(int number)
-  {
-    if (!std::exchange(this->HaveOccurred[number], 1))
-    {
-      this->Order.push_back(number);
-    }
-  }
-  std::vector<int> Complete()
-  {
-    for (int number = 0; number < static_cast<int>(this->HaveOccurred.size()); ++number)
-    {
-      this->Say(number);
-    }
-    return std::move(this->Order);
-  }
-
-private:
-  std::vector<char> HaveOccurred;
-  std::vector<int> Order;
-};
-
 }
 
 std::vector<int> BlockGroups::OrderOfUnknowns(int unknowns) const
@@ -354,7 +325,7 @@ std::vector<int> BlockGroups::OrderOfUnknowns(int unknowns) const
   FirstOccurrences order(unknowns);
   for (const Group& group : this->Groups)
   {
-    std::for_each(this->Unknowns(group), this->Rows(group), [&order](int unknown) { order.Say(unknown); });
+    order.Say(this->Unknowns(group), this->Rows(group));
   }
   return order.Complete();
 }
@@ -364,8 +335,7 @@ std::vector<int> BlockGroups::OrderOfRows(int rows) const
   FirstOccurrences order(rows);
   for (const Group& group : this->Groups)
   {
-    std::for_each(this->Rows(group), this->Rows(group) + this->PatternOf(group).Rows() * group.Lanes,
-      [&order](int row) { order.Say(row); });
+    order.Say(this->Rows(group), this->Rows(group) + this->PatternOf(group).Rows() * group.Lanes);
   }
   return order.Complete();
 }
@@ -384,7 +354,7 @@ void BlockGroups::Renumber(
 }
 
 BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-  const std::vector<int>& strips, const ExecutionContext& context)
+  const ExecutionContext& context)
 {
   for (int k = 0; k < blocks.Size(); ++k)
   {
@@ -398,7 +368,7 @@ BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blo
   std::vector<int> lengths(Bt.cols(), 0); // of the rows of B
   std::for_each(
     Bt.innerIndexPtr(), Bt.innerIndexPtr() + Bt.nonZeros(), [&lengths](int row) { ++lengths[row]; });
-  const BlockTiles tiles(Bt, blocks, strips, context);
+  const BlockTiles tiles(Bt, blocks, context);
   std::vector<GroupsOfTile> ofTiles(tiles.Size());
   const int grain = std::max(1, tiles.Size() / (4 * context.NumberOfThreads()));
   context.ParallelFor(0, tiles.Size(), grain, [&](int first, int last) {
@@ -410,7 +380,7 @@ BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blo
   });
 
   BlockGroups groups;
-  groups.NeighboursOfTiles = tiles.Neighbours();
+  groups.ColoursOfTiles = tiles.ColoursOfTiles();
   std::size_t indices = 0;
   for (const GroupsOfTile& tile : ofTiles)
   {

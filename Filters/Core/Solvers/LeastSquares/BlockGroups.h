@@ -1,7 +1,6 @@
 #ifndef dmgBlockGroups_h
 #define dmgBlockGroups_h
 
-#include "Solvers/Kernels/PartGraph.h"
 #include "Solvers/LeastSquares/UnknownBlocks.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -60,7 +59,7 @@ struct BlockGroups
   std::vector<Group> Groups;   ///< in the order in which they are smoothed, tile by tile
   std::vector<int> RunBegins;  ///< the first group of each run, and their number
   std::vector<int> TileBegins; ///< the first run of each tile, and their number
-  PartGraph NeighboursOfTiles; ///< tiles that share a row of B
+  std::vector<int> ColoursOfTiles; ///< the first tile of each colour, and their number
   std::vector<int> Indices;
 
   const BlockPattern& PatternOf(const Group& group) const { return this->Patterns[group.Pattern]; }
@@ -79,12 +78,11 @@ struct BlockGroups
 };
 
 /// \param Bt B^T, a row per unknown.
-/// \param strips the first block of each strip (BlockStrips), and their number; for tiles.
 /// \throw InvalidInput a block of more than LargestBlock unknowns, or that touches more than MostRows
 ///   rows of B.
 /// Cost: linear in the unknowns of all blocks.
 BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-  const std::vector<int>& strips, const ExecutionContext& context);
+  const ExecutionContext& context);
 
 }
 

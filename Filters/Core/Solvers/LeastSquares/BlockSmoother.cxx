@@ -1,6 +1,7 @@
 #include "Solvers/LeastSquares/BlockSmoother.h"
 
-#include "Solvers/Kernels/Packs.h"
+#include "Solvers/Kernels/PartColouring.h"
+#include "Solvers/LeastSquares/BlockKernel.h"
 #include "Support/CountingSort.h"
 #include "Support/SparseKernels.h"
 
@@ -16,184 +17,6 @@ namespace
 
 constexpr int RowGrain = 8192;
 constexpr int GroupsAhead = 2;
-
-/// A pattern of blocks as the kernel asks for it.
-class BlockShape
-{
-public:
-  static constexpr int MostUnknowns = BlockGroups::LargestBlock;
-  static constexpr int MostRows = BlockGroups::MostRows;
-
-  explicit BlockShape(const BlockPattern& pattern)
-    : Of(pattern)
-  {
-  }
-  int Unknowns() const { return this->Of.Unknowns(); }
-  int Rows() const { return this->Of.Rows(); }
-  int InnerRows() const { return this->Of.InnerRows; }
-
-  template <class Visit>
-  void ForUnknowns(const Visit& visit) const
-  {
-    ForNumbers(0, this->Unknowns(), visit);
-  }
-  template <class Visit>
-  void ForRows(const Visit& visit) const
-  {
-    ForNumbers(0, this->Rows(), visit);
-  }
-  template <class Visit>
-  void ForUnknownsBefore(int unknown, const Visit& visit) const
-  {
-    ForNumbers(0, unknown, visit);
-  }
-  /// Calls visit(entry, row).
-  template <class Visit>
-  void ForEntriesOf(int unknown, const Visit& visit) const
-  {
-    ForNumbers(this->Of.Offsets[unknown], this->Of.Offsets[unknown + 1],
-      [&](int entry) { visit(entry, this->Of.RowOf[entry]); });
-  }
-  /// Calls visit(entry, unknown).
-  template <class Visit>
-  void ForEntriesOfRow(int row, const Visit& visit) const
-  {
-    ForNumbers(this->Of.RowOffsets[row], this->Of.RowOffsets[row + 1],
-      [&](int slot) { visit(this->Of.EntryAt[slot], this->Of.UnknownAt[slot]); });
-  }
-  int FirstEntryOf(int unknown) const { return this->Of.Offsets[unknown]; }
-
-private:
-  template <class Visit>
-  static void ForNumbers(int first, int last, const Visit& visit)
-  {
-    for (int k = first; k < last; ++k)
-    {
-      visit(k);
-    }
-  }
-
-  const BlockPattern& Of;
-};
-
-/// y = A x for a symmetric matrix in each lane, its lower triangle by rows.
-/// \param ahead a matrix that will be needed soon.
-template <class Pack>
-inline void MultiplySymmetric(
-  const float* triangle, const BlockShape& shape, const Pack* x, Pack* y, const float* ahead)
-{
-  constexpr int lanes = LanesOf<Pack>;
-  shape.ForUnknowns([&](auto i) {
-    const int begin = i * (i + 1) / 2;
-    const float* const row = triangle + begin * lanes;
-    Prefetch(ahead + begin * lanes, (i + 1) * lanes);
-    Pack sum = LoadPack<Pack>(row + i * lanes) * x[i];
-    shape.ForUnknownsBefore(i, [&](auto j) {
-      const Pack entry = LoadPack<Pack>(row + j * lanes);
-      sum += entry * x[j];
-      y[j] += entry * x[i];
-    });
-    y[i] = sum;
-  });
-}
-
-/// The same where lanes are of no use, but rows are long.
-inline void MultiplySymmetric(
-  const float* triangle, const BlockShape& shape, const float* x, float* y, const float*)
-{
-  const int size = shape.Unknowns();
-  constexpr int lanes = LanesOf<FloatPack>;
-  for (int i = 0; i < size; ++i, ++triangle)
-  {
-    FloatPack sums{};
-    const FloatPack factors = FloatPack{} + x[i];
-    int j = 0;
-    for (; j + lanes <= i; j += lanes, triangle += lanes)
-    {
-      const FloatPack entries = LoadPack<FloatPack>(triangle);
-      sums += entries * LoadPack<FloatPack>(x + j);
-      StorePack(LoadPack<FloatPack>(y + j) + entries * factors, y + j);
-    }
-    float sum = SumOfLanes(sums);
-    for (; j < i; ++j, ++triangle)
-    {
-      sum += *triangle * x[j];
-      y[j] += *triangle * x[i];
-    }
-    y[i] = sum + *triangle * x[i];
-  }
-}
-
-/// Where unknowns and rows of B stand in vectors: anywhere.
-template <class Pack>
-class PlacesAnywhere
-{
-public:
-  PlacesAnywhere(const BlockShape& shape, const int* places)
-    : Unknowns(places)
-    , Rows(places + shape.Unknowns() * Lanes)
-    , NumberOfPlaces((shape.Unknowns() + shape.Rows()) * Lanes)
-  {
-  }
-  int Size() const { return this->NumberOfPlaces; }
-
-  Pack UnknownOf(const float* x, int i) const { return GatherPack<Pack>(x, this->Unknowns + i * Lanes); }
-  void SetUnknown(Pack pack, float* x, int i) const
-  {
-    ScatterPack<Pack>(pack, x, this->Unknowns + i * Lanes);
-  }
-  Pack RowOf(const float* Bx, int k) const { return GatherPack<Pack>(Bx, this->Rows + k * Lanes); }
-  void SetRow(Pack pack, float* Bx, int k) const { ScatterPack<Pack>(pack, Bx, this->Rows + k * Lanes); }
-
-private:
-  static constexpr int Lanes = LanesOf<Pack>;
-  const int* const Unknowns;
-  const int* const Rows;
-  const int NumberOfPlaces;
-};
-
-/// The lanes of unknowns and of inner rows side by side.
-class PlacesInOrder
-{
-public:
-  PlacesInOrder(const BlockShape& shape, const int* rows, int firstPlace)
-    : Of(shape)
-    , FirstPlace(firstPlace)
-    , Rows(rows)
-  {
-  }
-  int Size() const { return this->Of.InnerRows() + (this->Of.Rows() - this->Of.InnerRows()) * Lanes; }
-
-  FloatPack UnknownOf(const float* x, int i) const
-  {
-    return LoadPack<FloatPack>(x + this->FirstPlace + i * Lanes);
-  }
-  void SetUnknown(FloatPack pack, float* x, int i) const
-  {
-    StorePack(pack, x + this->FirstPlace + i * Lanes);
-  }
-  FloatPack RowOf(const float* Bx, int k) const
-  {
-    return k < this->Of.InnerRows() ? LoadPack<FloatPack>(Bx + this->Rows[k])
-                                    : GatherPack<FloatPack>(Bx, this->OuterRow(k));
-  }
-  void SetRow(FloatPack pack, float* Bx, int k) const
-  {
-    k < this->Of.InnerRows() ? StorePack(pack, Bx + this->Rows[k])
-                             : ScatterPack<FloatPack>(pack, Bx, this->OuterRow(k));
-  }
-
-private:
-  static constexpr int Lanes = LanesOf<FloatPack>;
-  const int* OuterRow(int k) const
-  {
-    return this->Rows + this->Of.InnerRows() + (k - this->Of.InnerRows()) * Lanes;
-  }
-
-  const BlockShape& Of;
-  const int FirstPlace;
-  const int* const Rows; ///< of inner ones the first lane's
-};
 
 /// Walks through the groups of a tile as a sweep takes them: runs up or down, but each of them upwards, which
 /// processors foresee better; its groups are independent.
@@ -244,7 +67,7 @@ BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles&
   : B(factor)
   , Tiles(tiles)
   , Blocks(blocks)
-  , Waves(blocks.NeighboursOfTiles(), sweeps)
+  , Sweeps(sweeps)
   , Relaxation(static_cast<float>(relaxation))
   , Diagonal(Vector<float>::Zero(factor.cols()))
   , Right(factor.cols())
@@ -343,44 +166,54 @@ void BlockSmoother::SmoothBlocks(
   const BlockPattern& pattern, const Places& places, const Streams& of, const Streams& ahead)
 {
   constexpr int lanes = LanesOf<Pack>;
-  const BlockShape shape(pattern);
-  const float* const values = of.Values;
+  const int unknowns = pattern.Unknowns();
+  const int rows = pattern.Rows();
   float* const Bx = this->Bx.data();
   float* const step = this->Step.data();
 
   Prefetch(ahead.Places, places.Size());
-  Pack products[BlockShape::MostRows];
-  shape.ForRows([&](auto k) { products[k] = places.RowOf(Bx, k); });
-  Pack residuals[BlockShape::MostUnknowns];
-  shape.ForUnknowns([&](auto i) {
+  Pack products[BlockGroups::MostRows];
+  for (int k = 0; k < rows; ++k)
+  {
+    products[k] = places.RowOf(Bx, k);
+  }
+  Pack residuals[BlockGroups::LargestBlock];
+  for (int i = 0; i < unknowns; ++i)
+  {
     Pack residual = places.UnknownOf(this->Right.data(), i);
     if (Penalised)
     {
       residual -= places.UnknownOf(this->Diagonal.data(), i) * places.UnknownOf(step, i);
     }
-    const int begin = shape.FirstEntryOf(i);
-    Prefetch(ahead.Values + begin * lanes, (shape.FirstEntryOf(i + 1) - begin) * lanes);
-    shape.ForEntriesOf(i, [&](int entry, auto row) {
-      residual -= LoadPack<Pack>(values + entry * lanes) * products[row];
-    });
+    const int begin = pattern.Offsets[i];
+    const int end = pattern.Offsets[i + 1];
+    Prefetch(ahead.Values + begin * lanes, (end - begin) * lanes);
+    for (int e = begin; e < end; ++e)
+    {
+      residual -= LoadPack<Pack>(of.Values + e * lanes) * products[pattern.RowOf[e]];
+    }
     residuals[i] = residual;
-  });
-  Pack steps[BlockShape::MostUnknowns];
-  MultiplySymmetric(of.Inverse, shape, residuals, steps, ahead.Inverse);
-  shape.ForUnknowns([&](auto i) {
+  }
+  Pack steps[BlockGroups::LargestBlock];
+  MultiplySymmetric(of.Inverse, unknowns, residuals, steps, ahead.Inverse);
+  for (int i = 0; i < unknowns; ++i)
+  {
     if (!Penalised) // over-relaxation would overshoot a strong penalty
     {
       steps[i] *= this->Relaxation;
     }
     places.SetUnknown(places.UnknownOf(step, i) + steps[i], step, i);
-  });
-  shape.ForRows([&](auto k) {
+  }
+  for (int k = 0; k < rows; ++k)
+  {
     Pack product = products[k];
-    shape.ForEntriesOfRow(k, [&](int entry, auto unknown) {
-      product += LoadPack<Pack>(values + entry * lanes) * steps[unknown];
-    });
+    for (int s = pattern.RowOffsets[k]; s < pattern.RowOffsets[k + 1]; ++s)
+    {
+      product +=
+        LoadPack<Pack>(of.Values + pattern.EntryAt[s] * lanes) * steps[pattern.UnknownAt[s]];
+    }
     places.SetRow(product, Bx, k);
-  });
+  }
 }
 
 template <bool Penalised>
@@ -388,21 +221,20 @@ void BlockSmoother::SmoothGroup(
   const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead)
 {
   const BlockPattern& pattern = this->Blocks.PatternOf(group);
-  const BlockShape shape(pattern);
   if (group.Lanes == 1)
   {
     this->SmoothBlocks<Penalised, float>(
-      pattern, PlacesAnywhere<float>(shape, of.Places), of, ahead);
+      pattern, PlacesAnywhere<float>(pattern, of.Places), of, ahead);
   }
   else if (group.FirstPlace < 0)
   {
     this->SmoothBlocks<Penalised, FloatPack>(
-      pattern, PlacesAnywhere<FloatPack>(shape, of.Places), of, ahead);
+      pattern, PlacesAnywhere<FloatPack>(pattern, of.Places), of, ahead);
   }
   else
   {
     this->SmoothBlocks<Penalised, FloatPack>(
-      pattern, PlacesInOrder(shape, of.Places, group.FirstPlace), of, ahead);
+      pattern, PlacesInOrder(pattern, of.Places, group.FirstPlace), of, ahead);
   }
 }
 
@@ -433,8 +265,11 @@ void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
 
 void BlockSmoother::RunSweeps(bool descending, const ExecutionContext& context)
 {
-  this->Waves.Run(descending, context,
-    [this, descending](int t) { this->SmoothTile(this->Blocks.TileAt(t), descending); });
+  for (int sweep = 0; sweep < this->Sweeps; ++sweep)
+  {
+    ForColours(this->Blocks.ColoursOfTiles(), descending, context,
+      [this, descending](int t) { this->SmoothTile(this->Blocks.TileAt(t), descending); });
+  }
 }
 
 void BlockSmoother::PreSmooth(
@@ -486,12 +321,11 @@ void BlockSmoother::PostSmooth(
 
 long long BlockSmoother::Bytes() const
 {
-  return this->Waves.Bytes() +
-    static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
-      this->ChangedInverses.size() * sizeof(float) +
-      (this->Held.size() + this->Penalised.size()) * sizeof(int) +
-      (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) *
-        sizeof(float));
+  return static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
+    this->ChangedInverses.size() * sizeof(float) +
+    (this->Held.size() + this->Penalised.size()) * sizeof(int) +
+    (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) *
+      sizeof(float));
 }
 
 }

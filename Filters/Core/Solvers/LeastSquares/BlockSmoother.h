@@ -3,7 +3,6 @@
 
 #include "Solvers/Kernels/RowRuns.h"
 #include "Solvers/Kernels/RowTiles.h"
-#include "Solvers/Kernels/TimeSkewedSweeps.h"
 #include "Solvers/LeastSquares/SchwarzBlocks.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -24,8 +23,8 @@ namespace dmg
 /// would be missed by 0.4 of what it was, sweep by sweep.
 ///
 /// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A. Blocks
-/// that look alike and are independent are solved for at once (SchwarzBlocks). Sweeps follow each other
-/// through the caches (TimeSkewedSweeps).
+/// that look alike and are independent are solved for at once (SchwarzBlocks). Threads share the tiles of a
+/// colour (BlockTiles).
 ///
 /// Steps are taken in single precision, and added up in double. What that costs is noise in B x, to which
 /// vectors of little energy, which the coarse levels are for, are blind. Same bits for any number of
@@ -54,12 +53,12 @@ public:
   /// Where D is infinite; ascending.
   const std::vector<int>& HeldUnknowns() const { return this->Held; }
 
-  /// Smooths A x = b from x = 0, tiles in ascending order.
+  /// Smooths A x = b from x = 0, colours of tiles in ascending order.
   /// \param x, r on exit the result and its residual b - A x; zero where unknowns are held.
   void PreSmooth(const Vector<double>& b, Vector<double>& x, Vector<double>& r,
     const ExecutionContext& context);
 
-  /// Smooths A x = b from the given x, tiles in descending order: the adjoint of PreSmooth.
+  /// Smooths A x = b from the given x, colours in descending order: the adjoint of PreSmooth.
   /// \pre x is zero where unknowns are held.
   void PostSmooth(const Vector<double>& b, Vector<double>& x, const ExecutionContext& context);
 
@@ -102,7 +101,7 @@ private:
   const RowRuns<double> B;
   const RowTiles& Tiles;
   const SchwarzBlocks& Blocks;
-  TimeSkewedSweeps Waves;
+  const int Sweeps;
   const float Relaxation;
   Vector<float> Diagonal;              ///< D where it is finite, else zero; by place
   std::vector<int> Held;               ///< where D is infinite; ascending

@@ -1,9 +1,10 @@
 #include "Solvers/LeastSquares/BlockTiles.h"
 
-#include "Support/Permutations.h"
+#include "Solvers/Kernels/PartColouring.h"
 
 #include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace dmg
 {
@@ -36,56 +37,23 @@ int BlockTiles::SizeFor(int numberOfBlocks)
   return std::clamp(numberOfBlocks / WantedTiles, SmallestTile, LargestTile);
 }
 
-BlockTiles::BlockTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-  const std::vector<int>& strips, const ExecutionContext& context)
+BlockTiles::BlockTiles(
+  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
 {
-  std::vector<int> tilesOfStrips = this->CutStrips(strips, blocks.Size());
-  this->Graph = GraphOfParts(this->Size(), static_cast<int>(Bt.cols()), [&](int tile, const auto& visit) {
-    ForRows(Bt, blocks, this->First(tile), this->Last(tile), visit);
-  });
-  this->OrderTilesOfStrips(tilesOfStrips);
+  const long long size = blocks.Size();
+  const int wanted = SizeFor(blocks.Size());
+  const int tiles = size > 0 ? std::max(1, static_cast<int>((size + wanted / 2) / wanted)) : 0;
+  const auto first = [size, tiles](int tile) { return static_cast<int>(size * tile / tiles); };
+  PartColouring colouring =
+    ColourParts(tiles, static_cast<int>(Bt.cols()), [&](int tile, const auto& visit) {
+      ForRows(Bt, blocks, first(tile), first(tile + 1), visit);
+    });
+  for (const int tile : colouring.Parts)
+  {
+    this->Tiles.push_back({ first(tile), first(tile + 1) });
+  }
+  this->TileColours = std::move(colouring.Begins);
   this->ColourBlocks(Bt, blocks, context);
-}
-
-/// Into tiles of about the same size.
-/// \return the first tile of each strip, and their number.
-std::vector<int> BlockTiles::CutStrips(const std::vector<int>& strips, int numberOfBlocks)
-{
-  const int wanted = SizeFor(numberOfBlocks);
-  std::vector<int> begins;
-  for (std::size_t strip = 0; strip + 1 < strips.size(); ++strip)
-  {
-    begins.push_back(this->Size());
-    const long long size = strips[strip + 1] - strips[strip];
-    const int tiles = size > 0 ? std::max(1, static_cast<int>((size + wanted / 2) / wanted)) : 0;
-    for (int k = 0; k < tiles; ++k)
-    {
-      this->Tiles.push_back({ strips[strip] + static_cast<int>(size * k / tiles),
-        strips[strip] + static_cast<int>(size * (k + 1) / tiles) });
-    }
-  }
-  begins.push_back(this->Size());
-  return begins;
-}
-
-/// Those of a strip by colours.
-void BlockTiles::OrderTilesOfStrips(const std::vector<int>& tilesOfStrips)
-{
-  std::vector<int> colours(this->Size());
-  std::vector<int> order = Identity(this->Size());
-  for (std::size_t strip = 0; strip + 1 < tilesOfStrips.size(); ++strip)
-  {
-    ColourGreedily(this->Graph, tilesOfStrips[strip], tilesOfStrips[strip + 1], colours);
-    std::stable_sort(order.begin() + tilesOfStrips[strip], order.begin() + tilesOfStrips[strip + 1],
-      [&colours](int a, int b) { return colours[a] < colours[b]; });
-  }
-  this->Graph = Permuted(this->Graph, order);
-  std::vector<Tile> ordered;
-  for (const int tile : order)
-  {
-    ordered.push_back(this->Tiles[tile]);
-  }
-  this->Tiles.swap(ordered);
 }
 
 /// Each block gets the first colour that no earlier block of its tile on one of its rows has.

@@ -1,8 +1,7 @@
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
 
 #include "Solvers/Direct/ShiftedFactor.h"
-#include "Solvers/LeastSquares/BlockStrips.h"
-#include "Solvers/LeastSquares/BlockTiles.h"
+#include "Solvers/Kernels/FirstOccurrences.h"
 #include "Solvers/LeastSquares/LeastSquaresCycle.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -22,37 +21,12 @@ namespace
 {
 
 constexpr int RowGrain = 8192;
-// Unknowns in strips, which are thin, would make the set-up slower, as what is near on the surface is then far
-// apart; those in the order of coarse unknowns alone would be far from their places in the smoother.
-constexpr int StripsOfBand = 8;
 
 template <class Scalar>
 int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
 {
   const int begin = A.outerIndexPtr()[row];
   return begin < A.outerIndexPtr()[row + 1] ? A.innerIndexPtr()[begin] : otherwise;
-}
-
-/// Numbers 0 to size - 1 in the order in which a sequence comes to them; then those that it does not.
-template <class Iterator>
-std::vector<int> ByFirstOccurrence(Iterator begin, Iterator end, int size)
-{
-  std::vector<int> order;
-  order.reserve(size);
-  std::vector<char> hasOccurred(size, 0);
-  const auto append = [&](int number) {
-    if (!hasOccurred[number])
-    {
-      hasOccurred[number] = 1;
-      order.push_back(number);
-    }
-  };
-  std::for_each(begin, end, append);
-  for (int number = 0; number < size; ++number)
-  {
-    append(number);
-  }
-  return order;
 }
 
 UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& order,
@@ -176,39 +150,31 @@ void SortTilesByLength(
     });
 }
 
-struct Arrangement
-{
-  std::vector<int> Order; ///< of the unknowns
-  BlockStrips Strips;
-};
-
-/// Blocks by the coarse unknowns that they belong to, in bands of a few strips; unknowns as the blocks come to
-/// them, and rows of B as the unknowns do.
-Arrangement RenumberHierarchically(
+/// Blocks by the coarse unknowns that they belong to; unknowns as the blocks come to them, and rows of B as the
+/// unknowns do.
+/// \return the order of the unknowns.
+std::vector<int> RenumberHierarchically(
   SparseMatrix<double>& B, LeastSquaresLevels& levels, const ExecutionContext& context)
 {
   PlanarProlongation& P = levels.Prolongation;
   UnknownBlocks& blocks = levels.Blocks;
   const int unknowns = static_cast<int>(B.cols());
   const int rows = static_cast<int>(B.rows());
-  blocks = Permuted(blocks,
-    SortByKey(Identity(blocks.Size()), std::max(1, static_cast<int>(P.cols())),
-      [&](int k) { return FirstColumn(P, blocks.Unknowns[blocks.Offsets[k]], 0); }, context).Items,
-    Identity(unknowns));
-  const SparseMatrix<double> Bt = Adjoint(B, context);
-  BlockStrips strips = StripsOf(Bt, blocks, BlockTiles::SizeFor(blocks.Size()), context);
-  const std::vector<int> blockOrder =
-    SortByKey(Identity(blocks.Size()), strips.Size / StripsOfBand + 1,
-      [&strips](int k) { return strips.OfBlocks[k] / StripsOfBand; }, context).Items;
-  std::vector<int> order;
-  std::vector<int> rowOrder;
+  const SortedItems byCoarse = SortByKey(Identity(blocks.Size()),
+    std::max(1, static_cast<int>(P.cols())),
+    [&](int k) { return FirstColumn(P, blocks.Unknowns[blocks.Offsets[k]], 0); }, context);
+  blocks = Permuted(blocks, byCoarse.Items, Identity(unknowns));
+  FirstOccurrences ofUnknowns(unknowns);
+  ofUnknowns.Say(blocks.Unknowns.begin(), blocks.Unknowns.end());
+  const std::vector<int> order = ofUnknowns.Complete();
+  FirstOccurrences ofRows(rows);
   {
-    const UnknownBlocks inOrder = Permuted(blocks, blockOrder, Identity(unknowns));
-    order = ByFirstOccurrence(inOrder.Unknowns.begin(), inOrder.Unknowns.end(), unknowns);
-    const SparseMatrix<double> rowsOfUnknowns = Permuted(Bt, order, Identity(rows), context);
-    rowOrder = ByFirstOccurrence(rowsOfUnknowns.innerIndexPtr(),
-      rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros(), rows);
+    const SparseMatrix<double> rowsOfUnknowns =
+      Permuted(Adjoint(B, context), order, Identity(rows), context);
+    ofRows.Say(rowsOfUnknowns.innerIndexPtr(),
+      rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros());
   }
+  std::vector<int> rowOrder = ofRows.Complete();
   SortTilesByLength(B, rowOrder, context);
   const std::vector<int> places = Inverse(order, context);
   for (int& unknown : blocks.Unknowns)
@@ -221,16 +187,7 @@ Arrangement RenumberHierarchically(
   PlanarProlongation permutedP =
     Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
   P.swap(permutedP);
-  return { std::move(order), std::move(strips) };
-}
-
-SchwarzBlocks BlocksByStrips(const SparseMatrix<double>& Bt, UnknownBlocks blocks,
-  const BlockStrips& strips, const ExecutionContext& context)
-{
-  const SortedItems byStrips = SortByKey(Identity(blocks.Size()), strips.Size,
-    [&strips](int block) { return strips.OfBlocks[block]; }, context);
-  blocks = Permuted(blocks, byStrips.Items, Identity(static_cast<int>(Bt.rows())));
-  return SchwarzBlocks(Bt, blocks, byStrips.Begins, context);
+  return order;
 }
 
 double Dropped(const LeastSquaresHierarchyOptions& options, Eigen::Index unknowns)
@@ -245,7 +202,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   const LeastSquaresHierarchyOptions& options, const ExecutionContext& context)
 {
   CheckLevels(levels, B.cols());
-  Arrangement arrangement = RenumberHierarchically(B, levels, context);
+  std::vector<int> order = RenumberHierarchically(B, levels, context);
   SparseMatrix<double> Bt = Adjoint(B, context);
   Vector<double> scales = ScalesOfColumns(B, Bt, context);
   const auto one = [](int) { return 1.0; };
@@ -271,11 +228,11 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   GiveBackFreedMemory();
   context.Checkpoint(0.8);
 
-  LeastSquaresHierarchy hierarchy(BlocksByStrips(Bt, std::move(levels.Blocks), arrangement.Strips, context));
+  LeastSquaresHierarchy hierarchy(SchwarzBlocks(Bt, levels.Blocks, context));
   hierarchy.Prolongation = std::move(prolongation);
   hierarchy.CoarseLower.swap(lower); // an assignment would copy
   hierarchy.SetComponents(ConnectedColumns(B));
-  hierarchy.Order = std::move(arrangement.Order);
+  hierarchy.Order = std::move(order);
   hierarchy.Scales = std::move(scales);
   hierarchy.Diagonal = SquaredLengthsOfRows(Bt, context).cast<float>();
   hierarchy.Tiles = RowTiles(B);

@@ -41,9 +41,8 @@ struct LeastSquaresHierarchyOptions
 /// The fine level costs most, so it is coarsened fast: the polynomial that smooths the prolongation
 /// reaches far.
 ///
-/// Order and scale. Unknowns stand in an order of their own, by bands across the surface (BlockStrips) and by
-/// the coarse unknowns that they belong to; rows of B as unknowns come to them, and within a tile by length
-/// (RowRuns). Columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large
+/// Order and scale. Unknowns stand in an order of their own, by the coarse unknowns that their blocks belong to;
+/// rows of B as unknowns come to them, and within a tile by length (RowRuns). Columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large
 /// everywhere. The caller's unknown Order[k] is x_k / Scales[k].
 class LeastSquaresHierarchy : public RoughnessHierarchy
 {

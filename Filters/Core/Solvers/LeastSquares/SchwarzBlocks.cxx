@@ -118,10 +118,10 @@ private:
 }
 
 SchwarzBlocks::SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-  const std::vector<int>& strips, const ExecutionContext& context)
+  const ExecutionContext& context)
 {
   {
-    BlockGroups groups = GroupBlocks(Bt, blocks, strips, context);
+    BlockGroups groups = GroupBlocks(Bt, blocks, context);
     this->OrderOfUnknowns = groups.OrderOfUnknowns(static_cast<int>(Bt.rows()));
     this->PlacesInUnknowns = dmg::Inverse(this->OrderOfUnknowns, context);
     this->PlacesInRows = dmg::Inverse(groups.OrderOfRows(static_cast<int>(Bt.cols())), context);
@@ -130,7 +130,7 @@ SchwarzBlocks::SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks
     this->Fill(Bt, groups, context);
     this->TileBegins = std::move(groups.TileBegins);
     this->RunBegins = std::move(groups.RunBegins);
-    this->Neighbours = std::move(groups.NeighboursOfTiles);
+    this->TileColours = std::move(groups.ColoursOfTiles);
     this->Patterns = std::move(groups.Patterns);
   }
   std::vector<float*> places;
@@ -239,8 +239,7 @@ long long SchwarzBlocks::Bytes() const
   const auto bytes = [](const auto& vector) {
     return static_cast<long long>(vector.size() * sizeof(vector[0]));
   };
-  long long sum = bytes(this->TileBegins) + bytes(this->RunBegins) + bytes(this->Neighbours.Begins) +
-    bytes(this->Neighbours.Neighbours) + bytes(this->GroupsInOrder) +
+  long long sum = bytes(this->TileBegins) + bytes(this->RunBegins) + bytes(this->TileColours) + bytes(this->GroupsInOrder) +
     bytes(this->OrderOfUnknowns) + bytes(this->PlacesInUnknowns) + bytes(this->PlacesInRows) +
     bytes(this->Places) + bytes(this->EntriesOfB) + bytes(this->Inverses);
   for (const BlockPattern& pattern : this->Patterns)

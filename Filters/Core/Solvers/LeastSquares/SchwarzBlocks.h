@@ -54,15 +54,14 @@ public:
   };
 
   /// \param Bt B^T, a row per unknown.
-  /// \param strips the first of the blocks of each strip (BlockStrips), and their number; for tiles.
   /// \throw as GroupBlocks; InvalidInput there are more than 2^32 entries.
   /// Cost: linear in the entries, and in the cubes of the sizes of blocks.
   SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-    const std::vector<int>& strips, const ExecutionContext& context);
+    const ExecutionContext& context);
 
   int NumberOfTiles() const { return static_cast<int>(this->TileBegins.size()) - 1; }
-  /// Tiles that share a row of B.
-  const PartGraph& NeighboursOfTiles() const { return this->Neighbours; }
+  /// The first tile of each colour, and their number; tiles of a colour share no row of B.
+  const std::vector<int>& ColoursOfTiles() const { return this->TileColours; }
   Tile TileAt(int tile) const { return { this->TileBegins[tile], this->TileBegins[tile + 1] }; }
   Run RunAt(int run) const { return { this->RunBegins[run], this->RunBegins[run + 1] }; }
   /// All groups of a tile.
@@ -120,7 +119,7 @@ private:
 
   std::vector<int> TileBegins; ///< the first run of each
   std::vector<int> RunBegins;  ///< the first group of each
-  PartGraph Neighbours; ///< of tiles
+  std::vector<int> TileColours;
   std::vector<BlockPattern> Patterns;
   std::vector<Group> GroupsInOrder;
   std::vector<int> OrderOfUnknowns;

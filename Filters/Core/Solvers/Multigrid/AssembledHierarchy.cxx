@@ -1,8 +1,9 @@
 #include "Solvers/Multigrid/AssembledHierarchy.h"
 
 #include "Solvers/Direct/ShiftedFactor.h"
-#include "Solvers/Kernels/SparseDiagonal.h"
 #include "Solvers/Multigrid/GalerkinCycle.h"
+#include "Solvers/Kernels/SparseDiagonal.h"
+#include "Solvers/Multigrid/MatrixPlusDiagonal.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
 #include "Support/Permutations.h"
@@ -11,29 +12,12 @@
 
 #include <cmath>
 #include <optional>
-#include <type_traits>
 #include <utility>
 
 namespace dmg
 {
 namespace
 {
-
-/// Real unknowns of a row.
-template <class Scalar>
-constexpr int PartsOf = std::is_same<Scalar, Complex>::value ? 2 : 1;
-
-template <class Scalar>
-const Scalar* AsRows(const Vector<double>& unknowns)
-{
-  return reinterpret_cast<const Scalar*>(unknowns.data());
-}
-
-template <class Scalar>
-Scalar* AsRows(Vector<double>& unknowns)
-{
-  return reinterpret_cast<Scalar*>(unknowns.data());
-}
 
 /// The rows of a matrix that D leaves free.
 template <class Scalar>
@@ -130,16 +114,17 @@ SparseMatrix<Scalar> FreeRows<Scalar>::Matrix(
   return A;
 }
 
-template <class Scalar>
-class AssembledOperator : public RoughnessOperator
+/// B^T (B x) + D x.
+class FactoredOperator : public RoughnessOperator
 {
 public:
-  explicit AssembledOperator(const SparseMatrix<Scalar>& matrix)
-    : R(matrix)
+  FactoredOperator(const SparseMatrix<double>& factor, const ExecutionContext& context)
+    : B(factor)
+    , Bt(Adjoint(factor, context))
   {
   }
 
-  int Size() const override { return PartsOf<Scalar> * static_cast<int>(this->R.rows()); }
+  int Size() const override { return static_cast<int>(this->B.cols()); }
 
   void SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context) override
   {
@@ -149,25 +134,16 @@ public:
   double Apply(
     const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
   {
-    y.resize(x.size());
-    const Scalar* const from = AsRows<Scalar>(x);
-    Scalar* const to = AsRows<Scalar>(y);
-    const double ofR = SumOverBlocks<double>(
-      static_cast<int>(this->R.rows()), context, [this, from, to](int first, int last) {
-        double product = 0.0;
-        for (int i = first; i < last; ++i)
-        {
-          to[i] = RowTimes(this->R, i, from);
-          product += Eigen::numext::real(Eigen::numext::conj(from[i]) * to[i]);
-        }
-        return product;
-      });
-    return ofR + this->D.AddProduct(x, y, context);
+    Multiply(this->B, x, this->Product, context);
+    Multiply(this->Bt, this->Product, y, context);
+    return SquaredNorm(this->Product, context) + this->D.AddProduct(x, y, context);
   }
 
 private:
-  const SparseMatrix<Scalar>& R;
+  const SparseMatrix<double>& B;
+  const SparseMatrix<double> Bt;
   SparseDiagonal D;
+  mutable Vector<double> Product; ///< B x
 };
 
 template <class Scalar>
@@ -279,7 +255,19 @@ public:
     const ConvergenceMeasure<double>& measure) override
   {
     const Vector<double> mass = (*measure.Mass)(this->Free.Rows()); // one per row
-    ConvergenceMeasure<Scalar> ofFree{ measure.EnergyConstant, measure.EnergyScale, &mass, {} };
+    ConvergenceMeasure<Scalar> ofFree;
+    ofFree.EnergyConstant = measure.EnergyConstant;
+    ofFree.EnergyScale = measure.EnergyScale;
+    ofFree.Mass = &mass;
+    Vector<Scalar> offset;
+    Vector<Scalar> rightHandSide;
+    if (measure.Offset)
+    {
+      offset = this->Free.Restricted(*measure.Offset);
+      rightHandSide = this->Free.Restricted(*measure.RightHandSide);
+      ofFree.Offset = &offset;
+      ofFree.RightHandSide = &rightHandSide;
+    }
     if (measure.Reference.size() > 0)
     {
       ofFree.Reference = this->Free.Restricted(measure.Reference);
@@ -303,10 +291,12 @@ private:
 
 template <class Scalar>
 AssembledHierarchy<Scalar>::AssembledHierarchy(
-  SparseMatrix<Scalar>& matrix, std::vector<SparseMatrix<Scalar>> prolongations)
+  SparseMatrix<Scalar>& matrix, std::vector<SparseMatrix<Scalar>> prolongations,
+  SparseMatrix<double> factor)
   : P(std::move(prolongations))
 {
   this->R.swap(matrix); // Eigen 3.4 would copy what is moved
+  this->B.swap(factor);
   this->Diagonal = this->R.diagonal().real();
   this->Order = Identity(PartsOf<Scalar> * static_cast<int>(this->R.rows()));
   const std::vector<int> ofRows = ConnectedColumns(this->R);
@@ -327,7 +317,11 @@ double AssembledHierarchy<Scalar>::DiagonalOf(int unknown) const
 template <class Scalar>
 std::unique_ptr<RoughnessOperator> AssembledHierarchy<Scalar>::Operator() const
 {
-  return std::make_unique<AssembledOperator<Scalar>>(this->R);
+  if (this->B.rows() > 0)
+  {
+    return std::make_unique<FactoredOperator>(this->B, SerialContext());
+  }
+  return std::make_unique<MatrixPlusDiagonal<Scalar>>(this->R);
 }
 
 template <class Scalar>
@@ -357,7 +351,7 @@ std::unique_ptr<RoughnessNestedIteration> AssembledHierarchy<Scalar>::NestedIter
 template <class Scalar>
 long long AssembledHierarchy<Scalar>::Bytes() const
 {
-  long long bytes = BytesOf(this->R) + this->BytesOfUnknowns();
+  long long bytes = BytesOf(this->R) + BytesOf(this->B) + this->BytesOfUnknowns();
   for (const SparseMatrix<Scalar>& prolongation : this->P)
   {
     bytes += BytesOf(prolongation);

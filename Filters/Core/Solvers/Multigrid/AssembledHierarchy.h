@@ -22,7 +22,11 @@ class AssembledHierarchy : public RoughnessHierarchy
 public:
   /// \param R n x n, symmetric or Hermitian, positive semi-definite, compressed.
   /// \param prolongations [l] is N_l x N_{l+1}, finest first. None: R + D is factored.
-  AssembledHierarchy(SparseMatrix<Scalar>& R, std::vector<SparseMatrix<Scalar>> prolongations);
+  /// \param B real, with R = B^T B, or empty: products are then B^T (B x), whose rounding errors are epsilon |B|^T |B x|
+  ///   instead of epsilon |R| |x|. The smoothest fields, B x far below |B| |x|, are solved for four digits further on needles
+  ///   (big_dragon_871k_thin).
+  AssembledHierarchy(SparseMatrix<Scalar>& R, std::vector<SparseMatrix<Scalar>> prolongations,
+    SparseMatrix<double> B = {});
 
   double DiagonalOf(int unknown) const override;
   std::unique_ptr<RoughnessOperator> Operator() const override;
@@ -42,6 +46,7 @@ public:
 
 private:
   SparseMatrix<Scalar> R;
+  SparseMatrix<double> B;
   Vector<double> Diagonal; ///< of R
   std::vector<SparseMatrix<Scalar>> P;
 };

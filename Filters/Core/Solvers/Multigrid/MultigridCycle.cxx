@@ -39,19 +39,15 @@ public:
   InternalsOf(GalerkinHierarchy<Scalar>& hierarchy, const CycleOptions& options,
     const ExecutionContext& context)
     : Options(options)
-    , Levels(hierarchy,
-        options.Smoothing.Kind == SmootherKind::GaussSeidel
-          ? ScaledHierarchy<Scalar, Value>::Content::MatricesForSweeps
-          : ScaledHierarchy<Scalar, Value>::Content::Matrices,
-        context)
+    , Levels(hierarchy, ScaledHierarchy<Scalar, Value>::Content::MatricesForSweeps, context)
   {
-    this->MakeSmoothers(context);
+    this->MakeSmoothers();
   }
 
   void Update(const ExecutionContext& context) override
   {
     this->Levels.Update(context);
-    this->MakeSmoothers(context);
+    this->MakeSmoothers();
   }
 
   void Apply(
@@ -128,7 +124,7 @@ private:
     b = rightHandSide;
   }
 
-  void MakeSmoothers(const ExecutionContext& context)
+  void MakeSmoothers()
   {
     this->Smoothers.clear();
     for (int l = 0; l + 1 < this->Levels.NumberOfLevels(); ++l)
@@ -136,7 +132,7 @@ private:
       SmootherOptions smoothing = this->Options.Smoothing;
       smoothing.PreSweeps *= l == 0 ? this->Options.FinestFactor : 1;
       smoothing.PostSweeps *= l == 0 ? this->Options.FinestFactor : 1;
-      this->Smoothers.push_back(Smoother<Value>::New(this->Levels[l].A, smoothing, context));
+      this->Smoothers.push_back(Smoother<Value>::New(this->Levels[l].A, smoothing));
     }
   }
 

@@ -283,7 +283,7 @@ NestedIteration<Scalar>::NestedIteration(const SparseMatrix<Scalar>& matrix,
   oneSweep.PostSweeps = 1;
   for (int level = 0; this->MaySweep && level + 1 < this->Scaled.NumberOfLevels(); ++level)
   {
-    this->Smoothers.push_back(Smoother<Scalar>::New(this->Scaled[level].A, oneSweep, context));
+    this->Smoothers.push_back(Smoother<Scalar>::New(this->Scaled[level].A, oneSweep));
   }
 }
 

@@ -89,8 +89,8 @@ public:
   /// \param report gets Iterations, SolveSeconds and Converged anew. The history begins with x = 0
   ///   and ends with the solution. With a measure, it has a row for the coarsest solution, one for
   ///   each level in between after its last sweep, both prolonged to the finest level, and one for
-  ///   each sweep there. Converged is false, with a warning, if MaximumSweeps cut a level short of
-  ///   the rule.
+  ///   each sweep there. Residuals are relative to |b|. Converged says that MaximumSweeps did not cut a level short of
+  ///   the rule, which gives a warning.
   /// \param measure may be null, except under WhileErrorFalls. What it takes, the errors of the rule
   ///   included, does not count in Seconds: the thesis determines the sweeps beforehand.
   /// \return the sweeps on each level, finest first; 0 for the coarsest.

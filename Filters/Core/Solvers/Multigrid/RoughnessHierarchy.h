@@ -92,6 +92,15 @@ class RoughnessOperator : public LinearOperator<double>
 public:
   /// Takes another D, >= 0.
   virtual void SetDiagonal(const Vector<double>& D, const ExecutionContext& context) = 0;
+
+  void SetInverseDiagonal(Vector<double> inverse) { this->Inverse = std::move(inverse); }
+  const Vector<double>* InverseDiagonal() const override
+  {
+    return this->Inverse.size() > 0 ? &this->Inverse : nullptr;
+  }
+
+private:
+  Vector<double> Inverse;
 };
 
 /// What cycles need to know of a roughness R. Its unknowns stand in an order of their own, which those of

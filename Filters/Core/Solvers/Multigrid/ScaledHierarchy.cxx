@@ -49,7 +49,7 @@ ScaledHierarchy<Scalar, Value>::ScaledHierarchy(
           : SingleColour(size);
         Level& level = this->Levels[l];
         level.A.Begins = std::move(order.Begins);
-        level.A.CoupledTiles = std::move(order.CoupledTiles);
+        level.A.ColoursOfTiles = std::move(order.ColoursOfTiles);
         level.Order = std::move(order.Unknowns);
         level.x.resize(size);
         level.b.resize(size);

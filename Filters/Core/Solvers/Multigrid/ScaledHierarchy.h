@@ -39,8 +39,7 @@ public:
   enum class Content
   {
     Transfers, ///< P and R only
-    Matrices,  ///< also A, in the order of the hierarchy
-    MatricesForSweeps, ///< in an order of each level's own
+    MatricesForSweeps, ///< also A, in an order of each level's own
   };
 
   /// \param hierarchy must outlive this object; its matrices may be forgotten.

@@ -1,11 +1,7 @@
 #include "Solvers/Multigrid/Smoother.h"
 
+#include "Solvers/Kernels/PartColouring.h"
 #include "Solvers/Kernels/RowRuns.h"
-#include "Solvers/Kernels/TimeSkewedSweeps.h"
-#include "Support/SparseKernels.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace dmg
 {
@@ -83,7 +79,7 @@ private:
   const RowRuns<Value> Upper;
 };
 
-/// The same by tiles, which threads take as wholes.
+/// The same by tiles, which threads take as wholes, colour by colour.
 template <class Value>
 class TileSweeps
 {
@@ -92,7 +88,6 @@ public:
 
   explicit TileSweeps(const TriangularParts<Value>& matrix)
     : A(matrix)
-    , Waves(matrix.CoupledTiles, 1) // a sweep begins where the one before ends, and cannot follow it closely
   {
   }
 
@@ -113,8 +108,7 @@ public:
   void Sweep(bool up, bool, const Vector<Value>& x, const Visit& visit, const Leave&,
     const ExecutionContext& context)
   {
-    const bool descending = !up;
-    this->Waves.Run(descending, context, [this, up, &x, &visit](int tile) {
+    ForColours(this->A.ColoursOfTiles, !up, context, [this, up, &x, &visit](int tile) {
       const int begin = this->A.Begins[tile];
       const int end = this->A.Begins[tile + 1];
       for (int k = begin; k < end; ++k)
@@ -132,7 +126,6 @@ private:
   }
 
   const TriangularParts<Value>& A;
-  TimeSkewedSweeps Waves;
 };
 
 /// Sweeps go to and fro. Where a sweep up has just been, the sums over earlier unknowns are those that the
@@ -239,150 +232,12 @@ std::unique_ptr<Smoother<Value>> NewGaussSeidel(const TriangularParts<Value>& A,
   return std::make_unique<GaussSeidelSmoother<Value, Diagonal, ColourSweeps<Value>>>(A, diagonal, options);
 }
 
-/// J. Lottes, Optimal polynomial smoothers for multigrid V-cycles, 2023: the polynomial of degree k
-/// that needs no lower bound of the spectrum.
-template <class Value>
-class ChebyshevSmoother : public Smoother<Value>
-{
-  using Real = typename Eigen::NumTraits<Value>::Real;
-
-public:
-  ChebyshevSmoother(const TriangularParts<Value>& matrix, const SmootherOptions& options,
-    const ExecutionContext& context)
-    : A(matrix)
-    , PreDegree(options.PreSweeps)
-    , PostDegree(options.PostSweeps)
-    , Residual(this->A.Lower.rows())
-    , Step(this->A.Lower.rows())
-    , LargestEigenvalue(this->EstimateLargestEigenvalue(context))
-  {
-  }
-
-  Vector<Value>& PreSmooth(
-    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
-  {
-    x.setZero();
-    this->Residual = b;
-    this->Smooth(this->PreDegree, x, this->Residual, context);
-    return this->Residual;
-  }
-
-  void PostSmooth(
-    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
-  {
-    this->Residual = b;
-    this->Subtract(x, this->Residual, context);
-    this->Smooth(this->PostDegree, x, this->Residual, context);
-  }
-
-  long long Bytes() const override
-  {
-    return (this->Residual.size() + this->Step.size()) * static_cast<long long>(sizeof(Value));
-  }
-
-private:
-  /// x += p(A) r and r -= A p(A) r.
-  void Smooth(
-    int degree, Vector<Value>& x, Vector<Value>& r, const ExecutionContext& context)
-  {
-    for (int k = 1; k <= degree; ++k)
-    {
-      const Real ofStep = k == 1 ? Real(0) : Real(2 * k - 3) / Real(2 * k + 1);
-      const Real ofResidual = Real(8 * k - 4) / Real(2 * k + 1) / this->LargestEigenvalue;
-      context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
-        [this, k, ofStep, ofResidual, &x, &r](int first, int last)
-        {
-          for (int i = first; i < last; ++i)
-          {
-            const Value old = k == 1 ? Value(0) : this->Step[i] * ofStep;
-            this->Step[i] = old + r[i] * ofResidual;
-            x[i] += this->Step[i];
-          }
-        });
-      this->Subtract(this->Step, r, context);
-    }
-  }
-
-  /// r -= A x.
-  void Subtract(const Vector<Value>& x, Vector<Value>& r, const ExecutionContext& context) const
-  {
-    context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
-      [this, &x, &r](int first, int last)
-      {
-        for (int i = first; i < last; ++i)
-        {
-          r[i] -= x[i] + RowTimes(this->A.Lower, i, x.data()) +
-            RowTimes(this->A.Upper, i, x.data());
-        }
-      });
-  }
-
-  /// Power iterations and a margin, but never above the bound by row sums.
-  Real EstimateLargestEigenvalue(const ExecutionContext& context)
-  {
-    const int size = static_cast<int>(this->A.Lower.rows());
-    double bound = 1.0;
-    for (int i = 0; i < size; ++i)
-    {
-      double rowSum = 1.0;
-      for (const SparseMatrix<Value>* part : { &this->A.Lower, &this->A.Upper })
-      {
-        for (int k = part->outerIndexPtr()[i]; k < part->outerIndexPtr()[i + 1]; ++k)
-        {
-          rowSum += std::abs(part->valuePtr()[k]);
-        }
-      }
-      bound = std::max(bound, rowSum);
-    }
-    // A start with all frequencies: the fractional parts of multiples of the golden ratio.
-    Vector<Value> x(size);
-    for (int i = 0; i < size; ++i)
-    {
-      x[i] = Value(static_cast<Real>(std::fmod(i * 0.6180339887498949, 1.0) - 0.5));
-    }
-    double estimate = 1.0;
-    for (int iteration = 0; iteration < 15; ++iteration)
-    {
-      const double norm = std::sqrt(this->SquaredNormOf(x, context));
-      if (!(norm > 0.0))
-      {
-        break;
-      }
-      x *= static_cast<Real>(1.0 / norm);
-      Vector<Value> negative = Vector<Value>::Zero(size);
-      this->Subtract(x, negative, context);
-      x = -negative;
-      estimate = std::sqrt(this->SquaredNormOf(x, context));
-    }
-    return static_cast<Real>(std::min(1.1 * estimate, bound));
-  }
-
-  static double SquaredNormOf(const Vector<Value>& x, const ExecutionContext& context)
-  {
-    return SumOverBlocks<double>(static_cast<int>(x.size()), context,
-      [&x](int first, int last)
-      { return static_cast<double>(x.segment(first, last - first).squaredNorm()); });
-  }
-
-  const TriangularParts<Value>& A;
-  const int PreDegree;
-  const int PostDegree;
-  Vector<Value> Residual;
-  Vector<Value> Step;
-  const Real LargestEigenvalue;
-};
-
 }
 
 template <class Value>
 std::unique_ptr<Smoother<Value>> Smoother<Value>::New(
-  const TriangularParts<Value>& A, const SmootherOptions& options,
-  const ExecutionContext& context)
+  const TriangularParts<Value>& A, const SmootherOptions& options)
 {
-  if (options.Kind == SmootherKind::Chebyshev)
-  {
-    return std::make_unique<ChebyshevSmoother<Value>>(A, options, context);
-  }
   return NewGaussSeidel(A, UnitDiagonal<Value>(), options);
 }
 

@@ -11,25 +11,16 @@
 namespace dmg
 {
 
-enum class SmootherKind
-{
-  /// Gauss-Seidel in a SweepOrder; sweeps go forward and backward in turn. The fastest.
-  GaussSeidel,
-  /// Jacobi accelerated by Chebyshev polynomials of the fourth kind: one parallel loop per degree.
-  Chebyshev,
-};
-
 struct SmootherOptions
 {
-  SmootherKind Kind = SmootherKind::GaussSeidel;
-  /// Before the coarse correction, >= 0: Gauss-Seidel sweeps or the degree of the polynomial.
+  /// Before the coarse correction, >= 0.
   int PreSweeps = 2;
   /// After it, >= 0; equal to PreSweeps inside conjugate gradients, which need symmetry.
   int PostSweeps = 2;
 };
 
 /// Damps the part of an error that a coarser level cannot represent, for a symmetric or Hermitian
-/// positive semi-definite matrix A.
+/// positive semi-definite matrix A: Gauss-Seidel in a SweepOrder; sweeps go forward and backward in turn.
 ///
 /// Value is double, float or their complex numbers. Same bits for any number of threads.
 template <class Value>
@@ -40,10 +31,10 @@ public:
 
   /// For a unit diagonal.
   /// \param A borrowed.
-  static std::unique_ptr<Smoother> New(const TriangularParts<Value>& A,
-    const SmootherOptions& options, const ExecutionContext& context);
+  static std::unique_ptr<Smoother> New(
+    const TriangularParts<Value>& A, const SmootherOptions& options);
 
-  /// For any other diagonal, by Gauss-Seidel.
+  /// For any other diagonal.
   /// \param inverseDiagonal 1 / A_ii, borrowed; or 0: the unknown is held at zero, and its residual has no
   ///   meaning.
   static std::unique_ptr<Smoother> NewWithDiagonal(const TriangularParts<Value>& A,

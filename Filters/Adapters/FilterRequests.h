@@ -1,0 +1,47 @@
+#ifndef dmgFilterRequests_h
+#define dmgFilterRequests_h
+
+#include "Support/ExecutionContext.h"
+
+#include <functional>
+
+class vtkAlgorithm;
+class vtkInformation;
+class vtkInformationVector;
+
+namespace dmg
+{
+
+/// What all filters answer to the pipeline. Their result depends on the whole surface: piece 0 works on the whole, and the
+/// others stay empty. In a parallel run piece and rank are the same.
+
+/// FillInputPortInformation of the surface: VTK lets other datasets pass, and MakeOutputs says how to make a surface of
+/// them. (VTK's own error comes eleven times, without a remedy.)
+int TakeAnyDataSet(vtkInformation* port);
+
+/// RequestUpdateExtent: asks for the whole of all inputs where piece 0 is requested, and for nothing elsewhere. A request
+/// to abort that came after the end of the last execution is forgotten.
+int AskForInputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs);
+
+/// MakeOutputs of any type of function.
+int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkAlgorithm* algorithm,
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+/// RequestData: calls \p make with the algorithm's context, outputs empty, unless the first input has no cells or this is
+/// not the piece to work on; sources that do not know of pieces deliver the same to all. An input that is no vtkPolyData is
+/// an error.
+/// The outputs are empty in the end where \p make throws (Cancelled is no error, all else goes to the algorithm), or where
+/// an array or point that it made is not finite, which is an error as well.
+/// \return what RequestData returns.
+template <class Make>
+int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const Make& make)
+{
+  // A reference takes no memory, which may be all gone already.
+  return MakeOutputsBy(std::cref(make), algorithm, request, inputs, outputs);
+}
+
+}
+
+#endif

@@ -1,0 +1,74 @@
+#ifndef dmgMatrixPlusDiagonal_h
+#define dmgMatrixPlusDiagonal_h
+
+#include "Solvers/Kernels/SparseDiagonal.h"
+#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Support/SparseKernels.h"
+#include "Support/Types.h"
+
+#include <type_traits>
+
+namespace dmg
+{
+
+/// Real unknowns of a row.
+template <class Scalar>
+constexpr int PartsOf = std::is_same<Scalar, Complex>::value ? 2 : 1;
+
+template <class Scalar>
+const Scalar* AsRows(const Vector<double>& unknowns)
+{
+  return reinterpret_cast<const Scalar*>(unknowns.data());
+}
+
+template <class Scalar>
+Scalar* AsRows(Vector<double>& unknowns)
+{
+  return reinterpret_cast<Scalar*>(unknowns.data());
+}
+
+/// R + D as operator on real unknowns, where R is a matrix.
+template <class Scalar>
+class MatrixPlusDiagonal : public RoughnessOperator
+{
+public:
+  /// \param matrix Hermitian; borrowed.
+  explicit MatrixPlusDiagonal(const SparseMatrix<Scalar>& matrix)
+    : R(matrix)
+  {
+  }
+
+  int Size() const override { return PartsOf<Scalar> * static_cast<int>(this->R.rows()); }
+
+  void SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context) override
+  {
+    this->D = SparseDiagonal(diagonal, context);
+  }
+
+  double Apply(
+    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  {
+    y.resize(x.size());
+    const Scalar* const from = AsRows<Scalar>(x);
+    Scalar* const to = AsRows<Scalar>(y);
+    const double ofR = SumOverBlocks<double>(
+      static_cast<int>(this->R.rows()), context, [this, from, to](int first, int last) {
+        double product = 0.0;
+        for (int i = first; i < last; ++i)
+        {
+          to[i] = RowTimes(this->R, i, from);
+          product += Eigen::numext::real(Eigen::numext::conj(from[i]) * to[i]);
+        }
+        return product;
+      });
+    return ofR + this->D.AddProduct(x, y, context);
+  }
+
+private:
+  const SparseMatrix<Scalar>& R;
+  SparseDiagonal D;
+};
+
+}
+
+#endif

@@ -1,0 +1,46 @@
+#include "Solvers/SolveInUnits.h"
+
+#include "Support/Errors.h"
+
+#include <cmath>
+
+namespace dmg
+{
+namespace
+{
+
+/// The largest value is at least 2^k and less than 2^(k + 1).
+int ExponentOf(const Vector<double>& values)
+{
+  const double largest = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
+  return largest > 0.0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
+}
+
+Vector<double> TimesPowerOfTwo(const Vector<double>& values, int exponent)
+{
+  return values.unaryExpr([exponent](double value) { return std::ldexp(value, exponent); });
+}
+
+}
+
+Solution SolveInUnits(HarmonicProblem& problem, const Vector<double>& values, const Vector<double>& start,
+  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  const int unit = ExponentOf(values);
+  const Vector<double> unknowns =
+    problem.Solve(TimesPowerOfTwo(values, -unit), TimesPowerOfTwo(start, -unit),
+      TimesPowerOfTwo(reference, -unit), stop, context);
+  Solution solution{ TimesPowerOfTwo(unknowns, unit), problem.Report() };
+  if (!solution.Unknowns.allFinite())
+  {
+    throw SolverFailure("the field is not finite, as double precision does not reach as far as the sizes of triangles, weights "
+                        "and given values are apart; bring the weights and the given values closer to each other");
+  }
+  for (IterationReport& row : solution.Report.Iterations)
+  {
+    row.Energy = std::ldexp(row.Energy, 2 * unit);
+  }
+  return solution;
+}
+
+}

@@ -1,0 +1,161 @@
+#include "Solvers/Multigrid/ScaledHierarchy.h"
+
+#include "GridProblem.h"
+#include "Support/TbbContext.h"
+
+#include <Eigen/Dense>
+#include <gtest/gtest.h>
+
+#include <utility>
+
+using namespace dmg;
+
+namespace
+{
+
+/// With scalars and values of these kinds.
+template <class ScalarAndValue>
+class TestScaledHierarchy : public ::testing::Test
+{
+public:
+  using Scalar = typename ScalarAndValue::first_type;
+  using Value = typename ScalarAndValue::second_type;
+  using Dense = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
+  using Levels = ScaledHierarchy<Scalar, Value>;
+  using Content = typename Levels::Content;
+
+  static constexpr double Tolerance =
+    sizeof(typename Eigen::NumTraits<Value>::Real) == sizeof(float) ? 1e-6 : 1e-12;
+
+  static void ExpectNear(const Vector<Scalar>& x, const Vector<Scalar>& expected)
+  {
+    EXPECT_LE((x - expected).norm(), Tolerance * expected.norm());
+  }
+
+  Vector<Scalar> Stored(Levels& levels) const
+  {
+    Vector<Scalar> x;
+    levels.Store(x, SerialContext());
+    return x;
+  }
+
+  const test::GridProblem<Scalar> Grid = test::MakeGridProblem<Scalar>(5, 3);
+  const Dense A = Dense(Grid.A);
+  const Dense P0 = Dense(Grid.P[0]);
+  const Dense P1 = Dense(Grid.P[1]);
+  const Dense A1 = P0.adjoint() * A * P0;
+  const Dense A2 = P1.adjoint() * A1 * P1;
+  const Vector<Scalar> b = test::RandomVector<Scalar>(static_cast<int>(A.rows()), 6101);
+};
+
+using Kinds = ::testing::Types<std::pair<double, float>, std::pair<double, double>,
+  std::pair<Complex, Complex32>, std::pair<Complex, Complex>>;
+TYPED_TEST_SUITE(TestScaledHierarchy, Kinds);
+
+}
+
+// Level l holds D^{1/2} x and D^{-1/2} b, D the diagonal of A_l. In the caller's order and without scales:
+TYPED_TEST(TestScaledHierarchy, TransfersAreThoseOfTheHierarchy)
+{
+  using Scaled = typename TestFixture::Levels;
+  GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(
+    this->Grid.A, this->Grid.P, {}, SerialContext());
+  for (const auto content : { TestFixture::Content::Transfers, TestFixture::Content::MatricesForSweeps })
+  {
+    Scaled levels(hierarchy, content, SerialContext());
+    ASSERT_EQ(levels.NumberOfLevels(), 3);
+    levels.Load(this->b, SerialContext());
+    levels.Restrict(0, levels[0].b, SerialContext());
+    levels.Restrict(1, levels[1].b, SerialContext());
+
+    levels[1].x = levels[1].b;
+    levels.Prolong(0, SerialContext());
+    const auto inverse1 = this->A1.diagonal().cwiseInverse().asDiagonal();
+    const auto corrected = (this->P0 * (inverse1 * (this->P0.adjoint() * this->b))).eval();
+    this->ExpectNear(this->Stored(levels), corrected);
+
+    levels.Correct(0, SerialContext());
+    this->ExpectNear(this->Stored(levels), 2.0 * corrected);
+
+    levels[2].x = levels[2].b;
+    levels.ProlongToFinest(2, SerialContext());
+    const auto inverse2 = this->A2.diagonal().cwiseInverse().asDiagonal();
+    const auto P = (this->P0 * this->P1).eval();
+    this->ExpectNear(this->Stored(levels), P * (inverse2 * (P.adjoint() * this->b)));
+
+    levels.SolveCoarsest();
+    levels.ProlongToFinest(2, SerialContext());
+    EXPECT_LE((this->Stored(levels) - P * this->A2.ldlt().solve(P.adjoint() * this->b)).norm(),
+      100 * TestFixture::Tolerance * this->b.norm());
+  }
+}
+
+TYPED_TEST(TestScaledHierarchy, MatricesHaveUnitDiagonals)
+{
+  GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(
+    this->Grid.A, this->Grid.P, {}, SerialContext());
+  typename TestFixture::Levels levels(
+    hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
+  levels.Load(this->b, SerialContext());
+  const auto& parts = levels[0].A;
+  for (int i = 0; i < parts.Lower.rows(); ++i)
+  {
+    levels[0].x[i] = levels[0].b[i] + parts.LowerTimes(i, levels[0].b.data()) +
+      parts.UpperTimes(i, levels[0].b.data());
+  }
+  const auto inverse = this->A.diagonal().cwiseInverse().asDiagonal();
+  this->ExpectNear(this->Stored(levels), inverse * (this->A * (inverse * this->b)));
+}
+
+TYPED_TEST(TestScaledHierarchy, UpdateTakesOtherValues)
+{
+  using Scalar = typename TestFixture::Scalar;
+  GalerkinHierarchy<Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
+  typename TestFixture::Levels levels(
+    hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
+  SparseMatrix<Scalar> other = this->Grid.A;
+  for (int i = 0; i < other.rows(); i += 3)
+  {
+    other.coeffRef(i, i) *= 5.0;
+  }
+  hierarchy.Update(other, SerialContext());
+  levels.Update(SerialContext());
+  levels.Load(this->b, SerialContext());
+  levels[0].x = levels[0].b;
+  this->ExpectNear(this->Stored(levels), this->b.cwiseQuotient(other.diagonal()));
+}
+
+TYPED_TEST(TestScaledHierarchy, InactiveUnknownsStayZero)
+{
+  using Scalar = typename TestFixture::Scalar;
+  SparseMatrix<Scalar> A = this->Grid.A;
+  A.prune([](Eigen::Index i, Eigen::Index j, const Scalar&) { return i != 7 && j != 7; });
+  GalerkinHierarchy<Scalar> hierarchy(A, this->Grid.P, {}, SerialContext());
+  typename TestFixture::Levels levels(
+    hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
+  levels.Load(this->b, SerialContext());
+  levels[0].x = levels[0].b;
+  EXPECT_EQ(this->Stored(levels)[7], Scalar(0.0));
+  levels[1].x.setOnes();
+  levels.Prolong(0, SerialContext());
+  EXPECT_EQ(this->Stored(levels)[7], Scalar(0.0));
+}
+
+TYPED_TEST(TestScaledHierarchy, SameBitsForAnyNumberOfThreads)
+{
+  using Scalar = typename TestFixture::Scalar;
+  GalerkinHierarchy<Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
+  const auto cycle = [&](const ExecutionContext& context) {
+    typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, context);
+    levels.Load(this->b, context);
+    levels.Restrict(0, levels[0].b, context);
+    levels[1].x = levels[1].b;
+    levels.Prolong(0, context);
+    return this->Stored(levels);
+  };
+  const Vector<Scalar> expected = cycle(SerialContext());
+  for (const int threads : { 2, 3, 8 })
+  {
+    EXPECT_EQ(cycle(test::TbbContext(threads)), expected);
+  }
+}

@@ -1,0 +1,393 @@
+// What messages tell the user to do, done on the input that caused them: it works.
+
+#include "vtkHarmonicFieldSolver.h"
+
+#include "TestTools.h"
+
+#include "vtkArrayCalculator.h"
+#include "vtkCleanPolyData.h"
+#include "vtkDirectionalProlongation.h"
+#include "vtkFieldLines.h"
+#include "vtkGeometryFilter.h"
+#include "vtkImageData.h"
+#include "vtkPolyDataNormals.h"
+#include "vtkRemoveDuplicatePolys.h"
+#include "vtkTable.h"
+#include "vtkTableToPolyData.h"
+#include "vtkTriangleFilter.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+constexpr int OnCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+
+using Data = vtkSmartPointer<vtkDataSet>;
+
+template <class Filter>
+Data OutputOf(Filter* filter, vtkDataSet* input)
+{
+  filter->SetInputData(input);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+Data Triangulated(vtkDataSet* input)
+{
+  return OutputOf(vtkNew<vtkTriangleFilter>().Get(), input);
+}
+
+Data Cleaned(vtkDataSet* input)
+{
+  return OutputOf(vtkNew<vtkCleanPolyData>().Get(), input);
+}
+
+Data WithoutDuplicates(vtkDataSet* input)
+{
+  return OutputOf(vtkNew<vtkRemoveDuplicatePolys>().Get(), input);
+}
+
+Data ExtractedSurface(vtkDataSet* input)
+{
+  return Triangulated(OutputOf(vtkNew<vtkGeometryFilter>().Get(), input));
+}
+
+Data WithNormals(vtkDataSet* input, double featureAngle)
+{
+  vtkNew<vtkPolyDataNormals> normals;
+  normals->ConsistencyOn();
+  normals->SplittingOn();
+  normals->SetFeatureAngle(featureAngle);
+  normals->NonManifoldTraversalOff();
+  return OutputOf(normals.Get(), input);
+}
+
+Data TurnedAndCut(vtkDataSet* input)
+{
+  return WithNormals(input, 180.0);
+}
+
+Data CutWhereItTurns(vtkDataSet* input)
+{
+  return WithNormals(input, 150.0);
+}
+
+/// Of each triangle, its first side.
+void PrescribeSides(vtkDataSet* data)
+{
+  const auto sides = Zeros("Given", data->GetNumberOfCells(), 3);
+  for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
+  {
+    const Vector3 from(data->GetPoint(data->GetCell(cell)->GetPointId(0)));
+    const Vector3 to(data->GetPoint(data->GetCell(cell)->GetPointId(1)));
+    const Vector3 side = to - from;
+    sides->SetTuple(cell, side.data());
+  }
+  data->GetCellData()->AddArray(sides);
+}
+
+vtkSmartPointer<vtkHarmonicFieldSolver> NewSolver(vtkDataSet* input)
+{
+  auto solver = vtkSmartPointer<vtkHarmonicFieldSolver>::New();
+  solver->SetInputData(input);
+  solver->SetInputArrayToProcess(1, 0, 0, OnCells, "Given");
+  return solver;
+}
+
+void ExpectRefusal(vtkAlgorithm* filter, const std::vector<std::string>& words)
+{
+  const Messages messages(filter);
+  filter->Update();
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(messages.Error().find(word), std::string::npos)
+      << "'" << word << "' is not in: " << messages.Error();
+  }
+  EXPECT_EQ(messages.GetErrors().size(), 2u); // and that of the executive, that the filter failed
+  EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
+}
+
+void ExpectField(vtkHarmonicFieldSolver* solver)
+{
+  const Messages messages(solver);
+  solver->Update();
+  EXPECT_EQ(messages.Error(), "");
+  EXPECT_GT(solver->GetOutput()->GetNumberOfCells(), 0);
+}
+
+}
+
+// Surfaces
+// ----------------------------------------------------------------------------------------------
+
+namespace
+{
+
+struct BadSurface
+{
+  std::string Name;
+  std::function<Data()> Make;
+  std::vector<std::string> Words; ///< of the message: the element and the remedy
+  std::function<Data(vtkDataSet*)> Remedy;
+};
+
+std::ostream& operator<<(std::ostream& os, const BadSurface& surface)
+{
+  return os << surface.Name;
+}
+
+Data Polygons(std::initializer_list<Vector3> positions,
+  std::initializer_list<std::initializer_list<vtkIdType>> polygons)
+{
+  vtkNew<vtkPoints> points;
+  for (const Vector3& position : positions)
+  {
+    points->InsertNextPoint(position.data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const auto& polygon : polygons)
+  {
+    cells->InsertNextCell(polygon);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  return data;
+}
+
+const std::initializer_list<Vector3> Square = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 1, 1, 1 } };
+
+Data Grid(int cellType, std::initializer_list<vtkIdType> corners)
+{
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  vtkNew<vtkPoints> points;
+  for (const Vector3& position : Square)
+  {
+    points->InsertNextPoint(position.data());
+  }
+  grid->SetPoints(points);
+  grid->InsertNextCell(cellType, static_cast<vtkIdType>(corners.size()), corners.begin());
+  return grid;
+}
+
+const std::string CutAndTurn = "Generate Surface Normals (vtkPolyDataNormals) with Consistency and Splitting on, Feature "
+                               "Angle 180 and Non-Manifold Traversal off";
+
+const BadSurface BadSurfaces[] = {
+  { "Quadrilateral", [] { return Polygons(Square, { { 0, 1, 2, 3 } }); },
+    { "cell 0", "4 points", "Triangulate (vtkTriangleFilter)" }, Triangulated },
+  { "Strip",
+    [] {
+      const Data data = Polygons(Square, {});
+      vtkNew<vtkCellArray> strips;
+      strips->InsertNextCell({ 0, 1, 3, 2 });
+      vtkPolyData::SafeDownCast(data)->SetStrips(strips);
+      return data;
+    },
+    { "cell 0", "strip", "Triangulate (vtkTriangleFilter)" }, Triangulated },
+  { "RepeatedCorner", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 2, 2 } }); },
+    { "cell 1", "point 2 twice", "Clean (vtkCleanPolyData), then Triangulate (vtkTriangleFilter)" },
+    [](vtkDataSet* input) { return Triangulated(Cleaned(input)); } },
+  { "CornersInOnePlace",
+    [] { return Polygons({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 2, 3, 4 } }); },
+    { "cell 1", "one place", "Clean (vtkCleanPolyData)" }, Cleaned },
+  { "OppositeOrientation", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 3, 2 } }); },
+    { "cell 0 and cell 1", "oriented against", CutAndTurn }, TurnedAndCut },
+  { "MoebiusStrip", [] { return PolyDataOf(MoebiusStrip(9)); },
+    { "oriented against", "Moebius", "Feature Angle of 150" }, CutWhereItTurns },
+  { "ThreeFacesAtAnEdge", [] { return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 }, { 2, 4, 0 } }); },
+    { "3 triangles", CutAndTurn }, TurnedAndCut },
+  { "ThreeFacesAtAnEdgeThatDisagree", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 3, 2 }, { 0, 4, 2 } }); },
+    { "3 triangles", CutAndTurn }, TurnedAndCut },
+  { "PinchedPoint", [] { return PolyDataOf(PinchedTetrahedra()); }, { "point 0", "pinched", CutAndTurn },
+    TurnedAndCut },
+  { "TwiceTheSameTriangle", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 2, 0 } }); },
+    { "cell 0 and cell 2", "same triangle", "Clean Cells to Grid and Extract Surface (vtkRemoveDuplicatePolys)" },
+    WithoutDuplicates },
+  { "UnstructuredTriangles", [] { return Grid(VTK_TRIANGLE, { 0, 1, 2 }); },
+    { "vtkUnstructuredGrid", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" },
+    ExtractedSurface },
+  { "Tetrahedron", [] { return Grid(VTK_TETRA, { 0, 1, 3, 4 }); },
+    { "vtkUnstructuredGrid", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" },
+    ExtractedSurface },
+  { "Image",
+    [] {
+      auto image = vtkSmartPointer<vtkImageData>::New();
+      image->SetDimensions(3, 3, 3);
+      return image;
+    },
+    { "vtkImageData", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" }, ExtractedSurface },
+};
+
+}
+
+class Remedy : public testing::TestWithParam<BadSurface>
+{
+};
+
+TEST_P(Remedy, HelpsTheSurfaceThatNeedsIt)
+{
+  const Data input = GetParam().Make();
+  PrescribeSides(input);
+  const auto solver = NewSolver(input);
+  ExpectRefusal(solver, GetParam().Words);
+  vtkNew<vtkDirectionalProlongation> prolongation;
+  prolongation->SetInputData(input);
+  ExpectRefusal(prolongation, GetParam().Words);
+  vtkNew<vtkFieldLines> lines;
+  lines->SetInputData(input);
+  lines->SetInputArrayToProcess(0, 0, 0, OnCells, "Given");
+  ExpectRefusal(lines, GetParam().Words);
+
+  const Data helped = GetParam().Remedy(input);
+  PrescribeSides(helped);
+  solver->SetInputData(helped);
+  ExpectField(solver);
+}
+
+INSTANTIATE_TEST_SUITE_P(Messages, Remedy, testing::ValuesIn(BadSurfaces),
+  [](const testing::TestParamInfo<BadSurface>& info) { return info.param.Name; });
+
+// Without area nothing is determined; there is no remedy but another surface.
+TEST(Refusal, NamesASurfaceWithoutArea)
+{
+  const Data input = PolyDataOf(Icosphere(2));
+  vtkPoints* const points = vtkPolyData::SafeDownCast(input)->GetPoints();
+  for (vtkIdType point = 0; point < points->GetNumberOfPoints(); ++point)
+  {
+    points->SetPoint(point, static_cast<double>(point), 0.0, 0.0);
+  }
+  PrescribeSides(input);
+  ExpectRefusal(NewSolver(input), { "no triangle of the surface has an area", "line" });
+}
+
+// What is prescribed
+// ----------------------------------------------------------------------------------------------
+
+namespace
+{
+
+/// A sphere on which the cells 10 and 900 are prescribed, and all weights are 1.
+vtkSmartPointer<vtkPolyData> Sphere()
+{
+  auto input = PolyDataOf(Icosphere(3));
+  AddCellVectors(input, "Given", { { 10, { 1.0, 0.5, -0.25 } }, { 900, { -0.5, 0.25, 1.0 } } });
+  const auto weights = Zeros("Weights", 1280, 1);
+  weights->Fill(1.0);
+  input->GetCellData()->AddArray(weights);
+  return input;
+}
+
+Data Calculated(vtkDataSet* input, const char* result, const std::string& function)
+{
+  vtkNew<vtkArrayCalculator> calculator;
+  calculator->SetAttributeTypeToCellData();
+  calculator->AddScalarArrayName("Weights");
+  calculator->AddVectorArrayName("Given");
+  calculator->SetResultArrayName(result);
+  calculator->SetFunction(function.c_str());
+  calculator->SetInputData(input);
+  calculator->Update();
+  return calculator->GetDataSetOutput();
+}
+
+}
+
+TEST(Remedy, CalculatorBringsDirectionsToASizeThatCanBeComputedWith)
+{
+  for (const auto& [size, word] : { std::pair("1e-100", "too small"), std::pair("1e100", "too large") })
+  {
+    const Data input = Calculated(Sphere(), "Given", std::string(size) + " * Given");
+    const auto solver = NewSolver(input);
+    ExpectRefusal(solver, { "length of the directions", word, "Calculator (vtkArrayCalculator)" });
+    solver->SetInputData(Calculated(input, "Given", "Given / " + std::string(size)));
+    ExpectField(solver);
+  }
+}
+
+TEST(Remedy, CalculatorBringsWeightsToASizeThatCanBeComputedWith)
+{
+  for (const auto& [size, word] : { std::pair("1e-300", "too small"), std::pair("1e300", "too large") })
+  {
+    const Data input = Calculated(Sphere(), "Weights", std::string(size) + " * Weights");
+    const auto solver = NewSolver(input);
+    solver->SetInputArrayToProcess(2, 0, 0, OnCells, "Weights");
+    ExpectRefusal(solver, { "weight", word, "Calculator (vtkArrayCalculator)" });
+    solver->SetInputData(Calculated(input, "Weights", "Weights / " + std::string(size)));
+    ExpectField(solver);
+  }
+}
+
+TEST(Remedy, TableToPointsMakesAGuideOfATable)
+{
+  vtkNew<vtkTable> table;
+  for (const char* const name : { "x", "y", "z" })
+  {
+    const auto column = Zeros(name, 1, 1);
+    column->SetValue(0, 0.6);
+    table->AddColumn(column);
+  }
+  const auto vectors = Zeros("Vectors", 1, 3);
+  vectors->SetTuple3(0, 1.0, -1.0, 0.0);
+  table->AddColumn(vectors);
+  const auto solver = NewSolver(Sphere());
+  solver->SetInputData(1, table);
+  ExpectRefusal(solver, { "vtkTable", "Table To Points (vtkTableToPolyData)" });
+  vtkNew<vtkTableToPolyData> points;
+  points->SetInputData(table);
+  points->SetXColumn("x");
+  points->SetYColumn("y");
+  points->SetZColumn("z");
+  solver->SetInputConnection(1, points->GetOutputPort());
+  solver->SetGuideArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Vectors");
+  ExpectField(solver);
+}
+
+TEST(Remedy, DirectionalProlongationAgainReplacesOperatorsOfAnotherSurface)
+{
+  vtkNew<vtkDirectionalProlongation> prolongation;
+  prolongation->SetInputData(Sphere());
+  prolongation->Update();
+  vtkNew<vtkPolyData> moved;
+  moved->DeepCopy(prolongation->GetOutput());
+  moved->GetPoints()->SetPoint(3, 0.1, 0.2, 0.9);
+  const auto solver = NewSolver(moved);
+  ExpectRefusal(solver, { "another", "Directional Prolongation (vtkDirectionalProlongation)" });
+  prolongation->SetInputData(moved);
+  solver->SetInputConnection(prolongation->GetOutputPort());
+  ExpectField(solver);
+}
+
+TEST(Remedy, ExtractedSurfaceHasTheTrianglesThatLinesLack)
+{
+  const Data lines = Polygons(Square, {});
+  vtkNew<vtkCellArray> cells;
+  cells->InsertNextCell({ 0, 1 });
+  vtkPolyData::SafeDownCast(lines)->SetLines(cells);
+  PrescribeSides(lines);
+  const auto solver = NewSolver(lines);
+  ExpectRefusal(
+    solver, { "no triangles", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" });
+  const Data surface = ExtractedSurface(Grid(VTK_TETRA, { 0, 1, 3, 4 }));
+  PrescribeSides(surface);
+  solver->SetInputData(surface);
+  ExpectField(solver);
+}
+
+TEST(Remedy, SoftConstraintsLeaveSomethingToSolveFor)
+{
+  const auto input = Sphere();
+  PrescribeSides(input);
+  const auto solver = NewSolver(input);
+  solver->SetConstraintType(vtkHarmonicFieldSolver::Hard);
+  ExpectRefusal(solver, { "nothing to solve for", "soft" });
+  solver->SetConstraintType(vtkHarmonicFieldSolver::Soft);
+  ExpectField(solver);
+}

@@ -1,0 +1,408 @@
+// Random surfaces, arrays, operators and options through the filters: they crash, hang and tell nonsense on none.
+//
+//   FuzzFilters [--cases n] [--seconds s] [--first seed] [--corpus file]
+//
+// A case is made from its seed alone, a number; a corpus is a list of seeds. A case fails where an output that is not empty
+// holds a number that is not finite or where there is neither an output nor an error; the seed is written before it runs,
+// into FuzzFilters.seed, so that it is known after a crash.
+
+#include "vtkHarmonicFieldSolver.h"
+
+#include "Cxx/TestTools.h"
+
+#include "vtkDirectionalProlongation.h"
+#include "vtkFieldLines.h"
+#include "vtkFieldSingularities.h"
+#include "vtkFloatArray.h"
+#include "vtkIntArray.h"
+#include "vtkTable.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <random>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+/// Choices from a seed, the same with every standard library.
+class Choices
+{
+public:
+  explicit Choices(unsigned long long seed)
+    : Bits(seed)
+  {
+  }
+
+  int Below(int n) { return static_cast<int>(this->Bits() % static_cast<unsigned>(n)); }
+  bool OneIn(int n) { return this->Below(n) == 0; }
+  double Unit() { return static_cast<double>(this->Bits() >> 11) / 9007199254740992.0; }
+
+  /// Mostly ordinary.
+  double Number()
+  {
+    const double special[] = { 0.0, -0.0, 1.0, -1.0, 1e-300, -1e300, 1e-45, 1e39, 1e-39, 1e20, 1e-20, 5e-324, 1e308,
+      std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity() };
+    return this->OneIn(12) ? special[this->Below(15)] : 2.0 * this->Unit() - 1.0;
+  }
+
+private:
+  std::mt19937_64 Bits;
+};
+
+Surface ShapeOf(Choices& choose)
+{
+  switch (choose.Below(8))
+  {
+    case 0:
+      return Icosphere(choose.Below(4));
+    case 1:
+      return IrregularTorus(3 + choose.Below(20), 3 + choose.Below(12), choose.Below(1000));
+    case 2:
+      return IrregularPlane(1 + choose.Below(20), 1 + choose.Below(12), choose.Below(1000));
+    case 3:
+      return SphereWithZeroAreaFaces(2, 1 + choose.Below(6));
+    case 4:
+      return PlaneWithNeedles(4 + choose.Below(10), 2 + choose.Below(8));
+    case 5:
+      return choose.OneIn(2) ? MoebiusStrip(3 + choose.Below(9)) : PinchedTetrahedra();
+    case 6:
+      return PerforatedSlab(1 + choose.Below(3), 1 + choose.Below(2), 1);
+    default:
+    {
+      Surface soup{ Points(3 + choose.Below(12), 3), Triangles(1 + choose.Below(14), 3) };
+      for (int i = 0; i < soup.V.size(); ++i)
+      {
+        soup.V.data()[i] = choose.Below(4);
+      }
+      for (int i = 0; i < soup.F.size(); ++i)
+      {
+        soup.F.data()[i] = choose.Below(static_cast<int>(soup.V.rows()));
+      }
+      return soup;
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> SurfaceOf(Choices& choose)
+{
+  Surface shape = ShapeOf(choose);
+  if (choose.OneIn(4)) // another size or shape
+  {
+    const int axis = choose.Below(4);
+    const double factor = std::pow(10.0, choose.Below(90) - 45.0);
+    axis == 3 ? void(shape.V *= factor) : void(shape.V.col(axis) *= factor);
+  }
+  if (choose.OneIn(6))
+  {
+    shape.F.row(choose.Below(static_cast<int>(shape.F.rows()))).reverseInPlace();
+  }
+  for (int changes = choose.OneIn(3) ? choose.Below(4) : 0; changes > 0; --changes)
+  {
+    shape.V(choose.Below(static_cast<int>(shape.V.rows())), choose.Below(3)) = choose.Number();
+  }
+  const auto surface = PolyDataOf(shape, choose.OneIn(2) ? VTK_FLOAT : VTK_DOUBLE);
+  if (choose.OneIn(10))
+  {
+    surface->GetPolys()->InsertNextCell({ 0, 1, 2, choose.Below(9) - 2 });
+  }
+  if (choose.OneIn(10))
+  {
+    vtkNew<vtkCellArray> verts;
+    verts->InsertNextCell({ 0 });
+    surface->SetVerts(verts);
+  }
+  return surface;
+}
+
+vtkSmartPointer<vtkDataArray> ArrayOf(Choices& choose, const char* name, vtkIdType tuples, int components)
+{
+  vtkSmartPointer<vtkDataArray> array;
+  switch (choose.Below(4))
+  {
+    case 0:
+      array = vtkSmartPointer<vtkFloatArray>::New();
+      break;
+    case 1:
+      array = vtkSmartPointer<vtkIntArray>::New();
+      break;
+    default:
+      array = vtkSmartPointer<vtkDoubleArray>::New();
+  }
+  array->SetName(name);
+  array->SetNumberOfComponents(choose.OneIn(20) ? 1 + choose.Below(9) : components);
+  array->SetNumberOfTuples(choose.OneIn(20) ? choose.Below(30) : tuples);
+  const bool isSparse = choose.OneIn(2);
+  const bool isInteger = array->GetDataType() == VTK_INT;
+  for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+  {
+    const bool isZero = isSparse && !choose.OneIn(10);
+    for (int k = 0; k < array->GetNumberOfComponents(); ++k)
+    {
+      const double ordinary = choose.OneIn(40) ? choose.Number() : 2.0 * choose.Unit() - 0.5;
+      array->SetComponent(i, k, isZero ? 0.0 : isInteger ? choose.Below(3) : ordinary);
+    }
+  }
+  return array;
+}
+
+void AddArrays(Choices& choose, vtkDataSet* data)
+{
+  for (vtkDataSetAttributes* const attributes :
+    { static_cast<vtkDataSetAttributes*>(data->GetPointData()), static_cast<vtkDataSetAttributes*>(data->GetCellData()) })
+  {
+    const vtkIdType tuples =
+      attributes == data->GetCellData() ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+    attributes->AddArray(ArrayOf(choose, "Given", tuples, 3));
+    attributes->AddArray(ArrayOf(choose, "Mask", tuples, 1));
+    attributes->AddArray(ArrayOf(choose, "Weights", tuples, 1));
+    attributes->AddArray(ArrayOf(choose, "Values", tuples, 1));
+  }
+}
+
+/// Some numbers of some hidden arrays.
+void Damage(Choices& choose, vtkFieldData* operators)
+{
+  for (int changes = choose.Below(4); changes > 0 && operators->GetNumberOfArrays() > 0; --changes)
+  {
+    vtkAbstractArray* const any = operators->GetAbstractArray(choose.Below(operators->GetNumberOfArrays()));
+    auto* const array = vtkDataArray::SafeDownCast(any);
+    if (choose.OneIn(6))
+    {
+      operators->RemoveArray(any->GetName());
+    }
+    else if (array && array->GetNumberOfTuples() > 0)
+    {
+      const int place = choose.Below(static_cast<int>(array->GetNumberOfTuples()));
+      array->SetComponent(place, 0,
+        array->GetDataType() == VTK_DOUBLE ? choose.Number() : choose.Below(1 << choose.Below(30)) - 1.0);
+    }
+  }
+}
+
+vtkSmartPointer<vtkPolyData> WithOperators(Choices& choose, vtkPolyData* surface)
+{
+  vtkNew<vtkDirectionalProlongation> filter;
+  const Messages messages(filter);
+  filter->SetInputData(surface);
+  filter->SetMinimumNumberOfFaces(4 + choose.Below(100));
+  filter->SetMaximumNumberOfCoarseLevels(choose.Below(4));
+  filter->SetFaceRatio(choose.Unit());
+  filter->SetCollapsePolicy(choose.Below(2));
+  filter->SetConstruction(choose.OneIn(6) ? 1 : 0);
+  filter->SetFaceFields(choose.OneIn(2));
+  filter->SetOneForms(choose.OneIn(2));
+  filter->Update();
+  if (messages.Error().empty() != (filter->GetOutput()->GetNumberOfCells() > 0 || surface->GetNumberOfCells() == 0))
+  {
+    throw std::runtime_error("vtkDirectionalProlongation: neither an output nor an error, or both");
+  }
+  auto output = vtkSmartPointer<vtkPolyData>::New();
+  output->DeepCopy(filter->GetOutput()->GetNumberOfCells() > 0 ? filter->GetOutput() : surface);
+  if (choose.OneIn(2))
+  {
+    Damage(choose, output->GetFieldData());
+  }
+  return output;
+}
+
+void SetOptions(Choices& choose, vtkHarmonicFieldSolver* solver)
+{
+  const int discretisation = choose.Below(4);
+  solver->SetDiscretisation(discretisation);
+  solver->SetNumberOfDirections(1 + choose.Below(8));
+  solver->SetSolver(choose.Below(6));
+  solver->SetConstraintType(choose.Below(2));
+  solver->SetCoarseSpace(choose.Below(2));
+  solver->SetVertexAreas(choose.Below(2));
+  solver->SetSweeps(choose.Below(4));
+  solver->SetNestedRule(choose.Below(3));
+  solver->SetNestedCycles(choose.Below(3));
+  solver->SetNestedSweeps(choose.Below(5));
+  solver->SetStartingLevel(choose.Below(6) - 1);
+  solver->SetExpectedSolves(1 + choose.Below(1000));
+  solver->SetCompareWithCholesky(choose.OneIn(4));
+  solver->SetMaximumNumberOfIterations(choose.OneIn(4) ? choose.Below(5) : 100);
+  solver->SetTolerance(choose.OneIn(4) ? std::abs(choose.Number()) : 1e-8);
+  solver->SetUnitLength(choose.OneIn(2));
+  solver->SetCombing(choose.OneIn(2));
+  solver->SetHarmonicBasis(choose.OneIn(4));
+  if (choose.OneIn(4))
+  {
+    solver->SetAlignment(choose.Number());
+    solver->SetSmoothness(choose.OneIn(2) ? 1.0 : std::abs(choose.Number()));
+  }
+  const char* const names[] = { "Mask", "Given", "Weights", "Values" };
+  const int association = choose.Below(2);
+  for (int index = 0; index < 4; ++index)
+  {
+    const bool isNeeded = index == 1 ? discretisation < 3 : index == 3 && discretisation == 3;
+    if (isNeeded || choose.OneIn(8))
+    {
+      solver->SetInputArrayToProcess(
+        index, 0, 0, index == 3 ? 0 : choose.OneIn(30) ? 1 - association : association, names[index]);
+    }
+  }
+}
+
+/// \throw std::runtime_error an array that the input has not holds a number that is not finite.
+void CheckNumbers(vtkDataObject* output, vtkPolyData* input)
+{
+  for (int kind = 0; kind < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++kind)
+  {
+    vtkFieldData* const arrays = output->GetAttributesAsFieldData(kind);
+    vtkFieldData* const given = input->GetAttributesAsFieldData(kind);
+    for (int k = 0; arrays && k < arrays->GetNumberOfArrays(); ++k)
+    {
+      auto* const array = vtkDoubleArray::SafeDownCast(arrays->GetAbstractArray(k));
+      if (!array || (given && given->GetAbstractArray(array->GetName()) == array))
+      {
+        continue;
+      }
+      for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+      {
+        if (!std::isfinite(array->GetValue(i)))
+        {
+          throw std::runtime_error(std::string(array->GetName()) + " is not finite");
+        }
+      }
+    }
+  }
+}
+
+void Run(vtkAlgorithm* filter, vtkPolyData* input)
+{
+  const Messages messages(filter);
+  filter->Update();
+  const bool isEmpty = filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL) == 0;
+  if (isEmpty && messages.Error().empty() && input->GetNumberOfCells() > 0 &&
+    std::string(filter->GetClassName()) == "vtkHarmonicFieldSolver")
+  {
+    throw std::runtime_error("neither an output nor an error");
+  }
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    vtkDataObject* const output = filter->GetOutputDataObject(port);
+    if (!messages.Error().empty() && output->GetNumberOfElements(vtkDataObject::CELL) > 0)
+    {
+      throw std::runtime_error("an output in spite of " + messages.Error());
+    }
+    CheckNumbers(output, input);
+  }
+}
+
+void RunCase(unsigned long long seed)
+{
+  Choices choose(seed);
+  vtkSmartPointer<vtkPolyData> input = SurfaceOf(choose);
+  AddArrays(choose, input);
+  if (choose.OneIn(3))
+  {
+    input = WithOperators(choose, input);
+  }
+  vtkNew<vtkHarmonicFieldSolver> solver;
+  SetOptions(choose, solver);
+  solver->SetInputData(input);
+  if (choose.OneIn(4))
+  {
+    const auto guide = SurfaceOf(choose);
+    AddArrays(choose, guide);
+    solver->SetInputData(1, guide);
+    solver->SetGuideArrayToProcess(1, 1, 0, choose.Below(2), choose.OneIn(2) ? "Given" : "");
+  }
+  Run(solver, input);
+  if (choose.OneIn(3)) // what is kept from a former run
+  {
+    SetOptions(choose, solver);
+    Run(solver, input);
+  }
+  vtkNew<vtkPolyData> field;
+  field->ShallowCopy(solver->GetOutput()->GetNumberOfCells() > 0 ? solver->GetOutput() : input.Get());
+  vtkNew<vtkFieldSingularities> singularities;
+  vtkNew<vtkFieldLines> lines;
+  lines->SetSeparatingDistance(0.05);
+  for (vtkAlgorithm* const drawing : std::initializer_list<vtkAlgorithm*>{ singularities, lines })
+  {
+    drawing->SetInputDataObject(field);
+    if (choose.OneIn(3))
+    {
+      drawing->SetInputArrayToProcess(0, 0, 0, choose.Below(2), "Given");
+    }
+    Run(drawing, field);
+  }
+}
+
+/// \return whether it is as it must be.
+bool Try(unsigned long long seed)
+{
+  std::ofstream("FuzzFilters.seed") << seed << '\n';
+  const auto start = std::chrono::steady_clock::now();
+  try
+  {
+    RunCase(seed);
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << "seed " << seed << ": " << error.what() << std::endl;
+    return false;
+  }
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  if (seconds.count() > 60.0)
+  {
+    std::cerr << "seed " << seed << " took " << seconds.count() << " s" << std::endl;
+    return false;
+  }
+  return true;
+}
+
+}
+
+int main(int argc, char** argv)
+{
+  unsigned long long seed = 1, cases = std::numeric_limits<unsigned long long>::max();
+  double seconds = std::numeric_limits<double>::infinity();
+  std::string corpus;
+  for (int i = 1; i + 1 < argc; i += 2)
+  {
+    const std::string name = argv[i], value = argv[i + 1];
+    if (name == "--cases")
+    {
+      cases = std::stoull(value);
+    }
+    else if (name == "--seconds")
+    {
+      seconds = std::stod(value);
+    }
+    else if (name == "--first")
+    {
+      seed = std::stoull(value);
+    }
+    else if (name == "--corpus")
+    {
+      corpus = value;
+    }
+  }
+
+  const auto start = std::chrono::steady_clock::now();
+  int failures = 0;
+  unsigned long long tried = 0;
+  std::ifstream seeds(corpus);
+  for (; tried < cases; ++tried)
+  {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    if (passed.count() > seconds || (!corpus.empty() && !(seeds >> seed)))
+    {
+      break;
+    }
+    failures += !Try(seed);
+    ++seed;
+  }
+  std::cout << tried << " cases, " << failures << " must not be" << std::endl;
+  return failures == 0 ? 0 : 1;
+}
