@@ -1,6 +1,7 @@
 #include "vtkHarmonicFieldSolver.h"
 
 #include "Adapters/ConstraintsFromArrays.h"
+#include "Adapters/FeaturesOfSurface.h"
 #include "Adapters/FilterRequests.h"
 #include "Adapters/OptionsOfSolver.h"
 #include "Adapters/ReportToArrays.h"
@@ -132,17 +133,22 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::FieldOptions options = dmg::OptionsOf(this);
     kept.SetSurface(input, options.Solver.Kind, dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
-    const dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOf(this), input, guides,
+    dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOf(this), input, guides,
       kept.Surface(), dmg::PartOfContext(context, 0.1, 0.1));
     if (!prescribed.Report.IsAllTaken())
     {
       vtkWarningMacro(<< prescribed.Report.LeftOut());
     }
+    const auto missing = dmg::FollowFeatures(
+      this, input, kept, prescribed.Directions, dmg::PartOfContext(context, 0.1, 0.1));
     const auto warnings = kept.Solve(
       prescribed.Directions, options, stop, dmg::PartOfContext(context, 0.1, 0.9));
-    for (const std::string& warning : warnings)
+    for (const auto* const texts : { &missing, &warnings })
     {
-      vtkWarningMacro(<< warning);
+      for (const std::string& text : *texts)
+      {
+        vtkWarningMacro(<< text);
+      }
     }
     const bool hasBasis = this->HarmonicBasis && kept.Field().HasHarmonicFields();
     kept.MakeArrays(input, this->UnitLength, this->Combing,
@@ -183,6 +189,14 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
+  os << indent << "SharpEdgesWeight: " << this->SharpEdgesWeight << "\n";
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "CurvatureWeight: " << this->CurvatureWeight << "\n";
+  os << indent << "CurvatureDirection: "
+     << (this->CurvatureDirection == MaximumCurvature ? "MaximumCurvature" : "MinimumCurvature") << "\n";
+  os << indent << "CurvatureScale: " << this->CurvatureScale << "\n";
+  os << indent << "Rotation: " << this->Rotation << "\n";
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")

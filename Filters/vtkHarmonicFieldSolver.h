@@ -87,6 +87,7 @@
  * | 1     | 3          | directions; by default the active vectors of the points, else of the cells; of guides see above |
  * | 2     | 1          | weight > 0 (optional), by default 1        |
  * | 3     | 1          | values of functions, at points; not of guides |
+ * | 4     | 1          | rotation (optional), in degrees; not of guides |
  *
  * and the association is that of points or cells. The weights of guides may also be in field data
  * (FIELD_ASSOCIATION_NONE), one number for a whole dataset. One choice serves all guides: those
@@ -106,6 +107,31 @@
  * Coordinates are at most 1e40, the surface is larger than 1e-40, the longest direction (or largest value) is between
  * 1e-40 and 1e40, and the largest weight, as well as Smoothness and Alignment, between 1e-20 and 1e20; all else is an
  * error, as is a dataset of another type.
+ *
+ * @section vtkHarmonicFieldSolver-Features Features
+ *
+ * The field also follows features of the surface itself, each of which has a weight, 0 (off) by default:
+ *
+ * - BoundaryWeight: the edges of the boundary, counter-clockwise around the surface, which lies on their left. Every N
+ *   follows them, and so do face fields and 1-forms; Rotation 180 turns N = 1 the other way round.
+ * - SharpEdgesWeight: the edges where the normals of both faces differ by more than FeatureAngle.
+ * - CurvatureWeight: the principal directions of vtkPrincipalDirections at CurvatureScale, on every face, each weighted
+ *   by its confidence. N = 4 and N = 8 follow both directions, N = 2 and N = 6 the one of CurvatureDirection.
+ *
+ * Sharp edges and principal directions are lines without a sign: fields of an odd N do not follow them, with a warning;
+ * neither do face fields and 1-forms, where N is 1. A weight for features that a surface does not have is a warning as
+ * well. Functions follow no features.
+ *
+ * These weights are relative to the size L of the surface, the root of its area, and mean the same at any size and
+ * resolution: where the roughness is the field's Dirichlet energy and Alignment is 1, they add
+ * 30 / L * weight * |X - Y|^2, integrated along lines, on each side, and (30 / L)^2 * weight * confidence * |X - Y|^2,
+ * integrated over the surface. So at weight 1 the field follows what is larger than about a thirtieth of the surface's
+ * size; for twice as much detail of curvature, the weight is 4. Hard constraints hold boundary and sharp edges exactly,
+ * whatever the weight; curvature is soft, and an error with them.
+ *
+ * All that is followed, arrays of the surface, guides and features, is turned by Rotation and by the array of index 4,
+ * counter-clockwise about the normal: fibre and layer angles, helix angles. An array of cells counts at points, and one of
+ * points on cells, as the mean of those that they touch.
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
  *
@@ -220,7 +246,7 @@
  * that of the coarsest level (OPENBLAS_NUM_THREADS, set before the process starts, fixes them; they are as many as there are
  * processors by default).
  *
- * @sa vtkDirectionalProlongation
+ * @sa vtkDirectionalProlongation vtkPrincipalDirections
  */
 
 #ifndef vtkHarmonicFieldSolver_h
@@ -540,6 +566,70 @@ public:
 
   ///@{
   /**
+   * How hard the field follows the boundary of the surface, and its sharp edges; see Features above. Default 0, off; a
+   * weight that is negative is an error.
+   */
+  vtkSetMacro(BoundaryWeight, double);
+  vtkGetMacro(BoundaryWeight, double);
+  vtkSetMacro(SharpEdgesWeight, double);
+  vtkGetMacro(SharpEdgesWeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Edges are sharp where the normals of their two faces differ by more than this, in degrees. Default 30, range 0 to
+   * 180.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * How hard the field follows principal directions; see Features above. Default 0, off; a weight that is negative is an
+   * error.
+   */
+  vtkSetMacro(CurvatureWeight, double);
+  vtkGetMacro(CurvatureWeight, double);
+  ///@}
+
+  enum CurvatureDirections
+  {
+    /** Along which the surface bends most: around a cylinder, across a ridge, and along a groove. */
+    MaximumCurvature = 0,
+    /** Along which the surface bends least: along a cylinder and a ridge, and across a groove. */
+    MinimumCurvature = 1
+  };
+
+  ///@{
+  /**
+   * Which of the principal directions lines and hexagonal fields (N = 2 and 6) follow, one of CurvatureDirections; N = 4
+   * and 8 follow both. Default MaximumCurvature.
+   */
+  vtkSetClampMacro(CurvatureDirection, int, MaximumCurvature, MinimumCurvature);
+  vtkGetMacro(CurvatureDirection, int);
+  ///@}
+
+  ///@{
+  /**
+   * How far around a point its principal directions look, in units of the mean edge, as vtkPrincipalDirections::Scale.
+   * Default 3, range 0 to 100.
+   */
+  vtkSetClampMacro(CurvatureScale, double, 0.0, 100.0);
+  vtkGetMacro(CurvatureScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * By how much the field is turned against all that it follows, in degrees, counter-clockwise about the normal. Default
+   * 0, range -180 to 180.
+   */
+  vtkSetClampMacro(Rotation, double, -180.0, 180.0);
+  vtkGetMacro(Rotation, double);
+  ///@}
+
+  ///@{
+  /**
    * How often this object has completed each stage; tells what an update reused.
    */
   int GetNumberOfSetups() const;
@@ -567,6 +657,13 @@ private:
   int ConstraintType = Soft;
   double Alignment = 1.0;
   double MaximumDistance = 0.1;
+  double BoundaryWeight = 0.0;
+  double SharpEdgesWeight = 0.0;
+  double FeatureAngle = 30.0;
+  double CurvatureWeight = 0.0;
+  int CurvatureDirection = MaximumCurvature;
+  double CurvatureScale = 3.0;
+  double Rotation = 0.0;
   int Solver = Automatic;
   int ExpectedSolves = 1;
   int CoarseSpace = Nodal;

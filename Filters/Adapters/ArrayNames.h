@@ -16,6 +16,12 @@ std::string Direction(int k);
 inline constexpr const char* Prescribed = "Prescribed";
 inline constexpr const char* SingularityIndex = "SingularityIndex";
 
+inline constexpr const char* MaximumDirection = "MaximumDirection";
+inline constexpr const char* MinimumDirection = "MinimumDirection";
+inline constexpr const char* MaximumCurvature = "MaximumCurvature";
+inline constexpr const char* MinimumCurvature = "MinimumCurvature";
+inline constexpr const char* Confidence = "Confidence";
+
 // cells and edges
 inline constexpr const char* HarmonicBasisPrefix = "HarmonicBasis ";
 /// \param k from 1

@@ -108,7 +108,7 @@ std::string WayOut(const ConstraintArrays& arrays)
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)
 {
   return { ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2),
-    ChoiceOf(algorithm, 3) };
+    ChoiceOf(algorithm, 3), ChoiceOf(algorithm, 4) };
 }
 
 bool HasArray(const ArrayChoice& choice, vtkDataSet* dataset)

@@ -36,10 +36,11 @@ struct ConstraintChoices
 {
   ArrayChoice Mask, Vectors, Weights;
   ArrayChoice Values = {}; ///< of functions, on the surface alone
+  ArrayChoice Rotation = {}; ///< in degrees, on the surface alone
 };
 
 /// What was chosen with vtkAlgorithm::SetInputArrayToProcess and indices 0 (mask), 1 (vectors),
-/// 2 (weights) and 3 (values).
+/// 2 (weights), 3 (values) and 4 (rotation).
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm);
 
 /// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.

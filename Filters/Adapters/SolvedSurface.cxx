@@ -46,6 +46,7 @@ void SolvedSurface::SetSurface(
     this->OfFormerSurfaces = this->Counts();
     this->Arrays.reset();
     this->Shown.reset();
+    this->CurvaturesAtScale.reset();
     this->BasisOfSurface.reset();
     this->Read.clear();
     this->OperatorsSeconds = 0.0;
@@ -92,6 +93,16 @@ std::vector<std::string> SolvedSurface::Solve(const PrescribedDirections& direct
   this->Arrays.reset();
   this->IsShownCurrent = false;
   return this->Report().Warnings;
+}
+
+const PrincipalCurvatures& SolvedSurface::Curvatures(double scale, const ExecutionContext& context)
+{
+  if (!this->CurvaturesAtScale || this->CurvaturesAtScale->first != scale)
+  {
+    this->CurvaturesAtScale.emplace(
+      scale, FindPrincipalDirections(this->Solver->Surface(), scale, context).Faces);
+  }
+  return this->CurvaturesAtScale->second;
 }
 
 void SolvedSurface::MakeArrays(

@@ -6,6 +6,7 @@
 #include "Adapters/MeshFromPolyData.h"
 #include "Adapters/OperatorsToFieldData.h"
 #include "FieldSolver.h"
+#include "Operators/PrincipalDirections.h"
 #include "Support/ExecutionContext.h"
 
 #include <memory>
@@ -30,6 +31,9 @@ public:
   void SetSurface(vtkPolyData* input, SolverKind asked, const ExecutionContext& context);
 
   FramedSurface Surface() const { return { this->Solver->Surface(), this->Numbers }; }
+
+  /// Of the faces of the surface, at a scale; kept until another is asked for. See FindPrincipalDirections.
+  const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
 
   /// See FieldSolver::Solve. \return warnings for the user, where something was solved rather than kept.
   std::vector<std::string> Solve(const PrescribedDirections& directions,
@@ -63,6 +67,7 @@ private:
   std::unique_ptr<FieldSolver> Solver;
   /// All operators of this surface that were read.
   std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> Read;
+  std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;
   std::optional<ShownField> Shown;       ///< of the last solution or, if it is not current, one before
   bool IsShownCurrent = false;
   std::optional<FieldArrays> Arrays;     ///< of Shown

@@ -242,6 +242,40 @@ TEST(ExtremeNumbers, WeightsAreRefusedWhereAllAreTooSmallOrOneIsTooLarge)
   }
 }
 
+// The exit
+// ----------------------------------------------------------------------------------------------
+
+namespace
+{
+
+/// Writes a number into an array of cells and into a point.
+class WritesNumber : public vtkPolyDataAlgorithm
+{
+public:
+  static WritesNumber* New();
+  vtkTypeMacro(WritesNumber, vtkPolyDataAlgorithm);
+  double InArray = 0.0;
+  double InPoint = 0.0;
+
+protected:
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  {
+    return MakeOutputs(this, request, inputs, outputs, [&](const ExecutionContext&) {
+      vtkPolyData* const output = vtkPolyData::GetData(outputs);
+      output->DeepCopy(vtkPolyData::GetData(inputs[0]));
+      output->GetPoints()->SetPoint(2, 0.0, this->InPoint, 0.0);
+      const auto array = Zeros("Mine", output->GetNumberOfCells(), 1);
+      array->SetValue(5, this->InArray);
+      output->GetCellData()->AddArray(array);
+    });
+  }
+};
+
+vtkStandardNewMacro(WritesNumber);
+
+}
+
 TEST(FilterRequests, NoNumberThatIsNotFiniteLeavesAFilter)
 {
   constexpr double Infinity = std::numeric_limits<double>::infinity();

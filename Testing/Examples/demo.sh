@@ -29,6 +29,11 @@ if [ -z "$surface" ]; then
   tar --extract --gzip --to-stdout \
     --file build/data/usr/share/doc/libcgal-dev/data.tar.gz data/meshes/bunny00.off > "$surface"
 fi
+if [[ ${surface,,} == *.off ]]; then # ParaView has no reader for it
+  ply=$PWD/build/$(basename "${surface%.*}").ply
+  /usr/bin/python3 Testing/Examples/off_to_ply.py "$surface" "$ply"
+  surface=$ply
+fi
 echo "$surface"
 
 step "4/4 Field and picture"

@@ -3,9 +3,8 @@
 
     test_window.py PARAVIEW OUTPUT-FOLDER NAME
 
-plays NAME.xml (FieldInTheWindow, GuideInTheWindow or NothingSaidInTheWindow), leaves NAME.vtk, as saved by the window, and a
-screenshot of it in the folder, and checks the former. Needs a display; ParaView has to find the
-plugin by itself.
+plays NAME.xml (FieldInTheWindow, GuideInTheWindow, NothingSaidInTheWindow or FeaturesInTheWindow), leaves NAME.vtk, as saved by
+the window, and a screenshot of it in the folder, and checks the former. Needs a display; ParaView has to find the plugin by itself.
 """
 
 import pathlib
@@ -13,6 +12,7 @@ import subprocess
 import sys
 import time
 
+import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkFiltersSources import vtkArcSource, vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGReader
@@ -35,6 +35,17 @@ def write_sphere(path):
         array.SetName(name)
         sphere.GetPointData().AddArray(array)
     write(path, sphere)
+
+
+def write_ellipsoid(path):
+    """Twice as long along the z-axis as across."""
+    source = vtkSphereSource()
+    source.SetThetaResolution(60)
+    source.SetPhiResolution(60)
+    source.Update()
+    ellipsoid = source.GetOutput()
+    vtk_to_numpy(ellipsoid.GetPoints().GetData())[:, 2] *= 2
+    write(path, ellipsoid)
 
 
 def write_guide(path):
@@ -102,6 +113,19 @@ def check_guide(result):
     assert report.GetArray("GuidesTooFar").GetValue(0) == 0
 
 
+def check_features(result):
+    """Crosses run along and across the axis of the ellipsoid, but for its ends; nothing else is followed."""
+    field = check(result)
+    places = vtk_to_numpy(field.GetPoints().GetData())
+    across = np.stack([-places[:, 1], places[:, 0], 0 * places[:, 2]], axis=1)
+    across /= np.linalg.norm(across, axis=1, keepdims=True) + 1e-300
+    crosses = np.stack([vtk_to_numpy(field.GetPointData().GetArray(f"Direction{k}")) for k in range(4)])
+    away = np.abs(places[:, 2]) < 0.8 * places[:, 2].max()
+    assert (crosses * across).sum(axis=2).max(axis=0)[away].min() > 0.99
+    assert not field.GetFieldData().HasArray("GuidesTaken")
+    assert field.GetPointData().HasArray("MaximumDirection")
+
+
 def check_nothing_said(result):
     """The window shows the smoothest lines: four singularities, and lines and spheres in the colours of the map."""
     field = check(result, 2)
@@ -123,7 +147,8 @@ def main():
     result.unlink(missing_ok=True)
     write_data, check_result = {"FieldInTheWindow": (write_sphere, check),
                                 "GuideInTheWindow": (write_guide, check_guide),
-                                "NothingSaidInTheWindow": (write_sphere, check_nothing_said)}[name]
+                                "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
+                                "FeaturesInTheWindow": (write_ellipsoid, check_features)}[name]
     write_data(data)
     play(paraview, data, result, folder)
     check_result(result)

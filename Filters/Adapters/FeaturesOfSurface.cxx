@@ -1,0 +1,111 @@
+#include "Adapters/FeaturesOfSurface.h"
+
+#include "Adapters/ChosenArrays.h"
+#include "Discretisations/SurfaceFeatures.h"
+#include "Support/Errors.h"
+
+#include "vtkDataArray.h"
+#include "vtkHarmonicFieldSolver.h"
+#include "vtkPolyData.h"
+
+namespace dmg
+{
+
+namespace
+{
+
+constexpr double Degree = Pi / 180.0;
+
+FeatureOptions FeaturesOf(vtkHarmonicFieldSolver* filter)
+{
+  FeatureOptions options;
+  options.BoundaryWeight = filter->GetBoundaryWeight();
+  options.SharpEdgesWeight = filter->GetSharpEdgesWeight();
+  options.FeatureAngle = filter->GetFeatureAngle();
+  options.CurvatureWeight = filter->GetCurvatureWeight();
+  options.FollowsMinimum =
+    filter->GetCurvatureDirection() == vtkHarmonicFieldSolver::MinimumCurvature;
+  return options;
+}
+
+/// Elements of the other kind get the mean of those that they touch.
+RotationAngles AnglesOf(
+  vtkHarmonicFieldSolver* filter, vtkPolyData* input, const FramedSurface& surface)
+{
+  RotationAngles angles;
+  angles.Everywhere = filter->GetRotation() * Degree;
+  const ChosenArray chosen =
+    FindArray(ChoicesOf(filter).Rotation, input, 1, "rotation", "the surface");
+  if (!chosen.Array)
+  {
+    return angles;
+  }
+  const TriangleMesh& mesh = surface.On.Mesh;
+  angles.Faces.setZero(mesh.NumberOfFaces());
+  angles.Vertices.setZero(mesh.NumberOfVertices());
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    if (chosen.OnPoints)
+    {
+      angles.Vertices[vertex] =
+        Degree * chosen.Array->GetComponent(surface.Numbering.PointOf(vertex), 0);
+      mesh.VisitFan(vertex, [&](int halfedge) {
+        angles.Faces[TriangleMesh::FaceOf(halfedge)] += angles.Vertices[vertex] / 3.0;
+      });
+      continue;
+    }
+    int faces = 0;
+    mesh.VisitFan(vertex, [&](int halfedge) {
+      const vtkIdType cell = surface.Numbering.CellOf(TriangleMesh::FaceOf(halfedge));
+      angles.Vertices[vertex] += Degree * chosen.Array->GetComponent(cell, 0);
+      ++faces;
+    });
+    angles.Vertices[vertex] /= faces;
+  }
+  for (int face = 0; !chosen.OnPoints && face < mesh.NumberOfFaces(); ++face)
+  {
+    angles.Faces[face] = Degree * chosen.Array->GetComponent(surface.Numbering.CellOf(face), 0);
+  }
+  return angles;
+}
+
+}
+
+std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyData* input,
+  SolvedSurface& surface, PrescribedDirections& directions, const ExecutionContext& context)
+{
+  const FramedSurface framed = surface.Surface();
+  if (filter->GetDiscretisation() == vtkHarmonicFieldSolver::ScalarFunction)
+  {
+    return {};
+  }
+  const int N = filter->GetDiscretisation() == vtkHarmonicFieldSolver::PowerField
+    ? filter->GetNumberOfDirections()
+    : 1;
+  const FeatureOptions options = FeaturesOf(filter);
+  CheckFeatures(options);
+  const PrincipalCurvatures* curvatures = nullptr;
+  if (options.CurvatureWeight > 0.0 && N % 2 == 0)
+  {
+    if (filter->GetConstraintType() == vtkHarmonicFieldSolver::Hard)
+    {
+      throw InvalidInput("principal directions are followed on all triangles, which hard constraints would leave no "
+                         "freedom; set Constraint Type to Soft, or Curvature Weight to 0");
+    }
+    curvatures = &surface.Curvatures(filter->GetCurvatureScale(), context);
+  }
+  FollowedFeatures followed = FollowFeatures(framed.On, N, options, curvatures);
+  directions.OnFaces.insert(
+    directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
+  if (!directions.OnFaces.empty() || !directions.AtVertices.empty())
+  {
+    const RotationAngles angles = AnglesOf(filter, input, framed);
+    if (angles.Everywhere != 0.0 || angles.Faces.size() > 0)
+    {
+      Turn(directions, framed.On, angles, framed.Numbering.Names());
+    }
+  }
+  return std::move(followed.Warnings);
+}
+
+}

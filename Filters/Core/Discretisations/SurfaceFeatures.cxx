@@ -1,0 +1,216 @@
+#include "Discretisations/SurfaceFeatures.h"
+
+#include "Support/Errors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// At weight 1, features are followed to within this part of the surface's size.
+constexpr double RelativeLength = 1.0 / 30.0;
+
+/// What turns integrals over a surface into the weights of its faces, each of which is multiplied by its area over the
+/// mean one later on.
+class WeightsOfFaces
+{
+public:
+  explicit WeightsOfFaces(const TriangleMesh& mesh)
+    : Areas(mesh.FaceAreas())
+    , Mean(this->Areas.mean())
+    , Length(RelativeLength * std::sqrt(this->Areas.sum()))
+  {
+  }
+
+  /// Of 1, integrated over the face.
+  double OfFace() const { return 2.0 * this->Mean / (this->Length * this->Length); }
+  /// Of 1, integrated along a line on the face, if that is no sliver.
+  double OfLine(int face, double length) const
+  {
+    return 2.0 * length / this->Length * this->Mean / std::max(this->Areas[face], 1e-4 * this->Mean);
+  }
+  bool IsFlat(int face) const { return this->Areas[face] == 0.0; }
+
+private:
+  const Vector<double> Areas;
+  const double Mean;
+  const double Length;
+};
+
+Vector3 Along(const TriangleMesh& mesh, int halfedge)
+{
+  return mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge));
+}
+
+void CheckFeatureWeight(const std::string& name, double weight)
+{
+  if (!(weight >= 0.0) || !std::isfinite(weight))
+  {
+    throw InvalidInput(name + " is " + std::to_string(weight) +
+      "; make it 0, for off, or positive, and turn the field by Rotation if it is to go another way");
+  }
+}
+
+void Append(std::vector<PrescribedDirection>& all, std::vector<PrescribedDirection> more,
+  const std::string& ifEmpty, std::vector<std::string>& warnings)
+{
+  if (more.empty())
+  {
+    warnings.push_back(ifEmpty);
+  }
+  std::move(more.begin(), more.end(), std::back_inserter(all));
+}
+
+}
+
+void CheckFeatures(const FeatureOptions& options)
+{
+  CheckFeatureWeight("Boundary Weight", options.BoundaryWeight);
+  CheckFeatureWeight("Sharp Edges Weight", options.SharpEdgesWeight);
+  CheckFeatureWeight("Curvature Weight", options.CurvatureWeight);
+}
+
+std::vector<PrescribedDirection> AlongBoundary(const TriangleMesh& mesh, double weight)
+{
+  const WeightsOfFaces weights(mesh);
+  std::vector<PrescribedDirection> directions;
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    const Vector3 along = Along(mesh, h);
+    const double length = along.norm();
+    const int face = TriangleMesh::FaceOf(h);
+    if (mesh.Twin(h) < 0 && length > 0.0 && !weights.IsFlat(face))
+    {
+      directions.push_back({ face, along / length, weight * weights.OfLine(face, length) });
+    }
+  }
+  return directions;
+}
+
+std::vector<PrescribedDirection> AlongSharpEdges(
+  const FramedMesh& surface, double degrees, double weight)
+{
+  const TriangleMesh& mesh = surface.Mesh;
+  const WeightsOfFaces weights(mesh);
+  std::vector<PrescribedDirection> directions;
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    if (mesh.Twin(h) < 0)
+    {
+      continue;
+    }
+    const int face = TriangleMesh::FaceOf(h), other = TriangleMesh::FaceOf(mesh.Twin(h));
+    const Vector3 along = Along(mesh, h);
+    const double length = along.norm();
+    if (!(length > 0.0) || weights.IsFlat(face) || weights.IsFlat(other))
+    {
+      continue;
+    }
+    const Vector3 normal = surface.Faces.Normal(face), beyond = surface.Faces.Normal(other);
+    const double angle = std::atan2(normal.cross(beyond).norm(), normal.dot(beyond));
+    if (angle * 180.0 / Pi > degrees)
+    {
+      directions.push_back({ face, along / length, weight * weights.OfLine(face, length) });
+    }
+  }
+  return directions;
+}
+
+std::vector<PrescribedDirection> AlongCurvature(const FramedMesh& surface,
+  const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight)
+{
+  const WeightsOfFaces weights(surface.Mesh);
+  const Complex turn = followsMinimum ? Complex(0.0, 1.0) : Complex(1.0);
+  std::vector<PrescribedDirection> directions;
+  for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
+  {
+    if (ofFaces.Confidence[face] > 0.0)
+    {
+      directions.push_back({ face, surface.Faces.ToVector(face, turn * ofFaces.MaximumDirections[face]),
+        weight * ofFaces.Confidence[face] * weights.OfFace() });
+    }
+  }
+  return directions;
+}
+
+FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureOptions& options,
+  const PrincipalCurvatures* ofFaces)
+{
+  CheckFeatures(options);
+  FollowedFeatures followed;
+  if (options.BoundaryWeight > 0.0)
+  {
+    Append(followed.Directions, AlongBoundary(surface.Mesh, options.BoundaryWeight),
+      "the surface has no boundary, so Boundary Weight has no effect", followed.Warnings);
+  }
+  if (N % 2 != 0)
+  {
+    if (options.SharpEdgesWeight > 0.0 || options.CurvatureWeight > 0.0)
+    {
+      followed.Warnings.push_back("sharp edges and principal directions are lines without a sign, which a field of " +
+        std::to_string(N) + (N == 1 ? " direction" : " directions") +
+        " cannot follow, so Sharp Edges Weight and Curvature Weight have no effect");
+    }
+    return followed;
+  }
+  if (options.SharpEdgesWeight > 0.0)
+  {
+    Append(followed.Directions,
+      AlongSharpEdges(surface, options.FeatureAngle, options.SharpEdgesWeight),
+      "no edge of the surface is sharper than Feature Angle, so Sharp Edges Weight has no effect",
+      followed.Warnings);
+  }
+  if (options.CurvatureWeight > 0.0)
+  {
+    Append(followed.Directions,
+      AlongCurvature(surface, *ofFaces, options.FollowsMinimum, options.CurvatureWeight),
+      "the surface bends alike in all directions, so Curvature Weight has no effect",
+      followed.Warnings);
+  }
+  return followed;
+}
+
+namespace
+{
+
+/// \param nameOf (element) for the message.
+template <class NameOf>
+Vector3 Turned(const Vector3& direction, const TangentFrames& frames, int element, double angle,
+  const NameOf& nameOf)
+{
+  if (!std::isfinite(angle))
+  {
+    throw InvalidInput("the rotation at " + nameOf(element) +
+      " is not finite, and a direction is prescribed there; repair it, or leave the direction out");
+  }
+  return angle == 0.0 ? direction
+                      : Vector3(Eigen::AngleAxisd(angle, frames.Normal(element)) * direction);
+}
+
+}
+
+void Turn(PrescribedDirections& directions, const FramedMesh& surface, const RotationAngles& angles,
+  const ElementNames& names)
+{
+  for (PrescribedDirection& on : directions.OnFaces)
+  {
+    CheckPrescribedElement(on.Face, surface.Mesh.NumberOfFaces(), "face");
+    const double more = angles.Faces.size() > 0 ? angles.Faces[on.Face] : 0.0;
+    on.Direction = Turned(on.Direction, surface.Faces, on.Face, angles.Everywhere + more,
+      [&names](int face) { return names.Face(face); });
+  }
+  for (PrescribedVertexDirection& at : directions.AtVertices)
+  {
+    CheckPrescribedElement(at.Vertex, surface.Mesh.NumberOfVertices(), "vertex");
+    const double more = angles.Vertices.size() > 0 ? angles.Vertices[at.Vertex] : 0.0;
+    at.Direction = Turned(at.Direction, surface.Vertices, at.Vertex, angles.Everywhere + more,
+      [&names](int vertex) { return names.Vertex(vertex); });
+  }
+}
+
+}

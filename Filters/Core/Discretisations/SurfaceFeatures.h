@@ -1,0 +1,79 @@
+#ifndef dmgSurfaceFeatures_h
+#define dmgSurfaceFeatures_h
+
+#include "Discretisations/Prescriptions.h"
+#include "Mesh/FramedMesh.h"
+#include "Operators/PrincipalDirections.h"
+
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// What a field follows of the surface itself, and how strongly. Weights are relative to the size L of the surface, the
+/// root of its area, and mean the same at any size and resolution: where the roughness is the Dirichlet energy of the
+/// field X (for power fields, half of theirs) and Alignment is 1, soft constraints add
+///
+///   30 weight / L times the integral of |X - Y|^2 along a line, on each side of it,
+///   (30 / L)^2 weight confidence |X - Y|^2, integrated, for curvature,
+///
+/// Y the unit direction that is followed. So at weight 1 what is smaller than about L / 30 is smoothed away. A weight of 0
+/// is off.
+struct FeatureOptions
+{
+  double BoundaryWeight = 0.0;
+  double SharpEdgesWeight = 0.0;
+  double FeatureAngle = 30.0; ///< degrees between the normals of two faces; edges with more are sharp
+  double CurvatureWeight = 0.0;
+  bool FollowsMinimum = false; ///< the direction of the minimum curvature in place of the maximum
+};
+
+/// \throw InvalidInput a weight is negative or not finite.
+void CheckFeatures(const FeatureOptions& options);
+
+/// Unit directions along the edges of the boundary, with the surface on the left. Edges without length, or of a face
+/// without area, have none.
+std::vector<PrescribedDirection> AlongBoundary(const TriangleMesh& mesh, double weight);
+
+/// Unit directions along sharp edges, on both of their faces. Edges without length, or of a face without area, are not
+/// sharp.
+std::vector<PrescribedDirection> AlongSharpEdges(
+  const FramedMesh& surface, double degrees, double weight);
+
+/// Unit directions along principal directions, on all faces where there are some, with their confidence as weight.
+std::vector<PrescribedDirection> AlongCurvature(const FramedMesh& surface,
+  const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight);
+
+/// What is followed, and what is not there to be followed.
+struct FollowedFeatures
+{
+  std::vector<PrescribedDirection> Directions;
+  std::vector<std::string> Warnings; ///< a sentence each
+};
+
+/// What the features of a surface prescribe to a field of N directions. Sharp edges and principal directions are lines
+/// without a sign: fields of an odd N do not follow them, which is a warning.
+/// \param ofFaces the principal directions; may be null where CurvatureWeight is 0 or N odd.
+/// \throw InvalidInput as CheckFeatures.
+/// Cost: linear.
+FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureOptions& options,
+  const PrincipalCurvatures* ofFaces);
+
+/// By how much a field turns against what it follows, in radians, counter-clockwise seen from outside.
+struct RotationAngles
+{
+  double Everywhere = 0.0;
+  Vector<double> Faces;    ///< added to that on each face; empty for zeros
+  Vector<double> Vertices; ///< added to that at each vertex; empty for zeros
+};
+
+/// Turns all directions about the normals of their elements.
+/// \throw InvalidInput an angle is not finite where something is prescribed; an element is out of range. \p names says
+/// how messages call it.
+void Turn(PrescribedDirections& directions, const FramedMesh& surface, const RotationAngles& angles,
+  const ElementNames& names = {});
+
+}
+
+#endif

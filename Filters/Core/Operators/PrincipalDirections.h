@@ -1,0 +1,57 @@
+#ifndef dmgPrincipalDirections_h
+#define dmgPrincipalDirections_h
+
+#include "Mesh/FramedMesh.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+namespace dmg
+{
+
+/// How the surface bends at each face, or each vertex; as long as there are of these.
+struct PrincipalCurvatures
+{
+  /// Unit, in the frame of the element, along which the surface bends by Maximum; the other principal direction is a
+  /// quarter turn from it. Zero where Confidence is.
+  Vector<Complex> MaximumDirections;
+  Vector<double> Maximum; ///< 1 / length, positive where the surface bends away from its normal
+  Vector<double> Minimum; ///< at most Maximum
+  /// How clear the directions are: the square of (Maximum - Minimum) / (|Maximum| + |Minimum| + 1 / D), D the diagonal
+  /// of the box around the surface. (For noise in the curvatures, the variance of their directions is inverse to the
+  /// square of their difference.) In [0, 1), near to 1 on cylinders and saddles, near to 0 on spheres and what is almost
+  /// flat; 0 where the ratio is below 1e-6, as rounding leaves it.
+  Vector<double> Confidence;
+};
+
+struct PrincipalDirections
+{
+  PrincipalCurvatures Faces;
+  PrincipalCurvatures Vertices;
+};
+
+/// Principal curvatures and their directions, at a scale: the mean of the shape operator over a region around each
+/// vertex, and over those of its three vertices for each face.
+///
+/// A region holds what lies nearer to its vertex than \p scale times the mean length of the edges, as far as it is
+/// reached by edges that lie there, and the neighbours of the vertex; where the surface has much shorter edges than
+/// elsewhere, no more than the nearest 16 scale^2 + 16 vertices, four times as many as on an even surface.
+///
+/// On a face, the shape operator is the derivative of the vertices' normals, interpolated between its corners
+/// (Rusinkiewicz 2004, "Estimating curvatures and their derivatives on triangle meshes"). Its integral over a region is a
+/// corrected curvature measure (Lachaud, Romon and Thibert 2022, "Corrected curvature measures"), which like the normal
+/// cycle (Cohen-Steiner and Morvan 2003) depends on what is at the rim of the region alone: noise inside cancels. On
+/// ellipsoids, tori and cylinders whose points are moved by 5 % of an edge along the normals, and at scale 3, directions
+/// are off by 0.5 to 2.5 degrees, those of normal cycles and of quadrics fitted to the same points (CGAL's
+/// Monge_via_jet_fitting) by 1.4 to 9.8; the fits take some 50 times as long.
+///
+/// A larger scale withstands more noise and sees less detail; without noise, the error of curvatures grows with the square
+/// of it. At the boundary, where normals look to one side, curvatures come out smaller, by up to a fifth at scale 3.
+/// \param scale finite, >= 0.
+/// \throw Cancelled
+/// Cost: scale^2 for each vertex; at scale 3, 2.3 s of CPU time for a million faces.
+PrincipalDirections FindPrincipalDirections(
+  const FramedMesh& surface, double scale, const ExecutionContext& context = SerialContext());
+
+}
+
+#endif

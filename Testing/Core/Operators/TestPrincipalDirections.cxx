@@ -1,0 +1,276 @@
+#include "Operators/PrincipalDirections.h"
+
+#include "Support/Errors.h"
+#include "Support/NamedSurfaces.h"
+#include "Support/Random.h"
+#include "Support/TbbContext.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <utility>
+
+namespace
+{
+
+using namespace dmg;
+using namespace dmg::test;
+
+/// Most of a cylinder of radius 1 around the z-axis, 2.5 long, its points and diagonals at random.
+Surface Cylinder(int across, unsigned seed)
+{
+  const int around = across * 5 / 2;
+  Surface surface = IrregularPlane(around, across, seed);
+  for (int i = 0; i < surface.V.rows(); ++i)
+  {
+    const double angle = 2.0 * Pi * 0.95 * surface.V(i, 0) / around;
+    const double z = 2.5 * surface.V(i, 1) / across;
+    surface.V.row(i) << std::cos(angle), std::sin(angle), z;
+  }
+  return surface;
+}
+
+Surface InsideOut(Surface surface)
+{
+  surface.F.col(1).swap(surface.F.col(2));
+  return surface;
+}
+
+Surface WithNoise(const Surface& surface, double amount, unsigned seed)
+{
+  Surface noisy = surface;
+  const FramedMesh framed(surface.Mesh());
+  Random random(seed);
+  for (int i = 0; i < noisy.V.rows(); ++i)
+  {
+    noisy.V.row(i) += random.Uniform(-amount, amount) * framed.Vertices.Normal(i).transpose();
+  }
+  return noisy;
+}
+
+/// What geometry says at a place.
+struct Exact
+{
+  Vector3 MaximumDirection;
+  double Maximum, Minimum;
+};
+
+Exact OfTorus(const Vector3& p)
+{
+  const double minor = 0.4, fromAxis = std::hypot(p[0], p[1]);
+  const Vector3 outward(p[0] / fromAxis, p[1] / fromAxis, 0.0);
+  const double angle = std::atan2(p[2], fromAxis - 1.0);
+  return { -std::sin(angle) * outward + std::cos(angle) * Vector3::UnitZ(), 1.0 / minor,
+    std::cos(angle) / (1.0 + minor * std::cos(angle)) };
+}
+
+/// Of the ellipsoid with half axes 1, 1.5 and 2: the shape operator is the projected Hessian over the gradient's length.
+const Vector3 HalfAxes(1.0, 1.5, 2.0);
+Exact OfEllipsoid(const Vector3& p)
+{
+  const Vector3 inverse = HalfAxes.cwiseAbs2().cwiseInverse();
+  const Vector3 gradient = 2.0 * inverse.cwiseProduct(p);
+  const Vector3 x = gradient.normalized().unitOrthogonal();
+  const Vector3 y = gradient.normalized().cross(x);
+  const auto shape = [&](const Vector3& a, const Vector3& b) {
+    return 2.0 * a.dot(inverse.cwiseProduct(b)) / gradient.norm();
+  };
+  const Complex difference(0.5 * (shape(x, x) - shape(y, y)), shape(x, y));
+  const Complex direction = std::sqrt(difference / std::abs(difference));
+  const double mean = 0.5 * (shape(x, x) + shape(y, y));
+  return { direction.real() * x + direction.imag() * y, mean + std::abs(difference),
+    mean - std::abs(difference) };
+}
+
+Surface Ellipsoid(int subdivisions)
+{
+  Surface surface = IrregularSphere(subdivisions, 2);
+  surface.V = surface.V * HalfAxes.asDiagonal();
+  return surface;
+}
+
+/// Root mean squares over the vertices where the curvatures differ by more than 30 % of the larger one.
+struct Errors
+{
+  double Degrees;
+  double Curvature; ///< relative
+};
+
+Errors ErrorsOf(const Surface& surface, const Surface& exactSurface, double scale,
+  const std::function<Exact(const Vector3&)>& exactAt)
+{
+  const FramedMesh framed(surface.Mesh());
+  const PrincipalCurvatures found = FindPrincipalDirections(framed, scale).Vertices;
+  double degrees = 0.0, squares = 0.0, scales = 0.0;
+  int count = 0;
+  for (int v = 0; v < framed.Mesh.NumberOfVertices(); ++v)
+  {
+    const Exact exact = exactAt(exactSurface.V.row(v).transpose());
+    if (exact.Maximum - exact.Minimum < 0.3 * std::abs(exact.Maximum))
+    {
+      continue;
+    }
+    const Complex expected = framed.Vertices.ToComplex(v, exact.MaximumDirection);
+    const Complex ratio = found.MaximumDirections[v] / expected;
+    const double angle = 0.5 * std::arg(ratio * ratio) * 180.0 / Pi; // lines
+    degrees += angle * angle;
+    squares += std::pow(found.Maximum[v] - exact.Maximum, 2) +
+      std::pow(found.Minimum[v] - exact.Minimum, 2);
+    scales += std::pow(exact.Maximum, 2) + std::pow(exact.Minimum, 2);
+    ++count;
+  }
+  return { std::sqrt(degrees / count), std::sqrt(squares / scales) };
+}
+
+TEST(PrincipalDirections, AreThoseOfTheTorusAndTheEllipsoid)
+{
+  const Surface torus = IrregularTorus(120, 48, 3), ellipsoid = Ellipsoid(5);
+  const Errors ofTorus = ErrorsOf(torus, torus, 3.0, OfTorus);
+  EXPECT_LT(ofTorus.Degrees, 1.0);
+  EXPECT_LT(ofTorus.Curvature, 0.1);
+  const Errors ofEllipsoid = ErrorsOf(ellipsoid, ellipsoid, 3.0, OfEllipsoid);
+  EXPECT_LT(ofEllipsoid.Degrees, 1.0);
+  EXPECT_LT(ofEllipsoid.Curvature, 0.1);
+}
+
+TEST(PrincipalDirections, ConvergeWithTheSquareOfTheEdges)
+{
+  std::vector<Errors> errors;
+  for (const int n : { 1, 2, 4 })
+  {
+    const Surface torus = IrregularTorus(50 * n, 20 * n, 3);
+    errors.push_back(ErrorsOf(torus, torus, 3.0, OfTorus));
+  }
+  EXPECT_LT(errors[1].Curvature, 0.35 * errors[0].Curvature);
+  EXPECT_LT(errors[2].Curvature, 0.35 * errors[1].Curvature);
+  EXPECT_LT(errors[2].Degrees, errors[1].Degrees);
+}
+
+TEST(PrincipalDirections, WithstandNoiseWhichALargerScaleWithstandsBetter)
+{
+  const Surface torus = IrregularTorus(120, 48, 3);
+  const double edge = 0.05; // about
+  double former = 45.0;
+  for (const double scale : { 1.0, 2.0, 4.0 })
+  {
+    const double degrees = ErrorsOf(WithNoise(torus, 0.1 * edge, 11), torus, scale, OfTorus).Degrees;
+    EXPECT_LT(degrees, 0.6 * former);
+    former = degrees;
+  }
+  EXPECT_LT(former, 2.0);
+}
+
+TEST(PrincipalDirections, GoAroundACylinderAndInsideAlongIt)
+{
+  const FramedMesh outside(Cylinder(30, 5).Mesh()), inside(InsideOut(Cylinder(30, 5)).Mesh());
+  for (const FramedMesh* surface : { &outside, &inside })
+  {
+    const bool isInside = surface == &inside;
+    const PrincipalDirections found = FindPrincipalDirections(*surface, 3.0);
+    for (int face = 0; face < surface->Mesh.NumberOfFaces(); ++face)
+    {
+      const Vector3 direction = surface->Faces.ToVector(face, found.Faces.MaximumDirections[face]);
+      EXPECT_NEAR(std::abs(direction[2]), isInside ? 1.0 : 0.0, isInside ? 0.01 : 0.1) << face;
+      EXPECT_NEAR(found.Faces.Maximum[face], isInside ? 0.0 : 1.0, 0.3) << face;
+      EXPECT_NEAR(found.Faces.Minimum[face], isInside ? -1.0 : 0.0, 0.3) << face;
+      EXPECT_GT(found.Faces.Confidence[face], 0.4) << face;
+    }
+    EXPECT_NEAR(found.Faces.Maximum.mean(), isInside ? 0.0 : 1.0, 0.05); // less at the boundary
+    EXPECT_NEAR(found.Faces.Minimum.mean(), isInside ? -1.0 : 0.0, 0.05);
+    EXPECT_GT(found.Faces.Confidence.mean(), 0.5);
+  }
+}
+
+TEST(PrincipalDirections, AreNotClearOnASphereAndNoneOnAPlane)
+{
+  const FramedMesh sphere(IrregularSphere(4, 7).Mesh());
+  const PrincipalDirections round = FindPrincipalDirections(sphere, 3.0);
+  EXPECT_LT(round.Faces.Confidence.maxCoeff(), 0.01);
+  EXPECT_LT((round.Vertices.Maximum.array() - 1.0).abs().maxCoeff(), 0.1);
+  EXPECT_LT((round.Vertices.Minimum.array() - 1.0).abs().maxCoeff(), 0.1);
+
+  const FramedMesh plane(RotatedAndScaled(IrregularPlane(20, 20, 3), 0.7, 3.0).Mesh());
+  const PrincipalDirections flat = FindPrincipalDirections(plane, 3.0);
+  EXPECT_EQ(flat.Faces.Confidence.maxCoeff(), 0.0);
+  EXPECT_TRUE(flat.Faces.MaximumDirections.isZero(0.0));
+  EXPECT_TRUE(flat.Vertices.MaximumDirections.isZero(0.0));
+}
+
+TEST(PrincipalDirections, MoveWithTheSurface)
+{
+  const Surface torus = IrregularTorus(40, 20, 3);
+  Eigen::Matrix3d rotation;
+  const FramedMesh one(torus.Mesh()), other(RotatedAndScaled(torus, 1.1, 1000.0, &rotation).Mesh());
+  const PrincipalCurvatures a = FindPrincipalDirections(one, 3.0).Faces;
+  const PrincipalCurvatures b = FindPrincipalDirections(other, 3.0).Faces;
+  EXPECT_LT((a.Maximum - 1000.0 * b.Maximum).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_LT((a.Minimum - 1000.0 * b.Minimum).cwiseAbs().maxCoeff(), 1e-9);
+  for (int face = 0; face < one.Mesh.NumberOfFaces(); ++face)
+  {
+    const Vector3 moved = rotation * one.Faces.ToVector(face, a.MaximumDirections[face]);
+    const Vector3 found = other.Faces.ToVector(face, b.MaximumDirections[face]);
+    EXPECT_LT(moved.cross(found).norm(), 1e-7);
+    EXPECT_NEAR(a.Confidence[face], b.Confidence[face], 1e-2); // the box turns as well
+  }
+}
+
+TEST(PrincipalDirections, DoNotSeeWhatIsNearButElsewhere)
+{
+  const Surface cylinder = Cylinder(16, 5);
+  const FramedMesh one(cylinder.Mesh());
+  const FramedMesh two(Union(cylinder, IrregularSphere(3, 2), Vector3(1.5, 0.0, 1.0)).Mesh());
+  const auto alone = FindPrincipalDirections(one, 0.0), beside = FindPrincipalDirections(two, 0.0);
+  const int size = one.Mesh.NumberOfVertices();
+  EXPECT_EQ(alone.Vertices.Maximum, beside.Vertices.Maximum.head(size));
+  const auto far = FindPrincipalDirections(two, 4.0);
+  EXPECT_LT((far.Vertices.Maximum.head(size).array() - 1.0).abs().maxCoeff(), 0.3);
+}
+
+TEST(PrincipalDirections, HaveTheSameBitsForAnyNumberOfThreads)
+{
+  const FramedMesh surface(IrregularTorus(300, 120, 3).Mesh());
+  const PrincipalDirections serial = FindPrincipalDirections(surface, 3.0);
+  const PrincipalDirections parallel = FindPrincipalDirections(surface, 3.0, TbbContext(4));
+  EXPECT_EQ(serial.Faces.MaximumDirections, parallel.Faces.MaximumDirections);
+  EXPECT_EQ(serial.Faces.Confidence, parallel.Faces.Confidence);
+  EXPECT_EQ(serial.Vertices.Maximum, parallel.Vertices.Maximum);
+}
+
+TEST(PrincipalDirections, StopWhenAsked)
+{
+  TbbContext context(2);
+  context.CancelAfter(1);
+  const FramedMesh surface(Icosphere(3).Mesh());
+  EXPECT_THROW(FindPrincipalDirections(surface, 3.0, context), Cancelled);
+}
+
+TEST(PrincipalDirections, AreSoundOnEverySurface)
+{
+  std::vector<NamedSurface> surfaces = SmallSurfaces();
+  surfaces.push_back({ "zero-area faces", SphereWithZeroAreaFaces(3, 10) });
+  surfaces.push_back({ "capsule", CapsuleFromRectangle(16, 12) });
+  surfaces.push_back({ "needles", PlaneWithNeedles(10, 10) });
+  for (const NamedSurface& surface : surfaces)
+  {
+    const FramedMesh framed(surface.Shape.Mesh());
+    for (const double scale : { 0.0, 3.0, 100.0 })
+    {
+      SCOPED_TRACE(surface.Name + ", scale " + std::to_string(scale));
+      const PrincipalDirections found = FindPrincipalDirections(framed, scale);
+      for (const PrincipalCurvatures* of : { &found.Faces, &found.Vertices })
+      {
+        EXPECT_TRUE(of->Maximum.allFinite() && of->Minimum.allFinite());
+        EXPECT_TRUE((of->Maximum.array() >= of->Minimum.array()).all());
+        EXPECT_TRUE((of->Confidence.array() >= 0.0).all() && (of->Confidence.array() < 1.0).all());
+        for (int i = 0; i < of->Confidence.size(); ++i)
+        {
+          EXPECT_NEAR(
+            std::abs(of->MaximumDirections[i]), of->Confidence[i] > 0.0 ? 1.0 : 0.0, 1e-12);
+        }
+      }
+    }
+  }
+}
+
+}
