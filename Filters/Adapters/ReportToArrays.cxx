@@ -51,11 +51,15 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
   addColumn(ArrayNames::Seconds, &IterationReport::Seconds);
   addColumn(ArrayNames::RelativeResidual, &IterationReport::RelativeResidual);
   addColumn(ArrayNames::Energy, &IterationReport::Energy);
-  addColumn(ArrayNames::MassResidual, &IterationReport::MassResidual);
-  if (size > 0 && !std::isnan(report.Iterations.back().Error))
+  const auto addIfMeasured = [&](const char* name, double IterationReport::*value)
   {
-    addColumn(ArrayNames::Error, &IterationReport::Error);
-  }
+    if (size > 0 && !std::isnan(report.Iterations.back().*value))
+    {
+      addColumn(name, value);
+    }
+  };
+  addIfMeasured(ArrayNames::MassResidual, &IterationReport::MassResidual);
+  addIfMeasured(ArrayNames::Error, &IterationReport::Error);
   vtkNew<vtkIntArray> returned;
   returned->SetName(ArrayNames::Returned);
   returned->SetNumberOfValues(size);
