@@ -5,6 +5,7 @@
 #include "Adapters/OptionsOfSolver.h"
 #include "Adapters/PieceRequest.h"
 #include "Adapters/ReportToArrays.h"
+#include "Adapters/SingularitiesOnSurface.h"
 #include "Adapters/SolvedSurface.h"
 #include "Support/Errors.h"
 
@@ -29,7 +30,7 @@ public:
 vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   : Internals(new vtkInternals)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS,
     vtkDataSetAttributes::VECTORS);
@@ -48,6 +49,18 @@ void vtkHarmonicFieldSolver::AddGuidesConnection(vtkAlgorithmOutput* output)
 void vtkHarmonicFieldSolver::RemoveAllGuides()
 {
   this->SetInputConnection(1, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::AddSingularitiesConnection(vtkAlgorithmOutput* output)
+{
+  this->AddInputConnection(2, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::RemoveAllSingularities()
+{
+  this->SetInputConnection(2, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -116,7 +129,7 @@ int vtkHarmonicFieldSolver::FillOutputPortInformation(int port, vtkInformation* 
 int vtkHarmonicFieldSolver::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  dmg::RequestWholeInPieceZero(request, inputVector, 2, outputVector);
+  dmg::RequestWholeInPieceZero(request, inputVector, 3, outputVector);
   return 1;
 }
 
@@ -146,6 +159,8 @@ int vtkHarmonicFieldSolver::RequestData(
   dmg::SolvedSurface& kept = this->Internals->Kept;
   const dmg::Guides guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides,
     this->MaximumDistance };
+  const dmg::Singularities singularities{ dmg::DataOf(inputVector[2]), this->SingularityIndexArray,
+    this->MaximumDistance };
   dmg::GuidesReport guidesReport;
   bool hasBasis = false;
   try
@@ -161,8 +176,12 @@ int vtkHarmonicFieldSolver::RequestData(
     {
       vtkWarningMacro(<< guidesReport.LeftOut());
     }
-    const auto warnings = kept.Solve(
-      prescribed.Directions, options, stop, dmg::PartOfContext(context, 0.1, 0.9));
+    const dmg::PartOfContext ofSolve(context, 0.1, 0.9);
+    const auto warnings = singularities.Data.empty()
+      ? kept.Solve(prescribed.Directions, options, stop, ofSolve)
+      : kept.Solve(
+          dmg::BringToSurface(singularities, options.Field.N, input, kept.Surface()),
+          prescribed.Directions, options, stop, ofSolve);
     for (const std::string& warning : warnings)
     {
       vtkWarningMacro(<< warning);
@@ -215,6 +234,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
+  os << indent << "SingularityIndexArray: " << this->SingularityIndexArray << "\n";
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")

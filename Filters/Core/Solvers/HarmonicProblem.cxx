@@ -505,7 +505,8 @@ void HarmonicProblem::Internals::FindSmoothest(Vector<double> start, const Stopp
 }
 
 Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector<double>& start,
-  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context)
+  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context,
+  const Vector<double>& source)
 {
   Internals& of = *this->Internal;
   assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
@@ -544,6 +545,11 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   else
   {
     Vector<double> b = of.RightHandSide(values, context);
+    if (source.size() > 0)
+    {
+      b += Gathered(source, order, context) / of.Smoothness;
+      SetZero(b, of.Held, context);
+    }
     of.Iterate(b, stop, measure, x, context);
   }
   if (!unprescribed.empty())
