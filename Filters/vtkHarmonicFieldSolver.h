@@ -71,14 +71,16 @@
  * well; a vector that is perpendicular is an error. What was left out is told by a warning and by
  * the report (Outputs). A guide with neither lines nor vectors is an error, an empty one is not.
  *
- * Port 2, the singularities (optional, any number of connections, as those of guides): a power field gets exactly these, and
- * is as smooth as it can be then, by trivial connections (Crane, Desbrun and Schroeder 2010). Every point is brought to the
- * nearest point inside the surface; its index, in the point array of SingularityIndexArray, is a multiple of 1 / N, and
- * those at the same point of the surface add up. On a closed component they sum to its Euler characteristic, 2 - 2 genus;
- * else the error says what is missing. With boundary any sum will do: the loops of the boundary take the rest. A
- * connected dataset without points prescribes that there are none, as a torus or an open surface may have. The field has magnitude 1; directions and
- * guides turn it as a whole, on each component to where the mean of w_b m_b |X_b - Y_b|^2 is least, and without any the
- * first side of one triangle is among its directions. The output 0 of vtkFieldSingularities may be connected here.
+ * Port 2, the singularities (optional, any number of connections, of the same types as guides): a power field gets
+ * these and no others, and turns as little as it can then, by trivial connections (Crane, Desbrun and Schroeder
+ * 2010). Each point goes to the nearest point inside the surface. Its index, in the point array that
+ * SingularityIndexArray names, is a multiple of 1 / N; those at one point of the surface add up. On a closed component
+ * they sum to its Euler characteristic, 2 - 2 genus; else the error says what is missing. With boundary any sum will
+ * do: the loops of the boundary take the rest. A dataset without points prescribes that there are none, as a torus or an
+ * open surface may have. The field has magnitude 1. Directions and guides turn it as a whole, on each component to
+ * where the mean of w_b m_b |X_b - Y_b|^2 is least; without any, the first side of one triangle is among its
+ * directions. Output 0 of vtkFieldSingularities may be connected here. At one point a field can show turns of less than
+ * pi / N across each of the edges there; a larger index is a warning.
  *
  * The arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name),
  * those of the guides by SetGuideArrayToProcess(index, 1, 0, association, name), where index is:
@@ -186,9 +188,10 @@
  * | system | which elements are prescribed; weights; other options   | products or factor |
  * | solve  | prescribed vectors; Tolerance, MaximumNumberOfIterations    | iterations         |
  *
- * With singularities set-up and system depend on the solver alone: other ones, or another N, repeat the solve. The set-up is
- * a factor, or levels, for the points, and a solve for each handle and hole. Cholesky, VCycles and ConjugateGradients act
- * as they say, all others as Automatic, always on nodal levels of samples; Alignment and ConstraintType have no effect.
+ * With singularities, set-up and system depend on the solver alone, and other singularities or another N repeat the
+ * solve. The set-up is a factor or levels for the points, and a solve for each handle and hole. Cholesky, VCycles and
+ * ConjugateGradients act as they say, all others as Automatic, always on levels of samples; Alignment and
+ * ConstraintType have no effect.
  *
  * A solve starts from the solution before. Other arrays repeat nothing, UnitLength and Combing only
  * the output arrays. HarmonicBasis repeats no stage; its fields are kept until points, triangles or
@@ -509,8 +512,8 @@ public:
 
   ///@{
   /**
-   * The singularities, input port 2, as the guides; and the array of their points that holds the indices. Default none: "Index"
-   * where there is one, else 1 / N each.
+   * The singularities, input port 2, added and removed as guides are; and the name of the point array that holds
+   * their indices. Default empty: "Index" where there is such an array, else 1 / N each.
    */
   void AddSingularitiesConnection(vtkAlgorithmOutput* output);
   void RemoveAllSingularities();

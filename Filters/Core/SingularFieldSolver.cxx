@@ -69,12 +69,12 @@ SolverOptions OptionsOfPotentials(const SolverOptions& asked, int loops)
 std::string WarningOfLargeTurning(
   const TriangleMesh& mesh, const Vector<double>& turning, int N, const ElementNames& names)
 {
-  constexpr double Rounding = 1e-9;
+  constexpr double Rounding = 1e-6; // a half turn either way looks the same
   int number = 0;
   int first = -1;
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
-    if (std::abs(turning[edge]) > Pi / N + Rounding)
+    if (std::abs(turning[edge]) > (1.0 - Rounding) * Pi / N)
     {
       first = number++ == 0 ? edge : first;
     }
@@ -84,7 +84,7 @@ std::string WarningOfLargeTurning(
     return {};
   }
   const auto [tail, head] = mesh.EdgeVertices(first);
-  return "The field turns by more than " + ShortText(180.0 / N) + " degrees across " +
+  return "The field turns by " + ShortText(180.0 / N) + " degrees or more across " +
     std::to_string(number) + (number == 1 ? " edge" : " edges") + ", as between " +
     names.Vertex(tail) + " and " + names.Vertex(head) +
     ", so that other singularities are seen there than those prescribed; prescribe several of smaller index instead, "

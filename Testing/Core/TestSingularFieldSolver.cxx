@@ -344,6 +344,21 @@ TEST(SingularFieldSolver, PrescribedDirectionsTurnTheField)
   EXPECT_LT(std::abs(between[Face] - std::polar(1.0, 4.0 * 0.8)), 1e-12);
 }
 
+// Five edges meet at the points of the icosahedron, and crosses turn by less than 45 degrees across each: by 5/8 of a turn in
+// all, less than an index of 1 takes.
+TEST(SingularFieldSolver, MoreThanTheEdgesAtAPointCanShowIsAWarning)
+{
+  const FramedMesh surface(Icosphere(3).Mesh());
+  SingularFieldSolver solver(surface);
+  solver.Solve({ { 0, 4 }, { 3, 4 } }, {}, OptionsOf(4));
+  ASSERT_EQ(solver.Report().Warnings.size(), 1u);
+  EXPECT_NE(solver.Report().Warnings[0].find("45 degrees"), std::string::npos);
+  EXPECT_TRUE(solver.Report().Converged);
+  EXPECT_DOUBLE_EQ(TopologyOf(solver).Indices.sum(), 2.0);
+  solver.Solve({ { 0, 2 }, { 3, 2 } }, {}, OptionsOf(2)); // up to 90 degrees
+  ExpectPrescribed(solver, { { 0, 2 }, { 3, 2 } }, "lines");
+}
+
 TEST(SingularFieldSolver, SurfacesWithoutInnerPointsHaveFields)
 {
   for (const Surface& shape : { Annulus(24, 1), Strip({ 1.0, 2.0, 1.0 }), PlaneGrid(1, 1) })
