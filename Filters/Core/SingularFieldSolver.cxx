@@ -52,6 +52,7 @@ struct ConnectionStage
   Vector<double> Potential;
   Vector<double> Turning;
   Vector<Complex> Powers; ///< not yet turned to what is prescribed
+  bool IsTurned = false;  ///< whether Unknowns are these, turned
   SolveReport Report;
 };
 
@@ -105,7 +106,7 @@ public:
   void SetUp(const SolverOptions& options, const ExecutionContext& context);
   void Connect(std::vector<int> times, int N, const StoppingCriteria& stop,
     const ElementNames& names, const ExecutionContext& context);
-  void TurnTo(FieldConstraints constraints, bool isNew, const ExecutionContext& context);
+  void TurnTo(FieldConstraints constraints, const ExecutionContext& context);
 
   const FramedMesh& On;
   const Vector<double> Star; ///< of 1-forms
@@ -274,13 +275,12 @@ void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N,
 }
 
 /// Turns the field on each component to where the mean of squares is least.
-/// \param isNew whether it has not been turned to anything.
 void SingularFieldSolver::Internals::TurnTo(
-  FieldConstraints constraints, bool isNew, const ExecutionContext& context)
+  FieldConstraints constraints, const ExecutionContext& context)
 {
   const bool isSame = this->Constraints.Elements == constraints.Elements &&
     this->Constraints.Weights == constraints.Weights && this->Constraints.Values == constraints.Values;
-  if (!isNew && isSame)
+  if (this->Connection->IsTurned && isSame)
   {
     return;
   }
@@ -308,6 +308,7 @@ void SingularFieldSolver::Internals::TurnTo(
   }
   this->Unknowns = AsPairs(powers);
   this->Constraints = std::move(constraints);
+  this->Connection->IsTurned = true;
   ++this->Counts.Solves;
 }
 
@@ -352,7 +353,7 @@ const Vector<double>& SingularFieldSolver::Solve(
   {
     of.Connect(std::move(times), N, stop, names, PartOfContext(context, 0.7, 0.95));
   }
-  of.TurnTo(std::move(constraints), !isKept, context);
+  of.TurnTo(std::move(constraints), context);
   context.Checkpoint(1.0);
   return of.Unknowns;
 }
