@@ -89,7 +89,7 @@ std::string WarningOfLargeTurning(
     std::to_string(number) + (number == 1 ? " edge" : " edges") + ", as between " +
     names.Vertex(tail) + " and " + names.Vertex(head) +
     ", so that other singularities are seen there than those prescribed; prescribe several of smaller index instead, "
-    "farther apart, or subdivide the surface there.";
+    "farther apart, choose fewer directions, or smooth the surface there.";
 }
 
 }

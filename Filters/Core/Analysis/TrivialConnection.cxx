@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace dmg
@@ -14,28 +15,57 @@ namespace dmg
 namespace
 {
 
-/// Turns a face by as little as brings the turning across its sides to the limit or, where that cannot be, by what makes the
-/// largest one least.
-void TurnFace(const TriangleMesh& mesh, int face, double limit, Vector<double>& turning)
+double SignOf(const TriangleMesh& mesh, int h)
 {
-  const auto sign = [&mesh](int h) { return mesh.HalfedgeOf(mesh.EdgeOf(h)) == h ? 1.0 : -1.0; };
+  return mesh.HalfedgeOf(mesh.EdgeOf(h)) == h ? 1.0 : -1.0;
+}
+
+/// The largest turning that each edge may have: the limit, or anything on the boundary and at vertices whose edges cannot share
+/// their sum within the limit; there nothing is gained by turning others.
+Vector<double> LimitsOf(const TriangleMesh& mesh, double limit, const Vector<double>& turning)
+{
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  Vector<double> limits(mesh.NumberOfEdges());
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    limits[edge] = mesh.Twin(mesh.HalfedgeOf(edge)) < 0 ? Infinity : limit;
+  }
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    double sum = 0.0;
+    double most = 0.0;
+    mesh.VisitFan(vertex, [&](int h) {
+      sum += SignOf(mesh, h) * turning[mesh.EdgeOf(h)];
+      most += limit;
+    });
+    if (!mesh.IsBoundaryVertex(vertex) && std::abs(sum) > most)
+    {
+      mesh.VisitFan(vertex, [&](int h) { limits[mesh.EdgeOf(h)] = Infinity; });
+    }
+  }
+  return limits;
+}
+
+/// Turns a face by as little as brings the turning across its sides to their limits or, where that cannot be, by what makes the
+/// largest excess least.
+void TurnFace(
+  const TriangleMesh& mesh, int face, const Vector<double>& limits, Vector<double>& turning)
+{
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   for (int h = 3 * face; h < 3 * face + 3; ++h)
   {
-    if (mesh.Twin(h) >= 0)
-    {
-      const double outwards = sign(h) * turning[mesh.EdgeOf(h)];
-      least = std::max(least, outwards - limit);
-      most = std::min(most, outwards + limit);
-    }
+    const int edge = mesh.EdgeOf(h);
+    const double outwards = SignOf(mesh, h) * turning[edge];
+    least = std::max(least, outwards - limits[edge]);
+    most = std::min(most, outwards + limits[edge]);
   }
   const double turn = least <= most ? std::clamp(0.0, least, most) : 0.5 * (least + most);
   for (int h = 3 * face; h < 3 * face + 3; ++h)
   {
     if (mesh.Twin(h) >= 0)
     {
-      turning[mesh.EdgeOf(h)] -= sign(h) * turn;
+      turning[mesh.EdgeOf(h)] -= SignOf(mesh, h) * turn;
     }
   }
 }
@@ -97,15 +127,22 @@ Vector<double> NearestIntegers(const Eigen::MatrixXd& energy, const Vector<doubl
 void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turning)
 {
   constexpr int MostPasses = 200;
-  const double tooMuch = limit * (1.0 + 1e-12); // rounding
-  std::vector<int> edges;
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  const double rounding = 1e-12 * limit;
+  std::vector<int> edges(mesh.NumberOfEdges());
+  std::iota(edges.begin(), edges.end(), 0);
+  const auto keepThoseBeyond = [&](const auto& limitOf) {
+    edges.erase(std::remove_if(edges.begin(), edges.end(),
+                  [&](int edge) { return std::abs(turning[edge]) <= limitOf(edge) + rounding; }),
+      edges.end());
+  };
+  keepThoseBeyond([limit](int) { return limit; });
+  if (edges.empty())
   {
-    if (std::abs(turning[edge]) > tooMuch)
-    {
-      edges.push_back(edge);
-    }
+    return;
   }
+  const Vector<double> limits = LimitsOf(mesh, limit, turning);
+  const auto ownLimit = [&limits](int edge) { return limits[edge]; };
+  keepThoseBeyond(ownLimit);
   for (int pass = 0; pass < MostPasses && !edges.empty(); ++pass)
   {
     std::vector<int> touched;
@@ -114,16 +151,15 @@ void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turnin
       for (const int h : { mesh.HalfedgeOf(edge), mesh.Twin(mesh.HalfedgeOf(edge)) })
       {
         const int face = TriangleMesh::FaceOf(h);
-        TurnFace(mesh, face, limit, turning);
+        TurnFace(mesh, face, limits, turning);
         touched.insert(touched.end(),
           { mesh.EdgeOf(3 * face), mesh.EdgeOf(3 * face + 1), mesh.EdgeOf(3 * face + 2) });
       }
     }
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-    edges.clear();
-    std::copy_if(touched.begin(), touched.end(), std::back_inserter(edges),
-      [&](int edge) { return std::abs(turning[edge]) > tooMuch; });
+    edges = std::move(touched);
+    keepThoseBeyond(ownLimit);
   }
 }
 

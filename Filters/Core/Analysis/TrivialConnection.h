@@ -42,7 +42,8 @@ Vector<double> NearestIntegers(const Eigen::MatrixXd& energy, const Vector<doubl
 /// Turns faces, each as a whole, until no edge with two faces is turned across by more than \p limit: else the directions of
 /// the two, which are all that is left in the end, would be matched in another way, and show other singularities. Turning a
 /// face changes no sum around a vertex or along a loop. The faces beside the edges are turned as little as is enough, and
-/// those around them where that is not; a singularity of many turns at a vertex with few edges leaves some over.
+/// those around them where that is not. Edges stay as they are at vertices where the sum is more than they can share: at
+/// singularities of many turns, and at spikes.
 /// Cost: O(#E), and a few steps for each such edge.
 void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turning);
 

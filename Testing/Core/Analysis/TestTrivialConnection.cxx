@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <vector>
+
 using namespace dmg;
 using namespace dmg::test;
 
@@ -65,5 +68,31 @@ TEST(TrivialConnection, AngleDefectsSumToTheEulerCharacteristic)
     const Vector<double> defects =
       AngleDefects(mesh, Corners(mesh, SideDirections(mesh, faces), faces, vertices));
     EXPECT_NEAR(defects.sum(), 2.0 * Pi * characteristic, 1e-11);
+  }
+}
+
+// Five edges cannot share more than five times the limit; what is impossible there leaves the others alone.
+TEST(TrivialConnection, TurningThatCannotBeLimitedStaysAtItsPoint)
+{
+  const TriangleMesh mesh = Icosphere(2).Mesh();
+  constexpr int Spike = 0; // of the icosahedron
+  Vector<double> turning = Vector<double>::Zero(mesh.NumberOfEdges());
+  std::vector<char> isAtSpike(mesh.NumberOfEdges(), 0);
+  mesh.VisitFan(Spike, [&](int h) {
+    const int edge = mesh.EdgeOf(h);
+    turning[edge] = mesh.HalfedgeOf(edge) == h ? 0.8 : -0.8;
+    isAtSpike[edge] = 1;
+  });
+  const Vector<double> before = turning;
+  LimitTurning(mesh, 0.75, turning);
+  EXPECT_EQ(turning, before);
+
+  // Beside it another edge, which can be limited.
+  const int beside = mesh.EdgeOf(TriangleMesh::Next(mesh.OutgoingHalfedge(Spike)));
+  turning[beside] = 1.0;
+  LimitTurning(mesh, 0.75, turning);
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    EXPECT_TRUE(isAtSpike[edge] || std::abs(turning[edge]) <= 0.75 * (1.0 + 1e-11)) << edge;
   }
 }
