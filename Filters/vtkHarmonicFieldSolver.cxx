@@ -5,6 +5,7 @@
 #include "Adapters/FilterRequests.h"
 #include "Adapters/OptionsOfSolver.h"
 #include "Adapters/ReportToArrays.h"
+#include "Adapters/SingularitiesOnSurface.h"
 #include "Adapters/SolvedSurface.h"
 
 #include "vtkDataSetAttributes.h"
@@ -28,7 +29,7 @@ public:
 vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   : Internals(new vtkInternals)
 {
-  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
   this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS,
     vtkDataSetAttributes::VECTORS);
@@ -47,6 +48,18 @@ void vtkHarmonicFieldSolver::AddGuidesConnection(vtkAlgorithmOutput* output)
 void vtkHarmonicFieldSolver::RemoveAllGuides()
 {
   this->SetInputConnection(1, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::AddSingularitiesConnection(vtkAlgorithmOutput* output)
+{
+  this->AddInputConnection(2, output);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::RemoveAllSingularities()
+{
+  this->SetInputConnection(2, nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -130,6 +143,8 @@ int vtkHarmonicFieldSolver::RequestData(
     dmg::SolvedSurface& kept = this->Internals->Kept;
     const dmg::Guides guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides,
       this->MaximumDistance };
+    const dmg::Singularities singularities{ dmg::DataOf(inputVector[2]), this->SingularityIndexArray,
+      this->MaximumDistance };
     const dmg::FieldOptions options = dmg::OptionsOf(this);
     kept.SetSurface(input, options.Solver.Kind, dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
@@ -141,8 +156,12 @@ int vtkHarmonicFieldSolver::RequestData(
     }
     const auto missing = dmg::FollowFeatures(
       this, input, kept, prescribed.Directions, dmg::PartOfContext(context, 0.1, 0.1));
-    const auto warnings = kept.Solve(
-      prescribed.Directions, options, stop, dmg::PartOfContext(context, 0.1, 0.9));
+    const dmg::PartOfContext ofSolve(context, 0.1, 0.9);
+    const auto warnings = singularities.Data.empty()
+      ? kept.Solve(prescribed.Directions, options, stop, ofSolve)
+      : kept.Solve(
+          dmg::BringToSurface(singularities, options.Field.N, input, kept.Surface()),
+          prescribed.Directions, options, stop, ofSolve);
     for (const auto* const texts : { &missing, &warnings })
     {
       for (const std::string& text : *texts)
@@ -197,6 +216,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
      << (this->CurvatureDirection == MaximumCurvature ? "MaximumCurvature" : "MinimumCurvature") << "\n";
   os << indent << "CurvatureScale: " << this->CurvatureScale << "\n";
   os << indent << "Rotation: " << this->Rotation << "\n";
+  os << indent << "SingularityIndexArray: " << this->SingularityIndexArray << "\n";
   os << indent << "Solver: " << solvers[this->Solver] << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")

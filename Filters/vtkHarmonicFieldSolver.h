@@ -78,6 +78,17 @@
  * well; a vector that is perpendicular is an error. What was left out is told by a warning and by
  * the report (Outputs). A guide with neither lines nor vectors is an error, an empty one is not.
  *
+ * Port 2, the singularities (optional, any number of connections, of the same types as guides): a power field gets
+ * these and no others, and turns as little as it can then, by trivial connections (Crane, Desbrun and Schroeder
+ * 2010). Each point goes to the nearest point inside the surface. Its index, in the point array that
+ * SingularityIndexArray names, is a multiple of 1 / N; those at one point of the surface add up. On a closed component
+ * they sum to its Euler characteristic, 2 - 2 genus; else the error says what is missing. With boundary any sum will
+ * do: the loops of the boundary take the rest. A dataset without points prescribes that there are none, as a torus or an
+ * open surface may have. The field has magnitude 1. Directions and guides turn it as a whole, on each component to
+ * where the mean of w_b m_b |X_b - Y_b|^2 is least; without any, the first side of one triangle is among its
+ * directions. Output 0 of vtkFieldSingularities may be connected here. At one point a field can show turns of less than
+ * pi / N across each of the edges there; a larger index is a warning.
+ *
  * The arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name),
  * those of the guides by SetGuideArrayToProcess(index, 1, 0, association, name), where index is:
  *
@@ -232,6 +243,11 @@
  * | system | which elements are prescribed; weights; other options   | products or factor |
  * | solve  | prescribed vectors; Tolerance, MaximumNumberOfIterations    | iterations         |
  *
+ * With singularities, set-up and system depend on the solver alone, and other singularities or another N repeat the
+ * solve. The set-up is a factor or levels for the points, and a solve for each handle and hole. Cholesky, VCycles and
+ * ConjugateGradients act as they say, all others as Automatic, always on levels of samples; Alignment and
+ * ConstraintType have no effect.
+ *
  * A solve starts from the solution before. Other arrays repeat nothing, UnitLength and Combing only
  * the output arrays. HarmonicBasis repeats no stage; its fields are kept until points, triangles or
  * Discretisation change. A solve that does not reach Tolerance gives the best field that it
@@ -256,6 +272,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHarmonicFieldSolver : public vtkPolyDataAlgorithm
 {
@@ -557,7 +574,18 @@ public:
 
   ///@{
   /**
-   * How far from the surface guides count, relative to the diagonal of its bounding box. Default
+   * The singularities, input port 2, added and removed as guides are; and the name of the point array that holds
+   * their indices. Default empty: "Index" where there is such an array, else 1 / N each.
+   */
+  void AddSingularitiesConnection(vtkAlgorithmOutput* output);
+  void RemoveAllSingularities();
+  vtkSetStdStringFromCharMacro(SingularityIndexArray);
+  vtkGetCharFromStdStringMacro(SingularityIndexArray);
+  ///@}
+
+  ///@{
+  /**
+   * How far from the surface guides count, and singularities may be, relative to the diagonal of its bounding box. Default
    * 0.1, at least 0.
    */
   vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
@@ -664,6 +692,7 @@ private:
   int CurvatureDirection = MaximumCurvature;
   double CurvatureScale = 3.0;
   double Rotation = 0.0;
+  std::string SingularityIndexArray;
   int Solver = Automatic;
   int ExpectedSolves = 1;
   int CoarseSpace = Nodal;

@@ -33,12 +33,13 @@ double Value(const ChosenArray& array, vtkIdType cell, vtkIdType point)
 
 }
 
-std::string NameOfGuide(std::size_t guide, std::size_t guides)
+std::string NameOfGuide(std::size_t guide, std::size_t guides, const std::string& kind)
 {
-  return guides == 1 ? std::string("the guide") : "guide " + std::to_string(guide);
+  return guides == 1 ? "the " + kind : kind + " " + std::to_string(guide);
 }
 
-std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides)
+std::vector<GuideDataSet> DataSetsOf(
+  const std::vector<vtkDataObject*>& guides, const InputWords& words)
 {
   std::vector<GuideDataSet> datasets;
   const auto add = [&datasets](vtkDataObject* data, std::size_t guide, const std::string& name)
@@ -52,7 +53,7 @@ std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides)
   };
   for (std::size_t guide = 0; guide < guides.size(); ++guide)
   {
-    const std::string name = NameOfGuide(guide, guides.size());
+    const std::string name = NameOfGuide(guide, guides.size(), words.Kind);
     if (auto* const composite = vtkCompositeDataSet::SafeDownCast(guides[guide]))
     {
       const auto parts = vtk::TakeSmartPointer(composite->NewIterator());
@@ -65,8 +66,8 @@ std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides)
     else if (!add(guides[guide], guide, name))
     {
       throw InvalidInput(name + " is a " + guides[guide]->GetClassName() +
-        ", which is no dataset; connect lines or points with vectors to Guides, as Table To Points "
-        "(vtkTableToPolyData) makes of a table");
+        ", which is no dataset; connect " + words.Takes +
+        ", as Table To Points (vtkTableToPolyData) makes of a table");
     }
   }
   return datasets;

@@ -20,11 +20,21 @@ struct GuideDataSet
 };
 
 /// How messages call guide \p guide of several.
-std::string NameOfGuide(std::size_t guide, std::size_t guides);
+/// \param kind what it is, in place of a guide.
+std::string NameOfGuide(
+  std::size_t guide, std::size_t guides, const std::string& kind = "guide");
+
+/// What an input takes, for messages.
+struct InputWords
+{
+  std::string Kind = "guide";
+  std::string Takes = "lines or points with vectors to Guides";
+};
 
 /// All datasets with points.
 /// \throw InvalidInput a guide is neither a dataset nor composite.
-std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides);
+std::vector<GuideDataSet> DataSetsOf(
+  const std::vector<vtkDataObject*>& guides, const InputWords& words = {});
 
 bool IsLine(vtkDataSet* dataset, vtkIdType cell);
 bool HasLines(vtkDataSet* dataset);

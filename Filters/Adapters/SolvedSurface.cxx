@@ -44,6 +44,8 @@ void SolvedSurface::SetSurface(
     SurfaceMesh surface = MeshFromPolyData(input, order, context);
     auto solver = std::make_unique<FieldSolver>(std::move(surface.Mesh), context);
     this->OfFormerSurfaces = this->Counts();
+    this->Solved = nullptr;
+    this->WithSingularities.reset(); // it refers to the former surface
     this->Arrays.reset();
     this->Shown.reset();
     this->CurvaturesAtScale.reset();
@@ -81,12 +83,14 @@ std::shared_ptr<const ProlongationOperators> SolvedSurface::Operators(
   return this->Read.back().second;
 }
 
-std::vector<std::string> SolvedSurface::Solve(const PrescribedDirections& directions,
-  const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context)
+std::vector<std::string> SolvedSurface::Update(
+  SolvedField& solver, const std::function<void()>& solve)
 {
-  const int solves = this->Solver->Counts().Solves;
-  this->Solver->Solve(directions, options, stop, context, this->Numbers.Names());
-  if (this->Solver->Counts().Solves == solves)
+  const SolvedField* const former = std::exchange(this->Solved, nullptr);
+  const int solves = solver.Counts().Solves;
+  solve();
+  this->Solved = &solver;
+  if (former == &solver && solver.Counts().Solves == solves)
   {
     return {};
   }
@@ -105,6 +109,27 @@ const PrincipalCurvatures& SolvedSurface::Curvatures(double scale, const Executi
   return this->CurvaturesAtScale->second;
 }
 
+std::vector<std::string> SolvedSurface::Solve(const PrescribedDirections& directions,
+  const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  return this->Update(*this->Solver,
+    [&] { this->Solver->Solve(directions, options, stop, context, this->Numbers.Names()); });
+}
+
+std::vector<std::string> SolvedSurface::Solve(
+  const std::vector<PrescribedSingularity>& singularities, const PrescribedDirections& directions,
+  const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  if (!this->WithSingularities)
+  {
+    this->WithSingularities = std::make_unique<SingularFieldSolver>(this->Solver->Surface());
+  }
+  return this->Update(*this->WithSingularities, [&] {
+    this->WithSingularities->Solve(
+      singularities, directions, options, stop, context, this->Numbers.Names());
+  });
+}
+
 void SolvedSurface::MakeArrays(
   vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context)
 {
@@ -112,14 +137,14 @@ void SolvedSurface::MakeArrays(
   {
     this->Arrays.reset();
     this->Shown = ShowField(this->Solver->Surface(), this->Numbers, this->Field(),
-      this->Solver->Unknowns(), combing, this->Shown ? &*this->Shown : nullptr,
+      this->Solved->Unknowns(), combing, this->Shown ? &*this->Shown : nullptr,
       PartOfContext(context, 0.0, 0.6));
     this->IsShownCurrent = true;
   }
   if (!this->Arrays || this->Arrays->UnitLength != unitLength)
   {
     this->Arrays = MakeFieldArrays(this->Solver->Surface(), this->Numbers, this->Field(),
-      this->Solver->Unknowns(), *this->Shown, unitLength, input, PartOfContext(context, 0.6, 1.0));
+      this->Solved->Unknowns(), *this->Shown, unitLength, input, PartOfContext(context, 0.6, 1.0));
   }
 }
 
@@ -127,7 +152,7 @@ void SolvedSurface::AddArraysTo(vtkPolyData* surface, vtkPolyData* edges, bool h
 {
   AddFieldArrays(*this->Arrays, surface, edges);
   AddPrescribed(
-    this->Numbers, this->Solver->Constraints(), this->Field().Elements(), surface, edges);
+    this->Numbers, this->Solved->Constraints(), this->Field().Elements(), surface, edges);
   if (hasBasis)
   {
     AddBasisArrays(this->Basis(), surface, edges);
@@ -151,26 +176,31 @@ bool SolvedSurface::MakeBasis(vtkPolyData* input, const ExecutionContext& contex
   }
   this->BasisOfSurface.reset(); // the memory of another discretisation first
   this->BasisOfSurface = MakeBasisArrays(this->Solver->Surface(), this->Numbers, this->Field(),
-    this->Solver->HarmonicFields(), input, context);
+    this->Solved->HarmonicFields(), input, context);
   return true;
 }
 
 FieldSolver::StageCounts SolvedSurface::Counts() const
 {
   FieldSolver::StageCounts counts = this->OfFormerSurfaces;
-  if (this->Solver)
+  for (const SolvedField* const solver :
+    { static_cast<const SolvedField*>(this->Solver.get()),
+      static_cast<const SolvedField*>(this->WithSingularities.get()) })
   {
-    const FieldSolver::StageCounts& now = this->Solver->Counts();
-    counts.Setups += now.Setups;
-    counts.Systems += now.Systems;
-    counts.Solves += now.Solves;
+    if (solver)
+    {
+      const SolvedField::StageCounts& now = solver->Counts();
+      counts.Setups += now.Setups;
+      counts.Systems += now.Systems;
+      counts.Solves += now.Solves;
+    }
   }
   return counts;
 }
 
 double SolvedSurface::SetupSeconds() const
 {
-  return this->SurfaceSeconds + this->OperatorsSeconds + this->Solver->SetupSeconds();
+  return this->SurfaceSeconds + this->OperatorsSeconds + this->Solved->SetupSeconds();
 }
 
 }

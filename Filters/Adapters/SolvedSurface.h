@@ -7,8 +7,10 @@
 #include "Adapters/OperatorsToFieldData.h"
 #include "FieldSolver.h"
 #include "Operators/PrincipalDirections.h"
+#include "SingularFieldSolver.h"
 #include "Support/ExecutionContext.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -39,6 +41,11 @@ public:
   std::vector<std::string> Solve(const PrescribedDirections& directions,
     const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context);
 
+  /// The same with singularities; see SingularFieldSolver::Solve.
+  std::vector<std::string> Solve(const std::vector<PrescribedSingularity>& singularities,
+    const PrescribedDirections& directions, const FieldOptions& options,
+    const StoppingCriteria& stop, const ExecutionContext& context);
+
   /// The arrays of the field, where they are not those that stand.
   void MakeArrays(
     vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context);
@@ -51,8 +58,8 @@ public:
   bool MakeBasis(vtkPolyData* input, const ExecutionContext& context);
   const BasisArrays& Basis() const { return *this->BasisOfSurface; }
 
-  const Discretisation& Field() const { return this->Solver->Field(); }
-  const SolveReport& Report() const { return this->Solver->Report(); }
+  const Discretisation& Field() const { return this->Solved->Field(); }
+  const SolveReport& Report() const { return this->Solved->Report(); }
   /// Over all surfaces.
   FieldSolver::StageCounts Counts() const;
   double SetupSeconds() const;
@@ -60,11 +67,15 @@ public:
 private:
   std::shared_ptr<const ProlongationOperators> Operators(
     vtkPolyData* input, const OperatorsOrigin& origin);
+  /// Solves, and forgets what is shown of another field.
+  std::vector<std::string> Update(SolvedField& solver, const std::function<void()>& solve);
 
   std::string Digest;
   dmg::Numbering Order = dmg::Numbering::Spatial;
   SurfaceNumbering Numbers;
   std::unique_ptr<FieldSolver> Solver;
+  std::unique_ptr<SingularFieldSolver> WithSingularities; ///< as soon as there have been some
+  const SolvedField* Solved = nullptr; ///< the one of both that has solved last
   /// All operators of this surface that were read.
   std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> Read;
   std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;

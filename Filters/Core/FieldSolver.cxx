@@ -3,7 +3,6 @@
 #include "Discretisations/MakeDiscretisation.h"
 #include "FieldSetup.h"
 #include "Levels/SurfaceHierarchy.h"
-#include "Operators/PowerFieldDirections.h"
 #include "Solvers/HarmonicProblem.h"
 #include "Solvers/SolveInUnits.h"
 
@@ -412,24 +411,6 @@ const Vector<double>& FieldSolver::Unknowns() const
 const SolveReport& FieldSolver::Report() const
 {
   return this->Internal->Solution->Report;
-}
-
-Points FieldSolver::Directions(int k, const ExecutionContext& context) const
-{
-  const auto& [mesh, faceFrames, vertexFrames] = this->Surface();
-  const Discretisation& field = this->Field();
-  const Unfilled<Corner> corners =
-    Corners(mesh, SideDirections(mesh, faceFrames, context), faceFrames, vertexFrames, context);
-  const int N = field.DirectionsPerPoint();
-  const Vector<Complex> first =
-    FirstDirections(field.Powers(this->Unknowns(), corners, context).Faces, N, {}, context);
-  const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
-  Points vectors(mesh.NumberOfFaces(), 3);
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    vectors.row(face) = faceFrames.ToVector(face, turn * first[face]).transpose();
-  }
-  return vectors;
 }
 
 Eigen::MatrixXd FieldSolver::HarmonicFields() const

@@ -1,11 +1,9 @@
 #ifndef dmgFieldSolver_h
 #define dmgFieldSolver_h
 
-#include "Discretisations/Discretisation.h"
 #include "FieldOptions.h"
 #include "Levels/Transfers/ProlongationOperators.h"
-#include "Mesh/FramedMesh.h"
-#include "Solvers/Krylov/SolveReport.h"
+#include "SolvedField.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -28,14 +26,14 @@ namespace dmg
 ///
 /// Levels that were built for a surface are all kept, and so is what the set-up makes of them for a discretisation,
 /// while there is room (SetMemoryLimit): going back to a former N costs no set-up. A stage that throws leaves those before it as they are.
-class FieldSolver
+class FieldSolver : public SolvedField
 {
 public:
   /// Cost: O(#F).
   explicit FieldSolver(TriangleMesh mesh, const ExecutionContext& context = SerialContext());
-  ~FieldSolver();
+  ~FieldSolver() override;
 
-  const FramedMesh& Surface() const;
+  const FramedMesh& Surface() const override;
 
   /// Operators of this surface that were built before, in place of those that solvers would build for themselves.
   /// \param operators null: none.
@@ -59,28 +57,14 @@ public:
 
   // Of the last solve. \pre there was one.
 
-  const Discretisation& Field() const;
+  const Discretisation& Field() const override;
   const FieldOptions& Options() const;
-  const FieldConstraints& Constraints() const;
-  const Vector<double>& Unknowns() const;
-  const SolveReport& Report() const;
-  /// Direction k of each face as a vector in space, of the field's magnitude; #F x 3.
-  Points Directions(int k, const ExecutionContext& context = SerialContext()) const;
-  /// The harmonic fields that the solver knows of: any basis, a column each. None where it has not needed them, or there are
-  /// too many to hold.
-  Eigen::MatrixXd HarmonicFields() const;
-
-  /// How often each stage has been completed. What is made of given operators is no set-up, and neither is what is found
-  /// again.
-  struct StageCounts
-  {
-    int Setups = 0;
-    int Systems = 0;
-    int Solves = 0;
-  };
-  const StageCounts& Counts() const;
-  /// What the set-up of the last solve has taken.
-  double SetupSeconds() const;
+  const FieldConstraints& Constraints() const override;
+  const Vector<double>& Unknowns() const override;
+  const SolveReport& Report() const override;
+  Eigen::MatrixXd HarmonicFields() const override;
+  const StageCounts& Counts() const override;
+  double SetupSeconds() const override;
 
 private:
   class Internals;

@@ -228,6 +228,40 @@ TEST(HarmonicProblem, AgreesWithCholesky)
 
 // Cotangents of faces without area make matrices of 1-forms so uneven that rounding errors alone
 // are 1e-9 or so of a right-hand side.
+// Where the sum of roughness, penalties and -2 source^T x is least, its derivative is zero.
+TEST(HarmonicProblem, SourcesActOnAllThatIsFree)
+{
+  const Prepared on(IrregularSphere(3, 3), DiscretisationKind::OneForm);
+  const SparseMatrix<double> R = OneFormLaplacian(on.Mesh, SerialContext());
+  const Elements elements = on.Every(37);
+  Random random(91);
+  Vector<double> source(on.NumberOfUnknowns());
+  for (double& value : source)
+  {
+    value = random.Uniform(-1.0, 1.0);
+  }
+  for (const ConstraintKind constraints : BothConstraints)
+  {
+    const FieldWeights weights{ 2.5, 0.7, constraints };
+    const PrescribedUnknowns prescribed = on.Prescribed(elements, weights);
+    const Vector<double> values = on.RandomValues(elements, 12);
+    for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
+    {
+      HarmonicProblem problem = on.Problem(elements, weights, solver);
+      const Vector<double> x = problem.Solve(values, {}, {}, Tight(), SerialContext(), source);
+      const bool isHard = constraints == ConstraintKind::Hard;
+      Vector<double> derivative = (isHard ? 1.0 : weights.Smoothness) * (R * x) - source;
+      for (std::size_t b = 0; b < elements.Numbers.size(); ++b)
+      {
+        const int i = elements.Numbers[b];
+        derivative[i] =
+          isHard ? x[i] - values[b] : derivative[i] + prescribed.Alignment[b] * (x[i] - values[b]);
+      }
+      EXPECT_LT(derivative.norm(), 1e-9 * source.norm()) << Describe(on.Kind, constraints);
+    }
+  }
+}
+
 TEST(HarmonicProblem, FacesWithoutArea)
 {
   for (const DiscretisationKind kind : Kinds)

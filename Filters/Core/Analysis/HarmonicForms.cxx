@@ -1,5 +1,6 @@
 #include "Analysis/HarmonicForms.h"
 
+#include "Analysis/TreeCotree.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Solvers/Direct/CholeskySolver.h"
@@ -14,104 +15,6 @@ namespace dmg
 
 namespace
 {
-
-constexpr int None = -1;
-
-/// Marks the edges of a spanning forest of the vertices.
-std::vector<char> EdgesOfTree(const TriangleMesh& mesh)
-{
-  std::vector<char> isInTree(mesh.NumberOfEdges(), 0);
-  std::vector<char> reached(mesh.NumberOfVertices(), 0);
-  std::vector<int> queue;
-  for (int root = 0; root < mesh.NumberOfVertices(); ++root)
-  {
-    if (reached[root])
-    {
-      continue;
-    }
-    reached[root] = 1;
-    queue.assign(1, root);
-    for (std::size_t k = 0; k < queue.size(); ++k)
-    {
-      const int first = mesh.OutgoingHalfedge(queue[k]);
-      const auto visit = [&](int edge, int vertex) {
-        if (!reached[vertex])
-        {
-          reached[vertex] = 1;
-          isInTree[edge] = 1;
-          queue.push_back(vertex);
-        }
-      };
-      int h = first;
-      do
-      {
-        visit(mesh.EdgeOf(h), mesh.Head(h));
-        const int incoming = TriangleMesh::Previous(h);
-        h = mesh.Twin(incoming);
-        if (h < 0)
-        {
-          visit(mesh.EdgeOf(incoming), mesh.Tail(incoming));
-        }
-      } while (h >= 0 && h != first);
-    }
-  }
-  return isInTree;
-}
-
-/// A spanning forest of the faces that does not cross the edges of the tree. What lies beyond the
-/// boundary is the root of every component that has one.
-struct Cotree
-{
-  std::vector<int> Faces;           ///< parents before children
-  std::vector<int> ParentHalfedges; ///< by face, the side towards the parent; None at other roots
-};
-
-Cotree MakeCotree(const TriangleMesh& mesh, std::vector<char>& isTaken)
-{
-  Cotree cotree;
-  cotree.ParentHalfedges.assign(mesh.NumberOfFaces(), None);
-  std::vector<char> reached(mesh.NumberOfFaces(), 0);
-  const auto grow = [&](std::size_t k) {
-    for (; k < cotree.Faces.size(); ++k)
-    {
-      for (int h = 3 * cotree.Faces[k]; h < 3 * cotree.Faces[k] + 3; ++h)
-      {
-        const int twin = mesh.Twin(h);
-        if (twin < 0 || isTaken[mesh.EdgeOf(h)] || reached[TriangleMesh::FaceOf(twin)])
-        {
-          continue;
-        }
-        reached[TriangleMesh::FaceOf(twin)] = 1;
-        cotree.ParentHalfedges[TriangleMesh::FaceOf(twin)] = twin;
-        isTaken[mesh.EdgeOf(h)] = 1;
-        cotree.Faces.push_back(TriangleMesh::FaceOf(twin));
-      }
-    }
-  };
-  // From beyond the boundary first.
-  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
-  {
-    const int face = TriangleMesh::FaceOf(h);
-    if (mesh.Twin(h) < 0 && !isTaken[mesh.EdgeOf(h)] && !reached[face])
-    {
-      reached[face] = 1;
-      cotree.ParentHalfedges[face] = h;
-      isTaken[mesh.EdgeOf(h)] = 1;
-      cotree.Faces.push_back(face);
-    }
-  }
-  grow(0);
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
-  {
-    if (!reached[face])
-    {
-      reached[face] = 1;
-      cotree.Faces.push_back(face);
-      grow(cotree.Faces.size() - 1);
-    }
-  }
-  return cotree;
-}
 
 /// Calls visit(k) for each column of \p columns, in all threads.
 template <class Visit>
@@ -165,24 +68,15 @@ bool AreTooManyToHold(int loops, const TriangleMesh& mesh)
 
 Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context)
 {
-  std::vector<char> isTaken = EdgesOfTree(mesh);
-  const Cotree cotree = MakeCotree(mesh, isTaken);
-  std::vector<int> generators;
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    if (!isTaken[edge])
-    {
-      generators.push_back(edge);
-    }
-  }
+  const TreeCotree trees = MakeTreeCotree(mesh, BoundaryAs::Face);
   Eigen::MatrixXd forms =
-    Eigen::MatrixXd::Zero(mesh.NumberOfEdges(), static_cast<int>(generators.size()));
-  const auto close = [&mesh, &cotree](auto&& form) {
-    for (std::size_t i = cotree.Faces.size(); i-- > 0;)
+    Eigen::MatrixXd::Zero(mesh.NumberOfEdges(), static_cast<int>(trees.Generators.size()));
+  const auto close = [&mesh, &trees](auto&& form) {
+    for (std::size_t i = trees.Faces.size(); i-- > 0;)
     {
-      const int face = cotree.Faces[i];
-      const int toParent = cotree.ParentHalfedges[face];
-      if (toParent == None)
+      const int face = trees.Faces[i];
+      const int toParent = trees.ParentHalfedges[face];
+      if (toParent < 0)
       {
         continue;
       }
@@ -195,7 +89,7 @@ Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& co
     }
   };
   ForColumns(forms, context, [&](int k) {
-    forms(generators[k], k) = 1.0;
+    forms(trees.Generators[k], k) = 1.0;
     close(forms.col(k));
   });
   return forms;

@@ -489,7 +489,8 @@ void HarmonicProblem::Internals::FindSmoothest(Vector<double> start, const Stopp
 }
 
 Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector<double>& start,
-  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context)
+  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context,
+  const Vector<double>& source)
 {
   Internals& of = *this->Internal;
   assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
@@ -497,7 +498,12 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   const std::vector<int>& order = of.Setup->Hierarchy->Order;
   const std::vector<int>& unprescribed = of.Unprescribed.Items;
   Vector<double> smoothest = unprescribed.empty() ? Vector<double>() : Gathered(start, order, context);
-  const Vector<double> b = of.RightHandSide(values, context);
+  Vector<double> b = of.RightHandSide(values, context);
+  if (source.size() > 0)
+  {
+    b += Gathered(source, order, context) / of.Smoothness;
+    SetZero(b, of.Held, context);
+  }
   const Vector<double> held = of.HeldByPenalties(values);
   Vector<double> difference; // b - A held
   of.A->Apply(held, difference, context);

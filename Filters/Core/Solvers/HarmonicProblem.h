@@ -57,12 +57,14 @@ public:
   /// \param values y, one per prescribed unknown.
   /// \param start first guess, one per unknown, or empty for zero; not of factorisations and nested iterations.
   /// \param reference the solution, for the Error of every row of the history, or empty.
+  /// \param source what is minimised loses 2 source^T x; one per unknown, or empty for zero. Not of nested iterations.
   /// \return one per unknown. Not converged: the best vector reached; see Report(). Nested iterations are approximations, and
   ///   not to converge is no warning.
   /// \throw InvalidInput nested iterations while the error falls, without a reference.
   /// \throw Cancelled
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start,
-    const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context);
+    const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context,
+    const Vector<double>& source = {});
 
   const MultigridSetup& Setup() const;
 

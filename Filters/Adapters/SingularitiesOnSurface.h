@@ -1,0 +1,34 @@
+#ifndef dmgSingularitiesOnSurface_h
+#define dmgSingularitiesOnSurface_h
+
+#include "Adapters/MeshFromPolyData.h"
+#include "Analysis/PrescribedSingularities.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+class vtkPolyData;
+
+namespace dmg
+{
+
+/// Datasets whose points are singularities, and how they are read; the rules are those of vtkHarmonicFieldSolver.h.
+struct Singularities
+{
+  std::vector<vtkDataObject*> Data; ///< datasets, or composite ones
+  std::string IndexArray;           ///< of their points; empty: "Index" where there is one, else 1 / N each
+  double MaximumDistance = 0.1;     ///< from the surface, relative to the diagonal of its bounding box
+};
+
+/// Each at the nearest vertex inside.
+/// \param surface that \p framed was made from.
+/// \throw InvalidInput something is no dataset, has no such array, or an index that is no multiple of 1 / N; a point is not
+///   finite, too far from the surface, or nearest to a triangle whose points are all on the boundary.
+/// Cost: a locator over the surface, and logarithmic time for each point.
+std::vector<PrescribedSingularity> BringToSurface(
+  const Singularities& singularities, int N, vtkPolyData* surface, const FramedSurface& framed);
+
+}
+
+#endif
