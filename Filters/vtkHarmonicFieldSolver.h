@@ -245,8 +245,8 @@
  *
  * With singularities, set-up and system depend on the solver alone, and other singularities or another N repeat the
  * solve. The set-up is a factor or levels for the points, and a solve for each handle and hole. Cholesky, VCycles and
- * ConjugateGradients act as they say, all others as Automatic, always on levels of samples; Alignment and
- * ConstraintType have no effect.
+ * ConjugateGradients act as they say, all others as Automatic, always on levels of samples; a Tolerance above 1e-6 is taken
+ * as that. Alignment and ConstraintType have no effect.
  *
  * A solve starts from the solution before. Other arrays repeat nothing, UnitLength and Combing only
  * the output arrays. HarmonicBasis repeats no stage; its fields are kept until points, triangles or

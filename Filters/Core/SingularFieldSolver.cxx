@@ -11,7 +11,7 @@
 
 #include <Eigen/Cholesky>
 
-#include <cassert>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <optional>
@@ -24,6 +24,8 @@ namespace
 
 /// Of what directions can show, so that rounding does not count.
 constexpr double LargestTurning = 0.99;
+/// What is left of a sum around a vertex adds up along the way around many of them.
+constexpr double LargestTolerance = 1e-6;
 
 using Clock = std::chrono::steady_clock;
 
@@ -194,8 +196,9 @@ void SingularFieldSolver::Internals::AddHarmonicForms(
   system.Potentials.resize(this->On.Mesh.NumberOfVertices(), loops);
   for (int k = 0; k < loops; ++k)
   {
-    system.Potentials.col(k) = this->Potential(
-      system, system.Divergences.col(k), {}, stop, PartOfContext(context, 1.0 * k / loops, 1.0 * (k + 1) / loops));
+    const double step = 1.0 / loops;
+    system.Potentials.col(k) = this->Potential(system, system.Divergences.col(k), {}, stop,
+      PartOfContext(context, step * k, step * (k + 1)));
     if (system.Problem && !system.Problem->Report().Converged)
     {
       system.Warnings = system.Problem->Report().Warnings;
@@ -321,7 +324,7 @@ SingularFieldSolver::~SingularFieldSolver() = default;
 
 const Vector<double>& SingularFieldSolver::Solve(
   const std::vector<PrescribedSingularity>& singularities, const PrescribedDirections& directions,
-  const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context,
+  const FieldOptions& options, const StoppingCriteria& asked, const ExecutionContext& context,
   const ElementNames& names)
 {
   if (options.Field.Kind != DiscretisationKind::PowerField)
@@ -336,6 +339,8 @@ const Vector<double>& SingularFieldSolver::Solve(
     of.Field = MakeDiscretisation(options.Field, of.On);
     of.OptionsOfField = options.Field;
   }
+  const StoppingCriteria stop{ std::min(asked.RelativeTolerance, LargestTolerance),
+    asked.MaximumIterations };
   const int N = options.Field.N;
   std::vector<int> times = TimesByVertex(of.On.Mesh, singularities, names);
   FieldConstraints constraints = of.Field->Prescribe(directions, names);

@@ -38,6 +38,7 @@ public:
   /// Brings all stages up to date. A solve starts from the solution before.
   /// \param options of its solver: Cholesky, V-cycles and conjugate gradients as asked for; for all others, Automatic. There are
   ///   no operators of the surface but its own; constraints are neither soft nor hard.
+  /// \param stop tolerances above 1e-6 are taken as that.
   /// \param names says how messages call vertices and faces.
   /// \return the unknowns of Field(), a power field. Not converged: the best that was reached; see Report().
   /// \throw InvalidInput no power field is asked for; a vertex is out of range or on the boundary; singularities on a closed

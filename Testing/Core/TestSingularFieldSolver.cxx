@@ -208,6 +208,17 @@ TEST(SingularFieldSolver, CyclesFindTheFieldOfAFactor)
   }
 }
 
+TEST(SingularFieldSolver, ARoughToleranceStillGivesThePrescribedSingularities)
+{
+  const FramedMesh surface(IrregularTorus(80, 40, 5).Mesh());
+  const auto singularities = Joined(
+    At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
+  SingularFieldSolver solver(surface);
+  solver.Solve(singularities, {}, OptionsOf(4, SolverKind::ConjugateGradients), { 0.5, 100 });
+  EXPECT_LT((TopologyOf(solver).Turning - solver.Turning()).cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_EQ(solver.Counts().Solves, 1);
+}
+
 // Least squares by a dense decomposition, with the sums around inner vertices and along loops as constraints: those of
 // the loops are as the solver chose them, which the test above has found right.
 TEST(SingularFieldSolver, FieldsTurnLeast)
