@@ -190,7 +190,7 @@
  * | ---------------- | ------- | --------------------------------------------- |
  * | Iteration        | -       | 0 for the start                               |
  * | Seconds          | seconds | since the solve began                         |
- * | RelativeResidual | -       | an estimate of the relative error in the energy norm, see below; where nothing is prescribed, of that error times the relative distance to the next eigenvalue |
+ * | RelativeResidual | -       | an estimate of the relative error in the energy norm, see below; where nothing is prescribed, of that error times the relative distance to the next eigenvalue (Tolerance counts as 1e-6 at least) |
  * | Energy           | -       | what the system minimises, less its value at X = 0 |
  * | MassResidual     | -       | residual in the mass norm ("energy" in the thesis, section 6.4); only where something is prescribed |
  * | Error            | -       | of X against Cholesky in the mass norm; with CompareWithCholesky |

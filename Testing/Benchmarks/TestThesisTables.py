@@ -44,7 +44,7 @@ for first, last in ((rows[0], rows[-1]) for rows in (
         [row for row in curves
          if (row["surface"], row["discretisation"]) == (solve["surface"], solve["discretisation"])]
         for solve in solves)):
-    assert first["error"] == "1" and float(last["error"]) < 1e-2, (first, last)
+    assert 0.5 < float(first["error"]) <= 1 and float(last["error"]) < 1e-2, (first, last)
 for picture in ("errors", "times", "sweeps", "curves_by_cycle", "curves_by_time", "setup"):
     assert (folder / (picture + ".png")).stat().st_size > 5000, picture
 print("all tables and plots are whole")

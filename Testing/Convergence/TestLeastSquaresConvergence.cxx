@@ -157,7 +157,8 @@ TEST_P(LeastSquaresConvergence, ForAnyAlignment)
   }
 }
 
-/// Harmonic fields cost nothing, but must yield where they are pulled.
+/// Harmonic fields cost nothing, but must yield where they are pulled. The norm that decides bounds the error, whatever the
+/// weights, and takes one iteration more than the residual relative to the right-hand side did.
 TEST_P(LeastSquaresConvergence, OnManyHandlesForAnyAlignment)
 {
   for (const double alignment : { 1e-2, 1.0, 1e1, 1e2, 1e4, 1e6, 1e8, 1e10 })
@@ -165,7 +166,7 @@ TEST_P(LeastSquaresConvergence, OnManyHandlesForAnyAlignment)
     SCOPED_TRACE(alignment);
     for (const int iterations : Iterations(PerforatedSlab(4, 3, 5), alignment))
     {
-      EXPECT_LE(iterations, 12);
+      EXPECT_LE(iterations, 14);
     }
   }
 }

@@ -1,6 +1,4 @@
-"""A cross field with prescribed singularities, through ParaView's Python:
-
-    pvbatch singularities.py Data/double_torus.vtp
+"""A cross field with prescribed singularities:  pvbatch singularities.py Data/double_torus.vtp
 
 Prescribes eight singularities of index -1/4, four on the front of a subdivided surface and four on its back, and nothing else,
 and leaves prescribed_singularities.png in the current folder: the picture of the help.
@@ -8,51 +6,37 @@ and leaves prescribed_singularities.png in the current folder: the picture of th
 
 import sys
 
-import numpy as np
-import paraview.simple as simple
-from vtkmodules.util.numpy_support import vtk_to_numpy
-
-from demo import (arrays_of, look_at, open_surface, poly_data, say, show, show_singularities, source,
-                  tubes, white_view)
+from demo import BLUE, IVORY, open_surface, show, show_singularities, view_from
+from paraview.simple import *
 
 # As parts of the surface's box.
 PLACES = [(0.5, y, z) for y in (0.14, 0.38, 0.62, 0.86) for z in (0.0, 1.0)]
-INDEX = -0.25
 
 
-def solve(data):
-    points = arrays_of(data)[0]
-    places = points.min(axis=0) + np.array(PLACES) * np.ptp(points, axis=0)
-    singularities = poly_data(places, Index=np.full(len(places), INDEX))
-    return simple.HarmonicFieldSolver(Input=source(data), Singularities=source(singularities))
-
-
-def draw(field, points, size, image):
-    view = white_view([580, 406])
-    smooth = simple.GenerateSurfaceNormals(Input=field, FeatureAngle=60)
-    show(smooth, view, [1.0, 0.97, 0.92], Ambient=0.2, Diffuse=0.85)
-    lines = simple.FieldLines(Input=field, SeparatingDistance=0.025)
-    show(tubes(lines, 0.0015 * size), view, [0.16, 0.33, 0.52])
-    show_singularities(field, view, 0.011 * size)
-    look_at(view, points)
-    simple.SaveScreenshot(image, view, ImageResolution=[580, 406], CompressionLevel="9")
+def singularities_on(surface):
+    """The points, each with its index."""
+    bounds = surface.GetDataInformation().GetBounds()
+    places = [bounds[2 * k] + place[k] * (bounds[2 * k + 1] - bounds[2 * k]) for place in PLACES for k in range(3)]
+    return Calculator(Input=PolyLineSource(Points=places), ResultArrayName="Index", Function="-0.25")
 
 
 def main(path, subdivisions=2):
-    """Draws the picture; returns the indices of all points of the surface."""
-    surface = simple.LoopSubdivision(Input=open_surface(path), NumberofSubdivisions=subdivisions)
-    data = simple.servermanager.Fetch(surface)
-    points = arrays_of(data)[0]
-    field = solve(data)
-    field.UpdatePipeline()
-    draw(field, points, np.linalg.norm(np.ptp(points, axis=0)), "prescribed_singularities.png")
-    say("wrote prescribed_singularities.png")
-    solved = simple.servermanager.Fetch(field)
-    return vtk_to_numpy(solved.GetPointData().GetArray("SingularityIndex"))
+    surface = LoopSubdivision(Input=open_surface(path), NumberofSubdivisions=subdivisions)
+    surface.UpdatePipeline()
+    field = HarmonicFieldSolver(Input=surface, Singularities=singularities_on(surface))
+    view = view_from([0.35, 0.3, 1], [580, 406])
+    show(GenerateSurfaceNormals(Input=field, FeatureAngle=60), view, IVORY, Ambient=0.2, Diffuse=0.85)
+    show(Tube(Input=FieldLines(Input=field, SeparatingDistance=0.025), Radius=0.01), view, BLUE)
+    singularities = show_singularities(field, view)
+    ResetCamera(view)
+    GetActiveCamera().Zoom(1.67)
+    SaveScreenshot("prescribed_singularities.png", view, ImageResolution=[580, 406], CompressionLevel="9")
+    return singularities
 
 
 if __name__ == "__main__":
     if len(sys.argv) != 2:
-        raise SystemExit(__doc__)
-    indices = main(sys.argv[1])
-    say(f"{np.count_nonzero(indices)} singularities, whose indices sum to {indices.sum():g}")
+        sys.exit(__doc__)
+    spheres = main(sys.argv[1])
+    sum_of_indices = spheres.GetFieldData().GetArray("SumOfIndices").GetValue(0)
+    print(f"{spheres.GetNumberOfPoints()} singularities, whose indices sum to {sum_of_indices:g}")

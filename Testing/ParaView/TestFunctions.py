@@ -13,7 +13,7 @@ def main():
     given = simple.Calculator(Input=mask, ResultArrayName="Height", Function="coordsY")
     solver = simple.HarmonicFieldSolver(
         Input=given, Discretisation="Function", Values=["POINTS", "Height"], Mask=["POINTS", "Rims"],
-        ConstraintType="Hard", Solver="Conjugate Gradients")
+        ConstraintType="Hard", Solver="Conjugate Gradients", Tolerance=1e-8)
     field = simple.servermanager.Fetch(solver)
     assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1
     function, height = (vtk_to_numpy(field.GetPointData().GetArray(name))

@@ -53,7 +53,7 @@ class Pipeline(unittest.TestCase):
         self.solver.SetNumberOfDirections(99)  # clamped
         self.assertEqual(self.solver.GetNumberOfDirections(), 8)
         text = str(self.solver)
-        for name in ("Discretisation: PowerField", "NumberOfDirections: 8", "Solver: Automatic", "Tolerance: 1e-08"):
+        for name in ("Discretisation: PowerField", "NumberOfDirections: 8", "Solver: Automatic", "Tolerance: 0.0001"):
             self.assertIn(name, text)
 
     def test_cholesky_and_conjugate_gradients_agree_for_every_N(self):
@@ -99,6 +99,7 @@ class Pipeline(unittest.TestCase):
 
     def test_convergence_table(self):
         self.solver.SetSolver(vtkHarmonicFieldSolver.ConjugateGradients)
+        self.solver.SetTolerance(1e-8)
         self.solver.Update()
         rows = self.solver.GetOutputDataObject(2).GetRowData()
         iterations = values(rows, "Iteration")
@@ -109,8 +110,8 @@ class Pipeline(unittest.TestCase):
         self.assertTrue(np.all(np.diff(values(rows, "Seconds")) >= 0))
         self.assertGreaterEqual(len(self.report("LevelUnknowns")), 2)
         energies = values(rows, "Energy")
-        self.assertEqual(energies[0], 0)  # at X = 0
-        self.assertLess(energies[-1], 0)
+        self.assertLess(energies[0], 0)  # X = 0 has 0, and solvers start where penalties and roughness balance
+        self.assertLess(energies[-1], energies[0])
         self.assertLess(values(rows, "MassResidual")[-1], 1e-6 * values(rows, "MassResidual")[0])
         self.assertIsNone(rows.GetArray("Error"))
         self.solver.CompareWithCholeskyOn()

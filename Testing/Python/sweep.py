@@ -111,6 +111,7 @@ def solve(path, field, kind, unknowns_file):
     solver.SetDiscretisation(discretisation)
     solver.SetNumberOfDirections(directions)
     solver.SetSolver(getattr(vtkHarmonicFieldSolver, kind))
+    solver.SetTolerance(1e-8)
     solver.SetInputData(surface)
     if field == "function":
         solver.SetInputArrayToProcess(3, 0, 0, 0, "Given")

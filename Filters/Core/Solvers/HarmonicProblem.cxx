@@ -452,9 +452,12 @@ void HarmonicProblem::Internals::FindSmoothest(Vector<double> start, const Stopp
   {
     inverse = &*this->Deflated;
   }
+  // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer than that to each other are not told apart.
+  constexpr double SmallestTolerance = 1e-6;
+  const StoppingCriteria ofEigenvector{ std::max(stop.RelativeTolerance, SmallestTolerance), stop.MaximumIterations };
   SolveReport ofEigenvectors;
   const std::vector<double> theta = FindLowestEigenvectors(
-    { *this->A, *inverse, setup.Mass, this->Unprescribed }, stop, start, ofEigenvectors, context);
+    { *this->A, *inverse, setup.Mass, this->Unprescribed }, ofEigenvector, start, ofEigenvectors, context);
   this->Report.Eigenvalues.clear();
   for (std::size_t part = 0; part < theta.size(); ++part)
   {

@@ -208,7 +208,6 @@ TEST(FaceFieldSystem, RefusesWhatItCannotSolve)
     }
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expectRefusal({}, Weights(ConstraintKind::Soft), "prescribe a direction");
   expectRefusal(all, Weights(ConstraintKind::Hard), "soft");
   expectRefusal(one, Weights(ConstraintKind::Soft, 0.0, 1.0), "Smoothness");
   expectRefusal(one, Weights(ConstraintKind::Soft, 1.0, -1.0), "Alignment");
