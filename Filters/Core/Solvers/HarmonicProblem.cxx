@@ -3,9 +3,9 @@
 #include "Solvers/HarmonicFieldsOfSystem.h"
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Krylov/DeflatedPreconditioner.h"
-#include "Solvers/Krylov/LowestEigenvectors.h"
 #include "Solvers/Krylov/StationaryIteration.h"
 #include "Solvers/PenaltiesOfSystem.h"
+#include "Solvers/UnprescribedComponents.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
@@ -85,7 +85,12 @@ public:
   void IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b,
     const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure, Vector<double>& x,
     const ExecutionContext& context);
-  /// The smoothest field on the components without prescriptions. \param start of it.
+  /// Solves for what x differs by from \p held, and adds that.
+  /// \param b of all. \param x a start, or empty.
+  void SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held,
+    const Vector<double>& reference, const StoppingCriteria& stop, Vector<double>& x,
+    const ExecutionContext& context);
+  /// On the components without prescriptions.
   void FindSmoothest(Vector<double> start, const StoppingCriteria& stop, Vector<double>& x,
     const ExecutionContext& context);
   const std::shared_ptr<const MultigridSetup> Setup;
@@ -97,9 +102,7 @@ public:
   Vector<double> Penalties; ///< D, of soft ones
   double Smoothness = 1.0;
   std::vector<int> Held; ///< unknowns that are not free, ascending
-  /// Unknowns by component, of those components that have no prescription: their field is an eigenvector.
-  SortedItems Unprescribed;
-  std::vector<double> Shifts; ///< of their matrices, by component
+  UnprescribedComponents Unprescribed;
   std::unique_ptr<RoughnessOperator> A;
   std::unique_ptr<RoughnessCycle> Cycle;
   std::optional<DeflatedPreconditioner> Deflated; ///< the cycle or factor, where there are harmonic fields
@@ -111,7 +114,6 @@ public:
 private:
   /// D, infinite where an unknown is held.
   Vector<double> DiagonalOfPrescribed(const ExecutionContext& context);
-  void ShiftUnprescribed(Vector<double>& D);
   void MakeCycle(const Vector<double>& D, const ExecutionContext& context);
   void MakeNested(const Vector<double>& D, const ExecutionContext& context);
   void Deflate(const Vector<double>& D, const ExecutionContext& context);
@@ -145,7 +147,7 @@ void HarmonicProblem::Internals::Prescribe(
   {
     this->FindUndetermined(D, context);
     this->MakeNested(D, most);
-    if (!this->Unprescribed.Items.empty())
+    if (!this->Unprescribed.Unknowns().empty())
     {
       this->MakeCycle(D, most);
     }
@@ -222,9 +224,7 @@ Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionC
   this->Unprescribed = {};
   if (this->Setup->HasSmoothest)
   {
-    this->Unprescribed = SortByKey(unreached, hierarchy.NumberOfComponents(),
-      [&hierarchy](int i) { return hierarchy.ComponentOf(i); }, context);
-    this->ShiftUnprescribed(D);
+    this->Unprescribed = UnprescribedComponents(*this->Setup, unreached, D, context);
   }
   else if (!unreached.empty())
   {
@@ -234,35 +234,6 @@ Vector<double> HarmonicProblem::Internals::DiagonalOfPrescribed(const ExecutionC
   }
   this->Held = Choose(size, [&D](int i) { return !std::isfinite(D[i]); }, context);
   return D;
-}
-
-/// Where nothing is prescribed, D is a small multiple of the mass, about the lowest eigenvalue: A is positive definite,
-/// has the eigenvectors of R, and eigenvalues that are so much larger. A surface of size L has eigenvalues from
-/// about 1 / L^2 to 1 / h^2, where the diagonal is, and n unknowns have the size (L / h)^2.
-void HarmonicProblem::Internals::ShiftUnprescribed(Vector<double>& D)
-{
-  const std::vector<int>& begins = this->Unprescribed.Begins;
-  this->Shifts.assign(begins.size() - 1, 0.0);
-  std::vector<double> diagonal;
-  for (std::size_t part = 0; part < this->Shifts.size(); ++part)
-  {
-    const int* const first = this->Unprescribed.Items.data() + begins[part];
-    const int* const last = this->Unprescribed.Items.data() + begins[part + 1];
-    if (first == last)
-    {
-      continue;
-    }
-    diagonal.clear();
-    std::transform(first, last, std::back_inserter(diagonal), [this](int i) {
-      return this->Setup->Hierarchy->DiagonalOf(i) / this->Setup->MassOf(i);
-    });
-    const auto median = diagonal.begin() + diagonal.size() / 2;
-    std::nth_element(diagonal.begin(), median, diagonal.end());
-    const double scale = *median > 0.0 ? *median : 1.0; // a triangle by itself has no roughness
-    this->Shifts[part] = scale / static_cast<double>(diagonal.size());
-    std::for_each(first, last,
-      [&, this](int i) { D[i] = this->Shifts[part] * this->Setup->MassOf(i); });
-  }
 }
 
 Vector<double> HarmonicProblem::Internals::HeldByPenalties(const Vector<double>& values) const
@@ -436,59 +407,62 @@ const SolveReport& HarmonicProblem::Report() const
   return this->Internal->Report;
 }
 
+void HarmonicProblem::Internals::SolveWithPrescriptions(const Vector<double>& b,
+  const Vector<double>& held, const Vector<double>& reference, const StoppingCriteria& stop,
+  Vector<double>& x, const ExecutionContext& context)
+{
+  Vector<double> difference; // b - A held
+  this->A->Apply(held, difference, context);
+  difference = b - difference;
+  SetZero(difference, this->Held, context);
+  ConvergenceMeasure<double> measure;
+  measure.Mass = &this->Setup->Mass;
+  measure.EnergyScale = this->Smoothness;
+  measure.Offset = &held;
+  measure.RightHandSide = &b;
+  measure.Reference = reference;
+  if (x.size() > 0)
+  {
+    x -= held;
+  }
+  if (this->Nested)
+  {
+    this->Nested->Solve(difference, this->Options.Nested, x, this->Report, context, measure);
+    this->Report.Returned = this->Report.Iterations.back().Iteration;
+    this->Report.Converged = this->Report.Iterations.back().RelativeResidual <= stop.RelativeTolerance;
+  }
+  else
+  {
+    this->Iterate(difference, stop, measure, x, context);
+  }
+  x += held;
+  if (this->Deflated)
+  {
+    this->Deflated->Kernel().Remove(x, context);
+  }
+}
+
 void HarmonicProblem::Internals::FindSmoothest(Vector<double> start, const StoppingCriteria& stop,
   Vector<double>& x, const ExecutionContext& context)
 {
-  const MultigridSetup& setup = *this->Setup;
-  const std::vector<int>& begins = this->Unprescribed.Begins;
-  if (start.size() == 0)
+  const bool isAll = this->Prescribed.Unknowns.empty();
+  if (isAll)
   {
-    // Nothing is smoother than a harmonic field.
-    start = setup.Kernel.cols() > 0 ? Vector<double>(setup.Kernel.rowwise().sum())
-                                    : Vector<double>::Zero(x.size());
+    this->Report.SolveSeconds = 0.0;
+    this->Report.Converged = true;
   }
   Preconditioner<double>* inverse = this->Cycle.get();
   if (this->Deflated)
   {
     inverse = &*this->Deflated;
   }
-  // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer than that to each other are not told apart.
-  constexpr double SmallestTolerance = 1e-6;
-  const StoppingCriteria ofEigenvector{ std::max(stop.RelativeTolerance, SmallestTolerance), stop.MaximumIterations };
-  SolveReport ofEigenvectors;
-  const std::vector<double> theta = FindLowestEigenvectors(
-    { *this->A, *inverse, setup.Mass, this->Unprescribed }, ofEigenvector, start, ofEigenvectors, context);
-  this->Report.Eigenvalues.clear();
-  for (std::size_t part = 0; part < theta.size(); ++part)
+  std::vector<IterationReport> iterations = this->Unprescribed.FindSmoothest(
+    *this->A, *inverse, std::move(start), stop, x, this->Report, context);
+  if (isAll)
   {
-    if (begins[part] == begins[part + 1])
-    {
-      continue;
-    }
-    double share = 0.0; // of the surface
-    for (int item = begins[part]; item < begins[part + 1]; ++item)
-    {
-      share += setup.MassOf(this->Unprescribed.Items[item]);
-    }
-    share /= setup.Mass.sum() * (x.size() / setup.Mass.size());
-    for (int item = begins[part]; item < begins[part + 1]; ++item)
-    {
-      const int i = this->Unprescribed.Items[item];
-      x[i] = std::sqrt(share * setup.SquaredNormOfUnit) * start[i];
-    }
-    this->Report.Eigenvalues.push_back(
-      std::max(theta[part] - this->Shifts[part], 0.0) * setup.SquaredNormOfUnit / setup.Area);
-  }
-  if (this->Prescribed.Unknowns.empty())
-  {
-    this->Report.Iterations = std::move(ofEigenvectors.Iterations);
+    this->Report.Iterations = std::move(iterations);
     this->Report.Returned = this->Report.Iterations.back().Iteration;
-    this->Report.Converged = true;
   }
-  this->Report.SolveSeconds += ofEigenvectors.SolveSeconds;
-  this->Report.Converged &= ofEigenvectors.Converged;
-  this->Report.Warnings.insert(this->Report.Warnings.end(), ofEigenvectors.Warnings.begin(),
-    ofEigenvectors.Warnings.end());
 }
 
 Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector<double>& start,
@@ -498,63 +472,33 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   Internals& of = *this->Internal;
   assert(values.size() == static_cast<Eigen::Index>(of.Prescribed.Unknowns.size()));
   of.Report.Warnings = of.SystemWarnings;
+  of.Report.Eigenvalues.clear();
   const std::vector<int>& order = of.Setup->Hierarchy->Order;
-  const std::vector<int>& unprescribed = of.Unprescribed.Items;
-  Vector<double> smoothest = unprescribed.empty() ? Vector<double>() : Gathered(start, order, context);
+  const std::vector<int>& unprescribed = of.Unprescribed.Unknowns();
+  const auto inOrder = [&](const Vector<double>& vector) {
+    Vector<double> gathered = Gathered(vector, order, context);
+    if (gathered.size() > 0)
+    {
+      SetZero(gathered, of.Held, context);
+      SetZero(gathered, unprescribed, context);
+    }
+    return gathered;
+  };
   Vector<double> b = of.RightHandSide(values, context);
   if (source.size() > 0)
   {
-    b += Gathered(source, order, context) / of.Smoothness;
-    SetZero(b, of.Held, context);
+    b += inOrder(source) / of.Smoothness;
   }
-  const Vector<double> held = of.HeldByPenalties(values);
-  Vector<double> difference; // b - A held
-  of.A->Apply(held, difference, context);
-  difference = b - difference;
-  SetZero(difference, of.Held, context);
-  // A factor needs no start: what it would improve is found at once.
-  Vector<double> x =
-    of.Kind == SolverKind::Cholesky ? Vector<double>() : Gathered(start, order, context);
-  if (x.size() > 0)
+  Vector<double> x = Vector<double>::Zero(order.size());
+  if (!of.Prescribed.Unknowns.empty())
   {
-    SetZero(x, of.Held, context);
-    SetZero(x, unprescribed, context);
-    x -= held;
-  }
-  ConvergenceMeasure<double> measure;
-  measure.Mass = &of.Setup->Mass;
-  measure.EnergyScale = of.Smoothness;
-  measure.Offset = &held;
-  measure.RightHandSide = &b;
-  measure.Reference = Gathered(reference, order, context);
-  if (measure.Reference.size() > 0)
-  {
-    SetZero(measure.Reference, of.Held, context);
-    SetZero(measure.Reference, unprescribed, context);
-  }
-  if (of.Prescribed.Unknowns.empty())
-  {
-    x = Vector<double>::Zero(order.size());
-    of.Report.SolveSeconds = 0.0;
-  }
-  else if (of.Nested)
-  {
-    of.Nested->Solve(difference, of.Options.Nested, x, of.Report, context, measure);
-    of.Report.Returned = of.Report.Iterations.back().Iteration;
-    of.Report.Converged = of.Report.Iterations.back().RelativeResidual <= stop.RelativeTolerance;
-  }
-  else
-  {
-    of.Iterate(difference, stop, measure, x, context);
-  }
-  x += held;
-  if (of.Deflated)
-  {
-    of.Deflated->Kernel().Remove(x, context);
+    // A factor needs no start: what it would improve is found at once.
+    x = of.Kind == SolverKind::Cholesky ? Vector<double>() : inOrder(start);
+    of.SolveWithPrescriptions(b, of.HeldByPenalties(values), inOrder(reference), stop, x, context);
   }
   if (!unprescribed.empty())
   {
-    of.FindSmoothest(std::move(smoothest), stop, x, context);
+    of.FindSmoothest(Gathered(start, order, context), stop, x, context);
   }
   if (of.Prescribed.Kind == ConstraintKind::Hard)
   {

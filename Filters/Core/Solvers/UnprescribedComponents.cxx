@@ -1,0 +1,90 @@
+#include "Solvers/UnprescribedComponents.h"
+
+#include "Solvers/Krylov/LowestEigenvectors.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace dmg
+{
+
+UnprescribedComponents::UnprescribedComponents(const MultigridSetup& setup,
+  const std::vector<int>& unknowns, Vector<double>& D, const ExecutionContext& context)
+  : Setup(&setup)
+  , ByComponent(SortByKey(unknowns, setup.Hierarchy->NumberOfComponents(),
+      [&setup](int i) { return setup.Hierarchy->ComponentOf(i); }, context))
+  , Shifts(setup.Hierarchy->NumberOfComponents(), 0.0)
+{
+  // A surface of size L has eigenvalues from about 1 / L^2 to 1 / h^2, where the diagonal is, and n unknowns have the
+  // size (L / h)^2.
+  std::vector<double> diagonal;
+  for (std::size_t component = 0; component < this->Shifts.size(); ++component)
+  {
+    const auto first = this->ByComponent.Items.begin() + this->ByComponent.Begins[component];
+    const auto last = this->ByComponent.Items.begin() + this->ByComponent.Begins[component + 1];
+    if (first == last)
+    {
+      continue;
+    }
+    diagonal.clear();
+    std::transform(first, last, std::back_inserter(diagonal),
+      [&setup](int i) { return setup.Hierarchy->DiagonalOf(i) / setup.MassOf(i); });
+    const auto median = diagonal.begin() + diagonal.size() / 2;
+    std::nth_element(diagonal.begin(), median, diagonal.end());
+    const double scale = *median > 0.0 ? *median : 1.0; // a triangle by itself has no roughness
+    this->Shifts[component] = scale / static_cast<double>(diagonal.size());
+    std::for_each(
+      first, last, [&](int i) { D[i] = this->Shifts[component] * setup.MassOf(i); });
+  }
+}
+
+double UnprescribedComponents::ShareOf(std::size_t component) const
+{
+  double mass = 0.0;
+  for (int item = this->ByComponent.Begins[component]; item < this->ByComponent.Begins[component + 1]; ++item)
+  {
+    mass += this->Setup->MassOf(this->ByComponent.Items[item]);
+  }
+  const Eigen::Index unknownsPerMass = this->Setup->Hierarchy->NumberOfUnknowns() / this->Setup->Mass.size();
+  return mass / (this->Setup->Mass.sum() * static_cast<double>(unknownsPerMass));
+}
+
+std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearOperator<double>& A,
+  Preconditioner<double>& inverse, Vector<double> start, const StoppingCriteria& stop, Vector<double>& x,
+  SolveReport& report, const ExecutionContext& context) const
+{
+  const MultigridSetup& setup = *this->Setup;
+  if (start.size() == 0)
+  {
+    // Nothing is smoother than a harmonic field.
+    start = setup.Kernel.cols() > 0 ? Vector<double>(setup.Kernel.rowwise().sum())
+                                    : Vector<double>::Zero(x.size());
+  }
+  // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart.
+  constexpr double SmallestTolerance = 1e-6;
+  const StoppingCriteria ofEigenvectors{ std::max(stop.RelativeTolerance, SmallestTolerance),
+    stop.MaximumIterations };
+  SolveReport found;
+  const std::vector<double> theta = FindLowestEigenvectors(
+    { A, inverse, setup.Mass, this->ByComponent }, ofEigenvectors, start, found, context);
+  for (std::size_t component = 0; component < theta.size(); ++component)
+  {
+    const int begin = this->ByComponent.Begins[component];
+    const int end = this->ByComponent.Begins[component + 1];
+    if (begin < end)
+    {
+      const double length = std::sqrt(this->ShareOf(component) * setup.SquaredNormOfUnit);
+      std::for_each(this->ByComponent.Items.begin() + begin, this->ByComponent.Items.begin() + end,
+        [&](int i) { x[i] = length * start[i]; });
+      report.Eigenvalues.push_back(std::max(theta[component] - this->Shifts[component], 0.0) *
+        setup.SquaredNormOfUnit / setup.Area);
+    }
+  }
+  report.SolveSeconds += found.SolveSeconds;
+  report.Converged &= found.Converged;
+  report.Warnings.insert(report.Warnings.end(), found.Warnings.begin(), found.Warnings.end());
+  return found.Iterations;
+}
+
+}

@@ -1,0 +1,57 @@
+#ifndef dmgUnprescribedComponents_h
+#define dmgUnprescribedComponents_h
+
+#include "Solvers/Krylov/LinearOperator.h"
+#include "Solvers/Krylov/Preconditioner.h"
+#include "Solvers/Krylov/SolveReport.h"
+#include "Solvers/Krylov/StoppingCriteria.h"
+#include "Solvers/MultigridSetup.h"
+#include "Support/CountingSort.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// Components of a surface without prescriptions. There the solution is the smoothest field of unit norm: the eigenvector of
+/// the lowest eigenvalue of R in the mass of the set-up (Knoeppel et al. 2013), or a harmonic field, of eigenvalue zero.
+///
+/// In a system R + D they have as D a small multiple of the mass, about the lowest eigenvalue: R + D is positive definite, has
+/// the eigenvectors of R, and eigenvalues that are so much larger. Its cycle is the eigensolver's preconditioner.
+/// All is in the order of the hierarchy.
+class UnprescribedComponents
+{
+public:
+  /// None.
+  UnprescribedComponents() = default;
+  /// \param setup is borrowed.
+  /// \param unknowns of these components.
+  /// \param D on exit the multiple of the mass for these.
+  UnprescribedComponents(const MultigridSetup& setup, const std::vector<int>& unknowns, Vector<double>& D,
+    const ExecutionContext& context);
+
+  const std::vector<int>& Unknowns() const { return this->ByComponent.Items; }
+
+  /// Writes the fields into x, with a mean square magnitude of 1.
+  /// \param A R + D, \param inverse close to its inverse.
+  /// \param start of the iteration, or empty.
+  /// \param report is added to: eigenvalues, in 1 / length^2, seconds, convergence and warnings.
+  /// \return the history of the iteration.
+  std::vector<IterationReport> FindSmoothest(const LinearOperator<double>& A, Preconditioner<double>& inverse,
+    Vector<double> start, const StoppingCriteria& stop, Vector<double>& x, SolveReport& report,
+    const ExecutionContext& context) const;
+
+private:
+  /// The share of the surface that a component has.
+  double ShareOf(std::size_t component) const;
+
+  const MultigridSetup* Setup = nullptr;
+  SortedItems ByComponent; ///< unknowns; components with prescriptions have none
+  std::vector<double> Shifts; ///< of eigenvalues, by component
+};
+
+}
+
+#endif
