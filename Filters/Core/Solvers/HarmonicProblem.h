@@ -22,9 +22,9 @@ namespace dmg
 ///
 /// over all unknowns x, with prescribed values y_b for some of them; R is the roughness of the set-up, s the
 /// smoothness weight. With a diagonal D, which is m_b / s where a soft prescription is, infinite where a hard one
-/// is, and zero elsewhere, both are (R + D) x = D y, divided by s. Unknowns that no prescription reaches through R are
-/// zero, the least of their equal minimisers, and so is the part in the harmonic fields of
-/// the set-up that no prescription determines.
+/// is, and zero elsewhere, both are (R + D) x = D y, divided by s. Where no prescription reaches through R, x is
+/// the lowest eigenvector (UnprescribedComponents) or, where the set-up has none, zero. The part in the harmonic fields of
+/// the set-up that no prescription determines is zero.
 ///
 /// Where soft prescriptions are strong, x is known there but for R / D. Solvers start from what penalties alone hold,
 /// x_0 = D y / (R + D) with the diagonal of R, and are given the equations of x - x_0, by whose energy
