@@ -236,6 +236,10 @@ void SetOptions(Choices& choose, vtkHarmonicFieldSolver* solver)
   if (choose.OneIn(4))
   {
     solver->SetAlignment(choose.Number());
+    if (!choose.OneIn(2))
+    {
+      choose.Number(); // of an option that is gone: the cases of the corpus keep their numbers
+    }
   }
   const char* const names[] = { "Mask", "Given", "Weights", "Values" };
   const int association = choose.Below(2);

@@ -42,7 +42,7 @@ struct PrincipalDirections
 /// cycle (Cohen-Steiner and Morvan 2003) depends on what is at the rim of the region alone: noise inside cancels. On
 /// ellipsoids, tori and cylinders whose points are moved by 5 % of an edge along the normals, and at scale 3, directions
 /// are off by 0.5 to 2.5 degrees, those of normal cycles and of quadrics fitted to the same points (CGAL's
-/// Monge_via_jet_fitting) by 1.4 to 9.8; the fits take some 50 times as long.
+/// Monge_via_jet_fitting) by 1.4 to 9.8; the fits took tens of times as long.
 ///
 /// A larger scale withstands more noise and sees less detail; without noise, the error of curvatures grows with the square
 /// of it. At the boundary, where normals look to one side, curvatures come out smaller, by up to a fifth at scale 3.
