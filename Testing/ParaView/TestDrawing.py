@@ -48,6 +48,11 @@ class Drawing(unittest.TestCase):
         self.assertGreater(total * distance, 0.8 * 2 * 4 * np.pi)
         self.assertLess(total * distance, 1.3 * 2 * 4 * np.pi)
 
+    def test_filters_that_are_made_before_their_input_has_run(self):
+        for make in (simple.FieldLines, simple.FieldGlyphs, simple.FieldSingularities, simple.FieldAngles):
+            drawn = make(Input=simple.HarmonicFieldSolver(Input=simple.Sphere()))
+            self.assertGreater(fetch(drawn).GetNumberOfPoints(), 0, make)
+
     def test_lines_with_every_property(self):
         lines = simple.FieldLines(Input=self.field)
         default = fetch(lines)

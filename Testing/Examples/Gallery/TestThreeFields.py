@@ -20,7 +20,7 @@ class ThreeFields(unittest.TestCase):
         cls.addClassCleanup(folder.cleanup)
         cls.addClassCleanup(os.chdir, os.getcwd())
         os.chdir(folder.name)
-        data = pathlib.Path(three_fields.__file__).resolve().parents[2] / "Data"
+        data = pathlib.Path(three_fields.__file__).resolve().parents[3] / "Data"
         proxies = three_fields.main(str(data / "double_torus.vtp"), subdivisions=1)
         cls.fields = {name: simple.servermanager.Fetch(field) for name, field in proxies.items()}
         points = vtk_to_numpy(cls.fields["face_field"].GetPoints().GetData()).astype(float)
@@ -39,7 +39,7 @@ class ThreeFields(unittest.TestCase):
     def test_pictures(self):
         for name, pixels in self.pictures.items():
             with self.subTest(name=name):
-                self.assertEqual(pixels.shape, (580 * 406, 3))
+                self.assertEqual(pixels.shape, (1800 * 1260, 3))
                 background = (pixels == 255).all(axis=1).mean()
                 self.assertTrue(0.05 < background < 0.6, background)
                 self.assertGreater(len(np.unique(pixels, axis=0)), 1000)

@@ -1,0 +1,175 @@
+"""Each scene of the gallery is what its page says, in numbers, and its picture shows something:  pvpython TestGallery.py SCENE"""
+
+import importlib
+import os
+import sys
+import tempfile
+
+import numpy as np
+import paraview.simple as simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+
+def fetch(proxy):
+    return simple.servermanager.Fetch(proxy)
+
+
+def cells(data, name):
+    return vtk_to_numpy(data.GetCellData().GetArray(name)).astype(float)
+
+
+def corners(data):
+    """Of each triangle: faces x 3 corners x 3 coordinates."""
+    return vtk_to_numpy(data.GetPoints().GetData())[vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)]
+
+
+def unit(vectors):
+    return vectors / (np.linalg.norm(vectors, axis=-1, keepdims=True) + 1e-300)
+
+
+def normals(data):
+    a, b, c = np.moveaxis(corners(data), 1, 0)
+    return unit(np.cross(b - a, c - a))
+
+
+def angles(data, ways, N):
+    """Degrees from vectors, a row per triangle, to the nearest of N directions, all within the triangles' planes."""
+    n, first = normals(data), unit(cells(data, "Direction0"))
+    flat = unit(ways - (ways * n).sum(1)[:, None] * n)
+    turns = np.degrees(np.arctan2((np.cross(first, flat) * n).sum(1), (first * flat).sum(1)))
+    return np.abs((turns + 180 / N) % (360 / N) - 180 / N)
+
+
+def field_data(data, name):
+    return data.GetFieldData().GetArray(name).GetValue(0)
+
+
+def to_segments(data, start, end, near):
+    """Degrees from those of some segments whose middles are near triangles to lines along the field there."""
+    centres = corners(data).mean(1)
+    where = [np.linalg.norm(centres - middle, axis=1).argmin() for middle in (start + end) / 2]
+    ways = np.zeros_like(centres)
+    ways[where] = end - start
+    assert (np.linalg.norm(centres[where] - (start + end) / 2, axis=1) < near).all()
+    return angles(data, ways, 2)[where]
+
+
+def check_nothing_said(result):
+    field, singularities = fetch(result[0]), result[1]
+    assert field_data(field, "Converged") == 1 and field.GetFieldData().HasArray("Eigenvalues")
+    assert abs(field_data(singularities, "SumOfIndices") - 2) < 1e-9  # Euler's characteristic
+
+
+def check_strokes(result):
+    field = fetch(result[0])
+    for stroke in map(fetch, result[1]):
+        points = vtk_to_numpy(stroke.GetPoints().GetData())
+        off = to_segments(field, points[:-1], points[1:], 0.1)
+        assert np.median(off) < 3 and off.max() < 20, off
+
+
+def check_features(result):
+    """Boundary and folds are found here by counting triangles at edges."""
+    field = fetch(result[0])
+    triangles = vtk_to_numpy(field.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    sides = triangles[:, [[0, 1], [1, 2], [2, 0]]]
+    n, faces, off = normals(field), {}, []
+    for face, three in enumerate(sides):
+        for side in three:
+            faces.setdefault(tuple(sorted(side)), []).append(face)
+    points = vtk_to_numpy(field.GetPoints().GetData())
+    for (a, b), at in faces.items():
+        if len(at) == 1 or n[at[0]] @ n[at[1]] < 0.8:
+            off.append([at[0], *(points[b] - points[a])])
+    off = np.array(off)
+    ways = np.zeros_like(n)
+    ways[off[:, 0].astype(int)] = off[:, 1:]
+    degrees = angles(field, ways, 4)[off[:, 0].astype(int)]
+    assert len(off) > 500 and np.percentile(degrees, 95) < 5, np.percentile(degrees, 95)
+    assert abs(field_data(result[2], "SumOfIndices") + 3) < 1e-9  # boundary loops included; a disc with four holes
+
+
+def check_noisy_flow(result):
+    field = fetch(result)
+    off, measured = angles(field, cells(field, "Truth"), 1), cells(field, "Measured")
+    known = np.linalg.norm(measured, axis=1) > 0
+    cosines = (unit(measured) * unit(cells(field, "Truth"))).sum(1)[known]
+    noise = np.degrees(np.arccos(np.clip(cosines, -1, 1)))
+    print(f"measured {noise.mean():.1f} degrees off, {known.mean():.0%} of the triangles; the field {off.mean():.1f}")
+    assert noise.mean() > 40 and off.mean() < 10
+
+
+def check_measured_fibres(result):
+    field = fetch(result)
+    off, measured = angles(field, cells(field, "Truth"), 2), cells(field, "Measured")
+    known = np.linalg.norm(measured, axis=1) > 0
+    print(f"the field {np.median(off[known]):.1f} degrees off where measured, {np.median(off[~known]):.1f} elsewhere")
+    assert 0.3 < known.mean() < 0.36 and np.median(off[known]) < 4 and np.median(off[~known]) < 20
+
+
+def check_fibres(result):
+    for layer, rotation in zip(map(fetch, result), (60, 0, -60)):
+        off = np.abs((cells(layer, "Angle") - rotation + 90) % 180 - 90)
+        assert np.median(off) < 2 and np.percentile(off, 90) < 8, (np.median(off), np.percentile(off, 90))
+
+
+def check_singularities(result):
+    indices = vtk_to_numpy(result.GetPointData().GetArray("Index"))
+    assert np.allclose(indices, -0.25) and len(indices) == 8
+    assert abs(field_data(result, "SumOfIndices") + 2) < 1e-9
+
+
+def check_handles(result):
+    """No source, no sink and no vortex: all indices are negative."""
+    indices = vtk_to_numpy(fetch(result).GetPointData().GetArray("SingularityIndex"))
+    assert indices.max() <= 0 and abs(indices.sum() + 8) < 1e-9, indices[indices != 0]
+
+
+def check_how_many(result):
+    assert result == [2, 4, 8, 12], result
+
+
+def check_moving_guides(result):
+    import moving_guides
+    for field, angle in zip(result, np.radians(moving_guides.ANGLES)):
+        way = 0.3 * np.array([[np.cos(angle), np.sin(angle), 0]])
+        places = np.array([[0, 0.5, 0.42]]), np.array([[0, -0.75, 0.38]])
+        assert to_segments(field, places[0] - way, places[0] + way, 0.1).max() < 5
+        assert to_segments(field, places[1] - (0.3, 0, 0), places[1] + (0.3, 0, 0), 0.1).max() < 5
+        assert field_data(field, "SetupSeconds") == field_data(result[0], "SetupSeconds")  # not repeated
+
+
+def check_principal_directions(result):
+    """The top of the head is nearly a ball of radius 0.46; both directions are perpendicular."""
+    bends = fetch(result)
+    largest, smallest = cells(bends, "MaximumDirection"), cells(bends, "MinimumDirection")
+    assert np.abs((largest * smallest).sum(1)).max() < 1e-6
+    top = corners(bends).mean(1)[:, 1] > 1.25
+    for name in ("MaximumCurvature", "MinimumCurvature"):
+        assert (np.abs(cells(bends, name)[top] * 0.46 - 1) < 0.15).all()
+
+
+def check_picture(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    reader.Update()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    background = (pixels == 255).all(axis=1).mean()
+    assert 0.1 < background < 0.9 and len(np.unique(pixels[::7], axis=0)) > 1000, (background, path)
+
+
+def main(scene):
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        result = importlib.import_module(scene).main()
+        pictures = [name for name in os.listdir() if name.endswith(".png")]
+        assert pictures
+        for picture in pictures:
+            check_picture(picture)
+        globals()[f"check_{scene}"](result)
+        os.chdir("/")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

@@ -1,0 +1,37 @@
+#!/usr/bin/env bash
+# Makes all pictures of the gallery again, from the installed plugin or that of PV_PLUGIN_PATH.
+#
+#   Testing/Examples/Gallery/gallery.sh [SCENE...]
+#
+# Needs a display or xvfb-run, ImageMagick, and for nothing_said the lion of Debian's package libcgal-demo.
+set -euo pipefail
+
+here=$(cd "$(dirname "$0")" && pwd)
+root=$(cd "$here/../../.." && pwd)
+pictures=$root/ParaViewPlugin/Documentation
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+scenes=("$@")
+if [ $# -eq 0 ]; then
+  scenes=(nothing_said how_many strokes features principal_directions fibres singularities noisy_flow measured_fibres handles
+    moving_guides three_fields)
+fi
+for scene in "${scenes[@]}"; do
+  arguments=()
+  case $scene in
+    nothing_said)
+      "$root/.ci/unpack-packages" "$root/build/data" libcgal-demo
+      tar -xzOf "$root/build/data/usr/share/doc/libcgal-dev/data.tar.gz" data/meshes/lion-head.off > lion.off
+      /usr/bin/python3 "$here/../off_to_ply.py" lion.off lion.ply
+      arguments=(lion.ply) ;;
+    three_fields) arguments=("$root/Data/double_torus.vtp") ;;
+  esac
+  PYTHONDONTWRITEBYTECODE=1 XDG_RUNTIME_DIR=$work xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
+    pvbatch "$here/$scene.py" "${arguments[@]}"
+done
+for picture in *.png; do
+  convert "$picture" -resize 800x +dither -colors 96 -trim -bordercolor white -border 12x12 +repage -strip -define png:compression-level=9 "png8:$pictures/$picture"
+done
+ls -l "$pictures"

@@ -1,0 +1,89 @@
+"""What the scenes of the gallery share: how surfaces are opened, lit and coloured, and how fields are drawn on them."""
+
+from paraview.simple import *
+
+GREEN, RED, BLUE = [0.12, 0.53, 0.3], [0.83, 0.15, 0.17], [0.1, 0.26, 0.45]
+IVORY, GOLD = [1, 0.97, 0.92], [0.98, 0.68, 0.08]
+
+
+def open_surface(path):
+    """Triangles without doubled points."""
+    return Clean(Input=Triangulate(Input=ExtractSurface(Input=OpenDataFile(path))))
+
+
+def size_of(data):
+    """The diagonal of the box around it."""
+    data.UpdatePipeline()
+    bounds = data.GetDataInformation().GetBounds()
+    return sum((bounds[k + 1] - bounds[k]) ** 2 for k in (0, 2, 4)) ** 0.5
+
+
+def view_from(direction, size, up=(0, 1, 0)):
+    """On white paper."""
+    return CreateRenderView(ViewSize=size, OrientationAxesVisibility=0, UseColorPaletteForBackground=0, Background=[1, 1, 1],
+                            CameraParallelProjection=1, CameraPosition=direction, CameraViewUp=up)
+
+
+def show(source, view, colour="", **properties):
+    """In one colour, or in those of an array of points."""
+    display = Show(source, view, **properties)
+    ColorBy(display, ("POINTS", colour if isinstance(colour, str) else ""))
+    if not isinstance(colour, str):
+        display.AmbientColor = display.DiffuseColor = colour
+    return display
+
+
+def show_surface(surface, view, colour=IVORY, **properties):
+    """Smooth but for sharp edges."""
+    look = dict(Ambient=0.15, Diffuse=0.85, Specular=0.08, SpecularPower=20)
+    return show(GenerateSurfaceNormals(Input=surface, FeatureAngle=50), view, colour, **{**look, **properties})
+
+
+def colour_by_size(name, largest):
+    """An array from 0 (blue) to its largest value (red)."""
+    GetColorTransferFunction(name).RGBPoints = [0, 0.62, 0.74, 0.9, 0.5 * largest, 1, 0.97, 0.88, largest, 0.93, 0.55, 0.42]
+
+
+def lines_along(field, distance, width=0.0011):
+    """Evenly spaced lines as tubes, thin at their ends. Distance and width are relative to the size of the field's surface."""
+    size = size_of(field)
+    lines = FieldLines(Input=field, SeparatingDistance=distance, Lift=0.7 * width)
+    ends = AppendArcLength(Input=CellDatatoPointData(Input=lines))
+    taper = f"{width * size} * min(1, max(0.3, min(arc_length, Length - arc_length) / {2 * distance * size}))"
+    radii = Calculator(Input=ends, ResultArrayName="Radius", Function=taper)
+    return Tube(Input=radii, VaryRadius="By Absolute Scalar", Scalars=["POINTS", "Radius"], NumberofSides=8)
+
+
+def show_lines(field, view, distance, colour=BLUE, **properties):
+    return show(lines_along(field, distance), view, colour, **properties)
+
+
+def along(line):
+    """A line with the array Way, its vector from end to end."""
+    way = " + ".join(f"({b} - {a}) * {axis}" for a, b, axis in zip(line.Point1, line.Point2, ("iHat", "jHat", "kHat")))
+    return Calculator(Input=line, ResultArrayName="Way", Function=way)
+
+
+def show_arrow(line, view, length, **properties):
+    """A golden arrow from the first point of a line, along it."""
+    arrow = Glyph(Input=along(line), GlyphType="Arrow", OrientationArray=["POINTS", "Way"],
+                  ScaleArray=["POINTS", "No scale array"], ScaleFactor=length)
+    arrow.GlyphMode, arrow.Stride = "Every Nth Point", 1000
+    arrow.GlyphType.ShaftRadius, arrow.GlyphType.TipRadius, arrow.GlyphType.TipLength = 0.06, 0.16, 0.4
+    arrow.GlyphType.ShaftResolution = arrow.GlyphType.TipResolution = 24
+    return show(arrow, view, GOLD, Specular=0.4, **properties)
+
+
+def show_singularities(field, view, radius=0.01, **properties):
+    """Balls, red where the index is positive and green where it is negative."""
+    singularities = FieldSingularities(Input=field, SphereRadius=radius)
+    show(OutputPort(singularities, 3), view, "Index", Specular=0.4, **properties)
+    GetColorTransferFunction("Index").RGBPoints = [-1, *GREEN, 0, *GREEN, 0, *RED, 1, *RED]
+    return servermanager.Fetch(singularities)
+
+
+def save(view, name, zoom=1.3):
+    """As a picture twice as large as the view, to be shrunk."""
+    ResetCamera(view)
+    GetActiveCamera().Zoom(zoom)
+    SaveScreenshot(f"{name}.png", view, ImageResolution=[2 * length for length in view.ViewSize])
