@@ -150,6 +150,13 @@ def check_principal_directions(result):
         assert (np.abs(cells(bends, name)[top] * 0.46 - 1) < 0.15).all()
 
 
+def check_levels(result):
+    faces = [surface.GetNumberOfCells() for surface in result]
+    assert len(faces) == 4 and np.allclose(np.divide(faces[1:], faces[:-1]), 0.25, atol=0.02), faces
+    for surface in result:  # a closed surface without handles
+        assert 2 * surface.GetNumberOfPoints() - surface.GetNumberOfCells() == 4
+
+
 def check_picture(path):
     reader = vtkPNGReader()
     reader.SetFileName(path)

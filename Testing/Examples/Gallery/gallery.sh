@@ -16,7 +16,7 @@ cd "$work"
 scenes=("$@")
 if [ $# -eq 0 ]; then
   scenes=(nothing_said how_many strokes features principal_directions fibres singularities noisy_flow measured_fibres handles
-    moving_guides three_fields)
+    moving_guides levels three_fields)
 fi
 for scene in "${scenes[@]}"; do
   arguments=()
@@ -32,6 +32,6 @@ for scene in "${scenes[@]}"; do
     pvbatch "$here/$scene.py" "${arguments[@]}"
 done
 for picture in *.png; do
-  convert "$picture" -resize 800x +dither -colors 96 -trim -bordercolor white -border 12x12 +repage -strip -define png:compression-level=9 "png8:$pictures/$picture"
+  convert "$picture" -resize 800x +dither -colors 96 -trim -bordercolor white -border 12x12 +repage -fuzz 1% -fill white -opaque white -strip -define png:compression-level=9 "png8:$pictures/$picture"
 done
 ls -l "$pictures"

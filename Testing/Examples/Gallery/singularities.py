@@ -27,7 +27,7 @@ def main(path=SURFACE):
     field = HarmonicFieldSolver(Input=surface, Singularities=singularities_on(surface))
     view = view_from([0.35, 0.3, 1], [900, 600])
     show_surface(field, view)
-    show_lines(field, view, 0.018)
+    show_lines(field, view, 0.022)
     singularities = show_singularities(field, view)
     save(view, "prescribed_singularities", 1.67)
     return singularities

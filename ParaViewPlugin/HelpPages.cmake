@@ -1,0 +1,31 @@
+# Writes the pages that `?` opens: ours, with the table of properties that ParaView makes from the XML; and those of the method.
+#
+#   cmake -D SOURCE=folder of our pages -D METHOD=folder of the method's -D GENERATED=folder of ParaView's -D OUTPUT=folder
+#     -P HelpPages.cmake
+#
+# The pages that are written here replace ParaView's in a later step; so the table may be found in either, always as the last one.
+file(GLOB pages RELATIVE "${GENERATED}" "${GENERATED}/filters.*.html")
+foreach (page IN LISTS pages)
+  string(REGEX REPLACE "^filters\\." "${SOURCE}/" source "${page}")
+  if (NOT EXISTS "${source}")
+    message(FATAL_ERROR "the filter of ${page} has no help page ${source}")
+  endif ()
+  file(READ "${GENERATED}/${page}" generated)
+  string(FIND "${generated}" "<table width=\"97%\"" begin)
+  string(FIND "${generated}" "</table>" end REVERSE)
+  set(properties "")
+  if (NOT begin EQUAL -1)
+    math(EXPR length "${end} + 8 - ${begin}")
+    string(SUBSTRING "${generated}" ${begin} ${length} properties)
+  endif ()
+  file(READ "${source}" text)
+  string(REPLACE "<!-- properties -->" "${properties}" text "${text}")
+  file(WRITE "${OUTPUT}/${page}" "${text}")
+endforeach ()
+
+file(GLOB pages RELATIVE "${METHOD}" "${METHOD}/*.md")
+foreach (page IN LISTS pages)
+  file(READ "${METHOD}/${page}" text)
+  string(REPLACE "../../../ParaViewPlugin/Documentation/" "" text "${text}") # the pictures lie beside them here
+  file(WRITE "${OUTPUT}/${page}" "${text}")
+endforeach ()

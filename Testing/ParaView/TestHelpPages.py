@@ -1,0 +1,57 @@
+"""The pages that `?` opens: one per filter, with a picture and a row for each property; and every link leads somewhere.
+
+    TestHelpPages.py FOLDER-OF-PAGES FOLDER-OF-XML
+"""
+
+import html
+import pathlib
+import re
+import sqlite3
+import sys
+import unittest
+from xml.etree import ElementTree
+
+PAGES, XML = map(pathlib.Path, sys.argv[1:3])
+del sys.argv[1:]
+
+
+def proxies():
+    """Those of the Filters menu: their elements."""
+    for path in sorted(XML.glob("*.xml")):
+        for group in ElementTree.parse(path).getroot():
+            yield from (proxy for proxy in group if proxy.find("Hints/ShowInMenu") is not None)
+
+
+class HelpPages(unittest.TestCase):
+    def test_a_page_per_filter(self):
+        self.assertGreaterEqual(len(list(proxies())), 8)
+        for proxy in proxies():
+            with self.subTest(proxy.get("name")):
+                text = (PAGES / f"filters.{proxy.get('name')}.html").read_text()
+                for part in (f"<h1>{proxy.get('label')}</h1>", "<img ", "<h2>When to use it</h2>", "<h2>Limits"):
+                    self.assertIn(part, text)
+
+    def test_a_row_per_property(self):
+        for proxy in proxies():
+            text = html.unescape((PAGES / f"filters.{proxy.get('name')}.html").read_text())
+            for name in (child.get("name") for child in proxy if child.tag.endswith("VectorProperty")):
+                label = proxy.find(f"*[@name='{name}']").get("label")
+                self.assertIn(f"<th>{label}</th>", text, proxy.get("name"))
+
+    def test_links(self):
+        for path in [*PAGES.glob("*.html"), *PAGES.glob("*.md")]:
+            text = path.read_text()
+            links = re.findall(r'(?:src|href)="([^":]+)"', text) + re.findall(r"!\[[^]]*\]\(([^):]+)\)", text)
+            for link in links:
+                self.assertTrue((PAGES / link.split("#")[0]).is_file(), f"{path.name}: {link}")
+
+    def test_the_help_file_has_them(self):
+        """What the plugin carries is an SQLite file of Qt."""
+        with sqlite3.connect(PAGES / "DirectionalMultigrid.qch") as database:
+            names = {row[0] for row in database.execute("SELECT Name FROM FileNameTable")}
+        for name in ["DirectionalFields.html", "PowerField.md", *(f"filters.{proxy.get('name')}.html" for proxy in proxies())]:
+            self.assertIn(name, {pathlib.PurePath(name).name for name in names})
+
+
+if __name__ == "__main__":
+    unittest.main()
