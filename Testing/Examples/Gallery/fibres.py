@@ -1,7 +1,8 @@
 """Fibres at an angle:  pvbatch fibres.py
 
-The wall of a ventricle in three layers. Each follows its rim and the way around it, turned by 60 degrees outside, 0 in the middle and
--60 inside. The colour is what Field Angles measures against the way around: the helix angle, from -60 (blue) to 60 degrees (red).
+The wall of a ventricle in three layers. Each follows its rim and the way around it, turned by 60 degrees outside, 0 in
+the middle and -60 inside. The colour is what Field Angles measures against the way around: the helix angle, from -60
+(blue) to 60 degrees (red).
 """
 
 import numpy as np

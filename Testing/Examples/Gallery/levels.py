@@ -1,6 +1,7 @@
 """Levels:  pvbatch levels.py
 
-What Directional Prolongation makes of a bath toy: levels with a quarter of the triangles each, between which fields are carried.
+What Directional Prolongation makes of a bath toy: levels with a quarter of the triangles each, between which fields are
+carried.
 """
 
 from scene import *
@@ -14,7 +15,8 @@ def main():
     surfaces = [levels.GetPartition(k, 0) for k in range(levels.GetNumberOfPartitionedDataSets())]
     view = view_from([0, 0.15, 1], [900, 220])
     for k, surface in enumerate(surfaces):
-        show(source(surface), view, IVORY, Representation="Surface With Edges", EdgeColor=BLUE, Ambient=0.2, Position=[2.8 * k, 0, 0])
+        show(source(surface), view, IVORY, Representation="Surface With Edges", EdgeColor=BLUE, Ambient=0.2,
+             Position=[2.8 * k, 0, 0])
     save(view, "levels", 4)
     return surfaces
 

@@ -1,7 +1,7 @@
 """Fibres measured on a third of a surface:  pvbatch measured_fibres.py
 
-The fibres of a ventricle's wall, known in a window (golden strokes), and there only to 20 degrees. A field of lines without a sign
-follows them there and goes on as smoothly as it can elsewhere, along the rim as well.
+The fibres of a ventricle's wall are known in a window only (red strokes, left), to 20 degrees. A field of lines, which
+have no sign, follows them there (middle) and goes on as smoothly as it can elsewhere (right, from the back).
 """
 
 import numpy as np
@@ -39,7 +39,8 @@ def main():
         place = dict(Position=[2.3 * k, 0, 0], Orientation=[0, 0, turn])
         show_surface(drawn, view, Ambient=0.3, **place)
         if drawn is data:
-            show(FieldGlyphs(Input=data, Directions=["CELLS", "Measured"], NumberOfDirections=2, SeparatingDistance=0.03), view, RED)
+            strokes = FieldGlyphs(Input=data, Directions=["CELLS", "Measured"], NumberOfDirections=2, SeparatingDistance=0.03)
+            show(strokes, view, RED)
         else:
             show_lines(field, view, 0.018, **place)
             show_singularities(field, view, **place)

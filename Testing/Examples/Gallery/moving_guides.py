@@ -1,6 +1,7 @@
 """Moving guides:  pvbatch moving_guides.py
 
-An arrow turns on a pebble, another one stays, and the lines follow both. Only what the guides change is solved for again in each frame.
+An arrow turns on a pebble, another one stays, and the lines follow both. Only what the guides change is solved for
+again in each frame.
 """
 
 import math

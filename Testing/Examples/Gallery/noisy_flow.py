@@ -1,7 +1,7 @@
 """A noisy flow on a scan:  pvbatch noisy_flow.py
 
-Left, what was measured on a bath toy in the wind: vectors on two thirds of the triangles, with errors of every size and a confidence
-each. Right, the field that follows them as far as they are to be trusted, and fills what is missing.
+Left, what was measured on a bath toy in the wind: vectors on two thirds of the triangles, with errors of every size and
+a confidence each. Right, the field that follows them as far as they are to be trusted, and fills what is missing.
 """
 
 import numpy as np
@@ -26,8 +26,8 @@ def measure(surface, seed=5):
 
 def main():
     data = source(measure(duck()))
-    field = HarmonicFieldSolver(Input=data, NumberOfDirections=1, Directions=["CELLS", "Measured"], Weights=["CELLS", "Confidence"],
-                                Alignment=0.01, UnitLength=0)
+    field = HarmonicFieldSolver(Input=data, NumberOfDirections=1, Directions=["CELLS", "Measured"],
+                                Weights=["CELLS", "Confidence"], Alignment=0.01, UnitLength=0)
     view = view_from([0, 0.15, 1], [900, 340])
     for k, drawn in enumerate([data, field]):
         show_surface(drawn, view, Position=[3 * k, 0, 0])

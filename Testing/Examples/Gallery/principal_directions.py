@@ -1,7 +1,7 @@
 """Principal directions:  pvbatch principal_directions.py
 
-How a bath toy bends: lines along the directions of the largest (red) and the smallest curvature (blue). The surface is darker where
-both differ more, which is where the directions are clear.
+How a bath toy bends: lines along the directions of the largest (red) and the smallest curvature (blue). The surface is
+darker where both differ more, which is where the directions are clear.
 """
 
 from scene import *

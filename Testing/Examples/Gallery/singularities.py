@@ -1,7 +1,7 @@
 """Singularities where you want them:  pvbatch singularities.py [SURFACE]
 
-Eight singularities of index -1/4 are prescribed, four on the front of a slab with two holes and four on its back, and nothing else.
-The crosses have these and no others, and turn as little as they can.
+Eight singularities of index -1/4 are prescribed, four on the front of a slab with two holes and four on its back, and
+nothing else. The crosses have these and no others, and turn as little as they can.
 """
 
 import pathlib

@@ -1,6 +1,7 @@
 """Strokes:  pvbatch strokes.py
 
-Splines drawn near a bath toy are the only guides of its plumage: a field of lines (N = 2) follows them, and is smooth between them.
+Splines drawn near a bath toy are the only guides of its plumage: a field of lines (N = 2) follows them, and is smooth
+between them.
 """
 
 from scene import *

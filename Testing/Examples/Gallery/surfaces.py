@@ -150,11 +150,14 @@ def bracket(spacing=0.04):
         outline = np.where((x1 > 0) & (y1 > 0), np.hypot(x1, y1), np.maximum(x1, y1)) - corner
         return np.max([outline] + [r - np.hypot(x - a, y - b) for a, b, r in holes], axis=0)
 
+    x, y = half - corner
     arc = corner * np.exp(0.5j * np.pi * np.linspace(0, 1, int(0.5 * np.pi * corner / spacing)))
-    corners = np.concatenate([(half[0] - corner + 1j * (half[1] - corner)) + arc, (corner - half[0] + 1j * (half[1] - corner)) + 1j * arc])
+    corners = np.concatenate([x + 1j * y + arc, -x + 1j * y + 1j * arc])
     outline = np.concatenate([corners, -corners, corners[:1]])
-    outline = np.concatenate([np.linspace(a, b, max(1, round(abs(b - a) / spacing)), endpoint=False) for a, b in zip(outline, outline[1:])])
-    folds = np.linspace(-1, 1, int(2 / spacing))[:, None] * (0.25, 1) + (1, 0), np.linspace(-1, 1, int(2 / spacing))[:, None] * (0, 1) - (1, 0)
+    outline = np.concatenate([np.linspace(a, b, max(1, round(abs(b - a) / spacing)), endpoint=False)
+                              for a, b in zip(outline, outline[1:])])
+    across = np.linspace(-1, 1, int(2 / spacing))[:, None]
+    folds = across * (0.25, 1) + (1, 0), across * (0, 1) - (1, 0)
     points, triangles = planar([np.stack([outline.real, outline.imag], 1), *folds, *(circle(*hole, spacing) for hole in holes)],
                                distance, spacing)
     for fold, origin, up in (((0.25, 1, 0), (1, 0, 0), -1), ((0, -1, 0), (-1, 0, 0), 1)):
