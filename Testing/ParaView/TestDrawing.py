@@ -110,6 +110,11 @@ class Drawing(unittest.TestCase):
         self.assertEqual(fetch(singularities, 2).GetNumberOfLines(), 0)
         spheres = fetch(singularities, 3)
         self.assertEqual(set(array(spheres.GetPointData(), "Index")), set(indices))
+        signs = array(spheres.GetPointData(), "Sign")
+        used = np.unique(vtk_to_numpy(spheres.GetPolys().GetConnectivityArray()))
+        self.assertEqual(list(signs[used]), list(np.sign(array(spheres.GetPointData(), "Index"))[used]))
+        self.assertEqual(spheres.GetPointData().GetScalars().GetName(), "Sign")
+        self.assertEqual((signs.min(), signs.max()), (-1, 1))  # whatever the indices
         singularities.SphereRadius = 0.1
         centres, around = (vtk_to_numpy(fetch(singularities, port).GetPoints().GetData()) for port in (0, 3))
         distances = np.linalg.norm(around[:, None] - centres, axis=2).min(axis=1)
