@@ -208,7 +208,7 @@
  * |X - X'|_M / |X'|_M. M_k is the area of the face of power fields and face fields, of the point of functions (1 / 3 of
  * the faces around, or as VertexAreas says), and 2 A_e / |e|^2 of the edge of 1-forms, as for m_b.
  *
- * Ports 0 and 2 carry the report as field data:
+ * Ports 0 and 2 carry the report as field data, which menus of arrays do not offer (vtkAbstractArray::GUI_HIDE):
  *
  * | field array        | type   | length  | unit, meaning                                     |
  * | ------------------ | ------ | ------- | ------------------------------------------------- |

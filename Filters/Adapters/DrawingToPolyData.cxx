@@ -1,5 +1,7 @@
 #include "Adapters/DrawingToPolyData.h"
 
+#include "Adapters/ElementArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -160,8 +162,8 @@ void SingularitiesToPolyData(
   ofPoints->AddArray(NewArray<vtkIntArray>("NumberOfDirections", 1, N.data(), size));
   ofPoints->AddArray(NewArray<vtkIdTypeArray>("PointId", 1, pointIds.data(), size));
   const int euler = surface.Mesh.EulerCharacteristic();
-  output->GetFieldData()->AddArray(NewArray<vtkDoubleArray>("SumOfIndices", 1, &sum, 1));
-  output->GetFieldData()->AddArray(NewArray<vtkIntArray>("EulerCharacteristic", 1, &euler, 1));
+  AddHidden(output->GetFieldData(), NewArray<vtkDoubleArray>("SumOfIndices", 1, &sum, 1));
+  AddHidden(output->GetFieldData(), NewArray<vtkIntArray>("EulerCharacteristic", 1, &euler, 1));
 }
 
 namespace

@@ -142,6 +142,19 @@ class Drawing(unittest.TestCase):
         self.assertEqual(display.Representation, "Point Gaussian")
         simple.Delete(view)
 
+    @unittest.skipUnless(IMAGE, "needs a display")
+    def test_colours_come_from_points_and_cells_alone(self):
+        view = simple.CreateRenderView()
+        operators = simple.DirectionalProlongation(Input=simple.Sphere(ThetaResolution=20, PhiResolution=20))
+        for source in (self.field, simple.FieldSingularities(Input=self.field), operators):
+            source.UpdatePipeline()
+            self.assertGreater(len(source.FieldData), 1)
+            menu = simple.Show(source, view).SMProxy.GetProperty("ColorArrayName").GetDomain("array_list")
+            kinds = {menu.GetFieldAssociation(i) for i in range(menu.GetNumberOfStrings())}
+            self.assertLessEqual(kinds, {0, 1})
+            self.assertIn(0, kinds)
+        simple.Delete(view)
+
     @staticmethod
     def colours(view):
         simple.Render(view)
