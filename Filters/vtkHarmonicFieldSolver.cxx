@@ -86,6 +86,30 @@ void vtkHarmonicFieldSolver::SetGuideArrayToProcess(
 }
 
 //------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::SetGuideDirections(const char* name)
+{
+  this->SetGuideArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, name);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHarmonicFieldSolver::GetGuideDirections() const
+{
+  return this->Internals->OfGuides.Vectors.Name.c_str();
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::SetGuideWeights(const char* name)
+{
+  this->SetGuideArrayToProcess(2, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, name);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHarmonicFieldSolver::GetGuideWeights() const
+{
+  return this->Internals->OfGuides.Weights.Name.c_str();
+}
+
+//------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::GetNumberOfSetups() const
 {
   return this->Internals->Kept.Counts().Setups;
@@ -207,6 +231,8 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "GuideDirections: " << this->GetGuideDirections() << "\n";
+  os << indent << "GuideWeights: " << this->GetGuideWeights() << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
   os << indent << "SharpEdgesWeight: " << this->SharpEdgesWeight << "\n";

@@ -84,7 +84,7 @@
  * SingularityIndexArray names, is a multiple of 1 / N; those at one point of the surface add up. On a closed component
  * they sum to its Euler characteristic, 2 - 2 genus; else the error says what is missing. With boundary any sum will
  * do: the loops of the boundary take the rest. A dataset without points prescribes that there are none, as a torus or an
- * open surface may have. The field has magnitude 1. Directions and guides turn it as a whole, on each component to
+ * open surface may have. The field has magnitude 1. Directions, guides and features turn it as a whole, on each component to
  * where the mean of w_b m_b |X_b - Y_b|^2 is least; without any, the first side of one triangle is among its
  * directions. Output 0 of vtkFieldSingularities may be connected here. At one point a field can show turns of less than
  * pi / N across each of the edges there; a larger index is a warning.
@@ -208,7 +208,7 @@
  * |X - X'|_M / |X'|_M. M_k is the area of the face of power fields and face fields, of the point of functions (1 / 3 of
  * the faces around, or as VertexAreas says), and 2 A_e / |e|^2 of the edge of 1-forms, as for m_b.
  *
- * Ports 0 and 2 carry the report as field data:
+ * Ports 0 and 2 carry the report as field data, which menus of arrays do not offer (vtkAbstractArray::GUI_HIDE):
  *
  * | field array        | type   | length  | unit, meaning                                     |
  * | ------------------ | ------ | ------- | ------------------------------------------------- |
@@ -571,6 +571,17 @@ public:
    */
   void SetGuideArrayToProcess(
     int index, int port, int connection, int association, const char* name);
+
+  ///@{
+  /**
+   * The same by name alone: directions at points, else on cells; weights at points, else on cells, else in field data.
+   * Default empty.
+   */
+  void SetGuideDirections(const char* name);
+  const char* GetGuideDirections() const;
+  void SetGuideWeights(const char* name);
+  const char* GetGuideWeights() const;
+  ///@}
 
   ///@{
   /**

@@ -64,7 +64,7 @@ void AddBasisSize(const BasisArrays& arrays, vtkFieldData* fieldData)
   vtkNew<vtkIntArray> size;
   size->SetName(ArrayNames::HarmonicBasisSize);
   size->InsertNextValue(arrays.Cells->GetNumberOfArrays());
-  fieldData->AddArray(size);
+  AddHidden(fieldData, size);
 }
 
 void RemoveBasis(vtkPolyData* surface)

@@ -1,5 +1,7 @@
 #include "Adapters/DrawingToPolyData.h"
 
+#include "Adapters/ElementArrays.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
@@ -160,8 +162,37 @@ void SingularitiesToPolyData(
   ofPoints->AddArray(NewArray<vtkIntArray>("NumberOfDirections", 1, N.data(), size));
   ofPoints->AddArray(NewArray<vtkIdTypeArray>("PointId", 1, pointIds.data(), size));
   const int euler = surface.Mesh.EulerCharacteristic();
-  output->GetFieldData()->AddArray(NewArray<vtkDoubleArray>("SumOfIndices", 1, &sum, 1));
-  output->GetFieldData()->AddArray(NewArray<vtkIntArray>("EulerCharacteristic", 1, &euler, 1));
+  AddHidden(output->GetFieldData(), NewArray<vtkDoubleArray>("SumOfIndices", 1, &sum, 1));
+  AddHidden(output->GetFieldData(), NewArray<vtkIntArray>("EulerCharacteristic", 1, &euler, 1));
+}
+
+namespace
+{
+
+/// The sign of Index as active scalars. Two points that no cell uses hold their range, so that each sign has a colour of its
+/// own, also where there is no other one.
+void AddSigns(vtkPolyData* spheres)
+{
+  vtkPointData* const ofPoints = spheres->GetPointData();
+  const Vector3 place(spheres->GetPoint(0));
+  std::vector<double> signs;
+  for (vtkIdType point = 0; point < spheres->GetNumberOfPoints(); ++point)
+  {
+    signs.push_back(ofPoints->GetArray("Index")->GetComponent(point, 0) < 0.0 ? -1.0 : 1.0);
+  }
+  for (const double sign : { -1.0, 1.0 })
+  {
+    spheres->GetPoints()->InsertNextPoint(place.data());
+    for (int array = 0; array < ofPoints->GetNumberOfArrays(); ++array)
+    {
+      ofPoints->GetAbstractArray(array)->InsertNextTuple(0, ofPoints->GetAbstractArray(array));
+    }
+    signs.push_back(sign);
+  }
+  ofPoints->AddArray(NewArray<vtkDoubleArray>("Sign", 1, signs.data(), static_cast<vtkIdType>(signs.size())));
+  ofPoints->SetActiveScalars("Sign");
+}
+
 }
 
 void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* output)
@@ -182,7 +213,7 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   glyphs->Update();
   output->ShallowCopy(glyphs->GetOutput());
-  output->GetPointData()->SetActiveScalars("Index");
+  AddSigns(output);
   output->GetFieldData()->Initialize();
 }
 

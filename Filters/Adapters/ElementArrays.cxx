@@ -1,5 +1,8 @@
 #include "Adapters/ElementArrays.h"
 
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <new>
@@ -40,6 +43,12 @@ void AddOnEdges(const TriangleMesh& mesh, const SurfaceNumbering& surface, const
     }
   });
   data->AddArray(array);
+}
+
+void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array)
+{
+  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
+  fieldData->AddArray(array);
 }
 
 }

@@ -25,6 +25,9 @@ namespace dmg
 vtkSmartPointer<vtkDoubleArray> NewArray(
   const std::string& name, int components, vtkIdType tuples);
 
+/// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
+void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
+
 /// Arrays of the cells or points of the surface: zeros where these are no elements of the mesh.
 template <class ElementOf>
 class ArraysOfElements

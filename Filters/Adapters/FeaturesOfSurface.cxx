@@ -87,7 +87,8 @@ std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyD
   const PrincipalCurvatures* curvatures = nullptr;
   if (options.CurvatureWeight > 0.0 && N % 2 == 0)
   {
-    if (filter->GetConstraintType() == vtkHarmonicFieldSolver::Hard)
+    const bool hasSingularities = filter->GetNumberOfInputConnections(2) > 0; // then ConstraintType has no effect
+    if (filter->GetConstraintType() == vtkHarmonicFieldSolver::Hard && !hasSingularities)
     {
       throw InvalidInput("principal directions are followed on all triangles, which hard constraints would leave no "
                          "freedom; set Constraint Type to Soft, or Curvature Weight to 0");

@@ -21,9 +21,12 @@ namespace dmg
 namespace
 {
 
-bool IsInFieldData(const ArrayChoice& choice)
+/// The array of field data that is chosen, or null.
+vtkDataArray* FieldArray(const ArrayChoice& choice, vtkDataSet* dataset)
 {
-  return choice.Association == vtkDataObject::FIELD_ASSOCIATION_NONE && !choice.Name.empty();
+  const bool isAllowed = choice.Association == vtkDataObject::FIELD_ASSOCIATION_NONE ||
+    (choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS && !HasArray(choice, dataset));
+  return isAllowed && !choice.Name.empty() ? dataset->GetFieldData()->GetArray(choice.Name.c_str()) : nullptr;
 }
 
 double Value(const ChosenArray& array, vtkIdType cell, vtkIdType point)
@@ -117,8 +120,7 @@ Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point)
 
 double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset)
 {
-  vtkDataArray* const array =
-    IsInFieldData(choice) ? dataset.Data->GetFieldData()->GetArray(choice.Name.c_str()) : nullptr;
+  vtkDataArray* const array = FieldArray(choice, dataset.Data);
   if (!array)
   {
     return 1.0;
@@ -142,26 +144,23 @@ ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* datas
 
 void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataSet>& datasets)
 {
-  const auto check = [&datasets](const ArrayChoice& choice, const std::string& what)
+  const auto check = [&datasets](const ArrayChoice& choice, const std::string& what, const std::string& kinds)
   {
-    const auto has = [&choice](const GuideDataSet& dataset)
-    {
-      return IsInFieldData(choice)
-        ? dataset.Data->GetFieldData()->GetArray(choice.Name.c_str()) != nullptr
-        : HasArray(choice, dataset.Data);
-    };
+    const bool isInFieldData = kinds.find("field") != std::string::npos;
+    const auto has = [&choice, isInFieldData](const GuideDataSet& dataset)
+    { return HasArray(choice, dataset.Data) || (isInFieldData && FieldArray(choice, dataset.Data)); };
     const bool isMade = choice.IsMade() && choice.Name != "None"; // as menus say
     if (isMade && !datasets.empty() && std::none_of(datasets.begin(), datasets.end(), has))
     {
       throw InvalidInput("array '" + choice.Name + "', chosen for the " + what +
-        " of the guides, is not among the " + (IsInFieldData(choice) ? "field" : "point or cell") +
-        " arrays of " + (datasets.size() == 1 ? datasets[0].Name : std::string("any of them")) +
+        " of the guides, is not among the " + kinds + " arrays of " +
+        (datasets.size() == 1 ? datasets[0].Name : std::string("any of them")) +
         "; choose one of those, or none");
     }
   };
-  check(choices.Mask, "mask");
-  check(choices.Vectors, "directions");
-  check(choices.Weights, "weights");
+  check(choices.Mask, "mask", "point or cell");
+  check(choices.Vectors, "directions", "point or cell");
+  check(choices.Weights, "weights", "point, cell or field");
 }
 
 LineArrays::LineArrays(const ConstraintChoices& choices, const GuideDataSet& dataset)

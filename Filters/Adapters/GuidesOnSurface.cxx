@@ -1,6 +1,7 @@
 #include "Adapters/GuidesOnSurface.h"
 
 #include "Adapters/ArrayNames.h"
+#include "Adapters/ElementArrays.h"
 #include "Adapters/GuideDataSets.h"
 #include "Adapters/SegmentOnSurface.h"
 #include "Support/Errors.h"
@@ -326,7 +327,7 @@ void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData)
   {
     array->SetName(name);
     array->InsertNextValue(value);
-    fieldData->AddArray(array);
+    AddHidden(fieldData, array);
   };
   const std::pair<const char*, long long> counts[] = { { ArrayNames::GuidesTaken, report.Taken },
     { ArrayNames::GuidesTooFar, report.TooFar }, { ArrayNames::GuidesOnFarSide, report.OnFarSide },

@@ -1,6 +1,7 @@
 #include "Adapters/OperatorsToFieldData.h"
 
 #include "Adapters/ArrayNames.h"
+#include "Adapters/ElementArrays.h"
 #include "Support/Errors.h"
 
 #include "vtkDoubleArray.h"
@@ -47,13 +48,6 @@ std::array<double, NumberOfOptions> NumbersOf(const OperatorsOrigin& origin)
 // Writing
 // ------------------------------------------------------------------------------------------
 
-void AddHidden(vtkFieldData* fieldData, const std::string& name, vtkAbstractArray* array)
-{
-  array->SetName(name.c_str());
-  array->GetInformation()->Set(vtkAbstractArray::GUI_HIDE(), 1);
-  fieldData->AddArray(array);
-}
-
 template <class ArrayType, class Value>
 void AddValues(vtkFieldData* fieldData, const std::string& name, const Value* values,
   std::size_t tuples, int components = 1)
@@ -62,7 +56,8 @@ void AddValues(vtkFieldData* fieldData, const std::string& name, const Value* va
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(static_cast<vtkIdType>(tuples));
   std::copy_n(values, components * tuples, array->GetPointer(0));
-  AddHidden(fieldData, name, array);
+  array->SetName(name.c_str());
+  AddHidden(fieldData, array);
 }
 
 /// A number as VTK stores it: one component if real, two if complex.
@@ -236,7 +231,8 @@ void OperatorsToFieldData(
   AddValues<vtkIntArray>(fieldData, ArrayNames::ProlongationFormat, &CurrentFormat, 1);
   vtkNew<vtkStringArray> digest;
   digest->InsertNextValue(origin.Digest);
-  AddHidden(fieldData, ArrayNames::ProlongationDigest, digest);
+  digest->SetName(ArrayNames::ProlongationDigest);
+  AddHidden(fieldData, digest);
   AddValues<vtkDoubleArray>(
     fieldData, ArrayNames::ProlongationOptions, NumbersOf(origin).data(), NumberOfOptions);
   const auto addSizes = [fieldData](const char* name, const std::vector<int>& sizes)

@@ -22,7 +22,7 @@ void AddValue(vtkFieldData* fieldData, const char* name, const Value& value)
   vtkNew<ArrayType> array;
   array->SetName(name);
   array->InsertNextValue(value);
-  fieldData->AddArray(array);
+  AddHidden(fieldData, array);
 }
 
 }
@@ -83,8 +83,8 @@ void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldDa
   AddValue<vtkIntArray>(fieldData, ArrayNames::NumberOfDirections, N);
   AddValue<vtkStringArray>(fieldData, ArrayNames::Solver, report.Solver);
   AddValue<vtkIntArray>(fieldData, ArrayNames::Converged, report.Converged ? 1 : 0);
-  fieldData->AddArray(unknowns);
-  fieldData->AddArray(nonZeros);
+  AddHidden(fieldData, unknowns);
+  AddHidden(fieldData, nonZeros);
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::OperatorComplexity, report.OperatorComplexity());
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::SetupSeconds, setupSeconds);
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::PrepareSeconds, report.PrepareSeconds);
@@ -95,7 +95,7 @@ void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldDa
     const auto eigenvalues = NewArray(
       ArrayNames::Eigenvalues, 1, static_cast<vtkIdType>(report.Eigenvalues.size()));
     std::copy(report.Eigenvalues.begin(), report.Eigenvalues.end(), eigenvalues->GetPointer(0));
-    fieldData->AddArray(eigenvalues);
+    AddHidden(fieldData, eigenvalues);
   }
 }
 

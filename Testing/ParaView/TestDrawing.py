@@ -115,6 +115,11 @@ class Drawing(unittest.TestCase):
         self.assertEqual(fetch(singularities, 2).GetNumberOfLines(), 0)
         spheres = fetch(singularities, 3)
         self.assertEqual(set(array(spheres.GetPointData(), "Index")), set(indices))
+        signs = array(spheres.GetPointData(), "Sign")
+        used = np.unique(vtk_to_numpy(spheres.GetPolys().GetConnectivityArray()))
+        self.assertEqual(list(signs[used]), list(np.sign(array(spheres.GetPointData(), "Index"))[used]))
+        self.assertEqual(spheres.GetPointData().GetScalars().GetName(), "Sign")
+        self.assertEqual((signs.min(), signs.max()), (-1, 1))  # whatever the indices
         singularities.SphereRadius = 0.1
         centres, around = (vtk_to_numpy(fetch(singularities, port).GetPoints().GetData()) for port in (0, 3))
         distances = np.linalg.norm(around[:, None] - centres, axis=2).min(axis=1)
@@ -140,6 +145,19 @@ class Drawing(unittest.TestCase):
                 self.assertGreater((self.colours(view) != plain).any(axis=1).mean(), 0.001)
                 simple.Hide(source, view)
         self.assertEqual(display.Representation, "Point Gaussian")
+        simple.Delete(view)
+
+    @unittest.skipUnless(IMAGE, "needs a display")
+    def test_colours_come_from_points_and_cells_alone(self):
+        view = simple.CreateRenderView()
+        operators = simple.DirectionalProlongation(Input=simple.Sphere(ThetaResolution=20, PhiResolution=20))
+        for source in (self.field, simple.FieldSingularities(Input=self.field), operators):
+            source.UpdatePipeline()
+            self.assertGreater(len(source.FieldData), 1)
+            menu = simple.Show(source, view).SMProxy.GetProperty("ColorArrayName").GetDomain("array_list")
+            kinds = {menu.GetFieldAssociation(i) for i in range(menu.GetNumberOfStrings())}
+            self.assertLessEqual(kinds, {0, 1})
+            self.assertIn(0, kinds)
         simple.Delete(view)
 
     @staticmethod

@@ -169,7 +169,7 @@ def solver_of(source, array, elements="POINTS"):
                                         NumberOfDirections=1, ConstraintType="Hard",
                                         MaximumDistance=1000)
     if array:
-        solver.GuideDirections = [elements, array]
+        solver.GuideDirections = array
     return solver
 
 
@@ -217,7 +217,7 @@ def check_the_first_example():
     """As a user has it; the middle of the line is farther from the sphere than guides count."""
     c = simple.Calculator(Input=simple.Line(), ResultArrayName="D", Function="jHat")
     solver = simple.HarmonicFieldSolver(
-        Input=simple.Sphere(), Guides=c, GuideDirections=["POINTS", "D"])
+        Input=simple.Sphere(), Guides=c, GuideDirections="D")
     solver.UpdatePipeline()
     assert simple.servermanager.Fetch(solver).GetFieldData().GetArray("Converged").GetValue(0) == 1
 
@@ -234,7 +234,7 @@ def check_lines_and_points():
     spline.ParametricFunction.Points = [0.1, 0.4, 0.0, 4.0, 0.4, 0.0, 7.9, 0.4, 0.0]
     solver = simple.HarmonicFieldSolver(
         Input=simple.Triangulate(Input=plate), Guides=[line, points, spline], NumberOfDirections=1,
-        GuideDirections=["POINTS", "D"], ConstraintType="Hard")
+        GuideDirections="D", ConstraintType="Hard")
     solver.UpdatePipeline()
     field = simple.servermanager.Fetch(solver)
     cells = field.GetCellData()
@@ -270,7 +270,7 @@ def check_weights_in_field_data():
     weights.InsertNextValue(2.5)
     line.GetFieldData().AddArray(weights)
     solver = simple.HarmonicFieldSolver(
-        Input=simple.Sphere(Radius=1), Guides=producer(line), GuideWeights=["FIELD", "W"])
+        Input=simple.Sphere(Radius=1), Guides=producer(line), GuideWeights="W")
     solver.UpdatePipeline()
     prescribed = vtk_to_numpy(
         simple.servermanager.Fetch(solver).GetCellData().GetArray("Prescribed"))

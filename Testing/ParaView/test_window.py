@@ -3,8 +3,8 @@
 
     test_window.py PARAVIEW OUTPUT-FOLDER NAME
 
-plays NAME.xml (FieldInTheWindow, GuideInTheWindow, NothingSaidInTheWindow or FeaturesInTheWindow), leaves NAME.vtk, as saved by
-the window, and a screenshot of it in the folder, and checks the former. Needs a display; ParaView has to find the plugin by itself.
+plays NAME.xml (those of TESTS below), leaves NAME.vtk, as saved by the window in the end, and a screenshot of it in the folder,
+and checks them. Needs a display; ParaView has to find the plugin by itself.
 """
 
 import pathlib
@@ -49,13 +49,17 @@ def write_ellipsoid(path):
 
 
 def write_guide(path):
-    """An arc around a part of the equator of ParaView's own sphere, of radius 1/2."""
+    """An arc around a part of the equator of ParaView's own sphere, of radius 1/2, with an array of upward vectors and weights."""
     arc = vtkArcSource()
     arc.SetPoint1(0.5, 0, 0.01)
     arc.SetPoint2(0, 0.5, 0.01)
     arc.SetCenter(0, 0, 0.01)
     arc.SetResolution(9)
     arc.Update()
+    for name, values in (("Along", np.tile((0.0, 0.0, 1.0), (10, 1))), ("Weight", np.full(10, 7.0))):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        arc.GetOutput().GetPointData().AddArray(array)
     write(path, arc.GetOutput())
 
 
@@ -92,11 +96,36 @@ def play(paraview, data, result, folder):
         raise SystemExit("ParaView reported errors or wrote no field")
 
 
-def check(result, N=4):
+def read(path):
     reader = vtkPolyDataReader()  # not XML: see README, "Files"
-    reader.SetFileName(str(result))
+    reader.SetFileName(str(path))
     reader.Update()
-    field = reader.GetOutput()
+    return reader.GetOutput()
+
+
+def former(result, what="before"):
+    """What the window has saved earlier on."""
+    return result.with_name(f"{result.stem}-{what}.vtk")
+
+
+def pixels(result):
+    """The colours of the screenshot, a row each."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(result.with_suffix(".png")))
+    reader.Update()
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
+
+
+def number_of_blue(image):
+    return ((image[:, 2] > 1.8 * image[:, 0]) & (image[:, 2] > 100)).sum()
+
+
+def number_of_red(image):
+    return ((image[:, 0] > 1.8 * image[:, 2]) & (image[:, 0] > 1.8 * image[:, 1]) & (image[:, 0] > 100)).sum()
+
+
+def check(result, N=4):
+    field = read(result)
     assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1
     for attributes in (field.GetPointData(), field.GetCellData()):
         assert attributes.HasArray("Direction0") and attributes.HasArray(f"Direction{N - 1}")
@@ -107,10 +136,14 @@ def check(result, N=4):
 
 
 def check_guide(result):
-    """The arc was followed, segment by segment, and nothing else was."""
-    report = check(result).GetFieldData()
-    assert report.GetArray("GuidesTaken").GetValue(0) == 9
+    """The array of the arc was followed at its points, upwards, with its weight, and nothing else was."""
+    field = check(result, 2)
+    report = field.GetFieldData()
+    assert report.GetArray("GuidesTaken").GetValue(0) == 10
     assert report.GetArray("GuidesTooFar").GetValue(0) == 0
+    prescribed = vtk_to_numpy(field.GetCellData().GetArray("Prescribed"))
+    assert set(prescribed % 7) == {0} and prescribed.sum() == 70, prescribed  # two points share a face
+    assert np.abs(vtk_to_numpy(field.GetCellData().GetArray("Direction0"))[prescribed > 0, 2]).min() > 0.9
 
 
 def check_features(result):
@@ -132,23 +165,62 @@ def check_nothing_said(result):
     assert field.GetFieldData().GetArray("Eigenvalues").GetNumberOfTuples() == 1
     indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
     assert list(indices[indices != 0]) == [0.5] * 4, indices[indices != 0]
-    reader = vtkPNGReader()
-    reader.SetFileName(str(result.with_suffix(".png")))
-    reader.Update()
-    image = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())[:, :3].astype(int)
-    blue = (image[:, 2] > 1.8 * image[:, 0]) & (image[:, 2] > 100)
-    assert blue.sum() > 5000, blue.sum()
+    assert number_of_blue(pixels(result)) > 5000
+
+
+def check_guide_moved(result):
+    """At the front, lines run along the line that was drawn, first upwards, then sideways; the picture shows the latter."""
+    for path, axis in ((former(result), 1), (result, 0)):
+        field = check(path, 2)
+        assert field.GetFieldData().GetArray("GuidesTaken").GetValue(0) == 1
+        places = vtk_to_numpy(field.GetPoints().GetData())
+        directions = vtk_to_numpy(field.GetPointData().GetArray("Direction0"))
+        front = np.linalg.norm(places - (0, 0, 1), axis=1) < 0.3
+        assert np.abs(directions[front, axis]).min() > 0.9, path
+    assert number_of_blue(pixels(result)) > 1500  # lines, on the surface
+
+
+def check_filters(result):
+    """Eight singularities; lines of both branches, and red spheres, on the surface that stays."""
+    points = read(result)
+    indices = vtk_to_numpy(points.GetPointData().GetArray("Index"))
+    assert list(indices) == [0.25] * 8, indices
+    lines = read(former(result, "lines"))
+    assert set(vtk_to_numpy(lines.GetCellData().GetArray("Branch"))) == {0, 1}
+    image = pixels(result)
+    assert number_of_blue(image) > 1500 and number_of_red(image) > 1500
+    grey = (np.ptp(image, axis=1) < 40) & (image.min(axis=1) > 60) & (image.max(axis=1) < 239)
+    assert grey.sum() > 20000, grey.sum()
+
+
+def check_state(result):
+    """All arrays of the field have the same bits as before the state was saved."""
+    before, after = check(former(result), 3), check(result, 3)
+    for kind in ("GetPointData", "GetCellData"):
+        one, other = getattr(before, kind)(), getattr(after, kind)()
+        assert one.GetNumberOfArrays() == other.GetNumberOfArrays() >= 5
+        for index in range(one.GetNumberOfArrays()):
+            name = one.GetArrayName(index)
+            assert np.array_equal(vtk_to_numpy(one.GetArray(name)), vtk_to_numpy(other.GetArray(name))), name
+    assert number_of_blue(pixels(result)) > 1500
+
+
+TESTS = {"FieldInTheWindow": (write_sphere, check),
+         "GuideInTheWindow": (write_guide, check_guide),
+         "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
+         "FeaturesInTheWindow": (write_ellipsoid, check_features),
+         "GuideMovedInTheWindow": (write_sphere, check_guide_moved),
+         "FiltersInTheWindow": (write_sphere, check_filters),
+         "StateInTheWindow": (write_sphere, check_state)}
 
 
 def main():
     paraview, folder, name = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
     folder.mkdir(parents=True, exist_ok=True)
     data, result = folder / f"{name}.vtp", folder / f"{name}.vtk"
-    result.unlink(missing_ok=True)
-    write_data, check_result = {"FieldInTheWindow": (write_sphere, check),
-                                "GuideInTheWindow": (write_guide, check_guide),
-                                "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
-                                "FeaturesInTheWindow": (write_ellipsoid, check_features)}[name]
+    for old in (result, former(result), former(result, "lines")):
+        old.unlink(missing_ok=True)
+    write_data, check_result = TESTS[name]
     write_data(data)
     play(paraview, data, result, folder)
     check_result(result)
