@@ -35,6 +35,34 @@ constexpr double IdleDistance = 0.05;
 /// Pieces between two checkpoints; a millisecond or so.
 constexpr int PiecesBetweenCheckpoints = 4096;
 
+/// Whether a line turns around one place.
+class Standstill
+{
+public:
+  Standstill(const Vector3& start, double separation)
+    : Before(start)
+    , Distance(IdleDistance * separation)
+  {
+  }
+
+  /// After each piece.
+  bool IsReached(const Vector3& place)
+  {
+    if (++this->Pieces % IdlePieces != 0)
+    {
+      return false;
+    }
+    const bool hasMoved = (place - this->Before).norm() >= this->Distance; // not where it is not finite
+    this->Before = place;
+    return !hasMoved;
+  }
+
+private:
+  Vector3 Before;
+  const double Distance;
+  int Pieces = 0;
+};
+
 struct Seed
 {
   SurfacePoint Place;
@@ -209,8 +237,8 @@ private:
     // The second half looks at once where the first one has ended.
     double room =
       sign > 0.0 ? (NearestSeed - this->Options.StopRatio) * this->Options.Separation : 0.0;
-    Vector3 placeBefore = trail.Points.back().Position;
-    for (int pieces = 1;; ++pieces)
+    Standstill standstill(trail.Points.back().Position, this->Options.Separation);
+    while (true)
     {
       const LineTracer::Piece piece = this->Tracer.Current();
       const double length = piece.Length();
@@ -248,16 +276,7 @@ private:
       this->AddPoint(trail, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face,
         goesOn ? this->Tracer.Current().Face : piece.Face);
       this->Count();
-      if (pieces % IdlePieces == 0)
-      {
-        const Vector3 place = trail.Points.back().Position;
-        if (!((place - placeBefore).norm() >= IdleDistance * this->Options.Separation)) // nor where it is not finite
-        {
-          return;
-        }
-        placeBefore = place;
-      }
-      if (!goesOn)
+      if (!goesOn || standstill.IsReached(trail.Points.back().Position))
       {
         return;
       }
@@ -278,6 +297,7 @@ private:
     const Complex along = this->Field.Direction(seed.Place.Face, seed.Direction);
     const std::size_t size = this->Spacing.Segments().size();
     Trail rest = { {}, trail.Length, true };
+    Standstill standstill(trail.Points.back().Position, this->Options.Separation);
     while (rest.Length - trail.Length < 2.0 * this->Options.Separation)
     {
       const LineTracer::Piece& piece = this->Tracer.Current();
@@ -305,7 +325,8 @@ private:
       this->AddSegment(piece, from, piece.To, 1.0, rest);
       this->AddPoint(
         rest, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face, piece.Face);
-      if (!this->Tracer.Advance())
+      this->Count();
+      if (!this->Tracer.Advance() || standstill.IsReached(rest.Points.back().Position))
       {
         break;
       }
