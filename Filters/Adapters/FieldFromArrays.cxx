@@ -240,7 +240,7 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
         throw InvalidInput("the vectors Direction0 and " + DirectionName(k) + " of cell " +
           std::to_string(surface.FirstCell + polygon) + " are not " + std::to_string(360 * k / N) +
           " degrees apart, as those of a field of " + std::to_string(N) +
-          " directions are; draw one array at a time, with 1 or 2 for the number of directions");
+          " directions are; draw one array at a time, with 1 as Number Of Directions");
       }
     }
   }

@@ -167,6 +167,30 @@ TEST(Memory, ThatRunsOutInTheCoreIsAnExceptionAndTheNextSolveIsWhole)
   }
 }
 
+namespace
+{
+
+void* NoMoreThanFourMegabytes(std::size_t size)
+{
+  return size > 4000000 ? nullptr : __libc_malloc(size);
+}
+
+}
+
+TEST(Memory, ThatTheFactorLacksIsAnErrorAndConjugateGradientsHelp)
+{
+  const auto solver = NewSolver(Given(Torus(100, 60)), 0, vtkHarmonicFieldSolver::Cholesky);
+  const Messages messages(solver);
+  SuiteSparse_config.malloc_func = NoMoreThanFourMegabytes;
+  solver->Update();
+  EXPECT_NE(messages.Error().find("choose Conjugate Gradients as Solver"), std::string::npos) << messages.Error();
+  EXPECT_TRUE(Field(solver).empty());
+  solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
+  solver->Update();
+  EXPECT_FALSE(Field(solver).empty());
+  SuiteSparse_config.malloc_func = __libc_malloc;
+}
+
 // Aborts
 // ----------------------------------------------------------------------------------------------
 
