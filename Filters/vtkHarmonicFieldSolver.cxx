@@ -201,7 +201,7 @@ int vtkHarmonicFieldSolver::RequestData(
     {
       vtkWarningMacro("the surface has " << kept.Basis().NumberOfFields
         << " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes "
-           "and remove its small handles first, or switch HarmonicBasis off");
+           "and remove its small handles first, or switch Harmonic Basis off");
     }
 
     output->ShallowCopy(input);

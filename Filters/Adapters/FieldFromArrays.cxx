@@ -1,6 +1,5 @@
 #include "Adapters/FieldFromArrays.h"
 
-#include "Adapters/FilterRequests.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
@@ -240,7 +239,7 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
         throw InvalidInput("the vectors Direction0 and " + DirectionName(k) + " of cell " +
           std::to_string(surface.FirstCell + polygon) + " are not " + std::to_string(360 * k / N) +
           " degrees apart, as those of a field of " + std::to_string(N) +
-          " directions are; draw one array at a time, with 1 or 2 for the number of directions");
+          " directions are; draw one array at a time, with 1 as Number Of Directions");
       }
     }
   }
@@ -326,17 +325,6 @@ Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const S
     }
   }
   return references;
-}
-
-int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, int N,
-  const std::function<void(const SurfaceWithField&, const ExecutionContext&)>& draw)
-{
-  return MakeOutputs(algorithm, request, inputs, outputs, [&](const ExecutionContext& context) {
-    const SurfaceWithField field =
-      ReadField(algorithm, vtkPolyData::GetData(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
-    draw(field, PartOfContext(context, 0.3, 1.0));
-  });
 }
 
 }

@@ -2,16 +2,17 @@
 #define dmgFieldFromArrays_h
 
 #include "Adapters/ChosenArrays.h"
+#include "Adapters/FilterRequests.h"
 #include "Adapters/MeshFromPolyData.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Mesh/TangentFrames.h"
 #include "Support/ExecutionContext.h"
 
-#include <functional>
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
 
 class vtkAlgorithm;
 class vtkInformation;
-class vtkInformationVector;
 
 namespace dmg
 {
@@ -46,9 +47,16 @@ Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const S
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.
 /// \return what RequestData returns.
+template <class Draw>
 int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, int N,
-  const std::function<void(const SurfaceWithField&, const ExecutionContext&)>& draw);
+  vtkInformationVector* outputs, int N, const Draw& draw)
+{
+  return MakeOutputs(algorithm, request, inputs, outputs, [&](const ExecutionContext& context) {
+    const SurfaceWithField field =
+      ReadField(algorithm, vtkPolyData::GetData(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
+    draw(field, PartOfContext(context, 0.3, 1.0));
+  });
+}
 
 }
 

@@ -276,8 +276,9 @@ std::string GuidesReport::LeftOut() const
   say(this->TooFar, " farther from the surface than " + distance.str());
   say(this->OnFarSide, " nearer to the far side of a thin wall than to the near one");
   say(this->Perpendicular, " perpendicular to the surface");
-  text << "; move them nearer to the surface, give their lines more points";
-  text << (this->TooFar > 0 ? ", or raise Maximum Distance" : ", or take them out of Guides");
+  text << "; " << (this->TooFar > 0 ? "move them nearer to the surface, raise Maximum Distance, " : "")
+       << (this->OnFarSide > 0 ? "give their lines more points, " : "")
+       << (this->Perpendicular > 0 ? "turn their lines along the surface, " : "") << "or take them out of Guides";
   return text.str();
 }
 

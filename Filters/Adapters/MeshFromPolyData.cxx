@@ -295,7 +295,7 @@ SurfaceMesh MeshFromPolyData(
   {
     throw InvalidInput("the surface has " + std::to_string(numberOfFaces) + " triangles, at most " +
       std::to_string(std::numeric_limits<int>::max() / 3) +
-      " can be numbered; decimate it or split it into its parts first");
+      " can be numbered; apply Decimate (vtkDecimatePro) first");
   }
 
   GivenTriangles given = ReadTriangles(surface, firstCell);

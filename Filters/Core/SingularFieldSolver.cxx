@@ -4,6 +4,7 @@
 #include "Analysis/SurfaceHolonomy.h"
 #include "Analysis/TrivialConnection.h"
 #include "Discretisations/MakeDiscretisation.h"
+#include "Discretisations/Prescriptions.h"
 #include "FieldSetup.h"
 #include "Solvers/HarmonicProblem.h"
 #include "Support/ComplexPairs.h"
@@ -344,6 +345,7 @@ const Vector<double>& SingularFieldSolver::Solve(
   const int N = options.Field.N;
   std::vector<int> times = TimesByVertex(of.On.Mesh, singularities, names);
   FieldConstraints constraints = of.Field->Prescribe(directions, names);
+  CheckSizes(directions, names);
   if (!of.Surface)
   {
     const auto start = Clock::now();

@@ -1152,7 +1152,7 @@ const BadInput BadInputs[] = {
       AddPointVectors(input, "Normal", { { 2, Vector3(normal) } });
       Choose(solver, 1, OnPoints, "Normal");
     },
-    { "point 2", "perpendicular", "out of the mask" } },
+    { "point 2", "perpendicular", "leave the point out, by Mask" } },
   { "GuideNormal",
     [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
     {

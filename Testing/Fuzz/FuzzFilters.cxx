@@ -11,10 +11,13 @@
 #include "Cxx/TestTools.h"
 
 #include "vtkDirectionalProlongation.h"
+#include "vtkFieldAngles.h"
+#include "vtkFieldGlyphs.h"
 #include "vtkFieldLines.h"
 #include "vtkFieldSingularities.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
+#include "vtkPrincipalDirections.h"
 #include "vtkTable.h"
 
 #include <chrono>
@@ -254,6 +257,44 @@ void SetOptions(Choices& choose, vtkHarmonicFieldSolver* solver)
   }
 }
 
+void SetFeatures(Choices& choose, vtkHarmonicFieldSolver* solver)
+{
+  for (const auto set : { &vtkHarmonicFieldSolver::SetBoundaryWeight, &vtkHarmonicFieldSolver::SetSharpEdgesWeight,
+         &vtkHarmonicFieldSolver::SetCurvatureWeight })
+  {
+    (solver->*set)(choose.OneIn(2) ? 0.0 : choose.OneIn(8) ? choose.Number() : 3.0 * choose.Unit());
+  }
+  solver->SetFeatureAngle(180.0 * choose.Unit());
+  solver->SetCurvatureDirection(choose.Below(2));
+  solver->SetCurvatureScale(choose.OneIn(8) ? 100.0 * choose.Unit() : 4.0 * choose.Unit());
+  solver->SetRotation(choose.OneIn(2) ? 0.0 : 360.0 * choose.Unit() - 180.0);
+  solver->SetInputArrayToProcess(4, 0, 0, choose.Below(2), choose.OneIn(3) ? "Values" : "");
+}
+
+/// Points on and beside a surface, often as many as a sphere has of the least index, with an array of indices or without.
+vtkSmartPointer<vtkPolyData> SingularitiesOf(Choices& choose, vtkPolyData* surface, int numberOfDirections)
+{
+  const int size = choose.OneIn(2) ? 2 * numberOfDirections : choose.Below(8);
+  vtkNew<vtkPoints> points;
+  const auto indices = Zeros("Index", size, 1);
+  for (int i = 0; i < size; ++i)
+  {
+    double place[3];
+    surface->GetPoint(choose.Below(static_cast<int>(surface->GetNumberOfPoints())), place);
+    place[choose.Below(3)] += choose.OneIn(4) ? choose.Number() : 0.01 * choose.Unit();
+    points->InsertNextPoint(place);
+    const double index = static_cast<double>(choose.Below(5) - 2) / numberOfDirections;
+    indices->SetValue(i, choose.OneIn(40) ? choose.Number() : index);
+  }
+  auto singularities = vtkSmartPointer<vtkPolyData>::New();
+  singularities->SetPoints(points);
+  if (choose.OneIn(3))
+  {
+    singularities->GetPointData()->AddArray(indices);
+  }
+  return singularities;
+}
+
 /// \throw std::runtime_error an array that the input has not holds a number that is not finite.
 void CheckNumbers(vtkDataObject* output, vtkPolyData* input)
 {
@@ -300,6 +341,44 @@ void Run(vtkAlgorithm* filter, vtkPolyData* input)
   }
 }
 
+/// The same solver again, with features, or singularities, or both.
+void RunWithFeatures(Choices& choose, vtkHarmonicFieldSolver* solver, vtkPolyData* input)
+{
+  SetFeatures(choose, solver);
+  if (choose.OneIn(2))
+  {
+    solver->SetDiscretisation(choose.OneIn(8) ? choose.Below(4) : 0);
+    solver->SetInputData(2, SingularitiesOf(choose, input, solver->GetNumberOfDirections()));
+    solver->SetSingularityIndexArray(choose.OneIn(20) ? "Values" : "");
+  }
+  Run(solver, input);
+  if (choose.OneIn(4) && solver->GetNumberOfInputConnections(2) > 0)
+  {
+    solver->RemoveAllSingularities();
+    Run(solver, input);
+  }
+}
+
+void Draw(Choices& choose, std::initializer_list<vtkAlgorithm*> filters, vtkPolyData* field)
+{
+  for (vtkAlgorithm* const drawing : filters)
+  {
+    drawing->SetInputDataObject(field);
+    if (choose.OneIn(3))
+    {
+      drawing->SetInputArrayToProcess(0, 0, 0, choose.Below(2), "Given");
+    }
+    Run(drawing, field);
+  }
+}
+
+vtkSmartPointer<vtkPolyData> FieldOf(vtkHarmonicFieldSolver* solver, vtkPolyData* input)
+{
+  auto field = vtkSmartPointer<vtkPolyData>::New();
+  field->ShallowCopy(solver->GetOutput()->GetNumberOfCells() > 0 ? solver->GetOutput() : input);
+  return field;
+}
+
 void RunCase(unsigned long long seed)
 {
   Choices choose(seed);
@@ -325,20 +404,23 @@ void RunCase(unsigned long long seed)
     SetOptions(choose, solver);
     Run(solver, input);
   }
-  vtkNew<vtkPolyData> field;
-  field->ShallowCopy(solver->GetOutput()->GetNumberOfCells() > 0 ? solver->GetOutput() : input.Get());
   vtkNew<vtkFieldSingularities> singularities;
   vtkNew<vtkFieldLines> lines;
   lines->SetSeparatingDistance(0.05);
-  for (vtkAlgorithm* const drawing : std::initializer_list<vtkAlgorithm*>{ singularities, lines })
-  {
-    drawing->SetInputDataObject(field);
-    if (choose.OneIn(3))
-    {
-      drawing->SetInputArrayToProcess(0, 0, 0, choose.Below(2), "Given");
-    }
-    Run(drawing, field);
-  }
+  Draw(choose, { singularities, lines }, FieldOf(solver, input));
+
+  RunWithFeatures(choose, solver, input);
+  vtkNew<vtkFieldGlyphs> glyphs;
+  glyphs->SetSeparatingDistance(0.01 + 0.1 * choose.Unit());
+  glyphs->SetPlacement(choose.Below(2));
+  glyphs->SetSizing(choose.Below(3));
+  glyphs->SetStyle(choose.Below(2));
+  vtkNew<vtkFieldAngles> angles;
+  angles->SetAxis(choose.Number(), choose.Number(), choose.Number());
+  angles->SetInputArrayToProcess(1, 0, 0, choose.Below(2), choose.OneIn(3) ? "Given" : "");
+  vtkNew<vtkPrincipalDirections> principal;
+  principal->SetScale(choose.OneIn(8) ? 100.0 * choose.Unit() : 4.0 * choose.Unit());
+  Draw(choose, { singularities, lines, glyphs, angles, principal }, FieldOf(solver, input));
 }
 
 /// \return whether it is as it must be.

@@ -5,20 +5,32 @@
 #include "FieldSolver.h"
 #include "TestTools.h"
 
+#include "vtkDirectionalProlongation.h"
+#include "vtkFieldAngles.h"
+#include "vtkFieldGlyphs.h"
+#include "vtkFieldLines.h"
+#include "vtkFieldSingularities.h"
+#include "vtkPrincipalDirections.h"
+
 #include <SuiteSparse_config.h>
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <link.h>
+#include <new>
 #include <random>
 #include <thread>
 
 using namespace dmg;
 using namespace dmg::test;
 
-// Memory: the n-th request of the executing thread fails, in the core. (VTK's own lists and arrays do not survive that:
-// they leave objects half made, or end the process.)
+// Memory: the n-th request of the executing thread fails, in the core, or in the library of the filters. There, requests
+// of VTK's own libraries are spared, whose lists and arrays do not survive that: they leave objects half made, or end the
+// process.
 // ----------------------------------------------------------------------------------------------
 
 extern "C"
@@ -27,6 +39,7 @@ extern "C"
   void* __libc_calloc(std::size_t, std::size_t);
   void* __libc_realloc(void*, std::size_t);
   void* __libc_memalign(std::size_t, std::size_t);
+  void __libc_free(void*);
 }
 
 namespace
@@ -34,9 +47,41 @@ namespace
 
 thread_local long long requests = 0; ///< counted while failing >= 0
 thread_local long long failing = -1; ///< the request that fails; 0: none
-bool Fails()
+thread_local bool isOfFilters = false; ///< only requests from the code of their library count
+
+struct CodeOfFilters
 {
-  return failing >= 0 && ++requests == failing;
+  std::uintptr_t Begin = 0, End = 0;
+};
+
+CodeOfFilters FindCodeOfFilters()
+{
+  CodeOfFilters code;
+  dl_iterate_phdr(
+    [](dl_phdr_info* library, std::size_t, void* found) {
+      for (int k = 0; std::strstr(library->dlpi_name, "FiltersDirectionalFields") && k < library->dlpi_phnum; ++k)
+      {
+        const auto& segment = library->dlpi_phdr[k];
+        if (segment.p_type == PT_LOAD && (segment.p_flags & PF_X))
+        {
+          const std::uintptr_t begin = library->dlpi_addr + segment.p_vaddr;
+          *static_cast<CodeOfFilters*>(found) = { begin, begin + segment.p_memsz };
+        }
+      }
+      return 0;
+    },
+    &code);
+  return code;
+}
+
+const CodeOfFilters codeOfFilters = FindCodeOfFilters();
+
+/// \param caller where the request comes from.
+bool Fails(const void* caller)
+{
+  const auto address = reinterpret_cast<std::uintptr_t>(caller);
+  return failing >= 0 && (!isOfFilters || (address >= codeOfFilters.Begin && address < codeOfFilters.End)) &&
+    ++requests == failing;
 }
 
 }
@@ -45,36 +90,51 @@ extern "C"
 {
   void* malloc(std::size_t size)
   {
-    return Fails() ? nullptr : __libc_malloc(size);
+    return Fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
   }
   void* calloc(std::size_t number, std::size_t size)
   {
-    return Fails() ? nullptr : __libc_calloc(number, size);
+    return Fails(__builtin_return_address(0)) ? nullptr : __libc_calloc(number, size);
   }
   void* realloc(void* memory, std::size_t size)
   {
-    return Fails() ? nullptr : __libc_realloc(memory, size);
+    return Fails(__builtin_return_address(0)) ? nullptr : __libc_realloc(memory, size);
   }
   void* aligned_alloc(std::size_t alignment, std::size_t size)
   {
-    return Fails() ? nullptr : __libc_memalign(alignment, size);
+    return Fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
   }
   int posix_memalign(void** memory, std::size_t alignment, std::size_t size)
   {
-    *memory = Fails() ? nullptr : __libc_memalign(alignment, size);
+    *memory = Fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
     return *memory ? 0 : ENOMEM;
   }
+}
+
+void* operator new(std::size_t size)
+{
+  void* const memory = Fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
+  return memory ? memory : throw std::bad_alloc();
+}
+void operator delete(void* memory) noexcept
+{
+  __libc_free(memory);
+}
+void operator delete(void* memory, std::size_t) noexcept
+{
+  __libc_free(memory);
 }
 
 namespace
 {
 
 constexpr int OnCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
+constexpr int OnPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 
 vtkSmartPointer<vtkPolyData> Given(const Surface& surface)
 {
   auto input = PolyDataOf(surface);
-  AddCellVectors(input, "Given", { { 10, { 1.0, 0.5, -0.25 } }, { 200, { -0.5, 0.25, 1.0 } } });
+  AddCellVectors(input, "Given", { { 10, { 1.0, 0.5, -0.25 } }, { 150, { -0.5, 0.25, 1.0 } } });
   return input;
 }
 
@@ -95,10 +155,10 @@ std::vector<double> Field(vtkAlgorithm* solver)
 }
 
 /// The first requests, and others ever farther apart.
-std::vector<long long> Some(long long all)
+std::vector<long long> Some(long long all, int dense = 60)
 {
   std::vector<long long> some;
-  for (long long number = 1; number <= all; number += 1 + number / 60)
+  for (long long number = 1; number <= all; number += 1 + number / dense)
   {
     some.push_back(number);
   }
@@ -165,6 +225,151 @@ TEST(Memory, ThatRunsOutInTheCoreIsAnExceptionAndTheNextSolveIsWhole)
       EXPECT_GT(errors, 50);
     }
   }
+}
+
+namespace
+{
+
+/// Of all cells and points of all outputs.
+std::vector<double> AllNumbers(vtkAlgorithm* filter)
+{
+  std::vector<double> all;
+  for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    for (const int kind : { OnCells, OnPoints })
+    {
+      vtkFieldData* const arrays = filter->GetOutputDataObject(port)->GetAttributesAsFieldData(kind);
+      for (int k = 0; arrays && k < arrays->GetNumberOfArrays(); ++k)
+      {
+        const std::vector<double> values = Values(arrays, arrays->GetAbstractArray(k)->GetName());
+        all.insert(all.end(), values.begin(), values.end());
+      }
+    }
+  }
+  return all;
+}
+
+/// Filters of every kind, on one surface.
+std::vector<vtkSmartPointer<vtkAlgorithm>> AllFilters(vtkPolyData* input)
+{
+  std::vector<vtkSmartPointer<vtkAlgorithm>> all;
+  for (int discretisation = 0; discretisation < 4; ++discretisation)
+  {
+    const auto solver = NewSolver(input, discretisation, vtkHarmonicFieldSolver::ConjugateGradients);
+    solver->SetInputArrayToProcess(3, 0, 0, OnPoints, discretisation == 3 ? "Values" : "");
+    solver->SetInputData(1, Given(Torus(12, 8)));
+    solver->SetGuideArrayToProcess(1, 1, 0, OnCells, "Given");
+    solver->SetHarmonicBasis(true);
+    solver->SetCurvatureWeight(discretisation == 0 ? 1.0 : 0.0);
+    all.push_back(solver);
+  }
+  const auto singular = NewSolver(input, 0, vtkHarmonicFieldSolver::Automatic);
+  singular->SetInputData(2, vtkNew<vtkPolyData>());
+  const auto prolongation = vtkSmartPointer<vtkDirectionalProlongation>::New();
+  prolongation->FaceFieldsOn();
+  prolongation->OneFormsOn();
+  prolongation->SetMinimumNumberOfFaces(50);
+  prolongation->SetInputData(input);
+  all.insert(all.end(), { singular, prolongation });
+  const std::initializer_list<vtkSmartPointer<vtkAlgorithm>> drawings = { vtkSmartPointer<vtkFieldLines>::New(),
+    vtkSmartPointer<vtkFieldGlyphs>::New(), vtkSmartPointer<vtkFieldSingularities>::New(),
+    vtkSmartPointer<vtkFieldAngles>::New(), vtkSmartPointer<vtkPrincipalDirections>::New() };
+  for (const auto& drawing : drawings)
+  {
+    drawing->SetInputDataObject(input);
+    drawing->SetInputArrayToProcess(0, 0, 0, OnCells, "Everywhere");
+    all.push_back(drawing);
+  }
+  return all;
+}
+
+/// Every cell and point has something.
+vtkSmartPointer<vtkPolyData> SmallTorus()
+{
+  const auto input = Given(Torus(32, 20));
+  const auto everywhere = Zeros("Everywhere", input->GetNumberOfCells(), 3);
+  const auto values = Zeros("Values", input->GetNumberOfPoints(), 1);
+  for (vtkIdType cell = 0; cell < input->GetNumberOfCells(); ++cell)
+  {
+    everywhere->SetTuple3(cell, 1.0, 0.3, 0.1);
+  }
+  for (vtkIdType point = 0; point < input->GetNumberOfPoints(); ++point)
+  {
+    values->SetValue(point, 1.0 * (point % 7));
+  }
+  input->GetCellData()->AddArray(everywhere);
+  input->GetPointData()->AddArray(values);
+  return input;
+}
+
+}
+
+TEST(Memory, ThatRunsOutInAFilterIsAnErrorAndTheNextUpdateIsWhole)
+{
+  ASSERT_GT(codeOfFilters.End, codeOfFilters.Begin);
+  const auto input = SmallTorus();
+  const std::size_t kinds = AllFilters(input).size();
+  for (std::size_t kind = 0; kind < kinds; ++kind)
+  {
+    const auto update = [kind](vtkAlgorithm* filter, long long number) {
+      const Messages messages(filter);
+      requests = 0;
+      isOfFilters = true;
+      failing = number;
+      filter->Update();
+      failing = -1;
+      isOfFilters = false;
+      return messages.Error();
+    };
+    const auto whole = AllFilters(input)[kind];
+    SCOPED_TRACE(testing::Message() << whole->GetClassName() << ' ' << kind);
+    ASSERT_EQ(update(whole, 0), "");
+    const long long all = requests;
+    const std::vector<double> expected = AllNumbers(whole);
+    ASSERT_FALSE(expected.empty());
+    int errors = 0;
+    for (const long long number : Some(all, 10))
+    {
+      SCOPED_TRACE(testing::Message() << "request " << number << " of " << all);
+      const auto filter = AllFilters(input)[kind];
+      const std::string error = update(filter, number);
+      errors += !error.empty();
+      if (error.empty())
+      {
+        ASSERT_EQ(AllNumbers(filter), expected);
+        continue;
+      }
+      ASSERT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
+      filter->Modified();
+      ASSERT_EQ(update(filter, 0), "");
+      ASSERT_EQ(AllNumbers(filter), expected);
+    }
+    EXPECT_GT(errors, 10);
+  }
+}
+
+namespace
+{
+
+void* NoMoreThanFourMegabytes(std::size_t size)
+{
+  return size > 4000000 ? nullptr : __libc_malloc(size);
+}
+
+}
+
+TEST(Memory, ThatTheFactorLacksIsAnErrorAndConjugateGradientsHelp)
+{
+  const auto solver = NewSolver(Given(Torus(100, 60)), 0, vtkHarmonicFieldSolver::Cholesky);
+  const Messages messages(solver);
+  SuiteSparse_config.malloc_func = NoMoreThanFourMegabytes;
+  solver->Update();
+  EXPECT_NE(messages.Error().find("choose Conjugate Gradients as Solver"), std::string::npos) << messages.Error();
+  EXPECT_TRUE(Field(solver).empty());
+  solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
+  solver->Update();
+  EXPECT_FALSE(Field(solver).empty());
+  SuiteSparse_config.malloc_func = __libc_malloc;
 }
 
 // Aborts

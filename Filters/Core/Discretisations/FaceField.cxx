@@ -68,12 +68,12 @@ std::unique_ptr<const RoughnessHierarchy> FaceField::Assemble(
   std::vector<SparseMatrix<double>> prolongations;
   if (operators && space == CoarseSpaceKind::Nodal)
   {
-    CheckOperators(!operators->Nodal.empty(), "FaceFields");
+    CheckOperators(!operators->Nodal.empty(), "Face Fields");
     prolongations = OnComponents(operators->Nodal, context);
   }
   else if (operators)
   {
-    CheckOperators(!operators->SX.empty(), "FaceFields");
+    CheckOperators(!operators->SX.empty(), "Face Fields");
     prolongations = operators->SX;
   }
   SparseMatrix<double> B =

@@ -65,14 +65,14 @@ std::unique_ptr<const RoughnessHierarchy> OneForm::Assemble(
   std::vector<SparseMatrix<double>> prolongations;
   if (operators && space == CoarseSpaceKind::Nodal)
   {
-    CheckOperators(!operators->Nodal.empty(), "OneForms");
+    CheckOperators(!operators->Nodal.empty(), "One Forms");
     prolongations = OnComponents(operators->Nodal, context);
     prolongations[0] = SparseMatrix<double>(
       FormFromFaceField(this->Surface.Mesh, this->Surface.Faces, context) * prolongations[0]);
   }
   else if (operators)
   {
-    CheckOperators(!operators->S1.empty(), "OneForms");
+    CheckOperators(!operators->S1.empty(), "One Forms");
     prolongations = operators->S1;
   }
   SparseMatrix<double> L1 = OneFormLaplacian(this->Surface.Mesh, context, this->Areas);

@@ -83,7 +83,7 @@ std::unique_ptr<const RoughnessHierarchy> PowerField::Assemble(
   {
     const auto& transports =
       space == CoarseSpaceKind::Nodal ? operators->Nodal : operators->SP;
-    CheckOperators(!transports.empty(), "PowerFields");
+    CheckOperators(!transports.empty(), "Power Fields");
     prolongations = OnPowers(transports, this->N, context);
   }
   SparseMatrix<Complex> L =

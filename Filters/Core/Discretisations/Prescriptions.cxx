@@ -111,7 +111,7 @@ Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& 
   double weight, const std::string& name, const std::string& kind)
 {
   const std::string where = " prescribed on " + name;
-  const std::string orLeaveOut = " or take the " + kind + " out of the mask";
+  const std::string orLeaveOut = ", or leave the " + kind + " out, by Mask or a direction of zero where there is no mask";
   if (!direction.allFinite())
   {
     throw InvalidInput("the direction" + where + " is not finite; repair it" + orLeaveOut);

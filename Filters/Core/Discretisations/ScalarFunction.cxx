@@ -91,12 +91,12 @@ std::unique_ptr<const RoughnessHierarchy> ScalarFunction::Assemble(
   std::vector<SparseMatrix<double>> prolongations;
   if (operators && space == CoarseSpaceKind::Nodal)
   {
-    CheckOperators(!operators->Nodal.empty(), "PowerFields");
+    CheckOperators(!operators->Nodal.empty(), "Power Fields");
     prolongations = ProlongationsOfNodes(this->Surface.Mesh, operators->Nodal);
   }
   else if (operators)
   {
-    CheckOperators(!operators->S0.empty(), "PowerFields");
+    CheckOperators(!operators->S0.empty(), "Power Fields");
     prolongations = operators->S0;
   }
   SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context);
@@ -132,7 +132,7 @@ FieldConstraints ScalarFunction::Prescribe(
     {
       throw InvalidInput("the value " + std::to_string(value) + " with the weight " +
         std::to_string(weight) + ", prescribed on " + names.Vertex(vertex) +
-        ", is not finite or its weight not positive; repair it or take the point out of the mask");
+        ", is not finite or its weight not positive; repair it, or leave the point out, by Mask or a value of NaN where there is no mask");
     }
     if (constraints.Elements.empty() || constraints.Elements.back() != vertex)
     {

@@ -2,6 +2,7 @@
 
 #include "Drawing/LineSpacing.h"
 #include "Drawing/LineTracer.h"
+#include "Drawing/Standstill.h"
 #include "Support/Errors.h"
 
 #include <algorithm>
@@ -27,10 +28,7 @@ constexpr double CoverStep =
   0.5; ///< the faces within CoverRadius of such samples are near the line
 constexpr double SeedStep = 0.5; ///< along a line, between seeds beside it
 
-/// A line that has not moved by a part of the separation in so many pieces turns around one place.
-constexpr int IdlePieces = 300;
-constexpr std::size_t MostSegments = 20000000; // 2 GB
-constexpr double IdleDistance = 0.05;
+constexpr double IdleDistance = 0.05; ///< within which a line that stays ends
 
 /// Pieces between two checkpoints; a millisecond or so.
 constexpr int PiecesBetweenCheckpoints = 4096;
@@ -209,8 +207,8 @@ private:
     // The second half looks at once where the first one has ended.
     double room =
       sign > 0.0 ? (NearestSeed - this->Options.StopRatio) * this->Options.Separation : 0.0;
-    Vector3 placeBefore = trail.Points.back().Position;
-    for (int pieces = 1;; ++pieces)
+    Standstill standstill(trail.Points.back().Position, IdleDistance * this->Options.Separation);
+    while (true)
     {
       const LineTracer::Piece piece = this->Tracer.Current();
       const double length = piece.Length();
@@ -239,25 +237,16 @@ private:
       }
       room -= length - done;
       this->AddSegment(piece, piece.From, piece.To, sign, trail);
-      if (this->Spacing.Segments().size() > MostSegments)
+      if (this->Spacing.Segments().size() > static_cast<std::size_t>(this->Options.MostSegments))
       {
-        throw InvalidInput("the lines cross more than 20,000,000 triangles; raise Separating Distance, or take a surface "
-                           "of fewer and less thin triangles");
+        throw InvalidInput("the lines cross more than " + std::to_string(this->Options.MostSegments) +
+          " triangles; raise Separating Distance, or take a surface of fewer and less thin triangles");
       }
       const bool goesOn = this->Tracer.Advance();
       this->AddPoint(trail, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face,
         goesOn ? this->Tracer.Current().Face : piece.Face);
       this->Count();
-      if (pieces % IdlePieces == 0)
-      {
-        const Vector3 place = trail.Points.back().Position;
-        if (!((place - placeBefore).norm() >= IdleDistance * this->Options.Separation)) // nor where it is not finite
-        {
-          return;
-        }
-        placeBefore = place;
-      }
-      if (!goesOn)
+      if (!goesOn || standstill.IsReached([&trail] { return trail.Points.back().Position; }))
       {
         return;
       }
@@ -278,6 +267,7 @@ private:
     const Complex along = this->Field.Direction(seed.Place.Face, seed.Direction);
     const std::size_t size = this->Spacing.Segments().size();
     Trail rest = { {}, trail.Length, true };
+    Standstill standstill(trail.Points.back().Position, IdleDistance * this->Options.Separation);
     while (rest.Length - trail.Length < 2.0 * this->Options.Separation)
     {
       const LineTracer::Piece& piece = this->Tracer.Current();
@@ -305,7 +295,8 @@ private:
       this->AddSegment(piece, from, piece.To, 1.0, rest);
       this->AddPoint(
         rest, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face, piece.Face);
-      if (!this->Tracer.Advance())
+      this->Count();
+      if (!this->Tracer.Advance() || standstill.IsReached([&rest] { return rest.Points.back().Position; }))
       {
         break;
       }

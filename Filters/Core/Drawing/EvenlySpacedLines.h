@@ -19,6 +19,8 @@ struct LineOptions
   double StopRatio = 0.6;
   /// Shorter lines are not drawn; closed ones, too. In the unit of the points; >= 0.
   double MinimumLength = 0.0;
+  /// Triangles that lines may cross in all; they take 0.1 KB each.
+  int MostSegments = 20000000;
 };
 
 /// Polylines on a surface.
@@ -49,7 +51,7 @@ struct LinesOnSurface
 ///
 /// Lines are in the order in which they were drawn. The same for any number of threads: one draws.
 /// Cost: linear in faces and in the length of all lines; a line looks at the faces within Separation of it a few times.
-/// \throw Cancelled, InvalidInput (lines that cross more than 20,000,000 triangles)
+/// \throw Cancelled, InvalidInput (lines that cross more triangles than MostSegments)
 LinesOnSurface EvenlySpacedLines(const UnfoldedSurface& surface, const DirectionsOnFaces& field,
   const LineOptions& options, const ExecutionContext& context = SerialContext());
 

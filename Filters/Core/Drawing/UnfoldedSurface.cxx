@@ -1,5 +1,7 @@
 #include "Drawing/UnfoldedSurface.h"
 
+#include "Drawing/Standstill.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -111,7 +113,8 @@ UnfoldedSurface::Exit UnfoldedSurface::Meet(
 bool UnfoldedSurface::GoStraight(SurfacePoint& from, Complex& direction, double length) const
 {
   int entry = -1;
-  for (int step = 0; step < 100000; ++step) // a bound against numbers that do not move a point
+  Standstill standstill(this->Position(from.Face, from.Point), 0.01 * length);
+  do
   {
     const Exit exit = this->LeaveFace(from, direction, entry);
     const double way = std::abs(this->PointAlong(exit.Halfedge, exit.Part) - from.Point);
@@ -128,7 +131,7 @@ bool UnfoldedSurface::GoStraight(SurfacePoint& from, Complex& direction, double 
     }
     direction *= this->Across(exit.Halfedge);
     from = { TriangleMesh::FaceOf(entry), this->PointAlong(entry, 1.0 - exit.Part) };
-  }
+  } while (!standstill.IsReached([this, &from] { return this->Position(from.Face, from.Point); }));
   return false;
 }
 

@@ -356,6 +356,20 @@ TEST(EvenlySpacedLines, OfAnyFieldOnAnySurfaceAreFinite)
   }
 }
 
+// The remedies of the message work.
+TEST(EvenlySpacedLines, AreRefusedWhereThereAreTooManyAndFewerOrLargerTrianglesHelp)
+{
+  const DrawnField fine(PlaneGrid(40, 30), 1, [](const Vector3&) { return Cosines(0.3); });
+  const DrawnField coarse(PlaneGrid(8, 6), 1, [](const Vector3&) { return Cosines(0.3); });
+  LineOptions options{ 2.0, 0.5, 0.0 };
+  options.MostSegments = 500;
+  EXPECT_THROW(Draw(fine, options), InvalidInput);
+  options.Separation = 10.0;
+  EXPECT_GT(Draw(fine, options).NumberOfLines(), 0);
+  options.Separation = 0.4; // as many as with 2 on the plane that is five times as wide
+  EXPECT_GT(Draw(coarse, options).NumberOfLines(), 10);
+}
+
 TEST(EvenlySpacedLines, CanBeCancelled)
 {
   const DrawnField field(

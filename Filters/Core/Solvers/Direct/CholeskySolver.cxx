@@ -122,8 +122,7 @@ public:
     {
       const auto* permutation = static_cast<const SuiteSparse_long*>(this->L->Perm);
       throw NotPositiveDefinite("the matrix is not positive definite: the Cholesky factorisation stopped "
-                          "at unknown " + std::to_string(permutation[this->L->minor]) +
-        "; prescribe more elements or make all weights positive");
+                          "at unknown " + std::to_string(permutation[this->L->minor]));
     }
     if (this->Common.status < CHOLMOD_OK)
     {
@@ -135,7 +134,7 @@ public:
   {
     if (this->Common.status == CHOLMOD_OUT_OF_MEMORY || this->Common.status == CHOLMOD_TOO_LARGE)
     {
-      throw SolverFailure("the Cholesky factor does not fit into memory; use an iterative solver");
+      throw SolverFailure("the Cholesky factor does not fit into memory; choose Conjugate Gradients as Solver");
     }
     throw SolverFailure(
       "CHOLMOD failed with status " + std::to_string(this->Common.status));

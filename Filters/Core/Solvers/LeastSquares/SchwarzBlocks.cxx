@@ -164,7 +164,7 @@ void SchwarzBlocks::MakeRoom(const BlockGroups& groups)
   }
   if (std::max({ places, values, inverses }) > std::numeric_limits<std::uint32_t>::max())
   {
-    throw InvalidInput("the smoothing blocks hold more than 2^32 numbers; decimate the surface");
+    throw InvalidInput("the smoothing blocks hold more than 2^32 numbers; apply Decimate (vtkDecimatePro) first");
   }
   this->Places.resize(places);
   this->EntriesOfB.resize(values);

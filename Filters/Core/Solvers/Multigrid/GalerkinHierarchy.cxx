@@ -224,7 +224,7 @@ void GalerkinHierarchy<Scalar>::FindDiagonal(
       const int unknown = level == 0 ? this->Order[i] : i;
       throw SolverFailure("the matrix is not positive semi-definite: diagonal entry " +
         std::to_string(unknown) + " on level " + std::to_string(level) + " is " +
-        std::to_string(diagonal[i]) + "; make all weights positive and finite");
+        std::to_string(diagonal[i]));
     }
   }
 }
