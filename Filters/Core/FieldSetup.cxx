@@ -52,7 +52,7 @@ void AddKernel(const FramedMesh& surface, const Discretisation& discretisation,
   else if (loops > 0)
   {
     setup.Kernel = discretisation.HarmonicFields(operators, context)(
-      setup.Hierarchy->Order, Eigen::all);
+      setup.Hierarchy->Order, Eigen::placeholders::all);
   }
 }
 

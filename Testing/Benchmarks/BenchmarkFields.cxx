@@ -249,7 +249,7 @@ std::unique_ptr<peers::Peer<double>> NewRealPeer(
       SelectRows(D0(mesh, place.Context), unknowns, place.Context), mesh.VertexPositions());
   }
   const Eigen::MatrixXd fields = SmoothFields(place.Surface, *place.Field);
-  return peers::NewGamgPeer(numbersPerElement, fields(unknowns, Eigen::all));
+  return peers::NewGamgPeer(numbersPerElement, fields(unknowns, Eigen::placeholders::all));
 }
 
 template <class Scalar>

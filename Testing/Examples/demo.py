@@ -8,6 +8,11 @@ import sys
 
 from paraview.simple import *
 
+try:
+    SurfaceNormals
+except NameError:  # until ParaView 5.12
+    SurfaceNormals = GenerateSurfaceNormals
+
 GREEN, RED, BLUE, IVORY = [0.12, 0.53, 0.3], [0.83, 0.15, 0.17], [0.16, 0.33, 0.52], [1, 0.97, 0.92]
 
 
@@ -43,7 +48,7 @@ def main(path):
     bounds = field.GetDataInformation().GetBounds()
     size = sum((bounds[k + 1] - bounds[k]) ** 2 for k in (0, 2, 4)) ** 0.5
     view = view_from([0.35, 0.3, 1], [1200, 1050])
-    show(GenerateSurfaceNormals(Input=field, FeatureAngle=60), view, IVORY, Ambient=0.12, Specular=0.1)
+    show(SurfaceNormals(Input=field, FeatureAngle=60), view, IVORY, Ambient=0.12, Specular=0.1)
     show(Tube(Input=FieldLines(Input=field, SeparatingDistance=0.016), Radius=0.0009 * size), view, BLUE)
     singularities = show_singularities(field, view, 0.008)
     ResetCamera(view)

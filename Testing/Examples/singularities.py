@@ -6,7 +6,7 @@ and leaves prescribed_singularities.png in the current folder: the picture of th
 
 import sys
 
-from demo import BLUE, IVORY, open_surface, show, show_singularities, view_from
+from demo import BLUE, IVORY, SurfaceNormals, open_surface, show, show_singularities, view_from
 from paraview.simple import *
 
 # As parts of the surface's box.
@@ -25,7 +25,7 @@ def main(path, subdivisions=2):
     surface.UpdatePipeline()
     field = HarmonicFieldSolver(Input=surface, Singularities=singularities_on(surface))
     view = view_from([0.35, 0.3, 1], [580, 406])
-    show(GenerateSurfaceNormals(Input=field, FeatureAngle=60), view, IVORY, Ambient=0.2, Diffuse=0.85)
+    show(SurfaceNormals(Input=field, FeatureAngle=60), view, IVORY, Ambient=0.2, Diffuse=0.85)
     show(Tube(Input=FieldLines(Input=field, SeparatingDistance=0.025), Radius=0.01), view, BLUE)
     singularities = show_singularities(field, view)
     ResetCamera(view)

@@ -7,7 +7,7 @@ follow the field; the colour of the surface is its magnitude, from 0 (blue) to 1
 
 import sys
 
-from demo import BLUE, open_surface, show, show_singularities, view_from
+from demo import BLUE, SurfaceNormals, open_surface, show, show_singularities, view_from
 from paraview.simple import *
 
 # From and to. The second opposes the flow from the first to the third.
@@ -30,7 +30,7 @@ def show_arrow(line, view):
 def draw(field, strokes, image):
     view = view_from([0.35, 0.3, 1], [580, 406])
     magnitude = Calculator(Input=field, ResultArrayName="Magnitude", Function="mag(Direction0)")
-    show(GenerateSurfaceNormals(Input=magnitude, FeatureAngle=60), view, "Magnitude", Ambient=0.3, Diffuse=0.8)
+    show(SurfaceNormals(Input=magnitude, FeatureAngle=60), view, "Magnitude", Ambient=0.3, Diffuse=0.8)
     GetColorTransferFunction("Magnitude").RGBPoints = [0, 0.62, 0.74, 0.9, 0.5, 1, 0.97, 0.88, 1, 0.93, 0.55, 0.42]
     show(Tube(Input=FieldLines(Input=field, SeparatingDistance=0.03), Radius=0.01), view, BLUE)
     if image != "power_field.png":

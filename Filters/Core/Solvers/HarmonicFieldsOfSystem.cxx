@@ -27,7 +27,7 @@ Eigen::MatrixXd AdjustKernelToPenalties(Eigen::MatrixXd fields, const RoughnessH
   const auto count = static_cast<Eigen::Index>(penalised.size());
   const bool areMet = count == 0 ||
     (count <= fields.cols() &&
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(fields(penalised, Eigen::all)).rank() == count);
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(fields(penalised, Eigen::placeholders::all)).rank() == count);
   context.ParallelFor(0, size, Grain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
@@ -70,7 +70,7 @@ Eigen::MatrixXd UndeterminedFields(Eigen::MatrixXd fields, const LinearOperator<
   const RoughnessHierarchy& hierarchy, const Vector<double>& D, const std::vector<int>& held,
   const ExecutionContext& context)
 {
-  fields(held, Eigen::all).setZero();
+  fields(held, Eigen::placeholders::all).setZero();
   Eigen::MatrixXd energies(fields.cols(), fields.cols());
   Vector<double> product;
   for (Eigen::Index k = 0; k < fields.cols(); ++k)

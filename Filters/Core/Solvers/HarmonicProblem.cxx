@@ -53,7 +53,7 @@ Eigen::MatrixXd MultigridSetup::HarmonicFields() const
   Eigen::MatrixXd fields(this->Kernel.rows(), this->Kernel.cols());
   if (this->Kernel.cols() > 0) // else it has no rows either
   {
-    fields(this->Hierarchy->Order, Eigen::all) = this->Kernel;
+    fields(this->Hierarchy->Order, Eigen::placeholders::all) = this->Kernel;
   }
   return fields;
 }

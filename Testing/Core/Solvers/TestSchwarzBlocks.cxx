@@ -107,7 +107,7 @@ void ExpectEntries(const SchwarzBlocks& blocks, const test::Squares& squares)
           byRow(rowOf(k), pattern.UnknownAt[s]) = valueOf(pattern.EntryAt[s]);
         }
       }
-      EXPECT_EQ(columns, B(Eigen::all, members));
+      EXPECT_EQ(columns, B(Eigen::placeholders::all, members));
       EXPECT_EQ(byRow, columns);
     });
 }

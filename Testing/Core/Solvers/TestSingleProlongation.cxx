@@ -96,7 +96,7 @@ TEST(TestSingleProlongation, SomeRows)
   const SingleProlongation single = Single(Interpolation(5000, 600));
   const Eigen::MatrixXcf all(single.Matrix());
   const std::vector<int> rows = { 4999, 5, 17, 3000, 17 };
-  const Eigen::MatrixXcf expected = all(rows, Eigen::all);
+  const Eigen::MatrixXcf expected = all(rows, Eigen::placeholders::all);
   EXPECT_EQ(Eigen::MatrixXcf(single.SelectedRows(rows, SerialContext())), expected);
   EXPECT_EQ(single.SelectedRows({}, SerialContext()).rows(), 0);
 }
