@@ -4,8 +4,8 @@
 #   Testing/run-tests.sh
 #
 # paraview  the core, the module, its Python wrapping and the plugin with Debian's ParaView
-# vtk       the module and its Python wrapping with plain VTK 9.1, which is only unpacked below build,
-#           since it cannot be installed beside ParaView
+# vtk       the module and its Python wrapping with Debian's plain VTK; where that cannot be
+#           installed beside ParaView, it is unpacked below build
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -13,7 +13,6 @@ step() { printf '\n== %s\n' "$*"; }
 
 step "Packages"
 .ci/install-packages test
-.ci/unpack-packages build/vtk-9.1 libvtk9-dev libvtk9.1 python3-vtk9 vtk9
 
 for flavour in paraview vtk; do
   step "$flavour: configure and build"

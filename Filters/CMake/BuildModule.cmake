@@ -35,6 +35,7 @@ write_basic_package_version_file(
   COMPATIBILITY SameMinorVersion)
 install(
   FILES
+    "${CMAKE_CURRENT_LIST_DIR}/TaggedPythonModules.cmake"
     "${PROJECT_BINARY_DIR}/${package_destination}/DirectionalMultigridConfig.cmake"
     "${PROJECT_BINARY_DIR}/${package_destination}/DirectionalMultigridConfigVersion.cmake"
   DESTINATION "${package_destination}"

@@ -2,6 +2,7 @@
 
 #include "Analysis/HarmonicForms.h"
 #include "Levels/SurfaceHierarchy.h"
+#include "Support/AllIndices.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
 
@@ -52,7 +53,7 @@ void AddKernel(const FramedMesh& surface, const Discretisation& discretisation,
   else if (loops > 0)
   {
     setup.Kernel = discretisation.HarmonicFields(operators, context)(
-      setup.Hierarchy->Order, Eigen::all);
+      setup.Hierarchy->Order, All);
   }
 }
 

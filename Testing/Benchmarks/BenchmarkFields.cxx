@@ -42,6 +42,7 @@
 #include "Benchmarks/Timing.h"
 #include "Discretisations/MakeDiscretisation.h"
 #include "Operators/FaceFieldOperators.h"
+#include "Support/AllIndices.h"
 #include "Support/ComplexPairs.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
@@ -249,7 +250,7 @@ std::unique_ptr<peers::Peer<double>> NewRealPeer(
       SelectRows(D0(mesh, place.Context), unknowns, place.Context), mesh.VertexPositions());
   }
   const Eigen::MatrixXd fields = SmoothFields(place.Surface, *place.Field);
-  return peers::NewGamgPeer(numbersPerElement, fields(unknowns, Eigen::all));
+  return peers::NewGamgPeer(numbersPerElement, fields(unknowns, All));
 }
 
 template <class Scalar>

@@ -6,6 +6,7 @@
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FieldTopology.h"
 #include "Operators/PowerFieldDirections.h"
+#include "Support/AllIndices.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
@@ -243,7 +244,7 @@ TEST(SingularFieldSolver, FieldsTurnLeast)
     const Vector<double> star = Star1(mesh);
     ASSERT_GT(star.minCoeff(), -1e-12) << example.Name; // else there is no norm; where it is zero, t is
     Eigen::MatrixXd C(mesh.NumberOfEdges(), inside.size() + loops.cols());
-    C << Eigen::MatrixXd(D0(mesh))(Eigen::all, inside), loops;
+    C << Eigen::MatrixXd(D0(mesh))(All, inside), loops;
     // t = star1 C (C^T star1 C)^+ C^T t
     const Eigen::MatrixXd gram = C.transpose() * star.asDiagonal() * C;
     const Vector<double> expected = star.asDiagonal() *

@@ -3,7 +3,7 @@
 #
 #   Testing/Examples/demo.sh [SURFACE]
 #
-# Installs the packages it needs (Debian 12; as root or with sudo), builds the filters below build,
+# Installs the packages it needs (Debian 12 or later; as root or with sudo), builds the filters below build,
 # and leaves demo.vtp and demo.png in the current folder. SURFACE is a PLY, OBJ, STL, OFF, VTK or VTP
 # file; without it, the Stanford bunny from Debian's package libcgal-demo.
 set -euo pipefail
@@ -15,7 +15,7 @@ cd "$(dirname "$0")/../.."
 step() { printf '\n== %s\n' "$*"; }
 
 step "1/4 Packages"
-.ci/install-packages build
+.ci/install-packages
 
 step "2/4 Build"
 mkdir -p build

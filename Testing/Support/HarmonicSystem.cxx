@@ -1,6 +1,7 @@
 #include "Support/HarmonicSystem.h"
 
 #include "Solvers/Krylov/EnergiesOfSpace.h"
+#include "Support/AllIndices.h"
 
 #include <Eigen/QR>
 
@@ -221,7 +222,7 @@ template <class Scalar>
 void HarmonicSystem<Scalar>::LeaveOutUndetermined(const Eigen::MatrixXd& kernel)
 {
   this->KernelSize = static_cast<int>(kernel.cols());
-  const Eigen::MatrixXd ofFree = kernel(this->Free, Eigen::all);
+  const Eigen::MatrixXd ofFree = kernel(this->Free, All);
   const auto fields = ofFree.cast<Scalar>();
   const Eigen::MatrixXd energies = (fields.transpose() * (this->A * fields)).real();
   const Vector<double> diagonal = this->A.diagonal().real();

@@ -1,6 +1,7 @@
 #include "Solvers/HarmonicFieldsOfSystem.h"
 
 #include "Solvers/Krylov/EnergiesOfSpace.h"
+#include "Support/AllIndices.h"
 #include "Support/CountingSort.h"
 #include "Support/SparseKernels.h"
 
@@ -27,7 +28,7 @@ Eigen::MatrixXd AdjustKernelToPenalties(Eigen::MatrixXd fields, const RoughnessH
   const auto count = static_cast<Eigen::Index>(penalised.size());
   const bool areMet = count == 0 ||
     (count <= fields.cols() &&
-      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(fields(penalised, Eigen::all)).rank() == count);
+      Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(fields(penalised, All)).rank() == count);
   context.ParallelFor(0, size, Grain, [&](int first, int last) {
     for (int i = first; i < last; ++i)
     {
@@ -70,7 +71,7 @@ Eigen::MatrixXd UndeterminedFields(Eigen::MatrixXd fields, const LinearOperator<
   const RoughnessHierarchy& hierarchy, const Vector<double>& D, const std::vector<int>& held,
   const ExecutionContext& context)
 {
-  fields(held, Eigen::all).setZero();
+  fields(held, All).setZero();
   Eigen::MatrixXd energies(fields.cols(), fields.cols());
   Vector<double> product;
   for (Eigen::Index k = 0; k < fields.cols(); ++k)

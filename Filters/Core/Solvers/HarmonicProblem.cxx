@@ -6,6 +6,7 @@
 #include "Solvers/Krylov/StationaryIteration.h"
 #include "Solvers/PenaltiesOfSystem.h"
 #include "Solvers/UnprescribedComponents.h"
+#include "Support/AllIndices.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
@@ -53,7 +54,7 @@ Eigen::MatrixXd MultigridSetup::HarmonicFields() const
   Eigen::MatrixXd fields(this->Kernel.rows(), this->Kernel.cols());
   if (this->Kernel.cols() > 0) // else it has no rows either
   {
-    fields(this->Hierarchy->Order, Eigen::all) = this->Kernel;
+    fields(this->Hierarchy->Order, All) = this->Kernel;
   }
   return fields;
 }

@@ -2,6 +2,7 @@
 
 #include "Analysis/HarmonicForms.h"
 #include "Operators/ExteriorCalculus.h"
+#include "Support/AllIndices.h"
 #include "Support/NamedSurfaces.h"
 
 #include <Eigen/QR>
@@ -40,7 +41,7 @@ TEST(TreeCotree, LoopsOverFacesAreClosedAndIndependentAndStayInside)
         EXPECT_EQ(loops.row(edge).cwiseAbs().maxCoeff(), 0.0) << name << ", edge " << edge;
       }
     }
-    const Eigen::MatrixXd gradients = Eigen::MatrixXd(D0(mesh))(Eigen::all, inside);
+    const Eigen::MatrixXd gradients = Eigen::MatrixXd(D0(mesh))(All, inside);
     const auto rankOfGradients = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(gradients).rank();
     Eigen::MatrixXd both(mesh.NumberOfEdges(), gradients.cols() + loops.cols());
     both << gradients, loops;

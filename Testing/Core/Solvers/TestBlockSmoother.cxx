@@ -1,6 +1,7 @@
 #include "Solvers/LeastSquares/BlockSmoother.h"
 
 #include "LeastSquaresProblem.h"
+#include "Support/AllIndices.h"
 #include "Support/Permutations.h"
 #include "Support/TbbContext.h"
 
@@ -154,7 +155,7 @@ Vector<double> Relaxed(const Squares& squares, const SchwarzBlocks& blocks, int 
     for (const int block : order)
     {
       const std::vector<int> free = FreeAmong(test::MembersOf(inOrder, block), D);
-      const Vector<double> residual = b(free) - A(free, Eigen::all) * x;
+      const Vector<double> residual = b(free) - A(free, All) * x;
       x(free) += (arePenalised[block] ? 1.0 : relaxation) * test::BlockOf(A, free).llt().solve(residual);
     }
   }

@@ -2,6 +2,7 @@
 
 #include "GridProblem.h"
 #include "LeastSquaresProblem.h"
+#include "Support/AllIndices.h"
 #include "Support/Errors.h"
 #include "Support/TbbContext.h"
 #include "SurfaceProblem.h"
@@ -192,7 +193,7 @@ TEST_P(TestLeastSquaresHierarchy, NoEigenvalueIsAboveOne)
   EXPECT_GE(eigenvalues.maxCoeff(), 0.5);
   // The rows are those of the caller's B in some order.
   const Eigen::MatrixXd unscaled = B * hierarchy.Scales.asDiagonal();
-  const Eigen::MatrixXd given = Eigen::MatrixXd(problem.B)(Eigen::all, hierarchy.Order);
+  const Eigen::MatrixXd given = Eigen::MatrixXd(problem.B)(All, hierarchy.Order);
   EXPECT_LE((unscaled.transpose() * unscaled - given.transpose() * given).norm(),
     100 * Epsilon * (given.transpose() * given).norm());
   EXPECT_LE((hierarchy.Diagonal.cast<double>() - B.colwise().squaredNorm().transpose()).norm(),
@@ -235,7 +236,7 @@ TEST_P(TestLeastSquaresHierarchy, ProlongationIsTheGivenOneOfScaledUnknowns)
   const SurfaceProblem problem(test::IrregularTorus(32, 14, 3), GetParam());
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy(WithoutSmoothing());
   const Eigen::MatrixXcd given(problem.Levels.Prolongation);
-  const Eigen::MatrixXcd inOrder = given(hierarchy.Order, Eigen::all);
+  const Eigen::MatrixXcd inOrder = given(hierarchy.Order, All);
   const Eigen::MatrixXcd expected = hierarchy.Scales.asDiagonal() * inOrder;
   const Eigen::MatrixXcd P =
     Eigen::MatrixXcf(hierarchy.Prolongation.Matrix()).cast<Complex>();

@@ -2,6 +2,7 @@
 
 #include "LeastSquaresProblem.h"
 #include "Solvers/Kernels/Packs.h"
+#include "Support/AllIndices.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
 #include "Support/TbbContext.h"
@@ -107,7 +108,7 @@ void ExpectEntries(const SchwarzBlocks& blocks, const test::Squares& squares)
           byRow(rowOf(k), pattern.UnknownAt[s]) = valueOf(pattern.EntryAt[s]);
         }
       }
-      EXPECT_EQ(columns, B(Eigen::all, members));
+      EXPECT_EQ(columns, B(All, members));
       EXPECT_EQ(byRow, columns);
     });
 }

@@ -1,6 +1,7 @@
 #include "Solvers/Kernels/SingleProlongation.h"
 
 #include "GridProblem.h"
+#include "Support/AllIndices.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Dense>
@@ -96,7 +97,7 @@ TEST(TestSingleProlongation, SomeRows)
   const SingleProlongation single = Single(Interpolation(5000, 600));
   const Eigen::MatrixXcf all(single.Matrix());
   const std::vector<int> rows = { 4999, 5, 17, 3000, 17 };
-  const Eigen::MatrixXcf expected = all(rows, Eigen::all);
+  const Eigen::MatrixXcf expected = all(rows, All);
   EXPECT_EQ(Eigen::MatrixXcf(single.SelectedRows(rows, SerialContext())), expected);
   EXPECT_EQ(single.SelectedRows({}, SerialContext()).rows(), 0);
 }

@@ -2,6 +2,11 @@
 
 from paraview.simple import *
 
+try:
+    SurfaceNormals
+except NameError:  # until ParaView 5.12
+    SurfaceNormals = GenerateSurfaceNormals
+
 GREEN, RED, BLUE = [0.12, 0.53, 0.3], [0.83, 0.15, 0.17], [0.1, 0.26, 0.45]
 IVORY, GOLD = [1, 0.97, 0.92], [0.98, 0.68, 0.08]
 
@@ -36,7 +41,7 @@ def show(source, view, colour="", **properties):
 def show_surface(surface, view, colour=IVORY, **properties):
     """Smooth but for sharp edges."""
     look = dict(Ambient=0.15, Diffuse=0.85, Specular=0.08, SpecularPower=20)
-    return show(GenerateSurfaceNormals(Input=surface, FeatureAngle=50), view, colour, **{**look, **properties})
+    return show(SurfaceNormals(Input=surface, FeatureAngle=50), view, colour, **{**look, **properties})
 
 
 def colour_by_size(name, largest):

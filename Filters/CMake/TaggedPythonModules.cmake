@@ -1,0 +1,37 @@
+# Debian 13 and later name VTK's and ParaView's Python modules with a tag of Python's version (vtkCommonCore.cpython-313-*.so),
+# but the targets of their CMake packages say vtkCommonCore.so, so find_package() fails: "this file does not exist". It passes
+# over a file of targets that are there already. So they are declared here; nothing uses them.
+
+# Declares the Python modules of the packages, which find_package() has found before or would find first, if they are tagged.
+function (dmg_declare_tagged_python_modules)
+  foreach (package IN LISTS ARGN)
+    set(folders "${${package}_DIR}")
+    string(TOLOWER "${package}" name)
+    foreach (prefix IN ITEMS ${CMAKE_PREFIX_PATH} "/usr")
+      if (NOT folders)
+        file(GLOB folders "${prefix}/lib/cmake/${name}-*" "${prefix}/lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/${name}-*")
+      endif ()
+    endforeach ()
+    foreach (folder IN LISTS folders)
+      string(REGEX REPLACE "/lib/.*" "" prefix "${folder}")
+      set(module "${prefix}/lib/python3/dist-packages/vtkmodules/vtkCommonCore")
+      file(GLOB tagged "${module}.cpython-*.so")
+      if (tagged AND NOT EXISTS "${module}.so")
+        dmg_declare_python_modules("${folder}")
+      endif ()
+    endforeach ()
+  endforeach ()
+endfunction ()
+
+function (dmg_declare_python_modules folder)
+  file(GLOB files "${folder}/*Python*-targets.cmake" "${folder}/vtk/*Python*-targets.cmake")
+  foreach (file IN LISTS files)
+    file(STRINGS "${file}" line REGEX "^foreach\\(_cmake_expected_target IN ITEMS ")
+    string(REGEX MATCHALL "[A-Za-z0-9_]+::[A-Za-z0-9_]+" targets "${line}")
+    foreach (target IN LISTS targets)
+      if (NOT TARGET "${target}")
+        add_library("${target}" MODULE IMPORTED)
+      endif ()
+    endforeach ()
+  endforeach ()
+endfunction ()
