@@ -170,10 +170,10 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::Singularities singularities{ dmg::DataOf(inputVector[2]), this->SingularityIndexArray,
       this->MaximumDistance };
     const dmg::FieldOptions options = dmg::OptionsOf(this);
-    kept.SetSurface(input, options.Solver.Kind, dmg::PartOfContext(context, 0.0, 0.1));
+    kept.SetSurface(input, options, dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
     dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOf(this), input, guides,
-      kept.Surface(), dmg::PartOfContext(context, 0.1, 0.1));
+      kept.Places(), dmg::PartOfContext(context, 0.1, 0.1));
     if (!prescribed.Report.IsAllTaken())
     {
       vtkWarningMacro(<< prescribed.Report.LeftOut());
@@ -184,7 +184,7 @@ int vtkHarmonicFieldSolver::RequestData(
     const auto warnings = singularities.Data.empty()
       ? kept.Solve(prescribed.Directions, options, stop, ofSolve)
       : kept.Solve(
-          dmg::BringToSurface(singularities, options.Field.N, input, kept.Surface()),
+          dmg::BringToSurface(singularities, options.Field.N, kept.Places()),
           prescribed.Directions, options, stop, ofSolve);
     for (const auto* const texts : { &missing, &warnings })
     {

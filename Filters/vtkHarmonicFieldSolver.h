@@ -48,14 +48,13 @@
  * @section vtkHarmonicFieldSolver-Inputs Inputs
  *
  * Port 0, the surface: vtkPolyData, an oriented manifold triangle surface as described in
- * vtkDirectionalProlongation. If it carries that filter's operators, they are used, provided that
- * points and triangles are still those that they were built for; if those have changed the filter
- * reports an error and never uses them. Without operators the filter builds its own, with the
- * default properties of vtkDirectionalProlongation but for what Discretisation asks for. A Cholesky
- * solver needs none and builds none. On nodal levels conjugate gradients and V-cycles take samples of
- * the surface instead of decimating it, in a fraction of the time: one of nine faces for power fields,
- * one of thirty for face fields and 1-forms. All levels that were built for a surface are kept.
- * Operators that lack those of the discretisation are an error.
+ * vtkDirectionalProlongation. On nodal levels conjugate gradients and V-cycles take samples of the surface: one of nine
+ * faces for power fields, one of thirty for face fields and 1-forms. Structure-preserving coarse spaces, NestedIterations,
+ * CoarseProlongation and a StartingLevel take the operators that vtkDirectionalProlongation has stored with the surface, or
+ * else decimate it, in about five times the time of samples, with the default properties of vtkDirectionalProlongation but
+ * for what Discretisation asks for. Stored operators of points and triangles that have changed since, or without those of
+ * the discretisation, are an error there. No other solver looks at stored operators. All levels that were built for a surface
+ * are kept.
  *
  * Port 1, the guides (optional, any number of connections): what the field shall follow, wherever it
  * stands in space. A guide is a vtkDataSet, or a composite dataset, of which all leaves that are
@@ -239,7 +238,7 @@
  *
  * | stage  | repeated when this changes                                  | cost               |
  * | ------ | ----------------------------------------------------------- | ------------------ |
- * | set-up | the content of points or triangles; operators, or what asks for other levels; Discretisation and N, unless they were solved for before (up to 1 GiB is kept) or the input brings operators | decimation, or samples |
+ * | set-up | the content of points or triangles; operators where they are used, or what asks for other levels; Discretisation and N, unless they were solved for before (up to 1 GiB is kept) | decimation, or samples |
  * | system | which elements are prescribed; weights; other options   | products or factor |
  * | solve  | prescribed vectors; Tolerance, MaximumNumberOfIterations    | iterations         |
  *

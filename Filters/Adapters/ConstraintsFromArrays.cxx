@@ -76,17 +76,18 @@ std::vector<PrescribedValue> ValuesOnSurface(
 }
 
 Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface,
-  const Guides& guides, const FramedSurface& framed, const ExecutionContext& context)
+  const Guides& guides, const NearestPlaces& places, const ExecutionContext& context)
 {
+  const SurfaceNumbering& numbering = places.Framed.Numbering;
   PrescribedDirections directions;
-  const auto values = ValuesOnSurface(onSurface, surface, framed.Numbering);
+  const auto values = ValuesOnSurface(onSurface, surface, numbering);
   if (values.empty() || HasArray(onSurface.Vectors, surface)) // else mask and weights are those of values
   {
     directions =
-      DirectionsOnSurface(FindArrays(onSurface, surface, "the surface"), framed.Numbering);
+      DirectionsOnSurface(FindArrays(onSurface, surface, "the surface"), numbering);
   }
   directions.Values = values;
-  const GuidesOnSurface followed = BringToSurface(guides, surface, framed, context);
+  const GuidesOnSurface followed = BringToSurface(guides, places, context);
   directions.OnFaces.insert(
     directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
   const bool isEmpty =

@@ -19,13 +19,13 @@ struct Prescription
 /// On the surface, cells prescribe faces and points vertices; cells and points without a triangle
 /// take no part. Guides prescribe faces.
 ///
-/// \param surface that \p framed was made from.
+/// \param surface that \p places are on.
 /// \return without directions where nothing is chosen and guides are empty.
 /// \throw InvalidInput as FindArrays, VisitPrescribed and BringToSurface; what is chosen prescribes nothing.
 /// \throw Cancelled
 /// Cost: linear, besides the guides.
 Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface,
-  const Guides& guides, const FramedSurface& framed, const ExecutionContext& context);
+  const Guides& guides, const NearestPlaces& places, const ExecutionContext& context);
 
 }
 

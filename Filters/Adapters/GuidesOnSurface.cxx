@@ -3,7 +3,6 @@
 #include "Adapters/ArrayNames.h"
 #include "Adapters/ElementArrays.h"
 #include "Adapters/GuideDataSets.h"
-#include "Adapters/SegmentOnSurface.h"
 #include "Support/Errors.h"
 
 #include "vtkDataSet.h"
@@ -33,13 +32,13 @@ constexpr double SmallestTangentialPart = 1e-6;
 class Projection
 {
 public:
-  Projection(const Guides& guides, vtkPolyData* surface, const FramedSurface& framed,
-    const ExecutionContext& context)
+  Projection(
+    const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context)
     : Choices(guides.Choices)
-    , Framed(framed)
+    , Framed(surface.Framed)
     , Context(context)
-    , MaximumDistance(guides.MaximumDistance * SizeOf(framed.On.Mesh))
-    , Nearest(surface, framed)
+    , MaximumDistance(guides.MaximumDistance * surface.Size)
+    , Nearest(surface)
     , Segments(this->Nearest, this->MaximumDistance)
   {
     this->Result.Report.MaximumDistance = this->MaximumDistance;
@@ -73,7 +72,7 @@ private:
   const FramedSurface Framed;
   const ExecutionContext& Context;
   const double MaximumDistance;
-  const NearestPlaces Nearest;
+  const NearestPlaces& Nearest;
   const SegmentOnSurface Segments;
   double OfWhole = 1.0; ///< the weight of the dataset
   long long Elements = 0;
@@ -295,8 +294,8 @@ std::vector<vtkDataObject*> DataOf(vtkInformationVector* port)
   return all;
 }
 
-GuidesOnSurface BringToSurface(const Guides& guides, vtkPolyData* surface,
-  const FramedSurface& framed, const ExecutionContext& context)
+GuidesOnSurface BringToSurface(
+  const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context)
 {
   const std::vector<GuideDataSet> datasets = DataSetsOf(guides.Data);
   if (datasets.empty())
@@ -304,7 +303,7 @@ GuidesOnSurface BringToSurface(const Guides& guides, vtkPolyData* surface,
     return {};
   }
   CheckChoices(guides.Choices, datasets);
-  Projection projection(guides, surface, framed, context);
+  Projection projection(guides, surface, context);
   std::map<std::size_t, bool> isFollowed; // by guide
   for (const GuideDataSet& dataset : datasets)
   {

@@ -2,7 +2,7 @@
 #define dmgGuidesOnSurface_h
 
 #include "Adapters/ChosenArrays.h"
-#include "Adapters/MeshFromPolyData.h"
+#include "Adapters/SegmentOnSurface.h"
 #include "Discretisations/Prescriptions.h"
 
 #include <string>
@@ -54,15 +54,13 @@ struct GuidesOnSurface
   GuidesReport Report;
 };
 
-/// \param surface that \p framed was made from.
 /// \throw InvalidInput a guide is no dataset, or has neither lines nor vectors; a choice that no
 /// guide has; as FindArray and VisitPrescribed; a point that is not finite; a vector of a point or
 /// a cell that is perpendicular to the nearest face; a weight that is not positive.
 /// \throw Cancelled
-/// Checkpoints: every hundred elements. Cost: a locator over the surface, and logarithmic time for
-/// each vector, each face that a line touches, and each mean edge of its length.
-GuidesOnSurface BringToSurface(const Guides& guides, vtkPolyData* surface,
-  const FramedSurface& framed, const ExecutionContext& context);
+/// Checkpoints: every hundred elements. Cost: logarithmic time for each vector, each face that a line touches, and each mean edge of its length.
+GuidesOnSurface BringToSurface(
+  const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context);
 
 /// Adds the report to \p fieldData.
 void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData);

@@ -31,6 +31,12 @@ constexpr double AtEdge = 1e-3;
 
 constexpr int MaximumDepth = 50; // beyond which parameters in double precision are too coarse
 
+double SizeOf(const TriangleMesh& mesh)
+{
+  const Points& points = mesh.VertexPositions();
+  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+
 double MeanEdgeOf(const TriangleMesh& mesh)
 {
   double sum = 0.0;
@@ -88,21 +94,16 @@ NearestPlace ClosestOnFace(const TriangleMesh& mesh, int face, const Vector3& po
 
 }
 
-double SizeOf(const TriangleMesh& mesh)
-{
-  const Points& points = mesh.VertexPositions();
-  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-}
-
 //------------------------------------------------------------------------------
 NearestPlaces::NearestPlaces(vtkPolyData* surface, const FramedSurface& framed)
   : Framed(framed)
+  , Size(SizeOf(framed.On.Mesh))
+  , MeanEdge(MeanEdgeOf(framed.On.Mesh))
 {
   vtkNew<vtkPolyData> triangles; // its cells are the polygons
   triangles->SetPoints(surface->GetPoints());
   triangles->SetPolys(surface->GetPolys());
   this->Locator->SetDataSet(triangles);
-  this->Locator->BuildLocator();
 }
 
 NearestPlaces::~NearestPlaces() = default;
@@ -115,6 +116,7 @@ NearestPlace NearestPlaces::operator()(const Vector3& position) const
     vtkIdType polygon = -1;
     double squaredDistance;
     int subId;
+    this->Locator->BuildLocator(); // the first time
     this->Locator->FindClosestPoint(
       position.data(), place.Position.data(), this->Cell, polygon, subId, squaredDistance);
     if (polygon >= 0)
@@ -166,8 +168,6 @@ struct SegmentOnSurface::Sample
 SegmentOnSurface::SegmentOnSurface(const NearestPlaces& nearest, double maximumDistance)
   : Nearest(nearest)
   , MaximumDistance(maximumDistance)
-  , MeanEdge(MeanEdgeOf(nearest.Framed.On.Mesh))
-  , Size(SizeOf(nearest.Framed.On.Mesh))
 {
 }
 
@@ -201,7 +201,7 @@ std::vector<SegmentPart> SegmentOnSurface::PartsOf(const Vector3& start, const V
   if (length > 0.0)
   {
     const Segment segment{ start, end - start, length,
-      std::min(SmallestOfSurface * this->Size, SmallestOfSegment * length) };
+      std::min(SmallestOfSurface * this->Nearest.Size, SmallestOfSegment * length) };
     const Sample first = this->At(segment, 0.0), last = this->At(segment, 1.0);
     this->Split(segment, first, last, 0, parts);
     const auto isSmall = [&segment](const SegmentPart& part)
@@ -217,7 +217,7 @@ void SegmentOnSurface::Split(const Segment& segment, const Sample& a, const Samp
 {
   const double length = (b.Parameter - a.Parameter) * segment.Length;
   const double nearer = std::min(a.Place.Distance, b.Place.Distance);
-  const bool isStep = length <= std::max(this->MeanEdge, 0.5 * nearer) || depth >= MaximumDepth;
+  const bool isStep = length <= std::max(this->Nearest.MeanEdge, 0.5 * nearer) || depth >= MaximumDepth;
   if (isStep)
   {
     const bool isWhole =

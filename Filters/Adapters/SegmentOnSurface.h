@@ -27,7 +27,8 @@ struct NearestPlace
 class NearestPlaces
 {
 public:
-  /// \param surface that \p framed was made from; both have to live as long as this object.
+  /// \param surface that \p framed was made from. What \p framed refers to has to live as long as this object.
+  /// Cost: linear; the first place that is looked for builds a search structure.
   NearestPlaces(vtkPolyData* surface, const FramedSurface& framed);
   ~NearestPlaces();
 
@@ -40,6 +41,8 @@ public:
   NearestPlace From(int face, const Vector3& position) const;
 
   const FramedSurface Framed;
+  const double Size;     ///< diagonal of the bounding box
+  const double MeanEdge;
 
 private:
   vtkNew<vtkStaticCellLocator> Locator;
@@ -100,12 +103,7 @@ private:
 
   const NearestPlaces& Nearest;
   double MaximumDistance;
-  double MeanEdge;
-  double Size; ///< diagonal of the bounding box
 };
-
-/// The diagonal of the bounding box of a surface.
-double SizeOf(const TriangleMesh& mesh);
 
 }
 

@@ -77,7 +77,7 @@ int VertexAt(
 }
 
 std::vector<PrescribedSingularity> BringToSurface(
-  const Singularities& singularities, int N, vtkPolyData* surface, const FramedSurface& framed)
+  const Singularities& singularities, int N, const NearestPlaces& surface)
 {
   const std::vector<GuideDataSet> datasets =
     DataSetsOf(singularities.Data, { "input Singularities", "points to Singularities" });
@@ -86,8 +86,7 @@ std::vector<PrescribedSingularity> BringToSurface(
   {
     return prescribed;
   }
-  const NearestPlaces nearest(surface, framed);
-  const double limit = singularities.MaximumDistance * SizeOf(framed.On.Mesh);
+  const double limit = singularities.MaximumDistance * surface.Size;
   for (const GuideDataSet& dataset : datasets)
   {
     vtkDataArray* const indices = IndicesOf(dataset, singularities.IndexArray);
@@ -99,7 +98,7 @@ std::vector<PrescribedSingularity> BringToSurface(
       if (times != 0)
       {
         prescribed.push_back(
-          { VertexAt(nearest, PositionOf(dataset, point), limit, name), times });
+          { VertexAt(surface, PositionOf(dataset, point), limit, name), times });
       }
     }
   }

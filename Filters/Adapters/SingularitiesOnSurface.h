@@ -1,14 +1,13 @@
 #ifndef dmgSingularitiesOnSurface_h
 #define dmgSingularitiesOnSurface_h
 
-#include "Adapters/MeshFromPolyData.h"
+#include "Adapters/SegmentOnSurface.h"
 #include "Analysis/PrescribedSingularities.h"
 
 #include <string>
 #include <vector>
 
 class vtkDataObject;
-class vtkPolyData;
 
 namespace dmg
 {
@@ -22,12 +21,11 @@ struct Singularities
 };
 
 /// Each at the nearest vertex inside.
-/// \param surface that \p framed was made from.
 /// \throw InvalidInput something is no dataset, has no such array, or an index that is no multiple of 1 / N; a point is not
 ///   finite, too far from the surface, or nearest to a triangle whose points are all on the boundary.
-/// Cost: a locator over the surface, and logarithmic time for each point.
+/// Cost: logarithmic time for each point.
 std::vector<PrescribedSingularity> BringToSurface(
-  const Singularities& singularities, int N, vtkPolyData* surface, const FramedSurface& framed);
+  const Singularities& singularities, int N, const NearestPlaces& surface);
 
 }
 

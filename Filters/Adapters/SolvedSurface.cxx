@@ -2,6 +2,7 @@
 
 #include "Adapters/ArrayNames.h"
 #include "Adapters/ReportToArrays.h"
+#include "FieldSetup.h"
 #include "Support/Errors.h"
 
 #include "vtkPolyData.h"
@@ -24,10 +25,10 @@ double SecondsSince(Clock::time_point start)
 }
 
 void SolvedSurface::SetSurface(
-  vtkPolyData* input, SolverKind asked, const ExecutionContext& context)
+  vtkPolyData* input, const FieldOptions& options, const ExecutionContext& context)
 {
   const std::string digest = ContentDigest(input);
-  const auto stored = OperatorsOriginOf(input->GetFieldData());
+  const auto stored = WantsDecimation(options) ? OperatorsOriginOf(input->GetFieldData()) : std::nullopt;
   if (stored && stored->Digest != digest)
   {
     throw InvalidInput("the surface is another than the one its operators were built for "
@@ -54,12 +55,12 @@ void SolvedSurface::SetSurface(
     this->OperatorsSeconds = 0.0;
     this->Solver = std::move(solver);
     this->Numbers = std::move(static_cast<SurfaceNumbering&>(surface));
+    this->PlacesOfSurface = std::make_unique<NearestPlaces>(input, this->Surface());
     this->Digest = digest;
     this->Order = order;
     this->SurfaceSeconds = SecondsSince(start);
   }
-  this->Solver->SetOperators(
-    stored && asked != SolverKind::Cholesky ? this->Operators(input, *stored) : nullptr);
+  this->Solver->SetOperators(stored ? this->Operators(input, *stored) : nullptr);
 }
 
 /// Those that the input brings along.

@@ -5,6 +5,7 @@
 #include "Adapters/FieldToArrays.h"
 #include "Adapters/MeshFromPolyData.h"
 #include "Adapters/OperatorsToFieldData.h"
+#include "Adapters/SegmentOnSurface.h"
 #include "FieldSolver.h"
 #include "Operators/PrincipalDirections.h"
 #include "SingularFieldSolver.h"
@@ -27,12 +28,13 @@ namespace dmg
 class SolvedSurface
 {
 public:
-  /// Takes another surface, if its content is another, and the operators that it brings along. What the input
-  /// brings along is read, and checked, even where a solver might do without; but not by Cholesky.
+  /// Takes another surface, if its content is another, and the operators that it brings along if the solver wants them
+  /// (WantsDecimation); others are not looked at.
   /// \throw InvalidInput as MeshFromPolyData and OperatorsFromFieldData, or the operators are those of another surface.
-  void SetSurface(vtkPolyData* input, SolverKind asked, const ExecutionContext& context);
+  void SetSurface(vtkPolyData* input, const FieldOptions& options, const ExecutionContext& context);
 
   FramedSurface Surface() const { return { this->Solver->Surface(), this->Numbers }; }
+  const NearestPlaces& Places() const { return *this->PlacesOfSurface; }
 
   /// Of the faces of the surface, at a scale; kept until another is asked for. See FindPrincipalDirections.
   const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
@@ -74,6 +76,7 @@ private:
   dmg::Numbering Order = dmg::Numbering::Spatial;
   SurfaceNumbering Numbers;
   std::unique_ptr<FieldSolver> Solver;
+  std::unique_ptr<NearestPlaces> PlacesOfSurface;
   std::unique_ptr<SingularFieldSolver> WithSingularities; ///< as soon as there have been some
   const SolvedField* Solved = nullptr; ///< the one of both that has solved last
   /// All operators of this surface that were read.

@@ -19,15 +19,10 @@ bool IsCycle(SolverKind kind)
   return kind == SolverKind::VCycles || kind == SolverKind::ConjugateGradients;
 }
 
-/// Samples for cycles, which need nothing that samples do not give, and take a fifth of the time; the thesis's levels where
-/// these are asked for.
 HierarchyOptions LevelsFor(const Discretisation& discretisation, const FieldOptions& options)
 {
   HierarchyOptions levels;
-  const bool areCycles =
-    options.Solver.Kind == SolverKind::Automatic || IsCycle(options.Solver.Kind);
-  if (areCycles && options.CoarseSpace == CoarseSpaceKind::Nodal &&
-    options.Solver.StartingLevel < 0)
+  if (!WantsDecimation(options))
   {
     levels.Levels = LevelConstruction::Sampling;
     levels.SampleDistance = discretisation.SampleDistance();
@@ -126,6 +121,15 @@ std::shared_ptr<const MultigridSetup> MakeCoarsened(const FramedMesh& surface,
     surface, discretisation, operators, setup, PartOfContext(context, most, 1.0));
 }
 
+}
+
+/// Samples give all that cycles need, in a fifth of the time.
+bool WantsDecimation(const FieldOptions& options)
+{
+  const SolverKind kind = options.Solver.Kind;
+  const bool areCycles = kind == SolverKind::Automatic || IsCycle(kind);
+  return kind != SolverKind::Cholesky &&
+    (!areCycles || options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0);
 }
 
 SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& options,

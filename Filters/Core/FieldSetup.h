@@ -37,6 +37,10 @@ struct SolverPlan
   }
 };
 
+/// Whether the solver wants the levels of the thesis, which take long to build and may have been stored: for structure-preserving
+/// coarse spaces, and for solvers that start on coarse levels. The others take samples, or factor.
+bool WantsDecimation(const FieldOptions& options);
+
 /// \param given operators of the surface, or null: those of Levels will be built.
 /// \param obstacles of the surface, harmonic fields included; they count where the solver is to be chosen.
 SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& options,

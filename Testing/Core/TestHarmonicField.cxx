@@ -711,7 +711,7 @@ TEST(FieldProblem, NamesTheOperatorsThatAreMissing)
   const TriangleMesh& mesh = surface.Mesh;
   const SurfaceHierarchy hierarchy =
     BuildSurfaceHierarchy(mesh, Deep(), SerialContext(), { false, false, false });
-  const char* const properties[] = { "PowerFields", "FaceFields", "OneForms" };
+  const char* const properties[] = { "Power Fields", "Face Fields", "One Forms" };
   for (DiscretisationKind kind : AllKinds)
   {
     FieldOptions options;

@@ -266,6 +266,7 @@ TEST(HarmonicFieldSolver, OutputsCarryTheReport)
 {
   const auto solver = NewSolver(SphereWithOperators());
   solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
+  solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
   solver->Update();
   vtkTable* const table = Convergence(solver);
   ASSERT_GE(table->GetNumberOfRows(), 2);
@@ -305,6 +306,7 @@ TEST(HarmonicFieldSolver, ASolveThatStopsShortWarnsAndGivesItsBest)
 {
   const auto solver = NewSolver(SphereWithOperators());
   solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
+  solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
   solver->SetMaximumNumberOfIterations(1);
   Messages messages(solver);
   solver->Update();
@@ -681,6 +683,7 @@ protected:
   void SetUp() override
   {
     this->Solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
+    this->Solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
     this->Solver->Update();
     ASSERT_EQ(CountsOf(this->Solver), (Counts{ 1, 1, 1 }));
   }
@@ -794,7 +797,8 @@ TEST_F(Stages, EveryOptionOfTheSystemRepeatsIt)
     [](vtkHarmonicFieldSolver* s) { s->SetExpectedSolves(2); },
     [](vtkHarmonicFieldSolver* s) { s->SetAlignment(3.0); },
     [](vtkHarmonicFieldSolver* s) { s->SetConstraintType(vtkHarmonicFieldSolver::Hard); },
-    [](vtkHarmonicFieldSolver* s) { s->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving); },
+    [](vtkHarmonicFieldSolver* s) { s->SetStartingLevel(1); },
+    [](vtkHarmonicFieldSolver* s) { s->SetCoarseSpace(vtkHarmonicFieldSolver::Nodal); },
     [](vtkHarmonicFieldSolver* s) { s->SetSweeps(s->GetSweeps() + 1); },
     [](vtkHarmonicFieldSolver* s) { s->SetSolver(vtkHarmonicFieldSolver::VCycles); },
   };
@@ -879,16 +883,46 @@ TEST(StoredOperators, AreUsedAfterWritingAndReading)
   for (vtkHarmonicFieldSolver* solver : { before.Get(), after.Get() })
   {
     solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
+    solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
     solver->Update();
     EXPECT_EQ(Values(solver->GetOutput()->GetFieldData(), "LevelUnknowns").size(), 3u);
   }
   EXPECT_EQ(CellValues(before, "PowerField"), CellValues(after, "PowerField"));
 }
 
+TEST(StoredOperators, ChangeNothingWhereTheSolverTakesSamples)
+{
+  vtkNew<vtkDirectionalProlongation> prolongation;
+  const auto bare = PolyDataOf(IrregularSphere(4, 5));
+  AddCellVectors(bare, "Given", { { 10, { 1.0, 0.5, -0.25 } } });
+  prolongation->SetInputData(bare);
+  prolongation->Update();
+  vtkNew<vtkPolyData> moved;
+  moved->DeepCopy(prolongation->GetOutput());
+  double point[3];
+  moved->GetPoint(5, point);
+  moved->GetPoints()->SetPoint(5, 1.001 * point[0], 1.001 * point[1], 1.001 * point[2]);
+  for (int kind : { vtkHarmonicFieldSolver::Automatic, vtkHarmonicFieldSolver::ConjugateGradients,
+         vtkHarmonicFieldSolver::Cholesky })
+  {
+    const auto without = NewSolver(bare), with = NewSolver(prolongation->GetOutput()), stale = NewSolver(moved);
+    const Messages messages(stale);
+    for (vtkHarmonicFieldSolver* solver : { without.Get(), with.Get(), stale.Get() })
+    {
+      solver->SetSolver(kind);
+      solver->Update();
+    }
+    EXPECT_EQ(CellValues(with, "PowerField"), CellValues(without, "PowerField"));
+    EXPECT_TRUE(messages.Silent());
+    EXPECT_EQ(stale->GetOutput()->GetNumberOfCells(), bare->GetNumberOfCells());
+  }
+}
+
 TEST(StoredOperators, OfAnotherSurfaceAreRefused)
 {
   const auto input = SphereWithOperators();
   const auto solver = NewSolver(input);
+  solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
   Messages messages(solver);
   solver->Update();
   ASSERT_TRUE(messages.Silent());
@@ -1005,6 +1039,7 @@ TEST_P(DamagedOperators, AreRefusedByName)
   ASSERT_TRUE(data->HasArray(GetParam().Array.c_str()));
   GetParam().Do(data, data->GetAbstractArray(GetParam().Array.c_str()));
   const auto solver = NewSolver(input);
+  solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
   const Messages messages(solver);
   solver->Update();
   EXPECT_NE(messages.Error().find("'" + GetParam().Array + "'"), std::string::npos)

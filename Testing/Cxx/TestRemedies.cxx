@@ -355,6 +355,7 @@ TEST(Remedy, DirectionalProlongationAgainReplacesOperatorsOfAnotherSurface)
   moved->DeepCopy(prolongation->GetOutput());
   moved->GetPoints()->SetPoint(3, 0.1, 0.2, 0.9);
   const auto solver = NewSolver(moved);
+  solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
   ExpectRefusal(solver, { "another", "Directional Prolongation (vtkDirectionalProlongation)" });
   prolongation->SetInputData(moved);
   solver->SetInputConnection(prolongation->GetOutputPort());

@@ -74,7 +74,7 @@ const Act PrescribedOnSlivers = [](Scene& scene) {
   scene.Array(OnCells, "Given")->SetTuple(last, side.data());
 };
 
-/// Operators of power fields alone, one of which is damaged.
+/// Operators of power fields alone, and a solver that uses them.
 const Act WithOperators = [](Scene& scene) {
   vtkNew<vtkDirectionalProlongation> prolongation;
   prolongation->SetInputData(scene.Surface);
@@ -83,6 +83,7 @@ const Act WithOperators = [](Scene& scene) {
   vtkNew<vtkPolyData> output;
   output->DeepCopy(prolongation->GetOutput());
   scene.SetSurface(output);
+  scene.Solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
 };
 const Act Damaged = [](Scene& scene) {
   vtkFieldData* const operators = scene.Surface->GetFieldData();

@@ -54,9 +54,8 @@ def solve(surface, kind="PowerField"):
     solver.SetInputArrayToProcess(1, 0, 0, CELLS, "Given")
     solver.SetSolver(vtkHarmonicFieldSolver.ConjugateGradients)
     solver.SetTolerance(1e-10)
-    if kind != "PowerField":
-        solver.SetDiscretisation(getattr(vtkHarmonicFieldSolver, kind))
-        solver.SetCoarseSpace(vtkHarmonicFieldSolver.StructurePreserving)
+    solver.SetDiscretisation(getattr(vtkHarmonicFieldSolver, kind))
+    solver.SetCoarseSpace(vtkHarmonicFieldSolver.StructurePreserving)
     solver.Update()
     return solver
 
