@@ -149,6 +149,13 @@ int vtkHarmonicFieldSolver::FillOutputPortInformation(int port, vtkInformation* 
 }
 
 //------------------------------------------------------------------------------
+int vtkHarmonicFieldSolver::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::GatherTimes(this, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

@@ -684,6 +684,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
+  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
+    vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,

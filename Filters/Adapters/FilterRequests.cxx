@@ -9,6 +9,7 @@
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
@@ -17,7 +18,9 @@
 
 #include <algorithm>
 #include <new>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace dmg
 {
@@ -71,6 +74,35 @@ int Failed(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::st
 int TakeAnyDataSet(vtkInformation* port)
 {
   port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+int GatherTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  std::set<double> steps, ends;
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int k = 0; k < inputs[port]->GetNumberOfInformationObjects(); ++k)
+    {
+      vtkInformation* const input = inputs[port]->GetInformationObject(k);
+      const double* const times = input->Get(Pipeline::TIME_STEPS());
+      const double* const range = input->Get(Pipeline::TIME_RANGE());
+      steps.insert(times, times + input->Length(Pipeline::TIME_STEPS()));
+      ends.insert(range, range + input->Length(Pipeline::TIME_RANGE()));
+    }
+  }
+  ends.insert(steps.begin(), steps.end());
+  const std::vector<double> all(steps.begin(), steps.end());
+  for (int port = 0; !ends.empty() && port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* const output = outputs->GetInformationObject(port);
+    const double range[] = { *ends.begin(), *ends.rbegin() };
+    output->Set(Pipeline::TIME_RANGE(), range, 2);
+    if (!all.empty())
+    {
+      output->Set(Pipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
+    }
+  }
   return 1;
 }
 

@@ -19,6 +19,10 @@ namespace dmg
 /// them. (VTK's own error comes eleven times, without a remedy.)
 int TakeAnyDataSet(vtkInformation* port);
 
+/// RequestInformation of filters with several input ports: the outputs change with time as any of the inputs does. By itself,
+/// VTK looks at the first input alone, and does not ask the others for another time.
+int GatherTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs);
+
 /// RequestUpdateExtent: asks for the whole of all inputs where piece 0 is requested, and for nothing elsewhere. A request
 /// to abort that came after the end of the last execution is forgotten.
 int AskForInputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,

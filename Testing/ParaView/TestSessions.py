@@ -1,0 +1,174 @@
+"""What a session with the filters keeps: states and scripts give the same bits, moving data give their own fields, and a
+moved guide repeats no set-up. ParaView has to find the plugin by itself.
+
+    TestSessions.py FOLDER
+"""
+
+import pathlib
+import sys
+import unittest
+
+import numpy as np
+import paraview.simple as simple
+from directionalmultigrid import vtkFiltersDirectionalFields  # so that Python knows the classes
+from paraview import smstate, smtrace
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+FOLDER = pathlib.Path(sys.argv.pop())
+
+
+def fetch(source, time=None):
+    source.UpdatePipeline(*[] if time is None else [time])
+    return simple.servermanager.Fetch(source)
+
+
+def arrays_of(data):
+    """Bytes of all arrays of points and cells."""
+    return {(kind, attributes.GetArrayName(i)): vtk_to_numpy(attributes.GetArray(i)).tobytes()
+            for kind, attributes in (("points", data.GetPointData()), ("cells", data.GetCellData()))
+            for i in range(attributes.GetNumberOfArrays())}
+
+
+def powers(data):
+    return vtk_to_numpy(data.GetCellData().GetArray("PowerField")).copy()
+
+
+def counts(solver):
+    """Set-ups, systems and solves so far."""
+    stages = solver.GetClientSideObject()
+    return stages.GetNumberOfSetups(), stages.GetNumberOfSystems(), stages.GetNumberOfSolves()
+
+
+def sphere(resolution=40):
+    return simple.Sphere(Radius=1, ThetaResolution=resolution, PhiResolution=resolution)
+
+
+def meridian(angle):
+    """An arc from the south to the north of the unit sphere, at an angle around the z-axis."""
+    x, y = np.cos(angle), np.sin(angle)
+    return [coordinate for t in np.linspace(-1, 1, 7) for coordinate in (np.cos(t) * x, np.cos(t) * y, np.sin(t))]
+
+
+def write_series(name, files):
+    lines = [f'<DataSet timestep="{time}" file="{file}"/>' for time, file in enumerate(files)]
+    path = FOLDER / name
+    path.write_text('<VTKFile type="Collection" version="0.1"><Collection>' + "".join(lines) + "</Collection></VTKFile>")
+    return str(path)
+
+
+class Sessions(unittest.TestCase):
+    def tearDown(self):
+        simple.ResetSession()
+
+    def a_pipeline(self):
+        """With a guide, its properties, and singularities of the field."""
+        line = simple.PolyLineSource(registrationName="Line", Points=meridian(0.3))
+        field = simple.HarmonicFieldSolver(
+            registrationName="Field", Input=sphere(), Guides=line, NumberOfDirections=3, Alignment=2, Rotation=25)
+        simple.FieldLines(registrationName="Lines", Input=field)
+        simple.FieldSingularities(registrationName="Singular", Input=field)
+        return self.results()
+
+    def results(self):
+        return [arrays_of(fetch(simple.FindSource(name))) for name in ("Field", "Lines", "Singular")]
+
+    def test_a_state_gives_the_same_bits(self):
+        before = self.a_pipeline()
+        state = str(FOLDER / "session.pvsm")
+        simple.SaveState(state)
+        simple.ResetSession()
+        self.assertIsNone(simple.FindSource("Field"))
+        simple.LoadState(state)
+        self.assertEqual(self.results(), before)
+
+    def test_a_python_state_gives_the_same_bits(self):
+        before = self.a_pipeline()
+        script = smstate.get_state()
+        self.assertIn("HarmonicFieldSolver", script)
+        simple.ResetSession()
+        exec(compile(script, "state.py", "exec"), {"__name__": "state"})
+        self.assertEqual(self.results(), before)
+
+    def test_a_trace_gives_the_same_bits(self):
+        smtrace.start_trace()
+        before = self.a_pipeline()
+        script = smtrace.stop_trace()
+        self.assertIn("Alignment = 2", script)
+        simple.ResetSession()
+        exec(compile(script, "trace.py", "exec"), {"__name__": "trace"})
+        self.assertEqual(self.results(), before)
+
+    def test_guides_of_a_time_series_move_the_field(self):
+        angles = (0.1, 0.6, 1.05)  # not along edges
+        for time, angle in enumerate(angles):
+            simple.SaveData(str(FOLDER / f"guide{time}.vtp"), simple.PolyLineSource(Points=meridian(angle)),
+                            DataMode="Binary")
+        series = write_series("guides.pvd", [f"guide{time}.vtp" for time in range(3)])
+        guides = simple.PVDReader(FileName=series)
+        solver = simple.HarmonicFieldSolver(Input=sphere(), Guides=guides, NumberOfDirections=2, Tolerance=1e-10)
+        self.assertEqual(list(guides.TimestepValues), [0, 1, 2])
+        for time in (0, 1, 2, 1):
+            alone = simple.HarmonicFieldSolver(
+                Input=sphere(), Guides=simple.PolyLineSource(Points=meridian(angles[time])), NumberOfDirections=2,
+                Tolerance=1e-10)
+            difference = np.abs(powers(fetch(solver, time)) - powers(fetch(alone))).max()
+            self.assertLess(difference, 1e-6)
+        setups, systems, solves = counts(solver)
+        self.assertEqual(setups, 1)
+        self.assertLessEqual(max(systems, solves), 4)
+
+    def test_a_hundred_steps_of_a_guide_cost_a_solve_each(self):
+        line = simple.PolyLineSource(Points=meridian(0.0))
+        solver = simple.HarmonicFieldSolver(Input=sphere(), Guides=line, NumberOfDirections=4)
+        fetch(solver)
+        for step in range(1, 101):
+            line.Points = meridian(0.013 * step)
+            solver.UpdatePipeline()
+            self.assertEqual(counts(solver)[0::2], (1, step + 1))
+        alone = simple.HarmonicFieldSolver(
+            Input=sphere(), Guides=simple.PolyLineSource(Points=meridian(1.3)), NumberOfDirections=4)
+        angles = [np.angle(field[:, 0] + 1j * field[:, 1]) for field in (powers(fetch(solver)), powers(fetch(alone)))]
+        turned = np.abs(np.angle(np.exp(1j * (angles[0] - angles[1])))) / 4
+        self.assertLess(np.degrees(np.median(turned)), 0.1)
+
+    def test_an_animation_moves_what_it_animates(self):
+        line = simple.PolyLineSource(Points=meridian(0.0))
+        moved = simple.Transform(Input=line)
+        solver = simple.HarmonicFieldSolver(Input=sphere(), Guides=moved, NumberOfDirections=2)
+        scene = simple.GetAnimationScene()
+        scene.PlayMode, scene.StartTime, scene.EndTime, scene.NumberOfFrames = "Sequence", 0, 1, 5
+        track = simple.GetAnimationTrack("Rotation", index=2, proxy=moved.Transform)
+        track.KeyFrames = [simple.CompositeKeyFrame(KeyTime=key, KeyValues=[90 * key]) for key in (0, 1)]
+        fields = []
+        scene.GoToFirst()
+        for _ in range(5):
+            fields.append(powers(fetch(solver)))
+            scene.GoToNext()
+        self.assertTrue(all(np.abs(one - other).max() > 0.1 for one, other in zip(fields, fields[1:])))
+        self.assertEqual(counts(solver)[0], 1)
+
+    def test_a_moving_surface_has_a_field_of_its_own_at_each_time(self):
+        sizes = (1.0, 1.5, 2.0)
+        for time, size in enumerate(sizes):
+            simple.SaveData(str(FOLDER / f"surface{time}.vtp"), self.stretched(size), DataMode="Binary")
+        series = simple.PVDReader(FileName=write_series("surfaces.pvd", [f"surface{t}.vtp" for t in range(3)]))
+        solver = simple.HarmonicFieldSolver(
+            Input=series, Guides=simple.PolyLineSource(Points=meridian(0.2)), NumberOfDirections=2, MaximumDistance=1)
+        for time, size in enumerate(sizes):
+            field = fetch(solver, time)
+            self.assertAlmostEqual(field.GetBounds()[5], size, places=5)
+            alone = simple.HarmonicFieldSolver(
+                Input=simple.XMLPolyDataReader(FileName=[str(FOLDER / f"surface{time}.vtp")]),
+                Guides=simple.PolyLineSource(Points=meridian(0.2)), NumberOfDirections=2, MaximumDistance=1)
+            self.assertEqual(arrays_of(field), arrays_of(fetch(alone)))
+            self.assertEqual(counts(solver), (time + 1,) * 3)
+
+    @staticmethod
+    def stretched(size):
+        transform = simple.Transform(Input=sphere())
+        transform.Transform.Scale = [1, 1, size]
+        return transform
+
+
+if __name__ == "__main__":
+    unittest.main()
