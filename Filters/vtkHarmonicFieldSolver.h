@@ -68,8 +68,9 @@
  * - without lines and without a choice, the active vectors of the points, else of the cells, count.
  *
  * Vectors are no powers: whether a line runs to or fro does not matter to a field of two directions,
- * nor do quarter turns to crosses. A line weighs as much on each face that it passes; what several
- * guides prescribe on one face adds up.
+ * nor do quarter turns to crosses. A line weighs as a feature of the surface does (see Features), so it means the same at
+ * any size and resolution: at weight 1 the field follows what of it is larger than about a thirtieth of the surface. A vector
+ * of a point or cell weighs as one on the face itself. What several guides prescribe on one face adds up.
  *
  * What is farther from the surface than MaximumDistance is left out, and so is a part of a chord that
  * comes out of the other side of a thin wall: the side that counts is the one that the faces at both
@@ -132,7 +133,7 @@
  * neither do face fields and 1-forms, where N is 1. A weight for features that a surface does not have is a warning as
  * well. Functions follow no features.
  *
- * These weights are relative to the size L of the surface, the root of its area, and mean the same at any size and
+ * These weights, and those of lines among the guides, are relative to the size L of the surface, the root of its area, and mean the same at any size and
  * resolution: where the roughness is the field's Dirichlet energy and Alignment is 1, they add
  * 30 / L * weight * |X - Y|^2, integrated along lines, on each side, and (30 / L)^2 * weight * confidence * |X - Y|^2,
  * integrated over the surface. So at weight 1 the field follows what is larger than about a thirtieth of the surface's

@@ -3,6 +3,7 @@
 #include "Adapters/ArrayNames.h"
 #include "Adapters/ElementArrays.h"
 #include "Adapters/GuideDataSets.h"
+#include "Discretisations/SurfaceFeatures.h"
 #include "Support/Errors.h"
 
 #include "vtkDataSet.h"
@@ -40,6 +41,7 @@ public:
     , MaximumDistance(guides.MaximumDistance * surface.Size)
     , Nearest(surface)
     , Segments(this->Nearest, this->MaximumDistance)
+    , WeightsOfLines(surface.Framed.On.Mesh)
   {
     this->Result.Report.MaximumDistance = this->MaximumDistance;
   }
@@ -55,17 +57,7 @@ private:
     const Vector3& position, const Vector3& vector, double weight, const std::string& name);
   void AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices);
 
-  /// What a line prescribes on a face, and on which length.
-  struct Passage
-  {
-    int Face;
-    Vector3 Direction;
-    double Length;
-    double Weight;
-  };
-  void AddSegment(const Vector3& start, const Vector3& end, const Vector3* vector, double weight,
-    std::vector<Passage>& line);
-  void AddLine(const std::vector<Passage>& line);
+  void AddSegment(const Vector3& start, const Vector3& end, const Vector3* vector, double weight);
   void CountElement();
 
   const ConstraintChoices& Choices;
@@ -74,6 +66,7 @@ private:
   const double MaximumDistance;
   const NearestPlaces& Nearest;
   const SegmentOnSurface Segments;
+  const WeightsOfFaces WeightsOfLines;
   double OfWhole = 1.0; ///< the weight of the dataset
   long long Elements = 0;
 };
@@ -111,7 +104,6 @@ bool Projection::Add(const GuideDataSet& dataset)
 void Projection::AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arrays)
 {
   vtkNew<vtkIdList> points;
-  std::vector<Passage> line;
   VisitPrescribed(
     arrays, [](vtkIdType) { return true; },
     [&](const ElementDirection& given)
@@ -127,13 +119,11 @@ void Projection::AddVectors(const GuideDataSet& dataset, const ConstraintArrays&
       const vtkIdType size = points->GetNumberOfIds();
       if (IsLine(dataset.Data, given.Element))
       {
-        line.clear();
         for (vtkIdType i = 0; i + 1 < size; ++i)
         {
           this->AddSegment(PositionOf(dataset, points->GetId(i)),
-            PositionOf(dataset, points->GetId(i + 1)), &given.Vector, weight, line);
+            PositionOf(dataset, points->GetId(i + 1)), &given.Vector, weight);
         }
-        this->AddLine(line);
       }
       else if (size > 0)
       {
@@ -174,7 +164,6 @@ void Projection::AddLines(const GuideDataSet& dataset, const ConstraintChoices& 
 {
   const LineArrays arrays(choices, dataset);
   vtkNew<vtkIdList> points;
-  std::vector<Passage> line;
   for (vtkIdType cell = 0; cell < dataset.Data->GetNumberOfCells(); ++cell)
   {
     if (!IsLine(dataset.Data, cell))
@@ -182,23 +171,21 @@ void Projection::AddLines(const GuideDataSet& dataset, const ConstraintChoices& 
       continue;
     }
     dataset.Data->GetCellPoints(cell, points);
-    line.clear();
     for (vtkIdType i = 0; i + 1 < points->GetNumberOfIds(); ++i)
     {
       const vtkIdType start = points->GetId(i), end = points->GetId(i + 1);
       const Vector3 from = PositionOf(dataset, start), to = PositionOf(dataset, end);
       if (arrays.IsFollowed(cell, start, end))
       {
-        this->AddSegment(from, to, nullptr, this->OfWhole * arrays.Weight(cell, start, end), line);
+        this->AddSegment(from, to, nullptr, this->OfWhole * arrays.Weight(cell, start, end));
       }
     }
-    this->AddLine(line);
   }
 }
 
 /// \param vector what the segment prescribes; null for its own direction, of unit length.
-void Projection::AddSegment(const Vector3& start, const Vector3& end, const Vector3* vector,
-  double weight, std::vector<Passage>& line)
+void Projection::AddSegment(
+  const Vector3& start, const Vector3& end, const Vector3* vector, double weight)
 {
   this->CountElement();
   GuidesReport& report = this->Result.Report;
@@ -220,8 +207,9 @@ void Projection::AddSegment(const Vector3& start, const Vector3& end, const Vect
     }
     // A chord leans into the surface; that says nothing about how strong the field shall be.
     const double length = vector ? 1.0 : std::abs(tangential);
-    line.push_back({ part.Face, this->Framed.On.Faces.ToVector(part.Face, tangential / length),
-      part.Length, weight });
+    this->Result.Directions.push_back(
+      { part.Face, this->Framed.On.Faces.ToVector(part.Face, tangential / length),
+        weight * this->WeightsOfLines.OfLine(part.Face, part.Length) });
     isTaken = true;
     report.Farthest = std::max(report.Farthest, part.Distance);
   }
@@ -229,21 +217,6 @@ void Projection::AddSegment(const Vector3& start, const Vector3& end, const Vect
   report.TooFar += isTooFar;
   report.OnFarSide += isOnFarSide;
   report.Perpendicular += isPerpendicular;
-}
-
-/// A line weighs the same on each face that it touches, however long it stays there.
-void Projection::AddLine(const std::vector<Passage>& line)
-{
-  std::map<int, double> lengths;
-  for (const Passage& passage : line)
-  {
-    lengths[passage.Face] += passage.Length;
-  }
-  for (const Passage& passage : line)
-  {
-    this->Result.Directions.push_back(
-      { passage.Face, passage.Direction, passage.Weight * passage.Length / lengths[passage.Face] });
-  }
 }
 
 std::string Elements(long long number)

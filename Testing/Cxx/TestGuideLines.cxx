@@ -102,23 +102,31 @@ protected:
     return messages.Error();
   }
 
-  /// Cells with a corner on the given side of both lines y = row and y = row + 1, and so those in
-  /// that row of squares.
+  /// The cells that the line y = row + 0.3, from x = 0.1 to 7.9, passes: 30 / L times its length there, on two sides. The
+  /// surface has size L = 8, and its triangles are equal.
   Cells CellsInRow(int row, double weight = 1.0)
   {
     Cells cells;
     vtkNew<vtkIdList> corners;
     for (vtkIdType cell = 0; cell < this->Plate->GetNumberOfCells(); ++cell)
     {
-      double y = 0.0;
+      double from = 7.9, to = 0.1;
       this->Plate->GetCellPoints(cell, corners);
       for (int k = 0; k < 3; ++k)
       {
-        y += this->Plate->GetPoint(corners->GetId(k))[1] / 3.0;
+        const Vector3 a(this->Plate->GetPoint(corners->GetId(k)));
+        const Vector3 b(this->Plate->GetPoint(corners->GetId((k + 1) % 3)));
+        const double along = (row + 0.3 - a.y()) / (b.y() - a.y()); // infinite for horizontal sides
+        if (along >= 0.0 && along <= 1.0)
+        {
+          const double x = a.x() + along * (b.x() - a.x());
+          from = std::min(from, std::max(x, 0.1));
+          to = std::max(to, std::min(x, 7.9));
+        }
       }
-      if (y > row && y < row + 1)
+      if (to > from)
       {
-        cells[cell] = weight;
+        cells[cell] = weight * 2.0 * 30.0 / 8.0 * (to - from);
       }
     }
     return cells;
@@ -170,7 +178,7 @@ TEST_F(GuideLines, PrescribeTheirTangentsWhereTheyPass)
 
 // Neither its number of points, nor its kind of dataset, nor how it was drawn makes a line weigh
 // more.
-TEST_F(GuideLines, WeighOneOnEachFace)
+TEST_F(GuideLines, WeighByTheirLength)
 {
   std::vector<Vector3> positions;
   for (int i = 0; i <= 1000; ++i)

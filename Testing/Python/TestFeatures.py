@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 
 from directionalmultigrid.vtkFiltersDirectionalFields import (
     vtkHarmonicFieldSolver, vtkPrincipalDirections)
-from surfaces import add, surface, torus, values
+from surfaces import add, corners, surface, torus, values, values_of_points
 
 CELLS = vtkDataObject.FIELD_ASSOCIATION_CELLS
 
@@ -16,15 +16,6 @@ CELLS = vtkDataObject.FIELD_ASSOCIATION_CELLS
 def centres(data):
     points = values_of_points(data)
     return points[corners(data)].mean(axis=1)
-
-
-def values_of_points(data):
-    return np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
-
-
-def corners(data):
-    return np.array([[data.GetCell(c).GetPointId(k) for k in range(3)]
-                     for c in range(data.GetNumberOfCells())])
 
 
 def around(places):

@@ -7,9 +7,11 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkTable)
+from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
+from vtkmodules.vtkFiltersSources import vtkLineSource
 
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
-from surfaces import add, torus, values
+from surfaces import add, corners, torus, values, values_of_points
 
 POINTS = vtkDataObject.FIELD_ASSOCIATION_POINTS
 
@@ -20,6 +22,74 @@ def points_at(positions, vectors):
     data.GetPoints().SetData(numpy_to_vtk(np.asarray(positions, float), deep=True))
     add(data.GetPointData(), "Wind", vectors)
     return data
+
+
+def subdivided(surface):
+    """Each triangle in four, which have its place in the order."""
+    subdivision = vtkLinearSubdivisionFilter()
+    subdivision.SetInputData(surface)
+    subdivision.Update()
+    return subdivision.GetOutput()
+
+
+def scaled(data, factor):
+    copy = vtkPolyData()
+    copy.DeepCopy(data)
+    points = numpy_to_vtk(factor * values_of_points(data), deep=True)
+    copy.GetPoints().SetData(points)
+    return copy
+
+
+class LinesOnAnySurface(unittest.TestCase):
+    """What a soft line means depends neither on the size of a surface nor on its resolution."""
+
+    def setUp(self):
+        self.lines = []
+        for start, end in (((1.1, 0.1, 0.4), (1.3, 0.4, 0.4)), ((-1, -0.9, 0.3), (-0.6, -1.2, 0.3))):
+            line = vtkLineSource()
+            line.SetPoint1(start)
+            line.SetPoint2(end)
+            line.Update()
+            self.lines.append(line.GetOutput())
+
+    def field(self, surface, lines, number, constraints):
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputData(surface)
+        for line in lines:
+            solver.AddInputDataObject(1, line)
+        solver.SetNumberOfDirections(number)
+        solver.SetConstraintType(constraints)
+        solver.SetTolerance(1e-10)
+        solver.UnitLengthOff()
+        solver.Update()
+        return values(solver.GetOutput().GetCellData(), "Direction0").copy()
+
+    def test_scaling_changes_nothing(self):
+        surface = torus(60, 40)
+        soft = vtkHarmonicFieldSolver.Soft
+        field = self.field(surface, self.lines, 1, soft)
+        large = self.field(scaled(surface, 1000), [scaled(line, 1000) for line in self.lines], 1, soft)
+        self.assertLess(np.linalg.norm(large - field), 1e-5 * np.linalg.norm(field))
+
+    def test_a_subdivision_changes_no_more_than_where_the_lines_hold_exactly(self):
+        coarse = torus(60, 40)
+        fine = subdivided(coarse)
+        triangles = values_of_points(coarse)[corners(coarse)]
+        x = triangles[:, 1] - triangles[:, 0]
+        x /= np.linalg.norm(x, axis=1, keepdims=True)
+        normal = np.cross(x, triangles[:, 2] - triangles[:, 0])
+        y = np.cross(normal / np.linalg.norm(normal, axis=1, keepdims=True), x)
+        for number in (1, 2, 4):
+            changes = {}
+            for constraints in (vtkHarmonicFieldSolver.Soft, vtkHarmonicFieldSolver.Hard):
+                powers = []
+                for surface, repeats in ((coarse, 1), (fine, 4)):
+                    vectors = self.field(surface, self.lines, number, constraints).reshape(-1, repeats, 3)
+                    plane = (vectors * x[:, None]).sum(axis=2) + 1j * (vectors * y[:, None]).sum(axis=2)
+                    size = np.maximum(np.abs(plane), 1e-300)
+                    powers.append(((plane / size) ** number * size).mean(axis=1))
+                changes[constraints] = np.linalg.norm(powers[1] - powers[0]) / np.linalg.norm(powers[0])
+            self.assertLess(changes[vtkHarmonicFieldSolver.Soft], changes[vtkHarmonicFieldSolver.Hard], number)
 
 
 class Guides(unittest.TestCase):

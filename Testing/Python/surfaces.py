@@ -18,6 +18,15 @@ def surface(points, triangles):
     return data
 
 
+def values_of_points(data):
+    return np.array([data.GetPoint(i) for i in range(data.GetNumberOfPoints())])
+
+
+def corners(data):
+    return np.array([[data.GetCell(c).GetPointId(k) for k in range(3)]
+                     for c in range(data.GetNumberOfCells())])
+
+
 def torus(around, across, major=1.0, minor=0.4):
     """A torus around the z-axis, 2 around across faces."""
     u, v = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")

@@ -15,33 +15,6 @@ namespace
 /// At weight 1, features are followed to within this part of the surface's size.
 constexpr double RelativeLength = 1.0 / 30.0;
 
-/// What turns integrals over a surface into the weights of its faces, each of which is multiplied by its area over the
-/// mean one later on.
-class WeightsOfFaces
-{
-public:
-  explicit WeightsOfFaces(const TriangleMesh& mesh)
-    : Areas(mesh.FaceAreas())
-    , Mean(this->Areas.mean())
-    , Length(RelativeLength * std::sqrt(this->Areas.sum()))
-  {
-  }
-
-  /// Of 1, integrated over the face.
-  double OfFace() const { return 2.0 * this->Mean / (this->Length * this->Length); }
-  /// Of 1, integrated along a line on the face, if that is no sliver.
-  double OfLine(int face, double length) const
-  {
-    return 2.0 * length / this->Length * this->Mean / std::max(this->Areas[face], 1e-4 * this->Mean);
-  }
-  bool IsFlat(int face) const { return this->Areas[face] == 0.0; }
-
-private:
-  const Vector<double> Areas;
-  const double Mean;
-  const double Length;
-};
-
 Vector3 Along(const TriangleMesh& mesh, int halfedge)
 {
   return mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge));
@@ -66,6 +39,23 @@ void Append(std::vector<PrescribedDirection>& all, std::vector<PrescribedDirecti
   std::move(more.begin(), more.end(), std::back_inserter(all));
 }
 
+}
+
+WeightsOfFaces::WeightsOfFaces(const TriangleMesh& mesh)
+  : Areas(mesh.FaceAreas())
+  , Mean(this->Areas.mean())
+  , Length(RelativeLength * std::sqrt(this->Areas.sum()))
+{
+}
+
+double WeightsOfFaces::OfFace() const
+{
+  return 2.0 * this->Mean / (this->Length * this->Length);
+}
+
+double WeightsOfFaces::OfLine(int face, double length) const
+{
+  return 2.0 * length / this->Length * this->Mean / std::max(this->Areas[face], 1e-4 * this->Mean);
 }
 
 void CheckFeatures(const FeatureOptions& options)

@@ -11,6 +11,27 @@
 namespace dmg
 {
 
+/// What turns integrals over a surface, or along lines on it, into the weights of its faces. They are relative to the size
+/// L of the surface, the root of its area, so that what follows an integral means the same at any size and resolution; see
+/// FeatureOptions. A discretisation multiplies the weight of a face by its area over the mean one.
+class WeightsOfFaces
+{
+public:
+  /// Cost: linear.
+  explicit WeightsOfFaces(const TriangleMesh& mesh);
+
+  /// Of (30 / L)^2, integrated over a face.
+  double OfFace() const;
+  /// Of 30 / L, integrated along a line on the face, if that is no sliver.
+  double OfLine(int face, double length) const;
+  bool IsFlat(int face) const { return this->Areas[face] == 0.0; }
+
+private:
+  const Vector<double> Areas;
+  const double Mean;
+  const double Length; ///< L / 30
+};
+
 /// What a field follows of the surface itself, and how strongly. Weights are relative to the size L of the surface, the
 /// root of its area, and mean the same at any size and resolution: where the roughness is the Dirichlet energy of the
 /// field X (for power fields, half of theirs) and Alignment is 1, soft constraints add
