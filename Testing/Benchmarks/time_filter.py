@@ -4,7 +4,8 @@
 
 Twenty triangles are prescribed; everything else is as the filter comes, and then with Cholesky as its solver. Each
 run has a filter of its own. Leaves filter.csv: medians of the seconds that Update() takes, and of what the filter
-reports of its stages; "other" is what it needs besides, most of it for the arrays.
+reports of its stages; "other" is what it needs besides, most of it for the arrays. Then crosses are solved and changed as
+in a window: changes.csv has the medians of Update() after each change.
 """
 import argparse
 import csv
@@ -16,6 +17,7 @@ from pathlib import Path
 import numpy as np
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
 from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkFiltersSources import vtkLineSource
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -58,6 +60,53 @@ def run(surface, discretisation, number, kind):
     return [total, *stages, total - sum(stages)]
 
 
+def seconds_of_update(solver):
+    start = time.perf_counter()
+    solver.Update()
+    return time.perf_counter() - start
+
+
+def changes(surface):
+    """(what has changed, seconds of the update after it), of one filter."""
+    low, high = np.reshape(surface.GetBounds(), (3, 2)).T
+    above = (low + high) / 2
+    above[2] = high[2]
+    line = vtkLineSource()
+    line.SetPoint1(above - (high - low) * (0.05, 0, 0))
+    line.SetPoint2(above + (high - low) * (0.05, 0.02, 0))
+    solver = vtkHarmonicFieldSolver()
+    solver.SetInputData(surface)
+    solver.SetInputArrayToProcess(1, 0, 0, 1, "Given")
+    solver.SetNumberOfDirections(4)
+    solver.SetMaximumDistance(1)
+    yield "all", seconds_of_update(solver)
+    solver.SetNumberOfDirections(2)
+    yield "a new N", seconds_of_update(solver)
+    solver.SetNumberOfDirections(4)
+    yield "an old N", seconds_of_update(solver)
+    solver.CombingOff()
+    yield "combing", seconds_of_update(solver)
+    solver.UnitLengthOff()
+    yield "unit length", seconds_of_update(solver)
+    solver.CombingOn()
+    solver.UnitLengthOn()
+    solver.AddInputConnection(1, line.GetOutputPort())
+    yield "a guide added", seconds_of_update(solver)
+    line.SetPoint1(above - (high - low) * (0.05, 0.02, 0))
+    yield "a guide moved", seconds_of_update(solver)
+
+
+def write_changes(path, surface, runs, rows):
+    times = {}
+    for _ in range(runs):
+        for change, seconds in changes(surface):
+            times.setdefault(change, []).append(seconds)
+    for change, seconds in times.items():
+        row = [path.stem, surface.GetNumberOfCells(), change, runs, f"{statistics.median(seconds):.4f}"]
+        rows.writerow(row)
+        print(*row, sep="  ", flush=True)
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("--out", type=Path, default=Path("."))
@@ -65,9 +114,11 @@ def main():
     parser.add_argument("surfaces", nargs="+", type=Path)
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
-    with open(options.out / "filter.csv", "w", newline="") as file:
-        rows = csv.writer(file)
+    with open(options.out / "filter.csv", "w", newline="") as file, \
+            open(options.out / "changes.csv", "w", newline="") as changed:
+        rows, rows_of_changes = csv.writer(file), csv.writer(changed)
         rows.writerow("surface,faces,field,solver,runs,total,setup,prepare,solve,other".split(","))
+        rows_of_changes.writerow("surface,faces,change,runs,seconds".split(","))
         for path in options.surfaces:
             surface = read(path)
             for job, (solver, kind) in itertools.product(JOBS, SOLVERS):
@@ -77,6 +128,7 @@ def main():
                 row = [path.stem, surface.GetNumberOfCells(), field, solver, options.runs, *medians]
                 rows.writerow(row)
                 print(*row, sep="  ", flush=True)
+            write_changes(path, surface, options.runs, rows_of_changes)
 
 
 main()

@@ -32,6 +32,11 @@ class FilterBenchmark(unittest.TestCase):
                 stages = [float(row[stage]) for stage in ("setup", "prepare", "solve", "other")]
                 self.assertGreater(min(stages), 0.0, row)
                 self.assertAlmostEqual(sum(stages), float(row["total"]), delta=3e-4)
+            with open(folder / "changes.csv", newline="") as file:
+                changes = {row["change"]: float(row["seconds"]) for row in csv.DictReader(file)}
+            self.assertEqual(set(changes), {"all", "a new N", "an old N", "combing", "unit length", "a guide added",
+                                            "a guide moved"})
+            self.assertGreater(min(changes.values()), 0)
             subprocess.run([sys.executable, str(BENCHMARKS / "plot_fields.py"), name], check=True)
             self.assertGreater((folder / "filter.png").stat().st_size, 5000)
 
