@@ -22,7 +22,12 @@ public:
   {
     cholmod_l_start(&this->Common);
     this->Common.print = 0;
+#ifdef DMG_NO_GPL
+    this->Common.supernodal = CHOLMOD_SIMPLICIAL;
+    this->Common.final_ll = true;
+#else
     this->Common.supernodal = CHOLMOD_SUPERNODAL;
+#endif
     this->Common.quick_return_if_not_posdef = true;
     if (ordering != FillOrdering::Best)
     {
@@ -197,15 +202,16 @@ int CholeskySolver<Scalar>::NumberOfUnknowns() const
 template <class Scalar>
 long long CholeskySolver<Scalar>::NonZeros() const
 {
-  return static_cast<long long>(this->Internal->L->xsize);
+  const cholmod_factor& L = *this->Internal->L;
+  return static_cast<long long>(L.is_super ? L.xsize : L.nzmax);
 }
 
 template <class Scalar>
 long long CholeskySolver<Scalar>::Bytes() const
 {
   const cholmod_factor& L = *this->Internal->L;
-  const std::size_t indices = 2 * L.n + 4 * (L.nsuper + 1) + L.ssize;
-  return static_cast<long long>(L.xsize * sizeof(Scalar) + indices * sizeof(SuiteSparse_long));
+  const std::size_t indices = L.is_super ? 2 * L.n + 4 * (L.nsuper + 1) + L.ssize : 6 * L.n + L.nzmax;
+  return this->NonZeros() * sizeof(Scalar) + indices * sizeof(SuiteSparse_long);
 }
 
 template <class Scalar>

@@ -25,7 +25,7 @@ public:
 };
 
 /// Supernodal sparse Cholesky factorisation A = L L^H of a symmetric (double) or Hermitian (Complex)
-/// positive definite matrix, by CHOLMOD with its 64-bit indices.
+/// positive definite matrix, by CHOLMOD with its 64-bit indices. Built without GPL (DMG_GPL), it is simplicial.
 ///
 /// For matrices of surface meshes, n unknowns: about n^1.5 operations and n log n memory to factor,
 /// one pass over the factor to solve. The bits of a result may depend on the BLAS in use and on its

@@ -1,0 +1,23 @@
+# What cpack makes: a Debian package of the installation, whose dependencies dpkg-shlibdeps finds, and a tarball of the sources.
+# The build is configured with -DCMAKE_INSTALL_PREFIX=/usr.
+set(CPACK_PACKAGE_CONTACT "the authors of DirectionalMultigrid") # a maintainer is compulsory
+set(CPACK_PACKAGE_NAME "directionalmultigrid")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
+set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
+
+set(CPACK_GENERATOR "DEB")
+set(CPACK_SET_DESTDIR ON) # the plugin is registered for /usr, not for the folder that is packed
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME "DEB-DEFAULT")
+set(CPACK_DEBIAN_PACKAGE_SECTION "science")
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+if (DMG_WRAP_PYTHON AND DMG_HOST STREQUAL "ParaView")
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-paraview") # the modules that ours imports
+elseif (DMG_WRAP_PYTHON AND DMG_HOST STREQUAL "VTK")
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-vtk9")
+endif ()
+
+set(CPACK_SOURCE_GENERATOR "TGZ")
+set(CPACK_SOURCE_PACKAGE_FILE_NAME "directionalmultigrid-${PROJECT_VERSION}")
+set(CPACK_SOURCE_IGNORE_FILES "^${PROJECT_SOURCE_DIR}/build/" "/[.]git(/|$)" "__pycache__" "CMakeUserPresets.json")
+include(CPack)
