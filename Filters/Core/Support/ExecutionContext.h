@@ -11,8 +11,8 @@ namespace dmg
 /// The core owns no threads. Filters lend it VTK's (Adapters/ContextFromAlgorithm), tests and
 /// benchmarks lend it TBB's (Testing/Support), and SerialContext lends none.
 ///
-/// Same input, same bits, for any number of threads: each index of a loop writes only its own
-/// result, and sums over indices are taken in an order that does not depend on the threads.
+/// Same input, same bits, for any number of these threads: an index of a loop writes only its own result, and sums have an
+/// order of their own. BLAS has threads besides (OPENBLAS_NUM_THREADS), on which the bits of factors may depend.
 class ExecutionContext
 {
 public:
