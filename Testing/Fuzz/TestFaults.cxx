@@ -170,14 +170,29 @@ std::vector<long long> Some(long long all, int dense = 60)
 namespace
 {
 
+/// What CHOLMOD asks for memory.
+void LetCholmodCall(void* (*allocate)(std::size_t))
+{
+#if SUITESPARSE_MAIN_VERSION >= 7 // functions in place of a structure
+  SuiteSparse_config_malloc_func_set(allocate);
+#else
+  SuiteSparse_config.malloc_func = allocate;
+#endif
+}
+
 /// CHOLMOD's cholmod_solve2 ends in a segmentation fault where its own requests fail; they do not, in these tests.
 class SparesCholmod : public testing::Environment
 {
   void SetUp() override
   {
-    SuiteSparse_config.malloc_func = __libc_malloc;
+    LetCholmodCall(__libc_malloc);
+#if SUITESPARSE_MAIN_VERSION >= 7
+    SuiteSparse_config_calloc_func_set(__libc_calloc);
+    SuiteSparse_config_realloc_func_set(__libc_realloc);
+#else
     SuiteSparse_config.calloc_func = __libc_calloc;
     SuiteSparse_config.realloc_func = __libc_realloc;
+#endif
   }
 };
 
@@ -362,14 +377,14 @@ TEST(Memory, ThatTheFactorLacksIsAnErrorAndConjugateGradientsHelp)
 {
   const auto solver = NewSolver(Given(Torus(100, 60)), 0, vtkHarmonicFieldSolver::Cholesky);
   const Messages messages(solver);
-  SuiteSparse_config.malloc_func = NoMoreThanFourMegabytes;
+  LetCholmodCall(NoMoreThanFourMegabytes);
   solver->Update();
   EXPECT_NE(messages.Error().find("choose Conjugate Gradients as Solver"), std::string::npos) << messages.Error();
   EXPECT_TRUE(Field(solver).empty());
   solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
   solver->Update();
   EXPECT_FALSE(Field(solver).empty());
-  SuiteSparse_config.malloc_func = __libc_malloc;
+  LetCholmodCall(__libc_malloc);
 }
 
 // Aborts
