@@ -15,7 +15,7 @@ if (old_metadata)
 endif ()
 configure_file("${package_sources}/METADATA.in" "${PROJECT_BINARY_DIR}/${metadata_folder}/METADATA" @ONLY)
 configure_file("${package_sources}/entry_points.txt" "${PROJECT_BINARY_DIR}/${metadata_folder}/entry_points.txt" COPYONLY)
-install(DIRECTORY "${PROJECT_BINARY_DIR}/${metadata_folder}" DESTINATION "${DMG_PYTHON_DESTINATION}" COMPONENT python)
+install(DIRECTORY "${PROJECT_BINARY_DIR}/${metadata_folder}" DESTINATION "${DMG_PYTHON_DESTINATION}" COMPONENT metadata)
 
 # Stubs tell editors and type checkers what the filters have, where VTK has its generator along.
 execute_process(
