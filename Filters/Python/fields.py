@@ -67,7 +67,8 @@ def update(algorithm: vtkAlgorithm) -> Optional[vtkDataObject]:
     """Updates a filter, one of this package or any other, and what stands before it in the pipeline.
 
     Returns its first output, or None if it has none. Raises FieldError where one of them reports an error, which would else be
-    a line on standard error and an empty output; warns with FieldWarning.
+    a line on standard error and an empty output; warns with FieldWarning. What failed runs again at the next call; but VTK tells
+    nothing of what failed in an Update() of its own before, unless something has changed since.
     """
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"an object of type {type(algorithm).__name__} is no VTK filter")
