@@ -61,4 +61,5 @@ if (DMG_WRAP_PYTHON)
     "/${DMG_PYTHON_DESTINATION}/directionalmultigrid" "/${CMAKE_INSTALL_LIBDIR}")
   set_target_properties(vtkFiltersDirectionalFieldsPython PROPERTIES
     INSTALL_RPATH "$ORIGIN/${to_libraries}")
+  include("${CMAKE_CURRENT_LIST_DIR}/BuildPythonPackage.cmake")
 endif ()

@@ -9,8 +9,16 @@ import subprocess
 import sys
 
 IMPORT = """
+import sys
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
 assert vtkHarmonicFieldSolver().GetNumberOfDirections() == 4
+import importlib.metadata
+import directionalmultigrid
+assert importlib.metadata.version("directionalmultigrid")
+names = [point.value for point in importlib.metadata.entry_points(group="pyvista.accessors") if point.name == "directional"]
+assert names[0] == "directionalmultigrid.pyvista_accessor", names
+for name in directionalmultigrid.__all__:
+    print(getattr(directionalmultigrid, name).__name__, file=sys.stderr)
 for line in open("/proc/self/maps"):
     if "FiltersDirectionalFields" in line:
         print(line.split()[-1])

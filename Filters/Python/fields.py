@@ -1,0 +1,179 @@
+"""Smooth fields by one call, and filters whose errors are exceptions."""
+
+from __future__ import annotations
+
+import difflib
+import re
+import warnings
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, TypeVar, Union
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
+
+from .vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
+
+Mesh = TypeVar("Mesh", bound=vtkPolyData)
+DataObjects = Union[vtkDataObject, Sequence[vtkDataObject], None]
+Property = Union[bool, int, float, str]
+Message = Tuple[vtkAlgorithm, str]
+
+# The solver's arrays: the index of each in SetInputArrayToProcess. Their names are those in pvpython.
+_ARRAYS = {"Mask": 0, "Directions": 1, "Weights": 2, "Values": 3, "RotationArray": 4}
+
+
+class FieldError(ValueError):
+    """What a filter or a writer says is wrong: the element, and what to do about it."""
+
+
+class FieldWarning(UserWarning):
+    """What a filter warns of; there is a result."""
+
+
+def smooth_field(mesh: Mesh, guides: DataObjects = None, n: int = 4, *, singularities: DataObjects = None,
+                 **properties: Property) -> Mesh:
+    """The smoothest field of n directions that follows the guides, or the smoothest one there is.
+
+    mesh           a vtkPolyData, or an object of a class derived from it, as pyvista.PolyData; an oriented manifold surface
+                   of triangles. It is not changed.
+    guides         what the field follows: lines, or any datasets with vectors; one or a sequence of them
+    n              the number of directions per point, 1 to 8
+    singularities  points, one dataset or several: the field has singularities there and nowhere else
+    properties     properties of vtkHarmonicFieldSolver by name, as BoundaryWeight=1; values of enumerations may be names, as
+                   Discretisation="OneForm". Mask, Directions, Weights, Values and RotationArray are the names of arrays of
+                   the mesh, at points, else on cells; unlike the filter, the function follows no array that is not named.
+
+    Returns a mesh of the same class, which has the arrays of the input and those of the solver: Direction0, Direction1, ... on
+    cells and at points, SingularityIndex at points, and more (see vtkHarmonicFieldSolver, output port 0).
+
+    Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what
+    the filter refuses; warns with FieldWarning.
+    """
+    if not isinstance(mesh, vtkPolyData):
+        raise TypeError(f"the mesh is of type {type(mesh).__name__}, not vtkPolyData; extract its surface first")
+    solver = vtkHarmonicFieldSolver()
+    solver.SetInputData(mesh)
+    for port, what, objects in ((1, "guides", guides), (2, "singularities", singularities)):
+        for each in _sequence(objects, what):
+            solver.AddInputDataObject(port, each)
+    _set_properties(solver, n, properties)
+    for name, index in _ARRAYS.items():
+        _choose_array(solver, mesh, index, properties.get(name))
+    result = type(mesh)()
+    result.ShallowCopy(_update(solver, 3))
+    return result
+
+
+def update(algorithm: vtkAlgorithm) -> Optional[vtkDataObject]:
+    """Updates a filter, one of this package or any other, and what stands before it in the pipeline.
+
+    Returns its first output, or None if it has none. Raises FieldError where one of them reports an error, which would else be
+    a line on standard error and an empty output; warns with FieldWarning. What failed runs again at the next call; but VTK tells
+    nothing of what failed in an Update() of its own before, unless something has changed since.
+    """
+    if not isinstance(algorithm, vtkAlgorithm):
+        raise TypeError(f"an object of type {type(algorithm).__name__} is no VTK filter")
+    return _update(algorithm, 3)
+
+
+def _update(algorithm: vtkAlgorithm, stacklevel: int) -> Optional[vtkDataObject]:
+    errors: List[Message] = []
+    failures: List[Message] = []  # what executives say, mostly of errors that their filter has reported
+    warned: List[Message] = []
+    observed = []
+    for each in _pipeline(algorithm):
+        for source, heard in ((each, errors), (each.GetExecutive(), failures)):
+            observed.append((source, source.AddObserver("ErrorEvent", _listener(each, heard))))
+            observed.append((source, source.AddObserver("WarningEvent", _listener(each, warned))))
+    try:
+        algorithm.Update()
+    finally:
+        for source, tag in observed:
+            source.RemoveObserver(tag)
+    for _, text in warned:
+        warnings.warn(text, FieldWarning, stacklevel=stacklevel)
+    if errors or failures:
+        for failed, _ in errors + failures:
+            failed.Modified()  # else the next update would take the empty output for its result
+        raise FieldError("\n".join(dict.fromkeys(text for _, text in errors or failures)))
+    return algorithm.GetOutputDataObject(0) if algorithm.GetNumberOfOutputPorts() else None
+
+
+def _pipeline(algorithm: vtkAlgorithm) -> Iterable[vtkAlgorithm]:
+    """The algorithm and all that stand before it."""
+    found = [algorithm]
+    for each in found:  # it grows
+        for port in range(each.GetNumberOfInputPorts()):
+            for connection in range(each.GetNumberOfInputConnections(port)):
+                producer = each.GetInputConnection(port, connection).GetProducer()
+                if producer not in found:
+                    found.append(producer)
+    return found
+
+
+def _listener(algorithm: vtkAlgorithm, messages: List[Message]) -> Callable[[Any, str, str], None]:
+    def listen(_source: Any, _event: str, text: str) -> None:
+        # "ERROR: In file, line 7", then "vtkClass (0x123): message"
+        messages.append((algorithm, re.sub(r"\A\w+: In .*, line \d+\n\w+ \(.*?\): ", "", text).strip()))
+
+    listen.CallDataType = "string0"  # type: ignore[attr-defined]
+    return listen
+
+
+def _sequence(objects: DataObjects, what: str) -> Sequence[vtkDataObject]:
+    if objects is None:
+        return ()
+    if isinstance(objects, vtkDataObject):
+        return (objects,)  # composite datasets are sequences, too
+    for each in objects:
+        if not isinstance(each, vtkDataObject):
+            raise TypeError(f"{what} are datasets; an object of type {type(each).__name__} is none")
+    return objects
+
+
+def _set_properties(solver: vtkHarmonicFieldSolver, n: int, properties: Dict[str, Property]) -> None:
+    known = {name[3:] for name in vars(type(solver)) if name.startswith("Set") and hasattr(solver, "Get" + name[3:])}
+    known.remove("NumberOfDirections")
+    if "NumberOfDirections" in properties:
+        raise TypeError("NumberOfDirections is called n here")
+    _set_property(solver, "NumberOfDirections", n)
+    for name, value in properties.items():
+        if name in known:
+            _set_property(solver, name, value)
+        elif name not in _ARRAYS:
+            names = sorted(known.union(_ARRAYS))
+            near = difflib.get_close_matches(name, names, 1, 0.5)
+            raise TypeError(f"there is no property {name}; " +
+                            (f"did you mean {near[0]}?" if near else "there are " + ", ".join(names)))
+
+
+def _set_property(solver: vtkHarmonicFieldSolver, name: str, value: Property) -> None:
+    # Discretisation has the values of the enumeration Discretisations, VertexAreas those of VertexAreaKinds.
+    choices = {key: item for key, item in vars(type(solver)).items()
+               if isinstance(item, int) and type(item).__name__.startswith(name.rstrip("s"))}
+    if choices and isinstance(value, str):
+        if value not in choices:
+            raise FieldError(f"{name} is not {value!r} but one of {', '.join(choices)}")
+        value = choices[value]
+    try:
+        getattr(solver, "Set" + name)(value)
+    except TypeError as error:
+        raise TypeError(f"{name} = {value!r}: {error}") from None
+    kept = getattr(solver, "Get" + name)()
+    if kept != value:
+        raise FieldError(f"{name} = {value!r} is out of range; the nearest value is {kept!r}")
+
+
+def _choose_array(solver: vtkHarmonicFieldSolver, mesh: vtkPolyData, index: int, name: Optional[Property]) -> None:
+    points, cells = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
+    if name is None:
+        solver.SetInputArrayToProcess(index, 0, 0, points, "")
+        return
+    if not isinstance(name, str):
+        raise TypeError(f"{name!r} is no name of an array")
+    for association, attributes in ((points, mesh.GetPointData()), (cells, mesh.GetCellData())):
+        if attributes.HasArray(name):
+            solver.SetInputArrayToProcess(index, 0, 0, association, name)
+            return
+    there = dict.fromkeys(attributes.GetArrayName(i) for attributes in (mesh.GetPointData(), mesh.GetCellData())
+                          for i in range(attributes.GetNumberOfArrays()))
+    raise FieldError(f"the mesh has no array {name!r}; it has {', '.join(map(repr, there)) or 'none'}")

@@ -1,0 +1,38 @@
+"""mesh.directional on meshes of PyVista 0.48 and later, which imports this module when it is first used."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pyvista
+
+from .export import write_raw_field, write_rosy, write_sharp
+from .fields import DataObjects, smooth_field
+
+
+@pyvista.register_dataset_accessor("directional", pyvista.PolyData)
+class DirectionalAccessor:
+    """The functions of directionalmultigrid, with the mesh as their first argument."""
+
+    def __init__(self, mesh: pyvista.PolyData) -> None:
+        self._mesh = mesh
+
+    def smooth_field(self, guides: DataObjects = None, n: int = 4, **arguments: Any) -> pyvista.PolyData:
+        """A new mesh with the smoothest field of n directions; see directionalmultigrid.smooth_field."""
+        return smooth_field(self._mesh, guides, n, **arguments)
+
+    def cross_field(self, guides: DataObjects = None, **arguments: Any) -> pyvista.PolyData:
+        """A new mesh with the smoothest field of crosses; see directionalmultigrid.smooth_field."""
+        return smooth_field(self._mesh, guides, 4, **arguments)
+
+    def write_rosy(self, path: Any) -> None:
+        """Writes the field of this mesh; see directionalmultigrid.write_rosy."""
+        write_rosy(path, self._mesh)
+
+    def write_sharp(self, path: Any, feature_angle: float = 30.0) -> None:
+        """Writes the features of this mesh; see directionalmultigrid.write_sharp."""
+        write_sharp(path, self._mesh, feature_angle)
+
+    def write_raw_field(self, path: Any) -> None:
+        """Writes the field of this mesh; see directionalmultigrid.write_raw_field."""
+        write_raw_field(path, self._mesh)

@@ -1,0 +1,236 @@
+"""The package's functions: one call for a field, errors as exceptions, and the accessor of PyVista."""
+
+import importlib
+import importlib.metadata
+import os
+import subprocess
+import sys
+import types
+import typing
+import unittest
+import warnings
+
+import numpy as np
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+
+import directionalmultigrid
+from directionalmultigrid import FieldError, FieldWarning, smooth_field, update
+from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldSingularities, vtkHarmonicFieldSolver
+from surfaces import prescribe, surface, torus, values
+
+
+class Derived(vtkPolyData):
+    """As the meshes of PyVista are derived from vtkPolyData."""
+
+
+def run(code):
+    """Runs code in an interpreter of its own: what it prints, and its messages."""
+    done = subprocess.run([sys.executable, "-c", code], check=True, text=True, capture_output=True,
+                          cwd=os.path.dirname(os.path.abspath(__file__)))
+    return done.stdout, done.stderr
+
+
+def quad():
+    """A square of one cell, which is no triangle."""
+    mesh = vtkPlaneSource()
+    mesh.Update()
+    return mesh.GetOutput()
+
+
+class SmoothField(unittest.TestCase):
+    def direction(self, mesh):
+        return values(mesh.GetCellData(), "Direction0")
+
+    def test_gives_what_the_filter_gives_and_leaves_the_mesh_alone(self):
+        mesh = prescribe(torus(20, 10), {7: (1, 2, 3)})
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputData(mesh)
+        solver.SetInputArrayToProcess(1, 0, 0, 1, "Given")
+        solver.SetNumberOfDirections(2)
+        solver.SetConstraintType(vtkHarmonicFieldSolver.Hard)
+        solver.Update()
+        result = smooth_field(mesh, n=2, Directions="Given", ConstraintType="Hard")
+        np.testing.assert_array_equal(self.direction(result), self.direction(solver.GetOutput()))
+        self.assertEqual(mesh.GetCellData().GetNumberOfArrays(), 1)
+
+    def test_returns_the_class_that_it_takes(self):
+        mesh = Derived()
+        mesh.ShallowCopy(torus(20, 10))
+        self.assertIs(type(smooth_field(mesh)), Derived)
+        self.assertIs(type(smooth_field(torus(20, 10))), vtkPolyData)
+
+    def test_follows_guides_one_or_several(self):
+        """On a plane a field of lines along one straight guide is constant, and so is one along two that are parallel."""
+        mesh = surface([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0), (2, 2, 0)],
+                       [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)])
+        lines = []
+        for shift in (0.5, 1.0):
+            line = vtkLineSource()
+            line.SetPoint1(shift, 0.5, 0)
+            line.SetPoint2(shift + 1.5, 2.5, 0)
+            line.Update()
+            lines.append(line.GetOutput())
+        for guides in (lines[0], lines[:1], tuple(lines)):
+            along = self.direction(smooth_field(mesh, guides, 2)) @ (0.6, 0.8, 0)
+            np.testing.assert_allclose(np.abs(along), 1, atol=1e-6)
+
+    def test_singularities_stand_where_they_are_put(self):
+        """An octahedron's corners on a sphere: index 1/3 each, which sum to 2."""
+        sphere = vtkSphereSource()
+        sphere.SetThetaResolution(32)
+        sphere.SetPhiResolution(33)
+        sphere.Update()
+        corners = surface(0.5 * np.concatenate([np.eye(3), -np.eye(3)]), [])
+        result = smooth_field(sphere.GetOutput(), n=3, singularities=corners)
+        indices = values(result.GetPointData(), "SingularityIndex")
+        np.testing.assert_allclose(indices[np.abs(indices) > 1e-9], 1 / 3)
+        self.assertEqual(np.count_nonzero(np.abs(indices) > 1e-9), 6)
+
+    def test_follows_no_array_that_is_not_named(self):
+        """A result has active vectors; a field made on it is the same as one on the bare surface."""
+        mesh = torus(20, 10)
+        result = smooth_field(mesh, n=1)
+        np.testing.assert_array_equal(self.direction(smooth_field(result)), self.direction(smooth_field(mesh)))
+
+    def test_errors_name_what_is_wrong(self):
+        mesh = torus(20, 10)
+        for error, text, arguments in (
+                (TypeError, "no property Allignment; did you mean Alignment", {"Allignment": 2}),
+                (TypeError, "there are Alignment, .*Weights", {"Xyzq": 2}),
+                (TypeError, "called n", {"NumberOfDirections": 2}),
+                (TypeError, "Tolerance = 'small'", {"Tolerance": "small"}),
+                (TypeError, "guides are datasets", {"guides": [3]}),
+                (TypeError, "no name of an array", {"Mask": 3}),
+                (FieldError, "NumberOfDirections = 9 .* 8", {"n": 9}),
+                (FieldError, "Rotation = 200 .* 180", {"Rotation": 200}),
+                (FieldError, "one of MixedVoronoi, Barycentric$", {"VertexAreas": "Voronoi"}),
+                (FieldError, "one of PowerField, FaceField, OneForm, ScalarFunction$", {"Discretisation": "1-Form"}),
+                (FieldError, "no array 'Given'", {"Directions": "Given"})):
+            with self.subTest(arguments=arguments), self.assertRaisesRegex(error, text):
+                smooth_field(mesh, **arguments)
+        with self.assertRaisesRegex(TypeError, "extract its surface"):
+            smooth_field("mesh.vtp")
+
+    def test_what_the_filter_reports_is_raised(self):
+        with self.assertRaises(FieldError) as caught:
+            smooth_field(quad())
+        self.assertRegex(str(caught.exception), r"\A.*cell 0.*triangle.*\Z")  # one line, without address or file
+        self.assertNotIn("0x", str(caught.exception))
+
+    def test_what_the_filter_warns_of_is_a_warning_at_the_call(self):
+        with self.assertWarnsRegex(FieldWarning, "no boundary") as caught:
+            result = smooth_field(torus(20, 10), BoundaryWeight=1)
+        self.assertEqual(os.path.basename(caught.filename), os.path.basename(__file__))
+        self.assertTrue(result.GetCellData().HasArray("Direction3"))
+
+    def test_nothing_goes_to_standard_error(self):
+        _, messages = run("from TestPackage import *\n"
+                          "for call in (lambda: smooth_field(quad()), lambda: update(vtkHarmonicFieldSolver())):\n"
+                          "    try:\n        call()\n    except FieldError:\n        continue\n"
+                          "    raise AssertionError\n")
+        self.assertEqual(messages, "")
+
+
+class Update(unittest.TestCase):
+    def test_returns_the_first_output_and_warns_of_nothing(self):
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputData(torus(20, 10))
+        singularities = vtkFieldSingularities()
+        singularities.SetInputConnection(solver.GetOutputPort())
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertIs(update(singularities), singularities.GetOutput())
+
+    def test_raises_each_time_and_recovers(self):
+        solver = vtkHarmonicFieldSolver()
+        for _ in range(2):
+            with self.assertRaisesRegex(FieldError, "Input port 0"):
+                update(solver)
+        solver.SetInputData(quad())
+        for _ in range(2):
+            with self.assertRaisesRegex(FieldError, "triangle"):
+                update(solver)
+        solver.SetInputData(torus(20, 10))
+        self.assertEqual(update(solver).GetNumberOfCells(), 400)
+        self.assertFalse(solver.HasObserver("ErrorEvent"))
+
+    def test_raises_what_stands_before_it_reports(self):
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName("no such file.vtp")
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputConnection(reader.GetOutputPort())
+        with self.assertRaisesRegex(FieldError, "no such file.vtp"):
+            update(solver)
+        with self.assertRaisesRegex(TypeError, "no VTK filter"):
+            update(torus(20, 10))
+
+
+class Package(unittest.TestCase):
+    def test_loads_nothing_before_it_is_used(self):
+        printed, _ = run("import sys\nfrom directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldLines\n"
+                         "print([name for name in sys.modules if name.startswith('directionalmultigrid.')])\n")
+        self.assertEqual(printed.strip(), "['directionalmultigrid.vtkFiltersDirectionalFields']")
+
+    def test_is_annotated(self):
+        for name in directionalmultigrid.__all__:
+            item = getattr(directionalmultigrid, name)
+            if isinstance(item, types.FunctionType):
+                hints = typing.get_type_hints(item)
+                self.assertIn("return", hints)
+                self.assertEqual(len(hints), item.__code__.co_argcount + item.__code__.co_kwonlyargcount + 1
+                                 + bool(item.__code__.co_flags & 8), name)  # 8: **properties
+        self.assertTrue(os.path.exists(os.path.join(os.path.dirname(directionalmultigrid.__file__), "py.typed")))
+        with self.assertRaises(AttributeError):
+            directionalmultigrid.no_such_name
+
+
+    def test_example_of_the_readme_draws_lines(self):
+        readme = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "README.md")
+        with open(readme, encoding="utf-8") as file:
+            code = file.read().split("## In Python", 1)[1].split("```python\n", 1)[1].split("```", 1)[0]
+        names = {}
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            exec(code, names)
+        self.assertGreater(names["polylines"].GetNumberOfLines(), 0)
+        index = values(names["crosses"].GetPointData(), "SingularityIndex")
+        self.assertAlmostEqual(index.sum(), 2, places=9)
+
+
+class Accessor(unittest.TestCase):
+    def setUp(self):
+        """What an accessor sees of PyVista, where it is not installed: a class of meshes, and a place to register."""
+        self.addCleanup(sys.modules.pop, "directionalmultigrid.pyvista_accessor", None)
+        try:
+            self.pyvista = importlib.import_module("pyvista")
+        except ImportError:
+            self.pyvista = types.ModuleType("pyvista")
+            self.pyvista.PolyData = type("PolyData", (vtkPolyData,), {})
+
+            def register(name, target):
+                return lambda accessor: setattr(target, name, property(accessor)) or accessor
+
+            self.pyvista.register_dataset_accessor = register
+            sys.modules["pyvista"] = self.pyvista
+            self.addCleanup(sys.modules.pop, "pyvista")
+
+    def test_entry_point_gives_meshes_their_methods(self):
+        if not hasattr(self.pyvista, "register_dataset_accessor"):
+            self.skipTest("PyVista before 0.48 has no accessors")
+        point, = [point for point in importlib.metadata.entry_points(group="pyvista.accessors")
+                  if point.name == "directional"]
+        importlib.import_module(point.value)
+        mesh = self.pyvista.PolyData()
+        mesh.ShallowCopy(torus(20, 10))
+        result = mesh.directional.cross_field(ConstraintType="Hard")
+        self.assertIs(type(result), self.pyvista.PolyData)
+        self.assertTrue(result.GetCellData().HasArray("Direction3"))
+        self.assertFalse(mesh.directional.smooth_field(n=2).GetCellData().HasArray("Direction2"))
+        with self.assertRaises(TypeError):
+            mesh.directional.cross_field(n=3)
+
+
+if __name__ == "__main__":
+    unittest.main()
