@@ -31,6 +31,8 @@ def view_from(direction, size, up=(0, 1, 0)):
 
 def show(source, view, colour="", **properties):
     """In one colour, or in those of an array of points."""
+    if "Position" in properties and GetParaViewVersion() >= (5, 13):
+        properties["Translation"] = properties.pop("Position")  # its new name
     display = Show(source, view, **properties)
     ColorBy(display, ("POINTS", colour if isinstance(colour, str) else ""))
     if not isinstance(colour, str):
