@@ -20,12 +20,12 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 
-def write_sphere(path):
+def write_sphere(path, resolution=60):
     """The unit sphere with prescribed directions on one side."""
     source = vtkSphereSource()
     source.SetRadius(1)
-    source.SetThetaResolution(60)
-    source.SetPhiResolution(60)
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
     source.Update()
     sphere = source.GetOutput()
     points = vtk_to_numpy(sphere.GetPoints().GetData())
@@ -35,6 +35,11 @@ def write_sphere(path):
         array.SetName(name)
         sphere.GetPointData().AddArray(array)
     write(path, sphere)
+
+
+def write_large_sphere(path):
+    """One that is not worth a factorisation, so that the solver iterates."""
+    write_sphere(path, 200)
 
 
 def write_ellipsoid(path):
@@ -103,9 +108,9 @@ def read(path):
     return reader.GetOutput()
 
 
-def former(result, what="before"):
+def former(result, what="before", suffix=".vtk"):
     """What the window has saved earlier on."""
-    return result.with_name(f"{result.stem}-{what}.vtk")
+    return result.with_name(f"{result.stem}-{what}{suffix}")
 
 
 def pixels(result):
@@ -205,21 +210,33 @@ def check_state(result):
     assert number_of_blue(pixels(result)) > 1500
 
 
+def check_convergence(result):
+    """The chart shows one curve, the logarithm of the table's residuals, on white."""
+    check(result)
+    table, chart = (np.genfromtxt(former(result, what, ".csv"), delimiter=",", names=True, deletechars="")
+                    for what in ("table", "chart"))
+    residuals, = (chart[name] for name in chart.dtype.names)
+    assert len(residuals) > 2 and residuals[0] == 0 and residuals[-1] < -4, residuals
+    assert np.abs(residuals - np.log10(table["RelativeResidual"])).max() < 1e-3
+    assert (pixels(result).min(axis=1) > 250).sum() > 200000
+
+
 TESTS = {"FieldInTheWindow": (write_sphere, check),
          "GuideInTheWindow": (write_guide, check_guide),
          "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
          "FeaturesInTheWindow": (write_ellipsoid, check_features),
          "GuideMovedInTheWindow": (write_sphere, check_guide_moved),
          "FiltersInTheWindow": (write_sphere, check_filters),
-         "StateInTheWindow": (write_sphere, check_state)}
+         "StateInTheWindow": (write_sphere, check_state),
+         "ConvergenceInTheWindow": (write_large_sphere, check_convergence)}
 
 
 def main():
     paraview, folder, name = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
     folder.mkdir(parents=True, exist_ok=True)
     data, result = folder / f"{name}.vtp", folder / f"{name}.vtk"
-    for old in (result, former(result), former(result, "lines")):
-        old.unlink(missing_ok=True)
+    for old in folder.glob(f"{name}*"):
+        old.unlink()
     write_data, check_result = TESTS[name]
     write_data(data)
     play(paraview, data, result, folder)

@@ -1,26 +1,38 @@
-// A cross field on an icosahedron that follows one direction, without VTK.
+// Crosses that follow two directions, without VTK: SmoothField SURFACE.ply OUTPUT.txt
 
 #include <FieldSolver.h>
 
 #include <cstdio>
+#include <fstream>
+#include <iomanip>
+#include <string>
 
-int main()
+int main(int, char* argv[])
 {
-  const double g = 1.618033988749895;
-  dmg::Points points(12, 3);
-  points << -1, g, 0, 1, g, 0, -1, -g, 0, 1, -g, 0, 0, -1, g, 0, 1, g, 0, -1, -g, 0, 1, -g, g, 0, -1,
-    g, 0, 1, -g, 0, -1, -g, 0, 1;
-  dmg::Triangles triangles(20, 3);
-  triangles << 0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6,
-    7, 1, 8, 3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1;
+  std::ifstream file(argv[1]); // ASCII, points and triangles only
+  int numberOfPoints = 0, numberOfTriangles = 0, three = 0;
+  for (std::string word; file >> word && word != "end_header";)
+  {
+    if (word == "element" && file >> word)
+    {
+      file >> (word == "vertex" ? numberOfPoints : numberOfTriangles);
+    }
+  }
+  dmg::Points points(numberOfPoints, 3);
+  for (auto point : points.rowwise())
+    file >> point[0] >> point[1] >> point[2];
+  dmg::Triangles triangles(numberOfTriangles, 3);
+  for (auto triangle : triangles.rowwise())
+    file >> three >> triangle[0] >> triangle[1] >> triangle[2];
 
   dmg::FieldSolver solver(dmg::TriangleMesh(points, triangles));
   dmg::FieldOptions options;
   options.Field.N = 4;
-  solver.Solve({ { { 0, dmg::Vector3(1.0, 0.0, 0.0), 1.0 } }, {} }, options);
-  const dmg::Points first = solver.Directions(0); // a row per face; 1, 2, 3 are the others
+  // Faces, directions, and how hard they pull.
+  const dmg::PrescribedDirections prescribed{ { { 0, { 1, 0, 0 }, 1.0 }, { 1000, { 1, 1, 1 }, 1.0 } }, {} };
+  solver.Solve(prescribed, options, { 1e-10, 100 });
 
-  std::printf("%d faces, residual %g\n", static_cast<int>(first.rows()),
-    solver.Report().Iterations.back().RelativeResidual);
+  // A row per face; 1, 2 and 3 are the others.
+  std::ofstream(argv[2]) << std::setprecision(17) << solver.Directions(0).rowwise().normalized() << '\n';
   return solver.Report().Converged ? 0 : 1;
 }
