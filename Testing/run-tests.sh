@@ -11,6 +11,7 @@ cd "$(dirname "$0")/.."
 
 step() { printf '\n== %s\n' "$*"; }
 
+mkdir -p build
 step "Packages"
 .ci/install-packages test
 
