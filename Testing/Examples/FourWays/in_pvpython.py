@@ -7,7 +7,11 @@ from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
 surface = PLYReader(FileNames=[sys.argv[1]])
-numbered = GenerateIds(Input=surface, CellIdsArrayName="Face")
+try:
+    PointAndCellIds
+except NameError:  # until ParaView 6.0
+    PointAndCellIds = GenerateIds
+numbered = PointAndCellIds(Input=surface, CellIdsArrayName="Face")
 directions = Calculator(Input=numbered, AttributeType="Cell Data", ResultArrayName="Directions",
                         Function="if(Face == 0, 1, 0) * iHat + if(Face == 1000, 1, 0) * (iHat + jHat + kHat)")
 field = HarmonicFieldSolver(Input=directions, Directions=["CELLS", "Directions"], NumberOfDirections=4, Tolerance=1e-10)

@@ -6,6 +6,10 @@ try:
     SurfaceNormals
 except NameError:  # until ParaView 5.12
     SurfaceNormals = GenerateSurfaceNormals
+try:
+    PolylineLength
+except NameError:  # until ParaView 6.0
+    PolylineLength = AppendArcLength
 
 GREEN, RED, BLUE = [0.12, 0.53, 0.3], [0.83, 0.15, 0.17], [0.1, 0.26, 0.45]
 IVORY, GOLD = [1, 0.97, 0.92], [0.98, 0.68, 0.08]
@@ -55,7 +59,7 @@ def lines_along(field, distance, width=0.0011):
     """Evenly spaced lines as tubes, thin at their ends. Distance and width are relative to the size of the field's surface."""
     size = size_of(field)
     lines = FieldLines(Input=field, SeparatingDistance=distance, Lift=0.7 * width)
-    ends = AppendArcLength(Input=CellDatatoPointData(Input=lines))
+    ends = PolylineLength(Input=CellDatatoPointData(Input=lines))
     taper = f"{width * size} * min(1, max(0.3, min(arc_length, Length - arc_length) / {2 * distance * size}))"
     radii = Calculator(Input=ends, ResultArrayName="Radius", Function=taper)
     return Tube(Input=radii, VaryRadius="By Absolute Scalar", Scalars=["POINTS", "Radius"], NumberofSides=8)
