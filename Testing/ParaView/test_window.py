@@ -76,10 +76,18 @@ def write(path, data):
     writer.Write()
 
 
+def toolbar(paraview):
+    """The name of the filters' toolbar."""
+    version = subprocess.run([paraview, "--version"], capture_output=True, text=True, check=True).stdout
+    return "Directional Fields" if " 5." in version else "filters.Directional Fields"
+
+
 def play(paraview, data, result, folder):
     """Runs the window until the result is written and no longer grows; takes the screenshot then."""
-    command = [paraview, "--disable-registry", f"--data={data}", f"--test-directory={folder}",
-               f"--test-script={pathlib.Path(__file__).with_name(result.stem + '.xml')}"]
+    events = pathlib.Path(__file__).with_name(result.stem + ".xml").read_text()
+    script = result.with_suffix(".xml")
+    script.write_text(events.replace("$TOOLBAR", toolbar(paraview)))
+    command = [paraview, "--disable-registry", f"--data={data}", f"--test-directory={folder}", f"--test-script={script}"]
     log = result.with_suffix(".log")
     with log.open("w") as output:
         window = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT)
