@@ -9,8 +9,8 @@
 namespace dmg
 {
 
-UnprescribedComponents::UnprescribedComponents(const MultigridSetup& setup,
-  const std::vector<int>& unknowns, Vector<double>& D, const ExecutionContext& context)
+UnprescribedComponents::UnprescribedComponents(
+  const MultigridSetup& setup, const std::vector<int>& unknowns, const ExecutionContext& context)
   : Setup(&setup)
   , ByComponent(SortByKey(unknowns, setup.Hierarchy->NumberOfComponents(),
       [&setup](int i) { return setup.Hierarchy->ComponentOf(i); }, context))
@@ -34,8 +34,14 @@ UnprescribedComponents::UnprescribedComponents(const MultigridSetup& setup,
     std::nth_element(diagonal.begin(), median, diagonal.end());
     const double scale = *median > 0.0 ? *median : 1.0; // a triangle by itself has no roughness
     this->Shifts[component] = scale / static_cast<double>(diagonal.size());
-    std::for_each(
-      first, last, [&](int i) { D[i] = this->Shifts[component] * setup.MassOf(i); });
+  }
+}
+
+void UnprescribedComponents::SetDiagonal(Vector<double>& D) const
+{
+  for (const int i : this->Unknowns())
+  {
+    D[i] = this->Shifts[this->Setup->Hierarchy->ComponentOf(i)] * this->Setup->MassOf(i);
   }
 }
 

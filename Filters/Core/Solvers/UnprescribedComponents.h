@@ -28,11 +28,13 @@ public:
   UnprescribedComponents() = default;
   /// \param setup is borrowed.
   /// \param unknowns of these components.
-  /// \param D on exit the multiple of the mass for these.
-  UnprescribedComponents(const MultigridSetup& setup, const std::vector<int>& unknowns, Vector<double>& D,
-    const ExecutionContext& context);
+  UnprescribedComponents(
+    const MultigridSetup& setup, const std::vector<int>& unknowns, const ExecutionContext& context);
 
   const std::vector<int>& Unknowns() const { return this->ByComponent.Items; }
+
+  /// Writes the multiple of the mass for these unknowns.
+  void SetDiagonal(Vector<double>& D) const;
 
   /// Writes the fields into x, with a mean square magnitude of 1.
   /// \param A R + D, \param inverse close to its inverse.

@@ -1,0 +1,193 @@
+#include "Solvers/PrescribedSystem.h"
+
+#include "Support/CountingSort.h"
+#include "Support/Errors.h"
+#include "Support/Permutations.h"
+#include "Support/SparseKernels.h"
+
+#include <algorithm>
+#include <iterator>
+#include <limits>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr double Infinity = std::numeric_limits<double>::infinity();
+
+/// At most 1e13 times the diagonal of R, if that is not zero: such a penalty holds its unknown to rounding, and a stronger
+/// one would drown the rest of the system in rounding errors.
+double LimitedPenalty(double penalty, double diagonalOfR)
+{
+  constexpr double Strongest = 1e13;
+  return diagonalOfR > 0.0 ? std::min(penalty, Strongest * diagonalOfR) : penalty;
+}
+
+/// 1 / (R_ii + D_i), zero where unknowns are held or neither is there.
+Vector<double> InverseDiagonal(
+  const RoughnessHierarchy& hierarchy, const Vector<double>& D, const ExecutionContext& context)
+{
+  constexpr int Grain = 8192;
+  Vector<double> inverse(D.size());
+  context.ParallelFor(0, static_cast<int>(D.size()), Grain, [&](int first, int last) {
+    for (int i = first; i < last; ++i)
+    {
+      const double diagonal = hierarchy.DiagonalOf(i) + D[i];
+      inverse[i] = diagonal > 0.0 ? 1.0 / diagonal : 0.0;
+    }
+  });
+  return inverse;
+}
+
+/// Where some items stand in an order.
+std::vector<int> PlacesOf(
+  const std::vector<int>& items, const std::vector<int>& order, const ExecutionContext& context)
+{
+  const std::vector<int> all = Inverse(order, context);
+  std::vector<int> places;
+  places.reserve(items.size());
+  for (const int item : items)
+  {
+    places.push_back(all[item]);
+  }
+  return places;
+}
+
+}
+
+PrescribedSystem::PrescribedSystem(std::shared_ptr<const MultigridSetup> setup)
+  : SetupOfSystem(std::move(setup))
+  , A(this->SetupOfSystem->Hierarchy->Operator())
+{
+}
+
+void PrescribedSystem::Prescribe(
+  PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+{
+  const RoughnessHierarchy& hierarchy = *this->Setup().Hierarchy;
+  this->Prescribed = std::move(prescribed);
+  this->SmoothnessWeight = this->IsHard() ? 1.0 : smoothness;
+  this->Places = PlacesOf(this->Prescribed.Unknowns, hierarchy.Order, context);
+  const std::vector<char> isReached = this->SetPenalties();
+  this->SetUnreached(Choose(hierarchy.NumberOfUnknowns(),
+                       [&](int i) { return !isReached[hierarchy.ComponentOf(i)]; }, context),
+    context);
+  if (static_cast<int>(this->Held().size()) == hierarchy.NumberOfUnknowns())
+  {
+    throw InvalidInput(
+      "hard constraints leave nothing to solve for; prescribe fewer cells or points or make the constraints soft");
+  }
+  const Vector<double> D = this->Diagonal();
+  this->A->SetDiagonal(D, context);
+  this->A->SetInverseDiagonal(InverseDiagonal(hierarchy, D, context));
+}
+
+std::vector<char> PrescribedSystem::SetPenalties()
+{
+  const RoughnessHierarchy& hierarchy = *this->Setup().Hierarchy;
+  this->Penalties.setZero(this->IsHard() ? 0 : static_cast<Eigen::Index>(this->Places.size()));
+  std::vector<char> isReached(hierarchy.NumberOfComponents(), 0);
+  bool holdsAny = this->Places.empty();
+  for (std::size_t k = 0; k < this->Places.size(); ++k)
+  {
+    const int place = this->Places[k];
+    const bool holds = this->IsHard() ||
+      (this->Penalties[k] = LimitedPenalty(this->Prescribed.Alignment[k] / this->SmoothnessWeight,
+         hierarchy.DiagonalOf(place))) > 0.0;
+    isReached[hierarchy.ComponentOf(place)] |= holds;
+    holdsAny |= holds;
+  }
+  if (!holdsAny)
+  {
+    throw InvalidInput("all prescribed cells have zero area, so that they hold nothing; prescribe a "
+                       "direction on another cell or make the constraints hard");
+  }
+  return isReached;
+}
+
+/// Components without prescriptions have the smoothest field; where the set-up knows none they are zero, the least of equal
+/// minimisers.
+void PrescribedSystem::SetUnreached(const std::vector<int>& unreached, const ExecutionContext& context)
+{
+  this->WarningsOfSystem.clear();
+  this->WithoutPrescriptions = {};
+  this->HeldUnknowns.clear();
+  if (this->IsHard())
+  {
+    this->HeldUnknowns = this->Places;
+    std::sort(this->HeldUnknowns.begin(), this->HeldUnknowns.end());
+  }
+  if (this->Setup().HasSmoothest)
+  {
+    this->WithoutPrescriptions = UnprescribedComponents(this->Setup(), unreached, context);
+  }
+  else if (!unreached.empty())
+  {
+    std::vector<int> held;
+    std::merge(this->HeldUnknowns.begin(), this->HeldUnknowns.end(), unreached.begin(), unreached.end(),
+      std::back_inserter(held));
+    this->HeldUnknowns = std::move(held);
+    this->WarningsOfSystem.push_back(std::to_string(unreached.size()) + " of " +
+      std::to_string(this->Setup().Hierarchy->NumberOfUnknowns()) +
+      " unknowns lie in components of the surface that hold no prescribed direction; the field is "
+      "zero there");
+  }
+}
+
+Vector<double> PrescribedSystem::Diagonal() const
+{
+  Vector<double> D = Vector<double>::Zero(this->Setup().Hierarchy->NumberOfUnknowns());
+  for (Eigen::Index k = 0; k < this->Penalties.size(); ++k)
+  {
+    D[this->Places[k]] = this->Penalties[k];
+  }
+  this->WithoutPrescriptions.SetDiagonal(D);
+  D(this->HeldUnknowns).setConstant(Infinity);
+  return D;
+}
+
+Vector<double> PrescribedSystem::RightHandSide(
+  const Vector<double>& values, const ExecutionContext& context) const
+{
+  Vector<double> b = Vector<double>::Zero(this->Setup().Hierarchy->NumberOfUnknowns());
+  for (std::size_t k = 0; k < this->Places.size(); ++k)
+  {
+    b[this->Places[k]] = (this->IsHard() ? 1.0 : this->Penalties[k]) * values[k];
+  }
+  if (this->IsHard())
+  {
+    // - R_fb y, as D is zero on what is free
+    Vector<double> product;
+    this->A->Apply(b, product, context);
+    b = -product;
+  }
+  SetZero(b, this->HeldUnknowns, context);
+  return b;
+}
+
+Vector<double> PrescribedSystem::HeldByPenalties(const Vector<double>& values) const
+{
+  Vector<double> held = Vector<double>::Zero(this->Setup().Hierarchy->NumberOfUnknowns());
+  const Vector<double>& inverse = *this->A->InverseDiagonal();
+  for (Eigen::Index k = 0; k < this->Penalties.size(); ++k)
+  {
+    const int place = this->Places[k];
+    held[place] = this->Penalties[k] * inverse[place] * values[k];
+  }
+  return held;
+}
+
+void PrescribedSystem::InsertHeld(const Vector<double>& values, Vector<double>& x) const
+{
+  if (this->IsHard())
+  {
+    for (std::size_t k = 0; k < this->Places.size(); ++k)
+    {
+      x[this->Places[k]] = values[k];
+    }
+  }
+}
+
+}

@@ -1,0 +1,72 @@
+#ifndef dmgPrescribedSystem_h
+#define dmgPrescribedSystem_h
+
+#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/MultigridSetup.h"
+#include "Solvers/PrescribedUnknowns.h"
+#include "Solvers/UnprescribedComponents.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// The equations of a HarmonicProblem, (R + D) x = D y, without a solver: what prescriptions make of a roughness. All is in
+/// the order of the hierarchy, and divided by the smoothness weight.
+class PrescribedSystem
+{
+public:
+  explicit PrescribedSystem(std::shared_ptr<const MultigridSetup> setup);
+
+  /// Takes other prescriptions. After an error the system must not be used.
+  /// \throw InvalidInput nothing is left to solve for.
+  void Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
+
+  const MultigridSetup& Setup() const { return *this->SetupOfSystem; }
+  double Smoothness() const { return this->SmoothnessWeight; }
+  int NumberOfPrescribed() const { return static_cast<int>(this->Prescribed.Unknowns.size()); }
+
+  /// A = R + D.
+  const RoughnessOperator& Matrix() const { return *this->A; }
+  /// D, infinite where an unknown is held. It is made at each call, since a matrix and cycles keep what they need of it.
+  Vector<double> Diagonal() const;
+  /// Unknowns that are not free, ascending.
+  const std::vector<int>& Held() const { return this->HeldUnknowns; }
+  const UnprescribedComponents& Unprescribed() const { return this->WithoutPrescriptions; }
+  /// One sentence for the user, or none.
+  const std::vector<std::string>& Warnings() const { return this->WarningsOfSystem; }
+
+  /// D y or, of hard prescriptions, -R y; zero where unknowns are held.
+  /// \param values y, one per prescribed unknown.
+  Vector<double> RightHandSide(const Vector<double>& values, const ExecutionContext& context) const;
+  /// What penalties alone make of unknowns, D y / (R + D) with the diagonal of R. Solvers start from there: weak penalties
+  /// are nothing to start from, and strong ones hold y but for rounding. Otherwise these would outweigh all the
+  /// rest in residuals.
+  Vector<double> HeldByPenalties(const Vector<double>& values) const;
+  /// Writes y where hard prescriptions are.
+  void InsertHeld(const Vector<double>& values, Vector<double>& x) const;
+
+private:
+  bool IsHard() const { return this->Prescribed.Kind == ConstraintKind::Hard; }
+  /// \return for each component whether a prescription holds some of it.
+  std::vector<char> SetPenalties();
+  void SetUnreached(const std::vector<int>& unreached, const ExecutionContext& context);
+
+  const std::shared_ptr<const MultigridSetup> SetupOfSystem;
+  const std::unique_ptr<RoughnessOperator> A;
+  PrescribedUnknowns Prescribed;
+  std::vector<int> Places;  ///< of those
+  Vector<double> Penalties; ///< D, of soft ones
+  double SmoothnessWeight = 1.0;
+  std::vector<int> HeldUnknowns;
+  UnprescribedComponents WithoutPrescriptions;
+  std::vector<std::string> WarningsOfSystem;
+};
+
+}
+
+#endif
