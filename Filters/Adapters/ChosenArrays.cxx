@@ -136,9 +136,17 @@ ChosenArray FindArray(const ArrayChoice& choice, vtkDataSet* dataset, int compon
 ConstraintArrays FindArrays(
   const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose)
 {
-  const ChosenArray mask = FindArray(choices.Mask, dataset, 1, "mask", whose);
-  const ChosenArray weights = FindArray(choices.Weights, dataset, 1, "weights", whose);
   const ChosenArray vectors = FindArray(choices.Vectors, dataset, 3, "directions", whose);
+  const auto beside = [&](ArrayChoice choice)
+  {
+    // A name alone means the array beside the directions, if there is one.
+    ArrayChoice there = choice;
+    there.Association = vectors.OnPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    const bool isByName = choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+    return vectors.Array && isByName && HasArray(there, dataset) ? there : choice;
+  };
+  const ChosenArray mask = FindArray(beside(choices.Mask), dataset, 1, "mask", whose);
+  const ChosenArray weights = FindArray(beside(choices.Weights), dataset, 1, "weights", whose);
   for (const ChosenArray& other : { mask, weights })
   {
     if (other.Array && !vectors.Array)

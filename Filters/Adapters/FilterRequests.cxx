@@ -164,7 +164,7 @@ int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkA
   catch (const std::bad_alloc&)
   {
     return Failed(algorithm, outputs,
-      "there is not enough memory for this surface; free some, or make the surface smaller with Decimate (vtkDecimatePro)");
+      "there is not enough memory for this surface; free some, or reduce the number of triangles with Decimate (vtkDecimatePro)");
   }
   catch (const std::exception& error)
   {

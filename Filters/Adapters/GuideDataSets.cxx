@@ -144,11 +144,11 @@ ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* datas
 
 void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataSet>& datasets)
 {
-  const auto check = [&datasets](const ArrayChoice& choice, const std::string& what, const std::string& kinds)
+  const auto check = [&datasets](const ArrayChoice& choice, const std::string& what, bool mayBeInFieldData)
   {
-    const bool isInFieldData = kinds.find("field") != std::string::npos;
-    const auto has = [&choice, isInFieldData](const GuideDataSet& dataset)
-    { return HasArray(choice, dataset.Data) || (isInFieldData && FieldArray(choice, dataset.Data)); };
+    const std::string kinds = mayBeInFieldData ? "point, cell or field" : "point or cell";
+    const auto has = [&choice, mayBeInFieldData](const GuideDataSet& dataset)
+    { return HasArray(choice, dataset.Data) || (mayBeInFieldData && FieldArray(choice, dataset.Data)); };
     const bool isMade = choice.IsMade() && choice.Name != "None"; // as menus say
     if (isMade && !datasets.empty() && std::none_of(datasets.begin(), datasets.end(), has))
     {
@@ -158,9 +158,9 @@ void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataS
         "; choose one of those, or none");
     }
   };
-  check(choices.Mask, "mask", "point or cell");
-  check(choices.Vectors, "directions", "point or cell");
-  check(choices.Weights, "weights", "point, cell or field");
+  check(choices.Mask, "mask", false);
+  check(choices.Vectors, "directions", false);
+  check(choices.Weights, "weights", true);
 }
 
 LineArrays::LineArrays(const ConstraintChoices& choices, const GuideDataSet& dataset)

@@ -95,15 +95,11 @@ NearestPlace ClosestOnFace(const TriangleMesh& mesh, int face, const Vector3& po
 }
 
 //------------------------------------------------------------------------------
-NearestPlaces::NearestPlaces(vtkPolyData* surface, const FramedSurface& framed)
+NearestPlaces::NearestPlaces(const FramedSurface& framed)
   : Framed(framed)
   , Size(SizeOf(framed.On.Mesh))
   , MeanEdge(MeanEdgeOf(framed.On.Mesh))
 {
-  vtkNew<vtkPolyData> triangles; // its cells are the polygons
-  triangles->SetPoints(surface->GetPoints());
-  triangles->SetPolys(surface->GetPolys());
-  this->Locator->SetDataSet(triangles);
 }
 
 NearestPlaces::~NearestPlaces() = default;
@@ -113,15 +109,19 @@ NearestPlace NearestPlaces::operator()(const Vector3& position) const
   NearestPlace place;
   if (std::isfinite(position.squaredNorm())) // which the locator needs
   {
-    vtkIdType polygon = -1;
+    vtkIdType face = -1;
     double squaredDistance;
     int subId;
-    this->Locator->BuildLocator(); // the first time
-    this->Locator->FindClosestPoint(
-      position.data(), place.Position.data(), this->Cell, polygon, subId, squaredDistance);
-    if (polygon >= 0)
+    if (!this->Locator->GetDataSet())
     {
-      place.Face = this->Framed.Numbering.Faces[polygon];
+      this->Locator->SetDataSet(PolyDataFromMesh(this->Framed.On.Mesh)); // not the input, whose points may be changed
+      this->Locator->BuildLocator();
+    }
+    this->Locator->FindClosestPoint(
+      position.data(), place.Position.data(), this->Cell, face, subId, squaredDistance);
+    if (face >= 0)
+    {
+      place.Face = static_cast<int>(face);
       place.Distance = std::sqrt(squaredDistance);
     }
   }

@@ -9,7 +9,6 @@
 #include <vector>
 
 class vtkGenericCell;
-class vtkPolyData;
 class vtkStaticCellLocator;
 
 namespace dmg
@@ -27,9 +26,9 @@ struct NearestPlace
 class NearestPlaces
 {
 public:
-  /// \param surface that \p framed was made from. What \p framed refers to has to live as long as this object.
+  /// \param framed is referred to and has to live as long as this object.
   /// Cost: linear; the first place that is looked for builds a search structure.
-  NearestPlaces(vtkPolyData* surface, const FramedSurface& framed);
+  explicit NearestPlaces(const FramedSurface& framed);
   ~NearestPlaces();
 
   /// \pre position is finite. Cost: logarithmic near the surface; elsewhere it grows with the

@@ -45,6 +45,8 @@ void SolvedSurface::SetSurface(
     SurfaceMesh surface = MeshFromPolyData(input, order, context);
     auto solver = std::make_unique<FieldSolver>(std::move(surface.Mesh), context);
     this->OfFormerSurfaces = this->Counts();
+    this->Digest.clear(); // until all that follows is made
+    this->PlacesOfSurface.reset();
     this->Solved = nullptr;
     this->WithSingularities.reset(); // it refers to the former surface
     this->Arrays.reset();
@@ -55,7 +57,7 @@ void SolvedSurface::SetSurface(
     this->OperatorsSeconds = 0.0;
     this->Solver = std::move(solver);
     this->Numbers = std::move(static_cast<SurfaceNumbering&>(surface));
-    this->PlacesOfSurface = std::make_unique<NearestPlaces>(input, this->Surface());
+    this->PlacesOfSurface = std::make_unique<NearestPlaces>(this->Surface());
     this->Digest = digest;
     this->Order = order;
     this->SurfaceSeconds = SecondsSince(start);

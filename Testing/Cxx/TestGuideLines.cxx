@@ -317,6 +317,40 @@ TEST_F(GuideLines, HaveWeights)
   EXPECT_NE(this->Error().find("'Gone', chosen for the weights"), std::string::npos);
 }
 
+// A name alone is that of the array beside the vectors.
+TEST_F(GuideLines, TakeWeightsFromWhereTheirVectorsAre)
+{
+  this->Solver->SetConstraintType(vtkHarmonicFieldSolver::Soft);
+  const vtkSmartPointer<vtkPolyData> cells = PolyDataOf(PlaneGrid(8, 8));
+  AddCellVectors(cells, "Way", { { 7, Vector3::UnitX() } });
+  const auto onPoints = Zeros("Weights", cells->GetNumberOfPoints(), 1);
+  const auto onCells = Zeros("Weights", cells->GetNumberOfCells(), 1);
+  onCells->Fill(2.5);
+  cells->GetPointData()->AddArray(onPoints);
+  cells->GetCellData()->AddArray(onCells);
+  this->Solver->SetInputDataObject(1, cells);
+  this->Solver->SetGuideDirections("Way");
+  this->Solver->SetGuideWeights("Weights");
+  this->ExpectNear(this->Prescribed(), { { 7, 2.5 } });
+}
+
+// The search structure of a surface is kept for another dataset with the same content.
+TEST_F(GuideLines, FollowTheSurfaceAlsoWhereTheFormerInputIsChanged)
+{
+  const vtkSmartPointer<vtkPolyData> former = PolyDataOf(PlaneGrid(8, 8));
+  this->Solver->SetInputData(former);
+  this->Solver->SetInputDataObject(1, Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 } }));
+  this->ExpectNear(this->Prescribed(), this->CellsInRow(3));
+  for (vtkIdType point = 0; point < former->GetNumberOfPoints(); ++point)
+  {
+    const Vector3 moved = Vector3(former->GetPoint(point)) + 1.3 * Vector3::UnitY();
+    former->GetPoints()->SetPoint(point, moved.data());
+  }
+  this->Solver->SetInputData(this->Plate);
+  this->Solver->SetInputDataObject(1, Polyline({ { 0.1, 5.3, 0.0 }, { 7.9, 5.3, 0.0 } }));
+  this->ExpectNear(this->Prescribed(), this->CellsInRow(5));
+}
+
 TEST_F(GuideLines, HaveMasks)
 {
   const auto line = Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 }, { 7.9, 5.3, 0.0 } });

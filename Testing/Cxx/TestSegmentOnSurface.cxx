@@ -26,7 +26,7 @@ public:
     , Mesh(MeshFromPolyData(this->Data, Numbering::Spatial, SerialContext()))
     , Frames(this->Mesh.Mesh)
     , Framed{ this->Frames, this->Mesh }
-    , Nearest(this->Data, this->Framed)
+    , Nearest(this->Framed)
     , Segments(this->Nearest, maximumDistance)
   {
   }

@@ -77,9 +77,9 @@ def write(path, data):
 
 
 def toolbar(paraview):
-    """The name of the filters' toolbar."""
+    """The name of the filters' toolbar, which is another since ParaView 5.12."""
     version = subprocess.run([paraview, "--version"], capture_output=True, text=True, check=True).stdout
-    return "Directional Fields" if " 5." in version else "filters.Directional Fields"
+    return "Directional Fields" if " 5.11" in version else "filters.Directional Fields"
 
 
 def play(paraview, data, result, folder):

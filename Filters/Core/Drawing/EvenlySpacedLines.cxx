@@ -2,7 +2,7 @@
 
 #include "Drawing/LineSpacing.h"
 #include "Drawing/LineTracer.h"
-#include "Drawing/Standstill.h"
+#include "Drawing/StagnationCheck.h"
 #include "Support/Errors.h"
 
 #include <algorithm>
@@ -207,7 +207,7 @@ private:
     // The second half looks at once where the first one has ended.
     double room =
       sign > 0.0 ? (NearestSeed - this->Options.StopRatio) * this->Options.Separation : 0.0;
-    Standstill standstill(trail.Points.back().Position, IdleDistance * this->Options.Separation);
+    StagnationCheck progress(trail.Points.back().Position, IdleDistance * this->Options.Separation);
     while (true)
     {
       const LineTracer::Piece piece = this->Tracer.Current();
@@ -246,7 +246,7 @@ private:
       this->AddPoint(trail, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face,
         goesOn ? this->Tracer.Current().Face : piece.Face);
       this->Count();
-      if (!goesOn || standstill.IsReached([&trail] { return trail.Points.back().Position; }))
+      if (!goesOn || progress.IsStagnant(trail.Points.back().Position))
       {
         return;
       }
@@ -267,7 +267,7 @@ private:
     const Complex along = this->Field.Direction(seed.Place.Face, seed.Direction);
     const std::size_t size = this->Spacing.Segments().size();
     Trail rest = { {}, trail.Length, true };
-    Standstill standstill(trail.Points.back().Position, IdleDistance * this->Options.Separation);
+    StagnationCheck progress(trail.Points.back().Position, IdleDistance * this->Options.Separation);
     while (rest.Length - trail.Length < 2.0 * this->Options.Separation)
     {
       const LineTracer::Piece& piece = this->Tracer.Current();
@@ -296,7 +296,7 @@ private:
       this->AddPoint(
         rest, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face, piece.Face);
       this->Count();
-      if (!this->Tracer.Advance() || standstill.IsReached([&rest] { return rest.Points.back().Position; }))
+      if (!this->Tracer.Advance() || progress.IsStagnant(rest.Points.back().Position))
       {
         break;
       }

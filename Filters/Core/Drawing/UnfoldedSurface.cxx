@@ -1,6 +1,6 @@
 #include "Drawing/UnfoldedSurface.h"
 
-#include "Drawing/Standstill.h"
+#include "Drawing/StagnationCheck.h"
 
 #include <algorithm>
 #include <array>
@@ -113,7 +113,7 @@ UnfoldedSurface::Exit UnfoldedSurface::Meet(
 bool UnfoldedSurface::GoStraight(SurfacePoint& from, Complex& direction, double length) const
 {
   int entry = -1;
-  Standstill standstill(this->Position(from.Face, from.Point), 0.01 * length);
+  StagnationCheck progress(this->Position(from.Face, from.Point), 0.01 * length);
   do
   {
     const Exit exit = this->LeaveFace(from, direction, entry);
@@ -131,7 +131,7 @@ bool UnfoldedSurface::GoStraight(SurfacePoint& from, Complex& direction, double 
     }
     direction *= this->Across(exit.Halfedge);
     from = { TriangleMesh::FaceOf(entry), this->PointAlong(entry, 1.0 - exit.Part) };
-  } while (!standstill.IsReached([this, &from] { return this->Position(from.Face, from.Point); }));
+  } while (!progress.IsStagnant(this->Position(from.Face, from.Point)));
   return false;
 }
 

@@ -27,7 +27,7 @@ int OffsetsFromCounts(int* counts, int size)
     if (total > std::numeric_limits<int>::max())
     {
       throw InvalidInput("a sparse matrix would have more than 2147483647 non-zeros; "
-                         "make the surface smaller with Decimate (vtkDecimatePro)");
+                         "reduce the number of triangles with Decimate (vtkDecimatePro)");
     }
     counts[i] = static_cast<int>(total);
   }

@@ -124,6 +124,31 @@ TEST(EvenlySpacedLines, OfAParallelFieldAreStraightAtEvenDistances)
   }
 }
 
+TEST(EvenlySpacedLines, CrossABandOfThinTriangles)
+{
+  constexpr int Thin = 400;
+  constexpr double Width = 1e-4;
+  Surface surface = PlaneGrid(Thin + 40, 30);
+  for (int i = 0; i < surface.V.rows(); ++i)
+  {
+    const double column = surface.V(i, 0);
+    surface.V(i, 0) = std::min(column, 20.0) + Width * std::clamp(column - 20.0, 0.0, 1.0 * Thin) +
+      std::max(column - 20.0 - Thin, 0.0);
+  }
+  const DrawnField field(surface, 1, [](const Vector3&) { return Cosines(0.3); });
+  const LinesOnSurface lines = Draw(field, { 2.0, 0.5, 0.0 });
+  ASSERT_GT(lines.NumberOfLines(), 10);
+  for (int line = 0; line < lines.NumberOfLines(); ++line)
+  {
+    for (const int end : { lines.Offsets[line], lines.Offsets[line + 1] - 1 })
+    {
+      const Vector3 p = lines.Positions[end];
+      EXPECT_LT(std::min({ p[0], p[1], 40.0 + Thin * Width - p[0], 30.0 - p[1] }), 1e-9)
+        << "ends at the boundary";
+    }
+  }
+}
+
 TEST(EvenlySpacedLines, RunAlongAllFamiliesOfAField)
 {
   for (const int N : { 3, 4, 6, 8 })

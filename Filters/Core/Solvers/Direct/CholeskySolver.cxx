@@ -139,7 +139,8 @@ public:
   {
     if (this->Common.status == CHOLMOD_OUT_OF_MEMORY || this->Common.status == CHOLMOD_TOO_LARGE)
     {
-      throw SolverFailure("the Cholesky factor does not fit into memory; choose Conjugate Gradients as Solver");
+      throw SolverFailure("the Cholesky factor does not fit into memory; choose Conjugate Gradients as Solver or "
+                          "reduce the number of triangles with Decimate (vtkDecimatePro)");
     }
     throw SolverFailure(
       "CHOLMOD failed with status " + std::to_string(this->Common.status));

@@ -1,0 +1,50 @@
+#ifndef dmgStagnationCheck_h
+#define dmgStagnationCheck_h
+
+#include "Support/Types.h"
+
+namespace dmg
+{
+
+/// Detects a path over triangles that makes no progress, as one that turns around a vertex without end: 300 triangles have
+/// brought it less than a distance away, though the path through them is ten times as long as that. A path that crosses a
+/// band of thin triangles goes on.
+class StagnationCheck
+{
+public:
+  StagnationCheck(const Vector3& start, double distance)
+    : Before(start)
+    , Last(start)
+    , Distance(distance)
+  {
+  }
+
+  /// To be asked after each triangle.
+  /// \param now where the path is.
+  bool IsStagnant(const Vector3& now)
+  {
+    constexpr int Triangles = 300;
+    constexpr double Detour = 10.0;
+    this->Length += (now - this->Last).norm();
+    this->Last = now;
+    if (++this->Crossed % Triangles != 0)
+    {
+      return false;
+    }
+    const double moved = (now - this->Before).norm();
+    const bool isStagnant = !(moved >= this->Distance || Detour * moved > this->Length); // also where nothing is finite
+    this->Before = now;
+    this->Length = 0.0;
+    return isStagnant;
+  }
+
+private:
+  Vector3 Before, Last;
+  double Length = 0.0; ///< since Before
+  const double Distance;
+  int Crossed = 0;
+};
+
+}
+
+#endif
