@@ -69,8 +69,9 @@
  *
  * Vectors are no powers: whether a line runs to or fro does not matter to a field of two directions,
  * nor do quarter turns to crosses. A line weighs as a feature of the surface does (see Features), so it means the same at
- * any size and resolution: at weight 1 the field follows what of it is larger than about a thirtieth of the surface. A vector
- * of a point or cell weighs as one on the face itself. What several guides prescribe on one face adds up.
+ * any size and resolution: at weight 1 the field follows bends of the line that are larger than a thirtieth of the
+ * surface's size. A vector of a point, or of a cell that is no line, weighs as one on the face itself. What several guides
+ * prescribe on one face adds up.
  *
  * What is farther from the surface than MaximumDistance is left out, and so is a part of a chord that
  * comes out of the other side of a thin wall: the side that counts is the one that the faces at both
@@ -116,8 +117,8 @@
  * same face are averaged as powers, values on the same edge as numbers, by weight.
  *
  * Coordinates are at most 1e40, the surface is larger than 1e-40, the longest direction (or largest value) is between
- * 1e-40 and 1e40, and the largest weight, as well as Smoothness and Alignment, between 1e-20 and 1e20; all else is an
- * error, as is a dataset of another type.
+ * 1e-40 and 1e40, and the largest weight, as well as Alignment, between 1e-20 and 1e20; all else is an error, as is a
+ * dataset of another type.
  *
  * @section vtkHarmonicFieldSolver-Features Features
  *
@@ -133,12 +134,14 @@
  * neither do face fields and 1-forms, where N is 1. A weight for features that a surface does not have is a warning as
  * well. Functions follow no features.
  *
- * These weights, and those of lines among the guides, are relative to the size L of the surface, the root of its area, and mean the same at any size and
- * resolution: where the roughness is the field's Dirichlet energy and Alignment is 1, they add
+ * These weights, and those of lines among the guides, are relative to the size L of the surface, the root of its area,
+ * and mean the same at any size and resolution: where the roughness is the field's Dirichlet energy and Alignment is 1,
+ * they add
  * 30 / L * weight * |X - Y|^2, integrated along lines, on each side, and (30 / L)^2 * weight * confidence * |X - Y|^2,
  * integrated over the surface. So at weight 1 the field follows what is larger than about a thirtieth of the surface's
  * size; for twice as much detail of curvature, the weight is 4. Hard constraints hold boundary and sharp edges exactly,
- * whatever the weight; curvature is soft, and an error with them.
+ * whatever the weight; curvature is soft, and an error with them, except with singularities, where ConstraintType has no
+ * effect.
  *
  * All that is followed, arrays of the surface, guides and features, is turned by Rotation and by the array of index 4,
  * counter-clockwise about the normal: fibre and layer angles, helix angles. An array of cells counts at points, and one of
@@ -200,9 +203,10 @@
  * is measured in the norm of the V-cycle or factor B that preconditions it, as the root of r.Br, relative to the energy norm of
  * X, the root of X.AX, less that start. As B is close to the inverse of A, this is the relative error in the energy norm but
  * for a factor of about two. Where it was at most Tolerance, the error in the mass norm was seen below six times Tolerance for
- * weights from 1e-6 to 1e12 (a scan of 31,438 triangles, all fields; mixed weights on smaller surfaces); the residual relative to that of b, which strong constraints dominate, said
- * 1e-8 for errors of 1e-2. Of nested iterations and coarse prolongation, which have no B, it is the norm of r over that of
- * the start. Weights that are more than 1e13 times what the roughness holds an element with act as if they were as large.
+ * weights from 1e-6 to 1e12 (a scan of 31,438 triangles, all fields; mixed weights on smaller surfaces); the residual
+ * relative to that of b, which strong constraints dominate, said 1e-8 for errors of 1e-2. Of nested iterations and
+ * coarse prolongation, which have no B, it is the norm of r over that of the start. Weights that are more than 1e13
+ * times what the roughness holds an element with act as if they were as large.
  *
  * The mass norm of v is the root of the sum of M_k v_k^2, and both are relative: |b - A X|_M / |b|_M and
  * |X - X'|_M / |X'|_M. M_k is the area of the face of power fields and face fields, of the point of functions (1 / 3 of
@@ -343,7 +347,7 @@ public:
      * and, for face fields and 1-forms, where more than 40 loops carry harmonic fields; else conjugate gradients.
      */
     Automatic = 0,
-    /** Supernodal sparse Cholesky factorisation. */
+    /** Sparse Cholesky factorisation. */
     Cholesky = 1,
     /** Multigrid V-cycles alone. */
     VCycles = 2,

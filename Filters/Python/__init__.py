@@ -18,16 +18,6 @@ if TYPE_CHECKING:
     from .export import write_raw_field, write_rosy, write_sharp
     from .fields import FieldError, FieldWarning, smooth_field, update
 
-_MODULES = {
-    "FieldError": "fields",
-    "FieldWarning": "fields",
-    "smooth_field": "fields",
-    "update": "fields",
-    "write_raw_field": "export",
-    "write_rosy": "export",
-    "write_sharp": "export",
-}
-
 __all__ = [
     "FieldError", "FieldWarning", "smooth_field", "update", "write_raw_field", "write_rosy", "write_sharp",
     "vtkFiltersDirectionalFields",
@@ -35,11 +25,12 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if name == "vtkFiltersDirectionalFields":
         return import_module("." + name, __name__)
-    if name not in _MODULES:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module("." + _MODULES[name], __name__), name)
+    module = "export" if name.startswith("write_") else "fields"
+    return getattr(import_module("." + module, __name__), name)
 
 
 def __dir__() -> List[str]:

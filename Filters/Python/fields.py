@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import difflib
+import math
+import numbers
+import operator
 import re
 import warnings
-from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, TypeVar, Union
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
@@ -13,7 +16,7 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from .vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
 
 Mesh = TypeVar("Mesh", bound=vtkPolyData)
-DataObjects = Union[vtkDataObject, Sequence[vtkDataObject], None]
+DataObjects = Union[vtkDataObject, Iterable[vtkDataObject], None]
 Property = Union[bool, int, float, str]
 Message = Tuple[vtkAlgorithm, str]
 
@@ -29,15 +32,16 @@ class FieldWarning(UserWarning):
     """What a filter warns of; there is a result."""
 
 
-def smooth_field(mesh: Mesh, guides: DataObjects = None, n: int = 4, *, singularities: DataObjects = None,
+def smooth_field(mesh: Mesh, guides: DataObjects = None, n: Optional[int] = None, *, singularities: DataObjects = None,
                  **properties: Property) -> Mesh:
     """The smoothest field of n directions that follows the guides, or the smoothest one there is.
 
     mesh           a vtkPolyData, or an object of a class derived from it, as pyvista.PolyData; an oriented manifold surface
                    of triangles. It is not changed.
-    guides         what the field follows: lines, or any datasets with vectors; one or a sequence of them
-    n              the number of directions per point, 1 to 8
-    singularities  points, one dataset or several: the field has singularities there and nowhere else
+    guides         what the field follows: lines, or any datasets with vectors; one or several of them
+    n              the number of directions per point, 1 to 8, by default 4; 1 for all but power fields
+    singularities  points, one dataset or several: the field has singularities there and nowhere else; with an empty
+                   sequence, nowhere at all; by default, None, where it is smoothest
     properties     properties of vtkHarmonicFieldSolver by name, as BoundaryWeight=1; values of enumerations may be names, as
                    Discretisation="OneForm". Mask, Directions, Weights, Values and RotationArray are the names of arrays of
                    the mesh, at points, else on cells; unlike the filter, the function follows no array that is not named.
@@ -52,10 +56,13 @@ def smooth_field(mesh: Mesh, guides: DataObjects = None, n: int = 4, *, singular
         raise TypeError(f"the mesh is of type {type(mesh).__name__}, not vtkPolyData; extract its surface first")
     solver = vtkHarmonicFieldSolver()
     solver.SetInputData(mesh)
-    for port, what, objects in ((1, "guides", guides), (2, "singularities", singularities)):
-        for each in _sequence(objects, what):
-            solver.AddInputDataObject(port, each)
-    _set_properties(solver, n, properties)
+    for each in _datasets(guides, "guides"):
+        solver.AddInputDataObject(1, each)
+    if singularities is not None:
+        for each in _datasets(singularities, "singularities") or (vtkPolyData(),):
+            solver.AddInputDataObject(2, each)
+    _set_properties(solver, properties)
+    _set_number_of_directions(solver, n)
     for name, index in _ARRAYS.items():
         _choose_array(solver, mesh, index, properties.get(name))
     result = type(mesh)()
@@ -119,23 +126,25 @@ def _listener(algorithm: vtkAlgorithm, messages: List[Message]) -> Callable[[Any
     return listen
 
 
-def _sequence(objects: DataObjects, what: str) -> Sequence[vtkDataObject]:
+def _datasets(objects: DataObjects, what: str) -> Tuple[vtkDataObject, ...]:
     if objects is None:
         return ()
     if isinstance(objects, vtkDataObject):
         return (objects,)  # composite datasets are sequences, too
-    for each in objects:
+    if not isinstance(objects, Iterable):
+        objects = (objects,)
+    datasets = tuple(objects)
+    for each in datasets:
         if not isinstance(each, vtkDataObject):
             raise TypeError(f"{what} are datasets; an object of type {type(each).__name__} is none")
-    return objects
+    return datasets
 
 
-def _set_properties(solver: vtkHarmonicFieldSolver, n: int, properties: Dict[str, Property]) -> None:
+def _set_properties(solver: vtkHarmonicFieldSolver, properties: Dict[str, Property]) -> None:
     known = {name[3:] for name in vars(type(solver)) if name.startswith("Set") and hasattr(solver, "Get" + name[3:])}
     known.remove("NumberOfDirections")
     if "NumberOfDirections" in properties:
         raise TypeError("NumberOfDirections is called n here")
-    _set_property(solver, "NumberOfDirections", n)
     for name, value in properties.items():
         if name in known:
             _set_property(solver, name, value)
@@ -144,6 +153,15 @@ def _set_properties(solver: vtkHarmonicFieldSolver, n: int, properties: Dict[str
             near = difflib.get_close_matches(name, names, 1, 0.5)
             raise TypeError(f"there is no property {name}; " +
                             (f"did you mean {near[0]}?" if near else "there are " + ", ".join(names)))
+
+
+def _set_number_of_directions(solver: vtkHarmonicFieldSolver, n: Optional[int]) -> None:
+    is_power_field = solver.GetDiscretisation() == solver.PowerField
+    if n is None:
+        n = 4 if is_power_field else 1
+    _set_property(solver, "NumberOfDirections", n)
+    if n != 1 and not is_power_field:
+        raise FieldError(f"n = {n}, but only power fields have more than 1 direction per point")
 
 
 def _set_property(solver: vtkHarmonicFieldSolver, name: str, value: Property) -> None:
@@ -155,12 +173,34 @@ def _set_property(solver: vtkHarmonicFieldSolver, name: str, value: Property) ->
             raise FieldError(f"{name} is not {value!r} but one of {', '.join(choices)}")
         value = choices[value]
     try:
-        getattr(solver, "Set" + name)(value)
+        given = _converted(value, type(getattr(solver, "Get" + name)()))
+        getattr(solver, "Set" + name)(given)
     except TypeError as error:
         raise TypeError(f"{name} = {value!r}: {error}") from None
+    except OverflowError:
+        raise FieldError(f"{name} = {value!r} is out of range") from None
     kept = getattr(solver, "Get" + name)()
-    if kept != value:
+    if kept != given:
         raise FieldError(f"{name} = {value!r} is out of range; the nearest value is {kept!r}")
+
+
+def _converted(value: Any, kind: type) -> Property:
+    """The value as what the solver keeps. Its wrapping would take NaN, None for an empty name, and any object for a bool."""
+    if kind is bool:
+        if value is None or isinstance(value, (str, bytes)) or value not in (False, True):
+            raise TypeError("it is True or False")
+        return bool(value)
+    if kind is str:
+        if not isinstance(value, str):
+            raise TypeError("it is the name of an array")
+        return value
+    if isinstance(value, bool) or not isinstance(value, numbers.Integral if kind is int else numbers.Real):
+        raise TypeError("it is an integer" if kind is int else "it is a number")
+    if kind is int:
+        return operator.index(value)
+    if not math.isfinite(value):
+        raise OverflowError
+    return float(value)
 
 
 def _choose_array(solver: vtkHarmonicFieldSolver, mesh: vtkPolyData, index: int, name: Optional[Property]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, Optional
 
 import pyvista
 
@@ -17,7 +17,7 @@ class DirectionalAccessor:
     def __init__(self, mesh: pyvista.PolyData) -> None:
         self._mesh = mesh
 
-    def smooth_field(self, guides: DataObjects = None, n: int = 4, **arguments: Any) -> pyvista.PolyData:
+    def smooth_field(self, guides: DataObjects = None, n: Optional[int] = None, **arguments: Any) -> pyvista.PolyData:
         """A new mesh with the smoothest field of n directions; see directionalmultigrid.smooth_field."""
         return smooth_field(self._mesh, guides, n, **arguments)
 

@@ -1,6 +1,6 @@
 """Field Lines, Field Glyphs and Field Singularities as a user of ParaView reaches them.
 
-Crosses on the unit sphere are drawn with nothing said, and with every property; ParaView has to find
+Crosses on the unit sphere are drawn with nothing prescribed, and with every property; ParaView has to find
 the plugin by itself. Where there is a display, what is shown after Apply is looked at as well.
 
     TestDrawing.py [IMAGE]

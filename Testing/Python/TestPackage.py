@@ -72,7 +72,7 @@ class SmoothField(unittest.TestCase):
             line.SetPoint2(shift + 1.5, 2.5, 0)
             line.Update()
             lines.append(line.GetOutput())
-        for guides in (lines[0], lines[:1], tuple(lines)):
+        for guides in (lines[0], lines[:1], tuple(lines), iter(lines)):
             along = self.direction(smooth_field(mesh, guides, 2)) @ (0.6, 0.8, 0)
             np.testing.assert_allclose(np.abs(along), 1, atol=1e-6)
 
@@ -88,6 +88,32 @@ class SmoothField(unittest.TestCase):
         np.testing.assert_allclose(indices[np.abs(indices) > 1e-9], 1 / 3)
         self.assertEqual(np.count_nonzero(np.abs(indices) > 1e-9), 6)
 
+    def test_no_singularities_may_be_prescribed(self):
+        """A torus may have none, a sphere has to have some; None prescribes nothing."""
+        tilted = prescribe(torus(20, 10), {7: (1, 2, 3), 150: (3, -1, 2), 260: (-2, 3, 1)})
+        for nothing in ((), [], iter(())):
+            result = smooth_field(tilted, singularities=nothing, Directions="Given")
+            self.assertEqual(np.abs(values(result.GetPointData(), "SingularityIndex")).max(), 0)
+        sphere = update(vtkSphereSource())
+        with self.assertRaisesRegex(FieldError, "sum"):
+            smooth_field(sphere, singularities=[])
+        self.assertAlmostEqual(values(smooth_field(sphere, singularities=None).GetPointData(), "SingularityIndex").sum(), 2)
+
+    def test_only_power_fields_have_several_directions(self):
+        mesh = torus(20, 10)
+        for kind in ("FaceField", "OneForm"):
+            for n in (None, 1):
+                result = smooth_field(mesh, n=n, Discretisation=kind)
+                self.assertFalse(result.GetCellData().HasArray("Direction1"))
+            with self.assertRaisesRegex(FieldError, "n = 4, but only power fields"):
+                smooth_field(mesh, n=4, Discretisation=kind)
+        self.assertTrue(smooth_field(mesh).GetCellData().HasArray("Direction3"))
+
+    def test_takes_numbers_of_numpy(self):
+        mesh = torus(20, 10)
+        result = smooth_field(mesh, n=np.int64(2), Tolerance=np.float32(1e-3), UnitLength=np.bool_(True), Rotation=3)
+        self.assertFalse(result.GetCellData().HasArray("Direction2"))
+
     def test_follows_no_array_that_is_not_named(self):
         """A result has active vectors; a field made on it is the same as one on the bare surface."""
         mesh = torus(20, 10)
@@ -101,7 +127,23 @@ class SmoothField(unittest.TestCase):
                 (TypeError, "there are Alignment, .*Weights", {"Xyzq": 2}),
                 (TypeError, "called n", {"NumberOfDirections": 2}),
                 (TypeError, "Tolerance = 'small'", {"Tolerance": "small"}),
+                (TypeError, "Tolerance = None", {"Tolerance": None}),
+                (TypeError, "Tolerance = True", {"Tolerance": True}),
+                (FieldError, "Tolerance = nan is out of range$", {"Tolerance": float("nan")}),
+                (FieldError, "Alignment = inf is out of range$", {"Alignment": float("inf")}),
+                (FieldError, "Alignment = 10+ is out of range$", {"Alignment": 10**400}),
+                (FieldError, "Sweeps = 10+ is out of range$", {"Sweeps": 10**30}),
+                (TypeError, "Sweeps = 2.5: .*integer", {"Sweeps": 2.5}),
+                (TypeError, "NumberOfDirections = True: .*integer", {"n": True}),
+                (TypeError, "NumberOfDirections = 'four': .*integer", {"n": "four"}),
+                (TypeError, "Discretisation = True: .*integer", {"Discretisation": True}),
+                (TypeError, "Discretisation = None: .*integer", {"Discretisation": None}),
+                (TypeError, "UnitLength = None: .*True or False", {"UnitLength": None}),
+                (TypeError, "UnitLength = 'off': .*True or False", {"UnitLength": "off"}),
+                (TypeError, "GuideWeights = None: .*name", {"GuideWeights": None}),
                 (TypeError, "guides are datasets", {"guides": [3]}),
+                (TypeError, "guides are datasets", {"guides": 3}),
+                (TypeError, "singularities are datasets", {"singularities": iter(["x"])}),
                 (TypeError, "no name of an array", {"Mask": 3}),
                 (FieldError, "NumberOfDirections = 9 .* 8", {"n": 9}),
                 (FieldError, "Rotation = 200 .* 180", {"Rotation": 200}),

@@ -15,7 +15,7 @@ enum class SolverKind
   /// Cholesky for small systems, for many solves, and where needles or loops are many, else conjugate gradients; see
   /// ChooseSolver.
   Automatic,
-  /// Supernodal sparse Cholesky of the fine system (CHOLMOD).
+  /// Sparse Cholesky of the fine system (CHOLMOD).
   Cholesky,
   /// Stationary V-cycles.
   VCycles,

@@ -1,6 +1,6 @@
 """A flow around handles:  pvbatch handles.py
 
-A surface with five handles has flows without any source, sink or vortex; with nothing said, a face field is one of
+A surface with five handles has flows without any source, sink or vortex; with nothing prescribed, a face field is one of
 them. The colour is its speed, from 0 (blue) to the largest (red); the balls are its saddles, of index -1.
 """
 

@@ -1,6 +1,6 @@
 """How many directions:  pvbatch how_many.py
 
-Nothing said, on a sphere: the smoothest fields of 1, 2, 4 and 6 directions, with 2, 4, 8 and 12 singularities of index
+Nothing prescribed, on a sphere: the smoothest fields of 1, 2, 4 and 6 directions, with 2, 4, 8 and 12 singularities of index
 1 / N, as far from each other as can be.
 """
 
