@@ -506,7 +506,8 @@ public:
    * The solve stops at this RelativeResidual (Outputs, port 2). At 1e-4, the default, directions are
    * within 0.05 degrees of those at 1e-12 on 99.9 % of the area and within 1 degree everywhere (20 prescribed cells on
    * scans of 50,000 to 150,000 triangles), which neither a picture nor a remesher can tell; at 1e-3 these are 0.9 and
-   * 6 degrees. Choose 1e-8 for computations that go on with the numbers. Range 1e-14 to 1.
+   * 6 degrees. Where nothing is prescribed, the smoothest field at 1e-4 is farther away: on scans a tenth of the area was off by more
+   * than 0.5 degrees, and single places near singularities by 40; at 1e-6 nothing was by more than 0.05. Choose 1e-8 for computations that go on with the numbers. Range 1e-14 to 1.
    */
   vtkSetClampMacro(Tolerance, double, 1e-14, 1.0);
   vtkGetMacro(Tolerance, double);

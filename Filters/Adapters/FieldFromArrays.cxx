@@ -130,6 +130,15 @@ ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
     throw InvalidInput(
       "array '" + name + "' does not hold 3 numbers per element; choose an array of vectors");
   }
+  for (vtkDataSetAttributes* const attributes :
+    { static_cast<vtkDataSetAttributes*>(surface->GetPointData()), static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
+  {
+    if (attributes->GetNormals() == chosen.Array) // the first vectors of many surfaces, which menus choose
+    {
+      throw InvalidInput("array '" + NameOf(chosen.Array) + "' holds the normals of the surface, which are no field on it; apply "
+        "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose another array of vectors");
+    }
+  }
   CheckTuples(chosen.Array, surface, chosen.OnPoints);
   return chosen;
 }

@@ -1,11 +1,14 @@
 # What cpack makes: a Debian package of the installation, whose dependencies dpkg-shlibdeps finds, and a tarball of the sources.
-# The build is configured with -DCMAKE_INSTALL_PREFIX=/usr.
+install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" # where Debian's policy wants it
+  DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/directionalmultigrid" RENAME "copyright" COMPONENT metadata)
+
 set(CPACK_PACKAGE_CONTACT "the authors of DirectionalMultigrid") # a maintainer is compulsory
 set(CPACK_PACKAGE_NAME "directionalmultigrid")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
 set(CPACK_RESOURCE_FILE_LICENSE "${PROJECT_SOURCE_DIR}/LICENSE")
 
 set(CPACK_GENERATOR "DEB")
+set(CPACK_PROJECT_CONFIG_FILE "${PROJECT_SOURCE_DIR}/Filters/CMake/CheckPackagePrefix.cmake")
 set(CPACK_SET_DESTDIR ON) # the plugin is registered for /usr, not for the folder that is packed
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME "DEB-DEFAULT")

@@ -61,6 +61,15 @@ class SmoothField(unittest.TestCase):
         self.assertIs(type(smooth_field(mesh)), Derived)
         self.assertIs(type(smooth_field(torus(20, 10))), vtkPolyData)
 
+    def test_takes_meshes_of_pyvista(self):
+        try:
+            pyvista = importlib.import_module("pyvista")
+        except ImportError:
+            self.skipTest("PyVista is not installed")
+        result = smooth_field(pyvista.PolyData(torus(20, 10)), n=2)
+        self.assertIs(type(result), pyvista.PolyData)
+        np.testing.assert_array_equal(result.cell_data["Direction0"], self.direction(smooth_field(torus(20, 10), n=2)))
+
     def test_follows_guides_one_or_several(self):
         """On a plane a field of lines along one straight guide is constant, and so is one along two that are parallel."""
         mesh = surface([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0), (2, 2, 0)],

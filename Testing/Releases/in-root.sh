@@ -3,12 +3,14 @@
 #
 #   Testing/Releases/in-root.sh [--again] RELEASE USER COMMAND...
 #
-# RELEASE  bookworm, trixie, forky, ...: any name of a release in Debian's archive
+# RELEASE  bookworm, trixie, forky, sid, ...: any name of a release in Debian's archive
 # USER     root, in a root without sudo; or any other name, of a user who may sudo
 # --again  goes on in the root of the last run, with the sources as they are now
 #
 # The command runs in /tree, a copy of the sources. The root is build/roots/RELEASE and stays there, to be looked into; packages
 # and compiled objects are kept beside it, so that the next run takes them. As root; on Debian, with debootstrap.
+#
+# A bare root is made once and kept in build/roots/RELEASE.tar. Remove that file for a newer one of testing or sid.
 set -euo pipefail
 
 again=
@@ -56,14 +58,18 @@ if [ ! -e "$root.tar" ]; then
   # The recipe of sid is that of every release, also of those that this debootstrap does not know yet.
   isolated debootstrap --variant=minbase --cache-dir="$root.packages" "$release" "$root" "$archive" \
     /usr/share/debootstrap/scripts/sid
-  printf 'deb %s %s main\n' "$archive" "$release" "$archive-security" "$release-security" > "$root/etc/apt/sources.list"
+  echo "deb $archive $release main" > "$root/etc/apt/sources.list"
+  if [ "$release" != sid ]; then # new versions go to sid itself
+    echo "deb $archive-security $release-security main" >> "$root/etc/apt/sources.list"
+  fi
   echo force-unsafe-io > "$root/etc/dpkg/dpkg.cfg.d/unsafe-io" # a root that lasts for minutes needs no fsync
   cat > "$root/etc/apt/apt.conf.d/root" <<'END'
 Acquire::Check-Valid-Until "false"; // a mirror of testing may be some weeks old
 Binary::apt-get::APT::Keep-Downloaded-Packages "true";
 END
   mkdir "$root/var/cache/objects"
-  tar --create --one-file-system --file "$root.tar" --directory "$root" .
+  tar --create --one-file-system --file "$root.tar.new" --directory "$root" .
+  mv "$root.tar.new" "$root.tar" # whole, also where a run was interrupted
 fi
 
 if [ -z "$again" ] || [ ! -e "$root" ]; then

@@ -34,6 +34,7 @@ cp "$products"/*.deb "$root"
 Testing/Releases/in-root.sh --again "$release" root bash -euxc '
   apt-get update --quiet=2
   DEBIAN_FRONTEND=noninteractive apt-get install --yes --quiet --no-install-recommends /*.deb xauth xvfb
+  cmp LICENSE /usr/share/doc/directionalmultigrid/copyright
   pvpython Testing/Releases/use_plugin.py
   /usr/bin/python3 Testing/Releases/use_module.py
   xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \

@@ -6,7 +6,8 @@ import os
 from paraview.simple import *
 
 field = HarmonicFieldSolver(Input=Sphere(Radius=1, ThetaResolution=60, PhiResolution=60), NumberOfDirections=4)
-Show(field) if "DISPLAY" in os.environ else None
+if "DISPLAY" in os.environ:
+    Show(field)
 points = servermanager.Fetch(FieldSingularities(Input=field)).GetNumberOfPoints()
 print(points, "singular points", flush=True)
 assert points == 8

@@ -140,12 +140,16 @@ FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureO
   }
   if (N % 2 != 0)
   {
-    if (options.SharpEdgesWeight > 0.0 || options.CurvatureWeight > 0.0)
+    const auto warn = [&](double weight, const std::string& features, const std::string& property)
     {
-      followed.Warnings.push_back("sharp edges and principal directions are lines without a sign, which a field of " +
-        std::to_string(N) + (N == 1 ? " direction" : " directions") +
-        " cannot follow, so Sharp Edges Weight and Curvature Weight have no effect");
-    }
+      if (weight > 0.0)
+      {
+        followed.Warnings.push_back(features + " are lines without a sign, which a field of " + std::to_string(N) +
+          (N == 1 ? " direction" : " directions") + " cannot follow, so " + property + " has no effect");
+      }
+    };
+    warn(options.SharpEdgesWeight, "sharp edges", "Sharp Edges Weight");
+    warn(options.CurvatureWeight, "principal directions", "Curvature Weight");
     return followed;
   }
   if (options.SharpEdgesWeight > 0.0)
