@@ -140,16 +140,14 @@ FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureO
   }
   if (N % 2 != 0)
   {
-    const auto warn = [&](double weight, const std::string& features, const std::string& property)
+    const bool hasEdges = options.SharpEdgesWeight > 0.0, hasCurvature = options.CurvatureWeight > 0.0;
+    if (hasEdges || hasCurvature)
     {
-      if (weight > 0.0)
-      {
-        followed.Warnings.push_back(features + " are lines without a sign, which a field of " + std::to_string(N) +
-          (N == 1 ? " direction" : " directions") + " cannot follow, so " + property + " has no effect");
-      }
-    };
-    warn(options.SharpEdgesWeight, "sharp edges", "Sharp Edges Weight");
-    warn(options.CurvatureWeight, "principal directions", "Curvature Weight");
+      followed.Warnings.push_back("sharp edges and principal directions are lines without a sign, which a field of " +
+        std::to_string(N) + (N == 1 ? " direction" : " directions") + " cannot follow, so " +
+        (hasEdges ? "Sharp Edges Weight" : "") + (hasEdges && hasCurvature ? " and " : "") +
+        (hasCurvature ? "Curvature Weight" : "") + (hasEdges && hasCurvature ? " have" : " has") + " no effect");
+    }
     return followed;
   }
   if (options.SharpEdgesWeight > 0.0)

@@ -144,7 +144,13 @@ TEST(SurfaceFeatures, WhatIsNotThereOrHasNoSignIsAWarning)
     ASSERT_EQ(ofSphere.Warnings.size(), 2u);
     EXPECT_NE(ofSphere.Warnings[0].find("no boundary"), std::string::npos);
     EXPECT_NE(ofSphere.Warnings[1].find("without a sign"), std::string::npos);
+    EXPECT_NE(ofSphere.Warnings[1].find("Sharp Edges Weight and Curvature Weight have"), std::string::npos);
     EXPECT_EQ(FollowFeatures(plane, N, all, nullptr).Directions.size(), 20u);
+    FeatureOptions edges;
+    edges.SharpEdgesWeight = 1.0;
+    const FollowedFeatures ofEdges = FollowFeatures(sphere, N, edges, nullptr);
+    ASSERT_EQ(ofEdges.Warnings.size(), 1u);
+    EXPECT_NE(ofEdges.Warnings[0].find("so Sharp Edges Weight has no effect"), std::string::npos);
   }
   EXPECT_TRUE(FollowFeatures(sphere, 4, {}, nullptr).Directions.empty());
   EXPECT_TRUE(FollowFeatures(sphere, 4, {}, nullptr).Warnings.empty());
