@@ -169,6 +169,16 @@ TEST_P(FieldDrawing, NamesWhatIsWrongWithTheChoice)
   EXPECT_TRUE(messages.Silent()) << messages.Error();
 }
 
+// Menus choose them where a surface has no other vectors.
+TEST_P(FieldDrawing, RefusesNormals)
+{
+  const auto filter = New();
+  const auto data = WithVectors(Icosphere(1), "Normals", Points, { 0.0, 0.0, 1.0 });
+  data->GetPointData()->SetActiveNormals("Normals");
+  filter->SetInputArrayToProcess(0, 0, 0, Points, "Normals");
+  EXPECT_NE(ErrorFor(filter, data).find("holds the normals of the surface"), std::string::npos);
+}
+
 TEST_P(FieldDrawing, RecoversFromAnError)
 {
   const auto filter = New();
