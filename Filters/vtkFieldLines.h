@@ -77,7 +77,8 @@ public:
   ///@{
   /**
    * Distance between lines of one family where they begin, as a fraction of the surface's size, the diagonal of the
-   * box around its triangles. Default 0.015, range 0.0005 to 1. Cost: about the fourfold for half of it.
+   * box around its triangles. Default 0.015, range 0.0005 to 1. Half of it takes about
+   * four times as long.
    */
   vtkSetClampMacro(SeparatingDistance, double, 0.0005, 1.0);
   vtkGetMacro(SeparatingDistance, double);

@@ -193,7 +193,7 @@
  * | ---------------- | ------- | --------------------------------------------- |
  * | Iteration        | -       | 0 for the start                               |
  * | Seconds          | seconds | since the solve began                         |
- * | RelativeResidual | -       | an estimate of the relative error in the energy norm, see below; where nothing is prescribed, of that error times the relative distance to the next eigenvalue (Tolerance counts as 1e-6 at least) |
+ * | RelativeResidual | -       | an estimate of the relative error in the energy norm, see below; where nothing is prescribed, of that error times the relative distance to the next eigenvalue (1e-6 is reached there, whatever Tolerance is) |
  * | Energy           | -       | what the system minimises, less its value at X = 0 |
  * | MassResidual     | -       | residual in the mass norm ("energy" in the thesis, section 6.4); only where something is prescribed |
  * | Error            | -       | of X against Cholesky in the mass norm; with CompareWithCholesky |
@@ -506,8 +506,8 @@ public:
    * The solve stops at this RelativeResidual (Outputs, port 2). At 1e-4, the default, directions are
    * within 0.05 degrees of those at 1e-12 on 99.9 % of the area and within 1 degree everywhere (20 prescribed cells on
    * scans of 50,000 to 150,000 triangles), which neither a picture nor a remesher can tell; at 1e-3 these are 0.9 and
-   * 6 degrees. Where nothing is prescribed, the smoothest field at 1e-4 is farther away: on scans a tenth of the area was off by more
-   * than 0.5 degrees, and single places near singularities by 40; at 1e-6 nothing was by more than 0.05. Choose 1e-8 for computations that go on with the numbers. Range 1e-14 to 1.
+   * 6 degrees. Choose 1e-8 for computations that go on with the numbers. The smoothest field, where nothing is prescribed, is
+   * always solved to 1e-6. Range 1e-14 to 1.
    */
   vtkSetClampMacro(Tolerance, double, 1e-14, 1.0);
   vtkGetMacro(Tolerance, double);

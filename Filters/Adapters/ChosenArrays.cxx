@@ -137,7 +137,7 @@ ConstraintArrays FindArrays(
   const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose)
 {
   const ChosenArray vectors = FindArray(choices.Vectors, dataset, 3, "directions", whose);
-  const auto beside = [&](ArrayChoice choice)
+  const auto beside = [&](const ArrayChoice& choice)
   {
     // A name alone means the array beside the directions, if there is one.
     ArrayChoice there = choice;

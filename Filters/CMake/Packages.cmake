@@ -20,6 +20,16 @@ elseif (DMG_WRAP_PYTHON AND DMG_HOST STREQUAL "VTK")
   set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3-vtk9")
 endif ()
 
+# Where ParaView's package brings the file that names its plugins, ours adds a line to it, also when that package is installed
+# anew, and takes it away at the end.
+if (DMG_HOST STREQUAL "ParaView" AND EXISTS "${paraview_conf}")
+  foreach (script IN ITEMS postinst prerm triggers)
+    configure_file("${CMAKE_CURRENT_LIST_DIR}/Debian/${script}.in" "${PROJECT_BINARY_DIR}/debian/${script}" @ONLY)
+    list(APPEND CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_BINARY_DIR}/debian/${script}")
+  endforeach ()
+  set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+endif ()
+
 set(CPACK_SOURCE_GENERATOR "TGZ")
 set(CPACK_SOURCE_PACKAGE_FILE_NAME "directionalmultigrid-${PROJECT_VERSION}")
 set(CPACK_SOURCE_IGNORE_FILES "^${PROJECT_SOURCE_DIR}/build/" "/[.]git(/|$)" "__pycache__" "CMakeUserPresets.json")

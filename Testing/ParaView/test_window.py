@@ -77,7 +77,7 @@ def write(path, data):
 
 
 def toolbar(paraview):
-    """The name of the filters' toolbar, which is another since ParaView 5.12."""
+    """The name of the filters' toolbar, which ParaView 5.13 calls another name than 5.11."""
     version = subprocess.run([paraview, "--version"], capture_output=True, text=True, check=True).stdout
     return "Directional Fields" if " 5.11" in version else "filters.Directional Fields"
 

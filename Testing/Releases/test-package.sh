@@ -40,4 +40,10 @@ Testing/Releases/in-root.sh --again "$release" root bash -euxc '
   xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
     timeout 120 paraview --script=Testing/Releases/use_plugin.py | tee window.log
   grep --line-regexp "8 singular points" window.log
+  apt-get install --yes --quiet=2 --reinstall paraview
+  pvpython Testing/Releases/use_plugin.py
+  apt-get remove --yes --quiet=2 directionalmultigrid
+  if grep directionalmultigrid /usr/lib/*/paraview-*/paraview.conf; then
+    exit 1 # a line that nothing stands behind
+  fi
 '

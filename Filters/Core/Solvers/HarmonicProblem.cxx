@@ -75,8 +75,8 @@ public:
     const Vector<double>& reference, const StoppingCriteria& stop, Vector<double>& x,
     const ExecutionContext& context);
   /// On the components without prescriptions.
-  void FindSmoothest(Vector<double> start, const StoppingCriteria& stop, Vector<double>& x,
-    const ExecutionContext& context);
+  void FindSmoothest(
+    Vector<double> start, int maximumIterations, Vector<double>& x, const ExecutionContext& context);
 
   PrescribedSystem System;
   const SolverOptions Options;
@@ -296,8 +296,8 @@ void HarmonicProblem::Internals::IterateWithFactor(const LinearOperator<double>&
     "Cycles did not converge, so conjugate gradients with a factor of the system took over.");
 }
 
-void HarmonicProblem::Internals::FindSmoothest(Vector<double> start, const StoppingCriteria& stop,
-  Vector<double>& x, const ExecutionContext& context)
+void HarmonicProblem::Internals::FindSmoothest(
+  Vector<double> start, int maximumIterations, Vector<double>& x, const ExecutionContext& context)
 {
   const bool isAll = this->System.NumberOfPrescribed() == 0;
   if (isAll)
@@ -311,7 +311,7 @@ void HarmonicProblem::Internals::FindSmoothest(Vector<double> start, const Stopp
     inverse = &*this->Deflated;
   }
   std::vector<IterationReport> iterations = this->System.Unprescribed().FindSmoothest(
-    this->System.Matrix(), *inverse, std::move(start), stop, x, this->Report, context);
+    this->System.Matrix(), *inverse, std::move(start), maximumIterations, x, this->Report, context);
   if (isAll)
   {
     this->Report.Iterations = std::move(iterations);
@@ -387,7 +387,7 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   }
   if (!unprescribed.empty())
   {
-    of.FindSmoothest(Gathered(start, order, context), stop, x, context);
+    of.FindSmoothest(Gathered(start, order, context), stop.MaximumIterations, x, context);
   }
   of.System.InsertHeld(values, x);
   return Scattered(x, order, context);

@@ -57,7 +57,7 @@ double UnprescribedComponents::ShareOf(std::size_t component) const
 }
 
 std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearOperator<double>& A,
-  Preconditioner<double>& inverse, Vector<double> start, const StoppingCriteria& stop, Vector<double>& x,
+  Preconditioner<double>& inverse, Vector<double> start, int maximumIterations, Vector<double>& x,
   SolveReport& report, const ExecutionContext& context) const
 {
   const MultigridSetup& setup = *this->Setup;
@@ -67,13 +67,13 @@ std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearO
     start = setup.Kernel.cols() > 0 ? Vector<double>(setup.Kernel.rowwise().sum())
                                     : Vector<double>::Zero(x.size());
   }
-  // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart.
-  constexpr double SmallestTolerance = 1e-6;
-  const StoppingCriteria ofEigenvectors{ std::max(stop.RelativeTolerance, SmallestTolerance),
-    stop.MaximumIterations };
+  // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart. At 1e-4
+  // the next eigenvectors may still turn the field by many degrees where it is small.
+  constexpr double Tolerance = 1e-6;
+  const StoppingCriteria stop{ Tolerance, maximumIterations };
   SolveReport found;
   const std::vector<double> theta = FindLowestEigenvectors(
-    { A, inverse, setup.Mass, this->ByComponent }, ofEigenvectors, start, found, context);
+    { A, inverse, setup.Mass, this->ByComponent }, stop, start, found, context);
   for (std::size_t component = 0; component < theta.size(); ++component)
   {
     const int begin = this->ByComponent.Begins[component];

@@ -4,7 +4,6 @@
 #include "Solvers/Krylov/LinearOperator.h"
 #include "Solvers/Krylov/Preconditioner.h"
 #include "Solvers/Krylov/SolveReport.h"
-#include "Solvers/Krylov/StoppingCriteria.h"
 #include "Solvers/MultigridSetup.h"
 #include "Support/CountingSort.h"
 #include "Support/ExecutionContext.h"
@@ -36,13 +35,13 @@ public:
   /// Writes the multiple of the mass for these unknowns.
   void SetDiagonal(Vector<double>& D) const;
 
-  /// Writes the fields into x, with a mean square magnitude of 1.
+  /// Writes the fields into x, with a mean square magnitude of 1 and to a relative residual of 1e-6.
   /// \param A R + D, \param inverse close to its inverse.
   /// \param start of the iteration, or empty.
   /// \param report is added to: eigenvalues, in 1 / length^2, seconds, convergence and warnings.
   /// \return the history of the iteration.
   std::vector<IterationReport> FindSmoothest(const LinearOperator<double>& A, Preconditioner<double>& inverse,
-    Vector<double> start, const StoppingCriteria& stop, Vector<double>& x, SolveReport& report,
+    Vector<double> start, int maximumIterations, Vector<double>& x, SolveReport& report,
     const ExecutionContext& context) const;
 
 private:
