@@ -26,9 +26,8 @@ void CheckNumbers(vtkAbstractArray* array, const std::string& name)
   const double* const first = numbers ? numbers->GetPointer(0) : nullptr;
   if (numbers && !std::all_of(first, first + numbers->GetNumberOfValues(), [](double x) { return std::isfinite(x); }))
   {
-    throw SolverFailure(name +
-      " would not be finite, as double precision does not reach as far as the sizes of triangles, weights and given "
-      "vectors are apart; bring the weights and the given vectors closer to each other");
+    throw SolverFailure(
+      name + " would not be finite; no input is known that causes this, so please report it with the data and the properties");
   }
 }
 

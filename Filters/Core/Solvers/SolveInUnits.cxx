@@ -33,8 +33,8 @@ Solution SolveInUnits(HarmonicProblem& problem, const Vector<double>& values, co
   Solution solution{ TimesPowerOfTwo(unknowns, unit), problem.Report() };
   if (!solution.Unknowns.allFinite())
   {
-    throw SolverFailure("the field is not finite, as double precision does not reach as far as the sizes of triangles, weights "
-                        "and given values are apart; bring the weights and the given values closer to each other");
+    throw SolverFailure(
+      "the field is not finite; no input is known that causes this, so please report it with the data and the properties");
   }
   for (IterationReport& row : solution.Report.Iterations)
   {
