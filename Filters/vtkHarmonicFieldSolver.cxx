@@ -242,9 +242,12 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GuideWeights: " << this->GetGuideWeights() << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
+  os << indent << "BoundaryRotation: " << this->BoundaryRotation << "\n";
   os << indent << "SharpEdgesWeight: " << this->SharpEdgesWeight << "\n";
+  os << indent << "SharpEdgesRotation: " << this->SharpEdgesRotation << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "CurvatureWeight: " << this->CurvatureWeight << "\n";
+  os << indent << "CurvatureRotation: " << this->CurvatureRotation << "\n";
   os << indent << "CurvatureDirection: "
      << (this->CurvatureDirection == MaximumCurvature ? "MaximumCurvature" : "MinimumCurvature") << "\n";
   os << indent << "CurvatureScale: " << this->CurvatureScale << "\n";

@@ -125,7 +125,7 @@
  * The field also follows features of the surface itself, each of which has a weight, 0 (off) by default:
  *
  * - BoundaryWeight: the edges of the boundary, counter-clockwise around the surface, which lies on their left. Every N
- *   follows them, and so do face fields and 1-forms; Rotation 180 turns N = 1 the other way round.
+ *   follows them, and so do face fields and 1-forms; BoundaryRotation 180 turns N = 1 the other way round.
  * - SharpEdgesWeight: the edges where the normals of both faces differ by more than FeatureAngle.
  * - CurvatureWeight: the principal directions of vtkPrincipalDirections at CurvatureScale, on every face, each weighted
  *   by its confidence. N = 4 and N = 8 follow both directions, N = 2 and N = 6 the one of CurvatureDirection.
@@ -144,7 +144,8 @@
  * effect.
  *
  * All that is followed, arrays of the surface, guides and features, is turned by Rotation and by the array of index 4,
- * counter-clockwise about the normal: fibre and layer angles, helix angles. An array of cells counts at points, and one of
+ * counter-clockwise about the normal: fibre and layer angles, helix angles. To that, each feature adds a rotation of its
+ * own: BoundaryRotation, SharpEdgesRotation and CurvatureRotation. An array of cells counts at points, and one of
  * points on cells, as the mean of those that they touch.
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
@@ -637,6 +638,19 @@ public:
   vtkGetMacro(CurvatureWeight, double);
   ///@}
 
+  ///@{
+  /**
+   * By how much the field is turned against each of these features, in degrees, counter-clockwise about the normal, besides
+   * Rotation: for lines across an edge, 90. Default 0, range -180 to 180.
+   */
+  vtkSetClampMacro(BoundaryRotation, double, -180.0, 180.0);
+  vtkGetMacro(BoundaryRotation, double);
+  vtkSetClampMacro(SharpEdgesRotation, double, -180.0, 180.0);
+  vtkGetMacro(SharpEdgesRotation, double);
+  vtkSetClampMacro(CurvatureRotation, double, -180.0, 180.0);
+  vtkGetMacro(CurvatureRotation, double);
+  ///@}
+
   enum CurvatureDirections
   {
     /** Along which the surface bends most: around a cylinder, across a ridge, and along a groove. */
@@ -665,8 +679,8 @@ public:
 
   ///@{
   /**
-   * By how much the field is turned against all that it follows, in degrees, counter-clockwise about the normal. Default
-   * 0, range -180 to 180.
+   * By how much the field is turned against all that it follows, in degrees, counter-clockwise about the normal; the
+   * rotations of features come on top. Default 0, range -180 to 180.
    */
   vtkSetClampMacro(Rotation, double, -180.0, 180.0);
   vtkGetMacro(Rotation, double);
@@ -704,9 +718,12 @@ private:
   double Alignment = 1.0;
   double MaximumDistance = 0.1;
   double BoundaryWeight = 0.0;
+  double BoundaryRotation = 0.0;
   double SharpEdgesWeight = 0.0;
+  double SharpEdgesRotation = 0.0;
   double FeatureAngle = 30.0;
   double CurvatureWeight = 0.0;
+  double CurvatureRotation = 0.0;
   int CurvatureDirection = MaximumCurvature;
   double CurvatureScale = 3.0;
   double Rotation = 0.0;

@@ -20,9 +20,12 @@ FeatureOptions FeaturesOf(vtkHarmonicFieldSolver* filter)
 {
   FeatureOptions options;
   options.BoundaryWeight = filter->GetBoundaryWeight();
+  options.BoundaryRotation = filter->GetBoundaryRotation();
   options.SharpEdgesWeight = filter->GetSharpEdgesWeight();
+  options.SharpEdgesRotation = filter->GetSharpEdgesRotation();
   options.FeatureAngle = filter->GetFeatureAngle();
   options.CurvatureWeight = filter->GetCurvatureWeight();
+  options.CurvatureRotation = filter->GetCurvatureRotation();
   options.FollowsMinimum =
     filter->GetCurvatureDirection() == vtkHarmonicFieldSolver::MinimumCurvature;
   return options;
