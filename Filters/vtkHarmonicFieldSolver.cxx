@@ -4,6 +4,7 @@
 #include "Adapters/FeaturesOfSurface.h"
 #include "Adapters/FilterRequests.h"
 #include "Adapters/OptionsOfSolver.h"
+#include "Adapters/PropertyRanges.h"
 #include "Adapters/ReportToArrays.h"
 #include "Adapters/SingularitiesOnSurface.h"
 #include "Adapters/SolvedSurface.h"
@@ -234,7 +235,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
     "NestedIterations", "CoarseProlongation" };
   const char* const rules[] = { "FixedNumber", "WhileErrorFalls", "WhileResidualFalls" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Discretisation: " << discretisations[this->Discretisation] << "\n";
+  os << indent << "Discretisation: " << dmg::NameOf(discretisations, this->Discretisation) << "\n";
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
@@ -253,13 +254,13 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CurvatureScale: " << this->CurvatureScale << "\n";
   os << indent << "Rotation: " << this->Rotation << "\n";
   os << indent << "SingularityIndexArray: " << this->SingularityIndexArray << "\n";
-  os << indent << "Solver: " << solvers[this->Solver] << "\n";
+  os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")
      << "\n";
   os << indent << "Sweeps: " << this->Sweeps << "\n";
   os << indent << "NestedCycles: " << this->NestedCycles << "\n";
-  os << indent << "NestedRule: " << rules[this->NestedRule] << "\n";
+  os << indent << "NestedRule: " << dmg::NameOf(rules, this->NestedRule) << "\n";
   os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";
   os << indent << "MaximumNumberOfNestedSweeps: " << this->MaximumNumberOfNestedSweeps << "\n";
   os << indent << "StartingLevel: " << this->StartingLevel << "\n";

@@ -262,8 +262,8 @@
  * surface with handles or holes, 1-forms and face fields leave out what is not determined, with a
  * warning. Where a surface has too many of them to hold, cycles say so in Solver, and a factorisation
  * may end in an error or in what rounding errors make of the rest. An aborted run leaves empty
- * outputs and keeps the stages that were complete. Threads and pieces are as in vtkDirectionalProlongation; but results
- * have the same bits only for the same BLAS with the same number of threads of its own, as all solvers factor a matrix, be it
+ * outputs and keeps the stages that were complete, and so does an error, as a property out of its range is.
+ * Threads and pieces are as in vtkDirectionalProlongation; but results have the same bits only for the same BLAS with the same number of threads of its own, as all solvers factor a matrix, be it
  * that of the coarsest level (OPENBLAS_NUM_THREADS, set before the process starts, fixes them; they are as many as there are
  * processors by default).
  *
@@ -302,7 +302,7 @@ public:
   /**
    * What the unknowns are, one of Discretisations. Default PowerField.
    */
-  vtkSetClampMacro(Discretisation, int, PowerField, ScalarFunction);
+  vtkSetMacro(Discretisation, int);
   vtkGetMacro(Discretisation, int);
   ///@}
 
@@ -311,7 +311,7 @@ public:
    * N, the number of directions per point; of power fields, the others have one. Default 4, range 1
    * to 8.
    */
-  vtkSetClampMacro(NumberOfDirections, int, 1, 8);
+  vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
   ///@}
 
@@ -327,7 +327,7 @@ public:
   /**
    * How prescribed directions act, one of ConstraintTypes. Default Soft.
    */
-  vtkSetClampMacro(ConstraintType, int, Soft, Hard);
+  vtkSetMacro(ConstraintType, int);
   vtkGetMacro(ConstraintType, int);
   ///@}
 
@@ -372,7 +372,7 @@ public:
    * The method, one of Solvers; a surface without coarse levels is factored by all of them. Default
    * Automatic.
    */
-  vtkSetClampMacro(Solver, int, Automatic, CoarseProlongation);
+  vtkSetMacro(Solver, int);
   vtkGetMacro(Solver, int);
   ///@}
 
@@ -382,7 +382,7 @@ public:
    * directions: Automatic factors the system where a factor would pay (for 30 solves and more of power fields, 40 of
    * 1-forms, 400 of face fields). Default 1, at least 1.
    */
-  vtkSetClampMacro(ExpectedSolves, int, 1, VTK_INT_MAX);
+  vtkSetMacro(ExpectedSolves, int);
   vtkGetMacro(ExpectedSolves, int);
   ///@}
 
@@ -403,7 +403,7 @@ public:
    * uneven ones (beetle) 33, 58 and more than 100; on needles (cessna, blade, cheese) 55 to more than 100, where a factor
    * takes over as everywhere. Default Nodal.
    */
-  vtkSetClampMacro(CoarseSpace, int, Nodal, StructurePreserving);
+  vtkSetMacro(CoarseSpace, int);
   vtkGetMacro(CoarseSpace, int);
   ///@}
 
@@ -413,7 +413,7 @@ public:
    * nodal levels the surface itself gets three times as many. Those of face fields and 1-forms are over blocks of
    * unknowns there, unless StartingLevel is chosen. Default 2, range 1 to 10.
    */
-  vtkSetClampMacro(Sweeps, int, 1, 10);
+  vtkSetMacro(Sweeps, int);
   vtkGetMacro(Sweeps, int);
   ///@}
 
@@ -423,7 +423,7 @@ public:
    * each level before they sweep (full multigrid); 0 leaves sweeps alone, as in the thesis. Default
    * 2, at least 0.
    */
-  vtkSetClampMacro(NestedCycles, int, 0, VTK_INT_MAX);
+  vtkSetMacro(NestedCycles, int);
   vtkGetMacro(NestedCycles, int);
   ///@}
 
@@ -443,7 +443,7 @@ public:
    * When nested iterations go from a level to the next finer one, one of NestedRules. Default
    * FixedNumber.
    */
-  vtkSetClampMacro(NestedRule, int, FixedNumber, WhileResidualFalls);
+  vtkSetMacro(NestedRule, int);
   vtkGetMacro(NestedRule, int);
   ///@}
 
@@ -452,7 +452,7 @@ public:
    * Gauss-Seidel sweeps of nested iterations on each level under the rule FixedNumber. Default 20,
    * at least 0.
    */
-  vtkSetClampMacro(NestedSweeps, int, 0, VTK_INT_MAX);
+  vtkSetMacro(NestedSweeps, int);
   vtkGetMacro(NestedSweeps, int);
   ///@}
 
@@ -462,7 +462,7 @@ public:
    * with a warning. Default 40,000, which the rules never need: as many times 0.1 % less is less
    * than rounding. At least 0.
    */
-  vtkSetClampMacro(MaximumNumberOfNestedSweeps, int, 0, VTK_INT_MAX);
+  vtkSetMacro(MaximumNumberOfNestedSweeps, int);
   vtkGetMacro(MaximumNumberOfNestedSweeps, int);
   ///@}
 
@@ -471,7 +471,7 @@ public:
    * The level on which multigrid solves exactly; levels below it are not used. -1 or anything
    * beyond the coarsest: the coarsest. Default -1.
    */
-  vtkSetClampMacro(StartingLevel, int, -1, VTK_INT_MAX);
+  vtkSetMacro(StartingLevel, int);
   vtkGetMacro(StartingLevel, int);
   ///@}
 
@@ -489,7 +489,7 @@ public:
    * VertexAreaKinds.
    * Default MixedVoronoi.
    */
-  vtkSetClampMacro(VertexAreas, int, MixedVoronoi, Barycentric);
+  vtkSetMacro(VertexAreas, int);
   vtkGetMacro(VertexAreas, int);
   ///@}
 
@@ -510,7 +510,7 @@ public:
    * 6 degrees. Choose 1e-8 for computations that go on with the numbers. The smoothest field, where nothing is prescribed, is
    * always solved to 1e-6. Range 1e-14 to 1.
    */
-  vtkSetClampMacro(Tolerance, double, 1e-14, 1.0);
+  vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
   ///@}
 
@@ -518,7 +518,7 @@ public:
   /**
    * The solve stops after this many iterations, with a warning. Default 100, at least 1.
    */
-  vtkSetClampMacro(MaximumNumberOfIterations, int, 1, VTK_INT_MAX);
+  vtkSetMacro(MaximumNumberOfIterations, int);
   vtkGetMacro(MaximumNumberOfIterations, int);
   ///@}
 
@@ -605,7 +605,7 @@ public:
    * How far from the surface guides count, and singularities may be, relative to the diagonal of its bounding box. Default
    * 0.1, at least 0.
    */
-  vtkSetClampMacro(MaximumDistance, double, 0.0, VTK_DOUBLE_MAX);
+  vtkSetMacro(MaximumDistance, double);
   vtkGetMacro(MaximumDistance, double);
   ///@}
 
@@ -625,7 +625,7 @@ public:
    * Edges are sharp where the normals of their two faces differ by more than this, in degrees. Default 30, range 0 to
    * 180.
    */
-  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkSetMacro(FeatureAngle, double);
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
@@ -643,11 +643,11 @@ public:
    * By how much the field is turned against each of these features, in degrees, counter-clockwise about the normal, besides
    * Rotation: for lines across an edge, 90. Default 0, range -180 to 180.
    */
-  vtkSetClampMacro(BoundaryRotation, double, -180.0, 180.0);
+  vtkSetMacro(BoundaryRotation, double);
   vtkGetMacro(BoundaryRotation, double);
-  vtkSetClampMacro(SharpEdgesRotation, double, -180.0, 180.0);
+  vtkSetMacro(SharpEdgesRotation, double);
   vtkGetMacro(SharpEdgesRotation, double);
-  vtkSetClampMacro(CurvatureRotation, double, -180.0, 180.0);
+  vtkSetMacro(CurvatureRotation, double);
   vtkGetMacro(CurvatureRotation, double);
   ///@}
 
@@ -664,7 +664,7 @@ public:
    * Which of the principal directions lines and hexagonal fields (N = 2 and 6) follow, one of CurvatureDirections; N = 4
    * and 8 follow both. Default MaximumCurvature.
    */
-  vtkSetClampMacro(CurvatureDirection, int, MaximumCurvature, MinimumCurvature);
+  vtkSetMacro(CurvatureDirection, int);
   vtkGetMacro(CurvatureDirection, int);
   ///@}
 
@@ -673,7 +673,7 @@ public:
    * How far around a point its principal directions look, in units of the mean edge, as vtkPrincipalDirections::Scale.
    * Default 3, range 0 to 100.
    */
-  vtkSetClampMacro(CurvatureScale, double, 0.0, 100.0);
+  vtkSetMacro(CurvatureScale, double);
   vtkGetMacro(CurvatureScale, double);
   ///@}
 
@@ -682,7 +682,7 @@ public:
    * By how much the field is turned against all that it follows, in degrees, counter-clockwise about the normal; the
    * rotations of features come on top. Default 0, range -180 to 180.
    */
-  vtkSetClampMacro(Rotation, double, -180.0, 180.0);
+  vtkSetMacro(Rotation, double);
   vtkGetMacro(Rotation, double);
   ///@}
 

@@ -9,6 +9,7 @@ namespace dmg
 {
 
 /// The properties of a filter as the core takes them.
+/// \throw InvalidInput one of the filter's properties is out of its range. Weights are checked where they are used.
 FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter);
 
 }
