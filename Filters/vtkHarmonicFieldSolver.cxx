@@ -180,8 +180,8 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::FieldOptions options = dmg::OptionsOf(this);
     kept.SetSurface(input, options, dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
-    dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOf(this), input, guides,
-      kept.Places(), dmg::PartOfContext(context, 0.1, 0.1));
+    dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOnSurface(this, input), input,
+      guides, kept.Places(), dmg::PartOfContext(context, 0.1, 0.1));
     if (!prescribed.Report.IsAllTaken())
     {
       vtkWarningMacro(<< prescribed.Report.LeftOut());
@@ -217,6 +217,7 @@ int vtkHarmonicFieldSolver::RequestData(
     dmg::MakeConvergenceTable(kept.Report(), convergence);
     for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
     {
+      dmg::RemoveReport(data);
       kept.AddReportTo(data, hasBasis);
       if (!guides.Data.empty())
       {
@@ -239,6 +240,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "FollowDirections: " << (this->FollowDirections ? "On" : "Off") << "\n";
   os << indent << "GuideDirections: " << this->GetGuideDirections() << "\n";
   os << indent << "GuideWeights: " << this->GetGuideWeights() << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";

@@ -96,7 +96,7 @@
  * | index | components | meaning                                    |
  * | ----- | ---------- | ------------------------------------------ |
  * | 0     | 1          | mask (optional): not zero where prescribed |
- * | 1     | 3          | directions; by default the active vectors of the points, else of the cells; of guides see above |
+ * | 1     | 3          | directions; by default, or by the name "Active Vectors", the active vectors of the points, else of the cells, unless they are called Direction0, as those that this filter leaves; of guides see above |
  * | 2     | 1          | weight > 0 (optional), by default 1        |
  * | 3     | 1          | values of functions, at points; not of guides |
  * | 4     | 1          | rotation (optional), in degrees; not of guides |
@@ -561,6 +561,16 @@ public:
 
   ///@{
   /**
+   * Whether the field follows directions of the surface, with their mask and weights; off, it is as if no arrays were chosen
+   * for these. Default on.
+   */
+  vtkSetMacro(FollowDirections, bool);
+  vtkGetMacro(FollowDirections, bool);
+  vtkBooleanMacro(FollowDirections, bool);
+  ///@}
+
+  ///@{
+  /**
    * The guides, input port 1. AddInputConnection(1, output) and AddInputDataObject(1, data) do the
    * same as the first.
    */
@@ -716,6 +726,7 @@ private:
   int NumberOfDirections = 4;
   int ConstraintType = Soft;
   double Alignment = 1.0;
+  bool FollowDirections = true;
   double MaximumDistance = 0.1;
   double BoundaryWeight = 0.0;
   double BoundaryRotation = 0.0;

@@ -67,4 +67,17 @@ FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter)
   return options;
 }
 
+ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* surface)
+{
+  ConstraintChoices choices = WithoutFormerField(ChoicesOf(filter), surface);
+  if (!filter->GetFollowDirections())
+  {
+    const bool hasValues = HasArray(choices.Values, surface); // whose mask and weights they are then
+    choices.Vectors = {};
+    choices.Mask = hasValues ? choices.Mask : ArrayChoice();
+    choices.Weights = hasValues ? choices.Weights : ArrayChoice();
+  }
+  return choices;
+}
+
 }
