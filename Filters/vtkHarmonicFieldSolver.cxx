@@ -8,6 +8,7 @@
 #include "Adapters/ReportToArrays.h"
 #include "Adapters/SingularitiesOnSurface.h"
 #include "Adapters/SolvedSurface.h"
+#include "Mesh/TriangleSoup.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -179,6 +180,11 @@ int vtkHarmonicFieldSolver::RequestData(
       this->MaximumDistance };
     const dmg::FieldOptions options = dmg::OptionsOf(this);
     kept.SetSurface(input, options, dmg::PartOfContext(context, 0.0, 0.1));
+    if (dmg::IsSoup(kept.Surface().On.Mesh))
+    {
+      vtkWarningMacro("most triangles share no points with those beside them, so each is a surface of its own; apply "
+                      "Clean (vtkCleanPolyData) first");
+    }
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
     dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOnSurface(this, input), input,
       guides, kept.Places(), dmg::PartOfContext(context, 0.1, 0.1));
