@@ -179,6 +179,10 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::Singularities singularities{ dmg::DataOf(inputVector[2]), this->SingularityIndexArray,
       this->MaximumDistance };
     const dmg::FieldOptions options = dmg::OptionsOf(this);
+    if (!singularities.Data.empty())
+    {
+      dmg::CheckTakesSingularities(options.Field);
+    }
     kept.SetSurface(input, options, dmg::PartOfContext(context, 0.0, 0.1));
     if (dmg::IsSoup(kept.Surface().On.Mesh))
     {
