@@ -75,9 +75,8 @@
  *
  * What is farther from the surface than MaximumDistance is left out, and so is a part of a chord that
  * comes out of the other side of a thin wall: the side that counts is the one that the faces at both
- * ends of the chord show. The part of a line that is perpendicular to the surface is left out as
- * well; a vector that is perpendicular is an error. What was left out is told by a warning and by
- * the report (Outputs). A guide with neither lines nor vectors is an error, an empty one is not.
+ * ends of the chord show. The part of a line that is within 5 degrees of the normal of the surface is left
+ * out as well, and so is such a vector. What was left out is told by a warning and by the report (Outputs). A guide with neither lines nor vectors is an error, an empty one is not.
  *
  * Port 2, the singularities (optional, any number of connections, of the same types as guides): a power field gets
  * these and no others, and turns as little as it can then, by trivial connections (Crane, Desbrun and Schroeder
@@ -232,7 +231,7 @@
  * | GuidesTaken        | int    | 1       | elements of guides that prescribe a face          |
  * | GuidesTooFar       | int    | 1       | those left out, at least in part, beyond MaximumDistance |
  * | GuidesOnFarSide    | int    | 1       | those left out, at least in part, on the other side of a thin wall |
- * | GuidesPerpendicular | int   | 1       | those left out, at least in part, perpendicular to the surface |
+ * | GuidesPerpendicular | int   | 1       | those left out, at least in part, within 5 degrees of the surface's normal |
  * | GuidesFarthest     | double | 1       | largest distance of what is taken, unit of the points |
  *
  * The last five are there with guides only; their elements are points and cells with vectors, and the

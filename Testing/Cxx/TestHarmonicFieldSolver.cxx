@@ -1188,26 +1188,6 @@ const BadInput BadInputs[] = {
       Choose(solver, 1, OnPoints, "Normal");
     },
     { "point 2", "perpendicular", "leave the point out, by Mask" } },
-  { "GuideNormal",
-    [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
-    {
-      vtkNew<vtkPolyData> other;
-      other->DeepCopy(input);
-      Vector3 center = Vector3::Zero();
-      vtkNew<vtkIdList> ids;
-      input->GetCellPoints(600, ids);
-      for (int k = 0; k < 3; ++k)
-      {
-        center += Vector3(input->GetPoint(ids->GetId(k))) / 3.0;
-      }
-      const Vector3 a(input->GetPoint(ids->GetId(0))), b(input->GetPoint(ids->GetId(1))),
-        c(input->GetPoint(ids->GetId(2)));
-      other->GetPoints()->SetPoint(7, center.data());
-      AddPointVectors(other, "Normal", { { 7, (b - a).cross(c - a) } });
-      solver->SetInputData(1, other);
-      solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, "Normal");
-    },
-    { "point 7 of the guide", "cell 600" } },
   { "AlignmentNotPositive",
     [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { solver->SetAlignment(-1.0); },
     { "lignment" } },
