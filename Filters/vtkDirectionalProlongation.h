@@ -3,7 +3,10 @@
  * @brief   decimates a surface and keeps the operators that carry fields between the levels
  *
  * vtkDirectionalProlongation is the set-up of vtkHarmonicFieldSolver as a filter of its own, so
- * that its result can be stored, reused by several solvers and looked at.
+ * that its result can be stored, reused by several solvers and looked at. The solver needs it for structure-preserving
+ * coarse spaces, nested iterations, coarse prolongation and a starting level alone. Else it takes samples of the surface,
+ * which is five to ten times faster: 0.23 to 0.27 s for a scan of 278,710 triangles, where this filter takes 1.3 to 2.4 s
+ * (two cores), and it does not look at these operators.
  *
  * The surface is decimated by quadric-guided edge collapses, level after level. Each collapse
  * flattens the triangles around the edge, before and after, into one plane; the overlay of both
