@@ -507,7 +507,11 @@ public:
    * within 0.05 degrees of those at 1e-12 on 99.9 % of the area and within 1 degree everywhere (20 prescribed cells on
    * scans of 50,000 to 150,000 triangles), which neither a picture nor a remesher can tell; at 1e-3 these are 0.9 and
    * 6 degrees. Choose 1e-8 for computations that go on with the numbers. The smoothest field, where nothing is prescribed, is
-   * always solved to 1e-6. Range 1e-14 to 1.
+   * always solved to 1e-6. Against 1e-10, its directions are off by these degrees, at the median, on 99 % of the area and at
+   * most (the meshes t01 and t02 of the thesis, fertility and camelhead; 22,000 to 279,000 triangles):
+   * N = 1: 0.00001 to 0.00007, 0.0001 to 0.002, 0.001 to 0.06; N = 4: 0.00001 to 0.0003, 0.002 to 1.5, 0.1 to 43. More than 1
+   * degree it was only where the field is fainter than 5e-5 of its root mean square, as crosses are on limbs far from the
+   * rest; on 99.9 % of the area 4.9 at most. Range 1e-14 to 1.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
