@@ -588,6 +588,38 @@ TEST(Constraints, AreTheActiveVectorsByDefault)
   EXPECT_EQ(PrescribedCells(solver), (Cells{ { 12, 1.0 } }));
 }
 
+TEST(Constraints, AreNotTheFieldOfAFormerSolverUnlessItIsNamed)
+{
+  vtkNew<vtkHarmonicFieldSolver> first, second;
+  first->SetInputData(PolyDataOf(Icosphere(3)));
+  second->SetInputConnection(first->GetOutputPort());
+  for (const char* const chosen : { static_cast<const char*>(nullptr), "Active Vectors" })
+  {
+    if (chosen)
+    {
+      second->SetInputArrayToProcess(1, 0, 0, OnPoints, chosen);
+    }
+    second->SetNumberOfDirections(2);
+    EXPECT_TRUE(PrescribedCells(second).empty());
+  }
+  second->SetInputArrayToProcess(1, 0, 0, OnCells, "Direction0");
+  EXPECT_EQ(PrescribedCells(second).size(), 1280u);
+  // The report is that of the second alone.
+  EXPECT_TRUE(first->GetOutput()->GetFieldData()->HasArray("Eigenvalues"));
+  EXPECT_FALSE(second->GetOutput()->GetFieldData()->HasArray("Eigenvalues"));
+}
+
+TEST(Constraints, AreNoneWhereDirectionsAreNotFollowed)
+{
+  const auto input = Sphere();
+  input->GetCellData()->SetActiveVectors("Given");
+  const auto solver = NewSolver(input);
+  solver->SetInputArrayToProcess(0, 0, 0, OnCells, "Nowhere");
+  solver->FollowDirectionsOff();
+  EXPECT_TRUE(PrescribedCells(solver).empty());
+  EXPECT_EQ(Values(solver->GetOutput()->GetFieldData(), "Eigenvalues").size(), 1u);
+}
+
 // Each of these chooses nothing.
 TEST(Constraints, WithoutThemTheFieldIsTheSmoothest)
 {
