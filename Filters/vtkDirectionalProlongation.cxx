@@ -3,6 +3,7 @@
 #include "Adapters/FilterRequests.h"
 #include "Adapters/MeshFromPolyData.h"
 #include "Adapters/OperatorsToFieldData.h"
+#include "Adapters/PropertyRanges.h"
 #include "Levels/SurfaceHierarchy.h"
 
 #include "vtkCompositeDataSet.h"
@@ -105,6 +106,13 @@ int vtkDirectionalProlongation::RequestData(
   vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
   auto* const levels = vtkPartitionedDataSetCollection::GetData(outputVector, 1);
   const auto make = [this, input, output, levels](const dmg::ExecutionContext& context) {
+    dmg::CheckRanges({
+      { "Face Ratio", this->FaceRatio, 0.05, 0.9 },
+      { "Maximum Number Of Coarse Levels", this->MaximumNumberOfCoarseLevels, 0, 20 },
+      { "Minimum Number Of Faces", this->MinimumNumberOfFaces, 4 },
+      { "Collapse Policy", this->CollapsePolicy, IndependentRounds, SequentialQueue },
+      { "Construction", this->Construction, TrackedPaths, ExactOverlay },
+    });
     dmg::HierarchyOptions options;
     options.FaceRatio = this->FaceRatio;
     options.MaximumNumberOfCoarseLevels = this->MaximumNumberOfCoarseLevels;

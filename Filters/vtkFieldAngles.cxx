@@ -31,7 +31,7 @@ int vtkFieldAngles::RequestUpdateExtent(
 int vtkFieldAngles::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
+  return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections, {},
     [this, inputVector, outputVector](
       const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {

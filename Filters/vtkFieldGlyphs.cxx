@@ -33,6 +33,15 @@ int vtkFieldGlyphs::RequestData(
 {
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
+    {
+      { "Placement", this->Placement, EvenlySpread, EveryTriangle },
+      { "Separating Distance", this->SeparatingDistance, 0.0005, 1 },
+      { "Sizing", this->Sizing, Even, ByMagnitude },
+      { "Scale Factor", this->ScaleFactor, 0.01, 100 },
+      { "Style", this->Style, Solid, Strokes },
+      { "Width", this->Width, 0.005, 0.3 },
+      { "Lift", this->Lift, 0, 0.1 },
+    },
     [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       dmg::GlyphPlaceOptions where;
@@ -64,7 +73,7 @@ void vtkFieldGlyphs::PrintSelf(ostream& os, vtkIndent indent)
      << "Placement: " << (this->Placement == EvenlySpread ? "EvenlySpread" : "EveryTriangle")
      << "\n";
   os << indent << "SeparatingDistance: " << this->SeparatingDistance << "\n";
-  os << indent << "Sizing: " << sizings[this->Sizing] << "\n";
+  os << indent << "Sizing: " << dmg::NameOf(sizings, this->Sizing) << "\n";
   os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";
   os << indent << "Style: " << (this->Style == Solid ? "Solid" : "Strokes") << "\n";
   os << indent << "Width: " << this->Width << "\n";

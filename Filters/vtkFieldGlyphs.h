@@ -55,7 +55,7 @@ public:
    * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
    * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
    */
-  vtkSetClampMacro(NumberOfDirections, int, 0, 8);
+  vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
   ///@}
 
@@ -71,7 +71,7 @@ public:
   /**
    * Where glyphs stand, one of Placements. Default EvenlySpread.
    */
-  vtkSetClampMacro(Placement, int, EvenlySpread, EveryTriangle);
+  vtkSetMacro(Placement, int);
   vtkGetMacro(Placement, int);
   ///@}
 
@@ -80,7 +80,7 @@ public:
    * Distance between glyphs that are evenly spread, as a fraction of the surface's size, the diagonal of the box around
    * its triangles. Default 0.02, range 0.0005 to 1.
    */
-  vtkSetClampMacro(SeparatingDistance, double, 0.0005, 1.0);
+  vtkSetMacro(SeparatingDistance, double);
   vtkGetMacro(SeparatingDistance, double);
   ///@}
 
@@ -98,7 +98,7 @@ public:
   /**
    * How long branches are, one of Sizings. Default Even.
    */
-  vtkSetClampMacro(Sizing, int, Even, ByMagnitude);
+  vtkSetMacro(Sizing, int);
   vtkGetMacro(Sizing, int);
   ///@}
 
@@ -106,7 +106,7 @@ public:
   /**
    * All lengths are multiplied by this. Default 0.9, range 0.01 to 100.
    */
-  vtkSetClampMacro(ScaleFactor, double, 0.01, 100.0);
+  vtkSetMacro(ScaleFactor, double);
   vtkGetMacro(ScaleFactor, double);
   ///@}
 
@@ -122,7 +122,7 @@ public:
   /**
    * What glyphs are made of, one of Styles. Default Solid.
    */
-  vtkSetClampMacro(Style, int, Solid, Strokes);
+  vtkSetMacro(Style, int);
   vtkGetMacro(Style, int);
   ///@}
 
@@ -130,7 +130,7 @@ public:
   /**
    * Half the width of a solid branch over its length. Default 0.1, range 0.005 to 0.3.
    */
-  vtkSetClampMacro(Width, double, 0.005, 0.3);
+  vtkSetMacro(Width, double);
   vtkGetMacro(Width, double);
   ///@}
 
@@ -139,7 +139,7 @@ public:
    * By how much glyphs are lifted off the surface along its normal, as a fraction of the surface's size, so that it
    * does not hide them. Default 0.001, range 0 to 0.1.
    */
-  vtkSetClampMacro(Lift, double, 0.0, 0.1);
+  vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
   ///@}
 

@@ -30,6 +30,12 @@ int vtkFieldLines::RequestData(
 {
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
+    {
+      { "Separating Distance", this->SeparatingDistance, 0.0005, 1 },
+      { "Separating Distance Ratio", this->SeparatingDistanceRatio, 0.05, 0.9 },
+      { "Minimum Length", this->MinimumLength, 0, 1000 },
+      { "Lift", this->Lift, 0, 0.1 },
+    },
     [this, output](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       dmg::LineOptions options;

@@ -46,8 +46,8 @@
  *
  * Linear in the triangles of the surface and in the length of all lines over their distance. One thread draws, what
  * comes before runs in the threads of vtkSMPTools as in vtkDirectionalProlongation; same lines for any number of
- * threads. An aborted run leaves an empty output, and so does an error. With several pieces, piece 0 asks for the
- * whole surface and holds all lines; the other pieces are empty.
+ * threads. An aborted run leaves an empty output, and so does an error, as a number out of its range is. With several
+ * pieces, piece 0 asks for the whole surface and holds all lines; the other pieces are empty.
  *
  * @sa vtkFieldGlyphs vtkFieldSingularities vtkHarmonicFieldSolver
  */
@@ -70,7 +70,7 @@ public:
    * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
    * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
    */
-  vtkSetClampMacro(NumberOfDirections, int, 0, 8);
+  vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
   ///@}
 
@@ -80,7 +80,7 @@ public:
    * box around its triangles. Default 0.015, range 0.0005 to 1. Half of it takes about
    * four times as long.
    */
-  vtkSetClampMacro(SeparatingDistance, double, 0.0005, 1.0);
+  vtkSetMacro(SeparatingDistance, double);
   vtkGetMacro(SeparatingDistance, double);
   ///@}
 
@@ -89,7 +89,7 @@ public:
    * A line ends where it comes nearer to another one of its family than this times SeparatingDistance. Smaller values
    * give longer lines, which are less even. Default 0.5, range 0.05 to 0.9.
    */
-  vtkSetClampMacro(SeparatingDistanceRatio, double, 0.05, 0.9);
+  vtkSetMacro(SeparatingDistanceRatio, double);
   vtkGetMacro(SeparatingDistanceRatio, double);
   ///@}
 
@@ -97,7 +97,7 @@ public:
   /**
    * Lines shorter than this times the distance between lines are left out. Default 4, range 0 to 1000.
    */
-  vtkSetClampMacro(MinimumLength, double, 0.0, 1000.0);
+  vtkSetMacro(MinimumLength, double);
   vtkGetMacro(MinimumLength, double);
   ///@}
 
@@ -106,7 +106,7 @@ public:
    * By how much lines are lifted off the surface along its normal, as a fraction of the surface's size, so that it does
    * not hide them. Default 0.0005, range 0 to 0.1.
    */
-  vtkSetClampMacro(Lift, double, 0.0, 0.1);
+  vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
   ///@}
 

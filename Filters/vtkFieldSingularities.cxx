@@ -35,6 +35,7 @@ int vtkFieldSingularities::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
+    { { "Sphere Radius", this->SphereRadius, 0, 0.1 } },
     [this, inputVector, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       const dmg::FieldTopology topology = dmg::TopologyOfField(

@@ -76,7 +76,7 @@ public:
    * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
    * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
    */
-  vtkSetClampMacro(NumberOfDirections, int, 0, 8);
+  vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
   ///@}
 
@@ -84,7 +84,7 @@ public:
   /**
    * Radius of the spheres, relative to the diagonal of the input's bounding box. Default 0.012, range 0 to 0.1.
    */
-  vtkSetClampMacro(SphereRadius, double, 0.0, 0.1);
+  vtkSetMacro(SphereRadius, double);
   vtkGetMacro(SphereRadius, double);
   ///@}
 

@@ -4,9 +4,11 @@
 #include "Adapters/FeaturesOfSurface.h"
 #include "Adapters/FilterRequests.h"
 #include "Adapters/OptionsOfSolver.h"
+#include "Adapters/PropertyRanges.h"
 #include "Adapters/ReportToArrays.h"
 #include "Adapters/SingularitiesOnSurface.h"
 #include "Adapters/SolvedSurface.h"
+#include "Mesh/TriangleSoup.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -177,10 +179,19 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::Singularities singularities{ dmg::DataOf(inputVector[2]), this->SingularityIndexArray,
       this->MaximumDistance };
     const dmg::FieldOptions options = dmg::OptionsOf(this);
+    if (!singularities.Data.empty())
+    {
+      dmg::CheckTakesSingularities(options.Field);
+    }
     kept.SetSurface(input, options, dmg::PartOfContext(context, 0.0, 0.1));
+    if (dmg::IsSoup(kept.Surface().On.Mesh))
+    {
+      vtkWarningMacro("most triangles share no points with those beside them, so each is a surface of its own; apply "
+                      "Clean (vtkCleanPolyData) first");
+    }
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
-    dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOf(this), input, guides,
-      kept.Places(), dmg::PartOfContext(context, 0.1, 0.1));
+    dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOnSurface(this, input), input,
+      guides, kept.Places(), dmg::PartOfContext(context, 0.1, 0.1));
     if (!prescribed.Report.IsAllTaken())
     {
       vtkWarningMacro(<< prescribed.Report.LeftOut());
@@ -216,6 +227,7 @@ int vtkHarmonicFieldSolver::RequestData(
     dmg::MakeConvergenceTable(kept.Report(), convergence);
     for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
     {
+      dmg::RemoveReport(data);
       kept.AddReportTo(data, hasBasis);
       if (!guides.Data.empty())
       {
@@ -234,29 +246,33 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
     "NestedIterations", "CoarseProlongation" };
   const char* const rules[] = { "FixedNumber", "WhileErrorFalls", "WhileResidualFalls" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Discretisation: " << discretisations[this->Discretisation] << "\n";
+  os << indent << "Discretisation: " << dmg::NameOf(discretisations, this->Discretisation) << "\n";
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "FollowDirections: " << (this->FollowDirections ? "On" : "Off") << "\n";
   os << indent << "GuideDirections: " << this->GetGuideDirections() << "\n";
   os << indent << "GuideWeights: " << this->GetGuideWeights() << "\n";
   os << indent << "MaximumDistance: " << this->MaximumDistance << "\n";
   os << indent << "BoundaryWeight: " << this->BoundaryWeight << "\n";
+  os << indent << "BoundaryRotation: " << this->BoundaryRotation << "\n";
   os << indent << "SharpEdgesWeight: " << this->SharpEdgesWeight << "\n";
+  os << indent << "SharpEdgesRotation: " << this->SharpEdgesRotation << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
   os << indent << "CurvatureWeight: " << this->CurvatureWeight << "\n";
+  os << indent << "CurvatureRotation: " << this->CurvatureRotation << "\n";
   os << indent << "CurvatureDirection: "
      << (this->CurvatureDirection == MaximumCurvature ? "MaximumCurvature" : "MinimumCurvature") << "\n";
   os << indent << "CurvatureScale: " << this->CurvatureScale << "\n";
   os << indent << "Rotation: " << this->Rotation << "\n";
   os << indent << "SingularityIndexArray: " << this->SingularityIndexArray << "\n";
-  os << indent << "Solver: " << solvers[this->Solver] << "\n";
+  os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")
      << "\n";
   os << indent << "Sweeps: " << this->Sweeps << "\n";
   os << indent << "NestedCycles: " << this->NestedCycles << "\n";
-  os << indent << "NestedRule: " << rules[this->NestedRule] << "\n";
+  os << indent << "NestedRule: " << dmg::NameOf(rules, this->NestedRule) << "\n";
   os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";
   os << indent << "MaximumNumberOfNestedSweeps: " << this->MaximumNumberOfNestedSweeps << "\n";
   os << indent << "StartingLevel: " << this->StartingLevel << "\n";

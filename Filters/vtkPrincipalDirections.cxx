@@ -2,6 +2,7 @@
 
 #include "Adapters/CurvaturesToArrays.h"
 #include "Adapters/FilterRequests.h"
+#include "Adapters/PropertyRanges.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -32,6 +33,7 @@ int vtkPrincipalDirections::RequestData(
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
   const auto make = [&](const dmg::ExecutionContext& context) {
+    dmg::CheckRanges({ { "Scale", this->Scale, 0, 100 } });
     dmg::SurfaceMesh surface = dmg::MeshFromPolyData(
       input, dmg::Numbering::Spatial, dmg::PartOfContext(context, 0.0, 0.3));
     const dmg::FramedMesh framed(std::move(surface.Mesh), dmg::PartOfContext(context, 0.3, 0.3));

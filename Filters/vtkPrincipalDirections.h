@@ -68,7 +68,7 @@ public:
    * How far around a point its curvature looks, in units of the mean length of the edges. A larger one withstands more
    * noise and sees less detail. Default 3, range 0 (the neighbours of each point) to 100.
    */
-  vtkSetClampMacro(Scale, double, 0.0, 100.0);
+  vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
   ///@}
 

@@ -1,5 +1,6 @@
 #include "Adapters/ChosenArrays.h"
 
+#include "Adapters/ArrayNames.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
@@ -29,6 +30,10 @@ ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index)
   else if (information->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
   {
     choice.Attribute = information->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  }
+  if (choice.Name == "Active Vectors") // of menus, which know names alone
+  {
+    return { "", vtkDataSetAttributes::VECTORS, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS };
   }
   if (choice.IsMade())
   {
@@ -109,6 +114,17 @@ ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)
 {
   return { ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2),
     ChoiceOf(algorithm, 3), ChoiceOf(algorithm, 4) };
+}
+
+ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surface)
+{
+  const bool isActive = choices.Vectors.Name.empty();
+  vtkAbstractArray* const vectors = isActive ? Find(choices.Vectors, surface).Array : nullptr;
+  if (vectors && vectors->GetName() && vectors->GetName() == ArrayNames::Direction(0))
+  {
+    choices.Vectors = {};
+  }
+  return choices;
 }
 
 bool HasArray(const ArrayChoice& choice, vtkDataSet* dataset)

@@ -40,8 +40,13 @@ struct ConstraintChoices
 };
 
 /// What was chosen with vtkAlgorithm::SetInputArrayToProcess and indices 0 (mask), 1 (vectors),
-/// 2 (weights), 3 (values) and 4 (rotation).
+/// 2 (weights), 3 (values) and 4 (rotation). The name "Active Vectors", of menus, chooses those of the points, else of
+/// the cells.
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm);
+
+/// The same choices of a surface that may have been through a solver before: active vectors do not count where they are
+/// Direction0, its field. Nobody has asked to follow that.
+ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surface);
 
 /// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.
 struct ConstraintArrays

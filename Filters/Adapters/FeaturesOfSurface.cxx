@@ -20,9 +20,12 @@ FeatureOptions FeaturesOf(vtkHarmonicFieldSolver* filter)
 {
   FeatureOptions options;
   options.BoundaryWeight = filter->GetBoundaryWeight();
+  options.BoundaryRotation = filter->GetBoundaryRotation();
   options.SharpEdgesWeight = filter->GetSharpEdgesWeight();
+  options.SharpEdgesRotation = filter->GetSharpEdgesRotation();
   options.FeatureAngle = filter->GetFeatureAngle();
   options.CurvatureWeight = filter->GetCurvatureWeight();
+  options.CurvatureRotation = filter->GetCurvatureRotation();
   options.FollowsMinimum =
     filter->GetCurvatureDirection() == vtkHarmonicFieldSolver::MinimumCurvature;
   return options;
@@ -98,13 +101,17 @@ std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyD
   FollowedFeatures followed = FollowFeatures(framed.On, N, options, curvatures);
   directions.OnFaces.insert(
     directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
-  if (!directions.OnFaces.empty() || !directions.AtVertices.empty())
+  const RotationAngles angles = AnglesOf(filter, input, framed);
+  const bool turns = angles.Everywhere != 0.0 || angles.Faces.size() > 0;
+  const bool isNothingSaid = followed.Warnings.empty(); // else they tell why nothing is followed
+  if (turns && isNothingSaid && directions.OnFaces.empty() && directions.AtVertices.empty())
   {
-    const RotationAngles angles = AnglesOf(filter, input, framed);
-    if (angles.Everywhere != 0.0 || angles.Faces.size() > 0)
-    {
-      Turn(directions, framed.On, angles, framed.Numbering.Names());
-    }
+    followed.Warnings.push_back("nothing is followed that the field could be turned against, so Rotation and Rotation "
+                                "Array have no effect; add what it shall follow, or set them to 0 and None");
+  }
+  else if (turns)
+  {
+    Turn(directions, framed.On, angles, framed.Numbering.Names());
   }
   return std::move(followed.Warnings);
 }

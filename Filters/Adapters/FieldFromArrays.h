@@ -4,6 +4,7 @@
 #include "Adapters/ChosenArrays.h"
 #include "Adapters/FilterRequests.h"
 #include "Adapters/MeshFromPolyData.h"
+#include "Adapters/PropertyRanges.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Mesh/TangentFrames.h"
 #include "Support/ExecutionContext.h"
@@ -46,12 +47,15 @@ Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const S
 
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.
+/// \param N the filter's Number Of Directions, from 0 to 8; \p others are the rest of its numbers.
 /// \return what RequestData returns.
 template <class Draw>
 int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, int N, const Draw& draw)
+  vtkInformationVector* outputs, int N, const std::vector<PropertyRange>& others, const Draw& draw)
 {
   return MakeOutputs(algorithm, request, inputs, outputs, [&](const ExecutionContext& context) {
+    CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });
+    CheckRanges(others);
     const SurfaceWithField field =
       ReadField(algorithm, vtkPolyData::GetData(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
     draw(field, PartOfContext(context, 0.3, 1.0));

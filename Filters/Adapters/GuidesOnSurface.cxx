@@ -26,8 +26,13 @@ namespace dmg
 namespace
 {
 
-/// A direction leaning less than this (as a sine) out of the normal has no tangential part.
-constexpr double SmallestTangentialPart = 1e-6;
+/// The sine of 5 degrees: a direction that is nearer to the normal says nothing about directions in the surface.
+constexpr double SmallestTangentialPart = 0.087155742747658;
+
+bool IsPerpendicular(Complex tangential, const Vector3& direction)
+{
+  return std::abs(tangential) < SmallestTangentialPart * direction.stableNorm();
+}
 
 /// Brings one dataset after the other to a surface.
 class Projection
@@ -148,12 +153,14 @@ void Projection::AddVector(
     ++report.TooFar;
     return;
   }
-  const Complex direction = this->Framed.On.Faces.ToComplex(place.Face, vector);
-  if (std::abs(direction) <= SmallestTangentialPart * vector.stableNorm())
+  if (vector.isZero(0.0))
   {
-    throw InvalidInput("the direction prescribed at " + name +
-      " is perpendicular to the nearest triangle, cell " +
-      std::to_string(this->Framed.Numbering.CellOf(place.Face)) + "; turn it or make it zero");
+    throw InvalidInput("the direction prescribed at " + name + " is zero; take it out of the mask");
+  }
+  if (IsPerpendicular(this->Framed.On.Faces.ToComplex(place.Face, vector), vector))
+  {
+    ++report.Perpendicular;
+    return;
   }
   ++report.Taken;
   report.Farthest = std::max(report.Farthest, place.Distance);
@@ -200,7 +207,7 @@ void Projection::AddSegment(
       continue;
     }
     const Complex tangential = this->Framed.On.Faces.ToComplex(part.Face, given);
-    if (std::abs(tangential) <= SmallestTangentialPart * given.stableNorm())
+    if (IsPerpendicular(tangential, given))
     {
       isPerpendicular = true;
       continue;
@@ -247,10 +254,10 @@ std::string GuidesReport::LeftOut() const
   distance << this->MaximumDistance;
   say(this->TooFar, " farther from the surface than " + distance.str());
   say(this->OnFarSide, " nearer to the far side of a thin wall than to the near one");
-  say(this->Perpendicular, " perpendicular to the surface");
+  say(this->Perpendicular, " within 5 degrees of the normal of the surface");
   text << "; " << (this->TooFar > 0 ? "move them nearer to the surface, raise Maximum Distance, " : "")
        << (this->OnFarSide > 0 ? "give their lines more points, " : "")
-       << (this->Perpendicular > 0 ? "turn their lines along the surface, " : "") << "or take them out of Guides";
+       << (this->Perpendicular > 0 ? "turn them along the surface, " : "") << "or take them out of Guides";
   return text.str();
 }
 

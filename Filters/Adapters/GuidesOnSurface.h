@@ -35,7 +35,7 @@ struct GuidesReport
   long long Taken = 0; ///< prescribes some face
   long long TooFar = 0; ///< farther from the surface than MaximumDistance
   long long OnFarSide = 0; ///< SegmentPart::OnFarSide
-  long long Perpendicular = 0; ///< a line that the surface is perpendicular to
+  long long Perpendicular = 0; ///< within 5 degrees of the normal of the surface
   double Farthest = 0.0; ///< largest distance of what is taken, in the unit of the points
   double MaximumDistance = 0.0; ///< in the unit of the points
 
@@ -56,7 +56,7 @@ struct GuidesOnSurface
 
 /// \throw InvalidInput a guide is no dataset, or has neither lines nor vectors; a choice that no
 /// guide has; as FindArray and VisitPrescribed; a point that is not finite; a vector of a point or
-/// a cell that is perpendicular to the nearest face; a weight that is not positive.
+/// a cell that is zero in the mask; a weight that is not positive.
 /// \throw Cancelled
 /// Checkpoints: every hundred elements. Cost: logarithmic time for each vector, each face that a line touches, and each mean edge of its length.
 GuidesOnSurface BringToSurface(

@@ -1,6 +1,7 @@
 #ifndef dmgOptionsOfSolver_h
 #define dmgOptionsOfSolver_h
 
+#include "Adapters/ChosenArrays.h"
 #include "FieldOptions.h"
 
 class vtkHarmonicFieldSolver;
@@ -9,7 +10,11 @@ namespace dmg
 {
 
 /// The properties of a filter as the core takes them.
+/// \throw InvalidInput one of the filter's properties is out of its range. Weights are checked where they are used.
 FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter);
+
+/// What its properties choose of a surface.
+ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* surface);
 
 }
 

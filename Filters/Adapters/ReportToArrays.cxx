@@ -70,6 +70,15 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
   table->AddColumn(returned);
 }
 
+void RemoveReport(vtkFieldData* fieldData)
+{
+  for (const char* const name : { ArrayNames::Eigenvalues, ArrayNames::HarmonicBasisSize, ArrayNames::GuidesTaken,
+         ArrayNames::GuidesTooFar, ArrayNames::GuidesOnFarSide, ArrayNames::GuidesPerpendicular, ArrayNames::GuidesFarthest })
+  {
+    fieldData->RemoveArray(name);
+  }
+}
+
 void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldData* fieldData)
 {
   const vtkIdType levels = static_cast<vtkIdType>(report.Levels.size());

@@ -12,6 +12,9 @@ namespace dmg
 /// Makes \p table the history of the iterations.
 void MakeConvergenceTable(const SolveReport& report, vtkTable* table);
 
+/// Takes out of \p fieldData what a former solver has reported, and this one may not.
+void RemoveReport(vtkFieldData* fieldData);
+
 /// Adds sizes, cost and convergence to \p fieldData.
 void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldData* fieldData);
 

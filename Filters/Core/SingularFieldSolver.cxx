@@ -323,16 +323,21 @@ SingularFieldSolver::SingularFieldSolver(const FramedMesh& surface)
 
 SingularFieldSolver::~SingularFieldSolver() = default;
 
+void CheckTakesSingularities(const DiscretisationOptions& field)
+{
+  if (field.Kind != DiscretisationKind::PowerField)
+  {
+    throw InvalidInput("singularities are prescribed, and only power fields can have them; choose Power Field as "
+                       "Discretisation, or take the input Singularities away");
+  }
+}
+
 const Vector<double>& SingularFieldSolver::Solve(
   const std::vector<PrescribedSingularity>& singularities, const PrescribedDirections& directions,
   const FieldOptions& options, const StoppingCriteria& asked, const ExecutionContext& context,
   const ElementNames& names)
 {
-  if (options.Field.Kind != DiscretisationKind::PowerField)
-  {
-    throw InvalidInput("singularities are prescribed, and only power fields can have them; choose Power Field as "
-                       "Discretisation, or take the input Singularities away");
-  }
+  CheckTakesSingularities(options.Field);
   Internals& of = *this->Internal;
   if (!of.Field || !(of.OptionsOfField == options.Field))
   {

@@ -13,6 +13,9 @@
 namespace dmg
 {
 
+/// \throw InvalidInput fields of this kind have no singularities: all but power fields.
+void CheckTakesSingularities(const DiscretisationOptions& field);
+
 /// Finds the power fields of magnitude 1 on one surface that have prescribed singularities and no others, and turn as little
 /// as is possible then (TrivialConnection.h), and keeps what a change leaves valid:
 ///

@@ -126,7 +126,7 @@ const std::vector<std::pair<std::string, Surface>>& SmallSurfaces()
     { "sphere", IrregularSphere(2, 3) }, { "ellipsoid", Ellipsoid(2, { 1.0, 1.3, 2.0 }) },
     { "torus", IrregularTorus(16, 10, 4) }, { "double torus", DoubleTorus(1) },
     { "plane", IrregularPlane(14, 10, 3) }, { "annulus", Annulus(18, 4) },
-    { "genus 4", PerforatedSlab(2, 2, 1) }
+    { "genus 3", PerforatedSlab(3, 1, 1) }, { "genus 4", PerforatedSlab(2, 2, 1) }
   };
   return surfaces;
 }
@@ -229,7 +229,8 @@ TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
 TEST(SmoothestField, HasIndicesThatSumToTheEulerCharacteristic)
 {
   const std::map<std::string, int> characteristics{ { "sphere", 2 }, { "ellipsoid", 2 },
-    { "torus", 0 }, { "double torus", -2 }, { "plane", 1 }, { "annulus", 0 }, { "genus 4", -6 } };
+    { "torus", 0 }, { "double torus", -2 }, { "plane", 1 }, { "annulus", 0 }, { "genus 3", -4 },
+    { "genus 4", -6 } };
   for (const auto& [name, surface] : SmallSurfaces())
   {
     for (int N = 1; N <= 6; ++N)

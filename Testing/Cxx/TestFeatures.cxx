@@ -332,6 +332,24 @@ TEST(Features, WhatCannotBeFollowedIsAWarningAndTheSmoothestFieldComes)
   EXPECT_NE(warnings[0].find("a field of 1 direction cannot follow"), std::string::npos);
 }
 
+TEST(Features, ARotationAgainstNothingIsAWarning)
+{
+  const auto sphere = PolyDataOf(Icosphere(3));
+  Fill(sphere->GetCellData(), "Angle", sphere->GetNumberOfCells(), 30.0);
+  for (const bool isArray : { false, true })
+  {
+    const auto solver = NewSolver(sphere, 4);
+    EXPECT_TRUE(WarningsOf(solver).empty());
+    isArray ? solver->SetInputArrayToProcess(4, 0, 0, OnCells, "Angle") : solver->SetRotation(30.0);
+    const auto warnings = WarningsOf(solver);
+    ASSERT_EQ(warnings.size(), 1u);
+    EXPECT_NE(warnings[0].find("Rotation and Rotation Array have no effect"), std::string::npos);
+    solver->SetCurvatureWeight(1.0);
+    solver->SetCurvatureScale(1.0); // at which the triangles count
+    EXPECT_TRUE(WarningsOf(solver).empty());
+  }
+}
+
 TEST(Features, FunctionsFollowNone)
 {
   const auto plate = PolyDataOf(PlaneGrid(6, 6));

@@ -377,13 +377,37 @@ TEST_F(GuideLines, WarnOfWhatIsLeftOut)
 
   // The remedy works.
   this->Solver->SetMaximumDistance(1.0);
-  this->Prescribed("perpendicular");
+  this->Prescribed("within 5 degrees of the normal");
   EXPECT_EQ(this->Report("GuidesTooFar"), 0);
 
   this->Solver->SetInputDataObject(1, Polyline({ { 1.0, 1.0, 50.0 }, { 3.0, 3.0, 50.0 } }));
   const std::string error = this->Error();
   EXPECT_NE(error.find("no direction is prescribed"), std::string::npos) << error;
   EXPECT_NE(error.find("raise Maximum Distance"), std::string::npos) << error;
+}
+
+TEST_F(GuideLines, AreLeftOutWithinFiveDegreesOfTheNormal)
+{
+  for (const bool isVector : { false, true })
+  {
+    for (const double degrees : { 4.9, 5.1 })
+    {
+      const double angle = degrees * Pi / 180.0;
+      const Vector3 foot(3.4, 3.3, 0.0), leaning(std::sin(angle), 0.0, std::cos(angle));
+      const auto line = Polyline({ foot, foot + 0.1 * leaning });
+      AddPointVectors(line, "Wind", { { 0, leaning } });
+      this->Solver->SetInputDataObject(1, line);
+      this->Solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, isVector ? "Wind" : "");
+      if (degrees < 5.0)
+      {
+        const std::string error = this->Error();
+        EXPECT_NE(error.find("1 element within 5 degrees of the normal"), std::string::npos) << error;
+        continue;
+      }
+      EXPECT_FALSE(this->Prescribed().empty());
+      EXPECT_EQ(this->Report("GuidesPerpendicular"), 0);
+    }
+  }
 }
 
 TEST_F(GuideLines, WithNothingToFollowAreAnError)

@@ -588,6 +588,38 @@ TEST(Constraints, AreTheActiveVectorsByDefault)
   EXPECT_EQ(PrescribedCells(solver), (Cells{ { 12, 1.0 } }));
 }
 
+TEST(Constraints, AreNotTheFieldOfAFormerSolverUnlessItIsNamed)
+{
+  vtkNew<vtkHarmonicFieldSolver> first, second;
+  first->SetInputData(PolyDataOf(Icosphere(3)));
+  second->SetInputConnection(first->GetOutputPort());
+  for (const char* const chosen : { static_cast<const char*>(nullptr), "Active Vectors" })
+  {
+    if (chosen)
+    {
+      second->SetInputArrayToProcess(1, 0, 0, OnPoints, chosen);
+    }
+    second->SetNumberOfDirections(2);
+    EXPECT_TRUE(PrescribedCells(second).empty());
+  }
+  second->SetInputArrayToProcess(1, 0, 0, OnCells, "Direction0");
+  EXPECT_EQ(PrescribedCells(second).size(), 1280u);
+  // The report is that of the second alone.
+  EXPECT_TRUE(first->GetOutput()->GetFieldData()->HasArray("Eigenvalues"));
+  EXPECT_FALSE(second->GetOutput()->GetFieldData()->HasArray("Eigenvalues"));
+}
+
+TEST(Constraints, AreNoneWhereDirectionsAreNotFollowed)
+{
+  const auto input = Sphere();
+  input->GetCellData()->SetActiveVectors("Given");
+  const auto solver = NewSolver(input);
+  solver->SetInputArrayToProcess(0, 0, 0, OnCells, "Nowhere");
+  solver->FollowDirectionsOff();
+  EXPECT_TRUE(PrescribedCells(solver).empty());
+  EXPECT_EQ(Values(solver->GetOutput()->GetFieldData(), "Eigenvalues").size(), 1u);
+}
+
 // Each of these chooses nothing.
 TEST(Constraints, WithoutThemTheFieldIsTheSmoothest)
 {
@@ -1188,26 +1220,6 @@ const BadInput BadInputs[] = {
       Choose(solver, 1, OnPoints, "Normal");
     },
     { "point 2", "perpendicular", "leave the point out, by Mask" } },
-  { "GuideNormal",
-    [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
-    {
-      vtkNew<vtkPolyData> other;
-      other->DeepCopy(input);
-      Vector3 center = Vector3::Zero();
-      vtkNew<vtkIdList> ids;
-      input->GetCellPoints(600, ids);
-      for (int k = 0; k < 3; ++k)
-      {
-        center += Vector3(input->GetPoint(ids->GetId(k))) / 3.0;
-      }
-      const Vector3 a(input->GetPoint(ids->GetId(0))), b(input->GetPoint(ids->GetId(1))),
-        c(input->GetPoint(ids->GetId(2)));
-      other->GetPoints()->SetPoint(7, center.data());
-      AddPointVectors(other, "Normal", { { 7, (b - a).cross(c - a) } });
-      solver->SetInputData(1, other);
-      solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, "Normal");
-    },
-    { "point 7 of the guide", "cell 600" } },
   { "AlignmentNotPositive",
     [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { solver->SetAlignment(-1.0); },
     { "lignment" } },

@@ -242,9 +242,14 @@ TEST_F(Singularities, ThatCannotBeAreErrors)
   this->ExpectOneError({ "point 0 of the input Singularities", "nan" });
   this->Solver->SetInputDataObject(2, vtkNew<vtkTable>());
   this->ExpectOneError({ "vtkTable", "Table To Points" });
-  this->Solver->SetInputData(2, PointsAt({ { 0, 0, 1 } }));
-  this->Solver->SetDiscretisation(vtkHarmonicFieldSolver::FaceField);
-  this->ExpectOneError({ "Power Field", "Singularities" });
+  // What helps is not to move them nearer.
+  this->Solver->SetInputData(2, PointsAt({ { 0, 0, 3 } }));
+  for (const int kind : { vtkHarmonicFieldSolver::FaceField, vtkHarmonicFieldSolver::OneForm,
+         vtkHarmonicFieldSolver::ScalarFunction })
+  {
+    this->Solver->SetDiscretisation(kind);
+    this->ExpectOneError({ "only power fields can have them", "take the input Singularities away" });
+  }
   this->Solver->SetDiscretisation(vtkHarmonicFieldSolver::PowerField);
   this->Solver->SetInputData(PolyDataOf(PlaneGrid(1, 4)));
   this->Solver->SetInputData(2, PointsAt({ { 0.5, 0.5, 0 } }));

@@ -241,6 +241,42 @@ TEST_P(Remedy, HelpsTheSurfaceThatNeedsIt)
 INSTANTIATE_TEST_SUITE_P(Messages, Remedy, testing::ValuesIn(BadSurfaces),
   [](const testing::TestParamInfo<BadSurface>& info) { return info.param.Name; });
 
+/// Triangles with points of their own, as files of type STL have them.
+TEST(Remedy, CleanMakesASurfaceOfTrianglesThatShareNoPoints)
+{
+  const Surface whole = Icosphere(2);
+  Surface soup;
+  soup.V.resize(3 * whole.F.rows(), 3);
+  soup.F.resize(whole.F.rows(), 3);
+  for (int corner = 0; corner < soup.V.rows(); ++corner)
+  {
+    soup.V.row(corner) = whole.V.row(whole.F(corner / 3, corner % 3));
+    soup.F(corner / 3, corner % 3) = corner;
+  }
+  const auto input = PolyDataOf(soup);
+  vtkNew<vtkHarmonicFieldSolver> solver;
+  const Messages messages(solver);
+  solver->SetInputData(input);
+  solver->Update();
+  ASSERT_EQ(messages.GetWarnings().size(), 1u);
+  EXPECT_NE(messages.GetWarnings()[0].find("apply Clean (vtkCleanPolyData)"), std::string::npos);
+
+  const Messages ofWhole(solver);
+  solver->SetInputData(Cleaned(input));
+  solver->Update();
+  EXPECT_TRUE(ofWhole.GetWarnings().empty());
+  EXPECT_EQ(Values(solver->GetOutput()->GetFieldData(), "Eigenvalues").size(), 1u);
+}
+
+TEST(Remedy, IsNotAskedForTrianglesThatAreAlone)
+{
+  vtkNew<vtkHarmonicFieldSolver> solver;
+  const Messages messages(solver);
+  solver->SetInputData(Polygons({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 5, 1, 0 } }, { { 0, 1, 2 }, { 3, 4, 5 } }));
+  solver->Update();
+  EXPECT_TRUE(messages.GetWarnings().empty());
+}
+
 // What messages about surfaces that are too large name; those are too large for a test.
 TEST(Remedy, DecimateLeavesSurfacesThatAreTaken)
 {

@@ -47,7 +47,7 @@ const Mistake OfArrays[] = {
     "choose other arrays for Directions and Mask, or none for the smoothest field",
     { Chosen(Mask, OnCells, ""), Both(Chosen(Mask, OnCells, ""), NothingOnSurface) } },
   { "ValuesOfCells", Both(IsFunction, Chosen(ValuesOfFunction, OnCells, "Values")), "choose arrays of points", { ValuesChosen } },
-  { "NoValues", Both(IsFunction, NothingOnSurface), "choose an array of values at points", { ValuesChosen } },
+  { "NoValues", Both(IsFunction, NothingOnSurface), "choose an array of points for Values", { ValuesChosen } },
   { "ValueNotFinite", Both(Both(IsFunction, ValuesChosen), Changed(OnPoints, "Values", HUGE_VAL)),
     "repair it, or leave the point out, by Mask or a value of NaN",
     { Changed(OnPoints, "Values", 1.0), Changed(OnPoints, "Values", NaN),

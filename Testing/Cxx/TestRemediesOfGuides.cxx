@@ -58,8 +58,9 @@ const Mistake OfGuides[] = {
     "move them nearer to the surface, raise Maximum Distance, or take them out of Guides",
     { NearPoint, Option(&vtkHarmonicFieldSolver::SetMaximumDistance, 10.0), NoGuides } },
   { "LinePerpendicular", Both(NothingOnSurface, LineAlongNormal),
-    "turn their lines along the surface, or take them out of Guides", { LineAlongSide, NoGuides } },
-  { "VectorPerpendicular", [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Normal()); }, "turn it or make it zero",
+    "turn them along the surface, or take them out of Guides", { LineAlongSide, NoGuides } },
+  { "VectorPerpendicular", Both(NothingOnSurface, [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Normal()); }),
+    "turn them along the surface, or take them out of Guides",
     { [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Side()); },
       [](Scene& scene) {
         scene.Follow({ scene.Centre() }, scene.Normal())->GetPointData()->GetArray("Wind")->Fill(0.0);

@@ -62,6 +62,17 @@ class Features(unittest.TestCase):
         solver.Rotation = 30
         self.assertAlmostEqual(angles_to_the_axis(solver).mean(), 30, delta=5)
 
+    def test_each_feature_turns_by_an_angle_of_its_own(self):
+        # The boundary runs around the axis and the least curvature along it: turned by 90 degrees, both do the same.
+        solver = self.solver(NumberOfDirections=2, BoundaryWeight=100, CurvatureWeight=1, CurvatureDirection="Minimum")
+        self.assertGreater(angles_to_the_axis(solver).max(), 45)
+        solver.BoundaryRotation = 90
+        self.assertLess(angles_to_the_axis(solver).max(), 1)
+        solver.BoundaryRotation, solver.CurvatureRotation = 0, -90
+        self.assertGreater(angles_to_the_axis(solver).min(), 89)
+        solver.Rotation = 60  # of all, besides
+        self.assertLess(np.abs(angles_to_the_axis(solver) - 30).max(), 1)
+
     def test_the_boundary_and_rotation_arrays(self):
         solver = self.solver(NumberOfDirections=1, BoundaryWeight=1)
         data = fetch(solver)
@@ -88,6 +99,9 @@ class Features(unittest.TestCase):
         solver = simple.HarmonicFieldSolver(Input=box, SharpEdgesWeight=1)
         directions = array(fetch(solver).GetCellData(), "Direction0")
         self.assertGreater(np.abs(directions).max(axis=1).min(), 0.9999)
+        solver.SharpEdgesRotation = 45
+        directions = array(fetch(solver).GetCellData(), "Direction0")
+        self.assertLess(np.abs(np.abs(directions).max(axis=1) - 0.5 ** 0.5).max(), 1e-3)
         solver.FeatureAngle = 120
         sharpest = fetch(solver)  # no edge, with a warning: the smoothest field
         self.assertIsNotNone(sharpest.GetFieldData().GetArray("Eigenvalues"))

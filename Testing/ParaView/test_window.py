@@ -20,7 +20,7 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 
-def write_sphere(path, resolution=60):
+def write_sphere(path, resolution=60, active=None):
     """The unit sphere with prescribed directions on one side."""
     source = vtkSphereSource()
     source.SetRadius(1)
@@ -34,12 +34,13 @@ def write_sphere(path, resolution=60):
         array = numpy_to_vtk(values, deep=True)
         array.SetName(name)
         sphere.GetPointData().AddArray(array)
+    sphere.GetPointData().SetActiveVectors(active)
     write(path, sphere)
 
 
 def write_large_sphere(path):
-    """One that is not worth a factorisation, so that the solver iterates."""
-    write_sphere(path, 200)
+    """One that is not worth a factorisation, so that the solver iterates, to follow its active vectors."""
+    write_sphere(path, 200, "Directions")
 
 
 def write_ellipsoid(path):

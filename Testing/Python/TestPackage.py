@@ -154,8 +154,8 @@ class SmoothField(unittest.TestCase):
                 (TypeError, "guides are datasets", {"guides": 3}),
                 (TypeError, "singularities are datasets", {"singularities": iter(["x"])}),
                 (TypeError, "no name of an array", {"Mask": 3}),
-                (FieldError, "NumberOfDirections = 9 .* 8", {"n": 9}),
-                (FieldError, "Rotation = 200 .* 180", {"Rotation": 200}),
+                (FieldError, "^Number Of Directions is 9; .* 1 to 8$", {"n": 9}),
+                (FieldError, "^Rotation is 200; .* -180 to 180$", {"Rotation": 200}),
                 (FieldError, "one of MixedVoronoi, Barycentric$", {"VertexAreas": "Voronoi"}),
                 (FieldError, "one of PowerField, FaceField, OneForm, ScalarFunction$", {"Discretisation": "1-Form"}),
                 (FieldError, "no array 'Given'", {"Directions": "Given"})):

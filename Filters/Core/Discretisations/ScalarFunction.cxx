@@ -118,7 +118,7 @@ FieldConstraints ScalarFunction::Prescribe(
   if (directions.Values.empty())
   {
     throw InvalidInput("no value is prescribed, so the function of least roughness is zero; choose an array of "
-                       "values at points");
+                       "points for Values");
   }
   std::vector<PrescribedValue> values = directions.Values;
   std::stable_sort(values.begin(), values.end(),

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace dmg
 {
@@ -29,14 +28,10 @@ void CheckFeatureWeight(const std::string& name, double weight)
   }
 }
 
-void Append(std::vector<PrescribedDirection>& all, std::vector<PrescribedDirection> more,
-  const std::string& ifEmpty, std::vector<std::string>& warnings)
+Vector3 Turned(const Vector3& direction, const TangentFrames& frames, int element, double angle)
 {
-  if (more.empty())
-  {
-    warnings.push_back(ifEmpty);
-  }
-  std::move(more.begin(), more.end(), std::back_inserter(all));
+  return angle == 0.0 ? direction
+                      : Vector3(Eigen::AngleAxisd(angle, frames.Normal(element)) * direction);
 }
 
 }
@@ -133,10 +128,22 @@ FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureO
 {
   CheckFeatures(options);
   FollowedFeatures followed;
+  const auto follow = [&](const std::vector<PrescribedDirection>& feature, double degrees, const char* ifEmpty)
+  {
+    for (PrescribedDirection along : feature)
+    {
+      along.Direction = Turned(along.Direction, surface.Faces, along.Face, degrees * Pi / 180.0);
+      followed.Directions.push_back(along);
+    }
+    if (feature.empty())
+    {
+      followed.Warnings.push_back(ifEmpty);
+    }
+  };
   if (options.BoundaryWeight > 0.0)
   {
-    Append(followed.Directions, AlongBoundary(surface.Mesh, options.BoundaryWeight),
-      "the surface has no boundary, so Boundary Weight has no effect", followed.Warnings);
+    follow(AlongBoundary(surface.Mesh, options.BoundaryWeight), options.BoundaryRotation,
+      "the surface has no boundary, so Boundary Weight has no effect");
   }
   if (N % 2 != 0)
   {
@@ -152,17 +159,13 @@ FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureO
   }
   if (options.SharpEdgesWeight > 0.0)
   {
-    Append(followed.Directions,
-      AlongSharpEdges(surface, options.FeatureAngle, options.SharpEdgesWeight),
-      "no edge of the surface is sharper than Feature Angle, so Sharp Edges Weight has no effect",
-      followed.Warnings);
+    follow(AlongSharpEdges(surface, options.FeatureAngle, options.SharpEdgesWeight), options.SharpEdgesRotation,
+      "no edge of the surface is sharper than Feature Angle, so Sharp Edges Weight has no effect");
   }
   if (options.CurvatureWeight > 0.0)
   {
-    Append(followed.Directions,
-      AlongCurvature(surface, *ofFaces, options.FollowsMinimum, options.CurvatureWeight),
-      "the surface bends alike in all directions, so Curvature Weight has no effect",
-      followed.Warnings);
+    follow(AlongCurvature(surface, *ofFaces, options.FollowsMinimum, options.CurvatureWeight), options.CurvatureRotation,
+      "the surface bends alike in all directions, so Curvature Weight has no effect");
   }
   return followed;
 }
@@ -170,18 +173,10 @@ FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureO
 namespace
 {
 
-/// \param nameOf (element) for the message.
-template <class NameOf>
-Vector3 Turned(const Vector3& direction, const TangentFrames& frames, int element, double angle,
-  const NameOf& nameOf)
+InvalidInput RotationNotFinite(const std::string& element)
 {
-  if (!std::isfinite(angle))
-  {
-    throw InvalidInput("the rotation at " + nameOf(element) +
-      " is not finite, and a direction is prescribed there; repair it, or leave the direction out");
-  }
-  return angle == 0.0 ? direction
-                      : Vector3(Eigen::AngleAxisd(angle, frames.Normal(element)) * direction);
+  return InvalidInput("the rotation at " + element +
+    " is not finite, and a direction is prescribed there; repair it, or leave the direction out");
 }
 
 }
@@ -192,16 +187,22 @@ void Turn(PrescribedDirections& directions, const FramedMesh& surface, const Rot
   for (PrescribedDirection& on : directions.OnFaces)
   {
     CheckPrescribedElement(on.Face, surface.Mesh.NumberOfFaces(), "face");
-    const double more = angles.Faces.size() > 0 ? angles.Faces[on.Face] : 0.0;
-    on.Direction = Turned(on.Direction, surface.Faces, on.Face, angles.Everywhere + more,
-      [&names](int face) { return names.Face(face); });
+    const double angle = angles.Everywhere + (angles.Faces.size() > 0 ? angles.Faces[on.Face] : 0.0);
+    if (!std::isfinite(angle))
+    {
+      throw RotationNotFinite(names.Face(on.Face));
+    }
+    on.Direction = Turned(on.Direction, surface.Faces, on.Face, angle);
   }
   for (PrescribedVertexDirection& at : directions.AtVertices)
   {
     CheckPrescribedElement(at.Vertex, surface.Mesh.NumberOfVertices(), "vertex");
-    const double more = angles.Vertices.size() > 0 ? angles.Vertices[at.Vertex] : 0.0;
-    at.Direction = Turned(at.Direction, surface.Vertices, at.Vertex, angles.Everywhere + more,
-      [&names](int vertex) { return names.Vertex(vertex); });
+    const double angle = angles.Everywhere + (angles.Vertices.size() > 0 ? angles.Vertices[at.Vertex] : 0.0);
+    if (!std::isfinite(angle))
+    {
+      throw RotationNotFinite(names.Vertex(at.Vertex));
+    }
+    at.Direction = Turned(at.Direction, surface.Vertices, at.Vertex, angle);
   }
 }
 

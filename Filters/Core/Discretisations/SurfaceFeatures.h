@@ -40,13 +40,17 @@ private:
 ///   (30 / L)^2 weight confidence |X - Y|^2, integrated, for curvature,
 ///
 /// Y the unit direction that is followed. So at weight 1 what is smaller than about L / 30 is smoothed away. A weight of 0
-/// is off.
+/// is off. A rotation is the angle by which the field turns against that feature, in degrees, counter-clockwise seen from
+/// outside.
 struct FeatureOptions
 {
   double BoundaryWeight = 0.0;
+  double BoundaryRotation = 0.0;
   double SharpEdgesWeight = 0.0;
+  double SharpEdgesRotation = 0.0;
   double FeatureAngle = 30.0; ///< degrees between the normals of two faces; edges with more are sharp
   double CurvatureWeight = 0.0;
+  double CurvatureRotation = 0.0;
   bool FollowsMinimum = false; ///< the direction of the minimum curvature in place of the maximum
 };
 

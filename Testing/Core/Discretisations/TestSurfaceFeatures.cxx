@@ -156,6 +156,43 @@ TEST(SurfaceFeatures, WhatIsNotThereOrHasNoSignIsAWarning)
   EXPECT_TRUE(FollowFeatures(sphere, 4, {}, nullptr).Warnings.empty());
 }
 
+TEST(SurfaceFeatures, EachTurnsByAnAngleOfItsOwn)
+{
+  const FramedMesh tube(Prism(24, 8).Mesh());
+  const PrincipalCurvatures curvatures = FindPrincipalDirections(tube, 2.0).Faces;
+  const auto alone = [](double FeatureOptions::*weight) {
+    FeatureOptions options;
+    options.*weight = 2.0;
+    options.FeatureAngle = 5.0;
+    return options;
+  };
+  const std::pair<double FeatureOptions::*, double FeatureOptions::*> features[] = {
+    { &FeatureOptions::BoundaryWeight, &FeatureOptions::BoundaryRotation },
+    { &FeatureOptions::SharpEdgesWeight, &FeatureOptions::SharpEdgesRotation },
+    { &FeatureOptions::CurvatureWeight, &FeatureOptions::CurvatureRotation } };
+  for (const auto& [weight, rotation] : features)
+  {
+    FeatureOptions options = alone(weight);
+    const auto straight = FollowFeatures(tube, 2, options, &curvatures).Directions;
+    for (const auto& [other, ofOther] : features)
+    {
+      options.*ofOther = -70.0;
+    }
+    options.*rotation = 40.0;
+    const auto turned = FollowFeatures(tube, 2, options, &curvatures).Directions;
+    ASSERT_FALSE(straight.empty());
+    ASSERT_EQ(turned.size(), straight.size());
+    for (std::size_t i = 0; i < turned.size(); ++i)
+    {
+      EXPECT_EQ(turned[i].Face, straight[i].Face);
+      EXPECT_EQ(turned[i].Weight, straight[i].Weight);
+      EXPECT_LT(std::abs(tube.Faces.ToComplex(turned[i].Face, turned[i].Direction) -
+                  std::polar(1.0, 40.0 * Pi / 180.0) * tube.Faces.ToComplex(straight[i].Face, straight[i].Direction)),
+        20 * MachinePrecision);
+    }
+  }
+}
+
 TEST(SurfaceFeatures, RefuseNegativeWeights)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();

@@ -1,0 +1,41 @@
+#ifndef dmgPropertyRanges_h
+#define dmgPropertyRanges_h
+
+#include <cstddef>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// A number that a filter was told, and those that it takes. Setters keep what they are told, and RequestData refuses it.
+struct PropertyRange
+{
+  /// \param label what the window calls the property.
+  template <class Number>
+  PropertyRange(const char* label, Number value, double least, double most = std::numeric_limits<double>::infinity())
+    : Label(label)
+    , Value(static_cast<double>(value))
+    , Least(least)
+    , Most(most)
+  {
+  }
+
+  std::string Label;
+  double Value, Least, Most;
+};
+
+/// \throw InvalidInput one is out of its range, or not a number: the label of the first, its value and the range.
+void CheckRanges(const std::vector<PropertyRange>& properties);
+
+/// The name of a value of an enumeration, for PrintSelf.
+template <std::size_t Size>
+const char* NameOf(const char* const (&names)[Size], int value)
+{
+  return value >= 0 && value < static_cast<int>(Size) ? names[value] : "(out of range)";
+}
+
+}
+
+#endif

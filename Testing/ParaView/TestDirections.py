@@ -1,0 +1,85 @@
+"""Which vectors of a surface the solver follows where its user has said nothing, and where they have.
+
+In Python most inputs have not run when a filter is made, so ParaView does not know their arrays yet.
+"""
+
+import unittest
+
+import numpy as np
+import paraview.simple as simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def fetch(source):
+    source.UpdatePipeline()
+    return simple.servermanager.Fetch(source)
+
+
+def powers(source):
+    return vtk_to_numpy(fetch(source).GetCellData().GetArray("PowerField"))
+
+
+def is_smoothest(source):
+    return fetch(source).GetFieldData().HasArray("Eigenvalues")
+
+
+def prescribed(source):
+    return (vtk_to_numpy(fetch(source).GetCellData().GetArray("Prescribed")) > 0).sum()
+
+
+def surface():
+    return simple.Sphere(ThetaResolution=20, PhiResolution=20)
+
+
+def with_vectors(input_of_them, name="Wind"):
+    return simple.Calculator(Input=input_of_them, AttributeType="Cell Data", ResultArrayName=name, Function="jHat")
+
+
+class Directions(unittest.TestCase):
+    def test_active_vectors_of_an_input_that_has_not_run(self):
+        for make in (simple.HarmonicFieldSolver, simple.DirectionalField):
+            with self.subTest(filter=make.__name__):
+                field = make(Input=with_vectors(surface()))
+                self.assertEqual(prescribed(field), fetch(field).GetNumberOfCells())
+                field.Directions = ["CELLS", "None"]
+                self.assertTrue(is_smoothest(field))
+
+    def test_a_second_solver_does_not_follow_the_first(self):
+        for make in (simple.HarmonicFieldSolver, simple.DirectionalField):
+            for runs_before in (False, True):
+                with self.subTest(filter=make.__name__, runs_before=runs_before):
+                    bare = surface()
+                    first = simple.HarmonicFieldSolver(Input=bare, NumberOfDirections=4)
+                    if runs_before:
+                        first.UpdatePipeline()
+                    second = make(Input=first, NumberOfDirections=2)
+                    expected = powers(simple.HarmonicFieldSolver(Input=bare, NumberOfDirections=2))
+                    self.assertTrue(np.array_equal(powers(second), expected))
+                    second.Directions = ["CELLS", "Direction0"]  # as is said
+                    self.assertEqual(prescribed(second), len(expected))
+
+    def test_a_second_solver_follows_what_its_user_names(self):
+        first = simple.HarmonicFieldSolver(Input=with_vectors(surface()), FollowDirections=0)
+        self.assertTrue(is_smoothest(first))
+        second = simple.HarmonicFieldSolver(Input=first)
+        self.assertTrue(is_smoothest(second))
+        second.Directions = ["CELLS", "Wind"]
+        self.assertFalse(is_smoothest(second))  # nor does it have the report of the first
+
+    def test_other_vectors_are_not_followed_unless_named(self):
+        """Colours, for example, which ParaView would take as the first array of three numbers."""
+        active = with_vectors(with_vectors(surface(), "Colours"))
+        colours = simple.PassArrays(Input=active, CellDataArrays=["Colours"], PointDataArrays=[])
+        colours.UpdatePipeline()
+        self.assertTrue(is_smoothest(simple.HarmonicFieldSolver(Input=colours)))
+
+    def test_none_are_followed_where_the_user_does_not_want_it(self):
+        field = simple.HarmonicFieldSolver(Input=with_vectors(surface()), FollowDirections=0)
+        expected = powers(simple.HarmonicFieldSolver(Input=surface()))
+        self.assertTrue(np.array_equal(powers(field), expected))
+        field.Mask = ["CELLS", "Nowhere"]  # it is not looked at
+        self.assertTrue(np.array_equal(powers(field), expected))
+
+
+if __name__ == "__main__":
+    unittest.main()
