@@ -30,8 +30,8 @@ struct SurfaceWithField
 /// is there: the cell array Direction0, the point array Direction0, the active vectors of cells, those of points. Where
 /// cells and points have an array Direction0, both names mean that of the cells.
 ///
-/// \param N of the field; 0: of an array Direction0, as many as there are arrays Direction0, Direction1, ... beside
-/// it, of any other one.
+/// \param N of the field; 0: as many as there are arrays Direction0, Direction1, ... where Direction0 is chosen, 2 for
+/// principal directions, and 1 for any other array.
 /// \throw InvalidInput what MeshFromPolyData refuses; a chosen array that is not there or does not hold vectors; a
 /// vector that is not finite; no direction on any triangle; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.

@@ -129,6 +129,12 @@ class Drawing(unittest.TestCase):
         singularities.Directions = ["CELLS", "Direction1"]
         self.assertGreater(fetch(singularities).GetNumberOfPoints(), 0)
 
+    def test_principal_directions_are_lines(self):
+        tube = simple.Triangulate(Input=simple.Cylinder(Resolution=40, Capping=0))
+        bends = simple.PrincipalDirections(Input=tube)
+        glyphs = simple.FieldGlyphs(Input=bends, Directions=["CELLS", "MaximumDirection"])
+        self.assertEqual(set(array(fetch(glyphs).GetCellData(), "Direction")), {0, 1})
+
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_apply_shows_them(self):
         view = simple.CreateRenderView(ViewSize=[500, 500])
