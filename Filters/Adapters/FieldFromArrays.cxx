@@ -327,6 +327,10 @@ Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const S
       }
     }
   }
+  else if (otherwise.isZero(0.0))
+  {
+    throw InvalidInput("Axis is (0, 0, 0), which has no direction; give it another value, or choose Reference Vectors");
+  }
   for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
   {
     if (!references.row(face).allFinite())

@@ -39,8 +39,8 @@ SurfaceWithField ReadField(
   vtkAlgorithm* algorithm, vtkPolyData* surface, int N, const ExecutionContext& context);
 
 /// The vectors of an array, one for each face of the mesh; of points, the mean over the corners.
-/// \param otherwise the vector of all faces where none is chosen.
-/// \throw InvalidInput as FindArray; a vector is not finite.
+/// \param otherwise the Axis: the vector of all faces where no array is chosen.
+/// \throw InvalidInput as FindArray; a vector is not finite; \p otherwise is zero where it is taken.
 Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh,
   const Vector3& otherwise);
 
