@@ -24,7 +24,7 @@
  *
  * | array     | of     | components | type   | meaning                                                    |
  * | --------- | ------ | ---------- | ------ | ---------------------------------------------------------- |
- * | Branch    | cells  | 1          | int    | family, the same for opposite directions; active scalars |
+ * | Branch    | cells  | 1          | int    | family, the same for opposite directions                   |
  * | Direction | cells  | 1          | int    | 0 for the direction of the chosen array, 1 for the next one, ... N - 1 |
  * | Glyph     | cells  | 1          | int    | number of the place                                        |
  * | Magnitude | cells  | 1          | double | of the field in the triangle at the centre                 |

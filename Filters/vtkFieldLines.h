@@ -37,7 +37,7 @@
  * | array     | of     | components | type   | meaning                                                    |
  * | --------- | ------ | ---------- | ------ | ---------------------------------------------------------- |
  * | Length    | cells  | 1          | double | of the line, in the unit of the points                     |
- * | Branch    | cells  | 1          | int    | family at the seed, 0 that of the array; active scalars |
+ * | Branch    | cells  | 1          | int    | family at the seed, 0 that of the array                    |
  * | Seed      | cells  | 1          | int    | number of the line, in the order in which they were drawn  |
  * | Magnitude | points | 1          | double | of the field; on an edge, the mean of both sides           |
  * | Normals   | points | 3          | double | of the surface, unit; the active normals, for ribbons      |
