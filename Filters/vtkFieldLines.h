@@ -105,7 +105,7 @@ public:
   ///@{
   /**
    * By how much lines are lifted off the surface along its normal, as a fraction of the surface's size, so that it does
-   * not hide them. Default 0.0005, range 0 to 0.1.
+   * not hide them. Default 0.001, range 0 to 0.1.
    */
   vtkSetClampMacro(Lift, double, 0.0, 0.1);
   vtkGetMacro(Lift, double);
@@ -129,7 +129,7 @@ private:
   double SeparatingDistance = 0.015;
   double SeparatingDistanceRatio = 0.5;
   double MinimumLength = 4.0;
-  double Lift = 0.0005;
+  double Lift = 0.001;
 };
 
 #endif
