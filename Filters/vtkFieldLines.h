@@ -96,7 +96,8 @@ public:
 
   ///@{
   /**
-   * Lines shorter than this times the distance between lines are left out. Default 4, range 0 to 1000.
+   * Lines shorter than this times the distance between lines are left out; where these are all, a warning says what would do.
+   * Default 4, range 0 to 1000.
    */
   vtkSetClampMacro(MinimumLength, double, 0.0, 1000.0);
   vtkGetMacro(MinimumLength, double);
