@@ -191,6 +191,31 @@ class Drawing(unittest.TestCase):
         others = np.delete(colours, component, axis=1).max(axis=1)
         return (colours[:, component] > 1.5 * others + 5).mean()
 
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_surface_lic_shows_the_points_directions(self):
+        """Stripes along the field: brightness varies more than shading does, and across more than along the directions."""
+        plane = simple.Triangulate(Input=simple.Plane(XResolution=40, YResolution=40))
+        field = simple.HarmonicFieldSolver(Input=plane, BoundaryWeight=1)
+        view = simple.CreateRenderView(ViewSize=[500, 500], OrientationAxesVisibility=0)
+        display = simple.Show(field, view)
+        if "Surface LIC" not in display.GetProperty("Representation").Available:
+            self.skipTest("ParaView has no Surface LIC here")
+        flat = self.brightness(view)
+        display.Representation = "Surface LIC"
+        stripes = self.brightness(view)
+        x, y = 0, 1
+        self.assertLess(flat.std(), 1)
+        self.assertGreater(stripes.std(), 10)
+        direction = vtk_to_numpy(fetch(field).GetPointData().GetArray("Direction0"))
+        along, across = (x, y) if np.abs(direction[:, x]).min() > 0.99 else (y, x)
+        changes = [np.abs(np.diff(stripes, axis=1 - axis)).mean() for axis in (along, across)]
+        self.assertGreater(changes[1], 2 * changes[0])
+        simple.Delete(view)
+
+    def brightness(self, view):
+        """In the middle of the picture, rows from below."""
+        return self.colours(view).astype(float).mean(axis=1).reshape(500, 500)[200:300, 200:300]
+
     @unittest.skipUnless(IMAGE, "needs a display")
     def test_colours_come_from_points_and_cells_alone(self):
         view = simple.CreateRenderView()
