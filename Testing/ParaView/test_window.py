@@ -173,11 +173,15 @@ def check_features(result):
 
 
 def check_nothing_said(result):
-    """The window shows the smoothest lines: four singularities, as red spheres, and blue lines."""
-    field = check(result, 2)
-    assert field.GetFieldData().GetArray("Eigenvalues").GetNumberOfTuples() == 1
-    indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
-    assert list(indices[indices != 0]) == [0.5] * 4, indices[indices != 0]
+    """The smoothest crosses, then the smoothest lines: four singularities, which the window shows as red spheres, and blue lines."""
+    for path, N in ((former(result), 4), (result, 2)):
+        field = check(path, N)
+        assert not field.GetCellData().HasArray(f"Direction{N}")
+        assert field.GetFieldData().GetArray("Eigenvalues").GetNumberOfTuples() == 1
+        indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
+        assert list(indices[indices != 0]) == [1 / N] * (2 * N), indices[indices != 0]
+    lines = read(former(result, "lines"))
+    assert set(vtk_to_numpy(lines.GetCellData().GetArray("Branch"))) == {0}  # crosses have two
     assert number_of_blue(pixels(result)) > 5000 and number_of_red(pixels(result)) > 50
 
 
