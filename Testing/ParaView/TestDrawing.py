@@ -171,6 +171,19 @@ class Drawing(unittest.TestCase):
         simple.Delete(view)
 
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_lines_do_not_break_into_dashes(self):
+        """As much is seen of them as with four times the lift, also near the silhouette, and nothing from behind."""
+        view = simple.CreateRenderView(ViewSize=[500, 500], OrientationAxesVisibility=0)
+        simple.Show(self.field, view)
+        lines = simple.FieldLines(Input=self.field)
+        simple.Show(lines, view)
+        blue = 2
+        seen = self.part_of(view, blue)
+        lines.Lift = 4 * lines.Lift
+        self.assertAlmostEqual(seen / self.part_of(view, blue), 1, delta=0.05)
+        simple.Delete(view)
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_spheres_are_red_and_green(self):
         view = simple.CreateRenderView(ViewSize=[500, 500])
         line = simple.Line(Point1=[0, 0, -1], Point2=[0, 0, 1], Resolution=1)
