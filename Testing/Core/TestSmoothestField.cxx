@@ -300,6 +300,34 @@ TEST(SmoothestField, StandsBesideGuidedComponents)
   }
 }
 
+// As scans have them. Nothing is smoother than another field there.
+TEST(SmoothestField, IsZeroOnSplintersWithoutArea)
+{
+  Surface splinter;
+  splinter.V.resize(3, 3);
+  splinter.V << 3, 0, 0, 4, 0, 0, 5, 0, 0;
+  splinter.F.resize(1, 3);
+  splinter.F << 0, 1, 2;
+  const Surface sphere = IrregularSphere(3, 5);
+  const TriangleMesh mesh = Union(sphere, splinter, Vector3::Zero()).Mesh();
+  const PrescribedDirections oneDirection{ { { 5, Vector3(0.3, 0.2, 0.9), 1.0 } }, {}, {} };
+  for (const DiscretisationKind kind : { DiscretisationKind::PowerField, DiscretisationKind::FaceField })
+  {
+    for (const PrescribedDirections& directions : { PrescribedDirections(), oneDirection })
+    {
+      FieldSolver solver(mesh);
+      solver.Solve(directions, OptionsOf(kind, 4), {});
+      EXPECT_TRUE(solver.Report().Converged);
+      ASSERT_EQ(solver.Report().Warnings.size(), 1u);
+      EXPECT_NE(solver.Report().Warnings[0].find("have no area; the field is zero there"), std::string::npos);
+      const Points field = solver.Directions(0);
+      EXPECT_TRUE(field.allFinite());
+      EXPECT_GT(field.topRows(sphere.F.rows()).rowwise().norm().minCoeff(), 0.0);
+      EXPECT_EQ(field.row(sphere.F.rows()), Vector3::Zero().transpose());
+    }
+  }
+}
+
 TEST(SmoothestField, HasTheSameBitsForAnyNumberOfThreads)
 {
   const TriangleMesh mesh = IrregularSphere(5, 3).Mesh();

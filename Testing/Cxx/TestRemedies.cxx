@@ -6,6 +6,7 @@
 #include "TestTools.h"
 
 #include "vtkArrayCalculator.h"
+#include "vtkCellSizeFilter.h"
 #include "vtkCleanPolyData.h"
 #include "vtkDecimatePro.h"
 #include "vtkDirectionalProlongation.h"
@@ -16,6 +17,7 @@
 #include "vtkRemoveDuplicatePolys.h"
 #include "vtkTable.h"
 #include "vtkTableToPolyData.h"
+#include "vtkThreshold.h"
 #include "vtkTriangleFilter.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -185,6 +187,9 @@ const BadSurface BadSurfaces[] = {
     { "oriented against", "Moebius", "Feature Angle of 150" }, CutWhereItTurns },
   { "ThreeFacesAtAnEdge", [] { return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 }, { 2, 4, 0 } }); },
     { "3 triangles", CutAndTurn }, TurnedAndCut },
+  { "AFaceTooMuchAtAnEdge", [] { return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 }, { 2, 4, 0 } }); },
+    { "3 triangles", "cell 2", "remove the surplus ones" },
+    [](vtkDataSet*) -> Data { return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 } }); } },
   { "ThreeFacesAtAnEdgeThatDisagree", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 3, 2 }, { 0, 4, 2 } }); },
     { "3 triangles", CutAndTurn }, TurnedAndCut },
   { "PinchedPoint", [] { return PolyDataOf(PinchedTetrahedra()); }, { "point 0", "pinched", CutAndTurn },
@@ -262,6 +267,31 @@ TEST(Refusal, NamesASurfaceWithoutArea)
   }
   PrescribeSides(input);
   ExpectRefusal(NewSolver(input), { "no triangle of the surface has an area", "line" });
+}
+
+// The forms of a torus that is flat as a line have no vectors.
+TEST(Remedy, ThresholdOfAreasLeavesFieldsThatCanBeToldApart)
+{
+  Surface torus = Torus(8, 6);
+  torus.V.col(0) += 0.1 * torus.V.col(1) + 0.01 * torus.V.col(2);
+  torus.V.rightCols(2).setZero();
+  const Data input = PolyDataOf(Union(Icosphere(2), torus, Vector3(6.0, 0.0, 0.0)));
+  const auto solver = NewSolver(input);
+  solver->SetInputArrayToProcess(1, 0, 0, OnCells, "");
+  solver->SetDiscretisation(vtkHarmonicFieldSolver::FaceField);
+  solver->HarmonicBasisOn();
+  ExpectRefusal(solver, { "cannot be told apart", "Cell Size, Threshold of Area and Extract Surface" });
+
+  vtkNew<vtkCellSizeFilter> sizes;
+  sizes->SetInputData(input);
+  vtkNew<vtkThreshold> threshold;
+  threshold->SetInputConnection(sizes->GetOutputPort());
+  threshold->SetInputArrayToProcess(0, 0, 0, OnCells, "Area");
+  threshold->SetThresholdFunction(vtkThreshold::THRESHOLD_UPPER);
+  threshold->SetUpperThreshold(1e-6);
+  threshold->Update();
+  solver->SetInputData(ExtractedSurface(threshold->GetOutput()));
+  ExpectOutput(solver);
 }
 
 // What is prescribed

@@ -88,6 +88,11 @@ Act IndexArray(const char* name)
 {
   return [=](Scene& scene) { scene.Solver->SetSingularityIndexArray(name); };
 }
+vtkDataArray* Indices(Scene& scene)
+{
+  scene.Solver->GetInputDataObject(2, 0)->Modified();
+  return vtkPolyData::SafeDownCast(scene.Solver->GetInputDataObject(2, 0))->GetPointData()->GetArray("Index");
+}
 Act SingularityAt(const Vector3& place)
 {
   return [=](Scene& scene) {
@@ -107,6 +112,9 @@ const Mistake OfSingularities[] = {
   { "NoSuchArray", Both(Prescribed(8, 0.25), IndexArray("Wind")), "choose one of those, or none for an index of 1 / N each",
     { IndexArray("Index"), IndexArray("") } },
   { "OtherComponents", Prescribed(8, 0.25, 2), "choose another array as Singularity Index", { Prescribed(8, 0.25) } },
+  { "FewTuples", Both(Prescribed(8, 0.25), [](Scene& scene) { Indices(scene)->SetNumberOfTuples(5); }),
+    "5 tuples for 8 points; have its source write one for each",
+    { [](Scene& scene) { Indices(scene)->InsertTuple1(7, 0.25); Indices(scene)->Fill(0.25); } } },
   { "OfVectors", Both(Prescribed(8), IsFaceField),
     "choose Power Field as Discretisation, or take the input Singularities away",
     { Option(&vtkHarmonicFieldSolver::SetDiscretisation, 0), NoSingularities } },

@@ -62,7 +62,8 @@ void MakeOrthonormal(const TriangleMesh& mesh, Eigen::MatrixXd& fields, Eigen::M
     {
       throw SolverFailure(
         "the harmonic fields of the surface cannot be told apart by their vectors "
-        "on faces with an area; remove triangles without area");
+        "on faces with an area; remove triangles without area with Cell Size, Threshold of Area and Extract Surface "
+        "(vtkCellSizeFilter, vtkThreshold, vtkGeometryFilter)");
     }
     const Eigen::MatrixXd R = factor.matrixU();
     DivideBy(R, fields, PartOfContext(part, 0.4, 0.8));

@@ -6,7 +6,6 @@
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
-#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -107,32 +106,36 @@ std::vector<char> PrescribedSystem::SetPenalties()
   return isReached;
 }
 
-/// Components without prescriptions have the smoothest field; where the set-up knows none they are zero, the least of equal
-/// minimisers.
+/// Components without prescriptions have the smoothest field; where the set-up knows none, or a component has no area, they
+/// are zero, the least of equal minimisers.
 void PrescribedSystem::SetUnreached(const std::vector<int>& unreached, const ExecutionContext& context)
 {
+  const MultigridSetup& setup = this->Setup();
+  std::vector<char> hasSmoothest(setup.Hierarchy->NumberOfComponents(), 0);
+  for (const int i : unreached)
+  {
+    hasSmoothest[setup.Hierarchy->ComponentOf(i)] |= setup.HasSmoothest && setup.MassOf(i) > 0.0;
+  }
+  std::vector<int> smoothest, still;
+  for (const int i : unreached)
+  {
+    (hasSmoothest[setup.Hierarchy->ComponentOf(i)] ? smoothest : still).push_back(i);
+  }
+  this->WithoutPrescriptions = UnprescribedComponents(setup, smoothest, context);
+
   this->WarningsOfSystem.clear();
-  this->WithoutPrescriptions = {};
-  this->HeldUnknowns.clear();
+  if (!still.empty())
+  {
+    this->WarningsOfSystem.push_back(std::to_string(still.size()) + " of " +
+      std::to_string(setup.Hierarchy->NumberOfUnknowns()) +
+      " unknowns lie in components of the surface that hold no prescribed direction" +
+      (setup.HasSmoothest ? " and have no area" : "") + "; the field is zero there");
+  }
+  this->HeldUnknowns = std::move(still);
   if (this->IsHard())
   {
-    this->HeldUnknowns = this->Places;
+    this->HeldUnknowns.insert(this->HeldUnknowns.end(), this->Places.begin(), this->Places.end());
     std::sort(this->HeldUnknowns.begin(), this->HeldUnknowns.end());
-  }
-  if (this->Setup().HasSmoothest)
-  {
-    this->WithoutPrescriptions = UnprescribedComponents(this->Setup(), unreached, context);
-  }
-  else if (!unreached.empty())
-  {
-    std::vector<int> held;
-    std::merge(this->HeldUnknowns.begin(), this->HeldUnknowns.end(), unreached.begin(), unreached.end(),
-      std::back_inserter(held));
-    this->HeldUnknowns = std::move(held);
-    this->WarningsOfSystem.push_back(std::to_string(unreached.size()) + " of " +
-      std::to_string(this->Setup().Hierarchy->NumberOfUnknowns()) +
-      " unknowns lie in components of the surface that hold no prescribed direction; the field is "
-      "zero there");
   }
 }
 

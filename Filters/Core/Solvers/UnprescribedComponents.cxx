@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace dmg
 {
@@ -28,8 +27,11 @@ UnprescribedComponents::UnprescribedComponents(
       continue;
     }
     diagonal.clear();
-    std::transform(first, last, std::back_inserter(diagonal),
-      [&setup](int i) { return setup.Hierarchy->DiagonalOf(i) / setup.MassOf(i); });
+    for (auto i = first; i != last; ++i)
+    {
+      const double mass = setup.MassOf(*i);
+      mass > 0.0 ? diagonal.push_back(setup.Hierarchy->DiagonalOf(*i) / mass) : void();
+    }
     const auto median = diagonal.begin() + diagonal.size() / 2;
     std::nth_element(diagonal.begin(), median, diagonal.end());
     const double scale = *median > 0.0 ? *median : 1.0; // a triangle by itself has no roughness

@@ -26,7 +26,7 @@ public:
   /// None.
   UnprescribedComponents() = default;
   /// \param setup is borrowed.
-  /// \param unknowns of these components.
+  /// \param unknowns of these components, each of which has an area.
   UnprescribedComponents(
     const MultigridSetup& setup, const std::vector<int>& unknowns, const ExecutionContext& context);
 

@@ -2,6 +2,7 @@
 
 #include <cholmod.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <string>
@@ -103,12 +104,30 @@ public:
     right.x = const_cast<Scalar*>(b); // CHOLMOD reads it and has no const
     right.xtype = Internals::ValueKind;
     right.dtype = CHOLMOD_DOUBLE;
+    // CHOLMOD would use its workspaces even where it could not allocate them.
+    this->Ensure(this->Solution, rows, columns);
+    this->Ensure(this->SolveWork1, rows, columns);
+    this->Ensure(this->SolveWork2, std::max<std::size_t>(this->L->maxesize, 1), columns);
     if (!cholmod_l_solve2(CHOLMOD_A, this->L, &right, nullptr, &this->Solution, nullptr,
           &this->SolveWork1, &this->SolveWork2, &this->Common))
     {
       this->ThrowFailure();
     }
     return static_cast<const Scalar*>(this->Solution->x);
+  }
+
+  /// \p matrix has room for \p rows times \p columns, as cholmod_solve2 asks for it.
+  void Ensure(cholmod_dense*& matrix, std::size_t rows, std::size_t columns)
+  {
+    if (matrix == nullptr || matrix->nzmax < rows * columns)
+    {
+      cholmod_l_free_dense(&matrix, &this->Common);
+      matrix = cholmod_l_allocate_dense(rows, columns, rows, Internals::ValueKind, &this->Common);
+    }
+    if (matrix == nullptr)
+    {
+      this->ThrowFailure();
+    }
   }
 
   void Analyze(UpperTriangle& A)

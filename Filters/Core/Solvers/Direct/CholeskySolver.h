@@ -47,8 +47,8 @@ public:
   /// \throw as above; Solve must not be called after that.
   void Update(const SparseMatrix<Scalar>& A);
 
-  /// x = A^-1 b. Uses a workspace of the solver: one solve at a time. Its few vectors are made at the first solve; where there is
-  /// no memory for these, the process ends, since CHOLMOD uses what it could not allocate.
+  /// x = A^-1 b. Uses a workspace of the solver: one solve at a time. Its few vectors are made at the first solve.
+  /// \throw SolverFailure memory ran out.
   void Solve(const Vector<Scalar>& b, Vector<Scalar>& x);
 
   /// The same for each column of b, in little more time than for one.
