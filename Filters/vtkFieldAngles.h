@@ -19,7 +19,10 @@
  *
  * | array | of    | components | type   | meaning                                                        |
  * | ----- | ----- | ---------- | ------ | -------------------------------------------------------------- |
- * | Angle | cells | 1          | double | in degrees; 0 where there is no direction or where the reference is perpendicular to the triangle; active scalars |
+ * | Angle | cells | 1          | double | in degrees; 0 where it is not defined; active scalars          |
+ *
+ * The angle is not defined where there is no direction, or where the reference is zero or perpendicular to the triangle;
+ * a warning says on how many triangles.
  *
  * @section vtkFieldAngles-Execution Execution
  *
@@ -44,7 +47,8 @@ public:
   ///@{
   /**
    * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
-   * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
+   * arrays Direction0, Direction1, ... if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names
+   * tell, and 1 for any other array. Range 0 to 8.
    */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
@@ -52,7 +56,8 @@ public:
 
   ///@{
   /**
-   * The reference vector, of any length, where no array of reference vectors is chosen. Default (0, 0, 1).
+   * The reference vector, of any length, where no array of reference vectors is chosen. Default (0, 0, 1). (0, 0, 0) is
+   * an error.
    */
   vtkSetVector3Macro(Axis, double);
   vtkGetVector3Macro(Axis, double);

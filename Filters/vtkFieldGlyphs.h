@@ -24,7 +24,7 @@
  *
  * | array     | of     | components | type   | meaning                                                    |
  * | --------- | ------ | ---------- | ------ | ---------------------------------------------------------- |
- * | Branch    | cells  | 1          | int    | family, the same for opposite directions; active scalars |
+ * | Branch    | cells  | 1          | int    | family, the same for opposite directions                   |
  * | Direction | cells  | 1          | int    | 0 for the direction of the chosen array, 1 for the next one, ... N - 1 |
  * | Glyph     | cells  | 1          | int    | number of the place                                        |
  * | Magnitude | cells  | 1          | double | of the field in the triangle at the centre                 |
@@ -53,7 +53,8 @@ public:
   ///@{
   /**
    * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
-   * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
+   * arrays Direction0, Direction1, ... if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names
+   * tell, and 1 for any other array. Range 0 to 8.
    */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);

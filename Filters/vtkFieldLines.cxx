@@ -9,7 +9,21 @@
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
+#include <cmath>
+
 vtkStandardNewMacro(vtkFieldLines);
+
+namespace
+{
+
+/// To two digits.
+double RoundedDown(double number)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
+  return unit * std::floor(number / unit);
+}
+
+}
 
 //------------------------------------------------------------------------------
 int vtkFieldLines::FillInputPortInformation(int, vtkInformation* information)
@@ -46,6 +60,14 @@ int vtkFieldLines::RequestData(
       const dmg::LinesOnSurface lines =
         dmg::EvenlySpacedLines(surface, given.Field, options, context);
       dmg::LinesToPolyData(lines, given.Faces, this->Lift * given.Diagonal, output);
+      if (lines.NumberOfLines() == 0)
+      {
+        vtkWarningMacro("no line is as long as Minimum Length, " << this->MinimumLength
+          << ", times Separating Distance, " << this->SeparatingDistance << " of the surface's size; "
+          << "Separating Distance " << RoundedDown(lines.LongestLeftOut / (this->MinimumLength * given.Diagonal))
+          << " (in Directional Field, Line Distance) or Minimum Length "
+          << RoundedDown(lines.LongestLeftOut / options.Separation) << " would do");
+      }
     });
 }
 

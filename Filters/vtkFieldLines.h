@@ -37,7 +37,7 @@
  * | array     | of     | components | type   | meaning                                                    |
  * | --------- | ------ | ---------- | ------ | ---------------------------------------------------------- |
  * | Length    | cells  | 1          | double | of the line, in the unit of the points                     |
- * | Branch    | cells  | 1          | int    | family at the seed, 0 that of the array; active scalars |
+ * | Branch    | cells  | 1          | int    | family at the seed, 0 that of the array                    |
  * | Seed      | cells  | 1          | int    | number of the line, in the order in which they were drawn  |
  * | Magnitude | points | 1          | double | of the field; on an edge, the mean of both sides           |
  * | Normals   | points | 3          | double | of the surface, unit; the active normals, for ribbons      |
@@ -68,7 +68,8 @@ public:
   ///@{
   /**
    * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
-   * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
+   * arrays Direction0, Direction1, ... if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names
+   * tell, and 1 for any other array. Range 0 to 8.
    */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
@@ -95,7 +96,8 @@ public:
 
   ///@{
   /**
-   * Lines shorter than this times the distance between lines are left out. Default 4, range 0 to 1000.
+   * Lines shorter than this times the distance between lines are left out; where these are all, a warning says what would do.
+   * Default 4, range 0 to 1000.
    */
   vtkSetMacro(MinimumLength, double);
   vtkGetMacro(MinimumLength, double);
@@ -104,7 +106,7 @@ public:
   ///@{
   /**
    * By how much lines are lifted off the surface along its normal, as a fraction of the surface's size, so that it does
-   * not hide them. Default 0.0005, range 0 to 0.1.
+   * not hide them. Default 0.001, range 0 to 0.1.
    */
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
@@ -128,7 +130,7 @@ private:
   double SeparatingDistance = 0.015;
   double SeparatingDistanceRatio = 0.5;
   double MinimumLength = 4.0;
-  double Lift = 0.0005;
+  double Lift = 0.001;
 };
 
 #endif

@@ -47,9 +47,9 @@
  * | ----- | ----- | ---------- | ------ | ---------------------------------------------------- |
  * | Index | cells | 1          | double | a multiple of 1 / N, also 0; the active scalars      |
  *
- * Port 3, the spheres: vtkPolyData, a sphere of triangles around each singularity, to be looked at, with its Index at all
- * points, and with the sign of that, 1 or -1, as Sign, the active scalars. Two points that no triangle uses hold the range of
- * Sign, so that colours mean the same whatever singularities there are: in ParaView red is positive, and blue negative.
+ * Port 3, the spheres: vtkPolyData, a sphere of triangles around each singularity, to be looked at. Points have the arrays
+ * of their singularity and SignColor, three unsigned char: red where Index is positive, green where it is negative. A mapper
+ * shows them by SelectColorArray("SignColor").
  *
  * @section vtkFieldSingularities-Execution Execution
  *
@@ -74,7 +74,8 @@ public:
   ///@{
   /**
    * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
-   * arrays Direction0, Direction1, ... if Direction0 is chosen, and 1 for any other array. Range 0 to 8.
+   * arrays Direction0, Direction1, ... if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names
+   * tell, and 1 for any other array. Range 0 to 8.
    */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);

@@ -86,8 +86,9 @@
  * do: the loops of the boundary take the rest. A dataset without points prescribes that there are none, as a torus or an
  * open surface may have. The field has magnitude 1. Directions, guides and features turn it as a whole, on each component to
  * where the mean of w_b m_b |X_b - Y_b|^2 is least; without any, the first side of one triangle is among its
- * directions. Output 0 of vtkFieldSingularities may be connected here. At one point a field can show turns of less than
- * pi / N across each of the edges there; a larger index is a warning.
+ * directions. Outputs 0 and 3 of vtkFieldSingularities may be connected here: points with the same PointId, if there is such
+ * an array, are one singularity, in their middle. At one point a field can show turns of less than pi / N across each of the
+ * edges there; a larger index is a warning.
  *
  * The arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name),
  * those of the guides by SetGuideArrayToProcess(index, 1, 0, association, name), where index is:

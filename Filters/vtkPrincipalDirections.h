@@ -40,7 +40,8 @@
  * triangle.
  *
  * To follow them elsewhere: vtkHarmonicFieldSolver with MaximumDirection as directions and Confidence as weights.
- * vtkFieldLines with NumberOfDirections 4 draws both families, with 2 one of them.
+ * vtkFieldLines and the other filters that draw take these arrays for lines, NumberOfDirections 2, and draw both families
+ * with 4. A copy under another name has to be given its number.
  *
  * @section vtkPrincipalDirections-Execution Execution
  *

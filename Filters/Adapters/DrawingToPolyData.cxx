@@ -15,8 +15,10 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -87,7 +89,7 @@ void LinesToPolyData(
   std::iota(seeds.begin(), seeds.end(), 0);
   vtkCellData* const ofLines = output->GetCellData();
   ofLines->AddArray(NewArray<vtkDoubleArray>("Length", 1, lines.Lengths.data(), numberOfLines));
-  ofLines->SetScalars(NewArray<vtkIntArray>("Branch", 1, lines.Families.data(), numberOfLines));
+  ofLines->AddArray(NewArray<vtkIntArray>("Branch", 1, lines.Families.data(), numberOfLines));
   ofLines->AddArray(NewArray<vtkIntArray>("Seed", 1, seeds.data(), numberOfLines));
   vtkPointData* const ofPoints = output->GetPointData();
   ofPoints->AddArray(NewArray<vtkDoubleArray>(
@@ -114,7 +116,7 @@ void GlyphsToPolyData(
     branch %= families;
   }
   vtkCellData* const ofCells = output->GetCellData();
-  ofCells->SetScalars(NewArray<vtkIntArray>("Branch", 1, branches.data(), numberOfCells));
+  ofCells->AddArray(NewArray<vtkIntArray>("Branch", 1, branches.data(), numberOfCells));
   ofCells->AddArray(NewArray<vtkIntArray>("Direction", 1, glyphs.Directions.data(), numberOfCells));
   ofCells->AddArray(NewArray<vtkIntArray>("Glyph", 1, glyphs.Glyphs.data(), numberOfCells));
   ofCells->AddArray(
@@ -169,28 +171,19 @@ void SingularitiesToPolyData(
 namespace
 {
 
-/// The sign of Index as active scalars. Two points that no cell uses hold their range, so that each sign has a colour of its
-/// own, also where there is no other one.
-void AddSigns(vtkPolyData* spheres)
+/// Red where Index is positive, else green; no active scalars, for which ParaView would add a scalar bar.
+void ColourBySign(vtkPointData* spheres)
 {
-  vtkPointData* const ofPoints = spheres->GetPointData();
-  const Vector3 place(spheres->GetPoint(0));
-  std::vector<double> signs;
-  for (vtkIdType point = 0; point < spheres->GetNumberOfPoints(); ++point)
+  constexpr std::array<unsigned char, 3> Red{ 212, 38, 43 }, Green{ 31, 135, 77 };
+  vtkDataArray* const indices = spheres->GetArray("Index");
+  std::vector<unsigned char> colours;
+  for (vtkIdType point = 0; point < indices->GetNumberOfTuples(); ++point)
   {
-    signs.push_back(ofPoints->GetArray("Index")->GetComponent(point, 0) < 0.0 ? -1.0 : 1.0);
+    const auto& colour = indices->GetComponent(point, 0) < 0.0 ? Green : Red;
+    colours.insert(colours.end(), colour.begin(), colour.end());
   }
-  for (const double sign : { -1.0, 1.0 })
-  {
-    spheres->GetPoints()->InsertNextPoint(place.data());
-    for (int array = 0; array < ofPoints->GetNumberOfArrays(); ++array)
-    {
-      ofPoints->GetAbstractArray(array)->InsertNextTuple(0, ofPoints->GetAbstractArray(array));
-    }
-    signs.push_back(sign);
-  }
-  ofPoints->AddArray(NewArray<vtkDoubleArray>("Sign", 1, signs.data(), static_cast<vtkIdType>(signs.size())));
-  ofPoints->SetActiveScalars("Sign");
+  spheres->AddArray(NewArray<vtkUnsignedCharArray>("SignColor", 3, colours.data(), indices->GetNumberOfTuples()));
+  spheres->SetActiveScalars("");
 }
 
 }
@@ -213,7 +206,7 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
   glyphs->Update();
   output->ShallowCopy(glyphs->GetOutput());
-  AddSigns(output);
+  ColourBySign(output->GetPointData());
   output->GetFieldData()->Initialize();
 }
 

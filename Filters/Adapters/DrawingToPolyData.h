@@ -29,7 +29,7 @@ void GlyphsToPolyData(
 /// \param given the surface, of which \p topology is made.
 void SingularitiesToPolyData(
   const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
-/// Coloured by sign. \param radius of the spheres, in the unit of the points.
+/// With colours of their signs. \param radius of the spheres, in the unit of the points.
 void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* output);
 void CutsToPolyData(
   const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);

@@ -1,5 +1,6 @@
 #include "Adapters/FieldFromArrays.h"
 
+#include "Adapters/ArrayNames.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
@@ -39,11 +40,6 @@ struct ChosenVectors
   bool OnPoints = false;
 };
 
-std::string DirectionName(int k)
-{
-  return "Direction" + std::to_string(k);
-}
-
 std::string NameOf(vtkDataArray* array)
 {
   return array->GetName() ? array->GetName() : "(without a name)";
@@ -53,7 +49,7 @@ ChosenVectors DefaultVectors(vtkPolyData* surface)
 {
   vtkDataSetAttributes* const cells = surface->GetCellData();
   vtkDataSetAttributes* const points = surface->GetPointData();
-  const std::string name = DirectionName(0);
+  const std::string name = ArrayNames::Direction(0);
   for (vtkDataArray* array : { cells->GetArray(name.c_str()), points->GetArray(name.c_str()),
          cells->GetVectors(), points->GetVectors() })
   {
@@ -89,8 +85,8 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
     vtkAbstractArray* const found = byName
       ? attributes->GetAbstractArray(name.c_str())
       : attributes->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
-    vtkDataArray* const ofCells = surface->GetCellData()->GetArray(DirectionName(0).c_str());
-    if (found && name == DirectionName(0) && ofCells)
+    vtkDataArray* const ofCells = surface->GetCellData()->GetArray(ArrayNames::Direction(0).c_str());
+    if (found && name == ArrayNames::Direction(0) && ofCells)
     {
       return { ofCells, false };
     }
@@ -143,18 +139,23 @@ ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
   return chosen;
 }
 
-/// How many arrays Direction0, Direction1, ... there are.
-int NumberOfSiblings(vtkPolyData* surface, const ChosenVectors& chosen)
+/// How many directions an array stands for, by its name.
+int NumberOfDirections(vtkPolyData* surface, const ChosenVectors& chosen)
 {
-  if (NameOf(chosen.Array) != DirectionName(0))
+  const std::string name = NameOf(chosen.Array);
+  if (name == ArrayNames::MaximumDirection || name == ArrayNames::MinimumDirection)
+  {
+    return 2;
+  }
+  if (name != ArrayNames::Direction(0))
   {
     return 1;
   }
   vtkDataSetAttributes* const attributes =
     surface->GetAttributes(chosen.OnPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
   int number = 1;
-  while (
-    number < DirectionsOnFaces::LargestN && attributes->GetArray(DirectionName(number).c_str()))
+  while (number < DirectionsOnFaces::LargestN &&
+    attributes->GetArray(ArrayNames::Direction(number).c_str()))
   {
     ++number;
   }
@@ -215,7 +216,7 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
 {
   for (int k = 1; k < N; ++k)
   {
-    vtkDataArray* const array = input->GetCellData()->GetArray(DirectionName(k).c_str());
+    vtkDataArray* const array = input->GetCellData()->GetArray(ArrayNames::Direction(k).c_str());
     if (!array || array->GetNumberOfComponents() != 3)
     {
       continue;
@@ -245,7 +246,7 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
     {
       if (!isTurned(surface.Faces[polygon]))
       {
-        throw InvalidInput("the vectors Direction0 and " + DirectionName(k) + " of cell " +
+        throw InvalidInput("the vectors Direction0 and " + ArrayNames::Direction(k) + " of cell " +
           std::to_string(surface.FirstCell + polygon) + " are not " + std::to_string(360 * k / N) +
           " degrees apart, as those of a field of " + std::to_string(N) +
           " directions are; draw one array at a time, with 1 as Number Of Directions");
@@ -266,9 +267,10 @@ SurfaceWithField ReadField(
   vtkAlgorithm* algorithm, vtkPolyData* input, int N, const ExecutionContext& context)
 {
   const ChosenVectors chosen = ReadChoice(algorithm, input);
-  const int siblings = NumberOfSiblings(input, chosen);
-  const bool areSiblings = N == 0 || N == siblings;
-  N = N == 0 ? siblings : N;
+  const int numberByName = NumberOfDirections(input, chosen);
+  const bool areSiblings =
+    NameOf(chosen.Array) == ArrayNames::Direction(0) && (N == 0 || N == numberByName);
+  N = N == 0 ? numberByName : N;
   SurfaceMesh surface = MeshFromPolyData(input, Numbering::Spatial, context);
   const TriangleMesh& mesh = surface.Mesh;
   TangentFrames frames = FaceFrames(mesh, context);
@@ -324,6 +326,10 @@ Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const S
         references.row(face) += vector.transpose();
       }
     }
+  }
+  else if (otherwise.isZero(0.0))
+  {
+    throw InvalidInput("Axis is (0, 0, 0), which has no direction; give it another value, or choose Reference Vectors");
   }
   for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
   {

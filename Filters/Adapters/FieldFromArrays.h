@@ -31,8 +31,8 @@ struct SurfaceWithField
 /// is there: the cell array Direction0, the point array Direction0, the active vectors of cells, those of points. Where
 /// cells and points have an array Direction0, both names mean that of the cells.
 ///
-/// \param N of the field; 0: of an array Direction0, as many as there are arrays Direction0, Direction1, ... beside
-/// it, of any other one.
+/// \param N of the field; 0: as many as there are arrays Direction0, Direction1, ... where Direction0 is chosen, 2 for
+/// principal directions, and 1 for any other array.
 /// \throw InvalidInput what MeshFromPolyData refuses; a chosen array that is not there or does not hold vectors; a
 /// vector that is not finite; no direction on any triangle; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.
@@ -40,8 +40,8 @@ SurfaceWithField ReadField(
   vtkAlgorithm* algorithm, vtkPolyData* surface, int N, const ExecutionContext& context);
 
 /// The vectors of an array, one for each face of the mesh; of points, the mean over the corners.
-/// \param otherwise the vector of all faces where none is chosen.
-/// \throw InvalidInput as FindArray; a vector is not finite.
+/// \param otherwise the Axis: the vector of all faces where no array is chosen.
+/// \throw InvalidInput as FindArray; a vector is not finite; \p otherwise is zero where it is taken.
 Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh,
   const Vector3& otherwise);
 

@@ -9,6 +9,7 @@
 #include "vtkPointData.h"
 
 #include <limits>
+#include <map>
 
 namespace dmg
 {
@@ -16,7 +17,39 @@ namespace dmg
 namespace
 {
 
-constexpr const char* NameOfIndices = "Index"; // as vtkFieldSingularities calls them
+// As vtkFieldSingularities calls them.
+constexpr const char* NameOfIndices = "Index";
+constexpr const char* NameOfIds = "PointId";
+
+/// A point, or several that are one singularity, as those of a sphere around it.
+struct GivenSingularity
+{
+  vtkIdType FirstPoint;
+  int NumberOfPoints;
+  Vector3 Sum; ///< of their positions
+};
+
+/// Points with the same PointId are one.
+std::vector<GivenSingularity> SingularitiesOf(const GuideDataSet& dataset)
+{
+  vtkDataArray* const ids = dataset.Data->GetPointData()->GetArray(NameOfIds);
+  const bool haveIds = ids && ids->GetNumberOfTuples() >= dataset.Data->GetNumberOfPoints();
+  std::vector<GivenSingularity> given;
+  std::map<double, std::size_t> numbers; // of the ids, in these
+  for (vtkIdType point = 0; point < dataset.Data->GetNumberOfPoints(); ++point)
+  {
+    const double id = haveIds ? ids->GetComponent(point, 0) : static_cast<double>(point);
+    const auto [number, isNew] = numbers.emplace(id, given.size());
+    if (isNew)
+    {
+      given.push_back({ point, 0, Vector3::Zero() });
+    }
+    GivenSingularity& singularity = given[number->second];
+    singularity.Sum += PositionOf(dataset, point);
+    ++singularity.NumberOfPoints;
+  }
+  return given;
+}
 
 /// Null: 1 / N each.
 vtkDataArray* IndicesOf(const GuideDataSet& dataset, const std::string& chosen)
@@ -90,15 +123,14 @@ std::vector<PrescribedSingularity> BringToSurface(
   for (const GuideDataSet& dataset : datasets)
   {
     vtkDataArray* const indices = IndicesOf(dataset, singularities.IndexArray);
-    for (vtkIdType point = 0; point < dataset.Data->GetNumberOfPoints(); ++point)
+    for (const auto& [point, numberOfPoints, sum] : SingularitiesOf(dataset))
     {
       const std::string name = "point " + std::to_string(point) + " of " + dataset.Name;
       const int times =
         indices ? TimesOfIndex(indices->GetComponent(point, 0), N, name) : 1;
       if (times != 0)
       {
-        prescribed.push_back(
-          { VertexAt(surface, PositionOf(dataset, point), limit, name), times });
+        prescribed.push_back({ VertexAt(surface, sum / numberOfPoints, limit, name), times });
       }
     }
   }

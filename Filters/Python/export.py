@@ -95,7 +95,7 @@ def _vectors(mesh: vtkPolyData, name: str) -> Iterator[Vector]:
     array, first = mesh.GetCellData().GetArray(name), mesh.GetNumberOfVerts() + mesh.GetNumberOfLines()
     if array.GetNumberOfComponents() != 3:
         raise FieldError(f"the array {name} has {array.GetNumberOfComponents()} components instead of 3")
-    for face, _triangle in enumerate(_triangles(mesh)):
+    for face in range(mesh.GetNumberOfPolys()):
         vector = array.GetTuple3(first + face)
         if not all(map(math.isfinite, vector)):
             raise FieldError(f"the array {name} is not finite on face {face}")

@@ -101,8 +101,18 @@ def _update(algorithm: vtkAlgorithm, stacklevel: int) -> Optional[vtkDataObject]
     if errors or failures:
         for failed, _ in errors + failures:
             failed.Modified()  # else the next update would take the empty output for its result
-        raise FieldError("\n".join(dict.fromkeys(text for _, text in errors or failures)))
+        texts = [text for _, text in errors] or [_reason(failed, text, warned) for failed, text in failures]
+        raise FieldError("\n".join(dict.fromkeys(texts)))
     return algorithm.GetOutputDataObject(0) if algorithm.GetNumberOfOutputPorts() else None
+
+
+def _reason(algorithm: vtkAlgorithm, text: str, warned: List[Message]) -> str:
+    """What the executive says, unless that is only that a filter failed: some readers warn of what they do not find."""
+    if "returned failure for request" not in text:
+        return text
+    name = getattr(algorithm, "GetFileName", str)()
+    reasons = [reason for each, reason in warned if each is algorithm] or ["it does not say why"]
+    return f"{algorithm.GetClassName()} failed" + (f" on {name!r}" if name else "") + ": " + "; ".join(reasons)
 
 
 def _pipeline(algorithm: vtkAlgorithm) -> Iterable[vtkAlgorithm]:

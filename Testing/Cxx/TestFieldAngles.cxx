@@ -96,7 +96,7 @@ TEST(FieldAngles, MayBeCountedFromVectorsAtPoints)
   }
 }
 
-TEST(FieldAngles, AreZeroWhereTheAxisIsPerpendicular)
+TEST(FieldAngles, AreZeroWhereTheAxisIsPerpendicularWithAWarning)
 {
   const auto plane = PolyDataOf(PlaneGrid(3, 3));
   const auto vectors = Zeros("Direction0", plane->GetNumberOfCells(), 3);
@@ -104,13 +104,38 @@ TEST(FieldAngles, AreZeroWhereTheAxisIsPerpendicular)
   plane->GetCellData()->AddArray(vectors);
   vtkNew<vtkFieldAngles> filter;
   filter->SetInputData(plane);
+  Messages messages(filter);
   for (const double angle : Angles(filter))
   {
     EXPECT_EQ(angle, 0.0);
   }
+  ASSERT_EQ(messages.GetWarnings().size(), 1u);
+  EXPECT_NE(messages.GetWarnings()[0].find("no angle on 18 of 18 triangles"), std::string::npos);
+  messages.Forget();
   filter->SetAxis(0.0, 1.0, 5.0);
   for (const double angle : Angles(filter))
   {
     EXPECT_NEAR(angle, -90.0, 1e-9);
   }
+  EXPECT_TRUE(messages.Silent());
+}
+
+TEST(FieldAngles, CountTheTrianglesWhereAReferenceVectorIsZero)
+{
+  const auto helix = Helix(75.0);
+  auto* const around = helix->GetPointData()->GetArray("Around");
+  vtkIdType size;
+  const vtkIdType* corners;
+  helix->GetCellPoints(7, size, corners);
+  for (int k = 0; k < 3; ++k)
+  {
+    around->SetTuple3(corners[k], 0.0, 0.0, 0.0);
+  }
+  vtkNew<vtkFieldAngles> filter;
+  filter->SetInputData(helix);
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Around");
+  const Messages messages(filter);
+  EXPECT_EQ(Angles(filter)[7], 0.0);
+  ASSERT_EQ(messages.GetWarnings().size(), 1u);
+  EXPECT_NE(messages.GetWarnings()[0].find("no angle on 1 of "), std::string::npos);
 }

@@ -274,6 +274,38 @@ TEST(FieldLines, ThatAreClosedEndWhereTheyBegan)
   }
 }
 
+/// What the warning says that a property should be.
+double Remedy(const std::string& text, const std::string& property)
+{
+  const std::size_t at = text.rfind(property + " ");
+  return at == std::string::npos ? -1.0 : std::stod(text.substr(at + property.size()));
+}
+
+TEST(FieldLines, ThatAreAllTooShortAreAWarningWhoseRemediesHelp)
+{
+  for (const auto& [distance, length] : { std::pair(0.9, 4.0), std::pair(0.1, 1000.0) })
+  {
+    vtkNew<vtkFieldLines> lines;
+    lines->SetInputData(Crosses(IrregularSphere(3, 3)));
+    lines->SetSeparatingDistance(distance);
+    lines->SetMinimumLength(length);
+    Messages messages(lines);
+    lines->Update();
+    EXPECT_EQ(lines->GetOutput()->GetNumberOfLines(), 0);
+    ASSERT_EQ(messages.GetWarnings().size(), 1u);
+    const std::string text = messages.GetWarnings()[0];
+    messages.Forget();
+    lines->SetSeparatingDistance(Remedy(text, "Separating Distance"));
+    lines->Update();
+    EXPECT_GT(lines->GetOutput()->GetNumberOfLines(), 0) << text;
+    lines->SetSeparatingDistance(distance);
+    lines->SetMinimumLength(Remedy(text, "Minimum Length"));
+    lines->Update();
+    EXPECT_GT(lines->GetOutput()->GetNumberOfLines(), 0) << text;
+    EXPECT_TRUE(messages.Silent());
+  }
+}
+
 TEST(FieldGlyphs, OffersStylesPlacementsAndSizings)
 {
   const auto data = WithVectors(PlaneGrid(10, 10), "Wind", Cells, { 1.0, 0.0, 0.0 });

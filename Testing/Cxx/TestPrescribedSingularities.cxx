@@ -148,6 +148,10 @@ TEST_F(Singularities, MayBeThoseOfAnotherField)
   EXPECT_EQ(Values(this->Solver->GetOutput()->GetPointData(), "SingularityIndex"),
     Values(other->GetOutput()->GetPointData(), "SingularityIndex"));
   EXPECT_FALSE(found.empty());
+
+  this->Solver->RemoveAllSingularities();
+  this->Solver->AddSingularitiesConnection(singularities->GetOutputPort(3));
+  EXPECT_EQ(this->Found(), found) << "as spheres";
 }
 
 TEST_F(Singularities, MovedSolveAgainOnly)

@@ -1,3 +1,4 @@
+#include "vtkFieldSingularities.h"
 #include "vtkPrincipalDirections.h"
 
 #include "TestTools.h"
@@ -58,6 +59,27 @@ TEST(PrincipalDirectionsFilter, ShowsThoseOfATorusOnCellsAndPoints)
     const Vector3 normal = (b - a).cross(c - a).normalized();
     EXPECT_LT((normal.cross(maximum) - minimum).norm(), 1e-9);
     EXPECT_LT(std::abs(maximum.dot(Vector3(-a[1], a[0], 0.0).normalized())), 0.15);
+  }
+}
+
+// Their signs are arbitrary: taken for vectors, they would have singularities all over. Those of a torus have none.
+TEST(PrincipalDirectionsFilter, MakesDirectionsThatAreDrawnAsLines)
+{
+  vtkNew<vtkPrincipalDirections> bends;
+  bends->SetInputData(PolyDataOf(IrregularTorus(60, 30, 3)));
+  for (const char* const name : { "MaximumDirection", "MinimumDirection" })
+  {
+    for (const int association : { vtkDataObject::FIELD_ASSOCIATION_CELLS, vtkDataObject::FIELD_ASSOCIATION_POINTS })
+    {
+      vtkNew<vtkFieldSingularities> singularities;
+      singularities->SetInputConnection(bends->GetOutputPort());
+      singularities->SetInputArrayToProcess(0, 0, 0, association, name);
+      singularities->Update();
+      EXPECT_EQ(singularities->GetOutput()->GetNumberOfPoints(), 0) << name;
+      singularities->SetNumberOfDirections(1);
+      singularities->Update();
+      EXPECT_GT(singularities->GetOutput()->GetNumberOfPoints(), 10) << name;
+    }
   }
 }
 

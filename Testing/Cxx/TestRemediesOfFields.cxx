@@ -67,6 +67,9 @@ const DrawingMistake WithFields[] = {
     "choose another", { Drawn(0, "Given") } },
   { "Askew", Cell10("Direction1", Along), "draw one array at a time, with 1 as Number Of Directions",
     { [](Angles* angles, vtkPolyData*) { angles->SetNumberOfDirections(1); } } },
+  { "NoAxis", [](Angles* angles, vtkPolyData*) { angles->SetAxis(0.0, 0.0, 0.0); },
+    "Axis is (0, 0, 0), which has no direction; give it another value, or choose Reference Vectors",
+    { [](Angles* angles, vtkPolyData*) { angles->SetAxis(0.0, 0.0, -2.0); }, Drawn(1, "Given") } },
   { "ReferenceNotFinite",
     [](Angles* angles, vtkPolyData* surface) {
       Cell10("Given", Vector3::Constant(NaN))(angles, surface);

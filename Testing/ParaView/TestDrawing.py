@@ -115,11 +115,10 @@ class Drawing(unittest.TestCase):
         self.assertEqual(fetch(singularities, 2).GetNumberOfLines(), 0)
         spheres = fetch(singularities, 3)
         self.assertEqual(set(array(spheres.GetPointData(), "Index")), set(indices))
-        signs = array(spheres.GetPointData(), "Sign")
+        colours = array(spheres.GetPointData(), "SignColor")
+        self.assertTrue((colours[:, 0] > 2 * colours[:, 1:].max(axis=1)).all())  # red, as all indices are positive
         used = np.unique(vtk_to_numpy(spheres.GetPolys().GetConnectivityArray()))
-        self.assertEqual(list(signs[used]), list(np.sign(array(spheres.GetPointData(), "Index"))[used]))
-        self.assertEqual(spheres.GetPointData().GetScalars().GetName(), "Sign")
-        self.assertEqual((signs.min(), signs.max()), (-1, 1))  # whatever the indices
+        self.assertEqual(len(used), spheres.GetNumberOfPoints())
         singularities.SphereRadius = 0.1
         centres, around = (vtk_to_numpy(fetch(singularities, port).GetPoints().GetData()) for port in (0, 3))
         distances = np.linalg.norm(around[:, None] - centres, axis=2).min(axis=1)
@@ -128,6 +127,12 @@ class Drawing(unittest.TestCase):
         self.assertAlmostEqual(array(fetch(singularities).GetPointData(), "Index").sum(), 2)
         singularities.Directions = ["CELLS", "Direction1"]
         self.assertGreater(fetch(singularities).GetNumberOfPoints(), 0)
+
+    def test_principal_directions_are_lines(self):
+        tube = simple.Triangulate(Input=simple.Cylinder(Resolution=40, Capping=0))
+        bends = simple.PrincipalDirections(Input=tube)
+        glyphs = simple.FieldGlyphs(Input=bends, Directions=["CELLS", "MaximumDirection"])
+        self.assertEqual(set(array(fetch(glyphs).GetCellData(), "Direction")), {0, 1})
 
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_apply_shows_them(self):
@@ -141,11 +146,88 @@ class Drawing(unittest.TestCase):
                 source = proxy(Input=self.field)
                 display = simple.Show(source, view)
                 display.GaussianRadius = 0.03
-                self.assertNotEqual(display.ColorArrayName[1], "", "it has a colour of its own")
                 self.assertGreater((self.colours(view) != plain).any(axis=1).mean(), 0.001)
                 simple.Hide(source, view)
         self.assertEqual(display.Representation, "Point Gaussian")
+        self.assertEqual(display.ColorArrayName[1], "Index")
         simple.Delete(view)
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_lines_and_glyphs_are_dark_until_an_array_is_chosen(self):
+        """Without one there is no scalar bar."""
+        view = simple.CreateRenderView(ViewSize=[500, 500])
+        for proxy, port in ((simple.FieldLines, 0), (simple.FieldGlyphs, 0), (simple.DirectionalField, 1)):
+            with self.subTest(proxy=proxy.__name__):
+                source = proxy(Input=self.field)
+                display = simple.Show(simple.OutputPort(source, port), view)
+                self.assertEqual((display.Representation, display.ColorArrayName[1]), ("Ink", ""))
+                display.InkColor = [0, 0.5, 0]
+                self.assertGreater(self.part_of(view, 1), 0.01)
+                simple.ColorBy(display, ("CELLS", "Branch"))
+                for component in (0, 2):
+                    self.assertGreater(self.part_of(view, component), 0.002)
+                self.assertLess(self.part_of(view, 1), 0.002)
+                simple.Hide(simple.OutputPort(source, port), view)
+        simple.Delete(view)
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_lines_do_not_break_into_dashes(self):
+        """As much is seen of them as with four times the lift, also near the silhouette, and nothing from behind."""
+        view = simple.CreateRenderView(ViewSize=[500, 500], OrientationAxesVisibility=0)
+        simple.Show(self.field, view)
+        lines = simple.FieldLines(Input=self.field)
+        simple.Show(lines, view)
+        blue = 2
+        seen = self.part_of(view, blue)
+        lines.Lift = 4 * lines.Lift
+        self.assertAlmostEqual(seen / self.part_of(view, blue), 1, delta=0.05)
+        simple.Delete(view)
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_spheres_are_red_and_green(self):
+        view = simple.CreateRenderView(ViewSize=[500, 500])
+        line = simple.Line(Point1=[0, 0, -1], Point2=[0, 0, 1], Resolution=1)
+        poles = simple.Calculator(Input=line, ResultArrayName="Index", Function="1 + 2 * coordsZ")  # -1 and 3
+        sphere = simple.Sphere(Radius=1, ThetaResolution=60, PhiResolution=60)
+        field = simple.DirectionalField(Input=sphere, PrescribedSingularities=poles, SphereRadius=0.1)
+        view.CameraPosition = [7, 0, 0]
+        display = simple.Show(simple.OutputPort(field, 2), view)
+        self.assertEqual((display.Representation, display.ColorArrayName[1]), ("Sign Colors", ""))
+        for component, least, most in ((0, 0.005, 1), (1, 0.005, 1), (2, 0, 1e-4)):
+            self.assertGreaterEqual(self.part_of(view, component), least, component)
+            self.assertLess(self.part_of(view, component), most, component)
+        simple.Delete(view)
+
+    def part_of(self, view, component):
+        """Of the picture, that in which one of red, green and blue is strong and the others are weak."""
+        colours = self.colours(view).astype(int)
+        others = np.delete(colours, component, axis=1).max(axis=1)
+        return (colours[:, component] > 1.5 * others + 5).mean()
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_surface_lic_shows_the_points_directions(self):
+        """Stripes along the field: brightness varies more than shading does, and across more than along the directions."""
+        plane = simple.Triangulate(Input=simple.Plane(XResolution=40, YResolution=40))
+        field = simple.HarmonicFieldSolver(Input=plane, BoundaryWeight=1)
+        view = simple.CreateRenderView(ViewSize=[500, 500], OrientationAxesVisibility=0)
+        display = simple.Show(field, view)
+        if "Surface LIC" not in display.GetProperty("Representation").Available:
+            self.skipTest("ParaView has no Surface LIC here")
+        flat = self.brightness(view)
+        display.Representation = "Surface LIC"
+        stripes = self.brightness(view)
+        x, y = 0, 1
+        self.assertLess(flat.std(), 1)
+        self.assertGreater(stripes.std(), 10)
+        direction = vtk_to_numpy(fetch(field).GetPointData().GetArray("Direction0"))
+        along, across = (x, y) if np.abs(direction[:, x]).min() > 0.99 else (y, x)
+        changes = [np.abs(np.diff(stripes, axis=1 - axis)).mean() for axis in (along, across)]
+        self.assertGreater(changes[1], 2 * changes[0])
+        simple.Delete(view)
+
+    def brightness(self, view):
+        """In the middle of the picture, rows from below."""
+        return self.colours(view).astype(float).mean(axis=1).reshape(500, 500)[200:300, 200:300]
 
     @unittest.skipUnless(IMAGE, "needs a display")
     def test_colours_come_from_points_and_cells_alone(self):

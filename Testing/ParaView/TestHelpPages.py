@@ -28,7 +28,7 @@ class HelpPages(unittest.TestCase):
         for proxy in proxies():
             with self.subTest(proxy.get("name")):
                 text = (PAGES / f"filters.{proxy.get('name')}.html").read_text()
-                for part in (f"<h1>{proxy.get('label')}</h1>", "<img ", "<h2>When to use it</h2>", "<h2>Limits"):
+                for part in (f"<h1>{proxy.get('label')}</h1>", "<img ", "<h2>When to use it</h2>", "<h2>Limits", "ources</h2>" if proxy.tag == "SourceProxy" else ""):
                     self.assertIn(part, text)
 
     def test_a_row_per_property(self):
@@ -37,6 +37,8 @@ class HelpPages(unittest.TestCase):
             for name in (child.get("name") for child in proxy if child.tag.endswith("VectorProperty")):
                 label = proxy.find(f"*[@name='{name}']").get("label")
                 self.assertIn(f"<th>{label}</th>", text, proxy.get("name"))
+            for exposed in proxy.findall("ExposedProperties/Property"):
+                self.assertRegex(text, f"<(th|i)>{exposed.get('exposed_name')}</(th|i)>", proxy.get("name"))
 
     def test_links(self):
         for path in [*PAGES.glob("*.html"), *PAGES.glob("*.md")]:

@@ -82,6 +82,9 @@ def check_those_of_another_field():
     points, indices = indices_of(third)
     assert (indices == 0.25).all() and len(indices) == 8
     assert np.isclose(sorted(points[:, 2]), sorted(expected[0][:, 2]), atol=1e-6).all()
+    shown = simple.DirectionalField(Input=sphere)
+    fourth = simple.HarmonicFieldSolver(Input=sphere, Singularities=simple.OutputPort(shown, 2))
+    assert np.array_equal(indices_of(fourth)[0], expected[0])  # from the middle of the spheres
 
 
 def check_the_filter_that_shows_it():

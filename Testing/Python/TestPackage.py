@@ -13,6 +13,7 @@ import warnings
 import numpy as np
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 import directionalmultigrid
@@ -216,6 +217,16 @@ class Update(unittest.TestCase):
             update(solver)
         with self.assertRaisesRegex(TypeError, "no VTK filter"):
             update(torus(20, 10))
+
+    def test_says_in_a_line_what_a_reader_only_warns_of(self):
+        reader = vtkPLYReader()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            with self.assertRaisesRegex(FieldError, r"\AvtkPLYReader failed: [^\n]*\Z"):
+                update(reader)
+            reader.SetFileName("no such file.ply")
+            with self.assertRaisesRegex(FieldError, r"\AvtkPLYReader failed on 'no such file.ply': [^\n]*\Z"):
+                update(reader)
 
 
 class Package(unittest.TestCase):

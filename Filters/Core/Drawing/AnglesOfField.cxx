@@ -1,6 +1,7 @@
 #include "Drawing/AnglesOfField.h"
 
 #include <complex>
+#include <limits>
 
 namespace dmg
 {
@@ -19,7 +20,8 @@ Vector<double> AnglesOfField(const TangentFrames& faceFrames, const DirectionsOn
       const bool isDefined = field.HasDirection(face) &&
         std::abs(tangential) > SmallestTangentialPart * reference.norm();
       const Complex nearest = field.Direction(face, field.Nearest(face, tangential));
-      angles[face] = isDefined ? std::arg(nearest * std::conj(tangential)) : 0.0;
+      angles[face] = isDefined ? std::arg(nearest * std::conj(tangential))
+                               : std::numeric_limits<double>::quiet_NaN();
     }
   });
   return angles;

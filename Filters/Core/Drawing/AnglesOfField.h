@@ -10,8 +10,8 @@ namespace dmg
 {
 
 /// The angle from a reference vector, projected to the plane of the face, to the nearest direction of the field:
-/// counter-clockwise about the normal, in (-pi / N, pi / N]. 0 where there is no direction, or where the reference is
-/// perpendicular to the face. Changing the sign of the reference does not change angles where N is even.
+/// counter-clockwise about the normal, in (-pi / N, pi / N]. NaN where there is no direction, or where the reference is
+/// zero or perpendicular to the face. Changing the sign of the reference does not change angles where N is even.
 /// \param references in space, one for each face.
 /// Cost: O(#F).
 Vector<double> AnglesOfField(const TangentFrames& faceFrames, const DirectionsOnFaces& field,

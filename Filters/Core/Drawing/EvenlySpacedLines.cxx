@@ -23,7 +23,7 @@ constexpr double ShortestStep = 0.02; ///< between two looks at the neighbours
 constexpr double WidestClosing = 0.1; ///< offset across which a line is closed
 constexpr double CoverRadius = 0.9;
 constexpr double FailureRadius =
-  0.25; ///< around a seed whose line is too short, other lines are as well
+  0.25; ///< around a line that is too short, others are as well
 constexpr double CoverStep =
   0.5; ///< the faces within CoverRadius of such samples are near the line
 constexpr double SeedStep = 0.5; ///< along a line, between seeds beside it
@@ -49,6 +49,7 @@ public:
     , Options(options)
     , Context(context)
     , Spacing(surface, field, options.Separation)
+    , TooShort(surface, field, options.Separation)
     , Walk(surface)
     , Tracer(surface, field)
     , StopDistance(options.StopRatio * options.Separation)
@@ -109,13 +110,18 @@ private:
       this->Count();
       const Complex direction = this->Field.Direction(seed.Place.Face, seed.Direction);
       const std::size_t size = this->Spacing.Segments().size();
-      if (!this->Spacing.IsFree(seed.Place, direction, NearestSeed * this->Options.Separation))
+      if (!this->Spacing.IsFree(seed.Place, direction, NearestSeed * this->Options.Separation) ||
+        !this->TooShort.IsFree(seed.Place, direction, FailureRadius * this->Options.Separation))
       {
         continue;
       }
       if (!this->DrawThrough(seed))
       {
-        this->Spacing.Cover(seed.Place, direction, FailureRadius * this->Options.Separation);
+        for (std::size_t i = size; i < this->Spacing.Segments().size(); ++i)
+        {
+          this->TooShort.Add(this->Spacing.Segments()[i]);
+        }
+        this->Spacing.Shrink(size);
         continue;
       }
       this->VisitSamples(size, CoverStep,
@@ -161,10 +167,9 @@ private:
     }
   }
 
-  /// \return whether the line is long enough; else nothing is left of it.
+  /// \return whether the line is long enough; else only its segments are left.
   bool DrawThrough(const Seed& seed)
   {
-    const std::size_t size = this->Spacing.Segments().size();
     Trail forth;
     this->AddPoint(forth, this->Surface.Position(seed.Place.Face, seed.Place.Point),
       seed.Place.Face, seed.Place.Face);
@@ -179,7 +184,8 @@ private:
     if (!(forth.Length + back.Length >= this->Options.MinimumLength) ||
       forth.Points.size() + back.Points.size() < 3)
     {
-      this->Spacing.Shrink(size);
+      this->Lines.LongestLeftOut =
+        std::max(this->Lines.LongestLeftOut, forth.Length + back.Length);
       return false;
     }
     std::reverse(back.Points.begin(), back.Points.end());
@@ -330,6 +336,7 @@ private:
   const LineOptions Options;
   const ExecutionContext& Context;
   LineSpacing Spacing;
+  LineSpacing TooShort; ///< lines that were not drawn
   SurfaceWalk Walk;
   LineTracer Tracer;
   const double StopDistance;

@@ -37,6 +37,8 @@ struct LinesOnSurface
     Families; ///< of the direction along which it started (DirectionsOnFaces), at its seed
   std::vector<char> IsClosed; ///< whether the last point goes on to the first
 
+  double LongestLeftOut = 0.0; ///< length of the longest line that was too short
+
   int NumberOfLines() const { return static_cast<int>(this->Lengths.size()); }
 };
 

@@ -395,6 +395,22 @@ TEST(EvenlySpacedLines, AreRefusedWhereThereAreTooManyAndFewerOrLargerTrianglesH
   EXPECT_GT(Draw(coarse, options).NumberOfLines(), 10);
 }
 
+// An attempt is remembered along its way, and not made again from there.
+TEST(EvenlySpacedLines, ThatAreAllTooShortAreTriedOnce)
+{
+  const DrawnField field(
+    Icosphere(6), 4, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
+  std::vector<std::size_t> work;
+  for (const double minimumLength : { 0.2, 1000.0 })
+  {
+    const TbbContext context(1);
+    const LinesOnSurface lines = Draw(field, { 0.05, 0.5, minimumLength }, context);
+    work.push_back(context.Progress().size());
+    EXPECT_EQ(lines.NumberOfLines() == 0, minimumLength > 1.0);
+  }
+  EXPECT_LT(work[1], 8 * work[0]);
+}
+
 TEST(EvenlySpacedLines, CanBeCancelled)
 {
   const DrawnField field(

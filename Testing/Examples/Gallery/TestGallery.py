@@ -157,11 +157,16 @@ def check_levels(result):
         assert 2 * surface.GetNumberOfPoints() - surface.GetNumberOfCells() == 4
 
 
-def check_picture(path):
+def picture(path):
+    """A row per pixel."""
     reader = vtkPNGReader()
     reader.SetFileName(path)
     reader.Update()
-    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+
+
+def check_picture(path):
+    pixels = picture(path)
     background = (pixels == 255).all(axis=1).mean()
     assert 0.1 < background < 0.9 and len(np.unique(pixels[::7], axis=0)) > 1000, (background, path)
 

@@ -6,11 +6,10 @@ import tempfile
 import unittest
 
 import numpy as np
-import paraview.simple as simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOImage import vtkPNGReader
 
 import three_fields
+from TestGallery import cells, corners, fetch, normals, picture, unit
 
 
 class ThreeFields(unittest.TestCase):
@@ -22,19 +21,12 @@ class ThreeFields(unittest.TestCase):
         os.chdir(folder.name)
         data = pathlib.Path(three_fields.__file__).resolve().parents[3] / "Data"
         proxies = three_fields.main(str(data / "double_torus.vtp"), subdivisions=1)
-        cls.fields = {name: simple.servermanager.Fetch(field) for name, field in proxies.items()}
-        points = vtk_to_numpy(cls.fields["face_field"].GetPoints().GetData()).astype(float)
-        triangles = vtk_to_numpy(cls.fields["face_field"].GetPolys().GetConnectivityArray())
-        cls.corners = points[triangles.reshape(-1, 3)]
-        cls.pictures = {}
-        for name in cls.fields:
-            reader = vtkPNGReader()
-            reader.SetFileName(f"{name}.png")
-            reader.Update()
-            cls.pictures[name] = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+        cls.fields = {name: fetch(field) for name, field in proxies.items()}
+        cls.corners = corners(cls.fields["face_field"]).astype(float)
+        cls.pictures = {name: picture(f"{name}.png") for name in cls.fields}
 
     def cells(self, name, array):
-        return vtk_to_numpy(self.fields[name].GetCellData().GetArray(array))
+        return cells(self.fields[name], array)
 
     def test_pictures(self):
         for name, pixels in self.pictures.items():
@@ -53,15 +45,13 @@ class ThreeFields(unittest.TestCase):
     def test_hard_constraints(self):
         """Each arrow holds the faces below it: a unit vector in their planes, its own way."""
         a, b, c = np.moveaxis(self.corners, 1, 0)
-        normals = np.cross(b - a, c - a)
-        normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+        n = normals(self.fields["face_field"])
         for start, end in np.array(three_fields.STROKES):
             way = (end - start) / np.linalg.norm(end - start)
             near = np.linalg.norm((a + b + c) / 3 - (start + end) / 2, axis=1) < 0.15
             where = (self.cells("face_field", "Prescribed") > 0) & near
             self.assertTrue(where.any())
-            expected = way - normals[where] * (normals[where] @ way)[:, None]
-            expected /= np.linalg.norm(expected, axis=1, keepdims=True)
+            expected = unit(way - n[where] * (n[where] @ way)[:, None])
             np.testing.assert_allclose(self.cells("face_field", "FaceField")[where], expected, atol=1e-5)
             crosses = np.stack([self.cells("power_field", f"Direction{k}")[where] for k in range(4)])
             self.assertLess(np.linalg.norm(crosses - expected, axis=2).min(axis=0).max(), 1e-5)

@@ -11,7 +11,7 @@ try:
 except NameError:  # until ParaView 6.0
     PolylineLength = AppendArcLength
 
-GREEN, RED, BLUE = [0.12, 0.53, 0.3], [0.83, 0.15, 0.17], [0.1, 0.26, 0.45]
+RED, BLUE = [0.83, 0.15, 0.17], [0.1, 0.26, 0.45]
 IVORY, GOLD = [1, 0.97, 0.92], [0.98, 0.68, 0.08]
 
 
@@ -37,7 +37,7 @@ def show(source, view, colour="", **properties):
     """In one colour, or in those of an array of points."""
     if "Position" in properties and GetParaViewVersion() >= (5, 13):
         properties["Translation"] = properties.pop("Position")  # its new name
-    display = Show(source, view, **properties)
+    display = Show(source, view, **{"Representation": "Surface", **properties})
     ColorBy(display, ("POINTS", colour if isinstance(colour, str) else ""))
     if not isinstance(colour, str):
         display.AmbientColor = display.DiffuseColor = colour
@@ -88,8 +88,7 @@ def show_arrow(line, view, length, **properties):
 def show_singularities(field, view, radius=0.01, **properties):
     """Balls, red where the index is positive and green where it is negative."""
     singularities = FieldSingularities(Input=field, SphereRadius=radius)
-    show(OutputPort(singularities, 3), view, "Index", Specular=0.4, **properties)
-    GetColorTransferFunction("Index").RGBPoints = [-1, *GREEN, 0, *GREEN, 0, *RED, 1, *RED]
+    show(OutputPort(singularities, 3), view, Representation="Sign Colors", Specular=0.4, **properties)
     return servermanager.Fetch(singularities)
 
 
