@@ -12,6 +12,8 @@
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 
+#include <initializer_list>
+
 class vtkAlgorithm;
 class vtkInformation;
 
@@ -51,7 +53,8 @@ Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const S
 /// \return what RequestData returns.
 template <class Draw>
 int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, int N, const std::vector<PropertyRange>& others, const Draw& draw)
+  vtkInformationVector* outputs, int N, std::initializer_list<PropertyRange> others,
+  const Draw& draw)
 {
   return MakeOutputs(algorithm, request, inputs, outputs, [&](const ExecutionContext& context) {
     CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });

@@ -9,7 +9,7 @@
 namespace dmg
 {
 
-void CheckRanges(const std::vector<PropertyRange>& properties)
+void CheckRanges(std::initializer_list<PropertyRange> properties)
 {
   for (const auto& [label, value, least, most] : properties)
   {

@@ -2,14 +2,14 @@
 #define dmgPropertyRanges_h
 
 #include <cstddef>
+#include <initializer_list>
 #include <limits>
-#include <string>
-#include <vector>
 
 namespace dmg
 {
 
 /// A number that a filter was told, and those that it takes. Setters keep what they are told, and RequestData refuses it.
+/// Takes no memory of the heap, so that it can be made where nothing may be thrown.
 struct PropertyRange
 {
   /// \param label what the window calls the property.
@@ -22,12 +22,12 @@ struct PropertyRange
   {
   }
 
-  std::string Label;
+  const char* Label;
   double Value, Least, Most;
 };
 
 /// \throw InvalidInput one is out of its range, or not a number: the label of the first, its value and the range.
-void CheckRanges(const std::vector<PropertyRange>& properties);
+void CheckRanges(std::initializer_list<PropertyRange> properties);
 
 /// The name of a value of an enumeration, for PrintSelf.
 template <std::size_t Size>

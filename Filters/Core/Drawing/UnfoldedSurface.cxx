@@ -1,7 +1,5 @@
 #include "Drawing/UnfoldedSurface.h"
 
-#include "Drawing/StagnationCheck.h"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +11,8 @@ namespace
 {
 
 constexpr int Grain = 4096;
+// By one straight way. Around a vertex it would turn without end, and around a spike a million times.
+constexpr int MostCrossed = 10'000;
 
 }
 
@@ -113,8 +113,7 @@ UnfoldedSurface::Exit UnfoldedSurface::Meet(
 bool UnfoldedSurface::GoStraight(SurfacePoint& from, Complex& direction, double length) const
 {
   int entry = -1;
-  StagnationCheck progress(this->Position(from.Face, from.Point), 0.01 * length);
-  do
+  for (int crossed = 0; crossed < MostCrossed; ++crossed)
   {
     const Exit exit = this->LeaveFace(from, direction, entry);
     const double way = std::abs(this->PointAlong(exit.Halfedge, exit.Part) - from.Point);
@@ -131,7 +130,7 @@ bool UnfoldedSurface::GoStraight(SurfacePoint& from, Complex& direction, double 
     }
     direction *= this->Across(exit.Halfedge);
     from = { TriangleMesh::FaceOf(entry), this->PointAlong(entry, 1.0 - exit.Part) };
-  } while (!progress.IsStagnant(this->Position(from.Face, from.Point)));
+  }
   return false;
 }
 

@@ -89,7 +89,7 @@ public:
 
   /// Goes straight on for a length, unfolding face after face.
   /// \param direction unit; is turned into the frame of the last face.
-  /// \return false where it meets the boundary before, or turns around one place.
+  /// \return false where it meets the boundary before, or has crossed 10,000 triangles, as around a vertex or a spike.
   bool GoStraight(SurfacePoint& from, Complex& direction, double length) const;
 
 private:

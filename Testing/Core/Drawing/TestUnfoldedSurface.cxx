@@ -74,6 +74,16 @@ TEST(UnfoldedSurface, ComesBackAroundAPrism)
   EXPECT_LT((field.Unfolded.Position(at.Face, at.Point) - from).norm(), 1e-11);
 }
 
+/// As a glyph on the large triangles of a long spike would.
+TEST(UnfoldedSurface, GivesUpATurnAroundAPrismThatIsFarTooLong)
+{
+  const DrawnField field(Prism(12, 10), 1, Along);
+  SurfacePoint at = field.Unfolded.Centre(7);
+  Complex direction = field.Frames.ToComplex(7, field.Frames.Normal(7).cross(Vector3(0.0, 0.0, 1.0)));
+  EXPECT_FALSE(field.Unfolded.GoStraight(at, direction, 1e12));
+  EXPECT_NEAR(std::abs(direction), 1.0, 1e-9);
+}
+
 TEST(SurfaceWalk, FindsTheFacesThatAreNearInAPlane)
 {
   const DrawnField field(IrregularPlane(16, 16, 8), 1, Along);
