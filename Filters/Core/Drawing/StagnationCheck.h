@@ -7,13 +7,14 @@ namespace dmg
 {
 
 /// Detects a path over triangles that makes no progress, as one that turns around a vertex without end: 300 triangles have
-/// brought it less than a distance away, though the path through them is ten times as long as that. A path that crosses a
-/// band of thin triangles goes on.
+/// brought it less than a distance away, though the path through them is ten times as long as that, or 10,000 triangles less
+/// than 20 distances, as where it winds around a spike. A path that crosses a band of thin triangles goes on.
 class StagnationCheck
 {
 public:
   StagnationCheck(const Vector3& start, double distance)
     : Before(start)
+    , LongBefore(start)
     , Last(start)
     , Distance(distance)
   {
@@ -23,10 +24,19 @@ public:
   /// \param now where the path is.
   bool IsStagnant(const Vector3& now)
   {
-    constexpr int Triangles = 300;
-    constexpr double Detour = 10.0;
+    constexpr int Triangles = 300, ManyTriangles = 10'000;
+    constexpr double Detour = 10.0, ManyDistances = 20.0;
     this->Length += (now - this->Last).norm();
     this->Last = now;
+    if (++this->CrossedLong >= ManyTriangles)
+    {
+      return true;
+    }
+    if ((now - this->LongBefore).norm() >= ManyDistances * this->Distance)
+    {
+      this->LongBefore = now;
+      this->CrossedLong = 0;
+    }
     if (++this->Crossed % Triangles != 0)
     {
       return false;
@@ -39,10 +49,11 @@ public:
   }
 
 private:
-  Vector3 Before, Last;
+  Vector3 Before, LongBefore, Last;
   double Length = 0.0; ///< since Before
   const double Distance;
   int Crossed = 0;
+  int CrossedLong = 0; ///< since LongBefore
 };
 
 }

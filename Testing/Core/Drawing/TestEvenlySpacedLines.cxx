@@ -253,6 +253,16 @@ TEST(EvenlySpacedLines, CloseAroundAPrismUnlessTheyAreHelices)
   }
 }
 
+TEST(EvenlySpacedLines, DoNotWindAroundASpikeForEver)
+{
+  Surface prism = Prism(12, 6);
+  prism.V.col(2) *= 1e6;
+  const auto helix = [](const Vector3& p) { return Vector3(Vector3(-p[1], p[0], 0.0).normalized() + Vector3::UnitZ()); };
+  const DrawnField field(prism, 1, helix);
+  const LinesOnSurface lines = Draw(field, { 1e5, 0.5, 0.0 });
+  EXPECT_LT(lines.Positions.size(), 100'000u * static_cast<std::size_t>(lines.NumberOfLines() + 1));
+}
+
 TEST(EvenlySpacedLines, StayOnTheSurface)
 {
   const DrawnField field(Annulus(60, 12), 2, [](const Vector3&) { return Vector3(1.0, 0.3, 0.0); });
