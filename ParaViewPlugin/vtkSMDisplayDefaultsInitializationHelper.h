@@ -1,0 +1,30 @@
+/**
+ * @class   vtkSMDisplayDefaultsInitializationHelper
+ * @brief   gives what shows a filter its defaults once there are data, where the first Apply failed
+ *
+ * ParaView derives the defaults of a representation (sizes of glyphs and of Gaussian points, arrays of vectors) from the
+ * data when it makes the representation, and never again. If the first Apply fails, these are defaults of nothing: sizes
+ * below zero and no arrays, which would stay after the input is mended. The XML of our filters therefore names this class
+ * in an InitializationHelper: it watches the filter and derives such properties again as soon as there are data. What
+ * somebody has chosen stays.
+ */
+
+#ifndef vtkSMDisplayDefaultsInitializationHelper_h
+#define vtkSMDisplayDefaultsInitializationHelper_h
+
+#include "vtkSMProxyInitializationHelper.h"
+
+class vtkSMDisplayDefaultsInitializationHelper : public vtkSMProxyInitializationHelper
+{
+public:
+  static vtkSMDisplayDefaultsInitializationHelper* New();
+  vtkTypeMacro(vtkSMDisplayDefaultsInitializationHelper, vtkSMProxyInitializationHelper);
+
+  /// Lets ParaView make objects of this class by its name. The plugin calls it when it is loaded.
+  static void Register();
+
+  void PostInitializeProxy(
+    vtkSMProxy* filter, vtkPVXMLElement* hint, vtkMTimeType initialised) override;
+};
+
+#endif
