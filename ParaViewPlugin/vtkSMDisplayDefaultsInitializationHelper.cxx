@@ -83,10 +83,11 @@ void OnUpdate(vtkObject* caller, unsigned long, void*, void*)
   std::set<vtkSMProxy*> representations; // each once, although its parts use the filter, too
   for (unsigned int index = 0; index < filter->GetNumberOfConsumers(); ++index)
   {
-    vtkSMProxy* const consumer = filter->GetConsumerProxy(index)->GetTrueParentProxy();
-    if (consumer->IsA("vtkSMRepresentationProxy"))
+    vtkSMProxy* const consumer = filter->GetConsumerProxy(index); // null once it is deleted
+    vtkSMProxy* const whole = consumer ? consumer->GetTrueParentProxy() : nullptr;
+    if (whole && whole->IsA("vtkSMRepresentationProxy"))
     {
-      representations.insert(consumer);
+      representations.insert(whole);
     }
   }
   for (vtkSMProxy* const representation : representations)

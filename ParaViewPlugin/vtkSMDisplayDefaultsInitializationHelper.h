@@ -2,11 +2,12 @@
  * @class   vtkSMDisplayDefaultsInitializationHelper
  * @brief   gives what shows a filter its defaults once there are data, where the first Apply failed
  *
- * ParaView derives the defaults of a representation (sizes of glyphs and of Gaussian points, arrays of vectors) from the
- * data when it makes the representation, and never again. If the first Apply fails, these are defaults of nothing: sizes
- * below zero and no arrays, which would stay after the input is mended. The XML of our filters therefore names this class
- * in an InitializationHelper: it watches the filter and derives such properties again as soon as there are data. What
- * somebody has chosen stays.
+ * ParaView derives the defaults of a representation (sizes of glyphs, arrays of vectors and
+ * normals) from the data when it makes the representation, and never again. If the first Apply
+ * fails, these are defaults of nothing, sizes below zero and no arrays, and would stay after the
+ * input is mended. The XML of our filters therefore names this class in an InitializationHelper: it
+ * watches the filter and derives such properties again as soon as there are data. What somebody has
+ * chosen stays.
  */
 
 #ifndef vtkSMDisplayDefaultsInitializationHelper_h
