@@ -55,7 +55,7 @@ done
 for flavour; do
   case $flavour in
     vtk-asan) run vtk-asan --tests-regex '^Fuzz[.]' ;;
-    core-tsan) run core-tsan --tests-regex 'ForAnyNumberOfThreads$' ;;
+    core-tsan) run core-tsan --tests-regex '^(Harmonic|Smoothest)Field[.].*ForAnyNumberOfThreads$' ;;
     *) run "$flavour" ;;
   esac
 done
