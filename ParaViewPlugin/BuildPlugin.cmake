@@ -16,8 +16,11 @@ paraview_plugin_build(
 file(RELATIVE_PATH to_libraries "/${PARAVIEW_PLUGIN_SUBDIR}/DirectionalMultigrid" "/")
 set_target_properties(DirectionalMultigrid PROPERTIES INSTALL_RPATH "$ORIGIN/${to_libraries}")
 
+# Where /bin is a link to /usr/bin, CMake may find ParaView below /.
+file(REAL_PATH "${ParaView_PREFIX_PATH}/bin" paraview_prefix)
+get_filename_component(paraview_prefix "${paraview_prefix}" DIRECTORY)
 get_filename_component(paraview_conf # names ParaView's plugins, where it brings the file
-  "${ParaView_PREFIX_PATH}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/../paraview.conf" ABSOLUTE)
+  "${paraview_prefix}/${CMAKE_INSTALL_LIBDIR}/${PARAVIEW_PLUGIN_SUBDIR}/../paraview.conf" ABSOLUTE)
 configure_file("${CMAKE_CURRENT_LIST_DIR}/RegisterPlugin.cmake.in"
   "${PROJECT_BINARY_DIR}/RegisterPlugin.cmake" @ONLY)
 install(SCRIPT "${PROJECT_BINARY_DIR}/RegisterPlugin.cmake" COMPONENT paraview_plugins)
