@@ -10,16 +10,19 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <sstream>
 
 vtkStandardNewMacro(vtkFieldLines);
 
 namespace
 {
 
+constexpr double SmallestDistance = 0.0005;
+
 /// To two digits.
 double RoundedDown(double number)
 {
-  const double unit = std::pow(10.0, std::floor(std::log10(number)) - 1.0);
+  const double unit = number > 0.0 ? std::pow(10.0, std::floor(std::log10(number)) - 1.0) : 1.0;
   return unit * std::floor(number / unit);
 }
 
@@ -45,7 +48,7 @@ int vtkFieldLines::RequestData(
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
     {
-      { "Separating Distance", this->SeparatingDistance, 0.0005, 1 },
+      { "Separating Distance", this->SeparatingDistance, SmallestDistance, 1 },
       { "Separating Distance Ratio", this->SeparatingDistanceRatio, 0.05, 0.9 },
       { "Minimum Length", this->MinimumLength, 0, 1000 },
       { "Lift", this->Lift, 0, 0.1 },
@@ -62,10 +65,16 @@ int vtkFieldLines::RequestData(
       dmg::LinesToPolyData(lines, given.Faces, this->Lift * given.Diagonal, output);
       if (lines.NumberOfLines() == 0)
       {
-        vtkWarningMacro("no line is as long as Minimum Length, " << this->MinimumLength
-          << ", times Separating Distance, " << this->SeparatingDistance << " of the surface's size; "
-          << "Separating Distance " << RoundedDown(lines.LongestLeftOut / (this->MinimumLength * given.Diagonal))
-          << " (in Directional Field, Line Distance) or Minimum Length "
+        // With MinimumLength 0 only what is no line at all is left out.
+        const double distance =
+          this->MinimumLength > 0.0 ? RoundedDown(lines.LongestLeftOut / (this->MinimumLength * given.Diagonal)) : 0.0;
+        std::ostringstream nearer;
+        if (distance >= SmallestDistance)
+        {
+          nearer << "Separating Distance " << distance << " (in Directional Field, Line Distance) or ";
+        }
+        vtkWarningMacro("no line is as long as Minimum Length, " << this->MinimumLength << ", times Separating Distance, "
+          << this->SeparatingDistance << " of the surface's size; " << nearer.str() << "Minimum Length "
           << RoundedDown(lines.LongestLeftOut / options.Separation) << " would do");
       }
     });

@@ -76,7 +76,8 @@
  * What is farther from the surface than MaximumDistance is left out, and so is a part of a chord that
  * comes out of the other side of a thin wall: the side that counts is the one that the faces at both
  * ends of the chord show. The part of a line that is within 5 degrees of the normal of the surface is left
- * out as well, and so is such a vector. What was left out is told by a warning and by the report (Outputs). A guide with neither lines nor vectors is an error, an empty one is not.
+ * out as well, and so is such a vector. What was left out is told by a warning and by the report (Outputs). A
+ * guide with neither lines nor vectors is an error, an empty one is not.
  *
  * Port 2, the singularities (optional, any number of connections, of the same types as guides): a power field gets
  * these and no others, and turns as little as it can then, by trivial connections (Crane, Desbrun and Schroeder
@@ -96,7 +97,7 @@
  * | index | components | meaning                                    |
  * | ----- | ---------- | ------------------------------------------ |
  * | 0     | 1          | mask (optional): not zero where prescribed |
- * | 1     | 3          | directions; by default, or by the name "Active Vectors", the active vectors of the points, else of the cells, unless they are called Direction0, as those that this filter leaves; of guides see above |
+ * | 1     | 3          | directions, by default the active vectors (see below); of guides see above |
  * | 2     | 1          | weight > 0 (optional), by default 1        |
  * | 3     | 1          | values of functions, at points; not of guides |
  * | 4     | 1          | rotation (optional), in degrees; not of guides |
@@ -105,6 +106,9 @@
  * (FIELD_ASSOCIATION_NONE), one number for a whole dataset. One choice serves all guides: those
  * without such an array do as if nothing were chosen, and it is an error if none has it. Along a line
  * that is followed itself, mask and weight are those of the cell, or of both ends of a segment.
+ *
+ * The active vectors, which the name "Active Vectors" chooses too, are those of the points, else of the cells. They do not
+ * count where they are called Direction0, as those that this filter leaves.
  *
  * Each array has a tuple for every element; one that has fewer, or other components, is an error.
  * Mask and weights share the association of the directions. An empty name, or "None" where no array has
@@ -263,9 +267,9 @@
  * warning. Where a surface has too many of them to hold, cycles say so in Solver, and a factorisation
  * may end in an error or in what rounding errors make of the rest. An aborted run leaves empty
  * outputs and keeps the stages that were complete, and so does an error, as a property out of its range is.
- * Threads and pieces are as in vtkDirectionalProlongation; but results have the same bits only for the same BLAS with the same number of threads of its own, as all solvers factor a matrix, be it
- * that of the coarsest level (OPENBLAS_NUM_THREADS, set before the process starts, fixes them; they are as many as there are
- * processors by default).
+ * Threads and pieces are as in vtkDirectionalProlongation; but results have the same bits only for the same BLAS with the
+ * same number of threads of its own, as all solvers factor a matrix, be it that of the coarsest level
+ * (OPENBLAS_NUM_THREADS, set before the process starts, fixes them; they are as many as there are processors by default).
  *
  * @sa vtkDirectionalProlongation vtkPrincipalDirections
  */

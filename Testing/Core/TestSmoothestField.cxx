@@ -301,7 +301,7 @@ TEST(SmoothestField, StandsBesideGuidedComponents)
   }
 }
 
-// As scans have them. Nothing is smoother than another field there.
+// Scans have such triangles. On one without area no field is smoother than another.
 TEST(SmoothestField, IsZeroOnSplintersWithoutArea)
 {
   Surface splinter;

@@ -306,6 +306,26 @@ TEST(FieldLines, ThatAreAllTooShortAreAWarningWhoseRemediesHelp)
   }
 }
 
+// As crumbs far from each other have them: no Separating Distance that is allowed would do.
+TEST(FieldLines, OnCrumbsAreAWarningThatNamesMinimumLengthAlone)
+{
+  Surface crumb = IrregularSphere(2, 3);
+  crumb.V *= 1e-5;
+  vtkNew<vtkFieldLines> lines;
+  lines->SetInputData(Crosses(Union(crumb, crumb, Vector3(1.0, 0.0, 0.0))));
+  lines->SetMinimumLength(1.0);
+  Messages messages(lines);
+  lines->Update();
+  ASSERT_EQ(messages.GetWarnings().size(), 1u);
+  const std::string text = messages.GetWarnings()[0];
+  messages.Forget();
+  EXPECT_EQ(text.find("Line Distance"), std::string::npos) << text;
+  lines->SetMinimumLength(Remedy(text, "Minimum Length"));
+  lines->Update();
+  EXPECT_GT(lines->GetOutput()->GetNumberOfLines(), 0) << text;
+  EXPECT_TRUE(messages.Silent());
+}
+
 TEST(FieldGlyphs, OffersStylesPlacementsAndSizings)
 {
   const auto data = WithVectors(PlaneGrid(10, 10), "Wind", Cells, { 1.0, 0.0, 0.0 });
