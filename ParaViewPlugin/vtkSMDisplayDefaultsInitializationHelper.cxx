@@ -12,56 +12,118 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMPropertyIterator.h"
 #include "vtkSMSourceProxy.h"
-#include "vtkSMStringVectorProperty.h"
 #include "vtkSMViewProxy.h"
 #include "vtkSmartPointer.h"
+#include "vtkVariant.h"
 
+#include <map>
 #include <set>
-#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkSMDisplayDefaultsInitializationHelper);
 
 namespace
 {
-// Sizes are shares of the bounds' extent, and the bounds of nothing are 1 to -1.
-bool IsSizeOfNothing(vtkSMProperty* property)
+// What is remembered of a filter between its updates.
+struct Memory
 {
-  auto* const domain = property->FindDomain<vtkSMBoundsDomain>();
-  return domain && domain->GetMinimum(0) >= 0 && vtkSMPropertyHelper(property).GetAsDouble() < 0;
+  std::map<unsigned int, bool> HadPoints; // for each output port, in any update so far
+  std::map<vtkSmartPointer<vtkSMProxy>, std::vector<vtkSMProperty*>> DefaultsOfNothing;
+
+  bool IsWithoutPoints(unsigned int port) const
+  {
+    const auto found = this->HadPoints.find(port); // else there was no update
+    return found != this->HadPoints.end() && !found->second;
+  }
+};
+
+std::set<vtkSMProxy*> RepresentationsOf(vtkSMSourceProxy* filter)
+{
+  std::set<vtkSMProxy*> representations; // each once, although its parts use the filter, too
+  for (unsigned int index = 0; index < filter->GetNumberOfConsumers(); ++index)
+  {
+    vtkSMProxy* const consumer = filter->GetConsumerProxy(index); // null once it is deleted
+    vtkSMProxy* const whole = consumer ? consumer->GetTrueParentProxy() : nullptr;
+    if (whole && whole->IsA("vtkSMRepresentationProxy"))
+    {
+      representations.insert(whole);
+    }
+  }
+  return representations;
 }
 
-bool IsNoArray(vtkSMProperty* property)
+unsigned int PortOf(vtkSMProxy* representation)
 {
-  auto* const value = vtkSMStringVectorProperty::SafeDownCast(property);
-  if (!value || !property->FindDomain<vtkSMArrayListDomain>() || value->GetNumberOfElements() == 0)
+  return vtkSMPropertyHelper(representation, "Input", true).GetOutputPort();
+}
+
+// Does the property have the value that the data, as they are now, suggest?
+bool HasDefaultOfData(vtkSMProperty* property)
+{
+  if (!property->FindDomain<vtkSMBoundsDomain>() && !property->FindDomain<vtkSMArrayListDomain>())
   {
     return false;
   }
-  const std::string name = value->GetElement(value->GetNumberOfElements() - 1); // the name is last
-  return name.empty() || name == "None";
+  property->ResetToDomainDefaults(true); // as unchecked values, beside those that it has
+  vtkSMPropertyHelper value(property), suggested(property);
+  suggested.SetUseUnchecked(true);
+  bool same = value.GetNumberOfElements() == suggested.GetNumberOfElements();
+  for (unsigned int element = 0; same && element < value.GetNumberOfElements(); ++element)
+  {
+    same = value.GetAsVariant(element) == suggested.GetAsVariant(element);
+  }
+  property->ClearUncheckedElements();
+  return same;
 }
 
-void DeriveDefaultsAgain(vtkSMProxy* representation, vtkSMSourceProxy* filter)
+std::vector<vtkSMProperty*> PropertiesWithDefaultsOfData(vtkSMProxy* representation)
 {
-  std::vector<vtkSMProperty*> defaults;
-  bool hadNoData = false; // else "None" is somebody's choice among the arrays
+  std::vector<vtkSMProperty*> found;
   const auto properties =
     vtkSmartPointer<vtkSMPropertyIterator>::Take(representation->NewPropertyIterator());
   for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
   {
-    vtkSMProperty* const property = properties->GetProperty();
-    const bool isSizeOfNothing = IsSizeOfNothing(property);
-    hadNoData = hadNoData || isSizeOfNothing;
-    if (isSizeOfNothing || IsNoArray(property))
+    if (HasDefaultOfData(properties->GetProperty()))
     {
-      defaults.push_back(property);
+      found.push_back(properties->GetProperty());
     }
   }
-  const unsigned int port = vtkSMPropertyHelper(representation, "Input", true).GetOutputPort();
-  if (hadNoData && filter->GetDataInformation(port)->GetNumberOfPoints() > 0)
+  return found;
+}
+
+// The representations still know the bounds and arrays of the last update.
+void BeforeRepresentations(vtkObject* caller, unsigned long, void* data, void*)
+{
+  auto* const memory = static_cast<Memory*>(data);
+  memory->DefaultsOfNothing.clear();
+  for (vtkSMProxy* const representation : RepresentationsOf(vtkSMSourceProxy::SafeDownCast(caller)))
   {
-    for (vtkSMProperty* const property : defaults)
+    if (memory->IsWithoutPoints(PortOf(representation)))
+    {
+      memory->DefaultsOfNothing[representation] = PropertiesWithDefaultsOfData(representation);
+    }
+  }
+}
+
+// They know those of this one.
+void AfterRepresentations(vtkObject* caller, unsigned long, void* data, void*)
+{
+  auto* const memory = static_cast<Memory*>(data);
+  auto* const filter = vtkSMSourceProxy::SafeDownCast(caller);
+  for (unsigned int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+  {
+    bool& hadPoints = memory->HadPoints[port];
+    hadPoints = hadPoints || filter->GetDataInformation(port)->GetNumberOfPoints() > 0;
+  }
+  std::map<vtkSmartPointer<vtkSMProxy>, std::vector<vtkSMProperty*>> defaults;
+  defaults.swap(memory->DefaultsOfNothing); // a view that updates below comes here again
+  for (const auto& [representation, properties] : defaults)
+  {
+    if (memory->IsWithoutPoints(PortOf(representation)))
+    {
+      continue;
+    }
+    for (vtkSMProperty* const property : properties)
     {
       property->ResetToDomainDefaults();
     }
@@ -74,25 +136,6 @@ void DeriveDefaultsAgain(vtkSMProxy* representation, vtkSMSourceProxy* filter)
         view->Update();
       }
     }
-  }
-}
-
-void OnUpdate(vtkObject* caller, unsigned long, void*, void*)
-{
-  vtkSMSourceProxy* const filter = vtkSMSourceProxy::SafeDownCast(caller);
-  std::set<vtkSMProxy*> representations; // each once, although its parts use the filter, too
-  for (unsigned int index = 0; index < filter->GetNumberOfConsumers(); ++index)
-  {
-    vtkSMProxy* const consumer = filter->GetConsumerProxy(index); // null once it is deleted
-    vtkSMProxy* const whole = consumer ? consumer->GetTrueParentProxy() : nullptr;
-    if (whole && whole->IsA("vtkSMRepresentationProxy"))
-    {
-      representations.insert(whole);
-    }
-  }
-  for (vtkSMProxy* const representation : representations)
-  {
-    DeriveDefaultsAgain(representation, filter);
   }
 }
 }
@@ -112,8 +155,15 @@ void vtkSMDisplayDefaultsInitializationHelper::Register()
 void vtkSMDisplayDefaultsInitializationHelper::PostInitializeProxy(
   vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
 {
-  vtkNew<vtkCallbackCommand> command;
-  command->SetCallback(OnUpdate);
-  const float priority = -1; // after the representations have taken over the new bounds and arrays
-  filter->AddObserver(vtkCommand::UpdateDataEvent, command, priority);
+  auto* const memory = new Memory;
+  vtkNew<vtkCallbackCommand> before;
+  before->SetCallback(BeforeRepresentations);
+  before->SetClientData(memory);
+  before->SetClientDataDeleteCallback([](void* data) { delete static_cast<Memory*>(data); });
+  filter->AddObserver(vtkCommand::UpdateDataEvent, before, 1.0f);
+
+  vtkNew<vtkCallbackCommand> after;
+  after->SetCallback(AfterRepresentations);
+  after->SetClientData(memory);
+  filter->AddObserver(vtkCommand::UpdateDataEvent, after, -1.0f);
 }

@@ -16,8 +16,6 @@ def defaults(display):
     return {name: getattr(display, name) for name in DEFAULTS}
 
 
-# There the sizes of nothing are those of a unit box, and nothing tells them from sizes of data.
-@unittest.skipIf(simple.GetParaViewVersion() >= (6, 0), "mended before ParaView 6 only")
 class DisplayDefaults(unittest.TestCase):
     def setUp(self):
         self.view = simple.CreateRenderView()
@@ -38,12 +36,12 @@ class DisplayDefaults(unittest.TestCase):
         last = kind(Input=first) if of_a_field else first
         shown = [simple.Show(simple.OutputPort(last, port), self.view) for port in ports]
         simple.Render(self.view)
-        for display in shown:
-            self.assertLess(display.ScaleFactor, 0)  # or there is nothing to mend
+        of_nothing = [defaults(display) for display in shown]
         self.mend(first)
         fresh = kind(Input=simple.HarmonicFieldSolver(Input=self.surface) if of_a_field else self.surface)
-        for port, display in zip(ports, shown):
+        for port, display, before in zip(ports, shown, of_nothing):
             expected = defaults(simple.Show(simple.OutputPort(fresh, port), self.view))
+            self.assertNotEqual(before, expected)  # or there was nothing to mend
             self.assertEqual(defaults(display), expected, f"{kind.__name__}, port {port}")
             self.assertGreater(display.ScaleFactor, 0)
             self.assertGreater(display.GaussianRadius, 0)

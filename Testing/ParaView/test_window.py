@@ -11,6 +11,7 @@ import pathlib
 import subprocess
 import sys
 import time
+from xml.etree import ElementTree
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -20,7 +21,7 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 
-def write_sphere(path, resolution=60, active=None):
+def write_sphere(path, resolution=60, active=None, broken=False):
     """The unit sphere with prescribed directions on one side."""
     source = vtkSphereSource()
     source.SetRadius(1)
@@ -30,6 +31,8 @@ def write_sphere(path, resolution=60, active=None):
     sphere = source.GetOutput()
     points = vtk_to_numpy(sphere.GetPoints().GetData())
     arrays = {"Mask": (points[:, 0] > 0.9).astype("i4"), "Directions": 0 * points + (0, 1, 0)}
+    if broken:
+        arrays["Directions"][0] = np.nan
     for name, values in arrays.items():
         array = numpy_to_vtk(values, deep=True)
         array.SetName(name)
@@ -41,6 +44,11 @@ def write_sphere(path, resolution=60, active=None):
 def write_large_sphere(path):
     """One that is not worth a factorisation, so that the solver iterates, to follow its active vectors."""
     write_sphere(path, 200, "Directions")
+
+
+def write_broken_directions(path):
+    """A sphere with active vectors, one of which is not a number."""
+    write_sphere(path, active="Directions", broken=True)
 
 
 def write_ellipsoid(path):
@@ -83,8 +91,8 @@ def toolbar(paraview):
     return "Directional Fields" if " 5.11" in version else "filters.Directional Fields"
 
 
-def play(paraview, data, result, folder):
-    """Runs the window until the result is written and no longer grows; takes the screenshot then."""
+def play(paraview, data, result, folder, fails):
+    """Runs the window until the result is written and no longer grows; takes the screenshot then. With or without an error."""
     events = pathlib.Path(__file__).with_name(result.stem + ".xml").read_text()
     script = result.with_suffix(".xml")
     script.write_text(events.replace("$TOOLBAR", toolbar(paraview)))
@@ -106,8 +114,8 @@ def play(paraview, data, result, folder):
         window.kill()
         window.wait()
     print(log.read_text())
-    if "ERR|" in log.read_text() or not complete:
-        raise SystemExit("ParaView reported errors or wrote no field")
+    if ("ERR|" in log.read_text()) != fails or not complete:
+        raise SystemExit("ParaView reported errors, or not the one that was expected, or wrote no field")
 
 
 def read(path):
@@ -234,11 +242,34 @@ def check_convergence(result):
     assert (pixels(result).min(axis=1) > 250).sum() > 200000
 
 
+def check_failed_first(result):
+    """The displays of the three outputs have the defaults of data, which they did not have after the error, and show them."""
+    field = check(result)
+    sizes, vectors = {}, {}
+    for what, suffix in (("before", "-before.pvsm"), ("after", ".pvsm")):
+        state = ElementTree.parse(result.with_name(result.stem + suffix))
+        displays = [proxy for proxy in state.iter("Proxy") if proxy.get("type") == "GeometryRepresentation"]
+        sizes[what] = [value_of(display, "ScaleFactor", 0) for display in displays]
+        vectors[what] = [value_of(display, "SelectOrientationVectors", 0) for display in displays]
+    print(sizes, vectors)
+    assert len(sizes["before"]) == len(sizes["after"]) == 4  # the file and the outputs
+    assert np.allclose(np.array(sizes["after"], float), 0.2, rtol=0.05)  # a tenth of the diameter
+    assert sum(np.array(sizes["before"]) != sizes["after"]) == 3
+    assert "Direction0" in vectors["after"] and "Direction0" not in vectors["before"]
+    assert number_of_blue(pixels(result)) > 5000 and number_of_red(pixels(result)) > 50
+
+
+def value_of(proxy, name, element):
+    values = proxy.find(f"Property[@name='{name}']").findall("Element")
+    return values[element].get("value")
+
+
 TESTS = {"FieldInTheWindow": (write_sphere, check),
          "GuideInTheWindow": (write_guide, check_guide),
          "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
          "FeaturesInTheWindow": (write_ellipsoid, check_features),
          "GuideMovedInTheWindow": (write_sphere, check_guide_moved),
+         "FailedFirstInTheWindow": (write_broken_directions, check_failed_first),
          "FiltersInTheWindow": (write_sphere, check_filters),
          "StateInTheWindow": (write_sphere, check_state),
          "ConvergenceInTheWindow": (write_large_sphere, check_convergence)}
@@ -252,7 +283,7 @@ def main():
         old.unlink()
     write_data, check_result = TESTS[name]
     write_data(data)
-    play(paraview, data, result, folder)
+    play(paraview, data, result, folder, fails=name.startswith("Failed"))
     check_result(result)
 
 
