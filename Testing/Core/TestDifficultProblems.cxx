@@ -14,6 +14,8 @@
 using namespace dmg;
 using namespace dmg::test;
 
+// Cotangents of faces without area make matrices of 1-forms so uneven that rounding errors alone
+// are 1e-9 or so of a right-hand side.
 TEST(HarmonicProblem, FacesWithoutArea)
 {
   for (const DiscretisationKind kind : AllKinds)
@@ -64,9 +66,8 @@ TEST(HarmonicProblem, FewPrescriptionsOnATorus)
   }
 }
 
-// One edge determines one of the two harmonic fields: their combination that is largest there, as the
-// other vanishes there and is left out. It costs nothing and meets the prescription.
-// One edge determines one harmonic field of a torus, the smoothest; by cycles and by factorisation.
+// One edge determines one of the two harmonic fields of a torus: their combination that is largest
+// there, as the other vanishes there and is left out. It costs nothing and meets the prescription.
 TEST(HarmonicProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
 {
   const PreparedField on(IrregularTorus(28, 14, 4), DiscretisationKind::OneForm);
@@ -94,7 +95,6 @@ TEST(HarmonicProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
   }
 }
 
-// Below rounding cycles stagnate, and so does the factor that takes over, but that is where the solution is.
 // Needles: a torus that is stretched a thousand times.
 TEST(HarmonicProblem, AFactorTakesOverWhereCyclesDoNotConverge)
 {
@@ -133,6 +133,7 @@ TEST(HarmonicProblem, AFactorTakesOverWhereCyclesDoNotConverge)
   }
 }
 
+// Below rounding cycles stagnate, but that is where the solution is.
 TEST(HarmonicProblem, NoFactorTakesOverWhereRoundingEndsCycles)
 {
   for (const DiscretisationKind kind : AllKinds)

@@ -96,8 +96,6 @@ TEST(HarmonicProblem, AgreesWithCholesky)
   }
 }
 
-// Cotangents of faces without area make matrices of 1-forms so uneven that rounding errors alone
-// are 1e-9 or so of a right-hand side.
 // Where the sum of roughness, penalties and -2 source^T x is least, its derivative is zero.
 TEST(HarmonicProblem, SourcesActOnAllThatIsFree)
 {
