@@ -1,11 +1,17 @@
 #include "FieldSolver.h"
 
+#include "Discretisations/OneFormConstraints.h"
 #include "Levels/SurfaceHierarchy.h"
+#include "PreparedSurface.h"
+#include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
+#include "Support/FieldSystems.h"
 #include "Support/MeshFactory.h"
+#include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -221,6 +227,124 @@ TEST(FieldSolver, DirectionsFollowWhatIsPrescribed)
           nearest, (Vector3(solver.Directions(k).row(face)) - direction).norm());
       }
       EXPECT_LE(nearest, 1e-12);
+    }
+  }
+}
+
+TEST(FieldSolver, SolversAgreeOnEveryDiscretisation)
+{
+  for (const Surface& surface : { IrregularSphere(3, 3), IrregularTorus(28, 14, 4),
+         IrregularPlane(20, 16, 5) })
+  {
+    const PreparedSurface on(surface);
+    FieldSolver fields(on.Mesh);
+    for (DiscretisationKind kind : AllKinds)
+    {
+      for (ConstraintKind constraintKind : { ConstraintKind::Soft, ConstraintKind::Hard })
+      {
+        FieldOptions options;
+        options.Field.Kind = kind;
+        options.Constraints = constraintKind;
+        const auto solve = [&](SolverKind solver, CoarseSpaceKind space) {
+          options.Solver.Kind = solver;
+          options.CoarseSpace = space;
+          options.Solver.CompareWithCholesky = true;
+          options.Solver.Nested.Cycles = 60;
+          options.Solver.Nested.Sweeps = 0;
+          fields.SetOperators(std::make_shared<const ProlongationOperators>(on.Operators));
+          const Vector<double> field = fields.Solve(Prescriptions(on.Framed, 97), options, Tight());
+          EXPECT_TRUE(fields.Report().Converged) << fields.Report().Solver;
+          return field;
+        };
+        const Vector<double> direct = solve(SolverKind::Cholesky, CoarseSpaceKind::Nodal);
+        for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::NestedIterations })
+        {
+          for (CoarseSpaceKind space :
+            { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+          {
+            EXPECT_LT((solve(solver, space) - direct).norm(), 1e-7 * direct.norm())
+              << static_cast<int>(kind) << static_cast<int>(solver) << static_cast<int>(space);
+            EXPECT_LT(fields.Report().Iterations.back().Error, 1e-7);
+          }
+        }
+      }
+    }
+  }
+}
+
+// The system that is factored is that of HarmonicSystem, which is assembled and reduced otherwise.
+TEST(FieldSolver, AgreesWithTheTextbookSystem)
+{
+  const PreparedSurface on(IrregularTorus(16, 10, 4));
+  const PrescribedDirections directions = Prescriptions(on.Framed, 37);
+  for (ConstraintKind constraints : { ConstraintKind::Soft, ConstraintKind::Hard })
+  {
+    FieldOptions options;
+    options.Constraints = constraints;
+    options.Alignment = 3.0;
+    options.Smoothness = 0.5;
+    const auto expectSame = [&](const auto& system, const auto& values, const auto& pairsOf) {
+      const auto A = system.Matrix().toDense().eval();
+      const auto x = system.Expand(A.partialPivLu().solve(system.RightHandSide(values)), values);
+      FieldSolver fields(on.Mesh);
+      const Vector<double> field = fields.Solve(directions, options, Tight());
+      const Vector<double> expected = pairsOf(x);
+      EXPECT_LE((field - expected).norm(), 1e-10 * expected.norm()) << fields.Field().Name();
+    };
+    const auto real = [](const Vector<double>& x) { return x; };
+    options.Field.N = 3;
+    const PowerConstraints powers =
+      MakePowerConstraints(on.Mesh, on.Frames, 3, directions.OnFaces);
+    expectSame(
+      MakePowerFieldSystem(on.Mesh, on.Frames, 3, powers.Prescribed, options.Weights()),
+      powers.Values, [](const Vector<Complex>& x) { return Vector<double>(AsPairs(x)); });
+    options.Field.Kind = DiscretisationKind::FaceField;
+    const PowerConstraints vectors =
+      MakePowerConstraints(on.Mesh, on.Frames, 1, directions.OnFaces);
+    expectSame(MakeFaceFieldSystem(on.Mesh, on.Frames, vectors.Prescribed, options.Weights()),
+      Vector<double>(AsPairs(vectors.Values)), real);
+    options.Field.Kind = DiscretisationKind::OneForm;
+    const OneFormConstraints forms =
+      OneFormConstraintsOnFaces(on.Mesh, on.Frames, directions.OnFaces);
+    expectSame(
+      MakeOneFormSystem(on.Mesh, forms.Prescribed, options.Weights()), forms.Values, real);
+  }
+}
+
+// Set-up, system, what it is compared with and the solve share one way from 0 to 1. What was complete when a run was
+// stopped is kept, and changes nothing.
+TEST(FieldSolver, ReportsProgressOnceAndStopsWhenAsked)
+{
+  const PreparedSurface on(IrregularTorus(48, 24, 4));
+  for (DiscretisationKind kind : AllKinds)
+  {
+    for (bool isCompared : { false, true })
+    {
+      SCOPED_TRACE(static_cast<int>(kind));
+      FieldOptions options;
+      options.Field.Kind = kind;
+      options.Solver.Kind = SolverKind::ConjugateGradients;
+      options.Solver.CompareWithCholesky = isCompared;
+      const PrescribedDirections directions = Prescriptions(on.Framed, 97);
+      TbbContext all(2);
+      FieldSolver fields(on.Mesh);
+      const Vector<double> expected = fields.Solve(directions, options, Tight(), all);
+      const std::vector<double>& progress = all.Progress();
+      EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end())) << isCompared;
+      EXPECT_EQ(progress.front(), 0.0);
+      EXPECT_EQ(progress.back(), 1.0);
+      for (std::size_t count = 1; count <= progress.size(); ++count)
+      {
+        TbbContext context(2);
+        context.CancelAfter(static_cast<int>(count));
+        FieldSolver stopped(on.Mesh);
+        EXPECT_THROW(stopped.Solve(directions, options, Tight(), context), Cancelled);
+        EXPECT_EQ(context.Progress().size(), count);
+        if (count % 7 == 0)
+        {
+          EXPECT_EQ(stopped.Solve(directions, options, Tight()), expected);
+        }
+      }
     }
   }
 }
