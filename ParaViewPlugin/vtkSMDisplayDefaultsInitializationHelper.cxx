@@ -18,6 +18,7 @@
 
 #include <map>
 #include <set>
+#include <string>
 #include <vector>
 
 vtkStandardNewMacro(vtkSMDisplayDefaultsInitializationHelper);
@@ -57,14 +58,27 @@ unsigned int PortOf(vtkSMProxy* representation)
   return vtkSMPropertyHelper(representation, "Input", true).GetOutputPort();
 }
 
+bool IsNoArray(vtkSMProperty* property)
+{
+  const vtkSMPropertyHelper value(property);
+  const unsigned int elements = value.GetNumberOfElements();
+  const std::string name = elements == 0 ? "None" : value.GetAsString(elements - 1); // the last one
+  return name.empty() || name == "None";
+}
+
 // Does the property have the value that the data, as they are now, suggest?
 bool HasDefaultOfData(vtkSMProperty* property)
 {
-  if (!property->FindDomain<vtkSMBoundsDomain>() && !property->FindDomain<vtkSMArrayListDomain>())
+  const bool isArray = property->FindDomain<vtkSMArrayListDomain>();
+  if (!isArray && !property->FindDomain<vtkSMBoundsDomain>())
   {
     return false;
   }
-  property->ResetToDomainDefaults(true); // as unchecked values, beside those that it has
+  constexpr bool IntoUncheckedValues = true; // beside those that it has
+  if (!property->ResetToDomainDefaults(IntoUncheckedValues))
+  {
+    return isArray && IsNoArray(property); // which ParaView 6 does not suggest where there are none
+  }
   vtkSMPropertyHelper value(property), suggested(property);
   suggested.SetUseUnchecked(true);
   bool same = value.GetNumberOfElements() == suggested.GetNumberOfElements();
