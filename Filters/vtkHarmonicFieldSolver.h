@@ -68,8 +68,8 @@
  * - without lines and without a choice, the active vectors of the points, else of the cells, count.
  *
  * Vectors are no powers: whether a line runs to or fro does not matter to a field of two directions,
- * nor do quarter turns to crosses. A line weighs as a feature of the surface does (see Features), so it means the same at
- * any size and resolution: at weight 1 the field follows bends of the line that are larger than a thirtieth of the
+ * nor do quarter turns to crosses. On each face, a line weighs as an edge of a feature of that length does (see Features); where it runs along
+ * an edge, its two faces share it. So it means the same at any size and resolution: at weight 1 the field follows bends of the line that are larger than a thirtieth of the
  * surface's size. A vector of a point, or of a cell that is no line, weighs as one on the face itself. What several guides
  * prescribe on one face adds up.
  *

@@ -26,8 +26,7 @@ void CheckNumbers(vtkAbstractArray* array, const std::string& name)
   const double* const first = numbers ? numbers->GetPointer(0) : nullptr;
   if (numbers && !std::all_of(first, first + numbers->GetNumberOfValues(), [](double x) { return std::isfinite(x); }))
   {
-    throw SolverFailure(
-      name + " would not be finite; no input is known that causes this, so please report it with the data and the properties");
+    throw UnexpectedFailure(name + " would not be finite");
   }
 }
 

@@ -28,6 +28,7 @@ constexpr double LeastAgainst = -1e-3;
 
 /// Relative to the edge.
 constexpr double AtEdge = 1e-3;
+constexpr double OnEdge = 1e-6; // more than the rounding errors of coordinates in single precision
 
 constexpr int MaximumDepth = 50; // beyond which parameters in double precision are too coarse
 
@@ -204,10 +205,7 @@ std::vector<SegmentPart> SegmentOnSurface::PartsOf(const Vector3& start, const V
       std::min(SmallestOfSurface * this->Nearest.Size, SmallestOfSegment * length) };
     const Sample first = this->At(segment, 0.0), last = this->At(segment, 1.0);
     this->Split(segment, first, last, 0, parts);
-    const auto isSmall = [&segment](const SegmentPart& part)
-    { return part.Length <= 2.0 * segment.Smallest; };
-    parts.erase(std::remove_if(parts.begin(), parts.end(), isSmall), parts.end());
-    this->MarkFarSide(segment, first, last, parts);
+    return this->OnSides(segment, first, last, parts);
   }
   return parts;
 }
@@ -287,24 +285,74 @@ void SegmentOnSurface::Append(
   parts.back().Distance = std::max(parts.back().Distance, sample.Place.Distance);
 }
 
-void SegmentOnSurface::MarkFarSide(const Segment& segment, const Sample& first, const Sample& last,
-  std::vector<SegmentPart>& parts) const
+/// A face, and the one that is as near to a point since its nearest place is on the edge between them; else -1.
+std::array<int, 2> SegmentOnSurface::FacesAt(int face, const Vector3& position) const
 {
-  const auto normalAt = [this](int face)
-  { return face < 0 ? Vector3(0.0, 0.0, 0.0) : this->Nearest.Framed.On.Faces.Normal(face); };
-  const Vector3 atStart = normalAt(this->FaceOf(this->Between(segment, first, first, NearEnd)));
-  const Vector3 atEnd = normalAt(this->FaceOf(this->Between(segment, last, last, 1.0 - NearEnd)));
+  if (face < 0)
+  {
+    return { -1, -1 };
+  }
+  const TriangleMesh& mesh = this->Nearest.Framed.On.Mesh;
+  const Vector3 place = this->Nearest.From(face, position).Position;
+  const auto isNearest = [&](int other, double length)
+  { return (ClosestOnFace(mesh, other, position).Position - place).norm() <= OnEdge * length; };
+  for (int h = 3 * face; h < 3 * face + 3; ++h)
+  {
+    const int beyond = mesh.Twin(h) < 0 ? -1 : TriangleMesh::FaceOf(mesh.Twin(h));
+    const double length = (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).norm();
+    if (beyond >= 0 && isNearest(beyond, length) && isNearest(face, length))
+    {
+      return { face, beyond };
+    }
+  }
+  return { face, -1 };
+}
+
+Vector3 SegmentOnSurface::NormalOf(const std::array<int, 2>& faces) const
+{
+  Vector3 sum = Vector3::Zero();
+  for (const int face : faces)
+  {
+    sum += face < 0 ? Vector3(0.0, 0.0, 0.0) : this->Nearest.Framed.On.Faces.Normal(face);
+  }
+  return sum.normalized();
+}
+
+/// Leaves out small parts, shares those along an edge among its two faces, and marks those on the far side of a wall.
+std::vector<SegmentPart> SegmentOnSurface::OnSides(const Segment& segment, const Sample& first,
+  const Sample& last, const std::vector<SegmentPart>& parts) const
+{
+  const auto normalAt = [&](const Sample& end, double parameter)
+  {
+    const int face = this->FaceOf(this->Between(segment, end, end, parameter));
+    return this->NormalOf(this->FacesAt(face, segment.Start + parameter * segment.Direction));
+  };
+  const Vector3 atStart = normalAt(first, NearEnd), atEnd = normalAt(last, 1.0 - NearEnd);
+  std::vector<SegmentPart> onSides;
   double before = 0.0;
-  for (SegmentPart& part : parts)
+  for (SegmentPart part : parts)
   {
     const double middle = (before + 0.5 * part.Length) / segment.Length;
+    before += part.Length;
+    if (part.Length <= 2.0 * segment.Smallest)
+    {
+      continue;
+    }
+    const auto faces = this->FacesAt(part.Face, segment.Start + middle * segment.Direction);
     const Vector3 meant = (1.0 - middle) * atStart + middle * atEnd;
-    if (part.Face >= 0 && normalAt(part.Face).dot(meant) < LeastAgainst)
+    if (part.Face >= 0 && this->NormalOf(faces).dot(meant) < LeastAgainst)
     {
       part.Kind = SegmentPart::OnFarSide;
     }
-    before += part.Length;
+    if (faces[1] >= 0)
+    {
+      part.Length *= 0.5;
+      onSides.push_back(part);
+      part.Face = faces[1];
+    }
+    onSides.push_back(part);
   }
+  return onSides;
 }
 
 }

@@ -5,6 +5,7 @@
 
 #include "vtkNew.h"
 
+#include <array>
 #include <limits>
 #include <vector>
 
@@ -71,6 +72,9 @@ struct SegmentPart
 /// way between the nearest places crosses it. So a segment beside a plane has a part for each
 /// triangle whose interior its projection crosses, however little, and for no other one.
 ///
+/// A part that runs along an edge, or over a ridge, is nearest to both faces of the edge. Each of them has a part of half its length,
+/// and its normal is the mean of theirs.
+///
 /// A thin wall has two sides, and a chord that cuts a corner may come out of the other one. The
 /// normals of the faces that are nearest to both ends of the segment tell the side that is meant,
 /// interpolated between them; a part on a face whose normal is against that one is OnFarSide.
@@ -97,8 +101,10 @@ private:
     std::vector<SegmentPart>& parts) const;
   double Crossing(const Segment& segment, const Sample& a, const Sample& b) const;
   void Append(std::vector<SegmentPart>& parts, const Sample& sample, double length) const;
-  void MarkFarSide(const Segment& segment, const Sample& first, const Sample& last,
-    std::vector<SegmentPart>& parts) const;
+  std::array<int, 2> FacesAt(int face, const Vector3& position) const;
+  Vector3 NormalOf(const std::array<int, 2>& faces) const;
+  std::vector<SegmentPart> OnSides(const Segment& segment, const Sample& first, const Sample& last,
+    const std::vector<SegmentPart>& parts) const;
 
   const NearestPlaces& Nearest;
   double MaximumDistance;

@@ -154,6 +154,7 @@ TEST(SegmentOnSurface, TouchesNoFaceBesideItsWay)
   }
 }
 
+// Each face beside an edge has half of the edge.
 TEST(SegmentOnSurface, AlongAnEdgeTouchesTheFacesBesideIt)
 {
   const Setting setting(PlaneGrid(4, 4));
@@ -171,9 +172,47 @@ TEST(SegmentOnSurface, AlongAnEdgeTouchesTheFacesBesideIt)
       ofSegment += corner.y() == 2.0 && corner.x() >= 1.0 && corner.x() <= 3.0;
     }
     EXPECT_EQ(ofSegment, 2) << "cell " << cell;
+    EXPECT_NEAR(length, 0.5, 1e-4) << "cell " << cell;
     sum += length;
   }
   EXPECT_NEAR(sum, 2.0, 1e-4);
+}
+
+// A roof whose sides are turned against each other: a line along the ridge, or above it, belongs to both sides alike, whatever
+// rounding says, and neither of them is far.
+TEST(SegmentOnSurface, AlongASharpRidgeBelongsToBothSides)
+{
+  for (double scale : { 1.0, 3.0, 1000.0, 1e-3 })
+  {
+    Surface roof = PlaneGrid(2, 6);
+    for (int point = 0; point < roof.V.rows(); ++point)
+    {
+      const double beside = roof.V(point, 0) - 1.0; // of the ridge
+      const Vector3 position(0.2 * beside, roof.V(point, 1) + 0.1, -std::abs(beside) + 0.3);
+      roof.V.row(point) = scale * position;
+    }
+    const Setting setting(roof);
+    for (double height : { 0.0, 0.01 })
+    {
+      for (double step : { 4.0, 0.1 })
+      {
+        double sides[2] = { 0.0, 0.0 };
+        for (double y = 1.3; y < 5.2; y += step)
+        {
+          const Vector3 start = scale * Vector3(0.0, y, 0.3 + height), along = scale * Vector3(0.0, step, 0.0);
+          EXPECT_TRUE(setting.LengthsOf(start, start + along, SegmentPart::OnFarSide).empty());
+          for (const auto& [cell, length] : setting.LengthsOf(start, start + along, SegmentPart::OnSurface))
+          {
+            double bounds[6];
+            setting.Data->GetCellBounds(cell, bounds);
+            sides[bounds[0] < -1e-9 * scale ? 0 : 1] += length / scale;
+          }
+        }
+        EXPECT_NEAR(sides[0], sides[1], 1e-3);
+        EXPECT_NEAR(sides[0] + sides[1], 4.0, 0.11);
+      }
+    }
+  }
 }
 
 // A chord of a sphere touches what lies along the great circle.
@@ -210,14 +249,14 @@ TEST(SegmentOnSurface, HasAPartForEachFaceAlongAChordOfASphere)
   EXPECT_TRUE(setting.LengthsOf(start, end, SegmentPart::OnFarSide).empty());
 }
 
-// The nearest faces of very many points say the same. (Inside of a sphere, where a point has one.)
+// The nearest faces of very many points say the same. (Inside of a convex surface, where a point has one.)
 TEST(SegmentOnSurface, HasPartsAsLongAsManySamplesSay)
 {
   constexpr int Seed = 917, Samples = 1000;
   SCOPED_TRACE(Seed);
   std::mt19937 random(Seed);
   std::normal_distribution<double> coordinate;
-  const Setting setting(IrregularSphere(3, 11));
+  const Setting setting(IrregularSphere(3, 11, 0.1));
   const auto inside = [&random, &coordinate]
   {
     const Vector3 position(coordinate(random), coordinate(random), coordinate(random));

@@ -33,8 +33,7 @@ Solution SolveInUnits(HarmonicProblem& problem, const Vector<double>& values, co
   Solution solution{ TimesPowerOfTwo(unknowns, unit), problem.Report() };
   if (!solution.Unknowns.allFinite())
   {
-    throw SolverFailure(
-      "the field is not finite; no input is known that causes this, so please report it with the data and the properties");
+    throw UnexpectedFailure("the field is not finite");
   }
   for (IterationReport& row : solution.Report.Iterations)
   {

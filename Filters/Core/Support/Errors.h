@@ -22,6 +22,17 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// The method failed where it never should: to the message, it adds what a user can do.
+class UnexpectedFailure : public SolverFailure
+{
+public:
+  explicit UnexpectedFailure(const std::string& message)
+    : SolverFailure(
+        message + "; no input is known that causes this, so please report it with the data and the properties")
+  {
+  }
+};
+
 /// The user asked to stop. Not an error.
 class Cancelled : public std::exception
 {

@@ -145,8 +145,8 @@ public:
     if (this->Common.status == CHOLMOD_NOT_POSDEF)
     {
       const auto* permutation = static_cast<const SuiteSparse_long*>(this->L->Perm);
-      throw NotPositiveDefinite("the matrix is not positive definite: the Cholesky factorisation stopped "
-                          "at unknown " + std::to_string(permutation[this->L->minor]));
+      throw NotPositiveDefinite("the matrix is not positive definite: the Cholesky factorisation stopped at unknown " +
+        std::to_string(permutation[this->L->minor]));
     }
     if (this->Common.status < CHOLMOD_OK)
     {
@@ -161,8 +161,7 @@ public:
       throw SolverFailure("the Cholesky factor does not fit into memory; choose Conjugate Gradients as Solver or "
                           "reduce the number of triangles with Decimate (vtkDecimatePro)");
     }
-    throw SolverFailure(
-      "CHOLMOD failed with status " + std::to_string(this->Common.status));
+    throw UnexpectedFailure("CHOLMOD failed with status " + std::to_string(this->Common.status));
   }
 
   static constexpr int ValueKind =

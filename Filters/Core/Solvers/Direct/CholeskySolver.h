@@ -18,10 +18,10 @@ enum class FillOrdering
 };
 
 /// A pivot is not positive: the matrix is not positive definite, or rounding errors hide that it is.
-class NotPositiveDefinite : public SolverFailure
+class NotPositiveDefinite : public UnexpectedFailure
 {
 public:
-  using SolverFailure::SolverFailure;
+  using UnexpectedFailure::UnexpectedFailure;
 };
 
 /// Supernodal sparse Cholesky factorisation A = L L^H of a symmetric (double) or Hermitian (Complex)
