@@ -65,9 +65,11 @@ int vtkFieldLines::RequestData(
       dmg::LinesToPolyData(lines, given.Faces, this->Lift * given.Diagonal, output);
       if (lines.NumberOfLines() == 0)
       {
-        // With MinimumLength 0 only what is no line at all is left out.
-        const double distance =
-          this->MinimumLength > 0.0 ? RoundedDown(lines.LongestLeftOut / (this->MinimumLength * given.Diagonal)) : 0.0;
+        // Lines have other places at another distance, and the longest is half as long there at least. With MinimumLength 0
+        // only what is no line at all is left out.
+        const double distance = this->MinimumLength > 0.0
+          ? RoundedDown(0.5 * lines.LongestLeftOut / (this->MinimumLength * given.Diagonal))
+          : 0.0;
         std::ostringstream nearer;
         if (distance >= SmallestDistance)
         {

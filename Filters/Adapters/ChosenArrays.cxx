@@ -2,6 +2,7 @@
 
 #include "Adapters/ArrayNames.h"
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataArray.h"
@@ -208,7 +209,7 @@ void VisitPrescribed(const ConstraintArrays& arrays,
     if (!(weight > 0.0) || !std::isfinite(weight))
     {
       throw InvalidInput("the weight of the direction prescribed at " + arrays.NameOf(element) +
-        " is " + std::to_string(weight) + "; make it positive or " + WayOut(arrays));
+        " is " + ShortText(weight) + "; make it positive or " + WayOut(arrays));
     }
     visit({ element, vector, weight });
   }

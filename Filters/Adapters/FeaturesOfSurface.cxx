@@ -113,6 +113,15 @@ std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyD
   {
     Turn(directions, framed.On, angles, framed.Numbering.Names());
   }
+  const std::vector<int> cancelling = LeaveOutCancelling(directions.OnFaces, framed.On.Faces, N);
+  if (!cancelling.empty())
+  {
+    const std::size_t others = cancelling.size() - 1;
+    followed.Warnings.push_back("the directions prescribed on " + framed.Numbering.Names().Face(cancelling[0]) +
+      (others == 0 ? "" : " and " + std::to_string(others) + (others == 1 ? " other" : " others")) +
+      " cancel, as opposite vectors do for a field of one direction, so nothing is followed there; take one of them out, or "
+      "choose a Number Of Directions to which they are alike");
+  }
   return std::move(followed.Warnings);
 }
 

@@ -168,7 +168,7 @@ Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& fra
   Vector3 vector;
   array->GetTuple(tuple, vector.data());
   const Complex tangential = frames.ToComplex(element, vector);
-  return std::abs(tangential) > SmallestTangentialPart * vector.norm() ? tangential
+  return std::abs(tangential) > SmallestTangentialPart * vector.stableNorm() ? tangential
     : vector.allFinite()                                               ? Complex(0.0)
                          : Complex(std::numeric_limits<double>::infinity());
 }

@@ -1,6 +1,7 @@
 #include "Adapters/GuideDataSets.h"
 
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
 #include "vtkCellType.h"
 #include "vtkCompositeDataIterator.h"
@@ -130,7 +131,7 @@ double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset)
   if (!(weight > 0.0) || !std::isfinite(weight))
   {
     throw InvalidInput("the weight of " + dataset.Name + ", in its field array '" + choice.Name +
-      "', is " + std::to_string(weight) + "; make it positive, or take the guide out of Guides");
+      "', is " + ShortText(weight) + "; make it positive, or take the guide out of Guides");
   }
   return weight;
 }
@@ -185,7 +186,7 @@ double LineArrays::Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const
   {
     throw InvalidInput("the weight of cell " + std::to_string(cell) + " of " + this->Name +
       ", between its points " + std::to_string(start) + " and " + std::to_string(end) + ", is " +
-      std::to_string(weight) + "; make it positive, or remove the line");
+      ShortText(weight) + "; make it positive, or remove the line");
   }
   return weight;
 }

@@ -5,7 +5,9 @@
 #include "Adapters/GuideDataSets.h"
 #include "Discretisations/SurfaceFeatures.h"
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
+#include "vtkCellData.h"
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
@@ -14,6 +16,7 @@
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 
 #include <algorithm>
 #include <cmath>
@@ -231,6 +234,27 @@ std::string Elements(long long number)
   return std::to_string(number) + (number == 1 ? " element" : " elements");
 }
 
+/// An array of a guide that holds three numbers for each point or cell; empty where there is none.
+std::string NameOfVectors(const std::vector<GuideDataSet>& datasets, std::size_t guide)
+{
+  for (const GuideDataSet& dataset : datasets)
+  {
+    for (vtkFieldData* const arrays : { static_cast<vtkFieldData*>(dataset.Data->GetPointData()),
+           static_cast<vtkFieldData*>(dataset.Data->GetCellData()) })
+    {
+      for (int k = 0; dataset.Guide == guide && k < arrays->GetNumberOfArrays(); ++k)
+      {
+        vtkDataArray* const array = arrays->GetArray(k);
+        if (array && array->GetName() && array->GetNumberOfComponents() == 3)
+        {
+          return array->GetName();
+        }
+      }
+    }
+  }
+  return "";
+}
+
 }
 
 std::string GuidesReport::LeftOut() const
@@ -250,9 +274,7 @@ std::string GuidesReport::LeftOut() const
       separator = ", ";
     }
   };
-  std::ostringstream distance;
-  distance << this->MaximumDistance;
-  say(this->TooFar, " farther from the surface than " + distance.str());
+  say(this->TooFar, " farther from the surface than " + ShortText(this->MaximumDistance));
   say(this->OnFarSide, " nearer to the far side of a thin wall than to the near one");
   say(this->Perpendicular, " within 5 degrees of the normal of the surface");
   text << "; " << (this->TooFar > 0 ? "move them nearer to the surface, raise Maximum Distance, " : "")
@@ -293,9 +315,12 @@ GuidesOnSurface BringToSurface(
   {
     if (!something)
     {
-      throw InvalidInput(NameOfGuide(guide, guides.Data.size()) +
-        " has neither lines nor vectors to follow; add vectors to its points or cells, as "
-        "Calculator (vtkArrayCalculator) does, or take it out of Guides");
+      const std::string vectors = NameOfVectors(datasets, guide);
+      throw InvalidInput(NameOfGuide(guide, guides.Data.size()) + (vectors.empty()
+        ? " has neither lines nor vectors to follow; add vectors to its points or cells, as "
+          "Calculator (vtkArrayCalculator) does, or take it out of Guides"
+        : " has no lines, and none of its arrays is marked as its vectors; choose '" + vectors +
+          "', for example, as Guide Directions, or take the guide out of Guides"));
     }
   }
   return std::move(projection.Result);

@@ -3,6 +3,7 @@
 #include "Adapters/GuideDataSets.h"
 #include "Adapters/SegmentOnSurface.h"
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
@@ -58,14 +59,14 @@ vtkDataArray* IndicesOf(const GuideDataSet& dataset, const std::string& chosen)
   vtkDataArray* const array = dataset.Data->GetPointData()->GetArray(name.c_str());
   if (!array && !chosen.empty())
   {
-    throw InvalidInput("array '" + name + "', chosen as Singularity Index, is not among the point arrays of " +
+    throw InvalidInput("array '" + name + "', chosen as Singularity Index Array, is not among the point arrays of " +
       dataset.Name + "; choose one of those, or none for an index of 1 / N each");
   }
   if (array && array->GetNumberOfComponents() != 1)
   {
     throw InvalidInput("array '" + name + "' of the points of " + dataset.Name + " has " +
       std::to_string(array->GetNumberOfComponents()) +
-      " components, and an index is one number; choose another array as Singularity Index");
+      " components, and an index is one number; choose another array as Singularity Index Array");
   }
   if (array && array->GetNumberOfTuples() < dataset.Data->GetNumberOfPoints())
   {

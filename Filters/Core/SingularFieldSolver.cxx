@@ -9,6 +9,7 @@
 #include "Solvers/HarmonicProblem.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
 #include <Eigen/Cholesky>
 
@@ -58,6 +59,15 @@ struct ConnectionStage
   bool IsTurned = false;  ///< whether Unknowns are these, turned
   SolveReport Report;
 };
+
+/// Of the iteration that is returned.
+double ResidualOf(const SolveReport& report)
+{
+  const auto& rows = report.Iterations;
+  const auto returned = std::find_if(rows.begin(), rows.end(),
+    [&report](const IterationReport& row) { return row.Iteration == report.Returned; });
+  return returned != rows.end() ? returned->RelativeResidual : 0.0;
+}
 
 /// What finds potentials of those that users ask for: there is nothing rough about a connection.
 SolverOptions OptionsOfPotentials(const SolverOptions& asked, int loops)
@@ -188,7 +198,7 @@ Vector<double> SingularFieldSolver::Internals::Potential(SystemStage& system,
 void SingularFieldSolver::Internals::AddHarmonicForms(
   SystemStage& system, const ExecutionContext& context) const
 {
-  const StoppingCriteria stop{ 1e-10, 100 };
+  const StoppingCriteria stop{ 1e-10, 100 }; // if rounding allows
   const SurfaceHolonomy& surface = *this->Surface;
   const int loops = surface.NumberOfLoops();
   const SparseMatrix<double> transposed = SparseMatrix<double>(surface.Loops.transpose());
@@ -200,7 +210,7 @@ void SingularFieldSolver::Internals::AddHarmonicForms(
     const double step = 1.0 / loops;
     system.Potentials.col(k) = this->Potential(system, system.Divergences.col(k), {}, stop,
       PartOfContext(context, step * k, step * (k + 1)));
-    if (system.Problem && !system.Problem->Report().Converged)
+    if (system.Problem && ResidualOf(system.Problem->Report()) > LargestTolerance)
     {
       system.Warnings = system.Problem->Report().Warnings;
     }

@@ -80,7 +80,7 @@ Data TurnedAndCut(vtkDataSet* input)
 
 Data CutWhereItTurns(vtkDataSet* input)
 {
-  return WithNormals(input, 150.0);
+  return WithNormals(input, 60.0);
 }
 
 /// Of each triangle, its first side.
@@ -184,7 +184,9 @@ const BadSurface BadSurfaces[] = {
   { "OppositeOrientation", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 3, 2 } }); },
     { "cell 0 and cell 1", "oriented against", CutAndTurn }, TurnedAndCut },
   { "MoebiusStrip", [] { return PolyDataOf(MoebiusStrip(9)); },
-    { "oriented against", "Moebius", "Feature Angle of 150" }, CutWhereItTurns },
+    { "oriented against", "Moebius", "Feature Angle of 60 or less" }, CutWhereItTurns },
+  { "CoarseMoebiusStrip", [] { return PolyDataOf(MoebiusStrip(5)); },
+    { "oriented against", "Moebius", "Feature Angle of 60 or less" }, CutWhereItTurns },
   { "ThreeFacesAtAnEdge", [] { return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 }, { 2, 4, 0 } }); },
     { "3 triangles", CutAndTurn }, TurnedAndCut },
   { "AFaceTooMuchAtAnEdge", [] { return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 }, { 2, 4, 0 } }); },

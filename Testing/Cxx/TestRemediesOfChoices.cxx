@@ -142,7 +142,7 @@ Act Point20At(double x)
 const Mistake OfOptions[] = {
   { "HardCurvature", Both(FollowsCurvature, IsHard), "set Constraint Type to Soft, or Curvature Weight to 0",
     { Option(&vtkHarmonicFieldSolver::SetConstraintType, 0), Option(&vtkHarmonicFieldSolver::SetCurvatureWeight, 0.0) } },
-  { "NegativeFeatureWeight", Option(SetBoundaryWeight, -1.0), "make it 0, for off, or positive, and turn the field by Rotation",
+  { "NegativeFeatureWeight", Option(SetBoundaryWeight, -1.0), "make it 0, for off, or from 1e-10 to 1e+10, and turn the field by Rotation",
     { Option(SetBoundaryWeight, 0.0),
       Both(Option(SetBoundaryWeight, 1.0), Option(&vtkHarmonicFieldSolver::SetRotation, 180.0)) } },
   { "Slivers", PrescribedOnSlivers, "prescribe a direction on another cell or make the constraints hard",

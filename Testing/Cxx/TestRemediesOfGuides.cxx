@@ -33,6 +33,8 @@ const Act AddVectorsToGuide = [](Scene& scene) {
   calculator->SetFunction("iHat + 0.5 * jHat - 0.25 * kHat");
   scene.Solver->SetInputConnection(1, calculator->GetOutputPort());
 };
+const Act VectorsNotMarked = [](Scene& scene) { scene.Guide()->GetPointData()->SetActiveVectors(nullptr); };
+const Act AgainstGiven = [](Scene& scene) { scene.Follow({ scene.Centre() }, { -1.0, -0.5, 0.25 }); };
 const Act BrokenLine = [](Scene& scene) {
   LineAlongSide(scene);
   scene.Guide()->GetLines()->InsertNextCell({ 0, 99 });
@@ -68,6 +70,8 @@ const Mistake OfGuides[] = {
   { "NothingToFollow", WithoutAny,
     "add vectors to its points or cells, as Calculator (vtkArrayCalculator) does, or take it out of Guides",
     { AddVectorsToGuide, NoGuides } },
+  { "NoActiveVectors", Both(Both(NearPoint, VectorsNotMarked), ChosenOfGuide("")), "choose 'Wind', for example, as Guide Directions",
+    { ChosenOfGuide("Wind"), NoGuides } },
   { "PointNotFinite", [](Scene& scene) { scene.Follow({ { 0, 0, NaN }, { 0, 0, 1 } }, Along); }, "move the point or remove it",
     { [](Scene& scene) { scene.Follow({ { 0, 0.1, 1 }, { 0, 0, 1 } }, Along); }, NearPoint } },
   { "BrokenCell", BrokenLine, "repair the source of the guide", { LineAlongSide } },
@@ -239,6 +243,9 @@ const Act AskForBasis = [](Scene& scene) {
 };
 
 const Mistake WithWarnings[] = {
+  { "Cancelling", Both(Option(&vtkHarmonicFieldSolver::SetNumberOfDirections, 1), AgainstGiven),
+    "take one of them out, or choose a Number Of Directions to which they are alike",
+    { NoGuides, Option(&vtkHarmonicFieldSolver::SetNumberOfDirections, 2) } },
   { "UndeterminedHarmonicFields", OfGenusTwo, "prescribe more directions, spread over the handles and holes", { MoreDirections } },
   { "FarSideOfAWall", ArcOfPoints(2), "give their lines more points, or take them out of Guides", { ArcOfPoints(20), NoGuides } },
   { "LargeIndex", Prescribed(1, 2.0),

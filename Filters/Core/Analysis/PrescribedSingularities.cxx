@@ -1,19 +1,13 @@
 #include "Analysis/PrescribedSingularities.h"
 
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
 #include <cmath>
 #include <sstream>
 
 namespace dmg
 {
-
-std::string ShortText(double number)
-{
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
 
 int TimesOfIndex(double index, int N, const std::string& name)
 {

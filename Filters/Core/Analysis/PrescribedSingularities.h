@@ -27,9 +27,6 @@ int TimesOfIndex(double index, int N, const std::string& name);
 std::vector<int> TimesByVertex(const TriangleMesh& mesh,
   const std::vector<PrescribedSingularity>& singularities, const ElementNames& names);
 
-/// A number as messages say it.
-std::string ShortText(double number);
-
 }
 
 #endif

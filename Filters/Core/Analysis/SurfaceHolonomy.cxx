@@ -3,6 +3,7 @@
 #include "Analysis/PrescribedSingularities.h"
 #include "Analysis/TrivialConnection.h"
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
 #include <cmath>
 #include <cstdlib>

@@ -1,11 +1,11 @@
 #include "Discretisations/Prescriptions.h"
 
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <sstream>
 #include <string>
 
 namespace dmg
@@ -17,19 +17,31 @@ namespace
 /// A direction leaning less than this (as a sine) out of the normal has no part in the plane.
 constexpr double SmallestTangentialPart = 1e-6;
 
-std::string InShort(double number)
-{
-  std::ostringstream text;
-  text << number;
-  return text.str();
-}
-
 void CheckWeight(const std::string& name, double weight)
 {
   if (!(weight >= SmallestWeight && weight <= LargestWeight))
   {
-    throw InvalidInput(name + " is " + InShort(weight) + "; make it positive, from 1e-20 to 1e20");
+    throw InvalidInput(name + " is " + ShortText(weight) + "; make it positive, from 1e-20 to 1e20");
   }
+}
+
+/// What several directions of a face leave of each other is due to rounding below this, relative to them.
+constexpr double SmallestMean = 1e-6;
+
+/// The numbers of directions by face, those on one face in their order.
+std::vector<int> ByFace(const std::vector<PrescribedDirection>& directions)
+{
+  std::vector<int> order(directions.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+    [&directions](int a, int b) { return directions[a].Face < directions[b].Face; });
+  return order;
+}
+
+/// The N-th power of a direction, as long as that.
+Complex PowerOf(const Complex& direction, int N)
+{
+  return std::polar(std::abs(direction), N * std::arg(direction));
 }
 
 /// How the names of elements are asked for.
@@ -55,14 +67,14 @@ struct Largest
     if (this->Number > to)
     {
       throw InvalidInput("the " + what + " prescribed on " + (names.*this->Name)(this->Element) + " is " +
-        InShort(this->Number) + ", too large to compute with; bring it to at most " + InShort(to) +
+        ShortText(this->Number) + ", too large to compute with; bring it to at most " + ShortText(to) +
         ", with Calculator (vtkArrayCalculator) for example");
     }
     if (this->Number > 0.0 && this->Number < from)
     {
       throw InvalidInput("the largest " + what + " of all, on " + (names.*this->Name)(this->Element) + ", is " +
-        InShort(this->Number) + ", too small to compute with; multiply all of them, so that it is at least " +
-        InShort(from) + ", with Calculator (vtkArrayCalculator) for example");
+        ShortText(this->Number) + ", too small to compute with; multiply all of them, so that it is at least " +
+        ShortText(from) + ", with Calculator (vtkArrayCalculator) for example");
     }
   }
 };
@@ -118,7 +130,7 @@ Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& 
   }
   if (!(weight > 0.0) || !std::isfinite(weight))
   {
-    throw InvalidInput("the weight of the direction" + where + " is " + InShort(weight) +
+    throw InvalidInput("the weight of the direction" + where + " is " + ShortText(weight) +
       "; make it positive and finite" + orLeaveOut);
   }
   const Complex tangential = frames.ToComplex(element, direction);
@@ -163,18 +175,54 @@ std::vector<PrescribedDirection> DirectionsOnFaces(
   return onFaces;
 }
 
+std::vector<int> LeaveOutCancelling(
+  std::vector<PrescribedDirection>& directions, const TangentFrames& faceFrames, int N)
+{
+  const std::vector<int> order = ByFace(directions);
+  std::vector<int> faces;
+  std::vector<char> isLeftOut(directions.size(), 0);
+  for (auto first = order.begin(); first != order.end();)
+  {
+    const int face = directions[*first].Face;
+    const auto last =
+      std::find_if(first, order.end(), [&](int i) { return directions[i].Face != face; });
+    Complex sum = 0.0;
+    double lengths = 0.0;
+    for (auto i = first; last - first > 1 && i != last; ++i)
+    {
+      const Complex v = faceFrames.ToComplex(face, directions[*i].Direction);
+      sum += directions[*i].Weight * PowerOf(v, N);
+      lengths += directions[*i].Weight * std::abs(v);
+    }
+    if (std::abs(sum) < SmallestMean * lengths)
+    {
+      faces.push_back(face);
+      std::for_each(first, last, [&isLeftOut](int i) { isLeftOut[i] = 1; });
+    }
+    first = last;
+  }
+  if (!faces.empty())
+  {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < directions.size(); ++i)
+    {
+      if (!isLeftOut[i])
+      {
+        directions[kept++] = directions[i];
+      }
+    }
+    directions.resize(kept);
+  }
+  return faces;
+}
+
 PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   int N, const std::vector<PrescribedDirection>& directions, const ElementNames& names)
 {
-  std::vector<int> order(directions.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-    [&directions](int a, int b) { return directions[a].Face < directions[b].Face; });
-
   PowerConstraints constraints;
   PrescribedFaces& prescribed = constraints.Prescribed;
   std::vector<Complex> sums;
-  for (int i : order)
+  for (int i : ByFace(directions))
   {
     const auto& [face, direction, weight] = directions[i];
     CheckPrescribedElement(face, mesh.NumberOfFaces(), "face");
@@ -187,7 +235,7 @@ PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFra
       sums.emplace_back(0.0);
     }
     prescribed.Weights.back() += directions[i].Weight;
-    sums.back() += directions[i].Weight * std::polar(std::abs(v), N * std::arg(v));
+    sums.back() += directions[i].Weight * PowerOf(v, N);
   }
 
   constraints.Values.resize(sums.size());

@@ -103,6 +103,13 @@ std::vector<CarriedDirection> CarriedIntoFaces(const TriangleMesh& mesh,
   const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
   const PrescribedVertexDirection& prescribed, const ElementNames& names = {});
 
+/// Leaves out the directions of faces on which several cancel: the mean of their N-th powers is less than a millionth of
+/// them, as of opposite vectors where N is 1, and so says nothing but what rounding has left.
+/// \return those faces, ascending.
+/// Cost: n log n, linear where directions are sorted by face.
+std::vector<int> LeaveOutCancelling(
+  std::vector<PrescribedDirection>& directions, const TangentFrames& faceFrames, int N);
+
 /// Prescribed faces with the values that N-power fields shall take there.
 struct PowerConstraints
 {
@@ -114,7 +121,7 @@ struct PowerConstraints
 
 /// Brings directions into the frames of their faces. Directions on one face are averaged as powers
 /// (so that 0 and 90 degrees agree at N = 4), by weight; the weights add up. Directions that
-/// contradict each other shorten the value, down to 0.
+/// contradict each other shorten the value, down to 0 (see LeaveOutCancelling).
 /// \throw InvalidInput a direction is not finite, has no part in the plane of its face (less than
 /// 1e-6 of its length), or its weight is not positive; \p names says how messages call face i.
 PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,

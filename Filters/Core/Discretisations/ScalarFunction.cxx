@@ -5,6 +5,7 @@
 #include "Solvers/Multigrid/AssembledHierarchy.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 #include "Support/SparseAssembly.h"
 
 #include <algorithm>
@@ -130,8 +131,8 @@ FieldConstraints ScalarFunction::Prescribe(
     CheckPrescribedElement(vertex, this->Surface.Mesh.NumberOfVertices(), "vertex");
     if (!std::isfinite(value) || !(weight > 0.0) || !std::isfinite(weight))
     {
-      throw InvalidInput("the value " + std::to_string(value) + " with the weight " +
-        std::to_string(weight) + ", prescribed on " + names.Vertex(vertex) +
+      throw InvalidInput("the value " + ShortText(value) + " with the weight " +
+        ShortText(weight) + ", prescribed on " + names.Vertex(vertex) +
         ", is not finite or its weight not positive; repair it, or leave the point out, by Mask or a value of NaN where there is no mask");
     }
     if (constraints.Elements.empty() || constraints.Elements.back() != vertex)

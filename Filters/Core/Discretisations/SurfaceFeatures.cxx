@@ -1,6 +1,7 @@
 #include "Discretisations/SurfaceFeatures.h"
 
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,12 +20,16 @@ Vector3 Along(const TriangleMesh& mesh, int halfedge)
   return mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge));
 }
 
+/// Where curvatures differ by less than 1 % everywhere, as on a sphere, rounding of coordinates makes their directions.
+constexpr double LeastConfidence = 1e-4;
+
 void CheckFeatureWeight(const std::string& name, double weight)
 {
-  if (!(weight >= 0.0) || !std::isfinite(weight))
+  const bool isOn = weight >= SmallestFeatureWeight && weight <= LargestFeatureWeight;
+  if (!isOn && weight != 0.0)
   {
-    throw InvalidInput(name + " is " + std::to_string(weight) +
-      "; make it 0, for off, or positive, and turn the field by Rotation if it is to go another way");
+    throw InvalidInput(name + " is " + ShortText(weight) + "; make it 0, for off, or from " +
+      ShortText(SmallestFeatureWeight) + " to " + ShortText(LargestFeatureWeight) + ", and turn the field by Rotation if it is to go another way");
   }
 }
 
@@ -112,7 +117,8 @@ std::vector<PrescribedDirection> AlongCurvature(const FramedMesh& surface,
   const WeightsOfFaces weights(surface.Mesh);
   const Complex turn = followsMinimum ? Complex(0.0, 1.0) : Complex(1.0);
   std::vector<PrescribedDirection> directions;
-  for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
+  const bool isClear = (ofFaces.Confidence.array() > LeastConfidence).any();
+  for (int face = 0; isClear && face < surface.Mesh.NumberOfFaces(); ++face)
   {
     if (ofFaces.Confidence[face] > 0.0)
     {
@@ -153,7 +159,8 @@ FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureO
       followed.Warnings.push_back("sharp edges and principal directions are lines without a sign, which a field of " +
         std::to_string(N) + (N == 1 ? " direction" : " directions") + " cannot follow, so " +
         (hasEdges ? "Sharp Edges Weight" : "") + (hasEdges && hasCurvature ? " and " : "") +
-        (hasCurvature ? "Curvature Weight" : "") + (hasEdges && hasCurvature ? " have" : " has") + " no effect");
+        (hasCurvature ? "Curvature Weight" : "") + (hasEdges && hasCurvature ? " have" : " has") +
+        " no effect; choose an even Number Of Directions");
     }
     return followed;
   }

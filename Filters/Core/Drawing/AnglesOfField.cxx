@@ -18,7 +18,7 @@ Vector<double> AnglesOfField(const TangentFrames& faceFrames, const DirectionsOn
       const Vector3 reference = references.row(face).transpose();
       const Complex tangential = faceFrames.ToComplex(face, reference);
       const bool isDefined = field.HasDirection(face) &&
-        std::abs(tangential) > SmallestTangentialPart * reference.norm();
+        std::abs(tangential) > SmallestTangentialPart * reference.stableNorm();
       const Complex nearest = field.Direction(face, field.Nearest(face, tangential));
       angles[face] = isDefined ? std::arg(nearest * std::conj(tangential))
                                : std::numeric_limits<double>::quiet_NaN();

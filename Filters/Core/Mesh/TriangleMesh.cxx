@@ -99,7 +99,7 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
   }
   throw InvalidInput(names.Face(f) + " and " + names.Face(g) +
     " are oriented against each other along " + edge +
-    "; apply " + Remedy + "; a surface with one side only, like a Moebius strip, is cut by a Feature Angle of 150");
+    "; apply " + Remedy + "; a surface with one side only, like a Moebius strip, is cut by a Feature Angle of 60 or less");
 }
 
 }

@@ -128,8 +128,9 @@ void PrescribedSystem::SetUnreached(const std::vector<int>& unreached, const Exe
   {
     this->WarningsOfSystem.push_back(std::to_string(still.size()) + " of " +
       std::to_string(setup.Hierarchy->NumberOfUnknowns()) +
-      " unknowns lie in components of the surface that hold no prescribed direction" +
-      (setup.HasSmoothest ? " and have no area" : "") + "; the field is zero there");
+      (setup.HasSmoothest
+          ? " unknowns lie in components of the surface that hold no prescribed direction and have no area; the field is zero there"
+          : " values lie in components of the surface that hold no prescribed value; the function is zero there"));
   }
   this->HeldUnknowns = std::move(still);
   if (this->IsHard())

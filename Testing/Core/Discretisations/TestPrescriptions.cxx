@@ -68,6 +68,33 @@ TEST_F(AlignmentConstraintsTest, DirectionsOnOneFaceAreAveragedByWeight)
   EXPECT_LT(std::abs(constraints.Values[0] - Complex(0.75, 0.25)), 10 * MachinePrecision);
 }
 
+// Opposite vectors mean nothing to a field of one direction, and the same to one of two; quarter turns likewise for two and four.
+TEST_F(AlignmentConstraintsTest, DirectionsThatCancelAreLeftOut)
+{
+  for (const auto& [N, cancelling] : { std::pair(1, 2), std::pair(2, 6), std::pair(4, -1) })
+  {
+    std::vector<PrescribedDirection> directions = { { 6, this->Direction(6, 0.3), 2.0 }, { 2, this->Direction(2, 0.1), 0.5 },
+      { 4, this->Direction(4, 1.0), 3.0 }, { 2, -this->Direction(2, 0.1), 0.5 }, { 6, this->Direction(6, 0.3 + 0.5 * Pi), 2.0 },
+      { 4, -this->Direction(4, 1.0), 1.0 } };
+    std::vector<PrescribedDirection> expected;
+    for (const PrescribedDirection& direction : directions)
+    {
+      if (direction.Face != cancelling)
+      {
+        expected.push_back(direction);
+      }
+    }
+    const auto faces = LeaveOutCancelling(directions, this->Frames, N);
+    EXPECT_EQ(faces, cancelling < 0 ? std::vector<int>() : std::vector<int>{ cancelling });
+    ASSERT_EQ(directions.size(), expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      EXPECT_EQ(directions[i].Face, expected[i].Face);
+      EXPECT_EQ(directions[i].Direction, expected[i].Direction);
+    }
+  }
+}
+
 TEST_F(AlignmentConstraintsTest, NothingPrescribedIsEmpty)
 {
   const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, 4, {});

@@ -193,13 +193,31 @@ TEST(SurfaceFeatures, EachTurnsByAnAngleOfItsOwn)
   }
 }
 
+// Rounding of coordinates is no curvature to follow; an ellipsoid that is 5 % longer than wide is.
+TEST(SurfaceFeatures, ASphereHasNoPrincipalDirections)
+{
+  FeatureOptions options;
+  options.CurvatureWeight = 1.0;
+  for (const double axis : { 1.0, 1.05 })
+  {
+    Surface surface = Icosphere(5);
+    surface.V.col(2) *= axis;
+    surface.V = surface.V.cast<float>().cast<double>();
+    const FramedMesh framed(surface.Mesh());
+    const PrincipalCurvatures ofFaces = FindPrincipalDirections(framed, 3.0).Faces;
+    const FollowedFeatures followed = FollowFeatures(framed, 4, options, &ofFaces);
+    EXPECT_EQ(followed.Directions.empty(), axis == 1.0) << ofFaces.Confidence.maxCoeff();
+    EXPECT_EQ(followed.Warnings.empty(), axis != 1.0);
+  }
+}
+
 TEST(SurfaceFeatures, RefuseNegativeWeights)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   for (double FeatureOptions::*weight : { &FeatureOptions::BoundaryWeight,
          &FeatureOptions::SharpEdgesWeight, &FeatureOptions::CurvatureWeight })
   {
-    for (const double bad : { -1.0, nan, std::numeric_limits<double>::infinity() })
+    for (const double bad : { -1.0, nan, std::numeric_limits<double>::infinity(), 1e-11, 1e11 })
     {
       FeatureOptions options;
       options.*weight = bad;
