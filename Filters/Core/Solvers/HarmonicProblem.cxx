@@ -261,7 +261,9 @@ void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriter
   {
     const auto solve = this->Kind == SolverKind::VCycles ? &StationaryIteration<double>
                                                          : &ConjugateGradient<double>;
-    solve(*matrix, *inverse, b, stop, x, this->Report, context, &measure);
+    StoppingCriteria stopOfSolve = stop;
+    stopOfSolve.MayEstimate = this->Kind != SolverKind::Cholesky; // one more cycle is a quarter of a usual solve
+    solve(*matrix, *inverse, b, stopOfSolve, x, this->Report, context, &measure);
   }
   const bool haveStagnated = this->Kind == SolverKind::ConjugateGradients &&
     !this->Report.Converged && !this->Report.EndedByRounding &&

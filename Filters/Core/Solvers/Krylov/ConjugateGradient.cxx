@@ -50,7 +50,7 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
-  IterationMonitor<Scalar> iteration(A, b, stop, x, report, context, measure);
+  IterationMonitor<Scalar> iteration(A, B, b, stop, x, report, context, measure);
   if (iteration.IsTrivial())
   {
     return;
@@ -62,12 +62,34 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
   Vector<Scalar> image(b.size()); // B r; then, where that has become a direction, A p
   double oldProduct = 0.0; // r^H z of the iteration before; zero: no direction to continue
   double normAtRestart = 0.0;
-  while (iteration.MayContinue())
+  // The recurrence drifts away from b - A x by rounding errors; the latter counts.
+  bool isComputed = true; // r, as b - A x
+  bool hasDrifted = false;
+  while (!(isComputed && iteration.HasConverged()))
   {
-    B.Apply(r, image, context);
-    const double product = Eigen::numext::real(Dot(r, image, context));
-    iteration.SetProduct(product);
+    const double product = iteration.Precondition(r, image);
     if (iteration.HasConverged())
+    {
+      if (!isComputed)
+      {
+        iteration.ComputeResidual(r);
+        isComputed = true;
+        hasDrifted = true; // unless it has converged by this one, too
+      }
+      continue;
+    }
+    iteration.KeepBest();
+    if (hasDrifted)
+    {
+      if (iteration.ResidualNorm() > 0.5 * normAtRestart)
+      {
+        iteration.StopAtRounding();
+        break;
+      }
+      normAtRestart = iteration.ResidualNorm();
+      oldProduct = 0.0;
+    }
+    if (!iteration.MayContinue())
     {
       break;
     }
@@ -82,25 +104,13 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
     }
     oldProduct = product;
     const double alpha = product / energy;
-    const double norm = Step(alpha, p, image, x, r, iteration, context);
-    iteration.Append(norm, [alpha, &p](Vector<Scalar>& previous) { previous -= alpha * p; });
-
-    if (iteration.HasConverged())
+    iteration.Append(Step(alpha, p, image, x, r, iteration, context));
+    isComputed = iteration.SeemsConverged();
+    if (isComputed)
     {
-      // The recurrence drifts away from b - A x by rounding errors; the latter counts.
       iteration.ComputeResidual(r);
-      if (iteration.HasConverged())
-      {
-        break;
-      }
-      if (iteration.ResidualNorm() > 0.5 * normAtRestart)
-      {
-        iteration.StopAtRounding();
-        break;
-      }
-      normAtRestart = iteration.ResidualNorm();
-      oldProduct = 0.0;
     }
+    hasDrifted = isComputed && !iteration.SeemsConverged();
   }
   iteration.End();
 }

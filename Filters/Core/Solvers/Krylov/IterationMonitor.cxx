@@ -23,10 +23,11 @@ std::string Rounded(double number)
 }
 
 template <class Scalar>
-IterationMonitor<Scalar>::IterationMonitor(const LinearOperator<Scalar>& matrix, const Vector<Scalar>& rightHandSide,
-  const StoppingCriteria& stop, Vector<Scalar>& iterate, SolveReport& report,
+IterationMonitor<Scalar>::IterationMonitor(const LinearOperator<Scalar>& matrix, Preconditioner<Scalar>& inverse,
+  const Vector<Scalar>& rightHandSide, const StoppingCriteria& stop, Vector<Scalar>& iterate, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
   : A(matrix)
+  , B(inverse)
   , b(rightHandSide)
   , Stop(stop)
   , x(iterate)
@@ -59,7 +60,7 @@ IterationMonitor<Scalar>::IterationMonitor(const LinearOperator<Scalar>& matrix,
   {
     this->x.setZero(this->b.size());
     this->Residual = &this->b;
-    this->AppendRow(0.0);
+    this->Append(0.0);
     this->End();
   }
 }
@@ -74,38 +75,51 @@ void IterationMonitor<Scalar>::Begin(Vector<Scalar>& r)
     this->x.setZero(this->b.size());
     r = this->b;
   }
-  this->AppendRow(isFromZero ? this->NormOf(r) : this->SubtractFromB(r));
-  this->BestNorm = this->ResidualNorm();
+  this->Append(isFromZero ? this->NormOf(r) : this->SubtractFromB(r));
 }
 
 template <class Scalar>
-void IterationMonitor<Scalar>::SetProduct(double product)
+double IterationMonitor<Scalar>::Precondition(const Vector<Scalar>& r, Vector<Scalar>& z)
 {
-  if (!(product > 0.0 && this->Norm > 0.0))
-  {
-    return;
-  }
-  this->Ratio = std::sqrt(product) / this->Norm;
-  this->SetRelativeResidual();
-  if (this->BestIteration == this->LastRow().Iteration)
-  {
-    this->BestRatio = this->Ratio;
-    this->BestNorm = this->ResidualNorm();
-  }
+  const double product = this->MeasureRatio(r, z);
+  this->Report.Iterations.back().RelativeResidual = this->RelativeResidual();
+  return product;
 }
 
 template <class Scalar>
-void IterationMonitor<Scalar>::SetRelativeResidual()
+double IterationMonitor<Scalar>::MeasureRatio(const Vector<Scalar>& r, Vector<Scalar>& z)
+{
+  this->B.Apply(r, z, this->Context);
+  const double product = Eigen::numext::real(Dot(r, z, this->Context));
+  this->IsMeasured = product > 0.0 || this->Norm == 0.0;
+  if (product > 0.0 && this->Norm > 0.0)
+  {
+    const double before = this->Ratio;
+    this->Ratio = std::sqrt(product) / this->Norm;
+    this->IsSteady =
+      this->LastRow().Iteration > 0 && this->Ratio < 2.0 * before && before < 2.0 * this->Ratio;
+  }
+  return product;
+}
+
+template <class Scalar>
+double IterationMonitor<Scalar>::RelativeResidual() const
 {
   const double otherwise = this->Norm > 0.0 ? 1.0 : 0.0;
-  this->Report.Iterations.back().RelativeResidual =
-    this->Energy > 0.0 ? this->ResidualNorm() / this->Energy : otherwise;
+  return this->Energy > 0.0 ? this->ResidualNorm() / this->Energy : otherwise;
 }
 
 template <class Scalar>
-bool IterationMonitor<Scalar>::HasConverged() const
+void IterationMonitor<Scalar>::KeepBest()
 {
-  return this->LastRow().RelativeResidual <= this->Stop.RelativeTolerance;
+  const int iteration = this->LastRow().Iteration;
+  if (iteration == 0 || (this->IsMeasured && this->ResidualNorm() < this->BestNorm))
+  {
+    this->BestNorm = this->ResidualNorm();
+    this->BestRatio = this->Ratio;
+    this->BestIteration = iteration;
+    this->Best = this->x;
+  }
 }
 
 template <class Scalar>
@@ -141,14 +155,11 @@ template <class Scalar>
 void IterationMonitor<Scalar>::ComputeResidual(Vector<Scalar>& r)
 {
   this->Norm = this->SubtractFromB(r);
+  this->IsMeasured = false;
   this->Energy = this->EnergyNorm(r);
-  this->SetRelativeResidual();
+  this->Report.Iterations.back().RelativeResidual = this->RelativeResidual();
   this->Report.Iterations.back().Seconds = this->Seconds();
   this->Measure();
-  if (this->Best.size() == 0)
-  {
-    this->BestNorm = this->ResidualNorm();
-  }
 }
 
 template <class Scalar>
@@ -158,14 +169,13 @@ void IterationMonitor<Scalar>::End()
   this->Report.Converged = this->IsTrivial() || this->HasConverged();
   if (!this->Report.Converged)
   {
-    if (this->Best.size() != 0)
-    {
-      this->x.swap(this->Best);
-    }
+    this->x.swap(this->Best);
     Vector<Scalar> r;
-    const double norm = this->BestRatio * this->SubtractFromB(r);
-    const double energy = this->EnergyNorm(r);
-    const double reached = energy > 0.0 ? norm / energy : 1.0;
+    this->Norm = this->SubtractFromB(r);
+    this->Energy = this->EnergyNorm(r);
+    this->Ratio = this->BestRatio;
+    this->MeasureRatio(r, this->Best); // whose place is free
+    const double reached = this->RelativeResidual();
     this->Report.Returned = this->BestIteration;
     this->Report.Iterations[this->BestIteration].RelativeResidual = reached;
     this->Report.Warnings.push_back("The solver stopped at a relative residual of " +
@@ -176,13 +186,13 @@ void IterationMonitor<Scalar>::End()
 }
 
 template <class Scalar>
-void IterationMonitor<Scalar>::AppendRow(double norm)
+void IterationMonitor<Scalar>::Append(double norm)
 {
   this->Norm = norm;
+  this->IsMeasured = false;
   this->Energy = this->EnergyNorm(*this->Residual);
   const int number = static_cast<int>(this->Report.Iterations.size());
-  this->Report.Iterations.push_back({ number, this->Seconds(), 0.0 });
-  this->SetRelativeResidual();
+  this->Report.Iterations.push_back({ number, this->Seconds(), this->RelativeResidual() });
   this->Measure();
 }
 

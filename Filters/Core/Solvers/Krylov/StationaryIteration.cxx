@@ -11,7 +11,7 @@ void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>
   const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
   const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
-  IterationMonitor<Scalar> iteration(A, b, stop, x, report, context, measure);
+  IterationMonitor<Scalar> iteration(A, B, b, stop, x, report, context, measure);
   if (iteration.IsTrivial())
   {
     return;
@@ -20,25 +20,25 @@ void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>
   Vector<Scalar> r;
   iteration.Begin(r);
   Vector<Scalar> z;
-  while (iteration.MayContinue())
+  while (!iteration.HasConverged())
   {
-    B.Apply(r, z, context);
-    iteration.SetProduct(Eigen::numext::real(Dot(r, z, context)));
+    iteration.Precondition(r, z);
     if (iteration.HasConverged())
     {
       break;
     }
-    x += z;
-    iteration.AppendResidual(r, [&z](Vector<Scalar>& previous) { previous -= z; });
-    if (iteration.HasConverged())
-    {
-      break;
-    }
+    iteration.KeepBest();
     if (iteration.IterationsSinceBest() >= patience)
     {
       iteration.StopShort("the last cycles did not reduce the residual");
       break;
     }
+    if (!iteration.MayContinue())
+    {
+      break;
+    }
+    x += z;
+    iteration.AppendResidual(r);
   }
   iteration.End();
 }

@@ -13,12 +13,14 @@ struct StoppingCriteria
   double RelativeTolerance = 1e-8;
   /// >= 1
   int MaximumIterations = 100;
+  /// Whether the residual that ends the iteration may be an estimate; see IterationMonitor.
+  bool MayEstimate = false;
 
   friend bool operator==(const StoppingCriteria& a, const StoppingCriteria& b)
   {
     const auto members = [](const StoppingCriteria& stop) {
-      const auto& [tolerance, iterations] = stop; // all of them, or it does not compile
-      return std::tie(tolerance, iterations);
+      const auto& [tolerance, iterations, mayEstimate] = stop; // all of them, or it does not compile
+      return std::tie(tolerance, iterations, mayEstimate);
     };
     return members(a) == members(b);
   }
