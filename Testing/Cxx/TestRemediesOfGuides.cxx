@@ -242,10 +242,28 @@ const Act AskForBasis = [](Scene& scene) {
   scene.Solver->HarmonicBasisOn();
 };
 
+/// A solve that needs more iterations; without prescriptions, that of the smoothest field.
+Act OneIteration(bool hasPrescriptions)
+{
+  return [=](Scene& scene) {
+    if (!hasPrescriptions)
+    {
+      NothingOnSurface(scene);
+    }
+    scene.Solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
+    scene.Solver->SetMaximumNumberOfIterations(1);
+  };
+}
+
+const Act MoreIterations = Option(&vtkHarmonicFieldSolver::SetMaximumNumberOfIterations, 100);
+
 const Mistake WithWarnings[] = {
   { "Cancelling", Both(Option(&vtkHarmonicFieldSolver::SetNumberOfDirections, 1), AgainstGiven),
     "take one of them out, or choose a Number Of Directions to which they are alike",
     { NoGuides, Option(&vtkHarmonicFieldSolver::SetNumberOfDirections, 2) } },
+  { "LimitOfIterations", OneIteration(true), "raise Maximum Number Of Iterations", { MoreIterations } },
+  { "LimitOfIterationsOfTheSmoothestField", OneIteration(false), "raise Maximum Number Of Iterations",
+    { MoreIterations } },
   { "UndeterminedHarmonicFields", OfGenusTwo, "prescribe more directions, spread over the handles and holes", { MoreDirections } },
   { "FarSideOfAWall", ArcOfPoints(2), "give their lines more points, or take them out of Guides", { ArcOfPoints(20), NoGuides } },
   { "LargeIndex", Prescribed(1, 2.0),

@@ -145,3 +145,45 @@ TEST(LowestEigenvectors, DependOnTheStartAlone)
   EXPECT_TRUE(ofSolution.Converged);
   EXPECT_EQ(ofSolution.Iterations.size(), 1u);
 }
+
+// A x = M x / 2 for any x: solved at the start, pairs of unknowns stay as they are while the iteration goes on for the others,
+// although nothing but rounding errors is left of their residuals.
+TEST(LowestEigenvectors, OfPartsThatAreSolvedStayNormal)
+{
+  std::vector<int> lengths(2000, 2);
+  lengths.push_back(300);
+  SparseMatrix<double> A = Chains(lengths);
+  Vector<double> mass = Vector<double>::Ones(A.rows());
+  for (int i = 0; i < 4000; ++i)
+  {
+    mass[i] = 1.0 + 0.001 * (i / 2);
+    A.col(i) *= 0.0;
+    A.coeffRef(i, i) = 0.5 * mass[i];
+  }
+  const MatrixOperator<double> matrix(A);
+  class Diagonal : public Preconditioner<double>
+  {
+  public:
+    explicit Diagonal(Vector<double> inverse)
+      : Inverse(std::move(inverse))
+    {
+    }
+    void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
+    {
+      z = this->Inverse.cwiseProduct(r);
+    }
+
+  private:
+    const Vector<double> Inverse;
+  } diagonal(A.diagonal().cwiseInverse());
+  const SortedItems parts = PartsOf(lengths);
+  Vector<double> x = Vector<double>::Zero(A.rows());
+  SolveReport report;
+  const std::vector<double> theta =
+    FindLowestEigenvectors({ matrix, diagonal, mass, parts }, { 1e-12, 100 }, x, report, SerialContext());
+  for (int part = 0; part < 2000; ++part)
+  {
+    ASSERT_NEAR(theta[part], 0.5, 1e-13) << part;
+    ASSERT_NEAR(mass[2 * part] * x.segment(2 * part, 2).squaredNorm(), 1.0, 1e-13) << part;
+  }
+}

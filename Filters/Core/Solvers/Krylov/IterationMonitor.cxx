@@ -140,7 +140,7 @@ bool IterationMonitor<Scalar>::MayContinue()
     return true;
   }
   this->Reason = "the limit of " + std::to_string(this->Stop.MaximumIterations) +
-    " iterations is reached";
+    " iterations is reached; raise Maximum Number Of Iterations";
   return false;
 }
 

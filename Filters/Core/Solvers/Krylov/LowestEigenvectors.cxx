@@ -37,13 +37,15 @@ struct Gram
 /// The coefficients of x, w and p in the next x.
 using Coefficients = Eigen::Vector3d;
 
-/// Those of the least Rayleigh quotient. Of vectors that depend on those before them, the last are left out.
+/// Those of the least Rayleigh quotient. Of vectors that depend on those before them, the last are left out, and so are those
+/// that are too short to change x: in a part that is solved, w is made of rounding errors and may be almost parallel to x.
 Coefficients LeastRayleighQuotient(const Gram& gram)
 {
   constexpr double SmallestAngle = 1e-12; // its squared sine
+  constexpr double Shortest = 1e-26;      // its squared length over that of x
   Eigen::Vector3d scale;
   int size = 0;
-  while (size < Trials && gram.M(size, size) > 0.0)
+  while (size < Trials && gram.M(size, size) > Shortest * gram.M(0, 0))
   {
     scale[size] = 1.0 / std::sqrt(gram.M(size, size));
     ++size;
@@ -291,7 +293,8 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
     std::ostringstream text;
     text << std::setprecision(2) << "The smoothest field was found to a residual of "
          << report.Iterations.back().RelativeResidual << " instead of " << stop.RelativeTolerance
-         << ", as no more than " << stop.MaximumIterations << " iterations are allowed.";
+         << ", as no more than " << stop.MaximumIterations
+         << " iterations are allowed; raise Maximum Number Of Iterations.";
     report.Warnings.push_back(text.str());
   }
   report.SolveSeconds = report.Iterations.back().Seconds;
