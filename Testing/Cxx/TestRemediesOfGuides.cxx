@@ -246,6 +246,7 @@ const Act AskForBasis = [](Scene& scene) {
 Act OneIteration(bool hasPrescriptions)
 {
   return [=](Scene& scene) {
+    scene.SetSurface(PolyDataOf(Icosphere(4))); // smaller ones are factored
     if (!hasPrescriptions)
     {
       NothingOnSurface(scene);
