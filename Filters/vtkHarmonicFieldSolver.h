@@ -534,7 +534,8 @@ public:
 
   ///@{
   /**
-   * The solve stops after this many iterations, with a warning. Default 100, at least 1.
+   * The solve stops after this many iterations, that for the smoothest field, where nothing is prescribed, after three times as
+   * many, with a warning. Default 100, at least 1.
    */
   vtkSetMacro(MaximumNumberOfIterations, int);
   vtkGetMacro(MaximumNumberOfIterations, int);

@@ -177,6 +177,19 @@ TEST(SmoothestField, IsTheEigenvectorOfADenseSolver)
   }
 }
 
+// On the unit sphere, fields of N directions have the lowest eigenvalue N of Bochner's Laplacian 2 N + 1 times: of spherical
+// harmonics of spin N, l (l + 1) - N^2 for l = N. Roughness is twice that. Triangles split it into values close together.
+TEST(SmoothestField, IsFoundOnSpheresWhereManyAreAlmostAsSmooth)
+{
+  for (const int N : { 3, 7 })
+  {
+    FieldSolver solver(IrregularSphere(5, 3, 0.3).Mesh());
+    solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N, SolverKind::ConjugateGradients), { 1e-4, 100 });
+    EXPECT_TRUE(solver.Report().Converged) << N;
+    EXPECT_NEAR(solver.Report().Eigenvalues[0], 2.0 * N, 0.04 * 2.0 * N) << N;
+  }
+}
+
 // The factor that small surfaces take and the cycles of large ones find the same field, if it is the only one.
 TEST(SmoothestField, IsTheSameBySolversOfAllKinds)
 {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dmg
 {
@@ -72,7 +73,11 @@ std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearO
   // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart. At 1e-4
   // the next eigenvectors may still turn the field by many degrees where it is small.
   constexpr double Tolerance = 1e-6;
-  const StoppingCriteria stop{ Tolerance, maximumIterations };
+  // Where many eigenvalues are close together, as on spheres, their vectors part slowly.
+  constexpr int Patience = 3;
+  const int iterations =
+    maximumIterations <= std::numeric_limits<int>::max() / Patience ? Patience * maximumIterations : maximumIterations;
+  const StoppingCriteria stop{ Tolerance, iterations };
   SolveReport found;
   const std::vector<double> theta = FindLowestEigenvectors(
     { A, inverse, setup.Mass, this->ByComponent }, stop, start, found, context);

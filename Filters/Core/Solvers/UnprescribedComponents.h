@@ -37,7 +37,7 @@ public:
 
   /// Writes the fields into x, with a mean square magnitude of 1 and to a relative residual of 1e-6.
   /// \param A R + D, \param inverse close to its inverse.
-  /// \param start of the iteration, or empty.
+  /// \param start of the iteration, or empty. It ends after three times \p maximumIterations.
   /// \param report is added to: eigenvalues, in 1 / length^2, seconds, convergence and warnings.
   /// \return the history of the iteration.
   std::vector<IterationReport> FindSmoothest(const LinearOperator<double>& A, Preconditioner<double>& inverse,
