@@ -641,7 +641,7 @@ public:
   ///@{
   /**
    * How hard the field follows the boundary of the surface, and its sharp edges; see Features above. Default 0, off; a
-   * weight that is negative is an error.
+   * weight is 0 or from 1e-10 to 1e10, or it is an error.
    */
   vtkSetMacro(BoundaryWeight, double);
   vtkGetMacro(BoundaryWeight, double);
@@ -660,8 +660,8 @@ public:
 
   ///@{
   /**
-   * How hard the field follows principal directions; see Features above. Default 0, off; a weight that is negative is an
-   * error.
+   * How hard the field follows principal directions; see Features above. Default 0, off; a weight is 0 or from 1e-10 to
+   * 1e10, or it is an error.
    */
   vtkSetMacro(CurvatureWeight, double);
   vtkGetMacro(CurvatureWeight, double);

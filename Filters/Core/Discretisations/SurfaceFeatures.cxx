@@ -29,7 +29,8 @@ void CheckFeatureWeight(const std::string& name, double weight)
   if (!isOn && weight != 0.0)
   {
     throw InvalidInput(name + " is " + ShortText(weight) + "; make it 0, for off, or from " +
-      ShortText(SmallestFeatureWeight) + " to " + ShortText(LargestFeatureWeight) + ", and turn the field by Rotation if it is to go another way");
+      ShortText(SmallestFeatureWeight) + " to " + ShortText(LargestFeatureWeight) +
+      ", and turn the field by Rotation if it is to go another way");
   }
 }
 
