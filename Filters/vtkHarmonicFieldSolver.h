@@ -68,9 +68,9 @@
  * - without lines and without a choice, the active vectors of the points, else of the cells, count.
  *
  * Vectors are no powers: whether a line runs to or fro does not matter to a field of two directions,
- * nor do quarter turns to crosses. On each face, a line weighs as an edge of a feature of that length does (see Features); where it runs along
- * an edge, its two faces share it. So it means the same at any size and resolution: at weight 1 the field follows bends of the line that are larger than a thirtieth of the
- * surface's size. A vector of a point, or of a cell that is no line, weighs as one on the face itself. What several guides
+ * nor do quarter turns to crosses. On each face, a line weighs as an edge of a feature of that length does (see
+ * Features); where it runs along an edge, its two faces share it. So it means the same at any size and resolution: at
+ * weight 1 the field follows bends of the line that are larger than a thirtieth of the surface's size. A vector of a point, or of a cell that is no line, weighs as one on the face itself. What several guides
  * prescribe on one face adds up.
  *
  * What is farther from the surface than MaximumDistance is left out, and so is a part of a chord that
@@ -521,8 +521,8 @@ public:
    * nor a remesher can tell (eight scans of 22,000 to 112,000 triangles, 20 prescribed cells or one short line, all fields). Far from
    * what is prescribed the field fades, the more the higher N is, and they are off by more: on 99.9 % of the area by at most 0.5
    * degrees with 20 cells, and with one line by 0.03, 0.14, 0.5 and 5.6 degrees for N = 1, 2, 4 and 6; at worst by 29. Face fields of
-   * one line may fade to nothing. Choose 1e-8 there, and for computations that go on with the numbers. The smoothest field, where nothing is prescribed, is
-   * always solved to 1e-6. Against 1e-10, its directions are off by these degrees, at the median, on 99 % of the area and at
+   * one line may fade to nothing. Choose 1e-8 there, and for computations that go on with the numbers. The smoothest field, where
+   * nothing is prescribed, is always solved to 1e-6. Against 1e-10, its directions are off by these degrees, at the median, on 99 % of the area and at
    * most (the meshes t01 and t02 of the thesis, fertility and camelhead; 22,000 to 279,000 triangles):
    * N = 1: 0.00001 to 0.00007, 0.0001 to 0.002, 0.001 to 0.06; N = 4: 0.00001 to 0.0003, 0.002 to 1.5, 0.1 to 43. More than 1
    * degree it was only where the field is fainter than 5e-5 of its root mean square, as crosses are on limbs far from the

@@ -293,8 +293,7 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
     std::ostringstream text;
     text << std::setprecision(2) << "The smoothest field was found to a residual of "
          << report.Iterations.back().RelativeResidual << " instead of " << stop.RelativeTolerance
-         << ", as no more than " << stop.MaximumIterations
-         << " iterations are allowed; raise Maximum Number Of Iterations.";
+         << ", as the limit of iterations is reached; raise Maximum Number Of Iterations.";
     report.Warnings.push_back(text.str());
   }
   report.SolveSeconds = report.Iterations.back().Seconds;
