@@ -98,7 +98,7 @@
  * | ----- | ---------- | ------------------------------------------ |
  * | 0     | 1          | mask (optional): not zero where prescribed |
  * | 1     | 3          | directions, by default the active vectors (see below); of guides see above |
- * | 2     | 1          | weight > 0 (optional), by default 1        |
+ * | 2     | 1          | weight (optional), by default 1; 0 where nothing is prescribed |
  * | 3     | 1          | values of functions, at points; not of guides |
  * | 4     | 1          | rotation (optional), in degrees; not of guides |
  *

@@ -194,13 +194,13 @@ void VisitPrescribed(const ConstraintArrays& arrays,
   {
     Vector3 vector;
     arrays.Vectors->GetTuple(element, vector.data());
+    const double weight = arrays.Weights ? arrays.Weights->GetComponent(element, 0) : 1.0;
     const bool isPrescribed =
       arrays.Mask ? arrays.Mask->GetComponent(element, 0) != 0.0 : !vector.isZero(0.0);
-    if (!isPrescribed || !takesPart(element))
+    if (!isPrescribed || weight == 0.0 || !takesPart(element))
     {
       continue;
     }
-    const double weight = arrays.Weights ? arrays.Weights->GetComponent(element, 0) : 1.0;
     if (!vector.allFinite())
     {
       throw InvalidInput("the direction prescribed at " + arrays.NameOf(element) +

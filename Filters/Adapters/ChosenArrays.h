@@ -51,7 +51,7 @@ ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surf
 /// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.
 struct ConstraintArrays
 {
-  vtkDataArray* Mask = nullptr; ///< 1 component; null: where the vector is not zero
+  vtkDataArray* Mask = nullptr; ///< 1 component; null: where the vector and the weight are not zero
   vtkDataArray* Vectors = nullptr; ///< 3 components
   vtkDataArray* Weights = nullptr; ///< 1 component; null: 1
   bool OnPoints = false; ///< else on cells
@@ -96,7 +96,7 @@ struct ElementDirection
 
 /// Visits all that is prescribed, in ascending order of elements.
 /// \param takesPart elements for which it is false are passed over, whatever they hold.
-/// \throw InvalidInput a vector is not finite, or a weight is not positive.
+/// \throw InvalidInput a vector is not finite, or a weight is negative or not finite.
 void VisitPrescribed(const ConstraintArrays& arrays,
   const std::function<bool(vtkIdType)>& takesPart,
   const std::function<void(const ElementDirection&)>& visit);

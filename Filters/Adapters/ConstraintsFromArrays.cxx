@@ -39,7 +39,8 @@ PrescribedDirections DirectionsOnSurface(const ConstraintArrays& arrays, const S
   return directions;
 }
 
-/// Values at points: where the mask is not zero, or, without a mask, where they are numbers.
+/// Values at points: where the mask is not zero, or, without a mask, where they are numbers; with weights, where those are
+/// not zero, too.
 std::vector<PrescribedValue> ValuesOnSurface(
   const ConstraintChoices& choices, vtkPolyData* surface, const SurfaceNumbering& numbering)
 {
@@ -63,11 +64,11 @@ std::vector<PrescribedValue> ValuesOnSurface(
   {
     const int vertex = numbering.VertexOf(point);
     const double value = values.Array->GetComponent(point, 0);
-    if (vertex >= 0 &&
+    const double weight = weights.Array ? weights.Array->GetComponent(point, 0) : 1.0;
+    if (vertex >= 0 && weight != 0.0 &&
       (mask.Array ? mask.Array->GetComponent(point, 0) != 0.0 : !std::isnan(value)))
     {
-      prescribed.push_back(
-        { vertex, value, weights.Array ? weights.Array->GetComponent(point, 0) : 1.0 });
+      prescribed.push_back({ vertex, value, weight });
     }
   }
   return prescribed;
@@ -81,7 +82,8 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
   const SurfaceNumbering& numbering = places.Framed.Numbering;
   PrescribedDirections directions;
   const auto values = ValuesOnSurface(onSurface, surface, numbering);
-  if (values.empty() || HasArray(onSurface.Vectors, surface)) // else mask and weights are those of values
+  // Else mask and weights are those of values.
+  if (!HasArray(onSurface.Values, surface) || HasArray(onSurface.Vectors, surface))
   {
     directions =
       DirectionsOnSurface(FindArrays(onSurface, surface, "the surface"), numbering);
@@ -98,8 +100,13 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
   }
   if (isEmpty && HasArray(onSurface.Vectors, surface))
   {
-    throw InvalidInput("no direction is prescribed: the directions of the surface are zero, or its mask is; "
-                       "choose other arrays for Directions and Mask, or none for the smoothest field");
+    throw InvalidInput("no direction is prescribed: the directions of the surface are zero, or its mask or weights are; "
+                       "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
+  }
+  if (isEmpty && followed.AreGiven)
+  {
+    throw InvalidInput("no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
+                       "their mask or weights are; choose others, or clear Guides for the smoothest field");
   }
   return { std::move(directions), followed.Report };
 }

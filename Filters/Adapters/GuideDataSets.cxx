@@ -128,7 +128,7 @@ double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset)
   }
   const double weight =
     array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : std::nan("no value");
-  if (!(weight > 0.0) || !std::isfinite(weight))
+  if (!(weight >= 0.0) || !std::isfinite(weight))
   {
     throw InvalidInput("the weight of " + dataset.Name + ", in its field array '" + choice.Name +
       "', is " + ShortText(weight) + "; make it positive, or take the guide out of Guides");
@@ -171,18 +171,17 @@ LineArrays::LineArrays(const ConstraintChoices& choices, const GuideDataSet& dat
 {
 }
 
-bool LineArrays::IsFollowed(vtkIdType cell, vtkIdType start, vtkIdType end) const
-{
-  return !this->Mask.Array ||
-    (Value(this->Mask, cell, start) != 0.0 && Value(this->Mask, cell, end) != 0.0);
-}
-
 double LineArrays::Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const
 {
+  if (this->Mask.Array &&
+    (Value(this->Mask, cell, start) == 0.0 || Value(this->Mask, cell, end) == 0.0))
+  {
+    return 0.0;
+  }
   const double weight = this->Weights.Array
     ? 0.5 * (Value(this->Weights, cell, start) + Value(this->Weights, cell, end))
     : 1.0;
-  if (!(weight > 0.0) || !std::isfinite(weight))
+  if (!(weight >= 0.0) || !std::isfinite(weight))
   {
     throw InvalidInput("the weight of cell " + std::to_string(cell) + " of " + this->Name +
       ", between its points " + std::to_string(start) + " and " + std::to_string(end) + ", is " +

@@ -49,7 +49,7 @@ void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataS
 ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset);
 
 /// The weight of a whole dataset: 1, unless one in its field data is chosen.
-/// \throw InvalidInput it is not positive.
+/// \throw InvalidInput it is negative or not finite.
 double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset);
 
 /// Mask and weights along lines that are followed themselves.
@@ -59,10 +59,8 @@ public:
   /// \throw InvalidInput as FindArray.
   LineArrays(const ConstraintChoices& choices, const GuideDataSet& dataset);
 
-  /// Whether a segment between two points of a cell takes part.
-  bool IsFollowed(vtkIdType cell, vtkIdType start, vtkIdType end) const;
-
-  /// \throw InvalidInput it is not positive.
+  /// Of a segment between two points of a cell; 0: it is not followed.
+  /// \throw InvalidInput it is negative or not finite.
   double Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const;
 
 private:

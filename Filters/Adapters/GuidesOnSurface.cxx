@@ -91,6 +91,10 @@ bool Projection::Add(const GuideDataSet& dataset)
 {
   ConstraintChoices choices = ChoicesFor(this->Choices, dataset.Data);
   this->OfWhole = WholeWeight(this->Choices.Weights, dataset);
+  if (this->OfWhole == 0.0)
+  {
+    return true;
+  }
   if (!choices.Vectors.IsMade() && HasLines(dataset.Data))
   {
     this->AddLines(dataset, choices);
@@ -185,9 +189,10 @@ void Projection::AddLines(const GuideDataSet& dataset, const ConstraintChoices& 
     {
       const vtkIdType start = points->GetId(i), end = points->GetId(i + 1);
       const Vector3 from = PositionOf(dataset, start), to = PositionOf(dataset, end);
-      if (arrays.IsFollowed(cell, start, end))
+      const double weight = arrays.Weight(cell, start, end);
+      if (weight > 0.0)
       {
-        this->AddSegment(from, to, nullptr, this->OfWhole * arrays.Weight(cell, start, end));
+        this->AddSegment(from, to, nullptr, this->OfWhole * weight);
       }
     }
   }
@@ -323,6 +328,7 @@ GuidesOnSurface BringToSurface(
           "', for example, as Guide Directions, or take the guide out of Guides"));
     }
   }
+  projection.Result.AreGiven = true;
   return std::move(projection.Result);
 }
 

@@ -59,6 +59,18 @@ TEST(Constraints, AreChosenByMaskAndWeighted)
   EXPECT_EQ(PrescribedCells(solver), (Cells{ { 200, 2.5 } }));
 }
 
+// As from an array that says how far each measured vector can be trusted.
+TEST(Constraints, OfWeightZeroPrescribeNothing)
+{
+  const auto input = Sphere();
+  const auto weights = Zeros("Weights", 1280, 1);
+  weights->SetValue(200, 2.5);
+  input->GetCellData()->AddArray(weights);
+  const auto solver = NewSolver(input);
+  solver->SetInputArrayToProcess(2, 0, 0, OnCells, "Weights");
+  EXPECT_EQ(PrescribedCells(solver), (Cells{ { 200, 2.5 } }));
+}
+
 TEST(Constraints, CanBeTheActiveVectors)
 {
   const auto input = Sphere();

@@ -309,12 +309,32 @@ TEST_F(GuideLines, HaveWeights)
   first->GetPointData()->GetArray("Weights")->Fill(-1.0);
   first->Modified();
   EXPECT_NE(this->Error().find("cell 0 of guide 0"), std::string::npos);
-  first->GetFieldData()->GetArray("Weights")->Fill(0.0);
+  first->GetFieldData()->GetArray("Weights")->Fill(-2.0);
   first->Modified();
   this->Solver->SetGuideArrayToProcess(2, 1, 0, InFieldData, "Weights");
   EXPECT_NE(this->Error().find("the weight of guide 0"), std::string::npos);
   this->Solver->SetGuideArrayToProcess(2, 1, 0, OnPoints, "Gone");
   EXPECT_NE(this->Error().find("'Gone', chosen for the weights"), std::string::npos);
+}
+
+TEST_F(GuideLines, OfWeightZeroAreNotFollowed)
+{
+  this->Solver->SetConstraintType(vtkHarmonicFieldSolver::Soft);
+  const auto first = Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 } });
+  const auto second = Polyline({ { 0.1, 5.3, 0.0 }, { 7.9, 5.3, 0.0 } });
+  this->Solver->AddInputDataObject(1, first);
+  this->Solver->AddInputDataObject(1, second);
+  first->GetFieldData()->AddArray(Zeros("Weights", 1, 1));
+  first->GetCellData()->AddArray(Zeros("Weights", 1, 1));
+  first->GetPointData()->AddArray(Zeros("Weights", 2, 1));
+  for (const int association : { InFieldData, OnCells, OnPoints })
+  {
+    this->Solver->SetGuideArrayToProcess(2, 1, 0, association, "Weights");
+    this->ExpectNear(this->Prescribed(), this->CellsInRow(5));
+  }
+  // And if none is left, the field is not the smoothest one without a word.
+  this->Solver->RemoveInputConnection(1, 1);
+  EXPECT_NE(this->Error().find("no direction is prescribed"), std::string::npos);
 }
 
 // A name alone is that of the array beside the vectors.

@@ -165,6 +165,9 @@ TEST_F(Guides, HaveTheirOwnMaskAndWeights)
   this->Solver->SetGuideArrayToProcess(2, 1, 0, OnPoints, "Weights");
   EXPECT_EQ(this->PrescribedCells(), (std::set<vtkIdType>{ 90 }));
   EXPECT_EQ(Values(this->Solver->GetOutput()->GetCellData(), "Prescribed")[90], 2.5);
+  mask->SetValue(0, 1.0); // the weight there is 0
+  points->Modified();
+  EXPECT_EQ(this->PrescribedCells(), (std::set<vtkIdType>{ 90 }));
 }
 
 TEST_F(Guides, MayHaveVectorsWithoutAName)

@@ -106,7 +106,7 @@ const BadInput BadInputs[] = {
     [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
     {
       const auto weights = Zeros("Weights", 1280, 1);
-      weights->SetValue(200, 1.0);
+      weights->SetValue(10, -1.0);
       input->GetCellData()->AddArray(weights);
       Choose(solver, 2, OnCells, "Weights");
     },

@@ -25,6 +25,10 @@ const Act FarPoint = [](Scene& scene) { scene.Follow({ { 0, 0, 9 } }, Along); };
 const Act NearPoint = [](Scene& scene) { scene.Follow({ { 0, 0, 1 } }, Along); };
 const Act LineAlongNormal = [](Scene& scene) { scene.Follow({ scene.Centre(), scene.Centre() + 0.1 * scene.Normal() }); };
 const Act LineAlongSide = [](Scene& scene) { scene.Follow({ scene.Centre(), scene.Centre() + 0.1 * scene.Side() }); };
+const Act LineWithoutLength = [](Scene& scene) { scene.Follow({ scene.Centre(), scene.Centre() }); };
+const Act VectorOfZero = [](Scene& scene) {
+  scene.Follow({ scene.Centre() }, Along)->GetPointData()->GetArray("Wind")->Fill(0.0);
+};
 const Act WithoutAny = [](Scene& scene) { scene.Solver->SetInputData(1, PolyDataOf(PlaneGrid(1, 1))); };
 const Act AddVectorsToGuide = [](Scene& scene) {
   vtkNew<vtkArrayCalculator> calculator;
@@ -63,10 +67,12 @@ const Mistake OfGuides[] = {
     "turn them along the surface, or take them out of Guides", { LineAlongSide, NoGuides } },
   { "VectorPerpendicular", Both(NothingOnSurface, [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Normal()); }),
     "turn them along the surface, or take them out of Guides",
-    { [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Side()); },
-      [](Scene& scene) {
-        scene.Follow({ scene.Centre() }, scene.Normal())->GetPointData()->GetArray("Wind")->Fill(0.0);
-      } } },
+    { [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Side()); }, NoGuides } },
+  { "VectorZero", Both(NothingOnSurface, VectorOfZero),
+    "choose others, or clear Guides for the smoothest field",
+    { [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Side()); }, NoGuides } },
+  { "LineWithoutLength", Both(NothingOnSurface, LineWithoutLength),
+    "choose others, or clear Guides for the smoothest field", { LineAlongSide, NoGuides } },
   { "NothingToFollow", WithoutAny,
     "add vectors to its points or cells, as Calculator (vtkArrayCalculator) does, or take it out of Guides",
     { AddVectorsToGuide, NoGuides } },
@@ -77,7 +83,7 @@ const Mistake OfGuides[] = {
   { "BrokenCell", BrokenLine, "repair the source of the guide", { LineAlongSide } },
   { "WholeWeight", WeightOfGuide(InFieldData, -1.0), "make it positive, or take the guide out of Guides",
     { WeightOfGuide(InFieldData, 1.0), NoGuides } },
-  { "WeightOfLine", WeightOfGuide(OnCells, 0.0), "make it positive, or remove the line", { WeightOfGuide(OnCells, 2.0), NoGuides } },
+  { "WeightOfLine", WeightOfGuide(OnCells, -2.0), "make it positive, or remove the line", { WeightOfGuide(OnCells, 2.0), NoGuides } },
   { "NoSuchArray", Both(NearPoint, ChosenOfGuide("Rain")), "choose one of those, or none",
     { ChosenOfGuide("Wind"), Both(LineAlongSide, ChosenOfGuide("")) } },
 };

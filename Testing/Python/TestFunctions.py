@@ -61,18 +61,21 @@ class Functions(unittest.TestCase):
             stored.SetTolerance(1e-11)
             np.testing.assert_allclose(function(stored), expected, atol=1e-8)
 
-    def test_the_mask_says_where(self):
+    def test_mask_and_weights_say_where(self):
         data = surface()
         full = np.arange(data.GetNumberOfPoints(), dtype=float)
         mask = np.zeros(len(full))
         mask[[3, 700, 2000]] = 1
         add(data.GetPointData(), "Full", full)
         add(data.GetPointData(), "Mask", mask)
-        solver = solver_of(data)
-        solver.SetInputArrayToProcess(3, 0, 0, POINTS, "Full")
-        solver.SetInputArrayToProcess(0, 0, 0, POINTS, "Mask")
-        u = function(solver)
-        self.assertEqual([u[3], u[700], u[2000]], [3.0, 700.0, 2000.0])
+        for index in (0, 2):
+            solver = solver_of(data)
+            solver.SetInputArrayToProcess(3, 0, 0, POINTS, "Full")
+            solver.SetInputArrayToProcess(index, 0, 0, POINTS, "Mask")
+            u = function(solver)
+            self.assertEqual([u[3], u[700], u[2000]], [3.0, 700.0, 2000.0])
+            prescribed = values(solver.GetOutput().GetPointData(), "Prescribed")
+            self.assertEqual(list(np.flatnonzero(prescribed)), [3, 700, 2000])
 
     def test_the_gradient_is_shown(self):
         solver = solver_of(surface())

@@ -119,7 +119,7 @@ FieldConstraints ScalarFunction::Prescribe(
   if (directions.Values.empty())
   {
     throw InvalidInput("no value is prescribed, so the function of least roughness is zero; choose an array of "
-                       "points for Values");
+                       "points for Values, and a Mask and Weights that are not zero everywhere");
   }
   std::vector<PrescribedValue> values = directions.Values;
   std::stable_sort(values.begin(), values.end(),
