@@ -209,7 +209,7 @@ void VisitPrescribed(const ConstraintArrays& arrays,
     if (!(weight > 0.0) || !std::isfinite(weight))
     {
       throw InvalidInput("the weight of the direction prescribed at " + arrays.NameOf(element) +
-        " is " + ShortText(weight) + "; make it positive or " + WayOut(arrays));
+        " is " + ShortText(weight) + "; make it a positive number or " + WayOut(arrays));
     }
     visit({ element, vector, weight });
   }

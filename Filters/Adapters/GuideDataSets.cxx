@@ -131,7 +131,7 @@ double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset)
   if (!(weight >= 0.0) || !std::isfinite(weight))
   {
     throw InvalidInput("the weight of " + dataset.Name + ", in its field array '" + choice.Name +
-      "', is " + ShortText(weight) + "; make it positive, or take the guide out of Guides");
+      "', is " + ShortText(weight) + "; make it a positive number, or take the guide out of Guides");
   }
   return weight;
 }
@@ -185,7 +185,7 @@ double LineArrays::Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const
   {
     throw InvalidInput("the weight of cell " + std::to_string(cell) + " of " + this->Name +
       ", between its points " + std::to_string(start) + " and " + std::to_string(end) + ", is " +
-      ShortText(weight) + "; make it positive, or remove the line");
+      ShortText(weight) + "; make it a positive number, or remove the line");
   }
   return weight;
 }

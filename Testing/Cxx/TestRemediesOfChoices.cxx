@@ -37,7 +37,7 @@ const Mistake OfArrays[] = {
     { Changed(OnCells, "Given", Along), Changed(OnCells, "Given", None) } },
   { "MaskedNotFinite", Both(Masked, Changed(OnCells, "Given", NaN)), "repair it or take it out of the mask",
     { Changed(OnCells, "Given", Along), Changed(OnCells, "Mask", 0.0) } },
-  { "WeightNotPositive", Both(Weighted, Changed(OnCells, "Weights", -1.0)), "make it positive or make the direction zero",
+  { "WeightNotPositive", Both(Weighted, Changed(OnCells, "Weights", -1.0)), "make it a positive number or make the direction zero",
     { Changed(OnCells, "Weights", 1.0), Changed(OnCells, "Given", None) } },
   { "Perpendicular", AlongNormal, "give it a part along the surface, or leave the cell out, by Mask or a direction of zero",
     { Changed(OnCells, "Given", Along), Changed(OnCells, "Given", None), Both(Masked, Changed(OnCells, "Mask", 0.0)) } },

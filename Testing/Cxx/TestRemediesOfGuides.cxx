@@ -81,9 +81,9 @@ const Mistake OfGuides[] = {
   { "PointNotFinite", [](Scene& scene) { scene.Follow({ { 0, 0, NaN }, { 0, 0, 1 } }, Along); }, "move the point or remove it",
     { [](Scene& scene) { scene.Follow({ { 0, 0.1, 1 }, { 0, 0, 1 } }, Along); }, NearPoint } },
   { "BrokenCell", BrokenLine, "repair the source of the guide", { LineAlongSide } },
-  { "WholeWeight", WeightOfGuide(InFieldData, -1.0), "make it positive, or take the guide out of Guides",
+  { "WholeWeight", WeightOfGuide(InFieldData, -1.0), "make it a positive number, or take the guide out of Guides",
     { WeightOfGuide(InFieldData, 1.0), NoGuides } },
-  { "WeightOfLine", WeightOfGuide(OnCells, -2.0), "make it positive, or remove the line", { WeightOfGuide(OnCells, 2.0), NoGuides } },
+  { "WeightOfLine", WeightOfGuide(OnCells, -2.0), "make it a positive number, or remove the line", { WeightOfGuide(OnCells, 2.0), NoGuides } },
   { "NoSuchArray", Both(NearPoint, ChosenOfGuide("Rain")), "choose one of those, or none",
     { ChosenOfGuide("Wind"), Both(LineAlongSide, ChosenOfGuide("")) } },
 };
