@@ -178,16 +178,23 @@ double LineArrays::Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const
   {
     return 0.0;
   }
-  const double weight = this->Weights.Array
-    ? 0.5 * (Value(this->Weights, cell, start) + Value(this->Weights, cell, end))
-    : 1.0;
-  if (!(weight >= 0.0) || !std::isfinite(weight))
+  if (!this->Weights.Array)
   {
-    throw InvalidInput("the weight of cell " + std::to_string(cell) + " of " + this->Name +
-      ", between its points " + std::to_string(start) + " and " + std::to_string(end) + ", is " +
-      ShortText(weight) + "; make it a positive number, or remove the line");
+    return 1.0;
   }
-  return weight;
+  double mean = 0.0;
+  for (const vtkIdType point : { start, end })
+  {
+    const double weight = Value(this->Weights, cell, point);
+    if (!(weight >= 0.0) || !std::isfinite(weight))
+    {
+      throw InvalidInput("the weight of cell " + std::to_string(cell) + " of " + this->Name +
+        ", at its point " + std::to_string(point) + ", is " + ShortText(weight) +
+        "; make it a positive number, or remove the line");
+    }
+    mean += 0.5 * weight;
+  }
+  return mean;
 }
 
 }

@@ -57,7 +57,7 @@ struct GuidesOnSurface
 
 /// \throw InvalidInput a guide is no dataset, or has neither lines nor vectors; a choice that no
 /// guide has; as FindArray and VisitPrescribed; a point that is not finite; a vector of a point or
-/// a cell that is zero in the mask; a weight that is negative.
+/// a cell that is zero in the mask; a weight that is negative or not finite.
 /// \throw Cancelled
 /// Checkpoints: every hundred elements. Cost: logarithmic time for each vector, each face that a line touches, and each mean edge of its length.
 GuidesOnSurface BringToSurface(

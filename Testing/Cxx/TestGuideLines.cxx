@@ -306,9 +306,9 @@ TEST_F(GuideLines, HaveWeights)
   this->Solver->SetGuideArrayToProcess(2, 1, 0, OnPoints, "Weights");
   this->ExpectNear(this->Prescribed(), expected(4.5));
 
-  first->GetPointData()->GetArray("Weights")->Fill(-1.0);
+  first->GetPointData()->GetArray("Weights")->SetTuple1(1, -4.5); // also where both ends cancel
   first->Modified();
-  EXPECT_NE(this->Error().find("cell 0 of guide 0"), std::string::npos);
+  EXPECT_NE(this->Error().find("cell 0 of guide 0, at its point 1, is -4.5"), std::string::npos);
   first->GetFieldData()->GetArray("Weights")->Fill(-2.0);
   first->Modified();
   this->Solver->SetGuideArrayToProcess(2, 1, 0, InFieldData, "Weights");
