@@ -37,18 +37,16 @@ public:
   int NumberOfSetups = 0;
 
   /// Builds anew only if the surface or the options are others than last time.
-  void SetUp(vtkPolyData* surface, const dmg::HierarchyOptions& options,
-    const dmg::OperatorSelection& selection, const dmg::ExecutionContext& context)
+  void SetUp(vtkPolyData* surface, const dmg::HierarchyOptions& options, const dmg::OperatorSelection& selection,
+    const dmg::ExecutionContext& context)
   {
     const dmg::OperatorsOrigin origin{ dmg::ContentDigest(surface), options, selection };
     if (this->Last && this->Last->Origin == origin)
     {
       return;
     }
-    const dmg::SurfaceMesh mesh =
-      dmg::MeshFromPolyData(surface, dmg::Numbering::OfPolyData, context);
-    const dmg::SurfaceHierarchy hierarchy =
-      dmg::BuildSurfaceHierarchy(mesh.Mesh, options, context, selection);
+    const dmg::SurfaceMesh mesh = dmg::MeshFromPolyData(surface, dmg::Numbering::OfPolyData, context);
+    const dmg::SurfaceHierarchy hierarchy = dmg::BuildSurfaceHierarchy(mesh.Mesh, options, context, selection);
     auto setup = std::make_unique<Setup>();
     setup->Origin = origin;
     dmg::OperatorsToFieldData(hierarchy.Operators, origin, setup->Operators);
@@ -86,8 +84,7 @@ int vtkDirectionalProlongation::FillInputPortInformation(int, vtkInformation* in
 //------------------------------------------------------------------------------
 int vtkDirectionalProlongation::FillOutputPortInformation(int port, vtkInformation* information)
 {
-  information->Set(
-    vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkPartitionedDataSetCollection");
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkPartitionedDataSetCollection");
   return 1;
 }
 
@@ -105,7 +102,8 @@ int vtkDirectionalProlongation::RequestData(
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
   auto* const levels = vtkPartitionedDataSetCollection::GetData(outputVector, 1);
-  const auto make = [this, input, output, levels](const dmg::ExecutionContext& context) {
+  const auto make = [this, input, output, levels](const dmg::ExecutionContext& context)
+  {
     dmg::CheckRanges({
       { "Face Ratio", this->FaceRatio, 0.05, 0.9 },
       { "Maximum Number Of Coarse Levels", this->MaximumNumberOfCoarseLevels, 0, 20 },
@@ -119,8 +117,7 @@ int vtkDirectionalProlongation::RequestData(
     options.MinimumNumberOfFaces = this->MinimumNumberOfFaces;
     options.Policy = static_cast<dmg::CollapsePolicy>(this->CollapsePolicy);
     options.Construction = static_cast<dmg::ProlongationConstruction>(this->Construction);
-    this->Internals->SetUp(
-      input, options, { this->PowerFields, this->FaceFields, this->OneForms }, context);
+    this->Internals->SetUp(input, options, { this->PowerFields, this->FaceFields, this->OneForms }, context);
 
     const vtkInternals::Setup& setup = *this->Internals->Last;
     output->ShallowCopy(input);
@@ -149,11 +146,10 @@ void vtkDirectionalProlongation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "FaceRatio: " << this->FaceRatio << "\n";
   os << indent << "MaximumNumberOfCoarseLevels: " << this->MaximumNumberOfCoarseLevels << "\n";
   os << indent << "MinimumNumberOfFaces: " << this->MinimumNumberOfFaces << "\n";
-  os << indent << "CollapsePolicy: "
-     << (this->CollapsePolicy == IndependentRounds ? "IndependentRounds" : "SequentialQueue")
+  os << indent
+     << "CollapsePolicy: " << (this->CollapsePolicy == IndependentRounds ? "IndependentRounds" : "SequentialQueue")
      << "\n";
-  os << indent << "Construction: "
-     << (this->Construction == TrackedPaths ? "TrackedPaths" : "ExactOverlay") << "\n";
+  os << indent << "Construction: " << (this->Construction == TrackedPaths ? "TrackedPaths" : "ExactOverlay") << "\n";
   os << indent << "PowerFields: " << (this->PowerFields ? "On" : "Off") << "\n";
   os << indent << "FaceFields: " << (this->FaceFields ? "On" : "Off") << "\n";
   os << indent << "OneForms: " << (this->OneForms ? "On" : "Off") << "\n";

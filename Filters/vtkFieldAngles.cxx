@@ -32,20 +32,20 @@ int vtkFieldAngles::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections, {},
-    [this, inputVector, outputVector](
-      const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    [this, inputVector, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
       vtkPolyData* const output = vtkPolyData::GetData(outputVector);
-      const dmg::Points references = dmg::ReferenceVectors(
-        dmg::ChoicesOf(this).Vectors, input, given.Surface, dmg::Vector3(this->Axis));
-      dmg::Vector<double> angles = 180.0 / dmg::Pi *
-        dmg::AnglesOfField(given.Faces, given.Field, references, context);
+      const dmg::Points references =
+        dmg::ReferenceVectors(dmg::ChoicesOf(this).Vectors, input, given.Surface, dmg::Vector3(this->Axis));
+      dmg::Vector<double> angles = 180.0 / dmg::Pi * dmg::AnglesOfField(given.Faces, given.Field, references, context);
       if (const auto undefined = angles.array().isNaN().count())
       {
-        vtkWarningMacro("there is no angle on " << undefined << " of " << angles.size()
-          << " triangles, where Angle is 0: the field has no direction there, or Axis or the reference vector is zero or "
-          "perpendicular to the triangle; to measure there as well, choose another Axis or other Reference Vectors");
+        vtkWarningMacro("there is no angle on "
+          << undefined << " of " << angles.size()
+          << " triangles, where Angle is 0: the field has no direction there, or Axis or the reference vector is zero "
+             "or "
+             "perpendicular to the triangle; to measure there as well, choose another Axis or other Reference Vectors");
         angles = angles.array().isNaN().select(0.0, angles);
       }
       output->ShallowCopy(input);

@@ -50,8 +50,7 @@ int vtkFieldGlyphs::RequestData(
       where.Sizing = static_cast<dmg::GlyphSizing>(this->Sizing);
       where.Scale = this->ScaleFactor;
       dmg::GlyphOptions how;
-      how.Form =
-        this->Style == Solid ? dmg::GlyphOptions::Shape::Solid : dmg::GlyphOptions::Shape::Strokes;
+      how.Form = this->Style == Solid ? dmg::GlyphOptions::Shape::Solid : dmg::GlyphOptions::Shape::Strokes;
       how.Width = this->Width;
       how.Lift = this->Lift * given.Diagonal;
       const dmg::UnfoldedSurface surface(given.Surface.Mesh, given.Faces, context);
@@ -69,9 +68,7 @@ void vtkFieldGlyphs::PrintSelf(ostream& os, vtkIndent indent)
   const char* const sizings[] = { "Even", "ByTriangle", "ByMagnitude" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
-  os << indent
-     << "Placement: " << (this->Placement == EvenlySpread ? "EvenlySpread" : "EveryTriangle")
-     << "\n";
+  os << indent << "Placement: " << (this->Placement == EvenlySpread ? "EvenlySpread" : "EveryTriangle") << "\n";
   os << indent << "SeparatingDistance: " << this->SeparatingDistance << "\n";
   os << indent << "Sizing: " << dmg::NameOf(sizings, this->Sizing) << "\n";
   os << indent << "ScaleFactor: " << this->ScaleFactor << "\n";

@@ -60,8 +60,7 @@ int vtkFieldLines::RequestData(
       options.StopRatio = this->SeparatingDistanceRatio;
       options.MinimumLength = this->MinimumLength * options.Separation;
       const dmg::UnfoldedSurface surface(given.Surface.Mesh, given.Faces, context);
-      const dmg::LinesOnSurface lines =
-        dmg::EvenlySpacedLines(surface, given.Field, options, context);
+      const dmg::LinesOnSurface lines = dmg::EvenlySpacedLines(surface, given.Field, options, context);
       dmg::LinesToPolyData(lines, given.Faces, this->Lift * given.Diagonal, output);
       if (lines.NumberOfLines() == 0)
       {
@@ -75,8 +74,9 @@ int vtkFieldLines::RequestData(
         {
           nearer << "Separating Distance " << distance << " (in Directional Field, Line Distance) or ";
         }
-        vtkWarningMacro("no line is as long as Minimum Length, " << this->MinimumLength << ", times Separating Distance, "
-          << this->SeparatingDistance << " of the surface's size; " << nearer.str() << "Minimum Length "
+        vtkWarningMacro("no line is as long as Minimum Length, "
+          << this->MinimumLength << ", times Separating Distance, " << this->SeparatingDistance
+          << " of the surface's size; " << nearer.str() << "Minimum Length "
           << RoundedDown(lines.LongestLeftOut / options.Separation) << " would do");
       }
     });

@@ -38,12 +38,11 @@ int vtkFieldSingularities::RequestData(
     { { "Sphere Radius", this->SphereRadius, 0, 0.1 } },
     [this, inputVector, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
-      const dmg::FieldTopology topology = dmg::TopologyOfField(
-        given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
+      const dmg::FieldTopology topology =
+        dmg::TopologyOfField(given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
       dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0),
-        this->SphereRadius * vtkPolyData::GetData(inputVector[0])->GetLength(),
-        vtkPolyData::GetData(outputVector, 3));
+        this->SphereRadius * vtkPolyData::GetData(inputVector[0])->GetLength(), vtkPolyData::GetData(outputVector, 3));
       dmg::CutsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 1));
       dmg::BoundaryLoopsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 2));
     });

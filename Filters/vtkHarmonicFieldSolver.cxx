@@ -33,8 +33,8 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
-  this->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS,
-    vtkDataSetAttributes::VECTORS);
+  this->SetInputArrayToProcess(
+    1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::VECTORS);
 }
 
 //------------------------------------------------------------------------------
@@ -172,10 +172,10 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* const edges = vtkPolyData::GetData(outputVector, 1);
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
-  const auto make = [&](const dmg::ExecutionContext& context) {
+  const auto make = [&](const dmg::ExecutionContext& context)
+  {
     dmg::SolvedSurface& kept = this->Internals->Kept;
-    const dmg::Guides guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides,
-      this->MaximumDistance };
+    const dmg::Guides guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides, this->MaximumDistance };
     const dmg::Singularities singularities{ dmg::DataOf(inputVector[2]), this->SingularityIndexArray,
       this->MaximumDistance };
     const dmg::FieldOptions options = dmg::OptionsOf(this);
@@ -190,20 +190,19 @@ int vtkHarmonicFieldSolver::RequestData(
                       "Clean (vtkCleanPolyData) first");
     }
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
-    dmg::Prescription prescribed = dmg::ChosenDirections(dmg::ChoicesOnSurface(this, input), input,
-      guides, kept.Places(), dmg::PartOfContext(context, 0.1, 0.1));
+    dmg::Prescription prescribed = dmg::ChosenDirections(
+      dmg::ChoicesOnSurface(this, input), input, guides, kept.Places(), dmg::PartOfContext(context, 0.1, 0.1));
     if (!prescribed.Report.IsAllTaken())
     {
       vtkWarningMacro(<< prescribed.Report.LeftOut());
     }
-    const auto missing = dmg::FollowFeatures(
-      this, input, kept, prescribed.Directions, dmg::PartOfContext(context, 0.1, 0.1));
+    const auto missing =
+      dmg::FollowFeatures(this, input, kept, prescribed.Directions, dmg::PartOfContext(context, 0.1, 0.1));
     const dmg::PartOfContext ofSolve(context, 0.1, 0.9);
     const auto warnings = singularities.Data.empty()
       ? kept.Solve(prescribed.Directions, options, stop, ofSolve)
-      : kept.Solve(
-          dmg::BringToSurface(singularities, options.Field.N, kept.Places()),
-          prescribed.Directions, options, stop, ofSolve);
+      : kept.Solve(dmg::BringToSurface(singularities, options.Field.N, kept.Places()), prescribed.Directions, options,
+          stop, ofSolve);
     for (const auto* const texts : { &missing, &warnings })
     {
       for (const std::string& text : *texts)
@@ -212,14 +211,13 @@ int vtkHarmonicFieldSolver::RequestData(
       }
     }
     const bool hasBasis = this->HarmonicBasis && kept.Field().HasHarmonicFields();
-    kept.MakeArrays(input, this->UnitLength, this->Combing,
-      dmg::PartOfContext(context, 0.9, hasBasis ? 0.92 : 1.0));
-    if (hasBasis && kept.MakeBasis(input, dmg::PartOfContext(context, 0.92, 1.0)) &&
-      kept.Basis().TooMany)
+    kept.MakeArrays(input, this->UnitLength, this->Combing, dmg::PartOfContext(context, 0.9, hasBasis ? 0.92 : 1.0));
+    if (hasBasis && kept.MakeBasis(input, dmg::PartOfContext(context, 0.92, 1.0)) && kept.Basis().TooMany)
     {
-      vtkWarningMacro("the surface has " << kept.Basis().NumberOfFields
-        << " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes "
-           "and remove its small handles first, or switch Harmonic Basis off");
+      vtkWarningMacro(
+        "the surface has " << kept.Basis().NumberOfFields
+                           << " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes "
+                              "and remove its small handles first, or switch Harmonic Basis off");
     }
 
     output->ShallowCopy(input);
@@ -242,8 +240,8 @@ int vtkHarmonicFieldSolver::RequestData(
 void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
 {
   const char* const discretisations[] = { "PowerField", "FaceField", "OneForm", "ScalarFunction" };
-  const char* const solvers[] = { "Automatic", "Cholesky", "VCycles", "ConjugateGradients",
-    "NestedIterations", "CoarseProlongation" };
+  const char* const solvers[] = { "Automatic", "Cholesky", "VCycles", "ConjugateGradients", "NestedIterations",
+    "CoarseProlongation" };
   const char* const rules[] = { "FixedNumber", "WhileErrorFalls", "WhileResidualFalls" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Discretisation: " << dmg::NameOf(discretisations, this->Discretisation) << "\n";
@@ -268,17 +266,14 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SingularityIndexArray: " << this->SingularityIndexArray << "\n";
   os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
-  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving")
-     << "\n";
+  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving") << "\n";
   os << indent << "Sweeps: " << this->Sweeps << "\n";
   os << indent << "NestedCycles: " << this->NestedCycles << "\n";
   os << indent << "NestedRule: " << dmg::NameOf(rules, this->NestedRule) << "\n";
   os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";
   os << indent << "MaximumNumberOfNestedSweeps: " << this->MaximumNumberOfNestedSweeps << "\n";
   os << indent << "StartingLevel: " << this->StartingLevel << "\n";
-  os << indent
-     << "VertexAreas: " << (this->VertexAreas == MixedVoronoi ? "MixedVoronoi" : "Barycentric")
-     << "\n";
+  os << indent << "VertexAreas: " << (this->VertexAreas == MixedVoronoi ? "MixedVoronoi" : "Barycentric") << "\n";
   os << indent << "CompareWithCholesky: " << (this->CompareWithCholesky ? "On" : "Off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";

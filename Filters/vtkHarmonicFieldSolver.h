@@ -604,8 +604,7 @@ public:
    * SetInputArrayToProcess: ParaView 5.11 ends where the first index that it knows for a connection
    * is not 0.)
    */
-  void SetGuideArrayToProcess(
-    int index, int port, int connection, int association, const char* name);
+  void SetGuideArrayToProcess(int index, int port, int connection, int association, const char* name);
 
   ///@{
   /**
@@ -733,12 +732,12 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
-  int RequestInformation(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
-  int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
-    vtkInformationVector* outputVector) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
   int Discretisation = PowerField;

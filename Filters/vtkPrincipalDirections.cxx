@@ -32,16 +32,16 @@ int vtkPrincipalDirections::RequestData(
 {
   vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* const output = vtkPolyData::GetData(outputVector);
-  const auto make = [&](const dmg::ExecutionContext& context) {
+  const auto make = [&](const dmg::ExecutionContext& context)
+  {
     dmg::CheckRanges({ { "Scale", this->Scale, 0, 100 } });
-    dmg::SurfaceMesh surface = dmg::MeshFromPolyData(
-      input, dmg::Numbering::Spatial, dmg::PartOfContext(context, 0.0, 0.3));
+    dmg::SurfaceMesh surface =
+      dmg::MeshFromPolyData(input, dmg::Numbering::Spatial, dmg::PartOfContext(context, 0.0, 0.3));
     const dmg::FramedMesh framed(std::move(surface.Mesh), dmg::PartOfContext(context, 0.3, 0.3));
-    const dmg::PrincipalDirections found = dmg::FindPrincipalDirections(
-      framed, this->Scale, dmg::PartOfContext(context, 0.3, 0.9));
+    const dmg::PrincipalDirections found =
+      dmg::FindPrincipalDirections(framed, this->Scale, dmg::PartOfContext(context, 0.3, 0.9));
     output->ShallowCopy(input);
-    dmg::AddCurvatures(
-      { framed, surface }, found, input, output, dmg::PartOfContext(context, 0.9, 1.0));
+    dmg::AddCurvatures({ framed, surface }, found, input, output, dmg::PartOfContext(context, 0.9, 1.0));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }

@@ -93,8 +93,7 @@ bool HasDefaultOfData(vtkSMProperty* property)
 std::vector<vtkSMProperty*> PropertiesWithDefaultsOfData(vtkSMProxy* representation)
 {
   std::vector<vtkSMProperty*> found;
-  const auto properties =
-    vtkSmartPointer<vtkSMPropertyIterator>::Take(representation->NewPropertyIterator());
+  const auto properties = vtkSmartPointer<vtkSMPropertyIterator>::Take(representation->NewPropertyIterator());
   for (properties->Begin(); !properties->IsAtEnd(); properties->Next())
   {
     if (HasDefaultOfData(properties->GetProperty()))
@@ -166,8 +165,7 @@ void vtkSMDisplayDefaultsInitializationHelper::Register()
 }
 
 //------------------------------------------------------------------------------
-void vtkSMDisplayDefaultsInitializationHelper::PostInitializeProxy(
-  vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
+void vtkSMDisplayDefaultsInitializationHelper::PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
 {
   auto* const memory = new Memory;
   vtkNew<vtkCallbackCommand> before;

@@ -25,8 +25,7 @@ public:
   /// Lets ParaView make objects of this class by its name. The plugin calls it when it is loaded.
   static void Register();
 
-  void PostInitializeProxy(
-    vtkSMProxy* filter, vtkPVXMLElement* hint, vtkMTimeType initialised) override;
+  void PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement* hint, vtkMTimeType initialised) override;
 };
 
 #endif

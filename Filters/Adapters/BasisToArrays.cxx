@@ -13,8 +13,7 @@ namespace dmg
 {
 
 BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, Eigen::MatrixXd known, vtkPolyData* input,
-  const ExecutionContext& context)
+  const Discretisation& discretisation, Eigen::MatrixXd known, vtkPolyData* input, const ExecutionContext& context)
 {
   context.Checkpoint(0.0);
   const int fields = discretisation.NumberOfHarmonicFields();
@@ -28,8 +27,7 @@ BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceNumbering& su
   {
     known = discretisation.HarmonicFields(nullptr, PartOfContext(context, 0.0, 0.6));
   }
-  const Eigen::MatrixXd basis =
-    discretisation.HarmonicBasis(std::move(known), PartOfContext(context, 0.6, 0.9));
+  const Eigen::MatrixXd basis = discretisation.HarmonicBasis(std::move(known), PartOfContext(context, 0.6, 0.9));
   const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
   for (int k = 0; k < fields; ++k)
   {

@@ -18,9 +18,9 @@ namespace dmg
 /// stands.
 struct BasisArrays
 {
-  std::string Fields; ///< whose they are: the discretisation's name
-  int NumberOfFields; ///< how many harmonic fields there are
-  bool TooMany;       ///< to hold (AreTooManyToHold): then there are no arrays
+  std::string Fields;                  ///< whose they are: the discretisation's name
+  int NumberOfFields;                  ///< how many harmonic fields there are
+  bool TooMany;                        ///< to hold (AreTooManyToHold): then there are no arrays
   vtkSmartPointer<vtkFieldData> Cells; ///< vectors, one array per field
   vtkSmartPointer<vtkFieldData> Edges; ///< numbers on edges, one array per field, of discretisations that have such
 };
@@ -31,8 +31,7 @@ struct BasisArrays
 /// \throw SolverFailure as HarmonicForms and HarmonicBasisOfForms.
 /// \throw Cancelled
 BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, Eigen::MatrixXd known, vtkPolyData* input,
-  const ExecutionContext& context);
+  const Discretisation& discretisation, Eigen::MatrixXd known, vtkPolyData* input, const ExecutionContext& context);
 
 /// Adds the arrays to the cells of the surface and of its edges.
 void AddBasisArrays(const BasisArrays& arrays, vtkPolyData* surface, vtkPolyData* edges);

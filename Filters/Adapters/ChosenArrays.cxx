@@ -55,16 +55,13 @@ FoundArray Find(const ArrayChoice& choice, vtkDataSet* dataset)
   {
     return {};
   }
-  for (int association :
-    { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  for (int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
   {
-    if (choice.Association == association ||
-      choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+    if (choice.Association == association || choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
     {
       vtkDataSetAttributes* const attributes = dataset->GetAttributes(association);
-      vtkAbstractArray* const array = choice.Name.empty()
-        ? attributes->GetAbstractAttribute(choice.Attribute)
-        : attributes->GetAbstractArray(choice.Name.c_str());
+      vtkAbstractArray* const array = choice.Name.empty() ? attributes->GetAbstractAttribute(choice.Attribute)
+                                                          : attributes->GetAbstractArray(choice.Name.c_str());
       if (array)
       {
         return { array, association };
@@ -76,16 +73,14 @@ FoundArray Find(const ArrayChoice& choice, vtkDataSet* dataset)
 
 std::string NameOf(vtkAbstractArray* array)
 {
-  return array->GetName() ? std::string("array '") + array->GetName() + "'"
-                          : std::string("the array without a name");
+  return array->GetName() ? std::string("array '") + array->GetName() + "'" : std::string("the array without a name");
 }
 
 /// \throw InvalidInput the array has not a tuple of so many components for every element.
-ChosenArray Checked(const FoundArray& found, vtkDataSet* dataset, int components,
-  const std::string& what, const std::string& whose)
+ChosenArray Checked(
+  const FoundArray& found, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose)
 {
-  const std::string called =
-    NameOf(found.Array) + ", chosen for the " + what + " of " + whose + ",";
+  const std::string called = NameOf(found.Array) + ", chosen for the " + what + " of " + whose + ",";
   vtkDataArray* const array = vtkDataArray::SafeDownCast(found.Array);
   if (!array || array->GetNumberOfComponents() != components)
   {
@@ -95,9 +90,8 @@ ChosenArray Checked(const FoundArray& found, vtkDataSet* dataset, int components
   const vtkIdType elements = dataset->GetNumberOfElements(found.Association);
   if (array->GetNumberOfTuples() < elements)
   {
-    throw InvalidInput(called + " has " + std::to_string(array->GetNumberOfTuples()) +
-      " tuples for " + std::to_string(elements) +
-      (found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? " points" : " cells") +
+    throw InvalidInput(called + " has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(elements) + (found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? " points" : " cells") +
       "; choose another, or have its source write one for each");
   }
   return { array, found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
@@ -113,8 +107,8 @@ std::string WayOut(const ConstraintArrays& arrays)
 
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)
 {
-  return { ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2),
-    ChoiceOf(algorithm, 3), ChoiceOf(algorithm, 4) };
+  return { ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2), ChoiceOf(algorithm, 3),
+    ChoiceOf(algorithm, 4) };
 }
 
 ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surface)
@@ -133,8 +127,8 @@ bool HasArray(const ArrayChoice& choice, vtkDataSet* dataset)
   return Find(choice, dataset).Array != nullptr;
 }
 
-ChosenArray FindArray(const ArrayChoice& choice, vtkDataSet* dataset, int components,
-  const std::string& what, const std::string& whose)
+ChosenArray FindArray(
+  const ArrayChoice& choice, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose)
 {
   const FoundArray found = Find(choice, dataset);
   if (found.Array)
@@ -150,15 +144,15 @@ ChosenArray FindArray(const ArrayChoice& choice, vtkDataSet* dataset, int compon
     ", is not among its point or cell arrays; choose one of those, or none");
 }
 
-ConstraintArrays FindArrays(
-  const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose)
+ConstraintArrays FindArrays(const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose)
 {
   const ChosenArray vectors = FindArray(choices.Vectors, dataset, 3, "directions", whose);
   const auto beside = [&](const ArrayChoice& choice)
   {
     // A name alone means the array beside the directions, if there is one.
     ArrayChoice there = choice;
-    there.Association = vectors.OnPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    there.Association =
+      vectors.OnPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS;
     const bool isByName = choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
     return vectors.Array && isByName && HasArray(there, dataset) ? there : choice;
   };
@@ -186,8 +180,7 @@ std::string ConstraintArrays::NameOf(vtkIdType element) const
   return (this->OnPoints ? "point " : "cell ") + std::to_string(element) + " of " + this->Whose;
 }
 
-void VisitPrescribed(const ConstraintArrays& arrays,
-  const std::function<bool(vtkIdType)>& takesPart,
+void VisitPrescribed(const ConstraintArrays& arrays, const std::function<bool(vtkIdType)>& takesPart,
   const std::function<void(const ElementDirection&)>& visit)
 {
   for (vtkIdType element = 0; arrays.Vectors && element < arrays.Size; ++element)
@@ -195,21 +188,20 @@ void VisitPrescribed(const ConstraintArrays& arrays,
     Vector3 vector;
     arrays.Vectors->GetTuple(element, vector.data());
     const double weight = arrays.Weights ? arrays.Weights->GetComponent(element, 0) : 1.0;
-    const bool isPrescribed =
-      arrays.Mask ? arrays.Mask->GetComponent(element, 0) != 0.0 : !vector.isZero(0.0);
+    const bool isPrescribed = arrays.Mask ? arrays.Mask->GetComponent(element, 0) != 0.0 : !vector.isZero(0.0);
     if (!isPrescribed || weight == 0.0 || !takesPart(element))
     {
       continue;
     }
     if (!vector.allFinite())
     {
-      throw InvalidInput("the direction prescribed at " + arrays.NameOf(element) +
-        " is not finite; repair it or " + WayOut(arrays));
+      throw InvalidInput(
+        "the direction prescribed at " + arrays.NameOf(element) + " is not finite; repair it or " + WayOut(arrays));
     }
     if (!(weight > 0.0) || !std::isfinite(weight))
     {
-      throw InvalidInput("the weight of the direction prescribed at " + arrays.NameOf(element) +
-        " is " + ShortText(weight) + "; make it a positive number or " + WayOut(arrays));
+      throw InvalidInput("the weight of the direction prescribed at " + arrays.NameOf(element) + " is " +
+        ShortText(weight) + "; make it a positive number or " + WayOut(arrays));
     }
     visit({ element, vector, weight });
   }

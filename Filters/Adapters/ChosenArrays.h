@@ -19,15 +19,14 @@ namespace dmg
 /// or none.
 struct ArrayChoice
 {
-  std::string Name; ///< empty for none
+  std::string Name;   ///< empty for none
   int Attribute = -1; ///< of vtkDataSetAttributes, where nothing is chosen by name; -1 for none
   int Association = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 
   bool IsMade() const { return !this->Name.empty() || this->Attribute >= 0; }
   bool operator==(const ArrayChoice& other) const
   {
-    return this->Name == other.Name && this->Attribute == other.Attribute &&
-      this->Association == other.Association;
+    return this->Name == other.Name && this->Attribute == other.Attribute && this->Association == other.Association;
   }
 };
 
@@ -35,7 +34,7 @@ struct ArrayChoice
 struct ConstraintChoices
 {
   ArrayChoice Mask, Vectors, Weights;
-  ArrayChoice Values = {}; ///< of functions, on the surface alone
+  ArrayChoice Values = {};   ///< of functions, on the surface alone
   ArrayChoice Rotation = {}; ///< in degrees, on the surface alone
 };
 
@@ -51,12 +50,12 @@ ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surf
 /// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.
 struct ConstraintArrays
 {
-  vtkDataArray* Mask = nullptr; ///< 1 component; null: where the vector and the weight are not zero
+  vtkDataArray* Mask = nullptr;    ///< 1 component; null: where the vector and the weight are not zero
   vtkDataArray* Vectors = nullptr; ///< 3 components
   vtkDataArray* Weights = nullptr; ///< 1 component; null: 1
-  bool OnPoints = false; ///< else on cells
-  vtkIdType Size = 0; ///< points or cells
-  std::string Whose; ///< how messages call the dataset
+  bool OnPoints = false;           ///< else on cells
+  vtkIdType Size = 0;              ///< points or cells
+  std::string Whose;               ///< how messages call the dataset
 
   /// For messages, as in "point 7 of the surface".
   std::string NameOf(vtkIdType element) const;
@@ -76,15 +75,14 @@ struct ChosenArray
 /// \param what, whose for messages, as in "mask", "the surface".
 /// \throw InvalidInput it does not exist, has another number of components, or fewer tuples than
 /// there are elements.
-ChosenArray FindArray(const ArrayChoice& choice, vtkDataSet* dataset, int components,
-  const std::string& what, const std::string& whose);
+ChosenArray FindArray(
+  const ArrayChoice& choice, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose);
 
 /// What was chosen of a dataset.
 /// \param whose how messages call the dataset, as in "the surface".
 /// \throw InvalidInput as FindArray; arrays that are not of the same elements; mask or weights
 /// without vectors.
-ConstraintArrays FindArrays(
-  const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose);
+ConstraintArrays FindArrays(const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose);
 
 /// A direction that an element of a dataset prescribes.
 struct ElementDirection
@@ -97,8 +95,7 @@ struct ElementDirection
 /// Visits all that is prescribed, in ascending order of elements.
 /// \param takesPart elements for which it is false are passed over, whatever they hold.
 /// \throw InvalidInput a vector is not finite, or a weight is negative or not finite.
-void VisitPrescribed(const ConstraintArrays& arrays,
-  const std::function<bool(vtkIdType)>& takesPart,
+void VisitPrescribed(const ConstraintArrays& arrays, const std::function<bool(vtkIdType)>& takesPart,
   const std::function<void(const ElementDirection&)>& visit);
 
 }

@@ -22,10 +22,8 @@ PrescribedDirections DirectionsOnSurface(const ConstraintArrays& arrays, const S
   {
     VisitPrescribed(
       arrays, [&surface](vtkIdType point) { return surface.VertexOf(point) >= 0; },
-      [&directions, &surface](const ElementDirection& given)
-      {
-        directions.AtVertices.push_back(
-          { surface.VertexOf(given.Element), given.Vector, given.Weight });
+      [&directions, &surface](const ElementDirection& given) {
+        directions.AtVertices.push_back({ surface.VertexOf(given.Element), given.Vector, given.Weight });
       });
   }
   else
@@ -65,8 +63,7 @@ std::vector<PrescribedValue> ValuesOnSurface(
     const int vertex = numbering.VertexOf(point);
     const double value = values.Array->GetComponent(point, 0);
     const double weight = weights.Array ? weights.Array->GetComponent(point, 0) : 1.0;
-    if (vertex >= 0 && weight != 0.0 &&
-      (mask.Array ? mask.Array->GetComponent(point, 0) != 0.0 : !std::isnan(value)))
+    if (vertex >= 0 && weight != 0.0 && (mask.Array ? mask.Array->GetComponent(point, 0) != 0.0 : !std::isnan(value)))
     {
       prescribed.push_back({ vertex, value, weight });
     }
@@ -76,8 +73,8 @@ std::vector<PrescribedValue> ValuesOnSurface(
 
 }
 
-Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface,
-  const Guides& guides, const NearestPlaces& places, const ExecutionContext& context)
+Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const Guides& guides,
+  const NearestPlaces& places, const ExecutionContext& context)
 {
   const SurfaceNumbering& numbering = places.Framed.Numbering;
   PrescribedDirections directions;
@@ -85,28 +82,27 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
   // Else mask and weights are those of values.
   if (!HasArray(onSurface.Values, surface) || HasArray(onSurface.Vectors, surface))
   {
-    directions =
-      DirectionsOnSurface(FindArrays(onSurface, surface, "the surface"), numbering);
+    directions = DirectionsOnSurface(FindArrays(onSurface, surface, "the surface"), numbering);
   }
   directions.Values = values;
   const GuidesOnSurface followed = BringToSurface(guides, places, context);
-  directions.OnFaces.insert(
-    directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
-  const bool isEmpty =
-    directions.OnFaces.empty() && directions.AtVertices.empty() && directions.Values.empty();
+  directions.OnFaces.insert(directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
+  const bool isEmpty = directions.OnFaces.empty() && directions.AtVertices.empty() && directions.Values.empty();
   if (isEmpty && !followed.Report.IsAllTaken())
   {
     throw InvalidInput("no direction is prescribed; " + followed.Report.LeftOut());
   }
   if (isEmpty && HasArray(onSurface.Vectors, surface))
   {
-    throw InvalidInput("no direction is prescribed: the directions of the surface are zero, or its mask or weights are; "
-                       "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
+    throw InvalidInput(
+      "no direction is prescribed: the directions of the surface are zero, or its mask or weights are; "
+      "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
   }
   if (isEmpty && followed.AreGiven)
   {
-    throw InvalidInput("no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
-                       "their mask or weights are; choose others, or clear Guides for the smoothest field");
+    throw InvalidInput(
+      "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
+      "their mask or weights are; choose others, or clear Guides for the smoothest field");
   }
   return { std::move(directions), followed.Report };
 }

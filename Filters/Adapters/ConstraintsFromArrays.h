@@ -24,8 +24,8 @@ struct Prescription
 /// \throw InvalidInput as FindArrays, VisitPrescribed and BringToSurface; what is chosen prescribes nothing.
 /// \throw Cancelled
 /// Cost: linear, besides the guides.
-Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface,
-  const Guides& guides, const NearestPlaces& places, const ExecutionContext& context);
+Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const Guides& guides,
+  const NearestPlaces& places, const ExecutionContext& context);
 
 }
 

@@ -18,8 +18,7 @@ namespace
 
 bool SequentialByDefault()
 {
-  return std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 &&
-    std::getenv("VTK_SMP_BACKEND_IN_USE") == nullptr;
+  return std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 && std::getenv("VTK_SMP_BACKEND_IN_USE") == nullptr;
 }
 
 /// Of STDThread, which a limit set by the environment or the application holds for.
@@ -29,8 +28,7 @@ int NumberOfStandardThreads()
   config.Backend = "STDThread";
   config.NestedParallelism = vtkSMPTools::GetNestedParallelism();
   int threads = 1;
-  vtkSMPTools::LocalScope(
-    config, [&threads] { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
+  vtkSMPTools::LocalScope(config, [&threads] { threads = vtkSMPTools::GetEstimatedNumberOfThreads(); });
   return threads;
 }
 
@@ -73,15 +71,16 @@ void ContextFromAlgorithm::ReportProgress(double fraction) const
   this->Algorithm->UpdateProgress(fraction);
 }
 
-void ContextFromAlgorithm::RunInParallel(
-  int begin, int end, int grain, const std::function<void(int, int)>& body) const
+void ContextFromAlgorithm::RunInParallel(int begin, int end, int grain, const std::function<void(int, int)>& body) const
 {
   if (this->Arena)
   {
-    this->Arena->execute([begin, end, grain, &body] {
-      tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
-        [&body](const tbb::blocked_range<int>& piece) { body(piece.begin(), piece.end()); });
-    });
+    this->Arena->execute(
+      [begin, end, grain, &body]
+      {
+        tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
+          [&body](const tbb::blocked_range<int>& piece) { body(piece.begin(), piece.end()); });
+      });
     return;
   }
   // Not every backend carries exceptions over to the calling thread.

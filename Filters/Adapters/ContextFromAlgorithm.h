@@ -42,8 +42,7 @@ protected:
   void ReportProgress(double fraction) const override;
 
   /// An exception in the body ends the loop early and is thrown again in the calling thread.
-  void RunInParallel(
-    int begin, int end, int grain, const std::function<void(int, int)>& body) const override;
+  void RunInParallel(int begin, int end, int grain, const std::function<void(int, int)>& body) const override;
 
 private:
   vtkAlgorithm* const Algorithm;

@@ -14,12 +14,12 @@ namespace
 template <class Arrays>
 void AddTo(const Arrays& arrays, const TangentFrames& frames, const PrincipalCurvatures& curvatures)
 {
-  const auto turned = [&](Complex turn) {
+  const auto turned = [&](Complex turn)
+  {
     Points vectors(frames.X.rows(), 3);
     for (int element = 0; element < vectors.rows(); ++element)
     {
-      vectors.row(element) =
-        frames.ToVector(element, turn * curvatures.MaximumDirections[element]).transpose();
+      vectors.row(element) = frames.ToVector(element, turn * curvatures.MaximumDirections[element]).transpose();
     }
     return vectors;
   };
@@ -32,14 +32,13 @@ void AddTo(const Arrays& arrays, const TangentFrames& frames, const PrincipalCur
 
 }
 
-void AddCurvatures(const FramedSurface& surface, const PrincipalDirections& curvatures,
-  vtkPolyData* input, vtkPolyData* output, const ExecutionContext& context)
+void AddCurvatures(const FramedSurface& surface, const PrincipalDirections& curvatures, vtkPolyData* input,
+  vtkPolyData* output, const ExecutionContext& context)
 {
-  AddTo(ArraysOfCells(surface.Numbering, input, output->GetCellData(), context), surface.On.Faces,
-    curvatures.Faces);
+  AddTo(ArraysOfCells(surface.Numbering, input, output->GetCellData(), context), surface.On.Faces, curvatures.Faces);
   context.Checkpoint(0.5);
-  AddTo(ArraysOfPoints(surface.Numbering, input, output->GetPointData(), context),
-    surface.On.Vertices, curvatures.Vertices);
+  AddTo(ArraysOfPoints(surface.Numbering, input, output->GetPointData(), context), surface.On.Vertices,
+    curvatures.Vertices);
   context.Checkpoint(1.0);
 }
 

@@ -12,8 +12,8 @@ namespace dmg
 
 /// Adds the arrays of vtkPrincipalDirections to the cells and points of \p output, a copy of the \p input that \p surface
 /// was made from.
-void AddCurvatures(const FramedSurface& surface, const PrincipalDirections& curvatures,
-  vtkPolyData* input, vtkPolyData* output, const ExecutionContext& context);
+void AddCurvatures(const FramedSurface& surface, const PrincipalDirections& curvatures, vtkPolyData* input,
+  vtkPolyData* output, const ExecutionContext& context);
 
 }
 

@@ -32,8 +32,7 @@ namespace
 
 /// An array of values, one after the other.
 template <class Array, class Value>
-vtkSmartPointer<Array> NewArray(
-  const char* name, int components, const Value* values, vtkIdType tuples)
+vtkSmartPointer<Array> NewArray(const char* name, int components, const Value* values, vtkIdType tuples)
 {
   auto array = vtkSmartPointer<Array>::New();
   array->SetName(name);
@@ -45,8 +44,8 @@ vtkSmartPointer<Array> NewArray(
 
 vtkSmartPointer<vtkDoubleArray> NewVectors(const char* name, const std::vector<Vector3>& vectors)
 {
-  return NewArray<vtkDoubleArray>(name, 3, vectors.empty() ? nullptr : vectors.front().data(),
-    static_cast<vtkIdType>(vectors.size()));
+  return NewArray<vtkDoubleArray>(
+    name, 3, vectors.empty() ? nullptr : vectors.front().data(), static_cast<vtkIdType>(vectors.size()));
 }
 
 vtkSmartPointer<vtkPoints> NewPoints(const std::vector<Vector3>& positions)
@@ -58,8 +57,7 @@ vtkSmartPointer<vtkPoints> NewPoints(const std::vector<Vector3>& positions)
 
 }
 
-void LinesToPolyData(
-  const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output)
+void LinesToPolyData(const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output)
 {
   const std::size_t numberOfPoints = lines.Positions.size();
   std::vector<Vector3> positions(numberOfPoints);
@@ -92,20 +90,19 @@ void LinesToPolyData(
   ofLines->AddArray(NewArray<vtkIntArray>("Branch", 1, lines.Families.data(), numberOfLines));
   ofLines->AddArray(NewArray<vtkIntArray>("Seed", 1, seeds.data(), numberOfLines));
   vtkPointData* const ofPoints = output->GetPointData();
-  ofPoints->AddArray(NewArray<vtkDoubleArray>(
-    "Magnitude", 1, lines.Magnitudes.data(), static_cast<vtkIdType>(numberOfPoints)));
+  ofPoints->AddArray(
+    NewArray<vtkDoubleArray>("Magnitude", 1, lines.Magnitudes.data(), static_cast<vtkIdType>(numberOfPoints)));
   ofPoints->SetNormals(NewVectors("Normals", normals));
 }
 
-void GlyphsToPolyData(
-  const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output)
+void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output)
 {
   const int numberOfCells = glyphs.NumberOfCells();
   vtkNew<vtkCellArray> cells;
   for (int cell = 0; cell < numberOfCells; ++cell)
   {
-    const std::vector<vtkIdType> ids(glyphs.Corners.begin() + glyphs.Offsets[cell],
-      glyphs.Corners.begin() + glyphs.Offsets[cell + 1]);
+    const std::vector<vtkIdType> ids(
+      glyphs.Corners.begin() + glyphs.Offsets[cell], glyphs.Corners.begin() + glyphs.Offsets[cell + 1]);
     cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
   }
   output->SetPoints(NewPoints(glyphs.Positions));
@@ -119,13 +116,11 @@ void GlyphsToPolyData(
   ofCells->AddArray(NewArray<vtkIntArray>("Branch", 1, branches.data(), numberOfCells));
   ofCells->AddArray(NewArray<vtkIntArray>("Direction", 1, glyphs.Directions.data(), numberOfCells));
   ofCells->AddArray(NewArray<vtkIntArray>("Glyph", 1, glyphs.Glyphs.data(), numberOfCells));
-  ofCells->AddArray(
-    NewArray<vtkDoubleArray>("Magnitude", 1, glyphs.Magnitudes.data(), numberOfCells));
+  ofCells->AddArray(NewArray<vtkDoubleArray>("Magnitude", 1, glyphs.Magnitudes.data(), numberOfCells));
   output->GetPointData()->SetNormals(NewVectors("Normals", glyphs.Normals));
 }
 
-void SingularitiesToPolyData(
-  const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
+void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
   const SurfaceMesh& surface = given.Surface;
   std::vector<std::pair<vtkIdType, int>> singular;
@@ -210,8 +205,7 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   output->GetFieldData()->Initialize();
 }
 
-void CutsToPolyData(
-  const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
+void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
   const SurfaceMesh& surface = given.Surface;
   const int N = given.Field.N();
@@ -230,8 +224,7 @@ void CutsToPolyData(
     const vtkIdType tail = surface.PointOf(surface.Mesh.Tail(h));
     const vtkIdType head = surface.PointOf(surface.Mesh.Head(h));
     const bool isAlong = tail < head;
-    cuts.push_back({ std::min(tail, head), std::max(tail, head),
-      isAlong ? topology.Jumps[i] : N - topology.Jumps[i],
+    cuts.push_back({ std::min(tail, head), std::max(tail, head), isAlong ? topology.Jumps[i] : N - topology.Jumps[i],
       (isAlong ? 1.0 : -1.0) * topology.Turning[edge], edge });
   }
   std::sort(cuts.begin(), cuts.end(),
@@ -266,8 +259,7 @@ void CutsToPolyData(
   ofCells->AddArray(NewArray<vtkDoubleArray>("Turning", 1, turnings.data(), size));
 }
 
-void BoundaryLoopsToPolyData(
-  const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
+void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
   std::vector<Vector3> positions;
   std::vector<double> indices;

@@ -16,25 +16,20 @@ namespace dmg
 
 /// Polylines with the arrays of vtkFieldLines.
 /// \param lift along the normals of the faces, in the unit of the points.
-void LinesToPolyData(
-  const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output);
+void LinesToPolyData(const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output);
 
 /// Polylines or polygons with the arrays of vtkFieldGlyphs.
 /// \param families of the field, of which branch k belongs to number k modulo this.
 /// \param areStrokes whether the cells are lines.
-void GlyphsToPolyData(
-  const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output);
+void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output);
 
 /// The outputs of vtkFieldSingularities.
 /// \param given the surface, of which \p topology is made.
-void SingularitiesToPolyData(
-  const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
+void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
 /// With colours of their signs. \param radius of the spheres, in the unit of the points.
 void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* output);
-void CutsToPolyData(
-  const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
-void BoundaryLoopsToPolyData(
-  const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
+void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
+void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
 
 }
 

@@ -10,16 +10,14 @@
 namespace dmg
 {
 
-vtkSmartPointer<vtkDoubleArray> NewArray(
-  const std::string& name, int components, vtkIdType tuples)
+vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
   // Where there is no memory, arrays of ParaView's VTK end the process; this throws.
   const vtkIdType size = components * tuples;
-  auto* const values =
-    static_cast<double*>(std::malloc(std::max<vtkIdType>(size, 1) * sizeof(double)));
+  auto* const values = static_cast<double*>(std::malloc(std::max<vtkIdType>(size, 1) * sizeof(double)));
   if (!values)
   {
     throw std::bad_alloc();
@@ -35,13 +33,15 @@ void AddOnEdges(const TriangleMesh& mesh, const SurfaceNumbering& surface, const
   const int numberOfEdges = mesh.NumberOfEdges();
   const auto array = NewArray(name, 1, numberOfEdges);
   double* const tuples = array->GetPointer(0);
-  context.ParallelFor(0, numberOfEdges, Grain, [&](int first, int last) {
-    for (int line = first; line < last; ++line)
+  context.ParallelFor(0, numberOfEdges, Grain,
+    [&](int first, int last)
     {
-      const int edge = surface.Edges[line];
-      tuples[line] = surface.EdgeSign(mesh, edge) * values[edge];
-    }
-  });
+      for (int line = first; line < last; ++line)
+      {
+        const int edge = surface.Edges[line];
+        tuples[line] = surface.EdgeSign(mesh, edge) * values[edge];
+      }
+    });
   data->AddArray(array);
 }
 

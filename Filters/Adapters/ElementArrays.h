@@ -22,8 +22,7 @@ namespace dmg
 {
 
 /// Its values are to be written.
-vtkSmartPointer<vtkDoubleArray> NewArray(
-  const std::string& name, int components, vtkIdType tuples);
+vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples);
 
 /// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
@@ -35,8 +34,7 @@ class ArraysOfElements
 public:
   /// \param tuples of each array.
   /// \param elementOf the face or vertex of a tuple, or -1.
-  ArraysOfElements(
-    vtkFieldData* data, vtkIdType tuples, ElementOf elementOf, const ExecutionContext& context)
+  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, ElementOf elementOf, const ExecutionContext& context)
     : Data(data)
     , Tuples(static_cast<int>(tuples)) // MeshFromPolyData has seen to it
     , ElementOfTuple(std::move(elementOf))
@@ -48,14 +46,12 @@ public:
   void Add(const std::string& name, int components, const double* values) const
   {
     double* const tuples = this->NewTuples(name, components);
-    this->ForTuples([&](vtkIdType tuple, vtkIdType element) {
-      std::copy_n(values + components * element, components, tuples + components * tuple);
-    },
+    this->ForTuples([&](vtkIdType tuple, vtkIdType element)
+      { std::copy_n(values + components * element, components, tuples + components * tuple); },
       [&](vtkIdType tuple) { std::fill_n(tuples + components * tuple, components, 0.0); });
   }
 
-  void AddDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N,
-    bool unitLength) const
+  void AddDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const
   {
     std::vector<double*> tuples;
     for (int k = 0; k < N; ++k)
@@ -63,11 +59,14 @@ public:
       tuples.push_back(this->NewTuples(ArrayNames::Direction(k), 3));
     }
     const DirectionVectors vectors(N, unitLength);
-    this->ForTuples([&](vtkIdType tuple, int element) {
-      vectors.VisitAt(frames, element, firstDirections[element],
-        [&](int k, const Vector3& vector) { std::copy_n(vector.data(), 3, tuples[k] + 3 * tuple); });
-    },
-      [&](vtkIdType tuple) {
+    this->ForTuples(
+      [&](vtkIdType tuple, int element)
+      {
+        vectors.VisitAt(frames, element, firstDirections[element],
+          [&](int k, const Vector3& vector) { std::copy_n(vector.data(), 3, tuples[k] + 3 * tuple); });
+      },
+      [&](vtkIdType tuple)
+      {
         for (double* const direction : tuples)
         {
           std::fill_n(direction + 3 * tuple, 3, 0.0);
@@ -88,19 +87,21 @@ private:
   void ForTuples(const OfElement& ofElement, const OfNone& ofNone) const
   {
     constexpr int Grain = 8192;
-    this->Context.ParallelFor(0, this->Tuples, Grain, [&](int first, int last) {
-      for (int tuple = first; tuple < last; ++tuple)
+    this->Context.ParallelFor(0, this->Tuples, Grain,
+      [&](int first, int last)
       {
-        if (const int element = this->ElementOfTuple(tuple); element >= 0)
+        for (int tuple = first; tuple < last; ++tuple)
         {
-          ofElement(tuple, element);
+          if (const int element = this->ElementOfTuple(tuple); element >= 0)
+          {
+            ofElement(tuple, element);
+          }
+          else
+          {
+            ofNone(tuple);
+          }
         }
-        else
-        {
-          ofNone(tuple);
-        }
-      }
-    });
+      });
   }
 
   vtkFieldData* const Data;
@@ -109,18 +110,18 @@ private:
   const ExecutionContext& Context;
 };
 
-inline auto ArraysOfCells(const SurfaceNumbering& surface, vtkPolyData* input, vtkFieldData* data,
-  const ExecutionContext& context)
+inline auto ArraysOfCells(
+  const SurfaceNumbering& surface, vtkPolyData* input, vtkFieldData* data, const ExecutionContext& context)
 {
-  return ArraysOfElements(data, input->GetNumberOfCells(),
-    [&surface](vtkIdType cell) { return surface.FaceOf(cell); }, context);
+  return ArraysOfElements(
+    data, input->GetNumberOfCells(), [&surface](vtkIdType cell) { return surface.FaceOf(cell); }, context);
 }
 
-inline auto ArraysOfPoints(const SurfaceNumbering& surface, vtkPolyData* input, vtkFieldData* data,
-  const ExecutionContext& context)
+inline auto ArraysOfPoints(
+  const SurfaceNumbering& surface, vtkPolyData* input, vtkFieldData* data, const ExecutionContext& context)
 {
-  return ArraysOfElements(data, input->GetNumberOfPoints(),
-    [&surface](vtkIdType point) { return surface.VertexOf(point); }, context);
+  return ArraysOfElements(
+    data, input->GetNumberOfPoints(), [&surface](vtkIdType point) { return surface.VertexOf(point); }, context);
 }
 
 /// Adds an array of the lines of edges: of numbers that change their sign with the edge's orientation, one per

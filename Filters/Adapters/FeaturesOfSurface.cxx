@@ -26,19 +26,16 @@ FeatureOptions FeaturesOf(vtkHarmonicFieldSolver* filter)
   options.FeatureAngle = filter->GetFeatureAngle();
   options.CurvatureWeight = filter->GetCurvatureWeight();
   options.CurvatureRotation = filter->GetCurvatureRotation();
-  options.FollowsMinimum =
-    filter->GetCurvatureDirection() == vtkHarmonicFieldSolver::MinimumCurvature;
+  options.FollowsMinimum = filter->GetCurvatureDirection() == vtkHarmonicFieldSolver::MinimumCurvature;
   return options;
 }
 
 /// Elements of the other kind get the mean of those that they touch.
-RotationAngles AnglesOf(
-  vtkHarmonicFieldSolver* filter, vtkPolyData* input, const FramedSurface& surface)
+RotationAngles AnglesOf(vtkHarmonicFieldSolver* filter, vtkPolyData* input, const FramedSurface& surface)
 {
   RotationAngles angles;
   angles.Everywhere = filter->GetRotation() * Degree;
-  const ChosenArray chosen =
-    FindArray(ChoicesOf(filter).Rotation, input, 1, "rotation", "the surface");
+  const ChosenArray chosen = FindArray(ChoicesOf(filter).Rotation, input, 1, "rotation", "the surface");
   if (!chosen.Array)
   {
     return angles;
@@ -50,19 +47,19 @@ RotationAngles AnglesOf(
   {
     if (chosen.OnPoints)
     {
-      angles.Vertices[vertex] =
-        Degree * chosen.Array->GetComponent(surface.Numbering.PointOf(vertex), 0);
-      mesh.VisitFan(vertex, [&](int halfedge) {
-        angles.Faces[TriangleMesh::FaceOf(halfedge)] += angles.Vertices[vertex] / 3.0;
-      });
+      angles.Vertices[vertex] = Degree * chosen.Array->GetComponent(surface.Numbering.PointOf(vertex), 0);
+      mesh.VisitFan(
+        vertex, [&](int halfedge) { angles.Faces[TriangleMesh::FaceOf(halfedge)] += angles.Vertices[vertex] / 3.0; });
       continue;
     }
     int faces = 0;
-    mesh.VisitFan(vertex, [&](int halfedge) {
-      const vtkIdType cell = surface.Numbering.CellOf(TriangleMesh::FaceOf(halfedge));
-      angles.Vertices[vertex] += Degree * chosen.Array->GetComponent(cell, 0);
-      ++faces;
-    });
+    mesh.VisitFan(vertex,
+      [&](int halfedge)
+      {
+        const vtkIdType cell = surface.Numbering.CellOf(TriangleMesh::FaceOf(halfedge));
+        angles.Vertices[vertex] += Degree * chosen.Array->GetComponent(cell, 0);
+        ++faces;
+      });
     angles.Vertices[vertex] /= faces;
   }
   for (int face = 0; !chosen.OnPoints && face < mesh.NumberOfFaces(); ++face)
@@ -74,17 +71,15 @@ RotationAngles AnglesOf(
 
 }
 
-std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyData* input,
-  SolvedSurface& surface, PrescribedDirections& directions, const ExecutionContext& context)
+std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyData* input, SolvedSurface& surface,
+  PrescribedDirections& directions, const ExecutionContext& context)
 {
   const FramedSurface framed = surface.Surface();
   if (filter->GetDiscretisation() == vtkHarmonicFieldSolver::ScalarFunction)
   {
     return {};
   }
-  const int N = filter->GetDiscretisation() == vtkHarmonicFieldSolver::PowerField
-    ? filter->GetNumberOfDirections()
-    : 1;
+  const int N = filter->GetDiscretisation() == vtkHarmonicFieldSolver::PowerField ? filter->GetNumberOfDirections() : 1;
   const FeatureOptions options = FeaturesOf(filter);
   CheckFeatures(options);
   const PrincipalCurvatures* curvatures = nullptr;
@@ -99,8 +94,7 @@ std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyD
     curvatures = &surface.Curvatures(filter->GetCurvatureScale(), context);
   }
   FollowedFeatures followed = FollowFeatures(framed.On, N, options, curvatures);
-  directions.OnFaces.insert(
-    directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
+  directions.OnFaces.insert(directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
   const RotationAngles angles = AnglesOf(filter, input, framed);
   const bool turns = angles.Everywhere != 0.0 || angles.Faces.size() > 0;
   const bool isNothingSaid = followed.Warnings.empty(); // else they tell why nothing is followed
@@ -119,7 +113,8 @@ std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyD
     const std::size_t others = cancelling.size() - 1;
     followed.Warnings.push_back("the directions prescribed on " + framed.Numbering.Names().Face(cancelling[0]) +
       (others == 0 ? "" : " and " + std::to_string(others) + (others == 1 ? " other" : " others")) +
-      " cancel, as opposite vectors do for a field of one direction, so nothing is followed there; take one of them out, or "
+      " cancel, as opposite vectors do for a field of one direction, so nothing is followed there; take one of them "
+      "out, or "
       "choose a Number Of Directions to which they are alike");
   }
   return std::move(followed.Warnings);

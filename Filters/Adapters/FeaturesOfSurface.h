@@ -20,8 +20,8 @@ namespace dmg
 /// \return warnings: features that the surface does not have, or the field cannot follow.
 /// \throw InvalidInput as FollowFeatures, Turn and FindArray; curvature as a hard constraint.
 /// \throw Cancelled
-std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyData* input,
-  SolvedSurface& surface, PrescribedDirections& directions, const ExecutionContext& context);
+std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyData* input, SolvedSurface& surface,
+  PrescribedDirections& directions, const ExecutionContext& context);
 
 }
 

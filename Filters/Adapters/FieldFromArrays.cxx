@@ -50,18 +50,16 @@ ChosenVectors DefaultVectors(vtkPolyData* surface)
   vtkDataSetAttributes* const cells = surface->GetCellData();
   vtkDataSetAttributes* const points = surface->GetPointData();
   const std::string name = ArrayNames::Direction(0);
-  for (vtkDataArray* array : { cells->GetArray(name.c_str()), points->GetArray(name.c_str()),
-         cells->GetVectors(), points->GetVectors() })
+  for (vtkDataArray* array :
+    { cells->GetArray(name.c_str()), points->GetArray(name.c_str()), cells->GetVectors(), points->GetVectors() })
   {
     if (array)
     {
-      return { array,
-        points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str()) };
+      return { array, points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str()) };
     }
   }
-  throw InvalidInput(
-    "the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
-    "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
+  throw InvalidInput("the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
+                     "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
 }
 
 ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
@@ -74,8 +72,7 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
     return DefaultVectors(surface);
   }
   const int wanted = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
-  for (const int association :
-    { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  for (const int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
   {
     if (wanted != association && wanted != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
     {
@@ -92,8 +89,7 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
     }
     if (found)
     {
-      return { vtkDataArray::SafeDownCast(found),
-        association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
+      return { vtkDataArray::SafeDownCast(found), association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
     }
   }
   if (name == "None") // how menus say that nothing is chosen
@@ -123,15 +119,15 @@ ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
   if (!chosen.Array || chosen.Array->GetNumberOfComponents() != 3)
   {
     const std::string name = chosen.Array ? NameOf(chosen.Array) : "that was chosen";
-    throw InvalidInput(
-      "array '" + name + "' does not hold 3 numbers per element; choose an array of vectors");
+    throw InvalidInput("array '" + name + "' does not hold 3 numbers per element; choose an array of vectors");
   }
-  for (vtkDataSetAttributes* const attributes :
-    { static_cast<vtkDataSetAttributes*>(surface->GetPointData()), static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
+  for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
   {
     if (attributes->GetNormals() == chosen.Array) // the first vectors of many surfaces, which menus choose
     {
-      throw InvalidInput("array '" + NameOf(chosen.Array) + "' holds the normals of the surface, which are no field on it; apply "
+      throw InvalidInput("array '" + NameOf(chosen.Array) +
+        "' holds the normals of the surface, which are no field on it; apply "
         "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose another array of vectors");
     }
   }
@@ -154,8 +150,7 @@ int NumberOfDirections(vtkPolyData* surface, const ChosenVectors& chosen)
   vtkDataSetAttributes* const attributes =
     surface->GetAttributes(chosen.OnPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
   int number = 1;
-  while (number < DirectionsOnFaces::LargestN &&
-    attributes->GetArray(ArrayNames::Direction(number).c_str()))
+  while (number < DirectionsOnFaces::LargestN && attributes->GetArray(ArrayNames::Direction(number).c_str()))
   {
     ++number;
   }
@@ -169,14 +164,14 @@ Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& fra
   array->GetTuple(tuple, vector.data());
   const Complex tangential = frames.ToComplex(element, vector);
   return std::abs(tangential) > SmallestTangentialPart * vector.stableNorm() ? tangential
-    : vector.allFinite()                                               ? Complex(0.0)
+    : vector.allFinite()                                                     ? Complex(0.0)
                          : Complex(std::numeric_limits<double>::infinity());
 }
 
 /// Directions of elements, and the first one of the caller's that is not finite.
 template <class TupleOf>
-Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int size,
-  const std::string& kind, const TupleOf& tupleOf, const ExecutionContext& context)
+Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int size, const std::string& kind,
+  const TupleOf& tupleOf, const ExecutionContext& context)
 {
   Vector<Complex> directions(size);
   std::atomic<bool> areFinite{ true };
@@ -204,8 +199,8 @@ Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int
         tuple = std::min<vtkIdType>(tuple, tupleOf(element));
       }
     }
-    throw InvalidInput("the direction of " + kind + " " + std::to_string(tuple) + " in array '" +
-      NameOf(array) + "' is not finite; repair it, or set it to zero for no direction");
+    throw InvalidInput("the direction of " + kind + " " + std::to_string(tuple) + " in array '" + NameOf(array) +
+      "' is not finite; repair it, or set it to zero for no direction");
   }
   return directions;
 }
@@ -227,8 +222,8 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
     {
       const Complex given = ReadTuple(array, surface.CellOf(face), frames, face);
       const Complex expected = turn * first[face];
-      return std::abs(given / std::max(std::abs(given), 1e-300) -
-               expected / std::max(std::abs(expected), 1e-300)) <= LargestAngle;
+      return std::abs(given / std::max(std::abs(given), 1e-300) - expected / std::max(std::abs(expected), 1e-300)) <=
+        LargestAngle;
     };
     std::atomic<bool> areTurned{ true };
     context.ParallelFor(0, static_cast<int>(first.size()), Grain,
@@ -263,13 +258,11 @@ double DiagonalOf(const TriangleMesh& mesh)
 
 }
 
-SurfaceWithField ReadField(
-  vtkAlgorithm* algorithm, vtkPolyData* input, int N, const ExecutionContext& context)
+SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* input, int N, const ExecutionContext& context)
 {
   const ChosenVectors chosen = ReadChoice(algorithm, input);
   const int numberByName = NumberOfDirections(input, chosen);
-  const bool areSiblings =
-    NameOf(chosen.Array) == ArrayNames::Direction(0) && (N == 0 || N == numberByName);
+  const bool areSiblings = NameOf(chosen.Array) == ArrayNames::Direction(0) && (N == 0 || N == numberByName);
   N = N == 0 ? numberByName : N;
   SurfaceMesh surface = MeshFromPolyData(input, Numbering::Spatial, context);
   const TriangleMesh& mesh = surface.Mesh;
@@ -281,15 +274,13 @@ SurfaceWithField ReadField(
   {
     const TangentFrames vertexFrames = VertexFrames(mesh, context);
     const Vector<Complex> ofVertices = ReadTuples(
-      chosen.Array, vertexFrames, mesh.NumberOfVertices(), "point",
-      [&](int v) { return surface.PointOf(v); }, context);
+      chosen.Array, vertexFrames, mesh.NumberOfVertices(), "point", [&](int v) { return surface.PointOf(v); }, context);
     first = FirstDirectionsOfFaces(mesh, frames, vertexFrames, ofVertices, N, context);
   }
   else
   {
     first = ReadTuples(
-      chosen.Array, frames, mesh.NumberOfFaces(), "cell",
-      [&](int face) { return surface.CellOf(face); }, context);
+      chosen.Array, frames, mesh.NumberOfFaces(), "cell", [&](int face) { return surface.CellOf(face); }, context);
     if (areSiblings)
     {
       CheckSiblings(input, surface, frames, first, N, context);
@@ -307,8 +298,8 @@ SurfaceWithField ReadField(
   return { std::move(surface), std::move(frames), std::move(field), diagonal };
 }
 
-Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh,
-  const Vector3& otherwise)
+Points ReferenceVectors(
+  const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh, const Vector3& otherwise)
 {
   Points references(mesh.Mesh.NumberOfFaces(), 3);
   references.rowwise() = otherwise.transpose();
@@ -320,9 +311,8 @@ Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const S
       references.row(face).setZero();
       for (int corner = 0; corner < (chosen.OnPoints ? 3 : 1); ++corner)
       {
-        chosen.Array->GetTuple(chosen.OnPoints ? mesh.PointOf(mesh.Mesh.FaceCorners()(face, corner))
-                                               : mesh.CellOf(face),
-          vector.data());
+        chosen.Array->GetTuple(
+          chosen.OnPoints ? mesh.PointOf(mesh.Mesh.FaceCorners()(face, corner)) : mesh.CellOf(face), vector.data());
         references.row(face) += vector.transpose();
       }
     }

@@ -38,14 +38,13 @@ struct SurfaceWithField
 /// \throw InvalidInput what MeshFromPolyData refuses; a chosen array that is not there or does not hold vectors; a
 /// vector that is not finite; no direction on any triangle; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.
-SurfaceWithField ReadField(
-  vtkAlgorithm* algorithm, vtkPolyData* surface, int N, const ExecutionContext& context);
+SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* surface, int N, const ExecutionContext& context);
 
 /// The vectors of an array, one for each face of the mesh; of points, the mean over the corners.
 /// \param otherwise the Axis: the vector of all faces where no array is chosen.
 /// \throw InvalidInput as FindArray; a vector is not finite; \p otherwise is zero where it is taken.
-Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh,
-  const Vector3& otherwise);
+Points ReferenceVectors(
+  const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh, const Vector3& otherwise);
 
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.
@@ -53,16 +52,17 @@ Points ReferenceVectors(const ArrayChoice& choice, vtkPolyData* surface, const S
 /// \return what RequestData returns.
 template <class Draw>
 int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs, int N, std::initializer_list<PropertyRange> others,
-  const Draw& draw)
+  vtkInformationVector* outputs, int N, std::initializer_list<PropertyRange> others, const Draw& draw)
 {
-  return MakeOutputs(algorithm, request, inputs, outputs, [&](const ExecutionContext& context) {
-    CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });
-    CheckRanges(others);
-    const SurfaceWithField field =
-      ReadField(algorithm, vtkPolyData::GetData(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
-    draw(field, PartOfContext(context, 0.3, 1.0));
-  });
+  return MakeOutputs(algorithm, request, inputs, outputs,
+    [&](const ExecutionContext& context)
+    {
+      CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });
+      CheckRanges(others);
+      const SurfaceWithField field =
+        ReadField(algorithm, vtkPolyData::GetData(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
+      draw(field, PartOfContext(context, 0.3, 1.0));
+    });
 }
 
 }

@@ -24,24 +24,25 @@ namespace
 constexpr int LargestN = 8;
 
 /// The edges as lines, without points, with the angle by which the field turns across each.
-vtkSmartPointer<vtkPolyData> MakeEdges(
-  const TriangleMesh& mesh,
-  const SurfaceNumbering& surface, const Vector<double>& turnings, const ExecutionContext& context)
+vtkSmartPointer<vtkPolyData> MakeEdges(const TriangleMesh& mesh, const SurfaceNumbering& surface,
+  const Vector<double>& turnings, const ExecutionContext& context)
 {
   constexpr int Grain = 8192;
   const vtkIdType numberOfEdges = mesh.NumberOfEdges();
   vtkNew<vtkIdTypeArray> ends;
   ends->SetNumberOfValues(2 * numberOfEdges);
   vtkIdType* const points = ends->GetPointer(0);
-  context.ParallelFor(0, mesh.NumberOfEdges(), Grain, [&](int first, int last) {
-    for (vtkIdType line = first; line < last; ++line)
+  context.ParallelFor(0, mesh.NumberOfEdges(), Grain,
+    [&](int first, int last)
     {
-      const auto [a, b] = mesh.EdgeVertices(surface.Edges[line]);
-      const auto [smaller, larger] = std::minmax({ surface.PointOf(a), surface.PointOf(b) });
-      points[2 * line] = smaller;
-      points[2 * line + 1] = larger;
-    }
-  });
+      for (vtkIdType line = first; line < last; ++line)
+      {
+        const auto [a, b] = mesh.EdgeVertices(surface.Edges[line]);
+        const auto [smaller, larger] = std::minmax({ surface.PointOf(a), surface.PointOf(b) });
+        points[2 * line] = smaller;
+        points[2 * line + 1] = larger;
+      }
+    });
   vtkNew<vtkCellArray> lines;
   lines->SetData(2, ends);
   auto edges = vtkSmartPointer<vtkPolyData>::New();
@@ -55,12 +56,14 @@ vtkSmartPointer<vtkPolyData> MakeEdges(
 template <class First, class Second>
 void CallBoth(const ExecutionContext& context, const First& first, const Second& second)
 {
-  context.ParallelFor(0, 2, 1, [&](int begin, int end) {
-    for (int i = begin; i < end; ++i)
+  context.ParallelFor(0, 2, 1,
+    [&](int begin, int end)
     {
-      i == 0 ? first() : second();
-    }
-  });
+      for (int i = begin; i < end; ++i)
+      {
+        i == 0 ? first() : second();
+      }
+    });
 }
 
 void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
@@ -83,9 +86,8 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
 
 }
 
-ShownField ShowField(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, const Vector<double>& unknowns, bool combing,
-  const ShownField* former, const ExecutionContext& context)
+ShownField ShowField(const FramedMesh& framed, const SurfaceNumbering& surface, const Discretisation& discretisation,
+  const Vector<double>& unknowns, bool combing, const ShownField* former, const ExecutionContext& context)
 {
   const TriangleMesh& mesh = framed.Mesh;
   const int N = discretisation.DirectionsPerPoint();
@@ -105,13 +107,15 @@ ShownField ShowField(const FramedMesh& framed, const SurfaceNumbering& surface,
   // A tree grows in one thread; what does not need it goes on beside.
   CallBoth(
     context,
-    [&] {
+    [&]
+    {
       if (combing && labels.empty())
       {
         labels = CombingLabels(mesh, powers, matching, N, context);
       }
     },
-    [&] {
+    [&]
+    {
       shown.Indices = SingularityIndices(mesh, corners, matching.Turning, N, context);
       shown.Edges = MakeEdges(mesh, surface, matching.Turning, context);
     });
@@ -124,11 +128,11 @@ ShownField ShowField(const FramedMesh& framed, const SurfaceNumbering& surface,
 }
 
 FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, const Vector<double>& unknowns, const ShownField& shown,
-  bool unitLength, vtkPolyData* input, const ExecutionContext& context)
+  const Discretisation& discretisation, const Vector<double>& unknowns, const ShownField& shown, bool unitLength,
+  vtkPolyData* input, const ExecutionContext& context)
 {
-  FieldArrays arrays{ unitLength, vtkSmartPointer<vtkFieldData>::New(),
-    vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkPolyData>::New() };
+  FieldArrays arrays{ unitLength, vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New(),
+    vtkSmartPointer<vtkPolyData>::New() };
   arrays.Edges->ShallowCopy(shown.Edges);
   const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
   const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
@@ -147,8 +151,7 @@ FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& su
         points.Add(values.Name, values.Components, values.Values.data());
         break;
       case ElementKind::Edges:
-        AddOnEdges(framed.Mesh, surface, values.Name, values.Values,
-          arrays.Edges->GetCellData(), context);
+        AddOnEdges(framed.Mesh, surface, values.Name, values.Values, arrays.Edges->GetCellData(), context);
         break;
     }
   }
@@ -165,14 +168,14 @@ void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData
   edges->SetPoints(surface->GetPoints());
 }
 
-void AddPrescribed(const SurfaceNumbering& numbering, const FieldConstraints& constraints,
-  ElementKind elements, vtkPolyData* surface, vtkPolyData* edges)
+void AddPrescribed(const SurfaceNumbering& numbering, const FieldConstraints& constraints, ElementKind elements,
+  vtkPolyData* surface, vtkPolyData* edges)
 {
   const bool areEdges = elements == ElementKind::Edges;
   const bool arePoints = elements == ElementKind::Vertices;
   vtkDataSetAttributes* const attributes = areEdges ? edges->GetCellData()
-    : arePoints ? static_cast<vtkDataSetAttributes*>(surface->GetPointData())
-                : surface->GetCellData();
+    : arePoints                                     ? static_cast<vtkDataSetAttributes*>(surface->GetPointData())
+                                                    : surface->GetCellData();
   const vtkIdType tuples = areEdges ? edges->GetNumberOfCells()
     : arePoints                     ? surface->GetNumberOfPoints()
                                     : surface->GetNumberOfCells();

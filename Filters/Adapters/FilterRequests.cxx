@@ -34,8 +34,7 @@ bool IsPieceZero(vtkInformation* request, vtkInformationVector* outputs)
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT())); // -1: all
   vtkInformation* const output = outputs->GetInformationObject(port);
   // "Piece 0 of none" is how the filter downstream asks for nothing.
-  return output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == 0 &&
-    output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 0;
+  return output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == 0 && output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 0;
 }
 
 void Empty(vtkInformationVector* outputs)
@@ -106,8 +105,8 @@ int GatherTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInfor
   return 1;
 }
 
-int AskForInputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs)
+int AskForInputs(
+  vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   algorithm->SetAbortExecute(0);
   const int numberOfPieces = IsPieceZero(request, outputs) ? 1 : 0;
@@ -164,7 +163,8 @@ int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkA
   catch (const std::bad_alloc&)
   {
     return Failed(algorithm, outputs,
-      "there is not enough memory for this surface; free some, or reduce the number of triangles with Decimate (vtkDecimatePro)");
+      "there is not enough memory for this surface; free some, or reduce the number of triangles with Decimate "
+      "(vtkDecimatePro)");
   }
   catch (const std::exception& error)
   {

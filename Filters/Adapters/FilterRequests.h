@@ -25,8 +25,8 @@ int GatherTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInfor
 
 /// RequestUpdateExtent: asks for the whole of all inputs where piece 0 is requested, and for nothing elsewhere. A request
 /// to abort that came after the end of the last execution is forgotten.
-int AskForInputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
-  vtkInformationVector* outputs);
+int AskForInputs(
+  vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
 /// MakeOutputs of any type of function.
 int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkAlgorithm* algorithm,

@@ -42,8 +42,7 @@ std::string NameOfGuide(std::size_t guide, std::size_t guides, const std::string
   return guides == 1 ? "the " + kind : kind + " " + std::to_string(guide);
 }
 
-std::vector<GuideDataSet> DataSetsOf(
-  const std::vector<vtkDataObject*>& guides, const InputWords& words)
+std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides, const InputWords& words)
 {
   std::vector<GuideDataSet> datasets;
   const auto add = [&datasets](vtkDataObject* data, std::size_t guide, const std::string& name)
@@ -69,9 +68,8 @@ std::vector<GuideDataSet> DataSetsOf(
     }
     else if (!add(guides[guide], guide, name))
     {
-      throw InvalidInput(name + " is a " + guides[guide]->GetClassName() +
-        ", which is no dataset; connect " + words.Takes +
-        ", as Table To Points (vtkTableToPolyData) makes of a table");
+      throw InvalidInput(name + " is a " + guides[guide]->GetClassName() + ", which is no dataset; connect " +
+        words.Takes + ", as Table To Points (vtkTableToPolyData) makes of a table");
     }
   }
   return datasets;
@@ -104,16 +102,16 @@ Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point)
   const vtkIdType size = dataset.Data->GetNumberOfPoints();
   if (point < 0 || point >= size)
   {
-    throw InvalidInput("a cell of " + dataset.Name + " uses point " + std::to_string(point) +
-      ", and there are " + std::to_string(size) + " points; repair the source of the guide");
+    throw InvalidInput("a cell of " + dataset.Name + " uses point " + std::to_string(point) + ", and there are " +
+      std::to_string(size) + " points; repair the source of the guide");
   }
   Vector3 position;
   dataset.Data->GetPoint(point, position.data());
   if (!position.allFinite())
   {
     std::ostringstream message;
-    message << "point " << point << " of " << dataset.Name << " lies at (" << position.x() << ", "
-            << position.y() << ", " << position.z() << "); move the point or remove it";
+    message << "point " << point << " of " << dataset.Name << " lies at (" << position.x() << ", " << position.y()
+            << ", " << position.z() << "); move the point or remove it";
     throw InvalidInput(message.str());
   }
   return position;
@@ -126,20 +124,18 @@ double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset)
   {
     return 1.0;
   }
-  const double weight =
-    array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : std::nan("no value");
+  const double weight = array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : std::nan("no value");
   if (!(weight >= 0.0) || !std::isfinite(weight))
   {
-    throw InvalidInput("the weight of " + dataset.Name + ", in its field array '" + choice.Name +
-      "', is " + ShortText(weight) + "; make it a positive number, or take the guide out of Guides");
+    throw InvalidInput("the weight of " + dataset.Name + ", in its field array '" + choice.Name + "', is " +
+      ShortText(weight) + "; make it a positive number, or take the guide out of Guides");
   }
   return weight;
 }
 
 ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset)
 {
-  const auto own = [dataset](const ArrayChoice& choice)
-  { return HasArray(choice, dataset) ? choice : ArrayChoice(); };
+  const auto own = [dataset](const ArrayChoice& choice) { return HasArray(choice, dataset) ? choice : ArrayChoice(); };
   return { own(choices.Mask), own(choices.Vectors), own(choices.Weights) };
 }
 
@@ -153,9 +149,8 @@ void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataS
     const bool isMade = choice.IsMade() && choice.Name != "None"; // as menus say
     if (isMade && !datasets.empty() && std::none_of(datasets.begin(), datasets.end(), has))
     {
-      throw InvalidInput("array '" + choice.Name + "', chosen for the " + what +
-        " of the guides, is not among the " + kinds + " arrays of " +
-        (datasets.size() == 1 ? datasets[0].Name : std::string("any of them")) +
+      throw InvalidInput("array '" + choice.Name + "', chosen for the " + what + " of the guides, is not among the " +
+        kinds + " arrays of " + (datasets.size() == 1 ? datasets[0].Name : std::string("any of them")) +
         "; choose one of those, or none");
     }
   };
@@ -173,8 +168,7 @@ LineArrays::LineArrays(const ConstraintChoices& choices, const GuideDataSet& dat
 
 double LineArrays::Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const
 {
-  if (this->Mask.Array &&
-    (Value(this->Mask, cell, start) == 0.0 || Value(this->Mask, cell, end) == 0.0))
+  if (this->Mask.Array && (Value(this->Mask, cell, start) == 0.0 || Value(this->Mask, cell, end) == 0.0))
   {
     return 0.0;
   }
@@ -188,9 +182,8 @@ double LineArrays::Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const
     const double weight = Value(this->Weights, cell, point);
     if (!(weight >= 0.0) || !std::isfinite(weight))
     {
-      throw InvalidInput("the weight of cell " + std::to_string(cell) + " of " + this->Name +
-        ", at its point " + std::to_string(point) + ", is " + ShortText(weight) +
-        "; make it a positive number, or remove the line");
+      throw InvalidInput("the weight of cell " + std::to_string(cell) + " of " + this->Name + ", at its point " +
+        std::to_string(point) + ", is " + ShortText(weight) + "; make it a positive number, or remove the line");
     }
     mean += 0.5 * weight;
   }

@@ -16,13 +16,12 @@ struct GuideDataSet
 {
   vtkDataSet* Data;
   std::size_t Guide; ///< number of its connection
-  std::string Name; ///< for messages, as in "block 2 of guide 0"
+  std::string Name;  ///< for messages, as in "block 2 of guide 0"
 };
 
 /// How messages call guide \p guide of several.
 /// \param kind what it is, in place of a guide.
-std::string NameOfGuide(
-  std::size_t guide, std::size_t guides, const std::string& kind = "guide");
+std::string NameOfGuide(std::size_t guide, std::size_t guides, const std::string& kind = "guide");
 
 /// What an input takes, for messages.
 struct InputWords
@@ -33,8 +32,7 @@ struct InputWords
 
 /// All datasets with points.
 /// \throw InvalidInput a guide is neither a dataset nor composite.
-std::vector<GuideDataSet> DataSetsOf(
-  const std::vector<vtkDataObject*>& guides, const InputWords& words = {});
+std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides, const InputWords& words = {});
 
 bool IsLine(vtkDataSet* dataset, vtkIdType cell);
 bool HasLines(vtkDataSet* dataset);

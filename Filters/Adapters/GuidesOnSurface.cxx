@@ -41,8 +41,7 @@ bool IsPerpendicular(Complex tangential, const Vector3& direction)
 class Projection
 {
 public:
-  Projection(
-    const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context)
+  Projection(const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context)
     : Choices(guides.Choices)
     , Framed(surface.Framed)
     , Context(context)
@@ -61,8 +60,7 @@ public:
 
 private:
   void AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arrays);
-  void AddVector(
-    const Vector3& position, const Vector3& vector, double weight, const std::string& name);
+  void AddVector(const Vector3& position, const Vector3& vector, double weight, const std::string& name);
   void AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices);
 
   void AddSegment(const Vector3& start, const Vector3& end, const Vector3* vector, double weight);
@@ -123,8 +121,7 @@ void Projection::AddVectors(const GuideDataSet& dataset, const ConstraintArrays&
       const double weight = this->OfWhole * given.Weight;
       if (arrays.OnPoints)
       {
-        this->AddVector(
-          PositionOf(dataset, given.Element), given.Vector, weight, arrays.NameOf(given.Element));
+        this->AddVector(PositionOf(dataset, given.Element), given.Vector, weight, arrays.NameOf(given.Element));
         return;
       }
       dataset.Data->GetCellPoints(given.Element, points);
@@ -133,8 +130,8 @@ void Projection::AddVectors(const GuideDataSet& dataset, const ConstraintArrays&
       {
         for (vtkIdType i = 0; i + 1 < size; ++i)
         {
-          this->AddSegment(PositionOf(dataset, points->GetId(i)),
-            PositionOf(dataset, points->GetId(i + 1)), &given.Vector, weight);
+          this->AddSegment(
+            PositionOf(dataset, points->GetId(i)), PositionOf(dataset, points->GetId(i + 1)), &given.Vector, weight);
         }
       }
       else if (size > 0)
@@ -149,8 +146,7 @@ void Projection::AddVectors(const GuideDataSet& dataset, const ConstraintArrays&
     });
 }
 
-void Projection::AddVector(
-  const Vector3& position, const Vector3& vector, double weight, const std::string& name)
+void Projection::AddVector(const Vector3& position, const Vector3& vector, double weight, const std::string& name)
 {
   this->CountElement();
   GuidesReport& report = this->Result.Report;
@@ -199,8 +195,7 @@ void Projection::AddLines(const GuideDataSet& dataset, const ConstraintChoices& 
 }
 
 /// \param vector what the segment prescribes; null for its own direction, of unit length.
-void Projection::AddSegment(
-  const Vector3& start, const Vector3& end, const Vector3* vector, double weight)
+void Projection::AddSegment(const Vector3& start, const Vector3& end, const Vector3* vector, double weight)
 {
   this->CountElement();
   GuidesReport& report = this->Result.Report;
@@ -222,9 +217,8 @@ void Projection::AddSegment(
     }
     // A chord leans into the surface; that says nothing about how strong the field shall be.
     const double length = vector ? 1.0 : std::abs(tangential);
-    this->Result.Directions.push_back(
-      { part.Face, this->Framed.On.Faces.ToVector(part.Face, tangential / length),
-        weight * this->WeightsOfLines.OfLine(part.Face, part.Length) });
+    this->Result.Directions.push_back({ part.Face, this->Framed.On.Faces.ToVector(part.Face, tangential / length),
+      weight * this->WeightsOfLines.OfLine(part.Face, part.Length) });
     isTaken = true;
     report.Farthest = std::max(report.Farthest, part.Distance);
   }
@@ -301,8 +295,7 @@ std::vector<vtkDataObject*> DataOf(vtkInformationVector* port)
   return all;
 }
 
-GuidesOnSurface BringToSurface(
-  const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context)
+GuidesOnSurface BringToSurface(const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context)
 {
   const std::vector<GuideDataSet> datasets = DataSetsOf(guides.Data);
   if (datasets.empty())
@@ -321,11 +314,11 @@ GuidesOnSurface BringToSurface(
     if (!something)
     {
       const std::string vectors = NameOfVectors(datasets, guide);
-      throw InvalidInput(NameOfGuide(guide, guides.Data.size()) + (vectors.empty()
-        ? " has neither lines nor vectors to follow; add vectors to its points or cells, as "
-          "Calculator (vtkArrayCalculator) does, or take it out of Guides"
-        : " has no lines, and none of its arrays is marked as its vectors; choose '" + vectors +
-          "', for example, as Guide Directions, or take the guide out of Guides"));
+      throw InvalidInput(NameOfGuide(guide, guides.Data.size()) +
+        (vectors.empty() ? " has neither lines nor vectors to follow; add vectors to its points or cells, as "
+                           "Calculator (vtkArrayCalculator) does, or take it out of Guides"
+                         : " has no lines, and none of its arrays is marked as its vectors; choose '" + vectors +
+              "', for example, as Guide Directions, or take the guide out of Guides"));
     }
   }
   projection.Result.AreGiven = true;

@@ -32,17 +32,14 @@ std::vector<vtkDataObject*> DataOf(vtkInformationVector* port);
 /// line; a segment whose parts fare differently counts for each of them.
 struct GuidesReport
 {
-  long long Taken = 0; ///< prescribes some face
-  long long TooFar = 0; ///< farther from the surface than MaximumDistance
-  long long OnFarSide = 0; ///< SegmentPart::OnFarSide
-  long long Perpendicular = 0; ///< within 5 degrees of the normal of the surface
-  double Farthest = 0.0; ///< largest distance of what is taken, in the unit of the points
+  long long Taken = 0;          ///< prescribes some face
+  long long TooFar = 0;         ///< farther from the surface than MaximumDistance
+  long long OnFarSide = 0;      ///< SegmentPart::OnFarSide
+  long long Perpendicular = 0;  ///< within 5 degrees of the normal of the surface
+  double Farthest = 0.0;        ///< largest distance of what is taken, in the unit of the points
   double MaximumDistance = 0.0; ///< in the unit of the points
 
-  bool IsAllTaken() const
-  {
-    return this->TooFar == 0 && this->OnFarSide == 0 && this->Perpendicular == 0;
-  }
+  bool IsAllTaken() const { return this->TooFar == 0 && this->OnFarSide == 0 && this->Perpendicular == 0; }
   /// What was left out, why, and what helps, in one sentence; empty where all was taken.
   std::string LeftOut() const;
 };
@@ -60,8 +57,7 @@ struct GuidesOnSurface
 /// a cell that is zero in the mask; a weight that is negative or not finite.
 /// \throw Cancelled
 /// Checkpoints: every hundred elements. Cost: logarithmic time for each vector, each face that a line touches, and each mean edge of its length.
-GuidesOnSurface BringToSurface(
-  const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context);
+GuidesOnSurface BringToSurface(const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context);
 
 /// Adds the report to \p fieldData.
 void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData);

@@ -41,8 +41,7 @@ void VisitPoints(vtkPoints* points, Visitor&& visit)
   {
     for (vtkIdType i = 0; i < size; ++i, xyz += 3)
     {
-      visit(
-        i, static_cast<double>(xyz[0]), static_cast<double>(xyz[1]), static_cast<double>(xyz[2]));
+      visit(i, static_cast<double>(xyz[0]), static_cast<double>(xyz[1]), static_cast<double>(xyz[2]));
     }
   };
   vtkDataArray* const array = points->GetData();
@@ -102,8 +101,8 @@ public:
   std::string Hexadecimal() const
   {
     char text[33];
-    std::snprintf(text, sizeof(text), "%016llx%016llx",
-      static_cast<unsigned long long>(this->First), static_cast<unsigned long long>(this->Second));
+    std::snprintf(text, sizeof(text), "%016llx%016llx", static_cast<unsigned long long>(this->First),
+      static_cast<unsigned long long>(this->Second));
     return text;
   }
 
@@ -121,9 +120,9 @@ std::string Cell(vtkIdType id)
 struct GivenTriangles
 {
   Points Positions;
-  Triangles Corners; ///< rows of Positions
+  Triangles Corners;               ///< rows of Positions
   std::vector<vtkIdType> PointIds; ///< of these rows, ascending
-  std::vector<int> Vertices; ///< row of every point, -1 for none
+  std::vector<int> Vertices;       ///< row of every point, -1 for none
 };
 
 GivenTriangles ReadTriangles(vtkPolyData* surface, vtkIdType firstCell)
@@ -138,16 +137,15 @@ GivenTriangles ReadTriangles(vtkPolyData* surface, vtkIdType firstCell)
     {
       if (size != 3)
       {
-        throw InvalidInput(Cell(firstCell + face) + " is not a triangle, it has " +
-          std::to_string(size) + " points; apply Triangulate (vtkTriangleFilter) first");
+        throw InvalidInput(Cell(firstCell + face) + " is not a triangle, it has " + std::to_string(size) +
+          " points; apply Triangulate (vtkTriangleFilter) first");
       }
       for (int k = 0; k < 3; ++k)
       {
         if (points[k] < 0 || points[k] >= static_cast<vtkIdType>(vertices.size()))
         {
           throw InvalidInput(Cell(firstCell + face) + " uses point " + std::to_string(points[k]) +
-            ", and the surface has " + std::to_string(vertices.size()) +
-            " points; repair the source of the surface");
+            ", and the surface has " + std::to_string(vertices.size()) + " points; repair the source of the surface");
         }
         vertices[points[k]] = 0;
         given.Corners(face, k) = static_cast<int>(points[k]);
@@ -178,8 +176,7 @@ GivenTriangles ReadTriangles(vtkPolyData* surface, vtkIdType firstCell)
   return given;
 }
 
-ElementNames NamesOf(
-  const std::vector<vtkIdType>& points, const std::vector<int>& polygons, vtkIdType firstCell)
+ElementNames NamesOf(const std::vector<vtkIdType>& points, const std::vector<int>& polygons, vtkIdType firstCell)
 {
   ElementNames names;
   names.Vertices.assign(points.begin(), points.end());
@@ -190,19 +187,20 @@ ElementNames NamesOf(
 }
 
 /// The edges in ascending order of their (smaller, larger) point.
-std::vector<int> EdgesByPoints(const TriangleMesh& mesh, const std::vector<int>& vertexRanks,
-  const ExecutionContext& context)
+std::vector<int> EdgesByPoints(
+  const TriangleMesh& mesh, const std::vector<int>& vertexRanks, const ExecutionContext& context)
 {
   const ItemsByPair byPoints = SortByPair(
     mesh.NumberOfEdges(), mesh.NumberOfVertices(),
-    [&mesh, &vertexRanks](int edge) -> std::pair<int, int> {
+    [&mesh, &vertexRanks](int edge) -> std::pair<int, int>
+    {
       const auto [a, b] = mesh.EdgeVertices(edge);
       return std::minmax({ vertexRanks[a], vertexRanks[b] });
     },
     context);
   std::vector<int> edges(byPoints.Items.size());
-  std::transform(byPoints.Items.begin(), byPoints.Items.end(), edges.begin(),
-    [](const ItemOfPair& edge) { return edge.Item; });
+  std::transform(
+    byPoints.Items.begin(), byPoints.Items.end(), edges.begin(), [](const ItemOfPair& edge) { return edge.Item; });
   return edges;
 }
 
@@ -227,8 +225,7 @@ void CheckArea(const TriangleMesh& mesh)
                      "flattened the surface, or take another");
 }
 
-SurfaceMesh InSpatialOrder(
-  const GivenTriangles& given, vtkIdType firstCell, const ExecutionContext& context)
+SurfaceMesh InSpatialOrder(const GivenTriangles& given, vtkIdType firstCell, const ExecutionContext& context)
 {
   const SpatialOrder order(given.Positions, given.Corners, context);
   TriangleMesh mesh = order.Apply(given.Positions, given.Corners, context);
@@ -236,34 +233,34 @@ SurfaceMesh InSpatialOrder(
   std::vector<vtkIdType> points(ranks.size());
   std::vector<int> vertices(given.Vertices.size());
   constexpr int Grain = 8192;
-  context.ParallelFor(0, static_cast<int>(vertices.size()), Grain, [&](int first, int last) {
-    for (int point = first; point < last; ++point)
+  context.ParallelFor(0, static_cast<int>(vertices.size()), Grain,
+    [&](int first, int last)
     {
-      const int row = given.Vertices[point];
-      vertices[point] = row < 0 ? -1 : ranks[row];
-      if (row >= 0)
+      for (int point = first; point < last; ++point)
       {
-        points[ranks[row]] = point;
+        const int row = given.Vertices[point];
+        vertices[point] = row < 0 ? -1 : ranks[row];
+        if (row >= 0)
+        {
+          points[ranks[row]] = point;
+        }
       }
-    }
-  });
+    });
   CheckArea(mesh);
   std::vector<int> edges = EdgesByPoints(mesh, order.Vertices(), context);
-  return { { firstCell, order.Faces(), Inverse(order.Faces(), context), std::move(points),
-             std::move(vertices), std::move(edges) },
+  return { { firstCell, order.Faces(), Inverse(order.Faces(), context), std::move(points), std::move(vertices),
+             std::move(edges) },
     std::move(mesh) };
 }
 
-SurfaceMesh AsGiven(
-  GivenTriangles given, vtkIdType firstCell, const ExecutionContext& context)
+SurfaceMesh AsGiven(GivenTriangles given, vtkIdType firstCell, const ExecutionContext& context)
 {
   const std::vector<int> polygons = Identity(static_cast<int>(given.Corners.rows()));
   const ElementNames names = NamesOf(given.PointIds, polygons, firstCell);
   TriangleMesh mesh(std::move(given.Positions), std::move(given.Corners), names, context);
   CheckArea(mesh);
   std::vector<int> edges = Identity(mesh.NumberOfEdges());
-  return { { firstCell, polygons, polygons, std::move(given.PointIds), std::move(given.Vertices),
-             std::move(edges) },
+  return { { firstCell, polygons, polygons, std::move(given.PointIds), std::move(given.Vertices), std::move(edges) },
     std::move(mesh) };
 }
 
@@ -274,8 +271,7 @@ ElementNames SurfaceNumbering::Names() const
   return NamesOf(this->Points, this->Polygons, this->FirstCell);
 }
 
-SurfaceMesh MeshFromPolyData(
-  vtkPolyData* surface, Numbering numbering, const ExecutionContext& context)
+SurfaceMesh MeshFromPolyData(vtkPolyData* surface, Numbering numbering, const ExecutionContext& context)
 {
   const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
   const vtkIdType numberOfFaces = surface->GetNumberOfPolys();
@@ -290,12 +286,10 @@ SurfaceMesh MeshFromPolyData(
     throw InvalidInput("the surface has no triangles; connect another, or the dataset that it was made of, through "
                        "Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter)");
   }
-  if (std::max({ numberOfPoints, surface->GetNumberOfCells(), 3 * numberOfFaces }) >
-    std::numeric_limits<int>::max())
+  if (std::max({ numberOfPoints, surface->GetNumberOfCells(), 3 * numberOfFaces }) > std::numeric_limits<int>::max())
   {
     throw InvalidInput("the surface has " + std::to_string(numberOfFaces) + " triangles, at most " +
-      std::to_string(std::numeric_limits<int>::max() / 3) +
-      " can be numbered; apply Decimate (vtkDecimatePro) first");
+      std::to_string(std::numeric_limits<int>::max() / 3) + " can be numbered; apply Decimate (vtkDecimatePro) first");
   }
 
   GivenTriangles given = ReadTriangles(surface, firstCell);

@@ -72,8 +72,7 @@ struct FramedSurface
 /// \throw InvalidInput no triangles, a polygon that is not a triangle, triangle strips, too many
 /// for 32-bit numbers, and what MeshChecks.h refuses; messages name cells and points of the \p
 /// surface, the first in its order. Cost: linear.
-SurfaceMesh MeshFromPolyData(
-  vtkPolyData* surface, Numbering numbering, const ExecutionContext& context);
+SurfaceMesh MeshFromPolyData(vtkPolyData* surface, Numbering numbering, const ExecutionContext& context);
 
 /// The way back: a new vtkPolyData with the mesh's vertices and faces.
 vtkSmartPointer<vtkPolyData> PolyDataFromMesh(const TriangleMesh& mesh);

@@ -49,8 +49,8 @@ std::array<double, NumberOfOptions> NumbersOf(const OperatorsOrigin& origin)
 // ------------------------------------------------------------------------------------------
 
 template <class ArrayType, class Value>
-void AddValues(vtkFieldData* fieldData, const std::string& name, const Value* values,
-  std::size_t tuples, int components = 1)
+void AddValues(
+  vtkFieldData* fieldData, const std::string& name, const Value* values, std::size_t tuples, int components = 1)
 {
   vtkNew<ArrayType> array;
   array->SetNumberOfComponents(components);
@@ -71,13 +71,12 @@ constexpr int Components(Complex)
 }
 
 template <class Scalar>
-void AddOperator(
-  vtkFieldData* fieldData, const std::string& name, int level, const SparseMatrix<Scalar>& matrix)
+void AddOperator(vtkFieldData* fieldData, const std::string& name, int level, const SparseMatrix<Scalar>& matrix)
 {
-  AddValues<vtkIntArray>(fieldData, ArrayNames::Prolongation(name, level, "Offsets"),
-    matrix.outerIndexPtr(), matrix.rows() + 1);
-  AddValues<vtkIntArray>(fieldData, ArrayNames::Prolongation(name, level, "Columns"),
-    matrix.innerIndexPtr(), matrix.nonZeros());
+  AddValues<vtkIntArray>(
+    fieldData, ArrayNames::Prolongation(name, level, "Offsets"), matrix.outerIndexPtr(), matrix.rows() + 1);
+  AddValues<vtkIntArray>(
+    fieldData, ArrayNames::Prolongation(name, level, "Columns"), matrix.innerIndexPtr(), matrix.nonZeros());
   AddValues<vtkDoubleArray>(fieldData, ArrayNames::Prolongation(name, level, "Values"),
     reinterpret_cast<const double*>(matrix.valuePtr()), matrix.nonZeros(), Components(Scalar()));
 }
@@ -114,8 +113,7 @@ struct Pattern
   std::vector<int> Columns;
 };
 
-Pattern ReadPattern(
-  vtkFieldData* fieldData, const std::string& name, int level, int rows, int columns)
+Pattern ReadPattern(vtkFieldData* fieldData, const std::string& name, int level, int rows, int columns)
 {
   const std::string offsetsName = ArrayNames::Prolongation(name, level, "Offsets");
   const std::string columnsName = ArrayNames::Prolongation(name, level, "Columns");
@@ -124,8 +122,7 @@ Pattern ReadPattern(
   if (offsets->GetNumberOfValues() != static_cast<vtkIdType>(rows) + 1)
   {
     Refuse(offsetsName,
-      "has " + std::to_string(offsets->GetNumberOfValues()) + " entries for " +
-        std::to_string(rows) + " rows");
+      "has " + std::to_string(offsets->GetNumberOfValues()) + " entries for " + std::to_string(rows) + " rows");
   }
   Pattern pattern;
   pattern.Offsets.assign(offsets->GetPointer(0), offsets->GetPointer(0) + rows + 1);
@@ -133,11 +130,9 @@ Pattern ReadPattern(
     !std::is_sorted(pattern.Offsets.begin(), pattern.Offsets.end()))
   {
     Refuse(offsetsName,
-      "does not rise from 0 to the " + std::to_string(indices->GetNumberOfValues()) +
-        " columns that are stored");
+      "does not rise from 0 to the " + std::to_string(indices->GetNumberOfValues()) + " columns that are stored");
   }
-  pattern.Columns.assign(
-    indices->GetPointer(0), indices->GetPointer(0) + indices->GetNumberOfValues());
+  pattern.Columns.assign(indices->GetPointer(0), indices->GetPointer(0) + indices->GetNumberOfValues());
   for (int row = 0; row < rows; ++row)
   {
     int previous = -1;
@@ -162,16 +157,16 @@ enum class ValueKind
 };
 
 template <class Scalar>
-const Scalar* ReadValues(vtkFieldData* fieldData, const std::string& name, int level,
-  const Pattern& pattern, ValueKind kind)
+const Scalar* ReadValues(
+  vtkFieldData* fieldData, const std::string& name, int level, const Pattern& pattern, ValueKind kind)
 {
   const std::string valuesName = ArrayNames::Prolongation(name, level, "Values");
   auto* const array = Find<vtkDoubleArray>(fieldData, valuesName, Components(Scalar()));
   if (array->GetNumberOfTuples() != static_cast<vtkIdType>(pattern.Columns.size()))
   {
     Refuse(valuesName,
-      "has " + std::to_string(array->GetNumberOfTuples()) + " entries for " +
-        std::to_string(pattern.Columns.size()) + " columns");
+      "has " + std::to_string(array->GetNumberOfTuples()) + " entries for " + std::to_string(pattern.Columns.size()) +
+        " columns");
   }
   const Scalar* const values = reinterpret_cast<const Scalar*>(array->GetPointer(0));
   // Generous, so that operators that went through a text format pass.
@@ -196,21 +191,19 @@ const Scalar* ReadValues(vtkFieldData* fieldData, const std::string& name, int l
 }
 
 template <class Scalar>
-SparseMatrix<Scalar> ReadOperator(vtkFieldData* fieldData, const std::string& name, int level,
-  int rows, int columns, ValueKind kind = ValueKind::Weights)
+SparseMatrix<Scalar> ReadOperator(vtkFieldData* fieldData, const std::string& name, int level, int rows, int columns,
+  ValueKind kind = ValueKind::Weights)
 {
   const Pattern pattern = ReadPattern(fieldData, name, level, rows, columns);
-  return Eigen::Map<const SparseMatrix<Scalar>>(rows, columns,
-    static_cast<int>(pattern.Columns.size()), pattern.Offsets.data(), pattern.Columns.data(),
-    ReadValues<Scalar>(fieldData, name, level, pattern, kind));
+  return Eigen::Map<const SparseMatrix<Scalar>>(rows, columns, static_cast<int>(pattern.Columns.size()),
+    pattern.Offsets.data(), pattern.Columns.data(), ReadValues<Scalar>(fieldData, name, level, pattern, kind));
 }
 
 std::vector<int> ReadSizes(vtkFieldData* fieldData, const std::string& name, int finest)
 {
   auto* const array = Find<vtkIntArray>(fieldData, name);
   std::vector<int> sizes(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues());
-  if (sizes.empty() || sizes.front() != finest || !std::is_sorted(sizes.rbegin(), sizes.rend()) ||
-    sizes.back() < 1)
+  if (sizes.empty() || sizes.front() != finest || !std::is_sorted(sizes.rbegin(), sizes.rend()) || sizes.back() < 1)
   {
     Refuse(name, "does not descend from the size of the surface, " + std::to_string(finest));
   }
@@ -233,8 +226,7 @@ void OperatorsToFieldData(
   digest->InsertNextValue(origin.Digest);
   digest->SetName(ArrayNames::ProlongationDigest);
   AddHidden(fieldData, digest);
-  AddValues<vtkDoubleArray>(
-    fieldData, ArrayNames::ProlongationOptions, NumbersOf(origin).data(), NumberOfOptions);
+  AddValues<vtkDoubleArray>(fieldData, ArrayNames::ProlongationOptions, NumbersOf(origin).data(), NumberOfOptions);
   const auto addSizes = [fieldData](const char* name, const std::vector<int>& sizes)
   { AddValues<vtkIntArray>(fieldData, name, sizes.data(), sizes.size()); };
   addSizes(ArrayNames::NumbersOfVertices, operators.NumbersOfVertices);
@@ -280,8 +272,7 @@ std::optional<OperatorsOrigin> OperatorsOriginOf(vtkFieldData* fieldData)
   auto* const format = Find<vtkIntArray>(fieldData, ArrayNames::ProlongationFormat);
   if (format->GetNumberOfValues() != 1 || format->GetValue(0) != CurrentFormat)
   {
-    Refuse(ArrayNames::ProlongationFormat,
-      "is not " + std::to_string(CurrentFormat) + ", the format of this version");
+    Refuse(ArrayNames::ProlongationFormat, "is not " + std::to_string(CurrentFormat) + ", the format of this version");
   }
   auto* const digest = Find<vtkStringArray>(fieldData, ArrayNames::ProlongationDigest);
   if (digest->GetNumberOfValues() != 1)
@@ -294,8 +285,7 @@ std::optional<OperatorsOrigin> OperatorsOriginOf(vtkFieldData* fieldData)
       [](double value) { return value >= 0.0 && value <= std::numeric_limits<int>::max(); });
   if (!areOptions)
   {
-    Refuse(ArrayNames::ProlongationOptions,
-      "does not hold " + std::to_string(NumberOfOptions) + " options");
+    Refuse(ArrayNames::ProlongationOptions, "does not hold " + std::to_string(NumberOfOptions) + " options");
   }
   OperatorsOrigin origin;
   origin.Digest = digest->GetValue(0);
@@ -303,8 +293,7 @@ std::optional<OperatorsOrigin> OperatorsOriginOf(vtkFieldData* fieldData)
   origin.Options.MaximumNumberOfCoarseLevels = static_cast<int>(options->GetValue(1));
   origin.Options.MinimumNumberOfFaces = static_cast<int>(options->GetValue(2));
   origin.Options.Policy = static_cast<CollapsePolicy>(static_cast<int>(options->GetValue(3)));
-  origin.Options.Construction =
-    static_cast<ProlongationConstruction>(static_cast<int>(options->GetValue(4)));
+  origin.Options.Construction = static_cast<ProlongationConstruction>(static_cast<int>(options->GetValue(4)));
   origin.Selection.PowerFields = options->GetValue(5) != 0.0;
   origin.Selection.FaceFields = options->GetValue(6) != 0.0;
   origin.Selection.OneForms = options->GetValue(7) != 0.0;
@@ -315,12 +304,9 @@ ProlongationOperators OperatorsFromFieldData(vtkFieldData* fieldData, const Tria
 {
   const OperatorSelection selection = OperatorsOriginOf(fieldData).value().Selection;
   ProlongationOperators operators;
-  operators.NumbersOfVertices =
-    ReadSizes(fieldData, ArrayNames::NumbersOfVertices, mesh.NumberOfVertices());
-  operators.NumbersOfEdges =
-    ReadSizes(fieldData, ArrayNames::NumbersOfEdges, mesh.NumberOfEdges());
-  operators.NumbersOfFaces =
-    ReadSizes(fieldData, ArrayNames::NumbersOfFaces, mesh.NumberOfFaces());
+  operators.NumbersOfVertices = ReadSizes(fieldData, ArrayNames::NumbersOfVertices, mesh.NumberOfVertices());
+  operators.NumbersOfEdges = ReadSizes(fieldData, ArrayNames::NumbersOfEdges, mesh.NumberOfEdges());
+  operators.NumbersOfFaces = ReadSizes(fieldData, ArrayNames::NumbersOfFaces, mesh.NumberOfFaces());
   const std::vector<int>& vertices = operators.NumbersOfVertices;
   const std::vector<int>& edges = operators.NumbersOfEdges;
   const std::vector<int>& faces = operators.NumbersOfFaces;
@@ -334,24 +320,21 @@ ProlongationOperators OperatorsFromFieldData(vtkFieldData* fieldData, const Tria
   }
   for (int l = 0; l + 1 < operators.NumberOfLevels(); ++l)
   {
-    operators.S0.push_back(
-      ReadOperator<double>(fieldData, "S0", l, vertices[l], vertices[l + 1]));
+    operators.S0.push_back(ReadOperator<double>(fieldData, "S0", l, vertices[l], vertices[l + 1]));
     if (selection.OneForms)
     {
-      operators.S1.push_back(
-        ReadOperator<double>(fieldData, "S1", l, edges[l], edges[l + 1], ValueKind::Any));
+      operators.S1.push_back(ReadOperator<double>(fieldData, "S1", l, edges[l], edges[l + 1], ValueKind::Any));
     }
     if (selection.FaceFields)
     {
-      operators.SX.push_back(
-        ReadOperator<double>(fieldData, "SX", l, 2 * faces[l], 2 * faces[l + 1], ValueKind::Any));
+      operators.SX.push_back(ReadOperator<double>(fieldData, "SX", l, 2 * faces[l], 2 * faces[l + 1], ValueKind::Any));
     }
     if (selection.PowerFields)
     {
       operators.SP.push_back(ReadOperator<Complex>(fieldData, "SP", l, faces[l], faces[l + 1]));
     }
-    operators.Nodal.push_back(ReadOperator<Complex>(
-      fieldData, "Nodal", l, l == 0 ? faces[0] : vertices[l], vertices[l + 1]));
+    operators.Nodal.push_back(
+      ReadOperator<Complex>(fieldData, "Nodal", l, l == 0 ? faces[0] : vertices[l], vertices[l + 1]));
   }
   return operators;
 }

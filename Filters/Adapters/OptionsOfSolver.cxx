@@ -49,9 +49,8 @@ FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter)
   FieldOptions options;
   options.Field.Kind = static_cast<DiscretisationKind>(filter->GetDiscretisation());
   options.Field.N = filter->GetNumberOfDirections();
-  options.Field.Areas = filter->GetVertexAreas() == vtkHarmonicFieldSolver::MixedVoronoi
-    ? VertexAreas::MixedVoronoi
-    : VertexAreas::Barycentric;
+  options.Field.Areas = filter->GetVertexAreas() == vtkHarmonicFieldSolver::MixedVoronoi ? VertexAreas::MixedVoronoi
+                                                                                         : VertexAreas::Barycentric;
   options.Alignment = filter->GetAlignment();
   options.Constraints = static_cast<ConstraintKind>(filter->GetConstraintType());
   options.CoarseSpace = static_cast<CoarseSpaceKind>(filter->GetCoarseSpace());

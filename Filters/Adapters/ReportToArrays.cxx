@@ -72,8 +72,9 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
 
 void RemoveReport(vtkFieldData* fieldData)
 {
-  for (const char* const name : { ArrayNames::Eigenvalues, ArrayNames::HarmonicBasisSize, ArrayNames::GuidesTaken,
-         ArrayNames::GuidesTooFar, ArrayNames::GuidesOnFarSide, ArrayNames::GuidesPerpendicular, ArrayNames::GuidesFarthest })
+  for (const char* const name :
+    { ArrayNames::Eigenvalues, ArrayNames::HarmonicBasisSize, ArrayNames::GuidesTaken, ArrayNames::GuidesTooFar,
+      ArrayNames::GuidesOnFarSide, ArrayNames::GuidesPerpendicular, ArrayNames::GuidesFarthest })
   {
     fieldData->RemoveArray(name);
   }
@@ -101,8 +102,7 @@ void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldDa
   AddValue<vtkDoubleArray>(fieldData, ArrayNames::SolverBytes, static_cast<double>(report.Bytes));
   if (!report.Eigenvalues.empty())
   {
-    const auto eigenvalues = NewArray(
-      ArrayNames::Eigenvalues, 1, static_cast<vtkIdType>(report.Eigenvalues.size()));
+    const auto eigenvalues = NewArray(ArrayNames::Eigenvalues, 1, static_cast<vtkIdType>(report.Eigenvalues.size()));
     std::copy(report.Eigenvalues.begin(), report.Eigenvalues.end(), eigenvalues->GetPointer(0));
     AddHidden(fieldData, eigenvalues);
   }

@@ -118,8 +118,7 @@ NearestPlace NearestPlaces::operator()(const Vector3& position) const
       this->Locator->SetDataSet(PolyDataFromMesh(this->Framed.On.Mesh)); // not the input, whose points may be changed
       this->Locator->BuildLocator();
     }
-    this->Locator->FindClosestPoint(
-      position.data(), place.Position.data(), this->Cell, face, subId, squaredDistance);
+    this->Locator->FindClosestPoint(position.data(), place.Position.data(), this->Cell, face, subId, squaredDistance);
     if (face >= 0)
     {
       place.Face = static_cast<int>(face);
@@ -210,16 +209,15 @@ std::vector<SegmentPart> SegmentOnSurface::PartsOf(const Vector3& start, const V
   return parts;
 }
 
-void SegmentOnSurface::Split(const Segment& segment, const Sample& a, const Sample& b, int depth,
-  std::vector<SegmentPart>& parts) const
+void SegmentOnSurface::Split(
+  const Segment& segment, const Sample& a, const Sample& b, int depth, std::vector<SegmentPart>& parts) const
 {
   const double length = (b.Parameter - a.Parameter) * segment.Length;
   const double nearer = std::min(a.Place.Distance, b.Place.Distance);
   const bool isStep = length <= std::max(this->Nearest.MeanEdge, 0.5 * nearer) || depth >= MaximumDepth;
   if (isStep)
   {
-    const bool isWhole =
-      this->FaceOf(a) == this->FaceOf(b) || length <= segment.Smallest || depth >= MaximumDepth;
+    const bool isWhole = this->FaceOf(a) == this->FaceOf(b) || length <= segment.Smallest || depth >= MaximumDepth;
     const double crossing = isWhole ? 0.5 : this->Crossing(segment, a, b);
     if (crossing >= 0.0)
     {
@@ -229,8 +227,7 @@ void SegmentOnSurface::Split(const Segment& segment, const Sample& a, const Samp
     }
   }
   const double parameter = 0.5 * (a.Parameter + b.Parameter);
-  const Sample middle =
-    isStep ? this->Between(segment, a, b, parameter) : this->At(segment, parameter);
+  const Sample middle = isStep ? this->Between(segment, a, b, parameter) : this->At(segment, parameter);
   this->Split(segment, a, middle, depth + 1, parts);
   this->Split(segment, middle, b, depth + 1, parts);
 }
@@ -273,8 +270,7 @@ double SegmentOnSurface::Crossing(const Segment& segment, const Sample& a, const
 }
 
 /// Adds a part, or lengthens the last one if that is of the same face.
-void SegmentOnSurface::Append(
-  std::vector<SegmentPart>& parts, const Sample& sample, double length) const
+void SegmentOnSurface::Append(std::vector<SegmentPart>& parts, const Sample& sample, double length) const
 {
   const int face = this->FaceOf(sample);
   if (parts.empty() || parts.back().Face != face)
@@ -319,8 +315,8 @@ Vector3 SegmentOnSurface::NormalOf(const std::array<int, 2>& faces) const
 }
 
 /// Leaves out small parts, shares those along an edge among its two faces, and marks those on the far side of a wall.
-std::vector<SegmentPart> SegmentOnSurface::OnSides(const Segment& segment, const Sample& first,
-  const Sample& last, const std::vector<SegmentPart>& parts) const
+std::vector<SegmentPart> SegmentOnSurface::OnSides(
+  const Segment& segment, const Sample& first, const Sample& last, const std::vector<SegmentPart>& parts) const
 {
   const auto normalAt = [&](const Sample& end, double parameter)
   {

@@ -41,7 +41,7 @@ public:
   NearestPlace From(int face, const Vector3& position) const;
 
   const FramedSurface Framed;
-  const double Size;     ///< diagonal of the bounding box
+  const double Size; ///< diagonal of the bounding box
   const double MeanEdge;
 
 private:
@@ -55,7 +55,7 @@ struct SegmentPart
   enum Kinds
   {
     OnSurface,
-    TooFar, ///< farther than the maximum distance; Face is -1
+    TooFar,    ///< farther than the maximum distance; Face is -1
     OnFarSide, ///< nearest to a face that is turned away from those at the ends of the segment
   };
   Kinds Kind;
@@ -97,14 +97,14 @@ private:
   Sample At(const Segment& segment, double parameter) const;
   Sample Between(const Segment& segment, const Sample& a, const Sample& b, double parameter) const;
   int FaceOf(const Sample& sample) const; ///< -1 where it is too far
-  void Split(const Segment& segment, const Sample& a, const Sample& b, int depth,
-    std::vector<SegmentPart>& parts) const;
+  void Split(
+    const Segment& segment, const Sample& a, const Sample& b, int depth, std::vector<SegmentPart>& parts) const;
   double Crossing(const Segment& segment, const Sample& a, const Sample& b) const;
   void Append(std::vector<SegmentPart>& parts, const Sample& sample, double length) const;
   std::array<int, 2> FacesAt(int face, const Vector3& position) const;
   Vector3 NormalOf(const std::array<int, 2>& faces) const;
-  std::vector<SegmentPart> OnSides(const Segment& segment, const Sample& first, const Sample& last,
-    const std::vector<SegmentPart>& parts) const;
+  std::vector<SegmentPart> OnSides(
+    const Segment& segment, const Sample& first, const Sample& last, const std::vector<SegmentPart>& parts) const;
 
   const NearestPlaces& Nearest;
   double MaximumDistance;

@@ -71,22 +71,21 @@ vtkDataArray* IndicesOf(const GuideDataSet& dataset, const std::string& chosen)
   if (array && array->GetNumberOfTuples() < dataset.Data->GetNumberOfPoints())
   {
     throw InvalidInput("array '" + name + "' of the points of " + dataset.Name + " has " +
-      std::to_string(array->GetNumberOfTuples()) + " tuples for " +
-      std::to_string(dataset.Data->GetNumberOfPoints()) + " points; have its source write one for each");
+      std::to_string(array->GetNumberOfTuples()) + " tuples for " + std::to_string(dataset.Data->GetNumberOfPoints()) +
+      " points; have its source write one for each");
   }
   return array;
 }
 
 /// The corner inside of the nearest face that is nearest.
-int VertexAt(
-  const NearestPlaces& nearest, const Vector3& position, double limit, const std::string& name)
+int VertexAt(const NearestPlaces& nearest, const Vector3& position, double limit, const std::string& name)
 {
   const TriangleMesh& mesh = nearest.Framed.On.Mesh;
   const NearestPlace place = nearest(position);
   if (place.Face < 0 || place.Distance > limit)
   {
-    throw InvalidInput(name + " is farther from the surface than " + ShortText(limit) +
-      "; move it nearer, or raise Maximum Distance");
+    throw InvalidInput(
+      name + " is farther from the surface than " + ShortText(limit) + "; move it nearer, or raise Maximum Distance");
   }
   int vertex = -1;
   double least = std::numeric_limits<double>::infinity();
@@ -102,7 +101,8 @@ int VertexAt(
   }
   if (vertex < 0)
   {
-    throw InvalidInput(name + " is nearest to a triangle that has no point inside the surface; move it away from "
+    throw InvalidInput(name +
+      " is nearest to a triangle that has no point inside the surface; move it away from "
       "the boundary, or leave it out: what the others leave over comes to the boundary by itself");
   }
   return vertex;
@@ -127,8 +127,7 @@ std::vector<PrescribedSingularity> BringToSurface(
     for (const auto& [point, numberOfPoints, sum] : SingularitiesOf(dataset))
     {
       const std::string name = "point " + std::to_string(point) + " of " + dataset.Name;
-      const int times =
-        indices ? TimesOfIndex(indices->GetComponent(point, 0), N, name) : 1;
+      const int times = indices ? TimesOfIndex(indices->GetComponent(point, 0), N, name) : 1;
       if (times != 0)
       {
         prescribed.push_back({ VertexAt(surface, sum / numberOfPoints, limit, name), times });

@@ -24,8 +24,7 @@ double SecondsSince(Clock::time_point start)
 
 }
 
-void SolvedSurface::SetSurface(
-  vtkPolyData* input, const FieldOptions& options, const ExecutionContext& context)
+void SolvedSurface::SetSurface(vtkPolyData* input, const FieldOptions& options, const ExecutionContext& context)
 {
   const std::string digest = ContentDigest(input);
   const auto stored = WantsDecimation(options) ? OperatorsOriginOf(input->GetFieldData()) : std::nullopt;
@@ -33,8 +32,8 @@ void SolvedSurface::SetSurface(
   {
     throw InvalidInput("the surface is another than the one its operators were built for "
                        "(field array '" +
-      std::string(ArrayNames::ProlongationDigest) + "' says " + stored->Digest +
-      ", the points and triangles give " + digest +
+      std::string(ArrayNames::ProlongationDigest) + "' says " + stored->Digest + ", the points and triangles give " +
+      digest +
       "); apply Directional Prolongation (vtkDirectionalProlongation) after the last filter that changes the surface");
   }
   // Operators that are stored number the elements as the input does.
@@ -66,8 +65,7 @@ void SolvedSurface::SetSurface(
 }
 
 /// Those that the input brings along.
-std::shared_ptr<const ProlongationOperators> SolvedSurface::Operators(
-  vtkPolyData* input, const OperatorsOrigin& origin)
+std::shared_ptr<const ProlongationOperators> SolvedSurface::Operators(vtkPolyData* input, const OperatorsOrigin& origin)
 {
   for (const auto& [known, operators] : this->Read)
   {
@@ -86,8 +84,7 @@ std::shared_ptr<const ProlongationOperators> SolvedSurface::Operators(
   return this->Read.back().second;
 }
 
-std::vector<std::string> SolvedSurface::Update(
-  SolvedField& solver, const std::function<void()>& solve)
+std::vector<std::string> SolvedSurface::Update(SolvedField& solver, const std::function<void()>& solve)
 {
   const SolvedField* const former = std::exchange(this->Solved, nullptr);
   const int solves = solver.Counts().Solves;
@@ -106,56 +103,50 @@ const PrincipalCurvatures& SolvedSurface::Curvatures(double scale, const Executi
 {
   if (!this->CurvaturesAtScale || this->CurvaturesAtScale->first != scale)
   {
-    this->CurvaturesAtScale.emplace(
-      scale, FindPrincipalDirections(this->Solver->Surface(), scale, context).Faces);
+    this->CurvaturesAtScale.emplace(scale, FindPrincipalDirections(this->Solver->Surface(), scale, context).Faces);
   }
   return this->CurvaturesAtScale->second;
 }
 
-std::vector<std::string> SolvedSurface::Solve(const PrescribedDirections& directions,
-  const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context)
+std::vector<std::string> SolvedSurface::Solve(const PrescribedDirections& directions, const FieldOptions& options,
+  const StoppingCriteria& stop, const ExecutionContext& context)
 {
-  return this->Update(*this->Solver,
-    [&] { this->Solver->Solve(directions, options, stop, context, this->Numbers.Names()); });
+  return this->Update(
+    *this->Solver, [&] { this->Solver->Solve(directions, options, stop, context, this->Numbers.Names()); });
 }
 
-std::vector<std::string> SolvedSurface::Solve(
-  const std::vector<PrescribedSingularity>& singularities, const PrescribedDirections& directions,
-  const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context)
+std::vector<std::string> SolvedSurface::Solve(const std::vector<PrescribedSingularity>& singularities,
+  const PrescribedDirections& directions, const FieldOptions& options, const StoppingCriteria& stop,
+  const ExecutionContext& context)
 {
   if (!this->WithSingularities)
   {
     this->WithSingularities = std::make_unique<SingularFieldSolver>(this->Solver->Surface());
   }
-  return this->Update(*this->WithSingularities, [&] {
-    this->WithSingularities->Solve(
-      singularities, directions, options, stop, context, this->Numbers.Names());
-  });
+  return this->Update(*this->WithSingularities,
+    [&] { this->WithSingularities->Solve(singularities, directions, options, stop, context, this->Numbers.Names()); });
 }
 
-void SolvedSurface::MakeArrays(
-  vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context)
+void SolvedSurface::MakeArrays(vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context)
 {
   if (!this->Shown || !this->IsShownCurrent || this->Shown->Combing != combing)
   {
     this->Arrays.reset();
-    this->Shown = ShowField(this->Solver->Surface(), this->Numbers, this->Field(),
-      this->Solved->Unknowns(), combing, this->Shown ? &*this->Shown : nullptr,
-      PartOfContext(context, 0.0, 0.6));
+    this->Shown = ShowField(this->Solver->Surface(), this->Numbers, this->Field(), this->Solved->Unknowns(), combing,
+      this->Shown ? &*this->Shown : nullptr, PartOfContext(context, 0.0, 0.6));
     this->IsShownCurrent = true;
   }
   if (!this->Arrays || this->Arrays->UnitLength != unitLength)
   {
-    this->Arrays = MakeFieldArrays(this->Solver->Surface(), this->Numbers, this->Field(),
-      this->Solved->Unknowns(), *this->Shown, unitLength, input, PartOfContext(context, 0.6, 1.0));
+    this->Arrays = MakeFieldArrays(this->Solver->Surface(), this->Numbers, this->Field(), this->Solved->Unknowns(),
+      *this->Shown, unitLength, input, PartOfContext(context, 0.6, 1.0));
   }
 }
 
 void SolvedSurface::AddArraysTo(vtkPolyData* surface, vtkPolyData* edges, bool hasBasis) const
 {
   AddFieldArrays(*this->Arrays, surface, edges);
-  AddPrescribed(
-    this->Numbers, this->Solved->Constraints(), this->Field().Elements(), surface, edges);
+  AddPrescribed(this->Numbers, this->Solved->Constraints(), this->Field().Elements(), surface, edges);
   if (hasBasis)
   {
     AddBasisArrays(this->Basis(), surface, edges);
@@ -178,17 +169,16 @@ bool SolvedSurface::MakeBasis(vtkPolyData* input, const ExecutionContext& contex
     return false;
   }
   this->BasisOfSurface.reset(); // the memory of another discretisation first
-  this->BasisOfSurface = MakeBasisArrays(this->Solver->Surface(), this->Numbers, this->Field(),
-    this->Solved->HarmonicFields(), input, context);
+  this->BasisOfSurface = MakeBasisArrays(
+    this->Solver->Surface(), this->Numbers, this->Field(), this->Solved->HarmonicFields(), input, context);
   return true;
 }
 
 FieldSolver::StageCounts SolvedSurface::Counts() const
 {
   FieldSolver::StageCounts counts = this->OfFormerSurfaces;
-  for (const SolvedField* const solver :
-    { static_cast<const SolvedField*>(this->Solver.get()),
-      static_cast<const SolvedField*>(this->WithSingularities.get()) })
+  for (const SolvedField* const solver : { static_cast<const SolvedField*>(this->Solver.get()),
+         static_cast<const SolvedField*>(this->WithSingularities.get()) })
   {
     if (solver)
     {

@@ -40,17 +40,16 @@ public:
   const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
 
   /// See FieldSolver::Solve. \return warnings for the user, where something was solved rather than kept.
-  std::vector<std::string> Solve(const PrescribedDirections& directions,
-    const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context);
+  std::vector<std::string> Solve(const PrescribedDirections& directions, const FieldOptions& options,
+    const StoppingCriteria& stop, const ExecutionContext& context);
 
   /// The same with singularities; see SingularFieldSolver::Solve.
   std::vector<std::string> Solve(const std::vector<PrescribedSingularity>& singularities,
-    const PrescribedDirections& directions, const FieldOptions& options,
-    const StoppingCriteria& stop, const ExecutionContext& context);
+    const PrescribedDirections& directions, const FieldOptions& options, const StoppingCriteria& stop,
+    const ExecutionContext& context);
 
   /// The arrays of the field, where they are not those that stand.
-  void MakeArrays(
-    vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context);
+  void MakeArrays(vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context);
   /// \param hasBasis whether the harmonic fields come along.
   void AddArraysTo(vtkPolyData* surface, vtkPolyData* edges, bool hasBasis) const;
   /// Sizes, cost and convergence.
@@ -67,8 +66,7 @@ public:
   double SetupSeconds() const;
 
 private:
-  std::shared_ptr<const ProlongationOperators> Operators(
-    vtkPolyData* input, const OperatorsOrigin& origin);
+  std::shared_ptr<const ProlongationOperators> Operators(vtkPolyData* input, const OperatorsOrigin& origin);
   /// Solves, and forgets what is shown of another field.
   std::vector<std::string> Update(SolvedField& solver, const std::function<void()>& solve);
 
@@ -78,13 +76,13 @@ private:
   std::unique_ptr<FieldSolver> Solver;
   std::unique_ptr<NearestPlaces> PlacesOfSurface;
   std::unique_ptr<SingularFieldSolver> WithSingularities; ///< as soon as there have been some
-  const SolvedField* Solved = nullptr; ///< the one of both that has solved last
+  const SolvedField* Solved = nullptr;                    ///< the one of both that has solved last
   /// All operators of this surface that were read.
   std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> Read;
   std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;
-  std::optional<ShownField> Shown;       ///< of the last solution or, if it is not current, one before
+  std::optional<ShownField> Shown; ///< of the last solution or, if it is not current, one before
   bool IsShownCurrent = false;
-  std::optional<FieldArrays> Arrays;     ///< of Shown
+  std::optional<FieldArrays> Arrays; ///< of Shown
   std::optional<BasisArrays> BasisOfSurface;
   double SurfaceSeconds = 0.0;
   double OperatorsSeconds = 0.0;

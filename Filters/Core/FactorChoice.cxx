@@ -8,11 +8,9 @@
 namespace dmg
 {
 
-CycleObstacles ObstaclesOf(
-  const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context)
+CycleObstacles ObstaclesOf(const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context)
 {
-  return { ShareOfFacesBelow(NeedleQuality, mesh, context),
-    hasHarmonicFields ? NumberOfLoops(mesh) : 0 };
+  return { ShareOfFacesBelow(NeedleQuality, mesh, context), hasHarmonicFields ? NumberOfLoops(mesh) : 0 };
 }
 
 bool IsFactorBetter(const CycleObstacles& obstacles)
@@ -25,8 +23,8 @@ std::string WhyFactorIsBetter(const CycleObstacles& obstacles)
   if (obstacles.ShareOfNeedles > LargestShareOfNeedles)
   {
     return ", chosen because " + std::to_string(std::lround(100.0 * obstacles.ShareOfNeedles)) +
-      " % of the triangles are needles (more than " +
-      std::to_string(std::lround(100.0 * LargestShareOfNeedles)) + " %)";
+      " % of the triangles are needles (more than " + std::to_string(std::lround(100.0 * LargestShareOfNeedles)) +
+      " %)";
   }
   if (obstacles.Loops > LargestNumberOfLoops)
   {

@@ -45,8 +45,7 @@ constexpr int LargestNumberOfLoops = 40;
 /// \param hasHarmonicFields whether fields without roughness belong to the loops of the surface: those of 1-forms and of
 ///   face fields do, power fields have none; then loops do not count.
 /// Cost: linear in the number of faces.
-CycleObstacles ObstaclesOf(
-  const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context);
+CycleObstacles ObstaclesOf(const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context);
 
 bool IsFactorBetter(const CycleObstacles& obstacles);
 

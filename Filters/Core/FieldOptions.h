@@ -23,14 +23,12 @@ struct FieldOptions
   CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
   SolverOptions Solver;
 
-  FieldWeights Weights() const
-  {
-    return { this->Smoothness, this->Alignment, this->Constraints };
-  }
+  FieldWeights Weights() const { return { this->Smoothness, this->Alignment, this->Constraints }; }
 
   friend bool operator==(const FieldOptions& a, const FieldOptions& b)
   {
-    const auto members = [](const FieldOptions& options) {
+    const auto members = [](const FieldOptions& options)
+    {
       // A member that is forgotten here does not compile.
       const auto& [field, smoothness, alignment, constraints, space, solver] = options;
       return std::tie(field, smoothness, alignment, constraints, space, solver);

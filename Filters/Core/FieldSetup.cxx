@@ -31,14 +31,13 @@ HierarchyOptions LevelsFor(const Discretisation& discretisation, const FieldOpti
 }
 
 /// Harmonic fields, and why they are left out.
-void AddKernel(const FramedMesh& surface, const Discretisation& discretisation,
-  const ProlongationOperators* operators, MultigridSetup& setup, const ExecutionContext& context)
+void AddKernel(const FramedMesh& surface, const Discretisation& discretisation, const ProlongationOperators* operators,
+  MultigridSetup& setup, const ExecutionContext& context)
 {
   const int loops = discretisation.NumberOfHarmonicFields();
   if (loops > 0 && AreTooManyToHold(loops, surface.Mesh))
   {
-    setup.KernelNote =
-      ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
+    setup.KernelNote = ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
   }
   else if (loops > LargestNumberOfLoops && !setup.HasLevels)
   {
@@ -47,34 +46,32 @@ void AddKernel(const FramedMesh& surface, const Discretisation& discretisation,
   }
   else if (loops > 0)
   {
-    setup.Kernel = discretisation.HarmonicFields(operators, context)(
-      setup.Hierarchy->Order, All);
+    setup.Kernel = discretisation.HarmonicFields(operators, context)(setup.Hierarchy->Order, All);
   }
 }
 
 /// The mass of equations, in the order of the hierarchy's unknowns.
-Vector<double> MassInOrder(const Vector<double>& mass, const std::vector<int>& order,
-  const ExecutionContext& context)
+Vector<double> MassInOrder(const Vector<double>& mass, const std::vector<int>& order, const ExecutionContext& context)
 {
   constexpr int Grain = 8192;
   const int parts = static_cast<int>(order.size() / mass.size()); // unknowns of an equation
   Vector<double> inOrder(mass.size());
-  context.ParallelFor(0, static_cast<int>(mass.size()), Grain, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
+  context.ParallelFor(0, static_cast<int>(mass.size()), Grain,
+    [&](int first, int last)
     {
-      inOrder[k] = mass[order[parts * k] / parts];
-    }
-  });
+      for (int k = first; k < last; ++k)
+      {
+        inOrder[k] = mass[order[parts * k] / parts];
+      }
+    });
   return inOrder;
 }
 
-std::shared_ptr<MultigridSetup> NewSetup(
-  const Discretisation& discretisation, CoarseSpaceKind space)
+std::shared_ptr<MultigridSetup> NewSetup(const Discretisation& discretisation, CoarseSpaceKind space)
 {
   const auto setup = std::make_shared<MultigridSetup>();
   setup->Fields = discretisation.Name();
-  setup->Name =
-    space == CoarseSpaceKind::Nodal ? "nodal levels" : discretisation.NameOfLevels();
+  setup->Name = space == CoarseSpaceKind::Nodal ? "nodal levels" : discretisation.NameOfLevels();
   setup->Tuning = discretisation.Tuning();
   if (space != CoarseSpaceKind::Nodal)
   {
@@ -83,9 +80,8 @@ std::shared_ptr<MultigridSetup> NewSetup(
   return setup;
 }
 
-std::shared_ptr<const MultigridSetup> FinishSetup(const FramedMesh& surface,
-  const Discretisation& discretisation, const ProlongationOperators* operators,
-  std::shared_ptr<MultigridSetup> setup, const ExecutionContext& context)
+std::shared_ptr<const MultigridSetup> FinishSetup(const FramedMesh& surface, const Discretisation& discretisation,
+  const ProlongationOperators* operators, std::shared_ptr<MultigridSetup> setup, const ExecutionContext& context)
 {
   setup->Mass = MassInOrder(discretisation.Mass(context), setup->Hierarchy->Order, context);
   setup->HasSmoothest = discretisation.HasSmoothest();
@@ -97,28 +93,24 @@ std::shared_ptr<const MultigridSetup> FinishSetup(const FramedMesh& surface,
   return setup;
 }
 
-std::shared_ptr<const MultigridSetup> MakeAssembled(const FramedMesh& surface,
-  const Discretisation& discretisation, const ProlongationOperators* operators,
-  CoarseSpaceKind space, const ExecutionContext& context)
+std::shared_ptr<const MultigridSetup> MakeAssembled(const FramedMesh& surface, const Discretisation& discretisation,
+  const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context)
 {
   context.Checkpoint(0.0);
   const auto setup = NewSetup(discretisation, space);
   setup->HasLevels = operators != nullptr;
   setup->Hierarchy = discretisation.Assemble(operators, space, context);
-  return FinishSetup(
-    surface, discretisation, operators, setup, PartOfContext(context, 0.8, 1.0));
+  return FinishSetup(surface, discretisation, operators, setup, PartOfContext(context, 0.8, 1.0));
 }
 
-std::shared_ptr<const MultigridSetup> MakeCoarsened(const FramedMesh& surface,
-  const Discretisation& discretisation, const NodalProlongations& nodal,
-  const ProlongationOperators* operators, const ExecutionContext& context)
+std::shared_ptr<const MultigridSetup> MakeCoarsened(const FramedMesh& surface, const Discretisation& discretisation,
+  const NodalProlongations& nodal, const ProlongationOperators* operators, const ExecutionContext& context)
 {
   context.Checkpoint(0.0);
   const auto setup = NewSetup(discretisation, CoarseSpaceKind::Nodal);
   const double most = discretisation.HasHarmonicFields() ? 0.8 : 0.99;
   setup->Hierarchy = discretisation.Coarsen(nodal, PartOfContext(context, 0.0, most));
-  return FinishSetup(
-    surface, discretisation, operators, setup, PartOfContext(context, most, 1.0));
+  return FinishSetup(surface, discretisation, operators, setup, PartOfContext(context, most, 1.0));
 }
 
 }
@@ -143,22 +135,22 @@ SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& 
   const bool hasLevels = !given || given->NumberOfLevels() > 1;
   CycleObstacles ofCycles = obstacles;
   ofCycles.Loops = discretisation.HasHarmonicFields() ? obstacles.Loops : 0;
-  const auto choose = [&](bool areThere) {
-    return ChooseSolver(options.Solver, discretisation.Tuning(),
-      discretisation.NumberOfEquations(), areThere, WhyFactorIsBetter(ofCycles));
+  const auto choose = [&](bool areThere)
+  {
+    return ChooseSolver(options.Solver, discretisation.Tuning(), discretisation.NumberOfEquations(), areThere,
+      WhyFactorIsBetter(ofCycles));
   };
   plan.Choice = choose(hasLevels);
   plan.WithoutLevels = choose(false);
-  const bool hasNodalLevels =
-    given ? !given->Nodal.empty() : plan.Levels.Levels == LevelConstruction::Sampling;
-  plan.KeepsApart = IsCycle(plan.Choice.Kind) && hasNodalLevels &&
-    options.CoarseSpace == CoarseSpaceKind::Nodal && options.Solver.StartingLevel < 0;
+  const bool hasNodalLevels = given ? !given->Nodal.empty() : plan.Levels.Levels == LevelConstruction::Sampling;
+  plan.KeepsApart = IsCycle(plan.Choice.Kind) && hasNodalLevels && options.CoarseSpace == CoarseSpaceKind::Nodal &&
+    options.Solver.StartingLevel < 0;
   return plan;
 }
 
-std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface,
-  const Discretisation& discretisation, const ProlongationOperators* operators,
-  const SolverPlan& plan, CoarseSpaceKind space, const ExecutionContext& context)
+std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface, const Discretisation& discretisation,
+  const ProlongationOperators* operators, const SolverPlan& plan, CoarseSpaceKind space,
+  const ExecutionContext& context)
 {
   if (!plan.KeepsApart)
   {
@@ -166,26 +158,23 @@ std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface,
     {
       throw InvalidInput("multigrid needs the prolongation operators of the surface");
     }
-    return MakeAssembled(
-      surface, discretisation, plan.NeedsLevels() ? operators : nullptr, space, context);
+    return MakeAssembled(surface, discretisation, plan.NeedsLevels() ? operators : nullptr, space, context);
   }
   if (operators)
   {
-    return MakeCoarsened(
-      surface, discretisation, NodalProlongations(*operators), operators, context);
+    return MakeCoarsened(surface, discretisation, NodalProlongations(*operators), operators, context);
   }
   context.Checkpoint(0.0);
-  ProlongationOperators samples = BuildSurfaceHierarchy(surface.Mesh, plan.Levels,
-    PartOfContext(context, 0.0, 0.3), { false, false, false })
-                                    .Operators;
+  ProlongationOperators samples =
+    BuildSurfaceHierarchy(surface.Mesh, plan.Levels, PartOfContext(context, 0.0, 0.3), { false, false, false })
+      .Operators;
   const PartOfContext rest(context, 0.3, 1.0);
   if (samples.Nodal.empty())
   {
     return MakeAssembled(surface, discretisation, nullptr, space, rest);
   }
   GiveBackFreedMemory();
-  return MakeCoarsened(
-    surface, discretisation, NodalProlongations(samples), &samples, rest);
+  return MakeCoarsened(surface, discretisation, NodalProlongations(samples), &samples, rest);
 }
 
 }

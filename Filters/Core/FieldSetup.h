@@ -31,10 +31,7 @@ struct SolverPlan
     return setup.HasLevels ? this->Choice : this->WithoutLevels;
   }
   /// Whether Levels are samples that are made, read and forgotten in the set-up.
-  bool TakesSamples() const
-  {
-    return this->KeepsApart && this->Levels.Levels == LevelConstruction::Sampling;
-  }
+  bool TakesSamples() const { return this->KeepsApart && this->Levels.Levels == LevelConstruction::Sampling; }
 };
 
 /// Whether the solver wants the levels of the thesis, which take long to build and may have been stored: for structure-preserving
@@ -54,9 +51,9 @@ SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& 
 /// \throw SolverFailure, Cancelled
 /// Cost: assembly, where the system is assembled; else several products of sparse matrices, 8 to 12 us per face with two
 /// threads, 2 for power fields.
-std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface,
-  const Discretisation& discretisation, const ProlongationOperators* operators,
-  const SolverPlan& plan, CoarseSpaceKind space, const ExecutionContext& context);
+std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface, const Discretisation& discretisation,
+  const ProlongationOperators* operators, const SolverPlan& plan, CoarseSpaceKind space,
+  const ExecutionContext& context);
 
 }
 

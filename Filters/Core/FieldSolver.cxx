@@ -47,7 +47,8 @@ struct SetupKey
 
   friend bool operator==(const SetupKey& a, const SetupKey& b)
   {
-    const auto members = [](const SetupKey& key) {
+    const auto members = [](const SetupKey& key)
+    {
       const auto& [fields, isFactored, keepsApart, space, operators] = key;
       return std::tie(fields, isFactored, keepsApart, space, operators);
     };
@@ -100,8 +101,7 @@ bool DifferInWeights(FieldOptions a, const FieldOptions& b)
 
 bool NeedsReference(const SolverOptions& options, SolverKind kind)
 {
-  const bool isRule =
-    kind == SolverKind::NestedIterations && options.Nested.Rule == SweepRule::WhileErrorFalls;
+  const bool isRule = kind == SolverKind::NestedIterations && options.Nested.Rule == SweepRule::WhileErrorFalls;
   return (options.CompareWithCholesky || isRule) && kind != SolverKind::Cholesky;
 }
 
@@ -120,10 +120,8 @@ public:
   void SetDiscretisation(const DiscretisationOptions& options);
   void ForgetSetups();
   void SetUp(const FieldOptions& options, const ExecutionContext& context);
-  void Prepare(const FieldConstraints& constraints, const FieldOptions& options,
-    const ExecutionContext& context);
-  void Solve(const Vector<double>& values, const StoppingCriteria& stop,
-    const ExecutionContext& context);
+  void Prepare(const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context);
+  void Solve(const Vector<double>& values, const StoppingCriteria& stop, const ExecutionContext& context);
 
   FramedMesh Surface;
   std::shared_ptr<const ProlongationOperators> Given;
@@ -144,10 +142,9 @@ public:
 
 private:
   std::shared_ptr<const ProlongationOperators> OperatorsOfPlan(const ExecutionContext& context);
-  bool UpdateSystem(const FieldConstraints& constraints, const FieldOptions& options,
-    const ExecutionContext& context);
-  std::unique_ptr<HarmonicProblem> MakeReference(const FieldConstraints& constraints,
-    const FieldOptions& options, const ExecutionContext& context) const;
+  bool UpdateSystem(const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context);
+  std::unique_ptr<HarmonicProblem> MakeReference(
+    const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context) const;
 
   Vector<double> Start; ///< where there is no solution: unknowns of the system before its last update, or empty
 };
@@ -162,8 +159,7 @@ void FieldSolver::Internals::SetDiscretisation(const DiscretisationOptions& opti
 }
 
 /// Null where the solver does without.
-std::shared_ptr<const ProlongationOperators> FieldSolver::Internals::OperatorsOfPlan(
-  const ExecutionContext& context)
+std::shared_ptr<const ProlongationOperators> FieldSolver::Internals::OperatorsOfPlan(const ExecutionContext& context)
 {
   this->SecondsOfOperators = 0.0;
   if (!this->Plan.NeedsLevels() || this->Given || this->Plan.TakesSamples())
@@ -207,14 +203,13 @@ void FieldSolver::Internals::SetUp(const FieldOptions& options, const ExecutionC
   auto operators = this->OperatorsOfPlan(PartOfContext(context, 0.0, 0.6));
   if (operators)
   {
-    this->Plan =
-      PlanSolver(*this->Field, options, operators.get(), *this->Obstacles); // they may have one level
+    this->Plan = PlanSolver(*this->Field, options, operators.get(), *this->Obstacles); // they may have one level
     operators = this->Plan.NeedsLevels() ? operators : nullptr;
   }
-  const SetupKey key{ this->Field->Name(), !this->Plan.NeedsLevels(), this->Plan.KeepsApart,
-    options.CoarseSpace, operators };
-  const auto known = std::find_if(this->Setups.begin(), this->Setups.end(),
-    [&key](const auto& setup) { return setup->Key == key; });
+  const SetupKey key{ this->Field->Name(), !this->Plan.NeedsLevels(), this->Plan.KeepsApart, options.CoarseSpace,
+    operators };
+  const auto known =
+    std::find_if(this->Setups.begin(), this->Setups.end(), [&key](const auto& setup) { return setup->Key == key; });
   if (known != this->Setups.end())
   {
     std::rotate(known, known + 1, this->Setups.end());
@@ -222,11 +217,11 @@ void FieldSolver::Internals::SetUp(const FieldOptions& options, const ExecutionC
   else
   {
     const auto start = Clock::now();
-    auto setup = MakeSetup(this->Surface, *this->Field, operators.get(), this->Plan,
-      options.CoarseSpace, PartOfContext(context, operators ? 0.6 : 0.0, 1.0));
+    auto setup = MakeSetup(this->Surface, *this->Field, operators.get(), this->Plan, options.CoarseSpace,
+      PartOfContext(context, operators ? 0.6 : 0.0, 1.0));
     this->IsSetupUncounted |= this->Plan.TakesSamples() && !operators;
-    this->Setups.push_back(std::make_shared<const SetupStage>(
-      SetupStage{ key, std::move(setup), SecondsSince(start) }));
+    this->Setups.push_back(
+      std::make_shared<const SetupStage>(SetupStage{ key, std::move(setup), SecondsSince(start) }));
     this->ForgetSetups();
   }
   this->Counts.Setups += this->IsSetupUncounted;
@@ -250,13 +245,12 @@ void FieldSolver::Internals::ForgetSetups()
   this->Setups.erase(this->Setups.begin(), first);
 }
 
-void FieldSolver::Internals::Prepare(const FieldConstraints& constraints,
-  const FieldOptions& options, const ExecutionContext& context)
+void FieldSolver::Internals::Prepare(
+  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
 {
   const auto& current = this->Setups.back();
   const bool isSameSetup = this->System && this->System->Setup == current;
-  if (isSameSetup && SameElements(this->System->Constraints, constraints) &&
-    this->System->Options == options)
+  if (isSameSetup && SameElements(this->System->Constraints, constraints) && this->System->Options == options)
   {
     return;
   }
@@ -267,8 +261,7 @@ void FieldSolver::Internals::Prepare(const FieldConstraints& constraints,
   const SolverChoice& choice = this->Plan.ChoiceOn(*current->Setup);
   const bool isCompared = NeedsReference(options.Solver, choice.Kind);
   std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options, current,
-    HarmonicProblem(current->Setup,
-      this->Field->Penalties(constraints, options.Weights(), context), options.Smoothness,
+    HarmonicProblem(current->Setup, this->Field->Penalties(constraints, options.Weights(), context), options.Smoothness,
       options.Solver, choice, PartOfContext(context, 0.0, isCompared ? 0.5 : 1.0)),
     nullptr });
   if (isCompared)
@@ -282,20 +275,19 @@ void FieldSolver::Internals::Prepare(const FieldConstraints& constraints,
 }
 
 std::unique_ptr<HarmonicProblem> FieldSolver::Internals::MakeReference(
-  const FieldConstraints& constraints, const FieldOptions& options,
-  const ExecutionContext& context) const
+  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context) const
 {
   const SolverPlan factored{ { SolverKind::Cholesky, "" }, {}, false, {}, {} };
-  auto setup = MakeSetup(this->Surface, *this->Field, nullptr, factored, options.CoarseSpace,
-    PartOfContext(context, 0.0, 0.3));
+  auto setup =
+    MakeSetup(this->Surface, *this->Field, nullptr, factored, options.CoarseSpace, PartOfContext(context, 0.0, 0.3));
   return std::make_unique<HarmonicProblem>(std::move(setup),
-    this->Field->Penalties(constraints, options.Weights(), context), options.Smoothness,
-    options.Solver, factored.Choice, PartOfContext(context, 0.3, 1.0));
+    this->Field->Penalties(constraints, options.Weights(), context), options.Smoothness, options.Solver,
+    factored.Choice, PartOfContext(context, 0.3, 1.0));
 }
 
 /// Other prescribed elements or weights. \return whether no more than these has changed.
-bool FieldSolver::Internals::UpdateSystem(const FieldConstraints& constraints,
-  const FieldOptions& options, const ExecutionContext& context)
+bool FieldSolver::Internals::UpdateSystem(
+  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
 {
   if (!DifferInWeights(options, this->System->Options))
   {
@@ -311,11 +303,10 @@ bool FieldSolver::Internals::UpdateSystem(const FieldConstraints& constraints,
   }
   if (system->Reference)
   {
-    system->Reference->Update(
-      penalties, options.Smoothness, PartOfContext(context, 0.0, 0.5));
+    system->Reference->Update(penalties, options.Smoothness, PartOfContext(context, 0.0, 0.5));
   }
-  system->Problem.Update(std::move(penalties), options.Smoothness,
-    PartOfContext(context, system->Reference ? 0.5 : 0.0, 1.0));
+  system->Problem.Update(
+    std::move(penalties), options.Smoothness, PartOfContext(context, system->Reference ? 0.5 : 0.0, 1.0));
   system->Constraints = constraints;
   system->Options = options;
   this->System = std::move(system);
@@ -326,8 +317,7 @@ bool FieldSolver::Internals::UpdateSystem(const FieldConstraints& constraints,
 void FieldSolver::Internals::Solve(
   const Vector<double>& values, const StoppingCriteria& stop, const ExecutionContext& context)
 {
-  if (this->Solution && SameValues(this->Solution->Values, values) &&
-    this->Solution->Stop == stop)
+  if (this->Solution && SameValues(this->Solution->Values, values) && this->Solution->Stop == stop)
   {
     return;
   }
@@ -338,12 +328,12 @@ void FieldSolver::Internals::Solve(
   {
     constexpr double Rounding = 1e-13;
     constexpr int Corrections = 10;
-    reference = SolveInUnits(*system.Reference, values, {}, {}, { Rounding, Corrections },
-      PartOfContext(context, 0.0, 0.2))
-                  .Unknowns;
+    reference =
+      SolveInUnits(*system.Reference, values, {}, {}, { Rounding, Corrections }, PartOfContext(context, 0.0, 0.2))
+        .Unknowns;
   }
-  auto [unknowns, report] = SolveInUnits(system.Problem, values, start, reference, stop,
-    PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0));
+  auto [unknowns, report] = SolveInUnits(
+    system.Problem, values, start, reference, stop, PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0));
   this->Solution.reset(new SolveStage{ values, stop, std::move(unknowns), std::move(report) });
   this->SolvedField = this->Field;
   ++this->Counts.Solves;
@@ -372,9 +362,8 @@ void FieldSolver::SetMemoryLimit(long long bytes)
   this->Internal->ForgetSetups();
 }
 
-const Vector<double>& FieldSolver::Solve(const PrescribedDirections& directions,
-  const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context,
-  const ElementNames& names)
+const Vector<double>& FieldSolver::Solve(const PrescribedDirections& directions, const FieldOptions& options,
+  const StoppingCriteria& stop, const ExecutionContext& context, const ElementNames& names)
 {
   Internals& of = *this->Internal;
   of.SetDiscretisation(options.Field);

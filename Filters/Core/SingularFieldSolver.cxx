@@ -64,8 +64,8 @@ struct ConnectionStage
 double ResidualOf(const SolveReport& report)
 {
   const auto& rows = report.Iterations;
-  const auto returned = std::find_if(rows.begin(), rows.end(),
-    [&report](const IterationReport& row) { return row.Iteration == report.Returned; });
+  const auto returned = std::find_if(
+    rows.begin(), rows.end(), [&report](const IterationReport& row) { return row.Iteration == report.Returned; });
   return returned != rows.end() ? returned->RelativeResidual : 0.0;
 }
 
@@ -98,9 +98,8 @@ std::string WarningOfLargeTurning(
     return {};
   }
   const auto [tail, head] = mesh.EdgeVertices(first);
-  return "The field turns by " + ShortText(180.0 / N) + " degrees or more across " +
-    std::to_string(number) + (number == 1 ? " edge" : " edges") + ", as between " +
-    names.Vertex(tail) + " and " + names.Vertex(head) +
+  return "The field turns by " + ShortText(180.0 / N) + " degrees or more across " + std::to_string(number) +
+    (number == 1 ? " edge" : " edges") + ", as between " + names.Vertex(tail) + " and " + names.Vertex(head) +
     ", so that other singularities are seen there than those prescribed; prescribe several of smaller index instead, "
     "farther apart, choose fewer directions, or smooth the surface there.";
 }
@@ -117,8 +116,8 @@ public:
   }
 
   void SetUp(const SolverOptions& options, const ExecutionContext& context);
-  void Connect(std::vector<int> times, int N, const StoppingCriteria& stop,
-    const ElementNames& names, const ExecutionContext& context);
+  void Connect(std::vector<int> times, int N, const StoppingCriteria& stop, const ElementNames& names,
+    const ExecutionContext& context);
   void TurnTo(FieldConstraints constraints, const ExecutionContext& context);
 
   const FramedMesh& On;
@@ -136,14 +135,12 @@ public:
 
 private:
   void AddHarmonicForms(SystemStage& system, const ExecutionContext& context) const;
-  Vector<double> Potential(SystemStage& system, const Vector<double>& source,
-    const Vector<double>& start, const StoppingCriteria& stop,
-    const ExecutionContext& context) const;
+  Vector<double> Potential(SystemStage& system, const Vector<double>& source, const Vector<double>& start,
+    const StoppingCriteria& stop, const ExecutionContext& context) const;
   Vector<double> TurningOf(const SystemStage& system, const Vector<double>& potential, int N) const;
 };
 
-void SingularFieldSolver::Internals::SetUp(
-  const SolverOptions& asked, const ExecutionContext& context)
+void SingularFieldSolver::Internals::SetUp(const SolverOptions& asked, const ExecutionContext& context)
 {
   const auto start = Clock::now();
   const TriangleMesh& mesh = this->On.Mesh;
@@ -171,12 +168,12 @@ void SingularFieldSolver::Internals::SetUp(
     ofPotentials.Solver = options;
     const auto functions = MakeDiscretisation(ofPotentials.Field, this->On);
     constexpr bool HasHarmonicFields = false; // functions have none
-    const SolverPlan plan = PlanSolver(
-      *functions, ofPotentials, nullptr, ObstaclesOf(mesh, HasHarmonicFields, context));
-    const auto setup = MakeSetup(this->On, *functions, nullptr, plan, CoarseSpaceKind::Nodal,
-      PartOfContext(context, 0.0, 0.5));
-    system->Problem.emplace(setup, PrescribedUnknowns{ ConstraintKind::Hard, grounded, {} }, 1.0,
-      options, plan.ChoiceOn(*setup), PartOfContext(context, 0.5, 0.7));
+    const SolverPlan plan =
+      PlanSolver(*functions, ofPotentials, nullptr, ObstaclesOf(mesh, HasHarmonicFields, context));
+    const auto setup =
+      MakeSetup(this->On, *functions, nullptr, plan, CoarseSpaceKind::Nodal, PartOfContext(context, 0.0, 0.5));
+    system->Problem.emplace(setup, PrescribedUnknowns{ ConstraintKind::Hard, grounded, {} }, 1.0, options,
+      plan.ChoiceOn(*setup), PartOfContext(context, 0.5, 0.7));
   }
   this->AddHarmonicForms(*system, PartOfContext(context, 0.7, 1.0));
   this->Connection.reset();
@@ -186,17 +183,14 @@ void SingularFieldSolver::Internals::SetUp(
   ++this->Counts.Systems;
 }
 
-Vector<double> SingularFieldSolver::Internals::Potential(SystemStage& system,
-  const Vector<double>& source, const Vector<double>& start, const StoppingCriteria& stop,
-  const ExecutionContext& context) const
+Vector<double> SingularFieldSolver::Internals::Potential(SystemStage& system, const Vector<double>& source,
+  const Vector<double>& start, const StoppingCriteria& stop, const ExecutionContext& context) const
 {
-  return system.Problem
-    ? system.Problem->Solve(Vector<double>::Zero(system.Grounded), start, {}, stop, context, source)
-    : Vector<double>::Zero(source.size());
+  return system.Problem ? system.Problem->Solve(Vector<double>::Zero(system.Grounded), start, {}, stop, context, source)
+                        : Vector<double>::Zero(source.size());
 }
 
-void SingularFieldSolver::Internals::AddHarmonicForms(
-  SystemStage& system, const ExecutionContext& context) const
+void SingularFieldSolver::Internals::AddHarmonicForms(SystemStage& system, const ExecutionContext& context) const
 {
   const StoppingCriteria stop{ 1e-10, 100 }; // if rounding allows
   const SurfaceHolonomy& surface = *this->Surface;
@@ -208,15 +202,15 @@ void SingularFieldSolver::Internals::AddHarmonicForms(
   for (int k = 0; k < loops; ++k)
   {
     const double step = 1.0 / loops;
-    system.Potentials.col(k) = this->Potential(system, system.Divergences.col(k), {}, stop,
-      PartOfContext(context, step * k, step * (k + 1)));
+    system.Potentials.col(k) =
+      this->Potential(system, system.Divergences.col(k), {}, stop, PartOfContext(context, step * k, step * (k + 1)));
     if (system.Problem && ResidualOf(system.Problem->Report()) > LargestTolerance)
     {
       system.Warnings = system.Problem->Report().Warnings;
     }
   }
-  const Eigen::MatrixXd energies = Eigen::MatrixXd(transposed * flux) -
-    Eigen::MatrixXd(system.Divergences.transpose() * system.Potentials);
+  const Eigen::MatrixXd energies =
+    Eigen::MatrixXd(transposed * flux) - Eigen::MatrixXd(system.Divergences.transpose() * system.Potentials);
   const Eigen::MatrixXd symmetric = 0.5 * (energies + energies.transpose());
   system.Inverse = symmetric.ldlt().solve(Eigen::MatrixXd::Identity(loops, loops));
 }
@@ -230,8 +224,7 @@ Vector<double> SingularFieldSolver::Internals::TurningOf(
   if (surface.NumberOfLoops() > 0)
   {
     const double step = 2.0 * Pi / N;
-    const Vector<double> along =
-      surface.AlongLoops + Vector<double>(system.Divergences.transpose() * potential);
+    const Vector<double> along = surface.AlongLoops + Vector<double>(system.Divergences.transpose() * potential);
     const Vector<double> steps = NearestIntegers(system.Inverse, along / step);
     const Vector<double> coefficients = system.Inverse * (step * steps - along);
     form = surface.Loops * coefficients;
@@ -245,8 +238,8 @@ Vector<double> SingularFieldSolver::Internals::TurningOf(
   return form;
 }
 
-void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N,
-  const StoppingCriteria& stop, const ElementNames& names, const ExecutionContext& context)
+void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N, const StoppingCriteria& stop,
+  const ElementNames& names, const ExecutionContext& context)
 {
   const auto startTime = Clock::now();
   SystemStage& system = *this->System;
@@ -259,12 +252,10 @@ void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N,
     source[vertex] += 2.0 * Pi * times[vertex] / N;
   }
   connection->Potential = this->Potential(system, source,
-    this->Connection ? this->Connection->Potential : Vector<double>(), stop,
-    PartOfContext(context, 0.0, 0.8));
+    this->Connection ? this->Connection->Potential : Vector<double>(), stop, PartOfContext(context, 0.0, 0.8));
   connection->Turning = this->TurningOf(system, connection->Potential, N);
   LimitTurning(mesh, LargestTurning * Pi / N, connection->Turning);
-  connection->Powers =
-    PowersOfConnection(mesh, surface.Sides, surface.Trees, connection->Turning, N);
+  connection->Powers = PowersOfConnection(mesh, surface.Sides, surface.Trees, connection->Turning, N);
   context.Checkpoint(0.9);
   SolveReport& report = connection->Report;
   report.Converged = true;
@@ -276,8 +267,7 @@ void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N,
   }
   report.Bytes += 8 * system.Potentials.size();
   report.Warnings.insert(report.Warnings.end(), system.Warnings.begin(), system.Warnings.end());
-  if (const std::string warning = WarningOfLargeTurning(mesh, connection->Turning, N, names);
-      !warning.empty())
+  if (const std::string warning = WarningOfLargeTurning(mesh, connection->Turning, N, names); !warning.empty())
   {
     report.Warnings.push_back(warning);
   }
@@ -289,8 +279,7 @@ void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N,
 }
 
 /// Turns the field on each component to where the mean of squares is least.
-void SingularFieldSolver::Internals::TurnTo(
-  FieldConstraints constraints, const ExecutionContext& context)
+void SingularFieldSolver::Internals::TurnTo(FieldConstraints constraints, const ExecutionContext& context)
 {
   const bool isSame = this->Constraints.Elements == constraints.Elements &&
     this->Constraints.Weights == constraints.Weights && this->Constraints.Values == constraints.Values;
@@ -299,9 +288,7 @@ void SingularFieldSolver::Internals::TurnTo(
     return;
   }
   const SurfaceHolonomy& surface = *this->Surface;
-  const auto componentOf = [&](int face) {
-    return surface.Components[this->On.Mesh.FaceCorners()(face, 0)];
-  };
+  const auto componentOf = [&](int face) { return surface.Components[this->On.Mesh.FaceCorners()(face, 0)]; };
   Vector<Complex> powers = this->Connection->Powers;
   const auto values = AsComplex(constraints.Values);
   const Vector<double> weights = this->Field->Penalties(constraints, {}, context).Alignment;
@@ -342,10 +329,9 @@ void CheckTakesSingularities(const DiscretisationOptions& field)
   }
 }
 
-const Vector<double>& SingularFieldSolver::Solve(
-  const std::vector<PrescribedSingularity>& singularities, const PrescribedDirections& directions,
-  const FieldOptions& options, const StoppingCriteria& asked, const ExecutionContext& context,
-  const ElementNames& names)
+const Vector<double>& SingularFieldSolver::Solve(const std::vector<PrescribedSingularity>& singularities,
+  const PrescribedDirections& directions, const FieldOptions& options, const StoppingCriteria& asked,
+  const ExecutionContext& context, const ElementNames& names)
 {
   CheckTakesSingularities(options.Field);
   Internals& of = *this->Internal;
@@ -355,8 +341,7 @@ const Vector<double>& SingularFieldSolver::Solve(
     of.Field = MakeDiscretisation(options.Field, of.On);
     of.OptionsOfField = options.Field;
   }
-  const StoppingCriteria stop{ std::min(asked.RelativeTolerance, LargestTolerance),
-    asked.MaximumIterations };
+  const StoppingCriteria stop{ std::min(asked.RelativeTolerance, LargestTolerance), asked.MaximumIterations };
   const int N = options.Field.N;
   std::vector<int> times = TimesByVertex(of.On.Mesh, singularities, names);
   FieldConstraints constraints = of.Field->Prescribe(directions, names);

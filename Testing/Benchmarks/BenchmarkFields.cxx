@@ -64,8 +64,7 @@ namespace
 {
 
 constexpr double Tolerance = 1e-8;
-constexpr double LoosenedTolerance =
-  1e-3; // of a solution that is followed while a constraint moves
+constexpr double LoosenedTolerance = 1e-3; // of a solution that is followed while a constraint moves
 constexpr double LargestDifference = 1e-6;
 constexpr double LongRun = 20.0; // seconds
 constexpr double None = std::numeric_limits<double>::quiet_NaN();
@@ -85,7 +84,7 @@ struct Options
   int Runs = 3;
   int Threads = 2;
   int Limit = 600; // seconds, of all runs of a solver
-  int Cuts = 0;      // 1:4, before anything else
+  int Cuts = 0;    // 1:4, before anything else
   int LoopCuts = 0;
   bool IterationsOnly = false;
   bool Robustness = false;
@@ -103,23 +102,24 @@ struct Source
 Source SourceOf(const std::string& path, const Options& options)
 {
   std::string name = BaseName(path);
-  for (const auto& [times, how] :
-    { std::pair(options.Cuts, ", cut 1:4"), std::pair(options.LoopCuts, ", Loop") })
+  for (const auto& [times, how] : { std::pair(options.Cuts, ", cut 1:4"), std::pair(options.LoopCuts, ", Loop") })
   {
     name += times == 0 ? "" : how + std::string(times == 1 ? "" : " x " + std::to_string(times));
   }
-  return { name, [path, cuts = options.Cuts, loopCuts = options.LoopCuts] {
-            test::Surface surface = test::ReadPly(path);
-            for (int k = 0; k < cuts; ++k)
-            {
-              surface = test::Subdivide(surface);
-            }
-            for (int k = 0; k < loopCuts; ++k)
-            {
-              surface = test::SubdivideByLoop(surface);
-            }
-            return surface.Mesh();
-          } };
+  return { name,
+    [path, cuts = options.Cuts, loopCuts = options.LoopCuts]
+    {
+      test::Surface surface = test::ReadPly(path);
+      for (int k = 0; k < cuts; ++k)
+      {
+        surface = test::Subdivide(surface);
+      }
+      for (int k = 0; k < loopCuts; ++k)
+      {
+        surface = test::SubdivideByLoop(surface);
+      }
+      return surface.Mesh();
+    } };
 }
 
 /// One system on one surface.
@@ -143,17 +143,13 @@ struct Workplace
   {
     UseBlasThreads(options.Threads);
     test::Random random(Seed);
-    this->Constraints =
-      RandomConstraints(this->Surface.Mesh, *this->Field, job.Prescribed, random);
+    this->Constraints = RandomConstraints(this->Surface.Mesh, *this->Field, job.Prescribed, random);
   }
   Workplace(const Workplace&) = delete; // the field refers to the surface
   Workplace& operator=(const Workplace&) = delete;
 
   /// Whether the unknowns are the parts of complex numbers.
-  bool IsComplex() const
-  {
-    return this->Field->NumberOfEquations() < this->Field->NumberOfUnknowns();
-  }
+  bool IsComplex() const { return this->Field->NumberOfEquations() < this->Field->NumberOfUnknowns(); }
 
   test::TbbContext Context;
   FramedMesh Surface;
@@ -221,8 +217,8 @@ Eigen::MatrixXd SmoothFields(const FramedMesh& surface, const Discretisation& fi
 
 std::vector<std::string> Solvers(DiscretisationKind kind)
 {
-  std::vector<std::string> names = { Reference, Ours, "CHOLMOD, METIS", "IC(0)-CG, RCM",
-    "Eigen SimplicialLDLT", "hypre BoomerAMG", "PETSc GAMG" };
+  std::vector<std::string> names = { Reference, Ours, "CHOLMOD, METIS", "IC(0)-CG, RCM", "Eigen SimplicialLDLT",
+    "hypre BoomerAMG", "PETSc GAMG" };
   if (kind == DiscretisationKind::OneForm)
   {
     names.insert(names.end() - 1, "hypre AMS");
@@ -246,8 +242,7 @@ std::unique_ptr<peers::Peer<double>> NewRealPeer(
   }
   if (name == "hypre AMS")
   {
-    return peers::NewAmsPeer(
-      SelectRows(D0(mesh, place.Context), unknowns, place.Context), mesh.VertexPositions());
+    return peers::NewAmsPeer(SelectRows(D0(mesh, place.Context), unknowns, place.Context), mesh.VertexPositions());
   }
   const Eigen::MatrixXd fields = SmoothFields(place.Surface, *place.Field);
   return peers::NewGamgPeer(numbersPerElement, fields(unknowns, All));
@@ -301,10 +296,7 @@ struct Row
   double Peak = None;
   double Process = None;
 
-  double Total() const
-  {
-    return this->Seconds[Assembly] + this->Seconds[Prepare] + this->Seconds[Solve];
-  }
+  double Total() const { return this->Seconds[Assembly] + this->Seconds[Prepare] + this->Seconds[Solve]; }
   double Bare() const { return this->Seconds[Setup] + this->Total(); }
 };
 static_assert(std::is_trivially_copyable<Row>::value, "it goes through a pipe as it is");
@@ -312,7 +304,7 @@ static_assert(std::is_trivially_copyable<Row>::value, "it goes through a pipe as
 struct Measured
 {
   Row Numbers;
-  std::string Note; ///< why it did not get there, or empty
+  std::string Note;        ///< why it did not get there, or empty
   Vector<double> Solution; ///< all unknowns; empty if there is none
 
   std::string Pack() const
@@ -374,17 +366,11 @@ Measured MeasureOurs(const Workplace& place, const Options& options)
           setup = test::SetupOf(place.Surface, nullptr, place.Asked, place.Context);
         });
       const PeakMemory memory;
-      seconds[Row::Prepare] = Seconds(
-        [&]
-        {
-          problem.emplace(
-            place.Surface, nullptr, place.Constraints, place.Asked, place.Context, setup);
-        });
+      seconds[Row::Prepare] =
+        Seconds([&] { problem.emplace(place.Surface, nullptr, place.Constraints, place.Asked, place.Context, setup); });
       seconds[Row::Solve] = Seconds(
-        [&]
-        {
-          measured.Solution =
-            problem->Solve(place.Constraints.Values, {}, { Tolerance, 1000 }, place.Context);
+        [&] {
+          measured.Solution = problem->Solve(place.Constraints.Values, {}, { Tolerance, 1000 }, place.Context);
         });
       row.Peak = memory.Growth();
       row.Process = memory.OfProcess();
@@ -415,8 +401,8 @@ Measured MeasurePeer(const Workplace& place, const std::string& name, const Opti
         [&]
         {
           const TangentFrames frames = FaceFrames(place.Surface.Mesh, place.Context);
-          system.emplace(MakeSystem<Scalar>(place.Surface.Mesh, frames, *place.Field,
-            place.Constraints, place.Asked, place.Context));
+          system.emplace(MakeSystem<Scalar>(
+            place.Surface.Mesh, frames, *place.Field, place.Constraints, place.Asked, place.Context));
         });
       const Vector<Scalar> b = system->RightHandSide(values);
       peer = NewPeer(name, place, *system);
@@ -469,8 +455,8 @@ struct Resolve
   double Prepare;
   double Solve;
   int Iterations;
-  double Residual; ///< |b - A x| / |b|
-  double Error; ///< |x - y| / |y|, y the new solution
+  double Residual;      ///< |b - A x| / |b|
+  double Error;         ///< |x - y| / |y|, y the new solution
   double ErrorOfChange; ///< |x - y| / |y - z|, z the old one
 };
 static_assert(std::is_trivially_copyable<Resolve>::value, "it goes through a pipe as it is");
@@ -523,18 +509,15 @@ public:
     test::Random random(Seed + 1);
     const Regime asMany = { "", static_cast<int>(this->Place.Constraints.Elements.size()), 0.0 };
     this->ChangeSystemTo("prescribed set",
-      RandomConstraints(this->Place.Surface.Mesh, *this->Place.Field, asMany, random),
-      this->Place.Asked);
+      RandomConstraints(this->Place.Surface.Mesh, *this->Place.Field, asMany, random), this->Place.Asked);
     return std::move(this->Rows);
   }
 
 private:
-  HarmonicSystem<Scalar> SystemOf(
-    const FieldConstraints& constraints, const FieldOptions& asked) const
+  HarmonicSystem<Scalar> SystemOf(const FieldConstraints& constraints, const FieldOptions& asked) const
   {
     const auto& [mesh, faceFrames, vertexFrames] = this->Place.Surface;
-    return MakeSystem<Scalar>(
-      mesh, faceFrames, *this->Place.Field, constraints, asked, this->Place.Context);
+    return MakeSystem<Scalar>(mesh, faceFrames, *this->Place.Field, constraints, asked, this->Place.Context);
   }
 
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, double tolerance)
@@ -550,8 +533,7 @@ private:
     return AsReal(system.Expand(x, y));
   }
 
-  double ResidualOf(const HarmonicSystem<Scalar>& system, const Vector<double>& values,
-    const Vector<double>& all) const
+  double ResidualOf(const HarmonicSystem<Scalar>& system, const Vector<double>& values, const Vector<double>& all) const
   {
     const Vector<Scalar> b = system.RightHandSide(ValuesOf<Scalar>({ {}, {}, values }));
     const Vector<Scalar> x = system.Restrict(ValuesOf<Scalar>({ {}, {}, all }));
@@ -567,10 +549,9 @@ private:
     {
       seconds.push_back(Seconds([&] { exact = this->SolveExactly(this->System, values); }));
     }
-    this->Append("value", "CHOLMOD, back-substitution", 0.0, Median(seconds), 0, this->System,
-      values, exact, exact);
-    for (const auto& [name, tolerance] : { std::pair{ "ours, warm, to 1e-3", LoosenedTolerance },
-           std::pair{ "ours, warm, to 1e-8", Tolerance } })
+    this->Append("value", "CHOLMOD, back-substitution", 0.0, Median(seconds), 0, this->System, values, exact, exact);
+    for (const auto& [name, tolerance] :
+      { std::pair{ "ours, warm, to 1e-3", LoosenedTolerance }, std::pair{ "ours, warm, to 1e-8", Tolerance } })
     {
       seconds.clear();
       Vector<double> x;
@@ -579,13 +560,11 @@ private:
         const double limit = tolerance;
         seconds.push_back(Seconds([&] { x = this->Solve(values, this->Old, limit); }));
       }
-      this->Append(
-        "value", name, 0.0, Median(seconds), this->LastIteration(), this->System, values, x, exact);
+      this->Append("value", name, 0.0, Median(seconds), this->LastIteration(), this->System, values, x, exact);
     }
   }
 
-  void ChangeSystemTo(
-    const char* change, const FieldConstraints& constraints, const FieldOptions& asked)
+  void ChangeSystemTo(const char* change, const FieldConstraints& constraints, const FieldOptions& asked)
   {
     const HarmonicSystem<Scalar> system = this->SystemOf(constraints, asked);
     std::vector<double> prepare;
@@ -596,19 +575,18 @@ private:
       prepare.push_back(Seconds([&] { this->Cholesky.Update(system.Matrix()); }));
       solve.push_back(Seconds([&] { exact = this->SolveExactly(system, constraints.Values); }));
     }
-    this->Append(change, "CHOLMOD, numeric factorisation", Median(prepare), Median(solve), 0,
-      system, constraints.Values, exact, exact);
+    this->Append(change, "CHOLMOD, numeric factorisation", Median(prepare), Median(solve), 0, system,
+      constraints.Values, exact, exact);
     prepare.clear();
     solve.clear();
     Vector<double> x;
     for (int run = 0; run < this->Runs; ++run)
     {
-      prepare.push_back(
-        Seconds([&] { this->Problem.Update(constraints, asked, this->Place.Context); }));
+      prepare.push_back(Seconds([&] { this->Problem.Update(constraints, asked, this->Place.Context); }));
       solve.push_back(Seconds([&] { x = this->Solve(constraints.Values, this->Old, Tolerance); }));
     }
-    this->Append(change, "ours, warm, to 1e-8", Median(prepare), Median(solve),
-      this->LastIteration(), system, constraints.Values, x, exact);
+    this->Append(change, "ours, warm, to 1e-8", Median(prepare), Median(solve), this->LastIteration(), system,
+      constraints.Values, x, exact);
   }
 
   int LastIteration() const { return this->Problem.Report().Iterations.back().Iteration; }
@@ -617,9 +595,8 @@ private:
     const HarmonicSystem<Scalar>& system, const Vector<double>& values, const Vector<double>& x,
     const Vector<double>& exact)
   {
-    this->Rows.push_back(
-      { change, solver, prepare, solve, iterations, this->ResidualOf(system, values, x),
-        RelativeDifference(x, exact), (x - exact).norm() / (exact - this->OldExact).norm() });
+    this->Rows.push_back({ change, solver, prepare, solve, iterations, this->ResidualOf(system, values, x),
+      RelativeDifference(x, exact), (x - exact).norm() / (exact - this->OldExact).norm() });
   }
 
   const Workplace& Place;
@@ -639,9 +616,8 @@ std::vector<Resolve> MeasureResolves(const Job& job, const Options& options, std
     [&]
     {
       const Workplace place(job, options);
-      const std::vector<Resolve> rows = place.IsComplex()
-        ? ResolveMeasurement<Complex>(place, options.Runs).Measure()
-        : ResolveMeasurement<double>(place, options.Runs).Measure();
+      const std::vector<Resolve> rows = place.IsComplex() ? ResolveMeasurement<Complex>(place, options.Runs).Measure()
+                                                          : ResolveMeasurement<double>(place, options.Runs).Measure();
       return std::string(reinterpret_cast<const char*>(rows.data()), rows.size() * sizeof(Resolve));
     });
   failure = outcome.Failure;
@@ -664,9 +640,8 @@ FieldOptions FieldOf(DiscretisationKind kind, int N = 2)
 std::vector<DiscretisationKind> Discretisations(const Options& options)
 {
   std::vector<DiscretisationKind> kinds;
-  for (const DiscretisationKind kind :
-    { DiscretisationKind::OneForm, DiscretisationKind::FaceField, DiscretisationKind::PowerField,
-      DiscretisationKind::ScalarFunction })
+  for (const DiscretisationKind kind : { DiscretisationKind::OneForm, DiscretisationKind::FaceField,
+         DiscretisationKind::PowerField, DiscretisationKind::ScalarFunction })
   {
     if (NameOf(kind).find(options.Discretisation) != std::string::npos)
     {
@@ -685,29 +660,26 @@ public:
         "surface,faces,discretisation,prescribed,unknowns,solver,runs,setup,assembly,prepare,solve,"
         "total,bare,iterations,residual,difference,held_mb,peak_mb,process_mb,note")
   {
-    std::printf("%-20s %-10s %-5s %-20s %7s %7s %7s %7s %7s %7s %5s %6s %6s %6s  %s\n", "surface",
-      "discret.", "presc", "solver", "setup", "assem.", "prepare", "solve", "total", "bare",
-      "iter.", "held", "peak", "proc.", "difference");
+    std::printf("%-20s %-10s %-5s %-20s %7s %7s %7s %7s %7s %7s %5s %6s %6s %6s  %s\n", "surface", "discret.", "presc",
+      "solver", "setup", "assem.", "prepare", "solve", "total", "bare", "iter.", "held", "peak", "proc.", "difference");
   }
 
-  void Append(const Job& job, const std::string& solver, const Measured& measured,
-    const Vector<double>& reference)
+  void Append(const Job& job, const std::string& solver, const Measured& measured, const Vector<double>& reference)
   {
     const std::string kind = NameOf(job.Asked.Field.Kind);
     const char* const surface = job.Surface.Name.c_str();
     const char* const regime = job.Prescribed.Name.c_str();
     if (measured.Solution.size() == 0)
     {
-      this->File.Row(surface, None, kind, regime, None, solver, 0, None, None, None, None, None,
-        None, None, None, None, None, None, None, measured.Note);
-      std::printf("%-20.20s %-10s %-5s %-20s %s\n", surface, kind.c_str(), regime, solver.c_str(),
-        measured.Note.c_str());
+      this->File.Row(surface, None, kind, regime, None, solver, 0, None, None, None, None, None, None, None, None, None,
+        None, None, None, measured.Note);
+      std::printf(
+        "%-20.20s %-10s %-5s %-20s %s\n", surface, kind.c_str(), regime, solver.c_str(), measured.Note.c_str());
       std::fflush(stdout);
       return;
     }
     const Row& row = measured.Numbers;
-    const double difference =
-      reference.size() > 0 ? RelativeDifference(measured.Solution, reference) : None;
+    const double difference = reference.size() > 0 ? RelativeDifference(measured.Solution, reference) : None;
     const bool converged = row.Residual <= 2.0 * Tolerance;
     const bool agrees = !(converged && difference > LargestDifference);
     this->AllAgree = this->AllAgree && agrees;
@@ -722,15 +694,13 @@ public:
     {
       std::snprintf(differs, sizeof(differs), "%.1e", difference);
     }
-    this->File.Row(surface, row.Faces, kind, regime, row.Unknowns, solver, row.Runs, setup,
-      assembly, prepare, solve, row.Total(), row.Bare(), row.Iterations, row.Residual, difference,
-      row.Held, row.Peak, row.Process, measured.Note);
-    std::printf(
-      "%-20.20s %-10s %-5s %-20s %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f %5d %6s %6.0f %6.0f  "
-      "%s%s %s\n",
-      surface, kind.c_str(), regime, solver.c_str(), setup, assembly, prepare, solve, row.Total(),
-      row.Bare(), row.Iterations, held, row.Peak, row.Process, differs, agrees ? "" : " DIFFERS",
-      measured.Note.c_str());
+    this->File.Row(surface, row.Faces, kind, regime, row.Unknowns, solver, row.Runs, setup, assembly, prepare, solve,
+      row.Total(), row.Bare(), row.Iterations, row.Residual, difference, row.Held, row.Peak, row.Process,
+      measured.Note);
+    std::printf("%-20.20s %-10s %-5s %-20s %7.3f %7.3f %7.3f %7.3f %7.3f %7.3f %5d %6s %6.0f %6.0f  "
+                "%s%s %s\n",
+      surface, kind.c_str(), regime, solver.c_str(), setup, assembly, prepare, solve, row.Total(), row.Bare(),
+      row.Iterations, held, row.Peak, row.Process, differs, agrees ? "" : " DIFFERS", measured.Note.c_str());
     std::fflush(stdout);
   }
 
@@ -756,12 +726,12 @@ public:
     for (const Resolve& row : rows)
     {
       const std::string kind = NameOf(job.Asked.Field.Kind);
-      this->File.Row(job.Surface.Name, kind, job.Prescribed.Name, row.Change, row.Solver,
-        row.Prepare, row.Solve, row.Iterations, row.Residual, row.Error, row.ErrorOfChange);
+      this->File.Row(job.Surface.Name, kind, job.Prescribed.Name, row.Change, row.Solver, row.Prepare, row.Solve,
+        row.Iterations, row.Residual, row.Error, row.ErrorOfChange);
       std::printf("%-20.20s %-10s %-5s changed %-14s %-30s %7.3f + %7.3f %4d  residual %.1e, error "
                   "%.1e, of the change %.1e\n",
-        job.Surface.Name.c_str(), kind.c_str(), job.Prescribed.Name.c_str(), row.Change, row.Solver,
-        row.Prepare, row.Solve, row.Iterations, row.Residual, row.Error, row.ErrorOfChange);
+        job.Surface.Name.c_str(), kind.c_str(), job.Prescribed.Name.c_str(), row.Change, row.Solver, row.Prepare,
+        row.Solve, row.Iterations, row.Residual, row.Error, row.ErrorOfChange);
     }
     std::fflush(stdout);
   }
@@ -770,8 +740,7 @@ private:
   Csv File;
 };
 
-void MeasureSurface(
-  const Source& surface, const Options& options, FieldsTable& fields, ResolvesTable& resolves)
+void MeasureSurface(const Source& surface, const Options& options, FieldsTable& fields, ResolvesTable& resolves)
 {
   for (const DiscretisationKind kind : Discretisations(options))
   {
@@ -820,8 +789,7 @@ public:
   /// One line of counts; a count in brackets stands for a solve that did not converge, and its row also has the
   /// residual that a factorisation leaves, refined as long as that helps.
   void Append(const Source& source, const FramedMesh& surface, const FieldOptions& asked,
-    const std::vector<Regime>& regimes, const std::vector<double>& alignments,
-    const ExecutionContext& context)
+    const std::vector<Regime>& regimes, const std::vector<double>& alignments, const ExecutionContext& context)
   {
     const std::string kind = NameOf(asked.Field.Kind);
     const int faces = surface.Mesh.NumberOfFaces();
@@ -842,9 +810,8 @@ public:
         }
         const SolveReport report = Solve(surface, setup, options, regime, context);
         const int iterations = report.Iterations.empty() ? 0 : report.Iterations.back().Iteration;
-        this->File.Row(source.Name, faces, kind, asked.Field.N, regime.Name, alignment, iterations,
-          ResidualOf(report), report.Converged ? 1 : 0,
-          report.Converged ? None : ResidualByCholesky(surface, options, regime, context),
+        this->File.Row(source.Name, faces, kind, asked.Field.N, regime.Name, alignment, iterations, ResidualOf(report),
+          report.Converged ? 1 : 0, report.Converged ? None : ResidualByCholesky(surface, options, regime, context),
           report.Warnings.empty() ? "" : report.Warnings.front());
         std::printf(report.Converged ? " %5d " : " [%4d]", iterations);
       }
@@ -859,8 +826,8 @@ private:
     return report.Iterations.empty() ? None : report.Iterations.back().RelativeResidual;
   }
 
-  static double ResidualByCholesky(const FramedMesh& surface, FieldOptions options,
-    const Regime& regime, const ExecutionContext& context)
+  static double ResidualByCholesky(
+    const FramedMesh& surface, FieldOptions options, const Regime& regime, const ExecutionContext& context)
   {
     options.Solver.Kind = SolverKind::Cholesky;
     return ResidualOf(Solve(surface, nullptr, options, regime, context));
@@ -874,8 +841,7 @@ private:
     const FieldConstraints constraints = RandomConstraints(surface.Mesh, *field, regime, random);
     try
     {
-      test::FieldProblem problem(
-        surface, nullptr, constraints, options, context, std::move(setup));
+      test::FieldProblem problem(surface, nullptr, constraints, options, context, std::move(setup));
       problem.Solve(constraints.Values, {}, { Tolerance, 500 }, context);
       return problem.Report();
     }
@@ -906,8 +872,7 @@ void CountIterations(const Source& source, const Options& options, IterationsTab
       const FieldOptions asked = FieldOf(kind, N);
       if (MakeDiscretisation(asked.Field, surface)->DirectionsPerPoint() == N) // or it knows no N
       {
-        table.Append(source, surface, asked, options.Robustness ? Regimes : MoreRegimes, alignments,
-          context);
+        table.Append(source, surface, asked, options.Robustness ? Regimes : MoreRegimes, alignments, context);
       }
     }
   }
@@ -954,8 +919,8 @@ int main(int argc, char* argv[])
   {
     surfaces.push_back(SourceOf(path, options));
   }
-  if (words.HasUnknown() || surfaces.empty() || options.Cuts < 0 || options.LoopCuts < 0 || options.Runs < 1 || options.Threads < 1 ||
-    options.Limit < 1)
+  if (words.HasUnknown() || surfaces.empty() || options.Cuts < 0 || options.LoopCuts < 0 || options.Runs < 1 ||
+    options.Threads < 1 || options.Limit < 1)
   {
     std::fprintf(stderr,
       "usage: BenchmarkFields [--out folder] [--runs n] [--threads n] [--limit seconds]\n"

@@ -72,8 +72,7 @@ double StreamBandwidth(int runs, const ExecutionContext& context)
     [&]
     {
       context.ParallelFor(0, size, grain,
-        [&a, &b](int first, int last)
-        { a.segment(first, last - first) = b.segment(first, last - first); });
+        [&a, &b](int first, int last) { a.segment(first, last - first) = b.segment(first, last - first); });
     });
   const double triad = Fastest(runs,
     [&]
@@ -86,8 +85,8 @@ double StreamBandwidth(int runs, const ExecutionContext& context)
         });
     });
   const double array = 1e-9 * sizeof(double) * size;
-  std::printf("%d threads: copy %.1f GB/s, triad %.1f GB/s\n", context.NumberOfThreads(),
-    2.0 * array / copy, 3.0 * array / triad);
+  std::printf("%d threads: copy %.1f GB/s, triad %.1f GB/s\n", context.NumberOfThreads(), 2.0 * array / copy,
+    3.0 * array / triad);
   return std::max(2.0 * array / copy, 3.0 * array / triad);
 }
 
@@ -119,17 +118,14 @@ public:
   };
   Heading Of;
 
-  void Append(const std::string& kernel, int level, double rows, double nonZeros, double bytes,
-    double seconds)
+  void Append(const std::string& kernel, int level, double rows, double nonZeros, double bytes, double seconds)
   {
     const double bandwidth = 1e-9 * bytes / seconds;
-    this->File.Row(this->Of.Surface, this->Of.Faces, this->Of.Discretisation, kernel, level, rows,
-      nonZeros / rows, this->Of.Threads, 1e-6 * bytes, 1e6 * seconds, bandwidth,
-      bandwidth / this->Of.Stream);
-    std::printf("%-20.20s %-10s %-26s %d %9.0f %6.1f %d %8.2f %9.0f %7.2f %5.0f %%\n",
-      this->Of.Surface.c_str(), this->Of.Discretisation.c_str(), kernel.c_str(), level, rows,
-      nonZeros / rows, this->Of.Threads, 1e-6 * bytes, 1e6 * seconds, bandwidth,
-      100.0 * bandwidth / this->Of.Stream);
+    this->File.Row(this->Of.Surface, this->Of.Faces, this->Of.Discretisation, kernel, level, rows, nonZeros / rows,
+      this->Of.Threads, 1e-6 * bytes, 1e6 * seconds, bandwidth, bandwidth / this->Of.Stream);
+    std::printf("%-20.20s %-10s %-26s %d %9.0f %6.1f %d %8.2f %9.0f %7.2f %5.0f %%\n", this->Of.Surface.c_str(),
+      this->Of.Discretisation.c_str(), kernel.c_str(), level, rows, nonZeros / rows, this->Of.Threads, 1e-6 * bytes,
+      1e6 * seconds, bandwidth, 100.0 * bandwidth / this->Of.Stream);
     std::fflush(stdout);
   }
 
@@ -138,15 +134,14 @@ private:
 };
 
 /// The product of conjugate gradients, and the bytes that it reads and writes.
-void MeasureProduct(const std::string& name, const RoughnessHierarchy& hierarchy, double rows,
-  double nonZeros, double bytes, int runs, KernelsTable& table, const ExecutionContext& context)
+void MeasureProduct(const std::string& name, const RoughnessHierarchy& hierarchy, double rows, double nonZeros,
+  double bytes, int runs, KernelsTable& table, const ExecutionContext& context)
 {
   const int unknowns = hierarchy.NumberOfUnknowns();
   const auto A = hierarchy.Operator();
   const Vector<double> x = Vector<double>::Random(unknowns);
   Vector<double> y;
-  table.Append(
-    name, 0, rows, nonZeros, bytes, Fastest(runs, [&] { A->Apply(x, y, context); }));
+  table.Append(name, 0, rows, nonZeros, bytes, Fastest(runs, [&] { A->Apply(x, y, context); }));
 }
 
 /// Both directions, and what they read and write on the fine level.
@@ -159,8 +154,8 @@ void MeasureInterpolation(
   const double rows = P.Rows();
   const auto entries = static_cast<double>(P.NonZeros());
   const double bytes = static_cast<double>(P.Bytes()) + sizeof(Fine) * rows;
-  table.Append("restriction", 0, rows, entries, bytes,
-    Fastest(runs, [&] { P.MultiplyAdjoint(fine, coarse, sums, context); }));
+  table.Append(
+    "restriction", 0, rows, entries, bytes, Fastest(runs, [&] { P.MultiplyAdjoint(fine, coarse, sums, context); }));
   table.Append("prolongation", 0, rows, entries, bytes + sizeof(Fine) * rows,
     Fastest(runs, [&] { P.AddProduct(coarse, fine, context); }));
 }
@@ -174,8 +169,8 @@ constexpr SmootherOptions SweepsOfLevels()
 
 /// \param smoother for A, by SweepsOfLevels.
 template <class Value>
-void MeasureSweeps(const TriangularParts<Value>& A, Smoother<Value>& smoother, int level, int runs,
-  KernelsTable& table, const ExecutionContext& context)
+void MeasureSweeps(const TriangularParts<Value>& A, Smoother<Value>& smoother, int level, int runs, KernelsTable& table,
+  const ExecutionContext& context)
 {
   const double rows = static_cast<double>(A.Lower.rows());
   const double nonZeros = static_cast<double>(A.Lower.nonZeros() + A.Upper.nonZeros()) + rows;
@@ -188,22 +183,19 @@ void MeasureSweeps(const TriangularParts<Value>& A, Smoother<Value>& smoother, i
   // place of the sums, passes through the other half, and the corrected x before it.
   const double sweep = 0.5 * matrix + 5.5 * vector;
   const double before = Sweeps * sweep + 0.5 * matrix + 3.0 * vector;
-  table.Append("sweeps, pre", level, rows, nonZeros, before,
-    Fastest(runs, [&] { smoother.PreSmooth(b, x, context); }));
+  table.Append("sweeps, pre", level, rows, nonZeros, before, Fastest(runs, [&] { smoother.PreSmooth(b, x, context); }));
   const double after = Sweeps * sweep + 0.5 * matrix + 2.0 * vector;
-  table.Append("sweeps, post", level, rows, nonZeros, after,
-    Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
+  table.Append(
+    "sweeps, post", level, rows, nonZeros, after, Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
 }
 
 /// The levels below the finest but the coarsest, which is factored.
 /// \param lower of the first of them.
 template <class Value, class Scalar>
-void MeasureCoarseLevels(const SparseMatrix<Scalar>& lower,
-  const std::vector<SparseMatrix<Scalar>>& coarser, int runs, KernelsTable& table,
-  const ExecutionContext& context)
+void MeasureCoarseLevels(const SparseMatrix<Scalar>& lower, const std::vector<SparseMatrix<Scalar>>& coarser, int runs,
+  KernelsTable& table, const ExecutionContext& context)
 {
-  GalerkinHierarchy<Scalar> hierarchy(
-    SymmetricFromLower(lower, context), coarser, GalerkinOptions(), context);
+  GalerkinHierarchy<Scalar> hierarchy(SymmetricFromLower(lower, context), coarser, GalerkinOptions(), context);
   using Scaled = ScaledHierarchy<Scalar, Value>;
   Scaled scaled(hierarchy, Scaled::Content::MatricesForSweeps, context);
   for (int l = 0; l + 1 < scaled.NumberOfLevels(); ++l)
@@ -214,25 +206,22 @@ void MeasureCoarseLevels(const SparseMatrix<Scalar>& lower,
 }
 
 /// What conjugate gradients and cycles do for power fields.
-void MeasurePowers(const LaplacianHierarchy& hierarchy, int runs, KernelsTable& table,
-  const ExecutionContext& context)
+void MeasurePowers(const LaplacianHierarchy& hierarchy, int runs, KernelsTable& table, const ExecutionContext& context)
 {
-  MeasureProduct("product, double", hierarchy, hierarchy.Rows(),
-    static_cast<double>(hierarchy.L.nonZeros()),
+  MeasureProduct("product, double", hierarchy, hierarchy.Rows(), static_cast<double>(hierarchy.L.nonZeros()),
     BytesOf(hierarchy.L) + 2.0 * sizeof(double) * hierarchy.NumberOfUnknowns(), runs, table, context);
-  MeasureInterpolation<Vector<Complex>, std::complex<float>, float>(hierarchy.Prolongation,
-    Vector<Complex>(hierarchy.CoarseLower.rows()), runs, table, context);
+  MeasureInterpolation<Vector<Complex>, std::complex<float>, float>(
+    hierarchy.Prolongation, Vector<Complex>(hierarchy.CoarseLower.rows()), runs, table, context);
   const Vector<float> inverseDiagonal = hierarchy.L.diagonal().real().cwiseInverse().cast<float>();
-  const auto smoother = Smoother<std::complex<float>>::NewWithDiagonal(
-    hierarchy.Sweeps, inverseDiagonal, SweepsOfLevels());
+  const auto smoother =
+    Smoother<std::complex<float>>::NewWithDiagonal(hierarchy.Sweeps, inverseDiagonal, SweepsOfLevels());
   MeasureSweeps(hierarchy.Sweeps, *smoother, 0, runs, table, context);
-  MeasureCoarseLevels<std::complex<float>>(
-    hierarchy.CoarseLower, hierarchy.Coarser, runs, table, context);
+  MeasureCoarseLevels<std::complex<float>>(hierarchy.CoarseLower, hierarchy.Coarser, runs, table, context);
 }
 
 /// What they do for 1-forms and face fields.
-void MeasureSquares(const LeastSquaresHierarchy& hierarchy, int runs, KernelsTable& table,
-  const ExecutionContext& context)
+void MeasureSquares(
+  const LeastSquaresHierarchy& hierarchy, int runs, KernelsTable& table, const ExecutionContext& context)
 {
   const double unknowns = hierarchy.NumberOfUnknowns();
   const double rows = static_cast<double>(hierarchy.B.rows());
@@ -247,29 +236,28 @@ void MeasureSquares(const LeastSquaresHierarchy& hierarchy, int runs, KernelsTab
   // read what tells places of unknowns, and unknowns at places.
   BlockSmoother smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, SweepsOfBlocks);
   const double places = sizeof(int) * (unknowns + rows);
-  const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) - places -
-    sizeof(int) * unknowns + sizeof(float) * (3.0 * unknowns + 2.0 * rows);
+  const double sweep = static_cast<double>(hierarchy.Blocks.Bytes()) - places - sizeof(int) * unknowns +
+    sizeof(float) * (3.0 * unknowns + 2.0 * rows);
   Vector<double> x, r;
   // Then the residual: x and b by their places; x and r are written; B and B x, by its places, are read, and r
   // once more.
-  const double before = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + places +
-    sizeof(float) * (unknowns + rows) + sizeof(double) * 5.0 * unknowns;
+  const double before = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + places + sizeof(float) * (unknowns + rows) +
+    sizeof(double) * 5.0 * unknowns;
   const Vector<double> b = Vector<double>::Random(hierarchy.NumberOfUnknowns());
-  table.Append("blocks, pre", 0, unknowns, nonZeros, before,
-    Fastest(runs, [&] { smoother.PreSmooth(b, x, r, context); }));
+  table.Append(
+    "blocks, pre", 0, unknowns, nonZeros, before, Fastest(runs, [&] { smoother.PreSmooth(b, x, r, context); }));
   // Or before it B x, and b; and then x is read and written.
   const double after = SweepsOfBlocks * sweep + BytesOf(hierarchy.B) + places +
     sizeof(float) * (2.0 * unknowns + rows) + sizeof(double) * 4.0 * unknowns;
-  table.Append("blocks, post", 0, unknowns, nonZeros, after,
-    Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
+  table.Append(
+    "blocks, post", 0, unknowns, nonZeros, after, Fastest(runs, [&] { smoother.PostSmooth(b, x, context); }));
 
-  MeasureInterpolation<Vector<double>, double, double>(hierarchy.Prolongation,
-    Vector<double>(hierarchy.CoarseLower.rows()), runs, table, context);
+  MeasureInterpolation<Vector<double>, double, double>(
+    hierarchy.Prolongation, Vector<double>(hierarchy.CoarseLower.rows()), runs, table, context);
   MeasureCoarseLevels<float>(hierarchy.CoarseLower, hierarchy.Coarser, runs, table, context);
 }
 
-void MeasureSurface(
-  const std::string& name, const TriangleMesh& mesh, const Options& options, KernelsTable& table)
+void MeasureSurface(const std::string& name, const TriangleMesh& mesh, const Options& options, KernelsTable& table)
 {
   const test::TbbContext all(options.Threads);
   const FramedMesh surface(mesh, all);
@@ -286,15 +274,13 @@ void MeasureSurface(
       const auto setup = test::SetupOf(surface, nullptr, field, all);
       const double stream = StreamBandwidth(options.Runs, context); // near what it measures
       table.Of = { name, mesh.NumberOfFaces(), NameOf(kind), threads, stream };
-      if (const auto* const powers =
-            dynamic_cast<const LaplacianHierarchy*>(setup->Hierarchy.get()))
+      if (const auto* const powers = dynamic_cast<const LaplacianHierarchy*>(setup->Hierarchy.get()))
       {
         MeasurePowers(*powers, options.Runs, table, context);
       }
       else
       {
-        MeasureSquares(dynamic_cast<const LeastSquaresHierarchy&>(*setup->Hierarchy), options.Runs,
-          table, context);
+        MeasureSquares(dynamic_cast<const LeastSquaresHierarchy&>(*setup->Hierarchy), options.Runs, table, context);
       }
     }
     if (threads == options.Threads)
@@ -323,8 +309,8 @@ int main(int argc, char* argv[])
     return 2;
   }
   PrintMachine(options.Threads, options.Runs);
-  std::printf("%-20s %-10s %-26s l %9s %6s t %8s %9s %7s %7s\n", "surface", "discret.", "kernel",
-    "rows", "/row", "MB", "us", "GB/s", "share");
+  std::printf("%-20s %-10s %-26s l %9s %6s t %8s %9s %7s %7s\n", "surface", "discret.", "kernel", "rows", "/row", "MB",
+    "us", "GB/s", "share");
   KernelsTable table(options.Folder);
   if (isShort)
   {

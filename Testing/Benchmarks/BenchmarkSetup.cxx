@@ -24,8 +24,8 @@ struct Setup
   OperatorSelection Selection;
 };
 
-void Measure(const std::string& name, const TriangleMesh& mesh, int runs, const Setup& setup,
-  const ExecutionContext& context)
+void Measure(
+  const std::string& name, const TriangleMesh& mesh, int runs, const Setup& setup, const ExecutionContext& context)
 {
   HierarchyOptions options;
   options.Levels = setup.Levels;
@@ -33,15 +33,13 @@ void Measure(const std::string& name, const TriangleMesh& mesh, int runs, const 
   SurfaceHierarchy hierarchy;
   for (int run = 0; run < runs; ++run)
   {
-    seconds.push_back(benchmarks::Seconds([&] {
-      hierarchy = BuildSurfaceHierarchy(mesh, options, context, setup.Selection);
-    }));
+    seconds.push_back(
+      benchmarks::Seconds([&] { hierarchy = BuildSurfaceHierarchy(mesh, options, context, setup.Selection); }));
   }
   const std::vector<int>& faces = hierarchy.Operators.NumbersOfFaces;
   const double median = benchmarks::Median(seconds);
-  std::printf("%-28s %-9s %8d %8.3f %8.3f %12.2f  ", name.c_str(),
-    setup.Operators, faces.front(), median, *std::min_element(seconds.begin(), seconds.end()),
-    1e6 * median / std::max(faces.front() - faces.back(), 1));
+  std::printf("%-28s %-9s %8d %8.3f %8.3f %12.2f  ", name.c_str(), setup.Operators, faces.front(), median,
+    *std::min_element(seconds.begin(), seconds.end()), 1e6 * median / std::max(faces.front() - faces.back(), 1));
   for (std::size_t l = 1; l < faces.size(); ++l)
   {
     std::printf(" %d", faces[l]);
@@ -63,17 +61,16 @@ int main(int argc, char* argv[])
   const std::vector<std::string> paths = words.Paths();
   if (words.HasUnknown() || paths.empty() || runs < 1 || threads < 1)
   {
-    std::fprintf(
-      stderr, "usage: BenchmarkSetup [--runs n] [--threads n] [--grow] surface.ply ...\n");
+    std::fprintf(stderr, "usage: BenchmarkSetup [--runs n] [--threads n] [--grow] surface.ply ...\n");
     return 2;
   }
   const test::TbbContext context(threads);
   benchmarks::PrintMachine(threads, runs);
-  std::printf("%-28s %-9s %8s %8s %8s %12s   %s\n", "surface", "operators", "faces", "s", "s, best",
-    "us/face less", "faces of the coarse levels");
-  const auto measureAll = [&](const std::string& name, const TriangleMesh& mesh) {
-    for (const Setup& setup :
-         { Setup{ "sampled", LevelConstruction::Sampling, { false, false, false } },
+  std::printf("%-28s %-9s %8s %8s %8s %12s   %s\n", "surface", "operators", "faces", "s", "s, best", "us/face less",
+    "faces of the coarse levels");
+  const auto measureAll = [&](const std::string& name, const TriangleMesh& mesh)
+  {
+    for (const Setup& setup : { Setup{ "sampled", LevelConstruction::Sampling, { false, false, false } },
            Setup{ "power", LevelConstruction::EdgeCollapses, { true, false, false } },
            Setup{ "all", LevelConstruction::EdgeCollapses, { true, true, true } } })
     {

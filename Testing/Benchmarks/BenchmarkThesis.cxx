@@ -96,11 +96,12 @@ struct Problem
   std::function<Outcome(const FieldOptions&)> Solve;
 };
 
-std::vector<Problem> Problems(const FramedMesh& surface, const ProlongationOperators& operators,
-  const ExecutionContext& context)
+std::vector<Problem> Problems(
+  const FramedMesh& surface, const ProlongationOperators& operators, const ExecutionContext& context)
 {
   test::Random random(20261121);
-  const auto prescribe = [&surface, &random](DiscretisationKind kind) {
+  const auto prescribe = [&surface, &random](DiscretisationKind kind)
+  {
     const auto field = MakeDiscretisation({ kind }, surface);
     return RandomConstraints(surface.Mesh, *field, Prescribed, random);
   };
@@ -118,15 +119,13 @@ std::vector<Problem> Problems(const FramedMesh& surface, const ProlongationOpera
     const FieldConstraints& constraints = kind == DiscretisationKind::OneForm ? onEdges : onFaces;
     FieldOptions direct = options;
     direct.Solver.Kind = SolverKind::Cholesky;
-    const Vector<double> truth =
-      test::FieldProblem(surface, &operators, constraints, direct, context)
-        .Solve(constraints.Values, {}, stop, context);
-    const auto solve = [&surface, &operators, &context, constraints, stop, truth](
-                         const FieldOptions& asked) {
+    const Vector<double> truth = test::FieldProblem(surface, &operators, constraints, direct, context)
+                                   .Solve(constraints.Values, {}, stop, context);
+    const auto solve = [&surface, &operators, &context, constraints, stop, truth](const FieldOptions& asked)
+    {
       std::optional<test::FieldProblem> problem;
       Outcome outcome;
-      outcome.Prepare = 1e3 *
-        Seconds([&] { problem.emplace(surface, &operators, constraints, asked, context); });
+      outcome.Prepare = 1e3 * Seconds([&] { problem.emplace(surface, &operators, constraints, asked, context); });
       problem->Solve(constraints.Values, {}, stop, context, truth);
       outcome.Report = problem->Report();
       outcome.Solve = 1e3 * outcome.Report.SolveSeconds;
@@ -183,28 +182,24 @@ int SweepsOnTheFinest(const SolveReport& report)
   return sweeps - 1; // the first row is the start
 }
 
-void MeasureSolves(const Options& options, const std::string& surface, int faces,
-  const Problem& problem, const thesis::Mesh* printed, Tables& tables)
+void MeasureSolves(const Options& options, const std::string& surface, int faces, const Problem& problem,
+  const thesis::Mesh* printed, Tables& tables)
 {
   const Outcome cholesky = MedianOf(options.Runs, problem, With(problem.Options, SolverKind::Cholesky));
-  const Outcome coarse =
-    MedianOf(options.Runs, problem, With(problem.Options, SolverKind::CoarseProlongation));
-  const Outcome nested =
-    MedianOf(options.Runs, problem, With(problem.Options, SolverKind::NestedIterations));
+  const Outcome coarse = MedianOf(options.Runs, problem, With(problem.Options, SolverKind::CoarseProlongation));
+  const Outcome nested = MedianOf(options.Runs, problem, With(problem.Options, SolverKind::NestedIterations));
   const Outcome full = MedianOf(options.Runs, problem, FullMultigrid(problem));
   const double none = thesis::Failed;
-  const thesis::Solves of = printed
-    ? printed->Of[problem.Index]
-    : thesis::Solves{ none, none, none, none, none, none, none, none, none };
+  const thesis::Solves of =
+    printed ? printed->Of[problem.Index] : thesis::Solves{ none, none, none, none, none, none, none, none, none };
   tables.Solves.Row(surface, faces, problem.Name, coarse.Last().MassResidual, coarse.Last().Error,
-    nested.Last().MassResidual, nested.Last().Error, cholesky.Prepare, cholesky.Solve, nested.Prepare,
-    coarse.Solve, nested.Solve, SweepsOnTheFinest(nested.Report), full.Last().Error,
-    full.Prepare, full.Solve, of.CoarseEnergy, of.CoarseError,
-    of.NestedEnergy, of.NestedError, of.CholeskyPrepare, of.CholeskySolve, of.MultigridPrepare,
+    nested.Last().MassResidual, nested.Last().Error, cholesky.Prepare, cholesky.Solve, nested.Prepare, coarse.Solve,
+    nested.Solve, SweepsOnTheFinest(nested.Report), full.Last().Error, full.Prepare, full.Solve, of.CoarseEnergy,
+    of.CoarseError, of.NestedEnergy, of.NestedError, of.CholeskyPrepare, of.CholeskySolve, of.MultigridPrepare,
     of.CoarseSolve, of.NestedSolve);
   std::printf("%-26s %-10s errors: CP %.3f (%.3f), NI %.4f (%.4f) in %.0f ms (%.0f), FMG %.4f in %.0f ms\n",
-    surface.c_str(), problem.Name.c_str(), coarse.Last().Error, of.CoarseError, nested.Last().Error,
-    of.NestedError, nested.Solve, of.NestedSolve, full.Last().Error, full.Solve);
+    surface.c_str(), problem.Name.c_str(), coarse.Last().Error, of.CoarseError, nested.Last().Error, of.NestedError,
+    nested.Solve, of.NestedSolve, full.Last().Error, full.Solve);
   std::fflush(stdout);
 }
 
@@ -221,8 +216,8 @@ std::optional<int> CyclesToConverge(const SolveReport& report)
   return std::nullopt;
 }
 
-void MeasureCycles(const Options& options, const std::string& surface, const Problem& problem,
-  bool isThesisSurface, Tables& tables)
+void MeasureCycles(
+  const Options& options, const std::string& surface, const Problem& problem, bool isThesisSurface, Tables& tables)
 {
   for (int sweeps = 1; sweeps <= (options.Short ? 2 : 8); ++sweeps)
   {
@@ -233,17 +228,16 @@ void MeasureCycles(const Options& options, const std::string& surface, const Pro
     const double perCycle = outcome.Solve / std::max<std::size_t>(rows.size() - 1, 1);
     const std::optional<int> number = CyclesToConverge(outcome.Report);
     const double ours = number ? *number : thesis::Failed;
-    const thesis::Cycles printed = isThesisSurface
-      ? thesis::CyclesBySweeps[problem.Index][sweeps - 1]
-      : thesis::Cycles{ 0, thesis::Failed };
+    const thesis::Cycles printed =
+      isThesisSurface ? thesis::CyclesBySweeps[problem.Index][sweeps - 1] : thesis::Cycles{ 0, thesis::Failed };
     const double theirs = isThesisSurface ? printed.Number : thesis::Failed;
-    tables.Sweeps.Row(surface, problem.Name, sweeps, ours, perCycle, ours * perCycle, theirs,
-      printed.PerCycle, theirs * printed.PerCycle);
+    tables.Sweeps.Row(surface, problem.Name, sweeps, ours, perCycle, ours * perCycle, theirs, printed.PerCycle,
+      theirs * printed.PerCycle);
   }
 }
 
-void MeasureStarts(const Options& options, const std::string& surface, const Problem& problem,
-  int coarsest, bool isThesisSurface, Tables& tables)
+void MeasureStarts(const Options& options, const std::string& surface, const Problem& problem, int coarsest,
+  bool isThesisSurface, Tables& tables)
 {
   for (int level = coarsest; level >= 1; --level)
   {
@@ -255,8 +249,8 @@ void MeasureStarts(const Options& options, const std::string& surface, const Pro
     const thesis::Start printed = isThesisSurface && problem.Index == 2 && index < thesis::Starts.size()
       ? thesis::Starts[index]
       : thesis::Start{ none, none, none };
-    tables.Starts.Row(surface, problem.Name, level, outcome.Last().Error, outcome.Prepare,
-      outcome.Solve, printed.Error, printed.Prepare, printed.Solve);
+    tables.Starts.Row(surface, problem.Name, level, outcome.Last().Error, outcome.Prepare, outcome.Solve, printed.Error,
+      printed.Prepare, printed.Solve);
   }
 }
 
@@ -273,13 +267,12 @@ void MeasureCurve(const std::string& surface, const Problem& problem, Tables& ta
   const Outcome outcome = problem.Solve(cycles);
   for (const IterationReport& row : outcome.Report.Iterations)
   {
-    tables.Curves.Row(
-      surface, problem.Name, cycles.Solver.Sweeps, row.Iteration, 1e3 * row.Seconds, row.Error);
+    tables.Curves.Row(surface, problem.Name, cycles.Solver.Sweeps, row.Iteration, 1e3 * row.Seconds, row.Error);
   }
 }
 
-void Measure(const Options& options, const std::string& name, const TriangleMesh& mesh,
-  const ExecutionContext& context, Tables& tables)
+void Measure(const Options& options, const std::string& name, const TriangleMesh& mesh, const ExecutionContext& context,
+  Tables& tables)
 {
   const thesis::Mesh* printed = nullptr;
   for (const thesis::Mesh& candidate : thesis::Meshes)
@@ -291,11 +284,9 @@ void Measure(const Options& options, const std::string& name, const TriangleMesh
   std::vector<double> setup;
   for (int run = 0; run < options.Runs; ++run)
   {
-    setup.push_back(
-      Seconds([&] { hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context); }));
+    setup.push_back(Seconds([&] { hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), context); }));
   }
-  tables.Setup.Row(name, mesh.NumberOfFaces(), 1e3 * Median(setup),
-    printed ? printed->Setup : thesis::Failed);
+  tables.Setup.Row(name, mesh.NumberOfFaces(), 1e3 * Median(setup), printed ? printed->Setup : thesis::Failed);
 
   const FramedMesh surface(mesh);
   // Tables 7.14 to 7.17 are of the thesis's largest mesh.
@@ -329,8 +320,7 @@ int main(int argc, char* argv[])
   options.Short = words.Take("--short");
   options.SolvesOnly = words.Take("--solves-only");
   options.Paths = words.Paths();
-  if (words.HasUnknown() || options.Paths.empty() != options.Short || options.Runs < 1 ||
-    options.Threads < 1)
+  if (words.HasUnknown() || options.Paths.empty() != options.Short || options.Runs < 1 || options.Threads < 1)
   {
     std::fprintf(stderr,
       "usage: BenchmarkThesis [--out folder] [--runs n] [--threads n] "

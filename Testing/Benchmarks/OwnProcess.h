@@ -19,7 +19,7 @@ namespace dmg::benchmarks
 /// What came of work in a process of its own.
 struct ProcessOutcome
 {
-  std::string Result; ///< bytes
+  std::string Result;  ///< bytes
   std::string Failure; ///< why there is no result, else empty
 };
 
@@ -68,8 +68,7 @@ ProcessOutcome InOwnProcess(int limitSeconds, const Work& work)
   bool isLate = false;
   for (;;)
   {
-    const auto left =
-      std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - std::chrono::steady_clock::now());
     pollfd readable = { ends[0], POLLIN, 0 };
     isLate = left.count() <= 0 || poll(&readable, 1, static_cast<int>(left.count())) == 0;
     if (isLate)
@@ -95,11 +94,9 @@ ProcessOutcome InOwnProcess(int limitSeconds, const Work& work)
   if (message.empty())
   {
     return { "",
-      WIFSIGNALED(status) ? "ended by signal " + std::to_string(WTERMSIG(status))
-                          : "ended without a result" };
+      WIFSIGNALED(status) ? "ended by signal " + std::to_string(WTERMSIG(status)) : "ended without a result" };
   }
-  return message[0] == '+' ? ProcessOutcome{ message.substr(1), "" }
-                           : ProcessOutcome{ "", message.substr(1) };
+  return message[0] == '+' ? ProcessOutcome{ message.substr(1), "" } : ProcessOutcome{ "", message.substr(1) };
 }
 
 }

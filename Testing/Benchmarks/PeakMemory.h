@@ -27,8 +27,7 @@ public:
   /// Beyond what was held at the start; NaN where the system does not tell.
   double Growth() const
   {
-    return this->IsReset ? Megabytes("VmHWM:") - this->Base
-                         : std::numeric_limits<double>::quiet_NaN();
+    return this->IsReset ? Megabytes("VmHWM:") - this->Base : std::numeric_limits<double>::quiet_NaN();
   }
 
   /// Of the process since it began.

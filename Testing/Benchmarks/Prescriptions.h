@@ -33,21 +33,20 @@ inline std::string NameOf(DiscretisationKind kind)
 struct Regime
 {
   std::string Name;
-  int Count; ///< or, if 0,
+  int Count;    ///< or, if 0,
   double Share; ///< of all elements
 
   int Of(int elements) const
   {
-    return std::min(elements,
-      this->Count > 0 ? this->Count : static_cast<int>(std::ceil(this->Share * elements)));
+    return std::min(elements, this->Count > 0 ? this->Count : static_cast<int>(std::ceil(this->Share * elements)));
   }
 };
 
 /// Random elements with weight 1: faces with random directions of unit length, edges with the integrals of such in
 /// their planes, vertices with values between -1 and 1.
 /// \param mesh of the field.
-inline FieldConstraints RandomConstraints(const TriangleMesh& mesh, const Discretisation& field,
-  const Regime& regime, test::Random& random)
+inline FieldConstraints RandomConstraints(
+  const TriangleMesh& mesh, const Discretisation& field, const Regime& regime, test::Random& random)
 {
   constexpr double pi = 3.14159265358979323846;
   const int elements = field.NumberOfElements();

@@ -14,8 +14,7 @@ namespace dmg::benchmarks
 {
 
 /// d0^T star1 d0: the roughness of functions.
-inline SparseMatrix<double> CotangentLaplacian(
-  const TriangleMesh& mesh, const ExecutionContext& context)
+inline SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh, const ExecutionContext& context)
 {
   const SparseMatrix<double> d0 = D0(mesh, context);
   return SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal() * d0;
@@ -65,9 +64,8 @@ inline PrescribedUnknowns OfPairs(const PrescribedUnknowns& pairs)
 /// \param frames of the faces.
 /// \param field, options on this mesh.
 template <class Scalar>
-HarmonicSystem<Scalar> MakeSystem(const TriangleMesh& mesh, const TangentFrames& frames,
-  const Discretisation& field, const FieldConstraints& constraints, const FieldOptions& options,
-  const ExecutionContext& context)
+HarmonicSystem<Scalar> MakeSystem(const TriangleMesh& mesh, const TangentFrames& frames, const Discretisation& field,
+  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
 {
   SparseMatrix<Scalar> roughness = MakeRoughness<Scalar>(mesh, frames, options.Field, context);
   if (options.Constraints == ConstraintKind::Soft)
@@ -79,8 +77,7 @@ HarmonicSystem<Scalar> MakeSystem(const TriangleMesh& mesh, const TangentFrames&
   {
     prescribed = OfPairs(prescribed);
   }
-  return HarmonicSystem<Scalar>::Make(
-    std::move(roughness), field.Mass(context), std::move(prescribed));
+  return HarmonicSystem<Scalar>::Make(std::move(roughness), field.Mass(context), std::move(prescribed));
 }
 
 }

@@ -37,13 +37,12 @@ struct Prescription
 
 const std::vector<Prescription>& Prescriptions()
 {
-  static const std::vector<Prescription> all = { { "one", [](int) { return 1; } },
-    { "twenty", [](int) { return 20; } }, { "hundred", [](int) { return 100; } }, { "5 percent", [](int size) { return size / 20; } } };
+  static const std::vector<Prescription> all = { { "one", [](int) { return 1; } }, { "twenty", [](int) { return 20; } },
+    { "hundred", [](int) { return 100; } }, { "5 percent", [](int size) { return size / 20; } } };
   return all;
 }
 
-class LeastSquaresConvergence
-  : public ::testing::TestWithParam<std::tuple<DiscretisationKind, LevelConstruction>>
+class LeastSquaresConvergence : public ::testing::TestWithParam<std::tuple<DiscretisationKind, LevelConstruction>>
 {
 protected:
   /// Iterations to 1e-8 for each prescription; hard ones, if the alignment is infinite.
@@ -62,8 +61,7 @@ protected:
     hierarchyOptions.Levels = std::get<1>(GetParam());
     hierarchyOptions.MinimumNumberOfFaces = 100; // edge collapses go on with small surfaces, too
     const ProlongationOperators operators =
-      BuildSurfaceHierarchy(surface.Mesh, hierarchyOptions, context, { false, false, false })
-        .Operators;
+      BuildSurfaceHierarchy(surface.Mesh, hierarchyOptions, context, { false, false, false }).Operators;
     const int elements = field->NumberOfElements();
     std::vector<int> iterations;
     for (const Prescription& prescription : Prescriptions())
@@ -124,8 +122,7 @@ TEST_P(LeastSquaresConvergence, OnIrregularSpheres)
 
 TEST_P(LeastSquaresConvergence, OnIrregularTori)
 {
-  ExpectBounded(
-    { IrregularTorus(80, 32, 4), IrregularTorus(112, 44, 4), IrregularTorus(160, 64, 4) });
+  ExpectBounded({ IrregularTorus(80, 32, 4), IrregularTorus(112, 44, 4), IrregularTorus(160, 64, 4) });
 }
 
 TEST_P(LeastSquaresConvergence, WithBoundaries)
@@ -178,6 +175,5 @@ INSTANTIATE_TEST_SUITE_P(Fields, LeastSquaresConvergence,
   {
     const bool isForm = std::get<0>(info.param) == DiscretisationKind::OneForm;
     const bool isSampled = std::get<1>(info.param) == LevelConstruction::Sampling;
-    return std::string(isForm ? "OneForms" : "FaceFields") +
-      (isSampled ? "Sampling" : "EdgeCollapses");
+    return std::string(isForm ? "OneForms" : "FaceFields") + (isSampled ? "Sampling" : "EdgeCollapses");
   });

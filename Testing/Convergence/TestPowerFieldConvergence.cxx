@@ -26,8 +26,7 @@ class PowerFieldConvergence : public ::testing::TestWithParam<LevelConstruction>
 {
 };
 
-int Iterations(LevelConstruction levels, const Surface& shape, int N, int prescribedFaces,
-  double alignment = 1.0)
+int Iterations(LevelConstruction levels, const Surface& shape, int N, int prescribedFaces, double alignment = 1.0)
 {
   const TbbContext context(2);
   HierarchyOptions hierarchyOptions;
@@ -40,8 +39,7 @@ int Iterations(LevelConstruction levels, const Surface& shape, int N, int prescr
   constraints.Values.resize(2 * prescribedFaces);
   for (int b = 0; b < prescribedFaces; ++b)
   {
-    constraints.Elements.push_back(
-      static_cast<int>((b + 0.5) * surface.Mesh.NumberOfFaces() / prescribedFaces));
+    constraints.Elements.push_back(static_cast<int>((b + 0.5) * surface.Mesh.NumberOfFaces() / prescribedFaces));
     constraints.Weights.push_back(1.0);
     constraints.Values[2 * b] = random.Uniform(-1.0, 1.0);
     constraints.Values[2 * b + 1] = random.Uniform(-1.0, 1.0);
@@ -109,8 +107,7 @@ TEST_P(PowerFieldConvergence, OnNeedlesThatAreCut)
     {
       SCOPED_TRACE(N);
       SCOPED_TRACE(prescribed);
-      Iterations(
-        GetParam(), Subdivide(Subdivide(Subdivide(PlaneWithNeedles(24, 16)))), N, prescribed);
+      Iterations(GetParam(), Subdivide(Subdivide(Subdivide(PlaneWithNeedles(24, 16)))), N, prescribed);
     }
   }
 }
@@ -142,6 +139,4 @@ TEST_P(PowerFieldConvergence, OnAPlaneUnderWeakPulls)
 
 INSTANTIATE_TEST_SUITE_P(Levels, PowerFieldConvergence,
   ::testing::Values(LevelConstruction::EdgeCollapses, LevelConstruction::Sampling),
-  [](const auto& info) {
-    return info.param == LevelConstruction::Sampling ? "Sampling" : "EdgeCollapses";
-  });
+  [](const auto& info) { return info.param == LevelConstruction::Sampling ? "Sampling" : "EdgeCollapses"; });

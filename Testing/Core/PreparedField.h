@@ -15,12 +15,10 @@ namespace dmg::test
 {
 
 /// Whose roughness is a sum of squares.
-inline constexpr DiscretisationKind Squares[] = { DiscretisationKind::FaceField,
-  DiscretisationKind::OneForm };
+inline constexpr DiscretisationKind Squares[] = { DiscretisationKind::FaceField, DiscretisationKind::OneForm };
 inline constexpr ConstraintKind BothConstraints[] = { ConstraintKind::Soft, ConstraintKind::Hard };
 
-inline FieldOptions OptionsOf(
-  DiscretisationKind kind, SolverKind solver = SolverKind::ConjugateGradients)
+inline FieldOptions OptionsOf(DiscretisationKind kind, SolverKind solver = SolverKind::ConjugateGradients)
 {
   FieldOptions options;
   options.Field.Kind = kind;
@@ -42,22 +40,13 @@ struct PreparedField
     : Kind(kind)
     , Owned(std::make_shared<const FramedMesh>(surface.Mesh()))
   {
-    this->Operators =
-      BuildSurfaceHierarchy(this->Mesh, Deep(), SerialContext(), { false, false, false })
-        .Operators;
-    this->Levels =
-      SetupOf(this->Framed, &this->Operators, OptionsOf(kind), SerialContext());
+    this->Operators = BuildSurfaceHierarchy(this->Mesh, Deep(), SerialContext(), { false, false, false }).Operators;
+    this->Levels = SetupOf(this->Framed, &this->Operators, OptionsOf(kind), SerialContext());
   }
 
   bool IsForm() const { return this->Kind == DiscretisationKind::OneForm; }
-  int NumberOfElements() const
-  {
-    return this->IsForm() ? this->Mesh.NumberOfEdges() : this->Mesh.NumberOfFaces();
-  }
-  int NumberOfUnknowns() const
-  {
-    return this->IsForm() ? this->Mesh.NumberOfEdges() : 2 * this->Mesh.NumberOfFaces();
-  }
+  int NumberOfElements() const { return this->IsForm() ? this->Mesh.NumberOfEdges() : this->Mesh.NumberOfFaces(); }
+  int NumberOfUnknowns() const { return this->IsForm() ? this->Mesh.NumberOfEdges() : 2 * this->Mesh.NumberOfFaces(); }
   int UnknownsPerElement() const { return this->IsForm() ? 1 : 2; }
 
   /// Elements first, first + step, ... below \p last, with random weights.
@@ -76,17 +65,16 @@ struct PreparedField
   PrescribedUnknowns Prescribed(const Elements& elements, const FieldWeights& weights) const
   {
     // The areas of faces pull at powers as they do at vectors.
-    return this->IsForm() ? PrescribedUnknownsOf(this->Mesh,
-                              PrescribedEdges{ elements.Numbers, elements.Weights }, weights)
-                          : PrescribedUnknownsOf(this->Mesh,
-                              PrescribedFaces{ elements.Numbers, elements.Weights }, weights);
+    return this->IsForm()
+      ? PrescribedUnknownsOf(this->Mesh, PrescribedEdges{ elements.Numbers, elements.Weights }, weights)
+      : PrescribedUnknownsOf(this->Mesh, PrescribedFaces{ elements.Numbers, elements.Weights }, weights);
   }
 
-  HarmonicProblem Problem(const Elements& elements, const FieldWeights& weights,
-    SolverKind solver = SolverKind::ConjugateGradients) const
+  HarmonicProblem Problem(
+    const Elements& elements, const FieldWeights& weights, SolverKind solver = SolverKind::ConjugateGradients) const
   {
-    return HarmonicProblem(this->Levels, this->Prescribed(elements, weights), weights.Smoothness,
-      {}, { solver, "" }, SerialContext());
+    return HarmonicProblem(
+      this->Levels, this->Prescribed(elements, weights), weights.Smoothness, {}, { solver, "" }, SerialContext());
   }
 
   /// The same by factoring the matrix of the system, which is assembled otherwise.
@@ -96,8 +84,7 @@ struct PreparedField
     options.Smoothness = weights.Smoothness;
     options.Alignment = weights.Alignment;
     options.Constraints = weights.Constraints;
-    return FieldProblem(this->Framed, nullptr, { elements.Numbers, elements.Weights, {} },
-      options, SerialContext());
+    return FieldProblem(this->Framed, nullptr, { elements.Numbers, elements.Weights, {} }, options, SerialContext());
   }
 
   Vector<double> RandomValues(const Elements& elements, unsigned seed) const
@@ -128,8 +115,7 @@ struct PreparedField
 inline std::string Describe(DiscretisationKind kind, ConstraintKind constraints)
 {
   const bool isFace = kind == DiscretisationKind::FaceField;
-  const std::string name =
-    kind == DiscretisationKind::OneForm ? "1-form" : isFace ? "face field" : "powers";
+  const std::string name = kind == DiscretisationKind::OneForm ? "1-form" : isFace ? "face field" : "powers";
   return name + (constraints == ConstraintKind::Soft ? ", soft" : ", hard");
 }
 

@@ -82,7 +82,8 @@ TEST(HarmonicProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
     SCOPED_TRACE(Describe(on.Kind, constraints));
     const Elements elements = { { edge }, { 1.0 } };
     const FieldWeights weights = { 1.0, 1.0, constraints };
-    const auto expectIt = [&](const Vector<double>& field, const SolveReport& report) {
+    const auto expectIt = [&](const Vector<double>& field, const SolveReport& report)
+    {
       EXPECT_TRUE(report.Converged);
       ASSERT_EQ(report.Warnings.size(), 1u) << report.Solver;
       EXPECT_NE(report.Warnings[0].find("1 of the 2 harmonic fields"), std::string::npos);
@@ -113,10 +114,8 @@ TEST(HarmonicProblem, AFactorTakesOverWhereCyclesDoNotConverge)
       const Vector<double> field = problem.Solve(values, {}, {}, stop, SerialContext());
       EXPECT_TRUE(problem.Report().Converged);
       ASSERT_EQ(problem.Report().Warnings.size(), 1u);
-      EXPECT_NE(problem.Report().Warnings[0].find("a factor of the system took over"),
-        std::string::npos);
-      const Vector<double> expected =
-        on.Factored(elements, weights).Solve(values, {}, Tight(), SerialContext());
+      EXPECT_NE(problem.Report().Warnings[0].find("a factor of the system took over"), std::string::npos);
+      const Vector<double> expected = on.Factored(elements, weights).Solve(values, {}, Tight(), SerialContext());
       // Energies of the smoothest fields are by the square of the stretch smaller than those of rough ones.
       EXPECT_LE((field - expected).norm(), 1e3 * stop.RelativeTolerance * expected.norm());
     }

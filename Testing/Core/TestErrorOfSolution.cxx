@@ -45,8 +45,7 @@ Extended Roughness(const FramedMesh& surface, DiscretisationKind kind)
   switch (kind)
   {
     case DiscretisationKind::FaceField:
-      return Eigen::MatrixXd(FaceFieldSmoothness(surface.Mesh, surface.Faces, SerialContext()))
-        .cast<long double>();
+      return Eigen::MatrixXd(FaceFieldSmoothness(surface.Mesh, surface.Faces, SerialContext())).cast<long double>();
     case DiscretisationKind::OneForm:
       return Eigen::MatrixXd(OneFormLaplacian(surface.Mesh, SerialContext())).cast<long double>();
     case DiscretisationKind::ScalarFunction:
@@ -89,8 +88,7 @@ FieldConstraints Twenty(const Discretisation& field, double weight, bool areMixe
   return constraints;
 }
 
-Vector<double> Reference(
-  const Extended& R, const PrescribedUnknowns& penalties, const Vector<double>& values)
+Vector<double> Reference(const Extended& R, const PrescribedUnknowns& penalties, const Vector<double>& values)
 {
   Extended A = R;
   ExtendedVector b = ExtendedVector::Zero(A.rows());
@@ -138,8 +136,7 @@ ProlongationOperators NodalLevels(const FramedMesh& surface)
 {
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
-  return BuildSurfaceHierarchy(surface.Mesh, options, SerialContext(), { false, false, false })
-    .Operators;
+  return BuildSurfaceHierarchy(surface.Mesh, options, SerialContext(), { false, false, false }).Operators;
 }
 
 std::string Name(SolverKind solver, double weight, bool areMixed)
@@ -168,23 +165,19 @@ TEST(ErrorOfSolution, IsBelowTenTolerancesForAnyWeight)
       for (const bool areMixed : { false, true })
       {
         const FieldConstraints constraints = Twenty(*field, weight, areMixed);
-        const Vector<double> expected = Reference(
-          R, field->Penalties(constraints, {}, SerialContext()), constraints.Values);
-        for (const SolverKind solver :
-          { SolverKind::Cholesky, SolverKind::ConjugateGradients, SolverKind::VCycles })
+        const Vector<double> expected =
+          Reference(R, field->Penalties(constraints, {}, SerialContext()), constraints.Values);
+        for (const SolverKind solver : { SolverKind::Cholesky, SolverKind::ConjugateGradients, SolverKind::VCycles })
         {
           SCOPED_TRACE(field->Name() + ", " + Name(solver, weight, areMixed));
-          FieldProblem problem(
-            surface, &operators, constraints, OptionsOf(kind, solver), SerialContext());
+          FieldProblem problem(surface, &operators, constraints, OptionsOf(kind, solver), SerialContext());
           EXPECT_EQ(problem.Report().Solver.find("because"), std::string::npos);
           for (const double tolerance : { 1e-4, 1e-8 })
           {
-            const Vector<double> x =
-              problem.Solve(constraints.Values, {}, { tolerance, 100 }, SerialContext());
+            const Vector<double> x = problem.Solve(constraints.Values, {}, { tolerance, 100 }, SerialContext());
             EXPECT_TRUE(problem.Report().Converged);
             const Vector<double> error = (x - expected).cwiseAbs2().cwiseProduct(mass);
-            EXPECT_LE(std::sqrt(error.sum()),
-              10.0 * tolerance * std::sqrt(expected.cwiseAbs2().dot(mass)));
+            EXPECT_LE(std::sqrt(error.sum()), 10.0 * tolerance * std::sqrt(expected.cwiseAbs2().dot(mass)));
           }
         }
       }
@@ -202,9 +195,9 @@ TEST(ErrorOfSolution, SolversAgreeWhereHarmonicFieldsAreWeaklyDetermined)
     {
       const auto field = MakeDiscretisation(OptionsOf(kind, SolverKind::Cholesky).Field, surface);
       const FieldConstraints constraints = Twenty(*field, weight, false);
-      const auto solve = [&](SolverKind solver) {
-        FieldProblem problem(
-          surface, &operators, constraints, OptionsOf(kind, solver), SerialContext());
+      const auto solve = [&](SolverKind solver)
+      {
+        FieldProblem problem(surface, &operators, constraints, OptionsOf(kind, solver), SerialContext());
         EXPECT_EQ(problem.Report().Solver.find("because"), std::string::npos);
         const Vector<double> x = problem.Solve(constraints.Values, {}, {}, SerialContext());
         EXPECT_TRUE(problem.Report().Converged);
@@ -229,8 +222,7 @@ TEST(ErrorOfSolution, ApproximationsHaveNotConverged)
     const FieldConstraints constraints = Twenty(*field, 1.0, false);
     for (const SolverKind solver : { SolverKind::NestedIterations, SolverKind::CoarseProlongation })
     {
-      FieldProblem problem(
-        surface, &operators, constraints, OptionsOf(kind, solver), SerialContext());
+      FieldProblem problem(surface, &operators, constraints, OptionsOf(kind, solver), SerialContext());
       problem.Solve(constraints.Values, {}, {}, SerialContext());
       const SolveReport& report = problem.Report();
       EXPECT_FALSE(report.Converged) << report.Solver;

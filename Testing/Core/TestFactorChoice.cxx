@@ -35,8 +35,7 @@ TEST(FactorChoice, ManyNeedlesAreForAFactor)
     const CycleObstacles many = ObstaclesOf(StripWithNeedles(25), hasHarmonicFields, SerialContext());
     EXPECT_DOUBLE_EQ(many.ShareOfNeedles, 0.25);
     EXPECT_TRUE(IsFactorBetter(many));
-    EXPECT_EQ(WhyFactorIsBetter(many),
-      ", chosen because 25 % of the triangles are needles (more than 3 %)");
+    EXPECT_EQ(WhyFactorIsBetter(many), ", chosen because 25 % of the triangles are needles (more than 3 %)");
   }
 }
 

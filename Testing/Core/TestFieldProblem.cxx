@@ -25,8 +25,7 @@ TEST(FieldProblem, UpdateIsANewProblem)
   const PreparedSurface on(IrregularTorus(48, 24, 4));
   for (DiscretisationKind kind : AllKinds)
   {
-    for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky,
-           SolverKind::NestedIterations })
+    for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky, SolverKind::NestedIterations })
     {
       SCOPED_TRACE(std::to_string(static_cast<int>(kind)) + " " + NameOf(solver));
       FieldOptions options;
@@ -34,20 +33,19 @@ TEST(FieldProblem, UpdateIsANewProblem)
       options.Solver.Kind = solver;
       options.Solver.Nested.Cycles = 40;
       options.Solver.Nested.Sweeps = 0;
-      const auto constraintsOf = [&](int step) {
-        return MakeFieldConstraints(on.Framed, Prescriptions(on.Framed, step), options);
-      };
-      const auto make = [&](const FieldConstraints& constraints) {
-        return FieldProblem(on.Framed, &on.Operators, constraints, options, SerialContext());
-      };
-      const auto solve = [](FieldProblem& problem, const FieldConstraints& constraints) {
-        const Vector<double> field =
-          problem.Solve(constraints.Values, {}, { 1e-11, 200 }, SerialContext());
+      const auto constraintsOf = [&](int step)
+      { return MakeFieldConstraints(on.Framed, Prescriptions(on.Framed, step), options); };
+      const auto make = [&](const FieldConstraints& constraints)
+      { return FieldProblem(on.Framed, &on.Operators, constraints, options, SerialContext()); };
+      const auto solve = [](FieldProblem& problem, const FieldConstraints& constraints)
+      {
+        const Vector<double> field = problem.Solve(constraints.Values, {}, { 1e-11, 200 }, SerialContext());
         EXPECT_TRUE(problem.Report().Converged);
         return field;
       };
       FieldProblem problem = make(constraintsOf(97));
-      const auto expectUpdates = [&](const FieldConstraints& constraints) {
+      const auto expectUpdates = [&](const FieldConstraints& constraints)
+      {
         problem.Update(constraints, options, SerialContext());
         FieldProblem fresh = make(constraints);
         const Vector<double> expected = solve(fresh, constraints);
@@ -71,21 +69,19 @@ TEST(FieldProblem, OnASurfaceOfOneLevelIsFactored)
 {
   const FramedMesh surface(IrregularSphere(2, 3).Mesh());
   const TriangleMesh& mesh = surface.Mesh;
-  const ProlongationOperators operators =
-    BuildSurfaceHierarchy(mesh, HierarchyOptions(), SerialContext()).Operators;
+  const ProlongationOperators operators = BuildSurfaceHierarchy(mesh, HierarchyOptions(), SerialContext()).Operators;
   ASSERT_EQ(operators.NumberOfLevels(), 1);
   for (DiscretisationKind kind : AllKinds)
   {
     FieldOptions options;
     options.Field.Kind = kind;
     options.Solver.Nested.Rule = SweepRule::WhileErrorFalls; // needs a reference on more levels
-    const FieldConstraints constraints =
-      MakeFieldConstraints(surface, { WaveOfDirections(mesh, 50), {} }, options);
-    const auto solve = [&](SolverKind solver) {
+    const FieldConstraints constraints = MakeFieldConstraints(surface, { WaveOfDirections(mesh, 50), {} }, options);
+    const auto solve = [&](SolverKind solver)
+    {
       options.Solver.Kind = solver;
       FieldProblem problem(surface, &operators, constraints, options, SerialContext());
-      const Vector<double> field =
-        problem.Solve(constraints.Values, {}, StoppingCriteria(), SerialContext());
+      const Vector<double> field = problem.Solve(constraints.Values, {}, StoppingCriteria(), SerialContext());
       EXPECT_TRUE(problem.Report().Converged);
       EXPECT_EQ(problem.Report().Levels.size(), 1u);
       return std::pair(field, problem.Report().Solver);
@@ -95,13 +91,15 @@ TEST(FieldProblem, OnASurfaceOfOneLevelIsFactored)
     const auto [automatic, reason] = solve(SolverKind::Automatic);
     EXPECT_EQ(automatic, direct);
     const int equations = MakeDiscretisation(options.Field, surface)->NumberOfEquations();
-    EXPECT_EQ(reason.rfind(name + ", chosen for " + std::to_string(equations) +
-                  " unknowns, few enough to factor at once", 0), 0u) << reason;
-    for (const auto& [solver, instead] : std::vector<std::pair<SolverKind, std::string>>{
-           { SolverKind::VCycles, "in place of V-cycles" },
-           { SolverKind::ConjugateGradients, "in place of conjugate gradients with a V-cycle" },
-           { SolverKind::NestedIterations, "in place of nested iterations" },
-           { SolverKind::CoarseProlongation, "in place of coarse prolongation" } })
+    EXPECT_EQ(
+      reason.rfind(name + ", chosen for " + std::to_string(equations) + " unknowns, few enough to factor at once", 0),
+      0u)
+      << reason;
+    for (const auto& [solver, instead] :
+      std::vector<std::pair<SolverKind, std::string>>{ { SolverKind::VCycles, "in place of V-cycles" },
+        { SolverKind::ConjugateGradients, "in place of conjugate gradients with a V-cycle" },
+        { SolverKind::NestedIterations, "in place of nested iterations" },
+        { SolverKind::CoarseProlongation, "in place of coarse prolongation" } })
     {
       const auto [field, report] = solve(solver);
       EXPECT_EQ(field, direct);
@@ -120,7 +118,8 @@ TEST(FieldProblem, HasTheSameBitsForAnyNumberOfThreads)
     options.Solver.Kind = SolverKind::ConjugateGradients;
     const FieldConstraints constraints =
       MakeFieldConstraints(on.Framed, { WaveOfDirections(on.Mesh, 50), {} }, options);
-    const auto solve = [&](const ExecutionContext& context) {
+    const auto solve = [&](const ExecutionContext& context)
+    {
       const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(on.Mesh, Deep(), context);
       FieldProblem problem(on.Framed, &hierarchy.Operators, constraints, options, context);
       return problem.Solve(constraints.Values, {}, Tight(), context);
@@ -147,8 +146,7 @@ TEST(FieldProblem, TakesHarmonicFieldsFromItsLevels)
         options.CoarseSpace = space;
         options.Solver.Kind = SolverKind::ConjugateGradients;
         const FieldProblem problem(on.Framed, &on.Operators,
-          MakeFieldConstraints(on.Framed, { WaveOfDirections(on.Mesh, 50), {} }, options), options,
-          SerialContext());
+          MakeFieldConstraints(on.Framed, { WaveOfDirections(on.Mesh, 50), {} }, options), options, SerialContext());
         EXPECT_EQ(problem.HarmonicFields().cols(), known);
       }
     }
@@ -159,18 +157,15 @@ TEST(FieldProblem, NamesTheOperatorsThatAreMissing)
 {
   const FramedMesh surface(IrregularSphere(3, 3).Mesh());
   const TriangleMesh& mesh = surface.Mesh;
-  const SurfaceHierarchy hierarchy =
-    BuildSurfaceHierarchy(mesh, Deep(), SerialContext(), { false, false, false });
+  const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(mesh, Deep(), SerialContext(), { false, false, false });
   const char* const properties[] = { "Power Fields", "Face Fields", "One Forms" };
   for (DiscretisationKind kind : AllKinds)
   {
     FieldOptions options;
     options.Field.Kind = kind;
     options.Solver.Kind = SolverKind::ConjugateGradients;
-    const FieldConstraints constraints =
-      MakeFieldConstraints(surface, { WaveOfDirections(mesh, 50), {} }, options);
-    EXPECT_NO_THROW(
-      FieldProblem(surface, &hierarchy.Operators, constraints, options, SerialContext()));
+    const FieldConstraints constraints = MakeFieldConstraints(surface, { WaveOfDirections(mesh, 50), {} }, options);
+    EXPECT_NO_THROW(FieldProblem(surface, &hierarchy.Operators, constraints, options, SerialContext()));
     options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
     try
     {
@@ -179,9 +174,7 @@ TEST(FieldProblem, NamesTheOperatorsThatAreMissing)
     }
     catch (const InvalidInput& error)
     {
-      EXPECT_NE(std::string(error.what()).find(properties[static_cast<int>(kind)]),
-        std::string::npos)
-        << error.what();
+      EXPECT_NE(std::string(error.what()).find(properties[static_cast<int>(kind)]), std::string::npos) << error.what();
     }
   }
 }
@@ -200,13 +193,10 @@ TEST(FieldProblem, TakesLevelsOrMakesThem)
       const FieldConstraints prescribed = on.Constraints(on.Every(31), 3708);
       const auto solve = [&](std::shared_ptr<const MultigridSetup> levels)
       {
-        FieldProblem problem(on.Framed, &on.Operators, prescribed, options,
-          SerialContext(), std::move(levels));
-        const Vector<double> field =
-          problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
+        FieldProblem problem(on.Framed, &on.Operators, prescribed, options, SerialContext(), std::move(levels));
+        const Vector<double> field = problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
         EXPECT_TRUE(problem.Report().Converged);
-        EXPECT_EQ(problem.Report().Solver,
-          std::string("conjugate gradients with a V-cycle on nodal levels"));
+        EXPECT_EQ(problem.Report().Solver, std::string("conjugate gradients with a V-cycle on nodal levels"));
         return field;
       };
       const Vector<double> made = solve(nullptr);
@@ -214,8 +204,7 @@ TEST(FieldProblem, TakesLevelsOrMakesThem)
       EXPECT_EQ(solve(on.Levels), made) << "once more, since levels do not change";
       // Thread counts of levels and of problems do not matter either.
       const TbbContext threads(3);
-      EXPECT_EQ(
-        solve(SetupOf(on.Framed, &on.Operators, options, threads)), made);
+      EXPECT_EQ(solve(SetupOf(on.Framed, &on.Operators, options, threads)), made);
     }
   }
 }
@@ -227,18 +216,17 @@ TEST(FieldProblem, TakesSamplesWithoutOperators)
     const PreparedField on(IrregularTorus(84, 42, 4), kind);
     const FieldOptions options = OptionsOf(kind);
     const FieldConstraints prescribed = on.Constraints(on.Every(31), 3708);
-    const auto solve = [&](std::shared_ptr<const MultigridSetup> levels) {
-      FieldProblem problem(
-        on.Framed, nullptr, prescribed, options, SerialContext(), std::move(levels));
+    const auto solve = [&](std::shared_ptr<const MultigridSetup> levels)
+    {
+      FieldProblem problem(on.Framed, nullptr, prescribed, options, SerialContext(), std::move(levels));
       EXPECT_EQ(problem.Report().Solver, "conjugate gradients with a V-cycle on nodal levels");
       return problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
     };
     const TbbContext threads(3);
     const auto field = MakeDiscretisation(options.Field, on.Framed);
-    const ProlongationOperators samples =
-      BuildSurfaceHierarchy(on.Mesh, PlanSolver(*field, options, nullptr, {}).Levels, SerialContext(),
-        { false, false, false })
-        .Operators;
+    const ProlongationOperators samples = BuildSurfaceHierarchy(
+      on.Mesh, PlanSolver(*field, options, nullptr, {}).Levels, SerialContext(), { false, false, false })
+                                            .Operators;
     EXPECT_EQ(solve(SetupOf(on.Framed, nullptr, options, threads)),
       solve(SetupOf(on.Framed, &samples, options, SerialContext())));
   }
@@ -258,8 +246,8 @@ TEST(FieldProblem, KnowsTheHarmonicFieldsInTheCallersOrder)
       for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky })
       {
         SCOPED_TRACE(NameOf(solver));
-        const FieldProblem problem(on.Framed, &on.Operators,
-          on.Constraints(on.Every(31), 3721), OptionsOf(kind, solver), SerialContext());
+        const FieldProblem problem(
+          on.Framed, &on.Operators, on.Constraints(on.Every(31), 3721), OptionsOf(kind, solver), SerialContext());
         const Eigen::MatrixXd fields = problem.HarmonicFields();
         ASSERT_EQ(fields.cols(), loops);
         for (int k = 0; k < loops; ++k)
@@ -309,11 +297,9 @@ TEST(FieldProblem, IsFactoredWhereThereAreTooFewFacesForSamples)
     ASSERT_FALSE(SetupOf(on.Framed, nullptr, options, SerialContext())->HasLevels);
     const Elements elements = on.Every(31);
     const FieldConstraints prescribed = on.Constraints(elements, 3720);
-    const auto solve = [&](FieldProblem problem) {
-      return problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
-    };
-    const Vector<double> field = solve(
-      FieldProblem(on.Framed, nullptr, prescribed, options, SerialContext()));
+    const auto solve = [&](FieldProblem problem)
+    { return problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext()); };
+    const Vector<double> field = solve(FieldProblem(on.Framed, nullptr, prescribed, options, SerialContext()));
     const Vector<double> expected = solve(on.Factored(elements, FieldWeights()));
     EXPECT_LE((field - expected).norm(), 1e-7 * expected.norm());
   }
@@ -335,6 +321,5 @@ TEST(FieldProblem, IsFactoredWhereThereAreManyNeedles)
   FieldProblem problem(surface, nullptr, prescribed, options, SerialContext());
   problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
   EXPECT_TRUE(problem.Report().Converged);
-  EXPECT_NE(problem.Report().Solver.find("of the triangles are needles"), std::string::npos)
-    << problem.Report().Solver;
+  EXPECT_NE(problem.Report().Solver.find("of the triangles are needles"), std::string::npos) << problem.Report().Solver;
 }

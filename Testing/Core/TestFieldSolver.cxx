@@ -29,8 +29,7 @@ PrescribedDirections Directions(const TriangleMesh& mesh, double turn = 0.0, dou
   const TangentFrames frames = FaceFrames(mesh);
   for (int face = 0; face < mesh.NumberOfFaces(); face += 101)
   {
-    directions.OnFaces.push_back(
-      { face, frames.ToVector(face, std::polar(1.0, 0.01 * face + turn)), weight });
+    directions.OnFaces.push_back({ face, frames.ToVector(face, std::polar(1.0, 0.01 * face + turn)), weight });
   }
   return directions;
 }
@@ -62,24 +61,19 @@ TEST(FieldSolver, EachOptionRepeatsItsStages)
     { "nothing", [](FieldOptions&) {}, { 0, 0, 0 } },
     { "Kind", [](FieldOptions& o) { o.Field.Kind = DiscretisationKind::FaceField; }, everything },
     { "N", [](FieldOptions& o) { o.Field.N = 3; }, everything },
-    { "Areas of power fields", [](FieldOptions& o) { o.Field.Areas = VertexAreas::Barycentric; },
-      system },
+    { "Areas of power fields", [](FieldOptions& o) { o.Field.Areas = VertexAreas::Barycentric; }, system },
     { "Smoothness", [](FieldOptions& o) { o.Smoothness = 2.0; }, system },
     { "Alignment", [](FieldOptions& o) { o.Alignment = 2.0; }, system },
     { "Constraints", [](FieldOptions& o) { o.Constraints = ConstraintKind::Hard; }, system },
-    { "CoarseSpace", [](FieldOptions& o) { o.CoarseSpace = CoarseSpaceKind::StructurePreserving; },
-      everything },
+    { "CoarseSpace", [](FieldOptions& o) { o.CoarseSpace = CoarseSpaceKind::StructurePreserving; }, everything },
     { "V-cycles", [](FieldOptions& o) { o.Solver.Kind = SolverKind::VCycles; }, system },
     { "Cholesky", [](FieldOptions& o) { o.Solver.Kind = SolverKind::Cholesky; }, system },
-    { "nested iterations", [](FieldOptions& o) { o.Solver.Kind = SolverKind::NestedIterations; },
-      everything },
+    { "nested iterations", [](FieldOptions& o) { o.Solver.Kind = SolverKind::NestedIterations; }, everything },
     { "ExpectedSolves", [](FieldOptions& o) { o.Solver.ExpectedSolves = 2; }, system },
     { "Sweeps", [](FieldOptions& o) { o.Solver.Sweeps = 3; }, system },
-    { "Nested.Rule", [](FieldOptions& o) { o.Solver.Nested.Rule = SweepRule::WhileResidualFalls; },
-      system },
+    { "Nested.Rule", [](FieldOptions& o) { o.Solver.Nested.Rule = SweepRule::WhileResidualFalls; }, system },
     { "Nested.Sweeps", [](FieldOptions& o) { o.Solver.Nested.Sweeps = 7; }, system },
-    { "Nested.LeastImprovement", [](FieldOptions& o) { o.Solver.Nested.LeastImprovement = 0.1; },
-      system },
+    { "Nested.LeastImprovement", [](FieldOptions& o) { o.Solver.Nested.LeastImprovement = 0.1; }, system },
     { "Nested.MaximumSweeps", [](FieldOptions& o) { o.Solver.Nested.MaximumSweeps = 8; }, system },
     { "Nested.Cycles", [](FieldOptions& o) { o.Solver.Nested.Cycles = 1; }, system },
     { "StartingLevel", [](FieldOptions& o) { o.Solver.StartingLevel = 1; }, everything },
@@ -105,8 +99,7 @@ TEST(FieldSolver, EachOptionRepeatsItsStages)
     FieldSolver fresh(mesh);
     fresh.Solve(Directions(mesh), options, { 1e-12, 200 });
     solver.Solve(Directions(mesh), options, { 1e-12, 200 });
-    EXPECT_LE((solver.Unknowns() - fresh.Unknowns()).norm(), 1e-8 * fresh.Unknowns().norm())
-      << change.Name;
+    EXPECT_LE((solver.Unknowns() - fresh.Unknowns()).norm(), 1e-8 * fresh.Unknowns().norm()) << change.Name;
   }
 }
 
@@ -116,8 +109,9 @@ TEST(FieldSolver, PrescriptionsRepeatTheirStages)
   FieldSolver solver(mesh);
   FieldOptions options;
   options.Solver.Kind = SolverKind::ConjugateGradients;
-  const auto expectCosts = [&](const PrescribedDirections& directions, const StoppingCriteria& stop,
-                             const Stages& costs) {
+  const auto expectCosts = [&](
+                             const PrescribedDirections& directions, const StoppingCriteria& stop, const Stages& costs)
+  {
     const FieldSolver::StageCounts before = solver.Counts();
     solver.Solve(directions, options, stop);
     EXPECT_EQ(solver.Counts().Setups - before.Setups, costs.Setups);
@@ -165,7 +159,8 @@ TEST(FieldSolver, KeepsSetupsUpToALimitOfMemory)
   const TriangleMesh mesh = IrregularTorus(64, 32, 4).Mesh();
   FieldOptions options;
   options.Solver.Kind = SolverKind::ConjugateGradients;
-  const auto setups = [&](FieldSolver& solver, const std::vector<int>& Ns) {
+  const auto setups = [&](FieldSolver& solver, const std::vector<int>& Ns)
+  {
     for (const int N : Ns)
     {
       options.Field.N = N;
@@ -223,8 +218,7 @@ TEST(FieldSolver, DirectionsFollowWhatIsPrescribed)
       double nearest = 10.0;
       for (int k = 0; k < N; ++k)
       {
-        nearest = std::min(
-          nearest, (Vector3(solver.Directions(k).row(face)) - direction).norm());
+        nearest = std::min(nearest, (Vector3(solver.Directions(k).row(face)) - direction).norm());
       }
       EXPECT_LE(nearest, 1e-12);
     }
@@ -233,8 +227,7 @@ TEST(FieldSolver, DirectionsFollowWhatIsPrescribed)
 
 TEST(FieldSolver, SolversAgreeOnEveryDiscretisation)
 {
-  for (const Surface& surface : { IrregularSphere(3, 3), IrregularTorus(28, 14, 4),
-         IrregularPlane(20, 16, 5) })
+  for (const Surface& surface : { IrregularSphere(3, 3), IrregularTorus(28, 14, 4), IrregularPlane(20, 16, 5) })
   {
     const PreparedSurface on(surface);
     FieldSolver fields(on.Mesh);
@@ -245,7 +238,8 @@ TEST(FieldSolver, SolversAgreeOnEveryDiscretisation)
         FieldOptions options;
         options.Field.Kind = kind;
         options.Constraints = constraintKind;
-        const auto solve = [&](SolverKind solver, CoarseSpaceKind space) {
+        const auto solve = [&](SolverKind solver, CoarseSpaceKind space)
+        {
           options.Solver.Kind = solver;
           options.CoarseSpace = space;
           options.Solver.CompareWithCholesky = true;
@@ -259,8 +253,7 @@ TEST(FieldSolver, SolversAgreeOnEveryDiscretisation)
         const Vector<double> direct = solve(SolverKind::Cholesky, CoarseSpaceKind::Nodal);
         for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::NestedIterations })
         {
-          for (CoarseSpaceKind space :
-            { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+          for (CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
           {
             EXPECT_LT((solve(solver, space) - direct).norm(), 1e-7 * direct.norm())
               << static_cast<int>(kind) << static_cast<int>(solver) << static_cast<int>(space);
@@ -283,7 +276,8 @@ TEST(FieldSolver, AgreesWithTheTextbookSystem)
     options.Constraints = constraints;
     options.Alignment = 3.0;
     options.Smoothness = 0.5;
-    const auto expectSame = [&](const auto& system, const auto& values, const auto& pairsOf) {
+    const auto expectSame = [&](const auto& system, const auto& values, const auto& pairsOf)
+    {
       const auto A = system.Matrix().toDense().eval();
       const auto x = system.Expand(A.partialPivLu().solve(system.RightHandSide(values)), values);
       FieldSolver fields(on.Mesh);
@@ -293,21 +287,16 @@ TEST(FieldSolver, AgreesWithTheTextbookSystem)
     };
     const auto real = [](const Vector<double>& x) { return x; };
     options.Field.N = 3;
-    const PowerConstraints powers =
-      MakePowerConstraints(on.Mesh, on.Frames, 3, directions.OnFaces);
-    expectSame(
-      MakePowerFieldSystem(on.Mesh, on.Frames, 3, powers.Prescribed, options.Weights()),
-      powers.Values, [](const Vector<Complex>& x) { return Vector<double>(AsPairs(x)); });
+    const PowerConstraints powers = MakePowerConstraints(on.Mesh, on.Frames, 3, directions.OnFaces);
+    expectSame(MakePowerFieldSystem(on.Mesh, on.Frames, 3, powers.Prescribed, options.Weights()), powers.Values,
+      [](const Vector<Complex>& x) { return Vector<double>(AsPairs(x)); });
     options.Field.Kind = DiscretisationKind::FaceField;
-    const PowerConstraints vectors =
-      MakePowerConstraints(on.Mesh, on.Frames, 1, directions.OnFaces);
+    const PowerConstraints vectors = MakePowerConstraints(on.Mesh, on.Frames, 1, directions.OnFaces);
     expectSame(MakeFaceFieldSystem(on.Mesh, on.Frames, vectors.Prescribed, options.Weights()),
       Vector<double>(AsPairs(vectors.Values)), real);
     options.Field.Kind = DiscretisationKind::OneForm;
-    const OneFormConstraints forms =
-      OneFormConstraintsOnFaces(on.Mesh, on.Frames, directions.OnFaces);
-    expectSame(
-      MakeOneFormSystem(on.Mesh, forms.Prescribed, options.Weights()), forms.Values, real);
+    const OneFormConstraints forms = OneFormConstraintsOnFaces(on.Mesh, on.Frames, directions.OnFaces);
+    expectSame(MakeOneFormSystem(on.Mesh, forms.Prescribed, options.Weights()), forms.Values, real);
   }
 }
 

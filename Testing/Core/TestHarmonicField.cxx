@@ -33,9 +33,8 @@ PrescribedFaces Every(int step, int faces)
   return prescribed;
 }
 
-Vector<Complex> Solve(const PreparedSurface& on, const PrescribedFaces& prescribed,
-  const Vector<Complex>& values, const FieldOptions& options,
-  const ExecutionContext& context = SerialContext())
+Vector<Complex> Solve(const PreparedSurface& on, const PrescribedFaces& prescribed, const Vector<Complex>& values,
+  const FieldOptions& options, const ExecutionContext& context = SerialContext())
 {
   PowerFieldProblem problem(on.Framed, &on.Operators, prescribed, options, context);
   const Vector<Complex> field = problem.Solve(values, {}, Tight(), context);
@@ -47,8 +46,8 @@ Vector<Complex> Solve(const PreparedSurface& on, const PrescribedFaces& prescrib
 
 TEST(HarmonicField, SolversAgree)
 {
-  for (const Surface& surface : { IrregularSphere(4, 3), IrregularTorus(48, 20, 4),
-         DoubleTorus(4), IrregularPlane(30, 24, 5) })
+  for (const Surface& surface :
+    { IrregularSphere(4, 3), IrregularTorus(48, 20, 4), DoubleTorus(4), IrregularPlane(30, 24, 5) })
   {
     const PreparedSurface on(surface);
     const PrescribedFaces prescribed = Every(97, on.Mesh.NumberOfFaces());
@@ -69,8 +68,7 @@ TEST(HarmonicField, SolversAgree)
           {
             options.Solver.Kind = solver;
             options.CoarseSpace = space;
-            EXPECT_LT(
-              RelativeDifference(Solve(on, prescribed, values, options), direct), 1e-8);
+            EXPECT_LT(RelativeDifference(Solve(on, prescribed, values, options), direct), 1e-8);
           }
         }
       }
@@ -85,8 +83,7 @@ TEST(HarmonicField, OneDirectionFillsAFlatPatch)
   const Vector3 direction(0.28, 0.96, 0.0);
   for (int N = 1; N <= 8; ++N)
   {
-    const PowerConstraints constraints =
-      MakePowerConstraints(on.Mesh, on.Frames, N, { { 1234, direction, 1.0 } });
+    const PowerConstraints constraints = MakePowerConstraints(on.Mesh, on.Frames, N, { { 1234, direction, 1.0 } });
     for (SolverKind solver : { SolverKind::Cholesky, SolverKind::ConjugateGradients })
     {
       FieldOptions options;
@@ -122,8 +119,7 @@ TEST(HarmonicField, AFlatTorusCarriesAParallelField)
 
 TEST(HarmonicField, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
 {
-  for (const Surface& surface :
-    { IrregularSphere(4, 3), IrregularTorus(48, 20, 4), DoubleTorus(4) })
+  for (const Surface& surface : { IrregularSphere(4, 3), IrregularTorus(48, 20, 4), DoubleTorus(4) })
   {
     const PreparedSurface on(surface);
     const PrescribedFaces prescribed = Every(211, on.Mesh.NumberOfFaces());
@@ -135,8 +131,7 @@ TEST(HarmonicField, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
       options.Field.N = N;
       options.Solver.Kind = SolverKind::ConjugateGradients;
       const Vector<Complex> field = Solve(on, prescribed, values, options);
-      EXPECT_NEAR(IndicesOf(on.Mesh, on.Frames, field, N).sum(),
-        on.Mesh.EulerCharacteristic(), 1e-9);
+      EXPECT_NEAR(IndicesOf(on.Mesh, on.Frames, field, N).sum(), on.Mesh.EulerCharacteristic(), 1e-9);
     }
   }
 }
@@ -170,15 +165,14 @@ TEST(HarmonicField, DoesNotDependOnNumberingPlaceOrSize)
     directions.push_back({ f, mesh.Position(mesh.Head(3 * f)) - mesh.Position(mesh.Tail(3 * f)), 1.0 });
     directions.back().Direction.normalize();
   }
-  const auto powersInSpace = [&](const Surface& on, const std::vector<PrescribedDirection>& where) {
+  const auto powersInSpace = [&](const Surface& on, const std::vector<PrescribedDirection>& where)
+  {
     const PreparedSurface prepared(on);
-    const PowerConstraints constraints =
-      MakePowerConstraints(prepared.Mesh, prepared.Frames, N, where);
+    const PowerConstraints constraints = MakePowerConstraints(prepared.Mesh, prepared.Frames, N, where);
     FieldOptions options;
     options.Field.N = N;
     options.Solver.Kind = SolverKind::ConjugateGradients;
-    const Vector<Complex> field =
-      Solve(prepared, constraints.Prescribed, constraints.Values, options);
+    const Vector<Complex> field = Solve(prepared, constraints.Prescribed, constraints.Values, options);
     // A power in space: against the power of the face's own first side, whose number is the same.
     return std::pair(field, prepared);
   };
@@ -205,8 +199,7 @@ TEST(HarmonicField, DoesNotDependOnNumberingPlaceOrSize)
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
     const int g = relabelled.NewFaces[f];
-    const Complex turn =
-      other.Frames.ToComplex(g, original.Frames.X.row(f).transpose()); // X of f in the frame of g
+    const Complex turn = other.Frames.ToComplex(g, original.Frames.X.row(f).transpose()); // X of f in the frame of g
     worst = std::max(worst, std::abs(expected[f] * std::pow(turn, N) - field[g]));
   }
   EXPECT_LT(worst / expected.cwiseAbs().maxCoeff(), 1e-8);
@@ -247,8 +240,8 @@ TEST(HarmonicField, SolvesAgainFromItsSolution)
 
 TEST(HarmonicField, SurvivesDegenerateSurfaces)
 {
-  for (const Surface& surface : { SphereWithZeroAreaFaces(3, 12), Needle(3, 200.0),
-         Union(Icosphere(2), Torus(24, 10), Vector3(4.0, 0.0, 0.0)) })
+  for (const Surface& surface :
+    { SphereWithZeroAreaFaces(3, 12), Needle(3, 200.0), Union(Icosphere(2), Torus(24, 10), Vector3(4.0, 0.0, 0.0)) })
   {
     const PreparedSurface on(surface);
     PrescribedFaces prescribed;
@@ -279,12 +272,11 @@ TEST(HarmonicField, ChoosesASolverAndSaysWhy)
   const PreparedSurface large(Icosphere(6));
   ProlongationOperators oneLevel;
   oneLevel.NumbersOfFaces = { large.Mesh.NumberOfFaces() };
-  const PowerFieldProblem flat(large.Framed, &oneLevel,
-    Every(300, large.Mesh.NumberOfFaces()), options, SerialContext());
-  EXPECT_NE(
-    flat.Report().Solver.find("chosen because there are no coarse levels"), std::string::npos);
-  const PowerFieldProblem iterative(large.Framed, &large.Operators,
-    Every(300, large.Mesh.NumberOfFaces()), options, SerialContext());
+  const PowerFieldProblem flat(
+    large.Framed, &oneLevel, Every(300, large.Mesh.NumberOfFaces()), options, SerialContext());
+  EXPECT_NE(flat.Report().Solver.find("chosen because there are no coarse levels"), std::string::npos);
+  const PowerFieldProblem iterative(
+    large.Framed, &large.Operators, Every(300, large.Mesh.NumberOfFaces()), options, SerialContext());
   EXPECT_NE(iterative.Report().Solver.find("conjugate gradients"), std::string::npos);
   EXPECT_NE(iterative.Report().Solver.find("81920 unknowns, too many to factor at once"), std::string::npos);
   EXPECT_GE(iterative.Report().Levels.size(), 3u);
@@ -298,9 +290,8 @@ TEST(HarmonicField, ManySolvesAreWorthAFactor)
   {
     FieldOptions options;
     options.Field.Kind = kind;
-    const auto needsLevels = [&] {
-      return PlanSolver(*MakeDiscretisation(options.Field, surface), options, nullptr, {}).NeedsLevels();
-    };
+    const auto needsLevels = [&]
+    { return PlanSolver(*MakeDiscretisation(options.Field, surface), options, nullptr, {}).NeedsLevels(); };
     EXPECT_TRUE(needsLevels());
     options.Solver.ExpectedSolves = 1000;
     EXPECT_FALSE(needsLevels());
@@ -341,7 +332,6 @@ TEST(HarmonicField, RefusesWhatItCannotSolve)
   const PreparedSurface on(Icosphere(2));
   FieldOptions options;
   options.Solver.Kind = SolverKind::NestedIterations;
-  EXPECT_THROW(PowerFieldProblem(on.Framed, nullptr, Every(10, 320), options,
-                 SerialContext()),
-    InvalidInput) << "it takes no samples";
+  EXPECT_THROW(PowerFieldProblem(on.Framed, nullptr, Every(10, 320), options, SerialContext()), InvalidInput)
+    << "it takes no samples";
 }

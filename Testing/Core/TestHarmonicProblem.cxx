@@ -46,8 +46,7 @@ std::vector<int> UnknownsOfFaces(const PreparedField& on, int firstFace)
 
 TEST(HarmonicProblem, AgreesWithCholesky)
 {
-  for (const Surface& surface :
-    { IrregularTorus(28, 14, 4), IrregularPlane(20, 16, 5), TorusAndSphere().Both })
+  for (const Surface& surface : { IrregularTorus(28, 14, 4), IrregularPlane(20, 16, 5), TorusAndSphere().Both })
   {
     for (const DiscretisationKind kind : AllKinds)
     {
@@ -66,8 +65,7 @@ TEST(HarmonicProblem, AgreesWithCholesky)
           for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
           {
             HarmonicProblem problem = on.Problem(elements, weights, solver);
-            const Vector<double> field =
-              problem.Solve(values, {}, expected, Tight(), SerialContext());
+            const Vector<double> field = problem.Solve(values, {}, expected, Tight(), SerialContext());
             const SolveReport& report = problem.Report();
             EXPECT_TRUE(report.Converged) << report.Solver;
             EXPECT_LE((field - expected).norm(), 1e-7 * expected.norm());
@@ -122,8 +120,7 @@ TEST(HarmonicProblem, SourcesActOnAllThatIsFree)
       for (std::size_t b = 0; b < elements.Numbers.size(); ++b)
       {
         const int i = elements.Numbers[b];
-        derivative[i] =
-          isHard ? x[i] - values[b] : derivative[i] + prescribed.Alignment[b] * (x[i] - values[b]);
+        derivative[i] = isHard ? x[i] - values[b] : derivative[i] + prescribed.Alignment[b] * (x[i] - values[b]);
       }
       EXPECT_LT(derivative.norm(), 1e-9 * source.norm()) << Describe(on.Kind, constraints);
     }
@@ -140,8 +137,7 @@ TEST(HarmonicProblem, HardConstraintsHoldExactly)
     const Vector<double> values = on.RandomValues(elements, 3702);
     HarmonicProblem problem = on.Problem(elements, weights);
     const PrescribedUnknowns prescribed = on.Prescribed(elements, weights);
-    EXPECT_EQ(
-      problem.NumberOfFree(), on.NumberOfUnknowns() - static_cast<int>(prescribed.Unknowns.size()));
+    EXPECT_EQ(problem.NumberOfFree(), on.NumberOfUnknowns() - static_cast<int>(prescribed.Unknowns.size()));
     const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
     EXPECT_EQ(Vector<double>(field(prescribed.Unknowns)), values);
     EXPECT_TRUE(std::isnan(problem.Report().Iterations.back().Error)) << "without a reference";
@@ -186,8 +182,8 @@ TEST(HarmonicProblem, UnreachedComponentsHoldTheSmoothestField)
       FieldProblem factored = on.Factored(elements, weights);
       Vector<double> reference = factored.Solve(values, {}, Tight(), SerialContext());
       ASSERT_EQ(problem.Report().Eigenvalues.size(), 1u);
-      EXPECT_NEAR(problem.Report().Eigenvalues[0], factored.Report().Eigenvalues[0],
-        1e-8 * factored.Report().Eigenvalues[0]);
+      EXPECT_NEAR(
+        problem.Report().Eigenvalues[0], factored.Report().Eigenvalues[0], 1e-8 * factored.Report().Eigenvalues[0]);
       EXPECT_GT(field(ofSphere).norm(), 0.0);
       // The eigenvalues of a sphere are multiple, so its fields may differ.
       field(ofSphere).setZero();
@@ -206,8 +202,7 @@ TEST(HarmonicProblem, WeightsCountByTheirRatio)
     const Vector<double> values = on.RandomValues(elements, 3704);
     const auto solve = [&](double factor)
     {
-      HarmonicProblem problem =
-        on.Problem(elements, { 0.5 * factor, 3.0 * factor, ConstraintKind::Soft });
+      HarmonicProblem problem = on.Problem(elements, { 0.5 * factor, 3.0 * factor, ConstraintKind::Soft });
       const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
       return std::pair(field, problem.Report().Iterations.back().Energy);
     };

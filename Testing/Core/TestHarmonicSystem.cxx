@@ -67,8 +67,7 @@ protected:
 
   Vector<Scalar> Solve(const HarmonicSystem<Scalar>& system, const Vector<Scalar>& values) const
   {
-    const Vector<Scalar> free =
-      Dense(system.Matrix()).partialPivLu().solve(system.RightHandSide(values));
+    const Vector<Scalar> free = Dense(system.Matrix()).partialPivLu().solve(system.RightHandSide(values));
     return system.Expand(free, values);
   }
 
@@ -94,7 +93,8 @@ TYPED_TEST(HarmonicSystemTest, SoftMinimisesItsEnergy)
   EXPECT_EQ(x[10], TypeParam(0));
   EXPECT_EQ(x[11], TypeParam(0));
 
-  const auto energy = [&](const Vector<TypeParam>& z) {
+  const auto energy = [&](const Vector<TypeParam>& z)
+  {
     double sum = this->Energy(z);
     for (int b = 0; b < 3; ++b)
     {
@@ -136,8 +136,7 @@ TYPED_TEST(HarmonicSystemTest, HardMinimisesAmongWhatHoldsTheValues)
       step[unknown] = 0.0;
     }
     const double quadratic = this->Energy(step);
-    EXPECT_NEAR(
-      this->Energy(x + step) - this->Energy(x), quadratic, 1e3 * MachinePrecision * quadratic);
+    EXPECT_NEAR(this->Energy(x + step) - this->Energy(x), quadratic, 1e3 * MachinePrecision * quadratic);
   }
 }
 
@@ -151,8 +150,8 @@ TYPED_TEST(HarmonicSystemTest, HardIsTheLimitOfSoft)
   double previous = 1e30;
   for (double weight : { 1e2, 1e4, 1e6 })
   {
-    const auto soft = HarmonicSystem<TypeParam>::Soft(
-      this->L, this->M, prescribed, Vector<double>::Constant(4, weight));
+    const auto soft =
+      HarmonicSystem<TypeParam>::Soft(this->L, this->M, prescribed, Vector<double>::Constant(4, weight));
     const double error = (this->Solve(soft, y) - limit).norm();
     EXPECT_LT(error, 0.02 * previous); // a rate of one over the weight
     previous = error;
@@ -184,8 +183,7 @@ TYPED_TEST(HarmonicSystemTest, KnowsItsUnknowns)
 
 TYPED_TEST(HarmonicSystemTest, SoftPrescriptionsWithoutMassHoldNothing)
 {
-  const auto system =
-    HarmonicSystem<TypeParam>::Soft(this->L, this->M, { 1, 8 }, Eigen::Vector2d(0.0, 1.0));
+  const auto system = HarmonicSystem<TypeParam>::Soft(this->L, this->M, { 1, 8 }, Eigen::Vector2d(0.0, 1.0));
   EXPECT_EQ(system.FreeUnknowns(), (std::vector<int>{ 6, 7, 8, 9 }));
   EXPECT_EQ(system.RightHandSide(this->RandomVector(2)).size(), 4);
 }
@@ -196,18 +194,15 @@ TYPED_TEST(HarmonicSystemTest, MakeIsSoftOrHardAsThePrescriptionSays)
   const std::vector<int> prescribed = { 1, 4, 8 };
   const Vector<double> alignment = Eigen::Vector3d(0.7, 2.0, 0.3);
   const Vector<TypeParam> y = this->RandomVector(3);
-  const auto expectSame = [&y](
-                            const HarmonicSystem<TypeParam>& a, const HarmonicSystem<TypeParam>& b)
+  const auto expectSame = [&y](const HarmonicSystem<TypeParam>& a, const HarmonicSystem<TypeParam>& b)
   {
     EXPECT_EQ(a.FreeUnknowns(), b.FreeUnknowns());
     EXPECT_EQ(Dense(a.Matrix()), Dense(b.Matrix()));
     EXPECT_EQ(a.RightHandSide(y), b.RightHandSide(y));
   };
-  expectSame(HarmonicSystem<TypeParam>::Make(
-               this->L, this->M, { ConstraintKind::Soft, prescribed, alignment }),
+  expectSame(HarmonicSystem<TypeParam>::Make(this->L, this->M, { ConstraintKind::Soft, prescribed, alignment }),
     HarmonicSystem<TypeParam>::Soft(this->L, this->M, prescribed, alignment));
-  expectSame(
-    HarmonicSystem<TypeParam>::Make(this->L, this->M, { ConstraintKind::Hard, prescribed, {} }),
+  expectSame(HarmonicSystem<TypeParam>::Make(this->L, this->M, { ConstraintKind::Hard, prescribed, {} }),
     HarmonicSystem<TypeParam>::Hard(this->L, this->M, prescribed));
 }
 

@@ -40,16 +40,15 @@ int VertexNearTo(const TriangleMesh& mesh, const Vector3& place)
   int nearest = -1;
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
-    const bool isNearer = nearest < 0 ||
-      (mesh.Position(vertex) - place).norm() < (mesh.Position(nearest) - place).norm();
+    const bool isNearer =
+      nearest < 0 || (mesh.Position(vertex) - place).norm() < (mesh.Position(nearest) - place).norm();
     nearest = isNearer && !mesh.IsBoundaryVertex(vertex) ? vertex : nearest;
   }
   return nearest;
 }
 
 /// A singularity wherever a place is given, its index times / N.
-std::vector<PrescribedSingularity> At(
-  const TriangleMesh& mesh, const std::vector<Vector3>& places, int times)
+std::vector<PrescribedSingularity> At(const TriangleMesh& mesh, const std::vector<Vector3>& places, int times)
 {
   std::vector<PrescribedSingularity> singularities;
   for (const Vector3& place : places)
@@ -69,8 +68,8 @@ std::vector<Vector3> CornersOfCube()
   return corners;
 }
 
-const std::vector<Vector3> EndsOfAxes{ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 },
-  { 0, 0, 1 }, { 0, 0, -1 } };
+const std::vector<Vector3> EndsOfAxes{ { 1, 0, 0 }, { -1, 0, 0 }, { 0, 1, 0 }, { 0, -1, 0 }, { 0, 0, 1 },
+  { 0, 0, -1 } };
 
 std::vector<PrescribedSingularity> Joined(
   std::vector<PrescribedSingularity> a, const std::vector<PrescribedSingularity>& b)
@@ -83,13 +82,12 @@ FieldTopology TopologyOf(const SingularFieldSolver& solver)
 {
   const auto& [mesh, faces, vertices] = solver.Surface();
   const int N = solver.Field().DirectionsPerPoint();
-  return TopologyOfField(
-    mesh, faces, FirstDirections(AsComplex(solver.Unknowns()), N), N);
+  return TopologyOfField(mesh, faces, FirstDirections(AsComplex(solver.Unknowns()), N), N);
 }
 
 /// Expects the singularities that are prescribed, to the vertex, no others, and a field of magnitude 1.
-void ExpectPrescribed(const SingularFieldSolver& solver,
-  const std::vector<PrescribedSingularity>& singularities, const std::string& name)
+void ExpectPrescribed(
+  const SingularFieldSolver& solver, const std::vector<PrescribedSingularity>& singularities, const std::string& name)
 {
   const TriangleMesh& mesh = solver.Surface().Mesh;
   const int N = solver.Field().DirectionsPerPoint();
@@ -144,14 +142,11 @@ std::vector<Case> Cases()
     { "lines on a sphere", IrregularSphere(3, 3), 2, { { poles, 2 } } },
     { "thirds on a sphere", IrregularSphere(3, 3), 3, { { EndsOfAxes, 1 } } },
     { "crosses on an ellipsoid", Ellipsoid(3), 4, { { CornersOfCube(), 1 } } },
-    { "more and less on an ellipsoid", Ellipsoid(3), 4,
-      { { CornersOfCube(), 2 }, { EndsOfAxes, -1 }, { poles, -1 } } },
+    { "more and less on an ellipsoid", Ellipsoid(3), 4, { { CornersOfCube(), 2 }, { EndsOfAxes, -1 }, { poles, -1 } } },
     { "nothing on a torus", IrregularTorus(40, 20, 5), 4, {} },
     { "vectors on a torus", IrregularTorus(40, 20, 5), 1, {} },
-    { "a pair on a torus", IrregularTorus(40, 20, 5), 4,
-      { { { { 1.4, 0, 0 } }, 1 }, { { { -1.4, 0, 0 } }, -1 } } },
-    { "a pair around a tube", IrregularTorus(40, 20, 5), 6,
-      { { { { 1.4, 0, 0 } }, 1 }, { { { 0.6, 0, 0 } }, -1 } } },
+    { "a pair on a torus", IrregularTorus(40, 20, 5), 4, { { { { 1.4, 0, 0 } }, 1 }, { { { -1.4, 0, 0 } }, -1 } } },
+    { "a pair around a tube", IrregularTorus(40, 20, 5), 6, { { { { 1.4, 0, 0 } }, 1 }, { { { 0.6, 0, 0 } }, -1 } } },
     { "genus 2", DoubleTorus(4), 4, { { CornersOfCube(), -1 } } },
     { "nothing on a disc", Disk(8), 4, {} },
     { "one on a disc", Disk(8), 4, { { { { 0.3, 0.2, 0 } }, 1 } } },
@@ -189,31 +184,25 @@ TEST(SingularFieldSolver, FieldsHaveThePrescribedSingularitiesAndNoOthers)
 
 TEST(SingularFieldSolver, CyclesFindTheFieldOfAFactor)
 {
-  for (const Case& example :
-    { Case{ "ellipsoid", Ellipsoid(5), 4, { { CornersOfCube(), 1 } } },
-      Case{ "torus", IrregularTorus(80, 40, 5), 4,
-        { { { { 1.4, 0, 0 } }, 1 }, { { { -0.6, 0, 0 } }, -1 } } },
-      Case{ "annulus", Annulus(150, 30), 2, { { { { 0, 1.5, 0 } }, 1 } } } })
+  for (const Case& example : { Case{ "ellipsoid", Ellipsoid(5), 4, { { CornersOfCube(), 1 } } },
+         Case{ "torus", IrregularTorus(80, 40, 5), 4, { { { { 1.4, 0, 0 } }, 1 }, { { { -0.6, 0, 0 } }, -1 } } },
+         Case{ "annulus", Annulus(150, 30), 2, { { { { 0, 1.5, 0 } }, 1 } } } })
   {
     const FramedMesh surface(example.Shape.Mesh());
     const auto singularities = SingularitiesOf(example, surface.Mesh);
     SingularFieldSolver factored(surface), byCycles(surface);
     factored.Solve(singularities, {}, OptionsOf(example.N, SolverKind::Cholesky));
-    byCycles.Solve(
-      singularities, {}, OptionsOf(example.N, SolverKind::ConjugateGradients), { 1e-10, 60 });
+    byCycles.Solve(singularities, {}, OptionsOf(example.N, SolverKind::ConjugateGradients), { 1e-10, 60 });
     ExpectPrescribed(byCycles, singularities, example.Name);
-    EXPECT_NE(byCycles.Report().Solver.find("trivial connection by conjugate gradients"),
-      std::string::npos);
-    EXPECT_LT((factored.Turning() - byCycles.Turning()).cwiseAbs().maxCoeff(), 1e-6)
-      << example.Name;
+    EXPECT_NE(byCycles.Report().Solver.find("trivial connection by conjugate gradients"), std::string::npos);
+    EXPECT_LT((factored.Turning() - byCycles.Turning()).cwiseAbs().maxCoeff(), 1e-6) << example.Name;
   }
 }
 
 TEST(SingularFieldSolver, ARoughToleranceStillGivesThePrescribedSingularities)
 {
   const FramedMesh surface(IrregularTorus(80, 40, 5).Mesh());
-  const auto singularities = Joined(
-    At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
+  const auto singularities = Joined(At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
   SingularFieldSolver solver(surface);
   solver.Solve(singularities, {}, OptionsOf(4, SolverKind::ConjugateGradients), { 0.5, 100 });
   EXPECT_LT((TopologyOf(solver).Turning - solver.Turning()).cwiseAbs().maxCoeff(), 1e-3);
@@ -248,9 +237,7 @@ TEST(SingularFieldSolver, FieldsTurnLeast)
     // t = star1 C (C^T star1 C)^+ C^T t
     const Eigen::MatrixXd gram = C.transpose() * star.asDiagonal() * C;
     const Vector<double> expected = star.asDiagonal() *
-      (C *
-        gram.completeOrthogonalDecomposition().solve(
-          Vector<double>(C.transpose() * solver.Turning())));
+      (C * gram.completeOrthogonalDecomposition().solve(Vector<double>(C.transpose() * solver.Turning())));
     EXPECT_LT((expected - solver.Turning()).cwiseAbs().maxCoeff(), 1e-9) << example.Name;
   }
 }
@@ -272,8 +259,7 @@ TEST(SingularFieldSolver, WithoutSingularitiesATorusHasTheFieldOfItsCircles)
                                surface.Mesh.Position(surface.Mesh.FaceCorners()(face, 1)) +
                                surface.Mesh.Position(surface.Mesh.FaceCorners()(face, 2))) /
         3.0;
-      const Complex circle =
-        surface.Faces.ToComplex(face, Vector3(-centre.y(), centre.x(), 0.0).normalized());
+      const Complex circle = surface.Faces.ToComplex(face, Vector3(-centre.y(), centre.x(), 0.0).normalized());
       against[face] = powers[face] / std::pow(circle / std::abs(circle), N);
       mean += against[face];
     }
@@ -291,8 +277,7 @@ TEST(SingularFieldSolver, BitsDoNotDependOnThreads)
   for (const SolverKind kind : { SolverKind::ConjugateGradients, SolverKind::VCycles })
   {
     const FramedMesh surface(IrregularTorus(80, 40, 5).Mesh());
-    const auto singularities = Joined(
-      At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
+    const auto singularities = Joined(At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
     SingularFieldSolver serial(surface), threaded(surface);
     const TbbContext threads(3);
     const Vector<double> expected = serial.Solve(singularities, {}, OptionsOf(4, kind), { 1e-8, 60 });
@@ -303,12 +288,11 @@ TEST(SingularFieldSolver, BitsDoNotDependOnThreads)
 TEST(SingularFieldSolver, AMovedSingularitySolvesAgainOnly)
 {
   const FramedMesh surface(IrregularTorus(40, 20, 5).Mesh());
-  const auto from = Joined(
-    At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
-  const auto to = Joined(
-    At(surface.Mesh, { { 1.0, 0, 0.4 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
+  const auto from = Joined(At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
+  const auto to = Joined(At(surface.Mesh, { { 1.0, 0, 0.4 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
   SingularFieldSolver solver(surface);
-  const auto expectCounts = [&solver](int setups, int systems, int solves) {
+  const auto expectCounts = [&solver](int setups, int systems, int solves)
+  {
     EXPECT_EQ(solver.Counts().Setups, setups);
     EXPECT_EQ(solver.Counts().Systems, systems);
     EXPECT_EQ(solver.Counts().Solves, solves);
@@ -349,10 +333,10 @@ TEST(SingularFieldSolver, PrescribedDirectionsTurnTheField)
   }
   // Two directions that disagree by 2 d, of the same weight on faces of about the same area, meet half-way; a heavier one
   // gets more.
-  const Vector3 other = surface.Faces.ToVector(
-    Face, std::polar(2.0, 0.7 + 0.2)); // powers are averaged on the same face: half-way there
-  const Vector<Complex> between = AsComplex(solver.Solve(singularities,
-    { { { Face, direction, 1.0 }, { Face, other, 1.0 } }, {} }, OptionsOf(4)));
+  const Vector3 other =
+    surface.Faces.ToVector(Face, std::polar(2.0, 0.7 + 0.2)); // powers are averaged on the same face: half-way there
+  const Vector<Complex> between =
+    AsComplex(solver.Solve(singularities, { { { Face, direction, 1.0 }, { Face, other, 1.0 } }, {} }, OptionsOf(4)));
   EXPECT_LT(std::abs(between[Face] - std::polar(1.0, 4.0 * 0.8)), 1e-12);
 }
 
@@ -385,8 +369,8 @@ TEST(SingularFieldSolver, SurfacesWithoutInnerPointsHaveFields)
 namespace
 {
 
-std::string ErrorOf(const Surface& shape, const std::vector<PrescribedSingularity>& singularities,
-  const FieldOptions& options)
+std::string ErrorOf(
+  const Surface& shape, const std::vector<PrescribedSingularity>& singularities, const FieldOptions& options)
 {
   const FramedMesh surface(shape.Mesh());
   SingularFieldSolver solver(surface);

@@ -122,12 +122,10 @@ Surface Cube(int subdivisions)
 
 const std::vector<std::pair<std::string, Surface>>& SmallSurfaces()
 {
-  static const std::vector<std::pair<std::string, Surface>> surfaces{
-    { "sphere", IrregularSphere(2, 3) }, { "ellipsoid", Ellipsoid(2, { 1.0, 1.3, 2.0 }) },
-    { "torus", IrregularTorus(16, 10, 4) }, { "double torus", DoubleTorus(1) },
-    { "plane", IrregularPlane(14, 10, 3) }, { "annulus", Annulus(18, 4) },
-    { "genus 3", PerforatedSlab(3, 1, 1) }, { "genus 4", PerforatedSlab(2, 2, 1) }
-  };
+  static const std::vector<std::pair<std::string, Surface>> surfaces{ { "sphere", IrregularSphere(2, 3) },
+    { "ellipsoid", Ellipsoid(2, { 1.0, 1.3, 2.0 }) }, { "torus", IrregularTorus(16, 10, 4) },
+    { "double torus", DoubleTorus(1) }, { "plane", IrregularPlane(14, 10, 3) }, { "annulus", Annulus(18, 4) },
+    { "genus 3", PerforatedSlab(3, 1, 1) }, { "genus 4", PerforatedSlab(2, 2, 1) } };
   return surfaces;
 }
 
@@ -215,7 +213,8 @@ TEST(SmoothestField, IsTheSameBySolversOfAllKinds)
 // The spheres' are those of Knoeppel et al. 2013, figures 1 and 4: 2 N singularities of index 1 / N.
 TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
 {
-  const auto expectAll = [](const Surface& surface, int N, int number) {
+  const auto expectAll = [](const Surface& surface, int N, int number)
+  {
     FieldSolver solver(surface.Mesh());
     solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N), { 1e-5, 300 });
     EXPECT_EQ(SingularitiesOf(solver), (std::map<int, int>{ { 1, number } })) << "N = " << N;
@@ -241,9 +240,8 @@ TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
 
 TEST(SmoothestField, HasIndicesThatSumToTheEulerCharacteristic)
 {
-  const std::map<std::string, int> characteristics{ { "sphere", 2 }, { "ellipsoid", 2 },
-    { "torus", 0 }, { "double torus", -2 }, { "plane", 1 }, { "annulus", 0 }, { "genus 3", -4 },
-    { "genus 4", -6 } };
+  const std::map<std::string, int> characteristics{ { "sphere", 2 }, { "ellipsoid", 2 }, { "torus", 0 },
+    { "double torus", -2 }, { "plane", 1 }, { "annulus", 0 }, { "genus 3", -4 }, { "genus 4", -6 } };
   for (const auto& [name, surface] : SmallSurfaces())
   {
     for (int N = 1; N <= 6; ++N)
@@ -276,8 +274,8 @@ TEST(SmoothestField, IsHarmonicWhereTheSurfaceHasHandlesOrHoles)
         const double area = solver.Surface().Mesh.FaceAreas().sum();
         EXPECT_NEAR(solver.Report().Eigenvalues[0] * area, 0.0, 1e-6);
         // The masses of edges are areas on the average over directions.
-        EXPECT_NEAR(solver.Directions(0).rowwise().squaredNorm().dot(solver.Surface().Mesh.FaceAreas()),
-          area, 0.2 * area);
+        EXPECT_NEAR(
+          solver.Directions(0).rowwise().squaredNorm().dot(solver.Surface().Mesh.FaceAreas()), area, 0.2 * area);
       }
     }
   }
@@ -306,11 +304,10 @@ TEST(SmoothestField, StandsBesideGuidedComponents)
     EXPECT_TRUE(both.Report().Converged);
     EXPECT_TRUE(both.Report().Warnings.empty());
     const Points directionsOfBoth = both.Directions(0);
-    EXPECT_LE((directionsOfBoth.topRows(guided.F.rows()) - first.Directions(0)).norm(),
-      1e-5 * first.Directions(0).norm());
+    EXPECT_LE(
+      (directionsOfBoth.topRows(guided.F.rows()) - first.Directions(0)).norm(), 1e-5 * first.Directions(0).norm());
     ASSERT_EQ(both.Report().Eigenvalues.size(), 1u);
-    EXPECT_NEAR(both.Report().Eigenvalues[0], second.Report().Eigenvalues[0],
-      1e-8 * second.Report().Eigenvalues[0]);
+    EXPECT_NEAR(both.Report().Eigenvalues[0], second.Report().Eigenvalues[0], 1e-8 * second.Report().Eigenvalues[0]);
   }
 }
 

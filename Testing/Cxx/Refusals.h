@@ -18,8 +18,7 @@ inline void ExpectRefusal(vtkAlgorithm* filter, const std::vector<std::string>& 
   filter->Update();
   for (const std::string& word : words)
   {
-    EXPECT_NE(messages.Error().find(word), std::string::npos)
-      << "'" << word << "' is not in: " << messages.Error();
+    EXPECT_NE(messages.Error().find(word), std::string::npos) << "'" << word << "' is not in: " << messages.Error();
   }
   EXPECT_EQ(messages.GetErrors().size(), 2u); // and that of the executive, that the filter failed
   EXPECT_EQ(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
@@ -33,7 +32,6 @@ inline void ExpectOutput(vtkAlgorithm* filter)
   EXPECT_EQ(messages.Error(), "");
   EXPECT_GT(filter->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
 }
-
 
 }
 

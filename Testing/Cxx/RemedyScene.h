@@ -141,7 +141,7 @@ struct Mistake
 {
   std::string Name;
   Act Make;
-  std::string Words; ///< of the message: what it tells to do
+  std::string Words;         ///< of the message: what it tells to do
   std::vector<Act> Remedies; ///< each of which helps alone
 };
 
@@ -169,7 +169,8 @@ Act Option(void (vtkHarmonicFieldSolver::*set)(Value), Value value)
 
 inline Act Both(const Act& first, const Act& second)
 {
-  return [=](Scene& scene) {
+  return [=](Scene& scene)
+  {
     first(scene);
     second(scene);
   };

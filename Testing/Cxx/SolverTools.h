@@ -27,8 +27,7 @@ inline constexpr int OnPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 inline constexpr int OnCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 
 /// Follows the array Given of cells.
-inline vtkSmartPointer<Solver> NewSolver(
-  vtkPolyData* input, int discretisation = Solver::PowerField)
+inline vtkSmartPointer<Solver> NewSolver(vtkPolyData* input, int discretisation = Solver::PowerField)
 {
   auto solver = vtkSmartPointer<Solver>::New();
   solver->SetInputData(input);
@@ -78,9 +77,7 @@ inline vtkTable* Convergence(Solver* solver)
 
 inline int Converged(Solver* solver)
 {
-  return vtkIntArray::SafeDownCast(
-    solver->GetOutput()->GetFieldData()->GetAbstractArray("Converged"))
-    ->GetValue(0);
+  return vtkIntArray::SafeDownCast(solver->GetOutput()->GetFieldData()->GetAbstractArray("Converged"))->GetValue(0);
 }
 
 inline std::vector<double> CellValues(Solver* solver, const std::string& name)
@@ -105,8 +102,7 @@ inline std::vector<double> Unknowns(Solver* solver)
 /// Largest difference of two arrays, over the largest entry of the second.
 inline double Difference(const std::vector<double>& a, const std::vector<double>& b)
 {
-  double difference =
-    a.size() == b.size() && !b.empty() ? 0.0 : std::numeric_limits<double>::infinity();
+  double difference = a.size() == b.size() && !b.empty() ? 0.0 : std::numeric_limits<double>::infinity();
   double scale = 0.0;
   for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
   {

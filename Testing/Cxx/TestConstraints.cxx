@@ -297,6 +297,5 @@ TEST(Constraints, ArraysOfAnEarlierSolveDoNotLinger)
   EXPECT_TRUE(second->GetOutput()->GetCellData()->HasArray("Direction1"));
   EXPECT_FALSE(second->GetOutput()->GetCellData()->HasArray("Direction2"));
   EXPECT_FALSE(second->GetOutput()->GetPointData()->HasArray("Direction5"));
-  EXPECT_TRUE(first->GetOutput()->GetCellData()->HasArray("Direction5"))
-    << "the input was modified";
+  EXPECT_TRUE(first->GetOutput()->GetCellData()->HasArray("Direction5")) << "the input was modified";
 }

@@ -30,8 +30,7 @@ bool TwoPiecesMeet(const dmg::ExecutionContext& context)
     {
       arrived += last - first;
       const auto start = std::chrono::steady_clock::now();
-      while (last - first == 1 && arrived < 2 &&
-        std::chrono::steady_clock::now() - start < std::chrono::seconds(2))
+      while (last - first == 1 && arrived < 2 && std::chrono::steady_clock::now() - start < std::chrono::seconds(2))
       {
         std::this_thread::yield();
       }
@@ -94,13 +93,14 @@ TEST(ContextFromAlgorithm, LoopsMayHaveLoops)
   vtkNew<vtkPolyDataAlgorithm> algorithm;
   const ContextFromAlgorithm context(algorithm);
   std::atomic<int> calls{ 0 };
-  context.ParallelFor(0, 2, 1, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, 2, 1,
+    [&](int first, int last)
     {
-      context.ParallelFor(
-        0, 1000, 10, [&calls](int begin, int end) { calls += end - begin; });
-    }
-  });
+      for (int i = first; i < last; ++i)
+      {
+        context.ParallelFor(0, 1000, 10, [&calls](int begin, int end) { calls += end - begin; });
+      }
+    });
   EXPECT_EQ(calls, 2000);
 }
 

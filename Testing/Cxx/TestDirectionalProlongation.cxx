@@ -44,8 +44,7 @@ int Value(vtkFieldData* data, const std::string& name, vtkIdType i)
 
 std::string Digest(vtkPolyData* data)
 {
-  auto* const array =
-    vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("Prolongation.Digest"));
+  auto* const array = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("Prolongation.Digest"));
   return array ? array->GetValue(0) : "";
 }
 
@@ -71,8 +70,8 @@ TEST(DirectionalProlongation, OperatorsAreHiddenFieldData)
   // A closed triangle surface has 2 #V - 4 = #F (genus 0), on every level.
   for (int level = 0; level < 3; ++level)
   {
-    EXPECT_EQ(2 * Value(data, "Prolongation.NumbersOfVertices", level) - 4,
-      Value(data, "Prolongation.NumbersOfFaces", level));
+    EXPECT_EQ(
+      2 * Value(data, "Prolongation.NumbersOfVertices", level) - 4, Value(data, "Prolongation.NumbersOfFaces", level));
   }
   for (const std::string name : { "S0.0", "S0.1", "SP.0", "SP.1", "Nodal.0", "Nodal.1" })
   {
@@ -81,17 +80,17 @@ TEST(DirectionalProlongation, OperatorsAreHiddenFieldData)
     const bool isNodal = name[0] == 'N';
     const bool toFaces = name[0] == 'S' ? name[1] == 'P' : level == 0;
     const bool fromFaces = !isNodal && toFaces;
-    auto* const offsets = vtkIntArray::SafeDownCast(
-      data->GetAbstractArray(("Prolongation." + name + ".Offsets").c_str()));
-    auto* const columns = vtkIntArray::SafeDownCast(
-      data->GetAbstractArray(("Prolongation." + name + ".Columns").c_str()));
-    auto* const values = vtkDoubleArray::SafeDownCast(
-      data->GetAbstractArray(("Prolongation." + name + ".Values").c_str()));
+    auto* const offsets =
+      vtkIntArray::SafeDownCast(data->GetAbstractArray(("Prolongation." + name + ".Offsets").c_str()));
+    auto* const columns =
+      vtkIntArray::SafeDownCast(data->GetAbstractArray(("Prolongation." + name + ".Columns").c_str()));
+    auto* const values =
+      vtkDoubleArray::SafeDownCast(data->GetAbstractArray(("Prolongation." + name + ".Values").c_str()));
     ASSERT_TRUE(offsets && columns && values);
-    const vtkIdType rows = Value(
-      data, toFaces ? "Prolongation.NumbersOfFaces" : "Prolongation.NumbersOfVertices", level);
-    const int size = Value(data,
-      fromFaces ? "Prolongation.NumbersOfFaces" : "Prolongation.NumbersOfVertices", level + 1);
+    const vtkIdType rows =
+      Value(data, toFaces ? "Prolongation.NumbersOfFaces" : "Prolongation.NumbersOfVertices", level);
+    const int size =
+      Value(data, fromFaces ? "Prolongation.NumbersOfFaces" : "Prolongation.NumbersOfVertices", level + 1);
     ASSERT_EQ(offsets->GetNumberOfValues(), rows + 1);
     ASSERT_EQ(offsets->GetValue(rows), columns->GetNumberOfValues());
     ASSERT_EQ(values->GetNumberOfTuples(), columns->GetNumberOfValues());
@@ -117,19 +116,16 @@ TEST(DirectionalProlongation, LevelsAreDatasets)
   const auto input = Sphere();
   const auto filter = NewFilter(input);
   filter->Update();
-  auto* const levels =
-    vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(1));
+  auto* const levels = vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(1));
   ASSERT_EQ(levels->GetNumberOfPartitionedDataSets(), 3u);
   vtkIdType finer = 0;
   for (unsigned int level = 0; level < 3; ++level)
   {
     auto* const surface = vtkPolyData::SafeDownCast(levels->GetPartition(level, 0));
     ASSERT_TRUE(surface);
-    EXPECT_EQ("Level " + std::to_string(level),
-      levels->GetMetaData(level)->Get(vtkCompositeDataSet::NAME()));
+    EXPECT_EQ("Level " + std::to_string(level), levels->GetMetaData(level)->Get(vtkCompositeDataSet::NAME()));
     const vtkIdType faces = surface->GetNumberOfCells();
-    EXPECT_EQ(
-      faces, Value(filter->GetOutput()->GetFieldData(), "Prolongation.NumbersOfFaces", level));
+    EXPECT_EQ(faces, Value(filter->GetOutput()->GetFieldData(), "Prolongation.NumbersOfFaces", level));
     if (level == 0)
     {
       EXPECT_EQ(surface->GetPoints(), input->GetPoints());
@@ -406,8 +402,7 @@ TEST_P(RefusedSurface, NamesElementAndRemedyAndLeavesOutputsEmpty)
   filter->Update();
   for (const std::string& word : GetParam().Words)
   {
-    EXPECT_NE(messages.Error().find(word), std::string::npos)
-      << "'" << word << "' is not in: " << messages.Error();
+    EXPECT_NE(messages.Error().find(word), std::string::npos) << "'" << word << "' is not in: " << messages.Error();
   }
   EXPECT_FALSE(messages.GetErrors().empty());
   EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
@@ -442,8 +437,8 @@ TEST_P(Abort, LeavesNothingAndTheNextRunIsWhole)
     EXPECT_TRUE(abort.Asked());
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
     EXPECT_EQ(filter->GetOutput()->GetFieldData()->GetNumberOfArrays(), 0);
-    EXPECT_EQ(vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(1))
-                ->GetNumberOfPartitionedDataSets(),
+    EXPECT_EQ(
+      vtkPartitionedDataSetCollection::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfPartitionedDataSets(),
       0u);
     EXPECT_EQ(filter->GetNumberOfSetups(), 0);
   }
@@ -455,14 +450,12 @@ TEST_P(Abort, LeavesNothingAndTheNextRunIsWhole)
   for (const std::string name : { "S0.0", "SP.0", "Nodal.0", "S0.1", "SP.1", "Nodal.1" })
   {
     const std::string array = "Prolongation." + name + ".Values";
-    EXPECT_EQ(Values(filter->GetOutput()->GetFieldData(), array),
-      Values(uninterrupted->GetOutput()->GetFieldData(), array));
+    EXPECT_EQ(
+      Values(filter->GetOutput()->GetFieldData(), array), Values(uninterrupted->GetOutput()->GetFieldData(), array));
   }
 }
 
 INSTANTIATE_TEST_SUITE_P(DirectionalProlongation, Abort,
-  testing::Values(
-    vtkDirectionalProlongation::TrackedPaths, vtkDirectionalProlongation::ExactOverlay),
-  [](const auto& info) {
-    return info.param == vtkDirectionalProlongation::ExactOverlay ? "ExactOverlay" : "TrackedPaths";
-  });
+  testing::Values(vtkDirectionalProlongation::TrackedPaths, vtkDirectionalProlongation::ExactOverlay),
+  [](const auto& info)
+  { return info.param == vtkDirectionalProlongation::ExactOverlay ? "ExactOverlay" : "TrackedPaths"; });

@@ -35,18 +35,17 @@ std::vector<double> Column(Solver* solver, const char* name)
 }
 
 // For the tests of all files.
+INSTANTIATE_TEST_SUITE_P(Discretisations, VectorField, testing::Values(Solver::FaceField, Solver::OneForm), NameOf);
 INSTANTIATE_TEST_SUITE_P(
-  Discretisations, VectorField, testing::Values(Solver::FaceField, Solver::OneForm), NameOf);
-INSTANTIATE_TEST_SUITE_P(Discretisations, AnyField,
-  testing::Values(Solver::PowerField, Solver::FaceField, Solver::OneForm), NameOf);
+  Discretisations, AnyField, testing::Values(Solver::PowerField, Solver::FaceField, Solver::OneForm), NameOf);
 
 }
 
 TEST_P(VectorField, IsTheSameByEverySolver)
 {
   const auto input = SphereWithOperators();
-  auto* const vertices = vtkIntArray::SafeDownCast(
-    input->GetFieldData()->GetAbstractArray("Prolongation.NumbersOfVertices"));
+  auto* const vertices =
+    vtkIntArray::SafeDownCast(input->GetFieldData()->GetAbstractArray("Prolongation.NumbersOfVertices"));
   ASSERT_TRUE(vertices);
   ASSERT_EQ(vertices->GetNumberOfValues(), 3);
   const auto solver = NewSolver(input, GetParam());
@@ -64,8 +63,7 @@ TEST_P(VectorField, IsTheSameByEverySolver)
       solver->SetCoarseSpace(space);
       solver->SetStartingLevel(space == Solver::Nodal ? 1 : -1); // with -1, nodal levels would be samples
       solver->Update();
-      const std::vector<double> levels =
-        Values(solver->GetOutput()->GetFieldData(), "LevelUnknowns");
+      const std::vector<double> levels = Values(solver->GetOutput()->GetFieldData(), "LevelUnknowns");
       if (space == Solver::Nodal) // vectors at vertices, the first few of which can be factored
       {
         ASSERT_EQ(levels.size(), 2u);
@@ -109,7 +107,8 @@ TEST_P(AnyField, DoesNotDependOnTheOrderOfPointsAndCells)
   }
 
   // Which of the N directions is the first is a matter of where combing starts.
-  const auto expectDirections = [](vtkDataSetAttributes* a, vtkDataSetAttributes* b, auto number) {
+  const auto expectDirections = [](vtkDataSetAttributes* a, vtkDataSetAttributes* b, auto number)
+  {
     const int N = a->HasArray("Direction1") ? 4 : 1;
     for (vtkIdType i = 0; i < a->GetNumberOfTuples(); ++i)
     {
@@ -202,17 +201,14 @@ TEST_P(AnyField, OfASurfaceOfOneLevelIsFactored)
   solver->SetSolver(Solver::Cholesky);
   solver->Update();
   const std::vector<double> exact = Unknowns(solver);
-  for (int kind : { Solver::VCycles, Solver::ConjugateGradients, Solver::NestedIterations,
-         Solver::CoarseProlongation })
+  for (int kind : { Solver::VCycles, Solver::ConjugateGradients, Solver::NestedIterations, Solver::CoarseProlongation })
   {
     solver->SetSolver(kind);
     const Messages messages(solver);
     solver->Update();
     EXPECT_TRUE(messages.Silent()) << messages.Error();
     EXPECT_EQ(Unknowns(solver), exact);
-    auto* const report = vtkStringArray::SafeDownCast(
-      solver->GetOutput()->GetFieldData()->GetAbstractArray("Solver"));
-    EXPECT_NE(report->GetValue(0).find("because there are no coarse levels"), std::string::npos)
-      << report->GetValue(0);
+    auto* const report = vtkStringArray::SafeDownCast(solver->GetOutput()->GetFieldData()->GetAbstractArray("Solver"));
+    EXPECT_NE(report->GetValue(0).find("because there are no coarse levels"), std::string::npos) << report->GetValue(0);
   }
 }

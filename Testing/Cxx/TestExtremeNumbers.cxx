@@ -112,7 +112,8 @@ INSTANTIATE_TEST_SUITE_P(ExtremeNumbers, Scale,
 TEST_P(Scale, DoesNotChangeABit)
 {
   const auto [discretisation, kind] = GetParam();
-  const auto field = [discretisation = discretisation, kind = kind](int size, int length) {
+  const auto field = [discretisation = discretisation, kind = kind](int size, int length)
+  {
     const auto solver = NewSolver(Given(size, length), discretisation);
     solver->SetSolver(kind);
     const Messages messages(solver);
@@ -126,8 +127,7 @@ TEST_P(Scale, DoesNotChangeABit)
   {
     SCOPED_TRACE(testing::Message() << size << ' ' << length);
     std::vector<double> scaled = field(size, length);
-    const int exponent =
-      length - (discretisation == vtkHarmonicFieldSolver::ScalarFunction ? size : 0);
+    const int exponent = length - (discretisation == vtkHarmonicFieldSolver::ScalarFunction ? size : 0);
     for (double& number : scaled)
     {
       number = std::ldexp(number, -exponent);
@@ -258,17 +258,18 @@ public:
   double InPoint = 0.0;
 
 protected:
-  int RequestData(
-    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
-    return MakeOutputs(this, request, inputs, outputs, [&](const ExecutionContext&) {
-      vtkPolyData* const output = vtkPolyData::GetData(outputs);
-      output->DeepCopy(vtkPolyData::GetData(inputs[0]));
-      output->GetPoints()->SetPoint(2, 0.0, this->InPoint, 0.0);
-      const auto array = Zeros("Mine", output->GetNumberOfCells(), 1);
-      array->SetValue(5, this->InArray);
-      output->GetCellData()->AddArray(array);
-    });
+    return MakeOutputs(this, request, inputs, outputs,
+      [&](const ExecutionContext&)
+      {
+        vtkPolyData* const output = vtkPolyData::GetData(outputs);
+        output->DeepCopy(vtkPolyData::GetData(inputs[0]));
+        output->GetPoints()->SetPoint(2, 0.0, this->InPoint, 0.0);
+        const auto array = Zeros("Mine", output->GetNumberOfCells(), 1);
+        array->SetValue(5, this->InArray);
+        output->GetCellData()->AddArray(array);
+      });
   }
 };
 
@@ -315,9 +316,8 @@ TEST(FilterRequests, AbortDuringTheLastProgressDoesNotEmptyTheNextUpdate)
   solver->Update();
   const std::vector<double> expected = Values(solver->GetOutput()->GetCellData(), "Direction0");
   vtkNew<vtkCallbackCommand> abort; // at the end, when RequestData has returned
-  abort->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
-    static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
-  });
+  abort->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*) { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
   const unsigned long observer = solver->AddObserver(vtkCommand::EndEvent, abort);
   solver->Modified();
   solver->Update();

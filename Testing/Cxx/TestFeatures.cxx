@@ -52,8 +52,7 @@ void ForDirections(vtkHarmonicFieldSolver* solver, const Check& check, int k = 0
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
     SCOPED_TRACE("cell " + std::to_string(cell));
-    check(Centre(output, cell),
-      Tuple(output->GetCellData(), "Direction" + std::to_string(k), cell));
+    check(Centre(output, cell), Tuple(output->GetCellData(), "Direction" + std::to_string(k), cell));
   }
 }
 
@@ -104,8 +103,8 @@ std::vector<std::string> WarningsOf(vtkHarmonicFieldSolver* solver)
 TEST(Features, VectorsFollowTheBoundaryCounterClockwise)
 {
   const auto disk = PolyDataOf(Disk(8));
-  for (const int kind : { vtkHarmonicFieldSolver::PowerField, vtkHarmonicFieldSolver::FaceField,
-         vtkHarmonicFieldSolver::OneForm })
+  for (const int kind :
+    { vtkHarmonicFieldSolver::PowerField, vtkHarmonicFieldSolver::FaceField, vtkHarmonicFieldSolver::OneForm })
   {
     for (const int constraints : { vtkHarmonicFieldSolver::Soft, vtkHarmonicFieldSolver::Hard })
     {
@@ -115,28 +114,34 @@ TEST(Features, VectorsFollowTheBoundaryCounterClockwise)
       solver->SetBoundaryWeight(1.0);
       EXPECT_TRUE(WarningsOf(solver).empty());
       const bool isPower = kind == vtkHarmonicFieldSolver::PowerField;
-      ForDirections(solver, [isPower](const Vector3& centre, const Vector3& direction) {
-        if (isPower || centre.norm() > 0.9) // flows end up curl-free in the middle
+      ForDirections(solver,
+        [isPower](const Vector3& centre, const Vector3& direction)
         {
-          EXPECT_GT(centre.normalized().cross(direction)[2], 0.9);
-        }
-      });
+          if (isPower || centre.norm() > 0.9) // flows end up curl-free in the middle
+          {
+            EXPECT_GT(centre.normalized().cross(direction)[2], 0.9);
+          }
+        });
       solver->SetRotation(180.0);
       solver->Update();
-      ForDirections(solver, [](const Vector3& centre, const Vector3& direction) {
-        if (centre.norm() > 0.9)
+      ForDirections(solver,
+        [](const Vector3& centre, const Vector3& direction)
         {
-          EXPECT_LT(centre.normalized().cross(direction)[2], -0.9);
-        }
-      });
+          if (centre.norm() > 0.9)
+          {
+            EXPECT_LT(centre.normalized().cross(direction)[2], -0.9);
+          }
+        });
       solver->SetRotation(90.0); // counter-clockwise: towards the inside
       solver->Update();
-      ForDirections(solver, [](const Vector3& centre, const Vector3& direction) {
-        if (centre.norm() > 0.9)
+      ForDirections(solver,
+        [](const Vector3& centre, const Vector3& direction)
         {
-          EXPECT_LT(centre.dot(direction), 0.0);
-        }
-      });
+          if (centre.norm() > 0.9)
+          {
+            EXPECT_LT(centre.dot(direction), 0.0);
+          }
+        });
     }
   }
 }
@@ -191,8 +196,7 @@ TEST(Features, CrossesLinesAndHexagonsFollowPrincipalDirections)
   const auto around = [](const Vector3& p) { return Vector3(-p[1], p[0], 0.0).normalized(); };
   for (const int N : { 2, 4, 6, 8 })
   {
-    for (const int which : { vtkHarmonicFieldSolver::MaximumCurvature,
-           vtkHarmonicFieldSolver::MinimumCurvature })
+    for (const int which : { vtkHarmonicFieldSolver::MaximumCurvature, vtkHarmonicFieldSolver::MinimumCurvature })
     {
       SCOPED_TRACE("N " + std::to_string(N));
       const auto solver = NewSolver(torus, N);
@@ -201,11 +205,13 @@ TEST(Features, CrossesLinesAndHexagonsFollowPrincipalDirections)
       EXPECT_TRUE(WarningsOf(solver).empty());
       // The maximum goes along the small circles. An angle from it, of N directions, is that of N-th powers.
       const bool isMaximum = which == vtkHarmonicFieldSolver::MaximumCurvature;
-      ForDirections(solver, [&](const Vector3& centre, const Vector3& direction) {
-        const double angle = std::acos(std::min(1.0, std::abs(direction.dot(around(centre)))));
-        const double fromIt = isMaximum ? angle - 0.5 * Pi : angle;
-        EXPECT_GT(std::cos(N * fromIt), std::cos(N * 5.0 * Degree));
-      });
+      ForDirections(solver,
+        [&](const Vector3& centre, const Vector3& direction)
+        {
+          const double angle = std::acos(std::min(1.0, std::abs(direction.dot(around(centre)))));
+          const double fromIt = isMaximum ? angle - 0.5 * Pi : angle;
+          EXPECT_GT(std::cos(N * fromIt), std::cos(N * 5.0 * Degree));
+        });
     }
   }
 }
@@ -219,8 +225,7 @@ TEST(Features, CrossesFollowTheEdgesOfABox)
     cube.V.row(i) << (i & 1), ((i >> 1) & 1), ((i >> 2) & 1);
   }
   cube.F.resize(12, 3);
-  cube.F << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6,
-    2, 1, 3, 7, 1, 7, 5;
+  cube.F << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5;
   const auto box = PolyDataOf(Subdivide(Subdivide(Subdivide(cube))));
   for (const int constraints : { vtkHarmonicFieldSolver::Soft, vtkHarmonicFieldSolver::Hard })
   {
@@ -229,14 +234,13 @@ TEST(Features, CrossesFollowTheEdgesOfABox)
     solver->SetSharpEdgesWeight(1.0);
     EXPECT_TRUE(WarningsOf(solver).empty());
     // Their 4th power is the same all over the box, whose corners are quarter turns.
-    ForDirections(solver, [](const Vector3&, const Vector3& direction) {
-      EXPECT_NEAR(direction.cwiseAbs().maxCoeff(), 1.0, 1e-9);
-    });
+    ForDirections(solver,
+      [](const Vector3&, const Vector3& direction) { EXPECT_NEAR(direction.cwiseAbs().maxCoeff(), 1.0, 1e-9); });
     solver->SetRotation(30.0);
     solver->Update();
-    ForDirections(solver, [](const Vector3&, const Vector3& direction) {
-      EXPECT_NEAR(direction.cwiseAbs().maxCoeff(), std::cos(30.0 * Degree), 1e-9);
-    });
+    ForDirections(solver,
+      [](const Vector3&, const Vector3& direction)
+      { EXPECT_NEAR(direction.cwiseAbs().maxCoeff(), std::cos(30.0 * Degree), 1e-9); });
     solver->SetFeatureAngle(91.0);
     const auto warnings = WarningsOf(solver);
     ASSERT_EQ(warnings.size(), 1u);
@@ -271,8 +275,7 @@ TEST(Features, RotationTurnsAllThatIsFollowedByItsAngle)
     solver->SetRotation(15.0);
     for (const int association : { OnCells, OnPoints })
     {
-      solver->SetInputArrayToProcess(
-        4, 0, 0, association, association == OnCells ? "OnCells" : "OnPoints");
+      solver->SetInputArrayToProcess(4, 0, 0, association, association == OnCells ? "OnCells" : "OnPoints");
       solver->Update();
       EXPECT_LT(Largest(Powers(solver), turned, 1.0), 1e-9);
     }
@@ -306,10 +309,12 @@ TEST(Features, RotationArraysTurnTheFieldHereMoreThanThere)
     solver->SetInputArrayToProcess(4, 0, 0, association, "Angle");
     solver->SetAlignment(1e6);
     solver->Update();
-    ForDirections(solver, [](const Vector3& centre, const Vector3& direction) {
-      const double angle = 4.0 * centre[0] * Degree;
-      EXPECT_NEAR(std::abs(direction[0] * std::sin(angle) - direction[1] * std::cos(angle)), 0.0, 1e-4);
-    });
+    ForDirections(solver,
+      [](const Vector3& centre, const Vector3& direction)
+      {
+        const double angle = 4.0 * centre[0] * Degree;
+        EXPECT_NEAR(std::abs(direction[0] * std::sin(angle) - direction[1] * std::cos(angle)), 0.0, 1e-4);
+      });
   }
 }
 
@@ -322,8 +327,7 @@ TEST(Features, WhatCannotBeFollowedIsAWarningAndTheSmoothestFieldComes)
   auto warnings = WarningsOf(solver);
   ASSERT_EQ(warnings.size(), 1u);
   EXPECT_NE(warnings[0].find("no boundary"), std::string::npos);
-  ForDirections(solver,
-    [](const Vector3&, const Vector3& direction) { EXPECT_NEAR(direction.norm(), 1.0, 1e-9); });
+  ForDirections(solver, [](const Vector3&, const Vector3& direction) { EXPECT_NEAR(direction.norm(), 1.0, 1e-9); });
 
   solver->SetBoundaryWeight(0.0);
   solver->SetCurvatureWeight(1.0);
@@ -382,8 +386,7 @@ TEST(Features, NameWhatIsWrong)
   solver->SetInputArrayToProcess(4, 0, 0, OnCells, "Nowhere");
   EXPECT_NE(ErrorOf(solver).find("'Nowhere', chosen for the rotation"), std::string::npos);
   Fill(torus->GetCellData(), "Angle", torus->GetNumberOfCells(), 0.0);
-  torus->GetCellData()->GetArray("Angle")->SetComponent(
-    7, 0, std::numeric_limits<double>::quiet_NaN());
+  torus->GetCellData()->GetArray("Angle")->SetComponent(7, 0, std::numeric_limits<double>::quiet_NaN());
   solver->SetInputArrayToProcess(4, 0, 0, OnCells, "Angle");
   EXPECT_NE(ErrorOf(solver).find("the rotation at cell 7 is not finite"), std::string::npos);
   torus->GetCellData()->GetArray("Angle")->SetComponent(7, 0, 5.0);

@@ -36,7 +36,8 @@ vtkSmartPointer<vtkPolyData> Helix(double degrees)
   for (vtkIdType cell = 0; cell < data->GetNumberOfCells(); ++cell)
   {
     Vector3 normal = (tube.V.row(tube.F(cell, 1)) - tube.V.row(tube.F(cell, 0))).transpose();
-    normal = normal.cross(Vector3((tube.V.row(tube.F(cell, 2)) - tube.V.row(tube.F(cell, 0))).transpose())).normalized();
+    normal =
+      normal.cross(Vector3((tube.V.row(tube.F(cell, 2)) - tube.V.row(tube.F(cell, 0))).transpose())).normalized();
     const Vector3 axis = Vector3::UnitZ();
     const Vector3 vector = std::cos(degrees * Pi / 180.0) * axis + std::sin(degrees * Pi / 180.0) * normal.cross(axis);
     vectors->SetTuple(cell, vector.data());

@@ -77,8 +77,7 @@ vtkSmartPointer<vtkPolyData> WithVectors(
   const Surface& surface, const std::string& name, int association, const Vector3& vector)
 {
   auto data = PolyDataOf(surface);
-  const vtkIdType size =
-    data->GetNumberOfElements(association == Points ? vtkDataObject::POINT : vtkDataObject::CELL);
+  const vtkIdType size = data->GetNumberOfElements(association == Points ? vtkDataObject::POINT : vtkDataObject::CELL);
   const auto array = Zeros(name, size, 3);
   for (vtkIdType i = 0; i < size; ++i)
   {
@@ -107,25 +106,20 @@ TEST_P(FieldDrawing, DrawsTheSolversFieldWithoutFurtherAdo)
 TEST_P(FieldDrawing, NamesWhatIsWrongWithTheInput)
 {
   const auto filter = New();
-  EXPECT_NE(ErrorFor(filter, PolyDataOf(Icosphere(1))).find("apply Harmonic Field Solver (vtkHarmonicFieldSolver) first"),
+  EXPECT_NE(
+    ErrorFor(filter, PolyDataOf(Icosphere(1))).find("apply Harmonic Field Solver (vtkHarmonicFieldSolver) first"),
     std::string::npos);
 
   auto data = WithVectors(Icosphere(1), "Direction0", Cells, { 0.0, 0.0, 0.0 });
   EXPECT_NE(ErrorFor(filter, data).find("'Direction0' has no direction"), std::string::npos);
 
   data = WithVectors(Icosphere(1), "Direction0", Cells, { 1.0, 0.0, 0.0 });
-  data->GetCellData()
-    ->GetArray("Direction0")
-    ->SetComponent(7, 1, std::numeric_limits<double>::quiet_NaN());
-  EXPECT_NE(
-    ErrorFor(filter, data).find("cell 7 in array 'Direction0' is not finite"), std::string::npos);
+  data->GetCellData()->GetArray("Direction0")->SetComponent(7, 1, std::numeric_limits<double>::quiet_NaN());
+  EXPECT_NE(ErrorFor(filter, data).find("cell 7 in array 'Direction0' is not finite"), std::string::npos);
 
   data = WithVectors(Icosphere(1), "Direction0", Points, { 1.0, 0.0, 0.0 });
-  data->GetPointData()
-    ->GetArray("Direction0")
-    ->SetComponent(9, 2, std::numeric_limits<double>::infinity());
-  EXPECT_NE(
-    ErrorFor(filter, data).find("point 9 in array 'Direction0' is not finite"), std::string::npos);
+  data->GetPointData()->GetArray("Direction0")->SetComponent(9, 2, std::numeric_limits<double>::infinity());
+  EXPECT_NE(ErrorFor(filter, data).find("point 9 in array 'Direction0' is not finite"), std::string::npos);
 
   data = WithVectors(Icosphere(1), "Direction0", Cells, { 1.0, 0.0, 0.0 });
   const auto askew = Zeros("Direction1", data->GetNumberOfCells(), 3);
@@ -150,8 +144,8 @@ TEST_P(FieldDrawing, RefusesArraysWithTooFewTuples)
     {
       AddVectors(input->GetCellData(), other, other == std::string(name) ? 7 : 80, { { 2, { 1.0, 0.5, -0.25 } } });
     }
-    EXPECT_NE(ErrorFor(New(), input).find(std::string("array '") + name + "' has 7 tuples for 80 cells"),
-      std::string::npos);
+    EXPECT_NE(
+      ErrorFor(New(), input).find(std::string("array '") + name + "' has 7 tuples for 80 cells"), std::string::npos);
   }
 }
 
@@ -230,8 +224,7 @@ TEST(FieldLines, ReadAUsersArrays)
       {
         const double branch = output->GetCellData()->GetArray("Branch")->GetComponent(line, 0);
         const double* const bounds = output->GetCell(line)->GetBounds();
-        EXPECT_NEAR(
-          branch == 0.0 ? bounds[2] : bounds[0], branch == 0.0 ? bounds[3] : bounds[1], 1e-9);
+        EXPECT_NEAR(branch == 0.0 ? bounds[2] : bounds[0], branch == 0.0 ? bounds[3] : bounds[1], 1e-9);
         EXPECT_NEAR(output->GetCellData()->GetArray("Length")->GetComponent(line, 0), 20.0, 1e-9);
         EXPECT_EQ(output->GetCellData()->GetArray("Seed")->GetComponent(line, 0), line);
       }
@@ -356,9 +349,8 @@ TEST(FieldGlyphs, OffersStylesPlacementsAndSizings)
 
 TEST(FieldSingularities, AreTheSolversAndSumToTheEulerCharacteristic)
 {
-  for (const auto& [surface, euler] :
-    std::vector<std::pair<Surface, int>>{
-      { IrregularSphere(3, 3), 2 }, { DoubleTorus(4), -2 }, { Disk(8), 1 }, { Annulus(24, 6), 0 } })
+  for (const auto& [surface, euler] : std::vector<std::pair<Surface, int>>{
+         { IrregularSphere(3, 3), 2 }, { DoubleTorus(4), -2 }, { Disk(8), 1 }, { Annulus(24, 6), 0 } })
   {
     const auto field = Crosses(surface);
     vtkNew<vtkFieldSingularities> singularities;

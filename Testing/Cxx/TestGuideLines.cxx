@@ -50,8 +50,7 @@ vtkSmartPointer<vtkPolyData> Polyline(const std::vector<Vector3>& positions)
   return data;
 }
 
-vtkSmartPointer<vtkPolyData> PointWithVector(
-  const Vector3& position, const Vector3& vector, const std::string& name)
+vtkSmartPointer<vtkPolyData> PointWithVector(const Vector3& position, const Vector3& vector, const std::string& name)
 {
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(PointsOf({ position }));
@@ -80,8 +79,7 @@ protected:
     EXPECT_EQ(messages.GetWarnings().size(), warning.empty() ? 0u : 1u);
     if (!messages.GetWarnings().empty())
     {
-      EXPECT_NE(messages.GetWarnings()[0].find(warning), std::string::npos)
-        << messages.GetWarnings()[0];
+      EXPECT_NE(messages.GetWarnings()[0].find(warning), std::string::npos) << messages.GetWarnings()[0];
     }
     Cells cells;
     const auto values = Values(this->Solver->GetOutput()->GetCellData(), "Prescribed");
@@ -132,16 +130,11 @@ protected:
     return cells;
   }
 
-  Vector3 Direction(vtkIdType cell)
-  {
-    return Tuple(this->Solver->GetOutput()->GetCellData(), "Direction0", cell);
-  }
+  Vector3 Direction(vtkIdType cell) { return Tuple(this->Solver->GetOutput()->GetCellData(), "Direction0", cell); }
 
   int Report(const char* name)
   {
-    return vtkIntArray::SafeDownCast(
-      this->Solver->GetOutput()->GetFieldData()->GetAbstractArray(name))
-      ->GetValue(0);
+    return vtkIntArray::SafeDownCast(this->Solver->GetOutput()->GetFieldData()->GetAbstractArray(name))->GetValue(0);
   }
 
   void ExpectNear(const Cells& cells, const Cells& expected)
@@ -172,8 +165,7 @@ TEST_F(GuideLines, PrescribeTheirTangentsWhereTheyPass)
   }
   EXPECT_EQ(this->Report("GuidesTaken"), 1);
   EXPECT_EQ(this->Report("GuidesTooFar"), 0);
-  EXPECT_NEAR(
-    Values(this->Solver->GetOutput()->GetFieldData(), "GuidesFarthest").at(0), 0.2, 1e-12);
+  EXPECT_NEAR(Values(this->Solver->GetOutput()->GetFieldData(), "GuidesFarthest").at(0), 0.2, 1e-12);
 }
 
 // Neither its number of points, nor its kind of dataset, nor how it was drawn makes a line weigh
@@ -388,8 +380,7 @@ TEST_F(GuideLines, WarnOfWhatIsLeftOut)
   this->Solver->SetMaximumDistance(0.5 / std::sqrt(128.0)); // half a square
   const auto line = Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 }, { 7.9, 3.3, 9.0 } });
   this->Solver->SetInputDataObject(1, line);
-  this->ExpectNear(
-    this->Prescribed("1 element farther from the surface than 0.5"), this->CellsInRow(3));
+  this->ExpectNear(this->Prescribed("1 element farther from the surface than 0.5"), this->CellsInRow(3));
   EXPECT_EQ(this->Report("GuidesTaken"), 1);
   EXPECT_EQ(this->Report("GuidesTooFar"), 1);
   EXPECT_EQ(this->Report("GuidesPerpendicular"), 1); // its lower part

@@ -77,8 +77,7 @@ protected:
     ASSERT_EQ(errors.size(), 1u);
     for (const std::string& word : words)
     {
-      EXPECT_NE(errors[0].find(word), std::string::npos)
-        << "'" << word << "' is not in: " << errors[0];
+      EXPECT_NE(errors[0].find(word), std::string::npos) << "'" << word << "' is not in: " << errors[0];
     }
     EXPECT_EQ(this->Solver->GetOutput()->GetNumberOfCells(), 0);
   }
@@ -174,8 +173,7 @@ TEST_F(Guides, MayHaveVectorsWithoutAName)
 {
   const auto points = PointsAt({ this->Inside });
   points->GetPointData()->GetArray("Wind")->SetName(nullptr);
-  points->GetPointData()->SetAttribute(
-    points->GetPointData()->GetArray(0), vtkDataSetAttributes::VECTORS);
+  points->GetPointData()->SetAttribute(points->GetPointData()->GetArray(0), vtkDataSetAttributes::VECTORS);
   this->Solver->SetInputDataObject(1, points);
   this->Solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, nullptr);
   EXPECT_EQ(this->PrescribedCells(), (std::set<vtkIdType>{ 40 }));
@@ -191,8 +189,7 @@ TEST_F(Guides, HaveNoOtherArrays)
 
 TEST_F(Guides, RefusePointsThatAreNowhere)
 {
-  for (const Vector3& position :
-    { Vector3(NaN, 0.0, 0.0), Vector3(0.0, Infinity, 0.0), Vector3(0.0, 0.0, -Infinity) })
+  for (const Vector3& position : { Vector3(NaN, 0.0, 0.0), Vector3(0.0, Infinity, 0.0), Vector3(0.0, 0.0, -Infinity) })
   {
     const auto points = PointsAt({ this->Inside, position, this->Inside });
     this->Solver->SetInputDataObject(1, points);

@@ -32,8 +32,7 @@ vtkSmartPointer<vtkPolyData> WithThreeGiven(const Surface& surface)
   Vectors given;
   for (int face : { 3, faces / 3, 2 * faces / 3 })
   {
-    given.push_back({ face,
-      (surface.V.row(surface.F(face, 1)) - surface.V.row(surface.F(face, 0))).transpose() });
+    given.push_back({ face, (surface.V.row(surface.F(face, 1)) - surface.V.row(surface.F(face, 0))).transpose() });
   }
   AddCellVectors(input, "Given", given);
   return input;
@@ -47,8 +46,8 @@ std::string BasisName(int k)
 /// HarmonicBasisSize; -1 where there is none.
 int BasisSize(Solver* solver, int port = 0)
 {
-  auto* const size = vtkIntArray::SafeDownCast(
-    solver->GetOutputDataObject(port)->GetFieldData()->GetAbstractArray("HarmonicBasisSize"));
+  auto* const size =
+    vtkIntArray::SafeDownCast(solver->GetOutputDataObject(port)->GetFieldData()->GetAbstractArray("HarmonicBasisSize"));
   return size ? size->GetValue(0) : -1;
 }
 
@@ -72,11 +71,8 @@ double Integral(vtkPolyData* surface, const std::string& a, const std::string& b
   {
     surface->GetCellPoints(cell, ids);
     const double area = 0.5 *
-      Along(surface, { ids->GetId(0), ids->GetId(1) })
-        .cross(Along(surface, { ids->GetId(0), ids->GetId(2) }))
-        .norm();
-    sum +=
-      area * Tuple(surface->GetCellData(), a, cell).dot(Tuple(surface->GetCellData(), b, cell));
+      Along(surface, { ids->GetId(0), ids->GetId(1) }).cross(Along(surface, { ids->GetId(0), ids->GetId(2) })).norm();
+    sum += area * Tuple(surface->GetCellData(), a, cell).dot(Tuple(surface->GetCellData(), b, cell));
   }
   return sum;
 }
@@ -85,9 +81,8 @@ double Integral(vtkPolyData* surface, const std::string& a, const std::string& b
 
 TEST_P(VectorField, HasAnOrthonormalHarmonicBasis)
 {
-  const std::pair<Surface, int> surfaces[] = { { IrregularTorus(24, 16, 5), 2 },
-    { DoubleTorus(3), 4 }, { Annulus(20, 4), 1 }, { IrregularSphere(3, 11), 0 },
-    { IrregularPlane(8, 6, 1), 0 } };
+  const std::pair<Surface, int> surfaces[] = { { IrregularTorus(24, 16, 5), 2 }, { DoubleTorus(3), 4 },
+    { Annulus(20, 4), 1 }, { IrregularSphere(3, 11), 0 }, { IrregularPlane(8, 6, 1), 0 } };
   for (const auto& [surface, dimension] : surfaces)
   {
     SCOPED_TRACE(dimension);
@@ -157,8 +152,7 @@ TEST_P(VectorField, HasItsHarmonicBasisWithoutRepeatingAnyStageAndOnce)
   const auto input = WithThreeGiven(IrregularTorus(24, 16, 5));
   const auto solver = NewSolver(input, GetParam());
   solver->SetSolver(Solver::ConjugateGradients);
-  const auto firstArray = [&solver]
-  { return solver->GetOutput()->GetCellData()->GetAbstractArray("HarmonicBasis 1"); };
+  const auto firstArray = [&solver] { return solver->GetOutput()->GetCellData()->GetAbstractArray("HarmonicBasis 1"); };
   solver->Update();
   EXPECT_EQ(CountsOf(solver), (Counts{ 1, 1, 1 }));
   EXPECT_EQ(NumberOfBasisArrays(solver->GetOutput()), 0);
@@ -251,8 +245,7 @@ TEST_P(VectorField, OfPoorInputFailsAsWithoutHarmonicBasis)
   AddCellVectors(moebius, "Given", { { 0, { 1.0, -1.0, 0.0 } } });
   const auto degenerate = WithThreeGiven(SphereWithZeroAreaFaces(2, 3));
   vtkNew<vtkPolyData> empty;
-  for (vtkPolyData* input :
-    { nothingGiven.Get(), triangle.Get(), moebius.Get(), degenerate.Get(), empty.Get() })
+  for (vtkPolyData* input : { nothingGiven.Get(), triangle.Get(), moebius.Get(), degenerate.Get(), empty.Get() })
   {
     std::string errors[2];
     vtkIdType cells[2];
@@ -283,11 +276,8 @@ TEST_P(VectorField, HasNoHarmonicBasisWhereThatIsTooMuchToHold)
   for (int face = 0; face < grid.F.rows(); ++face)
   {
     const Vector3 centre =
-      (grid.V.row(grid.F(face, 0)) + grid.V.row(grid.F(face, 1)) + grid.V.row(grid.F(face, 2)))
-        .transpose() /
-      3.0;
-    const bool isHole =
-      static_cast<int>(centre[0]) % 2 == 1 && static_cast<int>(centre[1]) % 2 == 1;
+      (grid.V.row(grid.F(face, 0)) + grid.V.row(grid.F(face, 1)) + grid.V.row(grid.F(face, 2))).transpose() / 3.0;
+    const bool isHole = static_cast<int>(centre[0]) % 2 == 1 && static_cast<int>(centre[1]) % 2 == 1;
     if (!isHole)
     {
       sieve.F.row(faces++) = grid.F.row(face);
@@ -303,8 +293,7 @@ TEST_P(VectorField, HasNoHarmonicBasisWhereThatIsTooMuchToHold)
   solver->Update();
   EXPECT_EQ(messages.Error(), "");
   ASSERT_EQ(messages.GetWarnings().size(), 1u);
-  EXPECT_NE(messages.GetWarnings()[0].find("3025 harmonic fields"), std::string::npos)
-    << messages.GetWarnings()[0];
+  EXPECT_NE(messages.GetWarnings()[0].find("3025 harmonic fields"), std::string::npos) << messages.GetWarnings()[0];
   EXPECT_EQ(solver->GetOutput()->GetNumberOfCells(), faces);
   EXPECT_EQ(NumberOfBasisArrays(solver->GetOutput()), 0);
   EXPECT_EQ(BasisSize(solver), 0);

@@ -65,8 +65,8 @@ TEST_P(FieldOfN, IsParallelOnAPlate)
 
 TEST_P(FieldOfN, HasIndicesThatSumToTheEulerCharacteristic)
 {
-  const std::pair<Surface, double> surfaces[] = { { IrregularSphere(3, 11), 2.0 },
-    { IrregularTorus(24, 16, 5), 0.0 }, { DoubleTorus(3), -2.0 } };
+  const std::pair<Surface, double> surfaces[] = { { IrregularSphere(3, 11), 2.0 }, { IrregularTorus(24, 16, 5), 0.0 },
+    { DoubleTorus(3), -2.0 } };
   for (const auto& [surface, eulerCharacteristic] : surfaces)
   {
     SCOPED_TRACE(eulerCharacteristic);
@@ -101,8 +101,7 @@ TEST_P(FieldOfN, TurnsAroundPointsByTheirIndices)
     input->GetCellPoints(cell, ids);
     for (int k = 0; k < 3; ++k)
     {
-      const auto position = [&input, &ids](int corner)
-      { return Vector3(input->GetPoint(ids->GetId(corner % 3))); };
+      const auto position = [&input, &ids](int corner) { return Vector3(input->GetPoint(ids->GetId(corner % 3))); };
       const Vector3 a = position(k + 1) - position(k), b = position(k + 2) - position(k);
       sums[ids->GetId(k)] -= std::atan2(a.cross(b).norm(), a.dot(b));
     }
@@ -119,8 +118,7 @@ TEST_P(FieldOfN, TurnsAroundPointsByTheirIndices)
     sums[ids->GetId(0)] -= turnings[edge];
     sums[ids->GetId(1)] += turnings[edge];
   }
-  const std::vector<double> indices =
-    Values(solver->GetOutput()->GetPointData(), "SingularityIndex");
+  const std::vector<double> indices = Values(solver->GetOutput()->GetPointData(), "SingularityIndex");
   for (std::size_t point = 0; point < sums.size(); ++point)
   {
     EXPECT_NEAR(sums[point], 2.0 * Pi * indices[point], 1e-9) << "point " << point;
@@ -136,8 +134,8 @@ TEST(HarmonicFieldSolver, SolversAgree)
   solver->SetSolver(vtkHarmonicFieldSolver::Cholesky);
   solver->Update();
   const std::vector<double> exact = CellValues(solver, "PowerField");
-  for (int kind : { vtkHarmonicFieldSolver::Automatic, vtkHarmonicFieldSolver::VCycles,
-         vtkHarmonicFieldSolver::ConjugateGradients })
+  for (int kind :
+    { vtkHarmonicFieldSolver::Automatic, vtkHarmonicFieldSolver::VCycles, vtkHarmonicFieldSolver::ConjugateGradients })
   {
     for (int space : { vtkHarmonicFieldSolver::Nodal, vtkHarmonicFieldSolver::StructurePreserving })
     {
@@ -201,8 +199,7 @@ TEST(HarmonicFieldSolver, ASolveThatStopsShortWarnsAndGivesItsBest)
   solver->Update();
   EXPECT_TRUE(messages.GetErrors().empty());
   ASSERT_EQ(messages.GetWarnings().size(), 1u);
-  EXPECT_NE(messages.GetWarnings()[0].find("residual"), std::string::npos)
-    << messages.GetWarnings()[0];
+  EXPECT_NE(messages.GetWarnings()[0].find("residual"), std::string::npos) << messages.GetWarnings()[0];
   EXPECT_EQ(Converged(solver), 0);
   EXPECT_EQ(solver->GetOutput()->GetNumberOfCells(), 1280);
   messages.Forget();
@@ -235,8 +232,7 @@ TEST(HarmonicFieldSolver, HardConstraintsHold)
     double nearest = std::numeric_limits<double>::infinity();
     for (const char* name : { "Direction0", "Direction1", "Direction2" })
     {
-      nearest = std::min(
-        nearest, (Tuple(solver->GetOutput()->GetCellData(), name, cell) - tangential).norm());
+      nearest = std::min(nearest, (Tuple(solver->GetOutput()->GetCellData(), name, cell) - tangential).norm());
     }
     EXPECT_LT(nearest, 1e-12);
   }
@@ -284,7 +280,8 @@ TEST(Combing, HoldsStillWhilePrescribedDirectionsMove)
   const auto input = PolyDataOf(IrregularSphere(4, 3));
   const auto solver = NewSolver(input);
   solver->SetNumberOfDirections(N);
-  const auto directionsOfFrame = [&](double frame) {
+  const auto directionsOfFrame = [&](double frame)
+  {
     const double turn = 0.6 * frame * Pi / Frames;
     AddCellVectors(input, "Given",
       { { 10, { 1.0, 0.5, -0.25 } }, { 2000, { std::cos(turn), std::sin(turn), 0.3 } },
@@ -293,9 +290,8 @@ TEST(Combing, HoldsStillWhilePrescribedDirectionsMove)
     solver->Update();
     return CellValues(solver, "Direction0");
   };
-  const auto cosine = [](const std::vector<double>& a, const std::vector<double>& b, std::size_t cell) {
-    return a[3 * cell] * b[3 * cell] + a[3 * cell + 1] * b[3 * cell + 1] + a[3 * cell + 2] * b[3 * cell + 2];
-  };
+  const auto cosine = [](const std::vector<double>& a, const std::vector<double>& b, std::size_t cell)
+  { return a[3 * cell] * b[3 * cell] + a[3 * cell + 1] * b[3 * cell + 1] + a[3 * cell + 2] * b[3 * cell + 2]; };
   std::vector<double> former = directionsOfFrame(0);
   for (int frame = 1; frame < Frames; ++frame)
   {

@@ -51,8 +51,7 @@ std::vector<Vector3> CornersOfCube()
   std::vector<Vector3> corners;
   for (int k = 0; k < 8; ++k)
   {
-    corners.push_back(
-      Vector3(k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0) / std::sqrt(3.0));
+    corners.push_back(Vector3(k & 1 ? 1.0 : -1.0, k & 2 ? 1.0 : -1.0, k & 4 ? 1.0 : -1.0) / std::sqrt(3.0));
   }
   return corners;
 }
@@ -72,8 +71,7 @@ protected:
     const auto indices = Values(this->Solver->GetOutput()->GetPointData(), "SingularityIndex");
     for (std::size_t point = 0; point < indices.size(); ++point)
     {
-      const auto times =
-        static_cast<int>(std::lround(this->Solver->GetNumberOfDirections() * indices[point]));
+      const auto times = static_cast<int>(std::lround(this->Solver->GetNumberOfDirections() * indices[point]));
       if (times != 0)
       {
         found[static_cast<vtkIdType>(point)] = times;
@@ -88,8 +86,7 @@ protected:
     this->Solver->Update();
     for (const std::string& word : words)
     {
-      EXPECT_NE(messages.Error().find(word), std::string::npos)
-        << "'" << word << "' is not in: " << messages.Error();
+      EXPECT_NE(messages.Error().find(word), std::string::npos) << "'" << word << "' is not in: " << messages.Error();
     }
     EXPECT_EQ(messages.GetErrors().size(), 2u); // and that of the executive
     EXPECT_EQ(this->Solver->GetOutput()->GetNumberOfCells(), 0);
@@ -107,11 +104,10 @@ TEST_F(Singularities, AreThoseOfTheField)
 {
   // Without an array, each is of 1 / N, and the same point twice of 2 / N.
   this->Solver->SetInputData(2,
-    PointsAt({ PointOfSphere(7), PointOfSphere(80), 1.05 * PointOfSphere(80), PointOfSphere(200),
-      PointOfSphere(300), PointOfSphere(400), PointOfSphere(500), 0.99 * PointOfSphere(600) }));
+    PointsAt({ PointOfSphere(7), PointOfSphere(80), 1.05 * PointOfSphere(80), PointOfSphere(200), PointOfSphere(300),
+      PointOfSphere(400), PointOfSphere(500), 0.99 * PointOfSphere(600) }));
   EXPECT_EQ(this->Found(),
-    (std::map<vtkIdType, int>{
-      { 7, 1 }, { 80, 2 }, { 200, 1 }, { 300, 1 }, { 400, 1 }, { 500, 1 }, { 600, 1 } }));
+    (std::map<vtkIdType, int>{ { 7, 1 }, { 80, 2 }, { 200, 1 }, { 300, 1 }, { 400, 1 }, { 500, 1 }, { 600, 1 } }));
   const auto power = Values(this->Solver->GetOutput()->GetCellData(), "PowerField");
   for (std::size_t i = 0; i < power.size(); i += 2)
   {
@@ -122,12 +118,12 @@ TEST_F(Singularities, AreThoseOfTheField)
 TEST_F(Singularities, HaveIndicesFromAnArrayOfAnyName)
 {
   this->Solver->SetNumberOfDirections(3);
-  const std::vector<Vector3> places{ PointOfSphere(7), PointOfSphere(80), PointOfSphere(200),
-    PointOfSphere(300), PointOfSphere(400), PointOfSphere(500), PointOfSphere(620), PointOfSphere(630) };
+  const std::vector<Vector3> places{ PointOfSphere(7), PointOfSphere(80), PointOfSphere(200), PointOfSphere(300),
+    PointOfSphere(400), PointOfSphere(500), PointOfSphere(620), PointOfSphere(630) };
   const float third = 1.0F / 3.0F; // 32 bits
   const std::vector<float> indices{ third, third, third, third, third, third, third, -third };
-  const std::map<vtkIdType, int> expected{ { 7, 1 }, { 80, 1 }, { 200, 1 }, { 300, 1 }, { 400, 1 },
-    { 500, 1 }, { 620, 1 }, { 630, -1 } };
+  const std::map<vtkIdType, int> expected{ { 7, 1 }, { 80, 1 }, { 200, 1 }, { 300, 1 }, { 400, 1 }, { 500, 1 },
+    { 620, 1 }, { 630, -1 } };
   this->Solver->SetInputData(2, PointsAt(places, indices));
   EXPECT_EQ(this->Found(), expected);
   this->Solver->SetInputData(2, PointsAt(places, indices, "Turns"));
@@ -156,7 +152,8 @@ TEST_F(Singularities, MayBeThoseOfAnotherField)
 
 TEST_F(Singularities, MovedSolveAgainOnly)
 {
-  const auto expectCounts = [this](int setups, int systems, int solves) {
+  const auto expectCounts = [this](int setups, int systems, int solves)
+  {
     EXPECT_EQ(this->Solver->GetNumberOfSetups(), setups);
     EXPECT_EQ(this->Solver->GetNumberOfSystems(), systems);
     EXPECT_EQ(this->Solver->GetNumberOfSolves(), solves);
@@ -197,8 +194,7 @@ TEST_F(Singularities, TurnToTheGuides)
   const Vector3 direction = Vector3(0.3, 0.5, 0.0); // nearly tangent at the pole
   const auto guide = PointsAt({ { 0.0, 0.0, 1.0 } });
   AddPointVectors(guide, "Wind", { { 0, direction } });
-  this->Solver->SetGuideArrayToProcess(
-    1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
+  this->Solver->SetGuideArrayToProcess(1, 1, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Wind");
   this->Solver->SetInputData(1, guide);
   EXPECT_EQ(this->Found().size(), 8u);
   const auto prescribed = Values(this->Solver->GetOutput()->GetCellData(), "Prescribed");
@@ -212,8 +208,7 @@ TEST_F(Singularities, TurnToTheGuides)
       for (const char* name : { "Direction0", "Direction1", "Direction2", "Direction3" })
       {
         double tuple[3];
-        this->Solver->GetOutput()->GetCellData()->GetArray(name)->GetTuple(
-          static_cast<vtkIdType>(cell), tuple);
+        this->Solver->GetOutput()->GetCellData()->GetArray(name)->GetTuple(static_cast<vtkIdType>(cell), tuple);
         best = std::max(best, Vector3(tuple).dot(direction.normalized()));
       }
       EXPECT_GT(best, 0.98); // triangles of 8 degrees lean out of the plane
@@ -248,8 +243,8 @@ TEST_F(Singularities, ThatCannotBeAreErrors)
   this->ExpectOneError({ "vtkTable", "Table To Points" });
   // What helps is not to move them nearer.
   this->Solver->SetInputData(2, PointsAt({ { 0, 0, 3 } }));
-  for (const int kind : { vtkHarmonicFieldSolver::FaceField, vtkHarmonicFieldSolver::OneForm,
-         vtkHarmonicFieldSolver::ScalarFunction })
+  for (const int kind :
+    { vtkHarmonicFieldSolver::FaceField, vtkHarmonicFieldSolver::OneForm, vtkHarmonicFieldSolver::ScalarFunction })
   {
     this->Solver->SetDiscretisation(kind);
     this->ExpectOneError({ "only power fields can have them", "take the input Singularities away" });
@@ -272,7 +267,8 @@ TEST_F(Singularities, AbortedAtAnyTimeLeaveNothingAndAreWholeTheNextTime)
 {
   const auto places = PointsAt({ { 1.4, 0, 0 }, { -1.4, 0, 0 } }, { 0.25F, -0.25F });
   const auto torus = PolyDataOf(IrregularTorus(60, 30, 4));
-  const auto newSolver = [&] {
+  const auto newSolver = [&]
+  {
     auto solver = vtkSmartPointer<vtkHarmonicFieldSolver>::New();
     solver->SetInputData(torus);
     solver->SetInputData(2, places);

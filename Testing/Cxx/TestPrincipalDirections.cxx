@@ -13,8 +13,8 @@ using dmg::Vector3;
 namespace
 {
 
-const char* const Names[] = { "MaximumDirection", "MinimumDirection", "MaximumCurvature",
-  "MinimumCurvature", "Confidence" };
+const char* const Names[] = { "MaximumDirection", "MinimumDirection", "MaximumCurvature", "MinimumCurvature",
+  "Confidence" };
 
 TEST(PrincipalDirectionsFilter, ShowsThoseOfATorusOnCellsAndPoints)
 {
@@ -39,8 +39,8 @@ TEST(PrincipalDirectionsFilter, ShowsThoseOfATorusOnCellsAndPoints)
     EXPECT_LT(std::abs(Tuple(data, "MaximumDirection", point).dot(around)), 0.1);
     EXPECT_GT(std::abs(Tuple(data, "MinimumDirection", point).dot(around)), 0.99);
     EXPECT_NEAR(data->GetArray("MaximumCurvature")->GetComponent(point, 0), 2.5, 0.5);
-    EXPECT_NEAR(data->GetArray("MinimumCurvature")->GetComponent(point, 0),
-      std::cos(angle) / (1.0 + 0.4 * std::cos(angle)), 0.3);
+    EXPECT_NEAR(
+      data->GetArray("MinimumCurvature")->GetComponent(point, 0), std::cos(angle) / (1.0 + 0.4 * std::cos(angle)), 0.3);
   }
   for (const char* name : Names)
   {
@@ -54,8 +54,7 @@ TEST(PrincipalDirectionsFilter, ShowsThoseOfATorusOnCellsAndPoints)
     vtkIdType size;
     const vtkIdType* corners;
     output->GetCellPoints(cell, size, corners);
-    const Vector3 a(output->GetPoint(corners[0])), b(output->GetPoint(corners[1])),
-      c(output->GetPoint(corners[2]));
+    const Vector3 a(output->GetPoint(corners[0])), b(output->GetPoint(corners[1])), c(output->GetPoint(corners[2]));
     const Vector3 normal = (b - a).cross(c - a).normalized();
     EXPECT_LT((normal.cross(maximum) - minimum).norm(), 1e-9);
     EXPECT_LT(std::abs(maximum.dot(Vector3(-a[1], a[0], 0.0).normalized())), 0.15);

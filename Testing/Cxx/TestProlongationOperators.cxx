@@ -24,8 +24,7 @@ namespace
 {
 
 /// A real operator of field data times a vector.
-std::vector<double> Product(
-  vtkFieldData* data, const std::string& name, const std::vector<double>& x)
+std::vector<double> Product(vtkFieldData* data, const std::string& name, const std::vector<double>& x)
 {
   const auto array = [data, &name](const char* part)
   { return data->GetAbstractArray(("Prolongation." + name + "." + part).c_str()); };
@@ -59,10 +58,8 @@ class Construction : public testing::TestWithParam<int>
 };
 
 INSTANTIATE_TEST_SUITE_P(DirectionalProlongation, Construction,
-  testing::Values(
-    vtkDirectionalProlongation::TrackedPaths, vtkDirectionalProlongation::ExactOverlay),
-  [](const testing::TestParamInfo<int>& info)
-  { return std::string(info.param ? "ExactOverlay" : "TrackedPaths"); });
+  testing::Values(vtkDirectionalProlongation::TrackedPaths, vtkDirectionalProlongation::ExactOverlay),
+  [](const testing::TestParamInfo<int>& info) { return std::string(info.param ? "ExactOverlay" : "TrackedPaths"); });
 
 }
 
@@ -74,8 +71,7 @@ TEST_P(Construction, CarriesGradientsBetweenTheLevels)
   prolongation->OneFormsOn();
   prolongation->Update();
   vtkFieldData* const data = prolongation->GetOutput()->GetFieldData();
-  auto* const levels =
-    vtkPartitionedDataSetCollection::SafeDownCast(prolongation->GetOutputDataObject(1));
+  auto* const levels = vtkPartitionedDataSetCollection::SafeDownCast(prolongation->GetOutputDataObject(1));
   ASSERT_GE(levels->GetNumberOfPartitionedDataSets(), 2u);
   EXPECT_EQ(Values(data, "Prolongation.Options").at(4), GetParam());
   for (unsigned int level = 0; level + 1 < levels->GetNumberOfPartitionedDataSets(); ++level)

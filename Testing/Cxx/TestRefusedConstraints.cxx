@@ -48,11 +48,9 @@ void SetCell(vtkPolyData* input, vtkIdType cell, double x, double y, double z)
 
 const BadInput BadInputs[] = {
   { "AllVectorsZero",
-    [](vtkPolyData* input, vtkHarmonicFieldSolver*)
-    { input->GetCellData()->GetArray("Given")->Fill(0.0); },
+    [](vtkPolyData* input, vtkHarmonicFieldSolver*) { input->GetCellData()->GetArray("Given")->Fill(0.0); },
     { "no direction is prescribed", "choose" } },
-  { "ArrayThatDoesNotExist",
-    [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { Choose(solver, 1, OnCells, "Gone"); },
+  { "ArrayThatDoesNotExist", [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { Choose(solver, 1, OnCells, "Gone"); },
     { "'Gone'", "directions of the surface", "choose" } },
   { "ArrayOfPointsChosenOnCells",
     [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { Choose(solver, 1, OnPoints, "Given"); },
@@ -120,8 +118,7 @@ const BadInput BadInputs[] = {
       Choose(solver, 1, OnPoints, "Normal");
     },
     { "point 2", "perpendicular", "leave the point out, by Mask" } },
-  { "AlignmentNotPositive",
-    [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { solver->SetAlignment(-1.0); },
+  { "AlignmentNotPositive", [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { solver->SetAlignment(-1.0); },
     { "lignment" } },
   { "EverythingHard",
     [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
@@ -153,8 +150,7 @@ TEST_P(RefusedConstraints, NamesElementAndRemedyAndLeavesOutputsEmpty)
   solver->Update();
   for (const std::string& word : GetParam().Words)
   {
-    EXPECT_NE(messages.Error().find(word), std::string::npos)
-      << "'" << word << "' is not in: " << messages.Error();
+    EXPECT_NE(messages.Error().find(word), std::string::npos) << "'" << word << "' is not in: " << messages.Error();
   }
   EXPECT_FALSE(messages.GetErrors().empty());
   ExpectEmpty(solver);

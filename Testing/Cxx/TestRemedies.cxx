@@ -126,8 +126,8 @@ std::ostream& operator<<(std::ostream& os, const BadSurface& surface)
   return os << surface.Name;
 }
 
-Data Polygons(std::initializer_list<Vector3> positions,
-  std::initializer_list<std::initializer_list<vtkIdType>> polygons)
+Data Polygons(
+  std::initializer_list<Vector3> positions, std::initializer_list<std::initializer_list<vtkIdType>> polygons)
 {
   vtkNew<vtkPoints> points;
   for (const Vector3& position : positions)
@@ -160,14 +160,19 @@ Data Grid(int cellType, std::initializer_list<vtkIdType> corners)
   return grid;
 }
 
-const std::string CutAndTurn = "Generate Surface Normals (vtkPolyDataNormals) with Consistency and Splitting on, Feature "
-                               "Angle 180 and Non-Manifold Traversal off";
+const std::string CutAndTurn =
+  "Generate Surface Normals (vtkPolyDataNormals) with Consistency and Splitting on, Feature "
+  "Angle 180 and Non-Manifold Traversal off";
 
 const BadSurface BadSurfaces[] = {
-  { "Quadrilateral", [] { return Polygons(Square, { { 0, 1, 2, 3 } }); },
+  { "Quadrilateral",
+    [] {
+      return Polygons(Square, { { 0, 1, 2, 3 } });
+    },
     { "cell 0", "4 points", "Triangulate (vtkTriangleFilter)" }, Triangulated },
   { "Strip",
-    [] {
+    []
+    {
       const Data data = Polygons(Square, {});
       vtkNew<vtkCellArray> strips;
       strips->InsertNextCell({ 0, 1, 3, 2 });
@@ -175,38 +180,68 @@ const BadSurface BadSurfaces[] = {
       return data;
     },
     { "cell 0", "strip", "Triangulate (vtkTriangleFilter)" }, Triangulated },
-  { "RepeatedCorner", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 2, 2 } }); },
+  { "RepeatedCorner",
+    [] {
+      return Polygons(Square, { { 0, 1, 2 }, { 0, 2, 2 } });
+    },
     { "cell 1", "point 2 twice", "Clean (vtkCleanPolyData), then Triangulate (vtkTriangleFilter)" },
     [](vtkDataSet* input) { return Triangulated(Cleaned(input)); } },
   { "CornersInOnePlace",
-    [] { return Polygons({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 2, 3, 4 } }); },
+    [] {
+      return Polygons(
+        { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 1, 1, 0 }, { 1, 1, 0 } }, { { 0, 1, 2 }, { 2, 3, 4 } });
+    },
     { "cell 1", "one place", "Clean (vtkCleanPolyData)" }, Cleaned },
-  { "OppositeOrientation", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 3, 2 } }); },
+  { "OppositeOrientation",
+    [] {
+      return Polygons(Square, { { 0, 1, 2 }, { 0, 3, 2 } });
+    },
     { "cell 0 and cell 1", "oriented against", CutAndTurn }, TurnedAndCut },
   { "MoebiusStrip", [] { return PolyDataOf(MoebiusStrip(9)); },
     { "oriented against", "Moebius", "Feature Angle of 60 or less" }, CutWhereItTurns },
   { "CoarseMoebiusStrip", [] { return PolyDataOf(MoebiusStrip(5)); },
     { "oriented against", "Moebius", "Feature Angle of 60 or less" }, CutWhereItTurns },
-  { "ThreeFacesAtAnEdge", [] { return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 }, { 2, 4, 0 } }); },
+  { "ThreeFacesAtAnEdge",
+    [] {
+      return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 }, { 2, 4, 0 } });
+    },
     { "3 triangles", CutAndTurn }, TurnedAndCut },
-  { "AFaceTooMuchAtAnEdge", [] { return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 }, { 2, 4, 0 } }); },
+  { "AFaceTooMuchAtAnEdge",
+    [] {
+      return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 }, { 2, 4, 0 } });
+    },
     { "3 triangles", "cell 2", "remove the surplus ones" },
-    [](vtkDataSet*) -> Data { return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 } }); } },
-  { "ThreeFacesAtAnEdgeThatDisagree", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 3, 2 }, { 0, 4, 2 } }); },
+    [](vtkDataSet*) -> Data {
+      return Polygons(Square, { { 0, 1, 2 }, { 2, 3, 0 } });
+    } },
+  { "ThreeFacesAtAnEdgeThatDisagree",
+    [] {
+      return Polygons(Square, { { 0, 1, 2 }, { 0, 3, 2 }, { 0, 4, 2 } });
+    },
     { "3 triangles", CutAndTurn }, TurnedAndCut },
   { "PinchedPoint", [] { return PolyDataOf(PinchedTetrahedra()); }, { "point 0", "pinched", CutAndTurn },
     TurnedAndCut },
-  { "TwiceTheSameTriangle", [] { return Polygons(Square, { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 2, 0 } }); },
+  { "TwiceTheSameTriangle",
+    [] {
+      return Polygons(Square, { { 0, 1, 2 }, { 0, 2, 3 }, { 1, 2, 0 } });
+    },
     { "cell 0 and cell 2", "same triangle", "Clean Cells to Grid and Extract Surface (vtkRemoveDuplicatePolys)" },
     WithoutDuplicates },
-  { "UnstructuredTriangles", [] { return Grid(VTK_TRIANGLE, { 0, 1, 2 }); },
+  { "UnstructuredTriangles",
+    [] {
+      return Grid(VTK_TRIANGLE, { 0, 1, 2 });
+    },
     { "vtkUnstructuredGrid", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" },
     ExtractedSurface },
-  { "Tetrahedron", [] { return Grid(VTK_TETRA, { 0, 1, 3, 4 }); },
+  { "Tetrahedron",
+    [] {
+      return Grid(VTK_TETRA, { 0, 1, 3, 4 });
+    },
     { "vtkUnstructuredGrid", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" },
     ExtractedSurface },
   { "Image",
-    [] {
+    []
+    {
       auto image = vtkSmartPointer<vtkImageData>::New();
       image->SetDimensions(3, 3, 3);
       return image;
@@ -274,7 +309,8 @@ TEST(Remedy, IsNotAskedForTrianglesThatAreAlone)
 {
   vtkNew<vtkHarmonicFieldSolver> solver;
   const Messages messages(solver);
-  solver->SetInputData(Polygons({ { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 5, 1, 0 } }, { { 0, 1, 2 }, { 3, 4, 5 } }));
+  solver->SetInputData(Polygons(
+    { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 }, { 4, 0, 0 }, { 5, 0, 0 }, { 5, 1, 0 } }, { { 0, 1, 2 }, { 3, 4, 5 } }));
   solver->Update();
   EXPECT_TRUE(messages.GetWarnings().empty());
 }
@@ -438,8 +474,7 @@ TEST(Remedy, ExtractedSurfaceHasTheTrianglesThatLinesLack)
   vtkPolyData::SafeDownCast(lines)->SetLines(cells);
   PrescribeSides(lines);
   const auto solver = NewSolver(lines);
-  ExpectRefusal(
-    solver, { "no triangles", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" });
+  ExpectRefusal(solver, { "no triangles", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" });
   const Data surface = ExtractedSurface(Grid(VTK_TETRA, { 0, 1, 3, 4 }));
   PrescribeSides(surface);
   solver->SetInputData(surface);

@@ -15,7 +15,8 @@ namespace
 {
 
 const Act ShortArray = [](Scene& scene) { scene.Array(OnCells, "Given")->SetNumberOfTuples(120); };
-const Act WholeArray = [](Scene& scene) {
+const Act WholeArray = [](Scene& scene)
+{
   scene.Array(OnCells, "Given")->Resize(320);
   scene.Array(OnCells, "Given")->SetNumberOfTuples(320);
   scene.Array(OnCells, "Given")->FillComponent(0, 1.0);
@@ -31,27 +32,37 @@ const Mistake OfArrays[] = {
     { Chosen(Directions, OnPoints, "Given"), WholeArray } },
   { "NoSuchArray", Chosen(Directions, OnCells, "Wind"), "choose one of those, or none",
     { Chosen(Directions, OnCells, "Given"), NothingOnSurface } },
-  { "MaskAlone", Both(NothingOnSurface, Masked), "choose an array of vectors as well", { Chosen(Directions, OnCells, "Given") } },
-  { "MaskOfPoints", Chosen(Mask, OnPoints, "Mask"), "choose arrays of one kind", { Masked, Chosen(Directions, OnPoints, "Given") } },
+  { "MaskAlone", Both(NothingOnSurface, Masked), "choose an array of vectors as well",
+    { Chosen(Directions, OnCells, "Given") } },
+  { "MaskOfPoints", Chosen(Mask, OnPoints, "Mask"), "choose arrays of one kind",
+    { Masked, Chosen(Directions, OnPoints, "Given") } },
   { "DirectionNotFinite", Changed(OnCells, "Given", NaN), "repair it or make the direction zero",
     { Changed(OnCells, "Given", Along), Changed(OnCells, "Given", None) } },
   { "MaskedNotFinite", Both(Masked, Changed(OnCells, "Given", NaN)), "repair it or take it out of the mask",
     { Changed(OnCells, "Given", Along), Changed(OnCells, "Mask", 0.0) } },
-  { "WeightNotPositive", Both(Weighted, Changed(OnCells, "Weights", -1.0)), "make it a positive number or make the direction zero",
+  { "WeightNotPositive", Both(Weighted, Changed(OnCells, "Weights", -1.0)),
+    "make it a positive number or make the direction zero",
     { Changed(OnCells, "Weights", 1.0), Changed(OnCells, "Given", None) } },
-  { "Perpendicular", AlongNormal, "give it a part along the surface, or leave the cell out, by Mask or a direction of zero",
-    { Changed(OnCells, "Given", Along), Changed(OnCells, "Given", None), Both(Masked, Changed(OnCells, "Mask", 0.0)) } },
+  { "Perpendicular", AlongNormal,
+    "give it a part along the surface, or leave the cell out, by Mask or a direction of zero",
+    { Changed(OnCells, "Given", Along), Changed(OnCells, "Given", None),
+      Both(Masked, Changed(OnCells, "Mask", 0.0)) } },
   { "AllZero", AllZero, "choose other arrays for Directions, Mask and Weights, or none for the smoothest field",
     { Chosen(Directions, OnCells, "Other"), NothingOnSurface } },
-  { "AllMaskedOut", Both(Chosen(Directions, OnCells, "Other"), Both(Masked, [](Scene& scene) { scene.Array(OnCells, "Mask")->Fill(0.0); })),
+  { "AllMaskedOut",
+    Both(Chosen(Directions, OnCells, "Other"),
+      Both(Masked, [](Scene& scene) { scene.Array(OnCells, "Mask")->Fill(0.0); })),
     "choose other arrays for Directions, Mask and Weights, or none for the smoothest field",
     { Chosen(Mask, OnCells, ""), Both(Chosen(Mask, OnCells, ""), NothingOnSurface) } },
   { "AllWeightsZero", Both(Weighted, [](Scene& scene) { scene.Array(OnCells, "Weights")->Fill(0.0); }),
     "choose other arrays for Directions, Mask and Weights, or none for the smoothest field",
-    { Chosen(Weights, OnCells, ""), Changed(OnCells, "Weights", 1.0), Both(Chosen(Weights, OnCells, ""), NothingOnSurface) } },
-  { "ValuesOfCells", Both(IsFunction, Chosen(ValuesOfFunction, OnCells, "Values")), "choose arrays of points", { ValuesChosen } },
+    { Chosen(Weights, OnCells, ""), Changed(OnCells, "Weights", 1.0),
+      Both(Chosen(Weights, OnCells, ""), NothingOnSurface) } },
+  { "ValuesOfCells", Both(IsFunction, Chosen(ValuesOfFunction, OnCells, "Values")), "choose arrays of points",
+    { ValuesChosen } },
   { "NoValues", Both(IsFunction, NothingOnSurface), "choose an array of points for Values", { ValuesChosen } },
-  { "NoValueInTheMask", Both(Both(Both(IsFunction, NothingOnSurface), ValuesChosen),
+  { "NoValueInTheMask",
+    Both(Both(Both(IsFunction, NothingOnSurface), ValuesChosen),
       Both(Chosen(Mask, OnPoints, "Mask"), [](Scene& scene) { scene.Array(OnPoints, "Mask")->Fill(0.0); })),
     "a Mask and Weights that are not zero everywhere", { Changed(OnPoints, "Mask", 1.0), Chosen(Mask, OnPoints, "") } },
   { "ValueNotFinite", Both(Both(IsFunction, ValuesChosen), Changed(OnPoints, "Values", HUGE_VAL)),
@@ -70,18 +81,21 @@ const Act IsHard = Option(&vtkHarmonicFieldSolver::SetConstraintType, 1);
 const auto SetBoundaryWeight = &vtkHarmonicFieldSolver::SetBoundaryWeight;
 
 /// A sphere with slits, and what is prescribed lies in them.
-const Act PrescribedOnSlivers = [](Scene& scene) {
+const Act PrescribedOnSlivers = [](Scene& scene)
+{
   scene.SetSurface(PolyDataOf(SphereWithZeroAreaFaces(2, 1)));
   scene.Array(OnCells, "Given")->Fill(0.0);
   const vtkIdType last = scene.Surface->GetNumberOfCells() - 1;
   vtkNew<vtkIdList> corners;
   scene.Surface->GetCellPoints(last, corners);
-  const Vector3 side = Vector3(scene.Surface->GetPoint(corners->GetId(1))) - Vector3(scene.Surface->GetPoint(corners->GetId(0)));
+  const Vector3 side =
+    Vector3(scene.Surface->GetPoint(corners->GetId(1))) - Vector3(scene.Surface->GetPoint(corners->GetId(0)));
   scene.Array(OnCells, "Given")->SetTuple(last, side.data());
 };
 
 /// Operators of power fields alone, and a solver that uses them.
-const Act WithOperators = [](Scene& scene) {
+const Act WithOperators = [](Scene& scene)
+{
   vtkNew<vtkDirectionalProlongation> prolongation;
   prolongation->SetInputData(scene.Surface);
   prolongation->SetMinimumNumberOfFaces(50);
@@ -91,7 +105,8 @@ const Act WithOperators = [](Scene& scene) {
   scene.SetSurface(output);
   scene.Solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
 };
-const Act Damaged = [](Scene& scene) {
+const Act Damaged = [](Scene& scene)
+{
   vtkFieldData* const operators = scene.Surface->GetFieldData();
   for (int k = 0; k < operators->GetNumberOfArrays(); ++k)
   {
@@ -101,25 +116,29 @@ const Act Damaged = [](Scene& scene) {
     }
   }
 };
-const Act NoOperators = [](Scene& scene) {
+const Act NoOperators = [](Scene& scene)
+{
   scene.Surface->GetFieldData()->Initialize();
   scene.Surface->Modified();
 };
 Act NewOperators(bool hasOneForms)
 {
-  return [=](Scene& scene) {
+  return [=](Scene& scene)
+  {
     vtkNew<vtkDirectionalProlongation> prolongation;
     prolongation->SetInputData(scene.Surface);
     prolongation->SetOneForms(hasOneForms);
     scene.Solver->SetInputConnection(prolongation->GetOutputPort());
   };
 }
-const Act OneFormsOnLevels = [](Scene& scene) {
+const Act OneFormsOnLevels = [](Scene& scene)
+{
   scene.Solver->SetDiscretisation(vtkHarmonicFieldSolver::OneForm);
   scene.Solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
   scene.Solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
 };
-const Act WithoutCell10 = [](Scene& scene) {
+const Act WithoutCell10 = [](Scene& scene)
+{
   vtkNew<vtkCellArray> cells;
   for (vtkIdType cell = 0; cell < scene.Surface->GetNumberOfCells(); ++cell)
   {
@@ -138,7 +157,8 @@ const Act WithoutCell10 = [](Scene& scene) {
 const Act NoSuchPoint = [](Scene& scene) { scene.Surface->GetPolys()->ReplaceCellAtId(10, { 0, 1, 999 }); };
 Act Point20At(double x)
 {
-  return [=](Scene& scene) {
+  return [=](Scene& scene)
+  {
     scene.Surface->GetPoints()->SetPoint(20, x, 0.5, 0.5);
     scene.Surface->GetPoints()->Modified();
     scene.Surface->Modified();
@@ -147,8 +167,10 @@ Act Point20At(double x)
 
 const Mistake OfOptions[] = {
   { "HardCurvature", Both(FollowsCurvature, IsHard), "set Constraint Type to Soft, or Curvature Weight to 0",
-    { Option(&vtkHarmonicFieldSolver::SetConstraintType, 0), Option(&vtkHarmonicFieldSolver::SetCurvatureWeight, 0.0) } },
-  { "NegativeFeatureWeight", Option(SetBoundaryWeight, -1.0), "make it 0, for off, or from 1e-10 to 1e+10, and turn the field by Rotation",
+    { Option(&vtkHarmonicFieldSolver::SetConstraintType, 0),
+      Option(&vtkHarmonicFieldSolver::SetCurvatureWeight, 0.0) } },
+  { "NegativeFeatureWeight", Option(SetBoundaryWeight, -1.0),
+    "make it 0, for off, or from 1e-10 to 1e+10, and turn the field by Rotation",
     { Option(SetBoundaryWeight, 0.0),
       Both(Option(SetBoundaryWeight, 1.0), Option(&vtkHarmonicFieldSolver::SetRotation, 180.0)) } },
   { "Slivers", PrescribedOnSlivers, "prescribe a direction on another cell or make the constraints hard",

@@ -37,7 +37,8 @@ std::function<void(Angles*, vtkPolyData*)> Drawn(int index, const char* name)
 /// Of cell 10 in an array of cells that is added if it is not there.
 std::function<void(Angles*, vtkPolyData*)> Cell10(const char* name, const Vector3& vector)
 {
-  return [=](Angles*, vtkPolyData* surface) {
+  return [=](Angles*, vtkPolyData* surface)
+  {
     vtkDataArray* array = surface->GetCellData()->GetArray(name);
     array = array ? array : AddCellVectors(surface, name, { { 10, None }, { 20, { 1.0, 2.0, 3.0 } } });
     array->SetTuple(10, vector.data());
@@ -50,7 +51,8 @@ const DrawingMistake WithFields[] = {
   { "NoField", [](Angles*, vtkPolyData* surface) { surface->GetCellData()->RemoveArray("Direction0"); },
     "apply Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors",
     { Drawn(0, "Given"),
-      [](Angles* angles, vtkPolyData* surface) {
+      [](Angles* angles, vtkPolyData* surface)
+      {
         vtkNew<vtkHarmonicFieldSolver> solver;
         solver->SetInputData(surface);
         angles->SetInputConnection(solver->GetOutputPort());
@@ -60,7 +62,8 @@ const DrawingMistake WithFields[] = {
   { "NotFinite", Cell10("Direction0", Vector3::Constant(NaN)), "repair it, or set it to zero for no direction",
     { Cell10("Direction0", Along), Cell10("Direction0", None) } },
   { "NoDirections",
-    [](Angles* angles, vtkPolyData* surface) {
+    [](Angles* angles, vtkPolyData* surface)
+    {
       surface->GetCellData()->AddArray(Zeros("Calm", 320, 3));
       Drawn(0, "Calm")(angles, surface);
     },
@@ -71,7 +74,8 @@ const DrawingMistake WithFields[] = {
     "Axis is (0, 0, 0), which has no direction; give it another value, or choose Reference Vectors",
     { [](Angles* angles, vtkPolyData*) { angles->SetAxis(0.0, 0.0, -2.0); }, Drawn(1, "Given") } },
   { "ReferenceNotFinite",
-    [](Angles* angles, vtkPolyData* surface) {
+    [](Angles* angles, vtkPolyData* surface)
+    {
       Cell10("Given", Vector3::Constant(NaN))(angles, surface);
       Drawn(1, "Given")(angles, surface);
     },

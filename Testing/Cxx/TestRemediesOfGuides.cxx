@@ -23,14 +23,16 @@ namespace
 
 const Act FarPoint = [](Scene& scene) { scene.Follow({ { 0, 0, 9 } }, Along); };
 const Act NearPoint = [](Scene& scene) { scene.Follow({ { 0, 0, 1 } }, Along); };
-const Act LineAlongNormal = [](Scene& scene) { scene.Follow({ scene.Centre(), scene.Centre() + 0.1 * scene.Normal() }); };
+const Act LineAlongNormal = [](Scene& scene) {
+  scene.Follow({ scene.Centre(), scene.Centre() + 0.1 * scene.Normal() });
+};
 const Act LineAlongSide = [](Scene& scene) { scene.Follow({ scene.Centre(), scene.Centre() + 0.1 * scene.Side() }); };
 const Act LineWithoutLength = [](Scene& scene) { scene.Follow({ scene.Centre(), scene.Centre() }); };
-const Act VectorOfZero = [](Scene& scene) {
-  scene.Follow({ scene.Centre() }, Along)->GetPointData()->GetArray("Wind")->Fill(0.0);
-};
+const Act VectorOfZero = [](Scene& scene)
+{ scene.Follow({ scene.Centre() }, Along)->GetPointData()->GetArray("Wind")->Fill(0.0); };
 const Act WithoutAny = [](Scene& scene) { scene.Solver->SetInputData(1, PolyDataOf(PlaneGrid(1, 1))); };
-const Act AddVectorsToGuide = [](Scene& scene) {
+const Act AddVectorsToGuide = [](Scene& scene)
+{
   vtkNew<vtkArrayCalculator> calculator;
   calculator->SetInputData(scene.Guide());
   calculator->SetResultArrayName("Wind");
@@ -39,13 +41,15 @@ const Act AddVectorsToGuide = [](Scene& scene) {
 };
 const Act VectorsNotMarked = [](Scene& scene) { scene.Guide()->GetPointData()->SetActiveVectors(nullptr); };
 const Act AgainstGiven = [](Scene& scene) { scene.Follow({ scene.Centre() }, { -1.0, -0.5, 0.25 }); };
-const Act BrokenLine = [](Scene& scene) {
+const Act BrokenLine = [](Scene& scene)
+{
   LineAlongSide(scene);
   scene.Guide()->GetLines()->InsertNextCell({ 0, 99 });
 };
 Act WeightOfGuide(int association, double weight)
 {
-  return [=](Scene& scene) {
+  return [=](Scene& scene)
+  {
     LineAlongSide(scene);
     const auto array = Zeros("Pull", 1, 1);
     array->Fill(weight);
@@ -65,25 +69,33 @@ const Mistake OfGuides[] = {
     { NearPoint, Option(&vtkHarmonicFieldSolver::SetMaximumDistance, 10.0), NoGuides } },
   { "LinePerpendicular", Both(NothingOnSurface, LineAlongNormal),
     "turn them along the surface, or take them out of Guides", { LineAlongSide, NoGuides } },
-  { "VectorPerpendicular", Both(NothingOnSurface, [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Normal()); }),
+  { "VectorPerpendicular",
+    Both(NothingOnSurface, [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Normal()); }),
     "turn them along the surface, or take them out of Guides",
     { [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Side()); }, NoGuides } },
-  { "VectorZero", Both(NothingOnSurface, VectorOfZero),
-    "choose others, or clear Guides for the smoothest field",
+  { "VectorZero", Both(NothingOnSurface, VectorOfZero), "choose others, or clear Guides for the smoothest field",
     { [](Scene& scene) { scene.Follow({ scene.Centre() }, scene.Side()); }, NoGuides } },
   { "LineWithoutLength", Both(NothingOnSurface, LineWithoutLength),
     "choose others, or clear Guides for the smoothest field", { LineAlongSide, NoGuides } },
   { "NothingToFollow", WithoutAny,
     "add vectors to its points or cells, as Calculator (vtkArrayCalculator) does, or take it out of Guides",
     { AddVectorsToGuide, NoGuides } },
-  { "NoActiveVectors", Both(Both(NearPoint, VectorsNotMarked), ChosenOfGuide("")), "choose 'Wind', for example, as Guide Directions",
-    { ChosenOfGuide("Wind"), NoGuides } },
-  { "PointNotFinite", [](Scene& scene) { scene.Follow({ { 0, 0, NaN }, { 0, 0, 1 } }, Along); }, "move the point or remove it",
-    { [](Scene& scene) { scene.Follow({ { 0, 0.1, 1 }, { 0, 0, 1 } }, Along); }, NearPoint } },
+  { "NoActiveVectors", Both(Both(NearPoint, VectorsNotMarked), ChosenOfGuide("")),
+    "choose 'Wind', for example, as Guide Directions", { ChosenOfGuide("Wind"), NoGuides } },
+  { "PointNotFinite",
+    [](Scene& scene) {
+      scene.Follow({ { 0, 0, NaN }, { 0, 0, 1 } }, Along);
+    },
+    "move the point or remove it",
+    { [](Scene& scene) {
+       scene.Follow({ { 0, 0.1, 1 }, { 0, 0, 1 } }, Along);
+     },
+      NearPoint } },
   { "BrokenCell", BrokenLine, "repair the source of the guide", { LineAlongSide } },
   { "WholeWeight", WeightOfGuide(InFieldData, -1.0), "make it a positive number, or take the guide out of Guides",
     { WeightOfGuide(InFieldData, 1.0), NoGuides } },
-  { "WeightOfLine", WeightOfGuide(OnCells, -2.0), "make it a positive number, or remove the line", { WeightOfGuide(OnCells, 2.0), NoGuides } },
+  { "WeightOfLine", WeightOfGuide(OnCells, -2.0), "make it a positive number, or remove the line",
+    { WeightOfGuide(OnCells, 2.0), NoGuides } },
   { "NoSuchArray", Both(NearPoint, ChosenOfGuide("Rain")), "choose one of those, or none",
     { ChosenOfGuide("Wind"), Both(LineAlongSide, ChosenOfGuide("")) } },
 };
@@ -106,7 +118,8 @@ vtkDataArray* Indices(Scene& scene)
 }
 Act SingularityAt(const Vector3& place)
 {
-  return [=](Scene& scene) {
+  return [=](Scene& scene)
+  {
     scene.Prescribe(1, 0.0);
     vtkPolyData::SafeDownCast(scene.Solver->GetInputDataObject(2, 0))->GetPoints()->SetPoint(0, place.data());
   };
@@ -120,21 +133,28 @@ const Mistake OfSingularities[] = {
     { Prescribed(8, 0.25), Option(&vtkHarmonicFieldSolver::SetNumberOfDirections, 3) } },
   { "TooFew", Prescribed(7), "add singularities of 0.25 in all", { Prescribed(8) } },
   { "TooMany", Prescribed(10), "take away 0.5 in all", { Prescribed(8) } },
-  { "NoSuchArray", Both(Prescribed(8, 0.25), IndexArray("Wind")), "choose one of those, or none for an index of 1 / N each",
-    { IndexArray("Index"), IndexArray("") } },
+  { "NoSuchArray", Both(Prescribed(8, 0.25), IndexArray("Wind")),
+    "choose one of those, or none for an index of 1 / N each", { IndexArray("Index"), IndexArray("") } },
   { "OtherComponents", Prescribed(8, 0.25, 2), "choose another array as Singularity Index", { Prescribed(8, 0.25) } },
   { "FewTuples", Both(Prescribed(8, 0.25), [](Scene& scene) { Indices(scene)->SetNumberOfTuples(5); }),
     "5 tuples for 8 points; have its source write one for each",
-    { [](Scene& scene) { Indices(scene)->InsertTuple1(7, 0.25); Indices(scene)->Fill(0.25); } } },
+    { [](Scene& scene)
+      {
+        Indices(scene)->InsertTuple1(7, 0.25);
+        Indices(scene)->Fill(0.25);
+      } } },
   { "OfVectors", Both(Prescribed(8), IsFaceField),
     "choose Power Field as Discretisation, or take the input Singularities away",
     { Option(&vtkHarmonicFieldSolver::SetDiscretisation, 0), NoSingularities } },
   { "FarAway", Both(OnPlate, SingularityAt({ 5, 5, 9 })), "move it nearer, or raise Maximum Distance",
     { SingularityAt({ 5, 5, 0 }), Option(&vtkHarmonicFieldSolver::SetMaximumDistance, 2.0) } },
-  { "InACorner", [](Scene& scene) {
+  { "InACorner",
+    [](Scene& scene)
+    {
       scene.SetSurface(PolyDataOf(PlaneGrid(1, 160)));
       SingularityAt({ 0.5, 5.0, 0.0 })(scene);
-    }, "move it away from the boundary, or leave it out", { Both(OnPlate, SingularityAt({ 5, 5, 0 })), Prescribed(0) } },
+    },
+    "move it away from the boundary, or leave it out", { Both(OnPlate, SingularityAt({ 5, 5, 0 })), Prescribed(0) } },
   { "LargeDirection", Both(Prescribed(8), Changed(OnCells, "Given", 1e100)), "bring it to at most 1e+40",
     { Changed(OnCells, "Given", Along) } },
 };
@@ -159,14 +179,16 @@ INSTANTIATE_TEST_SUITE_P(Singularities, RemedyOfGuide, testing::ValuesIn(OfSingu
 namespace
 {
 
-const Act OfGenusTwo = [](Scene& scene) {
+const Act OfGenusTwo = [](Scene& scene)
+{
   scene.SetSurface(PolyDataOf(DoubleTorus(4)));
   scene.Array(OnCells, "Given")->Fill(0.0);
   scene.Set(OnCells, "Given", scene.Side());
   scene.Solver->SetDiscretisation(vtkHarmonicFieldSolver::FaceField);
 };
 /// The first sides of every tenth triangle.
-const Act MoreDirections = [](Scene& scene) {
+const Act MoreDirections = [](Scene& scene)
+{
   for (vtkIdType cell = 0; cell < scene.Surface->GetNumberOfCells(); cell += 10)
   {
     vtkNew<vtkIdList> corners;
@@ -181,7 +203,8 @@ const Act MoreDirections = [](Scene& scene) {
 /// On the outer of two spheres, whose inner one is nearer to the middle of chords.
 Act ArcOfPoints(int number)
 {
-  return [=](Scene& scene) {
+  return [=](Scene& scene)
+  {
     Surface inner = Icosphere(3);
     inner.V *= 0.95;
     inner.F.col(1).swap(inner.F.col(2));
@@ -197,14 +220,16 @@ Act ArcOfPoints(int number)
 }
 
 /// A torus with a spike, which is to have no singularity.
-const Act Spiked = [](Scene& scene) {
+const Act Spiked = [](Scene& scene)
+{
   const auto torus = PolyDataOf(Torus(20, 16));
   const Vector3 tip = 3.0 * Vector3(torus->GetPoint(20));
   torus->GetPoints()->SetPoint(20, tip.data());
   scene.SetSurface(torus);
   scene.Prescribe(0, 0.0);
 };
-const Act Smoothed = [](Scene& scene) {
+const Act Smoothed = [](Scene& scene)
+{
   vtkNew<vtkSmoothPolyDataFilter> smooth;
   smooth->SetInputData(scene.Surface);
   smooth->SetNumberOfIterations(100);
@@ -214,7 +239,8 @@ const Act Smoothed = [](Scene& scene) {
 };
 
 /// A plate with 1,369 square holes.
-const Act Perforated = [](Scene& scene) {
+const Act Perforated = [](Scene& scene)
+{
   constexpr int Squares = 146;
   const auto plate = PolyDataOf(PlaneGrid(Squares, Squares));
   vtkNew<vtkCellArray> cells;
@@ -231,7 +257,8 @@ const Act Perforated = [](Scene& scene) {
   plate->SetPolys(cells);
   scene.SetSurface(plate);
 };
-const Act HolesFilled = [](Scene& scene) {
+const Act HolesFilled = [](Scene& scene)
+{
   vtkNew<vtkFillHolesFilter> fill;
   fill->SetInputData(scene.Surface);
   fill->SetHoleSize(1.0);
@@ -243,7 +270,8 @@ const Act HolesFilled = [](Scene& scene) {
   normals->Update();
   scene.SetSurface(normals->GetOutput());
 };
-const Act AskForBasis = [](Scene& scene) {
+const Act AskForBasis = [](Scene& scene)
+{
   scene.Solver->SetDiscretisation(vtkHarmonicFieldSolver::FaceField);
   scene.Solver->HarmonicBasisOn();
 };
@@ -251,7 +279,8 @@ const Act AskForBasis = [](Scene& scene) {
 /// A solve that needs more iterations; without prescriptions, that of the smoothest field.
 Act OneIteration(bool hasPrescriptions)
 {
-  return [=](Scene& scene) {
+  return [=](Scene& scene)
+  {
     scene.SetSurface(PolyDataOf(Icosphere(4))); // smaller ones are factored
     if (!hasPrescriptions)
     {
@@ -271,8 +300,10 @@ const Mistake WithWarnings[] = {
   { "LimitOfIterations", OneIteration(true), "raise Maximum Number Of Iterations", { MoreIterations } },
   { "LimitOfIterationsOfTheSmoothestField", OneIteration(false), "raise Maximum Number Of Iterations",
     { MoreIterations } },
-  { "UndeterminedHarmonicFields", OfGenusTwo, "prescribe more directions, spread over the handles and holes", { MoreDirections } },
-  { "FarSideOfAWall", ArcOfPoints(2), "give their lines more points, or take them out of Guides", { ArcOfPoints(20), NoGuides } },
+  { "UndeterminedHarmonicFields", OfGenusTwo, "prescribe more directions, spread over the handles and holes",
+    { MoreDirections } },
+  { "FarSideOfAWall", ArcOfPoints(2), "give their lines more points, or take them out of Guides",
+    { ArcOfPoints(20), NoGuides } },
   { "LargeIndex", Prescribed(1, 2.0),
     "prescribe several of smaller index instead, farther apart, choose fewer directions, or smooth the surface there",
     { Prescribed(8), Option(&vtkHarmonicFieldSolver::SetNumberOfDirections, 1) } },

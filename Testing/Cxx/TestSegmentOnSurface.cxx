@@ -101,8 +101,7 @@ void ExpectSame(const Lengths& lengths, const Lengths& expected, double toleranc
     for (const auto& [cell, length] : all)
     {
       const auto other = others.find(cell);
-      EXPECT_NEAR(length, other == others.end() ? 0.0 : other->second, tolerance)
-        << "cell " << cell;
+      EXPECT_NEAR(length, other == others.end() ? 0.0 : other->second, tolerance) << "cell " << cell;
     }
   };
   difference(lengths, expected);
@@ -133,8 +132,8 @@ TEST(SegmentOnSurface, HasAPartForEachTriangleOfAPlane)
       for (int i = 0; i < 30; ++i)
       {
         const Vector3 start = anywhere(z), end = anywhere(z);
-        ExpectSame(setting.LengthsOf(start, end, SegmentPart::OnSurface),
-          LengthsAbovePlane(plane, start, end), smallest);
+        ExpectSame(
+          setting.LengthsOf(start, end, SegmentPart::OnSurface), LengthsAbovePlane(plane, start, end), smallest);
       }
     }
   }
@@ -149,8 +148,7 @@ TEST(SegmentOnSurface, TouchesNoFaceBesideItsWay)
          std::pair(Vector3(2.0, 5.0, 0.5), Vector3(8.0, 2.0, 0.5)),
          std::pair(Vector3(3.0, 1.0, 0.0), Vector3(4.0, 6.0, 0.0)) })
   {
-    ExpectSame(setting.LengthsOf(start, end, SegmentPart::OnSurface),
-      LengthsAbovePlane(plane, start, end), 1e-4);
+    ExpectSame(setting.LengthsOf(start, end, SegmentPart::OnSurface), LengthsAbovePlane(plane, start, end), 1e-4);
   }
 }
 
@@ -230,8 +228,7 @@ TEST(SegmentOnSurface, HasAPartForEachFaceAlongAChordOfASphere)
     std::vector<std::pair<double, double>> within, around;
     for (int k = 0; k < 3; ++k)
     {
-      const Vector3 tail = sphere.V.row(sphere.F(f, k)),
-                    head = sphere.V.row(sphere.F(f, (k + 1) % 3));
+      const Vector3 tail = sphere.V.row(sphere.F(f, k)), head = sphere.V.row(sphere.F(f, (k + 1) % 3));
       const Vector3 inwards = tail.cross(head).normalized();
       within.push_back({ inwards.dot(start), inwards.dot(end) });
       around.push_back({ inwards.dot(start) + margin, inwards.dot(end) + margin });
@@ -303,8 +300,7 @@ TEST(SegmentOnSurface, MayBeVeryLong)
 {
   const Surface plane = PlaneGrid(8, 8);
   const Setting setting(plane, 1.0);
-  const Lengths lengths =
-    setting.LengthsOf({ -1e7, 2.3, 0.5 }, { 1e7, 2.3, 0.5 }, SegmentPart::OnSurface);
+  const Lengths lengths = setting.LengthsOf({ -1e7, 2.3, 0.5 }, { 1e7, 2.3, 0.5 }, SegmentPart::OnSurface);
   const Lengths expected = LengthsAbovePlane(plane, { 0.0, 2.3, 0.5 }, { 8.0, 2.3, 0.5 });
   EXPECT_EQ(lengths.size(), expected.size());
   for (const auto& [cell, length] : expected)
@@ -334,8 +330,7 @@ Surface HalfPipe(double innerRadius)
     const double angle = Pi * (1.0 - flat.V(i, 0) / 60.0);
     const Vector3 outside(std::cos(angle), 0.2 * flat.V(i, 1), std::sin(angle));
     wall.V.row(i) = outside;
-    wall.V.row(points + i) =
-      Vector3(innerRadius * outside.x(), outside.y(), innerRadius * outside.z());
+    wall.V.row(points + i) = Vector3(innerRadius * outside.x(), outside.y(), innerRadius * outside.z());
   }
   for (int f = 0; f < faces; ++f)
   {

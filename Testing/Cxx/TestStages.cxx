@@ -39,8 +39,7 @@ protected:
     fresh->SetAlignment(this->Solver->GetAlignment());
     fresh->SetConstraintType(this->Solver->GetConstraintType());
     fresh->Update();
-    EXPECT_LT(
-      Difference(CellValues(this->Solver, "PowerField"), CellValues(fresh, "PowerField")), 1e-5);
+    EXPECT_LT(Difference(CellValues(this->Solver, "PowerField"), CellValues(fresh, "PowerField")), 1e-5);
   }
 
   vtkSmartPointer<vtkPolyData> Input = SphereWithOperators();
@@ -263,8 +262,8 @@ TEST(Discretisation, AnotherRepeatsTheSystemAndDecimatesOnlyForOperatorsThatAreM
   EXPECT_EQ(counts(Solver::OneForm, Solver::StructurePreserving), (Counts{ 4, 4, 4 }));
   EXPECT_EQ(counts(Solver::FaceField, Solver::StructurePreserving), (Counts{ 5, 5, 5 }));
   EXPECT_EQ(counts(Solver::OneForm, Solver::StructurePreserving), (Counts{ 5, 6, 6 })); // kept
-  EXPECT_EQ(counts(Solver::OneForm, Solver::Nodal), (Counts{ 5, 7, 7 })); // what was made of the samples
-  EXPECT_EQ(counts(Solver::PowerField, Solver::Nodal), (Counts{ 5, 8, 8 })); // kept, too
+  EXPECT_EQ(counts(Solver::OneForm, Solver::Nodal), (Counts{ 5, 7, 7 }));               // what was made of the samples
+  EXPECT_EQ(counts(Solver::PowerField, Solver::Nodal), (Counts{ 5, 8, 8 }));            // kept, too
 }
 
 // Abort
@@ -337,8 +336,8 @@ TEST_P(VectorField, AbortedInAnyStageLeavesNothingAndIsWholeTheNextTime)
   };
   const auto uninterrupted = newSolver();
   uninterrupted->Update();
-  const std::pair<double, Counts> stages[] = { { 0.2, { 0, 0, 0 } }, { 0.51, { 1, 0, 0 } },
-    { 0.71, { 1, 1, 0 } }, { 0.91, { 1, 1, 1 } } };
+  const std::pair<double, Counts> stages[] = { { 0.2, { 0, 0, 0 } }, { 0.51, { 1, 0, 0 } }, { 0.71, { 1, 1, 0 } },
+    { 0.91, { 1, 1, 1 } } };
   for (const auto& [fraction, done] : stages)
   {
     SCOPED_TRACE(fraction);

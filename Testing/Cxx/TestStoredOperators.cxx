@@ -58,8 +58,8 @@ TEST(StoredOperators, ChangeNothingWhereTheSolverTakesSamples)
   double point[3];
   moved->GetPoint(5, point);
   moved->GetPoints()->SetPoint(5, 1.001 * point[0], 1.001 * point[1], 1.001 * point[2]);
-  for (int kind : { vtkHarmonicFieldSolver::Automatic, vtkHarmonicFieldSolver::ConjugateGradients,
-         vtkHarmonicFieldSolver::Cholesky })
+  for (int kind :
+    { vtkHarmonicFieldSolver::Automatic, vtkHarmonicFieldSolver::ConjugateGradients, vtkHarmonicFieldSolver::Cholesky })
   {
     const auto without = NewSolver(bare), with = NewSolver(prolongation->GetOutput()), stale = NewSolver(moved);
     const Messages messages(stale);
@@ -143,9 +143,8 @@ const Damage Damages[] = {
   { "WithoutDigest", "Prolongation.Digest",
     [](vtkFieldData* data, vtkAbstractArray* array) { data->RemoveArray(array->GetName()); } },
   { "OptionsNotNumbers", "Prolongation.Options",
-    [](vtkFieldData*, vtkAbstractArray* array) {
-      vtkDoubleArray::SafeDownCast(array)->SetValue(1, std::numeric_limits<double>::quiet_NaN());
-    } },
+    [](vtkFieldData*, vtkAbstractArray* array)
+    { vtkDoubleArray::SafeDownCast(array)->SetValue(1, std::numeric_limits<double>::quiet_NaN()); } },
   { "OtherSize", "Prolongation.NumbersOfFaces",
     [](vtkFieldData*, vtkAbstractArray* array) { SetInt(array, 0, 1281); } },
   { "SizesThatGrow", "Prolongation.NumbersOfVertices",
@@ -154,8 +153,7 @@ const Damage Damages[] = {
     [](vtkFieldData*, vtkAbstractArray* array) { SetInt(array, 2, -5); } },
   { "LevelsThatDiffer", "Prolongation.NumbersOfVertices",
     [](vtkFieldData*, vtkAbstractArray* array) { Shorten(array); } },
-  { "OffsetsTooFew", "Prolongation.S0.0.Offsets",
-    [](vtkFieldData*, vtkAbstractArray* array) { Shorten(array); } },
+  { "OffsetsTooFew", "Prolongation.S0.0.Offsets", [](vtkFieldData*, vtkAbstractArray* array) { Shorten(array); } },
   { "OffsetsThatFall", "Prolongation.Nodal.0.Offsets",
     [](vtkFieldData*, vtkAbstractArray* array) { SetInt(array, 7, 1000000); } },
   { "OffsetsNotFromZero", "Prolongation.Nodal.1.Offsets",
@@ -165,17 +163,13 @@ const Damage Damages[] = {
   { "ColumnNegative", "Prolongation.S0.1.Columns",
     [](vtkFieldData*, vtkAbstractArray* array) { SetInt(array, 0, -1); } },
   { "ColumnsTooFew", "Prolongation.SP.0.Offsets", // they no longer end where the columns do
-    [](vtkFieldData* data, vtkAbstractArray*)
-    { Shorten(data->GetAbstractArray("Prolongation.SP.0.Columns")); } },
-  { "ValuesTooFew", "Prolongation.SP.0.Values",
-    [](vtkFieldData*, vtkAbstractArray* array) { Shorten(array); } },
+    [](vtkFieldData* data, vtkAbstractArray*) { Shorten(data->GetAbstractArray("Prolongation.SP.0.Columns")); } },
+  { "ValuesTooFew", "Prolongation.SP.0.Values", [](vtkFieldData*, vtkAbstractArray* array) { Shorten(array); } },
   { "ValueNotANumber", "Prolongation.Nodal.0.Values",
-    [](vtkFieldData*, vtkAbstractArray* array) {
-      vtkDoubleArray::SafeDownCast(array)->SetValue(3, std::numeric_limits<double>::quiet_NaN());
-    } },
-  { "ValueWithoutWeight", "Prolongation.S0.0.Values",
     [](vtkFieldData*, vtkAbstractArray* array)
-    { vtkDoubleArray::SafeDownCast(array)->SetValue(3, 7.0); } },
+    { vtkDoubleArray::SafeDownCast(array)->SetValue(3, std::numeric_limits<double>::quiet_NaN()); } },
+  { "ValueWithoutWeight", "Prolongation.S0.0.Values",
+    [](vtkFieldData*, vtkAbstractArray* array) { vtkDoubleArray::SafeDownCast(array)->SetValue(3, 7.0); } },
   { "OtherType", "Prolongation.SP.0.Values",
     [](vtkFieldData* data, vtkAbstractArray* array)
     {
@@ -198,8 +192,7 @@ TEST_P(DamagedOperators, AreRefusedByName)
   solver->SetCoarseSpace(vtkHarmonicFieldSolver::StructurePreserving);
   const Messages messages(solver);
   solver->Update();
-  EXPECT_NE(messages.Error().find("'" + GetParam().Array + "'"), std::string::npos)
-    << messages.Error();
+  EXPECT_NE(messages.Error().find("'" + GetParam().Array + "'"), std::string::npos) << messages.Error();
   EXPECT_NE(messages.Error().find("vtkDirectionalProlongation"), std::string::npos);
   ExpectEmpty(solver);
 }
@@ -209,8 +202,7 @@ INSTANTIATE_TEST_SUITE_P(StoredOperators, DamagedOperators, testing::ValuesIn(Da
 
 TEST_P(VectorField, OfStoredOperatorsIsThatOfTheOriginalsToTheBit)
 {
-  const std::string path =
-    testing::TempDir() + "StoredOperators" + std::to_string(GetParam()) + ".vtp";
+  const std::string path = testing::TempDir() + "StoredOperators" + std::to_string(GetParam()) + ".vtp";
   const auto input = SphereWithOperators();
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(path.c_str());
@@ -264,10 +256,8 @@ TEST_P(VectorField, OfDamagedOperatorsIsRefused)
 {
   vtkNew<vtkPolyData> input;
   input->DeepCopy(SphereWithOperators());
-  const std::string name = std::string("Prolongation.") +
-    (GetParam() == Solver::OneForm ? "S1" : "SX") + ".1.Values";
-  auto* const values =
-    vtkDoubleArray::SafeDownCast(input->GetFieldData()->GetAbstractArray(name.c_str()));
+  const std::string name = std::string("Prolongation.") + (GetParam() == Solver::OneForm ? "S1" : "SX") + ".1.Values";
+  auto* const values = vtkDoubleArray::SafeDownCast(input->GetFieldData()->GetAbstractArray(name.c_str()));
   ASSERT_TRUE(values);
   const double good = values->GetValue(3);
   values->SetValue(3, std::numeric_limits<double>::infinity());
@@ -276,8 +266,7 @@ TEST_P(VectorField, OfDamagedOperatorsIsRefused)
   solver->SetCoarseSpace(Solver::StructurePreserving);
   Messages messages(solver);
   solver->Update();
-  EXPECT_NE(messages.Error().find("'" + name + "' holds a value"), std::string::npos)
-    << messages.Error();
+  EXPECT_NE(messages.Error().find("'" + name + "' holds a value"), std::string::npos) << messages.Error();
   ExpectEmpty(solver);
 
   messages.Forget();

@@ -63,10 +63,8 @@ private:
   {
     auto command = vtkSmartPointer<vtkCallbackCommand>::New();
     command->SetClientData(texts);
-    command->SetCallback(
-      [](vtkObject*, unsigned long, void* list, void* text) {
-        static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<const char*>(text));
-      });
+    command->SetCallback([](vtkObject*, unsigned long, void* list, void* text)
+      { static_cast<std::vector<std::string>*>(list)->emplace_back(static_cast<const char*>(text)); });
     algorithm->AddObserver(event, command);
     return command;
   }
@@ -131,8 +129,7 @@ inline vtkSmartPointer<vtkPolyData> PolyDataOf(const Surface& surface, int preci
 }
 
 /// A named array of zeros, for cells or points.
-inline vtkSmartPointer<vtkDoubleArray> Zeros(
-  const std::string& name, vtkIdType tuples, int components)
+inline vtkSmartPointer<vtkDoubleArray> Zeros(const std::string& name, vtkIdType tuples, int components)
 {
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name.c_str());
@@ -156,14 +153,12 @@ inline vtkDoubleArray* AddVectors(
   return array;
 }
 
-inline vtkDoubleArray* AddCellVectors(
-  vtkPolyData* data, const std::string& name, const Vectors& vectors)
+inline vtkDoubleArray* AddCellVectors(vtkPolyData* data, const std::string& name, const Vectors& vectors)
 {
   return AddVectors(data->GetCellData(), name, data->GetNumberOfCells(), vectors);
 }
 
-inline vtkDoubleArray* AddPointVectors(
-  vtkDataSet* data, const std::string& name, const Vectors& vectors)
+inline vtkDoubleArray* AddPointVectors(vtkDataSet* data, const std::string& name, const Vectors& vectors)
 {
   return AddVectors(data->GetPointData(), name, data->GetNumberOfPoints(), vectors);
 }
@@ -178,9 +173,8 @@ inline Vector3 Tuple(vtkDataSetAttributes* attributes, const std::string& name, 
 inline std::vector<double> Values(vtkFieldData* data, const std::string& name)
 {
   auto* const array = vtkDoubleArray::SafeDownCast(data->GetAbstractArray(name.c_str()));
-  return array
-    ? std::vector<double>(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues())
-    : std::vector<double>();
+  return array ? std::vector<double>(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfValues())
+               : std::vector<double>();
 }
 
 }

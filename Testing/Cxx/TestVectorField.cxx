@@ -76,8 +76,8 @@ TEST_P(VectorField, IsParallelOnAFlatTorus)
   const auto input = PolyDataOf(FlatTorus(8, 2));
   vtkNew<vtkIdList> ids;
   input->GetCellPoints(33, ids);
-  const Vector3 given = 2.5 *
-    (Along(input, { ids->GetId(0), ids->GetId(1) }) + Along(input, { ids->GetId(0), ids->GetId(2) }));
+  const Vector3 given =
+    2.5 * (Along(input, { ids->GetId(0), ids->GetId(1) }) + Along(input, { ids->GetId(0), ids->GetId(2) }));
   AddCellVectors(input, "Given", { { 33, given } });
   const auto solver = NewSolver(input, GetParam());
   solver->UnitLengthOff();
@@ -106,14 +106,13 @@ TEST_P(VectorField, IsParallelOnAFlatTorus)
       }
     }
   }
-  EXPECT_LT((Tuple(solver->GetOutput()->GetCellData(), "Direction0", 33) - given).norm(),
-    1e-7 * given.norm());
+  EXPECT_LT((Tuple(solver->GetOutput()->GetCellData(), "Direction0", 33) - given).norm(), 1e-7 * given.norm());
 }
 
 TEST_P(VectorField, HasIndicesThatSumToTheEulerCharacteristic)
 {
-  const std::pair<Surface, double> surfaces[] = { { IrregularSphere(3, 11), 2.0 },
-    { IrregularTorus(24, 16, 5), 0.0 }, { DoubleTorus(3), -2.0 } };
+  const std::pair<Surface, double> surfaces[] = { { IrregularSphere(3, 11), 2.0 }, { IrregularTorus(24, 16, 5), 0.0 },
+    { DoubleTorus(3), -2.0 } };
   for (const auto& [surface, eulerCharacteristic] : surfaces)
   {
     SCOPED_TRACE(eulerCharacteristic);
@@ -174,8 +173,7 @@ TEST(OneForm, IsPrescribedOnEdges)
     input->GetCellPoints(cell, ids);
     for (int k = 0; k < 3; ++k)
     {
-      expected[edges.at(std::minmax({ ids->GetId(k), ids->GetId((k + 1) % 3) }))] +=
-        0.5 * weights->GetValue(cell);
+      expected[edges.at(std::minmax({ ids->GetId(k), ids->GetId((k + 1) % 3) }))] += 0.5 * weights->GetValue(cell);
     }
   }
   EXPECT_EQ(Values(Edges(solver)->GetCellData(), "Prescribed"), expected);
@@ -205,8 +203,7 @@ TEST(OneForm, IsPrescribedOnTheEdgesOfPoints)
     if (atA || atB)
     {
       const double strength = atA && atB ? 2.0 : atA ? 1.0 : 3.0;
-      EXPECT_NEAR(
-        form[number], strength * (grid.V(edge.second, 0) - grid.V(edge.first, 0)), 1e-14);
+      EXPECT_NEAR(form[number], strength * (grid.V(edge.second, 0) - grid.V(edge.first, 0)), 1e-14);
     }
   }
 }
@@ -228,8 +225,7 @@ TEST_P(VectorField, HasOneDirectionAndNoArraysOfOtherFields)
   EXPECT_FALSE(cells->HasArray("PowerField"));
   EXPECT_FALSE(cells->HasArray("Direction1"));
   EXPECT_FALSE(solver->GetOutput()->GetPointData()->HasArray("PowerField"));
-  EXPECT_EQ(vtkIntArray::SafeDownCast(
-              solver->GetOutput()->GetFieldData()->GetAbstractArray("NumberOfDirections"))
-              ->GetValue(0),
+  EXPECT_EQ(
+    vtkIntArray::SafeDownCast(solver->GetOutput()->GetFieldData()->GetAbstractArray("NumberOfDirections"))->GetValue(0),
     1);
 }

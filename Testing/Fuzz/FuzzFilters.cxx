@@ -157,11 +157,10 @@ vtkSmartPointer<vtkDataArray> ArrayOf(Choices& choose, const char* name, vtkIdTy
 
 void AddArrays(Choices& choose, vtkDataSet* data)
 {
-  for (vtkDataSetAttributes* const attributes :
-    { static_cast<vtkDataSetAttributes*>(data->GetPointData()), static_cast<vtkDataSetAttributes*>(data->GetCellData()) })
+  for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(data->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(data->GetCellData()) })
   {
-    const vtkIdType tuples =
-      attributes == data->GetCellData() ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+    const vtkIdType tuples = attributes == data->GetCellData() ? data->GetNumberOfCells() : data->GetNumberOfPoints();
     attributes->AddArray(ArrayOf(choose, "Given", tuples, 3));
     attributes->AddArray(ArrayOf(choose, "Mask", tuples, 1));
     attributes->AddArray(ArrayOf(choose, "Weights", tuples, 1));
@@ -183,8 +182,8 @@ void Damage(Choices& choose, vtkFieldData* operators)
     else if (array && array->GetNumberOfTuples() > 0)
     {
       const int place = choose.Below(static_cast<int>(array->GetNumberOfTuples()));
-      array->SetComponent(place, 0,
-        array->GetDataType() == VTK_DOUBLE ? choose.Number() : choose.Below(1 << choose.Below(30)) - 1.0);
+      array->SetComponent(
+        place, 0, array->GetDataType() == VTK_DOUBLE ? choose.Number() : choose.Below(1 << choose.Below(30)) - 1.0);
     }
   }
 }
@@ -251,8 +250,11 @@ void SetOptions(Choices& choose, vtkHarmonicFieldSolver* solver)
     const bool isNeeded = index == 1 ? discretisation < 3 : index == 3 && discretisation == 3;
     if (isNeeded || choose.OneIn(8))
     {
-      solver->SetInputArrayToProcess(
-        index, 0, 0, index == 3 ? 0 : choose.OneIn(30) ? 1 - association : association, names[index]);
+      solver->SetInputArrayToProcess(index, 0, 0,
+        index == 3           ? 0
+          : choose.OneIn(30) ? 1 - association
+                             : association,
+        names[index]);
     }
   }
 }

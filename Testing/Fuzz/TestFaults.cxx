@@ -46,8 +46,8 @@ extern "C"
 namespace
 {
 
-thread_local long long requests = 0; ///< counted while failing >= 0
-thread_local long long failing = -1; ///< the request that fails; 0: none
+thread_local long long requests = 0;   ///< counted while failing >= 0
+thread_local long long failing = -1;   ///< the request that fails; 0: none
 thread_local bool isOfFilters = false; ///< only requests from the code of their library count
 
 struct CodeOfFilters
@@ -59,7 +59,8 @@ CodeOfFilters FindCodeOfFilters()
 {
   CodeOfFilters code;
   dl_iterate_phdr(
-    [](dl_phdr_info* library, std::size_t, void* found) {
+    [](dl_phdr_info* library, std::size_t, void* found)
+    {
       for (int k = 0; std::strstr(library->dlpi_name, "FiltersDirectionalFields") && k < library->dlpi_phnum; ++k)
       {
         const auto& segment = library->dlpi_phdr[k];
@@ -311,7 +312,8 @@ TEST(Memory, ThatRunsOutInAFilterIsAnErrorAndTheNextUpdateIsWhole)
   const std::size_t kinds = AllFilters(input).size();
   for (std::size_t kind = 0; kind < kinds; ++kind)
   {
-    const auto update = [kind](vtkAlgorithm* filter, long long number) {
+    const auto update = [kind](vtkAlgorithm* filter, long long number)
+    {
       const Messages messages(filter);
       requests = 0;
       isOfFilters = true;
@@ -417,7 +419,8 @@ TEST(TwoFilters, InTwoThreadsGiveTheBitsOfOne)
   std::vector<double> expected[2], found[2];
   for (int discretisation = 0; discretisation < 3; ++discretisation)
   {
-    const auto solve = [&inputs, discretisation](int i) {
+    const auto solve = [&inputs, discretisation](int i)
+    {
       const auto solver = NewSolver(inputs[i], discretisation, vtkHarmonicFieldSolver::ConjugateGradients);
       solver->Update();
       return Field(solver);

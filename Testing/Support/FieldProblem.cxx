@@ -10,40 +10,37 @@ namespace dmg::test
 namespace
 {
 
-SolverPlan PlanOf(const FramedMesh& surface, const Discretisation& field,
-  const ProlongationOperators* operators, const FieldOptions& options)
+SolverPlan PlanOf(const FramedMesh& surface, const Discretisation& field, const ProlongationOperators* operators,
+  const FieldOptions& options)
 {
-  return PlanSolver(
-    field, options, operators, ObstaclesOf(surface.Mesh, true, SerialContext()));
+  return PlanSolver(field, options, operators, ObstaclesOf(surface.Mesh, true, SerialContext()));
 }
 
 }
 
-std::shared_ptr<const MultigridSetup> SetupOf(const FramedMesh& surface,
-  const ProlongationOperators* operators, const FieldOptions& options,
-  const ExecutionContext& context)
+std::shared_ptr<const MultigridSetup> SetupOf(const FramedMesh& surface, const ProlongationOperators* operators,
+  const FieldOptions& options, const ExecutionContext& context)
 {
   const auto field = MakeDiscretisation(options.Field, surface);
-  return MakeSetup(surface, *field, operators, PlanOf(surface, *field, operators, options),
-    options.CoarseSpace, context);
+  return MakeSetup(
+    surface, *field, operators, PlanOf(surface, *field, operators, options), options.CoarseSpace, context);
 }
 
-bool KeepsApart(const FramedMesh& surface, const ProlongationOperators* operators,
-  const FieldOptions& options)
+bool KeepsApart(const FramedMesh& surface, const ProlongationOperators* operators, const FieldOptions& options)
 {
   const auto field = MakeDiscretisation(options.Field, surface);
   return PlanOf(surface, *field, operators, options).KeepsApart;
 }
 
-FieldConstraints MakeFieldConstraints(const FramedMesh& surface,
-  const PrescribedDirections& directions, const FieldOptions& options)
+FieldConstraints MakeFieldConstraints(
+  const FramedMesh& surface, const PrescribedDirections& directions, const FieldOptions& options)
 {
   return MakeDiscretisation(options.Field, surface)->Prescribe(directions, {});
 }
 
 FieldProblem::FieldProblem(const FramedMesh& surface, const ProlongationOperators* operators,
-  const FieldConstraints& constraints, const FieldOptions& options,
-  const ExecutionContext& context, std::shared_ptr<const MultigridSetup> setup)
+  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context,
+  std::shared_ptr<const MultigridSetup> setup)
   : Field(MakeDiscretisation(options.Field, surface))
 {
   const SolverPlan plan = PlanOf(surface, *this->Field, operators, options);
@@ -51,19 +48,17 @@ FieldProblem::FieldProblem(const FramedMesh& surface, const ProlongationOperator
   const double half = setup ? 0.0 : 0.6;
   if (!setup)
   {
-    setup = MakeSetup(surface, *this->Field, operators, plan, options.CoarseSpace,
-      PartOfContext(context, 0.0, half));
+    setup = MakeSetup(surface, *this->Field, operators, plan, options.CoarseSpace, PartOfContext(context, 0.0, half));
   }
   const SolverChoice choice = plan.ChoiceOn(*setup);
-  this->Problem = std::make_unique<HarmonicProblem>(std::move(setup), std::move(penalties),
-    options.Smoothness, options.Solver, choice, PartOfContext(context, half, 1.0));
+  this->Problem = std::make_unique<HarmonicProblem>(std::move(setup), std::move(penalties), options.Smoothness,
+    options.Solver, choice, PartOfContext(context, half, 1.0));
 }
 
-void FieldProblem::Update(const FieldConstraints& constraints, const FieldOptions& options,
-  const ExecutionContext& context)
+void FieldProblem::Update(
+  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
 {
-  this->Problem->Update(this->Field->Penalties(constraints, options.Weights(), context),
-    options.Smoothness, context);
+  this->Problem->Update(this->Field->Penalties(constraints, options.Weights(), context), options.Smoothness, context);
 }
 
 Vector<double> FieldProblem::Solve(const Vector<double>& values, const Vector<double>& start,
@@ -72,8 +67,8 @@ Vector<double> FieldProblem::Solve(const Vector<double>& values, const Vector<do
   return this->Problem->Solve(values, start, reference, stop, context);
 }
 
-Vector<Complex> PowerFieldProblem::Solve(const Vector<Complex>& values,
-  const Vector<Complex>& start, const StoppingCriteria& stop, const ExecutionContext& context)
+Vector<Complex> PowerFieldProblem::Solve(const Vector<Complex>& values, const Vector<Complex>& start,
+  const StoppingCriteria& stop, const ExecutionContext& context)
 {
   return AsComplex(this->Problem.Solve(AsPairs(values), AsPairs(start), stop, context));
 }

@@ -12,34 +12,30 @@ namespace dmg::test
 
 /// What FieldSolver would set up for such options.
 /// \param operators null: those that the solver takes by itself, samples or none.
-std::shared_ptr<const MultigridSetup> SetupOf(const FramedMesh& surface,
-  const ProlongationOperators* operators, const FieldOptions& options,
-  const ExecutionContext& context);
+std::shared_ptr<const MultigridSetup> SetupOf(const FramedMesh& surface, const ProlongationOperators* operators,
+  const FieldOptions& options, const ExecutionContext& context);
 
 /// Whether cycles that keep roughness and penalties apart would solve this.
-bool KeepsApart(const FramedMesh& surface, const ProlongationOperators* operators,
-  const FieldOptions& options);
+bool KeepsApart(const FramedMesh& surface, const ProlongationOperators* operators, const FieldOptions& options);
 
 /// Directions as a discretisation takes them.
-FieldConstraints MakeFieldConstraints(const FramedMesh& surface,
-  const PrescribedDirections& directions, const FieldOptions& options);
+FieldConstraints MakeFieldConstraints(
+  const FramedMesh& surface, const PrescribedDirections& directions, const FieldOptions& options);
 
 /// The system stage, and the solve stage on top of it.
 class FieldProblem
 {
 public:
   /// \param setup of this surface and these options, if it is at hand; else it is made.
-  FieldProblem(const FramedMesh& surface, const ProlongationOperators* operators,
-    const FieldConstraints& constraints, const FieldOptions& options,
-    const ExecutionContext& context, std::shared_ptr<const MultigridSetup> setup = nullptr);
+  FieldProblem(const FramedMesh& surface, const ProlongationOperators* operators, const FieldConstraints& constraints,
+    const FieldOptions& options, const ExecutionContext& context,
+    std::shared_ptr<const MultigridSetup> setup = nullptr);
 
   /// Other elements or weights.
-  void Update(const FieldConstraints& constraints, const FieldOptions& options,
-    const ExecutionContext& context);
+  void Update(const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context);
 
-  Vector<double> Solve(const Vector<double>& values, const Vector<double>& start,
-    const StoppingCriteria& stop, const ExecutionContext& context,
-    const Vector<double>& reference = {});
+  Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, const StoppingCriteria& stop,
+    const ExecutionContext& context, const Vector<double>& reference = {});
 
   Eigen::MatrixXd HarmonicFields() const { return this->Problem->Setup().HarmonicFields(); }
   const SolveReport& Report() const { return this->Problem->Report(); }
@@ -54,14 +50,13 @@ class PowerFieldProblem
 {
 public:
   PowerFieldProblem(const FramedMesh& surface, const ProlongationOperators* operators,
-    const PrescribedFaces& prescribed, const FieldOptions& options,
-    const ExecutionContext& context)
+    const PrescribedFaces& prescribed, const FieldOptions& options, const ExecutionContext& context)
     : Problem(surface, operators, { prescribed.Faces, prescribed.Weights, {} }, options, context)
   {
   }
 
-  Vector<Complex> Solve(const Vector<Complex>& values, const Vector<Complex>& start,
-    const StoppingCriteria& stop, const ExecutionContext& context);
+  Vector<Complex> Solve(const Vector<Complex>& values, const Vector<Complex>& start, const StoppingCriteria& stop,
+    const ExecutionContext& context);
   const SolveReport& Report() const { return this->Problem.Report(); }
 
 private:

@@ -22,8 +22,7 @@ HarmonicSystem<Scalar> MakeSystem(SparseMatrix<Scalar> roughness, const Vector<d
   {
     roughness *= weights.Smoothness;
   }
-  HarmonicSystem<Scalar> system =
-    HarmonicSystem<Scalar>::Make(std::move(roughness), mass, std::move(prescribed));
+  HarmonicSystem<Scalar> system = HarmonicSystem<Scalar>::Make(std::move(roughness), mass, std::move(prescribed));
   if (system.NumberOfFree() == 0)
   {
     throw InvalidInput("nothing is left to solve for");
@@ -48,28 +47,24 @@ PrescribedUnknowns OfComplex(const PrescribedUnknowns& pairs)
 
 }
 
-HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
-  const FieldWeights& weights, const ExecutionContext& context)
+HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh, const TangentFrames& faceFrames, int N,
+  const PrescribedFaces& prescribed, const FieldWeights& weights, const ExecutionContext& context)
 {
   const FramedMesh surface(mesh);
   const PowerField field(surface, N);
   return MakeSystem<Complex>(PowerLaplacian(mesh, faceFrames, N, context), field.Mass(context),
-    OfComplex(field.Penalties({ prescribed.Faces, prescribed.Weights, {} }, weights, context)),
-    weights);
+    OfComplex(field.Penalties({ prescribed.Faces, prescribed.Weights, {} }, weights, context)), weights);
 }
 
-HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const PrescribedFaces& prescribed, const FieldWeights& weights,
-  const ExecutionContext& context)
+HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const PrescribedFaces& prescribed, const FieldWeights& weights, const ExecutionContext& context)
 {
   return MakeSystem<double>(FaceFieldSmoothness(mesh, faceFrames, context), MassOfFaceFields(mesh),
     PrescribedUnknownsOf(mesh, prescribed, weights), weights);
 }
 
-HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
-  const PrescribedEdges& prescribed, const FieldWeights& weights, const ExecutionContext& context,
-  VertexAreas areas)
+HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh, const PrescribedEdges& prescribed,
+  const FieldWeights& weights, const ExecutionContext& context, VertexAreas areas)
 {
   return MakeSystem<double>(OneFormLaplacian(mesh, context, areas), PositiveStar1(mesh, context),
     PrescribedUnknownsOf(mesh, prescribed, weights), weights);
@@ -79,8 +74,7 @@ PrescribedUnknowns PrescribedUnknownsOf(
   const TriangleMesh& mesh, const PrescribedFaces& prescribed, const FieldWeights& weights)
 {
   const FramedMesh surface(mesh);
-  return FaceField(surface).Penalties(
-    { prescribed.Faces, prescribed.Weights, {} }, weights, SerialContext());
+  return FaceField(surface).Penalties({ prescribed.Faces, prescribed.Weights, {} }, weights, SerialContext());
 }
 
 PrescribedUnknowns PrescribedUnknownsOf(

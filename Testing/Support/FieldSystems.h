@@ -14,17 +14,14 @@
 namespace dmg
 {
 
-HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, int N, const PrescribedFaces& prescribed,
-  const FieldWeights& weights, const ExecutionContext& context = SerialContext());
+HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh, const TangentFrames& faceFrames, int N,
+  const PrescribedFaces& prescribed, const FieldWeights& weights, const ExecutionContext& context = SerialContext());
 
-HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const PrescribedFaces& prescribed, const FieldWeights& weights,
-  const ExecutionContext& context = SerialContext());
+HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const PrescribedFaces& prescribed, const FieldWeights& weights, const ExecutionContext& context = SerialContext());
 
-HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh,
-  const PrescribedEdges& prescribed, const FieldWeights& weights,
-  const ExecutionContext& context = SerialContext(),
+HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh, const PrescribedEdges& prescribed,
+  const FieldWeights& weights, const ExecutionContext& context = SerialContext(),
   VertexAreas areas = VertexAreas::MixedVoronoi);
 
 /// The penalties of faces, two per vector, and of edges.

@@ -89,11 +89,10 @@ void RemoveParts(const Eigen::MatrixXd& fields, Vector<Scalar>& x)
 }
 
 template <class Scalar>
-HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Soft(SparseMatrix<Scalar> smoothness,
-  const Vector<double>& mass, std::vector<int> prescribed, Vector<double> alignment)
+HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Soft(
+  SparseMatrix<Scalar> smoothness, const Vector<double>& mass, std::vector<int> prescribed, Vector<double> alignment)
 {
-  return HarmonicSystem(
-    smoothness, mass, std::move(prescribed), std::move(alignment), false);
+  return HarmonicSystem(smoothness, mass, std::move(prescribed), std::move(alignment), false);
 }
 
 template <class Scalar>
@@ -107,8 +106,8 @@ template <class Scalar>
 HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Make(
   SparseMatrix<Scalar> smoothness, const Vector<double>& mass, PrescribedUnknowns prescribed)
 {
-  return HarmonicSystem(smoothness, mass, std::move(prescribed.Unknowns),
-    std::move(prescribed.Alignment), prescribed.Kind == ConstraintKind::Hard);
+  return HarmonicSystem(smoothness, mass, std::move(prescribed.Unknowns), std::move(prescribed.Alignment),
+    prescribed.Kind == ConstraintKind::Hard);
 }
 
 template <class Scalar>
@@ -200,8 +199,7 @@ HarmonicSystem<Scalar>::HarmonicSystem(SparseMatrix<Scalar>& smoothness, const V
   }
   else
   {
-    SparseMatrix<Scalar> ofFree =
-      Submatrix(smoothness, this->Free, this->Rows, this->NumberOfFree());
+    SparseMatrix<Scalar> ofFree = Submatrix(smoothness, this->Free, this->Rows, this->NumberOfFree());
     this->A.swap(ofFree);
   }
   if (!this->IsHard)
@@ -280,8 +278,7 @@ Vector<Scalar> HarmonicSystem<Scalar>::Restrict(const Vector<Scalar>& all) const
 }
 
 template <class Scalar>
-Vector<Scalar> HarmonicSystem<Scalar>::Expand(
-  const Vector<Scalar>& solution, const Vector<Scalar>& values) const
+Vector<Scalar> HarmonicSystem<Scalar>::Expand(const Vector<Scalar>& solution, const Vector<Scalar>& values) const
 {
   assert(solution.size() == this->NumberOfFree());
   Vector<Scalar> all = Vector<Scalar>::Zero(this->NumberOfUnknowns());

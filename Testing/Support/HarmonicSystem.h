@@ -39,16 +39,15 @@ public:
   /// \param alignment m_b, one per prescribed unknown, >= 0, its weight included. A prescription
   /// with m_b = 0 holds nothing.
   /// Cost: linear in the entries of L.
-  static HarmonicSystem Soft(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-    std::vector<int> prescribed, Vector<double> alignment);
+  static HarmonicSystem Soft(
+    SparseMatrix<Scalar> smoothness, const Vector<double>& mass, std::vector<int> prescribed, Vector<double> alignment);
 
   /// Hard constraints; parameters as above.
-  static HarmonicSystem Hard(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-    std::vector<int> prescribed);
+  static HarmonicSystem Hard(SparseMatrix<Scalar> smoothness, const Vector<double>& mass, std::vector<int> prescribed);
 
   /// Either, as the prescription says.
-  static HarmonicSystem Make(SparseMatrix<Scalar> smoothness, const Vector<double>& mass,
-    PrescribedUnknowns prescribed);
+  static HarmonicSystem Make(
+    SparseMatrix<Scalar> smoothness, const Vector<double>& mass, PrescribedUnknowns prescribed);
 
   /// Eigen 3.4 would copy the matrices.
   HarmonicSystem(HarmonicSystem&& other) noexcept;
@@ -92,8 +91,8 @@ public:
 
 private:
   /// \param smoothness is used up.
-  HarmonicSystem(SparseMatrix<Scalar>& smoothness, const Vector<double>& mass,
-    std::vector<int> prescribed, Vector<double> alignment, bool isHard);
+  HarmonicSystem(SparseMatrix<Scalar>& smoothness, const Vector<double>& mass, std::vector<int> prescribed,
+    Vector<double> alignment, bool isHard);
 
   bool IsHard = false;
   std::vector<int> Prescribed;

@@ -59,8 +59,8 @@ double DerivativeTwiceResidual(const TriangleMesh& mesh)
   return product.coeffs().abs().maxCoeff();
 }
 
-double ExactnessResidual(const TriangleMesh& fine, const TriangleMesh& coarse,
-  const SparseMatrix<double>& S0, const SparseMatrix<double>& S1)
+double ExactnessResidual(
+  const TriangleMesh& fine, const TriangleMesh& coarse, const SparseMatrix<double>& S0, const SparseMatrix<double>& S1)
 {
   const SparseMatrix<double> before = D0(fine) * S0;
   const SparseMatrix<double> after = S1 * D0(coarse);
@@ -68,18 +68,15 @@ double ExactnessResidual(const TriangleMesh& fine, const TriangleMesh& coarse,
   return difference.coeffs().abs().maxCoeff();
 }
 
-double ClosednessResidual(
-  const TriangleMesh& fine, const SparseMatrix<double>& S1, const Vector<double>& z)
+double ClosednessResidual(const TriangleMesh& fine, const SparseMatrix<double>& S1, const Vector<double>& z)
 {
   return (D1(fine) * (S1 * z)).cwiseAbs().maxCoeff() / z.cwiseAbs().maxCoeff();
 }
 
-double TotalCurlResidual(
-  const TriangleMesh& fine, const TriangleMesh& coarse, const SparseMatrix<double>& S1)
+double TotalCurlResidual(const TriangleMesh& fine, const TriangleMesh& coarse, const SparseMatrix<double>& S1)
 {
   const Vector<double> fineTotal = D1(fine).transpose() * Vector<double>::Ones(fine.NumberOfFaces());
-  const Vector<double> coarseTotal =
-    D1(coarse).transpose() * Vector<double>::Ones(coarse.NumberOfFaces());
+  const Vector<double> coarseTotal = D1(coarse).transpose() * Vector<double>::Ones(coarse.NumberOfFaces());
   return (S1.transpose() * fineTotal - coarseTotal).cwiseAbs().maxCoeff();
 }
 
@@ -98,15 +95,13 @@ double WeakestColumn(const SparseMatrix<double>& S)
 
 Vector<double> Eigenvalues(const SparseMatrix<double>& A)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-    Eigen::MatrixXd(A), Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(A), Eigen::EigenvaluesOnly);
   return solver.eigenvalues();
 }
 
 Vector<double> Eigenvalues(const SparseMatrix<Complex>& A)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(
-    Eigen::MatrixXcd(A), Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd> solver(Eigen::MatrixXcd(A), Eigen::EigenvaluesOnly);
   return solver.eigenvalues();
 }
 
@@ -125,8 +120,7 @@ Vector<double> LowestEigenvalues(const SparseMatrix<Complex>& A, const Vector<do
   Vector<double> eigenvalues;
   for (int iteration = 0; iteration < 30; ++iteration)
   {
-    basis = Dense(Eigen::HouseholderQR<Dense>(basis).householderQ() *
-      Dense::Identity(basis.rows(), basis.cols()));
+    basis = Dense(Eigen::HouseholderQR<Dense>(basis).householderQ() * Dense::Identity(basis.rows(), basis.cols()));
     const Eigen::SelfAdjointEigenSolver<Dense> small(basis.adjoint() * (scaled * basis));
     eigenvalues = small.eigenvalues().head(count);
     basis = factor.solve(basis * small.eigenvectors());
@@ -154,8 +148,7 @@ TangentFrames Turned(const TangentFrames& frames, const std::vector<double>& ang
   return turned;
 }
 
-Vector<Complex> InTurnedFrames(
-  const Vector<Complex>& powers, const std::vector<double>& angles, int N)
+Vector<Complex> InTurnedFrames(const Vector<Complex>& powers, const std::vector<double>& angles, int N)
 {
   Vector<Complex> turned = powers;
   for (std::size_t i = 0; i < angles.size(); ++i)
@@ -198,8 +191,8 @@ double VanishingResidual(const SparseMatrix<double>& A, const SparseMatrix<doubl
   return LargestEntry(A * B) / (LargestEntry(A) * LargestEntry(B));
 }
 
-double CommutationResidual(const SparseMatrix<double>& A, const SparseMatrix<double>& B,
-  const SparseMatrix<double>& C, const SparseMatrix<double>& D)
+double CommutationResidual(const SparseMatrix<double>& A, const SparseMatrix<double>& B, const SparseMatrix<double>& C,
+  const SparseMatrix<double>& D)
 {
   const SparseMatrix<double> expected = C * D;
   const SparseMatrix<double> difference = SparseMatrix<double>(A * B) - expected;
@@ -219,8 +212,7 @@ Vector<double> FaceFieldOfVector(const TangentFrames& faceFrames, const Vector3&
 
 Vector<double> SymmetricEigenvalues(const SparseMatrix<double>& A)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-    Eigen::MatrixXd(A), Eigen::EigenvaluesOnly);
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(A), Eigen::EigenvaluesOnly);
   return solver.eigenvalues();
 }
 

@@ -36,17 +36,15 @@ double RelativeDifference(const Vector<double>& a, const Vector<double>& b);
 double DerivativeTwiceResidual(const TriangleMesh& mesh);
 
 /// max |d0 S0 - S1 d0|: exact forms stay exact.
-double ExactnessResidual(const TriangleMesh& fine, const TriangleMesh& coarse,
-  const SparseMatrix<double>& S0, const SparseMatrix<double>& S1);
+double ExactnessResidual(
+  const TriangleMesh& fine, const TriangleMesh& coarse, const SparseMatrix<double>& S0, const SparseMatrix<double>& S1);
 
 /// max |d1 S1 z| over max |z|: closed forms stay closed. \pre z is closed.
-double ClosednessResidual(
-  const TriangleMesh& fine, const SparseMatrix<double>& S1, const Vector<double>& z);
+double ClosednessResidual(const TriangleMesh& fine, const SparseMatrix<double>& S1, const Vector<double>& z);
 
 /// |1^T d1 S1| over all columns less 1^T d1 of the coarse level: how far the total curl is from being
 /// kept.
-double TotalCurlResidual(
-  const TriangleMesh& fine, const TriangleMesh& coarse, const SparseMatrix<double>& S1);
+double TotalCurlResidual(const TriangleMesh& fine, const TriangleMesh& coarse, const SparseMatrix<double>& S1);
 
 /// The least over the columns of the largest entry; 0 where a column is empty.
 double WeakestColumn(const SparseMatrix<double>& S);
@@ -59,8 +57,7 @@ Vector<double> Eigenvalues(const SparseMatrix<Complex>& A);
 
 /// The lowest eigenvalues of A x = lambda diag(M) x, ascending; A and M positive definite. Subspace
 /// iteration on a sparse factorisation; good to about 1e-8 where a gap follows the last one.
-Vector<double> LowestEigenvalues(
-  const SparseMatrix<Complex>& A, const Vector<double>& M, int count);
+Vector<double> LowestEigenvalues(const SparseMatrix<Complex>& A, const Vector<double>& M, int count);
 
 /// The solution of a regular system by a general sparse LU: the second opinion for every solver.
 Vector<Complex> SolveByLU(const SparseMatrix<Complex>& A, const Vector<Complex>& b);
@@ -69,8 +66,7 @@ Vector<Complex> SolveByLU(const SparseMatrix<Complex>& A, const Vector<Complex>&
 TangentFrames Turned(const TangentFrames& frames, const std::vector<double>& angles);
 
 /// N-powers in frames that were turned: what e^{i N angle} takes from the coordinates.
-Vector<Complex> InTurnedFrames(
-  const Vector<Complex>& powers, const std::vector<double>& angles, int N);
+Vector<Complex> InTurnedFrames(const Vector<Complex>& powers, const std::vector<double>& angles, int N);
 
 /// Corners with the frames that meshes come with.
 Unfilled<Corner> CornersOf(const TriangleMesh& mesh);
@@ -91,8 +87,8 @@ double LargestEntry(const SparseMatrix<double>& A);
 double VanishingResidual(const SparseMatrix<double>& A, const SparseMatrix<double>& B);
 
 /// max |A B - C D| over max |C D|, for diagrams that ought to commute.
-double CommutationResidual(const SparseMatrix<double>& A, const SparseMatrix<double>& B,
-  const SparseMatrix<double>& C, const SparseMatrix<double>& D);
+double CommutationResidual(const SparseMatrix<double>& A, const SparseMatrix<double>& B, const SparseMatrix<double>& C,
+  const SparseMatrix<double>& D);
 
 /// The same vector in every face, as a face field.
 Vector<double> FaceFieldOfVector(const TangentFrames& faceFrames, const Vector3& v);

@@ -15,16 +15,13 @@ Surface SubdivideByLoop(const Surface& surface)
   std::vector<Mesh::Vertex_index> vertices;
   for (int v = 0; v < surface.V.rows(); ++v)
   {
-    vertices.push_back(
-      mesh.add_vertex({ surface.V(v, 0), surface.V(v, 1), surface.V(v, 2) }));
+    vertices.push_back(mesh.add_vertex({ surface.V(v, 0), surface.V(v, 1), surface.V(v, 2) }));
   }
   for (int f = 0; f < surface.F.rows(); ++f)
   {
-    mesh.add_face(
-      vertices[surface.F(f, 0)], vertices[surface.F(f, 1)], vertices[surface.F(f, 2)]);
+    mesh.add_face(vertices[surface.F(f, 0)], vertices[surface.F(f, 1)], vertices[surface.F(f, 2)]);
   }
-  CGAL::Subdivision_method_3::Loop_subdivision(
-    mesh, CGAL::parameters::number_of_iterations(1));
+  CGAL::Subdivision_method_3::Loop_subdivision(mesh, CGAL::parameters::number_of_iterations(1));
   mesh.collect_garbage();
 
   Surface subdivided;

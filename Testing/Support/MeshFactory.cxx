@@ -133,11 +133,10 @@ Surface Icosahedron()
 {
   const double g = 0.5 * (1.0 + std::sqrt(5.0));
   Surface surface{ Points(12, 3), Triangles(20, 3) };
-  surface.V << -1, g, 0, 1, g, 0, -1, -g, 0, 1, -g, 0, 0, -1, g, 0, 1, g, 0, -1, -g, 0, 1, -g, g, 0,
-    -1, g, 0, 1, -g, 0, -1, -g, 0, 1;
-  surface.F << 0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7,
-    6, 7, 1, 8, 3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7,
-    9, 8, 1;
+  surface.V << -1, g, 0, 1, g, 0, -1, -g, 0, 1, -g, 0, 0, -1, g, 0, 1, g, 0, -1, -g, 0, 1, -g, g, 0, -1, g, 0, 1, -g, 0,
+    -1, -g, 0, 1;
+  surface.F << 0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3, 9,
+    4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1;
   Normalise(surface.V);
   return surface;
 }
@@ -145,7 +144,8 @@ Surface Icosahedron()
 /// The boundary of a set of unit cubes. No two of them may touch along an edge or corner only.
 Surface BoundaryOfCubes(const std::array<int, 3>& size, const std::vector<char>& filled)
 {
-  const auto isFilled = [&](std::array<int, 3> cell) {
+  const auto isFilled = [&](std::array<int, 3> cell)
+  {
     for (int k = 0; k < 3; ++k)
     {
       if (cell[k] < 0 || cell[k] >= size[k])
@@ -158,7 +158,8 @@ Surface BoundaryOfCubes(const std::array<int, 3>& size, const std::vector<char>&
 
   Builder builder;
   std::map<std::array<int, 3>, int> points;
-  const auto pointAt = [&](const std::array<int, 3>& p) {
+  const auto pointAt = [&](const std::array<int, 3>& p)
+  {
     const auto [entry, isNew] = points.emplace(p, 0);
     if (isNew)
     {
@@ -250,7 +251,8 @@ Surface IrregularPlane(int columns, int rows, unsigned seed, double amount)
   Random random(seed);
   return Grid(
     columns, rows,
-    [&](int i, int j) {
+    [&](int i, int j)
+    {
       const bool isInner = i > 0 && i < columns && j > 0 && j < rows;
       const double x = random.Uniform(-amount, amount);
       const double y = random.Uniform(-amount, amount);
@@ -303,9 +305,7 @@ Surface Disk(int rings)
     }
   }
   // Ring r starts after 1 + 6 (1 + ... + (r - 1)) points; its sector s after another s r.
-  const auto at = [](int ring, int i) {
-    return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + i % (6 * ring);
-  };
+  const auto at = [](int ring, int i) { return ring == 0 ? 0 : 1 + 3 * ring * (ring - 1) + i % (6 * ring); };
   for (int ring = 1; ring <= rings; ++ring)
   {
     for (int sector = 0; sector < 6; ++sector)
@@ -329,7 +329,8 @@ Surface Annulus(int around, int rings)
 {
   return ClosedGrid(
     around, rings, false,
-    [=](int i, int j) {
+    [=](int i, int j)
+    {
       const double angle = -2.0 * Pi * i / around; // clockwise, as rows go outwards
       const double radius = 1.0 + static_cast<double>(j) / rings;
       return Vector3(radius * std::cos(angle), radius * std::sin(angle), 0.0);
@@ -368,10 +369,7 @@ Surface Torus(int around, int across, double major, double minor)
 {
   return ClosedGrid(
     around, across, true,
-    [=](int i, int j) {
-      return TorusPoint(2.0 * Pi * i / around, 2.0 * Pi * j / across, major, minor);
-    },
-    Never);
+    [=](int i, int j) { return TorusPoint(2.0 * Pi * i / around, 2.0 * Pi * j / across, major, minor); }, Never);
 }
 
 Surface IrregularTorus(int around, int across, unsigned seed, double major, double minor)
@@ -379,7 +377,8 @@ Surface IrregularTorus(int around, int across, unsigned seed, double major, doub
   Random random(seed);
   return ClosedGrid(
     around, across, true,
-    [&](int i, int j) {
+    [&](int i, int j)
+    {
       const double u = i + random.Uniform(-0.25, 0.25);
       const double v = j + random.Uniform(-0.25, 0.25);
       return TorusPoint(2.0 * Pi * u / around, 2.0 * Pi * v / across, major, minor);
@@ -423,7 +422,8 @@ Surface Prism(int around, int along)
   const double side = 2.0 * std::sin(Pi / around);
   return ClosedGrid(
     around, along, false,
-    [=](int i, int j) {
+    [=](int i, int j)
+    {
       const double angle = 2.0 * Pi * i / around;
       return Vector3(std::cos(angle), std::sin(angle), side * j);
     },
@@ -476,7 +476,8 @@ Surface SphereWithZeroAreaFaces(int subdivisions, int count)
   {
     faces.push_back({ surface.F(f, 0), surface.F(f, 1), surface.F(f, 2) });
   }
-  const auto addPoint = [&points](const Vector3& p) {
+  const auto addPoint = [&points](const Vector3& p)
+  {
     points.push_back(p);
     return static_cast<int>(points.size()) - 1;
   };
@@ -492,8 +493,7 @@ Surface SphereWithZeroAreaFaces(int subdivisions, int count)
       corners.push_back(sphere.Head(spoke));
       spoke = sphere.Twin(TriangleMesh::Previous(spoke));
     } while (spoke != h);
-    const bool isFree =
-      std::none_of(corners.begin(), corners.end(), [&touched](int v) { return touched[v] != 0; });
+    const bool isFree = std::none_of(corners.begin(), corners.end(), [&touched](int v) { return touched[v] != 0; });
     for (int v : corners)
     {
       touched[v] |= isFree ? 1 : 0;
@@ -564,13 +564,13 @@ Surface CapsuleFromRectangle(int around, int along)
   const double length = Pi + 2.0;
   return Grid(
     around, along,
-    [&](int column, int row) {
+    [&](int column, int row)
+    {
       const double s = length * row / along;
       const double arc = s < 0.5 * Pi ? s : s > 0.5 * Pi + 2.0 ? s - 2.0 : 0.5 * Pi;
       const double radius = row == 0 || row == along ? 0.0 : std::sin(arc);
       const double angle = 2.0 * Pi * (column % around) / around;
-      return Vector3(
-        radius * std::cos(angle), radius * std::sin(angle), s - arc - std::cos(arc));
+      return Vector3(radius * std::cos(angle), radius * std::sin(angle), s - arc - std::cos(arc));
     },
     Never);
 }
@@ -584,8 +584,7 @@ Surface MoebiusStrip(int around)
     for (double offset : { -0.3, 0.3 })
     {
       const double radius = 1.0 + offset * std::cos(0.5 * angle);
-      builder.AddPoint(
-        radius * std::cos(angle), radius * std::sin(angle), offset * std::sin(0.5 * angle));
+      builder.AddPoint(radius * std::cos(angle), radius * std::sin(angle), offset * std::sin(0.5 * angle));
     }
   }
   for (int i = 0; i < around; ++i)
@@ -633,8 +632,7 @@ Surface Subdivide(const Surface& surface)
 {
   const TriangleMesh mesh = surface.Mesh();
   const int numberOfVertices = mesh.NumberOfVertices();
-  Surface fine{ Points(numberOfVertices + mesh.NumberOfEdges(), 3),
-    Triangles(4 * mesh.NumberOfFaces(), 3) };
+  Surface fine{ Points(numberOfVertices + mesh.NumberOfEdges(), 3), Triangles(4 * mesh.NumberOfFaces(), 3) };
   fine.V.topRows(numberOfVertices) = surface.V;
   for (int e = 0; e < mesh.NumberOfEdges(); ++e)
   {
@@ -660,7 +658,8 @@ Surface Subdivide(const Surface& surface)
 Relabelled Relabel(const Surface& surface, unsigned seed)
 {
   Random random(seed);
-  const auto permutation = [&random](int size) {
+  const auto permutation = [&random](int size)
+  {
     std::vector<int> numbers(size);
     std::iota(numbers.begin(), numbers.end(), 0);
     for (int i = size - 1; i > 0; --i)
@@ -680,18 +679,15 @@ Relabelled Relabel(const Surface& surface, unsigned seed)
     const int first = random.Index(3);
     for (int k = 0; k < 3; ++k)
     {
-      relabelled.Result.F(relabelled.NewFaces[f], k) =
-        relabelled.NewVertices[surface.F(f, (first + k) % 3)];
+      relabelled.Result.F(relabelled.NewFaces[f], k) = relabelled.NewVertices[surface.F(f, (first + k) % 3)];
     }
   }
   return relabelled;
 }
 
-Surface RotatedAndScaled(
-  const Surface& surface, double angle, double scale, Eigen::Matrix3d* rotation)
+Surface RotatedAndScaled(const Surface& surface, double angle, double scale, Eigen::Matrix3d* rotation)
 {
-  const Eigen::Matrix3d turn =
-    Eigen::AngleAxisd(angle, Vector3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3(1.0, 2.0, -0.5).normalized()).toRotationMatrix();
   if (rotation)
   {
     *rotation = turn;

@@ -55,8 +55,7 @@ Surface IrregularSphere(int subdivisions, unsigned seed, double amount = 0.25);
 Surface Torus(int around, int across, double major = 1.0, double minor = 0.4);
 
 /// The same torus with points moved along it at random and diagonals chosen at random.
-Surface IrregularTorus(
-  int around, int across, unsigned seed, double major = 1.0, double minor = 0.4);
+Surface IrregularTorus(int around, int across, unsigned seed, double major = 1.0, double minor = 0.4);
 
 /// Closed surface of genus columns x rows, a slab with so many holes, rounded. Holes, and what is between
 /// them, are cubes of side 1.
@@ -123,8 +122,7 @@ struct Relabelled
 Relabelled Relabel(const Surface& surface, unsigned seed);
 
 /// Rotated about an axis in general position and scaled; \p rotation receives the rotation.
-Surface RotatedAndScaled(
-  const Surface& surface, double angle, double scale, Eigen::Matrix3d* rotation = nullptr);
+Surface RotatedAndScaled(const Surface& surface, double angle, double scale, Eigen::Matrix3d* rotation = nullptr);
 
 }
 

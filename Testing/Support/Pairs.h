@@ -10,14 +10,12 @@ namespace dmg::test
 
 inline Vector<double> AsPairs(const Vector<Complex>& numbers)
 {
-  return Eigen::Map<const Vector<double>>(
-    reinterpret_cast<const double*>(numbers.data()), 2 * numbers.size());
+  return Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(numbers.data()), 2 * numbers.size());
 }
 
 inline Vector<Complex> AsComplex(const Vector<double>& pairs)
 {
-  return Eigen::Map<const Vector<Complex>>(
-    reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
+  return Eigen::Map<const Vector<Complex>>(reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
 }
 
 }

@@ -42,16 +42,17 @@ public:
 protected:
   void ReportProgress(double fraction) const override { this->Fractions.push_back(fraction); }
 
-  void RunInParallel(
-    int begin, int end, int grain, const std::function<void(int, int)>& body) const override
+  void RunInParallel(int begin, int end, int grain, const std::function<void(int, int)>& body) const override
   {
 #ifdef __SANITIZE_THREAD__
     RunInNewThreads(this->Threads, begin, end, grain, body);
 #else
-    this->Arena.execute([&] {
-      tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
-        [&body](const tbb::blocked_range<int>& piece) { body(piece.begin(), piece.end()); });
-    });
+    this->Arena.execute(
+      [&]
+      {
+        tbb::parallel_for(tbb::blocked_range<int>(begin, end, grain),
+          [&body](const tbb::blocked_range<int>& piece) { body(piece.begin(), piece.end()); });
+      });
 #endif
   }
 
@@ -61,7 +62,8 @@ private:
     int numberOfThreads, int begin, int end, int grain, const std::function<void(int, int)>& body)
   {
     std::atomic<long long> next(begin);
-    const auto takePieces = [&] {
+    const auto takePieces = [&]
+    {
       for (long long first = next.fetch_add(grain); first < end; first = next.fetch_add(grain))
       {
         body(static_cast<int>(first), static_cast<int>(std::min<long long>(first + grain, end)));

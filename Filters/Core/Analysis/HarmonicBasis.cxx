@@ -14,8 +14,7 @@ namespace
 {
 
 /// Upper triangle of F^T diag(mass) F.
-Eigen::MatrixXd GramMatrix(
-  const Eigen::MatrixXd& fields, const Vector<double>& mass, const ExecutionContext& context)
+Eigen::MatrixXd GramMatrix(const Eigen::MatrixXd& fields, const Vector<double>& mass, const ExecutionContext& context)
 {
   Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(fields.cols(), fields.cols());
   for (int k = 0; k < fields.cols(); ++k)
@@ -41,8 +40,8 @@ void DivideBy(const Eigen::MatrixXd& R, Eigen::MatrixXd& columns, const Executio
 /// Makes the columns of \p fields, 2 #F, orthonormal in the integral, by combinations with those
 /// before them.
 /// \param forms get the same combinations, if not null.
-void MakeOrthonormal(const TriangleMesh& mesh, Eigen::MatrixXd& fields, Eigen::MatrixXd* forms,
-  const ExecutionContext& context)
+void MakeOrthonormal(
+  const TriangleMesh& mesh, Eigen::MatrixXd& fields, Eigen::MatrixXd* forms, const ExecutionContext& context)
 {
   if (fields.cols() == 0)
   {
@@ -54,10 +53,8 @@ void MakeOrthonormal(const TriangleMesh& mesh, Eigen::MatrixXd& fields, Eigen::M
   constexpr int Passes = 2;
   for (int pass = 0; pass < Passes; ++pass)
   {
-    const PartOfContext part(
-      context, static_cast<double>(pass) / Passes, static_cast<double>(pass + 1) / Passes);
-    const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper> factor(
-      GramMatrix(fields, mass, PartOfContext(part, 0.0, 0.4)));
+    const PartOfContext part(context, static_cast<double>(pass) / Passes, static_cast<double>(pass + 1) / Passes);
+    const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper> factor(GramMatrix(fields, mass, PartOfContext(part, 0.0, 0.4)));
     if (factor.info() != Eigen::Success)
     {
       throw SolverFailure(
@@ -77,8 +74,8 @@ void MakeOrthonormal(const TriangleMesh& mesh, Eigen::MatrixXd& fields, Eigen::M
 
 }
 
-Eigen::MatrixXd HarmonicBasisOfForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  Eigen::MatrixXd forms, const ExecutionContext& context)
+Eigen::MatrixXd HarmonicBasisOfForms(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, Eigen::MatrixXd forms, const ExecutionContext& context)
 {
   Eigen::MatrixXd fields(2 * mesh.NumberOfFaces(), forms.cols());
   for (int k = 0; k < forms.cols(); ++k)

@@ -21,8 +21,8 @@ namespace dmg
 /// \throw SolverFailure forms differ only in faces without area.
 /// \throw Cancelled
 /// Cost: O(#F (2 g + b - 1)^2). Memory: besides the result, two numbers per face and form.
-Eigen::MatrixXd HarmonicBasisOfForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  Eigen::MatrixXd forms, const ExecutionContext& context);
+Eigen::MatrixXd HarmonicBasisOfForms(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, Eigen::MatrixXd forms, const ExecutionContext& context);
 
 /// Harmonic face fields, 2 #F x (2 g + b - 1), orthonormal in the product that is weighted by the
 /// areas of the faces, from any basis of them (HarmonicFaceFields). Errors and cost as above.

@@ -20,12 +20,14 @@ namespace
 template <class Visit>
 void ForColumns(const Eigen::MatrixXd& columns, const ExecutionContext& context, const Visit& visit)
 {
-  context.ParallelFor(0, static_cast<int>(columns.cols()), 1, [&visit](int first, int last) {
-    for (int k = first; k < last; ++k)
+  context.ParallelFor(0, static_cast<int>(columns.cols()), 1,
+    [&visit](int first, int last)
     {
-      visit(k);
-    }
-  });
+      for (int k = first; k < last; ++k)
+      {
+        visit(k);
+      }
+    });
 }
 
 Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns)
@@ -56,8 +58,7 @@ int NumberOfLoops(const TriangleMesh& mesh)
   // beyond the boundary for a root where there is one.
   const auto numberOfTrees = static_cast<int>(isClosed.size());
   const auto numberOfClosed = static_cast<int>(std::count(isClosed.begin(), isClosed.end(), 1));
-  return mesh.NumberOfEdges() - (mesh.NumberOfVertices() - numberOfTrees) -
-    (mesh.NumberOfFaces() - numberOfClosed);
+  return mesh.NumberOfEdges() - (mesh.NumberOfVertices() - numberOfTrees) - (mesh.NumberOfFaces() - numberOfClosed);
 }
 
 bool AreTooManyToHold(int loops, const TriangleMesh& mesh)
@@ -69,9 +70,9 @@ bool AreTooManyToHold(int loops, const TriangleMesh& mesh)
 Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context)
 {
   const TreeCotree trees = MakeTreeCotree(mesh, BoundaryAs::Face);
-  Eigen::MatrixXd forms =
-    Eigen::MatrixXd::Zero(mesh.NumberOfEdges(), static_cast<int>(trees.Generators.size()));
-  const auto close = [&mesh, &trees](auto&& form) {
+  Eigen::MatrixXd forms = Eigen::MatrixXd::Zero(mesh.NumberOfEdges(), static_cast<int>(trees.Generators.size()));
+  const auto close = [&mesh, &trees](auto&& form)
+  {
     for (std::size_t i = trees.Faces.size(); i-- > 0;)
     {
       const int face = trees.Faces[i];
@@ -88,35 +89,37 @@ Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& co
       form[mesh.EdgeOf(toParent)] = -sum * mesh.EdgeSign(toParent);
     }
   };
-  ForColumns(forms, context, [&](int k) {
-    forms(trees.Generators[k], k) = 1.0;
-    close(forms.col(k));
-  });
+  ForColumns(forms, context,
+    [&](int k)
+    {
+      forms(trees.Generators[k], k) = 1.0;
+      close(forms.col(k));
+    });
   return forms;
 }
 
-Eigen::MatrixXd ProlongedClosedForms(
-  const ProlongationOperators& operators, const ExecutionContext& context)
+Eigen::MatrixXd ProlongedClosedForms(const ProlongationOperators& operators, const ExecutionContext& context)
 {
   const SparseMatrix<double>& coarse = operators.ClosedForms;
   Eigen::MatrixXd forms(operators.NumbersOfEdges.front(), coarse.cols());
-  ForColumns(forms, context, [&](int k) {
-    Vector<double> form = coarse.col(k);
-    for (std::size_t level = operators.S1.size(); level-- > 0;)
+  ForColumns(forms, context,
+    [&](int k)
     {
-      form = operators.S1[level] * form;
-    }
-    forms.col(k) = form;
-  });
+      Vector<double> form = coarse.col(k);
+      for (std::size_t level = operators.S1.size(); level-- > 0;)
+      {
+        form = operators.S1[level] * form;
+      }
+      forms.col(k) = form;
+    });
   return forms;
 }
 
-Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context,
-  const ProlongationOperators* operators)
+Eigen::MatrixXd HarmonicForms(
+  const TriangleMesh& mesh, const ExecutionContext& context, const ProlongationOperators* operators)
 {
   const bool areProlonged = operators && !operators->S1.empty() && operators->ClosedForms.cols() > 0;
-  Eigen::MatrixXd forms =
-    areProlonged ? ProlongedClosedForms(*operators, context) : ClosedForms(mesh, context);
+  Eigen::MatrixXd forms = areProlonged ? ProlongedClosedForms(*operators, context) : ClosedForms(mesh, context);
   if (forms.cols() == 0)
   {
     return forms;

@@ -27,16 +27,14 @@ bool AreTooManyToHold(int loops, const TriangleMesh& mesh);
 /// where any numbers are closed and none is a gradient. Undone, the contractions give their edges 0, and every face, from the
 /// leaves on, closes its sum by the edge to its parent. Components one by one.
 /// Cost: O(#E) and O(#E) per form.
-Eigen::MatrixXd ClosedForms(
-  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// The same by the hierarchy: closed forms of its coarsest level (ProlongationOperators::ClosedForms),
 /// prolonged by S1, which keeps their integrals around loops: the same classes, closed to rounding and as
 /// smooth as the coarse level. Thesis, section 4.2.
 /// \pre operators has both.
 /// Cost: O(#E) per form.
-Eigen::MatrixXd ProlongedClosedForms(
-  const ProlongationOperators& operators, const ExecutionContext& context);
+Eigen::MatrixXd ProlongedClosedForms(const ProlongationOperators& operators, const ExecutionContext& context);
 
 /// A basis of the harmonic 1-forms, the kernel of OneFormLaplacian, #E x (2 g + b - 1): closed forms
 /// less the gradients of u with d0^T star1 d0 u = d0^T star1 w. Columns are orthogonal and of length 1
@@ -48,8 +46,8 @@ Eigen::MatrixXd ProlongedClosedForms(
 /// \throw Cancelled
 /// Cost: one Cholesky factorisation for the vertices, if there is a loop at all, and three solves for all forms
 /// at once; the closed forms are a tenth of it, whichever they are.
-Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, const ExecutionContext& context,
-  const ProlongationOperators* operators = nullptr);
+Eigen::MatrixXd HarmonicForms(
+  const TriangleMesh& mesh, const ExecutionContext& context, const ProlongationOperators* operators = nullptr);
 
 /// A basis of the harmonic face fields, the kernel of FaceFieldSmoothness, 2 #F x (2 g + b - 1): the
 /// vectors whose integrals along the sides of a face are those of the harmonic 1-forms. Columns are

@@ -24,8 +24,8 @@ int TimesOfIndex(double index, int N, const std::string& name);
 /// N times the index of every vertex.
 /// \param names says how messages call vertices.
 /// \throw InvalidInput a vertex is out of range, or on the boundary.
-std::vector<int> TimesByVertex(const TriangleMesh& mesh,
-  const std::vector<PrescribedSingularity>& singularities, const ElementNames& names);
+std::vector<int> TimesByVertex(
+  const TriangleMesh& mesh, const std::vector<PrescribedSingularity>& singularities, const ElementNames& names);
 
 }
 

@@ -15,8 +15,8 @@ SurfaceHolonomy::SurfaceHolonomy(const FramedMesh& surface, const ExecutionConte
   : Trees(MakeTreeCotree(surface.Mesh, BoundaryAs::Vertex))
   , Loops(LoopsOverFaces(surface.Mesh, this->Trees))
   , Sides(SideDirections(surface.Mesh, surface.Faces, context))
-  , Defects(AngleDefects(surface.Mesh,
-      Corners(surface.Mesh, this->Sides, surface.Faces, surface.Vertices, context), context))
+  , Defects(
+      AngleDefects(surface.Mesh, Corners(surface.Mesh, this->Sides, surface.Faces, surface.Vertices, context), context))
   , AlongLoops(TurningOfTransport(surface.Mesh, this->Sides, this->Loops))
   , Components(surface.Mesh.NumberOfVertices())
 {
@@ -45,8 +45,7 @@ std::vector<int> SurfaceHolonomy::Grounded(const TriangleMesh& mesh) const
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
     const int component = this->Components[vertex];
-    if (mesh.IsBoundaryVertex(vertex) ||
-      (this->AreClosed[component] && this->FirstVertices[component] == vertex))
+    if (mesh.IsBoundaryVertex(vertex) || (this->AreClosed[component] && this->FirstVertices[component] == vertex))
     {
       vertices.push_back(vertex);
     }
@@ -54,8 +53,7 @@ std::vector<int> SurfaceHolonomy::Grounded(const TriangleMesh& mesh) const
   return vertices;
 }
 
-void SurfaceHolonomy::CheckSums(
-  const std::vector<int>& times, int N, const ElementNames& names) const
+void SurfaceHolonomy::CheckSums(const std::vector<int>& times, int N, const ElementNames& names) const
 {
   Vector<double> defects = Vector<double>::Zero(this->NumberOfComponents());
   std::vector<long long> sums(this->NumberOfComponents(), 0);
@@ -77,8 +75,7 @@ void SurfaceHolonomy::CheckSums(
       : "the component of " + names.Vertex(this->FirstVertices[component]);
     throw InvalidInput("the indices of the singularities on " + where + " sum to " +
       ShortText(static_cast<double>(sums[component]) / N) + ", and its Euler characteristic is " +
-      std::to_string(characteristic) + "; " +
-      (missing > 0 ? "add singularities of " : "take away ") +
+      std::to_string(characteristic) + "; " + (missing > 0 ? "add singularities of " : "take away ") +
       ShortText(static_cast<double>(std::abs(missing)) / N) + " in all");
   }
 }

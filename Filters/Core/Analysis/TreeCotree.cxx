@@ -57,7 +57,8 @@ private:
   {
     for (std::size_t k = 0; k < queue.size(); ++k)
     {
-      const auto visit = [&](int edge, int vertex) {
+      const auto visit = [&](int edge, int vertex)
+      {
         if (!this->IsReached[vertex])
         {
           this->IsReached[vertex] = 1;
@@ -65,14 +66,16 @@ private:
           queue.push_back(vertex);
         }
       };
-      this->Mesh.VisitFan(queue[k], [&](int h) {
-        visit(this->Mesh.EdgeOf(h), this->Mesh.Head(h));
-        const int incoming = TriangleMesh::Previous(h);
-        if (this->Mesh.Twin(incoming) < 0)
+      this->Mesh.VisitFan(queue[k],
+        [&](int h)
         {
-          visit(this->Mesh.EdgeOf(incoming), this->Mesh.Tail(incoming));
-        }
-      });
+          visit(this->Mesh.EdgeOf(h), this->Mesh.Head(h));
+          const int incoming = TriangleMesh::Previous(h);
+          if (this->Mesh.Twin(incoming) < 0)
+          {
+            visit(this->Mesh.EdgeOf(incoming), this->Mesh.Tail(incoming));
+          }
+        });
     }
   }
 
@@ -85,7 +88,8 @@ void GrowOverFaces(const TriangleMesh& mesh, std::vector<char>& isTaken, TreeCot
 {
   trees.ParentHalfedges.assign(mesh.NumberOfFaces(), None);
   std::vector<char> reached(mesh.NumberOfFaces(), 0);
-  const auto grow = [&](std::size_t k) {
+  const auto grow = [&](std::size_t k)
+  {
     for (; k < trees.Faces.size(); ++k)
     {
       for (int h = 3 * trees.Faces[k]; h < 3 * trees.Faces[k] + 3; ++h)
@@ -159,10 +163,10 @@ SparseMatrix<double> LoopsOverFaces(const TriangleMesh& mesh, const TreeCotree& 
   std::vector<Eigen::Triplet<double>> entries;
   for (std::size_t k = 0; k < trees.Generators.size(); ++k)
   {
-    const auto cross = [&, k](int h, double sign) {
+    const auto cross = [&, k](int h, double sign)
+    {
       const int edge = mesh.EdgeOf(h);
-      entries.emplace_back(
-        edge, static_cast<int>(k), mesh.HalfedgeOf(edge) == h ? sign : -sign);
+      entries.emplace_back(edge, static_cast<int>(k), mesh.HalfedgeOf(edge) == h ? sign : -sign);
     };
     const int start = mesh.HalfedgeOf(trees.Generators[k]);
     int there = TriangleMesh::FaceOf(mesh.Twin(start));

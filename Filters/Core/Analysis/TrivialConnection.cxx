@@ -34,10 +34,12 @@ Vector<double> LimitsOf(const TriangleMesh& mesh, double limit, const Vector<dou
   {
     double sum = 0.0;
     double most = 0.0;
-    mesh.VisitFan(vertex, [&](int h) {
-      sum += SignOf(mesh, h) * turning[mesh.EdgeOf(h)];
-      most += limit;
-    });
+    mesh.VisitFan(vertex,
+      [&](int h)
+      {
+        sum += SignOf(mesh, h) * turning[mesh.EdgeOf(h)];
+        most += limit;
+      });
     if (!mesh.IsBoundaryVertex(vertex) && std::abs(sum) > most)
     {
       mesh.VisitFan(vertex, [&](int h) { limits[mesh.EdgeOf(h)] = Infinity; });
@@ -48,8 +50,7 @@ Vector<double> LimitsOf(const TriangleMesh& mesh, double limit, const Vector<dou
 
 /// Turns a face by as little as brings the turning across its sides to their limits or, where that cannot be, by what makes the
 /// largest excess least.
-void TurnFace(
-  const TriangleMesh& mesh, int face, const Vector<double>& limits, Vector<double>& turning)
+void TurnFace(const TriangleMesh& mesh, int face, const Vector<double>& limits, Vector<double>& turning)
 {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
@@ -72,24 +73,25 @@ void TurnFace(
 
 }
 
-Vector<double> AngleDefects(
-  const TriangleMesh& mesh, const Unfilled<Corner>& corners, const ExecutionContext& context)
+Vector<double> AngleDefects(const TriangleMesh& mesh, const Unfilled<Corner>& corners, const ExecutionContext& context)
 {
   constexpr int Grain = 4096;
   Vector<double> defects(mesh.NumberOfVertices());
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int vertex = first; vertex < last; ++vertex)
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
     {
-      double defect = 2.0 * Pi;
-      mesh.VisitFan(vertex, [&](int h) { defect -= corners[h].Angle; });
-      defects[vertex] = mesh.IsBoundaryVertex(vertex) ? 0.0 : defect;
-    }
-  });
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        double defect = 2.0 * Pi;
+        mesh.VisitFan(vertex, [&](int h) { defect -= corners[h].Angle; });
+        defects[vertex] = mesh.IsBoundaryVertex(vertex) ? 0.0 : defect;
+      }
+    });
   return defects;
 }
 
-Vector<double> TurningOfTransport(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
-  const SparseMatrix<double>& loops)
+Vector<double> TurningOfTransport(
+  const TriangleMesh& mesh, const Unfilled<Complex>& sides, const SparseMatrix<double>& loops)
 {
   Vector<double> transports = Vector<double>::Zero(mesh.NumberOfEdges());
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
@@ -130,7 +132,8 @@ void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turnin
   const double rounding = 1e-12 * limit;
   std::vector<int> edges(mesh.NumberOfEdges());
   std::iota(edges.begin(), edges.end(), 0);
-  const auto keepThoseBeyond = [&](const auto& limitOf) {
+  const auto keepThoseBeyond = [&](const auto& limitOf)
+  {
     edges.erase(std::remove_if(edges.begin(), edges.end(),
                   [&](int edge) { return std::abs(turning[edge]) <= limitOf(edge) + rounding; }),
       edges.end());
@@ -152,8 +155,7 @@ void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turnin
       {
         const int face = TriangleMesh::FaceOf(h);
         TurnFace(mesh, face, limits, turning);
-        touched.insert(touched.end(),
-          { mesh.EdgeOf(3 * face), mesh.EdgeOf(3 * face + 1), mesh.EdgeOf(3 * face + 2) });
+        touched.insert(touched.end(), { mesh.EdgeOf(3 * face), mesh.EdgeOf(3 * face + 1), mesh.EdgeOf(3 * face + 2) });
       }
     }
     std::sort(touched.begin(), touched.end());
@@ -163,8 +165,8 @@ void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turnin
   }
 }
 
-Vector<Complex> PowersOfConnection(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
-  const TreeCotree& trees, const Vector<double>& turning, int N)
+Vector<Complex> PowersOfConnection(const TriangleMesh& mesh, const Unfilled<Complex>& sides, const TreeCotree& trees,
+  const Vector<double>& turning, int N)
 {
   Vector<Complex> powers(mesh.NumberOfFaces());
   for (const int face : trees.Faces)
@@ -178,8 +180,8 @@ Vector<Complex> PowersOfConnection(const TriangleMesh& mesh, const Unfilled<Comp
     const int edge = mesh.EdgeOf(h);
     const int twin = mesh.Twin(h);
     const double turn = mesh.HalfedgeOf(edge) == twin ? turning[edge] : -turning[edge];
-    const Complex power = powers[TriangleMesh::FaceOf(twin)] *
-      Power(TransportOfSides(sides[twin], sides[h]) * std::polar(1.0, turn), N);
+    const Complex power =
+      powers[TriangleMesh::FaceOf(twin)] * Power(TransportOfSides(sides[twin], sides[h]) * std::polar(1.0, turn), N);
     powers[face] = power / std::abs(power);
   }
   return powers;

@@ -25,15 +25,15 @@ namespace dmg
 
 /// 2 pi less the angles around each inner vertex; 0 on the boundary. Over a closed component they sum to 2 pi times its Euler
 /// characteristic. Cost: O(#F).
-Vector<double> AngleDefects(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
-  const ExecutionContext& context = SerialContext());
+Vector<double> AngleDefects(
+  const TriangleMesh& mesh, const Unfilled<Corner>& corners, const ExecutionContext& context = SerialContext());
 
 /// By how much parallel transport turns along each loop.
 /// \param sides SideDirections of all faces.
 /// \param loops as LoopsOverFaces.
 /// Cost: their length, and O(#E).
-Vector<double> TurningOfTransport(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
-  const SparseMatrix<double>& loops);
+Vector<double> TurningOfTransport(
+  const TriangleMesh& mesh, const Unfilled<Complex>& sides, const SparseMatrix<double>& loops);
 
 /// Integers n near to x: of least (n - x)^T E (n - x) among all that differ from them in one number.
 /// \param energy E, symmetric positive definite.
@@ -49,8 +49,8 @@ void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turnin
 
 /// N-th powers of length 1 in the frames of the faces: 1 at the root of each component, and carried along the faces' tree
 /// by parallel transport and \p turning. Cost: O(#F).
-Vector<Complex> PowersOfConnection(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
-  const TreeCotree& trees, const Vector<double>& turning, int N);
+Vector<Complex> PowersOfConnection(const TriangleMesh& mesh, const Unfilled<Complex>& sides, const TreeCotree& trees,
+  const Vector<double>& turning, int N);
 
 }
 

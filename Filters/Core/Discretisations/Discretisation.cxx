@@ -21,34 +21,31 @@ int Discretisation::NumberOfElements() const
   }
 }
 
-Eigen::MatrixXd Discretisation::HarmonicFields(
-  const ProlongationOperators*, const ExecutionContext&) const
+Eigen::MatrixXd Discretisation::HarmonicFields(const ProlongationOperators*, const ExecutionContext&) const
 {
   return Eigen::MatrixXd(this->NumberOfUnknowns(), 0);
 }
 
-Eigen::MatrixXd Discretisation::HarmonicBasis(
-  Eigen::MatrixXd basis, const ExecutionContext&) const
+Eigen::MatrixXd Discretisation::HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext&) const
 {
   return basis;
 }
 
-PrescribedUnknowns Discretisation::Penalties(const FieldConstraints& constraints,
-  const FieldWeights& weights, const ExecutionContext& context) const
+PrescribedUnknowns Discretisation::Penalties(
+  const FieldConstraints& constraints, const FieldWeights& weights, const ExecutionContext& context) const
 {
   CheckWeights(weights);
   assert(constraints.Elements.size() == constraints.Weights.size());
   const int parts = this->UnknownsPerElement();
-  PrescribedUnknowns unknowns{ weights.Constraints,
-    parts == 2 ? PairsOf(constraints.Elements) : constraints.Elements, {} };
+  PrescribedUnknowns unknowns{ weights.Constraints, parts == 2 ? PairsOf(constraints.Elements) : constraints.Elements,
+    {} };
   if (weights.Constraints == ConstraintKind::Soft)
   {
     const Vector<double> penalties = this->PenaltiesOfElements(constraints.Elements, context);
     unknowns.Alignment.resize(unknowns.Unknowns.size());
     for (Eigen::Index b = 0; b < unknowns.Alignment.size(); ++b)
     {
-      unknowns.Alignment[b] =
-        weights.Alignment * constraints.Weights[b / parts] * penalties[b / parts];
+      unknowns.Alignment[b] = weights.Alignment * constraints.Weights[b / parts] * penalties[b / parts];
     }
   }
   return unknowns;
@@ -59,7 +56,8 @@ void Discretisation::CheckOperators(bool areThere, const std::string& property)
   if (!areThere)
   {
     throw InvalidInput("the operators of the surface do not include those that are needed; apply "
-                       "Directional Prolongation (vtkDirectionalProlongation) with " + property + " on");
+                       "Directional Prolongation (vtkDirectionalProlongation) with " +
+      property + " on");
   }
 }
 

@@ -145,8 +145,8 @@ public:
   /// R as a matrix, with prolongations from coarse spaces of either kind.
   /// \param operators of the surface; null: there are no coarse levels, and R is to be factored.
   /// \throw InvalidInput the operators lack those that are needed.
-  virtual std::unique_ptr<const RoughnessHierarchy> Assemble(const ProlongationOperators* operators,
-    CoarseSpaceKind space, const ExecutionContext& context) const = 0;
+  virtual std::unique_ptr<const RoughnessHierarchy> Assemble(
+    const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const = 0;
 
   /// Which structure-preserving operators Assemble needs.
   virtual OperatorSelection StructurePreservingOperators() const = 0;
@@ -164,8 +164,7 @@ public:
   virtual int NumberOfHarmonicFields() const { return 0; }
   /// A basis of them, a column each, orthonormal in the Euclidean product.
   /// \param operators of the surface, which help where they have S1; may be null.
-  virtual Eigen::MatrixXd HarmonicFields(
-    const ProlongationOperators* operators, const ExecutionContext& context) const;
+  virtual Eigen::MatrixXd HarmonicFields(const ProlongationOperators* operators, const ExecutionContext& context) const;
   /// A basis that is orthonormal in the integral over the surface, from any basis.
   virtual Eigen::MatrixXd HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const;
 
@@ -174,25 +173,22 @@ public:
   /// \param names says how messages call vertices and faces.
   /// \throw InvalidInput a direction is out of range, not finite, perpendicular to the surface, or its weight is
   ///   not positive; or nothing is prescribed, and there is no smoothest field.
-  virtual FieldConstraints Prescribe(
-    const PrescribedDirections& directions, const ElementNames& names) const = 0;
+  virtual FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const = 0;
   /// The penalties m_b, weights included.
   /// \throw InvalidInput a weight is out of range.
-  PrescribedUnknowns Penalties(const FieldConstraints& constraints, const FieldWeights& weights,
-    const ExecutionContext& context) const;
+  PrescribedUnknowns Penalties(
+    const FieldConstraints& constraints, const FieldWeights& weights, const ExecutionContext& context) const;
 
   // What is drawn. ---------------------------------------------------------------------------------
 
   /// \param corners of the surface; see Corners.
-  virtual FieldPowers Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
-    const ExecutionContext& context) const = 0;
+  virtual FieldPowers Powers(
+    const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const = 0;
   /// \param powers of the same field.
-  virtual std::vector<ElementValues> Values(
-    const Vector<double>& unknowns, const FieldPowers& powers) const = 0;
+  virtual std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const = 0;
   /// The vectors of a field of one direction, #F x 3.
   /// \pre DirectionsPerPoint() == 1
-  virtual Points VectorsOnFaces(
-    const Vector<double>& unknowns, const ExecutionContext& context) const = 0;
+  virtual Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const = 0;
 
 protected:
   /// The penalty of a prescribed element of weight 1, where the alignment weight is 1; one per element of the

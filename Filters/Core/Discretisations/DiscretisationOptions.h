@@ -31,7 +31,8 @@ struct DiscretisationOptions
 
   friend bool operator==(const DiscretisationOptions& a, const DiscretisationOptions& b)
   {
-    const auto members = [](const DiscretisationOptions& options) {
+    const auto members = [](const DiscretisationOptions& options)
+    {
       const auto& [kind, N, areas] = options; // all of them, or it does not compile
       return std::tie(kind, N, areas);
     };

@@ -50,20 +50,19 @@ std::unique_ptr<const RoughnessHierarchy> FaceField::Coarsen(
   LeastSquaresHierarchyOptions coarsening;
   coarsening.ProlongationDegree = ProlongationDegree;
   coarsening.Dropped = DroppedEntries;
-  const auto takeLevels = [&] {
-    LeastSquaresLevels levels =
-      NodalLevelsOfFaceFields(this->Surface.Mesh, nodal.All(), context);
+  const auto takeLevels = [&]
+  {
+    LeastSquaresLevels levels = NodalLevelsOfFaceFields(this->Surface.Mesh, nodal.All(), context);
     nodal.Forget();
     return levels; // handed on as it is: Eigen 3.4 would copy what is moved
   };
-  return std::make_unique<LeastSquaresHierarchy>(CoarsenLeastSquares(
-    FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context), takeLevels(),
-    coarsening, PartOfContext(context, 0.2, 1.0)));
+  return std::make_unique<LeastSquaresHierarchy>(
+    CoarsenLeastSquares(FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context), takeLevels(),
+      coarsening, PartOfContext(context, 0.2, 1.0)));
 }
 
 std::unique_ptr<const RoughnessHierarchy> FaceField::Assemble(
-  const ProlongationOperators* operators, CoarseSpaceKind space,
-  const ExecutionContext& context) const
+  const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
 {
   std::vector<SparseMatrix<double>> prolongations;
   if (operators && space == CoarseSpaceKind::Nodal)
@@ -76,8 +75,7 @@ std::unique_ptr<const RoughnessHierarchy> FaceField::Assemble(
     CheckOperators(!operators->SX.empty(), "Face Fields");
     prolongations = operators->SX;
   }
-  SparseMatrix<double> B =
-    FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context);
+  SparseMatrix<double> B = FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context);
   SparseMatrix<double> A = NormalMatrix(B, context);
   return std::make_unique<AssembledHierarchy<double>>(A, std::move(prolongations), std::move(B));
 }
@@ -103,30 +101,26 @@ int FaceField::NumberOfHarmonicFields() const
   return NumberOfLoops(this->Surface.Mesh);
 }
 
-Eigen::MatrixXd FaceField::HarmonicFields(
-  const ProlongationOperators* operators, const ExecutionContext& context) const
+Eigen::MatrixXd FaceField::HarmonicFields(const ProlongationOperators* operators, const ExecutionContext& context) const
 {
   return HarmonicFaceFields(this->Surface.Mesh, this->Surface.Faces, context, operators);
 }
 
-Eigen::MatrixXd FaceField::HarmonicBasis(
-  Eigen::MatrixXd basis, const ExecutionContext& context) const
+Eigen::MatrixXd FaceField::HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const
 {
   return HarmonicBasisOfFaceFields(this->Surface.Mesh, std::move(basis), context);
 }
 
-FieldConstraints FaceField::Prescribe(
-  const PrescribedDirections& directions, const ElementNames& names) const
+FieldConstraints FaceField::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
 {
   constexpr int OneDirection = 1;
-  PowerConstraints constraints = MakePowerConstraints(this->Surface.Mesh, this->Surface.Faces,
-    OneDirection, DirectionsOnFaces(this->Surface, directions, names), names);
+  PowerConstraints constraints = MakePowerConstraints(
+    this->Surface.Mesh, this->Surface.Faces, OneDirection, DirectionsOnFaces(this->Surface, directions, names), names);
   return { std::move(constraints.Prescribed.Faces), std::move(constraints.Prescribed.Weights),
     AsPairs(constraints.Values) };
 }
 
-Vector<double> FaceField::PenaltiesOfElements(
-  const std::vector<int>& faces, const ExecutionContext& context) const
+Vector<double> FaceField::PenaltiesOfElements(const std::vector<int>& faces, const ExecutionContext& context) const
 {
   const Vector<double> mass = this->Mass(context);
   Vector<double> penalties(faces.size());
@@ -137,20 +131,18 @@ Vector<double> FaceField::PenaltiesOfElements(
   return penalties;
 }
 
-FieldPowers FaceField::Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
-  const ExecutionContext& context) const
+FieldPowers FaceField::Powers(
+  const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const
 {
   Vector<Complex> faces = AsComplex(unknowns);
   Vector<Complex> vertices = PowersAtVertices(this->Surface.Mesh, corners, faces, 1, context);
   return { std::move(faces), std::move(vertices) };
 }
 
-std::vector<ElementValues> FaceField::Values(
-  const Vector<double>& unknowns, const FieldPowers&) const
+std::vector<ElementValues> FaceField::Values(const Vector<double>& unknowns, const FieldPowers&) const
 {
   const Points vectors = VectorsFromFaceField(this->Surface.Faces, unknowns);
-  return { { "FaceField", ElementKind::Faces, 3,
-    Eigen::Map<const Vector<double>>(vectors.data(), vectors.size()) } };
+  return { { "FaceField", ElementKind::Faces, 3, Eigen::Map<const Vector<double>>(vectors.data(), vectors.size()) } };
 }
 
 Points FaceField::VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext&) const

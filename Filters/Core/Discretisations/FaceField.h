@@ -28,8 +28,8 @@ public:
   Vector<double> Mass(const ExecutionContext& context) const override;
   std::unique_ptr<const RoughnessHierarchy> Coarsen(
     const NodalProlongations& nodal, const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Assemble(const ProlongationOperators* operators,
-    CoarseSpaceKind space, const ExecutionContext& context) const override;
+  std::unique_ptr<const RoughnessHierarchy> Assemble(
+    const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const override;
   OperatorSelection StructurePreservingOperators() const override { return { false, true, false }; }
   std::string NameOfLevels() const override { return "levels of face fields"; }
   double SampleDistance() const override;
@@ -39,23 +39,18 @@ public:
   int NumberOfHarmonicFields() const override;
   Eigen::MatrixXd HarmonicFields(
     const ProlongationOperators* operators, const ExecutionContext& context) const override;
-  Eigen::MatrixXd HarmonicBasis(
-    Eigen::MatrixXd basis, const ExecutionContext& context) const override;
+  Eigen::MatrixXd HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const override;
 
   /// Directions at vertices count on the faces around.
-  FieldConstraints Prescribe(
-    const PrescribedDirections& directions, const ElementNames& names) const override;
+  FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const override;
 
-  FieldPowers Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
-    const ExecutionContext& context) const override;
-  std::vector<ElementValues> Values(
-    const Vector<double>& unknowns, const FieldPowers& powers) const override;
-  Points VectorsOnFaces(
-    const Vector<double>& unknowns, const ExecutionContext& context) const override;
+  FieldPowers Powers(
+    const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const override;
+  std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const override;
+  Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const override;
 
 protected:
-  Vector<double> PenaltiesOfElements(
-    const std::vector<int>& faces, const ExecutionContext& context) const override;
+  Vector<double> PenaltiesOfElements(const std::vector<int>& faces, const ExecutionContext& context) const override;
 };
 
 }

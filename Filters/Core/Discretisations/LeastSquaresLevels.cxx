@@ -15,13 +15,12 @@ namespace
 /// The finest level is coarsened at once so far that there are at least so many faces for a vector.
 constexpr long long FewestFacesForAVector = 6;
 
-LeastSquaresLevels NodalLevels(const std::vector<TransportOperator>& nodal,
-  UnknownBlocks blocks, const ExecutionContext& context)
+LeastSquaresLevels NodalLevels(
+  const std::vector<TransportOperator>& nodal, UnknownBlocks blocks, const ExecutionContext& context)
 {
   assert(!nodal.empty());
-  const auto isCoarse = [](const TransportOperator& finest) {
-    return FewestFacesForAVector * finest.cols() <= finest.rows();
-  };
+  const auto isCoarse = [](const TransportOperator& finest)
+  { return FewestFacesForAVector * finest.cols() <= finest.rows(); };
   TransportOperator product;
   const TransportOperator* finest = &nodal[0];
   std::size_t next = 1;
@@ -44,8 +43,8 @@ LeastSquaresLevels NodalLevels(const std::vector<TransportOperator>& nodal,
 
 }
 
-LeastSquaresLevels NodalLevelsOfFaceFields(const TriangleMesh& mesh,
-  const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
+LeastSquaresLevels NodalLevelsOfFaceFields(
+  const TriangleMesh& mesh, const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
 {
   return NodalLevels(nodal, BlocksOfFaceFields(mesh), context);
 }
@@ -54,8 +53,7 @@ LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const Tangent
   const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
 {
   LeastSquaresLevels levels = NodalLevels(nodal, BlocksOfOneForms(mesh), context);
-  PlanarProlongation forms =
-    Product(FormFromFaceField(mesh, faceFrames, context), levels.Prolongation, context);
+  PlanarProlongation forms = Product(FormFromFaceField(mesh, faceFrames, context), levels.Prolongation, context);
   levels.Prolongation.swap(forms);
   return levels;
 }

@@ -17,8 +17,8 @@ namespace dmg
 {
 
 /// \param nodal see ProlongationOperators; not empty.
-LeastSquaresLevels NodalLevelsOfFaceFields(const TriangleMesh& mesh,
-  const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
+LeastSquaresLevels NodalLevelsOfFaceFields(
+  const TriangleMesh& mesh, const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
 
 /// A vector field becomes a 1-form by FormFromFaceField.
 LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,

@@ -47,28 +47,27 @@ Vector<double> OneForm::Mass(const ExecutionContext& context) const
 std::unique_ptr<const RoughnessHierarchy> OneForm::Coarsen(
   const NodalProlongations& nodal, const ExecutionContext& context) const
 {
-  const auto takeLevels = [&] {
-    LeastSquaresLevels levels = NodalLevelsOfOneForms(
-      this->Surface.Mesh, this->Surface.Faces, nodal.All(), context);
+  const auto takeLevels = [&]
+  {
+    LeastSquaresLevels levels = NodalLevelsOfOneForms(this->Surface.Mesh, this->Surface.Faces, nodal.All(), context);
     nodal.Forget();
     return levels; // handed on as it is: Eigen 3.4 would copy what is moved
   };
   return std::make_unique<LeastSquaresHierarchy>(
-    CoarsenLeastSquares(OneFormLaplacianFactor(this->Surface.Mesh, context, this->Areas),
-      takeLevels(), {}, PartOfContext(context, 0.2, 1.0)));
+    CoarsenLeastSquares(OneFormLaplacianFactor(this->Surface.Mesh, context, this->Areas), takeLevels(), {},
+      PartOfContext(context, 0.2, 1.0)));
 }
 
 std::unique_ptr<const RoughnessHierarchy> OneForm::Assemble(
-  const ProlongationOperators* operators, CoarseSpaceKind space,
-  const ExecutionContext& context) const
+  const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
 {
   std::vector<SparseMatrix<double>> prolongations;
   if (operators && space == CoarseSpaceKind::Nodal)
   {
     CheckOperators(!operators->Nodal.empty(), "One Forms");
     prolongations = OnComponents(operators->Nodal, context);
-    prolongations[0] = SparseMatrix<double>(
-      FormFromFaceField(this->Surface.Mesh, this->Surface.Faces, context) * prolongations[0]);
+    prolongations[0] =
+      SparseMatrix<double>(FormFromFaceField(this->Surface.Mesh, this->Surface.Faces, context) * prolongations[0]);
   }
   else if (operators)
   {
@@ -76,8 +75,8 @@ std::unique_ptr<const RoughnessHierarchy> OneForm::Assemble(
     prolongations = operators->S1;
   }
   SparseMatrix<double> L1 = OneFormLaplacian(this->Surface.Mesh, context, this->Areas);
-  return std::make_unique<AssembledHierarchy<double>>(L1, std::move(prolongations),
-    OneFormLaplacianFactor(this->Surface.Mesh, context, this->Areas));
+  return std::make_unique<AssembledHierarchy<double>>(
+    L1, std::move(prolongations), OneFormLaplacianFactor(this->Surface.Mesh, context, this->Areas));
 }
 
 double OneForm::SampleDistance() const
@@ -101,24 +100,20 @@ int OneForm::NumberOfHarmonicFields() const
   return NumberOfLoops(this->Surface.Mesh);
 }
 
-Eigen::MatrixXd OneForm::HarmonicFields(
-  const ProlongationOperators* operators, const ExecutionContext& context) const
+Eigen::MatrixXd OneForm::HarmonicFields(const ProlongationOperators* operators, const ExecutionContext& context) const
 {
   return HarmonicForms(this->Surface.Mesh, context, operators);
 }
 
-Eigen::MatrixXd OneForm::HarmonicBasis(
-  Eigen::MatrixXd basis, const ExecutionContext& context) const
+Eigen::MatrixXd OneForm::HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const
 {
   return HarmonicBasisOfForms(this->Surface.Mesh, this->Surface.Faces, std::move(basis), context);
 }
 
-FieldConstraints OneForm::Prescribe(
-  const PrescribedDirections& directions, const ElementNames& names) const
+FieldConstraints OneForm::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
 {
   const auto& [mesh, faceFrames, vertexFrames] = this->Surface;
-  const OneFormConstraints onFaces =
-    OneFormConstraintsOnFaces(mesh, faceFrames, directions.OnFaces, names);
+  const OneFormConstraints onFaces = OneFormConstraintsOnFaces(mesh, faceFrames, directions.OnFaces, names);
   const OneFormConstraints atVertices =
     OneFormConstraintsAtVertices(mesh, faceFrames, vertexFrames, directions.AtVertices, names);
   OneFormConstraints constraints = Joined(onFaces, atVertices);
@@ -126,8 +121,7 @@ FieldConstraints OneForm::Prescribe(
     std::move(constraints.Values) };
 }
 
-Vector<double> OneForm::PenaltiesOfElements(
-  const std::vector<int>& edges, const ExecutionContext&) const
+Vector<double> OneForm::PenaltiesOfElements(const std::vector<int>& edges, const ExecutionContext&) const
 {
   const double scale = 1.0 / (2.0 * Star2(this->Surface.Mesh).cwiseInverse().mean());
   Vector<double> penalties(edges.size());
@@ -138,23 +132,20 @@ Vector<double> OneForm::PenaltiesOfElements(
   return penalties;
 }
 
-FieldPowers OneForm::Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
-  const ExecutionContext& context) const
+FieldPowers OneForm::Powers(
+  const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const
 {
   const auto& [mesh, faceFrames, vertexFrames] = this->Surface;
   return { InFrames(faceFrames, WhitneyAtFaces(mesh, unknowns, context)),
-    InFrames(vertexFrames,
-      WhitneyAtVertices(mesh, faceFrames, vertexFrames, corners, unknowns, context)) };
+    InFrames(vertexFrames, WhitneyAtVertices(mesh, faceFrames, vertexFrames, corners, unknowns, context)) };
 }
 
-std::vector<ElementValues> OneForm::Values(
-  const Vector<double>& unknowns, const FieldPowers&) const
+std::vector<ElementValues> OneForm::Values(const Vector<double>& unknowns, const FieldPowers&) const
 {
   return { { "OneForm", ElementKind::Edges, 1, unknowns } };
 }
 
-Points OneForm::VectorsOnFaces(
-  const Vector<double>& unknowns, const ExecutionContext& context) const
+Points OneForm::VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const
 {
   return WhitneyAtFaces(this->Surface.Mesh, unknowns, context);
 }

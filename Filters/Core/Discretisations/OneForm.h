@@ -37,14 +37,11 @@ public:
   int UnknownsPerElement() const override { return 1; }
 
   Vector<double> Mass(const ExecutionContext& context) const override;
-  double SquaredNormOfUnit(const Vector<double>&) const override
-  {
-    return this->Surface.Mesh.FaceAreas().sum();
-  }
+  double SquaredNormOfUnit(const Vector<double>&) const override { return this->Surface.Mesh.FaceAreas().sum(); }
   std::unique_ptr<const RoughnessHierarchy> Coarsen(
     const NodalProlongations& nodal, const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Assemble(const ProlongationOperators* operators,
-    CoarseSpaceKind space, const ExecutionContext& context) const override;
+  std::unique_ptr<const RoughnessHierarchy> Assemble(
+    const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const override;
   OperatorSelection StructurePreservingOperators() const override { return { false, false, true }; }
   std::string NameOfLevels() const override { return "levels of 1-forms"; }
   double SampleDistance() const override;
@@ -54,24 +51,19 @@ public:
   int NumberOfHarmonicFields() const override;
   Eigen::MatrixXd HarmonicFields(
     const ProlongationOperators* operators, const ExecutionContext& context) const override;
-  Eigen::MatrixXd HarmonicBasis(
-    Eigen::MatrixXd basis, const ExecutionContext& context) const override;
+  Eigen::MatrixXd HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const override;
 
   /// See OneFormConstraints.h.
-  FieldConstraints Prescribe(
-    const PrescribedDirections& directions, const ElementNames& names) const override;
+  FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const override;
 
   /// The vectors of its Whitney interpolant.
-  FieldPowers Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
-    const ExecutionContext& context) const override;
-  std::vector<ElementValues> Values(
-    const Vector<double>& unknowns, const FieldPowers& powers) const override;
-  Points VectorsOnFaces(
-    const Vector<double>& unknowns, const ExecutionContext& context) const override;
+  FieldPowers Powers(
+    const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const override;
+  std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const override;
+  Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const override;
 
 protected:
-  Vector<double> PenaltiesOfElements(
-    const std::vector<int>& edges, const ExecutionContext& context) const override;
+  Vector<double> PenaltiesOfElements(const std::vector<int>& edges, const ExecutionContext& context) const override;
 
 private:
   const VertexAreas Areas;

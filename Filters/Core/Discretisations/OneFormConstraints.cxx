@@ -27,8 +27,7 @@ double Along(const TriangleMesh& mesh, int edge, const Vector3& direction)
 /// Means of the wishes of each edge.
 OneFormConstraints Averaged(std::vector<Wish> wishes)
 {
-  std::stable_sort(
-    wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.Edge < b.Edge; });
+  std::stable_sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.Edge < b.Edge; });
   OneFormConstraints constraints;
   PrescribedEdges& prescribed = constraints.Prescribed;
   std::vector<double> sums;
@@ -53,18 +52,16 @@ OneFormConstraints Averaged(std::vector<Wish> wishes)
 
 }
 
-OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const std::vector<PrescribedDirection>& directions,
-  const ElementNames& names)
+OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<PrescribedDirection>& directions, const ElementNames& names)
 {
   std::vector<Wish> wishes;
   for (const PrescribedDirection& prescribed : directions)
   {
     const int face = prescribed.Face;
     CheckPrescribedElement(face, mesh.NumberOfFaces(), "face");
-    const Vector3 v = faceFrames.ToVector(face,
-      TangentialPart(
-        faceFrames, face, prescribed.Direction, prescribed.Weight, names.Face(face), "cell"));
+    const Vector3 v = faceFrames.ToVector(
+      face, TangentialPart(faceFrames, face, prescribed.Direction, prescribed.Weight, names.Face(face), "cell"));
     for (int h = 3 * face; h < 3 * face + 3; ++h)
     {
       const int edge = mesh.EdgeOf(h);
@@ -75,15 +72,14 @@ OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
   return Averaged(std::move(wishes));
 }
 
-OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
-  const std::vector<PrescribedVertexDirection>& directions, const ElementNames& names)
+OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const std::vector<PrescribedVertexDirection>& directions,
+  const ElementNames& names)
 {
   std::vector<Wish> wishes;
   for (const PrescribedVertexDirection& prescribed : directions)
   {
-    for (const auto& [leaving, v] :
-      CarriedIntoFaces(mesh, faceFrames, vertexFrames, prescribed, names))
+    for (const auto& [leaving, v] : CarriedIntoFaces(mesh, faceFrames, vertexFrames, prescribed, names))
     {
       for (int h : { leaving, TriangleMesh::Previous(leaving) })
       {

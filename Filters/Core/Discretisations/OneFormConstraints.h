@@ -13,7 +13,7 @@ namespace dmg
 /// Which edges are prescribed, and how strongly. Part of the system's key; values are not.
 struct PrescribedEdges
 {
-  std::vector<int> Edges; ///< ascending, each once
+  std::vector<int> Edges;      ///< ascending, each once
   std::vector<double> Weights; ///< per prescribed edge, > 0, dimensionless
 };
 
@@ -32,9 +32,8 @@ struct OneFormConstraints
 /// direction of length 2 asks for a field of length 2. \throw InvalidInput a direction is not
 /// finite, has no part in the plane of its face (less than 1e-6 of its length), or its weight is
 /// not positive; \p names says how messages call face i.
-OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const std::vector<PrescribedDirection>& directions,
-  const ElementNames& names = {});
+OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<PrescribedDirection>& directions, const ElementNames& names = {});
 
 /// Directions prescribed at vertices, as 1-form: every edge at a prescribed vertex is prescribed.
 /// Between two of them the value is the trapezoidal rule (by weight); an edge that leads away from
@@ -43,9 +42,9 @@ OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh,
 /// from an end is the direction's product with it, carried into the two faces beside the edge
 /// (CarriedIntoFaces) and averaged, so that creases do not shorten it.
 /// \throw InvalidInput as above, for the tangent planes of the vertices.
-OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
-  const std::vector<PrescribedVertexDirection>& directions, const ElementNames& names = {});
+OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const std::vector<PrescribedVertexDirection>& directions,
+  const ElementNames& names = {});
 
 /// Two sets of constraints as one: on an edge of both the weights add up, and the value is the mean
 /// by weight.

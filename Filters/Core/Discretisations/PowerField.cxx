@@ -67,27 +67,23 @@ std::unique_ptr<const RoughnessHierarchy> PowerField::Coarsen(
 {
   std::vector<SparseMatrix<Complex>> onPowers = OnPowers(nodal.All(), this->N, context);
   nodal.Forget();
-  return std::make_unique<LaplacianHierarchy>(
-    CoarsenLaplacian([&surface = this->Surface, N = this->N](const std::vector<int>& order,
-                       const ExecutionContext& part)
-      { return PowerLaplacian(surface.Mesh, surface.Faces, N, order, part); },
-      std::move(onPowers), ProlongationSteps, context));
+  return std::make_unique<LaplacianHierarchy>(CoarsenLaplacian(
+    [&surface = this->Surface, N = this->N](const std::vector<int>& order, const ExecutionContext& part)
+    { return PowerLaplacian(surface.Mesh, surface.Faces, N, order, part); },
+    std::move(onPowers), ProlongationSteps, context));
 }
 
 std::unique_ptr<const RoughnessHierarchy> PowerField::Assemble(
-  const ProlongationOperators* operators, CoarseSpaceKind space,
-  const ExecutionContext& context) const
+  const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
 {
   std::vector<SparseMatrix<Complex>> prolongations;
   if (operators)
   {
-    const auto& transports =
-      space == CoarseSpaceKind::Nodal ? operators->Nodal : operators->SP;
+    const auto& transports = space == CoarseSpaceKind::Nodal ? operators->Nodal : operators->SP;
     CheckOperators(!transports.empty(), "Power Fields");
     prolongations = OnPowers(transports, this->N, context);
   }
-  SparseMatrix<Complex> L =
-    PowerLaplacian(this->Surface.Mesh, this->Surface.Faces, this->N, context);
+  SparseMatrix<Complex> L = PowerLaplacian(this->Surface.Mesh, this->Surface.Faces, this->N, context);
   return std::make_unique<AssembledHierarchy<Complex>>(L, std::move(prolongations));
 }
 
@@ -102,39 +98,34 @@ SolverTuning PowerField::Tuning() const
   return tuning;
 }
 
-FieldConstraints PowerField::Prescribe(
-  const PrescribedDirections& directions, const ElementNames& names) const
+FieldConstraints PowerField::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
 {
-  PowerConstraints constraints = MakePowerConstraints(this->Surface.Mesh, this->Surface.Faces,
-    this->N, DirectionsOnFaces(this->Surface, directions, names), names);
+  PowerConstraints constraints = MakePowerConstraints(
+    this->Surface.Mesh, this->Surface.Faces, this->N, DirectionsOnFaces(this->Surface, directions, names), names);
   return { std::move(constraints.Prescribed.Faces), std::move(constraints.Prescribed.Weights),
     AsPairs(constraints.Values) };
 }
 
-Vector<double> PowerField::PenaltiesOfElements(
-  const std::vector<int>& faces, const ExecutionContext& context) const
+Vector<double> PowerField::PenaltiesOfElements(const std::vector<int>& faces, const ExecutionContext& context) const
 {
   return this->Mass(context)(faces);
 }
 
-FieldPowers PowerField::Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
-  const ExecutionContext& context) const
+FieldPowers PowerField::Powers(
+  const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const
 {
   Vector<Complex> faces = AsComplex(unknowns);
-  Vector<Complex> vertices =
-    PowersAtVertices(this->Surface.Mesh, corners, faces, this->N, context);
+  Vector<Complex> vertices = PowersAtVertices(this->Surface.Mesh, corners, faces, this->N, context);
   return { std::move(faces), std::move(vertices) };
 }
 
-std::vector<ElementValues> PowerField::Values(
-  const Vector<double>& unknowns, const FieldPowers& powers) const
+std::vector<ElementValues> PowerField::Values(const Vector<double>& unknowns, const FieldPowers& powers) const
 {
   return { { "PowerField", ElementKind::Faces, 2, unknowns },
     { "PowerField", ElementKind::Vertices, 2, AsPairs(powers.Vertices) } };
 }
 
-Points PowerField::VectorsOnFaces(
-  const Vector<double>& unknowns, const ExecutionContext&) const
+Points PowerField::VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext&) const
 {
   return VectorsFromFaceField(this->Surface.Faces, unknowns);
 }

@@ -33,8 +33,8 @@ std::vector<int> ByFace(const std::vector<PrescribedDirection>& directions)
 {
   std::vector<int> order(directions.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-    [&directions](int a, int b) { return directions[a].Face < directions[b].Face; });
+  std::stable_sort(
+    order.begin(), order.end(), [&directions](int a, int b) { return directions[a].Face < directions[b].Face; });
   return order;
 }
 
@@ -114,16 +114,17 @@ void CheckPrescribedElement(int element, int size, const std::string& kind)
 {
   if (element < 0 || element >= size)
   {
-    throw InvalidInput("a direction is prescribed on " + kind + " " + std::to_string(element) +
-      ", but there are " + std::to_string(size) + "; leave it out");
+    throw InvalidInput("a direction is prescribed on " + kind + " " + std::to_string(element) + ", but there are " +
+      std::to_string(size) + "; leave it out");
   }
 }
 
-Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction,
-  double weight, const std::string& name, const std::string& kind)
+Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction, double weight,
+  const std::string& name, const std::string& kind)
 {
   const std::string where = " prescribed on " + name;
-  const std::string orLeaveOut = ", or leave the " + kind + " out, by Mask or a direction of zero where there is no mask";
+  const std::string orLeaveOut =
+    ", or leave the " + kind + " out, by Mask or a direction of zero where there is no mask";
   if (!direction.allFinite())
   {
     throw InvalidInput("the direction" + where + " is not finite; repair it" + orLeaveOut);
@@ -143,20 +144,20 @@ Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& 
   return tangential;
 }
 
-std::vector<CarriedDirection> CarriedIntoFaces(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
-  const PrescribedVertexDirection& prescribed, const ElementNames& names)
+std::vector<CarriedDirection> CarriedIntoFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const PrescribedVertexDirection& prescribed, const ElementNames& names)
 {
   const auto& [vertex, inSpace, weight] = prescribed;
   CheckPrescribedElement(vertex, mesh.NumberOfVertices(), "vertex");
-  const Complex direction =
-    TangentialPart(vertexFrames, vertex, inSpace, weight, names.Vertex(vertex), "point");
+  const Complex direction = TangentialPart(vertexFrames, vertex, inSpace, weight, names.Vertex(vertex), "point");
   std::vector<CarriedDirection> carried;
-  mesh.VisitFan(prescribed.Vertex, [&](int halfedge) {
-    const int face = TriangleMesh::FaceOf(halfedge);
-    const Complex turn = TransportTurn(vertexFrames, prescribed.Vertex, faceFrames, face);
-    carried.push_back({ halfedge, faceFrames.ToVector(face, turn * direction) });
-  });
+  mesh.VisitFan(prescribed.Vertex,
+    [&](int halfedge)
+    {
+      const int face = TriangleMesh::FaceOf(halfedge);
+      const Complex turn = TransportTurn(vertexFrames, prescribed.Vertex, faceFrames, face);
+      carried.push_back({ halfedge, faceFrames.ToVector(face, turn * direction) });
+    });
   return carried;
 }
 
@@ -184,8 +185,7 @@ std::vector<int> LeaveOutCancelling(
   for (auto first = order.begin(); first != order.end();)
   {
     const int face = directions[*first].Face;
-    const auto last =
-      std::find_if(first, order.end(), [&](int i) { return directions[i].Face != face; });
+    const auto last = std::find_if(first, order.end(), [&](int i) { return directions[i].Face != face; });
     Complex sum = 0.0;
     double lengths = 0.0;
     for (auto i = first; last - first > 1 && i != last; ++i)
@@ -216,8 +216,8 @@ std::vector<int> LeaveOutCancelling(
   return faces;
 }
 
-PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  int N, const std::vector<PrescribedDirection>& directions, const ElementNames& names)
+PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames, int N,
+  const std::vector<PrescribedDirection>& directions, const ElementNames& names)
 {
   PowerConstraints constraints;
   PrescribedFaces& prescribed = constraints.Prescribed;
@@ -226,8 +226,7 @@ PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFra
   {
     const auto& [face, direction, weight] = directions[i];
     CheckPrescribedElement(face, mesh.NumberOfFaces(), "face");
-    const Complex v =
-      TangentialPart(faceFrames, face, direction, weight, names.Face(face), "cell");
+    const Complex v = TangentialPart(faceFrames, face, direction, weight, names.Face(face), "cell");
     if (prescribed.Faces.empty() || prescribed.Faces.back() != directions[i].Face)
     {
       prescribed.Faces.push_back(directions[i].Face);

@@ -52,8 +52,8 @@ void CheckPrescribedElement(int element, int size, const std::string& kind);
 /// \param name, kind for messages, as in "cell 7", "cell".
 /// \throw InvalidInput the direction is not finite, has no part in the plane (less than 1e-6 of its
 /// length), or its weight is not positive.
-Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction,
-  double weight, const std::string& name, const std::string& kind);
+Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction, double weight,
+  const std::string& name, const std::string& kind);
 
 /// A direction prescribed at a vertex; several may share it.
 struct PrescribedVertexDirection
@@ -85,13 +85,13 @@ struct PrescribedDirections
 void CheckSizes(const PrescribedDirections& directions, const ElementNames& names = {});
 
 /// Directions at vertices as directions on the faces around (CarriedIntoFaces), after those on faces.
-std::vector<PrescribedDirection> DirectionsOnFaces(const FramedMesh& surface,
-  const PrescribedDirections& directions, const ElementNames& names = {});
+std::vector<PrescribedDirection> DirectionsOnFaces(
+  const FramedMesh& surface, const PrescribedDirections& directions, const ElementNames& names = {});
 
 /// A direction at a vertex as a face beside it sees it.
 struct CarriedDirection
 {
-  int Halfedge; ///< of the face; leaves the vertex
+  int Halfedge;      ///< of the face; leaves the vertex
   Vector3 Direction; ///< in the plane of the face, as long as the part in the tangent plane was
 };
 
@@ -99,9 +99,8 @@ struct CarriedDirection
 /// shortest rotation between the normals (TransportTurn).
 /// \throw InvalidInput there is no such vertex, and as TangentialPart; \p names says how messages
 /// call vertex i.
-std::vector<CarriedDirection> CarriedIntoFaces(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
-  const PrescribedVertexDirection& prescribed, const ElementNames& names = {});
+std::vector<CarriedDirection> CarriedIntoFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const PrescribedVertexDirection& prescribed, const ElementNames& names = {});
 
 /// Leaves out the directions of faces on which several cancel: the mean of their N-th powers is less than a millionth of
 /// them, as of opposite vectors where N is 1, and so says nothing but what rounding has left.
@@ -124,8 +123,8 @@ struct PowerConstraints
 /// contradict each other shorten the value, down to 0 (see LeaveOutCancelling).
 /// \throw InvalidInput a direction is not finite, has no part in the plane of its face (less than
 /// 1e-6 of its length), or its weight is not positive; \p names says how messages call face i.
-PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  int N, const std::vector<PrescribedDirection>& directions, const ElementNames& names = {});
+PowerConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames, int N,
+  const std::vector<PrescribedDirection>& directions, const ElementNames& names = {});
 
 }
 

@@ -78,16 +78,14 @@ Vector<double> ScalarFunction::Mass(const ExecutionContext&) const
 std::unique_ptr<const RoughnessHierarchy> ScalarFunction::Coarsen(
   const NodalProlongations& nodal, const ExecutionContext& context) const
 {
-  std::vector<SparseMatrix<double>> prolongations =
-    ProlongationsOfNodes(this->Surface.Mesh, nodal.All());
+  std::vector<SparseMatrix<double>> prolongations = ProlongationsOfNodes(this->Surface.Mesh, nodal.All());
   nodal.Forget();
   SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context);
   return std::make_unique<AssembledHierarchy<double>>(L0, std::move(prolongations));
 }
 
 std::unique_ptr<const RoughnessHierarchy> ScalarFunction::Assemble(
-  const ProlongationOperators* operators, CoarseSpaceKind space,
-  const ExecutionContext& context) const
+  const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
 {
   std::vector<SparseMatrix<double>> prolongations;
   if (operators && space == CoarseSpaceKind::Nodal)
@@ -113,8 +111,7 @@ SolverTuning ScalarFunction::Tuning() const
   return tuning;
 }
 
-FieldConstraints ScalarFunction::Prescribe(
-  const PrescribedDirections& directions, const ElementNames& names) const
+FieldConstraints ScalarFunction::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
 {
   if (directions.Values.empty())
   {
@@ -131,9 +128,10 @@ FieldConstraints ScalarFunction::Prescribe(
     CheckPrescribedElement(vertex, this->Surface.Mesh.NumberOfVertices(), "vertex");
     if (!std::isfinite(value) || !(weight > 0.0) || !std::isfinite(weight))
     {
-      throw InvalidInput("the value " + ShortText(value) + " with the weight " +
-        ShortText(weight) + ", prescribed on " + names.Vertex(vertex) +
-        ", is not finite or its weight not positive; repair it, or leave the point out, by Mask or a value of NaN where there is no mask");
+      throw InvalidInput("the value " + ShortText(value) + " with the weight " + ShortText(weight) +
+        ", prescribed on " + names.Vertex(vertex) +
+        ", is not finite or its weight not positive; repair it, or leave the point out, by Mask or a value of NaN "
+        "where there is no mask");
     }
     if (constraints.Elements.empty() || constraints.Elements.back() != vertex)
     {
@@ -159,27 +157,24 @@ Vector<double> ScalarFunction::PenaltiesOfElements(
   return areas(vertices) / areas.mean();
 }
 
-FieldPowers ScalarFunction::Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
-  const ExecutionContext& context) const
+FieldPowers ScalarFunction::Powers(
+  const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const
 {
-  const Vector<double> gradient =
-    FaceGradient(this->Surface.Mesh, this->Surface.Faces, context) * unknowns;
+  const Vector<double> gradient = FaceGradient(this->Surface.Mesh, this->Surface.Faces, context) * unknowns;
   Vector<Complex> faces = AsComplex(gradient);
   Vector<Complex> vertices = PowersAtVertices(this->Surface.Mesh, corners, faces, 1, context);
   return { std::move(faces), std::move(vertices) };
 }
 
-std::vector<ElementValues> ScalarFunction::Values(
-  const Vector<double>& unknowns, const FieldPowers&) const
+std::vector<ElementValues> ScalarFunction::Values(const Vector<double>& unknowns, const FieldPowers&) const
 {
   return { { "ScalarFunction", ElementKind::Vertices, 1, unknowns } };
 }
 
-Points ScalarFunction::VectorsOnFaces(
-  const Vector<double>& unknowns, const ExecutionContext& context) const
+Points ScalarFunction::VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const
 {
-  return VectorsFromFaceField(this->Surface.Faces,
-    FaceGradient(this->Surface.Mesh, this->Surface.Faces, context) * unknowns);
+  return VectorsFromFaceField(
+    this->Surface.Faces, FaceGradient(this->Surface.Mesh, this->Surface.Faces, context) * unknowns);
 }
 
 }

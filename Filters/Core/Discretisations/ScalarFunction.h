@@ -38,8 +38,8 @@ public:
   bool HasSmoothest() const override { return false; }
   std::unique_ptr<const RoughnessHierarchy> Coarsen(
     const NodalProlongations& nodal, const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Assemble(const ProlongationOperators* operators,
-    CoarseSpaceKind space, const ExecutionContext& context) const override;
+  std::unique_ptr<const RoughnessHierarchy> Assemble(
+    const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const override;
   /// S0 is always there.
   OperatorSelection StructurePreservingOperators() const override { return { false, false, false }; }
   std::string NameOfLevels() const override { return "levels of functions"; }
@@ -47,20 +47,16 @@ public:
 
   /// Takes the prescribed values, not the directions; those at one vertex are averaged by weight.
   /// \throw InvalidInput no value is prescribed, or one is out of range or not finite, or its weight not positive.
-  FieldConstraints Prescribe(
-    const PrescribedDirections& directions, const ElementNames& names) const override;
+  FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const override;
 
   /// The gradient.
-  FieldPowers Powers(const Vector<double>& unknowns, const Unfilled<Corner>& corners,
-    const ExecutionContext& context) const override;
-  std::vector<ElementValues> Values(
-    const Vector<double>& unknowns, const FieldPowers& powers) const override;
-  Points VectorsOnFaces(
-    const Vector<double>& unknowns, const ExecutionContext& context) const override;
+  FieldPowers Powers(
+    const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const override;
+  std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const override;
+  Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const override;
 
 protected:
-  Vector<double> PenaltiesOfElements(
-    const std::vector<int>& vertices, const ExecutionContext& context) const override;
+  Vector<double> PenaltiesOfElements(const std::vector<int>& vertices, const ExecutionContext& context) const override;
 
 private:
   const VertexAreas Areas;

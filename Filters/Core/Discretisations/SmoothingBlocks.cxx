@@ -23,8 +23,7 @@ std::vector<char> AreUneven(const TriangleMesh& mesh, double fraction)
     double longest = 0.0;
     for (int h = 3 * face; h < 3 * face + 3; ++h)
     {
-      longest =
-        std::max(longest, (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm());
+      longest = std::max(longest, (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm());
     }
     areUneven[face] = areas[face] <= fraction * std::sqrt(3.0) / 4.0 * longest;
   }
@@ -60,8 +59,7 @@ public:
       {
         this->AddRing();
       }
-      blocks.Unknowns.insert(
-        blocks.Unknowns.end(), this->Unknowns.begin(), this->Unknowns.end());
+      blocks.Unknowns.insert(blocks.Unknowns.end(), this->Unknowns.begin(), this->Unknowns.end());
       blocks.EndBlock();
     }
   }
@@ -75,12 +73,14 @@ private:
     this->IsInCore[seed] = this->Add(seed, largest);
     for (std::size_t k = 0; k < this->Faces.size(); ++k)
     {
-      this->Mesh.VisitNeighbours(this->Faces[k], [this](int face) {
-        if (this->AreUneven[face] && !this->IsInCore[face])
+      this->Mesh.VisitNeighbours(this->Faces[k],
+        [this](int face)
         {
-          this->IsInCore[face] = this->Add(face, largest);
-        }
-      });
+          if (this->AreUneven[face] && !this->IsInCore[face])
+          {
+            this->IsInCore[face] = this->Add(face, largest);
+          }
+        });
     }
   }
 
@@ -89,8 +89,7 @@ private:
     const std::size_t size = this->Faces.size();
     for (std::size_t k = 0; k < size; ++k)
     {
-      this->Mesh.VisitNeighbours(this->Faces[k],
-        [this](int face) { this->Add(face, SchwarzBlocks::LargestBlock); });
+      this->Mesh.VisitNeighbours(this->Faces[k], [this](int face) { this->Add(face, SchwarzBlocks::LargestBlock); });
     }
   }
 
@@ -133,8 +132,7 @@ constexpr double EvenFractionForSides = 0.2;
 
 /// \param unknownsOf(face) an array of the unknowns of a face.
 template <class UnknownsOf>
-void AppendPatches(
-  const TriangleMesh& mesh, double evenFraction, const UnknownsOf& unknownsOf, UnknownBlocks& blocks)
+void AppendPatches(const TriangleMesh& mesh, double evenFraction, const UnknownsOf& unknownsOf, UnknownBlocks& blocks)
 {
   PatchGrower<UnknownsOf>(mesh, AreUneven(mesh, evenFraction), unknownsOf).AppendTo(blocks);
 }
@@ -164,13 +162,13 @@ UnknownBlocks BlocksOfFaceFields(const TriangleMesh& mesh)
 UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh)
 {
   const auto sides = [&mesh](int face) {
-    return std::array<int, 3>{ mesh.EdgeOf(3 * face), mesh.EdgeOf(3 * face + 1),
-      mesh.EdgeOf(3 * face + 2) };
+    return std::array<int, 3>{ mesh.EdgeOf(3 * face), mesh.EdgeOf(3 * face + 1), mesh.EdgeOf(3 * face + 2) };
   };
   UnknownBlocks blocks;
   blocks.Unknowns.reserve(mesh.NumberOfEdges());
   std::vector<char> isTaken(mesh.NumberOfEdges(), 0);
-  const auto take = [&](int face) {
+  const auto take = [&](int face)
+  {
     for (const int edge : sides(face))
     {
       if (!std::exchange(isTaken[edge], 1))

@@ -36,8 +36,7 @@ void CheckFeatureWeight(const std::string& name, double weight)
 
 Vector3 Turned(const Vector3& direction, const TangentFrames& frames, int element, double angle)
 {
-  return angle == 0.0 ? direction
-                      : Vector3(Eigen::AngleAxisd(angle, frames.Normal(element)) * direction);
+  return angle == 0.0 ? direction : Vector3(Eigen::AngleAxisd(angle, frames.Normal(element)) * direction);
 }
 
 }
@@ -83,8 +82,7 @@ std::vector<PrescribedDirection> AlongBoundary(const TriangleMesh& mesh, double 
   return directions;
 }
 
-std::vector<PrescribedDirection> AlongSharpEdges(
-  const FramedMesh& surface, double degrees, double weight)
+std::vector<PrescribedDirection> AlongSharpEdges(const FramedMesh& surface, double degrees, double weight)
 {
   const TriangleMesh& mesh = surface.Mesh;
   const WeightsOfFaces weights(mesh);
@@ -112,8 +110,8 @@ std::vector<PrescribedDirection> AlongSharpEdges(
   return directions;
 }
 
-std::vector<PrescribedDirection> AlongCurvature(const FramedMesh& surface,
-  const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight)
+std::vector<PrescribedDirection> AlongCurvature(
+  const FramedMesh& surface, const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight)
 {
   const WeightsOfFaces weights(surface.Mesh);
   const Complex turn = followsMinimum ? Complex(0.0, 1.0) : Complex(1.0);
@@ -130,8 +128,8 @@ std::vector<PrescribedDirection> AlongCurvature(const FramedMesh& surface,
   return directions;
 }
 
-FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureOptions& options,
-  const PrincipalCurvatures* ofFaces)
+FollowedFeatures FollowFeatures(
+  const FramedMesh& surface, int N, const FeatureOptions& options, const PrincipalCurvatures* ofFaces)
 {
   CheckFeatures(options);
   FollowedFeatures followed;
@@ -172,8 +170,8 @@ FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureO
   }
   if (options.CurvatureWeight > 0.0)
   {
-    follow(AlongCurvature(surface, *ofFaces, options.FollowsMinimum, options.CurvatureWeight), options.CurvatureRotation,
-      "the surface bends alike in all directions, so Curvature Weight has no effect");
+    follow(AlongCurvature(surface, *ofFaces, options.FollowsMinimum, options.CurvatureWeight),
+      options.CurvatureRotation, "the surface bends alike in all directions, so Curvature Weight has no effect");
   }
   return followed;
 }
@@ -189,8 +187,8 @@ InvalidInput RotationNotFinite(const std::string& element)
 
 }
 
-void Turn(PrescribedDirections& directions, const FramedMesh& surface, const RotationAngles& angles,
-  const ElementNames& names)
+void Turn(
+  PrescribedDirections& directions, const FramedMesh& surface, const RotationAngles& angles, const ElementNames& names)
 {
   for (PrescribedDirection& on : directions.OnFaces)
   {

@@ -67,13 +67,12 @@ std::vector<PrescribedDirection> AlongBoundary(const TriangleMesh& mesh, double 
 
 /// Unit directions along sharp edges, on both of their faces. Edges without length, or of a face without area, are not
 /// sharp.
-std::vector<PrescribedDirection> AlongSharpEdges(
-  const FramedMesh& surface, double degrees, double weight);
+std::vector<PrescribedDirection> AlongSharpEdges(const FramedMesh& surface, double degrees, double weight);
 
 /// Unit directions along principal directions, on all faces where there are some, with their confidence as weight. None where
 /// no confidence is more than 1e-4: where the curvatures differ by less than 1 % everywhere.
-std::vector<PrescribedDirection> AlongCurvature(const FramedMesh& surface,
-  const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight);
+std::vector<PrescribedDirection> AlongCurvature(
+  const FramedMesh& surface, const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight);
 
 /// What is followed, and what is not there to be followed.
 struct FollowedFeatures
@@ -87,8 +86,8 @@ struct FollowedFeatures
 /// \param ofFaces the principal directions; may be null where CurvatureWeight is 0 or N odd.
 /// \throw InvalidInput as CheckFeatures.
 /// Cost: linear.
-FollowedFeatures FollowFeatures(const FramedMesh& surface, int N, const FeatureOptions& options,
-  const PrincipalCurvatures* ofFaces);
+FollowedFeatures FollowFeatures(
+  const FramedMesh& surface, int N, const FeatureOptions& options, const PrincipalCurvatures* ofFaces);
 
 /// By how much a field turns against what it follows, in radians, counter-clockwise seen from outside.
 struct RotationAngles

@@ -14,8 +14,8 @@ namespace dmg
 /// zero or perpendicular to the face. Changing the sign of the reference does not change angles where N is even.
 /// \param references in space, one for each face.
 /// Cost: O(#F).
-Vector<double> AnglesOfField(const TangentFrames& faceFrames, const DirectionsOnFaces& field,
-  const Points& references, const ExecutionContext& context = SerialContext());
+Vector<double> AnglesOfField(const TangentFrames& faceFrames, const DirectionsOnFaces& field, const Points& references,
+  const ExecutionContext& context = SerialContext());
 
 }
 

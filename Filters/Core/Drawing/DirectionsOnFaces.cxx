@@ -20,8 +20,7 @@ Complex PowerOfLength(Complex direction, double length, int N)
 
 }
 
-DirectionsOnFaces::DirectionsOnFaces(
-  int N, const Vector<Complex>& first, const ExecutionContext& context)
+DirectionsOnFaces::DirectionsOnFaces(int N, const Vector<Complex>& first, const ExecutionContext& context)
   : Number(N)
   , Units(first.size())
   , Magnitudes(first.size())
@@ -44,8 +43,7 @@ DirectionsOnFaces::DirectionsOnFaces(
 }
 
 Vector<Complex> FirstDirectionsOfFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const Vector<Complex>& ofVertices, int N,
-  const ExecutionContext& context)
+  const TangentFrames& vertexFrames, const Vector<Complex>& ofVertices, int N, const ExecutionContext& context)
 {
   Vector<Complex> ofFaces(mesh.NumberOfFaces());
   context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
@@ -58,8 +56,7 @@ Vector<Complex> FirstDirectionsOfFaces(const TriangleMesh& mesh, const TangentFr
         for (int k = 0; k < 3; ++k)
         {
           const int vertex = mesh.FaceCorners()(face, k);
-          const Complex carried =
-            TransportTurn(vertexFrames, vertex, faceFrames, face) * ofVertices[vertex];
+          const Complex carried = TransportTurn(vertexFrames, vertex, faceFrames, face) * ofVertices[vertex];
           guide = guide == 0.0 ? carried : guide;
           sum += PowerOfLength(carried, std::abs(carried), N) / 3.0;
         }

@@ -22,18 +22,14 @@ public:
   /// \param first direction 0 of each face in FaceFrames; its modulus is the magnitude of the field, 0 where it has
   /// no direction.
   /// \pre 1 <= N <= LargestN.
-  DirectionsOnFaces(
-    int N, const Vector<Complex>& first, const ExecutionContext& context = SerialContext());
+  DirectionsOnFaces(int N, const Vector<Complex>& first, const ExecutionContext& context = SerialContext());
 
   int N() const { return this->Number; }
   double Magnitude(int face) const { return this->Magnitudes[face]; }
   bool HasDirection(int face) const { return this->Magnitudes[face] > 0.0; }
 
   /// Direction 0 of all faces with its magnitude, as given.
-  Vector<Complex> First() const
-  {
-    return this->Units.cwiseProduct(this->Magnitudes.cast<Complex>());
-  }
+  Vector<Complex> First() const { return this->Units.cwiseProduct(this->Magnitudes.cast<Complex>()); }
   /// Direction k, unit; zero where there is none. k in [0, N).
   Complex Direction(int face, int k) const { return this->Units[face] * this->Turns[k]; }
   /// Which direction of a face turns least from another one.
@@ -44,8 +40,7 @@ public:
     for (int k = 0; k < this->Number; ++k)
     {
       const Complex candidate = this->Direction(face, k);
-      const double cosine =
-        candidate.real() * direction.real() + candidate.imag() * direction.imag();
+      const double cosine = candidate.real() * direction.real() + candidate.imag() * direction.imag();
       if (cosine > largest)
       {
         largest = cosine;
@@ -67,8 +62,7 @@ public:
     for (int k = 0; k < this->NumberOfFamilies(); ++k)
     {
       const Complex candidate = this->Direction(face, k);
-      const double cosine =
-        std::abs(candidate.real() * direction.real() + candidate.imag() * direction.imag());
+      const double cosine = std::abs(candidate.real() * direction.real() + candidate.imag() * direction.imag());
       if (cosine > largest)
       {
         largest = cosine;

@@ -17,16 +17,13 @@ namespace
 {
 
 // Distances, as parts of the separation.
-constexpr double NearestSeed =
-  0.95; ///< a seed beside a bent line is a little nearer to it than it was put
+constexpr double NearestSeed = 0.95;  ///< a seed beside a bent line is a little nearer to it than it was put
 constexpr double ShortestStep = 0.02; ///< between two looks at the neighbours
 constexpr double WidestClosing = 0.1; ///< offset across which a line is closed
 constexpr double CoverRadius = 0.9;
-constexpr double FailureRadius =
-  0.25; ///< around a line that is too short, others are as well
-constexpr double CoverStep =
-  0.5; ///< the faces within CoverRadius of such samples are near the line
-constexpr double SeedStep = 0.5; ///< along a line, between seeds beside it
+constexpr double FailureRadius = 0.25; ///< around a line that is too short, others are as well
+constexpr double CoverStep = 0.5;      ///< the faces within CoverRadius of such samples are near the line
+constexpr double SeedStep = 0.5;       ///< along a line, between seeds beside it
 
 constexpr double IdleDistance = 0.05; ///< within which a line that stays ends
 
@@ -42,8 +39,8 @@ struct Seed
 class LineDrawing
 {
 public:
-  LineDrawing(const UnfoldedSurface& surface, const DirectionsOnFaces& field,
-    const LineOptions& options, const ExecutionContext& context)
+  LineDrawing(const UnfoldedSurface& surface, const DirectionsOnFaces& field, const LineOptions& options,
+    const ExecutionContext& context)
     : Surface(surface)
     , Field(field)
     , Options(options)
@@ -160,8 +157,7 @@ private:
   {
     SurfacePoint place = at;
     Complex left = Complex(0.0, 1.0) * along;
-    if (this->Surface.GoStraight(place, left, this->Options.Separation) &&
-      this->Field.HasDirection(place.Face))
+    if (this->Surface.GoStraight(place, left, this->Options.Separation) && this->Field.HasDirection(place.Face))
     {
       waiting.push_back({ place, this->Field.NearestFamily(place.Face, Complex(0.0, 1.0) * left) });
     }
@@ -171,8 +167,7 @@ private:
   bool DrawThrough(const Seed& seed)
   {
     Trail forth;
-    this->AddPoint(forth, this->Surface.Position(seed.Place.Face, seed.Place.Point),
-      seed.Place.Face, seed.Place.Face);
+    this->AddPoint(forth, this->Surface.Position(seed.Place.Face, seed.Place.Point), seed.Place.Face, seed.Place.Face);
     Trail back = forth;
     this->Tracer.Start(seed.Place, seed.Direction, false);
     this->Follow(seed, 1.0, forth);
@@ -181,11 +176,9 @@ private:
       this->Tracer.Start(seed.Place, seed.Direction, true);
       this->Follow(seed, -1.0, back);
     }
-    if (!(forth.Length + back.Length >= this->Options.MinimumLength) ||
-      forth.Points.size() + back.Points.size() < 3)
+    if (!(forth.Length + back.Length >= this->Options.MinimumLength) || forth.Points.size() + back.Points.size() < 3)
     {
-      this->Lines.LongestLeftOut =
-        std::max(this->Lines.LongestLeftOut, forth.Length + back.Length);
+      this->Lines.LongestLeftOut = std::max(this->Lines.LongestLeftOut, forth.Length + back.Length);
       return false;
     }
     std::reverse(back.Points.begin(), back.Points.end());
@@ -211,8 +204,7 @@ private:
   {
     // How far the line can go without coming too near to another one: distances change no faster than it moves.
     // The second half looks at once where the first one has ended.
-    double room =
-      sign > 0.0 ? (NearestSeed - this->Options.StopRatio) * this->Options.Separation : 0.0;
+    double room = sign > 0.0 ? (NearestSeed - this->Options.StopRatio) * this->Options.Separation : 0.0;
     StagnationCheck progress(trail.Points.back().Position, IdleDistance * this->Options.Separation);
     while (true)
     {
@@ -224,9 +216,9 @@ private:
         done += room;
         this->Count();
         const Complex at = piece.From + done / length * (piece.To - piece.From);
-        const LineSpacing::Neighbour neighbour = this->Spacing.Nearest({ piece.Face, at },
-          piece.Direction, this->Options.Separation,
-          { this->Lines.NumberOfLines(), sign * (trail.Length + done), 2.0 * this->StopDistance });
+        const LineSpacing::Neighbour neighbour =
+          this->Spacing.Nearest({ piece.Face, at }, piece.Direction, this->Options.Separation,
+            { this->Lines.NumberOfLines(), sign * (trail.Length + done), 2.0 * this->StopDistance });
         if (neighbour.Distance <= this->StopDistance)
         {
           const bool isOwn = neighbour.Line == this->Lines.NumberOfLines();
@@ -287,8 +279,7 @@ private:
       if (a.real() < 0.0 && b.real() >= 0.0)
       {
         const double part = a.real() / (a.real() - b.real());
-        if (std::abs(a.imag() + part * (b.imag() - a.imag())) >
-          WidestClosing * this->Options.Separation)
+        if (std::abs(a.imag() + part * (b.imag() - a.imag())) > WidestClosing * this->Options.Separation)
         {
           break;
         }
@@ -299,8 +290,7 @@ private:
         return;
       }
       this->AddSegment(piece, from, piece.To, 1.0, rest);
-      this->AddPoint(
-        rest, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face, piece.Face);
+      this->AddPoint(rest, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face, piece.Face);
       this->Count();
       if (!this->Tracer.Advance() || progress.IsStagnant(rest.Points.back().Position))
       {
@@ -311,12 +301,11 @@ private:
     this->Spacing.Shrink(size);
   }
 
-  void AddSegment(
-    const LineTracer::Piece& piece, Complex from, Complex to, double sign, Trail& trail)
+  void AddSegment(const LineTracer::Piece& piece, Complex from, Complex to, double sign, Trail& trail)
   {
     const double length = std::abs(to - from);
-    this->Spacing.Add({ piece.Face, from, to, piece.Direction, this->Lines.NumberOfLines(),
-      sign * trail.Length, sign * (trail.Length + length), piece.IsAlongEdge, -1 });
+    this->Spacing.Add({ piece.Face, from, to, piece.Direction, this->Lines.NumberOfLines(), sign * trail.Length,
+      sign * (trail.Length + length), piece.IsAlongEdge, -1 });
     trail.Length += length;
   }
 
@@ -327,8 +316,7 @@ private:
     {
       return;
     }
-    trail.Points.push_back(
-      { position, before, 0.5 * (this->Field.Magnitude(before) + this->Field.Magnitude(after)) });
+    trail.Points.push_back({ position, before, 0.5 * (this->Field.Magnitude(before) + this->Field.Magnitude(after)) });
   }
 
   const UnfoldedSurface& Surface;

@@ -28,13 +28,12 @@ struct LinesOnSurface
 {
   // per point
   std::vector<Vector3> Positions;
-  std::vector<int> Faces; ///< one on which it lies
+  std::vector<int> Faces;         ///< one on which it lies
   std::vector<double> Magnitudes; ///< of the field; on an edge, the mean of both sides
   // per line
   std::vector<int> Offsets; ///< the first point, and the end of the last line
   std::vector<double> Lengths;
-  std::vector<int>
-    Families; ///< of the direction along which it started (DirectionsOnFaces), at its seed
+  std::vector<int> Families;  ///< of the direction along which it started (DirectionsOnFaces), at its seed
   std::vector<char> IsClosed; ///< whether the last point goes on to the first
 
   double LongestLeftOut = 0.0; ///< length of the longest line that was too short

@@ -23,8 +23,7 @@ constexpr int GlyphsBetweenCheckpoints = 1024;
 class GlyphDrawing
 {
 public:
-  GlyphDrawing(
-    const UnfoldedSurface& surface, const DirectionsOnFaces& field, const GlyphOptions& options)
+  GlyphDrawing(const UnfoldedSurface& surface, const DirectionsOnFaces& field, const GlyphOptions& options)
     : Surface(surface)
     , Field(field)
     , Options(options)
@@ -65,8 +64,7 @@ private:
       this->Surface.GoStraight(at, direction, length * this->Place.Radius);
     }
     const Vector3 normal = this->Surface.Frames().Normal(at.Face);
-    this->Glyphs.Positions.push_back(
-      this->Surface.Position(at.Face, at.Point) + this->Options.Lift * normal);
+    this->Glyphs.Positions.push_back(this->Surface.Position(at.Face, at.Point) + this->Options.Lift * normal);
     this->Glyphs.Normals.push_back(normal);
     return static_cast<int>(this->Glyphs.Positions.size()) - 1;
   }
@@ -156,8 +154,7 @@ private:
 }
 
 GlyphsOnSurface FieldGlyphs(const UnfoldedSurface& surface, const DirectionsOnFaces& field,
-  const std::vector<GlyphPlace>& places, const GlyphOptions& options,
-  const ExecutionContext& context)
+  const std::vector<GlyphPlace>& places, const GlyphOptions& options, const ExecutionContext& context)
 {
   GlyphDrawing drawing(surface, field, options);
   const int numberOfPlaces = static_cast<int>(places.size());

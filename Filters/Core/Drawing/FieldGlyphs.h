@@ -15,7 +15,7 @@ struct GlyphOptions
   enum class Shape
   {
     Strokes, ///< polylines
-    Solid ///< polygons of some width
+    Solid    ///< polygons of some width
   };
   Shape Form = Shape::Solid;
   /// Half width of a branch over its length (Solid), in (0, 0.5).
@@ -37,10 +37,10 @@ struct GlyphsOnSurface
   std::vector<Vector3> Positions;
   std::vector<Vector3> Normals; ///< of the surface, unit
   // per cell
-  std::vector<int> Offsets; ///< into Corners, and its end
-  std::vector<int> Corners; ///< rows of Positions
+  std::vector<int> Offsets;    ///< into Corners, and its end
+  std::vector<int> Corners;    ///< rows of Positions
   std::vector<int> Directions; ///< k, 0 to N - 1
-  std::vector<int> Glyphs; ///< number of the place
+  std::vector<int> Glyphs;     ///< number of the place
   std::vector<double> Magnitudes;
 
   int NumberOfCells() const { return static_cast<int>(this->Directions.size()); }

@@ -53,8 +53,7 @@ std::vector<GlyphPlace> PlaceGlyphs(const UnfoldedSurface& surface, const Direct
   for (const SurfacePoint& point : PointsFor(surface, options, context))
   {
     const double magnitude = field.Magnitude(point.Face);
-    const double size = options.Sizing == GlyphSizing::ByTriangle
-      ? InscribedRadius(areas[point.Face])
+    const double size = options.Sizing == GlyphSizing::ByTriangle   ? InscribedRadius(areas[point.Face])
       : options.Sizing == GlyphSizing::ByMagnitude && largest > 0.0 ? even * (magnitude / largest)
                                                                     : even;
     places.push_back({ point, options.Scale * size });

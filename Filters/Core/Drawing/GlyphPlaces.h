@@ -16,7 +16,7 @@ enum class GlyphPlacement
 
 enum class GlyphSizing
 {
-  Even, ///< all alike: half the distance between glyphs, or the mean size of the faces where each has one
+  Even,       ///< all alike: half the distance between glyphs, or the mean size of the faces where each has one
   ByTriangle, ///< as large as the face is: the radius of the inscribed circle of an equilateral one of its area
   ByMagnitude ///< as Even, times the magnitude of the field over the largest one
 };

@@ -14,8 +14,7 @@ constexpr double LargeFace = 8.0;
 
 }
 
-LineSpacing::LineSpacing(
-  const UnfoldedSurface& surface, const DirectionsOnFaces& field, double distance)
+LineSpacing::LineSpacing(const UnfoldedSurface& surface, const DirectionsOnFaces& field, double distance)
   : Surface(surface)
   , Field(field)
   , Walk(surface)
@@ -38,8 +37,7 @@ std::uint64_t LineSpacing::StripOf(int face, int family, double offset) const
 {
   // Strips of one face whose numbers differ by 2^24 share a list, which costs nothing but time.
   const auto strip = static_cast<std::int64_t>(std::floor(offset / this->StripWidth));
-  const auto list =
-    static_cast<std::uint64_t>(face) * DirectionsOnFaces::LargestN + static_cast<unsigned>(family);
+  const auto list = static_cast<std::uint64_t>(face) * DirectionsOnFaces::LargestN + static_cast<unsigned>(family);
   return list << 24 | (static_cast<std::uint64_t>(strip) & 0xffffffu);
 }
 
@@ -72,8 +70,8 @@ void LineSpacing::Shrink(std::size_t size)
 }
 
 template <class Visit>
-bool LineSpacing::VisitList(int last, const SurfaceWalk::Placement& placement, Complex direction,
-  double distance, const Visit& visit) const
+bool LineSpacing::VisitList(
+  int last, const SurfaceWalk::Placement& placement, Complex direction, double distance, const Visit& visit) const
 {
   // Two families are as near as it gets where the direction lies between them; rounding must not lose it for both.
   const double cosine = this->Field.CosineOfFamily() - 1e-9;
@@ -84,8 +82,7 @@ bool LineSpacing::VisitList(int last, const SurfaceWalk::Placement& placement, C
     {
       continue;
     }
-    const double squaredGap =
-      SquaredDistanceToSegment(placement.Place(segment.From), placement.Place(segment.To));
+    const double squaredGap = SquaredDistanceToSegment(placement.Place(segment.From), placement.Place(segment.To));
     if (squaredGap < distance * distance && !visit(segment, std::sqrt(squaredGap)))
     {
       return false;
@@ -95,8 +92,8 @@ bool LineSpacing::VisitList(int last, const SurfaceWalk::Placement& placement, C
 }
 
 template <class Visit>
-bool LineSpacing::VisitStrips(const SurfaceWalk::Placement& placement, Complex direction,
-  double distance, const Visit& visit) const
+bool LineSpacing::VisitStrips(
+  const SurfaceWalk::Placement& placement, Complex direction, double distance, const Visit& visit) const
 {
   const Complex centre = -std::conj(placement.Turn) * placement.Origin; // of the walk
   for (int family = 0; family < this->Field.NumberOfFamilies(); ++family)
@@ -107,8 +104,7 @@ bool LineSpacing::VisitStrips(const SurfaceWalk::Placement& placement, Complex d
     for (double at = offset - distance - 0.5 * this->StripWidth; at < end; at += this->StripWidth)
     {
       const auto found = this->Strips.find(this->StripOf(placement.Face, family, at));
-      if (found != this->Strips.end() &&
-        !this->VisitList(found->second, placement, direction, distance, visit))
+      if (found != this->Strips.end() && !this->VisitList(found->second, placement, direction, distance, visit))
       {
         return false;
       }
@@ -118,8 +114,7 @@ bool LineSpacing::VisitStrips(const SurfaceWalk::Placement& placement, Complex d
 }
 
 template <class Visit>
-void LineSpacing::VisitNear(
-  const SurfacePoint& at, Complex direction, double distance, const Visit& visit)
+void LineSpacing::VisitNear(const SurfacePoint& at, Complex direction, double distance, const Visit& visit)
 {
   this->Walk.Around(at, distance,
     [&](const SurfaceWalk::Placement& placement)
@@ -131,16 +126,14 @@ void LineSpacing::VisitNear(
     });
 }
 
-LineSpacing::Neighbour LineSpacing::Nearest(
-  const SurfacePoint& at, Complex direction, double distance, const Own& own)
+LineSpacing::Neighbour LineSpacing::Nearest(const SurfacePoint& at, Complex direction, double distance, const Own& own)
 {
   Neighbour nearest;
   this->VisitNear(at, direction, distance,
     [&](const Segment& segment, double gap)
     {
       const bool isExcluded = segment.Line == own.Line &&
-        std::min(std::abs(segment.ArcFrom - own.Arc), std::abs(segment.ArcTo - own.Arc)) <
-          own.Excluded;
+        std::min(std::abs(segment.ArcFrom - own.Arc), std::abs(segment.ArcTo - own.Arc)) < own.Excluded;
       if (!isExcluded && gap < nearest.Distance)
       {
         nearest = { gap, segment.Line, segment.ArcFrom };
@@ -170,8 +163,8 @@ void LineSpacing::Cover(const SurfacePoint& at, Complex direction, double distan
       const SurfacePoint centre = this->Surface.Centre(placement.Face);
       if (std::norm(placement.Place(centre.Point)) < distance * distance)
       {
-        this->CoverFamily(placement.Face,
-          this->Field.NearestFamily(placement.Face, std::conj(placement.Turn) * direction));
+        this->CoverFamily(
+          placement.Face, this->Field.NearestFamily(placement.Face, std::conj(placement.Turn) * direction));
       }
       return true;
     });

@@ -79,11 +79,11 @@ private:
   int& LastOf(const Segment& segment);
   /// Visits the segments of one list; \return whether visit wants more.
   template <class Visit>
-  bool VisitList(int last, const SurfaceWalk::Placement& placement, Complex direction,
-    double distance, const Visit& visit) const;
+  bool VisitList(
+    int last, const SurfaceWalk::Placement& placement, Complex direction, double distance, const Visit& visit) const;
   template <class Visit>
-  bool VisitStrips(const SurfaceWalk::Placement& placement, Complex direction, double distance,
-    const Visit& visit) const;
+  bool VisitStrips(
+    const SurfaceWalk::Placement& placement, Complex direction, double distance, const Visit& visit) const;
   template <class Visit>
   void VisitNear(const SurfacePoint& at, Complex direction, double distance, const Visit& visit);
 
@@ -94,7 +94,7 @@ private:
   std::vector<Segment> All;
   /// Lines of one family are parallel on a face: strips along them, each with its newest segment.
   std::unordered_map<std::uint64_t, int> Strips;
-  std::vector<int> Last; // per face: its newest segment, or -1
+  std::vector<int> Last;              // per face: its newest segment, or -1
   std::vector<unsigned char> Covered; // per face: a bit per family
   long long NumberCovered = 0;
 };

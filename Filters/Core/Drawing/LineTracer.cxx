@@ -19,7 +19,7 @@ constexpr double Slowest = 1e-6;
 /// A way from a vertex, through a face or along an edge.
 struct WayOut
 {
-  int Halfedge; ///< leaves the vertex: the edge, or the first side of the face
+  int Halfedge;      ///< leaves the vertex: the edge, or the first side of the face
   Complex Direction; ///< of the field, in the face of the halfedge
   bool IsAlongEdge;
   double Angle; ///< around the vertex, from where the line came
@@ -59,8 +59,8 @@ Complex LineTracer::Matched(int face, Complex direction) const
 void LineTracer::GoThrough(const SurfacePoint& from, Complex direction, int entry)
 {
   const UnfoldedSurface::Exit exit = this->Surface.LeaveFace(from, direction, entry);
-  this->Now = { from.Face, direction, from.Point,
-    this->Surface.PointAlong(exit.Halfedge, exit.Part), exit.Halfedge, exit.Part, false };
+  this->Now = { from.Face, direction, from.Point, this->Surface.PointAlong(exit.Halfedge, exit.Part), exit.Halfedge,
+    exit.Part, false };
 }
 
 bool LineTracer::Advance()
@@ -95,8 +95,7 @@ bool LineTracer::GoAlongEdge(int twin, Complex beyond)
   const double outwards = std::max(-here.imag(), 0.0);
   const double back = std::max(there.imag(), 0.0);
   const double sum = outwards + back;
-  const double along =
-    sum > 0.0 ? (back * here.real() + outwards * there.real()) / sum : here.real();
+  const double along = sum > 0.0 ? (back * here.real() + outwards * there.real()) / sum : here.real();
   if (std::abs(along) < Slowest)
   {
     return false;
@@ -125,8 +124,7 @@ bool LineTracer::LeaveVertex()
   {
     return this->LeaveVertexFrom(h, this->Now.Direction);
   }
-  const Complex beyond =
-    this->Matched(TriangleMesh::FaceOf(twin), this->Surface.Across(h) * this->Now.Direction);
+  const Complex beyond = this->Matched(TriangleMesh::FaceOf(twin), this->Surface.Across(h) * this->Now.Direction);
   return this->LeaveVertexFrom(twin, beyond);
 }
 
@@ -172,8 +170,8 @@ bool LineTracer::LeaveVertexFrom(int start, Complex direction)
   const UnfoldedSurface::Exit exit = way->IsAlongEdge
     ? UnfoldedSurface::Exit{ way->Halfedge, 1.0 }
     : this->Surface.Meet({ face, corner }, way->Direction, TriangleMesh::Next(way->Halfedge));
-  this->Now = { face, way->Direction, corner, this->Surface.PointAlong(exit.Halfedge, exit.Part),
-    exit.Halfedge, exit.Part, way->IsAlongEdge };
+  this->Now = { face, way->Direction, corner, this->Surface.PointAlong(exit.Halfedge, exit.Part), exit.Halfedge,
+    exit.Part, way->IsAlongEdge };
   return true;
 }
 

@@ -27,9 +27,9 @@ public:
     int Face;
     Complex Direction; ///< of the field, unit
     Complex From;
-    Complex To; ///< on the border of the face
-    int Halfedge; ///< on which To lies
-    double Part; ///< of the way along it
+    Complex To;       ///< on the border of the face
+    int Halfedge;     ///< on which To lies
+    double Part;      ///< of the way along it
     bool IsAlongEdge; ///< the piece is a part of that halfedge, and To one of its ends
 
     double Length() const { return std::sqrt(std::norm(this->To - this->From)); }

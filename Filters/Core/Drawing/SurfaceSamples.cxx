@@ -69,17 +69,15 @@ private:
       sums[face] += sums[face - 1];
     }
     const double area = sums[mesh.NumberOfFaces() - 1];
-    const auto darts = static_cast<long long>(
-      std::min(DartsPerSquare * area / this->Distance / this->Distance, 1e9));
+    const auto darts = static_cast<long long>(std::min(DartsPerSquare * area / this->Distance / this->Distance, 1e9));
     for (long long i = 0; i < darts; ++i)
     {
-      const double* const found = std::upper_bound(
-        sums.data(), sums.data() + sums.size(), area * Sequence(i, 0.8191725133961645));
+      const double* const found =
+        std::upper_bound(sums.data(), sums.data() + sums.size(), area * Sequence(i, 0.8191725133961645));
       const int face = std::min(static_cast<int>(found - sums.data()), mesh.NumberOfFaces() - 1);
       if (!this->IsCovered[face])
       {
-        this->Try(
-          this->PointOf(face, Sequence(i, 0.6710436067037893), Sequence(i, 0.5497004779019703)));
+        this->Try(this->PointOf(face, Sequence(i, 0.6710436067037893), Sequence(i, 0.5497004779019703)));
       }
       if (i % DartsBetweenCheckpoints == 0)
       {
@@ -97,8 +95,7 @@ private:
     }
     const Complex origin = this->Surface.Corner(3 * face);
     return { face,
-      origin + a * (this->Surface.Corner(3 * face + 1) - origin) +
-        b * (this->Surface.Corner(3 * face + 2) - origin) };
+      origin + a * (this->Surface.Corner(3 * face + 1) - origin) + b * (this->Surface.Corner(3 * face + 2) - origin) };
   }
 
   /// Adds a point unless another one is near.
@@ -123,9 +120,8 @@ private:
     {
       return;
     }
-    int& last = this->IsLarge(point.Face)
-      ? this->Cells.emplace(this->CellOf(point.Face, point.Point), -1).first->second
-      : this->Last[point.Face];
+    int& last = this->IsLarge(point.Face) ? this->Cells.emplace(this->CellOf(point.Face, point.Point), -1).first->second
+                                          : this->Last[point.Face];
     this->Next.push_back(last);
     last = static_cast<int>(this->Points.size());
     this->Points.push_back(point);
@@ -175,8 +171,7 @@ private:
       for (int y = -1; y <= 1; ++y)
       {
         // A point at the distance, to rounding, may lie beyond the next cell; it is far enough.
-        const auto found = this->Cells.find(
-          this->CellOf(placement.Face, centre + this->Distance * Complex(x, y)));
+        const auto found = this->Cells.find(this->CellOf(placement.Face, centre + this->Distance * Complex(x, y)));
         if (found != this->Cells.end())
         {
           visit(found->second);
@@ -190,10 +185,10 @@ private:
   const ExecutionContext& Context;
   SurfaceWalk Walk;
   std::vector<SurfacePoint> Points;
-  std::vector<int> Last; // per face: its newest point, or -1
+  std::vector<int> Last;                        // per face: its newest point, or -1
   std::unordered_map<std::uint64_t, int> Cells; // of large faces: the newest point
-  std::vector<int> Next; // per point: the one before in the same list, or -1
-  std::vector<char> IsCovered; // per face: whether all of it is near one point
+  std::vector<int> Next;                        // per point: the one before in the same list, or -1
+  std::vector<char> IsCovered;                  // per face: whether all of it is near one point
 };
 
 }

@@ -18,8 +18,8 @@ namespace dmg
 /// \pre the faces have places in the sequence by their order, which should follow the surface (SpatialOrder).
 /// Cost: O(#F + area / distance^2).
 /// \throw Cancelled
-std::vector<SurfacePoint> EvenlySpreadPoints(const UnfoldedSurface& surface, double distance,
-  const ExecutionContext& context = SerialContext());
+std::vector<SurfacePoint> EvenlySpreadPoints(
+  const UnfoldedSurface& surface, double distance, const ExecutionContext& context = SerialContext());
 
 }
 

@@ -24,8 +24,7 @@ double SquaredDistanceToSegment(Complex a, Complex b)
   return std::norm(a + part * way);
 }
 
-UnfoldedSurface::UnfoldedSurface(
-  const TriangleMesh& mesh, const TangentFrames& frames, const ExecutionContext& context)
+UnfoldedSurface::UnfoldedSurface(const TriangleMesh& mesh, const TangentFrames& frames, const ExecutionContext& context)
   : Surface(mesh)
   , FaceFrames(frames)
   , Corners(3 * mesh.NumberOfFaces())
@@ -54,16 +53,14 @@ Complex UnfoldedSurface::Across(int halfedge) const
 
 double UnfoldedSurface::AngleAt(int halfedge) const
 {
-  const double angle =
-    std::arg(-this->Sides[TriangleMesh::Previous(halfedge)] * std::conj(this->Sides[halfedge]));
+  const double angle = std::arg(-this->Sides[TriangleMesh::Previous(halfedge)] * std::conj(this->Sides[halfedge]));
   // It is between 0 and pi; rounding may show a straight one as -pi.
   return angle < -0.5 * Pi ? angle + 2.0 * Pi : std::max(angle, 0.0);
 }
 
 SurfacePoint UnfoldedSurface::Centre(int face) const
 {
-  return { face,
-    (this->Corners[3 * face] + this->Corners[3 * face + 1] + this->Corners[3 * face + 2]) / 3.0 };
+  return { face, (this->Corners[3 * face] + this->Corners[3 * face + 1] + this->Corners[3 * face + 2]) / 3.0 };
 }
 
 Vector3 UnfoldedSurface::PositionAlong(int halfedge, double part) const
@@ -72,8 +69,7 @@ Vector3 UnfoldedSurface::PositionAlong(int halfedge, double part) const
     part * this->Surface.Position(this->Surface.Head(halfedge));
 }
 
-UnfoldedSurface::Exit UnfoldedSurface::LeaveFace(
-  const SurfacePoint& from, Complex direction, int entry) const
+UnfoldedSurface::Exit UnfoldedSurface::LeaveFace(const SurfacePoint& from, Complex direction, int entry) const
 {
   // The ray leaves through the side whose tail is on its right and whose head is on its left.
   const auto height = [&](int h) { return Cross(direction, this->Corner(h) - from.Point); };
@@ -101,8 +97,7 @@ UnfoldedSurface::Exit UnfoldedSurface::LeaveFace(
   return this->Meet(from, direction, exit);
 }
 
-UnfoldedSurface::Exit UnfoldedSurface::Meet(
-  const SurfacePoint& from, Complex direction, int side) const
+UnfoldedSurface::Exit UnfoldedSurface::Meet(const SurfacePoint& from, Complex direction, int side) const
 {
   const double right = Cross(direction, this->Corner(side) - from.Point);
   const double width = Cross(direction, this->CornerOfHead(side) - from.Point) - right;
@@ -147,8 +142,7 @@ void SurfaceWalk::AddNeighbours(const Placement& placement, double squaredDistan
   const TriangleMesh& mesh = this->Surface.Mesh();
   const int first = 3 * placement.Face;
   const std::array<Complex, 3> corners = { placement.Place(this->Surface.Corner(first)),
-    placement.Place(this->Surface.Corner(first + 1)),
-    placement.Place(this->Surface.Corner(first + 2)) };
+    placement.Place(this->Surface.Corner(first + 1)), placement.Place(this->Surface.Corner(first + 2)) };
   for (int k = 0; k < 3; ++k)
   {
     const int twin = mesh.Twin(first + k);
@@ -157,8 +151,7 @@ void SurfaceWalk::AddNeighbours(const Placement& placement, double squaredDistan
       continue;
     }
     const Complex head = corners[k == 2 ? 0 : k + 1];
-    if (std::norm(head) < squaredDistance ||
-      SquaredDistanceToSegment(corners[k], head) < squaredDistance)
+    if (std::norm(head) < squaredDistance || SquaredDistanceToSegment(corners[k], head) < squaredDistance)
     {
       const int face = TriangleMesh::FaceOf(twin);
       this->Rounds[face] = this->Round;

@@ -41,8 +41,8 @@ class UnfoldedSurface
 {
 public:
   /// Borrows the mesh and its FaceFrames. Cost: O(#F).
-  UnfoldedSurface(const TriangleMesh& mesh, const TangentFrames& frames,
-    const ExecutionContext& context = SerialContext());
+  UnfoldedSurface(
+    const TriangleMesh& mesh, const TangentFrames& frames, const ExecutionContext& context = SerialContext());
 
   const TriangleMesh& Mesh() const { return this->Surface; }
   const TangentFrames& Frames() const { return this->FaceFrames; }
@@ -96,7 +96,7 @@ private:
   const TriangleMesh& Surface;
   const TangentFrames& FaceFrames;
   Unfilled<Complex> Corners; // per halfedge
-  Unfilled<Complex> Sides; // per halfedge
+  Unfilled<Complex> Sides;   // per halfedge
 };
 
 /// Visits the faces around a point in the order in which they are reached across edges, each laid out in the plane

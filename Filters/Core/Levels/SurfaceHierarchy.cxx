@@ -34,9 +34,8 @@ struct LevelOperators
   TransportOperator SP;
 };
 
-LevelOperators OperatorsFromPaths(const LevelTransition& transition,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
-  const OperatorSelection& selection, const ExecutionContext& context)
+LevelOperators OperatorsFromPaths(const LevelTransition& transition, const TangentFrames& fineFrames,
+  const TangentFrames& coarseFrames, const OperatorSelection& selection, const ExecutionContext& context)
 {
   LevelOperators operators;
   operators.S0 = ScalarProlongation(transition, context);
@@ -53,13 +52,11 @@ LevelOperators OperatorsFromPaths(const LevelTransition& transition,
   return operators;
 }
 
-LevelOperators OperatorsFromOverlay(const LevelTransition& transition,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
-  const ExecutionContext& context)
+LevelOperators OperatorsFromOverlay(const LevelTransition& transition, const TangentFrames& fineFrames,
+  const TangentFrames& coarseFrames, const ExecutionContext& context)
 {
   OverlayProlongation overlay(transition, fineFrames, coarseFrames, context);
-  return { std::move(overlay.S0), std::move(overlay.S1), std::move(overlay.SX),
-    std::move(overlay.SP) };
+  return { std::move(overlay.S0), std::move(overlay.S1), std::move(overlay.SX), std::move(overlay.SP) };
 }
 
 // Leaves one sample of four.
@@ -73,8 +70,7 @@ constexpr int FewestSamplesToSample = 1500;
 // A level that keeps more of the points than this is not worth its cost.
 constexpr double LargestUsefulRatio = 0.5;
 
-ProlongationOperators OperatorsFromSamples(
-  const TriangleMesh& mesh, double distance, const ExecutionContext& context)
+ProlongationOperators OperatorsFromSamples(const TriangleMesh& mesh, double distance, const ExecutionContext& context)
 {
   ProlongationOperators operators;
   operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
@@ -82,26 +78,23 @@ ProlongationOperators OperatorsFromSamples(
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
   context.Checkpoint(0.0);
   operators.Nodal.reserve(16); // growth would copy
-  const std::vector<int> order =
-    FacesInSpatialOrder(mesh.VertexPositions(), mesh.FaceCorners(), context);
+  const std::vector<int> order = FacesInSpatialOrder(mesh.VertexPositions(), mesh.FaceCorners(), context);
   TangentGraph points = FaceGraph(mesh, order, context);
   while (points.NumberOfPoints() > FewestSamplesToSample)
   {
     // Most of the work is in the finest level.
     context.Checkpoint(operators.Nodal.empty() ? 0.3 : 0.9);
     const bool areFaces = operators.Nodal.empty();
-    const PointSampling sampling =
-      SamplePoints(points, areFaces ? distance : DistanceOfCoarserSamples,
-        areFaces ? LargestCurvatureOfFaces : LargestCurvatureOfSamples, context);
+    const PointSampling sampling = SamplePoints(points, areFaces ? distance : DistanceOfCoarserSamples,
+      areFaces ? LargestCurvatureOfFaces : LargestCurvatureOfSamples, context);
     const int numberOfSamples = static_cast<int>(sampling.Samples.size());
     if (numberOfSamples > LargestUsefulRatio * points.NumberOfPoints())
     {
       break; // so many pieces of surface, of few faces each
     }
     points = GraphOfSamples(points, sampling, context); // the finer one takes much memory, and makes room
-    TransportOperator prolongation = areFaces
-      ? SampledProlongation(sampling, points, Inverse(order, context), context)
-      : SampledProlongation(sampling, points, context);
+    TransportOperator prolongation = areFaces ? SampledProlongation(sampling, points, Inverse(order, context), context)
+                                              : SampledProlongation(sampling, points, context);
     operators.Nodal.emplace_back().swap(prolongation); // Eigen 3.4 would copy it
     operators.NumbersOfVertices.push_back(numberOfSamples);
     operators.NumbersOfEdges.push_back(points.NumberOfLinks() / 2);
@@ -133,8 +126,7 @@ void AppendSizes(const TriangleMesh& mesh, ProlongationOperators& operators)
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
 }
 
-void AppendSelected(
-  LevelOperators&& level, const OperatorSelection& selection, ProlongationOperators& operators)
+void AppendSelected(LevelOperators&& level, const OperatorSelection& selection, ProlongationOperators& operators)
 {
   if (selection.PowerFields)
   {
@@ -155,7 +147,8 @@ void AppendSelected(
 void RenumberFinest(const TriangleMesh& mesh, const TriangleMesh& sorted, const SpatialOrder& order,
   ProlongationOperators& operators, const ExecutionContext& context)
 {
-  const auto renumber = [&context](auto& matrices, const std::vector<int>& numbers) {
+  const auto renumber = [&context](auto& matrices, const std::vector<int>& numbers)
+  {
     if (!matrices.empty())
     {
       matrices[0] = RenumberRows(matrices[0], numbers, context);
@@ -191,7 +184,8 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
   const TriangleMesh sorted = order.Apply(mesh.VertexPositions(), mesh.FaceCorners(), context);
   TangentFrames fineFrames = order.ApplyToFaces(FaceFrames(mesh, context), context);
   std::vector<Complex> fineCornerTurns; // from level 1 on
-  const auto addLevel = [&](const LevelTransition& transition, const ExecutionContext& part) {
+  const auto addLevel = [&](const LevelTransition& transition, const ExecutionContext& part)
+  {
     const TriangleMesh& coarse = transition.Coarse;
     TangentFrames coarseFrames = FaceFrames(coarse, context);
     LevelOperators level = options.Construction == ProlongationConstruction::ExactOverlay
@@ -200,8 +194,8 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
     std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFrames, context);
     operators.Nodal.push_back(operators.Nodal.empty()
         ? FacesFromVertices(sorted, level.S0, level.SP, coarse, coarseCornerTurns, context)
-        : VerticesFromVertices(transition.Fine, fineCornerTurns, level.S0, level.SP, coarse,
-            coarseCornerTurns, context));
+        : VerticesFromVertices(
+            transition.Fine, fineCornerTurns, level.S0, level.SP, coarse, coarseCornerTurns, context));
     AppendSelected(std::move(level), selection, operators);
     AppendSizes(coarse, operators);
     fineFrames = std::move(coarseFrames);

@@ -16,7 +16,8 @@ void TakeOutwards(int items, const Take& take, const ForNext& forNext)
 {
   std::vector<char> isSeen(items, 0);
   std::vector<int> queue;
-  const auto enter = [&isSeen, &queue](int item) {
+  const auto enter = [&isSeen, &queue](int item)
+  {
     if (!isSeen[item])
     {
       isSeen[item] = 1;
@@ -60,13 +61,16 @@ private:
   {
     TakeOutwards(
       this->Mesh.NumberOfVertices(), [this](int vertex) { return this->TakeStar(vertex); },
-      [this](int vertex, const auto& visit) {
-        this->Mesh.VisitFan(vertex, [&](int h) {
-          if (const int beyond = this->Mesh.Twin(TriangleMesh::Next(h)); beyond >= 0)
+      [this](int vertex, const auto& visit)
+      {
+        this->Mesh.VisitFan(vertex,
+          [&](int h)
           {
-            visit(this->Mesh.Tail(TriangleMesh::Previous(beyond)));
-          }
-        });
+            if (const int beyond = this->Mesh.Twin(TriangleMesh::Next(h)); beyond >= 0)
+            {
+              visit(this->Mesh.Tail(TriangleMesh::Previous(beyond)));
+            }
+          });
       });
   }
 
@@ -175,7 +179,8 @@ std::vector<int> PackFaces(const TriangleMesh& mesh)
   std::vector<int> taken;
   TakeOutwards(
     mesh.NumberOfFaces(),
-    [&](int face) {
+    [&](int face)
+    {
       if (hasTakenSide[face])
       {
         return false;
@@ -184,9 +189,8 @@ std::vector<int> PackFaces(const TriangleMesh& mesh)
       mesh.VisitNeighbours(face, [&hasTakenSide](int neighbour) { hasTakenSide[neighbour] = 1; });
       return true;
     },
-    [&](int face, const auto& visit) {
-      mesh.VisitNeighbours(face, [&](int neighbour) { mesh.VisitNeighbours(neighbour, visit); });
-    });
+    [&](int face, const auto& visit)
+    { mesh.VisitNeighbours(face, [&](int neighbour) { mesh.VisitNeighbours(neighbour, visit); }); });
   return taken;
 }
 

@@ -16,8 +16,7 @@ double Area(const FaceProjection& P)
 
 }
 
-FaceProjection ProjectionOntoSides(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, int face)
+FaceProjection ProjectionOntoSides(const TriangleMesh& mesh, const TangentFrames& faceFrames, int face)
 {
   FaceProjection P;
   for (int k = 0; k < 3; ++k)

@@ -10,8 +10,7 @@ namespace dmg
 /// P_t of one face: row k is its k-th side in its frame, so that P_t x are the integrals of the
 /// vector x along its three halfedges. They sum to zero. Thesis, section 3.3.
 using FaceProjection = Eigen::Matrix<double, 3, 2>;
-FaceProjection ProjectionOntoSides(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
+FaceProjection ProjectionOntoSides(const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
 
 /// P_t^+: the vector whose integrals along the sides are nearest to three given numbers. It filters
 /// out their mean, which no vector has (Q_I of the thesis, section 4.3), and P_t^+ P_t = 1. The

@@ -31,8 +31,8 @@ void CheckPoints(const Points& points, const ElementNames& names)
   {
     if (!points.row(v).allFinite())
     {
-      throw InvalidInput(names.Vertex(v) +
-        " has a coordinate that is not finite; repair it or remove the cells around it");
+      throw InvalidInput(
+        names.Vertex(v) + " has a coordinate that is not finite; repair it or remove the cells around it");
     }
     if (!(points.row(v).cwiseAbs().maxCoeff() <= LargestCoordinate))
     {
@@ -85,16 +85,14 @@ void CheckElements(const Points& points, const Triangles& triangles, const Eleme
     {
       if (corner[k] < 0 || corner[k] >= numberOfVertices)
       {
-        throw InvalidInput(names.Face(f) + " refers to point number " + std::to_string(corner[k]) +
-          ", but there are " + std::to_string(numberOfVertices) +
-          " points; repair its connectivity or remove it");
+        throw InvalidInput(names.Face(f) + " refers to point number " + std::to_string(corner[k]) + ", but there are " +
+          std::to_string(numberOfVertices) + " points; repair its connectivity or remove it");
       }
       used[corner[k]] = 1;
     }
     if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
     {
-      throw InvalidInput(names.Face(f) + " uses " +
-        names.Vertex(corner[0] == corner[1] ? corner[0] : corner[2]) +
+      throw InvalidInput(names.Face(f) + " uses " + names.Vertex(corner[0] == corner[1] ? corner[0] : corner[2]) +
         " twice; apply Clean (vtkCleanPolyData), then Triangulate (vtkTriangleFilter)");
     }
     const double size = std::max(Distance(points, corner[0], corner[1]), Distance(points, corner[0], corner[2]));
@@ -111,8 +109,8 @@ void CheckElements(const Points& points, const Triangles& triangles, const Eleme
   {
     if (!used[v])
     {
-      throw InvalidInput(names.Vertex(v) +
-        " belongs to no triangle; apply Clean (vtkCleanPolyData), which drops unused points");
+      throw InvalidInput(
+        names.Vertex(v) + " belongs to no triangle; apply Clean (vtkCleanPolyData), which drops unused points");
     }
   }
 }

@@ -29,8 +29,7 @@ struct ElementNames
 /// The constructor of TriangleMesh starts with it; refusals about how faces meet come from there.
 /// \throw InvalidInput
 /// Cost: O(#V + #F).
-void CheckElements(
-  const Points& points, const Triangles& triangles, const ElementNames& names = {});
+void CheckElements(const Points& points, const Triangles& triangles, const ElementNames& names = {});
 
 }
 

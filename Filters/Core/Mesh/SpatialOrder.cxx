@@ -28,47 +28,44 @@ std::uint32_t Spread(std::uint32_t x)
 constexpr int BitsPerSort = 15;
 
 /// Sorts by some bits of the keys, and keeps the order of those where these are equal.
-std::vector<int> SortByBits(const std::vector<int>& order, const Unfilled<std::uint32_t>& keys,
-  int shift, const ExecutionContext& context)
+std::vector<int> SortByBits(
+  const std::vector<int>& order, const Unfilled<std::uint32_t>& keys, int shift, const ExecutionContext& context)
 {
   constexpr int buckets = 1 << BitsPerSort;
-  return SortByKey(order, buckets,
-    [&keys, shift](int i) { return static_cast<int>((keys[i] >> shift) % buckets); }, context)
+  return SortByKey(
+    order, buckets, [&keys, shift](int i) { return static_cast<int>((keys[i] >> shift) % buckets); }, context)
     .Items;
 }
 
 }
 
-std::vector<int> FacesInSpatialOrder(
-  const Points& points, const Triangles& triangles, const ExecutionContext& context)
+std::vector<int> FacesInSpatialOrder(const Points& points, const Triangles& triangles, const ExecutionContext& context)
 {
   const Eigen::RowVector3d low = points.colwise().minCoeff();
   const double size = (points.colwise().maxCoeff() - low).maxCoeff();
   const double scale = ((1 << BitsPerAxis) - 1) / size;
   // Also where a coordinate is not finite, or all points are one.
-  const auto bits = [](double place) {
-    return place >= 0.0 && place < (1 << BitsPerAxis) ? static_cast<std::uint32_t>(place) : 0;
-  };
+  const auto bits = [](double place)
+  { return place >= 0.0 && place < (1 << BitsPerAxis) ? static_cast<std::uint32_t>(place) : 0; };
 
   const int faces = static_cast<int>(triangles.rows());
   Unfilled<std::uint32_t> keys(faces);
-  context.ParallelFor(0, faces, Grain, [&](int first, int last) {
-    for (int f = first; f < last; ++f)
+  context.ParallelFor(0, faces, Grain,
+    [&](int first, int last)
     {
-      const auto& corners = triangles.row(f);
-      const Eigen::RowVector3d center =
-        ((points.row(corners[0]) + points.row(corners[1]) + points.row(corners[2])) / 3.0 - low) *
-        scale;
-      keys[f] = Spread(bits(center[0])) | (Spread(bits(center[1])) << 1) |
-        (Spread(bits(center[2])) << 2);
-    }
-  });
+      for (int f = first; f < last; ++f)
+      {
+        const auto& corners = triangles.row(f);
+        const Eigen::RowVector3d center =
+          ((points.row(corners[0]) + points.row(corners[1]) + points.row(corners[2])) / 3.0 - low) * scale;
+        keys[f] = Spread(bits(center[0])) | (Spread(bits(center[1])) << 1) | (Spread(bits(center[2])) << 2);
+      }
+    });
   const std::vector<int> byLowBits = SortByBits(Identity(faces), keys, 0, context);
   return SortByBits(byLowBits, keys, BitsPerSort, context);
 }
 
-SpatialOrder::SpatialOrder(
-  const Points& points, const Triangles& triangles, const ExecutionContext& context)
+SpatialOrder::SpatialOrder(const Points& points, const Triangles& triangles, const ExecutionContext& context)
   : OldFaces(FacesInSpatialOrder(points, triangles, context))
   , NewVertices(points.rows(), -1)
 {
@@ -87,11 +84,9 @@ SpatialOrder::SpatialOrder(
   }
 }
 
-SpatialOrder::SignedEdges SpatialOrder::Edges(
-  const TriangleMesh& mesh, const TriangleMesh& sorted) const
+SpatialOrder::SignedEdges SpatialOrder::Edges(const TriangleMesh& mesh, const TriangleMesh& sorted) const
 {
-  SignedEdges edges{ std::vector<int>(sorted.NumberOfEdges()),
-    Vector<double>(sorted.NumberOfEdges()) };
+  SignedEdges edges{ std::vector<int>(sorted.NumberOfEdges()), Vector<double>(sorted.NumberOfEdges()) };
   for (int edge = 0; edge < sorted.NumberOfEdges(); ++edge)
   {
     const int h = sorted.HalfedgeOf(edge);
@@ -106,37 +101,42 @@ TriangleMesh SpatialOrder::Apply(
   const Points& points, const Triangles& triangles, const ExecutionContext& context) const
 {
   Points newPoints(points.rows(), 3);
-  context.ParallelFor(0, static_cast<int>(points.rows()), Grain, [&](int first, int last) {
-    for (int v = first; v < last; ++v)
+  context.ParallelFor(0, static_cast<int>(points.rows()), Grain,
+    [&](int first, int last)
     {
-      newPoints.row(v) = points.row(this->OldVertices[v]);
-    }
-  });
-  Triangles newTriangles(triangles.rows(), 3);
-  context.ParallelFor(0, static_cast<int>(triangles.rows()), Grain, [&](int first, int last) {
-    for (int f = first; f < last; ++f)
-    {
-      for (int k = 0; k < 3; ++k)
+      for (int v = first; v < last; ++v)
       {
-        newTriangles(f, k) = this->NewVertices[triangles(this->OldFaces[f], k)];
+        newPoints.row(v) = points.row(this->OldVertices[v]);
       }
-    }
-  });
+    });
+  Triangles newTriangles(triangles.rows(), 3);
+  context.ParallelFor(0, static_cast<int>(triangles.rows()), Grain,
+    [&](int first, int last)
+    {
+      for (int f = first; f < last; ++f)
+      {
+        for (int k = 0; k < 3; ++k)
+        {
+          newTriangles(f, k) = this->NewVertices[triangles(this->OldFaces[f], k)];
+        }
+      }
+    });
   return TriangleMesh(std::move(newPoints), std::move(newTriangles), {}, context);
 }
 
-TangentFrames SpatialOrder::ApplyToFaces(
-  const TangentFrames& faceFrames, const ExecutionContext& context) const
+TangentFrames SpatialOrder::ApplyToFaces(const TangentFrames& faceFrames, const ExecutionContext& context) const
 {
   const int faces = static_cast<int>(faceFrames.X.rows());
   TangentFrames result{ Points(faces, 3), Points(faces, 3) };
-  context.ParallelFor(0, faces, Grain, [&](int first, int last) {
-    for (int f = first; f < last; ++f)
+  context.ParallelFor(0, faces, Grain,
+    [&](int first, int last)
     {
-      result.X.row(f) = faceFrames.X.row(this->OldFaces[f]);
-      result.Y.row(f) = faceFrames.Y.row(this->OldFaces[f]);
-    }
-  });
+      for (int f = first; f < last; ++f)
+      {
+        result.X.row(f) = faceFrames.X.row(this->OldFaces[f]);
+        result.Y.row(f) = faceFrames.Y.row(this->OldFaces[f]);
+      }
+    });
   return result;
 }
 

@@ -12,8 +12,7 @@ namespace dmg
 /// The faces along Morton's curve through their centres. Whatever the numbers are: elements that CheckElements
 /// would refuse stand anywhere.
 /// \pre corners are in range.
-std::vector<int> FacesInSpatialOrder(
-  const Points& points, const Triangles& triangles, const ExecutionContext& context);
+std::vector<int> FacesInSpatialOrder(const Points& points, const Triangles& triangles, const ExecutionContext& context);
 
 /// A numbering in which what is near in space is near in memory: faces in
 /// spatial order, vertices by their first face. Files number surfaces in any order, and what walks
@@ -40,10 +39,8 @@ public:
 
   /// The same surface in this order; the corners of a face stay in theirs.
   /// \throw InvalidInput as the constructor of TriangleMesh, with numbers of this order.
-  TriangleMesh Apply(
-    const Points& points, const Triangles& triangles, const ExecutionContext& context) const;
-  TangentFrames ApplyToFaces(
-    const TangentFrames& faceFrames, const ExecutionContext& context) const;
+  TriangleMesh Apply(const Points& points, const Triangles& triangles, const ExecutionContext& context) const;
+  TangentFrames ApplyToFaces(const TangentFrames& faceFrames, const ExecutionContext& context) const;
 
 private:
   std::vector<int> OldFaces;

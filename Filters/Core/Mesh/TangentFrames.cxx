@@ -34,16 +34,14 @@ FaceShape ShapeOf(const TriangleMesh& mesh, int face)
   shape.Longest = 0;
   for (int k = 0; k < 3; ++k)
   {
-    shape.Sides[k] =
-      mesh.Position(mesh.Head(3 * face + k)) - mesh.Position(mesh.Tail(3 * face + k));
+    shape.Sides[k] = mesh.Position(mesh.Head(3 * face + k)) - mesh.Position(mesh.Tail(3 * face + k));
     if (shape.Sides[k].squaredNorm() > shape.Sides[shape.Longest].squaredNorm())
     {
       shape.Longest = k;
     }
   }
   shape.AreaVector = shape.Sides[0].cross(shape.Sides[1]);
-  shape.IsDegenerate =
-    0.5 * shape.AreaVector.norm() <= DegenerateArea * shape.Sides[shape.Longest].squaredNorm();
+  shape.IsDegenerate = 0.5 * shape.AreaVector.norm() <= DegenerateArea * shape.Sides[shape.Longest].squaredNorm();
   return shape;
 }
 
@@ -92,8 +90,7 @@ TangentFrames FramesOfSize(int size)
 class DegenerateFrames
 {
 public:
-  DegenerateFrames(
-    const TriangleMesh& mesh, const std::vector<int>& degenerate, TangentFrames& frames)
+  DegenerateFrames(const TriangleMesh& mesh, const std::vector<int>& degenerate, TangentFrames& frames)
     : Mesh(mesh)
     , Frames(frames)
     , States(mesh.NumberOfFaces(), Known)
@@ -166,8 +163,7 @@ private:
   std::vector<State> States;
 };
 
-void FillDegenerateFrames(
-  const TriangleMesh& mesh, const std::vector<int>& degenerate, TangentFrames& frames)
+void FillDegenerateFrames(const TriangleMesh& mesh, const std::vector<int>& degenerate, TangentFrames& frames)
 {
   DegenerateFrames filling(mesh, degenerate, frames);
   for (const int face : degenerate)
@@ -193,17 +189,19 @@ TangentFrames FaceFrames(const TriangleMesh& mesh, const ExecutionContext& conte
 {
   TangentFrames frames = FramesOfSize(mesh.NumberOfFaces());
   std::vector<char> isDegenerate(mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
-    for (int face = first; face < last; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int first, int last)
     {
-      const FaceShape shape = ShapeOf(mesh, face);
-      isDegenerate[face] = shape.IsDegenerate;
-      if (!shape.IsDegenerate)
+      for (int face = first; face < last; ++face)
       {
-        SetFrame(frames, face, shape.Sides[0].normalized(), shape.AreaVector.normalized());
+        const FaceShape shape = ShapeOf(mesh, face);
+        isDegenerate[face] = shape.IsDegenerate;
+        if (!shape.IsDegenerate)
+        {
+          SetFrame(frames, face, shape.Sides[0].normalized(), shape.AreaVector.normalized());
+        }
       }
-    }
-  });
+    });
   std::vector<int> degenerate;
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
@@ -219,8 +217,7 @@ TangentFrames FaceFrames(const TriangleMesh& mesh, const ExecutionContext& conte
   return frames;
 }
 
-std::array<Complex, 3> SideDirections(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, int face)
+std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames, int face)
 {
   const FaceShape shape = ShapeOf(mesh, face);
   if (shape.IsDegenerate)
@@ -239,13 +236,15 @@ Unfilled<Complex> SideDirections(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
   Unfilled<Complex> sides(3 * mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
-    for (int face = first; face < last; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int first, int last)
     {
-      const std::array<Complex, 3> directions = SideDirections(mesh, faceFrames, face);
-      std::copy(directions.begin(), directions.end(), sides.begin() + 3 * face);
-    }
-  });
+      for (int face = first; face < last; ++face)
+      {
+        const std::array<Complex, 3> directions = SideDirections(mesh, faceFrames, face);
+        std::copy(directions.begin(), directions.end(), sides.begin() + 3 * face);
+      }
+    });
   return sides;
 }
 
@@ -266,31 +265,33 @@ std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face)
 TangentFrames VertexFrames(const TriangleMesh& mesh, const ExecutionContext& context)
 {
   Points areaVectors(mesh.NumberOfFaces(), 3);
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
-    for (int face = first; face < last; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int first, int last)
     {
-      areaVectors.row(face) = mesh.FaceAreaVector(face).transpose();
-    }
-  });
-  TangentFrames frames = FramesOfSize(mesh.NumberOfVertices());
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int v = first; v < last; ++v)
-    {
-      Vector3 normal = Vector3::Zero();
-      mesh.VisitFan(
-        v, [&](int h) { normal += areaVectors.row(TriangleMesh::FaceOf(h)).transpose(); });
-      const int h = mesh.OutgoingHalfedge(v);
-      if (normal.squaredNorm() == 0.0)
+      for (int face = first; face < last; ++face)
       {
-        const FaceShape shape = ShapeOf(mesh, TriangleMesh::FaceOf(h));
-        normal = shape.AreaVector.squaredNorm() > 0.0 ? shape.AreaVector
-                                                      : shape.Sides[shape.Longest].unitOrthogonal();
+        areaVectors.row(face) = mesh.FaceAreaVector(face).transpose();
       }
-      normal.normalize();
-      SetFrame(frames, v,
-        PerpendicularPart(mesh.Position(mesh.Head(h)) - mesh.Position(v), normal), normal);
-    }
-  });
+    });
+  TangentFrames frames = FramesOfSize(mesh.NumberOfVertices());
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
+    {
+      for (int v = first; v < last; ++v)
+      {
+        Vector3 normal = Vector3::Zero();
+        mesh.VisitFan(v, [&](int h) { normal += areaVectors.row(TriangleMesh::FaceOf(h)).transpose(); });
+        const int h = mesh.OutgoingHalfedge(v);
+        if (normal.squaredNorm() == 0.0)
+        {
+          const FaceShape shape = ShapeOf(mesh, TriangleMesh::FaceOf(h));
+          normal =
+            shape.AreaVector.squaredNorm() > 0.0 ? shape.AreaVector : shape.Sides[shape.Longest].unitOrthogonal();
+        }
+        normal.normalize();
+        SetFrame(frames, v, PerpendicularPart(mesh.Position(mesh.Head(h)) - mesh.Position(v), normal), normal);
+      }
+    });
   return frames;
 }
 
@@ -309,29 +310,31 @@ Complex TransportTurn(const TangentFrames& from, int a, const TangentFrames& to,
   return length < 1e-14 ? Complex(xx, xy) : turn / length;
 }
 
-Unfilled<Corner> Corners(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
-  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
-  const ExecutionContext& context)
+Unfilled<Corner> Corners(const TriangleMesh& mesh, const Unfilled<Complex>& sides, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const ExecutionContext& context)
 {
   Unfilled<Corner> corners(3 * mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
-    for (int face = first; face < last; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int first, int last)
     {
-      const auto angleAt = [&sides](int h) {
-        const double angle = std::arg(-sides[TriangleMesh::Previous(h)] * std::conj(sides[h]));
-        // Between 0 and pi; rounding may show a straight one as -pi.
-        return angle < -0.5 * Pi ? angle + 2.0 * Pi : angle;
-      };
-      const int h = 3 * face;
-      const std::array<double, 2> angles = { angleAt(h), angleAt(h + 1) };
-      const double rest = std::max(Pi - angles[0] - angles[1], 0.0);
-      for (int k = 0; k < 3; ++k)
+      for (int face = first; face < last; ++face)
       {
-        corners[h + k] = { TransportTurn(faceFrames, face, vertexFrames, mesh.Tail(h + k)),
-          k < 2 ? angles[k] : rest };
+        const auto angleAt = [&sides](int h)
+        {
+          const double angle = std::arg(-sides[TriangleMesh::Previous(h)] * std::conj(sides[h]));
+          // Between 0 and pi; rounding may show a straight one as -pi.
+          return angle < -0.5 * Pi ? angle + 2.0 * Pi : angle;
+        };
+        const int h = 3 * face;
+        const std::array<double, 2> angles = { angleAt(h), angleAt(h + 1) };
+        const double rest = std::max(Pi - angles[0] - angles[1], 0.0);
+        for (int k = 0; k < 3; ++k)
+        {
+          corners[h + k] = { TransportTurn(faceFrames, face, vertexFrames, mesh.Tail(h + k)),
+            k < 2 ? angles[k] : rest };
+        }
       }
-    }
-  });
+    });
   return corners;
 }
 

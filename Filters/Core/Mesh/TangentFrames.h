@@ -18,10 +18,7 @@ struct TangentFrames
   Points Y; ///< # x 3, unit
 
   /// The outward normal, unit.
-  Vector3 Normal(int element) const
-  {
-    return Vector3(this->X.row(element)).cross(Vector3(this->Y.row(element)));
-  }
+  Vector3 Normal(int element) const { return Vector3(this->X.row(element)).cross(Vector3(this->Y.row(element))); }
 
   Complex ToComplex(int element, const Vector3& v) const
   {
@@ -36,18 +33,16 @@ struct TangentFrames
 /// Per face: X along its first side, N its normal. A degenerate face, with an area below 1e-10
 /// times the square of its longest side, has X along that side and takes N from its neighbours.
 /// Cost: O(#F).
-TangentFrames FaceFrames(
-  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+TangentFrames FaceFrames(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// The sides of a face as unit vectors in its frame, in the direction of their halfedges: the
 /// angles between them are the angles of the face and always sum to pi. A degenerate face is taken
 /// as the limit of a slim one: a side without length is perpendicular to the two others.
-std::array<Complex, 3> SideDirections(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
+std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
 
 /// Of all faces, per halfedge.
-Unfilled<Complex> SideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const ExecutionContext& context = SerialContext());
+Unfilled<Complex> SideDirections(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
 /// Those of one face in FaceFrames, for those who need no more of these frames.
 std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face);
@@ -56,8 +51,7 @@ std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face);
 /// vanishes, the normal of one of them), X its outgoing halfedge projected to the tangent plane
 /// (where that vanishes, any direction there).
 /// Cost: O(#F).
-TangentFrames VertexFrames(
-  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+TangentFrames VertexFrames(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// How a direction turns when it is carried from one tangent plane to another along the shortest
 /// rotation between their normals: z becomes turn * z, |turn| = 1. Defined for every pair; where
@@ -73,9 +67,8 @@ struct Corner
 
 /// All corners: [h] is that of the face of halfedge h at the tail of h.
 /// \param sides SideDirections of all faces.
-Unfilled<Corner> Corners(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
-  const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
-  const ExecutionContext& context = SerialContext());
+Unfilled<Corner> Corners(const TriangleMesh& mesh, const Unfilled<Complex>& sides, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const ExecutionContext& context = SerialContext());
 
 }
 

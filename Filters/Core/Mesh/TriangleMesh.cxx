@@ -57,8 +57,7 @@ void VisitEdges(const ItemsByPair& sides, int v, const Visit& visit)
 /// One face or two that run along the edge in opposite directions.
 bool IsManifold(const Triangles& F, const Side* first, const Side* last)
 {
-  return last - first == 1 ||
-    (last - first == 2 && F.data()[first[0].Item] != F.data()[first[1].Item]);
+  return last - first == 1 || (last - first == 2 && F.data()[first[0].Item] != F.data()[first[1].Item]);
 }
 
 bool HaveSameCorners(const Triangles& F, int f, int g)
@@ -72,8 +71,7 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
 [[noreturn]] void RefuseEdge(
   const Triangles& F, const ElementNames& names, const Side* first, const Side* last, int smaller)
 {
-  const std::string edge =
-    "the edge between " + names.Vertex(smaller) + " and " + names.Vertex(first->Second);
+  const std::string edge = "the edge between " + names.Vertex(smaller) + " and " + names.Vertex(first->Second);
   for (const Side* a = first; a != last; ++a)
   {
     for (const Side* b = a + 1; b != last; ++b)
@@ -92,20 +90,19 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
   const int g = TriangleMesh::FaceOf(first[1].Item);
   if (last - first > 2)
   {
-    throw InvalidInput(edge + " belongs to " + std::to_string(last - first) +
-      " triangles, among them " + names.Face(f) + ", " + names.Face(g) + " and " +
-      names.Face(TriangleMesh::FaceOf(first[2].Item)) +
+    throw InvalidInput(edge + " belongs to " + std::to_string(last - first) + " triangles, among them " +
+      names.Face(f) + ", " + names.Face(g) + " and " + names.Face(TriangleMesh::FaceOf(first[2].Item)) +
       "; remove the surplus ones, or cut them apart with " + Remedy);
   }
-  throw InvalidInput(names.Face(f) + " and " + names.Face(g) +
-    " are oriented against each other along " + edge +
-    "; apply " + Remedy + "; a surface with one side only, like a Moebius strip, is cut by a Feature Angle of 60 or less");
+  throw InvalidInput(names.Face(f) + " and " + names.Face(g) + " are oriented against each other along " + edge +
+    "; apply " + Remedy +
+    "; a surface with one side only, like a Moebius strip, is cut by a Feature Angle of 60 or less");
 }
 
 }
 
-TriangleMesh::TriangleMesh(dmg::Points points, dmg::Triangles triangles,
-  const ElementNames& names, const ExecutionContext& context)
+TriangleMesh::TriangleMesh(
+  dmg::Points points, dmg::Triangles triangles, const ElementNames& names, const ExecutionContext& context)
   : V(std::move(points))
   , F(std::move(triangles))
 {
@@ -122,49 +119,59 @@ void TriangleMesh::JoinFaces(const ElementNames& names, const ExecutionContext& 
 
   std::vector<int> edgeBegins(numberOfVertices + 1, 0);
   std::atomic<bool> isManifold{ true };
-  context.ParallelFor(0, numberOfVertices, Grain, [&](int firstVertex, int lastVertex) {
-    for (int v = firstVertex; v < lastVertex; ++v)
+  context.ParallelFor(0, numberOfVertices, Grain,
+    [&](int firstVertex, int lastVertex)
     {
-      VisitEdges(sides, v, [&](const Side* first, const Side* last) {
-        ++edgeBegins[v + 1];
-        if (!IsManifold(this->F, first, last))
-        {
-          isManifold = false;
-        }
-      });
-    }
-  });
-  for (int v = 0; v < numberOfVertices && !isManifold; ++v) // the first one is named
-  {
-    VisitEdges(sides, v, [&](const Side* first, const Side* last) {
-      if (!IsManifold(this->F, first, last))
+      for (int v = firstVertex; v < lastVertex; ++v)
       {
-        RefuseEdge(this->F, names, first, last, v);
+        VisitEdges(sides, v,
+          [&](const Side* first, const Side* last)
+          {
+            ++edgeBegins[v + 1];
+            if (!IsManifold(this->F, first, last))
+            {
+              isManifold = false;
+            }
+          });
       }
     });
+  for (int v = 0; v < numberOfVertices && !isManifold; ++v) // the first one is named
+  {
+    VisitEdges(sides, v,
+      [&](const Side* first, const Side* last)
+      {
+        if (!IsManifold(this->F, first, last))
+        {
+          RefuseEdge(this->F, names, first, last, v);
+        }
+      });
   }
   std::partial_sum(edgeBegins.begin(), edgeBegins.end(), edgeBegins.begin());
 
   this->Twins.assign(numberOfHalfedges, -1);
   this->HalfedgeEdges.resize(numberOfHalfedges);
   this->EdgeHalfedges.resize(edgeBegins.back());
-  context.ParallelFor(0, numberOfVertices, Grain, [&](int firstVertex, int lastVertex) {
-    for (int v = firstVertex; v < lastVertex; ++v)
+  context.ParallelFor(0, numberOfVertices, Grain,
+    [&](int firstVertex, int lastVertex)
     {
-      int edge = edgeBegins[v];
-      VisitEdges(sides, v, [&](const Side* first, const Side* last) {
-        const int a = first->Item;
-        const int b = last[-1].Item;
-        this->HalfedgeEdges[a] = this->HalfedgeEdges[b] = edge;
-        this->EdgeHalfedges[edge++] = this->Tail(a) == v ? a : b;
-        if (a != b)
-        {
-          this->Twins[a] = b;
-          this->Twins[b] = a;
-        }
-      });
-    }
-  });
+      for (int v = firstVertex; v < lastVertex; ++v)
+      {
+        int edge = edgeBegins[v];
+        VisitEdges(sides, v,
+          [&](const Side* first, const Side* last)
+          {
+            const int a = first->Item;
+            const int b = last[-1].Item;
+            this->HalfedgeEdges[a] = this->HalfedgeEdges[b] = edge;
+            this->EdgeHalfedges[edge++] = this->Tail(a) == v ? a : b;
+            if (a != b)
+            {
+              this->Twins[a] = b;
+              this->Twins[b] = a;
+            }
+          });
+      }
+    });
 }
 
 void TriangleMesh::StartFans(const ElementNames& names, const ExecutionContext& context)
@@ -182,12 +189,14 @@ void TriangleMesh::StartFans(const ElementNames& names, const ExecutionContext& 
   }
 
   std::vector<int> sizes(numberOfVertices, 0);
-  context.ParallelFor(0, numberOfVertices, Grain, [&](int first, int last) {
-    for (int v = first; v < last; ++v)
+  context.ParallelFor(0, numberOfVertices, Grain,
+    [&](int first, int last)
     {
-      this->VisitFan(v, [&](int) { ++sizes[v]; });
-    }
-  });
+      for (int v = first; v < last; ++v)
+      {
+        this->VisitFan(v, [&](int) { ++sizes[v]; });
+      }
+    });
   if (std::accumulate(sizes.begin(), sizes.end(), 0) == numberOfHalfedges)
   {
     return;
@@ -196,10 +205,8 @@ void TriangleMesh::StartFans(const ElementNames& names, const ExecutionContext& 
   {
     --sizes[this->Tail(h)];
   }
-  const auto pinched =
-    std::find_if(sizes.begin(), sizes.end(), [](int size) { return size < 0; });
-  throw InvalidInput("the triangles around " +
-    names.Vertex(static_cast<int>(pinched - sizes.begin())) +
+  const auto pinched = std::find_if(sizes.begin(), sizes.end(), [](int size) { return size < 0; });
+  throw InvalidInput("the triangles around " + names.Vertex(static_cast<int>(pinched - sizes.begin())) +
     " form more than one fan, so the surface is pinched there; split the point with " + Remedy);
 }
 
@@ -213,12 +220,14 @@ Vector3 TriangleMesh::FaceAreaVector(int face) const
 Vector<double> TriangleMesh::FaceAreas(const ExecutionContext& context) const
 {
   Vector<double> areas(this->NumberOfFaces());
-  context.ParallelFor(0, this->NumberOfFaces(), Grain, [this, &areas](int first, int last) {
-    for (int f = first; f < last; ++f)
+  context.ParallelFor(0, this->NumberOfFaces(), Grain,
+    [this, &areas](int first, int last)
     {
-      areas[f] = this->FaceArea(f);
-    }
-  });
+      for (int f = first; f < last; ++f)
+      {
+        areas[f] = this->FaceArea(f);
+      }
+    });
   return areas;
 }
 

@@ -94,10 +94,7 @@ public:
   int HalfedgeOf(int edge) const { return this->EdgeHalfedges[edge]; }
 
   /// V - E + F.
-  int EulerCharacteristic() const
-  {
-    return this->NumberOfVertices() - this->NumberOfEdges() + this->NumberOfFaces();
-  }
+  int EulerCharacteristic() const { return this->NumberOfVertices() - this->NumberOfEdges() + this->NumberOfFaces(); }
 
   /// Area-weighted normal, its length twice the area.
   Vector3 FaceAreaVector(int face) const;

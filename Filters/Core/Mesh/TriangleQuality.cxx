@@ -19,14 +19,16 @@ double TriangleQuality(const TriangleMesh& mesh, int face)
 double ShareOfFacesBelow(double quality, const TriangleMesh& mesh, const ExecutionContext& context)
 {
   const int faces = mesh.NumberOfFaces();
-  const double count = SumOverBlocks<double>(faces, context, [&](int first, int last) {
-    int below = 0;
-    for (int face = first; face < last; ++face)
+  const double count = SumOverBlocks<double>(faces, context,
+    [&](int first, int last)
     {
-      below += TriangleQuality(mesh, face) < quality ? 1 : 0;
-    }
-    return static_cast<double>(below);
-  });
+      int below = 0;
+      for (int face = first; face < last; ++face)
+      {
+        below += TriangleQuality(mesh, face) < quality ? 1 : 0;
+      }
+      return static_cast<double>(below);
+    });
   return faces > 0 ? count / faces : 0.0;
 }
 

@@ -101,8 +101,7 @@ double ValueAlong(const TriangleMesh& mesh, const Vector<double>& form, int half
 template <class Visit>
 void VisitEdgesAt(const TriangleMesh& mesh, int vertex, Visit visit)
 {
-  const auto visitEdge = [&](int edge)
-  { visit(edge, mesh.EdgeVertices(edge)[1] == vertex ? 1.0 : -1.0); };
+  const auto visitEdge = [&](int edge) { visit(edge, mesh.EdgeVertices(edge)[1] == vertex ? 1.0 : -1.0); };
   const int first = mesh.OutgoingHalfedge(vertex);
   int h = first;
   do
@@ -211,8 +210,7 @@ Vector<double> Star2(const TriangleMesh& mesh)
   return star;
 }
 
-SparseMatrix<double> OneFormLaplacian(
-  const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas)
+SparseMatrix<double> OneFormLaplacian(const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas)
 {
   const Vector<double> inverseStar0 = Star0(mesh, areas).cwiseInverse();
   const Vector<double> star1 = Star1(mesh);
@@ -228,8 +226,7 @@ SparseMatrix<double> OneFormLaplacian(
       VisitEdgesAt(mesh, vertex,
         [&](int other, double otherSign)
         {
-          const double value =
-            sign * otherSign * inverseStar0[vertex] * (star1[edge] * star1[other]);
+          const double value = sign * otherSign * inverseStar0[vertex] * (star1[edge] * star1[other]);
           if (other == edge)
           {
             row.front().second += value;
@@ -263,7 +260,8 @@ SparseMatrix<double> OneFormLaplacianFactor(
   const Vector<double> star1 = Star1(mesh);
   const Vector<double> star2 = Star2(mesh);
   return AssembleMatrix<double>(faces + mesh.NumberOfVertices(), mesh.NumberOfEdges(), context,
-    [&](int r, RowEntries<double>& row) {
+    [&](int r, RowEntries<double>& row)
+    {
       if (r < faces)
       {
         for (int h = 3 * r; h < 3 * r + 3; ++h)
@@ -273,58 +271,60 @@ SparseMatrix<double> OneFormLaplacianFactor(
         return;
       }
       const int vertex = r - faces;
-      VisitEdgesAt(mesh, vertex, [&](int edge, double sign) {
-        row.emplace_back(edge, sign * star1[edge] / std::sqrt(star0[vertex]));
-      });
+      VisitEdgesAt(mesh, vertex,
+        [&](int edge, double sign) { row.emplace_back(edge, sign * star1[edge] / std::sqrt(star0[vertex])); });
     });
 }
 
-Points WhitneyAtFaces(
-  const TriangleMesh& mesh, const Vector<double>& form, const ExecutionContext& context)
+Points WhitneyAtFaces(const TriangleMesh& mesh, const Vector<double>& form, const ExecutionContext& context)
 {
   Points vectors(mesh.NumberOfFaces(), 3);
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
-    for (int face = first; face < last; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int first, int last)
     {
-      const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
-      Vector3 vector = Vector3::Zero();
-      for (int k = 0; k < 3; ++k)
+      for (int face = first; face < last; ++face)
       {
-        vector +=
-          ValueAlong(mesh, form, 3 * face + k) / 3.0 * (gradients[(k + 1) % 3] - gradients[k]);
+        const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
+        Vector3 vector = Vector3::Zero();
+        for (int k = 0; k < 3; ++k)
+        {
+          vector += ValueAlong(mesh, form, 3 * face + k) / 3.0 * (gradients[(k + 1) % 3] - gradients[k]);
+        }
+        vectors.row(face) = vector.transpose();
       }
-      vectors.row(face) = vector.transpose();
-    }
-  });
+    });
   return vectors;
 }
 
-Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const Unfilled<Corner>& corners, const Vector<double>& form,
-  const ExecutionContext& context)
+Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
+  const Unfilled<Corner>& corners, const Vector<double>& form, const ExecutionContext& context)
 {
   Points vectors(mesh.NumberOfVertices(), 3);
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int vertex = first; vertex < last; ++vertex)
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
     {
-      Complex sum = 0.0;
-      double sumOfAngles = 0.0;
-      mesh.VisitFan(vertex, [&](int h) {
-        const int face = TriangleMesh::FaceOf(h);
-        const int k = h % 3;
-        const int next = (k + 1) % 3;
-        const int previous = (k + 2) % 3;
-        const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
-        const Vector3 inFace = ValueAlong(mesh, form, h) * gradients[next] -
-          ValueAlong(mesh, form, 3 * face + previous) * gradients[previous];
-        const auto& [turn, angle] = corners[h];
-        sum += angle * turn * faceFrames.ToComplex(face, inFace);
-        sumOfAngles += angle;
-      });
-      const double scale = sumOfAngles > 0.0 ? 1.0 / sumOfAngles : 0.0;
-      vectors.row(vertex) = vertexFrames.ToVector(vertex, scale * sum).transpose();
-    }
-  });
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        Complex sum = 0.0;
+        double sumOfAngles = 0.0;
+        mesh.VisitFan(vertex,
+          [&](int h)
+          {
+            const int face = TriangleMesh::FaceOf(h);
+            const int k = h % 3;
+            const int next = (k + 1) % 3;
+            const int previous = (k + 2) % 3;
+            const std::array<Vector3, 3> gradients = BarycentricGradients(mesh, face);
+            const Vector3 inFace = ValueAlong(mesh, form, h) * gradients[next] -
+              ValueAlong(mesh, form, 3 * face + previous) * gradients[previous];
+            const auto& [turn, angle] = corners[h];
+            sum += angle * turn * faceFrames.ToComplex(face, inFace);
+            sumOfAngles += angle;
+          });
+        const double scale = sumOfAngles > 0.0 ? 1.0 / sumOfAngles : 0.0;
+        vectors.row(vertex) = vertexFrames.ToVector(vertex, scale * sum).transpose();
+      }
+    });
   return vectors;
 }
 
@@ -349,7 +349,8 @@ SparseMatrix<double> FormFromFaceField(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
   return AssembleMatrix<double>(mesh.NumberOfEdges(), 2 * mesh.NumberOfFaces(), context,
-    [&](int edge, RowEntries<double>& row) {
+    [&](int edge, RowEntries<double>& row)
+    {
       const auto [i, j] = mesh.EdgeVertices(edge);
       const Vector3 along = mesh.Position(j) - mesh.Position(i);
       const int halfedge = mesh.HalfedgeOf(edge);

@@ -18,12 +18,10 @@ namespace dmg
 
 /// Derivative of 0-forms, #E x #V: the value at an edge's larger vertex less that at its smaller
 /// one.
-SparseMatrix<double> D0(
-  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+SparseMatrix<double> D0(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// Derivative of 1-forms, #F x #E: the sum around a face (the curl, integrated). D1 D0 = 0 exactly.
-SparseMatrix<double> D1(
-  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+SparseMatrix<double> D1(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// What belongs to a vertex of the faces around it.
 enum class VertexAreas
@@ -47,8 +45,7 @@ Vector<double> Star1(const TriangleMesh& mesh);
 /// faces at e, at most 1e4. It agrees with Star1 on equilateral triangles and, on every mesh
 /// without slivers, with |v|^2 times the area on the average over the directions of a constant
 /// vector v.
-Vector<double> PositiveStar1(
-  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+Vector<double> PositiveStar1(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
 /// The same of one edge.
 double PositiveStar1OfEdge(const TriangleMesh& mesh, int edge);
@@ -65,26 +62,25 @@ Vector<double> Star2(const TriangleMesh& mesh);
 /// On a boundary the conditions are the natural ones, no flux across it and no curl on it. The
 /// kernel are the harmonic forms: dimension 2g per closed component of genus g, 2g + b - 1 with b >
 /// 0 boundary loops. Thesis, section 6.1 with its transposes put right.
-SparseMatrix<double> OneFormLaplacian(const TriangleMesh& mesh, const ExecutionContext& context,
-  VertexAreas areas = VertexAreas::MixedVoronoi);
+SparseMatrix<double> OneFormLaplacian(
+  const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas = VertexAreas::MixedVoronoi);
 
 /// The squares that L1 sums up: B with h^T L1 h = |B h|^2. A row per face, star2^1/2 d1, and per
 /// vertex, star0^-1/2 d0^T star1. 4 entries per edge.
-SparseMatrix<double> OneFormLaplacianFactor(const TriangleMesh& mesh,
-  const ExecutionContext& context, VertexAreas areas = VertexAreas::MixedVoronoi);
+SparseMatrix<double> OneFormLaplacianFactor(
+  const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas = VertexAreas::MixedVoronoi);
 
 /// The vector of a 1-form at the centre of each face, #F x 3: that of its Whitney interpolant
 ///   sum over sides ij of z_ij (b_i grad b_j - b_j grad b_i),   b the barycentric coordinates.
 /// Exact for constant vectors in a plane.
-Points WhitneyAtFaces(const TriangleMesh& mesh, const Vector<double>& form,
-  const ExecutionContext& context = SerialContext());
+Points WhitneyAtFaces(
+  const TriangleMesh& mesh, const Vector<double>& form, const ExecutionContext& context = SerialContext());
 
 /// The vector of a 1-form at each vertex, #V x 3, tangent to \p vertexFrames: the mean of the
 /// Whitney interpolants of the faces around, by corner angle, each carried into the tangent plane
 /// of the vertex by the shortest rotation between the normals.
-Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const Unfilled<Corner>& corners, const Vector<double>& form,
-  const ExecutionContext& context = SerialContext());
+Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
+  const Unfilled<Corner>& corners, const Vector<double>& form, const ExecutionContext& context = SerialContext());
 
 /// The 1-form of a vector per face (#F x 3): along an edge, the mean over its faces of the vector's
 /// product with the edge.

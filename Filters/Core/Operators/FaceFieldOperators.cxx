@@ -23,8 +23,7 @@ Vector<double> AreasForInverses(const TriangleMesh& mesh)
   Vector<double> areas = mesh.FaceAreas();
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
-    const double squared =
-      (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm();
+    const double squared = (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm();
     double& area = areas[TriangleMesh::FaceOf(h)];
     area = std::max(area, SmallestArea * squared);
   }
@@ -36,12 +35,14 @@ std::vector<FaceProjection> AllProjections(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
   std::vector<FaceProjection> projections(mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
-    for (int face = first; face < last; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int first, int last)
     {
-      projections[face] = ProjectionOntoSides(mesh, faceFrames, face);
-    }
-  });
+      for (int face = first; face < last; ++face)
+      {
+        projections[face] = ProjectionOntoSides(mesh, faceFrames, face);
+      }
+    });
   return projections;
 }
 
@@ -52,18 +53,20 @@ void AppendFace(RowEntries<double>& row, int face, const Vector2& entries)
   row.emplace_back(2 * face + 1, entries[1]);
 }
 
-void AppendDivergence(const TriangleMesh& mesh, const std::vector<FaceProjection>& projections,
-  int vertex, RowEntries<double>& row)
+void AppendDivergence(
+  const TriangleMesh& mesh, const std::vector<FaceProjection>& projections, int vertex, RowEntries<double>& row)
 {
-  mesh.VisitFan(vertex, [&](int h) {
-    const int face = TriangleMesh::FaceOf(h);
-    const Vector2 opposite = projections[face].row((h + 1) % 3).transpose();
-    AppendFace(row, face, -0.5 * QuarterTurn(opposite));
-  });
+  mesh.VisitFan(vertex,
+    [&](int h)
+    {
+      const int face = TriangleMesh::FaceOf(h);
+      const Vector2 opposite = projections[face].row((h + 1) % 3).transpose();
+      AppendFace(row, face, -0.5 * QuarterTurn(opposite));
+    });
 }
 
-void AppendCurl(const TriangleMesh& mesh, const std::vector<FaceProjection>& projections, int edge,
-  RowEntries<double>& row)
+void AppendCurl(
+  const TriangleMesh& mesh, const std::vector<FaceProjection>& projections, int edge, RowEntries<double>& row)
 {
   const int h = mesh.HalfedgeOf(edge);
   const int twin = mesh.Twin(h);
@@ -84,37 +87,41 @@ SparseMatrix<double> HalfedgeProjection(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
   const int faces = mesh.NumberOfFaces();
-  return AssembleMatrix<double>(3 * faces, 2 * faces, context, [&](int h, RowEntries<double>& row) {
-    const int face = TriangleMesh::FaceOf(h);
-    AppendFace(row, face, ProjectionOntoSides(mesh, faceFrames, face).row(h % 3).transpose());
-  });
+  return AssembleMatrix<double>(3 * faces, 2 * faces, context,
+    [&](int h, RowEntries<double>& row)
+    {
+      const int face = TriangleMesh::FaceOf(h);
+      AppendFace(row, face, ProjectionOntoSides(mesh, faceFrames, face).row(h % 3).transpose());
+    });
 }
 
 SparseMatrix<double> HalfedgePseudoInverse(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
   const int faces = mesh.NumberOfFaces();
-  return AssembleMatrix<double>(2 * faces, 3 * faces, context, [&](int r, RowEntries<double>& row) {
-    const int face = r / 2;
-    const auto inverse = PseudoInverse(ProjectionOntoSides(mesh, faceFrames, face));
-    for (int k = 0; k < 3; ++k)
+  return AssembleMatrix<double>(2 * faces, 3 * faces, context,
+    [&](int r, RowEntries<double>& row)
     {
-      row.emplace_back(3 * face + k, inverse(r % 2, k));
-    }
-  });
+      const int face = r / 2;
+      const auto inverse = PseudoInverse(ProjectionOntoSides(mesh, faceFrames, face));
+      for (int k = 0; k < 3; ++k)
+      {
+        row.emplace_back(3 * face + k, inverse(r % 2, k));
+      }
+    });
 }
 
 SparseMatrix<double> FaceGradient(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
   return AssembleMatrix<double>(2 * mesh.NumberOfFaces(), mesh.NumberOfVertices(), context,
-    [&](int r, RowEntries<double>& row) {
+    [&](int r, RowEntries<double>& row)
+    {
       const int face = r / 2;
       const auto inverse = PseudoInverse(ProjectionOntoSides(mesh, faceFrames, face));
       for (int k = 0; k < 3; ++k) // the sides to and from corner k
       {
-        row.emplace_back(
-          mesh.FaceCorners()(face, k), inverse(r % 2, (k + 2) % 3) - inverse(r % 2, k));
+        row.emplace_back(mesh.FaceCorners()(face, k), inverse(r % 2, (k + 2) % 3) - inverse(r % 2, k));
       }
     });
 }
@@ -138,8 +145,8 @@ SparseMatrix<double> FaceCurl(
 FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh)
 {
   const Vector<double> areas = AreasForInverses(mesh);
-  FaceFieldMasses masses{ Vector<double>::Zero(mesh.NumberOfVertices()),
-    Vector<double>::Zero(mesh.NumberOfEdges()), Vector<double>(2 * mesh.NumberOfFaces()) };
+  FaceFieldMasses masses{ Vector<double>::Zero(mesh.NumberOfVertices()), Vector<double>::Zero(mesh.NumberOfEdges()),
+    Vector<double>(2 * mesh.NumberOfFaces()) };
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
     const double third = areas[TriangleMesh::FaceOf(h)] / 3.0;
@@ -168,8 +175,10 @@ SparseMatrix<double> FaceFieldSmoothnessFactor(
       degenerate.push_back(face);
     }
   }
-  return AssembleMatrix<double>(vertices + edges + 2 * static_cast<int>(degenerate.size()),
-    2 * mesh.NumberOfFaces(), context, [&](int r, RowEntries<double>& row) {
+  return AssembleMatrix<double>(vertices + edges + 2 * static_cast<int>(degenerate.size()), 2 * mesh.NumberOfFaces(),
+    context,
+    [&](int r, RowEntries<double>& row)
+    {
       double mass = 1.0;
       if (r < vertices)
       {
@@ -215,8 +224,7 @@ Points VectorsFromFaceField(const TangentFrames& faceFrames, const Vector<double
   Points vectors(field.size() / 2, 3);
   for (int face = 0; face < vectors.rows(); ++face)
   {
-    vectors.row(face) =
-      faceFrames.ToVector(face, { field[2 * face], field[2 * face + 1] }).transpose();
+    vectors.row(face) = faceFrames.ToVector(face, { field[2 * face], field[2 * face + 1] }).transpose();
   }
   return vectors;
 }

@@ -13,17 +13,17 @@ namespace dmg
 {
 
 /// P, 3 #F x 2 #F: integrals of the vectors along the halfedges of their faces.
-SparseMatrix<double> HalfedgeProjection(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const ExecutionContext& context = SerialContext());
+SparseMatrix<double> HalfedgeProjection(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
 /// P^+, 2 #F x 3 #F: see PseudoInverse. P^+ P = 1 where no face is degenerate.
-SparseMatrix<double> HalfedgePseudoInverse(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
+SparseMatrix<double> HalfedgePseudoInverse(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
 /// G, 2 #F x #V: gradients of functions that are linear on faces, P^+ of their differences along
 /// halfedges. In a degenerate face only the part along its longest side.
-SparseMatrix<double> FaceGradient(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const ExecutionContext& context = SerialContext());
+SparseMatrix<double> FaceGradient(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
 /// D_V, #V x 2 #F: the divergence integrated around each vertex, positive at sources,
 ///   (D_V X)_v = - sum over faces f around v of A_f X_f . grad lambda_v ,
@@ -31,15 +31,15 @@ SparseMatrix<double> FaceGradient(const TriangleMesh& mesh, const TangentFrames&
 /// face is degenerate, L the positive semi-definite cotangent Laplacian. Sums to zero: at boundary
 /// vertices it holds the flux through the boundary, too, so fields with D_V X = 0 do not cross it.
 /// A_f grad lambda_v is half the opposite side, turned, and so finite in every face.
-SparseMatrix<double> FaceDivergence(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const ExecutionContext& context = SerialContext());
+SparseMatrix<double> FaceDivergence(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
 /// C_E, #E x 2 #F: the curl integrated over each interior edge, counter-clockwise,
 ///   (C_E X)_e = (X_g - X_f) . e ,
 /// with f to the left and g to the right of the edge e. Rows of boundary edges are empty.
 /// C_E G = 0.
-SparseMatrix<double> FaceCurl(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const ExecutionContext& context = SerialContext());
+SparseMatrix<double> FaceCurl(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
 /// Diagonal masses, areas, by mixed elements. D_V X and C_E X are integrals, so the masses of
 /// vertices and edges enter energies inverted; for that, a face of less area than 1e-6 times the
@@ -60,13 +60,13 @@ FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh);
 /// Degenerate faces add 1e-6 |X_f|^2: through two of them that share a side of no length a field
 /// may circle at no cost. About 26 entries per row. Cost: O(#F) for bounded valence, about 1 us per
 /// face.
-SparseMatrix<double> FaceFieldSmoothness(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const ExecutionContext& context = SerialContext());
+SparseMatrix<double> FaceFieldSmoothness(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
 /// The squares that the smoothness matrix sums up: B with X^T A X = |B X|^2. A row per vertex,
 /// M_V^-1/2 D_V, per edge, M_E^-1/2 C_E, and two per degenerate face. 12 entries per face.
-SparseMatrix<double> FaceFieldSmoothnessFactor(const TriangleMesh& mesh,
-  const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
+SparseMatrix<double> FaceFieldSmoothnessFactor(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
 /// Tangential parts of vectors in space, #F x 3, as a face field.
 Vector<double> FaceFieldFromVectors(const TangentFrames& faceFrames, const Points& vectors);

@@ -14,8 +14,8 @@ namespace
 constexpr int Grain = 4096;
 
 /// By how much the boundary turns against the field at one of its vertices.
-double TurnAtBoundary(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
-  const Vector<double>& turning, int vertex)
+double TurnAtBoundary(
+  const TriangleMesh& mesh, const Unfilled<Corner>& corners, const Vector<double>& turning, int vertex)
 {
   double turn = Pi;
   mesh.VisitFan(vertex,
@@ -66,12 +66,11 @@ int LabelOf(Complex first, Complex power, int N)
 
 }
 
-FieldTopology TopologyOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const Vector<Complex>& first, int N, const ExecutionContext& context)
+FieldTopology TopologyOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames, const Vector<Complex>& first,
+  int N, const ExecutionContext& context)
 {
   const Unfilled<Complex> sides = SideDirections(mesh, faceFrames, context);
-  const Unfilled<Corner> corners =
-    Corners(mesh, sides, faceFrames, VertexFrames(mesh, context), context);
+  const Unfilled<Corner> corners = Corners(mesh, sides, faceFrames, VertexFrames(mesh, context), context);
   Vector<Complex> powers(first.size());
   std::vector<signed char> labels(first.size());
   context.ParallelFor(0, mesh.NumberOfFaces(), Grain,

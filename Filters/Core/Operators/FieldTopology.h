@@ -23,11 +23,9 @@ struct BoundaryLoop
 /// Singularities of a field and where its first direction jumps.
 struct FieldTopology
 {
-  Vector<double> Indices; ///< per vertex; SingularityIndices
-  std::vector<BoundaryLoop>
-    Loops; ///< in ascending order of their smallest vertex, with which each begins
-  std::vector<int>
-    Cuts; ///< the edges across which direction 0 does not go on as direction 0, ascending
+  Vector<double> Indices;          ///< per vertex; SingularityIndices
+  std::vector<BoundaryLoop> Loops; ///< in ascending order of their smallest vertex, with which each begins
+  std::vector<int> Cuts;           ///< the edges across which direction 0 does not go on as direction 0, ascending
   std::vector<int>
     Jumps; ///< of these: it goes on as this one, of 1 to N - 1, from the face of HalfedgeOf to its twin's
   Vector<double> Turning; ///< per edge; PrincipalMatching
@@ -40,8 +38,8 @@ struct FieldTopology
 /// Directions are matched as in MatchDirections. Faces without direction count as if they had direction 0, and have no
 /// cuts. Cost: O(#F).
 /// \param first direction 0 of each face in its frame (FaceFrames); 0 where there is none.
-FieldTopology TopologyOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const Vector<Complex>& first, int N, const ExecutionContext& context = SerialContext());
+FieldTopology TopologyOfField(const TriangleMesh& mesh, const TangentFrames& faceFrames, const Vector<Complex>& first,
+  int N, const ExecutionContext& context = SerialContext());
 
 }
 

@@ -45,23 +45,24 @@ std::vector<TurningClass> ClassesOf(const TriangleMesh& mesh, const Vector<Compl
   const Vector<double>& turning, int N, const ExecutionContext& context)
 {
   std::vector<TurningClass> classes(3 * mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfEdges(), Grain, [&](int first, int last) {
-    for (int edge = first; edge < last; ++edge)
+  context.ParallelFor(0, mesh.NumberOfEdges(), Grain,
+    [&](int first, int last)
     {
-      const int h = mesh.HalfedgeOf(edge);
-      const int twin = mesh.Twin(h);
-      if (twin < 0)
+      for (int edge = first; edge < last; ++edge)
       {
-        continue;
+        const int h = mesh.HalfedgeOf(edge);
+        const int twin = mesh.Twin(h);
+        if (twin < 0)
+        {
+          continue;
+        }
+        // Across a zero power nothing is continued: come there last.
+        const bool isContinued = powers[TriangleMesh::FaceOf(h)] != 0.0 && powers[TriangleMesh::FaceOf(twin)] != 0.0;
+        const double fraction = isContinued ? std::abs(N * turning[edge]) / Pi : 1.0;
+        classes[h] = classes[twin] =
+          static_cast<TurningClass>(std::min(static_cast<int>(NumberOfClasses * fraction), NumberOfClasses - 1));
       }
-      // Across a zero power nothing is continued: come there last.
-      const bool isContinued =
-        powers[TriangleMesh::FaceOf(h)] != 0.0 && powers[TriangleMesh::FaceOf(twin)] != 0.0;
-      const double fraction = isContinued ? std::abs(N * turning[edge]) / Pi : 1.0;
-      classes[h] = classes[twin] = static_cast<TurningClass>(
-        std::min(static_cast<int>(NumberOfClasses * fraction), NumberOfClasses - 1));
-    }
-  });
+    });
   return classes;
 }
 
@@ -71,31 +72,33 @@ PrincipalMatching MatchDirections(const TriangleMesh& mesh, const Unfilled<Compl
   const Vector<Complex>& powers, int N, const ExecutionContext& context)
 {
   Vector<double> arguments(powers.size());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int first, int last) {
-    std::transform(powers.data() + first, powers.data() + last, arguments.data() + first, Argument);
-  });
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int first, int last)
+    { std::transform(powers.data() + first, powers.data() + last, arguments.data() + first, Argument); });
   PrincipalMatching matching{ Vector<double>(mesh.NumberOfEdges()),
     std::vector<signed char>(3 * mesh.NumberOfFaces()) };
-  context.ParallelFor(0, mesh.NumberOfEdges(), Grain, [&](int first, int last) {
-    for (int edge = first; edge < last; ++edge)
+  context.ParallelFor(0, mesh.NumberOfEdges(), Grain,
+    [&](int first, int last)
     {
-      const int h = mesh.HalfedgeOf(edge);
-      const int twin = mesh.Twin(h);
-      if (twin < 0)
+      for (int edge = first; edge < last; ++edge)
       {
-        matching.Turning[edge] = 0.0;
-        continue;
+        const int h = mesh.HalfedgeOf(edge);
+        const int twin = mesh.Twin(h);
+        if (twin < 0)
+        {
+          matching.Turning[edge] = 0.0;
+          continue;
+        }
+        // arguments[here] + N transport + N turning = arguments[there] + 2 pi offset
+        const double difference = arguments[TriangleMesh::FaceOf(twin)] - arguments[TriangleMesh::FaceOf(h)] -
+          N * std::arg(TransportOfSides(sides[h], sides[twin]));
+        const double turns = std::round(difference / (2.0 * Pi));
+        matching.Turning[edge] = (difference - 2.0 * Pi * turns) / N;
+        const int offset = Modulo(-static_cast<int>(turns), N);
+        matching.Offsets[h] = static_cast<signed char>(offset);
+        matching.Offsets[twin] = static_cast<signed char>(Modulo(-offset, N));
       }
-      // arguments[here] + N transport + N turning = arguments[there] + 2 pi offset
-      const double difference = arguments[TriangleMesh::FaceOf(twin)] -
-        arguments[TriangleMesh::FaceOf(h)] - N * std::arg(TransportOfSides(sides[h], sides[twin]));
-      const double turns = std::round(difference / (2.0 * Pi));
-      matching.Turning[edge] = (difference - 2.0 * Pi * turns) / N;
-      const int offset = Modulo(-static_cast<int>(turns), N);
-      matching.Offsets[h] = static_cast<signed char>(offset);
-      matching.Offsets[twin] = static_cast<signed char>(Modulo(-offset, N));
-    }
-  });
+    });
   return matching;
 }
 
@@ -104,13 +107,13 @@ std::vector<int> CombingLabels(const TriangleMesh& mesh, const Vector<Complex>& 
 {
   // A minimum spanning tree by Prim's algorithm. The queue sorts edges only by classes of turning:
   // linear time, and the tree is minimal up to the width of a class, pi / (256 N).
-  const std::vector<TurningClass> classes =
-    ClassesOf(mesh, powers, matching.Turning, N, context);
+  const std::vector<TurningClass> classes = ClassesOf(mesh, powers, matching.Turning, N, context);
   std::array<std::vector<int>, NumberOfClasses> queue;
   int leastClass = NumberOfClasses;
   std::vector<signed char> labels(mesh.NumberOfFaces(), -1); // small: they are read all over the place
 
-  const auto visit = [&](int face, int label) {
+  const auto visit = [&](int face, int label)
+  {
     labels[face] = static_cast<signed char>(label);
     for (int h = 3 * face; h < 3 * face + 3; ++h)
     {
@@ -149,13 +152,14 @@ std::vector<int> CombingLabels(const TriangleMesh& mesh, const Vector<Complex>& 
   return std::vector<int>(labels.begin(), labels.end());
 }
 
-std::vector<int> LabelsNearTo(const Vector<Complex>& former, const Vector<Complex>& powers, int N,
-  const ExecutionContext& context)
+std::vector<int> LabelsNearTo(
+  const Vector<Complex>& former, const Vector<Complex>& powers, int N, const ExecutionContext& context)
 {
   constexpr double LargeTurn = 0.25; // in steps of 2 pi / N
   std::vector<int> labels(powers.size());
-  const int turned = SumOverBlocks<int>(
-    static_cast<int>(powers.size()), context, [&](int first, int last) {
+  const int turned = SumOverBlocks<int>(static_cast<int>(powers.size()), context,
+    [&](int first, int last)
+    {
       int count = 0;
       for (int i = first; i < last; ++i)
       {
@@ -168,17 +172,19 @@ std::vector<int> LabelsNearTo(const Vector<Complex>& former, const Vector<Comple
   return 2 * turned > static_cast<int>(powers.size()) ? std::vector<int>() : labels;
 }
 
-Vector<Complex> FirstDirections(const Vector<Complex>& powers, int N,
-  const std::vector<int>& labels, const ExecutionContext& context)
+Vector<Complex> FirstDirections(
+  const Vector<Complex>& powers, int N, const std::vector<int>& labels, const ExecutionContext& context)
 {
   Vector<Complex> directions(powers.size());
-  context.ParallelFor(0, static_cast<int>(powers.size()), Grain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(powers.size()), Grain,
+    [&](int first, int last)
     {
-      const int label = labels.empty() ? 0 : labels[i];
-      directions[i] = std::polar(std::abs(powers[i]), AngleOfDirection(powers[i], label, N));
-    }
-  });
+      for (int i = first; i < last; ++i)
+      {
+        const int label = labels.empty() ? 0 : labels[i];
+        directions[i] = std::polar(std::abs(powers[i]), AngleOfDirection(powers[i], label, N));
+      }
+    });
   return directions;
 }
 
@@ -186,38 +192,42 @@ Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const Unfilled<Corner
   const Vector<Complex>& powers, int N, const ExecutionContext& context)
 {
   Vector<Complex> atVertices(mesh.NumberOfVertices());
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int vertex = first; vertex < last; ++vertex)
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
     {
-      Complex sum = 0.0;
-      double sumOfAngles = 0.0;
-      mesh.VisitFan(vertex, [&](int h) {
-        const auto& [turn, angle] = corners[h];
-        sum += angle * Power(turn, N) * powers[TriangleMesh::FaceOf(h)];
-        sumOfAngles += angle;
-      });
-      atVertices[vertex] = sumOfAngles > 0.0 ? sum / sumOfAngles : sum;
-    }
-  });
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        Complex sum = 0.0;
+        double sumOfAngles = 0.0;
+        mesh.VisitFan(vertex,
+          [&](int h)
+          {
+            const auto& [turn, angle] = corners[h];
+            sum += angle * Power(turn, N) * powers[TriangleMesh::FaceOf(h)];
+            sumOfAngles += angle;
+          });
+        atVertices[vertex] = sumOfAngles > 0.0 ? sum / sumOfAngles : sum;
+      }
+    });
   return atVertices;
 }
 
-Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh,
-  const Unfilled<Corner>& corners, const Vector<Complex>& ofFaces,
-  const Vector<Complex>& vertexPowers, int N, const ExecutionContext& context)
+Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
+  const Vector<Complex>& ofFaces, const Vector<Complex>& vertexPowers, int N, const ExecutionContext& context)
 {
   Vector<Complex> directions(mesh.NumberOfVertices());
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int vertex = first; vertex < last; ++vertex)
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
     {
-      Complex sum = 0.0;
-      mesh.VisitFan(
-        vertex, [&](int h) { sum += corners[h].Turn * ofFaces[TriangleMesh::FaceOf(h)]; });
-      const Complex power = vertexPowers[vertex];
-      const auto step = static_cast<int>(std::lround(StepsFromFirst(sum, power, N)));
-      directions[vertex] = std::polar(std::abs(power), AngleOfDirection(power, step, N));
-    }
-  });
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        Complex sum = 0.0;
+        mesh.VisitFan(vertex, [&](int h) { sum += corners[h].Turn * ofFaces[TriangleMesh::FaceOf(h)]; });
+        const Complex power = vertexPowers[vertex];
+        const auto step = static_cast<int>(std::lround(StepsFromFirst(sum, power, N)));
+        directions[vertex] = std::polar(std::abs(power), AngleOfDirection(power, step, N));
+      }
+    });
   return directions;
 }
 
@@ -225,19 +235,22 @@ Vector<double> SingularityIndices(const TriangleMesh& mesh, const Unfilled<Corne
   const Vector<double>& turning, int N, const ExecutionContext& context)
 {
   Vector<double> indices(mesh.NumberOfVertices());
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int vertex = first; vertex < last; ++vertex)
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
     {
-      double turn = 2.0 * Pi;
-      mesh.VisitFan(vertex, [&](int h) {
-        // Counter-clockwise one crosses this halfedge from its twin's face to its own.
-        const int edge = mesh.EdgeOf(h);
-        turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
-      });
-      indices[vertex] =
-        mesh.IsBoundaryVertex(vertex) ? 0.0 : std::round(N * turn / (2.0 * Pi)) / N;
-    }
-  });
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        double turn = 2.0 * Pi;
+        mesh.VisitFan(vertex,
+          [&](int h)
+          {
+            // Counter-clockwise one crosses this halfedge from its twin's face to its own.
+            const int edge = mesh.EdgeOf(h);
+            turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
+          });
+        indices[vertex] = mesh.IsBoundaryVertex(vertex) ? 0.0 : std::round(N * turn / (2.0 * Pi)) / N;
+      }
+    });
   return indices;
 }
 

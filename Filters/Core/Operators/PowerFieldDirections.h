@@ -48,8 +48,8 @@ std::vector<int> LabelsNearTo(const Vector<Complex>& former, const Vector<Comple
 
 /// The first direction of each element in its frame, of the power's magnitude.
 /// \param labels which comes first, per element; empty for direction 0.
-Vector<Complex> FirstDirections(const Vector<Complex>& powers, int N,
-  const std::vector<int>& labels = {}, const ExecutionContext& context = SerialContext());
+Vector<Complex> FirstDirections(const Vector<Complex>& powers, int N, const std::vector<int>& labels = {},
+  const ExecutionContext& context = SerialContext());
 
 /// The N directions of an element as vectors in space, 2 pi / N apart and counter-clockwise.
 class DirectionVectors
@@ -67,8 +67,7 @@ public:
   template <class Visit>
   void VisitAt(const TangentFrames& frames, int element, Complex first, const Visit& visit) const
   {
-    Complex direction =
-      this->UnitLength && first != 0.0 ? first / std::abs(first) : first;
+    Complex direction = this->UnitLength && first != 0.0 ? first / std::abs(first) : first;
     for (int k = 0; k < this->N; ++k)
     {
       visit(k, frames.ToVector(element, direction));
@@ -88,9 +87,9 @@ Vector<Complex> PowersAtVertices(const TriangleMesh& mesh, const Unfilled<Corner
   const Vector<Complex>& powers, int N, const ExecutionContext& context = SerialContext());
 
 /// First directions of vertices: the nearest to those of the faces around.
-Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh,
-  const Unfilled<Corner>& corners, const Vector<Complex>& ofFaces,
-  const Vector<Complex>& vertexPowers, int N, const ExecutionContext& context = SerialContext());
+Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
+  const Vector<Complex>& ofFaces, const Vector<Complex>& vertexPowers, int N,
+  const ExecutionContext& context = SerialContext());
 
 /// Index of the singularity at each vertex, a multiple of 1/N, 0 at regular and at boundary
 /// vertices: (angle defect + turning of the field around the vertex) / 2 pi. On a closed surface they

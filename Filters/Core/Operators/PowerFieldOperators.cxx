@@ -19,9 +19,7 @@ constexpr double SmallestArea = 1e-6;
 /// PowerEdgeWeights of one edge, the same number for both of its halfedges; it has two faces.
 double PowerEdgeWeight(double squaredLength, double areaOfBothFaces)
 {
-  return squaredLength > 0.0
-    ? 3.0 * squaredLength / std::max(areaOfBothFaces, SmallestArea * squaredLength)
-    : 0.0;
+  return squaredLength > 0.0 ? 3.0 * squaredLength / std::max(areaOfBothFaces, SmallestArea * squaredLength) : 0.0;
 }
 
 double SquaredLength(const TriangleMesh& mesh, int halfedge)
@@ -49,11 +47,10 @@ std::array<int, 3> TwinsOf(const TriangleMesh& mesh, const std::vector<int>& pla
   return twins;
 }
 
-PowerFaceShape ShapeOf(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const std::vector<int>& places, int face)
+PowerFaceShape ShapeOf(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const std::vector<int>& places, int face)
 {
-  PowerFaceShape shape{ SideDirections(mesh, faceFrames, face), {}, mesh.FaceArea(face),
-    TwinsOf(mesh, places, face) };
+  PowerFaceShape shape{ SideDirections(mesh, faceFrames, face), {}, mesh.FaceArea(face), TwinsOf(mesh, places, face) };
   for (int k = 0; k < 3; ++k)
   {
     shape.SquaredLengths[k] = SquaredLength(mesh, 3 * face + k);
@@ -107,8 +104,7 @@ private:
 double TransportAcrossEdge(const TriangleMesh& mesh, const TangentFrames& faceFrames, int halfedge)
 {
   const int twin = mesh.Twin(halfedge);
-  const Complex here =
-    SideDirections(mesh, faceFrames, TriangleMesh::FaceOf(halfedge))[halfedge % 3];
+  const Complex here = SideDirections(mesh, faceFrames, TriangleMesh::FaceOf(halfedge))[halfedge % 3];
   const Complex there = SideDirections(mesh, faceFrames, TriangleMesh::FaceOf(twin))[twin % 3];
   return std::arg(TransportOfSides(here, there));
 }
@@ -123,29 +119,28 @@ Vector<double> PowerEdgeWeights(const TriangleMesh& mesh)
     const int twin = mesh.Twin(h);
     if (twin >= 0)
     {
-      weights[edge] = PowerEdgeWeight(SquaredLength(mesh, h),
-        areas[TriangleMesh::FaceOf(h)] + areas[TriangleMesh::FaceOf(twin)]);
+      weights[edge] =
+        PowerEdgeWeight(SquaredLength(mesh, h), areas[TriangleMesh::FaceOf(h)] + areas[TriangleMesh::FaceOf(twin)]);
     }
   }
   return weights;
 }
 
-SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  int N, const ExecutionContext& context)
+SparseMatrix<Complex> PowerLaplacian(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, int N, const ExecutionContext& context)
 {
   return PowerLaplacian(mesh, faceFrames, N, Identity(mesh.NumberOfFaces()), context);
 }
 
-SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  int N, const std::vector<int>& order, const ExecutionContext& context)
+SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames, int N,
+  const std::vector<int>& order, const ExecutionContext& context)
 {
   const std::vector<int> places = Inverse(order, context);
   const int faces = mesh.NumberOfFaces();
   SparseMatrix<Complex> L(faces, faces);
-  MakeRoom(L, context, [&](int place) {
-    return FaceAndNeighbours(place, TwinsOf(mesh, places, order[place])).Count;
-  });
-  const auto fillRow = [&L, N](int place, const PowerFaceShape& here, const auto& shapeAt) {
+  MakeRoom(L, context, [&](int place) { return FaceAndNeighbours(place, TwinsOf(mesh, places, order[place])).Count; });
+  const auto fillRow = [&L, N](int place, const PowerFaceShape& here, const auto& shapeAt)
+  {
     const FaceAndNeighbours around(place, here.Twins);
     Complex* const entries = L.valuePtr() + L.outerIndexPtr()[place];
     std::copy_n(around.Places.begin(), around.Count, L.innerIndexPtr() + L.outerIndexPtr()[place]);
@@ -161,34 +156,34 @@ SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFram
       const double weight = PowerEdgeWeight(here.SquaredLengths[k], here.Area + there.Area);
       // Two faces may meet along two edges, whose entries add up.
       entries[around.Find(place)] += weight;
-      entries[around.Find(twin / 3)] -=
-        weight * Power(TransportOfSides(there.Sides[twin % 3], here.Sides[k]), N);
+      entries[around.Find(twin / 3)] -= weight * Power(TransportOfSides(there.Sides[twin % 3], here.Sides[k]), N);
     }
   };
   // Neighbours stand near each other. So most shapes are found once, and none is held for long.
   constexpr int bandSize = 2048;
-  context.ParallelFor(0, (faces + bandSize - 1) / bandSize, 1, [&](int firstBand, int lastBand) {
-    const auto shapeOf = [&](int place) { return ShapeOf(mesh, faceFrames, places, order[place]); };
-    std::vector<PowerFaceShape> shapes;
-    for (int band = firstBand; band < lastBand; ++band)
+  context.ParallelFor(0, (faces + bandSize - 1) / bandSize, 1,
+    [&](int firstBand, int lastBand)
     {
-      const int first = band * bandSize;
-      const int last = std::min(first + bandSize, faces);
-      shapes.clear();
-      for (int place = first; place < last; ++place)
+      const auto shapeOf = [&](int place) { return ShapeOf(mesh, faceFrames, places, order[place]); };
+      std::vector<PowerFaceShape> shapes;
+      for (int band = firstBand; band < lastBand; ++band)
       {
-        shapes.push_back(shapeOf(place));
+        const int first = band * bandSize;
+        const int last = std::min(first + bandSize, faces);
+        shapes.clear();
+        for (int place = first; place < last; ++place)
+        {
+          shapes.push_back(shapeOf(place));
+        }
+        PowerFaceShape elsewhere;
+        const auto shapeAt = [&](int place) -> const PowerFaceShape&
+        { return first <= place && place < last ? shapes[place - first] : elsewhere = shapeOf(place); };
+        for (int place = first; place < last; ++place)
+        {
+          fillRow(place, shapes[place - first], shapeAt);
+        }
       }
-      PowerFaceShape elsewhere;
-      const auto shapeAt = [&](int place) -> const PowerFaceShape& {
-        return first <= place && place < last ? shapes[place - first] : elsewhere = shapeOf(place);
-      };
-      for (int place = first; place < last; ++place)
-      {
-        fillRow(place, shapes[place - first], shapeAt);
-      }
-    }
-  });
+    });
   return L;
 }
 

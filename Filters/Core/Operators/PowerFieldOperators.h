@@ -48,13 +48,13 @@ Vector<double> PowerEdgeWeights(const TriangleMesh& mesh);
 /// e_f the unit edge in the frame of f. #F x #F, at most four entries per row, Hermitian, positive
 /// semi-definite. On a flat patch its kernel are the parallel fields. Cost: O(#F).
 /// Thesis, section 6.3.
-SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  int N, const ExecutionContext& context = SerialContext());
+SparseMatrix<Complex> PowerLaplacian(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, int N, const ExecutionContext& context = SerialContext());
 
 /// The same, rows and columns in another order.
 /// \param order [i] is the face of row i; a permutation. Faster where neighbours follow each other.
-SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  int N, const std::vector<int>& order, const ExecutionContext& context);
+SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFrames& faceFrames, int N,
+  const std::vector<int>& order, const ExecutionContext& context);
 
 }
 

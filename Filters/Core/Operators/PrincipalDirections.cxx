@@ -51,46 +51,50 @@ std::vector<BendOfPart> BendsOfVertices(const FramedMesh& surface, const Executi
 {
   const TriangleMesh& mesh = surface.Mesh;
   Points normals(mesh.NumberOfVertices(), 3);
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int vertex = first; vertex < last; ++vertex)
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
     {
-      normals.row(vertex) = surface.Vertices.Normal(vertex).transpose();
-    }
-  });
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        normals.row(vertex) = surface.Vertices.Normal(vertex).transpose();
+      }
+    });
   std::vector<BendOfPart> ofVertices(mesh.NumberOfVertices());
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int vertex = first; vertex < last; ++vertex)
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
     {
-      BendOfPart& sum = ofVertices[vertex];
-      mesh.VisitFan(vertex, [&](int halfedge) {
-        sum += BendOfFace(surface, normals, TriangleMesh::FaceOf(halfedge));
-      });
-      sum.Bend /= 3.0;
-      sum.Area /= 3.0;
-    }
-  });
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        BendOfPart& sum = ofVertices[vertex];
+        mesh.VisitFan(
+          vertex, [&](int halfedge) { sum += BendOfFace(surface, normals, TriangleMesh::FaceOf(halfedge)); });
+        sum.Bend /= 3.0;
+        sum.Area /= 3.0;
+      }
+    });
   return ofVertices;
 }
 
 template <class Visit>
 void VisitNeighbours(const TriangleMesh& mesh, int vertex, const Visit& visit)
 {
-  mesh.VisitFan(vertex, [&](int halfedge) {
-    visit(mesh.Head(halfedge));
-    const int previous = TriangleMesh::Previous(halfedge);
-    if (mesh.Twin(previous) < 0)
+  mesh.VisitFan(vertex,
+    [&](int halfedge)
     {
-      visit(mesh.Tail(previous));
-    }
-  });
+      visit(mesh.Head(halfedge));
+      const int previous = TriangleMesh::Previous(halfedge);
+      if (mesh.Twin(previous) < 0)
+      {
+        visit(mesh.Tail(previous));
+      }
+    });
 }
 
 /// Sums over the regions of vertices, for one piece of a loop over them.
 class SumsOverRegions
 {
 public:
-  SumsOverRegions(
-    const TriangleMesh& mesh, const std::vector<BendOfPart>& parts, double radius, std::size_t limit)
+  SumsOverRegions(const TriangleMesh& mesh, const std::vector<BendOfPart>& parts, double radius, std::size_t limit)
     : Mesh(mesh)
     , Parts(parts)
     , SquaredRadius(radius * radius)
@@ -108,16 +112,18 @@ public:
     for (std::size_t i = 0; i < this->Region.size(); ++i) // grows meanwhile
     {
       sum += this->Parts[this->Region[i]];
-      VisitNeighbours(this->Mesh, this->Region[i], [&](int vertex) {
-        const bool isInside = i == 0 ||
-          (this->Region.size() < this->Limit &&
-            (this->Mesh.Position(vertex) - position).squaredNorm() < this->SquaredRadius);
-        if (isInside && this->RegionOf[vertex] != centre)
+      VisitNeighbours(this->Mesh, this->Region[i],
+        [&](int vertex)
         {
-          this->RegionOf[vertex] = centre;
-          this->Region.push_back(vertex);
-        }
-      });
+          const bool isInside = i == 0 ||
+            (this->Region.size() < this->Limit &&
+              (this->Mesh.Position(vertex) - position).squaredNorm() < this->SquaredRadius);
+          if (isInside && this->RegionOf[vertex] != centre)
+          {
+            this->RegionOf[vertex] = centre;
+            this->Region.push_back(vertex);
+          }
+        });
     }
     return sum;
   }
@@ -142,8 +148,7 @@ double MeanEdge(const TriangleMesh& mesh)
   return sum / mesh.NumberOfEdges();
 }
 
-std::vector<BendOfPart> BendsOfRegions(
-  const FramedMesh& surface, double scale, const ExecutionContext& context)
+std::vector<BendOfPart> BendsOfRegions(const FramedMesh& surface, double scale, const ExecutionContext& context)
 {
   const TriangleMesh& mesh = surface.Mesh;
   const std::vector<BendOfPart> parts = BendsOfVertices(surface, context);
@@ -158,13 +163,15 @@ std::vector<BendOfPart> BendsOfRegions(
   {
     context.Checkpoint(static_cast<double>(start) / size);
     const int end = std::min(size, start + batch);
-    context.ParallelFor(start, end, std::max(64, batch / 8), [&](int first, int last) {
-      SumsOverRegions sums(mesh, parts, radius, limit);
-      for (int vertex = first; vertex < last; ++vertex)
+    context.ParallelFor(start, end, std::max(64, batch / 8),
+      [&](int first, int last)
       {
-        ofRegions[vertex] = sums.Around(vertex);
-      }
-    });
+        SumsOverRegions sums(mesh, parts, radius, limit);
+        for (int vertex = first; vertex < last; ++vertex)
+        {
+          ofRegions[vertex] = sums.Around(vertex);
+        }
+      });
   }
   return ofRegions;
 }
@@ -173,47 +180,47 @@ std::vector<BendOfPart> BendsOfRegions(
 /// \param flat the curvature below which the surface counts as flat.
 /// \param bendOf (element) the sum over its region.
 template <class BendOf>
-PrincipalCurvatures CurvaturesOf(const TangentFrames& frames, double flat, const BendOf& bendOf,
-  const ExecutionContext& context)
+PrincipalCurvatures CurvaturesOf(
+  const TangentFrames& frames, double flat, const BendOf& bendOf, const ExecutionContext& context)
 {
   const int size = static_cast<int>(frames.X.rows());
-  PrincipalCurvatures found{ Vector<Complex>(size), Vector<double>(size), Vector<double>(size),
-    Vector<double>(size) };
-  context.ParallelFor(0, size, Grain, [&](int first, int last) {
-    for (int element = first; element < last; ++element)
+  PrincipalCurvatures found{ Vector<Complex>(size), Vector<double>(size), Vector<double>(size), Vector<double>(size) };
+  context.ParallelFor(0, size, Grain,
+    [&](int first, int last)
     {
-      const BendOfPart part = bendOf(element);
-      const Vector3 x = frames.X.row(element).transpose(), y = frames.Y.row(element).transpose();
-      const Eigen::Matrix3d shape =
-        part.Area > 0.0 ? Eigen::Matrix3d(part.Bend / part.Area) : Eigen::Matrix3d::Zero();
-      const double xx = x.dot(shape * x), yy = y.dot(shape * y), xy = x.dot(shape * y);
-      const double mean = 0.5 * (xx + yy);
-      // Directions of half its angle bend most.
-      const Complex difference(0.5 * (xx - yy), xy);
-      const double half = std::abs(difference);
-      const double ratio = 2.0 * half / (std::abs(mean + half) + std::abs(mean - half) + flat);
-      const bool isClear = ratio > SmallestRatio;
-      found.MaximumDirections[element] = isClear ? std::sqrt(difference / half) : Complex(0.0);
-      found.Maximum[element] = mean + half;
-      found.Minimum[element] = mean - half;
-      found.Confidence[element] = isClear ? ratio * ratio : 0.0;
-    }
-  });
+      for (int element = first; element < last; ++element)
+      {
+        const BendOfPart part = bendOf(element);
+        const Vector3 x = frames.X.row(element).transpose(), y = frames.Y.row(element).transpose();
+        const Eigen::Matrix3d shape =
+          part.Area > 0.0 ? Eigen::Matrix3d(part.Bend / part.Area) : Eigen::Matrix3d::Zero();
+        const double xx = x.dot(shape * x), yy = y.dot(shape * y), xy = x.dot(shape * y);
+        const double mean = 0.5 * (xx + yy);
+        // Directions of half its angle bend most.
+        const Complex difference(0.5 * (xx - yy), xy);
+        const double half = std::abs(difference);
+        const double ratio = 2.0 * half / (std::abs(mean + half) + std::abs(mean - half) + flat);
+        const bool isClear = ratio > SmallestRatio;
+        found.MaximumDirections[element] = isClear ? std::sqrt(difference / half) : Complex(0.0);
+        found.Maximum[element] = mean + half;
+        found.Minimum[element] = mean - half;
+        found.Confidence[element] = isClear ? ratio * ratio : 0.0;
+      }
+    });
   return found;
 }
 
 }
 
-PrincipalDirections FindPrincipalDirections(
-  const FramedMesh& surface, double scale, const ExecutionContext& context)
+PrincipalDirections FindPrincipalDirections(const FramedMesh& surface, double scale, const ExecutionContext& context)
 {
   assert(scale >= 0.0 && std::isfinite(scale));
   const TriangleMesh& mesh = surface.Mesh;
-  const std::vector<BendOfPart> regions =
-    BendsOfRegions(surface, scale, PartOfContext(context, 0.0, 0.9));
+  const std::vector<BendOfPart> regions = BendsOfRegions(surface, scale, PartOfContext(context, 0.0, 0.9));
   const Points& points = mesh.VertexPositions();
   const double diagonal = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-  const auto ofFace = [&](int face) {
+  const auto ofFace = [&](int face)
+  {
     BendOfPart sum;
     for (int k = 0; k < 3; ++k)
     {
@@ -222,8 +229,8 @@ PrincipalDirections FindPrincipalDirections(
     return sum;
   };
   PrincipalDirections found{ CurvaturesOf(surface.Faces, 1.0 / diagonal, ofFace, context),
-    CurvaturesOf(surface.Vertices, 1.0 / diagonal,
-      [&regions](int vertex) { return regions[vertex]; }, context) };
+    CurvaturesOf(
+      surface.Vertices, 1.0 / diagonal, [&regions](int vertex) { return regions[vertex]; }, context) };
   context.Checkpoint(1.0);
   return found;
 }

@@ -22,8 +22,8 @@ Eigen::MatrixXd AdjustKernelToPenalties(Eigen::MatrixXd fields, const RoughnessH
   const Vector<double>& D, const ExecutionContext& context);
 
 /// What the energies of some vectors would be if nothing cancelled. Slivers have large scales, and hardly count.
-double LargestEnergy(const Eigen::MatrixXd& vectors, const RoughnessHierarchy& hierarchy,
-  const Vector<double>& D, const ExecutionContext& context);
+double LargestEnergy(const Eigen::MatrixXd& vectors, const RoughnessHierarchy& hierarchy, const Vector<double>& D,
+  const ExecutionContext& context);
 
 /// The harmonic fields that nothing determines, the kernel of A: orthonormal columns.
 /// \param held unknowns that are zero.

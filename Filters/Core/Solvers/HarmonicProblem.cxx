@@ -59,8 +59,7 @@ Eigen::MatrixXd MultigridSetup::HarmonicFields() const
 class HarmonicProblem::Internals
 {
 public:
-  Internals(std::shared_ptr<const MultigridSetup> setup, const SolverOptions& options,
-    const SolverChoice& choice)
+  Internals(std::shared_ptr<const MultigridSetup> setup, const SolverOptions& options, const SolverChoice& choice)
     : System(std::move(setup))
     , Options(options)
     , Kind(choice.Kind)
@@ -71,12 +70,10 @@ public:
   void Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
   /// Solves for what x differs by from \p held, and adds that.
   /// \param b of all. \param x a start, or empty.
-  void SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held,
-    const Vector<double>& reference, const StoppingCriteria& stop, Vector<double>& x,
-    const ExecutionContext& context);
+  void SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held, const Vector<double>& reference,
+    const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context);
   /// On the components without prescriptions.
-  void FindSmoothest(
-    Vector<double> start, int maximumIterations, Vector<double>& x, const ExecutionContext& context);
+  void FindSmoothest(Vector<double> start, int maximumIterations, Vector<double>& x, const ExecutionContext& context);
 
   PrescribedSystem System;
   const SolverOptions Options;
@@ -92,17 +89,16 @@ private:
   void FindUndetermined(const Vector<double>& D, const ExecutionContext& context);
   void WarnOfUndetermined(int number);
   /// By a factor, V-cycles or conjugate gradients.
-  void Iterate(Vector<double>& b, const StoppingCriteria& stop,
-    const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context);
+  void Iterate(Vector<double>& b, const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure,
+    Vector<double>& x, const ExecutionContext& context);
   /// Conjugate gradients with a factor instead of cycles, which have not converged, from where these are. Where there
   /// is none, all stays as it was.
-  void IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b,
-    const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure, Vector<double>& x,
-    const ExecutionContext& context);
+  void IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b, const StoppingCriteria& stop,
+    const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context);
 
   std::unique_ptr<RoughnessCycle> Cycle;
-  std::optional<DeflatedPreconditioner> Deflated; ///< the cycle or factor, where there are harmonic fields
-  std::unique_ptr<Preconditioner<double>> Factor; ///< as soon as cycles have stagnated
+  std::optional<DeflatedPreconditioner> Deflated;   ///< the cycle or factor, where there are harmonic fields
+  std::unique_ptr<Preconditioner<double>> Factor;   ///< as soon as cycles have stagnated
   std::unique_ptr<RoughnessNestedIteration> Nested; ///< in place of a cycle
 };
 
@@ -132,16 +128,14 @@ void HarmonicProblem::Internals::Prescribe(
     this->Deflate(D, context);
   }
   const bool hasLevels = this->Kind != SolverKind::Cholesky;
-  this->Report.Solver = NameOf(this->Kind) + (hasLevels ? " on " + this->System.Setup().Name : "") +
-    this->Reason + this->System.Setup().KernelNote;
+  this->Report.Solver = NameOf(this->Kind) + (hasLevels ? " on " + this->System.Setup().Name : "") + this->Reason +
+    this->System.Setup().KernelNote;
   this->Report.Warnings = this->SystemWarnings;
-  this->Report.PrepareSeconds =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  this->Report.PrepareSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   context.Checkpoint(1.0);
 }
 
-void HarmonicProblem::Internals::MakeCycle(
-  const Vector<double>& D, const ExecutionContext& context)
+void HarmonicProblem::Internals::MakeCycle(const Vector<double>& D, const ExecutionContext& context)
 {
   const RoughnessHierarchy& hierarchy = *this->System.Setup().Hierarchy;
   if (this->Cycle)
@@ -150,20 +144,17 @@ void HarmonicProblem::Internals::MakeCycle(
   }
   else
   {
-    this->Cycle =
-      hierarchy.Cycle(D, OptionsOfCycle(this->Options, this->System.Setup().Tuning), context);
+    this->Cycle = hierarchy.Cycle(D, OptionsOfCycle(this->Options, this->System.Setup().Tuning), context);
   }
   this->Report.Levels = this->Cycle->Levels();
   this->Report.Bytes = this->System.Setup().Bytes() + this->Cycle->Bytes();
 }
 
-void HarmonicProblem::Internals::MakeNested(
-  const Vector<double>& D, const ExecutionContext& context)
+void HarmonicProblem::Internals::MakeNested(const Vector<double>& D, const ExecutionContext& context)
 {
   this->Nested.reset(); // makes room
-  this->Nested = this->System.Setup().Hierarchy->NestedIterations(D,
-    OptionsOfCycle(this->Options, this->System.Setup().Tuning), this->Kind == SolverKind::NestedIterations,
-    context);
+  this->Nested = this->System.Setup().Hierarchy->NestedIterations(
+    D, OptionsOfCycle(this->Options, this->System.Setup().Tuning), this->Kind == SolverKind::NestedIterations, context);
   this->Report.Levels = this->Nested->Levels();
   this->Report.Bytes = this->System.Setup().Bytes() + this->Nested->Bytes();
 }
@@ -174,15 +165,15 @@ void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const Executio
   {
     return;
   }
-  Eigen::MatrixXd kernel = AdjustKernelToPenalties(this->System.Setup().Kernel, *this->System.Setup().Hierarchy, D, context);
+  Eigen::MatrixXd kernel =
+    AdjustKernelToPenalties(this->System.Setup().Kernel, *this->System.Setup().Hierarchy, D, context);
   const double largest = LargestEnergy(kernel, *this->System.Setup().Hierarchy, D, context);
   this->Deflated.emplace(*this->Cycle, this->System.Matrix(), std::move(kernel), largest, context);
   this->Report.Bytes += this->Deflated->Bytes();
   this->WarnOfUndetermined(this->Deflated->Kernel().Size());
 }
 
-void HarmonicProblem::Internals::FindUndetermined(
-  const Vector<double>& D, const ExecutionContext& context)
+void HarmonicProblem::Internals::FindUndetermined(const Vector<double>& D, const ExecutionContext& context)
 {
   const MultigridSetup& setup = this->System.Setup();
   if (setup.Kernel.cols() == 0)
@@ -205,9 +196,8 @@ void HarmonicProblem::Internals::WarnOfUndetermined(int number)
   }
 }
 
-void HarmonicProblem::Internals::SolveWithPrescriptions(const Vector<double>& b,
-  const Vector<double>& held, const Vector<double>& reference, const StoppingCriteria& stop,
-  Vector<double>& x, const ExecutionContext& context)
+void HarmonicProblem::Internals::SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held,
+  const Vector<double>& reference, const StoppingCriteria& stop, Vector<double>& x, const ExecutionContext& context)
 {
   Vector<double> difference; // b - A held
   this->System.Matrix().Apply(held, difference, context);
@@ -259,31 +249,28 @@ void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriter
   }
   if (!this->Factor)
   {
-    const auto solve = this->Kind == SolverKind::VCycles ? &StationaryIteration<double>
-                                                         : &ConjugateGradient<double>;
+    const auto solve = this->Kind == SolverKind::VCycles ? &StationaryIteration<double> : &ConjugateGradient<double>;
     StoppingCriteria stopOfSolve = stop;
     stopOfSolve.MayEstimate = this->Kind != SolverKind::Cholesky; // one more cycle is a quarter of a usual solve
     solve(*matrix, *inverse, b, stopOfSolve, x, this->Report, context, &measure);
   }
-  const bool haveStagnated = this->Kind == SolverKind::ConjugateGradients &&
-    !this->Report.Converged && !this->Report.EndedByRounding &&
-    stop.MaximumIterations >= FewestIterationsBeforeFactor;
+  const bool haveStagnated = this->Kind == SolverKind::ConjugateGradients && !this->Report.Converged &&
+    !this->Report.EndedByRounding && stop.MaximumIterations >= FewestIterationsBeforeFactor;
   if (this->Factor || haveStagnated)
   {
     this->IterateWithFactor(*matrix, b, stop, measure, x, context);
   }
 }
 
-void HarmonicProblem::Internals::IterateWithFactor(const LinearOperator<double>& matrix,
-  const Vector<double>& b, const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure,
-  Vector<double>& x, const ExecutionContext& context)
+void HarmonicProblem::Internals::IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b,
+  const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure, Vector<double>& x,
+  const ExecutionContext& context)
 {
   try
   {
     if (!this->Factor)
     {
-      this->Factor =
-        this->System.Setup().Hierarchy->Factor(this->System.Diagonal(), context);
+      this->Factor = this->System.Setup().Hierarchy->Factor(this->System.Diagonal(), context);
     }
   }
   catch (const SolverFailure&)
@@ -321,9 +308,8 @@ void HarmonicProblem::Internals::FindSmoothest(
   }
 }
 
-HarmonicProblem::HarmonicProblem(std::shared_ptr<const MultigridSetup> setup,
-  PrescribedUnknowns prescribed, double smoothness, const SolverOptions& options,
-  const SolverChoice& choice, const ExecutionContext& context)
+HarmonicProblem::HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, PrescribedUnknowns prescribed,
+  double smoothness, const SolverOptions& options, const SolverChoice& choice, const ExecutionContext& context)
   : Internal(std::make_unique<Internals>(std::move(setup), options, choice))
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
@@ -334,8 +320,7 @@ HarmonicProblem::~HarmonicProblem() = default;
 
 HarmonicProblem::HarmonicProblem(HarmonicProblem&&) noexcept = default;
 
-void HarmonicProblem::Update(
-  PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+void HarmonicProblem::Update(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
 }
@@ -366,7 +351,8 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   of.Report.Eigenvalues.clear();
   const std::vector<int>& order = of.System.Setup().Hierarchy->Order;
   const std::vector<int>& unprescribed = of.System.Unprescribed().Unknowns();
-  const auto inOrder = [&](const Vector<double>& vector) {
+  const auto inOrder = [&](const Vector<double>& vector)
+  {
     Vector<double> gathered = Gathered(vector, order, context);
     if (gathered.size() > 0)
     {

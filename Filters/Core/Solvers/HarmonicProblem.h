@@ -40,9 +40,8 @@ public:
   /// \throw InvalidInput nothing is left to solve for.
   /// \throw SolverFailure the system could not be factored.
   /// \throw Cancelled
-  HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, PrescribedUnknowns prescribed,
-    double smoothness, const SolverOptions& options, const SolverChoice& choice,
-    const ExecutionContext& context);
+  HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, PrescribedUnknowns prescribed, double smoothness,
+    const SolverOptions& options, const SolverChoice& choice, const ExecutionContext& context);
   ~HarmonicProblem();
   HarmonicProblem(HarmonicProblem&&) noexcept;
 
@@ -62,9 +61,8 @@ public:
   ///   not to converge is no warning.
   /// \throw InvalidInput nested iterations while the error falls, without a reference.
   /// \throw Cancelled
-  Vector<double> Solve(const Vector<double>& values, const Vector<double>& start,
-    const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context,
-    const Vector<double>& source = {});
+  Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, const Vector<double>& reference,
+    const StoppingCriteria& stop, const ExecutionContext& context, const Vector<double>& source = {});
 
   const MultigridSetup& Setup() const;
 

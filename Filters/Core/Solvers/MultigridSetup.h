@@ -15,8 +15,8 @@ namespace dmg
 /// the hierarchy.
 struct MultigridSetup
 {
-  std::string Fields; ///< whose roughness it is: a discretisation by name
-  std::string Name;   ///< says in reports what the coarse levels hold
+  std::string Fields;    ///< whose roughness it is: a discretisation by name
+  std::string Name;      ///< says in reports what the coarse levels hold
   bool HasLevels = true; ///< else it is to be factored
   SolverTuning Tuning;
   std::unique_ptr<const RoughnessHierarchy> Hierarchy;
@@ -27,9 +27,9 @@ struct MultigridSetup
   /// Whether components without prescriptions get the smoothest field of unit norm, the lowest eigenvector of R in
   /// Mass; else zero.
   bool HasSmoothest = false;
-  double Area = 1.0;             ///< of the surface
+  double Area = 1.0;              ///< of the surface
   double SquaredNormOfUnit = 1.0; ///< in Mass, of a field of magnitude 1
-  std::string KernelNote; ///< for reports: why Kernel is left out, or empty
+  std::string KernelNote;         ///< for reports: why Kernel is left out, or empty
 
   double MassOf(int unknown) const
   {

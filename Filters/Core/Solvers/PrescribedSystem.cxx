@@ -30,19 +30,20 @@ Vector<double> InverseDiagonal(
 {
   constexpr int Grain = 8192;
   Vector<double> inverse(D.size());
-  context.ParallelFor(0, static_cast<int>(D.size()), Grain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(D.size()), Grain,
+    [&](int first, int last)
     {
-      const double diagonal = hierarchy.DiagonalOf(i) + D[i];
-      inverse[i] = diagonal > 0.0 ? 1.0 / diagonal : 0.0;
-    }
-  });
+      for (int i = first; i < last; ++i)
+      {
+        const double diagonal = hierarchy.DiagonalOf(i) + D[i];
+        inverse[i] = diagonal > 0.0 ? 1.0 / diagonal : 0.0;
+      }
+    });
   return inverse;
 }
 
 /// Where some items stand in an order.
-std::vector<int> PlacesOf(
-  const std::vector<int>& items, const std::vector<int>& order, const ExecutionContext& context)
+std::vector<int> PlacesOf(const std::vector<int>& items, const std::vector<int>& order, const ExecutionContext& context)
 {
   const std::vector<int> all = Inverse(order, context);
   std::vector<int> places;
@@ -62,16 +63,16 @@ PrescribedSystem::PrescribedSystem(std::shared_ptr<const MultigridSetup> setup)
 {
 }
 
-void PrescribedSystem::Prescribe(
-  PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+void PrescribedSystem::Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
 {
   const RoughnessHierarchy& hierarchy = *this->Setup().Hierarchy;
   this->Prescribed = std::move(prescribed);
   this->SmoothnessWeight = this->IsHard() ? 1.0 : smoothness;
   this->Places = PlacesOf(this->Prescribed.Unknowns, hierarchy.Order, context);
   const std::vector<char> isReached = this->SetPenalties();
-  this->SetUnreached(Choose(hierarchy.NumberOfUnknowns(),
-                       [&](int i) { return !isReached[hierarchy.ComponentOf(i)]; }, context),
+  this->SetUnreached(
+    Choose(
+      hierarchy.NumberOfUnknowns(), [&](int i) { return !isReached[hierarchy.ComponentOf(i)]; }, context),
     context);
   if (static_cast<int>(this->Held().size()) == hierarchy.NumberOfUnknowns())
   {
@@ -93,8 +94,8 @@ std::vector<char> PrescribedSystem::SetPenalties()
   {
     const int place = this->Places[k];
     const bool holds = this->IsHard() ||
-      (this->Penalties[k] = LimitedPenalty(this->Prescribed.Alignment[k] / this->SmoothnessWeight,
-         hierarchy.DiagonalOf(place))) > 0.0;
+      (this->Penalties[k] =
+          LimitedPenalty(this->Prescribed.Alignment[k] / this->SmoothnessWeight, hierarchy.DiagonalOf(place))) > 0.0;
     isReached[hierarchy.ComponentOf(place)] |= holds;
     holdsAny |= holds;
   }
@@ -129,7 +130,8 @@ void PrescribedSystem::SetUnreached(const std::vector<int>& unreached, const Exe
     this->WarningsOfSystem.push_back(std::to_string(still.size()) + " of " +
       std::to_string(setup.Hierarchy->NumberOfUnknowns()) +
       (setup.HasSmoothest
-          ? " unknowns lie in components of the surface that hold no prescribed direction and have no area; the field is zero there"
+          ? " unknowns lie in components of the surface that hold no prescribed direction and have no area; the field "
+            "is zero there"
           : " values lie in components of the surface that hold no prescribed value; the function is zero there"));
   }
   this->HeldUnknowns = std::move(still);
@@ -152,8 +154,7 @@ Vector<double> PrescribedSystem::Diagonal() const
   return D;
 }
 
-Vector<double> PrescribedSystem::RightHandSide(
-  const Vector<double>& values, const ExecutionContext& context) const
+Vector<double> PrescribedSystem::RightHandSide(const Vector<double>& values, const ExecutionContext& context) const
 {
   Vector<double> b = Vector<double>::Zero(this->Setup().Hierarchy->NumberOfUnknowns());
   for (std::size_t k = 0; k < this->Places.size(); ++k)

@@ -27,9 +27,8 @@ Solution SolveInUnits(HarmonicProblem& problem, const Vector<double>& values, co
   const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context)
 {
   const int unit = ExponentOf(values);
-  const Vector<double> unknowns =
-    problem.Solve(TimesPowerOfTwo(values, -unit), TimesPowerOfTwo(start, -unit),
-      TimesPowerOfTwo(reference, -unit), stop, context);
+  const Vector<double> unknowns = problem.Solve(
+    TimesPowerOfTwo(values, -unit), TimesPowerOfTwo(start, -unit), TimesPowerOfTwo(reference, -unit), stop, context);
   Solution solution{ TimesPowerOfTwo(unknowns, unit), problem.Report() };
   if (!solution.Unknowns.allFinite())
   {

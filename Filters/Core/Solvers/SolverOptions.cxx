@@ -24,8 +24,8 @@ bool IsNested(SolverKind kind)
   return kind == SolverKind::NestedIterations || kind == SolverKind::CoarseProlongation;
 }
 
-SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuning,
-  int numberOfUnknowns, bool hasLevels, const std::string& whyFactor)
+SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuning, int numberOfUnknowns,
+  bool hasLevels, const std::string& whyFactor)
 {
   const SolverKind asked = options.Kind;
   const std::string size = ", chosen for " + std::to_string(numberOfUnknowns) + " unknowns";
@@ -41,9 +41,8 @@ SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuni
   if (asked == SolverKind::Automatic && options.ExpectedSolves >= tuning.SolvesForCholesky)
   {
     return { SolverKind::Cholesky,
-      size + " and " + std::to_string(options.ExpectedSolves) +
-        " solves, enough for a factor to pay (" + std::to_string(tuning.SolvesForCholesky) +
-        " or more)" };
+      size + " and " + std::to_string(options.ExpectedSolves) + " solves, enough for a factor to pay (" +
+        std::to_string(tuning.SolvesForCholesky) + " or more)" };
   }
   if (asked == SolverKind::Cholesky)
   {
@@ -52,13 +51,11 @@ SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuni
   if (!hasLevels)
   {
     // Multigrid on one level is its exact solver.
-    const std::string instead =
-      asked == SolverKind::Automatic ? "chosen" : "in place of " + NameOf(asked);
+    const std::string instead = asked == SolverKind::Automatic ? "chosen" : "in place of " + NameOf(asked);
     return { SolverKind::Cholesky, ", " + instead + " because there are no coarse levels" };
   }
   return asked == SolverKind::Automatic
-    ? SolverChoice{ SolverKind::ConjugateGradients,
-        size + ", too many to factor at once (more than " + largest + ")" }
+    ? SolverChoice{ SolverKind::ConjugateGradients, size + ", too many to factor at once (more than " + largest + ")" }
     : SolverChoice{ asked, "" };
 }
 

@@ -44,7 +44,8 @@ struct SolverOptions
 
   friend bool operator==(const SolverOptions& a, const SolverOptions& b)
   {
-    const auto members = [](const SolverOptions& options) {
+    const auto members = [](const SolverOptions& options)
+    {
       // A member that is forgotten here does not compile.
       const auto& [kind, solves, sweeps, nested, level, isCompared] = options;
       return std::tie(kind, solves, sweeps, nested, level, isCompared);
@@ -83,8 +84,8 @@ struct SolverChoice
 /// \param hasLevels whether there are coarse levels. Where there are none the system is factored,
 ///   whatever is asked for.
 /// \param whyFactor Automatic factors where this is not empty; the rest of a sentence for the report.
-SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuning,
-  int numberOfUnknowns, bool hasLevels, const std::string& whyFactor = {});
+SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuning, int numberOfUnknowns,
+  bool hasLevels, const std::string& whyFactor = {});
 
 /// Whether nested iterations solve, rather than a Krylov method or a stationary iteration.
 bool IsNested(SolverKind kind);

@@ -12,8 +12,9 @@ namespace dmg
 UnprescribedComponents::UnprescribedComponents(
   const MultigridSetup& setup, const std::vector<int>& unknowns, const ExecutionContext& context)
   : Setup(&setup)
-  , ByComponent(SortByKey(unknowns, setup.Hierarchy->NumberOfComponents(),
-      [&setup](int i) { return setup.Hierarchy->ComponentOf(i); }, context))
+  , ByComponent(SortByKey(
+      unknowns, setup.Hierarchy->NumberOfComponents(), [&setup](int i) { return setup.Hierarchy->ComponentOf(i); },
+      context))
   , Shifts(setup.Hierarchy->NumberOfComponents(), 0.0)
 {
   // A surface of size L has eigenvalues from about 1 / L^2 to 1 / h^2, where the diagonal is, and n unknowns have the
@@ -60,15 +61,14 @@ double UnprescribedComponents::ShareOf(std::size_t component) const
 }
 
 std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearOperator<double>& A,
-  Preconditioner<double>& inverse, Vector<double> start, int maximumIterations, Vector<double>& x,
-  SolveReport& report, const ExecutionContext& context) const
+  Preconditioner<double>& inverse, Vector<double> start, int maximumIterations, Vector<double>& x, SolveReport& report,
+  const ExecutionContext& context) const
 {
   const MultigridSetup& setup = *this->Setup;
   if (start.size() == 0)
   {
     // Nothing is smoother than a harmonic field.
-    start = setup.Kernel.cols() > 0 ? Vector<double>(setup.Kernel.rowwise().sum())
-                                    : Vector<double>::Zero(x.size());
+    start = setup.Kernel.cols() > 0 ? Vector<double>(setup.Kernel.rowwise().sum()) : Vector<double>::Zero(x.size());
   }
   // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart. At 1e-4
   // the next eigenvectors may still turn the field by many degrees where it is small.
@@ -79,8 +79,8 @@ std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearO
     maximumIterations <= std::numeric_limits<int>::max() / Patience ? Patience * maximumIterations : maximumIterations;
   const StoppingCriteria stop{ Tolerance, iterations };
   SolveReport found;
-  const std::vector<double> theta = FindLowestEigenvectors(
-    { A, inverse, setup.Mass, this->ByComponent }, stop, start, found, context);
+  const std::vector<double> theta =
+    FindLowestEigenvectors({ A, inverse, setup.Mass, this->ByComponent }, stop, start, found, context);
   for (std::size_t component = 0; component < theta.size(); ++component)
   {
     const int begin = this->ByComponent.Begins[component];
@@ -90,8 +90,8 @@ std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearO
       const double length = std::sqrt(this->ShareOf(component) * setup.SquaredNormOfUnit);
       std::for_each(this->ByComponent.Items.begin() + begin, this->ByComponent.Items.begin() + end,
         [&](int i) { x[i] = length * start[i]; });
-      report.Eigenvalues.push_back(std::max(theta[component] - this->Shifts[component], 0.0) *
-        setup.SquaredNormOfUnit / setup.Area);
+      report.Eigenvalues.push_back(
+        std::max(theta[component] - this->Shifts[component], 0.0) * setup.SquaredNormOfUnit / setup.Area);
     }
   }
   report.SolveSeconds += found.SolveSeconds;

@@ -49,7 +49,7 @@ private:
   double ShareOf(std::size_t component) const;
 
   const MultigridSetup* Setup = nullptr;
-  SortedItems ByComponent; ///< unknowns; components with prescriptions have none
+  SortedItems ByComponent;    ///< unknowns; components with prescriptions have none
   std::vector<double> Shifts; ///< of eigenvalues, by component
 };
 

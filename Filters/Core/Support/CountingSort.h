@@ -22,26 +22,27 @@ struct SortedItems
 /// Sorts items by key(item) in [0, numberOfKeys), keeping the order of equal ones.
 /// Cost: linear. Each thread counts all keys, so there should be fewer of them than items.
 template <class Key>
-SortedItems SortByKey(const std::vector<int>& items, int numberOfKeys, const Key& key,
-  const ExecutionContext& context)
+SortedItems SortByKey(const std::vector<int>& items, int numberOfKeys, const Key& key, const ExecutionContext& context)
 {
   constexpr int SmallestBand = 8192;
   const int size = static_cast<int>(items.size());
   // Each band's part of a key follows that of the band before it, so their number does not matter.
   const int bands = std::clamp(size / SmallestBand, 1, context.NumberOfThreads());
-  const auto bandBegin = [size, bands](int band) {
-    return static_cast<int>(static_cast<long long>(size) * band / bands);
-  };
-  const auto forEach = [&](const auto& visit) {
-    context.ParallelFor(0, bands, 1, [&](int first, int last) {
-      for (int band = first; band < last; ++band)
+  const auto bandBegin = [size, bands](int band)
+  { return static_cast<int>(static_cast<long long>(size) * band / bands); };
+  const auto forEach = [&](const auto& visit)
+  {
+    context.ParallelFor(0, bands, 1,
+      [&](int first, int last)
       {
-        for (int k = bandBegin(band); k < bandBegin(band + 1); ++k)
+        for (int band = first; band < last; ++band)
         {
-          visit(band, items[k]);
+          for (int k = bandBegin(band); k < bandBegin(band + 1); ++k)
+          {
+            visit(band, items[k]);
+          }
         }
-      }
-    });
+      });
   };
   std::vector<std::vector<int>> places(bands, std::vector<int>(numberOfKeys, 0));
   forEach([&](int band, int item) { ++places[band][key(item)]; });
@@ -85,25 +86,26 @@ struct ItemsByPair
 /// Sorts the numbers below \p size by keys(number), a pair, the first in [0, numberOfKeys), and then by themselves.
 /// Cost: linear where few have the same first key.
 template <class Keys>
-ItemsByPair SortByPair(
-  int size, int numberOfKeys, const Keys& keys, const ExecutionContext& context)
+ItemsByPair SortByPair(int size, int numberOfKeys, const Keys& keys, const ExecutionContext& context)
 {
   constexpr int Grain = 4096;
   SortedItems byFirst = SortByKey(
     Identity(size), numberOfKeys, [&keys](int item) { return keys(item).first; }, context);
   ItemsByPair sorted{ Unfilled<ItemOfPair>(size), std::move(byFirst.Begins) };
-  context.ParallelFor(0, numberOfKeys, Grain, [&](int firstKey, int lastKey) {
-    for (int key = firstKey; key < lastKey; ++key)
+  context.ParallelFor(0, numberOfKeys, Grain,
+    [&](int firstKey, int lastKey)
     {
-      const int begin = sorted.Begins[key];
-      const int end = sorted.Begins[key + 1];
-      for (int k = begin; k < end; ++k)
+      for (int key = firstKey; key < lastKey; ++key)
       {
-        sorted.Items[k] = { keys(byFirst.Items[k]).second, byFirst.Items[k] };
+        const int begin = sorted.Begins[key];
+        const int end = sorted.Begins[key + 1];
+        for (int k = begin; k < end; ++k)
+        {
+          sorted.Items[k] = { keys(byFirst.Items[k]).second, byFirst.Items[k] };
+        }
+        std::sort(sorted.Items.begin() + begin, sorted.Items.begin() + end);
       }
-      std::sort(sorted.Items.begin() + begin, sorted.Items.begin() + end);
-    }
-  });
+    });
   return sorted;
 }
 
@@ -113,19 +115,21 @@ std::vector<int> Choose(int size, const IsChosen& isChosen, const ExecutionConte
 {
   constexpr int BlockSize = 8192;
   std::vector<std::vector<int>> chosen((size + BlockSize - 1) / BlockSize);
-  context.ParallelFor(0, static_cast<int>(chosen.size()), 1, [&](int first, int last) {
-    for (int block = first; block < last; ++block)
+  context.ParallelFor(0, static_cast<int>(chosen.size()), 1,
+    [&](int first, int last)
     {
-      const int end = std::min((block + 1) * BlockSize, size);
-      for (int number = block * BlockSize; number < end; ++number)
+      for (int block = first; block < last; ++block)
       {
-        if (isChosen(number))
+        const int end = std::min((block + 1) * BlockSize, size);
+        for (int number = block * BlockSize; number < end; ++number)
         {
-          chosen[block].push_back(number);
+          if (isChosen(number))
+          {
+            chosen[block].push_back(number);
+          }
         }
       }
-    }
-  });
+    });
   std::vector<int> all;
   for (const std::vector<int>& part : chosen)
   {

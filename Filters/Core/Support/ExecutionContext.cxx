@@ -17,8 +17,7 @@ void ExecutionContext::Checkpoint(double fraction) const
   }
 }
 
-void ExecutionContext::ParallelFor(
-  int begin, int end, int grain, const std::function<void(int, int)>& body) const
+void ExecutionContext::ParallelFor(int begin, int end, int grain, const std::function<void(int, int)>& body) const
 {
   if (end <= begin)
   {
@@ -32,20 +31,22 @@ void ExecutionContext::ParallelFor(
   // Thread pools do not carry exceptions; the first one is kept and thrown by the caller's thread.
   std::exception_ptr error;
   std::mutex mutex;
-  this->RunInParallel(begin, end, grain, [&](int first, int last) {
-    try
+  this->RunInParallel(begin, end, grain,
+    [&](int first, int last)
     {
-      body(first, last);
-    }
-    catch (...)
-    {
-      const std::lock_guard<std::mutex> lock(mutex);
-      if (!error)
+      try
       {
-        error = std::current_exception();
+        body(first, last);
       }
-    }
-  });
+      catch (...)
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        if (!error)
+        {
+          error = std::current_exception();
+        }
+      }
+    });
   if (error)
   {
     std::rethrow_exception(error);

@@ -28,8 +28,7 @@ public:
   /// Calls body(first, last) for consecutive pieces of [begin, end), possibly at the same time.
   /// Pieces hold about \p grain indices; a loop of at most \p grain indices runs in the calling
   /// thread. A body may have loops of its own.
-  void ParallelFor(
-    int begin, int end, int grain, const std::function<void(int first, int last)>& body) const;
+  void ParallelFor(int begin, int end, int grain, const std::function<void(int first, int last)>& body) const;
 
   /// How many pieces may run at the same time; >= 1. Results must not depend on it.
   virtual int NumberOfThreads() const { return 1; }
@@ -42,8 +41,7 @@ protected:
   virtual void ReportProgress(double fraction) const = 0;
 
   /// Called only with begin + grain < end.
-  virtual void RunInParallel(
-    int begin, int end, int grain, const std::function<void(int, int)>& body) const = 0;
+  virtual void RunInParallel(int begin, int end, int grain, const std::function<void(int, int)>& body) const = 0;
 
   friend class PartOfContext;
 };
@@ -53,8 +51,7 @@ class SerialContext : public ExecutionContext
 {
 protected:
   void ReportProgress(double) const override {}
-  void RunInParallel(
-    int begin, int end, int, const std::function<void(int, int)>& body) const override
+  void RunInParallel(int begin, int end, int, const std::function<void(int, int)>& body) const override
   {
     body(begin, end);
   }
@@ -79,8 +76,7 @@ protected:
   {
     this->Whole.ReportProgress(this->From + fraction * (this->To - this->From));
   }
-  void RunInParallel(
-    int begin, int end, int grain, const std::function<void(int, int)>& body) const override
+  void RunInParallel(int begin, int end, int grain, const std::function<void(int, int)>& body) const override
   {
     this->Whole.RunInParallel(begin, end, grain, body);
   }

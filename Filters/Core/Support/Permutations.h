@@ -10,17 +10,18 @@
 namespace dmg
 {
 
-inline std::vector<int> Inverse(
-  const std::vector<int>& permutation, const ExecutionContext& context = SerialContext())
+inline std::vector<int> Inverse(const std::vector<int>& permutation, const ExecutionContext& context = SerialContext())
 {
   constexpr int Grain = 8192;
   std::vector<int> inverse(permutation.size());
-  context.ParallelFor(0, static_cast<int>(permutation.size()), Grain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(permutation.size()), Grain,
+    [&](int first, int last)
     {
-      inverse[permutation[i]] = i;
-    }
-  });
+      for (int i = first; i < last; ++i)
+      {
+        inverse[permutation[i]] = i;
+      }
+    });
   return inverse;
 }
 
@@ -30,27 +31,30 @@ inline Vector<double> Gathered(
 {
   constexpr int Grain = 8192;
   Vector<double> x(all.size());
-  context.ParallelFor(0, static_cast<int>(all.size()), Grain, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
+  context.ParallelFor(0, static_cast<int>(all.size()), Grain,
+    [&](int first, int last)
     {
-      x[k] = all[order[k]];
-    }
-  });
+      for (int k = first; k < last; ++k)
+      {
+        x[k] = all[order[k]];
+      }
+    });
   return x;
 }
 
 /// The way back: [order[k]] is x[k].
-inline Vector<double> Scattered(
-  const Vector<double>& x, const std::vector<int>& order, const ExecutionContext& context)
+inline Vector<double> Scattered(const Vector<double>& x, const std::vector<int>& order, const ExecutionContext& context)
 {
   constexpr int Grain = 8192;
   Vector<double> all(x.size());
-  context.ParallelFor(0, static_cast<int>(x.size()), Grain, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
+  context.ParallelFor(0, static_cast<int>(x.size()), Grain,
+    [&](int first, int last)
     {
-      all[order[k]] = x[k];
-    }
-  });
+      for (int k = first; k < last; ++k)
+      {
+        all[order[k]] = x[k];
+      }
+    });
   return all;
 }
 

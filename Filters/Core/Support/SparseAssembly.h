@@ -34,19 +34,20 @@ void AddTo(RowEntries<Scalar>& row, int column, Scalar value)
 /// A matrix whose row r holds \p sizeOf(r) entries, written by \p fillRow(r, columns, values),
 /// columns ascending. Rows are filled in parallel.
 template <class Scalar, class SizeOf, class FillRow>
-SparseMatrix<Scalar> FillRows(
-  int rows, int columns, const ExecutionContext& context, SizeOf sizeOf, FillRow fillRow)
+SparseMatrix<Scalar> FillRows(int rows, int columns, const ExecutionContext& context, SizeOf sizeOf, FillRow fillRow)
 {
   constexpr int Grain = 4096;
   SparseMatrix<Scalar> matrix(rows, columns);
   MakeRoom(matrix, context, sizeOf);
   const int* const offsets = matrix.outerIndexPtr();
-  context.ParallelFor(0, rows, Grain, [&](int first, int last) {
-    for (int r = first; r < last; ++r)
+  context.ParallelFor(0, rows, Grain,
+    [&](int first, int last)
     {
-      fillRow(r, matrix.innerIndexPtr() + offsets[r], matrix.valuePtr() + offsets[r]);
-    }
-  });
+      for (int r = first; r < last; ++r)
+      {
+        fillRow(r, matrix.innerIndexPtr() + offsets[r], matrix.valuePtr() + offsets[r]);
+      }
+    });
   return matrix;
 }
 
@@ -62,27 +63,28 @@ public:
     : Pieces((rows + RowsPerPiece - 1) / RowsPerPiece)
   {
     const int numberOfPieces = static_cast<int>(this->Pieces.size());
-    context.ParallelFor(0, numberOfPieces, 1, [&](int firstPiece, int lastPiece) {
-      RowEntries<Entry> row;
-      std::size_t size = 0;
-      for (int p = firstPiece; p < lastPiece; ++p)
+    context.ParallelFor(0, numberOfPieces, 1,
+      [&](int firstPiece, int lastPiece)
       {
-        Piece& piece = this->Pieces[p];
-        piece.Entries.reserve(size + size / 8); // pieces are much alike
-        const int end = std::min(rows, (p + 1) * RowsPerPiece);
-        piece.Offsets.assign(1, 0);
-        for (int r = p * RowsPerPiece; r < end; ++r)
+        RowEntries<Entry> row;
+        std::size_t size = 0;
+        for (int p = firstPiece; p < lastPiece; ++p)
         {
-          row.clear();
-          appendRow(r, row);
-          std::sort(row.begin(), row.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
-          piece.Entries.insert(piece.Entries.end(), row.begin(), row.end());
-          piece.Offsets.push_back(static_cast<int>(piece.Entries.size()));
+          Piece& piece = this->Pieces[p];
+          piece.Entries.reserve(size + size / 8); // pieces are much alike
+          const int end = std::min(rows, (p + 1) * RowsPerPiece);
+          piece.Offsets.assign(1, 0);
+          for (int r = p * RowsPerPiece; r < end; ++r)
+          {
+            row.clear();
+            appendRow(r, row);
+            std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+            piece.Entries.insert(piece.Entries.end(), row.begin(), row.end());
+            piece.Offsets.push_back(static_cast<int>(piece.Entries.size()));
+          }
+          size = piece.Entries.size();
         }
-        size = piece.Entries.size();
-      }
-    });
+      });
   }
 
   int Size(int row) const { return static_cast<int>(this->End(row) - this->Begin(row)); }
@@ -115,7 +117,8 @@ SparseMatrix<Scalar> MatrixOf(const AssembledRows<Scalar>& assembled, int rows, 
 {
   return FillRows<Scalar>(
     rows, columns, context, [&](int r) { return assembled.Size(sourceOf(r)); },
-    [&](int r, int* rowColumns, Scalar* values) {
+    [&](int r, int* rowColumns, Scalar* values)
+    {
       const int source = sourceOf(r);
       for (const auto* entry = assembled.Begin(source); entry != assembled.End(source); ++entry)
       {
@@ -127,8 +130,7 @@ SparseMatrix<Scalar> MatrixOf(const AssembledRows<Scalar>& assembled, int rows, 
 
 /// The matrix of the rows that \p appendRow adds; see AssembledRows.
 template <class Scalar, class AppendRow>
-SparseMatrix<Scalar> AssembleMatrix(
-  int rows, int columns, const ExecutionContext& context, AppendRow appendRow)
+SparseMatrix<Scalar> AssembleMatrix(int rows, int columns, const ExecutionContext& context, AppendRow appendRow)
 {
   const AssembledRows<Scalar> assembled(rows, context, appendRow);
   return MatrixOf(assembled, rows, columns, context, [](int r) { return r; });
@@ -145,7 +147,8 @@ SparseMatrix<double> AssembleBlocks(
   const AssembledRows<Block> assembled(blockRows, context, appendRow);
   return FillRows<double>(
     2 * blockRows, 2 * blockColumns, context, [&](int r) { return 2 * assembled.Size(r / 2); },
-    [&](int r, int* columns, double* values) {
+    [&](int r, int* columns, double* values)
+    {
       for (const auto* entry = assembled.Begin(r / 2); entry != assembled.End(r / 2); ++entry)
       {
         for (int k : { 0, 1 })
@@ -166,7 +169,8 @@ SparseMatrix<Scalar> SelectRows(
   return FillRows<Scalar>(
     static_cast<int>(rows.size()), static_cast<int>(matrix.cols()), context,
     [&](int r) { return offsets[rows[r] + 1] - offsets[rows[r]]; },
-    [&](int r, int* columns, Scalar* values) {
+    [&](int r, int* columns, Scalar* values)
+    {
       const int first = offsets[rows[r]];
       const int last = offsets[rows[r] + 1];
       std::copy(matrix.innerIndexPtr() + first, matrix.innerIndexPtr() + last, columns);
@@ -176,8 +180,8 @@ SparseMatrix<Scalar> SelectRows(
 
 /// The matrix whose row \p numbers[i] is row i of \p matrix; \p numbers is a permutation.
 template <class Scalar>
-SparseMatrix<Scalar> RenumberRows(const SparseMatrix<Scalar>& matrix,
-  const std::vector<int>& numbers, const ExecutionContext& context)
+SparseMatrix<Scalar> RenumberRows(
+  const SparseMatrix<Scalar>& matrix, const std::vector<int>& numbers, const ExecutionContext& context)
 {
   std::vector<int> inverse(numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i)

@@ -35,8 +35,8 @@ int OffsetsFromCounts(int* counts, int size)
 }
 
 template <class Scalar>
-void Multiply(const SparseMatrix<Scalar>& A, const Vector<Scalar>& x, Vector<Scalar>& y,
-  const ExecutionContext& context)
+void Multiply(
+  const SparseMatrix<Scalar>& A, const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context)
 {
   assert(A.isCompressed() && x.size() == A.cols());
   y.resize(A.rows());
@@ -76,25 +76,27 @@ SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionConte
 
   // Bands of rows of A are counted and scattered side by side. Each band's part of a row of the
   // adjoint follows that of the band before it, so the result does not depend on their number.
-  const int numberOfBands =
-    A.nonZeros() < RowGrain ? 1 : std::min(context.NumberOfThreads(), 16);
+  const int numberOfBands = A.nonZeros() < RowGrain ? 1 : std::min(context.NumberOfThreads(), 16);
   std::vector<std::vector<int>> places(numberOfBands); // by column of A: first counts, then where entries go
-  const auto forBands = [&](const auto& visit) {
-    const auto begin = [&](int band) {
-      return static_cast<int>(static_cast<long long>(rows) * band / numberOfBands);
-    };
-    context.ParallelFor(0, numberOfBands, 1, [&](int first, int last) {
-      for (int band = first; band < last; ++band)
+  const auto forBands = [&](const auto& visit)
+  {
+    const auto begin = [&](int band) { return static_cast<int>(static_cast<long long>(rows) * band / numberOfBands); };
+    context.ParallelFor(0, numberOfBands, 1,
+      [&](int first, int last)
       {
-        visit(places[band], begin(band), begin(band + 1));
-      }
-    });
+        for (int band = first; band < last; ++band)
+        {
+          visit(places[band], begin(band), begin(band + 1));
+        }
+      });
   };
-  forBands([=](std::vector<int>& counts, int firstRow, int lastRow) {
-    counts.assign(columns, 0);
-    std::for_each(columnsOfA + offsetsOfA[firstRow], columnsOfA + offsetsOfA[lastRow],
-      [&counts](int column) { ++counts[column]; });
-  });
+  forBands(
+    [=](std::vector<int>& counts, int firstRow, int lastRow)
+    {
+      counts.assign(columns, 0);
+      std::for_each(columnsOfA + offsetsOfA[firstRow], columnsOfA + offsetsOfA[lastRow],
+        [&counts](int column) { ++counts[column]; });
+    });
 
   SparseMatrix<Scalar> adjoint(columns, rows);
   adjoint.resizeNonZeros(A.nonZeros());
@@ -109,50 +111,53 @@ SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionConte
   }
   adjoint.outerIndexPtr()[columns] = next;
 
-  forBands([&](std::vector<int>& ofBand, int firstRow, int lastRow) {
-    for (int i = firstRow; i < lastRow; ++i)
+  forBands(
+    [&](std::vector<int>& ofBand, int firstRow, int lastRow)
     {
-      for (int k = offsetsOfA[i]; k < offsetsOfA[i + 1]; ++k)
+      for (int i = firstRow; i < lastRow; ++i)
       {
-        const int to = ofBand[columnsOfA[k]]++;
-        adjoint.innerIndexPtr()[to] = i;
-        adjoint.valuePtr()[to] = Eigen::numext::conj(A.valuePtr()[k]);
+        for (int k = offsetsOfA[i]; k < offsetsOfA[i + 1]; ++k)
+        {
+          const int to = ofBand[columnsOfA[k]]++;
+          adjoint.innerIndexPtr()[to] = i;
+          adjoint.valuePtr()[to] = Eigen::numext::conj(A.valuePtr()[k]);
+        }
       }
-    }
-  });
+    });
   return adjoint;
 }
 
 template <class Scalar>
-SparseMatrix<Scalar> SymmetricFromLower(
-  const SparseMatrix<Scalar>& lower, const ExecutionContext& context)
+SparseMatrix<Scalar> SymmetricFromLower(const SparseMatrix<Scalar>& lower, const ExecutionContext& context)
 {
   const int rows = static_cast<int>(lower.rows());
   const SparseMatrix<Scalar> upper = Adjoint(lower, context);
   const int* const offsetsOfLower = lower.outerIndexPtr();
   const int* const offsetsOfUpper = upper.outerIndexPtr();
   // The diagonal is the first entry of a row of the upper triangle, if there.
-  const auto beyondDiagonal = [&](int i) {
+  const auto beyondDiagonal = [&](int i)
+  {
     const int begin = offsetsOfUpper[i];
     return begin + (begin < offsetsOfUpper[i + 1] && upper.innerIndexPtr()[begin] == i);
   };
   SparseMatrix<Scalar> A(rows, rows);
-  MakeRoom(A, context, [&](int i) {
-    return offsetsOfLower[i + 1] - offsetsOfLower[i] + offsetsOfUpper[i + 1] - beyondDiagonal(i);
-  });
-  context.ParallelFor(0, rows, RowGrain, [&](int first, int last) {
-    const auto copy = [](const SparseMatrix<Scalar>& from, int begin, int end,
-                        SparseMatrix<Scalar>& to, int at) {
-      std::copy(from.innerIndexPtr() + begin, from.innerIndexPtr() + end, to.innerIndexPtr() + at);
-      std::copy(from.valuePtr() + begin, from.valuePtr() + end, to.valuePtr() + at);
-      return at + end - begin;
-    };
-    for (int i = first; i < last; ++i)
+  MakeRoom(A, context,
+    [&](int i) { return offsetsOfLower[i + 1] - offsetsOfLower[i] + offsetsOfUpper[i + 1] - beyondDiagonal(i); });
+  context.ParallelFor(0, rows, RowGrain,
+    [&](int first, int last)
     {
-      const int at = copy(lower, offsetsOfLower[i], offsetsOfLower[i + 1], A, A.outerIndexPtr()[i]);
-      copy(upper, beyondDiagonal(i), offsetsOfUpper[i + 1], A, at);
-    }
-  });
+      const auto copy = [](const SparseMatrix<Scalar>& from, int begin, int end, SparseMatrix<Scalar>& to, int at)
+      {
+        std::copy(from.innerIndexPtr() + begin, from.innerIndexPtr() + end, to.innerIndexPtr() + at);
+        std::copy(from.valuePtr() + begin, from.valuePtr() + end, to.valuePtr() + at);
+        return at + end - begin;
+      };
+      for (int i = first; i < last; ++i)
+      {
+        const int at = copy(lower, offsetsOfLower[i], offsetsOfLower[i + 1], A, A.outerIndexPtr()[i]);
+        copy(upper, beyondDiagonal(i), offsetsOfUpper[i + 1], A, at);
+      }
+    });
   return A;
 }
 
@@ -166,8 +171,8 @@ SparseMatrix<Scalar> Permuted(const SparseMatrix<Scalar>& A, const std::vector<i
   const int* columnsOfA = A.innerIndexPtr();
   const Scalar* valuesOfA = A.valuePtr();
   SparseMatrix<Scalar> B(rows, A.cols());
-  MakeRoom(B, context,
-    [offsetsOfA, &rowOrder](int k) { return offsetsOfA[rowOrder[k] + 1] - offsetsOfA[rowOrder[k]]; });
+  MakeRoom(
+    B, context, [offsetsOfA, &rowOrder](int k) { return offsetsOfA[rowOrder[k] + 1] - offsetsOfA[rowOrder[k]]; });
   const int* offsets = B.outerIndexPtr();
   int* columns = B.innerIndexPtr();
   Scalar* values = B.valuePtr();
@@ -215,8 +220,7 @@ SparseMatrix<Scalar> TripleProduct(const SparseMatrix<Scalar>& R, const SparseMa
 
   const auto makeWorker = [=]
   {
-    return [=, rowsOfAP = IndexSet(rowsOfA), AP = SparseRows<Scalar>(),
-             sum = SparseSum<Scalar>(columns)](
+    return [=, rowsOfAP = IndexSet(rowsOfA), AP = SparseRows<Scalar>(), sum = SparseSum<Scalar>(columns)](
              int firstRow, int lastRow, SparseRows<Scalar>& result) mutable
     {
       rowsOfAP.Clear();
@@ -262,9 +266,11 @@ SparseMatrix<Complex> Product(
   const SparseMatrix<Scalar>& A, const SparseMatrix<Complex>& B, const ExecutionContext& context)
 {
   assert(A.cols() == B.rows());
-  const auto makeWorker = [&] {
+  const auto makeWorker = [&]
+  {
     return [&, sum = SparseSum<Complex>(static_cast<int>(B.cols()))](
-             int firstRow, int lastRow, SparseRows<Complex>& rows) mutable {
+             int firstRow, int lastRow, SparseRows<Complex>& rows) mutable
+    {
       for (int i = firstRow; i < lastRow; ++i)
       {
         sum.Clear();
@@ -272,15 +278,13 @@ SparseMatrix<Complex> Product(
         {
           const int row = A.innerIndexPtr()[e];
           const int begin = B.outerIndexPtr()[row];
-          sum.Add(A.valuePtr()[e], B.innerIndexPtr() + begin, B.valuePtr() + begin,
-            B.outerIndexPtr()[row + 1] - begin);
+          sum.Add(A.valuePtr()[e], B.innerIndexPtr() + begin, B.valuePtr() + begin, B.outerIndexPtr()[row + 1] - begin);
         }
         sum.AppendTo(rows);
       }
     };
   };
-  return AssembleInBands<Complex>(
-    static_cast<int>(A.rows()), static_cast<int>(B.cols()), makeWorker, context);
+  return AssembleInBands<Complex>(static_cast<int>(A.rows()), static_cast<int>(B.cols()), makeWorker, context);
 }
 
 template SparseMatrix<Complex> Product(
@@ -293,9 +297,10 @@ SparseMatrix<Scalar> NormalMatrix(const SparseMatrix<Scalar>& B, const Execution
 {
   const SparseMatrix<Scalar> adjoint = Adjoint(B, context);
   const int columns = static_cast<int>(B.cols());
-  const auto makeWorker = [&, columns] {
-    return [&, sum = SparseSum<Scalar>(columns)](
-             int firstRow, int lastRow, SparseRows<Scalar>& result) mutable {
+  const auto makeWorker = [&, columns]
+  {
+    return [&, sum = SparseSum<Scalar>(columns)](int firstRow, int lastRow, SparseRows<Scalar>& result) mutable
+    {
       for (int i = firstRow; i < lastRow; ++i)
       {
         sum.Clear();
@@ -303,8 +308,8 @@ SparseMatrix<Scalar> NormalMatrix(const SparseMatrix<Scalar>& B, const Execution
         {
           const int row = adjoint.innerIndexPtr()[e];
           const int begin = B.outerIndexPtr()[row];
-          sum.Add(adjoint.valuePtr()[e], B.innerIndexPtr() + begin, B.valuePtr() + begin,
-            B.outerIndexPtr()[row + 1] - begin);
+          sum.Add(
+            adjoint.valuePtr()[e], B.innerIndexPtr() + begin, B.valuePtr() + begin, B.outerIndexPtr()[row + 1] - begin);
         }
         sum.AppendTo(result);
       }
@@ -315,10 +320,8 @@ SparseMatrix<Scalar> NormalMatrix(const SparseMatrix<Scalar>& B, const Execution
 
 template SparseMatrix<double> NormalMatrix(const SparseMatrix<double>&, const ExecutionContext&);
 template SparseMatrix<Complex> NormalMatrix(const SparseMatrix<Complex>&, const ExecutionContext&);
-template void Multiply(const SparseMatrix<double>&, const Vector<double>&, Vector<double>&,
-  const ExecutionContext&);
-template void Multiply(const SparseMatrix<Complex>&, const Vector<Complex>&, Vector<Complex>&,
-  const ExecutionContext&);
+template void Multiply(const SparseMatrix<double>&, const Vector<double>&, Vector<double>&, const ExecutionContext&);
+template void Multiply(const SparseMatrix<Complex>&, const Vector<Complex>&, Vector<Complex>&, const ExecutionContext&);
 template double Dot(const Vector<double>&, const Vector<double>&, const ExecutionContext&);
 template Complex Dot(const Vector<Complex>&, const Vector<Complex>&, const ExecutionContext&);
 template double SquaredNorm(const Vector<double>&, const ExecutionContext&);
@@ -326,19 +329,16 @@ template double SquaredNorm(const Vector<Complex>&, const ExecutionContext&);
 template SparseMatrix<double> Adjoint(const SparseMatrix<double>&, const ExecutionContext&);
 template SparseMatrix<Complex> Adjoint(const SparseMatrix<Complex>&, const ExecutionContext&);
 template SparseMatrix<float> Adjoint(const SparseMatrix<float>&, const ExecutionContext&);
-template SparseMatrix<std::complex<float>> Adjoint(
-  const SparseMatrix<std::complex<float>>&, const ExecutionContext&);
-template SparseMatrix<double> SymmetricFromLower(
-  const SparseMatrix<double>&, const ExecutionContext&);
-template SparseMatrix<Complex> SymmetricFromLower(
-  const SparseMatrix<Complex>&, const ExecutionContext&);
-template SparseMatrix<double> Permuted(const SparseMatrix<double>&, const std::vector<int>&,
-  const std::vector<int>&, const ExecutionContext&);
-template SparseMatrix<Complex> Permuted(const SparseMatrix<Complex>&, const std::vector<int>&,
-  const std::vector<int>&, const ExecutionContext&);
-template SparseMatrix<double> TripleProduct(const SparseMatrix<double>&,
-  const SparseMatrix<double>&, const SparseMatrix<double>&, const ExecutionContext&);
-template SparseMatrix<Complex> TripleProduct(const SparseMatrix<Complex>&,
-  const SparseMatrix<Complex>&, const SparseMatrix<Complex>&, const ExecutionContext&);
+template SparseMatrix<std::complex<float>> Adjoint(const SparseMatrix<std::complex<float>>&, const ExecutionContext&);
+template SparseMatrix<double> SymmetricFromLower(const SparseMatrix<double>&, const ExecutionContext&);
+template SparseMatrix<Complex> SymmetricFromLower(const SparseMatrix<Complex>&, const ExecutionContext&);
+template SparseMatrix<double> Permuted(
+  const SparseMatrix<double>&, const std::vector<int>&, const std::vector<int>&, const ExecutionContext&);
+template SparseMatrix<Complex> Permuted(
+  const SparseMatrix<Complex>&, const std::vector<int>&, const std::vector<int>&, const ExecutionContext&);
+template SparseMatrix<double> TripleProduct(
+  const SparseMatrix<double>&, const SparseMatrix<double>&, const SparseMatrix<double>&, const ExecutionContext&);
+template SparseMatrix<Complex> TripleProduct(
+  const SparseMatrix<Complex>&, const SparseMatrix<Complex>&, const SparseMatrix<Complex>&, const ExecutionContext&);
 
 }

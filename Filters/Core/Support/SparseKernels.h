@@ -67,8 +67,7 @@ template <class Scalar>
 inline Scalar RowTimes(const SparseMatrix<Scalar>& A, int i, const Scalar* x)
 {
   const int begin = A.outerIndexPtr()[i];
-  return EntriesTimes(
-    A.innerIndexPtr() + begin, A.valuePtr() + begin, A.outerIndexPtr()[i + 1] - begin, x);
+  return EntriesTimes(A.innerIndexPtr() + begin, A.valuePtr() + begin, A.outerIndexPtr()[i + 1] - begin, x);
 }
 
 /// Whether the columns of each row are pairs of an even one and the next.
@@ -127,8 +126,9 @@ template <class Scalar>
 void SetZero(Vector<Scalar>& x, const std::vector<int>& indices, const ExecutionContext& context)
 {
   constexpr int Grain = 8192;
-  context.ParallelFor(
-    0, static_cast<int>(indices.size()), Grain, [&x, &indices](int first, int last) {
+  context.ParallelFor(0, static_cast<int>(indices.size()), Grain,
+    [&x, &indices](int first, int last)
+    {
       for (int k = first; k < last; ++k)
       {
         x[indices[k]] = Scalar(0);
@@ -154,19 +154,21 @@ void MakeRoom(SparseMatrix<Scalar>& A, const ExecutionContext& context, const Si
   constexpr int RowGrain = 8192;
   const int rows = static_cast<int>(A.rows());
   int* const offsets = A.outerIndexPtr();
-  context.ParallelFor(0, rows, RowGrain, [&sizeOf, offsets](int first, int last) {
-    for (int row = first; row < last; ++row)
+  context.ParallelFor(0, rows, RowGrain,
+    [&sizeOf, offsets](int first, int last)
     {
-      offsets[row + 1] = sizeOf(row);
-    }
-  });
+      for (int row = first; row < last; ++row)
+      {
+        offsets[row + 1] = sizeOf(row);
+      }
+    });
   A.resizeNonZeros(OffsetsFromCounts(offsets, rows + 1));
 }
 
 /// y = A x.
 template <class Scalar>
-void Multiply(const SparseMatrix<Scalar>& A, const Vector<Scalar>& x, Vector<Scalar>& y,
-  const ExecutionContext& context);
+void Multiply(
+  const SparseMatrix<Scalar>& A, const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context);
 
 /// x^H y.
 template <class Scalar>
@@ -182,32 +184,32 @@ SparseMatrix<Scalar> Adjoint(const SparseMatrix<Scalar>& A, const ExecutionConte
 
 /// A symmetric or Hermitian matrix from its lower triangle, columns ascending.
 template <class Scalar>
-SparseMatrix<Scalar> SymmetricFromLower(
-  const SparseMatrix<Scalar>& lower, const ExecutionContext& context);
+SparseMatrix<Scalar> SymmetricFromLower(const SparseMatrix<Scalar>& lower, const ExecutionContext& context);
 
 /// A += B, in place.
 /// \pre B has entries only where A has some; columns ascend in both.
 template <class Scalar>
-void AddInPattern(
-  SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B, const ExecutionContext& context)
+void AddInPattern(SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B, const ExecutionContext& context)
 {
   assert(A.rows() == B.rows() && A.cols() == B.cols());
   constexpr int RowGrain = 4096;
-  context.ParallelFor(0, static_cast<int>(A.rows()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(A.rows()), RowGrain,
+    [&](int first, int last)
     {
-      int place = A.outerIndexPtr()[i];
-      for (int e = B.outerIndexPtr()[i]; e < B.outerIndexPtr()[i + 1]; ++e)
+      for (int i = first; i < last; ++i)
       {
-        while (A.innerIndexPtr()[place] < B.innerIndexPtr()[e])
+        int place = A.outerIndexPtr()[i];
+        for (int e = B.outerIndexPtr()[i]; e < B.outerIndexPtr()[i + 1]; ++e)
         {
-          ++place;
+          while (A.innerIndexPtr()[place] < B.innerIndexPtr()[e])
+          {
+            ++place;
+          }
+          assert(place < A.outerIndexPtr()[i + 1] && A.innerIndexPtr()[place] == B.innerIndexPtr()[e]);
+          A.valuePtr()[place] += B.valuePtr()[e];
         }
-        assert(place < A.outerIndexPtr()[i + 1] && A.innerIndexPtr()[place] == B.innerIndexPtr()[e]);
-        A.valuePtr()[place] += B.valuePtr()[e];
       }
-    }
-  });
+    });
 }
 
 /// A with its rows and columns in another order.
@@ -219,8 +221,8 @@ SparseMatrix<Scalar> Permuted(const SparseMatrix<Scalar>& A, const std::vector<i
 
 /// A B, columns ascending.
 template <class Scalar>
-SparseMatrix<Complex> Product(const SparseMatrix<Scalar>& A, const SparseMatrix<Complex>& B,
-  const ExecutionContext& context);
+SparseMatrix<Complex> Product(
+  const SparseMatrix<Scalar>& A, const SparseMatrix<Complex>& B, const ExecutionContext& context);
 
 /// B^H B.
 template <class Scalar>

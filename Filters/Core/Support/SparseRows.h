@@ -78,8 +78,7 @@ struct SparseRows
   RowOfBand<Scalar> Row(int k) const
   {
     const int begin = this->Offsets[k];
-    return { this->Columns.data() + begin, this->Values.data() + begin,
-      this->Offsets[k + 1] - begin };
+    return { this->Columns.data() + begin, this->Values.data() + begin, this->Offsets[k + 1] - begin };
   }
 
   /// The last row ends here.
@@ -177,8 +176,7 @@ public:
       return nullptr;
     }
     const auto nearest = std::min_element(this->Things.begin(), this->Things.end(),
-      [place](const auto& a, const auto& b)
-      { return std::abs(a.first - place) < std::abs(b.first - place); });
+      [place](const auto& a, const auto& b) { return std::abs(a.first - place) < std::abs(b.first - place); });
     std::unique_ptr<Thing> thing = std::move(nearest->second);
     this->Things.erase(nearest);
     return thing;
@@ -211,18 +209,12 @@ public:
 
   int Rows() const { return this->NumberOfRows; }
   int Columns() const { return this->NumberOfColumns; }
-  RowOfBand<Scalar> Row(int row) const
-  {
-    return this->Bands[row / this->BandSize].Row(row % this->BandSize);
-  }
+  RowOfBand<Scalar> Row(int row) const { return this->Bands[row / this->BandSize].Row(row % this->BandSize); }
 
   int NumberOfBands() const { return static_cast<int>(this->Bands.size()); }
   SparseRows<Scalar>& Band(int band) { return this->Bands[band]; }
   int FirstRow(int band) const { return band * this->BandSize; }
-  int LastRow(int band) const
-  {
-    return std::min(this->FirstRow(band + 1), this->NumberOfRows);
-  }
+  int LastRow(int band) const { return std::min(this->FirstRow(band + 1), this->NumberOfRows); }
 
   /// How many bands a thread should take one after the other.
   int Grain(const ExecutionContext& context) const
@@ -297,8 +289,7 @@ template <class Scalar, class MakeWorker>
 SparseMatrix<Scalar> AssembleInBands(
   int numberOfRows, int numberOfColumns, const MakeWorker& makeWorker, const ExecutionContext& context)
 {
-  return Joined(
-    AssembleBands<Scalar>(numberOfRows, numberOfColumns, makeWorker, context), context);
+  return Joined(AssembleBands<Scalar>(numberOfRows, numberOfColumns, makeWorker, context), context);
 }
 
 }

@@ -20,13 +20,11 @@ std::unique_ptr<Peer<double>> NewBoomerAmgPeer(int numbersPerElement);
 /// AMS of hypre (Kolev and Vassilevski 2009): auxiliary spaces of gradients and of vector fields
 /// with nodal components. It is meant for curl-curl systems with a mass; ours are Hodge Laplacians.
 /// \param d0 the discrete gradient, a row per unknown.
-std::unique_ptr<Peer<double>> NewAmsPeer(
-  const SparseMatrix<double>& d0, const Points& vertexPositions);
+std::unique_ptr<Peer<double>> NewAmsPeer(const SparseMatrix<double>& d0, const Points& vertexPositions);
 
 /// GAMG of PETSc: smoothed aggregation (Vanek, Mandel and Brezina 1996).
 /// \param nearNullSpace a column per vector that coarse spaces shall contain.
-std::unique_ptr<Peer<double>> NewGamgPeer(
-  int numbersPerElement, const Eigen::MatrixXd& nearNullSpace);
+std::unique_ptr<Peer<double>> NewGamgPeer(int numbersPerElement, const Eigen::MatrixXd& nearNullSpace);
 
 }
 

@@ -74,8 +74,7 @@ public:
 
   long long Bytes() const override
   {
-    return this->Solver.matrixL().nestedExpression().nonZeros() *
-      static_cast<long long>(sizeof(Scalar) + sizeof(int));
+    return this->Solver.matrixL().nestedExpression().nonZeros() * static_cast<long long>(sizeof(Scalar) + sizeof(int));
   }
 
 private:

@@ -66,13 +66,11 @@ public:
       sizes[i] = A.outerIndexPtr()[i + 1] - A.outerIndexPtr()[i];
       numbers[i] = i;
     }
-    Check(HYPRE_IJMatrixCreate(
-      MPI_COMM_SELF, 0, rows - 1, 0, static_cast<int>(A.cols()) - 1, &this->Matrix));
+    Check(HYPRE_IJMatrixCreate(MPI_COMM_SELF, 0, rows - 1, 0, static_cast<int>(A.cols()) - 1, &this->Matrix));
     Check(HYPRE_IJMatrixSetObjectType(this->Matrix, HYPRE_PARCSR));
     Check(HYPRE_IJMatrixSetRowSizes(this->Matrix, sizes.data()));
     Check(HYPRE_IJMatrixInitialize(this->Matrix));
-    Check(HYPRE_IJMatrixSetValues(
-      this->Matrix, rows, sizes.data(), numbers.data(), A.innerIndexPtr(), A.valuePtr()));
+    Check(HYPRE_IJMatrixSetValues(this->Matrix, rows, sizes.data(), numbers.data(), A.innerIndexPtr(), A.valuePtr()));
     Check(HYPRE_IJMatrixAssemble(this->Matrix));
   }
   ~HypreMatrix() { HYPRE_IJMatrixDestroy(this->Matrix); }
@@ -106,10 +104,7 @@ public:
   HypreVector(const HypreVector&) = delete;
   HypreVector& operator=(const HypreVector&) = delete;
 
-  void Set(const Vector<double>& x)
-  {
-    Check(HYPRE_IJVectorSetValues(this->Values, this->Size, nullptr, x.data()));
-  }
+  void Set(const Vector<double>& x) { Check(HYPRE_IJVectorSetValues(this->Values, this->Size, nullptr, x.data())); }
   void Get(Vector<double>& x) const
   {
     x.resize(this->Size);
@@ -234,8 +229,8 @@ protected:
     HYPRE_AMSCreate(&this->Solver);
     HYPRE_AMSSetDimension(this->Solver, 3);
     HYPRE_AMSSetDiscreteGradient(this->Solver, this->Gradient.Get());
-    HYPRE_AMSSetCoordinateVectors(this->Solver, this->Coordinates[0].Get(),
-      this->Coordinates[1].Get(), this->Coordinates[2].Get());
+    HYPRE_AMSSetCoordinateVectors(
+      this->Solver, this->Coordinates[0].Get(), this->Coordinates[1].Get(), this->Coordinates[2].Get());
     // As MFEM uses it. The scalar cycles must be symmetric, which hypre's defaults are not.
     HYPRE_AMSSetCycleType(this->Solver, 13);
     HYPRE_AMSSetSmoothingOptions(this->Solver, 2, 1, 1.0, 1.0);
@@ -273,8 +268,7 @@ std::unique_ptr<Peer<double>> NewBoomerAmgPeer(int numbersPerElement)
   return std::make_unique<BoomerAmgPeer>(numbersPerElement);
 }
 
-std::unique_ptr<Peer<double>> NewAmsPeer(
-  const SparseMatrix<double>& d0, const Points& vertexPositions)
+std::unique_ptr<Peer<double>> NewAmsPeer(const SparseMatrix<double>& d0, const Points& vertexPositions)
 {
   return std::make_unique<AmsPeer>(d0, vertexPositions);
 }

@@ -49,8 +49,7 @@ std::vector<int> ReverseCuthillMcKee(const SparseMatrix<Scalar>& A)
           }
         }
         std::sort(order.begin() + begin, order.end(),
-          [&degree](int a, int b)
-          { return degree(a) != degree(b) ? degree(a) < degree(b) : a < b; });
+          [&degree](int a, int b) { return degree(a) != degree(b) ? degree(a) < degree(b) : a < b; });
       }
     }
     return layer;
@@ -71,8 +70,8 @@ std::vector<int> ReverseCuthillMcKee(const SparseMatrix<Scalar>& A)
       {
         break;
       }
-      root = *std::min_element(order.begin() + layer, order.end(),
-        [&degree](int a, int b) { return degree(a) < degree(b); });
+      root = *std::min_element(
+        order.begin() + layer, order.end(), [&degree](int a, int b) { return degree(a) < degree(b); });
       for (std::size_t k = begin; k < order.size(); ++k)
       {
         isPlaced[order[k]] = false;
@@ -156,8 +155,7 @@ private:
     {
       double diagonal = 0.0;
       int next = offsets[i];
-      for (typename SparseMatrix<Scalar>::InnerIterator entry(A, i); entry && entry.col() <= i;
-           ++entry)
+      for (typename SparseMatrix<Scalar>::InnerIterator entry(A, i); entry && entry.col() <= i; ++entry)
       {
         if (entry.col() == i)
         {
@@ -239,8 +237,7 @@ public:
 
   long long Bytes() const override
   {
-    return this->Factor->Bytes() +
-      this->A.nonZeros() * static_cast<long long>(sizeof(Scalar) + sizeof(int)) +
+    return this->Factor->Bytes() + this->A.nonZeros() * static_cast<long long>(sizeof(Scalar) + sizeof(int)) +
       3 * this->A.rows() * static_cast<long long>(sizeof(int));
   }
 

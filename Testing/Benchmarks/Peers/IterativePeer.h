@@ -15,13 +15,13 @@ constexpr int LargestNumberOfIterations = 5000;
 /// \return the number of iterations.
 /// \throw SolverFailure the tolerance was not reached.
 template <class Scalar>
-int SolveIteratively(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B,
-  const Vector<Scalar>& b, double tolerance, Vector<Scalar>& x)
+int SolveIteratively(const SparseMatrix<Scalar>& A, Preconditioner<Scalar>& B, const Vector<Scalar>& b,
+  double tolerance, Vector<Scalar>& x)
 {
   SolveReport report;
   x.resize(0);
-  ConjugateGradient(MatrixOperator<Scalar>(A), B, b, { tolerance, LargestNumberOfIterations }, x,
-    report, SerialContext());
+  ConjugateGradient(
+    MatrixOperator<Scalar>(A), B, b, { tolerance, LargestNumberOfIterations }, x, report, SerialContext());
   if (!report.Converged)
   {
     throw SolverFailure(report.Warnings.back());

@@ -54,8 +54,7 @@ public:
     Session::Begin();
     // PETSc wants an orthonormal basis.
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> factors(nearNullSpace);
-    this->NearNullSpace =
-      factors.householderQ() * Eigen::MatrixXd::Identity(nearNullSpace.rows(), factors.rank());
+    this->NearNullSpace = factors.householderQ() * Eigen::MatrixXd::Identity(nearNullSpace.rows(), factors.rank());
   }
   ~GamgPeer() override { this->Forget(); }
 
@@ -67,9 +66,8 @@ public:
     this->A = &matrix;
     const PetscInt size = static_cast<PetscInt>(matrix.rows());
     // PETSc borrows the arrays, and does not write to them.
-    Check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, size, size,
-      const_cast<int*>(matrix.outerIndexPtr()), const_cast<int*>(matrix.innerIndexPtr()),
-      const_cast<double*>(matrix.valuePtr()), &this->Matrix));
+    Check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, size, size, const_cast<int*>(matrix.outerIndexPtr()),
+      const_cast<int*>(matrix.innerIndexPtr()), const_cast<double*>(matrix.valuePtr()), &this->Matrix));
     Check(MatSetBlockSize(this->Matrix, this->NumbersPerElement));
     Check(MatSetOption(this->Matrix, MAT_SPD, PETSC_TRUE));
     std::vector<Vec> basis(this->NearNullSpace.cols());
@@ -79,8 +77,7 @@ public:
         this->NearNullSpace.col(static_cast<int>(k)).data(), &basis[k]));
     }
     MatNullSpace space = nullptr;
-    Check(MatNullSpaceCreate(
-      PETSC_COMM_SELF, PETSC_FALSE, static_cast<PetscInt>(basis.size()), basis.data(), &space));
+    Check(MatNullSpaceCreate(PETSC_COMM_SELF, PETSC_FALSE, static_cast<PetscInt>(basis.size()), basis.data(), &space));
     Check(MatSetNearNullSpace(this->Matrix, space));
     Check(MatNullSpaceDestroy(&space));
     Check(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, nullptr, &this->Right));
@@ -134,8 +131,7 @@ private:
 
 }
 
-std::unique_ptr<Peer<double>> NewGamgPeer(
-  int numbersPerElement, const Eigen::MatrixXd& nearNullSpace)
+std::unique_ptr<Peer<double>> NewGamgPeer(int numbersPerElement, const Eigen::MatrixXd& nearNullSpace)
 {
   return std::make_unique<GamgPeer>(numbersPerElement, nearNullSpace);
 }

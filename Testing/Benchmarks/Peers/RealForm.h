@@ -19,8 +19,7 @@ inline SparseMatrix<double> RealForm(const SparseMatrix<Complex>& A)
 {
   const int* const offsets = A.outerIndexPtr();
   const auto size = [offsets](int r) { return 2 * (offsets[r / 2 + 1] - offsets[r / 2]); };
-  return FillRows<double>(2 * static_cast<int>(A.rows()), 2 * static_cast<int>(A.cols()),
-    SerialContext(), size,
+  return FillRows<double>(2 * static_cast<int>(A.rows()), 2 * static_cast<int>(A.cols()), SerialContext(), size,
     [&A, offsets](int r, int* columns, double* values)
     {
       for (int k = offsets[r / 2]; k < offsets[r / 2 + 1]; ++k)

@@ -42,25 +42,23 @@ std::vector<Case> Cases()
     { "annulus", Annulus(10, 3), 1 },
     { "cylinder", Prism(7, 5), 1 },
     { "torus and annulus", Union(Torus(8, 6), Annulus(9, 2), aside), 3 },
-    { "large and small torus",
-      Union(RotatedAndScaled(Torus(8, 6), 0.3, 1e4), IrregularTorus(12, 6, 4), 1e5 * aside), 4 },
+    { "large and small torus", Union(RotatedAndScaled(Torus(8, 6), 0.3, 1e4), IrregularTorus(12, 6, 4), 1e5 * aside),
+      4 },
     { "relabelled double torus", Relabel(DoubleTorus(2), 5).Result, 4 },
   };
 }
 
-Eigen::MatrixXd BasisOfForms(
-  const TriangleMesh& mesh, const TangentFrames& frames, const ExecutionContext& context)
+Eigen::MatrixXd BasisOfForms(const TriangleMesh& mesh, const TangentFrames& frames, const ExecutionContext& context)
 {
-  return HarmonicBasisOfForms(mesh, frames, HarmonicForms(mesh, PartOfContext(context, 0.0, 0.5)),
-    PartOfContext(context, 0.5, 1.0));
+  return HarmonicBasisOfForms(
+    mesh, frames, HarmonicForms(mesh, PartOfContext(context, 0.0, 0.5)), PartOfContext(context, 0.5, 1.0));
 }
 
 Eigen::MatrixXd BasisOfFaceFields(
   const TriangleMesh& mesh, const TangentFrames& frames, const ExecutionContext& context)
 {
-  return HarmonicBasisOfFaceFields(mesh,
-    HarmonicFaceFields(mesh, frames, PartOfContext(context, 0.0, 0.5)),
-    PartOfContext(context, 0.5, 1.0));
+  return HarmonicBasisOfFaceFields(
+    mesh, HarmonicFaceFields(mesh, frames, PartOfContext(context, 0.0, 0.5)), PartOfContext(context, 0.5, 1.0));
 }
 
 /// Areas, twice per face.
@@ -75,8 +73,7 @@ Vector<double> Areas(const TriangleMesh& mesh)
 }
 
 /// The vectors of 1-forms at the faces, as face fields.
-Eigen::MatrixXd FieldsOfForms(
-  const TriangleMesh& mesh, const TangentFrames& frames, const Eigen::MatrixXd& forms)
+Eigen::MatrixXd FieldsOfForms(const TriangleMesh& mesh, const TangentFrames& frames, const Eigen::MatrixXd& forms)
 {
   Eigen::MatrixXd fields(2 * mesh.NumberOfFaces(), forms.cols());
   for (int k = 0; k < forms.cols(); ++k)
@@ -134,8 +131,7 @@ TEST(HarmonicBasis, OfFaceFieldsIsOrthonormalAndHarmonic)
     }
     EXPECT_LE(DistanceFromIdentity(basis.transpose() * Areas(mesh).asDiagonal() * basis), 1e-13);
     const double size = basis.cwiseAbs().maxCoeff();
-    for (const SparseMatrix<double>& none :
-      { FaceDivergence(mesh, frames), FaceCurl(mesh, frames) })
+    for (const SparseMatrix<double>& none : { FaceDivergence(mesh, frames), FaceCurl(mesh, frames) })
     {
       EXPECT_LE((none * basis).cwiseAbs().maxCoeff(), 1e-11 * size * LargestEntry(none));
     }
@@ -151,8 +147,7 @@ TEST(HarmonicBasis, SpansTheSameFieldsOfBothKinds)
     SCOPED_TRACE(surface.Name);
     const TriangleMesh mesh = surface.Shape.Mesh();
     const TangentFrames frames = FaceFrames(mesh);
-    const Eigen::MatrixXd ofForms =
-      FieldsOfForms(mesh, frames, BasisOfForms(mesh, frames, SerialContext()));
+    const Eigen::MatrixXd ofForms = FieldsOfForms(mesh, frames, BasisOfForms(mesh, frames, SerialContext()));
     const Eigen::MatrixXd ofFields = BasisOfFaceFields(mesh, frames, SerialContext());
     const Eigen::MatrixXd rotation = ofForms.transpose() * Areas(mesh).asDiagonal() * ofFields;
     EXPECT_LE(DistanceFromIdentity(rotation.transpose() * rotation), 1e-11);
@@ -194,9 +189,7 @@ TEST(HarmonicBasis, OfACylinderRunsAround)
     if (mesh.Twin(h) < 0 && mesh.VertexPositions()(mesh.Tail(h), 2) == top)
     {
       circulation += mesh.EdgeSign(h) * forms(mesh.EdgeOf(h), 0);
-      circumference +=
-        (mesh.VertexPositions().row(mesh.Head(h)) - mesh.VertexPositions().row(mesh.Tail(h)))
-          .norm();
+      circumference += (mesh.VertexPositions().row(mesh.Head(h)) - mesh.VertexPositions().row(mesh.Tail(h))).norm();
     }
   }
   EXPECT_NEAR(std::abs(circulation), circumference / std::sqrt(area), 1e-11 * circumference);
@@ -211,8 +204,7 @@ TEST(HarmonicBasis, OfACylinderRunsAround)
 // Faces without area count for nothing and spoil nothing.
 TEST(HarmonicBasis, IsFiniteAndOrthonormalBesideFacesWithoutArea)
 {
-  const TriangleMesh mesh =
-    Union(SphereWithZeroAreaFaces(2, 3), Torus(8, 6), Vector3(6.0, 0.0, 0.0)).Mesh();
+  const TriangleMesh mesh = Union(SphereWithZeroAreaFaces(2, 3), Torus(8, 6), Vector3(6.0, 0.0, 0.0)).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
   for (const Eigen::MatrixXd& fields : { BasisOfFaceFields(mesh, frames, SerialContext()),
          FieldsOfForms(mesh, frames, BasisOfForms(mesh, frames, SerialContext())) })

@@ -109,8 +109,7 @@ std::vector<Case> CasesWithLevels()
   };
 }
 
-ProlongationOperators OperatorsWithLevels(
-  const TriangleMesh& mesh, ProlongationConstruction construction)
+ProlongationOperators OperatorsWithLevels(const TriangleMesh& mesh, ProlongationConstruction construction)
 {
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 30;
@@ -127,8 +126,7 @@ TEST(ProlongedClosedForms, HaveTheClassesOfTheCoarsestLevel)
   // Closed forms by integers have integers for integrals around the loops of their level. S1 keeps these, and the
   // forms of either level have all of them: what is prolonged is, up to gradients, an integer combination
   // of the fine level's own, and the other way around.
-  for (const auto construction :
-    { ProlongationConstruction::TrackedPaths, ProlongationConstruction::ExactOverlay })
+  for (const auto construction : { ProlongationConstruction::TrackedPaths, ProlongationConstruction::ExactOverlay })
   {
     for (const Case& surface : CasesWithLevels())
     {
@@ -146,8 +144,7 @@ TEST(ProlongedClosedForms, HaveTheClassesOfTheCoarsestLevel)
       const Eigen::MatrixXd gradients(D0(mesh, SerialContext()));
       Eigen::MatrixXd both(mesh.NumberOfEdges(), gradients.cols() + forms.cols());
       both << gradients, ClosedForms(mesh);
-      const Eigen::MatrixXd parts =
-        Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(both).solve(forms);
+      const Eigen::MatrixXd parts = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>(both).solve(forms);
       EXPECT_LE((both * parts - forms).cwiseAbs().maxCoeff(), 1e-11);
       const Eigen::MatrixXd combination = parts.bottomRows(surface.Dimension);
       EXPECT_LE((combination - combination.array().round().matrix()).cwiseAbs().maxCoeff(), 1e-10);
@@ -162,8 +159,7 @@ TEST(HarmonicForms, OfTheCoarsestLevelAreThoseOfTheSurface)
   {
     SCOPED_TRACE(surface.Name);
     const TriangleMesh mesh = surface.Shape.Mesh();
-    const ProlongationOperators operators =
-      OperatorsWithLevels(mesh, ProlongationConstruction::TrackedPaths);
+    const ProlongationOperators operators = OperatorsWithLevels(mesh, ProlongationConstruction::TrackedPaths);
     const Eigen::MatrixXd prolonged = HarmonicForms(mesh, SerialContext(), &operators);
     const Eigen::MatrixXd own = HarmonicForms(mesh, SerialContext());
     ASSERT_EQ(prolonged.cols(), surface.Dimension);
@@ -180,8 +176,7 @@ TEST(HarmonicForms, AreAsManyAsTheHierarchyHas)
 {
   // It is asked where it has any: what it lacks is missed.
   const TriangleMesh mesh = IrregularTorus(18, 10, 3).Mesh();
-  ProlongationOperators operators =
-    OperatorsWithLevels(mesh, ProlongationConstruction::TrackedPaths);
+  ProlongationOperators operators = OperatorsWithLevels(mesh, ProlongationConstruction::TrackedPaths);
   operators.ClosedForms = SparseMatrix<double>(operators.ClosedForms.leftCols(1));
   EXPECT_EQ(HarmonicForms(mesh, SerialContext(), &operators).cols(), 1);
   EXPECT_EQ(HarmonicFaceFields(mesh, FaceFrames(mesh), SerialContext(), &operators).cols(), 1);
@@ -205,8 +200,7 @@ TEST(HarmonicForms, HaveNeitherCurlNorDivergence)
     ExpectOrthonormal(forms);
     EXPECT_LE((D1(mesh, SerialContext()) * forms).cwiseAbs().maxCoeff(), 1e-13);
     const Vector<double> star1 = Star1(mesh);
-    const Eigen::MatrixXd divergence =
-      D0(mesh, SerialContext()).transpose() * (star1.asDiagonal() * forms);
+    const Eigen::MatrixXd divergence = D0(mesh, SerialContext()).transpose() * (star1.asDiagonal() * forms);
     EXPECT_LE(divergence.cwiseAbs().maxCoeff(), 1e-11 * star1.cwiseAbs().maxCoeff());
     const SparseMatrix<double> L1 = OneFormLaplacian(mesh, SerialContext());
     EXPECT_LE((L1 * forms).norm(), 1e-10 * L1.norm());
@@ -219,10 +213,8 @@ TEST(HarmonicForms, AreTheKernelOfTheLaplacian)
   for (const Surface& surface : { IrregularTorus(10, 6, 3), Annulus(10, 3), DoubleTorus(2) })
   {
     const TriangleMesh mesh = surface.Mesh();
-    const Vector<double> eigenvalues =
-      SymmetricEigenvalues(OneFormLaplacian(mesh, SerialContext()));
-    const auto dimension =
-      (eigenvalues.array() < 1e-11 * eigenvalues[eigenvalues.size() - 1]).count();
+    const Vector<double> eigenvalues = SymmetricEigenvalues(OneFormLaplacian(mesh, SerialContext()));
+    const auto dimension = (eigenvalues.array() < 1e-11 * eigenvalues[eigenvalues.size() - 1]).count();
     EXPECT_EQ(HarmonicForms(mesh, SerialContext()).cols(), dimension);
   }
 }

@@ -45,8 +45,7 @@ TEST(TreeCotree, LoopsOverFacesAreClosedAndIndependentAndStayInside)
     const auto rankOfGradients = Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(gradients).rank();
     Eigen::MatrixXd both(mesh.NumberOfEdges(), gradients.cols() + loops.cols());
     both << gradients, loops;
-    EXPECT_EQ(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(both).rank(), rankOfGradients + loops.cols())
-      << name;
+    EXPECT_EQ(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(both).rank(), rankOfGradients + loops.cols()) << name;
   }
 }
 

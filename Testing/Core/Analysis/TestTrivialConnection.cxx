@@ -27,15 +27,18 @@ TEST(TrivialConnection, NearestIntegersAreBestInEachNumber)
 TEST(TrivialConnection, LimitedTurningHasTheSameSums)
 {
   const TriangleMesh mesh = Icosphere(2).Mesh();
-  const auto sums = [&mesh](const Vector<double>& turning) {
+  const auto sums = [&mesh](const Vector<double>& turning)
+  {
     Vector<double> sums(mesh.NumberOfVertices());
     for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
     {
       double sum = 0.0;
-      mesh.VisitFan(vertex, [&](int h) {
-        const int edge = mesh.EdgeOf(h);
-        sum -= (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
-      });
+      mesh.VisitFan(vertex,
+        [&](int h)
+        {
+          const int edge = mesh.EdgeOf(h);
+          sum -= (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
+        });
       sums[vertex] = sum;
     }
     return sums;
@@ -65,8 +68,7 @@ TEST(TrivialConnection, AngleDefectsSumToTheEulerCharacteristic)
   {
     const FramedMesh surface(shape.Mesh());
     const auto& [mesh, faces, vertices] = surface;
-    const Vector<double> defects =
-      AngleDefects(mesh, Corners(mesh, SideDirections(mesh, faces), faces, vertices));
+    const Vector<double> defects = AngleDefects(mesh, Corners(mesh, SideDirections(mesh, faces), faces, vertices));
     EXPECT_NEAR(defects.sum(), 2.0 * Pi * characteristic, 1e-11);
   }
 }
@@ -78,11 +80,13 @@ TEST(TrivialConnection, TurningThatCannotBeLimitedStaysAtItsPoint)
   constexpr int Spike = 0; // of the icosahedron
   Vector<double> turning = Vector<double>::Zero(mesh.NumberOfEdges());
   std::vector<char> isAtSpike(mesh.NumberOfEdges(), 0);
-  mesh.VisitFan(Spike, [&](int h) {
-    const int edge = mesh.EdgeOf(h);
-    turning[edge] = mesh.HalfedgeOf(edge) == h ? 0.8 : -0.8;
-    isAtSpike[edge] = 1;
-  });
+  mesh.VisitFan(Spike,
+    [&](int h)
+    {
+      const int edge = mesh.EdgeOf(h);
+      turning[edge] = mesh.HalfedgeOf(edge) == h ? 0.8 : -0.8;
+      isAtSpike[edge] = 1;
+    });
   const Vector<double> before = turning;
   LimitTurning(mesh, 0.75, turning);
   EXPECT_EQ(turning, before);

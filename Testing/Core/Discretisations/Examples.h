@@ -26,8 +26,7 @@ inline std::vector<PrescribedDirection> RandomDirections(
   for (int i = 0; i < count; ++i)
   {
     const int face = random.Index(mesh.NumberOfFaces());
-    directions.push_back({ face,
-      frames.ToVector(face, std::polar(random.Uniform(0.5, 2.0), random.Uniform(-3.0, 3.0))),
+    directions.push_back({ face, frames.ToVector(face, std::polar(random.Uniform(0.5, 2.0), random.Uniform(-3.0, 3.0))),
       random.Uniform(0.5, 2.0) });
   }
   return directions;

@@ -35,11 +35,9 @@ TEST(Discretisation, TakesDirectionsAtVertices)
     FieldOptions options;
     options.Field.Kind = kind;
     const bool isOneForm = kind == DiscretisationKind::OneForm;
-    const FieldConstraints alone =
-      MakeFieldConstraints(surface, { {}, { { vertex, direction, 3.0 } } }, options);
+    const FieldConstraints alone = MakeFieldConstraints(surface, { {}, { { vertex, direction, 3.0 } } }, options);
     EXPECT_EQ(alone.Elements, isOneForm ? edgesAround : facesAround);
-    EXPECT_EQ(alone.Weights,
-      std::vector<double>(alone.Elements.size(), isOneForm ? 1.5 : 3.0)); // one end of two
+    EXPECT_EQ(alone.Weights, std::vector<double>(alone.Elements.size(), isOneForm ? 1.5 : 3.0)); // one end of two
     if (!isOneForm)
     {
       for (Eigen::Index b = 0; b < alone.Values.size(); b += 2)

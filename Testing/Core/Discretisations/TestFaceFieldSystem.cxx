@@ -14,8 +14,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <limits>
+#include <tuple>
 
 namespace
 {
@@ -29,8 +29,7 @@ Points SolveField(const TriangleMesh& mesh, const TangentFrames& frames,
 {
   const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 1, directions);
   const Vector<double> values = AsPairs(constraints.Values);
-  const HarmonicSystem<double> system =
-    MakeFaceFieldSystem(mesh, frames, constraints.Prescribed, weights);
+  const HarmonicSystem<double> system = MakeFaceFieldSystem(mesh, frames, constraints.Prescribed, weights);
   const Eigen::SparseMatrix<double> A = system.Matrix();
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(A);
   const Vector<double> x = lu.solve(system.RightHandSide(values));
@@ -43,11 +42,10 @@ TEST(FaceFieldSystem, IsItsStatedEnergy)
   const TangentFrames frames = FaceFrames(mesh);
   const Vector<double> areas = mesh.FaceAreas();
   Random random(2);
-  const PowerConstraints constraints =
-    MakePowerConstraints(mesh, frames, 1, RandomDirections(mesh, frames, 7, 3));
+  const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 1, RandomDirections(mesh, frames, 7, 3));
   const Vector<double> values = AsPairs(constraints.Values);
-  const HarmonicSystem<double> system = MakeFaceFieldSystem(
-    mesh, frames, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
+  const HarmonicSystem<double> system =
+    MakeFaceFieldSystem(mesh, frames, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
   ASSERT_EQ(system.NumberOfFree(), 2 * mesh.NumberOfFaces());
   EXPECT_NEAR(system.Mass().sum(), 2.0 * mesh.NumberOfFaces(), 1e-12 * mesh.NumberOfFaces());
 
@@ -66,8 +64,7 @@ TEST(FaceFieldSystem, IsItsStatedEnergy)
     energy += pull * (X.segment<2>(2 * face) - y).squaredNorm();
     constant += pull * y.squaredNorm();
   }
-  const double quadratic =
-    X.dot(system.Matrix() * X) - 2.0 * system.RightHandSide(values).dot(X) + constant;
+  const double quadratic = X.dot(system.Matrix() * X) - 2.0 * system.RightHandSide(values).dot(X) + constant;
   EXPECT_NEAR(quadratic, energy, 1e3 * MachinePrecision * energy);
 }
 
@@ -91,13 +88,14 @@ TEST(FaceFieldSystem, InARingTheFieldRunsAround)
 {
   const TriangleMesh mesh = Annulus(48, 12).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const auto around = [&](int face) {
-    const Vector3 centre = (mesh.Position(mesh.FaceCorners()(face, 0)) +
-      mesh.Position(mesh.FaceCorners()(face, 1)) + mesh.Position(mesh.FaceCorners()(face, 2))) / 3.0;
+  const auto around = [&](int face)
+  {
+    const Vector3 centre = (mesh.Position(mesh.FaceCorners()(face, 0)) + mesh.Position(mesh.FaceCorners()(face, 1)) +
+                             mesh.Position(mesh.FaceCorners()(face, 2))) /
+      3.0;
     return Vector3(Vector3(-centre[1], centre[0], 0.0) / centre.squaredNorm());
   };
-  const Points X =
-    SolveField(mesh, frames, { { 100, around(100), 1.0 } }, Weights(ConstraintKind::Soft));
+  const Points X = SolveField(mesh, frames, { { 100, around(100), 1.0 } }, Weights(ConstraintKind::Soft));
   double worst = 0.0;
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
@@ -143,8 +141,7 @@ TEST(FaceFieldSystem, HardConstraintsHoldAndStrongSoftOnesNearly)
   const std::vector<PrescribedDirection> directions = { { 3, frames.ToVector(3, { 1.0, 0.5 }), 1.0 },
     { 77, frames.ToVector(77, { 0.0, -1.0 }), 1.0 } };
   const Points hard = SolveField(mesh, frames, directions, Weights(ConstraintKind::Hard));
-  const Points strong =
-    SolveField(mesh, frames, directions, Weights(ConstraintKind::Soft, 1.0, 1e8));
+  const Points strong = SolveField(mesh, frames, directions, Weights(ConstraintKind::Soft, 1.0, 1e8));
   for (const PrescribedDirection& d : directions)
   {
     EXPECT_LT((hard.row(d.Face).transpose() - d.Direction).norm(), 1e-14);
@@ -158,11 +155,9 @@ TEST(FaceFieldSystem, ComponentsWithoutAPrescriptionAreZero)
   const TangentFrames frames = FaceFrames(mesh);
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    const HarmonicSystem<double> system =
-      MakeFaceFieldSystem(mesh, frames, { { 81 }, { 1.0 } }, Weights(kind));
+    const HarmonicSystem<double> system = MakeFaceFieldSystem(mesh, frames, { { 81 }, { 1.0 } }, Weights(kind));
     EXPECT_EQ(system.NumberOfUnreached(), 160);
-    const Points X =
-      SolveField(mesh, frames, { { 81, Vector3(1.0, 0.0, 0.0), 1.0 } }, Weights(kind));
+    const Points X = SolveField(mesh, frames, { { 81, Vector3(1.0, 0.0, 0.0), 1.0 } }, Weights(kind));
     EXPECT_EQ(X.topRows(80).norm(), 0.0);
     EXPECT_GT(X.bottomRows(54).norm(), 0.1);
   }
@@ -172,8 +167,7 @@ TEST(FaceFieldSystem, ZeroAreaFacesGetAField)
 {
   const TriangleMesh mesh = SphereWithZeroAreaFaces(3, 8).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const Points X = SolveField(
-    mesh, frames, RandomDirections(mesh, frames, 4, 14), Weights(ConstraintKind::Soft));
+  const Points X = SolveField(mesh, frames, RandomDirections(mesh, frames, 4, 14), Weights(ConstraintKind::Soft));
   EXPECT_TRUE(X.allFinite());
   EXPECT_LT(X.cwiseAbs().maxCoeff(), 100.0);
 }
@@ -190,16 +184,16 @@ TEST(FaceFieldSystem, RefusesWhatItCannotSolve)
     all.Faces.push_back(f);
     all.Weights.push_back(1.0);
   }
-  const auto expectRefusal = [&](const PrescribedFaces& prescribed,
-                               const FieldWeights& weights, const std::string& word) {
+  const auto expectRefusal = [&](
+                               const PrescribedFaces& prescribed, const FieldWeights& weights, const std::string& word)
+  {
     try
     {
       FieldOptions options;
       options.Field.Kind = DiscretisationKind::FaceField;
       std::tie(options.Smoothness, options.Alignment, options.Constraints) =
         std::tie(weights.Smoothness, weights.Alignment, weights.Constraints);
-      FieldProblem(
-        surface, nullptr, { prescribed.Faces, prescribed.Weights, {} }, options, SerialContext());
+      FieldProblem(surface, nullptr, { prescribed.Faces, prescribed.Weights, {} }, options, SerialContext());
       ADD_FAILURE() << "accepted; expected \"" << word << '"';
     }
     catch (const InvalidInput& error)

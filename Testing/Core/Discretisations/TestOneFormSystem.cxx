@@ -22,13 +22,11 @@ using namespace dmg::test;
 
 using Dense = Eigen::MatrixXd;
 
-Vector<double> SolveForm(
-  const TriangleMesh& mesh, const OneFormConstraints& constraints, const FieldWeights& weights)
+Vector<double> SolveForm(const TriangleMesh& mesh, const OneFormConstraints& constraints, const FieldWeights& weights)
 {
   const HarmonicSystem<double> system = MakeOneFormSystem(mesh, constraints.Prescribed, weights);
   const Dense A = system.Matrix();
-  return system.Expand(
-    A.fullPivLu().solve(system.RightHandSide(constraints.Values)), constraints.Values);
+  return system.Expand(A.fullPivLu().solve(system.RightHandSide(constraints.Values)), constraints.Values);
 }
 
 OneFormConstraints RandomConstraints(const TriangleMesh& mesh, int count, unsigned seed)
@@ -54,19 +52,18 @@ int FlatVertex(const TriangleMesh& mesh)
 }
 
 /// The stated energy of a form.
-double Energy(const TriangleMesh& mesh, const Vector<double>& h,
-  const OneFormConstraints& constraints, double smoothness, double alignment)
+double Energy(const TriangleMesh& mesh, const Vector<double>& h, const OneFormConstraints& constraints,
+  double smoothness, double alignment)
 {
   const Vector<double> curl = D1(mesh) * h;
   const Vector<double> divergence = D0(mesh).transpose() * (Star1(mesh).asDiagonal() * h);
-  double energy = smoothness * (curl.dot(Star2(mesh).asDiagonal() * curl) +
-    divergence.dot(Star0(mesh).cwiseInverse().asDiagonal() * divergence));
+  double energy = smoothness *
+    (curl.dot(Star2(mesh).asDiagonal() * curl) + divergence.dot(Star0(mesh).cwiseInverse().asDiagonal() * divergence));
   const Vector<double> mass = PositiveStar1(mesh) / (2.0 * mesh.FaceAreas().mean());
   for (std::size_t b = 0; b < constraints.Prescribed.Edges.size(); ++b)
   {
     const int edge = constraints.Prescribed.Edges[b];
-    energy += alignment * constraints.Prescribed.Weights[b] * mass[edge] *
-      std::pow(h[edge] - constraints.Values[b], 2);
+    energy += alignment * constraints.Prescribed.Weights[b] * mass[edge] * std::pow(h[edge] - constraints.Values[b], 2);
   }
   return energy;
 }
@@ -77,19 +74,16 @@ double Energy(const TriangleMesh& mesh, const Vector<double>& h,
 // a gradient that vanishes is checked on the stated energy itself, by differences, exact for quadratics.
 TEST(OneFormSystem, MinimisesItsStatedEnergy)
 {
-  for (const Surface& surface : { IrregularSphere(1, 3), IrregularTorus(9, 6, 1), DoubleTorus(1),
-         IrregularPlane(6, 5, 8), Annulus(9, 2) })
+  for (const Surface& surface :
+    { IrregularSphere(1, 3), IrregularTorus(9, 6, 1), DoubleTorus(1), IrregularPlane(6, 5, 8), Annulus(9, 2) })
   {
     const TriangleMesh mesh = surface.Mesh();
     const OneFormConstraints constraints = RandomConstraints(mesh, 7, 3);
-    const HarmonicSystem<double> system = MakeOneFormSystem(
-      mesh, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
+    const HarmonicSystem<double> system =
+      MakeOneFormSystem(mesh, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
     EXPECT_GT(Eigenvalues(system.Matrix())[0], 0.0);
-    const Vector<double> h =
-      SolveForm(mesh, constraints, Weights(ConstraintKind::Soft, 0.25, 3.0));
-    const auto energy = [&](const Vector<double>& form) {
-      return Energy(mesh, form, constraints, 0.25, 3.0);
-    };
+    const Vector<double> h = SolveForm(mesh, constraints, Weights(ConstraintKind::Soft, 0.25, 3.0));
+    const auto energy = [&](const Vector<double>& form) { return Energy(mesh, form, constraints, 0.25, 3.0); };
     Random random(2);
     for (int trial = 0; trial < 5; ++trial)
     {
@@ -170,8 +164,7 @@ TEST(OneFormSystem, DoesNotDependOnTheNumbering)
   const TriangleMesh mesh = surface.Mesh();
   const Relabelled relabelled = Relabel(surface, 6);
   const TriangleMesh other = relabelled.Result.Mesh();
-  const std::vector<PrescribedDirection> directions =
-    RandomDirections(mesh, FaceFrames(mesh), 5, 7);
+  const std::vector<PrescribedDirection> directions = RandomDirections(mesh, FaceFrames(mesh), 5, 7);
   std::vector<PrescribedDirection> otherDirections = directions;
   for (PrescribedDirection& direction : otherDirections)
   {
@@ -179,11 +172,10 @@ TEST(OneFormSystem, DoesNotDependOnTheNumbering)
   }
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    const Points expected = WhitneyAtFaces(mesh,
-      SolveForm(mesh, OneFormConstraintsOnFaces(mesh, FaceFrames(mesh), directions), Weights(kind)));
-    const Points found = WhitneyAtFaces(other,
-      SolveForm(
-        other, OneFormConstraintsOnFaces(other, FaceFrames(other), otherDirections), Weights(kind)));
+    const Points expected = WhitneyAtFaces(
+      mesh, SolveForm(mesh, OneFormConstraintsOnFaces(mesh, FaceFrames(mesh), directions), Weights(kind)));
+    const Points found = WhitneyAtFaces(
+      other, SolveForm(other, OneFormConstraintsOnFaces(other, FaceFrames(other), otherDirections), Weights(kind)));
     double worst = 0.0;
     for (int face = 0; face < mesh.NumberOfFaces(); ++face)
     {
@@ -195,15 +187,13 @@ TEST(OneFormSystem, DoesNotDependOnTheNumbering)
 
 TEST(OneFormSystem, ComponentsWithoutAPrescriptionAreZero)
 {
-  const TriangleMesh mesh =
-    Union(Icosphere(1), IrregularTorus(9, 6, 2), Vector3(4.0, 0.0, 0.0)).Mesh();
+  const TriangleMesh mesh = Union(Icosphere(1), IrregularTorus(9, 6, 2), Vector3(4.0, 0.0, 0.0)).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
   const OneFormConstraints constraints =
     OneFormConstraintsOnFaces(mesh, frames, { { 100, frames.X.row(100).transpose(), 1.0 } });
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    EXPECT_EQ(
-      MakeOneFormSystem(mesh, constraints.Prescribed, Weights(kind)).NumberOfUnreached(), 120);
+    EXPECT_EQ(MakeOneFormSystem(mesh, constraints.Prescribed, Weights(kind)).NumberOfUnreached(), 120);
     EXPECT_EQ(SolveForm(mesh, constraints, Weights(kind)).head(120).norm(), 0.0);
   }
 }
@@ -283,8 +273,8 @@ TEST(OneFormConstraints, OfVerticesAreNotShortenedByCreases)
   const int ridge = 4; // the middle
   const Vector3 along(0.0, 2.0, 0.0);
   const Vector3 across(3.0, 0.0, 0.0);
-  const OneFormConstraints constraints = OneFormConstraintsAtVertices(
-    mesh, FaceFrames(mesh), VertexFrames(mesh), { { ridge, along + across, 1.0 } });
+  const OneFormConstraints constraints =
+    OneFormConstraintsAtVertices(mesh, FaceFrames(mesh), VertexFrames(mesh), { { ridge, along + across, 1.0 } });
   ASSERT_EQ(constraints.Prescribed.Edges.size(), 6u);
   for (std::size_t b = 0; b < constraints.Prescribed.Edges.size(); ++b)
   {
@@ -306,8 +296,8 @@ TEST(OneFormConstraints, OfOneVertexFillAFlatTorus)
   const Vector3 v = vertices.ToVector(inside, { 0.6, 0.8 });
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    const Vector<double> form = SolveForm(mesh,
-      OneFormConstraintsAtVertices(mesh, faces, vertices, { { inside, v, 1.0 } }), Weights(kind));
+    const Vector<double> form =
+      SolveForm(mesh, OneFormConstraintsAtVertices(mesh, faces, vertices, { { inside, v, 1.0 } }), Weights(kind));
     const Points field = WhitneyAtFaces(mesh, form);
     EXPECT_LT((field.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-10);
     const int face = TriangleMesh::FaceOf(mesh.OutgoingHalfedge(inside));
@@ -324,8 +314,7 @@ TEST(OneFormConstraints, OfFacesAndVerticesJoin)
   const Vector3 y(0.0, 1.0, 0.0);
   const int vertex = mesh.FaceCorners()(8, 0);
   const OneFormConstraints a = OneFormConstraintsOnFaces(mesh, faces, { { 8, x, 1.0 } });
-  const OneFormConstraints b =
-    OneFormConstraintsAtVertices(mesh, faces, vertices, { { vertex, y, 3.0 } });
+  const OneFormConstraints b = OneFormConstraintsAtVertices(mesh, faces, vertices, { { vertex, y, 3.0 } });
   const OneFormConstraints both = Joined(a, b);
   const auto spread = [&mesh](const OneFormConstraints& constraints)
   {
@@ -352,19 +341,13 @@ TEST(OneFormConstraints, RefuseWhatHasNoDirection)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Vector3 x(1.0, 0.0, 0.0);
   for (const auto& [direction, weight] : std::vector<std::pair<Vector3, double>>{
-         { Vector3(0.0, 0.0, 1.0), 1.0 }, { Vector3::Zero(), 1.0 }, { nan * x, 1.0 }, { x, 0.0 },
-         { x, nan } })
+         { Vector3(0.0, 0.0, 1.0), 1.0 }, { Vector3::Zero(), 1.0 }, { nan * x, 1.0 }, { x, 0.0 }, { x, nan } })
   {
-    EXPECT_THROW(OneFormConstraintsOnFaces(
-                   mesh, faces, { { 1, direction, weight } }),
-      InvalidInput);
-    EXPECT_THROW(
-      OneFormConstraintsAtVertices(mesh, faces, vertices, { { 1, direction, weight } }),
-      InvalidInput);
+    EXPECT_THROW(OneFormConstraintsOnFaces(mesh, faces, { { 1, direction, weight } }), InvalidInput);
+    EXPECT_THROW(OneFormConstraintsAtVertices(mesh, faces, vertices, { { 1, direction, weight } }), InvalidInput);
   }
   EXPECT_THROW(OneFormConstraintsOnFaces(mesh, faces, { { 8, x, 1.0 } }), InvalidInput);
-  EXPECT_THROW(
-    OneFormConstraintsAtVertices(mesh, faces, vertices, { { 9, x, 1.0 } }), InvalidInput);
+  EXPECT_THROW(OneFormConstraintsAtVertices(mesh, faces, vertices, { { 9, x, 1.0 } }), InvalidInput);
 }
 
 TEST(OneFormSystem, RefusesWhatItCannotSolve)

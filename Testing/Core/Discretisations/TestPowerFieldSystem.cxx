@@ -25,10 +25,8 @@ using namespace dmg::test;
 Vector<Complex> SolveField(const TriangleMesh& mesh, const TangentFrames& frames, int N,
   const PowerConstraints& constraints, const FieldWeights& weights)
 {
-  const HarmonicSystem<Complex> system =
-    MakePowerFieldSystem(mesh, frames, N, constraints.Prescribed, weights);
-  return system.Expand(
-    SolveByLU(system.Matrix(), system.RightHandSide(constraints.Values)), constraints.Values);
+  const HarmonicSystem<Complex> system = MakePowerFieldSystem(mesh, frames, N, constraints.Prescribed, weights);
+  return system.Expand(SolveByLU(system.Matrix(), system.RightHandSide(constraints.Values)), constraints.Values);
 }
 
 TEST(PowerFieldSystem, IsItsStatedEnergy)
@@ -39,10 +37,9 @@ TEST(PowerFieldSystem, IsItsStatedEnergy)
   Random random(2);
   for (int N : { 1, 2, 4, 8 })
   {
-    const PowerConstraints constraints =
-      MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 7, 3));
-    const HarmonicSystem<Complex> system = MakePowerFieldSystem(
-      mesh, frames, N, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
+    const PowerConstraints constraints = MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 7, 3));
+    const HarmonicSystem<Complex> system =
+      MakePowerFieldSystem(mesh, frames, N, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
     EXPECT_LE(HermitianResidual(system.Matrix()), MachinePrecision);
     EXPECT_NEAR(system.Mass().sum(), mesh.NumberOfFaces(), 1e-12 * mesh.NumberOfFaces());
 
@@ -56,8 +53,8 @@ TEST(PowerFieldSystem, IsItsStatedEnergy)
       energy += pull * std::norm(X[face] - constraints.Values[b]);
       constant += pull * std::norm(constraints.Values[b]);
     }
-    const double quadratic = X.dot(system.Matrix() * X).real() -
-      2.0 * system.RightHandSide(constraints.Values).dot(X).real() + constant;
+    const double quadratic =
+      X.dot(system.Matrix() * X).real() - 2.0 * system.RightHandSide(constraints.Values).dot(X).real() + constant;
     EXPECT_NEAR(quadratic, energy, 1e3 * MachinePrecision * energy);
   }
 }
@@ -73,8 +70,7 @@ TEST(PowerFieldSystem, OneDirectionOnAFlatPatchGivesTheConstantField)
     {
       for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
       {
-        const PowerConstraints constraints =
-          MakePowerConstraints(mesh, frames, N, { { 17, v, 1.0 } });
+        const PowerConstraints constraints = MakePowerConstraints(mesh, frames, N, { { 17, v, 1.0 } });
         const Vector<Complex> X = SolveField(mesh, frames, N, constraints, Weights(kind));
         EXPECT_LT(RelativeDifference(X, PowersOfDirection(frames, v, N)), 1e-10);
       }
@@ -90,13 +86,11 @@ TEST(PowerFieldSystem, OneDirectionOnAFlatTorusGivesAParallelField)
   {
     const PowerConstraints constraints =
       MakePowerConstraints(mesh, frames, N, { { 5, frames.ToVector(5, { 0.6, 0.8 }), 1.0 } });
-    const Vector<Complex> X =
-      SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
+    const Vector<Complex> X = SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
     EXPECT_LT((X.cwiseAbs().array() - 1.0).abs().maxCoeff(), 1e-10);
     for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
     {
-      const Complex carried =
-        X[TriangleMesh::FaceOf(h)] * std::polar(1.0, N * TransportAcrossEdge(mesh, frames, h));
+      const Complex carried = X[TriangleMesh::FaceOf(h)] * std::polar(1.0, N * TransportAcrossEdge(mesh, frames, h));
       EXPECT_LT(std::abs(carried - X[TriangleMesh::FaceOf(mesh.Twin(h))]), 1e-10);
     }
     EXPECT_EQ(IndicesOf(mesh, frames, X, N).cwiseAbs().maxCoeff(), 0.0);
@@ -105,17 +99,14 @@ TEST(PowerFieldSystem, OneDirectionOnAFlatTorusGivesAParallelField)
 
 TEST(PowerFieldSystem, SmoothFieldsHaveIndicesThatSumToTheEulerCharacteristic)
 {
-  for (const Surface& surface :
-    { IrregularSphere(3, 6), IrregularTorus(20, 10, 7), DoubleTorus(3) })
+  for (const Surface& surface : { IrregularSphere(3, 6), IrregularTorus(20, 10, 7), DoubleTorus(3) })
   {
     const TriangleMesh mesh = surface.Mesh();
     const TangentFrames frames = FaceFrames(mesh);
     for (int N = 1; N <= 8; ++N)
     {
-      const PowerConstraints constraints =
-        MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 3, 8));
-      const Vector<Complex> X =
-        SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
+      const PowerConstraints constraints = MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 3, 8));
+      const Vector<Complex> X = SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
       const Vector<double> indices = IndicesOf(mesh, frames, X, N);
       EXPECT_NEAR(indices.sum(), mesh.EulerCharacteristic(), 1e-9);
       // A smooth field has few singularities; a random one has them at most vertices.
@@ -126,8 +117,7 @@ TEST(PowerFieldSystem, SmoothFieldsHaveIndicesThatSumToTheEulerCharacteristic)
 
 /// X as the vectors of one direction per face, chosen nearest to a reference, is awkward to
 /// compare; powers with respect to a direction fixed in space are not.
-Vector<Complex> RelativeTo(
-  const TangentFrames& frames, const Vector<Complex>& X, const Vector3& direction, int N)
+Vector<Complex> RelativeTo(const TangentFrames& frames, const Vector<Complex>& X, const Vector3& direction, int N)
 {
   return X.cwiseProduct(PowersOfDirection(frames, direction, N).conjugate());
 }
@@ -158,11 +148,9 @@ TEST(PowerFieldSystem, FieldsFollowRelabellingRotationAndScale)
   {
     for (int N : { 1, 2, 4, 6 })
     {
-      const auto solve = [&](const TriangleMesh& m, const TangentFrames& fr,
-                           const std::vector<PrescribedDirection>& d, const Vector3& r) {
-        return RelativeTo(
-          fr, SolveField(m, fr, N, MakePowerConstraints(m, fr, N, d), Weights(kind)), r, N);
-      };
+      const auto solve =
+        [&](const TriangleMesh& m, const TangentFrames& fr, const std::vector<PrescribedDirection>& d, const Vector3& r)
+      { return RelativeTo(fr, SolveField(m, fr, N, MakePowerConstraints(m, fr, N, d), Weights(kind)), r, N); };
       const Vector<Complex> X = solve(mesh, frames, directions, reference);
       const Vector<Complex> Y = solve(other, otherFrames, otherDirections, reference);
       Vector<Complex> YInOrder(Y.size());
@@ -181,12 +169,9 @@ TEST(PowerFieldSystem, HardConstraintsHoldAndStrongSoftOnesNearly)
 {
   const TriangleMesh mesh = IrregularSphere(2, 12).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const PowerConstraints constraints =
-    MakePowerConstraints(mesh, frames, 4, RandomDirections(mesh, frames, 5, 13));
-  const Vector<Complex> hard =
-    SolveField(mesh, frames, 4, constraints, Weights(ConstraintKind::Hard));
-  const Vector<Complex> strong =
-    SolveField(mesh, frames, 4, constraints, Weights(ConstraintKind::Soft, 1.0, 1e8));
+  const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 4, RandomDirections(mesh, frames, 5, 13));
+  const Vector<Complex> hard = SolveField(mesh, frames, 4, constraints, Weights(ConstraintKind::Hard));
+  const Vector<Complex> strong = SolveField(mesh, frames, 4, constraints, Weights(ConstraintKind::Soft, 1.0, 1e8));
   for (std::size_t b = 0; b < constraints.Prescribed.Faces.size(); ++b)
   {
     EXPECT_EQ(hard[constraints.Prescribed.Faces[b]], constraints.Values[b]);
@@ -198,12 +183,10 @@ TEST(PowerFieldSystem, ComponentsWithoutAPrescriptionHaveTheSmoothestField)
 {
   const TriangleMesh mesh = Union(Icosphere(1), Disk(3), Vector3(4.0, 0.0, 0.0)).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const PowerConstraints constraints =
-    MakePowerConstraints(mesh, frames, 4, { { 81, Vector3(1.0, 0.0, 0.0), 1.0 } });
+  const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 4, { { 81, Vector3(1.0, 0.0, 0.0), 1.0 } });
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    const HarmonicSystem<Complex> system =
-      MakePowerFieldSystem(mesh, frames, 4, constraints.Prescribed, Weights(kind));
+    const HarmonicSystem<Complex> system = MakePowerFieldSystem(mesh, frames, 4, constraints.Prescribed, Weights(kind));
     EXPECT_EQ(system.NumberOfUnreached(), 80);
     FieldSolver solver(mesh);
     FieldOptions options;
@@ -216,8 +199,8 @@ TEST(PowerFieldSystem, ComponentsWithoutAPrescriptionHaveTheSmoothestField)
   }
 
   const TriangleMesh sphere = Icosphere(1).Mesh();
-  const HarmonicSystem<Complex> whole = MakePowerFieldSystem(
-    sphere, FaceFrames(sphere), 2, { { 3 }, { 1.0 } }, Weights(ConstraintKind::Soft));
+  const HarmonicSystem<Complex> whole =
+    MakePowerFieldSystem(sphere, FaceFrames(sphere), 2, { { 3 }, { 1.0 } }, Weights(ConstraintKind::Soft));
   EXPECT_EQ(whole.NumberOfUnreached(), 0);
 }
 
@@ -227,10 +210,8 @@ TEST(PowerFieldSystem, ZeroAreaFacesGetAField)
   const TangentFrames frames = FaceFrames(mesh);
   for (int N : { 1, 4 })
   {
-    const PowerConstraints constraints =
-      MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 4, 14));
-    const Vector<Complex> X =
-      SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
+    const PowerConstraints constraints = MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 4, 14));
+    const Vector<Complex> X = SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
     EXPECT_TRUE(X.allFinite());
     EXPECT_LT(X.cwiseAbs().maxCoeff(), constraints.Values.cwiseAbs().maxCoeff() * (1.0 + 1e-6));
     EXPECT_NEAR(IndicesOf(mesh, frames, X, N).sum(), 2.0, 1e-9);
@@ -249,16 +230,16 @@ TEST(PowerFieldSystem, RefusesWhatItCannotSolve)
     all.Faces.push_back(f);
     all.Weights.push_back(1.0);
   }
-  const auto expectRefusal = [&](int N, const PrescribedFaces& prescribed,
-                               const FieldWeights& weights, const std::string& word) {
+  const auto expectRefusal =
+    [&](int N, const PrescribedFaces& prescribed, const FieldWeights& weights, const std::string& word)
+  {
     try
     {
       FieldOptions options;
       options.Field.N = N;
       std::tie(options.Smoothness, options.Alignment, options.Constraints) =
         std::tie(weights.Smoothness, weights.Alignment, weights.Constraints);
-      FieldProblem(
-        surface, nullptr, { prescribed.Faces, prescribed.Weights, {} }, options, SerialContext());
+      FieldProblem(surface, nullptr, { prescribed.Faces, prescribed.Weights, {} }, options, SerialContext());
       ADD_FAILURE() << "accepted; expected \"" << word << '"';
     }
     catch (const InvalidInput& error)

@@ -33,8 +33,7 @@ TEST_F(AlignmentConstraintsTest, AreSortedPowersOfTheTangentialParts)
   {
     const Vector3 normal = this->Frames.Normal(9);
     const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, N,
-      { { 20, this->Direction(20, 0.3, 2.5), 3.0 },
-        { 9, this->Direction(9, -1.1, 0.5) + 4.0 * normal, 1.5 } });
+      { { 20, this->Direction(20, 0.3, 2.5), 3.0 }, { 9, this->Direction(9, -1.1, 0.5) + 4.0 * normal, 1.5 } });
     EXPECT_EQ(constraints.Prescribed.Faces, (std::vector<int>{ 9, 20 }));
     EXPECT_EQ(constraints.Prescribed.Weights, (std::vector<double>{ 1.5, 3.0 }));
     ASSERT_EQ(constraints.Values.size(), 2);
@@ -53,8 +52,7 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatAreEqualForNDirectionFieldsAgree)
     {
       directions.push_back({ 4, this->Direction(4, 0.2 + 2.0 * Pi * k / N), 1.0 + k });
     }
-    const PowerConstraints constraints =
-      MakePowerConstraints(this->Mesh, this->Frames, N, directions);
+    const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, N, directions);
     ASSERT_EQ(constraints.Values.size(), 1);
     EXPECT_LT(std::abs(constraints.Values[0] - std::polar(1.0, 0.2 * N)), 50 * MachinePrecision);
     EXPECT_DOUBLE_EQ(constraints.Prescribed.Weights[0], 0.5 * N * (N + 1));
@@ -63,8 +61,8 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatAreEqualForNDirectionFieldsAgree)
 
 TEST_F(AlignmentConstraintsTest, DirectionsOnOneFaceAreAveragedByWeight)
 {
-  const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, 1,
-    { { 7, this->Direction(7, 0.0), 3.0 }, { 7, this->Direction(7, 0.5 * Pi), 1.0 } });
+  const PowerConstraints constraints = MakePowerConstraints(
+    this->Mesh, this->Frames, 1, { { 7, this->Direction(7, 0.0), 3.0 }, { 7, this->Direction(7, 0.5 * Pi), 1.0 } });
   EXPECT_LT(std::abs(constraints.Values[0] - Complex(0.75, 0.25)), 10 * MachinePrecision);
 }
 
@@ -73,9 +71,9 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatCancelAreLeftOut)
 {
   for (const auto& [N, cancelling] : { std::pair(1, 2), std::pair(2, 6), std::pair(4, -1) })
   {
-    std::vector<PrescribedDirection> directions = { { 6, this->Direction(6, 0.3), 2.0 }, { 2, this->Direction(2, 0.1), 0.5 },
-      { 4, this->Direction(4, 1.0), 3.0 }, { 2, -this->Direction(2, 0.1), 0.5 }, { 6, this->Direction(6, 0.3 + 0.5 * Pi), 2.0 },
-      { 4, -this->Direction(4, 1.0), 1.0 } };
+    std::vector<PrescribedDirection> directions = { { 6, this->Direction(6, 0.3), 2.0 },
+      { 2, this->Direction(2, 0.1), 0.5 }, { 4, this->Direction(4, 1.0), 3.0 }, { 2, -this->Direction(2, 0.1), 0.5 },
+      { 6, this->Direction(6, 0.3 + 0.5 * Pi), 2.0 }, { 4, -this->Direction(4, 1.0), 1.0 } };
     std::vector<PrescribedDirection> expected;
     for (const PrescribedDirection& direction : directions)
     {
@@ -144,8 +142,7 @@ TEST_F(AlignmentConstraintsTest, RefuseWhatIsNoDirection)
   }
   for (int face : { -1, this->Mesh.NumberOfFaces() })
   {
-    EXPECT_THROW(
-      MakePowerConstraints(this->Mesh, this->Frames, 2, { { face, good, 1.0 } }), InvalidInput);
+    EXPECT_THROW(MakePowerConstraints(this->Mesh, this->Frames, 2, { { face, good, 1.0 } }), InvalidInput);
   }
 }
 

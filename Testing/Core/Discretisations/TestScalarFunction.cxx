@@ -60,12 +60,10 @@ TEST(ScalarFunction, LinearFunctionsAreReproduced)
   const TriangleMesh mesh = IrregularPlane(40, 30, 9).Mesh();
   const Vector3 slope(0.7, -1.3, 0.0);
   const auto linear = [&slope](const Vector3& p) { return 2.0 + slope.dot(p); };
-  for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky,
-         SolverKind::VCycles })
+  for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky, SolverKind::VCycles })
   {
     FieldSolver fields(mesh);
-    const Vector<double> u =
-      fields.Solve(OnBoundary(mesh, linear), Functions(solver), { 1e-12, 200 });
+    const Vector<double> u = fields.Solve(OnBoundary(mesh, linear), Functions(solver), { 1e-12, 200 });
     EXPECT_TRUE(fields.Report().Converged);
     for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
     {
@@ -124,8 +122,7 @@ TEST(ScalarFunction, MinimisesTheDirichletEnergy)
 
 TEST(ScalarFunction, SolversAndLevelsAgree)
 {
-  for (const Surface& surface : { IrregularSphere(4, 3), IrregularTorus(64, 32, 4),
-         IrregularPlane(50, 40, 5) })
+  for (const Surface& surface : { IrregularSphere(4, 3), IrregularTorus(64, 32, 4), IrregularPlane(50, 40, 5) })
   {
     const TriangleMesh mesh = surface.Mesh();
     for (const ConstraintKind constraints : { ConstraintKind::Soft, ConstraintKind::Hard })
@@ -134,8 +131,7 @@ TEST(ScalarFunction, SolversAndLevelsAgree)
       options.Constraints = constraints;
       FieldSolver direct(mesh);
       const Vector<double> expected = direct.Solve(SomeValues(mesh), options, { 1e-12, 200 });
-      for (const CoarseSpaceKind space :
-        { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+      for (const CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
       {
         options.Solver.Kind = SolverKind::ConjugateGradients;
         options.CoarseSpace = space;
@@ -151,7 +147,8 @@ TEST(ScalarFunction, SolversAndLevelsAgree)
 TEST(ScalarFunction, HasTheSameBitsForAnyNumberOfThreads)
 {
   const TriangleMesh mesh = IrregularTorus(64, 32, 4).Mesh();
-  const auto solve = [&mesh](const ExecutionContext& context) {
+  const auto solve = [&mesh](const ExecutionContext& context)
+  {
     FieldSolver fields(mesh, context);
     return fields.Solve(SomeValues(mesh), Functions(), {}, context);
   };
@@ -176,8 +173,8 @@ TEST(ScalarFunction, RefusesWhatIsNoValue)
 {
   const FramedMesh surface(IrregularSphere(2, 3).Mesh());
   const ScalarFunction functions(surface, VertexAreas::MixedVoronoi);
-  const std::vector<std::vector<PrescribedValue>> wrong = { {}, { { -1, 1.0, 1.0 } },
-    { { 4, std::nan(""), 1.0 } }, { { 4, 1.0, 0.0 } } };
+  const std::vector<std::vector<PrescribedValue>> wrong = { {}, { { -1, 1.0, 1.0 } }, { { 4, std::nan(""), 1.0 } },
+    { { 4, 1.0, 0.0 } } };
   for (const std::vector<PrescribedValue>& values : wrong)
   {
     EXPECT_THROW(functions.Prescribe({ {}, {}, values }, {}), InvalidInput);

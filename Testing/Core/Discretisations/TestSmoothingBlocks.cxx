@@ -20,8 +20,7 @@ std::vector<std::set<int>> SetsOf(const UnknownBlocks& blocks)
   std::vector<std::set<int>> sets;
   for (int k = 0; k < blocks.Size(); ++k)
   {
-    sets.emplace_back(blocks.Unknowns.begin() + blocks.Offsets[k],
-      blocks.Unknowns.begin() + blocks.Offsets[k + 1]);
+    sets.emplace_back(blocks.Unknowns.begin() + blocks.Offsets[k], blocks.Unknowns.begin() + blocks.Offsets[k + 1]);
     EXPECT_EQ(static_cast<int>(sets.back().size()), blocks.Offsets[k + 1] - blocks.Offsets[k])
       << "block " << k << " holds an unknown twice";
   }
@@ -144,10 +143,7 @@ TEST(SmoothingBlocks, ManyUnevenFacesAreInSeveralPatches)
     const std::set<int> own = SidesOf(mesh, face);
     EXPECT_TRUE(std::any_of(forms.begin(), forms.end(),
       [&own](const std::set<int>& patch)
-      {
-        return patch.size() > own.size() &&
-          std::includes(patch.begin(), patch.end(), own.begin(), own.end());
-      }))
+      { return patch.size() > own.size() && std::includes(patch.begin(), patch.end(), own.begin(), own.end()); }))
       << "face " << face << " is in no patch";
   }
   surface.V.col(1) *= 0.5;
@@ -198,8 +194,7 @@ TEST(SmoothingBlocks, FacesAreUnevenByTheAreaOverThatOfAnEquilateralTriangle)
   {
     const double fraction = 0.5 * h / (std::sqrt(3.0) / 4.0 * (1.0 + h * h));
     const TriangleMesh mesh = StripWithThinColumn(12, 4, h);
-    const int patches =
-      BlocksOfFaceFields(mesh).Size() - PackFans(mesh, SchwarzBlocks::LargestBlock / 4).Size();
+    const int patches = BlocksOfFaceFields(mesh).Size() - PackFans(mesh, SchwarzBlocks::LargestBlock / 4).Size();
     EXPECT_EQ(patches, fraction <= 0.1 ? 1 : 0) << h;
   }
 }

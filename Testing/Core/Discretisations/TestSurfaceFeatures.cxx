@@ -35,8 +35,7 @@ Surface Cube(int subdivisions)
     cube.V.row(i) << (i & 1), ((i >> 1) & 1), ((i >> 2) & 1);
   }
   cube.F.resize(12, 3);
-  cube.F << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6,
-    2, 1, 3, 7, 1, 7, 5;
+  cube.F << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5;
   for (int i = 0; i < subdivisions; ++i)
   {
     cube = Subdivide(cube);
@@ -46,8 +45,7 @@ Surface Cube(int subdivisions)
 
 /// What the weights make of a unit difference from what is prescribed: the penalties of faces are multiples of their
 /// areas over the mean one.
-double EnergyOfUnit(
-  const TriangleMesh& mesh, const std::vector<PrescribedDirection>& directions)
+double EnergyOfUnit(const TriangleMesh& mesh, const std::vector<PrescribedDirection>& directions)
 {
   const Vector<double> areas = mesh.FaceAreas();
   double sum = 0.0;
@@ -81,13 +79,12 @@ TEST(SurfaceFeatures, WeightsAreThoseOfIntegralsAtAnySizeAndResolution)
     {
       const FramedMesh cube(RotatedAndScaled(Cube(subdivisions), 0.5, scale).Mesh());
       // Twelve edges, each with two faces; half of the roughness of power fields is the Dirichlet energy.
-      EXPECT_NEAR(EnergyOfUnit(cube.Mesh, AlongSharpEdges(cube, 30.0, 3.0)),
-        2.0 * 3.0 * 24.0 * 30.0 / std::sqrt(6.0), 1e-9);
+      EXPECT_NEAR(
+        EnergyOfUnit(cube.Mesh, AlongSharpEdges(cube, 30.0, 3.0)), 2.0 * 3.0 * 24.0 * 30.0 / std::sqrt(6.0), 1e-9);
       const int faces = cube.Mesh.NumberOfFaces();
-      PrincipalCurvatures clear{ Vector<Complex>::Ones(faces), Vector<double>::Ones(faces),
-        Vector<double>::Zero(faces), Vector<double>::Constant(faces, 0.25) };
-      EXPECT_NEAR(EnergyOfUnit(cube.Mesh, AlongCurvature(cube, clear, false, 3.0)),
-        2.0 * 3.0 * 0.25 * 900.0, 1e-9);
+      PrincipalCurvatures clear{ Vector<Complex>::Ones(faces), Vector<double>::Ones(faces), Vector<double>::Zero(faces),
+        Vector<double>::Constant(faces, 0.25) };
+      EXPECT_NEAR(EnergyOfUnit(cube.Mesh, AlongCurvature(cube, clear, false, 3.0)), 2.0 * 3.0 * 0.25 * 900.0, 1e-9);
     }
   }
   const TriangleMesh grid = PlaneGrid(12, 3).Mesh();
@@ -119,8 +116,7 @@ TEST(SurfaceFeatures, LinesFollowTheMaximumOrTheMinimum)
   {
     EXPECT_NEAR(maximum[i].Direction.dot(minimum[i].Direction), 0.0, 1e-12);
     const Vector3 centre = Centre(torus.Mesh, maximum[i].Face);
-    EXPECT_NEAR(std::abs(Vector3(-centre[1], centre[0], 0.0).normalized().dot(minimum[i].Direction)),
-      1.0, 0.02);
+    EXPECT_NEAR(std::abs(Vector3(-centre[1], centre[0], 0.0).normalized().dot(minimum[i].Direction)), 1.0, 0.02);
   }
 }
 
@@ -160,7 +156,8 @@ TEST(SurfaceFeatures, EachTurnsByAnAngleOfItsOwn)
 {
   const FramedMesh tube(Prism(24, 8).Mesh());
   const PrincipalCurvatures curvatures = FindPrincipalDirections(tube, 2.0).Faces;
-  const auto alone = [](double FeatureOptions::*weight) {
+  const auto alone = [](double FeatureOptions::*weight)
+  {
     FeatureOptions options;
     options.*weight = 2.0;
     options.FeatureAngle = 5.0;
@@ -169,7 +166,8 @@ TEST(SurfaceFeatures, EachTurnsByAnAngleOfItsOwn)
   const std::pair<double FeatureOptions::*, double FeatureOptions::*> features[] = {
     { &FeatureOptions::BoundaryWeight, &FeatureOptions::BoundaryRotation },
     { &FeatureOptions::SharpEdgesWeight, &FeatureOptions::SharpEdgesRotation },
-    { &FeatureOptions::CurvatureWeight, &FeatureOptions::CurvatureRotation } };
+    { &FeatureOptions::CurvatureWeight, &FeatureOptions::CurvatureRotation }
+  };
   for (const auto& [weight, rotation] : features)
   {
     FeatureOptions options = alone(weight);
@@ -214,8 +212,8 @@ TEST(SurfaceFeatures, ASphereHasNoPrincipalDirections)
 TEST(SurfaceFeatures, RefuseNegativeWeights)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  for (double FeatureOptions::*weight : { &FeatureOptions::BoundaryWeight,
-         &FeatureOptions::SharpEdgesWeight, &FeatureOptions::CurvatureWeight })
+  for (double FeatureOptions::*weight :
+    { &FeatureOptions::BoundaryWeight, &FeatureOptions::SharpEdgesWeight, &FeatureOptions::CurvatureWeight })
   {
     for (const double bad : { -1.0, nan, std::numeric_limits<double>::infinity(), 1e-11, 1e11 })
     {
@@ -237,8 +235,7 @@ TEST(SurfaceFeatures, DirectionsTurnCounterClockwiseAboutTheNormal)
   PrescribedDirections directions{ { { 7, given, 1.0 } }, { { 9, given, 1.0 } } };
   Turn(directions, surface, angles);
   const Vector3 onFace = directions.OnFaces[0].Direction;
-  EXPECT_LT(std::abs(surface.Faces.ToComplex(7, onFace) -
-              std::polar(1.0, 0.8) * surface.Faces.ToComplex(7, given)),
+  EXPECT_LT(std::abs(surface.Faces.ToComplex(7, onFace) - std::polar(1.0, 0.8) * surface.Faces.ToComplex(7, given)),
     20 * MachinePrecision);
   EXPECT_NEAR(onFace.dot(surface.Faces.Normal(7)), given.dot(surface.Faces.Normal(7)), 1e-14);
   EXPECT_LT(std::abs(surface.Vertices.ToComplex(9, directions.AtVertices[0].Direction) -

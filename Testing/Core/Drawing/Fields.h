@@ -38,10 +38,7 @@ struct DrawnField
   DrawnField(const DrawnField&) = delete; // the surface is borrowed
   void operator=(const DrawnField&) = delete;
 
-  Vector3 Centre(int face) const
-  {
-    return this->Unfolded.Position(face, this->Unfolded.Centre(face).Point);
-  }
+  Vector3 Centre(int face) const { return this->Unfolded.Position(face, this->Unfolded.Centre(face).Point); }
 
 private:
   Vector<Complex> FirstFrom(const std::function<Vector3(const Vector3&)>& vectorAt) const

@@ -17,8 +17,8 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-LinesOnSurface Draw(const DrawnField& field, const LineOptions& options,
-  const ExecutionContext& context = SerialContext())
+LinesOnSurface Draw(
+  const DrawnField& field, const LineOptions& options, const ExecutionContext& context = SerialContext())
 {
   return EvenlySpacedLines(field.Unfolded, field.Field, options, context);
 }
@@ -46,16 +46,15 @@ double LengthOf(const LinesOnSurface& lines, int line)
   {
     length += (lines.Positions[i] - lines.Positions[i - 1]).norm();
   }
-  return lines.IsClosed[line] ? length +
-      (lines.Positions[lines.Offsets[line]] - lines.Positions[lines.Offsets[line + 1] - 1]).norm()
-                              : length;
+  return lines.IsClosed[line]
+    ? length + (lines.Positions[lines.Offsets[line]] - lines.Positions[lines.Offsets[line + 1] - 1]).norm()
+    : length;
 }
 
 double DistanceToSegment(const Vector3& point, const Vector3& a, const Vector3& b)
 {
   const Vector3 way = b - a;
-  const double part =
-    std::clamp((point - a).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
+  const double part = std::clamp((point - a).dot(way) / std::max(way.squaredNorm(), 1e-300), 0.0, 1.0);
   return (a + part * way - point).norm();
 }
 
@@ -75,8 +74,7 @@ double LeastDistance(const LinesOnSurface& lines)
           const Vector3 other = lines.Positions[j] - lines.Positions[j - 1];
           if (std::abs(other.dot(along)) > 0.9 * other.norm())
           {
-            least = std::min(least,
-              DistanceToSegment(lines.Positions[i], lines.Positions[j - 1], lines.Positions[j]));
+            least = std::min(least, DistanceToSegment(lines.Positions[i], lines.Positions[j - 1], lines.Positions[j]));
           }
         }
       }
@@ -106,8 +104,7 @@ TEST(EvenlySpacedLines, OfAParallelFieldAreStraightAtEvenDistances)
         for (const int end : { lines.Offsets[line], lines.Offsets[line + 1] - 1 })
         {
           const Vector3 p = lines.Positions[end];
-          EXPECT_LT(std::min({ p[0], p[1], 40.0 - p[0], 30.0 - p[1] }), 1e-10)
-            << "ends at the boundary";
+          EXPECT_LT(std::min({ p[0], p[1], 40.0 - p[0], 30.0 - p[1] }), 1e-10) << "ends at the boundary";
         }
         EXPECT_NEAR(lines.Lengths[line], LengthOf(lines, line), 1e-9);
         EXPECT_FALSE(lines.IsClosed[line]);
@@ -132,8 +129,8 @@ TEST(EvenlySpacedLines, CrossABandOfThinTriangles)
   for (int i = 0; i < surface.V.rows(); ++i)
   {
     const double column = surface.V(i, 0);
-    surface.V(i, 0) = std::min(column, 20.0) + Width * std::clamp(column - 20.0, 0.0, 1.0 * Thin) +
-      std::max(column - 20.0 - Thin, 0.0);
+    surface.V(i, 0) =
+      std::min(column, 20.0) + Width * std::clamp(column - 20.0, 0.0, 1.0 * Thin) + std::max(column - 20.0 - Thin, 0.0);
   }
   const DrawnField field(surface, 1, [](const Vector3&) { return Cosines(0.3); });
   const LinesOnSurface lines = Draw(field, { 2.0, 0.5, 0.0 });
@@ -143,8 +140,7 @@ TEST(EvenlySpacedLines, CrossABandOfThinTriangles)
     for (const int end : { lines.Offsets[line], lines.Offsets[line + 1] - 1 })
     {
       const Vector3 p = lines.Positions[end];
-      EXPECT_LT(std::min({ p[0], p[1], 40.0 + Thin * Width - p[0], 30.0 - p[1] }), 1e-9)
-        << "ends at the boundary";
+      EXPECT_LT(std::min({ p[0], p[1], 40.0 + Thin * Width - p[0], 30.0 - p[1] }), 1e-9) << "ends at the boundary";
     }
   }
 }
@@ -154,8 +150,7 @@ TEST(EvenlySpacedLines, RunAlongAllFamiliesOfAField)
   for (const int N : { 3, 4, 6, 8 })
   {
     const double angle = 0.2;
-    const DrawnField field(
-      IrregularPlane(30, 30, 7), N, [&](const Vector3&) { return Cosines(angle); });
+    const DrawnField field(IrregularPlane(30, 30, 7), N, [&](const Vector3&) { return Cosines(angle); });
     const LinesOnSurface lines = Draw(field, { 2.0, 0.5, 0.0 });
     std::map<int, double> lengths;
     for (int line = 0; line < lines.NumberOfLines(); ++line)
@@ -165,8 +160,7 @@ TEST(EvenlySpacedLines, RunAlongAllFamiliesOfAField)
       const Vector3 normal = Cosines(angle + 2.0 * Pi * family / N + 0.5 * Pi);
       for (int i = lines.Offsets[line]; i < lines.Offsets[line + 1]; ++i)
       {
-        EXPECT_NEAR(
-          (lines.Positions[i] - lines.Positions[lines.Offsets[line]]).dot(normal), 0.0, 1e-9)
+        EXPECT_NEAR((lines.Positions[i] - lines.Positions[lines.Offsets[line]]).dot(normal), 0.0, 1e-9)
           << "N " << N << ", family " << family;
       }
     }
@@ -233,11 +227,11 @@ TEST(EvenlySpacedLines, CloseAroundATorus)
 TEST(EvenlySpacedLines, CloseAroundAPrismUnlessTheyAreHelices)
 {
   const auto around = [](const Vector3& p) { return Vector3(-p[1], p[0], 0.0).normalized(); };
-  for (const auto& [slope, distance] : std::vector<std::pair<double, double>>{
-         { 0.0, 0.1 }, { 0.0, 0.07 }, { 0.0, 0.05 }, { 0.02, 0.1 }, { 0.3, 0.1 } })
+  for (const auto& [slope, distance] :
+    std::vector<std::pair<double, double>>{ { 0.0, 0.1 }, { 0.0, 0.07 }, { 0.0, 0.05 }, { 0.02, 0.1 }, { 0.3, 0.1 } })
   {
-    const DrawnField field(Prism(12, 6), 1,
-      [&, rise = slope](const Vector3& p) { return Vector3(around(p) + rise * Vector3::UnitZ()); });
+    const DrawnField field(
+      Prism(12, 6), 1, [&, rise = slope](const Vector3& p) { return Vector3(around(p) + rise * Vector3::UnitZ()); });
     const double height = field.Mesh.VertexPositions().col(2).maxCoeff();
     const double perimeter = 12.0 * 2.0 * std::sin(Pi / 12.0);
     const LinesOnSurface lines = Draw(field, { distance * height, 0.6, 0.0 });
@@ -257,7 +251,8 @@ TEST(EvenlySpacedLines, DoNotWindAroundASpikeForEver)
 {
   Surface prism = Prism(12, 6);
   prism.V.col(2) *= 1e6;
-  const auto helix = [](const Vector3& p) { return Vector3(Vector3(-p[1], p[0], 0.0).normalized() + Vector3::UnitZ()); };
+  const auto helix = [](const Vector3& p)
+  { return Vector3(Vector3(-p[1], p[0], 0.0).normalized() + Vector3::UnitZ()); };
   const DrawnField field(prism, 1, helix);
   const LinesOnSurface lines = Draw(field, { 1e5, 0.5, 0.0 });
   EXPECT_LT(lines.Positions.size(), 100'000u * static_cast<std::size_t>(lines.NumberOfLines() + 1));
@@ -272,8 +267,7 @@ TEST(EvenlySpacedLines, StayOnTheSurface)
   {
     for (int i = lines.Offsets[line] + 1; i < lines.Offsets[line + 1]; ++i)
     {
-      for (const Vector3& p :
-        { lines.Positions[i], Vector3(0.5 * (lines.Positions[i] + lines.Positions[i - 1])) })
+      for (const Vector3& p : { lines.Positions[i], Vector3(0.5 * (lines.Positions[i] + lines.Positions[i - 1])) })
       {
         EXPECT_GT(p.norm(), hole - 1e-12);
         EXPECT_LT(p.norm(), 2.0 + 1e-12);
@@ -286,8 +280,7 @@ TEST(EvenlySpacedLines, StayOnTheSurface)
 TEST(EvenlySpacedLines, OnBothSidesOfAThinPlateDoNotSeeEachOther)
 {
   const double distance = 0.1;
-  const DrawnField field(
-    Flattened(Icosphere(4), 0.01), 2, [](const Vector3&) { return Vector3(1.0, 0.0, 0.0); });
+  const DrawnField field(Flattened(Icosphere(4), 0.01), 2, [](const Vector3&) { return Vector3(1.0, 0.0, 0.0); });
   const LinesOnSurface lines = Draw(field, { distance, 0.5, 0.2 });
   double above = 0.0, below = 0.0;
   for (int line = 0; line < lines.NumberOfLines(); ++line)
@@ -318,8 +311,8 @@ TEST(EvenlySpacedLines, EndWhereTheFieldDoes)
 /// Left and right of the edges x = 1, 2, ... the field leads to them: a line cannot cross, and goes along.
 TEST(EvenlySpacedLines, GoAlongEdgesToWhichTheFieldLeads)
 {
-  const DrawnField field(PlaneGrid(2, 30), 1,
-    [](const Vector3& p) { return Vector3(p[0] < 1.0 ? 1.0 : -1.0, 1.0, 0.0); });
+  const DrawnField field(
+    PlaneGrid(2, 30), 1, [](const Vector3& p) { return Vector3(p[0] < 1.0 ? 1.0 : -1.0, 1.0, 0.0); });
   const LinesOnSurface lines = Draw(field, { 0.5, 0.5, 4.0 });
   ASSERT_GE(lines.NumberOfLines(), 1);
   double highest = 0.0;
@@ -345,8 +338,7 @@ TEST(EvenlySpacedLines, AreTheSameForAnyNumberOfThreads)
     {
       first[face] = frames.ToComplex(face, Vector3(0.3, 1.0, 0.2));
     }
-    drawn.push_back(EvenlySpacedLines(
-      unfolded, DirectionsOnFaces(4, first, context), { 0.05, 0.5, 0.1 }, context));
+    drawn.push_back(EvenlySpacedLines(unfolded, DirectionsOnFaces(4, first, context), { 0.05, 0.5, 0.1 }, context));
     EXPECT_EQ(context.Progress().back(), 1.0);
     EXPECT_TRUE(std::is_sorted(context.Progress().begin(), context.Progress().end()));
   }
@@ -368,11 +360,10 @@ TEST(EvenlySpacedLines, OfAnyFieldOnAnySurfaceAreFinite)
     {
       SCOPED_TRACE(surface.Name + ", N " + std::to_string(N));
       const DrawnField rough(surface.Shape, N, 17u);
-      const DrawnField smooth(
-        surface.Shape, N, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
-      const Vector3 size = (rough.Mesh.VertexPositions().colwise().maxCoeff() -
-        rough.Mesh.VertexPositions().colwise().minCoeff())
-                             .transpose();
+      const DrawnField smooth(surface.Shape, N, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
+      const Vector3 size =
+        (rough.Mesh.VertexPositions().colwise().maxCoeff() - rough.Mesh.VertexPositions().colwise().minCoeff())
+          .transpose();
       for (const DrawnField* field : { &rough, &smooth })
       {
         const LinesOnSurface lines = Draw(*field, { 0.02 * size.norm(), 0.5, 0.0 });
@@ -408,8 +399,7 @@ TEST(EvenlySpacedLines, AreRefusedWhereThereAreTooManyAndFewerOrLargerTrianglesH
 // An attempt is remembered along its way, and not made again from there.
 TEST(EvenlySpacedLines, ThatAreAllTooShortAreTriedOnce)
 {
-  const DrawnField field(
-    Icosphere(6), 4, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
+  const DrawnField field(Icosphere(6), 4, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
   std::vector<std::size_t> work;
   for (const double minimumLength : { 0.2, 1000.0 })
   {
@@ -423,8 +413,7 @@ TEST(EvenlySpacedLines, ThatAreAllTooShortAreTriedOnce)
 
 TEST(EvenlySpacedLines, CanBeCancelled)
 {
-  const DrawnField field(
-    Icosphere(5), 4, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
+  const DrawnField field(Icosphere(5), 4, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
   TbbContext context(1);
   context.CancelAfter(2);
   EXPECT_THROW(Draw(field, { 0.01, 0.5, 0.0 }, context), Cancelled);

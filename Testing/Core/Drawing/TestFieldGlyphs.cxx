@@ -25,8 +25,7 @@ TEST(FieldGlyphs, HaveABranchAlongEachDirection)
   {
     const DrawnField field(IrregularPlane(10, 10, 1), N, [&](const Vector3&) { return direction; });
     const SurfacePoint centre = field.Unfolded.Centre(90);
-    const GlyphsOnSurface glyphs =
-      FieldGlyphs(field.Unfolded, field.Field, { { centre, 2.0 } }, { Strokes, 0.1, 0.5 });
+    const GlyphsOnSurface glyphs = FieldGlyphs(field.Unfolded, field.Field, { { centre, 2.0 } }, { Strokes, 0.1, 0.5 });
     ASSERT_EQ(glyphs.NumberOfCells(), N);
     for (int k = 0; k < N; ++k)
     {
@@ -34,11 +33,9 @@ TEST(FieldGlyphs, HaveABranchAlongEachDirection)
       EXPECT_NEAR(glyphs.Magnitudes[k], std::sqrt(5.0), 1e-14);
       const Vector3 root = glyphs.Positions[glyphs.Corners[glyphs.Offsets[k]]];
       const Vector3 tip = glyphs.Positions[glyphs.Corners[glyphs.Offsets[k + 1] - 1]];
-      const Vector3 lifted =
-        field.Unfolded.Position(centre.Face, centre.Point) + Vector3(0.0, 0.0, 0.5);
+      const Vector3 lifted = field.Unfolded.Position(centre.Face, centre.Point) + Vector3(0.0, 0.0, 0.5);
       EXPECT_LT((root - lifted).norm(), 1e-13);
-      const Vector3 expected =
-        2.0 * (Eigen::AngleAxisd(2.0 * Pi * k / N, Vector3::UnitZ()) * direction.normalized());
+      const Vector3 expected = 2.0 * (Eigen::AngleAxisd(2.0 * Pi * k / N, Vector3::UnitZ()) * direction.normalized());
       EXPECT_LT((tip - root - expected).norm(), 1e-12) << "N " << N << ", k " << k;
     }
   }
@@ -46,14 +43,12 @@ TEST(FieldGlyphs, HaveABranchAlongEachDirection)
 
 TEST(FieldGlyphs, OfVectorsAreArrows)
 {
-  const DrawnField field(
-    PlaneGrid(10, 10), 1, [](const Vector3&) { return Vector3(0.0, 3.0, 0.0); });
+  const DrawnField field(PlaneGrid(10, 10), 1, [](const Vector3&) { return Vector3(0.0, 3.0, 0.0); });
   const SurfacePoint centre = field.Unfolded.Centre(90);
   const Vector3 middle = field.Unfolded.Position(centre.Face, centre.Point);
   for (const auto form : { Strokes, Solid })
   {
-    const GlyphsOnSurface glyphs =
-      FieldGlyphs(field.Unfolded, field.Field, { { centre, 2.0 } }, { form, 0.1, 0.0 });
+    const GlyphsOnSurface glyphs = FieldGlyphs(field.Unfolded, field.Field, { { centre, 2.0 } }, { form, 0.1, 0.0 });
     double low = 1e300, high = -1e300, widest = 0.0, heightOfWidest = 0.0;
     for (const Vector3& p : glyphs.Positions)
     {
@@ -73,8 +68,7 @@ TEST(FieldGlyphs, OfVectorsAreArrows)
 
 TEST(FieldGlyphs, AreLaidOntoTheSurface)
 {
-  const DrawnField field(
-    Icosphere(4), 4, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
+  const DrawnField field(Icosphere(4), 4, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
   std::vector<GlyphPlace> places;
   for (int face = 0; face < field.Mesh.NumberOfFaces(); face += 50)
   {
@@ -82,8 +76,7 @@ TEST(FieldGlyphs, AreLaidOntoTheSurface)
   }
   for (const auto form : { Strokes, Solid })
   {
-    const GlyphsOnSurface glyphs =
-      FieldGlyphs(field.Unfolded, field.Field, places, { form, 0.1, 0.0 });
+    const GlyphsOnSurface glyphs = FieldGlyphs(field.Unfolded, field.Field, places, { form, 0.1, 0.0 });
     EXPECT_EQ(glyphs.Glyphs.back(), static_cast<int>(places.size()) - 1);
     for (std::size_t i = 0; i < glyphs.Positions.size(); ++i)
     {
@@ -96,8 +89,8 @@ TEST(FieldGlyphs, AreLaidOntoTheSurface)
 TEST(FieldGlyphs, EndAtTheBoundary)
 {
   const DrawnField field(PlaneGrid(4, 4), 4, [](const Vector3&) { return Vector3(1.0, 0.0, 0.0); });
-  const GlyphsOnSurface glyphs = FieldGlyphs(
-    field.Unfolded, field.Field, { { field.Unfolded.Centre(9), 100.0 } }, { Solid, 0.1, 0.0 });
+  const GlyphsOnSurface glyphs =
+    FieldGlyphs(field.Unfolded, field.Field, { { field.Unfolded.Centre(9), 100.0 } }, { Solid, 0.1, 0.0 });
   for (const Vector3& p : glyphs.Positions)
   {
     EXPECT_GT(std::min({ p[0], p[1], 4.0 - p[0], 4.0 - p[1] }), -1e-12);
@@ -113,8 +106,7 @@ TEST(FieldGlyphs, AreFiniteOnFacesWithoutArea)
     {
       const std::vector<GlyphPlace> places =
         PlaceGlyphs(field.Unfolded, field.Field, { placement, 0.2, GlyphSizing::ByTriangle, 1.0 });
-      const GlyphsOnSurface glyphs =
-        FieldGlyphs(field.Unfolded, field.Field, places, GlyphOptions());
+      const GlyphsOnSurface glyphs = FieldGlyphs(field.Unfolded, field.Field, places, GlyphOptions());
       EXPECT_GT(glyphs.NumberOfCells(), 0);
       for (const Vector3& p : glyphs.Positions)
       {
@@ -126,8 +118,7 @@ TEST(FieldGlyphs, AreFiniteOnFacesWithoutArea)
 
 TEST(PlaceGlyphs, SizesThemAsAsked)
 {
-  const DrawnField field(
-    PlaneGrid(10, 10), 1, [](const Vector3& p) { return Vector3(p[0], 0.0, 0.0); });
+  const DrawnField field(PlaneGrid(10, 10), 1, [](const Vector3& p) { return Vector3(p[0], 0.0, 0.0); });
   const auto place = [&](GlyphPlacement placement, GlyphSizing sizing) {
     return PlaceGlyphs(field.Unfolded, field.Field, { placement, 0.7, sizing, 2.0 });
   };

@@ -29,9 +29,8 @@ TEST(UnfoldedSurface, ShowsPlacesInSpaceWhereTheyAre)
     const int face = TriangleMesh::FaceOf(h);
     const Vector3 tail = field.Mesh.Position(field.Mesh.Tail(h));
     EXPECT_LT((field.Unfolded.Position(face, field.Unfolded.Corner(h)) - tail).norm(), 1e-14);
-    EXPECT_LT((field.Unfolded.PositionAlong(h, 0.3) -
-                field.Unfolded.Position(face, field.Unfolded.PointAlong(h, 0.3)))
-                .norm(),
+    EXPECT_LT(
+      (field.Unfolded.PositionAlong(h, 0.3) - field.Unfolded.Position(face, field.Unfolded.PointAlong(h, 0.3))).norm(),
       1e-14);
   }
 }
@@ -145,8 +144,7 @@ TEST(EvenlySpreadPoints, KeepTheirDistanceAndLeaveNoGap)
     {
       const Vector3 centre = field.Centre(face);
       const bool isNear = std::any_of(points.begin(), points.end(),
-        [&, reach = distance * (1.0 + 1e-12)](const Vector3& point)
-        { return (point - centre).norm() <= reach; });
+        [&, reach = distance * (1.0 + 1e-12)](const Vector3& point) { return (point - centre).norm() <= reach; });
       ASSERT_TRUE(isNear) << "distance " << distance << ", face " << face;
     }
   }
@@ -166,8 +164,7 @@ TEST(EvenlySpreadPoints, LieOnBothSidesOfAThinPlate)
 
 TEST(EvenlySpreadPoints, OnFacesWithoutAreaAreFinite)
 {
-  for (const Surface& surface :
-    { SphereWithZeroAreaFaces(3, 10), CapsuleFromRectangle(16, 12), Needle(3, 20.0) })
+  for (const Surface& surface : { SphereWithZeroAreaFaces(3, 10), CapsuleFromRectangle(16, 12), Needle(3, 20.0) })
   {
     const DrawnField field(surface, 1, Along);
     const std::vector<SurfacePoint> points = EvenlySpreadPoints(field.Unfolded, 0.2);
@@ -190,8 +187,7 @@ TEST(FirstDirectionsOfFaces, OfAParallelFieldAreParallel)
     Vector<Complex> ofVertices(mesh.NumberOfVertices());
     for (int v = 0; v < mesh.NumberOfVertices(); ++v)
     {
-      ofVertices[v] =
-        std::polar(1.0, 2.0 * Pi * (v % N) / N) * vertices.ToComplex(v, Vector3(3.0, 1.0, 0.0));
+      ofVertices[v] = std::polar(1.0, 2.0 * Pi * (v % N) / N) * vertices.ToComplex(v, Vector3(3.0, 1.0, 0.0));
     }
     const Vector<Complex> ofFaces = FirstDirectionsOfFaces(mesh, faces, vertices, ofVertices, N);
     for (int face = 0; face < mesh.NumberOfFaces(); ++face)

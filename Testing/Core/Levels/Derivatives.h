@@ -12,8 +12,7 @@
 namespace dmg::test
 {
 
-inline SparseMatrix<double> FromTriplets(
-  int rows, int columns, const std::vector<Eigen::Triplet<double>>& triplets)
+inline SparseMatrix<double> FromTriplets(int rows, int columns, const std::vector<Eigen::Triplet<double>>& triplets)
 {
   SparseMatrix<double> result(rows, columns);
   result.setFromTriplets(triplets.begin(), triplets.end());
@@ -44,14 +43,12 @@ inline SparseMatrix<double> SumsAroundFaces(const TriangleMesh& mesh)
 }
 
 /// P, 3 #F x 2 #F: values of face fields along halfedges.
-inline SparseMatrix<double> ValuesAlongHalfedges(
-  const TriangleMesh& mesh, const TangentFrames& frames)
+inline SparseMatrix<double> ValuesAlongHalfedges(const TriangleMesh& mesh, const TangentFrames& frames)
 {
   std::vector<Eigen::Triplet<double>> triplets;
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
-    const Complex side =
-      frames.ToComplex(h / 3, mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h)));
+    const Complex side = frames.ToComplex(h / 3, mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h)));
     triplets.emplace_back(h, 2 * (h / 3), side.real());
     triplets.emplace_back(h, 2 * (h / 3) + 1, side.imag());
   }
@@ -69,8 +66,7 @@ inline SparseMatrix<double> Gradients(const TriangleMesh& mesh, const TangentFra
     {
       const int opposite = 3 * f + (k + 1) % 3;
       const Complex turned = Complex(0.0, 1.0) *
-        frames.ToComplex(
-          f, mesh.Position(mesh.Head(opposite)) - mesh.Position(mesh.Tail(opposite))) /
+        frames.ToComplex(f, mesh.Position(mesh.Head(opposite)) - mesh.Position(mesh.Tail(opposite))) /
         (2.0 * mesh.FaceArea(f));
       triplets.emplace_back(2 * f, mesh.FaceCorners()(f, k), turned.real());
       triplets.emplace_back(2 * f + 1, mesh.FaceCorners()(f, k), turned.imag());

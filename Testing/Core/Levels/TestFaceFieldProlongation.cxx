@@ -102,8 +102,7 @@ TEST(FaceFieldProlongation, CommutesWithTheGradient)
       EXPECT_LT(CommutationResidual(SX, coarseG, fineG, S0), 1e-12);
 
       const Vector<double> function = RandomValues(transition.Coarse.NumberOfVertices(), 3);
-      const Vector<double> along =
-        HalfedgeProjection(transition.Fine, fineFrames) * (SX * (coarseG * function));
+      const Vector<double> along = HalfedgeProjection(transition.Fine, fineFrames) * (SX * (coarseG * function));
       EXPECT_LT((along - Differences(transition.Fine, S0 * function)).cwiseAbs().maxCoeff(), 1e-12);
     });
 }
@@ -118,8 +117,7 @@ TEST(FaceFieldProlongation, FiltersTheMeanOutOfThePieces)
       const TangentFrames fineFrames = FaceFrames(fine);
       const TangentFrames coarseFrames = FaceFrames(transition.Coarse);
       const FineEdgePaths paths(transition);
-      const SparseMatrix<double> SX =
-        FaceFieldProlongation(paths, fineFrames, coarseFrames, SerialContext());
+      const SparseMatrix<double> SX = FaceFieldProlongation(paths, fineFrames, coarseFrames, SerialContext());
       const Vector<double> X = RandomValues(static_cast<int>(SX.cols()), 4);
       const Points vectors = VectorsFromFaceField(coarseFrames, X);
       const Vector<double> along = HalfedgeProjection(fine, fineFrames) * (SX * X);
@@ -135,8 +133,7 @@ TEST(FaceFieldProlongation, FiltersTheMeanOutOfThePieces)
               for (int c = 0; c < 3; ++c)
               {
                 pieces[k] += (to[c] - from[c]) *
-                  vectors.row(t).dot(
-                    transition.Coarse.VertexPositions().row(transition.Coarse.FaceCorners()(t, c)));
+                  vectors.row(t).dot(transition.Coarse.VertexPositions().row(transition.Coarse.FaceCorners()(t, c)));
               }
             });
         }
@@ -159,8 +156,7 @@ TEST(FaceFieldProlongation, ReproducesConstantFieldsInAPlane)
   Vector<double> fine = FaceFieldOfVector(FaceFrames(mesh), direction);
   for (std::size_t l = 0; l < hierarchy.CoarseLevels.size(); ++l)
   {
-    const Vector<double> coarse =
-      FaceFieldOfVector(FaceFrames(hierarchy.CoarseLevels[l]), direction);
+    const Vector<double> coarse = FaceFieldOfVector(FaceFrames(hierarchy.CoarseLevels[l]), direction);
     EXPECT_LT((hierarchy.Operators.SX[l] * coarse - fine).cwiseAbs().maxCoeff(), 1e-9);
     fine = coarse;
   }
@@ -185,8 +181,7 @@ TEST(FaceFieldProlongation, IsTheIdentityWithoutCollapses)
   const TangentFrames frames = FaceFrames(mesh);
   SparseMatrix<double> identity(2 * mesh.NumberOfFaces(), 2 * mesh.NumberOfFaces());
   identity.setIdentity();
-  const SparseMatrix<double> SX =
-    FaceFieldProlongation(FineEdgePaths(transition), frames, frames, SerialContext());
+  const SparseMatrix<double> SX = FaceFieldProlongation(FineEdgePaths(transition), frames, frames, SerialContext());
   EXPECT_LT(LargestEntry(SparseMatrix<double>(SX - identity)), 1e-13);
 }
 
@@ -197,8 +192,8 @@ TEST(FaceFieldProlongation, StaysFiniteOnZeroAreaFaces)
   VisitLevels(SphereWithZeroAreaFaces(4, 30).Mesh(), options,
     [](const LevelTransition& transition)
     {
-      const SparseMatrix<double> SX = FaceFieldProlongation(FineEdgePaths(transition),
-        FaceFrames(transition.Fine), FaceFrames(transition.Coarse), SerialContext());
+      const SparseMatrix<double> SX = FaceFieldProlongation(
+        FineEdgePaths(transition), FaceFrames(transition.Fine), FaceFrames(transition.Coarse), SerialContext());
       EXPECT_TRUE(SX.coeffs().allFinite());
     });
 }
@@ -210,10 +205,8 @@ TEST(SurfaceHierarchy, BringsFaceFieldsIntoTheCallersOrder)
   const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(mesh, HierarchyOptions(), TbbContext(2));
   const SurfaceHierarchy serial = BuildSurfaceHierarchy(mesh, HierarchyOptions(), SerialContext());
   const SparseMatrix<double>& SX = hierarchy.Operators.SX[0];
-  const Vector<double> prolonged =
-    SX * FaceFieldOfVector(FaceFrames(hierarchy.CoarseLevels[0]), direction);
-  EXPECT_LT(
-    (prolonged - FaceFieldOfVector(FaceFrames(mesh), direction)).cwiseAbs().maxCoeff(), 1e-9);
+  const Vector<double> prolonged = SX * FaceFieldOfVector(FaceFrames(hierarchy.CoarseLevels[0]), direction);
+  EXPECT_LT((prolonged - FaceFieldOfVector(FaceFrames(mesh), direction)).cwiseAbs().maxCoeff(), 1e-9);
   EXPECT_EQ(LargestEntry(SparseMatrix<double>(SX - serial.Operators.SX[0])), 0.0);
 }
 
@@ -250,8 +243,7 @@ TEST(FineEdgePaths, LeadThroughAFaceThatOnlyOneSideShows)
     tracking.Move(ring, plane, *worker);
     shrinking.FinishCollapse(shrinking.Collapse(ring));
     const CollapsibleMesh::Compacted coarse = shrinking.Compact();
-    const LevelTransition transition{ fine, coarse.Mesh, tracking, coarse.VertexNumber,
-      coarse.FaceNumber };
+    const LevelTransition transition{ fine, coarse.Mesh, tracking, coarse.VertexNumber, coarse.FaceNumber };
 
     // Without the detour: no piece of any length inside.
     double longest = 0.0;
@@ -267,21 +259,19 @@ TEST(FineEdgePaths, LeadThroughAFaceThatOnlyOneSideShows)
     const FineEdgePaths paths(transition);
     EXPECT_GE(paths.NumberOfDetours(), 1);
     const TangentFrames coarseFrames = FaceFrames(coarse.Mesh);
-    const SparseMatrix<double> SX =
-      FaceFieldProlongation(paths, fineFrames, coarseFrames, SerialContext());
+    const SparseMatrix<double> SX = FaceFieldProlongation(paths, fineFrames, coarseFrames, SerialContext());
     EXPECT_GT(SmallestSights(transition, SX).minCoeff(), 1e-3);
     const SparseMatrix<double> coarseA = SparseMatrix<double>(SX.transpose()) * A * SX;
     EXPECT_GT(coarseA.diagonal().minCoeff(), 1e-3 * coarseA.diagonal().maxCoeff());
     // More than the diagonal: the fine level tells all coarse fields apart.
     EXPECT_GT(SymmetricEigenvalues(SparseMatrix<double>(SX.transpose()) * SX)[0], 1e-5);
 
-    EXPECT_LT(CommutationResidual(SX, FaceGradient(coarse.Mesh, coarseFrames),
-                FaceGradient(fine, fineFrames), ScalarProlongation(transition, SerialContext())),
+    EXPECT_LT(CommutationResidual(SX, FaceGradient(coarse.Mesh, coarseFrames), FaceGradient(fine, fineFrames),
+                ScalarProlongation(transition, SerialContext())),
       1e-13);
-    EXPECT_LT(
-      (SX * FaceFieldOfVector(coarseFrames, direction) - FaceFieldOfVector(fineFrames, direction))
-        .cwiseAbs()
-        .maxCoeff(),
+    EXPECT_LT((SX * FaceFieldOfVector(coarseFrames, direction) - FaceFieldOfVector(fineFrames, direction))
+                .cwiseAbs()
+                .maxCoeff(),
       1e-13);
     tracking.GiveBack(std::move(worker));
   }
@@ -298,8 +288,7 @@ TEST(FineEdgePaths, LeadThroughEveryCoarseFace)
       const TangentFrames fineFrames = FaceFrames(transition.Fine);
       const TangentFrames coarseFrames = FaceFrames(transition.Coarse);
       const FineEdgePaths paths(transition);
-      const SparseMatrix<double> SX =
-        FaceFieldProlongation(paths, fineFrames, coarseFrames, SerialContext());
+      const SparseMatrix<double> SX = FaceFieldProlongation(paths, fineFrames, coarseFrames, SerialContext());
       detours += paths.NumberOfDetours();
       EXPECT_GT(SmallestSights(transition, SX).minCoeff(), 1e-7);
     },

@@ -42,37 +42,39 @@ TEST(JointFlattening, IsASimilarityOnPlanarRings)
   const CollapsibleMesh mesh(IrregularPlane(12, 10, 3, 0.2).Mesh());
   JointFlattening flattening;
   int checked = 0;
-  VisitRings(mesh, [&](const OneRing& ring) {
-    if (ring.Kind == CollapseKind::AlongBoundary)
+  VisitRings(mesh,
+    [&](const OneRing& ring)
     {
-      return; // its boundary is pulled straight, which at the corners of the square it is not
-    }
-    for (int k = 0; k < ring.NumberOfSectors(); ++k)
-    {
-      const std::array<int, 3> t = ring.SectorAfter(k);
-      const Vector3 normal = (ring.Positions[t[1]] - ring.Positions[t[0]])
-                               .cross(ring.Positions[t[2]] - ring.Positions[t[0]]);
-      if (normal[2] <= 0.0)
+      if (ring.Kind == CollapseKind::AlongBoundary)
       {
-        return; // the midpoint turns a face over, so no flattening is a similarity
+        return; // its boundary is pulled straight, which at the corners of the square it is not
       }
-    }
-    ASSERT_TRUE(flattening.Flatten(ring, JointFlattening::Method::Conformal));
-    ++checked;
-    for (int k = 0; k < ring.NumberOfSectors(); ++k)
-    {
-      for (const std::array<int, 3>& t : { ring.SectorBefore(k), ring.SectorAfter(k) })
+      for (int k = 0; k < ring.NumberOfSectors(); ++k)
       {
-        for (int c = 0; c < 3; ++c)
+        const std::array<int, 3> t = ring.SectorAfter(k);
+        const Vector3 normal =
+          (ring.Positions[t[1]] - ring.Positions[t[0]]).cross(ring.Positions[t[2]] - ring.Positions[t[0]]);
+        if (normal[2] <= 0.0)
         {
-          const int a = t[c];
-          const int b = t[(c + 1) % 3];
-          EXPECT_NEAR(std::abs(flattening.Plane()[a] - flattening.Plane()[b]),
-            (ring.Positions[a] - ring.Positions[b]).norm(), 1e-11); // the edge keeps its length
+          return; // the midpoint turns a face over, so no flattening is a similarity
         }
       }
-    }
-  });
+      ASSERT_TRUE(flattening.Flatten(ring, JointFlattening::Method::Conformal));
+      ++checked;
+      for (int k = 0; k < ring.NumberOfSectors(); ++k)
+      {
+        for (const std::array<int, 3>& t : { ring.SectorBefore(k), ring.SectorAfter(k) })
+        {
+          for (int c = 0; c < 3; ++c)
+          {
+            const int a = t[c];
+            const int b = t[(c + 1) % 3];
+            EXPECT_NEAR(std::abs(flattening.Plane()[a] - flattening.Plane()[b]),
+              (ring.Positions[a] - ring.Positions[b]).norm(), 1e-11); // the edge keeps its length
+          }
+        }
+      }
+    });
   EXPECT_GT(checked, 200);
 }
 
@@ -85,32 +87,33 @@ TEST(JointFlattening, FillsOnePolygonBeforeAndAfter)
     const CollapsibleMesh mesh(surface.Mesh());
     JointFlattening flattening;
     int flattened = 0;
-    const int rings = VisitRings(mesh, [&](const OneRing& ring) {
-      for (auto method :
-        { JointFlattening::Method::Conformal, JointFlattening::Method::ConvexPolygon })
+    const int rings = VisitRings(mesh,
+      [&](const OneRing& ring)
       {
-        if (!flattening.Flatten(ring, method))
+        for (auto method : { JointFlattening::Method::Conformal, JointFlattening::Method::ConvexPolygon })
         {
-          EXPECT_NE(method, JointFlattening::Method::ConvexPolygon);
-          continue;
+          if (!flattening.Flatten(ring, method))
+          {
+            EXPECT_NE(method, JointFlattening::Method::ConvexPolygon);
+            continue;
+          }
+          ++flattened;
+          double before = 0.0;
+          double after = 0.0;
+          for (int k = 0; k < ring.NumberOfSectors(); ++k)
+          {
+            EXPECT_GT(OrientedArea(flattening.Plane(), ring.SectorBefore(k)), 0.0);
+            EXPECT_GT(OrientedArea(flattening.Plane(), ring.SectorAfter(k)), 0.0);
+            before += OrientedArea(flattening.Plane(), ring.SectorBefore(k));
+            after += OrientedArea(flattening.Plane(), ring.SectorAfter(k));
+          }
+          for (int d = 0; d < ring.NumberOfDead; ++d)
+          {
+            before += OrientedArea(flattening.Plane(), ring.Dead[d].Corners);
+          }
+          EXPECT_NEAR(before, after, 1e-12 * before);
         }
-        ++flattened;
-        double before = 0.0;
-        double after = 0.0;
-        for (int k = 0; k < ring.NumberOfSectors(); ++k)
-        {
-          EXPECT_GT(OrientedArea(flattening.Plane(), ring.SectorBefore(k)), 0.0);
-          EXPECT_GT(OrientedArea(flattening.Plane(), ring.SectorAfter(k)), 0.0);
-          before += OrientedArea(flattening.Plane(), ring.SectorBefore(k));
-          after += OrientedArea(flattening.Plane(), ring.SectorAfter(k));
-        }
-        for (int d = 0; d < ring.NumberOfDead; ++d)
-        {
-          before += OrientedArea(flattening.Plane(), ring.Dead[d].Corners);
-        }
-        EXPECT_NEAR(before, after, 1e-12 * before);
-      }
-    });
+      });
     EXPECT_GT(rings, 100);
     EXPECT_GT(flattened, 1.9 * rings); // the conformal map hardly ever folds
   }
@@ -131,7 +134,8 @@ TEST(CollapsibleMesh, KeepsTheLinkCondition)
   EXPECT_EQ(VisitRings(CollapsibleMesh(Torus(3, 3).Mesh()), [](const OneRing&) {}), 0);
 
   EXPECT_EQ(VisitRings(CollapsibleMesh(Icosphere(0).Mesh()),
-              [](const OneRing& ring) {
+              [](const OneRing& ring)
+              {
                 EXPECT_EQ(ring.LoopSize(), 6); // 5 + 5 neighbours, less each other and the two shared
                 EXPECT_EQ(ring.NumberOfDead, 2);
               }),

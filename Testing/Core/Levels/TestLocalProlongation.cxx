@@ -40,8 +40,7 @@ void VisitSingleCollapses(const TriangleMesh& mesh, Visit visit)
       shrinking.FinishCollapse(*done);
       const std::vector<CollapseRecord> collapses = { collapse.Record() };
       const CollapsibleMesh::Compacted coarse = shrinking.Compact();
-      visit(LevelTransition{
-        mesh, coarse.Mesh, tracking, coarse.VertexNumber, coarse.FaceNumber, &collapses });
+      visit(LevelTransition{ mesh, coarse.Mesh, tracking, coarse.VertexNumber, coarse.FaceNumber, &collapses });
     }
   }
 }
@@ -54,8 +53,7 @@ std::vector<TriangleMesh> SmallMeshes()
 
 OverlayProlongation Overlay(const LevelTransition& transition)
 {
-  return OverlayProlongation(
-    transition, FaceFrames(transition.Fine), FaceFrames(transition.Coarse), SerialContext());
+  return OverlayProlongation(transition, FaceFrames(transition.Fine), FaceFrames(transition.Coarse), SerialContext());
 }
 
 /// S1 from the tracked paths.
@@ -75,8 +73,8 @@ SparseMatrix<double> TrackedOneForms(const LevelTransition& transition)
         {
           const int k = (j + 1) % 3;
           const int h = 3 * face + j;
-          triplets.emplace_back(e, coarse.EdgeOf(h),
-            fine.EdgeSign(halfedge) * coarse.EdgeSign(h) * (from[j] * to[k] - from[k] * to[j]));
+          triplets.emplace_back(
+            e, coarse.EdgeOf(h), fine.EdgeSign(halfedge) * coarse.EdgeSign(h) * (from[j] * to[k] - from[k] * to[j]));
         }
       });
   }
@@ -134,10 +132,8 @@ SparseMatrix<double> OverlapShares(const LevelTransition& transition)
 {
   const CollapseRecord& collapse = transition.Collapses->front();
   const OneRing& ring = collapse.Ring;
-  const auto triangle = [&](const std::array<int, 3>& corners)
-  {
-    return Polygon{ collapse.Plane[corners[0]], collapse.Plane[corners[1]],
-      collapse.Plane[corners[2]] };
+  const auto triangle = [&](const std::array<int, 3>& corners) {
+    return Polygon{ collapse.Plane[corners[0]], collapse.Plane[corners[1]], collapse.Plane[corners[2]] };
   };
   std::map<int, Polygon> fine;
   for (int k = 0; k < ring.NumberOfSectors(); ++k)
@@ -154,8 +150,8 @@ SparseMatrix<double> OverlapShares(const LevelTransition& transition)
     for (int k = 0; k < ring.NumberOfSectors(); ++k)
     {
       const Polygon sector = triangle(ring.SectorAfter(k));
-      triplets.emplace_back(face, transition.CoarseFace[ring.Sectors[k].Face],
-        AreaOf(ClippedTo(polygon, sector)) / AreaOf(sector));
+      triplets.emplace_back(
+        face, transition.CoarseFace[ring.Sectors[k].Face], AreaOf(ClippedTo(polygon, sector)) / AreaOf(sector));
     }
   }
   for (int face = 0; face < transition.Fine.NumberOfFaces(); ++face)
@@ -197,8 +193,7 @@ TEST(LocalProlongation, EqualsTheTrackedOperatorsEntryByEntry)
       {
         ++kinds[transition.Collapses->front().Ring.Kind];
         const OverlayProlongation exact = Overlay(transition);
-        EXPECT_LT(
-          LargestDifference(exact.S0, ScalarProlongation(transition, SerialContext())), 1e-12);
+        EXPECT_LT(LargestDifference(exact.S0, ScalarProlongation(transition, SerialContext())), 1e-12);
         EXPECT_LT(LargestDifference(exact.S1, TrackedOneForms(transition)), 1e-12);
       });
   }
@@ -260,10 +255,8 @@ TEST(LocalProlongation, KeepsHalfedgeFormsAtZeroSum)
         }
         if (ring.Kind == CollapseKind::OntoBoundary)
         {
-          EXPECT_EQ(
-            before[ring.Dead[0].BorderHalfedge], after[ring.Sectors.front().LeavingSpoke()]);
-          EXPECT_EQ(
-            before[ring.Dead[1].BorderHalfedge], after[ring.Sectors.back().ReturningSpoke()]);
+          EXPECT_EQ(before[ring.Dead[0].BorderHalfedge], after[ring.Sectors.front().LeavingSpoke()]);
+          EXPECT_EQ(before[ring.Dead[1].BorderHalfedge], after[ring.Sectors.back().ReturningSpoke()]);
         }
 
         std::vector<double> u(ring.NumberOfVertices());
@@ -276,10 +269,8 @@ TEST(LocalProlongation, KeepsHalfedgeFormsAtZeroSum)
           after[sector.OuterHalfedge()] = u[corners[2]] - u[corners[1]];
           after[sector.ReturningSpoke()] = u[corners[0]] - u[corners[2]];
         }
-        EXPECT_LT((Applied(local.ZeroSumHalfedges, after) - Applied(local.Halfedges, after))
-                    .cwiseAbs()
-                    .maxCoeff(),
-          1e-13);
+        EXPECT_LT(
+          (Applied(local.ZeroSumHalfedges, after) - Applied(local.Halfedges, after)).cwiseAbs().maxCoeff(), 1e-13);
       });
   }
 }
@@ -321,8 +312,8 @@ TEST(LocalProlongation, ProjectsFacesAtThePolygonOtherThanAllAtOnce)
             }
             for (int k = 0; k < 3; ++k)
             {
-              largest = std::max(largest,
-                std::abs(rows[3 * face + k][column] - sum / 3.0 - zeroSum[3 * face + k][column]));
+              largest =
+                std::max(largest, std::abs(rows[3 * face + k][column] - sum / 3.0 - zeroSum[3 * face + k][column]));
             }
           }
         }

@@ -27,10 +27,11 @@ HierarchyOptions Deep(CollapsePolicy policy = CollapsePolicy::IndependentRounds)
   return options;
 }
 
-std::vector<TriangleMesh> Build(const TriangleMesh& mesh, const HierarchyOptions& options,
-  const ExecutionContext& context = SerialContext())
+std::vector<TriangleMesh> Build(
+  const TriangleMesh& mesh, const HierarchyOptions& options, const ExecutionContext& context = SerialContext())
 {
-  return VisitLevels(mesh, options, [](const LevelTransition&) {}, context);
+  return VisitLevels(
+    mesh, options, [](const LevelTransition&) {}, context);
 }
 
 int NumberOfBoundaryLoops(const TriangleMesh& mesh)
@@ -196,8 +197,7 @@ TEST(MeshHierarchy, KeepsTheCornersOfFacesApart)
   {
     SCOPED_TRACE(seed);
     const TriangleMesh mesh = Relabel(CapsuleFromRectangle(60, 30), seed).Result.Mesh();
-    for (CollapsePolicy policy :
-      { CollapsePolicy::IndependentRounds, CollapsePolicy::SequentialQueue })
+    for (CollapsePolicy policy : { CollapsePolicy::IndependentRounds, CollapsePolicy::SequentialQueue })
     {
       HierarchyOptions options = Deep(policy);
       options.MinimumNumberOfFaces = 20;

@@ -36,22 +36,20 @@ bool IsClosed(const TriangleMesh& mesh)
 
 /// Calls visit(transition, S1) for the levels of surfaces, by both policies.
 template <class Visit>
-void VisitOperators(
-  const std::vector<NamedSurface>& surfaces, int minimumNumberOfFaces, Visit visit)
+void VisitOperators(const std::vector<NamedSurface>& surfaces, int minimumNumberOfFaces, Visit visit)
 {
   HierarchyOptions options;
   options.MinimumNumberOfFaces = minimumNumberOfFaces;
   options.MaximumNumberOfCoarseLevels = 6;
-  VisitLevels(surfaces, options, [&visit](const LevelTransition& transition) {
-    visit(transition, OneFormProlongation(FineEdgePaths(transition), SerialContext()));
-  });
+  VisitLevels(surfaces, options,
+    [&visit](const LevelTransition& transition)
+    { visit(transition, OneFormProlongation(FineEdgePaths(transition), SerialContext())); });
 }
 
 /// Closed forms that represent the cohomology of a surface: the kernel of its Laplacian.
 Eigen::MatrixXd HarmonicForms(const TriangleMesh& mesh, int dimension)
 {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(
-    Eigen::MatrixXd(OneFormLaplacian(mesh, SerialContext())));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(OneFormLaplacian(mesh, SerialContext())));
   return solver.eigenvectors().leftCols(dimension);
 }
 
@@ -72,8 +70,9 @@ Vector<double> ConstantPlusRotation(const TriangleMesh& mesh, const Vector3& a, 
 
 TEST(OneFormProlongation, ExactFormsStayExact)
 {
-  VisitOperators(
-    Surfaces(), 60, [](const LevelTransition& transition, const SparseMatrix<double>& S1) {
+  VisitOperators(Surfaces(), 60,
+    [](const LevelTransition& transition, const SparseMatrix<double>& S1)
+    {
       ASSERT_EQ(S1.rows(), transition.Fine.NumberOfEdges());
       ASSERT_EQ(S1.cols(), transition.Coarse.NumberOfEdges());
       const SparseMatrix<double> S0 = ScalarProlongation(transition, SerialContext());
@@ -88,10 +87,12 @@ TEST(OneFormProlongation, ExactFormsStayExact)
 // with no more than the right ends would pass on the wrong side, and around four of genus 2.
 TEST(OneFormProlongation, ClosedFormsStayClosed)
 {
-  const auto expectClosed = [](const NamedSurface& surface, int dimension, int coarsest) {
+  const auto expectClosed = [](const NamedSurface& surface, int dimension, int coarsest)
+  {
     int fewestFaces = surface.Shape.F.rows();
-    VisitOperators(
-      { surface }, coarsest, [&](const LevelTransition& transition, const SparseMatrix<double>& S1) {
+    VisitOperators({ surface }, coarsest,
+      [&](const LevelTransition& transition, const SparseMatrix<double>& S1)
+      {
         fewestFaces = std::min(fewestFaces, transition.Coarse.NumberOfFaces());
         if (transition.Coarse.NumberOfFaces() > 600)
         {
@@ -120,7 +121,8 @@ TEST(OneFormProlongation, ReproducesConstantsAndRotationsInAPlane)
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
   VisitLevels(IrregularPlane(40, 30, 9).Mesh(), options,
-    [&a](const LevelTransition& transition) {
+    [&a](const LevelTransition& transition)
+    {
       const TriangleMesh& fine = transition.Fine;
       const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
       const Vector<double> prolonged = S1 * ConstantPlusRotation(transition.Coarse, a, 0.5);
@@ -135,8 +137,9 @@ TEST(OneFormProlongation, ReproducesConstantsAndRotationsInAPlane)
 TEST(OneFormProlongation, KeepsTheTotalCurlOfClosedSurfaces)
 {
   int closed = 0;
-  VisitOperators(
-    Surfaces(), 60, [&closed](const LevelTransition& transition, const SparseMatrix<double>& S1) {
+  VisitOperators(Surfaces(), 60,
+    [&closed](const LevelTransition& transition, const SparseMatrix<double>& S1)
+    {
       if (IsClosed(transition.Fine))
       {
         ++closed;
@@ -188,7 +191,8 @@ TEST(OneFormProlongation, HasTheSameBitsForAnyNumberOfThreads)
   HierarchyOptions options;
   options.MaximumNumberOfCoarseLevels = 1;
   VisitLevels(IrregularTorus(96, 48, 21).Mesh(), options,
-    [](const LevelTransition& transition) {
+    [](const LevelTransition& transition)
+    {
       const SparseMatrix<double> expected = OneFormProlongation(FineEdgePaths(transition), SerialContext());
       EXPECT_EQ(RelativeDifference(OneFormProlongation(FineEdgePaths(transition), TbbContext(3)), expected), 0.0);
     });
@@ -222,10 +226,11 @@ TEST(SurfaceHierarchy, HasOneFormsInTheCallersNumbering)
       edges[mesh.EdgeVertices(edge)] = edge;
     }
     const SpatialOrder order(mesh.VertexPositions(), mesh.FaceCorners(), SerialContext());
-    const TriangleMesh sorted =
-      order.Apply(mesh.VertexPositions(), mesh.FaceCorners(), SerialContext());
+    const TriangleMesh sorted = order.Apply(mesh.VertexPositions(), mesh.FaceCorners(), SerialContext());
     options.MaximumNumberOfCoarseLevels = 1;
-    VisitLevels(sorted, options, [&](const LevelTransition& transition) {
+    VisitLevels(sorted, options,
+      [&](const LevelTransition& transition)
+      {
         const SparseMatrix<double> S1 = OneFormProlongation(FineEdgePaths(transition), SerialContext());
         for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
         {

@@ -134,18 +134,16 @@ TEST(OverlayProlongation, KeepsTheTotalCurl)
     [](const LevelTransition&, const Level& level)
     {
       const SparseMatrix<double> curl = SumsAroundFaces(level.Fine) * level.Exact.S1;
-      const Vector<double> total =
-        curl.transpose() * Vector<double>::Ones(level.Fine.NumberOfFaces());
-      const Vector<double> expected = SumsAroundFaces(level.Coarse).transpose() *
-        Vector<double>::Ones(level.Coarse.NumberOfFaces());
+      const Vector<double> total = curl.transpose() * Vector<double>::Ones(level.Fine.NumberOfFaces());
+      const Vector<double> expected =
+        SumsAroundFaces(level.Coarse).transpose() * Vector<double>::Ones(level.Coarse.NumberOfFaces());
       EXPECT_LT((total - expected).cwiseAbs().maxCoeff(), 1e-12);
     });
 }
 
 TEST(OverlayProlongation, KeepsGeneratorsClosed)
 {
-  for (const Surface& surface :
-    { IrregularTorus(32, 12, 11), IrregularTorus(160, 6, 12, 1.0, 0.08) })
+  for (const Surface& surface : { IrregularTorus(32, 12, 11), IrregularTorus(160, 6, 12, 1.0, 0.08) })
   {
     HierarchyOptions options = ExactOptions();
     options.MinimumNumberOfFaces = 100;
@@ -169,12 +167,9 @@ TEST(OverlayProlongation, KeepsGradients)
   VisitOverlays(
     [](const LevelTransition&, const Level& level)
     {
-      const SparseMatrix<double> gradients =
-        Gradients(level.Fine, level.FineFrames) * level.Exact.S0;
-      const SparseMatrix<double> prolonged =
-        level.Exact.SX * Gradients(level.Coarse, level.CoarseFrames);
-      EXPECT_LT(
-        LargestDifference(gradients, prolonged), 1e-12 * gradients.coeffs().abs().maxCoeff());
+      const SparseMatrix<double> gradients = Gradients(level.Fine, level.FineFrames) * level.Exact.S0;
+      const SparseMatrix<double> prolonged = level.Exact.SX * Gradients(level.Coarse, level.CoarseFrames);
+      EXPECT_LT(LargestDifference(gradients, prolonged), 1e-12 * gradients.coeffs().abs().maxCoeff());
 
       const Vector<double> u = Random(31).Numbers(level.Coarse.NumberOfVertices()).real();
       const Vector<double> form = level.Exact.S1 * (DifferencesAlongEdges(level.Coarse) * u);
@@ -183,8 +178,7 @@ TEST(OverlayProlongation, KeepsGradients)
       double worst = 0.0;
       for (int h = 0; h < 3 * level.Fine.NumberOfFaces(); ++h)
       {
-        worst = std::max(
-          worst, std::abs(values[h] - level.Fine.EdgeSign(h) * form[level.Fine.EdgeOf(h)]));
+        worst = std::max(worst, std::abs(values[h] - level.Fine.EdgeSign(h) * form[level.Fine.EdgeOf(h)]));
       }
       EXPECT_LT(worst, 1e-12);
     });
@@ -217,9 +211,8 @@ TEST(OverlayProlongation, ReproducesConstantFieldsInAPlane)
         const Vector<Complex> coarse = PowersOfDirection(level.CoarseFrames, direction, N);
         const SparseMatrix<Complex> transport = OnPowers(level.Exact.SP, N);
         EXPECT_LT(RelativeDifference(transport * coarse, fine), 1e-12 * N);
-        EXPECT_LT(RelativeDifference(PowerFieldOverlay(transition, level.FineFrames,
-                                       level.CoarseFrames, N, SerialContext()),
-                    transport),
+        EXPECT_LT(RelativeDifference(
+                    PowerFieldOverlay(transition, level.FineFrames, level.CoarseFrames, N, SerialContext()), transport),
           1e-12 * N);
       }
       // A constant vector field is a gradient.
@@ -271,13 +264,11 @@ TEST(OverlayProlongation, DoesNotDependOnTheFrames)
       const OverlayProlongation turned(transition, fine, coarse, SerialContext());
       const Vector<Complex> field = random.Numbers(transition.Coarse.NumberOfFaces());
       const Vector<Complex> inTurned = InTurnedFrames(field, coarseAngles, 1);
-      EXPECT_LT(RelativeDifference(
-                  turned.SP * inTurned, InTurnedFrames(level.Exact.SP * field, fineAngles, 1)),
-        1e-13);
+      EXPECT_LT(RelativeDifference(turned.SP * inTurned, InTurnedFrames(level.Exact.SP * field, fineAngles, 1)), 1e-13);
       const auto applied = [](const SparseMatrix<double>& SX, const Vector<Complex>& x)
       { return AsComplex(SX * AsPairs(x)); };
-      EXPECT_LT(RelativeDifference(applied(turned.SX, inTurned),
-                  InTurnedFrames(applied(level.Exact.SX, field), fineAngles, 1)),
+      EXPECT_LT(
+        RelativeDifference(applied(turned.SX, inTurned), InTurnedFrames(applied(level.Exact.SX, field), fineAngles, 1)),
         1e-12);
     });
 }
@@ -302,8 +293,7 @@ TEST(OverlayProlongation, DiffersFromTrackingOverManyCollapses)
       // Near each other they stay: an entry is a weight, and its place hardly moves.
       const Points exactPlaces = level.Exact.S0 * transition.Coarse.VertexPositions();
       const Points trackedPlaces = tracked * transition.Coarse.VertexPositions();
-      const double coarseEdge =
-        std::sqrt(4.0 * std::acos(-1.0) / transition.Coarse.NumberOfFaces());
+      const double coarseEdge = std::sqrt(4.0 * std::acos(-1.0) / transition.Coarse.NumberOfFaces());
       EXPECT_LT((exactPlaces - trackedPlaces).rowwise().norm().maxCoeff(), coarseEdge);
     });
   VisitLevels(IrregularPlane(24, 20, 5).Mesh(), ExactOptions(),
@@ -324,10 +314,9 @@ TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
     {
       const Level level(transition);
       const SparseMatrix<double> tracked = OneFormProlongation(FineEdgePaths(transition), SerialContext());
-      const SparseMatrix<double> ofForms =
-        (level.Exact.S1 - tracked) * DifferencesAlongEdges(level.Coarse);
-      const SparseMatrix<double> ofFunctions = DifferencesAlongEdges(level.Fine) *
-        (level.Exact.S0 - ScalarProlongation(transition, SerialContext()));
+      const SparseMatrix<double> ofForms = (level.Exact.S1 - tracked) * DifferencesAlongEdges(level.Coarse);
+      const SparseMatrix<double> ofFunctions =
+        DifferencesAlongEdges(level.Fine) * (level.Exact.S0 - ScalarProlongation(transition, SerialContext()));
       EXPECT_LT(LargestDifference(ofForms, ofFunctions), 1e-12);
       EXPECT_GT(level.Exact.S1.nonZeros(), 3 * tracked.nonZeros());
     });
@@ -335,12 +324,10 @@ TEST(OverlayProlongation, AgreesWithTrackedOneFormsWhereItMust)
     [](const LevelTransition& transition)
     {
       const Level level(transition);
-      const Vector<double> constant =
-        DifferencesAlongEdges(level.Coarse) * level.Coarse.VertexPositions().col(0);
-      EXPECT_LT(
-        (level.Exact.S1 * constant - OneFormProlongation(FineEdgePaths(transition), SerialContext()) * constant)
-          .cwiseAbs()
-          .maxCoeff(),
+      const Vector<double> constant = DifferencesAlongEdges(level.Coarse) * level.Coarse.VertexPositions().col(0);
+      EXPECT_LT((level.Exact.S1 * constant - OneFormProlongation(FineEdgePaths(transition), SerialContext()) * constant)
+                  .cwiseAbs()
+                  .maxCoeff(),
         1e-9);
     });
 }
@@ -354,14 +341,12 @@ TEST(OverlayProlongation, AgreesWithTrackedFaceFieldsWhereItMust)
     [](const LevelTransition& transition)
     {
       const Level level(transition);
-      const SparseMatrix<double> tracked = FaceFieldProlongation(
-        FineEdgePaths(transition), level.FineFrames, level.CoarseFrames, SerialContext());
-      const SparseMatrix<double> ofFields =
-        (level.Exact.SX - tracked) * Gradients(level.Coarse, level.CoarseFrames);
-      const SparseMatrix<double> ofFunctions = Gradients(level.Fine, level.FineFrames) *
-        (level.Exact.S0 - ScalarProlongation(transition, SerialContext()));
-      EXPECT_LT(
-        LargestDifference(ofFields, ofFunctions), 1e-12 * ofFunctions.coeffs().abs().maxCoeff());
+      const SparseMatrix<double> tracked =
+        FaceFieldProlongation(FineEdgePaths(transition), level.FineFrames, level.CoarseFrames, SerialContext());
+      const SparseMatrix<double> ofFields = (level.Exact.SX - tracked) * Gradients(level.Coarse, level.CoarseFrames);
+      const SparseMatrix<double> ofFunctions =
+        Gradients(level.Fine, level.FineFrames) * (level.Exact.S0 - ScalarProlongation(transition, SerialContext()));
+      EXPECT_LT(LargestDifference(ofFields, ofFunctions), 1e-12 * ofFunctions.coeffs().abs().maxCoeff());
       EXPECT_GT(level.Exact.SX.nonZeros(), 3 * tracked.nonZeros());
     });
 }
@@ -371,12 +356,10 @@ TEST(OverlayProlongation, HasTheSameBitsForAnyNumberOfThreads)
   const auto operators = [](const ExecutionContext& context)
   {
     std::vector<OverlayProlongation> levels;
-    VisitLevels(IrregularTorus(32, 16, 21).Mesh(), ExactOptions(),
+    VisitLevels(
+      IrregularTorus(32, 16, 21).Mesh(), ExactOptions(),
       [&](const LevelTransition& transition)
-      {
-        levels.emplace_back(
-          transition, FaceFrames(transition.Fine), FaceFrames(transition.Coarse), context);
-      },
+      { levels.emplace_back(transition, FaceFrames(transition.Fine), FaceFrames(transition.Coarse), context); },
       context);
     return levels;
   };
@@ -409,10 +392,8 @@ TEST(OverlayProlongation, SurvivesFacesWithoutArea)
         const Level level(transition);
         EXPECT_LT(RowSumResidual(level.Exact.S0), 1e-14);
         EXPECT_GE(SmallestEntry(level.Exact.S0), 0.0);
-        const SparseMatrix<double> differences =
-          DifferencesAlongEdges(level.Fine) * level.Exact.S0;
-        const SparseMatrix<double> prolonged =
-          level.Exact.S1 * DifferencesAlongEdges(level.Coarse);
+        const SparseMatrix<double> differences = DifferencesAlongEdges(level.Fine) * level.Exact.S0;
+        const SparseMatrix<double> prolonged = level.Exact.S1 * DifferencesAlongEdges(level.Coarse);
         EXPECT_LT(LargestDifference(differences, prolonged), 1e-13);
         EXPECT_LT(RowSumResidual(level.Exact.SP.cwiseAbs()), 1e-13);
         EXPECT_TRUE(level.Exact.SX.coeffs().allFinite());

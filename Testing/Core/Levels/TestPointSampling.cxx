@@ -41,8 +41,8 @@ Vector3 PointOf(const TriangleMesh& mesh, int face)
 }
 
 /// In a plane, steps are differences of points and turns change nothing but the frame.
-void ExpectPlanar(const TangentGraph& graph, const std::vector<int>& faces,
-  const TriangleMesh& mesh, const TangentFrames& frames)
+void ExpectPlanar(
+  const TangentGraph& graph, const std::vector<int>& faces, const TriangleMesh& mesh, const TangentFrames& frames)
 {
   const Complex any(0.3, -0.7);
   ASSERT_EQ(graph.NumberOfPoints(), static_cast<int>(faces.size()));
@@ -128,8 +128,7 @@ TEST(PointSampling, KeepsSamplesApartAndLeavesNoRoomForMore)
     EXPECT_EQ(sampling.Owners[sampling.Samples[s]], static_cast<int>(s));
     EXPECT_EQ(sampling.Places[sampling.Samples[s]], Complex(0.0));
     const Vector3 here = PointOf(mesh, sampling.Samples[s]);
-    const auto isInside = [](const Vector3& p)
-    { return p[0] > 5.0 && p[0] < 85.0 && p[1] > 5.0 && p[1] < 85.0; };
+    const auto isInside = [](const Vector3& p) { return p[0] > 5.0 && p[0] < 85.0 && p[1] > 5.0 && p[1] < 85.0; };
     for (std::size_t t = 0; t < s; ++t)
     {
       const Vector3 there = PointOf(mesh, sampling.Samples[t]);
@@ -152,8 +151,8 @@ TEST(TangentGraph, SumsCurvatureToTheTheoremOfGaussAndBonnet)
     TangentGraph graph = FaceGraph(mesh, AllFaces(mesh), SerialContext());
     for (int level = 0; level < 3; ++level)
     {
-      EXPECT_NEAR(std::accumulate(graph.Curvatures.begin(), graph.Curvatures.end(), 0.0),
-        fullTurn * characteristic, 1e-9);
+      EXPECT_NEAR(
+        std::accumulate(graph.Curvatures.begin(), graph.Curvatures.end(), 0.0), fullTurn * characteristic, 1e-9);
       const PointSampling sampling = SamplePoints(graph, 2.5, 1.0, SerialContext());
       graph = GraphOfSamples(graph, sampling, SerialContext());
     }

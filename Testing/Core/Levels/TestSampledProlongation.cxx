@@ -18,8 +18,7 @@ using namespace dmg::test;
 namespace
 {
 
-ProlongationOperators Sampled(
-  const TriangleMesh& mesh, const ExecutionContext& context = SerialContext())
+ProlongationOperators Sampled(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext())
 {
   HierarchyOptions options;
   options.Levels = LevelConstruction::Sampling;
@@ -144,15 +143,14 @@ TEST(SampledProlongation, ReproducesLinearFunctionsInsideThePlane)
     }
     exact += std::abs(mean - sampling.Places[point]) <= 1e-12;
   }
-  EXPECT_GE(
-    exact, 0.95 * graph.NumberOfPoints()); // beyond far sides and the boundary it is constant
+  EXPECT_GE(exact, 0.95 * graph.NumberOfPoints()); // beyond far sides and the boundary it is constant
 }
 
 TEST(SampledProlongation, IsAMeanOnEverySurface)
 {
-  for (const Surface& surface : { IrregularSphere(5, 3), IrregularTorus(60, 30, 4), Disk(30),
-         Annulus(60, 20), DoubleTorus(6), SphereWithZeroAreaFaces(4, 60), Needle(4, 200.0),
-         Prism(7, 200), Union(IrregularSphere(4, 3), Icosphere(0), Vector3(3.0, 0.0, 0.0)) })
+  for (const Surface& surface : { IrregularSphere(5, 3), IrregularTorus(60, 30, 4), Disk(30), Annulus(60, 20),
+         DoubleTorus(6), SphereWithZeroAreaFaces(4, 60), Needle(4, 200.0), Prism(7, 200),
+         Union(IrregularSphere(4, 3), Icosphere(0), Vector3(3.0, 0.0, 0.0)) })
   {
     const TriangleMesh mesh = surface.Mesh();
     SCOPED_TRACE(mesh.NumberOfFaces());
@@ -198,9 +196,8 @@ TEST(SampledProlongation, RefusesADistanceWithoutSamples)
   HierarchyOptions options;
   options.Levels = LevelConstruction::Sampling;
   options.SampleDistance = 1.0;
-  EXPECT_THROW(BuildSurfaceHierarchy(
-                 Icosphere(3).Mesh(), options, SerialContext(), { false, false, false }),
-    InvalidInput);
+  EXPECT_THROW(
+    BuildSurfaceHierarchy(Icosphere(3).Mesh(), options, SerialContext(), { false, false, false }), InvalidInput);
 }
 
 TEST(SampledProlongation, RefusesStructurePreservingOperators)
@@ -222,7 +219,6 @@ TEST(SampledProlongation, TakesItsRowsInAnyOrder)
     points[row] = graph.NumberOfPoints() - 1 - row;
   }
   const TransportOperator inOrder = SampledProlongation(sampling, samples, SerialContext());
-  const TransportOperator reversed =
-    SampledProlongation(sampling, samples, points, SerialContext());
+  const TransportOperator reversed = SampledProlongation(sampling, samples, points, SerialContext());
   EXPECT_EQ((reversed - SelectRows(inOrder, points, SerialContext())).norm(), 0.0);
 }

@@ -36,9 +36,7 @@ TEST(BuildSurfaceHierarchy, ExactOverlayKeepsTheSameStructure)
   for (std::size_t level = 0; level < hierarchy.CoarseLevels.size(); ++level)
   {
     const TriangleMesh& coarse = hierarchy.CoarseLevels[level];
-    EXPECT_LT(ExactnessResidual(
-                *fine, coarse, hierarchy.Operators.S0[level], hierarchy.Operators.S1[level]),
-      1e-12);
+    EXPECT_LT(ExactnessResidual(*fine, coarse, hierarchy.Operators.S0[level], hierarchy.Operators.S1[level]), 1e-12);
     fine = &coarse;
   }
   EXPECT_GE(hierarchy.CoarseLevels.size(), 1u);

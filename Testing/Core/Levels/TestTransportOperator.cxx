@@ -39,8 +39,8 @@ TEST(TransportOperator, OnComponentsIsItselfOnComplexNumbers)
 {
   const TransportOperator transport = RandomTransport(80, 30, 1);
   const Vector<Complex> vectors = Random(2).Numbers(30);
-  EXPECT_LE(RelativeDifference(AsComplex(OnComponents(transport) * AsPairs(vectors)),
-              Vector<Complex>(transport * vectors)),
+  EXPECT_LE(
+    RelativeDifference(AsComplex(OnComponents(transport) * AsPairs(vectors)), Vector<Complex>(transport * vectors)),
     10 * MachinePrecision);
 }
 
@@ -67,8 +67,7 @@ TEST(TransportOperator, IsTheSameForAnyNumberOfThreads)
   for (const int threads : { 2, 5 })
   {
     const TbbContext context(threads);
-    EXPECT_EQ(
-      RelativeDifference(RowsOfComponents(transport, context), RowsOfComponents(transport)), 0.0);
+    EXPECT_EQ(RelativeDifference(RowsOfComponents(transport, context), RowsOfComponents(transport)), 0.0);
     EXPECT_EQ(RelativeDifference(OnComponents(transport, context), OnComponents(transport)), 0.0);
   }
 }

@@ -28,8 +28,8 @@ std::set<int> CentresOf(const TriangleMesh& mesh, const FaceFans& fans, int fan)
   {
     const std::set<int> corners = CornersOf(mesh, fans.Faces[k]);
     std::set<int> both;
-    std::set_intersection(centres.begin(), centres.end(), corners.begin(), corners.end(),
-      std::inserter(both, both.begin()));
+    std::set_intersection(
+      centres.begin(), centres.end(), corners.begin(), corners.end(), std::inserter(both, both.begin()));
     centres = both;
   }
   return centres;
@@ -49,8 +49,8 @@ bool HaveACommonSide(const TriangleMesh& mesh, int a, int b)
 
 std::vector<Surface> SurfacesOfAllKinds()
 {
-  return { IrregularSphere(3, 1), IrregularTorus(12, 9, 2), PlaneGrid(5, 4), IrregularPlane(7, 9, 3),
-    Disk(4), Needle(2, 50.0), SphereWithZeroAreaFaces(2, 2) };
+  return { IrregularSphere(3, 1), IrregularTorus(12, 9, 2), PlaneGrid(5, 4), IrregularPlane(7, 9, 3), Disk(4),
+    Needle(2, 50.0), SphereWithZeroAreaFaces(2, 2) };
 }
 
 }
@@ -118,8 +118,8 @@ TEST(FaceFans, NoFanCouldHaveBeenAStar)
   {
     const std::set<int> centres = CentresOf(mesh, fans, fan);
     const int size = fans.Offsets[fan + 1] - fans.Offsets[fan];
-    const bool isStar = std::any_of(
-      centres.begin(), centres.end(), [&](int vertex) { return valences[vertex] == size; });
+    const bool isStar =
+      std::any_of(centres.begin(), centres.end(), [&](int vertex) { return valences[vertex] == size; });
     for (int k = fans.Offsets[fan]; k < fans.Offsets[fan + 1]; ++k)
     {
       isInStar[fans.Faces[k]] = isStar;

@@ -72,8 +72,7 @@ TEST(SpatialOrder, NeighboursHaveNearbyNumbers)
   for (int edge = 0; edge < sorted.NumberOfEdges(); ++edge)
   {
     const int h = sorted.HalfedgeOf(edge);
-    steps.push_back(
-      std::abs(TriangleMesh::FaceOf(h) - TriangleMesh::FaceOf(sorted.Twin(h))));
+    steps.push_back(std::abs(TriangleMesh::FaceOf(h) - TriangleMesh::FaceOf(sorted.Twin(h))));
     stepsOfVertices.push_back(std::abs(sorted.Tail(h) - sorted.Head(h)));
   }
   for (std::vector<int>* numbers : { &steps, &stepsOfVertices })
@@ -96,8 +95,8 @@ TEST(SpatialOrder, IsTheSameForAnyNumberOfThreads)
 TEST(SpatialOrder, HasRoomForElementsThatWillBeRefused)
 {
   Surface broken = Icosphere(2);
-  for (const double value : { std::numeric_limits<double>::quiet_NaN(),
-         std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
+  for (const double value : { std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
+         -std::numeric_limits<double>::infinity() })
   {
     for (int v : { 0, 7, 100 })
     {
@@ -108,8 +107,8 @@ TEST(SpatialOrder, HasRoomForElementsThatWillBeRefused)
     EXPECT_TRUE(IsPermutation(order.Vertices(), static_cast<int>(broken.V.rows())));
   }
   broken.V.setConstant(2.0); // all in one place
-  EXPECT_TRUE(IsPermutation(
-    SpatialOrder(broken.V, broken.F, SerialContext()).Faces(), static_cast<int>(broken.F.rows())));
+  EXPECT_TRUE(
+    IsPermutation(SpatialOrder(broken.V, broken.F, SerialContext()).Faces(), static_cast<int>(broken.F.rows())));
 }
 
 }

@@ -30,10 +30,12 @@ TEST(SubdivideByLoop, TakesTheMeanOfRegularNeighbours)
   {
     Vector3 sum = Vector3::Zero();
     int neighbours = 0;
-    mesh.VisitFan(vertex, [&](int h) {
-      sum += mesh.Position(mesh.Head(h));
-      ++neighbours;
-    });
+    mesh.VisitFan(vertex,
+      [&](int h)
+      {
+        sum += mesh.Position(mesh.Head(h));
+        ++neighbours;
+      });
     ASSERT_EQ(neighbours, 6);
     const Vector3 expected = 0.625 * mesh.Position(vertex) + 0.375 / 6.0 * sum;
     EXPECT_LT((subdivided.V.row(vertex).transpose() - expected).norm(), 1e-15);

@@ -21,8 +21,7 @@ void ExpectOrthonormal(const TangentFrames& frames)
   {
     Eigen::Matrix3d frame;
     frame << frames.X.row(i), frames.Y.row(i), frames.Normal(i).transpose();
-    EXPECT_LT(
-      (frame * frame.transpose() - Eigen::Matrix3d::Identity()).norm(), 20.0 * MachinePrecision);
+    EXPECT_LT((frame * frame.transpose() - Eigen::Matrix3d::Identity()).norm(), 20.0 * MachinePrecision);
     EXPECT_GT(frame.determinant(), 0.0);
   }
 }
@@ -38,8 +37,7 @@ TEST(TangentFrames, OfFacesAreOrthonormalAndAlongTheFirstSide)
     {
       const Vector3 side = mesh.Position(mesh.Head(3 * f)) - mesh.Position(mesh.Tail(3 * f));
       EXPECT_NEAR(frames.X.row(f).dot(side), side.norm(), 4.0 * MachinePrecision * side.norm());
-      EXPECT_NEAR(frames.Normal(f).dot(mesh.FaceAreaVector(f)), 2.0 * mesh.FaceArea(f),
-        1e-12 * mesh.FaceArea(f));
+      EXPECT_NEAR(frames.Normal(f).dot(mesh.FaceAreaVector(f)), 2.0 * mesh.FaceArea(f), 1e-12 * mesh.FaceArea(f));
     }
   }
 }
@@ -146,10 +144,10 @@ TEST(TransportTurn, IsTheShortestRotationBetweenTheNormals)
   TangentFrames frames{ Points(200, 3), Points(200, 3) };
   for (int i = 0; i < 200; ++i)
   {
-    const Eigen::Matrix3d turn = Eigen::Quaterniond(
-      random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1))
-                                   .normalized()
-                                   .toRotationMatrix();
+    const Eigen::Matrix3d turn =
+      Eigen::Quaterniond(random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1), random.Uniform(-1, 1))
+        .normalized()
+        .toRotationMatrix();
     frames.X.row(i) = turn.col(0).transpose();
     frames.Y.row(i) = turn.col(1).transpose();
   }
@@ -162,10 +160,9 @@ TEST(TransportTurn, IsTheShortestRotationBetweenTheNormals)
     // Near opposite normals the rotation is ill-conditioned, like one over the cosine of half the
     // angle between them, squared.
     const double condition = 1.0 + frames.Normal(i).dot(frames.Normal(i + 1));
+    EXPECT_LT(std::abs(frames.ToComplex(i + 1, carried) - turn), 100.0 * MachinePrecision / condition);
     EXPECT_LT(
-      std::abs(frames.ToComplex(i + 1, carried) - turn), 100.0 * MachinePrecision / condition);
-    EXPECT_LT(std::abs(TransportTurn(frames, i + 1, frames, i) - std::conj(turn)),
-      100.0 * MachinePrecision / condition);
+      std::abs(TransportTurn(frames, i + 1, frames, i) - std::conj(turn)), 100.0 * MachinePrecision / condition);
   }
 }
 
@@ -175,8 +172,7 @@ TEST(TransportTurn, IsDefinedBetweenOppositeNormals)
   frames.X << 1, 0, 0, 0, 1, 0;
   frames.Y << 0, 1, 0, 1, 0, 0;
   // Every half turn about a tangential axis is a shortest one; ours keeps X of the first frame.
-  EXPECT_LT(
-    std::abs(TransportTurn(frames, 0, frames, 1) - Complex(0.0, 1.0)), 4.0 * MachinePrecision);
+  EXPECT_LT(std::abs(TransportTurn(frames, 0, frames, 1) - Complex(0.0, 1.0)), 4.0 * MachinePrecision);
 }
 
 TEST(Corners, AddUpToHalfATurnPerFace)

@@ -43,8 +43,7 @@ std::vector<Sample> Samples()
     { "prism", Prism(6, 3), 36, 0, 2, 1 },
     { "flat torus", FlatTorus(12, 1), 192, 0, 0, 1 },
     { "zero-area faces", SphereWithZeroAreaFaces(3, 8), 1280 + 2 * 8 + 2 * 8, 2, 0, 1 },
-    { "two components", Union(Icosphere(0), Torus(4, 4), Vector3(5.0, 0.0, 0.0)), 20 + 32, 2, 0,
-      2 },
+    { "two components", Union(Icosphere(0), Torus(4, 4), Vector3(5.0, 0.0, 0.0)), 20 + 32, 2, 0, 2 },
   };
 }
 
@@ -210,16 +209,16 @@ TEST(TriangleMesh, SamplesAreOrientedOutwards)
 TEST(TriangleMesh, AreasAddUp)
 {
   EXPECT_NEAR(IrregularPlane(7, 5, 2).Mesh().FaceAreas().sum(), 35.0, 1e-13 * 35.0);
-  const TriangleMesh triangle = Surface{ (Points(3, 3) << 0, 0, 0, 2, 0, 0, 0, 3, 0).finished(),
-    Triangles{ { 0, 1, 2 } } }.Mesh();
+  const TriangleMesh triangle =
+    Surface{ (Points(3, 3) << 0, 0, 0, 2, 0, 0, 0, 3, 0).finished(), Triangles{ { 0, 1, 2 } } }.Mesh();
   EXPECT_EQ(triangle.FaceAreaVector(0), Vector3(0.0, 0.0, 6.0)); // twice the area, upwards
   EXPECT_EQ(triangle.FaceArea(0), 3.0);
 }
 
 // Refusals: each names the element, by the caller's number, and the remedy ------------------------
 
-void ExpectRefusal(const Surface& surface, const std::vector<std::string>& words,
-  const ElementNames& names = {}, const ExecutionContext& context = SerialContext())
+void ExpectRefusal(const Surface& surface, const std::vector<std::string>& words, const ElementNames& names = {},
+  const ExecutionContext& context = SerialContext())
 {
   try
   {
@@ -256,8 +255,7 @@ TEST(MeshChecks, RefuseARepeatedCorner)
   {
     Surface surface = PlaneGrid(2, 2);
     surface.F(3, k) = surface.F(3, (k + 1) % 3);
-    ExpectRefusal(surface,
-      { "cell 3", "point " + std::to_string(surface.F(3, k)) + " twice", "vtkCleanPolyData" });
+    ExpectRefusal(surface, { "cell 3", "point " + std::to_string(surface.F(3, k)) + " twice", "vtkCleanPolyData" });
   }
 }
 
@@ -308,16 +306,14 @@ TEST(TriangleMesh, RefusesAnEdgeWithThreeFaces)
   Surface surface{ Points(5, 3), Triangles(3, 3) };
   surface.V << 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, -1, 0, 0, 0, 1;
   surface.F << 0, 1, 2, 1, 0, 3, 0, 1, 4;
-  ExpectRefusal(surface,
-    { "point 0 and point 1", "3 triangles", "cell 0", "cell 1", "cell 2", "vtkPolyDataNormals" });
+  ExpectRefusal(surface, { "point 0 and point 1", "3 triangles", "cell 0", "cell 1", "cell 2", "vtkPolyDataNormals" });
 }
 
 TEST(TriangleMesh, RefusesFacesThatAreOrientedAgainstEachOther)
 {
   Surface surface = PlaneGrid(1, 1);
   surface.F.row(1).reverseInPlace();
-  ExpectRefusal(
-    surface, { "cell 0 and cell 1", "point 0 and point 3", "vtkPolyDataNormals", "Consistency" });
+  ExpectRefusal(surface, { "cell 0 and cell 1", "point 0 and point 3", "vtkPolyDataNormals", "Consistency" });
 }
 
 TEST(TriangleMesh, RefusesAMoebiusStrip)

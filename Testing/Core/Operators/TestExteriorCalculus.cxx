@@ -81,8 +81,7 @@ TEST(ExteriorCalculus, StarsOfEquilateralTriangles)
   EXPECT_LT((Star1(mesh).array() - 1.0 / std::sqrt(3.0)).abs().maxCoeff(), 1e-14);
   EXPECT_LT((PositiveStar1(mesh).array() - 1.0 / std::sqrt(3.0)).abs().maxCoeff(), 1e-14);
   EXPECT_LT((Star0(mesh).array() - 5.0 / 3.0 * area).abs().maxCoeff(), 1e-14);
-  EXPECT_LT(
-    (Star0(mesh, VertexAreas::Barycentric).array() - 5.0 / 3.0 * area).abs().maxCoeff(), 1e-14);
+  EXPECT_LT((Star0(mesh, VertexAreas::Barycentric).array() - 5.0 / 3.0 * area).abs().maxCoeff(), 1e-14);
 }
 
 // d0^T star1 d0 is the stiffness matrix of linear functions: their Dirichlet energy is exact.
@@ -139,8 +138,7 @@ TEST(OneFormLaplacian, IsTheSquareOfItsFactor)
       const Dense B = OneFormLaplacianFactor(mesh, SerialContext(), areas);
       const Dense L1 = OneFormLaplacian(mesh, SerialContext(), areas);
       ASSERT_EQ(B.rows(), mesh.NumberOfFaces() + mesh.NumberOfVertices());
-      EXPECT_LT((B.transpose() * B - L1).cwiseAbs().maxCoeff(),
-        20 * MachinePrecision * L1.cwiseAbs().maxCoeff());
+      EXPECT_LT((B.transpose() * B - L1).cwiseAbs().maxCoeff(), 20 * MachinePrecision * L1.cwiseAbs().maxCoeff());
     }
   }
 }
@@ -150,8 +148,8 @@ TEST(OneFormLaplacian, IsTheSameForAnyNumberOfThreads)
   const TriangleMesh mesh = IrregularTorus(80, 50, 5).Mesh();
   const SparseMatrix<double> expected = OneFormLaplacian(mesh, SerialContext());
   EXPECT_EQ(RelativeDifference(OneFormLaplacian(mesh, TbbContext(3)), expected), 0.0);
-  EXPECT_EQ(RelativeDifference(OneFormLaplacianFactor(mesh, TbbContext(3)),
-              OneFormLaplacianFactor(mesh, SerialContext())),
+  EXPECT_EQ(
+    RelativeDifference(OneFormLaplacianFactor(mesh, TbbContext(3)), OneFormLaplacianFactor(mesh, SerialContext())),
     0.0);
 }
 
@@ -173,8 +171,7 @@ TEST(OneFormLaplacian, HasTheHarmonicFormsAsKernel)
 TEST(OneFormLaplacian, ConstantsInAPlaneHaveNoCurlAndNoDivergenceInside)
 {
   const TriangleMesh mesh = IrregularPlane(9, 7, 4).Mesh();
-  const Vector<double> form =
-    FormFromFaceVectors(mesh, Constant(mesh.NumberOfFaces(), Vector3(0.3, -1.1, 0.0)));
+  const Vector<double> form = FormFromFaceVectors(mesh, Constant(mesh.NumberOfFaces(), Vector3(0.3, -1.1, 0.0)));
   EXPECT_LT((D1(mesh) * form).cwiseAbs().maxCoeff(), 1e-14);
   const Vector<double> divergence = D0(mesh).transpose() * Star1(mesh).asDiagonal() * form;
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
@@ -206,8 +203,7 @@ TEST(OneFormLaplacian, ParallelFieldsOfAFlatTorusHaveNoEnergy)
       const int other = TriangleMesh::FaceOf(twin);
       if (field[other] == 0.0)
       {
-        field[other] =
-          -SideDirections(mesh, frames, other)[twin % 3] * std::conj(sides[k]) * field[face];
+        field[other] = -SideDirections(mesh, frames, other)[twin % 3] * std::conj(sides[k]) * field[face];
         stack.push_back(other);
       }
     }
@@ -219,8 +215,7 @@ TEST(OneFormLaplacian, ParallelFieldsOfAFlatTorusHaveNoEnergy)
   }
   const Vector<double> form = FormFromFaceVectors(mesh, vectors);
   const SparseMatrix<double> L1 = OneFormLaplacian(mesh, SerialContext());
-  EXPECT_LT((L1 * form).cwiseAbs().maxCoeff(),
-    1e-12 * L1.coeffs().abs().maxCoeff() * form.cwiseAbs().maxCoeff());
+  EXPECT_LT((L1 * form).cwiseAbs().maxCoeff(), 1e-12 * L1.coeffs().abs().maxCoeff() * form.cwiseAbs().maxCoeff());
   EXPECT_LT((WhitneyAtFaces(mesh, form) - vectors).cwiseAbs().maxCoeff(), 1e-12);
 }
 
@@ -258,9 +253,8 @@ TEST(Whitney, IntegratesToTheForm)
     const int face = TriangleMesh::FaceOf(h);
     const Vector3 tail = mesh.Position(mesh.Tail(h));
     const Vector3 head = mesh.Position(mesh.Head(h));
-    const Vector3 centre =
-      (mesh.Position(mesh.FaceCorners()(face, 0)) + mesh.Position(mesh.FaceCorners()(face, 1)) +
-        mesh.Position(mesh.FaceCorners()(face, 2))) /
+    const Vector3 centre = (mesh.Position(mesh.FaceCorners()(face, 0)) + mesh.Position(mesh.FaceCorners()(face, 1)) +
+                             mesh.Position(mesh.FaceCorners()(face, 2))) /
       3.0;
     const double area = mesh.FaceArea(face);
     const Vector3 normal = mesh.FaceAreaVector(face) / (2.0 * area);

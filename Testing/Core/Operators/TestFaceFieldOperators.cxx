@@ -63,20 +63,22 @@ SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh)
 
 TEST(FaceFieldOperators, ProjectionHasAnInverse)
 {
-  VisitSamples([](const TriangleMesh& mesh, const TangentFrames& frames) {
-    const SparseMatrix<double> P = HalfedgeProjection(mesh, frames);
-    const SparseMatrix<double> inverse = HalfedgePseudoInverse(mesh, frames);
-    const int n = 2 * mesh.NumberOfFaces();
-    EXPECT_LT(CommutationResidual(inverse, P, Identity(n), Identity(n)), 1e-12);
-    // P P^+ is Q_I: it takes the mean of each face.
-    for (int f = 0; f < mesh.NumberOfFaces(); f += 7)
+  VisitSamples(
+    [](const TriangleMesh& mesh, const TangentFrames& frames)
     {
-      const Eigen::Matrix3d Q = Eigen::MatrixXd(P.middleRows(3 * f, 3)) *
-        Eigen::MatrixXd(SparseMatrix<double>(inverse.transpose()).middleRows(3 * f, 3)).transpose();
-      EXPECT_LT((Q - (Eigen::Matrix3d::Identity() - Eigen::Matrix3d::Constant(1.0 / 3.0)))
-                  .cwiseAbs().maxCoeff(), 1e-12);
-    }
-  });
+      const SparseMatrix<double> P = HalfedgeProjection(mesh, frames);
+      const SparseMatrix<double> inverse = HalfedgePseudoInverse(mesh, frames);
+      const int n = 2 * mesh.NumberOfFaces();
+      EXPECT_LT(CommutationResidual(inverse, P, Identity(n), Identity(n)), 1e-12);
+      // P P^+ is Q_I: it takes the mean of each face.
+      for (int f = 0; f < mesh.NumberOfFaces(); f += 7)
+      {
+        const Eigen::Matrix3d Q = Eigen::MatrixXd(P.middleRows(3 * f, 3)) *
+          Eigen::MatrixXd(SparseMatrix<double>(inverse.transpose()).middleRows(3 * f, 3)).transpose();
+        EXPECT_LT(
+          (Q - (Eigen::Matrix3d::Identity() - Eigen::Matrix3d::Constant(1.0 / 3.0))).cwiseAbs().maxCoeff(), 1e-12);
+      }
+    });
 }
 
 TEST(FaceFieldOperators, GradientsOfLinearFunctionsInAPlaneAreExact)
@@ -86,106 +88,113 @@ TEST(FaceFieldOperators, GradientsOfLinearFunctionsInAPlaneAreExact)
     const TriangleMesh mesh = surface.Mesh();
     const TangentFrames frames = FaceFrames(mesh);
     const Vector3 slope(0.3, -1.7, 0.0);
-    const Vector<double> gradient =
-      FaceGradient(mesh, frames) * Vector<double>(mesh.VertexPositions() * slope);
+    const Vector<double> gradient = FaceGradient(mesh, frames) * Vector<double>(mesh.VertexPositions() * slope);
     EXPECT_LT((gradient - FaceFieldOfVector(frames, slope)).cwiseAbs().maxCoeff(), 1e-13);
   }
 }
 
 TEST(FaceFieldOperators, GradientsHaveNoCurl)
 {
-  VisitSamples([](const TriangleMesh& mesh, const TangentFrames& frames) {
-    EXPECT_LT(VanishingResidual(FaceCurl(mesh, frames), FaceGradient(mesh, frames)), 1e-14);
-  });
+  VisitSamples([](const TriangleMesh& mesh, const TangentFrames& frames)
+    { EXPECT_LT(VanishingResidual(FaceCurl(mesh, frames), FaceGradient(mesh, frames)), 1e-14); });
 }
 
 // (X_g - X_f) . e, by vectors in space.
 TEST(FaceFieldOperators, CurlIsTheJumpAlongTheEdge)
 {
-  VisitSamples([](const TriangleMesh& mesh, const TangentFrames& frames) {
-    Random random(3);
-    Vector<double> X(2 * mesh.NumberOfFaces());
-    for (double& x : X)
+  VisitSamples(
+    [](const TriangleMesh& mesh, const TangentFrames& frames)
     {
-      x = random.Uniform(-1.0, 1.0);
-    }
-    const Points vectors = VectorsFromFaceField(frames, X);
-    const Vector<double> curl = FaceCurl(mesh, frames) * X;
-    for (int e = 0; e < mesh.NumberOfEdges(); ++e)
-    {
-      const int h = mesh.HalfedgeOf(e);
-      double expected = 0.0;
-      if (mesh.Twin(h) >= 0)
+      Random random(3);
+      Vector<double> X(2 * mesh.NumberOfFaces());
+      for (double& x : X)
       {
-        const auto [a, b] = mesh.EdgeVertices(e);
-        expected = (vectors.row(mesh.Twin(h) / 3) - vectors.row(h / 3))
-                     .dot((mesh.Position(b) - mesh.Position(a)).transpose());
+        x = random.Uniform(-1.0, 1.0);
       }
-      EXPECT_NEAR(curl[e], expected, 1e-12);
-    }
-    EXPECT_LT((FaceFieldFromVectors(frames, vectors) - X).cwiseAbs().maxCoeff(), 1e-14);
-  });
+      const Points vectors = VectorsFromFaceField(frames, X);
+      const Vector<double> curl = FaceCurl(mesh, frames) * X;
+      for (int e = 0; e < mesh.NumberOfEdges(); ++e)
+      {
+        const int h = mesh.HalfedgeOf(e);
+        double expected = 0.0;
+        if (mesh.Twin(h) >= 0)
+        {
+          const auto [a, b] = mesh.EdgeVertices(e);
+          expected =
+            (vectors.row(mesh.Twin(h) / 3) - vectors.row(h / 3)).dot((mesh.Position(b) - mesh.Position(a)).transpose());
+        }
+        EXPECT_NEAR(curl[e], expected, 1e-12);
+      }
+      EXPECT_LT((FaceFieldFromVectors(frames, vectors) - X).cwiseAbs().maxCoeff(), 1e-14);
+    });
 }
 
 TEST(FaceFieldOperators, DivergenceIsTheAdjointOfTheGradient)
 {
-  VisitSamples([](const TriangleMesh& mesh, const TangentFrames& frames) {
-    const SparseMatrix<double> G = FaceGradient(mesh, frames);
-    const SparseMatrix<double> D = FaceDivergence(mesh, frames);
-    const Vector<double> M = MassesOfFaceFields(mesh).Faces;
-    const SparseMatrix<double> adjoint = -(G.transpose() * M.asDiagonal());
-    EXPECT_LT(LargestEntry(SparseMatrix<double>(D - adjoint)) / LargestEntry(D), 1e-13);
-    const SparseMatrix<double> laplacian = -CotangentLaplacian(mesh);
-    EXPECT_LT(LargestEntry(SparseMatrix<double>(D * G) - laplacian) / LargestEntry(laplacian), 1e-12);
-    EXPECT_LT((Vector<double>::Ones(D.rows()).transpose() * D).cwiseAbs().maxCoeff(),
-      1e-14 * LargestEntry(D) * 10);
-  });
+  VisitSamples(
+    [](const TriangleMesh& mesh, const TangentFrames& frames)
+    {
+      const SparseMatrix<double> G = FaceGradient(mesh, frames);
+      const SparseMatrix<double> D = FaceDivergence(mesh, frames);
+      const Vector<double> M = MassesOfFaceFields(mesh).Faces;
+      const SparseMatrix<double> adjoint = -(G.transpose() * M.asDiagonal());
+      EXPECT_LT(LargestEntry(SparseMatrix<double>(D - adjoint)) / LargestEntry(D), 1e-13);
+      const SparseMatrix<double> laplacian = -CotangentLaplacian(mesh);
+      EXPECT_LT(LargestEntry(SparseMatrix<double>(D * G) - laplacian) / LargestEntry(laplacian), 1e-12);
+      EXPECT_LT((Vector<double>::Ones(D.rows()).transpose() * D).cwiseAbs().maxCoeff(), 1e-14 * LargestEntry(D) * 10);
+    });
 }
 
 TEST(FaceFieldOperators, MassesAreAreas)
 {
-  VisitSamples([](const TriangleMesh& mesh, const TangentFrames&) {
-    const FaceFieldMasses masses = MassesOfFaceFields(mesh);
-    const double area = mesh.FaceAreas().sum();
-    EXPECT_NEAR(masses.Vertices.sum(), area, 1e-13 * area);
-    EXPECT_NEAR(masses.Edges.sum(), area, 1e-13 * area);
-    EXPECT_NEAR(masses.Faces.sum(), 2.0 * area, 1e-13 * area);
-  });
+  VisitSamples(
+    [](const TriangleMesh& mesh, const TangentFrames&)
+    {
+      const FaceFieldMasses masses = MassesOfFaceFields(mesh);
+      const double area = mesh.FaceAreas().sum();
+      EXPECT_NEAR(masses.Vertices.sum(), area, 1e-13 * area);
+      EXPECT_NEAR(masses.Edges.sum(), area, 1e-13 * area);
+      EXPECT_NEAR(masses.Faces.sum(), 2.0 * area, 1e-13 * area);
+    });
 }
 
 TEST(FaceFieldOperators, SmoothnessIsDivergenceAndCurl)
 {
-  VisitSamples([](const TriangleMesh& mesh, const TangentFrames& frames) {
-    const SparseMatrix<double> A = FaceFieldSmoothness(mesh, frames);
-    const FaceFieldMasses masses = MassesOfFaceFields(mesh);
-    Random random(4);
-    Vector<double> X(2 * mesh.NumberOfFaces());
-    for (double& x : X)
+  VisitSamples(
+    [](const TriangleMesh& mesh, const TangentFrames& frames)
     {
-      x = random.Uniform(-1.0, 1.0);
-    }
-    const Vector<double> divergence = FaceDivergence(mesh, frames) * X;
-    const Vector<double> curl = FaceCurl(mesh, frames) * X;
-    const double energy = divergence.cwiseAbs2().cwiseQuotient(masses.Vertices).sum() +
-      curl.cwiseAbs2().cwiseQuotient(masses.Edges).sum();
-    EXPECT_NEAR(X.dot(A * X), energy, 1e-13 * energy);
-    const SparseMatrix<double> transposed = A.transpose();
-    EXPECT_LT(LargestEntry(SparseMatrix<double>(A - transposed)), 4e-16 * LargestEntry(A));
-  });
+      const SparseMatrix<double> A = FaceFieldSmoothness(mesh, frames);
+      const FaceFieldMasses masses = MassesOfFaceFields(mesh);
+      Random random(4);
+      Vector<double> X(2 * mesh.NumberOfFaces());
+      for (double& x : X)
+      {
+        x = random.Uniform(-1.0, 1.0);
+      }
+      const Vector<double> divergence = FaceDivergence(mesh, frames) * X;
+      const Vector<double> curl = FaceCurl(mesh, frames) * X;
+      const double energy = divergence.cwiseAbs2().cwiseQuotient(masses.Vertices).sum() +
+        curl.cwiseAbs2().cwiseQuotient(masses.Edges).sum();
+      EXPECT_NEAR(X.dot(A * X), energy, 1e-13 * energy);
+      const SparseMatrix<double> transposed = A.transpose();
+      EXPECT_LT(LargestEntry(SparseMatrix<double>(A - transposed)), 4e-16 * LargestEntry(A));
+    });
 }
 
 TEST(FaceFieldOperators, SmoothnessIsTheSquareOfItsFactor)
 {
-  VisitSamples([](const TriangleMesh& mesh, const TangentFrames& frames) {
-    const Eigen::MatrixXd B(FaceFieldSmoothnessFactor(mesh, frames));
-    const FaceFieldMasses masses = MassesOfFaceFields(mesh);
-    const Eigen::MatrixXd divergence(FaceDivergence(mesh, frames));
-    const Eigen::MatrixXd curl(FaceCurl(mesh, frames));
-    const Eigen::MatrixXd expected =
-      divergence.transpose() * masses.Vertices.cwiseInverse().asDiagonal() * divergence +
-      curl.transpose() * masses.Edges.cwiseInverse().asDiagonal() * curl;
-    EXPECT_LE((B.transpose() * B - expected).norm(), 1e-13 * expected.norm());
-  });
+  VisitSamples(
+    [](const TriangleMesh& mesh, const TangentFrames& frames)
+    {
+      const Eigen::MatrixXd B(FaceFieldSmoothnessFactor(mesh, frames));
+      const FaceFieldMasses masses = MassesOfFaceFields(mesh);
+      const Eigen::MatrixXd divergence(FaceDivergence(mesh, frames));
+      const Eigen::MatrixXd curl(FaceCurl(mesh, frames));
+      const Eigen::MatrixXd expected =
+        divergence.transpose() * masses.Vertices.cwiseInverse().asDiagonal() * divergence +
+        curl.transpose() * masses.Edges.cwiseInverse().asDiagonal() * curl;
+      EXPECT_LE((B.transpose() * B - expected).norm(), 1e-13 * expected.norm());
+    });
 }
 
 // Degenerate faces add 1e-6 |X_f|^2, in two rows each.
@@ -215,8 +224,7 @@ TEST(FaceFieldOperators, HarmonicFieldsHaveTheDimensionOfTheCohomology)
   for (const auto& [surface, dimension] : surfaces)
   {
     const TriangleMesh mesh = surface.Mesh();
-    const Vector<double> eigenvalues =
-      SymmetricEigenvalues(FaceFieldSmoothness(mesh, FaceFrames(mesh)));
+    const Vector<double> eigenvalues = SymmetricEigenvalues(FaceFieldSmoothness(mesh, FaceFrames(mesh)));
     const double largest = eigenvalues[eigenvalues.size() - 1];
     EXPECT_GT(eigenvalues[0], -1e-13 * largest);
     if (dimension > 0)

@@ -15,8 +15,7 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-FieldTopology TopologyOf(
-  const TriangleMesh& mesh, int N, const std::function<Vector3(const Vector3&)>& vectorAt)
+FieldTopology TopologyOf(const TriangleMesh& mesh, int N, const std::function<Vector3(const Vector3&)>& vectorAt)
 {
   const TangentFrames frames = FaceFrames(mesh);
   Vector<Complex> first(mesh.NumberOfFaces());
@@ -61,11 +60,9 @@ TEST(FieldTopology, IndicesSumToTheEulerCharacteristic)
     for (const int N : { 1, 2, 3, 4, 6, 8 })
     {
       SCOPED_TRACE(surface.Name + ", N " + std::to_string(N));
-      const FieldTopology rough =
-        TopologyOfField(mesh, FaceFrames(mesh), random.Numbers(mesh.NumberOfFaces()), N);
+      const FieldTopology rough = TopologyOfField(mesh, FaceFrames(mesh), random.Numbers(mesh.NumberOfFaces()), N);
       EXPECT_NEAR(SumOf(rough), mesh.EulerCharacteristic(), 1e-9);
-      const FieldTopology smooth =
-        TopologyOf(mesh, N, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
+      const FieldTopology smooth = TopologyOf(mesh, N, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
       EXPECT_NEAR(SumOf(smooth), mesh.EulerCharacteristic(), 1e-9);
       for (const BoundaryLoop& loop : rough.Loops)
       {
@@ -126,8 +123,7 @@ TEST(FieldTopology, CutsAreWhereTheFirstDirectionBecomesAnotherOne)
     for (int face = 0; face < mesh.NumberOfFaces(); ++face)
     {
       labels[face] = random.Index(N);
-      first[face] = std::polar(1.0, 2.0 * Pi * labels[face] / N) *
-        frames.ToComplex(face, Vector3(0.4, 1.0, 0.0));
+      first[face] = std::polar(1.0, 2.0 * Pi * labels[face] / N) * frames.ToComplex(face, Vector3(0.4, 1.0, 0.0));
     }
     const FieldTopology topology = TopologyOfField(mesh, frames, first, N);
     std::size_t next = 0;
@@ -138,8 +134,7 @@ TEST(FieldTopology, CutsAreWhereTheFirstDirectionBecomesAnotherOne)
       {
         continue;
       }
-      const int jump =
-        (labels[TriangleMesh::FaceOf(h)] - labels[TriangleMesh::FaceOf(mesh.Twin(h))] + N) % N;
+      const int jump = (labels[TriangleMesh::FaceOf(h)] - labels[TriangleMesh::FaceOf(mesh.Twin(h))] + N) % N;
       if (jump != 0)
       {
         ASSERT_LT(next, topology.Cuts.size());

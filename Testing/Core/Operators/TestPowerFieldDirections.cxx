@@ -15,23 +15,22 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-std::vector<int> Combed(
-  const TriangleMesh& mesh, const TangentFrames& frames, const Vector<Complex>& X, int N)
+std::vector<int> Combed(const TriangleMesh& mesh, const TangentFrames& frames, const Vector<Complex>& X, int N)
 {
   return CombingLabels(mesh, X, MatchDirections(mesh, SideDirections(mesh, frames), X, N), N);
 }
 
 /// [k].row(i) is direction k of element i.
-std::vector<Points> DirectionsOf(const TangentFrames& frames, const Vector<Complex>& X, int N,
-  bool unitLength, const std::vector<int>& labels = {})
+std::vector<Points> DirectionsOf(
+  const TangentFrames& frames, const Vector<Complex>& X, int N, bool unitLength, const std::vector<int>& labels = {})
 {
   std::vector<Points> directions(N, Points(X.size(), 3));
   const Vector<Complex> first = FirstDirections(X, N, labels);
   const DirectionVectors vectors(N, unitLength);
   for (int i = 0; i < static_cast<int>(X.size()); ++i)
   {
-    vectors.VisitAt(frames, i, first[i],
-      [&](int k, const Vector3& vector) { directions[k].row(i) = vector.transpose(); });
+    vectors.VisitAt(
+      frames, i, first[i], [&](int k, const Vector3& vector) { directions[k].row(i) = vector.transpose(); });
   }
   return directions;
 }
@@ -98,14 +97,11 @@ TEST(DirectionVectors, AreSymmetricRootsOfThePower)
       {
         const Complex z = frames.ToComplex(f, roots[k].row(f).transpose());
         EXPECT_NEAR(std::abs(z), length, 20.0 * MachinePrecision * length);
-        EXPECT_LT(std::abs(std::polar(length, N * std::arg(z)) - X[f]),
-          100.0 * N * MachinePrecision * length);
+        EXPECT_LT(std::abs(std::polar(length, N * std::arg(z)) - X[f]), 100.0 * N * MachinePrecision * length);
         const Complex next = frames.ToComplex(f, roots[(k + 1) % N].row(f).transpose());
-        EXPECT_LT(
-          std::abs(next - z * std::polar(1.0, 2.0 * Pi / N)), 100.0 * MachinePrecision * length);
+        EXPECT_LT(std::abs(next - z * std::polar(1.0, 2.0 * Pi / N)), 100.0 * MachinePrecision * length);
         EXPECT_LT((units[k].row(f) - roots[k].row(f) / length).norm(), 20.0 * MachinePrecision);
-        EXPECT_LT((labelled[k].row(f) - roots[(k + labels[f]) % N].row(f)).norm(),
-          100.0 * MachinePrecision * length);
+        EXPECT_LT((labelled[k].row(f) - roots[(k + labels[f]) % N].row(f)).norm(), 100.0 * MachinePrecision * length);
       }
     }
   }
@@ -136,8 +132,8 @@ int CountJumps(const TriangleMesh& mesh, const TangentFrames& frames, const Vect
     }
     const int f = TriangleMesh::FaceOf(h);
     const int g = TriangleMesh::FaceOf(mesh.Twin(h));
-    const Complex carried = frames.ToComplex(f, directions[0].row(f).transpose()) *
-      std::polar(1.0, TransportAcrossEdge(mesh, frames, h));
+    const Complex carried =
+      frames.ToComplex(f, directions[0].row(f).transpose()) * std::polar(1.0, TransportAcrossEdge(mesh, frames, h));
     const Complex there = frames.ToComplex(g, directions[0].row(g).transpose());
     jumps += std::abs(std::arg(there * std::conj(carried))) > Pi / N * (1.0 + 1e-12) ? 1 : 0;
   }
@@ -187,12 +183,10 @@ TEST(CombingLabels, LeaveOnlyACutThatASingularityNeeds)
     Vector<Complex> X(mesh.NumberOfFaces());
     for (int f = 0; f < mesh.NumberOfFaces(); ++f)
     {
-      const Vector3 centre = (mesh.Position(mesh.Tail(3 * f)) + mesh.Position(mesh.Head(3 * f)) +
-                               mesh.Position(mesh.Tail(3 * f + 2))) /
-        3.0;
+      const Vector3 centre =
+        (mesh.Position(mesh.Tail(3 * f)) + mesh.Position(mesh.Head(3 * f)) + mesh.Position(mesh.Tail(3 * f + 2))) / 3.0;
       const double angle = std::atan2(centre.y(), centre.x()) / N;
-      X[f] = std::polar(
-        1.0, N * std::arg(frames.ToComplex(f, { std::cos(angle), std::sin(angle), 0.0 })));
+      X[f] = std::polar(1.0, N * std::arg(frames.ToComplex(f, { std::cos(angle), std::sin(angle), 0.0 })));
     }
     const int jumps = CountJumps(mesh, frames, X, Combed(mesh, frames, X, N), N);
     EXPECT_GE(jumps, rings);
@@ -223,8 +217,7 @@ TEST(PowersAtVertices, AreExactOnAFlatPatch)
   {
     const Vector<Complex> X = 2.5 * PowersOfDirection(faceFrames, v, N);
     const Vector<Complex> expected = 2.5 * PowersOfDirection(vertexFrames, v, N);
-    EXPECT_LT(RelativeDifference(PowersAtVertices(mesh, CornersOf(mesh), X, N), expected),
-      20.0 * N * MachinePrecision);
+    EXPECT_LT(RelativeDifference(PowersAtVertices(mesh, CornersOf(mesh), X, N), expected), 20.0 * N * MachinePrecision);
   }
 }
 
@@ -254,8 +247,7 @@ TEST(PowersAtVertices, FollowASmoothFieldOnTheSphere)
         if (std::abs(p.z()) < 0.8)
         {
           const Complex expected = vertexFrames.ToComplex(v, east(p));
-          error =
-            std::max(error, std::abs(atVertices[v] - std::polar(1.0, N * std::arg(expected))));
+          error = std::max(error, std::abs(atVertices[v] - std::polar(1.0, N * std::arg(expected))));
         }
       }
       errors.push_back(error);
@@ -276,8 +268,8 @@ TEST(FirstDirectionsAtVertices, AreThoseOfTheFacesAround)
     const Vector<Complex> X = PowersOfDirection(faceFrames, v, N);
     const std::vector<int> faceLabels = Combed(mesh, faceFrames, X, N);
     const Vector<Complex> atVertices = PowersAtVertices(mesh, CornersOf(mesh), X, N);
-    const Vector<Complex> first = FirstDirectionsAtVertices(
-      mesh, CornersOf(mesh), FirstDirections(X, N, faceLabels), atVertices, N);
+    const Vector<Complex> first =
+      FirstDirectionsAtVertices(mesh, CornersOf(mesh), FirstDirections(X, N, faceLabels), atVertices, N);
     const Points ofFaces = DirectionsOf(faceFrames, X, N, true, faceLabels)[0];
     Points ofVertices(mesh.NumberOfVertices(), 3);
     for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
@@ -291,9 +283,9 @@ TEST(FirstDirectionsAtVertices, AreThoseOfTheFacesAround)
 
 TEST(SingularityIndices, SumToTheEulerCharacteristicForAnyField)
 {
-  for (const Surface& surface : { IrregularSphere(2, 1), Icosphere(2), IrregularTorus(12, 7, 2),
-         Torus(3, 3), DoubleTorus(2), Needle(2, 100.0), FlatTorus(8, 1),
-         SphereWithZeroAreaFaces(3, 8), Union(Icosphere(1), Torus(6, 4), Vector3(4.0, 0.0, 0.0)) })
+  for (const Surface& surface :
+    { IrregularSphere(2, 1), Icosphere(2), IrregularTorus(12, 7, 2), Torus(3, 3), DoubleTorus(2), Needle(2, 100.0),
+      FlatTorus(8, 1), SphereWithZeroAreaFaces(3, 8), Union(Icosphere(1), Torus(6, 4), Vector3(4.0, 0.0, 0.0)) })
   {
     const TriangleMesh mesh = surface.Mesh();
     const TangentFrames frames = FaceFrames(mesh);
@@ -357,8 +349,8 @@ TEST(SingularityIndices, OfModelSingularitiesInThePlane)
       Vector<Complex> X(mesh.NumberOfFaces());
       for (int f = 0; f < mesh.NumberOfFaces(); ++f)
       {
-        const Vector3 centre = (mesh.Position(mesh.Tail(3 * f)) + mesh.Position(mesh.Head(3 * f)) +
-                                 mesh.Position(mesh.Tail(3 * f + 2))) /
+        const Vector3 centre =
+          (mesh.Position(mesh.Tail(3 * f)) + mesh.Position(mesh.Head(3 * f)) + mesh.Position(mesh.Tail(3 * f + 2))) /
           3.0;
         // z^k as a power field: its N directions turn by 2 pi k / N around the centre.
         const double angle = k * std::atan2(centre.y(), centre.x());

@@ -23,8 +23,7 @@ std::vector<NamedSurface> Surfaces()
 }
 
 /// The smoothness energy from its definition: directions in space, edge by edge, no matrix.
-double EnergyByDifferences(
-  const TriangleMesh& mesh, const TangentFrames& frames, const Vector<Complex>& X, int N)
+double EnergyByDifferences(const TriangleMesh& mesh, const TangentFrames& frames, const Vector<Complex>& X, int N)
 {
   double energy = 0.0;
   for (int e = 0; e < mesh.NumberOfEdges(); ++e)
@@ -40,9 +39,8 @@ double EnergyByDifferences(
     const Complex inF = frames.ToComplex(f, edge);
     const Complex inG = frames.ToComplex(g, edge);
     const double weight = 3.0 * edge.squaredNorm() / (mesh.FaceArea(f) + mesh.FaceArea(g));
-    energy += weight *
-      std::norm(
-        X[f] * std::polar(1.0, -N * std::arg(inF)) - X[g] * std::polar(1.0, -N * std::arg(inG)));
+    energy +=
+      weight * std::norm(X[f] * std::polar(1.0, -N * std::arg(inF)) - X[g] * std::polar(1.0, -N * std::arg(inG)));
   }
   return energy;
 }
@@ -54,13 +52,12 @@ TEST(TransportAcrossEdge, KeepsTheEdgeAndIsInvertedByTheTwin)
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
     const Vector3 edge = mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h));
-    const Complex carried = frames.ToComplex(TriangleMesh::FaceOf(h), edge) *
-      std::polar(1.0, TransportAcrossEdge(mesh, frames, h));
+    const Complex carried =
+      frames.ToComplex(TriangleMesh::FaceOf(h), edge) * std::polar(1.0, TransportAcrossEdge(mesh, frames, h));
     const Complex there = frames.ToComplex(TriangleMesh::FaceOf(mesh.Twin(h)), edge);
     EXPECT_LT(std::abs(carried - there), 20.0 * MachinePrecision * edge.norm());
     const double back = TransportAcrossEdge(mesh, frames, mesh.Twin(h));
-    EXPECT_LT(std::abs(std::polar(1.0, back + TransportAcrossEdge(mesh, frames, h)) - 1.0),
-      20.0 * MachinePrecision);
+    EXPECT_LT(std::abs(std::polar(1.0, back + TransportAcrossEdge(mesh, frames, h)) - 1.0), 20.0 * MachinePrecision);
   }
 }
 
@@ -71,10 +68,8 @@ TEST(TransportAcrossEdge, AgreesWithTheShortestRotationBetweenTheFaces)
   const TangentFrames frames = FaceFrames(mesh);
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
-    const Complex turn =
-      TransportTurn(frames, TriangleMesh::FaceOf(h), frames, TriangleMesh::FaceOf(mesh.Twin(h)));
-    EXPECT_LT(std::abs(turn - std::polar(1.0, TransportAcrossEdge(mesh, frames, h))),
-      100.0 * MachinePrecision);
+    const Complex turn = TransportTurn(frames, TriangleMesh::FaceOf(h), frames, TriangleMesh::FaceOf(mesh.Twin(h)));
+    EXPECT_LT(std::abs(turn - std::polar(1.0, TransportAcrossEdge(mesh, frames, h))), 100.0 * MachinePrecision);
   }
 }
 
@@ -186,10 +181,8 @@ TEST(PowerLaplacian, DoesNotFeelTheChoiceOfFrames)
   {
     const Vector<Complex> X = random.Numbers(mesh.NumberOfFaces());
     const Vector<Complex> image = PowerLaplacian(mesh, frames, N) * X;
-    const Vector<Complex> imageInTurned =
-      PowerLaplacian(mesh, turned, N) * InTurnedFrames(X, angles, N);
-    EXPECT_LT(RelativeDifference(imageInTurned, InTurnedFrames(image, angles, N)),
-      100.0 * N * MachinePrecision);
+    const Vector<Complex> imageInTurned = PowerLaplacian(mesh, turned, N) * InTurnedFrames(X, angles, N);
+    EXPECT_LT(RelativeDifference(imageInTurned, InTurnedFrames(image, angles, N)), 100.0 * N * MachinePrecision);
   }
 }
 
@@ -225,10 +218,8 @@ TEST(PowerLaplacian, FollowsRelabellingRotationAndScale)
       Z[f] = power(movedFrames.ToComplex(f, rotation * v));
     }
     const double energy = X.dot(PowerLaplacian(mesh, frames, N) * X).real();
-    EXPECT_NEAR(Y.dot(PowerLaplacian(other, otherFrames, N) * Y).real(), energy,
-      1e3 * MachinePrecision * energy);
-    EXPECT_NEAR(Z.dot(PowerLaplacian(moved, movedFrames, N) * Z).real(), energy,
-      1e3 * MachinePrecision * energy);
+    EXPECT_NEAR(Y.dot(PowerLaplacian(other, otherFrames, N) * Y).real(), energy, 1e3 * MachinePrecision * energy);
+    EXPECT_NEAR(Z.dot(PowerLaplacian(moved, movedFrames, N) * Z).real(), energy, 1e3 * MachinePrecision * energy);
   }
 }
 
@@ -242,8 +233,7 @@ TEST(PowerLaplacian, KernelOnFlatPatchesAreTheParallelFields)
     {
       const SparseMatrix<Complex> L = PowerLaplacian(mesh, frames, N);
       const Vector<Complex> X = PowersOfDirection(frames, Vector3(0.3, -0.8, 0.0), N);
-      EXPECT_LT(
-        (L * X).cwiseAbs().maxCoeff(), 10.0 * N * MachinePrecision * L.coeffs().abs().maxCoeff());
+      EXPECT_LT((L * X).cwiseAbs().maxCoeff(), 10.0 * N * MachinePrecision * L.coeffs().abs().maxCoeff());
       const Vector<double> eigenvalues = Eigenvalues(L);
       const double largest = eigenvalues[eigenvalues.size() - 1];
       EXPECT_LT(std::abs(eigenvalues[0]), 1e3 * MachinePrecision * largest);

@@ -73,14 +73,12 @@ Exact OfEllipsoid(const Vector3& p)
   const Vector3 gradient = 2.0 * inverse.cwiseProduct(p);
   const Vector3 x = gradient.normalized().unitOrthogonal();
   const Vector3 y = gradient.normalized().cross(x);
-  const auto shape = [&](const Vector3& a, const Vector3& b) {
-    return 2.0 * a.dot(inverse.cwiseProduct(b)) / gradient.norm();
-  };
+  const auto shape = [&](const Vector3& a, const Vector3& b)
+  { return 2.0 * a.dot(inverse.cwiseProduct(b)) / gradient.norm(); };
   const Complex difference(0.5 * (shape(x, x) - shape(y, y)), shape(x, y));
   const Complex direction = std::sqrt(difference / std::abs(difference));
   const double mean = 0.5 * (shape(x, x) + shape(y, y));
-  return { direction.real() * x + direction.imag() * y, mean + std::abs(difference),
-    mean - std::abs(difference) };
+  return { direction.real() * x + direction.imag() * y, mean + std::abs(difference), mean - std::abs(difference) };
 }
 
 Surface Ellipsoid(int subdivisions)
@@ -115,8 +113,7 @@ Errors ErrorsOf(const Surface& surface, const Surface& exactSurface, double scal
     const Complex ratio = found.MaximumDirections[v] / expected;
     const double angle = 0.5 * std::arg(ratio * ratio) * 180.0 / Pi; // lines
     degrees += angle * angle;
-    squares += std::pow(found.Maximum[v] - exact.Maximum, 2) +
-      std::pow(found.Minimum[v] - exact.Minimum, 2);
+    squares += std::pow(found.Maximum[v] - exact.Maximum, 2) + std::pow(found.Minimum[v] - exact.Minimum, 2);
     scales += std::pow(exact.Maximum, 2) + std::pow(exact.Minimum, 2);
     ++count;
   }
@@ -265,8 +262,7 @@ TEST(PrincipalDirections, AreSoundOnEverySurface)
         EXPECT_TRUE((of->Confidence.array() >= 0.0).all() && (of->Confidence.array() < 1.0).all());
         for (int i = 0; i < of->Confidence.size(); ++i)
         {
-          EXPECT_NEAR(
-            std::abs(of->MaximumDirections[i]), of->Confidence[i] > 0.0 ? 1.0 : 0.0, 1e-12);
+          EXPECT_NEAR(std::abs(of->MaximumDirections[i]), of->Confidence[i] > 0.0 ? 1.0 : 0.0, 1e-12);
         }
       }
     }

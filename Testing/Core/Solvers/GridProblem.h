@@ -21,8 +21,7 @@ struct GridProblem
 };
 
 template <class Scalar>
-SparseMatrix<Scalar> FromTriplets(
-  int rows, int columns, const std::vector<Eigen::Triplet<Scalar>>& entries)
+SparseMatrix<Scalar> FromTriplets(int rows, int columns, const std::vector<Eigen::Triplet<Scalar>>& entries)
 {
   SparseMatrix<Scalar> A(rows, columns);
   A.setFromTriplets(entries.begin(), entries.end());

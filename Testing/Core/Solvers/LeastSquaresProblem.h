@@ -96,8 +96,7 @@ inline Squares Fan(int blades)
 
 /// Copies of a block: which of its unknowns touch each row of B is told by bits. Rows from \p innerRows on are
 /// touched by one more unknown each, a block by itself. Copies share no row.
-inline Squares Copies(
-  int copies, int unknowns, int innerRows, const std::vector<std::uint64_t>& unknownsOfRows)
+inline Squares Copies(int copies, int unknowns, int innerRows, const std::vector<std::uint64_t>& unknownsOfRows)
 {
   Random random(3115);
   std::vector<Eigen::Triplet<double>> entries;
@@ -107,7 +106,8 @@ inline Squares Copies(
   const int ofCopy = unknowns + rows - innerRows;
   for (int copy = 0; copy < copies; ++copy)
   {
-    const auto append = [&](int row, int unknown, double least) {
+    const auto append = [&](int row, int unknown, double least)
+    {
       entries.emplace_back(copy * rows + row, copy * ofCopy + unknown,
         random.Uniform(least, 1.0) * (random.Uniform(0.0, 1.0) < 0.5 ? -1.0 : 1.0));
     };
@@ -161,15 +161,13 @@ inline Squares Wheels(int copies, int faces)
   return Copies(copies, 2 * faces, faces + 1, rows);
 }
 
-inline SchwarzBlocks BlocksOf(
-  const Squares& squares, const ExecutionContext& context = SerialContext())
+inline SchwarzBlocks BlocksOf(const Squares& squares, const ExecutionContext& context = SerialContext())
 {
   return { squares.Bt, squares.Blocks, context };
 }
 
 /// The unknowns of a block of a group.
-inline std::vector<int> MembersOf(
-  const SchwarzBlocks& blocks, const SchwarzBlocks::Group& group, int lane)
+inline std::vector<int> MembersOf(const SchwarzBlocks& blocks, const SchwarzBlocks::Group& group, int lane)
 {
   std::vector<int> members;
   for (int i = 0; i < blocks.PatternOf(group).Unknowns(); ++i)
@@ -180,8 +178,7 @@ inline std::vector<int> MembersOf(
 }
 
 /// The blocks of some groups, lane by lane.
-inline void AppendBlocks(
-  const SchwarzBlocks& blocks, const SchwarzBlocks::Tile& tile, UnknownBlocks& to)
+inline void AppendBlocks(const SchwarzBlocks& blocks, const SchwarzBlocks::Tile& tile, UnknownBlocks& to)
 {
   const SchwarzBlocks::Run groups = blocks.GroupsOf(tile);
   for (int g = groups.First; g < groups.Last; ++g)
@@ -215,8 +212,7 @@ inline Eigen::MatrixXd BlockOf(const Eigen::MatrixXd& A, const std::vector<int>&
 /// The unknowns of a block.
 inline std::vector<int> MembersOf(const UnknownBlocks& blocks, int block)
 {
-  return { blocks.Unknowns.begin() + blocks.Offsets[block],
-    blocks.Unknowns.begin() + blocks.Offsets[block + 1] };
+  return { blocks.Unknowns.begin() + blocks.Offsets[block], blocks.Unknowns.begin() + blocks.Offsets[block + 1] };
 }
 
 }

@@ -43,15 +43,14 @@ struct SurfaceProblem
     const bool isForm = kind == Of::OneForms;
     this->B = isForm ? OneFormLaplacianFactor(this->Mesh, context)
                      : FaceFieldSmoothnessFactor(this->Mesh, this->Frames, context);
-    this->Levels = isForm
-      ? NodalLevelsOfOneForms(this->Mesh, this->Frames, operators.Nodal, context)
-      : NodalLevelsOfFaceFields(this->Mesh, operators.Nodal, context);
+    this->Levels = isForm ? NodalLevelsOfOneForms(this->Mesh, this->Frames, operators.Nodal, context)
+                          : NodalLevelsOfFaceFields(this->Mesh, operators.Nodal, context);
   }
 
   int Size() const { return static_cast<int>(this->B.cols()); }
 
-  LeastSquaresHierarchy Hierarchy(const LeastSquaresHierarchyOptions& options = {},
-    const ExecutionContext& context = SerialContext()) const
+  LeastSquaresHierarchy Hierarchy(
+    const LeastSquaresHierarchyOptions& options = {}, const ExecutionContext& context = SerialContext()) const
   {
     return CoarsenLeastSquares(this->B, this->Levels, options, context);
   }
@@ -61,9 +60,8 @@ struct SurfaceProblem
   {
     const auto [elements, weights] = this->Elements(step, first);
     const FieldWeights all = { 1.0, 1.0, kind };
-    return this->Kind == Of::OneForms
-      ? PrescribedUnknownsOf(this->Mesh, PrescribedEdges{ elements, weights }, all)
-      : PrescribedUnknownsOf(this->Mesh, PrescribedFaces{ elements, weights }, all);
+    return this->Kind == Of::OneForms ? PrescribedUnknownsOf(this->Mesh, PrescribedEdges{ elements, weights }, all)
+                                      : PrescribedUnknownsOf(this->Mesh, PrescribedFaces{ elements, weights }, all);
   }
 
   /// The system of the same; its matrix does not come from B.
@@ -71,9 +69,8 @@ struct SurfaceProblem
   {
     const auto [elements, weights] = this->Elements(step, first);
     const FieldWeights all = { 1.0, 1.0, kind };
-    return this->Kind == Of::OneForms
-      ? MakeOneFormSystem(this->Mesh, { elements, weights }, all)
-      : MakeFaceFieldSystem(this->Mesh, this->Frames, { elements, weights }, all);
+    return this->Kind == Of::OneForms ? MakeOneFormSystem(this->Mesh, { elements, weights }, all)
+                                      : MakeFaceFieldSystem(this->Mesh, this->Frames, { elements, weights }, all);
   }
 
   Of Kind;
@@ -86,8 +83,7 @@ private:
   std::pair<std::vector<int>, std::vector<double>> Elements(int step, int first) const
   {
     Random random(3420 + step);
-    const int size =
-      this->Kind == Of::OneForms ? this->Mesh.NumberOfEdges() : this->Mesh.NumberOfFaces();
+    const int size = this->Kind == Of::OneForms ? this->Mesh.NumberOfEdges() : this->Mesh.NumberOfFaces();
     std::vector<int> elements;
     std::vector<double> weights;
     for (int i = first; i < size; i += step)
@@ -99,8 +95,7 @@ private:
   }
 };
 
-inline constexpr SurfaceProblem::Of BothKinds[] = { SurfaceProblem::Of::FaceFields,
-  SurfaceProblem::Of::OneForms };
+inline constexpr SurfaceProblem::Of BothKinds[] = { SurfaceProblem::Of::FaceFields, SurfaceProblem::Of::OneForms };
 
 inline std::string NameOf(SurfaceProblem::Of kind)
 {
@@ -108,8 +103,7 @@ inline std::string NameOf(SurfaceProblem::Of kind)
 }
 
 /// R + D.
-inline std::unique_ptr<const RoughnessOperator> OperatorOf(
-  const RoughnessHierarchy& hierarchy, const Vector<double>& D)
+inline std::unique_ptr<const RoughnessOperator> OperatorOf(const RoughnessHierarchy& hierarchy, const Vector<double>& D)
 {
   auto A = hierarchy.Operator();
   A->SetDiagonal(D, SerialContext());
@@ -117,16 +111,14 @@ inline std::unique_ptr<const RoughnessOperator> OperatorOf(
 }
 
 /// What a prescription adds to B^T B in the order of a hierarchy; infinite where it is hard.
-inline Vector<double> DiagonalOf(
-  const LeastSquaresHierarchy& hierarchy, const PrescribedUnknowns& prescribed)
+inline Vector<double> DiagonalOf(const LeastSquaresHierarchy& hierarchy, const PrescribedUnknowns& prescribed)
 {
   const std::vector<int> places = Inverse(hierarchy.Order);
   Vector<double> D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
   for (std::size_t k = 0; k < prescribed.Unknowns.size(); ++k)
   {
-    D[places[prescribed.Unknowns[k]]] = prescribed.Kind == ConstraintKind::Hard
-      ? std::numeric_limits<double>::infinity()
-      : prescribed.Alignment[k];
+    D[places[prescribed.Unknowns[k]]] =
+      prescribed.Kind == ConstraintKind::Hard ? std::numeric_limits<double>::infinity() : prescribed.Alignment[k];
   }
   return D;
 }

@@ -39,7 +39,8 @@ TEST(AssembledHierarchy, ProductsWithTheFactorKeepTheSmoothestFields)
     image[i + 2] += difference;
   }
   const Vector<double> expected = image.cast<double>();
-  const auto errorOf = [&](const SparseMatrix<double>& factor) {
+  const auto errorOf = [&](const SparseMatrix<double>& factor)
+  {
     SparseMatrix<double> R = NormalMatrix(B, SerialContext());
     const AssembledHierarchy<double> hierarchy(R, {}, factor);
     Vector<double> y;

@@ -44,8 +44,7 @@ std::set<int> RowsOf(const test::Squares& squares, int unknown)
 }
 
 /// The pattern of a group and its rows against B, for one block.
-void ExpectPattern(const test::Squares& squares, const BlockGroups& groups,
-  const BlockGroups::Group& group, int lane)
+void ExpectPattern(const test::Squares& squares, const BlockGroups& groups, const BlockGroups::Group& group, int lane)
 {
   const BlockPattern& pattern = groups.PatternOf(group);
   const std::vector<int> unknowns = UnknownsOf(groups, group, lane);
@@ -152,7 +151,8 @@ TEST(TestBlockGroups, OrdersAreByFirstOccurrenceAndRenumberingFollows)
 {
   const test::Squares squares = test::Wheels(9, 6);
   BlockGroups groups = GroupsOf(squares);
-  const auto placesOf = [](const std::vector<int>& order) {
+  const auto placesOf = [](const std::vector<int>& order)
+  {
     std::vector<int> places(order.size());
     for (std::size_t k = 0; k < order.size(); ++k)
     {
@@ -161,8 +161,7 @@ TEST(TestBlockGroups, OrdersAreByFirstOccurrenceAndRenumberingFollows)
     return places;
   };
   const std::vector<int> unknowns = placesOf(groups.OrderOfUnknowns(squares.Size()));
-  const std::vector<int> rows =
-    placesOf(groups.OrderOfRows(static_cast<int>(squares.B.rows())));
+  const std::vector<int> rows = placesOf(groups.OrderOfRows(static_cast<int>(squares.B.rows())));
   std::vector<int> expected = groups.Indices;
   int largestUnknown = -1;
   int largestRow = -1;
@@ -201,8 +200,7 @@ TEST(TestBlockGroups, RefusesBlocksOfTooManyRows)
   }
   catch (const InvalidInput& error)
   {
-    EXPECT_NE(std::string(error.what()).find("block 0 touches 513 rows"), std::string::npos)
-      << error.what();
+    EXPECT_NE(std::string(error.what()).find("block 0 touches 513 rows"), std::string::npos) << error.what();
   }
 }
 

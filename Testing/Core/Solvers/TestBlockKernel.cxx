@@ -60,7 +60,8 @@ void ExpectPlaces(const Places& places, const std::vector<int>& slots)
   {
     x[i] = static_cast<float>(i);
   }
-  const auto check = [&](int first, const auto& read, const auto& write) {
+  const auto check = [&](int first, const auto& read, const auto& write)
+  {
     std::vector<float> lanesOfPack(lanes);
     StorePack(read(), lanesOfPack.data());
     std::vector<float> expected = x;
@@ -74,10 +75,11 @@ void ExpectPlaces(const Places& places, const std::vector<int>& slots)
   };
   for (const int i : { 0, 1 })
   {
-    check(i * lanes, [&] { return places.UnknownOf(x.data(), i); },
+    check(
+      i * lanes, [&] { return places.UnknownOf(x.data(), i); },
       [&](Pack pack) { places.SetUnknown(pack, x.data(), i); });
-    check((2 + i) * lanes, [&] { return places.RowOf(x.data(), i); },
-      [&](Pack pack) { places.SetRow(pack, x.data(), i); });
+    check(
+      (2 + i) * lanes, [&] { return places.RowOf(x.data(), i); }, [&](Pack pack) { places.SetRow(pack, x.data(), i); });
   }
 }
 
@@ -146,6 +148,5 @@ TEST(TestBlockKernel, PlacesInOrder)
   const std::vector<int> rows = { 40, 9, 4, 30, 2 };
   const PlacesInOrder places(pattern, rows.data(), 20);
   EXPECT_EQ(places.Size(), 5);
-  ExpectPlaces<FloatPack>(
-    places, { 20, 21, 22, 23, 24, 25, 26, 27, 40, 41, 42, 43, 9, 4, 30, 2 });
+  ExpectPlaces<FloatPack>(places, { 20, 21, 22, 23, 24, 25, 26, 27, 40, 41, 42, 43, 9, 4, 30, 2 });
 }

@@ -34,10 +34,9 @@ double OfInverses(const Squares& squares)
   double worst = 1.0;
   for (int k = 0; k < squares.Blocks.Size(); ++k)
   {
-    const Vector<double> spectrum =
-      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
-        test::BlockOf(squares.Matrix(), test::MembersOf(squares.Blocks, k)))
-        .eigenvalues();
+    const Vector<double> spectrum = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(
+      test::BlockOf(squares.Matrix(), test::MembersOf(squares.Blocks, k)))
+                                      .eigenvalues();
     worst = std::max(worst, spectrum.maxCoeff() / spectrum.minCoeff());
   }
   return 3e-6 * worst;
@@ -65,8 +64,7 @@ std::vector<Squares> AllKinds()
 }
 
 /// What both ways make of b, and the residual in between, in one vector.
-Vector<double> Smoothed(
-  BlockSmoother& smoother, const Vector<double>& b, const ExecutionContext& context)
+Vector<double> Smoothed(BlockSmoother& smoother, const Vector<double>& b, const ExecutionContext& context)
 {
   Vector<double> x, r;
   smoother.PreSmooth(b, x, r, context);
@@ -137,9 +135,8 @@ std::vector<char> ArePenalised(const SchwarzBlocks& blocks, const Vector<double>
 
 /// Sweeps over the blocks of a dense matrix, each solved for exactly and relaxed, but for those in groups
 /// that D touches; those of its unknowns that are held stay.
-Vector<double> Relaxed(const Squares& squares, const SchwarzBlocks& blocks, int sweeps,
-  const Vector<double>& D, const Vector<double>& b, Vector<double> x, bool isUp,
-  double relaxation = BlockSmoother::UsualRelaxation)
+Vector<double> Relaxed(const Squares& squares, const SchwarzBlocks& blocks, int sweeps, const Vector<double>& D,
+  const Vector<double>& b, Vector<double> x, bool isUp, double relaxation = BlockSmoother::UsualRelaxation)
 {
   Eigen::MatrixXd A = squares.Matrix();
   A.diagonal() += D.unaryExpr([](double entry) { return std::isfinite(entry) ? entry : 0.0; });
@@ -193,9 +190,8 @@ void ExpectSymmetric(const Squares& squares, int sweeps, const Vector<double>& D
       const Vector<double> residual = b - A * x;
       EXPECT_LE((r(free) - residual(free)).norm(), 200 * Epsilon * largest);
     });
-  const auto post = Densified(squares.Size(),
-    [&](const Vector<double>& b, Vector<double>& x)
-    { smoother.PostSmooth(b, x, SerialContext()); });
+  const auto post = Densified(
+    squares.Size(), [&](const Vector<double>& b, Vector<double>& x) { smoother.PostSmooth(b, x, SerialContext()); });
   EXPECT_LE((post - pre.transpose()).norm(), 200 * Epsilon * largest * pre.norm());
   const auto both = Densified(squares.Size(),
     [&](const Vector<double>& b, Vector<double>& x)
@@ -294,8 +290,7 @@ TEST(TestBlockSmoother, ADiagonalIsOneMoreSquarePerUnknown)
       }
       const Squares stacked(test::FromTriplets(rows + size, size, entries), squares.Blocks);
       const SchwarzBlocks blocksOfStacked = BlocksOf(stacked);
-      ASSERT_EQ(
-        test::BlocksInOrder(blocksOfStacked).Unknowns, test::BlocksInOrder(blocks).Unknowns);
+      ASSERT_EQ(test::BlocksInOrder(blocksOfStacked).Unknowns, test::BlocksInOrder(blocks).Unknowns);
 
       Smoother smoother(squares, blocks, 2, 1.0);
       smoother.SetDiagonal(D, SerialContext());
@@ -365,8 +360,7 @@ TEST(TestBlockSmoother, AllUnknownsHeldLeaveNothing)
   const Squares ring = Ring(40);
   const SchwarzBlocks blocks = BlocksOf(ring);
   Smoother smoother(ring, blocks, 2, Vector<double>::Constant(40, Infinity));
-  const Vector<double> all =
-    Smoothed(smoother, test::RandomVector<double>(40, 3113), SerialContext());
+  const Vector<double> all = Smoothed(smoother, test::RandomVector<double>(40, 3113), SerialContext());
   EXPECT_EQ(all.norm(), 0.0);
 }
 
@@ -380,8 +374,8 @@ TEST(TestBlockSmoother, DiagonalsComeAndGo)
     const Vector<double> zero = Vector<double>::Zero(size);
     Smoother smoother(squares, blocks, 2);
     const Vector<double> plain = Smoothed(smoother, b, SerialContext());
-    for (const Vector<double>& D : { SomeHeld(size), zero, SomeDiagonal(size),
-           SomeDiagonal(size, 1), Vector<double>(3.0 * SomeHeld(size)), zero })
+    for (const Vector<double>& D :
+      { SomeHeld(size), zero, SomeDiagonal(size), SomeDiagonal(size, 1), Vector<double>(3.0 * SomeHeld(size)), zero })
     {
       smoother.SetDiagonal(D, SerialContext());
       Smoother fresh(squares, blocks, 2, D);

@@ -90,8 +90,8 @@ TEST(TestBlockTiles, TilesOfAColourShareNoRow)
       {
         for (int b = a + 1; b < begins[colour + 1]; ++b)
         {
-          EXPECT_FALSE(Overlap(RowsOf(squares, tiles.First(a), tiles.Last(a)),
-            RowsOf(squares, tiles.First(b), tiles.Last(b))));
+          EXPECT_FALSE(
+            Overlap(RowsOf(squares, tiles.First(a), tiles.Last(a)), RowsOf(squares, tiles.First(b), tiles.Last(b))));
         }
       }
     }
@@ -130,8 +130,7 @@ TEST(TestBlockTiles, TheLastColourIsForBlocksThatFindNone)
     ASSERT_GT(tiles.Last(t) - tiles.First(t), BlockTiles::LastBlockColour);
     for (int k = tiles.First(t); k < tiles.Last(t); ++k)
     {
-      EXPECT_EQ(tiles.BlockColours()[k],
-        std::min(k - tiles.First(t), static_cast<int>(BlockTiles::LastBlockColour)));
+      EXPECT_EQ(tiles.BlockColours()[k], std::min(k - tiles.First(t), static_cast<int>(BlockTiles::LastBlockColour)));
     }
   }
 }

@@ -27,10 +27,7 @@ public:
     : Factor(factor)
   {
   }
-  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext&) override
-  {
-    z = this->Factor * r;
-  }
+  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext&) override { z = this->Factor * r; }
 
 private:
   const double Factor;
@@ -82,16 +79,14 @@ struct CyclePreconditioned
 };
 
 template <class Scalar>
-double RelativeResidual(
-  const SparseMatrix<Scalar>& A, const Vector<Scalar>& b, const Vector<Scalar>& x)
+double RelativeResidual(const SparseMatrix<Scalar>& A, const Vector<Scalar>& b, const Vector<Scalar>& x)
 {
   return (b - A * x).norm() / b.norm();
 }
 
 /// |r|_B / |x|_A by the definition.
 template <class Scalar>
-double RelativeEnergyNorm(
-  CyclePreconditioned<Scalar>& grid, const Vector<Scalar>& b, const Vector<Scalar>& x)
+double RelativeEnergyNorm(CyclePreconditioned<Scalar>& grid, const Vector<Scalar>& b, const Vector<Scalar>& x)
 {
   const Vector<Scalar> r = b - grid.A() * x;
   Vector<Scalar> z;
@@ -118,8 +113,7 @@ TYPED_TEST(TestConjugateGradient, AgreesWithCholesky)
   {
     SolveReport report;
     Vector<TypeParam> x;
-    ConjugateGradient(
-      grid.Operator(), grid.Cycle, b, { tolerance, 100 }, x, report, SerialContext());
+    ConjugateGradient(grid.Operator(), grid.Cycle, b, { tolerance, 100 }, x, report, SerialContext());
     EXPECT_TRUE(report.Converged);
     EXPECT_TRUE(report.Warnings.empty());
     EXPECT_LE(RelativeResidual(grid.A(), b, x), tolerance * (1.0 + 1e-6));
@@ -206,7 +200,8 @@ TYPED_TEST(TestConjugateGradient, ResidualThatTheRatioBeforeMakesSmallIsNotConve
   Vector<TypeParam> b = Vector<TypeParam>::Ones(size);
   b[7] = 1e-9;
   DiagonalScaling<TypeParam> B(inverse);
-  const auto measured = [&](const Vector<TypeParam>& x) {
+  const auto measured = [&](const Vector<TypeParam>& x)
+  {
     const Vector<TypeParam> r = b - x;
     return std::sqrt(r.cwiseAbs2().dot(inverse)) / x.norm();
   };
@@ -239,15 +234,12 @@ TYPED_TEST(TestConjugateGradient, ResidualsAreErrorsInTheEnergyNorm)
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3114);
   Vector<TypeParam> solution;
   CholeskySolver<TypeParam>(grid.A()).Solve(b, solution);
-  const auto energyNorm = [&grid](const Vector<TypeParam>& v) {
-    return std::sqrt(std::abs(v.dot(grid.A() * v)));
-  };
+  const auto energyNorm = [&grid](const Vector<TypeParam>& v) { return std::sqrt(std::abs(v.dot(grid.A() * v))); };
   for (const double tolerance : { 1e-2, 1e-4, 1e-6, 1e-8 })
   {
     SolveReport report;
     Vector<TypeParam> x;
-    ConjugateGradient(
-      grid.Operator(), grid.Cycle, b, { tolerance, 100 }, x, report, SerialContext());
+    ConjugateGradient(grid.Operator(), grid.Cycle, b, { tolerance, 100 }, x, report, SerialContext());
     const double error = energyNorm(x - solution) / energyNorm(solution);
     EXPECT_LE(error, 2.0 * report.Iterations.back().RelativeResidual);
     EXPECT_GE(error, 0.5 * report.Iterations.back().RelativeResidual);
@@ -373,14 +365,10 @@ TYPED_TEST(TestConjugateGradient, NumbersThatAreNotFiniteAreRefused)
   bad[5] = std::numeric_limits<double>::quiet_NaN();
   SolveReport report;
   Vector<TypeParam> x;
-  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, bad, {}, x, report, SerialContext()),
-    InvalidInput);
-  EXPECT_THROW(
-    ConjugateGradient(MatrixOperator(A), identity, good, {}, bad, report, SerialContext()),
-    InvalidInput);
+  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, bad, {}, x, report, SerialContext()), InvalidInput);
+  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, good, {}, bad, report, SerialContext()), InvalidInput);
   x.setZero(3);
-  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, good, {}, x, report, SerialContext()),
-    InvalidInput);
+  EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, good, {}, x, report, SerialContext()), InvalidInput);
 }
 
 TYPED_TEST(TestConjugateGradient, CanBeCancelledAtEveryIteration)
@@ -398,8 +386,7 @@ TYPED_TEST(TestConjugateGradient, CanBeCancelledAtEveryIteration)
     test::TbbContext context(2);
     context.CancelAfter(static_cast<int>(count));
     x.resize(0);
-    EXPECT_THROW(
-      ConjugateGradient(grid.Operator(), grid.Cycle, b, {}, x, report, context), Cancelled);
+    EXPECT_THROW(ConjugateGradient(grid.Operator(), grid.Cycle, b, {}, x, report, context), Cancelled);
     EXPECT_FALSE(report.Converged);
   }
 }

@@ -139,8 +139,7 @@ TYPED_TEST(TestConvergenceMeasure, SizesAreChecked)
   measure.Mass = &mass;
   SolveReport report;
   Vector<TypeParam> x;
-  EXPECT_THROW(
-    ConjugateGradient(MatrixOperator(problem.A), cycle,
-      Vector<TypeParam>(Vector<TypeParam>::Ones(225)), {}, x, report, SerialContext(), &measure),
+  EXPECT_THROW(ConjugateGradient(MatrixOperator(problem.A), cycle, Vector<TypeParam>(Vector<TypeParam>::Ones(225)), {},
+                 x, report, SerialContext(), &measure),
     InvalidInput);
 }

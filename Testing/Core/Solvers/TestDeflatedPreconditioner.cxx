@@ -23,10 +23,7 @@ public:
     : Matrix(std::move(matrix))
   {
   }
-  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
-  {
-    z = this->Matrix * r;
-  }
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override { z = this->Matrix * r; }
 
 private:
   Eigen::MatrixXd Matrix;
@@ -84,8 +81,7 @@ struct WeaklyHeld
   double Largest = 0.0; ///< no eigenvalue is larger
 };
 
-int Iterations(
-  const WeaklyHeld& problem, Preconditioner<double>& B, Vector<double>& x, int limit = 100)
+int Iterations(const WeaklyHeld& problem, Preconditioner<double>& B, Vector<double>& x, int limit = 100)
 {
   SolveReport report;
   x.resize(0);
@@ -109,8 +105,7 @@ TEST(TestDeflatedPreconditioner, IsItsFormula)
   const Eigen::MatrixXd expected = Q + (one - Q * A) * problem.Inner * (one - A * Q);
 
   DenseOperator inner(problem.Inner);
-  DeflatedPreconditioner deflated(
-    inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
+  DeflatedPreconditioner deflated(inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
   const Eigen::MatrixXd D = Densified(deflated, 60);
   EXPECT_LE((D - expected).norm(), 1e3 * Epsilon * expected.norm());
   EXPECT_LE((D - D.transpose()).norm(), 1e3 * Epsilon * D.norm());
@@ -128,8 +123,7 @@ TEST(TestDeflatedPreconditioner, IterationsDoNotKnowHowWeaklyTheKernelIsHeld)
     SCOPED_TRACE(weight);
     const WeaklyHeld problem(200, 6, 9, weight);
     DenseOperator inner(problem.Inner);
-    DeflatedPreconditioner deflated(
-      inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
+    DeflatedPreconditioner deflated(inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
     Vector<double> x;
     EXPECT_LE(Iterations(problem, deflated, x), 16);
     const Vector<double> expected = Eigen::MatrixXd(problem.A).ldlt().solve(problem.b);
@@ -145,8 +139,7 @@ TEST(TestDeflatedPreconditioner, FewerPrescriptionsThanKernelVectors)
     SCOPED_TRACE(prescribed);
     const WeaklyHeld problem(120, 6, prescribed, 1.0);
     DenseOperator inner(problem.Inner);
-    DeflatedPreconditioner deflated(
-      inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
+    DeflatedPreconditioner deflated(inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
     const Eigen::MatrixXd D = Densified(deflated, 120);
     ASSERT_TRUE(D.allFinite());
     EXPECT_LE((D - D.transpose()).norm(), 1e4 * Epsilon * D.norm());
@@ -170,8 +163,7 @@ TEST(TestDeflatedPreconditioner, WhatRoundingMakesOfNoEnergyIsNotInverted)
     WeaklyHeld problem(120, 6, 1, 1.0);
     problem.A *= scale;
     DenseOperator inner(problem.Inner / scale);
-    DeflatedPreconditioner deflated(
-      inner, problem.Operator(), problem.H, scale * problem.Largest, SerialContext());
+    DeflatedPreconditioner deflated(inner, problem.Operator(), problem.H, scale * problem.Largest, SerialContext());
     // Q would be about 1e16 / scale; but the kernel has energies of 1 / 120 or so, or none.
     const Eigen::MatrixXd D = Densified(deflated, 120);
     EXPECT_LE(scale * D.norm(), 1e4);
@@ -190,8 +182,7 @@ TEST(TestDeflatedPreconditioner, VectorsThatAreHeldAreNoKernel)
   H.topLeftCorner(40, 2) = block.H;
   const SparseMatrix<double> sparse = A.sparseView();
   DenseOperator B(inner);
-  DeflatedPreconditioner deflated(
-    B, MatrixOperator<double>(sparse), H, block.Largest, SerialContext());
+  DeflatedPreconditioner deflated(B, MatrixOperator<double>(sparse), H, block.Largest, SerialContext());
   EXPECT_EQ(deflated.Kernel().Size(), 1);
   const Vector<double> x = test::RandomVector<double>(80, 3307);
   Vector<double> without = x;
@@ -216,8 +207,7 @@ TEST(TestDeflatedPreconditioner, HeldUnknownsStayZero)
     problem.H.row(held).setZero();
   }
   DenseOperator inner(problem.Inner);
-  DeflatedPreconditioner deflated(
-    inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
+  DeflatedPreconditioner deflated(inner, problem.Operator(), problem.H, problem.Largest, SerialContext());
   const Eigen::MatrixXd D = Densified(deflated, 60);
   for (const int held : { 0, 17, 59 })
   {

@@ -34,9 +34,8 @@ template <class Scalar>
 class MultigridSolver
 {
 public:
-  MultigridSolver(const SparseMatrix<Scalar>& matrix,
-    const std::vector<SparseMatrix<Scalar>>& prolongations, const MultigridOptions& options,
-    const ExecutionContext& context)
+  MultigridSolver(const SparseMatrix<Scalar>& matrix, const std::vector<SparseMatrix<Scalar>>& prolongations,
+    const MultigridOptions& options, const ExecutionContext& context)
     : A(matrix)
     , Cycle(SparseMatrix<Scalar>(matrix), prolongations, options.Coarsening, options.Cycle, context)
   {
@@ -47,17 +46,15 @@ public:
     this->A = matrix;
     this->Cycle.Update(SparseMatrix<Scalar>(matrix), context);
   }
-  void SolveByConjugateGradients(const Vector<Scalar>& b, const StoppingCriteria& stop,
-    Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context)
-  {
-    ConjugateGradient<Scalar>(
-      MatrixOperator<Scalar>(this->A), this->Cycle, b, stop, x, report, context);
-  }
-  void SolveByCycles(const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x,
+  void SolveByConjugateGradients(const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x,
     SolveReport& report, const ExecutionContext& context)
   {
-    StationaryIteration<Scalar>(
-      MatrixOperator<Scalar>(this->A), this->Cycle, b, stop, x, report, context);
+    ConjugateGradient<Scalar>(MatrixOperator<Scalar>(this->A), this->Cycle, b, stop, x, report, context);
+  }
+  void SolveByCycles(const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
+    const ExecutionContext& context)
+  {
+    StationaryIteration<Scalar>(MatrixOperator<Scalar>(this->A), this->Cycle, b, stop, x, report, context);
   }
   const std::vector<LevelReport>& Levels() const { return this->Cycle.Levels(); }
   long long Bytes() const { return this->Cycle.Bytes(); }
@@ -230,10 +227,8 @@ TYPED_TEST(TestGalerkinCycle, SingularButConsistentSystemsConverge)
     }
   }
   const SparseMatrix<TypeParam> scalarA = A.template cast<TypeParam>();
-  const std::vector<SparseMatrix<TypeParam>> P = {
-    test::FromTriplets(n * n, 441, first).template cast<TypeParam>(),
-    test::FromTriplets(441, 49, second).template cast<TypeParam>()
-  };
+  const std::vector<SparseMatrix<TypeParam>> P = { test::FromTriplets(n * n, 441, first).template cast<TypeParam>(),
+    test::FromTriplets(441, 49, second).template cast<TypeParam>() };
   Vector<TypeParam> b = test::RandomVector<TypeParam>(n * n, 3304);
   b.array() -= b.mean();
   MultigridSolver<TypeParam> solver(scalarA, P, {}, SerialContext());
@@ -298,8 +293,8 @@ TYPED_TEST(TestGalerkinCycle, NearlyZeroDiagonalsSurvive)
         }
       }
     }
-    problem.P[level] = test::FromTriplets(
-      rows + (level == 0 ? 3 * pieces : pieces + 1), columns + pieces + 1, transfers);
+    problem.P[level] =
+      test::FromTriplets(rows + (level == 0 ? 3 * pieces : pieces + 1), columns + pieces + 1, transfers);
   }
   const GalerkinHierarchy<TypeParam> hierarchy(A, problem.P, {}, SerialContext());
   for (int level = 1; level < hierarchy.NumberOfLevels(); ++level)
@@ -363,8 +358,7 @@ TEST(TestGalerkinCycle, OneFormsOnATorusConverge)
   const Vector<double> fineForm = problem.P[0] * coarseForm;
   const auto around = [](const test::TorusGrid& grid, const Vector<double>& form, int x, int y)
   {
-    return form[grid.Edge(x, y, test::TorusGrid::Right)] +
-      form[grid.Edge(x + 1, y, test::TorusGrid::Up)] -
+    return form[grid.Edge(x, y, test::TorusGrid::Right)] + form[grid.Edge(x + 1, y, test::TorusGrid::Up)] -
       form[grid.Edge(x, y, test::TorusGrid::Diagonal)];
   };
   for (int k = 0; k < n / 2; ++k)
@@ -412,13 +406,11 @@ TYPED_TEST(TestGalerkinCycle, SizesOfVectorsAreChecked)
   MultigridSolver<TypeParam> solver(problem.A, problem.P, {}, SerialContext());
   SolveReport report;
   Vector<TypeParam> x;
-  EXPECT_THROW(solver.SolveByConjugateGradients(
-                 Vector<TypeParam>::Ones(7), {}, x, report, SerialContext()),
-    InvalidInput);
+  EXPECT_THROW(
+    solver.SolveByConjugateGradients(Vector<TypeParam>::Ones(7), {}, x, report, SerialContext()), InvalidInput);
   x.setZero(7);
-  EXPECT_THROW(solver.SolveByCycles(
-                 Vector<TypeParam>::Ones(problem.A.rows()), {}, x, report, SerialContext()),
-    InvalidInput);
+  EXPECT_THROW(
+    solver.SolveByCycles(Vector<TypeParam>::Ones(problem.A.rows()), {}, x, report, SerialContext()), InvalidInput);
 }
 
 TYPED_TEST(TestGalerkinCycle, LevelsAreReported)
@@ -433,6 +425,6 @@ TYPED_TEST(TestGalerkinCycle, LevelsAreReported)
   EXPECT_EQ(report.Levels[0].NonZeros, points(31, 0));
   EXPECT_EQ(report.Levels[1].NonZeros, points(15, 4));
   EXPECT_EQ(report.Levels[2].NonZeros, points(7, 4));
-  EXPECT_DOUBLE_EQ(report.OperatorComplexity(),
-    1.0 + (points(15, 4) + points(7, 4)) / static_cast<double>(points(31, 0)));
+  EXPECT_DOUBLE_EQ(
+    report.OperatorComplexity(), 1.0 + (points(15, 4) + points(7, 4)) / static_cast<double>(points(31, 0)));
 }

@@ -86,8 +86,7 @@ TYPED_TEST(TestGalerkinHierarchy, ChildrenFollowEachOther)
   {
     entries.emplace_back(i, i % 8, TypeParam(1.0));
   }
-  const GalerkinHierarchy<TypeParam> hierarchy(
-    A, { test::FromTriplets(64, 8, entries) }, {}, SerialContext());
+  const GalerkinHierarchy<TypeParam> hierarchy(A, { test::FromTriplets(64, 8, entries) }, {}, SerialContext());
   for (int i = 0; i < 64; ++i)
   {
     EXPECT_EQ(hierarchy.Prolongation(0).innerIndexPtr()[i], i / 8);
@@ -106,8 +105,7 @@ TYPED_TEST(TestGalerkinHierarchy, PairsStayTogether)
     entries.emplace_back(i, parent, TypeParam(i % 2 == 0 ? 0.5 : 1.0));
     entries.emplace_back(i, parent + 1, TypeParam(i % 2 == 0 ? 1.0 : 0.5));
   }
-  const GalerkinHierarchy<TypeParam> hierarchy(
-    A, { test::FromTriplets(64, 8, entries) }, {}, SerialContext());
+  const GalerkinHierarchy<TypeParam> hierarchy(A, { test::FromTriplets(64, 8, entries) }, {}, SerialContext());
   const std::vector<int>& order = hierarchy.FinestOrder();
   for (int i = 0; i < 64; i += 2)
   {
@@ -162,8 +160,7 @@ TYPED_TEST(TestGalerkinHierarchy, SameBitsForAnyNumberOfThreads)
   const GalerkinHierarchy<TypeParam> serial(problem.A, problem.P, {}, SerialContext());
   for (const int threads : { 1, 2, 3, 8 })
   {
-    const GalerkinHierarchy<TypeParam> hierarchy(
-      problem.A, problem.P, {}, test::TbbContext(threads));
+    const GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, test::TbbContext(threads));
     for (int level = 0; level < 4; ++level)
     {
       EXPECT_TRUE(AreIdentical(serial.Matrix(level), hierarchy.Matrix(level)));
@@ -234,17 +231,14 @@ TYPED_TEST(TestGalerkinHierarchy, TheFinestProlongationCanBeSmoothed)
 TYPED_TEST(TestGalerkinHierarchy, SizesMustChain)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
-  EXPECT_THROW(
-    GalerkinHierarchy<TypeParam>(problem.A, { problem.P[1] }, {}, SerialContext()), InvalidInput);
-  EXPECT_THROW(
-    GalerkinHierarchy<TypeParam>(problem.P[0], {}, {}, SerialContext()), InvalidInput);
+  EXPECT_THROW(GalerkinHierarchy<TypeParam>(problem.A, { problem.P[1] }, {}, SerialContext()), InvalidInput);
+  EXPECT_THROW(GalerkinHierarchy<TypeParam>(problem.P[0], {}, {}, SerialContext()), InvalidInput);
 }
 
 TYPED_TEST(TestGalerkinHierarchy, NegativeOrInfiniteDiagonalsAreNamed)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
-  for (const double value :
-    { -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
+  for (const double value : { -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
   {
     SparseMatrix<TypeParam> A = problem.A;
     A.coeffRef(17, 17) = value;
@@ -255,8 +249,7 @@ TYPED_TEST(TestGalerkinHierarchy, NegativeOrInfiniteDiagonalsAreNamed)
     }
     catch (const SolverFailure& failure)
     {
-      EXPECT_NE(std::string(failure.what()).find("entry 17 on level 0"), std::string::npos)
-        << failure.what();
+      EXPECT_NE(std::string(failure.what()).find("entry 17 on level 0"), std::string::npos) << failure.what();
     }
   }
 }

@@ -14,10 +14,7 @@ namespace
 class Scaling : public Preconditioner<double>
 {
 public:
-  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
-  {
-    z = this->Factor * r;
-  }
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override { z = this->Factor * r; }
 
   double Factor = 1.0;
 };

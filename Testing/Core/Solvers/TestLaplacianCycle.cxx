@@ -35,9 +35,7 @@ struct Problem
     this->L = std::move(grid.A);
     this->P = std::move(grid.P);
     const int last = static_cast<int>(this->L.rows()) - 1;
-    this->L.prune([last](Eigen::Index i, Eigen::Index j, const Complex&) {
-      return (i == last) == (j == last);
-    });
+    this->L.prune([last](Eigen::Index i, Eigen::Index j, const Complex&) { return (i == last) == (j == last); });
     this->L.coeffRef(last, last) = 0.0;
     this->L.makeCompressed();
   }
@@ -49,9 +47,8 @@ struct Problem
 
   MatrixInOrder InOrder() const
   {
-    return [this](const std::vector<int>& order, const ExecutionContext& context) {
-      return Permuted(this->L, order, Inverse(order), context);
-    };
+    return [this](const std::vector<int>& order, const ExecutionContext& context)
+    { return Permuted(this->L, order, Inverse(order), context); };
   }
 
   int Size() const { return static_cast<int>(this->L.rows()); }
@@ -99,8 +96,7 @@ Dense Expected(const Problem& problem, const LaplacianHierarchy& hierarchy, cons
 
 Vector<Complex> AsComplex(const Vector<double>& pairs)
 {
-  return Eigen::Map<const Vector<Complex>>(
-    reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
+  return Eigen::Map<const Vector<Complex>>(reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
 }
 
 /// Pairs, zero where unknowns are held.
@@ -218,8 +214,8 @@ TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
       swept = (identity - (sweep % 2 == 0 ? up : Dense(up.adjoint())) * A) * swept;
     }
     const Dense inverse = A.inverse();
-    const Dense corrected = identity -
-      yielding * coarse.completeOrthogonalDecomposition().solve(yielding.adjoint() * A);
+    const Dense corrected =
+      identity - yielding * coarse.completeOrthogonalDecomposition().solve(yielding.adjoint() * A);
     const Dense B = (identity - inverse * swept.adjoint() * A * corrected * swept) * inverse;
 
     const auto cycle = hierarchy.Cycle(D, Options(sweeps, 1 << 20), SerialContext());
@@ -257,8 +253,7 @@ TEST(TestLaplacianCycle, SameBitsForAnyNumberOfThreads)
   for (const int threads : { 1, 2, 3, 8 })
   {
     const test::TbbContext context(threads);
-    const LaplacianHierarchy hierarchy =
-      CoarsenLaplacian(problem.InOrder(), problem.P, 2, context);
+    const LaplacianHierarchy hierarchy = CoarsenLaplacian(problem.InOrder(), problem.P, 2, context);
     const Vector<double> D = problem.Shift(hierarchy, true);
     const auto cycle = hierarchy.Cycle(D, Options(4, 0), context);
     Vector<double> z;
@@ -281,7 +276,6 @@ TEST(TestLaplacianHierarchy, RefusesSizesThatDoNotChain)
   }
   catch (const InvalidInput& error)
   {
-    EXPECT_NE(std::string(error.what()).find("the prolongation to level 1 has"), std::string::npos)
-      << error.what();
+    EXPECT_NE(std::string(error.what()).find("the prolongation to level 1 has"), std::string::npos) << error.what();
   }
 }

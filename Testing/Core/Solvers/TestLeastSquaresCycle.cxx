@@ -83,9 +83,8 @@ void ForProblems(int scale, const Visit& visit)
 {
   for (const SurfaceProblem::Of kind : BothKinds)
   {
-    for (const auto& [name, surface] :
-      { std::pair("torus", test::IrregularTorus(24 * scale, 10 * scale, 3)),
-        std::pair("plane", test::IrregularPlane(16 * scale, 12 * scale, 4)) })
+    for (const auto& [name, surface] : { std::pair("torus", test::IrregularTorus(24 * scale, 10 * scale, 3)),
+           std::pair("plane", test::IrregularPlane(16 * scale, 12 * scale, 4)) })
     {
       SCOPED_TRACE(NameOf(kind) + " on a " + name);
       visit(SurfaceProblem(surface, kind));
@@ -153,8 +152,7 @@ TEST(TestLeastSquaresCycle, SpectrumIsThatOfAGoodPreconditioner)
 {
   for (const ConstraintKind kind : BothConstraints)
   {
-    const Prescribed prescribed(
-      SurfaceProblem(test::IrregularTorus(16, 8, 5), SurfaceProblem::Of::FaceFields), kind);
+    const Prescribed prescribed(SurfaceProblem(test::IrregularTorus(16, 8, 5), SurfaceProblem::Of::FaceFields), kind);
     const int size = prescribed.Size();
     LeastSquaresCycle cycle(prescribed.Hierarchy, prescribed.D, {}, SerialContext());
     Eigen::MatrixXd S(size, size);
@@ -265,8 +263,8 @@ TEST(TestLeastSquaresCycle, UpdateIsANewCycle)
       { return DiagonalOf(hierarchy, problem.Prescribed(step, ConstraintKind::Hard, first)); };
       Vector<double> mixed = soft(5, 0);
       mixed.head(mixed.size() / 3).setConstant(Infinity);
-      const std::vector<Vector<double>> diagonals = { soft(5, 0), 7.0 * soft(5, 0), soft(5, 2),
-        hard(5, 0), hard(50, 3), mixed, soft(97, 1), soft(1, 0), soft(5, 0) };
+      const std::vector<Vector<double>> diagonals = { soft(5, 0), 7.0 * soft(5, 0), soft(5, 2), hard(5, 0), hard(50, 3),
+        mixed, soft(97, 1), soft(1, 0), soft(5, 0) };
       const auto r = test::RandomVector<double>(problem.Size(), 3423);
       for (const RoughnessCycleOptions& options : { RoughnessCycleOptions(), Deep() })
       {
@@ -385,8 +383,7 @@ TEST(TestLeastSquaresCycle, LevelsThatDoNotChainAreRefused)
   const SurfaceProblem problem(test::IrregularTorus(80, 32, 5), SurfaceProblem::Of::OneForms);
   const auto make = [&problem](LeastSquaresLevels levels)
   {
-    const LeastSquaresHierarchy hierarchy =
-      CoarsenLeastSquares(problem.B, std::move(levels), {}, SerialContext());
+    const LeastSquaresHierarchy hierarchy = CoarsenLeastSquares(problem.B, std::move(levels), {}, SerialContext());
     LeastSquaresCycle(hierarchy, Vector<double>::Ones(problem.Size()), Deep(), SerialContext());
   };
   EXPECT_NO_THROW(make(problem.Levels));

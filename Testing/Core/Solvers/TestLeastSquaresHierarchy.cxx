@@ -169,8 +169,8 @@ TEST_P(TestLeastSquaresHierarchy, OperatorIsTheRoughnessAndTheDiagonal)
       EXPECT_LE((y - WithoutHeld(given, D)).norm(), scale);
       EXPECT_NEAR(energy, x.dot(given), 10 * scale * x.norm());
       // As the system assembles it.
-      const Vector<double> ofSystem = system.Expand(system.Matrix() * system.Restrict(all),
-        Vector<double>::Zero(problem.Prescribed(5, kind).Unknowns.size()));
+      const Vector<double> ofSystem = system.Expand(
+        system.Matrix() * system.Restrict(all), Vector<double>::Zero(problem.Prescribed(5, kind).Unknowns.size()));
       EXPECT_LE((y - Vector<double>(ofSystem(order))).norm(), scale);
       EXPECT_EQ(WithoutHeld(y, D), y);
     }
@@ -187,8 +187,7 @@ TEST_P(TestLeastSquaresHierarchy, NoEigenvalueIsAboveOne)
 
   const Eigen::MatrixXd B(hierarchy.B);
   const Vector<double> eigenvalues =
-    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(B.transpose() * B, Eigen::EigenvaluesOnly)
-      .eigenvalues();
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(B.transpose() * B, Eigen::EigenvaluesOnly).eigenvalues();
   EXPECT_LE(eigenvalues.maxCoeff(), 1.0 + 10 * Epsilon);
   EXPECT_GE(eigenvalues.maxCoeff(), 0.5);
   // The rows are those of the caller's B in some order.
@@ -216,8 +215,7 @@ TEST_P(TestLeastSquaresHierarchy, BlocksAreThoseGiven)
 TEST_P(TestLeastSquaresHierarchy, CoarseMatrixIsTheRoughnessOfPlaneVectors)
 {
   const SurfaceProblem problem(test::IrregularTorus(32, 14, 3), GetParam());
-  for (const LeastSquaresHierarchyOptions& options :
-    { LeastSquaresHierarchyOptions(), WithoutSmoothing() })
+  for (const LeastSquaresHierarchyOptions& options : { LeastSquaresHierarchyOptions(), WithoutSmoothing() })
   {
     const LeastSquaresHierarchy hierarchy = problem.Hierarchy(options);
     const Eigen::MatrixXd P = OnPairs(hierarchy.Prolongation.Matrix());
@@ -238,8 +236,7 @@ TEST_P(TestLeastSquaresHierarchy, ProlongationIsTheGivenOneOfScaledUnknowns)
   const Eigen::MatrixXcd given(problem.Levels.Prolongation);
   const Eigen::MatrixXcd inOrder = given(hierarchy.Order, All);
   const Eigen::MatrixXcd expected = hierarchy.Scales.asDiagonal() * inOrder;
-  const Eigen::MatrixXcd P =
-    Eigen::MatrixXcf(hierarchy.Prolongation.Matrix()).cast<Complex>();
+  const Eigen::MatrixXcd P = Eigen::MatrixXcf(hierarchy.Prolongation.Matrix()).cast<Complex>();
   EXPECT_LE((P - expected).norm(), std::ldexp(1.0, -15) * expected.norm());
 
   // Smoothing lowers the energy of every plane vector's worst, by 1 / (2 k + 1)^2 of a bound.
@@ -257,8 +254,7 @@ TEST_P(TestLeastSquaresHierarchy, ComponentsAreThoseOfTheSurface)
   const SurfaceProblem alone(torus, GetParam());
   ExpectComponents(alone.Hierarchy(), std::vector<int>(alone.Size(), 0));
 
-  const SurfaceProblem both(
-    test::Union(torus, test::IrregularPlane(12, 10, 4), Vector3(4.0, 0.0, 0.0)), GetParam());
+  const SurfaceProblem both(test::Union(torus, test::IrregularPlane(12, 10, 4), Vector3(4.0, 0.0, 0.0)), GetParam());
   std::vector<int> pieces(both.Size(), 0);
   for (int face = 0; face < both.Mesh.NumberOfFaces(); ++face)
   {
@@ -319,8 +315,7 @@ TEST_P(TestLeastSquaresHierarchy, ReportsProgressOnceAndStopsWhenAsked)
     EXPECT_THROW(problem.Hierarchy({}, context), Cancelled);
   }
   // What the matrices alone hold.
-  EXPECT_GT(hierarchy.Bytes(),
-    12 * hierarchy.B.nonZeros() + 6 * hierarchy.Prolongation.NonZeros());
+  EXPECT_GT(hierarchy.Bytes(), 12 * hierarchy.B.nonZeros() + 6 * hierarchy.Prolongation.NonZeros());
 }
 
 TEST_P(TestLeastSquaresHierarchy, WrongSizesAreRefused)
@@ -346,15 +341,13 @@ TEST_P(TestLeastSquaresHierarchy, WrongSizesAreRefused)
 }
 
 INSTANTIATE_TEST_SUITE_P(Of, TestLeastSquaresHierarchy, ::testing::ValuesIn(BothKinds),
-  [](const auto& info)
-  { return info.param == SurfaceProblem::Of::FaceFields ? "FaceFields" : "OneForms"; });
+  [](const auto& info) { return info.param == SurfaceProblem::Of::FaceFields ? "FaceFields" : "OneForms"; });
 
 TEST(TestLeastSquaresHierarchyOfPaths, ComponentsAreConnectedThroughB)
 {
   // A path of one unknown has an empty column: a component of its own, of length 1.
   const Paths paths({ 7, 1, 12, 1, 30 });
-  const LeastSquaresHierarchy hierarchy =
-    CoarsenLeastSquares(paths.B, paths.Levels, {}, SerialContext());
+  const LeastSquaresHierarchy hierarchy = CoarsenLeastSquares(paths.B, paths.Levels, {}, SerialContext());
   ExpectComponents(hierarchy, paths.Pieces);
   for (int k = 0; k < hierarchy.NumberOfUnknowns(); ++k)
   {

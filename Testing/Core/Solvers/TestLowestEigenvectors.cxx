@@ -22,10 +22,7 @@ public:
     : Matrix(std::move(matrix))
   {
   }
-  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
-  {
-    z = this->Matrix * r;
-  }
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override { z = this->Matrix * r; }
 
 private:
   const Eigen::MatrixXd Matrix;
@@ -86,8 +83,8 @@ TEST(LowestEigenvectors, OfChainsOfSpringsAreSines)
   const SortedItems parts = PartsOf(lengths);
   Vector<double> x = Vector<double>::Zero(371);
   SolveReport report;
-  const std::vector<double> theta = FindLowestEigenvectors(
-    { matrix, inverse, mass, parts }, { 1e-7, 100 }, x, report, SerialContext());
+  const std::vector<double> theta =
+    FindLowestEigenvectors({ matrix, inverse, mass, parts }, { 1e-7, 100 }, x, report, SerialContext());
   EXPECT_TRUE(report.Converged);
   ASSERT_EQ(theta.size(), lengths.size());
   for (std::size_t part = 0; part < lengths.size(); ++part)

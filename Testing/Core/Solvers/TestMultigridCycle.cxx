@@ -58,8 +58,7 @@ TYPED_TEST(TestMultigridCycle, IsHermitianPositiveDefinite)
   const Matrix<TypeParam> A(problem.A);
   for (const int sweeps : { 1, 2, 3 })
   {
-    MultigridCycle<TypeParam> cycle(
-      hierarchy, Options(sweeps, sweeps, CyclePrecision::Double), SerialContext());
+    MultigridCycle<TypeParam> cycle(hierarchy, Options(sweeps, sweeps, CyclePrecision::Double), SerialContext());
     const Matrix<TypeParam> B = Densified(cycle, static_cast<int>(A.rows()));
     EXPECT_LE((B - B.adjoint()).norm(), 50 * Epsilon * B.norm());
     const Eigen::SelfAdjointEigenSolver<Matrix<TypeParam>> spectrum(B);
@@ -89,8 +88,8 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
     toOrder.indices()[hierarchy.FinestOrder()[order.Unknowns[k]]] = k;
   }
   const Matrix<TypeParam> inOrder = toOrder * A * toOrder.transpose();
-  const Matrix<TypeParam> inverse = inOrder.template triangularView<Eigen::Lower>().solve(
-    Matrix<TypeParam>::Identity(size, size));
+  const Matrix<TypeParam> inverse =
+    inOrder.template triangularView<Eigen::Lower>().solve(Matrix<TypeParam>::Identity(size, size));
   const Matrix<TypeParam> forward = toOrder.transpose() * inverse * toOrder;
 
   const Matrix<TypeParam> identity = Matrix<TypeParam>::Identity(size, size);
@@ -100,8 +99,7 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
   error = (identity - forward.adjoint() * A) * error;
   const Matrix<TypeParam> expected = (identity - error) * A.inverse();
 
-  MultigridCycle<TypeParam> cycle(hierarchy,
-    Options(1, 2, CyclePrecision::Double), SerialContext());
+  MultigridCycle<TypeParam> cycle(hierarchy, Options(1, 2, CyclePrecision::Double), SerialContext());
   const Matrix<TypeParam> B = Densified(cycle, size);
   // The coarsest matrix is lifted by 1e-12 of its diagonal.
   EXPECT_LE((B - expected).norm(), 1e-10 * expected.norm());
@@ -141,11 +139,9 @@ TYPED_TEST(TestMultigridCycle, SinglePrecisionStaysAtItsRounding)
   for (const double scale : { 1.0, 1e-20, 1e20 })
   {
     Vector<TypeParam> single, exact;
-    MultigridCycle<TypeParam>(
-      hierarchy, Options(2, 2, CyclePrecision::Single), SerialContext())
+    MultigridCycle<TypeParam>(hierarchy, Options(2, 2, CyclePrecision::Single), SerialContext())
       .Apply(scale * r, single, SerialContext());
-    MultigridCycle<TypeParam>(
-      hierarchy, Options(2, 2, CyclePrecision::Double), SerialContext())
+    MultigridCycle<TypeParam>(hierarchy, Options(2, 2, CyclePrecision::Double), SerialContext())
       .Apply(scale * r, exact, SerialContext());
     EXPECT_LE((single - exact).norm(), 10 * std::numeric_limits<float>::epsilon() * exact.norm());
     EXPECT_GT((single - exact).norm(), 0.0);
@@ -156,8 +152,7 @@ TYPED_TEST(TestMultigridCycle, OneLevelIsTheInverse)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 1);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, {}, {}, SerialContext());
-  MultigridCycle<TypeParam> cycle(hierarchy,
-    Options(2, 2, CyclePrecision::Double), SerialContext());
+  MultigridCycle<TypeParam> cycle(hierarchy, Options(2, 2, CyclePrecision::Double), SerialContext());
   const auto x = test::RandomVector<TypeParam>(problem.A.rows(), 3002);
   Vector<TypeParam> z;
   cycle.Apply(problem.A * x, z, SerialContext());
@@ -193,8 +188,7 @@ TYPED_TEST(TestMultigridCycle, SameBitsForAnyNumberOfThreads)
   const auto r = test::RandomVector<TypeParam>(problem.A.rows(), 3004);
   const CycleOptions options = Options(2, 2, CyclePrecision::Single);
   Vector<TypeParam> expected;
-  MultigridCycle<TypeParam>(hierarchy, options, SerialContext())
-    .Apply(r, expected, SerialContext());
+  MultigridCycle<TypeParam>(hierarchy, options, SerialContext()).Apply(r, expected, SerialContext());
   for (const int threads : { 1, 2, 3, 8 })
   {
     const test::TbbContext context(threads);
@@ -208,8 +202,6 @@ TYPED_TEST(TestMultigridCycle, NegativeSweepsAreRefused)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(3, 2);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
-  EXPECT_THROW(MultigridCycle<TypeParam>(hierarchy,
-                 Options(-1, 2, CyclePrecision::Single),
-                 SerialContext()),
-    InvalidInput);
+  EXPECT_THROW(
+    MultigridCycle<TypeParam>(hierarchy, Options(-1, 2, CyclePrecision::Single), SerialContext()), InvalidInput);
 }

@@ -57,14 +57,13 @@ test::GridProblem<double> MakePoisson(int dimension, int depth, int levels)
         {
           for (SparseMatrix<double>::InnerIterator b(B, k); b; ++b)
           {
-            entries.emplace_back(static_cast<int>(i * B.rows() + k),
-              static_cast<int>(a.col() * B.cols() + b.col()), a.value() * b.value());
+            entries.emplace_back(static_cast<int>(i * B.rows() + k), static_cast<int>(a.col() * B.cols() + b.col()),
+              a.value() * b.value());
           }
         }
       }
     }
-    return test::FromTriplets(static_cast<int>(A.rows() * B.rows()),
-      static_cast<int>(A.cols() * B.cols()), entries);
+    return test::FromTriplets(static_cast<int>(A.rows() * B.rows()), static_cast<int>(A.cols() * B.cols()), entries);
   };
   const int n = (1 << depth) - 1;
   std::vector<Eigen::Triplet<double>> entries;
@@ -121,8 +120,7 @@ TYPED_TEST(TestNestedIteration, EnoughSweepsEqualCholesky)
   SolveReport report;
   Vector<TypeParam> x;
   // Gauss-Seidel contracts by at most cos^2(pi / 16) = 0.962 per sweep: 0.962^800 < 1e-13.
-  const std::vector<int> sweeps =
-    nested.Solve(b, { SweepRule::FixedNumber, 800 }, x, report, SerialContext());
+  const std::vector<int> sweeps = nested.Solve(b, { SweepRule::FixedNumber, 800 }, x, report, SerialContext());
   EXPECT_LE((x - expected).norm(), 1e-12 * expected.norm());
   EXPECT_EQ(sweeps, (std::vector<int>{ 800, 800, 0 }));
   EXPECT_TRUE(report.Converged);
@@ -205,8 +203,7 @@ TYPED_TEST(TestNestedIteration, StartingAtTheFinestLevelIsCholesky)
   const auto expected = SolveByCholesky(problem.A, b);
   // The factor's diagonal is lifted by 1e-12; the condition number is 400.
   EXPECT_LE((x - expected).norm(), 1e-9 * expected.norm());
-  EXPECT_THROW(NestedIteration<TypeParam>(problem.A, problem.P, StartingAt(-1), SerialContext()),
-    InvalidInput);
+  EXPECT_THROW(NestedIteration<TypeParam>(problem.A, problem.P, StartingAt(-1), SerialContext()), InvalidInput);
 }
 
 TYPED_TEST(TestNestedIteration, WithoutSweepsItIsCoarseProlongation)
@@ -224,8 +221,7 @@ TYPED_TEST(TestNestedIteration, WithoutSweepsItIsCoarseProlongation)
     const Vector<TypeParam> expected = P * coarseA.ldlt().solve(P.adjoint() * b);
     for (const bool maySweep : { false, true })
     {
-      NestedIteration<TypeParam> coarse(
-        problem.A, problem.P, StartingAt(level, maySweep), SerialContext());
+      NestedIteration<TypeParam> coarse(problem.A, problem.P, StartingAt(level, maySweep), SerialContext());
       ConvergenceMeasure<TypeParam> measure;
       SolveReport report;
       Vector<TypeParam> x;
@@ -233,8 +229,7 @@ TYPED_TEST(TestNestedIteration, WithoutSweepsItIsCoarseProlongation)
       EXPECT_LE((x - expected).norm(), 1e-9 * expected.norm());
       ASSERT_EQ(report.Iterations.size(), 2u);
       EXPECT_EQ(report.Iterations[1].Level, level);
-      EXPECT_NEAR(report.Iterations[1].RelativeResidual,
-        (b - problem.A * expected).norm() / b.norm(), 1e-9);
+      EXPECT_NEAR(report.Iterations[1].RelativeResidual, (b - problem.A * expected).norm() / b.norm(), 1e-9);
     }
   }
 }
@@ -307,12 +302,10 @@ TYPED_TEST(TestNestedIteration, HistoryFollowsTheLevels)
   EXPECT_EQ(report.Iterations.back().Seconds, report.SolveSeconds);
 
   // The last row by its definitions.
-  EXPECT_NEAR(report.Iterations.back().Energy,
-    7.0 + Eigen::numext::real(x.dot(problem.A * x - 2.0 * b)),
+  EXPECT_NEAR(report.Iterations.back().Energy, 7.0 + Eigen::numext::real(x.dot(problem.A * x - 2.0 * b)),
     1e-11 * std::abs(report.Iterations.back().Energy));
   const Vector<TypeParam> error = x - measure.Reference;
-  const auto norm = [&mass](const Vector<TypeParam>& v)
-  { return std::sqrt(v.cwiseAbs2().dot(mass)); };
+  const auto norm = [&mass](const Vector<TypeParam>& v) { return std::sqrt(v.cwiseAbs2().dot(mass)); };
   EXPECT_NEAR(report.Iterations.back().Error, norm(error) / norm(measure.Reference), 1e-13);
   EXPECT_NEAR(report.Iterations.back().MassResidual, norm(b - problem.A * x) / norm(b), 1e-13);
 
@@ -336,24 +329,21 @@ TYPED_TEST(TestNestedIteration, TheErrorRuleStopsWhereTheErrorsSay)
   for (const double improvement : { 0.3, 0.1, 0.03 })
   {
     int expected = 1; // rows: start, coarsest, then sweeps
-    while (fixed.Iterations[expected + 1].Error <=
-      (1.0 - improvement) * fixed.Iterations[expected].Error)
+    while (fixed.Iterations[expected + 1].Error <= (1.0 - improvement) * fixed.Iterations[expected].Error)
     {
       ++expected;
     }
-    const auto sweeps = nested.Solve(b, { SweepRule::WhileErrorFalls, 0, improvement }, x,
-      report, SerialContext(), &measure);
+    const auto sweeps =
+      nested.Solve(b, { SweepRule::WhileErrorFalls, 0, improvement }, x, report, SerialContext(), &measure);
     EXPECT_EQ(sweeps, (std::vector<int>{ expected, 0 }));
     EXPECT_EQ(report.Iterations.back().Error, fixed.Iterations[expected + 1].Error);
     EXPECT_TRUE(report.Converged);
   }
-  const auto sweeps = nested.Solve(
-    b, { SweepRule::WhileErrorFalls, 0, 1e-9, 2 }, x, report, SerialContext(), &measure);
+  const auto sweeps = nested.Solve(b, { SweepRule::WhileErrorFalls, 0, 1e-9, 2 }, x, report, SerialContext(), &measure);
   EXPECT_EQ(sweeps[0], 2);
   EXPECT_FALSE(report.Converged);
   EXPECT_EQ(report.Warnings.size(), 1u);
-  EXPECT_THROW(
-    nested.Solve(b, { SweepRule::WhileErrorFalls }, x, report, SerialContext()), InvalidInput);
+  EXPECT_THROW(nested.Solve(b, { SweepRule::WhileErrorFalls }, x, report, SerialContext()), InvalidInput);
 }
 
 TYPED_TEST(TestNestedIteration, TheErrorRuleComparesProlongedIterates)
@@ -365,8 +355,7 @@ TYPED_TEST(TestNestedIteration, TheErrorRuleComparesProlongedIterates)
   SolveReport report;
   Vector<TypeParam> x;
   NestedIteration<TypeParam> nested(problem.A, problem.P, {}, SerialContext());
-  const auto sweeps = nested.Solve(
-    b, { SweepRule::WhileErrorFalls, 0, 0.01 }, x, report, SerialContext(), &measure);
+  const auto sweeps = nested.Solve(b, { SweepRule::WhileErrorFalls, 0, 0.01 }, x, report, SerialContext(), &measure);
   // By hand on level 1: the same sweeps as two-level iterations of its own system.
   const SparseMatrix<TypeParam> R = problem.P[0].adjoint();
   const SparseMatrix<TypeParam> coarseA = R * SparseMatrix<TypeParam>(problem.A * problem.P[0]);
@@ -398,17 +387,14 @@ TYPED_TEST(TestNestedIteration, TheResidualRuleNeedsNoReference)
   Vector<TypeParam> x;
   nested.Solve(b, { SweepRule::FixedNumber, 100 }, x, fixed, SerialContext(), &measure);
   int expected = 1;
-  while (fixed.Iterations[expected + 1].RelativeResidual <=
-    0.8 * fixed.Iterations[expected].RelativeResidual)
+  while (fixed.Iterations[expected + 1].RelativeResidual <= 0.8 * fixed.Iterations[expected].RelativeResidual)
   {
     ++expected;
   }
-  const auto sweeps = nested.Solve(
-    b, { SweepRule::WhileResidualFalls, 0, 0.2 }, x, report, SerialContext());
+  const auto sweeps = nested.Solve(b, { SweepRule::WhileResidualFalls, 0, 0.2 }, x, report, SerialContext());
   EXPECT_EQ(sweeps, (std::vector<int>{ expected, 0 }));
   EXPECT_TRUE(report.Converged);
-  EXPECT_NEAR(report.Iterations.back().RelativeResidual,
-    fixed.Iterations[expected + 1].RelativeResidual, 1e-14);
+  EXPECT_NEAR(report.Iterations.back().RelativeResidual, fixed.Iterations[expected + 1].RelativeResidual, 1e-14);
 }
 
 // Without a limit of one's own: on a grid so small that sweeps alone converge to rounding, which is
@@ -445,10 +431,8 @@ TYPED_TEST(TestNestedIteration, InputIsCheckedAndZeroIsSolvedByZero)
   nested.Solve(b, {}, x, report, SerialContext());
   EXPECT_EQ(x, b);
   EXPECT_EQ(report.Iterations.back().RelativeResidual, 0.0);
-  EXPECT_THROW(
-    nested.Solve(Vector<TypeParam>::Ones(7), {}, x, report, SerialContext()), InvalidInput);
-  EXPECT_THROW(nested.Solve(b, { SweepRule::FixedNumber, -1 }, x, report, SerialContext()),
-    InvalidInput);
+  EXPECT_THROW(nested.Solve(Vector<TypeParam>::Ones(7), {}, x, report, SerialContext()), InvalidInput);
+  EXPECT_THROW(nested.Solve(b, { SweepRule::FixedNumber, -1 }, x, report, SerialContext()), InvalidInput);
   b[3] = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(nested.Solve(b, {}, x, report, SerialContext()), InvalidInput);
 }

@@ -50,8 +50,7 @@ TYPED_TEST(TestPeers, IncompleteFactorsReproduceTheMatrixOnItsPattern)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   // Nine points per row, so that triangles occur and the pattern is not trivial.
-  const SparseMatrix<TypeParam> A =
-    SparseMatrix<TypeParam>(problem.P[0].adjoint()) * (problem.A * problem.P[0]).eval();
+  const SparseMatrix<TypeParam> A = SparseMatrix<TypeParam>(problem.P[0].adjoint()) * (problem.A * problem.P[0]).eval();
   peers::IncompleteCholesky<TypeParam> factor(A);
   EXPECT_EQ(factor.Shift(), 0.0);
   const Matrix<TypeParam> product = ProductOfFactors(factor);
@@ -71,8 +70,7 @@ TYPED_TEST(TestPeers, IncompleteFactorsReproduceTheMatrixOnItsPattern)
 TYPED_TEST(TestPeers, BreakdownIsCuredByAShift)
 {
   // Positive definite, but the pivot of its incomplete factorisation is negative: Kershaw 1978.
-  const double entries[4][4] = { { 3, -2, 0, 2 }, { -2, 3, -2, 0 }, { 0, -2, 3, -2 },
-    { 2, 0, -2, 3 } };
+  const double entries[4][4] = { { 3, -2, 0, 2 }, { -2, 3, -2, 0 }, { 0, -2, 3, -2 }, { 2, 0, -2, 3 } };
   SparseMatrix<TypeParam> A(4, 4);
   for (int i = 0; i < 4; ++i)
   {
@@ -129,8 +127,7 @@ TYPED_TEST(TestPeers, AllSolveTheSystem)
   all.push_back(std::make_unique<peers::SimplicialPeer<TypeParam>>());
   if constexpr (std::is_same<TypeParam, Complex>::value)
   {
-    all.push_back(
-      std::make_unique<peers::RealFormPeer>(std::make_unique<peers::SimplicialPeer<double>>()));
+    all.push_back(std::make_unique<peers::RealFormPeer>(std::make_unique<peers::SimplicialPeer<double>>()));
   }
   for (const auto& peer : all)
   {

@@ -23,8 +23,8 @@ template <class Scalar>
 PenalisedUnknowns<Scalar> Make()
 {
   return PenalisedUnknowns<Scalar>(
-    static_cast<int>(Pulls.size()), [](int i) { return Pulls[i]; },
-    [](int i) { return Couplings[i]; }, SerialContext());
+    static_cast<int>(Pulls.size()), [](int i) { return Pulls[i]; }, [](int i) { return Couplings[i]; },
+    SerialContext());
 }
 
 /// Where (y - c)^2 R + y^2 D is least.
@@ -63,7 +63,8 @@ TEST(TestPenalisedUnknowns, TakeTheCorrectionOfLeastEnergy)
 TEST(TestPenalisedUnknowns, SameBitsForAnyNumberOfThreads)
 {
   constexpr int Size = 50000; // several pieces of a loop
-  const auto corrected = [](const ExecutionContext& context) {
+  const auto corrected = [](const ExecutionContext& context)
+  {
     PenalisedUnknowns<double> unknowns(
       Size, [](int i) { return 1.0 / (1 + i % 7); }, [](int i) { return 1.0 + i % 3; }, context);
     const Vector<double> smoothed = Vector<double>::LinSpaced(Size, 0.1, 0.9);

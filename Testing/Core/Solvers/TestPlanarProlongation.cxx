@@ -76,13 +76,11 @@ Eigen::MatrixXd OnPairs(const SparseMatrix<Scalar>& P)
   return pairs;
 }
 
-SparseMatrix<Complex32> Smoothed(const SparseMatrix<double>& B, const PlanarProlongation& P, int degree,
-  double dropped, const ExecutionContext& context)
+SparseMatrix<Complex32> Smoothed(const SparseMatrix<double>& B, const PlanarProlongation& P, int degree, double dropped,
+  const ExecutionContext& context)
 {
   const SparseMatrix<double> Bt = B.transpose();
-  return Adjoint(
-    Joined(SmoothedRestriction(B, Bt, PlanarProlongation(P), degree, dropped, context), context),
-    context);
+  return Adjoint(Joined(SmoothedRestriction(B, Bt, PlanarProlongation(P), degree, dropped, context), context), context);
 }
 
 template <class Scalar>
@@ -100,8 +98,7 @@ void ExpectIdentical(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& 
 TEST(TestPlanarProlongation, DegreeZeroRoundsOnly)
 {
   const PlanarProlongation P = Interpolation(60);
-  ExpectIdentical(
-    Smoothed(Squares(60), P, 0, 0.5, SerialContext()), SparseMatrix<Complex32>(P.cast<Complex32>()));
+  ExpectIdentical(Smoothed(Squares(60), P, 0, 0.5, SerialContext()), SparseMatrix<Complex32>(P.cast<Complex32>()));
 }
 
 TEST(TestPlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
@@ -116,11 +113,9 @@ TEST(TestPlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
   for (const int degree : { 1, 2, 3, 4 })
   {
     const Eigen::MatrixXd after = OnPairs(Smoothed(B, P, degree, 0.0, SerialContext()));
-    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> worst(
-      after.transpose() * A * after, lengths);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> worst(after.transpose() * A * after, lengths);
     const double bound = 1.0 / ((2.0 * degree + 1.0) * (2.0 * degree + 1.0));
-    EXPECT_LE(worst.eigenvalues().maxCoeff(), (1.0 + 100 * SingleEpsilon) * bound)
-      << "degree " << degree;
+    EXPECT_LE(worst.eigenvalues().maxCoeff(), (1.0 + 100 * SingleEpsilon) * bound) << "degree " << degree;
   }
 }
 
@@ -142,8 +137,7 @@ TEST(TestPlanarProlongation, KernelVectorsStay)
   // v is in the kernel of B and v = P z for a z of random vectors.
   const int size = 60;
   test::Random random(3203);
-  const Vector<double> v =
-    Vector<double>::NullaryExpr(size, [&random]() { return random.Uniform(0.5, 1.5); });
+  const Vector<double> v = Vector<double>::NullaryExpr(size, [&random]() { return random.Uniform(0.5, 1.5); });
   // Rows take the component of v out, columns of length 1 then need v longer where they were.
   Eigen::MatrixXd B(Squares(size));
   B -= (B * v) * v.transpose() / v.squaredNorm();
@@ -157,18 +151,15 @@ TEST(TestPlanarProlongation, KernelVectorsStay)
   for (int i = 0; i < size; ++i)
   {
     const Complex vector = z[i / 6];
-    entries.emplace_back(
-      i, i / 6, vector * (kernel[i] / std::norm(vector) + Complex(0.0, random.Uniform(-1.0, 1.0))));
+    entries.emplace_back(i, i / 6, vector * (kernel[i] / std::norm(vector) + Complex(0.0, random.Uniform(-1.0, 1.0))));
   }
   const PlanarProlongation P = test::FromTriplets(size, 10, entries);
-  const auto apply = [&z](const SparseMatrix<Complex>& Q)
-  { return Vector<double>((Q.conjugate() * z).real()); };
+  const auto apply = [&z](const SparseMatrix<Complex>& Q) { return Vector<double>((Q.conjugate() * z).real()); };
   ASSERT_LE((apply(P) - kernel).norm(), 100 * Epsilon * kernel.norm());
   const SparseMatrix<double> sparse = B.sparseView();
   for (const int degree : { 1, 3, 5 })
   {
-    const PlanarProlongation Q =
-      Smoothed(sparse, P, degree, 0.0, SerialContext()).cast<Complex>();
+    const PlanarProlongation Q = Smoothed(sparse, P, degree, 0.0, SerialContext()).cast<Complex>();
     EXPECT_LE((apply(Q) - kernel).norm(), 1e3 * SingleEpsilon * kernel.norm());
     EXPECT_GT((Q - P).norm(), 0.01 * P.norm()) << "what is not in the kernel changes";
   }
@@ -257,8 +248,7 @@ TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
   const SparseMatrix<Complex32> expected = Smoothed(B, P, 3, 0.01, SerialContext());
   const SparseMatrix<Complex32> adjoint = Adjoint(expected, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(expected, SerialContext());
-  const SparseMatrix<double> coarse =
-    CoarseRoughness(B, Bt, expected, adjoint, { 7, 8 }, SerialContext());
+  const SparseMatrix<double> coarse = CoarseRoughness(B, Bt, expected, adjoint, { 7, 8 }, SerialContext());
   for (const int threads : { 1, 2, 5 })
   {
     const test::TbbContext context(threads);

@@ -12,8 +12,14 @@ using namespace dmg;
 namespace
 {
 
-Complex Any(Complex, test::Random& random) { return random.Number(); }
-double Any(double, test::Random& random) { return random.Uniform(-1.0, 1.0); }
+Complex Any(Complex, test::Random& random)
+{
+  return random.Number();
+}
+double Any(double, test::Random& random)
+{
+  return random.Uniform(-1.0, 1.0);
+}
 
 /// Runs of rows of all short lengths and some longer ones; the columns of a row are equally far apart.
 template <class Value>
@@ -83,10 +89,12 @@ void ExpectRowsTimes(const SparseMatrix<Value>& matrix, test::Random& random)
     for (int last = first; last <= rows; ++last)
     {
       int next = first;
-      runs.Multiply(first, last, x.data(), [&](int row, Value product) {
-        EXPECT_EQ(row, next++);
-        EXPECT_LE(std::abs(product - RowTimes(matrix, row, x.data())), 1e-14);
-      });
+      runs.Multiply(first, last, x.data(),
+        [&](int row, Value product)
+        {
+          EXPECT_EQ(row, next++);
+          EXPECT_LE(std::abs(product - RowTimes(matrix, row, x.data())), 1e-14);
+        });
       EXPECT_EQ(next, last);
     }
   }
@@ -114,8 +122,7 @@ TEST(TestRowRuns, LaterRowsSeeWhatEarlierOnesChange)
   matrix.makeCompressed();
   Vector<double> x = Vector<double>::Zero(size + 1);
   x[0] = 1.0;
-  RowRuns<double>(matrix).Multiply(
-    0, size, x.data(), [&x](int row, double product) { x[row + 1] = product; });
+  RowRuns<double>(matrix).Multiply(0, size, x.data(), [&x](int row, double product) { x[row + 1] = product; });
   EXPECT_EQ(x[size], std::ldexp(1.0, size));
 }
 
@@ -138,7 +145,8 @@ TEST(TestRowRuns, AddsProductsWithTheTranspose)
     {
       const SparseMatrix<double> piece = matrix.middleRows(first, last - first);
       Vector<double> y = start;
-      runs.AddAdjoint(first, last, [&u](int row) { return u[row]; }, y.data());
+      runs.AddAdjoint(
+        first, last, [&u](int row) { return u[row]; }, y.data());
       const Vector<double> expected = start + piece.transpose() * u.segment(first, last - first);
       EXPECT_LE((y - expected).cwiseAbs().maxCoeff(), 1e-13);
 

@@ -30,14 +30,16 @@ SparseMatrix<double> Band(int rows)
 }
 
 Vector<double> AdjointProduct(
-  const RowTiles& tiles, const SparseMatrix<double>& A, const Vector<double>& x,
-  const ExecutionContext& context)
+  const RowTiles& tiles, const SparseMatrix<double>& A, const Vector<double>& x, const ExecutionContext& context)
 {
   Vector<double> y = Vector<double>::Zero(A.cols());
   const RowRuns<double> runs(A);
-  tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
-    runs.AddAdjoint(firstRow, lastRow, [&x](int row) { return x[row]; }, y.data());
-  });
+  tiles.ForTiles(context,
+    [&](int, int firstRow, int lastRow)
+    {
+      runs.AddAdjoint(
+        firstRow, lastRow, [&x](int row) { return x[row]; }, y.data());
+    });
   return y;
 }
 
@@ -59,8 +61,7 @@ TEST(TestRowTiles, NeighboursShareAnItem)
     EXPECT_TRUE(std::is_sorted(graph.Begin(a), graph.End(a)));
     for (int b = 0; b < 10; ++b)
     {
-      const bool areNeighbours =
-        a != b && (std::abs(a - b) == 1 || (a % 3 == 0 && b % 3 == 0));
+      const bool areNeighbours = a != b && (std::abs(a - b) == 1 || (a % 3 == 0 && b % 3 == 0));
       EXPECT_EQ(std::count(graph.Begin(a), graph.End(a), b), areNeighbours);
     }
   }

@@ -24,8 +24,7 @@ public:
   using Levels = ScaledHierarchy<Scalar, Value>;
   using Content = typename Levels::Content;
 
-  static constexpr double Tolerance =
-    sizeof(typename Eigen::NumTraits<Value>::Real) == sizeof(float) ? 1e-6 : 1e-12;
+  static constexpr double Tolerance = sizeof(typename Eigen::NumTraits<Value>::Real) == sizeof(float) ? 1e-6 : 1e-12;
 
   static void ExpectNear(const Vector<Scalar>& x, const Vector<Scalar>& expected)
   {
@@ -48,8 +47,8 @@ public:
   const Vector<Scalar> b = test::RandomVector<Scalar>(static_cast<int>(A.rows()), 6101);
 };
 
-using Kinds = ::testing::Types<std::pair<double, float>, std::pair<double, double>,
-  std::pair<Complex, Complex32>, std::pair<Complex, Complex>>;
+using Kinds = ::testing::Types<std::pair<double, float>, std::pair<double, double>, std::pair<Complex, Complex32>,
+  std::pair<Complex, Complex>>;
 TYPED_TEST_SUITE(TestScaledHierarchy, Kinds);
 
 }
@@ -58,8 +57,7 @@ TYPED_TEST_SUITE(TestScaledHierarchy, Kinds);
 TYPED_TEST(TestScaledHierarchy, TransfersAreThoseOfTheHierarchy)
 {
   using Scaled = typename TestFixture::Levels;
-  GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(
-    this->Grid.A, this->Grid.P, {}, SerialContext());
+  GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
   for (const auto content : { TestFixture::Content::Transfers, TestFixture::Content::MatricesForSweeps })
   {
     Scaled levels(hierarchy, content, SerialContext());
@@ -92,16 +90,13 @@ TYPED_TEST(TestScaledHierarchy, TransfersAreThoseOfTheHierarchy)
 
 TYPED_TEST(TestScaledHierarchy, MatricesHaveUnitDiagonals)
 {
-  GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(
-    this->Grid.A, this->Grid.P, {}, SerialContext());
-  typename TestFixture::Levels levels(
-    hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
+  GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
+  typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
   levels.Load(this->b, SerialContext());
   const auto& parts = levels[0].A;
   for (int i = 0; i < parts.Lower.rows(); ++i)
   {
-    levels[0].x[i] = levels[0].b[i] + parts.LowerTimes(i, levels[0].b.data()) +
-      parts.UpperTimes(i, levels[0].b.data());
+    levels[0].x[i] = levels[0].b[i] + parts.LowerTimes(i, levels[0].b.data()) + parts.UpperTimes(i, levels[0].b.data());
   }
   const auto inverse = this->A.diagonal().cwiseInverse().asDiagonal();
   this->ExpectNear(this->Stored(levels), inverse * (this->A * (inverse * this->b)));
@@ -111,8 +106,7 @@ TYPED_TEST(TestScaledHierarchy, UpdateTakesOtherValues)
 {
   using Scalar = typename TestFixture::Scalar;
   GalerkinHierarchy<Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
-  typename TestFixture::Levels levels(
-    hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
+  typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
   SparseMatrix<Scalar> other = this->Grid.A;
   for (int i = 0; i < other.rows(); i += 3)
   {
@@ -131,8 +125,7 @@ TYPED_TEST(TestScaledHierarchy, InactiveUnknownsStayZero)
   SparseMatrix<Scalar> A = this->Grid.A;
   A.prune([](Eigen::Index i, Eigen::Index j, const Scalar&) { return i != 7 && j != 7; });
   GalerkinHierarchy<Scalar> hierarchy(A, this->Grid.P, {}, SerialContext());
-  typename TestFixture::Levels levels(
-    hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
+  typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
   levels.Load(this->b, SerialContext());
   levels[0].x = levels[0].b;
   EXPECT_EQ(this->Stored(levels)[7], Scalar(0.0));
@@ -145,7 +138,8 @@ TYPED_TEST(TestScaledHierarchy, SameBitsForAnyNumberOfThreads)
 {
   using Scalar = typename TestFixture::Scalar;
   GalerkinHierarchy<Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
-  const auto cycle = [&](const ExecutionContext& context) {
+  const auto cycle = [&](const ExecutionContext& context)
+  {
     typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, context);
     levels.Load(this->b, context);
     levels.Restrict(0, levels[0].b, context);

@@ -361,8 +361,8 @@ TEST(TestSchwarzBlocks, InversesOfSomeBlocksWithADiagonal)
 TEST(TestSchwarzBlocks, DependentUnknownsHaveAnInverseAndEmptyOnesNone)
 {
   // Columns 0 and 1 are the same, 2 is empty.
-  const SparseMatrix<double> B = test::FromTriplets<double>(
-    2, 4, { { 0, 0, 0.6 }, { 1, 0, 0.8 }, { 0, 1, 0.6 }, { 1, 1, 0.8 }, { 1, 3, 1.0 } });
+  const SparseMatrix<double> B =
+    test::FromTriplets<double>(2, 4, { { 0, 0, 0.6 }, { 1, 0, 0.8 }, { 0, 1, 0.6 }, { 1, 1, 0.8 }, { 1, 3, 1.0 } });
   UnknownBlocks all;
   all.Unknowns = { 0, 1, 2, 3 };
   all.EndBlock();
@@ -370,8 +370,7 @@ TEST(TestSchwarzBlocks, DependentUnknownsHaveAnInverseAndEmptyOnesNone)
   const Eigen::MatrixXd inverse = Unpacked(blocks.Inverse(blocks.Groups()[0]), 4, 1, 0);
   ASSERT_TRUE(inverse.allFinite());
   EXPECT_EQ(inverse.row(2).norm(), 0.0);
-  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(inverse).eigenvalues().minCoeff(),
-    -1e-7 * inverse.norm());
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(inverse).eigenvalues().minCoeff(), -1e-7 * inverse.norm());
 }
 
 TEST(TestSchwarzBlocks, TilesAreCutEvenly)

@@ -87,8 +87,8 @@ private:
 };
 
 template <class Scalar>
-SolveReport Solve(const LinearOperator<Scalar>& A, ShiftedFactor<Scalar>& factor,
-  const Vector<Scalar>& b, double tolerance, Vector<Scalar>& x)
+SolveReport Solve(const LinearOperator<Scalar>& A, ShiftedFactor<Scalar>& factor, const Vector<Scalar>& b,
+  double tolerance, Vector<Scalar>& x)
 {
   SolveReport report;
   ConjugateGradient<Scalar>(A, factor, b, { tolerance, 50 }, x, report, SerialContext());
@@ -195,7 +195,8 @@ TYPED_TEST(TestShiftedFactor, AnUnknownWithoutAnEquationStaysZero)
 // A ring's Laplacian less 1e-10 of its diagonal is indefinite by as much as rounding errors might make it.
 TYPED_TEST(TestShiftedFactor, ABreakdownMakesTheShiftLarger)
 {
-  const auto lessShare = [](double share) {
+  const auto lessShare = [](double share)
+  {
     SparseMatrix<TypeParam> A = Rings<TypeParam>(2, 40, 1.0).Matrix();
     for (int i = 0; i < A.rows(); ++i)
     {

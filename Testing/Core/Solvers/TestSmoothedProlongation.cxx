@@ -21,8 +21,8 @@ class TestSmoothedProlongation : public ::testing::Test
 {
 };
 template <class Scalar>
-SparseMatrix<Scalar> Smoothed(const SparseMatrix<Scalar>& A, SparseMatrix<Scalar> P, int steps,
-  const ExecutionContext& context)
+SparseMatrix<Scalar> Smoothed(
+  const SparseMatrix<Scalar>& A, SparseMatrix<Scalar> P, int steps, const ExecutionContext& context)
 {
   SmoothProlongation(A, P, steps, context);
   return P;
@@ -143,7 +143,6 @@ TYPED_TEST(TestSmoothedProlongation, SameBitsForAnyNumberOfThreads)
     const auto P = Smoothed(problem.A, problem.P[0], 2, test::TbbContext(threads));
     ASSERT_EQ(P.nonZeros(), expected.nonZeros());
     EXPECT_TRUE(std::equal(P.valuePtr(), P.valuePtr() + P.nonZeros(), expected.valuePtr()));
-    EXPECT_TRUE(
-      std::equal(P.innerIndexPtr(), P.innerIndexPtr() + P.nonZeros(), expected.innerIndexPtr()));
+    EXPECT_TRUE(std::equal(P.innerIndexPtr(), P.innerIndexPtr() + P.nonZeros(), expected.innerIndexPtr()));
   }
 }

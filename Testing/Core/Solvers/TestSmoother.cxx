@@ -60,8 +60,7 @@ struct OrderedGrid
     const Vector<double> ones = Vector<double>::Ones(A.rows());
     if (this->Parts.HavePairs)
     {
-      ArrangePairs(
-        A, order.Unknowns, places, ones, this->Parts.Lower, this->Parts.Upper, SerialContext());
+      ArrangePairs(A, order.Unknowns, places, ones, this->Parts.Lower, this->Parts.Upper, SerialContext());
     }
     else
     {
@@ -87,8 +86,7 @@ private:
         for (const int k : { 0, 1, 2, 3 })
         {
           const double coupling = k % 2 == k / 2 ? 1.0 : 0.3;
-          entries.emplace_back(
-            2 * i + k / 2, 2 * static_cast<int>(entry.col()) + k % 2, entry.value() * coupling);
+          entries.emplace_back(2 * i + k / 2, 2 * static_cast<int>(entry.col()) + k % 2, entry.value() * coupling);
         }
       }
     }
@@ -96,9 +94,8 @@ private:
   }
 };
 
-constexpr Ordered AllOrders[] = {
-  Ordered::ByTwoColours, Ordered::ByManyColours, Ordered::ByTiles, Ordered::ByTilesOfPairs
-};
+constexpr Ordered AllOrders[] = { Ordered::ByTwoColours, Ordered::ByManyColours, Ordered::ByTiles,
+  Ordered::ByTilesOfPairs };
 
 /// B of x = B b, column by column, where smooth(b, x) starts from x = 0.
 template <class Scalar, class Smooth>
@@ -126,13 +123,11 @@ TYPED_TEST_SUITE(TestSmoother, Scalars);
 
 TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
 {
-  for (const auto& [ordered, sweeps] :
-    { std::pair(Ordered::ByTwoColours, 0), std::pair(Ordered::ByTwoColours, 1),
-      std::pair(Ordered::ByTwoColours, 2), std::pair(Ordered::ByTwoColours, 3),
-      std::pair(Ordered::ByManyColours, 1), std::pair(Ordered::ByManyColours, 2),
-      std::pair(Ordered::ByManyColours, 5), std::pair(Ordered::ByTiles, 0), std::pair(Ordered::ByTiles, 1),
-      std::pair(Ordered::ByTiles, 2), std::pair(Ordered::ByTiles, 3),
-      std::pair(Ordered::ByTilesOfPairs, 1), std::pair(Ordered::ByTilesOfPairs, 2) })
+  for (const auto& [ordered, sweeps] : { std::pair(Ordered::ByTwoColours, 0), std::pair(Ordered::ByTwoColours, 1),
+         std::pair(Ordered::ByTwoColours, 2), std::pair(Ordered::ByTwoColours, 3), std::pair(Ordered::ByManyColours, 1),
+         std::pair(Ordered::ByManyColours, 2), std::pair(Ordered::ByManyColours, 5), std::pair(Ordered::ByTiles, 0),
+         std::pair(Ordered::ByTiles, 1), std::pair(Ordered::ByTiles, 2), std::pair(Ordered::ByTiles, 3),
+         std::pair(Ordered::ByTilesOfPairs, 1), std::pair(Ordered::ByTilesOfPairs, 2) })
   {
     SCOPED_TRACE(static_cast<int>(ordered));
     SCOPED_TRACE(sweeps);
@@ -140,16 +135,13 @@ TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
     ASSERT_EQ(grid.Parts.Begins.size() > 3u, ordered != Ordered::ByTwoColours);
     const auto b = test::RandomVector<TypeParam>(grid.Size(), 2801);
     const Matrix<TypeParam> A(grid.A);
-    const auto smoother = Smoother<TypeParam>::New(
-      grid.Parts, { sweeps, sweeps });
+    const auto smoother = Smoother<TypeParam>::New(grid.Parts, { sweeps, sweeps });
     Vector<TypeParam> x = Vector<TypeParam>::Constant(grid.Size(), NaN); // whatever was there
     const Vector<TypeParam> r = smoother->PreSmooth(b, x, SerialContext());
 
     Vector<TypeParam> expected = Vector<TypeParam>::Zero(grid.Size());
-    const auto sweepUp = [&]
-    { expected += A.template triangularView<Eigen::Lower>().solve(b - A * expected); };
-    const auto sweepDown = [&]
-    { expected += A.template triangularView<Eigen::Upper>().solve(b - A * expected); };
+    const auto sweepUp = [&] { expected += A.template triangularView<Eigen::Lower>().solve(b - A * expected); };
+    const auto sweepDown = [&] { expected += A.template triangularView<Eigen::Upper>().solve(b - A * expected); };
     for (int sweep = 0; sweep < sweeps; ++sweep)
     {
       sweep % 2 == 0 ? sweepUp() : sweepDown();
@@ -184,24 +176,21 @@ TYPED_TEST(TestSmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
       A.col(i).tail(grid.Size() - 1 - i).setZero();
     }
   }
-  const auto withoutHeld = [&inverse](const Vector<TypeParam>& v) {
-    return Vector<TypeParam>((inverse.array() > 0.0).template cast<TypeParam>() * v.array());
-  };
+  const auto withoutHeld = [&inverse](const Vector<TypeParam>& v)
+  { return Vector<TypeParam>((inverse.array() > 0.0).template cast<TypeParam>() * v.array()); };
   const Vector<TypeParam> b = withoutHeld(test::RandomVector<TypeParam>(grid.Size(), 2803));
   for (const int sweeps : { 1, 2, 3 })
   {
     SCOPED_TRACE(sweeps);
-    const auto smoother = Smoother<TypeParam>::NewWithDiagonal(
-      grid.Parts, inverse, { sweeps, sweeps });
+    const auto smoother = Smoother<TypeParam>::NewWithDiagonal(grid.Parts, inverse, { sweeps, sweeps });
     Vector<TypeParam> x(grid.Size()), r(grid.Size());
     r = smoother->PreSmooth(b, x, SerialContext());
     Vector<TypeParam> expected = Vector<TypeParam>::Zero(grid.Size());
     for (int sweep = 0; sweep < sweeps; ++sweep)
     {
       const Vector<TypeParam> residual = b - A * expected;
-      expected += sweep % 2 == 0
-        ? Vector<TypeParam>(A.template triangularView<Eigen::Lower>().solve(residual))
-        : Vector<TypeParam>(A.template triangularView<Eigen::Upper>().solve(residual));
+      expected += sweep % 2 == 0 ? Vector<TypeParam>(A.template triangularView<Eigen::Lower>().solve(residual))
+                                 : Vector<TypeParam>(A.template triangularView<Eigen::Upper>().solve(residual));
     }
     EXPECT_LE((x - expected).norm(), 20 * Epsilon * b.norm());
     EXPECT_LE((withoutHeld(r) - (b - A * expected)).norm(), 20 * Epsilon * b.norm());
@@ -223,8 +212,7 @@ TYPED_TEST(TestSmoother, PostIsTheAdjointOfPre)
         EXPECT_LE((r - residual).norm(), 20 * Epsilon);
       });
     const auto post = Densified<TypeParam>(grid.Size(),
-      [&](const Vector<TypeParam>& b, Vector<TypeParam>& x)
-      { smoother->PostSmooth(b, x, SerialContext()); });
+      [&](const Vector<TypeParam>& b, Vector<TypeParam>& x) { smoother->PostSmooth(b, x, SerialContext()); });
     EXPECT_LE((post - pre.adjoint()).norm(), 20 * Epsilon * pre.norm());
   }
 }

@@ -22,10 +22,7 @@ public:
     : Factor(factor)
   {
   }
-  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext&) override
-  {
-    z = this->Factor * r;
-  }
+  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext&) override { z = this->Factor * r; }
 
 private:
   const double Factor;

@@ -92,8 +92,7 @@ TYPED_TEST(TestSweepOrder, TilesAreRangesAndKnowWithWhichTheyAreCoupled)
     for (int tile = colours[colour]; tile < colours[colour + 1]; ++tile)
     {
       coupled[tile].erase(tile);
-      EXPECT_TRUE(coupled[tile].lower_bound(colours[colour]) ==
-        coupled[tile].lower_bound(colours[colour + 1]));
+      EXPECT_TRUE(coupled[tile].lower_bound(colours[colour]) == coupled[tile].lower_bound(colours[colour + 1]));
     }
   }
   // Strips of a grid are coupled with the next ones.

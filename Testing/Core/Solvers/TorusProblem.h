@@ -82,10 +82,8 @@ inline GridProblem<double> MakeTorusProblem(int n, int levels)
   const SparseMatrix<double> D1 = FromTriplets(2 * nodes, 3 * nodes, d1);
   const SparseMatrix<double> gradient = star(3 * nodes).asDiagonal() * D0;
   const SparseMatrix<double> curl = star(2 * nodes).asDiagonal() * D1;
-  const SparseMatrix<double> divergence =
-    star(nodes).asDiagonal() * SparseMatrix<double>(gradient.transpose());
-  problem.A = SparseMatrix<double>(D1.transpose() * curl) +
-    SparseMatrix<double>(gradient * divergence);
+  const SparseMatrix<double> divergence = star(nodes).asDiagonal() * SparseMatrix<double>(gradient.transpose());
+  problem.A = SparseMatrix<double>(D1.transpose() * curl) + SparseMatrix<double>(gradient * divergence);
   for (int k = 0; k < 10; ++k)
   {
     const int edge = random.Index(3 * nodes);
@@ -109,12 +107,10 @@ inline GridProblem<double> MakeTorusProblem(int n, int levels)
         {
           entries.emplace_back(fine.Edge(2 * x + half, 2 * y, Direction::Right), right, 0.5);
           entries.emplace_back(fine.Edge(2 * x, 2 * y + half, Direction::Up), up, 0.5);
-          entries.emplace_back(
-            fine.Edge(2 * x + half, 2 * y + half, Direction::Diagonal), diagonal, 0.5);
+          entries.emplace_back(fine.Edge(2 * x + half, 2 * y + half, Direction::Diagonal), diagonal, 0.5);
         }
         // From the middle of side ij to that of side ik of a triangle: (jk + ik - ij) / 4.
-        const auto inside = [&entries](int edge, int jk, double signJk, int ik, double signIk,
-                              int ij, double signIj)
+        const auto inside = [&entries](int edge, int jk, double signJk, int ik, double signIk, int ij, double signIj)
         {
           entries.emplace_back(edge, jk, 0.25 * signJk);
           entries.emplace_back(edge, ik, 0.25 * signIk);
@@ -132,8 +128,7 @@ inline GridProblem<double> MakeTorusProblem(int n, int levels)
         inside(middle(1, 1, Direction::Up), up, 1.0, farRight, -1.0, diagonal, -1.0);
       }
     }
-    problem.P.push_back(
-      FromTriplets(3 * fine.NumberOfNodes(), 3 * coarse.NumberOfNodes(), entries));
+    problem.P.push_back(FromTriplets(3 * fine.NumberOfNodes(), 3 * coarse.NumberOfNodes(), entries));
   }
   return problem;
 }

@@ -25,8 +25,7 @@ TEST(TestCountingSort, SortsAsStableSortDoesForAnyNumberOfThreads)
     std::vector<int> items = Identity(size);
     std::reverse(items.begin(), items.end());
     std::vector<int> expected = items;
-    std::stable_sort(
-      expected.begin(), expected.end(), [&keys](int a, int b) { return keys[a] < keys[b]; });
+    std::stable_sort(expected.begin(), expected.end(), [&keys](int a, int b) { return keys[a] < keys[b]; });
     for (const int threads : { 1, 2, 5 })
     {
       const SortedItems sorted = SortByKey(
@@ -36,8 +35,7 @@ TEST(TestCountingSort, SortsAsStableSortDoesForAnyNumberOfThreads)
       EXPECT_EQ(sorted.Begins.back(), size);
       for (int key = 0; key < numberOfKeys; ++key)
       {
-        const auto first = std::find_if(
-          expected.begin(), expected.end(), [&](int item) { return keys[item] >= key; });
+        const auto first = std::find_if(expected.begin(), expected.end(), [&](int item) { return keys[item] >= key; });
         EXPECT_EQ(sorted.Begins[key], first - expected.begin());
       }
     }
@@ -57,8 +55,7 @@ TEST(TestCountingSort, SortsByPairsForAnyNumberOfThreads)
       second = random.Index(5) - 2;               // any number, some of them twice
     }
     std::vector<int> expected = Identity(size);
-    std::stable_sort(
-      expected.begin(), expected.end(), [&keys](int a, int b) { return keys[a] < keys[b]; });
+    std::stable_sort(expected.begin(), expected.end(), [&keys](int a, int b) { return keys[a] < keys[b]; });
     for (const int threads : { 1, 2, 5 })
     {
       const ItemsByPair sorted = SortByPair(
@@ -89,7 +86,9 @@ TEST(TestCountingSort, ChoosesInOrder)
     {
       multiples.push_back(number);
     }
-    EXPECT_EQ(Choose(size, [](int number) { return number % 7 == 0; }, context), multiples);
+    EXPECT_EQ(Choose(
+                size, [](int number) { return number % 7 == 0; }, context),
+      multiples);
   }
 }
 

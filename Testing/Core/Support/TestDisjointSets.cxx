@@ -47,8 +47,8 @@ TEST(TestDisjointSets, ColumnsAreConnectedThroughRows)
 {
   // Columns 0, 3 and 5 by two rows; 1 and 4 by one; 2 alone; an entry that is zero connects nothing.
   SparseMatrix<double> A(5, 6);
-  std::vector<Eigen::Triplet<double>> entries = { { 0, 5, 1.0 }, { 0, 3, -1.0 }, { 1, 4, 2.0 },
-    { 1, 1, 1.0 }, { 2, 2, 1.0 }, { 3, 0, 1.0 }, { 3, 5, 1.0 }, { 3, 1, 0.0 } };
+  std::vector<Eigen::Triplet<double>> entries = { { 0, 5, 1.0 }, { 0, 3, -1.0 }, { 1, 4, 2.0 }, { 1, 1, 1.0 },
+    { 2, 2, 1.0 }, { 3, 0, 1.0 }, { 3, 5, 1.0 }, { 3, 1, 0.0 } };
   A.setFromTriplets(entries.begin(), entries.end());
   EXPECT_EQ(ConnectedColumns(A), (std::vector<int>{ 0, 1, 2, 0, 1, 0 }));
   EXPECT_EQ(ConnectedColumns(SparseMatrix<Complex>(A.cast<Complex>())), ConnectedColumns(A));

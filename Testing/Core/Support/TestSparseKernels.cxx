@@ -114,8 +114,7 @@ TYPED_TEST(TestSparseKernels, AddInPatternIsTheSum)
     // Every third entry, some rows empty.
     SparseMatrix<TypeParam> B = A;
     int count = 0;
-    B.prune([&count](Eigen::Index row, Eigen::Index, const TypeParam&)
-      { return ++count % 3 == 0 && row % 5 != 2; });
+    B.prune([&count](Eigen::Index row, Eigen::Index, const TypeParam&) { return ++count % 3 == 0 && row % 5 != 2; });
     B *= 2.5;
     const SparseMatrix<TypeParam> expected = A + B;
     for (const int threads : { 1, 3 })
@@ -218,8 +217,7 @@ TYPED_TEST(TestSparseKernels, SumsAreThoseOfLongDouble)
   }
   const double scale = 10000 * Epsilon * x.norm() * y.norm();
   EXPECT_LE(std::abs(Complex(dot) - Complex(Dot(x, y, SerialContext()))), scale);
-  EXPECT_NEAR(
-    static_cast<double>(squaredNorm), SquaredNorm(x, SerialContext()), 10000 * Epsilon * x.squaredNorm());
+  EXPECT_NEAR(static_cast<double>(squaredNorm), SquaredNorm(x, SerialContext()), 10000 * Epsilon * x.squaredNorm());
 }
 
 TYPED_TEST(TestSparseKernels, SameBitsForAnyNumberOfThreads)
@@ -276,7 +274,8 @@ TEST(TestOffsets, RowsGetTheRoomTheyAskFor)
 
 TEST(TestPairs, AreAnEvenColumnAndTheNext)
 {
-  const auto matrixOf = [](std::vector<std::pair<int, int>> places) {
+  const auto matrixOf = [](std::vector<std::pair<int, int>> places)
+  {
     std::vector<Eigen::Triplet<double>> entries;
     for (const auto& [row, column] : places)
     {

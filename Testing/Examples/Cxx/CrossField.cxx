@@ -34,6 +34,7 @@ int main(int, char* argv[])
   std::ofstream file(argv[2]);
   file.precision(17);
   for (vtkIdType face = 0; field && face < field->GetNumberOfTuples(); ++face)
-    file << field->GetComponent(face, 0) << ' ' << field->GetComponent(face, 1) << ' ' << field->GetComponent(face, 2) << '\n';
+    file << field->GetComponent(face, 0) << ' ' << field->GetComponent(face, 1) << ' ' << field->GetComponent(face, 2)
+         << '\n';
   return field ? 0 : 1;
 }

@@ -39,8 +39,8 @@ int NearestFace(const TriangleMesh& mesh, const Vector3& where)
   double least = HUGE_VAL;
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
-    const Vector3 centre = (mesh.Position(mesh.Tail(3 * f)) + mesh.Position(mesh.Tail(3 * f + 1)) +
-                             mesh.Position(mesh.Tail(3 * f + 2))) /
+    const Vector3 centre =
+      (mesh.Position(mesh.Tail(3 * f)) + mesh.Position(mesh.Tail(3 * f + 1)) + mesh.Position(mesh.Tail(3 * f + 2))) /
       3.0;
     // A millionth of a difference decides for the smaller number, as on every platform.
     if ((centre - where).squaredNorm() < least - 1e-6)
@@ -53,11 +53,10 @@ int NearestFace(const TriangleMesh& mesh, const Vector3& where)
 }
 
 template <class Range>
-void WriteArray(
-  std::ostream& out, const char* type, const char* name, int components, const Range& numbers)
+void WriteArray(std::ostream& out, const char* type, const char* name, int components, const Range& numbers)
 {
-  out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\""
-      << components << "\" format=\"ascii\">\n";
+  out << "<DataArray type=\"" << type << "\" Name=\"" << name << "\" NumberOfComponents=\"" << components
+      << "\" format=\"ascii\">\n";
   for (std::size_t i = 0; i < numbers.size(); ++i)
   {
     out << numbers[i] << ((i + 1) % 12 == 0 || i + 1 == numbers.size() ? '\n' : ' ');
@@ -102,8 +101,8 @@ void Write(const std::string& path, const Surface& surface, const std::vector<Wi
 
   std::ofstream out(path, std::ios::binary);
   out << "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\">\n<PolyData>\n"
-      << "<Piece NumberOfPoints=\"" << mesh.NumberOfVertices() << "\" NumberOfPolys=\""
-      << mesh.NumberOfFaces() << "\">\n<CellData>\n";
+      << "<Piece NumberOfPoints=\"" << mesh.NumberOfVertices() << "\" NumberOfPolys=\"" << mesh.NumberOfFaces()
+      << "\">\n<CellData>\n";
   WriteArray(out, "UInt8", "Mask", 1, mask);
   WriteArray(out, "Float32", "Directions", 3, RoundedRows(directions));
   out << "</CellData>\n<Points>\n";
@@ -140,16 +139,14 @@ int main(int argc, char* argv[])
     Write(folder + "torus.vtp", IrregularTorus(48, 20, 2),
       { { 1.4 * x, z }, { -1.4 * x, y + 0.3 * z }, { Vector3(0.0, 1.0, 0.4), x } });
     Write(folder + "double_torus.vtp", DoubleTorus(4),
-      { { Vector3(0.3, 1.5, 1.0), x + y }, { Vector3(2.5, 1.5, 1.0), x },
-        { Vector3(4.7, 1.5, 0.0), y } });
+      { { Vector3(0.3, 1.5, 1.0), x + y }, { Vector3(2.5, 1.5, 1.0), x }, { Vector3(4.7, 1.5, 0.0), y } });
 
     // Along the boundary of the disc all around, and radial at a point near its centre.
     std::vector<Wish> wishes = { { 0.1 * x, x } };
     for (int i = 0; i < 72; ++i)
     {
       const double angle = (i + 0.5) * 2.0 * std::acos(-1.0) / 72;
-      wishes.push_back(
-        { { std::cos(angle), std::sin(angle), 0.0 }, { -std::sin(angle), std::cos(angle), 0.0 } });
+      wishes.push_back({ { std::cos(angle), std::sin(angle), 0.0 }, { -std::sin(angle), std::cos(angle), 0.0 } });
     }
     Write(folder + "disk.vtp", Disk(12), wishes);
   }

@@ -19,8 +19,8 @@ constexpr int CollapsesPerCheckpoint = 1024;
 class Queue
 {
 public:
-  Queue(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces,
-    std::vector<CollapseRecord>* records, const ExecutionContext& context)
+  Queue(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces, std::vector<CollapseRecord>* records,
+    const ExecutionContext& context)
     : Mesh(mesh)
     , Collapse(mesh, tracking)
     , TargetFaces(targetFaces)
@@ -43,8 +43,8 @@ public:
       {
         if (visited++ % CollapsesPerCheckpoint == 0)
         {
-          this->Context.Checkpoint(static_cast<double>(start - this->Mesh.NumberOfLiveFaces()) /
-            (start - this->TargetFaces));
+          this->Context.Checkpoint(
+            static_cast<double>(start - this->Mesh.NumberOfLiveFaces()) / (start - this->TargetFaces));
         }
         const auto [cost, halfedge, version] = this->Entries.top();
         this->Entries.pop();
@@ -109,23 +109,23 @@ private:
       this->Records->push_back(this->Collapse.Record());
     }
     const int hub = this->Collapse.Ring().Kept;
-    this->Mesh.VisitOutgoing(hub, [this](int leaving) {
-      this->Delay(leaving);
-      // The last edge of a fan with a gap has no halfedge that leaves the hub.
-      const int returning = TriangleMesh::Previous(leaving);
-      if (this->Mesh.Twin(returning) < 0)
+    this->Mesh.VisitOutgoing(hub,
+      [this](int leaving)
       {
-        this->Delay(returning);
-      }
-    });
+        this->Delay(leaving);
+        // The last edge of a fan with a gap has no halfedge that leaves the hub.
+        const int returning = TriangleMesh::Previous(leaving);
+        if (this->Mesh.Twin(returning) < 0)
+        {
+          this->Delay(returning);
+        }
+      });
   }
 
   void Delay(int halfedge)
   {
     const int twin = this->Mesh.Twin(halfedge);
-    const double before = twin < 0
-      ? this->Penalty[halfedge]
-      : std::max(this->Penalty[halfedge], this->Penalty[twin]);
+    const double before = twin < 0 ? this->Penalty[halfedge] : std::max(this->Penalty[halfedge], this->Penalty[twin]);
     for (int h : { halfedge, twin })
     {
       if (h >= 0)

@@ -40,8 +40,8 @@ constexpr int NumberOfKeys = 1 << 10;
 class Rounds
 {
 public:
-  Rounds(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces,
-    std::vector<CollapseRecord>* records, const ExecutionContext& context)
+  Rounds(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces, std::vector<CollapseRecord>* records,
+    const ExecutionContext& context)
     : Mesh(mesh)
     , Tracking(tracking)
     , TargetFaces(targetFaces)
@@ -89,8 +89,7 @@ private:
     for (int h = 0; h < this->Mesh.NumberOfHalfedgeSlots(); ++h)
     {
       const double squared =
-        (this->Mesh.Position(this->Mesh.Head(h)) - this->Mesh.Position(this->Mesh.Tail(h)))
-          .squaredNorm();
+        (this->Mesh.Position(this->Mesh.Head(h)) - this->Mesh.Position(this->Mesh.Tail(h))).squaredNorm();
       sum += squared * squared;
     }
     return sum > 0.0 ? sum / this->Mesh.NumberOfHalfedgeSlots() : 1.0;
@@ -99,14 +98,16 @@ private:
   // The key of each edge stands at one of its halfedges; NumberOfKeys elsewhere.
   void ComputeKeys()
   {
-    this->ForBlocks([this](std::vector<int>& counts, int firstHalfedge, int lastHalfedge) {
-      counts.assign(NumberOfKeys + 1, 0);
-      for (int h = firstHalfedge; h < lastHalfedge; ++h)
+    this->ForBlocks(
+      [this](std::vector<int>& counts, int firstHalfedge, int lastHalfedge)
       {
-        this->Keys[h] = static_cast<std::uint16_t>(this->KeyOf(h));
-        ++counts[this->Keys[h]];
-      }
-    });
+        counts.assign(NumberOfKeys + 1, 0);
+        for (int h = firstHalfedge; h < lastHalfedge; ++h)
+        {
+          this->Keys[h] = static_cast<std::uint16_t>(this->KeyOf(h));
+          ++counts[this->Keys[h]];
+        }
+      });
   }
 
   int KeyOf(int halfedge) const
@@ -118,9 +119,8 @@ private:
       return NumberOfKeys;
     }
     const double cost = this->Mesh.CollapseCost(halfedge);
-    return cost < std::numeric_limits<double>::infinity()
-      ? std::min(CostKey(cost * this->CostScale), NumberOfKeys - 1)
-      : NumberOfKeys;
+    return cost < std::numeric_limits<double>::infinity() ? std::min(CostKey(cost * this->CostScale), NumberOfKeys - 1)
+                                                          : NumberOfKeys;
   }
 
   // An edge that failed is tried again when a face beside it has changed.
@@ -132,8 +132,7 @@ private:
       return false;
     }
     const int twin = this->Mesh.Twin(halfedge);
-    return this->ChangedIn[halfedge / 3] <= rejected &&
-      (twin < 0 || this->ChangedIn[twin / 3] <= rejected);
+    return this->ChangedIn[halfedge / 3] <= rejected && (twin < 0 || this->ChangedIn[twin / 3] <= rejected);
   }
 
   // Counting sort; among equal keys the order of halfedges decides.
@@ -156,15 +155,17 @@ private:
       }
     }
     this->Candidates.resize(place);
-    this->ForBlocks([&](std::vector<int>& places, int firstHalfedge, int lastHalfedge) {
-      for (int h = firstHalfedge; h < lastHalfedge; ++h)
+    this->ForBlocks(
+      [&](std::vector<int>& places, int firstHalfedge, int lastHalfedge)
       {
-        if (this->Keys[h] < keyLimit)
+        for (int h = firstHalfedge; h < lastHalfedge; ++h)
         {
-          this->Candidates[places[this->Keys[h]]++] = h;
+          if (this->Keys[h] < keyLimit)
+          {
+            this->Candidates[places[this->Keys[h]]++] = h;
+          }
         }
-      }
-    });
+      });
   }
 
   // Calls body(counts of the block, first halfedge, last halfedge) for fixed blocks of faces.
@@ -172,14 +173,15 @@ private:
   void ForBlocks(Body body)
   {
     const int blocks = static_cast<int>(this->Counts.size());
-    this->Context.ParallelFor(0, blocks, 1, [&](int first, int last) {
-      for (int block = first; block < last; ++block)
+    this->Context.ParallelFor(0, blocks, 1,
+      [&](int first, int last)
       {
-        const int end =
-          std::min((block + 1) * FacesPerBlock, this->Mesh.NumberOfFaceSlots());
-        body(this->Counts[block], 3 * block * FacesPerBlock, 3 * end);
-      }
-    });
+        for (int block = first; block < last; ++block)
+        {
+          const int end = std::min((block + 1) * FacesPerBlock, this->Mesh.NumberOfFaceSlots());
+          body(this->Counts[block], 3 * block * FacesPerBlock, 3 * end);
+        }
+      });
   }
 
   // Two one-rings share a face exactly if an end of one edge is an end of the other or adjacent to
@@ -217,24 +219,26 @@ private:
     for (int begin = 0; begin < count; begin += CollapsesPerCheckpoint)
     {
       const int end = std::min(count, begin + CollapsesPerCheckpoint);
-      this->Context.ParallelFor(begin, end, CollapsesPerPiece, [&](int first, int last) {
-        EdgeCollapse collapse(this->Mesh, this->Tracking);
-        for (int i = first; i < last; ++i)
+      this->Context.ParallelFor(begin, end, CollapsesPerPiece,
+        [&](int first, int last)
         {
-          if (const auto result = collapse.Try(this->Selected[i], limits))
+          EdgeCollapse collapse(this->Mesh, this->Tracking);
+          for (int i = first; i < last; ++i)
           {
-            this->Results[i] = *result;
-            if (this->Records)
+            if (const auto result = collapse.Try(this->Selected[i], limits))
             {
-              records[i] = collapse.Record();
-            }
-            for (const OneRing::Sector& sector : collapse.Ring().Sectors)
-            {
-              this->ChangedIn[sector.Face] = this->Round;
+              this->Results[i] = *result;
+              if (this->Records)
+              {
+                records[i] = collapse.Record();
+              }
+              for (const OneRing::Sector& sector : collapse.Ring().Sectors)
+              {
+                this->ChangedIn[sector.Face] = this->Round;
+              }
             }
           }
-        }
-      });
+        });
       this->Context.Checkpoint(this->Progress);
     }
     int removed = 0;
@@ -268,8 +272,8 @@ private:
   double CostScale = 1.0;
   std::vector<std::uint16_t> Keys;      // per halfedge
   std::vector<std::vector<int>> Counts; // per block of faces and key
-  std::vector<int> Candidates; // halfedges, cheapest first
-  std::vector<int> Selected;   // halfedges
+  std::vector<int> Candidates;          // halfedges, cheapest first
+  std::vector<int> Selected;            // halfedges
   std::vector<CollapsibleMesh::Afterwork> Results;
   std::vector<int> RejectedIn; // per halfedge: round
   std::vector<int> ChangedIn;  // per face: round

@@ -26,22 +26,25 @@ CollapsibleMesh::CollapsibleMesh(const TriangleMesh& mesh, const ExecutionContex
   , Outgoing(mesh.NumberOfVertices())
   , LiveFaces(mesh.NumberOfFaces())
 {
-  this->Origin = 0.5 *
-    (mesh.VertexPositions().colwise().minCoeff() + mesh.VertexPositions().colwise().maxCoeff())
-      .transpose();
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int v = first; v < last; ++v)
+  this->Origin =
+    0.5 * (mesh.VertexPositions().colwise().minCoeff() + mesh.VertexPositions().colwise().maxCoeff()).transpose();
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
     {
-      this->Positions[v] = mesh.Position(v);
-      this->Outgoing[v] = mesh.OutgoingHalfedge(v);
-    }
-  });
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int first, int last) {
-    for (int v = first; v < last; ++v)
+      for (int v = first; v < last; ++v)
+      {
+        this->Positions[v] = mesh.Position(v);
+        this->Outgoing[v] = mesh.OutgoingHalfedge(v);
+      }
+    });
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
     {
-      this->VisitOutgoing(v, [&](int h) { this->AddPlanes(mesh, h, this->Quadrics[v]); });
-    }
-  });
+      for (int v = first; v < last; ++v)
+      {
+        this->VisitOutgoing(v, [&](int h) { this->AddPlanes(mesh, h, this->Quadrics[v]); });
+      }
+    });
 }
 
 // The planes that a face adds to the quadric of its corner at the tail of a halfedge.
@@ -69,8 +72,7 @@ void CollapsibleMesh::AddPlanes(const TriangleMesh& mesh, int halfedge, Quadric&
   }
 }
 
-void CollapsibleMesh::InheritQuadrics(
-  const CollapsibleMesh& finer, const std::vector<int>& vertexNumber)
+void CollapsibleMesh::InheritQuadrics(const CollapsibleMesh& finer, const std::vector<int>& vertexNumber)
 {
   this->Origin = finer.Origin;
   for (std::size_t v = 0; v < vertexNumber.size(); ++v)
@@ -235,8 +237,7 @@ CollapsibleMesh::Compacted CollapsibleMesh::Compact() const
       triangles(faceNumber[f], k) = vertexNumber[this->Corners[3 * f + k]];
     }
   }
-  return { TriangleMesh(std::move(points), std::move(triangles)), std::move(vertexNumber),
-    std::move(faceNumber) };
+  return { TriangleMesh(std::move(points), std::move(triangles)), std::move(vertexNumber), std::move(faceNumber) };
 }
 
 }

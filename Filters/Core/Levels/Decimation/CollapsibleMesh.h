@@ -19,8 +19,7 @@ namespace dmg
 class CollapsibleMesh
 {
 public:
-  explicit CollapsibleMesh(
-    const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+  explicit CollapsibleMesh(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
   int NumberOfVertexSlots() const { return static_cast<int>(this->Positions.size()); }
   int NumberOfFaceSlots() const { return static_cast<int>(this->Corners.size()) / 3; }

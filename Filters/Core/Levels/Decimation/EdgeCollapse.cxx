@@ -31,18 +31,15 @@ TriangleShape ShapeOf(const std::vector<Vector3>& positions, const std::array<in
 
 }
 
-std::optional<CollapsibleMesh::Afterwork> EdgeCollapse::Try(
-  int halfedge, const CollapseLimits& limits)
+std::optional<CollapsibleMesh::Afterwork> EdgeCollapse::Try(int halfedge, const CollapseLimits& limits)
 {
-  if (!GatherOneRing(this->Mesh, halfedge, this->LastRing) ||
-    this->LastRing.LoopSize() > limits.MaximumValence || this->MakesAPoint() ||
-    !this->KeepsShape(limits))
+  if (!GatherOneRing(this->Mesh, halfedge, this->LastRing) || this->LastRing.LoopSize() > limits.MaximumValence ||
+    this->MakesAPoint() || !this->KeepsShape(limits))
   {
     return std::nullopt;
   }
   if (!this->Flattening.Flatten(this->LastRing, JointFlattening::Method::Conformal) &&
-    !(limits.MayFlattenIntoCircle &&
-      this->Flattening.Flatten(this->LastRing, JointFlattening::Method::ConvexPolygon)))
+    !(limits.MayFlattenIntoCircle && this->Flattening.Flatten(this->LastRing, JointFlattening::Method::ConvexPolygon)))
   {
     return std::nullopt;
   }
@@ -76,8 +73,7 @@ bool EdgeCollapse::KeepsShape(const CollapseLimits& limits) const
     const TriangleShape after = ShapeOf(this->LastRing.Positions, this->LastRing.SectorAfter(k));
     const double lengths = before.AreaVector.norm() * after.AreaVector.norm();
     // A face of zero area has no normal to keep.
-    if (before.Quality > 0.0 &&
-      before.AreaVector.dot(after.AreaVector) < limits.LeastNormalCosine * lengths)
+    if (before.Quality > 0.0 && before.AreaVector.dot(after.AreaVector) < limits.LeastNormalCosine * lengths)
     {
       return false;
     }

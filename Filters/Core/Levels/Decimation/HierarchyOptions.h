@@ -56,7 +56,8 @@ struct HierarchyOptions
 
   friend bool operator==(const HierarchyOptions& a, const HierarchyOptions& b)
   {
-    const auto members = [](const HierarchyOptions& options) {
+    const auto members = [](const HierarchyOptions& options)
+    {
       // A member that is forgotten here does not compile.
       const auto& [ratio, levels, faces, policy, construction, kind, distance] = options;
       return std::tie(ratio, levels, faces, policy, construction, kind, distance);

@@ -53,8 +53,7 @@ void JointFlattening::AddTriangle(const OneRing& ring, const std::array<int, 3>&
     return;
   }
   const Complex p1(length, 0.0);
-  const Complex p2 =
-    length > 0.0 ? Complex(e1.dot(e2), doubleArea) / length : Complex(e2.norm(), 0.0);
+  const Complex p2 = length > 0.0 ? Complex(e1.dot(e2), doubleArea) / length : Complex(e2.norm(), 0.0);
   const std::array<Complex, 3> w = { p2 - p1, -p2, p1 };
   const double weight = 1.0 / std::max(doubleArea, LeastRelativeArea * size);
 
@@ -155,8 +154,7 @@ void JointFlattening::FlattenConformally(const OneRing& ring)
   }
   else
   {
-    const double edge =
-      (ring.Positions[ring.RemovedIndex()] - ring.Positions[ring.KeptIndex()]).norm();
+    const double edge = (ring.Positions[ring.RemovedIndex()] - ring.Positions[ring.KeptIndex()]).norm();
     this->Positions[ring.RemovedIndex()] = edge > 0.0 ? edge : 1.0;
   }
   this->Vertex.clear();
@@ -266,8 +264,7 @@ bool JointFlattening::IsOneToOne(const OneRing& ring) const
     const std::array<int, 3>& before = ring.Dead[d].Corners;
     const Vector3& p = ring.Positions[before[0]];
     const double area = OrientedArea(this->Positions, before);
-    if (!(area > 0.0) &&
-      (ring.Positions[before[1]] - p).cross(ring.Positions[before[2]] - p).squaredNorm() > 0.0)
+    if (!(area > 0.0) && (ring.Positions[before[1]] - p).cross(ring.Positions[before[2]] - p).squaredNorm() > 0.0)
     {
       return false;
     }

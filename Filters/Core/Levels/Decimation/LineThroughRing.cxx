@@ -26,17 +26,15 @@ double CrossingOfSpoke(Complex spoke, Complex from, Complex to)
   const Complex line = to - from;
   const double slope = Cross(spoke, line);
   const double length = std::sqrt(std::norm(spoke));
-  const bool isTransversal =
-    std::abs(slope) > tiny * length * std::max(std::sqrt(std::norm(line)), tiny * length);
-  const double t = isTransversal ? Cross(from, line) / slope
-                                 : Dot(0.5 * (from + to), spoke) / (length * length);
+  const bool isTransversal = std::abs(slope) > tiny * length * std::max(std::sqrt(std::norm(line)), tiny * length);
+  const double t = isTransversal ? Cross(from, line) / slope : Dot(0.5 * (from + to), spoke) / (length * length);
   return std::clamp(t, 0.0, 1.0);
 }
 
 }
 
-LineThroughRing::LineThroughRing(const OneRing& ring, const std::vector<Complex>& plane,
-  const PlaceInRing& from, const PlaceInRing& to)
+LineThroughRing::LineThroughRing(
+  const OneRing& ring, const std::vector<Complex>& plane, const PlaceInRing& from, const PlaceInRing& to)
   : Ring(ring)
   , Plane(plane)
   , From(from.Place - plane[ring.HubIndex()])
@@ -58,9 +56,8 @@ LineThroughRing::LineThroughRing(const OneRing& ring, const std::vector<Complex>
 /// Which way around the hub, and past how many spokes.
 void LineThroughRing::TurnAroundHub(const PlaceInRing& from, const PlaceInRing& to)
 {
-  const auto turns = [sectors = this->Ring.NumberOfSectors()](int a, int b) {
-    return b >= a ? b - a : b - a + sectors;
-  };
+  const auto turns = [sectors = this->Ring.NumberOfSectors()](int a, int b)
+  { return b >= a ? b - a : b - a + sectors; };
   const int left = turns(from.LastSector, to.FirstSector);  // counter-clockwise
   const int right = turns(to.LastSector, from.FirstSector); // clockwise
   const double turn = Cross(this->From, this->To);
@@ -84,8 +81,7 @@ LineThroughRing::Crossing LineThroughRing::LeaveSector(int sector) const
 {
   const int sectors = this->Ring.NumberOfSectors();
   const int spoke = this->IsCounterClockwise ? this->Ring.NextOnLoop(sector) : sector;
-  const double t =
-    CrossingOfSpoke(this->Plane[spoke] - this->Plane[this->Ring.HubIndex()], this->From, this->To);
+  const double t = CrossingOfSpoke(this->Plane[spoke] - this->Plane[this->Ring.HubIndex()], this->From, this->To);
   const OneRing::Sector& left = this->Ring.Sectors[sector];
   if (this->IsCounterClockwise)
   {

@@ -27,8 +27,8 @@ class LineThroughRing
 {
 public:
   /// \param ring borrowed. \param plane its vertices in the plane, by local numbers; borrowed.
-  LineThroughRing(const OneRing& ring, const std::vector<Complex>& plane, const PlaceInRing& from,
-    const PlaceInRing& to);
+  LineThroughRing(
+    const OneRing& ring, const std::vector<Complex>& plane, const PlaceInRing& from, const PlaceInRing& to);
 
   int FirstSector() const { return this->First; }
   int NumberOfCrossings() const { return this->Crossings; }
@@ -36,9 +36,9 @@ public:
   /// From a sector to the next.
   struct Crossing
   {
-    int Sector;    ///< that is entered
-    int Leaving;   ///< halfedge of the sector that is left
-    int Entering;  ///< its twin
+    int Sector;      ///< that is entered
+    int Leaving;     ///< halfedge of the sector that is left
+    int Entering;    ///< its twin
     double Fraction; ///< of the crossing along Leaving
   };
   Crossing LeaveSector(int sector) const;

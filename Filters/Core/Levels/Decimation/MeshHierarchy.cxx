@@ -41,9 +41,8 @@ void CheckOptions(const HierarchyOptions& options)
 
 }
 
-std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
-  const HierarchyOptions& options, const ExecutionContext& context,
-  const std::function<void(const LevelTransition&, const ExecutionContext&)>& onLevel)
+std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
+  const ExecutionContext& context, const std::function<void(const LevelTransition&, const ExecutionContext&)>& onLevel)
 {
   CheckOptions(options);
   std::vector<TriangleMesh> levels;
@@ -54,16 +53,14 @@ std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
   while (static_cast<int>(levels.size()) < options.MaximumNumberOfCoarseLevels)
   {
     const int faces = fine->NumberOfFaces();
-    const int target = std::max(
-      static_cast<int>(std::lround(options.FaceRatio * faces)), options.MinimumNumberOfFaces);
+    const int target = std::max(static_cast<int>(std::lround(options.FaceRatio * faces)), options.MinimumNumberOfFaces);
     if (target > LargestUsefulRatio * faces)
     {
       break;
     }
     // The work of a level is proportional to its faces.
     const double done = progress + (1.0 - progress) * (1.0 - options.FaceRatio);
-    const double collapsed =
-      progress + ShareOfCollapses(options.Construction) * (done - progress);
+    const double collapsed = progress + ShareOfCollapses(options.Construction) * (done - progress);
     const PartOfContext part(context, progress, collapsed);
     SurfaceTracking tracking(*fine);
     std::vector<CollapseRecord> collapses;
@@ -83,8 +80,7 @@ std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
     }
     CollapsibleMesh::Compacted compacted = shrinking.Compact();
     levels.push_back(std::move(compacted.Mesh));
-    onLevel({ *fine, levels.back(), tracking, compacted.VertexNumber, compacted.FaceNumber,
-              records },
+    onLevel({ *fine, levels.back(), tracking, compacted.VertexNumber, compacted.FaceNumber, records },
       PartOfContext(context, collapsed, done));
     context.Checkpoint(done);
     CollapsibleMesh next(levels.back(), context);

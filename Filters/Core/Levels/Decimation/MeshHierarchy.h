@@ -36,9 +36,8 @@ struct LevelTransition
 /// \throw InvalidInput an option is out of range. \throw Cancelled
 /// Cost: O(#F). Checkpoints: several in each round of collapses, and after onLevel; fractions rise
 /// from 0 to 1 once.
-std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh,
-  const HierarchyOptions& options, const ExecutionContext& context,
-  const std::function<void(const LevelTransition&, const ExecutionContext&)>& onLevel);
+std::vector<TriangleMesh> BuildMeshHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
+  const ExecutionContext& context, const std::function<void(const LevelTransition&, const ExecutionContext&)>& onLevel);
 
 }
 

@@ -77,15 +77,11 @@ private:
     }
     this->Ring.Dead[this->Ring.NumberOfDead++] = face;
   }
-  void Glue(int ofSector, int other)
-  {
-    this->Ring.Glued[this->Ring.NumberOfGlued++] = { ofSector, other };
-  }
+  void Glue(int ofSector, int other) { this->Ring.Glued[this->Ring.NumberOfGlued++] = { ofSector, other }; }
   void SetPositions(const Vector3& hub);
   void SetPositionsAboutMidpoint()
   {
-    this->SetPositions(
-      0.5 * (this->Mesh.Position(this->Ring.Kept) + this->Mesh.Position(this->Ring.Removed)));
+    this->SetPositions(0.5 * (this->Mesh.Position(this->Ring.Kept) + this->Mesh.Position(this->Ring.Removed)));
   }
 
   const CollapsibleMesh& Mesh;
@@ -134,11 +130,12 @@ bool Gatherer::Interior(int left)
 bool Gatherer::IsLinkedToInside(int vertex) const
 {
   bool isLinked = false;
-  this->Mesh.VisitNeighbours(vertex, [&](int neighbour) {
-    isLinked = isLinked ||
-      std::find(this->Ring.Loop.begin() + 1, this->Ring.Loop.end() - 1, neighbour) !=
-        this->Ring.Loop.end() - 1;
-  });
+  this->Mesh.VisitNeighbours(vertex,
+    [&](int neighbour)
+    {
+      isLinked = isLinked ||
+        std::find(this->Ring.Loop.begin() + 1, this->Ring.Loop.end() - 1, neighbour) != this->Ring.Loop.end() - 1;
+    });
   return isLinked;
 }
 
@@ -157,8 +154,8 @@ bool Gatherer::OntoBoundary(int firstDead)
   }
   ring.Loop.push_back(this->Mesh.Head(lastDead));
   const int size = ring.LoopSize();
-  if (size < 2 || TriangleMesh::FaceOf(firstDead) == TriangleMesh::FaceOf(lastDead) ||
-    !AllDistinct(ring.Loop) || this->IsLinkedToInside(ring.Kept))
+  if (size < 2 || TriangleMesh::FaceOf(firstDead) == TriangleMesh::FaceOf(lastDead) || !AllDistinct(ring.Loop) ||
+    this->IsLinkedToInside(ring.Kept))
   {
     return false;
   }
@@ -182,8 +179,7 @@ bool Gatherer::AlongBoundary(int halfedge)
   ring.Kind = CollapseKind::AlongBoundary;
   ring.Kept = this->Mesh.Tail(halfedge);
   ring.Removed = this->Mesh.Head(halfedge);
-  this->AppendSectors(
-    this->Mesh.OutgoingHalfedge(ring.Removed), TriangleMesh::FaceOf(halfedge));
+  this->AppendSectors(this->Mesh.OutgoingHalfedge(ring.Removed), TriangleMesh::FaceOf(halfedge));
   const int a = ring.LoopSize();
   for (int h = this->Turn(halfedge); h >= 0; h = this->Turn(h))
   {

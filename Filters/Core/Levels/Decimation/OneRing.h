@@ -77,21 +77,12 @@ struct OneRing
   int RemovedIndex() const { return this->LoopSize(); }
   int KeptIndex() const { return this->LoopSize() + 1; }
   /// A collapse onto the boundary leaves the kept vertex where it is: it is the hub.
-  int HubIndex() const
-  {
-    return this->Kind == CollapseKind::OntoBoundary ? this->KeptIndex() : this->LoopSize() + 2;
-  }
+  int HubIndex() const { return this->Kind == CollapseKind::OntoBoundary ? this->KeptIndex() : this->LoopSize() + 2; }
   int NextOnLoop(int k) const { return k + 1 == this->LoopSize() ? 0 : k + 1; }
 
   /// Corners of sector \p k before and after the collapse, hub first.
-  std::array<int, 3> SectorBefore(int k) const
-  {
-    return { this->Sectors[k].CenterBefore, k, this->NextOnLoop(k) };
-  }
-  std::array<int, 3> SectorAfter(int k) const
-  {
-    return { this->HubIndex(), k, this->NextOnLoop(k) };
-  }
+  std::array<int, 3> SectorBefore(int k) const { return { this->Sectors[k].CenterBefore, k, this->NextOnLoop(k) }; }
+  std::array<int, 3> SectorAfter(int k) const { return { this->HubIndex(), k, this->NextOnLoop(k) }; }
 };
 
 /// The faces that the collapse of an edge would replace.

@@ -42,8 +42,8 @@ public:
   double At(const Vector3& p) const
   {
     return p[0] * (this->XX * p[0] + 2.0 * (this->XY * p[1] + this->XZ * p[2] + this->X)) +
-      p[1] * (this->YY * p[1] + 2.0 * (this->YZ * p[2] + this->Y)) +
-      p[2] * (this->ZZ * p[2] + 2.0 * this->Z) + this->Constant;
+      p[1] * (this->YY * p[1] + 2.0 * (this->YZ * p[2] + this->Y)) + p[2] * (this->ZZ * p[2] + 2.0 * this->Z) +
+      this->Constant;
   }
 
 private:

@@ -109,8 +109,7 @@ int SurfaceTracking::AllocateNode(Worker& worker)
   return worker.NextFreshNode++;
 }
 
-void SurfaceTracking::Move(
-  const OneRing& ring, const std::vector<Complex>& plane, Worker& worker)
+void SurfaceTracking::Move(const OneRing& ring, const std::vector<Complex>& plane, Worker& worker)
 {
   this->NumberSectors(ring);
   worker.Chains.clear();
@@ -141,16 +140,17 @@ void SurfaceTracking::NumberSectors(const OneRing& ring)
 void SurfaceTracking::CollectPieces(const OneRing& ring, Worker& worker)
 {
   // On the polygon: what enters or leaves here stays a crossing.
-  const auto isSide = [&](int halfedge) {
+  const auto isSide = [&](int halfedge)
+  {
     const int k = this->SectorOfFace[halfedge / 3];
-    return halfedge ==
-      (k >= 0 ? ring.Sectors[k].OuterHalfedge() : ring.Dead[-1 - k].BorderHalfedge);
+    return halfedge == (k >= 0 ? ring.Sectors[k].OuterHalfedge() : ring.Dead[-1 - k].BorderHalfedge);
   };
   // The lists of all faces are followed at the same time: each step waits for memory, and the
   // processor waits for many at once.
   std::vector<int>& nodes = worker.Nodes;
   nodes.clear();
-  const auto take = [&](int face) {
+  const auto take = [&](int face)
+  {
     if (this->FirstPieceInFace[face] >= 0)
     {
       nodes.push_back(this->FirstPieceInFace[face]);
@@ -197,7 +197,8 @@ void SurfaceTracking::CollectPieces(const OneRing& ring, Worker& worker)
 // Fine edges that ran along an edge inside the patch become chains.
 void SurfaceTracking::CollectEdgesThatLeaveTheMesh(const OneRing& ring, Worker& worker)
 {
-  const auto leave = [&](int halfedge) {
+  const auto leave = [&](int halfedge)
+  {
     const int edge = this->Along[halfedge];
     // Both halfedges of an edge inside the patch are met; the path is made once.
     if (edge >= 0 && this->Node(StartNode(edge)).Next < 0)
@@ -226,8 +227,7 @@ void SurfaceTracking::CollectEdgesThatLeaveTheMesh(const OneRing& ring, Worker& 
 }
 
 // Places a point of the polygon in the sector that holds it.
-void SurfaceTracking::MovePoint(
-  int fineVertex, Complex place, const OneRing& ring, const std::vector<Complex>& plane)
+void SurfaceTracking::MovePoint(int fineVertex, Complex place, const OneRing& ring, const std::vector<Complex>& plane)
 {
   const Complex hub = plane[ring.HubIndex()];
   const Complex p = place - hub;
@@ -266,13 +266,13 @@ void SurfaceTracking::MovePoint(
   this->FirstPointInFace[sector.Face] = fineVertex;
 }
 
-void SurfaceTracking::MovePoints(
-  const OneRing& ring, const std::vector<Complex>& plane, Worker& worker)
+void SurfaceTracking::MovePoints(const OneRing& ring, const std::vector<Complex>& plane, Worker& worker)
 {
   // Places are read before any point moves, since moving rewrites the lists of the faces.
   std::vector<int>& points = worker.Points;
   points.clear();
-  const auto take = [&](int face) {
+  const auto take = [&](int face)
+  {
     for (int v = this->FirstPointInFace[face]; v >= 0; v = this->NextPointInFace[v])
     {
       points.push_back(v);
@@ -325,8 +325,7 @@ void SurfaceTracking::KeepBorder(const OneRing& ring, Worker& worker)
     return;
   }
   const std::array<int, 2> before = { ring.Dead[0].BorderHalfedge, ring.Dead[1].BorderHalfedge };
-  const std::array<int, 2> after = { ring.Sectors.front().LeavingSpoke(),
-    ring.Sectors.back().ReturningSpoke() };
+  const std::array<int, 2> after = { ring.Sectors.front().LeavingSpoke(), ring.Sectors.back().ReturningSpoke() };
   for (int i : { 0, 1 })
   {
     this->Along[after[i]] = this->Along[before[i]];
@@ -390,8 +389,8 @@ PlaceInRing SurfaceTracking::LocateCrossing(
 }
 
 // Where a chain begins or ends, after the collapse.
-PlaceInRing SurfaceTracking::Locate(int node, int halfedge, double fraction, const OneRing& ring,
-  const std::vector<Complex>& plane) const
+PlaceInRing SurfaceTracking::Locate(
+  int node, int halfedge, double fraction, const OneRing& ring, const std::vector<Complex>& plane) const
 {
   return this->IsPathEnd(node) ? this->LocateFineVertex(this->FineVertexAt(node), ring, plane)
                                : this->LocateCrossing(halfedge, fraction, ring, plane);
@@ -417,8 +416,7 @@ void SurfaceTracking::DrawChain(
     this->Locate(chain.Last, last.ArrivingHalfedge, last.Fraction, ring, plane));
   int node = chain.First;
   int sector = line.FirstSector();
-  this->BeginPiece(
-    node, this->IsPathEnd(node) ? 3 * ring.Sectors[sector].Face : first.LeavingHalfedge);
+  this->BeginPiece(node, this->IsPathEnd(node) ? 3 * ring.Sectors[sector].Face : first.LeavingHalfedge);
   for (int k = 0; k < line.NumberOfCrossings(); ++k)
   {
     const LineThroughRing::Crossing crossing = line.LeaveSector(sector);

@@ -62,10 +62,7 @@ public:
   /// True where a fine vertex is still a vertex, with the same number, of the coarse mesh.
   bool IsCorner(int fineVertex) const { return this->PointFaces[fineVertex] < 0; }
   /// \pre !IsCorner
-  Place PlaceOf(int fineVertex) const
-  {
-    return { this->PointFaces[fineVertex], this->PointWeights[fineVertex] };
-  }
+  Place PlaceOf(int fineVertex) const { return { this->PointFaces[fineVertex], this->PointWeights[fineVertex] }; }
 
   /// A fine edge that is still an edge of the coarse mesh has no path: see AlongHalfedge.
   bool HasPath(int fineEdge) const { return this->Node(StartNode(fineEdge)).Next >= 0; }
@@ -129,16 +126,10 @@ private:
   static int EndNode(int fineEdge) { return 2 * fineEdge + 1; }
   bool IsPathEnd(int node) const { return node < 2 * this->Fine.NumberOfEdges(); }
 
-  int FineVertexAt(int pathEnd) const
-  {
-    return this->Fine.EdgeVertices(pathEnd / 2)[pathEnd % 2];
-  }
+  int FineVertexAt(int pathEnd) const { return this->Fine.EdgeVertices(pathEnd / 2)[pathEnd % 2]; }
 
   PathNode& Node(int node) { return this->Pages[node / NodesPerPage][node % NodesPerPage]; }
-  const PathNode& Node(int node) const
-  {
-    return this->Pages[node / NodesPerPage][node % NodesPerPage];
-  }
+  const PathNode& Node(int node) const { return this->Pages[node / NodesPerPage][node % NodesPerPage]; }
   int AllocatePage();
   int AllocateNode(Worker& worker);
 
@@ -172,9 +163,8 @@ private:
     const PathNode& from = this->Node(node);
     const PathNode& to = this->Node(from.Next);
     const int face = from.LeavingHalfedge / 3;
-    const std::array<double, 3> start = this->IsPathEnd(node)
-      ? this->EndWeights(this->FineVertexAt(node), face, tail)
-      : OnHalfedge(from.LeavingHalfedge, 1.0 - from.Fraction);
+    const std::array<double, 3> start = this->IsPathEnd(node) ? this->EndWeights(this->FineVertexAt(node), face, tail)
+                                                              : OnHalfedge(from.LeavingHalfedge, 1.0 - from.Fraction);
     const std::array<double, 3> end = this->IsPathEnd(from.Next)
       ? this->EndWeights(this->FineVertexAt(from.Next), face, tail)
       : OnHalfedge(to.ArrivingHalfedge, to.Fraction);
@@ -185,18 +175,15 @@ private:
   void CollectPieces(const OneRing& ring, Worker& worker);
   void CollectEdgesThatLeaveTheMesh(const OneRing& ring, Worker& worker);
   void MovePoints(const OneRing& ring, const std::vector<Complex>& plane, Worker& worker);
-  void MovePoint(
-    int fineVertex, Complex place, const OneRing& ring, const std::vector<Complex>& plane);
+  void MovePoint(int fineVertex, Complex place, const OneRing& ring, const std::vector<Complex>& plane);
   void KeepBorder(const OneRing& ring, Worker& worker);
-  void DrawChain(const Chain& chain, const OneRing& ring, const std::vector<Complex>& plane,
-    Worker& worker);
+  void DrawChain(const Chain& chain, const OneRing& ring, const std::vector<Complex>& plane, Worker& worker);
   void BeginPiece(int node, int leavingHalfedge);
-  PlaceInRing Locate(int node, int halfedge, double fraction, const OneRing& ring,
-    const std::vector<Complex>& plane) const;
-  PlaceInRing LocateFineVertex(
-    int fineVertex, const OneRing& ring, const std::vector<Complex>& plane) const;
-  PlaceInRing LocateCrossing(int halfedge, double fraction, const OneRing& ring,
-    const std::vector<Complex>& plane) const;
+  PlaceInRing Locate(
+    int node, int halfedge, double fraction, const OneRing& ring, const std::vector<Complex>& plane) const;
+  PlaceInRing LocateFineVertex(int fineVertex, const OneRing& ring, const std::vector<Complex>& plane) const;
+  PlaceInRing LocateCrossing(
+    int halfedge, double fraction, const OneRing& ring, const std::vector<Complex>& plane) const;
 
   const TriangleMesh& Fine;
 

@@ -18,8 +18,8 @@ using Combination = std::vector<std::pair<int, Scalar>>; // {after, coefficient}
 template <class Scalar>
 void AddTo(Combination<Scalar>& combination, int after, const Scalar& coefficient)
 {
-  const auto found = std::find_if(combination.begin(), combination.end(),
-    [after](const auto& entry) { return entry.first == after; });
+  const auto found =
+    std::find_if(combination.begin(), combination.end(), [after](const auto& entry) { return entry.first == after; });
   if (found == combination.end())
   {
     combination.emplace_back(after, coefficient);
@@ -104,8 +104,7 @@ struct FlatTriangle
       {
         return 0.5 * Pi;
       }
-      return std::atan2(
-        sides[incoming].cross(sides[outgoing]).norm(), sides[incoming].dot(sides[outgoing]));
+      return std::atan2(sides[incoming].cross(sides[outgoing]).norm(), sides[incoming].dot(sides[outgoing]));
     };
     this->Directions[0] = 1.0;
     this->Directions[1] = std::polar(1.0, angleBetween(0, 1));
@@ -124,8 +123,7 @@ using CutSides = std::array<std::vector<RingOverlay::Piece>, 3>;
 void AddWhitney(const OneRing& ring, const RingOverlay::Piece& piece, Combination<Rational>& sum)
 {
   const OneRing::Sector& sector = ring.Sectors[piece.Sector];
-  const std::array<int, 3> sides = { sector.LeavingSpoke(), sector.OuterHalfedge(),
-    sector.ReturningSpoke() };
+  const std::array<int, 3> sides = { sector.LeavingSpoke(), sector.OuterHalfedge(), sector.ReturningSpoke() };
   for (int j = 0; j < 3; ++j)
   {
     const int k = (j + 1) % 3;
@@ -159,8 +157,8 @@ struct Overlap
   Complex Turning = 0.0; // sum of length e^{i angle}
 };
 
-LocalRow<Complex> PowerRow(const OneRing& ring, const FaceBefore& face, const CutSides& cutSides,
-  const std::vector<FlatTriangle>& sectors)
+LocalRow<Complex> PowerRow(
+  const OneRing& ring, const FaceBefore& face, const CutSides& cutSides, const std::vector<FlatTriangle>& sectors)
 {
   const FlatTriangle before(ring.Positions, face.Corners);
   std::vector<Overlap> overlaps(sectors.size());
@@ -173,8 +171,7 @@ LocalRow<Complex> PowerRow(const OneRing& ring, const FaceBefore& face, const Cu
       for (int k = 0; k < 3; ++k)
       {
         const int corner = (ring.Sectors[piece.Sector].HubCorner + k) % 3;
-        vector +=
-          CGAL::to_double(piece.To[k] - piece.From[k]) * sectors[piece.Sector].Corners[corner];
+        vector += CGAL::to_double(piece.To[k] - piece.From[k]) * sectors[piece.Sector].Corners[corner];
       }
       const double length = std::abs(vector);
       overlaps[piece.Sector].Length += length;
@@ -188,8 +185,7 @@ LocalRow<Complex> PowerRow(const OneRing& ring, const FaceBefore& face, const Cu
     const double turning = std::abs(overlaps[k].Turning);
     if (turning > 0.0)
     {
-      row.Entries.emplace_back(
-        ring.Sectors[k].Face, overlaps[k].Length / total * (overlaps[k].Turning / turning));
+      row.Entries.emplace_back(ring.Sectors[k].Face, overlaps[k].Length / total * (overlaps[k].Turning / turning));
     }
   }
   if (row.Entries.empty())
@@ -210,8 +206,7 @@ LocalProlongation::LocalProlongation(const CollapseRecord& collapse)
   const auto addVertex = [&](int vertexSlot, int vertex)
   {
     const RingOverlay::Place place = overlay.PlaceOf(vertex);
-    const std::array<int, 3> corners = { ring.Kept, ring.Loop[place.Sector],
-      ring.Loop[ring.NextOnLoop(place.Sector)] };
+    const std::array<int, 3> corners = { ring.Kept, ring.Loop[place.Sector], ring.Loop[ring.NextOnLoop(place.Sector)] };
     Combination<double> row;
     for (int k = 0; k < 3; ++k)
     {

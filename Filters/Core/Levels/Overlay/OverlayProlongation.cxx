@@ -64,8 +64,7 @@ public:
         products.emplace_back(column, factor * entry);
       }
     }
-    std::sort(products.begin(), products.end(),
-      [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::sort(products.begin(), products.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     Row<Scalar> sum;
     for (const auto& [column, product] : products)
     {
@@ -131,12 +130,8 @@ void VisitCoarse(const std::vector<int>& coarseElement, Visit visit)
 
 BackwardProduct<double> UnitZeroForms(const LevelTransition& transition)
 {
-  BackwardProduct<double> product(
-    transition.Fine.NumberOfVertices(), transition.Coarse.NumberOfVertices());
-  VisitCoarse(transition.CoarseVertex,
-    [&](int slot, int vertex) {
-      product[slot] = { { vertex, 1.0 } };
-    });
+  BackwardProduct<double> product(transition.Fine.NumberOfVertices(), transition.Coarse.NumberOfVertices());
+  VisitCoarse(transition.CoarseVertex, [&](int slot, int vertex) { product[slot] = { { vertex, 1.0 } }; });
   return product;
 }
 
@@ -158,26 +153,22 @@ BackwardProduct<double> HalfedgesOfOneForms(const LevelTransition& transition)
 }
 
 /// The sides of a face in its frame, one per row: P of the thesis, section 3.3.
-Eigen::Matrix<double, 3, 2> SidesInFrame(
-  const TriangleMesh& mesh, const TangentFrames& frames, int face)
+Eigen::Matrix<double, 3, 2> SidesInFrame(const TriangleMesh& mesh, const TangentFrames& frames, int face)
 {
   Eigen::Matrix<double, 3, 2> sides;
   for (int k = 0; k < 3; ++k)
   {
     const int h = 3 * face + k;
-    const Complex side =
-      frames.ToComplex(face, mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h)));
+    const Complex side = frames.ToComplex(face, mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h)));
     sides.row(k) << side.real(), side.imag();
   }
   return sides;
 }
 
 /// P_coarse: values along coarse halfedges in terms of the face field.
-BackwardProduct<double> HalfedgesOfFaceFields(
-  const LevelTransition& transition, const TangentFrames& coarseFrames)
+BackwardProduct<double> HalfedgesOfFaceFields(const LevelTransition& transition, const TangentFrames& coarseFrames)
 {
-  BackwardProduct<double> product(
-    3 * transition.Fine.NumberOfFaces(), 2 * transition.Coarse.NumberOfFaces());
+  BackwardProduct<double> product(3 * transition.Fine.NumberOfFaces(), 2 * transition.Coarse.NumberOfFaces());
   VisitCoarse(transition.CoarseFace,
     [&](int slot, int face)
     {
@@ -206,8 +197,7 @@ Complex UnitPower(Complex z, int N)
 BackwardProduct<Complex> PowersFromCoarseFrames(
   const LevelTransition& transition, const TangentFrames& coarseFrames, int N)
 {
-  BackwardProduct<Complex> product(
-    transition.Fine.NumberOfFaces(), transition.Coarse.NumberOfFaces());
+  BackwardProduct<Complex> product(transition.Fine.NumberOfFaces(), transition.Coarse.NumberOfFaces());
   VisitCoarse(transition.CoarseFace,
     [&](int slot, int face)
     {
@@ -230,15 +220,15 @@ std::vector<LocalRow<Complex>> OnPowers(std::vector<LocalRow<Complex>> local, in
   return local;
 }
 
-SparseMatrix<double> FineVertices(const BackwardProduct<double>& product,
-  const LevelTransition& transition, const ExecutionContext& context)
+SparseMatrix<double> FineVertices(
+  const BackwardProduct<double>& product, const LevelTransition& transition, const ExecutionContext& context)
 {
-  return AssembleMatrix<double>(transition.Fine.NumberOfVertices(), product.NumberOfColumns(),
-    context, [&](int vertex, Row<double>& row) { row = product[vertex]; });
+  return AssembleMatrix<double>(transition.Fine.NumberOfVertices(), product.NumberOfColumns(), context,
+    [&](int vertex, Row<double>& row) { row = product[vertex]; });
 }
 
-SparseMatrix<double> FineEdges(const BackwardProduct<double>& product,
-  const LevelTransition& transition, const ExecutionContext& context)
+SparseMatrix<double> FineEdges(
+  const BackwardProduct<double>& product, const LevelTransition& transition, const ExecutionContext& context)
 {
   const TriangleMesh& fine = transition.Fine;
   return AssembleMatrix<double>(fine.NumberOfEdges(), product.NumberOfColumns(), context,
@@ -254,9 +244,8 @@ SparseMatrix<double> FineEdges(const BackwardProduct<double>& product,
 }
 
 /// The field of each fine face from the values along its halfedges, by P_fine^+.
-SparseMatrix<double> FineFaceFields(const BackwardProduct<double>& product,
-  const LevelTransition& transition, const TangentFrames& fineFrames,
-  const ExecutionContext& context)
+SparseMatrix<double> FineFaceFields(const BackwardProduct<double>& product, const LevelTransition& transition,
+  const TangentFrames& fineFrames, const ExecutionContext& context)
 {
   const TriangleMesh& fine = transition.Fine;
   return AssembleMatrix<double>(2 * fine.NumberOfFaces(), product.NumberOfColumns(), context,
@@ -274,12 +263,10 @@ SparseMatrix<double> FineFaceFields(const BackwardProduct<double>& product,
     });
 }
 
-SparseMatrix<Complex> FinePowers(const BackwardProduct<Complex>& product,
-  const LevelTransition& transition, const TangentFrames& fineFrames, int N,
-  const ExecutionContext& context)
+SparseMatrix<Complex> FinePowers(const BackwardProduct<Complex>& product, const LevelTransition& transition,
+  const TangentFrames& fineFrames, int N, const ExecutionContext& context)
 {
-  return AssembleMatrix<Complex>(transition.Fine.NumberOfFaces(), product.NumberOfColumns(),
-    context,
+  return AssembleMatrix<Complex>(transition.Fine.NumberOfFaces(), product.NumberOfColumns(), context,
     [&](int face, Row<Complex>& row)
     {
       row = product[face];
@@ -292,8 +279,7 @@ SparseMatrix<Complex> FinePowers(const BackwardProduct<Complex>& product,
 }
 
 /// Weights of one product and turns of another, with the same non-zeros.
-TransportOperator WithTurns(
-  const SparseMatrix<Complex>& weights, const SparseMatrix<Complex>& turns)
+TransportOperator WithTurns(const SparseMatrix<Complex>& weights, const SparseMatrix<Complex>& turns)
 {
   TransportOperator result = turns;
   for (Eigen::Index i = 0; i < result.nonZeros(); ++i)
@@ -308,9 +294,8 @@ TransportOperator WithTurns(
 
 }
 
-OverlayProlongation::OverlayProlongation(const LevelTransition& transition,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
-  const ExecutionContext& context)
+OverlayProlongation::OverlayProlongation(const LevelTransition& transition, const TangentFrames& fineFrames,
+  const TangentFrames& coarseFrames, const ExecutionContext& context)
 {
   BackwardProduct<double> zeroForms = UnitZeroForms(transition);
   BackwardProduct<double> oneForms = HalfedgesOfOneForms(transition);
@@ -332,17 +317,15 @@ OverlayProlongation::OverlayProlongation(const LevelTransition& transition,
   context.Checkpoint(1.0);
   this->SX = FineFaceFields(faceFields, transition, fineFrames, context);
   context.Checkpoint(1.0);
-  this->SP = WithTurns(FinePowers(weights, transition, fineFrames, 0, context),
-    FinePowers(turns, transition, fineFrames, 1, context));
+  this->SP = WithTurns(
+    FinePowers(weights, transition, fineFrames, 0, context), FinePowers(turns, transition, fineFrames, 1, context));
 }
 
-SparseMatrix<Complex> PowerFieldOverlay(const LevelTransition& transition,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames, int N,
-  const ExecutionContext& context)
+SparseMatrix<Complex> PowerFieldOverlay(const LevelTransition& transition, const TangentFrames& fineFrames,
+  const TangentFrames& coarseFrames, int N, const ExecutionContext& context)
 {
   BackwardProduct<Complex> powers = PowersFromCoarseFrames(transition, coarseFrames, N);
-  VisitBackwards(transition, context,
-    [&](const LocalProlongation& local) { powers.Undo(OnPowers(local.Powers, N)); });
+  VisitBackwards(transition, context, [&](const LocalProlongation& local) { powers.Undo(OnPowers(local.Powers, N)); });
   return FinePowers(powers, transition, fineFrames, N, context);
 }
 

@@ -51,9 +51,8 @@ struct OverlayProlongation
 /// OnPowers(SP, N), which takes the mean of the ways first; on flat patches it is.
 /// \pre, \throw, cost: as above. N >= 0; N = 0 gives the weights.
 /// \return #F_l x #F_{l+1}
-SparseMatrix<Complex> PowerFieldOverlay(const LevelTransition& transition,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames, int N,
-  const ExecutionContext& context);
+SparseMatrix<Complex> PowerFieldOverlay(const LevelTransition& transition, const TangentFrames& fineFrames,
+  const TangentFrames& coarseFrames, int N, const ExecutionContext& context);
 
 }
 

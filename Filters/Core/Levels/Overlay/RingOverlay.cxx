@@ -10,8 +10,7 @@ namespace
 
 bool IsInside(const std::array<Rational, 3>& weights)
 {
-  return std::none_of(
-    weights.begin(), weights.end(), [](const Rational& w) { return CGAL::sign(w) < 0; });
+  return std::none_of(weights.begin(), weights.end(), [](const Rational& w) { return CGAL::sign(w) < 0; });
 }
 
 }
@@ -91,8 +90,7 @@ int RingOverlay::SectorWith(int from, int to) const
     {
       continue;
     }
-    const bool isOnTheRight =
-      (std::max(fromSpoke) == 0 && CGAL::sign(this->FromHub[k] * direction) < 0) ||
+    const bool isOnTheRight = (std::max(fromSpoke) == 0 && CGAL::sign(this->FromHub[k] * direction) < 0) ||
       (std::min(fromNext) == 0 && CGAL::sign(this->FromHub[next] * direction) > 0);
     if (!isOnTheRight)
     {
@@ -123,8 +121,7 @@ std::array<Rational, 3> RingOverlay::WeightsIn(int sector, int vertex) const
 std::array<Rational, 3> RingOverlay::WeightsIn(int sector, const Crossing& crossing) const
 {
   const Rational& u = crossing.AlongSpoke;
-  return crossing.Spoke == sector ? std::array<Rational, 3>{ 1 - u, u, 0 }
-                                  : std::array<Rational, 3>{ 1 - u, 0, u };
+  return crossing.Spoke == sector ? std::array<Rational, 3>{ 1 - u, u, 0 } : std::array<Rational, 3>{ 1 - u, 0, u };
 }
 
 // In the order of the edge.
@@ -146,8 +143,8 @@ std::vector<RingOverlay::Crossing> RingOverlay::CrossingsOf(int from, int to) co
       crossings.push_back({ k, CGAL::sign(across) > 0, -start / across, alongSpoke });
     }
   }
-  std::sort(crossings.begin(), crossings.end(),
-    [](const Crossing& a, const Crossing& b) { return a.AlongEdge < b.AlongEdge; });
+  std::sort(
+    crossings.begin(), crossings.end(), [](const Crossing& a, const Crossing& b) { return a.AlongEdge < b.AlongEdge; });
   return crossings;
 }
 
@@ -156,9 +153,8 @@ bool RingOverlay::Cut(int from, int to, std::vector<Piece>& pieces) const
 {
   const auto isSector = [&](int k) { return k >= 0 && k < this->Ring.NumberOfSectors(); };
   const std::vector<Crossing> crossings = this->CrossingsOf(from, to);
-  int sector = crossings.empty()
-    ? this->SectorWith(from, to)
-    : this->SectorBeside(crossings.front().Spoke, !crossings.front().CounterClockwise);
+  int sector = crossings.empty() ? this->SectorWith(from, to)
+                                 : this->SectorBeside(crossings.front().Spoke, !crossings.front().CounterClockwise);
   if (!isSector(sector))
   {
     return false;
@@ -175,8 +171,8 @@ bool RingOverlay::Cut(int from, int to, std::vector<Piece>& pieces) const
     start = this->WeightsIn(sector, crossing);
   }
   pieces.push_back({ sector, start, this->WeightsIn(sector, to) });
-  return std::all_of(pieces.begin(), pieces.end(),
-    [](const Piece& piece) { return IsInside(piece.From) && IsInside(piece.To); });
+  return std::all_of(
+    pieces.begin(), pieces.end(), [](const Piece& piece) { return IsInside(piece.From) && IsInside(piece.To); });
 }
 
 }

@@ -57,8 +57,8 @@ private:
   {
     int Spoke;
     bool CounterClockwise; ///< the direction of the edge there, seen from the hub
-    Rational AlongEdge; ///< 0 at its start, 1 at its end
-    Rational AlongSpoke; ///< 0 at the hub, 1 at the polygon
+    Rational AlongEdge;    ///< 0 at its start, 1 at its end
+    Rational AlongSpoke;   ///< 0 at the hub, 1 at the polygon
   };
 
   int SectorBeside(int spoke, bool following) const;
@@ -72,10 +72,7 @@ private:
   using PlaneVector = CGAL::Simple_cartesian<Rational>::Vector_2;
 
   /// Twice the area of hub, x_k, vertex: positive where the vertex is on the left of the spoke.
-  const Rational& Area(int k, int vertex) const
-  {
-    return this->Areas[k * this->Ring.NumberOfVertices() + vertex];
-  }
+  const Rational& Area(int k, int vertex) const { return this->Areas[k * this->Ring.NumberOfVertices() + vertex]; }
 
   const OneRing& Ring;
   std::vector<PlaneVector> FromHub; // positions in the plane, by local number

@@ -73,8 +73,7 @@ double Spacing(const TangentGraph& graph, int point)
 class Sampler
 {
 public:
-  Sampler(const TangentGraph& graph, double radius, double largestCurvature,
-    const ExecutionContext& context)
+  Sampler(const TangentGraph& graph, double radius, double largestCurvature, const ExecutionContext& context)
     : Graph(graph)
     , LargestCurvature(largestCurvature)
     , Radii(graph.NumberOfPoints())
@@ -173,8 +172,7 @@ private:
         visits.resize(next);
         break;
       }
-      for (int link = this->Graph.Offsets[visit.Point]; link < this->Graph.Offsets[visit.Point + 1];
-           ++link)
+      for (int link = this->Graph.Offsets[visit.Point]; link < this->Graph.Offsets[visit.Point + 1]; ++link)
       {
         const int point = this->Graph.Neighbours[link];
         const Complex place = visit.Seen.Place + visit.Seen.Turn * this->Graph.Steps[link];
@@ -217,8 +215,7 @@ private:
 };
 
 /// Points whose neighbours belong to a nearer sample follow them.
-Sights FollowNeighbours(
-  const TangentGraph& graph, const Sights& former, const ExecutionContext& context)
+Sights FollowNeighbours(const TangentGraph& graph, const Sights& former, const ExecutionContext& context)
 {
   Sights sights(former.size());
   context.ParallelFor(0, graph.NumberOfPoints(), Grain,
@@ -247,8 +244,7 @@ Sights FollowNeighbours(
 }
 
 /// The mean of what a point sees along its links.
-Sights MeansOfNeighbours(
-  const TangentGraph& graph, const Sights& former, const ExecutionContext& context)
+Sights MeansOfNeighbours(const TangentGraph& graph, const Sights& former, const ExecutionContext& context)
 {
   Sights sights(former.size());
   context.ParallelFor(0, graph.NumberOfPoints(), Grain,
@@ -305,13 +301,12 @@ struct Crossings
 /// The points of each sample, ascending.
 SortedItems PointsOfSamples(const PointSampling& sampling, const ExecutionContext& context)
 {
-  return SortByKey(Identity(static_cast<int>(sampling.Owners.size())),
-    static_cast<int>(sampling.Samples.size()),
+  return SortByKey(
+    Identity(static_cast<int>(sampling.Owners.size())), static_cast<int>(sampling.Samples.size()),
     [&sampling](int point) { return sampling.Owners[point]; }, context);
 }
 
-void AddCrossings(
-  const TangentGraph& graph, const PointSampling& sampling, int point, RowEntries<Crossings>& row)
+void AddCrossings(const TangentGraph& graph, const PointSampling& sampling, int point, RowEntries<Crossings>& row)
 {
   const int owner = sampling.Owners[point];
   for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
@@ -319,18 +314,17 @@ void AddCrossings(
     const int neighbour = graph.Neighbours[link];
     if (sampling.Owners[neighbour] != owner)
     {
-      const Complex turn =
-        sampling.Turns[point] * graph.Turns[link] * std::conj(sampling.Turns[neighbour]);
-      const Complex step = sampling.Places[point] + sampling.Turns[point] * graph.Steps[link] -
-        turn * sampling.Places[neighbour];
+      const Complex turn = sampling.Turns[point] * graph.Turns[link] * std::conj(sampling.Turns[neighbour]);
+      const Complex step =
+        sampling.Places[point] + sampling.Turns[point] * graph.Steps[link] - turn * sampling.Places[neighbour];
       AddTo(row, sampling.Owners[neighbour], Crossings{ step, turn, 1.0 });
     }
   }
 }
 
 /// The links of a sample, counter-clockwise.
-void SetLinks(TangentGraph& graph, int sample, const std::pair<int, Crossings>* begin,
-  const std::pair<int, Crossings>* end)
+void SetLinks(
+  TangentGraph& graph, int sample, const std::pair<int, Crossings>* begin, const std::pair<int, Crossings>* end)
 {
   thread_local std::vector<std::pair<double, const std::pair<int, Crossings>*>> around;
   around.clear();
@@ -357,8 +351,8 @@ PointSampling Numbered(const Sights& sights, const ExecutionContext& context)
 {
   const int points = static_cast<int>(sights.size());
   PointSampling sampling;
-  sampling.Samples =
-    Choose(points, [&sights](int point) { return sights[point].Owner == point; }, context);
+  sampling.Samples = Choose(
+    points, [&sights](int point) { return sights[point].Owner == point; }, context);
   Unfilled<int> numbers(points); // of samples only
   for (std::size_t sample = 0; sample < sampling.Samples.size(); ++sample)
   {
@@ -382,8 +376,8 @@ PointSampling Numbered(const Sights& sights, const ExecutionContext& context)
 
 }
 
-PointSampling SamplePoints(const TangentGraph& graph, double radius, double largestCurvature,
-  const ExecutionContext& context)
+PointSampling SamplePoints(
+  const TangentGraph& graph, double radius, double largestCurvature, const ExecutionContext& context)
 {
   Sights sights = Sampler(graph, radius, largestCurvature, context).Run(context);
   sights = FollowNeighbours(graph, sights, context);
@@ -394,8 +388,7 @@ PointSampling SamplePoints(const TangentGraph& graph, double radius, double larg
   return Numbered(sights, context);
 }
 
-TangentGraph GraphOfSamples(
-  const TangentGraph& graph, const PointSampling& sampling, const ExecutionContext& context)
+TangentGraph GraphOfSamples(const TangentGraph& graph, const PointSampling& sampling, const ExecutionContext& context)
 {
   const int samples = static_cast<int>(sampling.Samples.size());
   const SortedItems members = PointsOfSamples(sampling, context);

@@ -37,15 +37,14 @@ struct PointSampling
 ///   point counts without its sign. Itself it covers always.
 /// Cost: linear for bounded radius and valence. Wiersma et al. 2023 sample the same way, with one
 /// radius for all points and without regard to curvature.
-PointSampling SamplePoints(const TangentGraph& graph, double radius, double largestCurvature,
-  const ExecutionContext& context);
+PointSampling SamplePoints(
+  const TangentGraph& graph, double radius, double largestCurvature, const ExecutionContext& context);
 
 /// The samples with those whose points touch. Steps and turns are means over all links between the
 /// points of two samples, so that the curvature between them is spread rather than drawn at random. The
 /// curvature of a sample is the sum over its points.
 /// Cost: O(links).
-TangentGraph GraphOfSamples(
-  const TangentGraph& graph, const PointSampling& sampling, const ExecutionContext& context);
+TangentGraph GraphOfSamples(const TangentGraph& graph, const PointSampling& sampling, const ExecutionContext& context);
 
 }
 

@@ -50,8 +50,7 @@ FlatFace Flatten(const TriangleMesh& mesh, int face)
 int PlaceOfTwin(const TriangleMesh& mesh, const std::vector<int>& places, int halfedge)
 {
   const int twin = mesh.Twin(halfedge);
-  const bool isLink =
-    twin >= 0 && TriangleMesh::FaceOf(twin) != TriangleMesh::FaceOf(halfedge);
+  const bool isLink = twin >= 0 && TriangleMesh::FaceOf(twin) != TriangleMesh::FaceOf(halfedge);
   return isLink ? 3 * places[TriangleMesh::FaceOf(twin)] + twin % 3 : -1;
 }
 
@@ -85,10 +84,12 @@ Unfilled<double> CurvaturesOfCorners(
         }
         double lacking = 2.0 * Pi;
         int faces = 0;
-        mesh.VisitFan(vertex, [&](int h) {
-          lacking -= angles[TriangleMesh::FaceOf(h)][h % 3];
-          ++faces;
-        });
+        mesh.VisitFan(vertex,
+          [&](int h)
+          {
+            lacking -= angles[TriangleMesh::FaceOf(h)][h % 3];
+            ++faces;
+          });
         curvatures[vertex] = lacking / faces;
       }
     });
@@ -97,8 +98,7 @@ Unfilled<double> CurvaturesOfCorners(
 
 }
 
-TangentGraph FaceGraph(
-  const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context)
+TangentGraph FaceGraph(const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context)
 {
   const int faces = mesh.NumberOfFaces();
   const std::vector<int> places = Inverse(order, context);

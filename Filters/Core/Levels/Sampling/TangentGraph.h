@@ -37,8 +37,7 @@ struct TangentGraph
 /// plane of the two faces, unfolded: faces that share a long side, which the energies bind tightly,
 /// are near each other. A face has its share of the angles that its corners lack of a full turn;
 /// corners at the boundary lack none. \param order [i] is the face of point i; a permutation. Cost: O(#F).
-TangentGraph FaceGraph(
-  const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context);
+TangentGraph FaceGraph(const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context);
 
 }
 

@@ -19,9 +19,8 @@ namespace dmg
 /// all (FineEdgePaths), so that SX^T A SX has no zero on its diagonal (thesis, table 7.9).
 /// \return 2 #F_l x 2 #F_{l+1}, in the frames given; about six entries per row.
 /// Cost: O(#F_l). Thesis, section 4.3.
-SparseMatrix<double> FaceFieldProlongation(const FineEdgePaths& paths,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
-  const ExecutionContext& context);
+SparseMatrix<double> FaceFieldProlongation(const FineEdgePaths& paths, const TangentFrames& fineFrames,
+  const TangentFrames& coarseFrames, const ExecutionContext& context);
 
 }
 

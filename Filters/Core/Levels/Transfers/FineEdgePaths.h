@@ -19,8 +19,7 @@ class FineEdgePaths
 {
 public:
   /// Cost: O(#E). \param transition must stay.
-  explicit FineEdgePaths(
-    const LevelTransition& transition, const ExecutionContext& context = SerialContext());
+  explicit FineEdgePaths(const LevelTransition& transition, const ExecutionContext& context = SerialContext());
 
   const TriangleMesh& Fine() const { return this->Transition.Fine; }
   const TriangleMesh& Coarse() const { return this->Transition.Coarse; }
@@ -44,16 +43,14 @@ public:
     const int slot = this->SlotOfFace[coarseFace];
     for (int k = 0; k < 3; ++k)
     {
-      if (this->Transition.Tracking.FineEdgeAlong(3 * slot + k) >= 0 &&
-        !visit(Corner(k), Corner((k + 1) % 3)))
+      if (this->Transition.Tracking.FineEdgeAlong(3 * slot + k) >= 0 && !visit(Corner(k), Corner((k + 1) % 3)))
       {
         return;
       }
     }
     this->Transition.Tracking.VisitPiecesIn(
       slot, [this](int slotHalfedge) { return this->SlotTails[slotHalfedge]; },
-      [&visit](int, const std::array<double, 3>& from, const std::array<double, 3>& to)
-      { return visit(from, to); });
+      [&visit](int, const std::array<double, 3>& from, const std::array<double, 3>& to) { return visit(from, to); });
   }
 
   /// A piece in some coarse face, and whose it is.
@@ -61,7 +58,7 @@ public:
   {
     int Edge;
     bool Forward; ///< of the halfedge along the edge, else of the one against it
-    int Number; ///< in the order of VisitPieces
+    int Number;   ///< in the order of VisitPieces
     std::array<double, 3> From;
     std::array<double, 3> To;
   };
@@ -109,8 +106,7 @@ private:
         h = this->Transition.Coarse.Twin(h);
         reversed = false;
       }
-      visit(TriangleMesh::FaceOf(h), Corner((h + (reversed ? 1 : 0)) % 3),
-        Corner((h + (reversed ? 0 : 1)) % 3));
+      visit(TriangleMesh::FaceOf(h), Corner((h + (reversed ? 1 : 0)) % 3), Corner((h + (reversed ? 0 : 1)) % 3));
       return;
     }
     if (this->AlongHalfedge[edge] != OnPath)
@@ -142,9 +138,9 @@ private:
 
   const LevelTransition& Transition;
   std::vector<int> AlongHalfedge; // per fine edge: a coarse halfedge, OnPath, or FromBent(number)
-  std::vector<bool> RunsForward; // whether that halfedge runs along the edge's orientation
-  std::vector<int> SlotTails; // per halfedge slot: the fine vertex at its tail, if unmoved
-  std::vector<int> SlotOfFace; // per coarse face
+  std::vector<bool> RunsForward;  // whether that halfedge runs along the edge's orientation
+  std::vector<int> SlotTails;     // per halfedge slot: the fine vertex at its tail, if unmoved
+  std::vector<int> SlotOfFace;    // per coarse face
   std::vector<BentEdge> BentEdges;
   std::unordered_map<int, std::vector<int>> BentInto; // per coarse face: edges
   int Detours = 0;

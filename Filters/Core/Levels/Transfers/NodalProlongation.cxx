@@ -41,8 +41,8 @@ std::array<double, 3> WeightsByLongSides(const TriangleMesh& mesh, int face)
 
 /// The turns from coarse vertices to a fine face, by every coarse face that it overlaps; each with the
 /// weight of the overlap.
-void AddTurns(Row& turns, Complex factor, int fineFace, const TransportOperator& SP,
-  const TriangleMesh& coarse, const std::vector<Complex>& coarseCornerTurns)
+void AddTurns(Row& turns, Complex factor, int fineFace, const TransportOperator& SP, const TriangleMesh& coarse,
+  const std::vector<Complex>& coarseCornerTurns)
 {
   for (TransportOperator::InnerIterator entry(SP, fineFace); entry; ++entry)
   {
@@ -60,8 +60,7 @@ void Turn(Row& row, const Row& turns)
   for (auto& [column, entry] : row)
   {
     const int wanted = column;
-    const auto found = std::find_if(
-      turns.begin(), turns.end(), [wanted](const auto& t) { return t.first == wanted; });
+    const auto found = std::find_if(turns.begin(), turns.end(), [wanted](const auto& t) { return t.first == wanted; });
     const double length = found == turns.end() ? 0.0 : std::sqrt(std::norm(found->second));
     if (length > 0.0) // else the turns contradict each other, and any will do
     {
@@ -77,44 +76,51 @@ std::vector<Complex> CornerTurns(
 {
   std::vector<Complex> directions(3 * mesh.NumberOfFaces());
   std::vector<double> angles(3 * mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain, [&](int firstFace, int lastFace) {
-    for (int face = firstFace; face < lastFace; ++face)
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int firstFace, int lastFace)
     {
-      const std::array<Complex, 3> sides = SideDirections(mesh, faceFrames, face);
-      for (int k = 0; k < 3; ++k)
+      for (int face = firstFace; face < lastFace; ++face)
       {
-        directions[3 * face + k] = sides[k];
-        angles[3 * face + k] = std::abs(std::arg(-sides[(k + 2) % 3] * std::conj(sides[k])));
+        const std::array<Complex, 3> sides = SideDirections(mesh, faceFrames, face);
+        for (int k = 0; k < 3; ++k)
+        {
+          directions[3 * face + k] = sides[k];
+          angles[3 * face + k] = std::abs(std::arg(-sides[(k + 2) % 3] * std::conj(sides[k])));
+        }
       }
-    }
-  });
+    });
   std::vector<Complex> turns(3 * mesh.NumberOfFaces());
-  const auto turnAround = [&](int vertex) {
+  const auto turnAround = [&](int vertex)
+  {
     double sum = 0.0;
     mesh.VisitFan(vertex, [&](int h) { sum += angles[h]; });
     const double stretch = mesh.IsBoundaryVertex(vertex) || sum == 0.0 ? 1.0 : 2.0 * Pi / sum;
     double polar = 0.0;
-    mesh.VisitFan(vertex, [&](int h) {
-      // The bisectors of the corner coincide.
-      turns[h] =
-        directions[h] * std::polar(1.0, 0.5 * angles[h] - (polar + 0.5 * stretch * angles[h]));
-      polar += stretch * angles[h];
-    });
+    mesh.VisitFan(vertex,
+      [&](int h)
+      {
+        // The bisectors of the corner coincide.
+        turns[h] = directions[h] * std::polar(1.0, 0.5 * angles[h] - (polar + 0.5 * stretch * angles[h]));
+        polar += stretch * angles[h];
+      });
   };
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain, [&](int firstVertex, int lastVertex) {
-    for (int vertex = firstVertex; vertex < lastVertex; ++vertex)
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int firstVertex, int lastVertex)
     {
-      turnAround(vertex);
-    }
-  });
+      for (int vertex = firstVertex; vertex < lastVertex; ++vertex)
+      {
+        turnAround(vertex);
+      }
+    });
   return turns;
 }
 
 TransportOperator FacesFromVertices(const TriangleMesh& fine, const SparseMatrix<double>& S0,
-  const TransportOperator& SP, const TriangleMesh& coarse,
-  const std::vector<Complex>& coarseCornerTurns, const ExecutionContext& context)
+  const TransportOperator& SP, const TriangleMesh& coarse, const std::vector<Complex>& coarseCornerTurns,
+  const ExecutionContext& context)
 {
-  const auto appendRow = [&](int face, Row& row) {
+  const auto appendRow = [&](int face, Row& row)
+  {
     const std::array<double, 3> weights = WeightsByLongSides(fine, face);
     for (int k = 0; k < 3; ++k)
     {
@@ -128,30 +134,27 @@ TransportOperator FacesFromVertices(const TriangleMesh& fine, const SparseMatrix
     AddTurns(turns, 1.0, face, SP, coarse, coarseCornerTurns);
     Turn(row, turns);
   };
-  return AssembleMatrix<Complex>(
-    fine.NumberOfFaces(), coarse.NumberOfVertices(), context, appendRow);
+  return AssembleMatrix<Complex>(fine.NumberOfFaces(), coarse.NumberOfVertices(), context, appendRow);
 }
 
-TransportOperator VerticesFromVertices(const TriangleMesh& fine,
-  const std::vector<Complex>& fineCornerTurns, const SparseMatrix<double>& S0,
-  const TransportOperator& SP, const TriangleMesh& coarse,
+TransportOperator VerticesFromVertices(const TriangleMesh& fine, const std::vector<Complex>& fineCornerTurns,
+  const SparseMatrix<double>& S0, const TransportOperator& SP, const TriangleMesh& coarse,
   const std::vector<Complex>& coarseCornerTurns, const ExecutionContext& context)
 {
-  const auto appendRow = [&](int vertex, Row& row) {
+  const auto appendRow = [&](int vertex, Row& row)
+  {
     for (SparseMatrix<double>::InnerIterator entry(S0, vertex); entry; ++entry)
     {
       row.emplace_back(static_cast<int>(entry.col()), entry.value());
     }
     thread_local Row turns;
     turns.clear();
-    fine.VisitFan(vertex, [&](int h) {
-      AddTurns(turns, std::conj(fineCornerTurns[h]), TriangleMesh::FaceOf(h), SP, coarse,
-        coarseCornerTurns);
-    });
+    fine.VisitFan(vertex,
+      [&](int h)
+      { AddTurns(turns, std::conj(fineCornerTurns[h]), TriangleMesh::FaceOf(h), SP, coarse, coarseCornerTurns); });
     Turn(row, turns);
   };
-  return AssembleMatrix<Complex>(
-    fine.NumberOfVertices(), coarse.NumberOfVertices(), context, appendRow);
+  return AssembleMatrix<Complex>(fine.NumberOfVertices(), coarse.NumberOfVertices(), context, appendRow);
 }
 
 }

@@ -25,15 +25,14 @@ std::vector<Complex> CornerTurns(
 /// roughness of the fine surface into the coarse functions.)
 /// \return #F_0 x #V_1, in face frames and in polar coordinates of the vertices.
 TransportOperator FacesFromVertices(const TriangleMesh& fine, const SparseMatrix<double>& S0,
-  const TransportOperator& SP, const TriangleMesh& coarse,
-  const std::vector<Complex>& coarseCornerTurns, const ExecutionContext& context);
+  const TransportOperator& SP, const TriangleMesh& coarse, const std::vector<Complex>& coarseCornerTurns,
+  const ExecutionContext& context);
 
 /// Prolongation of directions from the vertices of a coarse level to those of the next finer one:
 /// weights of S0, turns as above, averaged over the faces around the fine vertex.
 /// \return #V_l x #V_{l+1}, in polar coordinates.
-TransportOperator VerticesFromVertices(const TriangleMesh& fine,
-  const std::vector<Complex>& fineCornerTurns, const SparseMatrix<double>& S0,
-  const TransportOperator& SP, const TriangleMesh& coarse,
+TransportOperator VerticesFromVertices(const TriangleMesh& fine, const std::vector<Complex>& fineCornerTurns,
+  const SparseMatrix<double>& S0, const TransportOperator& SP, const TriangleMesh& coarse,
   const std::vector<Complex>& coarseCornerTurns, const ExecutionContext& context);
 
 }

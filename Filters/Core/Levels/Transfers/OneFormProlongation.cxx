@@ -49,8 +49,7 @@ public:
     for (int edge = 0; edge < paths.Fine().NumberOfEdges(); ++edge)
     {
       paths.VisitPieces(paths.Fine().HalfedgeOf(edge),
-        [this, edge](int face, const auto&, const auto&)
-        { this->EdgesOnFace[face].push_back(edge); });
+        [this, edge](int face, const auto&, const auto&) { this->EdgesOnFace[face].push_back(edge); });
     }
   }
 
@@ -131,18 +130,19 @@ void BendPathsToUnseenEdges(const FineEdgePaths& paths, SparseMatrix<double>& S1
 
 }
 
-SparseMatrix<double> OneFormProlongation(
-  const FineEdgePaths& paths, const ExecutionContext& context)
+SparseMatrix<double> OneFormProlongation(const FineEdgePaths& paths, const ExecutionContext& context)
 {
   const TriangleMesh& fine = paths.Fine();
   const TriangleMesh& coarse = paths.Coarse();
 
-  SparseMatrix<double> S1 = AssembleMatrix<double>(fine.NumberOfEdges(), coarse.NumberOfEdges(),
-    context, [&](int edge, RowEntries<double>& row) {
+  SparseMatrix<double> S1 = AssembleMatrix<double>(fine.NumberOfEdges(), coarse.NumberOfEdges(), context,
+    [&](int edge, RowEntries<double>& row)
+    {
       const int halfedge = fine.HalfedgeOf(edge);
       const double sign = fine.EdgeSign(halfedge);
       paths.VisitPieces(halfedge,
-        [&](int face, const std::array<double, 3>& p, const std::array<double, 3>& q) {
+        [&](int face, const std::array<double, 3>& p, const std::array<double, 3>& q)
+        {
           for (int i = 0; i < 3; ++i)
           {
             const int j = (i + 1) % 3;
@@ -154,9 +154,7 @@ SparseMatrix<double> OneFormProlongation(
             }
           }
         });
-      row.erase(
-        std::remove_if(row.begin(), row.end(), [](const auto& e) { return e.second == 0.0; }),
-        row.end());
+      row.erase(std::remove_if(row.begin(), row.end(), [](const auto& e) { return e.second == 0.0; }), row.end());
     });
   BendPathsToUnseenEdges(paths, S1);
   return S1;

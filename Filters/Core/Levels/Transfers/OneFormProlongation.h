@@ -18,8 +18,7 @@ namespace dmg
 /// no coarse diagonal is zero (thesis, table 7.9).
 /// \return #E_l x #E_{l+1}, in the orientations of the edges of both; five to six entries per row.
 /// Cost: O(#E_l). Thesis, section 4.2.
-SparseMatrix<double> OneFormProlongation(
-  const FineEdgePaths& paths, const ExecutionContext& context);
+SparseMatrix<double> OneFormProlongation(const FineEdgePaths& paths, const ExecutionContext& context);
 
 }
 

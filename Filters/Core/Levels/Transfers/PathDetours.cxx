@@ -58,8 +58,7 @@ public:
   }
   bool IsWeak() const
   {
-    return 0.5 * (this->XX + this->YY) - std::hypot(0.5 * (this->XX - this->YY), this->XY) <
-      SmallestCoverage;
+    return 0.5 * (this->XX + this->YY) - std::hypot(0.5 * (this->XX - this->YY), this->XY) < SmallestCoverage;
   }
   /// The direction that is seen least.
   Vector2 Missing() const
@@ -150,8 +149,7 @@ private:
     for (const FineEdgePaths::PieceOfEdge& piece : this->Paths.PiecesIn(coarseFace))
     {
       const auto reserved = this->ReservedFor.find(piece.Edge);
-      if (piece.Edge != withoutEdge &&
-        (reserved == this->ReservedFor.end() || reserved->second == coarseFace))
+      if (piece.Edge != withoutEdge && (reserved == this->ReservedFor.end() || reserved->second == coarseFace))
       {
         coverage.Add(InEquilateral(piece.From, piece.To));
       }
@@ -171,8 +169,8 @@ private:
         return false;
       }
       // Half of the piece's way along the side goes through the face.
-      this->Paths.Bend(candidate.Piece, candidate.Side,
-        0.75 * candidate.From + 0.25 * candidate.To, 0.25 * candidate.From + 0.75 * candidate.To);
+      this->Paths.Bend(candidate.Piece, candidate.Side, 0.75 * candidate.From + 0.25 * candidate.To,
+        0.25 * candidate.From + 0.75 * candidate.To);
       this->ReservedFor[candidate.Piece.Edge] = coarseFace;
       const int neighbour = TriangleMesh::FaceOf(this->Paths.Coarse().Twin(candidate.Side));
       if (this->CoverageOf(neighbour).IsWeak())

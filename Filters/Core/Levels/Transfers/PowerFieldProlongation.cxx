@@ -47,8 +47,7 @@ public:
       const double turning = std::sqrt(std::norm(overlap.Turning));
       if (turning > 0.0)
       {
-        row.emplace_back(
-          overlap.Face, overlap.Length / this->TotalLength * (overlap.Turning / turning));
+        row.emplace_back(overlap.Face, overlap.Length / this->TotalLength * (overlap.Turning / turning));
       }
     }
   }
@@ -71,44 +70,46 @@ private:
 };
 
 /// Corners of a face as complex numbers in its frame.
-std::array<Complex, 3> CornersInFrame(
-  const TriangleMesh& mesh, const TangentFrames& frames, int face)
+std::array<Complex, 3> CornersInFrame(const TriangleMesh& mesh, const TangentFrames& frames, int face)
 {
   std::array<Complex, 3> corners;
   for (int k = 0; k < 3; ++k)
   {
-    corners[k] = frames.ToComplex(face,
-      mesh.Position(mesh.FaceCorners()(face, k)) - mesh.Position(mesh.FaceCorners()(face, 0)));
+    corners[k] =
+      frames.ToComplex(face, mesh.Position(mesh.FaceCorners()(face, k)) - mesh.Position(mesh.FaceCorners()(face, 0)));
   }
   return corners;
 }
 
 }
 
-TransportOperator PowerFieldProlongation(const FineEdgePaths& paths,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
-  const ExecutionContext& context)
+TransportOperator PowerFieldProlongation(const FineEdgePaths& paths, const TangentFrames& fineFrames,
+  const TangentFrames& coarseFrames, const ExecutionContext& context)
 {
   const TriangleMesh& fine = paths.Fine();
   const TriangleMesh& coarse = paths.Coarse();
   std::vector<std::array<Complex, 3>> coarseCorners(coarse.NumberOfFaces());
-  context.ParallelFor(0, coarse.NumberOfFaces(), Grain, [&](int first, int last) {
-    for (int t = first; t < last; ++t)
+  context.ParallelFor(0, coarse.NumberOfFaces(), Grain,
+    [&](int first, int last)
     {
-      coarseCorners[t] = CornersInFrame(coarse, coarseFrames, t);
-    }
-  });
+      for (int t = first; t < last; ++t)
+      {
+        coarseCorners[t] = CornersInFrame(coarse, coarseFrames, t);
+      }
+    });
 
-  const auto appendRow = [&](int face, RowEntries<Complex>& row) {
+  const auto appendRow = [&](int face, RowEntries<Complex>& row)
+  {
     Overlaps overlaps;
     const std::array<Complex, 3> directions = SideDirections(fine, fineFrames, face);
     for (int k = 0; k < 3; ++k)
     {
       paths.VisitPieces(3 * face + k,
-        [&](int t, const std::array<double, 3>& from, const std::array<double, 3>& to) {
+        [&](int t, const std::array<double, 3>& from, const std::array<double, 3>& to)
+        {
           const std::array<Complex, 3>& corners = coarseCorners[t];
-          const Complex piece = (to[0] - from[0]) * corners[0] + (to[1] - from[1]) * corners[1] +
-            (to[2] - from[2]) * corners[2];
+          const Complex piece =
+            (to[0] - from[0]) * corners[0] + (to[1] - from[1]) * corners[1] + (to[2] - from[2]) * corners[2];
           overlaps.Add(t, piece, directions[k]);
         });
     }
@@ -116,12 +117,10 @@ TransportOperator PowerFieldProlongation(const FineEdgePaths& paths,
     if (row.empty())
     {
       // The whole face lies in one point of the coarse mesh: no piece has a direction.
-      row.emplace_back(
-        overlaps.Any(), TransportTurn(coarseFrames, overlaps.Any(), fineFrames, face));
+      row.emplace_back(overlaps.Any(), TransportTurn(coarseFrames, overlaps.Any(), fineFrames, face));
     }
   };
-  return AssembleMatrix<Complex>(
-    fine.NumberOfFaces(), coarse.NumberOfFaces(), context, appendRow);
+  return AssembleMatrix<Complex>(fine.NumberOfFaces(), coarse.NumberOfFaces(), context, appendRow);
 }
 
 }

@@ -17,9 +17,8 @@ namespace dmg
 /// pieces would count by |e|^2N; unit directions weighted by length are sound for every N.)
 /// \return #F_l x #F_{l+1}; about three entries per row; rows sum to 1 in weight.
 /// Cost: O(#F_l). Thesis, section 4.4.
-TransportOperator PowerFieldProlongation(const FineEdgePaths& paths,
-  const TangentFrames& fineFrames, const TangentFrames& coarseFrames,
-  const ExecutionContext& context);
+TransportOperator PowerFieldProlongation(const FineEdgePaths& paths, const TangentFrames& fineFrames,
+  const TangentFrames& coarseFrames, const ExecutionContext& context);
 
 }
 

@@ -43,16 +43,14 @@ struct Weights
 
 /// In the triangle that a place lies in, between two links, or on its far side. \return false if
 /// the links span no triangle there.
-bool WeightsInTriangle(
-  const TangentGraph& samples, int first, int second, Complex place, Weights& weights)
+bool WeightsInTriangle(const TangentGraph& samples, int first, int second, Complex place, Weights& weights)
 {
   const Complex a = samples.Steps[first];
   const Complex b = samples.Steps[second];
   const double doubledArea = Cross(a, b);
   const double ofFirst = Cross(place, b);
   const double ofSecond = Cross(a, place);
-  if (ofFirst < 0.0 || ofSecond < 0.0 ||
-    !(doubledArea > SmallestSine * std::sqrt(std::norm(a) * std::norm(b))))
+  if (ofFirst < 0.0 || ofSecond < 0.0 || !(doubledArea > SmallestSine * std::sqrt(std::norm(a) * std::norm(b))))
   {
     return false;
   }
@@ -121,8 +119,7 @@ AssembledRows<Complex> RowsOfPoints(
       row.emplace_back(owner, toPoint);
       return;
     }
-    const auto [first, second, ofFirst, ofSecond] =
-      WeightsAround(samples, begin, end, sampling.Places[point]);
+    const auto [first, second, ofFirst, ofSecond] = WeightsAround(samples, begin, end, sampling.Places[point]);
     Append(row, owner, std::max(0.0, 1.0 - ofFirst - ofSecond) * toPoint);
     Append(row, samples.Neighbours[first], ofFirst * toPoint * samples.Turns[first]);
     Append(row, samples.Neighbours[second], ofSecond * toPoint * samples.Turns[second]);
@@ -135,9 +132,8 @@ AssembledRows<Complex> RowsOfPoints(
 TransportOperator SampledProlongation(
   const PointSampling& sampling, const TangentGraph& samples, const ExecutionContext& context)
 {
-  return MatrixOf(RowsOfPoints(sampling, samples, context),
-    static_cast<int>(sampling.Owners.size()), static_cast<int>(sampling.Samples.size()), context,
-    [](int point) { return point; });
+  return MatrixOf(RowsOfPoints(sampling, samples, context), static_cast<int>(sampling.Owners.size()),
+    static_cast<int>(sampling.Samples.size()), context, [](int point) { return point; });
 }
 
 TransportOperator SampledProlongation(const PointSampling& sampling, const TangentGraph& samples,

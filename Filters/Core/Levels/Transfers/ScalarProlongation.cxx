@@ -5,11 +5,11 @@
 namespace dmg
 {
 
-SparseMatrix<double> ScalarProlongation(
-  const LevelTransition& transition, const ExecutionContext& context)
+SparseMatrix<double> ScalarProlongation(const LevelTransition& transition, const ExecutionContext& context)
 {
-  return AssembleMatrix<double>(transition.Fine.NumberOfVertices(),
-    transition.Coarse.NumberOfVertices(), context, [&](int vertex, RowEntries<double>& row) {
+  return AssembleMatrix<double>(transition.Fine.NumberOfVertices(), transition.Coarse.NumberOfVertices(), context,
+    [&](int vertex, RowEntries<double>& row)
+    {
       if (transition.Tracking.IsCorner(vertex))
       {
         row.emplace_back(transition.CoarseVertex[vertex], 1.0);

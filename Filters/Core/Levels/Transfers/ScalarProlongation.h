@@ -11,8 +11,7 @@ namespace dmg
 /// where the vertex lies, linear on coarse triangles.
 /// \return #V_l x #V_{l+1}, rows non-negative with sum 1, at most three entries each.
 /// Cost: O(#V_l). Thesis, section 3.5; Liu et al. 2021.
-SparseMatrix<double> ScalarProlongation(
-  const LevelTransition& transition, const ExecutionContext& context);
+SparseMatrix<double> ScalarProlongation(const LevelTransition& transition, const ExecutionContext& context);
 
 }
 

@@ -22,13 +22,14 @@ Complex OnPowers(Complex entry, int N)
 
 }
 
-SparseMatrix<Complex> OnPowers(
-  const TransportOperator& transport, int N, const ExecutionContext& context)
+SparseMatrix<Complex> OnPowers(const TransportOperator& transport, int N, const ExecutionContext& context)
 {
   const int* const offsets = transport.outerIndexPtr();
-  return FillRows<Complex>(static_cast<int>(transport.rows()), static_cast<int>(transport.cols()),
-    context, [offsets](int row) { return offsets[row + 1] - offsets[row]; },
-    [&](int row, int* columns, Complex* values) {
+  return FillRows<Complex>(
+    static_cast<int>(transport.rows()), static_cast<int>(transport.cols()), context,
+    [offsets](int row) { return offsets[row + 1] - offsets[row]; },
+    [&](int row, int* columns, Complex* values)
+    {
       for (int i = offsets[row]; i < offsets[row + 1]; ++i)
       {
         *columns++ = transport.innerIndexPtr()[i];
@@ -37,14 +38,13 @@ SparseMatrix<Complex> OnPowers(
     });
 }
 
-SparseMatrix<Complex> RowsOfComponents(
-  const TransportOperator& transport, const ExecutionContext& context)
+SparseMatrix<Complex> RowsOfComponents(const TransportOperator& transport, const ExecutionContext& context)
 {
   const int* const offsets = transport.outerIndexPtr();
   const auto sizeOf = [offsets](int row) { return offsets[row / 2 + 1] - offsets[row / 2]; };
-  return FillRows<Complex>(2 * static_cast<int>(transport.rows()),
-    static_cast<int>(transport.cols()), context, sizeOf,
-    [&](int row, int* columns, Complex* values) {
+  return FillRows<Complex>(2 * static_cast<int>(transport.rows()), static_cast<int>(transport.cols()), context, sizeOf,
+    [&](int row, int* columns, Complex* values)
+    {
       // The components of w z are the real parts of w z and -i w z.
       const Complex component = row % 2 == 0 ? Complex(1.0, 0.0) : Complex(0.0, 1.0);
       for (int i = offsets[row / 2]; i < offsets[row / 2 + 1]; ++i)
@@ -55,14 +55,14 @@ SparseMatrix<Complex> RowsOfComponents(
     });
 }
 
-SparseMatrix<double> OnComponents(
-  const TransportOperator& transport, const ExecutionContext& context)
+SparseMatrix<double> OnComponents(const TransportOperator& transport, const ExecutionContext& context)
 {
   const int* const offsets = transport.outerIndexPtr();
   const auto sizeOf = [offsets](int row) { return 2 * (offsets[row / 2 + 1] - offsets[row / 2]); };
-  return FillRows<double>(2 * static_cast<int>(transport.rows()),
-    2 * static_cast<int>(transport.cols()), context, sizeOf,
-    [&](int row, int* columns, double* values) {
+  return FillRows<double>(2 * static_cast<int>(transport.rows()), 2 * static_cast<int>(transport.cols()), context,
+    sizeOf,
+    [&](int row, int* columns, double* values)
+    {
       for (int i = offsets[row / 2]; i < offsets[row / 2 + 1]; ++i)
       {
         const int column = transport.innerIndexPtr()[i];

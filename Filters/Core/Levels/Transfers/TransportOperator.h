@@ -18,8 +18,8 @@ namespace dmg
 using TransportOperator = SparseMatrix<Complex>;
 
 /// The operator on N-power fields: each entry z becomes |z| (z / |z|)^N. \pre N >= 1
-SparseMatrix<Complex> OnPowers(const TransportOperator& transport, int N,
-  const ExecutionContext& context = SerialContext());
+SparseMatrix<Complex> OnPowers(
+  const TransportOperator& transport, int N, const ExecutionContext& context = SerialContext());
 
 /// The same of several operators.
 std::vector<SparseMatrix<Complex>> OnPowers(

@@ -33,8 +33,7 @@ public:
     if (ordering != FillOrdering::Best)
     {
       this->Common.nmethods = 1;
-      this->Common.method[0].ordering =
-        ordering == FillOrdering::AMD ? CHOLMOD_AMD : CHOLMOD_METIS;
+      this->Common.method[0].ordering = ordering == FillOrdering::AMD ? CHOLMOD_AMD : CHOLMOD_METIS;
     }
   }
 
@@ -71,8 +70,7 @@ public:
     upper.Offsets.push_back(0);
     for (int i = 0; i < size; ++i)
     {
-      for (typename SparseMatrix<Scalar>::InnerIterator entry(A, i);
-           entry && entry.col() <= i; ++entry)
+      for (typename SparseMatrix<Scalar>::InnerIterator entry(A, i); entry && entry.col() <= i; ++entry)
       {
         upper.Rows.push_back(entry.col());
         upper.Values.push_back(Eigen::numext::conj(entry.value()));
@@ -108,8 +106,8 @@ public:
     this->Ensure(this->Solution, rows, columns);
     this->Ensure(this->SolveWork1, rows, columns);
     this->Ensure(this->SolveWork2, std::max<std::size_t>(this->L->maxesize, 1), columns);
-    if (!cholmod_l_solve2(CHOLMOD_A, this->L, &right, nullptr, &this->Solution, nullptr,
-          &this->SolveWork1, &this->SolveWork2, &this->Common))
+    if (!cholmod_l_solve2(CHOLMOD_A, this->L, &right, nullptr, &this->Solution, nullptr, &this->SolveWork1,
+          &this->SolveWork2, &this->Common))
     {
       this->ThrowFailure();
     }
@@ -164,8 +162,7 @@ public:
     throw UnexpectedFailure("CHOLMOD failed with status " + std::to_string(this->Common.status));
   }
 
-  static constexpr int ValueKind =
-    std::is_same<Scalar, double>::value ? CHOLMOD_REAL : CHOLMOD_COMPLEX;
+  static constexpr int ValueKind = std::is_same<Scalar, double>::value ? CHOLMOD_REAL : CHOLMOD_COMPLEX;
 
   // CHOLMOD writes statistics and errors here even when it only reads the factor.
   mutable cholmod_common Common;
@@ -208,8 +205,7 @@ void CholeskySolver<Scalar>::Solve(const Vector<Scalar>& b, Vector<Scalar>& x)
 template <class Scalar>
 void CholeskySolver<Scalar>::Solve(const Columns& b, Columns& x)
 {
-  x = Eigen::Map<const Columns>(
-    this->Internal->Solve(b.data(), b.rows(), b.cols()), b.rows(), b.cols());
+  x = Eigen::Map<const Columns>(this->Internal->Solve(b.data(), b.rows(), b.cols()), b.rows(), b.cols());
 }
 
 template <class Scalar>

@@ -40,22 +40,19 @@ SparseMatrix<Scalar> Shifted(const SparseMatrix<Scalar>& A, double share)
 template <class Scalar>
 ShiftedFactor<Scalar>::ShiftedFactor(const SparseMatrix<Scalar>& A, double leastShift)
 {
-  this->FactorFrom(leastShift, A, [this](const SparseMatrix<Scalar>& shifted) {
-    this->Factor = std::make_unique<CholeskySolver<Scalar>>(shifted);
-  });
+  this->FactorFrom(leastShift, A,
+    [this](const SparseMatrix<Scalar>& shifted) { this->Factor = std::make_unique<CholeskySolver<Scalar>>(shifted); });
 }
 
 template <class Scalar>
 void ShiftedFactor<Scalar>::Update(const SparseMatrix<Scalar>& A, double leastShift)
 {
-  this->FactorFrom(
-    leastShift, A, [this](const SparseMatrix<Scalar>& shifted) { this->Factor->Update(shifted); });
+  this->FactorFrom(leastShift, A, [this](const SparseMatrix<Scalar>& shifted) { this->Factor->Update(shifted); });
 }
 
 template <class Scalar>
 template <class FactorMatrix>
-void ShiftedFactor<Scalar>::FactorFrom(
-  double leastShift, const SparseMatrix<Scalar>& A, const FactorMatrix& factor)
+void ShiftedFactor<Scalar>::FactorFrom(double leastShift, const SparseMatrix<Scalar>& A, const FactorMatrix& factor)
 {
   for (this->Share = leastShift;; this->Share *= Growth)
   {
@@ -75,8 +72,7 @@ void ShiftedFactor<Scalar>::FactorFrom(
 }
 
 template <class Scalar>
-void ShiftedFactor<Scalar>::Apply(
-  const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& /*context*/)
+void ShiftedFactor<Scalar>::Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& /*context*/)
 {
   this->Factor->Solve(r, z);
 }

@@ -56,8 +56,7 @@ public:
   void Update(const SparseMatrix<Scalar>& A, double leastShift = SmallestShift);
 
   /// z = (A + shift diag(A))^-1 r.
-  void Apply(
-    const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override;
+  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override;
 
   /// The share of the diagonal with which the factorisation succeeded.
   double Shift() const { return this->Share; }

@@ -15,9 +15,8 @@ namespace dmg
 /// The entries of A with keep(place of row, place of column), in another order and scaled: entry
 /// (i, j) becomes rowScale_i a_ij columnScale_j. Columns of a row are in any order.
 template <class Value, class Scalar, class Keep>
-void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
-  const std::vector<int>& columnPlaces, const Vector<double>& rowScale,
-  const Vector<double>& columnScale, const Keep& keep, SparseMatrix<Value>& result,
+void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder, const std::vector<int>& columnPlaces,
+  const Vector<double>& rowScale, const Vector<double>& columnScale, const Keep& keep, SparseMatrix<Value>& result,
   const ExecutionContext& context)
 {
   const int rows = static_cast<int>(A.rows());
@@ -26,21 +25,23 @@ void Arrange(const SparseMatrix<Scalar>& A, const std::vector<int>& rowOrder,
   const Scalar* valuesOfA = A.valuePtr();
   constexpr int RowGrain = 4096;
   result.resize(rows, A.cols());
-  MakeRoom(result, context, [offsetsOfA, columnsOfA, &rowOrder, &columnPlaces, &keep](int k) {
-    const int i = rowOrder[k];
-    int count = 0;
-    for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
+  MakeRoom(result, context,
+    [offsetsOfA, columnsOfA, &rowOrder, &columnPlaces, &keep](int k)
     {
-      count += keep(k, columnPlaces[columnsOfA[m]]) ? 1 : 0;
-    }
-    return count;
-  });
+      const int i = rowOrder[k];
+      int count = 0;
+      for (int m = offsetsOfA[i]; m < offsetsOfA[i + 1]; ++m)
+      {
+        count += keep(k, columnPlaces[columnsOfA[m]]) ? 1 : 0;
+      }
+      return count;
+    });
   const int* offsets = result.outerIndexPtr();
   int* columns = result.innerIndexPtr();
   Value* values = result.valuePtr();
   context.ParallelFor(0, rows, RowGrain,
-    [offsetsOfA, columnsOfA, valuesOfA, offsets, columns, values, &rowOrder, &columnPlaces,
-      &rowScale, &columnScale, &keep](int first, int last)
+    [offsetsOfA, columnsOfA, valuesOfA, offsets, columns, values, &rowOrder, &columnPlaces, &rowScale, &columnScale,
+      &keep](int first, int last)
     {
       for (int k = first; k < last; ++k)
       {
@@ -67,50 +68,50 @@ struct EveryEntry
 
 /// What is left of the diagonal in the new order, scaled from both sides.
 template <class Value, class Scalar>
-void ArrangeLower(const SparseMatrix<Scalar>& A, const std::vector<int>& order,
-  const std::vector<int>& places, const Vector<double>& scale, SparseMatrix<Value>& lower,
-  const ExecutionContext& context)
+void ArrangeLower(const SparseMatrix<Scalar>& A, const std::vector<int>& order, const std::vector<int>& places,
+  const Vector<double>& scale, SparseMatrix<Value>& lower, const ExecutionContext& context)
 {
-  Arrange(A, order, places, scale, scale,
-    [](int row, int column) { return column < row; }, lower, context);
+  Arrange(
+    A, order, places, scale, scale, [](int row, int column) { return column < row; }, lower, context);
 }
 
 /// What is right of it.
 template <class Value, class Scalar>
-void ArrangeUpper(const SparseMatrix<Scalar>& A, const std::vector<int>& order,
-  const std::vector<int>& places, const Vector<double>& scale, SparseMatrix<Value>& upper,
-  const ExecutionContext& context)
+void ArrangeUpper(const SparseMatrix<Scalar>& A, const std::vector<int>& order, const std::vector<int>& places,
+  const Vector<double>& scale, SparseMatrix<Value>& upper, const ExecutionContext& context)
 {
-  Arrange(A, order, places, scale, scale,
-    [](int row, int column) { return column > row; }, upper, context);
+  Arrange(
+    A, order, places, scale, scale, [](int row, int column) { return column > row; }, upper, context);
 }
 
 /// The same two parts of a matrix of pairs, so that both are matrices of pairs: a row has its own pair in the part
 /// where the other of the two is, and there zero on the diagonal.
 template <class Value, class Scalar>
-void ArrangePairs(const SparseMatrix<Scalar>& A, const std::vector<int>& order,
-  const std::vector<int>& places, const Vector<double>& scale, SparseMatrix<Value>& lower,
-  SparseMatrix<Value>& upper, const ExecutionContext& context)
+void ArrangePairs(const SparseMatrix<Scalar>& A, const std::vector<int>& order, const std::vector<int>& places,
+  const Vector<double>& scale, SparseMatrix<Value>& lower, SparseMatrix<Value>& upper, const ExecutionContext& context)
 {
-  Arrange(A, order, places, scale, scale,
-    [](int row, int column) { return column / 2 < row / 2 + row % 2; }, lower, context);
-  Arrange(A, order, places, scale, scale,
-    [](int row, int column) { return column / 2 > row / 2 - 1 + row % 2; }, upper, context);
+  Arrange(
+    A, order, places, scale, scale, [](int row, int column) { return column / 2 < row / 2 + row % 2; }, lower, context);
+  Arrange(
+    A, order, places, scale, scale, [](int row, int column) { return column / 2 > row / 2 - 1 + row % 2; }, upper,
+    context);
   constexpr int RowGrain = 1024;
   for (SparseMatrix<Value>* const part : { &lower, &upper })
   {
-    context.ParallelFor(0, static_cast<int>(part->rows()), RowGrain, [part](int first, int last) {
-      for (int i = first; i < last; ++i)
+    context.ParallelFor(0, static_cast<int>(part->rows()), RowGrain,
+      [part](int first, int last)
       {
-        const int* const columns = part->innerIndexPtr();
-        const int end = part->outerIndexPtr()[i + 1];
-        const auto e = std::find(columns + part->outerIndexPtr()[i], columns + end, i) - columns;
-        if (e < end)
+        for (int i = first; i < last; ++i)
         {
-          part->valuePtr()[e] = Value(0);
+          const int* const columns = part->innerIndexPtr();
+          const int end = part->outerIndexPtr()[i + 1];
+          const auto e = std::find(columns + part->outerIndexPtr()[i], columns + end, i) - columns;
+          if (e < end)
+          {
+            part->valuePtr()[e] = Value(0);
+          }
         }
-      }
-    });
+      });
   }
 }
 

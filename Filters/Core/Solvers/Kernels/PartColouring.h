@@ -34,28 +34,30 @@ PartGraph GraphOfParts(int numberOfParts, int numberOfItems, const ForItems& for
   };
   std::vector<Touch> touches;
   std::vector<int> lastTouch(numberOfItems, -1);
-  std::vector<int> metBy(numberOfParts, -1);              // the last part that has met it
+  std::vector<int> metBy(numberOfParts, -1);               // the last part that has met it
   std::vector<std::vector<int>> neighbours(numberOfParts); // the earlier ones first
   for (int part = 0; part < numberOfParts; ++part)
   {
-    forItems(part, [&](int item) {
-      int& last = lastTouch[item];
-      if (last >= 0 && touches[last].Part == part)
+    forItems(part,
+      [&](int item)
       {
-        return;
-      }
-      for (int touch = last; touch >= 0; touch = touches[touch].Next)
-      {
-        const int other = touches[touch].Part;
-        if (metBy[other] != part)
+        int& last = lastTouch[item];
+        if (last >= 0 && touches[last].Part == part)
         {
-          metBy[other] = part;
-          neighbours[part].push_back(other);
+          return;
         }
-      }
-      touches.push_back({ part, last });
-      last = static_cast<int>(touches.size()) - 1;
-    });
+        for (int touch = last; touch >= 0; touch = touches[touch].Next)
+        {
+          const int other = touches[touch].Part;
+          if (metBy[other] != part)
+          {
+            metBy[other] = part;
+            neighbours[part].push_back(other);
+          }
+        }
+        touches.push_back({ part, last });
+        last = static_cast<int>(touches.size()) - 1;
+      });
     std::sort(neighbours[part].begin(), neighbours[part].end());
     for (const int earlier : neighbours[part])
     {
@@ -92,9 +94,9 @@ inline PartColouring ColourParts(const PartGraph& graph)
   {
     std::for_each(graph.Begin(part), std::lower_bound(graph.Begin(part), graph.End(part), part),
       [&](int earlier) { forbiddenBy[colours[earlier]] = part; });
-    colours[part] = static_cast<int>(
-      std::find_if(forbiddenBy.begin(), forbiddenBy.end(), [part](int by) { return by != part; }) -
-      forbiddenBy.begin());
+    colours[part] =
+      static_cast<int>(std::find_if(forbiddenBy.begin(), forbiddenBy.end(), [part](int by) { return by != part; }) -
+        forbiddenBy.begin());
   }
 
   PartColouring colouring;
@@ -125,19 +127,20 @@ PartColouring ColourParts(int numberOfParts, int numberOfItems, const ForItems& 
 /// \param begins the first part of each colour, and their number.
 /// \param descending from the last colour to the first.
 template <class Visit>
-void ForColours(const std::vector<int>& begins, bool descending, const ExecutionContext& context,
-  const Visit& visit)
+void ForColours(const std::vector<int>& begins, bool descending, const ExecutionContext& context, const Visit& visit)
 {
   const int colours = static_cast<int>(begins.size()) - 1;
   for (int k = 0; k < colours; ++k)
   {
     const int colour = descending ? colours - 1 - k : k;
-    context.ParallelFor(begins[colour], begins[colour + 1], 1, [&visit](int first, int last) {
-      for (int part = first; part < last; ++part)
+    context.ParallelFor(begins[colour], begins[colour + 1], 1,
+      [&visit](int first, int last)
       {
-        visit(part);
-      }
-    });
+        for (int part = first; part < last; ++part)
+        {
+          visit(part);
+        }
+      });
   }
 }
 

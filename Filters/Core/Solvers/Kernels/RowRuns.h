@@ -59,8 +59,7 @@ struct PairedRow
     DoublePack sums{};
     for (int k = 0; k < this->Size; ++k)
     {
-      sums +=
-        LoadPack<DoublePack>(this->Values + 2 * k) * LoadPack<DoublePack>(x + this->Columns[2 * k]);
+      sums += LoadPack<DoublePack>(this->Values + 2 * k) * LoadPack<DoublePack>(x + this->Columns[2 * k]);
     }
     return sums[0] + sums[1];
   }
@@ -71,8 +70,7 @@ struct PairedRow
     for (int k = 0; k < this->Size; ++k)
     {
       double* const pair = y + this->Columns[2 * k];
-      StorePack(
-        LoadPack<DoublePack>(pair) + LoadPack<DoublePack>(this->Values + 2 * k) * factors, pair);
+      StorePack(LoadPack<DoublePack>(pair) + LoadPack<DoublePack>(this->Values + 2 * k) * factors, pair);
     }
   }
 };
@@ -97,8 +95,7 @@ public:
       }
       Run& run = this->Runs.back();
       run.End = row + 1;
-      run.ArePairs =
-        run.ArePairs && ArePairs(matrix.innerIndexPtr() + matrix.outerIndexPtr()[row], length);
+      run.ArePairs = run.ArePairs && ArePairs(matrix.innerIndexPtr() + matrix.outerIndexPtr()[row], length);
     }
   }
 
@@ -107,16 +104,14 @@ public:
   template <class Visit>
   void Multiply(int first, int last, const Value* x, const Visit& visit) const
   {
-    this->ForRows(
-      first, last, [&](int row, const auto& entries) { visit(row, entries.Times(x)); });
+    this->ForRows(first, last, [&](int row, const auto& entries) { visit(row, entries.Times(x)); });
   }
 
   /// y += A^T u for rows [first, last), where u_row = factor(row).
   template <class Factor>
   void AddAdjoint(int first, int last, const Factor& factor, Value* y) const
   {
-    this->ForRows(
-      first, last, [&](int row, const auto& entries) { entries.AddTo(y, factor(row)); });
+    this->ForRows(first, last, [&](int row, const auto& entries) { entries.AddTo(y, factor(row)); });
   }
 
   /// y += A^T A x for rows [first, last), which are read once.
@@ -124,11 +119,13 @@ public:
   Value AddGram(int first, int last, const Value* x, Value* y) const
   {
     Value squares(0);
-    this->ForRows(first, last, [&](int, const auto& entries) {
-      const Value product = entries.Times(x);
-      entries.AddTo(y, product);
-      squares += product * product;
-    });
+    this->ForRows(first, last,
+      [&](int, const auto& entries)
+      {
+        const Value product = entries.Times(x);
+        entries.AddTo(y, product);
+        squares += product * product;
+      });
     return squares;
   }
 
@@ -136,8 +133,8 @@ public:
   template <class Visit>
   void ForRows(int first, int last, const Visit& visit) const
   {
-    auto run = std::upper_bound(this->Runs.begin(), this->Runs.end(), first,
-      [](int row, const Run& candidate) { return row < candidate.End; });
+    auto run = std::upper_bound(
+      this->Runs.begin(), this->Runs.end(), first, [](int row, const Run& candidate) { return row < candidate.End; });
     for (; first < last; first = (run++)->End)
     {
       const int end = std::min(run->End, last);
@@ -145,15 +142,13 @@ public:
       {
         if (run->ArePairs)
         {
-          WithLength(run->Length / 2, [&](auto pairs) {
-            this->ForRowsOfRun<PairedRow<decltype(pairs)>>(first, end, pairs, 2 * pairs, visit);
-          });
+          WithLength(run->Length / 2,
+            [&](auto pairs) { this->ForRowsOfRun<PairedRow<decltype(pairs)>>(first, end, pairs, 2 * pairs, visit); });
           continue;
         }
       }
-      WithLength(run->Length, [&](auto length) {
-        this->ForRowsOfRun<ShortRow<Value, decltype(length)>>(first, end, length, length, visit);
-      });
+      WithLength(run->Length,
+        [&](auto length) { this->ForRowsOfRun<ShortRow<Value, decltype(length)>>(first, end, length, length, visit); });
     }
   }
 
@@ -185,8 +180,7 @@ private:
     WithLength(length, visit, std::make_integer_sequence<int, LongestUnrolled + 1>());
   }
   template <class Visit, int... Lengths>
-  static void WithLength(
-    int length, const Visit& visit, std::integer_sequence<int, Lengths...>)
+  static void WithLength(int length, const Visit& visit, std::integer_sequence<int, Lengths...>)
   {
     if (!((length == Lengths && (visit(std::integral_constant<int, Lengths>()), true)) || ...))
     {

@@ -22,11 +22,11 @@ public:
   explicit RowTiles(const SparseMatrix<double>& A)
     : Rows(static_cast<int>(A.rows()))
     , Colouring(ColourParts((this->Rows + RowsOfTile - 1) / RowsOfTile, static_cast<int>(A.cols()),
-        [&](int tile, const auto& visit) {
+        [&](int tile, const auto& visit)
+        {
           const int last = std::min((tile + 1) * RowsOfTile, this->Rows);
           const int* const offsets = A.outerIndexPtr();
-          std::for_each(
-            A.innerIndexPtr() + offsets[tile * RowsOfTile], A.innerIndexPtr() + offsets[last], visit);
+          std::for_each(A.innerIndexPtr() + offsets[tile * RowsOfTile], A.innerIndexPtr() + offsets[last], visit);
         }))
   {
   }
@@ -37,10 +37,12 @@ public:
   template <class Visit>
   void ForTiles(const ExecutionContext& context, const Visit& visit) const
   {
-    ForColours(this->Colouring.Begins, false, context, [this, &visit](int t) {
-      const int tile = this->Colouring.Parts[t];
-      visit(tile, tile * RowsOfTile, std::min((tile + 1) * RowsOfTile, this->Rows));
-    });
+    ForColours(this->Colouring.Begins, false, context,
+      [this, &visit](int t)
+      {
+        const int tile = this->Colouring.Parts[t];
+        visit(tile, tile * RowsOfTile, std::min((tile + 1) * RowsOfTile, this->Rows));
+      });
   }
 
 private:

@@ -26,8 +26,7 @@ FloatPair LoadPair(const float* from)
 }
 
 /// The sums of the products of components, over the entries of a row and the pairs that they take.
-FloatPair ProductOfRow(
-  const float* entries, const int* columns, int size, const float* z)
+FloatPair ProductOfRow(const float* entries, const int* columns, int size, const float* z)
 {
   FloatPair sums[4] = {}; // so that additions do not wait for each other
   int k = 0;
@@ -66,18 +65,20 @@ SingleProlongation::SingleProlongation(SparseMatrix<Complex32>&& matrix)
   this->P.swap(matrix);
 }
 
-void SingleProlongation::AddProduct(
-  const Vector<double>& z, Vector<double>& x, const ExecutionContext& context) const
+void SingleProlongation::AddProduct(const Vector<double>& z, Vector<double>& x, const ExecutionContext& context) const
 {
   assert(z.size() == 2 * this->Columns() && x.size() == this->Rows());
   const Vector<float> from = z.cast<float>();
-  context.ParallelFor(0, this->Rows(), RowGrain, [&](int firstRow, int lastRow) {
-    ForRows(this->P, firstRow, lastRow,
-      [&](int row, const float* entries, const int* columns, int size) {
-        const FloatPair product = ProductOfRow(entries, columns, size, from.data());
-        x[row] += product[0] + product[1];
-      });
-  });
+  context.ParallelFor(0, this->Rows(), RowGrain,
+    [&](int firstRow, int lastRow)
+    {
+      ForRows(this->P, firstRow, lastRow,
+        [&](int row, const float* entries, const int* columns, int size)
+        {
+          const FloatPair product = ProductOfRow(entries, columns, size, from.data());
+          x[row] += product[0] + product[1];
+        });
+    });
 }
 
 void SingleProlongation::AddProduct(
@@ -86,19 +87,21 @@ void SingleProlongation::AddProduct(
   assert(z.size() == this->Columns() && x.size() == this->Rows());
   const Vector<Complex32> from = z.cast<Complex32>();
   // With components exchanged, for the second component of products.
-  const Vector<Complex32> crossed = from.unaryExpr([](Complex32 value) { return Complex32(value.imag(), value.real()); });
-  context.ParallelFor(0, this->Rows(), RowGrain, [&](int firstRow, int lastRow) {
-    ForRows(this->P, firstRow, lastRow,
-      [&](int row, const float* entries, const int* columns, int size) {
-        const auto times = [&](const Vector<Complex32>& numbers) {
-          return ProductOfRow(
-            entries, columns, size, reinterpret_cast<const float*>(numbers.data()));
-        };
-        const FloatPair straight = times(from);
-        const FloatPair across = times(crossed);
-        x[row] += Complex32(straight[0] - straight[1], across[0] + across[1]);
-      });
-  });
+  const Vector<Complex32> crossed =
+    from.unaryExpr([](Complex32 value) { return Complex32(value.imag(), value.real()); });
+  context.ParallelFor(0, this->Rows(), RowGrain,
+    [&](int firstRow, int lastRow)
+    {
+      ForRows(this->P, firstRow, lastRow,
+        [&](int row, const float* entries, const int* columns, int size)
+        {
+          const auto times = [&](const Vector<Complex32>& numbers)
+          { return ProductOfRow(entries, columns, size, reinterpret_cast<const float*>(numbers.data())); };
+          const FloatPair straight = times(from);
+          const FloatPair across = times(crossed);
+          x[row] += Complex32(straight[0] - straight[1], across[0] + across[1]);
+        });
+    });
 }
 
 template <class Real, class Add, class Sum>
@@ -107,44 +110,46 @@ void SingleProlongation::SumParts(
 {
   const int size = 2 * this->Columns();
   sums.resize(this->SizeOfSums());
-  const auto firstRow = [this](int part) {
-    return static_cast<int>(static_cast<long long>(this->Rows()) * part / NumberOfParts);
-  };
-  context.ParallelFor(0, NumberOfParts, 1, [&](int firstPart, int lastPart) {
-    for (int part = firstPart; part < lastPart; ++part)
+  const auto firstRow = [this](int part)
+  { return static_cast<int>(static_cast<long long>(this->Rows()) * part / NumberOfParts); };
+  context.ParallelFor(0, NumberOfParts, 1,
+    [&](int firstPart, int lastPart)
     {
-      Real* const ofPart = sums.data() + static_cast<Eigen::Index>(part) * size;
-      std::fill(ofPart, ofPart + size, Real(0));
-      ForRows(this->P, firstRow(part), firstRow(part + 1),
-        [&](int row, const float* entries, const int* columns, int count) {
-          add(row, entries, columns, count, ofPart);
-        });
-    }
-  });
-  context.ParallelFor(0, this->Columns(), ColumnGrain, [&](int first, int last) {
-    for (int column = first; column < last; ++column)
-    {
-      double components[2] = { 0.0, 0.0 };
-      for (int part = 0; part < NumberOfParts; ++part)
+      for (int part = firstPart; part < lastPart; ++part)
       {
-        const Real* const pair =
-          sums.data() + static_cast<Eigen::Index>(part) * size + 2 * column;
-        components[0] += pair[0];
-        components[1] += pair[1];
+        Real* const ofPart = sums.data() + static_cast<Eigen::Index>(part) * size;
+        std::fill(ofPart, ofPart + size, Real(0));
+        ForRows(this->P, firstRow(part), firstRow(part + 1),
+          [&](int row, const float* entries, const int* columns, int count)
+          { add(row, entries, columns, count, ofPart); });
       }
-      sum(column, components[0], components[1]);
-    }
-  });
+    });
+  context.ParallelFor(0, this->Columns(), ColumnGrain,
+    [&](int first, int last)
+    {
+      for (int column = first; column < last; ++column)
+      {
+        double components[2] = { 0.0, 0.0 };
+        for (int part = 0; part < NumberOfParts; ++part)
+        {
+          const Real* const pair = sums.data() + static_cast<Eigen::Index>(part) * size + 2 * column;
+          components[0] += pair[0];
+          components[1] += pair[1];
+        }
+        sum(column, components[0], components[1]);
+      }
+    });
 }
 
-void SingleProlongation::MultiplyAdjoint(const Vector<double>& x, Vector<double>& z,
-  Vector<double>& sums, const ExecutionContext& context) const
+void SingleProlongation::MultiplyAdjoint(
+  const Vector<double>& x, Vector<double>& z, Vector<double>& sums, const ExecutionContext& context) const
 {
   assert(x.size() == this->Rows());
   z.resize(2 * this->Columns());
   this->SumParts(
     sums, context,
-    [&x](int row, const float* entries, const int* columns, int size, double* ofPart) {
+    [&x](int row, const float* entries, const int* columns, int size, double* ofPart)
+    {
       const DoublePack factor = DoublePack{} + x[row];
       for (int k = 0; k < size; ++k)
       {
@@ -153,28 +158,29 @@ void SingleProlongation::MultiplyAdjoint(const Vector<double>& x, Vector<double>
         StorePack(LoadPack<DoublePack>(sum) + entry * factor, sum);
       }
     },
-    [&z](int column, double first, double second) {
+    [&z](int column, double first, double second)
+    {
       z[2 * column] = first;
       z[2 * column + 1] = second;
     });
 }
 
-void SingleProlongation::MultiplyAdjoint(const Vector<Complex32>& x, Vector<Complex>& z,
-  Vector<float>& sums, const ExecutionContext& context) const
+void SingleProlongation::MultiplyAdjoint(
+  const Vector<Complex32>& x, Vector<Complex>& z, Vector<float>& sums, const ExecutionContext& context) const
 {
   assert(x.size() == this->Rows());
   z.resize(this->Columns());
   this->SumParts(
     sums, context,
-    [&x](int row, const float* entries, const int* columns, int size, float* ofPart) {
+    [&x](int row, const float* entries, const int* columns, int size, float* ofPart)
+    {
       // conj(p) x = (p_0 x_0 + p_1 x_1, p_0 x_1 - p_1 x_0)
       const FloatPair ofFirst = { x[row].real(), x[row].imag() };
       const FloatPair ofSecond = { x[row].imag(), -x[row].real() };
       for (int k = 0; k < size; ++k)
       {
         float* const sum = ofPart + 2 * columns[k];
-        const FloatPair next =
-          LoadPair(sum) + entries[2 * k] * ofFirst + entries[2 * k + 1] * ofSecond;
+        const FloatPair next = LoadPair(sum) + entries[2 * k] * ofFirst + entries[2 * k + 1] * ofSecond;
         std::memcpy(sum, &next, sizeof(next));
       }
     },

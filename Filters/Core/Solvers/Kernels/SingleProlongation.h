@@ -38,22 +38,20 @@ public:
   /// \param z components, two per column.
   void AddProduct(const Vector<double>& z, Vector<double>& x, const ExecutionContext& context) const;
   /// The same with P as a complex matrix.
-  void AddProduct(
-    const Vector<Complex>& z, Vector<Complex32>& x, const ExecutionContext& context) const;
+  void AddProduct(const Vector<Complex>& z, Vector<Complex32>& x, const ExecutionContext& context) const;
 
   /// How many numbers MultiplyAdjoint needs room for.
   Eigen::Index SizeOfSums() const { return Eigen::Index(2) * NumberOfParts * this->Columns(); }
 
   /// z = P^T x.
   /// \param sums room for the sums of the parts.
-  void MultiplyAdjoint(const Vector<double>& x, Vector<double>& z, Vector<double>& sums,
-    const ExecutionContext& context) const;
+  void MultiplyAdjoint(
+    const Vector<double>& x, Vector<double>& z, Vector<double>& sums, const ExecutionContext& context) const;
   /// z = P^H x with P as a complex matrix.
-  void MultiplyAdjoint(const Vector<Complex32>& x, Vector<Complex>& z, Vector<float>& sums,
-    const ExecutionContext& context) const;
+  void MultiplyAdjoint(
+    const Vector<Complex32>& x, Vector<Complex>& z, Vector<float>& sums, const ExecutionContext& context) const;
 
-  SparseMatrix<Complex32> SelectedRows(
-    const std::vector<int>& rows, const ExecutionContext& context) const;
+  SparseMatrix<Complex32> SelectedRows(const std::vector<int>& rows, const ExecutionContext& context) const;
 
   /// Held by this object.
   long long Bytes() const;
@@ -64,8 +62,7 @@ private:
   /// Calls add(row, column, entry, sums of the part) for all entries, part by part, and then sum(column, value of
   /// its first component, of its second) for all columns.
   template <class Real, class Add, class Sum>
-  void SumParts(
-    Vector<Real>& sums, const ExecutionContext& context, const Add& add, const Sum& sum) const;
+  void SumParts(Vector<Real>& sums, const ExecutionContext& context, const Add& add, const Sum& sum) const;
 
   SparseMatrix<Complex32> P;
 };

@@ -27,11 +27,11 @@ public:
 
   /// y += D x, and zero where unknowns are held.
   /// \return x^T D x, where unknowns are not held.
-  double AddProduct(
-    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
+  double AddProduct(const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
   {
-    return SumOverBlocks<double>(
-      static_cast<int>(this->Indices.size()), context, [this, &x, &y](int first, int last) {
+    return SumOverBlocks<double>(static_cast<int>(this->Indices.size()), context,
+      [this, &x, &y](int first, int last)
+      {
         double product = 0.0;
         for (int k = first; k < last; ++k)
         {

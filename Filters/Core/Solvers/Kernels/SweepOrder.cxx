@@ -65,8 +65,7 @@ SweepOrder Colouring(const SparseMatrix<Scalar>& A)
         seenBy[colour] = i;
       }
     }
-    const auto free =
-      std::find_if(seenBy.begin(), seenBy.end(), [i](int last) { return last != i; });
+    const auto free = std::find_if(seenBy.begin(), seenBy.end(), [i](int last) { return last != i; });
     colours[i] = static_cast<int>(free - seenBy.begin());
     if (free == seenBy.end())
     {
@@ -88,8 +87,8 @@ SweepOrder Colouring(const SparseMatrix<Scalar>& A)
   const auto byLength = SortByKey(Identity(size), longestRow + 1, length, serial);
   const auto byEarlier = SortByKey(
     byLength.Items, longestRow + 1, [&earlier](int i) { return earlier[i]; }, serial);
-  SortedItems byColours = SortByKey(byEarlier.Items, static_cast<int>(seenBy.size()),
-    [&colours](int i) { return colours[i]; }, serial);
+  SortedItems byColours = SortByKey(
+    byEarlier.Items, static_cast<int>(seenBy.size()), [&colours](int i) { return colours[i]; }, serial);
   return { std::move(byColours.Items), std::move(byColours.Begins), {} };
 }
 

@@ -14,8 +14,8 @@ namespace dmg
 /// near each other, which have colours themselves: threads share the tiles of each.
 struct SweepOrder
 {
-  std::vector<int> Unknowns; ///< a permutation
-  std::vector<int> Begins;   ///< where each part begins; one more than parts
+  std::vector<int> Unknowns;       ///< a permutation
+  std::vector<int> Begins;         ///< where each part begins; one more than parts
   std::vector<int> ColoursOfTiles; ///< the first tile of each colour, and their number; none for colours
 
   bool HasTiles() const { return !this->ColoursOfTiles.empty(); }

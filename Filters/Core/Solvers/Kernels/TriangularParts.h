@@ -16,7 +16,7 @@ namespace dmg
 template <class Value>
 struct TriangularParts
 {
-  std::vector<int> Begins; ///< of the parts of its SweepOrder
+  std::vector<int> Begins;         ///< of the parts of its SweepOrder
   std::vector<int> ColoursOfTiles; ///< if those are tiles
   SparseMatrix<Value> Lower;
   SparseMatrix<Value> Upper;
@@ -37,8 +37,8 @@ private:
       if (this->HavePairs)
       {
         const int begin = part.outerIndexPtr()[i];
-        return PairsTimes(part.innerIndexPtr() + begin, part.valuePtr() + begin,
-          part.outerIndexPtr()[i + 1] - begin, x);
+        return PairsTimes(
+          part.innerIndexPtr() + begin, part.valuePtr() + begin, part.outerIndexPtr()[i + 1] - begin, x);
       }
     }
     return RowTimes(part, i, x);
@@ -52,8 +52,7 @@ private:
     for (; k + 8 <= size; k += 8)
     {
       sums[0] += LoadPack<FloatPack>(values + k) * LoadPairs(x + columns[k], x + columns[k + 2]);
-      sums[1] +=
-        LoadPack<FloatPack>(values + k + 4) * LoadPairs(x + columns[k + 4], x + columns[k + 6]);
+      sums[1] += LoadPack<FloatPack>(values + k + 4) * LoadPairs(x + columns[k + 4], x + columns[k + 6]);
     }
     float sum = 0.0f;
     for (; k < size; ++k)

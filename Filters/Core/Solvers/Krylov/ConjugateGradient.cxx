@@ -14,8 +14,7 @@ constexpr int ElementGrain = 8192;
 
 /// p = z + beta p.
 template <class Scalar>
-void ContinueDirection(const Vector<Scalar>& z, double beta, Vector<Scalar>& p,
-  const ExecutionContext& context)
+void ContinueDirection(const Vector<Scalar>& z, double beta, Vector<Scalar>& p, const ExecutionContext& context)
 {
   context.ParallelFor(0, static_cast<int>(p.size()), ElementGrain,
     [&z, beta, &p](int first, int last)
@@ -27,11 +26,12 @@ void ContinueDirection(const Vector<Scalar>& z, double beta, Vector<Scalar>& p,
 
 /// x += alpha p and r -= alpha q. \return the norm of r that the monitor wants.
 template <class Scalar>
-double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vector<Scalar>& x,
-  Vector<Scalar>& r, const IterationMonitor<Scalar>& monitor, const ExecutionContext& context)
+double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vector<Scalar>& x, Vector<Scalar>& r,
+  const IterationMonitor<Scalar>& monitor, const ExecutionContext& context)
 {
-  return std::sqrt(
-    SumOverBlocks<double>(static_cast<int>(p.size()), context, [&, alpha](int first, int last) {
+  return std::sqrt(SumOverBlocks<double>(static_cast<int>(p.size()), context,
+    [&, alpha](int first, int last)
+    {
       double sum = 0.0;
       for (int i = first; i < last; ++i)
       {
@@ -46,9 +46,9 @@ double Step(double alpha, const Vector<Scalar>& p, const Vector<Scalar>& q, Vect
 }
 
 template <class Scalar>
-void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B,
-  const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
+void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B, const Vector<Scalar>& b,
+  const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
+  const ConvergenceMeasure<Scalar>* measure)
 {
   IterationMonitor<Scalar> iteration(A, B, b, stop, x, report, context, measure);
   if (iteration.IsTrivial())
@@ -60,7 +60,7 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
 
   Vector<Scalar> p = Vector<Scalar>::Zero(b.size());
   Vector<Scalar> image(b.size()); // B r; then, where that has become a direction, A p
-  double oldProduct = 0.0; // r^H z of the iteration before; zero: no direction to continue
+  double oldProduct = 0.0;        // r^H z of the iteration before; zero: no direction to continue
   double normAtRestart = 0.0;
   // The recurrence drifts away from b - A x by rounding errors; the latter counts.
   bool isComputed = true; // r, as b - A x
@@ -98,8 +98,8 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
     const double energy = A.Apply(p, image, context);
     if (!(product > 0.0 && energy > 0.0))
     {
-      iteration.StopShort(product > 0.0 ? "the matrix is not positive definite"
-                                        : "the preconditioner is not positive definite");
+      iteration.StopShort(
+        product > 0.0 ? "the matrix is not positive definite" : "the preconditioner is not positive definite");
       break;
     }
     oldProduct = product;
@@ -115,11 +115,9 @@ void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& 
   iteration.End();
 }
 
-template void ConjugateGradient(const LinearOperator<double>&, Preconditioner<double>&,
-  const Vector<double>&, const StoppingCriteria&, Vector<double>&, SolveReport&,
-  const ExecutionContext&, const ConvergenceMeasure<double>*);
-template void ConjugateGradient(const LinearOperator<Complex>&, Preconditioner<Complex>&,
-  const Vector<Complex>&, const StoppingCriteria&, Vector<Complex>&, SolveReport&,
-  const ExecutionContext&, const ConvergenceMeasure<Complex>*);
+template void ConjugateGradient(const LinearOperator<double>&, Preconditioner<double>&, const Vector<double>&,
+  const StoppingCriteria&, Vector<double>&, SolveReport&, const ExecutionContext&, const ConvergenceMeasure<double>*);
+template void ConjugateGradient(const LinearOperator<Complex>&, Preconditioner<Complex>&, const Vector<Complex>&,
+  const StoppingCriteria&, Vector<Complex>&, SolveReport&, const ExecutionContext&, const ConvergenceMeasure<Complex>*);
 
 }

@@ -30,9 +30,9 @@ namespace dmg
 /// Cost per iteration: one application of B, one product with A and about ten passes over a vector; in the end, one application
 /// more, unless \p stop lets an estimate do.
 template <class Scalar>
-void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B,
-  const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure = nullptr);
+void ConjugateGradient(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B, const Vector<Scalar>& b,
+  const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
+  const ConvergenceMeasure<Scalar>* measure = nullptr);
 
 }
 

@@ -21,10 +21,7 @@ public:
     , IsOfPairs(mass && mass->size() < numberOfUnknowns)
   {
   }
-  double operator()(int i) const
-  {
-    return this->Mass ? (*this->Mass)[this->IsOfPairs ? i / 2 : i] : 1.0;
-  }
+  double operator()(int i) const { return this->Mass ? (*this->Mass)[this->IsOfPairs ? i / 2 : i] : 1.0; }
 
 private:
   const Vector<double>* const Mass;
@@ -33,8 +30,7 @@ private:
 
 /// |v|_M of v_i = entry(i).
 template <class Entry>
-double Norm(
-  int size, const Vector<double>* mass, const Entry& entry, const ExecutionContext& context)
+double Norm(int size, const Vector<double>* mass, const Entry& entry, const ExecutionContext& context)
 {
   const MassOf massOf(mass, size);
   const double square = SumOverBlocks<double>(size, context,
@@ -78,8 +74,7 @@ double Ratio(double number, double scale)
 template <class Scalar>
 void ConvergenceMeasure<Scalar>::Check(int numberOfUnknowns) const
 {
-  if ((this->Mass && this->Mass->size() != numberOfUnknowns &&
-        2 * this->Mass->size() != numberOfUnknowns) ||
+  if ((this->Mass && this->Mass->size() != numberOfUnknowns && 2 * this->Mass->size() != numberOfUnknowns) ||
     (this->Reference.size() > 0 && this->Reference.size() != numberOfUnknowns))
   {
     throw InvalidInput("the mass and the reference of a convergence measure must have " +
@@ -88,16 +83,13 @@ void ConvergenceMeasure<Scalar>::Check(int numberOfUnknowns) const
 }
 
 template <class Scalar>
-double ConvergenceMeasure<Scalar>::Error(
-  const Vector<Scalar>& x, const ExecutionContext& context) const
+double ConvergenceMeasure<Scalar>::Error(const Vector<Scalar>& x, const ExecutionContext& context) const
 {
   const int size = static_cast<int>(x.size());
-  const auto error = [this, &x](int i) {
-    return x[i] + (this->Offset ? (*this->Offset)[i] : Scalar(0)) - this->Reference[i];
-  };
+  const auto error = [this, &x](int i)
+  { return x[i] + (this->Offset ? (*this->Offset)[i] : Scalar(0)) - this->Reference[i]; };
   const auto reference = [this](int i) { return this->Reference[i]; };
-  return Ratio(
-    Norm(size, this->Mass, error, context), Norm(size, this->Mass, reference, context));
+  return Ratio(Norm(size, this->Mass, error, context), Norm(size, this->Mass, reference, context));
 }
 
 template <class Scalar>
@@ -106,8 +98,9 @@ void ConvergenceMeasure<Scalar>::Fill(IterationReport& row, const Vector<Scalar>
 {
   const Vector<Scalar>& b = this->RightHandSide ? *this->RightHandSide : rightHandSide;
   const MassOf massOf(this->Mass, static_cast<int>(x.size()));
-  const Sums sums =
-    SumOverBlocks<Sums>(static_cast<int>(x.size()), context, [&](int first, int last) {
+  const Sums sums = SumOverBlocks<Sums>(static_cast<int>(x.size()), context,
+    [&](int first, int last)
+    {
       Sums sum;
       for (int i = first; i < last; ++i)
       {

@@ -41,8 +41,8 @@ struct ConvergenceMeasure
 
   /// Energy = constant + scale (x^H A x - 2 Re x^H b) = constant - scale Re x^H (b + r), MassResidual
   /// and Error.
-  void Fill(IterationReport& row, const Vector<Scalar>& x, const Vector<Scalar>& b,
-    const Vector<Scalar>& r, const ExecutionContext& context) const;
+  void Fill(IterationReport& row, const Vector<Scalar>& x, const Vector<Scalar>& b, const Vector<Scalar>& r,
+    const ExecutionContext& context) const;
 };
 
 }

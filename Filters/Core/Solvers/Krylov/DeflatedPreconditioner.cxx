@@ -17,39 +17,38 @@ template <class Visit>
 void ForBlocks(Eigen::Index rows, const ExecutionContext& context, const Visit& visit)
 {
   const int size = static_cast<int>(rows);
-  context.ParallelFor(0, (size + BlockSize - 1) / BlockSize, 2, [&](int begin, int end) {
-    for (int block = begin; block < end; ++block)
+  context.ParallelFor(0, (size + BlockSize - 1) / BlockSize, 2,
+    [&](int begin, int end)
     {
-      visit(block, block * BlockSize, std::min(BlockSize, size - block * BlockSize));
-    }
-  });
+      for (int block = begin; block < end; ++block)
+      {
+        visit(block, block * BlockSize, std::min(BlockSize, size - block * BlockSize));
+      }
+    });
 }
 
 /// H^T x, added up in the same order for any number of threads.
-Vector<double> Coefficients(
-  const Eigen::MatrixXd& H, const Vector<double>& x, const ExecutionContext& context)
+Vector<double> Coefficients(const Eigen::MatrixXd& H, const Vector<double>& x, const ExecutionContext& context)
 {
   Eigen::MatrixXd parts(H.cols(), (H.rows() + BlockSize - 1) / BlockSize);
-  ForBlocks(H.rows(), context, [&](int block, int first, int count) {
-    parts.col(block).noalias() = H.middleRows(first, count).transpose() * x.segment(first, count);
-  });
+  ForBlocks(H.rows(), context,
+    [&](int block, int first, int count)
+    { parts.col(block).noalias() = H.middleRows(first, count).transpose() * x.segment(first, count); });
   return parts.rowwise().sum();
 }
 
 /// x += H c.
-void AddCombination(const Eigen::MatrixXd& H, const Vector<double>& c, Vector<double>& x,
-  const ExecutionContext& context)
+void AddCombination(
+  const Eigen::MatrixXd& H, const Vector<double>& c, Vector<double>& x, const ExecutionContext& context)
 {
-  ForBlocks(H.rows(), context, [&](int, int first, int count) {
-    x.segment(first, count).noalias() += H.middleRows(first, count) * c;
-  });
+  ForBlocks(H.rows(), context,
+    [&](int, int first, int count) { x.segment(first, count).noalias() += H.middleRows(first, count) * c; });
 }
 
 }
 
-DeflatedPreconditioner::DeflatedPreconditioner(Preconditioner<double>& inner,
-  const LinearOperator<double>& A, Eigen::MatrixXd space, double largest,
-  const ExecutionContext& context)
+DeflatedPreconditioner::DeflatedPreconditioner(Preconditioner<double>& inner, const LinearOperator<double>& A,
+  Eigen::MatrixXd space, double largest, const ExecutionContext& context)
   : B(inner)
   , H(std::move(space))
   , AH(H.rows(), H.cols())
@@ -75,8 +74,7 @@ void KernelProjection::Remove(Vector<double>& x, const ExecutionContext& context
   }
 }
 
-void DeflatedPreconditioner::Apply(
-  const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
+void DeflatedPreconditioner::Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context)
 {
   this->Remainder = r;
   this->OfA.Remove(this->Remainder, context);
@@ -90,8 +88,7 @@ void DeflatedPreconditioner::Apply(
 
 long long DeflatedPreconditioner::Bytes() const
 {
-  return (this->H.size() + this->AH.size()) * static_cast<long long>(sizeof(double)) +
-    this->OfA.Bytes();
+  return (this->H.size() + this->AH.size()) * static_cast<long long>(sizeof(double)) + this->OfA.Bytes();
 }
 
 }

@@ -26,11 +26,10 @@ public:
   /// \param largest a bound of the terms that h^T A h sums up, whose rounding errors are that much times
   ///   epsilon: below, an energy counts as none.
   /// Cost: k products with A; 4 k n multiplications per application.
-  DeflatedPreconditioner(Preconditioner<double>& B, const LinearOperator<double>& A,
-    Eigen::MatrixXd H, double largest, const ExecutionContext& context);
+  DeflatedPreconditioner(Preconditioner<double>& B, const LinearOperator<double>& A, Eigen::MatrixXd H, double largest,
+    const ExecutionContext& context);
 
-  void Apply(
-    const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override;
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override;
 
   /// Held by this object, without B.
   long long Bytes() const;

@@ -39,8 +39,8 @@ IterationMonitor<Scalar>::IterationMonitor(const LinearOperator<Scalar>& matrix,
 {
   if (this->b.size() != this->A.Size() || (this->x.size() != 0 && this->x.size() != this->b.size()))
   {
-    throw InvalidInput("the right-hand side and the start must have " +
-      std::to_string(this->A.Size()) + " values, one per unknown");
+    throw InvalidInput(
+      "the right-hand side and the start must have " + std::to_string(this->A.Size()) + " values, one per unknown");
   }
   if (measure)
   {
@@ -96,8 +96,7 @@ double IterationMonitor<Scalar>::MeasureRatio(const Vector<Scalar>& r, Vector<Sc
   {
     const double before = this->Ratio;
     this->Ratio = std::sqrt(product) / this->Norm;
-    this->IsSteady =
-      this->LastRow().Iteration > 0 && this->Ratio < 2.0 * before && before < 2.0 * this->Ratio;
+    this->IsSteady = this->LastRow().Iteration > 0 && this->Ratio < 2.0 * before && before < 2.0 * this->Ratio;
   }
   return product;
 }
@@ -178,8 +177,8 @@ void IterationMonitor<Scalar>::End()
     const double reached = this->RelativeResidual();
     this->Report.Returned = this->BestIteration;
     this->Report.Iterations[this->BestIteration].RelativeResidual = reached;
-    this->Report.Warnings.push_back("The solver stopped at a relative residual of " +
-      Rounded(reached) + " (iteration " + std::to_string(this->BestIteration) + ", the best) instead of " +
+    this->Report.Warnings.push_back("The solver stopped at a relative residual of " + Rounded(reached) +
+      " (iteration " + std::to_string(this->BestIteration) + ", the best) instead of " +
       Rounded(this->Stop.RelativeTolerance) + ": " + this->Reason + ".");
   }
   this->Report.SolveSeconds = this->Seconds();
@@ -199,11 +198,12 @@ void IterationMonitor<Scalar>::Append(double norm)
 template <class Scalar>
 double IterationMonitor<Scalar>::EnergyNorm(const Vector<Scalar>& r) const
 {
-  const double square = SumOverBlocks<double>(
-    static_cast<int>(r.size()), this->Context, [this, &r](int first, int last) {
+  const double square = SumOverBlocks<double>(static_cast<int>(r.size()), this->Context,
+    [this, &r](int first, int last)
+    {
       const int count = last - first;
-      return Eigen::numext::real(this->x.segment(first, count)
-                                   .dot(this->b.segment(first, count) - r.segment(first, count)));
+      return Eigen::numext::real(
+        this->x.segment(first, count).dot(this->b.segment(first, count) - r.segment(first, count)));
     });
   return std::sqrt(std::max(0.0, square));
 }
@@ -214,8 +214,7 @@ void IterationMonitor<Scalar>::Measure()
   if (this->AskedMeasure)
   {
     const auto begin = std::chrono::steady_clock::now();
-    this->AskedMeasure->Fill(
-      this->Report.Iterations.back(), this->x, this->b, *this->Residual, this->Context);
+    this->AskedMeasure->Fill(this->Report.Iterations.back(), this->x, this->b, *this->Residual, this->Context);
     this->Start += std::chrono::steady_clock::now() - begin;
   }
 }
@@ -225,18 +224,21 @@ double IterationMonitor<Scalar>::SubtractFromB(Vector<Scalar>& r) const
 {
   this->A.Apply(this->x, r, this->Context);
   constexpr int Grain = 8192;
-  this->Context.ParallelFor(0, static_cast<int>(r.size()), Grain, [this, &r](int first, int last) {
-    const int count = last - first;
-    r.segment(first, count) = this->b.segment(first, count) - r.segment(first, count);
-  });
+  this->Context.ParallelFor(0, static_cast<int>(r.size()), Grain,
+    [this, &r](int first, int last)
+    {
+      const int count = last - first;
+      r.segment(first, count) = this->b.segment(first, count) - r.segment(first, count);
+    });
   return this->NormOf(r);
 }
 
 template <class Scalar>
 double IterationMonitor<Scalar>::NormOf(const Vector<Scalar>& r) const
 {
-  return std::sqrt(SumOverBlocks<double>(
-    static_cast<int>(r.size()), this->Context, [this, &r](int first, int last) {
+  return std::sqrt(SumOverBlocks<double>(static_cast<int>(r.size()), this->Context,
+    [this, &r](int first, int last)
+    {
       double sum = 0.0;
       for (int i = first; i < last; ++i)
       {

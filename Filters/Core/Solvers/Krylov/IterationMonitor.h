@@ -81,10 +81,7 @@ public:
   void AppendResidual(Vector<Scalar>& r) { this->Append(this->SubtractFromB(r)); }
 
   /// By the residual as far as known, measured or not.
-  bool SeemsConverged() const
-  {
-    return this->LastRow().RelativeResidual <= this->Stop.RelativeTolerance;
-  }
+  bool SeemsConverged() const { return this->LastRow().RelativeResidual <= this->Stop.RelativeTolerance; }
 
   /// r = b - A x replaces the residual of the last row, which is an estimate again.
   void ComputeResidual(Vector<Scalar>& r);
@@ -128,11 +125,11 @@ private:
 
   const Vector<double>* const InverseDiagonal;
   double NormOfB = 0.0;
-  double Norm = 0.0;  ///< of the last residual, scaled by the diagonal
-  double Ratio = 1.0; ///< of |r|_B to it, as far as known
+  double Norm = 0.0;       ///< of the last residual, scaled by the diagonal
+  double Ratio = 1.0;      ///< of |r|_B to it, as far as known
   bool IsMeasured = false; ///< Ratio, for the last residual
   bool IsSteady = false;   ///< Ratio, over the last two rows that were measured
-  double Energy = 0.0; ///< |x|_A
+  double Energy = 0.0;     ///< |x|_A
   double BestNorm = 0.0;
   double BestRatio = 1.0;
   int BestIteration = 0;

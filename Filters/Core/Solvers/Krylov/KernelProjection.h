@@ -24,10 +24,7 @@ public:
   }
 
   int Size() const { return static_cast<int>(this->Kernel.cols()); }
-  long long Bytes() const
-  {
-    return this->Kernel.size() * static_cast<long long>(sizeof(double));
-  }
+  long long Bytes() const { return this->Kernel.size() * static_cast<long long>(sizeof(double)); }
   void Remove(Vector<double>& x, const ExecutionContext& context) const;
 
 private:
@@ -47,8 +44,7 @@ public:
   }
 
   int Size() const override { return this->A.Size(); }
-  double Apply(
-    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  double Apply(const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
   {
     const double product = this->A.Apply(x, y, context);
     this->Projection.Remove(y, context);
@@ -72,8 +68,7 @@ public:
   {
   }
 
-  void Apply(
-    const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
   {
     this->Inner.Apply(r, z, context);
     this->Projection.Remove(z, context);

@@ -17,8 +17,7 @@ MatrixOperator<Scalar>::MatrixOperator(const SparseMatrix<Scalar>& matrix)
 }
 
 template <class Scalar>
-double MatrixOperator<Scalar>::Apply(
-  const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context) const
+double MatrixOperator<Scalar>::Apply(const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context) const
 {
   y.resize(x.size());
   return SumOverBlocks<double>(static_cast<int>(x.size()), context,

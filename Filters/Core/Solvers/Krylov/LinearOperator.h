@@ -19,8 +19,7 @@ public:
 
   /// y = A x. May use a workspace of the operator: one application at a time.
   /// \return x^H A x.
-  virtual double Apply(
-    const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context) const = 0;
+  virtual double Apply(const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context) const = 0;
 
   /// 1 / A_ii, one per row, 0 where it is not defined; null where it is not known.
   virtual const Vector<double>* InverseDiagonal() const { return nullptr; }
@@ -36,8 +35,7 @@ public:
   explicit MatrixOperator(const SparseMatrix<Scalar>& matrix);
 
   int Size() const override { return static_cast<int>(this->A.rows()); }
-  double Apply(
-    const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context) const override;
+  double Apply(const Vector<Scalar>& x, Vector<Scalar>& y, const ExecutionContext& context) const override;
 
 private:
   const SparseMatrix<Scalar>& A;

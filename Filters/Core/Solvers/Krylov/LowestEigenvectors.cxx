@@ -148,32 +148,36 @@ void LocallyOptimalIteration::MakePieces()
 template <class Visit>
 void LocallyOptimalIteration::ForEach(const Visit& visit) const
 {
-  this->Context.ParallelFor(0, static_cast<int>(this->Pieces.size()), 2, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
+  this->Context.ParallelFor(0, static_cast<int>(this->Pieces.size()), 2,
+    [&](int first, int last)
     {
-      for (int item = this->Pieces[k].Begin; item < this->Pieces[k].End; ++item)
+      for (int k = first; k < last; ++k)
       {
-        visit(this->Pieces[k].Part, this->Problem.Parts.Items[item]);
+        for (int item = this->Pieces[k].Begin; item < this->Pieces[k].End; ++item)
+        {
+          visit(this->Pieces[k].Part, this->Problem.Parts.Items[item]);
+        }
       }
-    }
-  });
+    });
 }
 
 template <class Sum, class Add>
 std::vector<Sum> LocallyOptimalIteration::SumsOfParts(const Sum& zero, const Add& add) const
 {
   std::vector<Sum> ofPieces(this->Pieces.size(), zero);
-  this->Context.ParallelFor(0, static_cast<int>(this->Pieces.size()), 2, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
+  this->Context.ParallelFor(0, static_cast<int>(this->Pieces.size()), 2,
+    [&](int first, int last)
     {
-      Sum sum = zero;
-      for (int item = this->Pieces[k].Begin; item < this->Pieces[k].End; ++item)
+      for (int k = first; k < last; ++k)
       {
-        add(sum, this->Problem.Parts.Items[item]);
+        Sum sum = zero;
+        for (int item = this->Pieces[k].Begin; item < this->Pieces[k].End; ++item)
+        {
+          add(sum, this->Problem.Parts.Items[item]);
+        }
+        ofPieces[k] = sum;
       }
-      ofPieces[k] = sum;
-    }
-  });
+    });
   std::vector<Sum> sums(this->Theta.size(), zero);
   for (std::size_t k = 0; k < this->Pieces.size(); ++k)
   {
@@ -184,19 +188,17 @@ std::vector<Sum> LocallyOptimalIteration::SumsOfParts(const Sum& zero, const Add
 
 void LocallyOptimalIteration::Normalise()
 {
-  const std::vector<double> squares = this->SumsOfParts(
-    0.0, [this](double& sum, int i) { sum += this->MassOf(i) * this->x[i] * this->x[i]; });
+  const std::vector<double> squares =
+    this->SumsOfParts(0.0, [this](double& sum, int i) { sum += this->MassOf(i) * this->x[i] * this->x[i]; });
   this->ForEach([&](int part, int i) { this->x[i] /= std::sqrt(squares[part]); });
 }
 
 void LocallyOptimalIteration::Start()
 {
-  const std::vector<double> squares = this->SumsOfParts(
-    0.0, [this](double& sum, int i) { sum += this->MassOf(i) * this->x[i] * this->x[i]; });
+  const std::vector<double> squares =
+    this->SumsOfParts(0.0, [this](double& sum, int i) { sum += this->MassOf(i) * this->x[i] * this->x[i]; });
   this->r.setZero(this->x.size());
-  this->ForEach([&](int part, int i) {
-    this->r[i] = squares[part] > 0.0 ? 0.0 : this->MassOf(i) * PseudoRandom(i);
-  });
+  this->ForEach([&](int part, int i) { this->r[i] = squares[part] > 0.0 ? 0.0 : this->MassOf(i) * PseudoRandom(i); });
   // Rough parts of a random start would take several iterations to fade.
   this->Problem.Inverse.Apply(this->r, this->w, this->Context);
   this->ForEach([&](int part, int i) { this->x[i] = squares[part] > 0.0 ? this->x[i] : this->w[i]; });
@@ -208,11 +210,9 @@ void LocallyOptimalIteration::Start()
 
 double LocallyOptimalIteration::FindResidual()
 {
-  this->Theta = this->SumsOfParts(
-    0.0, [this](double& sum, int i) { sum += this->x[i] * this->Ax[i]; });
-  this->ForEach([this](int part, int i) {
-    this->r[i] = this->Ax[i] - this->Theta[part] * this->MassOf(i) * this->x[i];
-  });
+  this->Theta = this->SumsOfParts(0.0, [this](double& sum, int i) { sum += this->x[i] * this->Ax[i]; });
+  this->ForEach(
+    [this](int part, int i) { this->r[i] = this->Ax[i] - this->Theta[part] * this->MassOf(i) * this->x[i]; });
   this->Problem.Inverse.Apply(this->r, this->w, this->Context);
   const std::vector<double> squares =
     this->SumsOfParts(0.0, [this](double& sum, int i) { sum += this->r[i] * this->w[i]; });
@@ -229,16 +229,18 @@ void LocallyOptimalIteration::Step()
   this->Problem.A.Apply(this->w, this->Aw, this->Context);
   const std::array<const Vector<double>*, Trials> vectors{ &this->x, &this->w, &this->p };
   const std::array<const Vector<double>*, Trials> images{ &this->Ax, &this->Aw, &this->Ap };
-  const std::vector<Gram> grams = this->SumsOfParts(Gram(), [&](Gram& sum, int i) {
-    for (int row = 0; row < Trials; ++row)
+  const std::vector<Gram> grams = this->SumsOfParts(Gram(),
+    [&](Gram& sum, int i)
     {
-      for (int column = 0; column <= row; ++column)
+      for (int row = 0; row < Trials; ++row)
       {
-        sum.A(row, column) += (*vectors[row])[i] * (*images[column])[i];
-        sum.M(row, column) += (*vectors[row])[i] * this->MassOf(i) * (*vectors[column])[i];
+        for (int column = 0; column <= row; ++column)
+        {
+          sum.A(row, column) += (*vectors[row])[i] * (*images[column])[i];
+          sum.M(row, column) += (*vectors[row])[i] * this->MassOf(i) * (*vectors[column])[i];
+        }
       }
-    }
-  });
+    });
   std::vector<Coefficients> coefficients;
   coefficients.reserve(grams.size());
   for (const Gram& gram : grams)
@@ -248,19 +250,21 @@ void LocallyOptimalIteration::Step()
     whole.M = gram.M.selfadjointView<Eigen::Lower>();
     coefficients.push_back(LeastRayleighQuotient(whole));
   }
-  this->ForEach([&](int part, int i) {
-    const Coefficients& c = coefficients[part];
-    this->p[i] = c[1] * this->w[i] + c[2] * this->p[i];
-    this->Ap[i] = c[1] * this->Aw[i] + c[2] * this->Ap[i];
-    this->x[i] = c[0] * this->x[i] + this->p[i];
-    this->Ax[i] = c[0] * this->Ax[i] + this->Ap[i];
-  });
+  this->ForEach(
+    [&](int part, int i)
+    {
+      const Coefficients& c = coefficients[part];
+      this->p[i] = c[1] * this->w[i] + c[2] * this->p[i];
+      this->Ap[i] = c[1] * this->Aw[i] + c[2] * this->Ap[i];
+      this->x[i] = c[0] * this->x[i] + this->p[i];
+      this->Ax[i] = c[0] * this->Ax[i] + this->Ap[i];
+    });
 }
 
 }
 
-std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const StoppingCriteria& stop,
-  Vector<double>& x, SolveReport& report, const ExecutionContext& context)
+std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const StoppingCriteria& stop, Vector<double>& x,
+  SolveReport& report, const ExecutionContext& context)
 {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();

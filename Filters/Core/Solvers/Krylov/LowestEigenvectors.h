@@ -40,8 +40,8 @@ struct EigenProblem
 /// \return theta of each part.
 /// \throw Cancelled
 /// Cost per iteration: one application of B, one product with A and about fifteen passes over a vector.
-std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const StoppingCriteria& stop,
-  Vector<double>& x, SolveReport& report, const ExecutionContext& context);
+std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const StoppingCriteria& stop, Vector<double>& x,
+  SolveReport& report, const ExecutionContext& context);
 
 }
 

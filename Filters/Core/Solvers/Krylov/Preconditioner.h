@@ -15,8 +15,7 @@ public:
   virtual ~Preconditioner() = default;
 
   /// z = B r. May use a workspace of the preconditioner: one application at a time.
-  virtual void Apply(
-    const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) = 0;
+  virtual void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) = 0;
 };
 
 }

@@ -19,7 +19,7 @@ struct LevelReport
 struct IterationReport
 {
   int Iteration = 0;
-  double Seconds = 0.0;          ///< since the solve began, without measuring
+  double Seconds = 0.0; ///< since the solve began, without measuring
   /// An estimate of the relative error in the energy norm: the residual in the norm of the preconditioner over the energy
   /// norm of x, measured as IterationMonitor says. Of nested iterations |b - A x| / |b|.
   double RelativeResidual = 0.0;
@@ -48,7 +48,7 @@ struct SolveReport
   bool Converged = false;
   /// Of the smoothest field of unit norm on each component without prescriptions.
   std::vector<double> Eigenvalues;
-  bool EndedByRounding = false; ///< not converged, and no residual could be smaller
+  bool EndedByRounding = false;      ///< not converged, and no residual could be smaller
   std::vector<std::string> Warnings; ///< one sentence each, for the user
 
   /// Non-zeros of all levels over those of the finest; 1 for a direct solver.

@@ -7,9 +7,9 @@ namespace dmg
 {
 
 template <class Scalar>
-void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B,
-  const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
+void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B, const Vector<Scalar>& b,
+  const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
+  const ConvergenceMeasure<Scalar>* measure)
 {
   IterationMonitor<Scalar> iteration(A, B, b, stop, x, report, context, measure);
   if (iteration.IsTrivial())
@@ -43,11 +43,9 @@ void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>
   iteration.End();
 }
 
-template void StationaryIteration(const LinearOperator<double>&, Preconditioner<double>&,
-  const Vector<double>&, const StoppingCriteria&, Vector<double>&, SolveReport&,
-  const ExecutionContext&, const ConvergenceMeasure<double>*);
-template void StationaryIteration(const LinearOperator<Complex>&, Preconditioner<Complex>&,
-  const Vector<Complex>&, const StoppingCriteria&, Vector<Complex>&, SolveReport&,
-  const ExecutionContext&, const ConvergenceMeasure<Complex>*);
+template void StationaryIteration(const LinearOperator<double>&, Preconditioner<double>&, const Vector<double>&,
+  const StoppingCriteria&, Vector<double>&, SolveReport&, const ExecutionContext&, const ConvergenceMeasure<double>*);
+template void StationaryIteration(const LinearOperator<Complex>&, Preconditioner<Complex>&, const Vector<Complex>&,
+  const StoppingCriteria&, Vector<Complex>&, SolveReport&, const ExecutionContext&, const ConvergenceMeasure<Complex>*);
 
 }

@@ -19,9 +19,9 @@ namespace dmg
 /// a warning, at the limit or after ten cycles that do not improve on the best residual.
 /// Cost per iteration: one application of B and one product with A.
 template <class Scalar>
-void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B,
-  const Vector<Scalar>& b, const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure = nullptr);
+void StationaryIteration(const LinearOperator<Scalar>& A, Preconditioner<Scalar>& B, const Vector<Scalar>& b,
+  const StoppingCriteria& stop, Vector<Scalar>& x, SolveReport& report, const ExecutionContext& context,
+  const ConvergenceMeasure<Scalar>* measure = nullptr);
 
 }
 

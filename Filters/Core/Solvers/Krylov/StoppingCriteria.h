@@ -18,7 +18,8 @@ struct StoppingCriteria
 
   friend bool operator==(const StoppingCriteria& a, const StoppingCriteria& b)
   {
-    const auto members = [](const StoppingCriteria& stop) {
+    const auto members = [](const StoppingCriteria& stop)
+    {
       const auto& [tolerance, iterations, mayEstimate] = stop; // all of them, or it does not compile
       return std::tie(tolerance, iterations, mayEstimate);
     };

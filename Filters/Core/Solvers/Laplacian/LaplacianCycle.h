@@ -20,12 +20,11 @@ class LaplacianCycle : public RoughnessCycle
 {
 public:
   /// See LaplacianHierarchy::Cycle.
-  LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D,
-    const RoughnessCycleOptions& options, const ExecutionContext& context);
+  LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D, const RoughnessCycleOptions& options,
+    const ExecutionContext& context);
 
   void Update(const Vector<double>& D, const ExecutionContext& context) override;
-  void Apply(
-    const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override;
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override;
   std::vector<LevelReport> Levels() const override;
   long long Bytes() const override;
 

@@ -38,11 +38,9 @@ public:
 
   void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
   {
-    this->Right = Eigen::Map<const Vector<Complex>>(
-      reinterpret_cast<const Complex*>(r.data()), r.size() / 2);
+    this->Right = Eigen::Map<const Vector<Complex>>(reinterpret_cast<const Complex*>(r.data()), r.size() / 2);
     this->Factor.Apply(this->Right, this->Solution, context);
-    z = Eigen::Map<const Vector<double>>(
-      reinterpret_cast<const double*>(this->Solution.data()), r.size());
+    z = Eigen::Map<const Vector<double>>(reinterpret_cast<const double*>(this->Solution.data()), r.size());
   }
 
 private:
@@ -53,21 +51,22 @@ private:
 
 /// What is known of each unknown, two for each row.
 /// \param components in the order of the parents.
-void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParents,
-  const std::vector<int>& byColours, const std::vector<int>& components,
-  const ExecutionContext& context)
+void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParents, const std::vector<int>& byColours,
+  const std::vector<int>& components, const ExecutionContext& context)
 {
   const int unknowns = 2 * static_cast<int>(byColours.size());
   hierarchy.Order.resize(unknowns);
   std::vector<int> ofUnknowns(unknowns);
-  context.ParallelFor(0, unknowns, RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, unknowns, RowGrain,
+    [&](int first, int last)
     {
-      const int k = byColours[i / 2];
-      hierarchy.Order[i] = 2 * byParents[k] + i % 2;
-      ofUnknowns[i] = components[k];
-    }
-  });
+      for (int i = first; i < last; ++i)
+      {
+        const int k = byColours[i / 2];
+        hierarchy.Order[i] = 2 * byParents[k] + i % 2;
+        ofUnknowns[i] = components[k];
+      }
+    });
   hierarchy.SetComponents(std::move(ofUnknowns));
 }
 
@@ -75,24 +74,28 @@ void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParent
 void Round(SparseMatrix<Complex>& P, const ExecutionContext& context)
 {
   using FloatPair = float __attribute__((vector_size(2 * sizeof(float))));
-  context.ParallelFor(0, static_cast<int>(P.nonZeros()), RowGrain, [&P](int first, int last) {
-    for (int e = first; e < last; ++e)
+  context.ParallelFor(0, static_cast<int>(P.nonZeros()), RowGrain,
+    [&P](int first, int last)
     {
-      // In packs, because GCC 12 takes a number for its rounded one when it makes packs of this itself.
-      const auto entry = LoadPack<DoublePack>(P.valuePtr() + e);
-      const FloatPair nearest = __builtin_convertvector(entry, FloatPair);
-      StorePack(__builtin_convertvector(nearest, DoublePack), P.valuePtr() + e);
-    }
-  });
+      for (int e = first; e < last; ++e)
+      {
+        // In packs, because GCC 12 takes a number for its rounded one when it makes packs of this itself.
+        const auto entry = LoadPack<DoublePack>(P.valuePtr() + e);
+        const FloatPair nearest = __builtin_convertvector(entry, FloatPair);
+        StorePack(__builtin_convertvector(nearest, DoublePack), P.valuePtr() + e);
+      }
+    });
 }
 
 /// The prolongation to unknowns by colours; nothing to those that L says nothing of.
-SparseMatrix<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& P,
-  const SparseMatrix<Complex>& L, const std::vector<int>& byColours, const ExecutionContext& context)
+SparseMatrix<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& P, const SparseMatrix<Complex>& L,
+  const std::vector<int>& byColours, const ExecutionContext& context)
 {
   using Single = LaplacianHierarchy::Single;
-  const auto makeWorker = [&] {
-    return [&](int firstRow, int lastRow, SparseRows<Single>& rows) {
+  const auto makeWorker = [&]
+  {
+    return [&](int firstRow, int lastRow, SparseRows<Single>& rows)
+    {
       for (int k = firstRow; k < lastRow; ++k)
       {
         const int row = byColours[k];
@@ -108,15 +111,13 @@ SparseMatrix<LaplacianHierarchy::Single> InColours(const SparseMatrix<Complex>& 
       }
     };
   };
-  return AssembleInBands<Single>(
-    static_cast<int>(P.rows()), static_cast<int>(P.cols()), makeWorker, context);
+  return AssembleInBands<Single>(static_cast<int>(P.rows()), static_cast<int>(P.cols()), makeWorker, context);
 }
 
 }
 
-LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
-  std::vector<SparseMatrix<Complex>> prolongations, int smoothingSteps,
-  const ExecutionContext& context)
+LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL, std::vector<SparseMatrix<Complex>> prolongations,
+  int smoothingSteps, const ExecutionContext& context)
 {
   const int size = static_cast<int>(prolongations[0].rows());
   CheckChain(size, prolongations);
@@ -135,27 +136,28 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
   Round(P, context);
 
   LaplacianHierarchy hierarchy;
-  hierarchy.CoarseLower =
-    TripleProduct(Adjoint(P, context), L, P, context).triangularView<Eigen::Lower>();
+  hierarchy.CoarseLower = TripleProduct(Adjoint(P, context), L, P, context).triangularView<Eigen::Lower>();
   GiveBackFreedMemory();
   context.Checkpoint(0.7);
 
   // Greedy colours come one after the other, and so do components; but they do not wait for each other.
   SweepOrder colours;
   std::vector<int> components;
-  context.ParallelFor(0, 2, 1, [&](int first, int last) {
-    for (int task = first; task < last; ++task)
+  context.ParallelFor(0, 2, 1,
+    [&](int first, int last)
     {
-      if (task == 0)
+      for (int task = first; task < last; ++task)
       {
-        colours = Colouring(L);
+        if (task == 0)
+        {
+          colours = Colouring(L);
+        }
+        else
+        {
+          components = ConnectedColumns(L);
+        }
       }
-      else
-      {
-        components = ConnectedColumns(L);
-      }
-    }
-  });
+    });
   hierarchy.Prolongation = SingleProlongation(InColours(P, L, colours.Unknowns, context));
   SparseMatrix<Complex>().swap(P);
   hierarchy.SetMatrix(L, colours, context);
@@ -200,8 +202,8 @@ std::unique_ptr<RoughnessOperator> LaplacianHierarchy::Operator() const
   return std::make_unique<MatrixPlusDiagonal<Complex>>(this->L);
 }
 
-std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(const Vector<double>& D,
-  const RoughnessCycleOptions& options, const ExecutionContext& context) const
+std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(
+  const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const
 {
   return std::make_unique<LaplacianCycle>(*this, D, options, context);
 }

@@ -29,28 +29,27 @@ public:
 
   /// Sets what is known of L.
   /// \param colours of its unknowns, in whose order it is held.
-  void SetMatrix(
-    const SparseMatrix<Complex>& matrix, const SweepOrder& colours, const ExecutionContext& context);
+  void SetMatrix(const SparseMatrix<Complex>& matrix, const SweepOrder& colours, const ExecutionContext& context);
   int Rows() const { return static_cast<int>(this->L.rows()); }
 
   SparseMatrix<Complex> L;
-  TriangularParts<Single> Sweeps; ///< L as sweeps read it, which take 1.3 times as long in double precision
-  SingleProlongation Prolongation; ///< complex
-  SparseMatrix<Complex> CoarseLower; ///< the lower triangle of P^H L P
+  TriangularParts<Single> Sweeps;             ///< L as sweeps read it, which take 1.3 times as long in double precision
+  SingleProlongation Prolongation;            ///< complex
+  SparseMatrix<Complex> CoarseLower;          ///< the lower triangle of P^H L P
   std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
 
   double DiagonalOf(int unknown) const override { return this->L.coeff(unknown / 2, unknown / 2).real(); }
   std::unique_ptr<RoughnessOperator> Operator() const override;
-  std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
-    const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<RoughnessCycle> Cycle(
+    const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
   std::unique_ptr<Preconditioner<double>> Factor(
     const Vector<double>& D, const ExecutionContext& context) const override;
   long long Bytes() const override;
 };
 
 /// Assembles a matrix with its rows and columns in another order; [k] is the caller's index of row k.
-using MatrixInOrder = std::function<SparseMatrix<Complex>(
-  const std::vector<int>& order, const ExecutionContext& context)>;
+using MatrixInOrder =
+  std::function<SparseMatrix<Complex>(const std::vector<int>& order, const ExecutionContext& context)>;
 
 /// \param makeL gives L, N_0 x N_0, compressed.
 /// \param prolongations [l] is N_l x N_{l+1}, compressed; one or more. The first is smoothed.
@@ -58,9 +57,8 @@ using MatrixInOrder = std::function<SparseMatrix<Complex>(
 /// \throw InvalidInput the sizes do not chain.
 /// \throw Cancelled
 /// Cost: linear in the entries of L, 1.5 us for each row with two threads.
-LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL,
-  std::vector<SparseMatrix<Complex>> prolongations, int smoothingSteps,
-  const ExecutionContext& context);
+LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL, std::vector<SparseMatrix<Complex>> prolongations,
+  int smoothingSteps, const ExecutionContext& context);
 
 }
 

@@ -115,8 +115,7 @@ private:
 
     bool operator<(const Touch& other) const
     {
-      return std::tie(this->ByOthers, this->Unknowns, this->Row) <
-        std::tie(other.ByOthers, other.Unknowns, other.Row);
+      return std::tie(this->ByOthers, this->Unknowns, this->Row) < std::tie(other.ByOthers, other.Unknowns, other.Row);
     }
   };
 
@@ -143,30 +142,34 @@ public:
     std::vector<Key> keys = this->KeysOf(blocks, tiles, tile, rows);
     std::vector<Key> left;
     int colourOfRun = BlockTiles::LastBlockColour;
-    ForAlike(keys, [&](const Key* next, const Key* end) {
-      const int colour = next->Colour;
-      for (; colour != BlockTiles::LastBlockColour && end - next >= PackLanes; next += PackLanes)
+    ForAlike(keys,
+      [&](const Key* next, const Key* end)
       {
-        if (colour != colourOfRun)
+        const int colour = next->Colour;
+        for (; colour != BlockTiles::LastBlockColour && end - next >= PackLanes; next += PackLanes)
         {
-          this->BeginRun();
-          colourOfRun = colour;
+          if (colour != colourOfRun)
+          {
+            this->BeginRun();
+            colourOfRun = colour;
+          }
+          this->AppendGroup(next, PackLanes);
         }
-        this->AppendGroup(next, PackLanes);
-      }
-      left.insert(left.end(), next, end);
-    });
+        left.insert(left.end(), next, end);
+      });
     for (Key& key : left)
     {
       key.Colour = BlockTiles::LastBlockColour;
     }
-    ForAlike(left, [&](const Key* begin, const Key* end) {
-      for (const std::vector<Key>& pack : this->IndependentBlocks(begin, end))
+    ForAlike(left,
+      [&](const Key* begin, const Key* end)
       {
-        this->BeginRun();
-        this->AppendGroup(pack.data(), static_cast<int>(pack.size()));
-      }
-    });
+        for (const std::vector<Key>& pack : this->IndependentBlocks(begin, end))
+        {
+          this->BeginRun();
+          this->AppendGroup(pack.data(), static_cast<int>(pack.size()));
+        }
+      });
     this->OfBlocks.clear();
     this->OfBlocks.shrink_to_fit();
   }
@@ -178,20 +181,15 @@ private:
     int Pattern;
     int Begin; ///< of its unknowns, and then its rows, among OfBlocks
 
-    bool IsLike(const Key& other) const
-    {
-      return this->Colour == other.Colour && this->Pattern == other.Pattern;
-    }
+    bool IsLike(const Key& other) const { return this->Colour == other.Colour && this->Pattern == other.Pattern; }
     bool operator<(const Key& other) const
     {
-      return std::tie(this->Colour, this->Pattern, this->Begin) <
-        std::tie(other.Colour, other.Pattern, other.Begin);
+      return std::tie(this->Colour, this->Pattern, this->Begin) < std::tie(other.Colour, other.Pattern, other.Begin);
     }
   };
 
   /// Of each block of a tile; and the patterns there are.
-  std::vector<Key> KeysOf(
-    const UnknownBlocks& blocks, const BlockTiles& tiles, int tile, RowsOfBlock& rows)
+  std::vector<Key> KeysOf(const UnknownBlocks& blocks, const BlockTiles& tiles, int tile, RowsOfBlock& rows)
   {
     std::map<Incidence, int> numbers;
     std::vector<Key> keys;
@@ -203,17 +201,14 @@ private:
       if (rows.Size() > BlockGroups::MostRows)
       {
         throw InvalidInput("block " + std::to_string(k) + " touches " + std::to_string(rows.Size()) +
-          " rows of the factor; split it into blocks of at most " +
-          std::to_string(BlockGroups::MostRows));
+          " rows of the factor; split it into blocks of at most " + std::to_string(BlockGroups::MostRows));
       }
-      const auto [found, isNew] =
-        numbers.try_emplace(rows.OfBlock(), static_cast<int>(this->Patterns.size()));
+      const auto [found, isNew] = numbers.try_emplace(rows.OfBlock(), static_cast<int>(this->Patterns.size()));
       if (isNew)
       {
         this->Patterns.push_back(rows.OfBlock());
       }
-      keys.push_back(
-        { tiles.BlockColours()[k], found->second, static_cast<int>(this->OfBlocks.size()) });
+      keys.push_back({ tiles.BlockColours()[k], found->second, static_cast<int>(this->OfBlocks.size()) });
       this->OfBlocks.insert(this->OfBlocks.end(), unknowns, unknowns + size);
       for (int row = 0; row < rows.Size(); ++row)
       {
@@ -252,9 +247,8 @@ private:
       std::size_t pack = 0;
       while (pack < packs.size() &&
         (packs[pack].size() == PackLanes ||
-          std::any_of(first, last, [&taken = rowsOfPacks[pack]](int row) {
-            return std::binary_search(taken.begin(), taken.end(), row);
-          })))
+          std::any_of(first, last,
+            [&taken = rowsOfPacks[pack]](int row) { return std::binary_search(taken.begin(), taken.end(), row); })))
       {
         ++pack;
       }
@@ -282,10 +276,7 @@ private:
   }
 
   int RowsOf(int pattern) const { return static_cast<int>(this->Patterns[pattern].size()) - 2; }
-  int IndicesOf(int pattern) const
-  {
-    return static_cast<int>(this->Patterns[pattern][0]) + this->RowsOf(pattern);
-  }
+  int IndicesOf(int pattern) const { return static_cast<int>(this->Patterns[pattern][0]) + this->RowsOf(pattern); }
 
   std::vector<int> OfBlocks; ///< unknowns and rows, block by block
 };
@@ -301,8 +292,7 @@ void Append(GroupsOfTile& tile, std::map<Incidence, int>& numbers, BlockGroups& 
   std::vector<int> numbersOfTile; // of its patterns
   for (const Incidence& incidence : tile.Patterns)
   {
-    const auto [found, isNew] =
-      numbers.try_emplace(incidence, static_cast<int>(to.Patterns.size()));
+    const auto [found, isNew] = numbers.try_emplace(incidence, static_cast<int>(to.Patterns.size()));
     if (isNew)
     {
       to.Patterns.push_back(PatternFrom(incidence));
@@ -311,8 +301,7 @@ void Append(GroupsOfTile& tile, std::map<Incidence, int>& numbers, BlockGroups& 
   }
   for (const BlockGroups::Group& group : tile.Groups)
   {
-    to.Groups.push_back(
-      { numbersOfTile[group.Pattern], group.Lanes, group.Blocks, to.Indices.size() + group.Indices });
+    to.Groups.push_back({ numbersOfTile[group.Pattern], group.Lanes, group.Blocks, to.Indices.size() + group.Indices });
   }
   to.Indices.insert(to.Indices.end(), tile.Indices.begin(), tile.Indices.end());
   tile = {};
@@ -340,8 +329,7 @@ std::vector<int> BlockGroups::OrderOfRows(int rows) const
   return order.Complete();
 }
 
-void BlockGroups::Renumber(
-  const std::vector<int>& placesOfUnknowns, const std::vector<int>& placesOfRows)
+void BlockGroups::Renumber(const std::vector<int>& placesOfUnknowns, const std::vector<int>& placesOfRows)
 {
   for (const Group& group : this->Groups)
   {
@@ -353,8 +341,7 @@ void BlockGroups::Renumber(
   }
 }
 
-BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-  const ExecutionContext& context)
+BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
 {
   for (int k = 0; k < blocks.Size(); ++k)
   {
@@ -366,18 +353,19 @@ BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blo
     }
   }
   std::vector<int> lengths(Bt.cols(), 0); // of the rows of B
-  std::for_each(
-    Bt.innerIndexPtr(), Bt.innerIndexPtr() + Bt.nonZeros(), [&lengths](int row) { ++lengths[row]; });
+  std::for_each(Bt.innerIndexPtr(), Bt.innerIndexPtr() + Bt.nonZeros(), [&lengths](int row) { ++lengths[row]; });
   const BlockTiles tiles(Bt, blocks, context);
   std::vector<GroupsOfTile> ofTiles(tiles.Size());
   const int grain = std::max(1, tiles.Size() / (4 * context.NumberOfThreads()));
-  context.ParallelFor(0, tiles.Size(), grain, [&](int first, int last) {
-    RowsOfBlock rows(Bt, lengths);
-    for (int tile = first; tile < last; ++tile)
+  context.ParallelFor(0, tiles.Size(), grain,
+    [&](int first, int last)
     {
-      ofTiles[tile] = GroupsOfTile(blocks, tiles, tile, rows);
-    }
-  });
+      RowsOfBlock rows(Bt, lengths);
+      for (int tile = first; tile < last; ++tile)
+      {
+        ofTiles[tile] = GroupsOfTile(blocks, tiles, tile, rows);
+      }
+    });
 
   BlockGroups groups;
   groups.ColoursOfTiles = tiles.ColoursOfTiles();

@@ -48,7 +48,7 @@ struct BlockGroups
   struct Group
   {
     int Pattern;
-    int Lanes; ///< 1, or those of FloatPack
+    int Lanes;  ///< 1, or those of FloatPack
     int Blocks; ///< >= 2 if there are lanes for more; the first block has those that are left as well
     /// Where its unknowns begin among Indices: of each lane the first, of each lane the second, and so on. Then
     /// its rows of B, in the same way.
@@ -56,9 +56,9 @@ struct BlockGroups
   };
 
   std::vector<BlockPattern> Patterns;
-  std::vector<Group> Groups;   ///< in the order in which they are smoothed, tile by tile
-  std::vector<int> RunBegins;  ///< the first group of each run, and their number
-  std::vector<int> TileBegins; ///< the first run of each tile, and their number
+  std::vector<Group> Groups;       ///< in the order in which they are smoothed, tile by tile
+  std::vector<int> RunBegins;      ///< the first group of each run, and their number
+  std::vector<int> TileBegins;     ///< the first run of each tile, and their number
   std::vector<int> ColoursOfTiles; ///< the first tile of each colour, and their number
   std::vector<int> Indices;
 
@@ -81,8 +81,7 @@ struct BlockGroups
 /// \throw InvalidInput a block of more than LargestBlock unknowns, or that touches more than MostRows
 ///   rows of B.
 /// Cost: linear in the unknowns of all blocks.
-BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-  const ExecutionContext& context);
+BlockGroups GroupBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
 
 }
 

@@ -12,8 +12,7 @@ namespace dmg
 /// y = A x for a symmetric matrix in each lane, its lower triangle by rows.
 /// \param ahead a matrix that will be needed soon.
 template <class Pack>
-inline void MultiplySymmetric(
-  const float* triangle, int size, const Pack* x, Pack* y, const float* ahead)
+inline void MultiplySymmetric(const float* triangle, int size, const Pack* x, Pack* y, const float* ahead)
 {
   constexpr int lanes = LanesOf<Pack>;
   for (int i = 0; i < size; ++i)
@@ -33,8 +32,7 @@ inline void MultiplySymmetric(
 }
 
 /// The same where lanes are of no use, but rows are long.
-inline void MultiplySymmetric(
-  const float* triangle, int size, const float* x, float* y, const float*)
+inline void MultiplySymmetric(const float* triangle, int size, const float* x, float* y, const float*)
 {
   constexpr int lanes = LanesOf<FloatPack>;
   for (int i = 0; i < size; ++i, ++triangle)
@@ -72,10 +70,7 @@ public:
   int Size() const { return this->NumberOfPlaces; }
 
   Pack UnknownOf(const float* x, int i) const { return GatherPack<Pack>(x, this->Unknowns + i * Lanes); }
-  void SetUnknown(Pack pack, float* x, int i) const
-  {
-    ScatterPack<Pack>(pack, x, this->Unknowns + i * Lanes);
-  }
+  void SetUnknown(Pack pack, float* x, int i) const { ScatterPack<Pack>(pack, x, this->Unknowns + i * Lanes); }
   Pack RowOf(const float* Bx, int k) const { return GatherPack<Pack>(Bx, this->Rows + k * Lanes); }
   void SetRow(Pack pack, float* Bx, int k) const { ScatterPack<Pack>(pack, Bx, this->Rows + k * Lanes); }
 
@@ -98,14 +93,8 @@ public:
   }
   int Size() const { return this->Of.InnerRows + (this->Of.Rows() - this->Of.InnerRows) * Lanes; }
 
-  FloatPack UnknownOf(const float* x, int i) const
-  {
-    return LoadPack<FloatPack>(x + this->FirstPlace + i * Lanes);
-  }
-  void SetUnknown(FloatPack pack, float* x, int i) const
-  {
-    StorePack(pack, x + this->FirstPlace + i * Lanes);
-  }
+  FloatPack UnknownOf(const float* x, int i) const { return LoadPack<FloatPack>(x + this->FirstPlace + i * Lanes); }
+  void SetUnknown(FloatPack pack, float* x, int i) const { StorePack(pack, x + this->FirstPlace + i * Lanes); }
   FloatPack RowOf(const float* Bx, int k) const
   {
     return k < this->Of.InnerRows ? LoadPack<FloatPack>(Bx + this->Rows[k])
@@ -113,16 +102,12 @@ public:
   }
   void SetRow(FloatPack pack, float* Bx, int k) const
   {
-    k < this->Of.InnerRows ? StorePack(pack, Bx + this->Rows[k])
-                           : ScatterPack<FloatPack>(pack, Bx, this->OuterRow(k));
+    k < this->Of.InnerRows ? StorePack(pack, Bx + this->Rows[k]) : ScatterPack<FloatPack>(pack, Bx, this->OuterRow(k));
   }
 
 private:
   static constexpr int Lanes = LanesOf<FloatPack>;
-  const int* OuterRow(int k) const
-  {
-    return this->Rows + this->Of.InnerRows + (k - this->Of.InnerRows) * Lanes;
-  }
+  const int* OuterRow(int k) const { return this->Rows + this->Of.InnerRows + (k - this->Of.InnerRows) * Lanes; }
 
   const BlockPattern& Of;
   const int FirstPlace;

@@ -62,8 +62,8 @@ private:
 
 }
 
-BlockSmoother::BlockSmoother(const SparseMatrix<double>& factor, const RowTiles& tiles,
-  const SchwarzBlocks& blocks, int sweeps, double relaxation)
+BlockSmoother::BlockSmoother(
+  const SparseMatrix<double>& factor, const RowTiles& tiles, const SchwarzBlocks& blocks, int sweeps, double relaxation)
   : B(factor)
   , Tiles(tiles)
   , Blocks(blocks)
@@ -99,9 +99,10 @@ void BlockSmoother::SetDiagonal(const Vector<double>& D, const ExecutionContext&
 {
   assert(D.size() == this->Diagonal.size());
   const int unknowns = static_cast<int>(D.size());
-  this->Held = Choose(unknowns, [&D](int i) { return !std::isfinite(D[i]); }, context);
-  this->Penalised =
-    Choose(unknowns, [&D](int i) { return std::isfinite(D[i]) && D[i] != 0.0; }, context);
+  this->Held = Choose(
+    unknowns, [&D](int i) { return !std::isfinite(D[i]); }, context);
+  this->Penalised = Choose(
+    unknowns, [&D](int i) { return std::isfinite(D[i]) && D[i] != 0.0; }, context);
   this->Diagonal.setZero();
   for (const int i : this->Penalised)
   {
@@ -142,23 +143,23 @@ void BlockSmoother::ForPenalised(int first, int last, const Visit& visit) const
   }
 }
 
-void BlockSmoother::Begin(
-  const Vector<double>& b, const ExecutionContext& context, const Vector<double>* x)
+void BlockSmoother::Begin(const Vector<double>& b, const ExecutionContext& context, const Vector<double>* x)
 {
   const int* const places = this->Blocks.PlacesOfUnknowns().data();
-  context.ParallelFor(0, static_cast<int>(b.size()), RowGrain, [&](int first, int last) {
-    this->Step.segment(first, last - first).setZero();
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
+    [&](int first, int last)
     {
-      this->Right[places[i]] = static_cast<float>(b[i]);
-    }
-    if (x)
-    {
-      this->ForPenalised(first, last, [&](int i, double penalty) {
-        this->Right[places[i]] = static_cast<float>(b[i] - penalty * (*x)[i]);
-      });
-    }
-  });
+      this->Step.segment(first, last - first).setZero();
+      for (int i = first; i < last; ++i)
+      {
+        this->Right[places[i]] = static_cast<float>(b[i]);
+      }
+      if (x)
+      {
+        this->ForPenalised(first, last,
+          [&](int i, double penalty) { this->Right[places[i]] = static_cast<float>(b[i] - penalty * (*x)[i]); });
+      }
+    });
 }
 
 template <bool Penalised, class Pack, class Places>
@@ -209,32 +210,27 @@ void BlockSmoother::SmoothBlocks(
     Pack product = products[k];
     for (int s = pattern.RowOffsets[k]; s < pattern.RowOffsets[k + 1]; ++s)
     {
-      product +=
-        LoadPack<Pack>(of.Values + pattern.EntryAt[s] * lanes) * steps[pattern.UnknownAt[s]];
+      product += LoadPack<Pack>(of.Values + pattern.EntryAt[s] * lanes) * steps[pattern.UnknownAt[s]];
     }
     places.SetRow(product, Bx, k);
   }
 }
 
 template <bool Penalised>
-void BlockSmoother::SmoothGroup(
-  const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead)
+void BlockSmoother::SmoothGroup(const SchwarzBlocks::Group& group, const Streams& of, const Streams& ahead)
 {
   const BlockPattern& pattern = this->Blocks.PatternOf(group);
   if (group.Lanes == 1)
   {
-    this->SmoothBlocks<Penalised, float>(
-      pattern, PlacesAnywhere<float>(pattern, of.Places), of, ahead);
+    this->SmoothBlocks<Penalised, float>(pattern, PlacesAnywhere<float>(pattern, of.Places), of, ahead);
   }
   else if (group.FirstPlace < 0)
   {
-    this->SmoothBlocks<Penalised, FloatPack>(
-      pattern, PlacesAnywhere<FloatPack>(pattern, of.Places), of, ahead);
+    this->SmoothBlocks<Penalised, FloatPack>(pattern, PlacesAnywhere<FloatPack>(pattern, of.Places), of, ahead);
   }
   else
   {
-    this->SmoothBlocks<Penalised, FloatPack>(
-      pattern, PlacesInOrder(pattern, of.Places, group.FirstPlace), of, ahead);
+    this->SmoothBlocks<Penalised, FloatPack>(pattern, PlacesInOrder(pattern, of.Places, group.FirstPlace), of, ahead);
   }
 }
 
@@ -281,51 +277,55 @@ void BlockSmoother::PreSmooth(
   x.resize(b.size());
   r.resize(b.size());
   const int* const places = this->Blocks.PlacesOfUnknowns().data();
-  context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
+    [&](int first, int last)
     {
-      x[i] = this->Step[places[i]];
-      r[i] = b[i];
-    }
-    this->ForPenalised(first, last, [&x, &r](int i, double penalty) { r[i] -= penalty * x[i]; });
-  });
+      for (int i = first; i < last; ++i)
+      {
+        x[i] = this->Step[places[i]];
+        r[i] = b[i];
+      }
+      this->ForPenalised(first, last, [&x, &r](int i, double penalty) { r[i] -= penalty * x[i]; });
+    });
   const int* const placesOfRows = this->Blocks.PlacesOfRows().data();
-  this->Tiles.ForTiles(context, [&](int, int firstRow, int lastRow) {
-    this->B.AddAdjoint(firstRow, lastRow,
-      [&](int row) { return -static_cast<double>(this->Bx[placesOfRows[row]]); }, r.data());
-  });
+  this->Tiles.ForTiles(context,
+    [&](int, int firstRow, int lastRow)
+    {
+      this->B.AddAdjoint(
+        firstRow, lastRow, [&](int row) { return -static_cast<double>(this->Bx[placesOfRows[row]]); }, r.data());
+    });
   for (const int i : this->Held)
   {
     r[i] = 0.0;
   }
 }
 
-void BlockSmoother::PostSmooth(
-  const Vector<double>& b, Vector<double>& x, const ExecutionContext& context)
+void BlockSmoother::PostSmooth(const Vector<double>& b, Vector<double>& x, const ExecutionContext& context)
 {
   const int* const placesOfRows = this->Blocks.PlacesOfRows().data();
-  context.ParallelFor(0, static_cast<int>(this->Bx.size()), RowGrain, [&](int first, int last) {
-    this->B.Multiply(first, last, x.data(), [this, placesOfRows](int row, double product) {
-      this->Bx[placesOfRows[row]] = static_cast<float>(product);
+  context.ParallelFor(0, static_cast<int>(this->Bx.size()), RowGrain,
+    [&](int first, int last)
+    {
+      this->B.Multiply(first, last, x.data(),
+        [this, placesOfRows](int row, double product) { this->Bx[placesOfRows[row]] = static_cast<float>(product); });
     });
-  });
   this->Begin(b, context, &x);
   this->RunSweeps(true, context);
-  context.ParallelFor(0, static_cast<int>(x.size()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
+    [&](int first, int last)
     {
-      x[i] += this->Step[this->Blocks.PlacesOfUnknowns()[i]];
-    }
-  });
+      for (int i = first; i < last; ++i)
+      {
+        x[i] += this->Step[this->Blocks.PlacesOfUnknowns()[i]];
+      }
+    });
 }
 
 long long BlockSmoother::Bytes() const
 {
   return static_cast<long long>(this->Inverses.size() * sizeof(this->Inverses[0]) +
-    this->ChangedInverses.size() * sizeof(float) +
-    (this->Held.size() + this->Penalised.size()) * sizeof(int) +
-    (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) *
-      sizeof(float));
+    this->ChangedInverses.size() * sizeof(float) + (this->Held.size() + this->Penalised.size()) * sizeof(int) +
+    (this->Diagonal.size() + this->Right.size() + this->Step.size() + this->Bx.size()) * sizeof(float));
 }
 
 }

@@ -40,8 +40,8 @@ public:
   /// \param blocks of B, covering all unknowns that are to be smoothed.
   /// \param sweeps before and after the coarse correction, >= 1.
   /// \param relaxation what steps are multiplied by where D is zero, in (0, 2); by 1 in block Gauss-Seidel.
-  BlockSmoother(const SparseMatrix<double>& B, const RowTiles& tiles, const SchwarzBlocks& blocks,
-    int sweeps, double relaxation = UsualRelaxation);
+  BlockSmoother(const SparseMatrix<double>& B, const RowTiles& tiles, const SchwarzBlocks& blocks, int sweeps,
+    double relaxation = UsualRelaxation);
   BlockSmoother(const BlockSmoother&) = delete; // inverses are referred to
   BlockSmoother& operator=(const BlockSmoother&) = delete;
 
@@ -55,8 +55,7 @@ public:
 
   /// Smooths A x = b from x = 0, colours of tiles in ascending order.
   /// \param x, r on exit the result and its residual b - A x; zero where unknowns are held.
-  void PreSmooth(const Vector<double>& b, Vector<double>& x, Vector<double>& r,
-    const ExecutionContext& context);
+  void PreSmooth(const Vector<double>& b, Vector<double>& x, Vector<double>& r, const ExecutionContext& context);
 
   /// Smooths A x = b from the given x, colours in descending order: the adjoint of PreSmooth.
   /// \pre x is zero where unknowns are held.
@@ -68,8 +67,7 @@ public:
 private:
   /// Sets the right sides of the sweeps, b - D x, and their steps to zero.
   /// \param x what the sweeps start from; null for zero.
-  void Begin(const Vector<double>& b, const ExecutionContext& context,
-    const Vector<double>* x = nullptr);
+  void Begin(const Vector<double>& b, const ExecutionContext& context, const Vector<double>* x = nullptr);
   /// Calls visit(i, D_i) for unknowns [first, last) where D is neither zero nor infinite.
   template <class Visit>
   void ForPenalised(int first, int last, const Visit& visit) const;
@@ -95,22 +93,21 @@ private:
   /// \tparam Pack of so many lanes as the group has.
   /// \param pattern of its blocks. \param places of its unknowns and rows in vectors.
   template <bool Penalised, class Pack, class Places>
-  void SmoothBlocks(
-    const BlockPattern& pattern, const Places& places, const Streams& of, const Streams& ahead);
+  void SmoothBlocks(const BlockPattern& pattern, const Places& places, const Streams& of, const Streams& ahead);
 
   const RowRuns<double> B;
   const RowTiles& Tiles;
   const SchwarzBlocks& Blocks;
   const int Sweeps;
   const float Relaxation;
-  Vector<float> Diagonal;              ///< D where it is finite, else zero; by place
-  std::vector<int> Held;               ///< where D is infinite; ascending
-  std::vector<int> Penalised;             ///< where it is neither that nor zero; ascending
-  std::vector<const float*> Inverses;  ///< of each group: of the roughness alone where D is zero
-  std::vector<float> ChangedInverses;  ///< where D is not zero
-  Vector<float> Right; ///< b - D x before the sweeps; by place
-  Vector<float> Step;  ///< what the sweeps have added to x; by place
-  Vector<float> Bx;    ///< by place
+  Vector<float> Diagonal;             ///< D where it is finite, else zero; by place
+  std::vector<int> Held;              ///< where D is infinite; ascending
+  std::vector<int> Penalised;         ///< where it is neither that nor zero; ascending
+  std::vector<const float*> Inverses; ///< of each group: of the roughness alone where D is zero
+  std::vector<float> ChangedInverses; ///< where D is not zero
+  Vector<float> Right;                ///< b - D x before the sweeps; by place
+  Vector<float> Step;                 ///< what the sweeps have added to x; by place
+  Vector<float> Bx;                   ///< by place
 };
 
 }

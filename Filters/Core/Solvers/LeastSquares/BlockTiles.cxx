@@ -17,8 +17,8 @@ constexpr int WantedTiles = 128;
 
 /// Calls visit(row) for the rows of B that unknowns of some blocks touch, once for each time.
 template <class Visit>
-void ForRows(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, int firstBlock,
-  int lastBlock, const Visit& visit)
+void ForRows(
+  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, int firstBlock, int lastBlock, const Visit& visit)
 {
   for (int s = blocks.Offsets[firstBlock]; s < blocks.Offsets[lastBlock]; ++s)
   {
@@ -37,17 +37,14 @@ int BlockTiles::SizeFor(int numberOfBlocks)
   return std::clamp(numberOfBlocks / WantedTiles, SmallestTile, LargestTile);
 }
 
-BlockTiles::BlockTiles(
-  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
+BlockTiles::BlockTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
 {
   const long long size = blocks.Size();
   const int wanted = SizeFor(blocks.Size());
   const int tiles = size > 0 ? std::max(1, static_cast<int>((size + wanted / 2) / wanted)) : 0;
   const auto first = [size, tiles](int tile) { return static_cast<int>(size * tile / tiles); };
-  PartColouring colouring =
-    ColourParts(tiles, static_cast<int>(Bt.cols()), [&](int tile, const auto& visit) {
-      ForRows(Bt, blocks, first(tile), first(tile + 1), visit);
-    });
+  PartColouring colouring = ColourParts(tiles, static_cast<int>(Bt.cols()),
+    [&](int tile, const auto& visit) { ForRows(Bt, blocks, first(tile), first(tile + 1), visit); });
   for (const int tile : colouring.Parts)
   {
     this->Tiles.push_back({ first(tile), first(tile + 1) });
@@ -62,25 +59,27 @@ void BlockTiles::ColourBlocks(
 {
   this->Colours.resize(blocks.Size());
   const int grain = std::max(1, this->Size() / (4 * context.NumberOfThreads()));
-  context.ParallelFor(0, this->Size(), grain, [&](int firstTile, int lastTile) {
-    std::vector<std::uint64_t> taken(Bt.cols(), 0); // by row of B: colours of the blocks that touch it
-    for (int tile = firstTile; tile < lastTile; ++tile)
+  context.ParallelFor(0, this->Size(), grain,
+    [&](int firstTile, int lastTile)
     {
-      for (int k = this->First(tile); k < this->Last(tile); ++k)
+      std::vector<std::uint64_t> taken(Bt.cols(), 0); // by row of B: colours of the blocks that touch it
+      for (int tile = firstTile; tile < lastTile; ++tile)
       {
-        std::uint64_t forbidden = 0;
-        ForRows(Bt, blocks, k, k + 1, [&](int row) { forbidden |= taken[row]; });
-        int colour = 0;
-        while (colour < LastBlockColour && (forbidden >> colour & 1) != 0)
+        for (int k = this->First(tile); k < this->Last(tile); ++k)
         {
-          ++colour;
+          std::uint64_t forbidden = 0;
+          ForRows(Bt, blocks, k, k + 1, [&](int row) { forbidden |= taken[row]; });
+          int colour = 0;
+          while (colour < LastBlockColour && (forbidden >> colour & 1) != 0)
+          {
+            ++colour;
+          }
+          ForRows(Bt, blocks, k, k + 1, [&](int row) { taken[row] |= std::uint64_t(1) << colour; });
+          this->Colours[k] = static_cast<char>(colour);
         }
-        ForRows(Bt, blocks, k, k + 1, [&](int row) { taken[row] |= std::uint64_t(1) << colour; });
-        this->Colours[k] = static_cast<char>(colour);
+        ForRows(Bt, blocks, this->First(tile), this->Last(tile), [&](int row) { taken[row] = 0; });
       }
-      ForRows(Bt, blocks, this->First(tile), this->Last(tile), [&](int row) { taken[row] = 0; });
-    }
-  });
+    });
 }
 
 }

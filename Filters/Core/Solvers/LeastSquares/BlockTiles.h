@@ -24,8 +24,7 @@ public:
 
   /// \param Bt B^T, a row per unknown.
   /// Cost: linear in the unknowns of all blocks.
-  BlockTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-    const ExecutionContext& context);
+  BlockTiles(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
 
   int Size() const { return static_cast<int>(this->Tiles.size()); }
   /// Its blocks are First(tile) to one before Last(tile).
@@ -47,8 +46,7 @@ private:
     int Last;
   };
 
-  void ColourBlocks(
-    const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
+  void ColourBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
 
   std::vector<Tile> Tiles;
   std::vector<int> TileColours;

@@ -14,9 +14,8 @@ constexpr int RowGrain = 8192;
 
 }
 
-LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
-  const Vector<double>& D, const RoughnessCycleOptions& options,
-  const ExecutionContext& context)
+LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy, const Vector<double>& D,
+  const RoughnessCycleOptions& options, const ExecutionContext& context)
   : Fine(hierarchy)
   , Smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, options.Sweeps)
   , b(hierarchy.NumberOfUnknowns())
@@ -26,8 +25,8 @@ LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy,
   context.Checkpoint(0.2);
   SparseMatrix<double> coarse = this->CoarseMatrix(context);
   const GalerkinOptions coarsening = options.CoarseningOf(static_cast<int>(coarse.rows()));
-  this->Coarse = std::make_unique<GalerkinCycle<double>>(std::move(coarse), hierarchy.Coarser,
-    coarsening, options.Coarse, PartOfContext(context, 0.4, 1.0));
+  this->Coarse = std::make_unique<GalerkinCycle<double>>(
+    std::move(coarse), hierarchy.Coarser, coarsening, options.Coarse, PartOfContext(context, 0.4, 1.0));
 }
 
 void LeastSquaresCycle::Update(const Vector<double>& D, const ExecutionContext& context)
@@ -58,12 +57,11 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(const ExecutionContext& con
   if (!areAllFree)
   {
     const SparseMatrix<Complex32>& P = this->Fine.Prolongation.Matrix();
-    SparseMatrix<double> lower = CoarseRoughness(this->Fine.B, Adjoint(this->Fine.B, context), P,
-      Adjoint(P, context), this->Smoother.HeldUnknowns(), context);
+    SparseMatrix<double> lower = CoarseRoughness(
+      this->Fine.B, Adjoint(this->Fine.B, context), P, Adjoint(P, context), this->Smoother.HeldUnknowns(), context);
     lowerOfFree.swap(lower); // an assignment would copy
   }
-  SparseMatrix<double> coarse =
-    SymmetricFromLower(areAllFree ? this->Fine.CoarseLower : lowerOfFree, context);
+  SparseMatrix<double> coarse = SymmetricFromLower(areAllFree ? this->Fine.CoarseLower : lowerOfFree, context);
   // What is added are the squares of rows of P, times roots.
   SparseMatrix<Complex32> rows = this->Fine.Prolongation.SelectedRows(this->Penalised.Unknowns(), context);
   this->Penalised.ScaleRows(rows, context);
@@ -71,35 +69,35 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(const ExecutionContext& con
   return coarse;
 }
 
-void LeastSquaresCycle::Apply(
-  const Vector<double>& r, Vector<double>& x, const ExecutionContext& context)
+void LeastSquaresCycle::Apply(const Vector<double>& r, Vector<double>& x, const ExecutionContext& context)
 {
   const Vector<double>& scales = this->Fine.Scales;
-  context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
-    const int count = last - first;
-    this->b.segment(first, count) =
-      r.segment(first, count).cwiseQuotient(scales.segment(first, count));
-  });
+  context.ParallelFor(0, static_cast<int>(r.size()), RowGrain,
+    [&](int first, int last)
+    {
+      const int count = last - first;
+      this->b.segment(first, count) = r.segment(first, count).cwiseQuotient(scales.segment(first, count));
+    });
   this->Smoother.PreSmooth(this->b, x, this->Residual, context);
   this->Penalised.ScaleResidual(this->Residual, x, context);
-  this->Fine.Prolongation.MultiplyAdjoint(
-    this->Residual, this->CoarseResidual, this->SumsOfParts, context);
+  this->Fine.Prolongation.MultiplyAdjoint(this->Residual, this->CoarseResidual, this->SumsOfParts, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, x, context);
   SetZero(x, this->Smoother.HeldUnknowns(), context);
   this->Penalised.ScaleCorrection(x, context);
   this->Smoother.PostSmooth(this->b, x, context);
-  context.ParallelFor(0, static_cast<int>(r.size()), RowGrain, [&](int first, int last) {
-    const int count = last - first;
-    x.segment(first, count).array() /= scales.segment(first, count).array();
-  });
+  context.ParallelFor(0, static_cast<int>(r.size()), RowGrain,
+    [&](int first, int last)
+    {
+      const int count = last - first;
+      x.segment(first, count).array() /= scales.segment(first, count).array();
+    });
 }
 
 std::vector<LevelReport> LeastSquaresCycle::Levels() const
 {
   return FinestAnd(
-    { this->Fine.NumberOfUnknowns(), static_cast<long long>(this->Fine.B.nonZeros()) },
-    this->Coarse->Levels());
+    { this->Fine.NumberOfUnknowns(), static_cast<long long>(this->Fine.B.nonZeros()) }, this->Coarse->Levels());
 }
 
 long long LeastSquaresCycle::Bytes() const

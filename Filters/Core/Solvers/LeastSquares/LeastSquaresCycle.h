@@ -29,8 +29,7 @@ public:
   /// Inverts blocks where D is not zero.
   void Update(const Vector<double>& D, const ExecutionContext& context) override;
 
-  void Apply(
-    const Vector<double>& r, Vector<double>& x, const ExecutionContext& context) override;
+  void Apply(const Vector<double>& r, Vector<double>& x, const ExecutionContext& context) override;
 
   std::vector<LevelReport> Levels() const override;
   long long Bytes() const override;

@@ -29,8 +29,8 @@ int FirstColumn(const SparseMatrix<Scalar>& A, int row, int otherwise)
   return begin < A.outerIndexPtr()[row + 1] ? A.innerIndexPtr()[begin] : otherwise;
 }
 
-UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& order,
-  const std::vector<int>& placesOfUnknowns)
+UnknownBlocks Permuted(
+  const UnknownBlocks& blocks, const std::vector<int>& order, const std::vector<int>& placesOfUnknowns)
 {
   UnknownBlocks permuted;
   permuted.Unknowns.reserve(blocks.Unknowns.size());
@@ -48,16 +48,18 @@ UnknownBlocks Permuted(const UnknownBlocks& blocks, const std::vector<int>& orde
 Vector<double> SquaredLengthsOfRows(const SparseMatrix<double>& M, const ExecutionContext& context)
 {
   Vector<double> squared(M.rows());
-  context.ParallelFor(0, static_cast<int>(M.rows()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(M.rows()), RowGrain,
+    [&](int first, int last)
     {
-      squared[i] = 0.0;
-      for (int e = M.outerIndexPtr()[i]; e < M.outerIndexPtr()[i + 1]; ++e)
+      for (int i = first; i < last; ++i)
       {
-        squared[i] += M.valuePtr()[e] * M.valuePtr()[e];
+        squared[i] = 0.0;
+        for (int e = M.outerIndexPtr()[i]; e < M.outerIndexPtr()[i + 1]; ++e)
+        {
+          squared[i] += M.valuePtr()[e] * M.valuePtr()[e];
+        }
       }
-    }
-  });
+    });
   return squared;
 }
 
@@ -65,34 +67,38 @@ Vector<double> SquaredLengthsOfRows(const SparseMatrix<double>& M, const Executi
 /// lengths, which alone would give it a unit diagonal, times the roots of the sums of rows that |B|^T |B|
 /// would then have. A sliver or a high valence makes a few sums large; a bound for all would be as large.
 /// 1 where there is nothing.
-Vector<double> ScalesOfColumns(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  const ExecutionContext& context)
+Vector<double> ScalesOfColumns(
+  const SparseMatrix<double>& B, const SparseMatrix<double>& Bt, const ExecutionContext& context)
 {
   Vector<double> lengths = SquaredLengthsOfRows(Bt, context).cwiseSqrt();
   lengths = (lengths.array() > 0.0).select(lengths, 1.0);
   Vector<double> rowSums(B.rows());
   Vector<double> scales(Bt.rows());
-  context.ParallelFor(0, static_cast<int>(B.rows()), RowGrain, [&](int first, int last) {
-    for (int k = first; k < last; ++k)
+  context.ParallelFor(0, static_cast<int>(B.rows()), RowGrain,
+    [&](int first, int last)
     {
-      rowSums[k] = 0.0;
-      for (int e = B.outerIndexPtr()[k]; e < B.outerIndexPtr()[k + 1]; ++e)
+      for (int k = first; k < last; ++k)
       {
-        rowSums[k] += std::abs(B.valuePtr()[e]) / lengths[B.innerIndexPtr()[e]];
+        rowSums[k] = 0.0;
+        for (int e = B.outerIndexPtr()[k]; e < B.outerIndexPtr()[k + 1]; ++e)
+        {
+          rowSums[k] += std::abs(B.valuePtr()[e]) / lengths[B.innerIndexPtr()[e]];
+        }
       }
-    }
-  });
-  context.ParallelFor(0, static_cast<int>(Bt.rows()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+    });
+  context.ParallelFor(0, static_cast<int>(Bt.rows()), RowGrain,
+    [&](int first, int last)
     {
-      double sum = 0.0;
-      for (int e = Bt.outerIndexPtr()[i]; e < Bt.outerIndexPtr()[i + 1]; ++e)
+      for (int i = first; i < last; ++i)
       {
-        sum += std::abs(Bt.valuePtr()[e]) * rowSums[Bt.innerIndexPtr()[e]];
+        double sum = 0.0;
+        for (int e = Bt.outerIndexPtr()[i]; e < Bt.outerIndexPtr()[i + 1]; ++e)
+        {
+          sum += std::abs(Bt.valuePtr()[e]) * rowSums[Bt.innerIndexPtr()[e]];
+        }
+        scales[i] = sum > 0.0 ? std::sqrt(sum * lengths[i]) : 1.0;
       }
-      scales[i] = sum > 0.0 ? std::sqrt(sum * lengths[i]) : 1.0;
-    }
-  });
+    });
   return scales;
 }
 
@@ -101,15 +107,17 @@ template <class Scalar, class RowFactor, class ColumnFactor>
 void Scale(SparseMatrix<Scalar>& A, const RowFactor& rowFactor, const ColumnFactor& columnFactor,
   const ExecutionContext& context)
 {
-  context.ParallelFor(0, static_cast<int>(A.rows()), RowGrain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(A.rows()), RowGrain,
+    [&](int first, int last)
     {
-      for (int e = A.outerIndexPtr()[i]; e < A.outerIndexPtr()[i + 1]; ++e)
+      for (int i = first; i < last; ++i)
       {
-        A.valuePtr()[e] *= rowFactor(i) * columnFactor(A.innerIndexPtr()[e]);
+        for (int e = A.outerIndexPtr()[i]; e < A.outerIndexPtr()[i + 1]; ++e)
+        {
+          A.valuePtr()[e] *= rowFactor(i) * columnFactor(A.innerIndexPtr()[e]);
+        }
       }
-    }
-  });
+    });
 }
 
 /// The numbers chain.
@@ -134,13 +142,13 @@ void CheckLevels(const LeastSquaresLevels& levels, Eigen::Index unknowns)
 }
 
 /// So that the rows of B that a tile will have make a few runs.
-void SortTilesByLength(
-  const SparseMatrix<double>& B, std::vector<int>& rowOrder, const ExecutionContext& context)
+void SortTilesByLength(const SparseMatrix<double>& B, std::vector<int>& rowOrder, const ExecutionContext& context)
 {
   const auto length = [&B](int row) { return B.outerIndexPtr()[row + 1] - B.outerIndexPtr()[row]; };
   const int rows = static_cast<int>(rowOrder.size());
   context.ParallelFor(0, (rows + RowTiles::RowsOfTile - 1) / RowTiles::RowsOfTile, 1,
-    [&](int firstTile, int lastTile) {
+    [&](int firstTile, int lastTile)
+    {
       for (int tile = firstTile; tile < lastTile; ++tile)
       {
         std::stable_sort(rowOrder.begin() + tile * RowTiles::RowsOfTile,
@@ -160,8 +168,8 @@ std::vector<int> RenumberHierarchically(
   UnknownBlocks& blocks = levels.Blocks;
   const int unknowns = static_cast<int>(B.cols());
   const int rows = static_cast<int>(B.rows());
-  const SortedItems byCoarse = SortByKey(Identity(blocks.Size()),
-    std::max(1, static_cast<int>(P.cols())),
+  const SortedItems byCoarse = SortByKey(
+    Identity(blocks.Size()), std::max(1, static_cast<int>(P.cols())),
     [&](int k) { return FirstColumn(P, blocks.Unknowns[blocks.Offsets[k]], 0); }, context);
   blocks = Permuted(blocks, byCoarse.Items, Identity(unknowns));
   FirstOccurrences ofUnknowns(unknowns);
@@ -169,10 +177,8 @@ std::vector<int> RenumberHierarchically(
   const std::vector<int> order = ofUnknowns.Complete();
   FirstOccurrences ofRows(rows);
   {
-    const SparseMatrix<double> rowsOfUnknowns =
-      Permuted(Adjoint(B, context), order, Identity(rows), context);
-    ofRows.Say(rowsOfUnknowns.innerIndexPtr(),
-      rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros());
+    const SparseMatrix<double> rowsOfUnknowns = Permuted(Adjoint(B, context), order, Identity(rows), context);
+    ofRows.Say(rowsOfUnknowns.innerIndexPtr(), rowsOfUnknowns.innerIndexPtr() + rowsOfUnknowns.nonZeros());
   }
   std::vector<int> rowOrder = ofRows.Complete();
   SortTilesByLength(B, rowOrder, context);
@@ -184,8 +190,7 @@ std::vector<int> RenumberHierarchically(
   // An assignment would copy.
   SparseMatrix<double> permuted = Permuted(B, rowOrder, places, context);
   B.swap(permuted);
-  PlanarProlongation permutedP =
-    Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
+  PlanarProlongation permutedP = Permuted(P, order, Identity(static_cast<int>(P.cols())), context);
   P.swap(permutedP);
   return order;
 }
@@ -206,24 +211,24 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   SparseMatrix<double> Bt = Adjoint(B, context);
   Vector<double> scales = ScalesOfColumns(B, Bt, context);
   const auto one = [](int) { return 1.0; };
-  Scale(B, one, [&scales](int column) { return 1.0 / scales[column]; }, context);
-  Scale(Bt, [&scales](int row) { return 1.0 / scales[row]; }, one, context);
+  Scale(
+    B, one, [&scales](int column) { return 1.0 / scales[column]; }, context);
+  Scale(
+    Bt, [&scales](int row) { return 1.0 / scales[row]; }, one, context);
   // An unknown that no row of B touches is left to its block: the coarse matrix has no place for it.
   const auto isTouched = [&Bt](int i) { return Bt.outerIndexPtr()[i] < Bt.outerIndexPtr()[i + 1]; };
-  Scale(levels.Prolongation,
-    [&scales, &isTouched](int row) { return isTouched(row) ? scales[row] : 0.0; }, one, context);
+  Scale(
+    levels.Prolongation, [&scales, &isTouched](int row) { return isTouched(row) ? scales[row] : 0.0; }, one, context);
   context.Checkpoint(0.1);
 
   // The interpolation takes most memory while it is smoothed; blocks come after it.
-  SparseMatrix<Complex32> restriction = Joined(
-    SmoothedRestriction(B, Bt, std::move(levels.Prolongation), options.ProlongationDegree,
-      Dropped(options, B.cols()), context),
+  SparseMatrix<Complex32> restriction = Joined(SmoothedRestriction(B, Bt, std::move(levels.Prolongation),
+                                                 options.ProlongationDegree, Dropped(options, B.cols()), context),
     context);
   GiveBackFreedMemory();
   SingleProlongation prolongation(Adjoint(restriction, context));
   context.Checkpoint(0.6);
-  SparseMatrix<double> lower =
-    CoarseRoughness(B, Bt, prolongation.Matrix(), restriction, {}, context);
+  SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation.Matrix(), restriction, {}, context);
   SparseMatrix<Complex32>().swap(restriction);
   GiveBackFreedMemory();
   context.Checkpoint(0.8);
@@ -262,9 +267,8 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noex
 
 long long LeastSquaresHierarchy::Bytes() const
 {
-  long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() +
-    BytesOf(this->CoarseLower) + this->BytesOfUnknowns() +
-    this->Scales.size() * static_cast<long long>(sizeof(double) + sizeof(float));
+  long long sum = BytesOf(this->B) + this->Blocks.Bytes() + this->Prolongation.Bytes() + BytesOf(this->CoarseLower) +
+    this->BytesOfUnknowns() + this->Scales.size() * static_cast<long long>(sizeof(double) + sizeof(float));
   for (const SparseMatrix<double>& P : this->Coarser)
   {
     sum += BytesOf(P);
@@ -277,8 +281,8 @@ std::unique_ptr<RoughnessOperator> LeastSquaresHierarchy::Operator() const
   return std::make_unique<LeastSquaresOperator>(*this);
 }
 
-std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(const Vector<double>& D,
-  const RoughnessCycleOptions& options, const ExecutionContext& context) const
+std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(
+  const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const
 {
   return std::make_unique<LeastSquaresCycle>(*this, D, options, context);
 }
@@ -288,8 +292,8 @@ std::unique_ptr<Preconditioner<double>> LeastSquaresHierarchy::Factor(
 {
   SparseMatrix<double> unscaled = this->B;
   const auto one = [](int) { return 1.0; };
-  Scale(unscaled, one,
-    [&](int column) { return std::isfinite(D[column]) ? this->Scales[column] : 0.0; }, context);
+  Scale(
+    unscaled, one, [&](int column) { return std::isfinite(D[column]) ? this->Scales[column] : 0.0; }, context);
   SparseMatrix<double> A = NormalMatrix(unscaled, context);
   A += SparseMatrix<double>(D.array().isFinite().select(D, 0.0).matrix().asDiagonal());
   A.makeCompressed();
@@ -304,32 +308,32 @@ LeastSquaresOperator::LeastSquaresOperator(const LeastSquaresHierarchy& hierarch
 {
 }
 
-void LeastSquaresOperator::SetDiagonal(
-  const Vector<double>& diagonal, const ExecutionContext& context)
+void LeastSquaresOperator::SetDiagonal(const Vector<double>& diagonal, const ExecutionContext& context)
 {
   this->D = SparseDiagonal(diagonal, context);
 }
 
 /// One pass over B: as soon as a row of B x is known, it is given to all columns.
-double LeastSquaresOperator::Apply(
-  const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
+double LeastSquaresOperator::Apply(const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const
 {
   const Vector<double>& scales = this->Hierarchy.Scales;
   y.resize(this->Size());
-  context.ParallelFor(0, this->Size(), RowGrain, [&](int first, int last) {
-    const int count = last - first;
-    this->Scaled.segment(first, count) =
-      scales.segment(first, count).cwiseProduct(x.segment(first, count));
-    y.segment(first, count).setZero();
-  });
-  this->Hierarchy.Tiles.ForTiles(context, [&](int tile, int firstRow, int lastRow) {
-    this->SquaresOfTiles[tile] =
-      this->B.AddGram(firstRow, lastRow, this->Scaled.data(), y.data());
-  });
-  context.ParallelFor(0, this->Size(), RowGrain, [&](int first, int last) {
-    const int count = last - first;
-    y.segment(first, count).array() *= scales.segment(first, count).array();
-  });
+  context.ParallelFor(0, this->Size(), RowGrain,
+    [&](int first, int last)
+    {
+      const int count = last - first;
+      this->Scaled.segment(first, count) = scales.segment(first, count).cwiseProduct(x.segment(first, count));
+      y.segment(first, count).setZero();
+    });
+  this->Hierarchy.Tiles.ForTiles(context,
+    [&](int tile, int firstRow, int lastRow)
+    { this->SquaresOfTiles[tile] = this->B.AddGram(firstRow, lastRow, this->Scaled.data(), y.data()); });
+  context.ParallelFor(0, this->Size(), RowGrain,
+    [&](int first, int last)
+    {
+      const int count = last - first;
+      y.segment(first, count).array() *= scales.segment(first, count).array();
+    });
   double product = this->D.AddProduct(x, y, context);
   for (const double squares : this->SquaresOfTiles)
   {

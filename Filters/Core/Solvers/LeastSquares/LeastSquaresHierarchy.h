@@ -19,9 +19,9 @@ namespace dmg
 /// Where the levels of a LeastSquaresHierarchy come from.
 struct LeastSquaresLevels
 {
-  UnknownBlocks Blocks;                       ///< of the fine level
-  PlanarProlongation Prolongation;            ///< to the fine level
-  std::vector<SparseMatrix<double>> Coarser;  ///< between the levels below, finest first
+  UnknownBlocks Blocks;                      ///< of the fine level
+  PlanarProlongation Prolongation;           ///< to the fine level
+  std::vector<SparseMatrix<double>> Coarser; ///< between the levels below, finest first
 };
 
 struct LeastSquaresHierarchyOptions
@@ -67,8 +67,8 @@ public:
     return this->Scales[unknown] * this->Scales[unknown] * this->Diagonal[unknown];
   }
   std::unique_ptr<RoughnessOperator> Operator() const override;
-  std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
-    const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<RoughnessCycle> Cycle(
+    const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
   std::unique_ptr<Preconditioner<double>> Factor(
     const Vector<double>& D, const ExecutionContext& context) const override;
   long long Bytes() const override;
@@ -91,8 +91,7 @@ public:
 
   void SetDiagonal(const Vector<double>& D, const ExecutionContext& context) override;
   int Size() const override { return this->Hierarchy.NumberOfUnknowns(); }
-  double Apply(
-    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override;
+  double Apply(const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override;
 
 private:
   const LeastSquaresHierarchy& Hierarchy;

@@ -34,14 +34,14 @@ inline void AddProduct(OuterProducts& sum, Complex a, std::complex<Other> b)
 
 /// Appends two rows, of the components of the first factors, columns ascending.
 /// \param last column of the first row; the second has one more.
-void AppendPair(const SparseSum<OuterProducts>& sum, std::vector<int>& members, int last,
-  SparseRows<double>& rows)
+void AppendPair(const SparseSum<OuterProducts>& sum, std::vector<int>& members, int last, SparseRows<double>& rows)
 {
   members.assign(sum.Indices(), sum.Indices() + sum.Size());
   SortIndices(members.data(), static_cast<int>(members.size()));
   for (const bool isY : { false, true })
   {
-    const auto append = [&](int column, double value) {
+    const auto append = [&](int column, double value)
+    {
       if (column <= last + isY)
       {
         rows.Columns.push_back(column);
@@ -71,10 +71,7 @@ public:
 
   int Size() const { return this->Count; }
   const int* Indices() const { return this->Members.data(); }
-  std::complex<Real> operator[](int index) const
-  {
-    return { this->Elements[index].X, this->Elements[index].Y };
-  }
+  std::complex<Real> operator[](int index) const { return { this->Elements[index].X, this->Elements[index].Y }; }
 
   /// Adds factor times row \p row of a matrix. What changes stands in local variables, and nothing
   /// branches, as in SparseSum.
@@ -154,8 +151,8 @@ private:
 };
 
 /// p - factor B^T B p. Inside its caller it would run out of registers, and take a quarter longer.
-[[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
-  float factor, SparseVector<float>& p, SparseVector<float>& Bp)
+[[gnu::noinline]] void Smooth(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt, float factor,
+  SparseVector<float>& p, SparseVector<float>& Bp)
 {
   Bp.Clear();
   for (int k = 0; k < p.Size(); ++k)
@@ -173,17 +170,19 @@ std::vector<float> LargestOfRows(const PlanarProlongation& P, const ExecutionCon
 {
   std::vector<float> largest(P.rows());
   constexpr int grain = 8192;
-  context.ParallelFor(0, static_cast<int>(P.rows()), grain, [&](int first, int last) {
-    for (int i = first; i < last; ++i)
+  context.ParallelFor(0, static_cast<int>(P.rows()), grain,
+    [&](int first, int last)
     {
-      double squared = 0.0;
-      for (int e = P.outerIndexPtr()[i]; e < P.outerIndexPtr()[i + 1]; ++e)
+      for (int i = first; i < last; ++i)
       {
-        squared = std::max(squared, std::norm(P.valuePtr()[e]));
+        double squared = 0.0;
+        for (int e = P.outerIndexPtr()[i]; e < P.outerIndexPtr()[i + 1]; ++e)
+        {
+          squared = std::max(squared, std::norm(P.valuePtr()[e]));
+        }
+        largest[i] = static_cast<float>(std::sqrt(squared));
       }
-      largest[i] = static_cast<float>(std::sqrt(squared));
-    }
-  });
+    });
   return largest;
 }
 
@@ -201,10 +200,12 @@ RowBands<Complex32> SmoothedRestriction(const SparseMatrix<double>& B, const Spa
     const double sine = std::sin(Pi * k / (2.0 * degree + 1.0));
     factors.push_back(static_cast<float>(1.0 / (sine * sine)));
   }
-  const auto makeWorker = [&] {
-    return [&, p = SparseVector<float>(static_cast<int>(B.cols())),
-             Bp = SparseVector<float>(static_cast<int>(B.rows()))](
-             int firstRow, int lastRow, SparseRows<Complex32>& rows) mutable {
+  const auto makeWorker = [&]
+  {
+    return
+      [&, p = SparseVector<float>(static_cast<int>(B.cols())), Bp = SparseVector<float>(static_cast<int>(B.rows()))](
+        int firstRow, int lastRow, SparseRows<Complex32>& rows) mutable
+    {
       for (int j = firstRow; j < lastRow; ++j)
       {
         p.Clear();
@@ -241,12 +242,12 @@ SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const Sparse
     weights[i] = 0.0f;
   }
   const int columns = static_cast<int>(P.cols());
-  const auto makeWorker = [&, columns] {
-    return [&, columns,
-             Bp = SparseVector<double>(static_cast<int>(B.rows())),
-             AP = SparseVector<double>(static_cast<int>(B.cols())),
-             sum = SparseSum<OuterProducts>(columns), members = std::vector<int>()](
-             int firstRow, int lastRow, SparseRows<double>& rows) mutable {
+  const auto makeWorker = [&, columns]
+  {
+    return [&, columns, Bp = SparseVector<double>(static_cast<int>(B.rows())),
+             AP = SparseVector<double>(static_cast<int>(B.cols())), sum = SparseSum<OuterProducts>(columns),
+             members = std::vector<int>()](int firstRow, int lastRow, SparseRows<double>& rows) mutable
+    {
       for (int j = firstRow / 2; j < lastRow / 2; ++j)
       {
         Bp.Clear();
@@ -270,8 +271,8 @@ SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const Sparse
           {
             --end;
           }
-          sum.Add(static_cast<double>(weights[i]) * AP[i], P.innerIndexPtr() + begin,
-            P.valuePtr() + begin, end - begin);
+          sum.Add(
+            static_cast<double>(weights[i]) * AP[i], P.innerIndexPtr() + begin, P.valuePtr() + begin, end - begin);
         }
         AppendPair(sum, members, 2 * j, rows);
       }
@@ -284,9 +285,11 @@ SparseMatrix<double> GramOfPlanar(const SparseMatrix<Complex32>& Q, const Execut
 {
   const SparseMatrix<Complex32> conjugate = Adjoint(Q, context); // its entries turn the other way
   const int columns = static_cast<int>(Q.cols());
-  const auto makeWorker = [&, columns] {
+  const auto makeWorker = [&, columns]
+  {
     return [&, sum = SparseSum<OuterProducts>(columns), members = std::vector<int>()](
-             int firstRow, int lastRow, SparseRows<double>& rows) mutable {
+             int firstRow, int lastRow, SparseRows<double>& rows) mutable
+    {
       for (int i = firstRow / 2; i < lastRow / 2; ++i)
       {
         sum.Clear();
@@ -294,8 +297,8 @@ SparseMatrix<double> GramOfPlanar(const SparseMatrix<Complex32>& Q, const Execut
         {
           const int row = conjugate.innerIndexPtr()[e];
           const int begin = Q.outerIndexPtr()[row];
-          sum.Add(std::conj(Complex(conjugate.valuePtr()[e])), Q.innerIndexPtr() + begin,
-            Q.valuePtr() + begin, Q.outerIndexPtr()[row + 1] - begin);
+          sum.Add(std::conj(Complex(conjugate.valuePtr()[e])), Q.innerIndexPtr() + begin, Q.valuePtr() + begin,
+            Q.outerIndexPtr()[row + 1] - begin);
         }
         AppendPair(sum, members, 2 * columns, rows);
       }

@@ -94,8 +94,7 @@ public:
       }
       A(i, i) = 1.0 + Ridge;
     }
-    const Dense inverted =
-      A.selfadjointView<Eigen::Lower>().llt().solve(Dense::Identity(size, size));
+    const Dense inverted = A.selfadjointView<Eigen::Lower>().llt().solve(Dense::Identity(size, size));
     inverse += lane;
     for (int i = 0; i < size; ++i)
     {
@@ -107,8 +106,8 @@ public:
   }
 
 private:
-  using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, SchwarzBlocks::LargestBlock,
-    SchwarzBlocks::LargestBlock>;
+  using Dense =
+    Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, SchwarzBlocks::LargestBlock, SchwarzBlocks::LargestBlock>;
 
   const SchwarzBlocks& Blocks;
   const Vector<double>& D;
@@ -117,8 +116,8 @@ private:
 
 }
 
-SchwarzBlocks::SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-  const ExecutionContext& context)
+SchwarzBlocks::SchwarzBlocks(
+  const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context)
 {
   {
     BlockGroups groups = GroupBlocks(Bt, blocks, context);
@@ -139,8 +138,8 @@ SchwarzBlocks::SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks
   {
     places.push_back(this->Inverses.data() + group.Inverse);
   }
-  this->Invert(Vector<double>::Zero(Bt.rows()),
-    Identity(static_cast<int>(this->GroupsInOrder.size())), places, context);
+  this->Invert(
+    Vector<double>::Zero(Bt.rows()), Identity(static_cast<int>(this->GroupsInOrder.size())), places, context);
 }
 
 /// Gives each group its place in the arrays.
@@ -154,11 +153,11 @@ void SchwarzBlocks::MakeRoom(const BlockGroups& groups)
   {
     const BlockPattern& pattern = groups.PatternOf(group);
     const bool areInOrder = AreInOrder(groups, group);
-    this->GroupsInOrder.push_back({ group.Pattern, group.Lanes, group.Blocks,
-      areInOrder ? groups.Unknowns(group)[0] : -1, static_cast<std::uint32_t>(places),
-      static_cast<std::uint32_t>(values), static_cast<std::uint32_t>(inverses) });
+    this->GroupsInOrder.push_back(
+      { group.Pattern, group.Lanes, group.Blocks, areInOrder ? groups.Unknowns(group)[0] : -1,
+        static_cast<std::uint32_t>(places), static_cast<std::uint32_t>(values), static_cast<std::uint32_t>(inverses) });
     places += areInOrder ? pattern.InnerRows + (pattern.Rows() - pattern.InnerRows) * group.Lanes
-                          : (pattern.Unknowns() + pattern.Rows()) * group.Lanes;
+                         : (pattern.Unknowns() + pattern.Rows()) * group.Lanes;
     values += static_cast<std::size_t>(pattern.Entries()) * group.Lanes;
     inverses += static_cast<std::size_t>(pattern.InverseSize()) * group.Lanes;
   }
@@ -172,80 +171,81 @@ void SchwarzBlocks::MakeRoom(const BlockGroups& groups)
 }
 
 /// Places and entries of B.
-void SchwarzBlocks::Fill(
-  const SparseMatrix<double>& Bt, const BlockGroups& groups, const ExecutionContext& context)
+void SchwarzBlocks::Fill(const SparseMatrix<double>& Bt, const BlockGroups& groups, const ExecutionContext& context)
 {
   const int size = static_cast<int>(groups.Groups.size());
   const int grain = std::max(GroupGrain, size / (4 * context.NumberOfThreads()));
-  context.ParallelFor(0, size, grain, [&](int first, int last) {
-    std::vector<float> column(Bt.cols()); // of B, and what is left of others
-    for (int g = first; g < last; ++g)
+  context.ParallelFor(0, size, grain,
+    [&](int first, int last)
     {
-      const Group& group = this->GroupsInOrder[g];
-      const BlockPattern& pattern = groups.Patterns[group.Pattern];
-      const int* const unknowns = groups.Unknowns(groups.Groups[g]);
-      const int* const rows = groups.Rows(groups.Groups[g]);
-      const int* const end = rows + pattern.Rows() * group.Lanes;
-      int* const places = this->Places.data() + group.Places;
-      if (group.FirstPlace >= 0)
+      std::vector<float> column(Bt.cols()); // of B, and what is left of others
+      for (int g = first; g < last; ++g)
       {
-        for (int k = 0; k < pattern.InnerRows; ++k)
+        const Group& group = this->GroupsInOrder[g];
+        const BlockPattern& pattern = groups.Patterns[group.Pattern];
+        const int* const unknowns = groups.Unknowns(groups.Groups[g]);
+        const int* const rows = groups.Rows(groups.Groups[g]);
+        const int* const end = rows + pattern.Rows() * group.Lanes;
+        int* const places = this->Places.data() + group.Places;
+        if (group.FirstPlace >= 0)
         {
-          places[k] = rows[k * group.Lanes];
+          for (int k = 0; k < pattern.InnerRows; ++k)
+          {
+            places[k] = rows[k * group.Lanes];
+          }
+          std::copy(rows + pattern.InnerRows * group.Lanes, end, places + pattern.InnerRows);
         }
-        std::copy(rows + pattern.InnerRows * group.Lanes, end, places + pattern.InnerRows);
-      }
-      else
-      {
-        std::copy(unknowns, end, places);
-      }
-      float* const values = this->EntriesOfB.data() + group.Values;
-      for (int slot = 0; slot < pattern.Unknowns() * group.Lanes; ++slot)
-      {
-        const int unknown = this->OrderOfUnknowns[unknowns[slot]];
-        for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
+        else
         {
-          column[this->PlacesInRows[Bt.innerIndexPtr()[e]]] = static_cast<float>(Bt.valuePtr()[e]);
+          std::copy(unknowns, end, places);
         }
-        const int lane = slot % group.Lanes;
-        const int i = slot / group.Lanes;
-        for (int e = pattern.Offsets[i]; e < pattern.Offsets[i + 1]; ++e)
+        float* const values = this->EntriesOfB.data() + group.Values;
+        for (int slot = 0; slot < pattern.Unknowns() * group.Lanes; ++slot)
         {
-          values[e * group.Lanes + lane] = column[rows[pattern.RowOf[e] * group.Lanes + lane]];
+          const int unknown = this->OrderOfUnknowns[unknowns[slot]];
+          for (int e = Bt.outerIndexPtr()[unknown]; e < Bt.outerIndexPtr()[unknown + 1]; ++e)
+          {
+            column[this->PlacesInRows[Bt.innerIndexPtr()[e]]] = static_cast<float>(Bt.valuePtr()[e]);
+          }
+          const int lane = slot % group.Lanes;
+          const int i = slot / group.Lanes;
+          for (int e = pattern.Offsets[i]; e < pattern.Offsets[i + 1]; ++e)
+          {
+            values[e * group.Lanes + lane] = column[rows[pattern.RowOf[e] * group.Lanes + lane]];
+          }
         }
       }
-    }
-  });
+    });
 }
 
-void SchwarzBlocks::Invert(const Vector<double>& D, const std::vector<int>& groups,
-  const std::vector<float*>& inverses, const ExecutionContext& context) const
+void SchwarzBlocks::Invert(const Vector<double>& D, const std::vector<int>& groups, const std::vector<float*>& inverses,
+  const ExecutionContext& context) const
 {
-  context.ParallelFor(0, static_cast<int>(groups.size()), GroupGrain, [&](int first, int last) {
-    Inverter invert(*this, D);
-    for (int k = first; k < last; ++k)
+  context.ParallelFor(0, static_cast<int>(groups.size()), GroupGrain,
+    [&](int first, int last)
     {
-      const Group& group = this->GroupsInOrder[groups[k]];
-      for (int l = 0; l < group.Lanes; ++l)
+      Inverter invert(*this, D);
+      for (int k = first; k < last; ++k)
       {
-        invert(group, l, inverses[k]);
+        const Group& group = this->GroupsInOrder[groups[k]];
+        for (int l = 0; l < group.Lanes; ++l)
+        {
+          invert(group, l, inverses[k]);
+        }
       }
-    }
-  });
+    });
 }
 
 long long SchwarzBlocks::Bytes() const
 {
-  const auto bytes = [](const auto& vector) {
-    return static_cast<long long>(vector.size() * sizeof(vector[0]));
-  };
-  long long sum = bytes(this->TileBegins) + bytes(this->RunBegins) + bytes(this->TileColours) + bytes(this->GroupsInOrder) +
-    bytes(this->OrderOfUnknowns) + bytes(this->PlacesInUnknowns) + bytes(this->PlacesInRows) +
-    bytes(this->Places) + bytes(this->EntriesOfB) + bytes(this->Inverses);
+  const auto bytes = [](const auto& vector) { return static_cast<long long>(vector.size() * sizeof(vector[0])); };
+  long long sum = bytes(this->TileBegins) + bytes(this->RunBegins) + bytes(this->TileColours) +
+    bytes(this->GroupsInOrder) + bytes(this->OrderOfUnknowns) + bytes(this->PlacesInUnknowns) +
+    bytes(this->PlacesInRows) + bytes(this->Places) + bytes(this->EntriesOfB) + bytes(this->Inverses);
   for (const BlockPattern& pattern : this->Patterns)
   {
-    sum += sizeof(BlockPattern) + bytes(pattern.Offsets) + bytes(pattern.RowOf) +
-      bytes(pattern.RowOffsets) + bytes(pattern.EntryAt) + bytes(pattern.UnknownAt);
+    sum += sizeof(BlockPattern) + bytes(pattern.Offsets) + bytes(pattern.RowOf) + bytes(pattern.RowOffsets) +
+      bytes(pattern.EntryAt) + bytes(pattern.UnknownAt);
   }
   return sum;
 }

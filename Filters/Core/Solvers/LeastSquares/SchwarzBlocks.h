@@ -29,7 +29,7 @@ public:
   struct Group
   {
     int Pattern;
-    int Lanes; ///< 1, or those of FloatPack
+    int Lanes;  ///< 1, or those of FloatPack
     int Blocks; ///< in the first lanes; the first of them has those that are left as well
     /// The place of the first unknown, if they follow each other, and so do the lanes of each inner row of B;
     /// -1 if not.
@@ -56,8 +56,7 @@ public:
   /// \param Bt B^T, a row per unknown.
   /// \throw as GroupBlocks; InvalidInput there are more than 2^32 entries.
   /// Cost: linear in the entries, and in the cubes of the sizes of blocks.
-  SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks,
-    const ExecutionContext& context);
+  SchwarzBlocks(const SparseMatrix<double>& Bt, const UnknownBlocks& blocks, const ExecutionContext& context);
 
   int NumberOfTiles() const { return static_cast<int>(this->TileBegins.size()) - 1; }
   /// The first tile of each colour, and their number; tiles of a colour share no row of B.
@@ -65,10 +64,7 @@ public:
   Tile TileAt(int tile) const { return { this->TileBegins[tile], this->TileBegins[tile + 1] }; }
   Run RunAt(int run) const { return { this->RunBegins[run], this->RunBegins[run + 1] }; }
   /// All groups of a tile.
-  Run GroupsOf(const Tile& tile) const
-  {
-    return { this->RunBegins[tile.First], this->RunBegins[tile.Last] };
-  }
+  Run GroupsOf(const Tile& tile) const { return { this->RunBegins[tile.First], this->RunBegins[tile.Last] }; }
 
   /// In the order in which they are smoothed, tile by tile.
   const std::vector<Group>& Groups() const { return this->GroupsInOrder; }
@@ -83,13 +79,9 @@ public:
   /// \param slot i * Lanes + lane for unknown i of a block.
   int UnknownOf(const Group& group, int slot) const
   {
-    return this->OrderOfUnknowns[group.FirstPlace >= 0 ? group.FirstPlace + slot
-                                                       : this->PlacesOf(group)[slot]];
+    return this->OrderOfUnknowns[group.FirstPlace >= 0 ? group.FirstPlace + slot : this->PlacesOf(group)[slot]];
   }
-  int NumberOfUnknowns(const Group& group) const
-  {
-    return this->PatternOf(group).Unknowns() * group.Lanes;
-  }
+  int NumberOfUnknowns(const Group& group) const { return this->PatternOf(group).Unknowns() * group.Lanes; }
   /// Of unknowns by slots, and then of rows. But where there is a first place: of each inner row in the first
   /// lane, and then of the other rows by slots.
   const int* PlacesOf(const Group& group) const { return this->Places.data() + group.Places; }
@@ -107,8 +99,8 @@ public:
   ///   is zero.
   /// \param groups whose inverses are to be found.
   /// \param inverses where each shall go.
-  void Invert(const Vector<double>& D, const std::vector<int>& groups,
-    const std::vector<float*>& inverses, const ExecutionContext& context) const;
+  void Invert(const Vector<double>& D, const std::vector<int>& groups, const std::vector<float*>& inverses,
+    const ExecutionContext& context) const;
 
   /// Held by this object.
   long long Bytes() const;

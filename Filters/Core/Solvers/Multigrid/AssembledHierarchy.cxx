@@ -1,8 +1,8 @@
 #include "Solvers/Multigrid/AssembledHierarchy.h"
 
 #include "Solvers/Direct/ShiftedFactor.h"
-#include "Solvers/Multigrid/GalerkinCycle.h"
 #include "Solvers/Kernels/SparseDiagonal.h"
+#include "Solvers/Multigrid/GalerkinCycle.h"
 #include "Solvers/Multigrid/MatrixPlusDiagonal.h"
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
@@ -27,31 +27,26 @@ public:
   FreeRows(const Vector<double>& D, const ExecutionContext& context)
     : Unknowns(static_cast<int>(D.size()))
     , Numbers(Choose(
-        static_cast<int>(D.size()) / PartsOf<Scalar>,
-        [&D](int row) { return std::isfinite(D[PartsOf<Scalar> * row]); }, context))
+        static_cast<int>(D.size()) / PartsOf<Scalar>, [&D](int row) { return std::isfinite(D[PartsOf<Scalar> * row]); },
+        context))
   {
   }
 
-  bool AreAll() const
-  {
-    return PartsOf<Scalar> * this->Size() == this->Unknowns;
-  }
+  bool AreAll() const { return PartsOf<Scalar> * this->Size() == this->Unknowns; }
   int Size() const { return static_cast<int>(this->Numbers.size()); }
   const std::vector<int>& Rows() const { return this->Numbers; }
   bool operator==(const FreeRows& other) const { return this->Numbers == other.Numbers; }
 
   Vector<Scalar> Restricted(const Vector<double>& all) const
   {
-    return Eigen::Map<const Vector<Scalar>>(AsRows<Scalar>(all), all.size() / PartsOf<Scalar>)(
-      this->Numbers);
+    return Eigen::Map<const Vector<Scalar>>(AsRows<Scalar>(all), all.size() / PartsOf<Scalar>)(this->Numbers);
   }
 
   /// Zero elsewhere.
   Vector<double> Expanded(const Vector<Scalar>& part) const
   {
     Vector<double> all = Vector<double>::Zero(this->Unknowns);
-    Eigen::Map<Vector<Scalar>>(AsRows<Scalar>(all), this->Unknowns / PartsOf<Scalar>)(this->Numbers) =
-      part;
+    Eigen::Map<Vector<Scalar>>(AsRows<Scalar>(all), this->Unknowns / PartsOf<Scalar>)(this->Numbers) = part;
     return all;
   }
 
@@ -75,8 +70,7 @@ private:
 };
 
 template <class Scalar>
-SparseMatrix<Scalar> FreeRows<Scalar>::Matrix(
-  const SparseMatrix<Scalar>& R, const Vector<double>& D) const
+SparseMatrix<Scalar> FreeRows<Scalar>::Matrix(const SparseMatrix<Scalar>& R, const Vector<double>& D) const
 {
   std::vector<int> columns(R.cols(), -1);
   const int size = static_cast<int>(this->Numbers.size());
@@ -131,8 +125,7 @@ public:
     this->D = SparseDiagonal(diagonal, context);
   }
 
-  double Apply(
-    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  double Apply(const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
   {
     Multiply(this->B, x, this->Product, context);
     Multiply(this->Bt, this->Product, y, context);
@@ -184,8 +177,7 @@ public:
     }
   }
 
-  void Apply(
-    const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext& context) override
   {
     Vector<Scalar> solution;
     const Vector<Scalar> residual = this->Free.Restricted(r);
@@ -202,14 +194,10 @@ public:
 
   std::vector<LevelReport> Levels() const override
   {
-    return this->Factor ? std::vector<LevelReport>{ { this->Free.Size(),
-                            this->Factor->NonZeros() } }
+    return this->Factor ? std::vector<LevelReport>{ { this->Free.Size(), this->Factor->NonZeros() } }
                         : this->Cycle->Levels();
   }
-  long long Bytes() const override
-  {
-    return this->Factor ? this->Factor->Bytes() : this->Cycle->Bytes();
-  }
+  long long Bytes() const override { return this->Factor ? this->Factor->Bytes() : this->Cycle->Bytes(); }
 
 private:
   void Build(const Vector<double>& D, const ExecutionContext& context)
@@ -225,9 +213,8 @@ private:
     cycle.Smoothing = this->Options.Coarse.Smoothing;
     cycle.Repetitions = this->Options.CyclesInARow;
     cycle.FinestFactor = this->Options.Sweeps / cycle.Smoothing.PreSweeps;
-    this->Cycle.emplace(std::move(A),
-      this->Free.Prolongations(this->Fine.Prolongations(), context), this->Options.Coarsening,
-      cycle, PartOfContext(context, 0.2, 1.0));
+    this->Cycle.emplace(std::move(A), this->Free.Prolongations(this->Fine.Prolongations(), context),
+      this->Options.Coarsening, cycle, PartOfContext(context, 0.2, 1.0));
   }
 
   const AssembledHierarchy<Scalar>& Fine;
@@ -250,9 +237,8 @@ public:
   {
   }
 
-  void Solve(const Vector<double>& b, const SweepOptions& sweeps, Vector<double>& x,
-    SolveReport& report, const ExecutionContext& context,
-    const ConvergenceMeasure<double>& measure) override
+  void Solve(const Vector<double>& b, const SweepOptions& sweeps, Vector<double>& x, SolveReport& report,
+    const ExecutionContext& context, const ConvergenceMeasure<double>& measure) override
   {
     const Vector<double> mass = (*measure.Mass)(this->Free.Rows()); // one per row
     ConvergenceMeasure<Scalar> ofFree;
@@ -273,8 +259,7 @@ public:
       ofFree.Reference = this->Free.Restricted(measure.Reference);
     }
     Vector<Scalar> solution;
-    this->Nested.Solve(
-      this->Free.Restricted(b), sweeps, solution, report, context, &ofFree);
+    this->Nested.Solve(this->Free.Restricted(b), sweeps, solution, report, context, &ofFree);
     x = this->Free.Expanded(solution);
   }
 
@@ -291,8 +276,7 @@ private:
 
 template <class Scalar>
 AssembledHierarchy<Scalar>::AssembledHierarchy(
-  SparseMatrix<Scalar>& matrix, std::vector<SparseMatrix<Scalar>> prolongations,
-  SparseMatrix<double> factor)
+  SparseMatrix<Scalar>& matrix, std::vector<SparseMatrix<Scalar>> prolongations, SparseMatrix<double> factor)
   : P(std::move(prolongations))
 {
   this->R.swap(matrix); // Eigen 3.4 would copy what is moved
@@ -325,8 +309,8 @@ std::unique_ptr<RoughnessOperator> AssembledHierarchy<Scalar>::Operator() const
 }
 
 template <class Scalar>
-std::unique_ptr<RoughnessCycle> AssembledHierarchy<Scalar>::Cycle(const Vector<double>& D,
-  const RoughnessCycleOptions& options, const ExecutionContext& context) const
+std::unique_ptr<RoughnessCycle> AssembledHierarchy<Scalar>::Cycle(
+  const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const
 {
   return std::make_unique<AssembledCycle<Scalar>>(*this, D, options, false, context);
 }
@@ -335,14 +319,12 @@ template <class Scalar>
 std::unique_ptr<Preconditioner<double>> AssembledHierarchy<Scalar>::Factor(
   const Vector<double>& D, const ExecutionContext& context) const
 {
-  return std::make_unique<AssembledCycle<Scalar>>(
-    *this, D, RoughnessCycleOptions(), true, context);
+  return std::make_unique<AssembledCycle<Scalar>>(*this, D, RoughnessCycleOptions(), true, context);
 }
 
 template <class Scalar>
 std::unique_ptr<RoughnessNestedIteration> AssembledHierarchy<Scalar>::NestedIterations(
-  const Vector<double>& D, const RoughnessCycleOptions& options, bool maySweep,
-  const ExecutionContext& context) const
+  const Vector<double>& D, const RoughnessCycleOptions& options, bool maySweep, const ExecutionContext& context) const
 {
   return std::make_unique<AssembledNestedIteration<Scalar>>(
     *this, D, NestedOptions{ options.Coarsening, maySweep }, context);

@@ -25,20 +25,19 @@ public:
   /// \param B real, with R = B^T B, or empty: products are then B^T (B x), whose rounding errors are epsilon |B|^T |B x|
   ///   instead of epsilon |R| |x|. The smoothest fields, B x far below |B| |x|, are solved for four digits further on needles
   ///   (big_dragon_871k_thin).
-  AssembledHierarchy(SparseMatrix<Scalar>& R, std::vector<SparseMatrix<Scalar>> prolongations,
-    SparseMatrix<double> B = {});
+  AssembledHierarchy(
+    SparseMatrix<Scalar>& R, std::vector<SparseMatrix<Scalar>> prolongations, SparseMatrix<double> B = {});
 
   double DiagonalOf(int unknown) const override;
   std::unique_ptr<RoughnessOperator> Operator() const override;
   /// Where D is infinite the unknown is taken out of the matrix. A factor is a ShiftedFactor.
   /// \throw SolverFailure R + D could not be factored.
-  std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
-    const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<RoughnessCycle> Cycle(
+    const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
   std::unique_ptr<Preconditioner<double>> Factor(
     const Vector<double>& D, const ExecutionContext& context) const override;
   std::unique_ptr<RoughnessNestedIteration> NestedIterations(const Vector<double>& D,
-    const RoughnessCycleOptions& options, bool maySweep,
-    const ExecutionContext& context) const override;
+    const RoughnessCycleOptions& options, bool maySweep, const ExecutionContext& context) const override;
   long long Bytes() const override;
 
   const SparseMatrix<Scalar>& Matrix() const { return this->R; }

@@ -6,11 +6,9 @@ namespace dmg
 {
 
 template <class Scalar>
-GalerkinCycle<Scalar>::GalerkinCycle(SparseMatrix<Scalar>&& matrix,
-  std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& coarsening,
-  const CycleOptions& cycle, const ExecutionContext& context)
-  : Hierarchy(
-      std::move(matrix), std::move(prolongations), coarsening, PartOfContext(context, 0.0, 0.7))
+GalerkinCycle<Scalar>::GalerkinCycle(SparseMatrix<Scalar>&& matrix, std::vector<SparseMatrix<Scalar>> prolongations,
+  const GalerkinOptions& coarsening, const CycleOptions& cycle, const ExecutionContext& context)
+  : Hierarchy(std::move(matrix), std::move(prolongations), coarsening, PartOfContext(context, 0.0, 0.7))
   , Cycle(this->Hierarchy, cycle, PartOfContext(context, 0.7, 1.0))
 {
   this->Hierarchy.ForgetMatrices();

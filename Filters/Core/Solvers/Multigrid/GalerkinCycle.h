@@ -27,8 +27,7 @@ public:
   /// Takes other values in the same pattern. After an error the cycle must not be used.
   void Update(SparseMatrix<Scalar>&& matrix, const ExecutionContext& context);
 
-  void Apply(
-    const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override
+  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override
   {
     this->Cycle.Apply(r, z, context);
   }

@@ -65,8 +65,7 @@ void Free(SparseMatrix<Scalar>& A)
 
 template <class Scalar>
 GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
-  std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
-  const ExecutionContext& context)
+  std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options, const ExecutionContext& context)
 {
   this->SetOrder(A, std::move(prolongations), options, context);
   this->SetFinest(A, context);
@@ -75,9 +74,8 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(const SparseMatrix<Scalar>& A,
 }
 
 template <class Scalar>
-GalerkinHierarchy<Scalar>::GalerkinHierarchy(SparseMatrix<Scalar>&& A,
-  std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
-  const ExecutionContext& context)
+GalerkinHierarchy<Scalar>::GalerkinHierarchy(SparseMatrix<Scalar>&& A, std::vector<SparseMatrix<Scalar>> prolongations,
+  const GalerkinOptions& options, const ExecutionContext& context)
 {
   this->SetOrder(A, std::move(prolongations), options, context);
   this->SetFinest(A, context);
@@ -87,8 +85,7 @@ GalerkinHierarchy<Scalar>::GalerkinHierarchy(SparseMatrix<Scalar>&& A,
 }
 
 template <class Scalar>
-void GalerkinHierarchy<Scalar>::Update(
-  const SparseMatrix<Scalar>& A, const ExecutionContext& context)
+void GalerkinHierarchy<Scalar>::Update(const SparseMatrix<Scalar>& A, const ExecutionContext& context)
 {
   this->SetFinest(A, context);
   this->ComputeCoarser(context);
@@ -103,16 +100,14 @@ void GalerkinHierarchy<Scalar>::Update(SparseMatrix<Scalar>&& A, const Execution
 }
 
 template <class Scalar>
-void GalerkinHierarchy<Scalar>::SetOrder(const SparseMatrix<Scalar>& A,
-  std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
-  const ExecutionContext& context)
+void GalerkinHierarchy<Scalar>::SetOrder(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
+  const GalerkinOptions& options, const ExecutionContext& context)
 {
   if (options.CoarsestLevel < 0)
   {
     throw InvalidInput("the coarsest level must be 0, the finest, or more");
   }
-  prolongations.resize(
-    std::min(prolongations.size(), static_cast<std::size_t>(options.CoarsestLevel)));
+  prolongations.resize(std::min(prolongations.size(), static_cast<std::size_t>(options.CoarsestLevel)));
   CheckChain(A.rows(), prolongations);
   if (A.rows() != A.cols())
   {
@@ -123,20 +118,17 @@ void GalerkinHierarchy<Scalar>::SetOrder(const SparseMatrix<Scalar>& A,
 }
 
 template <class Scalar>
-void GalerkinHierarchy<Scalar>::SmoothProlongation(
-  const GalerkinOptions& options, const ExecutionContext& context)
+void GalerkinHierarchy<Scalar>::SmoothProlongation(const GalerkinOptions& options, const ExecutionContext& context)
 {
   if (!this->Prolongations.empty())
   {
     context.Checkpoint(0.0);
-    dmg::SmoothProlongation(
-      this->Matrices[0], this->Prolongations[0], options.FinestProlongationSteps, context);
+    dmg::SmoothProlongation(this->Matrices[0], this->Prolongations[0], options.FinestProlongationSteps, context);
   }
 }
 
 template <class Scalar>
-void GalerkinHierarchy<Scalar>::SetFinest(
-  const SparseMatrix<Scalar>& A, const ExecutionContext& context)
+void GalerkinHierarchy<Scalar>::SetFinest(const SparseMatrix<Scalar>& A, const ExecutionContext& context)
 {
   assert(this->Prolongations.empty() || this->Prolongations[0].rows() == A.rows());
   this->Matrices.resize(this->Prolongations.size() + 1);
@@ -166,8 +158,7 @@ void GalerkinHierarchy<Scalar>::ComputeCoarser(const ExecutionContext& context)
   this->Reports.clear();
   for (const SparseMatrix<Scalar>& A : this->Matrices)
   {
-    this->Reports.push_back(
-      { static_cast<long long>(A.rows()), static_cast<long long>(A.nonZeros()) });
+    this->Reports.push_back({ static_cast<long long>(A.rows()), static_cast<long long>(A.nonZeros()) });
   }
   context.Checkpoint(1.0);
 }
@@ -192,8 +183,7 @@ void GalerkinHierarchy<Scalar>::ForgetProlongations()
 }
 
 template <class Scalar>
-void GalerkinHierarchy<Scalar>::FindDiagonal(
-  int level, Vector<double>& scales, const ExecutionContext& context)
+void GalerkinHierarchy<Scalar>::FindDiagonal(int level, Vector<double>& scales, const ExecutionContext& context)
 {
   const SparseMatrix<Scalar>& A = this->Matrices[level];
   const int size = static_cast<int>(A.rows());
@@ -222,9 +212,8 @@ void GalerkinHierarchy<Scalar>::FindDiagonal(
     if (!(diagonal[i] >= 0.0 && diagonal[i] <= std::numeric_limits<double>::max()))
     {
       const int unknown = level == 0 ? this->Order[i] : i;
-      throw SolverFailure("the matrix is not positive semi-definite: diagonal entry " +
-        std::to_string(unknown) + " on level " + std::to_string(level) + " is " +
-        std::to_string(diagonal[i]));
+      throw SolverFailure("the matrix is not positive semi-definite: diagonal entry " + std::to_string(unknown) +
+        " on level " + std::to_string(level) + " is " + std::to_string(diagonal[i]));
     }
   }
 }
@@ -261,8 +250,7 @@ void GalerkinHierarchy<Scalar>::FactorCoarsest()
 template <class Scalar>
 long long GalerkinHierarchy<Scalar>::Bytes() const
 {
-  long long bytes =
-    this->CoarsestFactor->Bytes() + static_cast<long long>(this->Order.size() * sizeof(int));
+  long long bytes = this->CoarsestFactor->Bytes() + static_cast<long long>(this->Order.size() * sizeof(int));
   for (const auto* matrices : { &this->Prolongations, &this->Matrices })
   {
     for (const SparseMatrix<Scalar>& matrix : *matrices)

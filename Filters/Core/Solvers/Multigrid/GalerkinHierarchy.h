@@ -46,9 +46,8 @@ public:
   ///   positive semi-definite.
   /// \throw Cancelled
   /// Checkpoints: one per level, 0.2 s apart at a million unknowns.
-  GalerkinHierarchy(const SparseMatrix<Scalar>& A,
-    std::vector<SparseMatrix<Scalar>> prolongations, const GalerkinOptions& options,
-    const ExecutionContext& context);
+  GalerkinHierarchy(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
+    const GalerkinOptions& options, const ExecutionContext& context);
   /// \param A comes back empty, as soon as it is not needed any more.
   GalerkinHierarchy(SparseMatrix<Scalar>&& A, std::vector<SparseMatrix<Scalar>> prolongations,
     const GalerkinOptions& options, const ExecutionContext& context);

@@ -56,11 +56,11 @@ std::vector<int> Parents(const SparseMatrix<Scalar>& P, const ExecutionContext& 
 }
 
 /// Children that follow each other in the order of their parents' places.
-std::vector<int> InOrderOfParents(const std::vector<int>& parents,
-  const std::vector<int>& placesOfParents, const ExecutionContext& context)
+std::vector<int> InOrderOfParents(
+  const std::vector<int>& parents, const std::vector<int>& placesOfParents, const ExecutionContext& context)
 {
-  return SortByKey(Identity(static_cast<int>(parents.size())),
-    static_cast<int>(placesOfParents.size()),
+  return SortByKey(
+    Identity(static_cast<int>(parents.size())), static_cast<int>(placesOfParents.size()),
     [&](int child) { return placesOfParents[parents[child]]; }, context)
     .Items;
 }
@@ -83,11 +83,10 @@ void CheckChain(long long size, const std::vector<SparseMatrix<Scalar>>& prolong
 }
 
 template <class Scalar>
-std::vector<int> RenumberHierarchically(std::vector<SparseMatrix<Scalar>>& prolongations, int size,
-  const ExecutionContext& context)
+std::vector<int> RenumberHierarchically(
+  std::vector<SparseMatrix<Scalar>>& prolongations, int size, const ExecutionContext& context)
 {
-  std::vector<int> order = Identity(
-    prolongations.empty() ? size : static_cast<int>(prolongations.back().cols()));
+  std::vector<int> order = Identity(prolongations.empty() ? size : static_cast<int>(prolongations.back().cols()));
   for (std::size_t level = prolongations.size(); level-- > 0;)
   {
     context.Checkpoint(0.0);
@@ -102,9 +101,7 @@ std::vector<int> RenumberHierarchically(std::vector<SparseMatrix<Scalar>>& prolo
 
 template void CheckChain(long long, const std::vector<SparseMatrix<double>>&);
 template void CheckChain(long long, const std::vector<SparseMatrix<Complex>>&);
-template std::vector<int> RenumberHierarchically(
-  std::vector<SparseMatrix<double>>&, int, const ExecutionContext&);
-template std::vector<int> RenumberHierarchically(
-  std::vector<SparseMatrix<Complex>>&, int, const ExecutionContext&);
+template std::vector<int> RenumberHierarchically(std::vector<SparseMatrix<double>>&, int, const ExecutionContext&);
+template std::vector<int> RenumberHierarchically(std::vector<SparseMatrix<Complex>>&, int, const ExecutionContext&);
 
 }

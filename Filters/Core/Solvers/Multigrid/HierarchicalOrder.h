@@ -21,8 +21,8 @@ void CheckChain(long long size, const std::vector<SparseMatrix<Scalar>>& prolong
 /// \return [k] is the former index of unknown k of level 0.
 /// \throw Cancelled
 template <class Scalar>
-std::vector<int> RenumberHierarchically(std::vector<SparseMatrix<Scalar>>& prolongations, int size,
-  const ExecutionContext& context);
+std::vector<int> RenumberHierarchically(
+  std::vector<SparseMatrix<Scalar>>& prolongations, int size, const ExecutionContext& context);
 
 }
 

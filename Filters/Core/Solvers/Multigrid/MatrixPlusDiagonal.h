@@ -45,14 +45,14 @@ public:
     this->D = SparseDiagonal(diagonal, context);
   }
 
-  double Apply(
-    const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
+  double Apply(const Vector<double>& x, Vector<double>& y, const ExecutionContext& context) const override
   {
     y.resize(x.size());
     const Scalar* const from = AsRows<Scalar>(x);
     Scalar* const to = AsRows<Scalar>(y);
-    const double ofR = SumOverBlocks<double>(
-      static_cast<int>(this->R.rows()), context, [this, from, to](int first, int last) {
+    const double ofR = SumOverBlocks<double>(static_cast<int>(this->R.rows()), context,
+      [this, from, to](int first, int last)
+      {
         double product = 0.0;
         for (int i = first; i < last; ++i)
         {

@@ -26,8 +26,7 @@ class MultigridCycle<Scalar>::Internals
 public:
   virtual ~Internals() = default;
   virtual void Update(const ExecutionContext& context) = 0;
-  virtual void Apply(
-    const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) = 0;
+  virtual void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) = 0;
   virtual long long Bytes() const = 0;
 };
 
@@ -36,8 +35,7 @@ template <class Value>
 class MultigridCycle<Scalar>::InternalsOf : public MultigridCycle<Scalar>::Internals
 {
 public:
-  InternalsOf(GalerkinHierarchy<Scalar>& hierarchy, const CycleOptions& options,
-    const ExecutionContext& context)
+  InternalsOf(GalerkinHierarchy<Scalar>& hierarchy, const CycleOptions& options, const ExecutionContext& context)
     : Options(options)
     , Levels(hierarchy, ScaledHierarchy<Scalar, Value>::Content::MatricesForSweeps, context)
   {
@@ -50,8 +48,7 @@ public:
     this->MakeSmoothers();
   }
 
-  void Apply(
-    const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override
+  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override
   {
     this->Levels.Load(r, context);
     this->Cycle(context);
@@ -85,8 +82,7 @@ private:
     const int coarsest = this->Levels.NumberOfLevels() - 1;
     for (int l = 0; l < coarsest; ++l)
     {
-      this->Levels.Restrict(l,
-        this->Smoothers[l]->PreSmooth(this->Levels[l].b, this->Levels[l].x, context), context);
+      this->Levels.Restrict(l, this->Smoothers[l]->PreSmooth(this->Levels[l].b, this->Levels[l].x, context), context);
     }
     this->Levels.SolveCoarsest();
     for (int l = coarsest; l-- > 0;)
@@ -100,8 +96,7 @@ private:
   /// and others by some (Chebyshev's semi-iteration; Saad 2003, section 12.3).
   Real StepOf(int repetition) const
   {
-    const double root =
-      std::cos(EIGEN_PI * (2 * repetition + 1) / (2.0 * this->Options.Repetitions)); // in [-1, 1]
+    const double root = std::cos(EIGEN_PI * (2 * repetition + 1) / (2.0 * this->Options.Repetitions)); // in [-1, 1]
     return static_cast<Real>(2.0 / (1.0 + LeastEigenvalue + (1.0 - LeastEigenvalue) * root));
   }
 
@@ -113,12 +108,14 @@ private:
     Vector<Value>& x = this->Levels[0].x;
     const Vector<Value> former = x;
     const Vector<Value> rightHandSide = b;
-    context.ParallelFor(0, static_cast<int>(b.size()), RowGrain, [&](int first, int last) {
-      for (int i = first; i < last; ++i)
+    context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
+      [&](int first, int last)
       {
-        b[i] -= former[i] + A.LowerTimes(i, former.data()) + A.UpperTimes(i, former.data());
-      }
-    });
+        for (int i = first; i < last; ++i)
+        {
+          b[i] -= former[i] + A.LowerTimes(i, former.data()) + A.UpperTimes(i, former.data());
+        }
+      });
     this->Cycle(context);
     x = former + step * x;
     b = rightHandSide;
@@ -142,8 +139,8 @@ private:
 };
 
 template <class Scalar>
-MultigridCycle<Scalar>::MultigridCycle(GalerkinHierarchy<Scalar>& hierarchy,
-  const CycleOptions& options, const ExecutionContext& context)
+MultigridCycle<Scalar>::MultigridCycle(
+  GalerkinHierarchy<Scalar>& hierarchy, const CycleOptions& options, const ExecutionContext& context)
   : Hierarchy(hierarchy)
   , Options(options)
 {
@@ -178,18 +175,15 @@ bool MultigridCycle<Scalar>::NeedsDoublePrecision() const
 template <class Scalar>
 void MultigridCycle<Scalar>::Build(const ExecutionContext& context)
 {
-  using SingleScalar =
-    std::conditional_t<std::is_same<Scalar, double>::value, float, std::complex<float>>;
+  using SingleScalar = std::conditional_t<std::is_same<Scalar, double>::value, float, std::complex<float>>;
   this->IsDouble = this->NeedsDoublePrecision();
   if (this->IsDouble)
   {
-    this->Internal =
-      std::make_unique<InternalsOf<Scalar>>(this->Hierarchy, this->Options, context);
+    this->Internal = std::make_unique<InternalsOf<Scalar>>(this->Hierarchy, this->Options, context);
   }
   else
   {
-    this->Internal =
-      std::make_unique<InternalsOf<SingleScalar>>(this->Hierarchy, this->Options, context);
+    this->Internal = std::make_unique<InternalsOf<SingleScalar>>(this->Hierarchy, this->Options, context);
   }
 }
 
@@ -207,8 +201,7 @@ void MultigridCycle<Scalar>::Update(const ExecutionContext& context)
 }
 
 template <class Scalar>
-void MultigridCycle<Scalar>::Apply(
-  const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context)
+void MultigridCycle<Scalar>::Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context)
 {
   this->Internal->Apply(r, z, context);
 }

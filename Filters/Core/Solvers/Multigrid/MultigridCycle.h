@@ -52,16 +52,14 @@ class MultigridCycle : public Preconditioner<Scalar>
 public:
   /// \param hierarchy must outlive the cycle; its matrices may be forgotten.
   /// \throw InvalidInput a number of sweeps is negative.
-  MultigridCycle(GalerkinHierarchy<Scalar>& hierarchy, const CycleOptions& options,
-    const ExecutionContext& context);
+  MultigridCycle(GalerkinHierarchy<Scalar>& hierarchy, const CycleOptions& options, const ExecutionContext& context);
   ~MultigridCycle() override;
 
   /// After an Update of the hierarchy. Orders are kept unless the precision changes.
   void Update(const ExecutionContext& context);
 
   /// z = B r, both N_0 long.
-  void Apply(
-    const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override;
+  void Apply(const Vector<Scalar>& r, Vector<Scalar>& z, const ExecutionContext& context) override;
 
   /// Held by this object.
   long long Bytes() const;

@@ -16,8 +16,8 @@ using Clock = std::chrono::steady_clock;
 
 /// b - A x.
 template <class Value>
-Vector<Value> Residual(const TriangularParts<Value>& A, const Vector<Value>& b,
-  const Vector<Value>& x, const ExecutionContext& context)
+Vector<Value> Residual(
+  const TriangularParts<Value>& A, const Vector<Value>& b, const Vector<Value>& x, const ExecutionContext& context)
 {
   constexpr int Grain = 4096;
   Vector<Value> r(b.size());
@@ -117,8 +117,7 @@ public:
     const int coarsest = levels.NumberOfLevels() - 1;
     for (int l = level; l < coarsest; ++l)
     {
-      levels.Restrict(
-        l, smoothers[l]->PreSmooth(levels[l].b, levels[l].x, this->Context), this->Context);
+      levels.Restrict(l, smoothers[l]->PreSmooth(levels[l].b, levels[l].x, this->Context), this->Context);
     }
     levels.SolveCoarsest();
     for (int l = coarsest; l-- > level;)
@@ -154,8 +153,8 @@ public:
     if (this->Options.Rule != SweepRule::FixedNumber)
     {
       this->Report.Converged = false;
-      this->Report.Warnings.push_back("The sweeps on level " + std::to_string(level) +
-        " ended at their limit of " + std::to_string(limit) + ".");
+      this->Report.Warnings.push_back(
+        "The sweeps on level " + std::to_string(level) + " ended at their limit of " + std::to_string(limit) + ".");
     }
     return limit;
   }
@@ -177,8 +176,8 @@ private:
   {
     if (this->b.size() != this->Nested.A->rows())
     {
-      throw InvalidInput("the right-hand side must have " +
-        std::to_string(this->Nested.A->rows()) + " values, one per unknown");
+      throw InvalidInput(
+        "the right-hand side must have " + std::to_string(this->Nested.A->rows()) + " values, one per unknown");
     }
     if (this->Options.Sweeps < 0 || this->Options.MaximumSweeps < 0 || this->Options.Cycles < 0)
     {
@@ -188,8 +187,7 @@ private:
     {
       this->Measure->Check(static_cast<int>(this->b.size()));
     }
-    if (this->Options.Rule == SweepRule::WhileErrorFalls &&
-      (!this->Measure || this->Measure->Reference.size() == 0))
+    if (this->Options.Rule == SweepRule::WhileErrorFalls && (!this->Measure || this->Measure->Reference.size() == 0))
     {
       throw InvalidInput("sweeps while the error falls need a reference solution");
     }
@@ -208,8 +206,7 @@ private:
     if (this->Options.Rule == SweepRule::WhileResidualFalls)
     {
       const auto& levelOf = this->Nested.Scaled[level];
-      return std::sqrt(
-        SquaredNorm(Residual(levelOf.A, levelOf.b, levelOf.x, this->Context), this->Context));
+      return std::sqrt(SquaredNorm(Residual(levelOf.A, levelOf.b, levelOf.x, this->Context), this->Context));
     }
     if (this->Options.Rule == SweepRule::WhileErrorFalls)
     {
@@ -265,12 +262,10 @@ private:
 
 template <class Scalar>
 NestedIteration<Scalar>::NestedIteration(const SparseMatrix<Scalar>& matrix,
-  std::vector<SparseMatrix<Scalar>> prolongations, const NestedOptions& options,
-  const ExecutionContext& context)
+  std::vector<SparseMatrix<Scalar>> prolongations, const NestedOptions& options, const ExecutionContext& context)
   : A(&matrix)
   , MaySweep(options.MaySweep)
-  , Hierarchy(
-      matrix, std::move(prolongations), options.Coarsening, PartOfContext(context, 0.0, 0.7))
+  , Hierarchy(matrix, std::move(prolongations), options.Coarsening, PartOfContext(context, 0.0, 0.7))
   , Scaled(this->Hierarchy,
       options.MaySweep ? ScaledHierarchy<Scalar, Scalar>::Content::MatricesForSweeps
                        : ScaledHierarchy<Scalar, Scalar>::Content::Transfers,
@@ -288,9 +283,8 @@ NestedIteration<Scalar>::NestedIteration(const SparseMatrix<Scalar>& matrix,
 }
 
 template <class Scalar>
-std::vector<int> NestedIteration<Scalar>::Solve(const Vector<Scalar>& b,
-  const SweepOptions& sweeps, Vector<Scalar>& x, SolveReport& report,
-  const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
+std::vector<int> NestedIteration<Scalar>::Solve(const Vector<Scalar>& b, const SweepOptions& sweeps, Vector<Scalar>& x,
+  SolveReport& report, const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure)
 {
   Run run(*this, b, sweeps, x, report, context, measure);
   const int coarsest = this->Scaled.NumberOfLevels() - 1;

@@ -31,7 +31,7 @@ enum class SweepRule
 struct SweepOptions
 {
   SweepRule Rule = SweepRule::FixedNumber;
-  int Sweeps = 10; ///< of FixedNumber, on each level but the coarsest, >= 0
+  int Sweeps = 10;                ///< of FixedNumber, on each level but the coarsest, >= 0
   double LeastImprovement = 1e-3; ///< of the other rules, by one sweep, as a fraction
   /// Limit of the other rules, on each level, >= 0. The default never cuts them short: 40,000 sweeps
   /// that lower the error by 1e-3 each lower it to 4e-18, below rounding.
@@ -42,14 +42,12 @@ struct SweepOptions
   int Cycles = 0;
 
   /// Sweeps on each level at most.
-  int Limit() const
-  {
-    return this->Rule == SweepRule::FixedNumber ? this->Sweeps : this->MaximumSweeps;
-  }
+  int Limit() const { return this->Rule == SweepRule::FixedNumber ? this->Sweeps : this->MaximumSweeps; }
 
   friend bool operator==(const SweepOptions& a, const SweepOptions& b)
   {
-    const auto members = [](const SweepOptions& options) {
+    const auto members = [](const SweepOptions& options)
+    {
       const auto& [rule, sweeps, least, maximum, cycles] = options; // all of them, or it does not compile
       return std::tie(rule, sweeps, least, maximum, cycles);
     };
@@ -80,8 +78,8 @@ class NestedIteration
 public:
   /// \param A, prolongations see GalerkinHierarchy. A is borrowed: it must stay where it is.
   /// \throw as GalerkinHierarchy.
-  NestedIteration(const SparseMatrix<Scalar>& A,
-    std::vector<SparseMatrix<Scalar>> prolongations, const NestedOptions& options, const ExecutionContext& context);
+  NestedIteration(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
+    const NestedOptions& options, const ExecutionContext& context);
   NestedIteration(const NestedIteration&) = delete; // the levels refer to the hierarchy
   NestedIteration& operator=(const NestedIteration&) = delete;
 
@@ -98,9 +96,8 @@ public:
   ///   reference is missing.
   /// \throw Cancelled
   /// Checkpoints: every sweep.
-  std::vector<int> Solve(const Vector<Scalar>& b, const SweepOptions& sweeps, Vector<Scalar>& x,
-    SolveReport& report, const ExecutionContext& context,
-    const ConvergenceMeasure<Scalar>* measure = nullptr);
+  std::vector<int> Solve(const Vector<Scalar>& b, const SweepOptions& sweeps, Vector<Scalar>& x, SolveReport& report,
+    const ExecutionContext& context, const ConvergenceMeasure<Scalar>* measure = nullptr);
 
   /// Unknowns and non-zeros, finest first.
   const std::vector<LevelReport>& Levels() const { return this->Hierarchy.Levels(); }

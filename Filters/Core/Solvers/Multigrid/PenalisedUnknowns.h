@@ -26,20 +26,21 @@ public:
   /// \param penalty (i) is D_i, \param coupling (i) is R_ii, of unknowns 0 to \param size - 1. Those with an
   ///   infinite D_i are held and none of ours.
   template <class Penalty, class Coupling>
-  PenalisedUnknowns(
-    int size, const Penalty& penalty, const Coupling& coupling, const ExecutionContext& context)
+  PenalisedUnknowns(int size, const Penalty& penalty, const Coupling& coupling, const ExecutionContext& context)
     : Indices(Choose(
         size, [&penalty](int i) { return penalty(i) > 0.0 && std::isfinite(penalty(i)); }, context))
     , CoarsePenalties(this->Indices.size())
     , Shares(this->Indices.size())
     , Smoothed(this->Indices.size())
   {
-    this->ForEach(context, [&](int k, int i) {
-      const double D = penalty(i);
-      const double R = coupling(i);
-      this->Shares[k] = static_cast<Real>(R / (R + D));
-      this->CoarsePenalties[k] = D * (R / (R + D));
-    });
+    this->ForEach(context,
+      [&](int k, int i)
+      {
+        const double D = penalty(i);
+        const double R = coupling(i);
+        this->Shares[k] = static_cast<Real>(R / (R + D));
+        this->CoarsePenalties[k] = D * (R / (R + D));
+      });
   }
 
   /// Ascending.
@@ -51,36 +52,39 @@ public:
   void ScaleRows(Matrix& rows, const ExecutionContext& context) const
   {
     using Factor = typename Eigen::NumTraits<typename Matrix::Scalar>::Real;
-    this->ForEach(context, [this, &rows](int k, int) {
-      const auto root = static_cast<Factor>(std::sqrt(this->CoarsePenalties[k]));
-      for (int e = rows.outerIndexPtr()[k]; e < rows.outerIndexPtr()[k + 1]; ++e)
+    this->ForEach(context,
+      [this, &rows](int k, int)
       {
-        rows.valuePtr()[e] *= root;
-      }
-    });
+        const auto root = static_cast<Factor>(std::sqrt(this->CoarsePenalties[k]));
+        for (int e = rows.outerIndexPtr()[k]; e < rows.outerIndexPtr()[k + 1]; ++e)
+        {
+          rows.valuePtr()[e] *= root;
+        }
+      });
   }
 
   /// Before the coarse correction of x, for which residual is restricted.
   void ScaleResidual(Vector<Scalar>& residual, const Vector<Scalar>& x, const ExecutionContext& context)
   {
-    this->ForEach(context, [this, &residual, &x](int k, int i) {
-      residual[i] *= this->Shares[k];
-      this->Smoothed[k] = x[i];
-    });
+    this->ForEach(context,
+      [this, &residual, &x](int k, int i)
+      {
+        residual[i] *= this->Shares[k];
+        this->Smoothed[k] = x[i];
+      });
   }
 
   /// After it.
   void ScaleCorrection(Vector<Scalar>& x, const ExecutionContext& context) const
   {
-    this->ForEach(context, [this, &x](int k, int i) {
-      x[i] = this->Smoothed[k] + this->Shares[k] * (x[i] - this->Smoothed[k]);
-    });
+    this->ForEach(
+      context, [this, &x](int k, int i) { x[i] = this->Smoothed[k] + this->Shares[k] * (x[i] - this->Smoothed[k]); });
   }
 
   long long Bytes() const
   {
-    return static_cast<long long>(this->Indices.size() *
-      (sizeof(int) + sizeof(double) + sizeof(Real) + sizeof(Scalar)));
+    return static_cast<long long>(
+      this->Indices.size() * (sizeof(int) + sizeof(double) + sizeof(Real) + sizeof(Scalar)));
   }
 
 private:
@@ -91,8 +95,9 @@ private:
   void ForEach(const ExecutionContext& context, const Visit& visit) const
   {
     constexpr int Grain = 8192;
-    context.ParallelFor(
-      0, static_cast<int>(this->Indices.size()), Grain, [this, &visit](int first, int last) {
+    context.ParallelFor(0, static_cast<int>(this->Indices.size()), Grain,
+      [this, &visit](int first, int last)
+      {
         for (int k = first; k < last; ++k)
         {
           visit(k, this->Indices[k]);
@@ -101,9 +106,9 @@ private:
   }
 
   std::vector<int> Indices;
-  Vector<double> CoarsePenalties;  ///< D_i R_ii / (R_ii + D_i)
-  Vector<Real> Shares;     ///< R_ii / (R_ii + D_i)
-  Vector<Scalar> Smoothed; ///< x before the coarse correction
+  Vector<double> CoarsePenalties; ///< D_i R_ii / (R_ii + D_i)
+  Vector<Real> Shares;            ///< R_ii / (R_ii + D_i)
+  Vector<Scalar> Smoothed;        ///< x before the coarse correction
 };
 
 }

@@ -63,8 +63,7 @@ public:
   virtual long long Bytes() const = 0;
 
 protected:
-  static std::vector<LevelReport> FinestAnd(
-    const LevelReport& finest, const std::vector<LevelReport>& coarser)
+  static std::vector<LevelReport> FinestAnd(const LevelReport& finest, const std::vector<LevelReport>& coarser)
   {
     std::vector<LevelReport> levels = { finest };
     levels.insert(levels.end(), coarser.begin(), coarser.end());
@@ -78,9 +77,8 @@ class RoughnessNestedIteration
 public:
   virtual ~RoughnessNestedIteration() = default;
 
-  virtual void Solve(const Vector<double>& b, const SweepOptions& sweeps, Vector<double>& x,
-    SolveReport& report, const ExecutionContext& context,
-    const ConvergenceMeasure<double>& measure) = 0;
+  virtual void Solve(const Vector<double>& b, const SweepOptions& sweeps, Vector<double>& x, SolveReport& report,
+    const ExecutionContext& context, const ConvergenceMeasure<double>& measure) = 0;
   virtual std::vector<LevelReport> Levels() const = 0;
   virtual long long Bytes() const = 0;
 };
@@ -94,10 +92,7 @@ public:
   virtual void SetDiagonal(const Vector<double>& D, const ExecutionContext& context) = 0;
 
   void SetInverseDiagonal(Vector<double> inverse) { this->Inverse = std::move(inverse); }
-  const Vector<double>* InverseDiagonal() const override
-  {
-    return this->Inverse.size() > 0 ? &this->Inverse : nullptr;
-  }
+  const Vector<double>* InverseDiagonal() const override { return this->Inverse.size() > 0 ? &this->Inverse : nullptr; }
 
 private:
   Vector<double> Inverse;
@@ -118,17 +113,13 @@ public:
   /// \param components of each unknown.
   void SetComponents(std::vector<int> components)
   {
-    const bool areConnected = std::all_of(components.begin(), components.end(),
-      [&components](int component) { return component == components[0]; });
-    this->CountOfComponents =
-      areConnected ? 1 : 1 + *std::max_element(components.begin(), components.end());
+    const bool areConnected = std::all_of(
+      components.begin(), components.end(), [&components](int component) { return component == components[0]; });
+    this->CountOfComponents = areConnected ? 1 : 1 + *std::max_element(components.begin(), components.end());
     this->Components = areConnected ? std::vector<int>() : std::move(components);
   }
   int NumberOfComponents() const { return this->CountOfComponents; }
-  int ComponentOf(int unknown) const
-  {
-    return this->Components.empty() ? 0 : this->Components[unknown];
-  }
+  int ComponentOf(int unknown) const { return this->Components.empty() ? 0 : this->Components[unknown]; }
 
   /// R_ii, in single precision.
   virtual double DiagonalOf(int unknown) const = 0;
@@ -140,13 +131,13 @@ public:
   /// share it.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
   /// \throw as GalerkinHierarchy.
-  virtual std::unique_ptr<RoughnessCycle> Cycle(const Vector<double>& D,
-    const RoughnessCycleOptions& options, const ExecutionContext& context) const = 0;
+  virtual std::unique_ptr<RoughnessCycle> Cycle(
+    const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const = 0;
 
   /// Nested iterations for R + D, where the hierarchy has them; else null. Parameters as above.
   /// \param maySweep see NestedOptions.
-  virtual std::unique_ptr<RoughnessNestedIteration> NestedIterations(const Vector<double>&,
-    const RoughnessCycleOptions&, bool /*maySweep*/, const ExecutionContext&) const
+  virtual std::unique_ptr<RoughnessNestedIteration> NestedIterations(
+    const Vector<double>&, const RoughnessCycleOptions&, bool /*maySweep*/, const ExecutionContext&) const
   {
     return nullptr;
   }

@@ -44,9 +44,8 @@ ScaledHierarchy<Scalar, Value>::ScaledHierarchy(
       for (int l = first; l < last; ++l)
       {
         const int size = hierarchy.NumberOfUnknowns(l);
-        SweepOrder order = l < coarsest && content == Content::MatricesForSweeps
-          ? OrderForSweeps(hierarchy.Matrix(l))
-          : SingleColour(size);
+        SweepOrder order = l < coarsest && content == Content::MatricesForSweeps ? OrderForSweeps(hierarchy.Matrix(l))
+                                                                                 : SingleColour(size);
         Level& level = this->Levels[l];
         level.A.Begins = std::move(order.Begins);
         level.A.ColoursOfTiles = std::move(order.ColoursOfTiles);
@@ -93,8 +92,8 @@ void ScaledHierarchy<Scalar, Value>::Update(const ExecutionContext& context)
         ArrangeUpper(A, order, places, scale, parts.Upper, context);
       }
     }
-    Arrange(this->Hierarchy.Prolongation(l), order, coarsePlaces, scale.unaryExpr(&Reciprocal),
-      coarseScale, EveryEntry(), level.P, context);
+    Arrange(this->Hierarchy.Prolongation(l), order, coarsePlaces, scale.unaryExpr(&Reciprocal), coarseScale,
+      EveryEntry(), level.P, context);
     SparseMatrix<Value> R = Adjoint(level.P, context);
     level.R.swap(R); // an assignment would copy
 
@@ -116,8 +115,7 @@ void ScaledHierarchy<Scalar, Value>::LoadScaling(const Vector<double>& scale)
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::Load(
-  const Vector<Scalar>& b, const ExecutionContext& context)
+void ScaledHierarchy<Scalar, Value>::Load(const Vector<Scalar>& b, const ExecutionContext& context)
 {
   context.ParallelFor(0, static_cast<int>(b.size()), RowGrain,
     [this, &b](int first, int last)
@@ -132,8 +130,7 @@ void ScaledHierarchy<Scalar, Value>::Load(
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::Store(
-  Vector<Scalar>& x, const ExecutionContext& context) const
+void ScaledHierarchy<Scalar, Value>::Store(Vector<Scalar>& x, const ExecutionContext& context) const
 {
   x.resize(this->Levels[0].x.size());
   context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
@@ -149,8 +146,7 @@ void ScaledHierarchy<Scalar, Value>::Store(
 }
 
 template <class Scalar, class Value>
-void ScaledHierarchy<Scalar, Value>::Restrict(
-  int level, const Vector<Value>& r, const ExecutionContext& context)
+void ScaledHierarchy<Scalar, Value>::Restrict(int level, const Vector<Value>& r, const ExecutionContext& context)
 {
   const SparseMatrix<Value>& R = this->Levels[level].R;
   Vector<Value>& b = this->Levels[level + 1].b;
@@ -211,8 +207,8 @@ long long ScaledHierarchy<Scalar, Value>::Bytes() const
     this->FinestScale.size() * static_cast<long long>(sizeof(Real));
   for (const Level& level : this->Levels)
   {
-    bytes += BytesOf(level.A.Lower) + BytesOf(level.A.Upper) + BytesOf(level.P) +
-      BytesOf(level.R) + static_cast<long long>(level.Order.size() * sizeof(int)) +
+    bytes += BytesOf(level.A.Lower) + BytesOf(level.A.Upper) + BytesOf(level.P) + BytesOf(level.R) +
+      static_cast<long long>(level.Order.size() * sizeof(int)) +
       (level.x.size() + level.b.size()) * static_cast<long long>(sizeof(Value));
   }
   return bytes;

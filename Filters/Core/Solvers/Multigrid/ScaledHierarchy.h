@@ -38,13 +38,12 @@ public:
 
   enum class Content
   {
-    Transfers, ///< P and R only
+    Transfers,         ///< P and R only
     MatricesForSweeps, ///< also A, in an order of each level's own
   };
 
   /// \param hierarchy must outlive this object; its matrices may be forgotten.
-  ScaledHierarchy(
-    GalerkinHierarchy<Scalar>& hierarchy, Content content, const ExecutionContext& context);
+  ScaledHierarchy(GalerkinHierarchy<Scalar>& hierarchy, Content content, const ExecutionContext& context);
 
   /// After an Update of the hierarchy. Orders are kept.
   void Update(const ExecutionContext& context);

@@ -17,8 +17,7 @@ constexpr double SmallestShare = 0.05;
 
 /// One step for row i: fills \p sum with row i of (I - 2/3 D^{-1} A) P.
 template <class Scalar>
-void SmoothRow(
-  const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& P, int i, SparseSum<Scalar>& sum)
+void SmoothRow(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& P, int i, SparseSum<Scalar>& sum)
 {
   double diagonal = 0.0;
   for (int k = A.outerIndexPtr()[i]; k < A.outerIndexPtr()[i + 1]; ++k)
@@ -50,8 +49,7 @@ void SmoothRow(
 
 /// Appends the larger entries of a row, enlarged to make up for the smaller.
 template <class Scalar>
-void AppendTruncated(
-  const SparseSum<Scalar>& sum, std::vector<double>& sizes, SparseRows<Scalar>& rows)
+void AppendTruncated(const SparseSum<Scalar>& sum, std::vector<double>& sizes, SparseRows<Scalar>& rows)
 {
   sizes.clear();
   double all = 0.0;
@@ -79,8 +77,7 @@ void AppendTruncated(
 }
 
 template <class Scalar>
-SparseMatrix<Scalar> Step(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& P,
-  const ExecutionContext& context)
+SparseMatrix<Scalar> Step(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& P, const ExecutionContext& context)
 {
   const int columns = static_cast<int>(P.cols());
   const auto makeWorker = [&A, &P, columns]
@@ -101,8 +98,8 @@ SparseMatrix<Scalar> Step(const SparseMatrix<Scalar>& A, const SparseMatrix<Scal
 }
 
 template <class Scalar>
-void SmoothProlongation(const SparseMatrix<Scalar>& A, SparseMatrix<Scalar>& P, int steps,
-  const ExecutionContext& context)
+void SmoothProlongation(
+  const SparseMatrix<Scalar>& A, SparseMatrix<Scalar>& P, int steps, const ExecutionContext& context)
 {
   assert(A.rows() == A.cols() && A.cols() == P.rows());
   for (int step = 0; step < steps; ++step)
@@ -112,9 +109,7 @@ void SmoothProlongation(const SparseMatrix<Scalar>& A, SparseMatrix<Scalar>& P, 
   }
 }
 
-template void SmoothProlongation(
-  const SparseMatrix<double>&, SparseMatrix<double>&, int, const ExecutionContext&);
-template void SmoothProlongation(
-  const SparseMatrix<Complex>&, SparseMatrix<Complex>&, int, const ExecutionContext&);
+template void SmoothProlongation(const SparseMatrix<double>&, SparseMatrix<double>&, int, const ExecutionContext&);
+template void SmoothProlongation(const SparseMatrix<Complex>&, SparseMatrix<Complex>&, int, const ExecutionContext&);
 
 }

@@ -20,8 +20,8 @@ namespace dmg
 /// \param P N x n; its former entries are freed after the first step.
 /// Cost per step: one product A P.
 template <class Scalar>
-void SmoothProlongation(const SparseMatrix<Scalar>& A, SparseMatrix<Scalar>& P, int steps,
-  const ExecutionContext& context);
+void SmoothProlongation(
+  const SparseMatrix<Scalar>& A, SparseMatrix<Scalar>& P, int steps, const ExecutionContext& context);
 
 }
 

@@ -39,8 +39,7 @@ public:
 
   /// Calls visit(i, product of row i of the lower or the upper part with x).
   template <class Visit>
-  void Multiply(
-    bool isLower, const Vector<Value>& x, const Visit& visit, const ExecutionContext& context)
+  void Multiply(bool isLower, const Vector<Value>& x, const Visit& visit, const ExecutionContext& context)
   {
     const RowRuns<Value>& part = isLower ? this->Lower : this->Upper;
     context.ParallelFor(0, static_cast<int>(x.size()), RowGrain,
@@ -67,9 +66,8 @@ public:
         leave(begin, end);
         continue;
       }
-      context.ParallelFor(begin, end, RowGrain, [&part, &x, &visit](int first, int last) {
-        part.Multiply(first, last, x.data(), visit);
-      });
+      context.ParallelFor(begin, end, RowGrain,
+        [&part, &x, &visit](int first, int last) { part.Multiply(first, last, x.data(), visit); });
     }
   }
 
@@ -92,31 +90,33 @@ public:
   }
 
   template <class Visit>
-  void Multiply(
-    bool isLower, const Vector<Value>& x, const Visit& visit, const ExecutionContext& context)
+  void Multiply(bool isLower, const Vector<Value>& x, const Visit& visit, const ExecutionContext& context)
   {
     const int tiles = static_cast<int>(this->A.Begins.size()) - 1;
-    context.ParallelFor(0, tiles, 1, [&](int first, int last) {
-      for (int i = this->A.Begins[first]; i < this->A.Begins[last]; ++i)
+    context.ParallelFor(0, tiles, 1,
+      [&](int first, int last)
       {
-        visit(i, this->Product(isLower, i, x));
-      }
-    });
+        for (int i = this->A.Begins[first]; i < this->A.Begins[last]; ++i)
+        {
+          visit(i, this->Product(isLower, i, x));
+        }
+      });
   }
 
   template <class Visit, class Leave>
-  void Sweep(bool up, bool, const Vector<Value>& x, const Visit& visit, const Leave&,
-    const ExecutionContext& context)
+  void Sweep(bool up, bool, const Vector<Value>& x, const Visit& visit, const Leave&, const ExecutionContext& context)
   {
-    ForColours(this->A.ColoursOfTiles, !up, context, [this, up, &x, &visit](int tile) {
-      const int begin = this->A.Begins[tile];
-      const int end = this->A.Begins[tile + 1];
-      for (int k = begin; k < end; ++k)
+    ForColours(this->A.ColoursOfTiles, !up, context,
+      [this, up, &x, &visit](int tile)
       {
-        const int i = up ? k : begin + end - 1 - k;
-        visit(i, this->Product(up, i, x));
-      }
-    });
+        const int begin = this->A.Begins[tile];
+        const int end = this->A.Begins[tile + 1];
+        for (int k = begin; k < end; ++k)
+        {
+          const int i = up ? k : begin + end - 1 - k;
+          visit(i, this->Product(up, i, x));
+        }
+      });
   }
 
 private:
@@ -136,8 +136,7 @@ template <class Value, class Diagonal, class Sweeps>
 class GaussSeidelSmoother : public Smoother<Value>
 {
 public:
-  GaussSeidelSmoother(const TriangularParts<Value>& matrix, Diagonal diagonal,
-    const SmootherOptions& options)
+  GaussSeidelSmoother(const TriangularParts<Value>& matrix, Diagonal diagonal, const SmootherOptions& options)
     : Parts(matrix)
     , Solved(diagonal)
     , PreSweeps(options.PreSweeps)
@@ -146,8 +145,7 @@ public:
   {
   }
 
-  Vector<Value>& PreSmooth(
-    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
+  Vector<Value>& PreSmooth(const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
   {
     if (Sweeps::ReadsOwnPlaces)
     {
@@ -168,8 +166,7 @@ public:
     return this->Sums;
   }
 
-  void PostSmooth(
-    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
+  void PostSmooth(const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) override
   {
     if (this->PostSweeps == 0)
     {
@@ -181,29 +178,28 @@ public:
     this->Sweep(up, this->PostSweeps, b, x, false, context);
   }
 
-  long long Bytes() const override
-  {
-    return this->Sums.size() * static_cast<long long>(sizeof(Value));
-  }
+  long long Bytes() const override { return this->Sums.size() * static_cast<long long>(sizeof(Value)); }
 
 private:
   /// \pre Sums are those over later unknowns where the first sweep goes up, else over earlier ones.
   /// \param keepsSums the last sweep leaves Sums as they were.
   /// \return whether the last sweep went up; then Sums, if not kept, are those over earlier unknowns.
-  bool Sweep(bool up, int count, const Vector<Value>& b, Vector<Value>& x, bool keepsSums,
-    const ExecutionContext& context)
+  bool Sweep(
+    bool up, int count, const Vector<Value>& b, Vector<Value>& x, bool keepsSums, const ExecutionContext& context)
   {
     for (int sweep = 0; sweep < count; ++sweep, up = !up)
     {
       const bool isKept = keepsSums && sweep + 1 == count;
-      const auto relax = [this, &b, &x, isKept](int i, Value sum) {
+      const auto relax = [this, &b, &x, isKept](int i, Value sum)
+      {
         x[i] = this->Solved(i, b[i] - this->Sums[i] - sum);
         if (!isKept)
         {
           this->Sums[i] = sum;
         }
       };
-      const auto leave = [this, isKept](int begin, int end) {
+      const auto leave = [this, isKept](int begin, int end)
+      {
         if (!isKept)
         {
           this->Sums.segment(begin, end - begin).setZero();
@@ -222,8 +218,8 @@ private:
 };
 
 template <class Value, class Diagonal>
-std::unique_ptr<Smoother<Value>> NewGaussSeidel(const TriangularParts<Value>& A,
-  const Diagonal& diagonal, const SmootherOptions& options)
+std::unique_ptr<Smoother<Value>> NewGaussSeidel(
+  const TriangularParts<Value>& A, const Diagonal& diagonal, const SmootherOptions& options)
 {
   if (A.HaveTiles())
   {
@@ -235,15 +231,14 @@ std::unique_ptr<Smoother<Value>> NewGaussSeidel(const TriangularParts<Value>& A,
 }
 
 template <class Value>
-std::unique_ptr<Smoother<Value>> Smoother<Value>::New(
-  const TriangularParts<Value>& A, const SmootherOptions& options)
+std::unique_ptr<Smoother<Value>> Smoother<Value>::New(const TriangularParts<Value>& A, const SmootherOptions& options)
 {
   return NewGaussSeidel(A, UnitDiagonal<Value>(), options);
 }
 
 template <class Value>
-std::unique_ptr<Smoother<Value>> Smoother<Value>::NewWithDiagonal(const TriangularParts<Value>& A,
-  const Vector<Real>& inverseDiagonal, const SmootherOptions& options)
+std::unique_ptr<Smoother<Value>> Smoother<Value>::NewWithDiagonal(
+  const TriangularParts<Value>& A, const Vector<Real>& inverseDiagonal, const SmootherOptions& options)
 {
   return NewGaussSeidel(A, GivenDiagonal<Value>{ inverseDiagonal }, options);
 }

@@ -31,25 +31,22 @@ public:
 
   /// For a unit diagonal.
   /// \param A borrowed.
-  static std::unique_ptr<Smoother> New(
-    const TriangularParts<Value>& A, const SmootherOptions& options);
+  static std::unique_ptr<Smoother> New(const TriangularParts<Value>& A, const SmootherOptions& options);
 
   /// For any other diagonal.
   /// \param inverseDiagonal 1 / A_ii, borrowed; or 0: the unknown is held at zero, and its residual has no
   ///   meaning.
-  static std::unique_ptr<Smoother> NewWithDiagonal(const TriangularParts<Value>& A,
-    const Vector<Real>& inverseDiagonal, const SmootherOptions& options);
+  static std::unique_ptr<Smoother> NewWithDiagonal(
+    const TriangularParts<Value>& A, const Vector<Real>& inverseDiagonal, const SmootherOptions& options);
   virtual ~Smoother() = default;
 
   /// Smooths A x = b from x = 0.
   /// \param x on exit the result.
   /// \return its residual b - A x, in room of the smoother that the next call uses again.
-  virtual Vector<Value>& PreSmooth(
-    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) = 0;
+  virtual Vector<Value>& PreSmooth(const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) = 0;
 
   /// Smooths A x = b from the given x by the adjoint of the iteration of PreSmooth.
-  virtual void PostSmooth(
-    const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) = 0;
+  virtual void PostSmooth(const Vector<Value>& b, Vector<Value>& x, const ExecutionContext& context) = 0;
 
   /// Held by this object.
   virtual long long Bytes() const = 0;
