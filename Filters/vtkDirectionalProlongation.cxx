@@ -1,10 +1,10 @@
 #include "vtkDirectionalProlongation.h"
 
-#include "Adapters/FilterRequests.h"
-#include "Adapters/MeshFromPolyData.h"
-#include "Adapters/OperatorsToFieldData.h"
-#include "Adapters/PropertyRanges.h"
-#include "Levels/SurfaceHierarchy.h"
+#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Adapters/Surface/OperatorsToFieldData.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkFieldData.h"

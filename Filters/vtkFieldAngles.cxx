@@ -1,9 +1,9 @@
 #include "vtkFieldAngles.h"
 
-#include "Adapters/ChosenArrays.h"
-#include "Adapters/ElementArrays.h"
-#include "Adapters/FieldFromArrays.h"
-#include "Adapters/FilterRequests.h"
+#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/Input/FieldFromArrays.h"
+#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Surface/ElementArrays.h"
 #include "Drawing/AnglesOfField.h"
 
 #include "vtkCellData.h"

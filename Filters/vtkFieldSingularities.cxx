@@ -1,8 +1,8 @@
 #include "vtkFieldSingularities.h"
 
-#include "Adapters/DrawingToPolyData.h"
-#include "Adapters/FieldFromArrays.h"
-#include "Adapters/FilterRequests.h"
+#include "Adapters/Input/FieldFromArrays.h"
+#include "Adapters/Output/DrawingToPolyData.h"
+#include "Adapters/Pipeline/FilterRequests.h"
 #include "Operators/FieldTopology.h"
 
 #include "vtkInformationVector.h"

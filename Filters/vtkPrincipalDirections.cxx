@@ -1,8 +1,8 @@
 #include "vtkPrincipalDirections.h"
 
-#include "Adapters/CurvaturesToArrays.h"
-#include "Adapters/FilterRequests.h"
-#include "Adapters/PropertyRanges.h"
+#include "Adapters/Output/CurvaturesToArrays.h"
+#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/PropertyRanges.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"

@@ -1,7 +1,7 @@
 #include "FieldSetup.h"
 
 #include "Analysis/HarmonicForms.h"
-#include "Levels/SurfaceHierarchy.h"
+#include "Levels/SampledLevels.h"
 #include "Support/AllIndices.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
@@ -166,8 +166,7 @@ std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface, const
   }
   context.Checkpoint(0.0);
   ProlongationOperators samples =
-    BuildSurfaceHierarchy(surface.Mesh, plan.Levels, PartOfContext(context, 0.0, 0.3), { false, false, false })
-      .Operators;
+    SampledLevels(surface.Mesh, plan.Levels.SampleDistance, PartOfContext(context, 0.0, 0.3));
   const PartOfContext rest(context, 0.3, 1.0);
   if (samples.Nodal.empty())
   {

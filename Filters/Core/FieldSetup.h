@@ -4,8 +4,8 @@
 #include "Discretisations/Discretisation.h"
 #include "FactorChoice.h"
 #include "FieldOptions.h"
-#include "Levels/Decimation/HierarchyOptions.h"
-#include "Levels/Transfers/ProlongationOperators.h"
+#include "Levels/HierarchyOptions.h"
+#include "Levels/ProlongationOperators.h"
 #include "Solvers/MultigridSetup.h"
 #include "Support/ExecutionContext.h"
 

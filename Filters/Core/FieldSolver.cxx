@@ -2,9 +2,9 @@
 
 #include "Discretisations/MakeDiscretisation.h"
 #include "FieldSetup.h"
-#include "Levels/SurfaceHierarchy.h"
 #include "Solvers/HarmonicProblem.h"
 #include "Solvers/SolveInUnits.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 #define dmgFieldSolver_h
 
 #include "FieldOptions.h"
-#include "Levels/Transfers/ProlongationOperators.h"
+#include "Levels/ProlongationOperators.h"
 #include "SolvedField.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"

@@ -8,7 +8,7 @@
 
 #include "Benchmarks/CommandLine.h"
 #include "Benchmarks/Timing.h"
-#include "Levels/SurfaceHierarchy.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
 

@@ -25,7 +25,7 @@
 #include "Benchmarks/ThesisTables.h"
 #include "Benchmarks/Timing.h"
 #include "Discretisations/MakeDiscretisation.h"
-#include "Levels/SurfaceHierarchy.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/ReadPly.h"

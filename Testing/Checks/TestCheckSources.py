@@ -60,6 +60,13 @@ class CheckSources(unittest.TestCase):
         self.assertEqual(self.found({"Filters/Core/Odds/Ends.h": ""}),
                          ["Filters/Core/Odds/Ends.h:0: Odds has no place in ARROWS"])
 
+    def test_adapters_include_downwards(self):
+        self.assert_found("Filters/Adapters/Surface/Mesh.h", '#include "Adapters/Output/Arrays.h"\n',
+                          "1: Adapters/Surface may not include Adapters/Output/Arrays.h")
+
+    def test_new_room_of_adapters_needs_a_place(self):
+        self.assert_found("Filters/Adapters/Odds/Ends.h", "", "0: Adapters/Odds has no place in ADAPTERS")
+
     def test_wrapped_headers_are_plain(self):
         self.assert_found("Filters/vtkFilter.h", "#include <Eigen/Core>\n",
                           "1: a header that VTK's wrappers parse includes Eigen/Core")

@@ -6,6 +6,7 @@
 prints one line per violation, "path:line: what is wrong", and fails if there is any. The rules:
 
 - the rooms of the core include downwards only (ARROWS), and never VTK; nor do its tests;
+- the rooms of the adapters include downwards only (ADAPTERS);
 - the headers of the filters, which VTK's wrappers parse, include VTK and plain C++ only;
 - no "using namespace" in a header;
 - sources are ASCII;
@@ -18,18 +19,14 @@ import sys
 
 # The rooms of Filters/Core, and which others each may include. A room with rooms below it is the files that stand in
 # it directly.
-LEVELS = {"Levels/Decimation", "Levels/Sampling", "Levels/Transfers", "Levels/Overlay"}
+THESIS = {"StructurePreserving/Decimation", "StructurePreserving/Transfers", "StructurePreserving/Overlay"}
 SOLVERS = {"Solvers/Krylov", "Solvers/Direct", "Solvers/Multigrid", "Solvers/Laplacian",
            "Solvers/LeastSquares", "Solvers/Kernels"}
 ARROWS = {
     "Support": set(),
     "Mesh": {"Support"},
     "Operators": {"Mesh", "Support"},
-    "Levels/Decimation": {"Mesh", "Support"},
-    "Levels/Sampling": {"Mesh", "Support"},
-    "Levels/Transfers": {"Levels/Decimation", "Levels/Sampling", "Mesh", "Support"},
-    "Levels/Overlay": {"Levels/Transfers", "Levels/Decimation", "Mesh", "Support"},
-    "Levels": LEVELS | {"Analysis", "Mesh", "Support"},
+    "Levels": {"Mesh", "Support"},
     # A solver receives matrices and never learns that a mesh exists.
     "Solvers/Kernels": {"Support"},
     "Solvers/Krylov": {"Solvers/Kernels", "Support"},
@@ -40,10 +37,19 @@ ARROWS = {
     "Solvers/LeastSquares": {"Solvers/Multigrid", "Solvers/Krylov", "Solvers/Direct",
                              "Solvers/Kernels", "Support"},
     "Solvers": SOLVERS | {"Support"},
-    "Analysis": {"Solvers/Direct", "Levels/Transfers", "Operators", "Mesh", "Support"},
+    "Analysis": {"Solvers/Direct", "Levels", "Operators", "Mesh", "Support"},
+    # The thesis's levels. Only the top of the core and the filters come in here.
+    "StructurePreserving/Decimation": {"Levels", "Mesh", "Support"},
+    "StructurePreserving/Transfers": {"StructurePreserving/Decimation", "Levels", "Mesh", "Support"},
+    "StructurePreserving/Overlay": {"StructurePreserving/Transfers", "StructurePreserving/Decimation", "Levels",
+                                    "Mesh", "Support"},
+    "StructurePreserving": THESIS | {"Analysis", "Levels", "Mesh", "Support"},
     "Drawing": {"Operators", "Mesh", "Support"},
-    "Discretisations": SOLVERS | LEVELS | {"Solvers", "Analysis", "Operators", "Mesh", "Support"},
+    "Discretisations": SOLVERS | {"Solvers", "Levels", "Analysis", "Operators", "Mesh", "Support"},
 }
+
+# The rooms of Filters/Adapters, lowest first: each may include itself and those before it.
+ADAPTERS = ["Pipeline", "Surface", "Input", "Output"]
 
 SOURCES = {".h", ".cxx"}
 TEXTS = SOURCES | {".cmake", ".in", ".json", ".module", ".plugin", ".py", ".sh", ".txt", ".xml"}
@@ -76,6 +82,19 @@ def check_core(root):
                 target = pathlib.PurePosixPath(name).parent.as_posix()
                 if target != room and target not in ARROWS[room]:
                     yield path, number, f"{room} may not include {name}"
+
+
+def check_adapters(root):
+    adapters = root / "Filters" / "Adapters"
+    for path in files(adapters, SOURCES):
+        room = path.parent.relative_to(adapters).as_posix()
+        if room not in ADAPTERS:
+            yield path, 0, f"Adapters/{room} has no place in ADAPTERS"
+            continue
+        for number, name in includes(path):
+            match = re.match(r"Adapters/(\w+)/", name)
+            if match and ADAPTERS.index(match.group(1)) > ADAPTERS.index(room):
+                yield path, number, f"Adapters/{room} may not include {name}"
 
 
 def check_core_tests(root):
@@ -116,7 +135,7 @@ def check_data(root):
             yield path, 0, f"Data/README.md does not list `{name}` and its origin"
 
 
-CHECKS = [check_core, check_core_tests, check_filter_headers, check_texts, check_data]
+CHECKS = [check_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_data]
 
 
 def violations(root):

@@ -2,7 +2,7 @@
 // grow with the surface, for 1-forms and face fields: generated families at several sizes.
 
 #include "Discretisations/MakeDiscretisation.h"
-#include "Levels/SurfaceHierarchy.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"

@@ -1,7 +1,7 @@
 // Conjugate gradients with a nodal V-cycle take a number of iterations that does not grow with the
 // surface: generated families, each cut 1:4 several times.
 
-#include "Levels/SurfaceHierarchy.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"

@@ -3,9 +3,9 @@
 
 #include "Discretisations/DiscretisationOptions.h"
 #include "Discretisations/Prescriptions.h"
-#include "Levels/SurfaceHierarchy.h"
 #include "Mesh/FramedMesh.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/MeshFactory.h"
 
 #include <cmath>

@@ -1,11 +1,11 @@
 #include "Support/FieldProblem.h"
 
 #include "Discretisations/MakeDiscretisation.h"
-#include "Levels/SurfaceHierarchy.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "PreparedField.h"
 #include "PreparedSurface.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
 #include "Support/TbbContext.h"

@@ -1,8 +1,8 @@
 #include "FieldSolver.h"
 
 #include "Discretisations/OneFormConstraints.h"
-#include "Levels/SurfaceHierarchy.h"
 #include "PreparedSurface.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/FieldSystems.h"

@@ -1,4 +1,4 @@
-#include "Adapters/ContextFromAlgorithm.h"
+#include "Adapters/Pipeline/ContextFromAlgorithm.h"
 
 #include "Support/Errors.h"
 #include "TestTools.h"

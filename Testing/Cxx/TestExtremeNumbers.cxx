@@ -2,8 +2,8 @@
 
 #include "vtkHarmonicFieldSolver.h"
 
-#include "Adapters/FilterRequests.h"
-#include "Adapters/FiniteArrays.h"
+#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/FiniteArrays.h"
 #include "Support/Errors.h"
 #include "TestTools.h"
 

@@ -1,4 +1,4 @@
-#include "Adapters/SegmentOnSurface.h"
+#include "Adapters/Input/SegmentOnSurface.h"
 
 #include "TestTools.h"
 

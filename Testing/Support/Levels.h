@@ -1,7 +1,7 @@
 #ifndef dmgTestLevels_h
 #define dmgTestLevels_h
 
-#include "Levels/Decimation/MeshHierarchy.h"
+#include "StructurePreserving/Decimation/MeshHierarchy.h"
 #include "Support/NamedSurfaces.h"
 
 #include <gtest/gtest.h>

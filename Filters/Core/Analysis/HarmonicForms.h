@@ -1,7 +1,7 @@
 #ifndef dmgHarmonicForms_h
 #define dmgHarmonicForms_h
 
-#include "Levels/Transfers/ProlongationOperators.h"
+#include "Levels/ProlongationOperators.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 #include "Support/ExecutionContext.h"

@@ -3,8 +3,8 @@
 
 #include "Discretisations/DiscretisationOptions.h"
 #include "Discretisations/Prescriptions.h"
-#include "Levels/Decimation/HierarchyOptions.h"
-#include "Levels/Transfers/ProlongationOperators.h"
+#include "Levels/HierarchyOptions.h"
+#include "Levels/ProlongationOperators.h"
 #include "Mesh/FramedMesh.h"
 #include "Solvers/Multigrid/RoughnessHierarchy.h"
 #include "Solvers/SolverOptions.h"

@@ -1,7 +1,7 @@
 #ifndef dmgLeastSquaresLevels_h
 #define dmgLeastSquaresLevels_h
 
-#include "Levels/Transfers/TransportOperator.h"
+#include "Levels/TransportOperator.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"

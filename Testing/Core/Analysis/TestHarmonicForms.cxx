@@ -1,8 +1,8 @@
 #include "Analysis/HarmonicForms.h"
 
-#include "Levels/SurfaceHierarchy.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/TbbContext.h"

@@ -1,4 +1,4 @@
-#include "Levels/Sampling/PointSampling.h"
+#include "Levels/PointSampling.h"
 
 #include "Mesh/TangentFrames.h"
 #include "Support/MeshFactory.h"

@@ -1,7 +1,7 @@
-#include "Levels/Transfers/SampledProlongation.h"
+#include "Levels/SampledProlongation.h"
 
-#include "Levels/SurfaceHierarchy.h"
 #include "Mesh/TangentFrames.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"

@@ -1,4 +1,4 @@
-#include "Levels/Transfers/TransportOperator.h"
+#include "Levels/TransportOperator.h"
 
 #include "Support/Identities.h"
 #include "Support/Pairs.h"

@@ -2,10 +2,10 @@
 #define dmgTestSurfaceProblem_h
 
 #include "Discretisations/LeastSquaresLevels.h"
-#include "Levels/SurfaceHierarchy.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
+#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/FieldSystems.h"
 #include "Support/MeshFactory.h"
 #include "Support/Permutations.h"

@@ -1,0 +1,210 @@
+#include "Adapters/Input/ChosenArrays.h"
+
+#include "Adapters/Surface/ArrayNames.h"
+#include "Support/Errors.h"
+#include "Support/ShortText.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
+
+#include <cmath>
+
+namespace dmg
+{
+
+namespace
+{
+
+ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index)
+{
+  vtkInformation* const information = algorithm->GetInputArrayInformation(index);
+  ArrayChoice choice;
+  if (const char* const name = information->Get(vtkDataObject::FIELD_NAME()))
+  {
+    choice.Name = name;
+  }
+  else if (information->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+  {
+    choice.Attribute = information->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  }
+  if (choice.Name == "Active Vectors") // of menus, which know names alone
+  {
+    return { "", vtkDataSetAttributes::VECTORS, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS };
+  }
+  if (choice.IsMade())
+  {
+    choice.Association = information->Get(vtkDataObject::FIELD_ASSOCIATION());
+  }
+  return choice;
+}
+
+struct FoundArray
+{
+  vtkAbstractArray* Array = nullptr;
+  int Association = vtkDataObject::FIELD_ASSOCIATION_NONE;
+};
+
+FoundArray Find(const ArrayChoice& choice, vtkDataSet* dataset)
+{
+  if (!choice.IsMade())
+  {
+    return {};
+  }
+  for (int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  {
+    if (choice.Association == association || choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+    {
+      vtkDataSetAttributes* const attributes = dataset->GetAttributes(association);
+      vtkAbstractArray* const array = choice.Name.empty() ? attributes->GetAbstractAttribute(choice.Attribute)
+                                                          : attributes->GetAbstractArray(choice.Name.c_str());
+      if (array)
+      {
+        return { array, association };
+      }
+    }
+  }
+  return {};
+}
+
+std::string NameOf(vtkAbstractArray* array)
+{
+  return array->GetName() ? std::string("array '") + array->GetName() + "'" : std::string("the array without a name");
+}
+
+/// \throw InvalidInput the array has not a tuple of so many components for every element.
+ChosenArray Checked(
+  const FoundArray& found, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose)
+{
+  const std::string called = NameOf(found.Array) + ", chosen for the " + what + " of " + whose + ",";
+  vtkDataArray* const array = vtkDataArray::SafeDownCast(found.Array);
+  if (!array || array->GetNumberOfComponents() != components)
+  {
+    throw InvalidInput(called + " does not hold " + std::to_string(components) +
+      (components == 1 ? " number" : " numbers") + " per element; choose another");
+  }
+  const vtkIdType elements = dataset->GetNumberOfElements(found.Association);
+  if (array->GetNumberOfTuples() < elements)
+  {
+    throw InvalidInput(called + " has " + std::to_string(array->GetNumberOfTuples()) + " tuples for " +
+      std::to_string(elements) + (found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? " points" : " cells") +
+      "; choose another, or have its source write one for each");
+  }
+  return { array, found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
+}
+
+/// How to do without an element.
+std::string WayOut(const ConstraintArrays& arrays)
+{
+  return arrays.Mask ? "take it out of the mask" : "make the direction zero";
+}
+
+}
+
+ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)
+{
+  return { ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2), ChoiceOf(algorithm, 3),
+    ChoiceOf(algorithm, 4) };
+}
+
+ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surface)
+{
+  const bool isActive = choices.Vectors.Name.empty();
+  vtkAbstractArray* const vectors = isActive ? Find(choices.Vectors, surface).Array : nullptr;
+  if (vectors && vectors->GetName() && vectors->GetName() == ArrayNames::Direction(0))
+  {
+    choices.Vectors = {};
+  }
+  return choices;
+}
+
+bool HasArray(const ArrayChoice& choice, vtkDataSet* dataset)
+{
+  return Find(choice, dataset).Array != nullptr;
+}
+
+ChosenArray FindArray(
+  const ArrayChoice& choice, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose)
+{
+  const FoundArray found = Find(choice, dataset);
+  if (found.Array)
+  {
+    return Checked(found, dataset, components, what, whose);
+  }
+  // "None" is how menus say that nothing is chosen.
+  if (choice.Name.empty() || choice.Name == "None")
+  {
+    return {};
+  }
+  throw InvalidInput("array '" + choice.Name + "', chosen for the " + what + " of " + whose +
+    ", is not among its point or cell arrays; choose one of those, or none");
+}
+
+ConstraintArrays FindArrays(const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose)
+{
+  const ChosenArray vectors = FindArray(choices.Vectors, dataset, 3, "directions", whose);
+  const auto beside = [&](const ArrayChoice& choice)
+  {
+    // A name alone means the array beside the directions, if there is one.
+    ArrayChoice there = choice;
+    there.Association =
+      vectors.OnPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    const bool isByName = choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+    return vectors.Array && isByName && HasArray(there, dataset) ? there : choice;
+  };
+  const ChosenArray mask = FindArray(beside(choices.Mask), dataset, 1, "mask", whose);
+  const ChosenArray weights = FindArray(beside(choices.Weights), dataset, 1, "weights", whose);
+  for (const ChosenArray& other : { mask, weights })
+  {
+    if (other.Array && !vectors.Array)
+    {
+      throw InvalidInput(NameOf(other.Array) + " is chosen as mask or weights of " + whose +
+        ", and no directions are; choose an array of vectors as well");
+    }
+    if (other.Array && other.OnPoints != vectors.OnPoints)
+    {
+      throw InvalidInput(NameOf(other.Array) + " of " + whose + " and " + NameOf(vectors.Array) +
+        " of its directions are not both on points or both on cells; choose arrays of one kind");
+    }
+  }
+  return { mask.Array, vectors.Array, weights.Array, vectors.OnPoints,
+    vectors.OnPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells(), whose };
+}
+
+std::string ConstraintArrays::NameOf(vtkIdType element) const
+{
+  return (this->OnPoints ? "point " : "cell ") + std::to_string(element) + " of " + this->Whose;
+}
+
+void VisitPrescribed(const ConstraintArrays& arrays, const std::function<bool(vtkIdType)>& takesPart,
+  const std::function<void(const ElementDirection&)>& visit)
+{
+  for (vtkIdType element = 0; arrays.Vectors && element < arrays.Size; ++element)
+  {
+    Vector3 vector;
+    arrays.Vectors->GetTuple(element, vector.data());
+    const double weight = arrays.Weights ? arrays.Weights->GetComponent(element, 0) : 1.0;
+    const bool isPrescribed = arrays.Mask ? arrays.Mask->GetComponent(element, 0) != 0.0 : !vector.isZero(0.0);
+    if (!isPrescribed || weight == 0.0 || !takesPart(element))
+    {
+      continue;
+    }
+    if (!vector.allFinite())
+    {
+      throw InvalidInput(
+        "the direction prescribed at " + arrays.NameOf(element) + " is not finite; repair it or " + WayOut(arrays));
+    }
+    if (!(weight > 0.0) || !std::isfinite(weight))
+    {
+      throw InvalidInput("the weight of the direction prescribed at " + arrays.NameOf(element) + " is " +
+        ShortText(weight) + "; make it a positive number or " + WayOut(arrays));
+    }
+    visit({ element, vector, weight });
+  }
+}
+
+}

@@ -1,0 +1,32 @@
+#ifndef dmgConstraintsFromArrays_h
+#define dmgConstraintsFromArrays_h
+
+#include "Adapters/Input/GuidesOnSurface.h"
+
+namespace dmg
+{
+
+/// All that is prescribed.
+struct Prescription
+{
+  PrescribedDirections Directions;
+  GuidesReport Report;
+};
+
+/// The directions that were chosen on the surface and those of guides; the rules are those of
+/// vtkHarmonicFieldSolver.h.
+///
+/// On the surface, cells prescribe faces and points vertices; cells and points without a triangle
+/// take no part. Guides prescribe faces.
+///
+/// \param surface that \p places are on.
+/// \return without directions where nothing is chosen and guides are empty.
+/// \throw InvalidInput as FindArrays, VisitPrescribed and BringToSurface; what is chosen prescribes nothing.
+/// \throw Cancelled
+/// Cost: linear, besides the guides.
+Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const Guides& guides,
+  const NearestPlaces& places, const ExecutionContext& context);
+
+}
+
+#endif

@@ -1,0 +1,335 @@
+#include "Adapters/Input/FieldFromArrays.h"
+
+#include "Adapters/Surface/ArrayNames.h"
+#include "Support/Errors.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
+#include "vtkInformationVector.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <atomic>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+constexpr int Grain = 4096;
+
+/// A vector that leans out of the normal by less than this (as a sine) has no tangential part.
+constexpr double SmallestTangentialPart = 1e-6;
+
+/// How far the directions of a cell may be from 2 pi / N apart: single precision, rounded some times.
+constexpr double LargestAngle = 1e-3;
+
+struct ChosenVectors
+{
+  vtkDataArray* Array = nullptr;
+  bool OnPoints = false;
+};
+
+std::string NameOf(vtkDataArray* array)
+{
+  return array->GetName() ? array->GetName() : "(without a name)";
+}
+
+ChosenVectors DefaultVectors(vtkPolyData* surface)
+{
+  vtkDataSetAttributes* const cells = surface->GetCellData();
+  vtkDataSetAttributes* const points = surface->GetPointData();
+  const std::string name = ArrayNames::Direction(0);
+  for (vtkDataArray* array :
+    { cells->GetArray(name.c_str()), points->GetArray(name.c_str()), cells->GetVectors(), points->GetVectors() })
+  {
+    if (array)
+    {
+      return { array, points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str()) };
+    }
+  }
+  throw InvalidInput("the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
+                     "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
+}
+
+ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
+{
+  vtkInformation* const choice = algorithm->GetInputArrayInformation(0);
+  const bool byName = choice->Has(vtkDataObject::FIELD_NAME());
+  const std::string name = byName ? choice->Get(vtkDataObject::FIELD_NAME()) : "";
+  if (byName ? name.empty() : !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+  {
+    return DefaultVectors(surface);
+  }
+  const int wanted = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
+  for (const int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  {
+    if (wanted != association && wanted != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
+    {
+      continue;
+    }
+    vtkDataSetAttributes* const attributes = surface->GetAttributes(association);
+    vtkAbstractArray* const found = byName
+      ? attributes->GetAbstractArray(name.c_str())
+      : attributes->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
+    vtkDataArray* const ofCells = surface->GetCellData()->GetArray(ArrayNames::Direction(0).c_str());
+    if (found && name == ArrayNames::Direction(0) && ofCells)
+    {
+      return { ofCells, false };
+    }
+    if (found)
+    {
+      return { vtkDataArray::SafeDownCast(found), association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
+    }
+  }
+  if (name == "None") // how menus say that nothing is chosen
+  {
+    return DefaultVectors(surface);
+  }
+  throw InvalidInput("array '" + name +
+    "', chosen for the directions, is not among the surface's point or cell arrays; choose one of "
+    "those, or none");
+}
+
+/// \throw InvalidInput there is not a tuple for every element.
+void CheckTuples(vtkDataArray* array, vtkPolyData* surface, bool isOnPoints)
+{
+  const vtkIdType elements = isOnPoints ? surface->GetNumberOfPoints() : surface->GetNumberOfCells();
+  if (array->GetNumberOfTuples() < elements)
+  {
+    throw InvalidInput("array '" + NameOf(array) + "' has " + std::to_string(array->GetNumberOfTuples()) +
+      " tuples for " + std::to_string(elements) + (isOnPoints ? " points" : " cells") +
+      "; choose another, or have its source write one for each");
+  }
+}
+
+ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
+{
+  const ChosenVectors chosen = FindVectors(algorithm, surface);
+  if (!chosen.Array || chosen.Array->GetNumberOfComponents() != 3)
+  {
+    const std::string name = chosen.Array ? NameOf(chosen.Array) : "that was chosen";
+    throw InvalidInput("array '" + name + "' does not hold 3 numbers per element; choose an array of vectors");
+  }
+  for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
+         static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
+  {
+    if (attributes->GetNormals() == chosen.Array) // the first vectors of many surfaces, which menus choose
+    {
+      throw InvalidInput("array '" + NameOf(chosen.Array) +
+        "' holds the normals of the surface, which are no field on it; apply "
+        "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose another array of vectors");
+    }
+  }
+  CheckTuples(chosen.Array, surface, chosen.OnPoints);
+  return chosen;
+}
+
+/// How many directions an array stands for, by its name.
+int NumberOfDirections(vtkPolyData* surface, const ChosenVectors& chosen)
+{
+  const std::string name = NameOf(chosen.Array);
+  if (name == ArrayNames::MaximumDirection || name == ArrayNames::MinimumDirection)
+  {
+    return 2;
+  }
+  if (name != ArrayNames::Direction(0))
+  {
+    return 1;
+  }
+  vtkDataSetAttributes* const attributes =
+    surface->GetAttributes(chosen.OnPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+  int number = 1;
+  while (number < DirectionsOnFaces::LargestN && attributes->GetArray(ArrayNames::Direction(number).c_str()))
+  {
+    ++number;
+  }
+  return number;
+}
+
+/// The tangential part of a vector.
+Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& frames, int element)
+{
+  Vector3 vector;
+  array->GetTuple(tuple, vector.data());
+  const Complex tangential = frames.ToComplex(element, vector);
+  return std::abs(tangential) > SmallestTangentialPart * vector.stableNorm() ? tangential
+    : vector.allFinite()                                                     ? Complex(0.0)
+                         : Complex(std::numeric_limits<double>::infinity());
+}
+
+/// Directions of elements, and the first one of the caller's that is not finite.
+template <class TupleOf>
+Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int size, const std::string& kind,
+  const TupleOf& tupleOf, const ExecutionContext& context)
+{
+  Vector<Complex> directions(size);
+  std::atomic<bool> areFinite{ true };
+  context.ParallelFor(0, size, Grain,
+    [&](int first, int last)
+    {
+      for (int element = first; element < last; ++element)
+      {
+        const Complex direction = ReadTuple(array, tupleOf(element), frames, element);
+        directions[element] = direction;
+        if (!std::isfinite(direction.real()) || !std::isfinite(direction.imag()))
+        {
+          areFinite = false;
+        }
+      }
+    });
+  if (!areFinite)
+  {
+    vtkIdType tuple = std::numeric_limits<vtkIdType>::max();
+    for (int element = 0; element < size; ++element)
+    {
+      const Complex direction = directions[element];
+      if (!std::isfinite(direction.real()) || !std::isfinite(direction.imag()))
+      {
+        tuple = std::min<vtkIdType>(tuple, tupleOf(element));
+      }
+    }
+    throw InvalidInput("the direction of " + kind + " " + std::to_string(tuple) + " in array '" + NameOf(array) +
+      "' is not finite; repair it, or set it to zero for no direction");
+  }
+  return directions;
+}
+
+/// Refuses arrays Direction1, ... that are not Direction0, turned.
+void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const TangentFrames& frames,
+  const Vector<Complex>& first, int N, const ExecutionContext& context)
+{
+  for (int k = 1; k < N; ++k)
+  {
+    vtkDataArray* const array = input->GetCellData()->GetArray(ArrayNames::Direction(k).c_str());
+    if (!array || array->GetNumberOfComponents() != 3)
+    {
+      continue;
+    }
+    CheckTuples(array, input, false);
+    const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
+    const auto isTurned = [&](int face)
+    {
+      const Complex given = ReadTuple(array, surface.CellOf(face), frames, face);
+      const Complex expected = turn * first[face];
+      return std::abs(given / std::max(std::abs(given), 1e-300) - expected / std::max(std::abs(expected), 1e-300)) <=
+        LargestAngle;
+    };
+    std::atomic<bool> areTurned{ true };
+    context.ParallelFor(0, static_cast<int>(first.size()), Grain,
+      [&](int begin, int end)
+      {
+        for (int face = begin; face < end; ++face)
+        {
+          if (!isTurned(face))
+          {
+            areTurned = false;
+          }
+        }
+      });
+    for (int polygon = 0; !areTurned && polygon < first.size(); ++polygon)
+    {
+      if (!isTurned(surface.Faces[polygon]))
+      {
+        throw InvalidInput("the vectors Direction0 and " + ArrayNames::Direction(k) + " of cell " +
+          std::to_string(surface.FirstCell + polygon) + " are not " + std::to_string(360 * k / N) +
+          " degrees apart, as those of a field of " + std::to_string(N) +
+          " directions are; draw one array at a time, with 1 as Number Of Directions");
+      }
+    }
+  }
+}
+
+double DiagonalOf(const TriangleMesh& mesh)
+{
+  const Points& positions = mesh.VertexPositions();
+  return (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+}
+
+}
+
+SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* input, int N, const ExecutionContext& context)
+{
+  const ChosenVectors chosen = ReadChoice(algorithm, input);
+  const int numberByName = NumberOfDirections(input, chosen);
+  const bool areSiblings = NameOf(chosen.Array) == ArrayNames::Direction(0) && (N == 0 || N == numberByName);
+  N = N == 0 ? numberByName : N;
+  SurfaceMesh surface = MeshFromPolyData(input, Numbering::Spatial, context);
+  const TriangleMesh& mesh = surface.Mesh;
+  TangentFrames frames = FaceFrames(mesh, context);
+  context.Checkpoint(0.5);
+
+  Vector<Complex> first;
+  if (chosen.OnPoints)
+  {
+    const TangentFrames vertexFrames = VertexFrames(mesh, context);
+    const Vector<Complex> ofVertices = ReadTuples(
+      chosen.Array, vertexFrames, mesh.NumberOfVertices(), "point", [&](int v) { return surface.PointOf(v); }, context);
+    first = FirstDirectionsOfFaces(mesh, frames, vertexFrames, ofVertices, N, context);
+  }
+  else
+  {
+    first = ReadTuples(
+      chosen.Array, frames, mesh.NumberOfFaces(), "cell", [&](int face) { return surface.CellOf(face); }, context);
+    if (areSiblings)
+    {
+      CheckSiblings(input, surface, frames, first, N, context);
+    }
+  }
+  if (first.isZero(0.0))
+  {
+    throw InvalidInput("array '" + NameOf(chosen.Array) +
+      "' has no direction on any triangle, its vectors are zero or perpendicular to the surface; "
+      "choose another");
+  }
+  context.Checkpoint(1.0);
+  const double diagonal = DiagonalOf(mesh);
+  DirectionsOnFaces field(N, first, context);
+  return { std::move(surface), std::move(frames), std::move(field), diagonal };
+}
+
+Points ReferenceVectors(
+  const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh, const Vector3& otherwise)
+{
+  Points references(mesh.Mesh.NumberOfFaces(), 3);
+  references.rowwise() = otherwise.transpose();
+  if (const ChosenArray chosen = FindArray(choice, surface, 3, "reference vectors", "the surface"); chosen.Array)
+  {
+    Vector3 vector;
+    for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
+    {
+      references.row(face).setZero();
+      for (int corner = 0; corner < (chosen.OnPoints ? 3 : 1); ++corner)
+      {
+        chosen.Array->GetTuple(
+          chosen.OnPoints ? mesh.PointOf(mesh.Mesh.FaceCorners()(face, corner)) : mesh.CellOf(face), vector.data());
+        references.row(face) += vector.transpose();
+      }
+    }
+  }
+  else if (otherwise.isZero(0.0))
+  {
+    throw InvalidInput("Axis is (0, 0, 0), which has no direction; give it another value, or choose Reference Vectors");
+  }
+  for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
+  {
+    if (!references.row(face).allFinite())
+    {
+      throw InvalidInput("the reference vector of cell " + std::to_string(mesh.CellOf(face)) +
+        " is not finite; repair it, or choose other vectors or Axis");
+    }
+  }
+  return references;
+}
+
+}

@@ -1,0 +1,70 @@
+#ifndef dmgFieldFromArrays_h
+#define dmgFieldFromArrays_h
+
+#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Drawing/DirectionsOnFaces.h"
+#include "Mesh/TangentFrames.h"
+#include "Support/ExecutionContext.h"
+
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+
+#include <initializer_list>
+
+class vtkAlgorithm;
+class vtkInformation;
+
+namespace dmg
+{
+
+/// A surface with a field of N directions that stands in its arrays.
+struct SurfaceWithField
+{
+  SurfaceMesh Surface;
+  TangentFrames Faces;
+  DirectionsOnFaces Field;
+  double Diagonal; ///< of the box around the triangles
+};
+
+/// The field that was chosen with SetInputArrayToProcess, index 0; where nothing was chosen, the first of these that
+/// is there: the cell array Direction0, the point array Direction0, the active vectors of cells, those of points. Where
+/// cells and points have an array Direction0, both names mean that of the cells.
+///
+/// \param N of the field; 0: as many as there are arrays Direction0, Direction1, ... where Direction0 is chosen, 2 for
+/// principal directions, and 1 for any other array.
+/// \throw InvalidInput what MeshFromPolyData refuses; a chosen array that is not there or does not hold vectors; a
+/// vector that is not finite; no direction on any triangle; arrays Direction0, Direction1, ... of cells that are not
+/// 2 pi / N apart. Cost: linear.
+SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* surface, int N, const ExecutionContext& context);
+
+/// The vectors of an array, one for each face of the mesh; of points, the mean over the corners.
+/// \param otherwise the Axis: the vector of all faces where no array is chosen.
+/// \throw InvalidInput as FindArray; a vector is not finite; \p otherwise is zero where it is taken.
+Points ReferenceVectors(
+  const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh, const Vector3& otherwise);
+
+/// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
+/// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.
+/// \param N the filter's Number Of Directions, from 0 to 8; \p others are the rest of its numbers.
+/// \return what RequestData returns.
+template <class Draw>
+int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, int N, std::initializer_list<PropertyRange> others, const Draw& draw)
+{
+  return MakeOutputs(algorithm, request, inputs, outputs,
+    [&](const ExecutionContext& context)
+    {
+      CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });
+      CheckRanges(others);
+      const SurfaceWithField field =
+        ReadField(algorithm, vtkPolyData::GetData(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
+      draw(field, PartOfContext(context, 0.3, 1.0));
+    });
+}
+
+}
+
+#endif

@@ -1,0 +1,193 @@
+#include "Adapters/Input/GuideDataSets.h"
+
+#include "Support/Errors.h"
+#include "Support/ShortText.h"
+
+#include "vtkCellType.h"
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// The array of field data that is chosen, or null.
+vtkDataArray* FieldArray(const ArrayChoice& choice, vtkDataSet* dataset)
+{
+  const bool isAllowed = choice.Association == vtkDataObject::FIELD_ASSOCIATION_NONE ||
+    (choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS && !HasArray(choice, dataset));
+  return isAllowed && !choice.Name.empty() ? dataset->GetFieldData()->GetArray(choice.Name.c_str()) : nullptr;
+}
+
+double Value(const ChosenArray& array, vtkIdType cell, vtkIdType point)
+{
+  return array.Array->GetComponent(array.OnPoints ? point : cell, 0);
+}
+
+}
+
+std::string NameOfGuide(std::size_t guide, std::size_t guides, const std::string& kind)
+{
+  return guides == 1 ? "the " + kind : kind + " " + std::to_string(guide);
+}
+
+std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides, const InputWords& words)
+{
+  std::vector<GuideDataSet> datasets;
+  const auto add = [&datasets](vtkDataObject* data, std::size_t guide, const std::string& name)
+  {
+    auto* const dataset = vtkDataSet::SafeDownCast(data);
+    if (dataset && dataset->GetNumberOfPoints() > 0)
+    {
+      datasets.push_back({ dataset, guide, name });
+    }
+    return dataset != nullptr;
+  };
+  for (std::size_t guide = 0; guide < guides.size(); ++guide)
+  {
+    const std::string name = NameOfGuide(guide, guides.size(), words.Kind);
+    if (auto* const composite = vtkCompositeDataSet::SafeDownCast(guides[guide]))
+    {
+      const auto parts = vtk::TakeSmartPointer(composite->NewIterator());
+      for (parts->InitTraversal(); !parts->IsDoneWithTraversal(); parts->GoToNextItem())
+      {
+        add(parts->GetCurrentDataObject(), guide,
+          "block " + std::to_string(parts->GetCurrentFlatIndex()) + " of " + name);
+      }
+    }
+    else if (!add(guides[guide], guide, name))
+    {
+      throw InvalidInput(name + " is a " + guides[guide]->GetClassName() + ", which is no dataset; connect " +
+        words.Takes + ", as Table To Points (vtkTableToPolyData) makes of a table");
+    }
+  }
+  return datasets;
+}
+
+bool IsLine(vtkDataSet* dataset, vtkIdType cell)
+{
+  const int type = dataset->GetCellType(cell);
+  return type == VTK_LINE || type == VTK_POLY_LINE;
+}
+
+bool HasLines(vtkDataSet* dataset)
+{
+  if (auto* const polyData = vtkPolyData::SafeDownCast(dataset))
+  {
+    return polyData->GetNumberOfLines() > 0;
+  }
+  for (vtkIdType cell = 0; cell < dataset->GetNumberOfCells(); ++cell)
+  {
+    if (IsLine(dataset, cell))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point)
+{
+  const vtkIdType size = dataset.Data->GetNumberOfPoints();
+  if (point < 0 || point >= size)
+  {
+    throw InvalidInput("a cell of " + dataset.Name + " uses point " + std::to_string(point) + ", and there are " +
+      std::to_string(size) + " points; repair the source of the guide");
+  }
+  Vector3 position;
+  dataset.Data->GetPoint(point, position.data());
+  if (!position.allFinite())
+  {
+    std::ostringstream message;
+    message << "point " << point << " of " << dataset.Name << " lies at (" << position.x() << ", " << position.y()
+            << ", " << position.z() << "); move the point or remove it";
+    throw InvalidInput(message.str());
+  }
+  return position;
+}
+
+double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset)
+{
+  vtkDataArray* const array = FieldArray(choice, dataset.Data);
+  if (!array)
+  {
+    return 1.0;
+  }
+  const double weight = array->GetNumberOfValues() > 0 ? array->GetComponent(0, 0) : std::nan("no value");
+  if (!(weight >= 0.0) || !std::isfinite(weight))
+  {
+    throw InvalidInput("the weight of " + dataset.Name + ", in its field array '" + choice.Name + "', is " +
+      ShortText(weight) + "; make it a positive number, or take the guide out of Guides");
+  }
+  return weight;
+}
+
+ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset)
+{
+  const auto own = [dataset](const ArrayChoice& choice) { return HasArray(choice, dataset) ? choice : ArrayChoice(); };
+  return { own(choices.Mask), own(choices.Vectors), own(choices.Weights) };
+}
+
+void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataSet>& datasets)
+{
+  const auto check = [&datasets](const ArrayChoice& choice, const std::string& what, bool mayBeInFieldData)
+  {
+    const std::string kinds = mayBeInFieldData ? "point, cell or field" : "point or cell";
+    const auto has = [&choice, mayBeInFieldData](const GuideDataSet& dataset)
+    { return HasArray(choice, dataset.Data) || (mayBeInFieldData && FieldArray(choice, dataset.Data)); };
+    const bool isMade = choice.IsMade() && choice.Name != "None"; // as menus say
+    if (isMade && !datasets.empty() && std::none_of(datasets.begin(), datasets.end(), has))
+    {
+      throw InvalidInput("array '" + choice.Name + "', chosen for the " + what + " of the guides, is not among the " +
+        kinds + " arrays of " + (datasets.size() == 1 ? datasets[0].Name : std::string("any of them")) +
+        "; choose one of those, or none");
+    }
+  };
+  check(choices.Mask, "mask", false);
+  check(choices.Vectors, "directions", false);
+  check(choices.Weights, "weights", true);
+}
+
+LineArrays::LineArrays(const ConstraintChoices& choices, const GuideDataSet& dataset)
+  : Mask(FindArray(choices.Mask, dataset.Data, 1, "mask", dataset.Name))
+  , Weights(FindArray(choices.Weights, dataset.Data, 1, "weights", dataset.Name))
+  , Name(dataset.Name)
+{
+}
+
+double LineArrays::Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const
+{
+  if (this->Mask.Array && (Value(this->Mask, cell, start) == 0.0 || Value(this->Mask, cell, end) == 0.0))
+  {
+    return 0.0;
+  }
+  if (!this->Weights.Array)
+  {
+    return 1.0;
+  }
+  double mean = 0.0;
+  for (const vtkIdType point : { start, end })
+  {
+    const double weight = Value(this->Weights, cell, point);
+    if (!(weight >= 0.0) || !std::isfinite(weight))
+    {
+      throw InvalidInput("the weight of cell " + std::to_string(cell) + " of " + this->Name + ", at its point " +
+        std::to_string(point) + ", is " + ShortText(weight) + "; make it a positive number, or remove the line");
+    }
+    mean += 0.5 * weight;
+  }
+  return mean;
+}
+
+}

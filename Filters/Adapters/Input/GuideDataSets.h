@@ -1,0 +1,71 @@
+#ifndef dmgGuideDataSets_h
+#define dmgGuideDataSets_h
+
+#include "Adapters/Input/ChosenArrays.h"
+
+#include <string>
+#include <vector>
+
+class vtkDataObject;
+
+namespace dmg
+{
+
+/// A dataset of a guide, which may be composite.
+struct GuideDataSet
+{
+  vtkDataSet* Data;
+  std::size_t Guide; ///< number of its connection
+  std::string Name;  ///< for messages, as in "block 2 of guide 0"
+};
+
+/// How messages call guide \p guide of several.
+/// \param kind what it is, in place of a guide.
+std::string NameOfGuide(std::size_t guide, std::size_t guides, const std::string& kind = "guide");
+
+/// What an input takes, for messages.
+struct InputWords
+{
+  std::string Kind = "guide";
+  std::string Takes = "lines or points with vectors to Guides";
+};
+
+/// All datasets with points.
+/// \throw InvalidInput a guide is neither a dataset nor composite.
+std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides, const InputWords& words = {});
+
+bool IsLine(vtkDataSet* dataset, vtkIdType cell);
+bool HasLines(vtkDataSet* dataset);
+
+/// \throw InvalidInput there is no such point, or it is not finite.
+Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point);
+
+/// \throw InvalidInput something is chosen that no dataset has.
+void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataSet>& datasets);
+
+/// What is chosen, as far as a dataset has it.
+ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset);
+
+/// The weight of a whole dataset: 1, unless one in its field data is chosen.
+/// \throw InvalidInput it is negative or not finite.
+double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset);
+
+/// Mask and weights along lines that are followed themselves.
+class LineArrays
+{
+public:
+  /// \throw InvalidInput as FindArray.
+  LineArrays(const ConstraintChoices& choices, const GuideDataSet& dataset);
+
+  /// Of a segment between two points of a cell; 0: it is not followed.
+  /// \throw InvalidInput it is negative or not finite.
+  double Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const;
+
+private:
+  ChosenArray Mask, Weights;
+  std::string Name;
+};
+
+}
+
+#endif

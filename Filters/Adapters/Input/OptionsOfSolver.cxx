@@ -1,0 +1,82 @@
+#include "Adapters/Input/OptionsOfSolver.h"
+
+#include "Adapters/Pipeline/PropertyRanges.h"
+
+#include "vtkHarmonicFieldSolver.h"
+
+namespace dmg
+{
+
+namespace
+{
+
+using Filter = vtkHarmonicFieldSolver;
+
+void CheckProperties(Filter* filter)
+{
+  CheckRanges({
+    { "Discretisation", filter->GetDiscretisation(), Filter::PowerField, Filter::ScalarFunction },
+    { "Number Of Directions", filter->GetNumberOfDirections(), 1, 8 },
+    { "Constraint Type", filter->GetConstraintType(), Filter::Soft, Filter::Hard },
+    { "Maximum Distance", filter->GetMaximumDistance(), 0 },
+    { "Boundary Rotation", filter->GetBoundaryRotation(), -180, 180 },
+    { "Sharp Edges Rotation", filter->GetSharpEdgesRotation(), -180, 180 },
+    { "Feature Angle", filter->GetFeatureAngle(), 0, 180 },
+    { "Curvature Rotation", filter->GetCurvatureRotation(), -180, 180 },
+    { "Curvature Direction", filter->GetCurvatureDirection(), Filter::MaximumCurvature, Filter::MinimumCurvature },
+    { "Curvature Scale", filter->GetCurvatureScale(), 0, 100 },
+    { "Rotation", filter->GetRotation(), -180, 180 },
+    { "Solver", filter->GetSolver(), Filter::Automatic, Filter::CoarseProlongation },
+    { "Expected Solves", filter->GetExpectedSolves(), 1 },
+    { "Coarse Space", filter->GetCoarseSpace(), Filter::Nodal, Filter::StructurePreserving },
+    { "Sweeps", filter->GetSweeps(), 1, 10 },
+    { "Nested Cycles", filter->GetNestedCycles(), 0 },
+    { "Nested Rule", filter->GetNestedRule(), Filter::FixedNumber, Filter::WhileResidualFalls },
+    { "Nested Sweeps", filter->GetNestedSweeps(), 0 },
+    { "Maximum Number Of Nested Sweeps", filter->GetMaximumNumberOfNestedSweeps(), 0 },
+    { "Starting Level", filter->GetStartingLevel(), -1 },
+    { "Vertex Areas", filter->GetVertexAreas(), Filter::MixedVoronoi, Filter::Barycentric },
+    { "Tolerance", filter->GetTolerance(), 1e-14, 1 },
+    { "Maximum Number Of Iterations", filter->GetMaximumNumberOfIterations(), 1 },
+  });
+}
+
+}
+
+FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter)
+{
+  CheckProperties(filter);
+  FieldOptions options;
+  options.Field.Kind = static_cast<DiscretisationKind>(filter->GetDiscretisation());
+  options.Field.N = filter->GetNumberOfDirections();
+  options.Field.Areas = filter->GetVertexAreas() == vtkHarmonicFieldSolver::MixedVoronoi ? VertexAreas::MixedVoronoi
+                                                                                         : VertexAreas::Barycentric;
+  options.Alignment = filter->GetAlignment();
+  options.Constraints = static_cast<ConstraintKind>(filter->GetConstraintType());
+  options.CoarseSpace = static_cast<CoarseSpaceKind>(filter->GetCoarseSpace());
+  options.Solver.Kind = static_cast<SolverKind>(filter->GetSolver());
+  options.Solver.Sweeps = filter->GetSweeps();
+  options.Solver.Nested.Cycles = filter->GetNestedCycles();
+  options.Solver.Nested.Rule = static_cast<SweepRule>(filter->GetNestedRule());
+  options.Solver.Nested.Sweeps = filter->GetNestedSweeps();
+  options.Solver.Nested.MaximumSweeps = filter->GetMaximumNumberOfNestedSweeps();
+  options.Solver.StartingLevel = filter->GetStartingLevel();
+  options.Solver.ExpectedSolves = filter->GetExpectedSolves();
+  options.Solver.CompareWithCholesky = filter->GetCompareWithCholesky();
+  return options;
+}
+
+ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* surface)
+{
+  ConstraintChoices choices = WithoutFormerField(ChoicesOf(filter), surface);
+  if (!filter->GetFollowDirections())
+  {
+    const bool hasValues = HasArray(choices.Values, surface); // whose mask and weights they are then
+    choices.Vectors = {};
+    choices.Mask = hasValues ? choices.Mask : ArrayChoice();
+    choices.Weights = hasValues ? choices.Weights : ArrayChoice();
+  }
+  return choices;
+}
+
+}

@@ -1,0 +1,21 @@
+#ifndef dmgOptionsOfSolver_h
+#define dmgOptionsOfSolver_h
+
+#include "Adapters/Input/ChosenArrays.h"
+#include "FieldOptions.h"
+
+class vtkHarmonicFieldSolver;
+
+namespace dmg
+{
+
+/// The properties of a filter as the core takes them.
+/// \throw InvalidInput one of the filter's properties is out of its range. Weights are checked where they are used.
+FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter);
+
+/// What its properties choose of a surface.
+ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* surface);
+
+}
+
+#endif

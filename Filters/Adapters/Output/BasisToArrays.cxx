@@ -1,0 +1,85 @@
+#include "Adapters/Output/BasisToArrays.h"
+
+#include "Adapters/Surface/ElementArrays.h"
+#include "Analysis/HarmonicForms.h"
+
+#include "vtkCellData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+
+#include <utility>
+
+namespace dmg
+{
+
+BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
+  const Discretisation& discretisation, Eigen::MatrixXd known, vtkPolyData* input, const ExecutionContext& context)
+{
+  context.Checkpoint(0.0);
+  const int fields = discretisation.NumberOfHarmonicFields();
+  BasisArrays arrays{ discretisation.Name(), fields, AreTooManyToHold(fields, framed.Mesh),
+    vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New() };
+  if (fields == 0 || arrays.TooMany)
+  {
+    return arrays;
+  }
+  if (known.cols() == 0)
+  {
+    known = discretisation.HarmonicFields(nullptr, PartOfContext(context, 0.0, 0.6));
+  }
+  const Eigen::MatrixXd basis = discretisation.HarmonicBasis(std::move(known), PartOfContext(context, 0.6, 0.9));
+  const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
+  for (int k = 0; k < fields; ++k)
+  {
+    context.Checkpoint(0.9 + 0.1 * k / fields);
+    const Vector<double> field = basis.col(k);
+    const std::string name = ArrayNames::HarmonicBasis(k + 1);
+    cells.Add(name, 3, discretisation.VectorsOnFaces(field, context).data());
+    if (discretisation.Elements() == ElementKind::Edges)
+    {
+      AddOnEdges(framed.Mesh, surface, name, field, arrays.Edges, context);
+    }
+  }
+  context.Checkpoint(1.0);
+  return arrays;
+}
+
+void AddBasisArrays(const BasisArrays& arrays, vtkPolyData* surface, vtkPolyData* edges)
+{
+  const auto add = [](vtkFieldData* from, vtkFieldData* to)
+  {
+    for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+    {
+      to->AddArray(from->GetArray(i));
+    }
+  };
+  add(arrays.Cells, surface->GetCellData());
+  add(arrays.Edges, edges->GetCellData());
+}
+
+void AddBasisSize(const BasisArrays& arrays, vtkFieldData* fieldData)
+{
+  vtkNew<vtkIntArray> size;
+  size->SetName(ArrayNames::HarmonicBasisSize);
+  size->InsertNextValue(arrays.Cells->GetNumberOfArrays());
+  AddHidden(fieldData, size);
+}
+
+void RemoveBasis(vtkPolyData* surface)
+{
+  vtkCellData* const cells = surface->GetCellData();
+  for (int i = cells->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    const char* const chars = cells->GetArrayName(i);
+    const std::string name = chars ? chars : "";
+    const std::string prefix = ArrayNames::HarmonicBasisPrefix;
+    if (name.size() > prefix.size() && name.compare(0, prefix.size(), prefix) == 0 &&
+      name.find_first_not_of("0123456789", prefix.size()) == std::string::npos)
+    {
+      cells->RemoveArray(i);
+    }
+  }
+  surface->GetFieldData()->RemoveArray(ArrayNames::HarmonicBasisSize);
+}
+
+}

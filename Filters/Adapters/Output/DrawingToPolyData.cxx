@@ -1,0 +1,285 @@
+#include "Adapters/Output/DrawingToPolyData.h"
+
+#include "Adapters/Surface/ElementArrays.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkGlyph3D.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// An array of values, one after the other.
+template <class Array, class Value>
+vtkSmartPointer<Array> NewArray(const char* name, int components, const Value* values, vtkIdType tuples)
+{
+  auto array = vtkSmartPointer<Array>::New();
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  array->SetNumberOfTuples(tuples);
+  std::copy_n(values, components * tuples, array->GetPointer(0));
+  return array;
+}
+
+vtkSmartPointer<vtkDoubleArray> NewVectors(const char* name, const std::vector<Vector3>& vectors)
+{
+  return NewArray<vtkDoubleArray>(
+    name, 3, vectors.empty() ? nullptr : vectors.front().data(), static_cast<vtkIdType>(vectors.size()));
+}
+
+vtkSmartPointer<vtkPoints> NewPoints(const std::vector<Vector3>& positions)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetData(NewVectors("Points", positions));
+  return points;
+}
+
+}
+
+void LinesToPolyData(const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output)
+{
+  const std::size_t numberOfPoints = lines.Positions.size();
+  std::vector<Vector3> positions(numberOfPoints);
+  std::vector<Vector3> normals(numberOfPoints);
+  for (std::size_t i = 0; i < numberOfPoints; ++i)
+  {
+    normals[i] = faceFrames.Normal(lines.Faces[i]);
+    positions[i] = lines.Positions[i] + lift * normals[i];
+  }
+  vtkNew<vtkCellArray> cells;
+  std::vector<vtkIdType> ids;
+  const int numberOfLines = lines.NumberOfLines();
+  for (int line = 0; line < numberOfLines; ++line)
+  {
+    ids.resize(lines.Offsets[line + 1] - lines.Offsets[line]);
+    std::iota(ids.begin(), ids.end(), lines.Offsets[line]);
+    if (lines.IsClosed[line])
+    {
+      ids.push_back(ids.front());
+    }
+    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  output->SetPoints(NewPoints(positions));
+  output->SetLines(cells);
+
+  std::vector<int> seeds(numberOfLines);
+  std::iota(seeds.begin(), seeds.end(), 0);
+  vtkCellData* const ofLines = output->GetCellData();
+  ofLines->AddArray(NewArray<vtkDoubleArray>("Length", 1, lines.Lengths.data(), numberOfLines));
+  ofLines->AddArray(NewArray<vtkIntArray>("Branch", 1, lines.Families.data(), numberOfLines));
+  ofLines->AddArray(NewArray<vtkIntArray>("Seed", 1, seeds.data(), numberOfLines));
+  vtkPointData* const ofPoints = output->GetPointData();
+  ofPoints->AddArray(
+    NewArray<vtkDoubleArray>("Magnitude", 1, lines.Magnitudes.data(), static_cast<vtkIdType>(numberOfPoints)));
+  ofPoints->SetNormals(NewVectors("Normals", normals));
+}
+
+void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output)
+{
+  const int numberOfCells = glyphs.NumberOfCells();
+  vtkNew<vtkCellArray> cells;
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    const std::vector<vtkIdType> ids(
+      glyphs.Corners.begin() + glyphs.Offsets[cell], glyphs.Corners.begin() + glyphs.Offsets[cell + 1]);
+    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+  }
+  output->SetPoints(NewPoints(glyphs.Positions));
+  areStrokes ? output->SetLines(cells) : output->SetPolys(cells);
+  std::vector<int> branches(glyphs.Directions);
+  for (int& branch : branches)
+  {
+    branch %= families;
+  }
+  vtkCellData* const ofCells = output->GetCellData();
+  ofCells->AddArray(NewArray<vtkIntArray>("Branch", 1, branches.data(), numberOfCells));
+  ofCells->AddArray(NewArray<vtkIntArray>("Direction", 1, glyphs.Directions.data(), numberOfCells));
+  ofCells->AddArray(NewArray<vtkIntArray>("Glyph", 1, glyphs.Glyphs.data(), numberOfCells));
+  ofCells->AddArray(NewArray<vtkDoubleArray>("Magnitude", 1, glyphs.Magnitudes.data(), numberOfCells));
+  output->GetPointData()->SetNormals(NewVectors("Normals", glyphs.Normals));
+}
+
+void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
+{
+  const SurfaceMesh& surface = given.Surface;
+  std::vector<std::pair<vtkIdType, int>> singular;
+  double sum = 0.0;
+  for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); ++vertex)
+  {
+    sum += topology.Indices[vertex];
+    if (topology.Indices[vertex] != 0.0)
+    {
+      singular.emplace_back(surface.PointOf(vertex), vertex);
+    }
+  }
+  std::sort(singular.begin(), singular.end());
+  for (const BoundaryLoop& loop : topology.Loops)
+  {
+    sum += loop.Index;
+  }
+
+  std::vector<Vector3> positions;
+  std::vector<double> indices;
+  std::vector<vtkIdType> pointIds;
+  vtkNew<vtkCellArray> cells;
+  for (const auto& [point, vertex] : singular)
+  {
+    cells->InsertNextCell({ static_cast<vtkIdType>(positions.size()) });
+    positions.push_back(surface.Mesh.Position(vertex));
+    indices.push_back(topology.Indices[vertex]);
+    pointIds.push_back(point);
+  }
+  const vtkIdType size = static_cast<vtkIdType>(positions.size());
+  const std::vector<int> N(positions.size(), given.Field.N());
+  output->SetPoints(NewPoints(positions));
+  output->SetVerts(cells);
+  vtkPointData* const ofPoints = output->GetPointData();
+  ofPoints->SetScalars(NewArray<vtkDoubleArray>("Index", 1, indices.data(), size));
+  ofPoints->AddArray(NewArray<vtkIntArray>("NumberOfDirections", 1, N.data(), size));
+  ofPoints->AddArray(NewArray<vtkIdTypeArray>("PointId", 1, pointIds.data(), size));
+  const int euler = surface.Mesh.EulerCharacteristic();
+  AddHidden(output->GetFieldData(), NewArray<vtkDoubleArray>("SumOfIndices", 1, &sum, 1));
+  AddHidden(output->GetFieldData(), NewArray<vtkIntArray>("EulerCharacteristic", 1, &euler, 1));
+}
+
+namespace
+{
+
+/// Red where Index is positive, else green; no active scalars, for which ParaView would add a scalar bar.
+void ColourBySign(vtkPointData* spheres)
+{
+  constexpr std::array<unsigned char, 3> Red{ 212, 38, 43 }, Green{ 31, 135, 77 };
+  vtkDataArray* const indices = spheres->GetArray("Index");
+  std::vector<unsigned char> colours;
+  for (vtkIdType point = 0; point < indices->GetNumberOfTuples(); ++point)
+  {
+    const auto& colour = indices->GetComponent(point, 0) < 0.0 ? Green : Red;
+    colours.insert(colours.end(), colour.begin(), colour.end());
+  }
+  spheres->AddArray(NewArray<vtkUnsignedCharArray>("SignColor", 3, colours.data(), indices->GetNumberOfTuples()));
+  spheres->SetActiveScalars("");
+}
+
+}
+
+void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* output)
+{
+  if (singularities->GetNumberOfPoints() == 0)
+  {
+    return;
+  }
+  constexpr int Resolution = 16;
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(Resolution);
+  sphere->SetPhiResolution(Resolution);
+  vtkNew<vtkGlyph3D> glyphs;
+  glyphs->SetInputData(singularities);
+  glyphs->SetSourceConnection(sphere->GetOutputPort());
+  glyphs->ScalingOff();
+  glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
+  glyphs->Update();
+  output->ShallowCopy(glyphs->GetOutput());
+  ColourBySign(output->GetPointData());
+  output->GetFieldData()->Initialize();
+}
+
+void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
+{
+  const SurfaceMesh& surface = given.Surface;
+  const int N = given.Field.N();
+  struct Cut
+  {
+    vtkIdType From, To; // as the line runs: from its smaller to its larger point
+    int Jump;
+    double Turning;
+    int Edge;
+  };
+  std::vector<Cut> cuts;
+  for (std::size_t i = 0; i < topology.Cuts.size(); ++i)
+  {
+    const int edge = topology.Cuts[i];
+    const int h = surface.Mesh.HalfedgeOf(edge);
+    const vtkIdType tail = surface.PointOf(surface.Mesh.Tail(h));
+    const vtkIdType head = surface.PointOf(surface.Mesh.Head(h));
+    const bool isAlong = tail < head;
+    cuts.push_back({ std::min(tail, head), std::max(tail, head), isAlong ? topology.Jumps[i] : N - topology.Jumps[i],
+      (isAlong ? 1.0 : -1.0) * topology.Turning[edge], edge });
+  }
+  std::sort(cuts.begin(), cuts.end(),
+    [](const Cut& a, const Cut& b) { return std::pair(a.From, a.To) < std::pair(b.From, b.To); });
+  std::map<vtkIdType, vtkIdType> numbers; // of the ends, in the output
+  std::vector<Vector3> positions;
+  std::vector<int> jumps;
+  std::vector<double> turnings;
+  vtkNew<vtkCellArray> cells;
+  for (const Cut& cut : cuts)
+  {
+    vtkIdType ends[2];
+    int at = 0;
+    for (const vtkIdType point : { cut.From, cut.To })
+    {
+      const auto [found, isNew] = numbers.emplace(point, positions.size());
+      if (isNew)
+      {
+        positions.push_back(surface.Mesh.Position(surface.VertexOf(point)));
+      }
+      ends[at++] = found->second;
+    }
+    cells->InsertNextCell(2, ends);
+    jumps.push_back(cut.Jump);
+    turnings.push_back(cut.Turning);
+  }
+  const vtkIdType size = static_cast<vtkIdType>(cuts.size());
+  output->SetPoints(NewPoints(positions));
+  output->SetLines(cells);
+  vtkCellData* const ofCells = output->GetCellData();
+  ofCells->AddArray(NewArray<vtkIntArray>("Jump", 1, jumps.data(), size));
+  ofCells->AddArray(NewArray<vtkDoubleArray>("Turning", 1, turnings.data(), size));
+}
+
+void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
+{
+  std::vector<Vector3> positions;
+  std::vector<double> indices;
+  vtkNew<vtkCellArray> cells;
+  for (const BoundaryLoop& loop : topology.Loops)
+  {
+    std::vector<vtkIdType> ids(loop.Vertices.size());
+    std::iota(ids.begin(), ids.end(), static_cast<vtkIdType>(positions.size()));
+    ids.push_back(ids.front());
+    for (const int vertex : loop.Vertices)
+    {
+      positions.push_back(given.Surface.Mesh.Position(vertex));
+    }
+    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    indices.push_back(loop.Index);
+  }
+  output->SetPoints(NewPoints(positions));
+  output->SetLines(cells);
+  output->GetCellData()->SetScalars(
+    NewArray<vtkDoubleArray>("Index", 1, indices.data(), static_cast<vtkIdType>(indices.size())));
+}
+
+}

@@ -1,0 +1,36 @@
+#ifndef dmgDrawingToPolyData_h
+#define dmgDrawingToPolyData_h
+
+#include "Adapters/Input/FieldFromArrays.h"
+#include "Drawing/EvenlySpacedLines.h"
+#include "Drawing/FieldGlyphs.h"
+#include "Mesh/TangentFrames.h"
+#include "Operators/FieldTopology.h"
+
+class vtkPolyData;
+
+namespace dmg
+{
+
+/// What is drawn of a field as vtkPolyData; the headers of the filters tell the meaning of the arrays.
+
+/// Polylines with the arrays of vtkFieldLines.
+/// \param lift along the normals of the faces, in the unit of the points.
+void LinesToPolyData(const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output);
+
+/// Polylines or polygons with the arrays of vtkFieldGlyphs.
+/// \param families of the field, of which branch k belongs to number k modulo this.
+/// \param areStrokes whether the cells are lines.
+void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrokes, vtkPolyData* output);
+
+/// The outputs of vtkFieldSingularities.
+/// \param given the surface, of which \p topology is made.
+void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
+/// With colours of their signs. \param radius of the spheres, in the unit of the points.
+void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* output);
+void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
+void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output);
+
+}
+
+#endif

@@ -1,0 +1,175 @@
+#include "Adapters/Pipeline/FilterRequests.h"
+
+#include "Adapters/Pipeline/ContextFromAlgorithm.h"
+#include "Adapters/Pipeline/FiniteArrays.h"
+#include "Support/Errors.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataSet.h"
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkExecutive.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationStringKey.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <new>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+namespace
+{
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+bool IsPieceZero(vtkInformation* request, vtkInformationVector* outputs)
+{
+  const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT())); // -1: all
+  vtkInformation* const output = outputs->GetInformationObject(port);
+  // "Piece 0 of none" is how the filter downstream asks for nothing.
+  return output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == 0 && output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 0;
+}
+
+void Empty(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+}
+
+/// Marks the outputs as not generated, so that the next update runs again, and takes the request to abort as fulfilled.
+int Aborted(vtkAlgorithm* algorithm, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* const information = outputs->GetInformationObject(port);
+    vtkDataObject::GetData(information)->ReleaseData();
+    information->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  }
+#if DMG_VTK_CHECKS_ABORT
+  algorithm->SetAbortOutput(true);
+#endif
+  algorithm->SetAbortExecute(0);
+  return 1;
+}
+
+int Failed(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& message)
+{
+  Empty(outputs);
+  vtkErrorWithObjectMacro(algorithm, << message);
+  return 0;
+}
+
+}
+
+int TakeAnyDataSet(vtkInformation* port)
+{
+  port->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkDataSet");
+  return 1;
+}
+
+int GatherTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  std::set<double> steps, ends;
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int k = 0; k < inputs[port]->GetNumberOfInformationObjects(); ++k)
+    {
+      vtkInformation* const input = inputs[port]->GetInformationObject(k);
+      const double* const times = input->Get(Pipeline::TIME_STEPS());
+      const double* const range = input->Get(Pipeline::TIME_RANGE());
+      steps.insert(times, times + input->Length(Pipeline::TIME_STEPS()));
+      ends.insert(range, range + input->Length(Pipeline::TIME_RANGE()));
+    }
+  }
+  ends.insert(steps.begin(), steps.end());
+  const std::vector<double> all(steps.begin(), steps.end());
+  for (int port = 0; !ends.empty() && port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkInformation* const output = outputs->GetInformationObject(port);
+    const double range[] = { *ends.begin(), *ends.rbegin() };
+    output->Set(Pipeline::TIME_RANGE(), range, 2);
+    if (!all.empty())
+    {
+      output->Set(Pipeline::TIME_STEPS(), all.data(), static_cast<int>(all.size()));
+    }
+  }
+  return 1;
+}
+
+int AskForInputs(
+  vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  algorithm->SetAbortExecute(0);
+  const int numberOfPieces = IsPieceZero(request, outputs) ? 1 : 0;
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+  {
+    for (int connection = 0; connection < inputs[port]->GetNumberOfInformationObjects(); ++connection)
+    {
+      vtkInformation* const input = inputs[port]->GetInformationObject(connection);
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), numberOfPieces);
+      input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
+}
+
+int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkAlgorithm* algorithm,
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  try
+  {
+    Empty(outputs);
+    vtkDataSet* const given = vtkDataSet::GetData(inputs[0]);
+    if (given->GetNumberOfCells() == 0)
+    {
+      return 1;
+    }
+    auto* const input = vtkPolyData::SafeDownCast(given);
+    if (!input)
+    {
+      return Failed(algorithm, outputs,
+        std::string("the input is a ") + given->GetClassName() +
+          ", which is no surface; apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first");
+    }
+    if (!IsPieceZero(request, outputs))
+    {
+      vtkWarningWithObjectMacro(algorithm,
+        "a piece of the surface other than the first holds "
+          << input->GetNumberOfCells()
+          << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
+      return 1;
+    }
+    make(ContextFromAlgorithm(algorithm));
+    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+    {
+      CheckArraysAreFinite(vtkDataObject::GetData(outputs, port), input);
+    }
+    return 1;
+  }
+  catch (const Cancelled&)
+  {
+    return Aborted(algorithm, outputs);
+  }
+  catch (const std::bad_alloc&)
+  {
+    return Failed(algorithm, outputs,
+      "there is not enough memory for this surface; free some, or reduce the number of triangles with Decimate "
+      "(vtkDecimatePro)");
+  }
+  catch (const std::exception& error)
+  {
+    return Failed(algorithm, outputs, error.what());
+  }
+}
+
+}

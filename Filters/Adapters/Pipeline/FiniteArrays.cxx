@@ -1,0 +1,70 @@
+#include "Adapters/Pipeline/FiniteArrays.h"
+
+#include "Support/Errors.h"
+
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dmg
+{
+namespace
+{
+
+void CheckNumbers(vtkAbstractArray* array, const std::string& name)
+{
+  auto* const numbers = vtkDoubleArray::SafeDownCast(array);
+  const double* const first = numbers ? numbers->GetPointer(0) : nullptr;
+  if (numbers && !std::all_of(first, first + numbers->GetNumberOfValues(), [](double x) { return std::isfinite(x); }))
+  {
+    throw UnexpectedFailure(name + " would not be finite");
+  }
+}
+
+void CheckArrays(vtkFieldData* output, vtkFieldData* input)
+{
+  for (int k = 0; output && k < output->GetNumberOfArrays(); ++k)
+  {
+    vtkAbstractArray* const array = output->GetAbstractArray(k);
+    const char* const name = array->GetName();
+    if (!input || !name || input->GetAbstractArray(name) != array)
+    {
+      CheckNumbers(array, std::string("array '") + (name ? name : "") + "'");
+    }
+  }
+}
+
+}
+
+void CheckArraysAreFinite(vtkDataObject* output, vtkPolyData* input)
+{
+  if (auto* const composite = vtkCompositeDataSet::SafeDownCast(output))
+  {
+    const auto leaf = vtk::TakeSmartPointer(composite->NewIterator());
+    for (leaf->InitTraversal(); !leaf->IsDoneWithTraversal(); leaf->GoToNextItem())
+    {
+      CheckArraysAreFinite(leaf->GetCurrentDataObject(), input);
+    }
+    return;
+  }
+  for (int kind = 0; kind < vtkDataObject::NUMBER_OF_ATTRIBUTE_TYPES; ++kind)
+  {
+    CheckArrays(output->GetAttributesAsFieldData(kind), input->GetAttributesAsFieldData(kind));
+  }
+  auto* const points = vtkPointSet::SafeDownCast(output);
+  if (points && points->GetPoints() && points->GetPoints() != input->GetPoints())
+  {
+    CheckNumbers(points->GetPoints()->GetData(), "a point");
+  }
+}
+
+}

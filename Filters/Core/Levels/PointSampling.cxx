@@ -1,0 +1,429 @@
+#include "Levels/PointSampling.h"
+
+#include "Support/CountingSort.h"
+#include "Support/Permutations.h"
+#include "Support/SparseAssembly.h"
+#include "Support/SparseKernels.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace dmg
+{
+
+namespace
+{
+
+constexpr int Grain = 4096;
+
+/// Points that one thread samples at a time. Of constant size, for the same samples whatever the
+/// number of threads.
+constexpr int BlockSize = 8192;
+
+/// How often places and turns are averaged over neighbours after the points have found their
+/// owners: each follows a single path at first, which goes round some curvature on one side only.
+constexpr int NumberOfMeans = 2;
+
+/// Where a point lies seen from a sample.
+struct Sight
+{
+  int Owner = -1; // the sample's point, -1: none
+  Complex Place = 0.0;
+  Complex Turn = 1.0;
+};
+
+using Sights = Unfilled<Sight>;
+
+/// What a point sees if it looks along a link, where its neighbour knows what it sees.
+Sight Along(const TangentGraph& graph, int link, const Sight& neighbour)
+{
+  const Complex turn = neighbour.Turn * std::conj(graph.Turns[link]);
+  return { neighbour.Owner, neighbour.Place - turn * graph.Steps[link], turn };
+}
+
+/// Harmonic mean of the three shortest steps of a point.
+double Spacing(const TangentGraph& graph, int point)
+{
+  constexpr int few = 3;
+  std::array<double, few> shortest;
+  shortest.fill(std::numeric_limits<double>::max());
+  for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
+  {
+    double squared = std::norm(graph.Steps[link]);
+    for (double& other : shortest)
+    {
+      if (squared < other)
+      {
+        std::swap(squared, other);
+      }
+    }
+  }
+  const int count = std::min(few, graph.Offsets[point + 1] - graph.Offsets[point]);
+  double sum = 0.0;
+  for (int k = 0; k < count; ++k)
+  {
+    sum += 1.0 / std::sqrt(shortest[k]); // infinite for a step of no length, and no error
+  }
+  return count > 0 ? count / sum : 0.0;
+}
+
+/// Takes every point that no sample covers as the next sample.
+class Sampler
+{
+public:
+  Sampler(const TangentGraph& graph, double radius, double largestCurvature, const ExecutionContext& context)
+    : Graph(graph)
+    , LargestCurvature(largestCurvature)
+    , Radii(graph.NumberOfPoints())
+    , Seen(graph.NumberOfPoints())
+    , Marks(graph.NumberOfPoints())
+  {
+    context.ParallelFor(0, graph.NumberOfPoints(), Grain,
+      [&](int first, int last)
+      {
+        for (int point = first; point < last; ++point)
+        {
+          this->Radii[point] = radius * Spacing(graph, point);
+          this->Seen[point] = {};
+          this->Marks[point] = -1;
+        }
+      });
+  }
+
+  /// First in blocks, each by itself, what covers points of the block only; then the seams.
+  Sights Run(const ExecutionContext& context)
+  {
+    const int points = this->Graph.NumberOfPoints();
+    const int blocks = (points + BlockSize - 1) / BlockSize;
+    std::vector<std::vector<int>> left(blocks);
+    context.ParallelFor(0, blocks, 1,
+      [&](int firstBlock, int lastBlock)
+      {
+        for (int block = firstBlock; block < lastBlock; ++block)
+        {
+          left[block] = this->SampleBlock(block * BlockSize, std::min((block + 1) * BlockSize, points));
+        }
+      });
+    std::vector<Visit> visits;
+    for (const std::vector<int>& ofBlock : left)
+    {
+      for (const int point : ofBlock)
+      {
+        if (this->Seen[point].Owner < 0)
+        {
+          this->Flood(point, 0, points, visits);
+          this->Cover(visits);
+        }
+      }
+    }
+    return std::move(this->Seen);
+  }
+
+private:
+  struct Visit
+  {
+    int Point;
+    Sight Seen;
+  };
+
+  /// \return points that no sample covered when their turn came, for what they cover reaches beyond
+  ///   [first, last).
+  std::vector<int> SampleBlock(int first, int last)
+  {
+    std::vector<int> left;
+    std::vector<Visit> visits;
+    for (int point = first; point < last; ++point)
+    {
+      if (this->Seen[point].Owner >= 0)
+      {
+        continue;
+      }
+      if (this->Flood(point, first, last, visits))
+      {
+        this->Cover(visits);
+      }
+      else
+      {
+        left.push_back(point);
+        for (const Visit& visit : visits)
+        {
+          this->Marks[visit.Point] = -1;
+        }
+      }
+    }
+    return left;
+  }
+
+  /// The points within the radius of a sample, ring by ring, as far as the curvature lets it see.
+  /// \return false if some lie beyond [first, last).
+  bool Flood(int sample, int first, int last, std::vector<Visit>& visits)
+  {
+    visits.assign(1, { sample, { sample, 0.0, 1.0 } });
+    this->Marks[sample] = sample;
+    double curvature = 0.0;
+    for (std::size_t next = 0; next < visits.size(); ++next)
+    {
+      const Visit visit = visits[next];
+      curvature += std::abs(this->Graph.Curvatures[visit.Point]);
+      if (next > 0 && curvature > this->LargestCurvature)
+      {
+        visits.resize(next);
+        break;
+      }
+      for (int link = this->Graph.Offsets[visit.Point]; link < this->Graph.Offsets[visit.Point + 1]; ++link)
+      {
+        const int point = this->Graph.Neighbours[link];
+        const Complex place = visit.Seen.Place + visit.Seen.Turn * this->Graph.Steps[link];
+        const double radius = std::min(this->Radii[sample], this->Radii[point]);
+        if (std::norm(place) > radius * radius)
+        {
+          continue;
+        }
+        if (point < first || point >= last)
+        {
+          return false;
+        }
+        if (this->Marks[point] != sample)
+        {
+          this->Marks[point] = sample;
+          visits.push_back({ point, { sample, place, visit.Seen.Turn * this->Graph.Turns[link] } });
+        }
+      }
+    }
+    return true;
+  }
+
+  void Cover(const std::vector<Visit>& visits)
+  {
+    for (const Visit& visit : visits)
+    {
+      Sight& present = this->Seen[visit.Point];
+      if (present.Owner < 0 || std::norm(visit.Seen.Place) < std::norm(present.Place))
+      {
+        present = visit.Seen;
+      }
+    }
+  }
+
+  const TangentGraph& Graph;
+  const double LargestCurvature;
+  Unfilled<double> Radii;
+  Sights Seen;
+  Unfilled<int> Marks; // the last sample from where the point was visited
+};
+
+/// Points whose neighbours belong to a nearer sample follow them.
+Sights FollowNeighbours(const TangentGraph& graph, const Sights& former, const ExecutionContext& context)
+{
+  Sights sights(former.size());
+  context.ParallelFor(0, graph.NumberOfPoints(), Grain,
+    [&](int first, int last)
+    {
+      for (int point = first; point < last; ++point)
+      {
+        Sight& nearest = sights[point] = former[point];
+        for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
+        {
+          const Sight& neighbour = former[graph.Neighbours[link]];
+          if (neighbour.Owner == former[point].Owner)
+          {
+            continue;
+          }
+          const Sight other = Along(graph, link, neighbour);
+          // What is equal up to rounding must not let rounding decide.
+          if (std::norm(other.Place) < (1.0 - 1e-9) * std::norm(nearest.Place))
+          {
+            nearest = other;
+          }
+        }
+      }
+    });
+  return sights;
+}
+
+/// The mean of what a point sees along its links.
+Sights MeansOfNeighbours(const TangentGraph& graph, const Sights& former, const ExecutionContext& context)
+{
+  Sights sights(former.size());
+  context.ParallelFor(0, graph.NumberOfPoints(), Grain,
+    [&](int first, int last)
+    {
+      for (int point = first; point < last; ++point)
+      {
+        Sight& mean = sights[point] = former[point];
+        if (mean.Owner == point)
+        {
+          continue;
+        }
+        Complex places = 0.0;
+        Complex turns = 0.0;
+        int count = 0;
+        for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
+        {
+          const Sight& neighbour = former[graph.Neighbours[link]];
+          if (neighbour.Owner == mean.Owner)
+          {
+            const Sight seen = Along(graph, link, neighbour);
+            places += seen.Place;
+            turns += seen.Turn;
+            ++count;
+          }
+        }
+        const double length = std::sqrt(std::norm(turns));
+        if (length > 0.0)
+        {
+          mean.Place = places / static_cast<double>(count);
+          mean.Turn = turns / length;
+        }
+      }
+    });
+  return sights;
+}
+
+/// Sums over links between two samples.
+struct Crossings
+{
+  Complex Steps = 0.0;
+  Complex Turns = 0.0;
+  double Count = 0.0;
+
+  Crossings& operator+=(const Crossings& other)
+  {
+    this->Steps += other.Steps;
+    this->Turns += other.Turns;
+    this->Count += other.Count;
+    return *this;
+  }
+};
+
+/// The points of each sample, ascending.
+SortedItems PointsOfSamples(const PointSampling& sampling, const ExecutionContext& context)
+{
+  return SortByKey(
+    Identity(static_cast<int>(sampling.Owners.size())), static_cast<int>(sampling.Samples.size()),
+    [&sampling](int point) { return sampling.Owners[point]; }, context);
+}
+
+void AddCrossings(const TangentGraph& graph, const PointSampling& sampling, int point, RowEntries<Crossings>& row)
+{
+  const int owner = sampling.Owners[point];
+  for (int link = graph.Offsets[point]; link < graph.Offsets[point + 1]; ++link)
+  {
+    const int neighbour = graph.Neighbours[link];
+    if (sampling.Owners[neighbour] != owner)
+    {
+      const Complex turn = sampling.Turns[point] * graph.Turns[link] * std::conj(sampling.Turns[neighbour]);
+      const Complex step =
+        sampling.Places[point] + sampling.Turns[point] * graph.Steps[link] - turn * sampling.Places[neighbour];
+      AddTo(row, sampling.Owners[neighbour], Crossings{ step, turn, 1.0 });
+    }
+  }
+}
+
+/// The links of a sample, counter-clockwise.
+void SetLinks(
+  TangentGraph& graph, int sample, const std::pair<int, Crossings>* begin, const std::pair<int, Crossings>* end)
+{
+  thread_local std::vector<std::pair<double, const std::pair<int, Crossings>*>> around;
+  around.clear();
+  for (const auto* entry = begin; entry != end; ++entry)
+  {
+    around.emplace_back(std::arg(entry->second.Steps), entry);
+  }
+  std::sort(around.begin(), around.end());
+  int link = graph.Offsets[sample];
+  for (const auto& [angle, entry] : around)
+  {
+    const auto& [neighbour, crossings] = *entry;
+    const double length = std::sqrt(std::norm(crossings.Turns));
+    graph.Neighbours[link] = neighbour;
+    graph.Steps[link] = crossings.Steps / crossings.Count;
+    // Turns that contradict each other: any will do.
+    graph.Turns[link] = length > 0.0 ? crossings.Turns / length : Complex(1.0);
+    ++link;
+  }
+}
+
+/// With samples numbered in the order of their points.
+PointSampling Numbered(const Sights& sights, const ExecutionContext& context)
+{
+  const int points = static_cast<int>(sights.size());
+  PointSampling sampling;
+  sampling.Samples = Choose(
+    points, [&sights](int point) { return sights[point].Owner == point; }, context);
+  Unfilled<int> numbers(points); // of samples only
+  for (std::size_t sample = 0; sample < sampling.Samples.size(); ++sample)
+  {
+    numbers[sampling.Samples[sample]] = static_cast<int>(sample);
+  }
+  sampling.Owners.resize(points);
+  sampling.Places.resize(points);
+  sampling.Turns.resize(points);
+  context.ParallelFor(0, points, Grain,
+    [&](int first, int last)
+    {
+      for (int point = first; point < last; ++point)
+      {
+        sampling.Owners[point] = numbers[sights[point].Owner];
+        sampling.Places[point] = sights[point].Place;
+        sampling.Turns[point] = sights[point].Turn;
+      }
+    });
+  return sampling;
+}
+
+}
+
+PointSampling SamplePoints(
+  const TangentGraph& graph, double radius, double largestCurvature, const ExecutionContext& context)
+{
+  Sights sights = Sampler(graph, radius, largestCurvature, context).Run(context);
+  sights = FollowNeighbours(graph, sights, context);
+  for (int k = 0; k < NumberOfMeans; ++k)
+  {
+    sights = MeansOfNeighbours(graph, sights, context);
+  }
+  return Numbered(sights, context);
+}
+
+TangentGraph GraphOfSamples(const TangentGraph& graph, const PointSampling& sampling, const ExecutionContext& context)
+{
+  const int samples = static_cast<int>(sampling.Samples.size());
+  const SortedItems members = PointsOfSamples(sampling, context);
+  const AssembledRows<Crossings> rows(samples, context,
+    [&](int sample, RowEntries<Crossings>& row)
+    {
+      for (int k = members.Begins[sample]; k < members.Begins[sample + 1]; ++k)
+      {
+        AddCrossings(graph, sampling, members.Items[k], row);
+      }
+    });
+  TangentGraph result;
+  result.Offsets.assign(samples + 1, 0);
+  for (int sample = 0; sample < samples; ++sample)
+  {
+    result.Offsets[sample + 1] = rows.Size(sample);
+  }
+  const int links = OffsetsFromCounts(result.Offsets);
+  result.Neighbours.resize(links);
+  result.Steps.resize(links);
+  result.Turns.resize(links);
+  result.Curvatures.assign(samples, 0.0);
+  context.ParallelFor(0, samples, Grain,
+    [&](int first, int last)
+    {
+      for (int sample = first; sample < last; ++sample)
+      {
+        for (int k = members.Begins[sample]; k < members.Begins[sample + 1]; ++k)
+        {
+          result.Curvatures[sample] += graph.Curvatures[members.Items[k]];
+        }
+        SetLinks(result, sample, rows.Begin(sample), rows.End(sample));
+      }
+    });
+  return result;
+}
+
+}

@@ -1,0 +1,62 @@
+#include "Levels/SampledLevels.h"
+
+#include "Levels/PointSampling.h"
+#include "Levels/SampledProlongation.h"
+#include "Levels/TangentGraph.h"
+#include "Mesh/SpatialOrder.h"
+#include "Support/Permutations.h"
+
+namespace dmg
+{
+
+namespace
+{
+
+// Leaves one sample of four.
+constexpr double DistanceOfCoarserSamples = 1.8;
+// Of what a sample covers, in radians. With twice as much of both, surfaces full of folds and limbs take
+// half as many iterations again.
+constexpr double LargestCurvatureOfFaces = 0.5;
+constexpr double LargestCurvatureOfSamples = 1.0;
+// So few are factored at once, and every level less keeps more of what has nearly no energy.
+constexpr int FewestSamplesToSample = 1500;
+// A level that keeps more of the points than this is not worth its cost.
+constexpr double LargestUsefulRatio = 0.5;
+
+}
+
+ProlongationOperators SampledLevels(const TriangleMesh& mesh, double distance, const ExecutionContext& context)
+{
+  ProlongationOperators operators;
+  operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
+  operators.NumbersOfEdges.push_back(mesh.NumberOfEdges());
+  operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
+  context.Checkpoint(0.0);
+  operators.Nodal.reserve(16); // growth would copy
+  const std::vector<int> order = FacesInSpatialOrder(mesh.VertexPositions(), mesh.FaceCorners(), context);
+  TangentGraph points = FaceGraph(mesh, order, context);
+  while (points.NumberOfPoints() > FewestSamplesToSample)
+  {
+    // Most of the work is in the finest level.
+    context.Checkpoint(operators.Nodal.empty() ? 0.3 : 0.9);
+    const bool areFaces = operators.Nodal.empty();
+    const PointSampling sampling = SamplePoints(points, areFaces ? distance : DistanceOfCoarserSamples,
+      areFaces ? LargestCurvatureOfFaces : LargestCurvatureOfSamples, context);
+    const int numberOfSamples = static_cast<int>(sampling.Samples.size());
+    if (numberOfSamples > LargestUsefulRatio * points.NumberOfPoints())
+    {
+      break; // so many pieces of surface, of few faces each
+    }
+    points = GraphOfSamples(points, sampling, context); // the finer one takes much memory, and makes room
+    TransportOperator prolongation = areFaces ? SampledProlongation(sampling, points, Inverse(order, context), context)
+                                              : SampledProlongation(sampling, points, context);
+    operators.Nodal.emplace_back().swap(prolongation); // Eigen 3.4 would copy it
+    operators.NumbersOfVertices.push_back(numberOfSamples);
+    operators.NumbersOfEdges.push_back(points.NumberOfLinks() / 2);
+    operators.NumbersOfFaces.push_back(numberOfSamples);
+  }
+  context.Checkpoint(1.0);
+  return operators;
+}
+
+}
