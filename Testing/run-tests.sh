@@ -34,11 +34,12 @@ run() {
   }
   count() { sed -n "s/^\s*$1=\"\([0-9]*\)\".*/\1/p" "$report"; }
   failed=$((failed + $(count failures)))
+  skipped=$((skipped + $(count skipped)))
   passed=$((passed + $(count tests) - $(count failures) - $(count skipped)))
 }
 
 mkdir -p build
-passed=0 failed=0 all_well=yes
+passed=0 failed=0 skipped=0 all_well=yes
 step "Packages"
 .ci/install-packages test
 
@@ -60,5 +61,5 @@ for flavour; do
   esac
 done
 
-printf '\n%d passed, %d failed\n' "$passed" "$failed"
+printf '\n%d passed, %d failed, %d skipped\n' "$passed" "$failed" "$skipped"
 [ "$all_well" = yes ]

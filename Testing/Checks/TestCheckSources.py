@@ -82,6 +82,40 @@ class CheckSources(unittest.TestCase):
         self.assert_found("Data/torus.ply", "ply\n",
                           "0: Data/README.md does not list `torus.ply` and its origin")
 
+    def test_comments_without_a_subject(self):
+        wrong = ["// What is left over.\n", "/// Those of\n/// the edges.\n", "/**\n * Where it ends.\n */\n",
+                 "/** @brief   By name. */\n", "int x; ///< As before.\n", "/// \\return Which one.\n",
+                 "// Of all.\n", "// So it ends.\n", "// In that case nothing.\n", "// How many.\n"]
+        right = ["// The rest.\n", "// A line,\n// What follows is not the opening.\n", "/** Edges. */\n",
+                 'auto page = "https://What.org";\n', "/// Inside of it.\n", "/// \\return a face.\n"]
+        for text in wrong:
+            self.assertEqual(len(self.subjectless(text)), 1, text)
+        for text in right:
+            self.assertEqual(self.subjectless(text), [], text)
+
+    def test_too_many_comments_without_a_subject(self):
+        limit = check_sources.SUBJECTLESS_LIMIT
+        self.assertEqual(self.found({"Filters/vtkFilter.cxx": "// What.\n\n" * limit}), [])
+        found = self.found({"Filters/vtkFilter.cxx": "// What.\n\n" * (limit + 1)})
+        self.assertEqual(found[0], "Filters/vtkFilter.cxx:1: a comment without a subject: What.")
+        self.assertEqual(found[-1], f"{limit + 1} comments without a subject, of at most {limit}")
+
+    def test_too_many_measurements_in_headers(self):
+        limit = check_sources.MEASUREMENT_LIMIT
+        for text in ("/// Cost: 3 us per face.", "/// It takes twice as long.", "int n; ///< 12 on t02, 9 elsewhere",
+                     "/** On a Xeon. */"):
+            found = self.found({"Filters/Core/Mesh/Mesh.h": (text + "\n") * (limit + 1)})
+            self.assertEqual(len(found), limit + 2, text)
+            self.assertEqual(self.found({"Filters/Core/Mesh/Mesh.cxx": (text + "\n") * (limit + 1)}), [])
+        self.assertEqual(self.found({"Filters/Core/Mesh/Mesh.h": "/// Cost: linear.\n" * (limit + 1)}), [])
+
+    def subjectless(self, text):
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder).resolve()
+            (root / "Filters").mkdir()
+            (root / "Filters" / "Mesh.h").write_text(text, encoding="utf-8")
+            return list(check_sources.subjectless_comments(root))
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -10,7 +10,12 @@ prints one line per violation, "path:line: what is wrong", and fails if there is
 - the headers of the filters, which VTK's wrappers parse, include VTK and plain C++ only;
 - no "using namespace" in a header;
 - sources are ASCII;
-- every file in Data is listed, with its origin, in Data/README.md.
+- every file in Data is listed, with its origin, in Data/README.md;
+- in Filters, at most SUBJECTLESS_LIMIT comments begin with a clause that has no subject ("What is left over");
+- no header of Filters holds a measurement, or the name of a machine or a measured surface: these stand in
+  Testing/Benchmarks/README.md.
+
+The last two are counted, and named where there are too many. With --list they are always named.
 """
 
 import pathlib
@@ -53,6 +58,18 @@ ADAPTERS = ["Pipeline", "Surface", "Input", "Output"]
 
 SOURCES = {".h", ".cxx"}
 TEXTS = SOURCES | {".cmake", ".in", ".json", ".module", ".plugin", ".py", ".sh", ".txt", ".xml"}
+
+# A comment that begins with one of these has no subject.
+SUBJECTLESS = re.compile(r"(What|Those|Where|Of|By|So|As|In|How|Which|Else)\b")
+SUBJECTLESS_LIMIT = 275
+
+MEASUREMENT = re.compile(
+    r"\d (ns|us|ms|s|seconds|minutes|MB|GB)\b"
+    r"|\b(times|twice) as (long|slow|fast|expensive)\b|\btimes (slower|faster)\b|\b(took|takes) .*\b(longer|less)\b"
+    r"|\bof the time\b|\b(EPYC|Xeon|Ryzen|Threadripper|Intel)\b"
+    r"|\b(t[0-2]\d|beetle|bunny|camelhead|cessna|cheese|fertility|igea|kitten)\b|\b(bnd|cad|genus\d+)_\w+")
+MEASUREMENT_LIMIT = 60
+
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]')
 
 
@@ -135,17 +152,74 @@ def check_data(root):
             yield path, 0, f"Data/README.md does not list `{name}` and its origin"
 
 
+def comments(path):
+    """(line number, text) of each line of comments; the text is None where a line has none."""
+    inside = False
+    for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+        line = line.strip()
+        if inside:
+            inside = "*/" not in line
+            yield number, line.split("*/")[0].lstrip("* ")
+        elif line.startswith("/*"):
+            inside = "*/" not in line
+            yield number, line.split("*/")[0].lstrip("/*! ")
+        else:
+            match = re.search(r"(?<![:\"])//+[!<]*\s*(.*)", line)
+            yield number, match and match.group(1)
+
+
+def openings(path):
+    """(line number, first line) of each comment, which may be a block or lines without code between them."""
+    begun = False
+    for number, text in comments(path):
+        if text is None:
+            begun = False
+        elif text and not begun:
+            begun = True
+            yield number, re.sub(r"^[@\\](brief|name|return)\s+", "", text)
+
+
+def subjectless_comments(root):
+    for path in files(root / "Filters", SOURCES):
+        for number, text in openings(path):
+            if SUBJECTLESS.match(text):
+                yield path, number, f"a comment without a subject: {text}"
+
+
+def measurements_in_headers(root):
+    for path in files(root / "Filters", {".h"}):
+        for number, text in comments(path):
+            match = MEASUREMENT.search(text or "")
+            if match:
+                yield path, number, f"a measurement in a header: {match.group(0)}"
+
+
 CHECKS = [check_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_data]
+COUNTED = [("comments without a subject", subjectless_comments, SUBJECTLESS_LIMIT),
+           ("measurements in headers", measurements_in_headers, MEASUREMENT_LIMIT)]
+
+
+def listed(root, check):
+    return [f"{path.relative_to(root)}:{number}: {message}" for path, number, message in check(root)]
 
 
 def violations(root):
     for check in CHECKS:
-        for path, number, message in check(root):
-            yield f"{path.relative_to(root)}:{number}: {message}"
+        yield from listed(root, check)
+    for name, check, limit in COUNTED:
+        found = listed(root, check)
+        if len(found) > limit:
+            yield from found
+            yield f"{len(found)} {name}, of at most {limit}"
 
 
 def main():
     root = pathlib.Path(sys.argv[1]).resolve()
+    for name, check, limit in COUNTED:
+        found = listed(root, check)
+        if "--list" in sys.argv:
+            print("\n".join(found))
+        print(f"{len(found)} {name}, of at most {limit}")
     found = list(violations(root))
     print("\n".join(found) if found else "no violations")
     return 1 if found else 0
