@@ -2,11 +2,11 @@
  * @class   vtkDirectionalProlongation
  * @brief   decimates a surface and keeps the operators that carry fields between the levels
  *
- * vtkDirectionalProlongation is the set-up of vtkHarmonicFieldSolver as a filter of its own, so
- * that its result can be stored, reused by several solvers and looked at. The solver needs it for structure-preserving
- * coarse spaces, nested iterations, coarse prolongation and a starting level alone. Else it takes samples of the surface,
- * which is five to ten times faster: 0.23 to 0.27 s for a scan of 278,710 triangles, where this filter takes 1.3 to 2.4 s
- * (two cores), and it does not look at these operators.
+ * vtkDirectionalProlongation makes the thesis's levels of vtkHarmonicFieldSolver as a filter of its own, so
+ * that the operators can be stored, reused by several solvers and looked at. The solver uses them for structure-preserving
+ * coarse spaces, full multigrid (NestedIterations) and coarse prolongation only. Its default levels are samples of the
+ * surface, which it makes itself in a fraction of the time.
+ *
  *
  * The surface is decimated by quadric-guided edge collapses, level after level. Each collapse
  * flattens the triangles around the edge, before and after, into one plane; the overlay of both
@@ -159,7 +159,7 @@ public:
   ///@}
 
   /**
-   * How often this object has decimated; tells whether an update reused what stood.
+   * The number of decimations that this object has done; it tells whether an update reused former operators.
    */
   int GetNumberOfSetups() const;
 

@@ -64,7 +64,7 @@ public:
   {
     /** At SeparatingDistance from each other. */
     EvenlySpread = 0,
-    /** In the centre of each triangle. */
+    /** A glyph in the centre of each triangle. */
     EveryTriangle = 1
   };
 
@@ -89,9 +89,9 @@ public:
   {
     /** All alike: half the distance between glyphs; on every triangle, the mean size of the triangles. */
     Even = 0,
-    /** As large as the triangle at the centre. */
+    /** The size of the triangle at the centre. */
     ByTriangle = 1,
-    /** As Even where the field is largest, elsewhere in proportion to its magnitude. */
+    /** The size of Even where the field is largest, elsewhere in proportion to its magnitude. */
     ByMagnitude = 2
   };
 

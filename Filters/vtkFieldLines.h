@@ -78,8 +78,8 @@ public:
   ///@{
   /**
    * Distance between lines of one family where they begin, as a fraction of the surface's size, the diagonal of the
-   * box around its triangles. Default 0.015, range 0.0005 to 1. Half of it takes about
-   * four times as long.
+   * box around its triangles. Default 0.015, range 0.0005 to 1. The number of lines and the time
+   * grow with the inverse of its square.
    */
   vtkSetMacro(SeparatingDistance, double);
   vtkGetMacro(SeparatingDistance, double);

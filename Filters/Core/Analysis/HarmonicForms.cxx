@@ -54,8 +54,8 @@ int NumberOfLoops(const TriangleMesh& mesh)
       isClosed[components[face]] &= mesh.Twin(h) >= 0;
     }
   }
-  // What is left of the edges by a spanning tree of the vertices and one of the faces, which has what lies
-  // beyond the boundary for a root where there is one.
+  // Every edge beyond a spanning tree of the vertices and a spanning tree of the faces makes a generator. On a surface
+  // with boundary, the root of the faces' tree stands for all that lies beyond the boundary.
   const auto numberOfTrees = static_cast<int>(isClosed.size());
   const auto numberOfClosed = static_cast<int>(std::count(isClosed.begin(), isClosed.end(), 1));
   return mesh.NumberOfEdges() - (mesh.NumberOfVertices() - numberOfTrees) - (mesh.NumberOfFaces() - numberOfClosed);

@@ -13,8 +13,8 @@
 namespace dmg
 {
 
-/// How many independent loops the surface has, 2 g + b - 1 summed over its components (2 g where b is
-/// zero). Cost: O(#E).
+/// The number of homology generators: 2 g + b - 1 for a component of genus g with b > 0 boundary loops, 2 g for a closed
+/// one, summed over the components. Cost: O(#E).
 int NumberOfLoops(const TriangleMesh& mesh);
 
 /// Scans have handles by the hundred where they are noisy; what all of their harmonic fields have to

@@ -11,8 +11,8 @@
 namespace dmg
 {
 
-/// By how much parallel transport turns along closed ways on a surface, around each vertex and along loops that span the
-/// others; see TrivialConnection.h.
+/// The holonomy of parallel transport, that is its rotation along closed paths: around each vertex, and along homology
+/// generators. These paths span all others; see TrivialConnection.h.
 struct SurfaceHolonomy
 {
   TreeCotree Trees;
@@ -31,7 +31,7 @@ struct SurfaceHolonomy
   int NumberOfLoops() const { return static_cast<int>(this->Loops.cols()); }
   int NumberOfComponents() const { return static_cast<int>(this->FirstVertices.size()); }
 
-  /// Where potentials are zero: on boundaries, and at one vertex of each closed component; ascending.
+  /// The vertices at which potentials are zero: those on boundaries, and one of each closed component; ascending.
   std::vector<int> Grounded(const TriangleMesh& mesh) const;
 
   /// \param times N times the index of every vertex.

@@ -9,7 +9,7 @@
 namespace dmg
 {
 
-/// What the boundary of a component is contracted to.
+/// The element that the boundary of a component is contracted to.
 enum class BoundaryAs
 {
   Face,   ///< what lies beyond it is one more face, the root of the faces' tree

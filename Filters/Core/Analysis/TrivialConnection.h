@@ -28,7 +28,7 @@ namespace dmg
 Vector<double> AngleDefects(
   const TriangleMesh& mesh, const Unfilled<Corner>& corners, const ExecutionContext& context = SerialContext());
 
-/// By how much parallel transport turns along each loop.
+/// The rotation of parallel transport along each loop.
 /// \param sides SideDirections of all faces.
 /// \param loops as LoopsOverFaces.
 /// Cost: their length, and O(#E).

@@ -32,7 +32,7 @@ public:
   Vector<Complex> First() const { return this->Units.cwiseProduct(this->Magnitudes.cast<Complex>()); }
   /// Direction k, unit; zero where there is none. k in [0, N).
   Complex Direction(int face, int k) const { return this->Units[face] * this->Turns[k]; }
-  /// Which direction of a face turns least from another one.
+  /// The direction of a face at the smallest angle to a given one.
   int Nearest(int face, Complex direction) const
   {
     int nearest = 0;
@@ -54,7 +54,7 @@ public:
   /// an even N has N / 2 families through each point and an odd one has N.
   int NumberOfFamilies() const { return this->Number % 2 == 0 ? this->Number / 2 : this->Number; }
   int FamilyOf(int k) const { return k % this->NumberOfFamilies(); }
-  /// Of the first direction of each family, the one that turns least from a line, whichever way that runs.
+  /// Among the first directions of the families, the one at the smallest angle to a line without a sign.
   int NearestFamily(int face, Complex direction) const
   {
     int nearest = 0;

@@ -202,8 +202,8 @@ private:
   /// Follows a line from where the tracer started.
   void Follow(const Seed& seed, double sign, Trail& trail)
   {
-    // How far the line can go without coming too near to another one: distances change no faster than it moves.
-    // The second half looks at once where the first one has ended.
+    // The room is a length that the line can go without coming too near to another one: distances change no faster
+    // than it moves. The second half of a line begins at the seed, whose distance is known only before the first half.
     double room = sign > 0.0 ? (NearestSeed - this->Options.StopRatio) * this->Options.Separation : 0.0;
     StagnationCheck progress(trail.Points.back().Position, IdleDistance * this->Options.Separation);
     while (true)

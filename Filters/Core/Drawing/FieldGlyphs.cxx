@@ -11,7 +11,7 @@ namespace
 /// A branch bends with the surface at so many places.
 constexpr int Steps = 5;
 
-/// Of an arrow, in parts of its radius.
+/// The head of an arrow, in parts of its radius.
 constexpr double HeadLength = 0.7;
 constexpr double HeadWidth = 3.2; ///< over the width of the shaft
 

@@ -24,7 +24,7 @@ struct GlyphOptions
   double Lift = 0.0;
 };
 
-/// Where a glyph stands, and the length of its branches, in the unit of the points.
+/// The place of a glyph, and the length of its branches, in the unit of the points.
 struct GlyphPlace
 {
   SurfacePoint Centre;

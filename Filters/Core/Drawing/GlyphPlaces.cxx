@@ -11,7 +11,7 @@ namespace dmg
 namespace
 {
 
-/// Of the inscribed circle of an equilateral triangle.
+/// The radius of the inscribed circle of an equilateral triangle.
 double InscribedRadius(double area)
 {
   return std::sqrt(area / (3.0 * std::sqrt(3.0)));

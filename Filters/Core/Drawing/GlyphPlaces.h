@@ -29,7 +29,7 @@ struct GlyphPlaceOptions
   double Scale = 1.0; ///< of all sizes
 };
 
-/// Where glyphs stand and how large they are. Cost: that of EvenlySpreadPoints, or linear.
+/// Places and sizes of glyphs. Cost: that of EvenlySpreadPoints, or linear.
 /// \throw Cancelled
 std::vector<GlyphPlace> PlaceGlyphs(const UnfoldedSurface& surface, const DirectionsOnFaces& field,
   const GlyphPlaceOptions& options, const ExecutionContext& context = SerialContext());

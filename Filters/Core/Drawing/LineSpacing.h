@@ -32,7 +32,7 @@ public:
     int Next;         ///< the one that came to the same list before, or -1; set by Add
   };
 
-  /// What does not count although it is near: the part of the asking line that leads here.
+  /// The part of the asking line that leads here: it does not count, although it is near.
   struct Own
   {
     int Line = -1;
@@ -75,7 +75,7 @@ public:
 private:
   bool IsLarge(int face) const;
   std::uint64_t StripOf(int face, int family, double offset) const;
-  /// Where the list of a segment begins: by face, or by strip of a large face.
+  /// The head of the list that a segment is in. There is a list per face, and one per strip of a large face.
   int& LastOf(const Segment& segment);
   /// Visits the segments of one list; \return whether visit wants more.
   template <class Visit>

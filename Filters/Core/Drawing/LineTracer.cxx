@@ -13,7 +13,7 @@ namespace
 /// A direction whose sine against an edge is below this is along it.
 constexpr double Parallel = 1e-12;
 
-/// What slides along an edge slower than this stays where it is: directions that oppose each other.
+/// A line that slides along an edge slower than this ends: directions on both sides oppose each other.
 constexpr double Slowest = 1e-6;
 
 /// A way from a vertex, through a face or along an edge.

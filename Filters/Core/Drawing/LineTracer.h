@@ -21,7 +21,7 @@ namespace dmg
 class LineTracer
 {
 public:
-  /// What a line does in one face.
+  /// The part of a line in one face.
   struct Piece
   {
     int Face;

@@ -7,7 +7,7 @@ namespace dmg
 {
 
 /// Detects a path over triangles that makes no progress, as one that turns around a vertex without end: 300 triangles have
-/// brought it less than a distance away, though the path through them is ten times as long as that, or 10,000 triangles less
+/// brought it less than a distance away, though the path through them has ten times that length, or 10,000 triangles less
 /// than 20 distances, as where it winds around a spike. A path that crosses a band of thin triangles goes on.
 class StagnationCheck
 {

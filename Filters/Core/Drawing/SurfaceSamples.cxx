@@ -11,7 +11,7 @@ namespace dmg
 namespace
 {
 
-/// So many darts per square of the distance; about 0.7 of them would do if none missed.
+/// The number of darts per square of the distance; about 0.7 would do if none missed.
 constexpr double DartsPerSquare = 20.0;
 
 /// A face is large if one of its sides is so many times the distance.

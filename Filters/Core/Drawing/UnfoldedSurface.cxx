@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr int Grain = 4096;
-// By one straight way. Around a vertex it would turn without end, and around a spike a million times.
+// The limit of faces that one straight path crosses. It would go around a vertex without end, a million times around a spike.
 constexpr int MostCrossed = 10'000;
 
 }

@@ -23,7 +23,7 @@ inline double Dot(Complex a, Complex b)
   return a.real() * b.real() + a.imag() * b.imag();
 }
 
-/// Of zero from the segment between two points, which may have no length.
+/// The squared distance of the origin from the segment between two points, which may coincide.
 double SquaredDistanceToSegment(Complex a, Complex b);
 
 /// A place on the surface: a point of a face, in its frame, from its first corner.
@@ -84,7 +84,7 @@ public:
   /// \param entry the side on which the point lies, from which the ray leads inwards; -1 for a point inside the face.
   Exit LeaveFace(const SurfacePoint& from, Complex direction, int entry) const;
 
-  /// Where a ray meets a side that it leads to.
+  /// The intersection of a ray with a side of its face.
   Exit Meet(const SurfacePoint& from, Complex direction, int side) const;
 
   /// Goes straight on for a length, unfolding face after face.
@@ -105,7 +105,7 @@ private:
 class SurfaceWalk
 {
 public:
-  /// Where a face lies: its point z at Turn z + Origin, as seen from the point where the walk began.
+  /// The place of a face in the plane of the walk: its point z lies at Turn z + Origin.
   struct Placement
   {
     int Face;

@@ -6,12 +6,12 @@
 namespace dmg
 {
 
-/// Where the coarse levels come from.
+/// The construction of the coarse levels.
 enum class LevelConstruction
 {
   /// The thesis's: the surface is decimated, and every operator can be had. The default.
   EdgeCollapses,
-  /// Samples of the surface's faces, and samples of these. Much faster; the nodal operators only, and
+  /// Samples of the surface's faces, and samples of these. Much faster; linear interpolation only, and
   /// no coarse surfaces. Wiersma et al. 2023.
   Sampling,
 };
@@ -26,7 +26,7 @@ enum class CollapsePolicy
   SequentialQueue,
 };
 
-/// Where the operators between two levels come from. Both keep the same structure; see
+/// The construction of the operators between two levels. Both keep the same structure; see
 /// OverlayProlongation.h for what differs.
 enum class ProlongationConstruction
 {
@@ -50,8 +50,8 @@ struct HierarchyOptions
   CollapsePolicy Policy = CollapsePolicy::IndependentRounds;
   ProlongationConstruction Construction = ProlongationConstruction::TrackedPaths;
   LevelConstruction Levels = LevelConstruction::EdgeCollapses;
-  /// How far apart the samples of the first level are, in spacings of the faces around them, > 1:
-  /// one for SampleDistance^2 / 1.5 faces, nearly, and more of them where the surface is curved.
+  /// Distance between samples of the first level, in spacings of the faces around them, > 1. There is
+  /// about one sample for SampleDistance^2 / 1.5 faces, and more of them where the surface is curved.
   double SampleDistance = 3.6;
 
   friend bool operator==(const HierarchyOptions& a, const HierarchyOptions& b)

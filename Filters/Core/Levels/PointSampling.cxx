@@ -22,11 +22,11 @@ constexpr int Grain = 4096;
 /// number of threads.
 constexpr int BlockSize = 8192;
 
-/// How often places and turns are averaged over neighbours after the points have found their
-/// owners: each follows a single path at first, which goes round some curvature on one side only.
+/// The number of times that places and rotations are averaged over neighbours after the points have found their
+/// owners: each comes from a single path at first, which passes some curvature on one side only.
 constexpr int NumberOfMeans = 2;
 
-/// Where a point lies seen from a sample.
+/// The place of a point seen from a sample.
 struct Sight
 {
   int Owner = -1; // the sample's point, -1: none
@@ -36,7 +36,7 @@ struct Sight
 
 using Sights = Unfilled<Sight>;
 
-/// What a point sees if it looks along a link, where its neighbour knows what it sees.
+/// The sight of a point along a link, from that of the neighbour at the link's other end.
 Sight Along(const TangentGraph& graph, int link, const Sight& neighbour)
 {
   const Complex turn = neighbour.Turn * std::conj(graph.Turns[link]);
@@ -232,7 +232,7 @@ Sights FollowNeighbours(const TangentGraph& graph, const Sights& former, const E
             continue;
           }
           const Sight other = Along(graph, link, neighbour);
-          // What is equal up to rounding must not let rounding decide.
+          // Rounding must not decide between distances that are equal up to it.
           if (std::norm(other.Place) < (1.0 - 1e-9) * std::norm(nearest.Place))
           {
             nearest = other;

@@ -9,7 +9,7 @@
 namespace dmg
 {
 
-/// Which structure-preserving operators a set-up builds beside S0 and Nodal.
+/// The structure-preserving operators that a set-up builds beside S0 and Nodal.
 struct OperatorSelection
 {
   bool PowerFields = true; ///< SP

@@ -14,11 +14,11 @@ namespace
 
 // Leaves one sample of four.
 constexpr double DistanceOfCoarserSamples = 1.8;
-// Of what a sample covers, in radians. With twice as much of both, surfaces full of folds and limbs take
-// half as many iterations again.
+// The curvature of the region that a sample covers, in radians. With twice as much of both, surfaces full of folds and
+// limbs take half as many iterations again.
 constexpr double LargestCurvatureOfFaces = 0.5;
 constexpr double LargestCurvatureOfSamples = 1.0;
-// So few are factored at once, and every level less keeps more of what has nearly no energy.
+// A level of fewer samples is factored at once, and every level less represents fields of nearly no energy better.
 constexpr int FewestSamplesToSample = 1500;
 // A level that keeps more of the points than this is not worth its cost.
 constexpr double LargestUsefulRatio = 0.5;

@@ -20,7 +20,7 @@ double Cross(Complex a, Complex b)
   return a.real() * b.imag() - a.imag() * b.real();
 }
 
-/// How far along the side from a to b the place nearest to p lies, in [0, 1].
+/// The parameter in [0, 1] of the point nearest to p on the side from a to b.
 double NearestOnSide(Complex a, Complex b, Complex p)
 {
   const double squaredLength = std::norm(b - a);
@@ -41,7 +41,7 @@ struct Weights
   double OfSecond;
 };
 
-/// In the triangle that a place lies in, between two links, or on its far side. \return false if
+/// Barycentric weights of a place in the triangle between two links, or on its far side. \return false if
 /// the links span no triangle there.
 bool WeightsInTriangle(const TangentGraph& samples, int first, int second, Complex place, Weights& weights)
 {

@@ -17,15 +17,15 @@ struct FaceFans
   int Size() const { return static_cast<int>(this->Offsets.size()) - 1; }
 };
 
-/// Parts a surface into fans: each face is in one. First come all faces around an inner vertex, packed
-/// as closely as comes of going outwards: where all valences are six and the surface lets vertices have three
-/// colours, the stars of one colour leave nothing over. Then the longest fans of what is left.
+/// Partitions a surface into fans. First come the whole stars of inner vertices, chosen greedily from near to far. Where
+/// all valences are six and the vertices can be coloured with three colours, the stars of one colour leave no face over.
+/// The longest fans of the remaining faces follow.
 /// \param largest faces of a fan, >= 1.
 /// Cost: linear in the number of faces, for bounded valence.
 FaceFans PackFans(const TriangleMesh& mesh, int largest);
 
-/// Faces no two of which have a common side, packed in the same way: where faces have two colours, those of
-/// one colour, which have all sides between them.
+/// A set of faces no two of which share a side, chosen in the same way. Where the faces can be coloured with two colours,
+/// these are the faces of one colour, which have all sides between them.
 /// Cost: linear in the number of faces.
 std::vector<int> PackFaces(const TriangleMesh& mesh);
 

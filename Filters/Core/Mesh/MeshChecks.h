@@ -9,7 +9,7 @@
 namespace dmg
 {
 
-/// How error messages name the elements of the caller's data set: entry i is the caller's number of
+/// The names of elements in error messages, after the caller's data set: entry i is the caller's number of
 /// vertex / face i. Empty: the same numbers.
 struct ElementNames
 {

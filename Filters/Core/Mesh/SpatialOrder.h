@@ -9,14 +9,14 @@
 namespace dmg
 {
 
-/// The faces along Morton's curve through their centres. Whatever the numbers are: elements that CheckElements
+/// The faces along Morton's curve through their centres. No coordinates are refused: elements that CheckElements
 /// would refuse stand anywhere.
 /// \pre corners are in range.
 std::vector<int> FacesInSpatialOrder(const Points& points, const Triangles& triangles, const ExecutionContext& context);
 
-/// A numbering in which what is near in space is near in memory: faces in
-/// spatial order, vertices by their first face. Files number surfaces in any order, and what walks
-/// over them from neighbour to neighbour takes twice as long if that order is a bad one.
+/// A numbering in which neighbours in space are neighbours in memory: faces in
+/// spatial order, vertices by their first face. Files number surfaces in any order, and walks
+/// from neighbour to neighbour are slow in a bad one.
 /// Cost: O(#F).
 class SpatialOrder
 {

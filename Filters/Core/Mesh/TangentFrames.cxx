@@ -16,7 +16,7 @@ constexpr int Grain = 4096;
 /// Below it the direction of a cross product of two sides is rounding noise rather than geometry.
 constexpr double DegenerateArea = 1e-10;
 
-/// In a degenerate face, a side shorter than this times the longest one counts as having no length;
+/// A side of a degenerate face that is shorter than this times the longest one counts as having no length;
 /// the square root of DegenerateArea, so that longer ones are parallel to it.
 constexpr double DegenerateLength = 1e-5;
 
@@ -173,7 +173,7 @@ void FillDegenerateFrames(const TriangleMesh& mesh, const std::vector<int>& dege
       filling.FillFrom(face);
     }
   }
-  // What is left lies in components that are degenerate as a whole, where any normal will do.
+  // The remaining faces lie in components that are degenerate as a whole, where any normal will do.
   for (const int face : degenerate)
   {
     if (filling.IsUnknown(face))

@@ -40,11 +40,11 @@ TangentFrames FaceFrames(const TriangleMesh& mesh, const ExecutionContext& conte
 /// as the limit of a slim one: a side without length is perpendicular to the two others.
 std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
 
-/// Of all faces, per halfedge.
+/// The sides of all faces, per halfedge.
 Unfilled<Complex> SideDirections(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
-/// Those of one face in FaceFrames, for those who need no more of these frames.
+/// The sides of one face in FaceFrames, which need not be computed for it.
 std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face);
 
 /// Per vertex: N the normalised sum of the area vectors of the faces around it (where that
@@ -53,9 +53,9 @@ std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face);
 /// Cost: O(#F).
 TangentFrames VertexFrames(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
-/// How a direction turns when it is carried from one tangent plane to another along the shortest
+/// The rotation of a direction that is carried from one tangent plane to another along the shortest
 /// rotation between their normals: z becomes turn * z, |turn| = 1. Defined for every pair; where
-/// the normals are opposite, any shortest rotation.
+/// the normals are opposite, by any shortest rotation.
 Complex TransportTurn(const TangentFrames& from, int a, const TangentFrames& to, int b);
 
 /// A corner of a face, for those who gather from the faces around a vertex.

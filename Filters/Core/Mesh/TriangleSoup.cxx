@@ -10,7 +10,7 @@ namespace dmg
 namespace
 {
 
-/// How many places the vertices of a mesh have.
+/// The number of different places of the vertices of a mesh.
 std::ptrdiff_t NumberOfPlaces(const TriangleMesh& mesh)
 {
   std::vector<std::array<double, 3>> places;

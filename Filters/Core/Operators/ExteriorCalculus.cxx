@@ -49,7 +49,7 @@ std::array<double, 3> CornerProducts(const TriangleMesh& mesh, int face)
   return products;
 }
 
-/// Which part of a face each corner gets.
+/// The parts of a face that belong to its corners.
 std::array<double, 3> VoronoiShares(const TriangleMesh& mesh, int face)
 {
   const std::array<double, 3> products = CornerProducts(mesh, face);

@@ -23,7 +23,7 @@ SparseMatrix<double> D0(const TriangleMesh& mesh, const ExecutionContext& contex
 /// Derivative of 1-forms, #F x #E: the sum around a face (the curl, integrated). D1 D0 = 0 exactly.
 SparseMatrix<double> D1(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
-/// What belongs to a vertex of the faces around it.
+/// The part that a vertex has of the faces around it.
 enum class VertexAreas
 {
   /// A third of each face.

@@ -58,8 +58,8 @@ FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh);
 /// Betti number of the surface: 2 g where it is closed, 2 g + b - 1 with b boundary loops; none on
 /// spheres and discs.
 /// Degenerate faces add 1e-6 |X_f|^2: through two of them that share a side of no length a field
-/// may circle at no cost. About 26 entries per row. Cost: O(#F) for bounded valence, about 1 us per
-/// face.
+/// circulate at no cost. About 26 entries per row. Cost: O(#F) for bounded
+/// valence.
 SparseMatrix<double> FaceFieldSmoothness(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 

@@ -13,7 +13,7 @@ namespace
 
 constexpr int Grain = 4096;
 
-/// By how much the boundary turns against the field at one of its vertices.
+/// The rotation of the boundary against the field at one of its vertices.
 double TurnAtBoundary(
   const TriangleMesh& mesh, const Unfilled<Corner>& corners, const Vector<double>& turning, int vertex)
 {
@@ -21,7 +21,7 @@ double TurnAtBoundary(
   mesh.VisitFan(vertex,
     [&](int h)
     {
-      // As in SingularityIndices; the edges at both ends of the fan turn nothing.
+      // The sum is that of SingularityIndices; the edges at both ends of the fan add nothing.
       const int edge = mesh.EdgeOf(h);
       turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
     });

@@ -31,7 +31,7 @@ double AngleOfDirection(Complex power, int k, int N)
   return (Argument(power) + 2.0 * Pi * k) / N;
 }
 
-/// How many times 2 pi / N a direction is ahead of direction 0 of an element.
+/// The number of times that a direction is 2 pi / N ahead of direction 0 of an element.
 double StepsFromFirst(Complex direction, Complex power, int N)
 {
   return (N * Argument(direction) - Argument(power)) / (2.0 * Pi);

@@ -9,9 +9,9 @@
 #include <complex>
 #include <vector>
 
-/// What is to be seen of a power field: the directions, which of them go on across an edge, and the
-/// singularities, where none can. Powers are one per face or per vertex, in its frame. Direction k of an
-/// element is at the angle (arg(power) + 2 pi k) / N there; that of a zero power is counted as zero. All cost
+/// The directions of a power field, their matching across edges, and the singularities, around which no matching
+/// closes. There is one power per face or per vertex, in its frame. Direction k of an element is at the angle
+/// (arg(power) + 2 pi k) / N there; arg(0) counts as zero. All functions cost
 /// O(#F).
 namespace dmg
 {
@@ -31,17 +31,17 @@ struct PrincipalMatching
 PrincipalMatching MatchDirections(const TriangleMesh& mesh, const Unfilled<Complex>& sides,
   const Vector<Complex>& powers, int N, const ExecutionContext& context = SerialContext());
 
-/// Which direction of each face comes first, along a tree over the faces that crosses the edges of least turning
-/// first: each goes on as the first of the next face but for a cut, which vanishes on a disc without
+/// The first direction of each face (combing), along a tree over the faces that crosses the edges of least rotation
+/// first: each continues as the first of the next face except across a cut, which is empty on a disc without
 /// singularities.
 /// \param matching of these powers.
 std::vector<int> CombingLabels(const TriangleMesh& mesh, const Vector<Complex>& powers,
   const PrincipalMatching& matching, int N, const ExecutionContext& context = SerialContext());
 
-/// Which direction of each face comes nearest to a former first direction of it: labels that hold still while the field
-/// turns. Where there was none, direction 0.
-/// \return empty where the field is another one: half of the faces have turned by more than a half of what would make
-///   another direction the nearest, pi / (2 N).
+/// The direction of each face that is nearest to its former first direction, so that labels hold still while the field
+/// rotates. A face without a former direction gets direction 0.
+/// \return empty where the field is another one: half of the faces have rotated by more than pi / (2 N), half of the
+///   angle that would make another direction the nearest.
 /// \param former first directions of the faces in the same frames, of any length.
 std::vector<int> LabelsNearTo(const Vector<Complex>& former, const Vector<Complex>& powers, int N,
   const ExecutionContext& context = SerialContext());

@@ -27,7 +27,7 @@ double SquaredLength(const TriangleMesh& mesh, int halfedge)
   return (mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge))).squaredNorm();
 }
 
-/// What a Laplacian wants to know of a face, and where its neighbours stand.
+/// The shape of a face as the Laplacian needs it, and the places of its neighbours.
 struct PowerFaceShape
 {
   std::array<Complex, 3> Sides;

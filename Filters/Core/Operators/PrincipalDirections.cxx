@@ -176,7 +176,7 @@ std::vector<BendOfPart> BendsOfRegions(const FramedMesh& surface, double scale, 
   return ofRegions;
 }
 
-/// What the elements of one kind make of their regions.
+/// The curvatures of the elements of one kind, from the sums over their regions.
 /// \param flat the curvature below which the surface counts as flat.
 /// \param bendOf (element) the sum over its region.
 template <class BendOf>

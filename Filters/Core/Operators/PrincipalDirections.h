@@ -8,7 +8,7 @@
 namespace dmg
 {
 
-/// How the surface bends at each face, or each vertex; as long as there are of these.
+/// The principal curvatures and directions at each face, or at each vertex.
 struct PrincipalCurvatures
 {
   /// Unit, in the frame of the element, along which the surface bends by Maximum; the other principal direction is a
@@ -39,16 +39,16 @@ struct PrincipalDirections
 /// On a face, the shape operator is the derivative of the vertices' normals, interpolated between its corners
 /// (Rusinkiewicz 2004, "Estimating curvatures and their derivatives on triangle meshes"). Its integral over a region is a
 /// corrected curvature measure (Lachaud, Romon and Thibert 2022, "Corrected curvature measures"), which like the normal
-/// cycle (Cohen-Steiner and Morvan 2003) depends on what is at the rim of the region alone: noise inside cancels. On
-/// ellipsoids, tori and cylinders whose points are moved by 5 % of an edge along the normals, and at scale 3, directions
-/// are off by 0.5 to 2.5 degrees, those of normal cycles and of quadrics fitted to the same points (CGAL's
-/// Monge_via_jet_fitting) by 1.4 to 9.8; the fits took tens of times as long.
+/// cycle (Cohen-Steiner and Morvan 2003) depends on the rim of the region alone: noise inside cancels. On noisy
+/// ellipsoids, tori and cylinders its directions are nearer to the exact ones than those of normal cycles and of
+/// quadrics fitted to the same points (CGAL's Monge_via_jet_fitting): see the section on principal directions in
+/// Testing/Benchmarks/README.md.
 ///
 /// A larger scale withstands more noise and sees less detail; without noise, the error of curvatures grows with the square
 /// of it. At the boundary, where normals look to one side, curvatures come out smaller, by up to a fifth at scale 3.
 /// \param scale finite, >= 0.
 /// \throw Cancelled
-/// Cost: scale^2 for each vertex; at scale 3, 2.3 s of CPU time for a million faces.
+/// Cost: O(scale^2) for each vertex.
 PrincipalDirections FindPrincipalDirections(
   const FramedMesh& surface, double scale, const ExecutionContext& context = SerialContext());
 

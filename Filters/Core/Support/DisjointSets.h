@@ -10,8 +10,8 @@
 namespace dmg
 {
 
-/// Numbers 0 to size - 1 in sets, which grow together: each in one of its own at first. A set is called by
-/// its smallest number (Tarjan 1975, with paths halved).
+/// Union-find (Tarjan 1975, with path halving) on the numbers 0 to size - 1. At first each number is a set of its own. A set
+/// is named by its smallest number.
 class DisjointSets
 {
 public:
@@ -28,7 +28,7 @@ public:
     this->Parents[std::max(a, b)] = std::min(a, b);
   }
 
-  /// Of the set that i is in.
+  /// The smallest number of the set that contains i.
   int Smallest(int i)
   {
     while (this->Parents[i] != i)
@@ -39,7 +39,7 @@ public:
     return i;
   }
 
-  /// Of the sets of all numbers.
+  /// The smallest numbers of the sets of all numbers.
   std::vector<int> AllSmallest() const
   {
     std::vector<int> smallest(this->Parents);
@@ -51,10 +51,10 @@ public:
   }
 
 private:
-  std::vector<int> Parents; ///< never larger
+  std::vector<int> Parents; ///< never larger than the number itself
 };
 
-/// Per column the first of those that it is connected with, through rows that have entries in both.
+/// Connected components of the columns, which a row connects if it has entries in them: per column, the first of its component.
 /// Cost: hardly more than one pass over the entries.
 template <class Scalar>
 std::vector<int> ConnectedColumns(const SparseMatrix<Scalar>& A)

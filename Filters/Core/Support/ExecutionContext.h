@@ -6,7 +6,7 @@
 namespace dmg
 {
 
-/// How a long computation talks to its caller: progress, cancellation and threads.
+/// The link between a long computation and its caller: progress, cancellation and threads.
 ///
 /// The core owns no threads. Filters lend it VTK's (Adapters/ContextFromAlgorithm), tests and
 /// benchmarks lend it TBB's (Testing/Support), and SerialContext lends none.
@@ -18,7 +18,7 @@ class ExecutionContext
 public:
   virtual ~ExecutionContext() = default;
 
-  /// A point where the computation may stop; at least every 100 ms unless a function says
+  /// A point where the computation may stop. There is one at least every tenth of a second unless a function says
   /// otherwise.
   /// \param fraction done of the part at hand, in [0, 1].
   /// \throw Cancelled the caller asked to stop.
@@ -30,7 +30,7 @@ public:
   /// thread. A body may have loops of its own.
   void ParallelFor(int begin, int end, int grain, const std::function<void(int first, int last)>& body) const;
 
-  /// How many pieces may run at the same time; >= 1. Results must not depend on it.
+  /// The number of pieces that may run at the same time; >= 1. Results must not depend on it.
   virtual int NumberOfThreads() const { return 1; }
 
   /// True as soon as the caller asked to stop.

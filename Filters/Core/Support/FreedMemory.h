@@ -10,10 +10,10 @@
 namespace dmg
 {
 
-/// Gives the system what was freed, if it is much. glibc keeps the gaps between blocks that are in use, and
-/// after a large set-up these are a third of what is in use.
-/// Cost: 0.1 ms for each MB that it gives, and several times as much when it is wanted again: a set-up of
-/// t01, which frees 50 to 100 MB again and again, took a sixth longer where these were given back.
+/// Returns freed memory to the system if there is much of it. glibc keeps the gaps between blocks that are in use, and
+/// after a large set-up these amount to a third of the used memory.
+/// Cost: linear in the memory returned, and several times as much when it is needed again. Smaller amounts, which a
+/// set-up frees and needs again and again, are therefore kept.
 inline void GiveBackFreedMemory()
 {
 #ifdef __GLIBC__

@@ -12,7 +12,7 @@
 namespace dmg
 {
 
-/// A row of a matrix to be: columns and entries.
+/// The columns and entries of a row that is being assembled.
 template <class Scalar>
 using RowEntries = std::vector<std::pair<int, Scalar>>;
 
@@ -51,7 +51,7 @@ SparseMatrix<Scalar> FillRows(int rows, int columns, const ExecutionContext& con
   return matrix;
 }
 
-/// Rows as they were computed, in pieces, since the size of a row is known only once it is.
+/// Rows of unknown size, in the pieces in which they were computed.
 template <class Entry>
 class AssembledRows
 {
@@ -136,7 +136,7 @@ SparseMatrix<Scalar> AssembleMatrix(int rows, int columns, const ExecutionContex
   return MatrixOf(assembled, rows, columns, context, [](int r) { return r; });
 }
 
-/// What two numbers at one element make of two numbers at another.
+/// An entry that maps two numbers at one element to two numbers at another.
 using Block = Eigen::Matrix2d;
 
 /// The matrix of twice as many rows and columns that consists of the blocks that \p appendRow adds.

@@ -233,7 +233,7 @@ SparseMatrix<Scalar> NormalMatrix(const SparseMatrix<Scalar>& B, const Execution
 /// Row by row (Gustavson 1978), where each band of rows of R forms the rows of A P that it needs and
 /// forgets them again: A P never exists as a whole.
 /// \throw InvalidInput more than 2^31 non-zeros.
-/// Cost: about 10 ns per multiply-add on one core, if all three are ordered so that neighbours have
+/// Cost: linear in the multiply-adds, if all three matrices are ordered so that neighbours have
 /// near indices; several times as much in a random order.
 template <class Scalar>
 SparseMatrix<Scalar> TripleProduct(const SparseMatrix<Scalar>& R, const SparseMatrix<Scalar>& A,

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-/// What it takes to compute a sparse matrix row by row when its pattern is not known before.
+/// Tools that compute a sparse matrix row by row when its pattern is not known before.
 namespace dmg
 {
 
@@ -85,7 +85,7 @@ struct SparseRows
   void EndRow() { this->Offsets.push_back(static_cast<int>(this->Columns.size())); }
 };
 
-/// Ascending; fast for few.
+/// Sorts in ascending order; fast for few indices.
 void SortIndices(int* indices, int size);
 
 /// A sparse vector that is summed up from multiples of sparse rows. Factors and values may be of other
@@ -161,8 +161,8 @@ private:
   int Count = 0;
 };
 
-/// Things that are expensive to make, and that threads use one at a time: no more than threads. Each is at a
-/// place, and taken again near it: what it holds of a cache or of memory differs little.
+/// A pool of objects that are expensive to make. A thread takes one and gives it back, so that there are no more objects
+/// than threads. Objects are indexed by place and taken again near it, so that caches stay warm.
 template <class Thing>
 class Pool
 {
@@ -201,7 +201,7 @@ public:
   RowBands(int numberOfRows, int numberOfColumns)
     : NumberOfRows(numberOfRows)
     , NumberOfColumns(numberOfColumns)
-    // Long bands cost little to join; of few rows, there are enough for many threads.
+    // Long bands cost little to join; short ones of a small matrix are enough for many threads.
     , BandSize(numberOfRows > 16384 ? 512 : 64)
     , Bands((numberOfRows + this->BandSize - 1) / this->BandSize)
   {
@@ -216,7 +216,7 @@ public:
   int FirstRow(int band) const { return band * this->BandSize; }
   int LastRow(int band) const { return std::min(this->FirstRow(band + 1), this->NumberOfRows); }
 
-  /// How many bands a thread should take one after the other.
+  /// The number of bands that a thread should take one after the other.
   int Grain(const ExecutionContext& context) const
   {
     return std::max(1, this->NumberOfBands() / (8 * context.NumberOfThreads()));

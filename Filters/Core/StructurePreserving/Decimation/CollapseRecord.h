@@ -8,7 +8,7 @@
 namespace dmg
 {
 
-/// What an edge collapse did, kept for those who look at it later (OverlayProlongation.h): the
+/// The record of an edge collapse, from which OverlayProlongation.h makes operators: the
 /// faces that it replaced, and the plane in which those before and after it fill the same polygon.
 struct CollapseRecord
 {

@@ -15,7 +15,7 @@ namespace dmg
 namespace
 {
 
-// Of the collapsible edges, the share that a round looks at. Less keeps closer to the order of
+// The share of the collapsible edges that a round looks at. A smaller one keeps closer to the order of
 // cost and takes more rounds.
 constexpr double CandidateShare = 0.6;
 
@@ -207,7 +207,7 @@ private:
         this->Mesh.VisitNeighbours(end, [this](int v) { this->BlockedIn[v] = this->Round; });
       }
     }
-    // In the order of memory, not of cost.
+    // The order is that of memory, not that of cost.
     std::sort(this->Selected.begin(), this->Selected.end());
   }
 

@@ -30,12 +30,12 @@ public:
   int Tail(int halfedge) const { return this->Corners[halfedge]; }
   int Head(int halfedge) const { return this->Corners[TriangleMesh::Next(halfedge)]; }
   int Twin(int halfedge) const { return this->Twins[halfedge]; }
-  /// As in TriangleMesh.
+  /// The same as that of a TriangleMesh.
   int OutgoingHalfedge(int vertex) const { return this->Outgoing[vertex]; }
   bool IsBoundaryVertex(int vertex) const { return this->Twins[this->Outgoing[vertex]] < 0; }
   const Vector3& Position(int vertex) const { return this->Positions[vertex]; }
 
-  /// Where the ends of the edge meet: on the boundary if one is there, else at the midpoint.
+  /// The point at which the ends of the edge meet: on the boundary if one is there, else the midpoint.
   Vector3 CollapsePosition(int halfedge) const;
 
   /// Error of the collapse: quadric error at the new place, plus a little of the fourth power of
@@ -44,7 +44,7 @@ public:
   /// Thesis, section 5.1; the length term keeps coarse triangles round.
   double CollapseCost(int halfedge) const;
 
-  /// What a collapse leaves to do when no other thread collapses: vertices of the loop, which other
+  /// The work that a collapse leaves until no other thread collapses: vertices of the loop, which other
   /// rings share, may still name a dead face as theirs.
   struct Afterwork
   {

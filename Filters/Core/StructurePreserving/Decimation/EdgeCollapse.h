@@ -11,7 +11,7 @@
 namespace dmg
 {
 
-/// What a collapse may do to the shape of the mesh.
+/// Limits of the change that a collapse may make to the shape of the mesh.
 struct CollapseLimits
 {
   int MaximumValence;        ///< of the vertex that it makes
@@ -54,7 +54,7 @@ public:
   /// CollapsibleMesh::FinishCollapse must follow.
   std::optional<CollapsibleMesh::Afterwork> Try(int halfedge, const CollapseLimits& limits);
 
-  /// Of the last collapse.
+  /// The ring of the last collapse.
   const OneRing& Ring() const { return this->LastRing; }
   CollapseRecord Record() const { return { this->LastRing, this->Flattening.Plane() }; }
 

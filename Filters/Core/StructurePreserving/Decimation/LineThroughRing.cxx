@@ -53,7 +53,7 @@ LineThroughRing::LineThroughRing(
   this->TurnAroundHub(from, to);
 }
 
-/// Which way around the hub, and past how many spokes.
+/// Chooses the side on which the line passes the hub, and the spokes that it crosses there.
 void LineThroughRing::TurnAroundHub(const PlaceInRing& from, const PlaceInRing& to)
 {
   const auto turns = [sectors = this->Ring.NumberOfSectors()](int a, int b)

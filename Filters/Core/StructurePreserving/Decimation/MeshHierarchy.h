@@ -13,7 +13,7 @@
 namespace dmg
 {
 
-/// Where a fine mesh lies on the next coarser one.
+/// The place of a fine mesh on the next coarser one.
 struct LevelTransition
 {
   const TriangleMesh& Fine;

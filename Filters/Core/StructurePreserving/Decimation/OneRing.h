@@ -11,7 +11,7 @@ namespace dmg
 
 class CollapsibleMesh;
 
-/// What an edge collapse does to the boundary of the surface.
+/// The effect of an edge collapse on the boundary of the surface.
 enum class CollapseKind
 {
   /// Both ends inside the surface: they meet at the midpoint.

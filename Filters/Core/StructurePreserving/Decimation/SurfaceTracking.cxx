@@ -388,7 +388,7 @@ PlaceInRing SurfaceTracking::LocateCrossing(
   return { (1.0 - fraction) * tail + fraction * head, k, k, false };
 }
 
-// Where a chain begins or ends, after the collapse.
+// The place at which a chain begins or ends after the collapse.
 PlaceInRing SurfaceTracking::Locate(
   int node, int halfedge, double fraction, const OneRing& ring, const std::vector<Complex>& plane) const
 {

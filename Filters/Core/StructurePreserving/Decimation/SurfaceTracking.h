@@ -13,7 +13,7 @@
 namespace dmg
 {
 
-/// Where the vertices and edges of a fine mesh lie on the mesh that edge collapses make of it.
+/// The places of the vertices and edges of a fine mesh on the mesh that edge collapses make of it.
 ///
 /// Each collapse moves what lies in its one-ring along the joint flattening: vertices as points,
 /// edges as polylines that cross the edges of the coarse mesh. Within a ring a polyline is pulled

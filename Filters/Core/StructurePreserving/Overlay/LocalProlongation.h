@@ -9,7 +9,7 @@
 namespace dmg
 {
 
-/// What a value of the mesh before a collapse is made of after it: a row of a local operator. All
+/// A row of a local operator, which gives a value before a collapse from values after it. All
 /// elements go by their slots in the CollapsibleMesh.
 template <class Scalar>
 struct LocalRow

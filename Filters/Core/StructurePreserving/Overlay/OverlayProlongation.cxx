@@ -286,7 +286,7 @@ TransportOperator WithTurns(const SparseMatrix<Complex>& weights, const SparseMa
   {
     Complex& entry = result.valuePtr()[i];
     const double length = std::abs(entry);
-    // Where all ways cancel any turn will do.
+    // Any rotation will do where all paths cancel.
     entry = weights.valuePtr()[i].real() * (length > 0.0 ? entry / length : Complex(1.0));
   }
   return result;

@@ -38,7 +38,7 @@ struct OverlayProlongation
   /// \pre the transition recorded its collapses: ProlongationConstruction::ExactOverlay.
   /// \param fineFrames, coarseFrames of the faces; SX and SP are between them.
   /// \throw InvalidInput the transition has no record. \throw Cancelled
-  /// Cost: O(#F_l) for bounded valence, about 1 ms per collapse; checkpoints every 64 collapses and
+  /// Cost: O(#F_l) for bounded valence, in exact arithmetic; checkpoints every 64 collapses and
   /// between the operators.
   /// Same bits for any number of threads.
   OverlayProlongation(const LevelTransition& transition, const TangentFrames& fineFrames,

@@ -124,7 +124,7 @@ std::array<Rational, 3> RingOverlay::WeightsIn(int sector, const Crossing& cross
   return crossing.Spoke == sector ? std::array<Rational, 3>{ 1 - u, u, 0 } : std::array<Rational, 3>{ 1 - u, 0, u };
 }
 
-// In the order of the edge.
+// The crossings come in the order of the edge.
 std::vector<RingOverlay::Crossing> RingOverlay::CrossingsOf(int from, int to) const
 {
   std::vector<Crossing> crossings;

@@ -52,7 +52,7 @@ public:
   std::vector<Piece> PiecesOf(int from, int to) const;
 
 private:
-  /// Where the line of an edge meets a spoke, strictly between the ends of the edge.
+  /// The intersection of an edge's line with a spoke, strictly between the ends of the edge.
   struct Crossing
   {
     int Spoke;

@@ -73,7 +73,7 @@ public:
   /// \param a, b places on the twin, from 0 at its tail to 1 at its head.
   void Bend(const PieceOfEdge& piece, int side, double a, double b);
 
-  /// How many pieces were bent.
+  /// The number of pieces that were bent.
   int NumberOfDetours() const { return this->Detours; }
 
 private:

@@ -9,7 +9,7 @@
 namespace dmg
 {
 
-/// How a direction turns from the polar coordinates of a vertex into the frame of a face around it:
+/// The rotations from the polar coordinates of a vertex into the frames of the faces around it:
 /// per halfedge, for the vertex at its tail and its face. Polar angles at a vertex count from its
 /// outgoing halfedge, counter-clockwise, and are stretched such that an inner vertex has 2 pi of
 /// them, whatever its angles sum to (Knoeppel et al. 2013).

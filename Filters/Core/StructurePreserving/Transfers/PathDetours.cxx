@@ -142,7 +142,7 @@ private:
     return weak;
   }
 
-  /// What shows the face, of edges that are not reserved for others.
+  /// The coverage of a coarse face by edges that are not reserved for others.
   Coverage CoverageOf(int coarseFace, int withoutEdge = -1) const
   {
     Coverage coverage;
