@@ -95,6 +95,9 @@ def _vectors(mesh: vtkPolyData, name: str) -> Iterator[Vector]:
     array, first = mesh.GetCellData().GetArray(name), mesh.GetNumberOfVerts() + mesh.GetNumberOfLines()
     if array.GetNumberOfComponents() != 3:
         raise FieldError(f"the array {name} has {array.GetNumberOfComponents()} components instead of 3")
+    if array.GetNumberOfTuples() < mesh.GetNumberOfCells():
+        raise FieldError(f"the array {name} has {array.GetNumberOfTuples()} tuples for {mesh.GetNumberOfCells()} cells; "
+                         "cells were added after the field was computed, so compute it again")
     for face in range(mesh.GetNumberOfPolys()):
         vector = array.GetTuple3(first + face)
         if not all(map(math.isfinite, vector)):

@@ -10,6 +10,7 @@ import re
 import warnings
 from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, TypeVar, Union
 
+from vtkmodules.vtkCommonCore import vtkObjectBase, vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
@@ -52,8 +53,7 @@ def smooth_field(mesh: Mesh, guides: DataObjects = None, n: Optional[int] = None
     Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what
     the filter refuses; warns with FieldWarning.
     """
-    if not isinstance(mesh, vtkPolyData):
-        raise TypeError(f"the mesh is of type {type(mesh).__name__}, not vtkPolyData; extract its surface first")
+    _check_mesh(mesh)
     solver = vtkHarmonicFieldSolver()
     solver.SetInputData(mesh)
     for each in _datasets(guides, "guides"):
@@ -70,6 +70,22 @@ def smooth_field(mesh: Mesh, guides: DataObjects = None, n: Optional[int] = None
     return result
 
 
+def _check_mesh(mesh: Any) -> None:
+    _check_vtk(mesh, "the mesh")
+    if not isinstance(mesh, vtkPolyData):
+        raise TypeError(f"the mesh is of type {type(mesh).__name__}, not vtkPolyData; extract its surface first")
+    if mesh.GetNumberOfCells() == 0:
+        raise FieldError("the mesh has no cells, so there is no surface; give it triangles, by vtkDelaunay2D for instance")
+
+
+def _check_vtk(item: Any, name: str) -> None:
+    """A process may have loaded two builds of VTK, whose classes have the same names and are strangers to each other."""
+    classes = {each.__name__ for each in type(item).__mro__}
+    if "vtkObjectBase" in classes and not isinstance(item, vtkObjectBase):
+        raise TypeError(f"{name} belongs to another VTK than this package, which was built for VTK "
+                        f"{vtkVersion.GetVTKVersion()}; use the Python modules of that VTK, or copy points and cells by numpy")
+
+
 def update(algorithm: vtkAlgorithm) -> Optional[vtkDataObject]:
     """Updates a filter, one of this package or any other, and what stands before it in the pipeline.
 
@@ -77,6 +93,7 @@ def update(algorithm: vtkAlgorithm) -> Optional[vtkDataObject]:
     a line on standard error and an empty output; warns with FieldWarning. What failed runs again at the next call; but VTK tells
     nothing of what failed in an Update() of its own before, unless something has changed since.
     """
+    _check_vtk(algorithm, "the filter")
     if not isinstance(algorithm, vtkAlgorithm):
         raise TypeError(f"an object of type {type(algorithm).__name__} is no VTK filter")
     return _update(algorithm, 3)
@@ -145,6 +162,7 @@ def _datasets(objects: DataObjects, what: str) -> Tuple[vtkDataObject, ...]:
         objects = (objects,)
     datasets = tuple(objects)
     for each in datasets:
+        _check_vtk(each, f"one of the {what}")
         if not isinstance(each, vtkDataObject):
             raise TypeError(f"{what} are datasets; an object of type {type(each).__name__} is none")
     return datasets
@@ -153,16 +171,19 @@ def _datasets(objects: DataObjects, what: str) -> Tuple[vtkDataObject, ...]:
 def _set_properties(solver: vtkHarmonicFieldSolver, properties: Dict[str, Property]) -> None:
     known = {name[3:] for name in vars(type(solver)) if name.startswith("Set") and hasattr(solver, "Get" + name[3:])}
     known.remove("NumberOfDirections")
-    if "NumberOfDirections" in properties:
-        raise TypeError("NumberOfDirections is called n here")
     for name, value in properties.items():
         if name in known:
             _set_property(solver, name, value)
         elif name not in _ARRAYS:
-            names = sorted(known.union(_ARRAYS))
-            near = difflib.get_close_matches(name, names, 1, 0.5)
-            raise TypeError(f"there is no property {name}; " +
-                            (f"did you mean {near[0]}?" if near else "there are " + ", ".join(names)))
+            raise TypeError(f"there is no property {name}; " + _nearest(name, sorted(known.union(_ARRAYS))))
+
+
+def _nearest(name: str, names: List[str]) -> str:
+    """What somebody may have meant, however it is spelt: max_distance for MaximumDistance, N for n."""
+    spellings = {each.lower(): each for each in [*names, "guides", "singularities", "n"]}
+    spellings.update(numberofdirections="n", directionsperpoint="n", mesh="mesh")
+    near = difflib.get_close_matches(name.replace("_", "").lower(), spellings, 1, 0.5)
+    return f"did you mean {spellings[near[0]]}?" if near else "there are " + ", ".join(names)
 
 
 def _set_number_of_directions(solver: vtkHarmonicFieldSolver, n: Optional[int]) -> None:

@@ -68,6 +68,15 @@ class Export(unittest.TestCase):
         self.assertEqual(len(edges), count)
         return edges
 
+    def test_a_line_that_was_added_after_the_field_is_an_error(self):
+        field, line = smooth_field(torus(20, 10)), vtkCellArray()
+        line.InsertNextCell(2, [0, 1])
+        field.SetLines(line)
+        with self.assertRaisesRegex(FieldError, "Direction0 has 400 tuples for 401 cells; .*compute it again"):
+            write_rosy(self.path, field)
+        write_rosy(self.path, smooth_field(field))  # which knows of the line
+        self.assertEqual(numbers(self.path)[:2], [[400], [4]])
+
     def test_rosy_has_a_unit_direction_of_each_face(self):
         mesh = smooth_field(torus(12, 8), UnitLength=False)
         write_rosy(self.path, mesh)

@@ -135,7 +135,11 @@ class SmoothField(unittest.TestCase):
         for error, text, arguments in (
                 (TypeError, "no property Allignment; did you mean Alignment", {"Allignment": 2}),
                 (TypeError, "there are Alignment, .*Weights", {"Xyzq": 2}),
-                (TypeError, "called n", {"NumberOfDirections": 2}),
+                (TypeError, "did you mean n[?]", {"NumberOfDirections": 2}),
+                (TypeError, "did you mean n[?]", {"number_of_directions": 2}),
+                (TypeError, "did you mean n[?]", {"N": 2}),
+                (TypeError, "did you mean MaximumDistance[?]", {"max_distance": 2}),
+                (TypeError, "did you mean guides[?]", {"Guide": 2}),
                 (TypeError, "Tolerance = 'small'", {"Tolerance": "small"}),
                 (TypeError, "Tolerance = None", {"Tolerance": None}),
                 (TypeError, "Tolerance = True", {"Tolerance": True}),
@@ -164,6 +168,14 @@ class SmoothField(unittest.TestCase):
                 smooth_field(mesh, **arguments)
         with self.assertRaisesRegex(TypeError, "extract its surface"):
             smooth_field("mesh.vtp")
+
+    def test_a_mesh_of_another_vtk_is_told_apart(self):
+        """Another build of VTK has classes of the same names, which ours do not know."""
+        of_vtk = type("vtkObjectBase", (), {})
+        mesh = type("PolyData", (type("vtkPolyData", (of_vtk,), {}),), {})()
+        for call in (lambda: smooth_field(mesh), lambda: smooth_field(torus(20, 10), mesh), lambda: update(mesh)):
+            with self.assertRaisesRegex(TypeError, "another VTK"):
+                call()
 
     def test_what_the_filter_reports_is_raised(self):
         with self.assertRaises(FieldError) as caught:

@@ -5,12 +5,41 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <mutex>
 #include <string>
 #include <type_traits>
 #include <vector>
 
+#ifdef __linux__
+#include <pthread.h>
+// CHOLMOD's OpenMP has it, where CHOLMOD uses OpenMP.
+extern "C" void omp_set_max_active_levels(int) __attribute__((weak));
+#endif
+
 namespace dmg
 {
+
+namespace
+{
+
+/// A child process has none of its parent's OpenMP threads, but GCC's OpenMP waits for them there. After a fork, CHOLMOD
+/// uses one thread.
+void UseOneThreadAfterFork()
+{
+#ifdef __linux__
+  static std::once_flag once;
+  std::call_once(once,
+    []
+    {
+      if (omp_set_max_active_levels)
+      {
+        pthread_atfork(nullptr, nullptr, [] { omp_set_max_active_levels(0); });
+      }
+    });
+#endif
+}
+
+}
 
 /// CHOLMOD without Eigen's CholmodSupport, which keeps the factor to itself, so that neither its size nor the pivot that
 /// failed nor an estimate of the condition could be told, and which allocates solution and workspaces for each
@@ -21,6 +50,7 @@ class CholeskySolver<Scalar>::Internals
 public:
   explicit Internals(FillOrdering ordering)
   {
+    UseOneThreadAfterFork();
     cholmod_l_start(&this->Common);
     this->Common.print = 0;
 #ifdef DMG_NO_GPL
