@@ -5,8 +5,7 @@
 #include "Analysis/TrivialConnection.h"
 #include "Discretisations/MakeDiscretisation.h"
 #include "Discretisations/Prescriptions.h"
-#include "FieldSetup.h"
-#include "Solvers/HarmonicProblem.h"
+#include "PoissonSolver.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
@@ -40,8 +39,7 @@ double SecondsSince(Clock::time_point start)
 struct SystemStage
 {
   SolverOptions Options;
-  std::optional<HarmonicProblem> Problem; ///< none where all vertices are on boundaries
-  int Grounded = 0;
+  std::optional<PoissonSolver> Functions;
   SparseMatrix<double> Divergences; ///< of the loops, #V x k
   Eigen::MatrixXd Potentials;       ///< u_k, #V x k
   Eigen::MatrixXd Inverse;          ///< of how much forms turn along loops, k x k
@@ -135,8 +133,6 @@ public:
 
 private:
   void AddHarmonicForms(SystemStage& system, const ExecutionContext& context) const;
-  Vector<double> Potential(SystemStage& system, const Vector<double>& source, const Vector<double>& start,
-    const StoppingCriteria& stop, const ExecutionContext& context) const;
   Vector<double> TurningOf(const SystemStage& system, const Vector<double>& potential, int N) const;
 };
 
@@ -158,36 +154,13 @@ void SingularFieldSolver::Internals::SetUp(const SolverOptions& asked, const Exe
   }
   auto system = std::make_unique<SystemStage>();
   system->Options = options;
-  const std::vector<int> grounded = this->Surface->Grounded(mesh);
-  system->Grounded = static_cast<int>(grounded.size());
-  if (system->Grounded < mesh.NumberOfVertices())
-  {
-    FieldOptions ofPotentials;
-    ofPotentials.Field.Kind = DiscretisationKind::ScalarFunction;
-    ofPotentials.Constraints = ConstraintKind::Hard;
-    ofPotentials.Solver = options;
-    const auto functions = MakeDiscretisation(ofPotentials.Field, this->On);
-    constexpr bool HasHarmonicFields = false; // functions have none
-    const SolverPlan plan =
-      PlanSolver(*functions, ofPotentials, nullptr, ObstaclesOf(mesh, HasHarmonicFields, context));
-    const auto setup =
-      MakeSetup(this->On, *functions, nullptr, plan, CoarseSpaceKind::Nodal, PartOfContext(context, 0.0, 0.5));
-    system->Problem.emplace(setup, PrescribedUnknowns{ ConstraintKind::Hard, grounded, {} }, 1.0, options,
-      plan.ChoiceOn(*setup), PartOfContext(context, 0.5, 0.7));
-  }
+  system->Functions.emplace(this->On, this->Surface->Grounded(mesh), options, PartOfContext(context, 0.0, 0.7));
   this->AddHarmonicForms(*system, PartOfContext(context, 0.7, 1.0));
   this->Connection.reset();
   this->System = std::move(system);
   this->SystemSeconds = SecondsSince(start);
   ++this->Counts.Setups;
   ++this->Counts.Systems;
-}
-
-Vector<double> SingularFieldSolver::Internals::Potential(SystemStage& system, const Vector<double>& source,
-  const Vector<double>& start, const StoppingCriteria& stop, const ExecutionContext& context) const
-{
-  return system.Problem ? system.Problem->Solve(Vector<double>::Zero(system.Grounded), start, {}, stop, context, source)
-                        : Vector<double>::Zero(source.size());
 }
 
 void SingularFieldSolver::Internals::AddHarmonicForms(SystemStage& system, const ExecutionContext& context) const
@@ -203,10 +176,10 @@ void SingularFieldSolver::Internals::AddHarmonicForms(SystemStage& system, const
   {
     const double step = 1.0 / loops;
     system.Potentials.col(k) =
-      this->Potential(system, system.Divergences.col(k), {}, stop, PartOfContext(context, step * k, step * (k + 1)));
-    if (system.Problem && ResidualOf(system.Problem->Report()) > LargestTolerance)
+      system.Functions->Solve(system.Divergences.col(k), {}, stop, PartOfContext(context, step * k, step * (k + 1)));
+    if (ResidualOf(system.Functions->Report()) > LargestTolerance)
     {
-      system.Warnings = system.Problem->Report().Warnings;
+      system.Warnings = system.Functions->Report().Warnings;
     }
   }
   const Eigen::MatrixXd energies =
@@ -251,20 +224,15 @@ void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N, cons
   {
     source[vertex] += 2.0 * Pi * times[vertex] / N;
   }
-  connection->Potential = this->Potential(system, source,
-    this->Connection ? this->Connection->Potential : Vector<double>(), stop, PartOfContext(context, 0.0, 0.8));
+  connection->Potential = system.Functions->Solve(source, {}, stop, PartOfContext(context, 0.0, 0.8), NetSource::Refuse,
+    this->Connection ? this->Connection->Potential : Vector<double>());
   connection->Turning = this->TurningOf(system, connection->Potential, N);
   LimitTurning(mesh, LargestTurning * Pi / N, connection->Turning);
   connection->Powers = PowersOfConnection(mesh, surface.Sides, surface.Trees, connection->Turning, N);
   context.Checkpoint(0.9);
   SolveReport& report = connection->Report;
-  report.Converged = true;
-  report.Solver = "trivial connection";
-  if (system.Problem)
-  {
-    report = system.Problem->Report();
-    report.Solver = "trivial connection by " + report.Solver;
-  }
+  report = system.Functions->Report();
+  report.Solver = "trivial connection by " + report.Solver;
   report.Bytes += 8 * system.Potentials.size();
   report.Warnings.insert(report.Warnings.end(), system.Warnings.begin(), system.Warnings.end());
   if (const std::string warning = WarningOfLargeTurning(mesh, connection->Turning, N, names); !warning.empty())
