@@ -1,0 +1,24 @@
+#ifndef dmgBoundaryLoops_h
+#define dmgBoundaryLoops_h
+
+#include "Mesh/TriangleMesh.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// A closed line of boundary edges.
+struct BoundaryLoop
+{
+  std::vector<int> Vertices; ///< with the surface to the left of the way from each to the next
+  int Component = 0;         ///< of the surface, as FaceComponents numbers them
+  double Length = 0.0;
+};
+
+/// All of them, by component; of a component the longest first. Cost: O(#F).
+std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh);
+
+}
+
+#endif
