@@ -3,7 +3,7 @@
 
 #include "Discretisations/Discretisation.h"
 #include "Discretisations/DiscretisationOptions.h"
-#include "Solvers/PrescribedUnknowns.h"
+#include "Solvers/Penalties.h"
 #include "Solvers/SolverOptions.h"
 
 #include <tuple>

@@ -261,8 +261,8 @@ void FieldSolver::Internals::Prepare(
   const SolverChoice& choice = this->Plan.ChoiceOn(*current->Setup);
   const bool isCompared = NeedsReference(options.Solver, choice.Kind);
   std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options, current,
-    HarmonicProblem(current->Setup, this->Field->Penalties(constraints, options.Weights(), context), options.Smoothness,
-      options.Solver, choice, PartOfContext(context, 0.0, isCompared ? 0.5 : 1.0)),
+    HarmonicProblem(current->Setup, this->Field->PenaltiesOf(constraints, options.Weights(), context),
+      options.Smoothness, options.Solver, choice, PartOfContext(context, 0.0, isCompared ? 0.5 : 1.0)),
     nullptr });
   if (isCompared)
   {
@@ -281,7 +281,7 @@ std::unique_ptr<HarmonicProblem> FieldSolver::Internals::MakeReference(
   auto setup =
     MakeSetup(this->Surface, *this->Field, nullptr, factored, options.CoarseSpace, PartOfContext(context, 0.0, 0.3));
   return std::make_unique<HarmonicProblem>(std::move(setup),
-    this->Field->Penalties(constraints, options.Weights(), context), options.Smoothness, options.Solver,
+    this->Field->PenaltiesOf(constraints, options.Weights(), context), options.Smoothness, options.Solver,
     factored.Choice, PartOfContext(context, 0.3, 1.0));
 }
 
@@ -293,7 +293,7 @@ bool FieldSolver::Internals::UpdateSystem(
   {
     return false;
   }
-  PrescribedUnknowns penalties = this->Field->Penalties(constraints, options.Weights(), context);
+  Penalties penalties = this->Field->PenaltiesOf(constraints, options.Weights(), context);
   // Half-updated, it must not be seen again.
   std::unique_ptr<SystemStage> system = std::move(this->System);
   if (this->Solution)
@@ -362,7 +362,7 @@ void FieldSolver::SetMemoryLimit(long long bytes)
   this->Internal->ForgetSetups();
 }
 
-const Vector<double>& FieldSolver::Solve(const PrescribedDirections& directions, const FieldOptions& options,
+const Vector<double>& FieldSolver::Solve(const dmg::Constraints& directions, const FieldOptions& options,
   const StoppingCriteria& stop, const ExecutionContext& context, const ElementNames& names)
 {
   Internals& of = *this->Internal;

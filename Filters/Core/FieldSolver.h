@@ -51,7 +51,7 @@ public:
   ///   leave nothing to solve for, or operators lack those that are needed.
   /// \throw SolverFailure the system could not be factored.
   /// \throw Cancelled
-  const Vector<double>& Solve(const PrescribedDirections& directions, const FieldOptions& options,
+  const Vector<double>& Solve(const dmg::Constraints& directions, const FieldOptions& options,
     const StoppingCriteria& stop = {}, const ExecutionContext& context = SerialContext(),
     const ElementNames& names = {});
 

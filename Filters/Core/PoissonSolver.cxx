@@ -160,7 +160,7 @@ PoissonSolver::Internals::Internals(
   this->ReportOfHeld.Converged = true;
   if (static_cast<int>(this->Grounded.size()) < vertices)
   {
-    this->Problem.emplace(this->Setup->Levels, PrescribedUnknowns{ ConstraintKind::Hard, this->Grounded, {} }, 1.0,
+    this->Problem.emplace(this->Setup->Levels, Penalties{ ConstraintKind::Hard, this->Grounded, {} }, 1.0,
       this->Setup->Options, this->Setup->Plan.ChoiceOn(*this->Setup->Levels), context);
   }
 }

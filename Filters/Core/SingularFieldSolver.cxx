@@ -3,8 +3,8 @@
 #include "Analysis/HarmonicForms.h"
 #include "Analysis/SurfaceHolonomy.h"
 #include "Analysis/TrivialConnection.h"
+#include "Constraints/Constraints.h"
 #include "Discretisations/MakeDiscretisation.h"
-#include "Discretisations/Prescriptions.h"
 #include "PoissonSolver.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
@@ -259,7 +259,7 @@ void SingularFieldSolver::Internals::TurnTo(FieldConstraints constraints, const 
   const auto componentOf = [&](int face) { return surface.Components[this->On.Mesh.FaceCorners()(face, 0)]; };
   Vector<Complex> powers = this->Connection->Powers;
   const auto values = AsComplex(constraints.Values);
-  const Vector<double> weights = this->Field->Penalties(constraints, {}, context).Alignment;
+  const Vector<double> weights = this->Field->PenaltiesOf(constraints, {}, context).Alignment;
   Vector<Complex> turns = Vector<Complex>::Zero(surface.NumberOfComponents());
   for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
   {
@@ -298,7 +298,7 @@ void CheckTakesSingularities(const DiscretisationOptions& field)
 }
 
 const Vector<double>& SingularFieldSolver::Solve(const std::vector<PrescribedSingularity>& singularities,
-  const PrescribedDirections& directions, const FieldOptions& options, const StoppingCriteria& asked,
+  const dmg::Constraints& directions, const FieldOptions& options, const StoppingCriteria& asked,
   const ExecutionContext& context, const ElementNames& names)
 {
   CheckTakesSingularities(options.Field);

@@ -48,7 +48,7 @@ public:
   ///   component do not sum to its Euler characteristic; a prescribed direction is wrong; too many loops.
   /// \throw SolverFailure, Cancelled
   const Vector<double>& Solve(const std::vector<PrescribedSingularity>& singularities,
-    const PrescribedDirections& directions, const FieldOptions& options, const StoppingCriteria& stop = {},
+    const dmg::Constraints& directions, const FieldOptions& options, const StoppingCriteria& stop = {},
     const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
 
   const FramedMesh& Surface() const override;

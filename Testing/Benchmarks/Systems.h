@@ -45,9 +45,9 @@ SparseMatrix<Scalar> MakeRoughness(const TriangleMesh& mesh, const TangentFrames
 }
 
 /// Complex unknowns instead of the pairs of their parts.
-inline PrescribedUnknowns OfPairs(const PrescribedUnknowns& pairs)
+inline Penalties OfPairs(const Penalties& pairs)
 {
-  PrescribedUnknowns powers{ pairs.Kind, {}, Vector<double>(pairs.Alignment.size() / 2) };
+  Penalties powers{ pairs.Kind, {}, Vector<double>(pairs.Alignment.size() / 2) };
   for (std::size_t b = 0; b < pairs.Unknowns.size(); b += 2)
   {
     powers.Unknowns.push_back(pairs.Unknowns[b] / 2);
@@ -72,7 +72,7 @@ HarmonicSystem<Scalar> MakeSystem(const TriangleMesh& mesh, const TangentFrames&
   {
     roughness *= options.Smoothness;
   }
-  PrescribedUnknowns prescribed = field.Penalties(constraints, options.Weights(), context);
+  Penalties prescribed = field.PenaltiesOf(constraints, options.Weights(), context);
   if constexpr (std::is_same<Scalar, Complex>::value)
   {
     prescribed = OfPairs(prescribed);

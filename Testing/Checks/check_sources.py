@@ -50,7 +50,8 @@ ARROWS = {
                                     "Mesh", "Support"},
     "StructurePreserving": THESIS | {"Analysis", "Levels", "Mesh", "Support"},
     "Drawing": {"Operators", "Mesh", "Support"},
-    "Discretisations": SOLVERS | {"Solvers", "Levels", "Analysis", "Operators", "Mesh", "Support"},
+    "Constraints": {"Operators", "Mesh", "Support"},
+    "Discretisations": SOLVERS | {"Constraints", "Solvers", "Levels", "Analysis", "Operators", "Mesh", "Support"},
 }
 
 # The rooms of Filters/Adapters, lowest first: each may include itself and those before it.

@@ -62,12 +62,11 @@ struct PreparedField
     return elements;
   }
 
-  PrescribedUnknowns Prescribed(const Elements& elements, const FieldWeights& weights) const
+  Penalties Prescribed(const Elements& elements, const FieldWeights& weights) const
   {
     // The areas of faces pull at powers as they do at vectors.
-    return this->IsForm()
-      ? PrescribedUnknownsOf(this->Mesh, PrescribedEdges{ elements.Numbers, elements.Weights }, weights)
-      : PrescribedUnknownsOf(this->Mesh, PrescribedFaces{ elements.Numbers, elements.Weights }, weights);
+    return this->IsForm() ? PenaltiesOfEdges(this->Mesh, { elements.Numbers, elements.Weights }, weights)
+                          : PenaltiesOfFaces(this->Mesh, { elements.Numbers, elements.Weights }, weights);
   }
 
   HarmonicProblem Problem(

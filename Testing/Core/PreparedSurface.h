@@ -1,8 +1,8 @@
 #ifndef dmgTestPreparedSurface_h
 #define dmgTestPreparedSurface_h
 
+#include "Constraints/Constraints.h"
 #include "Discretisations/DiscretisationOptions.h"
-#include "Discretisations/Prescriptions.h"
 #include "Mesh/FramedMesh.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
 #include "StructurePreserving/SurfaceHierarchy.h"
@@ -48,9 +48,9 @@ struct PreparedSurface
 };
 
 /// A few directions along a wave over the surface.
-inline std::vector<PrescribedDirection> WaveOfDirections(const TriangleMesh& mesh, int step)
+inline std::vector<Constraint> WaveOfDirections(const TriangleMesh& mesh, int step)
 {
-  std::vector<PrescribedDirection> directions;
+  std::vector<Constraint> directions;
   const TangentFrames frames = FaceFrames(mesh);
   for (int face = 0; face < mesh.NumberOfFaces(); face += step)
   {
@@ -60,9 +60,9 @@ inline std::vector<PrescribedDirection> WaveOfDirections(const TriangleMesh& mes
 }
 
 /// Those, for discretisations of directions, and values at some vertices, for functions.
-inline PrescribedDirections Prescriptions(const FramedMesh& surface, int step)
+inline Constraints Prescriptions(const FramedMesh& surface, int step)
 {
-  PrescribedDirections prescribed{ WaveOfDirections(surface.Mesh, step), {} };
+  Constraints prescribed{ WaveOfDirections(surface.Mesh, step), {} };
   for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); vertex += step)
   {
     prescribed.Values.push_back({ vertex, std::sin(0.1 * vertex), 1.0 });

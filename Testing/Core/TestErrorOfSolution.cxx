@@ -88,7 +88,7 @@ FieldConstraints Twenty(const Discretisation& field, double weight, bool areMixe
   return constraints;
 }
 
-Vector<double> Reference(const Extended& R, const PrescribedUnknowns& penalties, const Vector<double>& values)
+Vector<double> Reference(const Extended& R, const Penalties& penalties, const Vector<double>& values)
 {
   Extended A = R;
   ExtendedVector b = ExtendedVector::Zero(A.rows());
@@ -166,7 +166,7 @@ TEST(ErrorOfSolution, IsBelowTenTolerancesForAnyWeight)
       {
         const FieldConstraints constraints = Twenty(*field, weight, areMixed);
         const Vector<double> expected =
-          Reference(R, field->Penalties(constraints, {}, SerialContext()), constraints.Values);
+          Reference(R, field->PenaltiesOf(constraints, {}, SerialContext()), constraints.Values);
         for (const SolverKind solver : { SolverKind::Cholesky, SolverKind::ConjugateGradients, SolverKind::VCycles })
         {
           SCOPED_TRACE(field->Name() + ", " + Name(solver, weight, areMixed));

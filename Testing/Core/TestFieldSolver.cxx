@@ -23,9 +23,9 @@ using namespace dmg::test;
 namespace
 {
 
-PrescribedDirections Directions(const TriangleMesh& mesh, double turn = 0.0, double weight = 1.0)
+Constraints Directions(const TriangleMesh& mesh, double turn = 0.0, double weight = 1.0)
 {
-  PrescribedDirections directions;
+  Constraints directions;
   const TangentFrames frames = FaceFrames(mesh);
   for (int face = 0; face < mesh.NumberOfFaces(); face += 101)
   {
@@ -109,8 +109,7 @@ TEST(FieldSolver, PrescriptionsRepeatTheirStages)
   FieldSolver solver(mesh);
   FieldOptions options;
   options.Solver.Kind = SolverKind::ConjugateGradients;
-  const auto expectCosts = [&](
-                             const PrescribedDirections& directions, const StoppingCriteria& stop, const Stages& costs)
+  const auto expectCosts = [&](const Constraints& directions, const StoppingCriteria& stop, const Stages& costs)
   {
     const FieldSolver::StageCounts before = solver.Counts();
     solver.Solve(directions, options, stop);
@@ -122,7 +121,7 @@ TEST(FieldSolver, PrescriptionsRepeatTheirStages)
   expectCosts(Directions(mesh), {}, { 0, 0, 0 });
   expectCosts(Directions(mesh, 0.1), {}, { 0, 0, 1 });      // a moved guide
   expectCosts(Directions(mesh, 0.1, 2.0), {}, { 0, 1, 1 }); // its weight
-  PrescribedDirections more = Directions(mesh, 0.1, 2.0);
+  Constraints more = Directions(mesh, 0.1, 2.0);
   more.OnFaces.push_back({ 7, mesh.Position(mesh.Head(21)) - mesh.Position(mesh.Tail(21)), 1.0 });
   expectCosts(more, {}, { 0, 1, 1 });
   expectCosts(more, { 1e-10, 100 }, { 0, 0, 1 });
@@ -207,7 +206,7 @@ TEST(FieldSolver, DirectionsFollowWhatIsPrescribed)
   const TriangleMesh mesh = IrregularSphere(3, 3).Mesh();
   FieldOptions options;
   options.Constraints = ConstraintKind::Hard;
-  const PrescribedDirections directions = Directions(mesh);
+  const Constraints directions = Directions(mesh);
   for (const int N : { 1, 2, 4 })
   {
     options.Field.N = N;
@@ -269,7 +268,7 @@ TEST(FieldSolver, SolversAgreeOnEveryDiscretisation)
 TEST(FieldSolver, AgreesWithTheTextbookSystem)
 {
   const PreparedSurface on(IrregularTorus(16, 10, 4));
-  const PrescribedDirections directions = Prescriptions(on.Framed, 37);
+  const Constraints directions = Prescriptions(on.Framed, 37);
   for (ConstraintKind constraints : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
     FieldOptions options;
@@ -287,16 +286,15 @@ TEST(FieldSolver, AgreesWithTheTextbookSystem)
     };
     const auto real = [](const Vector<double>& x) { return x; };
     options.Field.N = 3;
-    const PowerConstraints powers = MakePowerConstraints(on.Mesh, on.Frames, 3, directions.OnFaces);
-    expectSame(MakePowerFieldSystem(on.Mesh, on.Frames, 3, powers.Prescribed, options.Weights()), powers.Values,
+    const FieldConstraints powers = MakePowerConstraints(on.Mesh, on.Frames, 3, directions.OnFaces);
+    expectSame(MakePowerFieldSystem(on.Mesh, on.Frames, 3, powers, options.Weights()), ComplexValues(powers),
       [](const Vector<Complex>& x) { return Vector<double>(AsPairs(x)); });
     options.Field.Kind = DiscretisationKind::FaceField;
-    const PowerConstraints vectors = MakePowerConstraints(on.Mesh, on.Frames, 1, directions.OnFaces);
-    expectSame(MakeFaceFieldSystem(on.Mesh, on.Frames, vectors.Prescribed, options.Weights()),
-      Vector<double>(AsPairs(vectors.Values)), real);
+    const FieldConstraints vectors = MakePowerConstraints(on.Mesh, on.Frames, 1, directions.OnFaces);
+    expectSame(MakeFaceFieldSystem(on.Mesh, on.Frames, vectors, options.Weights()), vectors.Values, real);
     options.Field.Kind = DiscretisationKind::OneForm;
-    const OneFormConstraints forms = OneFormConstraintsOnFaces(on.Mesh, on.Frames, directions.OnFaces);
-    expectSame(MakeOneFormSystem(on.Mesh, forms.Prescribed, options.Weights()), forms.Values, real);
+    const FieldConstraints forms = OneFormConstraintsOnFaces(on.Mesh, on.Frames, directions.OnFaces);
+    expectSame(MakeOneFormSystem(on.Mesh, forms, options.Weights()), forms.Values, real);
   }
 }
 
@@ -314,7 +312,7 @@ TEST(FieldSolver, ReportsProgressOnceAndStopsWhenAsked)
       options.Field.Kind = kind;
       options.Solver.Kind = SolverKind::ConjugateGradients;
       options.Solver.CompareWithCholesky = isCompared;
-      const PrescribedDirections directions = Prescriptions(on.Framed, 97);
+      const Constraints directions = Prescriptions(on.Framed, 97);
       TbbContext all(2);
       FieldSolver fields(on.Mesh);
       const Vector<double> expected = fields.Solve(directions, options, Tight(), all);

@@ -3,6 +3,7 @@
 #include "PreparedSurface.h"
 #include "Support/Errors.h"
 #include "Support/FieldProblem.h"
+#include "Support/FieldSystems.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
@@ -22,18 +23,18 @@ using namespace dmg::test;
 namespace
 {
 
-PrescribedFaces Every(int step, int faces)
+FieldConstraints Every(int step, int faces)
 {
-  PrescribedFaces prescribed;
+  FieldConstraints prescribed;
   for (int f = 0; f < faces; f += step)
   {
-    prescribed.Faces.push_back(f);
+    prescribed.Elements.push_back(f);
     prescribed.Weights.push_back(1.0);
   }
   return prescribed;
 }
 
-Vector<Complex> Solve(const PreparedSurface& on, const PrescribedFaces& prescribed, const Vector<Complex>& values,
+Vector<Complex> Solve(const PreparedSurface& on, const FieldConstraints& prescribed, const Vector<Complex>& values,
   const FieldOptions& options, const ExecutionContext& context = SerialContext())
 {
   PowerFieldProblem problem(on.Framed, &on.Operators, prescribed, options, context);
@@ -50,9 +51,9 @@ TEST(HarmonicField, SolversAgree)
     { IrregularSphere(4, 3), IrregularTorus(48, 20, 4), DoubleTorus(4), IrregularPlane(30, 24, 5) })
   {
     const PreparedSurface on(surface);
-    const PrescribedFaces prescribed = Every(97, on.Mesh.NumberOfFaces());
+    const FieldConstraints prescribed = Every(97, on.Mesh.NumberOfFaces());
     Random random(71);
-    const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+    const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Elements.size()));
     for (int N : { 1, 2, 4, 6 })
     {
       for (ConstraintKind constraints : { ConstraintKind::Soft, ConstraintKind::Hard })
@@ -83,13 +84,13 @@ TEST(HarmonicField, OneDirectionFillsAFlatPatch)
   const Vector3 direction(0.28, 0.96, 0.0);
   for (int N = 1; N <= 8; ++N)
   {
-    const PowerConstraints constraints = MakePowerConstraints(on.Mesh, on.Frames, N, { { 1234, direction, 1.0 } });
+    const FieldConstraints constraints = MakePowerConstraints(on.Mesh, on.Frames, N, { { 1234, direction, 1.0 } });
     for (SolverKind solver : { SolverKind::Cholesky, SolverKind::ConjugateGradients })
     {
       FieldOptions options;
       options.Field.N = N;
       options.Solver.Kind = solver;
-      const Vector<Complex> field = Solve(on, constraints.Prescribed, constraints.Values, options);
+      const Vector<Complex> field = Solve(on, constraints, ComplexValues(constraints), options);
       EXPECT_LT(RelativeDifference(field, PowersOfDirection(on.Frames, direction, N)), 1e-8);
     }
   }
@@ -102,8 +103,8 @@ TEST(HarmonicField, AFlatTorusCarriesAParallelField)
   const PreparedSurface on(FlatTorus(12, 3));
   for (int N : { 1, 2, 4 })
   {
-    PrescribedFaces prescribed;
-    prescribed.Faces = { 17 };
+    FieldConstraints prescribed;
+    prescribed.Elements = { 17 };
     prescribed.Weights = { 1.0 };
     Vector<Complex> values(1);
     values[0] = Complex(0.6, 0.8);
@@ -122,9 +123,9 @@ TEST(HarmonicField, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
   for (const Surface& surface : { IrregularSphere(4, 3), IrregularTorus(48, 20, 4), DoubleTorus(4) })
   {
     const PreparedSurface on(surface);
-    const PrescribedFaces prescribed = Every(211, on.Mesh.NumberOfFaces());
+    const FieldConstraints prescribed = Every(211, on.Mesh.NumberOfFaces());
     Random random(29);
-    const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+    const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Elements.size()));
     for (int N = 1; N <= 8; ++N)
     {
       FieldOptions options;
@@ -139,16 +140,16 @@ TEST(HarmonicField, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
 TEST(HarmonicField, HardConstraintsHoldExactly)
 {
   const PreparedSurface on(IrregularSphere(4, 3));
-  const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
+  const FieldConstraints prescribed = Every(300, on.Mesh.NumberOfFaces());
   Random random(31);
-  const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+  const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Elements.size()));
   FieldOptions options;
   options.Constraints = ConstraintKind::Hard;
   options.Solver.Kind = SolverKind::ConjugateGradients;
   const Vector<Complex> field = Solve(on, prescribed, values, options);
-  for (std::size_t b = 0; b < prescribed.Faces.size(); ++b)
+  for (std::size_t b = 0; b < prescribed.Elements.size(); ++b)
   {
-    EXPECT_EQ(field[prescribed.Faces[b]], values[b]);
+    EXPECT_EQ(field[prescribed.Elements[b]], values[b]);
   }
 }
 
@@ -159,20 +160,20 @@ TEST(HarmonicField, DoesNotDependOnNumberingPlaceOrSize)
   const Surface surface = IrregularTorus(40, 16, 4);
   const TriangleMesh mesh = surface.Mesh();
   const int N = 4;
-  std::vector<PrescribedDirection> directions;
+  std::vector<Constraint> directions;
   for (int f = 5; f < mesh.NumberOfFaces(); f += 131)
   {
     directions.push_back({ f, mesh.Position(mesh.Head(3 * f)) - mesh.Position(mesh.Tail(3 * f)), 1.0 });
     directions.back().Direction.normalize();
   }
-  const auto powersInSpace = [&](const Surface& on, const std::vector<PrescribedDirection>& where)
+  const auto powersInSpace = [&](const Surface& on, const std::vector<Constraint>& where)
   {
     const PreparedSurface prepared(on);
-    const PowerConstraints constraints = MakePowerConstraints(prepared.Mesh, prepared.Frames, N, where);
+    const FieldConstraints constraints = MakePowerConstraints(prepared.Mesh, prepared.Frames, N, where);
     FieldOptions options;
     options.Field.N = N;
     options.Solver.Kind = SolverKind::ConjugateGradients;
-    const Vector<Complex> field = Solve(prepared, constraints.Prescribed, constraints.Values, options);
+    const Vector<Complex> field = Solve(prepared, constraints, ComplexValues(constraints), options);
     // A power in space: against the power of the face's own first side, whose number is the same.
     return std::pair(field, prepared);
   };
@@ -180,8 +181,8 @@ TEST(HarmonicField, DoesNotDependOnNumberingPlaceOrSize)
 
   Eigen::Matrix3d rotation;
   const Surface moved = RotatedAndScaled(surface, 0.7, 250.0, &rotation);
-  std::vector<PrescribedDirection> movedDirections = directions;
-  for (PrescribedDirection& direction : movedDirections)
+  std::vector<Constraint> movedDirections = directions;
+  for (Constraint& direction : movedDirections)
   {
     direction.Direction = rotation * direction.Direction;
   }
@@ -189,10 +190,10 @@ TEST(HarmonicField, DoesNotDependOnNumberingPlaceOrSize)
   EXPECT_LT(RelativeDifference(powersInSpace(moved, movedDirections).first, expected), 1e-8);
 
   const Relabelled relabelled = Relabel(surface, 77);
-  std::vector<PrescribedDirection> relabelledDirections = directions;
-  for (PrescribedDirection& direction : relabelledDirections)
+  std::vector<Constraint> relabelledDirections = directions;
+  for (Constraint& direction : relabelledDirections)
   {
-    direction.Face = relabelled.NewFaces[direction.Face];
+    direction.Element = relabelled.NewFaces[direction.Element];
   }
   const auto [field, other] = powersInSpace(relabelled.Result, relabelledDirections);
   double worst = 0.0;
@@ -208,9 +209,9 @@ TEST(HarmonicField, DoesNotDependOnNumberingPlaceOrSize)
 TEST(HarmonicField, HasTheSameBitsForAnyNumberOfThreads)
 {
   const PreparedSurface on(IrregularTorus(96, 48, 21));
-  const PrescribedFaces prescribed = Every(97, on.Mesh.NumberOfFaces());
+  const FieldConstraints prescribed = Every(97, on.Mesh.NumberOfFaces());
   Random random(13);
-  const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+  const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Elements.size()));
   FieldOptions options;
   options.Solver.Kind = SolverKind::ConjugateGradients;
   const Vector<Complex> expected = Solve(on, prescribed, values, options);
@@ -223,9 +224,9 @@ TEST(HarmonicField, HasTheSameBitsForAnyNumberOfThreads)
 TEST(HarmonicField, SolvesAgainFromItsSolution)
 {
   const PreparedSurface on(IrregularSphere(4, 3));
-  const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
+  const FieldConstraints prescribed = Every(300, on.Mesh.NumberOfFaces());
   Random random(37);
-  Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Faces.size()));
+  Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Elements.size()));
   FieldOptions options;
   options.Solver.Kind = SolverKind::ConjugateGradients;
   PowerFieldProblem problem(on.Framed, &on.Operators, prescribed, options, SerialContext());
@@ -244,8 +245,8 @@ TEST(HarmonicField, SurvivesDegenerateSurfaces)
     { SphereWithZeroAreaFaces(3, 12), Needle(3, 200.0), Union(Icosphere(2), Torus(24, 10), Vector3(4.0, 0.0, 0.0)) })
   {
     const PreparedSurface on(surface);
-    PrescribedFaces prescribed;
-    prescribed.Faces = { 7 };
+    FieldConstraints prescribed;
+    prescribed.Elements = { 7 };
     prescribed.Weights = { 1.0 };
     Vector<Complex> values(1);
     values[0] = 1.0;
@@ -261,7 +262,7 @@ TEST(HarmonicField, SurvivesDegenerateSurfaces)
 TEST(HarmonicField, ChoosesASolverAndSaysWhy)
 {
   const PreparedSurface small(IrregularSphere(3, 3));
-  const PrescribedFaces prescribed = Every(300, small.Mesh.NumberOfFaces());
+  const FieldConstraints prescribed = Every(300, small.Mesh.NumberOfFaces());
   const FieldOptions options;
   const PowerFieldProblem direct(small.Framed, &small.Operators, prescribed, options, SerialContext());
   EXPECT_NE(direct.Report().Solver.find("Cholesky, chosen for 1280 unknowns"), std::string::npos);
@@ -312,8 +313,8 @@ TEST(HarmonicField, ManySolvesAreWorthAFactor)
 TEST(HarmonicField, AFactorisationSaysWhereItStops)
 {
   const PreparedSurface on(IrregularSphere(3, 3));
-  const PrescribedFaces prescribed = Every(300, on.Mesh.NumberOfFaces());
-  const Vector<Complex> values = Vector<Complex>::Ones(static_cast<int>(prescribed.Faces.size()));
+  const FieldConstraints prescribed = Every(300, on.Mesh.NumberOfFaces());
+  const Vector<Complex> values = Vector<Complex>::Ones(static_cast<int>(prescribed.Elements.size()));
   PowerFieldProblem problem(on.Framed, nullptr, prescribed, FieldOptions(), SerialContext());
   problem.Solve(values, {}, StoppingCriteria(), SerialContext());
   EXPECT_TRUE(problem.Report().Converged);

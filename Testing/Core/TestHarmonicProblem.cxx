@@ -109,7 +109,7 @@ TEST(HarmonicProblem, SourcesActOnAllThatIsFree)
   for (const ConstraintKind constraints : BothConstraints)
   {
     const FieldWeights weights{ 2.5, 0.7, constraints };
-    const PrescribedUnknowns prescribed = on.Prescribed(elements, weights);
+    const Penalties prescribed = on.Prescribed(elements, weights);
     const Vector<double> values = on.RandomValues(elements, 12);
     for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
     {
@@ -136,7 +136,7 @@ TEST(HarmonicProblem, HardConstraintsHoldExactly)
     const Elements elements = on.Every(31, 2);
     const Vector<double> values = on.RandomValues(elements, 3702);
     HarmonicProblem problem = on.Problem(elements, weights);
-    const PrescribedUnknowns prescribed = on.Prescribed(elements, weights);
+    const Penalties prescribed = on.Prescribed(elements, weights);
     EXPECT_EQ(problem.NumberOfFree(), on.NumberOfUnknowns() - static_cast<int>(prescribed.Unknowns.size()));
     const Vector<double> field = problem.Solve(values, {}, {}, {}, SerialContext());
     EXPECT_EQ(Vector<double>(field(prescribed.Unknowns)), values);
@@ -298,7 +298,7 @@ TEST(HarmonicProblem, ReportsProgressOnceAndStopsWhenAsked)
   const FieldWeights weights;
   const SolverOptions options;
   const SolverChoice choice = { SolverKind::ConjugateGradients, "" };
-  const PrescribedUnknowns prescribed = on.Prescribed(on.Every(31), weights);
+  const Penalties prescribed = on.Prescribed(on.Every(31), weights);
   for (const bool isUpdate : { false, true })
   {
     const auto make = [&](const ExecutionContext& context)

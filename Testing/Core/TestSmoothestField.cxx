@@ -292,9 +292,8 @@ TEST(SmoothestField, StandsBesideGuidedComponents)
     const StoppingCriteria stop{ 1e-7, 200 };
     FieldOptions options = OptionsOf(kind, 2, SolverKind::ConjugateGradients);
     options.Constraints = ConstraintKind::Hard; // the weights of soft ones know the whole surface
-    const PrescribedDirections directions{
-      { { 5, Vector3(0.3, 0.2, 0.9), 1.0 }, { 700, Vector3(0.3, -0.2, 0.5), 1.0 } }, {}, {}
-    };
+    const Constraints directions{ { { 5, Vector3(0.3, 0.2, 0.9), 1.0 }, { 700, Vector3(0.3, -0.2, 0.5), 1.0 } }, {},
+      {} };
     FieldSolver both(Union(guided, other, Vector3(5.0, 0.0, 0.0)).Mesh());
     both.Solve(directions, options, stop);
     FieldSolver first(guided.Mesh());
@@ -321,10 +320,10 @@ TEST(SmoothestField, IsZeroOnSplintersWithoutArea)
   splinter.F << 0, 1, 2;
   const Surface sphere = IrregularSphere(3, 5);
   const TriangleMesh mesh = Union(sphere, splinter, Vector3::Zero()).Mesh();
-  const PrescribedDirections oneDirection{ { { 5, Vector3(0.3, 0.2, 0.9), 1.0 } }, {}, {} };
+  const Constraints oneDirection{ { { 5, Vector3(0.3, 0.2, 0.9), 1.0 } }, {}, {} };
   for (const DiscretisationKind kind : { DiscretisationKind::PowerField, DiscretisationKind::FaceField })
   {
-    for (const PrescribedDirections& directions : { PrescribedDirections(), oneDirection })
+    for (const Constraints& directions : { Constraints(), oneDirection })
     {
       FieldSolver solver(mesh);
       solver.Solve(directions, OptionsOf(kind, 4), {});

@@ -188,7 +188,7 @@ void LetCholmodCall(void* (*allocate)(std::size_t))
 TEST(Memory, ThatRunsOutInTheCoreIsAnExceptionAndTheNextSolveIsWhole)
 {
   const TriangleMesh mesh = Torus(20, 16).Mesh();
-  PrescribedDirections directions;
+  Constraints directions;
   directions.OnFaces = { { 10, { 1.0, 0.5, -0.25 }, 1.0 }, { 200, { -0.5, 0.25, 1.0 }, 1.0 } };
   for (const auto kind : { DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
   {

@@ -33,7 +33,7 @@ bool KeepsApart(const FramedMesh& surface, const ProlongationOperators* operator
 }
 
 FieldConstraints MakeFieldConstraints(
-  const FramedMesh& surface, const PrescribedDirections& directions, const FieldOptions& options)
+  const FramedMesh& surface, const Constraints& directions, const FieldOptions& options)
 {
   return MakeDiscretisation(options.Field, surface)->Prescribe(directions, {});
 }
@@ -44,7 +44,7 @@ FieldProblem::FieldProblem(const FramedMesh& surface, const ProlongationOperator
   : Field(MakeDiscretisation(options.Field, surface))
 {
   const SolverPlan plan = PlanOf(surface, *this->Field, operators, options);
-  PrescribedUnknowns penalties = this->Field->Penalties(constraints, options.Weights(), context);
+  Penalties penalties = this->Field->PenaltiesOf(constraints, options.Weights(), context);
   const double half = setup ? 0.0 : 0.6;
   if (!setup)
   {
@@ -58,7 +58,7 @@ FieldProblem::FieldProblem(const FramedMesh& surface, const ProlongationOperator
 void FieldProblem::Update(
   const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
 {
-  this->Problem->Update(this->Field->Penalties(constraints, options.Weights(), context), options.Smoothness, context);
+  this->Problem->Update(this->Field->PenaltiesOf(constraints, options.Weights(), context), options.Smoothness, context);
 }
 
 Vector<double> FieldProblem::Solve(const Vector<double>& values, const Vector<double>& start,

@@ -20,7 +20,7 @@ bool KeepsApart(const FramedMesh& surface, const ProlongationOperators* operator
 
 /// Directions as a discretisation takes them.
 FieldConstraints MakeFieldConstraints(
-  const FramedMesh& surface, const PrescribedDirections& directions, const FieldOptions& options);
+  const FramedMesh& surface, const Constraints& directions, const FieldOptions& options);
 
 /// The system stage, and the solve stage on top of it.
 class FieldProblem
@@ -50,8 +50,8 @@ class PowerFieldProblem
 {
 public:
   PowerFieldProblem(const FramedMesh& surface, const ProlongationOperators* operators,
-    const PrescribedFaces& prescribed, const FieldOptions& options, const ExecutionContext& context)
-    : Problem(surface, operators, { prescribed.Faces, prescribed.Weights, {} }, options, context)
+    const FieldConstraints& prescribed, const FieldOptions& options, const ExecutionContext& context)
+    : Problem(surface, operators, prescribed, options, context)
   {
   }
 

@@ -15,8 +15,8 @@ namespace
 {
 
 template <class Scalar>
-HarmonicSystem<Scalar> MakeSystem(SparseMatrix<Scalar> roughness, const Vector<double>& mass,
-  PrescribedUnknowns prescribed, const FieldWeights& weights)
+HarmonicSystem<Scalar> MakeSystem(
+  SparseMatrix<Scalar> roughness, const Vector<double>& mass, Penalties prescribed, const FieldWeights& weights)
 {
   if (weights.Constraints == ConstraintKind::Soft)
   {
@@ -31,9 +31,9 @@ HarmonicSystem<Scalar> MakeSystem(SparseMatrix<Scalar> roughness, const Vector<d
 }
 
 /// One per complex unknown instead of one per part.
-PrescribedUnknowns OfComplex(const PrescribedUnknowns& pairs)
+Penalties OfComplex(const Penalties& pairs)
 {
-  PrescribedUnknowns powers{ pairs.Kind, {}, Vector<double>(pairs.Alignment.size() / 2) };
+  Penalties powers{ pairs.Kind, {}, Vector<double>(pairs.Alignment.size() / 2) };
   for (std::size_t b = 0; b < pairs.Unknowns.size(); b += 2)
   {
     powers.Unknowns.push_back(pairs.Unknowns[b] / 2);
@@ -48,41 +48,38 @@ PrescribedUnknowns OfComplex(const PrescribedUnknowns& pairs)
 }
 
 HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh, const TangentFrames& faceFrames, int N,
-  const PrescribedFaces& prescribed, const FieldWeights& weights, const ExecutionContext& context)
+  const FieldConstraints& prescribed, const FieldWeights& weights, const ExecutionContext& context)
 {
   const FramedMesh surface(mesh);
   const PowerField field(surface, N);
   return MakeSystem<Complex>(PowerLaplacian(mesh, faceFrames, N, context), field.Mass(context),
-    OfComplex(field.Penalties({ prescribed.Faces, prescribed.Weights, {} }, weights, context)), weights);
+    OfComplex(field.PenaltiesOf(prescribed, weights, context)), weights);
 }
 
 HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const PrescribedFaces& prescribed, const FieldWeights& weights, const ExecutionContext& context)
+  const FieldConstraints& prescribed, const FieldWeights& weights, const ExecutionContext& context)
 {
   return MakeSystem<double>(FaceFieldSmoothness(mesh, faceFrames, context), MassOfFaceFields(mesh),
-    PrescribedUnknownsOf(mesh, prescribed, weights), weights);
+    PenaltiesOfFaces(mesh, prescribed, weights), weights);
 }
 
-HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh, const PrescribedEdges& prescribed,
+HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh, const FieldConstraints& prescribed,
   const FieldWeights& weights, const ExecutionContext& context, VertexAreas areas)
 {
   return MakeSystem<double>(OneFormLaplacian(mesh, context, areas), PositiveStar1(mesh, context),
-    PrescribedUnknownsOf(mesh, prescribed, weights), weights);
+    PenaltiesOfEdges(mesh, prescribed, weights), weights);
 }
 
-PrescribedUnknowns PrescribedUnknownsOf(
-  const TriangleMesh& mesh, const PrescribedFaces& prescribed, const FieldWeights& weights)
+Penalties PenaltiesOfFaces(const TriangleMesh& mesh, const FieldConstraints& prescribed, const FieldWeights& weights)
 {
   const FramedMesh surface(mesh);
-  return FaceField(surface).Penalties({ prescribed.Faces, prescribed.Weights, {} }, weights, SerialContext());
+  return FaceField(surface).PenaltiesOf(prescribed, weights, SerialContext());
 }
 
-PrescribedUnknowns PrescribedUnknownsOf(
-  const TriangleMesh& mesh, const PrescribedEdges& prescribed, const FieldWeights& weights)
+Penalties PenaltiesOfEdges(const TriangleMesh& mesh, const FieldConstraints& prescribed, const FieldWeights& weights)
 {
   const FramedMesh surface(mesh);
-  return OneForm(surface, VertexAreas::MixedVoronoi)
-    .Penalties({ prescribed.Edges, prescribed.Weights, {} }, weights, SerialContext());
+  return OneForm(surface, VertexAreas::MixedVoronoi).PenaltiesOf(prescribed, weights, SerialContext());
 }
 
 Vector<double> MassOfPowerFields(const TriangleMesh& mesh)

@@ -1,9 +1,10 @@
 #ifndef dmgTestFieldSystems_h
 #define dmgTestFieldSystems_h
 
+#include "Discretisations/FieldConstraints.h"
 #include "Discretisations/OneFormConstraints.h"
-#include "Discretisations/Prescriptions.h"
 #include "Operators/ExteriorCalculus.h"
+#include "Support/ComplexPairs.h"
 #include "Support/HarmonicSystem.h"
 
 /// The systems of the discretisations as the thesis has them, assembled and reduced to free unknowns (HarmonicSystem):
@@ -15,20 +16,24 @@ namespace dmg
 {
 
 HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh, const TangentFrames& faceFrames, int N,
-  const PrescribedFaces& prescribed, const FieldWeights& weights, const ExecutionContext& context = SerialContext());
+  const FieldConstraints& prescribed, const FieldWeights& weights, const ExecutionContext& context = SerialContext());
 
 HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const PrescribedFaces& prescribed, const FieldWeights& weights, const ExecutionContext& context = SerialContext());
+  const FieldConstraints& prescribed, const FieldWeights& weights, const ExecutionContext& context = SerialContext());
 
-HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh, const PrescribedEdges& prescribed,
+HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh, const FieldConstraints& prescribed,
   const FieldWeights& weights, const ExecutionContext& context = SerialContext(),
   VertexAreas areas = VertexAreas::MixedVoronoi);
 
 /// The penalties of faces, two per vector, and of edges.
-PrescribedUnknowns PrescribedUnknownsOf(
-  const TriangleMesh& mesh, const PrescribedFaces& prescribed, const FieldWeights& weights);
-PrescribedUnknowns PrescribedUnknownsOf(
-  const TriangleMesh& mesh, const PrescribedEdges& prescribed, const FieldWeights& weights);
+Penalties PenaltiesOfFaces(const TriangleMesh& mesh, const FieldConstraints& prescribed, const FieldWeights& weights);
+Penalties PenaltiesOfEdges(const TriangleMesh& mesh, const FieldConstraints& prescribed, const FieldWeights& weights);
+
+/// The values of power fields in complex numbers.
+inline Vector<Complex> ComplexValues(const FieldConstraints& constraints)
+{
+  return AsComplex(constraints.Values);
+}
 
 /// The masses.
 Vector<double> MassOfPowerFields(const TriangleMesh& mesh);

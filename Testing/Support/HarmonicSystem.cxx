@@ -104,7 +104,7 @@ HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Hard(
 
 template <class Scalar>
 HarmonicSystem<Scalar> HarmonicSystem<Scalar>::Make(
-  SparseMatrix<Scalar> smoothness, const Vector<double>& mass, PrescribedUnknowns prescribed)
+  SparseMatrix<Scalar> smoothness, const Vector<double>& mass, Penalties prescribed)
 {
   return HarmonicSystem(smoothness, mass, std::move(prescribed.Unknowns), std::move(prescribed.Alignment),
     prescribed.Kind == ConstraintKind::Hard);

@@ -1,7 +1,7 @@
 #ifndef dmgHarmonicSystem_h
 #define dmgHarmonicSystem_h
 
-#include "Solvers/PrescribedUnknowns.h"
+#include "Solvers/Penalties.h"
 #include "Support/Types.h"
 
 #include <string>
@@ -46,8 +46,7 @@ public:
   static HarmonicSystem Hard(SparseMatrix<Scalar> smoothness, const Vector<double>& mass, std::vector<int> prescribed);
 
   /// Either, as the prescription says.
-  static HarmonicSystem Make(
-    SparseMatrix<Scalar> smoothness, const Vector<double>& mass, PrescribedUnknowns prescribed);
+  static HarmonicSystem Make(SparseMatrix<Scalar> smoothness, const Vector<double>& mass, Penalties prescribed);
 
   /// Eigen 3.4 would copy the matrices.
   HarmonicSystem(HarmonicSystem&& other) noexcept;

@@ -15,9 +15,9 @@ namespace dmg
 namespace
 {
 
-PrescribedDirections DirectionsOnSurface(const ConstraintArrays& arrays, const SurfaceNumbering& surface)
+Constraints DirectionsOnSurface(const ConstraintArrays& arrays, const SurfaceNumbering& surface)
 {
-  PrescribedDirections directions;
+  Constraints directions;
   if (arrays.OnPoints)
   {
     VisitPrescribed(
@@ -39,10 +39,10 @@ PrescribedDirections DirectionsOnSurface(const ConstraintArrays& arrays, const S
 
 /// Values at points: where the mask is not zero, or, without a mask, where they are numbers; with weights, where those are
 /// not zero, too.
-std::vector<PrescribedValue> ValuesOnSurface(
+std::vector<ValueConstraint> ValuesOnSurface(
   const ConstraintChoices& choices, vtkPolyData* surface, const SurfaceNumbering& numbering)
 {
-  std::vector<PrescribedValue> prescribed;
+  std::vector<ValueConstraint> prescribed;
   const ChosenArray values = FindArray(choices.Values, surface, 1, "values", "the surface");
   if (!values.Array)
   {
@@ -77,7 +77,7 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
   const NearestPlaces& places, const ExecutionContext& context)
 {
   const SurfaceNumbering& numbering = places.Framed.Numbering;
-  PrescribedDirections directions;
+  Constraints directions;
   const auto values = ValuesOnSurface(onSurface, surface, numbering);
   // Else mask and weights are those of values.
   if (!HasArray(onSurface.Values, surface) || HasArray(onSurface.Vectors, surface))

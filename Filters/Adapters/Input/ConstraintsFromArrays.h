@@ -9,7 +9,7 @@ namespace dmg
 /// All that is prescribed.
 struct Prescription
 {
-  PrescribedDirections Directions;
+  Constraints Directions;
   GuidesReport Report;
 };
 

@@ -3,7 +3,7 @@
 #include "Adapters/Input/GuideDataSets.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/ElementArrays.h"
-#include "Discretisations/SurfaceFeatures.h"
+#include "Constraints/WeightsOfFaces.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 

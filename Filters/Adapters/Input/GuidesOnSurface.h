@@ -3,7 +3,7 @@
 
 #include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/SegmentOnSurface.h"
-#include "Discretisations/Prescriptions.h"
+#include "Constraints/Constraints.h"
 
 #include <string>
 #include <vector>
@@ -47,7 +47,7 @@ struct GuidesReport
 /// What guides prescribe on the faces of a surface.
 struct GuidesOnSurface
 {
-  std::vector<PrescribedDirection> Directions;
+  std::vector<Constraint> Directions;
   GuidesReport Report;
   bool AreGiven = false; ///< some guide has points
 };

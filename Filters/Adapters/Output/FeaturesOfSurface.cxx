@@ -1,7 +1,7 @@
 #include "Adapters/Output/FeaturesOfSurface.h"
 
 #include "Adapters/Input/ChosenArrays.h"
-#include "Discretisations/SurfaceFeatures.h"
+#include "Constraints/SurfaceFeatures.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -72,7 +72,7 @@ RotationAngles AnglesOf(vtkHarmonicFieldSolver* filter, vtkPolyData* input, cons
 }
 
 std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyData* input, SolvedSurface& surface,
-  PrescribedDirections& directions, const ExecutionContext& context)
+  Constraints& directions, const ExecutionContext& context)
 {
   const FramedSurface framed = surface.Surface();
   if (filter->GetDiscretisation() == vtkHarmonicFieldSolver::ScalarFunction)

@@ -2,7 +2,7 @@
 #define dmgFeaturesOfSurface_h
 
 #include "Adapters/Output/SolvedSurface.h"
-#include "Discretisations/Prescriptions.h"
+#include "Constraints/Constraints.h"
 #include "Support/ExecutionContext.h"
 
 #include <string>
@@ -21,7 +21,7 @@ namespace dmg
 /// \throw InvalidInput as FollowFeatures, Turn and FindArray; curvature as a hard constraint.
 /// \throw Cancelled
 std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyData* input, SolvedSurface& surface,
-  PrescribedDirections& directions, const ExecutionContext& context);
+  Constraints& directions, const ExecutionContext& context);
 
 }
 

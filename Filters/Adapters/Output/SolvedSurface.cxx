@@ -108,7 +108,7 @@ const PrincipalCurvatures& SolvedSurface::Curvatures(double scale, const Executi
   return this->CurvaturesAtScale->second;
 }
 
-std::vector<std::string> SolvedSurface::Solve(const PrescribedDirections& directions, const FieldOptions& options,
+std::vector<std::string> SolvedSurface::Solve(const Constraints& directions, const FieldOptions& options,
   const StoppingCriteria& stop, const ExecutionContext& context)
 {
   return this->Update(
@@ -116,7 +116,7 @@ std::vector<std::string> SolvedSurface::Solve(const PrescribedDirections& direct
 }
 
 std::vector<std::string> SolvedSurface::Solve(const std::vector<PrescribedSingularity>& singularities,
-  const PrescribedDirections& directions, const FieldOptions& options, const StoppingCriteria& stop,
+  const Constraints& directions, const FieldOptions& options, const StoppingCriteria& stop,
   const ExecutionContext& context)
 {
   if (!this->WithSingularities)

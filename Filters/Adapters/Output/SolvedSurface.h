@@ -40,13 +40,12 @@ public:
   const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
 
   /// See FieldSolver::Solve. \return warnings for the user, where something was solved rather than kept.
-  std::vector<std::string> Solve(const PrescribedDirections& directions, const FieldOptions& options,
+  std::vector<std::string> Solve(const Constraints& directions, const FieldOptions& options,
     const StoppingCriteria& stop, const ExecutionContext& context);
 
   /// The same with singularities; see SingularFieldSolver::Solve.
-  std::vector<std::string> Solve(const std::vector<PrescribedSingularity>& singularities,
-    const PrescribedDirections& directions, const FieldOptions& options, const StoppingCriteria& stop,
-    const ExecutionContext& context);
+  std::vector<std::string> Solve(const std::vector<PrescribedSingularity>& singularities, const Constraints& directions,
+    const FieldOptions& options, const StoppingCriteria& stop, const ExecutionContext& context);
 
   /// The arrays of the field, where they are not those that stand.
   void MakeArrays(vtkPolyData* input, bool unitLength, bool combing, const ExecutionContext& context);

@@ -31,14 +31,13 @@ Eigen::MatrixXd Discretisation::HarmonicBasis(Eigen::MatrixXd basis, const Execu
   return basis;
 }
 
-PrescribedUnknowns Discretisation::Penalties(
+Penalties Discretisation::PenaltiesOf(
   const FieldConstraints& constraints, const FieldWeights& weights, const ExecutionContext& context) const
 {
   CheckWeights(weights);
   assert(constraints.Elements.size() == constraints.Weights.size());
   const int parts = this->UnknownsPerElement();
-  PrescribedUnknowns unknowns{ weights.Constraints, parts == 2 ? PairsOf(constraints.Elements) : constraints.Elements,
-    {} };
+  Penalties unknowns{ weights.Constraints, parts == 2 ? PairsOf(constraints.Elements) : constraints.Elements, {} };
   if (weights.Constraints == ConstraintKind::Soft)
   {
     const Vector<double> penalties = this->PenaltiesOfElements(constraints.Elements, context);

@@ -2,7 +2,7 @@
 #define dmgDiscretisation_h
 
 #include "Discretisations/DiscretisationOptions.h"
-#include "Discretisations/Prescriptions.h"
+#include "Discretisations/FieldConstraints.h"
 #include "Levels/HierarchyOptions.h"
 #include "Levels/ProlongationOperators.h"
 #include "Mesh/FramedMesh.h"
@@ -24,16 +24,6 @@ enum class ElementKind
   Vertices,
   Edges, ///< values are integrals in the edge's orientation, and change their sign with it
   Faces,
-};
-
-/// What is prescribed, as a discretisation takes it.
-struct FieldConstraints
-{
-  // Key of the system.
-  std::vector<int> Elements;   ///< that the unknowns stand on; ascending, each once
-  std::vector<double> Weights; ///< one per element, > 0
-  // Key of the solution.
-  Vector<double> Values; ///< UnknownsPerElement for each element
 };
 
 /// A field as N-th powers, to be drawn: of the faces in their frames and of the vertices in theirs.
@@ -173,10 +163,10 @@ public:
   /// \param names says how messages call vertices and faces.
   /// \throw InvalidInput a direction is out of range, not finite, perpendicular to the surface, or its weight is
   ///   not positive; or nothing is prescribed, and there is no smoothest field.
-  virtual FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const = 0;
+  virtual FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const = 0;
   /// The penalties m_b, weights included.
   /// \throw InvalidInput a weight is out of range.
-  PrescribedUnknowns Penalties(
+  Penalties PenaltiesOf(
     const FieldConstraints& constraints, const FieldWeights& weights, const ExecutionContext& context) const;
 
   // What is drawn. ---------------------------------------------------------------------------------

@@ -111,13 +111,11 @@ Eigen::MatrixXd FaceField::HarmonicBasis(Eigen::MatrixXd basis, const ExecutionC
   return HarmonicBasisOfFaceFields(this->Surface.Mesh, std::move(basis), context);
 }
 
-FieldConstraints FaceField::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
+FieldConstraints FaceField::Prescribe(const Constraints& constraints, const ElementNames& names) const
 {
   constexpr int OneDirection = 1;
-  PowerConstraints constraints = MakePowerConstraints(
-    this->Surface.Mesh, this->Surface.Faces, OneDirection, DirectionsOnFaces(this->Surface, directions, names), names);
-  return { std::move(constraints.Prescribed.Faces), std::move(constraints.Prescribed.Weights),
-    AsPairs(constraints.Values) };
+  return MakePowerConstraints(
+    this->Surface.Mesh, this->Surface.Faces, OneDirection, DirectionsOnFaces(this->Surface, constraints, names), names);
 }
 
 Vector<double> FaceField::PenaltiesOfElements(const std::vector<int>& faces, const ExecutionContext& context) const

@@ -42,7 +42,7 @@ public:
   Eigen::MatrixXd HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const override;
 
   /// Directions at vertices count on the faces around.
-  FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const override;
+  FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const override;
 
   FieldPowers Powers(
     const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const override;

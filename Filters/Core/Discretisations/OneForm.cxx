@@ -110,15 +110,13 @@ Eigen::MatrixXd OneForm::HarmonicBasis(Eigen::MatrixXd basis, const ExecutionCon
   return HarmonicBasisOfForms(this->Surface.Mesh, this->Surface.Faces, std::move(basis), context);
 }
 
-FieldConstraints OneForm::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
+FieldConstraints OneForm::Prescribe(const Constraints& constraints, const ElementNames& names) const
 {
   const auto& [mesh, faceFrames, vertexFrames] = this->Surface;
-  const OneFormConstraints onFaces = OneFormConstraintsOnFaces(mesh, faceFrames, directions.OnFaces, names);
-  const OneFormConstraints atVertices =
-    OneFormConstraintsAtVertices(mesh, faceFrames, vertexFrames, directions.AtVertices, names);
-  OneFormConstraints constraints = Joined(onFaces, atVertices);
-  return { std::move(constraints.Prescribed.Edges), std::move(constraints.Prescribed.Weights),
-    std::move(constraints.Values) };
+  const FieldConstraints onFaces = OneFormConstraintsOnFaces(mesh, faceFrames, constraints.OnFaces, names);
+  const FieldConstraints atVertices =
+    OneFormConstraintsAtVertices(mesh, faceFrames, vertexFrames, constraints.AtVertices, names);
+  return Joined(onFaces, atVertices);
 }
 
 Vector<double> OneForm::PenaltiesOfElements(const std::vector<int>& edges, const ExecutionContext&) const

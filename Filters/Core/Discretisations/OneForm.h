@@ -54,7 +54,7 @@ public:
   Eigen::MatrixXd HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const override;
 
   /// See OneFormConstraints.h.
-  FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const override;
+  FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const override;
 
   /// The vectors of its Whitney interpolant.
   FieldPowers Powers(

@@ -25,41 +25,40 @@ double Along(const TriangleMesh& mesh, int edge, const Vector3& direction)
 }
 
 /// Means of the wishes of each edge.
-OneFormConstraints Averaged(std::vector<Wish> wishes)
+FieldConstraints Averaged(std::vector<Wish> wishes)
 {
   std::stable_sort(wishes.begin(), wishes.end(), [](const Wish& a, const Wish& b) { return a.Edge < b.Edge; });
-  OneFormConstraints constraints;
-  PrescribedEdges& prescribed = constraints.Prescribed;
+  FieldConstraints constraints;
   std::vector<double> sums;
   for (const Wish& wish : wishes)
   {
-    if (prescribed.Edges.empty() || prescribed.Edges.back() != wish.Edge)
+    if (constraints.Elements.empty() || constraints.Elements.back() != wish.Edge)
     {
-      prescribed.Edges.push_back(wish.Edge);
-      prescribed.Weights.push_back(0.0);
+      constraints.Elements.push_back(wish.Edge);
+      constraints.Weights.push_back(0.0);
       sums.push_back(0.0);
     }
-    prescribed.Weights.back() += wish.Weight;
+    constraints.Weights.back() += wish.Weight;
     sums.back() += wish.Weight * wish.Value;
   }
   constraints.Values.resize(sums.size());
   for (std::size_t b = 0; b < sums.size(); ++b)
   {
-    constraints.Values[b] = sums[b] / prescribed.Weights[b];
+    constraints.Values[b] = sums[b] / constraints.Weights[b];
   }
   return constraints;
 }
 
 }
 
-OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const std::vector<PrescribedDirection>& directions, const ElementNames& names)
+FieldConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<Constraint>& directions, const ElementNames& names)
 {
   std::vector<Wish> wishes;
-  for (const PrescribedDirection& prescribed : directions)
+  for (const Constraint& prescribed : directions)
   {
-    const int face = prescribed.Face;
-    CheckPrescribedElement(face, mesh.NumberOfFaces(), "face");
+    const int face = prescribed.Element;
+    CheckElement(face, mesh.NumberOfFaces(), "face");
     const Vector3 v = faceFrames.ToVector(
       face, TangentialPart(faceFrames, face, prescribed.Direction, prescribed.Weight, names.Face(face), "cell"));
     for (int h = 3 * face; h < 3 * face + 3; ++h)
@@ -72,12 +71,11 @@ OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh, const Tan
   return Averaged(std::move(wishes));
 }
 
-OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const std::vector<PrescribedVertexDirection>& directions,
-  const ElementNames& names)
+FieldConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const std::vector<Constraint>& directions, const ElementNames& names)
 {
   std::vector<Wish> wishes;
-  for (const PrescribedVertexDirection& prescribed : directions)
+  for (const Constraint& prescribed : directions)
   {
     for (const auto& [leaving, v] : CarriedIntoFaces(mesh, faceFrames, vertexFrames, prescribed, names))
     {
@@ -92,15 +90,15 @@ OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh, const 
   return Averaged(std::move(wishes));
 }
 
-OneFormConstraints Joined(const OneFormConstraints& a, const OneFormConstraints& b)
+FieldConstraints Joined(const FieldConstraints& a, const FieldConstraints& b)
 {
   std::vector<Wish> wishes;
-  for (const OneFormConstraints* constraints : { &a, &b })
+  for (const FieldConstraints* constraints : { &a, &b })
   {
-    const auto& [edges, weights] = constraints->Prescribed;
+    const auto& [edges, weights, values] = *constraints;
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
-      wishes.push_back({ edges[i], constraints->Values[i], weights[i] });
+      wishes.push_back({ edges[i], values[i], weights[i] });
     }
   }
   return Averaged(std::move(wishes));

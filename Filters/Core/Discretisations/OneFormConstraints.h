@@ -1,7 +1,7 @@
 #ifndef dmgOneFormConstraints_h
 #define dmgOneFormConstraints_h
 
-#include "Discretisations/Prescriptions.h"
+#include "Discretisations/FieldConstraints.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 
@@ -10,21 +10,6 @@
 namespace dmg
 {
 
-/// Which edges are prescribed, and how strongly. Part of the system's key; values are not.
-struct PrescribedEdges
-{
-  std::vector<int> Edges;      ///< ascending, each once
-  std::vector<double> Weights; ///< per prescribed edge, > 0, dimensionless
-};
-
-/// Prescribed edges with the values that a 1-form shall take there: integrals in the orientation of
-/// the edges.
-struct OneFormConstraints
-{
-  PrescribedEdges Prescribed;
-  Vector<double> Values;
-};
-
 /// Directions prescribed on faces, as 1-form: every side of a prescribed face is prescribed, with
 /// the direction's product with the side. Where directions meet on an edge their values are
 /// averaged by weight. An edge has the mean weight of its faces, those without a direction counting
@@ -32,8 +17,8 @@ struct OneFormConstraints
 /// direction of length 2 asks for a field of length 2. \throw InvalidInput a direction is not
 /// finite, has no part in the plane of its face (less than 1e-6 of its length), or its weight is
 /// not positive; \p names says how messages call face i.
-OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const std::vector<PrescribedDirection>& directions, const ElementNames& names = {});
+FieldConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<Constraint>& directions, const ElementNames& names = {});
 
 /// Directions prescribed at vertices, as 1-form: every edge at a prescribed vertex is prescribed.
 /// Between two of them the value is the trapezoidal rule (by weight); an edge that leads away from
@@ -42,13 +27,12 @@ OneFormConstraints OneFormConstraintsOnFaces(const TriangleMesh& mesh, const Tan
 /// from an end is the direction's product with it, carried into the two faces beside the edge
 /// (CarriedIntoFaces) and averaged, so that creases do not shorten it.
 /// \throw InvalidInput as above, for the tangent planes of the vertices.
-OneFormConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const TangentFrames& vertexFrames, const std::vector<PrescribedVertexDirection>& directions,
-  const ElementNames& names = {});
+FieldConstraints OneFormConstraintsAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const TangentFrames& vertexFrames, const std::vector<Constraint>& directions, const ElementNames& names = {});
 
 /// Two sets of constraints as one: on an edge of both the weights add up, and the value is the mean
 /// by weight.
-OneFormConstraints Joined(const OneFormConstraints& a, const OneFormConstraints& b);
+FieldConstraints Joined(const FieldConstraints& a, const FieldConstraints& b);
 
 }
 

@@ -98,12 +98,10 @@ SolverTuning PowerField::Tuning() const
   return tuning;
 }
 
-FieldConstraints PowerField::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
+FieldConstraints PowerField::Prescribe(const Constraints& constraints, const ElementNames& names) const
 {
-  PowerConstraints constraints = MakePowerConstraints(
-    this->Surface.Mesh, this->Surface.Faces, this->N, DirectionsOnFaces(this->Surface, directions, names), names);
-  return { std::move(constraints.Prescribed.Faces), std::move(constraints.Prescribed.Weights),
-    AsPairs(constraints.Values) };
+  return MakePowerConstraints(
+    this->Surface.Mesh, this->Surface.Faces, this->N, DirectionsOnFaces(this->Surface, constraints, names), names);
 }
 
 Vector<double> PowerField::PenaltiesOfElements(const std::vector<int>& faces, const ExecutionContext& context) const

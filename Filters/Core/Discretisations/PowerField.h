@@ -40,7 +40,7 @@ public:
   std::string NameOfLevels() const override { return "levels of face powers"; }
   SolverTuning Tuning() const override;
 
-  FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const override;
+  FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const override;
 
   FieldPowers Powers(
     const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const override;

@@ -111,21 +111,21 @@ SolverTuning ScalarFunction::Tuning() const
   return tuning;
 }
 
-FieldConstraints ScalarFunction::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
+FieldConstraints ScalarFunction::Prescribe(const Constraints& given, const ElementNames& names) const
 {
-  if (directions.Values.empty())
+  if (given.Values.empty())
   {
     throw InvalidInput("no value is prescribed, so the function of least roughness is zero; choose an array of "
                        "points for Values, and a Mask and Weights that are not zero everywhere");
   }
-  std::vector<PrescribedValue> values = directions.Values;
+  std::vector<ValueConstraint> values = given.Values;
   std::stable_sort(values.begin(), values.end(),
-    [](const PrescribedValue& a, const PrescribedValue& b) { return a.Vertex < b.Vertex; });
+    [](const ValueConstraint& a, const ValueConstraint& b) { return a.Vertex < b.Vertex; });
   FieldConstraints constraints;
   std::vector<double> sums;
   for (const auto& [vertex, value, weight] : values)
   {
-    CheckPrescribedElement(vertex, this->Surface.Mesh.NumberOfVertices(), "vertex");
+    CheckElement(vertex, this->Surface.Mesh.NumberOfVertices(), "vertex");
     if (!std::isfinite(value) || !(weight > 0.0) || !std::isfinite(weight))
     {
       throw InvalidInput("the value " + ShortText(value) + " with the weight " + ShortText(weight) +

@@ -47,7 +47,7 @@ public:
 
   /// Takes the prescribed values, not the directions; those at one vertex are averaged by weight.
   /// \throw InvalidInput no value is prescribed, or one is out of range or not finite, or its weight not positive.
-  FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const override;
+  FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const override;
 
   /// The gradient.
   FieldPowers Powers(

@@ -67,7 +67,7 @@ public:
   {
   }
 
-  void Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
+  void Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context);
   /// Solves for what x differs by from \p held, and adds that.
   /// \param b of all. \param x a start, or empty.
   void SolveWithPrescriptions(const Vector<double>& b, const Vector<double>& held, const Vector<double>& reference,
@@ -102,8 +102,7 @@ private:
   std::unique_ptr<RoughnessNestedIteration> Nested; ///< in place of a cycle
 };
 
-void HarmonicProblem::Internals::Prescribe(
-  PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+void HarmonicProblem::Internals::Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context)
 {
   const auto start = std::chrono::steady_clock::now();
   this->Factor.reset();
@@ -308,8 +307,8 @@ void HarmonicProblem::Internals::FindSmoothest(
   }
 }
 
-HarmonicProblem::HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, PrescribedUnknowns prescribed,
-  double smoothness, const SolverOptions& options, const SolverChoice& choice, const ExecutionContext& context)
+HarmonicProblem::HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, Penalties prescribed, double smoothness,
+  const SolverOptions& options, const SolverChoice& choice, const ExecutionContext& context)
   : Internal(std::make_unique<Internals>(std::move(setup), options, choice))
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
@@ -320,7 +319,7 @@ HarmonicProblem::~HarmonicProblem() = default;
 
 HarmonicProblem::HarmonicProblem(HarmonicProblem&&) noexcept = default;
 
-void HarmonicProblem::Update(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+void HarmonicProblem::Update(Penalties prescribed, double smoothness, const ExecutionContext& context)
 {
   this->Internal->Prescribe(std::move(prescribed), smoothness, context);
 }

@@ -4,7 +4,7 @@
 #include "Solvers/Krylov/SolveReport.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
 #include "Solvers/MultigridSetup.h"
-#include "Solvers/PrescribedUnknowns.h"
+#include "Solvers/Penalties.h"
 #include "Solvers/SolverOptions.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -40,14 +40,14 @@ public:
   /// \throw InvalidInput nothing is left to solve for.
   /// \throw SolverFailure the system could not be factored.
   /// \throw Cancelled
-  HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, PrescribedUnknowns prescribed, double smoothness,
+  HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, Penalties prescribed, double smoothness,
     const SolverOptions& options, const SolverChoice& choice, const ExecutionContext& context);
   ~HarmonicProblem();
   HarmonicProblem(HarmonicProblem&&) noexcept;
 
   /// Takes other prescribed unknowns or weights: orders, patterns and analyses are kept where they can be. After
   /// an error the problem must not be used.
-  void Update(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
+  void Update(Penalties prescribed, double smoothness, const ExecutionContext& context);
 
   /// Unknowns to solve for.
   int NumberOfFree() const;

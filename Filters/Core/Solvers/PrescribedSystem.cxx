@@ -63,7 +63,7 @@ PrescribedSystem::PrescribedSystem(std::shared_ptr<const MultigridSetup> setup)
 {
 }
 
-void PrescribedSystem::Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context)
+void PrescribedSystem::Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context)
 {
   const RoughnessHierarchy& hierarchy = *this->Setup().Hierarchy;
   this->Prescribed = std::move(prescribed);
@@ -87,14 +87,14 @@ void PrescribedSystem::Prescribe(PrescribedUnknowns prescribed, double smoothnes
 std::vector<char> PrescribedSystem::SetPenalties()
 {
   const RoughnessHierarchy& hierarchy = *this->Setup().Hierarchy;
-  this->Penalties.setZero(this->IsHard() ? 0 : static_cast<Eigen::Index>(this->Places.size()));
+  this->Limited.setZero(this->IsHard() ? 0 : static_cast<Eigen::Index>(this->Places.size()));
   std::vector<char> isReached(hierarchy.NumberOfComponents(), 0);
   bool holdsAny = this->Places.empty();
   for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
     const int place = this->Places[k];
     const bool holds = this->IsHard() ||
-      (this->Penalties[k] =
+      (this->Limited[k] =
           LimitedPenalty(this->Prescribed.Alignment[k] / this->SmoothnessWeight, hierarchy.DiagonalOf(place))) > 0.0;
     isReached[hierarchy.ComponentOf(place)] |= holds;
     holdsAny |= holds;
@@ -145,9 +145,9 @@ void PrescribedSystem::SetUnreached(const std::vector<int>& unreached, const Exe
 Vector<double> PrescribedSystem::Diagonal() const
 {
   Vector<double> D = Vector<double>::Zero(this->Setup().Hierarchy->NumberOfUnknowns());
-  for (Eigen::Index k = 0; k < this->Penalties.size(); ++k)
+  for (Eigen::Index k = 0; k < this->Limited.size(); ++k)
   {
-    D[this->Places[k]] = this->Penalties[k];
+    D[this->Places[k]] = this->Limited[k];
   }
   this->WithoutPrescriptions.SetDiagonal(D);
   D(this->HeldUnknowns).setConstant(Infinity);
@@ -159,7 +159,7 @@ Vector<double> PrescribedSystem::RightHandSide(const Vector<double>& values, con
   Vector<double> b = Vector<double>::Zero(this->Setup().Hierarchy->NumberOfUnknowns());
   for (std::size_t k = 0; k < this->Places.size(); ++k)
   {
-    b[this->Places[k]] = (this->IsHard() ? 1.0 : this->Penalties[k]) * values[k];
+    b[this->Places[k]] = (this->IsHard() ? 1.0 : this->Limited[k]) * values[k];
   }
   if (this->IsHard())
   {
@@ -176,10 +176,10 @@ Vector<double> PrescribedSystem::HeldByPenalties(const Vector<double>& values) c
 {
   Vector<double> held = Vector<double>::Zero(this->Setup().Hierarchy->NumberOfUnknowns());
   const Vector<double>& inverse = *this->A->InverseDiagonal();
-  for (Eigen::Index k = 0; k < this->Penalties.size(); ++k)
+  for (Eigen::Index k = 0; k < this->Limited.size(); ++k)
   {
     const int place = this->Places[k];
-    held[place] = this->Penalties[k] * inverse[place] * values[k];
+    held[place] = this->Limited[k] * inverse[place] * values[k];
   }
   return held;
 }

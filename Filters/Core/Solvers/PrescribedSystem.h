@@ -3,7 +3,7 @@
 
 #include "Solvers/Multigrid/RoughnessHierarchy.h"
 #include "Solvers/MultigridSetup.h"
-#include "Solvers/PrescribedUnknowns.h"
+#include "Solvers/Penalties.h"
 #include "Solvers/UnprescribedComponents.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -24,7 +24,7 @@ public:
 
   /// Takes other prescriptions. After an error the system must not be used.
   /// \throw InvalidInput nothing is left to solve for.
-  void Prescribe(PrescribedUnknowns prescribed, double smoothness, const ExecutionContext& context);
+  void Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context);
 
   const MultigridSetup& Setup() const { return *this->SetupOfSystem; }
   double Smoothness() const { return this->SmoothnessWeight; }
@@ -58,9 +58,9 @@ private:
 
   const std::shared_ptr<const MultigridSetup> SetupOfSystem;
   const std::unique_ptr<RoughnessOperator> A;
-  PrescribedUnknowns Prescribed;
-  std::vector<int> Places;  ///< of those
-  Vector<double> Penalties; ///< D, of soft ones
+  Penalties Prescribed;
+  std::vector<int> Places; ///< of those
+  Vector<double> Limited;  ///< D, of soft ones
   double SmoothnessWeight = 1.0;
   std::vector<int> HeldUnknowns;
   UnprescribedComponents WithoutPrescriptions;

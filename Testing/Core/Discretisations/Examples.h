@@ -1,7 +1,7 @@
 #ifndef dmgTestExamples_h
 #define dmgTestExamples_h
 
-#include "Discretisations/Prescriptions.h"
+#include "Discretisations/FieldConstraints.h"
 #include "Support/Random.h"
 
 #include <complex>
@@ -18,11 +18,11 @@ inline FieldWeights Weights(ConstraintKind kind, double smoothness = 1.0, double
 
 /// Directions of random length, weight and place, some of them on one face perhaps; as vectors in
 /// space, for comparisons that do not depend on frames.
-inline std::vector<PrescribedDirection> RandomDirections(
+inline std::vector<Constraint> RandomDirections(
   const TriangleMesh& mesh, const TangentFrames& frames, int count, unsigned seed)
 {
   Random random(seed);
-  std::vector<PrescribedDirection> directions;
+  std::vector<Constraint> directions;
   for (int i = 0; i < count; ++i)
   {
     const int face = random.Index(mesh.NumberOfFaces());

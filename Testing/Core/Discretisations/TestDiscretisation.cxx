@@ -46,7 +46,7 @@ TEST(Discretisation, TakesDirectionsAtVertices)
       }
     }
     const int other = facesAround.front() == 0 ? 1 : 0;
-    const PrescribedDirection onFace = { other, faces.X.row(other).transpose(), 1.0 };
+    const Constraint onFace = { other, faces.X.row(other).transpose(), 1.0 };
     const FieldConstraints both =
       MakeFieldConstraints(surface, { { onFace }, { { vertex, direction, 3.0 } } }, options);
     EXPECT_EQ(both.Elements.size(), alone.Elements.size() + (isOneForm ? 3 : 1));

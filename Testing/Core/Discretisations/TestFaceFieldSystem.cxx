@@ -24,12 +24,12 @@ using namespace dmg;
 using namespace dmg::test;
 
 /// The field as vectors in space, by a general sparse LU.
-Points SolveField(const TriangleMesh& mesh, const TangentFrames& frames,
-  const std::vector<PrescribedDirection>& directions, const FieldWeights& weights)
+Points SolveField(const TriangleMesh& mesh, const TangentFrames& frames, const std::vector<Constraint>& directions,
+  const FieldWeights& weights)
 {
-  const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 1, directions);
-  const Vector<double> values = AsPairs(constraints.Values);
-  const HarmonicSystem<double> system = MakeFaceFieldSystem(mesh, frames, constraints.Prescribed, weights);
+  const FieldConstraints constraints = MakePowerConstraints(mesh, frames, 1, directions);
+  const Vector<double>& values = constraints.Values;
+  const HarmonicSystem<double> system = MakeFaceFieldSystem(mesh, frames, constraints, weights);
   const Eigen::SparseMatrix<double> A = system.Matrix();
   const Eigen::SparseLU<Eigen::SparseMatrix<double>> lu(A);
   const Vector<double> x = lu.solve(system.RightHandSide(values));
@@ -42,10 +42,10 @@ TEST(FaceFieldSystem, IsItsStatedEnergy)
   const TangentFrames frames = FaceFrames(mesh);
   const Vector<double> areas = mesh.FaceAreas();
   Random random(2);
-  const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 1, RandomDirections(mesh, frames, 7, 3));
-  const Vector<double> values = AsPairs(constraints.Values);
+  const FieldConstraints constraints = MakePowerConstraints(mesh, frames, 1, RandomDirections(mesh, frames, 7, 3));
+  const Vector<double>& values = constraints.Values;
   const HarmonicSystem<double> system =
-    MakeFaceFieldSystem(mesh, frames, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
+    MakeFaceFieldSystem(mesh, frames, constraints, Weights(ConstraintKind::Soft, 0.25, 3.0));
   ASSERT_EQ(system.NumberOfFree(), 2 * mesh.NumberOfFaces());
   EXPECT_NEAR(system.Mass().sum(), 2.0 * mesh.NumberOfFaces(), 1e-12 * mesh.NumberOfFaces());
 
@@ -56,10 +56,10 @@ TEST(FaceFieldSystem, IsItsStatedEnergy)
   }
   double energy = 0.25 * X.dot(FaceFieldSmoothness(mesh, frames) * X);
   double constant = 0.0;
-  for (std::size_t b = 0; b < constraints.Prescribed.Faces.size(); ++b)
+  for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
   {
-    const int face = constraints.Prescribed.Faces[b];
-    const double pull = 3.0 * constraints.Prescribed.Weights[b] * areas[face] / areas.mean();
+    const int face = constraints.Elements[b];
+    const double pull = 3.0 * constraints.Weights[b] * areas[face] / areas.mean();
     const Vector2 y = values.segment<2>(2 * b);
     energy += pull * (X.segment<2>(2 * face) - y).squaredNorm();
     constant += pull * y.squaredNorm();
@@ -109,16 +109,16 @@ TEST(FaceFieldSystem, FieldsFollowRelabellingRotationAndScale)
   const Surface surface = IrregularTorus(12, 8, 9);
   const TriangleMesh mesh = surface.Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const std::vector<PrescribedDirection> directions = RandomDirections(mesh, frames, 6, 10);
+  const std::vector<Constraint> directions = RandomDirections(mesh, frames, 6, 10);
   const Relabelled relabelled = Relabel(surface, 11);
   const TriangleMesh other = relabelled.Result.Mesh();
   Eigen::Matrix3d rotation;
   const TriangleMesh moved = RotatedAndScaled(surface, 2.1, 1e-3, &rotation).Mesh();
-  std::vector<PrescribedDirection> otherDirections = directions;
-  std::vector<PrescribedDirection> movedDirections = directions;
+  std::vector<Constraint> otherDirections = directions;
+  std::vector<Constraint> movedDirections = directions;
   for (std::size_t i = 0; i < directions.size(); ++i)
   {
-    otherDirections[i].Face = relabelled.NewFaces[directions[i].Face];
+    otherDirections[i].Element = relabelled.NewFaces[directions[i].Element];
     movedDirections[i].Direction = rotation * directions[i].Direction;
   }
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
@@ -138,13 +138,13 @@ TEST(FaceFieldSystem, HardConstraintsHoldAndStrongSoftOnesNearly)
 {
   const TriangleMesh mesh = IrregularSphere(2, 12).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const std::vector<PrescribedDirection> directions = { { 3, frames.ToVector(3, { 1.0, 0.5 }), 1.0 },
+  const std::vector<Constraint> directions = { { 3, frames.ToVector(3, { 1.0, 0.5 }), 1.0 },
     { 77, frames.ToVector(77, { 0.0, -1.0 }), 1.0 } };
   const Points hard = SolveField(mesh, frames, directions, Weights(ConstraintKind::Hard));
   const Points strong = SolveField(mesh, frames, directions, Weights(ConstraintKind::Soft, 1.0, 1e8));
-  for (const PrescribedDirection& d : directions)
+  for (const Constraint& d : directions)
   {
-    EXPECT_LT((hard.row(d.Face).transpose() - d.Direction).norm(), 1e-14);
+    EXPECT_LT((hard.row(d.Element).transpose() - d.Direction).norm(), 1e-14);
   }
   EXPECT_LT((strong - hard).cwiseAbs().maxCoeff(), 1e-6);
 }
@@ -177,15 +177,15 @@ TEST(FaceFieldSystem, RefusesWhatItCannotSolve)
   const FramedMesh surface(Icosphere(0).Mesh());
   const TriangleMesh& mesh = surface.Mesh;
   const TangentFrames& frames = surface.Faces;
-  const PrescribedFaces one{ { 3 }, { 1.0 } };
-  PrescribedFaces all;
+  const FieldConstraints one{ { 3 }, { 1.0 } };
+  FieldConstraints all;
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
-    all.Faces.push_back(f);
+    all.Elements.push_back(f);
     all.Weights.push_back(1.0);
   }
   const auto expectRefusal = [&](
-                               const PrescribedFaces& prescribed, const FieldWeights& weights, const std::string& word)
+                               const FieldConstraints& prescribed, const FieldWeights& weights, const std::string& word)
   {
     try
     {
@@ -193,7 +193,7 @@ TEST(FaceFieldSystem, RefusesWhatItCannotSolve)
       options.Field.Kind = DiscretisationKind::FaceField;
       std::tie(options.Smoothness, options.Alignment, options.Constraints) =
         std::tie(weights.Smoothness, weights.Alignment, weights.Constraints);
-      FieldProblem(surface, nullptr, { prescribed.Faces, prescribed.Weights, {} }, options, SerialContext());
+      FieldProblem(surface, nullptr, { prescribed.Elements, prescribed.Weights, {} }, options, SerialContext());
       ADD_FAILURE() << "accepted; expected \"" << word << '"';
     }
     catch (const InvalidInput& error)

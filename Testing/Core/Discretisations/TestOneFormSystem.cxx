@@ -22,14 +22,14 @@ using namespace dmg::test;
 
 using Dense = Eigen::MatrixXd;
 
-Vector<double> SolveForm(const TriangleMesh& mesh, const OneFormConstraints& constraints, const FieldWeights& weights)
+Vector<double> SolveForm(const TriangleMesh& mesh, const FieldConstraints& constraints, const FieldWeights& weights)
 {
-  const HarmonicSystem<double> system = MakeOneFormSystem(mesh, constraints.Prescribed, weights);
+  const HarmonicSystem<double> system = MakeOneFormSystem(mesh, constraints, weights);
   const Dense A = system.Matrix();
   return system.Expand(A.fullPivLu().solve(system.RightHandSide(constraints.Values)), constraints.Values);
 }
 
-OneFormConstraints RandomConstraints(const TriangleMesh& mesh, int count, unsigned seed)
+FieldConstraints RandomConstraints(const TriangleMesh& mesh, int count, unsigned seed)
 {
   const TangentFrames frames = FaceFrames(mesh);
   return OneFormConstraintsOnFaces(mesh, frames, RandomDirections(mesh, frames, count, seed));
@@ -52,18 +52,18 @@ int FlatVertex(const TriangleMesh& mesh)
 }
 
 /// The stated energy of a form.
-double Energy(const TriangleMesh& mesh, const Vector<double>& h, const OneFormConstraints& constraints,
-  double smoothness, double alignment)
+double Energy(const TriangleMesh& mesh, const Vector<double>& h, const FieldConstraints& constraints, double smoothness,
+  double alignment)
 {
   const Vector<double> curl = D1(mesh) * h;
   const Vector<double> divergence = D0(mesh).transpose() * (Star1(mesh).asDiagonal() * h);
   double energy = smoothness *
     (curl.dot(Star2(mesh).asDiagonal() * curl) + divergence.dot(Star0(mesh).cwiseInverse().asDiagonal() * divergence));
   const Vector<double> mass = PositiveStar1(mesh) / (2.0 * mesh.FaceAreas().mean());
-  for (std::size_t b = 0; b < constraints.Prescribed.Edges.size(); ++b)
+  for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
   {
-    const int edge = constraints.Prescribed.Edges[b];
-    energy += alignment * constraints.Prescribed.Weights[b] * mass[edge] * std::pow(h[edge] - constraints.Values[b], 2);
+    const int edge = constraints.Elements[b];
+    energy += alignment * constraints.Weights[b] * mass[edge] * std::pow(h[edge] - constraints.Values[b], 2);
   }
   return energy;
 }
@@ -78,9 +78,9 @@ TEST(OneFormSystem, MinimisesItsStatedEnergy)
     { IrregularSphere(1, 3), IrregularTorus(9, 6, 1), DoubleTorus(1), IrregularPlane(6, 5, 8), Annulus(9, 2) })
   {
     const TriangleMesh mesh = surface.Mesh();
-    const OneFormConstraints constraints = RandomConstraints(mesh, 7, 3);
+    const FieldConstraints constraints = RandomConstraints(mesh, 7, 3);
     const HarmonicSystem<double> system =
-      MakeOneFormSystem(mesh, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
+      MakeOneFormSystem(mesh, constraints, Weights(ConstraintKind::Soft, 0.25, 3.0));
     EXPECT_GT(Eigenvalues(system.Matrix())[0], 0.0);
     const Vector<double> h = SolveForm(mesh, constraints, Weights(ConstraintKind::Soft, 0.25, 3.0));
     const auto energy = [&](const Vector<double>& form) { return Energy(mesh, form, constraints, 0.25, 3.0); };
@@ -99,14 +99,14 @@ TEST(OneFormSystem, MinimisesItsStatedEnergy)
 TEST(OneFormSystem, HardConstraintsHoldAndTheRestIsMinimal)
 {
   const TriangleMesh mesh = IrregularTorus(9, 6, 1).Mesh();
-  const OneFormConstraints constraints = RandomConstraints(mesh, 4, 5);
+  const FieldConstraints constraints = RandomConstraints(mesh, 4, 5);
   const Vector<double> h = SolveForm(mesh, constraints, Weights(ConstraintKind::Hard));
   Vector<double> gradient = OneFormLaplacian(mesh, SerialContext()) * h;
   const double size = gradient.cwiseAbs().maxCoeff();
-  for (std::size_t b = 0; b < constraints.Prescribed.Edges.size(); ++b)
+  for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
   {
-    EXPECT_EQ(h[constraints.Prescribed.Edges[b]], constraints.Values[b]);
-    gradient[constraints.Prescribed.Edges[b]] = 0.0;
+    EXPECT_EQ(h[constraints.Elements[b]], constraints.Values[b]);
+    gradient[constraints.Elements[b]] = 0.0;
   }
   EXPECT_GT(size, 0.1);
   EXPECT_LT(gradient.cwiseAbs().maxCoeff(), 1e-12 * size);
@@ -121,7 +121,7 @@ TEST(OneFormSystem, AlignmentPullsAsOnPowerFields)
   const TriangleMesh mesh = PlaneGrid(columns, 6).Mesh();
   const double k = Pi / columns;
   Points vectors = Points::Zero(mesh.NumberOfVertices(), 3);
-  OneFormConstraints constraints;
+  FieldConstraints constraints;
   for (int v = 0; v < mesh.NumberOfVertices(); ++v)
   {
     vectors(v, 0) = std::sin(k * mesh.Position(v).x());
@@ -129,12 +129,11 @@ TEST(OneFormSystem, AlignmentPullsAsOnPowerFields)
   constraints.Values = FormFromVertexVectors(mesh, vectors);
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
-    constraints.Prescribed.Edges.push_back(edge);
-    constraints.Prescribed.Weights.push_back(1.0);
+    constraints.Elements.push_back(edge);
+    constraints.Weights.push_back(1.0);
   }
   const double smoothness = 200.0;
-  const HarmonicSystem<double> system =
-    MakeOneFormSystem(mesh, constraints.Prescribed, Weights(ConstraintKind::Soft, smoothness));
+  const HarmonicSystem<double> system = MakeOneFormSystem(mesh, constraints, Weights(ConstraintKind::Soft, smoothness));
   const Vector<double> h = Dense(system.Matrix()).ldlt().solve(system.RightHandSide(constraints.Values));
   const double expected = 1.0 / (1.0 + 2.0 * 0.5 * k * k * smoothness);
   const double found = h.dot(constraints.Values) / constraints.Values.squaredNorm();
@@ -148,9 +147,9 @@ TEST(OneFormSystem, OneDirectionOnAFlatTorusGivesAParallelField)
   const TangentFrames frames = FaceFrames(mesh);
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    const OneFormConstraints constraints =
+    const FieldConstraints constraints =
       OneFormConstraintsOnFaces(mesh, frames, { { 5, frames.ToVector(5, { 0.6, 0.8 }), 1.0 } });
-    ASSERT_EQ(constraints.Prescribed.Edges.size(), 3u);
+    ASSERT_EQ(constraints.Elements.size(), 3u);
     const Points vectors = WhitneyAtFaces(mesh, SolveForm(mesh, constraints, Weights(kind)));
     EXPECT_LT((vectors.rowwise().norm().array() - 1.0).abs().maxCoeff(), 1e-10);
     EXPECT_LT((vectors.row(5) - frames.ToVector(5, { 0.6, 0.8 }).transpose()).norm(), 1e-10);
@@ -164,11 +163,11 @@ TEST(OneFormSystem, DoesNotDependOnTheNumbering)
   const TriangleMesh mesh = surface.Mesh();
   const Relabelled relabelled = Relabel(surface, 6);
   const TriangleMesh other = relabelled.Result.Mesh();
-  const std::vector<PrescribedDirection> directions = RandomDirections(mesh, FaceFrames(mesh), 5, 7);
-  std::vector<PrescribedDirection> otherDirections = directions;
-  for (PrescribedDirection& direction : otherDirections)
+  const std::vector<Constraint> directions = RandomDirections(mesh, FaceFrames(mesh), 5, 7);
+  std::vector<Constraint> otherDirections = directions;
+  for (Constraint& direction : otherDirections)
   {
-    direction.Face = relabelled.NewFaces[direction.Face];
+    direction.Element = relabelled.NewFaces[direction.Element];
   }
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
@@ -189,33 +188,33 @@ TEST(OneFormSystem, ComponentsWithoutAPrescriptionAreZero)
 {
   const TriangleMesh mesh = Union(Icosphere(1), IrregularTorus(9, 6, 2), Vector3(4.0, 0.0, 0.0)).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const OneFormConstraints constraints =
+  const FieldConstraints constraints =
     OneFormConstraintsOnFaces(mesh, frames, { { 100, frames.X.row(100).transpose(), 1.0 } });
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    EXPECT_EQ(MakeOneFormSystem(mesh, constraints.Prescribed, Weights(kind)).NumberOfUnreached(), 120);
+    EXPECT_EQ(MakeOneFormSystem(mesh, constraints, Weights(kind)).NumberOfUnreached(), 120);
     EXPECT_EQ(SolveForm(mesh, constraints, Weights(kind)).head(120).norm(), 0.0);
   }
 }
 
 // By hand, on a square of two triangles.
-TEST(OneFormConstraints, OfFacesAverageOnCommonEdges)
+TEST(FieldConstraints, OfFacesAverageOnCommonEdges)
 {
   const TriangleMesh mesh = PlaneGrid(1, 1).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
   const Vector3 x(1.0, 0.0, 0.0);
   const Vector3 y(0.0, 1.0, 0.0);
-  const OneFormConstraints one = OneFormConstraintsOnFaces(mesh, frames, { { 0, x + 7.0 * x.cross(y), 2.0 } });
-  ASSERT_EQ(one.Prescribed.Edges.size(), 3u);
+  const FieldConstraints one = OneFormConstraintsOnFaces(mesh, frames, { { 0, x + 7.0 * x.cross(y), 2.0 } });
+  ASSERT_EQ(one.Elements.size(), 3u);
   for (std::size_t b = 0; b < 3; ++b)
   {
-    const int edge = one.Prescribed.Edges[b];
+    const int edge = one.Elements[b];
     const auto [tail, head] = mesh.EdgeVertices(edge);
     EXPECT_NEAR(one.Values[b], (mesh.Position(head) - mesh.Position(tail)).x(), 1e-15);
-    EXPECT_EQ(one.Prescribed.Weights[b], mesh.Twin(mesh.HalfedgeOf(edge)) < 0 ? 2.0 : 1.0);
+    EXPECT_EQ(one.Weights[b], mesh.Twin(mesh.HalfedgeOf(edge)) < 0 ? 2.0 : 1.0);
   }
-  const OneFormConstraints both = OneFormConstraintsOnFaces(mesh, frames, { { 1, y, 3.0 }, { 0, x, 1.0 } });
-  ASSERT_EQ(both.Prescribed.Edges.size(), 5u);
+  const FieldConstraints both = OneFormConstraintsOnFaces(mesh, frames, { { 1, y, 3.0 }, { 0, x, 1.0 } });
+  ASSERT_EQ(both.Elements.size(), 5u);
   for (int edge = 0; edge < 5; ++edge)
   {
     if (mesh.Twin(mesh.HalfedgeOf(edge)) >= 0)
@@ -223,38 +222,37 @@ TEST(OneFormConstraints, OfFacesAverageOnCommonEdges)
       const auto [tail, head] = mesh.EdgeVertices(edge);
       const Vector3 along = mesh.Position(head) - mesh.Position(tail);
       EXPECT_NEAR(both.Values[edge], 0.25 * along.x() + 0.75 * along.y(), 1e-15);
-      EXPECT_EQ(both.Prescribed.Weights[edge], 2.0);
+      EXPECT_EQ(both.Weights[edge], 2.0);
     }
   }
 }
 
-TEST(OneFormConstraints, OfVerticesHoldTheEdgesAround)
+TEST(FieldConstraints, OfVerticesHoldTheEdgesAround)
 {
   const TriangleMesh mesh = PlaneGrid(4, 4).Mesh();
   const TangentFrames faces = FaceFrames(mesh);
   const TangentFrames vertices = VertexFrames(mesh);
   const Vector3 x(1.0, 0.0, 0.0);
-  const OneFormConstraints one =
-    OneFormConstraintsAtVertices(mesh, faces, vertices, { { 12, x, 2.0 } }); // has six edges
-  ASSERT_EQ(one.Prescribed.Edges.size(), 6u);
-  EXPECT_EQ(one.Prescribed.Weights[0], 1.0);
+  const FieldConstraints one = OneFormConstraintsAtVertices(mesh, faces, vertices, { { 12, x, 2.0 } }); // has six edges
+  ASSERT_EQ(one.Elements.size(), 6u);
+  EXPECT_EQ(one.Weights[0], 1.0);
   EXPECT_NEAR(one.Values.cwiseAbs().sum(), 4.0, 1e-14);
   // Two neighbours, x and 3 x: the edge between is prescribed in full, by the trapezoidal rule.
-  const OneFormConstraints two =
+  const FieldConstraints two =
     OneFormConstraintsAtVertices(mesh, faces, vertices, { { 13, 3.0 * x, 1.0 }, { 12, x, 1.0 } });
-  ASSERT_EQ(two.Prescribed.Edges.size(), 11u);
+  ASSERT_EQ(two.Elements.size(), 11u);
   int full = 0;
-  for (std::size_t b = 0; b < two.Prescribed.Edges.size(); ++b)
+  for (std::size_t b = 0; b < two.Elements.size(); ++b)
   {
-    if (mesh.EdgeVertices(two.Prescribed.Edges[b]) == std::array<int, 2>{ 12, 13 })
+    if (mesh.EdgeVertices(two.Elements[b]) == std::array<int, 2>{ 12, 13 })
     {
-      EXPECT_EQ(two.Prescribed.Weights[b], 1.0);
+      EXPECT_EQ(two.Weights[b], 1.0);
       EXPECT_NEAR(two.Values[b], 2.0, 1e-15);
       ++full;
     }
     else
     {
-      EXPECT_EQ(two.Prescribed.Weights[b], 0.5);
+      EXPECT_EQ(two.Weights[b], 0.5);
     }
   }
   EXPECT_EQ(full, 1);
@@ -262,7 +260,7 @@ TEST(OneFormConstraints, OfVerticesHoldTheEdgesAround)
 
 // On a roof, a direction at the ridge is carried into both sides: along the ridge as it is, across it
 // up one side and down the other, with its length.
-TEST(OneFormConstraints, OfVerticesAreNotShortenedByCreases)
+TEST(FieldConstraints, OfVerticesAreNotShortenedByCreases)
 {
   Surface roof = PlaneGrid(2, 2);
   for (int i = 0; i < roof.V.rows(); ++i)
@@ -273,20 +271,20 @@ TEST(OneFormConstraints, OfVerticesAreNotShortenedByCreases)
   const int ridge = 4; // the middle
   const Vector3 along(0.0, 2.0, 0.0);
   const Vector3 across(3.0, 0.0, 0.0);
-  const OneFormConstraints constraints =
+  const FieldConstraints constraints =
     OneFormConstraintsAtVertices(mesh, FaceFrames(mesh), VertexFrames(mesh), { { ridge, along + across, 1.0 } });
-  ASSERT_EQ(constraints.Prescribed.Edges.size(), 6u);
-  for (std::size_t b = 0; b < constraints.Prescribed.Edges.size(); ++b)
+  ASSERT_EQ(constraints.Elements.size(), 6u);
+  for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
   {
-    const auto [tail, head] = mesh.EdgeVertices(constraints.Prescribed.Edges[b]);
+    const auto [tail, head] = mesh.EdgeVertices(constraints.Elements[b]);
     const Vector3 edge = mesh.Position(head) - mesh.Position(tail);
     EXPECT_NEAR(constraints.Values[b], 2.0 * edge.y() + 3.0 * std::sqrt(2.0) * edge.x(), 1e-14);
-    EXPECT_EQ(constraints.Prescribed.Weights[b], 0.5);
+    EXPECT_EQ(constraints.Weights[b], 0.5);
   }
 }
 
 // One vertex is enough for a field: on a flat torus, the parallel one.
-TEST(OneFormConstraints, OfOneVertexFillAFlatTorus)
+TEST(FieldConstraints, OfOneVertexFillAFlatTorus)
 {
   const TriangleMesh mesh = FlatTorus(8, 2).Mesh();
   const TangentFrames faces = FaceFrames(mesh);
@@ -305,7 +303,7 @@ TEST(OneFormConstraints, OfOneVertexFillAFlatTorus)
   }
 }
 
-TEST(OneFormConstraints, OfFacesAndVerticesJoin)
+TEST(FieldConstraints, OfFacesAndVerticesJoin)
 {
   const TriangleMesh mesh = PlaneGrid(3, 3).Mesh();
   const TangentFrames faces = FaceFrames(mesh);
@@ -313,27 +311,27 @@ TEST(OneFormConstraints, OfFacesAndVerticesJoin)
   const Vector3 x(1.0, 0.0, 0.0);
   const Vector3 y(0.0, 1.0, 0.0);
   const int vertex = mesh.FaceCorners()(8, 0);
-  const OneFormConstraints a = OneFormConstraintsOnFaces(mesh, faces, { { 8, x, 1.0 } });
-  const OneFormConstraints b = OneFormConstraintsAtVertices(mesh, faces, vertices, { { vertex, y, 3.0 } });
-  const OneFormConstraints both = Joined(a, b);
-  const auto spread = [&mesh](const OneFormConstraints& constraints)
+  const FieldConstraints a = OneFormConstraintsOnFaces(mesh, faces, { { 8, x, 1.0 } });
+  const FieldConstraints b = OneFormConstraintsAtVertices(mesh, faces, vertices, { { vertex, y, 3.0 } });
+  const FieldConstraints both = Joined(a, b);
+  const auto spread = [&mesh](const FieldConstraints& constraints)
   {
     Vector<double> weights = Vector<double>::Zero(mesh.NumberOfEdges());
     Vector<double> moments = weights;
-    for (std::size_t i = 0; i < constraints.Prescribed.Edges.size(); ++i)
+    for (std::size_t i = 0; i < constraints.Elements.size(); ++i)
     {
-      const int edge = constraints.Prescribed.Edges[i];
-      weights[edge] = constraints.Prescribed.Weights[i];
-      moments[edge] = constraints.Prescribed.Weights[i] * constraints.Values[i];
+      const int edge = constraints.Elements[i];
+      weights[edge] = constraints.Weights[i];
+      moments[edge] = constraints.Weights[i] * constraints.Values[i];
     }
     return std::pair(weights, moments);
   };
   EXPECT_EQ(spread(both).first, spread(a).first + spread(b).first);
   EXPECT_LT((spread(both).second - spread(a).second - spread(b).second).norm(), 1e-14);
-  EXPECT_EQ(both.Prescribed.Edges.size(), 7u); // six at the vertex, two of which the face shares
+  EXPECT_EQ(both.Elements.size(), 7u); // six at the vertex, two of which the face shares
 }
 
-TEST(OneFormConstraints, RefuseWhatHasNoDirection)
+TEST(FieldConstraints, RefuseWhatHasNoDirection)
 {
   const TriangleMesh mesh = PlaneGrid(2, 2).Mesh();
   const TangentFrames faces = FaceFrames(mesh);
@@ -353,11 +351,11 @@ TEST(OneFormConstraints, RefuseWhatHasNoDirection)
 TEST(OneFormSystem, RefusesWhatItCannotSolve)
 {
   const TriangleMesh mesh = Icosphere(0).Mesh();
-  const PrescribedEdges one{ { 3 }, { 1.0 } };
-  PrescribedEdges all;
+  const FieldConstraints one{ { 3 }, { 1.0 } };
+  FieldConstraints all;
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
-    all.Edges.push_back(edge);
+    all.Elements.push_back(edge);
     all.Weights.push_back(1.0);
   }
   const double nan = std::numeric_limits<double>::quiet_NaN();

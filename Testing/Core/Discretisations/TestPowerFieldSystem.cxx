@@ -23,10 +23,11 @@ using namespace dmg;
 using namespace dmg::test;
 
 Vector<Complex> SolveField(const TriangleMesh& mesh, const TangentFrames& frames, int N,
-  const PowerConstraints& constraints, const FieldWeights& weights)
+  const FieldConstraints& constraints, const FieldWeights& weights)
 {
-  const HarmonicSystem<Complex> system = MakePowerFieldSystem(mesh, frames, N, constraints.Prescribed, weights);
-  return system.Expand(SolveByLU(system.Matrix(), system.RightHandSide(constraints.Values)), constraints.Values);
+  const HarmonicSystem<Complex> system = MakePowerFieldSystem(mesh, frames, N, constraints, weights);
+  return system.Expand(
+    SolveByLU(system.Matrix(), system.RightHandSide(ComplexValues(constraints))), ComplexValues(constraints));
 }
 
 TEST(PowerFieldSystem, IsItsStatedEnergy)
@@ -37,24 +38,24 @@ TEST(PowerFieldSystem, IsItsStatedEnergy)
   Random random(2);
   for (int N : { 1, 2, 4, 8 })
   {
-    const PowerConstraints constraints = MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 7, 3));
+    const FieldConstraints constraints = MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 7, 3));
     const HarmonicSystem<Complex> system =
-      MakePowerFieldSystem(mesh, frames, N, constraints.Prescribed, Weights(ConstraintKind::Soft, 0.25, 3.0));
+      MakePowerFieldSystem(mesh, frames, N, constraints, Weights(ConstraintKind::Soft, 0.25, 3.0));
     EXPECT_LE(HermitianResidual(system.Matrix()), MachinePrecision);
     EXPECT_NEAR(system.Mass().sum(), mesh.NumberOfFaces(), 1e-12 * mesh.NumberOfFaces());
 
     const Vector<Complex> X = random.Numbers(mesh.NumberOfFaces());
     double energy = 0.25 * X.dot(PowerLaplacian(mesh, frames, N) * X).real();
     double constant = 0.0;
-    for (std::size_t b = 0; b < constraints.Prescribed.Faces.size(); ++b)
+    for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
     {
-      const int face = constraints.Prescribed.Faces[b];
-      const double pull = 3.0 * constraints.Prescribed.Weights[b] * areas[face] / areas.mean();
-      energy += pull * std::norm(X[face] - constraints.Values[b]);
-      constant += pull * std::norm(constraints.Values[b]);
+      const int face = constraints.Elements[b];
+      const double pull = 3.0 * constraints.Weights[b] * areas[face] / areas.mean();
+      energy += pull * std::norm(X[face] - ComplexValues(constraints)[b]);
+      constant += pull * std::norm(ComplexValues(constraints)[b]);
     }
-    const double quadratic =
-      X.dot(system.Matrix() * X).real() - 2.0 * system.RightHandSide(constraints.Values).dot(X).real() + constant;
+    const double quadratic = X.dot(system.Matrix() * X).real() -
+      2.0 * system.RightHandSide(ComplexValues(constraints)).dot(X).real() + constant;
     EXPECT_NEAR(quadratic, energy, 1e3 * MachinePrecision * energy);
   }
 }
@@ -70,7 +71,7 @@ TEST(PowerFieldSystem, OneDirectionOnAFlatPatchGivesTheConstantField)
     {
       for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
       {
-        const PowerConstraints constraints = MakePowerConstraints(mesh, frames, N, { { 17, v, 1.0 } });
+        const FieldConstraints constraints = MakePowerConstraints(mesh, frames, N, { { 17, v, 1.0 } });
         const Vector<Complex> X = SolveField(mesh, frames, N, constraints, Weights(kind));
         EXPECT_LT(RelativeDifference(X, PowersOfDirection(frames, v, N)), 1e-10);
       }
@@ -84,7 +85,7 @@ TEST(PowerFieldSystem, OneDirectionOnAFlatTorusGivesAParallelField)
   const TangentFrames frames = FaceFrames(mesh);
   for (int N = 1; N <= 8; ++N)
   {
-    const PowerConstraints constraints =
+    const FieldConstraints constraints =
       MakePowerConstraints(mesh, frames, N, { { 5, frames.ToVector(5, { 0.6, 0.8 }), 1.0 } });
     const Vector<Complex> X = SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
     EXPECT_LT((X.cwiseAbs().array() - 1.0).abs().maxCoeff(), 1e-10);
@@ -105,7 +106,7 @@ TEST(PowerFieldSystem, SmoothFieldsHaveIndicesThatSumToTheEulerCharacteristic)
     const TangentFrames frames = FaceFrames(mesh);
     for (int N = 1; N <= 8; ++N)
     {
-      const PowerConstraints constraints = MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 3, 8));
+      const FieldConstraints constraints = MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 3, 8));
       const Vector<Complex> X = SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
       const Vector<double> indices = IndicesOf(mesh, frames, X, N);
       EXPECT_NEAR(indices.sum(), mesh.EulerCharacteristic(), 1e-9);
@@ -127,20 +128,20 @@ TEST(PowerFieldSystem, FieldsFollowRelabellingRotationAndScale)
   const Surface surface = IrregularTorus(12, 8, 9);
   const TriangleMesh mesh = surface.Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const std::vector<PrescribedDirection> directions = RandomDirections(mesh, frames, 6, 10);
+  const std::vector<Constraint> directions = RandomDirections(mesh, frames, 6, 10);
   const Vector3 reference(0.3, 0.5, -0.7);
 
   const Relabelled relabelled = Relabel(surface, 11);
   const TriangleMesh other = relabelled.Result.Mesh();
   const TangentFrames otherFrames = FaceFrames(other);
-  std::vector<PrescribedDirection> otherDirections = directions;
+  std::vector<Constraint> otherDirections = directions;
   Eigen::Matrix3d rotation;
   const TriangleMesh moved = RotatedAndScaled(surface, 2.1, 1e-3, &rotation).Mesh();
   const TangentFrames movedFrames = FaceFrames(moved);
-  std::vector<PrescribedDirection> movedDirections = directions;
+  std::vector<Constraint> movedDirections = directions;
   for (std::size_t i = 0; i < directions.size(); ++i)
   {
-    otherDirections[i].Face = relabelled.NewFaces[directions[i].Face];
+    otherDirections[i].Element = relabelled.NewFaces[directions[i].Element];
     movedDirections[i].Direction = rotation * directions[i].Direction;
   }
 
@@ -149,7 +150,7 @@ TEST(PowerFieldSystem, FieldsFollowRelabellingRotationAndScale)
     for (int N : { 1, 2, 4, 6 })
     {
       const auto solve =
-        [&](const TriangleMesh& m, const TangentFrames& fr, const std::vector<PrescribedDirection>& d, const Vector3& r)
+        [&](const TriangleMesh& m, const TangentFrames& fr, const std::vector<Constraint>& d, const Vector3& r)
       { return RelativeTo(fr, SolveField(m, fr, N, MakePowerConstraints(m, fr, N, d), Weights(kind)), r, N); };
       const Vector<Complex> X = solve(mesh, frames, directions, reference);
       const Vector<Complex> Y = solve(other, otherFrames, otherDirections, reference);
@@ -169,12 +170,12 @@ TEST(PowerFieldSystem, HardConstraintsHoldAndStrongSoftOnesNearly)
 {
   const TriangleMesh mesh = IrregularSphere(2, 12).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 4, RandomDirections(mesh, frames, 5, 13));
+  const FieldConstraints constraints = MakePowerConstraints(mesh, frames, 4, RandomDirections(mesh, frames, 5, 13));
   const Vector<Complex> hard = SolveField(mesh, frames, 4, constraints, Weights(ConstraintKind::Hard));
   const Vector<Complex> strong = SolveField(mesh, frames, 4, constraints, Weights(ConstraintKind::Soft, 1.0, 1e8));
-  for (std::size_t b = 0; b < constraints.Prescribed.Faces.size(); ++b)
+  for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
   {
-    EXPECT_EQ(hard[constraints.Prescribed.Faces[b]], constraints.Values[b]);
+    EXPECT_EQ(hard[constraints.Elements[b]], ComplexValues(constraints)[b]);
   }
   EXPECT_LT(RelativeDifference(strong, hard), 1e-6);
 }
@@ -183,10 +184,10 @@ TEST(PowerFieldSystem, ComponentsWithoutAPrescriptionHaveTheSmoothestField)
 {
   const TriangleMesh mesh = Union(Icosphere(1), Disk(3), Vector3(4.0, 0.0, 0.0)).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const PowerConstraints constraints = MakePowerConstraints(mesh, frames, 4, { { 81, Vector3(1.0, 0.0, 0.0), 1.0 } });
+  const FieldConstraints constraints = MakePowerConstraints(mesh, frames, 4, { { 81, Vector3(1.0, 0.0, 0.0), 1.0 } });
   for (ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    const HarmonicSystem<Complex> system = MakePowerFieldSystem(mesh, frames, 4, constraints.Prescribed, Weights(kind));
+    const HarmonicSystem<Complex> system = MakePowerFieldSystem(mesh, frames, 4, constraints, Weights(kind));
     EXPECT_EQ(system.NumberOfUnreached(), 80);
     FieldSolver solver(mesh);
     FieldOptions options;
@@ -210,10 +211,10 @@ TEST(PowerFieldSystem, ZeroAreaFacesGetAField)
   const TangentFrames frames = FaceFrames(mesh);
   for (int N : { 1, 4 })
   {
-    const PowerConstraints constraints = MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 4, 14));
+    const FieldConstraints constraints = MakePowerConstraints(mesh, frames, N, RandomDirections(mesh, frames, 4, 14));
     const Vector<Complex> X = SolveField(mesh, frames, N, constraints, Weights(ConstraintKind::Soft));
     EXPECT_TRUE(X.allFinite());
-    EXPECT_LT(X.cwiseAbs().maxCoeff(), constraints.Values.cwiseAbs().maxCoeff() * (1.0 + 1e-6));
+    EXPECT_LT(X.cwiseAbs().maxCoeff(), ComplexValues(constraints).cwiseAbs().maxCoeff() * (1.0 + 1e-6));
     EXPECT_NEAR(IndicesOf(mesh, frames, X, N).sum(), 2.0, 1e-9);
   }
 }
@@ -223,15 +224,15 @@ TEST(PowerFieldSystem, RefusesWhatItCannotSolve)
   const FramedMesh surface(Icosphere(0).Mesh());
   const TriangleMesh& mesh = surface.Mesh;
   const TangentFrames& frames = surface.Faces;
-  const PrescribedFaces one{ { 3 }, { 1.0 } };
-  PrescribedFaces all;
+  const FieldConstraints one{ { 3 }, { 1.0 } };
+  FieldConstraints all;
   for (int f = 0; f < mesh.NumberOfFaces(); ++f)
   {
-    all.Faces.push_back(f);
+    all.Elements.push_back(f);
     all.Weights.push_back(1.0);
   }
   const auto expectRefusal =
-    [&](int N, const PrescribedFaces& prescribed, const FieldWeights& weights, const std::string& word)
+    [&](int N, const FieldConstraints& prescribed, const FieldWeights& weights, const std::string& word)
   {
     try
     {
@@ -239,7 +240,7 @@ TEST(PowerFieldSystem, RefusesWhatItCannotSolve)
       options.Field.N = N;
       std::tie(options.Smoothness, options.Alignment, options.Constraints) =
         std::tie(weights.Smoothness, weights.Alignment, weights.Constraints);
-      FieldProblem(surface, nullptr, { prescribed.Faces, prescribed.Weights, {} }, options, SerialContext());
+      FieldProblem(surface, nullptr, { prescribed.Elements, prescribed.Weights, {} }, options, SerialContext());
       ADD_FAILURE() << "accepted; expected \"" << word << '"';
     }
     catch (const InvalidInput& error)

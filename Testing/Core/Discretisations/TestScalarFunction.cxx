@@ -29,9 +29,9 @@ FieldOptions Functions(SolverKind solver = SolverKind::ConjugateGradients)
 
 /// The values of a function at the boundary.
 template <class Function>
-PrescribedDirections OnBoundary(const TriangleMesh& mesh, const Function& function)
+Constraints OnBoundary(const TriangleMesh& mesh, const Function& function)
 {
-  PrescribedDirections prescribed;
+  Constraints prescribed;
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
     if (mesh.IsBoundaryVertex(vertex))
@@ -42,9 +42,9 @@ PrescribedDirections OnBoundary(const TriangleMesh& mesh, const Function& functi
   return prescribed;
 }
 
-PrescribedDirections SomeValues(const TriangleMesh& mesh)
+Constraints SomeValues(const TriangleMesh& mesh)
 {
-  PrescribedDirections prescribed;
+  Constraints prescribed;
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); vertex += 97)
   {
     prescribed.Values.push_back({ vertex, std::sin(0.1 * vertex), 1.0 });
@@ -83,7 +83,7 @@ TEST(ScalarFunction, APotentialRunsAlongATube)
   const TriangleMesh mesh = IrregularPlane(64, 20, 3).Mesh();
   const double left = mesh.VertexPositions().col(0).minCoeff();
   const double right = mesh.VertexPositions().col(0).maxCoeff();
-  PrescribedDirections prescribed;
+  Constraints prescribed;
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
     const double x = mesh.Position(vertex)[0];
@@ -108,11 +108,11 @@ TEST(ScalarFunction, MinimisesTheDirichletEnergy)
 {
   const TriangleMesh mesh = IrregularTorus(48, 24, 4).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
-  const PrescribedDirections prescribed = SomeValues(mesh);
+  const Constraints prescribed = SomeValues(mesh);
   FieldSolver fields(mesh);
   const Vector<double> u = fields.Solve(prescribed, Functions(), { 1e-13, 200 });
   Vector<double> residual = FaceDivergence(mesh, frames) * (FaceGradient(mesh, frames) * u);
-  for (const PrescribedValue& value : prescribed.Values)
+  for (const ValueConstraint& value : prescribed.Values)
   {
     EXPECT_EQ(u[value.Vertex], value.Value);
     residual[value.Vertex] = 0.0;
@@ -173,9 +173,9 @@ TEST(ScalarFunction, RefusesWhatIsNoValue)
 {
   const FramedMesh surface(IrregularSphere(2, 3).Mesh());
   const ScalarFunction functions(surface, VertexAreas::MixedVoronoi);
-  const std::vector<std::vector<PrescribedValue>> wrong = { {}, { { -1, 1.0, 1.0 } }, { { 4, std::nan(""), 1.0 } },
+  const std::vector<std::vector<ValueConstraint>> wrong = { {}, { { -1, 1.0, 1.0 } }, { { 4, std::nan(""), 1.0 } },
     { { 4, 1.0, 0.0 } } };
-  for (const std::vector<PrescribedValue>& values : wrong)
+  for (const std::vector<ValueConstraint>& values : wrong)
   {
     EXPECT_THROW(functions.Prescribe({ {}, {}, values }, {}), InvalidInput);
   }

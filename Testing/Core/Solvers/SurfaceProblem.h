@@ -56,12 +56,12 @@ struct SurfaceProblem
   }
 
   /// Faces or edges first, first + step, ... with random weights.
-  PrescribedUnknowns Prescribed(int step, ConstraintKind kind, int first = 0) const
+  Penalties Prescribed(int step, ConstraintKind kind, int first = 0) const
   {
     const auto [elements, weights] = this->Elements(step, first);
     const FieldWeights all = { 1.0, 1.0, kind };
-    return this->Kind == Of::OneForms ? PrescribedUnknownsOf(this->Mesh, PrescribedEdges{ elements, weights }, all)
-                                      : PrescribedUnknownsOf(this->Mesh, PrescribedFaces{ elements, weights }, all);
+    return this->Kind == Of::OneForms ? PenaltiesOfEdges(this->Mesh, { elements, weights }, all)
+                                      : PenaltiesOfFaces(this->Mesh, { elements, weights }, all);
   }
 
   /// The system of the same; its matrix does not come from B.
@@ -111,7 +111,7 @@ inline std::unique_ptr<const RoughnessOperator> OperatorOf(const RoughnessHierar
 }
 
 /// What a prescription adds to B^T B in the order of a hierarchy; infinite where it is hard.
-inline Vector<double> DiagonalOf(const LeastSquaresHierarchy& hierarchy, const PrescribedUnknowns& prescribed)
+inline Vector<double> DiagonalOf(const LeastSquaresHierarchy& hierarchy, const Penalties& prescribed)
 {
   const std::vector<int> places = Inverse(hierarchy.Order);
   Vector<double> D = Vector<double>::Zero(hierarchy.NumberOfUnknowns());

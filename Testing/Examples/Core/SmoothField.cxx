@@ -29,7 +29,7 @@ int main(int, char* argv[])
   dmg::FieldOptions options;
   options.Field.N = 4;
   // Faces, directions, and how hard they pull.
-  const dmg::PrescribedDirections prescribed{ { { 0, { 1, 0, 0 }, 1.0 }, { 1000, { 1, 1, 1 }, 1.0 } }, {} };
+  const dmg::Constraints prescribed{ { { 0, { 1, 0, 0 }, 1.0 }, { 1000, { 1, 1, 1 }, 1.0 } }, {} };
   solver.Solve(prescribed, options, { 1e-10, 100 });
 
   // A row per face; 1, 2 and 3 are the others.

@@ -1,5 +1,6 @@
-#include "Discretisations/Prescriptions.h"
+#include "Discretisations/FieldConstraints.h"
 
+#include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
@@ -32,14 +33,14 @@ TEST_F(AlignmentConstraintsTest, AreSortedPowersOfTheTangentialParts)
   for (int N = 1; N <= 8; ++N)
   {
     const Vector3 normal = this->Frames.Normal(9);
-    const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, N,
+    const FieldConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, N,
       { { 20, this->Direction(20, 0.3, 2.5), 3.0 }, { 9, this->Direction(9, -1.1, 0.5) + 4.0 * normal, 1.5 } });
-    EXPECT_EQ(constraints.Prescribed.Faces, (std::vector<int>{ 9, 20 }));
-    EXPECT_EQ(constraints.Prescribed.Weights, (std::vector<double>{ 1.5, 3.0 }));
-    ASSERT_EQ(constraints.Values.size(), 2);
+    EXPECT_EQ(constraints.Elements, (std::vector<int>{ 9, 20 }));
+    EXPECT_EQ(constraints.Weights, (std::vector<double>{ 1.5, 3.0 }));
+    ASSERT_EQ(constraints.Values.size(), 4);
     // The length is kept, the angle is multiplied.
-    EXPECT_LT(std::abs(constraints.Values[0] - std::polar(0.5, -1.1 * N)), 50 * MachinePrecision);
-    EXPECT_LT(std::abs(constraints.Values[1] - std::polar(2.5, 0.3 * N)), 50 * MachinePrecision);
+    EXPECT_LT(std::abs(AsComplex(constraints.Values)[0] - std::polar(0.5, -1.1 * N)), 50 * MachinePrecision);
+    EXPECT_LT(std::abs(AsComplex(constraints.Values)[1] - std::polar(2.5, 0.3 * N)), 50 * MachinePrecision);
   }
 }
 
@@ -47,23 +48,23 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatAreEqualForNDirectionFieldsAgree)
 {
   for (int N = 1; N <= 8; ++N)
   {
-    std::vector<PrescribedDirection> directions;
+    std::vector<Constraint> directions;
     for (int k = 0; k < N; ++k)
     {
       directions.push_back({ 4, this->Direction(4, 0.2 + 2.0 * Pi * k / N), 1.0 + k });
     }
-    const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, N, directions);
-    ASSERT_EQ(constraints.Values.size(), 1);
-    EXPECT_LT(std::abs(constraints.Values[0] - std::polar(1.0, 0.2 * N)), 50 * MachinePrecision);
-    EXPECT_DOUBLE_EQ(constraints.Prescribed.Weights[0], 0.5 * N * (N + 1));
+    const FieldConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, N, directions);
+    ASSERT_EQ(constraints.Values.size(), 2);
+    EXPECT_LT(std::abs(AsComplex(constraints.Values)[0] - std::polar(1.0, 0.2 * N)), 50 * MachinePrecision);
+    EXPECT_DOUBLE_EQ(constraints.Weights[0], 0.5 * N * (N + 1));
   }
 }
 
 TEST_F(AlignmentConstraintsTest, DirectionsOnOneFaceAreAveragedByWeight)
 {
-  const PowerConstraints constraints = MakePowerConstraints(
+  const FieldConstraints constraints = MakePowerConstraints(
     this->Mesh, this->Frames, 1, { { 7, this->Direction(7, 0.0), 3.0 }, { 7, this->Direction(7, 0.5 * Pi), 1.0 } });
-  EXPECT_LT(std::abs(constraints.Values[0] - Complex(0.75, 0.25)), 10 * MachinePrecision);
+  EXPECT_LT(std::abs(AsComplex(constraints.Values)[0] - Complex(0.75, 0.25)), 10 * MachinePrecision);
 }
 
 // Opposite vectors mean nothing to a field of one direction, and the same to one of two; quarter turns likewise for two and four.
@@ -71,13 +72,13 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatCancelAreLeftOut)
 {
   for (const auto& [N, cancelling] : { std::pair(1, 2), std::pair(2, 6), std::pair(4, -1) })
   {
-    std::vector<PrescribedDirection> directions = { { 6, this->Direction(6, 0.3), 2.0 },
-      { 2, this->Direction(2, 0.1), 0.5 }, { 4, this->Direction(4, 1.0), 3.0 }, { 2, -this->Direction(2, 0.1), 0.5 },
+    std::vector<Constraint> directions = { { 6, this->Direction(6, 0.3), 2.0 }, { 2, this->Direction(2, 0.1), 0.5 },
+      { 4, this->Direction(4, 1.0), 3.0 }, { 2, -this->Direction(2, 0.1), 0.5 },
       { 6, this->Direction(6, 0.3 + 0.5 * Pi), 2.0 }, { 4, -this->Direction(4, 1.0), 1.0 } };
-    std::vector<PrescribedDirection> expected;
-    for (const PrescribedDirection& direction : directions)
+    std::vector<Constraint> expected;
+    for (const Constraint& direction : directions)
     {
-      if (direction.Face != cancelling)
+      if (direction.Element != cancelling)
       {
         expected.push_back(direction);
       }
@@ -87,7 +88,7 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatCancelAreLeftOut)
     ASSERT_EQ(directions.size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i)
     {
-      EXPECT_EQ(directions[i].Face, expected[i].Face);
+      EXPECT_EQ(directions[i].Element, expected[i].Element);
       EXPECT_EQ(directions[i].Direction, expected[i].Direction);
     }
   }
@@ -95,8 +96,8 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatCancelAreLeftOut)
 
 TEST_F(AlignmentConstraintsTest, NothingPrescribedIsEmpty)
 {
-  const PowerConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, 4, {});
-  EXPECT_TRUE(constraints.Prescribed.Faces.empty());
+  const FieldConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, 4, {});
+  EXPECT_TRUE(constraints.Elements.empty());
   EXPECT_EQ(constraints.Values.size(), 0);
 }
 
@@ -113,7 +114,7 @@ TEST_F(AlignmentConstraintsTest, RefuseWhatIsNoDirection)
   }
   const struct
   {
-    PrescribedDirection Bad;
+    Constraint Bad;
     const char* Word;
   } cases[] = {
     { { 5, Vector3(nan, 0.0, 0.0), 1.0 }, "not finite" },

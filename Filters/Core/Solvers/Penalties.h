@@ -1,5 +1,5 @@
-#ifndef dmgPrescribedUnknowns_h
-#define dmgPrescribedUnknowns_h
+#ifndef dmgPenalties_h
+#define dmgPenalties_h
 
 #include "Support/Types.h"
 
@@ -10,12 +10,12 @@ namespace dmg
 
 enum class ConstraintKind
 {
-  Soft, ///< a penalty with a weight; prescriptions may disagree
+  Soft, ///< a penalty with a weight; constraints may disagree
   Hard, ///< holds exactly
 };
 
-/// Unknowns that are prescribed, and how strongly.
-struct PrescribedUnknowns
+/// Constraints as solvers see them: some unknowns, and how strongly each is held.
+struct Penalties
 {
   ConstraintKind Kind = ConstraintKind::Soft;
   std::vector<int> Unknowns; ///< ascending, each once

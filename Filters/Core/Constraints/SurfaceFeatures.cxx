@@ -1,5 +1,6 @@
-#include "Discretisations/SurfaceFeatures.h"
+#include "Constraints/SurfaceFeatures.h"
 
+#include "Constraints/WeightsOfFaces.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 
@@ -11,9 +12,6 @@ namespace dmg
 
 namespace
 {
-
-/// At weight 1, features are followed to within this part of the surface's size.
-constexpr double RelativeLength = 1.0 / 30.0;
 
 Vector3 Along(const TriangleMesh& mesh, int halfedge)
 {
@@ -34,28 +32,6 @@ void CheckFeatureWeight(const std::string& name, double weight)
   }
 }
 
-Vector3 Turned(const Vector3& direction, const TangentFrames& frames, int element, double angle)
-{
-  return angle == 0.0 ? direction : Vector3(Eigen::AngleAxisd(angle, frames.Normal(element)) * direction);
-}
-
-}
-
-WeightsOfFaces::WeightsOfFaces(const TriangleMesh& mesh)
-  : Areas(mesh.FaceAreas())
-  , Mean(this->Areas.mean())
-  , Length(RelativeLength * std::sqrt(this->Areas.sum()))
-{
-}
-
-double WeightsOfFaces::OfFace() const
-{
-  return 2.0 * this->Mean / (this->Length * this->Length);
-}
-
-double WeightsOfFaces::OfLine(int face, double length) const
-{
-  return 2.0 * length / this->Length * this->Mean / std::max(this->Areas[face], 1e-4 * this->Mean);
 }
 
 void CheckFeatures(const FeatureOptions& options)
@@ -65,10 +41,10 @@ void CheckFeatures(const FeatureOptions& options)
   CheckFeatureWeight("Curvature Weight", options.CurvatureWeight);
 }
 
-std::vector<PrescribedDirection> AlongBoundary(const TriangleMesh& mesh, double weight)
+std::vector<Constraint> AlongBoundary(const TriangleMesh& mesh, double weight)
 {
   const WeightsOfFaces weights(mesh);
-  std::vector<PrescribedDirection> directions;
+  std::vector<Constraint> directions;
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
     const Vector3 along = Along(mesh, h);
@@ -82,11 +58,11 @@ std::vector<PrescribedDirection> AlongBoundary(const TriangleMesh& mesh, double 
   return directions;
 }
 
-std::vector<PrescribedDirection> AlongSharpEdges(const FramedMesh& surface, double degrees, double weight)
+std::vector<Constraint> AlongSharpEdges(const FramedMesh& surface, double degrees, double weight)
 {
   const TriangleMesh& mesh = surface.Mesh;
   const WeightsOfFaces weights(mesh);
-  std::vector<PrescribedDirection> directions;
+  std::vector<Constraint> directions;
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
     if (mesh.Twin(h) < 0)
@@ -110,12 +86,12 @@ std::vector<PrescribedDirection> AlongSharpEdges(const FramedMesh& surface, doub
   return directions;
 }
 
-std::vector<PrescribedDirection> AlongCurvature(
+std::vector<Constraint> AlongCurvature(
   const FramedMesh& surface, const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight)
 {
   const WeightsOfFaces weights(surface.Mesh);
   const Complex turn = followsMinimum ? Complex(0.0, 1.0) : Complex(1.0);
-  std::vector<PrescribedDirection> directions;
+  std::vector<Constraint> directions;
   const bool isClear = (ofFaces.Confidence.array() > LeastConfidence).any();
   for (int face = 0; isClear && face < surface.Mesh.NumberOfFaces(); ++face)
   {
@@ -133,11 +109,11 @@ FollowedFeatures FollowFeatures(
 {
   CheckFeatures(options);
   FollowedFeatures followed;
-  const auto follow = [&](const std::vector<PrescribedDirection>& feature, double degrees, const char* ifEmpty)
+  const auto follow = [&](const std::vector<Constraint>& feature, double degrees, const char* ifEmpty)
   {
-    for (PrescribedDirection along : feature)
+    for (Constraint along : feature)
     {
-      along.Direction = Turned(along.Direction, surface.Faces, along.Face, degrees * Pi / 180.0);
+      along.Direction = Turned(along.Direction, surface.Faces, along.Element, degrees * Pi / 180.0);
       followed.Directions.push_back(along);
     }
     if (feature.empty())
@@ -174,42 +150,6 @@ FollowedFeatures FollowFeatures(
       options.CurvatureRotation, "the surface bends alike in all directions, so Curvature Weight has no effect");
   }
   return followed;
-}
-
-namespace
-{
-
-InvalidInput RotationNotFinite(const std::string& element)
-{
-  return InvalidInput("the rotation at " + element +
-    " is not finite, and a direction is prescribed there; repair it, or leave the direction out");
-}
-
-}
-
-void Turn(
-  PrescribedDirections& directions, const FramedMesh& surface, const RotationAngles& angles, const ElementNames& names)
-{
-  for (PrescribedDirection& on : directions.OnFaces)
-  {
-    CheckPrescribedElement(on.Face, surface.Mesh.NumberOfFaces(), "face");
-    const double angle = angles.Everywhere + (angles.Faces.size() > 0 ? angles.Faces[on.Face] : 0.0);
-    if (!std::isfinite(angle))
-    {
-      throw RotationNotFinite(names.Face(on.Face));
-    }
-    on.Direction = Turned(on.Direction, surface.Faces, on.Face, angle);
-  }
-  for (PrescribedVertexDirection& at : directions.AtVertices)
-  {
-    CheckPrescribedElement(at.Vertex, surface.Mesh.NumberOfVertices(), "vertex");
-    const double angle = angles.Everywhere + (angles.Vertices.size() > 0 ? angles.Vertices[at.Vertex] : 0.0);
-    if (!std::isfinite(angle))
-    {
-      throw RotationNotFinite(names.Vertex(at.Vertex));
-    }
-    at.Direction = Turned(at.Direction, surface.Vertices, at.Vertex, angle);
-  }
 }
 
 }

@@ -1,7 +1,7 @@
 #ifndef dmgSurfaceFeatures_h
 #define dmgSurfaceFeatures_h
 
-#include "Discretisations/Prescriptions.h"
+#include "Constraints/Constraints.h"
 #include "Mesh/FramedMesh.h"
 #include "Operators/PrincipalDirections.h"
 
@@ -10,27 +10,6 @@
 
 namespace dmg
 {
-
-/// What turns integrals over a surface, or along lines on it, into the weights of its faces. They are relative to the size
-/// L of the surface, the root of its area, so that what follows an integral means the same at any size and resolution; see
-/// FeatureOptions. A discretisation multiplies the weight of a face by its area over the mean one.
-class WeightsOfFaces
-{
-public:
-  /// Cost: linear.
-  explicit WeightsOfFaces(const TriangleMesh& mesh);
-
-  /// Of (30 / L)^2, integrated over a face.
-  double OfFace() const;
-  /// Of 30 / L, integrated along a line on the face, if that is no sliver.
-  double OfLine(int face, double length) const;
-  bool IsFlat(int face) const { return this->Areas[face] == 0.0; }
-
-private:
-  const Vector<double> Areas;
-  const double Mean;
-  const double Length; ///< L / 30
-};
 
 /// What a field follows of the surface itself, and how strongly. Weights are relative to the size L of the surface, the
 /// root of its area, and mean the same at any size and resolution: where the roughness is the Dirichlet energy of the
@@ -63,21 +42,21 @@ void CheckFeatures(const FeatureOptions& options);
 
 /// Unit directions along the edges of the boundary, with the surface on the left. Edges without length, or of a face
 /// without area, have none.
-std::vector<PrescribedDirection> AlongBoundary(const TriangleMesh& mesh, double weight);
+std::vector<Constraint> AlongBoundary(const TriangleMesh& mesh, double weight);
 
 /// Unit directions along sharp edges, on both of their faces. Edges without length, or of a face without area, are not
 /// sharp.
-std::vector<PrescribedDirection> AlongSharpEdges(const FramedMesh& surface, double degrees, double weight);
+std::vector<Constraint> AlongSharpEdges(const FramedMesh& surface, double degrees, double weight);
 
 /// Unit directions along principal directions, on all faces where there are some, with their confidence as weight. None where
 /// no confidence is more than 1e-4: where the curvatures differ by less than 1 % everywhere.
-std::vector<PrescribedDirection> AlongCurvature(
+std::vector<Constraint> AlongCurvature(
   const FramedMesh& surface, const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight);
 
 /// What is followed, and what is not there to be followed.
 struct FollowedFeatures
 {
-  std::vector<PrescribedDirection> Directions;
+  std::vector<Constraint> Directions;
   std::vector<std::string> Warnings; ///< a sentence each
 };
 
@@ -88,20 +67,6 @@ struct FollowedFeatures
 /// Cost: linear.
 FollowedFeatures FollowFeatures(
   const FramedMesh& surface, int N, const FeatureOptions& options, const PrincipalCurvatures* ofFaces);
-
-/// By how much a field turns against what it follows, in radians, counter-clockwise seen from outside.
-struct RotationAngles
-{
-  double Everywhere = 0.0;
-  Vector<double> Faces;    ///< added to that on each face; empty for zeros
-  Vector<double> Vertices; ///< added to that at each vertex; empty for zeros
-};
-
-/// Turns all directions about the normals of their elements.
-/// \throw InvalidInput an angle is not finite where something is prescribed; an element is out of range. \p names says
-/// how messages call it.
-void Turn(PrescribedDirections& directions, const FramedMesh& surface, const RotationAngles& angles,
-  const ElementNames& names = {});
 
 }
 

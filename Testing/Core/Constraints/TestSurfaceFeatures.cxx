@@ -1,4 +1,4 @@
-#include "Discretisations/SurfaceFeatures.h"
+#include "Constraints/SurfaceFeatures.h"
 
 #include "Support/Errors.h"
 #include "Support/Identities.h"
@@ -45,13 +45,13 @@ Surface Cube(int subdivisions)
 
 /// What the weights make of a unit difference from what is prescribed: the penalties of faces are multiples of their
 /// areas over the mean one.
-double EnergyOfUnit(const TriangleMesh& mesh, const std::vector<PrescribedDirection>& directions)
+double EnergyOfUnit(const TriangleMesh& mesh, const std::vector<Constraint>& directions)
 {
   const Vector<double> areas = mesh.FaceAreas();
   double sum = 0.0;
-  for (const PrescribedDirection& given : directions)
+  for (const Constraint& given : directions)
   {
-    sum += given.Weight * areas[given.Face] / areas.mean();
+    sum += given.Weight * areas[given.Element] / areas.mean();
   }
   return sum;
 }
@@ -115,7 +115,7 @@ TEST(SurfaceFeatures, LinesFollowTheMaximumOrTheMinimum)
   for (std::size_t i = 0; i < maximum.size(); ++i)
   {
     EXPECT_NEAR(maximum[i].Direction.dot(minimum[i].Direction), 0.0, 1e-12);
-    const Vector3 centre = Centre(torus.Mesh, maximum[i].Face);
+    const Vector3 centre = Centre(torus.Mesh, maximum[i].Element);
     EXPECT_NEAR(std::abs(Vector3(-centre[1], centre[0], 0.0).normalized().dot(minimum[i].Direction)), 1.0, 0.02);
   }
 }
@@ -182,10 +182,11 @@ TEST(SurfaceFeatures, EachTurnsByAnAngleOfItsOwn)
     ASSERT_EQ(turned.size(), straight.size());
     for (std::size_t i = 0; i < turned.size(); ++i)
     {
-      EXPECT_EQ(turned[i].Face, straight[i].Face);
+      EXPECT_EQ(turned[i].Element, straight[i].Element);
       EXPECT_EQ(turned[i].Weight, straight[i].Weight);
-      EXPECT_LT(std::abs(tube.Faces.ToComplex(turned[i].Face, turned[i].Direction) -
-                  std::polar(1.0, 40.0 * Pi / 180.0) * tube.Faces.ToComplex(straight[i].Face, straight[i].Direction)),
+      EXPECT_LT(
+        std::abs(tube.Faces.ToComplex(turned[i].Element, turned[i].Direction) -
+          std::polar(1.0, 40.0 * Pi / 180.0) * tube.Faces.ToComplex(straight[i].Element, straight[i].Direction)),
         20 * MachinePrecision);
     }
   }
@@ -232,7 +233,7 @@ TEST(SurfaceFeatures, DirectionsTurnCounterClockwiseAboutTheNormal)
   angles.Faces.setConstant(surface.Mesh.NumberOfFaces(), 0.5);
   angles.Vertices.setConstant(surface.Mesh.NumberOfVertices(), -1.0);
   const Vector3 given(1.0, 2.0, 0.5);
-  PrescribedDirections directions{ { { 7, given, 1.0 } }, { { 9, given, 1.0 } } };
+  Constraints directions{ { { 7, given, 1.0 } }, { { 9, given, 1.0 } } };
   Turn(directions, surface, angles);
   const Vector3 onFace = directions.OnFaces[0].Direction;
   EXPECT_LT(std::abs(surface.Faces.ToComplex(7, onFace) - std::polar(1.0, 0.8) * surface.Faces.ToComplex(7, given)),
@@ -249,9 +250,9 @@ TEST(SurfaceFeatures, AnAngleThatIsNotFiniteCountsWhereSomethingIsPrescribed)
   RotationAngles angles;
   angles.Faces.setZero(surface.Mesh.NumberOfFaces());
   angles.Faces[3] = std::numeric_limits<double>::quiet_NaN();
-  PrescribedDirections elsewhere{ { { 4, Vector3(1.0, 2.0, 0.5), 1.0 } }, {} };
+  Constraints elsewhere{ { { 4, Vector3(1.0, 2.0, 0.5), 1.0 } }, {} };
   EXPECT_NO_THROW(Turn(elsewhere, surface, angles));
-  PrescribedDirections there{ { { 3, Vector3(1.0, 2.0, 0.5), 1.0 } }, {} };
+  Constraints there{ { { 3, Vector3(1.0, 2.0, 0.5), 1.0 } }, {} };
   EXPECT_THROW(Turn(there, surface, angles), InvalidInput);
 }
 

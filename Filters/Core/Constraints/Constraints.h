@@ -1,0 +1,98 @@
+#ifndef dmgConstraints_h
+#define dmgConstraints_h
+
+#include "Mesh/FramedMesh.h"
+#include "Mesh/TangentFrames.h"
+#include "Mesh/TriangleMesh.h"
+#include "Support/Types.h"
+
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// A direction that a field shall have on a face or at a vertex; several may share an element.
+struct Constraint
+{
+  int Element;       ///< a face or a vertex: the list that holds the constraint says which
+  Vector3 Direction; ///< in space; its part in the tangent plane of the element counts
+  double Weight;     ///< > 0
+};
+
+/// A value that a function shall have at a vertex.
+struct ValueConstraint
+{
+  int Vertex;
+  double Value;
+  double Weight; ///< > 0
+};
+
+/// All that a field follows on a surface, whatever its unknowns are: arrays, guides and features become constraints, and a
+/// discretisation alone makes penalties of its unknowns of them.
+struct Constraints
+{
+  std::vector<Constraint> OnFaces;
+  std::vector<Constraint> AtVertices;
+  std::vector<ValueConstraint> Values = {}; ///< of functions
+
+  bool AreEmpty() const { return this->OnFaces.empty() && this->AtVertices.empty() && this->Values.empty(); }
+};
+
+/// The range of weights, and that of lengths and values. All that is computed of them then stays far from the largest and
+/// smallest doubles.
+constexpr double SmallestWeight = 1e-20;
+constexpr double LargestWeight = 1e20;
+constexpr double SmallestPrescribed = 1e-40;
+constexpr double LargestPrescribed = 1e40;
+
+/// \throw InvalidInput a length, an absolute value or a weight is too large to compute with, or all of them are too small.
+/// Where some are large enough, the others may be as small as they like. The message names the element.
+/// \pre The elements exist.
+void CheckSizes(const Constraints& constraints, const ElementNames& names = {});
+
+/// \param kind for the message, as in "face".
+/// \throw InvalidInput there are only \p size elements.
+void CheckElement(int element, int size, const std::string& kind);
+
+/// The part of a direction in the tangent plane of its element.
+/// \param name, kind for messages, as in "cell 7", "cell".
+/// \throw InvalidInput the direction is not finite, has no part in the plane (less than 1e-6 of its length), or its weight is
+/// not positive.
+Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction, double weight,
+  const std::string& name, const std::string& kind);
+
+/// The N-th power of a direction in a frame, as long as the direction.
+Complex PowerOfDirection(const Complex& direction, int N);
+
+/// The numbers of some constraints in the order of their elements. Constraints of one element keep their order.
+std::vector<int> ByElement(const std::vector<Constraint>& constraints);
+
+/// Leaves out the directions of faces on which several cancel: the mean of their N-th powers is less than a millionth of
+/// them, as of opposite vectors where N is 1, and so says nothing but what rounding has left.
+/// \return those faces, ascending.
+/// Cost: n log n, linear where directions are sorted by face.
+std::vector<int> LeaveOutCancelling(std::vector<Constraint>& onFaces, const TangentFrames& faceFrames, int N);
+
+/// The angles by which a field turns against all that it follows, in radians, counter-clockwise seen from outside.
+struct RotationAngles
+{
+  double Everywhere = 0.0;
+  Vector<double> Faces = {};    ///< added to that on each face; empty for zeros
+  Vector<double> Vertices = {}; ///< added to that at each vertex; empty for zeros
+
+  bool AreZero() const { return this->Everywhere == 0.0 && this->Faces.size() == 0 && this->Vertices.size() == 0; }
+};
+
+/// Turns all directions about the normals of their elements.
+/// \param names says how messages call elements.
+/// \throw InvalidInput an angle is not finite where something is prescribed; an element is out of range.
+void Turn(
+  Constraints& constraints, const FramedMesh& surface, const RotationAngles& angles, const ElementNames& names = {});
+
+/// A direction, turned about the normal of its element by an angle in radians.
+Vector3 Turned(const Vector3& direction, const TangentFrames& frames, int element, double angle);
+
+}
+
+#endif
