@@ -16,10 +16,13 @@ cd "$(dirname "$0")/.."
 
 step() { printf '\n== %s\n' "$*"; }
 
-# Builds a preset; further arguments are those of cmake --build.
+# Builds a preset; further arguments are those of cmake --build. Without a compiler cache that knows the sources, precompiled
+# headers take half of the time away. One flavour goes without, since it notices where a source includes too little.
 build() {
   step "$1: configure and build"
-  cmake --preset "$1" > "build/$1.log" 2>&1 || { cat "build/$1.log"; exit 1; }
+  local precompiled=ON
+  [ "$1" = vtk-asan ] && precompiled=OFF
+  cmake --preset "$1" "-DDMG_PRECOMPILED_HEADERS=$precompiled" > "build/$1.log" 2>&1 || { cat "build/$1.log"; exit 1; }
   cmake --build --preset "$@"
 }
 
@@ -39,6 +42,7 @@ run() {
 }
 
 mkdir -p build
+export CCACHE_SLOPPINESS=pch_defines,time_macros # else ccache leaves sources with precompiled headers alone
 passed=0 failed=0 skipped=0 all_well=yes
 step "Packages"
 .ci/install-packages test
