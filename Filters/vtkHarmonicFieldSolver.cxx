@@ -175,7 +175,7 @@ int vtkHarmonicFieldSolver::RequestData(
   const auto make = [&](const dmg::ExecutionContext& context)
   {
     dmg::SolvedSurface& kept = this->Internals->Kept;
-    const dmg::Guides guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides, this->MaximumDistance };
+    const dmg::GuideInput guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides, this->MaximumDistance };
     const dmg::Singularities singularities{ dmg::DataOf(inputVector[2]), this->SingularityIndexArray,
       this->MaximumDistance };
     const dmg::FieldOptions options = dmg::OptionsOf(this);
@@ -191,7 +191,8 @@ int vtkHarmonicFieldSolver::RequestData(
     }
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
     dmg::Prescription prescribed = dmg::ChosenDirections(
-      dmg::ChoicesOnSurface(this, input), input, guides, kept.Places(), dmg::PartOfContext(context, 0.1, 0.1));
+      dmg::ChoicesOnSurface(this, input), input, guides, kept.Surface().Numbering,
+      [&kept]() -> const dmg::NearestPlaces& { return kept.Places(); }, dmg::PartOfContext(context, 0.1, 0.1));
     if (!prescribed.Report.IsAllTaken())
     {
       vtkWarningMacro(<< prescribed.Report.LeftOut());

@@ -1,5 +1,6 @@
 #include "Adapters/Input/ConstraintsFromArrays.h"
 
+#include "Adapters/Input/GuideDataSets.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -73,10 +74,10 @@ std::vector<ValueConstraint> ValuesOnSurface(
 
 }
 
-Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const Guides& guides,
-  const NearestPlaces& places, const ExecutionContext& context)
+Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const GuideInput& guides,
+  const SurfaceNumbering& numbering, const std::function<const NearestPlaces&()>& places,
+  const ExecutionContext& context)
 {
-  const SurfaceNumbering& numbering = places.Framed.Numbering;
   Constraints directions;
   const auto values = ValuesOnSurface(onSurface, surface, numbering);
   // Else mask and weights are those of values.
@@ -85,9 +86,10 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
     directions = DirectionsOnSurface(FindArrays(onSurface, surface, "the surface"), numbering);
   }
   directions.Values = values;
-  const GuidesOnSurface followed = BringToSurface(guides, places, context);
+  const Guides given = GuidesFrom(guides);
+  const FollowedGuides followed = given.AreEmpty() ? FollowedGuides() : FollowGuides(given, places(), context);
   directions.OnFaces.insert(directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
-  const bool isEmpty = directions.OnFaces.empty() && directions.AtVertices.empty() && directions.Values.empty();
+  const bool isEmpty = directions.AreEmpty();
   if (isEmpty && !followed.Report.IsAllTaken())
   {
     throw InvalidInput("no direction is prescribed; " + followed.Report.LeftOut());
@@ -98,7 +100,7 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
       "no direction is prescribed: the directions of the surface are zero, or its mask or weights are; "
       "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
   }
-  if (isEmpty && followed.AreGiven)
+  if (isEmpty && !DataSetsOf(guides.Data).empty())
   {
     throw InvalidInput(
       "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "

@@ -1,7 +1,10 @@
 #ifndef dmgConstraintsFromArrays_h
 #define dmgConstraintsFromArrays_h
 
-#include "Adapters/Input/GuidesOnSurface.h"
+#include "Adapters/Input/GuidesFromDataSets.h"
+#include "Adapters/Surface/MeshFromPolyData.h"
+
+#include <functional>
 
 namespace dmg
 {
@@ -19,13 +22,14 @@ struct Prescription
 /// On the surface, cells prescribe faces and points vertices; cells and points without a triangle
 /// take no part. Guides prescribe faces.
 ///
-/// \param surface that \p places are on.
+/// \param places of the surface, made where there are guides.
 /// \return without directions where nothing is chosen and guides are empty.
-/// \throw InvalidInput as FindArrays, VisitPrescribed and BringToSurface; what is chosen prescribes nothing.
+/// \throw InvalidInput as FindArrays, VisitPrescribed and GuidesFrom, FollowGuides; what is chosen prescribes nothing.
 /// \throw Cancelled
 /// Cost: linear, besides the guides.
-Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const Guides& guides,
-  const NearestPlaces& places, const ExecutionContext& context);
+Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const GuideInput& guides,
+  const SurfaceNumbering& numbering, const std::function<const NearestPlaces&()>& places,
+  const ExecutionContext& context);
 
 }
 

@@ -1,7 +1,6 @@
 #include "Adapters/Input/SingularitiesOnSurface.h"
 
 #include "Adapters/Input/GuideDataSets.h"
-#include "Adapters/Input/SegmentOnSurface.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 
@@ -80,7 +79,7 @@ vtkDataArray* IndicesOf(const GuideDataSet& dataset, const std::string& chosen)
 /// The corner inside of the nearest face that is nearest.
 int VertexAt(const NearestPlaces& nearest, const Vector3& position, double limit, const std::string& name)
 {
-  const TriangleMesh& mesh = nearest.Framed.On.Mesh;
+  const TriangleMesh& mesh = nearest.Surface.Mesh;
   const NearestPlace place = nearest(position);
   if (place.Face < 0 || place.Distance > limit)
   {

@@ -1,8 +1,8 @@
 #ifndef dmgSingularitiesOnSurface_h
 #define dmgSingularitiesOnSurface_h
 
-#include "Adapters/Input/SegmentOnSurface.h"
 #include "Analysis/PrescribedSingularities.h"
+#include "Constraints/NearestPlaces.h"
 
 #include <string>
 #include <vector>

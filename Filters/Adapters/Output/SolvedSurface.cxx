@@ -56,7 +56,6 @@ void SolvedSurface::SetSurface(vtkPolyData* input, const FieldOptions& options, 
     this->OperatorsSeconds = 0.0;
     this->Solver = std::move(solver);
     this->Numbers = std::move(static_cast<SurfaceNumbering&>(surface));
-    this->PlacesOfSurface = std::make_unique<NearestPlaces>(this->Surface());
     this->Digest = digest;
     this->Order = order;
     this->SurfaceSeconds = SecondsSince(start);
@@ -97,6 +96,15 @@ std::vector<std::string> SolvedSurface::Update(SolvedField& solver, const std::f
   this->Arrays.reset();
   this->IsShownCurrent = false;
   return this->Report().Warnings;
+}
+
+const NearestPlaces& SolvedSurface::Places()
+{
+  if (!this->PlacesOfSurface)
+  {
+    this->PlacesOfSurface = std::make_unique<NearestPlaces>(this->Solver->Surface());
+  }
+  return *this->PlacesOfSurface;
 }
 
 const PrincipalCurvatures& SolvedSurface::Curvatures(double scale, const ExecutionContext& context)

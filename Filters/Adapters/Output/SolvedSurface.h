@@ -1,11 +1,11 @@
 #ifndef dmgSolvedSurface_h
 #define dmgSolvedSurface_h
 
-#include "Adapters/Input/SegmentOnSurface.h"
 #include "Adapters/Output/BasisToArrays.h"
 #include "Adapters/Output/FieldToArrays.h"
 #include "Adapters/Surface/MeshFromPolyData.h"
 #include "Adapters/Surface/OperatorsToFieldData.h"
+#include "Constraints/NearestPlaces.h"
 #include "FieldSolver.h"
 #include "Operators/PrincipalDirections.h"
 #include "SingularFieldSolver.h"
@@ -34,7 +34,7 @@ public:
   void SetSurface(vtkPolyData* input, const FieldOptions& options, const ExecutionContext& context);
 
   FramedSurface Surface() const { return { this->Solver->Surface(), this->Numbers }; }
-  const NearestPlaces& Places() const { return *this->PlacesOfSurface; }
+  const NearestPlaces& Places();
 
   /// Of the faces of the surface, at a scale; kept until another is asked for. See FindPrincipalDirections.
   const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);

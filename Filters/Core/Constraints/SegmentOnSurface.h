@@ -1,53 +1,13 @@
 #ifndef dmgSegmentOnSurface_h
 #define dmgSegmentOnSurface_h
 
-#include "Adapters/Surface/MeshFromPolyData.h"
-
-#include "vtkNew.h"
+#include "Constraints/NearestPlaces.h"
 
 #include <array>
-#include <limits>
 #include <vector>
-
-class vtkGenericCell;
-class vtkStaticCellLocator;
 
 namespace dmg
 {
-
-/// The place of a surface that is nearest to a point in space.
-struct NearestPlace
-{
-  int Face = -1; ///< -1 where the square of the distance is too large for a number
-  Vector3 Position = Vector3::Zero();
-  double Distance = std::numeric_limits<double>::infinity();
-};
-
-/// Finds the nearest places of a surface. Not for several threads at a time.
-class NearestPlaces
-{
-public:
-  /// \param framed is referred to and has to live as long as this object.
-  /// Cost: linear; the first place that is looked for builds a search structure.
-  explicit NearestPlaces(const FramedSurface& framed);
-  ~NearestPlaces();
-
-  /// \pre position is finite. Cost: logarithmic near the surface; elsewhere it grows with the
-  /// number of faces in a ball around the point.
-  NearestPlace operator()(const Vector3& position) const;
-
-  /// The place where walking over the surface, from a face, comes no nearer. Cost: a few triangles
-  /// for each step.
-  NearestPlace From(int face, const Vector3& position) const;
-
-  const FramedSurface Framed;
-  const double Size; ///< diagonal of the bounding box
-  const double MeanEdge;
-
-private:
-  vtkNew<vtkStaticCellLocator> Locator;
-  vtkNew<vtkGenericCell> Cell; // what the locator writes to
-};
 
 /// A part of a segment in space whose points are nearest to one face.
 struct SegmentPart
@@ -61,7 +21,7 @@ struct SegmentPart
   Kinds Kind;
   int Face;
   double Length;
-  double Distance; ///< from the surface, the largest of its samples
+  double Distance; ///< from the surface, the largest of its samples; infinite where nobody has looked
 };
 
 /// The parts of a straight segment, from its start to its end.
@@ -79,6 +39,9 @@ struct SegmentPart
 /// normals of the faces that are nearest to both ends of the segment tell the side that is meant,
 /// interpolated between them; a part on a face whose normal is against that one is OnFarSide.
 ///
+/// A segment is first cut to the box around the surface, widened by the maximum distance: where it ends far away does not
+/// matter.
+///
 /// Parts of less than a millionth of the surface's size, or a thousandth of the segment, are left
 /// out: rounding makes them where a segment runs through a vertex or along an edge.
 class SegmentOnSurface
@@ -87,14 +50,16 @@ public:
   /// \param maximumDistance in the unit of the points.
   SegmentOnSurface(const NearestPlaces& nearest, double maximumDistance);
 
-  /// Nothing for a segment without length. \pre both ends are finite.
+  /// Several threads may ask at a time. Nothing for a segment without length.
+  /// \pre both ends are finite.
   /// Cost: for each part, or mean edge, some nearest places.
   std::vector<SegmentPart> PartsOf(const Vector3& start, const Vector3& end) const;
 
 private:
   struct Sample;
   struct Segment;
-  Sample At(const Segment& segment, double parameter) const;
+  std::vector<SegmentPart> PartsOfNear(const Vector3& start, const Vector3& end) const;
+  Sample At(const Segment& segment, double parameter, int near) const;
   Sample Between(const Segment& segment, const Sample& a, const Sample& b, double parameter) const;
   int FaceOf(const Sample& sample) const; ///< -1 where it is too far
   void Split(

@@ -1,9 +1,13 @@
-#include "Adapters/Input/SegmentOnSurface.h"
+#include "Constraints/SegmentOnSurface.h"
 
-#include "TestTools.h"
+#include "Constraints/Guides.h"
+#include "Support/MeshFactory.h"
+#include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <random>
@@ -15,17 +19,14 @@ namespace
 {
 
 constexpr double Everywhere = std::numeric_limits<double>::infinity();
-using Lengths = std::map<vtkIdType, double>; // by cell
+using Lengths = std::map<int, double>; // by face
 
 /// A surface and the parts of segments on it.
 class Setting
 {
 public:
   explicit Setting(const Surface& surface, double maximumDistance = Everywhere)
-    : Data(PolyDataOf(surface))
-    , Mesh(MeshFromPolyData(this->Data, Numbering::Spatial, SerialContext()))
-    , Frames(this->Mesh.Mesh)
-    , Framed{ this->Frames, this->Mesh }
+    : Framed(surface.Mesh())
     , Nearest(this->Framed)
     , Segments(this->Nearest, maximumDistance)
   {
@@ -38,16 +39,13 @@ public:
     {
       if (part.Kind == kind)
       {
-        lengths[part.Face < 0 ? -1 : this->Framed.Numbering.CellOf(part.Face)] += part.Length;
+        lengths[part.Face] += part.Length;
       }
     }
     return lengths;
   }
 
-  vtkSmartPointer<vtkPolyData> Data;
-  SurfaceMesh Mesh;
-  FramedMesh Frames;
-  FramedSurface Framed;
+  FramedMesh Framed;
   NearestPlaces Nearest;
   SegmentOnSurface Segments;
 };
@@ -162,11 +160,9 @@ TEST(SegmentOnSurface, AlongAnEdgeTouchesTheFacesBesideIt)
   for (const auto& [cell, length] : lengths)
   {
     int ofSegment = 0; // corners of the face
-    vtkNew<vtkIdList> corners;
-    setting.Data->GetCellPoints(cell, corners);
     for (int k = 0; k < 3; ++k)
     {
-      const Vector3 corner(setting.Data->GetPoint(corners->GetId(k)));
+      const Vector3 corner = setting.Framed.Mesh.Position(setting.Framed.Mesh.FaceCorners()(cell, k));
       ofSegment += corner.y() == 2.0 && corner.x() >= 1.0 && corner.x() <= 3.0;
     }
     EXPECT_EQ(ofSegment, 2) << "cell " << cell;
@@ -201,9 +197,12 @@ TEST(SegmentOnSurface, AlongASharpRidgeBelongsToBothSides)
           EXPECT_TRUE(setting.LengthsOf(start, start + along, SegmentPart::OnFarSide).empty());
           for (const auto& [cell, length] : setting.LengthsOf(start, start + along, SegmentPart::OnSurface))
           {
-            double bounds[6];
-            setting.Data->GetCellBounds(cell, bounds);
-            sides[bounds[0] < -1e-9 * scale ? 0 : 1] += length / scale;
+            double least = 0.0;
+            for (int k = 0; k < 3; ++k)
+            {
+              least = std::min(least, setting.Framed.Mesh.Position(setting.Framed.Mesh.FaceCorners()(cell, k))[0]);
+            }
+            sides[least < -1e-9 * scale ? 0 : 1] += length / scale;
           }
         }
         EXPECT_NEAR(sides[0], sides[1], 1e-3);
@@ -268,7 +267,7 @@ TEST(SegmentOnSurface, HasPartsAsLongAsManySamplesSay)
     for (int k = 0; k < Samples; ++k)
     {
       const NearestPlace place = setting.Nearest(start + (k + 0.5) / Samples * (end - start));
-      expected[setting.Framed.Numbering.CellOf(place.Face)] += length / Samples;
+      expected[place.Face] += length / Samples;
     }
     Lengths lengths = setting.LengthsOf(start, end, SegmentPart::OnSurface);
     const Lengths onFarSide = setting.LengthsOf(start, end, SegmentPart::OnFarSide);
@@ -351,7 +350,7 @@ Vector3 OnPipe(double angle, double y)
 TEST(SegmentOnSurface, DoesNotTouchTheFarSideOfAThinWall)
 {
   const Setting setting(HalfPipe(0.94));
-  const vtkIdType outside = setting.Data->GetNumberOfCells() / 2;
+  const int outside = setting.Framed.Mesh.NumberOfFaces() / 2;
   const double half = std::acos(0.89);
   const Vector3 start = OnPipe(1.5 - half, 0.53), end = OnPipe(1.5 + half, 0.67);
   for (const auto& [cell, length] : setting.LengthsOf(start, end, SegmentPart::OnSurface))
@@ -372,7 +371,7 @@ TEST(SegmentOnSurface, DoesNotTouchTheFarSideOfAThinWall)
 TEST(SegmentOnSurface, TouchesTheNearSideOfAThinWallOnly)
 {
   const Setting setting(HalfPipe(0.94));
-  const vtkIdType outside = setting.Data->GetNumberOfCells() / 2;
+  const int outside = setting.Framed.Mesh.NumberOfFaces() / 2;
   // The first is drawn on the outside, the second on the inside.
   for (double radius : { 1.0, 0.94 })
   {
@@ -385,5 +384,101 @@ TEST(SegmentOnSurface, TouchesTheNearSideOfAThinWallOnly)
       EXPECT_EQ(cell < outside, radius == 1.0) << "cell " << cell;
     }
     EXPECT_TRUE(setting.LengthsOf(start + y, end + y, SegmentPart::OnFarSide).empty());
+  }
+}
+
+// Only what is near counts: a ray says the same wherever it ends.
+TEST(SegmentOnSurface, SaysTheSameWhereverARayEnds)
+{
+  const Surface plane = PlaneGrid(8, 8);
+  const Setting setting(plane, 1.0);
+  const Vector3 start(1.3, 2.3, 0.5), along(1.0, 0.0, 0.0);
+  const Lengths expected = LengthsAbovePlane(plane, start, { 8.0, 2.3, 0.5 });
+  for (double reach : { 20.0, 1e3, 1e6, 1e12, 1e20, 1e100 })
+  {
+    const Lengths lengths = setting.LengthsOf(start, start + reach * along, SegmentPart::OnSurface);
+    const Lengths back = setting.LengthsOf(start + reach * along, start, SegmentPart::OnSurface);
+    EXPECT_EQ(lengths.size(), expected.size()) << reach;
+    EXPECT_EQ(back.size(), expected.size()) << reach;
+    double sum = 0.0;
+    for (const auto& [face, length] : lengths)
+    {
+      EXPECT_EQ(expected.count(face), 1u) << reach;
+      sum += length;
+    }
+    // The part beyond the rim that is within a distance of 1 of it is nearest to the rim.
+    const double beyond = std::sqrt(1.0 - 0.25);
+    EXPECT_NEAR(sum, 8.0 - 1.3 + beyond, 1e-3) << reach;
+  }
+}
+
+// An oblique ray, far beyond what numbers resolve there.
+TEST(SegmentOnSurface, FollowsAnObliqueRay)
+{
+  const Surface plane = PlaneGrid(8, 8);
+  const Setting setting(plane, 0.5);
+  const Vector3 start(1.3, 2.3, 0.0), along = Vector3(1.0, 0.5, 0.1);
+  const Lengths near = setting.LengthsOf(start, start + 20.0 * along, SegmentPart::OnSurface);
+  const Lengths far = setting.LengthsOf(start, start + 1e20 * along, SegmentPart::OnSurface);
+  ExpectSame(far, near, 1e-3);
+}
+
+// The boxes say what a look at all faces says.
+TEST(NearestPlaces, AreThoseOfAllFaces)
+{
+  constexpr int Seed = 4711;
+  SCOPED_TRACE(Seed);
+  std::mt19937 random(Seed);
+  std::normal_distribution<double> coordinate;
+  for (const Surface& surface : { IrregularSphere(3, 11, 0.1), PlaneGrid(5, 3), PlaneGrid(1, 1) })
+  {
+    const FramedMesh framed(surface.Mesh());
+    const NearestPlaces nearest(framed);
+    for (int i = 0; i < 300; ++i)
+    {
+      const Vector3 position(2.0 * coordinate(random), 2.0 * coordinate(random), 2.0 * coordinate(random));
+      double least = Everywhere;
+      for (int face = 0; face < framed.Mesh.NumberOfFaces(); ++face)
+      {
+        least = std::min(least, ClosestOnFace(framed.Mesh, face, position).Distance);
+      }
+      EXPECT_EQ(nearest(position).Distance, least);
+      EXPECT_EQ(nearest(position, i % framed.Mesh.NumberOfFaces()).Distance, least);
+    }
+  }
+}
+
+// One thread or several: the same bits, in the same order.
+TEST(Guides, AreTheSameForAnyNumberOfThreads)
+{
+  constexpr int Seed = 815;
+  SCOPED_TRACE(Seed);
+  std::mt19937 random(Seed);
+  std::normal_distribution<double> coordinate;
+  const FramedMesh surface(IrregularSphere(4, 11, 0.1).Mesh());
+  const NearestPlaces nearest(surface);
+  Guides guides;
+  GuideLine walk;
+  for (int i = 0; i < 6000; ++i)
+  {
+    const Vector3 position(coordinate(random), coordinate(random), coordinate(random));
+    walk.Points.push_back(Vector3(std::cos(0.01 * i), std::sin(0.01 * i), 0.0001 * i));
+    guides.Vectors.push_back({ position.normalized(), { 1.0, 2.0, 3.0 }, 1.0 });
+  }
+  guides.Lines.push_back(walk);
+  const FollowedGuides one = FollowGuides(guides, nearest);
+  EXPECT_GT(one.Directions.size(), 6000u);
+  for (int threads : { 2, 5 })
+  {
+    const FollowedGuides many = FollowGuides(guides, nearest, TbbContext(threads));
+    ASSERT_EQ(many.Directions.size(), one.Directions.size());
+    EXPECT_EQ(many.Report.Taken, one.Report.Taken);
+    EXPECT_EQ(many.Report.Farthest, one.Report.Farthest);
+    for (std::size_t i = 0; i < one.Directions.size(); ++i)
+    {
+      EXPECT_EQ(many.Directions[i].Element, one.Directions[i].Element);
+      EXPECT_EQ(many.Directions[i].Direction, one.Directions[i].Direction);
+      EXPECT_EQ(many.Directions[i].Weight, one.Directions[i].Weight);
+    }
   }
 }

@@ -1,8 +1,4 @@
-#include "Adapters/Input/SegmentOnSurface.h"
-
-#include "vtkGenericCell.h"
-#include "vtkPolyData.h"
-#include "vtkStaticCellLocator.h"
+#include "Constraints/SegmentOnSurface.h"
 
 #include <algorithm>
 #include <array>
@@ -32,123 +28,62 @@ constexpr double OnEdge = 1e-6; // more than the rounding errors of coordinates 
 
 constexpr int MaximumDepth = 50; // beyond which parameters in double precision are too coarse
 
-double SizeOf(const TriangleMesh& mesh)
+/// The place of a segment where it crosses a side of a box.
+Vector3 At(const Vector3& start, const Vector3& end, double parameter, int axis, double side)
 {
-  const Points& points = mesh.VertexPositions();
-  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-}
-
-double MeanEdgeOf(const TriangleMesh& mesh)
-{
-  double sum = 0.0;
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    const auto [a, b] = mesh.EdgeVertices(edge);
-    sum += (mesh.Position(a) - mesh.Position(b)).norm();
-  }
-  return sum / mesh.NumberOfEdges();
-}
-
-Vector3 ClosestOnSide(const Vector3& tail, const Vector3& head, const Vector3& position)
-{
-  const Vector3 side = head - tail;
-  const double squaredLength = side.squaredNorm();
-  const double along = squaredLength > 0.0 ? side.dot(position - tail) / squaredLength : 0.0;
-  return tail + std::clamp(along, 0.0, 1.0) * side;
-}
-
-/// The place of a face, also one without area, that is nearest to a point.
-NearestPlace ClosestOnFace(const TriangleMesh& mesh, int face, const Vector3& position)
-{
-  std::array<Vector3, 3> corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners[k] = mesh.Position(mesh.Tail(3 * face + k));
-  }
-  const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-  const double squaredNormal = normal.squaredNorm();
-  bool isInside = squaredNormal > 0.0;
-  NearestPlace place{ face };
-  for (int k = 0; k < 3; ++k)
-  {
-    const Vector3 &tail = corners[k], &head = corners[(k + 1) % 3];
-    if (squaredNormal == 0.0 || normal.cross(head - tail).dot(position - tail) < 0.0)
-    {
-      isInside = false;
-      const Vector3 onSide = ClosestOnSide(tail, head, position);
-      const double distance = (position - onSide).norm();
-      if (distance < place.Distance)
-      {
-        place.Distance = distance;
-        place.Position = onSide;
-      }
-    }
-  }
-  if (isInside)
-  {
-    const double height = normal.dot(position - corners[0]) / squaredNormal;
-    place.Position = position - height * normal;
-    place.Distance = std::abs(height) * std::sqrt(squaredNormal);
-  }
+  Vector3 place = (1.0 - parameter) * start + parameter * end;
+  place[axis] = side;
   return place;
 }
 
-}
-
-//------------------------------------------------------------------------------
-NearestPlaces::NearestPlaces(const FramedSurface& framed)
-  : Framed(framed)
-  , Size(SizeOf(framed.On.Mesh))
-  , MeanEdge(MeanEdgeOf(framed.On.Mesh))
+/// A segment without what lies outside of a box.
+struct CutSegment
 {
-}
+  Vector3 Start, End;
+  double First = 0.0, Last = 1.0; ///< fractions of the whole
+  bool IsAny = true;              ///< whether something is left
+};
 
-NearestPlaces::~NearestPlaces() = default;
-
-NearestPlace NearestPlaces::operator()(const Vector3& position) const
+/// (Liang and Barsky 1984) Parameters of places near the start are accurate, however far the end is.
+CutSegment CutFromStart(const Vector3& start, const Vector3& end, const Vector3& lower, const Vector3& upper)
 {
-  NearestPlace place;
-  if (std::isfinite(position.squaredNorm())) // which the locator needs
+  CutSegment cut{ start, end };
+  for (int axis = 0; axis < 3; ++axis)
   {
-    vtkIdType face = -1;
-    double squaredDistance;
-    int subId;
-    if (!this->Locator->GetDataSet())
+    const double along = end[axis] - start[axis];
+    if (along == 0.0)
     {
-      this->Locator->SetDataSet(PolyDataFromMesh(this->Framed.On.Mesh)); // not the input, whose points may be changed
-      this->Locator->BuildLocator();
+      cut.IsAny &= start[axis] >= lower[axis] && start[axis] <= upper[axis];
+      continue;
     }
-    this->Locator->FindClosestPoint(position.data(), place.Position.data(), this->Cell, face, subId, squaredDistance);
-    if (face >= 0)
+    const double entrySide = along < 0.0 ? upper[axis] : lower[axis];
+    const double exitSide = along < 0.0 ? lower[axis] : upper[axis];
+    if (const double entry = (entrySide - start[axis]) / along; entry > cut.First)
     {
-      place.Face = static_cast<int>(face);
-      place.Distance = std::sqrt(squaredDistance);
+      cut.First = entry;
+      cut.Start = At(start, end, entry, axis, entrySide);
+    }
+    if (const double exit = (exitSide - start[axis]) / along; exit < cut.Last)
+    {
+      cut.Last = exit;
+      cut.End = At(start, end, exit, axis, exitSide);
     }
   }
-  return place;
+  cut.IsAny &= cut.First < cut.Last;
+  return cut;
 }
 
-NearestPlace NearestPlaces::From(int face, const Vector3& position) const
+CutSegment CutToBox(const Vector3& start, const Vector3& end, const Vector3& lower, const Vector3& upper)
 {
-  const TriangleMesh& mesh = this->Framed.On.Mesh;
-  NearestPlace nearest = ClosestOnFace(mesh, face, position);
-  for (int former = -1; former != nearest.Face;)
+  const Vector3 centre = 0.5 * lower + 0.5 * upper;
+  if (!((end - centre).stableNorm() < (start - centre).stableNorm()))
   {
-    former = nearest.Face;
-    for (int h = 3 * former; h < 3 * former + 3; ++h)
-    {
-      mesh.VisitFan(mesh.Tail(h),
-        [&mesh, &position, &nearest](int halfedge)
-        {
-          const NearestPlace place = ClosestOnFace(mesh, TriangleMesh::FaceOf(halfedge), position);
-          if (place.Distance < nearest.Distance)
-          {
-            nearest = place;
-          }
-        });
-    }
+    return CutFromStart(start, end, lower, upper);
   }
-  return nearest;
+  const CutSegment cut = CutFromStart(end, start, lower, upper);
+  return { cut.End, cut.Start, 1.0 - cut.Last, 1.0 - cut.First, cut.IsAny };
+}
+
 }
 
 //------------------------------------------------------------------------------
@@ -171,9 +106,9 @@ SegmentOnSurface::SegmentOnSurface(const NearestPlaces& nearest, double maximumD
 {
 }
 
-SegmentOnSurface::Sample SegmentOnSurface::At(const Segment& segment, double parameter) const
+SegmentOnSurface::Sample SegmentOnSurface::At(const Segment& segment, double parameter, int near) const
 {
-  return { parameter, this->Nearest(segment.Start + parameter * segment.Direction) };
+  return { parameter, this->Nearest(segment.Start + parameter * segment.Direction, near) };
 }
 
 SegmentOnSurface::Sample SegmentOnSurface::Between(
@@ -181,7 +116,7 @@ SegmentOnSurface::Sample SegmentOnSurface::Between(
 {
   if (a.Place.Face < 0 || b.Place.Face < 0)
   {
-    return this->At(segment, parameter);
+    return this->At(segment, parameter, -1);
   }
   const Vector3 position = segment.Start + parameter * segment.Direction;
   const NearestPlace fromA = this->Nearest.From(a.Place.Face, position);
@@ -196,17 +131,47 @@ int SegmentOnSurface::FaceOf(const Sample& sample) const
 
 std::vector<SegmentPart> SegmentOnSurface::PartsOf(const Vector3& start, const Vector3& end) const
 {
-  std::vector<SegmentPart> parts;
   const double length = (end - start).stableNorm();
-  if (length > 0.0)
+  if (!(length > 0.0))
   {
-    const Segment segment{ start, end - start, length,
-      std::min(SmallestOfSurface * this->Nearest.Size, SmallestOfSegment * length) };
-    const Sample first = this->At(segment, 0.0), last = this->At(segment, 1.0);
-    this->Split(segment, first, last, 0, parts);
-    return this->OnSides(segment, first, last, parts);
+    return {};
+  }
+  const Vector3 margin = Vector3::Constant(this->MaximumDistance);
+  const CutSegment cut = CutToBox(start, end, this->Nearest.Lower - margin, this->Nearest.Upper + margin);
+  constexpr double Infinity = std::numeric_limits<double>::infinity();
+  const auto tooFar = [&](double fraction) {
+    return SegmentPart{ SegmentPart::TooFar, -1, fraction * length, Infinity };
+  };
+  if (!cut.IsAny || !std::isfinite(length))
+  {
+    return { tooFar(1.0) };
+  }
+  std::vector<SegmentPart> parts = this->PartsOfNear(cut.Start, cut.End);
+  if (cut.First > 0.0)
+  {
+    parts.insert(parts.begin(), tooFar(cut.First));
+  }
+  if (cut.Last < 1.0)
+  {
+    parts.push_back(tooFar(1.0 - cut.Last));
   }
   return parts;
+}
+
+/// The parts of a segment that is nowhere far.
+std::vector<SegmentPart> SegmentOnSurface::PartsOfNear(const Vector3& start, const Vector3& end) const
+{
+  std::vector<SegmentPart> parts;
+  const double length = (end - start).norm();
+  if (!(length > 0.0))
+  {
+    return parts;
+  }
+  const Segment segment{ start, end - start, length,
+    std::min(SmallestOfSurface * this->Nearest.Size, SmallestOfSegment * length) };
+  const Sample first = this->At(segment, 0.0, -1), last = this->At(segment, 1.0, first.Place.Face);
+  this->Split(segment, first, last, 0, parts);
+  return this->OnSides(segment, first, last, parts);
 }
 
 void SegmentOnSurface::Split(
@@ -227,7 +192,7 @@ void SegmentOnSurface::Split(
     }
   }
   const double parameter = 0.5 * (a.Parameter + b.Parameter);
-  const Sample middle = isStep ? this->Between(segment, a, b, parameter) : this->At(segment, parameter);
+  const Sample middle = isStep ? this->Between(segment, a, b, parameter) : this->At(segment, parameter, a.Place.Face);
   this->Split(segment, a, middle, depth + 1, parts);
   this->Split(segment, middle, b, depth + 1, parts);
 }
@@ -237,7 +202,7 @@ void SegmentOnSurface::Split(
 /// place that is nearest there is another one, since the surface bends.
 double SegmentOnSurface::Crossing(const Segment& segment, const Sample& a, const Sample& b) const
 {
-  const TriangleMesh& mesh = this->Nearest.Framed.On.Mesh;
+  const TriangleMesh& mesh = this->Nearest.Surface.Mesh;
   const int from = this->FaceOf(a), to = this->FaceOf(b);
   for (int h = 3 * from; from >= 0 && to >= 0 && h < 3 * from + 3; ++h)
   {
@@ -288,7 +253,7 @@ std::array<int, 2> SegmentOnSurface::FacesAt(int face, const Vector3& position) 
   {
     return { -1, -1 };
   }
-  const TriangleMesh& mesh = this->Nearest.Framed.On.Mesh;
+  const TriangleMesh& mesh = this->Nearest.Surface.Mesh;
   const Vector3 place = this->Nearest.From(face, position).Position;
   const auto isNearest = [&](int other, double length)
   { return (ClosestOnFace(mesh, other, position).Position - place).norm() <= OnEdge * length; };
@@ -309,7 +274,7 @@ Vector3 SegmentOnSurface::NormalOf(const std::array<int, 2>& faces) const
   Vector3 sum = Vector3::Zero();
   for (const int face : faces)
   {
-    sum += face < 0 ? Vector3(0.0, 0.0, 0.0) : this->Nearest.Framed.On.Faces.Normal(face);
+    sum += face < 0 ? Vector3(0.0, 0.0, 0.0) : this->Nearest.Surface.Faces.Normal(face);
   }
   return sum.normalized();
 }

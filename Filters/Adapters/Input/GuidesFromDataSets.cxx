@@ -1,0 +1,220 @@
+#include "Adapters/Input/GuidesFromDataSets.h"
+
+#include "Adapters/Input/GuideDataSets.h"
+#include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/Surface/ElementArrays.h"
+#include "Support/Errors.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkInformationVector.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <map>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Reads one dataset after the other.
+class Reader
+{
+public:
+  explicit Reader(const ConstraintChoices& choices)
+    : Choices(choices)
+  {
+  }
+
+  /// \return whether it has anything to follow.
+  bool Add(const GuideDataSet& dataset);
+
+  Guides Result;
+
+private:
+  void AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arrays);
+  void AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices);
+
+  const ConstraintChoices& Choices;
+  double OfWhole = 1.0; ///< the weight of the dataset
+};
+
+bool Reader::Add(const GuideDataSet& dataset)
+{
+  ConstraintChoices choices = ChoicesFor(this->Choices, dataset.Data);
+  this->OfWhole = WholeWeight(this->Choices.Weights, dataset);
+  if (this->OfWhole == 0.0)
+  {
+    return true;
+  }
+  if (!choices.Vectors.IsMade() && HasLines(dataset.Data))
+  {
+    this->AddLines(dataset, choices);
+    return true;
+  }
+  if (!choices.Vectors.IsMade())
+  {
+    choices.Vectors.Attribute = vtkDataSetAttributes::VECTORS;
+    choices.Vectors.Association = vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+  }
+  if (!HasArray(choices.Vectors, dataset.Data))
+  {
+    return false;
+  }
+  this->AddVectors(dataset, FindArrays(choices, dataset.Data, dataset.Name));
+  return true;
+}
+
+void Reader::AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arrays)
+{
+  vtkNew<vtkIdList> points;
+  VisitPrescribed(
+    arrays, [](vtkIdType) { return true; },
+    [&](const ElementDirection& given)
+    {
+      if (given.Vector.isZero(0.0))
+      {
+        throw InvalidInput(
+          "the direction prescribed at " + arrays.NameOf(given.Element) + " is zero; take it out of the mask");
+      }
+      const double weight = this->OfWhole * given.Weight;
+      if (arrays.OnPoints)
+      {
+        this->Result.Vectors.push_back({ PositionOf(dataset, given.Element), given.Vector, weight });
+        return;
+      }
+      dataset.Data->GetCellPoints(given.Element, points);
+      std::vector<Vector3> positions;
+      for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+      {
+        positions.push_back(PositionOf(dataset, points->GetId(i)));
+      }
+      if (IsLine(dataset.Data, given.Element))
+      {
+        this->Result.Lines.push_back({ std::move(positions), { weight }, given.Vector });
+      }
+      else if (!positions.empty())
+      {
+        Vector3 center = Vector3::Zero();
+        for (const Vector3& position : positions)
+        {
+          center += position / static_cast<double>(positions.size());
+        }
+        this->Result.Vectors.push_back({ center, given.Vector, weight });
+      }
+    });
+}
+
+void Reader::AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices)
+{
+  const LineArrays arrays(choices, dataset);
+  vtkNew<vtkIdList> points;
+  for (vtkIdType cell = 0; cell < dataset.Data->GetNumberOfCells(); ++cell)
+  {
+    if (!IsLine(dataset.Data, cell))
+    {
+      continue;
+    }
+    dataset.Data->GetCellPoints(cell, points);
+    GuideLine line;
+    for (vtkIdType i = 0; i < points->GetNumberOfIds(); ++i)
+    {
+      line.Points.push_back(PositionOf(dataset, points->GetId(i)));
+      if (i > 0)
+      {
+        line.Weights.push_back(this->OfWhole * arrays.Weight(cell, points->GetId(i - 1), points->GetId(i)));
+      }
+    }
+    this->Result.Lines.push_back(std::move(line));
+  }
+}
+
+/// An array of a guide that holds three numbers for each point or cell; empty where there is none.
+std::string NameOfVectors(const std::vector<GuideDataSet>& datasets, std::size_t guide)
+{
+  for (const GuideDataSet& dataset : datasets)
+  {
+    for (vtkFieldData* const arrays : { static_cast<vtkFieldData*>(dataset.Data->GetPointData()),
+           static_cast<vtkFieldData*>(dataset.Data->GetCellData()) })
+    {
+      for (int k = 0; dataset.Guide == guide && k < arrays->GetNumberOfArrays(); ++k)
+      {
+        vtkDataArray* const array = arrays->GetArray(k);
+        if (array && array->GetName() && array->GetNumberOfComponents() == 3)
+        {
+          return array->GetName();
+        }
+      }
+    }
+  }
+  return "";
+}
+
+}
+
+std::vector<vtkDataObject*> DataOf(vtkInformationVector* port)
+{
+  std::vector<vtkDataObject*> all;
+  for (int i = 0; i < port->GetNumberOfInformationObjects(); ++i)
+  {
+    if (vtkDataObject* const data = vtkDataObject::GetData(port, i))
+    {
+      all.push_back(data);
+    }
+  }
+  return all;
+}
+
+Guides GuidesFrom(const GuideInput& input)
+{
+  const std::vector<GuideDataSet> datasets = DataSetsOf(input.Data);
+  CheckChoices(input.Choices, datasets);
+  Reader reader(input.Choices);
+  std::map<std::size_t, bool> isFollowed; // by guide
+  for (const GuideDataSet& dataset : datasets)
+  {
+    isFollowed[dataset.Guide] |= reader.Add(dataset);
+  }
+  for (const auto& [guide, something] : isFollowed)
+  {
+    if (!something)
+    {
+      const std::string vectors = NameOfVectors(datasets, guide);
+      throw InvalidInput(NameOfGuide(guide, input.Data.size()) +
+        (vectors.empty() ? " has neither lines nor vectors to follow; add vectors to its points or cells, as "
+                           "Calculator (vtkArrayCalculator) does, or take it out of Guides"
+                         : " has no lines, and none of its arrays is marked as its vectors; choose '" + vectors +
+              "', for example, as Guide Directions, or take the guide out of Guides"));
+    }
+  }
+  reader.Result.MaximumDistance = input.MaximumDistance;
+  return std::move(reader.Result);
+}
+
+void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData)
+{
+  const auto add = [fieldData](const char* name, auto* array, auto value)
+  {
+    array->SetName(name);
+    array->InsertNextValue(value);
+    AddHidden(fieldData, array);
+  };
+  const std::pair<const char*, long long> counts[] = { { ArrayNames::GuidesTaken, report.Taken },
+    { ArrayNames::GuidesTooFar, report.TooFar }, { ArrayNames::GuidesOnFarSide, report.OnFarSide },
+    { ArrayNames::GuidesPerpendicular, report.Perpendicular } };
+  for (const auto& [name, count] : counts)
+  {
+    add(name, vtkNew<vtkIntArray>().Get(), static_cast<int>(count));
+  }
+  add(ArrayNames::GuidesFarthest, vtkNew<vtkDoubleArray>().Get(), report.Farthest);
+}
+
+}

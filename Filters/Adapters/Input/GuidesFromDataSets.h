@@ -1,0 +1,37 @@
+#ifndef dmgGuidesFromDataSets_h
+#define dmgGuidesFromDataSets_h
+
+#include "Adapters/Input/ChosenArrays.h"
+#include "Constraints/Guides.h"
+
+#include <vector>
+
+class vtkDataObject;
+class vtkFieldData;
+class vtkInformationVector;
+
+namespace dmg
+{
+
+/// Datasets that a field shall follow, and how they are read; the rules are those of vtkHarmonicFieldSolver.h.
+struct GuideInput
+{
+  std::vector<vtkDataObject*> Data; ///< datasets, or composite ones
+  ConstraintChoices Choices;
+  double MaximumDistance = Guides().MaximumDistance;
+};
+
+/// The data of all connections of an input port.
+std::vector<vtkDataObject*> DataOf(vtkInformationVector* port);
+
+/// The lines and vectors of all datasets.
+/// \throw InvalidInput a guide is no dataset, or has neither lines nor vectors; a choice that no guide has; as FindArray and
+/// VisitPrescribed; a point that is not finite; a vector that is zero in the mask; a weight that is negative or not finite.
+Guides GuidesFrom(const GuideInput& input);
+
+/// Adds the report to \p fieldData.
+void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData);
+
+}
+
+#endif

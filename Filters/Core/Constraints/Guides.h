@@ -1,0 +1,75 @@
+#ifndef dmgGuides_h
+#define dmgGuides_h
+
+#include "Constraints/Constraints.h"
+#include "Constraints/NearestPlaces.h"
+#include "Support/ExecutionContext.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// A line in space that a field follows where it is near to the surface: a polyline.
+struct GuideLine
+{
+  std::vector<Vector3> Points;
+  /// One for each segment, or one for all of them, >= 0; none: 1. They mean what those of features do (FeatureOptions).
+  std::vector<double> Weights = {};
+  /// The direction that it prescribes; none: its own, of unit length.
+  std::optional<Vector3> Direction = {};
+};
+
+/// A vector in space that a field follows on the nearest face.
+struct GuideVector
+{
+  Vector3 Position;
+  Vector3 Direction;
+  double Weight = 1.0; ///< > 0
+};
+
+/// Lines and vectors in space that a field follows.
+struct Guides
+{
+  std::vector<GuideLine> Lines = {};
+  std::vector<GuideVector> Vectors = {};
+  double MaximumDistance = 0.1; ///< from the surface, relative to the diagonal of its bounding box
+
+  bool AreEmpty() const { return this->Lines.empty() && this->Vectors.empty(); }
+};
+
+/// The number of guides that were taken, and of those that were not. Vectors and the segments of lines count; a segment
+/// whose parts fare differently counts for each of them.
+struct GuidesReport
+{
+  long long Taken = 0;          ///< prescribes some face
+  long long TooFar = 0;         ///< farther from the surface than MaximumDistance
+  long long OnFarSide = 0;      ///< SegmentPart::OnFarSide
+  long long Perpendicular = 0;  ///< within 5 degrees of the normal of the surface
+  double Farthest = 0.0;        ///< largest distance of what is taken, in the unit of the points
+  double MaximumDistance = 0.0; ///< in the unit of the points
+
+  bool IsAllTaken() const { return this->TooFar == 0 && this->OnFarSide == 0 && this->Perpendicular == 0; }
+  /// One sentence: what was left out, why, and what helps; empty where all was taken.
+  std::string LeftOut() const;
+};
+
+/// Directions on faces, and how guides fared.
+struct FollowedGuides
+{
+  std::vector<Constraint> Directions;
+  GuidesReport Report;
+};
+
+/// Brings guides to a surface: a vector to the nearest face, a segment to all faces that it passes (SegmentOnSurface).
+/// \throw InvalidInput a number is not finite, a weight is negative, or a vector is zero.
+/// \throw Cancelled
+/// Cost: logarithmic time for each vector, for each face that a line touches, and for each mean edge of its length.
+FollowedGuides FollowGuides(
+  const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context = SerialContext());
+
+}
+
+#endif

@@ -1,0 +1,200 @@
+#include "Constraints/NearestPlaces.h"
+
+#include <Eigen/Geometry>
+#include <unsupported/Eigen/BVH>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace dmg
+{
+
+namespace
+{
+
+using Box = Eigen::AlignedBox<double, 3>;
+using BoxTree = Eigen::KdBVH<double, 3, int>;
+
+double SizeOf(const TriangleMesh& mesh)
+{
+  const Points& points = mesh.VertexPositions();
+  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+}
+
+double MeanEdgeOf(const TriangleMesh& mesh)
+{
+  double sum = 0.0;
+  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
+  {
+    const auto [a, b] = mesh.EdgeVertices(edge);
+    sum += (mesh.Position(a) - mesh.Position(b)).norm();
+  }
+  return sum / mesh.NumberOfEdges();
+}
+
+Vector3 ClosestOnSide(const Vector3& tail, const Vector3& head, const Vector3& position)
+{
+  const Vector3 side = head - tail;
+  const double squaredLength = side.squaredNorm();
+  const double along = squaredLength > 0.0 ? side.dot(position - tail) / squaredLength : 0.0;
+  return tail + std::clamp(along, 0.0, 1.0) * side;
+}
+
+std::vector<Box> BoxesOf(const TriangleMesh& mesh)
+{
+  std::vector<Box> boxes(mesh.NumberOfFaces());
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    boxes[TriangleMesh::FaceOf(h)].extend(mesh.Position(mesh.Tail(h)));
+  }
+  return boxes;
+}
+
+}
+
+NearestPlace ClosestOnFace(const TriangleMesh& mesh, int face, const Vector3& position)
+{
+  std::array<Vector3, 3> corners;
+  for (int k = 0; k < 3; ++k)
+  {
+    corners[k] = mesh.Position(mesh.Tail(3 * face + k));
+  }
+  const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const double squaredNormal = normal.squaredNorm();
+  bool isInside = squaredNormal > 0.0;
+  NearestPlace place{ face };
+  for (int k = 0; k < 3; ++k)
+  {
+    const Vector3 &tail = corners[k], &head = corners[(k + 1) % 3];
+    if (squaredNormal == 0.0 || normal.cross(head - tail).dot(position - tail) < 0.0)
+    {
+      isInside = false;
+      const Vector3 onSide = ClosestOnSide(tail, head, position);
+      const double distance = (position - onSide).norm();
+      if (distance < place.Distance)
+      {
+        place.Distance = distance;
+        place.Position = onSide;
+      }
+    }
+  }
+  if (isInside)
+  {
+    const double height = normal.dot(position - corners[0]) / squaredNormal;
+    place.Position = position - height * normal;
+    place.Distance = std::abs(height) * std::sqrt(squaredNormal);
+  }
+  return place;
+}
+
+/// Eigen's tree of boxes, with a search that leaves out what is farther than the nearest face so far.
+class NearestPlaces::Tree
+{
+public:
+  explicit Tree(const TriangleMesh& mesh)
+    : Mesh(mesh)
+  {
+    std::vector<int> faces(mesh.NumberOfFaces());
+    std::iota(faces.begin(), faces.end(), 0);
+    const std::vector<Box> boxes = BoxesOf(mesh);
+    this->Boxes.init(faces.begin(), faces.end(), boxes.begin(), boxes.end());
+  }
+
+  NearestPlace Nearest(const Vector3& position, NearestPlace nearest) const
+  {
+    std::array<Candidate, 2 * 64> candidates; // a tree of so many levels would not fit into memory
+    int size = 0;
+    candidates[size++] = { 0.0, this->Boxes.getRootIndex() };
+    while (size > 0)
+    {
+      const Candidate candidate = candidates[--size];
+      if (!(candidate.SquaredDistance < nearest.Distance * nearest.Distance))
+      {
+        continue;
+      }
+      BoxTree::VolumeIterator box, lastBox;
+      BoxTree::ObjectIterator face, lastFace;
+      this->Boxes.getChildren(candidate.Node, box, lastBox, face, lastFace);
+      for (; face != lastFace; ++face)
+      {
+        const NearestPlace place = ClosestOnFace(this->Mesh, *face, position);
+        nearest = place.Distance < nearest.Distance ? place : nearest;
+      }
+      const int first = size;
+      for (; box != lastBox; ++box)
+      {
+        candidates[size++] = { this->Boxes.getVolume(*box).squaredExteriorDistance(position), *box };
+      }
+      if (size == first + 2 && candidates[first].SquaredDistance < candidates[first + 1].SquaredDistance)
+      {
+        std::swap(candidates[first], candidates[first + 1]); // the nearer one is looked at first
+      }
+    }
+    return nearest;
+  }
+
+private:
+  struct Candidate
+  {
+    double SquaredDistance;
+    int Node;
+  };
+
+  const TriangleMesh& Mesh;
+  BoxTree Boxes;
+};
+
+NearestPlaces::NearestPlaces(const FramedMesh& surface)
+  : Surface(surface)
+  , Size(SizeOf(surface.Mesh))
+  , MeanEdge(MeanEdgeOf(surface.Mesh))
+  , Lower(surface.Mesh.VertexPositions().colwise().minCoeff())
+  , Upper(surface.Mesh.VertexPositions().colwise().maxCoeff())
+  , Boxes(std::make_unique<const Tree>(surface.Mesh))
+{
+}
+
+NearestPlaces::~NearestPlaces() = default;
+
+NearestPlace NearestPlaces::operator()(const Vector3& position, int near) const
+{
+  NearestPlace start;
+  if (!std::isfinite(position.squaredNorm()))
+  {
+    return start;
+  }
+  if (near >= 0)
+  {
+    start = ClosestOnFace(this->Surface.Mesh, near, position);
+  }
+  return this->Boxes->Nearest(position, start);
+}
+
+NearestPlace NearestPlaces::From(int face, const Vector3& position) const
+{
+  const TriangleMesh& mesh = this->Surface.Mesh;
+  NearestPlace nearest = ClosestOnFace(mesh, face, position);
+  for (int former = -1; former != nearest.Face;)
+  {
+    former = nearest.Face;
+    for (int h = 3 * former; h < 3 * former + 3; ++h)
+    {
+      mesh.VisitFan(mesh.Tail(h),
+        [&mesh, &position, &nearest](int halfedge)
+        {
+          const NearestPlace place = ClosestOnFace(mesh, TriangleMesh::FaceOf(halfedge), position);
+          if (place.Distance < nearest.Distance)
+          {
+            nearest = place;
+          }
+        });
+    }
+  }
+  return nearest;
+}
+
+}
