@@ -250,7 +250,7 @@ TEST(SmoothestField, HasIndicesThatSumToTheEulerCharacteristic)
       solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N));
       const FieldTopology topology = TopologyOf(solver);
       double sum = topology.Indices.sum();
-      for (const BoundaryLoop& loop : topology.Loops)
+      for (const BoundaryIndex& loop : topology.Loops)
       {
         sum += loop.Index;
       }

@@ -134,7 +134,7 @@ void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology&
     }
   }
   std::sort(singular.begin(), singular.end());
-  for (const BoundaryLoop& loop : topology.Loops)
+  for (const BoundaryIndex& loop : topology.Loops)
   {
     sum += loop.Index;
   }
@@ -264,7 +264,7 @@ void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology&
   std::vector<Vector3> positions;
   std::vector<double> indices;
   vtkNew<vtkCellArray> cells;
-  for (const BoundaryLoop& loop : topology.Loops)
+  for (const BoundaryIndex& loop : topology.Loops)
   {
     std::vector<vtkIdType> ids(loop.Vertices.size());
     std::iota(ids.begin(), ids.end(), static_cast<vtkIdType>(positions.size()));

@@ -28,10 +28,10 @@ double TurnAtBoundary(
   return turn;
 }
 
-std::vector<BoundaryLoop> LoopsOf(
+std::vector<BoundaryIndex> LoopsOf(
   const TriangleMesh& mesh, const Unfilled<Corner>& corners, const Vector<double>& turning, int N)
 {
-  std::vector<BoundaryLoop> loops;
+  std::vector<BoundaryIndex> loops;
   std::vector<char> isDone(mesh.NumberOfVertices(), 0);
   for (int start = 0; start < mesh.NumberOfVertices(); ++start)
   {
@@ -39,7 +39,7 @@ std::vector<BoundaryLoop> LoopsOf(
     {
       continue;
     }
-    BoundaryLoop loop;
+    BoundaryIndex loop;
     double turn = 0.0;
     for (int vertex = start; !isDone[vertex]; vertex = mesh.Head(mesh.OutgoingHalfedge(vertex)))
     {

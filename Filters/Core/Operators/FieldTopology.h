@@ -12,7 +12,7 @@ namespace dmg
 {
 
 /// A loop of the boundary, with the surface on its left.
-struct BoundaryLoop
+struct BoundaryIndex
 {
   std::vector<int> Vertices; ///< in order; the last one goes on to the first
   /// How many turns the boundary's tangent makes against the field along the loop, a multiple of 1 / N: 1 for a
@@ -23,9 +23,9 @@ struct BoundaryLoop
 /// Singularities of a field and where its first direction jumps.
 struct FieldTopology
 {
-  Vector<double> Indices;          ///< per vertex; SingularityIndices
-  std::vector<BoundaryLoop> Loops; ///< in ascending order of their smallest vertex, with which each begins
-  std::vector<int> Cuts;           ///< the edges across which direction 0 does not go on as direction 0, ascending
+  Vector<double> Indices;           ///< per vertex; SingularityIndices
+  std::vector<BoundaryIndex> Loops; ///< in ascending order of their smallest vertex, with which each begins
+  std::vector<int> Cuts;            ///< the edges across which direction 0 does not go on as direction 0, ascending
   std::vector<int>
     Jumps; ///< of these: it goes on as this one, of 1 to N - 1, from the face of HalfedgeOf to its twin's
   Vector<double> Turning; ///< per edge; PrincipalMatching

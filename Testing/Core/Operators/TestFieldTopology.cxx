@@ -34,7 +34,7 @@ FieldTopology TopologyOf(const TriangleMesh& mesh, int N, const std::function<Ve
 double SumOf(const FieldTopology& topology)
 {
   double sum = topology.Indices.sum();
-  for (const BoundaryLoop& loop : topology.Loops)
+  for (const BoundaryIndex& loop : topology.Loops)
   {
     sum += loop.Index;
   }
@@ -64,7 +64,7 @@ TEST(FieldTopology, IndicesSumToTheEulerCharacteristic)
       EXPECT_NEAR(SumOf(rough), mesh.EulerCharacteristic(), 1e-9);
       const FieldTopology smooth = TopologyOf(mesh, N, [](const Vector3& p) { return Vector3(p[1], 1.0, -p[0]); });
       EXPECT_NEAR(SumOf(smooth), mesh.EulerCharacteristic(), 1e-9);
-      for (const BoundaryLoop& loop : rough.Loops)
+      for (const BoundaryIndex& loop : rough.Loops)
       {
         EXPECT_NEAR(N * loop.Index, std::round(N * loop.Index), 1e-12);
         for (const int vertex : loop.Vertices)
@@ -96,7 +96,7 @@ TEST(FieldTopology, IndexOfALoopCountsTurnsOfTheBoundaryAgainstTheField)
       const FieldTopology whirl = TopologyOf(disc, N, field);
       EXPECT_EQ(whirl.Indices.sum(), 1.0) << "in the centre";
       EXPECT_EQ(whirl.Loops[0].Index, 0.0);
-      for (const BoundaryLoop& loop : TopologyOf(ring, N, field).Loops)
+      for (const BoundaryIndex& loop : TopologyOf(ring, N, field).Loops)
       {
         EXPECT_EQ(loop.Index, 0.0);
       }
@@ -104,7 +104,7 @@ TEST(FieldTopology, IndexOfALoopCountsTurnsOfTheBoundaryAgainstTheField)
 
     const FieldTopology across = TopologyOf(ring, N, parallel);
     ASSERT_EQ(across.Loops.size(), 2u);
-    for (const BoundaryLoop& loop : across.Loops)
+    for (const BoundaryIndex& loop : across.Loops)
     {
       EXPECT_EQ(loop.Index, ring.Position(loop.Vertices[0]).norm() > 1.5 ? 1.0 : -1.0);
     }
