@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 vtkStandardNewMacro(vtkFieldLines);
 
@@ -18,6 +19,8 @@ namespace
 {
 
 constexpr double SmallestDistance = 0.0005;
+constexpr double HeadSpacing = 8.0; // over the distance between lines
+constexpr double HeadSize = 0.6;
 
 /// To two digits.
 double RoundedDown(double number)
@@ -61,7 +64,10 @@ int vtkFieldLines::RequestData(
       options.MinimumLength = this->MinimumLength * options.Separation;
       const dmg::UnfoldedSurface surface(given.Surface.Mesh, given.Faces, context);
       const dmg::LinesOnSurface lines = dmg::EvenlySpacedLines(surface, given.Field, options, context);
-      dmg::LinesToPolyData(lines, given.Faces, this->Lift * given.Diagonal, output);
+      const auto heads = this->ArrowHeads && given.Field.N() == 1
+        ? dmg::ArrowHeadsOf(lines, given.Faces, HeadSpacing * options.Separation, HeadSize * options.Separation)
+        : std::vector<dmg::ArrowHead>();
+      dmg::LinesToPolyData(lines, heads, given.Faces, this->Lift * given.Diagonal, output);
       if (lines.NumberOfLines() == 0)
       {
         // Lines have other places at another distance, and the longest is half as long there at least. With MinimumLength 0
@@ -91,4 +97,5 @@ void vtkFieldLines::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SeparatingDistanceRatio: " << this->SeparatingDistanceRatio << "\n";
   os << indent << "MinimumLength: " << this->MinimumLength << "\n";
   os << indent << "Lift: " << this->Lift << "\n";
+  os << indent << "ArrowHeads: " << (this->ArrowHeads ? "On" : "Off") << "\n";
 }

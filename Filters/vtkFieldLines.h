@@ -32,7 +32,8 @@
  *
  * @section vtkFieldLines-Output Output
  *
- * Port 0: vtkPolyData, a polyline per line. One that is closed ends with the point with which it began.
+ * Port 0: vtkPolyData, a polyline per line. One that is closed ends with the point with which it began. Lines of vectors
+ * (N = 1) have arrow heads, triangles with the arrays of their line (see ArrowHeads).
  *
  * | array     | of     | components | type   | meaning                                                    |
  * | --------- | ------ | ---------- | ------ | ---------------------------------------------------------- |
@@ -112,6 +113,16 @@ public:
   vtkGetMacro(Lift, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether lines of vectors (N = 1) have arrow heads: one at the end of each line, and others on long lines, about 8
+   * distances between lines apart. Other fields have none. Default on.
+   */
+  vtkSetMacro(ArrowHeads, bool);
+  vtkGetMacro(ArrowHeads, bool);
+  vtkBooleanMacro(ArrowHeads, bool);
+  ///@}
+
   vtkFieldLines(const vtkFieldLines&) = delete;
   void operator=(const vtkFieldLines&) = delete;
 
@@ -131,6 +142,7 @@ private:
   double SeparatingDistanceRatio = 0.5;
   double MinimumLength = 4.0;
   double Lift = 0.001;
+  bool ArrowHeads = true;
 };
 
 #endif

@@ -33,8 +33,6 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
-  this->SetInputArrayToProcess(
-    1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::VECTORS);
 }
 
 //------------------------------------------------------------------------------

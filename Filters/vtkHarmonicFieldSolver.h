@@ -97,7 +97,7 @@
  * | index | components | meaning                                    |
  * | ----- | ---------- | ------------------------------------------ |
  * | 0     | 1          | mask (optional): not zero where prescribed |
- * | 1     | 3          | directions, by default the active vectors (see below); of guides see above |
+ * | 1     | 3          | directions (optional), by default none; of guides see above |
  * | 2     | 1          | weight (optional), by default 1; 0 where nothing is prescribed |
  * | 3     | 1          | values of functions, at points; not of guides |
  * | 4     | 1          | rotation (optional), in degrees; not of guides |
@@ -107,8 +107,8 @@
  * without such an array do as if nothing were chosen, and it is an error if none has it. Along a line
  * that is followed itself, mask and weight are those of the cell, or of both ends of a segment.
  *
- * The active vectors, which the name "Active Vectors" chooses too, are those of the points, else of the cells. They do not
- * count where they are called Direction0, as those that this filter leaves.
+ * Nothing is followed that was not chosen. The name "Active Vectors" chooses the active vectors of the points, else of the
+ * cells, unless they are called Direction0, as those that this filter leaves.
  *
  * Each array has a tuple for every element; one that has fewer, or other components, is an error.
  * Mask and weights share the association of the directions. An empty name, or "None" where no array has

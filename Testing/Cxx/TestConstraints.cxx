@@ -173,13 +173,15 @@ TEST(Constraints, FromAGuidePrescribeTheNearestFace)
   EXPECT_EQ(PrescribedCells(both), (Cells{ { 5, 1.0 }, { 12, 1.0 }, { 20, 1.0 } }));
 }
 
-TEST(Constraints, AreTheActiveVectorsByDefault)
+TEST(Constraints, AreNotTheActiveVectorsUnlessTheyAreChosen)
 {
   const auto input = PolyDataOf(Icosphere(3));
   AddCellVectors(input, "Given", { { 12, { 1.0, 1.0, 0.0 } } });
   input->GetCellData()->SetActiveVectors("Given");
   vtkNew<vtkHarmonicFieldSolver> solver;
   solver->SetInputData(input);
+  EXPECT_TRUE(PrescribedCells(solver).empty());
+  solver->SetInputArrayToProcess(1, 0, 0, OnPoints, "Active Vectors");
   EXPECT_EQ(PrescribedCells(solver), (Cells{ { 12, 1.0 } }));
 }
 

@@ -36,11 +36,17 @@ def with_vectors(input_of_them, name="Wind"):
 
 
 class Directions(unittest.TestCase):
-    def test_active_vectors_of_an_input_that_has_not_run(self):
+    def test_nothing_is_followed_that_is_not_named(self):
         for make in (simple.HarmonicFieldSolver, simple.DirectionalField):
             with self.subTest(filter=make.__name__):
                 field = make(Input=with_vectors(surface()))
-                self.assertEqual(prescribed(field), fetch(field).GetNumberOfCells())
+                self.assertTrue(is_smoothest(field))
+                for chosen in (["CELLS", "Wind"], ["POINTS", "Active Vectors"]):  # as in states of former versions
+                    field.Directions = chosen
+                    self.assertEqual(prescribed(field), fetch(field).GetNumberOfCells())
+                field.FollowDirections = 0
+                self.assertTrue(is_smoothest(field))
+                field.FollowDirections = 1
                 field.Directions = ["CELLS", "None"]
                 self.assertTrue(is_smoothest(field))
 
@@ -59,22 +65,16 @@ class Directions(unittest.TestCase):
                     self.assertEqual(prescribed(second), len(expected))
 
     def test_a_second_solver_follows_what_its_user_names(self):
-        first = simple.HarmonicFieldSolver(Input=with_vectors(surface()), FollowDirections=0)
+        first = simple.HarmonicFieldSolver(Input=with_vectors(surface()))
         self.assertTrue(is_smoothest(first))
         second = simple.HarmonicFieldSolver(Input=first)
         self.assertTrue(is_smoothest(second))
         second.Directions = ["CELLS", "Wind"]
         self.assertFalse(is_smoothest(second))  # nor does it have the report of the first
 
-    def test_other_vectors_are_not_followed_unless_named(self):
-        """Colours, for example, which ParaView would take as the first array of three numbers."""
-        active = with_vectors(with_vectors(surface(), "Colours"))
-        colours = simple.PassArrays(Input=active, CellDataArrays=["Colours"], PointDataArrays=[])
-        colours.UpdatePipeline()
-        self.assertTrue(is_smoothest(simple.HarmonicFieldSolver(Input=colours)))
-
     def test_none_are_followed_where_the_user_does_not_want_it(self):
-        field = simple.HarmonicFieldSolver(Input=with_vectors(surface()), FollowDirections=0)
+        field = simple.HarmonicFieldSolver(
+            Input=with_vectors(surface()), Directions=["CELLS", "Wind"], FollowDirections=0)
         expected = powers(simple.HarmonicFieldSolver(Input=surface()))
         self.assertTrue(np.array_equal(powers(field), expected))
         field.Mask = ["CELLS", "Nowhere"]  # it is not looked at

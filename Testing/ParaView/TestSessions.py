@@ -56,6 +56,32 @@ def write_series(name, files):
     return str(path)
 
 
+# What ParaView saved of a sphere and a Directional Field that was made of three filters.
+FORMER_STATE = """<ParaView><ServerManagerState version="5.11.0">
+  <Proxy group="sources" type="SphereSource" id="302" servers="1">
+    <Property name="EndPhi" id="302.EndPhi" number_of_elements="1"><Element index="0" value="90"/></Property>
+    <Property name="PhiResolution" id="302.PhiResolution" number_of_elements="1"><Element index="0" value="40"/></Property>
+    <Property name="ThetaResolution" id="302.ThetaResolution" number_of_elements="1"><Element index="0" value="40"/></Property>
+  </Proxy>
+  <Proxy group="filters" type="DirectionalField" id="399" servers="1">
+    <Property name="Input" id="399.Input" number_of_elements="1"><Proxy value="302" output_port="0"/></Property>
+    <Property name="Number Of Directions" id="399.N" number_of_elements="1"><Element index="0" value="2"/></Property>
+    <Property name="Follow Directions" id="399.FD" number_of_elements="1"><Element index="0" value="1"/></Property>
+    <Property name="Directions" id="399.Directions" number_of_elements="5">
+      <Element index="0" value="1"/><Element index="1" value="0"/><Element index="2" value="0"/>
+      <Element index="3" value="0"/><Element index="4" value="Active Vectors"/>
+    </Property>
+    <Property name="Boundary Weight" id="399.BW" number_of_elements="1"><Element index="0" value="3"/></Property>
+    <Property name="Boundary Rotation" id="399.BR" number_of_elements="1"><Element index="0" value="20"/></Property>
+    <Property name="Line Distance" id="399.Line" number_of_elements="1"><Element index="0" value="0.05"/></Property>
+    <Property name="Sphere Radius" id="399.Sphere" number_of_elements="1"><Element index="0" value="0.03"/></Property>
+  </Proxy>
+  <ProxyCollection name="sources">
+    <Item id="302" name="Ball"/><Item id="399" name="Field"/>
+  </ProxyCollection>
+</ServerManagerState></ParaView>"""
+
+
 class Sessions(unittest.TestCase):
     def tearDown(self):
         simple.ResetSession()
@@ -80,6 +106,21 @@ class Sessions(unittest.TestCase):
         self.assertIsNone(simple.FindSource("Field"))
         simple.LoadState(state)
         self.assertEqual(self.results(), before)
+
+    def test_a_state_of_a_former_version_gives_the_same_field(self):
+        path = FOLDER / "former.pvsm"
+        path.write_text(FORMER_STATE)
+        simple.LoadState(str(path))
+        field = simple.FindSource("Field")
+        values = {"NumberOfDirections": 2, "BoundaryWeight": 3, "BoundaryRotation": 20, "LineDistance": 0.05,
+                  "SphereRadius": 0.03}
+        self.assertEqual({name: getattr(field, name) for name in values}, values)
+        solver = simple.HarmonicFieldSolver(
+            Input=simple.Sphere(EndPhi=90, PhiResolution=40, ThetaResolution=40), NumberOfDirections=2, BoundaryWeight=3,
+            BoundaryRotation=20)
+        self.assertEqual(arrays_of(fetch(field)), arrays_of(fetch(solver)))
+        lines = simple.FieldLines(Input=solver, SeparatingDistance=0.05)
+        self.assertEqual(arrays_of(fetch(simple.OutputPort(field, 1))), arrays_of(fetch(lines)))
 
     def test_a_python_state_gives_the_same_bits(self):
         before = self.a_pipeline()

@@ -4,7 +4,7 @@
     test_window.py PARAVIEW OUTPUT-FOLDER NAME
 
 plays NAME.xml (those of TESTS below), leaves NAME.vtk, as saved by the window in the end, and a screenshot of it in the folder,
-and checks them. Needs a display; ParaView has to find the plugin by itself.
+and checks them. Needs a display, and xdotool where mouse and keys are played; ParaView has to find the plugin by itself.
 """
 
 import pathlib
@@ -21,7 +21,7 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 
-def write_sphere(path, resolution=60, active=None, broken=False):
+def write_sphere(path, resolution=60, radial=False):
     """The unit sphere with prescribed directions on one side."""
     source = vtkSphereSource()
     source.SetRadius(1)
@@ -31,24 +31,23 @@ def write_sphere(path, resolution=60, active=None, broken=False):
     sphere = source.GetOutput()
     points = vtk_to_numpy(sphere.GetPoints().GetData())
     arrays = {"Mask": (points[:, 0] > 0.9).astype("i4"), "Directions": 0 * points + (0, 1, 0)}
-    if broken:
-        arrays["Directions"][0] = np.nan
+    if radial:
+        arrays["Directions"] = points
     for name, values in arrays.items():
         array = numpy_to_vtk(values, deep=True)
         array.SetName(name)
         sphere.GetPointData().AddArray(array)
-    sphere.GetPointData().SetActiveVectors(active)
     write(path, sphere)
 
 
 def write_large_sphere(path):
-    """One that is not worth a factorisation, so that the solver iterates, to follow its active vectors."""
-    write_sphere(path, 200, "Directions")
+    """One that is not worth a factorisation, so that the solver iterates."""
+    write_sphere(path, 200)
 
 
-def write_broken_directions(path):
-    """A sphere with active vectors, one of which is not a number."""
-    write_sphere(path, active="Directions", broken=True)
+def write_radial_directions(path):
+    """A sphere with vectors that have no tangential part."""
+    write_sphere(path, radial=True)
 
 
 def write_ellipsoid(path):
@@ -91,6 +90,43 @@ def toolbar(paraview):
     return "Directional Fields" if " 5.11" in version else "filters.Directional Fields"
 
 
+def xdotool(*arguments):
+    done = subprocess.run(["xdotool", *map(str, arguments)], capture_output=True, text=True, check=True, timeout=20)
+    time.sleep(0.5)  # as a person takes from one action to the next
+    return done.stdout.split()
+
+
+def focus(title):
+    """Waits for a window, which takes the keys from now on."""
+    for _ in range(20):
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True)
+        if found.stdout:
+            xdotool("windowfocus", found.stdout.split()[-1])
+            return
+        time.sleep(0.5)
+    raise SystemExit(f"there is no window {title}")
+
+
+def place_points(result):
+    """Keys 1 and 2 place both ends of the line on the surface below the mouse; then Apply, and the line is saved."""
+    focus("ParaView")
+    time.sleep(3)
+    for key, place in ((1, (680, 420)), (2, (780, 500))):
+        xdotool("mousemove", *place)
+        xdotool("key", key)
+    xdotool("key", "alt+a")
+    xdotool("key", "ctrl+s")
+    focus("Save File")
+    line = former(result, "line")
+    xdotool("type", line)
+    xdotool("key", "Return")
+    focus("Configure Writer")
+    xdotool("key", "Return")
+    deadline = time.monotonic() + 20
+    while not line.exists() and time.monotonic() < deadline:
+        time.sleep(0.5)
+
+
 def play(paraview, data, result, folder, fails):
     """Runs the window until the result is written and no longer grows; takes the screenshot then. With or without an error."""
     events = pathlib.Path(__file__).with_name(result.stem + ".xml").read_text()
@@ -107,8 +143,10 @@ def play(paraview, data, result, folder, fails):
             time.sleep(0.5)
             if "critical:" in log.read_text():
                 break
-            former, size = size, result.stat().st_size if result.exists() else 0
-            complete = size == former > 0
+            former_size, size = size, result.stat().st_size if result.exists() else 0
+            complete = size == former_size > 0
+        if complete and result.stem.startswith("PointsPlaced"):
+            place_points(result)
         subprocess.run(["import", "-window", "root", result.with_suffix(".png")], check=True)
     finally:
         window.kill()
@@ -264,12 +302,22 @@ def value_of(proxy, name, element):
     return values[element].get("value")
 
 
-TESTS = {"FieldInTheWindow": (write_sphere, check),
+def check_points_placed(result):
+    """Both points lie on the sphere that the window shows, apart from each other."""
+    check(result)
+    points = vtk_to_numpy(read(former(result, "line")).GetPoints().GetData())
+    assert len(points) == 2, points
+    assert np.allclose(np.linalg.norm(points, axis=1), 1, atol=0.02), points
+    assert np.linalg.norm(points[1] - points[0]) > 0.2, points
+
+
+TESTS = {"PointsPlacedInTheWindow": (write_sphere, check_points_placed),
+         "FieldInTheWindow": (write_sphere, check),
          "GuideInTheWindow": (write_guide, check_guide),
          "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
          "FeaturesInTheWindow": (write_ellipsoid, check_features),
          "GuideMovedInTheWindow": (write_sphere, check_guide_moved),
-         "FailedFirstInTheWindow": (write_broken_directions, check_failed_first),
+         "FailedFirstInTheWindow": (write_radial_directions, check_failed_first),
          "FiltersInTheWindow": (write_sphere, check_filters),
          "StateInTheWindow": (write_sphere, check_state),
          "ConvergenceInTheWindow": (write_large_sphere, check_convergence)}

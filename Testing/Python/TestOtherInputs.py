@@ -1,17 +1,21 @@
-"""Inputs as people have them. Each gives a field, or a sentence that says what to do."""
+"""Inputs as people have them: vectors that no one has asked to follow, that stand on end or are missing, tensors, axes without
+a sign, and processes that fork. Each gives a field, or a sentence that says what to do."""
 
 import os
 import signal
 import subprocess
 import sys
 import unittest
+import warnings
 
+import numpy as np
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from directionalmultigrid import FieldError, smooth_field, update
-from surfaces import values
+from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
+from surfaces import add, corners, values, values_of_points
 
 
 def sphere(resolution=40):
@@ -21,7 +25,21 @@ def sphere(resolution=40):
     return update(source)
 
 
+def centres(mesh):
+    return values_of_points(mesh)[corners(mesh)].mean(axis=1)
+
+
 class OtherInputs(unittest.TestCase):
+    def test_nothing_is_followed_that_was_not_chosen(self):
+        """A result of a simulation has zero vectors at its first step."""
+        mesh = sphere()
+        mesh.GetPointData().SetVectors(add(mesh.GetPointData(), "displacement", np.zeros((mesh.GetNumberOfPoints(), 3))))
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputData(mesh)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            self.assertTrue(update(solver).GetFieldData().HasArray("Eigenvalues"))
+
     def test_a_mesh_without_cells_is_an_error(self):
         mesh, points = vtkPolyData(), vtkPoints()
         for i in range(5):

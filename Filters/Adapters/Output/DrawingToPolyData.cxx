@@ -57,20 +57,26 @@ vtkSmartPointer<vtkPoints> NewPoints(const std::vector<Vector3>& positions)
 
 }
 
-void LinesToPolyData(const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output)
+void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const TangentFrames& faceFrames,
+  double lift, vtkPolyData* output)
 {
-  const std::size_t numberOfPoints = lines.Positions.size();
-  std::vector<Vector3> positions(numberOfPoints);
-  std::vector<Vector3> normals(numberOfPoints);
-  for (std::size_t i = 0; i < numberOfPoints; ++i)
+  std::vector<Vector3> positions;
+  std::vector<Vector3> normals;
+  std::vector<double> magnitudes(lines.Magnitudes);
+  const auto addPoint = [&](const Vector3& position, int face)
   {
-    normals[i] = faceFrames.Normal(lines.Faces[i]);
-    positions[i] = lines.Positions[i] + lift * normals[i];
+    normals.push_back(faceFrames.Normal(face));
+    positions.push_back(position + lift * normals.back());
+    return static_cast<vtkIdType>(positions.size() - 1);
+  };
+  for (std::size_t i = 0; i < lines.Positions.size(); ++i)
+  {
+    addPoint(lines.Positions[i], lines.Faces[i]);
   }
-  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkCellArray> polylines;
   std::vector<vtkIdType> ids;
-  const int numberOfLines = lines.NumberOfLines();
-  for (int line = 0; line < numberOfLines; ++line)
+  std::vector<int> lineOf; // of each cell
+  for (int line = 0; line < lines.NumberOfLines(); ++line)
   {
     ids.resize(lines.Offsets[line + 1] - lines.Offsets[line]);
     std::iota(ids.begin(), ids.end(), lines.Offsets[line]);
@@ -78,20 +84,41 @@ void LinesToPolyData(const LinesOnSurface& lines, const TangentFrames& faceFrame
     {
       ids.push_back(ids.front());
     }
-    cells->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    polylines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
+    lineOf.push_back(line);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const ArrowHead& head : heads)
+  {
+    const int face = lines.Faces[head.Point];
+    const vtkIdType corners[] = { addPoint(head.Corners[0], face), addPoint(head.Corners[1], face),
+      addPoint(head.Corners[2], face) };
+    magnitudes.insert(magnitudes.end(), 3, lines.Magnitudes[head.Point]);
+    triangles->InsertNextCell(3, corners);
+    lineOf.push_back(head.Line);
   }
   output->SetPoints(NewPoints(positions));
-  output->SetLines(cells);
+  output->SetLines(polylines);
+  if (!heads.empty())
+  {
+    output->SetPolys(triangles);
+  }
 
-  std::vector<int> seeds(numberOfLines);
-  std::iota(seeds.begin(), seeds.end(), 0);
-  vtkCellData* const ofLines = output->GetCellData();
-  ofLines->AddArray(NewArray<vtkDoubleArray>("Length", 1, lines.Lengths.data(), numberOfLines));
-  ofLines->AddArray(NewArray<vtkIntArray>("Branch", 1, lines.Families.data(), numberOfLines));
-  ofLines->AddArray(NewArray<vtkIntArray>("Seed", 1, seeds.data(), numberOfLines));
+  std::vector<double> lengths;
+  std::vector<int> families;
+  for (const int line : lineOf)
+  {
+    lengths.push_back(lines.Lengths[line]);
+    families.push_back(lines.Families[line]);
+  }
+  const vtkIdType numberOfCells = static_cast<vtkIdType>(lineOf.size());
+  vtkCellData* const ofCells = output->GetCellData();
+  ofCells->AddArray(NewArray<vtkDoubleArray>("Length", 1, lengths.data(), numberOfCells));
+  ofCells->AddArray(NewArray<vtkIntArray>("Branch", 1, families.data(), numberOfCells));
+  ofCells->AddArray(NewArray<vtkIntArray>("Seed", 1, lineOf.data(), numberOfCells));
   vtkPointData* const ofPoints = output->GetPointData();
   ofPoints->AddArray(
-    NewArray<vtkDoubleArray>("Magnitude", 1, lines.Magnitudes.data(), static_cast<vtkIdType>(numberOfPoints)));
+    NewArray<vtkDoubleArray>("Magnitude", 1, magnitudes.data(), static_cast<vtkIdType>(magnitudes.size())));
   ofPoints->SetNormals(NewVectors("Normals", normals));
 }
 

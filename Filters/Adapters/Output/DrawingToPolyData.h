@@ -2,10 +2,13 @@
 #define dmgDrawingToPolyData_h
 
 #include "Adapters/Input/FieldFromArrays.h"
+#include "Drawing/ArrowHeads.h"
 #include "Drawing/EvenlySpacedLines.h"
 #include "Drawing/FieldGlyphs.h"
 #include "Mesh/TangentFrames.h"
 #include "Operators/FieldTopology.h"
+
+#include <vector>
 
 class vtkPolyData;
 
@@ -14,9 +17,10 @@ namespace dmg
 
 /// What is drawn of a field as vtkPolyData; the headers of the filters tell the meaning of the arrays.
 
-/// Polylines with the arrays of vtkFieldLines.
+/// Polylines with the arrays of vtkFieldLines, and triangles, their heads.
 /// \param lift along the normals of the faces, in the unit of the points.
-void LinesToPolyData(const LinesOnSurface& lines, const TangentFrames& faceFrames, double lift, vtkPolyData* output);
+void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const TangentFrames& faceFrames,
+  double lift, vtkPolyData* output);
 
 /// Polylines or polygons with the arrays of vtkFieldGlyphs.
 /// \param families of the field, of which branch k belongs to number k modulo this.

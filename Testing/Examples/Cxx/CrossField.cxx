@@ -1,6 +1,7 @@
 // Crosses that follow two directions: CrossField SURFACE.ply OUTPUT.txt
 
 #include <vtkCellData.h>
+#include <vtkDataObject.h>
 #include <vtkDoubleArray.h>
 #include <vtkHarmonicFieldSolver.h>
 #include <vtkNew.h>
@@ -22,10 +23,11 @@ int main(int, char* argv[])
   directions->Fill(0.0);
   directions->SetTuple3(0, 1.0, 0.0, 0.0);
   directions->SetTuple3(1000, 1.0, 1.0, 1.0);
-  surface->GetCellData()->SetVectors(directions);
+  surface->GetCellData()->AddArray(directions);
 
   vtkNew<vtkHarmonicFieldSolver> solver;
   solver->SetInputData(surface);
+  solver->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Directions");
   solver->SetNumberOfDirections(4);
   solver->SetTolerance(1e-10);
   solver->Update();

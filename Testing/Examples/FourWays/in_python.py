@@ -4,6 +4,7 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 from vtkmodules.vtkIOPLY import vtkPLYReader
 
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
@@ -18,10 +19,11 @@ directions[0] = 1, 0, 0
 directions[1000] = 1, 1, 1
 array = numpy_to_vtk(directions, deep=True)
 array.SetName("Directions")
-surface.GetCellData().SetVectors(array)
+surface.GetCellData().AddArray(array)
 
 solver = vtkHarmonicFieldSolver()
 solver.SetInputData(surface)
+solver.SetInputArrayToProcess(1, 0, 0, vtkDataObject.FIELD_ASSOCIATION_CELLS, "Directions")
 solver.SetNumberOfDirections(4)
 solver.SetTolerance(1e-10)
 solver.Update()

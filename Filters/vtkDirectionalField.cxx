@@ -1,0 +1,103 @@
+#include "vtkDirectionalField.h"
+
+#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/InnerFilter.h"
+#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Support/Errors.h"
+
+#include "vtkDemandDrivenPipeline.h"
+#include "vtkFieldLines.h"
+#include "vtkFieldSingularities.h"
+#include "vtkInformation.h"
+#include "vtkInformationIntegerKey.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+#include "vtkTable.h"
+
+#include <algorithm>
+
+vtkStandardNewMacro(vtkDirectionalField);
+
+namespace
+{
+
+/// The parts of the progress that are done when the field is solved for, and when lines are drawn, too.
+constexpr double Solved = 0.7;
+constexpr double Drawn = 0.95;
+
+/// Outputs of a solver for the pieces that are asked for, of which the surface is that of this filter.
+void MakeSolverOutputs(vtkInformationVector* asked, vtkInformationVector* outputs)
+{
+  vtkNew<vtkPolyData> edges;
+  vtkNew<vtkTable> convergence;
+  vtkDataObject* const data[] = { vtkDataObject::GetData(asked, 0), edges, convergence };
+  for (int port = 0; port < 3; ++port)
+  {
+    vtkNew<vtkInformation> information;
+    information->Copy(asked->GetInformationObject(port));
+    information->Set(vtkDataObject::DATA_OBJECT(), data[port]);
+    information->Remove(vtkDemandDrivenPipeline::DATA_NOT_GENERATED());
+    outputs->SetInformationObject(port, information);
+  }
+}
+
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionalField::FillOutputPortInformation(int, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionalField::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  int success = 1;
+  const auto make = [&](const dmg::ExecutionContext& context)
+  {
+    dmg::CheckRanges({
+      { "Line Distance", this->LineDistance, 0.0005, 1 },
+      { "Sphere Radius", this->SphereRadius, 0, 0.1 },
+    });
+    vtkNew<vtkInformationVector> solved;
+    MakeSolverOutputs(outputVector, solved);
+    this->SetProgressShiftScale(0.0, Solved);
+    success = this->Superclass::RequestData(request, inputVector, solved);
+    this->SetProgressShiftScale(0.0, 1.0);
+    if (solved->GetInformationObject(0)->Has(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
+    {
+      throw dmg::Cancelled();
+    }
+    vtkPolyData* const surface = vtkPolyData::GetData(outputVector, 0);
+    if (surface->GetNumberOfCells() == 0) // there was an error
+    {
+      return;
+    }
+    vtkNew<vtkFieldLines> lines;
+    lines->SetInputData(surface);
+    lines->SetSeparatingDistance(this->LineDistance);
+    vtkNew<vtkFieldSingularities> singularities;
+    singularities->SetInputData(surface);
+    singularities->SetSphereRadius(this->SphereRadius);
+    const bool isDrawn = dmg::UpdateInside(this, lines, dmg::PartOfContext(context, Solved, Drawn)) &&
+      dmg::UpdateInside(this, singularities, dmg::PartOfContext(context, Drawn, 1.0));
+    if (isDrawn)
+    {
+      vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines->GetOutput());
+      vtkPolyData::GetData(outputVector, 2)->ShallowCopy(singularities->GetOutput(3));
+    }
+  };
+  return std::min(dmg::MakeOutputs(this, request, inputVector, outputVector, make), success);
+}
+
+//------------------------------------------------------------------------------
+void vtkDirectionalField::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "LineDistance: " << this->LineDistance << "\n";
+  os << indent << "SphereRadius: " << this->SphereRadius << "\n";
+}

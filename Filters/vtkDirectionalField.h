@@ -1,0 +1,78 @@
+/**
+ * @class   vtkDirectionalField
+ * @brief   a smooth field on a surface, with lines along it and its singularities
+ *
+ * vtkDirectionalField is vtkHarmonicFieldSolver, vtkFieldLines and vtkFieldSingularities in one: what a person looks at
+ * first. It takes the inputs, arrays and properties of vtkHarmonicFieldSolver, of which it is a kind, and shows every field
+ * that this one computes: crosses and lines, vectors and flows with arrow heads, and gradients of functions.
+ *
+ * @section vtkDirectionalField-Inputs Inputs
+ *
+ * Those of vtkHarmonicFieldSolver: the surface on port 0, guides on port 1, singularities on port 2.
+ *
+ * @section vtkDirectionalField-Outputs Outputs
+ *
+ * Port 0, the surface: vtkPolyData, the output of that name of vtkHarmonicFieldSolver. Its edges and its table of convergence
+ * are no outputs here.
+ *
+ * Port 1, the lines: vtkPolyData, the output of vtkFieldLines at LineDistance.
+ *
+ * Port 2, the singularities: vtkPolyData, the spheres of vtkFieldSingularities with SphereRadius.
+ *
+ * Where the field is zero everywhere nothing is drawn, with a warning.
+ *
+ * @section vtkDirectionalField-Execution Execution
+ *
+ * As vtkHarmonicFieldSolver; an update draws anew, in the time of vtkFieldLines and vtkFieldSingularities.
+ *
+ * @sa vtkHarmonicFieldSolver vtkFieldLines vtkFieldSingularities
+ */
+
+#ifndef vtkDirectionalField_h
+#define vtkDirectionalField_h
+
+#include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkHarmonicFieldSolver.h"
+
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkDirectionalField : public vtkHarmonicFieldSolver
+{
+public:
+  static vtkDirectionalField* New();
+  vtkTypeMacro(vtkDirectionalField, vtkHarmonicFieldSolver);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Distance between lines of one family, as a fraction of the surface's size (vtkFieldLines::SeparatingDistance).
+   * Default 0.015, range 0.0005 to 1.
+   */
+  vtkSetMacro(LineDistance, double);
+  vtkGetMacro(LineDistance, double);
+  ///@}
+
+  ///@{
+  /**
+   * Radius of the spheres, relative to the diagonal of the surface's bounding box (vtkFieldSingularities::SphereRadius).
+   * Default 0.012, range 0 to 0.1.
+   */
+  vtkSetMacro(SphereRadius, double);
+  vtkGetMacro(SphereRadius, double);
+  ///@}
+
+  vtkDirectionalField(const vtkDirectionalField&) = delete;
+  void operator=(const vtkDirectionalField&) = delete;
+
+protected:
+  vtkDirectionalField() = default;
+  ~vtkDirectionalField() override = default;
+
+  int FillOutputPortInformation(int port, vtkInformation* information) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+
+private:
+  double LineDistance = 0.015;
+  double SphereRadius = 0.012;
+};
+
+#endif
