@@ -64,5 +64,5 @@ TEST_F(ArrowHeads, PointAlongTheLineAndLookAlongTheNormal)
 TEST_F(ArrowHeads, AreNoneOnALineWithoutLength)
 {
   EXPECT_TRUE(ArrowHeadsOf(LineAlong({ 1.0, 1.0 }), this->Faces, 3.0, 0.5).empty());
-  EXPECT_TRUE(ArrowHeadsOf(LinesOnSurface{ {}, {}, {}, { 0 } }, this->Faces, 3.0, 0.5).empty());
+  EXPECT_TRUE(ArrowHeadsOf(LinesOnSurface(), this->Faces, 3.0, 0.5).empty());
 }
