@@ -1,7 +1,6 @@
 #include "FieldSetup.h"
 
 #include "Analysis/HarmonicForms.h"
-#include "Levels/SampledLevels.h"
 #include "Support/AllIndices.h"
 #include "Support/Errors.h"
 #include "Support/FreedMemory.h"
@@ -166,7 +165,7 @@ std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface, const
   }
   context.Checkpoint(0.0);
   ProlongationOperators samples =
-    SampledLevels(surface.Mesh, plan.Levels.SampleDistance, PartOfContext(context, 0.0, 0.3));
+    discretisation.SampledLevels(plan.Levels.SampleDistance, PartOfContext(context, 0.0, 0.3));
   const PartOfContext rest(context, 0.3, 1.0);
   if (samples.Nodal.empty())
   {

@@ -1,5 +1,6 @@
 #include "Discretisations/Discretisation.h"
 
+#include "Levels/SampledLevels.h"
 #include "Support/Errors.h"
 #include "Support/SparseAssembly.h"
 
@@ -19,6 +20,11 @@ int Discretisation::NumberOfElements() const
     default:
       return this->Surface.Mesh.NumberOfFaces();
   }
+}
+
+ProlongationOperators Discretisation::SampledLevels(double distance, const ExecutionContext& context) const
+{
+  return dmg::SampledLevels(this->Surface.Mesh, distance, context);
 }
 
 Eigen::MatrixXd Discretisation::HarmonicFields(const ProlongationOperators*, const ExecutionContext&) const

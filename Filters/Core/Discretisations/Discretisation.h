@@ -70,6 +70,8 @@ public:
 
   /// Finest first; not empty.
   const std::vector<TransportOperator>& All() const { return this->Operators.Nodal; }
+  /// With all that there is beside them.
+  const ProlongationOperators& Whole() const { return this->Operators; }
   void Forget() const
   {
     if (this->Own)
@@ -142,6 +144,8 @@ public:
   virtual OperatorSelection StructurePreservingOperators() const = 0;
   /// What the levels of those hold, in words.
   virtual std::string NameOfLevels() const = 0;
+  /// The default nodal levels of this surface, from samples of the elements that unknowns stand on; by default of faces.
+  virtual ProlongationOperators SampledLevels(double distance, const ExecutionContext& context) const;
   /// How far apart samples are on the first nodal level; see HierarchyOptions.
   virtual double SampleDistance() const { return HierarchyOptions().SampleDistance; }
   virtual SolverTuning Tuning() const = 0;

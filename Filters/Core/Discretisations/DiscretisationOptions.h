@@ -19,6 +19,8 @@ enum class DiscretisationKind
   OneForm,
   /// A number per vertex: a function, whose gradient is drawn.
   ScalarFunction,
+  /// The N-th power of N directions per vertex: one complex number in its tangent plane. Knoeppel et al. 2013.
+  VertexPowerField,
 };
 
 struct DiscretisationOptions

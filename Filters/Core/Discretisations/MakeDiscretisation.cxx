@@ -4,6 +4,7 @@
 #include "Discretisations/OneForm.h"
 #include "Discretisations/PowerField.h"
 #include "Discretisations/ScalarFunction.h"
+#include "Discretisations/VertexPowerField.h"
 
 namespace dmg
 {
@@ -19,6 +20,8 @@ std::unique_ptr<const Discretisation> MakeDiscretisation(
       return std::make_unique<OneForm>(surface, options.Areas);
     case DiscretisationKind::FaceField:
       return std::make_unique<FaceField>(surface);
+    case DiscretisationKind::VertexPowerField:
+      return std::make_unique<VertexPowerField>(surface, options.N);
     default:
       return std::make_unique<PowerField>(surface, options.N);
   }

@@ -66,6 +66,8 @@ struct ProlongationOperators
   /// polar coordinates of the vertices (NodalProlongation.h) or in the FaceFrames of the faces that
   /// were sampled (SampledProlongation.h).
   std::vector<TransportOperator> Nodal;
+  /// Whether Nodal[0] goes to the vertices of level 0, in VertexFrames, in place of its faces.
+  bool IsNodalAtVertices = false;
 
   int NumberOfLevels() const { return static_cast<int>(this->NumbersOfFaces.size()); }
 };

@@ -6,6 +6,8 @@
 #include "Mesh/SpatialOrder.h"
 #include "Support/Permutations.h"
 
+#include <utility>
+
 namespace dmg
 {
 
@@ -17,6 +19,7 @@ constexpr double DistanceOfCoarserSamples = 1.8;
 // The curvature of the region that a sample covers, in radians. With twice as much of both, surfaces full of folds and
 // limbs take half as many iterations again.
 constexpr double LargestCurvatureOfFaces = 0.5;
+constexpr double LargestCurvatureOfVertices = 0.5;
 constexpr double LargestCurvatureOfSamples = 1.0;
 // A level of fewer samples is factored at once, and every level less represents fields of nearly no energy better.
 constexpr int FewestSamplesToSample = 1500;
@@ -25,31 +28,53 @@ constexpr double LargestUsefulRatio = 0.5;
 
 }
 
+PointsToSample FacesToSample(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  std::vector<int> order = FacesInSpatialOrder(mesh.VertexPositions(), mesh.FaceCorners(), context);
+  TangentGraph graph = FaceGraph(mesh, order, context);
+  return { std::move(order), std::move(graph), LargestCurvatureOfFaces, false };
+}
+
+PointsToSample VerticesToSample(
+  const TriangleMesh& mesh, const VertexConnection& connection, const ExecutionContext& context)
+{
+  const SpatialOrder order(mesh.VertexPositions(), mesh.FaceCorners(), context);
+  return { order.Vertices(), VertexGraph(mesh, connection, order.Vertices(), context), LargestCurvatureOfVertices, true };
+}
+
 ProlongationOperators SampledLevels(const TriangleMesh& mesh, double distance, const ExecutionContext& context)
+{
+  context.Checkpoint(0.0);
+  return SampledLevels(mesh, FacesToSample(mesh, context), distance, context);
+}
+
+ProlongationOperators SampledLevels(
+  const TriangleMesh& mesh, PointsToSample toSample, double distance, const ExecutionContext& context)
 {
   ProlongationOperators operators;
   operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
   operators.NumbersOfEdges.push_back(mesh.NumberOfEdges());
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
-  context.Checkpoint(0.0);
+  operators.IsNodalAtVertices = toSample.AreVertices;
+  context.Checkpoint(0.1);
   operators.Nodal.reserve(16); // growth would copy
-  const std::vector<int> order = FacesInSpatialOrder(mesh.VertexPositions(), mesh.FaceCorners(), context);
-  TangentGraph points = FaceGraph(mesh, order, context);
+  TangentGraph points = std::move(toSample.Graph);
   while (points.NumberOfPoints() > FewestSamplesToSample)
   {
     // Most of the work is in the finest level.
     context.Checkpoint(operators.Nodal.empty() ? 0.3 : 0.9);
-    const bool areFaces = operators.Nodal.empty();
-    const PointSampling sampling = SamplePoints(points, areFaces ? distance : DistanceOfCoarserSamples,
-      areFaces ? LargestCurvatureOfFaces : LargestCurvatureOfSamples, context);
+    const bool areFinest = operators.Nodal.empty();
+    const PointSampling sampling = SamplePoints(points, areFinest ? distance : DistanceOfCoarserSamples,
+      areFinest ? toSample.LargestCurvature : LargestCurvatureOfSamples, context);
     const int numberOfSamples = static_cast<int>(sampling.Samples.size());
     if (numberOfSamples > LargestUsefulRatio * points.NumberOfPoints())
     {
       break; // so many pieces of surface, of few faces each
     }
     points = GraphOfSamples(points, sampling, context); // the finer one takes much memory, and makes room
-    TransportOperator prolongation = areFaces ? SampledProlongation(sampling, points, Inverse(order, context), context)
-                                              : SampledProlongation(sampling, points, context);
+    TransportOperator prolongation = areFinest
+      ? SampledProlongation(sampling, points, Inverse(toSample.Order, context), context)
+      : SampledProlongation(sampling, points, context);
     operators.Nodal.emplace_back().swap(prolongation); // Eigen 3.4 would copy it
     operators.NumbersOfVertices.push_back(numberOfSamples);
     operators.NumbersOfEdges.push_back(points.NumberOfLinks() / 2);

@@ -155,4 +155,62 @@ TangentGraph FaceGraph(const TriangleMesh& mesh, const std::vector<int>& order, 
   return graph;
 }
 
+TangentGraph VertexGraph(const TriangleMesh& mesh, const VertexConnection& connection, const std::vector<int>& order,
+  const ExecutionContext& context)
+{
+  const int vertices = mesh.NumberOfVertices();
+  const std::vector<int> places = Inverse(order, context);
+  TangentGraph graph;
+  graph.Offsets.resize(vertices + 1);
+  graph.Curvatures.resize(vertices);
+  context.ParallelFor(0, vertices, Grain,
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        int links = mesh.IsBoundaryVertex(order[i]) ? 1 : 0;
+        graph.Curvatures[i] = 0.0;
+        mesh.VisitFan(order[i],
+          [&](int h)
+          {
+            ++links;
+            graph.Curvatures[i] += connection.Curvature(TriangleMesh::FaceOf(h)) / 3.0;
+          });
+        graph.Offsets[i + 1] = links;
+      }
+    });
+  const int links = OffsetsFromCounts(graph.Offsets);
+  graph.Neighbours.resize(links);
+  graph.Steps.resize(links);
+  graph.Turns.resize(links);
+  const auto lengthOf = [&mesh](int h) { return (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).norm(); };
+  context.ParallelFor(0, vertices, Grain,
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        int link = graph.Offsets[i];
+        const auto add = [&](int neighbour, double length, double polar, double turn)
+        {
+          graph.Neighbours[link] = places[neighbour];
+          graph.Steps[link] = std::polar(length, polar);
+          graph.Turns[link] = std::polar(1.0, turn);
+          ++link;
+        };
+        mesh.VisitFan(order[i],
+          [&](int h)
+          {
+            add(mesh.Head(h), lengthOf(h), connection.PolarAngle(h), -connection.Transport(h));
+            const int back = TriangleMesh::Previous(h);
+            if (mesh.Twin(back) < 0)
+            {
+              add(mesh.Tail(back), lengthOf(back), connection.PolarAngle(h) + connection.CornerAngle(h),
+                connection.Transport(back));
+            }
+          });
+      }
+    });
+  return graph;
+}
+
 }

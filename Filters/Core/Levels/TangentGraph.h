@@ -2,6 +2,7 @@
 #define dmgTangentGraph_h
 
 #include "Mesh/TriangleMesh.h"
+#include "Mesh/VertexConnection.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 #include "Support/Unfilled.h"
@@ -38,6 +39,12 @@ struct TangentGraph
 /// are near each other. A face has its share of the angles that its corners lack of a full turn;
 /// corners at the boundary lack none. \param order [i] is the face of point i; a permutation. Cost: O(#F).
 TangentGraph FaceGraph(const TriangleMesh& mesh, const std::vector<int>& order, const ExecutionContext& context);
+
+/// The vertices of a surface, in their VertexFrames, linked along edges: a step is as long as the edge, at its polar angle,
+/// and turns are those of the connection. A vertex has a third of the curvature of the faces around it.
+/// \param order [i] is the vertex of point i; a permutation. Cost: O(#F).
+TangentGraph VertexGraph(const TriangleMesh& mesh, const VertexConnection& connection, const std::vector<int>& order,
+  const ExecutionContext& context);
 
 }
 

@@ -1,0 +1,261 @@
+#include "Discretisations/VertexPowerField.h"
+
+#include "Discretisations/PowerField.h"
+#include "Levels/SampledLevels.h"
+#include "Operators/ConnectionLaplacian.h"
+#include "Operators/FaceFieldOperators.h"
+#include "Operators/PowerFieldOperators.h"
+#include "Solvers/Laplacian/LaplacianHierarchy.h"
+#include "Solvers/Multigrid/AssembledHierarchy.h"
+#include "Support/ComplexPairs.h"
+#include "Support/SparseAssembly.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr int Grain = 4096;
+
+constexpr int ProlongationSteps = 1;
+constexpr int FinestSweepsFactor = 2;
+constexpr int CoarseCycles = 2;
+constexpr int LargestForCholesky = 20000;
+constexpr int SolvesForCholesky = 30;
+constexpr double DistanceOfSamples = 2.4;
+
+/// Directions of the vertices from those of the faces around, carried by the connection and averaged.
+TransportOperator MeanOfFaces(
+  const TriangleMesh& mesh, const VertexConnection& connection, const ExecutionContext& context)
+{
+  return AssembleMatrix<Complex>(mesh.NumberOfVertices(), mesh.NumberOfFaces(), context,
+    [&](int vertex, RowEntries<Complex>& row)
+    {
+      mesh.VisitFan(
+        vertex, [&](int h) { row.emplace_back(TriangleMesh::FaceOf(h), connection.TurnFromFace(h)); });
+      for (auto& [face, entry] : row)
+      {
+        entry /= static_cast<double>(row.size());
+      }
+    });
+}
+
+/// The weights of S0 with the turns of another operator, which is where they are not zero.
+TransportOperator WithTurns(
+  const SparseMatrix<double>& S0, const TransportOperator& turns, const ExecutionContext& context)
+{
+  return AssembleMatrix<Complex>(static_cast<int>(S0.rows()), static_cast<int>(S0.cols()), context,
+    [&](int row, RowEntries<Complex>& entries)
+    {
+      for (SparseMatrix<double>::InnerIterator entry(S0, row); entry; ++entry)
+      {
+        const Complex turn = turns.coeff(row, entry.col());
+        const double length = std::sqrt(std::norm(turn));
+        entries.emplace_back(
+          static_cast<int>(entry.col()), length > 0.0 ? entry.value() * (turn / length) : Complex(entry.value()));
+      }
+    });
+}
+
+/// What is prescribed at a vertex, summed up.
+struct PowerAtVertex
+{
+  double Weight = 0.0;
+  Complex Power = 0.0;
+
+  void Add(double weight, Complex power)
+  {
+    this->Weight += weight;
+    this->Power += weight * power;
+  }
+};
+
+Complex PowerOf(Complex direction, int N)
+{
+  return std::polar(std::abs(direction), N * std::arg(direction));
+}
+
+}
+
+VertexPowerField::VertexPowerField(const FramedMesh& surface, int directions)
+  : Discretisation(surface)
+  , N(directions)
+{
+  CheckNumberOfDirections(directions);
+}
+
+std::string VertexPowerField::Name() const
+{
+  return "power fields at points with N = " + std::to_string(this->N);
+}
+
+const VertexConnection& VertexPowerField::Connection(const ExecutionContext& context) const
+{
+  std::call_once(this->IsConnected,
+    [&] { this->ConnectionOfSurface = std::make_unique<const VertexConnection>(this->Surface, context); });
+  return *this->ConnectionOfSurface;
+}
+
+Vector<double> VertexPowerField::Mass(const ExecutionContext& context) const
+{
+  const Vector<double> areas = LumpedMass(this->Surface.Mesh, context);
+  const double meanArea = areas.mean();
+  return meanArea > 0.0 ? Vector<double>(areas / meanArea) : Vector<double>::Ones(areas.size());
+}
+
+ProlongationOperators VertexPowerField::SampledLevels(double distance, const ExecutionContext& context) const
+{
+  context.Checkpoint(0.0);
+  const TriangleMesh& mesh = this->Surface.Mesh;
+  return dmg::SampledLevels(mesh, VerticesToSample(mesh, this->Connection(context), context), distance, context);
+}
+
+double VertexPowerField::SampleDistance() const
+{
+  return DistanceOfSamples;
+}
+
+std::unique_ptr<const RoughnessHierarchy> VertexPowerField::Coarsen(
+  const NodalProlongations& nodal, const ExecutionContext& context) const
+{
+  const TriangleMesh& mesh = this->Surface.Mesh;
+  const VertexConnection& connection = this->Connection(context);
+  std::vector<SparseMatrix<Complex>> onPowers = this->ProlongationsOfPowers(nodal.Whole(), context);
+  nodal.Forget();
+  return std::make_unique<LaplacianHierarchy>(CoarsenLaplacian(
+    [&mesh, &connection, N = this->N](const std::vector<int>& order, const ExecutionContext& part)
+    { return ConnectionLaplacian(mesh, connection, N, order, part); },
+    std::move(onPowers), ProlongationSteps, context));
+}
+
+std::unique_ptr<const RoughnessHierarchy> VertexPowerField::Assemble(
+  const ProlongationOperators* operators, CoarseSpaceKind, const ExecutionContext& context) const
+{
+  std::vector<SparseMatrix<Complex>> prolongations;
+  if (operators)
+  {
+    CheckOperators(!operators->Nodal.empty(), "Power Fields");
+    prolongations = this->ProlongationsOfPowers(*operators, context);
+  }
+  SparseMatrix<Complex> L =
+    ConnectionLaplacian(this->Surface.Mesh, this->Connection(context), this->N, context);
+  return std::make_unique<AssembledHierarchy<Complex>>(L, std::move(prolongations));
+}
+
+std::vector<SparseMatrix<Complex>> VertexPowerField::ProlongationsOfPowers(
+  const ProlongationOperators& operators, const ExecutionContext& context) const
+{
+  std::vector<SparseMatrix<Complex>> prolongations = OnPowers(operators.Nodal, this->N, context);
+  if (!operators.IsNodalAtVertices)
+  {
+    // The turns of directions, from the faces around; powers of them come last.
+    const TransportOperator mean = MeanOfFaces(this->Surface.Mesh, this->Connection(context), context);
+    const TransportOperator turns = mean * operators.Nodal[0];
+    prolongations[0] =
+      OnPowers(operators.S0.empty() ? turns : WithTurns(operators.S0[0], turns, context), this->N, context);
+  }
+  return prolongations;
+}
+
+SolverTuning VertexPowerField::Tuning() const
+{
+  SolverTuning tuning;
+  tuning.LargestForCholesky = LargestForCholesky;
+  tuning.SolvesForCholesky = SolvesForCholesky;
+  tuning.FinestSweepsFactor = FinestSweepsFactor;
+  tuning.CoarseCycles = CoarseCycles;
+  tuning.FinestProlongationSteps = ProlongationSteps;
+  return tuning;
+}
+
+FieldConstraints VertexPowerField::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
+{
+  const auto& [mesh, faceFrames, vertexFrames] = this->Surface;
+  const VertexConnection& connection = this->Connection(SerialContext());
+  const Vector<double> areas = LumpedMass(mesh);
+  std::vector<PowerAtVertex> sums(mesh.NumberOfVertices());
+  for (const auto& [face, direction, weight] : directions.OnFaces)
+  {
+    CheckPrescribedElement(face, mesh.NumberOfFaces(), "face");
+    const Complex v = TangentialPart(faceFrames, face, direction, weight, names.Face(face), "cell");
+    const double area = mesh.FaceArea(face);
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      const int vertex = mesh.Tail(h);
+      const double share = areas[vertex] > 0.0 ? area / (3.0 * areas[vertex]) : 1.0;
+      sums[vertex].Add(weight * share, PowerOf(connection.TurnFromFace(h) * v, this->N));
+    }
+  }
+  for (const auto& [vertex, direction, weight] : directions.AtVertices)
+  {
+    CheckPrescribedElement(vertex, mesh.NumberOfVertices(), "vertex");
+    const Complex v = TangentialPart(vertexFrames, vertex, direction, weight, names.Vertex(vertex), "point");
+    sums[vertex].Add(weight, PowerOf(v, this->N));
+  }
+  FieldConstraints constraints;
+  Vector<Complex> values(mesh.NumberOfVertices());
+  Eigen::Index count = 0;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    if (sums[vertex].Weight > 0.0)
+    {
+      constraints.Elements.push_back(vertex);
+      constraints.Weights.push_back(sums[vertex].Weight);
+      values[count++] = sums[vertex].Power / sums[vertex].Weight;
+    }
+  }
+  values.conservativeResize(count);
+  constraints.Values = AsPairs(values);
+  return constraints;
+}
+
+Vector<double> VertexPowerField::PenaltiesOfElements(
+  const std::vector<int>& vertices, const ExecutionContext& context) const
+{
+  return this->Mass(context)(vertices);
+}
+
+Vector<Complex> VertexPowerField::PowersOfFaces(const Vector<double>& unknowns, const ExecutionContext& context) const
+{
+  const TriangleMesh& mesh = this->Surface.Mesh;
+  const VertexConnection& connection = this->Connection(context);
+  const auto ofVertices = AsComplex(unknowns);
+  Vector<Complex> ofFaces(mesh.NumberOfFaces());
+  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+    [&](int first, int last)
+    {
+      for (int face = first; face < last; ++face)
+      {
+        Complex sum = 0.0;
+        for (int h = 3 * face; h < 3 * face + 3; ++h)
+        {
+          sum += std::conj(Power(connection.TurnFromFace(h), this->N)) * ofVertices[mesh.Tail(h)];
+        }
+        ofFaces[face] = sum / 3.0;
+      }
+    });
+  return ofFaces;
+}
+
+FieldPowers VertexPowerField::Powers(
+  const Vector<double>& unknowns, const Unfilled<Corner>&, const ExecutionContext& context) const
+{
+  return { this->PowersOfFaces(unknowns, context), AsComplex(unknowns) };
+}
+
+std::vector<ElementValues> VertexPowerField::Values(const Vector<double>& unknowns, const FieldPowers& powers) const
+{
+  return { { "PowerField", ElementKind::Faces, 2, AsPairs(powers.Faces) },
+    { "PowerField", ElementKind::Vertices, 2, unknowns } };
+}
+
+Points VertexPowerField::VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const
+{
+  return VectorsFromFaceField(this->Surface.Faces, AsPairs(this->PowersOfFaces(unknowns, context)));
+}
+
+}
