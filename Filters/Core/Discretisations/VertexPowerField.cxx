@@ -21,12 +21,12 @@ namespace
 
 constexpr int Grain = 4096;
 
-constexpr int ProlongationSteps = 1;
-constexpr int FinestSweepsFactor = 2;
+constexpr int ProlongationSteps = 2;
+constexpr int FinestSweepsFactor = 3;
 constexpr int CoarseCycles = 2;
 constexpr int LargestForCholesky = 20000;
 constexpr int SolvesForCholesky = 30;
-constexpr double DistanceOfSamples = 2.4;
+constexpr double DistanceOfSamples = 3.2;
 
 /// Directions of the vertices from those of the faces around, carried by the connection and averaged.
 TransportOperator MeanOfFaces(

@@ -19,7 +19,7 @@ constexpr double DistanceOfCoarserSamples = 1.8;
 // The curvature of the region that a sample covers, in radians. With twice as much of both, surfaces full of folds and
 // limbs take half as many iterations again.
 constexpr double LargestCurvatureOfFaces = 0.5;
-constexpr double LargestCurvatureOfVertices = 0.5;
+constexpr double LargestCurvatureOfVertices = 1.0;
 constexpr double LargestCurvatureOfSamples = 1.0;
 // A level of fewer samples is factored at once, and every level less represents fields of nearly no energy better.
 constexpr int FewestSamplesToSample = 1500;

@@ -1,0 +1,341 @@
+#include "Discretisations/VertexPowerField.h"
+
+#include "FieldSolver.h"
+#include "Operators/ConnectionLaplacian.h"
+#include "Support/ComplexPairs.h"
+#include "Support/Errors.h"
+#include "Support/FieldProblem.h"
+#include "Support/Identities.h"
+#include "Support/MeshFactory.h"
+#include "Support/Random.h"
+#include "Support/TbbContext.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+FieldOptions PointFields(
+  int N, ConstraintKind constraints = ConstraintKind::Hard, SolverKind solver = SolverKind::ConjugateGradients)
+{
+  FieldOptions options;
+  options.Field.Kind = DiscretisationKind::VertexPowerField;
+  options.Field.N = N;
+  options.Constraints = constraints;
+  options.Solver.Kind = solver;
+  return options;
+}
+
+/// How the diagonals of a grid run.
+enum class Diagonals
+{
+  Alike,
+  Alternating,
+  Random,
+};
+
+/// A grid of n by n squares on [-1, 1]^2, mapped to somewhere in the plane.
+Surface MappedGrid(int n, Diagonals diagonals, const std::function<Vector3(double, double)>& map)
+{
+  Surface surface{ Points((n + 1) * (n + 1), 3), Triangles(2 * n * n, 3) };
+  Random random(3);
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      surface.V.row(i * (n + 1) + j) = map(2.0 * i / n - 1.0, 2.0 * j / n - 1.0).transpose();
+    }
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const int a = i * (n + 1) + j, b = a + n + 1, c = b + 1, d = a + 1;
+      const bool rises = diagonals == Diagonals::Alike || (diagonals == Diagonals::Alternating && (i + j) % 2 == 0) ||
+        (diagonals == Diagonals::Random && random.Index(2) == 0);
+      const int cell = 2 * (i * n + j);
+      if (rises)
+      {
+        surface.F.row(cell) << a, b, c;
+        surface.F.row(cell + 1) << a, c, d;
+      }
+      else
+      {
+        surface.F.row(cell) << a, b, d;
+        surface.F.row(cell + 1) << b, c, d;
+      }
+    }
+  }
+  return surface;
+}
+
+Vector3 OnDisc(double x, double y)
+{
+  return { x * std::sqrt(1.0 - y * y / 2.0), y * std::sqrt(1.0 - x * x / 2.0), 0.0 };
+}
+
+/// Cells of 1 : 4, sheared.
+Vector3 OnParallelogram(double x, double y)
+{
+  return { x + 0.25 * y, 0.25 * y, 0.0 };
+}
+
+/// Three quarters of a ring, its cells sheared along the angle.
+Vector3 OnRing(double x, double y)
+{
+  const double radius = 1.5 + 0.5 * x;
+  const double angle = 0.75 * Pi * (y + 0.3 * x);
+  return { radius * std::cos(angle), radius * std::sin(angle), 0.0 };
+}
+
+/// The N-th powers, in one frame of the plane, of the directions of a solution at the vertices.
+Vector<Complex> InThePlane(const FramedMesh& surface, const Vector<double>& unknowns, int N)
+{
+  const Vector<Complex> x = PowersOfDirection(surface.Vertices, Vector3(1.0, 0.0, 0.0), N);
+  return AsComplex(unknowns).cwiseProduct(x.conjugate());
+}
+
+/// The error in the mean of squares over that of the solution, where the exact solution is held at the boundary.
+double RelativeError(const Surface& shape, int N, const std::function<Complex(Complex)>& harmonic)
+{
+  const TriangleMesh mesh = shape.Mesh();
+  PrescribedDirections held;
+  const auto exactAt = [&](int vertex) { return harmonic({ mesh.Position(vertex)[0], mesh.Position(vertex)[1] }); };
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    if (mesh.IsBoundaryVertex(vertex))
+    {
+      const Complex power = exactAt(vertex);
+      const Complex direction = std::polar(std::abs(power), std::arg(power) / N);
+      held.AtVertices.push_back({ vertex, { direction.real(), direction.imag(), 0.0 }, 1.0 });
+    }
+  }
+  FieldSolver solver(mesh);
+  solver.Solve(held, PointFields(N), { 1e-10, 200 });
+  EXPECT_TRUE(solver.Report().Converged);
+  const Vector<Complex> X = InThePlane(solver.Surface(), solver.Unknowns(), N);
+  double ofError = 0.0;
+  double ofExact = 0.0;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    ofError += std::norm(X[vertex] - exactAt(vertex));
+    ofExact += std::norm(exactAt(vertex));
+  }
+  return std::sqrt(ofError / ofExact);
+}
+
+std::vector<PrescribedDirection> SomeDirections(const FramedMesh& surface, int count, unsigned seed)
+{
+  Random random(seed);
+  std::vector<PrescribedDirection> directions;
+  for (int i = 0; i < count; ++i)
+  {
+    const int face = random.Index(surface.Mesh.NumberOfFaces());
+    const Complex v = std::polar(random.Uniform(0.5, 2.0), random.Uniform(-3.0, 3.0));
+    directions.push_back({ face, surface.Faces.ToVector(face, v), random.Uniform(0.5, 2.0) });
+  }
+  return directions;
+}
+
+}
+
+// The power of crosses along the boundary of a disc is r^4 e^{4 i angle}, up to its sign: a harmonic function.
+TEST(VertexPowerField, HarmonicPowersAreFoundWithOrderTwoOnAnyTriangles)
+{
+  const auto power = [](Complex z) { return std::pow(z, 4) + 0.3 * std::conj(z * z * z) + Complex(0.2, 0.1) * z; };
+  for (const auto& map : { OnDisc, OnParallelogram, OnRing })
+  {
+    for (const Diagonals diagonals : { Diagonals::Alike, Diagonals::Alternating, Diagonals::Random })
+    {
+      for (int N : { 1, 4 })
+      {
+        const double coarse = RelativeError(MappedGrid(24, diagonals, map), N, power);
+        const double fine = RelativeError(MappedGrid(48, diagonals, map), N, power);
+        EXPECT_GT(coarse / fine, 3.4) << coarse << ' ' << fine;
+        EXPECT_LT(fine, 0.01);
+      }
+    }
+  }
+}
+
+TEST(VertexPowerField, OneDirectionOnAFlatPatchGivesTheConstantField)
+{
+  for (const Surface& shape : { IrregularPlane(8, 6, 4), Disk(4), Annulus(10, 3) })
+  {
+    const FramedMesh surface(shape.Mesh());
+    const Vector3 v(0.28, 0.96, 0.0);
+    for (int N = 1; N <= 8; ++N)
+    {
+      for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
+      {
+        for (const PrescribedDirections& one :
+          { PrescribedDirections{ { { 17, v, 1.0 } }, {} }, PrescribedDirections{ {}, { { 17, v, 1.0 } } } })
+        {
+          FieldSolver solver(surface.Mesh);
+          const Vector<Complex> X = AsComplex(solver.Solve(one, PointFields(N, kind, SolverKind::Cholesky), { 1e-12, 50 }));
+          EXPECT_LT(RelativeDifference(X, PowersOfDirection(surface.Vertices, v, N)), 1e-9);
+        }
+      }
+    }
+  }
+}
+
+// The penalties of a direction on all faces, and of one at all vertices, are the mass.
+TEST(VertexPowerField, WeightsAreSharesOfArea)
+{
+  const FramedMesh surface(IrregularSphere(2, 3).Mesh());
+  const VertexPowerField field(surface, 4);
+  PrescribedDirections onFaces;
+  for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
+  {
+    onFaces.OnFaces.push_back({ face, surface.Faces.ToVector(face, 1.0), 1.0 });
+  }
+  const FieldConstraints constraints = field.Prescribe(onFaces, {});
+  ASSERT_EQ(constraints.Elements.size(), static_cast<std::size_t>(surface.Mesh.NumberOfVertices()));
+  for (const double weight : constraints.Weights)
+  {
+    EXPECT_NEAR(weight, 1.0, 1e-12);
+  }
+  const FieldConstraints two = field.Prescribe(
+    { {}, { { 9, surface.Vertices.ToVector(9, 1.0), 3.0 }, { 9, surface.Vertices.ToVector(9, { 0.0, 1.0 }), 1.0 } } }, {});
+  EXPECT_EQ(two.Elements, std::vector<int>{ 9 });
+  EXPECT_EQ(two.Weights, std::vector<double>{ 4.0 });
+  EXPECT_LT((two.Values - Eigen::Vector2d(1.0, 0.0)).norm(), 1e-12); // 0 and 90 degrees agree
+}
+
+TEST(VertexPowerField, IsItsStatedEnergy)
+{
+  const FramedMesh surface(IrregularTorus(10, 6, 1).Mesh());
+  const Vector<double> areas = LumpedMass(surface.Mesh);
+  Random random(2);
+  for (int N : { 1, 4, 8 })
+  {
+    FieldOptions options = PointFields(N, ConstraintKind::Soft, SolverKind::Cholesky);
+    options.Smoothness = 0.25;
+    options.Alignment = 3.0;
+    const PrescribedDirections prescribed{ SomeDirections(surface, 7, 3), {} };
+    FieldSolver solver(surface.Mesh);
+    const Vector<Complex> X = AsComplex(solver.Solve(prescribed, options, { 1e-13, 50 }));
+    const FieldConstraints& constraints = solver.Constraints();
+    // The gradient of the energy vanishes.
+    Vector<Complex> gradient =
+      0.25 * (ConnectionLaplacian(surface.Mesh, VertexConnection(surface), N) * X);
+    for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
+    {
+      const int vertex = constraints.Elements[b];
+      gradient[vertex] += 3.0 * constraints.Weights[b] * areas[vertex] / areas.mean() *
+        (X[vertex] - Complex(constraints.Values[2 * b], constraints.Values[2 * b + 1]));
+    }
+    EXPECT_LT(gradient.cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(VertexPowerField, SolversAndLevelsAgree)
+{
+  for (const Surface& shape : { IrregularSphere(4, 3), IrregularTorus(64, 32, 4), IrregularPlane(60, 50, 5) })
+  {
+    const FramedMesh surface(shape.Mesh());
+    for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
+    {
+      const PrescribedDirections prescribed{ SomeDirections(surface, 20, 5), {} };
+      FieldSolver direct(surface.Mesh);
+      const Vector<double> expected =
+        direct.Solve(prescribed, PointFields(4, kind, SolverKind::Cholesky), { 1e-12, 100 });
+      for (const CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+      {
+        FieldOptions options = PointFields(4, kind);
+        options.CoarseSpace = space;
+        FieldSolver solver(surface.Mesh);
+        const Vector<double> x = solver.Solve(prescribed, options, { 1e-12, 100 });
+        EXPECT_LE((x - expected).norm(), 1e-9 * expected.norm()) << solver.Report().Solver;
+        EXPECT_LE(solver.Report().Iterations.size(), 26u) << solver.Report().Solver;
+      }
+    }
+  }
+}
+
+TEST(VertexPowerField, FollowsRotationAndScale)
+{
+  const Surface shape = IrregularTorus(12, 8, 9);
+  const FramedMesh surface(shape.Mesh());
+  Eigen::Matrix3d rotation;
+  const FramedMesh moved(RotatedAndScaled(shape, 2.1, 1e-3, &rotation).Mesh());
+  PrescribedDirections prescribed{ SomeDirections(surface, 6, 10), {} };
+  PrescribedDirections there = prescribed;
+  for (PrescribedDirection& direction : there.OnFaces)
+  {
+    direction.Direction = rotation * direction.Direction;
+  }
+  for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
+  {
+    FieldSolver here(surface.Mesh);
+    FieldSolver elsewhere(moved.Mesh);
+    const FieldOptions options = PointFields(4, kind, SolverKind::Cholesky);
+    const Vector<double> x = here.Solve(prescribed, options, { 1e-12, 50 });
+    const Vector<double> y = elsewhere.Solve(there, options, { 1e-12, 50 });
+    EXPECT_LT((x - y).cwiseAbs().maxCoeff(), 1e-8 * x.cwiseAbs().maxCoeff()); // the frames move along
+  }
+}
+
+// The report has the Dirichlet energy over the integral of |X|^2: N on the unit sphere.
+TEST(VertexPowerField, TheSmoothestFieldOnASphereHasTheKnownEigenvalue)
+{
+  for (int N : { 1, 2, 4 })
+  {
+    FieldSolver solver(IrregularSphere(5, 3).Mesh());
+    solver.Solve({}, PointFields(N, ConstraintKind::Soft));
+    ASSERT_EQ(solver.Report().Eigenvalues.size(), 1u);
+    EXPECT_NEAR(solver.Report().Eigenvalues[0], N, 0.005 * N);
+  }
+}
+
+TEST(VertexPowerField, ZeroAreaFacesGetAField)
+{
+  const FramedMesh surface(SphereWithZeroAreaFaces(3, 8).Mesh());
+  for (int N : { 1, 4 })
+  {
+    FieldSolver solver(surface.Mesh);
+    const Vector<double> x =
+      solver.Solve({ SomeDirections(surface, 4, 14), {} }, PointFields(N, ConstraintKind::Soft, SolverKind::Cholesky));
+    EXPECT_TRUE(x.allFinite());
+    EXPECT_LT(x.cwiseAbs().maxCoeff(), 3.0); // prescribed are up to 2
+  }
+}
+
+TEST(VertexPowerField, HasTheSameBitsForAnyNumberOfThreads)
+{
+  const FramedMesh surface(IrregularTorus(80, 60, 4).Mesh());
+  const auto solve = [&](const ExecutionContext& context)
+  {
+    FieldSolver solver(surface.Mesh, context);
+    return solver.Solve({ SomeDirections(surface, 20, 5), {} }, PointFields(4, ConstraintKind::Soft), {}, context);
+  };
+  const Vector<double> expected = solve(SerialContext());
+  EXPECT_EQ(solve(TbbContext(2)), expected);
+  EXPECT_EQ(solve(TbbContext(3)), expected);
+}
+
+TEST(VertexPowerField, RefusesWhatItCannotSolve)
+{
+  const FramedMesh surface(Icosphere(1).Mesh());
+  EXPECT_THROW(VertexPowerField(surface, 0), InvalidInput);
+  EXPECT_THROW(VertexPowerField(surface, 9), InvalidInput);
+  const VertexPowerField field(surface, 4);
+  const Vector3 outwards = surface.Mesh.Position(5);
+  const Vector3 nan(std::nan(""), 0.0, 0.0);
+  for (const PrescribedDirections& wrong : { PrescribedDirections{ { { -1, outwards, 1.0 } }, {} },
+         PrescribedDirections{ {}, { { 42, outwards, 1.0 } } }, PrescribedDirections{ {}, { { 5, outwards, 1.0 } } },
+         PrescribedDirections{ { { 5, nan, 1.0 } }, {} }, PrescribedDirections{ {}, { { 5, { 1.0, 2.0, 3.0 }, 0.0 } } } })
+  {
+    EXPECT_THROW(field.Prescribe(wrong, {}), InvalidInput);
+  }
+}
