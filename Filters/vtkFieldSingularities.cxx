@@ -4,6 +4,7 @@
 #include "Adapters/Output/DrawingToPolyData.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Operators/FieldTopology.h"
+#include "Operators/VertexFieldTopology.h"
 
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -38,8 +39,9 @@ int vtkFieldSingularities::RequestData(
     { { "Sphere Radius", this->SphereRadius, 0, 0.1 } },
     [this, inputVector, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
-      const dmg::FieldTopology topology =
-        dmg::TopologyOfField(given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
+      const dmg::FieldTopology topology = given.Connection
+        ? dmg::TopologyOfVertexField(given.Surface.Mesh, *given.Connection, given.AtVertices, given.Field.N(), context)
+        : dmg::TopologyOfField(given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
       dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0),
         this->SphereRadius * vtkPolyData::GetData(inputVector[0])->GetLength(), vtkPolyData::GetData(outputVector, 3));

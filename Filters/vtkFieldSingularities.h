@@ -12,6 +12,11 @@
  * the field follows the boundary, -1 for a parallel field around a hole. With these, all indices sum to the Euler
  * characteristic on every surface (Poincare and Hopf).
  *
+ * Of a power field at points (vtkHarmonicFieldSolver::PointPowerField) singularities stand on cells, and the same holds with
+ * points and cells in each other's places: the index of a triangle is the turning along its sides plus its curvature, over
+ * 2 pi; a cut separates two points, and runs from the centre of one triangle beside their edge through its middle to the
+ * centre of the other.
+ *
  * All are outputs of one filter, since they are read from one matching of the field, and since their sum means
  * something only if they belong to the same field; one Apply shows the spheres, and the eye shows the others.
  *
@@ -29,7 +34,7 @@
  * | ------------------- | ------ | ---------- | ------ | -------------------------------------------------- |
  * | Index               | points | 1          | double | a multiple of 1 / N, never 0; the active scalars   |
  * | NumberOfDirections  | points | 1          | int    | N                                                  |
- * | PointId             | points | 1          | id     | number of the point in the input                   |
+ * | PointId             | points | 1          | id     | number of the point in the input; of fields at points CellId, that of the cell |
  * | SumOfIndices        | field  | 1          | double | of all points and all boundary loops               |
  * | EulerCharacteristic | field  | 1          | int    | of the surface, which is the same                  |
  *

@@ -238,7 +238,7 @@ int vtkHarmonicFieldSolver::RequestData(
 //------------------------------------------------------------------------------
 void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
 {
-  const char* const discretisations[] = { "PowerField", "FaceField", "OneForm", "ScalarFunction" };
+  const char* const discretisations[] = { "PowerField", "FaceField", "OneForm", "ScalarFunction", "PointPowerField" };
   const char* const solvers[] = { "Automatic", "Cholesky", "VCycles", "ConjugateGradients", "NestedIterations",
     "CoarseProlongation" };
   const char* const rules[] = { "FixedNumber", "WhileErrorFalls", "WhileResidualFalls" };

@@ -15,9 +15,9 @@
  * - PowerField (default): X is the N-th power of any of the directions, one complex number per face
  *   in a tangent frame of the face. Its roughness is the sum over the edges e of
  *   3 |e|^2 / (A_f + A_g) |difference of X across the edge|^2, A_f and A_g the areas of its two faces (together at least
- *   1e-6 |e|^2). On equilateral triangles that is twice the consistent two-point flux; elsewhere it is not consistent:
- *   on a grid with all diagonals alike a linear field of slope p costs 3 |p|^2 along one diagonal and 1.5 |p|^2 along
- *   the other, and fields converge to another limit (6.6 % apart on an annulus, at every size). The magnitude of X fades
+ *   1e-6 |e|^2). On equilateral triangles that is twice the consistent two-point flux. It is right where triangles are even,
+ *   and in the mean where they are random, as in scans; on regular grids, split quads and CAD meshes it is not, at any
+ *   resolution (PowerField.md): take PointPowerField there. The magnitude of X fades
  *   away from the constraints and vanishes at singularities. For crosses and lines, and wherever the direction matters
  *   more than the length.
  * - FaceField: X is a vector per face, two components in the face's frame. Its roughness is its
@@ -42,7 +42,13 @@
  * do as well; which one comes out depends on the numbering of the triangles. Beside components with prescriptions, its
  * magnitude is of the order of the largest prescribed value. A function is zero there.
  *
- * N is 1 for the latter three. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
+ * - PointPowerField: X is the N-th power of any of the directions, one complex number per point in its tangent
+ *   plane, linear between points. Its roughness is its Dirichlet energy by the connection Laplacian of Knoeppel et al. 2013;
+ *   m_b is the area of the point over the mean one. It is consistent on any triangles, and has half the unknowns. A direction
+ *   on a cell counts at its three points, by area. Alignment and the weights of features mean the same as for PowerField.
+ *   Singularities stand on triangles. With prescribed singularities the field is that of PowerField.
+ *
+ * N is 1 for FaceField, OneForm and ScalarFunction. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
  * 6.3.
  *
  * @section vtkHarmonicFieldSolver-Inputs Inputs
@@ -161,11 +167,11 @@
  * | array                    | of            | components | meaning                            |
  * | ------------------------ | ------------- | ---------- | ---------------------------------- |
  * | Direction0, 1, ... N - 1 | cells, points | 3          | the directions, counter-clockwise  |
- * | PowerField               | cells, points | 2          | the N-th power, a complex number (power fields only) |
+ * | PowerField               | cells, points | 2          | the N-th power, a complex number (power fields only, both kinds) |
  * | FaceField                | cells         | 3          | X in space (face fields only)      |
  * | ScalarFunction           | points        | 1          | X (functions only)                 |
- * | Prescribed               | cells         | 1          | weight, else 0 (1-forms: on port 1, functions: on points) |
- * | SingularityIndex         | points        | 1          | multiple of 1 / N; 0 on boundaries |
+ * | Prescribed               | cells         | 1          | weight, else 0 (1-forms: on port 1, functions and PointPowerField: on points) |
+ * | SingularityIndex         | points        | 1          | multiple of 1 / N; 0 on boundaries (PointPowerField: cells) |
  * | HarmonicBasis 1, 2, ... k | cells        | 3          | harmonic fields, with HarmonicBasis |
  *
  * Directions are unit vectors (UnitLength) or have the field's length, in the unit of the
@@ -192,7 +198,8 @@
  * ... k, the 1-forms whose vectors have the same names on the surface.
  *
  * Around an interior point, the turnings across its edges, taken counter-clockwise, and the point's
- * angle defect sum to 2 pi times its SingularityIndex.
+ * angle defect sum to 2 pi times its SingularityIndex. Of PointPowerField, Turning is along the edge, from the
+ * smaller to the larger point index, against transport.
  *
  * Port 2, the convergence: vtkTable, a row per iteration, the first for the start:
  *
@@ -306,7 +313,9 @@ public:
     /** A number per edge. */
     OneForm = 2,
     /** A number per point: a function, whose gradient is shown. */
-    ScalarFunction = 3
+    ScalarFunction = 3,
+    /** N directions per point as their N-th power. */
+    PointPowerField = 4
   };
 
   ///@{

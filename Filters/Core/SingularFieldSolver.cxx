@@ -290,7 +290,7 @@ SingularFieldSolver::~SingularFieldSolver() = default;
 
 void CheckTakesSingularities(const DiscretisationOptions& field)
 {
-  if (field.Kind != DiscretisationKind::PowerField)
+  if (field.Kind != DiscretisationKind::PowerField && field.Kind != DiscretisationKind::VertexPowerField)
   {
     throw InvalidInput("singularities are prescribed, and only power fields can have them; choose Power Field as "
                        "Discretisation, or take the input Singularities away");
@@ -303,11 +303,14 @@ const Vector<double>& SingularFieldSolver::Solve(const std::vector<PrescribedSin
 {
   CheckTakesSingularities(options.Field);
   Internals& of = *this->Internal;
-  if (!of.Field || !(of.OptionsOfField == options.Field))
+  // A trivial connection is made of turnings across edges, whichever field its directions are shown as.
+  DiscretisationOptions onFaces = options.Field;
+  onFaces.Kind = DiscretisationKind::PowerField;
+  if (!of.Field || !(of.OptionsOfField == onFaces))
   {
     of.Connection.reset();
-    of.Field = MakeDiscretisation(options.Field, of.On);
-    of.OptionsOfField = options.Field;
+    of.Field = MakeDiscretisation(onFaces, of.On);
+    of.OptionsOfField = onFaces;
   }
   const StoppingCriteria stop{ std::min(asked.RelativeTolerance, LargestTolerance), asked.MaximumIterations };
   const int N = options.Field.N;

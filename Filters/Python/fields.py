@@ -187,7 +187,7 @@ def _nearest(name: str, names: List[str]) -> str:
 
 
 def _set_number_of_directions(solver: vtkHarmonicFieldSolver, n: Optional[int]) -> None:
-    is_power_field = solver.GetDiscretisation() == solver.PowerField
+    is_power_field = solver.GetDiscretisation() in (solver.PowerField, solver.PointPowerField)
     if n is None:
         n = 4 if is_power_field else 1
     _set_property(solver, "NumberOfDirections", n)

@@ -94,6 +94,8 @@ inline std::vector<double> Unknowns(Solver* solver)
       return Values(Edges(solver)->GetCellData(), "OneForm");
     case Solver::FaceField:
       return CellValues(solver, "FaceField");
+    case Solver::PointPowerField:
+      return Values(solver->GetOutput()->GetPointData(), "PowerField");
     default:
       return CellValues(solver, "PowerField");
   }
@@ -133,7 +135,7 @@ class VectorField : public testing::TestWithParam<int>
 {
 };
 
-/// All three.
+/// All but functions.
 class AnyField : public VectorField
 {
 };

@@ -25,7 +25,7 @@ namespace
 
 std::string NameOf(const testing::TestParamInfo<int>& info)
 {
-  const char* const names[] = { "PowerField", "FaceField", "OneForm" };
+  const char* const names[] = { "PowerField", "FaceField", "OneForm", "ScalarFunction", "PointPowerField" };
   return names[info.param];
 }
 
@@ -36,8 +36,8 @@ std::vector<double> Column(Solver* solver, const char* name)
 
 // For the tests of all files.
 INSTANTIATE_TEST_SUITE_P(Discretisations, VectorField, testing::Values(Solver::FaceField, Solver::OneForm), NameOf);
-INSTANTIATE_TEST_SUITE_P(
-  Discretisations, AnyField, testing::Values(Solver::PowerField, Solver::FaceField, Solver::OneForm), NameOf);
+INSTANTIATE_TEST_SUITE_P(Discretisations, AnyField,
+  testing::Values(Solver::PowerField, Solver::FaceField, Solver::OneForm, Solver::PointPowerField), NameOf);
 
 }
 
@@ -124,11 +124,18 @@ TEST_P(AnyField, DoesNotDependOnTheOrderOfPointsAndCells)
   };
   expectDirections(solver->GetOutput()->GetCellData(), other->GetOutput()->GetCellData(), cell);
   expectDirections(solver->GetOutput()->GetPointData(), other->GetOutput()->GetPointData(), point);
-  const auto indices = Values(solver->GetOutput()->GetPointData(), "SingularityIndex");
-  const auto otherIndices = Values(other->GetOutput()->GetPointData(), "SingularityIndex");
+  const bool areOnCells = GetParam() == Solver::PointPowerField;
+  const auto indicesOf = [areOnCells](Solver* of)
+  {
+    vtkDataSetAttributes* const cells = of->GetOutput()->GetCellData();
+    vtkDataSetAttributes* const points = of->GetOutput()->GetPointData();
+    return Values(areOnCells ? cells : points, "SingularityIndex");
+  };
+  const std::vector<double> indices = indicesOf(solver);
+  const std::vector<double> otherIndices = indicesOf(other);
   for (std::size_t i = 0; i < indices.size(); ++i)
   {
-    EXPECT_NEAR(otherIndices[point(i)], indices[i], 1e-12);
+    EXPECT_NEAR(otherIndices[areOnCells ? cell(i) : point(i)], indices[i], 1e-12);
   }
 
   const char* const name = GetParam() == Solver::OneForm ? "OneForm" : "Turning";

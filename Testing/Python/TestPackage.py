@@ -162,7 +162,7 @@ class SmoothField(unittest.TestCase):
                 (FieldError, "^Number Of Directions is 9; .* 1 to 8$", {"n": 9}),
                 (FieldError, "^Rotation is 200; .* -180 to 180$", {"Rotation": 200}),
                 (FieldError, "one of MixedVoronoi, Barycentric$", {"VertexAreas": "Voronoi"}),
-                (FieldError, "one of PowerField, FaceField, OneForm, ScalarFunction$", {"Discretisation": "1-Form"}),
+                (FieldError, "one of PowerField, FaceField, OneForm, ScalarFunction, PointPowerField$", {"Discretisation": "1-Form"}),
                 (FieldError, "no array 'Given'", {"Directions": "Given"})):
             with self.subTest(arguments=arguments), self.assertRaisesRegex(error, text):
                 smooth_field(mesh, **arguments)

@@ -250,6 +250,26 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
   }
 }
 
+/// Whether an array shows a power field at points, whose singularities stand on cells.
+bool IsFieldAtPoints(vtkPolyData* input, const ChosenVectors& chosen)
+{
+  vtkDataArray* const atPoints = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
+  return NameOf(chosen.Array) == ArrayNames::Direction(0) && atPoints && atPoints->GetNumberOfComponents() == 3 &&
+    input->GetCellData()->HasArray(ArrayNames::SingularityIndex);
+}
+
+/// What it shows at the points.
+void ReadFieldAtPoints(vtkPolyData* input, SurfaceWithField& given, const ExecutionContext& context)
+{
+  const FramedMesh framed(given.Surface.Mesh, context);
+  vtkDataArray* const array = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
+  CheckTuples(array, input, true);
+  given.AtVertices = ReadTuples(
+    array, framed.Vertices, framed.Mesh.NumberOfVertices(), "point", [&](int v) { return given.Surface.PointOf(v); },
+    context);
+  given.Connection = std::make_shared<const VertexConnection>(framed, context);
+}
+
 double DiagonalOf(const TriangleMesh& mesh)
 {
   const Points& positions = mesh.VertexPositions();
@@ -295,7 +315,12 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* input, int N, c
   context.Checkpoint(1.0);
   const double diagonal = DiagonalOf(mesh);
   DirectionsOnFaces field(N, first, context);
-  return { std::move(surface), std::move(frames), std::move(field), diagonal };
+  SurfaceWithField given{ std::move(surface), std::move(frames), std::move(field), nullptr, {}, diagonal };
+  if (IsFieldAtPoints(input, chosen) && N == numberByName)
+  {
+    ReadFieldAtPoints(input, given, context);
+  }
+  return given;
 }
 
 Points ReferenceVectors(

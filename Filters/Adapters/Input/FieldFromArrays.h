@@ -7,12 +7,14 @@
 #include "Adapters/Surface/MeshFromPolyData.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Mesh/TangentFrames.h"
+#include "Mesh/VertexConnection.h"
 #include "Support/ExecutionContext.h"
 
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 
 #include <initializer_list>
+#include <memory>
 
 class vtkAlgorithm;
 class vtkInformation;
@@ -26,12 +28,16 @@ struct SurfaceWithField
   SurfaceMesh Surface;
   TangentFrames Faces;
   DirectionsOnFaces Field;
+  /// The connection between vertices and first directions there, of power fields at points; else null.
+  std::shared_ptr<const VertexConnection> Connection;
+  Vector<Complex> AtVertices;
   double Diagonal; ///< of the box around the triangles
 };
 
 /// The field that was chosen with SetInputArrayToProcess, index 0; where nothing was chosen, the first of these that
 /// is there: the cell array Direction0, the point array Direction0, the active vectors of cells, those of points. Where
-/// cells and points have an array Direction0, both names mean that of the cells.
+/// cells and points have an array Direction0, both names mean that of the cells. Where cells have an array
+/// SingularityIndex, the field is one at points, and is read there as well.
 ///
 /// \param N of the field; 0: as many as there are arrays Direction0, Direction1, ... where Direction0 is chosen, 2 for
 /// principal directions, and 1 for any other array.

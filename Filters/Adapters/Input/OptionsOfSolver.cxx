@@ -15,7 +15,7 @@ using Filter = vtkHarmonicFieldSolver;
 void CheckProperties(Filter* filter)
 {
   CheckRanges({
-    { "Discretisation", filter->GetDiscretisation(), Filter::PowerField, Filter::ScalarFunction },
+    { "Discretisation", filter->GetDiscretisation(), Filter::PowerField, Filter::PointPowerField },
     { "Number Of Directions", filter->GetNumberOfDirections(), 1, 8 },
     { "Constraint Type", filter->GetConstraintType(), Filter::Soft, Filter::Hard },
     { "Maximum Distance", filter->GetMaximumDistance(), 0 },

@@ -19,7 +19,7 @@ namespace
 
 // As vtkFieldSingularities calls them.
 constexpr const char* NameOfIndices = "Index";
-constexpr const char* NameOfIds = "PointId";
+constexpr const char* NamesOfIds[] = { "PointId", "CellId" };
 
 /// A point, or several that are one singularity, as those of a sphere around it.
 struct GivenSingularity
@@ -29,10 +29,12 @@ struct GivenSingularity
   Vector3 Sum; ///< of their positions
 };
 
-/// Points with the same PointId are one.
+/// Points with the same PointId, or CellId, are one.
 std::vector<GivenSingularity> SingularitiesOf(const GuideDataSet& dataset)
 {
-  vtkDataArray* const ids = dataset.Data->GetPointData()->GetArray(NameOfIds);
+  vtkPointData* const arrays = dataset.Data->GetPointData();
+  vtkDataArray* const atPoints = arrays->GetArray(NamesOfIds[0]);
+  vtkDataArray* const ids = atPoints ? atPoints : arrays->GetArray(NamesOfIds[1]);
   const bool haveIds = ids && ids->GetNumberOfTuples() >= dataset.Data->GetNumberOfPoints();
   std::vector<GivenSingularity> given;
   std::map<double, std::size_t> numbers; // of the ids, in these

@@ -48,6 +48,12 @@ vtkSmartPointer<vtkDoubleArray> NewVectors(const char* name, const std::vector<V
     name, 3, vectors.empty() ? nullptr : vectors.front().data(), static_cast<vtkIdType>(vectors.size()));
 }
 
+Vector3 CentreOf(const TriangleMesh& mesh, int face)
+{
+  const auto corner = [&](int k) { return mesh.Position(mesh.FaceCorners()(face, k)); };
+  return (corner(0) + corner(1) + corner(2)) / 3.0;
+}
+
 vtkSmartPointer<vtkPoints> NewPoints(const std::vector<Vector3>& positions)
 {
   auto points = vtkSmartPointer<vtkPoints>::New();
@@ -150,14 +156,15 @@ void GlyphsToPolyData(const GlyphsOnSurface& glyphs, int families, bool areStrok
 void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
   const SurfaceMesh& surface = given.Surface;
+  const bool areOnFaces = given.Connection != nullptr;
   std::vector<std::pair<vtkIdType, int>> singular;
   double sum = 0.0;
-  for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); ++vertex)
+  for (int element = 0; element < topology.Indices.size(); ++element)
   {
-    sum += topology.Indices[vertex];
-    if (topology.Indices[vertex] != 0.0)
+    sum += topology.Indices[element];
+    if (topology.Indices[element] != 0.0)
     {
-      singular.emplace_back(surface.PointOf(vertex), vertex);
+      singular.emplace_back(areOnFaces ? surface.CellOf(element) : surface.PointOf(element), element);
     }
   }
   std::sort(singular.begin(), singular.end());
@@ -168,14 +175,14 @@ void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology&
 
   std::vector<Vector3> positions;
   std::vector<double> indices;
-  std::vector<vtkIdType> pointIds;
+  std::vector<vtkIdType> ids;
   vtkNew<vtkCellArray> cells;
-  for (const auto& [point, vertex] : singular)
+  for (const auto& [id, element] : singular)
   {
     cells->InsertNextCell({ static_cast<vtkIdType>(positions.size()) });
-    positions.push_back(surface.Mesh.Position(vertex));
-    indices.push_back(topology.Indices[vertex]);
-    pointIds.push_back(point);
+    positions.push_back(areOnFaces ? CentreOf(surface.Mesh, element) : surface.Mesh.Position(element));
+    indices.push_back(topology.Indices[element]);
+    ids.push_back(id);
   }
   const vtkIdType size = static_cast<vtkIdType>(positions.size());
   const std::vector<int> N(positions.size(), given.Field.N());
@@ -184,7 +191,7 @@ void SingularitiesToPolyData(const SurfaceWithField& given, const FieldTopology&
   vtkPointData* const ofPoints = output->GetPointData();
   ofPoints->SetScalars(NewArray<vtkDoubleArray>("Index", 1, indices.data(), size));
   ofPoints->AddArray(NewArray<vtkIntArray>("NumberOfDirections", 1, N.data(), size));
-  ofPoints->AddArray(NewArray<vtkIdTypeArray>("PointId", 1, pointIds.data(), size));
+  ofPoints->AddArray(NewArray<vtkIdTypeArray>(areOnFaces ? "CellId" : "PointId", 1, ids.data(), size));
   const int euler = surface.Mesh.EulerCharacteristic();
   AddHidden(output->GetFieldData(), NewArray<vtkDoubleArray>("SumOfIndices", 1, &sum, 1));
   AddHidden(output->GetFieldData(), NewArray<vtkIntArray>("EulerCharacteristic", 1, &euler, 1));
@@ -232,8 +239,59 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   output->GetFieldData()->Initialize();
 }
 
+namespace
+{
+
+/// Cuts of a field at points, between the vertices of edges: from the right of the first of them to its left, so that this
+/// vertex lies on the left of the line.
+void CutsBetweenVertices(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
+{
+  const SurfaceMesh& surface = given.Surface;
+  const TriangleMesh& mesh = surface.Mesh;
+  std::vector<Vector3> positions;
+  std::map<int, vtkIdType> centres; // of faces, in the output
+  const auto centreOf = [&](int face)
+  {
+    const auto [found, isNew] = centres.emplace(face, positions.size());
+    if (isNew)
+    {
+      positions.push_back(CentreOf(mesh, face));
+    }
+    return found->second;
+  };
+  std::vector<double> turnings;
+  vtkNew<vtkCellArray> cells;
+  for (const int edge : topology.Cuts)
+  {
+    const int h = mesh.HalfedgeOf(edge);
+    std::vector<vtkIdType> line;
+    if (mesh.Twin(h) >= 0)
+    {
+      line.push_back(centreOf(TriangleMesh::FaceOf(mesh.Twin(h))));
+    }
+    line.push_back(static_cast<vtkIdType>(positions.size()));
+    positions.push_back(0.5 * (mesh.Position(mesh.Tail(h)) + mesh.Position(mesh.Head(h))));
+    line.push_back(centreOf(TriangleMesh::FaceOf(h)));
+    cells->InsertNextCell(static_cast<vtkIdType>(line.size()), line.data());
+    turnings.push_back(topology.Turning[edge]);
+  }
+  const vtkIdType size = static_cast<vtkIdType>(topology.Cuts.size());
+  output->SetPoints(NewPoints(positions));
+  output->SetLines(cells);
+  vtkCellData* const ofCells = output->GetCellData();
+  ofCells->AddArray(NewArray<vtkIntArray>("Jump", 1, topology.Jumps.data(), size));
+  ofCells->AddArray(NewArray<vtkDoubleArray>("Turning", 1, turnings.data(), size));
+}
+
+}
+
 void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)
 {
+  if (given.Connection)
+  {
+    CutsBetweenVertices(given, topology, output);
+    return;
+  }
   const SurfaceMesh& surface = given.Surface;
   const int N = given.Field.N();
   struct Cut

@@ -79,7 +79,9 @@ std::vector<std::string> FollowFeatures(vtkHarmonicFieldSolver* filter, vtkPolyD
   {
     return {};
   }
-  const int N = filter->GetDiscretisation() == vtkHarmonicFieldSolver::PowerField ? filter->GetNumberOfDirections() : 1;
+  const int kind = filter->GetDiscretisation();
+  const bool isPower = kind == vtkHarmonicFieldSolver::PowerField || kind == vtkHarmonicFieldSolver::PointPowerField;
+  const int N = isPower ? filter->GetNumberOfDirections() : 1;
   const FeatureOptions options = FeaturesOf(filter);
   CheckFeatures(options);
   const PrincipalCurvatures* curvatures = nullptr;

@@ -4,6 +4,7 @@
 #include "Adapters/Surface/ElementArrays.h"
 #include "Discretisations/MakeDiscretisation.h"
 #include "Operators/PowerFieldDirections.h"
+#include "Operators/VertexFieldTopology.h"
 #include "Support/Permutations.h"
 
 #include "vtkCellArray.h"
@@ -77,6 +78,7 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
     attributes->RemoveArray(name.c_str());
   }
   attributes->RemoveArray(ArrayNames::Prescribed);
+  attributes->RemoveArray(ArrayNames::SingularityIndex);
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
     attributes->AddArray(arrays->GetArray(i));
@@ -93,7 +95,10 @@ ShownField ShowField(const FramedMesh& framed, const SurfaceNumbering& surface, 
   const int N = discretisation.DirectionsPerPoint();
   const Unfilled<Complex> sides = SideDirections(mesh, framed.Faces, context);
   const Unfilled<Corner> corners = Corners(mesh, sides, framed.Faces, framed.Vertices, context);
-  ShownField shown{ combing, N, discretisation.Powers(unknowns, corners, context), {}, {}, {}, {} };
+  ShownField shown;
+  shown.Combing = combing;
+  shown.N = N;
+  shown.Powers = discretisation.Powers(unknowns, corners, context);
   const Vector<Complex>& powers = shown.Powers.Faces;
   context.Checkpoint(0.3);
   const PrincipalMatching matching = MatchDirections(mesh, sides, powers, N, context);
@@ -116,6 +121,14 @@ ShownField ShowField(const FramedMesh& framed, const SurfaceNumbering& surface, 
     },
     [&]
     {
+      if (const VertexConnection* const connection = discretisation.ConnectionOfPowers(context))
+      {
+        const Vector<double> turning = TurningAlongEdges(mesh, *connection, shown.Powers.Vertices, N, context);
+        shown.AreSingularitiesOnFaces = true;
+        shown.Indices = IndicesOfFaces(mesh, *connection, turning, N, context);
+        shown.Edges = MakeEdges(mesh, surface, turning, context);
+        return;
+      }
       shown.Indices = SingularityIndices(mesh, corners, matching.Turning, N, context);
       shown.Edges = MakeEdges(mesh, surface, matching.Turning, context);
     });
@@ -136,7 +149,8 @@ FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& su
   arrays.Edges->ShallowCopy(shown.Edges);
   const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
   const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
-  points.Add(ArrayNames::SingularityIndex, 1, shown.Indices.data());
+  shown.AreSingularitiesOnFaces ? cells.Add(ArrayNames::SingularityIndex, 1, shown.Indices.data())
+                                : points.Add(ArrayNames::SingularityIndex, 1, shown.Indices.data());
   cells.AddDirections(framed.Faces, shown.OnFaces, shown.N, unitLength);
   context.Checkpoint(0.5);
   points.AddDirections(framed.Vertices, shown.AtVertices, shown.N, unitLength);

@@ -15,13 +15,14 @@ namespace dmg
 /// The directions of a field, whatever length they are shown with.
 struct ShownField
 {
-  bool Combing; ///< see vtkHarmonicFieldSolver.h
-  int N;
+  bool Combing = false; ///< see vtkHarmonicFieldSolver.h
+  int N = 1;
   FieldPowers Powers;
-  Vector<Complex> OnFaces;            ///< first directions, in the frames of faces
-  Vector<Complex> AtVertices;         ///< the same of vertices
-  Vector<double> Indices;             ///< of vertices
-  vtkSmartPointer<vtkPolyData> Edges; ///< with their turning, without points
+  Vector<Complex> OnFaces;              ///< first directions, in the frames of faces
+  Vector<Complex> AtVertices;           ///< the same of vertices
+  bool AreSingularitiesOnFaces = false; ///< rather than at vertices; the turning is then along edges, not across
+  Vector<double> Indices;               ///< of these elements
+  vtkSmartPointer<vtkPolyData> Edges;   ///< with their turning, without points
 };
 
 /// \param unknowns of the field, as FieldSolver::Solve returns them.

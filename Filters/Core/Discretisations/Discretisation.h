@@ -6,6 +6,7 @@
 #include "Levels/HierarchyOptions.h"
 #include "Levels/ProlongationOperators.h"
 #include "Mesh/FramedMesh.h"
+#include "Mesh/VertexConnection.h"
 #include "Solvers/Multigrid/RoughnessHierarchy.h"
 #include "Solvers/SolverOptions.h"
 #include "Support/ExecutionContext.h"
@@ -178,6 +179,9 @@ public:
   /// \param corners of the surface; see Corners.
   virtual FieldPowers Powers(
     const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const = 0;
+  /// The connection that carries powers between vertices, where these are the unknowns: singularities then stand on faces.
+  /// Null: the field is drawn as one that is constant on faces, with singularities at vertices.
+  virtual const VertexConnection* ConnectionOfPowers(const ExecutionContext&) const { return nullptr; }
   /// \param powers of the same field.
   virtual std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const = 0;
   /// The vectors of a field of one direction, #F x 3.

@@ -35,8 +35,7 @@ TransportOperator MeanOfFaces(
   return AssembleMatrix<Complex>(mesh.NumberOfVertices(), mesh.NumberOfFaces(), context,
     [&](int vertex, RowEntries<Complex>& row)
     {
-      mesh.VisitFan(
-        vertex, [&](int h) { row.emplace_back(TriangleMesh::FaceOf(h), connection.TurnFromFace(h)); });
+      mesh.VisitFan(vertex, [&](int h) { row.emplace_back(TriangleMesh::FaceOf(h), connection.TurnFromFace(h)); });
       for (auto& [face, entry] : row)
       {
         entry /= static_cast<double>(row.size());
@@ -126,10 +125,10 @@ std::unique_ptr<const RoughnessHierarchy> VertexPowerField::Coarsen(
   const VertexConnection& connection = this->Connection(context);
   std::vector<SparseMatrix<Complex>> onPowers = this->ProlongationsOfPowers(nodal.Whole(), context);
   nodal.Forget();
-  return std::make_unique<LaplacianHierarchy>(CoarsenLaplacian(
-    [&mesh, &connection, N = this->N](const std::vector<int>& order, const ExecutionContext& part)
-    { return ConnectionLaplacian(mesh, connection, N, order, part); },
-    std::move(onPowers), ProlongationSteps, context));
+  return std::make_unique<LaplacianHierarchy>(
+    CoarsenLaplacian([&mesh, &connection, N = this->N](const std::vector<int>& order, const ExecutionContext& part)
+      { return ConnectionLaplacian(mesh, connection, N, order, part); },
+      std::move(onPowers), ProlongationSteps, context));
 }
 
 std::unique_ptr<const RoughnessHierarchy> VertexPowerField::Assemble(
@@ -141,8 +140,7 @@ std::unique_ptr<const RoughnessHierarchy> VertexPowerField::Assemble(
     CheckOperators(!operators->Nodal.empty(), "Power Fields");
     prolongations = this->ProlongationsOfPowers(*operators, context);
   }
-  SparseMatrix<Complex> L =
-    ConnectionLaplacian(this->Surface.Mesh, this->Connection(context), this->N, context);
+  SparseMatrix<Complex> L = ConnectionLaplacian(this->Surface.Mesh, this->Connection(context), this->N, context);
   return std::make_unique<AssembledHierarchy<Complex>>(L, std::move(prolongations));
 }
 

@@ -48,6 +48,10 @@ public:
 
   FieldPowers Powers(
     const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const override;
+  const VertexConnection* ConnectionOfPowers(const ExecutionContext& context) const override
+  {
+    return &this->Connection(context);
+  }
   std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const override;
   Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const override;
 

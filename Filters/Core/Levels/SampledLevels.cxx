@@ -39,7 +39,8 @@ PointsToSample VerticesToSample(
   const TriangleMesh& mesh, const VertexConnection& connection, const ExecutionContext& context)
 {
   const SpatialOrder order(mesh.VertexPositions(), mesh.FaceCorners(), context);
-  return { order.Vertices(), VertexGraph(mesh, connection, order.Vertices(), context), LargestCurvatureOfVertices, true };
+  return { order.Vertices(), VertexGraph(mesh, connection, order.Vertices(), context), LargestCurvatureOfVertices,
+    true };
 }
 
 ProlongationOperators SampledLevels(const TriangleMesh& mesh, double distance, const ExecutionContext& context)

@@ -52,8 +52,8 @@ private:
   void SetCorners(const FramedMesh& surface, const ExecutionContext& context);
   void SetPolarAngles(const FramedMesh& surface, int vertex);
 
-  Unfilled<double> PolarAngles;    // per halfedge
-  Unfilled<double> CornerAngles;   // per halfedge
+  Unfilled<double> PolarAngles;     // per halfedge
+  Unfilled<double> CornerAngles;    // per halfedge
   Unfilled<Complex> TurnsFromFaces; // per halfedge
 };
 

@@ -91,8 +91,7 @@ ElementMatrix StiffnessOf(const TriangleMesh& mesh, const VertexConnection& conn
     const Vector3 toHead = -sides[(k + 1) % 3];
     const double squares = toTail.squaredNorm() + toHead.squaredNorm();
     const double product = toTail.dot(toHead);
-    matrix.Diagonal[(k + 2) % 3] =
-      (sides[k].squaredNorm() + s * s / 90.0 * (squares + product)) / (4.0 * area);
+    matrix.Diagonal[(k + 2) % 3] = (sides[k].squaredNorm() + s * s / 90.0 * (squares + product)) / (4.0 * area);
     matrix.Sides[k] = std::polar(1.0, -N * connection.Transport(3 * face + k)) *
       ((integrals.OfSquares * squares - integrals.OfProduct * product) / (2.0 * area));
   }
@@ -107,8 +106,7 @@ ElementMatrix MassOf(const TriangleMesh& mesh, const VertexConnection& connectio
   for (int k = 0; k < 3; ++k)
   {
     matrix.Diagonal[k] = area / 6.0;
-    matrix.Sides[k] =
-      std::polar(1.0, -N * connection.Transport(3 * face + k)) * (2.0 * area * integrals.OfMass);
+    matrix.Sides[k] = std::polar(1.0, -N * connection.Transport(3 * face + k)) * (2.0 * area * integrals.OfMass);
   }
   return matrix;
 }
@@ -194,15 +192,14 @@ SparseMatrix<Complex> ConnectionLaplacian(
 SparseMatrix<Complex> ConnectionLaplacian(const TriangleMesh& mesh, const VertexConnection& connection, int N,
   const std::vector<int>& order, const ExecutionContext& context)
 {
-  return AssembleElements(
-    mesh, order, context, [&](int face) { return StiffnessOf(mesh, connection, N, face); });
+  return AssembleElements(mesh, order, context, [&](int face) { return StiffnessOf(mesh, connection, N, face); });
 }
 
 SparseMatrix<Complex> ConnectionMass(
   const TriangleMesh& mesh, const VertexConnection& connection, int N, const ExecutionContext& context)
 {
-  return AssembleElements(mesh, Identity(mesh.NumberOfVertices()), context,
-    [&](int face) { return MassOf(mesh, connection, N, face); });
+  return AssembleElements(
+    mesh, Identity(mesh.NumberOfVertices()), context, [&](int face) { return MassOf(mesh, connection, N, face); });
 }
 
 Vector<double> LumpedMass(const TriangleMesh& mesh, const ExecutionContext& context)

@@ -42,8 +42,8 @@ struct CurvedElementIntegrals
 /// cotangent Laplacian. Its entries have the signs of cotangents. On the unit sphere its lowest eigenvalue tends to N.
 /// Areas of slivers are raised to 1e-6 times the square of their longest side.
 /// Cost: O(#F). Knoeppel et al. 2013, section 4.
-SparseMatrix<Complex> ConnectionLaplacian(
-  const TriangleMesh& mesh, const VertexConnection& connection, int N, const ExecutionContext& context = SerialContext());
+SparseMatrix<Complex> ConnectionLaplacian(const TriangleMesh& mesh, const VertexConnection& connection, int N,
+  const ExecutionContext& context = SerialContext());
 
 /// The same, rows and columns in another order.
 /// \param order [i] is the vertex of row i; a permutation.
@@ -52,8 +52,8 @@ SparseMatrix<Complex> ConnectionLaplacian(const TriangleMesh& mesh, const Vertex
 
 /// The mass of linear elements: X^H M X is the integral of |X|^2. #V x #V, Hermitian, positive semi-definite; a unit of
 /// area. Cost: O(#F).
-SparseMatrix<Complex> ConnectionMass(
-  const TriangleMesh& mesh, const VertexConnection& connection, int N, const ExecutionContext& context = SerialContext());
+SparseMatrix<Complex> ConnectionMass(const TriangleMesh& mesh, const VertexConnection& connection, int N,
+  const ExecutionContext& context = SerialContext());
 
 /// The mass of linear elements on flat triangles, lumped: a third of the area of the faces around each vertex; #V.
 Vector<double> LumpedMass(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());

@@ -181,7 +181,8 @@ TEST(VertexPowerField, OneDirectionOnAFlatPatchGivesTheConstantField)
           { PrescribedDirections{ { { 17, v, 1.0 } }, {} }, PrescribedDirections{ {}, { { 17, v, 1.0 } } } })
         {
           FieldSolver solver(surface.Mesh);
-          const Vector<Complex> X = AsComplex(solver.Solve(one, PointFields(N, kind, SolverKind::Cholesky), { 1e-12, 50 }));
+          const Vector<Complex> X =
+            AsComplex(solver.Solve(one, PointFields(N, kind, SolverKind::Cholesky), { 1e-12, 50 }));
           EXPECT_LT(RelativeDifference(X, PowersOfDirection(surface.Vertices, v, N)), 1e-9);
         }
       }
@@ -206,7 +207,8 @@ TEST(VertexPowerField, WeightsAreSharesOfArea)
     EXPECT_NEAR(weight, 1.0, 1e-12);
   }
   const FieldConstraints two = field.Prescribe(
-    { {}, { { 9, surface.Vertices.ToVector(9, 1.0), 3.0 }, { 9, surface.Vertices.ToVector(9, { 0.0, 1.0 }), 1.0 } } }, {});
+    { {}, { { 9, surface.Vertices.ToVector(9, 1.0), 3.0 }, { 9, surface.Vertices.ToVector(9, { 0.0, 1.0 }), 1.0 } } },
+    {});
   EXPECT_EQ(two.Elements, std::vector<int>{ 9 });
   EXPECT_EQ(two.Weights, std::vector<double>{ 4.0 });
   EXPECT_LT((two.Values - Eigen::Vector2d(1.0, 0.0)).norm(), 1e-12); // 0 and 90 degrees agree
@@ -227,8 +229,7 @@ TEST(VertexPowerField, IsItsStatedEnergy)
     const Vector<Complex> X = AsComplex(solver.Solve(prescribed, options, { 1e-13, 50 }));
     const FieldConstraints& constraints = solver.Constraints();
     // The gradient of the energy vanishes.
-    Vector<Complex> gradient =
-      0.25 * (ConnectionLaplacian(surface.Mesh, VertexConnection(surface), N) * X);
+    Vector<Complex> gradient = 0.25 * (ConnectionLaplacian(surface.Mesh, VertexConnection(surface), N) * X);
     for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
     {
       const int vertex = constraints.Elements[b];
@@ -332,9 +333,10 @@ TEST(VertexPowerField, RefusesWhatItCannotSolve)
   const VertexPowerField field(surface, 4);
   const Vector3 outwards = surface.Mesh.Position(5);
   const Vector3 nan(std::nan(""), 0.0, 0.0);
-  for (const PrescribedDirections& wrong : { PrescribedDirections{ { { -1, outwards, 1.0 } }, {} },
-         PrescribedDirections{ {}, { { 42, outwards, 1.0 } } }, PrescribedDirections{ {}, { { 5, outwards, 1.0 } } },
-         PrescribedDirections{ { { 5, nan, 1.0 } }, {} }, PrescribedDirections{ {}, { { 5, { 1.0, 2.0, 3.0 }, 0.0 } } } })
+  for (const PrescribedDirections& wrong :
+    { PrescribedDirections{ { { -1, outwards, 1.0 } }, {} }, PrescribedDirections{ {}, { { 42, outwards, 1.0 } } },
+      PrescribedDirections{ {}, { { 5, outwards, 1.0 } } }, PrescribedDirections{ { { 5, nan, 1.0 } }, {} },
+      PrescribedDirections{ {}, { { 5, { 1.0, 2.0, 3.0 }, 0.0 } } } })
   {
     EXPECT_THROW(field.Prescribe(wrong, {}), InvalidInput);
   }

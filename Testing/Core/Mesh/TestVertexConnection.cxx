@@ -74,8 +74,8 @@ TEST(VertexConnection, AroundAFaceADirectionTurnsByItsCurvature)
     const VertexConnection connection(surface);
     for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
     {
-      const double around = connection.Transport(3 * face) + connection.Transport(3 * face + 1) +
-        connection.Transport(3 * face + 2);
+      const double around =
+        connection.Transport(3 * face) + connection.Transport(3 * face + 1) + connection.Transport(3 * face + 2);
       EXPECT_LT(FromFullTurns(around - connection.Curvature(face)), 1e-11);
     }
   }

@@ -116,17 +116,15 @@ TEST(ConnectionLaplacian, IntegralsAreThoseOfTheirFormulas)
       [&](double t)
       {
         const double m = 1.0 - t;
-        return weighted(t,
-          -is * (m * m / 2.0 - m * m * m / 3.0) -
-            s * s * (std::pow(m, 4) / 12.0 - std::pow(m, 5) / 20.0));
+        return weighted(
+          t, -is * (m * m / 2.0 - m * m * m / 3.0) - s * s * (std::pow(m, 4) / 12.0 - std::pow(m, 5) / 20.0));
       });
     const Complex product = Integral(
       [&](double t)
       {
         const double m = 1.0 - t;
-        return weighted(t,
-          m - is * m * m * m / 3.0 -
-            s * s * (m * m * m / 6.0 - std::pow(m, 4) / 6.0 + std::pow(m, 5) / 15.0));
+        return weighted(
+          t, m - is * m * m * m / 3.0 - s * s * (m * m * m / 6.0 - std::pow(m, 4) / 6.0 + std::pow(m, 5) / 15.0));
       });
     const Complex mass = Integral([&](double t) { return weighted(t, std::pow(1.0 - t, 3) / 6.0); });
     const double scale = 1.0 + s * s;
@@ -153,7 +151,8 @@ TEST(ConnectionLaplacian, IsTheEnergyOfSectionsByTheirDefinition)
       expected.Mass += ofFace.Mass;
     }
     // The quadrature has an error of the square of its step.
-    EXPECT_NEAR(X.dot(ConnectionLaplacian(mesh, connection, N) * X).real(), expected.Dirichlet, 2e-3 * expected.Dirichlet);
+    EXPECT_NEAR(
+      X.dot(ConnectionLaplacian(mesh, connection, N) * X).real(), expected.Dirichlet, 2e-3 * expected.Dirichlet);
     EXPECT_NEAR(X.dot(ConnectionMass(mesh, connection, N) * X).real(), expected.Mass, 2e-3 * expected.Mass);
   }
 }
