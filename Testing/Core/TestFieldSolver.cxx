@@ -212,7 +212,7 @@ TEST(FieldSolver, DirectionsFollowWhatIsPrescribed)
     options.Field.N = N;
     FieldSolver solver(mesh);
     solver.Solve(directions, options);
-    for (const auto& [face, direction, weight] : directions.OnFaces)
+    for (const auto& [face, direction, weight, side] : directions.OnFaces)
     {
       double nearest = 10.0;
       for (int k = 0; k < N; ++k)

@@ -18,6 +18,9 @@ struct Constraint
   int Element;       ///< a face or a vertex: the list that holds the constraint says which
   Vector3 Direction; ///< in space; its part in the tangent plane of the element counts
   double Weight;     ///< > 0
+  /// On a face that is followed along one of its sides only, this side, 0 to 2; else -1. Fields at vertices then count it at
+  /// both ends of the side.
+  int Side = -1;
 };
 
 /// A value that a function shall have at a vertex.

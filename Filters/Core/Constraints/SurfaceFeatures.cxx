@@ -52,7 +52,7 @@ std::vector<Constraint> AlongBoundary(const TriangleMesh& mesh, double weight)
     const int face = TriangleMesh::FaceOf(h);
     if (mesh.Twin(h) < 0 && length > 0.0 && !weights.IsFlat(face))
     {
-      directions.push_back({ face, along / length, weight * weights.OfLine(face, length) });
+      directions.push_back({ face, along / length, weight * weights.OfLine(face, length), h % 3 });
     }
   }
   return directions;
@@ -80,7 +80,7 @@ std::vector<Constraint> AlongSharpEdges(const FramedMesh& surface, double degree
     const double angle = std::atan2(normal.cross(beyond).norm(), normal.dot(beyond));
     if (angle * 180.0 / Pi > degrees)
     {
-      directions.push_back({ face, along / length, weight * weights.OfLine(face, length) });
+      directions.push_back({ face, along / length, weight * weights.OfLine(face, length), h % 3 });
     }
   }
   return directions;

@@ -30,7 +30,7 @@ void CheckWeights(const FieldWeights& weights)
 std::vector<CarriedDirection> CarriedIntoFaces(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const TangentFrames& vertexFrames, const Constraint& prescribed, const ElementNames& names)
 {
-  const auto& [vertex, inSpace, weight] = prescribed;
+  const auto& [vertex, inSpace, weight, side] = prescribed;
   CheckElement(vertex, mesh.NumberOfVertices(), "vertex");
   const Complex direction = TangentialPart(vertexFrames, vertex, inSpace, weight, names.Vertex(vertex), "point");
   std::vector<CarriedDirection> carried;
@@ -66,7 +66,7 @@ FieldConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFra
   std::vector<Complex> sums;
   for (int i : ByElement(directions))
   {
-    const auto& [face, direction, weight] = directions[i];
+    const auto& [face, direction, weight, side] = directions[i];
     CheckElement(face, mesh.NumberOfFaces(), "face");
     const Complex v = TangentialPart(faceFrames, face, direction, weight, names.Face(face), "cell");
     if (constraints.Elements.empty() || constraints.Elements.back() != face)

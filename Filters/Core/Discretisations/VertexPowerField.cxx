@@ -73,9 +73,36 @@ struct PowerAtVertex
   }
 };
 
-Complex PowerOf(Complex direction, int N)
+/// Faces without area hold their corners, too.
+constexpr double SmallestShare = 1e-9;
+
+/// How much of the area of a face counts at a corner of it: a third, or half at both ends of a side.
+double PartOfCorner(int corner, int side)
 {
-  return std::polar(std::abs(direction), N * std::arg(direction));
+  if (side < 0)
+  {
+    return 1.0 / 3.0;
+  }
+  return corner == (side + 2) % 3 ? 0.0 : 0.5;
+}
+
+FieldConstraints MeansOf(const std::vector<PowerAtVertex>& sums)
+{
+  FieldConstraints constraints;
+  Vector<Complex> values(static_cast<Eigen::Index>(sums.size()));
+  Eigen::Index count = 0;
+  for (std::size_t vertex = 0; vertex < sums.size(); ++vertex)
+  {
+    if (sums[vertex].Weight > 0.0)
+    {
+      constraints.Elements.push_back(static_cast<int>(vertex));
+      constraints.Weights.push_back(sums[vertex].Weight);
+      values[count++] = sums[vertex].Power / sums[vertex].Weight;
+    }
+  }
+  values.conservativeResize(count);
+  constraints.Values = AsPairs(values);
+  return constraints;
 }
 
 }
@@ -170,45 +197,39 @@ SolverTuning VertexPowerField::Tuning() const
   return tuning;
 }
 
-FieldConstraints VertexPowerField::Prescribe(const PrescribedDirections& directions, const ElementNames& names) const
+FieldConstraints VertexPowerField::Prescribe(const Constraints& constraints, const ElementNames& names) const
 {
   const auto& [mesh, faceFrames, vertexFrames] = this->Surface;
   const VertexConnection& connection = this->Connection(SerialContext());
   const Vector<double> areas = LumpedMass(mesh);
   std::vector<PowerAtVertex> sums(mesh.NumberOfVertices());
-  for (const auto& [face, direction, weight] : directions.OnFaces)
+  for (const Constraint& onFace : constraints.OnFaces)
   {
-    CheckPrescribedElement(face, mesh.NumberOfFaces(), "face");
-    const Complex v = TangentialPart(faceFrames, face, direction, weight, names.Face(face), "cell");
+    const int face = onFace.Element;
+    CheckElement(face, mesh.NumberOfFaces(), "face");
+    const Complex v = TangentialPart(faceFrames, face, onFace.Direction, onFace.Weight, names.Face(face), "cell");
     const double area = mesh.FaceArea(face);
-    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    for (int k = 0; k < 3; ++k)
     {
-      const int vertex = mesh.Tail(h);
-      const double share = areas[vertex] > 0.0 ? area / (3.0 * areas[vertex]) : 1.0;
-      sums[vertex].Add(weight * share, PowerOf(connection.TurnFromFace(h) * v, this->N));
+      if (const double part = PartOfCorner(k, onFace.Side); part > 0.0)
+      {
+        const int h = 3 * face + k;
+        const int vertex = mesh.Tail(h);
+        const double share = std::max(part * area, SmallestShare * areas[vertex]) / areas[vertex];
+        sums[vertex].Add(onFace.Weight * (areas[vertex] > 0.0 ? share : 1.0),
+          PowerOfDirection(connection.TurnFromFace(h) * v, this->N));
+      }
     }
   }
-  for (const auto& [vertex, direction, weight] : directions.AtVertices)
+  for (const Constraint& atVertex : constraints.AtVertices)
   {
-    CheckPrescribedElement(vertex, mesh.NumberOfVertices(), "vertex");
-    const Complex v = TangentialPart(vertexFrames, vertex, direction, weight, names.Vertex(vertex), "point");
-    sums[vertex].Add(weight, PowerOf(v, this->N));
+    const int vertex = atVertex.Element;
+    CheckElement(vertex, mesh.NumberOfVertices(), "vertex");
+    const Complex v =
+      TangentialPart(vertexFrames, vertex, atVertex.Direction, atVertex.Weight, names.Vertex(vertex), "point");
+    sums[vertex].Add(atVertex.Weight, PowerOfDirection(v, this->N));
   }
-  FieldConstraints constraints;
-  Vector<Complex> values(mesh.NumberOfVertices());
-  Eigen::Index count = 0;
-  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
-  {
-    if (sums[vertex].Weight > 0.0)
-    {
-      constraints.Elements.push_back(vertex);
-      constraints.Weights.push_back(sums[vertex].Weight);
-      values[count++] = sums[vertex].Power / sums[vertex].Weight;
-    }
-  }
-  values.conservativeResize(count);
-  constraints.Values = AsPairs(values);
-  return constraints;
+  return MeansOf(sums);
 }
 
 Vector<double> VertexPowerField::PenaltiesOfElements(

@@ -44,7 +44,7 @@ public:
   double SampleDistance() const override;
   SolverTuning Tuning() const override;
 
-  FieldConstraints Prescribe(const PrescribedDirections& directions, const ElementNames& names) const override;
+  FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const override;
 
   FieldPowers Powers(
     const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const override;

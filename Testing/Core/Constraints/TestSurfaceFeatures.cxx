@@ -61,7 +61,7 @@ TEST(SurfaceFeatures, TheBoundaryRunsWithTheSurfaceOnTheLeft)
   const TriangleMesh annulus = Annulus(48, 6).Mesh();
   const auto directions = AlongBoundary(annulus, 1.0);
   EXPECT_EQ(directions.size(), 96u);
-  for (const auto& [face, direction, weight] : directions)
+  for (const auto& [face, direction, weight, side] : directions)
   {
     const Vector3 centre = Centre(annulus, face);
     const double turn = centre.normalized().cross(direction)[2];
@@ -96,7 +96,7 @@ TEST(SurfaceFeatures, SharpEdgesAreThoseBeyondTheFeatureAngle)
   const FramedMesh cube(Cube(2).Mesh());
   const auto directions = AlongSharpEdges(cube, 89.0, 1.0);
   EXPECT_EQ(directions.size(), 12u * 4u * 2u);
-  for (const auto& [face, direction, weight] : directions)
+  for (const auto& [face, direction, weight, side] : directions)
   {
     EXPECT_NEAR(direction.cwiseAbs().maxCoeff(), 1.0, 1e-12);
     EXPECT_NEAR(direction.dot(cube.Faces.Normal(face)), 0.0, 1e-12);

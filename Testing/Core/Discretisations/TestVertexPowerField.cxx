@@ -108,7 +108,7 @@ Vector<Complex> InThePlane(const FramedMesh& surface, const Vector<double>& unkn
 double RelativeError(const Surface& shape, int N, const std::function<Complex(Complex)>& harmonic)
 {
   const TriangleMesh mesh = shape.Mesh();
-  PrescribedDirections held;
+  Constraints held;
   const auto exactAt = [&](int vertex) { return harmonic({ mesh.Position(vertex)[0], mesh.Position(vertex)[1] }); };
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
@@ -133,10 +133,10 @@ double RelativeError(const Surface& shape, int N, const std::function<Complex(Co
   return std::sqrt(ofError / ofExact);
 }
 
-std::vector<PrescribedDirection> SomeDirections(const FramedMesh& surface, int count, unsigned seed)
+std::vector<Constraint> SomeDirections(const FramedMesh& surface, int count, unsigned seed)
 {
   Random random(seed);
-  std::vector<PrescribedDirection> directions;
+  std::vector<Constraint> directions;
   for (int i = 0; i < count; ++i)
   {
     const int face = random.Index(surface.Mesh.NumberOfFaces());
@@ -177,8 +177,7 @@ TEST(VertexPowerField, OneDirectionOnAFlatPatchGivesTheConstantField)
     {
       for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
       {
-        for (const PrescribedDirections& one :
-          { PrescribedDirections{ { { 17, v, 1.0 } }, {} }, PrescribedDirections{ {}, { { 17, v, 1.0 } } } })
+        for (const Constraints& one : { Constraints{ { { 17, v, 1.0 } }, {} }, Constraints{ {}, { { 17, v, 1.0 } } } })
         {
           FieldSolver solver(surface.Mesh);
           const Vector<Complex> X =
@@ -195,7 +194,7 @@ TEST(VertexPowerField, WeightsAreSharesOfArea)
 {
   const FramedMesh surface(IrregularSphere(2, 3).Mesh());
   const VertexPowerField field(surface, 4);
-  PrescribedDirections onFaces;
+  Constraints onFaces;
   for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
   {
     onFaces.OnFaces.push_back({ face, surface.Faces.ToVector(face, 1.0), 1.0 });
@@ -214,6 +213,26 @@ TEST(VertexPowerField, WeightsAreSharesOfArea)
   EXPECT_LT((two.Values - Eigen::Vector2d(1.0, 0.0)).norm(), 1e-12); // 0 and 90 degrees agree
 }
 
+// Along a side of a face, its two ends are held, with half of the face each.
+TEST(VertexPowerField, DirectionsAlongSidesHoldTheirEnds)
+{
+  const FramedMesh surface(IrregularPlane(8, 6, 4).Mesh());
+  const VertexPowerField field(surface, 4);
+  const Vector<double> areas = LumpedMass(surface.Mesh);
+  const int face = 31;
+  for (int side = 0; side < 3; ++side)
+  {
+    const FieldConstraints held = field.Prescribe({ { { face, { 0.6, 0.8, 0.0 }, 3.0, side } }, {} }, {});
+    const int h = 3 * face + side;
+    const auto ends = std::minmax({ surface.Mesh.Tail(h), surface.Mesh.Head(h) });
+    ASSERT_EQ(held.Elements, (std::vector<int>{ ends.first, ends.second }));
+    for (int end = 0; end < 2; ++end)
+    {
+      EXPECT_NEAR(held.Weights[end], 1.5 * surface.Mesh.FaceArea(face) / areas[held.Elements[end]], 1e-12);
+    }
+  }
+}
+
 TEST(VertexPowerField, IsItsStatedEnergy)
 {
   const FramedMesh surface(IrregularTorus(10, 6, 1).Mesh());
@@ -224,7 +243,7 @@ TEST(VertexPowerField, IsItsStatedEnergy)
     FieldOptions options = PointFields(N, ConstraintKind::Soft, SolverKind::Cholesky);
     options.Smoothness = 0.25;
     options.Alignment = 3.0;
-    const PrescribedDirections prescribed{ SomeDirections(surface, 7, 3), {} };
+    const Constraints prescribed{ SomeDirections(surface, 7, 3), {} };
     FieldSolver solver(surface.Mesh);
     const Vector<Complex> X = AsComplex(solver.Solve(prescribed, options, { 1e-13, 50 }));
     const FieldConstraints& constraints = solver.Constraints();
@@ -247,7 +266,7 @@ TEST(VertexPowerField, SolversAndLevelsAgree)
     const FramedMesh surface(shape.Mesh());
     for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
     {
-      const PrescribedDirections prescribed{ SomeDirections(surface, 20, 5), {} };
+      const Constraints prescribed{ SomeDirections(surface, 20, 5), {} };
       FieldSolver direct(surface.Mesh);
       const Vector<double> expected =
         direct.Solve(prescribed, PointFields(4, kind, SolverKind::Cholesky), { 1e-12, 100 });
@@ -270,9 +289,9 @@ TEST(VertexPowerField, FollowsRotationAndScale)
   const FramedMesh surface(shape.Mesh());
   Eigen::Matrix3d rotation;
   const FramedMesh moved(RotatedAndScaled(shape, 2.1, 1e-3, &rotation).Mesh());
-  PrescribedDirections prescribed{ SomeDirections(surface, 6, 10), {} };
-  PrescribedDirections there = prescribed;
-  for (PrescribedDirection& direction : there.OnFaces)
+  Constraints prescribed{ SomeDirections(surface, 6, 10), {} };
+  Constraints there = prescribed;
+  for (Constraint& direction : there.OnFaces)
   {
     direction.Direction = rotation * direction.Direction;
   }
@@ -333,10 +352,9 @@ TEST(VertexPowerField, RefusesWhatItCannotSolve)
   const VertexPowerField field(surface, 4);
   const Vector3 outwards = surface.Mesh.Position(5);
   const Vector3 nan(std::nan(""), 0.0, 0.0);
-  for (const PrescribedDirections& wrong :
-    { PrescribedDirections{ { { -1, outwards, 1.0 } }, {} }, PrescribedDirections{ {}, { { 42, outwards, 1.0 } } },
-      PrescribedDirections{ {}, { { 5, outwards, 1.0 } } }, PrescribedDirections{ { { 5, nan, 1.0 } }, {} },
-      PrescribedDirections{ {}, { { 5, { 1.0, 2.0, 3.0 }, 0.0 } } } })
+  for (const Constraints& wrong : { Constraints{ { { -1, outwards, 1.0 } }, {} },
+         Constraints{ {}, { { 42, outwards, 1.0 } } }, Constraints{ {}, { { 5, outwards, 1.0 } } },
+         Constraints{ { { 5, nan, 1.0 } }, {} }, Constraints{ {}, { { 5, { 1.0, 2.0, 3.0 }, 0.0 } } } })
   {
     EXPECT_THROW(field.Prescribe(wrong, {}), InvalidInput);
   }

@@ -1,0 +1,105 @@
+"""Power fields at points: on grids, where fields on triangles depend on how these are cut."""
+
+import unittest
+
+import numpy as np
+
+from directionalmultigrid import smooth_field, update
+from directionalmultigrid.vtkFiltersDirectionalFields import vtkFieldSingularities
+from surfaces import add, surface, values, values_of_points
+
+
+def grid(n, place, diagonals=0):
+    """n x n squares on [-1, 1]^2, mapped; diagonals rise (0), fall (1) or run at random (2)."""
+    x, y = (a.ravel() for a in np.meshgrid(np.linspace(-1, 1, n + 1), np.linspace(-1, 1, n + 1), indexing="ij"))
+    i, j = (a.ravel() for a in np.meshgrid(np.arange(n), np.arange(n), indexing="ij"))
+    a, b, c, d = (k * (n + 1) + m for k, m in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)))
+    rises = (np.ones(n * n, bool), np.zeros(n * n, bool), np.random.default_rng(3).random(n * n) < 0.5)[diagonals]
+    first = np.where(rises[:, None], np.stack([a, b, c], 1), np.stack([a, b, d], 1))
+    second = np.where(rises[:, None], np.stack([a, c, d], 1), np.stack([b, c, d], 1))
+    return surface(np.stack(place(x, y), 1), np.concatenate([first, second]))
+
+
+def plane(x, y):
+    return x, y, 0 * x
+
+
+def disc(x, y):
+    return x * np.sqrt(1 - y * y / 2), y * np.sqrt(1 - x * x / 2), 0 * x
+
+
+def ball(x, y):
+    """A band around the unit sphere, without the poles, in squares of longitude and latitude."""
+    return np.cos(1.2 * x) * np.cos(3 * y), np.cos(1.2 * x) * np.sin(3 * y), np.sin(1.2 * x)
+
+
+def powers(field, n, axis):
+    """The N-th powers at points against the direction of an axis, the same on every mesh of the points."""
+    points, v = values_of_points(field), values(field.GetPointData(), "Direction0")
+    normals = points if np.ptp(points[:, 2]) > 0 else np.tile((0.0, 0, 1), (len(points), 1))
+    x = axis - normals * (normals @ axis)[:, None]
+    x /= np.linalg.norm(x, axis=1)[:, None]
+    z = (v * x).sum(1) + 1j * (v * np.cross(normals, x)).sum(1)
+    return np.abs(z) * np.exp(1j * n * np.angle(z))
+
+
+def relative(a, b):
+    return np.sqrt((np.abs(a - b) ** 2).mean() / (np.abs(b) ** 2).mean())
+
+
+class PointFields(unittest.TestCase):
+    def crosses_on_disc(self, n, diagonals):
+        return smooth_field(grid(n, disc, diagonals), n=4, Discretisation="PointPowerField", BoundaryWeight=1.0,
+                            ConstraintType="Hard", Tolerance=1e-9, UnitLength=False)
+
+    def test_crosses_along_the_boundary_of_a_disc_are_the_harmonic_ones(self):
+        """Their power is r^4 exp(4 i (angle + 90 degrees)), whatever the triangles."""
+        for diagonals in (0, 1, 2):
+            errors = []
+            for n in (20, 40):
+                field = self.crosses_on_disc(n, diagonals)
+                points = values_of_points(field)
+                exact = (points[:, 0] + 1j * points[:, 1]) ** 4
+                errors.append(relative(powers(field, 4, np.array((1.0, 0, 0))), exact))
+            self.assertLess(errors[1], 0.02)
+            self.assertGreater(errors[0] / errors[1], 2.5)
+
+    def test_its_singularities_are_near_the_centre(self):
+        field = self.crosses_on_disc(40, 0)
+        singularities = vtkFieldSingularities()
+        singularities.SetInputData(field)
+        found = update(singularities)
+        self.assertGreater(found.GetNumberOfPoints(), 0)
+        self.assertLess(np.linalg.norm(values_of_points(found), axis=1).max(), 0.35)
+        self.assertAlmostEqual(values(found.GetFieldData(), "SumOfIndices")[0], 1.0)
+
+    def test_quads_may_be_split_either_way(self):
+        """To 1 % in the mean of squares."""
+        for place in (plane, disc, ball):
+            fields = []
+            for diagonals in (0, 1, 2):
+                mesh = grid(64, place, diagonals)
+                directions = np.zeros((mesh.GetNumberOfPoints(), 3))
+                for k, v in ((1000, (0.3, 0.2, 0.0)), (1500, (-0.2, 0.3, 0.1)), (3100, (0.1, 0.4, 0.3))):
+                    directions[k - 130:k + 130:65] = v  # four points in a row
+                add(mesh.GetPointData(), "Given", directions)
+                field = smooth_field(mesh, n=4, Discretisation="PointPowerField", Directions="Given",
+                                     UnitLength=False, Tolerance=1e-10)
+                fields.append(powers(field, 4, np.array((0.1, 0.3, 0.9 if place is ball else 0.0))))
+            for other in fields[1:]:
+                self.assertLess(relative(other, fields[0]), 0.01, place.__name__)
+
+    def test_a_harmonic_vector_field_is_found_on_cells_of_1_to_4(self):
+        for stretch in (1.0, 0.25):
+            mesh = grid(40, lambda x, y: (x, stretch * y, 0 * x))
+            x, y, _ = values_of_points(mesh).T
+            exact = np.stack([1 + 3 * (x * x - y * y), 0.5 - 6 * x * y, 0 * x], 1)
+            held = np.maximum(np.abs(x), np.abs(y) / stretch) > 0.99
+            add(mesh.GetPointData(), "Given", np.where(held[:, None], exact, 0))
+            field = smooth_field(mesh, n=1, Discretisation="PointPowerField", Directions="Given",
+                                 ConstraintType="Hard", UnitLength=False, Tolerance=1e-10)
+            self.assertLess(relative(values(field.GetPointData(), "Direction0"), exact), 0.002)
+
+
+if __name__ == "__main__":
+    unittest.main()
