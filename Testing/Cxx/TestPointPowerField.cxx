@@ -194,6 +194,7 @@ TEST(PointPowerField, TakesPrescribedSingularities)
   points->GetPointData()->AddArray(indices);
   const auto solver = NewPointSolver(input);
   solver->SetInputData(2, points);
+  solver->SetNumberOfDirections(1);
   Messages messages(solver);
   solver->Update();
   EXPECT_TRUE(messages.Error().empty()) << messages.Error();

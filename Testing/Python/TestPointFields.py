@@ -79,9 +79,9 @@ class PointFields(unittest.TestCase):
             fields = []
             for diagonals in (0, 1, 2):
                 mesh = grid(64, place, diagonals)
-                directions = np.zeros((mesh.GetNumberOfPoints(), 3))
-                for k, v in ((1000, (0.3, 0.2, 0.0)), (1500, (-0.2, 0.3, 0.1)), (3100, (0.1, 0.4, 0.3))):
-                    directions[k - 130:k + 130:65] = v  # four points in a row
+                x, y = (k.ravel() for k in np.meshgrid(np.linspace(-1, 1, 65), np.linspace(-1, 1, 65), indexing="ij"))
+                rim = np.maximum(np.abs(x), np.abs(y)) == 1
+                directions = rim[:, None] * np.stack([np.cos(x + 0.5 * y), np.sin(x + 0.5 * y), 0.3 * np.cos(x)], 1)
                 add(mesh.GetPointData(), "Given", directions)
                 field = smooth_field(mesh, n=4, Discretisation="PointPowerField", Directions="Given",
                                      UnitLength=False, Tolerance=1e-10)
