@@ -94,8 +94,6 @@ inline std::vector<double> Unknowns(Solver* solver)
       return Values(Edges(solver)->GetCellData(), "OneForm");
     case Solver::FaceField:
       return CellValues(solver, "FaceField");
-    case Solver::PointPowerField:
-      return Values(solver->GetOutput()->GetPointData(), "PowerField");
     default:
       return CellValues(solver, "PowerField");
   }
@@ -135,7 +133,7 @@ class VectorField : public testing::TestWithParam<int>
 {
 };
 
-/// All but functions.
+/// All three.
 class AnyField : public VectorField
 {
 };
