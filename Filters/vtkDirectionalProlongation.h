@@ -5,7 +5,7 @@
  * vtkDirectionalProlongation makes the thesis's levels of vtkHarmonicFieldSolver as a filter of its own, so
  * that the operators can be stored, reused by several solvers and looked at. The solver uses them for structure-preserving
  * coarse spaces, full multigrid (NestedIterations) and coarse prolongation only. Its default levels are samples of the
- * surface, which it makes itself in a fraction of the time.
+ * surface, which it makes itself, and faster.
  *
  *
  * The surface is decimated by quadric-guided edge collapses, level after level. Each collapse

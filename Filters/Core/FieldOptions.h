@@ -11,7 +11,7 @@
 namespace dmg
 {
 
-/// What a user asks for: the field, the weights of its energies, and the solver.
+/// The choices of a user: the field, the weights of its energies, and the solver.
 struct FieldOptions
 {
   DiscretisationOptions Field;

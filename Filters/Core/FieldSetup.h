@@ -14,7 +14,7 @@
 namespace dmg
 {
 
-/// How a field is solved, and which levels of the surface that takes: decided once, before any work.
+/// The plan of a solve and the levels of the surface that it needs, decided once, before any work.
 struct SolverPlan
 {
   SolverChoice Choice;
@@ -49,8 +49,8 @@ SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& 
 ///   Where there are too few faces for samples the system is factored.
 /// \throw InvalidInput the operators lack those that are needed, or there are none.
 /// \throw SolverFailure, Cancelled
-/// Cost: assembly, where the system is assembled; else several products of sparse matrices, 8 to 12 us per face with two
-/// threads, 2 for power fields.
+/// Cost: assembly, where the system is assembled; else several products of sparse matrices, linear
+/// in the number of faces.
 std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface, const Discretisation& discretisation,
   const ProlongationOperators* operators, const SolverPlan& plan, CoarseSpaceKind space,
   const ExecutionContext& context);

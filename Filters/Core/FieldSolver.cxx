@@ -36,7 +36,7 @@ struct BuiltOperators
   double Seconds;
 };
 
-/// What the last part of the set-up depends on.
+/// The key of the last part of the set-up.
 struct SetupKey
 {
   std::string Fields; ///< the discretisation by name
@@ -130,7 +130,7 @@ public:
   std::shared_ptr<const Discretisation> Field;
   std::optional<CycleObstacles> Obstacles; ///< of the surface
   SolverPlan Plan;
-  /// What the last one needs stands last; those before it are kept while there is room.
+  /// The set-up in use stands last; those before it are kept while there is room.
   std::vector<std::shared_ptr<const SetupStage>> Setups;
   long long MemoryLimit = 1LL << 30;
   std::unique_ptr<SystemStage> System;

@@ -39,7 +39,7 @@ public:
   /// \param operators null: none.
   void SetOperators(std::shared_ptr<const ProlongationOperators> operators);
 
-  /// What the set-up has made for former discretisations and N is kept, too, up to so many bytes of all; by default
+  /// Set-ups of former discretisations and N are kept, too, up to so many bytes of all; by default
   /// 1 GiB, some dozen set-ups of power fields on a quarter of a million triangles. What is in use is always kept.
   void SetMemoryLimit(long long bytes);
 
@@ -55,7 +55,7 @@ public:
     const StoppingCriteria& stop = {}, const ExecutionContext& context = SerialContext(),
     const ElementNames& names = {});
 
-  // Of the last solve. \pre there was one.
+  // Results of the last solve. \pre there was one.
 
   const Discretisation& Field() const override;
   const FieldOptions& Options() const;

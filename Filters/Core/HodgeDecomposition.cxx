@@ -240,7 +240,7 @@ void HodgeDecomposition::Internals::AddFunctionsOfLoops(
   {
     return;
   }
-  // What psi has no part in yet; it is orthogonal to them but for rounding.
+  // The rest of the flow, which psi has no part in yet, is orthogonal to them but for rounding.
   const Vector<Complex> rest = flow - QuarterTurn * GradientOnFaces(this->On, psi, context);
   const Vector<double> products =
     this->FunctionsOfLoops->transpose() * IntegratedDivergence(this->On, QuarterTurn * rest, context);

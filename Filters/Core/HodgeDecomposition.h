@@ -55,7 +55,7 @@ struct DecomposedFlow
   double HarmonicEnergy = 0.0;
   double ResidualEnergy = 0.0;
 
-  // By loop of the boundary. They sum to what the surface holds of divergence and vorticity.
+  // One number per boundary loop. They sum to the divergence and the vorticity of the surface.
   Vector<double> Flux;         ///< out of the surface
   Vector<double> Circulation;  ///< along the loop, with the surface to the left
   Vector<double> StreamValues; ///< the stream function; its mean over the loop where the boundary is open
@@ -93,7 +93,7 @@ public:
   /// An orthonormal basis of the harmonic parts, 2 #F x k: components of vectors in the frames of the faces.
   const Eigen::MatrixXd& HarmonicBasis(const ExecutionContext& context = SerialContext());
   const std::vector<BoundaryLoop>& Boundaries() const;
-  /// In words; empty before the first solve.
+  /// The solver's name in words; empty before the first solve.
   std::string SolverName() const;
 
   struct StageCounts

@@ -128,7 +128,7 @@ public:
   SolveReport ReportOfHeld;
 
 private:
-  /// By component, where no vertex is held; zero elsewhere.
+  /// Sums by component where no vertex is held; zero elsewhere.
   Vector<double> SumsOfFree(const Vector<double>& numbers) const;
   void AddToFree(const Vector<double>& byComponent, Vector<double>& numbers) const;
 };

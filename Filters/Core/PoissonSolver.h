@@ -61,9 +61,9 @@ public:
     const StoppingCriteria& stop = {}, const ExecutionContext& context = SerialContext(),
     NetSource net = NetSource::Refuse, const Vector<double>& start = {});
 
-  /// Of the last solve; before one, of the matrix.
+  /// The report of the last solve; before one, of the matrix.
   const SolveReport& Report() const;
-  /// How many set-ups of surfaces this solver and those that share it have made: one.
+  /// The number of set-ups of surfaces that this solver and those that share it have made: one.
   int NumberOfSetups() const;
   const std::vector<int>& Held() const;
 

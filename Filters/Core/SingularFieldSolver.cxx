@@ -23,9 +23,9 @@ namespace dmg
 namespace
 {
 
-/// Of what directions can show, so that rounding does not count.
+/// The share of the rotation that directions can show, so that rounding does not count.
 constexpr double LargestTurning = 0.99;
-/// What is left of a sum around a vertex adds up along the way around many of them.
+/// The error of a sum around a vertex adds up along a path around many of them.
 constexpr double LargestTolerance = 1e-6;
 
 using Clock = std::chrono::steady_clock;
@@ -58,7 +58,7 @@ struct ConnectionStage
   SolveReport Report;
 };
 
-/// Of the iteration that is returned.
+/// The residual of the iteration that is returned.
 double ResidualOf(const SolveReport& report)
 {
   const auto& rows = report.Iterations;
@@ -67,7 +67,7 @@ double ResidualOf(const SolveReport& report)
   return returned != rows.end() ? returned->RelativeResidual : 0.0;
 }
 
-/// What finds potentials of those that users ask for: there is nothing rough about a connection.
+/// The solver options for potentials, from those that users ask for: a connection has no smoothness energy.
 SolverOptions OptionsOfPotentials(const SolverOptions& asked, int loops)
 {
   SolverOptions options;

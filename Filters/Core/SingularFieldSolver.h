@@ -53,7 +53,7 @@ public:
 
   const FramedMesh& Surface() const override;
 
-  // Of the last solve. \pre there was one.
+  // Results of the last solve. \pre there was one.
 
   const Discretisation& Field() const override;
   const FieldConstraints& Constraints() const override;
@@ -63,7 +63,7 @@ public:
   Eigen::MatrixXd HarmonicFields() const override;
   const StageCounts& Counts() const override;
   double SetupSeconds() const override;
-  /// By how much the field turns across each edge, from the face of HalfedgeOf(edge) to that of its twin, besides parallel
+  /// The rotation of the field across each edge, from the face of HalfedgeOf(edge) to that of its twin, besides parallel
   /// transport; #E.
   const Vector<double>& Turning() const;
 

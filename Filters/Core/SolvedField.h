@@ -18,7 +18,7 @@ public:
 
   virtual const FramedMesh& Surface() const = 0;
 
-  // Of the last solve. \pre there was one.
+  // Results of the last solve. \pre there was one.
 
   virtual const Discretisation& Field() const = 0;
   virtual const FieldConstraints& Constraints() const = 0;
@@ -30,7 +30,7 @@ public:
   /// too many to hold.
   virtual Eigen::MatrixXd HarmonicFields() const = 0;
 
-  /// How often each stage has been completed. What is made of given operators is no set-up, and neither is what is found
+  /// The number of times that each stage has been completed. Given operators make no set-up, and neither does one that is found
   /// again.
   struct StageCounts
   {
@@ -39,7 +39,7 @@ public:
     int Solves = 0;
   };
   virtual const StageCounts& Counts() const = 0;
-  /// What the set-up of the last solve has taken.
+  /// The seconds that the set-up of the last solve has taken.
   virtual double SetupSeconds() const = 0;
 };
 

@@ -62,14 +62,14 @@ TEXTS = SOURCES | {".cmake", ".in", ".json", ".module", ".plugin", ".py", ".sh",
 
 # A comment that begins with one of these has no subject.
 SUBJECTLESS = re.compile(r"(What|Those|Where|Of|By|So|As|In|How|Which|Else)\b")
-SUBJECTLESS_LIMIT = 175
+SUBJECTLESS_LIMIT = 30
 
 MEASUREMENT = re.compile(
     r"\d (ns|us|ms|s|seconds|minutes|MB|GB)\b"
     r"|\b(times|twice) as (long|slow|fast|expensive)\b|\btimes (slower|faster)\b|\b(took|takes) .*\b(longer|less)\b"
     r"|\bof the time\b|\b(EPYC|Xeon|Ryzen|Threadripper|Intel)\b"
     r"|\b(t[0-2]\d|beetle|bunny|camelhead|cessna|cheese|fertility|igea|kitten)\b|\b(bnd|cad|genus\d+)_\w+")
-MEASUREMENT_LIMIT = 25
+MEASUREMENT_LIMIT = 2
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]')
 

@@ -97,7 +97,7 @@ ChosenArray Checked(
   return { array, found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
 }
 
-/// How to do without an element.
+/// The words that offer to do without an element.
 std::string WayOut(const ConstraintArrays& arrays)
 {
   return arrays.Mask ? "take it out of the mask" : "make the direction zero";

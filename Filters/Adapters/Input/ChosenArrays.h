@@ -15,7 +15,7 @@ class vtkDataSet;
 namespace dmg
 {
 
-/// Which array of a dataset somebody has chosen: one by its name, the active one of some attribute,
+/// The choice of an array of a dataset: one by its name, the active one of some attribute,
 /// or none.
 struct ArrayChoice
 {
@@ -38,7 +38,7 @@ struct ConstraintChoices
   ArrayChoice Rotation = {}; ///< in degrees, on the surface alone
 };
 
-/// What was chosen with vtkAlgorithm::SetInputArrayToProcess and indices 0 (mask), 1 (vectors),
+/// The arrays chosen with vtkAlgorithm::SetInputArrayToProcess and indices 0 (mask), 1 (vectors),
 /// 2 (weights), 3 (values) and 4 (rotation). The name "Active Vectors", of menus, chooses those of the points, else of
 /// the cells.
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm);
@@ -78,7 +78,7 @@ struct ChosenArray
 ChosenArray FindArray(
   const ArrayChoice& choice, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose);
 
-/// What was chosen of a dataset.
+/// The chosen arrays of a dataset.
 /// \param whose how messages call the dataset, as in "the surface".
 /// \throw InvalidInput as FindArray; arrays that are not of the same elements; mask or weights
 /// without vectors.

@@ -80,7 +80,7 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
 {
   Constraints directions;
   const auto values = ValuesOnSurface(onSurface, surface, numbering);
-  // Else mask and weights are those of values.
+  // Mask and weights are those of the values otherwise.
   if (!HasArray(onSurface.Values, surface) || HasArray(onSurface.Vectors, surface))
   {
     directions = DirectionsOnSurface(FindArrays(onSurface, surface, "the surface"), numbering);

@@ -31,7 +31,7 @@ constexpr int Grain = 4096;
 /// A vector that leans out of the normal by less than this (as a sine) has no tangential part.
 constexpr double SmallestTangentialPart = 1e-6;
 
-/// How far the directions of a cell may be from 2 pi / N apart: single precision, rounded some times.
+/// The tolerance of the angles between directions of a cell, 2 pi / N: single precision, rounded some times.
 constexpr double LargestAngle = 1e-3;
 
 struct ChosenVectors
@@ -135,7 +135,7 @@ ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
   return chosen;
 }
 
-/// How many directions an array stands for, by its name.
+/// The number of directions that an array stands for, by its name.
 int NumberOfDirections(vtkPolyData* surface, const ChosenVectors& chosen)
 {
   const std::string name = NameOf(chosen.Array);
@@ -258,7 +258,7 @@ bool IsFieldAtPoints(vtkPolyData* input, const ChosenVectors& chosen)
     input->GetCellData()->HasArray(ArrayNames::SingularityIndex);
 }
 
-/// What it shows at the points.
+/// The values at the points.
 void ReadFieldAtPoints(vtkPolyData* input, SurfaceWithField& given, const ExecutionContext& context)
 {
   const FramedMesh framed(given.Surface.Mesh, context);

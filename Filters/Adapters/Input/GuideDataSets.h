@@ -19,11 +19,11 @@ struct GuideDataSet
   std::string Name;  ///< for messages, as in "block 2 of guide 0"
 };
 
-/// How messages call guide \p guide of several.
+/// The name of guide \p guide of several in messages.
 /// \param kind what it is, in place of a guide.
 std::string NameOfGuide(std::size_t guide, std::size_t guides, const std::string& kind = "guide");
 
-/// What an input takes, for messages.
+/// Words for what an input takes, for messages.
 struct InputWords
 {
   std::string Kind = "guide";
@@ -43,7 +43,7 @@ Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point);
 /// \throw InvalidInput something is chosen that no dataset has.
 void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataSet>& datasets);
 
-/// What is chosen, as far as a dataset has it.
+/// The choices, as far as a dataset has their arrays.
 ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset);
 
 /// The weight of a whole dataset: 1, unless one in its field data is chosen.
@@ -57,7 +57,7 @@ public:
   /// \throw InvalidInput as FindArray.
   LineArrays(const ConstraintChoices& choices, const GuideDataSet& dataset);
 
-  /// Of a segment between two points of a cell; 0: it is not followed.
+  /// The weight of a segment between two points of a cell; 0: it is not followed.
   /// \throw InvalidInput it is negative or not finite.
   double Weight(vtkIdType cell, vtkIdType start, vtkIdType end) const;
 

@@ -13,7 +13,7 @@ namespace dmg
 /// \throw InvalidInput one of the filter's properties is out of its range. Weights are checked where they are used.
 FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter);
 
-/// What its properties choose of a surface.
+/// The arrays of a surface that the filter's properties choose.
 ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* surface);
 
 }

@@ -17,7 +17,7 @@ namespace dmg
 namespace
 {
 
-// As vtkFieldSingularities calls them.
+// The names that vtkFieldSingularities gives them.
 constexpr const char* NameOfIndices = "Index";
 constexpr const char* NamesOfIds[] = { "PointId", "CellId" };
 

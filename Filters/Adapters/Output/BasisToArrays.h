@@ -14,7 +14,7 @@
 namespace dmg
 {
 
-/// What the cells and edges of a surface show of its harmonic fields. Kept as long as the surface
+/// The arrays of harmonic fields on the cells and edges of a surface. Kept as long as the surface
 /// stands.
 struct BasisArrays
 {

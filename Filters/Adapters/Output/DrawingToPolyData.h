@@ -15,7 +15,7 @@ class vtkPolyData;
 namespace dmg
 {
 
-/// What is drawn of a field as vtkPolyData; the headers of the filters tell the meaning of the arrays.
+/// Drawings of a field as vtkPolyData; the headers of the filters tell the meaning of the arrays.
 
 /// Polylines with the arrays of vtkFieldLines, and triangles, their heads.
 /// \param lift along the normals of the faces, in the unit of the points.

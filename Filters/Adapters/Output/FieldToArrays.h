@@ -32,7 +32,7 @@ struct ShownField
 ShownField ShowField(const FramedMesh& framed, const SurfaceNumbering& surface, const Discretisation& discretisation,
   const Vector<double>& unknowns, bool combing, const ShownField* former, const ExecutionContext& context);
 
-/// What the cells, points and edges of a surface show of a field. Kept as long as the field stands,
+/// The arrays of a field on the cells, points and edges of a surface. Kept as long as the field stands,
 /// so that other arrays on the surface cost nothing.
 struct FieldArrays
 {

@@ -63,7 +63,7 @@ void SolvedSurface::SetSurface(vtkPolyData* input, const FieldOptions& options, 
   this->Solver->SetOperators(stored ? this->Operators(input, *stored) : nullptr);
 }
 
-/// Those that the input brings along.
+/// The operators that the input brings along.
 std::shared_ptr<const ProlongationOperators> SolvedSurface::Operators(vtkPolyData* input, const OperatorsOrigin& origin)
 {
   for (const auto& [known, operators] : this->Read)

@@ -36,7 +36,7 @@ public:
   FramedSurface Surface() const { return { this->Solver->Surface(), this->Numbers }; }
   const NearestPlaces& Places();
 
-  /// Of the faces of the surface, at a scale; kept until another is asked for. See FindPrincipalDirections.
+  /// The curvatures of the faces, at a scale; kept until another is asked for. See FindPrincipalDirections.
   const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
 
   /// See FieldSolver::Solve. \return warnings for the user, where something was solved rather than kept.

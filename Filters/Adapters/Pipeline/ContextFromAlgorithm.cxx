@@ -21,7 +21,7 @@ bool SequentialByDefault()
   return std::strcmp(vtkSMPTools::GetBackend(), "Sequential") == 0 && std::getenv("VTK_SMP_BACKEND_IN_USE") == nullptr;
 }
 
-/// Of STDThread, which a limit set by the environment or the application holds for.
+/// The number of threads of STDThread, within a limit set by the environment or the application.
 int NumberOfStandardThreads()
 {
   vtkSMPTools::Config config; // limit and nesting as they are

@@ -12,7 +12,7 @@ class vtkInformationVector;
 namespace dmg
 {
 
-/// What all filters answer to the pipeline. Their result depends on the whole surface: piece 0 works on the whole, and the
+/// Answers of all filters to the pipeline. Their result depends on the whole surface: piece 0 works on the whole, and the
 /// others stay empty. In a parallel run piece and rank are the same.
 
 /// FillInputPortInformation of the surface: VTK lets other datasets pass, and MakeOutputs says how to make a surface of

@@ -10,7 +10,7 @@ namespace dmg
 /// \param output of any type; of a composite dataset all leaves are looked at.
 /// \param input whose points and arrays may be part of the output, and are not looked at.
 /// \throw SolverFailure a point or a number in an array of doubles is not finite; the message names the array.
-/// Cost: linear, 1 ns per number.
+/// Cost: linear.
 void CheckArraysAreFinite(vtkDataObject* output, vtkPolyData* input);
 
 }

@@ -15,7 +15,7 @@ vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components
   auto array = vtkSmartPointer<vtkDoubleArray>::New();
   array->SetName(name.c_str());
   array->SetNumberOfComponents(components);
-  // Where there is no memory, arrays of ParaView's VTK end the process; this throws.
+  // Arrays of ParaView's VTK end the process where there is no memory; this throws.
   const vtkIdType size = components * tuples;
   auto* const values = static_cast<double*>(std::malloc(std::max<vtkIdType>(size, 1) * sizeof(double)));
   if (!values)

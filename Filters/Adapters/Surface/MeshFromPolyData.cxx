@@ -116,7 +116,7 @@ std::string Cell(vtkIdType id)
   return "cell " + std::to_string(id);
 }
 
-/// What a vtkPolyData says of its triangles. Points without a triangle are left out.
+/// The triangles of a vtkPolyData. Points without a triangle are left out.
 struct GivenTriangles
 {
   Points Positions;

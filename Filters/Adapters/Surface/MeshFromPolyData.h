@@ -15,14 +15,14 @@ class vtkPolyData;
 namespace dmg
 {
 
-/// How a mesh numbers its faces and vertices.
+/// The order in which a mesh numbers its faces and vertices.
 enum class Numbering
 {
   OfPolyData, ///< in the order of polygons and points
   Spatial,    ///< as SpatialOrder does: files have any order, and loops over the surface like this one
 };
 
-/// How the elements of a mesh are numbered in the vtkPolyData that it was made from.
+/// The numbers of a mesh's elements in the vtkPolyData that it was made from.
 ///
 /// The cells of polygons follow those of vertices and lines, as in every vtkPolyData. Points without
 /// a triangle are left out.
@@ -52,7 +52,7 @@ struct SurfaceNumbering
     return this->Points[tail] < this->Points[head] ? 1 : -1;
   }
 
-  /// How messages about the mesh name the caller's cells and points.
+  /// The names of the caller's cells and points in messages about the mesh.
   ElementNames Names() const;
 };
 

@@ -33,7 +33,7 @@ bool IsOfProlongation(const char* name)
   return name && std::strncmp(name, prefix, std::strlen(prefix)) == 0;
 }
 
-/// What an origin says beside the digest, in the order of the properties of
+/// The options of an origin beside the digest, in the order of the properties of
 /// vtkDirectionalProlongation.
 std::array<double, NumberOfOptions> NumbersOf(const OperatorsOrigin& origin)
 {

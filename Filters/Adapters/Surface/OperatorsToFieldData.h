@@ -13,7 +13,7 @@ class vtkFieldData;
 namespace dmg
 {
 
-/// What identifies stored operators: equal origins, equal operators.
+/// The identity of stored operators: equal origins, equal operators.
 struct OperatorsOrigin
 {
   std::string Digest; ///< of the surface, ContentDigest()

@@ -17,10 +17,10 @@ namespace
 /// A direction leaning less than this (as a sine) out of the normal has no part in the plane.
 constexpr double SmallestTangentialPart = 1e-6;
 
-/// What several directions of a face leave of each other is due to rounding below this, relative to them.
+/// A mean of several directions of a face that is shorter than this, relative to them, is rounding noise.
 constexpr double SmallestMean = 1e-6;
 
-/// How the names of elements are asked for.
+/// A method that names elements.
 using Naming = std::string (ElementNames::*)(int) const;
 
 /// The largest of some numbers, and whose it is.

@@ -197,7 +197,7 @@ void SegmentOnSurface::Split(
   this->Split(segment, middle, b, depth + 1, parts);
 }
 
-/// Where the way between two places on faces that share an edge crosses it, as a fraction of the
+/// The crossing of an edge by the path between two places on its two faces, as a fraction of the
 /// way, in the plane into which both unfold; -1 where it does not, or there is no such edge, or the
 /// place that is nearest there is another one, since the surface bends.
 double SegmentOnSurface::Crossing(const Segment& segment, const Sample& a, const Sample& b) const

@@ -18,7 +18,7 @@ Vector3 Along(const TriangleMesh& mesh, int halfedge)
   return mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge));
 }
 
-/// Where curvatures differ by less than 1 % everywhere, as on a sphere, rounding of coordinates makes their directions.
+/// The confidence below which rounding of coordinates makes the directions, as on a sphere: curvatures differ by less than 1 %.
 constexpr double LeastConfidence = 1e-4;
 
 void CheckFeatureWeight(const std::string& name, double weight)

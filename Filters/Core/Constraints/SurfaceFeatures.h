@@ -11,7 +11,7 @@
 namespace dmg
 {
 
-/// What a field follows of the surface itself, and how strongly. Weights are relative to the size L of the surface, the
+/// The features of the surface that a field follows, with weights. Weights are relative to the size L of the surface, the
 /// root of its area, and mean the same at any size and resolution: where the roughness is the Dirichlet energy of the
 /// field X (for power fields, half of theirs) and Alignment is 1, soft constraints add
 ///
@@ -53,14 +53,14 @@ std::vector<Constraint> AlongSharpEdges(const FramedMesh& surface, double degree
 std::vector<Constraint> AlongCurvature(
   const FramedMesh& surface, const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight);
 
-/// What is followed, and what is not there to be followed.
+/// The features that are followed, and those that the surface does not have.
 struct FollowedFeatures
 {
   std::vector<Constraint> Directions;
   std::vector<std::string> Warnings; ///< a sentence each
 };
 
-/// What the features of a surface prescribe to a field of N directions. Sharp edges and principal directions are lines
+/// The constraints that features of a surface make for a field of N directions. Sharp edges and principal directions are lines
 /// without a sign: fields of an odd N do not follow them, which is a warning.
 /// \param ofFaces the principal directions; may be null where CurvatureWeight is 0 or N odd.
 /// \throw InvalidInput as CheckFeatures.

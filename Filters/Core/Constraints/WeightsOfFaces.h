@@ -16,9 +16,9 @@ public:
   /// Cost: linear.
   explicit WeightsOfFaces(const TriangleMesh& mesh);
 
-  /// Of (30 / L)^2, integrated over a face.
+  /// The integral of (30 / L)^2 over a face.
   double OfFace() const;
-  /// Of 30 / L, integrated along a line on the face, if that is no sliver.
+  /// The integral of 30 / L along a line on the face, if that is no sliver.
   double OfLine(int face, double length) const;
   bool IsFlat(int face) const { return this->Areas[face] == 0.0; }
 

@@ -19,7 +19,7 @@
 namespace dmg
 {
 
-/// Which elements of a surface hold values.
+/// The elements of a surface that hold values.
 enum class ElementKind
 {
   Vertices,
@@ -43,7 +43,7 @@ struct ElementValues
   Vector<double> Values;
 };
 
-/// Which prolongations multigrid's coarse spaces come from.
+/// The prolongations that multigrid's coarse spaces come from.
 enum class CoarseSpaceKind
 {
   /// Vectors, or values of functions, at samples or at vertices of coarse levels, whatever the fine level holds; the
@@ -104,7 +104,7 @@ public:
   Discretisation(const Discretisation&) = delete;
   Discretisation& operator=(const Discretisation&) = delete;
 
-  /// In words, plural, with the options that count.
+  /// The name in words, plural, with the options that count.
   virtual std::string Name() const = 0;
 
   // Unknowns: UnknownsPerElement() consecutive numbers for each element. -------------------------
@@ -141,13 +141,13 @@ public:
   virtual std::unique_ptr<const RoughnessHierarchy> Assemble(
     const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const = 0;
 
-  /// Which structure-preserving operators Assemble needs.
+  /// The structure-preserving operators that Assemble needs.
   virtual OperatorSelection StructurePreservingOperators() const = 0;
-  /// What the levels of those hold, in words.
+  /// The name of what the levels of these hold.
   virtual std::string NameOfLevels() const = 0;
   /// The default nodal levels of this surface, from samples of the elements that unknowns stand on; by default of faces.
   virtual ProlongationOperators SampledLevels(double distance, const ExecutionContext& context) const;
-  /// How far apart samples are on the first nodal level; see HierarchyOptions.
+  /// The distance of samples on the first nodal level; see HierarchyOptions.
   virtual double SampleDistance() const { return HierarchyOptions().SampleDistance; }
   virtual SolverTuning Tuning() const = 0;
 
@@ -163,7 +163,7 @@ public:
   /// A basis that is orthonormal in the integral over the surface, from any basis.
   virtual Eigen::MatrixXd HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const;
 
-  // What is prescribed. ----------------------------------------------------------------------------
+  // Constraints. -----------------------------------------------------------------------------------
 
   /// \param names says how messages call vertices and faces.
   /// \throw InvalidInput a direction is out of range, not finite, perpendicular to the surface, or its weight is
@@ -174,7 +174,7 @@ public:
   Penalties PenaltiesOf(
     const FieldConstraints& constraints, const FieldWeights& weights, const ExecutionContext& context) const;
 
-  // What is drawn. ---------------------------------------------------------------------------------
+  // Drawing. ---------------------------------------------------------------------------------------
 
   /// \param corners of the surface; see Corners.
   virtual FieldPowers Powers(

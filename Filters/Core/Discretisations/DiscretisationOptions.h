@@ -8,7 +8,7 @@
 namespace dmg
 {
 
-/// What the unknowns of a field are.
+/// The meaning of the unknowns of a field.
 enum class DiscretisationKind
 {
   /// The N-th power of N directions per face: one complex number in the face's frame. Thesis, 6.3.

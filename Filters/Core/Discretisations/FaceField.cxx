@@ -22,7 +22,7 @@ namespace
 constexpr int FinestSweepsFactor = 3;
 constexpr int CoarseCycles = 2;
 constexpr int LargestCoarseFactor = 10000;
-// As far as a smoothed interpolation reaches.
+// The distance that a smoothed interpolation reaches.
 constexpr double DistanceOfSamples = 7.0;
 // Face fields leave more to the interpolation than 1-forms do; but smaller entries do not help them.
 constexpr int ProlongationDegree = 9;
@@ -30,7 +30,7 @@ constexpr double DroppedEntries = 0.001;
 
 // Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks).
 constexpr int LargestForCholesky = 30000;
-// What a factorisation of t01 takes more, over what its back-substitution takes less than a second solve by cycles
+// The extra time of a factorisation of t01, over the time that its back-substitution saves against a second solve by cycles
 // (Benchmarks, "Second solves"): 7.5 s / 0.02 s. At 1.1M faces these are fewer.
 constexpr int SolvesForCholesky = 400;
 
@@ -40,7 +40,7 @@ Vector<double> FaceField::Mass(const ExecutionContext&) const
 {
   const Vector<double> mass = MassesOfFaceFields(this->Surface.Mesh).Faces;
   const double meanArea = mass.mean();
-  // Where the whole surface has no area, every face counts alike.
+  // Every face counts alike where the whole surface has no area.
   return meanArea > 0.0 ? Vector<double>(mass / meanArea) : Vector<double>::Ones(mass.size());
 }
 

@@ -9,7 +9,7 @@
 
 #include <vector>
 
-/// What multigrid needs of the surface to solve for face fields and 1-forms: blocks of unknowns
+/// The parts of the surface that multigrid needs for face fields and 1-forms: blocks of unknowns
 /// (SmoothingBlocks), and coarse levels of vectors at points. The finest level takes its vectors from so
 /// far up that there are six faces or more for each, if there are such levels: smoothed, its interpolation
 /// reaches farther than that.

@@ -14,7 +14,7 @@ namespace dmg
 namespace
 {
 
-// As for face fields.
+// The same values as for face fields.
 constexpr int FinestSweepsFactor = 3;
 constexpr int CoarseCycles = 2;
 constexpr int LargestCoarseFactor = 10000;
@@ -23,7 +23,7 @@ constexpr double DistanceOfSamples = 7.0;
 // Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks): the matrix
 // is easily factored.
 constexpr int LargestForCholesky = 400000;
-// What a factorisation of t01 takes more, over what its back-substitution takes less than a second solve by cycles
+// The extra time of a factorisation of t01, over the time that its back-substitution saves against a second solve by cycles
 // (Benchmarks, "Second solves"): 2.5 s / 0.07 s. At 1.1M faces these are fewer.
 constexpr int SolvesForCholesky = 40;
 

@@ -9,7 +9,7 @@ namespace dmg
 namespace
 {
 
-/// What one direction asks of one edge.
+/// The value that one direction asks of one edge.
 struct Wish
 {
   int Edge;

@@ -28,7 +28,7 @@ constexpr int CoarseCycles = 2;
 
 // Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks).
 constexpr int LargestForCholesky = 20000;
-// What a factorisation of t01 takes more, over what its back-substitution takes less than a second solve by cycles
+// The extra time of a factorisation of t01, over the time that its back-substitution saves against a second solve by cycles
 // (Benchmarks, "Second solves"): 1.2 s / 0.04 s. At 1.1M faces these are fewer.
 constexpr int SolvesForCholesky = 30;
 

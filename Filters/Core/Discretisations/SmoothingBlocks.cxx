@@ -185,7 +185,7 @@ UnknownBlocks BlocksOfOneForms(const TriangleMesh& mesh)
   {
     take(face);
   }
-  // What is left over, two sides of a face before single ones.
+  // The remaining sides follow, two of a face before single ones.
   for (const int least : { 2, 1 })
   {
     for (int face = 0; face < mesh.NumberOfFaces(); ++face)

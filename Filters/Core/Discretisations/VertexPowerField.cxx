@@ -60,7 +60,7 @@ TransportOperator WithTurns(
     });
 }
 
-/// What is prescribed at a vertex, summed up.
+/// The sum of the constraints at a vertex.
 struct PowerAtVertex
 {
   double Weight = 0.0;
@@ -76,7 +76,7 @@ struct PowerAtVertex
 /// Faces without area hold their corners, too.
 constexpr double SmallestShare = 1e-9;
 
-/// How much of the area of a face counts at a corner of it: a third, or half at both ends of a side.
+/// The share of a face's area that counts at a corner of it: a third, or half at both ends of a side.
 double PartOfCorner(int corner, int side)
 {
   if (side < 0)

@@ -12,7 +12,7 @@
 namespace dmg
 {
 
-/// What the first level of samples is taken from: the elements that the unknowns stand on.
+/// The elements that the first level of samples is taken from: those that the unknowns stand on.
 struct PointsToSample
 {
   std::vector<int> Order; ///< [i] is the element of point i of the graph

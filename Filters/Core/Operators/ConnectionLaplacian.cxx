@@ -24,7 +24,7 @@ constexpr int LargestPower = 5;
 /// [n] is the integral of (1 - t)^n e^{i s t} for t from 0 to 1.
 using Moments = std::array<Complex, LargestPower + 1>;
 
-/// By parts, i s [n] = n [n - 1] - 1. Upwards that loses digits where s is small, downwards where it is large.
+/// Integration by parts gives i s [n] = n [n - 1] - 1. Upwards that loses digits where s is small, downwards where it is large.
 Moments MomentsOf(double s)
 {
   constexpr int Terms = 16;

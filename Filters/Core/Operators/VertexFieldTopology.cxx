@@ -19,7 +19,7 @@ double AlongHalfedge(const TriangleMesh& mesh, const Vector<double>& turning, in
   return mesh.HalfedgeOf(edge) == halfedge ? turning[edge] : -turning[edge];
 }
 
-/// By how much the boundary turns against the field from a vertex of it to the next one.
+/// The rotation of the boundary against the field from a vertex of it to the next one.
 double TurnFromVertex(
   const TriangleMesh& mesh, const VertexConnection& connection, const Vector<double>& turning, int vertex)
 {

@@ -13,7 +13,7 @@
 namespace dmg
 {
 
-/// By how much directions turn along each edge, from the tail to the head of its HalfedgeOf, against transport: to the nearest
+/// The rotation of directions along each edge, from the tail to the head of its HalfedgeOf, against transport: to the nearest
 /// direction there, in [-pi / N, pi / N]; #E.
 Vector<double> TurningAlongEdges(const TriangleMesh& mesh, const VertexConnection& connection,
   const Vector<Complex>& powers, int N, const ExecutionContext& context = SerialContext());
@@ -24,7 +24,7 @@ Vector<double> TurningAlongEdges(const TriangleMesh& mesh, const VertexConnectio
 Vector<double> IndicesOfFaces(const TriangleMesh& mesh, const VertexConnection& connection,
   const Vector<double>& turning, int N, const ExecutionContext& context = SerialContext());
 
-/// As TopologyOfField, with Indices per face. The indices of all faces and of all loops sum to the Euler characteristic. Cuts are the
+/// The same as TopologyOfField, with Indices per face. The indices of all faces and of all loops sum to the Euler characteristic. Cuts are the
 /// edges along which direction 0 of HalfedgeOf's tail does not go on as direction 0 of its head, but as that of Jumps.
 /// \param first direction 0 of each vertex in its frame; 0 where there is none.
 FieldTopology TopologyOfVertexField(const TriangleMesh& mesh, const VertexConnection& connection,

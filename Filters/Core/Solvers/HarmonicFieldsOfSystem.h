@@ -9,19 +9,19 @@
 #include <string>
 #include <vector>
 
-/// What becomes of the harmonic fields, the kernel of R, in a system A = R + D. Fields are columns, and all is in the
+/// The harmonic fields, the kernel of R, in a system A = R + D. Fields are columns, and all is in the
 /// order of the hierarchy.
 namespace dmg
 {
 
-/// What deflation takes of harmonic fields: they are zero where unknowns are held, and take the share R / (R + D) where
+/// The harmonic fields as deflation takes them: they are zero where unknowns are held, and take the share R / (R + D) where
 /// unknowns are penalised (PenalisedUnknowns). Strong penalties would otherwise give them so much energy that they helped
 /// nothing: 46 iterations were seen instead of 13. But where there is a harmonic field with any values that may be
 /// prescribed, it is the solution, and the fields stay as they are.
 Eigen::MatrixXd AdjustKernelToPenalties(Eigen::MatrixXd fields, const RoughnessHierarchy& hierarchy,
   const Vector<double>& D, const ExecutionContext& context);
 
-/// What the energies of some vectors would be if nothing cancelled. Slivers have large scales, and hardly count.
+/// The largest energy that some vectors could have if nothing cancelled. Slivers have large scales, and hardly count.
 double LargestEnergy(const Eigen::MatrixXd& vectors, const RoughnessHierarchy& hierarchy, const Vector<double>& D,
   const ExecutionContext& context);
 

@@ -88,7 +88,7 @@ private:
   void Deflate(const Vector<double>& D, const ExecutionContext& context);
   void FindUndetermined(const Vector<double>& D, const ExecutionContext& context);
   void WarnOfUndetermined(int number);
-  /// By a factor, V-cycles or conjugate gradients.
+  /// Solves by a factor, V-cycles or conjugate gradients.
   void Iterate(Vector<double>& b, const StoppingCriteria& stop, const ConvergenceMeasure<double>& measure,
     Vector<double>& x, const ExecutionContext& context);
   /// Conjugate gradients with a factor instead of cycles, which have not converged, from where these are. Where there

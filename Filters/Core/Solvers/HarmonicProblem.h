@@ -66,7 +66,7 @@ public:
 
   const MultigridSetup& Setup() const;
 
-  /// Of the system stage and of the last solve.
+  /// The report of the system stage and of the last solve.
   const SolveReport& Report() const;
 
 private:

@@ -11,7 +11,7 @@
 namespace dmg
 {
 
-/// What solvers need of a roughness, whatever is prescribed: the last part of the set-up. All in the order of
+/// The last part of the set-up, which depends on the stiffness matrix alone. All is in the order of
 /// the hierarchy.
 struct MultigridSetup
 {
@@ -20,7 +20,7 @@ struct MultigridSetup
   bool HasLevels = true; ///< else it is to be factored
   SolverTuning Tuning;
   std::unique_ptr<const RoughnessHierarchy> Hierarchy;
-  /// Of the inner product that errors are measured in; see ConvergenceMeasure.
+  /// The diagonal of the inner product that errors are measured in; see ConvergenceMeasure.
   Vector<double> Mass;
   /// Harmonic fields, a column each, orthonormal: the kernel of the roughness, which cycles hold only nearly.
   Eigen::MatrixXd Kernel;

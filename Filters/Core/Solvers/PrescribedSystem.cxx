@@ -42,7 +42,7 @@ Vector<double> InverseDiagonal(
   return inverse;
 }
 
-/// Where some items stand in an order.
+/// The places of some items in an order.
 std::vector<int> PlacesOf(const std::vector<int>& items, const std::vector<int>& order, const ExecutionContext& context)
 {
   const std::vector<int> all = Inverse(order, context);

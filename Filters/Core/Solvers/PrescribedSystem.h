@@ -43,7 +43,7 @@ public:
   /// D y or, of hard prescriptions, -R y; zero where unknowns are held.
   /// \param values y, one per prescribed unknown.
   Vector<double> RightHandSide(const Vector<double>& values, const ExecutionContext& context) const;
-  /// What penalties alone make of unknowns, D y / (R + D) with the diagonal of R. Solvers start from there: weak penalties
+  /// The diagonal solution D y / (R + D), with the diagonal of R. Solvers start from there: weak penalties
   /// are nothing to start from, and strong ones hold y but for rounding. Otherwise these would outweigh all the
   /// rest in residuals.
   Vector<double> HeldByPenalties(const Vector<double>& values) const;

@@ -27,15 +27,15 @@ enum class SolverKind
   CoarseProlongation,
 };
 
-/// How a user wants a system to be solved, whatever its unknowns mean.
+/// The choices of a user for the solution of a system, whatever its unknowns mean.
 struct SolverOptions
 {
   SolverKind Kind = SolverKind::Automatic;
-  /// How many solves with the same prescribed places are expected, >= 1.
+  /// The expected number of solves with the same prescribed places, >= 1.
   int ExpectedSolves = 1;
   /// Gauss-Seidel sweeps before and after the coarse correction of each coarse level, >= 1.
   int Sweeps = 2;
-  /// Of nested iterations.
+  /// The sweeps of nested iterations.
   SweepOptions Nested;
   /// The level that is solved exactly; negative or beyond the coarsest: the coarsest.
   int StartingLevel = -1;
@@ -54,7 +54,7 @@ struct SolverOptions
   }
 };
 
-/// What measurements say of a discretisation (its file names them); not for users.
+/// Options that measurements chose for a discretisation (its file names them); not for users.
 struct SolverTuning
 {
   /// Automatic factors systems of at most so many unknowns.
@@ -70,7 +70,7 @@ struct SolverTuning
   int LargestCoarseFactor = 0;
   /// V-cycles in a row that count as one, of an assembled matrix (CycleOptions::Repetitions), >= 1.
   int CyclesInARow = 1;
-  /// How often the finest prolongation is smoothed before use; see GalerkinOptions.
+  /// The number of times that the finest prolongation is smoothed before use; see GalerkinOptions.
   int FinestProlongationSteps = 0;
 };
 
@@ -90,7 +90,7 @@ SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuni
 /// Whether nested iterations solve, rather than a Krylov method or a stationary iteration.
 bool IsNested(SolverKind kind);
 
-/// In words.
+/// The name in words.
 std::string NameOf(SolverKind kind);
 
 }

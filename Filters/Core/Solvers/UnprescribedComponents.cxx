@@ -73,7 +73,7 @@ std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearO
   // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart. At 1e-4
   // the next eigenvectors may still turn the field by many degrees where it is small.
   constexpr double Tolerance = 1e-6;
-  // Where many eigenvalues are close together, as on spheres, their vectors part slowly.
+  // Eigenvectors part slowly where many eigenvalues are close together, as on spheres.
   constexpr int Patience = 3;
   const int iterations =
     maximumIterations <= std::numeric_limits<int>::max() / Patience ? Patience * maximumIterations : maximumIterations;

@@ -9,11 +9,11 @@
 namespace dmg
 {
 
-/// Which permutation keeps the factor sparse.
+/// The permutation that keeps the factor sparse.
 enum class FillOrdering
 {
   AMD,   ///< approximate minimum degree: cheapest, best up to about a million unknowns
-  METIS, ///< nested dissection: smaller factors, an ordering three to five times as expensive
+  METIS, ///< nested dissection: smaller factors, a more expensive ordering
   Best,  ///< AMD, and METIS too where AMD predicts high fill; the smaller factor is kept
 };
 
@@ -56,7 +56,7 @@ public:
   void Solve(const Columns& b, Columns& x);
 
   int NumberOfUnknowns() const;
-  /// Of L, with the explicit zeros of its supernodes.
+  /// The entries of L, with the explicit zeros of its supernodes.
   long long NonZeros() const;
   /// Held by the factor.
   long long Bytes() const;

@@ -28,8 +28,7 @@ namespace dmg
 /// to rounding errors of epsilon / shift.
 ///
 /// What is determined next to nothing is still solved for: x is huge in it, and no residual can fall below epsilon
-/// |diag(A) x| / |b|. 20 prescribed 1-forms on cad_crank_genus12_thin, with 24 harmonic ones, end at 5e-6 for that
-/// reason, whatever the shift. Such fields have to be left out of the problem.
+/// |diag(A) x| / |b|, whatever the shift. Such fields have to be left out of the problem.
 ///
 /// With a matrix that was assembled, the product A x has rounding errors of epsilon |A| |x|, as the pivots have. Where the
 /// smallest eigenvalues count, conjugate gradients take B^T (B x) + D x instead (AssembledHierarchy).
@@ -60,7 +59,7 @@ public:
 
   /// The share of the diagonal with which the factorisation succeeded.
   double Shift() const { return this->Share; }
-  /// Of the factor.
+  /// The entries of the factor.
   long long NonZeros() const { return this->Factor->NonZeros(); }
   /// Held by the factor.
   long long Bytes() const { return this->Factor->Bytes(); }

@@ -66,7 +66,7 @@ struct EveryEntry
   bool operator()(int, int) const { return true; }
 };
 
-/// What is left of the diagonal in the new order, scaled from both sides.
+/// The part left of the diagonal in the new order, scaled from both sides.
 template <class Value, class Scalar>
 void ArrangeLower(const SparseMatrix<Scalar>& A, const std::vector<int>& order, const std::vector<int>& places,
   const Vector<double>& scale, SparseMatrix<Value>& lower, const ExecutionContext& context)
@@ -75,7 +75,7 @@ void ArrangeLower(const SparseMatrix<Scalar>& A, const std::vector<int>& order, 
     A, order, places, scale, scale, [](int row, int column) { return column < row; }, lower, context);
 }
 
-/// What is right of it.
+/// The part right of the diagonal.
 template <class Value, class Scalar>
 void ArrangeUpper(const SparseMatrix<Scalar>& A, const std::vector<int>& order, const std::vector<int>& places,
   const Vector<double>& scale, SparseMatrix<Value>& upper, const ExecutionContext& context)

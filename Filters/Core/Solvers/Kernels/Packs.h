@@ -6,7 +6,7 @@
 namespace dmg
 {
 
-/// As many numbers as one instruction of every processor takes. A loop over packs is written like one
+/// Four numbers, as one instruction of every processor takes. A loop over packs is written like one
 /// over numbers; a float is a pack of one.
 using FloatPack = float __attribute__((vector_size(4 * sizeof(float))));
 using DoublePack = double __attribute__((vector_size(2 * sizeof(double))));

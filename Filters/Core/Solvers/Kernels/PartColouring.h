@@ -10,7 +10,7 @@
 namespace dmg
 {
 
-/// Which parts of a computation touch items in common, and so must not run at the same time.
+/// The pairs of parts of a computation that touch items in common, and so must not run at the same time.
 struct PartGraph
 {
   std::vector<int> Begins = { 0 }; ///< the place of the first neighbour of each part, and their number

@@ -46,7 +46,7 @@ double Norm(int size, const Vector<double>* mass, const Entry& entry, const Exec
   return std::sqrt(square);
 }
 
-/// What one pass over an iterate sums up.
+/// The sums of one pass over an iterate.
 struct Sums
 {
   explicit Sums(int = 0) {}

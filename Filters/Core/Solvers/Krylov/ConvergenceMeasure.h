@@ -8,7 +8,7 @@
 namespace dmg
 {
 
-/// What one may want to know about an iterate x of A x = b beside its residual r = b - A x. Handed
+/// Measures of an iterate x of A x = b beside its residual r = b - A x. Handed
 /// to a solver, it fills the columns of the history that are NaN otherwise. Solvers borrow it.
 ///
 /// Thesis, section 6.4, calls MassResidual the normalized L2 energy and Error the normalized L2
@@ -21,12 +21,12 @@ struct ConvergenceMeasure
 {
   /// The energy of x = 0, so that a sum of squares |C x - d|^2 has the constant |d|^2.
   double EnergyConstant = 0.0;
-  /// What the equations were divided by.
+  /// The number that the equations were divided by.
   double EnergyScale = 1.0;
   /// Diagonal of M, > 0, one per unknown or per pair of consecutive ones, borrowed; null for ones.
   /// |x|_M^2 = x^H M x.
   const Vector<double>* Mass = nullptr;
-  /// Where the solver is given A x = b - A Offset: all is about x + Offset and A x = b. Both are borrowed; null for none.
+  /// The offset where the solver is given A x = b - A Offset: all is about x + Offset then. Both are borrowed; null for none.
   const Vector<Scalar>* Offset = nullptr;
   const Vector<Scalar>* RightHandSide = nullptr; ///< b
   /// The solution by other means, one value per unknown; empty if there is none, then Error is NaN.

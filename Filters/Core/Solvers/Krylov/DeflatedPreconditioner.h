@@ -34,7 +34,7 @@ public:
   /// Held by this object, without B.
   long long Bytes() const;
 
-  /// Of A in H. Right-hand sides must have no part in it.
+  /// The kernel of A in H. Right-hand sides must have no part in it.
   const KernelProjection& Kernel() const { return this->OfA; }
 
 private:

@@ -13,7 +13,7 @@ EnergiesOfSpace::EnergiesOfSpace(const Eigen::MatrixXd& H, const Eigen::MatrixXd
   const Eigen::Index free = (solver.eigenvalues().array() <= rounding).count(); // ascending
   if (free > 0)
   {
-    // Where unknowns are held or penalised, vectors of H have lost length, or vanished.
+    // Vectors of H have lost length, or vanished, where unknowns are held or penalised.
     const Eigen::MatrixXd spanned = H * solver.eigenvectors().leftCols(free);
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> lengths(spanned.transpose() * spanned);
     const Eigen::Index rank = (lengths.eigenvalues().array() > 1e-8).count();

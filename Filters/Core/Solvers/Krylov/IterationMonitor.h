@@ -15,7 +15,7 @@
 namespace dmg
 {
 
-/// What iterative solvers of A x = b share: the start, the history, the best vector met so far, and
+/// The common part of iterative solvers of A x = b: the start, the history, the best vector met so far, and
 /// the ways to end. Its methods are called in the order in which they stand here.
 ///
 /// Residuals r = b - A x are measured by what they say of the error e = x - A^-1 b: in the norm of the preconditioner B,
@@ -60,7 +60,7 @@ public:
   /// z = B r, which measures the last row. \return r^H B r. Where that is not positive, the row stays an estimate.
   double Precondition(const Vector<Scalar>& r, Vector<Scalar>& z);
 
-  /// By the measured residual, or by an estimate that may be trusted.
+  /// Whether the measured residual, or an estimate that may be trusted, is small enough.
   bool HasConverged() const
   {
     return (this->IsMeasured || (this->Stop.MayEstimate && this->IsSteady)) && this->SeemsConverged();
@@ -80,7 +80,7 @@ public:
   /// The same with r = b - A x.
   void AppendResidual(Vector<Scalar>& r) { this->Append(this->SubtractFromB(r)); }
 
-  /// By the residual as far as known, measured or not.
+  /// Whether the residual, measured or estimated, is small enough.
   bool SeemsConverged() const { return this->LastRow().RelativeResidual <= this->Stop.RelativeTolerance; }
 
   /// r = b - A x replaces the residual of the last row, which is an estimate again.
@@ -104,7 +104,7 @@ private:
   double RelativeResidual() const;
   /// |x|_A
   double EnergyNorm(const Vector<Scalar>& r) const;
-  /// What was asked for, in the last row.
+  /// Fills the last row with the measures that were asked for.
   void Measure();
   /// r = b - A x. \return NormOf(r).
   double SubtractFromB(Vector<Scalar>& r) const;

@@ -37,7 +37,7 @@ struct Gram
 /// The coefficients of x, w and p in the next x.
 using Coefficients = Eigen::Vector3d;
 
-/// Those of the least Rayleigh quotient. Of vectors that depend on those before them, the last are left out, and so are those
+/// The coefficients of least Rayleigh quotient. Vectors that depend on those before them are left out, and so are those
 /// that are too short to change x: in a part that is solved, w is made of rounding errors and may be almost parallel to x.
 Coefficients LeastRayleighQuotient(const Gram& gram)
 {
@@ -70,7 +70,7 @@ Coefficients LeastRayleighQuotient(const Gram& gram)
   return Coefficients::Unit(0);
 }
 
-/// In [-1, 1); SplitMix64 (Steele et al. 2014).
+/// A number in [-1, 1) by SplitMix64 (Steele et al. 2014).
 double PseudoRandom(int index)
 {
   std::uint64_t z = (static_cast<std::uint64_t>(index) + 1) * 0x9e3779b97f4a7c15ULL;

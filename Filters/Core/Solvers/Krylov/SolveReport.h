@@ -24,8 +24,8 @@ struct IterationReport
   /// norm of x, measured as IterationMonitor says. Of nested iterations |b - A x| / |b|.
   double RelativeResidual = 0.0;
 
-  // Of x on the finest level; NaN unless the caller handed over a ConvergenceMeasure.
-  /// What the solution minimises.
+  // Measures of x on the finest level; NaN unless the caller handed over a ConvergenceMeasure.
+  /// The energy that the solution minimises.
   double Energy = std::numeric_limits<double>::quiet_NaN();
   /// |b - A x|_M / |b|_M
   double MassResidual = std::numeric_limits<double>::quiet_NaN();
@@ -35,7 +35,7 @@ struct IterationReport
   int Level = 0; ///< whose unknowns the iteration changed
 };
 
-/// What a solver did: sizes, cost and convergence.
+/// The report of a solver: sizes, cost and convergence.
 struct SolveReport
 {
   std::string Solver; ///< what ran, in words, and why if it was chosen automatically
@@ -46,7 +46,7 @@ struct SolveReport
   std::vector<IterationReport> Iterations;
   int Returned = 0; ///< the iteration whose x is the result
   bool Converged = false;
-  /// Of the smoothest field of unit norm on each component without prescriptions.
+  /// The eigenvalue of the smoothest field of unit norm on each component without constraints.
   std::vector<double> Eigenvalues;
   bool EndedByRounding = false;      ///< not converged, and no residual could be smaller
   std::vector<std::string> Warnings; ///< one sentence each, for the user

@@ -9,7 +9,7 @@ namespace dmg
 /// When an iterative solver may stop.
 struct StoppingCriteria
 {
-  /// Of IterationReport::RelativeResidual; > 0.
+  /// The bound of IterationReport::RelativeResidual; > 0.
   double RelativeTolerance = 1e-8;
   /// >= 1
   int MaximumIterations = 100;

@@ -82,7 +82,7 @@ SparseMatrix<Complex> LaplacianCycle::CoarseMatrix(const ExecutionContext& conte
 {
   SparseMatrix<Complex> coarse =
     this->Held.empty() ? SymmetricFromLower(this->Fine.CoarseLower, context) : this->CoarseMatrixOfFree(context);
-  // What is added is the product of some rows of P, times roots, with their adjoint. An unknown couples all that it
+  // The added matrix is the product of some rows of P, times roots, with their adjoint. An unknown couples all that it
   // is interpolated from, so the pattern has room for it.
   SparseMatrix<Complex> rows = this->Rows(this->Penalised.Unknowns(), context);
   this->Penalised.ScaleRows(rows, context);

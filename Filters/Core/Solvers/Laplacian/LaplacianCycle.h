@@ -34,7 +34,7 @@ private:
   void SetDiagonal(const Vector<double>& D, const ExecutionContext& context);
   /// P^H L P and the coarse penalties.
   SparseMatrix<Complex> CoarseMatrix(const ExecutionContext& context) const;
-  /// Of the prolongation.
+  /// Rows of the prolongation.
   SparseMatrix<Complex> Rows(const std::vector<int>& rows, const ExecutionContext& context) const;
   /// P^H L P where unknowns are held at zero.
   SparseMatrix<Complex> CoarseMatrixOfFree(const ExecutionContext& context) const;

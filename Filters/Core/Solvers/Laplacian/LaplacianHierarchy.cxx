@@ -49,7 +49,7 @@ private:
   Vector<Complex> Solution;
 };
 
-/// What is known of each unknown, two for each row.
+/// Sets the numbers of each unknown, two for each row.
 /// \param components in the order of the parents.
 void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParents, const std::vector<int>& byColours,
   const std::vector<int>& components, const ExecutionContext& context)
@@ -79,7 +79,7 @@ void Round(SparseMatrix<Complex>& P, const ExecutionContext& context)
     {
       for (int e = first; e < last; ++e)
       {
-        // In packs, because GCC 12 takes a number for its rounded one when it makes packs of this itself.
+        // Packs are written out, because GCC 12 takes a number for its rounded one when it makes packs of this itself.
         const auto entry = LoadPack<DoublePack>(P.valuePtr() + e);
         const FloatPair nearest = __builtin_convertvector(entry, FloatPair);
         StorePack(__builtin_convertvector(nearest, DoublePack), P.valuePtr() + e);
@@ -126,7 +126,7 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL, std::vector<Spar
   const std::vector<int> byParents = RenumberHierarchically(prolongations, size, context);
   SparseMatrix<Complex> L = makeL(byParents, context);
   CheckChain(L.rows(), prolongations);
-  // What comes now is large, and would not fit where smaller arrays were; here and below.
+  // The next arrays are large, and would not fit where smaller ones were; here and below.
   GiveBackFreedMemory();
   context.Checkpoint(0.2);
   SparseMatrix<Complex>& P = prolongations[0];

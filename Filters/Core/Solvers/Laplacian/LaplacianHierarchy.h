@@ -33,7 +33,7 @@ public:
   int Rows() const { return static_cast<int>(this->L.rows()); }
 
   SparseMatrix<Complex> L;
-  TriangularParts<Single> Sweeps;             ///< L as sweeps read it, which take 1.3 times as long in double precision
+  TriangularParts<Single> Sweeps;             ///< L as sweeps read it, in single precision for their speed
   SingleProlongation Prolongation;            ///< complex
   SparseMatrix<Complex> CoarseLower;          ///< the lower triangle of P^H L P
   std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
@@ -56,7 +56,7 @@ using MatrixInOrder =
 /// \param smoothingSteps >= 0; see SmoothedProlongation.
 /// \throw InvalidInput the sizes do not chain.
 /// \throw Cancelled
-/// Cost: linear in the entries of L, 1.5 us for each row with two threads.
+/// Cost: linear in the entries of L.
 LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL, std::vector<SparseMatrix<Complex>> prolongations,
   int smoothingSteps, const ExecutionContext& context);
 

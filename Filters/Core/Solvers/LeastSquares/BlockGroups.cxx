@@ -18,7 +18,7 @@ namespace
 
 constexpr int PackLanes = LanesOf<FloatPack>;
 
-/// Of a block: its unknowns and its inner rows, in numbers; then for each of its rows a bit per unknown that
+/// The incidence of a block: the numbers of its unknowns and inner rows, then for each of its rows a bit per unknown that
 /// touches it.
 using Incidence = std::vector<std::uint64_t>;
 
@@ -188,7 +188,7 @@ private:
     }
   };
 
-  /// Of each block of a tile; and the patterns there are.
+  /// The keys of the blocks of a tile; new patterns are added.
   std::vector<Key> KeysOf(const UnknownBlocks& blocks, const BlockTiles& tiles, int tile, RowsOfBlock& rows)
   {
     std::map<Incidence, int> numbers;

@@ -12,7 +12,7 @@
 namespace dmg
 {
 
-/// How the unknowns of a block share rows of B, which count from 0 in each block.
+/// The pattern in which the unknowns of a block share rows of B, which count from 0 in each block.
 struct BlockPattern
 {
   int InnerRows = 0;                ///< so many rows come first, which no unknown outside of the block touches
@@ -27,19 +27,18 @@ struct BlockPattern
   int Unknowns() const { return static_cast<int>(this->Offsets.size()) - 1; }
   int Rows() const { return static_cast<int>(this->RowOffsets.size()) - 1; }
   int Entries() const { return static_cast<int>(this->RowOf.size()); }
-  /// Of a lower triangle.
+  /// The number of entries of a lower triangle.
   int InverseSize() const { return this->Unknowns() * (this->Unknowns() + 1) / 2; }
 };
 
 /// Blocks in groups of four, each in a lane of a pack: independent blocks of a tile (BlockTiles) whose
 /// unknowns share rows of B in the same way, as the sides of most faces do, and the faces around most vertices
 /// of a valence. First those of one colour, then what is left of all colours; with less than four, a block takes
-/// several lanes, which read, compute and write the same. Others are groups of one. With groups of one alone,
-/// a second solve takes 1.4 times as long for face fields and 1.5 times for 1-forms, and all from the bare mesh 6 and 10 %
-/// longer (medians of 14 surfaces).
+/// several lanes, which read, compute and write the same. Others are groups of one. Groups of several
+/// lanes save a third of a second solve: see what each part of the solvers gains in Testing/Benchmarks/README.md.
 ///
-/// Groups tell an order of the unknowns and of the rows of B in which unknowns that a group has to itself, and
-/// rows inside of its blocks, have those of all lanes side by side, to be read and written at once.
+/// The groups give a renumbering. Unknowns that only one group uses, and the inner rows of its blocks, are stored interleaved
+/// by lane, so that each loads as one vector.
 struct BlockGroups
 {
   static constexpr int LargestBlock = 64;
@@ -69,7 +68,7 @@ struct BlockGroups
     return this->Unknowns(group) + this->PatternOf(group).Unknowns() * group.Lanes;
   }
 
-  /// As the groups come to them, and then those that they do not; of all \p unknowns or \p rows.
+  /// The order in which the groups come to them, and then the rest; of all \p unknowns or \p rows.
   std::vector<int> OrderOfUnknowns(int unknowns) const;
   std::vector<int> OrderOfRows(int rows) const;
 

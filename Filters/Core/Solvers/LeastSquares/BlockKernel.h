@@ -4,7 +4,7 @@
 #include "Solvers/Kernels/Packs.h"
 #include "Solvers/LeastSquares/BlockGroups.h"
 
-/// What a BlockSmoother does with the blocks in the lanes of a pack, float or FloatPack: it reads and writes their
+/// The kernel of a BlockSmoother for the blocks in the lanes of a pack, float or FloatPack: it reads and writes their
 /// places in vectors, and multiplies by their inverses.
 namespace dmg
 {
@@ -56,7 +56,7 @@ inline void MultiplySymmetric(const float* triangle, int size, const float* x, f
   }
 }
 
-/// Where unknowns and rows of B stand in vectors: anywhere.
+/// Places of unknowns and rows of B in vectors: anywhere.
 template <class Pack>
 class PlacesAnywhere
 {

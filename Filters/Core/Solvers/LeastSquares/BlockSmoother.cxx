@@ -253,7 +253,7 @@ void BlockSmoother::SmoothTile(const SchwarzBlocks::Tile& tile, bool descending)
     const SchwarzBlocks::Group& group = this->Blocks.Groups()[g];
     const Streams of = this->StreamsOf(g);
     const Streams later = this->StreamsOf(ahead.IsAtEnd() ? g : ahead.Group());
-    // Where D is zero, the inverse is that of the roughness.
+    // The inverse is that of the stiffness matrix where D is zero.
     of.Inverse == this->Blocks.Inverse(group) ? this->SmoothGroup<false>(group, of, later)
                                               : this->SmoothGroup<true>(group, of, later);
   }

@@ -50,7 +50,7 @@ public:
   /// Cost: one pass over the unknowns, and the inverses of the blocks where D is not zero.
   void SetDiagonal(const Vector<double>& D, const ExecutionContext& context);
 
-  /// Where D is infinite; ascending.
+  /// The unknowns where D is infinite; ascending.
   const std::vector<int>& HeldUnknowns() const { return this->Held; }
 
   /// Smooths A x = b from x = 0, colours of tiles in ascending order.
@@ -75,7 +75,7 @@ private:
   /// Takes the groups of a tile one after the other.
   void SmoothTile(const SchwarzBlocks::Tile& tile, bool descending);
   bool Touches(const Vector<double>& D, const SchwarzBlocks::Group& group) const;
-  /// Where a group begins in the arrays that are read from first to last.
+  /// The beginnings of a group in the arrays that are read from first to last.
   struct Streams
   {
     const int* Places;

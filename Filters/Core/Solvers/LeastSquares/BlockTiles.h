@@ -19,7 +19,7 @@ namespace dmg
 class BlockTiles
 {
 public:
-  /// Of most tiles, in blocks: for the caches of a core, and some for each of many threads on small surfaces.
+  /// The size of most tiles, in blocks: they fit the caches of a core, and small surfaces have some for each of many threads.
   static int SizeFor(int numberOfBlocks);
 
   /// \param Bt B^T, a row per unknown.
@@ -36,7 +36,7 @@ public:
   /// Blocks of a tile with the same colour share no row, but for the last colour, which is for those
   /// that found none.
   static constexpr int LastBlockColour = 63;
-  /// Of each block.
+  /// The colour of each block.
   const std::vector<char>& BlockColours() const { return this->Colours; }
 
 private:

@@ -62,7 +62,7 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(const ExecutionContext& con
     lowerOfFree.swap(lower); // an assignment would copy
   }
   SparseMatrix<double> coarse = SymmetricFromLower(areAllFree ? this->Fine.CoarseLower : lowerOfFree, context);
-  // What is added are the squares of rows of P, times roots.
+  // The added matrix consists of the squares of rows of P, times roots.
   SparseMatrix<Complex32> rows = this->Fine.Prolongation.SelectedRows(this->Penalised.Unknowns(), context);
   this->Penalised.ScaleRows(rows, context);
   AddInPattern(coarse, GramOfPlanar(rows, context), context);

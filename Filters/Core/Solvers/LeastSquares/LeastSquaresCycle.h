@@ -35,7 +35,7 @@ public:
   long long Bytes() const override;
 
 private:
-  /// Of the smoothers and the penalised unknowns.
+  /// Sets the diagonal of the smoothers and of the penalised unknowns.
   void SetDiagonal(const Vector<double>& scaledD, const ExecutionContext& context);
   /// D of the scaled unknowns.
   Vector<double> Scaled(const Vector<double>& D) const;

@@ -63,7 +63,7 @@ Vector<double> SquaredLengthsOfRows(const SparseMatrix<double>& M, const Executi
   return squared;
 }
 
-/// What the columns of B are divided by, so that B^T B has no eigenvalue above 1 (Gershgorin): their
+/// The divisors of the columns of B, with which B^T B has no eigenvalue above 1 (Gershgorin): their
 /// lengths, which alone would give it a unit diagonal, times the roots of the sums of rows that |B|^T |B|
 /// would then have. A sliver or a high valence makes a few sums large; a bound for all would be as large.
 /// 1 where there is nothing.
@@ -141,7 +141,7 @@ void CheckLevels(const LeastSquaresLevels& levels, Eigen::Index unknowns)
   }
 }
 
-/// So that the rows of B that a tile will have make a few runs.
+/// Sorts tiles such that the rows of B of a tile make a few runs.
 void SortTilesByLength(const SparseMatrix<double>& B, std::vector<int>& rowOrder, const ExecutionContext& context)
 {
   const auto length = [&B](int row) { return B.outerIndexPtr()[row + 1] - B.outerIndexPtr()[row]; };

@@ -16,7 +16,7 @@
 namespace dmg
 {
 
-/// Where the levels of a LeastSquaresHierarchy come from.
+/// The origin of the levels of a LeastSquaresHierarchy.
 struct LeastSquaresLevels
 {
   UnknownBlocks Blocks;                      ///< of the fine level
@@ -34,7 +34,7 @@ struct LeastSquaresHierarchyOptions
   double Dropped = 0.0003;
 };
 
-/// What multigrid needs to know of a roughness |B x|^2, whatever is prescribed: its blocks, a smoothed
+/// The multigrid set-up of an energy |B x|^2, for any constraints: its blocks, a smoothed
 /// prolongation from plane vectors, and the roughness of those. Built once per surface; each set of
 /// prescriptions then takes a LeastSquaresCycle on it.
 ///

@@ -12,7 +12,7 @@
 namespace dmg
 {
 
-/// What BlockSmoother needs of the roughness B^T B alone: for each block the entries of B in its columns
+/// The part of BlockSmoother that depends on B^T B alone: for each block the entries of B in its columns
 /// and its inverse, group by group (BlockGroups), in the order in which they are needed.
 ///
 /// All is single precision: the inverses of blocks and the entries of B, which makes them those of nearly
@@ -66,7 +66,7 @@ public:
   /// All groups of a tile.
   Run GroupsOf(const Tile& tile) const { return { this->RunBegins[tile.First], this->RunBegins[tile.Last] }; }
 
-  /// In the order in which they are smoothed, tile by tile.
+  /// The groups in the order in which they are smoothed, tile by tile.
   const std::vector<Group>& Groups() const { return this->GroupsInOrder; }
   const std::vector<BlockPattern>& AllPatterns() const { return this->Patterns; }
   const BlockPattern& PatternOf(const Group& group) const { return this->Patterns[group.Pattern]; }
@@ -82,7 +82,7 @@ public:
     return this->OrderOfUnknowns[group.FirstPlace >= 0 ? group.FirstPlace + slot : this->PlacesOf(group)[slot]];
   }
   int NumberOfUnknowns(const Group& group) const { return this->PatternOf(group).Unknowns() * group.Lanes; }
-  /// Of unknowns by slots, and then of rows. But where there is a first place: of each inner row in the first
+  /// The places of unknowns by slots, and then of rows. But where there is a first place: of each inner row in the first
   /// lane, and then of the other rows by slots.
   const int* PlacesOf(const Group& group) const { return this->Places.data() + group.Places; }
   /// Entries of B, unknown by unknown.

@@ -30,7 +30,7 @@ public:
 
   double DiagonalOf(int unknown) const override;
   std::unique_ptr<RoughnessOperator> Operator() const override;
-  /// Where D is infinite the unknown is taken out of the matrix. A factor is a ShiftedFactor.
+  /// Unknowns where D is infinite are taken out of the matrix. A factor is a ShiftedFactor.
   /// \throw SolverFailure R + D could not be factored.
   std::unique_ptr<RoughnessCycle> Cycle(
     const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const override;

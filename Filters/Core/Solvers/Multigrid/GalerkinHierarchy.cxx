@@ -32,7 +32,7 @@ double RealDiagonalEntry(const SparseMatrix<Scalar>& A, int i)
   return 0.0;
 }
 
-/// What p^H D p is for each column p of a prolongation, of adjoint R, and D = diag(scales).
+/// The number p^H D p for each column p of a prolongation, of adjoint R, and D = diag(scales).
 template <class Scalar>
 Vector<double> CoarseScales(
   const SparseMatrix<Scalar>& R, const Vector<double>& scales, const ExecutionContext& context)
@@ -194,7 +194,7 @@ void GalerkinHierarchy<Scalar>::FindDiagonal(int level, Vector<double>& scales, 
     {
       for (int i = first; i < last; ++i)
       {
-        // What cancels in p^H A p leaves rounding errors of the size of p^H diag(A) p. Those of an
+        // Cancellation in p^H A p leaves rounding errors of the size of p^H diag(A) p. Those of an
         // inactive unknown are what it hands on: its scale stays.
         diagonal[i] = RealDiagonalEntry(A, i);
         if (std::abs(diagonal[i]) <= 1e-13 * scales[i])

@@ -17,7 +17,7 @@ struct GalerkinOptions
 {
   /// The level whose matrix is factored; prolongations beyond it are left out. 0: A itself.
   int CoarsestLevel = std::numeric_limits<int>::max();
-  /// How often the finest prolongation is smoothed before it is used, >= 0; see
+  /// The number of times that the finest prolongation is smoothed before it is used, >= 0; see
   /// SmoothedProlongation.h. For a fine level whose coefficients jump where the coarse do not.
   int FinestProlongationSteps = 0;
 };
@@ -26,7 +26,7 @@ struct GalerkinOptions
 /// factorisation of the coarsest. Level 0 is the finest.
 ///
 /// Order. The unknowns of surface meshes come in any order, and a random order makes every product
-/// two to four times as slow. The levels are therefore kept in an order of their own (HierarchicalOrder).
+/// slow. The levels are therefore kept in an order of their own (HierarchicalOrder).
 /// FinestOrder relates it to the caller's.
 ///
 /// Inactive unknowns. Where a diagonal entry of a semi-definite matrix is zero, up to rounding, its
@@ -45,7 +45,7 @@ public:
   /// \throw SolverFailure a diagonal entry is negative or not finite, or the coarsest matrix is not
   ///   positive semi-definite.
   /// \throw Cancelled
-  /// Checkpoints: one per level, 0.2 s apart at a million unknowns.
+  /// Checkpoints: one per level.
   GalerkinHierarchy(const SparseMatrix<Scalar>& A, std::vector<SparseMatrix<Scalar>> prolongations,
     const GalerkinOptions& options, const ExecutionContext& context);
   /// \param A comes back empty, as soon as it is not needed any more.

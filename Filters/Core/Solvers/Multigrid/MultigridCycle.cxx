@@ -92,7 +92,7 @@ private:
     }
   }
 
-  /// Of a cycle among the repetitions: they damp errors of eigenvalues of B A from LeastEigenvalue to 1 evenly,
+  /// The step of a cycle among the repetitions: they damp errors of eigenvalues of B A from LeastEigenvalue to 1 evenly,
   /// and others by some (Chebyshev's semi-iteration; Saad 2003, section 12.3).
   Real StepOf(int repetition) const
   {

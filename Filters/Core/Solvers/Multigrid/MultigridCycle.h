@@ -10,7 +10,7 @@
 namespace dmg
 {
 
-/// Of the numbers inside a cycle. The solvers around it work in double precision, correct its
+/// The precision of the numbers inside a cycle. The solvers around it work in double precision, correct its
 /// rounding errors and reach any tolerance that double precision allows.
 enum class CyclePrecision
 {

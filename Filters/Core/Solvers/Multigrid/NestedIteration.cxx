@@ -58,7 +58,7 @@ public:
     this->Start = Clock::now();
   }
 
-  /// Of the iterate on this level, if a measure asks for it.
+  /// Records the measures of the iterate on this level, if a measure asks for it.
   void Observe(int level)
   {
     if (this->Measure)
@@ -200,7 +200,7 @@ private:
     return norm;
   }
 
-  /// What must fall by each sweep: the error, the residual, or nothing.
+  /// The quantity that must fall by each sweep: the error, the residual, or nothing.
   double Badness(int level)
   {
     if (this->Options.Rule == SweepRule::WhileResidualFalls)

@@ -29,14 +29,14 @@ struct RoughnessCycleOptions
   int Sweeps = 4;
   /// The first coarse level is factored if it has at most so many unknowns; where R and D are kept apart.
   int LargestFactor = 10000;
-  /// Of the levels below.
+  /// The options of the levels below.
   CycleOptions Coarse;
-  /// Of a matrix that is assembled (AssembledHierarchy): V-cycles in a row, the level that is factored, and how often
+  /// Options of a matrix that is assembled (AssembledHierarchy): V-cycles in a row, the level that is factored, and how often
   /// the finest prolongation is smoothed.
   int CyclesInARow = 1;
   GalerkinOptions Coarsening;
 
-  /// Of the first coarse level: none, but a factor, where it is small.
+  /// The coarsening of the first coarse level: none, but a factor, where it is small.
   GalerkinOptions CoarseningOf(int numberOfUnknowns) const
   {
     GalerkinOptions coarsening;
@@ -98,7 +98,7 @@ private:
   Vector<double> Inverse;
 };
 
-/// What cycles need to know of a roughness R. Its unknowns stand in an order of their own, which those of
+/// The part of cycles that depends on the stiffness matrix R alone. Its unknowns stand in an order of their own, which those of
 /// its cycles and operators share.
 class RoughnessHierarchy
 {
@@ -155,7 +155,7 @@ protected:
   RoughnessHierarchy() = default;
   RoughnessHierarchy(RoughnessHierarchy&&) = default;
 
-  /// Of what this class holds.
+  /// The bytes that this class holds.
   long long BytesOfUnknowns() const
   {
     return static_cast<long long>((this->Order.size() + this->Components.size()) * sizeof(int));
