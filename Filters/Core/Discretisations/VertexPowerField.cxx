@@ -86,6 +86,24 @@ double PartOfCorner(int corner, int side)
   return corner == (side + 2) % 3 ? 0.0 : 0.5;
 }
 
+/// Vertices with directions on all faces around. On the rim of a region that is prescribed on faces a vertex has them on one
+/// side only, and the mean of those is the direction of a place half an edge inside.
+std::vector<char> SurroundedVertices(const TriangleMesh& mesh, const std::vector<Constraint>& onFaces)
+{
+  std::vector<char> isPrescribed(mesh.NumberOfFaces(), 0);
+  for (const Constraint& onFace : onFaces)
+  {
+    CheckElement(onFace.Element, mesh.NumberOfFaces(), "face");
+    isPrescribed[onFace.Element] |= onFace.Side < 0;
+  }
+  std::vector<char> isSurrounded(mesh.NumberOfVertices(), 1);
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    isSurrounded[mesh.Tail(h)] &= isPrescribed[TriangleMesh::FaceOf(h)];
+  }
+  return isSurrounded;
+}
+
 FieldConstraints MeansOf(const std::vector<PowerAtVertex>& sums)
 {
   FieldConstraints constraints;
@@ -202,16 +220,18 @@ FieldConstraints VertexPowerField::Prescribe(const Constraints& constraints, con
   const auto& [mesh, faceFrames, vertexFrames] = this->Surface;
   const VertexConnection& connection = this->Connection(SerialContext());
   const Vector<double> areas = LumpedMass(mesh);
+  const std::vector<char> isSurrounded = SurroundedVertices(mesh, constraints.OnFaces);
   std::vector<PowerAtVertex> sums(mesh.NumberOfVertices());
   for (const Constraint& onFace : constraints.OnFaces)
   {
     const int face = onFace.Element;
-    CheckElement(face, mesh.NumberOfFaces(), "face");
+    const auto isInside = [&](int k) { return isSurrounded[mesh.FaceCorners()(face, k)] != 0; };
+    const bool holdsInside = onFace.Side < 0 && (isInside(0) || isInside(1) || isInside(2));
     const Complex v = TangentialPart(faceFrames, face, onFace.Direction, onFace.Weight, names.Face(face), "cell");
     const double area = mesh.FaceArea(face);
     for (int k = 0; k < 3; ++k)
     {
-      if (const double part = PartOfCorner(k, onFace.Side); part > 0.0)
+      if (const double part = PartOfCorner(k, onFace.Side); part > 0.0 && (isInside(k) || !holdsInside))
       {
         const int h = 3 * face + k;
         const int vertex = mesh.Tail(h);

@@ -213,6 +213,47 @@ TEST(VertexPowerField, WeightsAreSharesOfArea)
   EXPECT_LT((two.Values - Eigen::Vector2d(1.0, 0.0)).norm(), 1e-12); // 0 and 90 degrees agree
 }
 
+// A harmonic vector field that is held on the faces of a band is found inside of it with order two.
+TEST(VertexPowerField, RegionsOfFacesHoldTheFieldWithOrderTwo)
+{
+  const auto exactAt = [](const Vector3& p)
+  { return Vector3(1.0 + 3.0 * (p[0] * p[0] - p[1] * p[1]), 0.5 - 6.0 * p[0] * p[1], 0.0); };
+  std::vector<double> errors;
+  for (int n : { 20, 40 })
+  {
+    const TriangleMesh mesh =
+      MappedGrid(n, Diagonals::Alike, [](double x, double y) { return Vector3(x, y, 0.0); }).Mesh();
+    Constraints held;
+    for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+    {
+      Vector3 centre = Vector3::Zero();
+      for (int k = 0; k < 3; ++k)
+      {
+        centre += mesh.Position(mesh.FaceCorners()(face, k)) / 3.0;
+      }
+      if (centre.cwiseAbs().maxCoeff() > 0.75)
+      {
+        held.OnFaces.push_back({ face, exactAt(centre), 1.0 });
+      }
+    }
+    FieldSolver solver(mesh);
+    solver.Solve(held, PointFields(1), { 1e-10, 200 });
+    double largest = 0.0;
+    for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+    {
+      const Vector3 p = mesh.Position(vertex);
+      if (p.cwiseAbs().maxCoeff() < 0.75)
+      {
+        const Complex x(solver.Unknowns()[2 * vertex], solver.Unknowns()[2 * vertex + 1]);
+        largest = std::max(largest, (solver.Surface().Vertices.ToVector(vertex, x) - exactAt(p)).norm());
+      }
+    }
+    errors.push_back(largest);
+  }
+  EXPECT_LT(errors[1], 0.02);
+  EXPECT_GT(errors[0] / errors[1], 3.0) << errors[0] << ' ' << errors[1];
+}
+
 // Along a side of a face, its two ends are held, with half of the face each.
 TEST(VertexPowerField, DirectionsAlongSidesHoldTheirEnds)
 {
