@@ -20,29 +20,6 @@ namespace dmg
 namespace
 {
 
-ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index)
-{
-  vtkInformation* const information = algorithm->GetInputArrayInformation(index);
-  ArrayChoice choice;
-  if (const char* const name = information->Get(vtkDataObject::FIELD_NAME()))
-  {
-    choice.Name = name;
-  }
-  else if (information->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
-  {
-    choice.Attribute = information->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
-  }
-  if (choice.Name == "Active Vectors") // of menus, which know names alone
-  {
-    return { "", vtkDataSetAttributes::VECTORS, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS };
-  }
-  if (choice.IsMade())
-  {
-    choice.Association = information->Get(vtkDataObject::FIELD_ASSOCIATION());
-  }
-  return choice;
-}
-
 struct FoundArray
 {
   vtkAbstractArray* Array = nullptr;
@@ -103,6 +80,29 @@ std::string WayOut(const ConstraintArrays& arrays)
   return arrays.Mask ? "take it out of the mask" : "make the direction zero";
 }
 
+}
+
+ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index)
+{
+  vtkInformation* const information = algorithm->GetInputArrayInformation(index);
+  ArrayChoice choice;
+  if (const char* const name = information->Get(vtkDataObject::FIELD_NAME()))
+  {
+    choice.Name = name;
+  }
+  else if (information->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+  {
+    choice.Attribute = information->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+  }
+  if (choice.Name == "Active Vectors") // of menus, which know names alone
+  {
+    return { "", vtkDataSetAttributes::VECTORS, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS };
+  }
+  if (choice.IsMade())
+  {
+    choice.Association = information->Get(vtkDataObject::FIELD_ASSOCIATION());
+  }
+  return choice;
 }
 
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)

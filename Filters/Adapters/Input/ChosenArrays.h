@@ -38,6 +38,9 @@ struct ConstraintChoices
   ArrayChoice Rotation = {}; ///< in degrees, on the surface alone
 };
 
+/// The choice of one index of vtkAlgorithm::SetInputArrayToProcess.
+ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index);
+
 /// The arrays chosen with vtkAlgorithm::SetInputArrayToProcess and indices 0 (mask), 1 (vectors),
 /// 2 (weights), 3 (values) and 4 (rotation). The name "Active Vectors", of menus, chooses those of the points, else of
 /// the cells.

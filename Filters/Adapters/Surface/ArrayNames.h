@@ -22,6 +22,27 @@ inline constexpr const char* MaximumCurvature = "MaximumCurvature";
 inline constexpr const char* MinimumCurvature = "MinimumCurvature";
 inline constexpr const char* Confidence = "Confidence";
 
+// cells and points: a decomposed flow
+inline constexpr const char* GradientPart = "GradientPart";
+inline constexpr const char* RotationalPart = "RotationalPart";
+inline constexpr const char* HarmonicPart = "HarmonicPart";
+inline constexpr const char* Residual = "Residual";
+inline constexpr const char* NormalComponent = "NormalComponent";
+inline constexpr const char* Potential = "Potential";
+inline constexpr const char* StreamFunction = "StreamFunction";
+inline constexpr const char* Divergence = "Divergence";
+inline constexpr const char* Vorticity = "Vorticity";
+
+// field data: a decomposed flow
+inline constexpr const char* FlowEnergies = "FlowEnergies";
+inline constexpr const char* FlowShares = "FlowShares";
+inline constexpr const char* HarmonicCoefficients = "HarmonicCoefficients";
+inline constexpr const char* BoundaryPoint = "BoundaryPoint";
+inline constexpr const char* BoundaryLength = "BoundaryLength";
+inline constexpr const char* BoundaryCirculation = "BoundaryCirculation";
+inline constexpr const char* BoundaryFlux = "BoundaryFlux";
+inline constexpr const char* BoundaryStreamFunction = "BoundaryStreamFunction";
+
 // cells and edges
 inline constexpr const char* HarmonicBasisPrefix = "HarmonicBasis ";
 /// \param k from 1

@@ -1,0 +1,248 @@
+#include "Adapters/Output/FlowToArrays.h"
+
+#include "Adapters/Surface/ElementArrays.h"
+#include "Analysis/FlowOperators.h"
+#include "Operators/PowerFieldDirections.h"
+
+#include "vtkCellData.h"
+#include "vtkContourFilter.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkStringArray.h"
+
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+using namespace ArrayNames;
+
+/// The arrays of a surface with a decomposed flow.
+class FlowArrays
+{
+public:
+  FlowArrays(const FramedSurface& surface, const Unfilled<Corner>& corners, vtkPolyData* input, vtkPolyData* output,
+    const ExecutionContext& context)
+    : Surface(surface)
+    , Corners(corners)
+    , Input(input)
+    , Output(output)
+    , Context(context)
+  {
+  }
+
+  void AddPart(const char* name, const Vector<Complex>& part) const
+  {
+    if (part.size() == 0)
+    {
+      return;
+    }
+    const FramedMesh& on = this->Surface.On;
+    this->AddToCells(name, 3, Vectors(on.Faces, part).data());
+    const Vector<Complex> atVertices = PowersAtVertices(on.Mesh, this->Corners, part, 1, this->Context);
+    this->AddToPoints(name, 3, Vectors(on.Vertices, atVertices).data());
+  }
+
+  /// Adds numbers of vertices times a factor.
+  void AddFunction(const char* name, const Vector<double>& values, double factor) const
+  {
+    if (values.size() > 0)
+    {
+      const Vector<double> scaled = factor * values;
+      this->AddToPoints(name, 1, scaled.data());
+    }
+  }
+
+  void AddToCells(const char* name, int components, const double* values) const
+  {
+    ArraysOfCells(this->Surface.Numbering, this->Input, this->Output->GetCellData(), this->Context)
+      .Add(name, components, values);
+  }
+
+  void AddNumbers(const char* name, const Vector<double>& numbers) const
+  {
+    const auto array = NewArray(name, 1, numbers.size());
+    std::copy(numbers.begin(), numbers.end(), array->GetPointer(0));
+    this->Output->GetFieldData()->AddArray(array);
+  }
+
+private:
+  static Points Vectors(const TangentFrames& frames, const Vector<Complex>& field)
+  {
+    Points vectors(field.size(), 3);
+    for (int element = 0; element < field.size(); ++element)
+    {
+      vectors.row(element) = frames.ToVector(element, field[element]).transpose();
+    }
+    return vectors;
+  }
+
+  void AddToPoints(const char* name, int components, const double* values) const
+  {
+    ArraysOfPoints(this->Surface.Numbering, this->Input, this->Output->GetPointData(), this->Context)
+      .Add(name, components, values);
+  }
+
+  const FramedSurface Surface;
+  const Unfilled<Corner>& Corners;
+  vtkPolyData* const Input;
+  vtkPolyData* const Output;
+  const ExecutionContext& Context;
+};
+
+/// Takes away what a former decomposition has left, and this one may not make.
+void RemoveFlowArrays(vtkPolyData* surface)
+{
+  for (const char* const name : { GradientPart, RotationalPart, HarmonicPart, Residual, NormalComponent, Potential,
+         StreamFunction, Divergence, Vorticity })
+  {
+    surface->GetCellData()->RemoveArray(name);
+    surface->GetPointData()->RemoveArray(name);
+  }
+}
+
+void AddReport(const DecomposedFlow& parts, const std::string& solver, vtkFieldData* data)
+{
+  data->RemoveArray(ArrayNames::Solver);
+  data->RemoveArray(ArrayNames::Converged);
+  if (solver.empty())
+  {
+    return; // nothing was solved for
+  }
+  vtkNew<vtkStringArray> name;
+  name->SetName(ArrayNames::Solver);
+  name->InsertNextValue(solver);
+  data->AddArray(name);
+  vtkNew<vtkIntArray> converged;
+  converged->SetName(ArrayNames::Converged);
+  converged->InsertNextValue(parts.Converged ? 1 : 0);
+  data->AddArray(converged);
+}
+
+void AddEnergies(const FlowArrays& arrays, const DecomposedFlow& parts, double scale)
+{
+  Vector<double> energies(5);
+  energies << parts.Energy, parts.GradientEnergy, parts.RotationalEnergy, parts.HarmonicEnergy, parts.ResidualEnergy;
+  arrays.AddNumbers(FlowEnergies, scale * scale * energies);
+  arrays.AddNumbers(
+    FlowShares, parts.Energy > 0.0 ? Vector<double>(energies.tail(4) / parts.Energy) : Vector<double>::Zero(4));
+  arrays.AddNumbers(HarmonicCoefficients, scale * parts.Coefficients);
+}
+
+void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const std::vector<BoundaryLoop>& loops,
+  const SurfaceNumbering& numbering, double scale)
+{
+  Vector<double> points(static_cast<Eigen::Index>(loops.size()));
+  Vector<double> lengths(points.size());
+  for (Eigen::Index k = 0; k < points.size(); ++k)
+  {
+    points[k] = static_cast<double>(numbering.PointOf(loops[k].Vertices[0]));
+    lengths[k] = scale * loops[k].Length;
+  }
+  arrays.AddNumbers(BoundaryPoint, points);
+  arrays.AddNumbers(BoundaryLength, lengths);
+  arrays.AddNumbers(BoundaryCirculation, scale * parts.Circulation);
+  arrays.AddNumbers(BoundaryFlux, scale * parts.Flux);
+  arrays.AddNumbers(BoundaryStreamFunction, scale * parts.StreamValues);
+}
+
+}
+
+void FlowSurface::SetSurface(
+  vtkPolyData* input, FlowBoundary boundary, const SolverOptions& options, const ExecutionContext& context)
+{
+  const std::string digest = ContentDigest(input);
+  if (this->Digest != digest)
+  {
+    SurfaceMesh surface = MeshFromPolyData(input, Numbering::Spatial, context);
+    auto on = std::make_unique<FramedMesh>(std::move(surface.Mesh), context);
+    auto corners = Corners(on->Mesh, SideDirections(on->Mesh, on->Faces, context), on->Faces, on->Vertices, context);
+    this->Decomposition.reset();
+    this->On = std::move(on);
+    this->CornersOfFaces = std::move(corners);
+    this->Numbers = std::move(static_cast<SurfaceNumbering&>(surface));
+    this->Digest = digest;
+  }
+  if (!this->Decomposition || this->Boundary != boundary || !(this->Options == options))
+  {
+    this->Decomposition.emplace(*this->On, boundary, options);
+    this->Boundary = boundary;
+    this->Options = options;
+  }
+}
+
+std::vector<std::string> FlowSurface::Decompose(const Points& vectors, const FlowOptions& options, vtkPolyData* input,
+  vtkPolyData* output, const ExecutionContext& context)
+{
+  const FramedMesh& on = *this->On;
+  Vector<Complex> flow(on.Mesh.NumberOfFaces());
+  Vector<double> normal(flow.size());
+  for (int face = 0; face < flow.size(); ++face)
+  {
+    flow[face] = on.Faces.ToComplex(face, vectors.row(face).transpose());
+    normal[face] = on.Faces.Normal(face).dot(vectors.row(face).transpose());
+  }
+  const StoppingCriteria stop{ 1e-11, 200 };
+  const DecomposedFlow parts =
+    this->Decomposition->Decompose(flow, options.Parts, stop, PartOfContext(context, 0.0, 0.8));
+  RemoveFlowArrays(output);
+  const double scale = options.LengthScale;
+  const FlowArrays arrays(this->Surface(), this->CornersOfFaces, input, output, context);
+  arrays.AddPart(GradientPart, parts.Gradient);
+  arrays.AddPart(RotationalPart, parts.Rotational);
+  context.Checkpoint(0.9);
+  arrays.AddPart(HarmonicPart, parts.Harmonic);
+  arrays.AddPart(Residual, parts.Residual);
+  arrays.AddToCells(NormalComponent, 1, normal.data());
+  arrays.AddFunction(Potential, parts.Potential, scale);
+  arrays.AddFunction(StreamFunction, parts.StreamFunction, scale);
+  if (options.Derivatives)
+  {
+    const auto density = [&](const Vector<Complex>& X)
+    { return DensityAtVertices(on.Mesh, IntegratedDivergence(on, X, context), context); };
+    arrays.AddFunction(Divergence, density(flow), 1.0 / scale);
+    arrays.AddFunction(Vorticity, density(Complex(0.0, -1.0) * flow), 1.0 / scale);
+  }
+  AddEnergies(arrays, parts, scale);
+  AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Numbers, scale);
+  const bool isSolved = options.Parts.Gradient || options.Parts.Rotational;
+  AddReport(parts, isSolved ? this->Decomposition->SolverName() : std::string(), output->GetFieldData());
+  if (parts.StreamFunction.size() > 0)
+  {
+    output->GetPointData()->SetActiveScalars(StreamFunction);
+  }
+  context.Checkpoint(1.0);
+  return parts.Warnings;
+}
+
+void ContoursOfStreamFunction(vtkPolyData* surface, int number, vtkPolyData* lines)
+{
+  vtkDataArray* const values = surface->GetPointData()->GetArray(StreamFunction);
+  if (!values || number == 0)
+  {
+    return;
+  }
+  double range[2];
+  values->GetRange(range);
+  if (!(range[0] < range[1]))
+  {
+    return;
+  }
+  vtkNew<vtkPolyData> bare; // contours would have all other arrays, too
+  bare->CopyStructure(surface);
+  bare->GetPointData()->SetScalars(values);
+  vtkNew<vtkContourFilter> contours;
+  contours->SetInputData(bare);
+  contours->SetNumberOfContours(number);
+  for (int k = 0; k < number; ++k)
+  {
+    contours->SetValue(k, range[0] + (k + 0.5) * (range[1] - range[0]) / number);
+  }
+  contours->Update();
+  lines->ShallowCopy(contours->GetOutput());
+}
+
+}

@@ -1,0 +1,96 @@
+#include "vtkHodgeDecomposition.h"
+
+#include "Adapters/Input/FlowFromArrays.h"
+#include "Adapters/Output/FlowToArrays.h"
+#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/PropertyRanges.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
+
+vtkStandardNewMacro(vtkHodgeDecomposition);
+
+class vtkHodgeDecomposition::vtkInternals
+{
+public:
+  dmg::FlowSurface Kept;
+};
+
+//------------------------------------------------------------------------------
+vtkHodgeDecomposition::vtkHodgeDecomposition()
+  : Internals(new vtkInternals)
+{
+  this->SetNumberOfOutputPorts(2);
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::VECTORS);
+}
+
+//------------------------------------------------------------------------------
+vtkHodgeDecomposition::~vtkHodgeDecomposition() = default;
+
+//------------------------------------------------------------------------------
+int vtkHodgeDecomposition::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
+int vtkHodgeDecomposition::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkHodgeDecomposition::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
+  const auto make = [&](const dmg::ExecutionContext& context)
+  {
+    dmg::CheckRanges({ { "Boundary", this->Boundary, Closed, Open },
+      { "Solver", this->Solver, Automatic, ConjugateGradients }, { "Expected Solves", this->ExpectedSolves, 1 },
+      { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Length Scale", this->LengthScale, 1e-30 } });
+    dmg::SolverOptions options;
+    options.Kind = this->Solver == Cholesky ? dmg::SolverKind::Cholesky
+      : this->Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients
+                                            : dmg::SolverKind::Automatic;
+    options.ExpectedSolves = this->ExpectedSolves;
+    dmg::FlowSurface& kept = this->Internals->Kept;
+    kept.SetSurface(input, this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open, options,
+      dmg::PartOfContext(context, 0.0, 0.1));
+    const dmg::Points vectors = dmg::FlowVectors(this, input, kept.Surface(), dmg::Vector3(this->Axis));
+    const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart }, this->Derivatives,
+      this->LengthScale };
+    output->ShallowCopy(input);
+    for (const std::string& warning :
+      kept.Decompose(vectors, wanted, input, output, dmg::PartOfContext(context, 0.1, 0.95)))
+    {
+      vtkWarningMacro(<< warning);
+    }
+    dmg::ContoursOfStreamFunction(output, this->NumberOfContours, vtkPolyData::GetData(outputVector, 1));
+  };
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
+}
+
+//------------------------------------------------------------------------------
+void vtkHodgeDecomposition::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* const boundaries[] = { "Closed", "Open" };
+  const char* const solvers[] = { "Automatic", "Cholesky", "ConjugateGradients" };
+  os << indent << "Boundary: " << dmg::NameOf(boundaries, this->Boundary) << "\n";
+  os << indent << "GradientPart: " << this->GradientPart << "\n";
+  os << indent << "RotationalPart: " << this->RotationalPart << "\n";
+  os << indent << "HarmonicPart: " << this->HarmonicPart << "\n";
+  os << indent << "Derivatives: " << this->Derivatives << "\n";
+  os << indent << "NumberOfContours: " << this->NumberOfContours << "\n";
+  os << indent << "LengthScale: " << this->LengthScale << "\n";
+  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
+  os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
+  os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
+}

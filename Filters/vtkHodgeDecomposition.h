@@ -1,0 +1,211 @@
+/**
+ * @class   vtkHodgeDecomposition
+ * @brief   stream function, potential and harmonic part of a flow on a surface
+ *
+ * A flow on a surface is the sum of a part without vortices, the gradient of a potential; a part without sources, the gradient
+ * of a stream function after a quarter turn counter-clockwise; a harmonic part with neither, around handles and holes; and a
+ * residual, which varies within rings of cells and that the mesh does not resolve. The parts are orthogonal to each other in the
+ * integral over the surface, so that their energies sum to that of the flow (Filters/Core/HodgeDecomposition.md has the proof).
+ *
+ * @section vtkHodgeDecomposition-Inputs Inputs
+ *
+ * Port 0: vtkPolyData, an oriented manifold triangle surface as described in vtkDirectionalProlongation, with a flow in one of these
+ * forms:
+ *
+ * - vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default the active vectors of points,
+ *   else of cells. Their tangential part is decomposed. Of points, a face has the mean of its corners.
+ * - eastward and northward components of cells or points, chosen with indices 1 and 2, for surfaces around the origin with Axis to the
+ *   north. They count where index 1 is chosen, instead of vectors.
+ *
+ * @section vtkHodgeDecomposition-Output Output
+ *
+ * Port 0: vtkPolyData, the input with all its arrays, and, as double (L is LengthScale, lengths are in the unit of the points times L):
+ *
+ * | array                                                 | of             | components | meaning                                        |
+ * | ----------------------------------------------------- | -------------- | ---------- | ---------------------------------------------- |
+ * | GradientPart, RotationalPart, HarmonicPart, Residual  | cells, points  | 3          | the parts, in the unit of the flow             |
+ * | Potential                                             | points         | 1          | flow times length; grows along GradientPart    |
+ * | StreamFunction                                        | points         | 1          | grows to the left of RotationalPart's quarter turn: to the right of the flow; active scalars |
+ * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive |
+ * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential             |
+ *
+ * On cells, parts sum to the tangential part of the flow. At points, they are means of the cells around, by angle. Where functions are
+ * free by a constant, their mean by area is zero on each component of the surface.
+ *
+ * Field data:
+ *
+ * | array                                       | tuples     | meaning                                                              |
+ * | ------------------------------------------- | ---------- | -------------------------------------------------------------------- |
+ * | FlowEnergies                                | 5          | squared speed integrated: of the flow, gradient, rotational, harmonic part, residual |
+ * | FlowShares                                  | 4          | of the parts in the first                                            |
+ * | HarmonicCoefficients                        | dimension  | of the harmonic part in an orthonormal basis                         |
+ * | BoundaryPoint, BoundaryLength               | boundaries | a point of each loop, and its length; of a component the longest first |
+ * | BoundaryCirculation                         | boundaries | along the loop, with the surface to the left: clockwise around an island |
+ * | BoundaryFlux                                | boundaries | out of the surface                                                   |
+ * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
+ * | Solver, Converged                           | 1          | as of vtkHarmonicFieldSolver                                         |
+ *
+ * Port 1: vtkPolyData, lines where the stream function has one of NumberOfContours values, evenly spaced between its extremes: the
+ * streamlines of the rotational part, each pair with the same transport between them.
+ *
+ * Parts that are switched off have no arrays, and are in the residual.
+ *
+ * @section vtkHodgeDecomposition-Execution Execution
+ *
+ * Two solves for each flow; one more, once, for each island (Closed) and for each loop around handles and holes (HarmonicPart).
+ * Divergence and vorticity take no solve. Set-up and harmonic fields are kept for the next flow on the same surface, as in a time series, whose
+ * times pass through. Results have the same bits for any number of threads. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ *
+ * @sa vtkHarmonicFieldSolver
+ */
+
+#ifndef vtkHodgeDecomposition_h
+#define vtkHodgeDecomposition_h
+
+#include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+#include <memory> // For std::unique_ptr
+
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHodgeDecomposition : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkHodgeDecomposition* New();
+  vtkTypeMacro(vtkHodgeDecomposition, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Boundaries
+  {
+    /** Coasts: nothing flows through. The stream function is constant on each, and zero on the longest of a component. */
+    Closed = 0,
+    /** The edge of a region: the potential is zero there. */
+    Open = 1
+  };
+
+  ///@{
+  /**
+   * What the boundary of the surface is to the flow. Default Closed.
+   */
+  vtkSetMacro(Boundary, int);
+  vtkGetMacro(Boundary, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether GradientPart and Potential are computed. Default on.
+   */
+  vtkSetMacro(GradientPart, bool);
+  vtkGetMacro(GradientPart, bool);
+  vtkBooleanMacro(GradientPart, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether RotationalPart, StreamFunction and its contours are computed. Default on.
+   */
+  vtkSetMacro(RotationalPart, bool);
+  vtkGetMacro(RotationalPart, bool);
+  vtkBooleanMacro(RotationalPart, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether HarmonicPart is computed. Default on.
+   */
+  vtkSetMacro(HarmonicPart, bool);
+  vtkGetMacro(HarmonicPart, bool);
+  vtkBooleanMacro(HarmonicPart, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether Divergence and Vorticity are computed, which takes no solve. At a point of the boundary they are the means of the inner
+   * points beside it. Default on.
+   */
+  vtkSetMacro(Derivatives, bool);
+  vtkGetMacro(Derivatives, bool);
+  vtkBooleanMacro(Derivatives, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How many values of the stream function have lines on port 1. Default 20, range 0 (none) to 1000.
+   */
+  vtkSetMacro(NumberOfContours, int);
+  vtkGetMacro(NumberOfContours, int);
+  ///@}
+
+  ///@{
+  /**
+   * The length of the unit of the points: 6371000 for the Earth as a unit sphere and a flow in m/s, so that the stream function is in
+   * m^2/s. Default 1, more than 0.
+   */
+  vtkSetMacro(LengthScale, double);
+  vtkGetMacro(LengthScale, double);
+  ///@}
+
+  ///@{
+  /**
+   * The direction to the north pole from the origin, for eastward and northward components. Default (0, 0, 1). (0, 0, 0) is an error.
+   */
+  vtkSetVector3Macro(Axis, double);
+  vtkGetVector3Macro(Axis, double);
+  ///@}
+
+  enum Solvers
+  {
+    /** Cholesky for small surfaces and where many solves are expected, else conjugate gradients. */
+    Automatic = 0,
+    /** Sparse Cholesky factorisation. */
+    Cholesky = 1,
+    /** Conjugate gradients, preconditioned by multigrid. */
+    ConjugateGradients = 2
+  };
+
+  ///@{
+  /**
+   * How both functions are solved for. Default Automatic.
+   */
+  vtkSetMacro(Solver, int);
+  vtkGetMacro(Solver, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many solves are expected, two for each step of a time series: from 30 on, Automatic factors large surfaces, too. Default 1, at
+   * least 1.
+   */
+  vtkSetMacro(ExpectedSolves, int);
+  vtkGetMacro(ExpectedSolves, int);
+  ///@}
+
+  vtkHodgeDecomposition(const vtkHodgeDecomposition&) = delete;
+  void operator=(const vtkHodgeDecomposition&) = delete;
+
+protected:
+  vtkHodgeDecomposition();
+  ~vtkHodgeDecomposition() override;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+
+private:
+  int Boundary = Closed;
+  bool GradientPart = true;
+  bool RotationalPart = true;
+  bool HarmonicPart = true;
+  bool Derivatives = true;
+  int NumberOfContours = 20;
+  double LengthScale = 1.0;
+  double Axis[3] = { 0.0, 0.0, 1.0 };
+  int Solver = Automatic;
+  int ExpectedSolves = 1;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif
