@@ -74,7 +74,7 @@ public:
   vtkTypeMacro(vtkHodgeDecomposition, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  enum Boundaries
+  enum BoundaryKinds
   {
     /** Coasts: nothing flows through. The stream function is constant on each, and zero on the longest of a component. */
     Closed = 0,

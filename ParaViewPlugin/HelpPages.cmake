@@ -29,9 +29,10 @@ foreach (page IN LISTS pages)
   file(WRITE "${OUTPUT}/${page}" "${text}")
 endforeach ()
 
-file(GLOB pages RELATIVE "${METHOD}" "${METHOD}/*.md")
-foreach (page IN LISTS pages)
-  file(READ "${METHOD}/${page}" text)
+file(GLOB pages "${METHOD}/*.md" "${METHOD}/../*.md")
+foreach (path IN LISTS pages)
+  get_filename_component(page "${path}" NAME)
+  file(READ "${path}" text)
   string(REPLACE "../../../ParaViewPlugin/Documentation/" "" text "${text}") # the pictures lie beside them here
   file(WRITE "${OUTPUT}/${page}" "${text}")
 endforeach ()

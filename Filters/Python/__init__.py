@@ -1,6 +1,7 @@
 """Smooth directional fields on triangle surfaces.
 
 smooth_field()                        a field by one call, errors as exceptions
+hodge()                               stream function, potential and parts of a flow
 update()                              runs any VTK filter, errors as exceptions
 write_rosy(), write_sharp(),
 write_raw_field()                     files for remeshers
@@ -17,9 +18,10 @@ from typing import TYPE_CHECKING, Any, List
 if TYPE_CHECKING:
     from .export import write_raw_field, write_rosy, write_sharp
     from .fields import FieldError, FieldWarning, smooth_field, update
+    from .flows import hodge
 
 __all__ = [
-    "FieldError", "FieldWarning", "smooth_field", "update", "write_raw_field", "write_rosy", "write_sharp",
+    "FieldError", "FieldWarning", "hodge", "smooth_field", "update", "write_raw_field", "write_rosy", "write_sharp",
     "vtkFiltersDirectionalFields",
 ]
 
@@ -29,7 +31,7 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if name == "vtkFiltersDirectionalFields":
         return import_module("." + name, __name__)
-    module = "export" if name.startswith("write_") else "fields"
+    module = "export" if name.startswith("write_") else "flows" if name == "hodge" else "fields"
     return getattr(import_module("." + module, __name__), name)
 
 

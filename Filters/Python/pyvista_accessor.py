@@ -8,6 +8,7 @@ import pyvista
 
 from .export import write_raw_field, write_rosy, write_sharp
 from .fields import DataObjects, smooth_field
+from .flows import hodge
 
 
 @pyvista.register_dataset_accessor("directional", pyvista.PolyData)
@@ -24,6 +25,10 @@ class DirectionalAccessor:
     def cross_field(self, guides: DataObjects = None, **arguments: Any) -> pyvista.PolyData:
         """A new mesh with the smoothest field of crosses; see directionalmultigrid.smooth_field."""
         return smooth_field(self._mesh, guides, 4, **arguments)
+
+    def hodge(self, vectors: Optional[str] = None, **arguments: Any) -> pyvista.PolyData:
+        """A new mesh with the parts of a flow; see directionalmultigrid.hodge."""
+        return hodge(self._mesh, vectors, **arguments)
 
     def write_rosy(self, path: Any) -> None:
         """Writes the field of this mesh; see directionalmultigrid.write_rosy."""

@@ -7,6 +7,7 @@
 // into FuzzFilters.seed, so that it is known after a crash.
 
 #include "vtkHarmonicFieldSolver.h"
+#include "vtkHodgeDecomposition.h"
 
 #include "Cxx/TestTools.h"
 
@@ -422,7 +423,11 @@ void RunCase(unsigned long long seed)
   angles->SetInputArrayToProcess(1, 0, 0, choose.Below(2), choose.OneIn(3) ? "Given" : "");
   vtkNew<vtkPrincipalDirections> principal;
   principal->SetScale(choose.OneIn(8) ? 100.0 * choose.Unit() : 4.0 * choose.Unit());
-  Draw(choose, { singularities, lines, glyphs, angles, principal }, FieldOf(solver, input));
+  vtkNew<vtkHodgeDecomposition> hodge;
+  hodge->SetBoundary(choose.Below(2));
+  hodge->SetSolver(choose.Below(3));
+  hodge->SetNumberOfContours(choose.Below(10));
+  Draw(choose, { singularities, lines, glyphs, angles, principal, hodge }, FieldOf(solver, input));
 }
 
 /// \return whether it is as it must be.

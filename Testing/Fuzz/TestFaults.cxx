@@ -1,6 +1,7 @@
 // Memory that runs out, aborts at any moment, two filters at once: an error or a whole result, and a process that goes on.
 
 #include "vtkHarmonicFieldSolver.h"
+#include "vtkHodgeDecomposition.h"
 
 #include "FieldSolver.h"
 #include "TestTools.h"
@@ -274,7 +275,8 @@ std::vector<vtkSmartPointer<vtkAlgorithm>> AllFilters(vtkPolyData* input)
   all.insert(all.end(), { singular, prolongation });
   const std::initializer_list<vtkSmartPointer<vtkAlgorithm>> drawings = { vtkSmartPointer<vtkFieldLines>::New(),
     vtkSmartPointer<vtkFieldGlyphs>::New(), vtkSmartPointer<vtkFieldSingularities>::New(),
-    vtkSmartPointer<vtkFieldAngles>::New(), vtkSmartPointer<vtkPrincipalDirections>::New() };
+    vtkSmartPointer<vtkFieldAngles>::New(), vtkSmartPointer<vtkPrincipalDirections>::New(),
+    vtkSmartPointer<vtkHodgeDecomposition>::New() };
   for (const auto& drawing : drawings)
   {
     drawing->SetInputDataObject(input);

@@ -61,6 +61,21 @@ def write_ellipsoid(path):
     write(path, ellipsoid)
 
 
+def write_flow(path):
+    """The unit sphere, as active vectors its rotation about the x-axis and the gradient of z."""
+    source = vtkSphereSource()
+    source.SetRadius(1)
+    source.SetThetaResolution(60)
+    source.SetPhiResolution(60)
+    source.Update()
+    sphere = source.GetOutput()
+    x, y, z = vtk_to_numpy(sphere.GetPoints().GetData()).T.astype(float)
+    flow = numpy_to_vtk(np.stack([0 * x, -z, y + 1], axis=1), deep=True)
+    flow.SetName("Flow")
+    sphere.GetPointData().SetVectors(flow)
+    write(path, sphere)
+
+
 def write_guide(path):
     """An arc around a part of the equator of ParaView's own sphere, of radius 1/2, with an array of upward vectors and weights."""
     arc = vtkArcSource()
@@ -219,6 +234,17 @@ def check_features(result):
     assert field.GetPointData().HasArray("MaximumDirection")
 
 
+def check_flow(result):
+    """Both functions are those of the file; the second output shows contours of the stream function, blue lines."""
+    flow = read(result)
+    x, _, z = vtk_to_numpy(flow.GetPoints().GetData()).T
+    for name, expected in (("StreamFunction", -x), ("Potential", z)):
+        assert np.abs(vtk_to_numpy(flow.GetPointData().GetArray(name)) - expected).max() < 0.01, name
+    shares = vtk_to_numpy(flow.GetFieldData().GetArray("FlowShares"))
+    assert abs(shares[0] - 0.5) < 0.01 and abs(shares[1] - 0.5) < 0.01, shares
+    assert number_of_blue(pixels(result)) > 1500
+
+
 def check_nothing_said(result):
     """The smoothest crosses, then the smoothest lines: four singularities, which the window shows as red spheres, and blue lines."""
     for path, N in ((former(result), 4), (result, 2)):
@@ -320,6 +346,7 @@ TESTS = {"PointsPlacedInTheWindow": (write_sphere, check_points_placed),
          "FailedFirstInTheWindow": (write_radial_directions, check_failed_first),
          "FiltersInTheWindow": (write_sphere, check_filters),
          "StateInTheWindow": (write_sphere, check_state),
+         "FlowInTheWindow": (write_flow, check_flow),
          "ConvergenceInTheWindow": (write_large_sphere, check_convergence)}
 
 

@@ -304,6 +304,9 @@ class Accessor(unittest.TestCase):
         self.assertFalse(mesh.directional.smooth_field(n=2).GetCellData().HasArray("Direction2"))
         with self.assertRaises(TypeError):
             mesh.directional.cross_field(n=3)
+        flow = result.directional.hodge("Direction0", Boundary="Open")
+        self.assertIs(type(flow), self.pyvista.PolyData)
+        self.assertTrue(flow.GetPointData().HasArray("StreamFunction"))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,9 @@
 #include "vtkDataArray.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <string>
 
 namespace dmg
@@ -32,6 +34,7 @@ Points OnFaces(
 {
   const TriangleMesh& mesh = surface.On.Mesh;
   Points vectors(mesh.NumberOfFaces(), 3);
+  vtkIdType wrong = std::numeric_limits<vtkIdType>::max(); // the first cell of the caller's
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
     Vector3 sum = Vector3::Zero();
@@ -46,9 +49,13 @@ Points OnFaces(
     vectors.row(face) = (onPoints ? sum : vectorAt(surface.Numbering.CellOf(face), centre)).transpose();
     if (!vectors.row(face).allFinite())
     {
-      throw InvalidInput("the flow is not finite on cell " + std::to_string(surface.Numbering.CellOf(face)) +
-        (onPoints ? " or at its points" : "") + "; repair it, or take cells without a flow away with Threshold first");
+      wrong = std::min(wrong, static_cast<vtkIdType>(surface.Numbering.CellOf(face)));
     }
+  }
+  if (wrong < std::numeric_limits<vtkIdType>::max())
+  {
+    throw InvalidInput("the flow is not finite on cell " + std::to_string(wrong) +
+      (onPoints ? " or at its points" : "") + "; repair it, or take cells without a flow away with Threshold first");
   }
   return vectors;
 }

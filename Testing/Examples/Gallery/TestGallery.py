@@ -157,6 +157,39 @@ def check_levels(result):
         assert 2 * surface.GetNumberOfPoints() - surface.GetNumberOfCells() == 4
 
 
+def check_ocean(result):
+    """Each coast is a streamline; what flows between two of them is the difference of their stream functions."""
+    flow = fetch(result)
+    points = vtk_to_numpy(flow.GetPoints().GetData())
+    triangles = vtk_to_numpy(flow.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    psi = vtk_to_numpy(flow.GetPointData().GetArray("StreamFunction"))
+    coasts = vtk_to_numpy(flow.GetFieldData().GetArray("BoundaryStreamFunction"))
+    assert len(coasts) == 5 and coasts[0] == 0, coasts
+    shares = vtk_to_numpy(flow.GetFieldData().GetArray("FlowShares"))
+    assert abs(shares.sum() - 1) < 1e-9 and shares[1] > 0.5, shares
+    # A walk along edges from the first coast to another; what crosses each edge, by the vectors of a face beside it.
+    start, end = (int(flow.GetFieldData().GetArray("BoundaryPoint").GetValue(k)) for k in (0, 1))
+    beside = {}
+    for face, three in enumerate(triangles):
+        for a, b in zip(three, np.roll(three, -1)):
+            beside.setdefault(a, {})[b] = face
+            beside.setdefault(b, {}).setdefault(a, face)
+    before, queue = {start: None}, [start]
+    for point in queue:
+        for other in beside[point]:
+            if other not in before:
+                before[other] = point
+                queue.append(other)
+    vectors, n, transport = cells(flow, "RotationalPart"), normals(flow), 0.0
+    while before[end] is not None:
+        face = beside[before[end]][end]
+        along = points[end] - points[before[end]]
+        transport += 6371000 * np.cross(along, n[face]) @ vectors[face]  # to the right of the walk
+        end = before[end]
+    print(f"transport between the first two coasts: {transport / 1e6:.3f} million m^2/s, by stream function {(coasts[1] - coasts[0]) / 1e6:.3f}")
+    assert abs(abs(transport) - abs(coasts[1] - coasts[0])) < 1e-6 * np.ptp(psi)
+
+
 def picture(path):
     """A row per pixel."""
     reader = vtkPNGReader()

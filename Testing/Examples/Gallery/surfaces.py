@@ -165,3 +165,34 @@ def bracket(spacing=0.04):
         beyond = (points - origin) @ across
         points = points - np.maximum(beyond, 0)[:, None] * (across - (0, 0, up))
     return polydata(points, triangles)
+
+
+def ocean(spacing=0.035):
+    """A sphere without five continents; coasts are smooth lines of points."""
+    centres = np.array([[1, 0.2, 0.5], [0.75, -0.5, -0.5], [0.1, -1, 0.35], [-0.4, 0.8, -0.1], [-0.7, -0.4, -0.6]])
+    centres = centres / np.linalg.norm(centres, axis=1)[:, None]
+    radii = np.array([0.45, 0.28, 0.36, 0.5, 0.42])
+
+    def land(points):
+        """Positive on continents."""
+        near = np.exp(10 * (points @ centres.T - np.cos(radii)))
+        return near.sum(1) - 1 + 0.3 * np.sin(7 * points[:, 0] + 1) * np.cos(6 * points[:, 1] - 5 * points[:, 2])
+
+    points, triangles = triangles_of(implicit(lambda x, y, z: x * x + y * y + z * z - 1, 3 * [-1.1], 3 * [1.1], spacing))
+    points = points / np.linalg.norm(points, axis=1)[:, None]
+    used, corners = np.unique(triangles[land(points[triangles].mean(1)) < 0], return_inverse=True)
+    points, triangles = points[used], corners.reshape(-1, 3)
+    edges = np.concatenate([triangles[:, [i, j]] for i in range(3) for j in range(3) if i != j])
+    sides, numbers = np.unique(np.sort(edges, axis=1), axis=0, return_counts=True)
+    rim = sides[numbers == 2]  # each side of a triangle is there in both directions
+    coast, along = np.unique(rim), np.concatenate([rim, rim[:, ::-1]])
+    degrees = np.bincount(edges[:, 0])[:, None]
+    for _ in range(40):  # points to the mean of their neighbours; those of coasts along these, and to where land begins
+        means = np.stack([np.bincount(edges[:, 0], points[edges[:, 1], k]) for k in range(3)], 1) / degrees
+        means[coast] = np.stack([np.bincount(along[:, 0], points[along[:, 1], k], len(points)) for k in range(3)], 1)[coast] / 2
+        points = 0.5 * (points + means)
+        value, shifts = land(points[coast]), 1e-5 * np.eye(3)
+        slope = np.stack([(land(points[coast] + h) - land(points[coast] - h)) / 2e-5 for h in shifts], 1)
+        points[coast] -= 0.5 * (value / (slope ** 2).sum(1))[:, None] * slope
+        points /= np.linalg.norm(points, axis=1)[:, None]
+    return polydata(points, triangles)

@@ -1,0 +1,58 @@
+"""Hodge decompositions of flows by one call."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Any, Optional, TypeVar
+
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkPolyData
+
+from .fields import Property, _check_mesh, _choose_array, _set_property, _update
+from .vtkFiltersDirectionalFields import vtkHodgeDecomposition
+
+Mesh = TypeVar("Mesh", bound=vtkPolyData)
+
+
+def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] = None, northward: Optional[str] = None,
+          **properties: Property) -> Mesh:
+    """A flow on a surface as the sum of a gradient part, a rotational part, a harmonic part and a residual.
+
+    mesh                 a vtkPolyData, or an object of a class derived from it, as pyvista.PolyData; an oriented manifold surface of
+                         triangles. It is not changed.
+    vectors              the name of an array of vectors at points, else on cells; by default the active vectors of points, else of
+                         cells
+    eastward, northward  names of two arrays of numbers instead, for surfaces around the origin with Axis to the north
+    properties           properties of vtkHodgeDecomposition by name, as LengthScale=6371000; values of enumerations may be names,
+                         as Boundary="Open"
+
+    Returns a mesh of the same class, which has the arrays of the input and GradientPart, RotationalPart, HarmonicPart and Residual on
+    cells and at points; Potential, StreamFunction, Divergence and Vorticity at points; in its field data energies and, for each
+    boundary, circulation, flux and stream function (see vtkHodgeDecomposition).
+
+    Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what the
+    filter refuses; warns with FieldWarning.
+    """
+    _check_mesh(mesh)
+    decomposition = vtkHodgeDecomposition()
+    decomposition.SetInputData(mesh)
+    for name, value in properties.items():
+        _set_known(decomposition, name, value)
+    for index, name in ((0, vectors), (1, eastward), (2, northward)):
+        _choose_array(decomposition, mesh, index, name)
+    if vectors is None:
+        decomposition.SetInputArrayToProcess(0, 0, 0, vtkDataObject.FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes.VECTORS)
+    result = type(mesh)()
+    result.ShallowCopy(_update(decomposition, 3))
+    return result
+
+
+def _set_known(decomposition: vtkHodgeDecomposition, name: str, value: Any) -> None:
+    known = sorted(each[3:] for each in vars(type(decomposition))
+                   if each.startswith("Set") and hasattr(decomposition, "Get" + each[3:]))
+    if name not in known:
+        near = difflib.get_close_matches(name, known + ["vectors", "eastward", "northward"], 1, 0.5)
+        raise TypeError(f"there is no property {name}; " + (f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)))
+    if name == "Axis":
+        decomposition.SetAxis(*(float(each) for each in value))
+    else:
+        _set_property(decomposition, name, value)

@@ -1,0 +1,332 @@
+#include "vtkHodgeDecomposition.h"
+
+#include "TestTools.h"
+
+#include "vtkCellData.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using namespace dmg::test;
+using dmg::Pi;
+using dmg::Vector3;
+using VectorAt = std::function<Vector3(const Vector3&)>;
+
+Vector3 PointOf(vtkPolyData* surface, vtkIdType point)
+{
+  return Vector3(surface->GetPoint(point));
+}
+
+Vector3 CentreOf(vtkPolyData* surface, vtkIdType cell)
+{
+  vtkIdType size;
+  const vtkIdType* corners;
+  surface->GetCellPoints(cell, size, corners);
+  Vector3 centre = Vector3::Zero();
+  for (vtkIdType k = 0; k < size; ++k)
+  {
+    centre += PointOf(surface, corners[k]) / static_cast<double>(size);
+  }
+  return centre;
+}
+
+vtkSmartPointer<vtkPolyData> WithCellVectors(const Surface& shape, const VectorAt& field)
+{
+  const auto surface = PolyDataOf(shape);
+  const auto vectors = Zeros("Flow", surface->GetNumberOfCells(), 3);
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    vectors->SetTuple(cell, field(CentreOf(surface, cell)).data());
+  }
+  surface->GetCellData()->SetVectors(vectors);
+  return surface;
+}
+
+vtkSmartPointer<vtkPolyData> WithPointVectors(const Surface& shape, const VectorAt& field)
+{
+  const auto surface = PolyDataOf(shape);
+  const auto vectors = Zeros("Flow", surface->GetNumberOfPoints(), 3);
+  for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+  {
+    vectors->SetTuple(point, field(PointOf(surface, point)).data());
+  }
+  surface->GetPointData()->SetVectors(vectors);
+  return surface;
+}
+
+Vector3 Rotation(const Vector3& p)
+{
+  return Vector3(-p[1], p[0], 0.0);
+}
+
+/// Between circles of radius 1 and 2: the flow of a vortex, with a source, and a lift that is not tangential.
+Vector3 VortexAndSource(const Vector3& p)
+{
+  return Vector3((Vector3(-p[1], p[0], 0.0) + 0.5 * Vector3(p[0], p[1], 0.0)) / p.squaredNorm() + Vector3(0, 0, 3));
+}
+
+double RelativeError(const std::vector<double>& found, const std::function<double(vtkIdType)>& expected)
+{
+  double error = 0.0;
+  double scale = 0.0;
+  for (std::size_t k = 0; k < found.size(); ++k)
+  {
+    const double value = expected(static_cast<vtkIdType>(k));
+    error += (found[k] - value) * (found[k] - value);
+    scale += value * value;
+  }
+  return std::sqrt(error / scale);
+}
+
+}
+
+TEST(HodgeDecomposition, PartsOfCellsSumToTheTangentialFlow)
+{
+  vtkNew<vtkHodgeDecomposition> filter;
+  const auto input = WithCellVectors(Annulus(48, 12), VortexAndSource);
+  filter->SetInputData(input);
+  filter->Update();
+  vtkPolyData* const output = filter->GetOutput();
+  vtkCellData* const cells = output->GetCellData();
+  for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
+  {
+    const Vector3 sum = Tuple(cells, "GradientPart", cell) + Tuple(cells, "RotationalPart", cell) +
+      Tuple(cells, "HarmonicPart", cell) + Tuple(cells, "Residual", cell);
+    Vector3 flow = Tuple(cells, "Flow", cell);
+    EXPECT_NEAR(std::abs(Values(cells, "NormalComponent")[cell]), 3.0, 1e-12);
+    flow[2] = 0.0;
+    ASSERT_LT((sum - flow).norm(), 1e-12);
+  }
+  const std::vector<double> energies = Values(output->GetFieldData(), "FlowEnergies");
+  ASSERT_EQ(energies.size(), 5u);
+  EXPECT_NEAR(energies[1] + energies[2] + energies[3] + energies[4], energies[0], 1e-10 * energies[0]);
+  // The energy of a vortex of circulation 2 pi, 2 pi log 2, and of the source, a quarter of it.
+  EXPECT_NEAR(energies[2], 2.0 * Pi * std::log(2.0), 0.02 * energies[2]);
+  EXPECT_NEAR(energies[1], 0.5 * Pi * std::log(2.0), 0.02 * energies[1]);
+  const std::vector<double> shares = Values(output->GetFieldData(), "FlowShares");
+  EXPECT_NEAR(shares[0], energies[1] / energies[0], 1e-14);
+}
+
+TEST(HodgeDecomposition, BoundariesHaveCirculationFluxAndTransport)
+{
+  vtkNew<vtkHodgeDecomposition> filter;
+  filter->SetInputData(WithCellVectors(Annulus(96, 24), VortexAndSource));
+  filter->SetLengthScale(10.0);
+  filter->Update();
+  vtkFieldData* const data = filter->GetOutput()->GetFieldData();
+  // The outer circle is the first.
+  EXPECT_NEAR(Values(data, "BoundaryLength")[0], 40.0 * Pi, 0.1);
+  EXPECT_NEAR(Values(data, "BoundaryCirculation")[0], 20.0 * Pi, 0.05);
+  EXPECT_NEAR(Values(data, "BoundaryCirculation")[1], -20.0 * Pi, 0.05);
+  EXPECT_NEAR(Values(data, "BoundaryFlux")[0], 10.0 * Pi, 0.05);
+  EXPECT_NEAR(Values(data, "BoundaryFlux")[1], -10.0 * Pi, 0.05);
+  EXPECT_EQ(Values(data, "BoundaryStreamFunction")[0], 0.0);
+  EXPECT_NEAR(Values(data, "BoundaryStreamFunction")[1], -10.0 * std::log(2.0), 0.01);
+  for (const double point : Values(data, "BoundaryPoint"))
+  {
+    const double radius = PointOf(filter->GetOutput(), static_cast<vtkIdType>(point)).norm();
+    EXPECT_TRUE(std::abs(radius - 1.0) < 1e-12 || std::abs(radius - 2.0) < 1e-12);
+  }
+}
+
+TEST(HodgeDecomposition, OpenBoundariesLeaveTheSourceFlowToTheHarmonicPart)
+{
+  vtkNew<vtkHodgeDecomposition> filter;
+  filter->SetInputData(WithCellVectors(Annulus(48, 12), VortexAndSource));
+  filter->SetBoundary(vtkHodgeDecomposition::Open);
+  filter->Update();
+  const std::vector<double> shares = Values(filter->GetOutput()->GetFieldData(), "FlowShares");
+  EXPECT_LT(shares[0], 1e-3);
+  EXPECT_NEAR(shares[1], 0.8, 0.01);
+  EXPECT_NEAR(shares[2], 0.2, 0.01);
+  EXPECT_EQ(Values(filter->GetOutput()->GetFieldData(), "HarmonicCoefficients").size(), 1u);
+}
+
+TEST(HodgeDecomposition, VectorsOfPointsAndComponentsGiveTheSameFlow)
+{
+  const auto input = WithPointVectors(IrregularSphere(4, 3), Rotation);
+  vtkNew<vtkHodgeDecomposition> ofPoints;
+  ofPoints->SetInputData(input);
+  ofPoints->Update();
+  const std::vector<double> psi = Values(ofPoints->GetOutput()->GetPointData(), "StreamFunction");
+  EXPECT_LT(RelativeError(psi, [&](vtkIdType point) { return -PointOf(input, point)[2]; }), 0.01);
+  // Twice the sine of the latitude, as of all rotations.
+  EXPECT_LT(RelativeError(Values(ofPoints->GetOutput()->GetPointData(), "Vorticity"),
+              [&](vtkIdType point) { return 2.0 * PointOf(input, point)[2]; }),
+    0.02);
+
+  const auto components = PolyDataOf(IrregularSphere(4, 3));
+  const auto eastward = Zeros("u", components->GetNumberOfPoints(), 1);
+  const auto northward = Zeros("v", components->GetNumberOfPoints(), 1);
+  for (vtkIdType point = 0; point < components->GetNumberOfPoints(); ++point)
+  {
+    const Vector3 p = PointOf(components, point);
+    eastward->SetValue(point, std::hypot(p[0], p[1]));
+  }
+  components->GetPointData()->AddArray(eastward);
+  components->GetPointData()->AddArray(northward);
+  vtkNew<vtkHodgeDecomposition> ofComponents;
+  ofComponents->SetInputData(components);
+  ofComponents->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "u");
+  ofComponents->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "v");
+  ofComponents->Update();
+  const std::vector<double> same = Values(ofComponents->GetOutput()->GetPointData(), "StreamFunction");
+  ASSERT_EQ(same.size(), psi.size());
+  for (std::size_t k = 0; k < psi.size(); ++k)
+  {
+    ASSERT_NEAR(same[k], psi[k], 1e-9);
+  }
+}
+
+TEST(HodgeDecomposition, NorthwardIsTowardsTheAxis)
+{
+  const auto surface = PolyDataOf(IrregularSphere(4, 3));
+  const auto zero = Zeros("u", surface->GetNumberOfCells(), 1);
+  const auto northward = Zeros("v", surface->GetNumberOfCells(), 1);
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    const Vector3 p = CentreOf(surface, cell);
+    northward->SetValue(cell, std::hypot(p[1], p[2]) / p.norm()); // the gradient of x
+  }
+  surface->GetCellData()->AddArray(zero);
+  surface->GetCellData()->AddArray(northward);
+  vtkNew<vtkHodgeDecomposition> filter;
+  filter->SetInputData(surface);
+  filter->SetAxis(7.0, 0.0, 0.0);
+  filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "u");
+  filter->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "v");
+  filter->Update();
+  EXPECT_LT(RelativeError(Values(filter->GetOutput()->GetPointData(), "Potential"),
+              [&](vtkIdType point) { return PointOf(surface, point)[0]; }),
+    0.01);
+}
+
+TEST(HodgeDecomposition, PartsAreSwitched)
+{
+  vtkNew<vtkHodgeDecomposition> filter;
+  filter->SetInputData(WithCellVectors(IrregularTorus(40, 20, 3), Rotation));
+  filter->Update();
+  const std::vector<double> all = Values(filter->GetOutput()->GetFieldData(), "FlowEnergies");
+  filter->GradientPartOff();
+  filter->RotationalPartOff();
+  filter->HarmonicPartOff();
+  filter->Update();
+  vtkPolyData* const output = filter->GetOutput();
+  EXPECT_TRUE(output->GetPointData()->HasArray("Vorticity"));
+  for (const char* const name : { "GradientPart", "RotationalPart", "HarmonicPart", "Potential", "StreamFunction" })
+  {
+    EXPECT_FALSE(output->GetPointData()->HasArray(name)) << name;
+  }
+  EXPECT_FALSE(output->GetFieldData()->HasArray("Solver")); // as nothing was solved for
+  EXPECT_EQ(filter->GetOutput(1)->GetNumberOfCells(), 0);
+  EXPECT_NEAR(Values(output->GetFieldData(), "FlowEnergies")[4], all[0], 1e-12 * all[0]);
+  filter->HarmonicPartOn();
+  filter->DerivativesOff();
+  filter->Update();
+  EXPECT_TRUE(output->GetPointData()->HasArray("HarmonicPart"));
+  EXPECT_FALSE(output->GetPointData()->HasArray("Divergence"));
+  EXPECT_NEAR(Values(output->GetFieldData(), "FlowEnergies")[3], all[3], 1e-9 * all[0]);
+}
+
+TEST(HodgeDecomposition, StreamlinesAreContoursOfTheStreamFunction)
+{
+  vtkNew<vtkHodgeDecomposition> filter;
+  filter->SetInputData(WithCellVectors(Icosphere(4), Rotation));
+  filter->SetNumberOfContours(5);
+  filter->Update();
+  vtkPolyData* const lines = filter->GetOutput(1);
+  EXPECT_GT(lines->GetNumberOfLines(), 0);
+  std::vector<double> heights{ -0.8, -0.4, 0.0, 0.4, 0.8 }; // circles of latitude
+  for (vtkIdType point = 0; point < lines->GetNumberOfPoints(); ++point)
+  {
+    double nearest = 1.0;
+    for (const double height : heights)
+    {
+      nearest = std::min(nearest, std::abs(PointOf(lines, point)[2] - height));
+    }
+    ASSERT_LT(nearest, 0.01);
+  }
+  filter->SetNumberOfContours(0);
+  filter->Update();
+  EXPECT_EQ(filter->GetOutput(1)->GetNumberOfCells(), 0);
+}
+
+TEST(HodgeDecomposition, AFlowThatChangesIsDecomposedAgainAndASurfaceToo)
+{
+  vtkNew<vtkHodgeDecomposition> filter;
+  for (int step = 1; step <= 3; ++step)
+  {
+    for (const int subdivisions : { 2, 3 })
+    {
+      const auto input =
+        WithCellVectors(Icosphere(subdivisions), [step](const Vector3& p) { return Vector3(step * Rotation(p)); });
+      filter->SetInputData(input);
+      filter->Update();
+      vtkNew<vtkHodgeDecomposition> fresh;
+      fresh->SetInputData(input);
+      fresh->Update();
+      EXPECT_EQ(Values(filter->GetOutput()->GetPointData(), "StreamFunction"),
+        Values(fresh->GetOutput()->GetPointData(), "StreamFunction"));
+    }
+  }
+}
+
+TEST(HodgeDecomposition, WhatIsWrongIsToldWithARemedy)
+{
+  const auto expectError = [](vtkPolyData* input, const std::string& part, const auto& prepare)
+  {
+    vtkNew<vtkHodgeDecomposition> filter;
+    filter->SetInputData(input);
+    prepare(filter.Get());
+    Messages messages(filter);
+    filter->Update();
+    EXPECT_NE(messages.Error().find(part), std::string::npos) << messages.Error();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  };
+  const auto nothing = [](vtkHodgeDecomposition*) {};
+  expectError(PolyDataOf(Icosphere(1)), "no flow to decompose", nothing);
+  const auto surface = WithCellVectors(Icosphere(1), Rotation);
+  expectError(surface, "Boundary is 2", [](vtkHodgeDecomposition* filter) { filter->SetBoundary(2); });
+  expectError(surface, "Length Scale is 0", [](vtkHodgeDecomposition* filter) { filter->SetLengthScale(0.0); });
+  expectError(surface, "is not among",
+    [](vtkHodgeDecomposition* filter)
+    { filter->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Wind"); });
+  const auto components = PolyDataOf(Icosphere(1));
+  components->GetCellData()->AddArray(Zeros("u", components->GetNumberOfCells(), 1));
+  expectError(components, "choose both",
+    [](vtkHodgeDecomposition* filter)
+    { filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "u"); });
+  expectError(components, "Axis is (0, 0, 0)",
+    [](vtkHodgeDecomposition* filter)
+    {
+      filter->SetAxis(0.0, 0.0, 0.0);
+      filter->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "u");
+      filter->SetInputArrayToProcess(2, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "u");
+    });
+  surface->GetCellData()->GetVectors()->SetComponent(7, 1, std::nan(""));
+  expectError(surface, "not finite on cell 7", nothing);
+}
+
+TEST(HodgeDecomposition, AbortedRunsStartAgain)
+{
+  vtkNew<vtkHodgeDecomposition> filter;
+  filter->SetInputData(WithCellVectors(Icosphere(4), Rotation));
+  {
+    const AbortAt abort(filter, 0.3);
+    filter->Update();
+    EXPECT_TRUE(abort.Asked());
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+  }
+  filter->Update();
+  EXPECT_GT(filter->GetOutput()->GetNumberOfCells(), 0);
+}

@@ -1,0 +1,64 @@
+"""A flow through ParaView's Python: every property of Hodge Decomposition, by its label."""
+
+import numpy as np
+import paraview.simple as simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def point_array(data, name):
+    return vtk_to_numpy(data.GetPointData().GetArray(name))
+
+
+def shares(data):
+    return vtk_to_numpy(data.GetFieldData().GetArray("FlowShares"))
+
+
+def main():
+    sphere = simple.Sphere(Radius=1, ThetaResolution=60, PhiResolution=60)
+    flow = simple.Calculator(Input=sphere, ResultArrayName="Flow", Function="-coordsZ * jHat + (coordsY + 1) * kHat")
+    east = simple.Calculator(Input=flow, ResultArrayName="u", Function="sqrt(coordsX^2 + coordsY^2)")
+    north = simple.Calculator(Input=east, ResultArrayName="v", Function="0 * coordsX")
+    parts = simple.HodgeDecomposition(Input=north, Vectors=["POINTS", "Flow"])
+    data = simple.servermanager.Fetch(parts)
+    x, _, z = vtk_to_numpy(data.GetPoints().GetData()).T
+    assert np.abs(point_array(data, "StreamFunction") + x).max() < 0.01
+    assert np.abs(point_array(data, "Potential") - z).max() < 0.01
+    lines = simple.servermanager.Fetch(parts, idx=1)
+    assert lines.GetNumberOfLines() > 0
+    assert len(np.unique(np.round(point_array(lines, "StreamFunction"), 5))) == 20
+
+    parts.NumberOfContours = 5
+    parts.LengthScale = 100
+    parts.Solver = "Conjugate Gradients"
+    parts.ExpectedSolves = 2
+    data = simple.servermanager.Fetch(parts)
+    assert np.abs(point_array(data, "StreamFunction") + 100 * x).max() < 1
+    assert data.GetFieldData().GetAbstractArray("Solver").GetValue(0).startswith("conjugate gradients")
+    lines = simple.servermanager.Fetch(parts, idx=1)
+    assert len(np.unique(np.round(point_array(lines, "StreamFunction"), 3))) == 5
+
+    parts.LengthScale = 1
+    parts.Eastward = ["POINTS", "u"]
+    parts.Northward = ["POINTS", "v"]
+    data = simple.servermanager.Fetch(parts)
+    assert np.abs(point_array(data, "StreamFunction") + z).max() < 0.01 and shares(data)[1] > 0.99
+    parts.Axis = [0, 0, -1]
+    assert np.abs(point_array(simple.servermanager.Fetch(parts), "StreamFunction") - z).max() < 0.01
+
+    parts.GradientPart = parts.RotationalPart = parts.HarmonicPart = parts.Derivatives = 0
+    data = simple.servermanager.Fetch(parts)
+    for name in ("GradientPart", "RotationalPart", "HarmonicPart", "Divergence", "Vorticity"):
+        assert not data.GetPointData().HasArray(name), name
+    assert data.GetPointData().HasArray("Residual")
+
+    half = simple.Clip(Input=flow, ClipType="Plane")
+    half.ClipType.Origin, half.ClipType.Normal = [0, 0, 0.013], [0, 0, 1]
+    region = simple.Clean(Input=simple.Triangulate(Input=simple.ExtractSurface(Input=half)))
+    parts = simple.HodgeDecomposition(Input=region, Vectors=["POINTS", "Flow"], Boundary="Open")
+    data = simple.servermanager.Fetch(parts)
+    rim = np.abs(vtk_to_numpy(data.GetPoints().GetData())[:, 2] - 0.013) < 1e-5
+    assert rim.sum() >= 60 and np.abs(point_array(data, "Potential")[rim]).max() == 0
+    print("parts of a flow are found")
+
+
+main()

@@ -1,0 +1,78 @@
+"""Flows and their parts: hodge(), and the filter behind it in a time series."""
+
+import unittest
+
+import numpy as np
+from directionalmultigrid import FieldError, hodge
+from directionalmultigrid.vtkFiltersDirectionalFields import vtkHodgeDecomposition
+from surfaces import add, torus, values_of_points
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def values(data, name):
+    return vtk_to_numpy(data.GetArray(name))
+
+
+def with_flow():
+    """Around the axis with the speed 1 / distance, a harmonic field, and the gradient of z."""
+    surface = torus(60, 30)
+    x, y, z = values_of_points(surface).T
+    distance = np.hypot(x, y)
+    around = np.stack([-y, x, 0 * x], 1) / distance[:, None] ** 2
+    add(surface.GetPointData(), "Flow", around + [0, 0, 1])
+    add(surface.GetPointData(), "u", 1 / distance)
+    add(surface.GetPointData(), "v", 0 * distance)
+    return surface
+
+
+class Flows(unittest.TestCase):
+    def test_parts_of_a_known_flow(self):
+        surface = with_flow()
+        result = hodge(surface, "Flow")
+        self.assertIs(type(result), type(surface))
+        self.assertFalse(surface.GetPointData().HasArray("Potential"))  # the input stays
+        points = values_of_points(surface)
+        np.testing.assert_allclose(values(result.GetPointData(), "Potential"), points[:, 2], atol=0.01)
+        self.assertLess(np.abs(values(result.GetPointData(), "StreamFunction")).max(), 0.01)
+        shares = values(result.GetFieldData(), "FlowShares")
+        self.assertAlmostEqual(shares.sum(), 1, places=9)
+        # Of the harmonic field: 2 pi times the integral of 0.4 / (1 + 0.4 cos t), 2 pi 0.4 / sqrt(1 - 0.16)
+        harmonic = 2 * np.pi * 2 * np.pi * 0.4 / np.sqrt(1 - 0.16)
+        self.assertAlmostEqual(values(result.GetFieldData(), "FlowEnergies")[3] / harmonic, 1, delta=0.02)
+
+    def test_components_about_an_axis(self):
+        result = hodge(with_flow(), eastward="u", northward="v", Axis=(0, 0, 1))
+        self.assertGreater(values(result.GetFieldData(), "FlowShares")[2], 0.99)
+
+    def test_properties(self):
+        result = hodge(with_flow(), "Flow", GradientPart=False, Boundary="Open", LengthScale=10)
+        self.assertFalse(result.GetPointData().HasArray("Potential"))
+        with self.assertRaisesRegex(TypeError, "did you mean LengthScale"):
+            hodge(with_flow(), "Flow", Lengthscale=3)
+        with self.assertRaisesRegex(FieldError, "Boundary is not 'Coast'"):
+            hodge(with_flow(), "Flow", Boundary="Coast")
+        with self.assertRaisesRegex(FieldError, "no array 'Wind'"):
+            hodge(with_flow(), "Wind")
+        with self.assertRaisesRegex(FieldError, "no flow to decompose"):
+            hodge(with_flow())
+
+    def test_active_vectors(self):
+        surface = with_flow()
+        surface.GetPointData().SetActiveVectors("Flow")
+        self.assertTrue(hodge(surface).GetPointData().HasArray("Potential"))
+
+    def test_a_time_series_is_the_same_as_its_steps(self):
+        decomposition = vtkHodgeDecomposition()
+        for step in range(3):
+            surface = with_flow()
+            flow = values(surface.GetPointData(), "Flow") * (step + 1) + [step, 0, 0]
+            add(surface.GetPointData(), "Flow", flow)
+            surface.GetPointData().SetActiveVectors("Flow")
+            decomposition.SetInputData(surface)
+            decomposition.Update()
+            np.testing.assert_array_equal(values(decomposition.GetOutput().GetPointData(), "Potential"),
+                                          values(hodge(surface, "Flow").GetPointData(), "Potential"))
+
+
+if __name__ == "__main__":
+    unittest.main()
