@@ -21,12 +21,14 @@ namespace
 
 constexpr int Grain = 4096;
 
-constexpr int ProlongationSteps = 2;
+// Linear elements take an interpolation between samples as it is: smoothed, it took more iterations on uneven triangles.
+constexpr int ProlongationSteps = 0;
 constexpr int FinestSweepsFactor = 3;
 constexpr int CoarseCycles = 2;
+// The limits of fields on faces, whose factors have as many entries.
 constexpr int LargestForCholesky = 20000;
 constexpr int SolvesForCholesky = 30;
-constexpr double DistanceOfSamples = 3.2;
+constexpr double DistanceOfSamples = 2.5;
 
 /// Directions of the vertices from those of the faces around, carried by the connection and averaged.
 TransportOperator MeanOfFaces(

@@ -18,8 +18,7 @@ namespace
 constexpr double DistanceOfCoarserSamples = 1.8;
 // The curvature of the region that a sample covers, in radians. With twice as much of both, surfaces full of folds and
 // limbs take half as many iterations again.
-constexpr double LargestCurvatureOfFaces = 0.5;
-constexpr double LargestCurvatureOfVertices = 1.0;
+constexpr double LargestCurvatureOfElements = 0.5;
 constexpr double LargestCurvatureOfSamples = 1.0;
 // A level of fewer samples is factored at once, and every level less represents fields of nearly no energy better.
 constexpr int FewestSamplesToSample = 1500;
@@ -32,14 +31,14 @@ PointsToSample FacesToSample(const TriangleMesh& mesh, const ExecutionContext& c
 {
   std::vector<int> order = FacesInSpatialOrder(mesh.VertexPositions(), mesh.FaceCorners(), context);
   TangentGraph graph = FaceGraph(mesh, order, context);
-  return { std::move(order), std::move(graph), LargestCurvatureOfFaces, false };
+  return { std::move(order), std::move(graph), LargestCurvatureOfElements, false };
 }
 
 PointsToSample VerticesToSample(
   const TriangleMesh& mesh, const VertexConnection& connection, const ExecutionContext& context)
 {
   const SpatialOrder order(mesh.VertexPositions(), mesh.FaceCorners(), context);
-  return { order.Vertices(), VertexGraph(mesh, connection, order.Vertices(), context), LargestCurvatureOfVertices,
+  return { order.Vertices(), VertexGraph(mesh, connection, order.Vertices(), context), LargestCurvatureOfElements,
     true };
 }
 
