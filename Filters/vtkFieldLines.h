@@ -28,7 +28,9 @@
  * Where nothing is chosen it is Direction0 of the cells, or of the points, or else the active vectors of the cells, or
  * of the points. Where cells and points have an array Direction0, as vtkHarmonicFieldSolver leaves them, that of the
  * cells is taken for both: the other one is its mean. The array holds one direction of N; the others are those, turned
- * by 2 pi / N. Vectors at points are averaged over the corners of each triangle, as N-th powers.
+ * by 2 pi / N. Vectors at points are averaged over the corners of each triangle, as N-th powers. Of a tensor of 6 (XX YY ZZ XY
+ * YZ XZ) or 9 components the direction of the largest eigenvalue in the tangent plane is taken, with N = 2 by default. Vectors
+ * that flip from element to element, as eigenvectors do, are a warning where N is 1: they have no sign.
  *
  * @section vtkFieldLines-Output Output
  *

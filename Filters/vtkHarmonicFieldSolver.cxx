@@ -188,9 +188,14 @@ int vtkHarmonicFieldSolver::RequestData(
                       "Clean (vtkCleanPolyData) first");
     }
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
+    const dmg::FramedSurface surface = kept.Surface();
     dmg::Prescription prescribed = dmg::ChosenDirections(
-      dmg::ChoicesOnSurface(this, input), input, guides, kept.Surface().Numbering,
+      dmg::ChoicesOnSurface(this, input), input, guides, surface,
       [&kept]() -> const dmg::NearestPlaces& { return kept.Places(); }, dmg::PartOfContext(context, 0.1, 0.1));
+    if (!prescribed.Unusable.AreNone())
+    {
+      vtkWarningMacro(<< prescribed.UnusableText());
+    }
     if (!prescribed.Report.IsAllTaken())
     {
       vtkWarningMacro(<< prescribed.Report.LeftOut());

@@ -116,10 +116,17 @@
  * Nothing is followed that was not chosen. The name "Active Vectors" chooses the active vectors of the points, else of the
  * cells, unless they are called Direction0, as those that this filter leaves.
  *
+ * Directions of the surface may be symmetric tensors of 6 components (XX YY ZZ XY YZ XZ) or 9: power fields of an even N follow
+ * the direction of the largest eigenvalue in the tangent plane, as a unit vector; that of the smallest one is 90 degrees from it
+ * (Rotation). Crosses follow both. Where both eigenvalues are equal nothing is prescribed. On a surface in a plane of constant z,
+ * vectors may have 2 components.
+ *
  * Each array has a tuple for every element; one that has fewer, or other components, is an error.
  * Mask and weights share the association of the directions. An empty name, or "None" where no array has
  * that name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not
- * zero. Of a vector its tangential part counts: on a face, in the plane of the face; at a point of
+ * zero. Vectors that are not finite, zero in the mask, or perpendicular to the surface are left out, and so are those whose mask
+ * or weight is NaN, as where nothing was measured. One warning counts them; where nothing is left there is an error. Hard
+ * constraints on every element give that field. Of a vector its tangential part counts: on a face, in the plane of the face; at a point of
  * the surface, in the tangent plane of the point, from where it is carried to the faces around, or,
  * for 1-forms, to the edges there. Each face around a point gets its whole weight: power fields and face fields follow a
  * region that is prescribed at points three times as strongly as one that is prescribed on cells (1-forms equally).

@@ -47,8 +47,8 @@ public:
   /// \param names says how messages call vertices and faces.
   /// \return the unknowns: Field().UnknownsPerElement() for each element. Not converged: the best that was reached;
   ///   see Report().
-  /// \throw InvalidInput an option is out of range, a prescription is wrong, nothing is prescribed, hard constraints
-  ///   leave nothing to solve for, or operators lack those that are needed.
+  /// \throw InvalidInput an option is out of range, a prescription is wrong, nothing is prescribed, or
+  ///   operators lack those that are needed.
   /// \throw SolverFailure the system could not be factored.
   /// \throw Cancelled
   const Vector<double>& Solve(const dmg::Constraints& directions, const FieldOptions& options,

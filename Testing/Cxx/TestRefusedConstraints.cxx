@@ -95,11 +95,11 @@ const BadInput BadInputs[] = {
       input->GetCellData()->AddArray(mask);
       Choose(solver, 0, OnCells, "Mask");
     },
-    { "cell 33", "zero", "mask" } },
-  { "NotFinite",
+    { "no direction is prescribed", "zero", "choose" } },
+  { "AllNotFinite",
     [](vtkPolyData* input, vtkHarmonicFieldSolver*)
-    { SetCell(input, 44, 0.0, std::numeric_limits<double>::infinity(), 0.0); },
-    { "cell 44", "not finite", "repair" } },
+    { input->GetCellData()->GetArray("Given")->Fill(std::numeric_limits<double>::quiet_NaN()); },
+    { "no direction is prescribed", "not finite", "choose" } },
   { "WeightNotPositive",
     [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
     {
@@ -117,19 +117,26 @@ const BadInput BadInputs[] = {
       AddPointVectors(input, "Normal", { { 2, Vector3(normal) } });
       Choose(solver, 1, OnPoints, "Normal");
     },
-    { "point 2", "perpendicular", "leave the point out, by Mask" } },
+    { "no direction is prescribed", "perpendicular", "choose" } },
   { "AlignmentNotPositive", [](vtkPolyData*, vtkHarmonicFieldSolver* solver) { solver->SetAlignment(-1.0); },
     { "lignment" } },
-  { "EverythingHard",
+  { "TensorsOfAnOddField",
     [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
     {
-      for (vtkIdType cell = 0; cell < 1280; ++cell)
-      {
-        SetCell(input, cell, 0.6, 0.48, 0.64);
-      }
-      solver->SetConstraintType(vtkHarmonicFieldSolver::Hard);
+      const auto tensors = Zeros("Stress", 1280, 6);
+      tensors->Fill(1.0);
+      input->GetCellData()->AddArray(tensors);
+      Choose(solver, 1, OnCells, "Stress");
+      solver->SetNumberOfDirections(3);
     },
-    { "hard" } },
+    { "'Stress'", "no sign", "even Number Of Directions" } },
+  { "VectorsOfThePlaneOnASphere",
+    [](vtkPolyData* input, vtkHarmonicFieldSolver* solver)
+    {
+      input->GetCellData()->AddArray(Zeros("Flat", 1280, 2));
+      Choose(solver, 1, OnCells, "Flat");
+    },
+    { "'Flat'", "2 numbers", "Calculator" } },
   { "Quadrilateral",
     [](vtkPolyData* input, vtkHarmonicFieldSolver*) {
       input->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });

@@ -480,14 +480,3 @@ TEST(Remedy, ExtractedSurfaceHasTheTrianglesThatLinesLack)
   solver->SetInputData(surface);
   ExpectOutput(solver);
 }
-
-TEST(Remedy, SoftConstraintsLeaveSomethingToSolveFor)
-{
-  const auto input = Sphere();
-  PrescribeSides(input);
-  const auto solver = NewSolver(input);
-  solver->SetConstraintType(vtkHarmonicFieldSolver::Hard);
-  ExpectRefusal(solver, { "nothing to solve for", "soft" });
-  solver->SetConstraintType(vtkHarmonicFieldSolver::Soft);
-  ExpectOutput(solver);
-}

@@ -22,7 +22,6 @@ const Act WholeArray = [](Scene& scene)
   scene.Array(OnCells, "Given")->FillComponent(0, 1.0);
   scene.Surface->Modified();
 };
-const Act AlongNormal = [](Scene& scene) { scene.Set(OnCells, "Given", scene.Normal()); };
 const Act AllZero = [](Scene& scene) { scene.Array(OnCells, "Given")->Fill(0.0); };
 
 const Mistake OfArrays[] = {
@@ -36,17 +35,9 @@ const Mistake OfArrays[] = {
     { Chosen(Directions, OnCells, "Given") } },
   { "MaskOfPoints", Chosen(Mask, OnPoints, "Mask"), "choose arrays of one kind",
     { Masked, Chosen(Directions, OnPoints, "Given") } },
-  { "DirectionNotFinite", Changed(OnCells, "Given", NaN), "repair it or make the direction zero",
-    { Changed(OnCells, "Given", Along), Changed(OnCells, "Given", None) } },
-  { "MaskedNotFinite", Both(Masked, Changed(OnCells, "Given", NaN)), "repair it or take it out of the mask",
-    { Changed(OnCells, "Given", Along), Changed(OnCells, "Mask", 0.0) } },
   { "WeightNotPositive", Both(Weighted, Changed(OnCells, "Weights", -1.0)),
     "make it a positive number or make the direction zero",
     { Changed(OnCells, "Weights", 1.0), Changed(OnCells, "Given", None) } },
-  { "Perpendicular", AlongNormal,
-    "give it a part along the surface, or leave the cell out, by Mask or a direction of zero",
-    { Changed(OnCells, "Given", Along), Changed(OnCells, "Given", None),
-      Both(Masked, Changed(OnCells, "Mask", 0.0)) } },
   { "AllZero", AllZero, "choose other arrays for Directions, Mask and Weights, or none for the smoothest field",
     { Chosen(Directions, OnCells, "Other"), NothingOnSurface } },
   { "AllMaskedOut",

@@ -21,7 +21,7 @@ from vtkmodules.vtkIOLegacy import vtkPolyDataReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
 
 
-def write_sphere(path, resolution=60, radial=False):
+def write_sphere(path, resolution=60, zero=False):
     """The unit sphere with prescribed directions on one side."""
     source = vtkSphereSource()
     source.SetRadius(1)
@@ -31,8 +31,8 @@ def write_sphere(path, resolution=60, radial=False):
     sphere = source.GetOutput()
     points = vtk_to_numpy(sphere.GetPoints().GetData())
     arrays = {"Mask": (points[:, 0] > 0.9).astype("i4"), "Directions": 0 * points + (0, 1, 0)}
-    if radial:
-        arrays["Directions"] = points
+    if zero:
+        arrays["Directions"] = 0 * points
     for name, values in arrays.items():
         array = numpy_to_vtk(values, deep=True)
         array.SetName(name)
@@ -45,9 +45,9 @@ def write_large_sphere(path):
     write_sphere(path, 200)
 
 
-def write_radial_directions(path):
-    """A sphere with vectors that have no tangential part."""
-    write_sphere(path, radial=True)
+def write_zero_directions(path):
+    """A sphere with vectors as a simulation leaves them at its first step."""
+    write_sphere(path, zero=True)
 
 
 def write_ellipsoid(path):
@@ -343,7 +343,7 @@ TESTS = {"PointsPlacedInTheWindow": (write_sphere, check_points_placed),
          "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
          "FeaturesInTheWindow": (write_ellipsoid, check_features),
          "GuideMovedInTheWindow": (write_sphere, check_guide_moved),
-         "FailedFirstInTheWindow": (write_radial_directions, check_failed_first),
+         "FailedFirstInTheWindow": (write_zero_directions, check_failed_first),
          "FiltersInTheWindow": (write_sphere, check_filters),
          "StateInTheWindow": (write_sphere, check_state),
          "FlowInTheWindow": (write_flow, check_flow),

@@ -13,9 +13,10 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-from directionalmultigrid import FieldError, smooth_field, update
-from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
-from surfaces import add, corners, values, values_of_points
+from directionalmultigrid import FieldError, FieldWarning, smooth_field, update
+from directionalmultigrid.vtkFiltersDirectionalFields import (
+    vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver)
+from surfaces import add, corners, surface, values, values_of_points
 
 
 def sphere(resolution=40):
@@ -39,6 +40,118 @@ class OtherInputs(unittest.TestCase):
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             self.assertTrue(update(solver).GetFieldData().HasArray("Eigenvalues"))
+
+    def test_a_uniform_vector_is_left_out_where_it_stands_on_end(self):
+        """Any uniform wind is perpendicular to a sphere at two points."""
+        mesh = sphere()
+        add(mesh.GetPointData(), "wind", np.tile((0.0, 0, 1), (mesh.GetNumberOfPoints(), 1)))
+        with self.assertWarnsRegex(FieldWarning, "left out: 2 perpendicular to the surface"):
+            field = smooth_field(mesh, n=1, Directions="wind")
+        middle = np.abs(centres(mesh)[:, 2]) < 0.25
+        self.assertGreater(values(field.GetCellData(), "Direction0")[middle, 2].min(), 0.85)  # cos 30 degrees
+
+    def test_what_was_not_measured_is_left_out(self):
+        """NaN in vectors, mask and weights; one warning counts them."""
+        for holes in ("vectors", "mask", "weights"):
+            with self.subTest(holes=holes):
+                mesh = sphere()
+                place = centres(mesh)
+                around, mask, weights = np.cross((0, 0, 1.0), place), np.ones(len(place)), np.ones(len(place))
+                upper = place[:, 2] > 0
+                {"vectors": around, "mask": mask, "weights": weights}[holes][upper] = np.nan
+                for name, array in (("D", around), ("M", mask), ("W", weights)):
+                    add(mesh.GetCellData(), name, array)
+                with self.assertWarnsRegex(FieldWarning, f"left out: {upper.sum()} not finite"):
+                    field = smooth_field(mesh, n=1, Directions="D", Mask="M", Weights="W")
+                prescribed = values(field.GetCellData(), "Prescribed") > 0
+                np.testing.assert_array_equal(prescribed, ~upper)
+        add(mesh.GetCellData(), "D", np.full((len(place), 3), np.nan))
+        with self.assertRaisesRegex(FieldError, "no direction is prescribed"):
+            smooth_field(mesh, n=1, Directions="D")
+
+    def test_lines_follow_the_largest_principal_stress(self):
+        """Of 6 components (XX YY ZZ XY YZ XZ) and of 9, at points and on cells; the smallest is 90 degrees from it."""
+        mesh = sphere()
+        place = centres(mesh)
+        for attributes, size in ((mesh.GetCellData(), len(place)), (mesh.GetPointData(), mesh.GetNumberOfPoints())):
+            add(attributes, "six", np.tile((1.0, 0, 0, 0, 0, 0), (size, 1)))
+            add(attributes, "nine", np.tile((1.0, 0, 0, 0, 0, 0, 0, 0, 0), (size, 1)))
+            for name in ("six", "nine"):
+                for rotation in (0.0, 90.0):
+                    field = smooth_field(mesh, n=2, Directions=name, Rotation=rotation)
+                    self.assertGreater(self.along_x(field, place, rotation), 0.99)
+            mesh.GetPointData().Initialize()
+            mesh.GetCellData().Initialize()
+
+    @staticmethod
+    def along_x(field, place, rotation):
+        """The median cosine between the field and the x-axis in the surface, turned about the normal."""
+        normal = place / np.linalg.norm(place, axis=1, keepdims=True)
+        axis = (1.0, 0, 0) - normal * normal[:, :1]
+        away = np.linalg.norm(axis, axis=1) > 0.5
+        axis /= np.linalg.norm(axis, axis=1, keepdims=True) + 1e-300
+        turned = axis if rotation == 0.0 else np.cross(normal, axis)
+        return np.median(np.abs((values(field.GetCellData(), "Direction0") * turned).sum(axis=1))[away])
+
+    def test_tensors_are_drawn_as_lines_and_refuse_vectors(self):
+        mesh = sphere()
+        add(mesh.GetCellData(), "S", np.tile((1.0, 0, 0, 0, 0, 0), (mesh.GetNumberOfCells(), 1)))
+        for kind in (vtkFieldLines, vtkFieldGlyphs, vtkFieldSingularities):
+            drawing = kind()
+            drawing.SetInputData(mesh)
+            drawing.SetInputArrayToProcess(0, 0, 0, 1, "S")
+            self.assertGreater(update(drawing).GetNumberOfPoints(), 0)
+            drawing.SetNumberOfDirections(1)
+            with self.assertRaisesRegex(FieldError, "no sign; choose 2 or 4 as Number Of Directions"):
+                update(drawing)
+        with self.assertRaisesRegex(FieldError, "even Number Of Directions"):
+            smooth_field(mesh, n=1, Directions="S")
+
+    def test_vectors_of_two_components_are_those_of_the_plane(self):
+        plane = surface([(0, 0, 1), (4, 0, 1), (4, 4, 1), (0, 4, 1), (2, 2, 1)], [(0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4)])
+        add(plane.GetCellData(), "V", np.tile((0.6, 0.8), (4, 1)))
+        np.testing.assert_allclose(
+            values(smooth_field(plane, n=1, Directions="V").GetCellData(), "Direction0"),
+            np.tile((0.6, 0.8, 0), (4, 1)), atol=1e-6)
+
+    def test_hard_constraints_everywhere_are_the_field(self):
+        """An axis on every triangle, turned by 30 degrees."""
+        mesh = sphere()
+        place = centres(mesh)
+        normal = place / np.linalg.norm(place, axis=1, keepdims=True)
+        around = np.cross((0, 0, 1.0), normal)
+        around /= np.linalg.norm(around, axis=1, keepdims=True)
+        add(mesh.GetCellData(), "axis", around)
+        for kind, n in (("PowerField", 2), ("FaceField", 1)):
+            field = smooth_field(mesh, n=n, Discretisation=kind, Directions="axis", ConstraintType="Hard", Rotation=30.0)
+            turned = np.cos(np.radians(30)) * around + np.sin(np.radians(30)) * np.cross(normal, around)
+            cosine = (values(field.GetCellData(), "Direction0") * turned).sum(axis=1)
+            self.assertGreater(np.abs(cosine).min(), 0.99)  # a facet's normal is not quite that of the sphere
+            self.assertEqual(field.GetFieldData().GetArray("Converged").GetValue(0), 1)
+
+    def test_an_axis_without_a_sign_is_told(self):
+        mesh = sphere()
+        around = np.cross((0, 0, 1.0), centres(mesh))
+        at_points = np.cross((0, 0, 1.0), values_of_points(mesh))
+        random = np.random.default_rng(3)
+        for association, attributes, axis in ((1, mesh.GetCellData(), around), (0, mesh.GetPointData(), at_points)):
+            add(attributes, "E", axis * random.choice((-1.0, 1.0), (len(axis), 1)))
+            add(attributes, "V", axis)
+            for kind in (vtkFieldSingularities, vtkFieldLines):
+                drawing = kind()
+                drawing.SetInputData(mesh)
+                drawing.SetInputArrayToProcess(0, 0, 0, association, "E")
+                with self.assertWarnsRegex(FieldWarning, "'E' seems to have no sign.*choose 2 as Number Of Directions"):
+                    update(drawing)
+                drawing.SetNumberOfDirections(2)
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    update(drawing)
+                drawing.SetNumberOfDirections(1)
+                drawing.SetInputArrayToProcess(0, 0, 0, association, "V")
+                with warnings.catch_warnings():
+                    warnings.simplefilter("error")
+                    update(drawing)
 
     def test_a_mesh_without_cells_is_an_error(self):
         mesh, points = vtkPolyData(), vtkPoints()

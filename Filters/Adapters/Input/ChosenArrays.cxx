@@ -13,6 +13,7 @@
 #include "vtkInformationStringKey.h"
 
 #include <cmath>
+#include <vector>
 
 namespace dmg
 {
@@ -144,9 +145,43 @@ ChosenArray FindArray(
     ", is not among its point or cell arrays; choose one of those, or none");
 }
 
-ConstraintArrays FindArrays(const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose)
+Eigen::Matrix3d TensorOf(const double* numbers, int components)
 {
-  const ChosenArray vectors = FindArray(choices.Vectors, dataset, 3, "directions", whose);
+  Eigen::Matrix3d tensor;
+  if (components == 6)
+  {
+    const auto& [xx, yy, zz, xy, yz, xz] = *reinterpret_cast<const double(*)[6]>(numbers);
+    tensor << xx, xy, xz, xy, yy, yz, xz, yz, zz;
+  }
+  else
+  {
+    tensor = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(numbers);
+  }
+  return tensor;
+}
+
+bool HoldsTensors(vtkDataArray* array)
+{
+  return array && (array->GetNumberOfComponents() == 6 || array->GetNumberOfComponents() == 9);
+}
+
+namespace
+{
+
+/// Three, unless an array of two numbers, or of a tensor, may be taken as well.
+int ComponentsOfDirections(const ArrayChoice& choice, vtkDataSet* dataset, bool takesTensors)
+{
+  vtkDataArray* const array = takesTensors ? vtkDataArray::SafeDownCast(Find(choice, dataset).Array) : nullptr;
+  return HoldsTensors(array) || (array && array->GetNumberOfComponents() == 2) ? array->GetNumberOfComponents() : 3;
+}
+
+}
+
+ConstraintArrays FindArrays(
+  const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose, bool takesTensors)
+{
+  const ChosenArray vectors = FindArray(
+    choices.Vectors, dataset, ComponentsOfDirections(choices.Vectors, dataset, takesTensors), "directions", whose);
   const auto beside = [&](const ArrayChoice& choice)
   {
     // A name alone means the array beside the directions, if there is one.
@@ -180,31 +215,41 @@ std::string ConstraintArrays::NameOf(vtkIdType element) const
   return (this->OnPoints ? "point " : "cell ") + std::to_string(element) + " of " + this->Whose;
 }
 
-void VisitPrescribed(const ConstraintArrays& arrays, const std::function<bool(vtkIdType)>& takesPart,
+UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, const std::function<bool(vtkIdType)>& takesPart,
   const std::function<void(const ElementDirection&)>& visit)
 {
+  UnusableDirections unusable;
+  std::vector<double> numbers(arrays.Vectors ? arrays.Vectors->GetNumberOfComponents() : 0);
   for (vtkIdType element = 0; arrays.Vectors && element < arrays.Size; ++element)
   {
-    Vector3 vector;
-    arrays.Vectors->GetTuple(element, vector.data());
+    arrays.Vectors->GetTuple(element, numbers.data());
+    const Vector3 vector =
+      arrays.DirectionOf ? arrays.DirectionOf(element, numbers.data()) : Vector3(numbers[0], numbers[1], numbers[2]);
     const double weight = arrays.Weights ? arrays.Weights->GetComponent(element, 0) : 1.0;
-    const bool isPrescribed = arrays.Mask ? arrays.Mask->GetComponent(element, 0) != 0.0 : !vector.isZero(0.0);
-    if (!isPrescribed || weight == 0.0 || !takesPart(element))
+    const double mask = arrays.Mask ? arrays.Mask->GetComponent(element, 0) : vector.isZero(0.0) ? 0.0 : 1.0;
+    if (mask == 0.0 || weight == 0.0 || !takesPart(element))
     {
       continue;
     }
-    if (!vector.allFinite())
+    if (!vector.allFinite() || std::isnan(weight) || std::isnan(mask))
     {
-      throw InvalidInput(
-        "the direction prescribed at " + arrays.NameOf(element) + " is not finite; repair it or " + WayOut(arrays));
+      ++unusable.NotFinite;
     }
-    if (!(weight > 0.0) || !std::isfinite(weight))
+    else if (vector.isZero(0.0))
+    {
+      ++unusable.Zero;
+    }
+    else if (!(weight > 0.0) || !std::isfinite(weight))
     {
       throw InvalidInput("the weight of the direction prescribed at " + arrays.NameOf(element) + " is " +
         ShortText(weight) + "; make it a positive number or " + WayOut(arrays));
     }
-    visit({ element, vector, weight });
+    else
+    {
+      visit({ element, vector, weight });
+    }
   }
+  return unusable;
 }
 
 }

@@ -1,6 +1,7 @@
 #ifndef dmgChosenArrays_h
 #define dmgChosenArrays_h
 
+#include "Constraints/Constraints.h"
 #include "Mesh/TriangleMesh.h" // For Vector3
 
 #include "vtkDataObject.h"
@@ -50,15 +51,19 @@ ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm);
 /// Direction0, its field. Nobody has asked to follow that.
 ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surface);
 
+/// How an element of a dataset and its numbers in an array make a direction.
+using DirectionReader = std::function<Vector3(vtkIdType element, const double* numbers)>;
+
 /// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.
 struct ConstraintArrays
 {
-  vtkDataArray* Mask = nullptr;    ///< 1 component; null: where the vector and the weight are not zero
-  vtkDataArray* Vectors = nullptr; ///< 3 components
-  vtkDataArray* Weights = nullptr; ///< 1 component; null: 1
-  bool OnPoints = false;           ///< else on cells
-  vtkIdType Size = 0;              ///< points or cells
-  std::string Whose;               ///< how messages call the dataset
+  vtkDataArray* Mask = nullptr;     ///< 1 component; null: where the vector and the weight are not zero
+  vtkDataArray* Vectors = nullptr;  ///< 3 components, or what DirectionOf makes of others
+  vtkDataArray* Weights = nullptr;  ///< 1 component; null: 1
+  bool OnPoints = false;            ///< else on cells
+  vtkIdType Size = 0;               ///< points or cells
+  std::string Whose;                ///< how messages call the dataset
+  DirectionReader DirectionOf = {}; ///< empty: the numbers are a vector
 
   /// For messages, as in "point 7 of the surface".
   std::string NameOf(vtkIdType element) const;
@@ -81,11 +86,17 @@ struct ChosenArray
 ChosenArray FindArray(
   const ArrayChoice& choice, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose);
 
+/// A symmetric tensor of 6 numbers (XX YY ZZ XY YZ XZ), or one of 9 by rows.
+Eigen::Matrix3d TensorOf(const double* numbers, int components);
+bool HoldsTensors(vtkDataArray* array);
+
 /// The chosen arrays of a dataset.
 /// \param whose how messages call the dataset, as in "the surface".
+/// \param takesTensors whether directions may be tensors, or vectors of 2 numbers, as well.
 /// \throw InvalidInput as FindArray; arrays that are not of the same elements; mask or weights
 /// without vectors.
-ConstraintArrays FindArrays(const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose);
+ConstraintArrays FindArrays(
+  const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose, bool takesTensors = false);
 
 /// A direction that an element of a dataset prescribes.
 struct ElementDirection
@@ -95,10 +106,12 @@ struct ElementDirection
   double Weight;
 };
 
-/// Visits all that is prescribed, in ascending order of elements.
+/// Visits all that is prescribed, in ascending order of elements. Those whose vector, mask or weight is not a number, as where
+/// nothing was measured, and those whose vector is zero although the mask is not, are passed over.
 /// \param takesPart elements for which it is false are passed over, whatever they hold.
-/// \throw InvalidInput a vector is not finite, or a weight is negative or not finite.
-void VisitPrescribed(const ConstraintArrays& arrays, const std::function<bool(vtkIdType)>& takesPart,
+/// \return the numbers of elements that are passed over for what they hold.
+/// \throw InvalidInput a weight is negative or infinite.
+UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, const std::function<bool(vtkIdType)>& takesPart,
   const std::function<void(const ElementDirection&)>& visit);
 
 }

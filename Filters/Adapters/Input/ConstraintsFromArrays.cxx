@@ -7,6 +7,8 @@
 #include "vtkPolyData.h"
 
 #include <cmath>
+#include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -16,25 +18,58 @@ namespace dmg
 namespace
 {
 
-Constraints DirectionsOnSurface(const ConstraintArrays& arrays, const SurfaceNumbering& surface)
+void Add(UnusableDirections& sum, const UnusableDirections& part)
+{
+  sum.NotFinite += part.NotFinite;
+  sum.Zero += part.Zero;
+  sum.Perpendicular += part.Perpendicular;
+}
+
+/// Makes vectors of tensors, and of vectors in the plane.
+DirectionReader ReaderOf(const ConstraintArrays& arrays, const FramedSurface& surface)
+{
+  const int components = arrays.Vectors ? arrays.Vectors->GetNumberOfComponents() : 3;
+  if (components == 2)
+  {
+    const Points& positions = surface.On.Mesh.VertexPositions();
+    if (positions.col(2).maxCoeff() > positions.col(2).minCoeff())
+    {
+      throw InvalidInput(std::string("array '") + arrays.Vectors->GetName() +
+        "', chosen for the directions of the surface, holds 2 numbers per element, and the surface is not in a plane "
+        "of "
+        "constant z; make vectors of three numbers, with Calculator (vtkArrayCalculator) for example");
+    }
+    return [](vtkIdType, const double* numbers) { return Vector3(numbers[0], numbers[1], 0.0); };
+  }
+  if (!HoldsTensors(arrays.Vectors))
+  {
+    return {};
+  }
+  return [&surface, components, onPoints = arrays.OnPoints](vtkIdType element, const double* numbers) -> Vector3
+  {
+    const int place = onPoints ? surface.Numbering.VertexOf(element) : surface.Numbering.FaceOf(element);
+    const Eigen::Matrix3d tensor = TensorOf(numbers, components);
+    return place < 0       ? Vector3(Vector3::Zero())
+      : tensor.allFinite() ? PrincipalDirection(tensor, onPoints ? surface.On.Vertices : surface.On.Faces, place)
+                           : Vector3(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
+  };
+}
+
+Constraints DirectionsOnSurface(ConstraintArrays arrays, const FramedSurface& surface, UnusableDirections& unusable)
 {
   Constraints directions;
-  if (arrays.OnPoints)
-  {
+  arrays.DirectionOf = ReaderOf(arrays, surface);
+  const SurfaceNumbering& numbering = surface.Numbering;
+  const auto elementOf = [&](vtkIdType element)
+  { return arrays.OnPoints ? numbering.VertexOf(element) : numbering.FaceOf(element); };
+  std::vector<Constraint>& constraints = arrays.OnPoints ? directions.AtVertices : directions.OnFaces;
+  Add(unusable,
     VisitPrescribed(
-      arrays, [&surface](vtkIdType point) { return surface.VertexOf(point) >= 0; },
-      [&directions, &surface](const ElementDirection& given) {
-        directions.AtVertices.push_back({ surface.VertexOf(given.Element), given.Vector, given.Weight });
-      });
-  }
-  else
-  {
-    VisitPrescribed(
-      arrays, [&surface](vtkIdType cell) { return surface.FaceOf(cell) >= 0; },
-      [&directions, &surface](const ElementDirection& given) {
-        directions.OnFaces.push_back({ surface.FaceOf(given.Element), given.Vector, given.Weight });
-      });
-  }
+      arrays, [&](vtkIdType element) { return elementOf(element) >= 0; },
+      [&](const ElementDirection& given) {
+        constraints.push_back({ elementOf(given.Element), given.Vector, given.Weight });
+      }));
+  Add(unusable, LeaveOutUnusable(directions, surface.On));
   return directions;
 }
 
@@ -74,19 +109,30 @@ std::vector<ValueConstraint> ValuesOnSurface(
 
 }
 
+std::string Prescription::UnusableText() const
+{
+  std::string text;
+  const auto say = [&text](long long number, const std::string& what)
+  { text += number > 0 ? (text.empty() ? "" : ", ") + std::to_string(number) + what : ""; };
+  say(this->Unusable.NotFinite, " not finite");
+  say(this->Unusable.Zero, " zero where the mask is not");
+  say(this->Unusable.Perpendicular, " perpendicular to the surface");
+  return "some directions are left out: " + text + "; take them out of the mask, or make them zero where there is none";
+}
+
 Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const GuideInput& guides,
-  const SurfaceNumbering& numbering, const std::function<const NearestPlaces&()>& places,
-  const ExecutionContext& context)
+  const FramedSurface& on, const std::function<const NearestPlaces&()>& places, const ExecutionContext& context)
 {
   Constraints directions;
-  const auto values = ValuesOnSurface(onSurface, surface, numbering);
+  UnusableDirections unusable;
+  const auto values = ValuesOnSurface(onSurface, surface, on.Numbering);
   // Mask and weights are those of the values otherwise.
   if (!HasArray(onSurface.Values, surface) || HasArray(onSurface.Vectors, surface))
   {
-    directions = DirectionsOnSurface(FindArrays(onSurface, surface, "the surface"), numbering);
+    directions = DirectionsOnSurface(FindArrays(onSurface, surface, "the surface", true), on, unusable);
   }
   directions.Values = values;
-  const Guides given = GuidesFrom(guides);
+  const Guides given = GuidesFrom(guides, unusable);
   const FollowedGuides followed = given.AreEmpty() ? FollowedGuides() : FollowGuides(given, places(), context);
   directions.OnFaces.insert(directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
   const bool isEmpty = directions.AreEmpty();
@@ -96,9 +142,10 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
   }
   if (isEmpty && HasArray(onSurface.Vectors, surface))
   {
-    throw InvalidInput(
-      "no direction is prescribed: the directions of the surface are zero, or its mask or weights are; "
-      "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
+    throw InvalidInput("no direction is prescribed: the directions of the surface are zero, perpendicular to it or not "
+                       "finite, or its mask "
+                       "or weights are zero; "
+                       "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
   }
   if (isEmpty && !DataSetsOf(guides.Data).empty())
   {
@@ -106,7 +153,7 @@ Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* s
       "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
       "their mask or weights are; choose others, or clear Guides for the smoothest field");
   }
-  return { std::move(directions), followed.Report };
+  return { std::move(directions), followed.Report, unusable };
 }
 
 }

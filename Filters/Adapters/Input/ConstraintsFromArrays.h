@@ -5,6 +5,7 @@
 #include "Adapters/Surface/MeshFromPolyData.h"
 
 #include <functional>
+#include <string>
 
 namespace dmg
 {
@@ -14,6 +15,10 @@ struct Prescription
 {
   Constraints Directions;
   GuidesReport Report;
+  UnusableDirections Unusable; ///< of the surface and the guides; left out
+
+  /// What is unusable, and what helps, in one sentence.
+  std::string UnusableText() const;
 };
 
 /// The directions that were chosen on the surface and those of guides; the rules are those of
@@ -22,14 +27,16 @@ struct Prescription
 /// On the surface, cells prescribe faces and points vertices; cells and points without a triangle
 /// take no part. Guides prescribe faces.
 ///
+/// Directions that are not finite, zero or perpendicular to the surface are left out. Of tensors counts the direction of the
+/// largest eigenvalue in the tangent plane.
+///
 /// \param places of the surface, made where there are guides.
 /// \return without directions where nothing is chosen and guides are empty.
 /// \throw InvalidInput as FindArrays, VisitPrescribed and GuidesFrom, FollowGuides; what is chosen prescribes nothing.
 /// \throw Cancelled
 /// Cost: linear, besides the guides.
 Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const GuideInput& guides,
-  const SurfaceNumbering& numbering, const std::function<const NearestPlaces&()>& places,
-  const ExecutionContext& context);
+  const FramedSurface& on, const std::function<const NearestPlaces&()>& places, const ExecutionContext& context);
 
 }
 

@@ -1,6 +1,7 @@
 #include "Adapters/Input/FieldFromArrays.h"
 
 #include "Adapters/Surface/ArrayNames.h"
+#include "Operators/SignFlips.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
@@ -13,6 +14,7 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <cstring>
@@ -116,10 +118,11 @@ void CheckTuples(vtkDataArray* array, vtkPolyData* surface, bool isOnPoints)
 ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
 {
   const ChosenVectors chosen = FindVectors(algorithm, surface);
-  if (!chosen.Array || chosen.Array->GetNumberOfComponents() != 3)
+  if (!chosen.Array || (chosen.Array->GetNumberOfComponents() != 3 && !HoldsTensors(chosen.Array)))
   {
     const std::string name = chosen.Array ? NameOf(chosen.Array) : "that was chosen";
-    throw InvalidInput("array '" + name + "' does not hold 3 numbers per element; choose an array of vectors");
+    throw InvalidInput("array '" + name +
+      "' does not hold 3 numbers per element; choose an array of vectors, or of tensors (6 or 9 numbers)");
   }
   for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
          static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
@@ -139,7 +142,7 @@ ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
 int NumberOfDirections(vtkPolyData* surface, const ChosenVectors& chosen)
 {
   const std::string name = NameOf(chosen.Array);
-  if (name == ArrayNames::MaximumDirection || name == ArrayNames::MinimumDirection)
+  if (name == ArrayNames::MaximumDirection || name == ArrayNames::MinimumDirection || HoldsTensors(chosen.Array))
   {
     return 2;
   }
@@ -157,9 +160,23 @@ int NumberOfDirections(vtkPolyData* surface, const ChosenVectors& chosen)
   return number;
 }
 
+/// The principal direction of a tensor.
+Complex ReadTensor(vtkDataArray* array, vtkIdType tuple, const TangentFrames& frames, int element)
+{
+  std::array<double, 9> numbers;
+  array->GetTuple(tuple, numbers.data());
+  const Eigen::Matrix3d tensor = TensorOf(numbers.data(), array->GetNumberOfComponents());
+  return tensor.allFinite() ? frames.ToComplex(element, PrincipalDirection(tensor, frames, element))
+                            : Complex(std::numeric_limits<double>::infinity());
+}
+
 /// The tangential part of a vector.
 Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& frames, int element)
 {
+  if (HoldsTensors(array))
+  {
+    return ReadTensor(array, tuple, frames, element);
+  }
   Vector3 vector;
   array->GetTuple(tuple, vector.data());
   const Complex tangential = frames.ToComplex(element, vector);
@@ -278,12 +295,35 @@ double DiagonalOf(const TriangleMesh& mesh)
 
 }
 
+namespace
+{
+
+/// Warns where vectors flip as axes do. (A field of a solver is combed.)
+void CheckSign(vtkAlgorithm* algorithm, const ChosenVectors& chosen, const TriangleMesh& mesh,
+  const TangentFrames& frames, const Vector<Complex>& directions)
+{
+  if (NameOf(chosen.Array) != ArrayNames::Direction(0) && FlipsLikeAxes(mesh, frames, directions, chosen.OnPoints))
+  {
+    vtkWarningWithObjectMacro(
+      algorithm, << "array '" << NameOf(chosen.Array)
+                 << "' seems to have no sign, as it flips from one element to the next; choose 2 as "
+                    "Number Of Directions");
+  }
+}
+
+}
+
 SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* input, int N, const ExecutionContext& context)
 {
   const ChosenVectors chosen = ReadChoice(algorithm, input);
   const int numberByName = NumberOfDirections(input, chosen);
   const bool areSiblings = NameOf(chosen.Array) == ArrayNames::Direction(0) && (N == 0 || N == numberByName);
   N = N == 0 ? numberByName : N;
+  if (N % 2 == 1 && HoldsTensors(chosen.Array))
+  {
+    throw InvalidInput("array '" + NameOf(chosen.Array) +
+      "' holds tensors, whose principal directions have no sign; choose 2 or 4 as Number Of Directions");
+  }
   SurfaceMesh surface = MeshFromPolyData(input, Numbering::Spatial, context);
   const TriangleMesh& mesh = surface.Mesh;
   TangentFrames frames = FaceFrames(mesh, context);
@@ -295,12 +335,20 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* input, int N, c
     const TangentFrames vertexFrames = VertexFrames(mesh, context);
     const Vector<Complex> ofVertices = ReadTuples(
       chosen.Array, vertexFrames, mesh.NumberOfVertices(), "point", [&](int v) { return surface.PointOf(v); }, context);
+    if (N == 1)
+    {
+      CheckSign(algorithm, chosen, mesh, vertexFrames, ofVertices);
+    }
     first = FirstDirectionsOfFaces(mesh, frames, vertexFrames, ofVertices, N, context);
   }
   else
   {
     first = ReadTuples(
       chosen.Array, frames, mesh.NumberOfFaces(), "cell", [&](int face) { return surface.CellOf(face); }, context);
+    if (N == 1)
+    {
+      CheckSign(algorithm, chosen, mesh, frames, first);
+    }
     if (areSiblings)
     {
       CheckSiblings(input, surface, frames, first, N, context);

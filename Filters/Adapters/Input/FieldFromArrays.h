@@ -40,7 +40,7 @@ struct SurfaceWithField
 /// SingularityIndex, the field is one at points, and is read there as well.
 ///
 /// \param N of the field; 0: as many as there are arrays Direction0, Direction1, ... where Direction0 is chosen, 2 for
-/// principal directions, and 1 for any other array.
+/// principal directions and tensors, and 1 for any other array.
 /// \throw InvalidInput what MeshFromPolyData refuses; a chosen array that is not there or does not hold vectors; a
 /// vector that is not finite; no direction on any triangle; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.

@@ -38,6 +38,7 @@ public:
   bool Add(const GuideDataSet& dataset);
 
   Guides Result;
+  UnusableDirections Unusable;
 
 private:
   void AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arrays);
@@ -76,15 +77,10 @@ bool Reader::Add(const GuideDataSet& dataset)
 void Reader::AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arrays)
 {
   vtkNew<vtkIdList> points;
-  VisitPrescribed(
+  const UnusableDirections passedOver = VisitPrescribed(
     arrays, [](vtkIdType) { return true; },
     [&](const ElementDirection& given)
     {
-      if (given.Vector.isZero(0.0))
-      {
-        throw InvalidInput(
-          "the direction prescribed at " + arrays.NameOf(given.Element) + " is zero; take it out of the mask");
-      }
       const double weight = this->OfWhole * given.Weight;
       if (arrays.OnPoints)
       {
@@ -111,6 +107,8 @@ void Reader::AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arr
         this->Result.Vectors.push_back({ center, given.Vector, weight });
       }
     });
+  this->Unusable.NotFinite += passedOver.NotFinite;
+  this->Unusable.Zero += passedOver.Zero;
 }
 
 void Reader::AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices)
@@ -173,7 +171,7 @@ std::vector<vtkDataObject*> DataOf(vtkInformationVector* port)
   return all;
 }
 
-Guides GuidesFrom(const GuideInput& input)
+Guides GuidesFrom(const GuideInput& input, UnusableDirections& unusable)
 {
   const std::vector<GuideDataSet> datasets = DataSetsOf(input.Data);
   CheckChoices(input.Choices, datasets);
@@ -195,6 +193,8 @@ Guides GuidesFrom(const GuideInput& input)
               "', for example, as Guide Directions, or take the guide out of Guides"));
     }
   }
+  unusable.NotFinite += reader.Unusable.NotFinite;
+  unusable.Zero += reader.Unusable.Zero;
   reader.Result.MaximumDistance = input.MaximumDistance;
   return std::move(reader.Result);
 }

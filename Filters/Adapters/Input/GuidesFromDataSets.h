@@ -26,8 +26,9 @@ std::vector<vtkDataObject*> DataOf(vtkInformationVector* port);
 
 /// The lines and vectors of all datasets.
 /// \throw InvalidInput a guide is no dataset, or has neither lines nor vectors; a choice that no guide has; as FindArray and
-/// VisitPrescribed; a point that is not finite; a vector that is zero in the mask; a weight that is negative or not finite.
-Guides GuidesFrom(const GuideInput& input);
+/// VisitPrescribed; a point that is not finite; a weight that is negative or infinite.
+/// \param unusable counts the vectors that VisitPrescribed passes over.
+Guides GuidesFrom(const GuideInput& input, UnusableDirections& unusable);
 
 /// Adds the report to \p fieldData.
 void AddGuidesReport(const GuidesReport& report, vtkFieldData* fieldData);

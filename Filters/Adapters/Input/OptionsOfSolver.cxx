@@ -1,7 +1,10 @@
 #include "Adapters/Input/OptionsOfSolver.h"
 
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Support/Errors.h"
 
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkHarmonicFieldSolver.h"
 
 namespace dmg
@@ -66,6 +69,28 @@ FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter)
   return options;
 }
 
+namespace
+{
+
+/// \throw InvalidInput directions are tensors, and the field has a sign.
+void CheckTakesTensors(Filter* filter, const ConstraintChoices& choices, vtkDataSet* surface)
+{
+  const bool isEven = filter->GetDiscretisation() == Filter::PowerField && filter->GetNumberOfDirections() % 2 == 0;
+  for (const int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  {
+    const bool isThere = choices.Vectors.Association == association ||
+      choices.Vectors.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+    if (!isEven && isThere && HoldsTensors(surface->GetAttributes(association)->GetArray(choices.Vectors.Name.c_str())))
+    {
+      throw InvalidInput("array '" + choices.Vectors.Name +
+        "' holds tensors, whose principal directions have no sign; choose a power field and an even Number Of "
+        "Directions");
+    }
+  }
+}
+
+}
+
 ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* surface)
 {
   ConstraintChoices choices = WithoutFormerField(ChoicesOf(filter), surface);
@@ -76,6 +101,7 @@ ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* s
     choices.Mask = hasValues ? choices.Mask : ArrayChoice();
     choices.Weights = hasValues ? choices.Weights : ArrayChoice();
   }
+  CheckTakesTensors(filter, choices, surface);
   return choices;
 }
 

@@ -114,6 +114,62 @@ Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& 
   return tangential;
 }
 
+namespace
+{
+
+/// Keeps the usable constraints of one list.
+void KeepUsable(std::vector<Constraint>& constraints, const TangentFrames& frames, UnusableDirections& unusable)
+{
+  const auto isUnusable = [&](const Constraint& constraint)
+  {
+    const Vector3& direction = constraint.Direction;
+    if (!direction.allFinite())
+    {
+      ++unusable.NotFinite;
+      return true;
+    }
+    if (direction.isZero(0.0))
+    {
+      ++unusable.Zero;
+      return true;
+    }
+    const bool isPerpendicular =
+      !(std::abs(frames.ToComplex(constraint.Element, direction)) > SmallestTangentialPart * direction.stableNorm());
+    unusable.Perpendicular += isPerpendicular ? 1 : 0;
+    return isPerpendicular;
+  };
+  constraints.erase(std::remove_if(constraints.begin(), constraints.end(), isUnusable), constraints.end());
+}
+
+}
+
+UnusableDirections LeaveOutUnusable(Constraints& constraints, const FramedMesh& surface)
+{
+  UnusableDirections unusable;
+  KeepUsable(constraints.OnFaces, surface.Faces, unusable);
+  KeepUsable(constraints.AtVertices, surface.Vertices, unusable);
+  return unusable;
+}
+
+Vector3 PrincipalDirection(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element)
+{
+  constexpr double SmallestDifference = 1e-9;
+  const double size = tensor.cwiseAbs().maxCoeff();
+  if (!std::isfinite(size) || size == 0.0)
+  {
+    return Vector3::Zero();
+  }
+  const Eigen::Matrix3d scaled = tensor / size; // squares would overflow
+  const Vector3 x = frames.X.row(element), y = frames.Y.row(element);
+  const double difference = x.dot(scaled * x) - y.dot(scaled * y);
+  const double twiceMixed = x.dot(scaled * y) + y.dot(scaled * x);
+  if (std::hypot(difference, twiceMixed) <= SmallestDifference)
+  {
+    return Vector3::Zero();
+  }
+  return frames.ToVector(element, std::polar(1.0, 0.5 * std::atan2(twiceMixed, difference)));
+}
+
 Complex PowerOfDirection(const Complex& direction, int N)
 {
   return std::polar(std::abs(direction), N * std::arg(direction));

@@ -65,6 +65,26 @@ void CheckElement(int element, int size, const std::string& kind);
 Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction, double weight,
   const std::string& name, const std::string& kind);
 
+/// Numbers of directions that say nothing on a surface, for a message.
+struct UnusableDirections
+{
+  long long NotFinite = 0;
+  long long Zero = 0;
+  long long Perpendicular = 0; ///< to the surface: less than 1e-6 of the length is along it
+
+  bool AreNone() const { return this->NotFinite == 0 && this->Zero == 0 && this->Perpendicular == 0; }
+};
+
+/// Leaves out directions that are not finite, zero, or perpendicular to the surface. Measured data have some, and no single
+/// one shall refuse the field. Cost: linear.
+/// \return the numbers of those that are left out.
+UnusableDirections LeaveOutUnusable(Constraints& constraints, const FramedMesh& surface);
+
+/// The direction of a tensor's largest eigenvalue in the tangent plane of an element, a unit vector of either sign.
+/// \param tensor symmetric, in space; its part in the plane counts.
+/// \return zero where both eigenvalues in the plane are equal up to 1e-9 of the tensor, or where it is not finite.
+Vector3 PrincipalDirection(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element);
+
 /// The N-th power of a direction in a frame, as long as the direction.
 Complex PowerOfDirection(const Complex& direction, int N);
 

@@ -82,6 +82,13 @@ public:
   SolveReport Report;
   std::vector<std::string> SystemWarnings;
 
+  bool HoldsEverything() const
+  {
+    return static_cast<int>(this->System.Held().size()) == this->System.Setup().Hierarchy->NumberOfUnknowns();
+  }
+  /// The solution where hard constraints hold everything, without a solve.
+  Vector<double> HeldSolution(const Vector<double>& values, const ExecutionContext& context);
+
 private:
   void MakeCycle(const Vector<double>& D, const ExecutionContext& context);
   void MakeNested(const Vector<double>& D, const ExecutionContext& context);
@@ -109,6 +116,13 @@ void HarmonicProblem::Internals::Prescribe(Penalties prescribed, double smoothne
   this->Deflated.reset();
   this->System.Prescribe(std::move(prescribed), smoothness, context);
   this->SystemWarnings = this->System.Warnings();
+  if (this->HoldsEverything())
+  {
+    this->Report = {};
+    this->Report.Solver = "none, as hard constraints hold everything";
+    this->Report.Warnings = this->SystemWarnings;
+    return;
+  }
   const Vector<double> D = this->System.Diagonal();
   context.Checkpoint(0.1);
   const PartOfContext most(context, 0.1, 0.9);
@@ -307,6 +321,26 @@ void HarmonicProblem::Internals::FindSmoothest(
   }
 }
 
+Vector<double> HarmonicProblem::Internals::HeldSolution(const Vector<double>& values, const ExecutionContext& context)
+{
+  const RoughnessHierarchy& hierarchy = *this->System.Setup().Hierarchy;
+  Vector<double> x = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
+  this->System.InsertHeld(values, x);
+  const auto R = hierarchy.Operator();
+  R->SetDiagonal(Vector<double>::Zero(x.size()), context);
+  Vector<double> Rx;
+  R->Apply(x, Rx, context);
+  IterationReport only;
+  only.Energy = x.dot(Rx);
+  only.MassResidual = 0.0;
+  this->Report.Iterations = { only };
+  this->Report.Returned = 0;
+  this->Report.Converged = true;
+  this->Report.EndedByRounding = false;
+  this->Report.SolveSeconds = 0.0;
+  return Scattered(x, hierarchy.Order, context);
+}
+
 HarmonicProblem::HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, Penalties prescribed, double smoothness,
   const SolverOptions& options, const SolverChoice& choice, const ExecutionContext& context)
   : Internal(std::make_unique<Internals>(std::move(setup), options, choice))
@@ -348,6 +382,10 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   assert(values.size() == of.System.NumberOfPrescribed());
   of.Report.Warnings = of.SystemWarnings;
   of.Report.Eigenvalues.clear();
+  if (of.HoldsEverything())
+  {
+    return of.HeldSolution(values, context);
+  }
   const std::vector<int>& order = of.System.Setup().Hierarchy->Order;
   const std::vector<int>& unprescribed = of.System.Unprescribed().Unknowns();
   const auto inOrder = [&](const Vector<double>& vector)

@@ -37,7 +37,7 @@ public:
   /// System.
   /// \param smoothness s > 0.
   /// \param choice which solver runs, and why; Cholesky where the set-up has no levels. options.Kind does not count.
-  /// \throw InvalidInput nothing is left to solve for.
+  /// \throw InvalidInput the penalties hold nothing.
   /// \throw SolverFailure the system could not be factored.
   /// \throw Cancelled
   HarmonicProblem(std::shared_ptr<const MultigridSetup> setup, Penalties prescribed, double smoothness,

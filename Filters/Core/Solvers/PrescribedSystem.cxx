@@ -74,11 +74,6 @@ void PrescribedSystem::Prescribe(Penalties prescribed, double smoothness, const 
     Choose(
       hierarchy.NumberOfUnknowns(), [&](int i) { return !isReached[hierarchy.ComponentOf(i)]; }, context),
     context);
-  if (static_cast<int>(this->Held().size()) == hierarchy.NumberOfUnknowns())
-  {
-    throw InvalidInput(
-      "hard constraints leave nothing to solve for; prescribe fewer cells or points or make the constraints soft");
-  }
   const Vector<double> D = this->Diagonal();
   this->A->SetDiagonal(D, context);
   this->A->SetInverseDiagonal(InverseDiagonal(hierarchy, D, context));

@@ -23,7 +23,7 @@ public:
   explicit PrescribedSystem(std::shared_ptr<const MultigridSetup> setup);
 
   /// Takes other prescriptions. After an error the system must not be used.
-  /// \throw InvalidInput nothing is left to solve for.
+  /// \throw InvalidInput none holds anything.
   void Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context);
 
   const MultigridSetup& Setup() const { return *this->SetupOfSystem; }

@@ -94,11 +94,6 @@ Dense Expected(const Problem& problem, const LaplacianHierarchy& hierarchy, cons
   return A;
 }
 
-Vector<Complex> AsComplex(const Vector<double>& pairs)
-{
-  return Eigen::Map<const Vector<Complex>>(reinterpret_cast<const Complex*>(pairs.data()), pairs.size() / 2);
-}
-
 /// Pairs, zero where unknowns are held.
 Vector<double> RandomPairs(const Vector<double>& D, unsigned seed)
 {

@@ -11,10 +11,11 @@ surface = pyvista.read(sys.argv[1])
 directions = np.zeros((surface.n_cells, 3))  # zero where nothing is prescribed
 directions[0] = 1, 0, 0
 directions[1000] = 1, 1, 1
-surface.cell_data.set_vectors(directions, "Directions")
+surface.cell_data["Directions"] = directions
 
 solver = vtkHarmonicFieldSolver()
 solver.SetInputData(surface)
+solver.SetInputArrayToProcess(1, 0, 0, 1, "Directions")  # of cells
 solver.SetNumberOfDirections(4)
 solver.SetTolerance(1e-10)
 solver.Update()
