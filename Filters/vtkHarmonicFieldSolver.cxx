@@ -189,9 +189,10 @@ int vtkHarmonicFieldSolver::RequestData(
     }
     const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
     const dmg::FramedSurface surface = kept.Surface();
+    const dmg::ConstraintChoices choices = dmg::ChoicesOnSurface(this, input);
     dmg::Prescription prescribed = dmg::ChosenDirections(
-      dmg::ChoicesOnSurface(this, input), input, guides, surface,
-      [&kept]() -> const dmg::NearestPlaces& { return kept.Places(); }, dmg::PartOfContext(context, 0.1, 0.1));
+      choices, input, guides, surface, [&kept]() -> const dmg::NearestPlaces& { return kept.Places(); },
+      dmg::PartOfContext(context, 0.1, 0.1));
     if (!prescribed.Unusable.AreNone())
     {
       vtkWarningMacro(<< prescribed.UnusableText());
@@ -230,6 +231,7 @@ int vtkHarmonicFieldSolver::RequestData(
     for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
     {
       dmg::RemoveReport(data);
+      dmg::AddFollowed(dmg::WhatIsFollowed(this, choices, input, guides.Data.size()), data);
       kept.AddReportTo(data, hasBasis);
       if (!guides.Data.empty())
       {

@@ -242,6 +242,7 @@
  * | ------------------ | ------ | ------- | ------------------------------------------------- |
  * | NumberOfDirections | int    | 1       | N                                                 |
  * | Solver             | string | 1       | what ran, and why if that was not asked for       |
+ * | Followed           | string | 1       | arrays, guides and features that the field follows, or "nothing" |
  * | Converged          | int    | 1       | 1 where RelativeResidual of the result is at most Tolerance, else 0; of all solvers |
  * | LevelUnknowns      | double | levels  | unknowns, finest first                            |
  * | LevelNonZeros      | double | levels  | non-zeros of the level's matrix (or factor)       |

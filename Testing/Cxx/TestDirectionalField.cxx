@@ -121,26 +121,6 @@ TEST(DirectionalField, RefusesWhatItsPartsRefuse)
   }
 }
 
-TEST(DirectionalField, OfAConstantFunctionIsNotDrawnWithAWarning)
-{
-  const auto surface = SphereWithDirections();
-  const auto ones = Zeros("One", surface->GetNumberOfPoints(), 1);
-  ones->Fill(1.0);
-  surface->GetPointData()->AddArray(ones);
-  vtkNew<vtkDirectionalField> field;
-  field->SetInputData(surface);
-  field->SetDiscretisation(vtkHarmonicFieldSolver::ScalarFunction);
-  field->SetConstraintType(vtkHarmonicFieldSolver::Hard);
-  field->SetInputArrayToProcess(3, 0, 0, OnPoints, "One");
-  const Messages messages(field);
-  field->Update();
-  EXPECT_EQ(messages.Error(), "");
-  ASSERT_EQ(messages.GetWarnings().size(), 1u);
-  EXPECT_NE(messages.GetWarnings()[0].find("no direction on any triangle"), std::string::npos);
-  EXPECT_GT(field->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
-  EXPECT_EQ(field->GetOutputDataObject(1)->GetNumberOfElements(vtkDataObject::CELL), 0);
-}
-
 TEST(DirectionalField, ReportsProgressThatGrowsAndCanBeAborted)
 {
   struct Heard

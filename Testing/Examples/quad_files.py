@@ -6,6 +6,7 @@ writes part.ply, part.rosy, part.sharp and part.rawfield into the current folder
 """
 
 import sys
+import warnings
 
 from vtkmodules.vtkFiltersCore import vtkCleanPolyData, vtkTriangleFilter
 from vtkmodules.vtkFiltersModeling import vtkLinearSubdivisionFilter
@@ -32,6 +33,7 @@ def read(name):
     return update(reader)
 
 
+warnings.filterwarnings("ignore", "the surface has no boundary")  # as the cube
 part = read(sys.argv[1]) if len(sys.argv) > 1 else cube()
 crosses = smooth_field(part, BoundaryWeight=1, SharpEdgesWeight=1, CurvatureWeight=0.3)
 writer = vtkPLYWriter()

@@ -39,7 +39,15 @@ class OtherInputs(unittest.TestCase):
         solver.SetInputData(mesh)
         with warnings.catch_warnings():
             warnings.simplefilter("error")
-            self.assertTrue(update(solver).GetFieldData().HasArray("Eigenvalues"))
+            report = update(solver).GetFieldData()
+        self.assertTrue(report.HasArray("Eigenvalues"))
+        self.assertEqual(report.GetAbstractArray("Followed").GetValue(0), "nothing")
+
+    def test_what_is_followed_is_written_in_the_report(self):
+        mesh = sphere()
+        add(mesh.GetCellData(), "Around", np.cross((0, 0, 1.0), centres(mesh)))
+        field = smooth_field(mesh, n=2, Directions="Around", CurvatureWeight=1e-3)
+        self.assertEqual(field.GetFieldData().GetAbstractArray("Followed").GetValue(0), "array 'Around', curvature")
 
     def test_a_uniform_vector_is_left_out_where_it_stands_on_end(self):
         """Any uniform wind is perpendicular to a sphere at two points."""

@@ -135,7 +135,7 @@ void Reader::AddLines(const GuideDataSet& dataset, const ConstraintChoices& choi
   }
 }
 
-/// An array of a guide that holds three numbers for each point or cell; empty where there is none.
+/// An array of a guide that holds three numbers for each point or cell, no normals; empty where there is none.
 std::string NameOfVectors(const std::vector<GuideDataSet>& datasets, std::size_t guide)
 {
   for (const GuideDataSet& dataset : datasets)
@@ -146,7 +146,8 @@ std::string NameOfVectors(const std::vector<GuideDataSet>& datasets, std::size_t
       for (int k = 0; dataset.Guide == guide && k < arrays->GetNumberOfArrays(); ++k)
       {
         vtkDataArray* const array = arrays->GetArray(k);
-        if (array && array->GetName() && array->GetNumberOfComponents() == 3)
+        if (array && array->GetName() && array->GetNumberOfComponents() == 3 &&
+          array->GetName() != std::string("Normals"))
         {
           return array->GetName();
         }

@@ -69,13 +69,32 @@ FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter)
   return options;
 }
 
+std::string WhatIsFollowed(
+  vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices, vtkDataSet* surface, std::size_t guides)
+{
+  std::string text;
+  const auto say = [&text](bool isFollowed, const std::string& what)
+  { text += isFollowed ? (text.empty() ? "" : ", ") + what : ""; };
+  const auto nameOf = [](const ArrayChoice& choice)
+  { return choice.Name.empty() ? "active vectors" : "array '" + choice.Name + "'"; };
+  say(HasArray(choices.Vectors, surface), nameOf(choices.Vectors));
+  say(HasArray(choices.Values, surface), nameOf(choices.Values));
+  say(guides > 0, std::to_string(guides) + (guides == 1 ? " guide" : " guides"));
+  say(filter->GetBoundaryWeight() > 0.0, "boundary");
+  say(filter->GetSharpEdgesWeight() > 0.0, "sharp edges");
+  say(filter->GetCurvatureWeight() > 0.0, "curvature");
+  return text.empty() ? "nothing" : text;
+}
+
 namespace
 {
 
 /// \throw InvalidInput directions are tensors, and the field has a sign.
 void CheckTakesTensors(Filter* filter, const ConstraintChoices& choices, vtkDataSet* surface)
 {
-  const bool isEven = filter->GetDiscretisation() == Filter::PowerField && filter->GetNumberOfDirections() % 2 == 0;
+  const bool isPower =
+    filter->GetDiscretisation() == Filter::PowerField || filter->GetDiscretisation() == Filter::PointPowerField;
+  const bool isEven = isPower && filter->GetNumberOfDirections() % 2 == 0;
   for (const int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
   {
     const bool isThere = choices.Vectors.Association == association ||

@@ -4,6 +4,9 @@
 #include "Adapters/Input/ChosenArrays.h"
 #include "FieldOptions.h"
 
+#include <cstddef>
+#include <string>
+
 class vtkHarmonicFieldSolver;
 
 namespace dmg
@@ -12,6 +15,11 @@ namespace dmg
 /// The properties of a filter as the core takes them.
 /// \throw InvalidInput one of the filter's properties is out of its range. Weights are checked where they are used.
 FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter);
+
+/// What the field follows, in words, such as "array 'Wind', 2 guides, boundary"; "nothing" where it is the smoothest one.
+/// \param choices what ChoicesOnSurface gives.
+std::string WhatIsFollowed(
+  vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices, vtkDataSet* surface, std::size_t guides);
 
 /// The arrays of a surface that the filter's properties choose.
 ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* surface);

@@ -80,6 +80,11 @@ void RemoveReport(vtkFieldData* fieldData)
   }
 }
 
+void AddFollowed(const std::string& text, vtkFieldData* fieldData)
+{
+  AddValue<vtkStringArray>(fieldData, ArrayNames::Followed, text);
+}
+
 void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldData* fieldData)
 {
   const vtkIdType levels = static_cast<vtkIdType>(report.Levels.size());

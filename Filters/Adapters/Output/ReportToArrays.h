@@ -3,6 +3,8 @@
 
 #include "Solvers/Krylov/SolveReport.h"
 
+#include <string>
+
 class vtkFieldData;
 class vtkTable;
 
@@ -14,6 +16,9 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table);
 
 /// Takes out of \p fieldData what a former solver has reported, and this one may not.
 void RemoveReport(vtkFieldData* fieldData);
+
+/// Adds the words of WhatIsFollowed.
+void AddFollowed(const std::string& text, vtkFieldData* fieldData);
 
 /// Adds sizes, cost and convergence to \p fieldData.
 void AddReport(const SolveReport& report, int N, double setupSeconds, vtkFieldData* fieldData);

@@ -63,6 +63,7 @@ inline constexpr const char* Error = "Error";
 // field data: the report
 inline constexpr const char* NumberOfDirections = "NumberOfDirections";
 inline constexpr const char* Solver = "Solver";
+inline constexpr const char* Followed = "Followed";
 inline constexpr const char* Converged = "Converged";
 inline constexpr const char* LevelUnknowns = "LevelUnknowns";
 inline constexpr const char* LevelNonZeros = "LevelNonZeros";

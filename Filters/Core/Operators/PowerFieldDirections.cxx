@@ -248,7 +248,7 @@ Vector<double> SingularityIndices(const TriangleMesh& mesh, const Unfilled<Corne
             const int edge = mesh.EdgeOf(h);
             turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
           });
-        indices[vertex] = mesh.IsBoundaryVertex(vertex) ? 0.0 : std::round(N * turn / (2.0 * Pi)) / N;
+        indices[vertex] = mesh.IsBoundaryVertex(vertex) ? 0.0 : std::round(N * turn / (2.0 * Pi)) / N + 0.0; // no -0
       }
     });
   return indices;

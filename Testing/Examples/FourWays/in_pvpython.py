@@ -6,6 +6,8 @@ import numpy as np
 from paraview.simple import *
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
+if len(sys.argv) != 3:
+    sys.exit(__doc__)
 surface = PLYReader(FileNames=[sys.argv[1]])
 try:
     PointAndCellIds

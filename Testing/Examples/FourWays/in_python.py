@@ -9,6 +9,8 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
 
+if len(sys.argv) != 3:
+    sys.exit(__doc__)
 reader = vtkPLYReader()
 reader.SetFileName(sys.argv[1])
 reader.Update()

@@ -7,6 +7,8 @@ import pyvista
 
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
 
+if len(sys.argv) != 3:
+    sys.exit(__doc__)
 surface = pyvista.read(sys.argv[1])
 directions = np.zeros((surface.n_cells, 3))  # zero where nothing is prescribed
 directions[0] = 1, 0, 0
