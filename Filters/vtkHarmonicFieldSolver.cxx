@@ -2,13 +2,14 @@
 
 #include "Adapters/Input/ConstraintsFromArrays.h"
 #include "Adapters/Input/OptionsOfSolver.h"
-#include "Adapters/Input/SingularitiesOnSurface.h"
-#include "Adapters/Output/FeaturesOfSurface.h"
+#include "Adapters/Input/ProblemFromInputs.h"
+#include "Adapters/Output/FieldOutput.h"
 #include "Adapters/Output/ReportToArrays.h"
-#include "Adapters/Output/SolvedSurface.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/SolverOfSurface.h"
 #include "Mesh/TriangleSoup.h"
+#include "SingularFieldSolver.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -23,7 +24,8 @@ vtkStandardNewMacro(vtkHarmonicFieldSolver);
 class vtkHarmonicFieldSolver::vtkInternals
 {
 public:
-  dmg::SolvedSurface Kept;
+  dmg::SolverOfSurface Kept;
+  dmg::FieldOutput Shown;
   dmg::ConstraintChoices OfGuides; ///< SetGuideArrayToProcess
 };
 
@@ -172,70 +174,55 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
   const auto make = [&](const dmg::ExecutionContext& context)
   {
-    dmg::SolvedSurface& kept = this->Internals->Kept;
-    const dmg::GuideInput guides{ dmg::DataOf(inputVector[1]), this->Internals->OfGuides, this->MaximumDistance };
-    const dmg::Singularities singularities{ dmg::DataOf(inputVector[2]), this->SingularityIndexArray,
-      this->MaximumDistance };
-    const dmg::FieldOptions options = dmg::OptionsOf(this);
-    if (!singularities.Data.empty())
+    dmg::SolverOfSurface& kept = this->Internals->Kept;
+    dmg::FieldOutput& shown = this->Internals->Shown;
+    const dmg::FieldInputs inputs{ input,
+      { dmg::DataOf(inputVector[1]), this->Internals->OfGuides, this->MaximumDistance },
+      { dmg::DataOf(inputVector[2]), this->SingularityIndexArray, this->MaximumDistance } };
+    dmg::FieldProblem problem = dmg::ProblemOf(this);
+    if (!inputs.Singularities.Data.empty())
     {
-      dmg::CheckTakesSingularities(options.Field);
+      dmg::CheckTakesSingularities(problem.Options.Field);
     }
-    kept.SetSurface(input, options, dmg::PartOfContext(context, 0.0, 0.1));
+    kept.SetSurface(input, problem.Options, dmg::PartOfContext(context, 0.0, 0.1));
     if (dmg::IsSoup(kept.Surface().On.Mesh))
     {
       vtkWarningMacro("most triangles share no points with those beside them, so each is a surface of its own; apply "
                       "Clean (vtkCleanPolyData) first");
     }
-    const dmg::StoppingCriteria stop{ this->Tolerance, this->MaximumNumberOfIterations };
-    const dmg::FramedSurface surface = kept.Surface();
     const dmg::ConstraintChoices choices = dmg::ChoicesOnSurface(this, input);
-    dmg::Prescription prescribed = dmg::ChosenDirections(
-      choices, input, guides, surface, [&kept]() -> const dmg::NearestPlaces& { return kept.Places(); },
-      dmg::PartOfContext(context, 0.1, 0.1));
-    if (!prescribed.Unusable.AreNone())
+    const dmg::UnusableDirections unusable = dmg::ReadInputs(this, choices, inputs, kept, problem);
+    if (!unusable.AreNone())
     {
-      vtkWarningMacro(<< prescribed.UnusableText());
+      vtkWarningMacro(<< dmg::TextOf(unusable));
     }
-    if (!prescribed.Report.IsAllTaken())
+    const dmg::Field& field =
+      kept.Solver().Solve(problem, dmg::PartOfContext(context, 0.1, 0.95), kept.Surface().Numbering.Names());
+    for (const std::string& text : field.Warnings)
     {
-      vtkWarningMacro(<< prescribed.Report.LeftOut());
+      vtkWarningMacro(<< text);
     }
-    const auto missing =
-      dmg::FollowFeatures(this, input, kept, prescribed.Directions, dmg::PartOfContext(context, 0.1, 0.1));
-    const dmg::PartOfContext ofSolve(context, 0.1, 0.9);
-    const auto warnings = singularities.Data.empty()
-      ? kept.Solve(prescribed.Directions, options, stop, ofSolve)
-      : kept.Solve(dmg::BringToSurface(singularities, options.Field.N, kept.Places()), prescribed.Directions, options,
-          stop, ofSolve);
-    for (const auto* const texts : { &missing, &warnings })
-    {
-      for (const std::string& text : *texts)
-      {
-        vtkWarningMacro(<< text);
-      }
-    }
-    const bool hasBasis = this->HarmonicBasis && kept.Field().HasHarmonicFields();
-    kept.MakeArrays(input, this->UnitLength, this->Combing, dmg::PartOfContext(context, 0.9, hasBasis ? 0.92 : 1.0));
-    if (hasBasis && kept.MakeBasis(input, dmg::PartOfContext(context, 0.92, 1.0)) && kept.Basis().TooMany)
+    const bool hasBasis = this->HarmonicBasis && kept.Solver().Solved().Field().HasHarmonicFields();
+    shown.MakeArrays(kept, field, input, dmg::PartOfContext(context, 0.95, hasBasis ? 0.96 : 1.0));
+    if (hasBasis && shown.MakeBasis(kept, input, dmg::PartOfContext(context, 0.96, 1.0)) && shown.Basis().TooMany)
     {
       vtkWarningMacro(
-        "the surface has " << kept.Basis().NumberOfFields
+        "the surface has " << shown.Basis().NumberOfFields
                            << " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes "
                               "and remove its small handles first, or switch Harmonic Basis off");
     }
 
     output->ShallowCopy(input);
-    kept.AddArraysTo(output, edges, hasBasis);
-    dmg::MakeConvergenceTable(kept.Report(), convergence);
+    shown.AddArraysTo(kept, hasBasis, output, edges);
+    dmg::MakeConvergenceTable(field.Report, convergence);
     for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
     {
       dmg::RemoveReport(data);
-      dmg::AddFollowed(dmg::WhatIsFollowed(this, choices, input, guides.Data.size()), data);
-      kept.AddReportTo(data, hasBasis);
-      if (!guides.Data.empty())
+      dmg::AddFollowed(dmg::WhatIsFollowed(this, choices, input, inputs.Guides.Data.size()), data);
+      shown.AddReportTo(kept, field, hasBasis, data);
+      if (!inputs.Guides.Data.empty())
       {
-        dmg::AddGuidesReport(prescribed.Report, data);
+        dmg::AddGuidesReport(field.Guides, data);
       }
     }
   };

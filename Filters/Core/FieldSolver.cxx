@@ -1,342 +1,231 @@
 #include "FieldSolver.h"
 
-#include "Discretisations/MakeDiscretisation.h"
-#include "FieldSetup.h"
-#include "Solvers/HarmonicProblem.h"
-#include "Solvers/SolveInUnits.h"
-#include "StructurePreserving/SurfaceHierarchy.h"
+#include "FieldStages.h"
+#include "Operators/PrincipalDirections.h"
+#include "SingularFieldSolver.h"
+#include "Support/Errors.h"
 
-#include <algorithm>
 #include <cassert>
-#include <chrono>
 #include <optional>
-#include <string>
-#include <tuple>
 #include <utility>
-#include <vector>
 
 namespace dmg
 {
+
 namespace
 {
 
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start)
+template <class Item>
+void Append(std::vector<Item>& all, const std::vector<Item>& more)
 {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+  all.insert(all.end(), more.begin(), more.end());
 }
 
-/// Levels that were built for a surface.
-struct BuiltOperators
+/// \throw InvalidInput guides are given, and nothing is prescribed.
+void CheckFollowsSomething(const Constraints& constraints, const GuidesReport& guides)
 {
-  HierarchyOptions Options;
-  OperatorSelection Selection;
-  std::shared_ptr<const ProlongationOperators> Operators;
-  double Seconds;
-};
-
-/// The key of the last part of the set-up.
-struct SetupKey
-{
-  std::string Fields; ///< the discretisation by name
-  bool IsFactored;
-  bool KeepsApart;
-  CoarseSpaceKind Space;
-  std::shared_ptr<const ProlongationOperators> Operators; ///< null for samples and factors
-
-  friend bool operator==(const SetupKey& a, const SetupKey& b)
+  if (constraints.AreEmpty() && !guides.IsAllTaken())
   {
-    const auto members = [](const SetupKey& key)
-    {
-      const auto& [fields, isFactored, keepsApart, space, operators] = key;
-      return std::tie(fields, isFactored, keepsApart, space, operators);
-    };
-    return members(a) == members(b);
+    throw InvalidInput("no direction is prescribed; " + guides.LeftOut());
   }
-};
-
-struct SetupStage
-{
-  SetupKey Key;
-  std::shared_ptr<const MultigridSetup> Setup;
-  double Seconds;
-};
-
-struct SystemStage
-{
-  FieldConstraints Constraints;
-  FieldOptions Options;
-  std::shared_ptr<const SetupStage> Setup;
-  HarmonicProblem Problem;
-  std::unique_ptr<HarmonicProblem> Reference; ///< factors the same system, to compare; or null
-};
-
-struct SolveStage
-{
-  Vector<double> Values;
-  StoppingCriteria Stop;
-  Vector<double> Unknowns;
-  SolveReport Report;
-};
-
-bool SameElements(const FieldConstraints& a, const FieldConstraints& b)
-{
-  return std::tie(a.Elements, a.Weights) == std::tie(b.Elements, b.Weights);
+  if (constraints.AreEmpty())
+  {
+    throw InvalidInput(
+      "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
+      "their mask or weights are; choose others, or clear Guides for the smoothest field");
+  }
 }
 
-bool SameValues(const Vector<double>& a, const Vector<double>& b)
+std::string WarningOfCancelling(const std::vector<int>& faces, const ElementNames& names)
 {
-  return a.size() == b.size() && a == b;
-}
-
-/// Whether two options differ in nothing but the weights of energies.
-bool DifferInWeights(FieldOptions a, const FieldOptions& b)
-{
-  a.Smoothness = b.Smoothness;
-  a.Alignment = b.Alignment;
-  a.Constraints = b.Constraints;
-  return a == b;
-}
-
-bool NeedsReference(const SolverOptions& options, SolverKind kind)
-{
-  const bool isRule = kind == SolverKind::NestedIterations && options.Nested.Rule == SweepRule::WhileErrorFalls;
-  return (options.CompareWithCholesky || isRule) && kind != SolverKind::Cholesky;
+  const std::size_t others = faces.size() - 1;
+  return "the directions prescribed on " + names.Face(faces[0]) +
+    (others == 0 ? "" : " and " + std::to_string(others) + (others == 1 ? " other" : " others")) +
+    " cancel, as opposite vectors do for a field of one direction, so nothing is followed there; take one of them out, "
+    "or "
+    "choose a Number Of Directions to which they are alike";
 }
 
 }
 
-/// Each stage is built as a whole and then put in place, and takes away the later ones that refer to it: a run that stops
-/// half-way leaves nothing half-made.
 class FieldSolver::Internals
 {
 public:
   Internals(TriangleMesh mesh, const ExecutionContext& context)
-    : Surface(std::move(mesh), context)
+    : Stages(std::move(mesh), context)
   {
   }
 
-  void SetDiscretisation(const DiscretisationOptions& options);
-  void ForgetSetups();
-  void SetUp(const FieldOptions& options, const ExecutionContext& context);
-  void Prepare(const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context);
-  void Solve(const Vector<double>& values, const StoppingCriteria& stop, const ExecutionContext& context);
+  Constraints Follow(const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names);
+  void Solve(const FieldProblem& problem, const Constraints& constraints, const ExecutionContext& context,
+    const ElementNames& names);
+  void FindDirections(const FieldProblem& problem, const ExecutionContext& context);
+  const NearestPlaces& PlacesOfSurface();
 
-  FramedMesh Surface;
-  std::shared_ptr<const ProlongationOperators> Given;
-  std::vector<BuiltOperators> Built; ///< all that there are: discretisations and solvers want different levels
-  DiscretisationOptions FieldOptionsOfDiscretisation;
-  std::shared_ptr<const Discretisation> Field;
-  std::optional<CycleObstacles> Obstacles; ///< of the surface
-  SolverPlan Plan;
-  /// The set-up in use stands last; those before it are kept while there is room.
-  std::vector<std::shared_ptr<const SetupStage>> Setups;
-  long long MemoryLimit = 1LL << 30;
-  std::unique_ptr<SystemStage> System;
-  std::unique_ptr<SolveStage> Solution;
-  std::shared_ptr<const Discretisation> SolvedField;
-  double SecondsOfOperators = 0.0;
-  StageCounts Counts;
-  bool IsSetupUncounted = true; ///< something has been set up since the last count
+  FieldStages Stages;
+  std::unique_ptr<SingularFieldSolver> WithSingularities; ///< as soon as there have been some
+  const SolvedField* Solved = nullptr;                    ///< the one of both that has solved last
+  Field Last;                                             ///< of the last solution or, if it is not current, one before
 
 private:
-  std::shared_ptr<const ProlongationOperators> OperatorsOfPlan(const ExecutionContext& context);
-  bool UpdateSystem(const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context);
-  std::unique_ptr<HarmonicProblem> MakeReference(
-    const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context) const;
+  const SolvedField& Solver(const FieldProblem& problem);
+  void FollowGuides(const FieldProblem& problem, Constraints& constraints, const ExecutionContext& context);
+  void FollowFeatures(const FieldProblem& problem, int N, Constraints& constraints, const ExecutionContext& context);
+  void Rotate(const FieldProblem& problem, bool isNothingSaid, Constraints& constraints, const ElementNames& names);
+  const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
 
-  Vector<double> Start; ///< where there is no solution: unknowns of the system before its last update, or empty
+  std::unique_ptr<NearestPlaces> Places;
+  std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;
+  bool IsCurrent = false; ///< whether the directions of Last are those of the solution
 };
 
-void FieldSolver::Internals::SetDiscretisation(const DiscretisationOptions& options)
+const NearestPlaces& FieldSolver::Internals::PlacesOfSurface()
 {
-  if (!this->Field || !(this->FieldOptionsOfDiscretisation == options))
+  if (!this->Places)
   {
-    this->Field = MakeDiscretisation(options, this->Surface);
-    this->FieldOptionsOfDiscretisation = options;
+    this->Places = std::make_unique<NearestPlaces>(this->Stages.Surface());
   }
+  return *this->Places;
 }
 
-/// Null where the solver does without.
-std::shared_ptr<const ProlongationOperators> FieldSolver::Internals::OperatorsOfPlan(const ExecutionContext& context)
+const PrincipalCurvatures& FieldSolver::Internals::Curvatures(double scale, const ExecutionContext& context)
 {
-  this->SecondsOfOperators = 0.0;
-  if (!this->Plan.NeedsLevels() || this->Given || this->Plan.TakesSamples())
+  if (!this->CurvaturesAtScale || this->CurvaturesAtScale->first != scale)
   {
-    return this->Plan.NeedsLevels() ? this->Given : nullptr;
+    this->CurvaturesAtScale.emplace(scale, FindPrincipalDirections(this->Stages.Surface(), scale, context).Faces);
   }
-  const auto known = std::find_if(this->Built.begin(), this->Built.end(),
-    [this](const BuiltOperators& built) { return built.Options == this->Plan.Levels; });
-  OperatorSelection selection = this->Plan.Selection;
-  if (known != this->Built.end())
+  return this->CurvaturesAtScale->second;
+}
+
+/// All that the field follows as constraints, turned.
+Constraints FieldSolver::Internals::Follow(
+  const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names)
+{
+  Constraints constraints = problem.Constraints;
+  this->FollowGuides(problem, constraints, context);
+  const DiscretisationOptions& field = problem.Options.Field;
+  if (field.Kind == DiscretisationKind::ScalarFunction)
   {
-    if (known->Selection.Includes(selection))
+    return constraints;
+  }
+  const int N = this->Stages.DiscretisationFor(field).DirectionsPerPoint();
+  const std::size_t warnings = this->Last.Warnings.size();
+  this->FollowFeatures(problem, N, constraints, context);
+  const bool isNothingSaid = this->Last.Warnings.size() == warnings; // else it is said why nothing is followed
+  this->Rotate(problem, isNothingSaid, constraints, names);
+  const std::vector<int> cancelling = LeaveOutCancelling(constraints.OnFaces, this->Stages.Surface().Faces, N);
+  if (!cancelling.empty())
+  {
+    this->Last.Warnings.push_back(WarningOfCancelling(cancelling, names));
+  }
+  return constraints;
+}
+
+void FieldSolver::Internals::FollowGuides(
+  const FieldProblem& problem, Constraints& constraints, const ExecutionContext& context)
+{
+  this->Last.Guides = {};
+  if (problem.Guides.AreEmpty())
+  {
+    return;
+  }
+  const FollowedGuides followed = dmg::FollowGuides(problem.Guides, this->PlacesOfSurface(), context);
+  Append(constraints.OnFaces, followed.Directions);
+  CheckFollowsSomething(constraints, followed.Report);
+  if (!followed.Report.IsAllTaken())
+  {
+    this->Last.Warnings.push_back(followed.Report.LeftOut());
+  }
+  this->Last.Guides = followed.Report;
+}
+
+void FieldSolver::Internals::FollowFeatures(
+  const FieldProblem& problem, int N, Constraints& constraints, const ExecutionContext& context)
+{
+  CheckFeatures(problem.Features);
+  const PrincipalCurvatures* curvatures = nullptr;
+  if (problem.Features.CurvatureWeight > 0.0 && N % 2 == 0)
+  {
+    if (problem.Options.Constraints == ConstraintKind::Hard && !problem.Singularities)
     {
-      this->SecondsOfOperators = known->Seconds;
-      return known->Operators;
+      throw InvalidInput("principal directions are followed on all triangles, which hard constraints would leave no "
+                         "freedom; set Constraint Type to Soft, or Curvature Weight to 0");
     }
-    selection.Add(known->Selection); // what was built once is kept when more is needed
+    curvatures = &this->Curvatures(problem.Features.CurvatureScale, context);
   }
-  const auto start = Clock::now();
-  auto operators = std::make_shared<const ProlongationOperators>(
-    BuildSurfaceHierarchy(this->Surface.Mesh, this->Plan.Levels, context, selection).Operators);
-  if (known != this->Built.end())
-  {
-    this->Built.erase(known);
-  }
-  this->SecondsOfOperators = SecondsSince(start);
-  this->Built.push_back({ this->Plan.Levels, selection, operators, this->SecondsOfOperators });
-  this->IsSetupUncounted = true;
-  return operators;
+  const FollowedFeatures followed = dmg::FollowFeatures(this->Stages.Surface(), N, problem.Features, curvatures);
+  Append(constraints.OnFaces, followed.Directions);
+  Append(this->Last.Warnings, followed.Warnings);
 }
 
-void FieldSolver::Internals::SetUp(const FieldOptions& options, const ExecutionContext& context)
+void FieldSolver::Internals::Rotate(
+  const FieldProblem& problem, bool isNothingSaid, Constraints& constraints, const ElementNames& names)
 {
-  this->SetDiscretisation(options.Field);
-  if (!this->Obstacles)
+  if (problem.Rotation.AreZero())
   {
-    constexpr bool HasHarmonicFields = true;
-    this->Obstacles = ObstaclesOf(this->Surface.Mesh, HasHarmonicFields, context);
+    return;
   }
-  this->Plan = PlanSolver(*this->Field, options, this->Given.get(), *this->Obstacles);
-  auto operators = this->OperatorsOfPlan(PartOfContext(context, 0.0, 0.6));
-  if (operators)
+  if (isNothingSaid && constraints.OnFaces.empty() && constraints.AtVertices.empty())
   {
-    this->Plan = PlanSolver(*this->Field, options, operators.get(), *this->Obstacles); // they may have one level
-    operators = this->Plan.NeedsLevels() ? operators : nullptr;
+    this->Last.Warnings.push_back(
+      "nothing is followed that the field could be turned against, so Rotation and Rotation "
+      "Array have no effect; add what it shall follow, or set them to 0 and None");
+    return;
   }
-  const SetupKey key{ this->Field->Name(), !this->Plan.NeedsLevels(), this->Plan.KeepsApart, options.CoarseSpace,
-    operators };
-  const auto known =
-    std::find_if(this->Setups.begin(), this->Setups.end(), [&key](const auto& setup) { return setup->Key == key; });
-  if (known != this->Setups.end())
+  Turn(constraints, this->Stages.Surface(), problem.Rotation, names);
+}
+
+/// The warnings of the solver come once, where something was solved rather than kept.
+void FieldSolver::Internals::Solve(const FieldProblem& problem, const Constraints& constraints,
+  const ExecutionContext& context, const ElementNames& names)
+{
+  const SolvedField& solver = this->Solver(problem);
+  const SolvedField* const former = std::exchange(this->Solved, nullptr);
+  const int solves = solver.Counts().Solves;
+  if (problem.Singularities)
   {
-    std::rotate(known, known + 1, this->Setups.end());
+    this->WithSingularities->Solve(*problem.Singularities, constraints, problem.Options, problem.Stop, context, names);
   }
   else
   {
-    const auto start = Clock::now();
-    auto setup = MakeSetup(this->Surface, *this->Field, operators.get(), this->Plan, options.CoarseSpace,
-      PartOfContext(context, operators ? 0.6 : 0.0, 1.0));
-    this->IsSetupUncounted |= this->Plan.TakesSamples() && !operators;
-    this->Setups.push_back(
-      std::make_shared<const SetupStage>(SetupStage{ key, std::move(setup), SecondsSince(start) }));
-    this->ForgetSetups();
+    this->Stages.Solve(constraints, problem.Options, problem.Stop, context, names);
   }
-  this->Counts.Setups += this->IsSetupUncounted;
-  this->IsSetupUncounted = false;
+  this->Solved = &solver;
+  if (former != &solver || solver.Counts().Solves != solves)
+  {
+    this->IsCurrent = false;
+    Append(this->Last.Warnings, solver.Report().Warnings);
+  }
 }
 
-/// The oldest ones that there is no room for; never the last.
-void FieldSolver::Internals::ForgetSetups()
+const SolvedField& FieldSolver::Internals::Solver(const FieldProblem& problem)
 {
-  long long bytes = 0;
-  auto first = this->Setups.end();
-  while (first != this->Setups.begin())
+  if (!problem.Singularities)
   {
-    bytes += (*(first - 1))->Setup->Bytes();
-    if (bytes > this->MemoryLimit && first != this->Setups.end())
-    {
-      break;
-    }
-    --first;
+    return this->Stages;
   }
-  this->Setups.erase(this->Setups.begin(), first);
+  if (!this->WithSingularities)
+  {
+    this->WithSingularities = std::make_unique<SingularFieldSolver>(this->Stages.Surface());
+  }
+  return *this->WithSingularities;
 }
 
-void FieldSolver::Internals::Prepare(
-  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
+void FieldSolver::Internals::FindDirections(const FieldProblem& problem, const ExecutionContext& context)
 {
-  const auto& current = this->Setups.back();
-  const bool isSameSetup = this->System && this->System->Setup == current;
-  if (isSameSetup && SameElements(this->System->Constraints, constraints) && this->System->Options == options)
+  if (!this->IsCurrent || this->Last.IsCombed != problem.Combing)
   {
-    return;
+    Field field = DirectionsOfField(this->Stages.Surface(), this->Solved->Field(), this->Solved->Unknowns(),
+      problem.Combing, this->Last.Number > 0 ? &this->Last : nullptr, context);
+    field.Number = this->Last.Number + 1;
+    field.Guides = this->Last.Guides;
+    field.Warnings = std::move(this->Last.Warnings);
+    this->Last = std::move(field);
+    this->IsCurrent = true;
   }
-  if (isSameSetup && this->UpdateSystem(constraints, options, context))
-  {
-    return;
-  }
-  const SolverChoice& choice = this->Plan.ChoiceOn(*current->Setup);
-  const bool isCompared = NeedsReference(options.Solver, choice.Kind);
-  std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options, current,
-    HarmonicProblem(current->Setup, this->Field->PenaltiesOf(constraints, options.Weights(), context),
-      options.Smoothness, options.Solver, choice, PartOfContext(context, 0.0, isCompared ? 0.5 : 1.0)),
-    nullptr });
-  if (isCompared)
-  {
-    system->Reference = this->MakeReference(constraints, options, PartOfContext(context, 0.5, 1.0));
-  }
-  this->Solution.reset();
-  this->Start.resize(0);
-  this->System = std::move(system);
-  ++this->Counts.Systems;
-}
-
-std::unique_ptr<HarmonicProblem> FieldSolver::Internals::MakeReference(
-  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context) const
-{
-  const SolverPlan factored{ { SolverKind::Cholesky, "" }, {}, false, {}, {} };
-  auto setup =
-    MakeSetup(this->Surface, *this->Field, nullptr, factored, options.CoarseSpace, PartOfContext(context, 0.0, 0.3));
-  return std::make_unique<HarmonicProblem>(std::move(setup),
-    this->Field->PenaltiesOf(constraints, options.Weights(), context), options.Smoothness, options.Solver,
-    factored.Choice, PartOfContext(context, 0.3, 1.0));
-}
-
-/// Other prescribed elements or weights. \return whether no more than these has changed.
-bool FieldSolver::Internals::UpdateSystem(
-  const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
-{
-  if (!DifferInWeights(options, this->System->Options))
-  {
-    return false;
-  }
-  Penalties penalties = this->Field->PenaltiesOf(constraints, options.Weights(), context);
-  // Half-updated, it must not be seen again.
-  std::unique_ptr<SystemStage> system = std::move(this->System);
-  if (this->Solution)
-  {
-    this->Start = std::move(this->Solution->Unknowns);
-    this->Solution.reset();
-  }
-  if (system->Reference)
-  {
-    system->Reference->Update(penalties, options.Smoothness, PartOfContext(context, 0.0, 0.5));
-  }
-  system->Problem.Update(
-    std::move(penalties), options.Smoothness, PartOfContext(context, system->Reference ? 0.5 : 0.0, 1.0));
-  system->Constraints = constraints;
-  system->Options = options;
-  this->System = std::move(system);
-  ++this->Counts.Systems;
-  return true;
-}
-
-void FieldSolver::Internals::Solve(
-  const Vector<double>& values, const StoppingCriteria& stop, const ExecutionContext& context)
-{
-  if (this->Solution && SameValues(this->Solution->Values, values) && this->Solution->Stop == stop)
-  {
-    return;
-  }
-  const Vector<double>& start = this->Solution ? this->Solution->Unknowns : this->Start;
-  SystemStage& system = *this->System;
-  Vector<double> reference;
-  if (system.Reference)
-  {
-    constexpr double Rounding = 1e-13;
-    constexpr int Corrections = 10;
-    reference =
-      SolveInUnits(*system.Reference, values, {}, {}, { Rounding, Corrections }, PartOfContext(context, 0.0, 0.2))
-        .Unknowns;
-  }
-  auto [unknowns, report] = SolveInUnits(
-    system.Problem, values, start, reference, stop, PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0));
-  this->Solution.reset(new SolveStage{ values, stop, std::move(unknowns), std::move(report) });
-  this->SolvedField = this->Field;
-  ++this->Counts.Solves;
+  this->Last.HasUnitLength = problem.UnitLength;
+  this->Last.Report = this->Solved->Report();
+  this->Last.SetupSeconds = this->Solved->SetupSeconds();
 }
 
 FieldSolver::FieldSolver(TriangleMesh mesh, const ExecutionContext& context)
@@ -348,73 +237,59 @@ FieldSolver::~FieldSolver() = default;
 
 const FramedMesh& FieldSolver::Surface() const
 {
-  return this->Internal->Surface;
+  return this->Internal->Stages.Surface();
+}
+
+const NearestPlaces& FieldSolver::Places()
+{
+  return this->Internal->PlacesOfSurface();
 }
 
 void FieldSolver::SetOperators(std::shared_ptr<const ProlongationOperators> operators)
 {
-  this->Internal->Given = std::move(operators);
+  this->Internal->Stages.SetOperators(std::move(operators));
 }
 
 void FieldSolver::SetMemoryLimit(long long bytes)
 {
-  this->Internal->MemoryLimit = bytes;
-  this->Internal->ForgetSetups();
+  this->Internal->Stages.SetMemoryLimit(bytes);
 }
 
-const Vector<double>& FieldSolver::Solve(const dmg::Constraints& directions, const FieldOptions& options,
-  const StoppingCriteria& stop, const ExecutionContext& context, const ElementNames& names)
+const Field& FieldSolver::Solve(const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names)
 {
   Internals& of = *this->Internal;
-  of.SetDiscretisation(options.Field);
-  const FieldConstraints constraints = of.Field->Prescribe(directions, names);
-  CheckSizes(directions, names);
-  of.SetUp(options, PartOfContext(context, 0.0, 0.5));
-  of.Prepare(constraints, options, PartOfContext(context, 0.5, 0.75));
-  of.Solve(constraints.Values, stop, PartOfContext(context, 0.75, 1.0));
-  context.Checkpoint(1.0);
-  return of.Solution->Unknowns;
+  if (problem.Singularities)
+  {
+    CheckTakesSingularities(problem.Options.Field);
+  }
+  of.Last.Warnings.clear();
+  const Constraints constraints = of.Follow(problem, PartOfContext(context, 0.0, 0.0), names);
+  of.Solve(problem, constraints, PartOfContext(context, 0.0, 0.9), names);
+  of.FindDirections(problem, PartOfContext(context, 0.9, 1.0));
+  return of.Last;
 }
 
-const Discretisation& FieldSolver::Field() const
+Points FieldSolver::Directions(int k) const
 {
-  assert(this->Internal->SolvedField);
-  return *this->Internal->SolvedField;
+  return this->Internal->Last.DirectionsOnFaces(this->Surface(), k);
 }
 
-const FieldOptions& FieldSolver::Options() const
+const SolvedField& FieldSolver::Solved() const
 {
-  return this->Internal->System->Options;
+  assert(this->Internal->Solved);
+  return *this->Internal->Solved;
 }
 
-const FieldConstraints& FieldSolver::Constraints() const
+SolvedField::StageCounts FieldSolver::Counts() const
 {
-  return this->Internal->System->Constraints;
-}
-
-const Vector<double>& FieldSolver::Unknowns() const
-{
-  return this->Internal->Solution->Unknowns;
-}
-
-const SolveReport& FieldSolver::Report() const
-{
-  return this->Internal->Solution->Report;
-}
-
-Eigen::MatrixXd FieldSolver::HarmonicFields() const
-{
-  return this->Internal->System->Setup->Setup->HarmonicFields();
-}
-
-const FieldSolver::StageCounts& FieldSolver::Counts() const
-{
-  return this->Internal->Counts;
-}
-
-double FieldSolver::SetupSeconds() const
-{
-  return this->Internal->SecondsOfOperators + this->Internal->Setups.back()->Seconds;
+  SolvedField::StageCounts counts = this->Internal->Stages.Counts();
+  if (const SolvedField* const other = this->Internal->WithSingularities.get())
+  {
+    counts.Setups += other->Counts().Setups;
+    counts.Systems += other->Counts().Systems;
+    counts.Solves += other->Counts().Solves;
+  }
+  return counts;
 }
 
 }

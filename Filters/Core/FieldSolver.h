@@ -1,70 +1,73 @@
 #ifndef dmgFieldSolver_h
 #define dmgFieldSolver_h
 
-#include "FieldOptions.h"
+#include "Constraints/NearestPlaces.h"
+#include "Field.h"
+#include "FieldProblem.h"
 #include "Levels/ProlongationOperators.h"
 #include "SolvedField.h"
-#include "Solvers/Krylov/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
-#include "Support/Types.h"
 
 #include <memory>
 
 namespace dmg
 {
 
-/// Solves for the smoothest fields on one surface that follow what is prescribed, and keeps what a change leaves valid:
+/// Finds the smoothest fields on one surface that follow constraints, guides and features, or have the singularities that are
+/// asked for, and keeps what a change leaves valid:
 ///
-///   stage   is redone when this changes
-///   set-up  discretisation (with N and areas), operators, or what asks for other levels
-///   system  which elements are prescribed, weights, solver options
-///   solve   prescribed values, tolerance, iteration limit
+///   stage       is redone when this changes
+///   set-up      discretisation (with N and areas), operators, or what asks for other levels
+///   system      which elements are prescribed, weights, solver options
+///   solve       prescribed values, tolerance, iteration limit
+///   directions  the solution, Combing
 ///
 ///   dmg::FieldSolver solver(dmg::TriangleMesh(points, triangles));
-///   solver.Solve({ { { face, direction, weight } }, {} }, options);
+///   dmg::FieldProblem problem;
+///   problem.Constraints.OnFaces = { { face, direction, weight } };
+///   problem.Features.SharpEdgesWeight = 1.0;
+///   const dmg::Field& field = solver.Solve(problem);
 ///   const dmg::Points vectors = solver.Directions(0);
 ///
-/// Levels that were built for a surface are all kept, and so is what the set-up makes of them for a discretisation,
-/// while there is room (SetMemoryLimit): going back to a former N costs no set-up. A stage that throws leaves those before it as they are.
-class FieldSolver : public SolvedField
+/// With singularities, set-up and system depend on the solver alone (SingularFieldSolver). Set-ups of former discretisations
+/// are kept while there is room (SetMemoryLimit). A stage that throws leaves those before it as they are.
+class FieldSolver
 {
 public:
   /// Cost: O(#F).
   explicit FieldSolver(TriangleMesh mesh, const ExecutionContext& context = SerialContext());
-  ~FieldSolver() override;
+  ~FieldSolver();
 
-  const FramedMesh& Surface() const override;
+  const FramedMesh& Surface() const;
+  /// The search for nearest places, made at the first call.
+  const NearestPlaces& Places();
 
   /// Operators of this surface that were built before, in place of those that solvers would build for themselves.
   /// \param operators null: none.
   void SetOperators(std::shared_ptr<const ProlongationOperators> operators);
-
-  /// Set-ups of former discretisations and N are kept, too, up to so many bytes of all; by default
-  /// 1 GiB, some dozen set-ups of power fields on a quarter of a million triangles. What is in use is always kept.
+  /// See FieldStages::SetMemoryLimit.
   void SetMemoryLimit(long long bytes);
 
   /// Brings all stages up to date. A solve starts from the solution before.
   /// \param names says how messages call vertices and faces.
-  /// \return the unknowns: Field().UnknownsPerElement() for each element. Not converged: the best that was reached;
-  ///   see Report().
-  /// \throw InvalidInput an option is out of range, a prescription is wrong, nothing is prescribed, or
-  ///   operators lack those that are needed.
+  /// \return the field, which belongs to the solver and is another one after the next call. Not converged: the best that
+  ///   was reached; see its Report.
+  /// \throw InvalidInput an option is out of range, a constraint, guide or singularity is wrong, hard constraints leave nothing
+  ///   to solve for, guides are given and none of them is near, or operators lack those that are needed.
   /// \throw SolverFailure the system could not be factored.
   /// \throw Cancelled
-  const Vector<double>& Solve(const dmg::Constraints& directions, const FieldOptions& options,
-    const StoppingCriteria& stop = {}, const ExecutionContext& context = SerialContext(),
-    const ElementNames& names = {});
+  const Field& Solve(
+    const FieldProblem& problem, const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
 
-  // Results of the last solve. \pre there was one.
+  /// Direction k of each face of the last field as a vector in space, #F x 3.
+  /// \pre there was a solve.
+  Points Directions(int k) const;
 
-  const Discretisation& Field() const override;
-  const FieldOptions& Options() const;
-  const FieldConstraints& Constraints() const override;
-  const Vector<double>& Unknowns() const override;
-  const SolveReport& Report() const override;
-  Eigen::MatrixXd HarmonicFields() const override;
-  const StageCounts& Counts() const override;
-  double SetupSeconds() const override;
+  /// The unknowns of the last solve, their meaning, and what was prescribed. \pre there was one.
+  const SolvedField& Solved() const;
+
+  /// How often each stage has been completed.
+  SolvedField::StageCounts Counts() const;
 
 private:
   class Internals;

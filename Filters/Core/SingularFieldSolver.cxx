@@ -9,11 +9,11 @@
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
+#include "Support/Stopwatch.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -27,13 +27,6 @@ namespace
 constexpr double LargestTurning = 0.99;
 /// The error of a sum around a vertex adds up along a path around many of them.
 constexpr double LargestTolerance = 1e-6;
-
-using Clock = std::chrono::steady_clock;
-
-double SecondsSince(Clock::time_point start)
-{
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
 /// The solver of potentials, and harmonic forms.
 struct SystemStage
@@ -138,7 +131,7 @@ private:
 
 void SingularFieldSolver::Internals::SetUp(const SolverOptions& asked, const ExecutionContext& context)
 {
-  const auto start = Clock::now();
+  const Stopwatch watch;
   const TriangleMesh& mesh = this->On.Mesh;
   const int loops = this->Surface->NumberOfLoops();
   const SolverOptions options = OptionsOfPotentials(asked, loops);
@@ -158,7 +151,7 @@ void SingularFieldSolver::Internals::SetUp(const SolverOptions& asked, const Exe
   this->AddHarmonicForms(*system, PartOfContext(context, 0.7, 1.0));
   this->Connection.reset();
   this->System = std::move(system);
-  this->SystemSeconds = SecondsSince(start);
+  this->SystemSeconds = watch.Seconds();
   ++this->Counts.Setups;
   ++this->Counts.Systems;
 }
@@ -214,7 +207,7 @@ Vector<double> SingularFieldSolver::Internals::TurningOf(
 void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N, const StoppingCriteria& stop,
   const ElementNames& names, const ExecutionContext& context)
 {
-  const auto startTime = Clock::now();
+  const Stopwatch watch;
   SystemStage& system = *this->System;
   const SurfaceHolonomy& surface = *this->Surface;
   const TriangleMesh& mesh = this->On.Mesh;
@@ -239,7 +232,7 @@ void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N, cons
   {
     report.Warnings.push_back(warning);
   }
-  report.SolveSeconds = SecondsSince(startTime);
+  report.SolveSeconds = watch.Seconds();
   connection->Times = std::move(times);
   connection->N = N;
   connection->Stop = stop;
@@ -319,9 +312,9 @@ const Vector<double>& SingularFieldSolver::Solve(const std::vector<PrescribedSin
   CheckSizes(directions, names);
   if (!of.Surface)
   {
-    const auto start = Clock::now();
+    const Stopwatch watch;
     of.Surface.emplace(of.On, context);
-    of.SurfaceSeconds = SecondsSince(start);
+    of.SurfaceSeconds = watch.Seconds();
   }
   of.Surface->CheckSums(times, N, names);
   of.SetUp(options.Solver, PartOfContext(context, 0.0, 0.7));

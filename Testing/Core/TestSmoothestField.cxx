@@ -1,7 +1,7 @@
 // Fields where nothing is prescribed: the lowest eigenvectors of the roughness.
 
 #include "Discretisations/MakeDiscretisation.h"
-#include "FieldSolver.h"
+#include "FieldStages.h"
 #include "Operators/FieldTopology.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Support/ComplexPairs.h"
@@ -74,7 +74,7 @@ private:
   double Unit;
 };
 
-FieldTopology TopologyOf(const FieldSolver& solver)
+FieldTopology TopologyOf(const FieldStages& solver)
 {
   const auto& [mesh, faces, vertices] = solver.Surface();
   const Points directions = solver.Directions(0);
@@ -87,7 +87,7 @@ FieldTopology TopologyOf(const FieldSolver& solver)
 }
 
 /// How many singularities have which index, a multiple of 1 / N.
-std::map<int, int> SingularitiesOf(const FieldSolver& solver)
+std::map<int, int> SingularitiesOf(const FieldStages& solver)
 {
   std::map<int, int> numbers;
   for (const double index : TopologyOf(solver).Indices)
@@ -141,7 +141,7 @@ TEST(SmoothestField, HasTheEigenvalueOfADenseSolver)
   {
     for (const FieldOptions& options : fields)
     {
-      FieldSolver solver(surface.Mesh());
+      FieldStages solver(surface.Mesh());
       solver.Solve({}, options, { 1e-6, 300 });
       EXPECT_TRUE(solver.Report().Converged) << name;
       ASSERT_EQ(solver.Report().Eigenvalues.size(), 1u) << name;
@@ -162,7 +162,7 @@ TEST(SmoothestField, IsTheEigenvectorOfADenseSolver)
     const FieldOptions options = OptionsOf(DiscretisationKind::PowerField, N);
     for (const SolverKind kind : { SolverKind::Cholesky, SolverKind::ConjugateGradients })
     {
-      FieldSolver solver(Ellipsoid(2, { 1.0, 1.3, 2.0 }).Mesh());
+      FieldStages solver(Ellipsoid(2, { 1.0, 1.3, 2.0 }).Mesh());
       solver.Solve({}, OptionsOf(options.Field.Kind, N, kind), { 1e-4, 100 });
       const DenseEigenvectors expected(solver.Surface(), options);
       const auto lowest = expected.Vectors.leftCols(2);
@@ -181,7 +181,7 @@ TEST(SmoothestField, IsFoundOnSpheresWhereManyAreAlmostAsSmooth)
 {
   for (const int N : { 3, 7 })
   {
-    FieldSolver solver(IrregularSphere(5, 3, 0.3).Mesh());
+    FieldStages solver(IrregularSphere(5, 3, 0.3).Mesh());
     solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N, SolverKind::ConjugateGradients), { 1e-4, 100 });
     EXPECT_TRUE(solver.Report().Converged) << N;
     EXPECT_NEAR(solver.Report().Eigenvalues[0], 2.0 * N, 0.04 * 2.0 * N) << N;
@@ -195,13 +195,13 @@ TEST(SmoothestField, IsTheSameBySolversOfAllKinds)
     { DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
   {
     const TriangleMesh mesh = Ellipsoid(4, { 1.0, 1.3, 2.0 }).Mesh();
-    FieldSolver factored(mesh);
+    FieldStages factored(mesh);
     factored.Solve({}, OptionsOf(kind, 1, SolverKind::Cholesky), { 1e-6, 100 });
     const double expected = factored.Report().Eigenvalues[0];
     for (const SolverKind solverKind : { SolverKind::ConjugateGradients, SolverKind::VCycles,
            SolverKind::NestedIterations, SolverKind::CoarseProlongation })
     {
-      FieldSolver solver(mesh);
+      FieldStages solver(mesh);
       solver.Solve({}, OptionsOf(kind, 1, solverKind), { 1e-6, 100 });
       EXPECT_TRUE(solver.Report().Converged);
       EXPECT_LE(solver.Report().Iterations.size(), 40u);
@@ -215,7 +215,7 @@ TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
 {
   const auto expectAll = [](const Surface& surface, int N, int number)
   {
-    FieldSolver solver(surface.Mesh());
+    FieldStages solver(surface.Mesh());
     solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N), { 1e-5, 300 });
     EXPECT_EQ(SingularitiesOf(solver), (std::map<int, int>{ { 1, number } })) << "N = " << N;
   };
@@ -226,7 +226,7 @@ TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
   }
   // At its corners.
   expectAll(Cube(4), 4, 8);
-  FieldSolver cube(Cube(4).Mesh());
+  FieldStages cube(Cube(4).Mesh());
   cube.Solve({}, OptionsOf(DiscretisationKind::PowerField, 4));
   const Vector<double> indices = TopologyOf(cube).Indices;
   for (int v = 0; v < indices.size(); ++v)
@@ -246,7 +246,7 @@ TEST(SmoothestField, HasIndicesThatSumToTheEulerCharacteristic)
   {
     for (int N = 1; N <= 6; ++N)
     {
-      FieldSolver solver(surface.Mesh());
+      FieldStages solver(surface.Mesh());
       solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N));
       const FieldTopology topology = TopologyOf(solver);
       double sum = topology.Indices.sum();
@@ -268,7 +268,7 @@ TEST(SmoothestField, IsHarmonicWhereTheSurfaceHasHandlesOrHoles)
     {
       for (const SolverKind solverKind : { SolverKind::ConjugateGradients, SolverKind::Cholesky })
       {
-        FieldSolver solver(surface.Mesh());
+        FieldStages solver(surface.Mesh());
         solver.Solve({}, OptionsOf(kind, 1, solverKind));
         EXPECT_TRUE(solver.Report().Converged);
         const double area = solver.Surface().Mesh.FaceAreas().sum();
@@ -294,11 +294,11 @@ TEST(SmoothestField, StandsBesideGuidedComponents)
     options.Constraints = ConstraintKind::Hard; // the weights of soft ones know the whole surface
     const Constraints directions{ { { 5, Vector3(0.3, 0.2, 0.9), 1.0 }, { 700, Vector3(0.3, -0.2, 0.5), 1.0 } }, {},
       {} };
-    FieldSolver both(Union(guided, other, Vector3(5.0, 0.0, 0.0)).Mesh());
+    FieldStages both(Union(guided, other, Vector3(5.0, 0.0, 0.0)).Mesh());
     both.Solve(directions, options, stop);
-    FieldSolver first(guided.Mesh());
+    FieldStages first(guided.Mesh());
     first.Solve(directions, options, stop);
-    FieldSolver second(other.Mesh());
+    FieldStages second(other.Mesh());
     second.Solve({}, options, stop);
     EXPECT_TRUE(both.Report().Converged);
     EXPECT_TRUE(both.Report().Warnings.empty());
@@ -325,7 +325,7 @@ TEST(SmoothestField, IsZeroOnSplintersWithoutArea)
   {
     for (const Constraints& directions : { Constraints(), oneDirection })
     {
-      FieldSolver solver(mesh);
+      FieldStages solver(mesh);
       solver.Solve(directions, OptionsOf(kind, 4), {});
       EXPECT_TRUE(solver.Report().Converged);
       ASSERT_EQ(solver.Report().Warnings.size(), 1u);
@@ -341,8 +341,8 @@ TEST(SmoothestField, IsZeroOnSplintersWithoutArea)
 TEST(SmoothestField, HasTheSameBitsForAnyNumberOfThreads)
 {
   const TriangleMesh mesh = IrregularSphere(5, 3).Mesh();
-  FieldSolver one(mesh);
-  FieldSolver three(mesh);
+  FieldStages one(mesh);
+  FieldStages three(mesh);
   const FieldOptions options = OptionsOf(DiscretisationKind::PowerField, 4, SolverKind::ConjugateGradients);
   EXPECT_EQ(one.Solve({}, options), three.Solve({}, options, {}, TbbContext(3)));
 }

@@ -3,7 +3,7 @@
 #include "vtkHarmonicFieldSolver.h"
 #include "vtkHodgeDecomposition.h"
 
-#include "FieldSolver.h"
+#include "FieldStages.h"
 #include "TestTools.h"
 
 #include "vtkDirectionalProlongation.h"
@@ -203,14 +203,14 @@ TEST(Memory, ThatRunsOutInTheCoreIsAnExceptionAndTheNextSolveIsWhole)
       options.Solver.Kind = solverKind;
       requests = 0;
       failing = 0;
-      FieldSolver whole(mesh);
+      FieldStages whole(mesh);
       const Vector<double> expected = whole.Solve(directions, options, {});
       failing = -1;
       int errors = 0;
       for (const long long number : Some(requests))
       {
         SCOPED_TRACE(testing::Message() << "request " << number);
-        FieldSolver solver(mesh);
+        FieldStages solver(mesh);
         requests = 0;
         failing = number;
         try

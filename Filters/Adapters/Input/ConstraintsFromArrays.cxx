@@ -1,6 +1,5 @@
 #include "Adapters/Input/ConstraintsFromArrays.h"
 
-#include "Adapters/Input/GuideDataSets.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -109,51 +108,69 @@ std::vector<ValueConstraint> ValuesOnSurface(
 
 }
 
-std::string Prescription::UnusableText() const
+std::string TextOf(const UnusableDirections& unusable)
 {
   std::string text;
   const auto say = [&text](long long number, const std::string& what)
   { text += number > 0 ? (text.empty() ? "" : ", ") + std::to_string(number) + what : ""; };
-  say(this->Unusable.NotFinite, " not finite");
-  say(this->Unusable.Zero, " zero where the mask is not");
-  say(this->Unusable.Perpendicular, " perpendicular to the surface");
+  say(unusable.NotFinite, " not finite");
+  say(unusable.Zero, " zero where the mask is not");
+  say(unusable.Perpendicular, " perpendicular to the surface");
   return "some directions are left out: " + text + "; take them out of the mask, or make them zero where there is none";
 }
 
-Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const GuideInput& guides,
-  const FramedSurface& on, const std::function<const NearestPlaces&()>& places, const ExecutionContext& context)
+Constraints ConstraintsFromArrays(
+  const ConstraintChoices& choices, vtkPolyData* input, const FramedSurface& surface, UnusableDirections& unusable)
 {
-  Constraints directions;
-  UnusableDirections unusable;
-  const auto values = ValuesOnSurface(onSurface, surface, on.Numbering);
+  Constraints constraints;
+  std::vector<ValueConstraint> values = ValuesOnSurface(choices, input, surface.Numbering);
   // Mask and weights are those of the values otherwise.
-  if (!HasArray(onSurface.Values, surface) || HasArray(onSurface.Vectors, surface))
+  if (!HasArray(choices.Values, input) || HasArray(choices.Vectors, input))
   {
-    directions = DirectionsOnSurface(FindArrays(onSurface, surface, "the surface", true), on, unusable);
+    constraints = DirectionsOnSurface(FindArrays(choices, input, "the surface", true), surface, unusable);
   }
-  directions.Values = values;
-  const Guides given = GuidesFrom(guides, unusable);
-  const FollowedGuides followed = given.AreEmpty() ? FollowedGuides() : FollowGuides(given, places(), context);
-  directions.OnFaces.insert(directions.OnFaces.end(), followed.Directions.begin(), followed.Directions.end());
-  const bool isEmpty = directions.AreEmpty();
-  if (isEmpty && !followed.Report.IsAllTaken())
+  constraints.Values = std::move(values);
+  return constraints;
+}
+
+RotationAngles RotationFromArray(
+  const ArrayChoice& choice, double degrees, vtkPolyData* input, const FramedSurface& surface)
+{
+  constexpr double Degree = Pi / 180.0;
+  RotationAngles angles;
+  angles.Everywhere = degrees * Degree;
+  const ChosenArray chosen = FindArray(choice, input, 1, "rotation", "the surface");
+  if (!chosen.Array)
   {
-    throw InvalidInput("no direction is prescribed; " + followed.Report.LeftOut());
+    return angles;
   }
-  if (isEmpty && HasArray(onSurface.Vectors, surface))
+  const TriangleMesh& mesh = surface.On.Mesh;
+  angles.Faces.setZero(mesh.NumberOfFaces());
+  angles.Vertices.setZero(mesh.NumberOfVertices());
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
-    throw InvalidInput("no direction is prescribed: the directions of the surface are zero, perpendicular to it or not "
-                       "finite, or its mask "
-                       "or weights are zero; "
-                       "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
+    if (chosen.OnPoints)
+    {
+      angles.Vertices[vertex] = Degree * chosen.Array->GetComponent(surface.Numbering.PointOf(vertex), 0);
+      mesh.VisitFan(
+        vertex, [&](int halfedge) { angles.Faces[TriangleMesh::FaceOf(halfedge)] += angles.Vertices[vertex] / 3.0; });
+      continue;
+    }
+    int faces = 0;
+    mesh.VisitFan(vertex,
+      [&](int halfedge)
+      {
+        const vtkIdType cell = surface.Numbering.CellOf(TriangleMesh::FaceOf(halfedge));
+        angles.Vertices[vertex] += Degree * chosen.Array->GetComponent(cell, 0);
+        ++faces;
+      });
+    angles.Vertices[vertex] /= faces;
   }
-  if (isEmpty && !DataSetsOf(guides.Data).empty())
+  for (int face = 0; !chosen.OnPoints && face < mesh.NumberOfFaces(); ++face)
   {
-    throw InvalidInput(
-      "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
-      "their mask or weights are; choose others, or clear Guides for the smoothest field");
+    angles.Faces[face] = Degree * chosen.Array->GetComponent(surface.Numbering.CellOf(face), 0);
   }
-  return { std::move(directions), followed.Report, unusable };
+  return angles;
 }
 
 }

@@ -1,42 +1,38 @@
 #ifndef dmgConstraintsFromArrays_h
 #define dmgConstraintsFromArrays_h
 
-#include "Adapters/Input/GuidesFromDataSets.h"
+#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Surface/MeshFromPolyData.h"
+#include "Constraints/Constraints.h"
 
-#include <functional>
 #include <string>
+
+class vtkPolyData;
 
 namespace dmg
 {
 
-/// All that is prescribed.
-struct Prescription
-{
-  Constraints Directions;
-  GuidesReport Report;
-  UnusableDirections Unusable; ///< of the surface and the guides; left out
-
-  /// What is unusable, and what helps, in one sentence.
-  std::string UnusableText() const;
-};
-
-/// The directions that were chosen on the surface and those of guides; the rules are those of
-/// vtkHarmonicFieldSolver.h.
-///
-/// On the surface, cells prescribe faces and points vertices; cells and points without a triangle
-/// take no part. Guides prescribe faces.
+/// The constraints that were chosen on a surface; the rules are those of vtkHarmonicFieldSolver.h. Cells prescribe faces and
+/// points vertices; cells and points without a triangle take no part.
 ///
 /// Directions that are not finite, zero or perpendicular to the surface are left out. Of tensors counts the direction of the
 /// largest eigenvalue in the tangent plane.
 ///
-/// \param places of the surface, made where there are guides.
-/// \return without directions where nothing is chosen and guides are empty.
-/// \throw InvalidInput as FindArrays, VisitPrescribed and GuidesFrom, FollowGuides; what is chosen prescribes nothing.
-/// \throw Cancelled
-/// Cost: linear, besides the guides.
-Prescription ChosenDirections(const ConstraintChoices& onSurface, vtkPolyData* surface, const GuideInput& guides,
-  const FramedSurface& on, const std::function<const NearestPlaces&()>& places, const ExecutionContext& context);
+/// \param unusable counts what is left out.
+/// \return empty where nothing is chosen.
+/// \throw InvalidInput as FindArrays and VisitPrescribed.
+/// Cost: linear.
+Constraints ConstraintsFromArrays(
+  const ConstraintChoices& choices, vtkPolyData* input, const FramedSurface& surface, UnusableDirections& unusable);
+
+/// One sentence: the directions that are left out, and what helps.
+std::string TextOf(const UnusableDirections& unusable);
+
+/// The rotation by an angle and an array, both in degrees. Elements of the other kind than the array's get the mean of those
+/// that they touch.
+/// \throw InvalidInput as FindArray.
+RotationAngles RotationFromArray(
+  const ArrayChoice& choice, double degrees, vtkPolyData* input, const FramedSurface& surface);
 
 }
 

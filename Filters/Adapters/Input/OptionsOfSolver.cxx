@@ -44,11 +44,23 @@ void CheckProperties(Filter* filter)
   });
 }
 
+FeatureOptions FeaturesOf(Filter* filter)
+{
+  FeatureOptions options;
+  options.BoundaryWeight = filter->GetBoundaryWeight();
+  options.BoundaryRotation = filter->GetBoundaryRotation();
+  options.SharpEdgesWeight = filter->GetSharpEdgesWeight();
+  options.SharpEdgesRotation = filter->GetSharpEdgesRotation();
+  options.FeatureAngle = filter->GetFeatureAngle();
+  options.CurvatureWeight = filter->GetCurvatureWeight();
+  options.CurvatureRotation = filter->GetCurvatureRotation();
+  options.CurvatureScale = filter->GetCurvatureScale();
+  options.FollowsMinimum = filter->GetCurvatureDirection() == Filter::MinimumCurvature;
+  return options;
 }
 
-FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter)
+FieldOptions OptionsOf(Filter* filter)
 {
-  CheckProperties(filter);
   FieldOptions options;
   options.Field.Kind = static_cast<DiscretisationKind>(filter->GetDiscretisation());
   options.Field.N = filter->GetNumberOfDirections();
@@ -67,6 +79,21 @@ FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter)
   options.Solver.ExpectedSolves = filter->GetExpectedSolves();
   options.Solver.CompareWithCholesky = filter->GetCompareWithCholesky();
   return options;
+}
+
+}
+
+FieldProblem ProblemOf(vtkHarmonicFieldSolver* filter)
+{
+  CheckProperties(filter);
+  FieldProblem problem;
+  problem.Options = OptionsOf(filter);
+  problem.Stop.RelativeTolerance = filter->GetTolerance();
+  problem.Stop.MaximumIterations = filter->GetMaximumNumberOfIterations();
+  problem.Features = FeaturesOf(filter);
+  problem.Combing = filter->GetCombing();
+  problem.UnitLength = filter->GetUnitLength();
+  return problem;
 }
 
 std::string WhatIsFollowed(

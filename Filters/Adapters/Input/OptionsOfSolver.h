@@ -2,7 +2,7 @@
 #define dmgOptionsOfSolver_h
 
 #include "Adapters/Input/ChosenArrays.h"
-#include "FieldOptions.h"
+#include "FieldProblem.h"
 
 #include <cstddef>
 #include <string>
@@ -12,9 +12,9 @@ class vtkHarmonicFieldSolver;
 namespace dmg
 {
 
-/// The properties of a filter as the core takes them.
+/// The properties of a filter as the core takes them, without what its inputs add.
 /// \throw InvalidInput one of the filter's properties is out of its range. Weights are checked where they are used.
-FieldOptions OptionsOf(vtkHarmonicFieldSolver* filter);
+FieldProblem ProblemOf(vtkHarmonicFieldSolver* filter);
 
 /// What the field follows, in words, such as "array 'Wind', 2 guides, boundary"; "nothing" where it is the smoothest one.
 /// \param choices what ChoicesOnSurface gives.

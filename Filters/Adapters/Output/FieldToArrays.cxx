@@ -4,7 +4,6 @@
 #include "Adapters/Surface/ElementArrays.h"
 #include "Discretisations/MakeDiscretisation.h"
 #include "Operators/PowerFieldDirections.h"
-#include "Operators/VertexFieldTopology.h"
 #include "Support/Permutations.h"
 
 #include "vtkCellArray.h"
@@ -53,20 +52,6 @@ vtkSmartPointer<vtkPolyData> MakeEdges(const TriangleMesh& mesh, const SurfaceNu
   return edges;
 }
 
-/// Calls two functions, at the same time where there are threads.
-template <class First, class Second>
-void CallBoth(const ExecutionContext& context, const First& first, const Second& second)
-{
-  context.ParallelFor(0, 2, 1,
-    [&](int begin, int end)
-    {
-      for (int i = begin; i < end; ++i)
-      {
-        i == 0 ? first() : second();
-      }
-    });
-}
-
 void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
 {
   for (int k = 0; k < LargestN; ++k)
@@ -88,73 +73,20 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
 
 }
 
-ShownField ShowField(const FramedMesh& framed, const SurfaceNumbering& surface, const Discretisation& discretisation,
-  const Vector<double>& unknowns, bool combing, const ShownField* former, const ExecutionContext& context)
-{
-  const TriangleMesh& mesh = framed.Mesh;
-  const int N = discretisation.DirectionsPerPoint();
-  const Unfilled<Complex> sides = SideDirections(mesh, framed.Faces, context);
-  const Unfilled<Corner> corners = Corners(mesh, sides, framed.Faces, framed.Vertices, context);
-  ShownField shown;
-  shown.Combing = combing;
-  shown.N = N;
-  shown.Powers = discretisation.Powers(unknowns, corners, context);
-  const Vector<Complex>& powers = shown.Powers.Faces;
-  context.Checkpoint(0.3);
-  const PrincipalMatching matching = MatchDirections(mesh, sides, powers, N, context);
-  context.Checkpoint(0.6);
-
-  std::vector<int> labels;
-  if (combing && former && former->Combing && former->N == N)
-  {
-    labels = LabelsNearTo(former->OnFaces, powers, N, context);
-  }
-  // A tree grows in one thread; what does not need it goes on beside.
-  CallBoth(
-    context,
-    [&]
-    {
-      if (combing && labels.empty())
-      {
-        labels = CombingLabels(mesh, powers, matching, N, context);
-      }
-    },
-    [&]
-    {
-      if (const VertexConnection* const connection = discretisation.ConnectionOfPowers(context))
-      {
-        const Vector<double> turning = TurningAlongEdges(mesh, *connection, shown.Powers.Vertices, N, context);
-        shown.AreSingularitiesOnFaces = true;
-        shown.Indices = IndicesOfFaces(mesh, *connection, turning, N, context);
-        shown.Edges = MakeEdges(mesh, surface, turning, context);
-        return;
-      }
-      shown.Indices = SingularityIndices(mesh, corners, matching.Turning, N, context);
-      shown.Edges = MakeEdges(mesh, surface, matching.Turning, context);
-    });
-  shown.OnFaces = FirstDirections(powers, N, labels, context);
-  shown.AtVertices = combing
-    ? FirstDirectionsAtVertices(mesh, corners, shown.OnFaces, shown.Powers.Vertices, N, context)
-    : FirstDirections(shown.Powers.Vertices, N, {}, context);
-  context.Checkpoint(1.0);
-  return shown;
-}
-
 FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, const Vector<double>& unknowns, const ShownField& shown, bool unitLength,
-  vtkPolyData* input, const ExecutionContext& context)
+  const Discretisation& discretisation, const Vector<double>& unknowns, const Field& field, vtkPolyData* input,
+  const ExecutionContext& context)
 {
-  FieldArrays arrays{ unitLength, vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New(),
-    vtkSmartPointer<vtkPolyData>::New() };
-  arrays.Edges->ShallowCopy(shown.Edges);
+  FieldArrays arrays{ vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New(),
+    MakeEdges(framed.Mesh, surface, field.Turning, context) };
   const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
   const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
-  shown.AreSingularitiesOnFaces ? cells.Add(ArrayNames::SingularityIndex, 1, shown.Indices.data())
-                                : points.Add(ArrayNames::SingularityIndex, 1, shown.Indices.data());
-  cells.AddDirections(framed.Faces, shown.OnFaces, shown.N, unitLength);
+  field.AreSingularitiesOnFaces ? cells.Add(ArrayNames::SingularityIndex, 1, field.Indices.data())
+                                : points.Add(ArrayNames::SingularityIndex, 1, field.Indices.data());
+  cells.AddDirections(framed.Faces, field.OnFaces, field.N, field.HasUnitLength);
   context.Checkpoint(0.5);
-  points.AddDirections(framed.Vertices, shown.AtVertices, shown.N, unitLength);
-  for (const ElementValues& values : discretisation.Values(unknowns, shown.Powers))
+  points.AddDirections(framed.Vertices, field.AtVertices, field.N, field.HasUnitLength);
+  for (const ElementValues& values : discretisation.Values(unknowns, field.Powers))
   {
     switch (values.On)
     {

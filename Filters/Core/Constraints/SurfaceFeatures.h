@@ -30,6 +30,7 @@ struct FeatureOptions
   double FeatureAngle = 30.0; ///< degrees between the normals of two faces; edges with more are sharp
   double CurvatureWeight = 0.0;
   double CurvatureRotation = 0.0;
+  double CurvatureScale = 3.0; ///< of principal directions, in mean edges; see FindPrincipalDirections
   bool FollowsMinimum = false; ///< the direction of the minimum curvature in place of the maximum
 };
 

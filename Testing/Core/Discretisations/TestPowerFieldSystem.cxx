@@ -1,7 +1,7 @@
 #include "Support/FieldSystems.h"
 
 #include "Examples.h"
-#include "FieldSolver.h"
+#include "FieldStages.h"
 #include "Operators/PowerFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/FieldProblem.h"
@@ -189,7 +189,7 @@ TEST(PowerFieldSystem, ComponentsWithoutAPrescriptionHaveTheSmoothestField)
   {
     const HarmonicSystem<Complex> system = MakePowerFieldSystem(mesh, frames, 4, constraints, Weights(kind));
     EXPECT_EQ(system.NumberOfUnreached(), 80);
-    FieldSolver solver(mesh);
+    FieldStages solver(mesh);
     FieldOptions options;
     options.Constraints = kind;
     solver.Solve({ { { 81, Vector3(1.0, 0.0, 0.0), 1.0 } }, {} }, options);

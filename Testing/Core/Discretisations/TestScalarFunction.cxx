@@ -1,6 +1,6 @@
 #include "Discretisations/ScalarFunction.h"
 
-#include "FieldSolver.h"
+#include "FieldStages.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
@@ -62,7 +62,7 @@ TEST(ScalarFunction, LinearFunctionsAreReproduced)
   const auto linear = [&slope](const Vector3& p) { return 2.0 + slope.dot(p); };
   for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky, SolverKind::VCycles })
   {
-    FieldSolver fields(mesh);
+    FieldStages fields(mesh);
     const Vector<double> u = fields.Solve(OnBoundary(mesh, linear), Functions(solver), { 1e-12, 200 });
     EXPECT_TRUE(fields.Report().Converged);
     for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
@@ -93,7 +93,7 @@ TEST(ScalarFunction, APotentialRunsAlongATube)
     }
   }
   ASSERT_GE(prescribed.Values.size(), 40u);
-  FieldSolver fields(mesh);
+  FieldStages fields(mesh);
   const Vector<double> u = fields.Solve(prescribed, Functions(), { 1e-12, 200 });
   // Natural conditions above and below: nothing crosses them.
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
@@ -109,7 +109,7 @@ TEST(ScalarFunction, MinimisesTheDirichletEnergy)
   const TriangleMesh mesh = IrregularTorus(48, 24, 4).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
   const Constraints prescribed = SomeValues(mesh);
-  FieldSolver fields(mesh);
+  FieldStages fields(mesh);
   const Vector<double> u = fields.Solve(prescribed, Functions(), { 1e-13, 200 });
   Vector<double> residual = FaceDivergence(mesh, frames) * (FaceGradient(mesh, frames) * u);
   for (const ValueConstraint& value : prescribed.Values)
@@ -129,13 +129,13 @@ TEST(ScalarFunction, SolversAndLevelsAgree)
     {
       FieldOptions options = Functions(SolverKind::Cholesky);
       options.Constraints = constraints;
-      FieldSolver direct(mesh);
+      FieldStages direct(mesh);
       const Vector<double> expected = direct.Solve(SomeValues(mesh), options, { 1e-12, 200 });
       for (const CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
       {
         options.Solver.Kind = SolverKind::ConjugateGradients;
         options.CoarseSpace = space;
-        FieldSolver fields(mesh);
+        FieldStages fields(mesh);
         const Vector<double> u = fields.Solve(SomeValues(mesh), options, { 1e-12, 200 });
         EXPECT_LE((u - expected).norm(), 1e-9 * expected.norm()) << fields.Report().Solver;
         EXPECT_LE(fields.Report().Iterations.size(), 26u) << fields.Report().Solver;
@@ -149,7 +149,7 @@ TEST(ScalarFunction, HasTheSameBitsForAnyNumberOfThreads)
   const TriangleMesh mesh = IrregularTorus(64, 32, 4).Mesh();
   const auto solve = [&mesh](const ExecutionContext& context)
   {
-    FieldSolver fields(mesh, context);
+    FieldStages fields(mesh, context);
     return fields.Solve(SomeValues(mesh), Functions(), {}, context);
   };
   const Vector<double> expected = solve(SerialContext());

@@ -1,7 +1,8 @@
-// Crosses that follow two directions, without VTK: SmoothField SURFACE.ply OUTPUT.txt
+// Crosses without VTK: SmoothField SURFACE.ply OUTPUT.txt
 
 #include <FieldSolver.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iomanip>
@@ -25,14 +26,26 @@ int main(int, char* argv[])
   for (auto triangle : triangles.rowwise())
     file >> three >> triangle[0] >> triangle[1] >> triangle[2];
 
+  // They follow two directions: faces, directions, and how hard they pull.
   dmg::FieldSolver solver(dmg::TriangleMesh(points, triangles));
-  dmg::FieldOptions options;
-  options.Field.N = 4;
-  // Faces, directions, and how hard they pull.
-  const dmg::Constraints prescribed{ { { 0, { 1, 0, 0 }, 1.0 }, { 1000, { 1, 1, 1 }, 1.0 } }, {} };
-  solver.Solve(prescribed, options, { 1e-10, 100 });
-
+  dmg::FieldProblem problem;
+  problem.Constraints.OnFaces = { { 0, { 1, 0, 0 }, 1.0 }, { 1000, { 1, 1, 1 }, 1.0 } };
+  problem.Stop.RelativeTolerance = 1e-10;
+  const dmg::Field& field = solver.Solve(problem);
   // A row per face; 1, 2 and 3 are the others.
-  std::ofstream(argv[2]) << std::setprecision(17) << solver.Directions(0).rowwise().normalized() << '\n';
-  return solver.Report().Converged ? 0 : 1;
+  std::ofstream(argv[2]) << std::setprecision(17) << solver.Directions(0) << '\n';
+  if (!field.Report.Converged)
+    return 1;
+
+  // They follow a line over the surface, and sharp edges half as hard.
+  problem.Constraints = {};
+  problem.Guides.Lines = { { { points.row(0), points.row(1), points.row(2) }, { 2.0 } } };
+  problem.Features.SharpEdgesWeight = 1.0;
+  solver.Solve(problem);
+  std::printf("%lld segments followed\n", field.Guides.Taken);
+
+  // They turn as little as is possible with these singularities alone: 4 times indices that sum to the Euler characteristic.
+  problem.Singularities = { { 0, -3 }, { 100, -3 }, { 200, -1 }, { 300, -1 } };
+  solver.Solve(problem);
+  return field.Report.Converged && std::abs(field.Indices[100] + 0.75) < 1e-6 ? 0 : 1;
 }

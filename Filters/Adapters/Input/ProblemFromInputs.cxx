@@ -1,0 +1,58 @@
+#include "Adapters/Input/ProblemFromInputs.h"
+
+#include "Adapters/Input/ConstraintsFromArrays.h"
+#include "Adapters/Input/GuideDataSets.h"
+#include "Support/Errors.h"
+
+#include "vtkHarmonicFieldSolver.h"
+#include "vtkPolyData.h"
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Where something was chosen that prescribes nothing.
+void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs)
+{
+  if (HasArray(choices.Vectors, inputs.Surface))
+  {
+    throw InvalidInput("no direction is prescribed: the directions of the surface are zero, perpendicular to it or not "
+                       "finite, or its mask "
+                       "or weights are zero; "
+                       "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
+  }
+  if (!DataSetsOf(inputs.Guides.Data).empty())
+  {
+    throw InvalidInput(
+      "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
+      "their mask or weights are; choose others, or clear Guides for the smoothest field");
+  }
+}
+
+}
+
+UnusableDirections ReadInputs(vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices,
+  const FieldInputs& inputs, SolverOfSurface& surface, FieldProblem& problem)
+{
+  UnusableDirections unusable;
+  const FramedSurface framed = surface.Surface();
+  problem.Constraints = ConstraintsFromArrays(choices, inputs.Surface, framed, unusable);
+  problem.Guides = GuidesFrom(inputs.Guides, unusable);
+  if (problem.Constraints.AreEmpty() && problem.Guides.AreEmpty())
+  {
+    CheckPrescribes(choices, inputs);
+  }
+  if (problem.Options.Field.Kind != DiscretisationKind::ScalarFunction) // which nothing turns
+  {
+    problem.Rotation = RotationFromArray(choices.Rotation, filter->GetRotation(), inputs.Surface, framed);
+  }
+  if (!inputs.Singularities.Data.empty())
+  {
+    problem.Singularities = BringToSurface(inputs.Singularities, problem.Options.Field.N, surface.Solver().Places());
+  }
+  return unusable;
+}
+
+}

@@ -1,0 +1,88 @@
+#include "Adapters/Surface/SolverOfSurface.h"
+
+#include "Adapters/Surface/ArrayNames.h"
+#include "FieldSetup.h"
+#include "Support/Errors.h"
+#include "Support/Stopwatch.h"
+
+#include "vtkPolyData.h"
+
+#include <optional>
+#include <utility>
+
+namespace dmg
+{
+
+void SolverOfSurface::SetSurface(vtkPolyData* input, const FieldOptions& options, const ExecutionContext& context)
+{
+  const std::string digest = ContentDigest(input);
+  const auto stored = WantsDecimation(options) ? OperatorsOriginOf(input->GetFieldData()) : std::nullopt;
+  if (stored && stored->Digest != digest)
+  {
+    throw InvalidInput("the surface is another than the one its operators were built for "
+                       "(field array '" +
+      std::string(ArrayNames::ProlongationDigest) + "' says " + stored->Digest + ", the points and triangles give " +
+      digest +
+      "); apply Directional Prolongation (vtkDirectionalProlongation) after the last filter that changes the surface");
+  }
+  // Operators that are stored number the elements as the input does.
+  const dmg::Numbering order = stored ? dmg::Numbering::OfPolyData : dmg::Numbering::Spatial;
+  if (!this->SolverOfMesh || this->Digest != digest || this->Order != order)
+  {
+    const Stopwatch watch;
+    SurfaceMesh surface = MeshFromPolyData(input, order, context);
+    auto solver = std::make_unique<FieldSolver>(std::move(surface.Mesh), context);
+    this->OfFormerSurfaces = this->Counts();
+    this->Digest.clear(); // until all that follows is made
+    this->Read.clear();
+    this->OperatorsSeconds = 0.0;
+    this->SolverOfMesh = std::move(solver);
+    this->Numbers = std::move(static_cast<SurfaceNumbering&>(surface));
+    this->Digest = digest;
+    this->Order = order;
+    ++this->NumberOfSurface;
+    this->SurfaceSeconds = watch.Seconds();
+  }
+  this->SolverOfMesh->SetOperators(stored ? this->Operators(input, *stored) : nullptr);
+}
+
+/// Those that the input brings along.
+std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
+  vtkPolyData* input, const OperatorsOrigin& origin)
+{
+  for (const auto& [known, operators] : this->Read)
+  {
+    if (known == origin)
+    {
+      return operators;
+    }
+  }
+  const Stopwatch watch;
+  const bool isFirst = this->SolverOfMesh->Counts().Setups == 0; // then the solver counts it
+  this->Read.emplace_back(origin,
+    std::make_shared<const ProlongationOperators>(
+      OperatorsFromFieldData(input->GetFieldData(), this->SolverOfMesh->Surface().Mesh)));
+  this->OperatorsSeconds = watch.Seconds();
+  this->OfFormerSurfaces.Setups += isFirst ? 0 : 1;
+  return this->Read.back().second;
+}
+
+SolvedField::StageCounts SolverOfSurface::Counts() const
+{
+  SolvedField::StageCounts counts = this->OfFormerSurfaces;
+  if (this->SolverOfMesh)
+  {
+    const SolvedField::StageCounts now = this->SolverOfMesh->Counts();
+    counts.Setups += now.Setups;
+    counts.Systems += now.Systems;
+    counts.Solves += now.Solves;
+  }
+  return counts;
+}
+
+double SolverOfSurface::SetupSeconds(const Field& field) const
+{
+  return this->SurfaceSeconds + this->OperatorsSeconds + field.SetupSeconds;
+}
+
+}

@@ -1,0 +1,112 @@
+#include "Field.h"
+
+#include "Operators/FieldTopology.h"
+#include "Operators/PowerFieldDirections.h"
+#include "Operators/VertexFieldTopology.h"
+
+namespace dmg
+{
+
+namespace
+{
+
+Points DirectionsInSpace(
+  const TangentFrames& frames, const Vector<Complex>& first, int N, bool hasUnitLength, int direction)
+{
+  const DirectionVectors vectors(N, hasUnitLength);
+  Points inSpace(first.size(), 3);
+  for (int element = 0; element < first.size(); ++element)
+  {
+    vectors.VisitAt(frames, element, first[element],
+      [&](int k, const Vector3& vector)
+      {
+        if (k == direction)
+        {
+          inSpace.row(element) = vector.transpose();
+        }
+      });
+  }
+  return inSpace;
+}
+
+/// Calls two functions, at the same time where there are threads.
+template <class First, class Second>
+void CallBoth(const ExecutionContext& context, const First& first, const Second& second)
+{
+  context.ParallelFor(0, 2, 1,
+    [&](int begin, int end)
+    {
+      for (int i = begin; i < end; ++i)
+      {
+        i == 0 ? first() : second();
+      }
+    });
+}
+
+}
+
+Points Field::DirectionsOnFaces(const FramedMesh& surface, int k) const
+{
+  return DirectionsInSpace(surface.Faces, this->OnFaces, this->N, this->HasUnitLength, k);
+}
+
+Points Field::DirectionsAtVertices(const FramedMesh& surface, int k) const
+{
+  return DirectionsInSpace(surface.Vertices, this->AtVertices, this->N, this->HasUnitLength, k);
+}
+
+Field DirectionsOfField(const FramedMesh& surface, const Discretisation& discretisation, const Vector<double>& unknowns,
+  bool combing, const Field* former, const ExecutionContext& context)
+{
+  const TriangleMesh& mesh = surface.Mesh;
+  const int N = discretisation.DirectionsPerPoint();
+  const Unfilled<Complex> sides = SideDirections(mesh, surface.Faces, context);
+  const Unfilled<Corner> corners = Corners(mesh, sides, surface.Faces, surface.Vertices, context);
+  Field field;
+  field.IsCombed = combing;
+  field.N = N;
+  field.Powers = discretisation.Powers(unknowns, corners, context);
+  const Vector<Complex>& powers = field.Powers.Faces;
+  context.Checkpoint(0.3);
+  PrincipalMatching matching = MatchDirections(mesh, sides, powers, N, context);
+  context.Checkpoint(0.6);
+
+  std::vector<int> labels;
+  if (combing && former && former->IsCombed && former->N == N)
+  {
+    labels = LabelsNearTo(former->OnFaces, powers, N, context);
+  }
+  // A tree grows in one thread; what does not need it goes on beside.
+  CallBoth(
+    context,
+    [&]
+    {
+      if (combing && labels.empty())
+      {
+        labels = CombingLabels(mesh, powers, matching, N, context);
+      }
+    },
+    [&]
+    {
+      if (const VertexConnection* const connection = discretisation.ConnectionOfPowers(context))
+      {
+        field.AreSingularitiesOnFaces = true;
+        field.Turning = TurningAlongEdges(mesh, *connection, field.Powers.Vertices, N, context);
+        field.Indices = IndicesOfFaces(mesh, *connection, field.Turning, N, context);
+        return;
+      }
+      field.Indices = SingularityIndices(mesh, corners, matching.Turning, N, context);
+    });
+  if (!field.AreSingularitiesOnFaces)
+  {
+    field.Turning = std::move(matching.Turning);
+  }
+  field.OnFaces = FirstDirections(powers, N, labels, context);
+  field.AtVertices = combing
+    ? FirstDirectionsAtVertices(mesh, corners, field.OnFaces, field.Powers.Vertices, N, context)
+    : FirstDirections(field.Powers.Vertices, N, {}, context);
+  context.Checkpoint(1.0);
+  return field;
+}
+
+}

@@ -1,0 +1,42 @@
+#ifndef dmgFieldProblem_h
+#define dmgFieldProblem_h
+
+#include "Analysis/PrescribedSingularities.h"
+#include "Constraints/Constraints.h"
+#include "Constraints/Guides.h"
+#include "Constraints/SurfaceFeatures.h"
+#include "FieldOptions.h"
+#include "Solvers/Krylov/StoppingCriteria.h"
+
+#include <optional>
+#include <vector>
+
+namespace dmg
+{
+
+/// The field that a user wants on a surface. The default values are those of the filters, too.
+///
+/// Where nothing is followed, the field is the smoothest one.
+struct FieldProblem
+{
+  /// The discretisation, the weights of energies and the solver.
+  FieldOptions Options = {};
+  StoppingCriteria Stop = { 1e-4, 100 };
+
+  dmg::Constraints Constraints = {}; ///< on faces and at vertices
+  dmg::Guides Guides = {};           ///< lines and vectors in space
+  FeatureOptions Features = {};      ///< boundary, sharp edges and principal directions; functions follow none
+  RotationAngles Rotation = {};      ///< against all that is followed
+
+  /// The singularities that a power field shall have, and no others. None: they come by themselves.
+  std::optional<std::vector<PrescribedSingularity>> Singularities = {};
+
+  /// Whether direction 0 continues from face to face wherever that is possible, rather than being the principal root.
+  bool Combing = true;
+  /// Whether directions are unit vectors, zero where the field vanishes, rather than as long as the field.
+  bool UnitLength = true;
+};
+
+}
+
+#endif
