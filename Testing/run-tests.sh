@@ -31,7 +31,7 @@ run() {
   step "$1: test"
   local report=build/$1-tests.xml
   rm -f "$report"
-  ctest --preset "$@" --output-junit "$PWD/$report" || {
+  ctest --preset "$@" --parallel "$(nproc)" --output-junit "$PWD/$report" || {
     echo "$1: see the failures above"
     all_well=no # also where ctest finds no test
   }

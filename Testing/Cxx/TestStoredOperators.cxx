@@ -28,7 +28,7 @@ TEST(StoredOperators, AreUsedAfterWritingAndReading)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(input);
-  writer->SetDataModeToBinary(); // see README, "Files"
+  writer->SetDataModeToBinary(); // see Testing/Examples/README.md, "Files"
   ASSERT_EQ(writer->Write(), 1);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());
@@ -207,7 +207,7 @@ TEST_P(VectorField, OfStoredOperatorsIsThatOfTheOriginalsToTheBit)
   vtkNew<vtkXMLPolyDataWriter> writer;
   writer->SetFileName(path.c_str());
   writer->SetInputData(input);
-  writer->SetDataModeToBinary(); // see README, "Files"
+  writer->SetDataModeToBinary(); // see Testing/Examples/README.md, "Files"
   ASSERT_EQ(writer->Write(), 1);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->SetFileName(path.c_str());

@@ -11,7 +11,7 @@ from Gallery.scene import *
 
 def main(path):
     field = HarmonicFieldSolver(Input=open_surface(path), NumberOfDirections=4, CurvatureWeight=0.3)
-    SaveData("demo.vtp", field, DataMode="Binary")  # see README, "Files"
+    SaveData("demo.vtp", field, DataMode="Binary")  # see Testing/Examples/README.md, "Files"
     view = view_from([0.35, 0.3, 1], [1200, 1050])
     show_surface(field, view)
     show_lines(field, view, 0.016)

@@ -47,3 +47,6 @@ XDG_RUNTIME_DIR=$runtime PV_PLUGIN_PATH=$plugins PYTHONDONTWRITEBYTECODE=1 \
   xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
   pvbatch "$demo" "$surface"
 ls -l "$here/demo.vtp" "$here/demo.png"
+
+step "To open the result in ParaView's window"
+printf 'PV_PLUGIN_PATH=%q paraview %q\n' "$plugins" "$here/demo.vtp"

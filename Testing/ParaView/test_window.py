@@ -95,7 +95,7 @@ def write(path, data):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(path))
     writer.SetInputData(data)
-    writer.SetDataModeToBinary()  # see README, "Files"
+    writer.SetDataModeToBinary()  # see Testing/Examples/README.md, "Files"
     writer.Write()
 
 
@@ -172,7 +172,7 @@ def play(paraview, data, result, folder, fails):
 
 
 def read(path):
-    reader = vtkPolyDataReader()  # not XML: see README, "Files"
+    reader = vtkPolyDataReader()  # not XML: see Testing/Examples/README.md, "Files"
     reader.SetFileName(str(path))
     reader.Update()
     return reader.GetOutput()

@@ -35,7 +35,7 @@ def write(path):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(path))
     writer.SetInputData(surface)
-    writer.SetDataModeToBinary()  # see README, "Files"
+    writer.SetDataModeToBinary()  # see Testing/Examples/README.md, "Files"
     assert writer.Write() == 1
     np.savez(path.with_suffix(".npz"),
              **{kind: unknowns(solve(surface, kind)) for kind in ("FaceField", "OneForm")})
