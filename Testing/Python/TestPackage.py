@@ -260,19 +260,6 @@ class Package(unittest.TestCase):
             directionalmultigrid.no_such_name
 
 
-    def test_example_of_the_readme_draws_lines(self):
-        readme = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "README.md")
-        with open(readme, encoding="utf-8") as file:
-            code = file.read().split("## In Python", 1)[1].split("```python\n", 1)[1].split("```", 1)[0]
-        names = {}
-        with warnings.catch_warnings():
-            warnings.simplefilter("error")
-            exec(code, names)
-        self.assertGreater(names["polylines"].GetNumberOfLines(), 0)
-        index = values(names["crosses"].GetPointData(), "SingularityIndex")
-        self.assertAlmostEqual(index.sum(), 2, places=9)
-
-
 class Accessor(unittest.TestCase):
     def setUp(self):
         """What an accessor sees of PyVista, where it is not installed: a class of meshes, and a place to register."""
