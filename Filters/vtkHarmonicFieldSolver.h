@@ -2,296 +2,149 @@
  * @class   vtkHarmonicFieldSolver
  * @brief   computes the smoothest field on a surface that follows prescribed directions
  *
- * A field of N directions (N = 1: vectors, 2: lines, 4: crosses, 6: hexagonal) has N tangent
- * vectors per point, 2 pi / N apart. vtkHarmonicFieldSolver represents it as Discretisation says,
- * by unknowns X, and finds those that minimise
+ * A field of N directions has N tangent vectors at each point, 2 pi / N apart: vectors (N = 1), lines (2), crosses (4),
+ * hexagonal fields (6). This filter represents it by unknowns X and minimises
  *
- *   roughness(X) + Alignment * sum over prescribed elements of w_b m_b |X_b - Y_b|^2,
+ *   smoothness energy(X) + Alignment * sum over prescribed elements b of w_b m_b |X_b - Y_b|^2.
  *
- * or, with hard constraints, the roughness subject to X_b = Y_b. w_b are the weights that are given; m_b is
- * A_b / (mean A) of a face or of a point, A its area, and, of an edge, its positive mass 2 A_e / |e|^2 (A_e a third of
- * the faces at it, at most 1e4) over 2 (mean A of the faces).
+ * Y_b is what is prescribed, w_b its weight, and m_b the size of the element relative to the mean. Hard constraints hold
+ * X_b = Y_b exactly instead. Discretisation says what X is:
  *
- * - PowerField (default): X is the N-th power of any of the directions, one complex number per face
- *   in a tangent frame of the face. Its roughness is the sum over the edges e of
- *   3 |e|^2 / (A_f + A_g) |difference of X across the edge|^2, A_f and A_g the areas of its two faces (together at least
- *   1e-6 |e|^2). On equilateral triangles that is twice the consistent two-point flux. It is right where triangles are even,
- *   and in the mean where they are random, as in scans; on regular grids, split quads and CAD meshes it is not, at any
- *   resolution (PowerField.md): take PointPowerField there. The magnitude of X fades
- *   away from the constraints and vanishes at singularities. For crosses and lines, and wherever the direction matters
- *   more than the length.
- * - FaceField: X is a vector per face, two components in the face's frame. Its roughness is its
- *   squared divergence and curl, integrated; faces count there with at least 1e-6 times the square of their longest
- *   side for an area. For flows: harmonic where nothing is prescribed.
- * - OneForm: X is a number per edge, the integral of a 1-form along it. Its roughness is h^T L1 h,
- *   the Hodge Laplacian: squared divergence and curl again, with areas of at least 1e-4 times the square of the longest
- *   side, as in functions. For what is integrated along paths;
- *   tangentially continuous. A direction prescribed on a face prescribes the integrals along its
- *   three sides, each with the mean weight of its two faces. One at a point prescribes those along
- *   the edges there, each with the mean weight of its two ends: where both are prescribed by the
- *   trapezoidal rule, else as if the direction were constant along the edge.
- * - ScalarFunction: X is a number per point, the value of a function that is linear on triangles. Its
- *   roughness is its Dirichlet energy, with the cotangent Laplacian; m_b is the area of the point over the
- *   mean one. What is shown is its gradient. For potentials and harmonic functions. Values are prescribed at
- *   points: where the mask is not zero, or, without a mask, where they are not NaN.
+ * - PowerField (default): the N-th power of the directions, a complex number per face. The energy sums squared differences
+ *   across edges. For crosses and lines, and wherever the direction matters more than the length, which fades away from
+ *   the constraints.
+ * - PointPowerField: the same at points. Take it on regular grids, split quads and CAD meshes, where PowerField depends on how
+ *   triangles are shaped. Its singularities stand on triangles.
+ * - FaceField: a vector per face. The energy is its squared divergence and curl. For flows.
+ * - OneForm: a number per edge, the integral of a 1-form along it, with the same energy. For circulations and for what is
+ *   integrated along paths.
+ * - ScalarFunction: a number per point. The energy is the Dirichlet energy. For potentials; the gradient is shown.
  *
- * Where nothing is prescribed, on the whole surface or on one of its components, the field is the smoothest one: of
- * least roughness among those of mean square magnitude 1 (Knoeppel et al. 2013, "Globally optimal direction
- * fields"), the eigenvector of the lowest eigenvalue of the roughness in the field's mass. Of face fields and 1-forms it is a
- * harmonic field where the surface has one. Where the eigenvalue is multiple, as on spheres, any of its fields would
- * do as well; which one comes out depends on the numbering of the triangles. Beside components with prescriptions, its
- * magnitude is of the order of the largest prescribed value. A function is zero there.
+ * N is 1 for FaceField, OneForm and ScalarFunction. A component of the surface where nothing is prescribed gets the smoothest field of mean square
+ * magnitude 1 (Knoeppel et al. 2013): the eigenvector of the lowest eigenvalue. A function is zero there.
  *
- * - PointPowerField: X is the N-th power of any of the directions, one complex number per point in its tangent
- *   plane, linear between points. Its roughness is its Dirichlet energy by the connection Laplacian of Knoeppel et al. 2013;
- *   m_b is the area of the point over the mean one. It is consistent on any triangles, and has half the unknowns. A direction
- *   on a cell counts at its three points, by area. Alignment and the weights of features mean the same as for PowerField.
- *   Singularities stand on triangles. With prescribed singularities the field is that of PowerField.
+ * Filters/HarmonicFieldSolver.md has the details of all that follows. The pages in Filters/Core/Discretisations have the
+ * formulas. The method is that of Tom Broeders, "Simplification Directional Fields", sections 6.1 to 6.3.
  *
- * N is 1 for FaceField, OneForm and ScalarFunction. See Tom Broeders, "Simplification Directional Fields", sections 6.1 to
- * 6.3.
+ * @section vtkHarmonicFieldSolver-Terminology Terminology
+ *
+ * - Constraint: a direction or value that is prescribed on an element of the surface, soft (with a weight) or hard.
+ * - Guide: a dataset near the surface whose lines or vectors become constraints.
+ * - Feature: a boundary, a sharp edge or a principal direction of the surface, which the field may follow.
+ * - Singularity: a point around which the field turns by a multiple of 2 pi / N, its index.
+ * - Level: a coarser version of the surface. Multigrid solves on coarse levels what is slow on fine ones. Nodal levels are
+ *   samples of the surface; structure-preserving levels are the decimated surfaces of vtkDirectionalProlongation.
  *
  * @section vtkHarmonicFieldSolver-Inputs Inputs
  *
- * Port 0, the surface: vtkPolyData, an oriented manifold triangle surface as described in
- * vtkDirectionalProlongation. On nodal levels conjugate gradients and V-cycles take samples of the surface: one of nine
- * faces for power fields, one of thirty for face fields and 1-forms. Structure-preserving coarse spaces, NestedIterations,
- * CoarseProlongation and a StartingLevel take the operators that vtkDirectionalProlongation has stored with the surface, or
- * else decimate it, in about five times the time of samples, with the default properties of vtkDirectionalProlongation but
- * for what Discretisation asks for. Stored operators of points and triangles that have changed since, or without those of
- * the discretisation, are an error there. No other solver looks at stored operators. All levels that were built for a surface
- * are kept.
+ * Port 0, the surface: vtkPolyData, as described in vtkDirectionalProlongation. Operators that are stored with it are used
+ * by CoarseSpace StructurePreserving, NestedIterations and CoarseProlongation alone. Those of other points and triangles
+ * are an error there.
  *
- * Port 1, the guides (optional, any number of connections): what the field shall follow, wherever it
- * stands in space. A guide is a vtkDataSet, or a composite dataset, of which all leaves that are
- * vtkDataSet take part. Each is brought to the nearest place of the surface:
+ * Port 1, guides (optional, any number of connections): vtkDataSet, or composite datasets of these. Each guide goes to the
+ * nearest place of the surface. Chosen vectors of points and cells prescribe the face that is nearest. Without a choice, lines
+ * prescribe their tangents on all faces that they pass; without lines, the active vectors count. Whatever lies
+ * farther than MaximumDistance, on the far side of a thin wall, or within 5 degrees of the normal is left out, with a
+ * warning. A guide with neither lines nor vectors is an error.
  *
- * - points and cells with vectors prescribe the face that is nearest to the point, or to the mean of
- *   the cell's points; a cell that is a line, all faces that the line passes;
- * - where no vectors are chosen, lines (VTK_LINE, VTK_POLY_LINE) prescribe their own tangents, of
- *   length 1, in their direction, on all faces that they pass, however few points they have: polylines
- *   and splines drawn on the surface, streamlines, feature edges;
- * - without lines and without a choice, the active vectors of the points, else of the cells, count.
+ * Port 2, singularities (optional, of the same types): a power field gets these and no others, and rotates as
+ * little as it can (trivial connections, Crane, Desbrun and Schroeder 2010). The index of a point is a multiple of 1 / N. On
+ * a closed component the indices sum to the Euler characteristic, 2 - 2 genus, or it is an error. Constraints rotate the field as
+ * a whole. Outputs 0 and 3 of vtkFieldSingularities fit.
  *
- * Vectors are no powers: whether a line runs to or fro does not matter to a field of two directions,
- * nor do quarter turns to crosses. On each face, a line weighs as an edge of a feature of that length does (see
- * Features); where it runs along an edge, its two faces share it. So it means the same at any size and resolution: at
- * weight 1 the field follows bends of the line that are larger than a thirtieth of the surface's size. A vector of a point, or of a cell that is no line, weighs as one on the face itself. What several guides
- * prescribe on one face adds up.
+ * Arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name), those of guides by
+ * SetGuideArrayToProcess(index, 1, 0, association, name):
  *
- * What is farther from the surface than MaximumDistance is left out, and so is a part of a chord that
- * comes out of the other side of a thin wall: the side that counts is the one that the faces at both
- * ends of the chord show. The part of a line that is within 5 degrees of the normal of the surface is left
- * out as well, and so is such a vector. What was left out is told by a warning and by the report (Outputs). A
- * guide with neither lines nor vectors is an error, an empty one is not.
- *
- * Port 2, the singularities (optional, any number of connections, of the same types as guides): a power field gets
- * these and no others, and turns as little as it can then, by trivial connections (Crane, Desbrun and Schroeder
- * 2010). Each point goes to the nearest point inside the surface. Its index, in the point array that
- * SingularityIndexArray names, is a multiple of 1 / N; those at one point of the surface add up. On a closed component
- * they sum to its Euler characteristic, 2 - 2 genus; else the error says what is missing. With boundary any sum will
- * do: the loops of the boundary take the rest. A dataset without points prescribes that there are none, as a torus or an
- * open surface may have. The field has magnitude 1. Directions, guides and features turn it as a whole, on each component to
- * where the mean of w_b m_b |X_b - Y_b|^2 is least; without any, the first side of one triangle is among its
- * directions. Outputs 0 and 3 of vtkFieldSingularities may be connected here: points with the same PointId, if there is such
- * an array, are one singularity, in their middle. At one point a field can show turns of less than pi / N across each of the
- * edges there; a larger index is a warning.
- *
- * The arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name),
- * those of the guides by SetGuideArrayToProcess(index, 1, 0, association, name), where index is:
- *
- * | index | components | meaning                                    |
- * | ----- | ---------- | ------------------------------------------ |
- * | 0     | 1          | mask (optional): not zero where prescribed |
- * | 1     | 3          | directions (optional), by default none; of guides see above |
+ * | index | components | meaning                                                        |
+ * | ----- | ---------- | -------------------------------------------------------------- |
+ * | 0     | 1          | mask (optional): not zero where prescribed                     |
+ * | 1     | 3          | directions (optional), by default none                          |
  * | 2     | 1          | weight (optional), by default 1; 0 where nothing is prescribed |
- * | 3     | 1          | values of functions, at points; not of guides |
- * | 4     | 1          | rotation (optional), in degrees; not of guides |
+ * | 3     | 1          | values of functions, at points; not of guides                  |
+ * | 4     | 1          | rotation (optional), in degrees; not of guides                 |
  *
- * and the association is that of points or cells. The weights of guides may also be in field data
- * (FIELD_ASSOCIATION_NONE), one number for a whole dataset. One choice serves all guides: those
- * without such an array do as if nothing were chosen, and it is an error if none has it. Along a line
- * that is followed itself, mask and weight are those of the cell, or of both ends of a segment.
+ * Directions of the surface may also be symmetric tensors of 6 components (XX YY ZZ XY YZ XZ) or 9: power fields of an even N
+ * follow their largest principal direction in the tangent plane, crosses both. In a plane of constant z, vectors may have 2
+ * components. Vectors that are not finite, zero in the mask or perpendicular to the surface, and those with a mask or weight of
+ * NaN, are left out, and one warning counts them. Hard constraints on every element give that field.
  *
- * Nothing is followed that was not chosen. The name "Active Vectors" chooses the active vectors of the points, else of the
- * cells, unless they are called Direction0, as those that this filter leaves.
+ * Arrays are on points or cells, mask and weights as the directions are. Without a mask, a direction is prescribed wherever
+ * its vector is not zero. Its tangential part counts, and its length is the magnitude. Nothing is followed that was
+ * not chosen. The name "Active Vectors" chooses those of the points, else of the cells, unless they are called Direction0.
  *
- * Directions of the surface may be symmetric tensors of 6 components (XX YY ZZ XY YZ XZ) or 9: power fields of an even N follow
- * the direction of the largest eigenvalue in the tangent plane, as a unit vector; that of the smallest one is 90 degrees from it
- * (Rotation). Crosses follow both. Where both eigenvalues are equal nothing is prescribed. On a surface in a plane of constant z,
- * vectors may have 2 components.
- *
- * Each array has a tuple for every element; one that has fewer, or other components, is an error.
- * Mask and weights share the association of the directions. An empty name, or "None" where no array has
- * that name, chooses nothing. Without a mask, a direction is prescribed wherever its vector is not
- * zero. Vectors that are not finite, zero in the mask, or perpendicular to the surface are left out, and so are those whose mask
- * or weight is NaN, as where nothing was measured. One warning counts them; where nothing is left there is an error. Hard
- * constraints on every element give that field. Of a vector its tangential part counts: on a face, in the plane of the face; at a point of
- * the surface, in the tangent plane of the point, from where it is carried to the faces around, or,
- * for 1-forms, to the edges there. Each face around a point gets its whole weight: power fields and face fields follow a
- * region that is prescribed at points three times as strongly as one that is prescribed on cells (1-forms equally).
- * Its length is the magnitude that is asked for. Directions on the
- * same face are averaged as powers, values on the same edge as numbers, by weight.
- *
- * Coordinates are at most 1e40, the surface is larger than 1e-40, the longest direction (or largest value) is between
- * 1e-40 and 1e40, and the largest weight, as well as Alignment, between 1e-20 and 1e20; all else is an error, as is a
- * dataset of another type.
+ * Coordinates are at most 1e40. The longest direction is between 1e-40 and 1e40, the largest weight between 1e-20 and
+ * 1e20. All else is an error that names the element.
  *
  * @section vtkHarmonicFieldSolver-Features Features
  *
- * The field also follows features of the surface itself, each of which has a weight, 0 (off) by default:
+ * The field follows features of the surface where their weight is not 0, the default:
  *
- * - BoundaryWeight: the edges of the boundary, counter-clockwise around the surface, which lies on their left. Every N
- *   follows them, and so do face fields and 1-forms; BoundaryRotation 180 turns N = 1 the other way round. With 90, fields end at
- *   the boundary, which face fields and 1-forms resist, as they flow along it by themselves: at weight 1 they were off by 5 to 8 and
- *   20 to 50 degrees (medians on two scans), at weight 100 by less than three.
- * - SharpEdgesWeight: the edges where the normals of both faces differ by more than FeatureAngle.
- * - CurvatureWeight: the principal directions of vtkPrincipalDirections at CurvatureScale, on every face, each weighted
- *   by its confidence. N = 4 and N = 8 follow both directions, N = 2 and N = 6 the one of CurvatureDirection.
+ * - BoundaryWeight: the boundary, counter-clockwise around the surface.
+ * - SharpEdgesWeight: edges whose faces differ by more than FeatureAngle. They have no sign, so N is even.
+ * - CurvatureWeight: principal directions as in vtkPrincipalDirections, weighted by their confidence. N is even, too; N = 2
+ *   and 6 follow the one of CurvatureDirection.
  *
- * Sharp edges and principal directions are lines without a sign: fields of an odd N do not follow them, with a warning;
- * neither do face fields and 1-forms, where N is 1. A weight for features that a surface does not have is a warning as
- * well. Functions follow no features.
- *
- * These weights, and those of lines among the guides, are relative to the size L of the surface, the root of its area,
- * and mean the same at any size and resolution: where the roughness is the field's Dirichlet energy and Alignment is 1,
- * they add
- * 30 / L * weight * |X - Y|^2, integrated along lines, on each side, and (30 / L)^2 * weight * confidence * |X - Y|^2,
- * integrated over the surface. So at weight 1 the field follows what is larger than about a thirtieth of the surface's
- * size; for twice as much detail of curvature, the weight is 4. Hard constraints hold boundary and sharp edges exactly,
- * whatever the weight; curvature is soft, and an error with them, except with singularities, where ConstraintType has no
- * effect.
- *
- * All that is followed, arrays of the surface, guides and features, is turned by Rotation and by the array of index 4,
- * counter-clockwise about the normal: fibre and layer angles, helix angles. To that, each feature adds a rotation of its
- * own: BoundaryRotation, SharpEdgesRotation and CurvatureRotation. An array of cells counts at points, and one of
- * points on cells, as the mean of those that they touch.
+ * These weights, and those of lines among the guides, are relative to the surface's size, and mean the same at any
+ * resolution. At weight 1 the field follows what is larger than about a thirtieth of the size; for twice the detail, the
+ * weight is 4. Rotation, and the array of index 4, rotate the field against all that it follows, counter-clockwise about
+ * the normal. Each feature has a rotation of its own besides.
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
  *
  * Port 0, the surface: vtkPolyData, the input with all its arrays, and
  *
- * | array                    | of            | components | meaning                            |
- * | ------------------------ | ------------- | ---------- | ---------------------------------- |
- * | Direction0, 1, ... N - 1 | cells, points | 3          | the directions, counter-clockwise  |
- * | PowerField               | cells, points | 2          | the N-th power, a complex number (power fields only, both kinds) |
- * | FaceField                | cells         | 3          | X in space (face fields only)      |
- * | ScalarFunction           | points        | 1          | X (functions only)                 |
- * | Prescribed               | cells         | 1          | weight, else 0 (1-forms: on port 1, functions and PointPowerField: on points) |
- * | SingularityIndex         | points        | 1          | multiple of 1 / N; 0 on boundaries (PointPowerField: cells) |
- * | HarmonicBasis 1, 2, ... k | cells        | 3          | harmonic fields, with HarmonicBasis |
+ * | array                     | of            | components | meaning                                                   |
+ * | ------------------------- | ------------- | ---------- | --------------------------------------------------------- |
+ * | Direction0, 1, ... N - 1  | cells, points | 3          | the directions, counter-clockwise                         |
+ * | PowerField                | cells, points | 2          | the N-th power, a complex number (power fields only)      |
+ * | FaceField                 | cells         | 3          | X in space (face fields only)                             |
+ * | ScalarFunction            | points        | 1          | X (functions only)                                        |
+ * | Prescribed                | cells         | 1          | weight, else 0 (1-forms: on port 1; functions, PointPowerField: on points) |
+ * | SingularityIndex          | points        | 1          | multiple of 1 / N; 0 on boundaries (PointPowerField: cells) |
+ * | HarmonicBasis 1, 2, ... k | cells         | 3          | fields without divergence and curl, with HarmonicBasis    |
  *
- * Directions are unit vectors (UnitLength) or have the field's length, in the unit of the
- * prescribed vectors. A 1-form shows the vector of its Whitney interpolant: on a cell that at the
- * centre, at a point the mean over the faces around it. Direction0 becomes the active vector of
- * both. Elements that belong to no triangle hold zeros. The frame of a face has its first axis
- * along the face's first side. At a point, directions and powers are the mean of those of the faces around, weighted by
- * the angles of their corners, each carried into the tangent plane of the point (perpendicular to the sum of the faces'
- * area vectors) by the shortest rotation between the normals. The first axis of that plane, to which PowerField at points
- * refers, is the projection of an edge at the point, which one depends on the order of points and cells.
+ * Directions are unit vectors (UnitLength) or have the field's length. Direction0 becomes the active vector. At a point,
+ * directions are the mean of the faces around, carried into its tangent plane. Elements without a triangle hold zeros. The
+ * frame of a face, to which PowerField refers, has its first axis along the first side.
  *
- * The arrays HarmonicBasis span the fields without divergence and curl: what a face field or a
- * 1-form is free to be where nothing is prescribed, around the handles and holes of the surface.
- * They are orthonormal: the sum over the faces of area times the product of two vectors is 1 for an
- * array with itself, and 0 for two of them; so such sums with any other field are its coefficients.
- * Their unit is 1 / length. Any rotation of the basis would do as well: its choice depends on the
- * order of points and triangles.
- *
- * Port 1, the edges of the surface: vtkPolyData, a line per edge, from the smaller to the larger
- * point index, with the cell array Turning (1 component, radians): by how much the field turns from
- * the face on the left of the edge to the face on the right, in [-pi / N, pi / N]; 0 on boundaries.
- * For 1-forms it also holds the cell array OneForm (1 component, unit of the prescribed vectors
- * times length), the 1-form itself, and, with HarmonicBasis, the cell arrays HarmonicBasis 1, 2,
- * ... k, the 1-forms whose vectors have the same names on the surface.
- *
- * Around an interior point, the turnings across its edges, taken counter-clockwise, and the point's
- * angle defect sum to 2 pi times its SingularityIndex. Of PointPowerField, Turning is along the edge, from the
- * smaller to the larger point index, against transport.
+ * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Turning,
+ * the rotation of the field from the face on the left to the face on the right, in radians; for
+ * PointPowerField it is the rotation along the edge. 1-forms add the cell arrays
+ * OneForm, the integrals along the edges, and HarmonicBasis 1, 2, ... k.
  *
  * Port 2, the convergence: vtkTable, a row per iteration, the first for the start:
  *
- * | column           | unit    | meaning                                       |
- * | ---------------- | ------- | --------------------------------------------- |
- * | Iteration        | -       | 0 for the start                               |
- * | Seconds          | seconds | since the solve began                         |
- * | RelativeResidual | -       | an estimate of the relative error in the energy norm, see below; where nothing is prescribed, of that error times the relative distance to the next eigenvalue (1e-6 is reached there, whatever Tolerance is) |
- * | Energy           | -       | what the system minimises, less its value at X = 0 |
- * | MassResidual     | -       | residual in the mass norm ("energy" in the thesis, section 6.4); only where something is prescribed |
- * | Error            | -       | of X against Cholesky in the mass norm; with CompareWithCholesky |
- * | Returned         | -       | 1 for the row whose X is the result, the best one; else 0 |
+ * | column           | meaning                                                                      |
+ * | ---------------- | ---------------------------------------------------------------------------- |
+ * | Iteration        | 0 for the start                                                              |
+ * | Seconds          | since the solve began                                                        |
+ * | RelativeResidual | an estimate of the relative error in the energy norm                         |
+ * | Energy           | what the system minimises, less its value at X = 0                           |
+ * | MassResidual     | residual in the mass norm; only where something is prescribed                |
+ * | Error            | of X against Cholesky in the mass norm; with CompareWithCholesky             |
+ * | Returned         | 1 for the row whose X is the result, the best one; else 0                    |
  *
- * The start is what the penalties of soft constraints alone hold, or the solution before. The residual r of an equation A X = b
- * is measured in the norm of the V-cycle or factor B that preconditions it, as the root of r.Br, relative to the energy norm of
- * X, the root of X.AX, less that start. As B is close to the inverse of A, this is the relative error in the energy norm but
- * for a factor of about two. With V-cycles the last one may be an estimate, seen at 0.65 to 1.4 times what is measured (116
- * solves). Where it was at most Tolerance, the error in the mass norm was seen below six times Tolerance for
- * weights from 1e-6 to 1e12 (a scan of 31,438 triangles, all fields; mixed weights on smaller surfaces); the residual
- * relative to that of b, which strong constraints dominate, said 1e-8 for errors of 1e-2. Where cycles are poor B is not close:
- * on surfaces that were sheared by 3 to 30, with weights of 1e-6, ConjugateGradients ended with errors of up to 54 times
- * Tolerance; Automatic takes a factor there, since most of their triangles are needles. Of nested iterations and
- * coarse prolongation, which have no B, it is the norm of r over that of the start. Weights that are more than 1e13
- * times what the roughness holds an element with act as if they were as large.
- *
- * The mass norm of v is the root of the sum of M_k v_k^2, and both are relative: |b - A X|_M / |b|_M and
- * |X - X'|_M / |X'|_M. M_k is the area of the face of power fields and face fields, of the point of functions (1 / 3 of
- * the faces around, or as VertexAreas says), and 2 A_e / |e|^2 of the edge of 1-forms, as for m_b.
- *
- * Ports 0 and 2 carry the report as field data, which menus of arrays do not offer (vtkAbstractArray::GUI_HIDE):
- *
- * | field array        | type   | length  | unit, meaning                                     |
- * | ------------------ | ------ | ------- | ------------------------------------------------- |
- * | NumberOfDirections | int    | 1       | N                                                 |
- * | Solver             | string | 1       | what ran, and why if that was not asked for       |
- * | Followed           | string | 1       | arrays, guides and features that the field follows, or "nothing" |
- * | Converged          | int    | 1       | 1 where RelativeResidual of the result is at most Tolerance, else 0; of all solvers |
- * | LevelUnknowns      | double | levels  | unknowns, finest first                            |
- * | LevelNonZeros      | double | levels  | non-zeros of the level's matrix (or factor)       |
- * | OperatorComplexity | double | 1       | non-zeros of all levels over those of the finest  |
- * | SetupSeconds       | double | 1       | last set-up                                       |
- * | PrepareSeconds     | double | 1       | last system stage                                 |
- * | SolveSeconds       | double | 1       | last solve                                        |
- * | SolverBytes        | double | 1       | memory held by matrices, transfers and factors    |
- * | Eigenvalues        | double | components | roughness of the smoothest field per area, 1 / length^2, for each component without prescriptions; only where there are some |
- * | HarmonicBasisSize  | int    | 1       | k, the arrays of HarmonicBasis; only where it acts |
- * | GuidesTaken        | int    | 1       | elements of guides that prescribe a face          |
- * | GuidesTooFar       | int    | 1       | those left out, at least in part, beyond MaximumDistance |
- * | GuidesOnFarSide    | int    | 1       | those left out, at least in part, on the other side of a thin wall |
- * | GuidesPerpendicular | int   | 1       | those left out, at least in part, within 5 degrees of the surface's normal |
- * | GuidesFarthest     | double | 1       | largest distance of what is taken, unit of the points |
- *
- * The last five are there with guides only; their elements are points and cells with vectors, and the
- * segments of lines.
+ * Ports 0 and 2 carry a report as field data, hidden from menus of arrays: NumberOfDirections, Solver (what ran, and why), Followed,
+ * Converged, LevelUnknowns, LevelNonZeros, OperatorComplexity, SetupSeconds, PrepareSeconds, SolveSeconds, SolverBytes,
+ * Eigenvalues, HarmonicBasisSize, GuidesTaken, GuidesTooFar, GuidesOnFarSide, GuidesPerpendicular, GuidesFarthest.
  *
  * @section vtkHarmonicFieldSolver-Execution Execution
  *
- * Three stages; each keeps its result until its own causes change:
+ * Each stage keeps its result until its own causes change:
  *
- * | stage  | repeated when this changes                                  | cost               |
- * | ------ | ----------------------------------------------------------- | ------------------ |
- * | set-up | the content of points or triangles; operators where they are used, or what asks for other levels; Discretisation and N, unless they were solved for before (up to 1 GiB is kept) | decimation, or samples |
- * | system | which elements are prescribed; weights; other options   | products or factor |
- * | solve  | prescribed vectors; Tolerance, MaximumNumberOfIterations    | iterations         |
+ * | stage  | repeated when this changes                                                                               |
+ * | ------ | -------------------------------------------------------------------------------------------------------- |
+ * | set-up | points, triangles, levels; Discretisation and N, unless they were solved for before (1 GiB is kept)       |
+ * | system | which elements are prescribed; weights; other options                                                    |
+ * | solve  | prescribed vectors; singularities; Tolerance, MaximumNumberOfIterations                                   |
  *
- * With singularities, set-up and system depend on the solver alone, and other singularities or another N repeat the
- * solve. The set-up is a factor or levels for the points, and a solve for each handle and hole. Cholesky, VCycles and
- * ConjugateGradients act as they say, all others as Automatic, always on levels of samples; a Tolerance above 1e-6 is taken
- * as that. Alignment and ConstraintType have no effect.
+ * A solve starts from the solution before. UnitLength and Combing change the output arrays only. A solve that misses
+ * Tolerance gives its best field, Converged = 0 and a warning; NestedIterations and CoarseProlongation are approximations
+ * and give no warning. Where the constraints do not determine the harmonic parts of face fields and 1-forms, these are left
+ * out, with a warning. An error or an aborted run leaves empty outputs and keeps complete stages.
  *
- * A solve starts from the solution before. Other arrays repeat nothing, UnitLength and Combing only
- * the output arrays. HarmonicBasis repeats no stage; its fields are kept until points, triangles or
- * Discretisation change. A solve that does not reach Tolerance gives the best field that it
- * reached, Converged = 0 and a warning; Cholesky refines its solution until it does. Nested iterations and
- * coarse prolongation are approximations, and do not go on until Tolerance: Converged says whether they happen to have reached
- * it, which is hardly ever, without a warning. Where too little is prescribed for the harmonic fields of a
- * surface with handles or holes, 1-forms and face fields leave out what is not determined, with a
- * warning. On surfaces with more than 40 loops around these a factor, which Automatic takes, does not look at
- * the harmonic fields: where they are not determined, it gives another field of the same energy (on a surface of genus 133 with
- * 20 prescribed cells, one that differs by half from that of ConjugateGradients), and Solver says so instead of a warning.
- * Where a surface has too many of them to hold, cycles say so in Solver, too. An aborted run leaves empty
- * outputs and keeps the stages that were complete, and so does an error, as a property out of its range is.
- * Threads and pieces are as in vtkDirectionalProlongation; but results have the same bits only for the same BLAS with the
- * same number of threads of its own, as all solvers factor a matrix, be it that of the coarsest level
- * (OPENBLAS_NUM_THREADS, set before the process starts, fixes them; they are as many as there are processors by default).
+ * Threads and pieces are as in vtkDirectionalProlongation. Results have the same bits for any number of threads of ours; the
+ * BLAS has threads of its own (OPENBLAS_NUM_THREADS), on which they may depend.
  *
  * @sa vtkDirectionalProlongation vtkPrincipalDirections
  */
@@ -328,7 +181,7 @@ public:
 
   ///@{
   /**
-   * What the unknowns are, one of Discretisations. Default PowerField.
+   * The meaning of the unknowns, one of Discretisations. Default PowerField.
    */
   vtkSetMacro(Discretisation, int);
   vtkGetMacro(Discretisation, int);
@@ -353,7 +206,7 @@ public:
 
   ///@{
   /**
-   * How prescribed directions act, one of ConstraintTypes. Default Soft.
+   * The kind of all constraints, one of ConstraintTypes. Default Soft.
    */
   vtkSetMacro(ConstraintType, int);
   vtkGetMacro(ConstraintType, int);
@@ -372,8 +225,9 @@ public:
   enum Solvers
   {
     /**
-     * Cholesky for small systems, for many solves (ExpectedSolves), where more than 3 % of the triangles are needles,
-     * and, for face fields and 1-forms, where more than 40 loops carry harmonic fields; else conjugate gradients.
+     * Cholesky for small systems, for many solves (ExpectedSolves), where more than 3 % of the triangles are thin, and, for
+     * face fields and 1-forms, where more than 40 homology generators (two per handle, one per hole) carry harmonic fields; else
+     * conjugate gradients.
      */
     Automatic = 0,
     /** Sparse Cholesky factorisation. */
@@ -387,9 +241,8 @@ public:
      */
     ConjugateGradients = 3,
     /**
-     * Solved on the coarsest level, carried up level by level and smoothed on each: an approximation for the price of a few
-     * cycles. Errors were 0.1 to 1 % for power fields on even triangles and up to 16 % on those of CAD models, and up to 20 % for
-     * others, where their harmonic fields are well determined. A warning where MaximumNumberOfNestedSweeps ran out.
+     * Full multigrid: solved on the coarsest level, carried up level by level and smoothed on each. An approximation for the
+     * price of a few cycles, with errors of 0.1 to 20 %.
      */
     NestedIterations = 4,
     /** Solved on the coarsest level and carried to the surface: a sketch, with errors of 25 to 90 %. */
@@ -407,8 +260,8 @@ public:
 
   ///@{
   /**
-   * How many solves with the same prescribed places and weights are to come, as for a time series of measured
-   * directions: Automatic factors the system where a factor would pay (for 30 solves and more of power fields, 40 of
+   * The number of solves with the same prescribed places and weights that are to come, as for a time series of measured
+   * directions. Automatic factors the system where a factor would pay (for 30 solves and more of power fields, 40 of
    * 1-forms, 400 of face fields). Default 1, at least 1.
    */
   vtkSetMacro(ExpectedSolves, int);
@@ -425,12 +278,9 @@ public:
 
   ///@{
   /**
-   * What the coarse levels of multigrid hold, one of CoarseSpaces; without effect on Cholesky.
+   * The unknowns of the coarse levels of multigrid, one of CoarseSpaces; without effect on Cholesky.
    * StructurePreserving takes operators of the discretisation (vtkDirectionalProlongation:
-   * PowerFields, FaceFields, OneForms). Conjugate gradients then take 11 to 14 iterations for power fields, and
-   * 12 to 30 and 13 to 33 for face fields and 1-forms on even surfaces of 14,000 to 100,000 triangles, instead of 5 to 9; on
-   * uneven ones (beetle) 33, 58 and more than 100; on needles (cessna, blade, cheese) 55 to more than 100, where a factor
-   * takes over as everywhere. Default Nodal.
+   * PowerFields, FaceFields, OneForms) and more iterations. Default Nodal.
    */
   vtkSetMacro(CoarseSpace, int);
   vtkGetMacro(CoarseSpace, int);
@@ -488,7 +338,7 @@ public:
   ///@{
   /**
    * Under the other rules nested iterations leave a level after this many sweeps at the latest,
-   * with a warning. Default 40,000, which the rules never need: as many times 0.1 % less is less
+   * with a warning. Default 40000, which the rules never need: as many times 0.1 % less is less
    * than rounding. At least 0.
    */
   vtkSetMacro(MaximumNumberOfNestedSweeps, int);
@@ -533,17 +383,11 @@ public:
 
   ///@{
   /**
-   * The solve stops at this RelativeResidual (Outputs, port 2). At 1e-4, the default, directions are within 1
-   * degree of those at 1e-11 where the length of the field is at least a hundredth of its root mean square, which neither a picture
-   * nor a remesher can tell (eight scans of 22,000 to 112,000 triangles, 20 prescribed cells or one short line, all fields). Far from
-   * what is prescribed the field fades, the more the higher N is, and they are off by more: on 99.9 % of the area by at most 0.5
-   * degrees with 20 cells, and with one line by 0.03, 0.14, 0.5 and 5.6 degrees for N = 1, 2, 4 and 6; at worst by 29. Face fields of
-   * one line may fade to nothing. Choose 1e-8 there, and for computations that go on with the numbers. The smoothest field, where
-   * nothing is prescribed, is always solved to 1e-6. Against 1e-10, its directions are off by these degrees, at the median, on 99 % of the area and at
-   * most (the meshes t01 and t02 of the thesis, fertility and camelhead; 22,000 to 279,000 triangles):
-   * N = 1: 0.00001 to 0.00007, 0.0001 to 0.002, 0.001 to 0.06; N = 4: 0.00001 to 0.0003, 0.002 to 1.5, 0.1 to 43. More than 1
-   * degree it was only where the field is fainter than 5e-5 of its root mean square, as crosses are on limbs far from the
-   * rest; on 99.9 % of the area 4.9 at most. Range 1e-14 to 1.
+   * The solve stops at this RelativeResidual (Outputs, port 2). At the default, directions are within 1 degree where the
+   * length of the field is at least a hundredth of its root mean square, which neither a picture nor a remesher can tell. Far
+   * from the constraints the field fades, the more the higher N is, and its directions are off by more. Choose 1e-8 there, and
+   * for computations that go on with the numbers. The smoothest field, where nothing is prescribed, is always solved to 1e-6.
+   * Default 1e-4, range 1e-14 to 1.
    */
   vtkSetMacro(Tolerance, double);
   vtkGetMacro(Tolerance, double);
@@ -647,7 +491,7 @@ public:
 
   ///@{
   /**
-   * How far from the surface guides count, and singularities may be, relative to the diagonal of its bounding box. Default
+   * The largest distance of guides and singularities from the surface, relative to the diagonal of its bounding box. Default
    * 0.1, at least 0.
    */
   vtkSetMacro(MaximumDistance, double);
@@ -656,7 +500,7 @@ public:
 
   ///@{
   /**
-   * How hard the field follows the boundary of the surface, and its sharp edges; see Features above. Default 0, off; a
+   * The weights by which the field follows the boundary of the surface and its sharp edges; see Features above. Default 0, off; a
    * weight is 0 or from 1e-10 to 1e10, or it is an error.
    */
   vtkSetMacro(BoundaryWeight, double);
@@ -676,7 +520,7 @@ public:
 
   ///@{
   /**
-   * How hard the field follows principal directions; see Features above. Default 0, off; a weight is 0 or from 1e-10 to
+   * The weight by which the field follows principal directions; see Features above. Default 0, off; a weight is 0 or from 1e-10 to
    * 1e10, or it is an error.
    */
   vtkSetMacro(CurvatureWeight, double);
@@ -685,7 +529,7 @@ public:
 
   ///@{
   /**
-   * By how much the field is turned against each of these features, in degrees, counter-clockwise about the normal, besides
+   * The rotation of the field against each of these features, in degrees, counter-clockwise about the normal, besides
    * Rotation: for lines across an edge, 90. Default 0, range -180 to 180.
    */
   vtkSetMacro(BoundaryRotation, double);
@@ -698,15 +542,15 @@ public:
 
   enum CurvatureDirections
   {
-    /** Along which the surface bends most: around a cylinder, across a ridge, and along a groove. */
+    /** The direction along which the surface bends most: around a cylinder, across a ridge, and along a groove. */
     MaximumCurvature = 0,
-    /** Along which the surface bends least: along a cylinder and a ridge, and across a groove. */
+    /** The direction along which the surface bends least: along a cylinder and a ridge, and across a groove. */
     MinimumCurvature = 1
   };
 
   ///@{
   /**
-   * Which of the principal directions lines and hexagonal fields (N = 2 and 6) follow, one of CurvatureDirections; N = 4
+   * The principal direction that lines and hexagonal fields (N = 2 and 6) follow, one of CurvatureDirections; N = 4
    * and 8 follow both. Default MaximumCurvature.
    */
   vtkSetMacro(CurvatureDirection, int);
@@ -715,7 +559,7 @@ public:
 
   ///@{
   /**
-   * How far around a point its principal directions look, in units of the mean edge, as vtkPrincipalDirections::Scale.
+   * The radius of the region of a principal direction, in units of the mean edge, as vtkPrincipalDirections::Scale.
    * Default 3, range 0 to 100.
    */
   vtkSetMacro(CurvatureScale, double);
@@ -724,7 +568,7 @@ public:
 
   ///@{
   /**
-   * By how much the field is turned against all that it follows, in degrees, counter-clockwise about the normal; the
+   * The rotation of the field against all that it follows, in degrees, counter-clockwise about the normal; the
    * rotations of features come on top. Default 0, range -180 to 180.
    */
   vtkSetMacro(Rotation, double);
@@ -733,7 +577,7 @@ public:
 
   ///@{
   /**
-   * How often this object has completed each stage; tells what an update reused.
+   * The number of times that this object has completed each stage; it tells what an update reused.
    */
   int GetNumberOfSetups() const;
   int GetNumberOfSystems() const;

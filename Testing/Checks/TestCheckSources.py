@@ -82,6 +82,37 @@ class CheckSources(unittest.TestCase):
         self.assert_found("Data/torus.ply", "ply\n",
                           "0: Data/README.md does not list `torus.ply` and its origin")
 
+    HEADER = """/** @class vtkFilter */
+  ///@{
+  /** How far it goes. Default 0.5, at least 0. */
+  vtkSetMacro(Reach, double);
+  vtkGetMacro(Reach, double);
+  ///@}
+"""
+    PROXY = """<P><SourceProxy class="vtkFilter"><DoubleVectorProperty name="Reach" command="SetReach"
+  number_of_elements="1" default_values="0.5"><Documentation>How far.</Documentation></DoubleVectorProperty></SourceProxy></P>
+"""
+
+    def properties(self, header, proxy):
+        return self.found({"Filters/vtkFilter.h": header, "ParaViewPlugin/Filter.xml": proxy})
+
+    def test_properties_are_told_twice_with_one_default(self):
+        self.assertEqual(self.properties(self.HEADER, self.PROXY), [])
+        self.assertEqual(self.properties(self.HEADER.replace("0.5", "0.25"), self.PROXY),
+                         ["Filters/vtkFilter.h:4: Reach has another default in Filter.xml"])
+        self.assertEqual(self.properties(self.HEADER, self.PROXY.replace("How far.", "")),
+                         ["ParaViewPlugin/Filter.xml:0: Reach is not told"])
+        self.assertEqual(self.properties(self.HEADER, self.PROXY.replace("SetReach", "SetLength")),
+                         ["Filters/vtkFilter.h:4: Reach is no property of Filter.xml"])
+        self.assertEqual(self.properties("/** @class vtkFilter */\n\n  vtkSetMacro(Reach, double);\n", self.PROXY),
+                         ["Filters/vtkFilter.h:3: Reach is not told"])
+
+    def test_class_comments_are_short(self):
+        limit = check_sources.COMMENT_LIMIT
+        self.assertEqual(self.found({"Filters/vtkFilter.h": "/**\n" + " * one two\n" * (limit // 2) + " */\n"}), [])
+        self.assert_found("Filters/vtkFilter.h", "/**\n" + " * one two\n" * (limit // 2 + 1) + " */\n",
+                          f"1: a class comment of {2 * (limit // 2) + 2} words, of at most {limit}")
+
     def test_comments_without_a_subject(self):
         wrong = ["// What is left over.\n", "/// Those of\n/// the edges.\n", "/**\n * Where it ends.\n */\n",
                  "/** @brief   By name. */\n", "int x; ///< As before.\n", "/// \\return Which one.\n",

@@ -10,6 +10,8 @@ prints one line per violation, "path:line: what is wrong", and fails if there is
 - the headers of the filters, which VTK's wrappers parse, include VTK and plain C++ only;
 - no "using namespace" in a header;
 - sources are ASCII;
+- a property of a filter is told in its header and in its proxy, with the same default;
+- the class comment of a filter has at most COMMENT_LIMIT words;
 - every file in Data is listed, with its origin, in Data/README.md;
 - in Filters, at most SUBJECTLESS_LIMIT comments begin with a clause that has no subject ("What is left over");
 - no header of Filters holds a measurement, or the name of a machine or a measured surface: these stand in
@@ -21,6 +23,7 @@ The last two are counted, and named where there are too many. With --list they a
 import pathlib
 import re
 import sys
+import xml.etree.ElementTree as ElementTree
 
 # The rooms of Filters/Core, and which others each may include. A room with rooms below it is the files that stand in
 # it directly.
@@ -60,6 +63,8 @@ ADAPTERS = ["Pipeline", "Surface", "Input", "Output"]
 SOURCES = {".h", ".cxx"}
 TEXTS = SOURCES | {".cmake", ".in", ".json", ".module", ".plugin", ".py", ".sh", ".txt", ".xml"}
 
+COMMENT_LIMIT = 1500
+
 # A comment that begins with one of these has no subject.
 SUBJECTLESS = re.compile(r"(What|Those|Where|Of|By|So|As|In|How|Which|Else)\b")
 SUBJECTLESS_LIMIT = 30
@@ -69,7 +74,7 @@ MEASUREMENT = re.compile(
     r"|\b(times|twice) as (long|slow|fast|expensive)\b|\btimes (slower|faster)\b|\b(took|takes) .*\b(longer|less)\b"
     r"|\bof the time\b|\b(EPYC|Xeon|Ryzen|Threadripper|Intel)\b"
     r"|\b(t[0-2]\d|beetle|bunny|camelhead|cessna|cheese|fertility|igea|kitten)\b|\b(bnd|cad|genus\d+)_\w+")
-MEASUREMENT_LIMIT = 2
+MEASUREMENT_LIMIT = 0
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*["<]([^">]+)[">]')
 
@@ -153,6 +158,52 @@ def check_data(root):
             yield path, 0, f"Data/README.md does not list `{name}` and its origin"
 
 
+def documented_setters(header):
+    """(line number, property, its comment) of each setter of a wrapped header: a comment tells the setters up to the next."""
+    comment, number = "", 0
+    for number, line in enumerate(header.splitlines(), 1):
+        if line.strip().startswith("/**"):
+            comment = ""
+        if line.strip().startswith(("/**", "*")):
+            comment += " " + line.strip(" /*")
+        match = re.match(r"\s*(?:vtkSet\w*Macro\((\w+)|void Set(\w+)\([^,]*\))", line)
+        if match:
+            yield number, match.group(1) or match.group(2), comment
+        elif line.strip() == "///@}" or line.strip() == "":
+            comment = comment if line.strip() else ""
+
+
+def check_properties(root):
+    """Each plain setter has a comment and a property of the proxy with a Documentation, and the defaults are the same."""
+    for path in sorted((root / "ParaViewPlugin").glob("*.xml")):
+        proxies = [proxy for proxy in ElementTree.parse(path).iter("SourceProxy") if proxy.get("class", "").startswith("vtk")]
+        for proxy in proxies:
+            header = root / "Filters" / f"{proxy.get('class')}.h"
+            if not header.exists():
+                continue
+            told = {child.get("command", "")[3:]: child for child in proxy
+                    if child.get("command", "").startswith("Set")}
+            for number, name, comment in documented_setters(header.read_text()):
+                element = told.get(name)
+                default = re.search(r"\b[Dd]efault (-?\d[\d.e-]*\d|\d)\b", comment)
+                if not comment.strip():
+                    yield header, number, f"{name} is not told"
+                elif element is None:
+                    yield header, number, f"{name} is no property of {path.name}"
+                elif not (element.findtext("Documentation") or "").strip():
+                    yield path, 0, f"{element.get('name')} is not told"
+                elif default and float(default.group(1)) != float(element.get("default_values", "nan")):
+                    yield header, number, f"{name} has another default in {path.name}"
+
+
+def check_class_comments(root):
+    for path in sorted((root / "Filters").glob("vtk*.h")):
+        comment = path.read_text().split("*/", 1)[0]
+        count = len(re.findall(r"[^\s*|/-]\S*", comment))
+        if count > COMMENT_LIMIT:
+            yield path, 1, f"a class comment of {count} words, of at most {COMMENT_LIMIT}"
+
+
 def comments(path):
     """(line number, text) of each line of comments; the text is None where a line has none."""
     inside = False
@@ -195,7 +246,8 @@ def measurements_in_headers(root):
                 yield path, number, f"a measurement in a header: {match.group(0)}"
 
 
-CHECKS = [check_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_data]
+CHECKS = [check_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_properties,
+          check_class_comments, check_data]
 COUNTED = [("comments without a subject", subjectless_comments, SUBJECTLESS_LIMIT),
            ("measurements in headers", measurements_in_headers, MEASUREMENT_LIMIT)]
 
