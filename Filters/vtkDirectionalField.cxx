@@ -5,6 +5,7 @@
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Support/Errors.h"
 
+#include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkFieldLines.h"
 #include "vtkFieldSingularities.h"
@@ -46,9 +47,9 @@ void MakeSolverOutputs(vtkInformationVector* asked, vtkInformationVector* output
 }
 
 //------------------------------------------------------------------------------
-int vtkDirectionalField::FillOutputPortInformation(int, vtkInformation* information)
+int vtkDirectionalField::FillOutputPortInformation(int port, vtkInformation* information)
 {
-  information->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataSet" : "vtkPolyData");
   return 1;
 }
 
@@ -72,7 +73,7 @@ int vtkDirectionalField::RequestData(
     {
       throw dmg::Cancelled();
     }
-    vtkPolyData* const surface = vtkPolyData::GetData(outputVector, 0);
+    vtkDataSet* const surface = vtkDataSet::GetData(outputVector, 0);
     if (surface->GetNumberOfCells() == 0) // there was an error
     {
       return;

@@ -2,11 +2,14 @@
 
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
-#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
 #include "Adapters/Surface/OperatorsToFieldData.h"
+#include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 #include "StructurePreserving/SurfaceHierarchy.h"
 
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationStringKey.h"
@@ -29,6 +32,7 @@ public:
   struct Setup
   {
     dmg::OperatorsOrigin Origin;
+    dmg::PreparationReport Preparation;
     vtkNew<vtkFieldData> Operators;
     std::vector<vtkSmartPointer<vtkPolyData>> CoarseLevels;
   };
@@ -37,19 +41,24 @@ public:
   int NumberOfSetups = 0;
 
   /// Builds anew only if the surface or the options are others than last time.
-  void SetUp(vtkPolyData* surface, const dmg::HierarchyOptions& options, const dmg::OperatorSelection& selection,
-    const dmg::ExecutionContext& context)
+  void SetUp(vtkDataSet* surface, const dmg::PreparationOptions& preparation, const dmg::HierarchyOptions& options,
+    const dmg::OperatorSelection& selection, const dmg::ExecutionContext& context)
   {
-    const dmg::OperatorsOrigin origin{ dmg::ContentDigest(surface), options, selection };
+    const dmg::OperatorsOrigin origin{ dmg::ContentDigest(surface, preparation), options, selection };
     if (this->Last && this->Last->Origin == origin)
     {
       return;
     }
-    const dmg::SurfaceMesh mesh = dmg::MeshFromPolyData(surface, dmg::Numbering::OfPolyData, context);
+    const dmg::SurfaceMesh mesh = dmg::MeshFromDataSet(surface, preparation, context);
     const dmg::SurfaceHierarchy hierarchy = dmg::BuildSurfaceHierarchy(mesh.Mesh, options, context, selection);
     auto setup = std::make_unique<Setup>();
     setup->Origin = origin;
+    setup->Preparation = mesh.Report;
     dmg::OperatorsToFieldData(hierarchy.Operators, origin, setup->Operators);
+    if (!mesh.IsOneToOne())
+    {
+      dmg::RelationToFieldData(mesh, mesh.Mesh, setup->Operators);
+    }
     for (const dmg::TriangleMesh& level : hierarchy.CoarseLevels)
     {
       setup->CoarseLevels.push_back(dmg::PolyDataFromMesh(level));
@@ -84,8 +93,15 @@ int vtkDirectionalProlongation::FillInputPortInformation(int, vtkInformation* in
 //------------------------------------------------------------------------------
 int vtkDirectionalProlongation::FillOutputPortInformation(int port, vtkInformation* information)
 {
-  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkPolyData" : "vtkPartitionedDataSetCollection");
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataSet" : "vtkPartitionedDataSetCollection");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkDirectionalProlongation::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::MakeOutputLikeInput(inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -99,10 +115,9 @@ int vtkDirectionalProlongation::RequestUpdateExtent(
 int vtkDirectionalProlongation::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
+  vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   auto* const levels = vtkPartitionedDataSetCollection::GetData(outputVector, 1);
-  const auto make = [this, input, output, levels](const dmg::ExecutionContext& context)
+  const auto make = [this, inputVector, output, levels](const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({
       { "Face Ratio", this->FaceRatio, 0.05, 0.9 },
@@ -117,22 +132,28 @@ int vtkDirectionalProlongation::RequestData(
     options.MinimumNumberOfFaces = this->MinimumNumberOfFaces;
     options.Policy = static_cast<dmg::CollapsePolicy>(this->CollapsePolicy);
     options.Construction = static_cast<dmg::ProlongationConstruction>(this->Construction);
-    this->Internals->SetUp(input, options, { this->PowerFields, this->FaceFields, this->OneForms }, context);
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const dmg::PreparationOptions preparation{ dmg::Numbering::AsGiven, this->JoinPoints, this->Strict };
+    this->Internals->SetUp(
+      input, preparation, options, { this->PowerFields, this->FaceFields, this->OneForms }, context);
 
     const vtkInternals::Setup& setup = *this->Internals->Last;
     output->ShallowCopy(input);
     dmg::RemoveOperators(output->GetFieldData());
+    dmg::AddPreparation(setup.Preparation, preparation, output->GetFieldData());
+    dmg::WarnOfPreparation(this, setup.Preparation);
     for (int i = 0; i < setup.Operators->GetNumberOfArrays(); ++i)
     {
       output->GetFieldData()->AddArray(setup.Operators->GetAbstractArray(i));
     }
-    vtkNew<vtkPolyData> finest;
+    const auto finest = vtk::TakeSmartPointer(input->NewInstance());
     finest->ShallowCopy(input);
     const unsigned int numberOfLevels = 1 + static_cast<unsigned int>(setup.CoarseLevels.size());
     levels->SetNumberOfPartitionedDataSets(numberOfLevels);
     for (unsigned int level = 0; level < numberOfLevels; ++level)
     {
-      levels->SetPartition(level, 0, level == 0 ? finest.Get() : setup.CoarseLevels[level - 1].Get());
+      levels->SetPartition(
+        level, 0, level == 0 ? finest.Get() : static_cast<vtkDataSet*>(setup.CoarseLevels[level - 1].Get()));
       levels->GetMetaData(level)->Set(vtkCompositeDataSet::NAME(), "Level " + std::to_string(level));
     }
   };
@@ -153,5 +174,7 @@ void vtkDirectionalProlongation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PowerFields: " << (this->PowerFields ? "On" : "Off") << "\n";
   os << indent << "FaceFields: " << (this->FaceFields ? "On" : "Off") << "\n";
   os << indent << "OneForms: " << (this->OneForms ? "On" : "Off") << "\n";
+  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
+  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
 }

@@ -15,13 +15,25 @@
  *
  * @section vtkDirectionalProlongation-Inputs Inputs
  *
- * Port 0: vtkPolyData, an oriented manifold triangle surface, with or without boundary, in one or
- * several parts. Vertex and line cells and points without a triangle are allowed and take no part.
- * Polygons and strips are refused; apply vtkTriangleFilter first.
+ * Port 0: any vtkDataSet with cells of two dimensions, with or without boundary, in one or several parts; composite datasets
+ * leaf by leaf. Polygons are cut into triangles inside, cells of higher order as VTK draws them. Cells of no or one
+ * dimension, hidden cells and points without a cell take no part; a cell of three dimensions is an error. Points that
+ * coincide are joined (SetJoinPoints). Where the rest is no oriented manifold, triangles are turned, paired and parted
+ * inside (SetStrict). The field data array SurfacePreparation counts it, as in "3 cells turned, 12 points joined":
+ *
+ * - components are oriented as most of their cells are; one with one side only is cut along a short seam;
+ * - at an edge of more than two sheets, the two that continue each other most smoothly stay joined, and the others end
+ *   there, but for two that meet within 45 degrees of a plane;
+ * - a point at which several fans of cells meet counts as one for each of them;
+ * - cells that are there twice, and duplicate ghosts, have the field of their twin;
+ * - cells that are only a line or a point have the mean of the field around.
+ *
+ * The operators refer to the triangles inside. Where these are not the cells and points of the surface,
+ * Prolongation.CellsOfFaces and Prolongation.PointsOfVertices tell the cell of each triangle and the point of each vertex.
  *
  * @section vtkDirectionalProlongation-Outputs Outputs
  *
- * Port 0: vtkPolyData, the input with all its arrays, and the operators as field data. Every VTK
+ * Port 0: of the type of the input, with all its arrays, and the operators as field data. Every VTK
  * writer stores them, and another process or machine solves with them without decimating again. The
  * arrays are hidden from array menus (vtkAbstractArray::GUI_HIDE); their names begin with
  * "Prolongation.":
@@ -70,16 +82,16 @@
 #ifndef vtkDirectionalProlongation_h
 #define vtkDirectionalProlongation_h
 
+#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkDirectionalProlongation : public vtkPolyDataAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkDirectionalProlongation : public vtkDataSetAlgorithm
 {
 public:
   static vtkDirectionalProlongation* New();
-  vtkTypeMacro(vtkDirectionalProlongation, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkDirectionalProlongation, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -158,6 +170,27 @@ public:
   vtkBooleanMacro(OneForms, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether points that coincide are one: those of a boundary that are equal, or nearer to each other than single precision
+   * tells apart. So seams close, as those of ParaView's Cylinder, and soups of triangles become surfaces. Gaps and walls
+   * stay, however thin. Default on.
+   */
+  vtkSetMacro(JoinPoints, bool);
+  vtkGetMacro(JoinPoints, bool);
+  vtkBooleanMacro(JoinPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a surface that is no oriented manifold is refused, with the reason, rather than turned, parted and paired
+   * inside. No points are joined then. Default off.
+   */
+  vtkSetMacro(Strict, bool);
+  vtkGetMacro(Strict, bool);
+  vtkBooleanMacro(Strict, bool);
+  ///@}
+
   /**
    * The number of decimations that this object has done; it tells whether an update reused former operators.
    */
@@ -172,6 +205,8 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
@@ -186,6 +221,8 @@ private:
   bool PowerFields = true;
   bool FaceFields = false;
   bool OneForms = false;
+  bool JoinPoints = true;
+  bool Strict = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -7,10 +7,10 @@
 #include "Drawing/AnglesOfField.h"
 
 #include "vtkCellData.h"
+#include "vtkDataSet.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkFieldAngles);
 
@@ -18,6 +18,13 @@ vtkStandardNewMacro(vtkFieldAngles);
 int vtkFieldAngles::FillInputPortInformation(int, vtkInformation* information)
 {
   return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
+int vtkFieldAngles::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::MakeOutputLikeInput(inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -34,8 +41,8 @@ int vtkFieldAngles::RequestData(
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections, {},
     [this, inputVector, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
-      vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
-      vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+      const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+      vtkDataSet* const output = vtkDataSet::GetData(outputVector);
       const dmg::Points references =
         dmg::ReferenceVectors(dmg::ChoicesOf(this).Vectors, input, given.Surface, dmg::Vector3(this->Axis));
       dmg::Vector<double> angles = 180.0 / dmg::Pi * dmg::AnglesOfField(given.Faces, given.Field, references, context);
@@ -50,7 +57,8 @@ int vtkFieldAngles::RequestData(
       }
       output->ShallowCopy(input);
       vtkNew<vtkFieldData> arrays;
-      dmg::ArraysOfCells(given.Surface, input, arrays, context).Add("Angle", 1, angles.data());
+      dmg::ArraysOfCells(given.Surface.Mesh, given.Surface, input, arrays, context)
+        .AddOfLargest("Angle", angles.data());
       output->GetCellData()->SetScalars(arrays->GetArray(0));
     });
 }

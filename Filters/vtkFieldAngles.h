@@ -9,13 +9,13 @@
  *
  * @section vtkFieldAngles-Inputs Inputs
  *
- * Port 0: vtkPolyData, a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
+ * Port 0: a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
  * SetInputArrayToProcess(0, 0, 0, association, name). The reference is Axis, or an array of vectors on cells or points,
  * chosen with SetInputArrayToProcess(1, 0, 0, association, name); of points, the mean over the corners of a triangle.
  *
  * @section vtkFieldAngles-Output Output
  *
- * Port 0: vtkPolyData, the input with all its arrays and
+ * Port 0: of the type of the input, with all its arrays and
  *
  * | array | of    | components | type   | meaning                                                        |
  * | ----- | ----- | ---------- | ------ | -------------------------------------------------------------- |
@@ -34,14 +34,14 @@
 #ifndef vtkFieldAngles_h
 #define vtkFieldAngles_h
 
+#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldAngles : public vtkPolyDataAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldAngles : public vtkDataSetAlgorithm
 {
 public:
   static vtkFieldAngles* New();
-  vtkTypeMacro(vtkFieldAngles, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkFieldAngles, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -71,6 +71,8 @@ protected:
   ~vtkFieldAngles() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(

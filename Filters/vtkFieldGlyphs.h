@@ -15,7 +15,7 @@
  *
  * @section vtkFieldGlyphs-Inputs Inputs
  *
- * Port 0: vtkPolyData, a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
+ * Port 0: a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
  * SetInputArrayToProcess(0, 0, 0, association, name).
  *
  * @section vtkFieldGlyphs-Output Output

@@ -19,7 +19,7 @@
  *
  * @section vtkFieldLines-Inputs Inputs
  *
- * Port 0: vtkPolyData, an oriented manifold triangle surface as described in vtkDirectionalProlongation, with the
+ * Port 0: a surface as described in vtkDirectionalProlongation, with the
  * field as vectors on cells or points. Of a vector its tangential part counts; its length is the magnitude of the
  * field; where it is zero there is no direction. The array is chosen by
  *

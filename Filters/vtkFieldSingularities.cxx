@@ -6,6 +6,7 @@
 #include "Operators/FieldTopology.h"
 #include "Operators/VertexFieldTopology.h"
 
+#include "vtkDataSet.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -44,7 +45,7 @@ int vtkFieldSingularities::RequestData(
         : dmg::TopologyOfField(given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
       dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0),
-        this->SphereRadius * vtkPolyData::GetData(inputVector[0])->GetLength(), vtkPolyData::GetData(outputVector, 3));
+        this->SphereRadius * vtkDataSet::GetData(inputVector[0])->GetLength(), vtkPolyData::GetData(outputVector, 3));
       dmg::CutsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 1));
       dmg::BoundaryLoopsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 2));
     });

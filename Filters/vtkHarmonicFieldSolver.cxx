@@ -7,6 +7,8 @@
 #include "Adapters/Output/ReportToArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/Surface/SolverOfSurface.h"
 #include "Mesh/TriangleSoup.h"
 #include "SingularFieldSolver.h"
@@ -146,8 +148,15 @@ int vtkHarmonicFieldSolver::FillInputPortInformation(int port, vtkInformation* i
 //------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::FillOutputPortInformation(int port, vtkInformation* information)
 {
-  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : "vtkPolyData");
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : port == 1 ? "vtkPolyData" : "vtkDataSet");
   return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHarmonicFieldSolver::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::MakeOutputLikeInput(inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -168,14 +177,15 @@ int vtkHarmonicFieldSolver::RequestUpdateExtent(
 int vtkHarmonicFieldSolver::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
+  vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   vtkPolyData* const edges = vtkPolyData::GetData(outputVector, 1);
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
   const auto make = [&](const dmg::ExecutionContext& context)
   {
     dmg::SolverOfSurface& kept = this->Internals->Kept;
     dmg::FieldOutput& shown = this->Internals->Shown;
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     const dmg::FieldInputs inputs{ input,
       { dmg::DataOf(inputVector[1]), this->Internals->OfGuides, this->MaximumDistance },
       { dmg::DataOf(inputVector[2]), this->SingularityIndexArray, this->MaximumDistance } };
@@ -184,11 +194,12 @@ int vtkHarmonicFieldSolver::RequestData(
     {
       dmg::CheckTakesSingularities(problem.Options.Field);
     }
-    kept.SetSurface(input, problem.Options, dmg::PartOfContext(context, 0.0, 0.1));
+    kept.SetSurface(input, problem.Options, preparation, dmg::PartOfContext(context, 0.0, 0.1));
+    dmg::WarnOfPreparation(this, kept.Preparation());
     if (dmg::IsSoup(kept.Surface().On.Mesh))
     {
       vtkWarningMacro("most triangles share no points with those beside them, so each is a surface of its own; apply "
-                      "Clean (vtkCleanPolyData) first");
+                      "Clean (vtkCleanPolyData) first, or switch Join Points on and Strict off");
     }
     const dmg::ConstraintChoices choices = dmg::ChoicesOnSurface(this, input);
     const dmg::UnusableDirections unusable = dmg::ReadInputs(this, choices, inputs, kept, problem);
@@ -197,7 +208,7 @@ int vtkHarmonicFieldSolver::RequestData(
       vtkWarningMacro(<< dmg::TextOf(unusable));
     }
     const dmg::Field& field =
-      kept.Solver().Solve(problem, dmg::PartOfContext(context, 0.1, 0.95), kept.Surface().Numbering.Names());
+      kept.Solver().Solve(problem, dmg::PartOfContext(context, 0.1, 0.95), kept.Surface().Relation.Names());
     for (const std::string& text : field.Warnings)
     {
       vtkWarningMacro(<< text);
@@ -214,6 +225,7 @@ int vtkHarmonicFieldSolver::RequestData(
 
     output->ShallowCopy(input);
     shown.AddArraysTo(kept, hasBasis, output, edges);
+    dmg::AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
     dmg::MakeConvergenceTable(field.Report, convergence);
     for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
     {
@@ -273,6 +285,8 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";
   os << indent << "Combing: " << (this->Combing ? "On" : "Off") << "\n";
   os << indent << "HarmonicBasis: " << (this->HarmonicBasis ? "On" : "Off") << "\n";
+  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
+  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
   os << indent << "NumberOfSystems: " << this->GetNumberOfSystems() << "\n";
   os << indent << "NumberOfSolves: " << this->GetNumberOfSolves() << "\n";

@@ -37,7 +37,7 @@
  *
  * @section vtkHarmonicFieldSolver-Inputs Inputs
  *
- * Port 0, the surface: vtkPolyData, as described in vtkDirectionalProlongation. Operators that are stored with it are used
+ * Port 0, the surface: as vtkDirectionalProlongation describes it. Operators that are stored with it are used
  * by CoarseSpace StructurePreserving, NestedIterations and CoarseProlongation alone. Those of other points and triangles
  * are an error there.
  *
@@ -91,7 +91,7 @@
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
  *
- * Port 0, the surface: vtkPolyData, the input with all its arrays, and
+ * Port 0, the surface: of the type of the input, with all its cells, points and arrays (strips come out as triangles), and
  *
  * | array                     | of            | components | meaning                                                   |
  * | ------------------------- | ------------- | ---------- | --------------------------------------------------------- |
@@ -106,6 +106,7 @@
  * Directions are unit vectors (UnitLength) or have the field's length. Direction0 becomes the active vector. At a point,
  * directions are the mean of the faces around, carried into its tangent plane. Elements without a triangle hold zeros. The
  * frame of a face, to which PowerField refers, has its first axis along the first side.
+ * A polygon has the mean power of its triangles.
  *
  * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Turning,
  * the rotation of the field from the face on the left to the face on the right, in radians; for
@@ -152,17 +153,17 @@
 #ifndef vtkHarmonicFieldSolver_h
 #define vtkHarmonicFieldSolver_h
 
+#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHarmonicFieldSolver : public vtkPolyDataAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHarmonicFieldSolver : public vtkDataSetAlgorithm
 {
 public:
   static vtkHarmonicFieldSolver* New();
-  vtkTypeMacro(vtkHarmonicFieldSolver, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkHarmonicFieldSolver, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Discretisations
@@ -584,6 +585,27 @@ public:
   int GetNumberOfSolves() const;
   ///@}
 
+  ///@{
+  /**
+   * Whether points that coincide are one: those of a boundary that are equal, or nearer to each other than single precision
+   * tells apart. So seams close, as those of ParaView's Cylinder, and soups of triangles become surfaces. Gaps and walls
+   * stay, however thin. Default on.
+   */
+  vtkSetMacro(JoinPoints, bool);
+  vtkGetMacro(JoinPoints, bool);
+  vtkBooleanMacro(JoinPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a surface that is no oriented manifold is refused, with the reason, rather than turned, parted and paired
+   * inside. No points are joined then. Default off.
+   */
+  vtkSetMacro(Strict, bool);
+  vtkGetMacro(Strict, bool);
+  vtkBooleanMacro(Strict, bool);
+  ///@}
+
   vtkHarmonicFieldSolver(const vtkHarmonicFieldSolver&) = delete;
   void operator=(const vtkHarmonicFieldSolver&) = delete;
 
@@ -594,6 +616,8 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestDataObject(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
@@ -634,6 +658,8 @@ private:
   bool UnitLength = true;
   bool Combing = true;
   bool HarmonicBasis = false;
+  bool JoinPoints = true;
+  bool Strict = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -4,9 +4,12 @@
 #include "Adapters/Output/FlowToArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/PolygonsFromDataSet.h"
 
+#include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
+#include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
@@ -38,6 +41,20 @@ int vtkHodgeDecomposition::FillInputPortInformation(int, vtkInformation* informa
 }
 
 //------------------------------------------------------------------------------
+int vtkHodgeDecomposition::FillOutputPortInformation(int port, vtkInformation* information)
+{
+  information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataSet" : "vtkPolyData");
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+int vtkHodgeDecomposition::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::MakeOutputLikeInput(inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
 int vtkHodgeDecomposition::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -48,8 +65,7 @@ int vtkHodgeDecomposition::RequestUpdateExtent(
 int vtkHodgeDecomposition::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* const output = vtkPolyData::GetData(outputVector, 0);
+  vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   const auto make = [&](const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({ { "Boundary", this->Boundary, Closed, Open },
@@ -60,6 +76,7 @@ int vtkHodgeDecomposition::RequestData(
       : this->Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients
                                             : dmg::SolverKind::Automatic;
     options.ExpectedSolves = this->ExpectedSolves;
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
     dmg::FlowSurface& kept = this->Internals->Kept;
     kept.SetSurface(input, this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open, options,
       dmg::PartOfContext(context, 0.0, 0.1));

@@ -9,7 +9,7 @@
  *
  * @section vtkHodgeDecomposition-Inputs Inputs
  *
- * Port 0: vtkPolyData, an oriented manifold triangle surface as described in vtkDirectionalProlongation, with a flow in one of these
+ * Port 0: a surface as described in vtkDirectionalProlongation, with a flow in one of these
  * forms:
  *
  * - vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default the active vectors of points,
@@ -19,7 +19,7 @@
  *
  * @section vtkHodgeDecomposition-Output Output
  *
- * Port 0: vtkPolyData, the input with all its arrays, and, as double (L is LengthScale, lengths are in the unit of the points times L):
+ * Port 0: of the type of the input, with all its arrays, and, as double (L is LengthScale, lengths are in the unit of the points times L):
  *
  * | array                                                 | of             | components | meaning                                        |
  * | ----------------------------------------------------- | -------------- | ---------- | ---------------------------------------------- |
@@ -62,16 +62,16 @@
 #ifndef vtkHodgeDecomposition_h
 #define vtkHodgeDecomposition_h
 
+#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHodgeDecomposition : public vtkPolyDataAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHodgeDecomposition : public vtkDataSetAlgorithm
 {
 public:
   static vtkHodgeDecomposition* New();
-  vtkTypeMacro(vtkHodgeDecomposition, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkHodgeDecomposition, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum BoundaryKinds
@@ -187,6 +187,9 @@ protected:
   ~vtkHodgeDecomposition() override;
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
+  int FillOutputPortInformation(int port, vtkInformation* information) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(

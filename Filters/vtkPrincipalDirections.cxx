@@ -3,11 +3,13 @@
 #include "Adapters/Output/CurvaturesToArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
-#include "vtkPolyData.h"
 
 #include <utility>
 
@@ -17,6 +19,13 @@ vtkStandardNewMacro(vtkPrincipalDirections);
 int vtkPrincipalDirections::FillInputPortInformation(int, vtkInformation* information)
 {
   return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
+int vtkPrincipalDirections::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::MakeOutputLikeInput(inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -30,17 +39,19 @@ int vtkPrincipalDirections::RequestUpdateExtent(
 int vtkPrincipalDirections::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* const input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* const output = vtkPolyData::GetData(outputVector);
+  vtkDataSet* const output = vtkDataSet::GetData(outputVector);
   const auto make = [&](const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({ { "Scale", this->Scale, 0, 100 } });
-    dmg::SurfaceMesh surface =
-      dmg::MeshFromPolyData(input, dmg::Numbering::Spatial, dmg::PartOfContext(context, 0.0, 0.3));
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const dmg::PreparationOptions options{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
+    dmg::SurfaceMesh surface = dmg::MeshFromDataSet(input, options, dmg::PartOfContext(context, 0.0, 0.3));
+    dmg::WarnOfPreparation(this, surface.Report);
     const dmg::FramedMesh framed(std::move(surface.Mesh), dmg::PartOfContext(context, 0.3, 0.3));
     const dmg::PrincipalDirections found =
       dmg::FindPrincipalDirections(framed, this->Scale, dmg::PartOfContext(context, 0.3, 0.9));
     output->ShallowCopy(input);
+    dmg::AddPreparation(surface.Report, options, output->GetFieldData());
     dmg::AddCurvatures({ framed, surface }, found, input, output, dmg::PartOfContext(context, 0.9, 1.0));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
@@ -51,4 +62,6 @@ void vtkPrincipalDirections::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
+  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
 }

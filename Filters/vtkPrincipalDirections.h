@@ -19,11 +19,11 @@
  *
  * @section vtkPrincipalDirections-Inputs Inputs
  *
- * Port 0: vtkPolyData, an oriented manifold triangle surface as described in vtkDirectionalProlongation.
+ * Port 0: a surface as described in vtkDirectionalProlongation.
  *
  * @section vtkPrincipalDirections-Output Output
  *
- * Port 0: vtkPolyData, the input with all its arrays, and, on cells and on points, as double
+ * Port 0: of the type of the input, with all its arrays, and, on cells and on points, as double
  *
  * | array            | components | meaning                                                                       |
  * | ---------------- | ---------- | ----------------------------------------------------------------------------- |
@@ -54,14 +54,14 @@
 #ifndef vtkPrincipalDirections_h
 #define vtkPrincipalDirections_h
 
+#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkPrincipalDirections : public vtkPolyDataAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkPrincipalDirections : public vtkDataSetAlgorithm
 {
 public:
   static vtkPrincipalDirections* New();
-  vtkTypeMacro(vtkPrincipalDirections, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkPrincipalDirections, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -73,6 +73,27 @@ public:
   vtkGetMacro(Scale, double);
   ///@}
 
+  ///@{
+  /**
+   * Whether points that coincide are one: those of a boundary that are equal, or nearer to each other than single precision
+   * tells apart. So seams close, as those of ParaView's Cylinder, and soups of triangles become surfaces. Gaps and walls
+   * stay, however thin. Default on.
+   */
+  vtkSetMacro(JoinPoints, bool);
+  vtkGetMacro(JoinPoints, bool);
+  vtkBooleanMacro(JoinPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a surface that is no oriented manifold is refused, with the reason, rather than turned, parted and paired
+   * inside. No points are joined then. Default off.
+   */
+  vtkSetMacro(Strict, bool);
+  vtkGetMacro(Strict, bool);
+  vtkBooleanMacro(Strict, bool);
+  ///@}
+
   vtkPrincipalDirections(const vtkPrincipalDirections&) = delete;
   void operator=(const vtkPrincipalDirections&) = delete;
 
@@ -81,6 +102,8 @@ protected:
   ~vtkPrincipalDirections() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
@@ -88,6 +111,8 @@ protected:
 
 private:
   double Scale = 3.0;
+  bool JoinPoints = true;
+  bool Strict = false;
 };
 
 #endif

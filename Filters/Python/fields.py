@@ -11,12 +11,12 @@ import warnings
 from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, TypeVar, Union
 
 from vtkmodules.vtkCommonCore import vtkObjectBase, vtkVersion
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
 
-Mesh = TypeVar("Mesh", bound=vtkPolyData)
+Mesh = TypeVar("Mesh", bound=vtkDataSet)
 DataObjects = Union[vtkDataObject, Iterable[vtkDataObject], None]
 Property = Union[bool, int, float, str]
 Message = Tuple[vtkAlgorithm, str]
@@ -37,8 +37,8 @@ def smooth_field(mesh: Mesh, guides: DataObjects = None, n: Optional[int] = None
                  **properties: Property) -> Mesh:
     """The smoothest field of n directions that follows the guides, or the smoothest one there is.
 
-    mesh           a vtkPolyData, or an object of a class derived from it, as pyvista.PolyData; an oriented manifold surface
-                   of triangles. It is not changed.
+    mesh           a surface: any vtkDataSet with cells of two dimensions, or an object of a class derived from one, as
+                   pyvista.PolyData. It is not changed.
     guides         what the field follows: lines, or any datasets with vectors; one or several of them
     n              the number of directions per point, 1 to 8, by default 4; 1 for all but power fields
     singularities  points, one dataset or several: the field has singularities there and nowhere else; with an empty
@@ -73,8 +73,9 @@ def smooth_field(mesh: Mesh, guides: DataObjects = None, n: Optional[int] = None
 
 def _check_mesh(mesh: Any) -> None:
     _check_vtk(mesh, "the mesh")
-    if not isinstance(mesh, vtkPolyData):
-        raise TypeError(f"the mesh is of type {type(mesh).__name__}, not vtkPolyData; extract its surface first")
+    if not isinstance(mesh, vtkDataSet):
+        raise TypeError(f"the mesh is of type {type(mesh).__name__}, which is no vtkDataSet; call the function for each of its "
+                        "blocks, or use the filter")
     if mesh.GetNumberOfCells() == 0:
         raise FieldError("the mesh has no cells, so there is no surface; give it triangles, by vtkDelaunay2D for instance")
 
@@ -231,7 +232,7 @@ def _converted(value: Any, kind: type) -> Property:
     return float(value)
 
 
-def _choose_array(solver: vtkHarmonicFieldSolver, mesh: vtkPolyData, index: int, name: Optional[Property]) -> None:
+def _choose_array(solver: vtkHarmonicFieldSolver, mesh: vtkDataSet, index: int, name: Optional[Property]) -> None:
     points, cells = vtkDataObject.FIELD_ASSOCIATION_POINTS, vtkDataObject.FIELD_ASSOCIATION_CELLS
     if name is None:
         solver.SetInputArrayToProcess(index, 0, 0, points, "")

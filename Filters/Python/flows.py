@@ -5,12 +5,12 @@ from __future__ import annotations
 import difflib
 from typing import Any, Optional, TypeVar
 
-from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSetAttributes, vtkPolyData
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkDataSetAttributes
 
 from .fields import Property, _check_mesh, _choose_array, _set_property, _update
 from .vtkFiltersDirectionalFields import vtkHodgeDecomposition
 
-Mesh = TypeVar("Mesh", bound=vtkPolyData)
+Mesh = TypeVar("Mesh", bound=vtkDataSet)
 
 
 def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] = None, northward: Optional[str] = None,

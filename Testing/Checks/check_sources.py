@@ -33,6 +33,7 @@ SOLVERS = {"Solvers/Krylov", "Solvers/Direct", "Solvers/Multigrid", "Solvers/Lap
 ARROWS = {
     "Support": set(),
     "Mesh": {"Support"},
+    "Preparation": {"Mesh", "Support"},
     "Operators": {"Mesh", "Support"},
     "Levels": {"Mesh", "Support"},
     # A solver receives matrices and never learns that a mesh exists.

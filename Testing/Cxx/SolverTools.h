@@ -62,7 +62,7 @@ inline vtkSmartPointer<vtkPolyData> SphereWithOperators()
   prolongation->FaceFieldsOn();
   prolongation->OneFormsOn();
   prolongation->Update();
-  return prolongation->GetOutput();
+  return prolongation->GetPolyDataOutput();
 }
 
 inline vtkPolyData* Edges(Solver* solver)

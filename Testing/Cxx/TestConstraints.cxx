@@ -255,7 +255,7 @@ TEST(Constraints, OnVertsLinesAndUnusedPointsTakeNoPart)
   AddCellVectors(input, "Given", { { 1, { 1.0, 0.0, 0.0 } }, { 13, { 1.0, 0.5, -0.25 } } });
   const auto solver = NewSolver(input);
   EXPECT_EQ(PrescribedCells(solver), (Cells{ { 13, 1.0 } }));
-  vtkPolyData* const output = solver->GetOutput();
+  vtkPolyData* const output = solver->GetPolyDataOutput();
   for (vtkIdType cell : { 0, 1, 2 })
   {
     EXPECT_EQ(Tuple(output->GetCellData(), "Direction0", cell), Vector3(0.0, 0.0, 0.0));
@@ -293,7 +293,7 @@ TEST(Constraints, ArraysOfAnEarlierSolveDoNotLinger)
   const auto first = NewSolver(Sphere());
   first->SetNumberOfDirections(6);
   first->Update();
-  const auto second = NewSolver(first->GetOutput());
+  const auto second = NewSolver(first->GetPolyDataOutput());
   second->SetNumberOfDirections(2);
   second->Update();
   EXPECT_TRUE(second->GetOutput()->GetCellData()->HasArray("Direction1"));

@@ -55,7 +55,7 @@ TEST(DirectionalProlongation, OperatorsAreHiddenFieldData)
   const auto input = Sphere();
   const auto filter = NewFilter(input);
   filter->Update();
-  vtkPolyData* const output = filter->GetOutput();
+  vtkPolyData* const output = filter->GetPolyDataOutput();
   vtkFieldData* const data = output->GetFieldData();
   EXPECT_EQ(output->GetPoints(), input->GetPoints());
   EXPECT_EQ(input->GetFieldData()->GetNumberOfArrays(), 0) << "the input was modified";
@@ -157,14 +157,14 @@ TEST(DirectionalProlongation, SameContentInOtherObjectsRepeatsNothing)
 {
   const auto filter = NewFilter(Sphere());
   filter->Update();
-  const std::string digest = Digest(filter->GetOutput());
+  const std::string digest = Digest(filter->GetPolyDataOutput());
   const auto same = Sphere();
   same->GetPolys()->ConvertTo32BitStorage();
   filter->SetInputData(same);
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfSetups(), 1);
-  EXPECT_EQ(filter->GetOutput()->GetPoints(), same->GetPoints());
-  EXPECT_EQ(Digest(filter->GetOutput()), digest);
+  EXPECT_EQ(filter->GetPolyDataOutput()->GetPoints(), same->GetPoints());
+  EXPECT_EQ(Digest(filter->GetPolyDataOutput()), digest);
 }
 
 TEST(DirectionalProlongation, OlderSurfaceSwappedInIsNotServedTheLastResult)
@@ -185,7 +185,7 @@ TEST(DirectionalProlongation, EveryPointAndCornerCounts)
   const auto input = Sphere();
   const auto filter = NewFilter(input);
   filter->Update();
-  const std::string digest = Digest(filter->GetOutput());
+  const std::string digest = Digest(filter->GetPolyDataOutput());
 
   // The last bit of one coordinate.
   double point[3];
@@ -195,10 +195,10 @@ TEST(DirectionalProlongation, EveryPointAndCornerCounts)
   input->GetPoints()->Modified();
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfSetups(), 2);
-  EXPECT_NE(Digest(filter->GetOutput()), digest);
+  EXPECT_NE(Digest(filter->GetPolyDataOutput()), digest);
 
   // The same triangle, begun at another corner.
-  const std::string second = Digest(filter->GetOutput());
+  const std::string second = Digest(filter->GetPolyDataOutput());
   Surface turned = Icosphere(3);
   std::swap(turned.F(7, 0), turned.F(7, 1));
   std::swap(turned.F(7, 1), turned.F(7, 2));
@@ -206,8 +206,8 @@ TEST(DirectionalProlongation, EveryPointAndCornerCounts)
   filter->SetInputData(other);
   filter->Update();
   EXPECT_EQ(filter->GetNumberOfSetups(), 3);
-  EXPECT_NE(Digest(filter->GetOutput()), digest);
-  EXPECT_NE(Digest(filter->GetOutput()), second);
+  EXPECT_NE(Digest(filter->GetPolyDataOutput()), digest);
+  EXPECT_NE(Digest(filter->GetPolyDataOutput()), second);
 }
 
 TEST(DirectionalProlongation, EveryPropertyCounts)
@@ -265,7 +265,7 @@ TEST(DirectionalProlongation, OtherOperatorsAreReplaced)
   auto filter = NewFilter(input);
   filter->Update();
   ASSERT_TRUE(filter->GetOutput()->GetFieldData()->HasArray("Prolongation.S0.1.Values"));
-  const auto again = NewFilter(filter->GetOutput());
+  const auto again = NewFilter(filter->GetPolyDataOutput());
   again->SetMaximumNumberOfCoarseLevels(1);
   again->Update();
   vtkFieldData* const data = again->GetOutput()->GetFieldData();
@@ -336,21 +336,6 @@ class RefusedSurface : public testing::TestWithParam<BadInput>
 };
 
 const BadInput BadInputs[] = {
-  { "Quadrilateral",
-    [] {
-      return TwoTriangles({ 1, 2, 3 }, { 1, 2, 3, 4 });
-    },
-    { "cell 2", "4 points", "vtkTriangleFilter" } },
-  { "Strip",
-    []
-    {
-      auto data = TwoTriangles({ 1, 2, 3 }, { 1, 3, 4 });
-      vtkNew<vtkCellArray> strips;
-      strips->InsertNextCell({ 1, 2, 3, 4 });
-      data->SetStrips(strips);
-      return data;
-    },
-    { "cell 3", "strip", "vtkTriangleFilter" } },
   { "LinesOnly",
     []
     {
@@ -394,10 +379,28 @@ const BadInput BadInputs[] = {
 
 }
 
+TEST(DirectionalProlongation, TakesQuadrilateralsAndStrips)
+{
+  const auto strips = TwoTriangles({ 1, 2, 3 }, { 1, 3, 4 });
+  vtkNew<vtkCellArray> strip;
+  strip->InsertNextCell({ 1, 2, 4, 3 });
+  strips->SetPolys(nullptr);
+  strips->SetStrips(strip);
+  for (const auto& [input, cells] : { std::pair(TwoTriangles({ 1, 4, 3 }, { 1, 2, 3, 4 }), 3), std::pair(strips, 3) })
+  {
+    const auto filter = NewFilter(input);
+    const Messages messages(filter);
+    filter->Update();
+    EXPECT_EQ(messages.Error(), "");
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), cells);
+  }
+}
+
 TEST_P(RefusedSurface, NamesElementAndRemedyAndLeavesOutputsEmpty)
 {
   const auto input = GetParam().Make();
   const auto filter = NewFilter(input);
+  filter->StrictOn();
   const Messages messages(filter);
   filter->Update();
   for (const std::string& word : GetParam().Words)

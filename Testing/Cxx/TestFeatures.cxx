@@ -47,7 +47,7 @@ Vector3 Centre(vtkPolyData* surface, vtkIdType cell)
 template <class Check>
 void ForDirections(vtkHarmonicFieldSolver* solver, const Check& check, int k = 0)
 {
-  vtkPolyData* const output = solver->GetOutput();
+  vtkPolyData* const output = solver->GetPolyDataOutput();
   ASSERT_GT(output->GetNumberOfCells(), 0);
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
@@ -164,7 +164,7 @@ TEST(Features, WeightsMeanTheSameAtAnyResolution)
       for (std::size_t cell = 0; cell < powers.size(); ++cell)
       {
         found += std::abs(powers[cell]);
-        expected += c * std::pow(Centre(solver->GetOutput(), cell).norm(), 4);
+        expected += c * std::pow(Centre(solver->GetPolyDataOutput(), cell).norm(), 4);
       }
       ratios.push_back(found / expected);
     }

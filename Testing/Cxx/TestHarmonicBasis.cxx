@@ -92,7 +92,7 @@ TEST_P(VectorField, HasAnOrthonormalHarmonicBasis)
     const Messages messages(solver);
     solver->Update();
     ASSERT_TRUE(messages.Silent()) << messages.Error();
-    vtkPolyData* const output = solver->GetOutput();
+    vtkPolyData* const output = solver->GetPolyDataOutput();
     EXPECT_EQ(BasisSize(solver), dimension);
     EXPECT_EQ(BasisSize(solver, 2), dimension);
     ASSERT_EQ(NumberOfBasisArrays(output), dimension);
@@ -135,7 +135,7 @@ TEST_P(VectorField, IsASumOfTheHarmonicBasisOnAFlatTorus)
   solver->UnitLengthOff();
   solver->HarmonicBasisOn();
   solver->Update();
-  vtkPolyData* const output = solver->GetOutput();
+  vtkPolyData* const output = solver->GetPolyDataOutput();
   ASSERT_EQ(BasisSize(solver), 2);
   const double square = Integral(output, "Direction0", "Direction0");
   double squares = 0.0;
@@ -155,7 +155,7 @@ TEST_P(VectorField, HasItsHarmonicBasisWithoutRepeatingAnyStageAndOnce)
   const auto firstArray = [&solver] { return solver->GetOutput()->GetCellData()->GetAbstractArray("HarmonicBasis 1"); };
   solver->Update();
   EXPECT_EQ(CountsOf(solver), (Counts{ 1, 1, 1 }));
-  EXPECT_EQ(NumberOfBasisArrays(solver->GetOutput()), 0);
+  EXPECT_EQ(NumberOfBasisArrays(solver->GetPolyDataOutput()), 0);
   EXPECT_EQ(BasisSize(solver), -1);
   const std::vector<double> field = Unknowns(solver);
 
@@ -181,7 +181,7 @@ TEST_P(VectorField, HasItsHarmonicBasisWithoutRepeatingAnyStageAndOnce)
   solver->HarmonicBasisOff();
   solver->Update();
   EXPECT_EQ(CountsOf(solver), (Counts{ 1, 2, 3 }));
-  EXPECT_EQ(NumberOfBasisArrays(solver->GetOutput()), 0);
+  EXPECT_EQ(NumberOfBasisArrays(solver->GetPolyDataOutput()), 0);
   EXPECT_EQ(NumberOfBasisArrays(Edges(solver)), 0);
   EXPECT_EQ(BasisSize(solver), -1);
   solver->HarmonicBasisOn();
@@ -196,7 +196,7 @@ TEST_P(VectorField, HasItsHarmonicBasisWithoutRepeatingAnyStageAndOnce)
   solver->SetInputData(WithThreeGiven(DoubleTorus(3)));
   solver->Update();
   EXPECT_EQ(BasisSize(solver), 4);
-  EXPECT_EQ(NumberOfBasisArrays(solver->GetOutput()), 4);
+  EXPECT_EQ(NumberOfBasisArrays(solver->GetPolyDataOutput()), 4);
 }
 
 TEST(PowerField, HasNoHarmonicBasis)
@@ -206,7 +206,7 @@ TEST(PowerField, HasNoHarmonicBasis)
   const Messages messages(solver);
   solver->Update();
   EXPECT_TRUE(messages.Silent());
-  EXPECT_EQ(NumberOfBasisArrays(solver->GetOutput()), 0);
+  EXPECT_EQ(NumberOfBasisArrays(solver->GetPolyDataOutput()), 0);
   EXPECT_EQ(BasisSize(solver), -1);
 }
 
@@ -216,19 +216,19 @@ TEST_P(VectorField, ReplacesTheHarmonicBasisOfItsInput)
   const auto first = NewSolver(WithThreeGiven(DoubleTorus(3)), GetParam());
   first->HarmonicBasisOn();
   first->Update();
-  ASSERT_EQ(NumberOfBasisArrays(first->GetOutput()), 4);
+  ASSERT_EQ(NumberOfBasisArrays(first->GetPolyDataOutput()), 4);
   vtkNew<vtkPolyData> input;
   input->DeepCopy(first->GetOutput());
   input->GetCellData()->AddArray(Zeros("HarmonicBasis 5", input->GetNumberOfCells(), 3));
   input->GetCellData()->AddArray(Zeros("HarmonicBasis 5 of mine", input->GetNumberOfCells(), 3));
   const auto second = NewSolver(input, GetParam());
   second->Update();
-  EXPECT_EQ(NumberOfBasisArrays(second->GetOutput()), 1);
+  EXPECT_EQ(NumberOfBasisArrays(second->GetPolyDataOutput()), 1);
   EXPECT_TRUE(second->GetOutput()->GetCellData()->HasArray("HarmonicBasis 5 of mine"));
   EXPECT_EQ(BasisSize(second), -1);
   second->HarmonicBasisOn();
   second->Update();
-  EXPECT_EQ(NumberOfBasisArrays(second->GetOutput()), 5);
+  EXPECT_EQ(NumberOfBasisArrays(second->GetPolyDataOutput()), 5);
   EXPECT_FALSE(second->GetOutput()->GetCellData()->HasArray("HarmonicBasis 5"));
   EXPECT_EQ(BasisSize(second), 4);
   EXPECT_EQ(NumberOfBasisArrays(input), 6);
@@ -295,7 +295,7 @@ TEST_P(VectorField, HasNoHarmonicBasisWhereThatIsTooMuchToHold)
   ASSERT_EQ(messages.GetWarnings().size(), 1u);
   EXPECT_NE(messages.GetWarnings()[0].find("3025 harmonic fields"), std::string::npos) << messages.GetWarnings()[0];
   EXPECT_EQ(solver->GetOutput()->GetNumberOfCells(), faces);
-  EXPECT_EQ(NumberOfBasisArrays(solver->GetOutput()), 0);
+  EXPECT_EQ(NumberOfBasisArrays(solver->GetPolyDataOutput()), 0);
   EXPECT_EQ(BasisSize(solver), 0);
 
   messages.Forget(); // said once per surface
@@ -324,5 +324,5 @@ TEST_P(VectorField, AbortedInItsHarmonicBasisKeepsItsSolution)
   solver->Update();
   EXPECT_EQ(CountsOf(solver), (Counts{ 1, 1, 1 }));
   EXPECT_EQ(BasisSize(solver), 2);
-  EXPECT_NEAR(Integral(solver->GetOutput(), "HarmonicBasis 2", "HarmonicBasis 2"), 1.0, 1e-12);
+  EXPECT_NEAR(Integral(solver->GetPolyDataOutput(), "HarmonicBasis 2", "HarmonicBasis 2"), 1.0, 1e-12);
 }

@@ -37,7 +37,7 @@ TEST_P(FieldOfN, IsParallelOnAPlate)
   solver->SetTolerance(1e-12);
   solver->UnitLengthOff();
   solver->Update();
-  vtkPolyData* const output = solver->GetOutput();
+  vtkPolyData* const output = solver->GetPolyDataOutput();
   for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(output->GetCellData()),
          static_cast<vtkDataSetAttributes*>(output->GetPointData()) })
   {

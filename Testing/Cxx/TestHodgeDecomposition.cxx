@@ -96,7 +96,7 @@ TEST(HodgeDecomposition, PartsOfCellsSumToTheTangentialFlow)
   const auto input = WithCellVectors(Annulus(48, 12), VortexAndSource);
   filter->SetInputData(input);
   filter->Update();
-  vtkPolyData* const output = filter->GetOutput();
+  vtkPolyData* const output = filter->GetPolyDataOutput();
   vtkCellData* const cells = output->GetCellData();
   for (vtkIdType cell = 0; cell < output->GetNumberOfCells(); ++cell)
   {
@@ -134,7 +134,7 @@ TEST(HodgeDecomposition, BoundariesHaveCirculationFluxAndTransport)
   EXPECT_NEAR(Values(data, "BoundaryStreamFunction")[1], -10.0 * std::log(2.0), 0.01);
   for (const double point : Values(data, "BoundaryPoint"))
   {
-    const double radius = PointOf(filter->GetOutput(), static_cast<vtkIdType>(point)).norm();
+    const double radius = PointOf(filter->GetPolyDataOutput(), static_cast<vtkIdType>(point)).norm();
     EXPECT_TRUE(std::abs(radius - 1.0) < 1e-12 || std::abs(radius - 2.0) < 1e-12);
   }
 }
@@ -221,7 +221,7 @@ TEST(HodgeDecomposition, PartsAreSwitched)
   filter->RotationalPartOff();
   filter->HarmonicPartOff();
   filter->Update();
-  vtkPolyData* const output = filter->GetOutput();
+  vtkPolyData* const output = filter->GetPolyDataOutput();
   EXPECT_TRUE(output->GetPointData()->HasArray("Vorticity"));
   for (const char* const name : { "GradientPart", "RotationalPart", "HarmonicPart", "Potential", "StreamFunction" })
   {
@@ -244,7 +244,7 @@ TEST(HodgeDecomposition, StreamlinesAreContoursOfTheStreamFunction)
   filter->SetInputData(WithCellVectors(Icosphere(4), Rotation));
   filter->SetNumberOfContours(5);
   filter->Update();
-  vtkPolyData* const lines = filter->GetOutput(1);
+  vtkPolyData* const lines = vtkPolyData::SafeDownCast(filter->GetOutput(1));
   EXPECT_GT(lines->GetNumberOfLines(), 0);
   std::vector<double> heights{ -0.8, -0.4, 0.0, 0.4, 0.8 }; // circles of latitude
   for (vtkIdType point = 0; point < lines->GetNumberOfPoints(); ++point)

@@ -45,7 +45,7 @@ TEST(PointPowerField, HasItsPowersOnPointsAndSingularitiesOnCells)
   const auto solver = NewPointSolver(Sphere());
   solver->Update();
   ASSERT_EQ(Converged(solver), 1);
-  vtkPolyData* const output = solver->GetOutput();
+  vtkPolyData* const output = solver->GetPolyDataOutput();
   for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(output->GetPointData()),
          static_cast<vtkDataSetAttributes*>(output->GetCellData()) })
   {

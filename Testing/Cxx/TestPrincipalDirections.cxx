@@ -27,7 +27,7 @@ TEST(PrincipalDirectionsFilter, ShowsThoseOfATorusOnCellsAndPoints)
   const Messages messages(filter);
   filter->Update();
   EXPECT_TRUE(messages.Silent());
-  vtkPolyData* const output = filter->GetOutput();
+  vtkPolyData* const output = filter->GetPolyDataOutput();
   EXPECT_TRUE(output->GetCellData()->GetArray("Given"));
   ASSERT_EQ(output->GetNumberOfCells(), 3600);
   for (vtkIdType point = 0; point < stray; ++point)
@@ -117,9 +117,15 @@ TEST(PrincipalDirectionsFilter, LeavesNothingOfARunThatFailsOrIsAborted)
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
 
   filter->SetInputData(PolyDataOf(MoebiusStrip(12)));
+  filter->StrictOn();
   filter->Update();
   EXPECT_FALSE(messages.Error().empty());
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+  messages.Forget();
+  filter->StrictOff();
+  filter->Update();
+  EXPECT_TRUE(messages.Error().empty());
+  EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 24);
   messages.Forget();
 
   filter->SetInputData(PolyDataOf(Icosphere(4)));

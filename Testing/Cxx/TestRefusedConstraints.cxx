@@ -137,11 +137,11 @@ const BadInput BadInputs[] = {
       Choose(solver, 1, OnCells, "Flat");
     },
     { "'Flat'", "2 numbers", "Calculator" } },
-  { "Quadrilateral",
+  { "PointOutOfRange",
     [](vtkPolyData* input, vtkHarmonicFieldSolver*) {
-      input->GetPolys()->InsertNextCell({ 0, 1, 2, 3 });
+      input->GetPolys()->InsertNextCell({ 0, 1, 2, 3333 });
     },
-    { "cell 1280", "vtkTriangleFilter" } },
+    { "cell 1280", "point 3333" } },
 };
 
 }

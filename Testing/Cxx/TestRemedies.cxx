@@ -164,22 +164,8 @@ const std::string CutAndTurn =
   "Generate Surface Normals (vtkPolyDataNormals) with Consistency and Splitting on, Feature "
   "Angle 180 and Non-Manifold Traversal off";
 
+/// Refused where Strict is on, and else solved on.
 const BadSurface BadSurfaces[] = {
-  { "Quadrilateral",
-    [] {
-      return Polygons(Square, { { 0, 1, 2, 3 } });
-    },
-    { "cell 0", "4 points", "Triangulate (vtkTriangleFilter)" }, Triangulated },
-  { "Strip",
-    []
-    {
-      const Data data = Polygons(Square, {});
-      vtkNew<vtkCellArray> strips;
-      strips->InsertNextCell({ 0, 1, 3, 2 });
-      vtkPolyData::SafeDownCast(data)->SetStrips(strips);
-      return data;
-    },
-    { "cell 0", "strip", "Triangulate (vtkTriangleFilter)" }, Triangulated },
   { "RepeatedCorner",
     [] {
       return Polygons(Square, { { 0, 1, 2 }, { 0, 2, 2 } });
@@ -227,26 +213,6 @@ const BadSurface BadSurfaces[] = {
     },
     { "cell 0 and cell 2", "same triangle", "Clean Cells to Grid and Extract Surface (vtkRemoveDuplicatePolys)" },
     WithoutDuplicates },
-  { "UnstructuredTriangles",
-    [] {
-      return Grid(VTK_TRIANGLE, { 0, 1, 2 });
-    },
-    { "vtkUnstructuredGrid", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" },
-    ExtractedSurface },
-  { "Tetrahedron",
-    [] {
-      return Grid(VTK_TETRA, { 0, 1, 3, 4 });
-    },
-    { "vtkUnstructuredGrid", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" },
-    ExtractedSurface },
-  { "Image",
-    []
-    {
-      auto image = vtkSmartPointer<vtkImageData>::New();
-      image->SetDimensions(3, 3, 3);
-      return image;
-    },
-    { "vtkImageData", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" }, ExtractedSurface },
 };
 
 }
@@ -260,14 +226,12 @@ TEST_P(Remedy, HelpsTheSurfaceThatNeedsIt)
   const Data input = GetParam().Make();
   PrescribeSides(input);
   const auto solver = NewSolver(input);
+  solver->StrictOn();
   ExpectRefusal(solver, GetParam().Words);
   vtkNew<vtkDirectionalProlongation> prolongation;
   prolongation->SetInputData(input);
+  prolongation->StrictOn();
   ExpectRefusal(prolongation, GetParam().Words);
-  vtkNew<vtkFieldLines> lines;
-  lines->SetInputData(input);
-  lines->SetInputArrayToProcess(0, 0, 0, OnCells, "Given");
-  ExpectRefusal(lines, GetParam().Words);
 
   const Data helped = GetParam().Remedy(input);
   PrescribeSides(helped);
@@ -275,7 +239,67 @@ TEST_P(Remedy, HelpsTheSurfaceThatNeedsIt)
   ExpectOutput(solver);
 }
 
+TEST_P(Remedy, IsNotNeededWithoutStrict)
+{
+  const Data input = GetParam().Make();
+  PrescribeSides(input);
+  const auto solver = NewSolver(input);
+  ExpectOutput(solver);
+  EXPECT_EQ(solver->GetOutput()->GetNumberOfCells(), input->GetNumberOfCells());
+  EXPECT_NE(solver->GetOutput()->GetFieldData()->GetAbstractArray("SurfacePreparation"), nullptr);
+  vtkNew<vtkFieldLines> lines;
+  lines->SetInputConnection(solver->GetOutputPort());
+  ExpectOutput(lines);
+  vtkNew<vtkDirectionalProlongation> prolongation;
+  prolongation->SetInputData(input);
+  ExpectOutput(prolongation);
+}
+
 INSTANTIATE_TEST_SUITE_P(Messages, Remedy, testing::ValuesIn(BadSurfaces),
+  [](const testing::TestParamInfo<BadSurface>& info) { return info.param.Name; });
+
+namespace
+{
+
+const BadSurface Volumes[] = {
+  { "Tetrahedron",
+    [] {
+      return Grid(VTK_TETRA, { 0, 1, 3, 4 });
+    },
+    { "cell 0", "three dimensions", "Extract Surface (vtkGeometryFilter)" }, ExtractedSurface },
+  { "Image",
+    []
+    {
+      auto image = vtkSmartPointer<vtkImageData>::New();
+      image->SetDimensions(3, 3, 3);
+      return image;
+    },
+    { "cell 0", "three dimensions", "Extract Surface (vtkGeometryFilter)" }, ExtractedSurface },
+};
+
+}
+
+class VolumeRemedy : public testing::TestWithParam<BadSurface>
+{
+};
+
+TEST_P(VolumeRemedy, HelpsTheVolumeThatNeedsIt)
+{
+  const Data input = GetParam().Make();
+  PrescribeSides(input);
+  const auto solver = NewSolver(input);
+  ExpectRefusal(solver, GetParam().Words);
+  vtkNew<vtkFieldLines> lines;
+  lines->SetInputData(input);
+  lines->SetInputArrayToProcess(0, 0, 0, OnCells, "Given");
+  ExpectRefusal(lines, GetParam().Words);
+  const Data helped = GetParam().Remedy(input);
+  PrescribeSides(helped);
+  solver->SetInputData(helped);
+  ExpectOutput(solver);
+}
+
+INSTANTIATE_TEST_SUITE_P(Messages, VolumeRemedy, testing::ValuesIn(Volumes),
   [](const testing::TestParamInfo<BadSurface>& info) { return info.param.Name; });
 
 /// Triangles with points of their own, as files of type STL have them.
@@ -292,6 +316,7 @@ TEST(Remedy, CleanMakesASurfaceOfTrianglesThatShareNoPoints)
   }
   const auto input = PolyDataOf(soup);
   vtkNew<vtkHarmonicFieldSolver> solver;
+  solver->JoinPointsOff();
   const Messages messages(solver);
   solver->SetInputData(input);
   solver->Update();
@@ -474,7 +499,7 @@ TEST(Remedy, ExtractedSurfaceHasTheTrianglesThatLinesLack)
   vtkPolyData::SafeDownCast(lines)->SetLines(cells);
   PrescribeSides(lines);
   const auto solver = NewSolver(lines);
-  ExpectRefusal(solver, { "no triangles", "Extract Surface (vtkGeometryFilter)", "Triangulate (vtkTriangleFilter)" });
+  ExpectRefusal(solver, { "no triangles", "Extract Surface (vtkGeometryFilter)" });
   const Data surface = ExtractedSurface(Grid(VTK_TETRA, { 0, 1, 3, 4 }));
   PrescribeSides(surface);
   solver->SetInputData(surface);

@@ -72,7 +72,7 @@ TEST_F(Stages, SameContentInOtherObjectsRepeatsNothing)
   this->Solver->SetInputData(copy);
   this->Solver->Update();
   EXPECT_EQ(CountsOf(this->Solver), (Counts{ 1, 1, 1 }));
-  EXPECT_EQ(this->Solver->GetOutput()->GetPoints(), copy->GetPoints());
+  EXPECT_EQ(this->Solver->GetPolyDataOutput()->GetPoints(), copy->GetPoints());
 }
 
 TEST_F(Stages, AnotherValueOnlySolves)

@@ -61,7 +61,7 @@ TEST(StoredOperators, ChangeNothingWhereTheSolverTakesSamples)
   for (int kind :
     { vtkHarmonicFieldSolver::Automatic, vtkHarmonicFieldSolver::ConjugateGradients, vtkHarmonicFieldSolver::Cholesky })
   {
-    const auto without = NewSolver(bare), with = NewSolver(prolongation->GetOutput()), stale = NewSolver(moved);
+    const auto without = NewSolver(bare), with = NewSolver(prolongation->GetPolyDataOutput()), stale = NewSolver(moved);
     const Messages messages(stale);
     for (vtkHarmonicFieldSolver* solver : { without.Get(), with.Get(), stale.Get() })
     {

@@ -46,7 +46,7 @@ TEST_P(VectorField, ContinuesAConstantRimOverAPlate)
   solver->SetConstraintType(Solver::Hard);
   solver->UnitLengthOff();
   solver->Update();
-  vtkPolyData* const output = solver->GetOutput();
+  vtkPolyData* const output = solver->GetPolyDataOutput();
   for (vtkDataSetAttributes* data : { static_cast<vtkDataSetAttributes*>(output->GetCellData()),
          static_cast<vtkDataSetAttributes*>(output->GetPointData()) })
   {
@@ -213,7 +213,7 @@ TEST_P(VectorField, HasOneDirectionAndNoArraysOfOtherFields)
   const auto crosses = NewSolver(Sphere(), Solver::PowerField);
   crosses->Update();
   ASSERT_TRUE(crosses->GetOutput()->GetCellData()->HasArray("Prescribed"));
-  const auto solver = NewSolver(crosses->GetOutput(), GetParam());
+  const auto solver = NewSolver(crosses->GetPolyDataOutput(), GetParam());
   solver->SetNumberOfDirections(4);
   solver->Update();
   const bool isOneForm = GetParam() == Solver::OneForm;

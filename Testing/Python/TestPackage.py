@@ -11,8 +11,8 @@ import unittest
 import warnings
 
 import numpy as np
-from vtkmodules.vtkCommonDataModel import vtkPolyData
-from vtkmodules.vtkFiltersSources import vtkLineSource, vtkPlaneSource, vtkSphereSource
+from vtkmodules.vtkCommonDataModel import VTK_TETRA, vtkPolyData
+from vtkmodules.vtkFiltersSources import vtkCellTypeSource, vtkLineSource, vtkSphereSource
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
@@ -33,9 +33,11 @@ def run(code):
     return done.stdout, done.stderr
 
 
-def quad():
-    """A square of one cell, which is no triangle."""
-    mesh = vtkPlaneSource()
+def tetrahedron():
+    """A cell of three dimensions, which is no surface."""
+    mesh = vtkCellTypeSource()
+    mesh.SetCellType(VTK_TETRA)
+    mesh.SetBlocksDimensions(1, 1, 1)
     mesh.Update()
     return mesh.GetOutput()
 
@@ -166,7 +168,7 @@ class SmoothField(unittest.TestCase):
                 (FieldError, "no array 'Given'", {"Directions": "Given"})):
             with self.subTest(arguments=arguments), self.assertRaisesRegex(error, text):
                 smooth_field(mesh, **arguments)
-        with self.assertRaisesRegex(TypeError, "extract its surface"):
+        with self.assertRaisesRegex(TypeError, "no vtkDataSet"):
             smooth_field("mesh.vtp")
 
     def test_a_mesh_of_another_vtk_is_told_apart(self):
@@ -179,8 +181,8 @@ class SmoothField(unittest.TestCase):
 
     def test_what_the_filter_reports_is_raised(self):
         with self.assertRaises(FieldError) as caught:
-            smooth_field(quad())
-        self.assertRegex(str(caught.exception), r"\A.*cell 0.*triangle.*\Z")  # one line, without address or file
+            smooth_field(tetrahedron())
+        self.assertRegex(str(caught.exception), r"\A.*cell 0.*three dimensions.*\Z")  # one line, without address or file
         self.assertNotIn("0x", str(caught.exception))
 
     def test_what_the_filter_warns_of_is_a_warning_at_the_call(self):
@@ -191,7 +193,7 @@ class SmoothField(unittest.TestCase):
 
     def test_nothing_goes_to_standard_error(self):
         _, messages = run("from TestPackage import *\n"
-                          "for call in (lambda: smooth_field(quad()), lambda: update(vtkHarmonicFieldSolver())):\n"
+                          "for call in (lambda: smooth_field(tetrahedron()), lambda: update(vtkHarmonicFieldSolver())):\n"
                           "    try:\n        call()\n    except FieldError:\n        continue\n"
                           "    raise AssertionError\n")
         self.assertEqual(messages, "")
@@ -212,9 +214,9 @@ class Update(unittest.TestCase):
         for _ in range(2):
             with self.assertRaisesRegex(FieldError, "Input port 0"):
                 update(solver)
-        solver.SetInputData(quad())
+        solver.SetInputData(tetrahedron())
         for _ in range(2):
-            with self.assertRaisesRegex(FieldError, "triangle"):
+            with self.assertRaisesRegex(FieldError, "three dimensions"):
                 update(solver)
         solver.SetInputData(torus(20, 10))
         self.assertEqual(update(solver).GetNumberOfCells(), 400)

@@ -3,7 +3,7 @@
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
-#include "vtkPolyData.h"
+#include "vtkDataSet.h"
 
 #include <cmath>
 #include <limits>
@@ -46,7 +46,8 @@ DirectionReader ReaderOf(const ConstraintArrays& arrays, const FramedSurface& su
   }
   return [&surface, components, onPoints = arrays.OnPoints](vtkIdType element, const double* numbers) -> Vector3
   {
-    const int place = onPoints ? surface.Numbering.VertexOf(element) : surface.Numbering.FaceOf(element);
+    const ElementRow row = onPoints ? surface.Relation.VerticesOf(element) : surface.Relation.FacesOf(element);
+    const int place = row.empty() ? -1 : row.front();
     const Eigen::Matrix3d tensor = TensorOf(numbers, components);
     return place < 0       ? Vector3(Vector3::Zero())
       : tensor.allFinite() ? PrincipalDirection(tensor, onPoints ? surface.On.Vertices : surface.On.Faces, place)
@@ -58,15 +59,23 @@ Constraints DirectionsOnSurface(ConstraintArrays arrays, const FramedSurface& su
 {
   Constraints directions;
   arrays.DirectionOf = ReaderOf(arrays, surface);
-  const SurfaceNumbering& numbering = surface.Numbering;
-  const auto elementOf = [&](vtkIdType element)
-  { return arrays.OnPoints ? numbering.VertexOf(element) : numbering.FaceOf(element); };
+  const SurfaceRelation& relation = surface.Relation;
+  const auto elementsOf = [&](vtkIdType element)
+  {
+    return arrays.OnPoints                ? relation.VerticesOf(element)
+      : relation.IsPartOfSurface(element) ? relation.FacesOf(element)
+                                          : ElementRow();
+  };
   std::vector<Constraint>& constraints = arrays.OnPoints ? directions.AtVertices : directions.OnFaces;
   Add(unusable,
     VisitPrescribed(
-      arrays, [&](vtkIdType element) { return elementOf(element) >= 0; },
-      [&](const ElementDirection& given) {
-        constraints.push_back({ elementOf(given.Element), given.Vector, given.Weight });
+      arrays, [&](vtkIdType element) { return !elementsOf(element).empty(); },
+      [&](const ElementDirection& given)
+      {
+        for (const int element : elementsOf(given.Element))
+        {
+          constraints.push_back({ element, given.Vector, given.Weight });
+        }
       }));
   Add(unusable, LeaveOutUnusable(directions, surface.On));
   return directions;
@@ -75,7 +84,7 @@ Constraints DirectionsOnSurface(ConstraintArrays arrays, const FramedSurface& su
 /// Values at points: where the mask is not zero, or, without a mask, where they are numbers; with weights, where those are
 /// not zero, too.
 std::vector<ValueConstraint> ValuesOnSurface(
-  const ConstraintChoices& choices, vtkPolyData* surface, const SurfaceNumbering& numbering)
+  const ConstraintChoices& choices, vtkDataSet* surface, const SurfaceRelation& relation)
 {
   std::vector<ValueConstraint> prescribed;
   const ChosenArray values = FindArray(choices.Values, surface, 1, "values", "the surface");
@@ -95,12 +104,14 @@ std::vector<ValueConstraint> ValuesOnSurface(
   }
   for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
   {
-    const int vertex = numbering.VertexOf(point);
     const double value = values.Array->GetComponent(point, 0);
     const double weight = weights.Array ? weights.Array->GetComponent(point, 0) : 1.0;
-    if (vertex >= 0 && weight != 0.0 && (mask.Array ? mask.Array->GetComponent(point, 0) != 0.0 : !std::isnan(value)))
+    if (weight != 0.0 && (mask.Array ? mask.Array->GetComponent(point, 0) != 0.0 : !std::isnan(value)))
     {
-      prescribed.push_back({ vertex, value, weight });
+      for (const int vertex : relation.VerticesOf(point))
+      {
+        prescribed.push_back({ vertex, value, weight });
+      }
     }
   }
   return prescribed;
@@ -120,10 +131,10 @@ std::string TextOf(const UnusableDirections& unusable)
 }
 
 Constraints ConstraintsFromArrays(
-  const ConstraintChoices& choices, vtkPolyData* input, const FramedSurface& surface, UnusableDirections& unusable)
+  const ConstraintChoices& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable)
 {
   Constraints constraints;
-  std::vector<ValueConstraint> values = ValuesOnSurface(choices, input, surface.Numbering);
+  std::vector<ValueConstraint> values = ValuesOnSurface(choices, input, surface.Relation);
   // Mask and weights are those of the values otherwise.
   if (!HasArray(choices.Values, input) || HasArray(choices.Vectors, input))
   {
@@ -134,7 +145,7 @@ Constraints ConstraintsFromArrays(
 }
 
 RotationAngles RotationFromArray(
-  const ArrayChoice& choice, double degrees, vtkPolyData* input, const FramedSurface& surface)
+  const ArrayChoice& choice, double degrees, vtkDataSet* input, const FramedSurface& surface)
 {
   constexpr double Degree = Pi / 180.0;
   RotationAngles angles;
@@ -151,7 +162,7 @@ RotationAngles RotationFromArray(
   {
     if (chosen.OnPoints)
     {
-      angles.Vertices[vertex] = Degree * chosen.Array->GetComponent(surface.Numbering.PointOf(vertex), 0);
+      angles.Vertices[vertex] = Degree * chosen.Array->GetComponent(surface.Relation.PointOf(vertex), 0);
       mesh.VisitFan(
         vertex, [&](int halfedge) { angles.Faces[TriangleMesh::FaceOf(halfedge)] += angles.Vertices[vertex] / 3.0; });
       continue;
@@ -160,7 +171,7 @@ RotationAngles RotationFromArray(
     mesh.VisitFan(vertex,
       [&](int halfedge)
       {
-        const vtkIdType cell = surface.Numbering.CellOf(TriangleMesh::FaceOf(halfedge));
+        const vtkIdType cell = surface.Relation.CellOf(TriangleMesh::FaceOf(halfedge));
         angles.Vertices[vertex] += Degree * chosen.Array->GetComponent(cell, 0);
         ++faces;
       });
@@ -168,7 +179,7 @@ RotationAngles RotationFromArray(
   }
   for (int face = 0; !chosen.OnPoints && face < mesh.NumberOfFaces(); ++face)
   {
-    angles.Faces[face] = Degree * chosen.Array->GetComponent(surface.Numbering.CellOf(face), 0);
+    angles.Faces[face] = Degree * chosen.Array->GetComponent(surface.Relation.CellOf(face), 0);
   }
   return angles;
 }

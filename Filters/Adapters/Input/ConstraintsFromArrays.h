@@ -2,12 +2,12 @@
 #define dmgConstraintsFromArrays_h
 
 #include "Adapters/Input/ChosenArrays.h"
-#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
 #include "Constraints/Constraints.h"
 
 #include <string>
 
-class vtkPolyData;
+class vtkDataSet;
 
 namespace dmg
 {
@@ -23,7 +23,7 @@ namespace dmg
 /// \throw InvalidInput as FindArrays and VisitPrescribed.
 /// Cost: linear.
 Constraints ConstraintsFromArrays(
-  const ConstraintChoices& choices, vtkPolyData* input, const FramedSurface& surface, UnusableDirections& unusable);
+  const ConstraintChoices& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable);
 
 /// One sentence: the directions that are left out, and what helps.
 std::string TextOf(const UnusableDirections& unusable);
@@ -32,7 +32,7 @@ std::string TextOf(const UnusableDirections& unusable);
 /// that they touch.
 /// \throw InvalidInput as FindArray.
 RotationAngles RotationFromArray(
-  const ArrayChoice& choice, double degrees, vtkPolyData* input, const FramedSurface& surface);
+  const ArrayChoice& choice, double degrees, vtkDataSet* input, const FramedSurface& surface);
 
 }
 

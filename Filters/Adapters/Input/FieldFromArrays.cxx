@@ -1,19 +1,21 @@
 #include "Adapters/Input/FieldFromArrays.h"
 
 #include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 #include "Operators/SignFlips.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkPointData.h"
-#include "vtkPolyData.h"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cmath>
@@ -47,7 +49,7 @@ std::string NameOf(vtkDataArray* array)
   return array->GetName() ? array->GetName() : "(without a name)";
 }
 
-ChosenVectors DefaultVectors(vtkPolyData* surface)
+ChosenVectors DefaultVectors(vtkDataSet* surface)
 {
   vtkDataSetAttributes* const cells = surface->GetCellData();
   vtkDataSetAttributes* const points = surface->GetPointData();
@@ -64,7 +66,7 @@ ChosenVectors DefaultVectors(vtkPolyData* surface)
                      "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
 }
 
-ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
+ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
 {
   vtkInformation* const choice = algorithm->GetInputArrayInformation(0);
   const bool byName = choice->Has(vtkDataObject::FIELD_NAME());
@@ -104,7 +106,7 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkPolyData* surface)
 }
 
 /// \throw InvalidInput there is not a tuple for every element.
-void CheckTuples(vtkDataArray* array, vtkPolyData* surface, bool isOnPoints)
+void CheckTuples(vtkDataArray* array, vtkDataSet* surface, bool isOnPoints)
 {
   const vtkIdType elements = isOnPoints ? surface->GetNumberOfPoints() : surface->GetNumberOfCells();
   if (array->GetNumberOfTuples() < elements)
@@ -115,7 +117,7 @@ void CheckTuples(vtkDataArray* array, vtkPolyData* surface, bool isOnPoints)
   }
 }
 
-ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
+ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkDataSet* surface)
 {
   const ChosenVectors chosen = FindVectors(algorithm, surface);
   if (!chosen.Array || (chosen.Array->GetNumberOfComponents() != 3 && !HoldsTensors(chosen.Array)))
@@ -139,7 +141,7 @@ ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkPolyData* surface)
 }
 
 /// The number of directions that an array stands for, by its name.
-int NumberOfDirections(vtkPolyData* surface, const ChosenVectors& chosen)
+int NumberOfDirections(vtkDataSet* surface, const ChosenVectors& chosen)
 {
   const std::string name = NameOf(chosen.Array);
   if (name == ArrayNames::MaximumDirection || name == ArrayNames::MinimumDirection || HoldsTensors(chosen.Array))
@@ -223,7 +225,7 @@ Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int
 }
 
 /// Refuses arrays Direction1, ... that are not Direction0, turned.
-void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const TangentFrames& frames,
+void CheckSiblings(vtkDataSet* input, const SurfaceMesh& surface, const TangentFrames& frames,
   const Vector<Complex>& first, int N, const ExecutionContext& context)
 {
   for (int k = 1; k < N; ++k)
@@ -254,21 +256,21 @@ void CheckSiblings(vtkPolyData* input, const SurfaceMesh& surface, const Tangent
           }
         }
       });
-    for (int polygon = 0; !areTurned && polygon < first.size(); ++polygon)
+    for (vtkIdType cell = 0; !areTurned && cell < input->GetNumberOfCells(); ++cell)
     {
-      if (!isTurned(surface.Faces[polygon]))
+      const ElementRow faces = surface.FacesOf(cell);
+      if (!std::all_of(faces.begin(), faces.end(), isTurned))
       {
         throw InvalidInput("the vectors Direction0 and " + ArrayNames::Direction(k) + " of cell " +
-          std::to_string(surface.FirstCell + polygon) + " are not " + std::to_string(360 * k / N) +
-          " degrees apart, as those of a field of " + std::to_string(N) +
-          " directions are; draw one array at a time, with 1 as Number Of Directions");
+          std::to_string(cell) + " are not " + std::to_string(360 * k / N) + " degrees apart, as those of a field of " +
+          std::to_string(N) + " directions are; draw one array at a time, with 1 as Number Of Directions");
       }
     }
   }
 }
 
 /// Whether an array shows a power field at points, whose singularities stand on cells.
-bool IsFieldAtPoints(vtkPolyData* input, const ChosenVectors& chosen)
+bool IsFieldAtPoints(vtkDataSet* input, const ChosenVectors& chosen)
 {
   vtkDataArray* const atPoints = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
   return NameOf(chosen.Array) == ArrayNames::Direction(0) && atPoints && atPoints->GetNumberOfComponents() == 3 &&
@@ -276,7 +278,7 @@ bool IsFieldAtPoints(vtkPolyData* input, const ChosenVectors& chosen)
 }
 
 /// The values at the points.
-void ReadFieldAtPoints(vtkPolyData* input, SurfaceWithField& given, const ExecutionContext& context)
+void ReadFieldAtPoints(vtkDataSet* input, SurfaceWithField& given, const ExecutionContext& context)
 {
   const FramedMesh framed(given.Surface.Mesh, context);
   vtkDataArray* const array = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
@@ -313,7 +315,7 @@ void CheckSign(vtkAlgorithm* algorithm, const ChosenVectors& chosen, const Trian
 
 }
 
-SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* input, int N, const ExecutionContext& context)
+SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, const ExecutionContext& context)
 {
   const ChosenVectors chosen = ReadChoice(algorithm, input);
   const int numberByName = NumberOfDirections(input, chosen);
@@ -324,7 +326,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* input, int N, c
     throw InvalidInput("array '" + NameOf(chosen.Array) +
       "' holds tensors, whose principal directions have no sign; choose 2 or 4 as Number Of Directions");
   }
-  SurfaceMesh surface = MeshFromPolyData(input, Numbering::Spatial, context);
+  SurfaceMesh surface = MeshFromDataSet(input, PreparationOf(input), context);
   const TriangleMesh& mesh = surface.Mesh;
   TangentFrames frames = FaceFrames(mesh, context);
   context.Checkpoint(0.5);
@@ -372,7 +374,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* input, int N, c
 }
 
 Points ReferenceVectors(
-  const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh, const Vector3& otherwise)
+  const ArrayChoice& choice, vtkDataSet* surface, const SurfaceMesh& mesh, const Vector3& otherwise)
 {
   Points references(mesh.Mesh.NumberOfFaces(), 3);
   references.rowwise() = otherwise.transpose();

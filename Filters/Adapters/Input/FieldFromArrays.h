@@ -4,14 +4,15 @@
 #include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
-#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
+#include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/VertexConnection.h"
 #include "Support/ExecutionContext.h"
 
+#include "vtkDataSet.h"
 #include "vtkInformationVector.h"
-#include "vtkPolyData.h"
 
 #include <initializer_list>
 #include <memory>
@@ -41,16 +42,16 @@ struct SurfaceWithField
 ///
 /// \param N of the field; 0: as many as there are arrays Direction0, Direction1, ... where Direction0 is chosen, 2 for
 /// principal directions and tensors, and 1 for any other array.
-/// \throw InvalidInput what MeshFromPolyData refuses; a chosen array that is not there or does not hold vectors; a
+/// \throw InvalidInput what MeshFromDataSet refuses; a chosen array that is not there or does not hold vectors; a
 /// vector that is not finite; no direction on any triangle; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.
-SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkPolyData* surface, int N, const ExecutionContext& context);
+SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* surface, int N, const ExecutionContext& context);
 
 /// The vectors of an array, one for each face of the mesh; of points, the mean over the corners.
 /// \param otherwise the Axis: the vector of all faces where no array is chosen.
 /// \throw InvalidInput as FindArray; a vector is not finite; \p otherwise is zero where it is taken.
 Points ReferenceVectors(
-  const ArrayChoice& choice, vtkPolyData* surface, const SurfaceMesh& mesh, const Vector3& otherwise);
+  const ArrayChoice& choice, vtkDataSet* surface, const SurfaceMesh& mesh, const Vector3& otherwise);
 
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.
@@ -65,8 +66,7 @@ int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVe
     {
       CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });
       CheckRanges(others);
-      const SurfaceWithField field =
-        ReadField(algorithm, vtkPolyData::GetData(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
+      const SurfaceWithField field = ReadField(algorithm, SurfaceOf(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
       draw(field, PartOfContext(context, 0.3, 1.0));
     });
 }

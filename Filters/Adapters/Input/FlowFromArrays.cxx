@@ -4,7 +4,7 @@
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
-#include "vtkPolyData.h"
+#include "vtkDataSet.h"
 
 #include <algorithm>
 #include <functional>
@@ -44,12 +44,12 @@ Points OnFaces(
       const int vertex = mesh.FaceCorners()(face, corner);
       centre += mesh.Position(vertex) / 3.0;
       sum +=
-        onPoints ? Vector3(vectorAt(surface.Numbering.PointOf(vertex), mesh.Position(vertex)) / 3.0) : Vector3::Zero();
+        onPoints ? Vector3(vectorAt(surface.Relation.PointOf(vertex), mesh.Position(vertex)) / 3.0) : Vector3::Zero();
     }
-    vectors.row(face) = (onPoints ? sum : vectorAt(surface.Numbering.CellOf(face), centre)).transpose();
+    vectors.row(face) = (onPoints ? sum : vectorAt(surface.Relation.CellOf(face), centre)).transpose();
     if (!vectors.row(face).allFinite())
     {
-      wrong = std::min(wrong, static_cast<vtkIdType>(surface.Numbering.CellOf(face)));
+      wrong = std::min(wrong, static_cast<vtkIdType>(surface.Relation.CellOf(face)));
     }
   }
   if (wrong < std::numeric_limits<vtkIdType>::max())
@@ -62,7 +62,7 @@ Points OnFaces(
 
 }
 
-Points FlowVectors(vtkAlgorithm* algorithm, vtkPolyData* input, const FramedSurface& surface, const Vector3& axis)
+Points FlowVectors(vtkAlgorithm* algorithm, vtkDataSet* input, const FramedSurface& surface, const Vector3& axis)
 {
   const std::string whose = "the surface";
   if (const ChosenArray eastward = FindArray(ChoiceOf(algorithm, 1), input, 1, "eastward component", whose);

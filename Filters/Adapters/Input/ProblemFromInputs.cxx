@@ -4,8 +4,8 @@
 #include "Adapters/Input/GuideDataSets.h"
 #include "Support/Errors.h"
 
+#include "vtkDataSet.h"
 #include "vtkHarmonicFieldSolver.h"
-#include "vtkPolyData.h"
 
 namespace dmg
 {

@@ -6,8 +6,8 @@
 #include "Adapters/Surface/SolverOfSurface.h"
 #include "FieldProblem.h"
 
+class vtkDataSet;
 class vtkHarmonicFieldSolver;
-class vtkPolyData;
 
 namespace dmg
 {
@@ -15,7 +15,7 @@ namespace dmg
 /// The inputs of a filter.
 struct FieldInputs
 {
-  vtkPolyData* Surface;
+  vtkDataSet* Surface;
   GuideInput Guides;
   dmg::Singularities Singularities;
 };

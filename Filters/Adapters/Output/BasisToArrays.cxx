@@ -12,8 +12,8 @@
 namespace dmg
 {
 
-BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, Eigen::MatrixXd known, vtkPolyData* input, const ExecutionContext& context)
+BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceRelation& surface,
+  const Discretisation& discretisation, Eigen::MatrixXd known, vtkDataSet* input, const ExecutionContext& context)
 {
   context.Checkpoint(0.0);
   const int fields = discretisation.NumberOfHarmonicFields();
@@ -28,7 +28,7 @@ BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceNumbering& su
     known = discretisation.HarmonicFields(nullptr, PartOfContext(context, 0.0, 0.6));
   }
   const Eigen::MatrixXd basis = discretisation.HarmonicBasis(std::move(known), PartOfContext(context, 0.6, 0.9));
-  const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
+  const auto cells = ArraysOfCells(framed.Mesh, surface, input, arrays.Cells, context);
   for (int k = 0; k < fields; ++k)
   {
     context.Checkpoint(0.9 + 0.1 * k / fields);
@@ -44,7 +44,7 @@ BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceNumbering& su
   return arrays;
 }
 
-void AddBasisArrays(const BasisArrays& arrays, vtkPolyData* surface, vtkPolyData* edges)
+void AddBasisArrays(const BasisArrays& arrays, vtkDataSet* surface, vtkPolyData* edges)
 {
   const auto add = [](vtkFieldData* from, vtkFieldData* to)
   {
@@ -65,7 +65,7 @@ void AddBasisSize(const BasisArrays& arrays, vtkFieldData* fieldData)
   AddHidden(fieldData, size);
 }
 
-void RemoveBasis(vtkPolyData* surface)
+void RemoveBasis(vtkDataSet* surface)
 {
   vtkCellData* const cells = surface->GetCellData();
   for (int i = cells->GetNumberOfArrays() - 1; i >= 0; --i)

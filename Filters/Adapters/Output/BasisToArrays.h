@@ -1,10 +1,11 @@
 #ifndef dmgBasisToArrays_h
 #define dmgBasisToArrays_h
 
-#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
 #include "Discretisations/Discretisation.h"
 #include "Support/ExecutionContext.h"
 
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -27,20 +28,20 @@ struct BasisArrays
 
 /// \pre discretisation.HasHarmonicFields()
 /// \param known harmonic fields of this discretisation (FieldSolver::HarmonicFields); without columns they are computed.
-/// \param input the surface as vtkPolyData.
+/// \param input the surface as a dataset.
 /// \throw SolverFailure as HarmonicForms and HarmonicBasisOfForms.
 /// \throw Cancelled
-BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, Eigen::MatrixXd known, vtkPolyData* input, const ExecutionContext& context);
+BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceRelation& surface,
+  const Discretisation& discretisation, Eigen::MatrixXd known, vtkDataSet* input, const ExecutionContext& context);
 
 /// Adds the arrays to the cells of the surface and of its edges.
-void AddBasisArrays(const BasisArrays& arrays, vtkPolyData* surface, vtkPolyData* edges);
+void AddBasisArrays(const BasisArrays& arrays, vtkDataSet* surface, vtkPolyData* edges);
 
 /// Adds the number of arrays to \p fieldData.
 void AddBasisSize(const BasisArrays& arrays, vtkFieldData* fieldData);
 
 /// Takes away the basis that an earlier solver left, of any size.
-void RemoveBasis(vtkPolyData* surface);
+void RemoveBasis(vtkDataSet* surface);
 
 }
 

@@ -3,6 +3,7 @@
 #include "Adapters/Surface/ElementArrays.h"
 
 #include "vtkCellData.h"
+#include "vtkDataSet.h"
 #include "vtkPointData.h"
 
 namespace dmg
@@ -11,20 +12,28 @@ namespace dmg
 namespace
 {
 
+void AddDirection(
+  const ArraysOfCells& cells, const std::string& name, const TangentFrames& frames, const Vector<Complex>& directions)
+{
+  cells.AddDirection(name, frames, directions, 2);
+}
+
+void AddDirection(
+  const ArraysOfPoints& points, const std::string& name, const TangentFrames& frames, const Vector<Complex>& directions)
+{
+  Points vectors(frames.X.rows(), 3);
+  for (int vertex = 0; vertex < vectors.rows(); ++vertex)
+  {
+    vectors.row(vertex) = frames.ToVector(vertex, directions[vertex]).transpose();
+  }
+  points.Add(name, 3, vectors.data());
+}
+
 template <class Arrays>
 void AddTo(const Arrays& arrays, const TangentFrames& frames, const PrincipalCurvatures& curvatures)
 {
-  const auto turned = [&](Complex turn)
-  {
-    Points vectors(frames.X.rows(), 3);
-    for (int element = 0; element < vectors.rows(); ++element)
-    {
-      vectors.row(element) = frames.ToVector(element, turn * curvatures.MaximumDirections[element]).transpose();
-    }
-    return vectors;
-  };
-  arrays.Add(ArrayNames::MaximumDirection, 3, turned(1.0).data());
-  arrays.Add(ArrayNames::MinimumDirection, 3, turned(Complex(0.0, 1.0)).data());
+  AddDirection(arrays, ArrayNames::MaximumDirection, frames, curvatures.MaximumDirections);
+  AddDirection(arrays, ArrayNames::MinimumDirection, frames, Complex(0.0, 1.0) * curvatures.MaximumDirections);
   arrays.Add(ArrayNames::MaximumCurvature, 1, curvatures.Maximum.data());
   arrays.Add(ArrayNames::MinimumCurvature, 1, curvatures.Minimum.data());
   arrays.Add(ArrayNames::Confidence, 1, curvatures.Confidence.data());
@@ -32,13 +41,14 @@ void AddTo(const Arrays& arrays, const TangentFrames& frames, const PrincipalCur
 
 }
 
-void AddCurvatures(const FramedSurface& surface, const PrincipalDirections& curvatures, vtkPolyData* input,
-  vtkPolyData* output, const ExecutionContext& context)
+void AddCurvatures(const FramedSurface& surface, const PrincipalDirections& curvatures, vtkDataSet* input,
+  vtkDataSet* output, const ExecutionContext& context)
 {
-  AddTo(ArraysOfCells(surface.Numbering, input, output->GetCellData(), context), surface.On.Faces, curvatures.Faces);
+  AddTo(ArraysOfCells(surface.On.Mesh, surface.Relation, input, output->GetCellData(), context), surface.On.Faces,
+    curvatures.Faces);
   context.Checkpoint(0.5);
-  AddTo(ArraysOfPoints(surface.Numbering, input, output->GetPointData(), context), surface.On.Vertices,
-    curvatures.Vertices);
+  AddTo(
+    ArraysOfPoints(surface.Relation, input, output->GetPointData(), context), surface.On.Vertices, curvatures.Vertices);
   context.Checkpoint(1.0);
 }
 

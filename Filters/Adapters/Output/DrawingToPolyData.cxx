@@ -296,7 +296,7 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
   const int N = given.Field.N();
   struct Cut
   {
-    vtkIdType From, To; // as the line runs: from its smaller to its larger point
+    int From, To; // the vertices, as the line runs: from its smaller to its larger point
     int Jump;
     double Turning;
     int Edge;
@@ -306,15 +306,21 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
   {
     const int edge = topology.Cuts[i];
     const int h = surface.Mesh.HalfedgeOf(edge);
-    const vtkIdType tail = surface.PointOf(surface.Mesh.Tail(h));
-    const vtkIdType head = surface.PointOf(surface.Mesh.Head(h));
-    const bool isAlong = tail < head;
-    cuts.push_back({ std::min(tail, head), std::max(tail, head), isAlong ? topology.Jumps[i] : N - topology.Jumps[i],
+    const int tail = surface.Mesh.Tail(h);
+    const int head = surface.Mesh.Head(h);
+    const bool isAlong = surface.PointOf(tail) < surface.PointOf(head);
+    cuts.push_back({ isAlong ? tail : head, isAlong ? head : tail, isAlong ? topology.Jumps[i] : N - topology.Jumps[i],
       (isAlong ? 1.0 : -1.0) * topology.Turning[edge], edge });
   }
   std::sort(cuts.begin(), cuts.end(),
-    [](const Cut& a, const Cut& b) { return std::pair(a.From, a.To) < std::pair(b.From, b.To); });
-  std::map<vtkIdType, vtkIdType> numbers; // of the ends, in the output
+    [&surface](const Cut& a, const Cut& b)
+    {
+      const auto ends = [&surface](const Cut& cut) {
+        return std::array{ surface.PointOf(cut.From), surface.PointOf(cut.To), cut.From, cut.To };
+      };
+      return ends(a) < ends(b);
+    });
+  std::map<int, vtkIdType> numbers; // of the ends, in the output
   std::vector<Vector3> positions;
   std::vector<int> jumps;
   std::vector<double> turnings;
@@ -323,12 +329,12 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
   {
     vtkIdType ends[2];
     int at = 0;
-    for (const vtkIdType point : { cut.From, cut.To })
+    for (const int vertex : { cut.From, cut.To })
     {
-      const auto [found, isNew] = numbers.emplace(point, positions.size());
+      const auto [found, isNew] = numbers.emplace(vertex, positions.size());
       if (isNew)
       {
-        positions.push_back(surface.Mesh.Position(surface.VertexOf(point)));
+        positions.push_back(surface.Mesh.Position(vertex));
       }
       ends[at++] = found->second;
     }

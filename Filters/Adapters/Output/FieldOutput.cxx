@@ -2,6 +2,7 @@
 
 #include "Adapters/Output/ReportToArrays.h"
 
+#include "vtkDataSet.h"
 #include "vtkPolyData.h"
 
 namespace dmg
@@ -18,7 +19,7 @@ void FieldOutput::SetSurface(const SolverOfSurface& surface)
 }
 
 void FieldOutput::MakeArrays(
-  const SolverOfSurface& surface, const dmg::Field& field, vtkPolyData* input, const ExecutionContext& context)
+  const SolverOfSurface& surface, const dmg::Field& field, vtkDataSet* input, const ExecutionContext& context)
 {
   this->SetSurface(surface);
   if (!this->Arrays || this->Field != field.Number || this->HasUnitLength != field.HasUnitLength)
@@ -27,13 +28,13 @@ void FieldOutput::MakeArrays(
     const SolvedField& solved = surface.Solver().Solved();
     this->Arrays.reset(); // the memory of another field first
     this->Arrays =
-      MakeFieldArrays(framed.On, framed.Numbering, solved.Field(), solved.Unknowns(), field, input, context);
+      MakeFieldArrays(framed.On, framed.Relation, solved.Field(), solved.Unknowns(), field, input, context);
     this->Field = field.Number;
     this->HasUnitLength = field.HasUnitLength;
   }
 }
 
-bool FieldOutput::MakeBasis(const SolverOfSurface& surface, vtkPolyData* input, const ExecutionContext& context)
+bool FieldOutput::MakeBasis(const SolverOfSurface& surface, vtkDataSet* input, const ExecutionContext& context)
 {
   this->SetSurface(surface);
   const SolvedField& solved = surface.Solver().Solved();
@@ -44,16 +45,16 @@ bool FieldOutput::MakeBasis(const SolverOfSurface& surface, vtkPolyData* input, 
   const FramedSurface framed = surface.Surface();
   this->BasisOfSurface.reset(); // the memory of another discretisation first
   this->BasisOfSurface =
-    MakeBasisArrays(framed.On, framed.Numbering, solved.Field(), solved.HarmonicFields(), input, context);
+    MakeBasisArrays(framed.On, framed.Relation, solved.Field(), solved.HarmonicFields(), input, context);
   return true;
 }
 
 void FieldOutput::AddArraysTo(
-  const SolverOfSurface& surface, bool hasBasis, vtkPolyData* output, vtkPolyData* edges) const
+  const SolverOfSurface& surface, bool hasBasis, vtkDataSet* output, vtkPolyData* edges) const
 {
   const SolvedField& solved = surface.Solver().Solved();
   AddFieldArrays(*this->Arrays, output, edges);
-  AddPrescribed(surface.Surface().Numbering, solved.Constraints(), solved.Field().Elements(), output, edges);
+  AddPrescribed(surface.Surface().Relation, solved.Constraints(), solved.Field().Elements(), output, edges);
   if (hasBasis)
   {
     AddBasisArrays(this->Basis(), output, edges);

@@ -9,6 +9,7 @@
 #include <optional>
 
 class vtkFieldData;
+class vtkDataSet;
 class vtkPolyData;
 
 namespace dmg
@@ -21,13 +22,13 @@ class FieldOutput
 public:
   /// The arrays of a field, where they are not those that stand.
   void MakeArrays(
-    const SolverOfSurface& surface, const Field& field, vtkPolyData* input, const ExecutionContext& context);
+    const SolverOfSurface& surface, const Field& field, vtkDataSet* input, const ExecutionContext& context);
   /// The harmonic fields. \return whether they were made, rather than kept.
-  bool MakeBasis(const SolverOfSurface& surface, vtkPolyData* input, const ExecutionContext& context);
+  bool MakeBasis(const SolverOfSurface& surface, vtkDataSet* input, const ExecutionContext& context);
   const BasisArrays& Basis() const { return *this->BasisOfSurface; }
 
   /// \param hasBasis whether the harmonic fields come along.
-  void AddArraysTo(const SolverOfSurface& surface, bool hasBasis, vtkPolyData* output, vtkPolyData* edges) const;
+  void AddArraysTo(const SolverOfSurface& surface, bool hasBasis, vtkDataSet* output, vtkPolyData* edges) const;
   /// Sizes, cost and convergence.
   void AddReportTo(const SolverOfSurface& surface, const Field& field, bool hasBasis, vtkFieldData* data) const;
 

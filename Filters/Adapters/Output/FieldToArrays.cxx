@@ -2,15 +2,16 @@
 
 #include "Adapters/Output/BasisToArrays.h"
 #include "Adapters/Surface/ElementArrays.h"
+#include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Discretisations/MakeDiscretisation.h"
 #include "Operators/PowerFieldDirections.h"
-#include "Support/Permutations.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 
 #include <algorithm>
 #include <utility>
@@ -24,21 +25,21 @@ namespace
 constexpr int LargestN = 8;
 
 /// The edges as lines, without points, with the angle by which the field turns across each.
-vtkSmartPointer<vtkPolyData> MakeEdges(const TriangleMesh& mesh, const SurfaceNumbering& surface,
+vtkSmartPointer<vtkPolyData> MakeEdges(const TriangleMesh& mesh, const SurfaceRelation& surface,
   const Vector<double>& turnings, const ExecutionContext& context)
 {
   constexpr int Grain = 8192;
-  const vtkIdType numberOfEdges = mesh.NumberOfEdges();
+  const vtkIdType numberOfEdges = static_cast<vtkIdType>(surface.Edges().size());
   vtkNew<vtkIdTypeArray> ends;
   ends->SetNumberOfValues(2 * numberOfEdges);
   vtkIdType* const points = ends->GetPointer(0);
-  context.ParallelFor(0, mesh.NumberOfEdges(), Grain,
+  context.ParallelFor(0, static_cast<int>(numberOfEdges), Grain,
     [&](int first, int last)
     {
       for (vtkIdType line = first; line < last; ++line)
       {
-        const auto [a, b] = mesh.EdgeVertices(surface.Edges[line]);
-        const auto [smaller, larger] = std::minmax({ surface.PointOf(a), surface.PointOf(b) });
+        const auto [a, b] = mesh.EdgeVertices(surface.Edges()[line]);
+        const auto [smaller, larger] = std::minmax<vtkIdType>({ surface.PointOf(a), surface.PointOf(b) });
         points[2 * line] = smaller;
         points[2 * line + 1] = larger;
       }
@@ -73,16 +74,16 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
 
 }
 
-FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, const Vector<double>& unknowns, const Field& field, vtkPolyData* input,
+FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceRelation& surface,
+  const Discretisation& discretisation, const Vector<double>& unknowns, const Field& field, vtkDataSet* input,
   const ExecutionContext& context)
 {
   FieldArrays arrays{ vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New(),
     MakeEdges(framed.Mesh, surface, field.Turning, context) };
-  const auto cells = ArraysOfCells(surface, input, arrays.Cells, context);
+  const auto cells = ArraysOfCells(framed.Mesh, surface, input, arrays.Cells, context);
   const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
-  field.AreSingularitiesOnFaces ? cells.Add(ArrayNames::SingularityIndex, 1, field.Indices.data())
-                                : points.Add(ArrayNames::SingularityIndex, 1, field.Indices.data());
+  field.AreSingularitiesOnFaces ? cells.AddSums(ArrayNames::SingularityIndex, field.Indices.data())
+                                : points.AddSums(ArrayNames::SingularityIndex, field.Indices.data());
   cells.AddDirections(framed.Faces, field.OnFaces, field.N, field.HasUnitLength);
   context.Checkpoint(0.5);
   points.AddDirections(framed.Vertices, field.AtVertices, field.N, field.HasUnitLength);
@@ -91,7 +92,9 @@ FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& su
     switch (values.On)
     {
       case ElementKind::Faces:
-        cells.Add(values.Name, values.Components, values.Values.data());
+        values.Components == 2
+          ? cells.AddPowers(values.Name, framed.Faces, values.Values.data(), field.OnFaces, field.N)
+          : cells.Add(values.Name, values.Components, values.Values.data());
         break;
       case ElementKind::Vertices:
         points.Add(values.Name, values.Components, values.Values.data());
@@ -105,17 +108,17 @@ FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& su
   return arrays;
 }
 
-void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData* edges)
+void AddFieldArrays(const FieldArrays& arrays, vtkDataSet* surface, vtkPolyData* edges)
 {
   AddAll(arrays.Cells, surface->GetCellData());
   AddAll(arrays.Points, surface->GetPointData());
   RemoveBasis(surface);
   edges->ShallowCopy(arrays.Edges);
-  edges->SetPoints(surface->GetPoints());
+  edges->SetPoints(PointsOf(surface));
 }
 
-void AddPrescribed(const SurfaceNumbering& numbering, const FieldConstraints& constraints, ElementKind elements,
-  vtkPolyData* surface, vtkPolyData* edges)
+void AddPrescribed(const SurfaceRelation& relation, const FieldConstraints& constraints, ElementKind elements,
+  vtkDataSet* surface, vtkPolyData* edges)
 {
   const bool areEdges = elements == ElementKind::Edges;
   const bool arePoints = elements == ElementKind::Vertices;
@@ -125,16 +128,26 @@ void AddPrescribed(const SurfaceNumbering& numbering, const FieldConstraints& co
   const vtkIdType tuples = areEdges ? edges->GetNumberOfCells()
     : arePoints                     ? surface->GetNumberOfPoints()
                                     : surface->GetNumberOfCells();
-  const std::vector<int> lines = areEdges ? Inverse(numbering.Edges) : std::vector<int>();
+  std::vector<vtkIdType> lines; // of the edges; -1 for diagonals
+  for (std::size_t line = 0; areEdges && line < relation.Edges().size(); ++line)
+  {
+    lines.resize(std::max<std::size_t>(lines.size(), relation.Edges()[line] + 1), -1);
+    lines[relation.Edges()[line]] = static_cast<vtkIdType>(line);
+  }
+  const auto tupleOf = [&](int element) -> vtkIdType
+  {
+    return !areEdges                             ? arePoints ? relation.PointOf(element) : relation.CellOf(element)
+                                  : element < static_cast<int>(lines.size()) ? lines[element]
+                                                 : -1;
+  };
   const auto weights = NewArray(ArrayNames::Prescribed, 1, tuples);
   weights->Fill(0.0);
   for (std::size_t i = 0; i < constraints.Elements.size(); ++i)
   {
-    const int element = constraints.Elements[i];
-    weights->SetValue(areEdges ? lines[element]
-        : arePoints            ? numbering.PointOf(element)
-                               : numbering.CellOf(element),
-      constraints.Weights[i]);
+    if (const vtkIdType tuple = tupleOf(constraints.Elements[i]); tuple >= 0)
+    {
+      weights->SetValue(tuple, std::max(weights->GetValue(tuple), constraints.Weights[i]));
+    }
   }
   attributes->AddArray(weights);
 }

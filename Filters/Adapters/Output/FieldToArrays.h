@@ -1,11 +1,12 @@
 #ifndef dmgFieldToArrays_h
 #define dmgFieldToArrays_h
 
-#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
 #include "Discretisations/Discretisation.h"
 #include "Field.h"
 #include "Support/ExecutionContext.h"
 
+#include "vtkDataSet.h"
 #include "vtkFieldData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
@@ -22,18 +23,18 @@ struct FieldArrays
   vtkSmartPointer<vtkPolyData> Edges; ///< without points
 };
 
-/// \param input the surface as vtkPolyData.
-FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceNumbering& surface,
-  const Discretisation& discretisation, const Vector<double>& unknowns, const Field& field, vtkPolyData* input,
+/// \param input the surface as a dataset.
+FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceRelation& surface,
+  const Discretisation& discretisation, const Vector<double>& unknowns, const Field& field, vtkDataSet* input,
   const ExecutionContext& context);
 
 /// Adds the arrays of cells and points to \p surface and makes its first direction the active
 /// vectors; arrays that an earlier solver left there are removed. Makes \p edges its edges.
-void AddFieldArrays(const FieldArrays& arrays, vtkPolyData* surface, vtkPolyData* edges);
+void AddFieldArrays(const FieldArrays& arrays, vtkDataSet* surface, vtkPolyData* edges);
 
 /// Adds the weights of the prescribed elements to \p surface, or, where these are edges, to \p edges.
-void AddPrescribed(const SurfaceNumbering& numbering, const FieldConstraints& constraints, ElementKind elements,
-  vtkPolyData* surface, vtkPolyData* edges);
+void AddPrescribed(const SurfaceRelation& relation, const FieldConstraints& constraints, ElementKind elements,
+  vtkDataSet* surface, vtkPolyData* edges);
 
 }
 

@@ -24,7 +24,7 @@ using namespace ArrayNames;
 class FlowArrays
 {
 public:
-  FlowArrays(const FramedSurface& surface, const Unfilled<Corner>& corners, vtkPolyData* input, vtkPolyData* output,
+  FlowArrays(const FramedSurface& surface, const Unfilled<Corner>& corners, vtkDataSet* input, vtkDataSet* output,
     const ExecutionContext& context)
     : Surface(surface)
     , Corners(corners)
@@ -58,7 +58,7 @@ public:
 
   void AddToCells(const char* name, int components, const double* values) const
   {
-    ArraysOfCells(this->Surface.Numbering, this->Input, this->Output->GetCellData(), this->Context)
+    ArraysOfCells(this->Surface.On.Mesh, this->Surface.Relation, this->Input, this->Output->GetCellData(), this->Context)
       .Add(name, components, values);
   }
 
@@ -82,19 +82,19 @@ private:
 
   void AddToPoints(const char* name, int components, const double* values) const
   {
-    ArraysOfPoints(this->Surface.Numbering, this->Input, this->Output->GetPointData(), this->Context)
+    ArraysOfPoints(this->Surface.Relation, this->Input, this->Output->GetPointData(), this->Context)
       .Add(name, components, values);
   }
 
   const FramedSurface Surface;
   const Unfilled<Corner>& Corners;
-  vtkPolyData* const Input;
-  vtkPolyData* const Output;
+  vtkDataSet* const Input;
+  vtkDataSet* const Output;
   const ExecutionContext& Context;
 };
 
 /// Takes away what a former decomposition has left, and this one may not make.
-void RemoveFlowArrays(vtkPolyData* surface)
+void RemoveFlowArrays(vtkDataSet* surface)
 {
   for (const char* const name : { GradientPart, RotationalPart, HarmonicPart, Residual, NormalComponent, Potential,
          StreamFunction, Divergence, Vorticity })
@@ -133,13 +133,13 @@ void AddEnergies(const FlowArrays& arrays, const DecomposedFlow& parts, double s
 }
 
 void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const std::vector<BoundaryLoop>& loops,
-  const SurfaceNumbering& numbering, double scale)
+  const SurfaceRelation& relation, double scale)
 {
   Vector<double> points(static_cast<Eigen::Index>(loops.size()));
   Vector<double> lengths(points.size());
   for (Eigen::Index k = 0; k < points.size(); ++k)
   {
-    points[k] = static_cast<double>(numbering.PointOf(loops[k].Vertices[0]));
+    points[k] = static_cast<double>(relation.PointOf(loops[k].Vertices[0]));
     lengths[k] = scale * loops[k].Length;
   }
   arrays.AddNumbers(BoundaryPoint, points);
@@ -152,18 +152,18 @@ void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const 
 }
 
 void FlowSurface::SetSurface(
-  vtkPolyData* input, FlowBoundary boundary, const SolverOptions& options, const ExecutionContext& context)
+  vtkDataSet* input, FlowBoundary boundary, const SolverOptions& options, const ExecutionContext& context)
 {
   const std::string digest = ContentDigest(input);
   if (this->Digest != digest)
   {
-    SurfaceMesh surface = MeshFromPolyData(input, Numbering::Spatial, context);
+    SurfaceMesh surface = MeshFromDataSet(input, {}, context);
     auto on = std::make_unique<FramedMesh>(std::move(surface.Mesh), context);
     auto corners = Corners(on->Mesh, SideDirections(on->Mesh, on->Faces, context), on->Faces, on->Vertices, context);
     this->Decomposition.reset();
     this->On = std::move(on);
     this->CornersOfFaces = std::move(corners);
-    this->Numbers = std::move(static_cast<SurfaceNumbering&>(surface));
+    this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
     this->Digest = digest;
   }
   if (!this->Decomposition || this->Boundary != boundary || !(this->Options == options))
@@ -174,8 +174,8 @@ void FlowSurface::SetSurface(
   }
 }
 
-std::vector<std::string> FlowSurface::Decompose(const Points& vectors, const FlowOptions& options, vtkPolyData* input,
-  vtkPolyData* output, const ExecutionContext& context)
+std::vector<std::string> FlowSurface::Decompose(const Points& vectors, const FlowOptions& options, vtkDataSet* input,
+  vtkDataSet* output, const ExecutionContext& context)
 {
   const FramedMesh& on = *this->On;
   Vector<Complex> flow(on.Mesh.NumberOfFaces());
@@ -207,7 +207,7 @@ std::vector<std::string> FlowSurface::Decompose(const Points& vectors, const Flo
     arrays.AddFunction(Vorticity, density(Complex(0.0, -1.0) * flow), 1.0 / scale);
   }
   AddEnergies(arrays, parts, scale);
-  AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Numbers, scale);
+  AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Relation, scale);
   const bool isSolved = options.Parts.Gradient || options.Parts.Rotational;
   AddReport(parts, isSolved ? this->Decomposition->SolverName() : std::string(), output->GetFieldData());
   if (parts.StreamFunction.size() > 0)
@@ -218,7 +218,7 @@ std::vector<std::string> FlowSurface::Decompose(const Points& vectors, const Flo
   return parts.Warnings;
 }
 
-void ContoursOfStreamFunction(vtkPolyData* surface, int number, vtkPolyData* lines)
+void ContoursOfStreamFunction(vtkDataSet* surface, int number, vtkPolyData* lines)
 {
   vtkDataArray* const values = surface->GetPointData()->GetArray(StreamFunction);
   if (!values || number == 0)
@@ -231,7 +231,7 @@ void ContoursOfStreamFunction(vtkPolyData* surface, int number, vtkPolyData* lin
   {
     return;
   }
-  vtkNew<vtkPolyData> bare; // contours would have all other arrays, too
+  const auto bare = vtk::TakeSmartPointer(surface->NewInstance()); // contours would have all other arrays, too
   bare->CopyStructure(surface);
   bare->GetPointData()->SetScalars(values);
   vtkNew<vtkContourFilter> contours;

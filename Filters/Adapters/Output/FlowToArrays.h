@@ -1,7 +1,7 @@
 #ifndef dmgFlowToArrays_h
 #define dmgFlowToArrays_h
 
-#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
 #include "HodgeDecomposition.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+class vtkDataSet;
 class vtkPolyData;
 
 namespace dmg
@@ -24,29 +25,29 @@ struct FlowOptions
   double LengthScale = 1.0; ///< the length of the unit of the points
 };
 
-/// A HodgeDecomposition for the surface of a vtkPolyData, and the arrays that show its parts; kept for the next flow on the same surface. Keys
+/// A HodgeDecomposition for the surface of a dataset, and the arrays that show its parts; kept for the next flow on the same surface. Keys
 /// are contents, not modification times.
 class FlowSurface
 {
 public:
   /// Takes another surface, boundary or solver, if it is another.
-  /// \throw InvalidInput as MeshFromPolyData.
+  /// \throw InvalidInput as MeshFromDataSet.
   void SetSurface(
-    vtkPolyData* input, FlowBoundary boundary, const SolverOptions& options, const ExecutionContext& context);
+    vtkDataSet* input, FlowBoundary boundary, const SolverOptions& options, const ExecutionContext& context);
 
-  FramedSurface Surface() const { return { *this->On, this->Numbers }; }
+  FramedSurface Surface() const { return { *this->On, this->Relation }; }
 
   /// Adds the arrays of vtkHodgeDecomposition to \p output, a copy of the \p input.
   /// \param vectors of the flow, one per face.
   /// \return warnings for the user.
-  std::vector<std::string> Decompose(const Points& vectors, const FlowOptions& options, vtkPolyData* input,
-    vtkPolyData* output, const ExecutionContext& context);
+  std::vector<std::string> Decompose(const Points& vectors, const FlowOptions& options, vtkDataSet* input,
+    vtkDataSet* output, const ExecutionContext& context);
 
 private:
   std::string Digest;
   FlowBoundary Boundary = FlowBoundary::Closed;
   SolverOptions Options;
-  SurfaceNumbering Numbers;
+  SurfaceRelation Relation;
   std::unique_ptr<FramedMesh> On;
   Unfilled<Corner> CornersOfFaces;
   std::optional<HodgeDecomposition> Decomposition; ///< it refers to On
@@ -54,7 +55,7 @@ private:
 
 /// Makes \p lines those where the array StreamFunction of a surface has \p number values, evenly spaced inside of its range; none, where there is no such
 /// array or it is constant.
-void ContoursOfStreamFunction(vtkPolyData* surface, int number, vtkPolyData* lines);
+void ContoursOfStreamFunction(vtkDataSet* surface, int number, vtkPolyData* lines);
 
 }
 

@@ -14,6 +14,7 @@
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -76,6 +77,22 @@ int TakeAnyDataSet(vtkInformation* port)
   return 1;
 }
 
+int MakeOutputLikeInput(vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataObject* const input = vtkDataObject::GetData(inputs[0]);
+  vtkInformation* const output = outputs->GetInformationObject(0);
+  vtkDataObject* const former = output->Get(vtkDataObject::DATA_OBJECT());
+  if (!input) // the executive says so, but after this
+  {
+    output->Set(vtkDataObject::DATA_OBJECT(), vtkSmartPointer<vtkPolyData>::New());
+  }
+  else if (!former || !former->IsA(input->GetClassName()))
+  {
+    output->Set(vtkDataObject::DATA_OBJECT(), vtk::TakeSmartPointer(input->NewInstance()));
+  }
+  return 1;
+}
+
 int GatherTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   std::set<double> steps, ends;
@@ -129,17 +146,10 @@ int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkA
   try
   {
     Empty(outputs);
-    vtkDataSet* const given = vtkDataSet::GetData(inputs[0]);
-    if (given->GetNumberOfCells() == 0)
+    vtkDataSet* const input = vtkDataSet::GetData(inputs[0]);
+    if (input->GetNumberOfCells() == 0)
     {
       return 1;
-    }
-    auto* const input = vtkPolyData::SafeDownCast(given);
-    if (!input)
-    {
-      return Failed(algorithm, outputs,
-        std::string("the input is a ") + given->GetClassName() +
-          ", which is no surface; apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first");
     }
     if (!IsPieceZero(request, outputs))
     {

@@ -15,9 +15,12 @@ namespace dmg
 /// Answers of all filters to the pipeline. Their result depends on the whole surface: piece 0 works on the whole, and the
 /// others stay empty. In a parallel run piece and rank are the same.
 
-/// FillInputPortInformation of the surface: VTK lets other datasets pass, and MakeOutputs says how to make a surface of
-/// them. (VTK's own error comes eleven times, without a remedy.)
+/// FillInputPortInformation of the surface: any dataset, of which MeshFromDataSet takes the cells of two dimensions.
 int TakeAnyDataSet(vtkInformation* port);
+
+/// RequestDataObject of filters whose first output is of the type of their first input, as a vtkPassInputTypeAlgorithm.
+/// Other outputs come from VTK, by FillOutputPortInformation.
+int MakeOutputLikeInput(vtkInformationVector** inputs, vtkInformationVector* outputs);
 
 /// RequestInformation of filters with several input ports: the outputs change with time as any of the inputs does. By itself,
 /// VTK looks at the first input alone, and does not ask the others for another time.
@@ -33,8 +36,7 @@ int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkA
   vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
 /// RequestData: calls \p make with the algorithm's context, outputs empty, unless the first input has no cells or this is
-/// not the piece to work on; sources that do not know of pieces deliver the same to all. An input that is no vtkPolyData is
-/// an error.
+/// not the piece to work on; sources that do not know of pieces deliver the same to all.
 /// The outputs are empty in the end where \p make throws (Cancelled is no error, all else goes to the algorithm), or where
 /// an array or point that it made is not finite, which is an error as well.
 /// \return what RequestData returns.

@@ -4,11 +4,11 @@
 
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkPointSet.h"
 #include "vtkPoints.h"
-#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -45,7 +45,7 @@ void CheckArrays(vtkFieldData* output, vtkFieldData* input)
 
 }
 
-void CheckArraysAreFinite(vtkDataObject* output, vtkPolyData* input)
+void CheckArraysAreFinite(vtkDataObject* output, vtkDataSet* input)
 {
   if (auto* const composite = vtkCompositeDataSet::SafeDownCast(output))
   {
@@ -61,7 +61,8 @@ void CheckArraysAreFinite(vtkDataObject* output, vtkPolyData* input)
     CheckArrays(output->GetAttributesAsFieldData(kind), input->GetAttributesAsFieldData(kind));
   }
   auto* const points = vtkPointSet::SafeDownCast(output);
-  if (points && points->GetPoints() && points->GetPoints() != input->GetPoints())
+  auto* const given = vtkPointSet::SafeDownCast(input);
+  if (points && points->GetPoints() && !(given && points->GetPoints() == given->GetPoints()))
   {
     CheckNumbers(points->GetPoints()->GetData(), "a point");
   }

@@ -2,7 +2,7 @@
 #define dmgFiniteArrays_h
 
 class vtkDataObject;
-class vtkPolyData;
+class vtkDataSet;
 
 namespace dmg
 {
@@ -11,7 +11,7 @@ namespace dmg
 /// \param input whose points and arrays may be part of the output, and are not looked at.
 /// \throw SolverFailure a point or a number in an array of doubles is not finite; the message names the array.
 /// Cost: linear.
-void CheckArraysAreFinite(vtkDataObject* output, vtkPolyData* input);
+void CheckArraysAreFinite(vtkDataObject* output, vtkDataSet* input);
 
 }
 

@@ -60,6 +60,10 @@ inline constexpr const char* Energy = "Energy";
 inline constexpr const char* MassResidual = "MassResidual";
 inline constexpr const char* Error = "Error";
 
+// field data: the surface on its way in
+inline constexpr const char* SurfacePreparation = "SurfacePreparation";
+inline constexpr const char* SurfaceOptions = "SurfaceOptions";
+
 // field data: the report
 inline constexpr const char* NumberOfDirections = "NumberOfDirections";
 inline constexpr const char* Solver = "Solver";
@@ -88,6 +92,8 @@ inline constexpr const char* ProlongationOptions = "Prolongation.Options";
 inline constexpr const char* NumbersOfVertices = "Prolongation.NumbersOfVertices";
 inline constexpr const char* NumbersOfEdges = "Prolongation.NumbersOfEdges";
 inline constexpr const char* NumbersOfFaces = "Prolongation.NumbersOfFaces";
+inline constexpr const char* CellsOfFaces = "Prolongation.CellsOfFaces";
+inline constexpr const char* PointsOfVertices = "Prolongation.PointsOfVertices";
 /// \param part "Offsets", "Columns" or "Values" of operator \p name ("S0", "S1", "SX", "SP",
 /// "Nodal") of a level.
 std::string Prolongation(const std::string& name, int level, const std::string& part);

@@ -1,5 +1,7 @@
 #include "Adapters/Surface/ElementArrays.h"
 
+#include "Operators/CellDirections.h"
+
 #include "vtkInformation.h"
 #include "vtkInformationIntegerKey.h"
 
@@ -26,11 +28,159 @@ vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components
   return array;
 }
 
-void AddOnEdges(const TriangleMesh& mesh, const SurfaceNumbering& surface, const std::string& name,
+void ArraysOfCells::Add(const std::string& name, int components, const double* values) const
+{
+  double* const tuples = this->NewTuples(name, components);
+  const auto mean = [&](double* tuple, const ElementRow& faces)
+  {
+    std::fill_n(tuple, components, 0.0);
+    const double smallest = 1e-12 * this->Mesh.FaceArea(LargestFace(this->Mesh, faces));
+    double weights = 0.0;
+    for (const int face : faces)
+    {
+      const double weight = smallest > 0.0 ? this->Mesh.FaceArea(face) : 1.0;
+      weights += weight;
+      for (int k = 0; k < components; ++k)
+      {
+        tuple[k] += weight * values[components * face + k];
+      }
+    }
+    std::transform(tuple, tuple + components, tuple, [weights](double sum) { return sum / weights; });
+  };
+  this->ForTuples(
+    { tuples }, components, [this](int cell) { return this->Surface.FacesOf(cell); },
+    [&](vtkIdType cell, const ElementRow& faces)
+    {
+      if (faces.size() > 1)
+      {
+        mean(tuples + components * cell, faces);
+        return;
+      }
+      std::copy_n(values + static_cast<vtkIdType>(components) * faces.front(), components, tuples + components * cell);
+    });
+}
+
+void ArraysOfCells::AddSums(const std::string& name, const double* values) const
+{
+  double* const tuples = this->NewTuples(name, 1);
+  this->ForTuples(
+    { tuples }, 1, [this](int cell) { return this->Surface.FacesOf(cell); },
+    [&](vtkIdType cell, const ElementRow& faces)
+    {
+      tuples[cell] = 0.0;
+      for (const int face : faces)
+      {
+        tuples[cell] += this->Surface.CellOf(face) == cell ? values[face] : 0.0;
+      }
+    });
+}
+
+void ArraysOfCells::AddOfLargest(const std::string& name, const double* values) const
+{
+  double* const tuples = this->NewTuples(name, 1);
+  this->ForTuples(
+    { tuples }, 1, [this](int cell) { return this->Surface.FacesOf(cell); },
+    [&](vtkIdType cell, const ElementRow& faces) { tuples[cell] = values[LargestFace(this->Mesh, faces)]; });
+}
+
+void ArraysOfCells::AddDirection(
+  const std::string& name, const TangentFrames& frames, const Vector<Complex>& directions, int N) const
+{
+  this->Write({ this->NewTuples(name, 3) }, frames, directions, N, DirectionVectors(1, false));
+}
+
+void ArraysOfCells::AddPowers(
+  const std::string& name, const TangentFrames& frames, const double* powers, const Vector<Complex>& first, int N) const
+{
+  double* const tuples = this->NewTuples(name, 2);
+  const CellDirections means(this->Mesh, frames, N);
+  this->ForTuples(
+    { tuples }, 2, [this](int cell) { return this->Surface.FacesOf(cell); },
+    [&](vtkIdType cell, const ElementRow& faces)
+    {
+      if (faces.size() == 1)
+      {
+        std::copy_n(powers + 2 * static_cast<vtkIdType>(faces.front()), 2, tuples + 2 * cell);
+        return;
+      }
+      const Complex mean = means.Mean(faces, first).First;
+      const Complex power = std::polar(std::abs(mean), N * std::arg(mean));
+      tuples[2 * cell] = power.real();
+      tuples[2 * cell + 1] = power.imag();
+    });
+}
+
+void ArraysOfCells::AddDirections(
+  const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const
+{
+  this->Write(this->NewDirections(N), frames, firstDirections, N, DirectionVectors(N, unitLength));
+}
+
+void ArraysOfCells::Write(const std::vector<double*>& arrays, const TangentFrames& frames,
+  const Vector<Complex>& directions, int N, const DirectionVectors& vectors) const
+{
+  const CellDirections means(this->Mesh, frames, N);
+  this->ForTuples(
+    arrays, 3, [this](int cell) { return this->Surface.FacesOf(cell); },
+    [&](vtkIdType cell, const ElementRow& faces)
+    {
+      const auto write = [&](int k, const Vector3& vector) { std::copy_n(vector.data(), 3, arrays[k] + 3 * cell); };
+      if (faces.size() > 1)
+      {
+        const CellDirections::Direction mean = means.Mean(faces, directions);
+        vectors.VisitIn(mean.X, mean.Y, mean.First, write);
+        return;
+      }
+      vectors.VisitAt(frames, faces.front(), directions[faces.front()], write);
+    });
+}
+
+void ArraysOfPoints::Add(const std::string& name, int components, const double* values) const
+{
+  double* const tuples = this->NewTuples(name, components);
+  this->ForTuples(
+    { tuples }, components, [this](int point) { return this->RowOf(point); },
+    [&](vtkIdType point, const ElementRow& vertices)
+    {
+      std::copy_n(
+        values + static_cast<vtkIdType>(components) * vertices.front(), components, tuples + components * point);
+    });
+}
+
+void ArraysOfPoints::AddSums(const std::string& name, const double* values) const
+{
+  double* const tuples = this->NewTuples(name, 1);
+  this->ForTuples(
+    { tuples }, 1, [this](int point) { return this->RowOf(point); },
+    [&](vtkIdType point, const ElementRow& vertices)
+    {
+      tuples[point] = 0.0;
+      for (const int vertex : vertices)
+      {
+        tuples[point] += this->Surface.PointOf(vertex) == point ? values[vertex] : 0.0;
+      }
+    });
+}
+
+void ArraysOfPoints::AddDirections(
+  const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const
+{
+  const std::vector<double*> arrays = this->NewDirections(N);
+  const DirectionVectors vectors(N, unitLength);
+  this->ForTuples(
+    arrays, 3, [this](int point) { return this->RowOf(point); },
+    [&](vtkIdType point, const ElementRow& vertices)
+    {
+      vectors.VisitAt(frames, vertices.front(), firstDirections[vertices.front()],
+        [&](int k, const Vector3& vector) { std::copy_n(vector.data(), 3, arrays[k] + 3 * point); });
+    });
+}
+
+void AddOnEdges(const TriangleMesh& mesh, const SurfaceRelation& surface, const std::string& name,
   const Vector<double>& values, vtkFieldData* data, const ExecutionContext& context)
 {
   constexpr int Grain = 8192;
-  const int numberOfEdges = mesh.NumberOfEdges();
+  const int numberOfEdges = static_cast<int>(surface.Edges().size());
   const auto array = NewArray(name, 1, numberOfEdges);
   double* const tuples = array->GetPointer(0);
   context.ParallelFor(0, numberOfEdges, Grain,
@@ -38,7 +188,7 @@ void AddOnEdges(const TriangleMesh& mesh, const SurfaceNumbering& surface, const
     {
       for (int line = first; line < last; ++line)
       {
-        const int edge = surface.Edges[line];
+        const int edge = surface.Edges()[line];
         tuples[line] = surface.EdgeSign(mesh, edge) * values[edge];
       }
     });

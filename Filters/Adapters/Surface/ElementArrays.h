@@ -2,15 +2,15 @@
 #define dmgElementArrays_h
 
 #include "Adapters/Surface/ArrayNames.h"
-#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
 #include "Mesh/TangentFrames.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
-#include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
 #include <algorithm>
@@ -27,54 +27,17 @@ vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components
 /// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 
-/// Arrays of the cells or points of the surface: zeros where these are no elements of the mesh.
-template <class ElementOf>
+/// Arrays with a tuple for each cell or point of the surface; zeros where these are no elements of the mesh.
 class ArraysOfElements
 {
-public:
-  /// \param tuples of each array.
-  /// \param elementOf the face or vertex of a tuple, or -1.
-  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, ElementOf elementOf, const ExecutionContext& context)
+protected:
+  ArraysOfElements(vtkFieldData* data, vtkIdType tuples, const ExecutionContext& context)
     : Data(data)
-    , Tuples(static_cast<int>(tuples)) // MeshFromPolyData has seen to it
-    , ElementOfTuple(std::move(elementOf))
+    , Tuples(static_cast<int>(tuples)) // MeshFromDataSet has seen to it
     , Context(context)
   {
   }
 
-  /// \param values of each element, one after the other.
-  void Add(const std::string& name, int components, const double* values) const
-  {
-    double* const tuples = this->NewTuples(name, components);
-    this->ForTuples([&](vtkIdType tuple, vtkIdType element)
-      { std::copy_n(values + components * element, components, tuples + components * tuple); },
-      [&](vtkIdType tuple) { std::fill_n(tuples + components * tuple, components, 0.0); });
-  }
-
-  void AddDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const
-  {
-    std::vector<double*> tuples;
-    for (int k = 0; k < N; ++k)
-    {
-      tuples.push_back(this->NewTuples(ArrayNames::Direction(k), 3));
-    }
-    const DirectionVectors vectors(N, unitLength);
-    this->ForTuples(
-      [&](vtkIdType tuple, int element)
-      {
-        vectors.VisitAt(frames, element, firstDirections[element],
-          [&](int k, const Vector3& vector) { std::copy_n(vector.data(), 3, tuples[k] + 3 * tuple); });
-      },
-      [&](vtkIdType tuple)
-      {
-        for (double* const direction : tuples)
-        {
-          std::fill_n(direction + 3 * tuple, 3, 0.0);
-        }
-      });
-  }
-
-private:
   double* NewTuples(const std::string& name, int components) const
   {
     const auto array = NewArray(name, components, this->Tuples);
@@ -82,9 +45,20 @@ private:
     return array->GetPointer(0);
   }
 
-  /// Arrays are written from one end to the other: what they are made from is less.
-  template <class OfElement, class OfNone>
-  void ForTuples(const OfElement& ofElement, const OfNone& ofNone) const
+  std::vector<double*> NewDirections(int N) const
+  {
+    std::vector<double*> tuples;
+    for (int k = 0; k < N; ++k)
+    {
+      tuples.push_back(this->NewTuples(ArrayNames::Direction(k), 3));
+    }
+    return tuples;
+  }
+
+  /// Calls write(tuple, row of its elements), and fills tuples without elements with zeros. Arrays are written from one
+  /// end to the other: the arrays that they are made from are smaller.
+  template <class RowOf, class Write>
+  void ForTuples(const std::vector<double*>& arrays, int components, const RowOf& rowOf, const Write& write) const
   {
     constexpr int Grain = 8192;
     this->Context.ParallelFor(0, this->Tuples, Grain,
@@ -92,13 +66,14 @@ private:
       {
         for (int tuple = first; tuple < last; ++tuple)
         {
-          if (const int element = this->ElementOfTuple(tuple); element >= 0)
+          if (const ElementRow row = rowOf(tuple); !row.empty())
           {
-            ofElement(tuple, element);
+            write(static_cast<vtkIdType>(tuple), row);
+            continue;
           }
-          else
+          for (double* const array : arrays)
           {
-            ofNone(tuple);
+            std::fill_n(array + static_cast<vtkIdType>(components) * tuple, components, 0.0);
           }
         }
       });
@@ -106,27 +81,79 @@ private:
 
   vtkFieldData* const Data;
   const int Tuples;
-  const ElementOf ElementOfTuple;
   const ExecutionContext& Context;
 };
 
-inline auto ArraysOfCells(
-  const SurfaceNumbering& surface, vtkPolyData* input, vtkFieldData* data, const ExecutionContext& context)
+/// Arrays of cells. A cell of several faces has the mean of theirs, by area.
+class ArraysOfCells : public ArraysOfElements
 {
-  return ArraysOfElements(
-    data, input->GetNumberOfCells(), [&surface](vtkIdType cell) { return surface.FaceOf(cell); }, context);
-}
+public:
+  ArraysOfCells(const TriangleMesh& mesh, const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data,
+    const ExecutionContext& context)
+    : ArraysOfElements(data, input->GetNumberOfCells(), context)
+    , Mesh(mesh)
+    , Surface(surface)
+  {
+  }
 
-inline auto ArraysOfPoints(
-  const SurfaceNumbering& surface, vtkPolyData* input, vtkFieldData* data, const ExecutionContext& context)
+  /// \param values of each face, one after the other.
+  void Add(const std::string& name, int components, const double* values) const;
+
+  /// The same for numbers that are summed over a surface: a cell has the sum of those of its faces, and none of a twin's.
+  void AddSums(const std::string& name, const double* values) const;
+
+  /// The same for numbers that have no mean; a cell has that of its largest face.
+  void AddOfLargest(const std::string& name, const double* values) const;
+
+  /// A signless direction of each face, N of them 2 pi / N apart, with the length that it has. See CellDirections.
+  void AddDirection(
+    const std::string& name, const TangentFrames& frames, const Vector<Complex>& directions, int N) const;
+
+  /// N-th powers, a complex number for each face in its frame. A cell of several faces has the power of its direction in
+  /// its own plane; see CellDirections.
+  /// \param first directions of these powers.
+  void AddPowers(const std::string& name, const TangentFrames& frames, const double* powers,
+    const Vector<Complex>& first, int N) const;
+
+  /// All N directions; see CellDirections.
+  void AddDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const;
+
+private:
+  void Write(const std::vector<double*>& arrays, const TangentFrames& frames, const Vector<Complex>& directions, int N,
+    const DirectionVectors& vectors) const;
+
+  const TriangleMesh& Mesh;
+  const SurfaceRelation& Surface;
+};
+
+/// Arrays of points. A point where sheets were parted has the values of its first vertex.
+class ArraysOfPoints : public ArraysOfElements
 {
-  return ArraysOfElements(
-    data, input->GetNumberOfPoints(), [&surface](vtkIdType point) { return surface.VertexOf(point); }, context);
-}
+public:
+  ArraysOfPoints(const SurfaceRelation& surface, vtkDataSet* input, vtkFieldData* data, const ExecutionContext& context)
+    : ArraysOfElements(data, input->GetNumberOfPoints(), context)
+    , Surface(surface)
+  {
+  }
+
+  /// \param values of each vertex, one after the other.
+  void Add(const std::string& name, int components, const double* values) const;
+
+  /// A number that is summed over a surface: a point has the sum of those of its vertices, and of points that were joined
+  /// the first one has it.
+  void AddSums(const std::string& name, const double* values) const;
+
+  void AddDirections(const TangentFrames& frames, const Vector<Complex>& firstDirections, int N, bool unitLength) const;
+
+private:
+  ElementRow RowOf(int point) const { return this->Surface.VerticesOf(point); }
+
+  const SurfaceRelation& Surface;
+};
 
 /// Adds an array of the lines of edges: of numbers that change their sign with the edge's orientation, one per
 /// edge of the mesh.
-void AddOnEdges(const TriangleMesh& mesh, const SurfaceNumbering& surface, const std::string& name,
+void AddOnEdges(const TriangleMesh& mesh, const SurfaceRelation& surface, const std::string& name,
   const Vector<double>& values, vtkFieldData* data, const ExecutionContext& context);
 
 }

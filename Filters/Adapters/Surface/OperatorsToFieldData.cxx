@@ -246,6 +246,21 @@ void OperatorsToFieldData(
   addAll("Nodal", operators.Nodal);
 }
 
+void RelationToFieldData(const SurfaceRelation& relation, const TriangleMesh& mesh, vtkFieldData* fieldData)
+{
+  std::vector<int> cells(mesh.NumberOfFaces()), points(mesh.NumberOfVertices());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    cells[face] = relation.CellOf(face);
+  }
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    points[vertex] = relation.PointOf(vertex);
+  }
+  AddValues<vtkIntArray>(fieldData, ArrayNames::CellsOfFaces, cells.data(), cells.size());
+  AddValues<vtkIntArray>(fieldData, ArrayNames::PointsOfVertices, points.data(), points.size());
+}
+
 void RemoveOperators(vtkFieldData* fieldData)
 {
   for (int i = fieldData->GetNumberOfArrays() - 1; i >= 0; --i)

@@ -3,6 +3,7 @@
 
 #include "Levels/HierarchyOptions.h"
 #include "Levels/ProlongationOperators.h"
+#include "Mesh/SurfaceRelation.h"
 #include "Mesh/TriangleMesh.h"
 
 #include <optional>
@@ -28,6 +29,10 @@ struct OperatorsOrigin
 /// compressed.
 void OperatorsToFieldData(
   const ProlongationOperators& operators, const OperatorsOrigin& origin, vtkFieldData* fieldData);
+
+/// Writes the cell of each triangle and the point of each vertex that the operators refer to, as Prolongation.CellsOfFaces
+/// and Prolongation.PointsOfVertices, where these are not simply the triangles and points of the surface.
+void RelationToFieldData(const SurfaceRelation& relation, const TriangleMesh& mesh, vtkFieldData* fieldData);
 
 /// Removes whatever operators \p fieldData holds.
 void RemoveOperators(vtkFieldData* fieldData);

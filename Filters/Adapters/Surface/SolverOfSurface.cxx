@@ -5,7 +5,7 @@
 #include "Support/Errors.h"
 #include "Support/Stopwatch.h"
 
-#include "vtkPolyData.h"
+#include "vtkDataSet.h"
 
 #include <optional>
 #include <utility>
@@ -13,9 +13,10 @@
 namespace dmg
 {
 
-void SolverOfSurface::SetSurface(vtkPolyData* input, const FieldOptions& options, const ExecutionContext& context)
+void SolverOfSurface::SetSurface(vtkDataSet* input, const FieldOptions& options, const PreparationOptions& preparation,
+  const ExecutionContext& context)
 {
-  const std::string digest = ContentDigest(input);
+  const std::string digest = ContentDigest(input, preparation);
   const auto stored = WantsDecimation(options) ? OperatorsOriginOf(input->GetFieldData()) : std::nullopt;
   if (stored && stored->Digest != digest)
   {
@@ -26,18 +27,19 @@ void SolverOfSurface::SetSurface(vtkPolyData* input, const FieldOptions& options
       "); apply Directional Prolongation (vtkDirectionalProlongation) after the last filter that changes the surface");
   }
   // Operators that are stored number the elements as the input does.
-  const dmg::Numbering order = stored ? dmg::Numbering::OfPolyData : dmg::Numbering::Spatial;
+  const Numbering order = stored ? Numbering::AsGiven : Numbering::Spatial;
   if (!this->SolverOfMesh || this->Digest != digest || this->Order != order)
   {
     const Stopwatch watch;
-    SurfaceMesh surface = MeshFromPolyData(input, order, context);
+    SurfaceMesh surface = MeshFromDataSet(input, { order, preparation.JoinPoints, preparation.Strict }, context);
     auto solver = std::make_unique<FieldSolver>(std::move(surface.Mesh), context);
     this->OfFormerSurfaces = this->Counts();
     this->Digest.clear(); // until all that follows is made
     this->Read.clear();
     this->OperatorsSeconds = 0.0;
     this->SolverOfMesh = std::move(solver);
-    this->Numbers = std::move(static_cast<SurfaceNumbering&>(surface));
+    this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
+    this->PreparationOfSurface = surface.Report;
     this->Digest = digest;
     this->Order = order;
     ++this->NumberOfSurface;
@@ -48,7 +50,7 @@ void SolverOfSurface::SetSurface(vtkPolyData* input, const FieldOptions& options
 
 /// Those that the input brings along.
 std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
-  vtkPolyData* input, const OperatorsOrigin& origin)
+  vtkDataSet* input, const OperatorsOrigin& origin)
 {
   for (const auto& [known, operators] : this->Read)
   {

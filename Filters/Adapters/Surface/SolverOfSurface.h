@@ -1,7 +1,7 @@
 #ifndef dmgSolverOfSurface_h
 #define dmgSolverOfSurface_h
 
-#include "Adapters/Surface/MeshFromPolyData.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
 #include "Adapters/Surface/OperatorsToFieldData.h"
 #include "FieldSolver.h"
 #include "Support/ExecutionContext.h"
@@ -11,24 +11,27 @@
 #include <utility>
 #include <vector>
 
-class vtkPolyData;
+class vtkDataSet;
 
 namespace dmg
 {
 
-/// A FieldSolver for the surface of a vtkPolyData, which a filter keeps from one execution to the next, and the operators that
+/// A FieldSolver for the surface of a dataset, which a filter keeps from one execution to the next, and the operators that
 /// the surface brings along. Keys are contents, not modification times.
 class SolverOfSurface
 {
 public:
   /// Takes another surface, if its content is another, and the operators that it brings along if the solver wants them
   /// (WantsDecimation); others are not looked at.
-  /// \throw InvalidInput as MeshFromPolyData and OperatorsFromFieldData, or the operators are those of another surface.
-  void SetSurface(vtkPolyData* input, const FieldOptions& options, const ExecutionContext& context);
+  /// \throw InvalidInput as MeshFromDataSet and OperatorsFromFieldData, or the operators are those of another surface.
+  void SetSurface(vtkDataSet* input, const FieldOptions& options, const PreparationOptions& preparation,
+    const ExecutionContext& context);
 
   FieldSolver& Solver() { return *this->SolverOfMesh; }
   const FieldSolver& Solver() const { return *this->SolverOfMesh; }
-  FramedSurface Surface() const { return { this->SolverOfMesh->Surface(), this->Numbers }; }
+  FramedSurface Surface() const { return { this->SolverOfMesh->Surface(), this->Relation }; }
+  /// The changes that made the surface a mesh.
+  const PreparationReport& Preparation() const { return this->PreparationOfSurface; }
   /// Another one for each surface.
   int Number() const { return this->NumberOfSurface; }
 
@@ -38,11 +41,12 @@ public:
   double SetupSeconds(const Field& field) const;
 
 private:
-  std::shared_ptr<const ProlongationOperators> Operators(vtkPolyData* input, const OperatorsOrigin& origin);
+  std::shared_ptr<const ProlongationOperators> Operators(vtkDataSet* input, const OperatorsOrigin& origin);
 
   std::string Digest;
-  dmg::Numbering Order = dmg::Numbering::Spatial;
-  SurfaceNumbering Numbers;
+  Numbering Order = Numbering::Spatial;
+  SurfaceRelation Relation;
+  PreparationReport PreparationOfSurface;
   std::unique_ptr<FieldSolver> SolverOfMesh;
   int NumberOfSurface = 0;
   /// All operators of this surface that were read.

@@ -1,5 +1,6 @@
 #include "Mesh/MeshChecks.h"
 
+#include "Mesh/PointChecks.h"
 #include "Support/Errors.h"
 
 #include <algorithm>
@@ -25,6 +26,8 @@ double Distance(const Points& points, int a, int b)
   return (points.row(a) - points.row(b)).cwiseAbs().maxCoeff();
 }
 
+}
+
 void CheckPoints(const Points& points, const ElementNames& names)
 {
   for (int v = 0; v < static_cast<int>(points.rows()); ++v)
@@ -47,8 +50,6 @@ void CheckPoints(const Points& points, const ElementNames& names)
     throw InvalidInput("the surface is smaller than 1e-40, too small to compute with; make it larger with Transform "
                        "(vtkTransformPolyDataFilter)");
   }
-}
-
 }
 
 std::string ElementNames::Vertex(int i) const

@@ -67,10 +67,17 @@ public:
   template <class Visit>
   void VisitAt(const TangentFrames& frames, int element, Complex first, const Visit& visit) const
   {
+    this->VisitIn(frames.X.row(element).transpose(), frames.Y.row(element).transpose(), first, visit);
+  }
+
+  /// The same in a tangent plane of unit vectors \p x and \p y.
+  template <class Visit>
+  void VisitIn(const Vector3& x, const Vector3& y, Complex first, const Visit& visit) const
+  {
     Complex direction = this->UnitLength && first != 0.0 ? first / std::abs(first) : first;
     for (int k = 0; k < this->N; ++k)
     {
-      visit(k, frames.ToVector(element, direction));
+      visit(k, Vector3(direction.real() * x + direction.imag() * y));
       direction *= this->Step;
     }
   }

@@ -126,6 +126,16 @@ def check_handles(result):
     assert indices.max() <= 0 and abs(indices.sum() + 8) < 1e-9, indices[indices != 0]
 
 
+def check_way_in(result):
+    """The plate of the stiffened plate is flat, so a field that goes on under the stiffener is parallel there; the seam is closed."""
+    plate, sphere = map(fetch, result)
+    crosses = (cells(plate, "Direction0")[:24 * 24] @ [1, 1j, 0]) ** 4
+    assert abs(crosses - crosses.mean()).max() < 1e-3, abs(crosses - crosses.mean()).max()
+    assert field_data(plate, "SurfacePreparation") == "24 edges of more than two sheets parted"
+    indices = vtk_to_numpy(sphere.GetPointData().GetArray("SingularityIndex"))
+    assert abs(indices.sum() - 2) < 1e-9, indices.sum()
+
+
 def check_how_many(result):
     assert result == [2, 4, 8, 12], result
 

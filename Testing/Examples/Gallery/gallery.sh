@@ -16,7 +16,7 @@ cd "$work"
 scenes=("$@")
 if [ $# -eq 0 ]; then
   scenes=(nothing_said how_many strokes features principal_directions fibres singularities noisy_flow measured_fibres handles
-    moving_guides levels ocean three_fields)
+    moving_guides levels ocean way_in three_fields)
 fi
 for scene in "${scenes[@]}"; do
   arguments=()

@@ -1,5 +1,6 @@
 #include "Solvers/Krylov/LowestEigenvectors.h"
 
+#include "Solvers/Krylov/LowestOfBlock.h"
 #include "Support/SparseKernels.h"
 
 #include <Eigen/Eigenvalues>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 
 namespace dmg
@@ -97,6 +99,8 @@ public:
   void Start();
   /// theta, r = A x - theta M x, w = B r. \return the largest sqrt(r^T w / theta).
   double FindResidual();
+  /// The residual of each part.
+  const std::vector<double>& Residuals() const { return this->OfParts; }
   /// The best combination of x, w and p becomes x.
   void Step();
   /// A x anew, free of the rounding errors of its recurrence.
@@ -128,6 +132,7 @@ private:
   Vector<double> w, p, Ax, Aw, Ap, r;
   const int Pair; ///< unknowns that share a mass
   std::vector<double> Theta;
+  std::vector<double> OfParts; ///< residuals
   std::vector<Piece> Pieces;
 };
 
@@ -216,10 +221,12 @@ double LocallyOptimalIteration::FindResidual()
   this->Problem.Inverse.Apply(this->r, this->w, this->Context);
   const std::vector<double> squares =
     this->SumsOfParts(0.0, [this](double& sum, int i) { sum += this->r[i] * this->w[i]; });
+  this->OfParts.assign(this->Theta.size(), 0.0);
   double largest = 0.0;
   for (std::size_t part = 0; part < this->Theta.size(); ++part)
   {
     largest = std::max(largest, squares[part] / this->Theta[part]);
+    this->OfParts[part] = std::sqrt(squares[part] / this->Theta[part]);
   }
   return std::sqrt(largest);
 }
@@ -292,6 +299,27 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
     }
     iteration.Step();
   }
+  std::vector<double> eigenvalues = iteration.Eigenvalues();
+  constexpr int Patience = 100; // who allows fewer iterations wants to see them
+  if (!report.Converged && stop.MaximumIterations >= Patience)
+  {
+    IterationReport row = report.Iterations.back();
+    row.Iteration += 1;
+    row.RelativeResidual = 0.0;
+    for (std::size_t part = 0; part < eigenvalues.size(); ++part)
+    {
+      double residual = iteration.Residuals()[part];
+      if (residual > stop.RelativeTolerance)
+      {
+        residual = FindLowestOfBlock(problem, static_cast<int>(part), stop, x, eigenvalues[part], context);
+      }
+      row.RelativeResidual = std::max(row.RelativeResidual, residual);
+    }
+    row.Energy = std::accumulate(eigenvalues.begin(), eigenvalues.end(), 0.0);
+    row.Seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    report.Converged = row.RelativeResidual <= stop.RelativeTolerance;
+    report.Iterations.push_back(row);
+  }
   if (!report.Converged)
   {
     std::ostringstream text;
@@ -301,7 +329,7 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
     report.Warnings.push_back(text.str());
   }
   report.SolveSeconds = report.Iterations.back().Seconds;
-  return iteration.Eigenvalues();
+  return eigenvalues;
 }
 
 }

@@ -39,6 +39,8 @@ struct EigenProblem
 /// \param report its Iterations (with the sum of all theta as Energy), SolveSeconds, Converged and Warnings.
 /// \return theta of each part.
 /// \throw Cancelled
+/// A part that has not converged after all iterations, if these are 100 or more, goes on with a block of vectors
+/// (FindLowestOfBlock); the history tells the end of that as one iteration more.
 /// Cost per iteration: one application of B, one product with A and about fifteen passes over a vector.
 std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const StoppingCriteria& stop, Vector<double>& x,
   SolveReport& report, const ExecutionContext& context);

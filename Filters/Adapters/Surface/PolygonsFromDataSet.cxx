@@ -1,0 +1,420 @@
+#include "Adapters/Surface/PolygonsFromDataSet.h"
+
+#include "Support/Errors.h"
+
+#include "vtkCell.h"
+#include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkDataSet.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dmg
+{
+
+namespace
+{
+
+std::string Cell(vtkIdType id)
+{
+  return "cell " + std::to_string(id);
+}
+
+template <class Number>
+void CopyPoints(const Number* xyz, Points& positions)
+{
+  std::copy_n(xyz, positions.size(), positions.data());
+}
+
+/// In double precision.
+Points ReadPoints(vtkDataSet* surface)
+{
+  Points positions(surface->GetNumberOfPoints(), 3);
+  auto* const pointSet = vtkPointSet::SafeDownCast(surface);
+  vtkDataArray* const array = pointSet && pointSet->GetPoints() ? pointSet->GetPoints()->GetData() : nullptr;
+  if (auto* const doubles = vtkDoubleArray::FastDownCast(array))
+  {
+    CopyPoints(doubles->GetPointer(0), positions);
+  }
+  else if (auto* const floats = vtkFloatArray::FastDownCast(array))
+  {
+    CopyPoints(floats->GetPointer(0), positions);
+  }
+  else // other types and memory layouts, and grids
+  {
+    for (vtkIdType i = 0; i < positions.rows(); ++i)
+    {
+      surface->GetPoint(i, positions.data() + 3 * i);
+    }
+  }
+  return positions;
+}
+
+/// The ghosts among the cells of a dataset.
+class Ghosts
+{
+public:
+  explicit Ghosts(vtkDataSet* surface)
+    : OfCells(Flags(surface->GetCellData(), surface->GetNumberOfCells()))
+    , OfPoints(Flags(surface->GetPointData(), surface->GetNumberOfPoints()))
+  {
+  }
+
+  bool IsHidden(vtkIdType cell, vtkIdType size, const vtkIdType* points) const
+  {
+    return (this->OfCells && (this->OfCells->GetValue(cell) & vtkDataSetAttributes::HIDDENCELL) != 0) ||
+      (this->OfPoints &&
+        std::any_of(points, points + size,
+          [this](vtkIdType point)
+          { return (this->OfPoints->GetValue(point) & vtkDataSetAttributes::HIDDENPOINT) != 0; }));
+  }
+
+  bool AreAny() const { return this->OfCells || this->OfPoints; }
+
+  /// By cell, from the first one on; empty where there are no duplicates.
+  std::vector<char> Duplicates(vtkIdType firstCell, vtkIdType numberOfCells) const
+  {
+    std::vector<char> are;
+    for (vtkIdType cell = 0; this->OfCells && cell < numberOfCells; ++cell)
+    {
+      if ((this->OfCells->GetValue(firstCell + cell) & vtkDataSetAttributes::DUPLICATECELL) != 0)
+      {
+        are.resize(numberOfCells, 0);
+        are[cell] = 1;
+      }
+    }
+    return are;
+  }
+
+private:
+  /// Null where no flag is set.
+  static vtkUnsignedCharArray* Flags(vtkFieldData* data, vtkIdType size)
+  {
+    auto* const flags =
+      vtkUnsignedCharArray::SafeDownCast(data->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
+    if (!flags || flags->GetNumberOfComponents() != 1 || flags->GetNumberOfTuples() < size)
+    {
+      return nullptr;
+    }
+    const unsigned char* const first = flags->GetPointer(0);
+    return std::any_of(first, first + size, [](unsigned char flag) { return flag != 0; }) ? flags : nullptr;
+  }
+
+  vtkUnsignedCharArray* const OfCells;
+  vtkUnsignedCharArray* const OfPoints;
+};
+
+/// Calls visit(index, size, points) for every polygon, until it returns false.
+template <class Visitor>
+void VisitPolygons(vtkPolyData* surface, Visitor&& visit)
+{
+  const auto iterator = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  vtkIdType index = 0;
+  bool goesOn = true;
+  for (iterator->GoToFirstCell(); goesOn && !iterator->IsDoneWithTraversal(); iterator->GoToNextCell())
+  {
+    vtkIdType size;
+    const vtkIdType* points;
+    iterator->GetCurrentCell(size, points);
+    goesOn = visit(index++, size, points);
+  }
+}
+
+void CheckPoints(vtkIdType cell, vtkIdType size, const vtkIdType* points, vtkIdType numberOfPoints)
+{
+  for (vtkIdType k = 0; k < size; ++k)
+  {
+    if (points[k] < 0 || points[k] >= numberOfPoints)
+    {
+      throw InvalidInput(Cell(cell) + " uses point " + std::to_string(points[k]) + ", and the surface has " +
+        std::to_string(numberOfPoints) + " points; repair the source of the surface");
+    }
+  }
+}
+
+/// \return whether all polygons are triangles.
+bool ReadTriangles(vtkPolyData* surface, vtkIdType firstCell, Triangles& corners)
+{
+  const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
+  corners.resize(surface->GetNumberOfPolys(), 3);
+  bool areTriangles = true;
+  VisitPolygons(surface,
+    [&](vtkIdType polygon, vtkIdType size, const vtkIdType* points)
+    {
+      areTriangles = size == 3;
+      if (areTriangles)
+      {
+        CheckPoints(firstCell + polygon, size, points, numberOfPoints);
+        std::copy_n(points, 3, corners.data() + 3 * polygon);
+      }
+      return areTriangles;
+    });
+  return areTriangles;
+}
+
+void Add(PolygonSurface& polygons, vtkIdType size, const vtkIdType* points)
+{
+  if (static_cast<vtkIdType>(polygons.Corners.size()) + size > std::numeric_limits<int>::max() / 3)
+  {
+    throw InvalidInput(
+      "the surface has too many cells to be numbered; apply Triangulate (vtkTriangleFilter) and Decimate "
+      "(vtkDecimatePro) first");
+  }
+  polygons.Corners.insert(polygons.Corners.end(), points, points + size);
+  polygons.Offsets.push_back(static_cast<int>(polygons.Corners.size()));
+}
+
+SurfaceCells ReadPolyData(vtkPolyData* surface)
+{
+  const vtkIdType firstCell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  const vtkIdType numberOfPolygons = surface->GetNumberOfPolys();
+  const Ghosts ghosts(surface);
+  std::vector<char> duplicates = ghosts.Duplicates(firstCell, numberOfPolygons);
+  Triangles corners;
+  if (!ghosts.AreAny() && ReadTriangles(surface, firstCell, corners))
+  {
+    return CellTriangles{ ReadPoints(surface), std::move(corners), static_cast<int>(firstCell),
+      static_cast<int>(numberOfPolygons), {}, {} };
+  }
+  PolygonSurface polygons;
+  polygons.FirstCell = static_cast<int>(firstCell);
+  polygons.IsDuplicate = std::move(duplicates);
+  polygons.Offsets.reserve(numberOfPolygons + 1);
+  VisitPolygons(surface,
+    [&](vtkIdType polygon, vtkIdType size, const vtkIdType* points)
+    {
+      CheckPoints(firstCell + polygon, size, points, surface->GetNumberOfPoints());
+      Add(polygons, ghosts.IsHidden(firstCell + polygon, size, points) ? 0 : size, points);
+      return true;
+    });
+  polygons.Positions = ReadPoints(surface);
+  return polygons;
+}
+
+/// Cells of other datasets than vtkPolyData, one after the other.
+class CellReader
+{
+public:
+  explicit CellReader(vtkDataSet* surface)
+    : Surface(surface)
+    , HiddenCells(surface)
+  {
+    this->Dimensions.fill(-1);
+    this->Polygons.NumberOfCells = static_cast<int>(surface->GetNumberOfCells());
+  }
+
+  PolygonSurface Read()
+  {
+    for (vtkIdType cell = 0; cell < this->Surface->GetNumberOfCells(); ++cell)
+    {
+      const int dimension = this->DimensionOf(cell);
+      if (dimension == 3)
+      {
+        throw InvalidInput(Cell(cell) +
+          " is a cell of three dimensions, and a field is computed on a surface; apply Extract Surface "
+          "(vtkGeometryFilter) first");
+      }
+      if (dimension == 2)
+      {
+        this->ReadCell(cell);
+      }
+    }
+    this->Polygons.IsDuplicate = this->HiddenCells.Duplicates(0, this->Surface->GetNumberOfCells());
+    this->Polygons.Positions = ReadPoints(this->Surface);
+    return std::move(this->Polygons);
+  }
+
+private:
+  int DimensionOf(vtkIdType cell)
+  {
+    int& dimension = this->Dimensions.at(this->Surface->GetCellType(cell));
+    if (dimension < 0)
+    {
+      this->Surface->GetCell(cell, this->Generic);
+      dimension = this->Generic->GetCellDimension();
+    }
+    return dimension;
+  }
+
+  void ReadCell(vtkIdType cell)
+  {
+    this->Surface->GetCellPoints(cell, this->Ids);
+    const vtkIdType size = this->Ids->GetNumberOfIds();
+    vtkIdType* const points = this->Ids->GetPointer(0);
+    CheckPoints(cell, size, points, this->Surface->GetNumberOfPoints());
+    if (this->HiddenCells.IsHidden(cell, size, points))
+    {
+      return;
+    }
+    switch (this->Surface->GetCellType(cell))
+    {
+      case VTK_PIXEL:
+        std::swap(points[2], points[3]);
+        this->AddTo(cell, size, points);
+        break;
+      case VTK_TRIANGLE:
+      case VTK_QUAD:
+      case VTK_POLYGON:
+        this->AddTo(cell, size, points);
+        break;
+      default:
+        this->AddTriangles(cell);
+    }
+  }
+
+  void AddTo(vtkIdType cell, vtkIdType size, const vtkIdType* points)
+  {
+    Add(this->Polygons, size, points);
+    this->Polygons.Cells.push_back(static_cast<int>(cell));
+  }
+
+  /// Of cells of higher order, and of strips.
+  void AddTriangles(vtkIdType cell)
+  {
+    this->Surface->GetCell(cell, this->Generic);
+    this->Generic->Triangulate(0, this->Ids, this->Corners);
+    for (vtkIdType k = 0; k + 2 < this->Ids->GetNumberOfIds(); k += 3)
+    {
+      this->AddTo(cell, 3, this->Ids->GetPointer(k));
+    }
+  }
+
+  vtkDataSet* const Surface;
+  const Ghosts HiddenCells;
+  std::array<int, 256> Dimensions; ///< of types; -1 where none was met yet
+  PolygonSurface Polygons;
+  vtkNew<vtkIdList> Ids;
+  vtkNew<vtkPoints> Corners;
+  vtkNew<vtkGenericCell> Generic;
+};
+
+/// Copies polygons, and makes triangles of strips. \return the cell that each new one comes from.
+std::vector<vtkIdType> TrianglesOfStrips(vtkPolyData* surface, vtkCellArray* polygons)
+{
+  std::vector<vtkIdType> origins;
+  vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
+  VisitPolygons(surface,
+    [&](vtkIdType, vtkIdType size, const vtkIdType* points)
+    {
+      polygons->InsertNextCell(size, points);
+      origins.push_back(cell++);
+      return true;
+    });
+  const auto iterator = vtk::TakeSmartPointer(surface->GetStrips()->NewIterator());
+  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell)
+  {
+    vtkIdType size;
+    const vtkIdType* points;
+    iterator->GetCurrentCell(size, points);
+    for (vtkIdType k = 0; k + 2 < size; ++k)
+    {
+      const bool isTurned = k % 2 == 1;
+      polygons->InsertNextCell({ points[k], points[isTurned ? k + 2 : k + 1], points[isTurned ? k + 1 : k + 2] });
+      origins.push_back(cell);
+    }
+  }
+  return origins;
+}
+
+}
+
+SurfaceCells ReadSurfaceCells(vtkDataSet* surface)
+{
+  if (std::max(surface->GetNumberOfPoints(), surface->GetNumberOfCells()) > std::numeric_limits<int>::max() / 3)
+  {
+    throw InvalidInput("the surface has " + std::to_string(surface->GetNumberOfCells()) + " cells, at most " +
+      std::to_string(std::numeric_limits<int>::max() / 3) + " can be numbered; apply Decimate (vtkDecimatePro) first");
+  }
+  SurfaceCells cells;
+  if (auto* const polyData = vtkPolyData::SafeDownCast(surface))
+  {
+    cells = ReadPolyData(polyData);
+  }
+  else
+  {
+    cells = CellReader(surface).Read();
+  }
+  if (std::visit([](const auto& read) { return read.Corners.size() == 0; }, cells))
+  {
+    throw InvalidInput("the surface has no triangles or other cells of two dimensions; connect another, or the dataset "
+                       "that it was made of, through Extract Surface (vtkGeometryFilter)");
+  }
+  return cells;
+}
+
+vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* surface)
+{
+  auto* const given = vtkPolyData::SafeDownCast(surface);
+  if (!given || given->GetNumberOfStrips() == 0)
+  {
+    return surface;
+  }
+  vtkNew<vtkCellArray> polygons;
+  const std::vector<vtkIdType> origins = TrianglesOfStrips(given, polygons);
+  auto result = vtkSmartPointer<vtkPolyData>::New();
+  result->SetPoints(given->GetPoints());
+  result->SetVerts(given->GetVerts());
+  result->SetLines(given->GetLines());
+  result->SetPolys(polygons);
+  result->GetPointData()->ShallowCopy(given->GetPointData());
+  result->GetFieldData()->ShallowCopy(given->GetFieldData());
+  const vtkIdType others = given->GetNumberOfVerts() + given->GetNumberOfLines();
+  vtkNew<vtkIdList> from;
+  for (vtkIdType cell = 0; cell < others; ++cell)
+  {
+    from->InsertNextId(cell);
+  }
+  for (const vtkIdType origin : origins)
+  {
+    from->InsertNextId(origin);
+  }
+  result->GetCellData()->CopyAllOn();
+  result->GetCellData()->CopyAllocate(given->GetCellData(), from->GetNumberOfIds());
+  for (vtkIdType cell = 0; cell < from->GetNumberOfIds(); ++cell)
+  {
+    result->GetCellData()->CopyData(given->GetCellData(), from->GetId(cell), cell);
+  }
+  return result;
+}
+
+vtkSmartPointer<vtkDataSet> SurfaceOf(vtkInformationVector* port)
+{
+  return WithoutStrips(vtkDataSet::GetData(port));
+}
+
+vtkSmartPointer<vtkPoints> PointsOf(vtkDataSet* dataset)
+{
+  if (auto* const pointSet = vtkPointSet::SafeDownCast(dataset))
+  {
+    return pointSet->GetPoints();
+  }
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(dataset->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < dataset->GetNumberOfPoints(); ++i)
+  {
+    points->SetPoint(i, dataset->GetPoint(i));
+  }
+  return points;
+}
+
+}

@@ -1,0 +1,59 @@
+#include "Adapters/Surface/PreparationToFieldData.h"
+
+#include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/Surface/ElementArrays.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkDataSet.h"
+#include "vtkFieldData.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkStringArray.h"
+
+namespace dmg
+{
+
+void AddPreparation(const PreparationReport& report, const PreparationOptions& options, vtkFieldData* fieldData)
+{
+  fieldData->RemoveArray(ArrayNames::SurfacePreparation);
+  fieldData->RemoveArray(ArrayNames::SurfaceOptions);
+  if (const std::string text = report.Text(); !text.empty())
+  {
+    vtkNew<vtkStringArray> array;
+    array->SetName(ArrayNames::SurfacePreparation);
+    array->InsertNextValue(text);
+    AddHidden(fieldData, array);
+  }
+  if (options.Strict || !options.JoinPoints)
+  {
+    vtkNew<vtkIntArray> array;
+    array->SetName(ArrayNames::SurfaceOptions);
+    array->InsertNextValue(options.JoinPoints ? 1 : 0);
+    array->InsertNextValue(options.Strict ? 1 : 0);
+    AddHidden(fieldData, array);
+  }
+}
+
+PreparationOptions PreparationOf(vtkDataSet* surface)
+{
+  PreparationOptions options;
+  auto* const array = vtkDataArray::SafeDownCast(surface->GetFieldData()->GetAbstractArray(ArrayNames::SurfaceOptions));
+  if (array && array->GetNumberOfTuples() == 2 && array->GetNumberOfComponents() == 1)
+  {
+    options.JoinPoints = array->GetComponent(0, 0) != 0.0;
+    options.Strict = array->GetComponent(1, 0) != 0.0;
+  }
+  return options;
+}
+
+void WarnOfPreparation(vtkAlgorithm* algorithm, const PreparationReport& report)
+{
+  if (report.IsChanged())
+  {
+    vtkWarningWithObjectMacro(algorithm,
+      "the surface was not an oriented manifold, and is solved on as one: "
+        << report.Text() << "; its own cells and points stay as they are; to have it refused, switch Strict on");
+  }
+}
+
+}

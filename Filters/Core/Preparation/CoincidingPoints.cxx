@@ -1,0 +1,173 @@
+#include "Preparation/CoincidingPoints.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numeric>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// A grid over space whose cells have a number each. Coordinates reach to 2^19 cells from the origin.
+class Cells
+{
+public:
+  explicit Cells(double size)
+    : Size(size)
+  {
+  }
+
+  std::int64_t Along(double x) const { return static_cast<std::int64_t>(std::floor(x / this->Size)) + (1 << 20); }
+  static std::int64_t Number(std::int64_t x, std::int64_t y, std::int64_t z) { return (x << 42) | (y << 21) | z; }
+
+private:
+  const double Size;
+};
+
+using PointOfCell = std::pair<std::int64_t, int>;
+
+class NearPoints
+{
+public:
+  NearPoints(const Points& positions, const std::vector<BoundaryPoint>& points, double distance)
+    : Positions(positions)
+    , Boundary(points)
+    , Distance(distance)
+    , Grid(8.0 * distance)
+  {
+    this->Sorted.reserve(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const auto& p = positions.row(points[i].Point);
+      this->Sorted.emplace_back(
+        Cells::Number(this->Grid.Along(p[0]), this->Grid.Along(p[1]), this->Grid.Along(p[2])), static_cast<int>(i));
+    }
+    std::sort(this->Sorted.begin(), this->Sorted.end());
+  }
+
+  /// Calls visit(j) for the points after point i that coincide with it.
+  template <class Visit>
+  void VisitAfter(int i, const Visit& visit) const
+  {
+    const auto& p = this->Positions.row(this->Boundary[i].Point);
+    std::array<std::array<std::int64_t, 2>, 3> range;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      range[axis] = { this->Grid.Along(p[axis] - this->Distance), this->Grid.Along(p[axis] + this->Distance) };
+    }
+    for (std::int64_t x = range[0][0]; x <= range[0][1]; ++x)
+    {
+      for (std::int64_t y = range[1][0]; y <= range[1][1]; ++y)
+      {
+        for (std::int64_t z = range[2][0]; z <= range[2][1]; ++z)
+        {
+          this->VisitCell(Cells::Number(x, y, z), i, visit);
+        }
+      }
+    }
+  }
+
+private:
+  template <class Visit>
+  void VisitCell(std::int64_t cell, int i, const Visit& visit) const
+  {
+    auto at = std::lower_bound(this->Sorted.begin(), this->Sorted.end(), PointOfCell(cell, i + 1));
+    for (; at != this->Sorted.end() && at->first == cell; ++at)
+    {
+      if (this->Coincide(this->Boundary[i], this->Boundary[at->second]))
+      {
+        visit(at->second);
+      }
+    }
+  }
+
+  bool Coincide(const BoundaryPoint& a, const BoundaryPoint& b) const
+  {
+    const double distance = (this->Positions.row(a.Point) - this->Positions.row(b.Point)).norm();
+    return distance <= std::min(this->Distance, PartOfEdge * std::min(a.Size, b.Size));
+  }
+
+  const Points& Positions;
+  const std::vector<BoundaryPoint>& Boundary;
+  const double Distance;
+  const Cells Grid;
+  std::vector<PointOfCell> Sorted;
+};
+
+}
+
+double RoundingOf(const Points& positions)
+{
+  constexpr double Ulps = 16.0 / (1 << 23);
+  return positions.rows() > 0 ? Ulps * positions.cwiseAbs().maxCoeff() : 0.0;
+}
+
+bool JoinBoundary(const Points& positions, const std::vector<BoundaryPoint>& points, DisjointSets& sets)
+{
+  const double rounding = RoundingOf(positions);
+  if (!(rounding > 0.0) || !std::isfinite(rounding))
+  {
+    return false;
+  }
+  const NearPoints near(positions, points, rounding);
+  bool isAny = false;
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    near.VisitAfter(static_cast<int>(i),
+      [&](int j)
+      {
+        sets.Unite(points[i].Point, points[j].Point);
+        isAny = true;
+      });
+  }
+  return isAny;
+}
+
+std::vector<int> FirstOfEqual(const Points& positions)
+{
+  const int size = static_cast<int>(positions.rows());
+  std::vector<int> order(size);
+  std::iota(order.begin(), order.end(), 0);
+  const auto place = [&positions](int i) {
+    return std::array<double, 3>{ positions(i, 0), positions(i, 1), positions(i, 2) };
+  };
+  std::sort(order.begin(), order.end(),
+    [&place](int a, int b)
+    {
+      const auto p = place(a), q = place(b);
+      return p != q ? p < q : a < b;
+    });
+  std::vector<int> first(size);
+  for (int k = 0; k < size; ++k)
+  {
+    const bool isEqual = k > 0 && place(order[k]) == place(order[k - 1]);
+    first[order[k]] = isEqual ? first[order[k - 1]] : order[k];
+  }
+  return first;
+}
+
+void BoundaryPoints::Add(const Points& positions, int a, int b, int c)
+{
+  const double size = std::sqrt(std::max({ (positions.row(a) - positions.row(b)).squaredNorm(),
+    (positions.row(b) - positions.row(c)).squaredNorm(), (positions.row(c) - positions.row(a)).squaredNorm() }));
+  this->All.push_back({ a, size });
+  this->All.push_back({ b, size });
+}
+
+std::vector<BoundaryPoint> BoundaryPoints::Take()
+{
+  std::sort(this->All.begin(), this->All.end(),
+    [](const BoundaryPoint& p, const BoundaryPoint& q)
+    { return p.Point != q.Point ? p.Point < q.Point : p.Size < q.Size; });
+  const auto end = std::unique(this->All.begin(), this->All.end(),
+    [](const BoundaryPoint& p, const BoundaryPoint& q) { return p.Point == q.Point; });
+  this->All.erase(end, this->All.end());
+  return std::move(this->All);
+}
+
+}

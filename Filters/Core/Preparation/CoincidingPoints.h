@@ -1,0 +1,50 @@
+#ifndef dmgCoincidingPoints_h
+#define dmgCoincidingPoints_h
+
+#include "Support/DisjointSets.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// Points coincide that are nearer to each other than this part of the edges there, and than RoundingOf.
+constexpr double PartOfEdge = 0.01;
+
+/// The distance that single precision does not tell from none: 16 * 2^-23 of the largest coordinate.
+double RoundingOf(const Points& positions);
+
+/// A point on a boundary, and the size of the triangles there.
+struct BoundaryPoint
+{
+  int Point;   ///< row of the positions
+  double Size; ///< least of the longest edges of the triangles that have it on a boundary side
+};
+
+/// Unites the points of boundaries that coincide: those that are equal, and those that are nearer to each other than
+/// RoundingOf all positions and than PartOfEdge of both sizes.
+/// \param points ascending, each once.
+/// \param sets of the rows of \p positions.
+/// \return whether there were any.
+/// Cost: O(n log n) in their number.
+bool JoinBoundary(const Points& positions, const std::vector<BoundaryPoint>& points, DisjointSets& sets);
+
+/// The first row of each place: equal rows have the same number. Cost: O(n log n).
+std::vector<int> FirstOfEqual(const Points& positions);
+
+/// Gathers the points of boundary sides.
+class BoundaryPoints
+{
+public:
+  /// Adds the side from a to b of a triangle whose third corner is c.
+  void Add(const Points& positions, int a, int b, int c);
+  std::vector<BoundaryPoint> Take();
+
+private:
+  std::vector<BoundaryPoint> All;
+};
+
+}
+
+#endif

@@ -1,0 +1,242 @@
+#include "Preparation/PreparedSurface.h"
+
+#include "Mesh/SpatialOrder.h"
+#include "Preparation/CoincidingPoints.h"
+#include "Preparation/SurfaceRepair.h"
+#include "Support/Errors.h"
+#include "Support/Permutations.h"
+
+#include <algorithm>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+constexpr int Grain = 8192;
+
+/// \throw InvalidInput no triangle has an area above 1e-10 times the square of its longest side: then no direction is
+/// tangential to the surface.
+void CheckArea(const TriangleMesh& mesh)
+{
+  constexpr double SmallestArea = 1e-10;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    double longest = 0.0;
+    for (int h = 3 * face; h < 3 * face + 3; ++h)
+    {
+      longest = std::max(longest, (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).squaredNorm());
+    }
+    if (mesh.FaceArea(face) > SmallestArea * longest)
+    {
+      return;
+    }
+  }
+  RefuseSurfaceWithoutArea();
+}
+
+void CheckSizes(const CellTriangles& given)
+{
+  constexpr long long Largest = std::numeric_limits<int>::max() / 3;
+  if (given.Corners.rows() > Largest)
+  {
+    throw InvalidInput("the surface has " + std::to_string(given.Corners.rows()) + " triangles, at most " +
+      std::to_string(Largest) + " can be numbered; apply Decimate (vtkDecimatePro) first");
+  }
+  const int numberOfPoints = static_cast<int>(given.Positions.rows());
+  for (int i = 0; i < static_cast<int>(given.Corners.size()); ++i)
+  {
+    const int point = given.Corners.data()[i];
+    if (point < 0 || point >= numberOfPoints)
+    {
+      throw InvalidInput("cell " + std::to_string(given.FirstCell + given.CellOf(i / 3)) + " uses point " +
+        std::to_string(point) + ", and the surface has " + std::to_string(numberOfPoints) +
+        " points; repair the source of the surface");
+    }
+  }
+}
+
+/// The triangles of a mesh, numbered as they were given, before anything is checked.
+SurfaceParts PartsAsGiven(const CellTriangles& given, const UsedPoints& used)
+{
+  SurfaceParts parts;
+  parts.FirstCell = given.FirstCell;
+  const int size = static_cast<int>(given.Corners.rows());
+  parts.CellsOfFaces = given.Cells.empty() ? Identity(size) : given.Cells;
+  parts.FacesOfCells = RowsOf(given.NumberOfCells, parts.CellsOfFaces);
+  parts.PointsOfVertices = used.Points;
+  parts.VerticesOfPoints.Items = used.Rows;
+  return parts;
+}
+
+void Renumber(std::vector<int>& items, const std::vector<int>& numbers, const ExecutionContext& context)
+{
+  context.ParallelFor(0, static_cast<int>(items.size()), Grain,
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        items[i] = items[i] < 0 ? -1 : numbers[items[i]];
+      }
+    });
+}
+
+std::vector<int> Permuted(const std::vector<int>& items, const std::vector<int>& order, const ExecutionContext& context)
+{
+  std::vector<int> permuted(items.size());
+  context.ParallelFor(0, static_cast<int>(items.size()), Grain,
+    [&](int first, int last)
+    {
+      for (int i = first; i < last; ++i)
+      {
+        permuted[i] = items[order[i]];
+      }
+    });
+  return permuted;
+}
+
+SurfaceRelation RelationOf(SurfaceParts&& parts)
+{
+  return { parts.FirstCell, std::move(parts.CellsOfFaces), std::move(parts.FacesOfCells),
+    std::move(parts.PointsOfVertices), std::move(parts.VerticesOfPoints) };
+}
+
+PreparedSurface InSpatialOrder(
+  const Points& positions, const Triangles& corners, SurfaceParts&& parts, const ExecutionContext& context)
+{
+  const SpatialOrder order(positions, corners, context);
+  TriangleMesh mesh = order.Apply(positions, corners, context);
+  CheckArea(mesh);
+  parts.CellsOfFaces = Permuted(parts.CellsOfFaces, order.Faces(), context);
+  parts.PointsOfVertices = Permuted(parts.PointsOfVertices, order.Vertices(), context);
+  Renumber(parts.FacesOfCells.Items, Inverse(order.Faces(), context), context);
+  Renumber(parts.VerticesOfPoints.Items, Inverse(order.Vertices(), context), context);
+  return { std::move(mesh), RelationOf(std::move(parts)), {} };
+}
+
+PreparedSurface InGivenOrder(
+  const Points& positions, const Triangles& corners, SurfaceParts&& parts, const ExecutionContext& context)
+{
+  SurfaceRelation relation = RelationOf(std::move(parts));
+  TriangleMesh mesh(positions, corners, relation.Names(), context);
+  CheckArea(mesh);
+  return { std::move(mesh), std::move(relation), {} };
+}
+
+/// \throw InvalidInput the mesh is none; the first reason in the caller's order.
+PreparedSurface MakeMesh(const Points& positions, const Triangles& corners, const SurfaceParts& parts, Numbering order,
+  const ExecutionContext& context)
+{
+  if (order == Numbering::Spatial)
+  {
+    try
+    {
+      return InSpatialOrder(positions, corners, SurfaceParts(parts), context);
+    }
+    catch (const InvalidInput&)
+    {
+      // It is refused below, with the caller's numbers.
+    }
+  }
+  return InGivenOrder(positions, corners, SurfaceParts(parts), context);
+}
+
+bool HasCoincidingBoundary(const TriangleMesh& mesh)
+{
+  BoundaryPoints boundary;
+  for (int side = 0; side < 3 * mesh.NumberOfFaces(); ++side)
+  {
+    if (mesh.Twin(side) < 0)
+    {
+      boundary.Add(mesh.VertexPositions(), mesh.Tail(side), mesh.Head(side), mesh.Tail(TriangleMesh::Previous(side)));
+    }
+  }
+  const std::vector<BoundaryPoint> points = boundary.Take();
+  if (points.empty())
+  {
+    return false;
+  }
+  DisjointSets sets(mesh.NumberOfVertices());
+  return JoinBoundary(mesh.VertexPositions(), points, sets);
+}
+
+/// \throw InvalidInput the surface is no oriented manifold; the message says so, if it can be made one.
+PreparedSurface MakeStrict(const CellTriangles& given, const UsedPoints& used, const SurfaceParts& parts,
+  Numbering order, const ExecutionContext& context)
+{
+  try
+  {
+    return MakeMesh(given.Positions, given.Corners, parts, order, context);
+  }
+  catch (const InvalidInput& error)
+  {
+    const std::string reason = error.what();
+    try
+    {
+      const RepairedSurface repaired = Repair(given, used, true, context);
+      MakeMesh(repaired.Positions, repaired.Corners, repaired.Parts, Numbering::AsGiven, context);
+    }
+    catch (const InvalidInput&)
+    {
+      throw InvalidInput(reason);
+    }
+    throw InvalidInput(reason + "; or switch Strict off, which parts and turns triangles inside as is needed");
+  }
+}
+
+/// The surface as it is, if that is an oriented manifold.
+std::optional<PreparedSurface> AsItIs(const CellTriangles& given, const UsedPoints& used,
+  const PreparationOptions& options, const ExecutionContext& context)
+{
+  const SurfaceParts parts = PartsAsGiven(given, used);
+  if (options.Strict)
+  {
+    return MakeStrict(given, used, parts, options.Order, context);
+  }
+  try
+  {
+    PreparedSurface surface = options.Order == Numbering::Spatial
+      ? InSpatialOrder(given.Positions, given.Corners, SurfaceParts(parts), context)
+      : InGivenOrder(given.Positions, given.Corners, SurfaceParts(parts), context);
+    if (!options.JoinPoints || !HasCoincidingBoundary(surface.Mesh))
+    {
+      return surface;
+    }
+  }
+  catch (const InvalidInput&)
+  {
+    // It is repaired, or refused by the one that repairs.
+  }
+  return std::nullopt;
+}
+
+}
+
+PreparedSurface PrepareSurface(
+  CellTriangles&& given, const PreparationOptions& options, const ExecutionContext& context)
+{
+  CheckSizes(given);
+  const UsedPoints used = DropUnusedPoints(given);
+  std::optional<PreparedSurface> surface;
+  const bool hasDuplicates =
+    std::any_of(given.IsDuplicate.begin(), given.IsDuplicate.end(), [](char duplicate) { return duplicate != 0; });
+  if (!hasDuplicates || options.Strict)
+  {
+    surface = AsItIs(given, used, options, context);
+  }
+  if (!surface)
+  {
+    const RepairedSurface repaired = Repair(given, used, options.JoinPoints, context);
+    surface = MakeMesh(repaired.Positions, repaired.Corners, repaired.Parts, options.Order, context);
+    surface->Report = repaired.Report;
+  }
+  surface->Relation.SetEdges(surface->Mesh, context);
+  return std::move(*surface);
+}
+
+}

@@ -1,0 +1,67 @@
+#ifndef dmgPreparedSurface_h
+#define dmgPreparedSurface_h
+
+#include "Mesh/SurfaceRelation.h"
+#include "Mesh/TriangleMesh.h"
+#include "Preparation/PolygonSurface.h"
+#include "Preparation/PreparationReport.h"
+#include "Support/ExecutionContext.h"
+
+namespace dmg
+{
+
+/// The order of faces and vertices of a mesh.
+enum class Numbering
+{
+  AsGiven, ///< in the order of cells and points
+  Spatial, ///< as SpatialOrder does: files have any order, and loops over the surface like this one
+};
+
+struct PreparationOptions
+{
+  dmg::Numbering Order = Numbering::Spatial;
+  bool JoinPoints = true; ///< points that coincide are one
+  bool Strict = false;    ///< what is not an oriented manifold surface is refused; no points are joined
+
+  bool operator==(const PreparationOptions& other) const
+  {
+    return this->Order == other.Order && this->JoinPoints == other.JoinPoints && this->Strict == other.Strict;
+  }
+};
+
+/// An oriented manifold surface, and how it stands to the cells and points that it was made from.
+struct PreparedSurface
+{
+  TriangleMesh Mesh;
+  SurfaceRelation Relation;
+  PreparationReport Report;
+};
+
+/// Makes an oriented manifold mesh of whatever triangles there are, without new points.
+///
+/// A surface that is one already stays as it is, and costs one pass over its boundary more than the mesh. Else:
+/// - Points of the boundary that coincide are joined: equal ones, and those that single precision does not tell
+///   apart (RoundingOf), nearer than a hundredth of the edges there. Thin walls and gaps stay.
+/// - Doubled triangles and triangles with a corner twice are left out; see SurfaceRelation for what stands in for them.
+/// - At an edge of more than two triangles, those two stay joined that continue each other most smoothly; others do
+///   where they meet within 45 degrees of a plane, and end there else.
+/// - Triangles are turned until neighbours agree, in each component as most of them are. A surface with one side only is
+///   cut along a short seam.
+/// - A point whose triangles form several fans becomes a vertex for each of them.
+///
+/// \throw InvalidInput a coordinate that is not finite, corners out of range, no triangle with an area, too many
+/// triangles; with Strict, as the constructor of TriangleMesh. Messages have the numbers of cells and points.
+/// Cost: O(n log n) in the number of boundary sides, else linear.
+PreparedSurface PrepareSurface(
+  CellTriangles&& triangles, const PreparationOptions& options, const ExecutionContext& context = SerialContext());
+
+/// The same for polygons; see Triangulate.
+inline PreparedSurface PrepareSurface(
+  PolygonSurface&& polygons, const PreparationOptions& options, const ExecutionContext& context = SerialContext())
+{
+  return PrepareSurface(Triangulate(std::move(polygons), context), options, context);
+}
+
+}
+
+#endif

@@ -1,0 +1,330 @@
+#include "Preparation/PreparedSurface.h"
+
+#include "PreparedSurfaces.h"
+
+#include "Support/Errors.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace dmg;
+using namespace dmg::test;
+
+namespace
+{
+
+/// The relation says the same both ways, and corners lie where their points are.
+void ExpectConsistent(const PreparedSurface& prepared, const Points& positions, int numberOfCells)
+{
+  const TriangleMesh& mesh = prepared.Mesh;
+  const SurfaceRelation& relation = prepared.Relation;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const std::vector<int> faces = Items(relation.FacesOf(relation.CellOf(face)));
+    EXPECT_TRUE(relation.IsPartOfSurface(relation.CellOf(face)));
+    EXPECT_EQ(std::count(faces.begin(), faces.end(), face), 1);
+  }
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    const int point = relation.PointOf(vertex);
+    const std::vector<int> vertices = Items(relation.VerticesOf(point));
+    EXPECT_EQ(std::count(vertices.begin(), vertices.end(), vertex), 1);
+    EXPECT_EQ(mesh.Position(vertex), Vector3(positions.row(point).transpose()));
+  }
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    for (const int face : relation.FacesOf(cell))
+    {
+      EXPECT_TRUE(face >= 0 && face < mesh.NumberOfFaces());
+    }
+  }
+}
+
+Surface WithFaces(const Surface& surface, const std::vector<std::array<int, 3>>& more)
+{
+  Surface result = surface;
+  result.F.conservativeResize(surface.F.rows() + static_cast<Eigen::Index>(more.size()), 3);
+  for (std::size_t i = 0; i < more.size(); ++i)
+  {
+    result.F.row(surface.F.rows() + static_cast<Eigen::Index>(i)) << more[i][0], more[i][1], more[i][2];
+  }
+  return result;
+}
+
+/// A plate of squares with a wall on its middle line.
+Surface PlateWithStiffener(int size)
+{
+  Surface plate = PlaneGrid(size, size);
+  std::vector<int> line;
+  for (int v = 0; v < plate.V.rows(); ++v)
+  {
+    if (plate.V(v, 0) == size / 2)
+    {
+      line.push_back(v);
+    }
+  }
+  const int below = static_cast<int>(plate.V.rows());
+  plate.V.conservativeResize(below + static_cast<Eigen::Index>(line.size()), 3);
+  std::vector<std::array<int, 3>> wall;
+  for (int j = 0; j < static_cast<int>(line.size()); ++j)
+  {
+    plate.V.row(below + j) = plate.V.row(line[j]) + Eigen::RowVector3d(0.0, 0.0, 1.0);
+    if (j > 0)
+    {
+      wall.push_back({ line[j - 1], line[j], below + j });
+      wall.push_back({ line[j - 1], below + j, below + j - 1 });
+    }
+  }
+  return WithFaces(plate, wall);
+}
+
+}
+
+TEST(PreparedSurface, LeavesAManifoldAsItIs)
+{
+  for (const Surface& surface : { Icosphere(2), PlaneGrid(5, 4), Torus(9, 7), CapsuleFromRectangle(8, 4) })
+  {
+    const PreparedSurface prepared = Prepared(surface, { Numbering::AsGiven, false, false });
+    EXPECT_TRUE(prepared.Relation.IsOneToOne());
+    EXPECT_EQ(prepared.Report.Text(), "");
+    EXPECT_EQ(prepared.Mesh.FaceCorners(), surface.F);
+    EXPECT_EQ(prepared.Mesh.VertexPositions(), surface.V);
+    ExpectConsistent(Prepared(surface), surface.V, static_cast<int>(surface.F.rows()));
+  }
+}
+
+TEST(PreparedSurface, MakesASphereOfASoup)
+{
+  const Surface soup = Soup(Icosphere(2)); // 320 faces, 162 vertices
+  const PreparedSurface prepared = Prepared(soup);
+  EXPECT_EQ(prepared.Mesh.NumberOfVertices(), 162);
+  EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2);
+  EXPECT_EQ(NumberOfBoundaryEdges(prepared.Mesh), 0);
+  EXPECT_EQ(prepared.Report.Text(), "798 points joined"); // 960 - 162
+  EXPECT_FALSE(prepared.Report.IsChanged());
+  for (int point = 0; point < 960; ++point)
+  {
+    ASSERT_EQ(prepared.Relation.VerticesOf(point).size(), 1);
+    const Vector3 position = prepared.Mesh.Position(prepared.Relation.VerticesOf(point).front());
+    EXPECT_EQ(position, Vector3(soup.V.row(point).transpose()));
+  }
+  ExpectConsistent(prepared, soup.V, 320);
+  EXPECT_EQ(Prepared(soup, { Numbering::Spatial, false, false }).Mesh.NumberOfVertices(), 960);
+}
+
+// The seam of a surface of revolution, computed in single precision, closes; a capsule from a rectangle has collapsed sides.
+TEST(PreparedSurface, ClosesSeamsOfRounding)
+{
+  const Surface capsule = CapsuleFromRectangle(16, 9);
+  for (const double rounding : { 0.0, 1e-8, 2e-7 })
+  {
+    Surface rounded = capsule;
+    rounded.V += rounding * Points::Random(capsule.V.rows(), 3);
+    const PreparedSurface prepared = Prepared(rounded);
+    EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2);
+    EXPECT_EQ(NumberOfBoundaryEdges(prepared.Mesh), 0);
+    EXPECT_GT(prepared.Report.PointsJoined, 0);
+  }
+}
+
+TEST(PreparedSurface, KeepsGapsAndThinWalls)
+{
+  for (const double gap : { 1e-1, 1e-3, 1e-4 })
+  {
+    const PreparedSurface beside = Prepared(Union(PlaneGrid(4, 4), PlaneGrid(4, 4), Vector3(4.0 + gap, 0.0, 0.0)));
+    EXPECT_EQ(NumberOfComponents(beside.Mesh), 2) << gap;
+    const PreparedSurface above = Prepared(Union(PlaneGrid(4, 4), PlaneGrid(4, 4), Vector3(0.0, 0.0, gap)));
+    EXPECT_EQ(NumberOfComponents(above.Mesh), 2) << gap;
+  }
+  const PreparedSurface joined = Prepared(Union(PlaneGrid(4, 4), PlaneGrid(4, 4), Vector3(4.0, 0.0, 0.0)));
+  EXPECT_EQ(NumberOfComponents(joined.Mesh), 1);
+  EXPECT_EQ(joined.Mesh.EulerCharacteristic(), 1);
+  EXPECT_EQ(joined.Report.PointsJoined, 5);
+}
+
+TEST(PreparedSurface, OrientsAsMostOfAComponent)
+{
+  const Surface both = Union(Icosphere(1), Torus(8, 6), Vector3(5.0, 0.0, 0.0));
+  Surface turned = both;
+  for (const int face : { 2, 3, 40, 100, 101 })
+  {
+    std::swap(turned.F(face, 0), turned.F(face, 1));
+  }
+  const PreparedSurface prepared = Prepared(turned);
+  EXPECT_EQ(prepared.Report.Text(), "5 cells turned");
+  double volume = 0.0, expected = 0.0; // positive where normals point outwards
+  const TriangleMesh mesh = both.Mesh();
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    expected += mesh.Position(mesh.Tail(3 * face)).dot(mesh.FaceAreaVector(face));
+    volume += prepared.Mesh.Position(prepared.Mesh.Tail(3 * face)).dot(prepared.Mesh.FaceAreaVector(face));
+  }
+  EXPECT_NEAR(volume, expected, 1e-12 * expected);
+  EXPECT_THROW(Prepared(turned, { Numbering::Spatial, true, true }), InvalidInput);
+}
+
+TEST(PreparedSurface, LetsADoubledTriangleHaveTheFaceOfItsTwin)
+{
+  const Surface sphere = Icosphere(1);
+  const auto f = [&sphere](int t, int k) { return sphere.F(t, k); };
+  const Surface doubled =
+    WithFaces(sphere, { { f(5, 0), f(5, 1), f(5, 2) }, { f(9, 2), f(9, 1), f(9, 0) }, { f(5, 1), f(5, 2), f(5, 0) } });
+  const PreparedSurface prepared = Prepared(doubled);
+  EXPECT_EQ(prepared.Mesh.NumberOfFaces(), 80);
+  EXPECT_EQ(prepared.Report.Text(), "3 cells doubled");
+  EXPECT_EQ(Items(prepared.Relation.FacesOf(80)), Items(prepared.Relation.FacesOf(5)));
+  EXPECT_EQ(Items(prepared.Relation.FacesOf(81)), Items(prepared.Relation.FacesOf(9)));
+  EXPECT_FALSE(prepared.Relation.IsPartOfSurface(82));
+  ExpectConsistent(prepared, doubled.V, 83);
+}
+
+// A copied sheet has the field of the first; solids that touch stay two.
+TEST(PreparedSurface, TellsCopiesFromSolidsThatTouch)
+{
+  const Surface plane = PlaneGrid(4, 3);
+  const PreparedSurface copied = Prepared(Union(plane, plane, Vector3::Zero()));
+  EXPECT_EQ(copied.Mesh.NumberOfFaces(), 24);
+  EXPECT_EQ(copied.Mesh.EulerCharacteristic(), 1);
+  EXPECT_EQ(Items(copied.Relation.FacesOf(24 + 7)), Items(copied.Relation.FacesOf(7)));
+  EXPECT_EQ(Items(copied.Relation.VerticesOf(20 + 6)), Items(copied.Relation.VerticesOf(6)));
+}
+
+TEST(PreparedSurface, CutsAMoebiusStripOnce)
+{
+  for (const int around : { 5, 9, 40 })
+  {
+    const PreparedSurface prepared = Prepared(MoebiusStrip(around));
+    EXPECT_EQ(prepared.Mesh.NumberOfFaces(), 2 * around);
+    EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 1); // a disc
+    EXPECT_EQ(NumberOfComponents(prepared.Mesh), 1);
+    EXPECT_EQ(prepared.Report.EdgesCut, 1); // the strip is one edge wide
+  }
+}
+
+TEST(PreparedSurface, LetsAPlateGoOnUnderItsStiffener)
+{
+  const Surface surface = PlateWithStiffener(8);
+  const PreparedSurface prepared = Prepared(surface);
+  EXPECT_EQ(NumberOfComponents(prepared.Mesh), 2);
+  EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2); // two discs
+  EXPECT_EQ(prepared.Report.Text(), "8 edges of more than two sheets parted");
+  const std::vector<int> components = FaceComponents(prepared.Mesh);
+  for (int cell = 0; cell < 128 + 16; ++cell)
+  {
+    EXPECT_EQ(components[prepared.Relation.FacesOf(cell).front()] == components[prepared.Relation.FacesOf(0).front()],
+      cell < 128);
+  }
+  ExpectConsistent(prepared, surface.V, 144);
+}
+
+TEST(PreparedSurface, PartsAPinchedPointIntoItsFans)
+{
+  const PreparedSurface prepared = Prepared(PinchedTetrahedra());
+  EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 4);
+  EXPECT_EQ(prepared.Relation.VerticesOf(0).size(), 2);
+  EXPECT_EQ(prepared.Report.Text(), "1 pinched point parted");
+}
+
+// A triangle with a corner twice leaves no hole, and has the faces on both sides of it.
+TEST(PreparedSurface, JoinsTheNeighboursOfCollapsedTriangles)
+{
+  const Surface sphere = Icosphere(1);
+  const Surface surface = WithFaces(sphere, { { sphere.F(40, 0), sphere.F(40, 0), sphere.F(40, 2) } });
+  const PreparedSurface prepared = Prepared(surface);
+  EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2);
+  EXPECT_EQ(NumberOfBoundaryEdges(prepared.Mesh), 0);
+  EXPECT_EQ(prepared.Report.Text(), "1 cell without area");
+  const std::vector<int> around = Items(prepared.Relation.FacesOf(80));
+  EXPECT_EQ(around.size(), 2u);
+  EXPECT_EQ(std::count(around.begin(), around.end(), prepared.Relation.FacesOf(40).front()), 1);
+}
+
+TEST(PreparedSurface, LeavesOutDuplicatesAndFillsThemFromTheirTwins)
+{
+  const Surface sphere = Icosphere(1);
+  const auto f = [&sphere](int t, int k) { return sphere.F(t, k); };
+  const Surface surface = WithFaces(sphere, { { f(3, 0), f(3, 1), f(3, 2) } });
+  for (const int duplicate : { 3, 80 }) // whichever comes first
+  {
+    CellTriangles triangles = TrianglesOf(surface);
+    triangles.IsDuplicate.assign(81, 0);
+    triangles.IsDuplicate[duplicate] = 1;
+    const PreparedSurface prepared = PrepareSurface(std::move(triangles), {});
+    EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2);
+    EXPECT_EQ(prepared.Report.Text(), "");
+    EXPECT_EQ(Items(prepared.Relation.FacesOf(3)), Items(prepared.Relation.FacesOf(80)));
+    EXPECT_FALSE(prepared.Relation.IsPartOfSurface(duplicate));
+  }
+}
+
+TEST(PreparedSurface, HasTheEdgesOfPolygonsWithoutDiagonals)
+{
+  Points cube(8, 3);
+  for (int v = 0; v < 8; ++v)
+  {
+    cube.row(v) << v % 2, v / 2 % 2, v / 4;
+  }
+  const PreparedSurface prepared = PrepareSurface(
+    Polygons(cube, { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } }),
+    {});
+  EXPECT_EQ(prepared.Mesh.NumberOfFaces(), 12);
+  EXPECT_EQ(prepared.Relation.Edges().size(), 12u);
+  for (const int edge : prepared.Relation.Edges())
+  {
+    const auto [a, b] = prepared.Mesh.EdgeVertices(edge);
+    EXPECT_NEAR((prepared.Mesh.Position(a) - prepared.Mesh.Position(b)).norm(), 1.0, 1e-15);
+  }
+}
+
+// Triangles between random points of a lattice: every kind of meeting, many times.
+TEST(PreparedSurface, MakesAManifoldOfAnyTriangles)
+{
+  for (unsigned seed = 1; seed <= 300; ++seed)
+  {
+    std::mt19937 random(seed * 7919);
+    Surface surface;
+    surface.V.resize(12, 3);
+    for (int i = 0; i < surface.V.size(); ++i)
+    {
+      surface.V.data()[i] = static_cast<double>(random() % 3);
+    }
+    surface.F.resize(2 + random() % 40, 3);
+    for (int i = 0; i < surface.F.size(); ++i)
+    {
+      surface.F.data()[i] = static_cast<int>(random() % 12);
+    }
+    try
+    {
+      ExpectConsistent(Prepared(surface), surface.V, static_cast<int>(surface.F.rows()));
+    }
+    catch (const InvalidInput& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("no triangle of the surface has an area"), std::string::npos)
+        << seed << ": " << error.what();
+    }
+  }
+}
+
+TEST(PreparedSurface, NamesTheCallersElements)
+{
+  Surface surface = PlaneGrid(3, 3);
+  surface.V(5, 1) = std::numeric_limits<double>::quiet_NaN();
+  const auto message = [](const Surface& bad) -> std::string
+  {
+    try
+    {
+      Prepared(bad);
+    }
+    catch (const InvalidInput& error)
+    {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_NE(message(surface).find("point 5"), std::string::npos) << message(surface);
+  surface = PlaneGrid(3, 3);
+  surface.F(7, 1) = 99;
+  EXPECT_NE(message(surface).find("cell 7 uses point 99"), std::string::npos) << message(surface);
+}

@@ -1,0 +1,250 @@
+"""Any surface goes in, and the field comes out on its own cells: no list of repairs before."""
+
+import unittest
+import warnings
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
+from vtkmodules.vtkFiltersSources import vtkCubeSource
+
+from any_surfaces import (cells_of, grid_of, hexagons, image, latitude_longitude, make, out, plane, plate_with_stiffener, polygons,
+                          positions_of, soup, sphere, superquadric, with_flips_and_twins)
+from directionalmultigrid import FieldError, FieldWarning, update
+from directionalmultigrid.vtkFiltersDirectionalFields import (vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs,
+                                                              vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver,
+                                                              vtkPrincipalDirections)
+from surfaces import add, values
+
+CELLS = vtkDataObject.FIELD_ASSOCIATION_CELLS
+POINTS = vtkDataObject.FIELD_ASSOCIATION_POINTS
+
+
+def solved(data, **properties):
+    """The output of the solver, whatever it warns of."""
+    solver = vtkHarmonicFieldSolver()
+    solver.SetInputDataObject(0, data)
+    for name, value in properties.items():
+        getattr(solver, "Set" + name)(value)
+    return result_of(solver)
+
+
+def result_of(algorithm):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", FieldWarning)
+        update(algorithm)
+    return algorithm.GetOutputDataObject(0)
+
+
+def topology(field):
+    """(sum of the indices of points and of loops of the boundary, Euler characteristic, number of loops)"""
+    singularities = vtkFieldSingularities()
+    singularities.SetInputDataObject(0, field)
+    result_of(singularities)
+    loops = singularities.GetOutputDataObject(2)
+    data = singularities.GetOutputDataObject(0).GetFieldData()
+    return (values(data, "SumOfIndices")[0], values(data, "EulerCharacteristic")[0], loops.GetNumberOfCells())
+
+
+def directions(field, k=0):
+    return values(field.GetCellData(), f"Direction{k}")
+
+
+def preparation(field):
+    array = field.GetFieldData().GetAbstractArray("SurfacePreparation")
+    return array.GetValue(0) if array else ""
+
+
+def crosses(field):
+    """The fourth powers of a plane's directions, which are the same for all directions of a cross."""
+    return (directions(field) @ np.array([1, 1j, 0])) ** 4
+
+
+class AnySurface(unittest.TestCase):
+    def test_each_has_the_smoothest_field_of_the_surface_that_a_person_sees(self):
+        for name, (data, expected) in make().items():
+            with self.subTest(surface=name):
+                field = solved(data)
+                lengths = np.linalg.norm(directions(field), axis=1)
+                self.assertTrue(np.isfinite(lengths).all())
+                if expected["cells"] is not None:
+                    self.assertEqual((abs(lengths - 1) < 1e-6).sum(), expected["cells"])
+                self.assertEqual(values(field.GetFieldData(), "Converged")[0], 1)
+                total, characteristic, loops = topology(field)
+                self.assertAlmostEqual(total, characteristic, delta=1e-9)
+                if expected["characteristic"] is not None:
+                    self.assertEqual((characteristic, loops), (expected["characteristic"], expected["loops"]))
+
+    def test_the_output_is_of_the_type_that_came_in_with_its_cells_points_and_arrays(self):
+        for name, (data, _) in make().items():
+            if getattr(data, "GetNumberOfStrips", int)():
+                continue
+            with self.subTest(surface=name):
+                numbers = add(data.GetCellData(), "Number", np.arange(data.GetNumberOfCells()))
+                add(data.GetPointData(), "Height", np.arange(data.GetNumberOfPoints()))
+                field = solved(data)
+                self.assertIs(type(field), type(data))
+                self.assertEqual((field.GetNumberOfCells(), field.GetNumberOfPoints()),
+                                 (data.GetNumberOfCells(), data.GetNumberOfPoints()))
+                self.assertIs(field.GetCellData().GetArray("Number"), numbers)
+                self.assertEqual([field.GetPoint(i) for i in (0, 5)], [data.GetPoint(i) for i in (0, 5)])
+                self.assertEqual(field.GetCell(2).GetNumberOfPoints(), data.GetCell(2).GetNumberOfPoints())
+
+    def test_strips_come_out_as_triangles_with_the_arrays_of_their_strip(self):
+        data = superquadric()
+        add(data.GetCellData(), "Strip", np.arange(data.GetNumberOfCells()))
+        lengths = [data.GetCell(i).GetNumberOfPoints() - 2 for i in range(data.GetNumberOfCells())]
+        field = solved(data)
+        self.assertEqual((field.GetNumberOfStrips(), field.GetNumberOfPolys()), (0, sum(lengths)))
+        np.testing.assert_array_equal(values(field.GetCellData(), "Strip"), np.repeat(np.arange(len(lengths)), lengths))
+
+    def test_blocks_are_solved_leaf_by_leaf(self):
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, grid_of(out(vtkCubeSource())))
+        blocks.SetBlock(1, sphere())
+        blocks.SetBlock(2, None)
+        field = solved(blocks)
+        self.assertIsInstance(field, vtkMultiBlockDataSet)
+        for k in (0, 1):
+            self.assertIs(type(field.GetBlock(k)), type(blocks.GetBlock(k)))
+            lengths = np.linalg.norm(directions(field.GetBlock(k)), axis=1)
+            np.testing.assert_allclose(lengths, 1.0, atol=1e-12)
+        self.assertIsNone(field.GetBlock(2))
+
+    def test_the_corner_that_a_polygon_begins_with_makes_no_difference(self):
+        for data in (out(plane(7, 5)), hexagons(2), plate_with_stiffener()):
+            cells = cells_of(data)
+            rotated = polygons(positions_of(data), [cell[k % len(cell):] + cell[:k % len(cell)] for k, cell in enumerate(cells)])
+            given = polygons(positions_of(data), cells)
+            for each in (rotated, given):
+                vectors = np.zeros((len(cells), 3))
+                vectors[3] = (1.0, 0.25, 0.5)
+                add(each.GetCellData(), "Given", vectors)
+            results = []
+            for each in (rotated, given):
+                solver = vtkHarmonicFieldSolver()
+                solver.SetInputData(each)
+                solver.SetInputArrayToProcess(1, 0, 0, CELLS, "Given")
+                results.append(result_of(solver))
+            np.testing.assert_allclose(directions(results[0]), directions(results[1]), atol=1e-12)
+
+    def test_a_direction_prescribed_on_a_cell_is_that_of_the_cell(self):
+        """Held exactly on one cell of a plane, and free elsewhere, a field is parallel to it."""
+        data = out(plane(6, 4))
+        vectors = np.zeros((24, 3))
+        vectors[9] = (np.cos(0.3), np.sin(0.3), 0)
+        add(data.GetCellData(), "Given", vectors)
+        grid = grid_of(data)
+        grid.GetCellData().ShallowCopy(data.GetCellData())
+        for each in (data, grid):
+            solver = vtkHarmonicFieldSolver()
+            solver.SetInputDataObject(0, each)
+            solver.SetConstraintType(vtkHarmonicFieldSolver.Hard)
+            solver.SetTolerance(1e-10)
+            solver.SetInputArrayToProcess(1, 0, 0, CELLS, "Given")
+            field = result_of(solver)
+            np.testing.assert_allclose(crosses(field), np.exp(4j * 0.3), atol=1e-8)
+            self.assertEqual(np.count_nonzero(values(field.GetCellData(), "Prescribed")), 1)
+
+    def test_a_direction_prescribed_at_a_point_counts_there(self):
+        data = grid_of(out(plane(6, 4)))
+        vectors = np.zeros((35, 3))
+        vectors[17] = (np.cos(0.2), np.sin(0.2), 0)
+        add(data.GetPointData(), "Given", vectors)
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputDataObject(0, data)
+        solver.SetTolerance(1e-10)
+        solver.SetInputArrayToProcess(1, 0, 0, POINTS, "Given")
+        np.testing.assert_allclose(crosses(result_of(solver)), np.exp(4j * 0.2), atol=1e-7)
+
+    def test_doubled_cells_have_the_field_of_their_twin(self):
+        field = solved(with_flips_and_twins(sphere()))
+        n = sphere().GetNumberOfCells()
+        np.testing.assert_array_equal(directions(field)[[n, n + 1, n + 2]], directions(field)[[5, 9, 5]])
+
+    def test_hidden_cells_take_no_part(self):
+        data = latitude_longitude()
+        flags = np.zeros(data.GetNumberOfCells(), np.uint8)
+        flags[500:520] = 32  # HIDDENCELL
+        array = numpy_to_vtk(flags, deep=True)
+        array.SetName("vtkGhostType")
+        data.GetCellData().AddArray(array)
+        field = solved(data)
+        lengths = np.linalg.norm(directions(field), axis=1)
+        np.testing.assert_allclose(lengths, flags == 0, atol=1e-12)
+        self.assertEqual(topology(field)[2], 1)
+
+    def test_cells_of_other_dimensions_have_zeros(self):
+        data, _ = make()["lines_and_vertices_beside"]
+        self.assertTrue((directions(solved(data))[:2] == 0).all())
+
+    def test_the_report_counts_what_was_done(self):
+        surfaces = make()
+        for name, text in (("plane_of_quads", ""), ("box_of_quads_with_doubled_points", "16 points joined"),
+                           ("plate_with_stiffener", "8 edges of more than two sheets parted"),
+                           ("two_spheres_at_a_point", "1 pinched point parted"),
+                           ("triangles_without_area", "1 cell without area"), ("ghost_cells", "")):
+            with self.subTest(surface=name):
+                self.assertEqual(preparation(solved(surfaces[name][0])), text)
+        with self.assertWarnsRegex(FieldWarning, "cells turned, 3 cells doubled"):
+            solver = vtkHarmonicFieldSolver()
+            solver.SetInputData(surfaces["flipped_and_doubled_triangles"][0])
+            update(solver)
+
+    def test_joining_can_be_switched_off(self):
+        box = out(vtkCubeSource())
+        self.assertEqual(topology(solved(box))[1:], (2, 0))
+        self.assertEqual(topology(solved(box, JoinPoints=False))[1:], (6, 6))
+
+    def test_strict_refuses(self):
+        for name in ("flipped_and_doubled_triangles", "plate_with_stiffener", "two_spheres_at_a_point", "moebius_strip"):
+            with self.subTest(surface=name), self.assertRaisesRegex(FieldError, "switch Strict off"):
+                solved(make()[name][0], Strict=True)
+        self.assertEqual(topology(solved(out(plane()), Strict=True))[1:], (1, 1))
+
+    def test_all_filters_take_what_the_solver_takes(self):
+        for data in (out(plane()), hexagons(2), grid_of(hexagons(2)), latitude_longitude(), image(), soup(sphere()),
+                     plate_with_stiffener()):
+            with self.subTest(data=data.GetClassName()):
+                field = solved(data)
+                for each in (vtkFieldLines(), vtkFieldGlyphs(), vtkFieldAngles(), vtkFieldSingularities()):
+                    each.SetInputDataObject(0, field)
+                    drawn = result_of(each)
+                    self.assertTrue(drawn.GetNumberOfCells() > 0 or isinstance(each, vtkFieldSingularities))
+                curvature, prolongation = vtkPrincipalDirections(), vtkDirectionalProlongation()
+                curvature.SetInputDataObject(0, data)
+                prolongation.SetInputDataObject(0, data)
+                prolongation.SetMinimumNumberOfFaces(20)
+                self.assertIs(type(result_of(curvature)), type(data))
+                with_operators = result_of(prolongation)
+                self.assertIs(type(with_operators), type(data))
+                stored = solved(with_operators, CoarseSpace=vtkHarmonicFieldSolver.StructurePreserving,
+                                Solver=vtkHarmonicFieldSolver.ConjugateGradients)
+                self.assertEqual(values(stored.GetFieldData(), "Converged")[0], 1)
+
+    def test_operators_say_which_triangles_they_refer_to(self):
+        prolongation = vtkDirectionalProlongation()
+        prolongation.SetInputData(hexagons(2))
+        data = result_of(prolongation).GetFieldData()
+        sizes = values(data, "Prolongation.NumbersOfFaces")
+        cells = values(data, "Prolongation.CellsOfFaces")
+        self.assertEqual(len(cells), sizes[0])
+        np.testing.assert_array_equal(np.bincount(cells.astype(int)), [len(cell) - 2 for cell in cells_of(hexagons(2))])
+        prolongation.SetInputData(sphere())
+        self.assertFalse(result_of(prolongation).GetFieldData().HasArray("Prolongation.CellsOfFaces"))
+
+    def test_the_index_stands_at_one_point_of_those_that_were_joined(self):
+        field = solved(latitude_longitude())
+        self.assertAlmostEqual(values(field.GetPointData(), "SingularityIndex").sum(), 2.0, delta=1e-9)
+
+    def test_a_surface_without_cells_of_two_dimensions_is_refused(self):
+        line = vtkStructuredGrid()
+        line.SetDimensions(4, 1, 1)
+        line.SetPoints(out(plane(3, 1)).GetPoints())
+        with self.assertRaisesRegex(FieldError, "no triangles or other cells of two dimensions"):
+            solved(line)
+        self.assertEqual(solved(vtkPolyData()).GetNumberOfCells(), 0)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,364 @@
+"""Surfaces as people have them: quads, grids, seams, soups, flips, walls that meet. Each is made here, and what must be true of it.
+
+make() gives {name: (dataset, expected)}. expected has the Euler characteristic of the surface as a person sees it (points joined,
+cells oriented), its loops of boundary, and the number of cells that have a direction; None where a person may see either.
+"""
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk
+from vtkmodules.vtkCommonComputationalGeometry import vtkParametricEllipsoid, vtkParametricTorus
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import (VTK_POLYGON, VTK_QUAD, VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE, VTK_TRIANGLE,
+                                           vtkCellArray, vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid,
+                                           vtkUnstructuredGrid)
+from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals, vtkTubeFilter
+from vtkmodules.vtkFiltersModeling import vtkLinearExtrusionFilter
+from vtkmodules.vtkFiltersSources import (vtkConeSource, vtkCubeSource, vtkCylinderSource, vtkLineSource, vtkParametricFunctionSource,
+                                          vtkPlaneSource, vtkRegularPolygonSource, vtkSphereSource, vtkSuperquadricSource)
+
+
+def out(algorithm, data=None):
+    if data is not None:
+        algorithm.SetInputData(data)
+    algorithm.Update()
+    return algorithm.GetOutput()
+
+
+def points_of(positions):
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.array(positions, float).reshape(-1, 3), deep=True))
+    return points
+
+
+def polygons(positions, cells):
+    """vtkPolyData of polygons."""
+    array = vtkCellArray()
+    for cell in cells:
+        array.InsertNextCell(len(cell), [int(i) for i in cell])
+    data = vtkPolyData()
+    data.SetPoints(points_of(positions))
+    data.SetPolys(array)
+    return data
+
+
+def positions_of(surface):
+    return [surface.GetPoint(i) for i in range(surface.GetNumberOfPoints())]
+
+
+def cells_of(surface):
+    """The points of each cell."""
+    result = []
+    for i in range(surface.GetNumberOfCells()):
+        ids = surface.GetCell(i).GetPointIds()
+        result.append([ids.GetId(k) for k in range(ids.GetNumberOfIds())])
+    return result
+
+
+def grid_of(surface):
+    """The polygons of a surface as an unstructured grid, as finite elements have them."""
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(surface.GetPoints())
+    for cell in cells_of(surface):
+        grid.InsertNextCell({3: VTK_TRIANGLE, 4: VTK_QUAD}.get(len(cell), VTK_POLYGON), len(cell), cell)
+    return grid
+
+
+def sphere(theta=24, phi=16):
+    source = vtkSphereSource()
+    source.SetThetaResolution(theta)
+    source.SetPhiResolution(phi)
+    return out(source)
+
+
+def plane(columns=10, rows=10):
+    source = vtkPlaneSource()
+    source.SetResolution(columns, rows)
+    return source
+
+
+def latitude_longitude(around=48, along=25, noise=0.0):
+    """A structured grid over the whole sphere: a seam of equal points, and poles of degenerate quads."""
+    rng = np.random.default_rng(17)
+    positions = []
+    for j in range(along):
+        for i in range(around + 1):
+            u, v = 2 * np.pi * (i % around) / around, np.pi * (j / (along - 1) - 0.5)
+            place = np.array([np.cos(u) * np.cos(v), np.sin(u) * np.cos(v), np.sin(v)])
+            positions.append(place + noise * rng.normal(size=3) * (i == around))
+    grid = vtkStructuredGrid()
+    grid.SetDimensions(around + 1, along, 1)
+    grid.SetPoints(points_of(positions))
+    return grid
+
+
+def image():
+    """A plane of 12 x 7 pixels."""
+    data = vtkImageData()
+    data.SetDimensions(13, 1, 8)
+    return data
+
+
+def rectilinear():
+    """A plane of rectangles of many sizes."""
+    grid = vtkRectilinearGrid()
+    x, y = np.cumsum(np.arange(1, 8)) / 7.0, np.linspace(0.0, 2.0, 9) ** 2
+    grid.SetDimensions(len(x), len(y), 1)
+    grid.SetXCoordinates(numpy_to_vtk(x, deep=True))
+    grid.SetYCoordinates(numpy_to_vtk(y, deep=True))
+    grid.SetZCoordinates(numpy_to_vtk(np.zeros(1), deep=True))
+    return grid
+
+
+def icosahedron():
+    t = (1 + 5 ** 0.5) / 2
+    corners = [(-1, t, 0), (1, t, 0), (-1, -t, 0), (1, -t, 0), (0, -1, t), (0, 1, t), (0, -1, -t), (0, 1, -t), (t, 0, -1), (t, 0, 1),
+               (-t, 0, -1), (-t, 0, 1)]
+    faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6), (7, 1, 8),
+             (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)]
+    return [np.array(corner) / np.linalg.norm(corner) for corner in corners], faces
+
+
+def subdivided(positions, faces):
+    """Each triangle of a sphere into four."""
+    middles, result = {}, []
+
+    def middle(a, b):
+        key = (min(a, b), max(a, b))
+        if key not in middles:
+            place = positions[a] + positions[b]
+            middles[key] = len(positions)
+            positions.append(place / np.linalg.norm(place))
+        return middles[key]
+
+    for a, b, c in faces:
+        x, y, z = middle(a, b), middle(b, c), middle(c, a)
+        result += [(a, x, z), (b, y, x), (c, z, y), (x, y, z)]
+    return result
+
+
+def hexagons(level=3):
+    """The polygons around the points of a subdivided icosahedron, as ocean models have them: 12 pentagons, else hexagons."""
+    positions, faces = icosahedron()
+    for _ in range(level):
+        faces = subdivided(positions, faces)
+    around = {}
+    for face, corners in enumerate(faces):
+        for k in range(3):
+            around.setdefault(corners[k], {})[corners[(k + 1) % 3]] = (face, corners[(k + 2) % 3])
+    cells = []
+    for fan in around.values():
+        start = corner = next(iter(fan))
+        ring = []
+        while not ring or corner != start:
+            face, corner = fan[corner]
+            ring.append(face)
+        cells.append(ring)
+    centres = [sum(positions[i] for i in corners) for corners in faces]
+    return polygons([centre / np.linalg.norm(centre) for centre in centres], cells)
+
+
+def quadratic(kind):
+    """A plane of 3 x 3 squares of quadratic cells."""
+    numbers, positions, grid = {}, [], vtkUnstructuredGrid()
+
+    def number(x, y):
+        if (x, y) not in numbers:
+            numbers[x, y] = len(positions)
+            positions.append((x, y, 0))
+        return numbers[x, y]
+
+    def middle(a, b):
+        return (a[0] + b[0]) / 2, (a[1] + b[1]) / 2
+
+    for i in range(3):
+        for j in range(3):
+            a, b, c, d = (i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)
+            for ring in [(a, b, c, d)] if kind == VTK_QUADRATIC_QUAD else [(a, b, c), (a, c, d)]:
+                middles = [middle(ring[k], ring[(k + 1) % len(ring)]) for k in range(len(ring))]
+                ids = [number(*place) for place in [*ring, *middles]]
+                grid.InsertNextCell(kind, len(ids), ids)
+    grid.SetPoints(points_of(positions))
+    return grid
+
+
+def plate_with_stiffener():
+    """A plate of 8 x 8 squares with a wall standing on its middle line: three sheets at every edge there."""
+    numbers, positions = {}, []
+
+    def number(*place):
+        if place not in numbers:
+            numbers[place] = len(positions)
+            positions.append(place)
+        return numbers[place]
+
+    cells = [[number(i, j, 0), number(i + 1, j, 0), number(i + 1, j + 1, 0), number(i, j + 1, 0)] for i in range(8) for j in range(8)]
+    cells += [[number(4, j, k), number(4, j + 1, k), number(4, j + 1, k + 1), number(4, j, k + 1)] for j in range(8) for k in range(3)]
+    return polygons(positions, cells)
+
+
+def soup(surface):
+    """Its cells, each with points of its own."""
+    positions, cells = [], []
+    for cell in cells_of(surface):
+        cells.append(range(len(positions), len(positions) + len(cell)))
+        positions += [surface.GetPoint(i) for i in cell]
+    return polygons(positions, cells)
+
+
+def with_flips_and_twins(surface):
+    rng = np.random.default_rng(23)
+    cells = [cell[::-1] if rng.random() < 0.3 else cell for cell in cells_of(surface)]
+    return polygons(positions_of(surface), cells + [cells[5], cells[9][::-1], cells[5]])
+
+
+def hourglass():
+    """Two spheres that share a point."""
+    one = out(vtkSphereSource())
+    positions, cells = positions_of(one), cells_of(one)
+    top, bottom = int(np.argmax(positions, axis=0)[2]), int(np.argmin(positions, axis=0)[2])
+    above = [(x, y, z + 1.0) for x, y, z in positions]
+    return polygons(positions + above, cells + [[top if i == bottom else len(positions) + i for i in cell] for cell in cells])
+
+
+def moebius(around=40, across=4):
+    positions = []
+    for u in 2 * np.pi * np.arange(around) / around:
+        for t in np.linspace(-0.3, 0.3, across + 1):
+            radius = 1 + t * np.cos(u / 2)
+            positions.append((np.cos(u) * radius, np.sin(u) * radius, t * np.sin(u / 2)))
+
+    def at(i, j):
+        return i * (across + 1) + j if i < around else across - j
+
+    return polygons(positions, [cell for i in range(around) for j in range(across)
+                                for cell in ((at(i, j), at(i + 1, j), at(i + 1, j + 1)), (at(i, j), at(i + 1, j + 1), at(i, j + 1)))])
+
+
+def collapsed(surface):
+    """A triangle with a corner twice, and a cap: a corner on the opposite side, with the neighbour split there."""
+    positions, cells = [np.array(place) for place in positions_of(surface)], cells_of(surface)
+    a, b, c = cells[40]
+    other = next(k for k, cell in enumerate(cells) if k != 40 and a in cell and b in cell)
+    d = next(i for i in cells[other] if i not in (a, b))
+    positions.append((positions[a] + positions[b]) / 2)
+    middle = len(positions) - 1
+    cells[other] = [middle, a, d]
+    return polygons(positions, cells + [[b, middle, d], [a, middle, b], [a, a, c]])
+
+
+def plate(sides=24, height=0.001):
+    source = vtkRegularPolygonSource()
+    source.SetNumberOfSides(sides)
+    source.GeneratePolylineOff()
+    source.SetRadius(1)
+    extrusion = vtkLinearExtrusionFilter()
+    extrusion.SetInputConnection(source.GetOutputPort())
+    extrusion.SetExtrusionTypeToVectorExtrusion()
+    extrusion.SetVector(0, 0, height)
+    extrusion.CappingOn()
+    return out(extrusion)
+
+
+def ghosts():
+    """Three cells of a sphere once more, as duplicates that another process owns."""
+    whole = sphere()
+    cells = cells_of(whole)
+    data = polygons(positions_of(whole), cells + cells[3:6])
+    flags = np.zeros(data.GetNumberOfCells(), np.uint8)
+    flags[-3:] = 1
+    array = numpy_to_vtk(flags, deep=True)
+    array.SetName("vtkGhostType")
+    data.GetCellData().AddArray(array)
+    return data
+
+
+def with_lines_and_vertices():
+    data = sphere()
+    lines, vertices = vtkCellArray(), vtkCellArray()
+    lines.InsertNextCell(2, [0, 1])
+    vertices.InsertNextCell(1, [0])
+    data.SetLines(lines)
+    data.SetVerts(vertices)
+    return data
+
+
+def parametric(function):
+    source = vtkParametricFunctionSource()
+    source.SetParametricFunction(function)
+    return out(source)
+
+
+def cylinder():
+    source = vtkCylinderSource()
+    source.SetResolution(60)
+    return out(source)
+
+
+def tube():
+    line, source = vtkLineSource(), vtkTubeFilter()
+    line.SetResolution(20)
+    source.SetInputConnection(line.GetOutputPort())
+    source.SetNumberOfSides(12)
+    source.CappingOn()
+    return out(source)
+
+
+def superquadric():
+    source = vtkSuperquadricSource()
+    source.ToroidalOn()
+    source.SetThetaResolution(48)
+    source.SetPhiResolution(48)
+    return out(source)
+
+
+def cone():
+    source = vtkConeSource()
+    source.SetResolution(30)
+    return out(source)
+
+
+def two_patches():
+    both, left, right = vtkAppendPolyData(), plane(6, 6), plane(6, 6)
+    right.SetOrigin(0.5, -0.5, 0)
+    right.SetPoint1(1.5, -0.5, 0)
+    right.SetPoint2(0.5, 0.5, 0)
+    both.AddInputConnection(left.GetOutputPort())
+    both.AddInputConnection(right.GetOutputPort())
+    return out(both)
+
+
+def make():
+    def expect(characteristic, loops, cells):
+        return {"characteristic": characteristic, "loops": loops, "cells": cells}
+
+    return {
+        "plane_of_quads": (out(plane()), expect(1, 1, 100)),
+        "box_of_quads_with_doubled_points": (out(vtkCubeSource()), expect(2, 0, 6)),
+        "cylinder_with_caps_of_60_corners": (cylinder(), expect(2, 0, 62)),
+        "toroidal_superquadric_of_strips": (superquadric(), expect(0, 0, None)),
+        "cone": (cone(), expect(2, 0, 31)),
+        "tube_with_caps": (tube(), expect(2, 0, None)),
+        "parametric_torus": (parametric(vtkParametricTorus()), expect(0, 0, None)),
+        "parametric_ellipsoid": (parametric(vtkParametricEllipsoid()), expect(2, 0, None)),
+        "cylinder_after_surface_normals": (out(vtkPolyDataNormals(), cylinder()), expect(2, 0, 62)),
+        "extruded_disc": (plate(24, 0.2), expect(2, 0, None)),
+        "extruded_disc_very_flat": (plate(24, 0.001), expect(2, 0, None)),
+        "two_patches_side_by_side": (two_patches(), expect(1, 1, 72)),
+        "latitude_longitude_grid": (latitude_longitude(), expect(2, 0, 48 * 24)),
+        "latitude_longitude_grid_rounded": (latitude_longitude(noise=1e-8), expect(2, 0, 48 * 24)),
+        "image": (image(), expect(1, 1, 84)),
+        "rectilinear_grid": (rectilinear(), expect(1, 1, 48)),
+        "hexagons_and_pentagons": (hexagons(), expect(2, 0, 642)),
+        "hexagons_in_an_unstructured_grid": (grid_of(hexagons()), expect(2, 0, 642)),
+        "quads_in_an_unstructured_grid": (grid_of(out(plane())), expect(1, 1, 100)),
+        "quadratic_triangles": (quadratic(VTK_QUADRATIC_TRIANGLE), expect(1, 1, 18)),
+        "quadratic_quads": (quadratic(VTK_QUADRATIC_QUAD), expect(1, 1, 9)),
+        "plate_with_stiffener": (plate_with_stiffener(), expect(None, None, 88)),
+        "soup_of_triangles": (soup(sphere()), expect(2, 0, sphere().GetNumberOfCells())),
+        "flipped_and_doubled_triangles": (with_flips_and_twins(sphere()), expect(2, 0, sphere().GetNumberOfCells() + 3)),
+        "two_spheres_at_a_point": (hourglass(), expect(4, 0, hourglass().GetNumberOfCells())),
+        "moebius_strip": (moebius(), expect(None, None, 320)),
+        "triangles_without_area": (collapsed(sphere()), expect(2, 0, None)),
+        "lines_and_vertices_beside": (with_lines_and_vertices(), expect(2, 0, sphere().GetNumberOfCells())),
+        "ghost_cells": (ghosts(), expect(2, 0, ghosts().GetNumberOfCells())),
+    }
