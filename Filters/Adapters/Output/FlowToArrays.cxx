@@ -58,7 +58,8 @@ public:
 
   void AddToCells(const char* name, int components, const double* values) const
   {
-    ArraysOfCells(this->Surface.On.Mesh, this->Surface.Relation, this->Input, this->Output->GetCellData(), this->Context)
+    ArraysOfCells(
+      this->Surface.On.Mesh, this->Surface.Relation, this->Input, this->Output->GetCellData(), this->Context)
       .Add(name, components, values);
   }
 
