@@ -5,6 +5,7 @@
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
 
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
@@ -77,13 +78,16 @@ int vtkHodgeDecomposition::RequestData(
                                             : dmg::SolverKind::Automatic;
     options.ExpectedSolves = this->ExpectedSolves;
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     dmg::FlowSurface& kept = this->Internals->Kept;
-    kept.SetSurface(input, this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open, options,
-      dmg::PartOfContext(context, 0.0, 0.1));
+    kept.SetSurface(input, preparation, this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open,
+      options, dmg::PartOfContext(context, 0.0, 0.1));
     const dmg::Points vectors = dmg::FlowVectors(this, input, kept.Surface(), dmg::Vector3(this->Axis));
     const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart }, this->Derivatives,
       this->LengthScale };
+    dmg::WarnOfPreparation(this, kept.Preparation());
     output->ShallowCopy(input);
+    dmg::AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
     for (const std::string& warning :
       kept.Decompose(vectors, wanted, input, output, dmg::PartOfContext(context, 0.1, 0.95)))
     {
@@ -110,4 +114,6 @@ void vtkHodgeDecomposition::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
   os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
+  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
+  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
 }

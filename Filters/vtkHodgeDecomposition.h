@@ -29,7 +29,7 @@
  * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive |
  * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential             |
  *
- * On cells, parts sum to the tangential part of the flow. At points, they are means of the cells around, by angle. Where functions are
+ * On triangles, parts sum to the tangential part of the flow; other cells have the mean of their triangles. At points, they are means of the cells around, by angle. Where functions are
  * free by a constant, their mean by area is zero on each component of the surface.
  *
  * Field data:
@@ -179,6 +179,24 @@ public:
   vtkGetMacro(ExpectedSolves, int);
   ///@}
 
+  ///@{
+  /**
+   * Whether points that coincide are one, as of vtkHarmonicFieldSolver. Default on.
+   */
+  vtkSetMacro(JoinPoints, bool);
+  vtkGetMacro(JoinPoints, bool);
+  vtkBooleanMacro(JoinPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a surface that is no oriented manifold is refused, as of vtkHarmonicFieldSolver. Default off.
+   */
+  vtkSetMacro(Strict, bool);
+  vtkGetMacro(Strict, bool);
+  vtkBooleanMacro(Strict, bool);
+  ///@}
+
   vtkHodgeDecomposition(const vtkHodgeDecomposition&) = delete;
   void operator=(const vtkHodgeDecomposition&) = delete;
 
@@ -206,6 +224,8 @@ private:
   double Axis[3] = { 0.0, 0.0, 1.0 };
   int Solver = Automatic;
   int ExpectedSolves = 1;
+  bool JoinPoints = true;
+  bool Strict = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

@@ -17,8 +17,8 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
           **properties: Property) -> Mesh:
     """A flow on a surface as the sum of a gradient part, a rotational part, a harmonic part and a residual.
 
-    mesh                 a vtkPolyData, or an object of a class derived from it, as pyvista.PolyData; an oriented manifold surface of
-                         triangles. It is not changed.
+    mesh                 a surface: any vtkDataSet with cells of two dimensions, or an object of a class derived from one, as
+                         pyvista.PolyData. It is not changed.
     vectors              the name of an array of vectors at points, else on cells; by default the active vectors of points, else of
                          cells
     eastward, northward  names of two arrays of numbers instead, for surfaces around the origin with Axis to the north

@@ -6,12 +6,14 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -73,6 +75,84 @@ Vector3 Rotation(const Vector3& p)
 Vector3 VortexAndSource(const Vector3& p)
 {
   return Vector3((Vector3(-p[1], p[0], 0.0) + 0.5 * Vector3(p[0], p[1], 0.0)) / p.squaredNorm() + Vector3(0, 0, 3));
+}
+
+/// A spherical harmonic of degree 4, z Re (x + i y)^3, and the quarter turn of its gradient.
+double Wave(const Vector3& p)
+{
+  return p[2] * (p[0] * p[0] * p[0] - 3.0 * p[0] * p[1] * p[1]);
+}
+
+Vector3 VelocityOfWave(const Vector3& p)
+{
+  return p.cross(Vector3(3.0 * p[2] * (p[0] * p[0] - p[1] * p[1]), -6.0 * p[0] * p[1] * p[2],
+    p[0] * p[0] * p[0] - 3.0 * p[0] * p[1] * p[1]));
+}
+
+using Shape = std::function<vtkSmartPointer<vtkPolyData>(int)>;
+
+/// The unit sphere in quadrilaterals, and triangles around its poles.
+vtkSmartPointer<vtkPolyData> LatitudesAndLongitudes(int level)
+{
+  const int around = 6 << level;
+  const int bands = around / 2;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int j = 1; j < bands; ++j)
+  {
+    for (int i = 0; i < around; ++i)
+    {
+      const double latitude = Pi * j / bands - 0.5 * Pi;
+      const double longitude = 2.0 * Pi * i / around;
+      points->InsertNextPoint(
+        std::cos(latitude) * std::cos(longitude), std::cos(latitude) * std::sin(longitude), std::sin(latitude));
+    }
+  }
+  const vtkIdType south = points->InsertNextPoint(0.0, 0.0, -1.0);
+  const vtkIdType north = points->InsertNextPoint(0.0, 0.0, 1.0);
+  const auto at = [around](int i, int j) { return static_cast<vtkIdType>((j - 1) * around + i % around); };
+  vtkNew<vtkCellArray> cells;
+  for (int i = 0; i < around; ++i)
+  {
+    cells->InsertNextCell({ south, at(i + 1, 1), at(i, 1) });
+    for (int j = 1; j + 1 < bands; ++j)
+    {
+      cells->InsertNextCell({ at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1) });
+    }
+    cells->InsertNextCell({ at(i, bands - 1), at(i + 1, bands - 1), north });
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  return data;
+}
+
+/// The unit sphere in hexagons and twelve pentagons: the dual of an icosphere.
+vtkSmartPointer<vtkPolyData> Hexagons(int level)
+{
+  const dmg::TriangleMesh mesh = Icosphere(level).Mesh();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    Vector3 centre = Vector3::Zero();
+    for (int k = 0; k < 3; ++k)
+    {
+      centre += mesh.Position(mesh.FaceCorners()(face, k));
+    }
+    points->InsertNextPoint(centre.normalized().eval().data());
+  }
+  vtkNew<vtkCellArray> cells;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    std::vector<vtkIdType> corners;
+    mesh.VisitFan(vertex, [&](int h) { corners.push_back(dmg::TriangleMesh::FaceOf(h)); });
+    cells->InsertNextCell(static_cast<vtkIdType>(corners.size()), corners.data());
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(cells);
+  return data;
 }
 
 double RelativeError(const std::vector<double>& found, const std::function<double(vtkIdType)>& expected)
@@ -211,6 +291,73 @@ TEST(HodgeDecomposition, NorthwardIsTowardsTheAxis)
     0.01);
 }
 
+TEST(HodgeDecomposition, QuadsAndHexagonsConvergeAsTriangles)
+{
+  for (const auto& [name, shape] :
+    std::vector<std::pair<std::string, Shape>>{ { "quads", LatitudesAndLongitudes }, { "hexagons", Hexagons } })
+  {
+    SCOPED_TRACE(name);
+    std::vector<double> errors;
+    for (const int level : { 2, 3, 4 })
+    {
+      const auto surface = shape(level);
+      const auto vectors = Zeros("Flow", surface->GetNumberOfPoints(), 3);
+      for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+      {
+        vectors->SetTuple(point, VelocityOfWave(PointOf(surface, point)).data());
+      }
+      surface->GetPointData()->SetVectors(vectors);
+      vtkNew<vtkHodgeDecomposition> filter;
+      filter->SetInputData(surface);
+      Messages messages(filter);
+      filter->Update();
+      EXPECT_TRUE(messages.Silent()) << messages.Error();
+      ASSERT_EQ(filter->GetOutput()->GetNumberOfCells(), surface->GetNumberOfCells());
+      EXPECT_EQ(filter->GetOutput()->GetCellData()->GetArray("RotationalPart")->GetNumberOfTuples(),
+        surface->GetNumberOfCells());
+      errors.push_back(RelativeError(Values(filter->GetOutput()->GetPointData(), "StreamFunction"),
+        [&](vtkIdType point) { return Wave(PointOf(surface, point)); }));
+    }
+    EXPECT_GT(0.5 * std::log2(errors[0] / errors[2]), 1.8) << errors[0] << " " << errors[1] << " " << errors[2];
+  }
+}
+
+TEST(HodgeDecomposition, AnyDataSetComesOutAsItWas)
+{
+  const auto triangles = WithPointVectors(Icosphere(3), Rotation);
+  vtkNew<vtkUnstructuredGrid> grid;
+  grid->SetPoints(triangles->GetPoints());
+  grid->SetCells(VTK_TRIANGLE, triangles->GetPolys());
+  grid->GetPointData()->SetVectors(triangles->GetPointData()->GetVectors());
+  vtkNew<vtkHodgeDecomposition> filter;
+  filter->SetInputData(grid);
+  filter->Update();
+  ASSERT_TRUE(filter->GetOutput()->IsA("vtkUnstructuredGrid"));
+  vtkNew<vtkHodgeDecomposition> ofTriangles;
+  ofTriangles->SetInputData(triangles);
+  ofTriangles->Update();
+  EXPECT_EQ(Values(filter->GetOutput()->GetPointData(), "StreamFunction"),
+    Values(ofTriangles->GetOutput()->GetPointData(), "StreamFunction"));
+}
+
+TEST(HodgeDecomposition, SeamsCloseWherePointsAreJoined)
+{
+  const auto capsule = WithPointVectors(CapsuleFromRectangle(24, 12), Rotation);
+  vtkNew<vtkHodgeDecomposition> filter;
+  filter->SetInputData(capsule);
+  filter->Update();
+  EXPECT_EQ(Values(filter->GetOutput()->GetFieldData(), "BoundaryLength").size(), 0u);
+  filter->JoinPointsOff();
+  filter->Update();
+  EXPECT_EQ(Values(filter->GetOutput()->GetFieldData(), "BoundaryLength").size(), 1u);
+  vtkNew<vtkHodgeDecomposition> strict;
+  strict->SetInputData(WithPointVectors(MoebiusStrip(12), Rotation));
+  strict->StrictOn();
+  Messages messages(strict);
+  strict->Update();
+  EXPECT_FALSE(messages.Error().empty());
+}
+
 TEST(HodgeDecomposition, PartsAreSwitched)
 {
   vtkNew<vtkHodgeDecomposition> filter;
@@ -228,7 +375,7 @@ TEST(HodgeDecomposition, PartsAreSwitched)
     EXPECT_FALSE(output->GetPointData()->HasArray(name)) << name;
   }
   EXPECT_FALSE(output->GetFieldData()->HasArray("Solver")); // as nothing was solved for
-  EXPECT_EQ(filter->GetOutput(1)->GetNumberOfCells(), 0);
+  EXPECT_EQ(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfCells(), 0);
   EXPECT_NEAR(Values(output->GetFieldData(), "FlowEnergies")[4], all[0], 1e-12 * all[0]);
   filter->HarmonicPartOn();
   filter->DerivativesOff();
@@ -258,7 +405,7 @@ TEST(HodgeDecomposition, StreamlinesAreContoursOfTheStreamFunction)
   }
   filter->SetNumberOfContours(0);
   filter->Update();
-  EXPECT_EQ(filter->GetOutput(1)->GetNumberOfCells(), 0);
+  EXPECT_EQ(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfCells(), 0);
 }
 
 TEST(HodgeDecomposition, AFlowThatChangesIsDecomposedAgainAndASurfaceToo)

@@ -152,19 +152,20 @@ void AddBoundaries(const FlowArrays& arrays, const DecomposedFlow& parts, const 
 
 }
 
-void FlowSurface::SetSurface(
-  vtkDataSet* input, FlowBoundary boundary, const SolverOptions& options, const ExecutionContext& context)
+void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation, FlowBoundary boundary,
+  const SolverOptions& options, const ExecutionContext& context)
 {
-  const std::string digest = ContentDigest(input);
+  const std::string digest = ContentDigest(input, preparation);
   if (this->Digest != digest)
   {
-    SurfaceMesh surface = MeshFromDataSet(input, {}, context);
+    SurfaceMesh surface = MeshFromDataSet(input, preparation, context);
     auto on = std::make_unique<FramedMesh>(std::move(surface.Mesh), context);
     auto corners = Corners(on->Mesh, SideDirections(on->Mesh, on->Faces, context), on->Faces, on->Vertices, context);
     this->Decomposition.reset();
     this->On = std::move(on);
     this->CornersOfFaces = std::move(corners);
     this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
+    this->PreparationOfSurface = surface.Report;
     this->Digest = digest;
   }
   if (!this->Decomposition || this->Boundary != boundary || !(this->Options == options))

@@ -32,9 +32,11 @@ class FlowSurface
 public:
   /// Takes another surface, boundary or solver, if it is another.
   /// \throw InvalidInput as MeshFromDataSet.
-  void SetSurface(
-    vtkDataSet* input, FlowBoundary boundary, const SolverOptions& options, const ExecutionContext& context);
+  void SetSurface(vtkDataSet* input, const PreparationOptions& preparation, FlowBoundary boundary,
+    const SolverOptions& options, const ExecutionContext& context);
 
+  /// The things that were done to the surface.
+  const PreparationReport& Preparation() const { return this->PreparationOfSurface; }
   FramedSurface Surface() const { return { *this->On, this->Relation }; }
 
   /// Adds the arrays of vtkHodgeDecomposition to \p output, a copy of the \p input.
@@ -48,6 +50,7 @@ private:
   FlowBoundary Boundary = FlowBoundary::Closed;
   SolverOptions Options;
   SurfaceRelation Relation;
+  PreparationReport PreparationOfSurface;
   std::unique_ptr<FramedMesh> On;
   Unfilled<Corner> CornersOfFaces;
   std::optional<HodgeDecomposition> Decomposition; ///< it refers to On
