@@ -11,7 +11,8 @@ import xml.etree.ElementTree as ElementTree
 
 from directionalmultigrid import vtkFiltersDirectionalFields as filters
 import paraview.simple as simple
-from vtkmodules.vtkFiltersSources import vtkPlaneSource
+from vtkmodules.vtkCommonDataModel import VTK_TETRA
+from vtkmodules.vtkFiltersSources import vtkCellTypeSource
 
 XML_FOLDER = pathlib.Path(sys.argv.pop())
 WEIGHTS = {"Alignment", "BoundaryWeight", "SharpEdgesWeight", "CurvatureWeight"}  # refused where they are used
@@ -70,10 +71,12 @@ class Defaults(unittest.TestCase):
     def test_ranges_agree(self):
         """C++ takes the values at the ends of a range, and refuses those beyond by one error that says which.
 
-        The error comes before that of a surface that is none of triangles; so nothing runs."""
+        The error comes before that of a volume, which is no surface; so nothing runs."""
         for name, element, proxy, algorithm in proxies():
-            square = vtkPlaneSource()
-            algorithm.SetInputConnection(square.GetOutputPort())
+            volume = vtkCellTypeSource()
+            volume.SetCellType(VTK_TETRA)
+            volume.SetBlocksDimensions(1, 1, 1)
+            algorithm.SetInputConnection(volume.GetOutputPort())
             errors = []
             algorithm.AddObserver("ErrorEvent", listener(errors))
             for propertyName, member, child in properties(element):
