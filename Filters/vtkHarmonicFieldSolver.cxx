@@ -247,7 +247,6 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   const char* const discretisations[] = { "PowerField", "FaceField", "OneForm", "ScalarFunction", "PointPowerField" };
   const char* const solvers[] = { "Automatic", "Cholesky", "VCycles", "ConjugateGradients", "NestedIterations",
     "CoarseProlongation" };
-  const char* const rules[] = { "FixedNumber", "WhileErrorFalls", "WhileResidualFalls" };
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Discretisation: " << dmg::NameOf(discretisations, this->Discretisation) << "\n";
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
@@ -272,13 +271,6 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving") << "\n";
-  os << indent << "Sweeps: " << this->Sweeps << "\n";
-  os << indent << "NestedCycles: " << this->NestedCycles << "\n";
-  os << indent << "NestedRule: " << dmg::NameOf(rules, this->NestedRule) << "\n";
-  os << indent << "NestedSweeps: " << this->NestedSweeps << "\n";
-  os << indent << "MaximumNumberOfNestedSweeps: " << this->MaximumNumberOfNestedSweeps << "\n";
-  os << indent << "StartingLevel: " << this->StartingLevel << "\n";
-  os << indent << "VertexAreas: " << (this->VertexAreas == MixedVoronoi ? "MixedVoronoi" : "Barycentric") << "\n";
   os << indent << "CompareWithCholesky: " << (this->CompareWithCholesky ? "On" : "Off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";

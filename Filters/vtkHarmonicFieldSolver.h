@@ -289,92 +289,6 @@ public:
 
   ///@{
   /**
-   * Gauss-Seidel sweeps before and after the coarse correction of each level, up and down in turn; on
-   * nodal levels the surface itself gets three times as many. Those of face fields and 1-forms are over blocks of
-   * unknowns there, unless StartingLevel is chosen. Default 2, range 1 to 10.
-   */
-  vtkSetMacro(Sweeps, int);
-  vtkGetMacro(Sweeps, int);
-  ///@}
-
-  ///@{
-  /**
-   * Steps of conjugate gradients, with a V-cycle as preconditioner, that nested iterations take on
-   * each level before they sweep (full multigrid); 0 leaves sweeps alone, as in the thesis. Default
-   * 2, at least 0.
-   */
-  vtkSetMacro(NestedCycles, int);
-  vtkGetMacro(NestedCycles, int);
-  ///@}
-
-  enum NestedRules
-  {
-    /** After NestedSweeps sweeps. */
-    FixedNumber = 0,
-    /** After a sweep that lowers the error against Cholesky by less than 0.1 %, as in the thesis.
-     */
-    WhileErrorFalls = 1,
-    /** After a sweep that lowers the level's residual by less than 0.1 %. */
-    WhileResidualFalls = 2
-  };
-
-  ///@{
-  /**
-   * When nested iterations go from a level to the next finer one, one of NestedRules. Default
-   * FixedNumber.
-   */
-  vtkSetMacro(NestedRule, int);
-  vtkGetMacro(NestedRule, int);
-  ///@}
-
-  ///@{
-  /**
-   * Gauss-Seidel sweeps of nested iterations on each level under the rule FixedNumber. Default 20,
-   * at least 0.
-   */
-  vtkSetMacro(NestedSweeps, int);
-  vtkGetMacro(NestedSweeps, int);
-  ///@}
-
-  ///@{
-  /**
-   * Under the other rules nested iterations leave a level after this many sweeps at the latest,
-   * with a warning. Default 40000, which the rules never need: as many times 0.1 % less is less
-   * than rounding. At least 0.
-   */
-  vtkSetMacro(MaximumNumberOfNestedSweeps, int);
-  vtkGetMacro(MaximumNumberOfNestedSweeps, int);
-  ///@}
-
-  ///@{
-  /**
-   * The level on which multigrid solves exactly; levels below it are not used. -1 or anything
-   * beyond the coarsest: the coarsest. Default -1.
-   */
-  vtkSetMacro(StartingLevel, int);
-  vtkGetMacro(StartingLevel, int);
-  ///@}
-
-  enum VertexAreaKinds
-  {
-    /** Of the places nearest to the point, with care for obtuse triangles. */
-    MixedVoronoi = 0,
-    /** A third of each triangle around. */
-    Barycentric = 1
-  };
-
-  ///@{
-  /**
-   * The areas that belong to the points in the divergence of 1-forms and in the mass of functions, one of
-   * VertexAreaKinds.
-   * Default MixedVoronoi.
-   */
-  vtkSetMacro(VertexAreas, int);
-  vtkGetMacro(VertexAreas, int);
-  ///@}
-
-  ///@{
-  /**
    * Whether the system is factored as well, to tell the error of every cycle. Default off.
    */
   vtkSetMacro(CompareWithCholesky, bool);
@@ -645,13 +559,6 @@ private:
   int Solver = Automatic;
   int ExpectedSolves = 1;
   int CoarseSpace = Nodal;
-  int Sweeps = 2;
-  int NestedCycles = 2;
-  int NestedRule = FixedNumber;
-  int NestedSweeps = 20;
-  int MaximumNumberOfNestedSweeps = 40000;
-  int StartingLevel = -1;
-  int VertexAreas = MixedVoronoi;
   bool CompareWithCholesky = false;
   double Tolerance = 1e-4;
   int MaximumNumberOfIterations = 100;

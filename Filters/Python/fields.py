@@ -198,7 +198,7 @@ def _set_number_of_directions(solver: vtkHarmonicFieldSolver, n: Optional[int]) 
 
 
 def _set_property(solver: vtkHarmonicFieldSolver, name: str, value: Property) -> None:
-    # Discretisation has the values of the enumeration Discretisations, VertexAreas those of VertexAreaKinds.
+    # Discretisation has the values of the enumeration Discretisations, CoarseSpace those of CoarseSpaces.
     choices = {key: item for key, item in vars(type(solver)).items()
                if isinstance(item, int) and type(item).__name__.startswith(name.rstrip("s"))}
     if choices and isinstance(value, str):

@@ -138,9 +138,6 @@ TEST_F(Stages, EveryOptionOfTheSystemRepeatsIt)
     [](vtkHarmonicFieldSolver* s) { s->SetExpectedSolves(2); },
     [](vtkHarmonicFieldSolver* s) { s->SetAlignment(3.0); },
     [](vtkHarmonicFieldSolver* s) { s->SetConstraintType(vtkHarmonicFieldSolver::Hard); },
-    [](vtkHarmonicFieldSolver* s) { s->SetStartingLevel(1); },
-    [](vtkHarmonicFieldSolver* s) { s->SetCoarseSpace(vtkHarmonicFieldSolver::Nodal); },
-    [](vtkHarmonicFieldSolver* s) { s->SetSweeps(s->GetSweeps() + 1); },
     [](vtkHarmonicFieldSolver* s) { s->SetSolver(vtkHarmonicFieldSolver::VCycles); },
   };
   for (const auto& change : changes)
@@ -226,15 +223,8 @@ TEST_P(VectorField, RepeatsWhatAChangeConcerns)
 
   int systems = 2;
   const std::function<void(Solver*)> changes[] = {
-    [](Solver* s) { s->SetVertexAreas(Solver::Barycentric); },
-    [](Solver* s) { s->SetStartingLevel(1); },
-    [](Solver* s) { s->SetCoarseSpace(Solver::Nodal); },
     [](Solver* s) { s->CompareWithCholeskyOn(); },
     [](Solver* s) { s->SetSolver(Solver::NestedIterations); },
-    [](Solver* s) { s->SetNestedRule(Solver::WhileResidualFalls); },
-    [](Solver* s) { s->SetMaximumNumberOfNestedSweeps(5); },
-    [](Solver* s) { s->SetNestedSweeps(5); },
-    [](Solver* s) { s->SetNestedCycles(0); },
   };
   for (const auto& change : changes)
   {

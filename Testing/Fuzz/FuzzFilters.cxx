@@ -223,12 +223,10 @@ void SetOptions(Choices& choose, vtkHarmonicFieldSolver* solver)
   solver->SetSolver(choose.Below(6));
   solver->SetConstraintType(choose.Below(2));
   solver->SetCoarseSpace(choose.Below(2));
-  solver->SetVertexAreas(choose.Below(2));
-  solver->SetSweeps(choose.Below(4));
-  solver->SetNestedRule(choose.Below(3));
-  solver->SetNestedCycles(choose.Below(3));
-  solver->SetNestedSweeps(choose.Below(5));
-  solver->SetStartingLevel(choose.Below(6) - 1);
+  for (int bound : { 2, 4, 3, 3, 5, 6 }) // six choices that the corpus's seeds were found with
+  {
+    choose.Below(bound);
+  }
   solver->SetExpectedSolves(1 + choose.Below(1000));
   solver->SetCompareWithCholesky(choose.OneIn(4));
   solver->SetMaximumNumberOfIterations(choose.OneIn(4) ? choose.Below(5) : 100);

@@ -148,8 +148,8 @@ class SmoothField(unittest.TestCase):
                 (FieldError, "Tolerance = nan is out of range$", {"Tolerance": float("nan")}),
                 (FieldError, "Alignment = inf is out of range$", {"Alignment": float("inf")}),
                 (FieldError, "Alignment = 10+ is out of range$", {"Alignment": 10**400}),
-                (FieldError, "Sweeps = 10+ is out of range$", {"Sweeps": 10**30}),
-                (TypeError, "Sweeps = 2.5: .*integer", {"Sweeps": 2.5}),
+                (FieldError, "ExpectedSolves = 10+ is out of range$", {"ExpectedSolves": 10**30}),
+                (TypeError, "ExpectedSolves = 2.5: .*integer", {"ExpectedSolves": 2.5}),
                 (TypeError, "NumberOfDirections = True: .*integer", {"n": True}),
                 (TypeError, "NumberOfDirections = 'four': .*integer", {"n": "four"}),
                 (TypeError, "Discretisation = True: .*integer", {"Discretisation": True}),
@@ -163,7 +163,7 @@ class SmoothField(unittest.TestCase):
                 (TypeError, "no name of an array", {"Mask": 3}),
                 (FieldError, "^Number Of Directions is 9; .* 1 to 8$", {"n": 9}),
                 (FieldError, "^Rotation is 200; .* -180 to 180$", {"Rotation": 200}),
-                (FieldError, "one of MixedVoronoi, Barycentric$", {"VertexAreas": "Voronoi"}),
+                (FieldError, "one of Nodal, StructurePreserving$", {"CoarseSpace": "Voronoi"}),
                 (FieldError, "one of PowerField, FaceField, OneForm, ScalarFunction, PointPowerField$", {"Discretisation": "1-Form"}),
                 (FieldError, "no array 'Given'", {"Directions": "Given"})):
             with self.subTest(arguments=arguments), self.assertRaisesRegex(error, text):

@@ -32,13 +32,6 @@ void CheckProperties(Filter* filter)
     { "Solver", filter->GetSolver(), Filter::Automatic, Filter::CoarseProlongation },
     { "Expected Solves", filter->GetExpectedSolves(), 1 },
     { "Coarse Space", filter->GetCoarseSpace(), Filter::Nodal, Filter::StructurePreserving },
-    { "Sweeps", filter->GetSweeps(), 1, 10 },
-    { "Nested Cycles", filter->GetNestedCycles(), 0 },
-    { "Nested Rule", filter->GetNestedRule(), Filter::FixedNumber, Filter::WhileResidualFalls },
-    { "Nested Sweeps", filter->GetNestedSweeps(), 0 },
-    { "Maximum Number Of Nested Sweeps", filter->GetMaximumNumberOfNestedSweeps(), 0 },
-    { "Starting Level", filter->GetStartingLevel(), -1 },
-    { "Vertex Areas", filter->GetVertexAreas(), Filter::MixedVoronoi, Filter::Barycentric },
     { "Tolerance", filter->GetTolerance(), 1e-14, 1 },
     { "Maximum Number Of Iterations", filter->GetMaximumNumberOfIterations(), 1 },
   });
@@ -64,18 +57,10 @@ FieldOptions OptionsOf(Filter* filter)
   FieldOptions options;
   options.Field.Kind = static_cast<DiscretisationKind>(filter->GetDiscretisation());
   options.Field.N = filter->GetNumberOfDirections();
-  options.Field.Areas = filter->GetVertexAreas() == vtkHarmonicFieldSolver::MixedVoronoi ? VertexAreas::MixedVoronoi
-                                                                                         : VertexAreas::Barycentric;
   options.Alignment = filter->GetAlignment();
   options.Constraints = static_cast<ConstraintKind>(filter->GetConstraintType());
   options.CoarseSpace = static_cast<CoarseSpaceKind>(filter->GetCoarseSpace());
   options.Solver.Kind = static_cast<SolverKind>(filter->GetSolver());
-  options.Solver.Sweeps = filter->GetSweeps();
-  options.Solver.Nested.Cycles = filter->GetNestedCycles();
-  options.Solver.Nested.Rule = static_cast<SweepRule>(filter->GetNestedRule());
-  options.Solver.Nested.Sweeps = filter->GetNestedSweeps();
-  options.Solver.Nested.MaximumSweeps = filter->GetMaximumNumberOfNestedSweeps();
-  options.Solver.StartingLevel = filter->GetStartingLevel();
   options.Solver.ExpectedSolves = filter->GetExpectedSolves();
   options.Solver.CompareWithCholesky = filter->GetCompareWithCholesky();
   return options;
