@@ -335,3 +335,93 @@ TEST(FieldStages, ReportsProgressOnceAndStopsWhenAsked)
     }
   }
 }
+
+namespace
+{
+
+constexpr DiscretisationKind KindsWithDirections[] = { DiscretisationKind::PowerField, DiscretisationKind::FaceField,
+  DiscretisationKind::OneForm };
+
+FieldOptions OptionsWith(DiscretisationKind kind, SolverKind solver)
+{
+  FieldOptions options;
+  options.Field.Kind = kind;
+  options.Solver.Kind = solver;
+  return options;
+}
+
+/// A surface of three levels from edge collapses, and its fields by Cholesky.
+class OnStoredLevels
+{
+public:
+  OnStoredLevels()
+    : Mesh(IrregularTorus(48, 24, 4).Mesh())
+    , Solver(this->Mesh)
+  {
+    HierarchyOptions levels;
+    levels.MinimumNumberOfFaces = 100;
+    this->Solver.SetOperators(std::make_shared<const ProlongationOperators>(
+      BuildSurfaceHierarchy(this->Mesh, levels, SerialContext()).Operators));
+  }
+
+  Vector<double> Solve(const FieldOptions& options)
+  {
+    return this->Solver.Solve(Directions(this->Mesh), options, { 1e-12, 2000 });
+  }
+  /// The distance from the solution, relative to its norm.
+  double Error(const FieldOptions& options)
+  {
+    const Vector<double> exact = this->Solve(OptionsWith(options.Field.Kind, SolverKind::Cholesky));
+    return (this->Solve(options) - exact).norm() / exact.norm();
+  }
+
+private:
+  const TriangleMesh Mesh;
+  FieldStages Solver;
+};
+
+}
+
+// The level that is solved exactly is the finest one.
+TEST(FieldStages, StartedOnTheFinestLevelIsExact)
+{
+  OnStoredLevels on;
+  for (const DiscretisationKind kind : KindsWithDirections)
+  {
+    FieldOptions options = OptionsWith(kind, SolverKind::CoarseProlongation);
+    EXPECT_GT(on.Error(options), 1e-3);
+    options.Solver.StartingLevel = 0;
+    EXPECT_LT(on.Error(options), 1e-7);
+  }
+}
+
+TEST(FieldStages, NestedIterationsComeCloserThanTheirStartByEachRule)
+{
+  OnStoredLevels on;
+  for (const DiscretisationKind kind : KindsWithDirections)
+  {
+    const double sketch = on.Error(OptionsWith(kind, SolverKind::CoarseProlongation));
+    for (const SweepRule rule : { SweepRule::FixedNumber, SweepRule::WhileErrorFalls, SweepRule::WhileResidualFalls })
+    {
+      FieldOptions options = OptionsWith(kind, SolverKind::NestedIterations);
+      options.Solver.Nested.Cycles = 0;
+      options.Solver.Nested.Rule = rule;
+      EXPECT_LT(on.Error(options), sketch);
+    }
+  }
+}
+
+// With another start, nodal levels are those that were stored, not samples.
+TEST(FieldStages, SolvesOnStoredNodalLevels)
+{
+  OnStoredLevels on;
+  for (const DiscretisationKind kind : KindsWithDirections)
+  {
+    for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
+    {
+      FieldOptions options = OptionsWith(kind, solver);
+      options.Solver.StartingLevel = 1;
+      EXPECT_LT(on.Error(options), 1e-7);
+    }
+  }
+}
