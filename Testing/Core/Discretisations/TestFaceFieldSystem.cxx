@@ -202,11 +202,27 @@ TEST(FaceFieldSystem, RefusesWhatItCannotSolve)
     }
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  expectRefusal(all, Weights(ConstraintKind::Hard), "soft");
   expectRefusal(one, Weights(ConstraintKind::Soft, 0.0, 1.0), "Smoothness");
   expectRefusal(one, Weights(ConstraintKind::Soft, 1.0, -1.0), "Alignment");
   expectRefusal(one, Weights(ConstraintKind::Soft, nan, 1.0), "Smoothness");
   EXPECT_NO_THROW(MakeFaceFieldSystem(mesh, frames, all, Weights(ConstraintKind::Soft)));
+}
+
+TEST(FaceFieldSystem, IsHeldEverywhereByHardConstraints)
+{
+  const FramedMesh surface(IrregularSphere(1, 5).Mesh());
+  FieldConstraints held;
+  for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
+  {
+    held.Elements.push_back(face);
+    held.Weights.push_back(1.0);
+  }
+  held.Values = Vector<double>::LinSpaced(2 * surface.Mesh.NumberOfFaces(), -1.0, 1.0);
+  FieldOptions options;
+  options.Field.Kind = DiscretisationKind::FaceField;
+  options.Constraints = ConstraintKind::Hard;
+  FieldProblem problem(surface, nullptr, held, options, SerialContext());
+  EXPECT_EQ(problem.Solve(held.Values, {}, StoppingCriteria(), SerialContext()), held.Values);
 }
 
 }

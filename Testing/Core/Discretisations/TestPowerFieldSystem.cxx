@@ -251,11 +251,27 @@ TEST(PowerFieldSystem, RefusesWhatItCannotSolve)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   expectRefusal(0, one, Weights(ConstraintKind::Soft), "choose N from 1 to 8");
   expectRefusal(9, one, Weights(ConstraintKind::Soft), "choose N from 1 to 8");
-  expectRefusal(4, all, Weights(ConstraintKind::Hard), "soft");
   expectRefusal(4, one, Weights(ConstraintKind::Soft, 0.0, 1.0), "Smoothness");
   expectRefusal(4, one, Weights(ConstraintKind::Soft, 1.0, -1.0), "Alignment");
   expectRefusal(4, one, Weights(ConstraintKind::Soft, nan, 1.0), "Smoothness");
   EXPECT_NO_THROW(MakePowerFieldSystem(mesh, frames, 4, all, Weights(ConstraintKind::Soft)));
+}
+
+TEST(PowerFieldSystem, IsHeldEverywhereByHardConstraints)
+{
+  const FramedMesh surface(IrregularSphere(1, 5).Mesh());
+  FieldConstraints held;
+  for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
+  {
+    held.Elements.push_back(face);
+    held.Weights.push_back(1.0);
+  }
+  held.Values = Vector<double>::LinSpaced(2 * surface.Mesh.NumberOfFaces(), -1.0, 1.0);
+  FieldOptions options;
+  options.Field.Kind = DiscretisationKind::PowerField;
+  options.Constraints = ConstraintKind::Hard;
+  FieldProblem problem(surface, nullptr, held, options, SerialContext());
+  EXPECT_EQ(problem.Solve(held.Values, {}, StoppingCriteria(), SerialContext()), held.Values);
 }
 
 }
