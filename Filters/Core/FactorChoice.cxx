@@ -10,26 +10,27 @@ namespace dmg
 
 CycleObstacles ObstaclesOf(const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context)
 {
-  return { ShareOfFacesBelow(NeedleQuality, mesh, context), hasHarmonicFields ? NumberOfLoops(mesh) : 0 };
+  return { ShareOfFacesBelow(ThinTriangleQuality, mesh, context), hasHarmonicFields ? NumberOfLoops(mesh) : 0 };
 }
 
 bool IsFactorBetter(const CycleObstacles& obstacles)
 {
-  return obstacles.ShareOfNeedles > LargestShareOfNeedles || obstacles.Loops > LargestNumberOfLoops;
+  return obstacles.ShareOfThinTriangles > LargestShareOfThinTriangles || obstacles.Loops > LargestNumberOfLoops;
 }
 
 std::string WhyFactorIsBetter(const CycleObstacles& obstacles)
 {
-  if (obstacles.ShareOfNeedles > LargestShareOfNeedles)
+  if (obstacles.ShareOfThinTriangles > LargestShareOfThinTriangles)
   {
-    return ", chosen because " + std::to_string(std::lround(100.0 * obstacles.ShareOfNeedles)) +
-      " % of the triangles are needles (more than " + std::to_string(std::lround(100.0 * LargestShareOfNeedles)) +
+    return ", chosen because " + std::to_string(std::lround(100.0 * obstacles.ShareOfThinTriangles)) +
+      " % of the triangles are thin (more than " + std::to_string(std::lround(100.0 * LargestShareOfThinTriangles)) +
       " %)";
   }
   if (obstacles.Loops > LargestNumberOfLoops)
   {
     return ", chosen because the surface has " + std::to_string(obstacles.Loops) +
-      " loops, each with a harmonic field (more than " + std::to_string(LargestNumberOfLoops) + ")";
+      " loops around handles and holes, each with a harmonic field (more than " + std::to_string(LargestNumberOfLoops) +
+      ")";
   }
   return "";
 }

@@ -6,8 +6,8 @@
 
 #include <string>
 
-/// Whether a sparse factor of the whole system is better than multigrid's cycles, by what the surface looks like.
-/// Size is another matter (SolverTuning::LargestForCholesky).
+/// The choice between a sparse factor of the whole system and multigrid's cycles, by the shape of the surface. Its size is
+/// another matter (SolverTuning::LargestForCholesky).
 ///
 /// Cycles slow down on thin triangles, whose smoothest fields have no place in coarse spaces and are too many for patches.
 /// They also slow down on surfaces of many handles and holes, as deflation holds, and multiplies by, each harmonic field. A factor
@@ -18,15 +18,15 @@ namespace dmg
 /// The properties of a surface that slow cycles down.
 struct CycleObstacles
 {
-  double ShareOfNeedles = 0.0; ///< of the faces, those of a quality below NeedleQuality
-  int Loops = 0;               ///< with a harmonic field each
+  double ShareOfThinTriangles = 0.0; ///< of the faces, those of a quality below ThinTriangleQuality
+  int Loops = 0;                     ///< independent loops around handles and holes, with a harmonic field each
 };
 
-/// Below it a triangle is a needle; see TriangleQuality.
-constexpr double NeedleQuality = 0.1;
-/// Up to so many needles cycles take at most 13 iterations; no surface that was measured lies between 0.01 and 0.07.
-constexpr double LargestShareOfNeedles = 0.03;
-/// With so many, both ways take about the same time, or the same memory.
+/// A triangle of a lower quality is thin; see TriangleQuality.
+constexpr double ThinTriangleQuality = 0.1;
+/// Cycles need few iterations up to this share, and many from twice as much on.
+constexpr double LargestShareOfThinTriangles = 0.03;
+/// Both ways take about the same time, or the same memory, with so many loops.
 constexpr int LargestNumberOfLoops = 40;
 
 /// \param hasHarmonicFields whether fields without roughness belong to the loops of the surface: those of 1-forms and of

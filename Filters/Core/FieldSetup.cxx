@@ -13,22 +13,6 @@ namespace dmg
 namespace
 {
 
-bool IsCycle(SolverKind kind)
-{
-  return kind == SolverKind::VCycles || kind == SolverKind::ConjugateGradients;
-}
-
-HierarchyOptions LevelsFor(const Discretisation& discretisation, const FieldOptions& options)
-{
-  HierarchyOptions levels;
-  if (!WantsDecimation(options))
-  {
-    levels.Levels = LevelConstruction::Sampling;
-    levels.SampleDistance = discretisation.SampleDistance();
-  }
-  return levels;
-}
-
 /// Harmonic fields, and why they are left out.
 void AddKernel(const FramedMesh& surface, const Discretisation& discretisation, const ProlongationOperators* operators,
   MultigridSetup& setup, const ExecutionContext& context)
@@ -117,17 +101,15 @@ std::shared_ptr<const MultigridSetup> MakeCoarsened(const FramedMesh& surface, c
 /// Samples give all that cycles need, in a fifth of the time.
 bool WantsDecimation(const FieldOptions& options)
 {
-  const SolverKind kind = options.Solver.Kind;
-  const bool areCycles = kind == SolverKind::Automatic || IsCycle(kind);
-  return kind != SolverKind::Cholesky &&
-    (!areCycles || options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0);
+  const SolverMethod& method = MethodOf(options.Solver.Kind);
+  return method.NeedsLevels &&
+    (method.NeedsMatrix || options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0);
 }
 
 SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& options,
   const ProlongationOperators* given, const CycleObstacles& obstacles)
 {
   SolverPlan plan;
-  plan.Levels = LevelsFor(discretisation, options);
   plan.Selection = options.CoarseSpace == CoarseSpaceKind::StructurePreserving
     ? discretisation.StructurePreservingOperators()
     : OperatorSelection{ false, false, false };
@@ -140,10 +122,11 @@ SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& 
       WhyFactorIsBetter(ofCycles));
   };
   plan.Choice = choose(hasLevels);
-  plan.WithoutLevels = choose(false);
-  const bool hasNodalLevels = given ? !given->Nodal.empty() : plan.Levels.Levels == LevelConstruction::Sampling;
-  plan.KeepsApart = IsCycle(plan.Choice.Kind) && hasNodalLevels && options.CoarseSpace == CoarseSpaceKind::Nodal &&
-    options.Solver.StartingLevel < 0;
+  plan.Fallback = choose(false);
+  plan.SampleDistance = discretisation.SampleDistance();
+  plan.SplitsOperator =
+    !plan.Choice.Method->NeedsMatrix && !WantsDecimation(options) && (!given || !given->Nodal.empty());
+  plan.BuildsSamples = plan.SplitsOperator && !given;
   return plan;
 }
 
@@ -151,28 +134,28 @@ std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface, const
   const ProlongationOperators* operators, const SolverPlan& plan, CoarseSpaceKind space,
   const ExecutionContext& context)
 {
-  if (!plan.KeepsApart)
+  if (!plan.SplitsOperator)
   {
     if (plan.NeedsLevels() && !operators)
     {
       throw InvalidInput("multigrid needs the prolongation operators of the surface");
     }
-    return MakeAssembled(surface, discretisation, plan.NeedsLevels() ? operators : nullptr, space, context);
+    const bool hasLevels = plan.NeedsLevels() && operators->NumberOfLevels() > 1;
+    return MakeAssembled(surface, discretisation, hasLevels ? operators : nullptr, space, context);
   }
   if (operators)
   {
-    return MakeCoarsened(surface, discretisation, NodalProlongations(*operators), operators, context);
+    return MakeCoarsened(surface, discretisation, NodalProlongations::Borrowed(*operators), operators, context);
   }
   context.Checkpoint(0.0);
-  ProlongationOperators samples =
-    discretisation.SampledLevels(plan.Levels.SampleDistance, PartOfContext(context, 0.0, 0.3));
+  ProlongationOperators samples = discretisation.SampledLevels(plan.SampleDistance, PartOfContext(context, 0.0, 0.3));
   const PartOfContext rest(context, 0.3, 1.0);
   if (samples.Nodal.empty())
   {
     return MakeAssembled(surface, discretisation, nullptr, space, rest);
   }
   GiveBackFreedMemory();
-  return MakeCoarsened(surface, discretisation, NodalProlongations(samples), &samples, rest);
+  return MakeCoarsened(surface, discretisation, NodalProlongations::Owned(samples), &samples, rest);
 }
 
 }

@@ -4,9 +4,9 @@
 #include "Discretisations/Discretisation.h"
 #include "FactorChoice.h"
 #include "FieldOptions.h"
-#include "Levels/HierarchyOptions.h"
 #include "Levels/ProlongationOperators.h"
 #include "Solvers/MultigridSetup.h"
+#include "Solvers/SolverChoice.h"
 #include "Support/ExecutionContext.h"
 
 #include <memory>
@@ -18,27 +18,27 @@ namespace dmg
 struct SolverPlan
 {
   SolverChoice Choice;
-  SolverChoice WithoutLevels; ///< in its place where the surface turns out to have one level
-  /// By cycles that keep roughness and penalties apart (Discretisation::Coarsen); else the system is assembled.
-  bool KeepsApart = false;
-  /// Levels that the solver needs, where none are given.
-  HierarchyOptions Levels;
-  OperatorSelection Selection; ///< besides the nodal operators
+  SolverChoice Fallback; ///< in its place where the surface turns out to have one level
+  /// Whether R and D stay apart (Discretisation::Coarsen); else the system is assembled.
+  bool SplitsOperator = false;
+  /// Whether the set-up makes levels of samples for itself, and forgets them when it has read them.
+  bool BuildsSamples = false;
+  double SampleDistance = DefaultSampleDistance;
+  /// Structure-preserving operators that the solver needs.
+  OperatorSelection Selection;
 
-  bool NeedsLevels() const { return this->Choice.Kind != SolverKind::Cholesky; }
+  bool NeedsLevels() const { return this->Choice.Method->NeedsLevels; }
   const SolverChoice& ChoiceOn(const MultigridSetup& setup) const
   {
-    return setup.HasLevels ? this->Choice : this->WithoutLevels;
+    return setup.HasLevels ? this->Choice : this->Fallback;
   }
-  /// Whether Levels are samples that are made, read and forgotten in the set-up.
-  bool TakesSamples() const { return this->KeepsApart && this->Levels.Levels == LevelConstruction::Sampling; }
 };
 
 /// Whether the solver wants the levels of the thesis, which take long to build and may have been stored: for structure-preserving
 /// coarse spaces, and for solvers that start on coarse levels. The others take samples, or factor.
 bool WantsDecimation(const FieldOptions& options);
 
-/// \param given operators of the surface, or null: those of Levels will be built.
+/// \param given operators of the surface, or null: the solver's own.
 /// \param obstacles of the surface, harmonic fields included; they count where the solver is to be chosen.
 SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& options,
   const ProlongationOperators* given, const CycleObstacles& obstacles);

@@ -274,6 +274,11 @@ Points FieldSolver::Directions(int k) const
   return this->Internal->Last.DirectionsOnFaces(this->Surface(), k);
 }
 
+LinearSystem FieldSolver::Equations(const ExecutionContext& context) const
+{
+  return this->Internal->Stages.Equations(context);
+}
+
 const SolvedField& FieldSolver::Solved() const
 {
   assert(this->Internal->Solved);

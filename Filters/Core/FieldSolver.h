@@ -6,6 +6,7 @@
 #include "FieldProblem.h"
 #include "Levels/ProlongationOperators.h"
 #include "SolvedField.h"
+#include "Solvers/PrescribedSystem.h"
 #include "Support/ExecutionContext.h"
 
 #include <memory>
@@ -65,6 +66,10 @@ public:
 
   /// The unknowns of the last solve, their meaning, and what was prescribed. \pre there was one.
   const SolvedField& Solved() const;
+
+  /// The linear equations of the last field without singularities, for a solver of the caller's own; see
+  /// HarmonicProblem::Equations. \pre there was one.
+  LinearSystem Equations(const ExecutionContext& context = SerialContext()) const;
 
   /// How often each stage has been completed.
   SolvedField::StageCounts Counts() const;

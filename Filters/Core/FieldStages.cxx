@@ -20,10 +20,9 @@ namespace dmg
 namespace
 {
 
-/// Levels that were built for a surface.
+/// Operators of levels that were built for a surface.
 struct BuiltOperators
 {
-  HierarchyOptions Options;
   OperatorSelection Selection;
   std::shared_ptr<const ProlongationOperators> Operators;
   double Seconds;
@@ -34,7 +33,7 @@ struct SetupKey
 {
   std::string Fields; ///< the discretisation by name
   bool IsFactored;
-  bool KeepsApart;
+  bool SplitsOperator;
   CoarseSpaceKind Space;
   std::shared_ptr<const ProlongationOperators> Operators; ///< null for samples and factors
 
@@ -42,8 +41,8 @@ struct SetupKey
   {
     const auto members = [](const SetupKey& key)
     {
-      const auto& [fields, isFactored, keepsApart, space, operators] = key;
-      return std::tie(fields, isFactored, keepsApart, space, operators);
+      const auto& [fields, isFactored, splits, space, operators] = key;
+      return std::tie(fields, isFactored, splits, space, operators);
     };
     return members(a) == members(b);
   }
@@ -92,10 +91,10 @@ bool DifferInWeights(FieldOptions a, const FieldOptions& b)
   return a == b;
 }
 
-bool NeedsReference(const SolverOptions& options, SolverKind kind)
+bool NeedsReference(const SolverOptions& options, const SolverMethod& method)
 {
-  const bool isRule = kind == SolverKind::NestedIterations && options.Nested.Rule == SweepRule::WhileErrorFalls;
-  return (options.CompareWithCholesky || isRule) && kind != SolverKind::Cholesky;
+  const bool isRule = method.HasSweeps && options.Nested.Rule == SweepRule::WhileErrorFalls;
+  return (options.CompareWithCholesky || isRule) && !method.IsDirect;
 }
 
 }
@@ -118,7 +117,7 @@ public:
 
   FramedMesh Surface;
   std::shared_ptr<const ProlongationOperators> Given;
-  std::vector<BuiltOperators> Built; ///< all that there are: discretisations and solvers want different levels
+  std::optional<BuiltOperators> Built;
   DiscretisationOptions FieldOptionsOfDiscretisation;
   std::shared_ptr<const Discretisation> Field;
   std::optional<CycleObstacles> Obstacles; ///< of the surface
@@ -155,31 +154,25 @@ void FieldStages::Internals::SetDiscretisation(const DiscretisationOptions& opti
 std::shared_ptr<const ProlongationOperators> FieldStages::Internals::OperatorsOfPlan(const ExecutionContext& context)
 {
   this->SecondsOfOperators = 0.0;
-  if (!this->Plan.NeedsLevels() || this->Given || this->Plan.TakesSamples())
+  if (!this->Plan.NeedsLevels() || this->Given || this->Plan.BuildsSamples)
   {
     return this->Plan.NeedsLevels() ? this->Given : nullptr;
   }
-  const auto known = std::find_if(this->Built.begin(), this->Built.end(),
-    [this](const BuiltOperators& built) { return built.Options == this->Plan.Levels; });
   OperatorSelection selection = this->Plan.Selection;
-  if (known != this->Built.end())
+  if (this->Built && this->Built->Selection.Includes(selection))
   {
-    if (known->Selection.Includes(selection))
-    {
-      this->SecondsOfOperators = known->Seconds;
-      return known->Operators;
-    }
-    selection.Add(known->Selection); // what was built once is kept when more is needed
+    this->SecondsOfOperators = this->Built->Seconds;
+    return this->Built->Operators;
+  }
+  if (this->Built)
+  {
+    selection.Add(this->Built->Selection); // what was built once is kept when more is needed
   }
   const Stopwatch watch;
   auto operators = std::make_shared<const ProlongationOperators>(
-    BuildSurfaceHierarchy(this->Surface.Mesh, this->Plan.Levels, context, selection).Operators);
-  if (known != this->Built.end())
-  {
-    this->Built.erase(known);
-  }
+    BuildSurfaceHierarchy(this->Surface.Mesh, HierarchyOptions(), context, selection).Operators);
   this->SecondsOfOperators = watch.Seconds();
-  this->Built.push_back({ this->Plan.Levels, selection, operators, this->SecondsOfOperators });
+  this->Built = BuiltOperators{ selection, operators, this->SecondsOfOperators };
   this->IsSetupUncounted = true;
   return operators;
 }
@@ -193,13 +186,8 @@ void FieldStages::Internals::SetUp(const FieldOptions& options, const ExecutionC
     this->Obstacles = ObstaclesOf(this->Surface.Mesh, HasHarmonicFields, context);
   }
   this->Plan = PlanSolver(*this->Field, options, this->Given.get(), *this->Obstacles);
-  auto operators = this->OperatorsOfPlan(PartOfContext(context, 0.0, 0.6));
-  if (operators)
-  {
-    this->Plan = PlanSolver(*this->Field, options, operators.get(), *this->Obstacles); // they may have one level
-    operators = this->Plan.NeedsLevels() ? operators : nullptr;
-  }
-  const SetupKey key{ this->Field->Name(), !this->Plan.NeedsLevels(), this->Plan.KeepsApart, options.CoarseSpace,
+  const auto operators = this->OperatorsOfPlan(PartOfContext(context, 0.0, 0.6));
+  const SetupKey key{ this->Field->Name(), !this->Plan.NeedsLevels(), this->Plan.SplitsOperator, options.CoarseSpace,
     operators };
   const auto known =
     std::find_if(this->Setups.begin(), this->Setups.end(), [&key](const auto& setup) { return setup->Key == key; });
@@ -212,7 +200,7 @@ void FieldStages::Internals::SetUp(const FieldOptions& options, const ExecutionC
     const Stopwatch watch;
     auto setup = MakeSetup(this->Surface, *this->Field, operators.get(), this->Plan, options.CoarseSpace,
       PartOfContext(context, operators ? 0.6 : 0.0, 1.0));
-    this->IsSetupUncounted |= this->Plan.TakesSamples() && !operators;
+    this->IsSetupUncounted |= this->Plan.BuildsSamples;
     this->Setups.push_back(std::make_shared<const SetupStage>(SetupStage{ key, std::move(setup), watch.Seconds() }));
     this->ForgetSetups();
   }
@@ -251,7 +239,7 @@ void FieldStages::Internals::Prepare(
     return;
   }
   const SolverChoice& choice = this->Plan.ChoiceOn(*current->Setup);
-  const bool isCompared = NeedsReference(options.Solver, choice.Kind);
+  const bool isCompared = NeedsReference(options.Solver, *choice.Method);
   std::unique_ptr<SystemStage> system(new SystemStage{ constraints, options, current,
     HarmonicProblem(current->Setup, this->Field->PenaltiesOf(constraints, options.Weights(), context),
       options.Smoothness, options.Solver, choice, PartOfContext(context, 0.0, isCompared ? 0.5 : 1.0)),
@@ -269,7 +257,7 @@ void FieldStages::Internals::Prepare(
 std::unique_ptr<HarmonicProblem> FieldStages::Internals::MakeReference(
   const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context) const
 {
-  const SolverPlan factored{ { SolverKind::Cholesky, "" }, {}, false, {}, {} };
+  const SolverPlan factored;
   auto setup =
     MakeSetup(this->Surface, *this->Field, nullptr, factored, options.CoarseSpace, PartOfContext(context, 0.0, 0.3));
   return std::make_unique<HarmonicProblem>(std::move(setup),
@@ -398,6 +386,11 @@ const Vector<double>& FieldStages::Unknowns() const
 const SolveReport& FieldStages::Report() const
 {
   return this->Internal->Solution->Report;
+}
+
+LinearSystem FieldStages::Equations(const ExecutionContext& context) const
+{
+  return this->Internal->System->Problem.Equations(this->Internal->Solution->Values, context);
 }
 
 Eigen::MatrixXd FieldStages::HarmonicFields() const

@@ -5,6 +5,7 @@
 #include "Levels/ProlongationOperators.h"
 #include "SolvedField.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
+#include "Solvers/PrescribedSystem.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -58,6 +59,9 @@ public:
   const FieldConstraints& Constraints() const override;
   const Vector<double>& Unknowns() const override;
   const SolveReport& Report() const override;
+  /// The linear equations of Unknowns, as a matrix and a right-hand side for a solver of the caller's own. See
+  /// HarmonicProblem::Equations.
+  LinearSystem Equations(const ExecutionContext& context = SerialContext()) const;
   Eigen::MatrixXd HarmonicFields() const override;
   const StageCounts& Counts() const override;
   double SetupSeconds() const override;

@@ -40,7 +40,7 @@ struct SetupOfSurface
 SolverOptions OptionsOfFunctions(const SolverOptions& asked)
 {
   SolverOptions options;
-  options.Kind = IsNested(asked.Kind) ? SolverKind::Automatic : asked.Kind;
+  options.Kind = MethodOf(asked.Kind).IsApproximation() ? SolverKind::Automatic : asked.Kind;
   options.ExpectedSolves = asked.ExpectedSolves;
   options.Sweeps = asked.Sweeps;
   return options;

@@ -64,7 +64,7 @@ double ResidualOf(const SolveReport& report)
 SolverOptions OptionsOfPotentials(const SolverOptions& asked, int loops)
 {
   SolverOptions options;
-  options.Kind = IsNested(asked.Kind) ? SolverKind::Automatic : asked.Kind;
+  options.Kind = asked.Kind;
   options.ExpectedSolves = asked.ExpectedSolves + loops;
   options.Sweeps = asked.Sweeps;
   return options;

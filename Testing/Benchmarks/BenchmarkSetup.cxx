@@ -8,6 +8,7 @@
 
 #include "Benchmarks/CommandLine.h"
 #include "Benchmarks/Timing.h"
+#include "Levels/SampledLevels.h"
 #include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/ReadPly.h"
 #include "Support/TbbContext.h"
@@ -20,23 +21,26 @@ namespace
 struct Setup
 {
   const char* Operators;
-  LevelConstruction Levels;
+  bool AreSampled;
   OperatorSelection Selection;
 };
 
 void Measure(
   const std::string& name, const TriangleMesh& mesh, int runs, const Setup& setup, const ExecutionContext& context)
 {
-  HierarchyOptions options;
-  options.Levels = setup.Levels;
   std::vector<double> seconds;
-  SurfaceHierarchy hierarchy;
+  ProlongationOperators operators;
   for (int run = 0; run < runs; ++run)
   {
-    seconds.push_back(
-      benchmarks::Seconds([&] { hierarchy = BuildSurfaceHierarchy(mesh, options, context, setup.Selection); }));
+    seconds.push_back(benchmarks::Seconds(
+      [&]
+      {
+        operators = setup.AreSampled
+          ? SampledLevels(mesh, DefaultSampleDistance, context)
+          : BuildSurfaceHierarchy(mesh, HierarchyOptions(), context, setup.Selection).Operators;
+      }));
   }
-  const std::vector<int>& faces = hierarchy.Operators.NumbersOfFaces;
+  const std::vector<int>& faces = operators.NumbersOfFaces;
   const double median = benchmarks::Median(seconds);
   std::printf("%-28s %-9s %8d %8.3f %8.3f %12.2f  ", name.c_str(), setup.Operators, faces.front(), median,
     *std::min_element(seconds.begin(), seconds.end()), 1e6 * median / std::max(faces.front() - faces.back(), 1));
@@ -70,9 +74,8 @@ int main(int argc, char* argv[])
     "faces of the coarse levels");
   const auto measureAll = [&](const std::string& name, const TriangleMesh& mesh)
   {
-    for (const Setup& setup : { Setup{ "sampled", LevelConstruction::Sampling, { false, false, false } },
-           Setup{ "power", LevelConstruction::EdgeCollapses, { true, false, false } },
-           Setup{ "all", LevelConstruction::EdgeCollapses, { true, true, true } } })
+    for (const Setup& setup : { Setup{ "sampled", true, { false, false, false } },
+           Setup{ "power", false, { true, false, false } }, Setup{ "all", false, { true, true, true } } })
     {
       Measure(name, mesh, runs, setup, context);
     }

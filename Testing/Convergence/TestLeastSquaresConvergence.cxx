@@ -2,9 +2,9 @@
 // grow with the surface, for 1-forms and face fields: generated families at several sizes.
 
 #include "Discretisations/MakeDiscretisation.h"
-#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
+#include "Support/NodalLevels.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
 
@@ -42,7 +42,7 @@ const std::vector<Prescription>& Prescriptions()
   return all;
 }
 
-class LeastSquaresConvergence : public ::testing::TestWithParam<std::tuple<DiscretisationKind, LevelConstruction>>
+class LeastSquaresConvergence : public ::testing::TestWithParam<std::tuple<DiscretisationKind, LevelKind>>
 {
 protected:
   /// Iterations to 1e-8 for each prescription; hard ones, if the alignment is infinite.
@@ -56,12 +56,10 @@ protected:
     options.Solver.Kind = SolverKind::ConjugateGradients;
     const FramedMesh surface(shape.Mesh(), context);
     const auto field = MakeDiscretisation(options.Field, surface);
-    HierarchyOptions hierarchyOptions;
-    hierarchyOptions.SampleDistance = field->SampleDistance();
-    hierarchyOptions.Levels = std::get<1>(GetParam());
-    hierarchyOptions.MinimumNumberOfFaces = 100; // edge collapses go on with small surfaces, too
+    HierarchyOptions decimation;
+    decimation.MinimumNumberOfFaces = 100; // edge collapses go on with small surfaces, too
     const ProlongationOperators operators =
-      BuildSurfaceHierarchy(surface.Mesh, hierarchyOptions, context, { false, false, false }).Operators;
+      NodalLevels(std::get<1>(GetParam()), surface.Mesh, decimation, field->SampleDistance(), context);
     const int elements = field->NumberOfElements();
     std::vector<int> iterations;
     for (const Prescription& prescription : Prescriptions())
@@ -113,7 +111,7 @@ protected:
 TEST_P(LeastSquaresConvergence, OnIrregularSpheres)
 {
   std::vector<Surface> family = { IrregularSphere(4, 3), IrregularSphere(5, 3) };
-  if (std::get<1>(GetParam()) == LevelConstruction::EdgeCollapses)
+  if (std::get<1>(GetParam()) == LevelKind::EdgeCollapses)
   {
     family.insert(family.begin(), IrregularSphere(3, 3)); // too small for levels of samples
   }
@@ -170,10 +168,10 @@ TEST_P(LeastSquaresConvergence, OnManyHandlesForAnyAlignment)
 
 INSTANTIATE_TEST_SUITE_P(Fields, LeastSquaresConvergence,
   ::testing::Combine(::testing::Values(DiscretisationKind::OneForm, DiscretisationKind::FaceField),
-    ::testing::Values(LevelConstruction::EdgeCollapses, LevelConstruction::Sampling)),
+    ::testing::Values(LevelKind::EdgeCollapses, LevelKind::Sampling)),
   [](const auto& info)
   {
     const bool isForm = std::get<0>(info.param) == DiscretisationKind::OneForm;
-    const bool isSampled = std::get<1>(info.param) == LevelConstruction::Sampling;
+    const bool isSampled = std::get<1>(info.param) == LevelKind::Sampling;
     return std::string(isForm ? "OneForms" : "FaceFields") + (isSampled ? "Sampling" : "EdgeCollapses");
   });

@@ -1,9 +1,9 @@
 // Conjugate gradients with a nodal V-cycle take a number of iterations that does not grow with the
 // surface: generated families, each cut 1:4 several times.
 
-#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
+#include "Support/NodalLevels.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
 
@@ -22,18 +22,16 @@ namespace
 constexpr double Infinity = std::numeric_limits<double>::infinity(); // hard constraints
 
 /// Both ways to make the levels.
-class PowerFieldConvergence : public ::testing::TestWithParam<LevelConstruction>
+class PowerFieldConvergence : public ::testing::TestWithParam<LevelKind>
 {
 };
 
-int Iterations(LevelConstruction levels, const Surface& shape, int N, int prescribedFaces, double alignment = 1.0)
+int Iterations(LevelKind levels, const Surface& shape, int N, int prescribedFaces, double alignment = 1.0)
 {
   const TbbContext context(2);
-  HierarchyOptions hierarchyOptions;
-  hierarchyOptions.Levels = levels;
   const FramedMesh surface(shape.Mesh());
-  const SurfaceHierarchy hierarchy =
-    BuildSurfaceHierarchy(surface.Mesh, hierarchyOptions, context, { false, false, false });
+  const ProlongationOperators operators =
+    NodalLevels(levels, surface.Mesh, HierarchyOptions(), DefaultSampleDistance, context);
   FieldConstraints constraints;
   Random random(53);
   constraints.Values.resize(2 * prescribedFaces);
@@ -49,7 +47,7 @@ int Iterations(LevelConstruction levels, const Surface& shape, int N, int prescr
   options.Constraints = std::isfinite(alignment) ? ConstraintKind::Soft : ConstraintKind::Hard;
   options.Alignment = std::isfinite(alignment) ? alignment : 1.0;
   options.Solver.Kind = SolverKind::ConjugateGradients;
-  FieldProblem problem(surface, &hierarchy.Operators, constraints, options, context);
+  FieldProblem problem(surface, &operators, constraints, options, context);
   problem.Solve(constraints.Values, {}, StoppingCriteria(), context);
   EXPECT_TRUE(problem.Report().Converged);
   return static_cast<int>(problem.Report().Iterations.size()) - 1;
@@ -138,5 +136,5 @@ TEST_P(PowerFieldConvergence, OnAPlaneUnderWeakPulls)
 }
 
 INSTANTIATE_TEST_SUITE_P(Levels, PowerFieldConvergence,
-  ::testing::Values(LevelConstruction::EdgeCollapses, LevelConstruction::Sampling),
-  [](const auto& info) { return info.param == LevelConstruction::Sampling ? "Sampling" : "EdgeCollapses"; });
+  ::testing::Values(LevelKind::EdgeCollapses, LevelKind::Sampling),
+  [](const auto& info) { return info.param == LevelKind::Sampling ? "Sampling" : "EdgeCollapses"; });

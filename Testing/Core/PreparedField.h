@@ -72,8 +72,8 @@ struct PreparedField
   HarmonicProblem Problem(
     const Elements& elements, const FieldWeights& weights, SolverKind solver = SolverKind::ConjugateGradients) const
   {
-    return HarmonicProblem(
-      this->Levels, this->Prescribed(elements, weights), weights.Smoothness, {}, { solver, "" }, SerialContext());
+    return HarmonicProblem(this->Levels, this->Prescribed(elements, weights), weights.Smoothness, {},
+      { &MethodOf(solver), "" }, SerialContext());
   }
 
   /// The same by factoring the matrix of the system, which is assembled otherwise.

@@ -141,7 +141,7 @@ ProlongationOperators NodalLevels(const FramedMesh& surface)
 
 std::string Name(SolverKind solver, double weight, bool areMixed)
 {
-  return NameOf(solver) + ", weight " + std::to_string(weight) + (areMixed ? " and 1" : "");
+  return MethodOf(solver).Name + ", weight " + std::to_string(weight) + (areMixed ? " and 1" : "");
 }
 
 }

@@ -28,14 +28,14 @@ TEST(FactorChoice, ManyNeedlesAreForAFactor)
   for (const bool hasHarmonicFields : { false, true })
   {
     const CycleObstacles few = ObstaclesOf(StripWithNeedles(2), hasHarmonicFields, SerialContext());
-    EXPECT_DOUBLE_EQ(few.ShareOfNeedles, 0.02);
+    EXPECT_DOUBLE_EQ(few.ShareOfThinTriangles, 0.02);
     EXPECT_EQ(few.Loops, 0);
     EXPECT_FALSE(IsFactorBetter(few));
     EXPECT_EQ(WhyFactorIsBetter(few), "");
     const CycleObstacles many = ObstaclesOf(StripWithNeedles(25), hasHarmonicFields, SerialContext());
-    EXPECT_DOUBLE_EQ(many.ShareOfNeedles, 0.25);
+    EXPECT_DOUBLE_EQ(many.ShareOfThinTriangles, 0.25);
     EXPECT_TRUE(IsFactorBetter(many));
-    EXPECT_EQ(WhyFactorIsBetter(many), ", chosen because 25 % of the triangles are needles (more than 3 %)");
+    EXPECT_EQ(WhyFactorIsBetter(many), ", chosen because 25 % of the triangles are thin (more than 3 %)");
   }
 }
 
@@ -48,7 +48,7 @@ TEST(FactorChoice, ManyLoopsAreForAFactorWhereTheyHaveHarmonicFields)
   const TriangleMesh many = PerforatedSlab(3, 7, 2).Mesh();
   EXPECT_TRUE(IsFactorBetter(ObstaclesOf(many, true, SerialContext())));
   EXPECT_EQ(WhyFactorIsBetter(ObstaclesOf(many, true, SerialContext())),
-    ", chosen because the surface has 42 loops, each with a harmonic field (more than 40)");
+    ", chosen because the surface has 42 loops around handles and holes, each with a harmonic field (more than 40)");
   EXPECT_EQ(ObstaclesOf(many, false, SerialContext()).Loops, 0);
   EXPECT_FALSE(IsFactorBetter(ObstaclesOf(many, false, SerialContext())));
 }

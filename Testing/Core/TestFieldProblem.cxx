@@ -27,7 +27,7 @@ TEST(FieldProblem, UpdateIsANewProblem)
   {
     for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky, SolverKind::NestedIterations })
     {
-      SCOPED_TRACE(std::to_string(static_cast<int>(kind)) + " " + NameOf(solver));
+      SCOPED_TRACE(std::to_string(static_cast<int>(kind)) + " " + MethodOf(solver).Name);
       FieldOptions options;
       options.Field.Kind = kind;
       options.Solver.Kind = solver;
@@ -224,9 +224,7 @@ TEST(FieldProblem, TakesSamplesWithoutOperators)
     };
     const TbbContext threads(3);
     const auto field = MakeDiscretisation(options.Field, on.Framed);
-    const ProlongationOperators samples = BuildSurfaceHierarchy(
-      on.Mesh, PlanSolver(*field, options, nullptr, {}).Levels, SerialContext(), { false, false, false })
-                                            .Operators;
+    const ProlongationOperators samples = field->SampledLevels(field->SampleDistance(), SerialContext());
     EXPECT_EQ(solve(SetupOf(on.Framed, nullptr, options, threads)),
       solve(SetupOf(on.Framed, &samples, options, SerialContext())));
   }
@@ -245,7 +243,7 @@ TEST(FieldProblem, KnowsTheHarmonicFieldsInTheCallersOrder)
         : FaceFieldSmoothness(on.Mesh, on.Frames, SerialContext());
       for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky })
       {
-        SCOPED_TRACE(NameOf(solver));
+        SCOPED_TRACE(MethodOf(solver).Name);
         const FieldProblem problem(
           on.Framed, &on.Operators, on.Constraints(on.Every(31), 3721), OptionsOf(kind, solver), SerialContext());
         const Eigen::MatrixXd fields = problem.HarmonicFields();
@@ -265,24 +263,24 @@ TEST(FieldProblem, CyclesKeepRoughnessApartOnNodalLevels)
   for (const DiscretisationKind kind : AllKinds)
   {
     const PreparedField on(IrregularTorus(84, 42, 4), kind);
-    const auto keepsApart = [&on](const FieldOptions& options, const ProlongationOperators* operators)
-    { return KeepsApart(on.Framed, operators, options); };
+    const auto splitsOperator = [&on](const FieldOptions& options, const ProlongationOperators* operators)
+    { return SplitsOperator(on.Framed, operators, options); };
     const ProlongationOperators none;
-    EXPECT_FALSE(keepsApart(OptionsOf(kind), &none));
+    EXPECT_FALSE(splitsOperator(OptionsOf(kind), &none));
     const ProlongationOperators* const samples = nullptr;
     for (const ProlongationOperators* operators : { &on.Operators, samples })
     {
-      EXPECT_TRUE(keepsApart(OptionsOf(kind), operators));
-      EXPECT_TRUE(keepsApart(OptionsOf(kind, SolverKind::VCycles), operators));
-      EXPECT_FALSE(keepsApart(OptionsOf(kind, SolverKind::Automatic), operators)) << "small";
-      EXPECT_FALSE(keepsApart(OptionsOf(kind, SolverKind::Cholesky), operators));
-      EXPECT_FALSE(keepsApart(OptionsOf(kind, SolverKind::NestedIterations), operators));
+      EXPECT_TRUE(splitsOperator(OptionsOf(kind), operators));
+      EXPECT_TRUE(splitsOperator(OptionsOf(kind, SolverKind::VCycles), operators));
+      EXPECT_FALSE(splitsOperator(OptionsOf(kind, SolverKind::Automatic), operators)) << "small";
+      EXPECT_FALSE(splitsOperator(OptionsOf(kind, SolverKind::Cholesky), operators));
+      EXPECT_FALSE(splitsOperator(OptionsOf(kind, SolverKind::NestedIterations), operators));
       FieldOptions options = OptionsOf(kind);
       options.CoarseSpace = CoarseSpaceKind::StructurePreserving;
-      EXPECT_FALSE(keepsApart(options, operators));
+      EXPECT_FALSE(splitsOperator(options, operators));
       options = OptionsOf(kind);
       options.Solver.StartingLevel = 1;
-      EXPECT_FALSE(keepsApart(options, operators));
+      EXPECT_FALSE(splitsOperator(options, operators));
     }
   }
 }
@@ -293,7 +291,7 @@ TEST(FieldProblem, IsFactoredWhereThereAreTooFewFacesForSamples)
   {
     const PreparedField on(Icosphere(1), kind);
     const FieldOptions options = OptionsOf(kind);
-    ASSERT_TRUE(KeepsApart(on.Framed, nullptr, options));
+    ASSERT_TRUE(SplitsOperator(on.Framed, nullptr, options));
     ASSERT_FALSE(SetupOf(on.Framed, nullptr, options, SerialContext())->HasLevels);
     const Elements elements = on.Every(31);
     const FieldConstraints prescribed = on.Constraints(elements, 3720);
@@ -317,9 +315,9 @@ TEST(FieldProblem, IsFactoredWhereThereAreManyNeedles)
   }
   prescribed.Values = Vector<double>::Ones(2 * prescribed.Elements.size());
   const FieldOptions options = OptionsOf(DiscretisationKind::PowerField, SolverKind::Automatic);
-  EXPECT_FALSE(KeepsApart(surface, nullptr, options));
+  EXPECT_FALSE(SplitsOperator(surface, nullptr, options));
   FieldProblem problem(surface, nullptr, prescribed, options, SerialContext());
   problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
   EXPECT_TRUE(problem.Report().Converged);
-  EXPECT_NE(problem.Report().Solver.find("of the triangles are needles"), std::string::npos) << problem.Report().Solver;
+  EXPECT_NE(problem.Report().Solver.find("of the triangles are thin"), std::string::npos) << problem.Report().Solver;
 }

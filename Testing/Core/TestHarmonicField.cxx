@@ -303,10 +303,10 @@ TEST(HarmonicField, ManySolvesAreWorthAFactor)
   SolverTuning tuning;
   tuning.SolvesForCholesky = 30;
   options.ExpectedSolves = 29;
-  EXPECT_EQ(ChooseSolver(options, tuning, 1000000, true).Kind, SolverKind::ConjugateGradients);
+  EXPECT_EQ(ChooseSolver(options, tuning, 1000000, true).Method, &MethodOf(SolverKind::ConjugateGradients));
   options.ExpectedSolves = 30;
   const SolverChoice choice = ChooseSolver(options, tuning, 1000000, true);
-  EXPECT_EQ(choice.Kind, SolverKind::Cholesky);
+  EXPECT_EQ(choice.Method, &MethodOf(SolverKind::Cholesky));
   EXPECT_NE(choice.Reason.find("1000000 unknowns and 30 solves"), std::string::npos);
 }
 

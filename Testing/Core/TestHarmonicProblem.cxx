@@ -2,12 +2,15 @@
 
 #include "Operators/ExteriorCalculus.h"
 #include "PreparedField.h"
+#include "Solvers/Krylov/ConjugateGradient.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
+
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cmath>
@@ -292,12 +295,121 @@ TEST(HarmonicProblem, StartsWhereItIsTold)
   }
 }
 
+// The matrix is assembled in three ways, and another library factors it.
+TEST(HarmonicProblem, ItsEquationsHaveTheSolution)
+{
+  for (const DiscretisationKind kind : AllKinds)
+  {
+    const PreparedField on(TorusAndSphere().Both, kind);
+    const auto assembled = SetupOf(on.Framed, nullptr, OptionsOf(kind, SolverKind::Cholesky), SerialContext());
+    for (const ConstraintKind constraints : BothConstraints)
+    {
+      SCOPED_TRACE(Describe(kind, constraints));
+      const FieldWeights weights = { 0.3, 1.0, constraints };
+      const Elements elements = on.Every(47);
+      const Vector<double> values = on.RandomValues(elements, 3703);
+      const auto solved = [&](const std::shared_ptr<const MultigridSetup>& setup, SolverKind solver)
+      {
+        HarmonicProblem problem(
+          setup, on.Prescribed(elements, weights), weights.Smoothness, {}, { &MethodOf(solver), "" }, SerialContext());
+        const Vector<double> x = problem.Solve(values, {}, {}, Tight(), SerialContext());
+        const LinearSystem system = problem.Equations(values, SerialContext());
+        EXPECT_LE(
+          (system.Matrix - SparseMatrix<double>(system.Matrix.transpose())).norm(), 1e-14 * system.Matrix.norm());
+        const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> other{ Eigen::SparseMatrix<double>(system.Matrix) };
+        const Vector<double> expected = other.solve(system.RightHandSide);
+        EXPECT_LE((x - expected).norm(), 1e-8 * expected.norm());
+      };
+      solved(on.Levels, SolverKind::ConjugateGradients);
+      solved(assembled, SolverKind::Cholesky);
+    }
+  }
+}
+
+// Where nothing is prescribed the matrix is R alone, and the solution is its eigenvector.
+TEST(HarmonicProblem, ItsEquationsAreThoseOfTheRoughnessWithoutPrescriptions)
+{
+  const PreparedField on(IrregularSphere(3, 3), DiscretisationKind::PowerField);
+  HarmonicProblem problem = on.Problem({}, FieldWeights());
+  const Vector<double> x = problem.Solve({}, {}, {}, StoppingCriteria(), SerialContext());
+  const LinearSystem system = problem.Equations({}, SerialContext());
+  EXPECT_EQ(system.RightHandSide.norm(), 0.0);
+  ASSERT_EQ(problem.Report().Eigenvalues.size(), 1u);
+  const double energy = x.dot(system.Matrix * x) / problem.Setup().Area;
+  EXPECT_NEAR(energy, problem.Report().Eigenvalues[0], 1e-6 * energy);
+}
+
+namespace
+{
+
+/// The inverse of the diagonal.
+class JacobiPreconditioner : public RoughnessCycle
+{
+public:
+  JacobiPreconditioner(const RoughnessHierarchy& hierarchy, const Vector<double>& D)
+    : Hierarchy(hierarchy)
+  {
+    this->Update(D, SerialContext());
+  }
+  void Update(const Vector<double>& D, const ExecutionContext&) override
+  {
+    this->Diagonal = D;
+    for (Eigen::Index i = 0; i < D.size(); ++i)
+    {
+      this->Diagonal[i] += this->Hierarchy.DiagonalOf(static_cast<int>(i));
+    }
+  }
+  void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
+  {
+    z = r.cwiseQuotient(this->Diagonal);
+  }
+  std::vector<LevelReport> Levels() const override { return { { this->Diagonal.size(), this->Diagonal.size() } }; }
+  long long Bytes() const override { return this->Diagonal.size() * static_cast<long long>(sizeof(double)); }
+
+private:
+  const RoughnessHierarchy& Hierarchy;
+  Vector<double> Diagonal;
+};
+
+std::unique_ptr<RoughnessCycle> MakeJacobi(
+  const MultigridSetup& setup, const Vector<double>& D, const SolverOptions&, const ExecutionContext&)
+{
+  return std::make_unique<JacobiPreconditioner>(*setup.Hierarchy, D);
+}
+
+}
+
+// A problem knows roles, and no kinds of solvers.
+TEST(HarmonicProblem, IsSolvedByAMethodOfTheCaller)
+{
+  SolverMethod jacobi;
+  jacobi.Name = "conjugate gradients by Jacobi";
+  jacobi.NeedsLevels = false;
+  jacobi.MakePreconditioner = &MakeJacobi;
+  jacobi.Iterate = &ConjugateGradient<double>;
+  const FieldWeights weights;
+  for (const DiscretisationKind kind : AllKinds)
+  {
+    const PreparedField on(IrregularPlane(20, 16, 5), kind);
+    const Elements elements = on.Every(47);
+    const Vector<double> values = on.RandomValues(elements, 3704);
+    HarmonicProblem problem(
+      on.Levels, on.Prescribed(elements, weights), 1.0, {}, { &jacobi, ", as asked" }, SerialContext());
+    const Vector<double> x = problem.Solve(values, {}, {}, { 1e-11, 3000 }, SerialContext());
+    EXPECT_TRUE(problem.Report().Converged);
+    EXPECT_EQ(problem.Report().Solver, "conjugate gradients by Jacobi, as asked");
+    FieldProblem factored = on.Factored(elements, weights);
+    const Vector<double> expected = factored.Solve(values, {}, Tight(), SerialContext());
+    EXPECT_LE((x - expected).norm(), 1e-8 * expected.norm());
+  }
+}
+
 TEST(HarmonicProblem, ReportsProgressOnceAndStopsWhenAsked)
 {
   const PreparedField on(IrregularTorus(28, 14, 4), DiscretisationKind::FaceField);
   const FieldWeights weights;
   const SolverOptions options;
-  const SolverChoice choice = { SolverKind::ConjugateGradients, "" };
+  const SolverChoice choice = { &MethodOf(SolverKind::ConjugateGradients), "" };
   const Penalties prescribed = on.Prescribed(on.Every(31), weights);
   for (const bool isUpdate : { false, true })
   {

@@ -26,10 +26,10 @@ std::shared_ptr<const MultigridSetup> SetupOf(const FramedMesh& surface, const P
     surface, *field, operators, PlanOf(surface, *field, operators, options), options.CoarseSpace, context);
 }
 
-bool KeepsApart(const FramedMesh& surface, const ProlongationOperators* operators, const FieldOptions& options)
+bool SplitsOperator(const FramedMesh& surface, const ProlongationOperators* operators, const FieldOptions& options)
 {
   const auto field = MakeDiscretisation(options.Field, surface);
-  return PlanOf(surface, *field, operators, options).KeepsApart;
+  return PlanOf(surface, *field, operators, options).SplitsOperator;
 }
 
 FieldConstraints MakeFieldConstraints(

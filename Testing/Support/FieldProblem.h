@@ -15,8 +15,8 @@ namespace dmg::test
 std::shared_ptr<const MultigridSetup> SetupOf(const FramedMesh& surface, const ProlongationOperators* operators,
   const FieldOptions& options, const ExecutionContext& context);
 
-/// Whether cycles that keep roughness and penalties apart would solve this.
-bool KeepsApart(const FramedMesh& surface, const ProlongationOperators* operators, const FieldOptions& options);
+/// Whether cycles with R and D apart would solve this.
+bool SplitsOperator(const FramedMesh& surface, const ProlongationOperators* operators, const FieldOptions& options);
 
 /// Directions as a discretisation takes them.
 FieldConstraints MakeFieldConstraints(

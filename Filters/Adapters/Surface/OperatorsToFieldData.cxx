@@ -214,8 +214,7 @@ std::vector<int> ReadSizes(vtkFieldData* fieldData, const std::string& name, int
 
 bool OperatorsOrigin::operator==(const OperatorsOrigin& other) const
 {
-  return this->Digest == other.Digest && this->Options.Levels == other.Options.Levels &&
-    this->Options.SampleDistance == other.Options.SampleDistance && NumbersOf(*this) == NumbersOf(other);
+  return this->Digest == other.Digest && NumbersOf(*this) == NumbersOf(other);
 }
 
 void OperatorsToFieldData(

@@ -1,10 +1,10 @@
 #ifndef dmgOperatorsToFieldData_h
 #define dmgOperatorsToFieldData_h
 
-#include "Levels/HierarchyOptions.h"
 #include "Levels/ProlongationOperators.h"
 #include "Mesh/SurfaceRelation.h"
 #include "Mesh/TriangleMesh.h"
+#include "StructurePreserving/Decimation/HierarchyOptions.h"
 
 #include <optional>
 #include <string>

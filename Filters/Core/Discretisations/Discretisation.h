@@ -3,8 +3,8 @@
 
 #include "Discretisations/DiscretisationOptions.h"
 #include "Discretisations/FieldConstraints.h"
-#include "Levels/HierarchyOptions.h"
 #include "Levels/ProlongationOperators.h"
+#include "Levels/SampledLevels.h"
 #include "Mesh/FramedMesh.h"
 #include "Mesh/VertexConnection.h"
 #include "Solvers/Multigrid/RoughnessHierarchy.h"
@@ -53,37 +53,37 @@ enum class CoarseSpaceKind
   StructurePreserving,
 };
 
-/// Nodal prolongations of a surface, which may be forgotten as soon as they have been read.
+/// The nodal prolongations of a surface, for a reader that frees their memory as early as it may.
 class NodalProlongations
 {
 public:
-  /// They stay.
-  explicit NodalProlongations(const ProlongationOperators& operators)
-    : Operators(operators)
-  {
-  }
-  /// They are forgotten.
-  explicit NodalProlongations(ProlongationOperators& operators)
-    : Operators(operators)
-    , Own(&operators)
-  {
-  }
+  /// Prolongations that others need after the reader. Forget does nothing.
+  static NodalProlongations Borrowed(const ProlongationOperators& operators) { return { operators, nullptr }; }
+  /// Prolongations that nobody needs after the reader. Forget frees them.
+  static NodalProlongations Owned(ProlongationOperators& operators) { return { operators, &operators }; }
 
   /// Finest first; not empty.
   const std::vector<TransportOperator>& All() const { return this->Operators.Nodal; }
   /// With all that there is beside them.
   const ProlongationOperators& Whole() const { return this->Operators; }
+  /// Says that they have been read.
   void Forget() const
   {
-    if (this->Own)
+    if (this->ToForget)
     {
-      this->Own->Nodal.clear();
+      this->ToForget->Nodal.clear();
     }
   }
 
 private:
+  NodalProlongations(const ProlongationOperators& operators, ProlongationOperators* toForget)
+    : Operators(operators)
+    , ToForget(toForget)
+  {
+  }
+
   const ProlongationOperators& Operators;
-  ProlongationOperators* const Own = nullptr;
+  ProlongationOperators* const ToForget;
 };
 
 /// A way to represent fields on a surface by numbers, and everything that set-up, solvers and output ask about it.
@@ -147,8 +147,8 @@ public:
   virtual std::string NameOfLevels() const = 0;
   /// The default nodal levels of this surface, from samples of the elements that unknowns stand on; by default of faces.
   virtual ProlongationOperators SampledLevels(double distance, const ExecutionContext& context) const;
-  /// The distance of samples on the first nodal level; see HierarchyOptions.
-  virtual double SampleDistance() const { return HierarchyOptions().SampleDistance; }
+  /// The distance between samples of the first nodal level; see SampledLevels.
+  virtual double SampleDistance() const { return DefaultSampleDistance; }
   virtual SolverTuning Tuning() const = 0;
 
   // The kernel of the roughness: harmonic fields, around handles and holes. ------------------------

@@ -4,6 +4,7 @@
 #include "Levels/SampledProlongation.h"
 #include "Levels/TangentGraph.h"
 #include "Mesh/SpatialOrder.h"
+#include "Support/Errors.h"
 #include "Support/Permutations.h"
 
 #include <utility>
@@ -51,6 +52,10 @@ ProlongationOperators SampledLevels(const TriangleMesh& mesh, double distance, c
 ProlongationOperators SampledLevels(
   const TriangleMesh& mesh, PointsToSample toSample, double distance, const ExecutionContext& context)
 {
+  if (!(distance > 1.0))
+  {
+    throw InvalidInput("the distance of samples must be above 1");
+  }
   ProlongationOperators operators;
   operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
   operators.NumbersOfEdges.push_back(mesh.NumberOfEdges());

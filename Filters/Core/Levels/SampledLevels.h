@@ -12,6 +12,9 @@
 namespace dmg
 {
 
+/// The distance of samples that suits most discretisations; see SampledLevels.
+constexpr double DefaultSampleDistance = 3.6;
+
 /// The elements that the first level of samples is taken from: those that the unknowns stand on.
 struct PointsToSample
 {
@@ -30,7 +33,9 @@ PointsToSample VerticesToSample(
 /// The default levels: samples of the faces of a surface, samples of those samples, and so on down to some 1,500 (Wiersma
 /// et al. 2023). They have no surfaces, so only the nodal operators are there; all others stay empty. A surface with too
 /// few faces has no coarse level.
-/// \param distance how far apart samples of the first level are, in spacings of the faces around them, > 1.
+/// \param distance between neighbouring samples of the first level, in spacings of the faces around them, > 1. There is
+///   about one sample for distance^2 / 1.5 faces, and more of them where the surface is curved.
+/// \throw InvalidInput the distance is not above 1.
 /// \throw Cancelled
 /// Checkpoints: a few for each level. Cost: linear.
 ProlongationOperators SampledLevels(const TriangleMesh& mesh, double distance, const ExecutionContext& context);

@@ -3,7 +3,6 @@
 #include "Solvers/HarmonicFieldsOfSystem.h"
 #include "Solvers/Krylov/ConjugateGradient.h"
 #include "Solvers/Krylov/DeflatedPreconditioner.h"
-#include "Solvers/Krylov/StationaryIteration.h"
 #include "Solvers/PrescribedSystem.h"
 #include "Support/AllIndices.h"
 #include "Support/Errors.h"
@@ -26,23 +25,6 @@ namespace
 // Who allows fewer wants an answer in that time, and no factor after it.
 constexpr int FewestIterationsBeforeFactor = 100;
 
-RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverTuning& tuning)
-{
-  RoughnessCycleOptions cycle;
-  cycle.Sweeps = options.Sweeps * tuning.FinestSweepsFactor;
-  cycle.Coarse.Smoothing.PreSweeps = options.Sweeps;
-  cycle.Coarse.Smoothing.PostSweeps = options.Sweeps;
-  cycle.Coarse.Repetitions = tuning.CoarseCycles;
-  cycle.LargestFactor = tuning.LargestCoarseFactor;
-  cycle.CyclesInARow = tuning.CyclesInARow;
-  cycle.Coarsening.FinestProlongationSteps = tuning.FinestProlongationSteps;
-  if (options.StartingLevel >= 0)
-  {
-    cycle.Coarsening.CoarsestLevel = options.StartingLevel;
-  }
-  return cycle;
-}
-
 }
 
 Eigen::MatrixXd MultigridSetup::HarmonicFields() const
@@ -62,7 +44,7 @@ public:
   Internals(std::shared_ptr<const MultigridSetup> setup, const SolverOptions& options, const SolverChoice& choice)
     : System(std::move(setup))
     , Options(options)
-    , Kind(choice.Kind)
+    , Method(*choice.Method)
     , Reason(choice.Reason)
   {
   }
@@ -77,7 +59,7 @@ public:
 
   PrescribedSystem System;
   const SolverOptions Options;
-  const SolverKind Kind;
+  const SolverMethod& Method;
   const std::string Reason; ///< why it is this
   SolveReport Report;
   std::vector<std::string> SystemWarnings;
@@ -90,8 +72,8 @@ public:
   Vector<double> HeldSolution(const Vector<double>& values, const ExecutionContext& context);
 
 private:
-  void MakeCycle(const Vector<double>& D, const ExecutionContext& context);
-  void MakeNested(const Vector<double>& D, const ExecutionContext& context);
+  void MakePreconditioner(const Vector<double>& D, const ExecutionContext& context);
+  void MakeApproximation(const Vector<double>& D, const ExecutionContext& context);
   void Deflate(const Vector<double>& D, const ExecutionContext& context);
   void FindUndetermined(const Vector<double>& D, const ExecutionContext& context);
   void WarnOfUndetermined(int number);
@@ -103,10 +85,10 @@ private:
   void IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b, const StoppingCriteria& stop,
     const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context);
 
-  std::unique_ptr<RoughnessCycle> Cycle;
-  std::optional<DeflatedPreconditioner> Deflated;   ///< the cycle or factor, where there are harmonic fields
-  std::unique_ptr<Preconditioner<double>> Factor;   ///< as soon as cycles have stagnated
-  std::unique_ptr<RoughnessNestedIteration> Nested; ///< in place of a cycle
+  std::unique_ptr<RoughnessCycle> Inverse;                 ///< the preconditioner
+  std::optional<DeflatedPreconditioner> Deflated;          ///< the cycle or factor, where there are harmonic fields
+  std::unique_ptr<Preconditioner<double>> Factor;          ///< as soon as cycles have stagnated
+  std::unique_ptr<RoughnessNestedIteration> Approximation; ///< in place of an iteration
 };
 
 void HarmonicProblem::Internals::Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context)
@@ -126,50 +108,47 @@ void HarmonicProblem::Internals::Prescribe(Penalties prescribed, double smoothne
   const Vector<double> D = this->System.Diagonal();
   context.Checkpoint(0.1);
   const PartOfContext most(context, 0.1, 0.9);
-  if (IsNested(this->Kind))
+  if (this->Method.IsApproximation())
   {
     this->FindUndetermined(D, context);
-    this->MakeNested(D, most);
+    this->MakeApproximation(D, most);
     if (!this->System.Unprescribed().Unknowns().empty())
     {
-      this->MakeCycle(D, most);
+      this->MakePreconditioner(D, most);
     }
   }
   else
   {
-    this->MakeCycle(D, most);
+    this->MakePreconditioner(D, most);
     this->Deflate(D, context);
   }
-  const bool hasLevels = this->Kind != SolverKind::Cholesky;
-  this->Report.Solver = NameOf(this->Kind) + (hasLevels ? " on " + this->System.Setup().Name : "") + this->Reason +
-    this->System.Setup().KernelNote;
+  this->Report.Solver = this->Method.Name + (this->Method.NeedsLevels ? " on " + this->System.Setup().Name : "") +
+    this->Reason + this->System.Setup().KernelNote;
   this->Report.Warnings = this->SystemWarnings;
   this->Report.PrepareSeconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   context.Checkpoint(1.0);
 }
 
-void HarmonicProblem::Internals::MakeCycle(const Vector<double>& D, const ExecutionContext& context)
+void HarmonicProblem::Internals::MakePreconditioner(const Vector<double>& D, const ExecutionContext& context)
 {
-  const RoughnessHierarchy& hierarchy = *this->System.Setup().Hierarchy;
-  if (this->Cycle)
+  if (this->Inverse)
   {
-    this->Cycle->Update(D, context);
+    this->Inverse->Update(D, context);
   }
   else
   {
-    this->Cycle = hierarchy.Cycle(D, OptionsOfCycle(this->Options, this->System.Setup().Tuning), context);
+    this->Inverse = this->Method.MakePreconditioner(this->System.Setup(), D, this->Options, context);
   }
-  this->Report.Levels = this->Cycle->Levels();
-  this->Report.Bytes = this->System.Setup().Bytes() + this->Cycle->Bytes();
+  this->Report.Levels = this->Inverse->Levels();
+  this->Report.Bytes = this->System.Setup().Bytes() + this->Inverse->Bytes();
 }
 
-void HarmonicProblem::Internals::MakeNested(const Vector<double>& D, const ExecutionContext& context)
+void HarmonicProblem::Internals::MakeApproximation(const Vector<double>& D, const ExecutionContext& context)
 {
-  this->Nested.reset(); // makes room
-  this->Nested = this->System.Setup().Hierarchy->NestedIterations(
-    D, OptionsOfCycle(this->Options, this->System.Setup().Tuning), this->Kind == SolverKind::NestedIterations, context);
-  this->Report.Levels = this->Nested->Levels();
-  this->Report.Bytes = this->System.Setup().Bytes() + this->Nested->Bytes();
+  this->Approximation.reset(); // makes room
+  this->Approximation = this->Method.MakeApproximation(this->System.Setup(), D, this->Options, context);
+  this->Report.Levels = this->Approximation->Levels();
+  this->Report.Bytes = this->System.Setup().Bytes() + this->Approximation->Bytes();
 }
 
 void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const ExecutionContext& context)
@@ -181,7 +160,7 @@ void HarmonicProblem::Internals::Deflate(const Vector<double>& D, const Executio
   Eigen::MatrixXd kernel =
     AdjustKernelToPenalties(this->System.Setup().Kernel, *this->System.Setup().Hierarchy, D, context);
   const double largest = LargestEnergy(kernel, *this->System.Setup().Hierarchy, D, context);
-  this->Deflated.emplace(*this->Cycle, this->System.Matrix(), std::move(kernel), largest, context);
+  this->Deflated.emplace(*this->Inverse, this->System.Matrix(), std::move(kernel), largest, context);
   this->Report.Bytes += this->Deflated->Bytes();
   this->WarnOfUndetermined(this->Deflated->Kernel().Size());
 }
@@ -226,9 +205,10 @@ void HarmonicProblem::Internals::SolveWithPrescriptions(const Vector<double>& b,
   {
     x -= held;
   }
-  if (this->Nested)
+  if (this->Approximation)
   {
-    this->Nested->Solve(difference, this->Options.Nested, x, this->Report, context, measure);
+    this->Approximation->Solve(
+      difference, this->Method.HasSweeps ? this->Options.Nested : SweepOptions(), x, this->Report, context, measure);
     this->Report.Returned = this->Report.Iterations.back().Iteration;
     this->Report.Converged = this->Report.Iterations.back().RelativeResidual <= stop.RelativeTolerance;
   }
@@ -246,7 +226,7 @@ void HarmonicProblem::Internals::SolveWithPrescriptions(const Vector<double>& b,
 void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriteria& stop,
   const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context)
 {
-  Preconditioner<double>* inverse = this->Cycle.get();
+  Preconditioner<double>* inverse = this->Inverse.get();
   const LinearOperator<double>* matrix = &this->System.Matrix();
   std::optional<OperatorOutsideKernel> outside;
   if (this->Deflated)
@@ -262,13 +242,12 @@ void HarmonicProblem::Internals::Iterate(Vector<double>& b, const StoppingCriter
   }
   if (!this->Factor)
   {
-    const auto solve = this->Kind == SolverKind::VCycles ? &StationaryIteration<double> : &ConjugateGradient<double>;
     StoppingCriteria stopOfSolve = stop;
-    stopOfSolve.MayEstimate = this->Kind != SolverKind::Cholesky; // one more cycle is a quarter of a usual solve
-    solve(*matrix, *inverse, b, stopOfSolve, x, this->Report, context, &measure);
+    stopOfSolve.MayEstimate = !this->Method.IsDirect; // one more cycle is a quarter of a usual solve
+    this->Method.Iterate(*matrix, *inverse, b, stopOfSolve, x, this->Report, context, &measure);
   }
-  const bool haveStagnated = this->Kind == SolverKind::ConjugateGradients && !this->Report.Converged &&
-    !this->Report.EndedByRounding && stop.MaximumIterations >= FewestIterationsBeforeFactor;
+  const bool haveStagnated = this->Method.HasFallback && !this->Report.Converged && !this->Report.EndedByRounding &&
+    stop.MaximumIterations >= FewestIterationsBeforeFactor;
   if (this->Factor || haveStagnated)
   {
     this->IterateWithFactor(*matrix, b, stop, measure, x, context);
@@ -307,7 +286,7 @@ void HarmonicProblem::Internals::FindSmoothest(
     this->Report.SolveSeconds = 0.0;
     this->Report.Converged = true;
   }
-  Preconditioner<double>* inverse = this->Cycle.get();
+  Preconditioner<double>* inverse = this->Inverse.get();
   if (this->Deflated)
   {
     inverse = &*this->Deflated;
@@ -364,6 +343,12 @@ int HarmonicProblem::NumberOfFree() const
     static_cast<int>(this->Internal->System.Held().size());
 }
 
+LinearSystem HarmonicProblem::Equations(const Vector<double>& values, const ExecutionContext& context) const
+{
+  assert(values.size() == this->Internal->System.NumberOfPrescribed());
+  return this->Internal->System.Equations(values, context);
+}
+
 const MultigridSetup& HarmonicProblem::Setup() const
 {
   return this->Internal->System.Setup();
@@ -407,7 +392,7 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   if (of.System.NumberOfPrescribed() > 0)
   {
     // A factor needs no start: what it would improve is found at once.
-    x = of.Kind == SolverKind::Cholesky ? Vector<double>() : inOrder(start);
+    x = of.Method.IsDirect ? Vector<double>() : inOrder(start);
     of.SolveWithPrescriptions(b, of.System.HeldByPenalties(values), inOrder(reference), stop, x, context);
   }
   if (!unprescribed.empty())

@@ -5,6 +5,8 @@
 #include "Solvers/Krylov/StoppingCriteria.h"
 #include "Solvers/MultigridSetup.h"
 #include "Solvers/Penalties.h"
+#include "Solvers/PrescribedSystem.h"
+#include "Solvers/SolverChoice.h"
 #include "Solvers/SolverOptions.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -26,9 +28,9 @@ namespace dmg
 /// the lowest eigenvector (UnprescribedComponents) or, where the set-up has none, zero. The part in the harmonic fields of
 /// the set-up that no prescription determines is zero.
 ///
-/// Where soft prescriptions are strong, x is known there but for R / D. Solvers start from what penalties alone hold,
-/// x_0 = D y / (R + D) with the diagonal of R, and are given the equations of x - x_0, by whose energy
-/// residuals are judged. D is cut at 1e13 times the diagonal of R, where it holds to rounding.
+/// Under strong penalties x equals the prescribed value up to O(R / D). The initial guess is the diagonal solution
+/// x_0 = D y / (R + D), with the diagonal of R. Solvers are given the equations of x - x_0, by whose energy they judge
+/// residuals. D is cut at 1e13 times the diagonal of R, where it holds to rounding.
 ///
 /// Unknowns are real; those of power fields are pairs.
 class HarmonicProblem
@@ -36,7 +38,8 @@ class HarmonicProblem
 public:
   /// System.
   /// \param smoothness s > 0.
-  /// \param choice which solver runs, and why; Cholesky where the set-up has no levels. options.Kind does not count.
+  /// \param choice the method that runs, and why; one that needs no levels where the set-up has none. options.Kind does not
+  ///   count. The method must outlive this object.
   /// \throw InvalidInput the penalties hold nothing.
   /// \throw SolverFailure the system could not be factored.
   /// \throw Cancelled
@@ -54,15 +57,20 @@ public:
 
   /// Solve for the prescribed values.
   /// \param values y, one per prescribed unknown.
-  /// \param start first guess, one per unknown, or empty for zero; not of factorisations and nested iterations.
+  /// \param start first guess, one per unknown, or empty for zero; not of factorisations and full multigrid.
   /// \param reference the solution, for the Error of every row of the history, or empty.
-  /// \param source what is minimised loses 2 source^T x; one per unknown, or empty for zero. Not of nested iterations.
-  /// \return one per unknown. Not converged: the best vector reached; see Report(). Nested iterations are approximations, and
+  /// \param source what is minimised loses 2 source^T x; one per unknown, or empty for zero. Not of full multigrid.
+  /// \return one per unknown. Not converged: the best vector reached; see Report(). Full multigrid approximates, and
   ///   not to converge is no warning.
-  /// \throw InvalidInput nested iterations while the error falls, without a reference.
+  /// \throw InvalidInput full multigrid while the error falls, without a reference.
   /// \throw Cancelled
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, const Vector<double>& reference,
     const StoppingCriteria& stop, const ExecutionContext& context, const Vector<double>& source = {});
+
+  /// The equations (R + D) x = D y, divided by s, that Solve solves: a matrix for the caller's own solver. See
+  /// PrescribedSystem::Equations.
+  /// \param values y, one per prescribed unknown.
+  LinearSystem Equations(const Vector<double>& values, const ExecutionContext& context) const;
 
   const MultigridSetup& Setup() const;
 

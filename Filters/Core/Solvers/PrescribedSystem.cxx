@@ -6,6 +6,7 @@
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -177,6 +178,25 @@ Vector<double> PrescribedSystem::HeldByPenalties(const Vector<double>& values) c
     held[place] = this->Limited[k] * inverse[place] * values[k];
   }
   return held;
+}
+
+LinearSystem PrescribedSystem::Equations(const Vector<double>& values, const ExecutionContext& context) const
+{
+  const RoughnessHierarchy& hierarchy = *this->Setup().Hierarchy;
+  Vector<double> D = this->Diagonal();
+  D(this->Unprescribed().Unknowns()).setZero();
+  const auto isFree = [&D](Eigen::Index i) { return std::isfinite(D[i]); };
+  SparseMatrix<double> A = hierarchy.RealMatrix(context);
+  A += SparseMatrix<double>(D.array().isFinite().select(D, 0.0).matrix().asDiagonal());
+  A.prune([&isFree](Eigen::Index i, Eigen::Index j, double) { return i == j || (isFree(i) && isFree(j)); });
+  for (const int i : this->HeldUnknowns)
+  {
+    A.coeffRef(i, i) = 1.0;
+  }
+  A.makeCompressed();
+  Vector<double> b = this->RightHandSide(values, context);
+  this->InsertHeld(values, b);
+  return { Permuted(A, Inverse(hierarchy.Order), hierarchy.Order, context), Scattered(b, hierarchy.Order, context) };
 }
 
 void PrescribedSystem::InsertHeld(const Vector<double>& values, Vector<double>& x) const

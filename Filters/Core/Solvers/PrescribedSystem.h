@@ -15,6 +15,13 @@
 namespace dmg
 {
 
+/// Equations A x = b, for a solver of the caller's own.
+struct LinearSystem
+{
+  SparseMatrix<double> Matrix; ///< symmetric positive semi-definite
+  Vector<double> RightHandSide;
+};
+
 /// The equations of a HarmonicProblem, (R + D) x = D y, without a solver: what prescriptions make of a roughness. All is in
 /// the order of the hierarchy, and divided by the smoothness weight.
 class PrescribedSystem
@@ -47,6 +54,9 @@ public:
   /// are nothing to start from, and strong ones hold y but for rounding. Otherwise these would outweigh all the
   /// rest in residuals.
   Vector<double> HeldByPenalties(const Vector<double>& values) const;
+  /// (R + D) x = D y with a matrix, in the caller's order. An unknown that is held has the row and the column of the identity,
+  /// and its value on the right. On components without prescriptions A is R, and b is zero.
+  LinearSystem Equations(const Vector<double>& values, const ExecutionContext& context) const;
   /// Writes y where hard prescriptions are.
   void InsertHeld(const Vector<double>& values, Vector<double>& x) const;
 

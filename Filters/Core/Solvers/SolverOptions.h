@@ -4,16 +4,16 @@
 #include "Solvers/Multigrid/NestedIteration.h"
 
 #include <limits>
-#include <string>
 #include <tuple>
 
 namespace dmg
 {
 
+/// The methods that a user may ask for; SolverMethods.cxx has a row for each.
 enum class SolverKind
 {
-  /// Cholesky for small systems, for many solves, and where needles or loops are many, else conjugate gradients; see
-  /// ChooseSolver.
+  /// Cholesky for small systems, for many solves, and where thin triangles, handles or holes are many; else conjugate
+  /// gradients. See ChooseSolver.
   Automatic,
   /// Sparse Cholesky of the fine system (CHOLMOD).
   Cholesky,
@@ -21,9 +21,9 @@ enum class SolverKind
   VCycles,
   /// Conjugate gradients, one V-cycle as preconditioner.
   ConjugateGradients,
-  /// Nested iterations: a rough solution for the price of a few cycles.
+  /// Full multigrid: a rough solution for the price of a few cycles.
   NestedIterations,
-  /// Nested iterations without sweeps: a sketch.
+  /// Full multigrid without sweeps: a sketch.
   CoarseProlongation,
 };
 
@@ -73,25 +73,6 @@ struct SolverTuning
   /// The number of times that the finest prolongation is smoothed before use; see GalerkinOptions.
   int FinestProlongationSteps = 0;
 };
-
-/// The solver that runs, and why if it is not the one asked for.
-struct SolverChoice
-{
-  SolverKind Kind;
-  std::string Reason; ///< the rest of a sentence, or empty
-};
-
-/// \param hasLevels whether there are coarse levels. Where there are none the system is factored,
-///   whatever is asked for.
-/// \param whyFactor Automatic factors where this is not empty; the rest of a sentence for the report.
-SolverChoice ChooseSolver(const SolverOptions& options, const SolverTuning& tuning, int numberOfUnknowns,
-  bool hasLevels, const std::string& whyFactor = {});
-
-/// Whether nested iterations solve, rather than a Krylov method or a stationary iteration.
-bool IsNested(SolverKind kind);
-
-/// The name in words.
-std::string NameOf(SolverKind kind);
 
 }
 

@@ -1,7 +1,6 @@
 #include "StructurePreserving/SurfaceHierarchy.h"
 
 #include "Analysis/HarmonicForms.h"
-#include "Levels/SampledLevels.h"
 #include "Mesh/SpatialOrder.h"
 #include "Mesh/TangentFrames.h"
 #include "StructurePreserving/Decimation/MeshHierarchy.h"
@@ -11,7 +10,6 @@
 #include "StructurePreserving/Transfers/OneFormProlongation.h"
 #include "StructurePreserving/Transfers/PowerFieldProlongation.h"
 #include "StructurePreserving/Transfers/ScalarProlongation.h"
-#include "Support/Errors.h"
 #include "Support/Permutations.h"
 #include "Support/SparseAssembly.h"
 
@@ -55,21 +53,6 @@ LevelOperators OperatorsFromOverlay(const LevelTransition& transition, const Tan
 {
   OverlayProlongation overlay(transition, fineFrames, coarseFrames, context);
   return { std::move(overlay.S0), std::move(overlay.S1), std::move(overlay.SX), std::move(overlay.SP) };
-}
-
-/// The levels of samples, which give nodal operators alone.
-SurfaceHierarchy HierarchyOfSamples(const TriangleMesh& mesh, const HierarchyOptions& options,
-  const OperatorSelection& selection, const ExecutionContext& context)
-{
-  if (selection.PowerFields || selection.FaceFields || selection.OneForms)
-  {
-    throw InvalidInput("structure-preserving operators need levels from edge collapses");
-  }
-  if (!(options.SampleDistance > 1.0))
-  {
-    throw InvalidInput("the distance of samples must be above 1");
-  }
-  return { {}, SampledLevels(mesh, options.SampleDistance, context) };
 }
 
 void AppendSizes(const TriangleMesh& mesh, ProlongationOperators& operators)
@@ -124,10 +107,6 @@ void RenumberFinest(const TriangleMesh& mesh, const TriangleMesh& sorted, const 
 SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const HierarchyOptions& options,
   const ExecutionContext& context, const OperatorSelection& selection)
 {
-  if (options.Levels == LevelConstruction::Sampling)
-  {
-    return HierarchyOfSamples(mesh, options, selection, context);
-  }
   SurfaceHierarchy result;
   ProlongationOperators& operators = result.Operators;
   AppendSizes(mesh, operators);

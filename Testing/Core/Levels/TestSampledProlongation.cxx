@@ -1,7 +1,7 @@
 #include "Levels/SampledProlongation.h"
 
+#include "Levels/SampledLevels.h"
 #include "Mesh/TangentFrames.h"
-#include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
@@ -20,9 +20,7 @@ namespace
 
 ProlongationOperators Sampled(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext())
 {
-  HierarchyOptions options;
-  options.Levels = LevelConstruction::Sampling;
-  return BuildSurfaceHierarchy(mesh, options, context, { false, false, false }).Operators;
+  return SampledLevels(mesh, DefaultSampleDistance, context);
 }
 
 TangentGraph GraphOf(const TriangleMesh& mesh)
@@ -193,18 +191,7 @@ TEST(SampledProlongation, HasTheSameBitsForAnyNumberOfThreads)
 
 TEST(SampledProlongation, RefusesADistanceWithoutSamples)
 {
-  HierarchyOptions options;
-  options.Levels = LevelConstruction::Sampling;
-  options.SampleDistance = 1.0;
-  EXPECT_THROW(
-    BuildSurfaceHierarchy(Icosphere(3).Mesh(), options, SerialContext(), { false, false, false }), InvalidInput);
-}
-
-TEST(SampledProlongation, RefusesStructurePreservingOperators)
-{
-  HierarchyOptions options;
-  options.Levels = LevelConstruction::Sampling;
-  EXPECT_THROW(BuildSurfaceHierarchy(Icosphere(3).Mesh(), options, SerialContext()), InvalidInput);
+  EXPECT_THROW(SampledLevels(Icosphere(3).Mesh(), 1.0, SerialContext()), InvalidInput);
 }
 
 TEST(SampledProlongation, TakesItsRowsInAnyOrder)

@@ -21,7 +21,7 @@ struct IterationReport
   int Iteration = 0;
   double Seconds = 0.0; ///< since the solve began, without measuring
   /// An estimate of the relative error in the energy norm: the residual in the norm of the preconditioner over the energy
-  /// norm of x, measured as IterationMonitor says. Of nested iterations |b - A x| / |b|.
+  /// norm of x, measured as IterationMonitor says. In full multigrid |b - A x| / |b|.
   double RelativeResidual = 0.0;
 
   // Measures of x on the finest level; NaN unless the caller handed over a ConvergenceMeasure.

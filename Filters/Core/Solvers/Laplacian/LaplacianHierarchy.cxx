@@ -197,6 +197,11 @@ void LaplacianHierarchy::SetMatrix(
   this->L.swap(inColours); // Eigen 3.4 would copy what is moved
 }
 
+SparseMatrix<double> LaplacianHierarchy::RealMatrix(const ExecutionContext& context) const
+{
+  return OnRealUnknowns(this->L, context);
+}
+
 std::unique_ptr<RoughnessOperator> LaplacianHierarchy::Operator() const
 {
   return std::make_unique<MatrixPlusDiagonal<Complex>>(this->L);

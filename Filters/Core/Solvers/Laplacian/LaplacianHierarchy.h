@@ -39,6 +39,7 @@ public:
   std::vector<SparseMatrix<Complex>> Coarser; ///< prolongations between the levels below, finest first
 
   double DiagonalOf(int unknown) const override { return this->L.coeff(unknown / 2, unknown / 2).real(); }
+  SparseMatrix<double> RealMatrix(const ExecutionContext& context) const override;
   std::unique_ptr<RoughnessOperator> Operator() const override;
   std::unique_ptr<RoughnessCycle> Cycle(
     const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const override;

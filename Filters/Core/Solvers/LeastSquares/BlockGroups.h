@@ -49,8 +49,8 @@ struct BlockGroups
     int Pattern;
     int Lanes;  ///< 1, or those of FloatPack
     int Blocks; ///< >= 2 if there are lanes for more; the first block has those that are left as well
-    /// Where its unknowns begin among Indices: of each lane the first, of each lane the second, and so on. Then
-    /// its rows of B, in the same way.
+    /// Begin of its unknowns among Indices: the first of each lane, the second of each lane, and so on. Its rows of
+    /// B follow in the same way.
     std::size_t Indices;
   };
 

@@ -16,19 +16,19 @@ namespace dmg
 /// diagonal.
 ///
 /// Each step solves for the unknowns of one block exactly. That damps what points one by one cannot on
-/// uneven triangles: the three sides of a sliver differ by little, and so do their equations. Then it goes
-/// farther by a factor, which makes up for what blocks that do not overlap know too little of each other: four
-/// sweeps over fans of faces, each face in one, take as many iterations as two over all stars of vertices,
-/// each face in three. Groups of blocks that D touches are not over-relaxed: what is solved for exactly there
-/// would be missed by 0.4 of what it was, sweep by sweep.
+/// uneven triangles: the three sides of a sliver differ by little, and so do their equations. The step is then
+/// over-relaxed, since blocks that do not overlap know too little of each other: four sweeps over fans of faces,
+/// each face in one, take as many iterations as two over all stars of vertices, each face in three. Groups of
+/// blocks that D touches are not over-relaxed: over-relaxation would miss the exact solution of a strong penalty
+/// by 0.4 of the step, sweep by sweep.
 ///
 /// A is never formed. B x is kept up to date beside x; B has a third to a half of the entries of A. Blocks
 /// that look alike and are independent are solved for at once (SchwarzBlocks). Threads share the tiles of a
 /// colour (BlockTiles).
 ///
-/// Steps are taken in single precision, and added up in double. What that costs is noise in B x, to which
-/// vectors of little energy, which the coarse levels are for, are blind. Same bits for any number of
-/// threads.
+/// Steps are taken in single precision, and added up in double. The rounding errors are noise in B x. Vectors
+/// of little energy, which the coarse levels are for, do not see it. Results have the same bits for any number
+/// of threads.
 class BlockSmoother
 {
 public:

@@ -12,9 +12,9 @@ namespace dmg
 
 /// An order of blocks for a smoother of B^T B. Blocks depend on each other where they share a row of B.
 ///
-/// A tile are blocks that follow each other, and stand near each other where blocks, unknowns and rows of B come in
-/// a spatial order: one thread takes them one after the other, in a working set that its cache holds. Tiles stand
-/// colour by colour; threads share those of a colour, which are independent. The blocks of a tile have colours as
+/// A tile is a run of consecutive blocks, which are near each other if blocks, unknowns and rows of B come in
+/// a spatial order. One thread takes them one after the other, in a working set that its cache holds. Tiles stand
+/// colour by colour. Threads share those of a colour, which are independent. The blocks of a tile have colours as
 /// well: a processor works on several independent ones at once.
 class BlockTiles
 {

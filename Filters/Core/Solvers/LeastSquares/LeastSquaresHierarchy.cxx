@@ -276,6 +276,14 @@ long long LeastSquaresHierarchy::Bytes() const
   return sum;
 }
 
+SparseMatrix<double> LeastSquaresHierarchy::RealMatrix(const ExecutionContext& context) const
+{
+  SparseMatrix<double> unscaled = this->B;
+  Scale(
+    unscaled, [](int) { return 1.0; }, [this](int column) { return this->Scales[column]; }, context);
+  return NormalMatrix(unscaled, context);
+}
+
 std::unique_ptr<RoughnessOperator> LeastSquaresHierarchy::Operator() const
 {
   return std::make_unique<LeastSquaresOperator>(*this);

@@ -66,6 +66,7 @@ public:
   {
     return this->Scales[unknown] * this->Scales[unknown] * this->Diagonal[unknown];
   }
+  SparseMatrix<double> RealMatrix(const ExecutionContext& context) const override;
   std::unique_ptr<RoughnessOperator> Operator() const override;
   std::unique_ptr<RoughnessCycle> Cycle(
     const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const override;

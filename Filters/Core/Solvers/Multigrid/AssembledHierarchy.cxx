@@ -299,6 +299,12 @@ double AssembledHierarchy<Scalar>::DiagonalOf(int unknown) const
 }
 
 template <class Scalar>
+SparseMatrix<double> AssembledHierarchy<Scalar>::RealMatrix(const ExecutionContext& context) const
+{
+  return OnRealUnknowns(this->R, context);
+}
+
+template <class Scalar>
 std::unique_ptr<RoughnessOperator> AssembledHierarchy<Scalar>::Operator() const
 {
   if (this->B.rows() > 0)

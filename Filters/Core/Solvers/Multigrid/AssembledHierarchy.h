@@ -11,8 +11,8 @@ namespace dmg
 {
 
 /// A roughness R that is given by its matrix, and prolongations for the Galerkin products of R + D: all of them are
-/// computed anew for every D. It serves what RoughnessCycles with R and D apart do not: Cholesky factorisation, coarse
-/// spaces of any kind, nested iterations.
+/// computed anew for every D. It serves methods that need a matrix: Cholesky factorisation, coarse
+/// spaces of any kind, full multigrid.
 ///
 /// Unknowns stand in the caller's order. Those of a complex matrix are pairs: 2 k and 2 k + 1 are the parts of
 /// complex unknown k, and D has the same value for both.
@@ -23,12 +23,13 @@ public:
   /// \param R n x n, symmetric or Hermitian, positive semi-definite, compressed.
   /// \param prolongations [l] is N_l x N_{l+1}, finest first. None: R + D is factored.
   /// \param B real, with R = B^T B, or empty: products are then B^T (B x), whose rounding errors are epsilon |B|^T |B x|
-  ///   instead of epsilon |R| |x|. The smoothest fields, B x far below |B| |x|, are solved for four digits further on needles
-  ///   (big_dragon_871k_thin).
+  ///   instead of epsilon |R| |x|. The smoothest fields, whose B x is far below |B| |x|, then have several digits
+  ///   more on surfaces with thin triangles.
   AssembledHierarchy(
     SparseMatrix<Scalar>& R, std::vector<SparseMatrix<Scalar>> prolongations, SparseMatrix<double> B = {});
 
   double DiagonalOf(int unknown) const override;
+  SparseMatrix<double> RealMatrix(const ExecutionContext& context) const override;
   std::unique_ptr<RoughnessOperator> Operator() const override;
   /// Unknowns where D is infinite are taken out of the matrix. A factor is a ShiftedFactor.
   /// \throw SolverFailure R + D could not be factored.

@@ -3,6 +3,7 @@
 
 #include "Solvers/Kernels/SparseDiagonal.h"
 #include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Support/SparseAssembly.h"
 #include "Support/SparseKernels.h"
 #include "Support/Types.h"
 
@@ -25,6 +26,34 @@ template <class Scalar>
 Scalar* AsRows(Vector<double>& unknowns)
 {
   return reinterpret_cast<Scalar*>(unknowns.data());
+}
+
+/// A matrix on real unknowns: a complex entry z becomes the rows (re z, -im z) and (im z, re z).
+template <class Scalar>
+SparseMatrix<double> OnRealUnknowns(const SparseMatrix<Scalar>& A, const ExecutionContext& context)
+{
+  if constexpr (PartsOf<Scalar> == 1)
+  {
+    return A;
+  }
+  else
+  {
+    const int* const offsets = A.outerIndexPtr();
+    return FillRows<double>(
+      2 * static_cast<int>(A.rows()), 2 * static_cast<int>(A.cols()), context,
+      [offsets](int row) { return 2 * (offsets[row / 2 + 1] - offsets[row / 2]); },
+      [&A, offsets](int row, int* columns, double* values)
+      {
+        for (int e = offsets[row / 2]; e < offsets[row / 2 + 1]; ++e)
+        {
+          const Complex z = A.valuePtr()[e];
+          *columns++ = 2 * A.innerIndexPtr()[e];
+          *columns++ = 2 * A.innerIndexPtr()[e] + 1;
+          *values++ = row % 2 == 0 ? z.real() : z.imag();
+          *values++ = row % 2 == 0 ? -z.imag() : z.real();
+        }
+      });
+  }
 }
 
 /// R + D as operator on real unknowns, where R is a matrix.

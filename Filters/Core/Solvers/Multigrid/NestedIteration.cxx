@@ -1,5 +1,6 @@
 #include "Solvers/Multigrid/NestedIteration.h"
 
+#include "Solvers/Multigrid/VCycle.h"
 #include "Support/Errors.h"
 #include "Support/SparseKernels.h"
 
@@ -86,7 +87,7 @@ public:
     {
       this->Context.Checkpoint((coarsest - level - 1.0) / coarsest);
       levelOf.b = residual;
-      this->CycleFromZero(level);
+      VCycle(this->Nested.Scaled, this->Nested.Smoothers, level, this->Context);
       const double product = Eigen::numext::real(Dot(residual, levelOf.x, this->Context));
       direction = levelOf.x + (former > 0.0 ? product / former : 0.0) * direction;
       former = product;
@@ -108,32 +109,13 @@ public:
     levelOf.b = rightHandSide;
   }
 
-  /// A V-cycle on this level and below, from x = 0. Right-hand sides of coarser levels have served, and
-  /// are overwritten.
-  void CycleFromZero(int level)
-  {
-    auto& levels = this->Nested.Scaled;
-    const auto& smoothers = this->Nested.Smoothers;
-    const int coarsest = levels.NumberOfLevels() - 1;
-    for (int l = level; l < coarsest; ++l)
-    {
-      levels.Restrict(l, smoothers[l]->PreSmooth(levels[l].b, levels[l].x, this->Context), this->Context);
-    }
-    levels.SolveCoarsest();
-    for (int l = coarsest; l-- > level;)
-    {
-      levels.Correct(l, this->Context);
-      smoothers[l]->PostSmooth(levels[l].b, levels[l].x, this->Context);
-    }
-  }
-
   /// \return the number of sweeps.
   int Sweep(int level)
   {
     auto& levelOf = this->Nested.Scaled[level];
     const int coarsest = this->Nested.Scaled.NumberOfLevels() - 1;
     const int limit = this->Options.Limit();
-    double former = this->Badness(level);
+    double former = this->StoppingQuantity(level);
     for (int sweep = 1; sweep <= limit; ++sweep)
     {
       this->Context.Checkpoint((coarsest - level - 1 + (sweep - 1.0) / limit) / coarsest);
@@ -142,7 +124,7 @@ public:
       {
         this->Observe(level);
       }
-      const double now = this->Badness(level);
+      const double now = this->StoppingQuantity(level);
       if (this->Options.Rule != SweepRule::FixedNumber &&
         !(now <= (1.0 - this->Options.LeastImprovement) * former && now < former))
       {
@@ -201,7 +183,7 @@ private:
   }
 
   /// The quantity that must fall by each sweep: the error, the residual, or nothing.
-  double Badness(int level)
+  double StoppingQuantity(int level)
   {
     if (this->Options.Rule == SweepRule::WhileResidualFalls)
     {

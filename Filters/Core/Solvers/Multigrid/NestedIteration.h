@@ -15,7 +15,7 @@
 namespace dmg
 {
 
-/// When nested iterations leave a level for the next finer one.
+/// When full multigrid leaves a level for the next finer one.
 enum class SweepRule
 {
   FixedNumber, ///< after Sweeps sweeps
@@ -63,7 +63,7 @@ struct NestedOptions
   bool MaySweep = true; ///< false: coarse prolongation whatever the sweeps; no matrices are kept
 };
 
-/// Nested iterations (thesis, sections 3.4.2 and 6.5.2): the coarsest system is solved exactly; the
+/// Full multigrid (thesis, sections 3.4.2 and 6.5.2: nested iterations): the coarsest system is solved exactly; the
 /// solution goes up level by level, improved by V-cycles and smoothed by Gauss-Seidel sweeps on each.
 /// Without either this is coarse prolongation (3.4.3 and 6.5.1), x = P (P^H A P)^-1 P^H b, P the product of all
 /// prolongations. A rough solution at the price of a few cycles, to be looked at or to start from.

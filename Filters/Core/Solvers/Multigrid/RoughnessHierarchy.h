@@ -71,7 +71,7 @@ protected:
   }
 };
 
-/// Nested iterations for A = R + D; see NestedIteration. Unknowns are those of the hierarchy.
+/// Full multigrid for A = R + D; see NestedIteration. Unknowns are those of the hierarchy.
 class RoughnessNestedIteration
 {
 public:
@@ -124,6 +124,9 @@ public:
   /// R_ii, in single precision.
   virtual double DiagonalOf(int unknown) const = 0;
 
+  /// R as a matrix. Cost: that of its product, where R and D are kept apart; memory several times that of the hierarchy's own.
+  virtual SparseMatrix<double> RealMatrix(const ExecutionContext& context) const = 0;
+
   /// R, with D = 0. Borrows the hierarchy.
   virtual std::unique_ptr<RoughnessOperator> Operator() const = 0;
 
@@ -134,7 +137,7 @@ public:
   virtual std::unique_ptr<RoughnessCycle> Cycle(
     const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const = 0;
 
-  /// Nested iterations for R + D, where the hierarchy has them; else null. Parameters as above.
+  /// Full multigrid for R + D, if the hierarchy has it; else null. Parameters as above.
   /// \param maySweep see NestedOptions.
   virtual std::unique_ptr<RoughnessNestedIteration> NestedIterations(
     const Vector<double>&, const RoughnessCycleOptions&, bool /*maySweep*/, const ExecutionContext&) const

@@ -1,9 +1,9 @@
 #ifndef dmgMeshHierarchy_h
 #define dmgMeshHierarchy_h
 
-#include "Levels/HierarchyOptions.h"
 #include "Mesh/TriangleMesh.h"
 #include "StructurePreserving/Decimation/CollapseRecord.h"
+#include "StructurePreserving/Decimation/HierarchyOptions.h"
 #include "StructurePreserving/Decimation/SurfaceTracking.h"
 #include "Support/ExecutionContext.h"
 

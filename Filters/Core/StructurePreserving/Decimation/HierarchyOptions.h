@@ -6,16 +6,6 @@
 namespace dmg
 {
 
-/// The construction of the coarse levels.
-enum class LevelConstruction
-{
-  /// The thesis's: the surface is decimated, and every operator can be had. The default.
-  EdgeCollapses,
-  /// Samples of the surface's faces, and samples of these. Much faster; linear interpolation only, and
-  /// no coarse surfaces. Wiersma et al. 2023.
-  Sampling,
-};
-
 /// The order in which edges are collapsed.
 enum class CollapsePolicy
 {
@@ -37,8 +27,7 @@ enum class ProlongationConstruction
   ExactOverlay,
 };
 
-/// Defaults are the thesis's, section 5.4. All but the last two are those of edge collapses; sampling
-/// goes on down to some hundred samples.
+/// Decimation of a surface into levels. Defaults are those of the thesis, section 5.4.
 struct HierarchyOptions
 {
   /// Faces of a level over faces of the next finer one, in (0, 1).
@@ -49,18 +38,14 @@ struct HierarchyOptions
   int MinimumNumberOfFaces = 1000;
   CollapsePolicy Policy = CollapsePolicy::IndependentRounds;
   ProlongationConstruction Construction = ProlongationConstruction::TrackedPaths;
-  LevelConstruction Levels = LevelConstruction::EdgeCollapses;
-  /// Distance between samples of the first level, in spacings of the faces around them, > 1. There is
-  /// about one sample for SampleDistance^2 / 1.5 faces, and more of them where the surface is curved.
-  double SampleDistance = 3.6;
 
   friend bool operator==(const HierarchyOptions& a, const HierarchyOptions& b)
   {
     const auto members = [](const HierarchyOptions& options)
     {
       // A member that is forgotten here does not compile.
-      const auto& [ratio, levels, faces, policy, construction, kind, distance] = options;
-      return std::tie(ratio, levels, faces, policy, construction, kind, distance);
+      const auto& [ratio, levels, faces, policy, construction] = options;
+      return std::tie(ratio, levels, faces, policy, construction);
     };
     return members(a) == members(b);
   }
