@@ -35,7 +35,7 @@
  * @section vtkFieldLines-Output Output
  *
  * Port 0: vtkPolyData, a polyline per line. One that is closed ends with the point with which it began. Lines of vectors
- * (N = 1) have arrow heads, triangles with the arrays of their line (see ArrowHeads).
+ * (N = 1) have arrow heads, lines of three points with the arrays of their line (see ArrowHeads).
  *
  * | array     | of     | components | type   | meaning                                                    |
  * | --------- | ------ | ---------- | ------ | ---------------------------------------------------------- |

@@ -93,22 +93,19 @@ void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& 
     polylines->InsertNextCell(static_cast<vtkIdType>(ids.size()), ids.data());
     lineOf.push_back(line);
   }
-  vtkNew<vtkCellArray> triangles;
+  // A head is a line from one end of its base over the tip to the other: in VTK 9.1, vtkCellDataToPointData writes beyond
+  // its memory where a vtkPolyData has lines and polygons.
   for (const ArrowHead& head : heads)
   {
     const int face = lines.Faces[head.Point];
-    const vtkIdType corners[] = { addPoint(head.Corners[0], face), addPoint(head.Corners[1], face),
+    const vtkIdType corners[] = { addPoint(head.Corners[1], face), addPoint(head.Corners[0], face),
       addPoint(head.Corners[2], face) };
     magnitudes.insert(magnitudes.end(), 3, lines.Magnitudes[head.Point]);
-    triangles->InsertNextCell(3, corners);
+    polylines->InsertNextCell(3, corners);
     lineOf.push_back(head.Line);
   }
   output->SetPoints(NewPoints(positions));
   output->SetLines(polylines);
-  if (!heads.empty())
-  {
-    output->SetPolys(triangles);
-  }
 
   std::vector<double> lengths;
   std::vector<int> families;

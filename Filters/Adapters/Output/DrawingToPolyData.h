@@ -17,7 +17,7 @@ namespace dmg
 
 /// Drawings of a field as vtkPolyData; the headers of the filters tell the meaning of the arrays.
 
-/// Polylines with the arrays of vtkFieldLines, and triangles, their heads.
+/// Polylines with the arrays of vtkFieldLines, and after them their heads, lines of three points.
 /// \param lift along the normals of the faces, in the unit of the points.
 void LinesToPolyData(const LinesOnSurface& lines, const std::vector<ArrowHead>& heads, const TangentFrames& faceFrames,
   double lift, vtkPolyData* output);

@@ -10,7 +10,7 @@
 namespace dmg
 {
 
-/// A flat triangle that shows which way a line runs.
+/// A flat triangle at the tip of a line, two of whose sides show which way the line runs.
 struct ArrowHead
 {
   std::array<Vector3, 3> Corners; ///< the tip, on the line, and the base, counter-clockwise around the normal
