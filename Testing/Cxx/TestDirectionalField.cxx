@@ -11,7 +11,6 @@
 #include "vtkVariant.h"
 
 #include <algorithm>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -88,9 +87,9 @@ TEST(DirectionalField, ShowsWhatItsPartsShow)
     ExpectSame(vtkPolyData::SafeDownCast(whole->GetOutputDataObject(2)), singularities->GetOutput(3));
     EXPECT_GT(lines->GetOutput()->GetNumberOfLines(), 10);
     // Arrow heads are lines of their own, each with the seed of the line that it ends.
-    const std::vector<double> seeds = Values(lines->GetOutput()->GetCellData(), "Seed");
-    const std::set<double> ofLines(seeds.begin(), seeds.end());
-    EXPECT_EQ(seeds.size() > ofLines.size(), N == 1);
+    double seeds[2];
+    lines->GetOutput()->GetCellData()->GetArray("Seed")->GetRange(seeds);
+    EXPECT_EQ(lines->GetOutput()->GetNumberOfLines() > seeds[1] + 1.0, N == 1);
     EXPECT_EQ(lines->GetOutput()->GetNumberOfPolys(), 0); // VTK 9.1 averages no cells of lines and polygons
   }
 }

@@ -225,6 +225,7 @@ TEST(FieldLines, ReadAUsersArrays)
       lines->SetInputData(WithVectors(IrregularPlane(20, 20, 4), "Wind", association, direction));
       lines->SetInputArrayToProcess(0, 0, 0, association, "Wind");
       lines->SetNumberOfDirections(N);
+      lines->ArrowHeadsOff();
       lines->Update();
       vtkPolyData* const output = lines->GetOutput();
       ASSERT_GT(output->GetNumberOfLines(), 10);
@@ -273,6 +274,7 @@ TEST(FieldLines, ThatAreClosedEndWhereTheyBegan)
   vtkNew<vtkFieldLines> lines;
   lines->SetInputData(data);
   lines->SetSeparatingDistance(0.05);
+  lines->ArrowHeadsOff();
   lines->Update();
   ASSERT_GT(lines->GetOutput()->GetNumberOfLines(), 2);
   for (vtkIdType line = 0; line < lines->GetOutput()->GetNumberOfLines(); ++line)
