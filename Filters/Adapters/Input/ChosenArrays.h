@@ -51,7 +51,7 @@ ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm);
 /// Direction0, its field. Nobody has asked to follow that.
 ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surface);
 
-/// How an element of a dataset and its numbers in an array make a direction.
+/// The rule that makes a direction of an element of a dataset and its numbers in an array.
 using DirectionReader = std::function<Vector3(vtkIdType element, const double* numbers)>;
 
 /// Arrays of one dataset that prescribe directions. Without vectors nothing is prescribed.

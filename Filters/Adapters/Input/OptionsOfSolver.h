@@ -16,7 +16,7 @@ namespace dmg
 /// \throw InvalidInput one of the filter's properties is out of its range. Weights are checked where they are used.
 FieldProblem ProblemOf(vtkHarmonicFieldSolver* filter);
 
-/// What the field follows, in words, such as "array 'Wind', 2 guides, boundary"; "nothing" where it is the smoothest one.
+/// The things that the field follows, in words, such as "array 'Wind', 2 guides, boundary"; "nothing" where it is the smoothest one.
 /// \param choices what ChoicesOnSurface gives.
 std::string WhatIsFollowed(
   vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices, vtkDataSet* surface, std::size_t guides);

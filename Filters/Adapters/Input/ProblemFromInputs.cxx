@@ -13,7 +13,7 @@ namespace dmg
 namespace
 {
 
-/// Where something was chosen that prescribes nothing.
+/// Refuses choices that prescribe nothing.
 void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs)
 {
   if (HasArray(choices.Vectors, inputs.Surface))

@@ -90,7 +90,7 @@ public:
 
   bool AreAny() const { return this->OfCells || this->OfPoints; }
 
-  /// By cell, from the first one on; empty where there are no duplicates.
+  /// Whether each cell is a duplicate, from the first one on; empty where there are no duplicates.
   std::vector<char> Duplicates(vtkIdType firstCell, vtkIdType numberOfCells) const
   {
     std::vector<char> are;
@@ -287,7 +287,7 @@ private:
     this->Polygons.Cells.push_back(static_cast<int>(cell));
   }
 
-  /// Of cells of higher order, and of strips.
+  /// Adds the triangles of a cell of higher order, or of a strip.
   void AddTriangles(vtkIdType cell)
   {
     this->Surface->GetCell(cell, this->Generic);

@@ -48,7 +48,7 @@ void SolverOfSurface::SetSurface(vtkDataSet* input, const FieldOptions& options,
   this->SolverOfMesh->SetOperators(stored ? this->Operators(input, *stored) : nullptr);
 }
 
-/// Those that the input brings along.
+/// The operators that the input brings along.
 std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
   vtkDataSet* input, const OperatorsOrigin& origin)
 {

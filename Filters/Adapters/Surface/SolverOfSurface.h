@@ -37,7 +37,7 @@ public:
 
   /// Over all surfaces.
   SolvedField::StageCounts Counts() const;
-  /// Of the surface, its operators, and the set-up of a field on it.
+  /// The sum over the surface, its operators, and the set-up of a field on it.
   double SetupSeconds(const Field& field) const;
 
 private:
