@@ -7,13 +7,13 @@
  * which the first direction does not go on as the first one.
  *
  * The directions on both sides of an edge are matched so that they turn least. The index of an inner vertex is its
- * angle defect plus the turning of the field around it, over 2 pi. The index of a boundary loop is how many turns the
+ * angle defect plus the rotation of the field around it, over 2 pi. The index of a boundary loop is how many turns the
  * boundary's tangent makes against the field, with the surface on the left: 1 for a parallel field on a disc, 0 where
  * the field follows the boundary, -1 for a parallel field around a hole. With these, all indices sum to the Euler
  * characteristic on every surface (Poincare and Hopf).
  *
  * Of a power field at points (vtkHarmonicFieldSolver::PointPowerField) singularities stand on cells, and the same holds with
- * points and cells in each other's places: the index of a triangle is the turning along its sides plus its curvature, over
+ * points and cells in each other's places: the index of a triangle is the rotation along its sides plus its curvature, over
  * 2 pi; a cut separates two points, and runs from the centre of one triangle beside their edge through its middle to the
  * centre of the other.
  *
@@ -44,7 +44,7 @@
  * | array   | of    | components | type   | meaning                                                    |
  * | ------- | ----- | ---------- | ------ | ---------------------------------------------------------- |
  * | Jump    | cells | 1          | int    | direction 0 on the left goes on as this one on the right |
- * | Turning | cells | 1          | double | by how much directions turn from left to right, in radians |
+ * | Rotation | cells | 1          | double | by how much directions turn from left to right, in radians |
  *
  * Port 2, the boundary: vtkPolyData, a closed polyline per loop, with the surface on its left.
  *

@@ -270,7 +270,9 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SingularityIndexArray: " << this->SingularityIndexArray << "\n";
   os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
-  os << indent << "CoarseSpace: " << (this->CoarseSpace == Nodal ? "Nodal" : "StructurePreserving") << "\n";
+  os << indent
+     << "CoarseSpace: " << (this->CoarseSpace == LinearInterpolation ? "LinearInterpolation" : "StructurePreserving")
+     << "\n";
   os << indent << "CompareWithCholesky: " << (this->CompareWithCholesky ? "On" : "Off") << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "MaximumNumberOfIterations: " << this->MaximumNumberOfIterations << "\n";

@@ -32,7 +32,7 @@
  * - Guide: a dataset near the surface whose lines or vectors become constraints.
  * - Feature: a boundary, a sharp edge or a principal direction of the surface, which the field may follow.
  * - Singularity: a point around which the field turns by a multiple of 2 pi / N, its index.
- * - Level: a coarser version of the surface. Multigrid solves on coarse levels what is slow on fine ones. Nodal levels are
+ * - Level: a coarser version of the surface. Multigrid solves on coarse levels what is slow on fine ones. Linear levels are
  *   samples of the surface; structure-preserving levels are the decimated surfaces of vtkDirectionalProlongation.
  *
  * @section vtkHarmonicFieldSolver-Inputs Inputs
@@ -108,7 +108,7 @@
  * frame of a face, to which PowerField refers, has its first axis along the first side.
  * A polygon has the mean power of its triangles.
  *
- * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Turning,
+ * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Rotation,
  * the rotation of the field from the face on the left to the face on the right, in radians; for
  * PointPowerField it is the rotation along the edge. 1-forms add the cell arrays
  * OneForm, the integrals along the edges, and HarmonicBasis 1, 2, ... k.
@@ -272,7 +272,7 @@ public:
   enum CoarseSpaces
   {
     /** Vectors, or values of functions, at samples of the surface or at vertices of the coarse levels; the fast one. */
-    Nodal = 0,
+    LinearInterpolation = 0,
     /** Powers, face fields, 1-forms or functions as on the surface, as in the thesis. */
     StructurePreserving = 1
   };
@@ -281,7 +281,7 @@ public:
   /**
    * The unknowns of the coarse levels of multigrid, one of CoarseSpaces; without effect on Cholesky.
    * StructurePreserving takes operators of the discretisation (vtkDirectionalProlongation:
-   * PowerFields, FaceFields, OneForms) and more iterations. Default Nodal.
+   * PowerFields, FaceFields, OneForms) and more iterations. Default LinearInterpolation.
    */
   vtkSetMacro(CoarseSpace, int);
   vtkGetMacro(CoarseSpace, int);
@@ -558,7 +558,7 @@ private:
   std::string SingularityIndexArray;
   int Solver = Automatic;
   int ExpectedSolves = 1;
-  int CoarseSpace = Nodal;
+  int CoarseSpace = LinearInterpolation;
   bool CompareWithCholesky = false;
   double Tolerance = 1e-4;
   int MaximumNumberOfIterations = 100;

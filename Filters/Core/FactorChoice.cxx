@@ -10,12 +10,12 @@ namespace dmg
 
 CycleObstacles ObstaclesOf(const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context)
 {
-  return { ShareOfFacesBelow(ThinTriangleQuality, mesh, context), hasHarmonicFields ? NumberOfLoops(mesh) : 0 };
+  return { ShareOfFacesBelow(ThinTriangleQuality, mesh, context), hasHarmonicFields ? NumberOfGenerators(mesh) : 0 };
 }
 
 bool IsFactorBetter(const CycleObstacles& obstacles)
 {
-  return obstacles.ShareOfThinTriangles > LargestShareOfThinTriangles || obstacles.Loops > LargestNumberOfLoops;
+  return obstacles.ShareOfThinTriangles > LargestShareOfThinTriangles || obstacles.Loops > LargestNumberOfGenerators;
 }
 
 std::string WhyFactorIsBetter(const CycleObstacles& obstacles)
@@ -26,11 +26,11 @@ std::string WhyFactorIsBetter(const CycleObstacles& obstacles)
       " % of the triangles are thin (more than " + std::to_string(std::lround(100.0 * LargestShareOfThinTriangles)) +
       " %)";
   }
-  if (obstacles.Loops > LargestNumberOfLoops)
+  if (obstacles.Loops > LargestNumberOfGenerators)
   {
     return ", chosen because the surface has " + std::to_string(obstacles.Loops) +
-      " loops around handles and holes, each with a harmonic field (more than " + std::to_string(LargestNumberOfLoops) +
-      ")";
+      " loops around handles and holes, each with a harmonic field (more than " +
+      std::to_string(LargestNumberOfGenerators) + ")";
   }
   return "";
 }

@@ -27,9 +27,9 @@ constexpr double ThinTriangleQuality = 0.1;
 /// Cycles need few iterations up to this share, and many from twice as much on.
 constexpr double LargestShareOfThinTriangles = 0.03;
 /// Both ways take about the same time, or the same memory, with so many loops.
-constexpr int LargestNumberOfLoops = 40;
+constexpr int LargestNumberOfGenerators = 40;
 
-/// \param hasHarmonicFields whether fields without roughness belong to the loops of the surface: those of 1-forms and of
+/// \param hasHarmonicFields whether fields without energy belong to the loops of the surface: those of 1-forms and of
 ///   face fields do, power fields have none; then loops do not count.
 /// Cost: linear in the number of faces.
 CycleObstacles ObstaclesOf(const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context);

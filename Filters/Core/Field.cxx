@@ -91,15 +91,15 @@ Field DirectionsOfField(const FramedMesh& surface, const Discretisation& discret
       if (const VertexConnection* const connection = discretisation.ConnectionOfPowers(context))
       {
         field.AreSingularitiesOnFaces = true;
-        field.Turning = TurningAlongEdges(mesh, *connection, field.Powers.Vertices, N, context);
-        field.Indices = IndicesOfFaces(mesh, *connection, field.Turning, N, context);
+        field.Rotation = RotationAlongEdges(mesh, *connection, field.Powers.Vertices, N, context);
+        field.Indices = IndicesOfFaces(mesh, *connection, field.Rotation, N, context);
         return;
       }
-      field.Indices = SingularityIndices(mesh, corners, matching.Turning, N, context);
+      field.Indices = SingularityIndices(mesh, corners, matching.Rotation, N, context);
     });
   if (!field.AreSingularitiesOnFaces)
   {
-    field.Turning = std::move(matching.Turning);
+    field.Rotation = std::move(matching.Rotation);
   }
   field.OnFaces = FirstDirections(powers, N, labels, context);
   field.AtVertices = combing

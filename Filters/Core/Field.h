@@ -25,7 +25,7 @@ struct Field
   bool AreSingularitiesOnFaces = false;
   Vector<double> Indices; ///< of the singularity on each of these elements, multiples of 1 / N
   /// Across each edge, from the face of its halfedge to the other one; where singularities stand on faces, along each edge.
-  Vector<double> Turning;
+  Vector<double> Rotation;
   bool IsCombed = false;     ///< see FieldProblem::Combing
   bool HasUnitLength = true; ///< see FieldProblem::UnitLength; of Directions alone
   long long Number = 0;      ///< another one whenever the directions have changed

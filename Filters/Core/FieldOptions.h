@@ -15,12 +15,12 @@ namespace dmg
 struct FieldOptions
 {
   DiscretisationOptions Field;
-  /// Weight of the roughness, > 0.
+  /// Weight of the smoothness energy, > 0.
   double Smoothness = 1.0;
   /// Weight of soft constraints, > 0; see the discretisations for what it means.
   double Alignment = 1.0;
   ConstraintKind Constraints = ConstraintKind::Soft;
-  CoarseSpaceKind CoarseSpace = CoarseSpaceKind::Nodal;
+  CoarseSpaceKind CoarseSpace = CoarseSpaceKind::LinearInterpolation;
   SolverOptions Solver;
 
   FieldWeights Weights() const { return { this->Smoothness, this->Alignment, this->Constraints }; }

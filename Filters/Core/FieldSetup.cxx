@@ -22,7 +22,7 @@ void AddKernel(const FramedMesh& surface, const Discretisation& discretisation, 
   {
     setup.KernelNote = ", without its " + std::to_string(loops) + " harmonic fields, which are too many to hold";
   }
-  else if (loops > LargestNumberOfLoops && !setup.HasLevels)
+  else if (loops > LargestNumberOfGenerators && !setup.HasLevels)
   {
     // A factor does not need them, and they would take many times as long as it does.
     setup.KernelNote = ", without looking at its " + std::to_string(loops) + " harmonic fields";
@@ -54,11 +54,11 @@ std::shared_ptr<MultigridSetup> NewSetup(const Discretisation& discretisation, C
 {
   const auto setup = std::make_shared<MultigridSetup>();
   setup->Fields = discretisation.Name();
-  setup->Name = space == CoarseSpaceKind::Nodal ? "nodal levels" : discretisation.NameOfLevels();
+  setup->Name = space == CoarseSpaceKind::LinearInterpolation ? "linear levels" : discretisation.NameOfLevels();
   setup->Tuning = discretisation.Tuning();
-  if (space != CoarseSpaceKind::Nodal)
+  if (space != CoarseSpaceKind::LinearInterpolation)
   {
-    setup->Tuning = {}; // all that was measured is about nodal levels
+    setup->Tuning = {}; // all that was measured is about linear levels
   }
   return setup;
 }
@@ -87,12 +87,12 @@ std::shared_ptr<const MultigridSetup> MakeAssembled(const FramedMesh& surface, c
 }
 
 std::shared_ptr<const MultigridSetup> MakeCoarsened(const FramedMesh& surface, const Discretisation& discretisation,
-  const NodalProlongations& nodal, const ProlongationOperators* operators, const ExecutionContext& context)
+  const LinearProlongations& linear, const ProlongationOperators* operators, const ExecutionContext& context)
 {
   context.Checkpoint(0.0);
-  const auto setup = NewSetup(discretisation, CoarseSpaceKind::Nodal);
+  const auto setup = NewSetup(discretisation, CoarseSpaceKind::LinearInterpolation);
   const double most = discretisation.HasHarmonicFields() ? 0.8 : 0.99;
-  setup->Hierarchy = discretisation.Coarsen(nodal, PartOfContext(context, 0.0, most));
+  setup->Hierarchy = discretisation.Coarsen(linear, PartOfContext(context, 0.0, most));
   return FinishSetup(surface, discretisation, operators, setup, PartOfContext(context, most, 1.0));
 }
 
@@ -103,7 +103,8 @@ bool WantsDecimation(const FieldOptions& options)
 {
   const SolverMethod& method = MethodOf(options.Solver.Kind);
   return method.NeedsLevels &&
-    (method.NeedsMatrix || options.CoarseSpace != CoarseSpaceKind::Nodal || options.Solver.StartingLevel >= 0);
+    (method.NeedsMatrix || options.CoarseSpace != CoarseSpaceKind::LinearInterpolation ||
+      options.Solver.StartingLevel >= 0);
 }
 
 SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& options,
@@ -125,7 +126,7 @@ SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& 
   plan.Fallback = choose(false);
   plan.SampleDistance = discretisation.SampleDistance();
   plan.SplitsOperator =
-    !plan.Choice.Method->NeedsMatrix && !WantsDecimation(options) && (!given || !given->Nodal.empty());
+    !plan.Choice.Method->NeedsMatrix && !WantsDecimation(options) && (!given || !given->Linear.empty());
   plan.BuildsSamples = plan.SplitsOperator && !given;
   return plan;
 }
@@ -145,17 +146,17 @@ std::shared_ptr<const MultigridSetup> MakeSetup(const FramedMesh& surface, const
   }
   if (operators)
   {
-    return MakeCoarsened(surface, discretisation, NodalProlongations::Borrowed(*operators), operators, context);
+    return MakeCoarsened(surface, discretisation, LinearProlongations::Borrowed(*operators), operators, context);
   }
   context.Checkpoint(0.0);
   ProlongationOperators samples = discretisation.SampledLevels(plan.SampleDistance, PartOfContext(context, 0.0, 0.3));
   const PartOfContext rest(context, 0.3, 1.0);
-  if (samples.Nodal.empty())
+  if (samples.Linear.empty())
   {
     return MakeAssembled(surface, discretisation, nullptr, space, rest);
   }
   GiveBackFreedMemory();
-  return MakeCoarsened(surface, discretisation, NodalProlongations::Owned(samples), &samples, rest);
+  return MakeCoarsened(surface, discretisation, LinearProlongations::Owned(samples), &samples, rest);
 }
 
 }

@@ -108,7 +108,7 @@ HodgeDecomposition::Internals::Internals(const FramedMesh& surface, FlowBoundary
   , Areas(surface.Mesh.FaceAreas())
   , Loops(FindBoundaryLoops(surface.Mesh))
 {
-  this->Options.ExpectedSolves += NumberOfLoops(surface.Mesh);
+  this->Options.ExpectedSolves += NumberOfGenerators(surface.Mesh);
 }
 
 PoissonSolver& HodgeDecomposition::Internals::FreeSolver(const ExecutionContext& context)
@@ -250,7 +250,7 @@ void HodgeDecomposition::Internals::AddFunctionsOfLoops(
 Eigen::MatrixXd HodgeDecomposition::Internals::HarmonicFields(const ExecutionContext& context)
 {
   const TriangleMesh& mesh = this->On.Mesh;
-  this->CheckNumber(NumberOfLoops(mesh), " loops around its handles and holes");
+  this->CheckNumber(NumberOfGenerators(mesh), " loops around its handles and holes");
   const Eigen::MatrixXd forms = ClosedForms(mesh, context);
   Eigen::MatrixXd fields(2 * mesh.NumberOfFaces(), forms.cols());
   const SparseMatrix<double> pseudoInverse = HalfedgePseudoInverse(mesh, this->On.Faces, context);
@@ -295,7 +295,7 @@ void HodgeDecomposition::Internals::MakeBasis(const ExecutionContext& context)
     return;
   }
   Eigen::MatrixXd fields(2 * this->On.Mesh.NumberOfFaces(), 0);
-  if (NumberOfLoops(this->On.Mesh) > 0)
+  if (NumberOfGenerators(this->On.Mesh) > 0)
   {
     fields = this->HarmonicFields(PartOfContext(context, 0.0, 0.8));
     fields = this->IsClosed ? this->WithoutTransports(fields, PartOfContext(context, 0.8, 0.9)) : fields;

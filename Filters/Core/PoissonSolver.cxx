@@ -70,7 +70,7 @@ SetupOfSurface::SetupOfSurface(const FramedMesh& surface, const SolverOptions& a
   const auto functions = MakeDiscretisation(options.Field, surface);
   constexpr bool HasHarmonicFields = false; // functions have none
   this->Plan = PlanSolver(*functions, options, nullptr, ObstaclesOf(surface.Mesh, HasHarmonicFields, context));
-  this->Levels = MakeSetup(surface, *functions, nullptr, this->Plan, CoarseSpaceKind::Nodal, context);
+  this->Levels = MakeSetup(surface, *functions, nullptr, this->Plan, CoarseSpaceKind::LinearInterpolation, context);
   ++this->NumberOfSetups;
 }
 

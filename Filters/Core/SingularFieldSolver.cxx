@@ -24,7 +24,7 @@ namespace
 {
 
 /// The share of the rotation that directions can show, so that rounding does not count.
-constexpr double LargestTurning = 0.99;
+constexpr double LargestRotation = 0.99;
 /// The error of a sum around a vertex adds up along a path around many of them.
 constexpr double LargestTolerance = 1e-6;
 
@@ -45,7 +45,7 @@ struct ConnectionStage
   int N;
   StoppingCriteria Stop;
   Vector<double> Potential;
-  Vector<double> Turning;
+  Vector<double> Rotation;
   Vector<Complex> Powers; ///< not yet turned to what is prescribed
   bool IsTurned = false;  ///< whether Unknowns are these, turned
   SolveReport Report;
@@ -71,15 +71,15 @@ SolverOptions OptionsOfPotentials(const SolverOptions& asked, int loops)
 }
 
 /// Says where directions turn so far across edges that other ones look nearer.
-std::string WarningOfLargeTurning(
-  const TriangleMesh& mesh, const Vector<double>& turning, int N, const ElementNames& names)
+std::string WarningOfLargeRotation(
+  const TriangleMesh& mesh, const Vector<double>& rotation, int N, const ElementNames& names)
 {
   constexpr double Rounding = 1e-6; // a half turn either way looks the same
   int number = 0;
   int first = -1;
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
-    if (std::abs(turning[edge]) > (1.0 - Rounding) * Pi / N)
+    if (std::abs(rotation[edge]) > (1.0 - Rounding) * Pi / N)
     {
       first = number++ == 0 ? edge : first;
     }
@@ -126,14 +126,14 @@ public:
 
 private:
   void AddHarmonicForms(SystemStage& system, const ExecutionContext& context) const;
-  Vector<double> TurningOf(const SystemStage& system, const Vector<double>& potential, int N) const;
+  Vector<double> RotationOf(const SystemStage& system, const Vector<double>& potential, int N) const;
 };
 
 void SingularFieldSolver::Internals::SetUp(const SolverOptions& asked, const ExecutionContext& context)
 {
   const Stopwatch watch;
   const TriangleMesh& mesh = this->On.Mesh;
-  const int loops = this->Surface->NumberOfLoops();
+  const int loops = this->Surface->NumberOfGenerators();
   const SolverOptions options = OptionsOfPotentials(asked, loops);
   if (this->System && this->System->Options == options)
   {
@@ -160,7 +160,7 @@ void SingularFieldSolver::Internals::AddHarmonicForms(SystemStage& system, const
 {
   const StoppingCriteria stop{ 1e-10, 100 }; // if rounding allows
   const SurfaceHolonomy& surface = *this->Surface;
-  const int loops = surface.NumberOfLoops();
+  const int loops = surface.NumberOfGenerators();
   const SparseMatrix<double> transposed = SparseMatrix<double>(surface.Loops.transpose());
   const SparseMatrix<double> flux = this->Star.asDiagonal() * surface.Loops;
   system.Divergences = SparseMatrix<double>(D0(this->On.Mesh, context).transpose()) * flux;
@@ -181,16 +181,16 @@ void SingularFieldSolver::Internals::AddHarmonicForms(SystemStage& system, const
   system.Inverse = symmetric.ldlt().solve(Eigen::MatrixXd::Identity(loops, loops));
 }
 
-Vector<double> SingularFieldSolver::Internals::TurningOf(
+Vector<double> SingularFieldSolver::Internals::RotationOf(
   const SystemStage& system, const Vector<double>& potential, int N) const
 {
   const SurfaceHolonomy& surface = *this->Surface;
   Vector<double> form = Vector<double>::Zero(this->On.Mesh.NumberOfEdges());
   Vector<double> whole = potential;
-  if (surface.NumberOfLoops() > 0)
+  if (surface.NumberOfGenerators() > 0)
   {
     const double step = 2.0 * Pi / N;
-    const Vector<double> along = surface.AlongLoops + Vector<double>(system.Divergences.transpose() * potential);
+    const Vector<double> along = surface.AlongGenerators + Vector<double>(system.Divergences.transpose() * potential);
     const Vector<double> steps = NearestIntegers(system.Inverse, along / step);
     const Vector<double> coefficients = system.Inverse * (step * steps - along);
     form = surface.Loops * coefficients;
@@ -219,16 +219,16 @@ void SingularFieldSolver::Internals::Connect(std::vector<int> times, int N, cons
   }
   connection->Potential = system.Functions->Solve(source, {}, stop, PartOfContext(context, 0.0, 0.8), NetSource::Refuse,
     this->Connection ? this->Connection->Potential : Vector<double>());
-  connection->Turning = this->TurningOf(system, connection->Potential, N);
-  LimitTurning(mesh, LargestTurning * Pi / N, connection->Turning);
-  connection->Powers = PowersOfConnection(mesh, surface.Sides, surface.Trees, connection->Turning, N);
+  connection->Rotation = this->RotationOf(system, connection->Potential, N);
+  LimitRotation(mesh, LargestRotation * Pi / N, connection->Rotation);
+  connection->Powers = PowersOfConnection(mesh, surface.Sides, surface.Trees, connection->Rotation, N);
   context.Checkpoint(0.9);
   SolveReport& report = connection->Report;
   report = system.Functions->Report();
   report.Solver = "trivial connection by " + report.Solver;
   report.Bytes += 8 * system.Potentials.size();
   report.Warnings.insert(report.Warnings.end(), system.Warnings.begin(), system.Warnings.end());
-  if (const std::string warning = WarningOfLargeTurning(mesh, connection->Turning, N, names); !warning.empty())
+  if (const std::string warning = WarningOfLargeRotation(mesh, connection->Rotation, N, names); !warning.empty())
   {
     report.Warnings.push_back(warning);
   }
@@ -296,7 +296,7 @@ const Vector<double>& SingularFieldSolver::Solve(const std::vector<PrescribedSin
 {
   CheckTakesSingularities(options.Field);
   Internals& of = *this->Internal;
-  // A trivial connection is made of turnings across edges, whichever field its directions are shown as.
+  // A trivial connection is made of rotations across edges, whichever field its directions are shown as.
   DiscretisationOptions onFaces = options.Field;
   onFaces.Kind = DiscretisationKind::PowerField;
   if (!of.Field || !(of.OptionsOfField == onFaces))
@@ -369,9 +369,9 @@ double SingularFieldSolver::SetupSeconds() const
   return this->Internal->SurfaceSeconds + this->Internal->SystemSeconds;
 }
 
-const Vector<double>& SingularFieldSolver::Turning() const
+const Vector<double>& SingularFieldSolver::Rotation() const
 {
-  return this->Internal->Connection->Turning;
+  return this->Internal->Connection->Rotation;
 }
 
 }

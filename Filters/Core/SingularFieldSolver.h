@@ -65,7 +65,7 @@ public:
   double SetupSeconds() const override;
   /// The rotation of the field across each edge, from the face of HalfedgeOf(edge) to that of its twin, besides parallel
   /// transport; #E.
-  const Vector<double>& Turning() const;
+  const Vector<double>& Rotation() const;
 
 private:
   class Internals;

@@ -134,7 +134,7 @@ private:
 };
 
 /// The product of conjugate gradients, and the bytes that it reads and writes.
-void MeasureProduct(const std::string& name, const RoughnessHierarchy& hierarchy, double rows, double nonZeros,
+void MeasureProduct(const std::string& name, const StiffnessHierarchy& hierarchy, double rows, double nonZeros,
   double bytes, int runs, KernelsTable& table, const ExecutionContext& context)
 {
   const int unknowns = hierarchy.NumberOfUnknowns();

@@ -10,7 +10,7 @@
 //   curves.csv  figures 7.1 to 7.3 and 7.13 to 7.16: the error of every V-cycle
 //
 // fmg is ours: nested iterations with a few V-cycles per level instead of sweeps (full multigrid), on
-// nodal levels.
+// linear levels.
 //
 // Surfaces with the names of the shared mesh set stand beside the thesis's; others have its columns
 // empty. As there, 0.5 % of the elements are prescribed, softly and at random, the ground truth is
@@ -152,12 +152,12 @@ Outcome MedianOf(int runs, const Problem& problem, const FieldOptions& options)
   return outcome;
 }
 
-/// Full multigrid on nodal levels; face fields, the hardest, get the most cycles.
+/// Full multigrid on linear levels; face fields, the hardest, get the most cycles.
 FieldOptions FullMultigrid(const Problem& problem)
 {
   constexpr int cycles[] = { 3, 8, 2 };
   FieldOptions options = problem.Options;
-  options.CoarseSpace = CoarseSpaceKind::Nodal;
+  options.CoarseSpace = CoarseSpaceKind::LinearInterpolation;
   options.Solver.Kind = SolverKind::NestedIterations;
   options.Solver.Nested.Cycles = cycles[problem.Index];
   options.Solver.Nested.Sweeps = 0;

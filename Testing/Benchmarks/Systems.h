@@ -13,17 +13,17 @@
 namespace dmg::benchmarks
 {
 
-/// d0^T star1 d0: the roughness of functions.
+/// d0^T star1 d0: the smoothness energy of functions.
 inline SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh, const ExecutionContext& context)
 {
   const SparseMatrix<double> d0 = D0(mesh, context);
   return SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal() * d0;
 }
 
-/// The roughness of a field as a matrix.
+/// The smoothness energy of a field as a matrix.
 /// \tparam Scalar Complex for power fields, else double.
 template <class Scalar>
-SparseMatrix<Scalar> MakeRoughness(const TriangleMesh& mesh, const TangentFrames& frames,
+SparseMatrix<Scalar> MakeStiffness(const TriangleMesh& mesh, const TangentFrames& frames,
   const DiscretisationOptions& options, const ExecutionContext& context)
 {
   if constexpr (std::is_same<Scalar, Complex>::value)
@@ -67,17 +67,17 @@ template <class Scalar>
 HarmonicSystem<Scalar> MakeSystem(const TriangleMesh& mesh, const TangentFrames& frames, const Discretisation& field,
   const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
 {
-  SparseMatrix<Scalar> roughness = MakeRoughness<Scalar>(mesh, frames, options.Field, context);
+  SparseMatrix<Scalar> stiffness = MakeStiffness<Scalar>(mesh, frames, options.Field, context);
   if (options.Constraints == ConstraintKind::Soft)
   {
-    roughness *= options.Smoothness;
+    stiffness *= options.Smoothness;
   }
   Penalties prescribed = field.PenaltiesOf(constraints, options.Weights(), context);
   if constexpr (std::is_same<Scalar, Complex>::value)
   {
     prescribed = OfPairs(prescribed);
   }
-  return HarmonicSystem<Scalar>::Make(std::move(roughness), field.Mass(context), std::move(prescribed));
+  return HarmonicSystem<Scalar>::Make(std::move(stiffness), field.Mass(context), std::move(prescribed));
 }
 
 }

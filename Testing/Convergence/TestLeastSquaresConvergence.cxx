@@ -3,8 +3,8 @@
 
 #include "Discretisations/MakeDiscretisation.h"
 #include "Support/FieldProblem.h"
+#include "Support/LinearLevels.h"
 #include "Support/MeshFactory.h"
-#include "Support/NodalLevels.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
 
@@ -59,7 +59,7 @@ protected:
     HierarchyOptions decimation;
     decimation.MinimumNumberOfFaces = 100; // edge collapses go on with small surfaces, too
     const ProlongationOperators operators =
-      NodalLevels(std::get<1>(GetParam()), surface.Mesh, decimation, field->SampleDistance(), context);
+      LinearLevels(std::get<1>(GetParam()), surface.Mesh, decimation, field->SampleDistance(), context);
     const int elements = field->NumberOfElements();
     std::vector<int> iterations;
     for (const Prescription& prescription : Prescriptions())
@@ -133,11 +133,11 @@ TEST_P(LeastSquaresConvergence, OnThinSurfaces)
   ExpectBounded({ Flattened(DoubleTorus(8), 0.1), Flattened(DoubleTorus(16), 0.1) }, 20);
 }
 
-/// Cut into 64, a needle is 64 of them, and no patch holds them all: cycles take more iterations, and reach the
+/// Cut into 64, a thin triangle is 64 of them, and no patch holds them all: cycles take more iterations, and reach the
 /// tolerance.
-TEST_P(LeastSquaresConvergence, OnNeedlesThatAreCut)
+TEST_P(LeastSquaresConvergence, OnThinTrianglesThatAreCut)
 {
-  Iterations(Subdivide(Subdivide(Subdivide(PlaneWithNeedles(24, 16)))));
+  Iterations(Subdivide(Subdivide(Subdivide(PlaneWithThinTriangles(24, 16)))));
 }
 
 TEST_P(LeastSquaresConvergence, ForAnyAlignment)

@@ -1,9 +1,9 @@
-// Conjugate gradients with a nodal V-cycle take a number of iterations that does not grow with the
+// Conjugate gradients with a linear V-cycle take a number of iterations that does not grow with the
 // surface: generated families, each cut 1:4 several times.
 
 #include "Support/FieldProblem.h"
+#include "Support/LinearLevels.h"
 #include "Support/MeshFactory.h"
-#include "Support/NodalLevels.h"
 #include "Support/Random.h"
 #include "Support/TbbContext.h"
 
@@ -31,7 +31,7 @@ int Iterations(LevelKind levels, const Surface& shape, int N, int prescribedFace
   const TbbContext context(2);
   const FramedMesh surface(shape.Mesh());
   const ProlongationOperators operators =
-    NodalLevels(levels, surface.Mesh, HierarchyOptions(), DefaultSampleDistance, context);
+    LinearLevels(levels, surface.Mesh, HierarchyOptions(), DefaultSampleDistance, context);
   FieldConstraints constraints;
   Random random(53);
   constraints.Values.resize(2 * prescribedFaces);
@@ -97,7 +97,7 @@ TEST_P(PowerFieldConvergence, IsAlmostAsFastOnThinSurfacesAndWithBoundaries)
 }
 
 /// Cycles take more iterations, and reach the tolerance.
-TEST_P(PowerFieldConvergence, OnNeedlesThatAreCut)
+TEST_P(PowerFieldConvergence, OnThinTrianglesThatAreCut)
 {
   for (int N : { 1, 2, 4, 6 })
   {
@@ -105,7 +105,7 @@ TEST_P(PowerFieldConvergence, OnNeedlesThatAreCut)
     {
       SCOPED_TRACE(N);
       SCOPED_TRACE(prescribed);
-      Iterations(GetParam(), Subdivide(Subdivide(Subdivide(PlaneWithNeedles(24, 16)))), N, prescribed);
+      Iterations(GetParam(), Subdivide(Subdivide(Subdivide(PlaneWithThinTriangles(24, 16)))), N, prescribed);
     }
   }
 }

@@ -105,10 +105,10 @@ TEST(VertexPowerFieldConvergence, DoesNotDependOnAlignment)
 }
 
 /// Cycles take more iterations, and reach the tolerance.
-TEST(VertexPowerFieldConvergence, OnNeedlesThatAreCut)
+TEST(VertexPowerFieldConvergence, OnThinTrianglesThatAreCut)
 {
   for (int N : { 1, 4 })
   {
-    Iterations(Subdivide(Subdivide(Subdivide(PlaneWithNeedles(24, 16)))), N, 100);
+    Iterations(Subdivide(Subdivide(Subdivide(PlaneWithThinTriangles(24, 16)))), N, 100);
   }
 }

@@ -14,7 +14,7 @@
 namespace dmg::test
 {
 
-/// Whose roughness is a sum of squares.
+/// Whose smoothness energy is a sum of squares.
 inline constexpr DiscretisationKind Squares[] = { DiscretisationKind::FaceField, DiscretisationKind::OneForm };
 inline constexpr ConstraintKind BothConstraints[] = { ConstraintKind::Soft, ConstraintKind::Hard };
 

@@ -96,7 +96,7 @@ TEST(HarmonicProblem, LeavesOutHarmonicFieldsThatNothingDetermines)
   }
 }
 
-// Needles: a torus that is stretched a thousand times.
+// Thin triangles: a torus that is stretched a thousand times.
 TEST(HarmonicProblem, AFactorTakesOverWhereCyclesDoNotConverge)
 {
   Surface stretched = IrregularTorus(28, 14, 4);

@@ -40,7 +40,7 @@ FieldOptions OptionsOf(DiscretisationKind kind, SolverKind solver)
 }
 
 /// R, with complex numbers as pairs.
-Extended Roughness(const FramedMesh& surface, DiscretisationKind kind)
+Extended Stiffness(const FramedMesh& surface, DiscretisationKind kind)
 {
   switch (kind)
   {
@@ -132,7 +132,7 @@ Surface PlaneWithHoles()
   return cut;
 }
 
-ProlongationOperators NodalLevels(const FramedMesh& surface)
+ProlongationOperators LinearLevels(const FramedMesh& surface)
 {
   HierarchyOptions options;
   options.MinimumNumberOfFaces = 100;
@@ -149,11 +149,11 @@ std::string Name(SolverKind solver, double weight, bool areMixed)
 TEST(ErrorOfSolution, IsBelowTenTolerancesForAnyWeight)
 {
   const FramedMesh surface(IrregularSphere(2, 3).Mesh());
-  const ProlongationOperators operators = NodalLevels(surface);
+  const ProlongationOperators operators = LinearLevels(surface);
   for (const DiscretisationKind kind : Kinds)
   {
     const auto field = MakeDiscretisation(OptionsOf(kind, SolverKind::Cholesky).Field, surface);
-    const Extended R = Roughness(surface, kind);
+    const Extended R = Stiffness(surface, kind);
     const Vector<double> masses = field->Mass(SerialContext());
     Vector<double> mass(field->NumberOfUnknowns());
     for (Eigen::Index i = 0; i < mass.size(); ++i)
@@ -188,7 +188,7 @@ TEST(ErrorOfSolution, IsBelowTenTolerancesForAnyWeight)
 TEST(ErrorOfSolution, SolversAgreeWhereHarmonicFieldsAreWeaklyDetermined)
 {
   const FramedMesh surface(PlaneWithHoles().Mesh());
-  const ProlongationOperators operators = NodalLevels(surface);
+  const ProlongationOperators operators = LinearLevels(surface);
   for (const DiscretisationKind kind : { DiscretisationKind::FaceField, DiscretisationKind::OneForm })
   {
     for (const double weight : { 1e-3, 1.0, 1e3 })
@@ -215,7 +215,7 @@ TEST(ErrorOfSolution, SolversAgreeWhereHarmonicFieldsAreWeaklyDetermined)
 TEST(ErrorOfSolution, ApproximationsHaveNotConverged)
 {
   const FramedMesh surface(IrregularSphere(3, 3).Mesh());
-  const ProlongationOperators operators = NodalLevels(surface);
+  const ProlongationOperators operators = LinearLevels(surface);
   for (const DiscretisationKind kind : Kinds)
   {
     const auto field = MakeDiscretisation(OptionsOf(kind, SolverKind::Cholesky).Field, surface);

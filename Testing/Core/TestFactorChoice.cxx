@@ -14,7 +14,7 @@ namespace
 {
 
 /// A strip with so many thin columns of a hundred, whose faces have a quality of 0.017.
-TriangleMesh StripWithNeedles(int thin)
+TriangleMesh StripWithThinTriangles(int thin)
 {
   std::vector<double> widths(100, 1.0);
   std::fill_n(widths.begin() + 20, thin, 0.01);
@@ -23,16 +23,16 @@ TriangleMesh StripWithNeedles(int thin)
 
 }
 
-TEST(FactorChoice, ManyNeedlesAreForAFactor)
+TEST(FactorChoice, ManyThinTrianglesAreForAFactor)
 {
   for (const bool hasHarmonicFields : { false, true })
   {
-    const CycleObstacles few = ObstaclesOf(StripWithNeedles(2), hasHarmonicFields, SerialContext());
+    const CycleObstacles few = ObstaclesOf(StripWithThinTriangles(2), hasHarmonicFields, SerialContext());
     EXPECT_DOUBLE_EQ(few.ShareOfThinTriangles, 0.02);
     EXPECT_EQ(few.Loops, 0);
     EXPECT_FALSE(IsFactorBetter(few));
     EXPECT_EQ(WhyFactorIsBetter(few), "");
-    const CycleObstacles many = ObstaclesOf(StripWithNeedles(25), hasHarmonicFields, SerialContext());
+    const CycleObstacles many = ObstaclesOf(StripWithThinTriangles(25), hasHarmonicFields, SerialContext());
     EXPECT_DOUBLE_EQ(many.ShareOfThinTriangles, 0.25);
     EXPECT_TRUE(IsFactorBetter(many));
     EXPECT_EQ(WhyFactorIsBetter(many), ", chosen because 25 % of the triangles are thin (more than 3 %)");

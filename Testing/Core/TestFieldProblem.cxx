@@ -139,7 +139,7 @@ TEST(FieldProblem, TakesHarmonicFieldsFromItsLevels)
     on.Operators.ClosedForms = SparseMatrix<double>(on.Operators.ClosedForms.leftCols(known));
     for (DiscretisationKind kind : { DiscretisationKind::FaceField, DiscretisationKind::OneForm })
     {
-      for (CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+      for (CoarseSpaceKind space : { CoarseSpaceKind::LinearInterpolation, CoarseSpaceKind::StructurePreserving })
       {
         FieldOptions options;
         options.Field.Kind = kind;
@@ -196,7 +196,7 @@ TEST(FieldProblem, TakesLevelsOrMakesThem)
         FieldProblem problem(on.Framed, &on.Operators, prescribed, options, SerialContext(), std::move(levels));
         const Vector<double> field = problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
         EXPECT_TRUE(problem.Report().Converged);
-        EXPECT_EQ(problem.Report().Solver, std::string("conjugate gradients with a V-cycle on nodal levels"));
+        EXPECT_EQ(problem.Report().Solver, std::string("conjugate gradients with a V-cycle on linear levels"));
         return field;
       };
       const Vector<double> made = solve(nullptr);
@@ -219,7 +219,7 @@ TEST(FieldProblem, TakesSamplesWithoutOperators)
     const auto solve = [&](std::shared_ptr<const MultigridSetup> levels)
     {
       FieldProblem problem(on.Framed, nullptr, prescribed, options, SerialContext(), std::move(levels));
-      EXPECT_EQ(problem.Report().Solver, "conjugate gradients with a V-cycle on nodal levels");
+      EXPECT_EQ(problem.Report().Solver, "conjugate gradients with a V-cycle on linear levels");
       return problem.Solve(prescribed.Values, {}, StoppingCriteria(), SerialContext());
     };
     const TbbContext threads(3);
@@ -258,7 +258,7 @@ TEST(FieldProblem, KnowsTheHarmonicFieldsInTheCallersOrder)
   }
 }
 
-TEST(FieldProblem, CyclesKeepRoughnessApartOnNodalLevels)
+TEST(FieldProblem, CyclesKeepStiffnessApartOnLinearLevels)
 {
   for (const DiscretisationKind kind : AllKinds)
   {
@@ -304,9 +304,9 @@ TEST(FieldProblem, IsFactoredWhereThereAreTooFewFacesForSamples)
 }
 
 // Too many unknowns to be factored for their number alone.
-TEST(FieldProblem, IsFactoredWhereThereAreManyNeedles)
+TEST(FieldProblem, IsFactoredWhereThereAreManyThinTriangles)
 {
-  const FramedMesh surface(Subdivide(Subdivide(Subdivide(PlaneWithNeedles(12, 32)))).Mesh());
+  const FramedMesh surface(Subdivide(Subdivide(Subdivide(PlaneWithThinTriangles(12, 32)))).Mesh());
   FieldConstraints prescribed;
   for (int face = 0; face < surface.Mesh.NumberOfFaces(); face += 5000)
   {

@@ -249,10 +249,10 @@ TEST(FieldStages, SolversAgreeOnEveryDiscretisation)
           EXPECT_TRUE(fields.Report().Converged) << fields.Report().Solver;
           return field;
         };
-        const Vector<double> direct = solve(SolverKind::Cholesky, CoarseSpaceKind::Nodal);
+        const Vector<double> direct = solve(SolverKind::Cholesky, CoarseSpaceKind::LinearInterpolation);
         for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::NestedIterations })
         {
-          for (CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+          for (CoarseSpaceKind space : { CoarseSpaceKind::LinearInterpolation, CoarseSpaceKind::StructurePreserving })
           {
             EXPECT_LT((solve(solver, space) - direct).norm(), 1e-7 * direct.norm())
               << static_cast<int>(kind) << static_cast<int>(solver) << static_cast<int>(space);
@@ -411,8 +411,8 @@ TEST(FieldStages, NestedIterationsComeCloserThanTheirStartByEachRule)
   }
 }
 
-// With another start, nodal levels are those that were stored, not samples.
-TEST(FieldStages, SolvesOnStoredNodalLevels)
+// With another start, linear levels are those that were stored, not samples.
+TEST(FieldStages, SolvesOnStoredLinearLevels)
 {
   OnStoredLevels on;
   for (const DiscretisationKind kind : KindsWithDirections)

@@ -65,7 +65,7 @@ TEST(HarmonicField, SolversAgree)
         const Vector<Complex> direct = Solve(on, prescribed, values, options);
         for (SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::VCycles })
         {
-          for (CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+          for (CoarseSpaceKind space : { CoarseSpaceKind::LinearInterpolation, CoarseSpaceKind::StructurePreserving })
           {
             options.Solver.Kind = solver;
             options.CoarseSpace = space;

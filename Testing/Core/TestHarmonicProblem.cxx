@@ -97,7 +97,7 @@ TEST(HarmonicProblem, AgreesWithCholesky)
   }
 }
 
-// Where the sum of roughness, penalties and -2 source^T x is least, its derivative is zero.
+// Where the sum of smoothness energy, penalties and -2 source^T x is least, its derivative is zero.
 TEST(HarmonicProblem, SourcesActOnAllThatIsFree)
 {
   const PreparedField on(IrregularSphere(3, 3), DiscretisationKind::OneForm);
@@ -327,7 +327,7 @@ TEST(HarmonicProblem, ItsEquationsHaveTheSolution)
 }
 
 // Where nothing is prescribed the matrix is R alone, and the solution is its eigenvector.
-TEST(HarmonicProblem, ItsEquationsAreThoseOfTheRoughnessWithoutPrescriptions)
+TEST(HarmonicProblem, ItsEquationsAreThoseOfTheStiffnessWithoutPrescriptions)
 {
   const PreparedField on(IrregularSphere(3, 3), DiscretisationKind::PowerField);
   HarmonicProblem problem = on.Problem({}, FieldWeights());
@@ -343,10 +343,10 @@ namespace
 {
 
 /// The inverse of the diagonal.
-class JacobiPreconditioner : public RoughnessCycle
+class JacobiPreconditioner : public StiffnessCycle
 {
 public:
-  JacobiPreconditioner(const RoughnessHierarchy& hierarchy, const Vector<double>& D)
+  JacobiPreconditioner(const StiffnessHierarchy& hierarchy, const Vector<double>& D)
     : Hierarchy(hierarchy)
   {
     this->Update(D, SerialContext());
@@ -367,11 +367,11 @@ public:
   long long Bytes() const override { return this->Diagonal.size() * static_cast<long long>(sizeof(double)); }
 
 private:
-  const RoughnessHierarchy& Hierarchy;
+  const StiffnessHierarchy& Hierarchy;
   Vector<double> Diagonal;
 };
 
-std::unique_ptr<RoughnessCycle> MakeJacobi(
+std::unique_ptr<StiffnessCycle> MakeJacobi(
   const MultigridSetup& setup, const Vector<double>& D, const SolverOptions&, const ExecutionContext&)
 {
   return std::make_unique<JacobiPreconditioner>(*setup.Hierarchy, D);

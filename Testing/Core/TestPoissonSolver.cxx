@@ -93,7 +93,7 @@ double ErrorOnSphere(int subdivisions)
 }
 
 /// Each triangle a hundred times as long as it is high.
-Surface PlaneOfNeedles()
+Surface PlaneOfThinTriangles()
 {
   Surface plane = IrregularPlane(24, 24, 7);
   plane.V.col(1) *= 0.01;
@@ -104,7 +104,7 @@ Surface PlaneOfNeedles()
 
 TEST(PoissonSolver, LinearFunctionsAreReproducedOnBadTriangles)
 {
-  for (const Surface& shape : { IrregularPlane(30, 20, 7), PlaneOfNeedles() })
+  for (const Surface& shape : { IrregularPlane(30, 20, 7), PlaneOfThinTriangles() })
   {
     const FramedMesh plane(shape.Mesh());
     const Vector<double> linear = 2.0 * plane.Mesh.VertexPositions().col(0) - plane.Mesh.VertexPositions().col(1);

@@ -111,7 +111,7 @@ void ExpectPrescribed(
   }
   EXPECT_EQ(found, expected) << name;
   // The field goes on across every edge as the connection says, also where it was not carried: around all loops.
-  EXPECT_LT((TopologyOf(solver).Turning - solver.Turning()).cwiseAbs().maxCoeff(), 1e-6) << name;
+  EXPECT_LT((TopologyOf(solver).Rotation - solver.Rotation()).cwiseAbs().maxCoeff(), 1e-6) << name;
   EXPECT_TRUE(solver.Report().Converged) << name;
   EXPECT_TRUE(solver.Report().Warnings.empty()) << name << ": " << solver.Report().Warnings[0];
   const Vector<Complex> powers = AsComplex(solver.Unknowns());
@@ -195,7 +195,7 @@ TEST(SingularFieldSolver, CyclesFindTheFieldOfAFactor)
     byCycles.Solve(singularities, {}, OptionsOf(example.N, SolverKind::ConjugateGradients), { 1e-10, 60 });
     ExpectPrescribed(byCycles, singularities, example.Name);
     EXPECT_NE(byCycles.Report().Solver.find("trivial connection by conjugate gradients"), std::string::npos);
-    EXPECT_LT((factored.Turning() - byCycles.Turning()).cwiseAbs().maxCoeff(), 1e-6) << example.Name;
+    EXPECT_LT((factored.Rotation() - byCycles.Rotation()).cwiseAbs().maxCoeff(), 1e-6) << example.Name;
   }
 }
 
@@ -205,7 +205,7 @@ TEST(SingularFieldSolver, ARoughToleranceStillGivesThePrescribedSingularities)
   const auto singularities = Joined(At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
   SingularFieldSolver solver(surface);
   solver.Solve(singularities, {}, OptionsOf(4, SolverKind::ConjugateGradients), { 0.5, 100 });
-  EXPECT_LT((TopologyOf(solver).Turning - solver.Turning()).cwiseAbs().maxCoeff(), 1e-3);
+  EXPECT_LT((TopologyOf(solver).Rotation - solver.Rotation()).cwiseAbs().maxCoeff(), 1e-3);
   EXPECT_EQ(solver.Counts().Solves, 1);
 }
 
@@ -221,7 +221,7 @@ TEST(SingularFieldSolver, FieldsTurnLeast)
     const TriangleMesh& mesh = surface.Mesh;
     SingularFieldSolver solver(surface);
     solver.Solve(SingularitiesOf(example, mesh), {}, OptionsOf(example.N));
-    const Eigen::MatrixXd loops(LoopsOverFaces(mesh, MakeTreeCotree(mesh, BoundaryAs::Vertex)));
+    const Eigen::MatrixXd loops(GeneratorsOverFaces(mesh, MakeTreeCotree(mesh, BoundaryAs::Vertex)));
     std::vector<int> inside;
     for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
     {
@@ -237,8 +237,8 @@ TEST(SingularFieldSolver, FieldsTurnLeast)
     // t = star1 C (C^T star1 C)^+ C^T t
     const Eigen::MatrixXd gram = C.transpose() * star.asDiagonal() * C;
     const Vector<double> expected = star.asDiagonal() *
-      (C * gram.completeOrthogonalDecomposition().solve(Vector<double>(C.transpose() * solver.Turning())));
-    EXPECT_LT((expected - solver.Turning()).cwiseAbs().maxCoeff(), 1e-9) << example.Name;
+      (C * gram.completeOrthogonalDecomposition().solve(Vector<double>(C.transpose() * solver.Rotation())));
+    EXPECT_LT((expected - solver.Rotation()).cwiseAbs().maxCoeff(), 1e-9) << example.Name;
   }
 }
 

@@ -1,4 +1,4 @@
-// Fields where nothing is prescribed: the lowest eigenvectors of the roughness.
+// Fields where nothing is prescribed: the lowest eigenvectors of the smoothness energy.
 
 #include "Discretisations/MakeDiscretisation.h"
 #include "FieldStages.h"
@@ -40,7 +40,7 @@ struct DenseEigenvectors
   DenseEigenvectors(const FramedMesh& surface, const FieldOptions& options)
   {
     const auto field = MakeDiscretisation(options.Field, surface);
-    const auto hierarchy = field->Assemble(nullptr, CoarseSpaceKind::Nodal, SerialContext());
+    const auto hierarchy = field->Assemble(nullptr, CoarseSpaceKind::LinearInterpolation, SerialContext());
     const auto R = hierarchy->Operator();
     const int size = field->NumberOfUnknowns();
     R->SetDiagonal(Vector<double>::Zero(size), SerialContext());
@@ -176,7 +176,7 @@ TEST(SmoothestField, IsTheEigenvectorOfADenseSolver)
 }
 
 // On the unit sphere, fields of N directions have the lowest eigenvalue N of Bochner's Laplacian 2 N + 1 times: of spherical
-// harmonics of spin N, l (l + 1) - N^2 for l = N. Roughness is twice that. Triangles split it into values close together.
+// harmonics of spin N, l (l + 1) - N^2 for l = N. The smoothness energy is twice that. Triangles split it into values close together.
 TEST(SmoothestField, IsFoundOnSpheresWhereManyAreAlmostAsSmooth)
 {
   for (const int N : { 3, 7 })
@@ -259,7 +259,7 @@ TEST(SmoothestField, HasIndicesThatSumToTheEulerCharacteristic)
   }
 }
 
-// Harmonic fields have no roughness.
+// Harmonic fields have no energy.
 TEST(SmoothestField, IsHarmonicWhereTheSurfaceHasHandlesOrHoles)
 {
   for (const Surface& surface : { IrregularTorus(48, 24, 4), Annulus(60, 12), DoubleTorus(3) })

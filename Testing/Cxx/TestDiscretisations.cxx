@@ -54,7 +54,7 @@ TEST_P(VectorField, IsTheSameByEverySolver)
   {
     SCOPED_TRACE(kind);
     solver->SetSolver(kind);
-    solver->SetCoarseSpace(Solver::StructurePreserving); // nodal levels would be samples
+    solver->SetCoarseSpace(Solver::StructurePreserving); // linear levels would be samples
     solver->Update();
     EXPECT_EQ(Values(solver->GetOutput()->GetFieldData(), "LevelUnknowns").size(), 3u);
     EXPECT_EQ(Converged(solver), 1);
@@ -121,7 +121,7 @@ TEST_P(AnyField, DoesNotDependOnTheOrderOfPointsAndCells)
     EXPECT_NEAR(otherIndices[areOnCells ? cell(i) : point(i)], indices[i], 1e-12);
   }
 
-  const char* const name = GetParam() == Solver::OneForm ? "OneForm" : "Turning";
+  const char* const name = GetParam() == Solver::OneForm ? "OneForm" : "Rotation";
   const std::vector<double> onEdges = Values(Edges(solver)->GetCellData(), name);
   const std::vector<double> otherOnEdges = Values(Edges(other)->GetCellData(), name);
   const std::map<Edge, int> numbers = EdgesOf(input), otherNumbers = EdgesOf(relabelledInput);
@@ -139,7 +139,7 @@ TEST_P(AnyField, DoesNotDependOnTheOrderOfPointsAndCells)
 
 TEST_P(AnyField, OfNestedIterationsComesCloserToThatOfCholesky)
 {
-  for (int space : { Solver::Nodal, Solver::StructurePreserving })
+  for (int space : { Solver::LinearInterpolation, Solver::StructurePreserving })
   {
     SCOPED_TRACE(space);
     const auto solver = NewSolver(SphereWithOperators(), GetParam());

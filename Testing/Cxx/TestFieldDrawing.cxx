@@ -412,7 +412,7 @@ TEST(FieldSingularities, CutsAreWhereTheSolverDidNotGoOn)
   cuts->GetCellData()->GetArray("Jump")->GetRange(range);
   EXPECT_GE(range[0], 1.0);
   EXPECT_LE(range[1], 3.0);
-  cuts->GetCellData()->GetArray("Turning")->GetRange(range);
+  cuts->GetCellData()->GetArray("Rotation")->GetRange(range);
   EXPECT_GE(range[0], -0.25 * dmg::Pi - 1e-12);
   EXPECT_LE(range[1], 0.25 * dmg::Pi + 1e-12);
 

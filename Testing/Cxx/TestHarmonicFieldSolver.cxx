@@ -85,7 +85,7 @@ TEST_P(FieldOfN, HasIndicesThatSumToTheEulerCharacteristic)
   }
 }
 
-// The turnings across the edges around a point and its angle defect make up its index.
+// The rotations across the edges around a point and its angle defect make up its index.
 TEST_P(FieldOfN, TurnsAroundPointsByTheirIndices)
 {
   const auto input = PolyDataOf(IrregularTorus(24, 16, 3));
@@ -108,15 +108,15 @@ TEST_P(FieldOfN, TurnsAroundPointsByTheirIndices)
   }
   vtkPolyData* const edges = Edges(solver);
   ASSERT_EQ(edges->GetNumberOfCells(), 3 * input->GetNumberOfCells() / 2);
-  const std::vector<double> turnings = Values(edges->GetCellData(), "Turning");
+  const std::vector<double> rotations = Values(edges->GetCellData(), "Rotation");
   for (vtkIdType edge = 0; edge < edges->GetNumberOfCells(); ++edge)
   {
     edges->GetCellPoints(edge, ids);
     ASSERT_LT(ids->GetId(0), ids->GetId(1));
-    EXPECT_LE(std::abs(turnings[edge]), Pi / GetParam() * (1.0 + 1e-12));
-    // Turning goes from left to right, which is clockwise around the first point.
-    sums[ids->GetId(0)] -= turnings[edge];
-    sums[ids->GetId(1)] += turnings[edge];
+    EXPECT_LE(std::abs(rotations[edge]), Pi / GetParam() * (1.0 + 1e-12));
+    // The rotation goes from left to right, which is clockwise around the first point.
+    sums[ids->GetId(0)] -= rotations[edge];
+    sums[ids->GetId(1)] += rotations[edge];
   }
   const std::vector<double> indices = Values(solver->GetOutput()->GetPointData(), "SingularityIndex");
   for (std::size_t point = 0; point < sums.size(); ++point)
@@ -137,7 +137,7 @@ TEST(HarmonicFieldSolver, SolversAgree)
   for (int kind :
     { vtkHarmonicFieldSolver::Automatic, vtkHarmonicFieldSolver::VCycles, vtkHarmonicFieldSolver::ConjugateGradients })
   {
-    for (int space : { vtkHarmonicFieldSolver::Nodal, vtkHarmonicFieldSolver::StructurePreserving })
+    for (int space : { vtkHarmonicFieldSolver::LinearInterpolation, vtkHarmonicFieldSolver::StructurePreserving })
     {
       SCOPED_TRACE(std::to_string(kind) + ", " + std::to_string(space));
       solver->SetSolver(kind);

@@ -84,7 +84,7 @@ TEST(PrincipalDirectionsFilter, MakesDirectionsThatAreDrawnAsLines)
 
 TEST(PrincipalDirectionsFilter, LooksFartherAtALargerScale)
 {
-  // Needles of noise on a plane: the larger the scale, the flatter it comes out.
+  // Thin triangles of noise on a plane: the larger the scale, the flatter it comes out.
   Surface plane = IrregularPlane(40, 40, 3);
   for (int i = 0; i < plane.V.rows(); ++i)
   {

@@ -105,7 +105,7 @@ TEST_P(Construction, ServesEveryDiscretisation)
     solver->Update();
     const std::vector<double> exact = Unknowns(solver);
     solver->SetSolver(Solver::ConjugateGradients);
-    solver->SetCoarseSpace(Solver::StructurePreserving); // nodal levels would be samples
+    solver->SetCoarseSpace(Solver::StructurePreserving); // linear levels would be samples
     solver->Update();
     EXPECT_GE(Values(solver->GetOutput()->GetFieldData(), "LevelUnknowns").size(), 2u);
     EXPECT_LT(Difference(Unknowns(solver), exact), 1e-7);

@@ -246,14 +246,14 @@ TEST(Discretisation, AnotherRepeatsTheSystemAndDecimatesOnlyForOperatorsThatAreM
     solver->Update();
     return CountsOf(solver);
   };
-  EXPECT_EQ(counts(Solver::PowerField, Solver::Nodal), (Counts{ 1, 1, 1 })); // takes samples
-  EXPECT_EQ(counts(Solver::FaceField, Solver::Nodal), (Counts{ 2, 2, 2 }));  // others
-  EXPECT_EQ(counts(Solver::OneForm, Solver::Nodal), (Counts{ 3, 3, 3 }));    // forgotten meanwhile
+  EXPECT_EQ(counts(Solver::PowerField, Solver::LinearInterpolation), (Counts{ 1, 1, 1 })); // takes samples
+  EXPECT_EQ(counts(Solver::FaceField, Solver::LinearInterpolation), (Counts{ 2, 2, 2 }));  // others
+  EXPECT_EQ(counts(Solver::OneForm, Solver::LinearInterpolation), (Counts{ 3, 3, 3 }));    // forgotten meanwhile
   EXPECT_EQ(counts(Solver::OneForm, Solver::StructurePreserving), (Counts{ 4, 4, 4 }));
   EXPECT_EQ(counts(Solver::FaceField, Solver::StructurePreserving), (Counts{ 5, 5, 5 }));
   EXPECT_EQ(counts(Solver::OneForm, Solver::StructurePreserving), (Counts{ 5, 6, 6 })); // kept
-  EXPECT_EQ(counts(Solver::OneForm, Solver::Nodal), (Counts{ 5, 7, 7 }));               // what was made of the samples
-  EXPECT_EQ(counts(Solver::PowerField, Solver::Nodal), (Counts{ 5, 8, 8 }));            // kept, too
+  EXPECT_EQ(counts(Solver::OneForm, Solver::LinearInterpolation), (Counts{ 5, 7, 7 })); // what was made of the samples
+  EXPECT_EQ(counts(Solver::PowerField, Solver::LinearInterpolation), (Counts{ 5, 8, 8 })); // kept, too
 }
 
 // Abort

@@ -82,9 +82,9 @@ TEST_P(VectorField, IsParallelOnAFlatTorus)
   const auto solver = NewSolver(input, GetParam());
   solver->UnitLengthOff();
   solver->Update();
-  for (double turning : Values(Edges(solver)->GetCellData(), "Turning"))
+  for (double rotation : Values(Edges(solver)->GetCellData(), "Rotation"))
   {
-    ASSERT_NEAR(turning, 0.0, 1e-7);
+    ASSERT_NEAR(rotation, 0.0, 1e-7);
   }
   for (double index : Values(solver->GetOutput()->GetPointData(), "SingularityIndex"))
   {

@@ -73,7 +73,7 @@ Surface ShapeOf(Choices& choose)
     case 3:
       return SphereWithZeroAreaFaces(2, 1 + choose.Below(6));
     case 4:
-      return PlaneWithNeedles(4 + choose.Below(10), 2 + choose.Below(8));
+      return PlaneWithThinTriangles(4 + choose.Below(10), 2 + choose.Below(8));
     case 5:
       return choose.OneIn(2) ? MoebiusStrip(3 + choose.Below(9)) : PinchedTetrahedra();
     case 6:

@@ -193,9 +193,10 @@ TEST(Memory, ThatRunsOutInTheCoreIsAnExceptionAndTheNextSolveIsWhole)
   directions.OnFaces = { { 10, { 1.0, 0.5, -0.25 }, 1.0 }, { 200, { -0.5, 0.25, 1.0 }, 1.0 } };
   for (const auto kind : { DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
   {
-    for (const auto& [space, solverKind] : { std::pair(CoarseSpaceKind::Nodal, SolverKind::ConjugateGradients),
-           std::pair(CoarseSpaceKind::StructurePreserving, SolverKind::ConjugateGradients),
-           std::pair(CoarseSpaceKind::Nodal, SolverKind::Cholesky) })
+    for (const auto& [space, solverKind] :
+      { std::pair(CoarseSpaceKind::LinearInterpolation, SolverKind::ConjugateGradients),
+        std::pair(CoarseSpaceKind::StructurePreserving, SolverKind::ConjugateGradients),
+        std::pair(CoarseSpaceKind::LinearInterpolation, SolverKind::Cholesky) })
     {
       FieldOptions options;
       options.Field.Kind = kind;

@@ -54,7 +54,7 @@ class Functions(unittest.TestCase):
         prolongation = vtkDirectionalProlongation()
         prolongation.SetInputData(surface())
         prolongation.Update()
-        for space in (vtkHarmonicFieldSolver.Nodal, vtkHarmonicFieldSolver.StructurePreserving):
+        for space in (vtkHarmonicFieldSolver.LinearInterpolation, vtkHarmonicFieldSolver.StructurePreserving):
             stored = solver_of(prolongation.GetOutput())
             stored.SetSolver(vtkHarmonicFieldSolver.ConjugateGradients)
             stored.SetCoarseSpace(space)

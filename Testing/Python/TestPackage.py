@@ -163,7 +163,7 @@ class SmoothField(unittest.TestCase):
                 (TypeError, "no name of an array", {"Mask": 3}),
                 (FieldError, "^Number Of Directions is 9; .* 1 to 8$", {"n": 9}),
                 (FieldError, "^Rotation is 200; .* -180 to 180$", {"Rotation": 200}),
-                (FieldError, "one of Nodal, StructurePreserving$", {"CoarseSpace": "Voronoi"}),
+                (FieldError, "one of LinearInterpolation, StructurePreserving$", {"CoarseSpace": "Voronoi"}),
                 (FieldError, "one of PowerField, FaceField, OneForm, ScalarFunction, PointPowerField$", {"Discretisation": "1-Form"}),
                 (FieldError, "no array 'Given'", {"Directions": "Given"})):
             with self.subTest(arguments=arguments), self.assertRaisesRegex(error, text):

@@ -44,7 +44,7 @@ class Pipeline(unittest.TestCase):
     def test_enums_and_defaults(self):
         self.assertEqual(self.solver.GetSolver(), vtkHarmonicFieldSolver.Automatic)
         self.assertEqual(self.solver.GetConstraintType(), vtkHarmonicFieldSolver.Soft)
-        self.assertEqual(self.solver.GetCoarseSpace(), vtkHarmonicFieldSolver.Nodal)
+        self.assertEqual(self.solver.GetCoarseSpace(), vtkHarmonicFieldSolver.LinearInterpolation)
         self.assertEqual(self.prolongation.GetCollapsePolicy(),
                          vtkDirectionalProlongation.IndependentRounds)
         self.assertEqual(self.solver.GetDiscretisation(), vtkHarmonicFieldSolver.PowerField)
@@ -108,7 +108,7 @@ class Pipeline(unittest.TestCase):
         self.assertTrue(np.all(np.diff(values(rows, "Seconds")) >= 0))
         self.assertGreaterEqual(len(self.report("LevelUnknowns")), 2)
         energies = values(rows, "Energy")
-        self.assertLess(energies[0], 0)  # X = 0 has 0, and solvers start where penalties and roughness balance
+        self.assertLess(energies[0], 0)  # X = 0 has 0, and solvers start where penalties and stiffness balance
         self.assertLess(energies[-1], energies[0])
         self.assertLess(values(rows, "MassResidual")[-1], 1e-6 * values(rows, "MassResidual")[0])
         self.assertIsNone(rows.GetArray("Error"))

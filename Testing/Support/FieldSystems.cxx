@@ -16,13 +16,13 @@ namespace
 
 template <class Scalar>
 HarmonicSystem<Scalar> MakeSystem(
-  SparseMatrix<Scalar> roughness, const Vector<double>& mass, Penalties prescribed, const FieldWeights& weights)
+  SparseMatrix<Scalar> stiffness, const Vector<double>& mass, Penalties prescribed, const FieldWeights& weights)
 {
   if (weights.Constraints == ConstraintKind::Soft)
   {
-    roughness *= weights.Smoothness;
+    stiffness *= weights.Smoothness;
   }
-  HarmonicSystem<Scalar> system = HarmonicSystem<Scalar>::Make(std::move(roughness), mass, std::move(prescribed));
+  HarmonicSystem<Scalar> system = HarmonicSystem<Scalar>::Make(std::move(stiffness), mass, std::move(prescribed));
   if (system.NumberOfFree() == 0)
   {
     throw InvalidInput("nothing is left to solve for");

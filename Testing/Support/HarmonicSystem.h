@@ -52,9 +52,9 @@ public:
   HarmonicSystem(HarmonicSystem&& other) noexcept;
   HarmonicSystem& operator=(HarmonicSystem&& other) noexcept;
 
-  /// Takes fields out of the system that have no roughness and that no prescription determines: A would be
+  /// Takes fields out of the system that have no energy and that no prescription determines: A would be
   /// singular. The solution has no part in them.
-  /// \param kernel fields without roughness, one value per unknown, a column each, orthonormal.
+  /// \param kernel fields without energy, one value per unknown, a column each, orthonormal.
   /// Cost: a product with A per field.
   void LeaveOutUndetermined(const Eigen::MatrixXd& kernel);
   /// How many have been left out, and of how many.

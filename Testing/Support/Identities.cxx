@@ -168,7 +168,7 @@ Vector<double> IndicesOf(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const Vector<Complex>& powers, int N)
 {
   return SingularityIndices(
-    mesh, CornersOf(mesh), MatchDirections(mesh, SideDirections(mesh, faceFrames), powers, N).Turning, N);
+    mesh, CornersOf(mesh), MatchDirections(mesh, SideDirections(mesh, faceFrames), powers, N).Rotation, N);
 }
 
 Vector<Complex> PowersOfDirection(const TangentFrames& frames, const Vector3& v, int N)

@@ -261,7 +261,7 @@ Surface IrregularPlane(int columns, int rows, unsigned seed, double amount)
     [&](int, int) { return random.Uniform() < 0.5; });
 }
 
-Surface PlaneWithNeedles(int columns, int rows)
+Surface PlaneWithThinTriangles(int columns, int rows)
 {
   Surface surface = IrregularPlane(columns, rows, 4);
   for (int v = 0; v < surface.V.rows(); ++v)

@@ -29,9 +29,9 @@ Surface PlaneGrid(int columns, int rows);
 /// diagonals chosen at random.
 Surface IrregularPlane(int columns, int rows, unsigned seed, double amount = 0.25);
 
-/// The same with a band of needles: of the points, those from x = columns / 2 to 1 beyond are moved together to a
+/// The same with a band of thin triangles: of the points, those from x = columns / 2 to 1 beyond are moved together to a
 /// hundredth of that width.
-Surface PlaneWithNeedles(int columns, int rows);
+Surface PlaneWithThinTriangles(int columns, int rows);
 
 /// A strip of right triangles, one high, two per column of a given width: column i has faces 2 i and 2 i + 1.
 Surface Strip(const std::vector<double>& widths);

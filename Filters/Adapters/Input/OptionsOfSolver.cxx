@@ -31,7 +31,7 @@ void CheckProperties(Filter* filter)
     { "Rotation", filter->GetRotation(), -180, 180 },
     { "Solver", filter->GetSolver(), Filter::Automatic, Filter::CoarseProlongation },
     { "Expected Solves", filter->GetExpectedSolves(), 1 },
-    { "Coarse Space", filter->GetCoarseSpace(), Filter::Nodal, Filter::StructurePreserving },
+    { "Coarse Space", filter->GetCoarseSpace(), Filter::LinearInterpolation, Filter::StructurePreserving },
     { "Tolerance", filter->GetTolerance(), 1e-14, 1 },
     { "Maximum Number Of Iterations", filter->GetMaximumNumberOfIterations(), 1 },
   });

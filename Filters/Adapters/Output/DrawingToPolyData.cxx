@@ -256,7 +256,7 @@ void CutsBetweenVertices(const SurfaceWithField& given, const FieldTopology& top
     }
     return found->second;
   };
-  std::vector<double> turnings;
+  std::vector<double> rotations;
   vtkNew<vtkCellArray> cells;
   for (const int edge : topology.Cuts)
   {
@@ -270,14 +270,14 @@ void CutsBetweenVertices(const SurfaceWithField& given, const FieldTopology& top
     positions.push_back(0.5 * (mesh.Position(mesh.Tail(h)) + mesh.Position(mesh.Head(h))));
     line.push_back(centreOf(TriangleMesh::FaceOf(h)));
     cells->InsertNextCell(static_cast<vtkIdType>(line.size()), line.data());
-    turnings.push_back(topology.Turning[edge]);
+    rotations.push_back(topology.Rotation[edge]);
   }
   const vtkIdType size = static_cast<vtkIdType>(topology.Cuts.size());
   output->SetPoints(NewPoints(positions));
   output->SetLines(cells);
   vtkCellData* const ofCells = output->GetCellData();
   ofCells->AddArray(NewArray<vtkIntArray>("Jump", 1, topology.Jumps.data(), size));
-  ofCells->AddArray(NewArray<vtkDoubleArray>("Turning", 1, turnings.data(), size));
+  ofCells->AddArray(NewArray<vtkDoubleArray>("Rotation", 1, rotations.data(), size));
 }
 
 }
@@ -295,7 +295,7 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
   {
     int From, To; // the vertices, as the line runs: from its smaller to its larger point
     int Jump;
-    double Turning;
+    double Rotation;
     int Edge;
   };
   std::vector<Cut> cuts;
@@ -307,7 +307,7 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
     const int head = surface.Mesh.Head(h);
     const bool isAlong = surface.PointOf(tail) < surface.PointOf(head);
     cuts.push_back({ isAlong ? tail : head, isAlong ? head : tail, isAlong ? topology.Jumps[i] : N - topology.Jumps[i],
-      (isAlong ? 1.0 : -1.0) * topology.Turning[edge], edge });
+      (isAlong ? 1.0 : -1.0) * topology.Rotation[edge], edge });
   }
   std::sort(cuts.begin(), cuts.end(),
     [&surface](const Cut& a, const Cut& b)
@@ -320,7 +320,7 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
   std::map<int, vtkIdType> numbers; // of the ends, in the output
   std::vector<Vector3> positions;
   std::vector<int> jumps;
-  std::vector<double> turnings;
+  std::vector<double> rotations;
   vtkNew<vtkCellArray> cells;
   for (const Cut& cut : cuts)
   {
@@ -337,14 +337,14 @@ void CutsToPolyData(const SurfaceWithField& given, const FieldTopology& topology
     }
     cells->InsertNextCell(2, ends);
     jumps.push_back(cut.Jump);
-    turnings.push_back(cut.Turning);
+    rotations.push_back(cut.Rotation);
   }
   const vtkIdType size = static_cast<vtkIdType>(cuts.size());
   output->SetPoints(NewPoints(positions));
   output->SetLines(cells);
   vtkCellData* const ofCells = output->GetCellData();
   ofCells->AddArray(NewArray<vtkIntArray>("Jump", 1, jumps.data(), size));
-  ofCells->AddArray(NewArray<vtkDoubleArray>("Turning", 1, turnings.data(), size));
+  ofCells->AddArray(NewArray<vtkDoubleArray>("Rotation", 1, rotations.data(), size));
 }
 
 void BoundaryLoopsToPolyData(const SurfaceWithField& given, const FieldTopology& topology, vtkPolyData* output)

@@ -26,7 +26,7 @@ constexpr int LargestN = 8;
 
 /// The edges as lines, without points, with the angle by which the field turns across each.
 vtkSmartPointer<vtkPolyData> MakeEdges(const TriangleMesh& mesh, const SurfaceRelation& surface,
-  const Vector<double>& turnings, const ExecutionContext& context)
+  const Vector<double>& rotations, const ExecutionContext& context)
 {
   constexpr int Grain = 8192;
   const vtkIdType numberOfEdges = static_cast<vtkIdType>(surface.Edges().size());
@@ -48,8 +48,8 @@ vtkSmartPointer<vtkPolyData> MakeEdges(const TriangleMesh& mesh, const SurfaceRe
   lines->SetData(2, ends);
   auto edges = vtkSmartPointer<vtkPolyData>::New();
   edges->SetLines(lines);
-  AddOnEdges(mesh, surface, ArrayNames::Turning, turnings, edges->GetCellData(), context);
-  edges->GetCellData()->SetActiveScalars(ArrayNames::Turning);
+  AddOnEdges(mesh, surface, ArrayNames::Rotation, rotations, edges->GetCellData(), context);
+  edges->GetCellData()->SetActiveScalars(ArrayNames::Rotation);
   return edges;
 }
 
@@ -79,7 +79,7 @@ FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceRelation& sur
   const ExecutionContext& context)
 {
   FieldArrays arrays{ vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New(),
-    MakeEdges(framed.Mesh, surface, field.Turning, context) };
+    MakeEdges(framed.Mesh, surface, field.Rotation, context) };
   const auto cells = ArraysOfCells(framed.Mesh, surface, input, arrays.Cells, context);
   const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
   field.AreSingularitiesOnFaces ? cells.AddSums(ArrayNames::SingularityIndex, field.Indices.data())

@@ -49,7 +49,7 @@ inline constexpr const char* HarmonicBasisPrefix = "HarmonicBasis ";
 std::string HarmonicBasis(int k);
 
 // edges
-inline constexpr const char* Turning = "Turning";
+inline constexpr const char* Rotation = "Rotation";
 
 // columns of the convergence table
 inline constexpr const char* Iteration = "Iteration";

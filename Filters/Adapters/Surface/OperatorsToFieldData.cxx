@@ -242,7 +242,7 @@ void OperatorsToFieldData(
   addAll("S1", operators.S1);
   addAll("SX", operators.SX);
   addAll("SP", operators.SP);
-  addAll("Nodal", operators.Nodal);
+  addAll("Nodal", operators.Linear);
 }
 
 void RelationToFieldData(const SurfaceRelation& relation, const TriangleMesh& mesh, vtkFieldData* fieldData)
@@ -347,7 +347,7 @@ ProlongationOperators OperatorsFromFieldData(vtkFieldData* fieldData, const Tria
     {
       operators.SP.push_back(ReadOperator<Complex>(fieldData, "SP", l, faces[l], faces[l + 1]));
     }
-    operators.Nodal.push_back(
+    operators.Linear.push_back(
       ReadOperator<Complex>(fieldData, "Nodal", l, l == 0 ? faces[0] : vertices[l], vertices[l + 1]));
   }
   return operators;

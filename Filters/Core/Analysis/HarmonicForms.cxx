@@ -42,7 +42,7 @@ Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns)
 
 }
 
-int NumberOfLoops(const TriangleMesh& mesh)
+int NumberOfGenerators(const TriangleMesh& mesh)
 {
   const std::vector<int> components = FaceComponents(mesh);
   std::vector<char> isClosed; // by component

@@ -15,7 +15,7 @@ namespace dmg
 
 /// The number of homology generators: 2 g + b - 1 for a component of genus g with b > 0 boundary loops, 2 g for a closed
 /// one, summed over the components. Cost: O(#E).
-int NumberOfLoops(const TriangleMesh& mesh);
+int NumberOfGenerators(const TriangleMesh& mesh);
 
 /// Scans have handles by the hundred where they are noisy; what all of their harmonic fields have to
 /// say is not worth gigabytes. \return whether the fields of so many loops are more than that.

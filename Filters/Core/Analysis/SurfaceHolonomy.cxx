@@ -13,11 +13,11 @@ namespace dmg
 
 SurfaceHolonomy::SurfaceHolonomy(const FramedMesh& surface, const ExecutionContext& context)
   : Trees(MakeTreeCotree(surface.Mesh, BoundaryAs::Vertex))
-  , Loops(LoopsOverFaces(surface.Mesh, this->Trees))
+  , Loops(GeneratorsOverFaces(surface.Mesh, this->Trees))
   , Sides(SideDirections(surface.Mesh, surface.Faces, context))
   , Defects(
       AngleDefects(surface.Mesh, Corners(surface.Mesh, this->Sides, surface.Faces, surface.Vertices, context), context))
-  , AlongLoops(TurningOfTransport(surface.Mesh, this->Sides, this->Loops))
+  , AlongGenerators(RotationOfTransport(surface.Mesh, this->Sides, this->Loops))
   , Components(surface.Mesh.NumberOfVertices())
 {
   const TriangleMesh& mesh = surface.Mesh;

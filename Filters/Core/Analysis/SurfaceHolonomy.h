@@ -16,10 +16,10 @@ namespace dmg
 struct SurfaceHolonomy
 {
   TreeCotree Trees;
-  SparseMatrix<double> Loops; ///< LoopsOverFaces
-  Unfilled<Complex> Sides;    ///< SideDirections
-  Vector<double> Defects;     ///< AngleDefects
-  Vector<double> AlongLoops;  ///< TurningOfTransport
+  SparseMatrix<double> Loops;     ///< GeneratorsOverFaces
+  Unfilled<Complex> Sides;        ///< SideDirections
+  Vector<double> Defects;         ///< AngleDefects
+  Vector<double> AlongGenerators; ///< RotationOfTransport
 
   std::vector<int> Components;    ///< by vertex
   std::vector<int> FirstVertices; ///< by component
@@ -28,7 +28,7 @@ struct SurfaceHolonomy
   /// Cost: O(#F), and the length of the loops.
   SurfaceHolonomy(const FramedMesh& surface, const ExecutionContext& context);
 
-  int NumberOfLoops() const { return static_cast<int>(this->Loops.cols()); }
+  int NumberOfGenerators() const { return static_cast<int>(this->Loops.cols()); }
   int NumberOfComponents() const { return static_cast<int>(this->FirstVertices.size()); }
 
   /// The vertices at which potentials are zero: those on boundaries, and one of each closed component; ascending.

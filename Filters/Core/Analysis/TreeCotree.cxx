@@ -153,7 +153,7 @@ TreeCotree MakeTreeCotree(const TriangleMesh& mesh, BoundaryAs boundary)
   return trees;
 }
 
-SparseMatrix<double> LoopsOverFaces(const TriangleMesh& mesh, const TreeCotree& trees)
+SparseMatrix<double> GeneratorsOverFaces(const TriangleMesh& mesh, const TreeCotree& trees)
 {
   std::vector<int> places(mesh.NumberOfFaces()); // in the tree's order
   for (int k = 0; k < mesh.NumberOfFaces(); ++k)

@@ -35,7 +35,7 @@ TreeCotree MakeTreeCotree(const TriangleMesh& mesh, BoundaryAs boundary);
 /// closed, vanish on the boundary, and span the classes of such forms.
 /// \pre trees are those of BoundaryAs::Vertex
 /// Cost: O(#F), and the length of the loops.
-SparseMatrix<double> LoopsOverFaces(const TriangleMesh& mesh, const TreeCotree& trees);
+SparseMatrix<double> GeneratorsOverFaces(const TriangleMesh& mesh, const TreeCotree& trees);
 
 }
 

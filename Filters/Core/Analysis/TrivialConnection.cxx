@@ -20,9 +20,9 @@ double SignOf(const TriangleMesh& mesh, int h)
   return mesh.HalfedgeOf(mesh.EdgeOf(h)) == h ? 1.0 : -1.0;
 }
 
-/// The largest turning that each edge may have: the limit, or anything on the boundary and at vertices whose edges cannot share
+/// The largest rotation that each edge may have: the limit, or anything on the boundary and at vertices whose edges cannot share
 /// their sum within the limit; there nothing is gained by turning others.
-Vector<double> LimitsOf(const TriangleMesh& mesh, double limit, const Vector<double>& turning)
+Vector<double> LimitsOf(const TriangleMesh& mesh, double limit, const Vector<double>& rotation)
 {
   constexpr double Infinity = std::numeric_limits<double>::infinity();
   Vector<double> limits(mesh.NumberOfEdges());
@@ -37,7 +37,7 @@ Vector<double> LimitsOf(const TriangleMesh& mesh, double limit, const Vector<dou
     mesh.VisitFan(vertex,
       [&](int h)
       {
-        sum += SignOf(mesh, h) * turning[mesh.EdgeOf(h)];
+        sum += SignOf(mesh, h) * rotation[mesh.EdgeOf(h)];
         most += limit;
       });
     if (!mesh.IsBoundaryVertex(vertex) && std::abs(sum) > most)
@@ -48,16 +48,16 @@ Vector<double> LimitsOf(const TriangleMesh& mesh, double limit, const Vector<dou
   return limits;
 }
 
-/// Turns a face by as little as brings the turning across its sides to their limits or, where that cannot be, by what makes the
+/// Turns a face by as little as brings the rotation across its sides to their limits or, where that cannot be, by what makes the
 /// largest excess least.
-void TurnFace(const TriangleMesh& mesh, int face, const Vector<double>& limits, Vector<double>& turning)
+void TurnFace(const TriangleMesh& mesh, int face, const Vector<double>& limits, Vector<double>& rotation)
 {
   double least = -std::numeric_limits<double>::infinity();
   double most = std::numeric_limits<double>::infinity();
   for (int h = 3 * face; h < 3 * face + 3; ++h)
   {
     const int edge = mesh.EdgeOf(h);
-    const double outwards = SignOf(mesh, h) * turning[edge];
+    const double outwards = SignOf(mesh, h) * rotation[edge];
     least = std::max(least, outwards - limits[edge]);
     most = std::min(most, outwards + limits[edge]);
   }
@@ -66,7 +66,7 @@ void TurnFace(const TriangleMesh& mesh, int face, const Vector<double>& limits, 
   {
     if (mesh.Twin(h) >= 0)
     {
-      turning[mesh.EdgeOf(h)] -= SignOf(mesh, h) * turn;
+      rotation[mesh.EdgeOf(h)] -= SignOf(mesh, h) * turn;
     }
   }
 }
@@ -90,7 +90,7 @@ Vector<double> AngleDefects(const TriangleMesh& mesh, const Unfilled<Corner>& co
   return defects;
 }
 
-Vector<double> TurningOfTransport(
+Vector<double> RotationOfTransport(
   const TriangleMesh& mesh, const Unfilled<Complex>& sides, const SparseMatrix<double>& loops)
 {
   Vector<double> transports = Vector<double>::Zero(mesh.NumberOfEdges());
@@ -126,7 +126,7 @@ Vector<double> NearestIntegers(const Eigen::MatrixXd& energy, const Vector<doubl
   return n;
 }
 
-void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turning)
+void LimitRotation(const TriangleMesh& mesh, double limit, Vector<double>& rotation)
 {
   constexpr int MostPasses = 200;
   const double rounding = 1e-12 * limit;
@@ -135,7 +135,7 @@ void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turnin
   const auto keepThoseBeyond = [&](const auto& limitOf)
   {
     edges.erase(std::remove_if(edges.begin(), edges.end(),
-                  [&](int edge) { return std::abs(turning[edge]) <= limitOf(edge) + rounding; }),
+                  [&](int edge) { return std::abs(rotation[edge]) <= limitOf(edge) + rounding; }),
       edges.end());
   };
   keepThoseBeyond([limit](int) { return limit; });
@@ -143,7 +143,7 @@ void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turnin
   {
     return;
   }
-  const Vector<double> limits = LimitsOf(mesh, limit, turning);
+  const Vector<double> limits = LimitsOf(mesh, limit, rotation);
   const auto ownLimit = [&limits](int edge) { return limits[edge]; };
   keepThoseBeyond(ownLimit);
   for (int pass = 0; pass < MostPasses && !edges.empty(); ++pass)
@@ -154,7 +154,7 @@ void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turnin
       for (const int h : { mesh.HalfedgeOf(edge), mesh.Twin(mesh.HalfedgeOf(edge)) })
       {
         const int face = TriangleMesh::FaceOf(h);
-        TurnFace(mesh, face, limits, turning);
+        TurnFace(mesh, face, limits, rotation);
         touched.insert(touched.end(), { mesh.EdgeOf(3 * face), mesh.EdgeOf(3 * face + 1), mesh.EdgeOf(3 * face + 2) });
       }
     }
@@ -166,7 +166,7 @@ void LimitTurning(const TriangleMesh& mesh, double limit, Vector<double>& turnin
 }
 
 Vector<Complex> PowersOfConnection(const TriangleMesh& mesh, const Unfilled<Complex>& sides, const TreeCotree& trees,
-  const Vector<double>& turning, int N)
+  const Vector<double>& rotation, int N)
 {
   Vector<Complex> powers(mesh.NumberOfFaces());
   for (const int face : trees.Faces)
@@ -179,7 +179,7 @@ Vector<Complex> PowersOfConnection(const TriangleMesh& mesh, const Unfilled<Comp
     }
     const int edge = mesh.EdgeOf(h);
     const int twin = mesh.Twin(h);
-    const double turn = mesh.HalfedgeOf(edge) == twin ? turning[edge] : -turning[edge];
+    const double turn = mesh.HalfedgeOf(edge) == twin ? rotation[edge] : -rotation[edge];
     const Complex power =
       powers[TriangleMesh::FaceOf(twin)] * Power(TransportOfSides(sides[twin], sides[h]) * std::polar(1.0, turn), N);
     powers[face] = power / std::abs(power);

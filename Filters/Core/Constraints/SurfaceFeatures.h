@@ -12,7 +12,7 @@ namespace dmg
 {
 
 /// The features of the surface that a field follows, with weights. Weights are relative to the size L of the surface, the
-/// root of its area, and mean the same at any size and resolution: where the roughness is the Dirichlet energy of the
+/// root of its area, and mean the same at any size and resolution: where the smoothness energy is the Dirichlet energy of the
 /// field X (for power fields, half of theirs) and Alignment is 1, soft constraints add
 ///
 ///   30 weight / L times the integral of |X - Y|^2 along a line, on each side of it,

@@ -7,7 +7,7 @@
 #include "Levels/SampledLevels.h"
 #include "Mesh/FramedMesh.h"
 #include "Mesh/VertexConnection.h"
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Solvers/SolverOptions.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -48,22 +48,22 @@ enum class CoarseSpaceKind
 {
   /// Vectors, or values of functions, at samples or at vertices of coarse levels, whatever the fine level holds; the
   /// fast one.
-  Nodal,
+  LinearInterpolation,
   /// The thesis's, which keep structure: S0, S1, SX or SP.
   StructurePreserving,
 };
 
-/// The nodal prolongations of a surface, for a reader that frees their memory as early as it may.
-class NodalProlongations
+/// The linear prolongations of a surface, for a reader that frees their memory as early as it may.
+class LinearProlongations
 {
 public:
   /// Prolongations that others need after the reader. Forget does nothing.
-  static NodalProlongations Borrowed(const ProlongationOperators& operators) { return { operators, nullptr }; }
+  static LinearProlongations Borrowed(const ProlongationOperators& operators) { return { operators, nullptr }; }
   /// Prolongations that nobody needs after the reader. Forget frees them.
-  static NodalProlongations Owned(ProlongationOperators& operators) { return { operators, &operators }; }
+  static LinearProlongations Owned(ProlongationOperators& operators) { return { operators, &operators }; }
 
   /// Finest first; not empty.
-  const std::vector<TransportOperator>& All() const { return this->Operators.Nodal; }
+  const std::vector<TransportOperator>& All() const { return this->Operators.Linear; }
   /// With all that there is beside them.
   const ProlongationOperators& Whole() const { return this->Operators; }
   /// Says that they have been read.
@@ -71,12 +71,12 @@ public:
   {
     if (this->ToForget)
     {
-      this->ToForget->Nodal.clear();
+      this->ToForget->Linear.clear();
     }
   }
 
 private:
-  NodalProlongations(const ProlongationOperators& operators, ProlongationOperators* toForget)
+  LinearProlongations(const ProlongationOperators& operators, ProlongationOperators* toForget)
     : Operators(operators)
     , ToForget(toForget)
   {
@@ -90,8 +90,8 @@ private:
 /// Whatever differs between discretisations is an answer of such an object; nothing else asks which one it is.
 /// A further one is a further subclass and a line in MakeDiscretisation.
 ///
-/// The roughness x^T R x measures how far a field is from the smoothest ones. A most harmonic field minimises the
-/// sum of its roughness and of penalties on prescribed unknowns (HarmonicProblem).
+/// The smoothness energy x^T R x measures how far a field is from the smoothest ones. A most harmonic field minimises the
+/// sum of its smoothness energy and of penalties on prescribed unknowns (HarmonicProblem).
 class Discretisation
 {
 public:
@@ -118,7 +118,7 @@ public:
   /// Directions per point.
   virtual int DirectionsPerPoint() const { return 1; }
 
-  // The roughness and its solvers. ---------------------------------------------------------------
+  // The smoothness energy and its solvers. ---------------------------------------------------------------
 
   /// The inner product that errors are measured in: a positive diagonal, one entry per equation.
   virtual Vector<double> Mass(const ExecutionContext& context) const = 0;
@@ -131,27 +131,27 @@ public:
   /// looking at; else the field is zero there.
   virtual bool HasSmoothest() const { return true; }
 
-  /// The multigrid that suits this discretisation best, with roughness and penalties apart.
-  virtual std::unique_ptr<const RoughnessHierarchy> Coarsen(
-    const NodalProlongations& nodal, const ExecutionContext& context) const = 0;
+  /// The multigrid that suits this discretisation best, with stiffness and penalties apart.
+  virtual std::unique_ptr<const StiffnessHierarchy> Coarsen(
+    const LinearProlongations& linear, const ExecutionContext& context) const = 0;
 
   /// R as a matrix, with prolongations from coarse spaces of either kind.
   /// \param operators of the surface; null: there are no coarse levels, and R is to be factored.
   /// \throw InvalidInput the operators lack those that are needed.
-  virtual std::unique_ptr<const RoughnessHierarchy> Assemble(
+  virtual std::unique_ptr<const StiffnessHierarchy> Assemble(
     const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const = 0;
 
   /// The structure-preserving operators that Assemble needs.
   virtual OperatorSelection StructurePreservingOperators() const = 0;
   /// The name of what the levels of these hold.
   virtual std::string NameOfLevels() const = 0;
-  /// The default nodal levels of this surface, from samples of the elements that unknowns stand on; by default of faces.
+  /// The default linear levels of this surface, from samples of the elements that unknowns stand on; by default of faces.
   virtual ProlongationOperators SampledLevels(double distance, const ExecutionContext& context) const;
-  /// The distance between samples of the first nodal level; see SampledLevels.
+  /// The distance between samples of the first linear level; see SampledLevels.
   virtual double SampleDistance() const { return DefaultSampleDistance; }
   virtual SolverTuning Tuning() const = 0;
 
-  // The kernel of the roughness: harmonic fields, around handles and holes. ------------------------
+  // The kernel of the smoothness energy: harmonic fields, around handles and holes. ------------------------
 
   /// Whether there are such fields on some surfaces.
   virtual bool HasHarmonicFields() const { return false; }

@@ -44,16 +44,16 @@ Vector<double> FaceField::Mass(const ExecutionContext&) const
   return meanArea > 0.0 ? Vector<double>(mass / meanArea) : Vector<double>::Ones(mass.size());
 }
 
-std::unique_ptr<const RoughnessHierarchy> FaceField::Coarsen(
-  const NodalProlongations& nodal, const ExecutionContext& context) const
+std::unique_ptr<const StiffnessHierarchy> FaceField::Coarsen(
+  const LinearProlongations& linear, const ExecutionContext& context) const
 {
   LeastSquaresHierarchyOptions coarsening;
   coarsening.ProlongationDegree = ProlongationDegree;
   coarsening.Dropped = DroppedEntries;
   const auto takeLevels = [&]
   {
-    LeastSquaresLevels levels = NodalLevelsOfFaceFields(this->Surface.Mesh, nodal.All(), context);
-    nodal.Forget();
+    LeastSquaresLevels levels = LinearLevelsOfFaceFields(this->Surface.Mesh, linear.All(), context);
+    linear.Forget();
     return levels; // handed on as it is: Eigen 3.4 would copy what is moved
   };
   return std::make_unique<LeastSquaresHierarchy>(
@@ -61,14 +61,14 @@ std::unique_ptr<const RoughnessHierarchy> FaceField::Coarsen(
       coarsening, PartOfContext(context, 0.2, 1.0)));
 }
 
-std::unique_ptr<const RoughnessHierarchy> FaceField::Assemble(
+std::unique_ptr<const StiffnessHierarchy> FaceField::Assemble(
   const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
 {
   std::vector<SparseMatrix<double>> prolongations;
-  if (operators && space == CoarseSpaceKind::Nodal)
+  if (operators && space == CoarseSpaceKind::LinearInterpolation)
   {
-    CheckOperators(!operators->Nodal.empty(), "Face Fields");
-    prolongations = OnComponents(operators->Nodal, context);
+    CheckOperators(!operators->Linear.empty(), "Face Fields");
+    prolongations = OnComponents(operators->Linear, context);
   }
   else if (operators)
   {
@@ -98,7 +98,7 @@ SolverTuning FaceField::Tuning() const
 
 int FaceField::NumberOfHarmonicFields() const
 {
-  return NumberOfLoops(this->Surface.Mesh);
+  return NumberOfGenerators(this->Surface.Mesh);
 }
 
 Eigen::MatrixXd FaceField::HarmonicFields(const ProlongationOperators* operators, const ExecutionContext& context) const

@@ -9,7 +9,7 @@ namespace dmg
 /// A vector per face: its two components in the face's frame. Thesis, section 6.2, as corrected: the masses of
 /// divergence and curl enter inverted.
 ///
-/// The roughness is X^T A X, A = FaceFieldSmoothness: squared divergence and curl. It does not depend on the unit
+/// The smoothness energy is X^T A X, A = FaceFieldSmoothness: squared divergence and curl. It does not depend on the unit
 /// of length, as little as the penalty of a face, A_f / mean A with the areas A_f of MassesOfFaceFields; so weights mean
 /// the same for every mesh and about the same as for power fields. The mass are the same areas, each twice.
 /// Fields run along the boundary, where nothing else is prescribed. The kernel are the harmonic fields, of dimension
@@ -26,9 +26,9 @@ public:
   int UnknownsPerElement() const override { return 2; }
 
   Vector<double> Mass(const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Coarsen(
-    const NodalProlongations& nodal, const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Assemble(
+  std::unique_ptr<const StiffnessHierarchy> Coarsen(
+    const LinearProlongations& linear, const ExecutionContext& context) const override;
+  std::unique_ptr<const StiffnessHierarchy> Assemble(
     const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const override;
   OperatorSelection StructurePreservingOperators() const override { return { false, true, false }; }
   std::string NameOfLevels() const override { return "levels of face fields"; }

@@ -15,18 +15,18 @@ namespace
 /// The finest level is coarsened at once so far that there are at least so many faces for a vector.
 constexpr long long FewestFacesForAVector = 6;
 
-LeastSquaresLevels NodalLevels(
-  const std::vector<TransportOperator>& nodal, UnknownBlocks blocks, const ExecutionContext& context)
+LeastSquaresLevels LinearLevels(
+  const std::vector<TransportOperator>& linear, UnknownBlocks blocks, const ExecutionContext& context)
 {
-  assert(!nodal.empty());
+  assert(!linear.empty());
   const auto isCoarse = [](const TransportOperator& finest)
   { return FewestFacesForAVector * finest.cols() <= finest.rows(); };
   TransportOperator product;
-  const TransportOperator* finest = &nodal[0];
+  const TransportOperator* finest = &linear[0];
   std::size_t next = 1;
-  for (; next < nodal.size() && !isCoarse(*finest); ++next)
+  for (; next < linear.size() && !isCoarse(*finest); ++next)
   {
-    TransportOperator farther = Product(*finest, nodal[next], context);
+    TransportOperator farther = Product(*finest, linear[next], context);
     product.swap(farther); // an assignment would copy
     finest = &product;
   }
@@ -34,25 +34,25 @@ LeastSquaresLevels NodalLevels(
   levels.Blocks = std::move(blocks);
   PlanarProlongation rows = RowsOfComponents(*finest, context);
   levels.Prolongation.swap(rows);
-  for (; next < nodal.size(); ++next)
+  for (; next < linear.size(); ++next)
   {
-    levels.Coarser.push_back(OnComponents(nodal[next], context));
+    levels.Coarser.push_back(OnComponents(linear[next], context));
   }
   return levels;
 }
 
 }
 
-LeastSquaresLevels NodalLevelsOfFaceFields(
-  const TriangleMesh& mesh, const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
+LeastSquaresLevels LinearLevelsOfFaceFields(
+  const TriangleMesh& mesh, const std::vector<TransportOperator>& linear, const ExecutionContext& context)
 {
-  return NodalLevels(nodal, BlocksOfFaceFields(mesh), context);
+  return LinearLevels(linear, BlocksOfFaceFields(mesh), context);
 }
 
-LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const std::vector<TransportOperator>& nodal, const ExecutionContext& context)
+LeastSquaresLevels LinearLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<TransportOperator>& linear, const ExecutionContext& context)
 {
-  LeastSquaresLevels levels = NodalLevels(nodal, BlocksOfOneForms(mesh), context);
+  LeastSquaresLevels levels = LinearLevels(linear, BlocksOfOneForms(mesh), context);
   PlanarProlongation forms = Product(FormFromFaceField(mesh, faceFrames, context), levels.Prolongation, context);
   levels.Prolongation.swap(forms);
   return levels;

@@ -16,13 +16,13 @@
 namespace dmg
 {
 
-/// \param nodal see ProlongationOperators; not empty.
-LeastSquaresLevels NodalLevelsOfFaceFields(
-  const TriangleMesh& mesh, const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
+/// \param linear see ProlongationOperators; not empty.
+LeastSquaresLevels LinearLevelsOfFaceFields(
+  const TriangleMesh& mesh, const std::vector<TransportOperator>& linear, const ExecutionContext& context);
 
 /// A vector field becomes a 1-form by FormFromFaceField.
-LeastSquaresLevels NodalLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
-  const std::vector<TransportOperator>& nodal, const ExecutionContext& context);
+LeastSquaresLevels LinearLevelsOfOneForms(const TriangleMesh& mesh, const TangentFrames& faceFrames,
+  const std::vector<TransportOperator>& linear, const ExecutionContext& context);
 
 }
 

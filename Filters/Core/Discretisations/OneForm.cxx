@@ -44,13 +44,13 @@ Vector<double> OneForm::Mass(const ExecutionContext& context) const
   return PositiveStar1(this->Surface.Mesh, context);
 }
 
-std::unique_ptr<const RoughnessHierarchy> OneForm::Coarsen(
-  const NodalProlongations& nodal, const ExecutionContext& context) const
+std::unique_ptr<const StiffnessHierarchy> OneForm::Coarsen(
+  const LinearProlongations& linear, const ExecutionContext& context) const
 {
   const auto takeLevels = [&]
   {
-    LeastSquaresLevels levels = NodalLevelsOfOneForms(this->Surface.Mesh, this->Surface.Faces, nodal.All(), context);
-    nodal.Forget();
+    LeastSquaresLevels levels = LinearLevelsOfOneForms(this->Surface.Mesh, this->Surface.Faces, linear.All(), context);
+    linear.Forget();
     return levels; // handed on as it is: Eigen 3.4 would copy what is moved
   };
   return std::make_unique<LeastSquaresHierarchy>(
@@ -58,14 +58,14 @@ std::unique_ptr<const RoughnessHierarchy> OneForm::Coarsen(
       PartOfContext(context, 0.2, 1.0)));
 }
 
-std::unique_ptr<const RoughnessHierarchy> OneForm::Assemble(
+std::unique_ptr<const StiffnessHierarchy> OneForm::Assemble(
   const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
 {
   std::vector<SparseMatrix<double>> prolongations;
-  if (operators && space == CoarseSpaceKind::Nodal)
+  if (operators && space == CoarseSpaceKind::LinearInterpolation)
   {
-    CheckOperators(!operators->Nodal.empty(), "One Forms");
-    prolongations = OnComponents(operators->Nodal, context);
+    CheckOperators(!operators->Linear.empty(), "One Forms");
+    prolongations = OnComponents(operators->Linear, context);
     prolongations[0] =
       SparseMatrix<double>(FormFromFaceField(this->Surface.Mesh, this->Surface.Faces, context) * prolongations[0]);
   }
@@ -97,7 +97,7 @@ SolverTuning OneForm::Tuning() const
 
 int OneForm::NumberOfHarmonicFields() const
 {
-  return NumberOfLoops(this->Surface.Mesh);
+  return NumberOfGenerators(this->Surface.Mesh);
 }
 
 Eigen::MatrixXd OneForm::HarmonicFields(const ProlongationOperators* operators, const ExecutionContext& context) const

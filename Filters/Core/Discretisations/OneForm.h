@@ -9,7 +9,7 @@ namespace dmg
 /// A number h_e per edge, the integral of a 1-form along it. Thesis, section 6.1, as corrected: its alignment term
 /// aims at half the values, and its mass, the cotangents, may be negative.
 ///
-/// The roughness is h^T L1 h, L1 = OneFormLaplacian: squared divergence and curl. A prescribed edge has the penalty
+/// The smoothness energy is h^T L1 h, L1 = OneFormLaplacian: squared divergence and curl. A prescribed edge has the penalty
 /// PositiveStar1 / (2 mean A), A the areas of the faces: so a prescribed region pulls as hard, by its area, as the same region
 /// on a power field with the same weights, as the power energy is twice the Dirichlet energy and h^T L1 h is not. The
 /// mass is PositiveStar1.
@@ -38,9 +38,9 @@ public:
 
   Vector<double> Mass(const ExecutionContext& context) const override;
   double SquaredNormOfUnit(const Vector<double>&) const override { return this->Surface.Mesh.FaceAreas().sum(); }
-  std::unique_ptr<const RoughnessHierarchy> Coarsen(
-    const NodalProlongations& nodal, const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Assemble(
+  std::unique_ptr<const StiffnessHierarchy> Coarsen(
+    const LinearProlongations& linear, const ExecutionContext& context) const override;
+  std::unique_ptr<const StiffnessHierarchy> Assemble(
     const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const override;
   OperatorSelection StructurePreservingOperators() const override { return { false, false, true }; }
   std::string NameOfLevels() const override { return "levels of 1-forms"; }

@@ -18,7 +18,7 @@ namespace
 constexpr int LargestN = 8;
 
 // The couplings between the powers of faces are far from those of a linear function where triangles
-// are uneven; the coarse levels, nodal by nature, are not. So the interpolation to the faces is
+// are uneven; the coarse levels, linear by nature, are not. So the interpolation to the faces is
 // smoothed, and the finest level gets more sweeps: all that sweeps gain, they gain there.
 constexpr int ProlongationSteps = 2;
 constexpr int FinestSweepsFactor = 3;
@@ -62,24 +62,24 @@ Vector<double> PowerField::Mass(const ExecutionContext& context) const
   return meanArea > 0.0 ? Vector<double>(areas / meanArea) : Vector<double>::Ones(areas.size());
 }
 
-std::unique_ptr<const RoughnessHierarchy> PowerField::Coarsen(
-  const NodalProlongations& nodal, const ExecutionContext& context) const
+std::unique_ptr<const StiffnessHierarchy> PowerField::Coarsen(
+  const LinearProlongations& linear, const ExecutionContext& context) const
 {
-  std::vector<SparseMatrix<Complex>> onPowers = OnPowers(nodal.All(), this->N, context);
-  nodal.Forget();
+  std::vector<SparseMatrix<Complex>> onPowers = OnPowers(linear.All(), this->N, context);
+  linear.Forget();
   return std::make_unique<LaplacianHierarchy>(CoarsenLaplacian(
     [&surface = this->Surface, N = this->N](const std::vector<int>& order, const ExecutionContext& part)
     { return PowerLaplacian(surface.Mesh, surface.Faces, N, order, part); },
     std::move(onPowers), ProlongationSteps, context));
 }
 
-std::unique_ptr<const RoughnessHierarchy> PowerField::Assemble(
+std::unique_ptr<const StiffnessHierarchy> PowerField::Assemble(
   const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
 {
   std::vector<SparseMatrix<Complex>> prolongations;
   if (operators)
   {
-    const auto& transports = space == CoarseSpaceKind::Nodal ? operators->Nodal : operators->SP;
+    const auto& transports = space == CoarseSpaceKind::LinearInterpolation ? operators->Linear : operators->SP;
     CheckOperators(!transports.empty(), "Power Fields");
     prolongations = OnPowers(transports, this->N, context);
   }

@@ -11,10 +11,10 @@ void CheckNumberOfDirections(int N);
 
 /// Fields of N directions by their N-th powers X, a complex number per face in its frame. Thesis, section 6.3.
 ///
-/// The roughness is X^H L X, L the PowerLaplacian: how much the field turns. A prescribed face f has the penalty
+/// The smoothness energy is X^H L X, L the PowerLaplacian: how much the field turns. A prescribed face f has the penalty
 /// m_f = A_f / mean A, so that at weights of 1 a face of mean area counts as much as
 /// an edge of weight 1; PowerEdgeWeights are 3.46 on equilateral triangles. The mass are the areas over their mean; ones where the whole surface has no area. A field has no
-/// roughness only where it can be parallel everywhere: on flat surfaces, and where all angles that fields turn by around
+/// smoothness energy only where it can be parallel everywhere: on flat surfaces, and where all angles that fields turn by around
 /// loops are multiples of 2 pi / N, as on a cube for N = 4. One prescribed direction determines it.
 ///
 /// Solved by LaplacianHierarchy, its coarse levels N-th powers at samples.
@@ -32,9 +32,9 @@ public:
   int DirectionsPerPoint() const override { return this->N; }
 
   Vector<double> Mass(const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Coarsen(
-    const NodalProlongations& nodal, const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Assemble(
+  std::unique_ptr<const StiffnessHierarchy> Coarsen(
+    const LinearProlongations& linear, const ExecutionContext& context) const override;
+  std::unique_ptr<const StiffnessHierarchy> Assemble(
     const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const override;
   OperatorSelection StructurePreservingOperators() const override { return { true, false, false }; }
   std::string NameOfLevels() const override { return "levels of face powers"; }

@@ -61,9 +61,9 @@ std::vector<SparseMatrix<double>> WeightsOf(const std::vector<TransportOperator>
 }
 
 std::vector<SparseMatrix<double>> ProlongationsOfNodes(
-  const TriangleMesh& mesh, const std::vector<TransportOperator>& nodal)
+  const TriangleMesh& mesh, const std::vector<TransportOperator>& linear)
 {
-  std::vector<SparseMatrix<double>> prolongations = WeightsOf(nodal);
+  std::vector<SparseMatrix<double>> prolongations = WeightsOf(linear);
   prolongations[0] = SparseMatrix<double>(MeanOfFaces(mesh) * prolongations[0]);
   return prolongations;
 }
@@ -75,23 +75,23 @@ Vector<double> ScalarFunction::Mass(const ExecutionContext&) const
   return Star0(this->Surface.Mesh, this->Areas);
 }
 
-std::unique_ptr<const RoughnessHierarchy> ScalarFunction::Coarsen(
-  const NodalProlongations& nodal, const ExecutionContext& context) const
+std::unique_ptr<const StiffnessHierarchy> ScalarFunction::Coarsen(
+  const LinearProlongations& linear, const ExecutionContext& context) const
 {
-  std::vector<SparseMatrix<double>> prolongations = ProlongationsOfNodes(this->Surface.Mesh, nodal.All());
-  nodal.Forget();
+  std::vector<SparseMatrix<double>> prolongations = ProlongationsOfNodes(this->Surface.Mesh, linear.All());
+  linear.Forget();
   SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context);
   return std::make_unique<AssembledHierarchy<double>>(L0, std::move(prolongations));
 }
 
-std::unique_ptr<const RoughnessHierarchy> ScalarFunction::Assemble(
+std::unique_ptr<const StiffnessHierarchy> ScalarFunction::Assemble(
   const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
 {
   std::vector<SparseMatrix<double>> prolongations;
-  if (operators && space == CoarseSpaceKind::Nodal)
+  if (operators && space == CoarseSpaceKind::LinearInterpolation)
   {
-    CheckOperators(!operators->Nodal.empty(), "Power Fields");
-    prolongations = ProlongationsOfNodes(this->Surface.Mesh, operators->Nodal);
+    CheckOperators(!operators->Linear.empty(), "Power Fields");
+    prolongations = ProlongationsOfNodes(this->Surface.Mesh, operators->Linear);
   }
   else if (operators)
   {
@@ -115,7 +115,7 @@ FieldConstraints ScalarFunction::Prescribe(const Constraints& given, const Eleme
 {
   if (given.Values.empty())
   {
-    throw InvalidInput("no value is prescribed, so the function of least roughness is zero; choose an array of "
+    throw InvalidInput("no value is prescribed, so the function of least smoothness energy is zero; choose an array of "
                        "points for Values, and a Mask and Weights that are not zero everywhere");
   }
   std::vector<ValueConstraint> values = given.Values;

@@ -9,12 +9,12 @@ namespace dmg
 /// A function u, linear on faces, by its values at the vertices: solutions of the Laplace equation with given values
 /// at some vertices, and potentials.
 ///
-/// The roughness is u^T L0 u, L0 = d0^T star1 d0 the cotangent Laplacian: the Dirichlet energy. A prescribed vertex v has the
+/// The smoothness energy is u^T L0 u, L0 = d0^T star1 d0 the cotangent Laplacian: the Dirichlet energy. A prescribed vertex v has the
 /// penalty A_v / mean A with the areas A_v of Star0, which are the mass as well. What crosses a boundary vanishes
 /// there, by the natural condition. The kernel are the constants of the components of the surface: one prescribed value
 /// determines that of its component.
 ///
-/// Solved by cycles on the assembled matrix, two in a row. Coarse functions live at the samples of the nodal levels: a vertex takes the mean
+/// Solved by cycles on the assembled matrix, two in a row. Coarse functions live at the samples of the linear levels: a vertex takes the mean
 /// over its faces of what these take from the samples; or at the vertices of decimated levels, by S0.
 class ScalarFunction : public Discretisation
 {
@@ -36,9 +36,9 @@ public:
   Vector<double> Mass(const ExecutionContext& context) const override;
   /// Constants.
   bool HasSmoothest() const override { return false; }
-  std::unique_ptr<const RoughnessHierarchy> Coarsen(
-    const NodalProlongations& nodal, const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Assemble(
+  std::unique_ptr<const StiffnessHierarchy> Coarsen(
+    const LinearProlongations& linear, const ExecutionContext& context) const override;
+  std::unique_ptr<const StiffnessHierarchy> Assemble(
     const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const override;
   /// S0 is always there.
   OperatorSelection StructurePreservingOperators() const override { return { false, false, false }; }

@@ -165,26 +165,26 @@ double VertexPowerField::SampleDistance() const
   return DistanceOfSamples;
 }
 
-std::unique_ptr<const RoughnessHierarchy> VertexPowerField::Coarsen(
-  const NodalProlongations& nodal, const ExecutionContext& context) const
+std::unique_ptr<const StiffnessHierarchy> VertexPowerField::Coarsen(
+  const LinearProlongations& linear, const ExecutionContext& context) const
 {
   const TriangleMesh& mesh = this->Surface.Mesh;
   const VertexConnection& connection = this->Connection(context);
-  std::vector<SparseMatrix<Complex>> onPowers = this->ProlongationsOfPowers(nodal.Whole(), context);
-  nodal.Forget();
+  std::vector<SparseMatrix<Complex>> onPowers = this->ProlongationsOfPowers(linear.Whole(), context);
+  linear.Forget();
   return std::make_unique<LaplacianHierarchy>(
     CoarsenLaplacian([&mesh, &connection, N = this->N](const std::vector<int>& order, const ExecutionContext& part)
       { return ConnectionLaplacian(mesh, connection, N, order, part); },
       std::move(onPowers), ProlongationSteps, context));
 }
 
-std::unique_ptr<const RoughnessHierarchy> VertexPowerField::Assemble(
+std::unique_ptr<const StiffnessHierarchy> VertexPowerField::Assemble(
   const ProlongationOperators* operators, CoarseSpaceKind, const ExecutionContext& context) const
 {
   std::vector<SparseMatrix<Complex>> prolongations;
   if (operators)
   {
-    CheckOperators(!operators->Nodal.empty(), "Power Fields");
+    CheckOperators(!operators->Linear.empty(), "Power Fields");
     prolongations = this->ProlongationsOfPowers(*operators, context);
   }
   SparseMatrix<Complex> L = ConnectionLaplacian(this->Surface.Mesh, this->Connection(context), this->N, context);
@@ -194,12 +194,12 @@ std::unique_ptr<const RoughnessHierarchy> VertexPowerField::Assemble(
 std::vector<SparseMatrix<Complex>> VertexPowerField::ProlongationsOfPowers(
   const ProlongationOperators& operators, const ExecutionContext& context) const
 {
-  std::vector<SparseMatrix<Complex>> prolongations = OnPowers(operators.Nodal, this->N, context);
-  if (!operators.IsNodalAtVertices)
+  std::vector<SparseMatrix<Complex>> prolongations = OnPowers(operators.Linear, this->N, context);
+  if (!operators.IsLinearAtVertices)
   {
     // The turns of directions, from the faces around; powers of them come last.
     const TransportOperator mean = MeanOfFaces(this->Surface.Mesh, this->Connection(context), context);
-    const TransportOperator turns = mean * operators.Nodal[0];
+    const TransportOperator turns = mean * operators.Linear[0];
     prolongations[0] =
       OnPowers(operators.S0.empty() ? turns : WithTurns(operators.S0[0], turns, context), this->N, context);
   }

@@ -13,7 +13,7 @@ namespace dmg
 /// Fields of N directions by their N-th powers X at the vertices, a complex number each in VertexFrames, linear between
 /// them (Knoeppel et al. 2013). VertexPowerField.md has the formulas.
 ///
-/// The roughness is X^H L X, L the ConnectionLaplacian: the Dirichlet energy of X, consistent on any triangles. The mass are
+/// The smoothness energy is X^H L X, L the ConnectionLaplacian: the Dirichlet energy of X, consistent on any triangles. The mass are
 /// LumpedMass over its mean, which is the penalty of a prescribed vertex, too: soft constraints mean the
 /// same as for power fields on faces, where both energies are twice as large. A direction on a face
 /// prescribes its three corners, each with a third of the face's area; one along a side of a face the two ends of that
@@ -34,9 +34,9 @@ public:
   int DirectionsPerPoint() const override { return this->N; }
 
   Vector<double> Mass(const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Coarsen(
-    const NodalProlongations& nodal, const ExecutionContext& context) const override;
-  std::unique_ptr<const RoughnessHierarchy> Assemble(
+  std::unique_ptr<const StiffnessHierarchy> Coarsen(
+    const LinearProlongations& linear, const ExecutionContext& context) const override;
+  std::unique_ptr<const StiffnessHierarchy> Assemble(
     const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const override;
   OperatorSelection StructurePreservingOperators() const override { return { false, false, false }; }
   std::string NameOfLevels() const override { return "levels of functions, transported"; }

@@ -9,7 +9,7 @@
 namespace dmg
 {
 
-/// The structure-preserving operators that a set-up builds beside S0 and Nodal.
+/// The structure-preserving operators that a set-up builds beside S0 and Linear.
 struct OperatorSelection
 {
   bool PowerFields = true; ///< SP
@@ -37,7 +37,7 @@ struct OperatorSelection
 struct ProlongationOperators
 {
   /// Sizes of the levels, finest first; one more than there are operators in a list. Of a level of
-  /// samples: the samples, which are the faces that are left as well as the vertices of the nodal
+  /// samples: the samples, which are the faces that are left as well as the vertices of the linear
   /// hierarchy, and the pairs of neighbours.
   std::vector<int> NumbersOfVertices;
   std::vector<int> NumbersOfEdges;
@@ -61,13 +61,13 @@ struct ProlongationOperators
   /// SP[l], #F_l x #F_{l+1}: power fields, face to face. Thesis, section 4.4.
   std::vector<TransportOperator> SP;
 
-  /// The nodal hierarchy: [0] is #F_0 x #V_1, face fields from directions at the vertices of
+  /// The linear hierarchy: [0] is #F_0 x #V_1, face fields from directions at the vertices of
   /// level 1; [l >= 1] is #V_l x #V_{l+1}. Directions are in FaceFrames on level 0 and, above, in
-  /// polar coordinates of the vertices (NodalProlongation.h) or in the FaceFrames of the faces that
+  /// polar coordinates of the vertices (LinearProlongation.h) or in the FaceFrames of the faces that
   /// were sampled (SampledProlongation.h).
-  std::vector<TransportOperator> Nodal;
-  /// Whether Nodal[0] goes to the vertices of level 0, in VertexFrames, in place of its faces.
-  bool IsNodalAtVertices = false;
+  std::vector<TransportOperator> Linear;
+  /// Whether Linear[0] goes to the vertices of level 0, in VertexFrames, in place of its faces.
+  bool IsLinearAtVertices = false;
 
   int NumberOfLevels() const { return static_cast<int>(this->NumbersOfFaces.size()); }
 };

@@ -60,15 +60,15 @@ ProlongationOperators SampledLevels(
   operators.NumbersOfVertices.push_back(mesh.NumberOfVertices());
   operators.NumbersOfEdges.push_back(mesh.NumberOfEdges());
   operators.NumbersOfFaces.push_back(mesh.NumberOfFaces());
-  operators.IsNodalAtVertices = toSample.AreVertices;
+  operators.IsLinearAtVertices = toSample.AreVertices;
   context.Checkpoint(0.1);
-  operators.Nodal.reserve(16); // growth would copy
+  operators.Linear.reserve(16); // growth would copy
   TangentGraph points = std::move(toSample.Graph);
   while (points.NumberOfPoints() > FewestSamplesToSample)
   {
     // Most of the work is in the finest level.
-    context.Checkpoint(operators.Nodal.empty() ? 0.3 : 0.9);
-    const bool areFinest = operators.Nodal.empty();
+    context.Checkpoint(operators.Linear.empty() ? 0.3 : 0.9);
+    const bool areFinest = operators.Linear.empty();
     const PointSampling sampling = SamplePoints(points, areFinest ? distance : DistanceOfCoarserSamples,
       areFinest ? toSample.LargestCurvature : LargestCurvatureOfSamples, context);
     const int numberOfSamples = static_cast<int>(sampling.Samples.size());
@@ -80,7 +80,7 @@ ProlongationOperators SampledLevels(
     TransportOperator prolongation = areFinest
       ? SampledProlongation(sampling, points, Inverse(toSample.Order, context), context)
       : SampledProlongation(sampling, points, context);
-    operators.Nodal.emplace_back().swap(prolongation); // Eigen 3.4 would copy it
+    operators.Linear.emplace_back().swap(prolongation); // Eigen 3.4 would copy it
     operators.NumbersOfVertices.push_back(numberOfSamples);
     operators.NumbersOfEdges.push_back(points.NumberOfLinks() / 2);
     operators.NumbersOfFaces.push_back(numberOfSamples);

@@ -31,7 +31,7 @@ PointsToSample VerticesToSample(
   const TriangleMesh& mesh, const VertexConnection& connection, const ExecutionContext& context);
 
 /// The default levels: samples of the faces of a surface, samples of those samples, and so on down to some 1,500 (Wiersma
-/// et al. 2023). They have no surfaces, so only the nodal operators are there; all others stay empty. A surface with too
+/// et al. 2023). They have no surfaces, so only the linear operators are there; all others stay empty. A surface with too
 /// few faces has no coarse level.
 /// \param distance between neighbouring samples of the first level, in spacings of the faces around them, > 1. There is
 ///   about one sample for distance^2 / 1.5 faces, and more of them where the surface is curved.

@@ -15,7 +15,7 @@ constexpr int Grain = 4096;
 
 /// The rotation of the boundary against the field at one of its vertices.
 double TurnAtBoundary(
-  const TriangleMesh& mesh, const Unfilled<Corner>& corners, const Vector<double>& turning, int vertex)
+  const TriangleMesh& mesh, const Unfilled<Corner>& corners, const Vector<double>& rotation, int vertex)
 {
   double turn = Pi;
   mesh.VisitFan(vertex,
@@ -23,13 +23,13 @@ double TurnAtBoundary(
     {
       // The sum is that of SingularityIndices; the edges at both ends of the fan add nothing.
       const int edge = mesh.EdgeOf(h);
-      turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
+      turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * rotation[edge];
     });
   return turn;
 }
 
 std::vector<BoundaryIndex> LoopsOf(
-  const TriangleMesh& mesh, const Unfilled<Corner>& corners, const Vector<double>& turning, int N)
+  const TriangleMesh& mesh, const Unfilled<Corner>& corners, const Vector<double>& rotation, int N)
 {
   std::vector<BoundaryIndex> loops;
   std::vector<char> isDone(mesh.NumberOfVertices(), 0);
@@ -45,7 +45,7 @@ std::vector<BoundaryIndex> LoopsOf(
     {
       isDone[vertex] = 1;
       loop.Vertices.push_back(vertex);
-      turn += TurnAtBoundary(mesh, corners, turning, vertex);
+      turn += TurnAtBoundary(mesh, corners, rotation, vertex);
     }
     loop.Index = std::round(N * turn / (2.0 * Pi)) / N;
     loops.push_back(std::move(loop));
@@ -88,8 +88,8 @@ FieldTopology TopologyOfField(const TriangleMesh& mesh, const TangentFrames& fac
   context.Checkpoint(0.7);
 
   FieldTopology topology;
-  topology.Indices = SingularityIndices(mesh, corners, matching.Turning, N, context);
-  topology.Loops = LoopsOf(mesh, corners, matching.Turning, N);
+  topology.Indices = SingularityIndices(mesh, corners, matching.Rotation, N, context);
+  topology.Loops = LoopsOf(mesh, corners, matching.Rotation, N);
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
     const int h = mesh.HalfedgeOf(edge);
@@ -106,7 +106,7 @@ FieldTopology TopologyOfField(const TriangleMesh& mesh, const TangentFrames& fac
       topology.Jumps.push_back(jump);
     }
   }
-  topology.Turning = std::move(matching.Turning);
+  topology.Rotation = std::move(matching.Rotation);
   context.Checkpoint(1.0);
   return topology;
 }

@@ -28,7 +28,7 @@ struct FieldTopology
   std::vector<int> Cuts;            ///< the edges across which direction 0 does not go on as direction 0, ascending
   std::vector<int>
     Jumps; ///< of these: it goes on as this one, of 1 to N - 1, from the face of HalfedgeOf to its twin's
-  Vector<double> Turning; ///< per edge; PrincipalMatching
+  Vector<double> Rotation; ///< per edge; PrincipalMatching
 };
 
 /// The indices of all vertices and of all loops sum to the Euler characteristic, on every surface (Poincare and Hopf):

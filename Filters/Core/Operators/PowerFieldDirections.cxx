@@ -37,14 +37,14 @@ double StepsFromFirst(Complex direction, Complex power, int N)
   return (N * Argument(direction) - Argument(power)) / (2.0 * Pi);
 }
 
-/// Classes of turning, by halfedge: the queue of a tree sorts edges only by them.
-using TurningClass = unsigned char;
+/// Classes of rotation, by halfedge: the queue of a tree sorts edges only by them.
+using RotationClass = unsigned char;
 constexpr int NumberOfClasses = 256;
 
-std::vector<TurningClass> ClassesOf(const TriangleMesh& mesh, const Vector<Complex>& powers,
-  const Vector<double>& turning, int N, const ExecutionContext& context)
+std::vector<RotationClass> ClassesOf(const TriangleMesh& mesh, const Vector<Complex>& powers,
+  const Vector<double>& rotation, int N, const ExecutionContext& context)
 {
-  std::vector<TurningClass> classes(3 * mesh.NumberOfFaces());
+  std::vector<RotationClass> classes(3 * mesh.NumberOfFaces());
   context.ParallelFor(0, mesh.NumberOfEdges(), Grain,
     [&](int first, int last)
     {
@@ -58,9 +58,9 @@ std::vector<TurningClass> ClassesOf(const TriangleMesh& mesh, const Vector<Compl
         }
         // Across a zero power nothing is continued: come there last.
         const bool isContinued = powers[TriangleMesh::FaceOf(h)] != 0.0 && powers[TriangleMesh::FaceOf(twin)] != 0.0;
-        const double fraction = isContinued ? std::abs(N * turning[edge]) / Pi : 1.0;
+        const double fraction = isContinued ? std::abs(N * rotation[edge]) / Pi : 1.0;
         classes[h] = classes[twin] =
-          static_cast<TurningClass>(std::min(static_cast<int>(NumberOfClasses * fraction), NumberOfClasses - 1));
+          static_cast<RotationClass>(std::min(static_cast<int>(NumberOfClasses * fraction), NumberOfClasses - 1));
       }
     });
   return classes;
@@ -86,14 +86,14 @@ PrincipalMatching MatchDirections(const TriangleMesh& mesh, const Unfilled<Compl
         const int twin = mesh.Twin(h);
         if (twin < 0)
         {
-          matching.Turning[edge] = 0.0;
+          matching.Rotation[edge] = 0.0;
           continue;
         }
-        // arguments[here] + N transport + N turning = arguments[there] + 2 pi offset
+        // arguments[here] + N transport + N rotation = arguments[there] + 2 pi offset
         const double difference = arguments[TriangleMesh::FaceOf(twin)] - arguments[TriangleMesh::FaceOf(h)] -
           N * std::arg(TransportOfSides(sides[h], sides[twin]));
         const double turns = std::round(difference / (2.0 * Pi));
-        matching.Turning[edge] = (difference - 2.0 * Pi * turns) / N;
+        matching.Rotation[edge] = (difference - 2.0 * Pi * turns) / N;
         const int offset = Modulo(-static_cast<int>(turns), N);
         matching.Offsets[h] = static_cast<signed char>(offset);
         matching.Offsets[twin] = static_cast<signed char>(Modulo(-offset, N));
@@ -105,9 +105,9 @@ PrincipalMatching MatchDirections(const TriangleMesh& mesh, const Unfilled<Compl
 std::vector<int> CombingLabels(const TriangleMesh& mesh, const Vector<Complex>& powers,
   const PrincipalMatching& matching, int N, const ExecutionContext& context)
 {
-  // A minimum spanning tree by Prim's algorithm. The queue sorts edges only by classes of turning:
+  // A minimum spanning tree by Prim's algorithm. The queue sorts edges only by classes of rotation:
   // linear time, and the tree is minimal up to the width of a class, pi / (256 N).
-  const std::vector<TurningClass> classes = ClassesOf(mesh, powers, matching.Turning, N, context);
+  const std::vector<RotationClass> classes = ClassesOf(mesh, powers, matching.Rotation, N, context);
   std::array<std::vector<int>, NumberOfClasses> queue;
   int leastClass = NumberOfClasses;
   std::vector<signed char> labels(mesh.NumberOfFaces(), -1); // small: they are read all over the place
@@ -232,7 +232,7 @@ Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const Unfill
 }
 
 Vector<double> SingularityIndices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
-  const Vector<double>& turning, int N, const ExecutionContext& context)
+  const Vector<double>& rotation, int N, const ExecutionContext& context)
 {
   Vector<double> indices(mesh.NumberOfVertices());
   context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
@@ -246,7 +246,7 @@ Vector<double> SingularityIndices(const TriangleMesh& mesh, const Unfilled<Corne
           {
             // Counter-clockwise one crosses this halfedge from its twin's face to its own.
             const int edge = mesh.EdgeOf(h);
-            turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
+            turn -= corners[h].Angle + (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * rotation[edge];
           });
         indices[vertex] = mesh.IsBoundaryVertex(vertex) ? 0.0 : std::round(N * turn / (2.0 * Pi)) / N + 0.0; // no -0
       }

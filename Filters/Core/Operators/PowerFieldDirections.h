@@ -21,7 +21,7 @@ struct PrincipalMatching
 {
   /// Angle from carried to matched directions, from the face of HalfedgeOf(edge) to that of its twin, in
   /// [-pi / N, pi / N]; #E, 0 on the boundary. N times this is also called the effort of the edge.
-  Vector<double> Turning;
+  Vector<double> Rotation;
   /// Direction k of the face of halfedge h is matched with k + Offsets[h], modulo N, of the face of its
   /// twin; 3 #F, each in [0, N).
   std::vector<signed char> Offsets;
@@ -99,12 +99,12 @@ Vector<Complex> FirstDirectionsAtVertices(const TriangleMesh& mesh, const Unfill
   const ExecutionContext& context = SerialContext());
 
 /// Index of the singularity at each vertex, a multiple of 1/N, 0 at regular and at boundary
-/// vertices: (angle defect + turning of the field around the vertex) / 2 pi. On a closed surface they
+/// vertices: (angle defect + rotation of the field around the vertex) / 2 pi. On a closed surface they
 /// sum to the Euler characteristic. A vertex beside a zero power has no well-defined index; any
 /// multiple may result, the sum still holds.
-/// \param turning of the principal matching.
+/// \param rotation of the principal matching.
 Vector<double> SingularityIndices(const TriangleMesh& mesh, const Unfilled<Corner>& corners,
-  const Vector<double>& turning, int N, const ExecutionContext& context = SerialContext());
+  const Vector<double>& rotation, int N, const ExecutionContext& context = SerialContext());
 
 }
 

@@ -12,24 +12,24 @@ namespace
 
 constexpr int Grain = 4096;
 
-/// The turning along a halfedge from that along its edge.
-double AlongHalfedge(const TriangleMesh& mesh, const Vector<double>& turning, int halfedge)
+/// The rotation along a halfedge from that along its edge.
+double AlongHalfedge(const TriangleMesh& mesh, const Vector<double>& rotation, int halfedge)
 {
   const int edge = mesh.EdgeOf(halfedge);
-  return mesh.HalfedgeOf(edge) == halfedge ? turning[edge] : -turning[edge];
+  return mesh.HalfedgeOf(edge) == halfedge ? rotation[edge] : -rotation[edge];
 }
 
 /// The rotation of the boundary against the field from a vertex of it to the next one.
 double TurnFromVertex(
-  const TriangleMesh& mesh, const VertexConnection& connection, const Vector<double>& turning, int vertex)
+  const TriangleMesh& mesh, const VertexConnection& connection, const Vector<double>& rotation, int vertex)
 {
-  double turn = Pi - AlongHalfedge(mesh, turning, mesh.OutgoingHalfedge(vertex));
+  double turn = Pi - AlongHalfedge(mesh, rotation, mesh.OutgoingHalfedge(vertex));
   mesh.VisitFan(vertex, [&](int h) { turn -= connection.CornerAngle(h); });
   return turn;
 }
 
 std::vector<BoundaryIndex> LoopsOf(
-  const TriangleMesh& mesh, const VertexConnection& connection, const Vector<double>& turning, int N)
+  const TriangleMesh& mesh, const VertexConnection& connection, const Vector<double>& rotation, int N)
 {
   std::vector<BoundaryIndex> loops;
   std::vector<char> isDone(mesh.NumberOfVertices(), 0);
@@ -45,7 +45,7 @@ std::vector<BoundaryIndex> LoopsOf(
     {
       isDone[vertex] = 1;
       loop.Vertices.push_back(vertex);
-      turn += TurnFromVertex(mesh, connection, turning, vertex);
+      turn += TurnFromVertex(mesh, connection, rotation, vertex);
     }
     loop.Index = std::round(N * turn / (2.0 * Pi)) / N;
     loops.push_back(std::move(loop));
@@ -55,10 +55,10 @@ std::vector<BoundaryIndex> LoopsOf(
 
 }
 
-Vector<double> TurningAlongEdges(const TriangleMesh& mesh, const VertexConnection& connection,
+Vector<double> RotationAlongEdges(const TriangleMesh& mesh, const VertexConnection& connection,
   const Vector<Complex>& powers, int N, const ExecutionContext& context)
 {
-  Vector<double> turning(mesh.NumberOfEdges());
+  Vector<double> rotation(mesh.NumberOfEdges());
   const auto argument = [&powers](int vertex) { return powers[vertex] == 0.0 ? 0.0 : std::arg(powers[vertex]); };
   context.ParallelFor(0, mesh.NumberOfEdges(), Grain,
     [&](int first, int last)
@@ -67,14 +67,14 @@ Vector<double> TurningAlongEdges(const TriangleMesh& mesh, const VertexConnectio
       {
         const int h = mesh.HalfedgeOf(edge);
         const double difference = argument(mesh.Head(h)) - argument(mesh.Tail(h)) - N * connection.Transport(h);
-        turning[edge] = std::remainder(difference, 2.0 * Pi) / N;
+        rotation[edge] = std::remainder(difference, 2.0 * Pi) / N;
       }
     });
-  return turning;
+  return rotation;
 }
 
 Vector<double> IndicesOfFaces(const TriangleMesh& mesh, const VertexConnection& connection,
-  const Vector<double>& turning, int N, const ExecutionContext& context)
+  const Vector<double>& rotation, int N, const ExecutionContext& context)
 {
   Vector<double> indices(mesh.NumberOfFaces());
   context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
@@ -85,7 +85,7 @@ Vector<double> IndicesOfFaces(const TriangleMesh& mesh, const VertexConnection& 
         double turn = connection.Curvature(face);
         for (int h = 3 * face; h < 3 * face + 3; ++h)
         {
-          turn += AlongHalfedge(mesh, turning, h);
+          turn += AlongHalfedge(mesh, rotation, h);
         }
         indices[face] = std::round(N * turn / (2.0 * Pi)) / N;
       }
@@ -108,10 +108,10 @@ FieldTopology TopologyOfVertexField(const TriangleMesh& mesh, const VertexConnec
     });
   context.Checkpoint(0.4);
   FieldTopology topology;
-  topology.Turning = TurningAlongEdges(mesh, connection, powers, N, context);
+  topology.Rotation = RotationAlongEdges(mesh, connection, powers, N, context);
   context.Checkpoint(0.7);
-  topology.Indices = IndicesOfFaces(mesh, connection, topology.Turning, N, context);
-  topology.Loops = LoopsOf(mesh, connection, topology.Turning, N);
+  topology.Indices = IndicesOfFaces(mesh, connection, topology.Rotation, N, context);
+  topology.Loops = LoopsOf(mesh, connection, topology.Rotation, N);
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
     const int h = mesh.HalfedgeOf(edge);
@@ -122,7 +122,7 @@ FieldTopology TopologyOfVertexField(const TriangleMesh& mesh, const VertexConnec
       continue;
     }
     // Direction 0 goes on to the angle of the other one, plus so many steps.
-    const double onwards = std::arg(here) + connection.Transport(h) + topology.Turning[edge] - std::arg(there);
+    const double onwards = std::arg(here) + connection.Transport(h) + topology.Rotation[edge] - std::arg(there);
     const int jump = (static_cast<int>(std::lround(N * onwards / (2.0 * Pi))) % N + N) % N;
     if (jump != 0)
     {

@@ -20,7 +20,7 @@ constexpr int Grain = 8192;
 }
 
 Eigen::MatrixXd AdjustKernelToPenalties(
-  Eigen::MatrixXd fields, const RoughnessHierarchy& hierarchy, const Vector<double>& D, const ExecutionContext& context)
+  Eigen::MatrixXd fields, const StiffnessHierarchy& hierarchy, const Vector<double>& D, const ExecutionContext& context)
 {
   const int size = hierarchy.NumberOfUnknowns();
   const std::vector<int> penalised = Choose(
@@ -47,7 +47,7 @@ Eigen::MatrixXd AdjustKernelToPenalties(
   return fields;
 }
 
-double LargestEnergy(const Eigen::MatrixXd& vectors, const RoughnessHierarchy& hierarchy, const Vector<double>& D,
+double LargestEnergy(const Eigen::MatrixXd& vectors, const StiffnessHierarchy& hierarchy, const Vector<double>& D,
   const ExecutionContext& context)
 {
   double largest = 0.0;
@@ -69,7 +69,7 @@ double LargestEnergy(const Eigen::MatrixXd& vectors, const RoughnessHierarchy& h
 }
 
 Eigen::MatrixXd UndeterminedFields(Eigen::MatrixXd fields, const LinearOperator<double>& A,
-  const RoughnessHierarchy& hierarchy, const Vector<double>& D, const std::vector<int>& held,
+  const StiffnessHierarchy& hierarchy, const Vector<double>& D, const std::vector<int>& held,
   const ExecutionContext& context)
 {
   fields(held, All).setZero();

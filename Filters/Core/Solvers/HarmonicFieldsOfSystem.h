@@ -2,7 +2,7 @@
 #define dmgHarmonicFieldsOfSystem_h
 
 #include "Solvers/Krylov/LinearOperator.h"
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -18,18 +18,18 @@ namespace dmg
 /// unknowns are penalised (PenalisedUnknowns). Strong penalties would otherwise give them so much energy that they helped
 /// nothing: 46 iterations were seen instead of 13. But where there is a harmonic field with any values that may be
 /// prescribed, it is the solution, and the fields stay as they are.
-Eigen::MatrixXd AdjustKernelToPenalties(Eigen::MatrixXd fields, const RoughnessHierarchy& hierarchy,
+Eigen::MatrixXd AdjustKernelToPenalties(Eigen::MatrixXd fields, const StiffnessHierarchy& hierarchy,
   const Vector<double>& D, const ExecutionContext& context);
 
 /// The largest energy that some vectors could have if nothing cancelled. Slivers have large scales, and hardly count.
-double LargestEnergy(const Eigen::MatrixXd& vectors, const RoughnessHierarchy& hierarchy, const Vector<double>& D,
+double LargestEnergy(const Eigen::MatrixXd& vectors, const StiffnessHierarchy& hierarchy, const Vector<double>& D,
   const ExecutionContext& context);
 
 /// The harmonic fields that nothing determines, the kernel of A: orthonormal columns.
 /// \param held unknowns that are zero.
 /// Cost: a product with A for each field.
 Eigen::MatrixXd UndeterminedFields(Eigen::MatrixXd fields, const LinearOperator<double>& A,
-  const RoughnessHierarchy& hierarchy, const Vector<double>& D, const std::vector<int>& held,
+  const StiffnessHierarchy& hierarchy, const Vector<double>& D, const std::vector<int>& held,
   const ExecutionContext& context);
 
 /// One sentence for the user where prescriptions leave some of the harmonic fields undetermined, else empty.

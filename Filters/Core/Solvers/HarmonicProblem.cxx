@@ -85,10 +85,10 @@ private:
   void IterateWithFactor(const LinearOperator<double>& matrix, const Vector<double>& b, const StoppingCriteria& stop,
     const ConvergenceMeasure<double>& measure, Vector<double>& x, const ExecutionContext& context);
 
-  std::unique_ptr<RoughnessCycle> Inverse;                 ///< the preconditioner
+  std::unique_ptr<StiffnessCycle> Inverse;                 ///< the preconditioner
   std::optional<DeflatedPreconditioner> Deflated;          ///< the cycle or factor, where there are harmonic fields
   std::unique_ptr<Preconditioner<double>> Factor;          ///< as soon as cycles have stagnated
-  std::unique_ptr<RoughnessNestedIteration> Approximation; ///< in place of an iteration
+  std::unique_ptr<StiffnessNestedIteration> Approximation; ///< in place of an iteration
 };
 
 void HarmonicProblem::Internals::Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context)
@@ -302,7 +302,7 @@ void HarmonicProblem::Internals::FindSmoothest(
 
 Vector<double> HarmonicProblem::Internals::HeldSolution(const Vector<double>& values, const ExecutionContext& context)
 {
-  const RoughnessHierarchy& hierarchy = *this->System.Setup().Hierarchy;
+  const StiffnessHierarchy& hierarchy = *this->System.Setup().Hierarchy;
   Vector<double> x = Vector<double>::Zero(hierarchy.NumberOfUnknowns());
   this->System.InsertHeld(values, x);
   const auto R = hierarchy.Operator();

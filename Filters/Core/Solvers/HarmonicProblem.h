@@ -22,7 +22,7 @@ namespace dmg
 ///   soft  argmin  s x^T R x + sum_b m_b |x_b - y_b|^2
 ///   hard  argmin  x^T R x  subject to  x_b = y_b
 ///
-/// over all unknowns x, with prescribed values y_b for some of them; R is the roughness of the set-up, s the
+/// over all unknowns x, with prescribed values y_b for some of them; R is the smoothness energy of the set-up, s the
 /// smoothness weight. With a diagonal D, which is m_b / s where a soft prescription is, infinite where a hard one
 /// is, and zero elsewhere, both are (R + D) x = D y, divided by s. Where no prescription reaches through R, x is
 /// the lowest eigenvector (UnprescribedComponents) or, where the set-up has none, zero. The part in the harmonic fields of

@@ -1,7 +1,7 @@
 #ifndef dmgMultigridSetup_h
 #define dmgMultigridSetup_h
 
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Solvers/SolverOptions.h"
 #include "Support/Types.h"
 
@@ -15,14 +15,14 @@ namespace dmg
 /// the hierarchy.
 struct MultigridSetup
 {
-  std::string Fields;    ///< whose roughness it is: a discretisation by name
+  std::string Fields;    ///< whose smoothness energy it is: a discretisation by name
   std::string Name;      ///< says in reports what the coarse levels hold
   bool HasLevels = true; ///< else it is to be factored
   SolverTuning Tuning;
-  std::unique_ptr<const RoughnessHierarchy> Hierarchy;
+  std::unique_ptr<const StiffnessHierarchy> Hierarchy;
   /// The diagonal of the inner product that errors are measured in; see ConvergenceMeasure.
   Vector<double> Mass;
-  /// Harmonic fields, a column each, orthonormal: the kernel of the roughness, which cycles hold only nearly.
+  /// Harmonic fields, a column each, orthonormal: the kernel of the smoothness energy, which cycles hold only nearly.
   Eigen::MatrixXd Kernel;
   /// Whether components without prescriptions get the smoothest field of unit norm, the lowest eigenvector of R in
   /// Mass; else zero.

@@ -27,7 +27,7 @@ double LimitedPenalty(double penalty, double diagonalOfR)
 
 /// 1 / (R_ii + D_i), zero where unknowns are held or neither is there.
 Vector<double> InverseDiagonal(
-  const RoughnessHierarchy& hierarchy, const Vector<double>& D, const ExecutionContext& context)
+  const StiffnessHierarchy& hierarchy, const Vector<double>& D, const ExecutionContext& context)
 {
   constexpr int Grain = 8192;
   Vector<double> inverse(D.size());
@@ -66,7 +66,7 @@ PrescribedSystem::PrescribedSystem(std::shared_ptr<const MultigridSetup> setup)
 
 void PrescribedSystem::Prescribe(Penalties prescribed, double smoothness, const ExecutionContext& context)
 {
-  const RoughnessHierarchy& hierarchy = *this->Setup().Hierarchy;
+  const StiffnessHierarchy& hierarchy = *this->Setup().Hierarchy;
   this->Prescribed = std::move(prescribed);
   this->SmoothnessWeight = this->IsHard() ? 1.0 : smoothness;
   this->Places = PlacesOf(this->Prescribed.Unknowns, hierarchy.Order, context);
@@ -82,7 +82,7 @@ void PrescribedSystem::Prescribe(Penalties prescribed, double smoothness, const 
 
 std::vector<char> PrescribedSystem::SetPenalties()
 {
-  const RoughnessHierarchy& hierarchy = *this->Setup().Hierarchy;
+  const StiffnessHierarchy& hierarchy = *this->Setup().Hierarchy;
   this->Limited.setZero(this->IsHard() ? 0 : static_cast<Eigen::Index>(this->Places.size()));
   std::vector<char> isReached(hierarchy.NumberOfComponents(), 0);
   bool holdsAny = this->Places.empty();
@@ -182,7 +182,7 @@ Vector<double> PrescribedSystem::HeldByPenalties(const Vector<double>& values) c
 
 LinearSystem PrescribedSystem::Equations(const Vector<double>& values, const ExecutionContext& context) const
 {
-  const RoughnessHierarchy& hierarchy = *this->Setup().Hierarchy;
+  const StiffnessHierarchy& hierarchy = *this->Setup().Hierarchy;
   Vector<double> D = this->Diagonal();
   D(this->Unprescribed().Unknowns()).setZero();
   const auto isFree = [&D](Eigen::Index i) { return std::isfinite(D[i]); };

@@ -1,7 +1,7 @@
 #ifndef dmgPrescribedSystem_h
 #define dmgPrescribedSystem_h
 
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Solvers/MultigridSetup.h"
 #include "Solvers/Penalties.h"
 #include "Solvers/UnprescribedComponents.h"
@@ -22,7 +22,7 @@ struct LinearSystem
   Vector<double> RightHandSide;
 };
 
-/// The equations of a HarmonicProblem, (R + D) x = D y, without a solver: what prescriptions make of a roughness. All is in
+/// The equations of a HarmonicProblem, (R + D) x = D y, without a solver: what prescriptions make of a smoothness energy. All is in
 /// the order of the hierarchy, and divided by the smoothness weight.
 class PrescribedSystem
 {
@@ -38,7 +38,7 @@ public:
   int NumberOfPrescribed() const { return static_cast<int>(this->Prescribed.Unknowns.size()); }
 
   /// A = R + D.
-  const RoughnessOperator& Matrix() const { return *this->A; }
+  const StiffnessOperator& Matrix() const { return *this->A; }
   /// D, infinite where an unknown is held. It is made at each call, since a matrix and cycles keep what they need of it.
   Vector<double> Diagonal() const;
   /// Unknowns that are not free, ascending.
@@ -67,7 +67,7 @@ private:
   void SetUnreached(const std::vector<int>& unreached, const ExecutionContext& context);
 
   const std::shared_ptr<const MultigridSetup> SetupOfSystem;
-  const std::unique_ptr<RoughnessOperator> A;
+  const std::unique_ptr<StiffnessOperator> A;
   Penalties Prescribed;
   std::vector<int> Places; ///< of those
   Vector<double> Limited;  ///< D, of soft ones

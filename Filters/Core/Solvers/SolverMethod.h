@@ -28,14 +28,14 @@ namespace dmg
 struct SolverMethod
 {
   /// \param D one entry per unknown, >= 0, in the order of the hierarchy. Infinite: the unknown is zero.
-  using PreconditionerMaker = std::unique_ptr<RoughnessCycle>(const MultigridSetup& setup, const Vector<double>& D,
+  using PreconditionerMaker = std::unique_ptr<StiffnessCycle>(const MultigridSetup& setup, const Vector<double>& D,
     const SolverOptions& options, const ExecutionContext& context);
   /// Parameters are those of ConjugateGradient.
   using Iteration = void(const LinearOperator<double>& A, Preconditioner<double>& inverse, const Vector<double>& b,
     const StoppingCriteria& stop, Vector<double>& x, SolveReport& report, const ExecutionContext& context,
     const ConvergenceMeasure<double>* measure);
   /// Parameters are those of a PreconditionerMaker.
-  using ApproximationMaker = std::unique_ptr<RoughnessNestedIteration>(const MultigridSetup& setup,
+  using ApproximationMaker = std::unique_ptr<StiffnessNestedIteration>(const MultigridSetup& setup,
     const Vector<double>& D, const SolverOptions& options, const ExecutionContext& context);
 
   std::string Name; ///< in words

@@ -9,9 +9,9 @@ namespace dmg
 namespace
 {
 
-RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverTuning& tuning)
+StiffnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverTuning& tuning)
 {
-  RoughnessCycleOptions cycle;
+  StiffnessCycleOptions cycle;
   cycle.Sweeps = options.Sweeps * tuning.FinestSweepsFactor;
   cycle.Coarse.Smoothing.PreSweeps = options.Sweeps;
   cycle.Coarse.Smoothing.PostSweeps = options.Sweeps;
@@ -27,14 +27,14 @@ RoughnessCycleOptions OptionsOfCycle(const SolverOptions& options, const SolverT
 }
 
 /// A V-cycle, or the factor where the hierarchy has no coarse levels.
-std::unique_ptr<RoughnessCycle> Cycle(
+std::unique_ptr<StiffnessCycle> Cycle(
   const MultigridSetup& setup, const Vector<double>& D, const SolverOptions& options, const ExecutionContext& context)
 {
   return setup.Hierarchy->Cycle(D, OptionsOfCycle(options, setup.Tuning), context);
 }
 
 template <bool MaySweep>
-std::unique_ptr<RoughnessNestedIteration> FullMultigrid(
+std::unique_ptr<StiffnessNestedIteration> FullMultigrid(
   const MultigridSetup& setup, const Vector<double>& D, const SolverOptions& options, const ExecutionContext& context)
 {
   return setup.Hierarchy->NestedIterations(D, OptionsOfCycle(options, setup.Tuning), MaySweep, context);

@@ -63,7 +63,7 @@ struct SolverTuning
   int SolvesForCholesky = std::numeric_limits<int>::max();
   /// The finest level gets so many times as many sweeps as the others, >= 1.
   int FinestSweepsFactor = 1;
-  /// V-cycles on the first coarse level that stand in for its solution, >= 1; where roughness and
+  /// V-cycles on the first coarse level that stand in for its solution, >= 1; where smoothness energy and
   /// penalties are kept apart.
   int CoarseCycles = 1;
   /// The first coarse level is factored instead if it has at most so many unknowns; there as well.

@@ -36,7 +36,7 @@ UnprescribedComponents::UnprescribedComponents(
     }
     const auto median = diagonal.begin() + diagonal.size() / 2;
     std::nth_element(diagonal.begin(), median, diagonal.end());
-    const double scale = *median > 0.0 ? *median : 1.0; // a triangle by itself has no roughness
+    const double scale = *median > 0.0 ? *median : 1.0; // a triangle by itself has no energy
     this->Shifts[component] = scale / static_cast<double>(diagonal.size());
   }
 }

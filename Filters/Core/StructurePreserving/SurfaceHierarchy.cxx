@@ -6,7 +6,7 @@
 #include "StructurePreserving/Decimation/MeshHierarchy.h"
 #include "StructurePreserving/Overlay/OverlayProlongation.h"
 #include "StructurePreserving/Transfers/FaceFieldProlongation.h"
-#include "StructurePreserving/Transfers/NodalProlongation.h"
+#include "StructurePreserving/Transfers/LinearProlongation.h"
 #include "StructurePreserving/Transfers/OneFormProlongation.h"
 #include "StructurePreserving/Transfers/PowerFieldProlongation.h"
 #include "StructurePreserving/Transfers/ScalarProlongation.h"
@@ -93,7 +93,7 @@ void RenumberFinest(const TriangleMesh& mesh, const TriangleMesh& sorted, const 
   renumber(operators.S0, order.Vertices());
   renumber(operators.SX, PairsOf(order.Faces()));
   renumber(operators.SP, order.Faces());
-  renumber(operators.Nodal, order.Faces());
+  renumber(operators.Linear, order.Faces());
   if (!operators.S1.empty())
   {
     const SpatialOrder::SignedEdges edges = order.Edges(mesh, sorted);
@@ -124,7 +124,7 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
       ? OperatorsFromOverlay(transition, fineFrames, coarseFrames, part)
       : OperatorsFromPaths(transition, fineFrames, coarseFrames, selection, context);
     std::vector<Complex> coarseCornerTurns = CornerTurns(coarse, coarseFrames, context);
-    operators.Nodal.push_back(operators.Nodal.empty()
+    operators.Linear.push_back(operators.Linear.empty()
         ? FacesFromVertices(sorted, level.S0, level.SP, coarse, coarseCornerTurns, context)
         : VerticesFromVertices(
             transition.Fine, fineCornerTurns, level.S0, level.SP, coarse, coarseCornerTurns, context));
@@ -135,7 +135,7 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
   };
   result.CoarseLevels = BuildMeshHierarchy(sorted, options, context, addLevel);
   RenumberFinest(mesh, sorted, order, operators, context);
-  if (!operators.S1.empty() && !AreTooManyToHold(NumberOfLoops(mesh), mesh))
+  if (!operators.S1.empty() && !AreTooManyToHold(NumberOfGenerators(mesh), mesh))
   {
     operators.ClosedForms = ClosedForms(result.CoarseLevels.back(), context).sparseView();
   }

@@ -256,7 +256,7 @@ TEST(HarmonicForms, OnePerLoop)
   {
     SCOPED_TRACE(surface.Name);
     const TriangleMesh mesh = surface.Shape.Mesh();
-    EXPECT_EQ(NumberOfLoops(mesh), surface.Dimension);
+    EXPECT_EQ(NumberOfGenerators(mesh), surface.Dimension);
     EXPECT_EQ(ClosedForms(mesh).cols(), surface.Dimension);
   }
 }

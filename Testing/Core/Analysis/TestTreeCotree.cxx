@@ -13,14 +13,14 @@ using namespace dmg::test;
 
 // Loops are the classes of closed forms that vanish on the boundary: as many as there are harmonic forms, and no combination is
 // the gradient of a function that vanishes there.
-TEST(TreeCotree, LoopsOverFacesAreClosedAndIndependentAndStayInside)
+TEST(TreeCotree, GeneratorsOverFacesAreClosedAndIndependentAndStayInside)
 {
   for (const auto& [name, surface] : SmallSurfaces())
   {
     const TriangleMesh mesh = surface.Mesh();
     const TreeCotree trees = MakeTreeCotree(mesh, BoundaryAs::Vertex);
-    const Eigen::MatrixXd loops(LoopsOverFaces(mesh, trees));
-    ASSERT_EQ(loops.cols(), NumberOfLoops(mesh)) << name;
+    const Eigen::MatrixXd loops(GeneratorsOverFaces(mesh, trees));
+    ASSERT_EQ(loops.cols(), NumberOfGenerators(mesh)) << name;
     if (loops.cols() == 0)
     {
       continue;

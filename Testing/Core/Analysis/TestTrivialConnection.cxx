@@ -24,10 +24,10 @@ TEST(TrivialConnection, NearestIntegersAreBestInEachNumber)
 }
 
 // Sums around vertices are what singularities are: they must not change, and no edge may have more than the limit.
-TEST(TrivialConnection, LimitedTurningHasTheSameSums)
+TEST(TrivialConnection, LimitedRotationHasTheSameSums)
 {
   const TriangleMesh mesh = Icosphere(2).Mesh();
-  const auto sums = [&mesh](const Vector<double>& turning)
+  const auto sums = [&mesh](const Vector<double>& rotation)
   {
     Vector<double> sums(mesh.NumberOfVertices());
     for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
@@ -37,26 +37,26 @@ TEST(TrivialConnection, LimitedTurningHasTheSameSums)
         [&](int h)
         {
           const int edge = mesh.EdgeOf(h);
-          sum -= (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * turning[edge];
+          sum -= (mesh.HalfedgeOf(edge) == h ? 1.0 : -1.0) * rotation[edge];
         });
       sums[vertex] = sum;
     }
     return sums;
   };
-  Vector<double> turning = Vector<double>::Zero(mesh.NumberOfEdges());
-  turning[17] = 1.5;
-  turning[18] = -1.1;
-  turning[200] = 0.9;
-  const Vector<double> before = sums(turning);
-  Vector<double> limited = turning;
-  LimitTurning(mesh, 0.75, limited);
+  Vector<double> rotation = Vector<double>::Zero(mesh.NumberOfEdges());
+  rotation[17] = 1.5;
+  rotation[18] = -1.1;
+  rotation[200] = 0.9;
+  const Vector<double> before = sums(rotation);
+  Vector<double> limited = rotation;
+  LimitRotation(mesh, 0.75, limited);
   EXPECT_LE(limited.cwiseAbs().maxCoeff(), 0.75 * (1.0 + 1e-11));
   EXPECT_LT((sums(limited) - before).cwiseAbs().maxCoeff(), 1e-14);
 
   // What is within the limit stays as it is.
-  Vector<double> small = 0.5 * turning;
-  LimitTurning(mesh, 0.75, small);
-  EXPECT_EQ(small, Vector<double>(0.5 * turning));
+  Vector<double> small = 0.5 * rotation;
+  LimitRotation(mesh, 0.75, small);
+  EXPECT_EQ(small, Vector<double>(0.5 * rotation));
 }
 
 // 2 pi times the Euler characteristic of a closed surface; at a corner of a cube a quarter turn.
@@ -74,29 +74,29 @@ TEST(TrivialConnection, AngleDefectsSumToTheEulerCharacteristic)
 }
 
 // Five edges cannot share more than five times the limit; what is impossible there leaves the others alone.
-TEST(TrivialConnection, TurningThatCannotBeLimitedStaysAtItsPoint)
+TEST(TrivialConnection, RotationThatCannotBeLimitedStaysAtItsPoint)
 {
   const TriangleMesh mesh = Icosphere(2).Mesh();
   constexpr int Spike = 0; // of the icosahedron
-  Vector<double> turning = Vector<double>::Zero(mesh.NumberOfEdges());
+  Vector<double> rotation = Vector<double>::Zero(mesh.NumberOfEdges());
   std::vector<char> isAtSpike(mesh.NumberOfEdges(), 0);
   mesh.VisitFan(Spike,
     [&](int h)
     {
       const int edge = mesh.EdgeOf(h);
-      turning[edge] = mesh.HalfedgeOf(edge) == h ? 0.8 : -0.8;
+      rotation[edge] = mesh.HalfedgeOf(edge) == h ? 0.8 : -0.8;
       isAtSpike[edge] = 1;
     });
-  const Vector<double> before = turning;
-  LimitTurning(mesh, 0.75, turning);
-  EXPECT_EQ(turning, before);
+  const Vector<double> before = rotation;
+  LimitRotation(mesh, 0.75, rotation);
+  EXPECT_EQ(rotation, before);
 
   // Beside it another edge, which can be limited.
   const int beside = mesh.EdgeOf(TriangleMesh::Next(mesh.OutgoingHalfedge(Spike)));
-  turning[beside] = 1.0;
-  LimitTurning(mesh, 0.75, turning);
+  rotation[beside] = 1.0;
+  LimitRotation(mesh, 0.75, rotation);
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
-    EXPECT_TRUE(isAtSpike[edge] || std::abs(turning[edge]) <= 0.75 * (1.0 + 1e-11)) << edge;
+    EXPECT_TRUE(isAtSpike[edge] || std::abs(rotation[edge]) <= 0.75 * (1.0 + 1e-11)) << edge;
   }
 }

@@ -78,7 +78,7 @@ TEST(SurfaceFeatures, WeightsAreThoseOfIntegralsAtAnySizeAndResolution)
     for (const int subdivisions : { 2, 3 })
     {
       const FramedMesh cube(RotatedAndScaled(Cube(subdivisions), 0.5, scale).Mesh());
-      // Twelve edges, each with two faces; half of the roughness of power fields is the Dirichlet energy.
+      // Twelve edges, each with two faces; half of the smoothness energy of power fields is the Dirichlet energy.
       EXPECT_NEAR(
         EnergyOfUnit(cube.Mesh, AlongSharpEdges(cube, 30.0, 3.0)), 2.0 * 3.0 * 24.0 * 30.0 / std::sqrt(6.0), 1e-9);
       const int faces = cube.Mesh.NumberOfFaces();

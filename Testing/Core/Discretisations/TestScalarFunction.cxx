@@ -131,7 +131,7 @@ TEST(ScalarFunction, SolversAndLevelsAgree)
       options.Constraints = constraints;
       FieldStages direct(mesh);
       const Vector<double> expected = direct.Solve(SomeValues(mesh), options, { 1e-12, 200 });
-      for (const CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+      for (const CoarseSpaceKind space : { CoarseSpaceKind::LinearInterpolation, CoarseSpaceKind::StructurePreserving })
       {
         options.Solver.Kind = SolverKind::ConjugateGradients;
         options.CoarseSpace = space;

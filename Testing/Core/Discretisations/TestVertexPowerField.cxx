@@ -311,7 +311,7 @@ TEST(VertexPowerField, SolversAndLevelsAgree)
       FieldStages direct(surface.Mesh);
       const Vector<double> expected =
         direct.Solve(prescribed, PointFields(4, kind, SolverKind::Cholesky), { 1e-12, 100 });
-      for (const CoarseSpaceKind space : { CoarseSpaceKind::Nodal, CoarseSpaceKind::StructurePreserving })
+      for (const CoarseSpaceKind space : { CoarseSpaceKind::LinearInterpolation, CoarseSpaceKind::StructurePreserving })
       {
         FieldOptions options = PointFields(4, kind);
         options.CoarseSpace = space;

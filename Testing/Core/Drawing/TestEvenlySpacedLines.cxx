@@ -353,7 +353,7 @@ TEST(EvenlySpacedLines, OfAnyFieldOnAnySurfaceAreFinite)
   surfaces.push_back({ "zero-area faces", SphereWithZeroAreaFaces(3, 10) });
   surfaces.push_back({ "capsule", CapsuleFromRectangle(16, 12) });
   surfaces.push_back({ "needle", Needle(3, 1000.0) });
-  surfaces.push_back({ "needles", PlaneWithNeedles(12, 12) });
+  surfaces.push_back({ "thin triangles", PlaneWithThinTriangles(12, 12) });
   for (const NamedSurface& surface : surfaces)
   {
     for (const int N : { 1, 2, 3, 4, 8 })

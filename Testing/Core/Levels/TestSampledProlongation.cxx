@@ -77,11 +77,11 @@ void ExpectParallel(const TriangleMesh& mesh)
 /// Rows are means of at most three turns, and every coarse unknown is seen.
 void ExpectMeans(const ProlongationOperators& operators, const TriangleMesh& mesh)
 {
-  ASSERT_EQ(operators.NumberOfLevels(), static_cast<int>(operators.Nodal.size()) + 1);
+  ASSERT_EQ(operators.NumberOfLevels(), static_cast<int>(operators.Linear.size()) + 1);
   int size = mesh.NumberOfFaces();
-  for (std::size_t level = 0; level < operators.Nodal.size(); ++level)
+  for (std::size_t level = 0; level < operators.Linear.size(); ++level)
   {
-    const TransportOperator& P = operators.Nodal[level];
+    const TransportOperator& P = operators.Linear[level];
     ASSERT_EQ(P.rows(), size);
     size = static_cast<int>(P.cols());
     EXPECT_EQ(size, operators.NumbersOfVertices[level + 1]);
@@ -181,10 +181,10 @@ TEST(SampledProlongation, HasTheSameBitsForAnyNumberOfThreads)
   for (const int threads : { 2, 5 })
   {
     const ProlongationOperators other = Sampled(mesh, TbbContext(threads));
-    ASSERT_EQ(one.Nodal.size(), other.Nodal.size());
-    for (std::size_t level = 0; level < one.Nodal.size(); ++level)
+    ASSERT_EQ(one.Linear.size(), other.Linear.size());
+    for (std::size_t level = 0; level < one.Linear.size(); ++level)
     {
-      EXPECT_EQ((one.Nodal[level] - other.Nodal[level]).norm(), 0.0);
+      EXPECT_EQ((one.Linear[level] - other.Linear[level]).norm(), 0.0);
     }
   }
 }

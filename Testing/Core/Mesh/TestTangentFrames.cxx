@@ -112,14 +112,14 @@ TEST(TangentFrames, SidesOfZeroAreaFacesTurnOnceAround)
       surface.V.row((k + 2) % 3) = middle * u.transpose();
       const TriangleMesh mesh = surface.Mesh();
       const std::array<Complex, 3> sides = SideDirections(mesh, FaceFrames(mesh), 0);
-      double turning = 0.0;
+      double rotation = 0.0;
       for (int j = 0; j < 3; ++j)
       {
         EXPECT_NEAR(std::abs(sides[j]), 1.0, 4.0 * MachinePrecision);
         const double outer = std::arg(sides[(j + 1) % 3] * std::conj(sides[j]));
-        turning += outer < -0.5 * Pi ? outer + 2.0 * Pi : outer;
+        rotation += outer < -0.5 * Pi ? outer + 2.0 * Pi : outer;
       }
-      EXPECT_NEAR(turning, 2.0 * Pi, 20.0 * MachinePrecision);
+      EXPECT_NEAR(rotation, 2.0 * Pi, 20.0 * MachinePrecision);
     }
   }
 }

@@ -178,7 +178,7 @@ TEST(ConnectionLaplacian, IsTheCotangentLaplacianInAPlane)
 TEST(ConnectionLaplacian, IsHermitianAndPositiveOnAnyTriangles)
 {
   for (const Surface& shape :
-    { IrregularSphere(1, 4), Needle(1, 100.0), PlaneWithNeedles(6, 4), SphereWithZeroAreaFaces(2, 3) })
+    { IrregularSphere(1, 4), Needle(1, 100.0), PlaneWithThinTriangles(6, 4), SphereWithZeroAreaFaces(2, 3) })
   {
     const FramedMesh surface(shape.Mesh());
     const VertexConnection connection(surface);

@@ -52,17 +52,17 @@ TEST(MatchDirections, LeadsEachDirectionToTheNearestBeyondTheEdge)
         const int h = mesh.HalfedgeOf(e);
         if (mesh.Twin(h) < 0)
         {
-          EXPECT_EQ(matching.Turning[e], 0.0);
+          EXPECT_EQ(matching.Rotation[e], 0.0);
           EXPECT_EQ(matching.Offsets[h], 0);
           continue;
         }
-        EXPECT_LE(std::abs(matching.Turning[e]), Pi / N * (1.0 + 1e-15));
+        EXPECT_LE(std::abs(matching.Rotation[e]), Pi / N * (1.0 + 1e-15));
         const int f = TriangleMesh::FaceOf(h);
         const int g = TriangleMesh::FaceOf(mesh.Twin(h));
         for (int k = 0; k < N; ++k)
         {
           const Complex carried = frames.ToComplex(f, directions[k].row(f).transpose()) *
-            std::polar(1.0, TransportAcrossEdge(mesh, frames, h) + matching.Turning[e]);
+            std::polar(1.0, TransportAcrossEdge(mesh, frames, h) + matching.Rotation[e]);
           const int matched = (k + matching.Offsets[h]) % N;
           const Complex there = frames.ToComplex(g, directions[matched].row(g).transpose());
           EXPECT_LT(std::abs(carried - there), 1e-12) << surface.Name << ", edge " << e;
@@ -160,7 +160,7 @@ TEST(CombingLabels, LeaveNoJumpOnADiscWithoutSingularities)
       EXPECT_GE(label, 0);
       EXPECT_LT(label, N);
     }
-    if (0.7 * 1.8 * N < Pi) // turning across an edge stays below half of what separates directions
+    if (0.7 * 1.8 * N < Pi) // rotation across an edge stays below half of what separates directions
     {
       EXPECT_EQ(CountJumps(mesh, frames, X, labels, N), 0);
       if (N > 1)

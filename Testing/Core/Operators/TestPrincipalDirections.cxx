@@ -247,7 +247,7 @@ TEST(PrincipalDirections, AreSoundOnEverySurface)
   std::vector<NamedSurface> surfaces = SmallSurfaces();
   surfaces.push_back({ "zero-area faces", SphereWithZeroAreaFaces(3, 10) });
   surfaces.push_back({ "capsule", CapsuleFromRectangle(16, 12) });
-  surfaces.push_back({ "needles", PlaneWithNeedles(10, 10) });
+  surfaces.push_back({ "thin triangles", PlaneWithThinTriangles(10, 10) });
   for (const NamedSurface& surface : surfaces)
   {
     const FramedMesh framed(surface.Shape.Mesh());

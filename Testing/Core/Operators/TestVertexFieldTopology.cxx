@@ -146,6 +146,6 @@ TEST(VertexFieldTopology, CutsSayWhichDirectionGoesOn)
     const int h = mesh.HalfedgeOf(topology.Cuts[i]);
     // Along x on the left is direction 3 beside first directions along y, and along y on the right is 1 beside x.
     EXPECT_EQ(topology.Jumps[i], isRight(mesh.Head(h)) ? 3 : 1);
-    EXPECT_NEAR(topology.Turning[topology.Cuts[i]], 0.0, 1e-12);
+    EXPECT_NEAR(topology.Rotation[topology.Cuts[i]], 0.0, 1e-12);
   }
 }

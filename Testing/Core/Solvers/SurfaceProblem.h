@@ -20,7 +20,7 @@
 namespace dmg::test
 {
 
-/// Face fields or 1-forms on a surface: a roughness |B x|^2 with real levels, since they are what
+/// Face fields or 1-forms on a surface: a smoothness energy |B x|^2 with real levels, since they are what
 /// hierarchies of least squares are for.
 struct SurfaceProblem
 {
@@ -43,8 +43,8 @@ struct SurfaceProblem
     const bool isForm = kind == Of::OneForms;
     this->B = isForm ? OneFormLaplacianFactor(this->Mesh, context)
                      : FaceFieldSmoothnessFactor(this->Mesh, this->Frames, context);
-    this->Levels = isForm ? NodalLevelsOfOneForms(this->Mesh, this->Frames, operators.Nodal, context)
-                          : NodalLevelsOfFaceFields(this->Mesh, operators.Nodal, context);
+    this->Levels = isForm ? LinearLevelsOfOneForms(this->Mesh, this->Frames, operators.Linear, context)
+                          : LinearLevelsOfFaceFields(this->Mesh, operators.Linear, context);
   }
 
   int Size() const { return static_cast<int>(this->B.cols()); }
@@ -103,7 +103,7 @@ inline std::string NameOf(SurfaceProblem::Of kind)
 }
 
 /// R + D.
-inline std::unique_ptr<const RoughnessOperator> OperatorOf(const RoughnessHierarchy& hierarchy, const Vector<double>& D)
+inline std::unique_ptr<const StiffnessOperator> OperatorOf(const StiffnessHierarchy& hierarchy, const Vector<double>& D)
 {
   auto A = hierarchy.Operator();
   A->SetDiagonal(D, SerialContext());

@@ -41,7 +41,7 @@ Eigen::MatrixXd Densified(Preconditioner<double>& B, int size)
   return matrix;
 }
 
-/// A roughness L with eigenvalues between 1 and 2 besides a kernel, and a few unknowns held weakly:
+/// A smoothness energy L with eigenvalues between 1 and 2 besides a kernel, and a few unknowns held weakly:
 /// what harmonic fields are to their systems.
 struct WeaklyHeld
 {

@@ -100,9 +100,9 @@ Vector<double> RandomPairs(const Vector<double>& D, unsigned seed)
   return D.array().isInf().select(0.0, test::RandomVector<double>(D.size(), seed));
 }
 
-RoughnessCycleOptions Options(int sweeps, int largestFactor)
+StiffnessCycleOptions Options(int sweeps, int largestFactor)
 {
-  RoughnessCycleOptions options;
+  StiffnessCycleOptions options;
   options.Sweeps = sweeps;
   options.LargestFactor = largestFactor;
   return options;
@@ -226,7 +226,7 @@ TEST(TestLaplacianCycle, UpdateIsANewCycle)
 {
   const Problem problem(5, 4);
   const LaplacianHierarchy hierarchy = problem.Hierarchy();
-  const RoughnessCycleOptions options = Options(3, 0);
+  const StiffnessCycleOptions options = Options(3, 0);
   const auto cycle = hierarchy.Cycle(problem.Shift(hierarchy, false), options, SerialContext());
   EXPECT_EQ(cycle->Levels().size(), 4u);
   for (const bool holdsSome : { true, false })

@@ -65,14 +65,14 @@ struct Prescribed
   const LeastSquaresHierarchy Hierarchy;
   const HarmonicSystem<double> System;
   const Vector<double> D;
-  const std::unique_ptr<const RoughnessOperator> Operator;
-  const RoughnessOperator& A;
+  const std::unique_ptr<const StiffnessOperator> Operator;
+  const StiffnessOperator& A;
   const int NumberOfPrescribed;
 };
 
-RoughnessCycleOptions Deep()
+StiffnessCycleOptions Deep()
 {
-  RoughnessCycleOptions options;
+  StiffnessCycleOptions options;
   options.LargestFactor = 100;
   return options;
 }
@@ -133,7 +133,7 @@ TEST(TestLeastSquaresCycle, HeldUnknownsAreZero)
     [](const SurfaceProblem& problem)
     {
       const Prescribed prescribed(problem, ConstraintKind::Hard);
-      for (const RoughnessCycleOptions& options : { RoughnessCycleOptions(), Deep() })
+      for (const StiffnessCycleOptions& options : { StiffnessCycleOptions(), Deep() })
       {
         LeastSquaresCycle cycle(prescribed.Hierarchy, prescribed.D, options, SerialContext());
         // Whatever stands in the right-hand side.
@@ -196,7 +196,7 @@ TEST(TestLeastSquaresCycle, IterationsAgreeWithCholesky)
         Vector<double> product;
         const double energy = prescribed.A.Apply(expected, product, SerialContext());
         // The first coarse level factored, or cycles below.
-        for (const RoughnessCycleOptions& options : { RoughnessCycleOptions(), Deep() })
+        for (const StiffnessCycleOptions& options : { StiffnessCycleOptions(), Deep() })
         {
           LeastSquaresCycle cycle(prescribed.Hierarchy, prescribed.D, options, SerialContext());
           for (const auto solve : { &ConjugateGradient<double>, &StationaryIteration<double> })
@@ -226,12 +226,12 @@ TEST(TestLeastSquaresCycle, AnyDegreeAndSweeps)
     const LeastSquaresHierarchy hierarchy = problem.Hierarchy(coarsening);
     const Vector<double> D = DiagonalOf(hierarchy, problem.Prescribed(5, ConstraintKind::Soft));
     const auto of = OperatorOf(hierarchy, D);
-    const RoughnessOperator& A = *of;
+    const StiffnessOperator& A = *of;
     const auto b = test::RandomVector<double>(problem.Size(), 3421);
     int previous = 1000;
     for (const int sweeps : { 1, 2, 4 })
     {
-      RoughnessCycleOptions options;
+      StiffnessCycleOptions options;
       options.Sweeps = sweeps;
       LeastSquaresCycle cycle(hierarchy, D, options, SerialContext());
       Vector<double> x;
@@ -266,7 +266,7 @@ TEST(TestLeastSquaresCycle, UpdateIsANewCycle)
       const std::vector<Vector<double>> diagonals = { soft(5, 0), 7.0 * soft(5, 0), soft(5, 2), hard(5, 0), hard(50, 3),
         mixed, soft(97, 1), soft(1, 0), soft(5, 0) };
       const auto r = test::RandomVector<double>(problem.Size(), 3423);
-      for (const RoughnessCycleOptions& options : { RoughnessCycleOptions(), Deep() })
+      for (const StiffnessCycleOptions& options : { StiffnessCycleOptions(), Deep() })
       {
         LeastSquaresCycle updated(hierarchy, diagonals.back(), options, SerialContext());
         for (std::size_t k = 0; k < diagonals.size(); ++k)

@@ -128,7 +128,7 @@ class TestLeastSquaresHierarchy : public ::testing::TestWithParam<SurfaceProblem
 
 }
 
-TEST_P(TestLeastSquaresHierarchy, OperatorIsTheRoughnessAndTheDiagonal)
+TEST_P(TestLeastSquaresHierarchy, OperatorIsTheStiffnessAndTheDiagonal)
 {
   const SurfaceProblem problem(test::IrregularTorus(40, 16, 3), GetParam());
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
@@ -140,7 +140,7 @@ TEST_P(TestLeastSquaresHierarchy, OperatorIsTheRoughnessAndTheDiagonal)
   {
     const Vector<double> D = DiagonalOf(hierarchy, problem.Prescribed(5, kind));
     const auto of = OperatorOf(hierarchy, D);
-    const RoughnessOperator& A = *of;
+    const StiffnessOperator& A = *of;
     ASSERT_EQ(A.Size(), size);
     const HarmonicSystem<double> system = problem.System(5, kind);
     for (unsigned seed = 3602; seed < 3606; ++seed)
@@ -212,7 +212,7 @@ TEST_P(TestLeastSquaresHierarchy, BlocksAreThoseGiven)
     SetsOf(problem.Levels.Blocks, Identity(problem.Size())));
 }
 
-TEST_P(TestLeastSquaresHierarchy, CoarseMatrixIsTheRoughnessOfPlaneVectors)
+TEST_P(TestLeastSquaresHierarchy, CoarseMatrixIsTheStiffnessOfPlaneVectors)
 {
   const SurfaceProblem problem(test::IrregularTorus(32, 14, 3), GetParam());
   for (const LeastSquaresHierarchyOptions& options : { LeastSquaresHierarchyOptions(), WithoutSmoothing() })

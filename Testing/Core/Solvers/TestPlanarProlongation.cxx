@@ -191,7 +191,7 @@ TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
   }
 }
 
-TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
+TEST(TestPlanarProlongation, CoarseStiffnessIsTheTripleProductOfPairs)
 {
   const SparseMatrix<double> B = Squares(240);
   const SparseMatrix<double> Bt = B.transpose();
@@ -204,7 +204,7 @@ TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
     held.push_back(i % 240);
   }
   std::sort(held.begin(), held.end());
-  const SparseMatrix<double> ofAll = CoarseRoughness(B, Bt, P, adjoint, {}, SerialContext());
+  const SparseMatrix<double> ofAll = CoarseStiffness(B, Bt, P, adjoint, {}, SerialContext());
   for (const std::vector<int>& rows : { std::vector<int>(), held })
   {
     Eigen::MatrixXd free = OnPairs(P);
@@ -212,7 +212,7 @@ TEST(TestPlanarProlongation, CoarseRoughnessIsTheTripleProductOfPairs)
     {
       free.row(i).setZero();
     }
-    const SparseMatrix<double> coarse = CoarseRoughness(B, Bt, P, adjoint, rows, SerialContext());
+    const SparseMatrix<double> coarse = CoarseStiffness(B, Bt, P, adjoint, rows, SerialContext());
     const Eigen::MatrixXd BP = Eigen::MatrixXd(B) * free;
     const Eigen::MatrixXd expected = (BP.transpose() * BP).triangularView<Eigen::Lower>();
     ASSERT_EQ(coarse.rows(), 80);
@@ -248,12 +248,12 @@ TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
   const SparseMatrix<Complex32> expected = Smoothed(B, P, 3, 0.01, SerialContext());
   const SparseMatrix<Complex32> adjoint = Adjoint(expected, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(expected, SerialContext());
-  const SparseMatrix<double> coarse = CoarseRoughness(B, Bt, expected, adjoint, { 7, 8 }, SerialContext());
+  const SparseMatrix<double> coarse = CoarseStiffness(B, Bt, expected, adjoint, { 7, 8 }, SerialContext());
   for (const int threads : { 1, 2, 5 })
   {
     const test::TbbContext context(threads);
     ExpectIdentical(Smoothed(B, P, 3, 0.01, context), expected);
     ExpectIdentical(GramOfPlanar(expected, context), gram);
-    ExpectIdentical(CoarseRoughness(B, Bt, expected, adjoint, { 7, 8 }, context), coarse);
+    ExpectIdentical(CoarseStiffness(B, Bt, expected, adjoint, { 7, 8 }, context), coarse);
   }
 }

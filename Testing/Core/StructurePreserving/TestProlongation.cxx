@@ -215,7 +215,7 @@ TEST(PowerFieldProlongation, HasRowsOfWeightOne)
 }
 
 // On a flat patch a constant field is the same in every frame, and prolonging it is exact, for every
-// N. So is the nodal hierarchy, from level to level.
+// N. So is the linear hierarchy, from level to level.
 TEST(PowerFieldProlongation, ReproducesConstantFieldsInAPlane)
 {
   const Vector3 direction = Vector3(0.6, -0.8, 0.0);
@@ -237,8 +237,8 @@ TEST(PowerFieldProlongation, ReproducesConstantFieldsInAPlane)
       const Vector<Complex> prolonged = OnPowers(hierarchy.Operators.SP[l], N) * faces;
       EXPECT_LT(RelativeDifference(prolonged, fineFaces), 1e-9 * N) << "level " << l;
 
-      const Vector<Complex> nodal = OnPowers(hierarchy.Operators.Nodal[l], N) * vertices;
-      EXPECT_LT(RelativeDifference(nodal, l == 0 ? fineFaces : fineVertices), 1e-12 * N);
+      const Vector<Complex> linear = OnPowers(hierarchy.Operators.Linear[l], N) * vertices;
+      EXPECT_LT(RelativeDifference(linear, l == 0 ? fineFaces : fineVertices), 1e-12 * N);
       fineFaces = faces;
       fineVertices = vertices;
     }
@@ -300,7 +300,7 @@ TEST(SurfaceHierarchy, HasTheSameBitsForAnyNumberOfThreads)
     const ProlongationOperators operators = BuildSurfaceHierarchy(mesh, options, TbbContext(threads)).Operators;
     same(operators.S0, expected.S0);
     same(operators.SP, expected.SP);
-    same(operators.Nodal, expected.Nodal);
+    same(operators.Linear, expected.Linear);
   }
 }
 

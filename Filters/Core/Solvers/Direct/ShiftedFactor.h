@@ -16,7 +16,7 @@ namespace dmg
 /// or definite but for rounding errors.
 ///
 /// Cholesky needs pivots above zero. Those of a sum of squares A = B^T B + D are, in exact arithmetic, but A has
-/// the squared condition of B: where triangles are needles, or a kernel is held by weak prescriptions alone, the smallest
+/// the squared condition of B: where triangles are thin, or a kernel is held by weak prescriptions alone, the smallest
 /// eigenvalues lie below the rounding errors of A, and pivots come out negative. The backward error of the
 /// factorisation is bounded entry by entry, |dA_ij| <= c epsilon sqrt(A_ii A_jj) (Higham 2002, theorem 10.3), so a
 /// share of the diagonal, whatever its scale, outweighs it. The shift changes eigenvalues of diag(A)^-1 A far above it by next

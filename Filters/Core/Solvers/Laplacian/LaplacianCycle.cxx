@@ -16,7 +16,7 @@ namespace
 
 constexpr int RowGrain = 4096;
 
-SmootherOptions SweepsOf(const RoughnessCycleOptions& options)
+SmootherOptions SweepsOf(const StiffnessCycleOptions& options)
 {
   SmootherOptions smoothing;
   smoothing.PreSweeps = smoothing.PostSweeps = options.Sweeps;
@@ -26,7 +26,7 @@ SmootherOptions SweepsOf(const RoughnessCycleOptions& options)
 }
 
 LaplacianCycle::LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D,
-  const RoughnessCycleOptions& options, const ExecutionContext& context)
+  const StiffnessCycleOptions& options, const ExecutionContext& context)
   : Fine(hierarchy)
   , InverseDiagonal(hierarchy.Rows())
   , FineSmoother(Smoother<Single>::NewWithDiagonal(hierarchy.Sweeps, this->InverseDiagonal, SweepsOf(options)))

@@ -4,8 +4,8 @@
 #include "Solvers/Laplacian/LaplacianHierarchy.h"
 #include "Solvers/Multigrid/GalerkinCycle.h"
 #include "Solvers/Multigrid/PenalisedUnknowns.h"
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
 #include "Solvers/Multigrid/Smoother.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 
 #include <memory>
 #include <vector>
@@ -16,11 +16,11 @@ namespace dmg
 /// The V-cycle of a LaplacianHierarchy: Gauss-Seidel by colours on the finest level, its smoothed
 /// prolongation, and a GalerkinCycle for the levels below. Penalised unknowns take a share of its correction
 /// (PenalisedUnknowns).
-class LaplacianCycle : public RoughnessCycle
+class LaplacianCycle : public StiffnessCycle
 {
 public:
   /// See LaplacianHierarchy::Cycle.
-  LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D, const RoughnessCycleOptions& options,
+  LaplacianCycle(const LaplacianHierarchy& hierarchy, const Vector<double>& D, const StiffnessCycleOptions& options,
     const ExecutionContext& context);
 
   void Update(const Vector<double>& D, const ExecutionContext& context) override;

@@ -173,7 +173,7 @@ LaplacianHierarchy CoarsenLaplacian(const MatrixInOrder& makeL, std::vector<Spar
 }
 
 LaplacianHierarchy::LaplacianHierarchy(LaplacianHierarchy&& other) noexcept
-  : RoughnessHierarchy(std::move(other))
+  : StiffnessHierarchy(std::move(other))
   , Prolongation(std::move(other.Prolongation))
   , Coarser(std::move(other.Coarser))
 {
@@ -202,13 +202,13 @@ SparseMatrix<double> LaplacianHierarchy::RealMatrix(const ExecutionContext& cont
   return OnRealUnknowns(this->L, context);
 }
 
-std::unique_ptr<RoughnessOperator> LaplacianHierarchy::Operator() const
+std::unique_ptr<StiffnessOperator> LaplacianHierarchy::Operator() const
 {
   return std::make_unique<MatrixPlusDiagonal<Complex>>(this->L);
 }
 
-std::unique_ptr<RoughnessCycle> LaplacianHierarchy::Cycle(
-  const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const
+std::unique_ptr<StiffnessCycle> LaplacianHierarchy::Cycle(
+  const Vector<double>& D, const StiffnessCycleOptions& options, const ExecutionContext& context) const
 {
   return std::make_unique<LaplacianCycle>(*this, D, options, context);
 }

@@ -4,7 +4,7 @@
 #include "Solvers/Kernels/SingleProlongation.h"
 #include "Solvers/Kernels/SweepOrder.h"
 #include "Solvers/Kernels/TriangularParts.h"
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 
 #include <complex>
 #include <functional>
@@ -14,11 +14,11 @@
 namespace dmg
 {
 
-/// The levels of a roughness that is given by its matrix: a Hermitian positive semi-definite L of few
+/// The levels of a smoothness energy that is given by its matrix: a Hermitian positive semi-definite L of few
 /// entries per row, which Gauss-Seidel smooths. Unknowns 2 k and 2 k + 1 are the parts of complex unknown k.
 ///
 /// Complex unknowns are sorted by colours.
-class LaplacianHierarchy : public RoughnessHierarchy
+class LaplacianHierarchy : public StiffnessHierarchy
 {
 public:
   using Single = std::complex<float>;
@@ -40,9 +40,9 @@ public:
 
   double DiagonalOf(int unknown) const override { return this->L.coeff(unknown / 2, unknown / 2).real(); }
   SparseMatrix<double> RealMatrix(const ExecutionContext& context) const override;
-  std::unique_ptr<RoughnessOperator> Operator() const override;
-  std::unique_ptr<RoughnessCycle> Cycle(
-    const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<StiffnessOperator> Operator() const override;
+  std::unique_ptr<StiffnessCycle> Cycle(
+    const Vector<double>& D, const StiffnessCycleOptions& options, const ExecutionContext& context) const override;
   std::unique_ptr<Preconditioner<double>> Factor(
     const Vector<double>& D, const ExecutionContext& context) const override;
   long long Bytes() const override;

@@ -103,7 +103,7 @@ private:
   Vector<float> Diagonal;             ///< D where it is finite, else zero; by place
   std::vector<int> Held;              ///< where D is infinite; ascending
   std::vector<int> Penalised;         ///< where it is neither that nor zero; ascending
-  std::vector<const float*> Inverses; ///< of each group: of the roughness alone where D is zero
+  std::vector<const float*> Inverses; ///< of each group: of the smoothness energy alone where D is zero
   std::vector<float> ChangedInverses; ///< where D is not zero
   Vector<float> Right;                ///< b - D x before the sweeps; by place
   Vector<float> Step;                 ///< what the sweeps have added to x; by place

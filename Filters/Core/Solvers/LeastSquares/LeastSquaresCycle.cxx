@@ -15,7 +15,7 @@ constexpr int RowGrain = 8192;
 }
 
 LeastSquaresCycle::LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy, const Vector<double>& D,
-  const RoughnessCycleOptions& options, const ExecutionContext& context)
+  const StiffnessCycleOptions& options, const ExecutionContext& context)
   : Fine(hierarchy)
   , Smoother(hierarchy.B, hierarchy.Tiles, hierarchy.Blocks, options.Sweeps)
   , b(hierarchy.NumberOfUnknowns())
@@ -57,7 +57,7 @@ SparseMatrix<double> LeastSquaresCycle::CoarseMatrix(const ExecutionContext& con
   if (!areAllFree)
   {
     const SparseMatrix<Complex32>& P = this->Fine.Prolongation.Matrix();
-    SparseMatrix<double> lower = CoarseRoughness(
+    SparseMatrix<double> lower = CoarseStiffness(
       this->Fine.B, Adjoint(this->Fine.B, context), P, Adjoint(P, context), this->Smoother.HeldUnknowns(), context);
     lowerOfFree.swap(lower); // an assignment would copy
   }

@@ -5,7 +5,7 @@
 #include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
 #include "Solvers/Multigrid/GalerkinCycle.h"
 #include "Solvers/Multigrid/PenalisedUnknowns.h"
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 
 #include <memory>
 #include <vector>
@@ -17,14 +17,14 @@ namespace dmg
 /// smoothed on the fine level, the smoothed prolongation of the hierarchy leads to plane vectors on the
 /// next, and a GalerkinCycle serves the levels below, of whose
 /// correction penalised unknowns take a share (PenalisedUnknowns).
-class LeastSquaresCycle : public RoughnessCycle
+class LeastSquaresCycle : public StiffnessCycle
 {
 public:
   /// \param hierarchy is borrowed: it must stay where it is. Several cycles may share it.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
   /// \throw as GalerkinHierarchy.
   LeastSquaresCycle(const LeastSquaresHierarchy& hierarchy, const Vector<double>& D,
-    const RoughnessCycleOptions& options, const ExecutionContext& context);
+    const StiffnessCycleOptions& options, const ExecutionContext& context);
 
   /// Inverts blocks where D is not zero.
   void Update(const Vector<double>& D, const ExecutionContext& context) override;

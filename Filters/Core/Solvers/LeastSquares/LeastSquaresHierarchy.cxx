@@ -228,7 +228,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   GiveBackFreedMemory();
   SingleProlongation prolongation(Adjoint(restriction, context));
   context.Checkpoint(0.6);
-  SparseMatrix<double> lower = CoarseRoughness(B, Bt, prolongation.Matrix(), restriction, {}, context);
+  SparseMatrix<double> lower = CoarseStiffness(B, Bt, prolongation.Matrix(), restriction, {}, context);
   SparseMatrix<Complex32>().swap(restriction);
   GiveBackFreedMemory();
   context.Checkpoint(0.8);
@@ -253,7 +253,7 @@ LeastSquaresHierarchy::LeastSquaresHierarchy(SchwarzBlocks blocks)
 }
 
 LeastSquaresHierarchy::LeastSquaresHierarchy(LeastSquaresHierarchy&& other) noexcept
-  : RoughnessHierarchy(std::move(other))
+  : StiffnessHierarchy(std::move(other))
   , Scales(std::move(other.Scales))
   , Diagonal(std::move(other.Diagonal))
   , Tiles(std::move(other.Tiles))
@@ -284,13 +284,13 @@ SparseMatrix<double> LeastSquaresHierarchy::RealMatrix(const ExecutionContext& c
   return NormalMatrix(unscaled, context);
 }
 
-std::unique_ptr<RoughnessOperator> LeastSquaresHierarchy::Operator() const
+std::unique_ptr<StiffnessOperator> LeastSquaresHierarchy::Operator() const
 {
   return std::make_unique<LeastSquaresOperator>(*this);
 }
 
-std::unique_ptr<RoughnessCycle> LeastSquaresHierarchy::Cycle(
-  const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const
+std::unique_ptr<StiffnessCycle> LeastSquaresHierarchy::Cycle(
+  const Vector<double>& D, const StiffnessCycleOptions& options, const ExecutionContext& context) const
 {
   return std::make_unique<LeastSquaresCycle>(*this, D, options, context);
 }

@@ -7,7 +7,7 @@
 #include "Solvers/Kernels/SparseDiagonal.h"
 #include "Solvers/LeastSquares/PlanarProlongation.h"
 #include "Solvers/LeastSquares/SchwarzBlocks.h"
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -35,7 +35,7 @@ struct LeastSquaresHierarchyOptions
 };
 
 /// The multigrid set-up of an energy |B x|^2, for any constraints: its blocks, a smoothed
-/// prolongation from plane vectors, and the roughness of those. Built once per surface; each set of
+/// prolongation from plane vectors, and the smoothness energy of those. Built once per surface; each set of
 /// prescriptions then takes a LeastSquaresCycle on it.
 ///
 /// The fine level costs most, so it is coarsened fast: the polynomial that smooths the prolongation
@@ -44,7 +44,7 @@ struct LeastSquaresHierarchyOptions
 /// Order and scale. Unknowns stand in an order of their own, by the coarse unknowns that their blocks belong to;
 /// rows of B as unknowns come to them, and within a tile by length (RowRuns). Columns of B are scaled so that B^T B has no eigenvalue above 1 and is about as large
 /// everywhere. The caller's unknown Order[k] is x_k / Scales[k].
-class LeastSquaresHierarchy : public RoughnessHierarchy
+class LeastSquaresHierarchy : public StiffnessHierarchy
 {
 public:
   explicit LeastSquaresHierarchy(SchwarzBlocks blocks);
@@ -67,9 +67,9 @@ public:
     return this->Scales[unknown] * this->Scales[unknown] * this->Diagonal[unknown];
   }
   SparseMatrix<double> RealMatrix(const ExecutionContext& context) const override;
-  std::unique_ptr<RoughnessOperator> Operator() const override;
-  std::unique_ptr<RoughnessCycle> Cycle(
-    const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<StiffnessOperator> Operator() const override;
+  std::unique_ptr<StiffnessCycle> Cycle(
+    const Vector<double>& D, const StiffnessCycleOptions& options, const ExecutionContext& context) const override;
   std::unique_ptr<Preconditioner<double>> Factor(
     const Vector<double>& D, const ExecutionContext& context) const override;
   long long Bytes() const override;
@@ -84,7 +84,7 @@ LeastSquaresHierarchy CoarsenLeastSquares(SparseMatrix<double> B, LeastSquaresLe
   const LeastSquaresHierarchyOptions& options, const ExecutionContext& context);
 
 /// A = B^T B + D of a hierarchy as operator, on unknowns in its order, but not scaled.
-class LeastSquaresOperator : public RoughnessOperator
+class LeastSquaresOperator : public StiffnessOperator
 {
 public:
   /// D = 0. \param hierarchy is borrowed.

@@ -232,7 +232,7 @@ RowBands<Complex32> SmoothedRestriction(const SparseMatrix<double>& B, const Spa
     static_cast<int>(adjoint.rows()), static_cast<int>(adjoint.cols()), makeWorker, context);
 }
 
-SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+SparseMatrix<double> CoarseStiffness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
   const SparseMatrix<Complex32>& P, const SparseMatrix<Complex32>& adjoint, const std::vector<int>& held,
   const ExecutionContext& context)
 {

@@ -22,7 +22,7 @@ using PlanarProlongation = SparseMatrix<Complex>;
 /// largest energy of what is left, max over (0, 1] of t p(t)^2, namely 1 / (2 k + 1)^2 of what it was
 /// (Chebyshev; Brezina and Vanek 1999). One coarse function after the other, in single precision.
 ///
-/// Fields of least roughness need it. Their energy counts divergence and curl, not the whole
+/// Fields of least smoothness energy need it. Their energy counts divergence and curl, not the whole
 /// derivative: on a surface that curves inwards a field may change a lot and cost next to nothing,
 /// as along a limb. In the discrete energy it does so only if it follows the triangles in the small,
 /// by an amount of the order of their size, and an interpolation, which knows nothing of it, has the
@@ -39,7 +39,7 @@ RowBands<Complex32> SmoothedRestriction(const SparseMatrix<double>& B, const Spa
 /// The lower triangle of P^T B^T B P on pairs of components: 2 m x 2 m for P of m columns.
 /// \param adjoint of P as a complex matrix.
 /// \param held rows of P that count as zero, ascending. The pattern does not depend on them.
-SparseMatrix<double> CoarseRoughness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
+SparseMatrix<double> CoarseStiffness(const SparseMatrix<double>& B, const SparseMatrix<double>& Bt,
   const SparseMatrix<Complex32>& P, const SparseMatrix<Complex32>& adjoint, const std::vector<int>& held,
   const ExecutionContext& context);
 

@@ -109,7 +109,7 @@ SparseMatrix<Scalar> FreeRows<Scalar>::Matrix(const SparseMatrix<Scalar>& R, con
 }
 
 /// B^T (B x) + D x.
-class FactoredOperator : public RoughnessOperator
+class FactoredOperator : public StiffnessOperator
 {
 public:
   FactoredOperator(const SparseMatrix<double>& factor, const ExecutionContext& context)
@@ -140,12 +140,12 @@ private:
 };
 
 template <class Scalar>
-class AssembledCycle : public RoughnessCycle
+class AssembledCycle : public StiffnessCycle
 {
 public:
   /// \param isFactored whether to factor although there are coarse levels.
   AssembledCycle(const AssembledHierarchy<Scalar>& hierarchy, const Vector<double>& D,
-    const RoughnessCycleOptions& options, bool isFactored, const ExecutionContext& context)
+    const StiffnessCycleOptions& options, bool isFactored, const ExecutionContext& context)
     : Fine(hierarchy)
     , Options(options)
     , IsFactored(isFactored || hierarchy.Prolongations().empty())
@@ -218,7 +218,7 @@ private:
   }
 
   const AssembledHierarchy<Scalar>& Fine;
-  const RoughnessCycleOptions Options;
+  const StiffnessCycleOptions Options;
   const bool IsFactored;
   FreeRows<Scalar> Free;
   std::optional<ShiftedFactor<Scalar>> Factor; ///< or
@@ -226,7 +226,7 @@ private:
 };
 
 template <class Scalar>
-class AssembledNestedIteration : public RoughnessNestedIteration
+class AssembledNestedIteration : public StiffnessNestedIteration
 {
 public:
   AssembledNestedIteration(const AssembledHierarchy<Scalar>& hierarchy, const Vector<double>& D,
@@ -305,7 +305,7 @@ SparseMatrix<double> AssembledHierarchy<Scalar>::RealMatrix(const ExecutionConte
 }
 
 template <class Scalar>
-std::unique_ptr<RoughnessOperator> AssembledHierarchy<Scalar>::Operator() const
+std::unique_ptr<StiffnessOperator> AssembledHierarchy<Scalar>::Operator() const
 {
   if (this->B.rows() > 0)
   {
@@ -315,8 +315,8 @@ std::unique_ptr<RoughnessOperator> AssembledHierarchy<Scalar>::Operator() const
 }
 
 template <class Scalar>
-std::unique_ptr<RoughnessCycle> AssembledHierarchy<Scalar>::Cycle(
-  const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const
+std::unique_ptr<StiffnessCycle> AssembledHierarchy<Scalar>::Cycle(
+  const Vector<double>& D, const StiffnessCycleOptions& options, const ExecutionContext& context) const
 {
   return std::make_unique<AssembledCycle<Scalar>>(*this, D, options, false, context);
 }
@@ -325,12 +325,12 @@ template <class Scalar>
 std::unique_ptr<Preconditioner<double>> AssembledHierarchy<Scalar>::Factor(
   const Vector<double>& D, const ExecutionContext& context) const
 {
-  return std::make_unique<AssembledCycle<Scalar>>(*this, D, RoughnessCycleOptions(), true, context);
+  return std::make_unique<AssembledCycle<Scalar>>(*this, D, StiffnessCycleOptions(), true, context);
 }
 
 template <class Scalar>
-std::unique_ptr<RoughnessNestedIteration> AssembledHierarchy<Scalar>::NestedIterations(
-  const Vector<double>& D, const RoughnessCycleOptions& options, bool maySweep, const ExecutionContext& context) const
+std::unique_ptr<StiffnessNestedIteration> AssembledHierarchy<Scalar>::NestedIterations(
+  const Vector<double>& D, const StiffnessCycleOptions& options, bool maySweep, const ExecutionContext& context) const
 {
   return std::make_unique<AssembledNestedIteration<Scalar>>(
     *this, D, NestedOptions{ options.Coarsening, maySweep }, context);

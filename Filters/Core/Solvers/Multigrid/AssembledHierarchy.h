@@ -1,7 +1,7 @@
 #ifndef dmgAssembledHierarchy_h
 #define dmgAssembledHierarchy_h
 
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Support/Types.h"
 
 #include <memory>
@@ -10,14 +10,14 @@
 namespace dmg
 {
 
-/// A roughness R that is given by its matrix, and prolongations for the Galerkin products of R + D: all of them are
+/// A stiffness matrix R that is given by its matrix, and prolongations for the Galerkin products of R + D: all of them are
 /// computed anew for every D. It serves methods that need a matrix: Cholesky factorisation, coarse
 /// spaces of any kind, full multigrid.
 ///
 /// Unknowns stand in the caller's order. Those of a complex matrix are pairs: 2 k and 2 k + 1 are the parts of
 /// complex unknown k, and D has the same value for both.
 template <class Scalar>
-class AssembledHierarchy : public RoughnessHierarchy
+class AssembledHierarchy : public StiffnessHierarchy
 {
 public:
   /// \param R n x n, symmetric or Hermitian, positive semi-definite, compressed.
@@ -30,15 +30,15 @@ public:
 
   double DiagonalOf(int unknown) const override;
   SparseMatrix<double> RealMatrix(const ExecutionContext& context) const override;
-  std::unique_ptr<RoughnessOperator> Operator() const override;
+  std::unique_ptr<StiffnessOperator> Operator() const override;
   /// Unknowns where D is infinite are taken out of the matrix. A factor is a ShiftedFactor.
   /// \throw SolverFailure R + D could not be factored.
-  std::unique_ptr<RoughnessCycle> Cycle(
-    const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const override;
+  std::unique_ptr<StiffnessCycle> Cycle(
+    const Vector<double>& D, const StiffnessCycleOptions& options, const ExecutionContext& context) const override;
   std::unique_ptr<Preconditioner<double>> Factor(
     const Vector<double>& D, const ExecutionContext& context) const override;
-  std::unique_ptr<RoughnessNestedIteration> NestedIterations(const Vector<double>& D,
-    const RoughnessCycleOptions& options, bool maySweep, const ExecutionContext& context) const override;
+  std::unique_ptr<StiffnessNestedIteration> NestedIterations(const Vector<double>& D,
+    const StiffnessCycleOptions& options, bool maySweep, const ExecutionContext& context) const override;
   long long Bytes() const override;
 
   const SparseMatrix<Scalar>& Matrix() const { return this->R; }

@@ -2,7 +2,7 @@
 #define dmgMatrixPlusDiagonal_h
 
 #include "Solvers/Kernels/SparseDiagonal.h"
-#include "Solvers/Multigrid/RoughnessHierarchy.h"
+#include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Support/SparseAssembly.h"
 #include "Support/SparseKernels.h"
 #include "Support/Types.h"
@@ -58,7 +58,7 @@ SparseMatrix<double> OnRealUnknowns(const SparseMatrix<Scalar>& A, const Executi
 
 /// R + D as operator on real unknowns, where R is a matrix.
 template <class Scalar>
-class MatrixPlusDiagonal : public RoughnessOperator
+class MatrixPlusDiagonal : public StiffnessOperator
 {
 public:
   /// \param matrix Hermitian; borrowed.

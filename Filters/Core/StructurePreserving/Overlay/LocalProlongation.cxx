@@ -154,7 +154,7 @@ std::array<Combination<double>, 3> WithZeroSum(
 struct Overlap
 {
   double Length = 0.0;
-  Complex Turning = 0.0; // sum of length e^{i angle}
+  Complex Rotation = 0.0; // sum of length e^{i angle}
 };
 
 LocalRow<Complex> PowerRow(
@@ -175,17 +175,17 @@ LocalRow<Complex> PowerRow(
       }
       const double length = std::abs(vector);
       overlaps[piece.Sector].Length += length;
-      overlaps[piece.Sector].Turning += before.Directions[side] * std::conj(vector);
+      overlaps[piece.Sector].Rotation += before.Directions[side] * std::conj(vector);
       total += length;
     }
   }
   LocalRow<Complex> row{ face.Face, {} };
   for (int k = 0; k < ring.NumberOfSectors(); ++k)
   {
-    const double turning = std::abs(overlaps[k].Turning);
-    if (turning > 0.0)
+    const double rotation = std::abs(overlaps[k].Rotation);
+    if (rotation > 0.0)
     {
-      row.Entries.emplace_back(ring.Sectors[k].Face, overlaps[k].Length / total * (overlaps[k].Turning / turning));
+      row.Entries.emplace_back(ring.Sectors[k].Face, overlaps[k].Length / total * (overlaps[k].Rotation / rotation));
     }
   }
   if (row.Entries.empty())

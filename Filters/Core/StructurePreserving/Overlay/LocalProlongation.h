@@ -40,7 +40,7 @@ struct LocalProlongation
 
   /// SP: directions of faces, each in a frame whose X is the direction of the first side, in space.
   /// Entries as in TransportOperator: the weight is the share of the pieces of the face's sides on
-  /// the sector, by length in space after the collapse; the turn their mean turning. Thesis,
+  /// the sector, by length in space after the collapse; the turn their mean rotation. Thesis,
   /// section 4.4, with unit directions and length weights.
   std::vector<LocalRow<Complex>> Powers;
 

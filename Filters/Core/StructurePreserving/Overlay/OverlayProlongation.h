@@ -31,7 +31,7 @@ struct OverlayProlongation
   SparseMatrix<double> SX;
 
   /// #F_l x #F_{l+1}: power fields of all N. The weight of an entry is the product of the weights
-  /// of the collapses, its turn that of the product for N = 1: the mean turning along all ways from
+  /// of the collapses, its turn that of the product for N = 1: the mean rotation along all ways from
   /// one face to the other. (See PowerFieldOverlay for one N.) Thesis, section 4.4.
   TransportOperator SP;
 

@@ -34,7 +34,7 @@ public:
     }
     const double length = std::sqrt(std::norm(piece));
     this->OnFaces[i].Length += length;
-    this->OnFaces[i].Turning += direction * std::conj(piece);
+    this->OnFaces[i].Rotation += direction * std::conj(piece);
     this->TotalLength += length;
   }
 
@@ -44,10 +44,10 @@ public:
     for (int i = 0; i < this->Count; ++i)
     {
       const OnFace& overlap = this->OnFaces[i];
-      const double turning = std::sqrt(std::norm(overlap.Turning));
-      if (turning > 0.0)
+      const double rotation = std::sqrt(std::norm(overlap.Rotation));
+      if (rotation > 0.0)
       {
-        row.emplace_back(overlap.Face, overlap.Length / this->TotalLength * (overlap.Turning / turning));
+        row.emplace_back(overlap.Face, overlap.Length / this->TotalLength * (overlap.Rotation / rotation));
       }
     }
   }
@@ -60,7 +60,7 @@ private:
   {
     int Face;
     double Length;
-    Complex Turning; ///< sum of length e^{i angle}
+    Complex Rotation; ///< sum of length e^{i angle}
   };
 
   std::array<OnFace, 64> OnFaces;

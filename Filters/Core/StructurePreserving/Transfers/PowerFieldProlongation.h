@@ -12,7 +12,7 @@ namespace dmg
 ///
 /// The sides of a fine face are cut into pieces, each on one coarse face. A piece compares the two
 /// frames: it has a direction on the fine face, that of its side, and one on the coarse face. All
-/// pieces on one coarse face make one entry, whose angle is their mean turning and whose weight is
+/// pieces on one coarse face make one entry, whose angle is their mean rotation and whose weight is
 /// their share of the length. (With the unnormalised edges of the thesis's pseudo-inverse, long
 /// pieces would count by |e|^2N; unit directions weighted by length are sound for every N.)
 /// \return #F_l x #F_{l+1}; about three entries per row; rows sum to 1 in weight.

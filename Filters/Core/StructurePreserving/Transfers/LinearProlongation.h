@@ -1,5 +1,5 @@
-#ifndef dmgNodalProlongation_h
-#define dmgNodalProlongation_h
+#ifndef dmgLinearProlongation_h
+#define dmgLinearProlongation_h
 
 #include "Levels/TransportOperator.h"
 #include "Mesh/TangentFrames.h"
@@ -22,7 +22,7 @@ std::vector<Complex> CornerTurns(
 /// face-to-face injection does not. Turns follow SP from the fine face to the coarse faces around
 /// the vertex: they belong to the conformal maps that tracked the levels, of all maps those that
 /// spread the curvature most evenly. (The rotation between normals in space would carry the
-/// roughness of the fine surface into the coarse functions.)
+/// smoothness energy of the fine surface into the coarse functions.)
 /// \return #F_0 x #V_1, in face frames and in polar coordinates of the vertices.
 TransportOperator FacesFromVertices(const TriangleMesh& fine, const SparseMatrix<double>& S0,
   const TransportOperator& SP, const TriangleMesh& coarse, const std::vector<Complex>& coarseCornerTurns,

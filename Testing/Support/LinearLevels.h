@@ -1,5 +1,5 @@
-#ifndef dmgTestNodalLevels_h
-#define dmgTestNodalLevels_h
+#ifndef dmgTestLinearLevels_h
+#define dmgTestLinearLevels_h
 
 #include "Levels/SampledLevels.h"
 #include "StructurePreserving/SurfaceHierarchy.h"
@@ -14,8 +14,8 @@ enum class LevelKind
   Sampling
 };
 
-/// Nodal operators alone.
-inline ProlongationOperators NodalLevels(LevelKind kind, const TriangleMesh& mesh, const HierarchyOptions& decimation,
+/// Linear operators alone.
+inline ProlongationOperators LinearLevels(LevelKind kind, const TriangleMesh& mesh, const HierarchyOptions& decimation,
   double sampleDistance, const ExecutionContext& context)
 {
   return kind == LevelKind::Sampling

@@ -1,4 +1,4 @@
-#include "StructurePreserving/Transfers/NodalProlongation.h"
+#include "StructurePreserving/Transfers/LinearProlongation.h"
 
 #include "Support/SparseAssembly.h"
 

@@ -1,5 +1,5 @@
-#ifndef dmgRoughnessHierarchy_h
-#define dmgRoughnessHierarchy_h
+#ifndef dmgStiffnessHierarchy_h
+#define dmgStiffnessHierarchy_h
 
 #include "Solvers/Krylov/ConvergenceMeasure.h"
 #include "Solvers/Krylov/LinearOperator.h"
@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-/// Most harmonic fields minimise a roughness x^T R x, which knows the surface alone, and a sum of squares of
+/// Most harmonic fields minimise a smoothness energy x^T R x, which knows the surface alone, and a sum of squares of
 /// prescribed unknowns, a diagonal D. Cycles for A = R + D keep the two apart: what they know of R is part
 /// of the set-up, and another D changes little.
 ///
@@ -23,7 +23,7 @@
 namespace dmg
 {
 
-struct RoughnessCycleOptions
+struct StiffnessCycleOptions
 {
   /// Sweeps on the finest level before and after the coarse correction, >= 1.
   int Sweeps = 4;
@@ -50,7 +50,7 @@ struct RoughnessCycleOptions
 
 /// One V-cycle for A = R + D, as a linear operator that is symmetric positive definite. Unknowns are in the
 /// order of the hierarchy, and not scaled.
-class RoughnessCycle : public Preconditioner<double>
+class StiffnessCycle : public Preconditioner<double>
 {
 public:
   /// Takes another D. No pattern changes: what D touches on the finest level, the coarse matrices and the
@@ -72,10 +72,10 @@ protected:
 };
 
 /// Full multigrid for A = R + D; see NestedIteration. Unknowns are those of the hierarchy.
-class RoughnessNestedIteration
+class StiffnessNestedIteration
 {
 public:
-  virtual ~RoughnessNestedIteration() = default;
+  virtual ~StiffnessNestedIteration() = default;
 
   virtual void Solve(const Vector<double>& b, const SweepOptions& sweeps, Vector<double>& x, SolveReport& report,
     const ExecutionContext& context, const ConvergenceMeasure<double>& measure) = 0;
@@ -85,7 +85,7 @@ public:
 
 /// A = R + D. Where D is infinite the unknown is zero: x should be, and its row of A x is. Whatever x is there, the
 /// other rows of A x are those of R x + D x; only the product that Apply returns counts it.
-class RoughnessOperator : public LinearOperator<double>
+class StiffnessOperator : public LinearOperator<double>
 {
 public:
   /// Takes another D, >= 0.
@@ -100,10 +100,10 @@ private:
 
 /// The part of cycles that depends on the stiffness matrix R alone. Its unknowns stand in an order of their own, which those of
 /// its cycles and operators share.
-class RoughnessHierarchy
+class StiffnessHierarchy
 {
 public:
-  virtual ~RoughnessHierarchy() = default;
+  virtual ~StiffnessHierarchy() = default;
 
   /// The caller's index of each unknown.
   std::vector<int> Order;
@@ -128,19 +128,19 @@ public:
   virtual SparseMatrix<double> RealMatrix(const ExecutionContext& context) const = 0;
 
   /// R, with D = 0. Borrows the hierarchy.
-  virtual std::unique_ptr<RoughnessOperator> Operator() const = 0;
+  virtual std::unique_ptr<StiffnessOperator> Operator() const = 0;
 
   /// A cycle for R + D, or its factor where there are no coarse levels. Borrows the hierarchy; several may
   /// share it.
   /// \param D one entry per unknown, >= 0. Infinite: the unknown is zero.
   /// \throw as GalerkinHierarchy.
-  virtual std::unique_ptr<RoughnessCycle> Cycle(
-    const Vector<double>& D, const RoughnessCycleOptions& options, const ExecutionContext& context) const = 0;
+  virtual std::unique_ptr<StiffnessCycle> Cycle(
+    const Vector<double>& D, const StiffnessCycleOptions& options, const ExecutionContext& context) const = 0;
 
   /// Full multigrid for R + D, if the hierarchy has it; else null. Parameters as above.
   /// \param maySweep see NestedOptions.
-  virtual std::unique_ptr<RoughnessNestedIteration> NestedIterations(
-    const Vector<double>&, const RoughnessCycleOptions&, bool /*maySweep*/, const ExecutionContext&) const
+  virtual std::unique_ptr<StiffnessNestedIteration> NestedIterations(
+    const Vector<double>&, const StiffnessCycleOptions&, bool /*maySweep*/, const ExecutionContext&) const
   {
     return nullptr;
   }
@@ -155,8 +155,8 @@ public:
   virtual long long Bytes() const = 0;
 
 protected:
-  RoughnessHierarchy() = default;
-  RoughnessHierarchy(RoughnessHierarchy&&) = default;
+  StiffnessHierarchy() = default;
+  StiffnessHierarchy(StiffnessHierarchy&&) = default;
 
   /// The bytes that this class holds.
   long long BytesOfUnknowns() const
