@@ -1,0 +1,29 @@
+# The CMake package DirectionalMultigrid with its component Core: the archive, its headers and what it links to.
+# Included by the top level where the core is built alone; BuildModule.cmake makes the package of the VTK module.
+set(package_destination "${CMAKE_INSTALL_LIBDIR}/cmake/DirectionalMultigrid")
+set(headers_destination "${CMAKE_INSTALL_INCLUDEDIR}/DirectionalMultigrid/Core")
+target_include_directories(dmgCore INTERFACE "$<INSTALL_INTERFACE:${headers_destination}>")
+
+install(TARGETS dmgCore EXPORT DirectionalMultigridCore
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/Filters/Core/" DESTINATION "${headers_destination}" COMPONENT development
+  FILES_MATCHING PATTERN "*.h")
+install(EXPORT DirectionalMultigridCore NAMESPACE DirectionalMultigrid:: FILE DirectionalMultigridCore-targets.cmake
+  DESTINATION "${package_destination}" COMPONENT development)
+
+include(CMakePackageConfigHelpers)
+configure_package_config_file(
+  "${CMAKE_CURRENT_LIST_DIR}/DirectionalMultigridCoreConfig.cmake.in"
+  "${PROJECT_BINARY_DIR}/${package_destination}/DirectionalMultigridConfig.cmake"
+  INSTALL_DESTINATION "${package_destination}")
+write_basic_package_version_file(
+  "${PROJECT_BINARY_DIR}/${package_destination}/DirectionalMultigridConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(
+  FILES
+    "${CMAKE_CURRENT_LIST_DIR}/FindCHOLMOD.cmake"
+    "${CMAKE_CURRENT_LIST_DIR}/FindExactKernel.cmake"
+    "${PROJECT_BINARY_DIR}/${package_destination}/DirectionalMultigridConfig.cmake"
+    "${PROJECT_BINARY_DIR}/${package_destination}/DirectionalMultigridConfigVersion.cmake"
+  DESTINATION "${package_destination}"
+  COMPONENT development)
