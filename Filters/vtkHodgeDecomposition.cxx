@@ -1,6 +1,7 @@
 #include "vtkHodgeDecomposition.h"
 
 #include "Adapters/Input/FlowFromArrays.h"
+#include "Adapters/Input/FlowFromEdges.h"
 #include "Adapters/Output/FlowToArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
@@ -27,6 +28,7 @@ public:
 vtkHodgeDecomposition::vtkHodgeDecomposition()
   : Internals(new vtkInternals)
 {
+  this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(2);
   this->SetInputArrayToProcess(
     0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS, vtkDataSetAttributes::VECTORS);
@@ -36,8 +38,30 @@ vtkHodgeDecomposition::vtkHodgeDecomposition()
 vtkHodgeDecomposition::~vtkHodgeDecomposition() = default;
 
 //------------------------------------------------------------------------------
-int vtkHodgeDecomposition::FillInputPortInformation(int, vtkInformation* information)
+int vtkHodgeDecomposition::GetNumberOfSetups() const
 {
+  return this->Internals->Kept.Counts().Setups;
+}
+
+//------------------------------------------------------------------------------
+int vtkHodgeDecomposition::GetNumberOfBases() const
+{
+  return this->Internals->Kept.Counts().Bases;
+}
+
+//------------------------------------------------------------------------------
+int vtkHodgeDecomposition::GetNumberOfSolves() const
+{
+  return this->Internals->Kept.Counts().Solves;
+}
+
+//------------------------------------------------------------------------------
+int vtkHodgeDecomposition::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 1)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
   return dmg::TakeAnyDataSet(information);
 }
 
@@ -56,6 +80,13 @@ int vtkHodgeDecomposition::RequestDataObject(
 }
 
 //------------------------------------------------------------------------------
+int vtkHodgeDecomposition::RequestInformation(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::GatherTimes(this, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
 int vtkHodgeDecomposition::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -69,9 +100,10 @@ int vtkHodgeDecomposition::RequestData(
   vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   const auto make = [&](const dmg::ExecutionContext& context)
   {
-    dmg::CheckRanges({ { "Boundary", this->Boundary, Closed, Open },
-      { "Solver", this->Solver, Automatic, ConjugateGradients }, { "Expected Solves", this->ExpectedSolves, 1 },
-      { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Length Scale", this->LengthScale, 1e-30 } });
+    dmg::CheckRanges(
+      { { "Boundary", this->Boundary, Closed, Open }, { "Edge Values", this->EdgeValues, Integrals, Components },
+        { "Solver", this->Solver, Automatic, ConjugateGradients }, { "Expected Solves", this->ExpectedSolves, 1 },
+        { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Length Scale", this->LengthScale, 1e-30 } });
     dmg::SolverOptions options;
     options.Kind = this->Solver == Cholesky ? dmg::SolverKind::Cholesky
       : this->Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients
@@ -82,18 +114,21 @@ int vtkHodgeDecomposition::RequestData(
     dmg::FlowSurface& kept = this->Internals->Kept;
     kept.SetSurface(input, preparation, this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open,
       options, dmg::PartOfContext(context, 0.0, 0.1));
-    const dmg::Points vectors = dmg::FlowVectors(this, input, kept.Surface(), dmg::Vector3(this->Axis));
+    vtkDataSet* const edges =
+      inputVector[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(inputVector[1]) : nullptr;
+    const dmg::FaceFlow flow = edges
+      ? dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals }, input, kept.Surface(), context)
+      : dmg::FlowFromArrays(this, input, kept.Surface(), dmg::Vector3(this->Axis), context);
     const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart }, this->Derivatives,
-      this->LengthScale };
+      this->LengthScale, this->NumberOfContours };
     dmg::WarnOfPreparation(this, kept.Preparation());
     output->ShallowCopy(input);
     dmg::AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
-    for (const std::string& warning :
-      kept.Decompose(vectors, wanted, input, output, dmg::PartOfContext(context, 0.1, 0.95)))
+    for (const std::string& warning : kept.Decompose(
+           flow, wanted, input, output, vtkPolyData::GetData(outputVector, 1), dmg::PartOfContext(context, 0.1, 1.0)))
     {
       vtkWarningMacro(<< warning);
     }
-    dmg::ContoursOfStreamFunction(output, this->NumberOfContours, vtkPolyData::GetData(outputVector, 1));
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }
@@ -104,6 +139,8 @@ void vtkHodgeDecomposition::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   const char* const boundaries[] = { "Closed", "Open" };
   const char* const solvers[] = { "Automatic", "Cholesky", "ConjugateGradients" };
+  os << indent << "EdgeArray: " << this->EdgeArray << "\n";
+  os << indent << "EdgeValues: " << (this->EdgeValues == Integrals ? "Integrals" : "Components") << "\n";
   os << indent << "Boundary: " << dmg::NameOf(boundaries, this->Boundary) << "\n";
   os << indent << "GradientPart: " << this->GradientPart << "\n";
   os << indent << "RotationalPart: " << this->RotationalPart << "\n";

@@ -17,6 +17,17 @@
  * - eastward and northward components of cells or points, chosen with indices 1 and 2, for surfaces around the origin with Axis to the
  *   north. They count where index 1 is chosen, instead of vectors.
  *
+ * Port 1 (optional): the flow as a 1-form instead. A dataset with a line for each edge of the surface, whose points are numbered as
+ * those of the surface or lie where these are, and the cell array EdgeArray: numbers for the way from the first point of a line to the
+ * second (EdgeValues). Diagonals of polygons may be left out. Lines elsewhere are passed over. Such are
+ *
+ * - the second output of vtkHarmonicFieldSolver with its array OneForm;
+ * - velocities of C-grid models, as of MPAS: the component of the flow that is normal to the side between two cells goes along the line
+ *   between their centres. The surface is the triangulation whose points are these centres.
+ *
+ * A 1-form that is closed, as the differences of a function, has vectors without vorticity, to rounding. Else a face has the vector of
+ * the Whitney interpolant at its centre.
+ *
  * @section vtkHodgeDecomposition-Output Output
  *
  * Port 0: of the type of the input, with all its arrays, and, as double (L is LengthScale, lengths are in the unit of the points times L):
@@ -27,7 +38,7 @@
  * | Potential                                             | points         | 1          | flow times length; grows along GradientPart    |
  * | StreamFunction                                        | points         | 1          | grows to the left of RotationalPart's quarter turn: to the right of the flow; active scalars |
  * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive |
- * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential             |
+ * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential; none of a 1-form |
  *
  * On triangles, parts sum to the tangential part of the flow; other cells have the mean of their triangles. At points, they are means of the cells around, by angle. Where functions are
  * free by a constant, their mean by area is zero on each component of the surface.
@@ -45,8 +56,9 @@
  * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
  * | Solver, Converged                           | 1          | as of vtkHarmonicFieldSolver                                         |
  *
- * Port 1: vtkPolyData, lines where the stream function has one of NumberOfContours values, evenly spaced between its extremes: the
- * streamlines of the rotational part, each pair with the same transport between them.
+ * Port 1: vtkPolyData, polylines where the stream function has one of NumberOfContours values, evenly spaced between its extremes: the
+ * streamlines of the rotational part, in its direction, each pair with the same transport between them. They have StreamFunction at
+ * their points.
  *
  * Parts that are switched off have no arrays, and are in the residual.
  *
@@ -66,6 +78,7 @@
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
 
 #include <memory> // For std::unique_ptr
+#include <string> // For std::string
 
 class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHodgeDecomposition : public vtkDataSetAlgorithm
 {
@@ -73,6 +86,30 @@ public:
   static vtkHodgeDecomposition* New();
   vtkTypeMacro(vtkHodgeDecomposition, vtkDataSetAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The name of the cell array of lines on port 1 that holds the flow. Default OneForm.
+   */
+  vtkSetStdStringFromCharMacro(EdgeArray);
+  vtkGetCharFromStdStringMacro(EdgeArray);
+  ///@}
+
+  enum EdgeValueKinds
+  {
+    /** The integral of the flow along the line: flow times length, in the unit of the points. */
+    Integrals = 0,
+    /** The component of the flow along the line, in the unit of the flow: the integral is that times the length. */
+    Components = 1
+  };
+
+  ///@{
+  /**
+   * What the numbers of EdgeArray are. Default Integrals.
+   */
+  vtkSetMacro(EdgeValues, int);
+  vtkGetMacro(EdgeValues, int);
+  ///@}
 
   enum BoundaryKinds
   {
@@ -197,6 +234,16 @@ public:
   vtkBooleanMacro(Strict, bool);
   ///@}
 
+  ///@{
+  /**
+   * How often, since this filter was made, a solver was set up on a surface, harmonic fields or functions of islands were found, and a
+   * potential or stream function was solved for.
+   */
+  int GetNumberOfSetups() const;
+  int GetNumberOfBases() const;
+  int GetNumberOfSolves() const;
+  ///@}
+
   vtkHodgeDecomposition(const vtkHodgeDecomposition&) = delete;
   void operator=(const vtkHodgeDecomposition&) = delete;
 
@@ -208,12 +255,16 @@ protected:
   int FillOutputPortInformation(int port, vtkInformation* information) override;
   int RequestDataObject(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestInformation(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestUpdateExtent(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
+  std::string EdgeArray = "OneForm";
+  int EdgeValues = Integrals;
   int Boundary = Closed;
   bool GradientPart = true;
   bool RotationalPart = true;

@@ -1,12 +1,7 @@
 #ifndef dmgHodgeDecomposition_h
 #define dmgHodgeDecomposition_h
 
-#include "Analysis/BoundaryLoops.h"
-#include "Mesh/FramedMesh.h"
-#include "Solvers/Krylov/StoppingCriteria.h"
-#include "Solvers/SolverOptions.h"
-#include "Support/ExecutionContext.h"
-#include "Support/Types.h"
+#include "FlowPotentials.h"
 
 #include <memory>
 #include <string>
@@ -14,16 +9,6 @@
 
 namespace dmg
 {
-
-/// The meaning of the surface's boundary for a flow.
-enum class FlowBoundary
-{
-  /// A coast: nothing flows through it. The stream function is constant on each loop of the boundary, and zero on the longest of
-  /// each component; differences between loops are transports between them.
-  Closed,
-  /// The edge of a region: the potential is zero there.
-  Open,
-};
 
 /// The parts that are computed; each is the same, whichever others are.
 struct FlowParts
@@ -47,6 +32,7 @@ struct DecomposedFlow
   Vector<double> Potential;      ///< u, at vertices: a mean of zero on each component where no boundary fixes it
   Vector<double> StreamFunction; ///< psi, the same
   Vector<double> Coefficients;   ///< of the harmonic basis
+  FlowDerivatives Derivatives;   ///< of the flow; DensityAtVertices makes densities of them
 
   // Squared magnitudes, integrated; zero for parts that were not computed.
   double Energy = 0.0; ///< of the flow
@@ -83,6 +69,9 @@ public:
   ~HodgeDecomposition();
   HodgeDecomposition(HodgeDecomposition&&) noexcept;
 
+  /// Takes another boundary. The set-up of the solvers stays.
+  void SetBoundary(FlowBoundary boundary);
+
   /// \param flow #F, in the frames of the faces.
   /// \param stop of the solves. Parts are orthogonal to about its tolerance.
   /// \throw InvalidInput the flow is not finite or has another size; harmonic fields or loops are too many to hold.
@@ -102,7 +91,7 @@ public:
     int Bases = 0;  ///< of harmonic fields or of stream functions of loops
     int Solves = 0; ///< for potentials and stream functions
   };
-  const StageCounts& Counts() const;
+  StageCounts Counts() const;
 
 private:
   class Internals;

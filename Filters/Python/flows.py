@@ -7,14 +7,14 @@ from typing import Any, Optional, TypeVar
 
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkDataSetAttributes
 
-from .fields import Property, _check_mesh, _choose_array, _set_property, _update
+from .fields import Property, _check_mesh, _choose_array, _datasets, _set_property, _update
 from .vtkFiltersDirectionalFields import vtkHodgeDecomposition
 
 Mesh = TypeVar("Mesh", bound=vtkDataSet)
 
 
 def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] = None, northward: Optional[str] = None,
-          **properties: Property) -> Mesh:
+          edges: Optional[vtkDataSet] = None, **properties: Property) -> Mesh:
     """A flow on a surface as the sum of a gradient part, a rotational part, a harmonic part and a residual.
 
     mesh                 a surface: any vtkDataSet with cells of two dimensions, or an object of a class derived from one, as
@@ -22,6 +22,9 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
     vectors              the name of an array of vectors at points, else on cells; by default the active vectors of points, else of
                          cells
     eastward, northward  names of two arrays of numbers instead, for surfaces around the origin with Axis to the north
+    edges                the flow as a 1-form instead: a dataset with a line for each edge of the mesh, and a number for each in its
+                         cell array OneForm, or that which EdgeArray names; EdgeValues="Components" where these are velocities along
+                         the lines and not their integrals
     properties           properties of vtkHodgeDecomposition by name, as LengthScale=6371000; values of enumerations may be names,
                          as Boundary="Open"
 
@@ -35,6 +38,9 @@ def hodge(mesh: Mesh, vectors: Optional[str] = None, *, eastward: Optional[str] 
     _check_mesh(mesh)
     decomposition = vtkHodgeDecomposition()
     decomposition.SetInputData(mesh)
+    if edges is not None:
+        (lines,) = _datasets(edges, "edges")
+        decomposition.SetInputDataObject(1, lines)
     for name, value in properties.items():
         _set_known(decomposition, name, value)
     for index, name in ((0, vectors), (1, eastward), (2, northward)):
@@ -50,7 +56,7 @@ def _set_known(decomposition: vtkHodgeDecomposition, name: str, value: Any) -> N
     known = sorted(each[3:] for each in vars(type(decomposition))
                    if each.startswith("Set") and hasattr(decomposition, "Get" + each[3:]))
     if name not in known:
-        near = difflib.get_close_matches(name, known + ["vectors", "eastward", "northward"], 1, 0.5)
+        near = difflib.get_close_matches(name, known + ["vectors", "eastward", "northward", "edges"], 1, 0.5)
         raise TypeError(f"there is no property {name}; " + (f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)))
     if name == "Axis":
         decomposition.SetAxis(*(float(each) for each in value))

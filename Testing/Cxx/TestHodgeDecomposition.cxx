@@ -3,6 +3,8 @@
 #include "TestTools.h"
 
 #include "vtkCellData.h"
+#include "vtkExtractEdges.h"
+#include "vtkHarmonicFieldSolver.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
@@ -155,6 +157,43 @@ vtkSmartPointer<vtkPolyData> Hexagons(int level)
   return data;
 }
 
+/// The edges of a surface as lines.
+/// \param isMerged with points of their own, in another order.
+vtkSmartPointer<vtkPolyData> EdgesOf(vtkPolyData* surface, bool isMerged)
+{
+  vtkNew<vtkExtractEdges> filter;
+  filter->SetInputData(surface);
+  filter->SetUseAllPoints(!isMerged);
+  filter->Update();
+  return filter->GetOutput();
+}
+
+/// \param integral of the way from one point to another.
+void AddIntegrals(
+  vtkPolyData* edges, const std::string& name, const std::function<double(const Vector3&, const Vector3&)>& integral)
+{
+  const auto values = Zeros(name, edges->GetNumberOfCells(), 1);
+  for (vtkIdType line = 0; line < edges->GetNumberOfCells(); ++line)
+  {
+    vtkIdType size;
+    const vtkIdType* ends;
+    edges->GetCellPoints(line, size, ends);
+    values->SetValue(line, integral(PointOf(edges, ends[0]), PointOf(edges, ends[1])));
+  }
+  edges->GetCellData()->AddArray(values);
+}
+
+double LargestDifference(const std::vector<double>& a, const std::vector<double>& b)
+{
+  EXPECT_EQ(a.size(), b.size());
+  double largest = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+  {
+    largest = std::max(largest, std::abs(a[k] - b[k]));
+  }
+  return largest;
+}
+
 double RelativeError(const std::vector<double>& found, const std::function<double(vtkIdType)>& expected)
 {
   double error = 0.0;
@@ -291,6 +330,139 @@ TEST(HodgeDecomposition, NorthwardIsTowardsTheAxis)
     0.01);
 }
 
+TEST(HodgeDecomposition, AFormOnEdgesOfALinearFlowGivesTheSamePartsAsItsVectors)
+{
+  // A rotation and a constant, of which the form knows all.
+  const auto field = [](const Vector3& p) { return Vector3(1.0 - 3.0 * p[1], 2.0 + 3.0 * p[0], 0.0); };
+  const auto surface = WithCellVectors(IrregularPlane(12, 9, 5), field);
+  vtkNew<vtkHodgeDecomposition> ofVectors;
+  ofVectors->SetInputData(surface);
+  ofVectors->Update();
+  for (const bool isMerged : { false, true })
+  {
+    SCOPED_TRACE(isMerged);
+    const double tolerance = isMerged ? 1e-4 : 1e-9; // the other points are in single precision
+    const auto edges = EdgesOf(surface, isMerged);
+    AddIntegrals(
+      edges, "Circulation", [&](const Vector3& a, const Vector3& b) { return field(0.5 * (a + b)).dot(b - a); });
+    AddIntegrals(edges, "Velocity",
+      [&](const Vector3& a, const Vector3& b) { return field(0.5 * (a + b)).dot((b - a).normalized()); });
+    for (const int kind : { vtkHodgeDecomposition::Integrals, vtkHodgeDecomposition::Components })
+    {
+      vtkNew<vtkHodgeDecomposition> ofForm;
+      ofForm->SetInputData(surface);
+      ofForm->SetInputData(1, edges);
+      ofForm->SetEdgeValues(kind);
+      ofForm->SetEdgeArray(kind == vtkHodgeDecomposition::Integrals ? "Circulation" : "Velocity");
+      Messages messages(ofForm);
+      ofForm->Update();
+      EXPECT_TRUE(messages.Silent()) << messages.Error();
+      for (const char* const name : { "GradientPart", "RotationalPart", "Residual" })
+      {
+        EXPECT_LT(LargestDifference(Values(ofForm->GetOutput()->GetCellData(), name),
+                    Values(ofVectors->GetOutput()->GetCellData(), name)),
+          tolerance)
+          << name;
+      }
+      EXPECT_FALSE(ofForm->GetOutput()->GetCellData()->HasArray("NormalComponent"));
+      for (const double vorticity : Values(ofForm->GetOutput()->GetPointData(), "Vorticity"))
+      {
+        EXPECT_TRUE(std::abs(vorticity - 6.0) < tolerance || vorticity == 0.0); // 0 at corners, beside no inner point
+      }
+    }
+  }
+}
+
+TEST(HodgeDecomposition, DifferencesOfAFunctionOnEdgesArePureGradients)
+{
+  const auto function = [](const Vector3& p) { return std::sin(2.0 * p[0]) + p[1] * p[2]; };
+  for (const auto& surface : { PolyDataOf(IrregularTorus(30, 16, 3)), LatitudesAndLongitudes(3), Hexagons(3) })
+  {
+    const auto edges = EdgesOf(surface, false);
+    AddIntegrals(edges, "OneForm", [&](const Vector3& a, const Vector3& b) { return function(b) - function(a); });
+    vtkNew<vtkHodgeDecomposition> filter;
+    filter->SetInputData(surface);
+    filter->SetInputData(1, edges);
+    filter->Update();
+    const std::vector<double> energies = Values(filter->GetOutput()->GetFieldData(), "FlowEnergies");
+    EXPECT_NEAR(energies[1], energies[0], 1e-12 * energies[0]);
+    EXPECT_LT(energies[2] + energies[3] + energies[4], 1e-18 * energies[0]);
+    const std::vector<double> u = Values(filter->GetOutput()->GetPointData(), "Potential");
+    const std::vector<double> vorticity = Values(filter->GetOutput()->GetPointData(), "Vorticity");
+    const double shift = u[0] - function(PointOf(surface, 0));
+    for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+    {
+      ASSERT_NEAR(u[point], function(PointOf(surface, point)) + shift, 1e-9);
+      ASSERT_NEAR(vorticity[point], 0.0, 1e-10);
+    }
+  }
+}
+
+TEST(HodgeDecomposition, TheFormOfASolverIsAFlow)
+{
+  const auto surface = PolyDataOf(IrregularTorus(30, 16, 3));
+  AddVectors(surface->GetCellData(), "Given", surface->GetNumberOfCells(), { { 7, Vector3(0.0, 1.0, 0.3) } });
+  vtkNew<vtkHarmonicFieldSolver> solver;
+  solver->SetDiscretisation(vtkHarmonicFieldSolver::OneForm);
+  solver->SetInputData(surface);
+  solver->SetInputArrayToProcess(1, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Given");
+  solver->SetUnitLength(false);
+  vtkNew<vtkHodgeDecomposition> ofForm;
+  ofForm->SetInputConnection(0, solver->GetOutputPort(0));
+  ofForm->SetInputConnection(1, solver->GetOutputPort(1));
+  Messages messages(ofForm);
+  ofForm->Update();
+  EXPECT_TRUE(messages.Silent()) << messages.Error();
+  // Its vectors on cells are those of the form at the centres.
+  vtkNew<vtkHodgeDecomposition> ofVectors;
+  ofVectors->SetInputConnection(solver->GetOutputPort(0));
+  ofVectors->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, "Direction0");
+  ofVectors->Update();
+  for (const char* const name : { "GradientPart", "RotationalPart", "HarmonicPart", "Residual" })
+  {
+    EXPECT_LT(LargestDifference(
+                Values(ofForm->GetOutput()->GetCellData(), name), Values(ofVectors->GetOutput()->GetCellData(), name)),
+      1e-9)
+      << name;
+  }
+  EXPECT_GT(Values(ofForm->GetOutput()->GetFieldData(), "FlowShares")[2], 0.5); // around the handle
+}
+
+TEST(HodgeDecomposition, EdgesThatLackSomethingAreTold)
+{
+  const auto surface = PolyDataOf(Icosphere(2));
+  const auto one = [](const Vector3&, const Vector3&) { return 1.0; };
+  const auto errorOf = [&](vtkPolyData* edges)
+  {
+    vtkNew<vtkHodgeDecomposition> filter;
+    filter->SetInputData(surface);
+    filter->SetInputData(1, edges);
+    Messages messages(filter);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
+    return messages.Error();
+  };
+  const auto edges = EdgesOf(surface, true);
+  EXPECT_NE(errorOf(edges).find("OneForm"), std::string::npos); // there is no such array
+  AddIntegrals(edges, "OneForm", one);
+  edges->GetCellData()->GetArray("OneForm")->SetComponent(5, 0, std::nan(""));
+  EXPECT_NE(errorOf(edges).find("not finite on line 5"), std::string::npos);
+  vtkNew<vtkPolyData> some;
+  some->SetPoints(surface->GetPoints());
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 1 });
+  some->SetLines(lines);
+  AddIntegrals(some, "OneForm", one);
+  EXPECT_NE(errorOf(some).find("no line of the edges joins points"), std::string::npos);
+  vtkNew<vtkPolyData> longLine;
+  longLine->SetPoints(surface->GetPoints());
+  vtkNew<vtkCellArray> polyline;
+  polyline->InsertNextCell({ 0, 1, 2 });
+  longLine->SetLines(polyline);
+  longLine->GetCellData()->AddArray(Zeros("OneForm", 1, 1));
+  EXPECT_NE(errorOf(longLine).find("a line of its own"), std::string::npos);
+}
+
 TEST(HodgeDecomposition, QuadsAndHexagonsConvergeAsTriangles)
 {
   for (const auto& [name, shape] :
@@ -375,6 +547,17 @@ TEST(HodgeDecomposition, PartsAreSwitched)
     EXPECT_FALSE(output->GetPointData()->HasArray(name)) << name;
   }
   EXPECT_FALSE(output->GetFieldData()->HasArray("Solver")); // as nothing was solved for
+  EXPECT_EQ(filter->GetNumberOfSolves(), 2);                // of the first run
+  vtkNew<vtkHodgeDecomposition> derivatives;
+  derivatives->SetInputData(filter->GetInput());
+  derivatives->GradientPartOff();
+  derivatives->RotationalPartOff();
+  derivatives->HarmonicPartOff();
+  derivatives->Update();
+  EXPECT_TRUE(derivatives->GetOutput()->GetPointData()->HasArray("Divergence"));
+  EXPECT_EQ(derivatives->GetNumberOfSetups(), 0);
+  EXPECT_EQ(derivatives->GetNumberOfBases(), 0);
+  EXPECT_EQ(derivatives->GetNumberOfSolves(), 0);
   EXPECT_EQ(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfCells(), 0);
   EXPECT_NEAR(Values(output->GetFieldData(), "FlowEnergies")[4], all[0], 1e-12 * all[0]);
   filter->HarmonicPartOn();

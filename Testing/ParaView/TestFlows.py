@@ -51,6 +51,16 @@ def main():
         assert not data.GetPointData().HasArray(name), name
     assert data.GetPointData().HasArray("Residual")
 
+    solver = simple.HarmonicFieldSolver(Input=flow, Discretisation="1-Form", Directions=["POINTS", "Flow"], UnitLength=0)
+    parts = simple.HodgeDecomposition(Input=solver, Edges=simple.OutputPort(solver, 1))
+    data = simple.servermanager.Fetch(parts)
+    assert shares(data)[:2].sum() > 0.9 and not data.GetCellData().HasArray("NormalComponent")
+    integrals = point_array(data, "StreamFunction")
+    parts.EdgeValues = "Components"  # of the same numbers, which are then velocities
+    assert np.abs(point_array(simple.servermanager.Fetch(parts), "StreamFunction") - integrals).max() > 1e-3
+    parts.EdgeArray = "Rotation"  # chosen by name, too
+    assert shares(simple.servermanager.Fetch(parts)).size == 4
+
     half = simple.Clip(Input=flow, ClipType="Plane")
     half.ClipType.Origin, half.ClipType.Normal = [0, 0, 0.013], [0, 0, 1]
     region = simple.Clean(Input=simple.Triangulate(Input=simple.ExtractSurface(Input=half)))

@@ -7,6 +7,7 @@ from directionalmultigrid import FieldError, hodge
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkHodgeDecomposition
 from surfaces import add, torus, values_of_points
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersCore import vtkExtractEdges
 
 
 def values(data, name):
@@ -55,6 +56,26 @@ class Flows(unittest.TestCase):
             hodge(with_flow(), "Wind")
         with self.assertRaisesRegex(FieldError, "no flow to decompose"):
             hodge(with_flow())
+
+    def test_a_form_on_edges(self):
+        surface = with_flow()
+        extract = vtkExtractEdges()
+        extract.SetInputData(surface)
+        extract.Update()
+        edges = extract.GetOutput()
+        ends = vtk_to_numpy(edges.GetLines().GetConnectivityArray()).reshape(-1, 2)
+        points = values_of_points(edges)
+        differences = points[ends[:, 1], 2] - points[ends[:, 0], 2]
+        add(edges.GetCellData(), "OneForm", differences)
+        add(edges.GetCellData(), "Velocity", differences / np.linalg.norm(points[ends[:, 1]] - points[ends[:, 0]], axis=1))
+        for arguments in ({}, {"EdgeArray": "Velocity", "EdgeValues": "Components"}):
+            result = hodge(surface, edges=edges, **arguments)
+            height = values_of_points(surface)[:, 2]
+            potential = values(result.GetPointData(), "Potential")
+            np.testing.assert_allclose(potential - potential[0], height - height[0], atol=1e-6)  # merged points are in single precision
+            self.assertGreater(values(result.GetFieldData(), "FlowShares")[0], 1 - 1e-9)
+        with self.assertRaisesRegex(FieldError, "no array|has no|is not among"):
+            hodge(surface, edges=edges, EdgeArray="Speed")
 
     def test_active_vectors(self):
         surface = with_flow()

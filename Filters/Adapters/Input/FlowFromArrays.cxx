@@ -7,14 +7,17 @@
 #include "vtkDataSet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
-#include <limits>
 #include <string>
 
 namespace dmg
 {
 namespace
 {
+
+/// The vector of a tuple at a place.
+using VectorOfTuple = std::function<Vector3(vtkIdType, const Vector3&)>;
 
 /// Zero on the axis, where there is no east.
 Vector3 FromComponents(const Vector3& place, const Vector3& axis, double eastward, double northward)
@@ -28,41 +31,68 @@ Vector3 FromComponents(const Vector3& place, const Vector3& axis, double eastwar
   return eastward * east / length + northward * place.normalized().cross(east / length);
 }
 
-/// \param vectorAt the vector of a tuple at a place.
-Points OnFaces(
-  const FramedSurface& surface, bool onPoints, const std::function<Vector3(vtkIdType, const Vector3&)>& vectorAt)
+/// The vector of a face: of its cell, or the mean over its corners.
+Vector3 VectorOnFace(const FramedSurface& surface, int face, bool onPoints, const VectorOfTuple& vectorAt)
 {
   const TriangleMesh& mesh = surface.On.Mesh;
-  Points vectors(mesh.NumberOfFaces(), 3);
-  vtkIdType wrong = std::numeric_limits<vtkIdType>::max(); // the first cell of the caller's
-  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  Vector3 sum = Vector3::Zero();
+  Vector3 centre = Vector3::Zero();
+  for (int corner = 0; corner < 3; ++corner)
   {
-    Vector3 sum = Vector3::Zero();
-    Vector3 centre = Vector3::Zero();
-    for (int corner = 0; corner < 3; ++corner)
+    const int vertex = mesh.FaceCorners()(face, corner);
+    const Vector3 place = mesh.Position(vertex);
+    centre += place / 3.0;
+    if (onPoints)
     {
-      const int vertex = mesh.FaceCorners()(face, corner);
-      centre += mesh.Position(vertex) / 3.0;
-      sum +=
-        onPoints ? Vector3(vectorAt(surface.Relation.PointOf(vertex), mesh.Position(vertex)) / 3.0) : Vector3::Zero();
-    }
-    vectors.row(face) = (onPoints ? sum : vectorAt(surface.Relation.CellOf(face), centre)).transpose();
-    if (!vectors.row(face).allFinite())
-    {
-      wrong = std::min(wrong, static_cast<vtkIdType>(surface.Relation.CellOf(face)));
+      sum += vectorAt(surface.Relation.PointOf(vertex), place) / 3.0;
     }
   }
-  if (wrong < std::numeric_limits<vtkIdType>::max())
+  return onPoints ? sum : vectorAt(surface.Relation.CellOf(face), centre);
+}
+
+/// \throw InvalidInput a vector is not finite.
+void CheckIsFinite(const FaceFlow& flow, const SurfaceRelation& relation, bool onPoints)
+{
+  int wrong = -1; // the first cell of the caller's
+  for (int face = 0; face < flow.Normal.size(); ++face)
+  {
+    const Complex tangential = flow.Tangential[face];
+    if (!std::isfinite(tangential.real()) || !std::isfinite(tangential.imag()) || !std::isfinite(flow.Normal[face]))
+    {
+      wrong = wrong < 0 ? relation.CellOf(face) : std::min(wrong, relation.CellOf(face));
+    }
+  }
+  if (wrong >= 0)
   {
     throw InvalidInput("the flow is not finite on cell " + std::to_string(wrong) +
       (onPoints ? " or at its points" : "") + "; repair it, or take cells without a flow away with Threshold first");
   }
-  return vectors;
+}
+
+FaceFlow OnFaces(
+  const FramedSurface& surface, bool onPoints, const VectorOfTuple& vectorAt, const ExecutionContext& context)
+{
+  constexpr int Grain = 4096;
+  const int faces = surface.On.Mesh.NumberOfFaces();
+  FaceFlow flow{ Vector<Complex>(faces), Vector<double>(faces) };
+  context.ParallelFor(0, faces, Grain,
+    [&](int first, int last)
+    {
+      for (int face = first; face < last; ++face)
+      {
+        const Vector3 vector = VectorOnFace(surface, face, onPoints, vectorAt);
+        flow.Tangential[face] = surface.On.Faces.ToComplex(face, vector);
+        flow.Normal[face] = surface.On.Faces.Normal(face).dot(vector);
+      }
+    });
+  CheckIsFinite(flow, surface.Relation, onPoints);
+  return flow;
 }
 
 }
 
-Points FlowVectors(vtkAlgorithm* algorithm, vtkDataSet* input, const FramedSurface& surface, const Vector3& axis)
+FaceFlow FlowFromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, const FramedSurface& surface, const Vector3& axis,
+  const ExecutionContext& context)
 {
   const std::string whose = "the surface";
   if (const ChosenArray eastward = FindArray(ChoiceOf(algorithm, 1), input, 1, "eastward component", whose);
@@ -78,27 +108,33 @@ Points FlowVectors(vtkAlgorithm* algorithm, vtkDataSet* input, const FramedSurfa
     {
       throw InvalidInput("Axis is (0, 0, 0), which has no direction; give it another value");
     }
-    return OnFaces(surface, eastward.OnPoints,
+    return OnFaces(
+      surface, eastward.OnPoints,
       [&](vtkIdType tuple, const Vector3& place)
       {
-        return FromComponents(
-          place, axis, eastward.Array->GetComponent(tuple, 0), northward.Array->GetComponent(tuple, 0));
-      });
+        double components[2]; // GetTuple may be called by several threads, GetComponent of any array may not
+        eastward.Array->GetTuple(tuple, components);
+        northward.Array->GetTuple(tuple, components + 1);
+        return FromComponents(place, axis, components[0], components[1]);
+      },
+      context);
   }
   const ChosenArray vectors = FindArray(ChoiceOf(algorithm, 0), input, 3, "flow", whose);
   if (!vectors.Array)
   {
     throw InvalidInput(
       "there is no flow to decompose: no array of vectors is chosen, and none is active; choose one, or eastward and "
-      "northward components");
+      "northward components, or connect Edges");
   }
-  return OnFaces(surface, vectors.OnPoints,
+  return OnFaces(
+    surface, vectors.OnPoints,
     [&](vtkIdType tuple, const Vector3&)
     {
       Vector3 vector;
       vectors.Array->GetTuple(tuple, vector.data());
       return vector;
-    });
+    },
+    context);
 }
 
 }

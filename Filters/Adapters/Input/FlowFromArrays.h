@@ -2,6 +2,7 @@
 #define dmgFlowFromArrays_h
 
 #include "Adapters/Surface/MeshFromDataSet.h"
+#include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
 class vtkAlgorithm;
@@ -10,10 +11,18 @@ class vtkDataSet;
 namespace dmg
 {
 
-/// The flow that was chosen with SetInputArrayToProcess, a vector for each face: vectors (index 0) or, where index 1 is chosen,
-/// eastward (1) and northward components (2) about an axis through the origin. Of points, the mean over the corners.
+/// A flow by faces.
+struct FaceFlow
+{
+  Vector<Complex> Tangential; ///< in the frames of the faces
+  Vector<double> Normal;      ///< components along the normals; empty where there are none
+};
+
+/// The flow that was chosen with SetInputArrayToProcess: vectors (index 0) or, where index 1 is chosen, eastward (1) and northward
+/// components (2) about an axis through the origin. Of points, the mean over the corners.
 /// \throw InvalidInput nothing is chosen, or as FindArray; a number is not finite; the axis is zero where it is needed. Cost: linear.
-Points FlowVectors(vtkAlgorithm* algorithm, vtkDataSet* input, const FramedSurface& surface, const Vector3& axis);
+FaceFlow FlowFromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, const FramedSurface& surface, const Vector3& axis,
+  const ExecutionContext& context);
 
 }
 

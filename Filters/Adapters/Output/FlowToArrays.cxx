@@ -1,16 +1,20 @@
 #include "Adapters/Output/FlowToArrays.h"
 
 #include "Adapters/Surface/ElementArrays.h"
-#include "Analysis/FlowOperators.h"
+#include "Drawing/ContourLines.h"
 #include "Operators/PowerFieldDirections.h"
 
+#include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkContourFilter.h"
+#include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace dmg
@@ -94,6 +98,52 @@ private:
   const ExecutionContext& Context;
 };
 
+/// Values with the same distance between neighbours, inside of the range of a function; none for a constant one.
+std::vector<double> EvenValues(const Vector<double>& function, int number)
+{
+  std::vector<double> values;
+  const double smallest = function.minCoeff();
+  const double step = (function.maxCoeff() - smallest) / std::max(number, 1);
+  for (int k = 0; k < number && step > 0.0; ++k)
+  {
+    values.push_back(smallest + (k + 0.5) * step);
+  }
+  return values;
+}
+
+/// Makes \p output the lines where the stream function of a flow has evenly spaced values.
+void MakeStreamlines(const TriangleMesh& mesh, const Vector<double>& psi, int number, double scale, vtkPolyData* output,
+  const ExecutionContext& context)
+{
+  const std::vector<double> values = EvenValues(psi, number);
+  const ContourLines lines = FindContourLines(mesh, psi, values, context);
+  if (lines.Order.empty())
+  {
+    return;
+  }
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(lines.Positions.rows());
+  std::copy_n(lines.Positions.data(), lines.Positions.size(), static_cast<double*>(points->GetVoidPointer(0)));
+  const auto ids = [](const std::vector<int>& numbers)
+  {
+    vtkNew<vtkIdTypeArray> array;
+    array->SetNumberOfValues(static_cast<vtkIdType>(numbers.size()));
+    std::copy(numbers.begin(), numbers.end(), array->GetPointer(0));
+    return vtkSmartPointer<vtkIdTypeArray>(array);
+  };
+  vtkNew<vtkCellArray> cells;
+  cells->SetData(ids(lines.Offsets), ids(lines.Order));
+  const auto ofPoints = NewArray(StreamFunction, 1, lines.Positions.rows());
+  for (std::size_t k = 0; k < lines.Values.size(); ++k)
+  {
+    ofPoints->SetValue(static_cast<vtkIdType>(k), scale * values[lines.Values[k]]);
+  }
+  output->SetPoints(points);
+  output->SetLines(cells);
+  output->GetPointData()->SetScalars(ofPoints);
+}
+
 /// Takes away what a former decomposition has left, and this one may not make.
 void RemoveFlowArrays(vtkDataSet* surface)
 {
@@ -161,35 +211,48 @@ void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& prepar
     SurfaceMesh surface = MeshFromDataSet(input, preparation, context);
     auto on = std::make_unique<FramedMesh>(std::move(surface.Mesh), context);
     auto corners = Corners(on->Mesh, SideDirections(on->Mesh, on->Faces, context), on->Faces, on->Vertices, context);
-    this->Decomposition.reset();
+    this->Forget();
     this->On = std::move(on);
     this->CornersOfFaces = std::move(corners);
     this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
     this->PreparationOfSurface = surface.Report;
     this->Digest = digest;
   }
-  if (!this->Decomposition || this->Boundary != boundary || !(this->Options == options))
+  if (!this->Decomposition || !(this->Options == options))
   {
+    this->Forget();
     this->Decomposition.emplace(*this->On, boundary, options);
-    this->Boundary = boundary;
     this->Options = options;
   }
+  this->Decomposition->SetBoundary(boundary);
 }
 
-std::vector<std::string> FlowSurface::Decompose(const Points& vectors, const FlowOptions& options, vtkDataSet* input,
-  vtkDataSet* output, const ExecutionContext& context)
+void FlowSurface::Forget()
+{
+  this->OfFormer = this->Counts();
+  this->Decomposition.reset();
+}
+
+HodgeDecomposition::StageCounts FlowSurface::Counts() const
+{
+  HodgeDecomposition::StageCounts counts = this->OfFormer;
+  if (this->Decomposition)
+  {
+    const HodgeDecomposition::StageCounts now = this->Decomposition->Counts();
+    counts.Setups += now.Setups;
+    counts.Bases += now.Bases;
+    counts.Solves += now.Solves;
+  }
+  return counts;
+}
+
+std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const FlowOptions& options, vtkDataSet* input,
+  vtkDataSet* output, vtkPolyData* streamlines, const ExecutionContext& context)
 {
   const FramedMesh& on = *this->On;
-  Vector<Complex> flow(on.Mesh.NumberOfFaces());
-  Vector<double> normal(flow.size());
-  for (int face = 0; face < flow.size(); ++face)
-  {
-    flow[face] = on.Faces.ToComplex(face, vectors.row(face).transpose());
-    normal[face] = on.Faces.Normal(face).dot(vectors.row(face).transpose());
-  }
   const StoppingCriteria stop{ 1e-11, 200 };
   const DecomposedFlow parts =
-    this->Decomposition->Decompose(flow, options.Parts, stop, PartOfContext(context, 0.0, 0.8));
+    this->Decomposition->Decompose(flow.Tangential, options.Parts, stop, PartOfContext(context, 0.0, 0.8));
   RemoveFlowArrays(output);
   const double scale = options.LengthScale;
   const FlowArrays arrays(this->Surface(), this->CornersOfFaces, input, output, context);
@@ -198,15 +261,17 @@ std::vector<std::string> FlowSurface::Decompose(const Points& vectors, const Flo
   context.Checkpoint(0.9);
   arrays.AddPart(HarmonicPart, parts.Harmonic);
   arrays.AddPart(Residual, parts.Residual);
-  arrays.AddToCells(NormalComponent, 1, normal.data());
+  if (flow.Normal.size() > 0)
+  {
+    arrays.AddToCells(NormalComponent, 1, flow.Normal.data());
+  }
   arrays.AddFunction(Potential, parts.Potential, scale);
   arrays.AddFunction(StreamFunction, parts.StreamFunction, scale);
   if (options.Derivatives)
   {
-    const auto density = [&](const Vector<Complex>& X)
-    { return DensityAtVertices(on.Mesh, IntegratedDivergence(on, X, context), context); };
-    arrays.AddFunction(Divergence, density(flow), 1.0 / scale);
-    arrays.AddFunction(Vorticity, density(Complex(0.0, -1.0) * flow), 1.0 / scale);
+    const FlowDerivatives& integrals = parts.Derivatives;
+    arrays.AddFunction(Divergence, DensityAtVertices(on.Mesh, integrals.Divergence, context), 1.0 / scale);
+    arrays.AddFunction(Vorticity, DensityAtVertices(on.Mesh, integrals.Vorticity, context), 1.0 / scale);
   }
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Relation, scale);
@@ -215,36 +280,10 @@ std::vector<std::string> FlowSurface::Decompose(const Points& vectors, const Flo
   if (parts.StreamFunction.size() > 0)
   {
     output->GetPointData()->SetActiveScalars(StreamFunction);
+    MakeStreamlines(on.Mesh, parts.StreamFunction, options.NumberOfContours, scale, streamlines, context);
   }
   context.Checkpoint(1.0);
   return parts.Warnings;
-}
-
-void ContoursOfStreamFunction(vtkDataSet* surface, int number, vtkPolyData* lines)
-{
-  vtkDataArray* const values = surface->GetPointData()->GetArray(StreamFunction);
-  if (!values || number == 0)
-  {
-    return;
-  }
-  double range[2];
-  values->GetRange(range);
-  if (!(range[0] < range[1]))
-  {
-    return;
-  }
-  const auto bare = vtk::TakeSmartPointer(surface->NewInstance()); // contours would have all other arrays, too
-  bare->CopyStructure(surface);
-  bare->GetPointData()->SetScalars(values);
-  vtkNew<vtkContourFilter> contours;
-  contours->SetInputData(bare);
-  contours->SetNumberOfContours(number);
-  for (int k = 0; k < number; ++k)
-  {
-    contours->SetValue(k, range[0] + (k + 0.5) * (range[1] - range[0]) / number);
-  }
-  contours->Update();
-  lines->ShallowCopy(contours->GetOutput());
 }
 
 }

@@ -1,6 +1,7 @@
 #ifndef dmgFlowToArrays_h
 #define dmgFlowToArrays_h
 
+#include "Adapters/Input/FlowFromArrays.h"
 #include "Adapters/Surface/MeshFromDataSet.h"
 #include "HodgeDecomposition.h"
 #include "Support/ExecutionContext.h"
@@ -23,6 +24,7 @@ struct FlowOptions
   FlowParts Parts;
   bool Derivatives = true;
   double LengthScale = 1.0; ///< the length of the unit of the points
+  int NumberOfContours = 0; ///< of the stream function
 };
 
 /// A HodgeDecomposition for the surface of a dataset, and the arrays that show its parts; kept for the next flow on the same surface. Keys
@@ -40,25 +42,27 @@ public:
   FramedSurface Surface() const { return { *this->On, this->Relation }; }
 
   /// Adds the arrays of vtkHodgeDecomposition to \p output, a copy of the \p input.
-  /// \param vectors of the flow, one per face.
+  /// \param streamlines an empty output; becomes the contours of the stream function.
   /// \return warnings for the user.
-  std::vector<std::string> Decompose(const Points& vectors, const FlowOptions& options, vtkDataSet* input,
-    vtkDataSet* output, const ExecutionContext& context);
+  std::vector<std::string> Decompose(const FaceFlow& flow, const FlowOptions& options, vtkDataSet* input,
+    vtkDataSet* output, vtkPolyData* streamlines, const ExecutionContext& context);
+
+  /// Over all surfaces.
+  HodgeDecomposition::StageCounts Counts() const;
 
 private:
+  /// Takes the decomposition away.
+  void Forget();
+
   std::string Digest;
-  FlowBoundary Boundary = FlowBoundary::Closed;
   SolverOptions Options;
   SurfaceRelation Relation;
   PreparationReport PreparationOfSurface;
   std::unique_ptr<FramedMesh> On;
   Unfilled<Corner> CornersOfFaces;
   std::optional<HodgeDecomposition> Decomposition; ///< it refers to On
+  HodgeDecomposition::StageCounts OfFormer;        ///< of those before it
 };
-
-/// Makes \p lines those where the array StreamFunction of a surface has \p number values, evenly spaced inside of its range; none, where there is no such
-/// array or it is constant.
-void ContoursOfStreamFunction(vtkDataSet* surface, int number, vtkPolyData* lines);
 
 }
 

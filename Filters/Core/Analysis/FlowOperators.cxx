@@ -31,39 +31,51 @@ Complex TurnedOppositeSide(const FramedMesh& surface, int halfedge)
   return Complex(0.0, 1.0) * surface.Faces.ToComplex(TriangleMesh::FaceOf(halfedge), side);
 }
 
+/// On each face, the vector whose integrals along the sides are nearest to those of its halfedges.
+template <class AlongHalfedge>
+Vector<Complex> VectorsOfSides(const FramedMesh& surface, const AlongHalfedge& along, const ExecutionContext& context)
+{
+  const TriangleMesh& mesh = surface.Mesh;
+  Vector<Complex> vectors(mesh.NumberOfFaces());
+  ForAll(mesh.NumberOfFaces(), context,
+    [&](int face)
+    {
+      const Vector3 sides(along(3 * face), along(3 * face + 1), along(3 * face + 2));
+      const Vector2 inFrame = PseudoInverse(ProjectionOntoSides(mesh, surface.Faces, face)) * sides;
+      vectors[face] = { inFrame[0], inFrame[1] };
+    });
+  return vectors;
+}
+
 }
 
 Vector<Complex> GradientOnFaces(const FramedMesh& surface, const Vector<double>& u, const ExecutionContext& context)
 {
-  const TriangleMesh& mesh = surface.Mesh;
-  Vector<Complex> gradient(mesh.NumberOfFaces());
-  ForAll(mesh.NumberOfFaces(), context,
-    [&](int face)
-    {
-      Vector3 differences;
-      for (int k = 0; k < 3; ++k)
-      {
-        differences[k] = u[mesh.Head(3 * face + k)] - u[mesh.Tail(3 * face + k)];
-      }
-      const Vector2 inFrame = PseudoInverse(ProjectionOntoSides(mesh, surface.Faces, face)) * differences;
-      gradient[face] = { inFrame[0], inFrame[1] };
-    });
-  return gradient;
+  return VectorsOfSides(
+    surface, [&](int h) { return u[surface.Mesh.Head(h)] - u[surface.Mesh.Tail(h)]; }, context);
 }
 
-Vector<double> IntegratedDivergence(
+Vector<Complex> FlowOfForm(const FramedMesh& surface, const Vector<double>& form, const ExecutionContext& context)
+{
+  return VectorsOfSides(
+    surface, [&](int h) { return surface.Mesh.EdgeSign(h) * form[surface.Mesh.EdgeOf(h)]; }, context);
+}
+
+FlowDerivatives IntegratedDerivatives(
   const FramedMesh& surface, const Vector<Complex>& X, const ExecutionContext& context)
 {
-  Vector<double> divergence(surface.Mesh.NumberOfVertices());
-  ForAll(surface.Mesh.NumberOfVertices(), context,
+  const int vertices = surface.Mesh.NumberOfVertices();
+  FlowDerivatives derivatives{ Vector<double>(vertices), Vector<double>(vertices) };
+  ForAll(vertices, context,
     [&](int vertex)
     {
-      double sum = 0.0;
-      surface.Mesh.VisitFan(vertex,
-        [&](int h) { sum -= 0.5 * (std::conj(X[TriangleMesh::FaceOf(h)]) * TurnedOppositeSide(surface, h)).real(); });
-      divergence[vertex] = sum;
+      Complex sum = 0.0;
+      surface.Mesh.VisitFan(
+        vertex, [&](int h) { sum += std::conj(X[TriangleMesh::FaceOf(h)]) * TurnedOppositeSide(surface, h); });
+      derivatives.Divergence[vertex] = -0.5 * sum.real();
+      derivatives.Vorticity[vertex] = 0.5 * sum.imag();
     });
-  return divergence;
+  return derivatives;
 }
 
 Vector<double> DensityAtVertices(

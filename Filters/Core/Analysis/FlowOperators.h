@@ -14,11 +14,22 @@ namespace dmg
 Vector<Complex> GradientOnFaces(
   const FramedMesh& surface, const Vector<double>& u, const ExecutionContext& context = SerialContext());
 
-/// The divergence, integrated with the function lambda_v that is 1 at vertex v and 0 at all others; #V:
-///   (D X)_v = - sum over faces f around v of A_f X_f . grad lambda_v .
-/// It sums to zero. At boundary vertices it also holds, with a minus, the flux out of the surface. That of -i X is the vorticity,
-/// and holds the circulation along the boundary.
-Vector<double> IntegratedDivergence(
+/// The vectors of a 1-form, which has the integral of a flow for each edge, from its smaller vertex to its larger one; #F. On each face
+/// the vector whose integrals along its sides are nearest to those of the form, which is that of the form's Whitney interpolant at
+/// the centre. Exact where the form is closed, so that differences of a function give its gradient.
+Vector<Complex> FlowOfForm(
+  const FramedMesh& surface, const Vector<double>& form, const ExecutionContext& context = SerialContext());
+
+/// Derivatives of a flow X, integrated with the function lambda_v that is 1 at vertex v and 0 at all others.
+struct FlowDerivatives
+{
+  /// (D X)_v = - sum over faces f around v of A_f X_f . grad lambda_v , #V. It sums to zero. At boundary vertices it also holds, with a
+  /// minus, the flux out of the surface.
+  Vector<double> Divergence;
+  /// D (-i X). At boundary vertices it also holds, with a minus, the circulation along the boundary.
+  Vector<double> Vorticity;
+};
+FlowDerivatives IntegratedDerivatives(
   const FramedMesh& surface, const Vector<Complex>& X, const ExecutionContext& context = SerialContext());
 
 /// Integrals around vertices divided by a third of the area of the faces around, #V. A boundary vertex has the mean of its

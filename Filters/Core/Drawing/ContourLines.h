@@ -1,0 +1,32 @@
+#ifndef dmgContourLines_h
+#define dmgContourLines_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// Lines on a surface where a function has given values. A line runs with larger values to its right, as a flow does whose stream
+/// function it is.
+struct ContourLines
+{
+  Points Positions;
+  std::vector<int> Values; ///< of points: the index of the value there
+  std::vector<int>
+    Order; ///< points along the lines, one line after the other; a closed line names its first point again at its end
+  std::vector<int> Offsets; ///< of lines in Order, and its size
+};
+
+/// \param u one per vertex; linear on faces.
+/// \param values ascending.
+/// Cost: linear.
+ContourLines FindContourLines(const TriangleMesh& mesh, const Vector<double>& u, const std::vector<double>& values,
+  const ExecutionContext& context = SerialContext());
+
+}
+
+#endif
