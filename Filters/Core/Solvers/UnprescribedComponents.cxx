@@ -17,27 +17,18 @@ UnprescribedComponents::UnprescribedComponents(
       context))
   , Shifts(setup.Hierarchy->NumberOfComponents(), 0.0)
 {
-  // A surface of size L has eigenvalues from about 1 / L^2 to 1 / h^2, where the diagonal is, and n unknowns have the
-  // size (L / h)^2.
-  std::vector<double> diagonal;
+  // A surface of size L has eigenvalues from about 1 / L^2 to 1 / h^2, where the diagonal is. The areas h^2 of its triangles
+  // sum to L^2. Triangles that are much smaller than others, as on the rim of a thin plate, add little to the sum.
   for (std::size_t component = 0; component < this->Shifts.size(); ++component)
   {
-    const auto first = this->ByComponent.Items.begin() + this->ByComponent.Begins[component];
-    const auto last = this->ByComponent.Items.begin() + this->ByComponent.Begins[component + 1];
-    if (first == last)
+    double area = 0.0;
+    for (int item = this->ByComponent.Begins[component]; item < this->ByComponent.Begins[component + 1]; ++item)
     {
-      continue;
+      const int unknown = this->ByComponent.Items[item];
+      const double stiffness = setup.Hierarchy->DiagonalOf(unknown);
+      area += stiffness > 0.0 ? setup.MassOf(unknown) / stiffness : 0.0;
     }
-    diagonal.clear();
-    for (auto i = first; i != last; ++i)
-    {
-      const double mass = setup.MassOf(*i);
-      mass > 0.0 ? diagonal.push_back(setup.Hierarchy->DiagonalOf(*i) / mass) : void();
-    }
-    const auto median = diagonal.begin() + diagonal.size() / 2;
-    std::nth_element(diagonal.begin(), median, diagonal.end());
-    const double scale = *median > 0.0 ? *median : 1.0; // a triangle by itself has no energy
-    this->Shifts[component] = scale / static_cast<double>(diagonal.size());
+    this->Shifts[component] = area > 0.0 ? 1.0 / area : 1.0; // a triangle by itself has no smoothness energy
   }
 }
 

@@ -184,3 +184,58 @@ TEST(LowestEigenvectors, OfPartsThatAreSolvedStayNormal)
     ASSERT_NEAR(mass[2 * part] * x.segment(2 * part, 2).squaredNorm(), 1.0, 1e-13) << part;
   }
 }
+
+// Both halves of a part have almost the same eigenvalue, as both sides of a thin plate do. Blocks of vectors find it, for all
+// parts in the applications that the slowest takes.
+TEST(LowestEigenvectors, OfManyPartsWithCloseEigenvaluesCostWhatThoseOfOneDo)
+{
+  class Counted : public Preconditioner<double>
+  {
+  public:
+    explicit Counted(Vector<double> inverse)
+      : Inverse(std::move(inverse))
+    {
+    }
+    void Apply(const Vector<double>& r, Vector<double>& z, const ExecutionContext&) override
+    {
+      z = this->Inverse.cwiseProduct(r);
+      ++this->Applications;
+    }
+    int Applications = 0;
+
+  private:
+    const Vector<double> Inverse;
+  };
+  constexpr int Half = 12;
+  const auto applications = [=](int numberOfParts)
+  {
+    SparseMatrix<double> A = Chains(std::vector<int>(2 * numberOfParts, Half));
+    for (int part = 0; part < numberOfParts; ++part)
+    {
+      const int end = 2 * Half * part + Half;
+      A.coeffRef(end - 1, end) = -1e-7;
+      A.coeffRef(end, end - 1) = -1e-7;
+    }
+    A.makeCompressed();
+    const MatrixOperator<double> matrix(A);
+    Counted inverse(Vector<double>::Constant(A.rows(), 0.5));
+    const Vector<double> mass = Vector<double>::Ones(A.rows());
+    const SortedItems parts = PartsOf(std::vector<int>(numberOfParts, 2 * Half));
+    Vector<double> x = Vector<double>::Zero(A.rows());
+    SolveReport report;
+    const std::vector<double> theta =
+      FindLowestEigenvectors({ matrix, inverse, mass, parts }, { 1e-11, 100 }, x, report, SerialContext());
+    EXPECT_TRUE(report.Converged);
+    for (int part = 0; part < numberOfParts; ++part)
+    {
+      // The coupling lowers the sum of both halves' eigenvectors, by the product of their ends.
+      const double end = std::sqrt(2.0 / (Half + 1)) * std::sin(Half * Pi / (Half + 1));
+      EXPECT_NEAR(theta[part], LowestEigenvalue(Half) - 1e-7 * end * end, 1e-13);
+      EXPECT_NEAR(x.segment(parts.Begins[part], 2 * Half).squaredNorm(), 1.0, 1e-12);
+    }
+    return inverse.Applications;
+  };
+  const int ofOne = applications(1);
+  EXPECT_GT(ofOne, 102); // a block has been at work
+  EXPECT_LE(applications(40), 2 * ofOne);
+}

@@ -306,13 +306,15 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
     IterationReport row = report.Iterations.back();
     row.Iteration += 1;
     row.RelativeResidual = 0.0;
+    std::vector<int> slow;
     for (std::size_t part = 0; part < eigenvalues.size(); ++part)
     {
-      double residual = iteration.Residuals()[part];
-      if (residual > stop.RelativeTolerance)
-      {
-        residual = FindLowestOfBlock(problem, static_cast<int>(part), stop, x, eigenvalues[part], context);
-      }
+      const double residual = iteration.Residuals()[part];
+      residual > stop.RelativeTolerance ? slow.push_back(static_cast<int>(part))
+                                        : void(row.RelativeResidual = std::max(row.RelativeResidual, residual));
+    }
+    for (const double residual : FindLowestOfBlocks(problem, slow, stop, x, eigenvalues, context))
+    {
       row.RelativeResidual = std::max(row.RelativeResidual, residual);
     }
     row.Energy = std::accumulate(eigenvalues.begin(), eigenvalues.end(), 0.0);

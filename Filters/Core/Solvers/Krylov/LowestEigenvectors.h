@@ -40,7 +40,7 @@ struct EigenProblem
 /// \return theta of each part.
 /// \throw Cancelled
 /// A part that has not converged after all iterations, if these are 100 or more, goes on with a block of vectors
-/// (FindLowestOfBlock); the history tells the end of that as one iteration more.
+/// (FindLowestOfBlocks); the history tells the end of that as one iteration more.
 /// Cost per iteration: one application of B, one product with A and about fifteen passes over a vector.
 std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const StoppingCriteria& stop, Vector<double>& x,
   SolveReport& report, const ExecutionContext& context);

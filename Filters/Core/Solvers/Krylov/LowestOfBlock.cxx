@@ -24,61 +24,90 @@ double PseudoRandom(std::uint64_t index)
   return static_cast<double>(static_cast<std::int64_t>(z ^ (z >> 31))) * 0x1p-63;
 }
 
-/// One part of a problem: its unknowns stand side by side in a block.
-class PartOfProblem
+/// A block of vectors on each part. A block may have fewer columns than others, and none where its part is solved.
+using Blocks = std::vector<Block>;
+
+/// Some parts of a problem, whose blocks an operator takes together: column k of all of them is one vector.
+class PartsOfProblem
 {
 public:
-  PartOfProblem(const EigenProblem& problem, int part, int numberOfUnknowns, const ExecutionContext& context)
+  PartsOfProblem(
+    const EigenProblem& problem, const std::vector<int>& parts, Eigen::Index unknowns, const ExecutionContext& context)
     : Problem(problem)
     , Context(context)
-    , Unknowns(problem.Parts.Items.begin() + problem.Parts.Begins[part],
-        problem.Parts.Items.begin() + problem.Parts.Begins[part + 1])
-    , Whole(Vector<double>::Zero(numberOfUnknowns))
-    , Mass(static_cast<Eigen::Index>(this->Unknowns.size()))
+    , Whole(Vector<double>::Zero(unknowns))
   {
-    const int pair = static_cast<int>(numberOfUnknowns / problem.Mass.size());
-    for (Eigen::Index k = 0; k < this->Mass.size(); ++k)
+    const Eigen::Index pair = unknowns / problem.Mass.size();
+    for (const int part : parts)
     {
-      this->Mass[k] = problem.Mass[this->Unknowns[k] / pair];
+      const auto begin = problem.Parts.Items.begin() + problem.Parts.Begins[part];
+      this->Unknowns.emplace_back(begin, problem.Parts.Items.begin() + problem.Parts.Begins[part + 1]);
+      Vector<double> mass(static_cast<Eigen::Index>(this->Unknowns.back().size()));
+      for (Eigen::Index k = 0; k < mass.size(); ++k)
+      {
+        mass[k] = problem.Mass[this->Unknowns.back()[k] / pair];
+      }
+      this->Masses.push_back(std::move(mass));
     }
   }
 
-  Eigen::Index Size() const { return this->Mass.size(); }
-  Block TimesMass(const Block& X) const { return this->Mass.asDiagonal() * X; }
-  Block TimesA(const Block& X)
+  const Vector<double>& MassOf(std::size_t part) const { return this->Masses[part]; }
+  Vector<double> Gather(std::size_t part, const Vector<double>& whole) const { return whole(this->Unknowns[part]); }
+  void Scatter(std::size_t part, const Vector<double>& values, Vector<double>& whole) const
+  {
+    whole(this->Unknowns[part]) = values;
+  }
+
+  Blocks TimesA(const Blocks& X)
   {
     return this->Apply(
       X, [this](const Vector<double>& from, Vector<double>& to) { this->Problem.A.Apply(from, to, this->Context); });
   }
-  Block Preconditioned(const Block& X)
+  Blocks Preconditioned(const Blocks& X)
   {
     return this->Apply(X,
       [this](const Vector<double>& from, Vector<double>& to) { this->Problem.Inverse.Apply(from, to, this->Context); });
   }
 
-  Vector<double> Gather(const Vector<double>& whole) const { return whole(this->Unknowns); }
-  void Scatter(const Vector<double>& part, Vector<double>& whole) const { whole(this->Unknowns) = part; }
-
 private:
   template <class Function>
-  Block Apply(const Block& X, const Function& function)
+  Blocks Apply(const Blocks& X, const Function& function)
   {
-    Block Y(X.rows(), X.cols());
-    Vector<double> result;
-    for (Eigen::Index column = 0; column < X.cols(); ++column)
+    Blocks Y;
+    Eigen::Index width = 0;
+    for (const Block& block : X)
     {
-      this->Whole(this->Unknowns) = X.col(column);
+      Y.emplace_back(block.rows(), block.cols());
+      width = std::max(width, block.cols());
+    }
+    Vector<double> result;
+    for (Eigen::Index column = 0; column < width; ++column)
+    {
+      this->Whole.setZero();
+      for (std::size_t part = 0; part < X.size(); ++part)
+      {
+        if (column < X[part].cols())
+        {
+          this->Scatter(part, X[part].col(column), this->Whole);
+        }
+      }
       function(this->Whole, result);
-      Y.col(column) = result(this->Unknowns);
+      for (std::size_t part = 0; part < X.size(); ++part)
+      {
+        if (column < X[part].cols())
+        {
+          Y[part].col(column) = this->Gather(part, result);
+        }
+      }
     }
     return Y;
   }
 
   const EigenProblem& Problem;
   const ExecutionContext& Context;
-  const std::vector<int> Unknowns;
-  Vector<double> Whole; ///< zero outside of the part
-  Vector<double> Mass;
+  std::vector<std::vector<int>> Unknowns;
+  std::vector<Vector<double>> Masses;
+  Vector<double> Whole; ///< zero outside of the parts
 };
 
 /// A basis of the columns that are not combinations of others, orthonormal in M.
@@ -93,49 +122,113 @@ Block Basis(const Block& gramM)
   return scale.asDiagonal() * solver.eigenvectors().rightCols(rank) * roots.asDiagonal();
 }
 
-}
-
-double FindLowestOfBlock(const EigenProblem& problem, int part, const StoppingCriteria& stop, Vector<double>& x,
-  double& theta, const ExecutionContext& context)
+/// The iteration on one part.
+struct BlockIteration
 {
-  PartOfProblem on(problem, part, static_cast<int>(x.size()), context);
-  const Eigen::Index width = std::min<Eigen::Index>(BlockSize, on.Size());
-  Block X(on.Size(), width);
-  for (Eigen::Index k = 0; k < X.size(); ++k)
+  Block X;     ///< the lowest eigenvectors so far
+  Block Steps; ///< of the last iteration
+  Block Span;  ///< X, the preconditioned residuals and the steps; empty where the part is solved
+  double Theta = 0.0;
+  double Residual = std::numeric_limits<double>::infinity();
+
+  /// Rayleigh and Ritz: X becomes the lowest eigenvectors in the span. \return their residuals.
+  Block Improve(const Block& ASpan, const Vector<double>& mass)
   {
-    X.data()[k] = PseudoRandom(static_cast<std::uint64_t>(k));
-  }
-  X = on.Preconditioned(on.TimesMass(X));
-  X.col(0) = on.Gather(x);
-  Block S = X;
-  Block steps(on.Size(), 0);
-  double residual = std::numeric_limits<double>::infinity();
-  for (int k = 0;; ++k)
-  {
-    // Rayleigh and Ritz: the lowest eigenvectors in the span of S.
-    const Block AS = on.TimesA(S);
-    const Block basis = Basis(S.transpose() * on.TimesMass(S));
-    const Block gramA = basis.transpose() * (S.transpose() * AS) * basis;
+    const Eigen::Index width = this->X.cols();
+    const Block basis = Basis(this->Span.transpose() * (mass.asDiagonal() * this->Span));
+    const Block gramA = basis.transpose() * (this->Span.transpose() * ASpan) * basis;
     const Eigen::SelfAdjointEigenSolver<Block> solver(0.5 * (gramA + gramA.transpose()));
     const Eigen::Index size = std::min(width, gramA.cols());
     const Block C = basis * solver.eigenvectors().leftCols(size);
-    const Eigen::Index others = S.cols() - X.cols();
-    steps = others > 0 ? Block(S.rightCols(others) * C.bottomRows(others)) : Block(on.Size(), 0);
-    X = S * C;
-    const Block R = AS * C - on.TimesMass(X) * solver.eigenvalues().head(size).asDiagonal();
-    const Block W = on.Preconditioned(R);
-    theta = solver.eigenvalues()[0];
-    residual = std::sqrt(std::max(0.0, R.col(0).dot(W.col(0))) / theta);
+    const Eigen::Index others = this->Span.cols() - width;
+    this->Steps = this->Span.rightCols(others) * C.bottomRows(others);
+    this->X = this->Span * C;
+    this->Theta = solver.eigenvalues()[0];
+    return ASpan * C - (mass.asDiagonal() * this->X) * solver.eigenvalues().head(size).asDiagonal();
+  }
+
+  /// \param W the preconditioned residuals R.
+  void Extend(const Block& R, const Block& W, double tolerance)
+  {
+    this->Residual = std::sqrt(std::max(0.0, R.col(0).dot(W.col(0))) / this->Theta);
+    if (this->Residual <= tolerance)
+    {
+      this->Span.resize(this->X.rows(), 0);
+      return;
+    }
+    this->Span.resize(this->X.rows(), this->X.cols() + W.cols() + this->Steps.cols());
+    this->Span << this->X, W, this->Steps;
+  }
+};
+
+/// Starts with pseudo-random vectors without their rough parts, and x.
+std::vector<BlockIteration> Start(PartsOfProblem& on, std::size_t numberOfParts, const Vector<double>& x)
+{
+  Blocks random;
+  for (std::size_t part = 0; part < numberOfParts; ++part)
+  {
+    const Vector<double>& mass = on.MassOf(part);
+    Block block(mass.size(), std::min<Eigen::Index>(BlockSize, mass.size()));
+    for (Eigen::Index k = 0; k < block.size(); ++k)
+    {
+      block.data()[k] = PseudoRandom(static_cast<std::uint64_t>(k));
+    }
+    random.push_back(mass.asDiagonal() * block);
+  }
+  std::vector<BlockIteration> iterations(numberOfParts);
+  const Blocks smooth = on.Preconditioned(random);
+  for (std::size_t part = 0; part < numberOfParts; ++part)
+  {
+    iterations[part].X = smooth[part];
+    iterations[part].X.col(0) = on.Gather(part, x);
+    iterations[part].Span = iterations[part].X;
+  }
+  return iterations;
+}
+
+}
+
+std::vector<double> FindLowestOfBlocks(const EigenProblem& problem, const std::vector<int>& parts,
+  const StoppingCriteria& stop, Vector<double>& x, std::vector<double>& theta, const ExecutionContext& context)
+{
+  PartsOfProblem on(problem, parts, x.size(), context);
+  std::vector<BlockIteration> iterations = Start(on, parts.size(), x);
+  Blocks spans(parts.size()), residuals(parts.size());
+  const auto isSolved = [](const BlockIteration& iteration) { return iteration.Span.cols() == 0; };
+  for (int k = 0; !std::all_of(iterations.begin(), iterations.end(), isSolved); ++k)
+  {
+    for (std::size_t part = 0; part < parts.size(); ++part)
+    {
+      spans[part] = iterations[part].Span;
+    }
+    const Blocks images = on.TimesA(spans);
+    for (std::size_t part = 0; part < parts.size(); ++part)
+    {
+      residuals[part] = isSolved(iterations[part]) ? Block(spans[part].rows(), 0)
+                                                   : iterations[part].Improve(images[part], on.MassOf(part));
+    }
+    const Blocks corrections = on.Preconditioned(residuals);
+    for (std::size_t part = 0; part < parts.size(); ++part)
+    {
+      if (!isSolved(iterations[part]))
+      {
+        iterations[part].Extend(residuals[part], corrections[part], stop.RelativeTolerance);
+      }
+    }
     context.Checkpoint(static_cast<double>(k) / stop.MaximumIterations);
-    if (residual <= stop.RelativeTolerance || k == stop.MaximumIterations)
+    if (k == stop.MaximumIterations)
     {
       break;
     }
-    S.resize(on.Size(), X.cols() + W.cols() + steps.cols());
-    S << X, W, steps;
   }
-  on.Scatter(X.col(0), x);
-  return residual;
+  std::vector<double> found;
+  for (std::size_t part = 0; part < parts.size(); ++part)
+  {
+    on.Scatter(part, iterations[part].X.col(0), x);
+    theta[parts[part]] = iterations[part].Theta;
+    found.push_back(iterations[part].Residual);
+  }
+  return found;
 }
 
 }

@@ -3,21 +3,23 @@
 
 #include "Solvers/Krylov/LowestEigenvectors.h"
 
+#include <vector>
+
 namespace dmg
 {
 
-/// The lowest eigenvector of one part by LOBPCG with a block of vectors (Knyazev 2001). Eigenvalues that are close to the
-/// lowest one, as the two sides of a thin plate have them, hold up an iteration with one vector; in a block, what counts is
-/// the distance to the first eigenvalue that is not in it.
-/// \param part its number in problem.Parts.
-/// \param x a start in the unknowns of the part, not zero; on exit x^T M x = 1. Other unknowns stay as they are.
-/// \param theta on exit the eigenvalue.
-/// \return the residual, as FindLowestEigenvectors measures it. It is at most \p stop.RelativeTolerance, unless the limit of
-///   iterations is reached.
+/// The lowest eigenvectors of some parts by LOBPCG with a block of vectors for each (Knyazev 2001). Eigenvalues that are close
+/// to the lowest one, as the two sides of a thin plate have them, hold up an iteration with one vector. In a block, what
+/// counts is the distance to the first eigenvalue that is not in it.
+/// \param parts their numbers in problem.Parts.
+/// \param x a start in the unknowns of these parts, not zero; on exit x^T M x = 1. Other unknowns stay as they are.
+/// \param theta by part of the problem; on exit the eigenvalues of these parts.
+/// \return the residual of each, as FindLowestEigenvectors measures it. It is at most \p stop.RelativeTolerance, unless the
+///   limit of iterations is reached.
 /// \throw Cancelled
-/// Cost per iteration: those of FindLowestEigenvectors, times the eight vectors of the block.
-double FindLowestOfBlock(const EigenProblem& problem, int part, const StoppingCriteria& stop, Vector<double>& x,
-  double& theta, const ExecutionContext& context);
+/// Cost per iteration: those of FindLowestEigenvectors, times the eight vectors of a block, for all parts together.
+std::vector<double> FindLowestOfBlocks(const EigenProblem& problem, const std::vector<int>& parts,
+  const StoppingCriteria& stop, Vector<double>& x, std::vector<double>& theta, const ExecutionContext& context);
 
 }
 
