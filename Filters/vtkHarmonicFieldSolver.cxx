@@ -6,6 +6,7 @@
 #include "Adapters/Output/FieldOutput.h"
 #include "Adapters/Output/ReportToArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/LeavesOfExecution.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
@@ -13,6 +14,7 @@
 #include "Mesh/TriangleSoup.h"
 #include "SingularFieldSolver.h"
 
+#include "vtkCommand.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
@@ -21,14 +23,53 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <algorithm>
+
 vtkStandardNewMacro(vtkHarmonicFieldSolver);
 
 class vtkHarmonicFieldSolver::vtkInternals
 {
 public:
-  dmg::SolverOfSurface Kept;
-  dmg::FieldOutput Shown;
+  /// The stages of a dataset, or of a leaf of a composite one.
+  struct Leaf
+  {
+    dmg::SolverOfSurface Kept;
+    dmg::FieldOutput Shown;
+    long long Bytes = 0; ///< of the solver
+  };
+
+  /// The executions of leaves begin and end within that of their composite dataset.
+  void BeginExecution()
+  {
+    if (this->OpenExecutions++ == 0)
+    {
+      this->Leaves.Begin([this](const Leaf& leaf) { this->Former = this->Former + leaf.Kept.Counts(); });
+    }
+  }
+  void EndExecution() { this->OpenExecutions = std::max(0, this->OpenExecutions - 1); }
+
+  /// Leaves are added while the solvers of those before take less than a GiB.
+  Leaf& Of(const std::string& digest)
+  {
+    constexpr long long Limit = 1LL << 30;
+    long long bytes = 0;
+    this->Leaves.ForEach([&bytes](const Leaf& leaf) { bytes += leaf.Bytes; });
+    return this->Leaves.Of(digest, bytes < Limit);
+  }
+
+  dmg::SolvedField::StageCounts Counts() const
+  {
+    dmg::SolvedField::StageCounts counts = this->Former;
+    this->Leaves.ForEach([&counts](const Leaf& leaf) { counts = counts + leaf.Kept.Counts(); });
+    return counts;
+  }
+
   dmg::ConstraintChoices OfGuides; ///< SetGuideArrayToProcess
+
+private:
+  dmg::LeavesOfExecution<Leaf> Leaves;
+  dmg::SolvedField::StageCounts Former; ///< of leaves that are forgotten
+  int OpenExecutions = 0;
 };
 
 //------------------------------------------------------------------------------
@@ -37,6 +78,8 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
 {
   this->SetNumberOfInputPorts(3);
   this->SetNumberOfOutputPorts(3);
+  this->AddObserver(vtkCommand::StartEvent, this->Internals.get(), &vtkInternals::BeginExecution);
+  this->AddObserver(vtkCommand::EndEvent, this->Internals.get(), &vtkInternals::EndExecution);
 }
 
 //------------------------------------------------------------------------------
@@ -116,19 +159,19 @@ const char* vtkHarmonicFieldSolver::GetGuideWeights() const
 //------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::GetNumberOfSetups() const
 {
-  return this->Internals->Kept.Counts().Setups;
+  return this->Internals->Counts().Setups;
 }
 
 //------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::GetNumberOfSystems() const
 {
-  return this->Internals->Kept.Counts().Systems;
+  return this->Internals->Counts().Systems;
 }
 
 //------------------------------------------------------------------------------
 int vtkHarmonicFieldSolver::GetNumberOfSolves() const
 {
-  return this->Internals->Kept.Counts().Solves;
+  return this->Internals->Counts().Solves;
 }
 
 //------------------------------------------------------------------------------
@@ -182,10 +225,12 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
   const auto make = [&](const dmg::ExecutionContext& context)
   {
-    dmg::SolverOfSurface& kept = this->Internals->Kept;
-    dmg::FieldOutput& shown = this->Internals->Shown;
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
+    const std::string digest = dmg::ContentDigest(input, preparation);
+    vtkInternals::Leaf& leaf = this->Internals->Of(digest);
+    dmg::SolverOfSurface& kept = leaf.Kept;
+    dmg::FieldOutput& shown = leaf.Shown;
     const dmg::FieldInputs inputs{ input,
       { dmg::DataOf(inputVector[1]), this->Internals->OfGuides, this->MaximumDistance },
       { dmg::DataOf(inputVector[2]), this->SingularityIndexArray, this->MaximumDistance } };
@@ -194,7 +239,7 @@ int vtkHarmonicFieldSolver::RequestData(
     {
       dmg::CheckTakesSingularities(problem.Options.Field);
     }
-    kept.SetSurface(input, problem.Options, preparation, dmg::PartOfContext(context, 0.0, 0.1));
+    kept.SetSurface(input, digest, problem.Options, preparation, dmg::PartOfContext(context, 0.0, 0.1));
     dmg::WarnOfPreparation(this, kept.Preparation());
     if (dmg::IsSoup(kept.Surface().On.Mesh))
     {
@@ -209,6 +254,7 @@ int vtkHarmonicFieldSolver::RequestData(
     }
     const dmg::Field& field =
       kept.Solver().Solve(problem, dmg::PartOfContext(context, 0.1, 0.95), kept.Surface().Relation.Names());
+    leaf.Bytes = field.Report.Bytes;
     for (const std::string& text : field.Warnings)
     {
       vtkWarningMacro(<< text);

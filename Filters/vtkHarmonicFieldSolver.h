@@ -139,13 +139,13 @@
  * | system | which elements are prescribed; weights; other options                                                    |
  * | solve  | prescribed vectors; singularities; Tolerance, MaximumNumberOfIterations                                   |
  *
- * A solve starts from the solution before. UnitLength and Combing change the output arrays only. A solve that misses
- * Tolerance gives its best field, Converged = 0 and a warning; NestedIterations and CoarseProlongation are approximations
+ * Leaves of composite datasets keep theirs (1 GiB). A solve starts from the solution before. UnitLength and
+ * Combing change the output arrays only. A solve that misses Tolerance gives its best field, Converged = 0 and a warning; NestedIterations and CoarseProlongation are approximations
  * and give no warning. Where the constraints do not determine the harmonic parts of face fields and 1-forms, these are left
  * out, with a warning. An error or an aborted run leaves empty outputs and keeps complete stages.
  *
- * Threads and pieces are as in vtkDirectionalProlongation. Results have the same bits for any number of threads of ours; the
- * BLAS has threads of its own (OPENBLAS_NUM_THREADS), on which they may depend.
+ * Threads and pieces are as in vtkDirectionalProlongation. Results have the same bits for any number of threads, but
+ * for those of the BLAS (OPENBLAS_NUM_THREADS).
  *
  * @sa vtkDirectionalProlongation vtkPrincipalDirections
  */

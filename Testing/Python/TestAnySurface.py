@@ -6,7 +6,7 @@ import warnings
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
-from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
 
 from any_surfaces import (cells_of, grid_of, hexagons, image, latitude_longitude, make, out, plane, plate_with_stiffener, polygons,
                           positions_of, soup, sphere, superquadric, with_flips_and_twins)
@@ -34,6 +34,15 @@ def result_of(algorithm):
         warnings.simplefilter("ignore", FieldWarning)
         update(algorithm)
     return algorithm.GetOutputDataObject(0)
+
+
+def solved_beside(guide, data):
+    """The field that follows a guide."""
+    solver = vtkHarmonicFieldSolver()
+    solver.SetInputDataObject(0, data)
+    solver.AddGuidesConnection(guide.GetOutputPort())
+    solver.SetMaximumDistance(1.0)
+    return result_of(solver)
 
 
 def topology(field):
@@ -110,6 +119,44 @@ class AnySurface(unittest.TestCase):
             lengths = np.linalg.norm(directions(field.GetBlock(k)), axis=1)
             np.testing.assert_allclose(lengths, 1.0, atol=1e-12)
         self.assertIsNone(field.GetBlock(2))
+
+    def test_blocks_keep_their_set_ups(self):
+        """A moved guide solves anew, on leaves that come and go in any order; another surface is set up as the only one."""
+        leaves = [sphere(12, 8), grid_of(out(vtkCubeSource())), hexagons(1)]
+        blocks = vtkMultiBlockDataSet()
+        for k, leaf in enumerate([*leaves, sphere(12, 8)]):  # the last one is a twin of the first
+            blocks.SetBlock(k, leaf)
+        guide = vtkLineSource()
+        guide.SetPoint1(0, 0, 0.75)
+        guide.SetPoint2(0.3, 0, 0.75)
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputDataObject(0, blocks)
+        solver.AddGuidesConnection(guide.GetOutputPort())
+        solver.SetMaximumDistance(1.0)
+
+        def counts():
+            result_of(solver)
+            return solver.GetNumberOfSetups(), solver.GetNumberOfSystems()
+
+        first = counts()
+        self.assertEqual(first[0], 3)
+        alone = [directions(solved_beside(guide, leaf)) for leaf in leaves]
+        for k in range(4):
+            np.testing.assert_array_equal(directions(solver.GetOutputDataObject(0).GetBlock(k)), alone[k % 3])
+        guide.SetPoint2(0.3, 0.2, 0.75)
+        self.assertEqual(counts()[0], 3)
+        shuffled = vtkMultiBlockDataSet()
+        for k, leaf in enumerate([leaves[2], leaves[0]]):
+            shuffled.SetBlock(k, leaf)
+        solver.SetInputDataObject(0, shuffled)
+        self.assertEqual(counts()[0], 3)
+        solver.SetInputDataObject(0, blocks)  # the box is no longer kept, and takes over from the hexagons
+        self.assertEqual(counts()[0], 5)
+        other = vtkMultiBlockDataSet()
+        for k, leaf in enumerate([leaves[0], hexagons(2), leaves[2]]):
+            other.SetBlock(k, leaf)
+        solver.SetInputDataObject(0, other)
+        self.assertEqual(counts()[0], 6)
 
     def test_the_corner_that_a_polygon_begins_with_makes_no_difference(self):
         for data in (out(plane(7, 5)), hexagons(2), plate_with_stiffener()):

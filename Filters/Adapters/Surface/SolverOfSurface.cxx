@@ -13,10 +13,9 @@
 namespace dmg
 {
 
-void SolverOfSurface::SetSurface(vtkDataSet* input, const FieldOptions& options, const PreparationOptions& preparation,
-  const ExecutionContext& context)
+void SolverOfSurface::SetSurface(vtkDataSet* input, const std::string& digest, const FieldOptions& options,
+  const PreparationOptions& preparation, const ExecutionContext& context)
 {
-  const std::string digest = ContentDigest(input, preparation);
   const auto stored = WantsDecimation(options) ? OperatorsOriginOf(input->GetFieldData()) : std::nullopt;
   if (stored && stored->Digest != digest)
   {
@@ -71,15 +70,7 @@ std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
 
 SolvedField::StageCounts SolverOfSurface::Counts() const
 {
-  SolvedField::StageCounts counts = this->OfFormerSurfaces;
-  if (this->SolverOfMesh)
-  {
-    const SolvedField::StageCounts now = this->SolverOfMesh->Counts();
-    counts.Setups += now.Setups;
-    counts.Systems += now.Systems;
-    counts.Solves += now.Solves;
-  }
-  return counts;
+  return this->SolverOfMesh ? this->OfFormerSurfaces + this->SolverOfMesh->Counts() : this->OfFormerSurfaces;
 }
 
 double SolverOfSurface::SetupSeconds(const Field& field) const

@@ -16,6 +16,11 @@ class vtkDataSet;
 namespace dmg
 {
 
+inline SolvedField::StageCounts operator+(const SolvedField::StageCounts& a, const SolvedField::StageCounts& b)
+{
+  return { a.Setups + b.Setups, a.Systems + b.Systems, a.Solves + b.Solves };
+}
+
 /// A FieldSolver for the surface of a dataset, which a filter keeps from one execution to the next, and the operators that
 /// the surface brings along. Keys are contents, not modification times.
 class SolverOfSurface
@@ -23,9 +28,10 @@ class SolverOfSurface
 public:
   /// Takes another surface, if its content is another, and the operators that it brings along if the solver wants them
   /// (WantsDecimation); others are not looked at.
+  /// \param digest that of \p input (ContentDigest).
   /// \throw InvalidInput as MeshFromDataSet and OperatorsFromFieldData, or the operators are those of another surface.
-  void SetSurface(vtkDataSet* input, const FieldOptions& options, const PreparationOptions& preparation,
-    const ExecutionContext& context);
+  void SetSurface(vtkDataSet* input, const std::string& digest, const FieldOptions& options,
+    const PreparationOptions& preparation, const ExecutionContext& context);
 
   FieldSolver& Solver() { return *this->SolverOfMesh; }
   const FieldSolver& Solver() const { return *this->SolverOfMesh; }
