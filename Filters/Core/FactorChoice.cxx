@@ -13,11 +13,6 @@ CycleObstacles ObstaclesOf(const TriangleMesh& mesh, bool hasHarmonicFields, con
   return { ShareOfFacesBelow(ThinTriangleQuality, mesh, context), hasHarmonicFields ? NumberOfGenerators(mesh) : 0 };
 }
 
-bool IsFactorBetter(const CycleObstacles& obstacles)
-{
-  return obstacles.ShareOfThinTriangles > LargestShareOfThinTriangles || obstacles.Loops > LargestNumberOfGenerators;
-}
-
 std::string WhyFactorIsBetter(const CycleObstacles& obstacles)
 {
   if (obstacles.ShareOfThinTriangles > LargestShareOfThinTriangles)

@@ -34,8 +34,6 @@ constexpr int LargestNumberOfGenerators = 40;
 /// Cost: linear in the number of faces.
 CycleObstacles ObstaclesOf(const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context);
 
-bool IsFactorBetter(const CycleObstacles& obstacles);
-
 /// For reports, the rest of a sentence; empty where a factor is not better.
 std::string WhyFactorIsBetter(const CycleObstacles& obstacles);
 

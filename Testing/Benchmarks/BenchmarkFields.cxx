@@ -47,6 +47,7 @@
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/ReadPly.h"
+#include "Support/ReferenceOperators.h"
 #include "Support/TbbContext.h"
 
 #include <cmath>
@@ -200,7 +201,7 @@ Eigen::MatrixXd SmoothFields(const FramedMesh& surface, const Discretisation& fi
     constant.col(k).setOnes();
     if (field.Elements() == ElementKind::Edges)
     {
-      fields.col(k) = FormFromFaceVectors(surface.Mesh, constant);
+      fields.col(k) = test::FormFromFaceVectors(surface.Mesh, constant);
       continue;
     }
     Vector<Complex> vectors = AsComplex(FaceFieldFromVectors(surface.Faces, constant));

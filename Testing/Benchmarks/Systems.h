@@ -6,6 +6,7 @@
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldOperators.h"
 #include "Support/HarmonicSystem.h"
+#include "Support/ReferenceOperators.h"
 
 #include <type_traits>
 #include <utility>
@@ -37,7 +38,7 @@ SparseMatrix<Scalar> MakeStiffness(const TriangleMesh& mesh, const TangentFrames
       case DiscretisationKind::OneForm:
         return OneFormLaplacian(mesh, context, options.Areas);
       case DiscretisationKind::FaceField:
-        return FaceFieldSmoothness(mesh, frames, context);
+        return test::FaceFieldSmoothness(mesh, frames, context);
       default:
         return CotangentLaplacian(mesh, context);
     }

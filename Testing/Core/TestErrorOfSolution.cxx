@@ -6,6 +6,7 @@
 #include "Support/FieldProblem.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
+#include "Support/ReferenceOperators.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

@@ -8,6 +8,7 @@
 #include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
+#include "Support/ReferenceOperators.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldOperators.h"
 #include "Support/Errors.h"
+#include "Support/ReferenceOperators.h"
 
 #include <utility>
 
@@ -59,7 +60,7 @@ HarmonicSystem<Complex> MakePowerFieldSystem(const TriangleMesh& mesh, const Tan
 HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const FieldConstraints& prescribed, const FieldWeights& weights, const ExecutionContext& context)
 {
-  return MakeSystem<double>(FaceFieldSmoothness(mesh, faceFrames, context), MassOfFaceFields(mesh),
+  return MakeSystem<double>(test::FaceFieldSmoothness(mesh, faceFrames, context), MassOfFaceFields(mesh),
     PenaltiesOfFaces(mesh, prescribed, weights), weights);
 }
 

@@ -49,7 +49,7 @@ Eigen::MatrixXd ProlongedClosedForms(const ProlongationOperators& operators, con
 Eigen::MatrixXd HarmonicForms(
   const TriangleMesh& mesh, const ExecutionContext& context, const ProlongationOperators* operators = nullptr);
 
-/// A basis of the harmonic face fields, the kernel of FaceFieldSmoothness, 2 #F x (2 g + b - 1): the
+/// A basis of the harmonic face fields, the kernel of FaceFieldSmoothnessFactor, 2 #F x (2 g + b - 1): the
 /// vectors whose integrals along the sides of a face are those of the harmonic 1-forms. Columns are
 /// orthogonal and of length 1.
 Eigen::MatrixXd HarmonicFaceFields(const TriangleMesh& mesh, const TangentFrames& faceFrames,

@@ -9,8 +9,8 @@ namespace dmg
 /// A vector per face: its two components in the face's frame. Thesis, section 6.2, as corrected: the masses of
 /// divergence and curl enter inverted.
 ///
-/// The smoothness energy is X^T A X, A = FaceFieldSmoothness: squared divergence and curl. It does not depend on the unit
-/// of length, as little as the penalty of a face, A_f / mean A with the areas A_f of MassesOfFaceFields; so weights mean
+/// The smoothness energy is X^T A X, A = B^T B with B = FaceFieldSmoothnessFactor: squared divergence and curl. It does not
+/// depend on the unit of length, as little as the penalty of a face, A_f / mean A with the areas A_f of MassesOfFaceFields; so weights mean
 /// the same for every mesh and about the same as for power fields. The mass are the same areas, each twice.
 /// Fields run along the boundary, where nothing else is prescribed. The kernel are the harmonic fields, of dimension
 /// 2 g on a closed surface of genus g, 2 g + b - 1 with b > 0 boundary loops.

@@ -98,19 +98,6 @@ ElementMatrix StiffnessOf(const TriangleMesh& mesh, const VertexConnection& conn
   return matrix;
 }
 
-ElementMatrix MassOf(const TriangleMesh& mesh, const VertexConnection& connection, int N, int face)
-{
-  const double area = mesh.FaceArea(face);
-  const CurvedElementIntegrals integrals(N * connection.Curvature(face));
-  ElementMatrix matrix;
-  for (int k = 0; k < 3; ++k)
-  {
-    matrix.Diagonal[k] = area / 6.0;
-    matrix.Sides[k] = std::polar(1.0, -N * connection.Transport(3 * face + k)) * (2.0 * area * integrals.OfMass);
-  }
-  return matrix;
-}
-
 /// The neighbours of a vertex by their places, ascending, with the vertex itself.
 void VisitNeighbours(const TriangleMesh& mesh, int vertex, const std::vector<int>& places, std::vector<int>& columns)
 {
@@ -193,13 +180,6 @@ SparseMatrix<Complex> ConnectionLaplacian(const TriangleMesh& mesh, const Vertex
   const std::vector<int>& order, const ExecutionContext& context)
 {
   return AssembleElements(mesh, order, context, [&](int face) { return StiffnessOf(mesh, connection, N, face); });
-}
-
-SparseMatrix<Complex> ConnectionMass(
-  const TriangleMesh& mesh, const VertexConnection& connection, int N, const ExecutionContext& context)
-{
-  return AssembleElements(
-    mesh, Identity(mesh.NumberOfVertices()), context, [&](int face) { return MassOf(mesh, connection, N, face); });
 }
 
 Vector<double> LumpedMass(const TriangleMesh& mesh, const ExecutionContext& context)

@@ -50,11 +50,6 @@ SparseMatrix<Complex> ConnectionLaplacian(const TriangleMesh& mesh, const Vertex
 SparseMatrix<Complex> ConnectionLaplacian(const TriangleMesh& mesh, const VertexConnection& connection, int N,
   const std::vector<int>& order, const ExecutionContext& context);
 
-/// The mass of linear elements: X^H M X is the integral of |X|^2. #V x #V, Hermitian, positive semi-definite; a unit of
-/// area. Cost: O(#F).
-SparseMatrix<Complex> ConnectionMass(const TriangleMesh& mesh, const VertexConnection& connection, int N,
-  const ExecutionContext& context = SerialContext());
-
 /// The mass of linear elements on flat triangles, lumped: a third of the area of the faces around each vertex; #V.
 Vector<double> LumpedMass(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 

@@ -328,23 +328,6 @@ Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFram
   return vectors;
 }
 
-Vector<double> FormFromFaceVectors(const TriangleMesh& mesh, const Points& vectors)
-{
-  Vector<double> form(mesh.NumberOfEdges());
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    const int h = mesh.HalfedgeOf(edge);
-    const int twin = mesh.Twin(h);
-    Vector3 mean = vectors.row(TriangleMesh::FaceOf(h)).transpose();
-    if (twin >= 0)
-    {
-      mean = 0.5 * (mean + vectors.row(TriangleMesh::FaceOf(twin)).transpose());
-    }
-    form[edge] = mean.dot(AlongEdge(mesh, edge));
-  }
-  return form;
-}
-
 SparseMatrix<double> FormFromFaceField(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
@@ -366,17 +349,6 @@ SparseMatrix<double> FormFromFaceField(
         }
       }
     });
-}
-
-Vector<double> FormFromVertexVectors(const TriangleMesh& mesh, const Points& vectors)
-{
-  Vector<double> form(mesh.NumberOfEdges());
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    const auto [tail, head] = mesh.EdgeVertices(edge);
-    form[edge] = 0.5 * (vectors.row(tail) + vectors.row(head)).dot(AlongEdge(mesh, edge));
-  }
-  return form;
 }
 
 }

@@ -82,16 +82,9 @@ Points WhitneyAtFaces(
 Points WhitneyAtVertices(const TriangleMesh& mesh, const TangentFrames& faceFrames, const TangentFrames& vertexFrames,
   const Unfilled<Corner>& corners, const Vector<double>& form, const ExecutionContext& context = SerialContext());
 
-/// The 1-form of a vector per face (#F x 3): along an edge, the mean over its faces of the vector's
-/// product with the edge.
-Vector<double> FormFromFaceVectors(const TriangleMesh& mesh, const Points& vectors);
-
-/// The same as a matrix on face fields, #E x 2 #F.
+/// The 1-form of a face field, #E x 2 #F: along an edge, the mean over its faces of the vector's product with the edge.
 SparseMatrix<double> FormFromFaceField(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context);
-
-/// The 1-form of a vector per vertex (#V x 3), by the trapezoidal rule along the edges.
-Vector<double> FormFromVertexVectors(const TriangleMesh& mesh, const Points& vectors);
 
 }
 

@@ -83,18 +83,6 @@ void AppendCurl(
 
 }
 
-SparseMatrix<double> HalfedgeProjection(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
-{
-  const int faces = mesh.NumberOfFaces();
-  return AssembleMatrix<double>(3 * faces, 2 * faces, context,
-    [&](int h, RowEntries<double>& row)
-    {
-      const int face = TriangleMesh::FaceOf(h);
-      AppendFace(row, face, ProjectionOntoSides(mesh, faceFrames, face).row(h % 3).transpose());
-    });
-}
-
 SparseMatrix<double> HalfedgePseudoInverse(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
 {
@@ -200,12 +188,6 @@ SparseMatrix<double> FaceFieldSmoothnessFactor(
         value /= std::sqrt(mass);
       }
     });
-}
-
-SparseMatrix<double> FaceFieldSmoothness(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
-{
-  return NormalMatrix(FaceFieldSmoothnessFactor(mesh, faceFrames, context), context);
 }
 
 Vector<double> FaceFieldFromVectors(const TangentFrames& faceFrames, const Points& vectors)

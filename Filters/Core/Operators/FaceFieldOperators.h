@@ -12,11 +12,8 @@
 namespace dmg
 {
 
-/// P, 3 #F x 2 #F: integrals of the vectors along the halfedges of their faces.
-SparseMatrix<double> HalfedgeProjection(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
-
-/// P^+, 2 #F x 3 #F: see PseudoInverse. P^+ P = 1 where no face is degenerate.
+/// P^+, 2 #F x 3 #F: see PseudoInverse. It is the inverse of the integrals of vectors along the halfedges of their faces, P, where no
+/// face is degenerate.
 SparseMatrix<double> HalfedgePseudoInverse(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
@@ -52,19 +49,14 @@ struct FaceFieldMasses
 };
 FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh);
 
-/// The smoothness matrix, 2 #F x 2 #F, symmetric, positive semi-definite, dimensionless:
+/// The squares that the smoothness energy of a face field sums up, dimensionless: B with X^T A X = |B X|^2, A = B^T B, and
 ///   X^T A X = (D_V X)^T M_V^-1 (D_V X) + (C_E X)^T M_E^-1 (C_E X) .
 /// Its kernel are the harmonic fields that run along the boundary. Their dimension is the first
 /// Betti number of the surface: 2 g where it is closed, 2 g + b - 1 with b boundary loops; none on
 /// spheres and discs.
 /// Degenerate faces add 1e-6 |X_f|^2: through two of them that share a side of no length a field
-/// circulate at no cost. About 26 entries per row. Cost: O(#F) for bounded
-/// valence.
-SparseMatrix<double> FaceFieldSmoothness(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
-
-/// The squares that the smoothness matrix sums up: B with X^T A X = |B X|^2. A row per vertex,
-/// M_V^-1/2 D_V, per edge, M_E^-1/2 C_E, and two per degenerate face. 12 entries per face.
+/// circulate at no cost. Cost: O(#F) for bounded valence.
+/// A row of B per vertex, M_V^-1/2 D_V, per edge, M_E^-1/2 C_E, and two per degenerate face. 12 entries per face.
 SparseMatrix<double> FaceFieldSmoothnessFactor(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 

@@ -101,14 +101,6 @@ private:
 
 }
 
-double TransportAcrossEdge(const TriangleMesh& mesh, const TangentFrames& faceFrames, int halfedge)
-{
-  const int twin = mesh.Twin(halfedge);
-  const Complex here = SideDirections(mesh, faceFrames, TriangleMesh::FaceOf(halfedge))[halfedge % 3];
-  const Complex there = SideDirections(mesh, faceFrames, TriangleMesh::FaceOf(twin))[twin % 3];
-  return std::arg(TransportOfSides(here, there));
-}
-
 Vector<double> PowerEdgeWeights(const TriangleMesh& mesh)
 {
   Vector<double> weights = Vector<double>::Zero(mesh.NumberOfEdges());

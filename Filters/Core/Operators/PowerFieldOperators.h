@@ -22,18 +22,13 @@ inline Complex Power(Complex z, int N)
   return power;
 }
 
-/// e^{i angle} of TransportAcrossEdge from the SideDirections of the edge in its two faces, which run along it
-/// in opposite directions.
+/// The rotation e^{i angle} that carries a direction across an edge, from the frame of one face into that of the other: both
+/// are unfolded into one plane along the edge.
+/// \param side, sideOfTwin SideDirections of the edge in the two faces, which run along it in opposite directions.
 inline Complex TransportOfSides(Complex side, Complex sideOfTwin)
 {
   return -sideOfTwin * std::conj(side);
 }
-
-/// Angle that carries a direction across an interior edge, from the frame of the face of
-/// \p halfedge into the frame of the face of its twin: unfold both faces into one plane along the
-/// edge.
-/// \pre the halfedge has a twin.
-double TransportAcrossEdge(const TriangleMesh& mesh, const TangentFrames& faceFrames, int halfedge);
 
 /// Weight of each interior edge in the smoothness energy, 3 |e|^2 / (A_f + A_g); #E, dimensionless,
 /// 0 on the boundary. As in the thesis; on equilateral triangles twice

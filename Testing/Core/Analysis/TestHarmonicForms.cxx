@@ -5,6 +5,7 @@
 #include "StructurePreserving/SurfaceHierarchy.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
+#include "Support/ReferenceOperators.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Dense>

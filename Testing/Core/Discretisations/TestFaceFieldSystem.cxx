@@ -8,6 +8,7 @@
 #include "Support/MeshFactory.h"
 #include "Support/Pairs.h"
 #include "Support/Random.h"
+#include "Support/ReferenceOperators.h"
 
 #include <Eigen/SparseLU>
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
+#include "Support/ReferenceOperators.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -8,6 +8,7 @@
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
+#include "Support/ReferenceOperators.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
+#include "Support/ReferenceOperators.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>

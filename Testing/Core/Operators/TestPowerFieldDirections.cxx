@@ -4,6 +4,7 @@
 #include "Support/Identities.h"
 #include "Support/NamedSurfaces.h"
 #include "Support/Random.h"
+#include "Support/ReferenceOperators.h"
 
 #include <gtest/gtest.h>
 

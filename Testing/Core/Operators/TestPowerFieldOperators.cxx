@@ -3,6 +3,7 @@
 #include "Support/Identities.h"
 #include "Support/NamedSurfaces.h"
 #include "Support/Random.h"
+#include "Support/ReferenceOperators.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

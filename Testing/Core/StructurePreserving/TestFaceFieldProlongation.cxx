@@ -8,6 +8,7 @@
 #include "Support/Levels.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
+#include "Support/ReferenceOperators.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Eigenvalues>

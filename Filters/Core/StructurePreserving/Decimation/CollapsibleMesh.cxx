@@ -84,24 +84,6 @@ void CollapsibleMesh::InheritQuadrics(const CollapsibleMesh& finer, const std::v
   }
 }
 
-Vector3 CollapsibleMesh::CollapsePosition(int halfedge) const
-{
-  const int i = this->Tail(halfedge);
-  const int j = this->Head(halfedge);
-  if (this->Twins[halfedge] >= 0)
-  {
-    if (this->IsBoundaryVertex(i))
-    {
-      return this->Positions[i];
-    }
-    if (this->IsBoundaryVertex(j))
-    {
-      return this->Positions[j];
-    }
-  }
-  return 0.5 * (this->Positions[i] + this->Positions[j]);
-}
-
 double CollapsibleMesh::CollapseCost(int halfedge) const
 {
   const int i = this->Tail(halfedge);

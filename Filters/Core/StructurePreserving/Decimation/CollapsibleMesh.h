@@ -35,9 +35,6 @@ public:
   bool IsBoundaryVertex(int vertex) const { return this->Twins[this->Outgoing[vertex]] < 0; }
   const Vector3& Position(int vertex) const { return this->Positions[vertex]; }
 
-  /// The point at which the ends of the edge meet: on the boundary if one is there, else the midpoint.
-  Vector3 CollapsePosition(int halfedge) const;
-
   /// Error of the collapse: quadric error at the new place, plus a little of the fourth power of
   /// the edge's length, which decides on flat parts. Infinite where the kind of collapse is not
   /// allowed: an inner edge between two boundary vertices.

@@ -321,12 +321,4 @@ OverlayProlongation::OverlayProlongation(const LevelTransition& transition, cons
     FinePowers(weights, transition, fineFrames, 0, context), FinePowers(turns, transition, fineFrames, 1, context));
 }
 
-SparseMatrix<Complex> PowerFieldOverlay(const LevelTransition& transition, const TangentFrames& fineFrames,
-  const TangentFrames& coarseFrames, int N, const ExecutionContext& context)
-{
-  BackwardProduct<Complex> powers = PowersFromCoarseFrames(transition, coarseFrames, N);
-  VisitBackwards(transition, context, [&](const LocalProlongation& local) { powers.Undo(OnPowers(local.Powers, N)); });
-  return FinePowers(powers, transition, fineFrames, N, context);
-}
-
 }

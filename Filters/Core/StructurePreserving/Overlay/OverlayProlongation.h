@@ -32,7 +32,7 @@ struct OverlayProlongation
 
   /// #F_l x #F_{l+1}: power fields of all N. The weight of an entry is the product of the weights
   /// of the collapses, its turn that of the product for N = 1: the mean rotation along all ways from
-  /// one face to the other. (See PowerFieldOverlay for one N.) Thesis, section 4.4.
+  /// one face to the other. Thesis, section 4.4.
   TransportOperator SP;
 
   /// \pre the transition recorded its collapses: ProlongationConstruction::ExactOverlay.
@@ -44,15 +44,6 @@ struct OverlayProlongation
   OverlayProlongation(const LevelTransition& transition, const TangentFrames& fineFrames,
     const TangentFrames& coarseFrames, const ExecutionContext& context);
 };
-
-/// The prolongation of N-power fields as the thesis makes it, for one N: the product of the local
-/// operators on N-powers. Ways from one face to another by different collapses turn differently
-/// where the surface is curved, and N-powers feel N times the difference: for N > 1 this is not
-/// OnPowers(SP, N), which takes the mean of the ways first; on flat patches it is.
-/// \pre, \throw, cost: as above. N >= 0; N = 0 gives the weights.
-/// \return #F_l x #F_{l+1}
-SparseMatrix<Complex> PowerFieldOverlay(const LevelTransition& transition, const TangentFrames& fineFrames,
-  const TangentFrames& coarseFrames, int N, const ExecutionContext& context);
 
 }
 
