@@ -76,7 +76,7 @@ private:
 vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   : Internals(new vtkInternals)
 {
-  this->SetNumberOfInputPorts(3);
+  this->SetNumberOfInputPorts(6);
   this->SetNumberOfOutputPorts(3);
   this->AddObserver(vtkCommand::StartEvent, this->Internals.get(), &vtkInternals::BeginExecution);
   this->AddObserver(vtkCommand::EndEvent, this->Internals.get(), &vtkInternals::EndExecution);
@@ -232,8 +232,8 @@ int vtkHarmonicFieldSolver::RequestData(
     dmg::SolverOfSurface& kept = leaf.Kept;
     dmg::FieldOutput& shown = leaf.Shown;
     const dmg::FieldInputs inputs{ input,
-      { dmg::DataOf(inputVector[1]), this->Internals->OfGuides, this->MaximumDistance },
-      { dmg::DataOf(inputVector[2]), this->SingularityIndexArray, this->MaximumDistance } };
+      { dmg::DataOf(inputVector, { 1, 3, 4, 5 }), this->Internals->OfGuides, this->MaximumDistance },
+      { dmg::DataOf(inputVector, { 2 }), this->SingularityIndexArray, this->MaximumDistance } };
     dmg::FieldProblem problem = dmg::ProblemOf(this);
     if (!inputs.Singularities.Data.empty())
     {

@@ -47,6 +47,9 @@
  * farther than MaximumDistance, on the far side of a thin wall, or within 5 degrees of the normal is left out, with a
  * warning. A guide with neither lines nor vectors is an error.
  *
+ * Ports 3, 4 and 5, a second, third and fourth guide (optional, of the same types): as those of port 1. A list in
+ * ParaView's panel holds one dataset, and this is one port for each list.
+ *
  * Port 2, singularities (optional, of the same types): a power field gets these and no others, and rotates as
  * little as it can (trivial connections, Crane, Desbrun and Schroeder 2010). The index of a point is a multiple of 1 / N. On
  * a closed component the indices sum to the Euler characteristic, 2 - 2 genus, or it is an error. Constraints rotate the field as
@@ -385,7 +388,8 @@ public:
   ///@{
   /**
    * The same by name alone: directions at points, else on cells; weights at points, else on cells, else in field data.
-   * Default empty.
+   * Weights may be numbers, too: one for all guides, as in "5", or one for each in the order of ports and connections, as
+   * in "1 0.5", where 0 leaves a guide out and those without a number have 1. Default empty.
    */
   void SetGuideDirections(const char* name);
   const char* GetGuideDirections() const;

@@ -10,7 +10,7 @@ paraview_plugin_build(
   PLUGINS ${plugins}
   AUTOLOAD ${plugins}
   LIBRARY_SUBDIRECTORY "${PARAVIEW_PLUGIN_SUBDIR}"
-  PLUGINS_FILE_NAME "directionalmultigrid.plugins.xml")
+  PLUGINS_FILE_NAME "DirectionalMultigrid.plugins.xml")
 
 # It finds the module's library below any prefix.
 file(RELATIVE_PATH to_libraries "/${PARAVIEW_PLUGIN_SUBDIR}/DirectionalMultigrid" "/")

@@ -346,6 +346,45 @@ TEST_F(GuideLines, TakeWeightsFromWhereTheirVectorsAre)
   this->ExpectNear(this->Prescribed(), { { 7, 2.5 } });
 }
 
+// The ports beyond the first are those of ParaView's lists.
+TEST_F(GuideLines, TakeTypedNumbersAsWeights)
+{
+  this->Solver->SetConstraintType(vtkHarmonicFieldSolver::Soft);
+  const auto first = Polyline({ { 0.1, 3.3, 0.0 }, { 7.9, 3.3, 0.0 } });
+  this->Solver->AddInputDataObject(1, first);
+  this->Solver->SetInputDataObject(4, Polyline({ { 0.1, 5.3, 0.0 }, { 7.9, 5.3, 0.0 } }));
+  const auto expected = [this](double ofThird, double ofFifth)
+  {
+    Cells cells;
+    for (const auto& [row, factor] : { std::pair(3, ofThird), std::pair(5, ofFifth) })
+    {
+      for (const auto& [cell, weight] : this->CellsInRow(row))
+      {
+        cells[cell] = factor * weight;
+      }
+    }
+    return cells;
+  };
+  this->ExpectNear(this->Prescribed(), expected(1.0, 1.0));
+  this->Solver->SetGuideWeights("5");
+  this->ExpectNear(this->Prescribed(), expected(5.0, 5.0));
+  this->Solver->SetGuideWeights(" 2, 0.5");
+  this->ExpectNear(this->Prescribed(), expected(2.0, 0.5));
+  this->Solver->SetGuideWeights("0 1");
+  this->ExpectNear(this->Prescribed(), this->CellsInRow(5));
+  this->Solver->SetGuideWeights("1 2 3");
+  EXPECT_NE(this->Error().find("3 numbers for 2 guides"), std::string::npos);
+  this->Solver->SetGuideWeights("1 -2");
+  EXPECT_NE(this->Error().find("weight of guide 1, typed in Guide Weights, is -2"), std::string::npos);
+  this->Solver->SetGuideWeights("1 apple");
+  EXPECT_NE(this->Error().find("'1 apple', chosen for the weights"), std::string::npos);
+  // A number is the name of an array, where there is one.
+  this->Solver->SetGuideWeights("7");
+  const auto zeros = Zeros("7", 1, 1);
+  first->GetFieldData()->AddArray(zeros);
+  this->ExpectNear(this->Prescribed(), this->CellsInRow(5));
+}
+
 // The search structure of a surface is kept for another dataset with the same content.
 TEST_F(GuideLines, FollowTheSurfaceAlsoWhereTheFormerInputIsChanged)
 {

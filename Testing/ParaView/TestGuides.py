@@ -280,6 +280,27 @@ def check_weights_in_field_data():
     assert np.allclose(prescribed[1], 2.5 * prescribed[0], rtol=1e-12)
 
 
+def check_several_lists():
+    """A guide in each list of the panel, and a weight for each, or one for all, as a person types them."""
+    lines = [simple.Line(Point1=[-0.4, y, 0.6], Point2=[0.4, y, 0.6]) for y in (-0.5, -0.2, 0.2, 0.5)]
+    solver = simple.HarmonicFieldSolver(Input=simple.Sphere(Radius=1, ThetaResolution=40, PhiResolution=40), Guides=lines[0],
+                                        SecondGuide=lines[1], ThirdGuide=lines[2], FourthGuide=lines[3], MaximumDistance=1)
+    weights = []
+    for typed in ("", "5", "1 1 1 2"):
+        solver.GuideWeights = typed
+        solver.UpdatePipeline()
+        field = simple.servermanager.Fetch(solver)
+        assert field.GetFieldData().GetArray("GuidesTaken").GetValue(0) == 4
+        weights.append(vtk_to_numpy(field.GetCellData().GetArray("Prescribed")))
+    assert np.allclose(weights[1], 5 * weights[0], rtol=1e-12) and weights[0].max() > 0
+    ratios = weights[2][weights[0] > 0] / weights[0][weights[0] > 0]
+    assert np.allclose(ratios[np.abs(ratios - 1) > 1e-9], 2) and ratios.max() > 1.9, ratios
+    solver.SecondGuide = solver.ThirdGuide = solver.FourthGuide = None
+    solver.GuideWeights = ""
+    solver.UpdatePipeline()
+    assert simple.servermanager.Fetch(solver).GetFieldData().GetArray("GuidesTaken").GetValue(0) == 1
+
+
 def run(check):
     """(exit status, messages) of a check in a process of its own."""
     with tempfile.TemporaryFile() as messages:
@@ -319,6 +340,7 @@ def cases():
     """(name, check, words of the only error or warning, or None) of each case."""
     yield "the first example", check_the_first_example, "WARN.*left out.*Maximum Distance"
     yield "lines and points", check_lines_and_points, None
+    yield "several lists", check_several_lists, None
     yield "weights in field data", check_weights_in_field_data, None
     for name, source in FIELDS.items():
         yield name, functools.partial(check_field, source, "D"), None

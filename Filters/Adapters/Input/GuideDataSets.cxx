@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <sstream>
 
 namespace dmg
@@ -28,6 +29,25 @@ vtkDataArray* FieldArray(const ArrayChoice& choice, vtkDataSet* dataset)
   const bool isAllowed = choice.Association == vtkDataObject::FIELD_ASSOCIATION_NONE ||
     (choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS && !HasArray(choice, dataset));
   return isAllowed && !choice.Name.empty() ? dataset->GetFieldData()->GetArray(choice.Name.c_str()) : nullptr;
+}
+
+/// All of a text as numbers, which blanks, commas or semicolons part; empty where something else stands there.
+std::vector<double> NumbersIn(std::string text)
+{
+  std::replace_if(
+    text.begin(), text.end(), [](char c) { return c == ',' || c == ';'; }, ' ');
+  std::istringstream words(text);
+  std::vector<double> numbers;
+  for (std::string word; words >> word;)
+  {
+    char* end = nullptr;
+    numbers.push_back(std::strtod(word.c_str(), &end));
+    if (*end != '\0')
+    {
+      return {};
+    }
+  }
+  return numbers;
 }
 
 double Value(const ChosenArray& array, vtkIdType cell, vtkIdType point)
@@ -131,6 +151,35 @@ double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset)
       ShortText(weight) + "; make it a positive number, or take the guide out of Guides");
   }
   return weight;
+}
+
+std::vector<double> TypedWeights(
+  const ArrayChoice& choice, const std::vector<GuideDataSet>& datasets, std::size_t guides)
+{
+  const auto has = [&choice](const GuideDataSet& dataset)
+  { return HasArray(choice, dataset.Data) || FieldArray(choice, dataset.Data); };
+  const std::vector<double> numbers = NumbersIn(choice.Name);
+  if (numbers.empty() || std::any_of(datasets.begin(), datasets.end(), has))
+  {
+    return {};
+  }
+  if (numbers.size() > std::max<std::size_t>(guides, 1))
+  {
+    throw InvalidInput("Guide Weights has " + std::to_string(numbers.size()) + " numbers for " +
+      std::to_string(guides) + (guides == 1 ? " guide" : " guides") +
+      "; give it one for each guide, or one for all of them");
+  }
+  std::vector<double> weights(guides, numbers.size() == 1 ? numbers[0] : 1.0);
+  std::copy(numbers.begin(), numbers.begin() + std::min(numbers.size(), guides), weights.begin());
+  for (std::size_t guide = 0; guide < guides; ++guide)
+  {
+    if (!(weights[guide] >= 0.0) || !std::isfinite(weights[guide]))
+    {
+      throw InvalidInput("the weight of " + NameOfGuide(guide, guides) + ", typed in Guide Weights, is " +
+        ShortText(weights[guide]) + "; make it a positive number, or 0 where the guide is not to be followed");
+    }
+  }
+  return weights;
 }
 
 ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset)

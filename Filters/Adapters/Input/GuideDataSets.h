@@ -43,6 +43,14 @@ Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point);
 /// \throw InvalidInput something is chosen that no dataset has.
 void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataSet>& datasets);
 
+/// Numbers that are typed in place of the name of an array of weights, as in "5" or "1 0.5", unless a dataset has an array of
+/// that name.
+/// \return a weight for each guide: one number is that of all guides, several are those of the first ones, and the others
+/// have 1; empty where it is a name.
+/// \throw InvalidInput there are more numbers than guides, or one is negative or not finite.
+std::vector<double> TypedWeights(
+  const ArrayChoice& choice, const std::vector<GuideDataSet>& datasets, std::size_t guides);
+
 /// The choices, as far as a dataset has their arrays.
 ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset);
 

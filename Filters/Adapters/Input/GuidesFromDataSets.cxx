@@ -29,8 +29,10 @@ namespace
 class Reader
 {
 public:
-  explicit Reader(const ConstraintChoices& choices)
+  /// \param ofGuides TypedWeights.
+  Reader(const ConstraintChoices& choices, const std::vector<double>& ofGuides)
     : Choices(choices)
+    , OfGuides(ofGuides)
   {
   }
 
@@ -45,13 +47,15 @@ private:
   void AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices);
 
   const ConstraintChoices& Choices;
+  const std::vector<double>& OfGuides;
   double OfWhole = 1.0; ///< the weight of the dataset
 };
 
 bool Reader::Add(const GuideDataSet& dataset)
 {
   ConstraintChoices choices = ChoicesFor(this->Choices, dataset.Data);
-  this->OfWhole = WholeWeight(this->Choices.Weights, dataset);
+  this->OfWhole =
+    this->OfGuides.empty() ? WholeWeight(this->Choices.Weights, dataset) : this->OfGuides[dataset.Guide];
   if (this->OfWhole == 0.0)
   {
     return true;
@@ -159,14 +163,17 @@ std::string NameOfVectors(const std::vector<GuideDataSet>& datasets, std::size_t
 
 }
 
-std::vector<vtkDataObject*> DataOf(vtkInformationVector* port)
+std::vector<vtkDataObject*> DataOf(vtkInformationVector** inputs, const std::vector<int>& ports)
 {
   std::vector<vtkDataObject*> all;
-  for (int i = 0; i < port->GetNumberOfInformationObjects(); ++i)
+  for (const int port : ports)
   {
-    if (vtkDataObject* const data = vtkDataObject::GetData(port, i))
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
     {
-      all.push_back(data);
+      if (vtkDataObject* const data = vtkDataObject::GetData(inputs[port], i))
+      {
+        all.push_back(data);
+      }
     }
   }
   return all;
@@ -175,8 +182,14 @@ std::vector<vtkDataObject*> DataOf(vtkInformationVector* port)
 Guides GuidesFrom(const GuideInput& input, UnusableDirections& unusable)
 {
   const std::vector<GuideDataSet> datasets = DataSetsOf(input.Data);
-  CheckChoices(input.Choices, datasets);
-  Reader reader(input.Choices);
+  ConstraintChoices choices = input.Choices;
+  const std::vector<double> typed = TypedWeights(choices.Weights, datasets, input.Data.size());
+  if (!typed.empty())
+  {
+    choices.Weights = {};
+  }
+  CheckChoices(choices, datasets);
+  Reader reader(choices, typed);
   std::map<std::size_t, bool> isFollowed; // by guide
   for (const GuideDataSet& dataset : datasets)
   {

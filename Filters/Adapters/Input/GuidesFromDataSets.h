@@ -21,8 +21,8 @@ struct GuideInput
   double MaximumDistance = Guides().MaximumDistance;
 };
 
-/// The data of all connections of an input port.
-std::vector<vtkDataObject*> DataOf(vtkInformationVector* port);
+/// The data of all connections of some input ports.
+std::vector<vtkDataObject*> DataOf(vtkInformationVector** inputs, const std::vector<int>& ports);
 
 /// The lines and vectors of all datasets.
 /// \throw InvalidInput a guide is no dataset, or has neither lines nor vectors; a choice that no guide has; as FindArray and

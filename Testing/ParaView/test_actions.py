@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""Plays in ParaView's window what a person does, action by action, and counts: a click, a menu choice or a typed value is one.
+
+    test_actions.py PARAVIEW OUTPUT-FOLDER NAME
+
+plays NAME (those of TESTS below) and leaves what it saves on the way in the folder. Needs a display and xdotool; ParaView has to
+find the plugin by itself.
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import time
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+from test_window import focus, read, toolbar, write_sphere, xdotool
+
+MAIN = "pqClientMainWindow"
+PANEL = (f"{MAIN}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
+         "ProxyPanel")
+
+
+class Window:
+    """ParaView with a file that is open, but not yet applied: the first action."""
+
+    def __init__(self, paraview, folder, name, data):
+        self.paraview, self.folder, self.name, self.data = paraview, folder, name, data
+        self.process, self.log, self.actions = None, folder / f"{name}.log", 1
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        subprocess.run(["import", "-window", "root", self.folder / f"{self.name}.png"], check=False)
+        if self.process:
+            self.process.kill()
+            self.process.wait()
+        print(self.log.read_text())
+
+    # Actions -------------------------------------------------------------------------------------
+
+    def apply(self):
+        return self.event(f"{MAIN}/propertiesDock/propertiesPanel/Accept", "activate")
+
+    def choose_filter(self, name):
+        # ParaView 5.13 fills the menu when it is opened.
+        return self.opened(f"{MAIN}/menubar", "menuFilters") + self.event(
+            f"{MAIN}/menubar/menuFilters/Directional Fields", "activate", name)
+
+    def choose_source(self, name):
+        return self.event(f"{MAIN}/menubar/menuSources/pqProxyGroupMenuManager0/{name}", "activate")
+
+    def select(self, item):
+        return self.event(f"{MAIN}/pipelineBrowserDock/pipelineBrowser", "currentChanged", item + "|0")
+
+    def set(self, widget, value):
+        return self.event(f"{PANEL}/{widget}", "set_string", value)
+
+    def press(self, key, place):
+        """A key, with the mouse over a place of the view."""
+        self.actions += 1
+        xdotool("mousemove", *place)
+        xdotool("key", key)
+
+    # How they are played -------------------------------------------------------------------------
+
+    def event(self, widget, command, arguments=""):
+        self.actions += 1
+        return self.opened(widget, arguments, command)
+
+    @staticmethod
+    def opened(widget, arguments, command="activate"):
+        return f'<pqevent object="{widget}" command="{command}" arguments="{arguments}" />\n'
+
+    def play(self, what, *events):
+        """Plays events, after which the selected output is saved; returns it. The last event comes after that where it makes a
+        source, which has no data yet."""
+        path = self.folder / f"{self.name}-{what}.vtk"
+        saved = (self.opened(f"{MAIN}/menubar/menu_File/actionFileSaveData", "")
+                 + self.opened(f"{MAIN}/FileSaveDialog", path, "filesSelected")
+                 + self.opened(f"{MAIN}/WriterSettingsDialog/widget/OKButton", ""))
+        makes_source = "menuSources" in events[-1]
+        ordered = [*events[:-1], saved, events[-1]] if makes_source else [*events, saved]
+        script = path.with_suffix(".xml")
+        script.write_text("<pqevents>\n" + "".join(ordered) + "</pqevents>\n")
+        self.start(script) if self.process is None else self.play_test(script)
+        self.wait_for(path)
+        if makes_source:
+            time.sleep(3)
+            focus("ParaView")
+        return read(path)
+
+    def start(self, script):
+        command = [self.paraview, "--disable-registry", f"--data={self.data}", f"--test-directory={self.folder}",
+                   f"--test-script={script}"]
+        with self.log.open("w") as output:
+            self.process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT)
+
+    @staticmethod
+    def play_test(script):
+        """The menu choice Tools, Play Test..., which is the seventh from below."""
+        focus("ParaView")
+        xdotool("key", "alt+t")
+        xdotool("key", *["Up"] * 7)
+        xdotool("key", "Return")
+        focus("Test")
+        xdotool("type", script)
+        xdotool("key", "Return")
+
+    def wait_for(self, path):
+        size, deadline = 0, time.monotonic() + 60
+        while time.monotonic() < deadline and self.process.poll() is None and "critical:" not in self.log.read_text():
+            time.sleep(0.5)
+            former, size = size, path.stat().st_size if path.exists() else 0
+            if size == former > 0:
+                assert "ERR|" not in self.log.read_text(), self.log.read_text()
+                return
+        raise SystemExit(f"{path} was not written:\n{self.log.read_text()}")
+
+
+def prescribed(field):
+    return vtk_to_numpy(field.GetCellData().GetArray("Prescribed"))
+
+
+def taken(field):
+    return field.GetFieldData().GetArray("GuidesTaken").GetValue(0)
+
+
+def draw_strokes(window):
+    """A field at first sight, a stroke on it, a second one beside it, and the weight of one of them."""
+    field = window.play("field", window.apply(), window.choose_filter("DirectionalField"), window.apply(),
+                        window.choose_source("PolyLineSource"))
+    assert window.actions - 1 == 4, window.actions  # the last one is the stroke's
+    assert abs(vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex")).sum() - 2) < 1e-9
+    window.press(1, (680, 420))
+    window.press(2, (780, 500))
+    first = window.play("first", window.select("/0/0/0"), window.set("Guides/1QComboBox0", "PolyLineSource1"),
+                        window.apply(), window.choose_source("PolyLineSource"))
+    assert window.actions - 1 == 10, window.actions
+    assert taken(first) == 1 and (prescribed(first) > 0).sum() > 10
+    before = window.actions - 1
+    window.press(1, (680, 520))
+    window.press(2, (760, 560))
+    second = window.play("second", window.select("/0/0/0"), window.set("SecondGuide/1QComboBox0", "PolyLineSource2"),
+                         window.apply())
+    assert window.actions - before == 6, window.actions
+    assert taken(second) == 2 and (prescribed(second) > 0).sum() > (prescribed(first) > 0).sum() + 10
+    before = window.actions
+    third = window.play("weight", window.set("GuideWeights/Guide Weights", "1 0.25"), window.apply())
+    assert window.actions - before == 2
+    ratios = prescribed(third)[prescribed(second) > 0] / prescribed(second)[prescribed(second) > 0]
+    assert set(np.round(ratios[(ratios < 0.26) | (ratios > 0.99)], 6)) == {0.25, 1}, ratios
+
+
+TESTS = {"Strokes": (write_sphere, draw_strokes)}
+
+
+def main():
+    paraview, folder, name = sys.argv[1], pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
+    folder.mkdir(parents=True, exist_ok=True)
+    for old in folder.glob(f"{name}*"):
+        old.unlink()
+    write_data, play = TESTS[name]
+    data = folder / f"{name}.vtp"
+    write_data(data)
+    with Window(paraview, folder, name, data) as window:
+        play(window)
+
+
+if __name__ == "__main__":
+    main()
