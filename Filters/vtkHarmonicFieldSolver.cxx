@@ -65,6 +65,7 @@ public:
   }
 
   dmg::ConstraintChoices OfGuides; ///< SetGuideArrayToProcess
+  std::string Followed;
 
 private:
   dmg::LeavesOfExecution<Leaf> Leaves;
@@ -95,6 +96,30 @@ void vtkHarmonicFieldSolver::AddGuidesConnection(vtkAlgorithmOutput* output)
 void vtkHarmonicFieldSolver::RemoveAllGuides()
 {
   this->SetInputConnection(1, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::RemoveSecondGuide()
+{
+  this->SetInputConnection(3, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::RemoveThirdGuide()
+{
+  this->SetInputConnection(4, nullptr);
+}
+
+//------------------------------------------------------------------------------
+void vtkHarmonicFieldSolver::RemoveFourthGuide()
+{
+  this->SetInputConnection(5, nullptr);
+}
+
+//------------------------------------------------------------------------------
+const char* vtkHarmonicFieldSolver::GetFollowed() const
+{
+  return this->Internals->Followed.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -273,10 +298,11 @@ int vtkHarmonicFieldSolver::RequestData(
     shown.AddArraysTo(kept, hasBasis, output, edges);
     dmg::AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
     dmg::MakeConvergenceTable(field.Report, convergence);
+    this->Internals->Followed = dmg::WhatIsFollowed(this, choices, input, inputs.Guides.Data.size());
     for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
     {
       dmg::RemoveReport(data);
-      dmg::AddFollowed(dmg::WhatIsFollowed(this, choices, input, inputs.Guides.Data.size()), data);
+      dmg::AddFollowed(this->Internals->Followed, data);
       shown.AddReportTo(kept, field, hasBasis, data);
       if (!inputs.Guides.Data.empty())
       {

@@ -376,6 +376,21 @@ public:
   void RemoveAllGuides();
   ///@}
 
+  ///@{
+  /**
+   * Disconnects input port 3, 4 or 5.
+   */
+  void RemoveSecondGuide();
+  void RemoveThirdGuide();
+  void RemoveFourthGuide();
+  ///@}
+
+  /**
+   * What the field of the last update follows, in words, as in "array 'Wind', 2 guides, boundary"; "nothing" for the smoothest
+   * one. Empty before.
+   */
+  const char* GetFollowed() const;
+
   /**
    * Chooses an array of the guides, as SetInputArrayToProcess does for the surface: index 0 mask, 1
    * directions, 2 weights; port 1; connection 0, whatever the number of guides; an association of

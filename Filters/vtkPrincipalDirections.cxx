@@ -48,8 +48,9 @@ int vtkPrincipalDirections::RequestData(
     dmg::SurfaceMesh surface = dmg::MeshFromDataSet(input, options, dmg::PartOfContext(context, 0.0, 0.3));
     dmg::WarnOfPreparation(this, surface.Report);
     const dmg::FramedMesh framed(std::move(surface.Mesh), dmg::PartOfContext(context, 0.3, 0.3));
-    const dmg::PrincipalDirections found =
-      dmg::FindPrincipalDirections(framed, this->Scale, dmg::PartOfContext(context, 0.3, 0.9));
+    dmg::PrincipalDirections found =
+      dmg::FindPrincipalDirections(framed, this->Scale, dmg::PartOfContext(context, 0.3, 0.85));
+    dmg::CombSigns(framed, found, dmg::PartOfContext(context, 0.85, 0.9));
     output->ShallowCopy(input);
     dmg::AddPreparation(surface.Report, options, output->GetFieldData());
     dmg::AddCurvatures({ framed, surface }, found, input, output, dmg::PartOfContext(context, 0.9, 1.0));

@@ -27,11 +27,14 @@
  *
  * | array            | components | meaning                                                                       |
  * | ---------------- | ---------- | ----------------------------------------------------------------------------- |
- * | MaximumDirection | 3          | unit vector along which the surface bends by MaximumCurvature, of either sign |
+ * | MaximumDirection | 3          | unit vector along which the surface bends by MaximumCurvature                 |
  * | MinimumDirection | 3          | the same of MinimumCurvature, a quarter turn counter-clockwise from the other |
  * | MaximumCurvature | 1          | 1 / length, positive where the surface bends away from its normal             |
  * | MinimumCurvature | 1          | at most MaximumCurvature                                                      |
  * | Confidence       | 1          | how clear the directions are, in [0, 1)                                       |
+ *
+ * Directions have no sign by nature. It is chosen so that they continue from cell to cell wherever possible, but for cuts between
+ * the places where curvatures agree. Without a sign, streamlines and textures along them would end everywhere.
  *
  * A sphere of radius r has the curvatures 1 / r, its inside -1 / r; a saddle has one of either sign. Confidence is the
  * square of (MaximumCurvature - MinimumCurvature) / (|MaximumCurvature| + |MinimumCurvature| + 1 / D), D the diagonal of

@@ -1,8 +1,6 @@
 #include "vtkSMDisplayDefaultsInitializationHelper.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkClientServerInterpreter.h"
-#include "vtkClientServerInterpreterInitializer.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPVDataInformation.h"
@@ -151,17 +149,6 @@ void AfterRepresentations(vtkObject* caller, unsigned long, void* data, void*)
     }
   }
 }
-}
-
-//------------------------------------------------------------------------------
-void vtkSMDisplayDefaultsInitializationHelper::Register()
-{
-  vtkClientServerInterpreterInitializer::GetInitializer()->RegisterCallback(
-    [](vtkClientServerInterpreter* interpreter)
-    {
-      interpreter->AddNewInstanceFunction("vtkSMDisplayDefaultsInitializationHelper",
-        [](void*) -> vtkObjectBase* { return vtkSMDisplayDefaultsInitializationHelper::New(); });
-    });
 }
 
 //------------------------------------------------------------------------------

@@ -22,9 +22,6 @@ public:
   static vtkSMDisplayDefaultsInitializationHelper* New();
   vtkTypeMacro(vtkSMDisplayDefaultsInitializationHelper, vtkSMProxyInitializationHelper);
 
-  /// Lets ParaView make objects of this class by its name. The plugin calls it when it is loaded.
-  static void Register();
-
   void PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement* hint, vtkMTimeType initialised) override;
 };
 

@@ -282,7 +282,7 @@ def check_weights_in_field_data():
 
 def check_several_lists():
     """A guide in each list of the panel, and a weight for each, or one for all, as a person types them."""
-    lines = [simple.Line(Point1=[-0.4, y, 0.6], Point2=[0.4, y, 0.6]) for y in (-0.5, -0.2, 0.2, 0.5)]
+    lines = [simple.Line(Point1=[-0.4, y, 0.6], Point2=[0.4, y, 0.6], Resolution=1) for y in (-0.5, -0.2, 0.2, 0.5)]
     solver = simple.HarmonicFieldSolver(Input=simple.Sphere(Radius=1, ThetaResolution=40, PhiResolution=40), Guides=lines[0],
                                         SecondGuide=lines[1], ThirdGuide=lines[2], FourthGuide=lines[3], MaximumDistance=1)
     weights = []

@@ -312,7 +312,7 @@ def check_failed_first(result):
     sizes, vectors = {}, {}
     for what, suffix in (("before", "-before.pvsm"), ("after", ".pvsm")):
         state = ElementTree.parse(result.with_name(result.stem + suffix))
-        displays = [proxy for proxy in state.iter("Proxy") if proxy.get("type") == "GeometryRepresentation"]
+        displays = [proxy for proxy in state.iter("Proxy") if proxy.get("type") in ("GeometryRepresentation", "FieldDrawingRepresentation")]
         sizes[what] = [value_of(display, "ScaleFactor", 0) for display in displays]
         vectors[what] = [value_of(display, "SelectOrientationVectors", 0) for display in displays]
     print(sizes, vectors)

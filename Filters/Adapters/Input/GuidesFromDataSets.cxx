@@ -54,8 +54,7 @@ private:
 bool Reader::Add(const GuideDataSet& dataset)
 {
   ConstraintChoices choices = ChoicesFor(this->Choices, dataset.Data);
-  this->OfWhole =
-    this->OfGuides.empty() ? WholeWeight(this->Choices.Weights, dataset) : this->OfGuides[dataset.Guide];
+  this->OfWhole = this->OfGuides.empty() ? WholeWeight(this->Choices.Weights, dataset) : this->OfGuides[dataset.Guide];
   if (this->OfWhole == 0.0)
   {
     return true;

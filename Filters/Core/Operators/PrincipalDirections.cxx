@@ -1,5 +1,8 @@
 #include "Operators/PrincipalDirections.h"
 
+#include "Operators/PowerFieldDirections.h"
+#include "Operators/PowerFieldOperators.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -233,6 +236,22 @@ PrincipalDirections FindPrincipalDirections(const FramedMesh& surface, double sc
       surface.Vertices, 1.0 / diagonal, [&regions](int vertex) { return regions[vertex]; }, context) };
   context.Checkpoint(1.0);
   return found;
+}
+
+void CombSigns(const FramedMesh& surface, PrincipalDirections& directions, const ExecutionContext& context)
+{
+  constexpr int N = 2;
+  const TriangleMesh& mesh = surface.Mesh;
+  const auto square = [](const Vector<Complex>& units) { return Vector<Complex>(units.cwiseProduct(units)); };
+  const Vector<Complex> ofFaces = square(directions.Faces.MaximumDirections);
+  const Vector<Complex> ofVertices = square(directions.Vertices.MaximumDirections);
+  const Unfilled<Complex> sides = SideDirections(mesh, surface.Faces, context);
+  const std::vector<int> labels =
+    CombingLabels(mesh, ofFaces, MatchDirections(mesh, sides, ofFaces, N, context), N, context);
+  directions.Faces.MaximumDirections = FirstDirections(ofFaces, N, labels, context);
+  const Unfilled<Corner> corners = Corners(mesh, sides, surface.Faces, surface.Vertices, context);
+  directions.Vertices.MaximumDirections =
+    FirstDirectionsAtVertices(mesh, corners, directions.Faces.MaximumDirections, ofVertices, N, context);
 }
 
 }

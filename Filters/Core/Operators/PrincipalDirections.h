@@ -52,6 +52,12 @@ struct PrincipalDirections
 PrincipalDirections FindPrincipalDirections(
   const FramedMesh& surface, double scale, const ExecutionContext& context = SerialContext());
 
+/// Chooses the signs of the directions, which have none, so that each continues as that of the next face wherever possible
+/// (CombingLabels); those of vertices agree with the faces around. Drawings that interpolate vectors need that.
+/// Cost: O(#F).
+void CombSigns(
+  const FramedMesh& surface, PrincipalDirections& directions, const ExecutionContext& context = SerialContext());
+
 }
 
 #endif

@@ -1,0 +1,29 @@
+#include "RegisterInitializationHelpers.h"
+
+#include "vtkClientServerInterpreter.h"
+#include "vtkClientServerInterpreterInitializer.h"
+#include "vtkSMCyclicColorsInitializationHelper.h"
+#include "vtkSMDirectionsInitializationHelper.h"
+#include "vtkSMDisplayDefaultsInitializationHelper.h"
+#include "vtkSMFollowedInitializationHelper.h"
+
+namespace
+{
+template <class Helper>
+void Register(vtkClientServerInterpreter* interpreter, const char* name)
+{
+  interpreter->AddNewInstanceFunction(name, [](void*) -> vtkObjectBase* { return Helper::New(); });
+}
+}
+
+void RegisterInitializationHelpers()
+{
+  vtkClientServerInterpreterInitializer::GetInitializer()->RegisterCallback(
+    [](vtkClientServerInterpreter* interpreter)
+    {
+      Register<vtkSMCyclicColorsInitializationHelper>(interpreter, "vtkSMCyclicColorsInitializationHelper");
+      Register<vtkSMDirectionsInitializationHelper>(interpreter, "vtkSMDirectionsInitializationHelper");
+      Register<vtkSMDisplayDefaultsInitializationHelper>(interpreter, "vtkSMDisplayDefaultsInitializationHelper");
+      Register<vtkSMFollowedInitializationHelper>(interpreter, "vtkSMFollowedInitializationHelper");
+    });
+}

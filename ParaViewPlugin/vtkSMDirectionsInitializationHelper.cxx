@@ -1,0 +1,57 @@
+#include "vtkSMDirectionsInitializationHelper.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkObjectFactory.h"
+#include "vtkPVArrayInformation.h"
+#include "vtkPVDataInformation.h"
+#include "vtkPVDataSetAttributesInformation.h"
+#include "vtkSMArrayListDomain.h"
+#include "vtkSMProperty.h"
+#include "vtkSMPropertyHelper.h"
+#include "vtkSMSourceProxy.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkSMDirectionsInitializationHelper);
+
+namespace
+{
+// An array that is marked as normals, or is called so.
+bool AreNormals(vtkSMSourceProxy* input, unsigned int port, int association, const std::string& name)
+{
+  vtkPVDataSetAttributesInformation* const arrays =
+    input->GetDataInformation(port)->GetAttributeInformation(association);
+  vtkPVArrayInformation* const normals =
+    arrays ? arrays->GetAttributeInformation(vtkDataSetAttributes::NORMALS) : nullptr;
+  return name == "Normals" || (normals && normals->GetName() && name == normals->GetName());
+}
+}
+
+//------------------------------------------------------------------------------
+void vtkSMDirectionsInitializationHelper::PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
+{
+  const vtkSMPropertyHelper connection(filter, "Input");
+  auto* const input =
+    connection.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(connection.GetAsProxy()) : nullptr;
+  auto* const domain = filter->GetProperty("Directions")->FindDomain<vtkSMArrayListDomain>();
+  vtkSMPropertyHelper directions(filter, "Directions");
+  if (!input || !domain || directions.GetNumberOfElements() < 5)
+  {
+    return;
+  }
+  const unsigned int port = connection.GetOutputPort();
+  if (!AreNormals(input, port, directions.GetAsInt(3), directions.GetAsString(4)))
+  {
+    return;
+  }
+  for (unsigned int k = 0; k < domain->GetNumberOfStrings(); ++k)
+  {
+    const int association = domain->GetFieldAssociation(k);
+    if (!AreNormals(input, port, association, domain->GetString(k)))
+    {
+      directions.SetInputArrayToProcess(association, domain->GetString(k));
+      filter->UpdateVTKObjects();
+      return;
+    }
+  }
+}

@@ -1,0 +1,107 @@
+"""What a person sees and is told at first contact, without having chosen anything."""
+
+import os
+import unittest
+
+import numpy as np
+import paraview.simple as simple
+from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
+
+
+def sphere():
+    return simple.Sphere(ThetaResolution=40, PhiResolution=40)
+
+
+def show(source, port=0):
+    source.UpdatePipeline()
+    display = simple.Show(simple.OutputPort(source, port), simple.GetActiveViewOrCreate("RenderView"))
+    simple.Render()
+    return display
+
+
+class FirstContact(unittest.TestCase):
+    def tearDown(self):
+        for view in simple.GetRenderViews():
+            simple.Delete(view)
+
+    def test_directions_show_on_apply(self):
+        for kind in (simple.HarmonicFieldSolver, simple.PrincipalDirections):
+            display = show(kind(Input=simple.Transform(Input=sphere(), Transform="Transform")))
+            self.assertEqual(display.Representation, "Surface LIC", kind.__name__)
+            self.assertIn(display.SelectInputVectors[1], ("Direction0", "MaximumDirection"))
+
+    def test_flows_have_heads(self):
+        surface = sphere()
+        ends = [simple.Line(Point1=[0, -0.1, z], Point2=[0, 0.1, z]) for z in (0.5, -0.5)]
+        flow = simple.DirectionalField(Input=surface, Discretisation="Face Field", Guides=ends[0], SecondGuide=ends[1])
+        flow.UpdatePipeline()
+        drawn = simple.servermanager.Fetch(flow, idx=1)
+        lengths = [drawn.GetCell(line).GetNumberOfPoints() for line in range(drawn.GetNumberOfCells())]
+        self.assertGreater(lengths.count(3), 20)  # a head is a line of three points
+
+    def test_normals_are_never_the_first_choice(self):
+        fibres = simple.Calculator(Input=sphere(), ResultArrayName="Zz", Function="kHat")
+        fibres.UpdatePipeline()
+        self.assertIsNotNone(fibres.PointData.GetArray("Normals"))
+        for kind in (simple.FieldLines, simple.FieldGlyphs, simple.FieldAngles, simple.FieldSingularities):
+            self.assertEqual(list(kind(Input=fibres).Directions), ["POINTS", "Zz"], kind.__name__)
+
+    def test_messages_say_what_is_followed(self):
+        window, former = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
+        vtkOutputWindow.SetInstance(window)
+        try:
+            field = simple.HarmonicFieldSolver(Input=simple.Calculator(
+                Input=sphere(), AttributeType="Cell Data", ResultArrayName="Wind", Function="jHat"))
+            field.UpdatePipeline()
+            field.NumberOfDirections = 2  # follows no more than before
+            field.UpdatePipeline()
+            field.Directions = ["CELLS", "Wind"]
+            field.CurvatureWeight = 1
+            field.UpdatePipeline()
+            said = [line.split("follows ")[1] for line in window.GetOutput().splitlines() if "the field follows" in line]
+        finally:
+            vtkOutputWindow.SetInstance(former)
+        self.assertEqual(said, ["nothing", "array 'Wind', curvature"])
+        field.UpdatePropertyInformation()
+        self.assertEqual(field.GetProperty("Followed").GetData(), "array 'Wind', curvature")
+
+    def test_angles_have_cyclic_colours(self):
+        field = simple.HarmonicFieldSolver(Input=sphere(), NumberOfDirections=2)
+        angles = simple.FieldAngles(Input=field)
+        display = show(angles)
+        simple.ColorBy(display, ("CELLS", "Angle"))
+        simple.Render()
+        points = np.reshape(display.LookupTable.RGBPoints, (-1, 4))
+        self.assertEqual(np.round([points[0, 0], points[-1, 0]], -1).tolist(), [-90, 90])
+        self.assertLess(np.abs(points[0, 1:] - points[-1, 1:]).max(), 0.1)
+        self.assertGreater(np.ptp(points[:, 1:], axis=0).min(), 0.3)
+        # Crosses have half of that. What somebody has chosen stays.
+        field.NumberOfDirections = 4
+        angles.UpdatePipeline()
+        points = np.reshape(display.LookupTable.RGBPoints, (-1, 4))
+        self.assertEqual((points[0, 0], points[-1, 0]), (-45, 45))
+        display.LookupTable.ApplyPreset("Cool to Warm", True)
+        chosen = list(display.LookupTable.RGBPoints)
+        show(simple.FieldAngles(Input=field))
+        self.assertEqual(list(simple.GetColorTransferFunction("Angle").RGBPoints), chosen)
+
+    def test_other_data_do_not_offer_our_representations(self):
+        offered = show(sphere()).GetProperty("Representation").Available
+        self.assertNotIn("Ink", offered)
+        self.assertNotIn("Sign Colors", offered)
+        self.assertIn("Surface LIC", offered)
+        field = simple.DirectionalField(Input=sphere())
+        for port, kind in ((1, "Ink"), (2, "Sign Colors")):
+            self.assertEqual(show(field, port).Representation, kind)
+
+    def test_the_plugin_has_one_entry(self):
+        tracker = vtkPVPluginTracker.GetInstance()
+        names = [tracker.GetPluginName(k) for k in range(tracker.GetNumberOfPlugins())]
+        self.assertEqual([name for name in names if "directionalmultigrid" in name.lower()], ["DirectionalMultigrid"])
+        self.assertTrue(os.environ.get("PV_PLUGIN_PATH"))
+
+
+if __name__ == "__main__":
+    unittest.main()
