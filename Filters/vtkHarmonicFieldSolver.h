@@ -30,10 +30,9 @@
  *
  * - Constraint: a direction or value that is prescribed on an element of the surface, soft (with a weight) or hard.
  * - Guide: a dataset near the surface whose lines or vectors become constraints.
- * - Feature: a boundary, a sharp edge or a principal direction of the surface, which the field may follow.
  * - Singularity: a point around which the field turns by a multiple of 2 pi / N, its index.
- * - Level: a coarser version of the surface. Multigrid solves on coarse levels what is slow on fine ones. Linear levels are
- *   samples of the surface; structure-preserving levels are the decimated surfaces of vtkDirectionalProlongation.
+ * - Level: a coarser version of the surface, on which multigrid solves what is slow on fine ones: samples of it or, structure
+ *   preserving, the decimated surfaces of vtkDirectionalProlongation.
  *
  * @section vtkHarmonicFieldSolver-Inputs Inputs
  *
@@ -41,14 +40,11 @@
  * by CoarseSpace StructurePreserving, NestedIterations and CoarseProlongation alone. Those of other points and triangles
  * are an error there.
  *
- * Port 1, guides (optional, any number of connections): vtkDataSet, or composite datasets of these. Each guide goes to the
+ * Port 1, guides (optional, any number of connections; ports 3, 4 and 5 take one more each): vtkDataSet, or composite datasets of these. Each guide goes to the
  * nearest place of the surface. Chosen vectors of points and cells prescribe the face that is nearest. Without a choice, lines
  * prescribe their tangents on all faces that they pass; without lines, the active vectors count. Whatever lies
  * farther than MaximumDistance, on the far side of a thin wall, or within 5 degrees of the normal is left out, with a
  * warning. A guide with neither lines nor vectors is an error.
- *
- * Ports 3, 4 and 5, a second, third and fourth guide (optional, of the same types): as those of port 1. A list in
- * ParaView's panel holds one dataset, and this is one port for each list.
  *
  * Port 2, singularities (optional, of the same types): a power field gets these and no others, and rotates as
  * little as it can (trivial connections, Crane, Desbrun and Schroeder 2010). The index of a point is a multiple of 1 / N. On
