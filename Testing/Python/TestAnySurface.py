@@ -8,7 +8,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
 
-from any_surfaces import (cells_of, grid_of, hexagons, image, latitude_longitude, make, out, plane, plate_with_stiffener, polygons,
+from any_surfaces import (cells_of, grid_of, hexagons, image, latitude_longitude, make, out, plane, plate_with_stiffener, points_of, polygons,
                           positions_of, soup, sphere, superquadric, with_flips_and_twins)
 from directionalmultigrid import FieldError, FieldWarning, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs,
@@ -268,6 +268,25 @@ class AnySurface(unittest.TestCase):
                 stored = solved(with_operators, CoarseSpace=vtkHarmonicFieldSolver.StructurePreserving,
                                 Solver=vtkHarmonicFieldSolver.ConjugateGradients)
                 self.assertEqual(values(stored.GetFieldData(), "Converged")[0], 1)
+
+    def test_fields_on_cells_that_are_not_plane_are_drawn(self):
+        """Quads over uneven ground, a quad that is folded, and polygons that cross themselves."""
+        rng = np.random.default_rng(5)
+        ground = vtkStructuredGrid()
+        ground.SetDimensions(12, 9, 1)
+        places = np.stack(np.meshgrid(np.arange(12.0), np.arange(9.0)), -1).reshape(-1, 2)
+        ground.SetPoints(points_of(np.hstack([places, rng.normal(size=(108, 1))])))
+        folded = polygons([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0.9, 0.1, 0.001)], [[0, 1, 2, 3]])
+        star = polygons([(np.cos(t), np.sin(t), 0) for t in 2 * np.pi * np.arange(5) / 5], [[0, 2, 4, 1, 3]])
+        bow = polygons([(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)], [[0, 1, 2, 3]])
+        for data in (ground, folded, star, bow):
+            for n in (1, 2, 4, 6):
+                field = solved(data, NumberOfDirections=n)
+                total, characteristic, _ = topology(field)
+                self.assertAlmostEqual(total, characteristic, delta=1e-9)
+                for each in (vtkFieldLines(), vtkFieldGlyphs(), vtkFieldAngles()):
+                    each.SetInputDataObject(0, field)
+                    self.assertGreater(result_of(each).GetNumberOfCells(), 0)
 
     def test_operators_say_which_triangles_they_refer_to(self):
         prolongation = vtkDirectionalProlongation()

@@ -2,6 +2,7 @@
 
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
+#include "Operators/CellDirections.h"
 #include "Operators/SignFlips.h"
 #include "Support/Errors.h"
 
@@ -172,7 +173,15 @@ Complex ReadTensor(vtkDataArray* array, vtkIdType tuple, const TangentFrames& fr
                             : Complex(std::numeric_limits<double>::infinity());
 }
 
-/// The tangential part of a vector.
+/// The tangential part of a vector, or infinity where it is not finite.
+Complex TangentialPart(const Vector3& vector, Complex inPlane)
+{
+  return std::abs(inPlane) > SmallestTangentialPart * vector.stableNorm() ? inPlane
+    : vector.allFinite()                                                  ? Complex(0.0)
+                         : Complex(std::numeric_limits<double>::infinity());
+}
+
+/// The direction of a vertex.
 Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& frames, int element)
 {
   if (HoldsTensors(array))
@@ -181,15 +190,43 @@ Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& fra
   }
   Vector3 vector;
   array->GetTuple(tuple, vector.data());
-  const Complex tangential = frames.ToComplex(element, vector);
-  return std::abs(tangential) > SmallestTangentialPart * vector.stableNorm() ? tangential
-    : vector.allFinite()                                                     ? Complex(0.0)
-                         : Complex(std::numeric_limits<double>::infinity());
+  return TangentialPart(vector, frames.ToComplex(element, vector));
 }
 
-/// Directions of elements, and the first one of the caller's that is not finite.
-template <class TupleOf>
-Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int size, const std::string& kind,
+/// Arrays of cells, read on the faces.
+class CellsOnFaces
+{
+public:
+  CellsOnFaces(const SurfaceMesh& surface, const TangentFrames& frames, const ExecutionContext& context)
+    : Surface(surface)
+    , Frames(frames)
+    , Normals(NormalsOfCells(surface.Mesh, frames, surface, context))
+  {
+  }
+
+  Complex Read(vtkDataArray* array, int face) const
+  {
+    const int cell = this->Surface.CellOf(face);
+    if (this->Normals.rows() == 0 || HoldsTensors(array))
+    {
+      return ReadTuple(array, cell, this->Frames, face);
+    }
+    Vector3 vector;
+    array->GetTuple(cell, vector.data());
+    return TangentialPart(vector, OnFaceOfCell(this->Frames, face, this->Normals.row(face), vector));
+  }
+
+  const SurfaceMesh& Surface;
+
+private:
+  const TangentFrames& Frames;
+  const Points Normals; ///< of the cells
+};
+
+/// Directions of elements.
+/// \throw InvalidInput one is not finite; the message names the first one of the caller's.
+template <class Read, class TupleOf>
+Vector<Complex> ReadTuples(vtkDataArray* array, const Read& read, int size, const std::string& kind,
   const TupleOf& tupleOf, const ExecutionContext& context)
 {
   Vector<Complex> directions(size);
@@ -199,7 +236,7 @@ Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int
     {
       for (int element = first; element < last; ++element)
       {
-        const Complex direction = ReadTuple(array, tupleOf(element), frames, element);
+        const Complex direction = read(element);
         directions[element] = direction;
         if (!std::isfinite(direction.real()) || !std::isfinite(direction.imag()))
         {
@@ -224,9 +261,18 @@ Vector<Complex> ReadTuples(vtkDataArray* array, const TangentFrames& frames, int
   return directions;
 }
 
+Vector<Complex> ReadVertices(
+  vtkDataArray* array, const TangentFrames& frames, const SurfaceMesh& surface, const ExecutionContext& context)
+{
+  const auto pointOf = [&surface](int vertex) { return surface.PointOf(vertex); };
+  return ReadTuples(
+    array, [&](int vertex) { return ReadTuple(array, pointOf(vertex), frames, vertex); },
+    surface.Mesh.NumberOfVertices(), "point", pointOf, context);
+}
+
 /// Refuses arrays Direction1, ... that are not Direction0, turned.
-void CheckSiblings(vtkDataSet* input, const SurfaceMesh& surface, const TangentFrames& frames,
-  const Vector<Complex>& first, int N, const ExecutionContext& context)
+void CheckSiblings(
+  vtkDataSet* input, const CellsOnFaces& cells, const Vector<Complex>& first, int N, const ExecutionContext& context)
 {
   for (int k = 1; k < N; ++k)
   {
@@ -239,7 +285,7 @@ void CheckSiblings(vtkDataSet* input, const SurfaceMesh& surface, const TangentF
     const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
     const auto isTurned = [&](int face)
     {
-      const Complex given = ReadTuple(array, surface.CellOf(face), frames, face);
+      const Complex given = cells.Read(array, face);
       const Complex expected = turn * first[face];
       return std::abs(given / std::max(std::abs(given), 1e-300) - expected / std::max(std::abs(expected), 1e-300)) <=
         LargestAngle;
@@ -258,7 +304,7 @@ void CheckSiblings(vtkDataSet* input, const SurfaceMesh& surface, const TangentF
       });
     for (vtkIdType cell = 0; !areTurned && cell < input->GetNumberOfCells(); ++cell)
     {
-      const ElementRow faces = surface.FacesOf(cell);
+      const ElementRow faces = cells.Surface.FacesOf(cell);
       if (!std::all_of(faces.begin(), faces.end(), isTurned))
       {
         throw InvalidInput("the vectors Direction0 and " + ArrayNames::Direction(k) + " of cell " +
@@ -283,9 +329,7 @@ void ReadFieldAtPoints(vtkDataSet* input, SurfaceWithField& given, const Executi
   const FramedMesh framed(given.Surface.Mesh, context);
   vtkDataArray* const array = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
   CheckTuples(array, input, true);
-  given.AtVertices = ReadTuples(
-    array, framed.Vertices, framed.Mesh.NumberOfVertices(), "point", [&](int v) { return given.Surface.PointOf(v); },
-    context);
+  given.AtVertices = ReadVertices(array, framed.Vertices, given.Surface, context);
   given.Connection = std::make_shared<const VertexConnection>(framed, context);
 }
 
@@ -335,8 +379,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   if (chosen.OnPoints)
   {
     const TangentFrames vertexFrames = VertexFrames(mesh, context);
-    const Vector<Complex> ofVertices = ReadTuples(
-      chosen.Array, vertexFrames, mesh.NumberOfVertices(), "point", [&](int v) { return surface.PointOf(v); }, context);
+    const Vector<Complex> ofVertices = ReadVertices(chosen.Array, vertexFrames, surface, context);
     if (N == 1)
     {
       CheckSign(algorithm, chosen, mesh, vertexFrames, ofVertices);
@@ -345,15 +388,17 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   }
   else
   {
+    const CellsOnFaces cells(surface, frames, context);
     first = ReadTuples(
-      chosen.Array, frames, mesh.NumberOfFaces(), "cell", [&](int face) { return surface.CellOf(face); }, context);
+      chosen.Array, [&](int face) { return cells.Read(chosen.Array, face); }, mesh.NumberOfFaces(), "cell",
+      [&](int face) { return surface.CellOf(face); }, context);
     if (N == 1)
     {
       CheckSign(algorithm, chosen, mesh, frames, first);
     }
     if (areSiblings)
     {
-      CheckSiblings(input, surface, frames, first, N, context);
+      CheckSiblings(input, cells, first, N, context);
     }
   }
   if (first.isZero(0.0))
