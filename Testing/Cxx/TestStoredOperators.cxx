@@ -154,9 +154,9 @@ const Damage Damages[] = {
   { "LevelsThatDiffer", "Prolongation.NumbersOfVertices",
     [](vtkFieldData*, vtkAbstractArray* array) { Shorten(array); } },
   { "OffsetsTooFew", "Prolongation.S0.0.Offsets", [](vtkFieldData*, vtkAbstractArray* array) { Shorten(array); } },
-  { "OffsetsThatFall", "Prolongation.Linear.0.Offsets",
+  { "OffsetsThatFall", "Prolongation.Nodal.0.Offsets",
     [](vtkFieldData*, vtkAbstractArray* array) { SetInt(array, 7, 1000000); } },
-  { "OffsetsNotFromZero", "Prolongation.Linear.1.Offsets",
+  { "OffsetsNotFromZero", "Prolongation.Nodal.1.Offsets",
     [](vtkFieldData*, vtkAbstractArray* array) { SetInt(array, 0, -1); } },
   { "ColumnTooLarge", "Prolongation.SP.0.Columns",
     [](vtkFieldData*, vtkAbstractArray* array) { SetInt(array, 11, 1000000); } },
@@ -165,7 +165,7 @@ const Damage Damages[] = {
   { "ColumnsTooFew", "Prolongation.SP.0.Offsets", // they no longer end where the columns do
     [](vtkFieldData* data, vtkAbstractArray*) { Shorten(data->GetAbstractArray("Prolongation.SP.0.Columns")); } },
   { "ValuesTooFew", "Prolongation.SP.0.Values", [](vtkFieldData*, vtkAbstractArray* array) { Shorten(array); } },
-  { "ValueNotANumber", "Prolongation.Linear.0.Values",
+  { "ValueNotANumber", "Prolongation.Nodal.0.Values",
     [](vtkFieldData*, vtkAbstractArray* array)
     { vtkDoubleArray::SafeDownCast(array)->SetValue(3, std::numeric_limits<double>::quiet_NaN()); } },
   { "ValueWithoutWeight", "Prolongation.S0.0.Values",
