@@ -10,11 +10,11 @@
  * Y_b is what is prescribed, w_b its weight, and m_b the size of the element relative to the mean. Hard constraints hold
  * X_b = Y_b exactly instead. Discretisation says what X is:
  *
- * - PowerField (default): the N-th power of the directions, a complex number per face. The energy sums squared differences
- *   across edges. For crosses and lines, and wherever the direction matters more than the length, which fades away from
- *   the constraints.
- * - PointPowerField: the same at points. Take it on regular grids, split quads and CAD meshes, where PowerField depends on how
- *   triangles are shaped. Its singularities stand on triangles.
+ * - PointPowerField (default): the N-th power of the directions, a complex number per point. The energy is the Dirichlet
+ *   energy, right on any triangles. For crosses and lines, and wherever the direction matters more than the length, which
+ *   fades away from the constraints. Its singularities stand on triangles.
+ * - PowerField: the same per face. The energy sums squared differences across edges, which is right where triangles are about
+ *   equilateral. On sheared triangles, as of regular grids, split quads and CAD meshes, fields are wrong at any resolution.
  * - FaceField: a vector per face. The energy is its squared divergence and curl. For flows.
  * - OneForm: a number per edge, the integral of a 1-form along it, with the same energy. For circulations and for what is
  *   integrated along paths.
@@ -98,13 +98,14 @@
  * | PowerField                | cells, points | 2          | the N-th power, a complex number (power fields only)      |
  * | FaceField                 | cells         | 3          | X in space (face fields only)                             |
  * | ScalarFunction            | points        | 1          | X (functions only)                                        |
- * | Prescribed                | cells         | 1          | weight, else 0 (1-forms: on port 1; functions, PointPowerField: on points) |
- * | SingularityIndex          | points        | 1          | multiple of 1 / N; 0 on boundaries (PointPowerField: cells) |
+ * | Prescribed                | points        | 1          | weight, else 0 (1-forms: on port 1; PowerField, FaceField: on cells) |
+ * | SingularityIndex          | cells         | 1          | multiple of 1 / N (others than PointPowerField, and with prescribed singularities: points) |
  * | HarmonicBasis 1, 2, ... k | cells         | 3          | fields without divergence and curl, with HarmonicBasis    |
  *
- * Directions are unit vectors (UnitLength) or have the field's length. Direction0 becomes the active vector. At a point,
- * directions are the mean of the faces around, carried into its tangent plane. Elements without a triangle hold zeros. The
- * frame of a face, to which PowerField refers, has its first axis along the first side.
+ * Directions are unit vectors (UnitLength) or have the field's length. Direction0 becomes the active vector. On a cell,
+ * directions of PointPowerField are the mean of the corners; at a point, those of all others are the mean of the faces around.
+ * Elements without a triangle hold zeros. The frame of a face, to which PowerField refers, has its first axis along the first
+ * side.
  * A polygon has the mean power of its triangles.
  *
  * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Rotation,
@@ -167,7 +168,7 @@ public:
 
   enum Discretisations
   {
-    /** N directions per face as their N-th power. */
+    /** N directions per face as their N-th power; for triangles that are about equilateral. */
     PowerField = 0,
     /** A vector per face. */
     FaceField = 1,
@@ -175,13 +176,13 @@ public:
     OneForm = 2,
     /** A number per point: a function, whose gradient is shown. */
     ScalarFunction = 3,
-    /** N directions per point as their N-th power. */
+    /** N directions per point as their N-th power; for any triangles. */
     PointPowerField = 4
   };
 
   ///@{
   /**
-   * The meaning of the unknowns, one of Discretisations. Default PowerField.
+   * The meaning of the unknowns, one of Discretisations. Default PointPowerField.
    */
   vtkSetMacro(Discretisation, int);
   vtkGetMacro(Discretisation, int);
@@ -554,7 +555,7 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
-  int Discretisation = PowerField;
+  int Discretisation = PointPowerField;
   int NumberOfDirections = 4;
   int ConstraintType = Soft;
   double Alignment = 1.0;

@@ -285,8 +285,8 @@ void CheckTakesSingularities(const DiscretisationOptions& field)
 {
   if (field.Kind != DiscretisationKind::PowerField && field.Kind != DiscretisationKind::VertexPowerField)
   {
-    throw InvalidInput("singularities are prescribed, and only power fields can have them; choose Power Field as "
-                       "Discretisation, or take the input Singularities away");
+    throw InvalidInput("singularities are prescribed, and only power fields can have them; choose Power Field at "
+                       "Points as Discretisation, or take the input Singularities away");
   }
 }
 

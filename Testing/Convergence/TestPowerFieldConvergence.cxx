@@ -42,7 +42,7 @@ int Iterations(LevelKind levels, const Surface& shape, int N, int prescribedFace
     constraints.Values[2 * b] = random.Uniform(-1.0, 1.0);
     constraints.Values[2 * b + 1] = random.Uniform(-1.0, 1.0);
   }
-  FieldOptions options;
+  FieldOptions options = PowersOnFaces();
   options.Field.N = N;
   options.Constraints = std::isfinite(alignment) ? ConstraintKind::Soft : ConstraintKind::Hard;
   options.Alignment = std::isfinite(alignment) ? alignment : 1.0;

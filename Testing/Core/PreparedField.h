@@ -1,6 +1,7 @@
 #ifndef dmgTestPreparedField_h
 #define dmgTestPreparedField_h
 
+#include "Discretisations/VertexPowerField.h"
 #include "PreparedSurface.h"
 #include "Support/FieldProblem.h"
 #include "Support/FieldSystems.h"
@@ -26,7 +27,7 @@ inline FieldOptions OptionsOf(DiscretisationKind kind, SolverKind solver = Solve
   return options;
 }
 
-/// Prescribed faces or edges with their weights.
+/// Prescribed elements with their weights.
 struct Elements
 {
   std::vector<int> Numbers;
@@ -45,8 +46,14 @@ struct PreparedField
   }
 
   bool IsForm() const { return this->Kind == DiscretisationKind::OneForm; }
-  int NumberOfElements() const { return this->IsForm() ? this->Mesh.NumberOfEdges() : this->Mesh.NumberOfFaces(); }
-  int NumberOfUnknowns() const { return this->IsForm() ? this->Mesh.NumberOfEdges() : 2 * this->Mesh.NumberOfFaces(); }
+  bool IsAtVertices() const { return this->Kind == DiscretisationKind::VertexPowerField; }
+  int NumberOfElements() const
+  {
+    return this->IsForm() ? this->Mesh.NumberOfEdges()
+      : this->IsAtVertices() ? this->Mesh.NumberOfVertices()
+                             : this->Mesh.NumberOfFaces();
+  }
+  int NumberOfUnknowns() const { return this->UnknownsPerElement() * this->NumberOfElements(); }
   int UnknownsPerElement() const { return this->IsForm() ? 1 : 2; }
 
   /// Elements first, first + step, ... below \p last, with random weights.
@@ -64,6 +71,11 @@ struct PreparedField
 
   Penalties Prescribed(const Elements& elements, const FieldWeights& weights) const
   {
+    if (this->IsAtVertices())
+    {
+      return VertexPowerField(this->Framed, 4).PenaltiesOf(
+        { elements.Numbers, elements.Weights, {} }, weights, SerialContext());
+    }
     // The areas of faces pull at powers as they do at vectors.
     return this->IsForm() ? PenaltiesOfEdges(this->Mesh, { elements.Numbers, elements.Weights }, weights)
                           : PenaltiesOfFaces(this->Mesh, { elements.Numbers, elements.Weights }, weights);
@@ -114,7 +126,9 @@ struct PreparedField
 inline std::string Describe(DiscretisationKind kind, ConstraintKind constraints)
 {
   const bool isFace = kind == DiscretisationKind::FaceField;
-  const std::string name = kind == DiscretisationKind::OneForm ? "1-form" : isFace ? "face field" : "powers";
+  const bool isAtVertices = kind == DiscretisationKind::VertexPowerField;
+  const std::string powers = isAtVertices ? "powers at vertices" : "powers";
+  const std::string name = kind == DiscretisationKind::OneForm ? "1-form" : isFace ? "face field" : powers;
   return name + (constraints == ConstraintKind::Soft ? ", soft" : ", hard");
 }
 

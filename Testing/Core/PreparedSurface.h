@@ -16,8 +16,8 @@
 namespace dmg::test
 {
 
-inline constexpr DiscretisationKind AllKinds[] = { DiscretisationKind::PowerField, DiscretisationKind::FaceField,
-  DiscretisationKind::OneForm };
+inline constexpr DiscretisationKind AllKinds[] = { DiscretisationKind::VertexPowerField, DiscretisationKind::PowerField,
+  DiscretisationKind::FaceField, DiscretisationKind::OneForm };
 
 /// Several levels of small surfaces.
 inline HierarchyOptions Deep()

@@ -285,6 +285,7 @@ TEST(FieldStages, AgreesWithTheTextbookSystem)
       EXPECT_LE((field - expected).norm(), 1e-10 * expected.norm()) << fields.Field().Name();
     };
     const auto real = [](const Vector<double>& x) { return x; };
+    options.Field.Kind = DiscretisationKind::PowerField;
     options.Field.N = 3;
     const FieldConstraints powers = MakePowerConstraints(on.Mesh, on.Frames, 3, directions.OnFaces);
     expectSame(MakePowerFieldSystem(on.Mesh, on.Frames, 3, powers, options.Weights()), ComplexValues(powers),
@@ -339,8 +340,8 @@ TEST(FieldStages, ReportsProgressOnceAndStopsWhenAsked)
 namespace
 {
 
-constexpr DiscretisationKind KindsWithDirections[] = { DiscretisationKind::PowerField, DiscretisationKind::FaceField,
-  DiscretisationKind::OneForm };
+constexpr DiscretisationKind KindsWithDirections[] = { DiscretisationKind::VertexPowerField,
+  DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm };
 
 FieldOptions OptionsWith(DiscretisationKind kind, SolverKind solver)
 {

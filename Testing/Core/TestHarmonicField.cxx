@@ -58,7 +58,7 @@ TEST(HarmonicField, SolversAgree)
     {
       for (ConstraintKind constraints : { ConstraintKind::Soft, ConstraintKind::Hard })
       {
-        FieldOptions options;
+        FieldOptions options = PowersOnFaces();
         options.Field.N = N;
         options.Constraints = constraints;
         options.Solver.Kind = SolverKind::Cholesky;
@@ -87,7 +87,7 @@ TEST(HarmonicField, OneDirectionFillsAFlatPatch)
     const FieldConstraints constraints = MakePowerConstraints(on.Mesh, on.Frames, N, { { 1234, direction, 1.0 } });
     for (SolverKind solver : { SolverKind::Cholesky, SolverKind::ConjugateGradients })
     {
-      FieldOptions options;
+      FieldOptions options = PowersOnFaces();
       options.Field.N = N;
       options.Solver.Kind = solver;
       const Vector<Complex> field = Solve(on, constraints, ComplexValues(constraints), options);
@@ -108,7 +108,7 @@ TEST(HarmonicField, AFlatTorusCarriesAParallelField)
     prescribed.Weights = { 1.0 };
     Vector<Complex> values(1);
     values[0] = Complex(0.6, 0.8);
-    FieldOptions options;
+    FieldOptions options = PowersOnFaces();
     options.Field.N = N;
     const Vector<Complex> field = Solve(on, prescribed, values, options);
     EXPECT_LT((field.cwiseAbs().array() - 1.0).abs().maxCoeff(), 1e-7);
@@ -128,7 +128,7 @@ TEST(HarmonicField, SingularitiesOfSolutionsSumToTheEulerCharacteristic)
     const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Elements.size()));
     for (int N = 1; N <= 8; ++N)
     {
-      FieldOptions options;
+      FieldOptions options = PowersOnFaces();
       options.Field.N = N;
       options.Solver.Kind = SolverKind::ConjugateGradients;
       const Vector<Complex> field = Solve(on, prescribed, values, options);
@@ -143,7 +143,7 @@ TEST(HarmonicField, HardConstraintsHoldExactly)
   const FieldConstraints prescribed = Every(300, on.Mesh.NumberOfFaces());
   Random random(31);
   const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Elements.size()));
-  FieldOptions options;
+  FieldOptions options = PowersOnFaces();
   options.Constraints = ConstraintKind::Hard;
   options.Solver.Kind = SolverKind::ConjugateGradients;
   const Vector<Complex> field = Solve(on, prescribed, values, options);
@@ -170,7 +170,7 @@ TEST(HarmonicField, DoesNotDependOnNumberingPlaceOrSize)
   {
     const PreparedSurface prepared(on);
     const FieldConstraints constraints = MakePowerConstraints(prepared.Mesh, prepared.Frames, N, where);
-    FieldOptions options;
+    FieldOptions options = PowersOnFaces();
     options.Field.N = N;
     options.Solver.Kind = SolverKind::ConjugateGradients;
     const Vector<Complex> field = Solve(prepared, constraints, ComplexValues(constraints), options);
@@ -212,7 +212,7 @@ TEST(HarmonicField, HasTheSameBitsForAnyNumberOfThreads)
   const FieldConstraints prescribed = Every(97, on.Mesh.NumberOfFaces());
   Random random(13);
   const Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Elements.size()));
-  FieldOptions options;
+  FieldOptions options = PowersOnFaces();
   options.Solver.Kind = SolverKind::ConjugateGradients;
   const Vector<Complex> expected = Solve(on, prescribed, values, options);
   for (int threads : { 2, 3, 8 })
@@ -227,7 +227,7 @@ TEST(HarmonicField, SolvesAgainFromItsSolution)
   const FieldConstraints prescribed = Every(300, on.Mesh.NumberOfFaces());
   Random random(37);
   Vector<Complex> values = random.Numbers(static_cast<int>(prescribed.Elements.size()));
-  FieldOptions options;
+  FieldOptions options = PowersOnFaces();
   options.Solver.Kind = SolverKind::ConjugateGradients;
   PowerFieldProblem problem(on.Framed, &on.Operators, prescribed, options, SerialContext());
   const Vector<Complex> field = problem.Solve(values, {}, StoppingCriteria(), SerialContext());
@@ -250,7 +250,7 @@ TEST(HarmonicField, SurvivesDegenerateSurfaces)
     prescribed.Weights = { 1.0 };
     Vector<Complex> values(1);
     values[0] = 1.0;
-    FieldOptions options;
+    FieldOptions options = PowersOnFaces();
     options.Solver.Kind = SolverKind::ConjugateGradients;
     PowerFieldProblem problem(on.Framed, &on.Operators, prescribed, options, SerialContext());
     const Vector<Complex> field = problem.Solve(values, {}, StoppingCriteria(), SerialContext());
@@ -263,7 +263,7 @@ TEST(HarmonicField, ChoosesASolverAndSaysWhy)
 {
   const PreparedSurface small(IrregularSphere(3, 3));
   const FieldConstraints prescribed = Every(300, small.Mesh.NumberOfFaces());
-  const FieldOptions options;
+  const FieldOptions options = PowersOnFaces();
   const PowerFieldProblem direct(small.Framed, &small.Operators, prescribed, options, SerialContext());
   EXPECT_NE(direct.Report().Solver.find("Cholesky, chosen for 1280 unknowns"), std::string::npos);
   // Whether there are levels or not.
@@ -289,7 +289,7 @@ TEST(HarmonicField, ManySolvesAreWorthAFactor)
   const FramedMesh surface(Icosphere(6).Mesh()); // above all limits of sizes but that of 1-forms
   for (const DiscretisationKind kind : { DiscretisationKind::PowerField, DiscretisationKind::FaceField })
   {
-    FieldOptions options;
+    FieldOptions options = PowersOnFaces();
     options.Field.Kind = kind;
     const auto needsLevels = [&]
     { return PlanSolver(*MakeDiscretisation(options.Field, surface), options, nullptr, {}).NeedsLevels(); };
@@ -315,7 +315,7 @@ TEST(HarmonicField, AFactorisationSaysWhereItStops)
   const PreparedSurface on(IrregularSphere(3, 3));
   const FieldConstraints prescribed = Every(300, on.Mesh.NumberOfFaces());
   const Vector<Complex> values = Vector<Complex>::Ones(static_cast<int>(prescribed.Elements.size()));
-  PowerFieldProblem problem(on.Framed, nullptr, prescribed, FieldOptions(), SerialContext());
+  PowerFieldProblem problem(on.Framed, nullptr, prescribed, PowersOnFaces(), SerialContext());
   problem.Solve(values, {}, StoppingCriteria(), SerialContext());
   EXPECT_TRUE(problem.Report().Converged);
   EXPECT_TRUE(problem.Report().Warnings.empty());
@@ -331,7 +331,7 @@ TEST(HarmonicField, AFactorisationSaysWhereItStops)
 TEST(HarmonicField, RefusesWhatItCannotSolve)
 {
   const PreparedSurface on(Icosphere(2));
-  FieldOptions options;
+  FieldOptions options = PowersOnFaces();
   options.Solver.Kind = SolverKind::NestedIterations;
   EXPECT_THROW(PowerFieldProblem(on.Framed, nullptr, Every(10, 320), options, SerialContext()), InvalidInput)
     << "it takes no samples";

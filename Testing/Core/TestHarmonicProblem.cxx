@@ -37,8 +37,14 @@ std::vector<int> UnknownsOfFaces(const PreparedField& on, int firstFace)
   std::vector<int> unknowns;
   for (int h = 3 * firstFace; h < 3 * on.Mesh.NumberOfFaces(); ++h)
   {
-    const int face = TriangleMesh::FaceOf(h);
-    unknowns.push_back(on.IsForm() ? on.Mesh.EdgeOf(h) : 2 * face + (h == 3 * face ? 0 : 1));
+    const int element = on.IsAtVertices() ? on.Mesh.Tail(h) : TriangleMesh::FaceOf(h);
+    if (on.IsForm())
+    {
+      unknowns.push_back(on.Mesh.EdgeOf(h));
+      continue;
+    }
+    unknowns.push_back(2 * element);
+    unknowns.push_back(2 * element + 1);
   }
   std::sort(unknowns.begin(), unknowns.end());
   unknowns.erase(std::unique(unknowns.begin(), unknowns.end()), unknowns.end());

@@ -27,7 +27,7 @@ inline constexpr int OnPoints = vtkDataObject::FIELD_ASSOCIATION_POINTS;
 inline constexpr int OnCells = vtkDataObject::FIELD_ASSOCIATION_CELLS;
 
 /// Follows the array Given of cells.
-inline vtkSmartPointer<Solver> NewSolver(vtkPolyData* input, int discretisation = Solver::PowerField)
+inline vtkSmartPointer<Solver> NewSolver(vtkPolyData* input, int discretisation = Solver::PointPowerField)
 {
   auto solver = vtkSmartPointer<Solver>::New();
   solver->SetInputData(input);
@@ -94,6 +94,8 @@ inline std::vector<double> Unknowns(Solver* solver)
       return Values(Edges(solver)->GetCellData(), "OneForm");
     case Solver::FaceField:
       return CellValues(solver, "FaceField");
+    case Solver::PointPowerField:
+      return Values(solver->GetOutput()->GetPointData(), "PowerField");
     default:
       return CellValues(solver, "PowerField");
   }

@@ -144,8 +144,8 @@ const Mistake OfSingularities[] = {
         Indices(scene)->Fill(0.25);
       } } },
   { "OfVectors", Both(Prescribed(8), IsFaceField),
-    "choose Power Field as Discretisation, or take the input Singularities away",
-    { Option(&vtkHarmonicFieldSolver::SetDiscretisation, 0), NoSingularities } },
+    "choose Power Field at Points as Discretisation, or take the input Singularities away",
+    { Option(&vtkHarmonicFieldSolver::SetDiscretisation, 4), NoSingularities } },
   { "FarAway", Both(OnPlate, SingularityAt({ 5, 5, 9 })), "move it nearer, or raise Maximum Distance",
     { SingularityAt({ 5, 5, 0 }), Option(&vtkHarmonicFieldSolver::SetMaximumDistance, 2.0) } },
   { "InACorner",

@@ -25,7 +25,7 @@ def solve():
         Input=prolongation, Mask=["POINTS", "Mask"], Directions=["POINTS", "Directions"],
         Discretisation=discretisation, NumberOfDirections=4, Solver="Conjugate Gradients",
         HarmonicBasis=1)
-            for discretisation in ("Power Field", "Face Field", "1-Form")]
+            for discretisation in ("Power Field at Points", "Face Field", "1-Form")]
 
 
 def check(crosses, faceField, oneForm):
@@ -56,7 +56,7 @@ def check_crosses(solver):
     points, cells, report = field.GetPointData(), field.GetCellData(), field.GetFieldData()
     assert report.GetArray("Converged").GetValue(0) == 1
     # Poincare-Hopf: the indices sum to the Euler characteristic.
-    indices = vtk_to_numpy(points.GetArray("SingularityIndex"))
+    indices = vtk_to_numpy(cells.GetArray("SingularityIndex"))
     assert abs(indices.sum() - 2) < 1e-12, indices.sum()
     # Four unit vectors per face, opposite ones opposite, all tangential to the face.
     arrays = [vtk_to_numpy(cells.GetArray(f"Direction{k}")) for k in range(4)]

@@ -205,7 +205,7 @@ def check(result, N=4):
     for attributes in (field.GetPointData(), field.GetCellData()):
         assert attributes.HasArray("Direction0") and attributes.HasArray(f"Direction{N - 1}")
     # Poincare-Hopf: the indices sum to the Euler characteristic.
-    indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
+    indices = vtk_to_numpy(field.GetCellData().GetArray("SingularityIndex"))
     assert abs(indices.sum() - 2) < 1e-12, indices.sum()
     return field
 
@@ -216,9 +216,16 @@ def check_guide(result):
     report = field.GetFieldData()
     assert report.GetArray("GuidesTaken").GetValue(0) == 10
     assert report.GetArray("GuidesTooFar").GetValue(0) == 0
-    prescribed = vtk_to_numpy(field.GetCellData().GetArray("Prescribed"))
-    assert set(prescribed % 7) == {0} and prescribed.sum() == 70, prescribed  # two points share a face
-    assert np.abs(vtk_to_numpy(field.GetCellData().GetArray("Direction0"))[prescribed > 0, 2]).min() > 0.9
+    # Each prescribes the corners of the face below it, a third of its area each.
+    prescribed = vtk_to_numpy(field.GetPointData().GetArray("Prescribed"))
+    cells = vtk_to_numpy(field.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    a, b, c = (vtk_to_numpy(field.GetPoints().GetData()).astype(float)[cells[:, k]] for k in range(3))
+    areas = np.linalg.norm(np.cross(b - a, c - a), axis=1) / 2
+    of_points = np.bincount(cells.ravel(), np.repeat(areas / 3, 3))
+    held = (prescribed > 0)[cells].all(axis=1)
+    guided = (prescribed * of_points).sum() / 7
+    assert 10 * areas[held].min() < guided * (1 + 1e-6) and guided < 10 * areas[held].max() * (1 + 1e-6), (guided, areas[held])
+    assert np.abs(vtk_to_numpy(field.GetPointData().GetArray("Direction0"))[prescribed > 0, 2]).min() > 0.9
 
 
 def check_features(result):
@@ -251,7 +258,7 @@ def check_nothing_said(result):
         field = check(path, N)
         assert not field.GetCellData().HasArray(f"Direction{N}")
         assert field.GetFieldData().GetArray("Eigenvalues").GetNumberOfTuples() == 1
-        indices = vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex"))
+        indices = vtk_to_numpy(field.GetCellData().GetArray("SingularityIndex"))
         assert list(indices[indices != 0]) == [1 / N] * (2 * N), indices[indices != 0]
     lines = read(former(result, "lines"))
     assert set(vtk_to_numpy(lines.GetCellData().GetArray("Branch"))) == {0}  # crosses have two

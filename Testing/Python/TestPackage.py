@@ -109,7 +109,7 @@ class SmoothField(unittest.TestCase):
         sphere = update(vtkSphereSource())
         with self.assertRaisesRegex(FieldError, "sum"):
             smooth_field(sphere, singularities=[])
-        self.assertAlmostEqual(values(smooth_field(sphere, singularities=None).GetPointData(), "SingularityIndex").sum(), 2)
+        self.assertAlmostEqual(values(smooth_field(sphere, singularities=None).GetCellData(), "SingularityIndex").sum(), 2)
 
     def test_only_power_fields_have_several_directions(self):
         mesh = torus(20, 10)

@@ -47,11 +47,11 @@ class Pipeline(unittest.TestCase):
         self.assertEqual(self.solver.GetCoarseSpace(), vtkHarmonicFieldSolver.LinearInterpolation)
         self.assertEqual(self.prolongation.GetCollapsePolicy(),
                          vtkDirectionalProlongation.IndependentRounds)
-        self.assertEqual(self.solver.GetDiscretisation(), vtkHarmonicFieldSolver.PowerField)
+        self.assertEqual(self.solver.GetDiscretisation(), vtkHarmonicFieldSolver.PointPowerField)
         self.assertEqual(self.prolongation.GetConstruction(),
                          vtkDirectionalProlongation.TrackedPaths)
         text = str(self.solver)
-        for name in ("Discretisation: PowerField", "NumberOfDirections: 4", "Solver: Automatic", "Tolerance: 0.0001"):
+        for name in ("Discretisation: PointPowerField", "NumberOfDirections: 4", "Solver: Automatic", "Tolerance: 0.0001"):
             self.assertIn(name, text)
 
     def test_cholesky_and_conjugate_gradients_agree_for_every_N(self):
@@ -93,7 +93,7 @@ class Pipeline(unittest.TestCase):
 
     def test_indices_sum_to_zero_on_a_torus(self):
         self.solver.Update()
-        self.assertAlmostEqual(self.points("SingularityIndex").sum(), 0, places=9)
+        self.assertAlmostEqual(self.cells("SingularityIndex").sum(), 0, places=9)
 
     def test_convergence_table(self):
         self.solver.SetSolver(vtkHarmonicFieldSolver.ConjugateGradients)

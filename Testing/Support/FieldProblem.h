@@ -45,7 +45,15 @@ private:
   std::unique_ptr<HarmonicProblem> Problem;
 };
 
-/// The same of power fields, in complex numbers.
+/// Power fields on faces, all else by default.
+inline FieldOptions PowersOnFaces()
+{
+  FieldOptions options;
+  options.Field.Kind = DiscretisationKind::PowerField;
+  return options;
+}
+
+/// The same of power fields on faces, in complex numbers.
 class PowerFieldProblem
 {
 public:

@@ -25,7 +25,7 @@ enum class DiscretisationKind
 
 struct DiscretisationOptions
 {
-  DiscretisationKind Kind = DiscretisationKind::PowerField;
+  DiscretisationKind Kind = DiscretisationKind::VertexPowerField;
   /// Power fields have N directions per point, 2 pi / N apart; 1 to 8. The others have one.
   int N = 4;
   /// The star of 0-forms: of 1-forms in their divergence, of functions in their mass.

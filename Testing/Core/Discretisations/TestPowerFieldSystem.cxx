@@ -191,7 +191,7 @@ TEST(PowerFieldSystem, ComponentsWithoutAPrescriptionHaveTheSmoothestField)
     const HarmonicSystem<Complex> system = MakePowerFieldSystem(mesh, frames, 4, constraints, Weights(kind));
     EXPECT_EQ(system.NumberOfUnreached(), 80);
     FieldStages solver(mesh);
-    FieldOptions options;
+    FieldOptions options = PowersOnFaces();
     options.Constraints = kind;
     solver.Solve({ { { 81, Vector3(1.0, 0.0, 0.0), 1.0 } }, {} }, options);
     EXPECT_TRUE(solver.Report().Warnings.empty());
@@ -237,7 +237,7 @@ TEST(PowerFieldSystem, RefusesWhatItCannotSolve)
   {
     try
     {
-      FieldOptions options;
+      FieldOptions options = PowersOnFaces();
       options.Field.N = N;
       std::tie(options.Smoothness, options.Alignment, options.Constraints) =
         std::tie(weights.Smoothness, weights.Alignment, weights.Constraints);
@@ -268,7 +268,7 @@ TEST(PowerFieldSystem, IsHeldEverywhereByHardConstraints)
     held.Weights.push_back(1.0);
   }
   held.Values = Vector<double>::LinSpaced(2 * surface.Mesh.NumberOfFaces(), -1.0, 1.0);
-  FieldOptions options;
+  FieldOptions options = PowersOnFaces();
   options.Field.Kind = DiscretisationKind::PowerField;
   options.Constraints = ConstraintKind::Hard;
   FieldProblem problem(surface, nullptr, held, options, SerialContext());

@@ -132,7 +132,7 @@ def check_way_in(result):
     crosses = (cells(plate, "Direction0")[:24 * 24] @ [1, 1j, 0]) ** 4
     assert abs(crosses - crosses.mean()).max() < 1e-3, abs(crosses - crosses.mean()).max()
     assert plate.GetFieldData().GetAbstractArray("SurfacePreparation").GetValue(0) == "24 edges of more than two sheets parted"
-    indices = vtk_to_numpy(sphere.GetPointData().GetArray("SingularityIndex"))
+    indices = vtk_to_numpy(sphere.GetCellData().GetArray("SingularityIndex"))
     assert abs(indices.sum() - 2) < 1e-9, indices.sum()
 
 

@@ -11,7 +11,7 @@ from scene import *
 
 # From and to. The second opposes the flow from the first to the third.
 STROKES = [((0.5, 1.65, 1.0), (0.5, 1.35, 1.0)), ((2.35, 2.7, 1.0), (2.65, 2.7, 1.0)), ((4.43, 1.37, 1.0), (4.57, 1.63, 1.0))]
-FIELDS = {"power_field": dict(Discretisation="Power Field", NumberOfDirections=4),
+FIELDS = {"power_field": dict(Discretisation="Power Field at Points", NumberOfDirections=4),
           "face_field": dict(Discretisation="Face Field"),
           "one_form": dict(Discretisation="1-Form")}
 
