@@ -63,12 +63,14 @@ protected:
   }
 };
 
-vtkSmartPointer<vtkPolyData> Crosses(const Surface& surface, int N = 4)
+vtkSmartPointer<vtkPolyData> Crosses(
+  const Surface& surface, int N = 4, int discretisation = vtkHarmonicFieldSolver::PointPowerField)
 {
   const auto input = PolyDataOf(surface);
   AddCellVectors(input, "Given", { { 0, { 0.3, 1.0, 0.2 } }, { 5, { 1.0, 0.1, 0.4 } } });
   vtkNew<vtkHarmonicFieldSolver> solver;
   solver->SetInputData(input);
+  solver->SetDiscretisation(discretisation);
   solver->SetNumberOfDirections(N);
   solver->SetInputArrayToProcess(1, 0, 0, Cells, "Given");
   solver->Update();
@@ -369,7 +371,7 @@ TEST(FieldSingularities, AreTheSolversAndSumToTheEulerCharacteristic)
   for (const auto& [surface, euler] : std::vector<std::pair<Surface, int>>{
          { IrregularSphere(3, 3), 2 }, { DoubleTorus(4), -2 }, { Disk(8), 1 }, { Annulus(24, 6), 0 } })
   {
-    const auto field = Crosses(surface);
+    const auto field = Crosses(surface, 4, vtkHarmonicFieldSolver::PowerField);
     vtkNew<vtkFieldSingularities> singularities;
     singularities->SetInputData(field);
     singularities->Update();

@@ -66,6 +66,7 @@ protected:
   void SetUp() override
   {
     this->Solver->SetInputData(this->Plate);
+    this->Solver->SetDiscretisation(vtkHarmonicFieldSolver::PowerField); // shows the faces that a guide reaches
     this->Solver->SetNumberOfDirections(1);
     this->Solver->SetConstraintType(vtkHarmonicFieldSolver::Hard);
   }

@@ -58,6 +58,7 @@ protected:
   void SetUp() override
   {
     this->Solver->SetInputData(this->Plate);
+    this->Solver->SetDiscretisation(vtkHarmonicFieldSolver::PowerField); // shows the faces that a guide reaches
     this->Solver->SetGuideArrayToProcess(1, 1, 0, OnPoints, "Wind");
   }
 

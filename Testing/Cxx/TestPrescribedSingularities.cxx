@@ -137,6 +137,7 @@ TEST_F(Singularities, MayBeThoseOfAnotherField)
 {
   vtkNew<vtkHarmonicFieldSolver> other;
   other->SetInputData(this->Sphere);
+  other->SetDiscretisation(vtkHarmonicFieldSolver::PowerField); // which has them at points
   vtkNew<vtkFieldSingularities> singularities;
   singularities->SetInputConnection(other->GetOutputPort());
   this->Solver->AddSingularitiesConnection(singularities->GetOutputPort());
@@ -148,6 +149,20 @@ TEST_F(Singularities, MayBeThoseOfAnotherField)
   this->Solver->RemoveAllSingularities();
   this->Solver->AddSingularitiesConnection(singularities->GetOutputPort(3));
   EXPECT_EQ(this->Found(), found) << "as spheres";
+}
+
+// Those on triangles come to the nearest points, one each.
+TEST_F(Singularities, MayBeThoseOfAFieldAtPoints)
+{
+  vtkNew<vtkHarmonicFieldSolver> other;
+  other->SetInputData(this->Sphere);
+  vtkNew<vtkFieldSingularities> singularities;
+  singularities->SetInputConnection(other->GetOutputPort());
+  this->Solver->AddSingularitiesConnection(singularities->GetOutputPort());
+  const auto found = this->Found();
+  vtkPolyData* const places = singularities->GetOutput(0);
+  EXPECT_EQ(found.size(), static_cast<std::size_t>(places->GetNumberOfPoints()));
+  EXPECT_EQ(found.size(), 8u);
 }
 
 TEST_F(Singularities, MovedSolveAgainOnly)
