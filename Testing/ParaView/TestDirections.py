@@ -16,7 +16,7 @@ def fetch(source):
 
 
 def powers(source):
-    return vtk_to_numpy(fetch(source).GetCellData().GetArray("PowerField"))
+    return vtk_to_numpy(fetch(source).GetPointData().GetArray("PowerField"))
 
 
 def is_smoothest(source):
@@ -24,7 +24,7 @@ def is_smoothest(source):
 
 
 def prescribed(source):
-    return (vtk_to_numpy(fetch(source).GetCellData().GetArray("Prescribed")) > 0).sum()
+    return (vtk_to_numpy(fetch(source).GetPointData().GetArray("Prescribed")) > 0).sum()
 
 
 def surface():
@@ -43,7 +43,7 @@ class Directions(unittest.TestCase):
                 self.assertTrue(is_smoothest(field))
                 for chosen in (["CELLS", "Wind"], ["POINTS", "Active Vectors"]):  # as in states of former versions
                     field.Directions = chosen
-                    self.assertEqual(prescribed(field), fetch(field).GetNumberOfCells())
+                    self.assertEqual(prescribed(field), fetch(field).GetNumberOfPoints())
                 field.FollowDirections = 0
                 self.assertTrue(is_smoothest(field))
                 field.FollowDirections = 1

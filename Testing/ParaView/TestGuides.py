@@ -165,9 +165,9 @@ ERRORS = {
 
 def solver_of(source, array, elements="POINTS"):
     surface = simple.Sphere(Radius=1, ThetaResolution=24, PhiResolution=24)
-    solver = simple.HarmonicFieldSolver(Input=surface, Guides=source,
+    solver = simple.HarmonicFieldSolver(Input=surface, Guides=source, Discretisation="Power Field on Faces",
                                         NumberOfDirections=1, ConstraintType="Hard",
-                                        MaximumDistance=1000)
+                                        MaximumDistance=1000)  # shows the triangles that a guide reaches
     if array:
         solver.GuideDirections = array
     return solver
@@ -234,7 +234,7 @@ def check_lines_and_points():
     spline.ParametricFunction.Points = [0.1, 0.4, 0.0, 4.0, 0.4, 0.0, 7.9, 0.4, 0.0]
     solver = simple.HarmonicFieldSolver(
         Input=simple.Triangulate(Input=plate), Guides=[line, points, spline], NumberOfDirections=1,
-        GuideDirections="D", ConstraintType="Hard")
+        GuideDirections="D", ConstraintType="Hard", Discretisation="Power Field on Faces")
     solver.UpdatePipeline()
     field = simple.servermanager.Fetch(solver)
     cells = field.GetCellData()
@@ -275,7 +275,7 @@ def check_weights_in_field_data():
             Input=simple.Sphere(Radius=1), Guides=producer(line), GuideWeights=array)
         solver.UpdatePipeline()
         prescribed.append(vtk_to_numpy(
-            simple.servermanager.Fetch(solver).GetCellData().GetArray("Prescribed")))
+            simple.servermanager.Fetch(solver).GetPointData().GetArray("Prescribed")))
     assert prescribed[0].max() > 0
     assert np.allclose(prescribed[1], 2.5 * prescribed[0], rtol=1e-12)
 

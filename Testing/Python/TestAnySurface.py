@@ -191,7 +191,8 @@ class AnySurface(unittest.TestCase):
             solver.SetInputArrayToProcess(1, 0, 0, CELLS, "Given")
             field = result_of(solver)
             np.testing.assert_allclose(crosses(field), np.exp(4j * 0.3), atol=1e-8)
-            self.assertEqual(np.count_nonzero(values(field.GetCellData(), "Prescribed")), 1)
+            prescribed = values(field.GetPointData(), "Prescribed")
+            self.assertEqual(set(np.flatnonzero(prescribed)), set(cells_of(data)[9]))
 
     def test_a_direction_prescribed_at_a_point_counts_there(self):
         data = grid_of(out(plane(6, 4)))

@@ -128,7 +128,8 @@ class Guides(unittest.TestCase):
             self.solver.Update()
             self.assertEqual(self.errors, [])
             cells = self.solver.GetOutput().GetCellData()
-            self.assertEqual(np.count_nonzero(values(cells, "Prescribed")), 2)
+            prescribed = values(self.solver.GetOutput().GetPointData(), "Prescribed")
+            self.assertEqual(np.count_nonzero(prescribed), 6)  # the corners of two triangles
             fields.append(values(cells, "Direction0").copy())
         np.testing.assert_array_equal(*fields)
 

@@ -71,8 +71,13 @@ class OtherInputs(unittest.TestCase):
                     add(mesh.GetCellData(), name, array)
                 with self.assertWarnsRegex(FieldWarning, f"left out: {upper.sum()} not finite"):
                     field = smooth_field(mesh, n=1, Directions="D", Mask="M", Weights="W")
-                prescribed = values(field.GetCellData(), "Prescribed") > 0
-                np.testing.assert_array_equal(prescribed, ~upper)
+                prescribed = values(field.GetPointData(), "Prescribed") > 0
+                # The points inside of the region are held, its rim is free; triangles without such a point hold all corners.
+                inside = np.ones(mesh.GetNumberOfPoints(), bool)
+                inside[corners(mesh)[upper]] = False
+                lower = corners(mesh)[~upper]
+                inside[lower[~inside[lower].any(axis=1)]] = True
+                np.testing.assert_array_equal(prescribed, inside)
         add(mesh.GetCellData(), "D", np.full((len(place), 3), np.nan))
         with self.assertRaisesRegex(FieldError, "no direction is prescribed"):
             smooth_field(mesh, n=1, Directions="D")
@@ -130,7 +135,7 @@ class OtherInputs(unittest.TestCase):
         around = np.cross((0, 0, 1.0), normal)
         around /= np.linalg.norm(around, axis=1, keepdims=True)
         add(mesh.GetCellData(), "axis", around)
-        for kind, n in (("PowerField", 2), ("FaceField", 1)):
+        for kind, n in (("PointPowerField", 2), ("PowerField", 2), ("FaceField", 1)):
             field = smooth_field(mesh, n=n, Discretisation=kind, Directions="axis", ConstraintType="Hard", Rotation=30.0)
             turned = np.cos(np.radians(30)) * around + np.sin(np.radians(30)) * np.cross(normal, around)
             cosine = (values(field.GetCellData(), "Direction0") * turned).sum(axis=1)

@@ -8,7 +8,7 @@ from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 from directionalmultigrid.vtkFiltersDirectionalFields import (
     vtkDirectionalProlongation, vtkHarmonicFieldSolver)
-from surfaces import add, prescribe, torus, values
+from surfaces import add, corners, prescribe, torus, values, values_of_points
 
 CELLS = vtkDataObject.FIELD_ASSOCIATION_CELLS
 
@@ -186,6 +186,16 @@ class Pipeline(unittest.TestCase):
         self.prolongation.SetInputData(surface)
         self.solver.SetInputArrayToProcess(0, 0, 0, CELLS, "Mask")
         self.solver.SetInputArrayToProcess(2, 0, 0, CELLS, "Weights")
+        self.solver.Update()
+        # The three corners, each with the share of the triangle in the area around it.
+        points, triangles = values_of_points(surface), corners(surface)
+        a, b, c = np.moveaxis(points[triangles], 1, 0)
+        areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+        around = np.bincount(triangles.ravel(), np.repeat(areas, 3))
+        prescribed = self.points("Prescribed")
+        self.assertEqual(set(np.flatnonzero(prescribed)), set(triangles[2000]))
+        np.testing.assert_allclose(prescribed[triangles[2000]], 3 * areas[2000] / around[triangles[2000]], rtol=1e-12)
+        self.solver.SetDiscretisation(vtkHarmonicFieldSolver.PowerField)
         self.solver.Update()
         prescribed = self.cells("Prescribed")
         self.assertEqual(np.flatnonzero(prescribed).tolist(), [2000])
