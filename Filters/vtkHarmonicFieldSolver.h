@@ -11,10 +11,10 @@
  * X_b = Y_b exactly instead. Discretisation says what X is:
  *
  * - PointPowerField (default): the N-th power of the directions, a complex number per point. The energy is the Dirichlet
- *   energy, right on any triangles. For crosses and lines, and wherever the direction matters more than the length, which
- *   fades away from the constraints. Its singularities stand on triangles.
- * - PowerField: the same per face. The energy sums squared differences across edges, which is right where triangles are about
- *   equilateral. On sheared triangles, as of regular grids, split quads and CAD meshes, fields are wrong at any resolution.
+ *   energy. For crosses and lines, and wherever the direction matters more than the length, which fades away from the
+ *   constraints. Its singularities stand on triangles.
+ * - PowerField: the same per face, for triangles that are about equilateral. On sheared ones, as of grids, split quads and CAD
+ *   meshes, it is wrong at any resolution.
  * - FaceField: a vector per face. The energy is its squared divergence and curl. For flows.
  * - OneForm: a number per edge, the integral of a 1-form along it, with the same energy. For circulations and for what is
  *   integrated along paths.
@@ -99,7 +99,7 @@
  * | FaceField                 | cells         | 3          | X in space (face fields only)                             |
  * | ScalarFunction            | points        | 1          | X (functions only)                                        |
  * | Prescribed                | points        | 1          | weight, else 0 (1-forms: on port 1; PowerField, FaceField: on cells) |
- * | SingularityIndex          | cells         | 1          | multiple of 1 / N (others than PointPowerField, and with prescribed singularities: points) |
+ * | SingularityIndex          | cells         | 1          | multiple of 1 / N (others, and prescribed ones: points) |
  * | HarmonicBasis 1, 2, ... k | cells         | 3          | fields without divergence and curl, with HarmonicBasis    |
  *
  * Directions are unit vectors (UnitLength) or have the field's length. Direction0 becomes the active vector. On a cell,

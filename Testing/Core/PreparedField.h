@@ -49,7 +49,7 @@ struct PreparedField
   bool IsAtVertices() const { return this->Kind == DiscretisationKind::VertexPowerField; }
   int NumberOfElements() const
   {
-    return this->IsForm() ? this->Mesh.NumberOfEdges()
+    return this->IsForm()    ? this->Mesh.NumberOfEdges()
       : this->IsAtVertices() ? this->Mesh.NumberOfVertices()
                              : this->Mesh.NumberOfFaces();
   }
@@ -73,8 +73,8 @@ struct PreparedField
   {
     if (this->IsAtVertices())
     {
-      return VertexPowerField(this->Framed, 4).PenaltiesOf(
-        { elements.Numbers, elements.Weights, {} }, weights, SerialContext());
+      return VertexPowerField(this->Framed, 4)
+        .PenaltiesOf({ elements.Numbers, elements.Weights, {} }, weights, SerialContext());
     }
     // The areas of faces pull at powers as they do at vectors.
     return this->IsForm() ? PenaltiesOfEdges(this->Mesh, { elements.Numbers, elements.Weights }, weights)

@@ -227,11 +227,11 @@ TEST(Features, CrossesFollowTheEdgesOfABox)
   cube.F.resize(12, 3);
   cube.F << 0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4, 2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5;
   const auto box = PolyDataOf(Subdivide(Subdivide(Subdivide(cube))));
-  for (const auto& [kind, constraints] : std::vector<std::pair<int, int>>{
-         { vtkHarmonicFieldSolver::PowerField, vtkHarmonicFieldSolver::Soft },
-         { vtkHarmonicFieldSolver::PowerField, vtkHarmonicFieldSolver::Hard },
-         { vtkHarmonicFieldSolver::PointPowerField, vtkHarmonicFieldSolver::Soft },
-         { vtkHarmonicFieldSolver::PointPowerField, vtkHarmonicFieldSolver::Hard } })
+  for (const auto& [kind, constraints] :
+    std::vector<std::pair<int, int>>{ { vtkHarmonicFieldSolver::PowerField, vtkHarmonicFieldSolver::Soft },
+      { vtkHarmonicFieldSolver::PowerField, vtkHarmonicFieldSolver::Hard },
+      { vtkHarmonicFieldSolver::PointPowerField, vtkHarmonicFieldSolver::Soft },
+      { vtkHarmonicFieldSolver::PointPowerField, vtkHarmonicFieldSolver::Hard } })
   {
     const auto solver = NewSolver(box, 4);
     solver->SetDiscretisation(kind);
@@ -323,8 +323,7 @@ TEST(Features, RotationArraysTurnTheFieldHereMoreThanThere)
   {
     const auto solver = NewSolver(plate, 2);
     solver->SetDiscretisation(kind);
-    solver->SetInputArrayToProcess(
-      1, 0, 0, kind == vtkHarmonicFieldSolver::PowerField ? OnCells : OnPoints, "Axis");
+    solver->SetInputArrayToProcess(1, 0, 0, kind == vtkHarmonicFieldSolver::PowerField ? OnCells : OnPoints, "Axis");
     solver->SetInputArrayToProcess(4, 0, 0, association, "Angle");
     solver->SetAlignment(1e6);
     solver->Update();

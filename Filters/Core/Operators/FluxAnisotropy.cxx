@@ -40,8 +40,7 @@ Complex BetweenCentroids(const TriangleMesh& mesh, int halfedge)
   return std::conj(centroid(mesh.Twin(halfedge))) - centroid(halfedge);
 }
 
-PlaneTensors TensorsOfFaces(
-  const TriangleMesh& mesh, const Unfilled<Complex>& sides, const ExecutionContext& context)
+PlaneTensors TensorsOfFaces(const TriangleMesh& mesh, const Unfilled<Complex>& sides, const ExecutionContext& context)
 {
   const Vector<double> weights = PowerEdgeWeights(mesh);
   PlaneTensors tensors(mesh.NumberOfFaces());
@@ -64,8 +63,7 @@ PlaneTensors TensorsOfFaces(
 }
 
 /// A quarter each of a face and of its neighbours, so that nothing of the sums is lost; of a boundary side the face itself.
-PlaneTensor MeanAround(
-  const TriangleMesh& mesh, const Unfilled<Complex>& sides, const PlaneTensors& tensors, int face)
+PlaneTensor MeanAround(const TriangleMesh& mesh, const Unfilled<Complex>& sides, const PlaneTensors& tensors, int face)
 {
   PlaneTensor sum = tensors[face];
   for (int h = 3 * face; h < 3 * face + 3; ++h)
