@@ -13,8 +13,7 @@
  * - PointPowerField (default): the N-th power of the directions, a complex number per point. The energy is the Dirichlet
  *   energy. For crosses and lines, and wherever the direction matters more than the length, which fades away from the
  *   constraints. Its singularities stand on triangles.
- * - PowerField: the same per face, for triangles that are about equilateral. On sheared ones, as of grids, split quads and CAD
- *   meshes, it is wrong at any resolution.
+ * - PowerField: the same per face, for triangles that are about equilateral; on sheared ones, as of grids, it is wrong.
  * - FaceField: a vector per face. The energy is its squared divergence and curl. For flows.
  * - OneForm: a number per edge, the integral of a 1-form along it, with the same energy. For circulations and for what is
  *   integrated along paths.
