@@ -8,6 +8,7 @@ and checks them. Needs a display, and xdotool where mouse and keys are played; P
 """
 
 import pathlib
+import shutil
 import subprocess
 import sys
 import time
@@ -15,10 +16,15 @@ from xml.etree import ElementTree
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
 from vtkmodules.vtkFiltersSources import vtkArcSource, vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGReader
-from vtkmodules.vtkIOLegacy import vtkPolyDataReader
-from vtkmodules.vtkIOXML import vtkXMLPolyDataWriter
+from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader, vtkPolyDataReader
+from vtkmodules.vtkIOXML import (vtkXMLImageDataWriter, vtkXMLMultiBlockDataReader, vtkXMLMultiBlockDataWriter, vtkXMLPolyDataWriter,
+                                 vtkXMLRectilinearGridWriter, vtkXMLStructuredGridWriter, vtkXMLUnstructuredGridWriter)
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "Python"))
+import any_surfaces
 
 
 def write_sphere(path, resolution=60, zero=False):
@@ -99,6 +105,73 @@ def write(path, data):
     writer.Write()
 
 
+# Sources that ParaView brings along, each with the filter that makes it a surface, if it is none; and types of files.
+SHAPES = [(shape, None) for shape in ("ArrowSource", "CubeSource", "ConeSource", "CylinderSource", "DiskSource", "PlaneSource",
+                                      "SphereSource", "SuperquadricSource")] + [("LineSource", "TubeFilter")]
+FILES = ["grid.vtu", "grid.vts", "grid.vtr", "grid.vti", "blocks.vtm"]
+
+
+def write_files(path):
+    """Surfaces of other types than vtkPolyData: hexagons, a seam with poles, rectangles, pixels and blocks of two types."""
+    hexagonal, blocks, pixels = any_surfaces.grid_of(any_surfaces.hexagons(2)), vtkMultiBlockDataSet(), any_surfaces.image()
+    numbers = numpy_to_vtk(np.arange(pixels.GetNumberOfPoints()), deep=True)  # without an array ParaView fails to draw an image
+    numbers.SetName("Number")
+    pixels.GetPointData().SetScalars(numbers)
+    blocks.SetBlock(0, hexagonal)
+    blocks.SetBlock(1, any_surfaces.sphere())
+    for name, writer, data in zip(FILES, (vtkXMLUnstructuredGridWriter(), vtkXMLStructuredGridWriter(), vtkXMLRectilinearGridWriter(),
+                                          vtkXMLImageDataWriter(), vtkXMLMultiBlockDataWriter()),
+                                  (hexagonal, any_surfaces.latitude_longitude(), any_surfaces.rectilinear(), pixels, blocks)):
+        writer.SetFileName(str(path.with_name(f"{path.stem}-{name}")))
+        writer.SetInputData(data)
+        writer.SetDataModeToBinary()
+        writer.Write()
+    write_sphere(path)
+
+
+def event(widget, command, arguments=""):
+    return f'  <pqevent object="pqClientMainWindow/{widget}" command="{command}" arguments="{arguments}" />\n'
+
+
+APPLY = event("propertiesDock/propertiesPanel/Accept", "activate")
+
+
+def save(path):
+    """Saves the first output of what is active."""
+    saved = event("menubar/menu_File/actionFileSaveData", "activate")
+    saved += event("FileSaveDialog", "filesSelected", f"$PARAVIEW_TEST_ROOT/{path}")
+    return saved + event("WriterSettingsDialog/widget/OKButton", "activate")
+
+
+def open_file(path):
+    opened = event("menubar/menu_File/actionFileOpen", "activate")
+    return opened + event("FileOpenDialog", "filesSelected", f"$PARAVIEW_TEST_ROOT/{path}") + APPLY
+
+
+def menu(name, group, entry):
+    """ParaView 5.13 fills a menu when it is opened."""
+    return event("menubar", "activate", name) + event(f"menubar/{name}/{group}", "activate", entry)
+
+
+def apply_to_any_surface(name):
+    """Each source and each file, Apply, Directional Field, Apply: nothing else is said."""
+    field = menu("menuFilters", "Directional Fields", "DirectionalField") + APPLY
+    # What stands in the first row of the pipeline, and what was made of it: else the window becomes slow.
+    forget = event("pipelineBrowserDock/pipelineBrowser", "currentChanged", "/0/0|0")
+    forget += event("menubar/menu_Edit/actionDeleteTree", "activate")
+    events = forget
+    for shape, between in SHAPES:
+        events += menu("menuSources", "Alphabetical", shape) + APPLY
+        if between:
+            events += menu("menuFilters", "Alphabetical", between) + APPLY
+        events += field + save(f"{name}-{shape}.vtk") + forget
+    for file in FILES:
+        events += open_file(f"{name}-{file}") + field
+        events += save(f"{name}-field-{file}" if file.endswith(".vtm") else f"{name}-{file}.vtk") + forget
+    events += open_file(f"{name}.vtp") + field + save(f"{name}.vtk")
+    return f"<pqevents>\n{events}</pqevents>\n"
+
+
 def toolbar(paraview):
     """The name of the filters' toolbar, which ParaView 5.13 calls another name than 5.11."""
     version = subprocess.run([paraview, "--version"], capture_output=True, text=True, check=True).stdout
@@ -144,7 +217,8 @@ def place_points(result):
 
 def play(paraview, data, result, folder, fails):
     """Runs the window until the result is written and no longer grows; takes the screenshot then. With or without an error."""
-    events = pathlib.Path(__file__).with_name(result.stem + ".xml").read_text()
+    events = (apply_to_any_surface(result.stem) if result.stem == "AnySurfaceInTheWindow"
+              else pathlib.Path(__file__).with_name(result.stem + ".xml").read_text())
     script = result.with_suffix(".xml")
     script.write_text(events.replace("$TOOLBAR", toolbar(paraview)))
     command = [paraview, "--disable-registry", f"--data={data}", f"--test-directory={folder}", f"--test-script={script}"]
@@ -153,7 +227,7 @@ def play(paraview, data, result, folder, fails):
         window = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT)
     try:
         size, complete = 0, False
-        deadline = time.monotonic() + 120
+        deadline = time.monotonic() + 200
         while not complete and time.monotonic() < deadline and window.poll() is None:
             time.sleep(0.5)
             if "critical:" in log.read_text():
@@ -344,7 +418,31 @@ def check_points_placed(result):
     assert np.linalg.norm(points[1] - points[0]) > 0.2, points
 
 
-TESTS = {"PointsPlacedInTheWindow": (write_sphere, check_points_placed),
+def check_directions(field, name):
+    """Unit vectors on all cells."""
+    lengths = np.linalg.norm(vtk_to_numpy(field.GetCellData().GetArray("Direction0")), axis=1)
+    assert len(lengths) and np.allclose(lengths, 1), name
+    assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1, name
+
+
+def check_any_surface(result):
+    for name in [shape for shape, _ in SHAPES] + [file for file in FILES if not file.endswith(".vtm")]:
+        reader = vtkGenericDataObjectReader()
+        reader.SetFileName(str(former(result, name)))
+        reader.Update()
+        check_directions(reader.GetOutput(), name)
+    reader = vtkXMLMultiBlockDataReader()
+    reader.SetFileName(str(former(result, "field-blocks", ".vtm")))
+    reader.Update()
+    blocks = reader.GetOutput()
+    assert blocks.GetNumberOfBlocks() == 2
+    for k in range(2):
+        check_directions(blocks.GetBlock(k), f"block {k}")
+    check_directions(read(result), "sphere")
+
+
+TESTS = {"AnySurfaceInTheWindow": (write_files, check_any_surface),
+         "PointsPlacedInTheWindow": (write_sphere, check_points_placed),
          "FieldInTheWindow": (write_sphere, check),
          "GuideInTheWindow": (write_guide, check_guide),
          "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
@@ -362,7 +460,7 @@ def main():
     folder.mkdir(parents=True, exist_ok=True)
     data, result = folder / f"{name}.vtp", folder / f"{name}.vtk"
     for old in folder.glob(f"{name}*"):
-        old.unlink()
+        shutil.rmtree(old) if old.is_dir() else old.unlink()
     write_data, check_result = TESTS[name]
     write_data(data)
     play(paraview, data, result, folder, fails=name.startswith("Failed"))
