@@ -1,11 +1,13 @@
 #include "FieldSolver.h"
 
 #include "FieldStages.h"
+#include "Operators/FluxAnisotropy.h"
 #include "Operators/PrincipalDirections.h"
 #include "SingularFieldSolver.h"
 #include "Support/Errors.h"
 
 #include <cassert>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -46,6 +48,16 @@ std::string WarningOfCancelling(const std::vector<int>& faces, const ElementName
     "choose a Number Of Directions to which they are alike";
 }
 
+/// The share of the surface from which on sheared triangles are worth a note.
+constexpr double NotableShare = 0.2;
+
+std::string WarningOfShear(double share)
+{
+  return std::to_string(std::lround(100.0 * share)) +
+    " % of the surface have sheared triangles, as grids and split quads have, on which power fields on faces are wrong; choose "
+    "Power Field at Points (PointPowerField) as Discretisation";
+}
+
 }
 
 class FieldSolver::Internals
@@ -73,9 +85,11 @@ private:
   void FollowFeatures(const FieldProblem& problem, int N, Constraints& constraints, const ExecutionContext& context);
   void Rotate(const FieldProblem& problem, bool isNothingSaid, Constraints& constraints, const ElementNames& names);
   const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
+  void WarnOfShear(const FieldProblem& problem, const ExecutionContext& context);
 
   std::unique_ptr<NearestPlaces> Places;
   std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;
+  std::optional<double> ShearedShare;
   bool IsCurrent = false; ///< whether the directions of Last are those of the solution
 };
 
@@ -195,6 +209,23 @@ void FieldSolver::Internals::Solve(const FieldProblem& problem, const Constraint
   {
     this->IsCurrent = false;
     Append(this->Last.Warnings, solver.Report().Warnings);
+    this->WarnOfShear(problem, context);
+  }
+}
+
+void FieldSolver::Internals::WarnOfShear(const FieldProblem& problem, const ExecutionContext& context)
+{
+  if (problem.Options.Field.Kind != DiscretisationKind::PowerField || problem.Singularities)
+  {
+    return;
+  }
+  if (!this->ShearedShare)
+  {
+    this->ShearedShare = ShareOfShearedArea(this->Stages.Surface(), context);
+  }
+  if (*this->ShearedShare > NotableShare)
+  {
+    this->Last.Warnings.push_back(WarningOfShear(*this->ShearedShare));
   }
 }
 

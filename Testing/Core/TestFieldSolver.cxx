@@ -139,6 +139,22 @@ TEST(FieldSolver, HasPrescribedSingularitiesAndNoOthers)
   EXPECT_THROW(solver.Solve(problem), InvalidInput);
 }
 
+// On faces, a grid is told, once for each solve; at points and on even triangles there is nothing to tell.
+TEST(FieldSolver, WarnsOfPowerFieldsOnShearedFaces)
+{
+  FieldSolver grid(PlaneGrid(24, 24).Mesh()), sphere(Icosphere(3).Mesh());
+  FieldProblem problem;
+  problem.Constraints.OnFaces = { { 7, Vector3(1.0, 0.5, 0.0), 1.0 } };
+  EXPECT_TRUE(grid.Solve(problem).Warnings.empty());
+  problem.Options.Field.Kind = DiscretisationKind::PowerField;
+  EXPECT_TRUE(sphere.Solve(problem).Warnings.empty());
+  ASSERT_EQ(grid.Solve(problem).Warnings.size(), 1u);
+  EXPECT_TRUE(grid.Solve(problem).Warnings.empty());
+  problem.Options.Alignment = 2.0;
+  ASSERT_EQ(grid.Solve(problem).Warnings.size(), 1u);
+  EXPECT_TRUE(grid.Solve(problem).Warnings.empty());
+}
+
 TEST(FieldSolver, SaysWhatIsNotFollowed)
 {
   FieldSolver solver(Icosphere(3).Mesh());

@@ -291,7 +291,7 @@ def check_several_lists():
         solver.UpdatePipeline()
         field = simple.servermanager.Fetch(solver)
         assert field.GetFieldData().GetArray("GuidesTaken").GetValue(0) == 4
-        weights.append(vtk_to_numpy(field.GetCellData().GetArray("Prescribed")))
+        weights.append(vtk_to_numpy(field.GetPointData().GetArray("Prescribed")))
     assert np.allclose(weights[1], 5 * weights[0], rtol=1e-12) and weights[0].max() > 0
     ratios = weights[2][weights[0] > 0] / weights[0][weights[0] > 0]
     assert np.allclose(ratios[np.abs(ratios - 1) > 1e-9], 2) and ratios.max() > 1.9, ratios

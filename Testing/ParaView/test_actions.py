@@ -122,7 +122,7 @@ class Window:
 
 
 def prescribed(field):
-    return vtk_to_numpy(field.GetCellData().GetArray("Prescribed"))
+    return vtk_to_numpy(field.GetPointData().GetArray("Prescribed"))
 
 
 def taken(field):
@@ -134,7 +134,7 @@ def draw_strokes(window):
     field = window.play("field", window.apply(), window.choose_filter("DirectionalField"), window.apply(),
                         window.choose_source("PolyLineSource"))
     assert window.actions - 1 == 4, window.actions  # the last one is the stroke's
-    assert abs(vtk_to_numpy(field.GetPointData().GetArray("SingularityIndex")).sum() - 2) < 1e-9
+    assert abs(vtk_to_numpy(field.GetCellData().GetArray("SingularityIndex")).sum() - 2) < 1e-9
     window.press(1, (680, 420))
     window.press(2, (780, 500))
     first = window.play("first", window.select("/0/0/0"), window.set("Guides/1QComboBox0", "PolyLineSource1"),

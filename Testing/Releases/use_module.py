@@ -19,7 +19,7 @@ points = singularities.GetOutput().GetNumberOfPoints()
 print(points, "singular points")
 assert points == 8
 
-indices = smooth_field(sphere.GetOutput()).GetPointData().GetArray("SingularityIndex")
+indices = smooth_field(sphere.GetOutput()).GetCellData().GetArray("SingularityIndex")
 assert sum(indices.GetValue(k) != 0 for k in range(indices.GetNumberOfValues())) == 8
 
 print("directionalmultigrid", importlib.metadata.version("directionalmultigrid"))
