@@ -156,7 +156,7 @@ public:
   ///@{
   /**
    * Which structure-preserving operators are built beside S0 and Nodal, which every field can be
-   * solved with: SP (PowerFields, default on), SX (FaceFields, default off), S1 (OneForms, default
+   * solved with: SP (PowerFields, of fields on faces, default on), SX (FaceFields, default off), S1 (OneForms, default
    * off).
    */
   vtkSetMacro(PowerFields, bool);

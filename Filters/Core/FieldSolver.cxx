@@ -54,8 +54,8 @@ constexpr double NotableShare = 0.2;
 std::string WarningOfShear(double share)
 {
   return std::to_string(std::lround(100.0 * share)) +
-    " % of the surface have sheared triangles, as grids and split quads have, on which power fields on faces are wrong; choose "
-    "Power Field at Points (PointPowerField) as Discretisation";
+    " % of the surface have sheared triangles, as grids have, where power fields on faces are inaccurate at any "
+    "resolution; choose Power Field at Points (PointPowerField) as Discretisation";
 }
 
 }
