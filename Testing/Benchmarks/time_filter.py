@@ -22,7 +22,7 @@ from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 PRESCRIBED = 20
-JOBS = [("power, N = 4", 0, 4), ("power, N = 2", 0, 2), ("face-based", 1, 1), ("DEC", 2, 1)]
+JOBS = [("points, N = 4", 4, 4), ("points, N = 2", 4, 2), ("power, N = 4", 0, 4), ("face-based", 1, 1), ("DEC", 2, 1)]
 SOLVERS = [("Automatic", vtkHarmonicFieldSolver.Automatic),
            ("Cholesky", vtkHarmonicFieldSolver.Cholesky)]
 STAGES = ["SetupSeconds", "PrepareSeconds", "SolveSeconds"]

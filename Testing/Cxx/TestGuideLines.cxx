@@ -2,6 +2,7 @@
 
 #include "vtkHarmonicFieldSolver.h"
 
+#include "NoteOfShear.h"
 #include "TestTools.h"
 
 #include "vtkIdList.h"
@@ -77,10 +78,11 @@ protected:
     const Messages messages(this->Solver);
     this->Solver->Update();
     EXPECT_TRUE(messages.GetErrors().empty()) << messages.Error();
-    EXPECT_EQ(messages.GetWarnings().size(), warning.empty() ? 0u : 1u);
-    if (!messages.GetWarnings().empty())
+    const std::vector<std::string> warnings = WithoutNoteOfShear(messages.GetWarnings());
+    EXPECT_EQ(warnings.size(), warning.empty() ? 0u : 1u);
+    if (!warnings.empty())
     {
-      EXPECT_NE(messages.GetWarnings()[0].find(warning), std::string::npos) << messages.GetWarnings()[0];
+      EXPECT_NE(warnings[0].find(warning), std::string::npos) << warnings[0];
     }
     Cells cells;
     const auto values = Values(this->Solver->GetOutput()->GetCellData(), "Prescribed");

@@ -201,7 +201,7 @@ TEST_P(VectorField, HasItsHarmonicBasisWithoutRepeatingAnyStageAndOnce)
 
 TEST(PowerField, HasNoHarmonicBasis)
 {
-  const auto solver = NewSolver(WithThreeGiven(IrregularTorus(24, 16, 5)), Solver::PowerField);
+  const auto solver = NewSolver(WithThreeGiven(IrregularTorus(24, 16, 5)));
   solver->HarmonicBasisOn();
   const Messages messages(solver);
   solver->Update();

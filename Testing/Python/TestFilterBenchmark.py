@@ -26,8 +26,8 @@ class FilterBenchmark(unittest.TestCase):
                             "--runs", "1", str(folder / "torus.ply")], check=True)
             with open(folder / "filter.csv", newline="") as file:
                 rows = list(csv.DictReader(file))
-            self.assertEqual(len({row["field"] for row in rows}), 4)
-            self.assertEqual(len({(row["field"], row["solver"]) for row in rows}), 8)
+            self.assertEqual(len({row["field"] for row in rows}), 5)
+            self.assertEqual(len({(row["field"], row["solver"]) for row in rows}), 10)
             for row in rows:
                 stages = [float(row[stage]) for stage in ("setup", "prepare", "solve", "other")]
                 self.assertGreater(min(stages), 0.0, row)
