@@ -17,6 +17,7 @@ import tempfile
 import numpy as np
 import paraview.simple as simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkPlatonicSolidSource
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import (
     vtkCellArray, vtkMultiBlockDataSet, vtkMutableDirectedGraph, vtkPolyData, vtkRectilinearGrid,
@@ -164,7 +165,11 @@ ERRORS = {
 
 
 def solver_of(source, array, elements="POINTS"):
-    surface = simple.Sphere(Radius=1, ThetaResolution=24, PhiResolution=24)
+    icosahedron = vtkPlatonicSolidSource()
+    icosahedron.SetSolidTypeToIcosahedron()
+    icosahedron.Update()
+    icosahedron.GetOutput().GetCellData().Initialize()  # an array without a name
+    surface = simple.LoopSubdivision(Input=producer(icosahedron.GetOutput()), NumberofSubdivisions=3)  # of even triangles
     solver = simple.HarmonicFieldSolver(Input=surface, Guides=source, Discretisation="Power Field on Faces",
                                         NumberOfDirections=1, ConstraintType="Hard",
                                         MaximumDistance=1000)  # shows the triangles that a guide reaches
@@ -234,27 +239,27 @@ def check_lines_and_points():
     spline.ParametricFunction.Points = [0.1, 0.4, 0.0, 4.0, 0.4, 0.0, 7.9, 0.4, 0.0]
     solver = simple.HarmonicFieldSolver(
         Input=simple.Triangulate(Input=plate), Guides=[line, points, spline], NumberOfDirections=1,
-        GuideDirections="D", ConstraintType="Hard", Discretisation="Power Field on Faces")
+        GuideDirections="D", ConstraintType="Hard")
     solver.UpdatePipeline()
     field = simple.servermanager.Fetch(solver)
-    cells = field.GetCellData()
-    held = vtk_to_numpy(cells.GetArray("Prescribed")) > 0
-    y = corner_points(field).mean(axis=1)[:, 1]
-    directions = vtk_to_numpy(cells.GetArray("Direction0"))
-    for row in (0, 3):  # of squares
-        inside = (y > row) & (y < row + 1)
-        assert inside.sum() == 16 and held[inside].all(), row
-        assert np.abs(directions[inside] - (1, 0, 0)).max() < 1e-6
-    others = held & (y > 4)
-    assert others.sum() == 1 and held.sum() == 33
+    held = vtk_to_numpy(field.GetPointData().GetArray("Prescribed")) > 0
+    y = vtk_to_numpy(field.GetPoints().GetData())[:, 1]
+    directions = vtk_to_numpy(field.GetPointData().GetArray("Direction0"))
+    # The corners of the squares that a line passes; along the boundary of the plate those on it, all of whose squares it passes.
+    for first, last in ((0, 0), (3, 4)):
+        around = (y > first - 0.5) & (y < last + 0.5)
+        assert held[around].all(), first
+        assert np.abs(directions[around] - (1, 0, 0)).max() < 1e-6
+    others = held & (y > 5)
+    assert others.sum() == 3 and held.sum() == 9 + 18 + 3
     assert np.abs(directions[others] - (0, 1, 0)).max() < 1e-6
     report = field.GetFieldData()
     assert report.GetArray("GuidesTooFar").GetValue(0) == 0
     assert abs(report.GetArray("GuidesFarthest").GetValue(0) - 0.2) < 1e-6
     solver.Guides = [points]
     solver.UpdatePipeline()
-    cells = simple.servermanager.Fetch(solver).GetCellData()
-    assert (vtk_to_numpy(cells.GetArray("Prescribed")) > 0).sum() == 1
+    points = simple.servermanager.Fetch(solver).GetPointData()
+    assert (vtk_to_numpy(points.GetArray("Prescribed")) > 0).sum() == 3
 
 
 def check_weights_in_field_data():
