@@ -324,6 +324,9 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "ConstraintType: " << (this->ConstraintType == Soft ? "Soft" : "Hard") << "\n";
   os << indent << "Alignment: " << this->Alignment << "\n";
+  os << indent << "SmoothingLength: " << this->SmoothingLength << "\n";
+  os << indent << "TensorWeights: " << (this->TensorWeights ? "On" : "Off") << "\n";
+  os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
   os << indent << "FollowDirections: " << (this->FollowDirections ? "On" : "Off") << "\n";
   os << indent << "GuideDirections: " << this->GetGuideDirections() << "\n";
   os << indent << "GuideWeights: " << this->GetGuideWeights() << "\n";

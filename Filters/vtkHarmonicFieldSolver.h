@@ -60,6 +60,7 @@
  * | 2     | 1          | weight (optional), by default 1; 0 where nothing is prescribed |
  * | 3     | 1          | values of functions, at points; not of guides                  |
  * | 4     | 1          | rotation (optional), in degrees; not of guides                 |
+ * | 5, 6  | 1          | eastward, northward component around Axis, instead of 1; not of guides |
  *
  * Directions of the surface may also be symmetric tensors of 6 components (XX YY ZZ XY YZ XZ) or 9: power fields of an even N
  * follow their largest principal direction in the tangent plane, crosses both. In a plane of constant z, vectors may have 2
@@ -220,6 +221,36 @@ public:
    */
   vtkSetMacro(Alignment, double);
   vtkGetMacro(Alignment, double);
+  ///@}
+
+  ///@{
+  /**
+   * The length over which directions of the surface are smoothed, relative to the diagonal of its bounding box: for arrays that hold
+   * directions nearly everywhere, as measured ones do. Details smaller than that fade, whatever the resolution: a wave of length l
+   * keeps 1 / (1 + (2 pi SmoothingLength / l)^2) of its amplitude. It takes the place of Alignment, and has no effect on guides,
+   * features and hard constraints. Default 0, off; range 0 to 1.
+   */
+  vtkSetMacro(SmoothingLength, double);
+  vtkGetMacro(SmoothingLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether directions of tensors weigh by the difference of both principal values in the tangent plane, relative to the mean of
+   * it: less where a tensor has no clear direction. Default off.
+   */
+  vtkSetMacro(TensorWeights, bool);
+  vtkGetMacro(TensorWeights, bool);
+  vtkBooleanMacro(TensorWeights, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The direction to the north pole from the origin, for eastward and northward components; any vector but (0, 0, 0). Default
+   * (0, 0, 1).
+   */
+  vtkSetVector3Macro(Axis, double);
+  vtkGetVector3Macro(Axis, double);
   ///@}
 
   enum Solvers
@@ -558,6 +589,9 @@ private:
   int NumberOfDirections = 4;
   int ConstraintType = Soft;
   double Alignment = 1.0;
+  double SmoothingLength = 0.0;
+  bool TensorWeights = false;
+  double Axis[3] = { 0.0, 0.0, 1.0 };
   bool FollowDirections = true;
   double MaximumDistance = 0.1;
   double BoundaryWeight = 0.0;

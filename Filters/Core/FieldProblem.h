@@ -24,9 +24,13 @@ struct FieldProblem
   StoppingCriteria Stop = { 1e-4, 100 };
 
   dmg::Constraints Constraints = {}; ///< on faces and at vertices
-  dmg::Guides Guides = {};           ///< lines and vectors in space
-  FeatureOptions Features = {};      ///< boundary, sharp edges and principal directions; functions follow none
-  RotationAngles Rotation = {};      ///< against all that is followed
+  /// The length over which constraints that hold nearly everywhere are smoothed, relative to the diagonal of the box around the
+  /// surface: fields X minimise the integral of |grad X|^2 + |X - Y|^2 / length^2, whatever the resolution. 0: weights are as
+  /// Alignment has them. Soft constraints only; without effect on guides and features.
+  double SmoothingLength = 0.0;
+  dmg::Guides Guides = {};      ///< lines and vectors in space
+  FeatureOptions Features = {}; ///< boundary, sharp edges and principal directions; functions follow none
+  RotationAngles Rotation = {}; ///< against all that is followed
 
   /// The singularities that a power field shall have, and no others. None: they come by themselves.
   std::optional<std::vector<PrescribedSingularity>> Singularities = {};

@@ -5,6 +5,7 @@
 #include "Operators/PrincipalDirections.h"
 #include "SingularFieldSolver.h"
 #include "Support/Errors.h"
+#include "Support/ShortText.h"
 
 #include <cassert>
 #include <cmath>
@@ -36,6 +37,29 @@ void CheckFollowsSomething(const Constraints& constraints, const GuidesReport& g
       "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
       "their mask or weights are; choose others, or clear Guides for the smoothest field");
   }
+}
+
+/// \throw InvalidInput the length is negative or not finite.
+void WeighBySmoothingLength(
+  double relative, const TriangleMesh& mesh, const Discretisation& discretisation, Constraints& constraints)
+{
+  if (!(relative > 0.0) || !std::isfinite(relative))
+  {
+    throw InvalidInput("Smoothing Length is " + ShortText(relative) + "; make it positive, or 0 for none");
+  }
+  const Points& positions = mesh.VertexPositions();
+  const double length = relative * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+  const auto [onFaces, atVertices] = discretisation.WeightsOfIntegral();
+  const auto scale = [length](auto& all, double factor)
+  {
+    for (auto& constraint : all)
+    {
+      constraint.Weight *= factor / (length * length);
+    }
+  };
+  scale(constraints.OnFaces, onFaces);
+  scale(constraints.AtVertices, atVertices);
+  scale(constraints.Values, atVertices);
 }
 
 std::string WarningOfCancelling(const std::vector<int>& faces, const ElementNames& names)
@@ -116,6 +140,11 @@ Constraints FieldSolver::Internals::Follow(
   const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names)
 {
   Constraints constraints = problem.Constraints;
+  if (problem.SmoothingLength != 0.0)
+  {
+    WeighBySmoothingLength(problem.SmoothingLength, this->Stages.Surface().Mesh,
+      this->Stages.DiscretisationFor(problem.Options.Field), constraints);
+  }
   this->FollowGuides(problem, constraints, context);
   const DiscretisationOptions& field = problem.Options.Field;
   if (field.Kind == DiscretisationKind::ScalarFunction)

@@ -18,11 +18,11 @@ from .vtkFiltersDirectionalFields import vtkHarmonicFieldSolver
 
 Mesh = TypeVar("Mesh", bound=vtkDataSet)
 DataObjects = Union[vtkDataObject, Iterable[vtkDataObject], None]
-Property = Union[bool, int, float, str]
+Property = Union[bool, int, float, str, Tuple[float, float, float]]
 Message = Tuple[vtkAlgorithm, str]
 
 # The solver's arrays: the index of each in SetInputArrayToProcess. Their names are those in pvpython.
-_ARRAYS = {"Mask": 0, "Directions": 1, "Weights": 2, "Values": 3, "RotationArray": 4}
+_ARRAYS = {"Mask": 0, "Directions": 1, "Weights": 2, "Values": 3, "RotationArray": 4, "Eastward": 5, "Northward": 6}
 
 
 class FieldError(ValueError):
@@ -219,6 +219,10 @@ def _converted(value: Any, kind: type) -> Property:
         if value is None or isinstance(value, (str, bytes)) or value not in (False, True):
             raise TypeError("it is True or False")
         return bool(value)
+    if kind is tuple:
+        if isinstance(value, (str, bytes)) or not isinstance(value, Iterable) or len(numbers_of := tuple(value)) != 3:
+            raise TypeError("it is a vector of three numbers")
+        return tuple(_converted(each, float) for each in numbers_of)
     if kind is str:
         if not isinstance(value, str):
             raise TypeError("it is the name of an array")

@@ -1,5 +1,6 @@
 #include "Adapters/Input/ChosenArrays.h"
 
+#include "Adapters/Input/EastAndNorth.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
@@ -109,7 +110,7 @@ ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index)
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)
 {
   return { ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2), ChoiceOf(algorithm, 3),
-    ChoiceOf(algorithm, 4) };
+    ChoiceOf(algorithm, 4), ChoiceOf(algorithm, 5), ChoiceOf(algorithm, 6) };
 }
 
 ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surface)
@@ -180,8 +181,12 @@ int ComponentsOfDirections(const ArrayChoice& choice, vtkDataSet* dataset, bool 
 ConstraintArrays FindArrays(
   const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose, bool takesTensors)
 {
-  const ChosenArray vectors = FindArray(
-    choices.Vectors, dataset, ComponentsOfDirections(choices.Vectors, dataset, takesTensors), "directions", whose);
+  const EastAndNorth components =
+    takesTensors ? FindEastAndNorth(choices.Eastward, choices.Northward, choices.Axis, dataset, whose) : EastAndNorth();
+  const ChosenArray vectors = components.Eastward
+    ? ChosenArray{ components.Eastward, components.OnPoints }
+    : FindArray(
+        choices.Vectors, dataset, ComponentsOfDirections(choices.Vectors, dataset, takesTensors), "directions", whose);
   const auto beside = [&](const ArrayChoice& choice)
   {
     // A name alone means the array beside the directions, if there is one.

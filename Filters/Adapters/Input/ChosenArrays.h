@@ -37,13 +37,17 @@ struct ConstraintChoices
   ArrayChoice Mask, Vectors, Weights;
   ArrayChoice Values = {};   ///< of functions, on the surface alone
   ArrayChoice Rotation = {}; ///< in degrees, on the surface alone
+  /// Components of directions around Axis, in place of Vectors; on the surface alone.
+  ArrayChoice Eastward = {}, Northward = {};
+  Vector3 Axis = Vector3::UnitZ();
+  bool WeighsTensors = false; ///< by the difference of both principal values
 };
 
 /// The choice of one index of vtkAlgorithm::SetInputArrayToProcess.
 ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index);
 
 /// The arrays chosen with vtkAlgorithm::SetInputArrayToProcess and indices 0 (mask), 1 (vectors),
-/// 2 (weights), 3 (values) and 4 (rotation). The name "Active Vectors", of menus, chooses those of the points, else of
+/// 2 (weights), 3 (values), 4 (rotation), 5 (eastward) and 6 (northward). The name "Active Vectors", of menus, chooses those of the points, else of
 /// the cells.
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm);
 
@@ -58,7 +62,7 @@ using DirectionReader = std::function<Vector3(vtkIdType element, const double* n
 struct ConstraintArrays
 {
   vtkDataArray* Mask = nullptr;     ///< 1 component; null: where the vector and the weight are not zero
-  vtkDataArray* Vectors = nullptr;  ///< 3 components, or what DirectionOf makes of others
+  vtkDataArray* Vectors = nullptr;  ///< 3 components, or others of which DirectionOf makes them
   vtkDataArray* Weights = nullptr;  ///< 1 component; null: 1
   bool OnPoints = false;            ///< else on cells
   vtkIdType Size = 0;               ///< points or cells

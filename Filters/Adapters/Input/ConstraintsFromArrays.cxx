@@ -1,5 +1,6 @@
 #include "Adapters/Input/ConstraintsFromArrays.h"
 
+#include "Adapters/Input/EastAndNorth.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -24,10 +25,33 @@ void Add(UnusableDirections& sum, const UnusableDirections& part)
   sum.Perpendicular += part.Perpendicular;
 }
 
-/// Makes vectors of tensors, and of vectors in the plane.
-DirectionReader ReaderOf(const ConstraintArrays& arrays, const FramedSurface& surface)
+/// The place of a point or cell of the caller's that is part of the surface.
+Vector3 PlaceOf(vtkIdType element, bool isPoint, const FramedSurface& surface)
+{
+  const TriangleMesh& mesh = surface.On.Mesh;
+  const ElementRow row = isPoint ? surface.Relation.VerticesOf(element) : surface.Relation.FacesOf(element);
+  Vector3 sum = Vector3::Zero();
+  for (const int part : row)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      sum += mesh.Position(isPoint ? part : mesh.FaceCorners()(part, k)) / (3.0 * row.size());
+    }
+  }
+  return sum;
+}
+
+/// Makes vectors of tensors, of vectors in the plane, and of eastward and northward components.
+DirectionReader ReaderOf(
+  const ConstraintChoices& choices, const ConstraintArrays& arrays, vtkDataSet* input, const FramedSurface& surface)
 {
   const int components = arrays.Vectors ? arrays.Vectors->GetNumberOfComponents() : 3;
+  if (components == 1)
+  {
+    const EastAndNorth both = FindEastAndNorth(choices.Eastward, choices.Northward, choices.Axis, input, arrays.Whose);
+    return [both, &surface](vtkIdType element, const double*)
+    { return both.At(element, PlaceOf(element, both.OnPoints, surface)); };
+  }
   if (components == 2)
   {
     const Points& positions = surface.On.Mesh.VertexPositions();
@@ -55,10 +79,28 @@ DirectionReader ReaderOf(const ConstraintArrays& arrays, const FramedSurface& su
   };
 }
 
-Constraints DirectionsOnSurface(ConstraintArrays arrays, const FramedSurface& surface, UnusableDirections& unusable)
+/// Weighs the directions of tensors by the difference of both principal values, relative to the mean of all.
+void WeighByDifference(std::vector<Constraint>& constraints, const std::vector<double>& differences)
+{
+  double sum = 0.0;
+  for (const double difference : differences)
+  {
+    sum += difference;
+  }
+  for (std::size_t i = 0; sum > 0.0 && i < constraints.size(); ++i)
+  {
+    constraints[i].Weight *= differences[i] * static_cast<double>(differences.size()) / sum;
+  }
+}
+
+Constraints DirectionsOnSurface(
+  const ConstraintChoices& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable)
 {
   Constraints directions;
-  arrays.DirectionOf = ReaderOf(arrays, surface);
+  ConstraintArrays arrays = FindArrays(choices, input, "the surface", true);
+  arrays.DirectionOf = ReaderOf(choices, arrays, input, surface);
+  const bool weighs = choices.WeighsTensors && HoldsTensors(arrays.Vectors);
+  std::vector<double> differences;
   const SurfaceRelation& relation = surface.Relation;
   const auto elementsOf = [&](vtkIdType element)
   {
@@ -75,8 +117,17 @@ Constraints DirectionsOnSurface(ConstraintArrays arrays, const FramedSurface& su
         for (const int element : elementsOf(given.Element))
         {
           constraints.push_back({ element, given.Vector, given.Weight });
+          if (weighs)
+          {
+            double numbers[9];
+            arrays.Vectors->GetTuple(given.Element, numbers);
+            differences.push_back(
+              DifferenceOfPrincipalValues(TensorOf(numbers, arrays.Vectors->GetNumberOfComponents()),
+                arrays.OnPoints ? surface.On.Vertices : surface.On.Faces, element));
+          }
         }
       }));
+  WeighByDifference(constraints, differences);
   Add(unusable, LeaveOutUnusable(directions, surface.On));
   return directions;
 }
@@ -119,6 +170,12 @@ std::vector<ValueConstraint> ValuesOnSurface(
 
 }
 
+bool HasDirections(const ConstraintChoices& choices, vtkDataSet* dataset)
+{
+  return HasArray(choices.Vectors, dataset) || HasArray(choices.Eastward, dataset) ||
+    HasArray(choices.Northward, dataset);
+}
+
 std::string TextOf(const UnusableDirections& unusable)
 {
   std::string text;
@@ -136,9 +193,9 @@ Constraints ConstraintsFromArrays(
   Constraints constraints;
   std::vector<ValueConstraint> values = ValuesOnSurface(choices, input, surface.Relation);
   // Mask and weights are those of the values otherwise.
-  if (!HasArray(choices.Values, input) || HasArray(choices.Vectors, input))
+  if (!HasArray(choices.Values, input) || HasDirections(choices, input))
   {
-    constraints = DirectionsOnSurface(FindArrays(choices, input, "the surface", true), surface, unusable);
+    constraints = DirectionsOnSurface(choices, input, surface, unusable);
   }
   constraints.Values = std::move(values);
   return constraints;

@@ -25,6 +25,9 @@ namespace dmg
 Constraints ConstraintsFromArrays(
   const ConstraintChoices& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable);
 
+/// Whether an array of directions is chosen that a dataset has.
+bool HasDirections(const ConstraintChoices& choices, vtkDataSet* dataset);
+
 /// One sentence: the directions that are left out, and what helps.
 std::string TextOf(const UnusableDirections& unusable);
 

@@ -1,6 +1,6 @@
 #include "Adapters/Input/FlowFromArrays.h"
 
-#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/Input/EastAndNorth.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -18,18 +18,6 @@ namespace
 
 /// The vector of a tuple at a place.
 using VectorOfTuple = std::function<Vector3(vtkIdType, const Vector3&)>;
-
-/// Zero on the axis, where there is no east.
-Vector3 FromComponents(const Vector3& place, const Vector3& axis, double eastward, double northward)
-{
-  const Vector3 east = axis.cross(place);
-  const double length = east.norm();
-  if (!(length > 0.0) || !(place.norm() > 0.0))
-  {
-    return Vector3::Zero();
-  }
-  return eastward * east / length + northward * place.normalized().cross(east / length);
-}
 
 /// The vector of a face: of its cell, or the mean over its corners.
 Vector3 VectorOnFace(const FramedSurface& surface, int face, bool onPoints, const VectorOfTuple& vectorAt)
@@ -95,28 +83,11 @@ FaceFlow FlowFromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, const Framed
   const ExecutionContext& context)
 {
   const std::string whose = "the surface";
-  if (const ChosenArray eastward = FindArray(ChoiceOf(algorithm, 1), input, 1, "eastward component", whose);
-      eastward.Array)
+  const EastAndNorth components = FindEastAndNorth(ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2), axis, input, whose);
+  if (components.Eastward)
   {
-    const ChosenArray northward = FindArray(ChoiceOf(algorithm, 2), input, 1, "northward component", whose);
-    if (!northward.Array || northward.OnPoints != eastward.OnPoints)
-    {
-      throw InvalidInput(
-        "the eastward component is chosen, and no northward component of the same points or cells; choose both");
-    }
-    if (axis.isZero(0.0))
-    {
-      throw InvalidInput("Axis is (0, 0, 0), which has no direction; give it another value");
-    }
     return OnFaces(
-      surface, eastward.OnPoints,
-      [&](vtkIdType tuple, const Vector3& place)
-      {
-        double components[2]; // GetTuple may be called by several threads, GetComponent of any array may not
-        eastward.Array->GetTuple(tuple, components);
-        northward.Array->GetTuple(tuple, components + 1);
-        return FromComponents(place, axis, components[0], components[1]);
-      },
+      surface, components.OnPoints, [&](vtkIdType tuple, const Vector3& place) { return components.At(tuple, place); },
       context);
   }
   const ChosenArray vectors = FindArray(ChoiceOf(algorithm, 0), input, 3, "flow", whose);

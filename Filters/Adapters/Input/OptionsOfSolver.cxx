@@ -22,6 +22,7 @@ void CheckProperties(Filter* filter)
     { "Number Of Directions", filter->GetNumberOfDirections(), 1, 8 },
     { "Constraint Type", filter->GetConstraintType(), Filter::Soft, Filter::Hard },
     { "Maximum Distance", filter->GetMaximumDistance(), 0 },
+    { "Smoothing Length", filter->GetSmoothingLength(), 0, 1 },
     { "Boundary Rotation", filter->GetBoundaryRotation(), -180, 180 },
     { "Sharp Edges Rotation", filter->GetSharpEdgesRotation(), -180, 180 },
     { "Feature Angle", filter->GetFeatureAngle(), 0, 180 },
@@ -57,7 +58,7 @@ FieldOptions OptionsOf(Filter* filter)
   FieldOptions options;
   options.Field.Kind = static_cast<DiscretisationKind>(filter->GetDiscretisation());
   options.Field.N = filter->GetNumberOfDirections();
-  options.Alignment = filter->GetAlignment();
+  options.Alignment = filter->GetSmoothingLength() == 0.0 ? filter->GetAlignment() : 1.0;
   options.Constraints = static_cast<ConstraintKind>(filter->GetConstraintType());
   options.CoarseSpace = static_cast<CoarseSpaceKind>(filter->GetCoarseSpace());
   options.Solver.Kind = static_cast<SolverKind>(filter->GetSolver());
@@ -75,6 +76,7 @@ FieldProblem ProblemOf(vtkHarmonicFieldSolver* filter)
   problem.Options = OptionsOf(filter);
   problem.Stop.RelativeTolerance = filter->GetTolerance();
   problem.Stop.MaximumIterations = filter->GetMaximumNumberOfIterations();
+  problem.SmoothingLength = filter->GetSmoothingLength();
   problem.Features = FeaturesOf(filter);
   problem.Combing = filter->GetCombing();
   problem.UnitLength = filter->GetUnitLength();
@@ -90,6 +92,7 @@ std::string WhatIsFollowed(
   const auto nameOf = [](const ArrayChoice& choice)
   { return choice.Name.empty() ? "active vectors" : "array '" + choice.Name + "'"; };
   say(HasArray(choices.Vectors, surface), nameOf(choices.Vectors));
+  say(HasArray(choices.Eastward, surface), nameOf(choices.Eastward) + " and " + nameOf(choices.Northward));
   say(HasArray(choices.Values, surface), nameOf(choices.Values));
   say(guides > 0, std::to_string(guides) + (guides == 1 ? " guide" : " guides"));
   say(filter->GetBoundaryWeight() > 0.0, "boundary");
@@ -125,10 +128,12 @@ void CheckTakesTensors(Filter* filter, const ConstraintChoices& choices, vtkData
 ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* surface)
 {
   ConstraintChoices choices = WithoutFormerField(ChoicesOf(filter), surface);
+  choices.Axis = Vector3(filter->GetAxis());
+  choices.WeighsTensors = filter->GetTensorWeights();
   if (!filter->GetFollowDirections())
   {
     const bool hasValues = HasArray(choices.Values, surface); // whose mask and weights they are then
-    choices.Vectors = {};
+    choices.Vectors = choices.Eastward = choices.Northward = {};
     choices.Mask = hasValues ? choices.Mask : ArrayChoice();
     choices.Weights = hasValues ? choices.Weights : ArrayChoice();
   }

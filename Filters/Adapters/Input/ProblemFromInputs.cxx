@@ -16,7 +16,7 @@ namespace
 /// Refuses choices that prescribe nothing.
 void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs)
 {
-  if (HasArray(choices.Vectors, inputs.Surface))
+  if (HasDirections(choices, inputs.Surface))
   {
     throw InvalidInput("no direction is prescribed: the directions of the surface are zero, perpendicular to it or not "
                        "finite, or its mask "

@@ -16,6 +16,7 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkTrivialProducer.h"
 
 #include <algorithm>
 #include <new>
@@ -36,6 +37,18 @@ bool IsPieceZero(vtkInformation* request, vtkInformationVector* outputs)
   vtkInformation* const output = outputs->GetInformationObject(port);
   // "Piece 0 of none" is how the filter downstream asks for nothing.
   return output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == 0 && output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 0;
+}
+
+/// Whether the surface of a piece other than the first may be another one than that of the first. Sources that do not know of
+/// pieces, as readers of PLY files, deliver the whole surface for each of them. Data that a program hands on are what it has there.
+bool MayBePart(vtkAlgorithm* algorithm)
+{
+  vtkAlgorithm* source = algorithm;
+  while (source->GetNumberOfInputPorts() > 0 && source->GetNumberOfInputConnections(0) > 0)
+  {
+    source = source->GetInputAlgorithm(0, 0);
+  }
+  return source == algorithm || vtkTrivialProducer::SafeDownCast(source);
 }
 
 void Empty(vtkInformationVector* outputs)
@@ -153,6 +166,10 @@ int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkA
     }
     if (!IsPieceZero(request, outputs))
     {
+      if (!MayBePart(algorithm))
+      {
+        return 1;
+      }
       vtkWarningWithObjectMacro(algorithm,
         "a piece of the surface other than the first holds "
           << input->GetNumberOfCells()

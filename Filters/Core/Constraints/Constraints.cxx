@@ -170,6 +170,12 @@ Vector3 PrincipalDirection(const Eigen::Matrix3d& tensor, const TangentFrames& f
   return frames.ToVector(element, std::polar(1.0, 0.5 * std::atan2(twiceMixed, difference)));
 }
 
+double DifferenceOfPrincipalValues(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element)
+{
+  const Vector3 x = frames.X.row(element), y = frames.Y.row(element);
+  return std::hypot(x.dot(tensor * x) - y.dot(tensor * y), x.dot(tensor * y) + y.dot(tensor * x));
+}
+
 Complex PowerOfDirection(const Complex& direction, int N)
 {
   return std::polar(std::abs(direction), N * std::arg(direction));

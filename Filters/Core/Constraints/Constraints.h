@@ -85,6 +85,9 @@ UnusableDirections LeaveOutUnusable(Constraints& constraints, const FramedMesh& 
 /// \return zero where both eigenvalues in the plane are equal up to 1e-9 of the tensor, or where it is not finite.
 Vector3 PrincipalDirection(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element);
 
+/// The difference of both eigenvalues of a tensor in the tangent plane of an element: how clear its principal direction is.
+double DifferenceOfPrincipalValues(const Eigen::Matrix3d& tensor, const TangentFrames& frames, int element);
+
 /// The N-th power of a direction in a frame, as long as the direction.
 Complex PowerOfDirection(const Complex& direction, int N);
 

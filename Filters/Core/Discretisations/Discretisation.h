@@ -188,6 +188,15 @@ public:
   /// \pre DirectionsPerPoint() == 1
   virtual Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const = 0;
 
+  /// Weights of constraints on all faces, or at all vertices, by which penalties are the integral of |X - Y|^2 where the stiffness
+  /// is that of |grad X|^2.
+  struct IntegralWeights
+  {
+    double OnFaces;
+    double AtVertices;
+  };
+  virtual IntegralWeights WeightsOfIntegral() const = 0;
+
 protected:
   /// The penalty of a prescribed element of weight 1, where the alignment weight is 1; one per element of the
   /// constraints.

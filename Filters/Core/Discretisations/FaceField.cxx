@@ -118,6 +118,13 @@ FieldConstraints FaceField::Prescribe(const Constraints& constraints, const Elem
     this->Surface.Mesh, this->Surface.Faces, OneDirection, DirectionsOnFaces(this->Surface, constraints, names), names);
 }
 
+Discretisation::IntegralWeights FaceField::WeightsOfIntegral() const
+{
+  // A face gets the weights of its three corners.
+  const double meanArea = this->Surface.Mesh.FaceAreas().mean();
+  return { meanArea, meanArea / 3.0 };
+}
+
 Vector<double> FaceField::PenaltiesOfElements(const std::vector<int>& faces, const ExecutionContext& context) const
 {
   const Vector<double> mass = this->Mass(context);

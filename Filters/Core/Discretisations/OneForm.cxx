@@ -119,6 +119,13 @@ FieldConstraints OneForm::Prescribe(const Constraints& constraints, const Elemen
   return Joined(onFaces, atVertices);
 }
 
+Discretisation::IntegralWeights OneForm::WeightsOfIntegral() const
+{
+  // Penalties are the integral over twice the mean area.
+  const double meanArea = this->Surface.Mesh.FaceAreas().mean();
+  return { 2.0 * meanArea, 2.0 * meanArea };
+}
+
 Vector<double> OneForm::PenaltiesOfElements(const std::vector<int>& edges, const ExecutionContext&) const
 {
   const double scale = 1.0 / (2.0 * Star2(this->Surface.Mesh).cwiseInverse().mean());

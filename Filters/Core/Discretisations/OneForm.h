@@ -61,6 +61,7 @@ public:
     const Vector<double>& unknowns, const Unfilled<Corner>& corners, const ExecutionContext& context) const override;
   std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const override;
   Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const override;
+  IntegralWeights WeightsOfIntegral() const override;
 
 protected:
   Vector<double> PenaltiesOfElements(const std::vector<int>& edges, const ExecutionContext& context) const override;

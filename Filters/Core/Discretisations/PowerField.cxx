@@ -104,6 +104,13 @@ FieldConstraints PowerField::Prescribe(const Constraints& constraints, const Ele
     this->Surface.Mesh, this->Surface.Faces, this->N, DirectionsOnFaces(this->Surface, constraints, names), names);
 }
 
+Discretisation::IntegralWeights PowerField::WeightsOfIntegral() const
+{
+  // Stiffness is twice the integral, and a face gets the weights of its three corners.
+  const double meanArea = this->Surface.Mesh.FaceAreas().mean();
+  return { 2.0 * meanArea, 2.0 / 3.0 * meanArea };
+}
+
 Vector<double> PowerField::PenaltiesOfElements(const std::vector<int>& faces, const ExecutionContext& context) const
 {
   return this->Mass(context)(faces);

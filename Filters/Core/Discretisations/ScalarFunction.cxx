@@ -150,6 +150,12 @@ FieldConstraints ScalarFunction::Prescribe(const Constraints& given, const Eleme
   return constraints;
 }
 
+Discretisation::IntegralWeights ScalarFunction::WeightsOfIntegral() const
+{
+  const double meanArea = this->Mass(SerialContext()).mean();
+  return { meanArea, meanArea };
+}
+
 Vector<double> ScalarFunction::PenaltiesOfElements(
   const std::vector<int>& vertices, const ExecutionContext& context) const
 {

@@ -254,6 +254,12 @@ FieldConstraints VertexPowerField::Prescribe(const Constraints& constraints, con
   return MeansOf(sums);
 }
 
+Discretisation::IntegralWeights VertexPowerField::WeightsOfIntegral() const
+{
+  const double meanArea = LumpedMass(this->Surface.Mesh).mean();
+  return { meanArea, meanArea };
+}
+
 Vector<double> VertexPowerField::PenaltiesOfElements(
   const std::vector<int>& vertices, const ExecutionContext& context) const
 {

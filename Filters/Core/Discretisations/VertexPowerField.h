@@ -54,6 +54,7 @@ public:
   }
   std::vector<ElementValues> Values(const Vector<double>& unknowns, const FieldPowers& powers) const override;
   Points VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const override;
+  IntegralWeights WeightsOfIntegral() const override;
 
 protected:
   Vector<double> PenaltiesOfElements(const std::vector<int>& vertices, const ExecutionContext& context) const override;

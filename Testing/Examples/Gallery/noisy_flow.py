@@ -27,7 +27,7 @@ def measure(surface, seed=5):
 def main():
     data = source(measure(duck()))
     field = HarmonicFieldSolver(Input=data, NumberOfDirections=1, Directions=["CELLS", "Measured"],
-                                Weights=["CELLS", "Confidence"], Alignment=0.01, UnitLength=0)
+                                Weights=["CELLS", "Confidence"], SmoothingLength=0.06, UnitLength=0)
     view = view_from([0, 0.15, 1], [900, 340])
     for k, drawn in enumerate([data, field]):
         show_surface(drawn, view, Position=[3 * k, 0, 0])

@@ -1,0 +1,46 @@
+#include "Adapters/Input/EastAndNorth.h"
+
+#include "Support/Errors.h"
+
+#include "vtkDataArray.h"
+
+namespace dmg
+{
+
+Vector3 EastAndNorth::At(vtkIdType tuple, const Vector3& place) const
+{
+  double components[2]; // GetTuple may be called by several threads, GetComponent of any array may not
+  this->Eastward->GetTuple(tuple, components);
+  this->Northward->GetTuple(tuple, components + 1);
+  const Vector3 east = this->Axis.cross(place);
+  const double length = east.norm();
+  if (!(length > 0.0) || !(place.norm() > 0.0))
+  {
+    return Vector3::Zero();
+  }
+  return components[0] * east / length + components[1] * place.normalized().cross(east / length);
+}
+
+EastAndNorth FindEastAndNorth(const ArrayChoice& eastward, const ArrayChoice& northward, const Vector3& axis,
+  vtkDataSet* dataset, const std::string& whose)
+{
+  const ChosenArray east = FindArray(eastward, dataset, 1, "eastward component", whose);
+  const ChosenArray north = FindArray(northward, dataset, 1, "northward component", whose);
+  if (!east.Array && !north.Array)
+  {
+    return {};
+  }
+  if (!east.Array || !north.Array || east.OnPoints != north.OnPoints)
+  {
+    const std::string chosen = east.Array ? "eastward" : "northward", other = east.Array ? "northward" : "eastward";
+    throw InvalidInput("the " + chosen + " component is chosen, and no " + other +
+      " component of the same points or cells; choose both");
+  }
+  if (axis.isZero(0.0))
+  {
+    throw InvalidInput("Axis is (0, 0, 0), which has no direction; give it another value");
+  }
+  return { east.Array, north.Array, east.OnPoints, axis };
+}
+
+}

@@ -1,0 +1,27 @@
+#ifndef dmgEastAndNorth_h
+#define dmgEastAndNorth_h
+
+#include "Adapters/Input/ChosenArrays.h"
+
+namespace dmg
+{
+
+/// The eastward and northward components of vectors on a surface around the origin, as ocean and atmosphere data have them.
+struct EastAndNorth
+{
+  vtkDataArray* Eastward = nullptr; ///< null where none is chosen
+  vtkDataArray* Northward = nullptr;
+  bool OnPoints = false;           ///< else on cells
+  Vector3 Axis = Vector3::UnitZ(); ///< from the origin to the north pole
+
+  /// The vector of a tuple at a place; zero on the axis, where there is no east. Several threads may call it.
+  Vector3 At(vtkIdType tuple, const Vector3& place) const;
+};
+
+/// \throw InvalidInput as FindArray; one of both is chosen, or they are not both on points or on cells; the axis is zero.
+EastAndNorth FindEastAndNorth(const ArrayChoice& eastward, const ArrayChoice& northward, const Vector3& axis,
+  vtkDataSet* dataset, const std::string& whose);
+
+}
+
+#endif
