@@ -55,6 +55,7 @@ int vtkFieldAngles::RequestData(
              "perpendicular to the triangle; to measure there as well, choose another Axis or other Reference Vectors");
         angles = angles.array().isNaN().select(0.0, angles);
       }
+      this->Period = 360.0 / given.Field.N();
       output->ShallowCopy(input);
       vtkNew<vtkFieldData> arrays;
       dmg::ArraysOfCells(given.Surface.Mesh, given.Surface, input, arrays, context)
@@ -68,5 +69,6 @@ void vtkFieldAngles::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
+  os << indent << "Period: " << this->Period << "\n";
   os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
 }

@@ -63,6 +63,11 @@ public:
   vtkGetVector3Macro(Axis, double);
   ///@}
 
+  /**
+   * The period of the angles of the last update, 360 / N degrees; 0 before.
+   */
+  vtkGetMacro(Period, double);
+
   vtkFieldAngles(const vtkFieldAngles&) = delete;
   void operator=(const vtkFieldAngles&) = delete;
 
@@ -80,6 +85,7 @@ protected:
 
 private:
   int NumberOfDirections = 0;
+  double Period = 0.0;
   double Axis[3] = { 0.0, 0.0, 1.0 };
 };
 

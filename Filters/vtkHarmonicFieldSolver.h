@@ -28,7 +28,6 @@
  * @section vtkHarmonicFieldSolver-Terminology Terminology
  *
  * - Constraint: a direction or value that is prescribed on an element of the surface, soft (with a weight) or hard.
- * - Guide: a dataset near the surface whose lines or vectors become constraints.
  * - Singularity: a point around which the field turns by a multiple of 2 pi / N, its index.
  * - Level: a coarser version of the surface, on which multigrid solves what is slow on fine ones: samples of it or, structure
  *   preserving, the decimated surfaces of vtkDirectionalProlongation.

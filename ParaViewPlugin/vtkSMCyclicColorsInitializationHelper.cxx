@@ -1,20 +1,14 @@
 #include "vtkSMCyclicColorsInitializationHelper.h"
 
 #include "vtkCallbackCommand.h"
-#include "vtkDataObject.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
-#include "vtkPVArrayInformation.h"
-#include "vtkPVDataInformation.h"
 #include "vtkSMProperty.h"
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMTransferFunctionManager.h"
 #include "vtkSMTransferFunctionProxy.h"
-
-#include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkSMCyclicColorsInitializationHelper);
 
@@ -24,32 +18,15 @@ constexpr const char* Array = "Angle";
 constexpr const char* CyclicPreset = "hue_L60"; // hues of one lightness
 constexpr int Never = -1;                       // is when ParaView fits the colours to the range of the data by itself
 
-// The smallest 180 / N, N up to 8, that no angle exceeds.
-double HalfPeriod(double largest)
-{
-  int N = 8;
-  while (N > 1 && 180.0 / N < largest - 1e-9)
-  {
-    --N;
-  }
-  return 180.0 / N;
-}
-
 void AfterUpdate(vtkObject* caller, unsigned long, void*, void*)
 {
   auto* const filter = vtkSMSourceProxy::SafeDownCast(caller);
-  vtkPVArrayInformation* const angles =
-    filter->GetDataInformation(0)->GetArrayInformation(Array, vtkDataObject::FIELD_ASSOCIATION_CELLS);
-  if (!angles)
-  {
-    return;
-  }
+  filter->UpdatePropertyInformation(filter->GetProperty("Period"));
+  const double half = 0.5 * vtkSMPropertyHelper(filter, "Period").GetAsDouble();
   vtkNew<vtkSMTransferFunctionManager> manager;
   vtkSMProxy* const colours = manager->GetColorTransferFunction(Array, filter->GetSessionProxyManager());
-  if (vtkSMPropertyHelper(colours, "AutomaticRescaleRangeMode").GetAsInt() == Never)
+  if (half > 0.0 && vtkSMPropertyHelper(colours, "AutomaticRescaleRangeMode").GetAsInt() == Never)
   {
-    const double* const range = angles->GetComponentRange(0);
-    const double half = HalfPeriod(std::max(std::abs(range[0]), std::abs(range[1])));
     vtkSMTransferFunctionProxy::RescaleTransferFunction(colours, -half, half);
   }
 }
@@ -66,6 +43,7 @@ void vtkSMCyclicColorsInitializationHelper::PostInitializeProxy(vtkSMProxy* filt
   {
     vtkSMTransferFunctionProxy::ApplyPreset(colours, CyclicPreset, true);
     vtkSMPropertyHelper(colours, "AutomaticRescaleRangeMode").Set(Never);
+    vtkSMPropertyHelper(colours, "ScalarRangeInitialized").Set(1); // else it is that of the first data
     colours->UpdateVTKObjects();
   }
   vtkNew<vtkCallbackCommand> after;

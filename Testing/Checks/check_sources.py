@@ -177,7 +177,8 @@ def documented_setters(header):
 def check_properties(root):
     """Each plain setter has a comment and a property of the proxy with a Documentation, and the defaults are the same."""
     for path in sorted((root / "ParaViewPlugin").glob("*.xml")):
-        proxies = [proxy for proxy in ElementTree.parse(path).iter("SourceProxy") if proxy.get("class", "").startswith("vtk")]
+        proxies = [proxy for proxy in ElementTree.parse(path).iter("SourceProxy") if proxy.get("class", "").startswith("vtk")
+                   and not proxy.get("base_proxyname")]  # which has the properties of another one
         for proxy in proxies:
             header = root / "Filters" / f"{proxy.get('class')}.h"
             if not header.exists():

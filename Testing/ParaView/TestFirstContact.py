@@ -32,6 +32,21 @@ class FirstContact(unittest.TestCase):
             self.assertEqual(display.Representation, "Surface LIC", kind.__name__)
             self.assertIn(display.SelectInputVectors[1], ("Direction0", "MaximumDirection"))
 
+    def test_kinds_of_fields_have_filters(self):
+        self.assertEqual(simple.VectorField(Input=sphere()).Discretisation, "Face Field")
+        for kind, number in ((simple.CrossField, 4), (simple.LineField, 2), (simple.FibreOrientation, 2), (simple.VectorField, 1)):
+            field = kind(Input=sphere())
+            field.UpdatePipeline()
+            report = simple.servermanager.Fetch(field, idx=0).GetFieldData()
+            self.assertEqual(report.GetArray("NumberOfDirections").GetValue(0), number)
+            self.assertEqual(show(field, 1).Representation, "Ink")
+        # Ctrl+Space finds filters all of whose words are in their label.
+        labels = {proxy.GetXMLLabel().lower() for proxy in (getattr(simple, name)(Input=sphere()).SMProxy for name in (
+            "CrossField", "LineField", "VectorField", "FibreOrientation", "DirectionalField", "FieldLines"))}
+        words = ("cross field", "line field", "fibre", "vector field", "orientation")
+        for word in words:
+            self.assertTrue(any(all(part in label for part in word.split()) for label in labels), word)
+
     def test_flows_have_heads(self):
         surface = sphere()
         ends = [simple.Line(Point1=[0, -0.1, z], Point2=[0, 0.1, z]) for z in (0.5, -0.5)]
@@ -71,21 +86,21 @@ class FirstContact(unittest.TestCase):
         field = simple.HarmonicFieldSolver(Input=sphere(), NumberOfDirections=2)
         angles = simple.FieldAngles(Input=field)
         display = show(angles)
-        simple.ColorBy(display, ("CELLS", "Angle"))
-        simple.Render()
-        points = np.reshape(display.LookupTable.RGBPoints, (-1, 4))
-        self.assertEqual(np.round([points[0, 0], points[-1, 0]], -1).tolist(), [-90, 90])
+        points = np.reshape(simple.GetColorTransferFunction("Angle").RGBPoints, (-1, 4))
+        self.assertEqual((points[0, 0], points[-1, 0]), (-90, 90))
         self.assertLess(np.abs(points[0, 1:] - points[-1, 1:]).max(), 0.1)
         self.assertGreater(np.ptp(points[:, 1:], axis=0).min(), 0.3)
         # Crosses have half of that. What somebody has chosen stays.
         field.NumberOfDirections = 4
         angles.UpdatePipeline()
-        points = np.reshape(display.LookupTable.RGBPoints, (-1, 4))
+        points = np.reshape(simple.GetColorTransferFunction("Angle").RGBPoints, (-1, 4))
         self.assertEqual((points[0, 0], points[-1, 0]), (-45, 45))
+        simple.ColorBy(display, ("CELLS", "Angle"))
         display.LookupTable.ApplyPreset("Cool to Warm", True)
-        chosen = list(display.LookupTable.RGBPoints)
+        chosen = np.reshape(display.LookupTable.RGBPoints, (-1, 4))[:, 1:]
         show(simple.FieldAngles(Input=field))
-        self.assertEqual(list(simple.GetColorTransferFunction("Angle").RGBPoints), chosen)
+        colours = np.reshape(simple.GetColorTransferFunction("Angle").RGBPoints, (-1, 4))[:, 1:]
+        self.assertTrue(np.array_equal(colours, chosen))
 
     def test_other_data_do_not_offer_our_representations(self):
         offered = show(sphere()).GetProperty("Representation").Available

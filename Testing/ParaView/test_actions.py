@@ -53,6 +53,14 @@ class Window:
     def choose_source(self, name):
         return self.event(f"{MAIN}/menubar/menuSources/pqProxyGroupMenuManager0/{name}", "activate")
 
+    def choose_other_filter(self, name):
+        """One that is in no category of the Filters menu."""
+        return self.event(f"{MAIN}/menubar/menuFilters/pqProxyGroupMenuManager0/{name}", "activate")
+
+    def look_at(self, item):
+        """What is saved next; nothing that a person would have to do."""
+        return self.opened(f"{MAIN}/pipelineBrowserDock/pipelineBrowser", item + "|0", "currentChanged")
+
     def select(self, item):
         return self.event(f"{MAIN}/pipelineBrowserDock/pipelineBrowser", "currentChanged", item + "|0")
 
@@ -155,7 +163,24 @@ def draw_strokes(window):
     assert set(np.round(ratios[(ratios < 0.26) | (ratios > 0.99)], 6)) == {0.25, 1}, ratios
 
 
-TESTS = {"Strokes": (write_sphere, draw_strokes)}
+def draw_flow(window):
+    """Two arrows on the surface, and the flow that follows both: lines with heads."""
+    window.play("surface", window.apply(), window.choose_source("PolyLineSource"))
+    before = window.actions - 1
+    window.press(1, (680, 420))
+    window.press(2, (780, 420))
+    window.play("first", window.look_at("/0/0"), window.choose_source("PolyLineSource"))
+    window.press(1, (780, 500))
+    window.press(2, (680, 500))
+    flow = window.play("flow", window.select("/0/0"), window.choose_other_filter("VectorField"),
+                       window.set("Guides/1QComboBox0", "PolyLineSource1"),
+                       window.set("SecondGuide/1QComboBox0", "PolyLineSource2"), window.apply(), window.look_at("/0/3/1"))
+    assert window.actions - before == 11, window.actions - before
+    sizes = [flow.GetCell(line).GetNumberOfPoints() for line in range(flow.GetNumberOfCells())]
+    assert sizes.count(3) > 20, sizes  # heads
+
+
+TESTS = {"Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow)}
 
 
 def main():
