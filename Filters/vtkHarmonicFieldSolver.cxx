@@ -250,6 +250,7 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
   const auto make = [&](const dmg::ExecutionContext& context)
   {
+    dmg::FieldProblem problem = dmg::ProblemOf(this); // properties out of range are told before anything is read
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     const std::string digest = dmg::ContentDigest(input, preparation);
@@ -259,7 +260,6 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::FieldInputs inputs{ input,
       { dmg::DataOf(inputVector, { 1, 3, 4, 5 }), this->Internals->OfGuides, this->MaximumDistance },
       { dmg::DataOf(inputVector, { 2 }), this->SingularityIndexArray, this->MaximumDistance } };
-    dmg::FieldProblem problem = dmg::ProblemOf(this);
     if (!inputs.Singularities.Data.empty())
     {
       dmg::CheckTakesSingularities(problem.Options.Field);
@@ -343,6 +343,7 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CurvatureScale: " << this->CurvatureScale << "\n";
   os << indent << "Rotation: " << this->Rotation << "\n";
   os << indent << "SingularityIndexArray: " << this->SingularityIndexArray << "\n";
+  os << indent << "NetSource: " << (this->NetSource == Refuse ? "Refuse" : "TakeOut") << "\n";
   os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
   os << indent

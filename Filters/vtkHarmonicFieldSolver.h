@@ -60,6 +60,7 @@
  * | 3     | 1          | values of functions, at points; not of guides                  |
  * | 4     | 1          | rotation (optional), in degrees; not of guides                 |
  * | 5, 6  | 1          | eastward, northward component around Axis, instead of 1; not of guides |
+ * | 7     | 1          | source f of functions: -Laplace u = f                          |
  *
  * Directions of the surface may also be symmetric tensors of 6 components (XX YY ZZ XY YZ XZ) or 9: power fields of an even N
  * follow their largest principal direction in the tangent plane, crosses both. In a plane of constant z, vectors may have 2
@@ -70,8 +71,8 @@
  * its vector is not zero. Its tangential part counts, and its length is the magnitude. Nothing is followed that was
  * not chosen. The name "Active Vectors" chooses those of the points, else of the cells, unless they are called Direction0.
  *
- * Coordinates are at most 1e40. The longest direction is between 1e-40 and 1e40, the largest weight between 1e-20 and
- * 1e20. All else is an error that names the element.
+ * Coordinates are at most 1e40, the longest direction between 1e-40 and 1e40, the largest weight between 1e-20 and
+ * 1e20. All else is an error.
  *
  * @section vtkHarmonicFieldSolver-Features Features
  *
@@ -194,6 +195,23 @@ public:
    */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
+  ///@}
+
+  enum NetSources
+  {
+    /** An error that names the integral. */
+    Refuse = 0,
+    /** The mean of the source is subtracted. */
+    TakeOut = 1
+  };
+
+  ///@{
+  /**
+   * What is done with a source that does not integrate to zero over a component where no value is prescribed and nothing leaves.
+   * There, the function has a mean of zero. Default Refuse.
+   */
+  vtkSetMacro(NetSource, int);
+  vtkGetMacro(NetSource, int);
   ///@}
 
   enum ConstraintTypes
@@ -604,6 +622,7 @@ private:
   double CurvatureScale = 3.0;
   double Rotation = 0.0;
   std::string SingularityIndexArray;
+  int NetSource = Refuse;
   int Solver = Automatic;
   int ExpectedSolves = 1;
   int CoarseSpace = LinearInterpolation;

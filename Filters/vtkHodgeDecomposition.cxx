@@ -11,10 +11,14 @@
 #include "vtkDataSet.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
+#include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkHodgeDecomposition);
 
@@ -103,12 +107,15 @@ int vtkHodgeDecomposition::RequestData(
     dmg::CheckRanges(
       { { "Boundary", this->Boundary, Closed, Open }, { "Edge Values", this->EdgeValues, Integrals, Components },
         { "Solver", this->Solver, Automatic, ConjugateGradients }, { "Expected Solves", this->ExpectedSolves, 1 },
-        { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Length Scale", this->LengthScale, 1e-30 } });
+        { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Lift", this->Lift, 0, 0.1 },
+        { "Length Scale", this->LengthScale, 1e-30 } });
     dmg::SolverOptions options;
     options.Kind = this->Solver == Cholesky ? dmg::SolverKind::Cholesky
       : this->Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients
                                             : dmg::SolverKind::Automatic;
-    options.ExpectedSolves = this->ExpectedSolves;
+    const int timeSteps =
+      inputVector[0]->GetInformationObject(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    options.ExpectedSolves = std::max(this->ExpectedSolves, 2 * timeSteps);
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     dmg::FlowSurface& kept = this->Internals->Kept;
@@ -120,7 +127,7 @@ int vtkHodgeDecomposition::RequestData(
       ? dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals }, input, kept.Surface(), context)
       : dmg::FlowFromArrays(this, input, kept.Surface(), dmg::Vector3(this->Axis), context);
     const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart }, this->Derivatives,
-      this->LengthScale, this->NumberOfContours };
+      this->LengthScale, this->NumberOfContours, this->Lift };
     dmg::WarnOfPreparation(this, kept.Preparation());
     output->ShallowCopy(input);
     dmg::AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
@@ -147,6 +154,7 @@ void vtkHodgeDecomposition::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "HarmonicPart: " << this->HarmonicPart << "\n";
   os << indent << "Derivatives: " << this->Derivatives << "\n";
   os << indent << "NumberOfContours: " << this->NumberOfContours << "\n";
+  os << indent << "Lift: " << this->Lift << "\n";
   os << indent << "LengthScale: " << this->LengthScale << "\n";
   os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
   os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";

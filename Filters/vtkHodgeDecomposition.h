@@ -54,7 +54,7 @@
  * | BoundaryCirculation                         | boundaries | along the loop, with the surface to the left: clockwise around an island |
  * | BoundaryFlux                                | boundaries | out of the surface                                                   |
  * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
- * | Solver, Converged                           | 1          | as of vtkHarmonicFieldSolver                                         |
+ * | Solver, Converged, SolverBytes              | 1          | as of vtkHarmonicFieldSolver                                         |
  *
  * Port 1: vtkPolyData, polylines where the stream function has one of NumberOfContours values, evenly spaced between its extremes: the
  * streamlines of the rotational part, in its direction, each pair with the same transport between them. They have StreamFunction at
@@ -174,6 +174,15 @@ public:
 
   ///@{
   /**
+   * By how much these lines are lifted off the surface along its normal, as a fraction of the surface's size, so that it does
+   * not hide them. Default 0.001, range 0 to 0.1.
+   */
+  vtkSetMacro(Lift, double);
+  vtkGetMacro(Lift, double);
+  ///@}
+
+  ///@{
+  /**
    * The length of the unit of the points: 6371000 for the Earth as a unit sphere and a flow in m/s, so that the stream function is in
    * m^2/s. Default 1, more than 0.
    */
@@ -191,7 +200,7 @@ public:
 
   enum Solvers
   {
-    /** Cholesky for small surfaces and where many solves are expected, else conjugate gradients. */
+    /** Cholesky up to 300,000 points and where many solves are expected, else conjugate gradients. */
     Automatic = 0,
     /** Sparse Cholesky factorisation. */
     Cholesky = 1,
@@ -209,8 +218,8 @@ public:
 
   ///@{
   /**
-   * How many solves are expected, two for each step of a time series: from 30 on, Automatic factors large surfaces, too. Default 1, at
-   * least 1.
+   * How many solves are expected: from 30 on, Automatic factors larger surfaces, too. Where the input has time steps, at least two for each of
+   * them. Default 1, at least 1.
    */
   vtkSetMacro(ExpectedSolves, int);
   vtkGetMacro(ExpectedSolves, int);
@@ -271,6 +280,7 @@ private:
   bool HarmonicPart = true;
   bool Derivatives = true;
   int NumberOfContours = 20;
+  double Lift = 0.001;
   double LengthScale = 1.0;
   double Axis[3] = { 0.0, 0.0, 1.0 };
   int Solver = Automatic;

@@ -5,6 +5,7 @@
 #include "Solvers/HarmonicProblem.h"
 #include "Solvers/SolveInUnits.h"
 #include "StructurePreserving/SurfaceHierarchy.h"
+#include "Support/Errors.h"
 #include "Support/Stopwatch.h"
 
 #include <algorithm>
@@ -67,6 +68,7 @@ struct SystemStage
 struct SolveStage
 {
   Vector<double> Values;
+  Vector<double> Source;
   StoppingCriteria Stop;
   Vector<double> Unknowns;
   SolveReport Report;
@@ -112,8 +114,9 @@ public:
   void SetDiscretisation(const DiscretisationOptions& options);
   void ForgetSetups();
   void SetUp(const FieldOptions& options, const ExecutionContext& context);
+  void CheckTakesSource(const FieldConstraints& constraints) const;
   void Prepare(const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context);
-  void Solve(const Vector<double>& values, const StoppingCriteria& stop, const ExecutionContext& context);
+  void Solve(const FieldConstraints& constraints, const StoppingCriteria& stop, const ExecutionContext& context);
 
   FramedMesh Surface;
   std::shared_ptr<const ProlongationOperators> Given;
@@ -225,6 +228,14 @@ void FieldStages::Internals::ForgetSetups()
   this->Setups.erase(this->Setups.begin(), first);
 }
 
+void FieldStages::Internals::CheckTakesSource(const FieldConstraints& constraints) const
+{
+  if (constraints.Source.size() > 0 && this->Plan.ChoiceOn(*this->Setups.back()->Setup).Method->IsApproximation())
+  {
+    throw InvalidInput("nested iterations and coarse prolongations take no source; choose another solver");
+  }
+}
+
 void FieldStages::Internals::Prepare(
   const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
 {
@@ -295,9 +306,11 @@ bool FieldStages::Internals::UpdateSystem(
 }
 
 void FieldStages::Internals::Solve(
-  const Vector<double>& values, const StoppingCriteria& stop, const ExecutionContext& context)
+  const FieldConstraints& constraints, const StoppingCriteria& stop, const ExecutionContext& context)
 {
-  if (this->Solution && SameValues(this->Solution->Values, values) && this->Solution->Stop == stop)
+  const Vector<double>& values = constraints.Values;
+  if (this->Solution && SameValues(this->Solution->Values, values) &&
+    SameValues(this->Solution->Source, constraints.Source) && this->Solution->Stop == stop)
   {
     return;
   }
@@ -308,13 +321,14 @@ void FieldStages::Internals::Solve(
   {
     constexpr double Rounding = 1e-13;
     constexpr int Corrections = 10;
-    reference =
-      SolveInUnits(*system.Reference, values, {}, {}, { Rounding, Corrections }, PartOfContext(context, 0.0, 0.2))
-        .Unknowns;
+    reference = SolveInUnits(*system.Reference, values, {}, {}, { Rounding, Corrections },
+      PartOfContext(context, 0.0, 0.2), constraints.Source)
+                  .Unknowns;
   }
-  auto [unknowns, report] = SolveInUnits(
-    system.Problem, values, start, reference, stop, PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0));
-  this->Solution.reset(new SolveStage{ values, stop, std::move(unknowns), std::move(report) });
+  auto [unknowns, report] = SolveInUnits(system.Problem, values, start, reference, stop,
+    PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0), constraints.Source);
+  this->Field->CentreFree(constraints, unknowns);
+  this->Solution.reset(new SolveStage{ values, constraints.Source, stop, std::move(unknowns), std::move(report) });
   this->SolvedField = this->Field;
   ++this->Counts.Solves;
 }
@@ -356,8 +370,9 @@ const Vector<double>& FieldStages::Solve(const dmg::Constraints& directions, con
   const FieldConstraints constraints = of.Field->Prescribe(directions, names);
   CheckSizes(directions, names);
   of.SetUp(options, PartOfContext(context, 0.0, 0.5));
+  of.CheckTakesSource(constraints);
   of.Prepare(constraints, options, PartOfContext(context, 0.5, 0.75));
-  of.Solve(constraints.Values, stop, PartOfContext(context, 0.75, 1.0));
+  of.Solve(constraints, stop, PartOfContext(context, 0.75, 1.0));
   context.Checkpoint(1.0);
   return of.Solution->Unknowns;
 }
@@ -390,7 +405,8 @@ const SolveReport& FieldStages::Report() const
 
 LinearSystem FieldStages::Equations(const ExecutionContext& context) const
 {
-  return this->Internal->System->Problem.Equations(this->Internal->Solution->Values, context);
+  const SolveStage& solution = *this->Internal->Solution;
+  return this->Internal->System->Problem.Equations(solution.Values, context, solution.Source);
 }
 
 Eigen::MatrixXd FieldStages::HarmonicFields() const

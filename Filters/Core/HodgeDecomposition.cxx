@@ -201,9 +201,9 @@ const std::vector<BoundaryLoop>& HodgeDecomposition::Boundaries() const
   return this->Internal->Potentials.Loops();
 }
 
-std::string HodgeDecomposition::SolverName() const
+const SolveReport& HodgeDecomposition::Report() const
 {
-  return this->Internal->Potentials.Report().Solver;
+  return this->Internal->Potentials.Report();
 }
 
 HodgeDecomposition::StageCounts HodgeDecomposition::Counts() const

@@ -82,8 +82,8 @@ public:
   /// An orthonormal basis of the harmonic parts, 2 #F x k: components of vectors in the frames of the faces.
   const Eigen::MatrixXd& HarmonicBasis(const ExecutionContext& context = SerialContext());
   const std::vector<BoundaryLoop>& Boundaries() const;
-  /// The solver's name in words; empty before the first solve.
-  std::string SolverName() const;
+  /// The report of the last solve, without a solver before the first.
+  const SolveReport& Report() const;
 
   struct StageCounts
   {

@@ -5,7 +5,6 @@
 #include "Operators/ExteriorCalculus.h"
 #include "Solvers/HarmonicProblem.h"
 #include "Support/Errors.h"
-#include "Support/ShortText.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,9 +17,6 @@ namespace dmg
 {
 namespace
 {
-
-/// A sum that is smaller, relative to the sum of magnitudes, is rounding.
-constexpr double RoundingOfSums = 1e-9;
 
 /// The part of a solver that depends on the surface alone.
 struct SetupOfSurface
@@ -46,21 +42,10 @@ SolverOptions OptionsOfFunctions(const SolverOptions& asked)
   return options;
 }
 
-std::vector<int> ComponentsOfVertices(const TriangleMesh& mesh)
-{
-  const std::vector<int> ofFaces = FaceComponents(mesh);
-  std::vector<int> components(mesh.NumberOfVertices());
-  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
-  {
-    components[vertex] = ofFaces[TriangleMesh::FaceOf(mesh.OutgoingHalfedge(vertex))];
-  }
-  return components;
-}
-
 SetupOfSurface::SetupOfSurface(const FramedMesh& surface, const SolverOptions& asked, const ExecutionContext& context)
   : Surface(surface)
   , Options(OptionsOfFunctions(asked))
-  , Components(ComponentsOfVertices(surface.Mesh))
+  , Components(VertexComponents(surface.Mesh))
   , Areas(Star0(surface.Mesh))
 {
   FieldOptions options;
@@ -112,132 +97,31 @@ class PoissonSolver::Internals
 public:
   Internals(std::shared_ptr<const SetupOfSurface> setup, std::vector<int> held, const ExecutionContext& context);
 
-  /// Makes the source of each component without held vertices sum to zero.
-  void Balance(Vector<double>& source, NetSource net) const;
-  /// Makes the mean of u zero there.
-  void Centre(Vector<double>& u) const;
-  /// Shifts a centred function to where the solver has it.
-  Vector<double> ZeroAtGrounded(const Vector<double>& start) const;
   Vector<double> ValuesOfGrounded(const Vector<double>& values) const;
 
   const std::shared_ptr<const SetupOfSurface> Setup;
   const std::vector<int> Held;
+  const FreeComponents Free;
   std::vector<int> Grounded;              ///< held, and a vertex of each component without, ascending
-  std::vector<char> AreFree;              ///< by component: no vertex is held
   std::optional<HarmonicProblem> Problem; ///< none where all vertices are held
   SolveReport ReportOfHeld;
-
-private:
-  /// Sums by component where no vertex is held; zero elsewhere.
-  Vector<double> SumsOfFree(const Vector<double>& numbers) const;
-  void AddToFree(const Vector<double>& byComponent, Vector<double>& numbers) const;
 };
 
 PoissonSolver::Internals::Internals(
   std::shared_ptr<const SetupOfSurface> setup, std::vector<int> held, const ExecutionContext& context)
   : Setup(std::move(setup))
   , Held(std::move(held))
+  , Free(Setup->Components, Held)
 {
-  const std::vector<int>& components = this->Setup->Components;
-  const int vertices = static_cast<int>(components.size());
-  this->AreFree.assign(*std::max_element(components.begin(), components.end()) + 1, 1);
-  for (const int vertex : this->Held)
-  {
-    this->AreFree[components[vertex]] = 0;
-  }
-  std::vector<int> firsts;
-  std::vector<char> isGrounded(this->AreFree.size(), 0);
-  for (int vertex = 0; vertex < vertices; ++vertex)
-  {
-    if (this->AreFree[components[vertex]] && !isGrounded[components[vertex]])
-    {
-      isGrounded[components[vertex]] = 1;
-      firsts.push_back(vertex);
-    }
-  }
+  const std::vector<int> firsts = this->Free.FirstVertices();
   std::merge(this->Held.begin(), this->Held.end(), firsts.begin(), firsts.end(), std::back_inserter(this->Grounded));
   this->ReportOfHeld.Solver = "none, as all values are given";
   this->ReportOfHeld.Converged = true;
-  if (static_cast<int>(this->Grounded.size()) < vertices)
+  if (this->Grounded.size() < this->Setup->Components.size())
   {
     this->Problem.emplace(this->Setup->Levels, Penalties{ ConstraintKind::Hard, this->Grounded, {} }, 1.0,
       this->Setup->Options, this->Setup->Plan.ChoiceOn(*this->Setup->Levels), context);
   }
-}
-
-Vector<double> PoissonSolver::Internals::SumsOfFree(const Vector<double>& numbers) const
-{
-  Vector<double> sums = Vector<double>::Zero(static_cast<Eigen::Index>(this->AreFree.size()));
-  for (Eigen::Index vertex = 0; vertex < numbers.size(); ++vertex)
-  {
-    const int component = this->Setup->Components[vertex];
-    sums[component] += this->AreFree[component] ? numbers[vertex] : 0.0;
-  }
-  return sums;
-}
-
-void PoissonSolver::Internals::AddToFree(const Vector<double>& byComponent, Vector<double>& numbers) const
-{
-  for (Eigen::Index vertex = 0; vertex < numbers.size(); ++vertex)
-  {
-    const int component = this->Setup->Components[vertex];
-    if (this->AreFree[component])
-    {
-      numbers[vertex] += byComponent[component];
-    }
-  }
-}
-
-void PoissonSolver::Internals::Balance(Vector<double>& source, NetSource net) const
-{
-  const Vector<double> sums = this->SumsOfFree(source);
-  const Vector<double> magnitudes = this->SumsOfFree(source.cwiseAbs());
-  const Vector<double> areas = this->SumsOfFree(this->Setup->Areas);
-  for (Eigen::Index component = 0; component < sums.size() && net == NetSource::Refuse; ++component)
-  {
-    if (std::abs(sums[component]) > RoundingOfSums * magnitudes[component])
-    {
-      throw InvalidInput("the source sums to " + ShortText(sums[component]) +
-        (sums.size() > 1 ? " on component " + std::to_string(component) : std::string()) +
-        ", where no value is held and nothing leaves; hold a value there, or take its mean out (NetSource::TakeOut)");
-    }
-  }
-  if (net == NetSource::TakeOut)
-  {
-    for (Eigen::Index vertex = 0; vertex < source.size(); ++vertex)
-    {
-      const int component = this->Setup->Components[vertex];
-      source[vertex] -=
-        this->AreFree[component] ? this->Setup->Areas[vertex] * (sums[component] / areas[component]) : 0.0;
-    }
-  }
-}
-
-void PoissonSolver::Internals::Centre(Vector<double>& u) const
-{
-  if (std::find(this->AreFree.begin(), this->AreFree.end(), 1) == this->AreFree.end())
-  {
-    return;
-  }
-  Vector<double> shifts = this->SumsOfFree(this->Setup->Areas.cwiseProduct(u));
-  const Vector<double> areas = this->SumsOfFree(this->Setup->Areas);
-  for (Eigen::Index component = 0; component < shifts.size(); ++component)
-  {
-    shifts[component] = this->AreFree[component] ? -shifts[component] / areas[component] : 0.0;
-  }
-  this->AddToFree(shifts, u);
-}
-
-Vector<double> PoissonSolver::Internals::ZeroAtGrounded(const Vector<double>& start) const
-{
-  Vector<double> shifts = Vector<double>::Zero(static_cast<Eigen::Index>(this->AreFree.size()));
-  for (const int vertex : this->Grounded)
-  {
-    shifts[this->Setup->Components[vertex]] = -start[vertex];
-  }
-  Vector<double> shifted = start;
-  this->AddToFree(shifts, shifted);
-  return shifted;
 }
 
 Vector<double> PoissonSolver::Internals::ValuesOfGrounded(const Vector<double>& values) const
@@ -281,14 +165,21 @@ Vector<double> PoissonSolver::Solve(const Vector<double>& asked, const Vector<do
   CheckNumbers(values, static_cast<Eigen::Index>(of.Held.size()), "list of held values");
   CheckNumbers(start, static_cast<Eigen::Index>(of.Setup->Components.size()), "first guess");
   Vector<double> source = asked;
-  of.Balance(source, net);
+  if (source.size() > 0)
+  {
+    of.Free.Balance(source, of.Setup->Areas, net);
+  }
   Vector<double> u = of.ValuesOfGrounded(values); // of all vertices, where all are grounded
   if (of.Problem)
   {
-    const Vector<double> shifted = start.size() > 0 ? of.ZeroAtGrounded(start) : start;
+    Vector<double> shifted = start; // to where the solver has it
+    if (start.size() > 0)
+    {
+      of.Free.MakeZeroAt(of.Grounded, shifted);
+    }
     u = of.Problem->Solve(u, shifted, {}, stop, context, source);
   }
-  of.Centre(u);
+  of.Free.Centre(u, of.Setup->Areas);
   return u;
 }
 

@@ -2,6 +2,7 @@
 #define dmgPoissonSolver_h
 
 #include "Mesh/FramedMesh.h"
+#include "Operators/FunctionSource.h"
 #include "Solvers/Krylov/SolveReport.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
 #include "Solvers/SolverOptions.h"
@@ -13,13 +14,6 @@
 
 namespace dmg
 {
-
-/// The treatment of a source that does not sum to zero where nothing holds the solution.
-enum class NetSource
-{
-  Refuse,  ///< an error that names the sum
-  TakeOut, ///< its mean by area is subtracted
-};
 
 /// Finds functions u, linear on faces, with
 ///

@@ -22,7 +22,8 @@ Property = Union[bool, int, float, str, Tuple[float, float, float]]
 Message = Tuple[vtkAlgorithm, str]
 
 # The solver's arrays: the index of each in SetInputArrayToProcess. Their names are those in pvpython.
-_ARRAYS = {"Mask": 0, "Directions": 1, "Weights": 2, "Values": 3, "RotationArray": 4, "Eastward": 5, "Northward": 6}
+_ARRAYS = {"Mask": 0, "Directions": 1, "Weights": 2, "Values": 3, "RotationArray": 4, "Eastward": 5, "Northward": 6,
+           "Source": 7}
 
 
 class FieldError(ValueError):
@@ -44,7 +45,7 @@ def smooth_field(mesh: Mesh, guides: DataObjects = None, n: Optional[int] = None
     singularities  points, one dataset or several: the field has singularities there and nowhere else; with an empty
                    sequence, nowhere at all; by default, None, where it is smoothest
     properties     properties of vtkHarmonicFieldSolver by name, as BoundaryWeight=1; values of enumerations may be names, as
-                   Discretisation="OneForm". Mask, Directions, Weights, Values and RotationArray are the names of arrays of
+                   Discretisation="OneForm". Mask, Directions, Weights, Values, Source and RotationArray are the names of arrays of
                    the mesh, at points, else on cells; unlike the filter, the function follows no array that is not named.
 
     Returns a mesh of the same class, which has the arrays of the input and those of the solver: Direction0, Direction1, ... on

@@ -586,6 +586,9 @@ TEST(HodgeDecomposition, StreamlinesAreContoursOfTheStreamFunction)
     }
     ASSERT_LT(nearest, 0.01);
   }
+  filter->SetLift(0.1);
+  filter->Update();
+  EXPECT_NEAR(PointOf(lines, 0).norm(), 1.0 + 0.1 * 2.0 * std::sqrt(3.0), 0.02);
   filter->SetNumberOfContours(0);
   filter->Update();
   EXPECT_EQ(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(1))->GetNumberOfCells(), 0);

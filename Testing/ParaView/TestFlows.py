@@ -27,6 +27,9 @@ def main():
     assert lines.GetNumberOfLines() > 0
     assert len(np.unique(np.round(point_array(lines, "StreamFunction"), 5))) == 20
 
+    parts.Lift = 0.05
+    lifted = vtk_to_numpy(simple.servermanager.Fetch(parts, idx=1).GetPoints().GetData())
+    assert abs(np.linalg.norm(lifted, axis=1).mean() - 1 - 0.05 * 12 ** 0.5) < 0.01
     parts.NumberOfContours = 5
     parts.LengthScale = 100
     parts.Solver = "Conjugate Gradients"

@@ -24,5 +24,14 @@ def main():
     assert abs(gradient[:, 1] - 1).max() < 1e-4, gradient
     print("the function is the height")
 
+    # On the unit sphere -Laplace z = 2 z, so that z is the function with the source 2 z; a constant besides is taken out.
+    sphere = simple.Sphere(Radius=1, ThetaResolution=60, PhiResolution=60)
+    heat = simple.Calculator(Input=sphere, ResultArrayName="Heat", Function="2 * coordsZ + 5")
+    solver = simple.HarmonicFieldSolver(Input=heat, Discretisation="Function", Source=["POINTS", "Heat"], NetSource="Take Out")
+    field = simple.servermanager.Fetch(solver)
+    z = vtk_to_numpy(field.GetPoints().GetData())[:, 2]
+    assert abs(vtk_to_numpy(field.GetPointData().GetArray("ScalarFunction")) - z).max() < 0.01
+    print("the function has the source")
+
 
 main()

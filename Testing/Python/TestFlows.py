@@ -7,6 +7,9 @@ from directionalmultigrid import FieldError, hodge
 from directionalmultigrid.vtkFiltersDirectionalFields import vtkHodgeDecomposition
 from surfaces import add, torus, values_of_points
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
+from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 from vtkmodules.vtkFiltersCore import vtkExtractEdges
 
 
@@ -24,6 +27,31 @@ def with_flow():
     add(surface.GetPointData(), "u", 1 / distance)
     add(surface.GetPointData(), "v", 0 * distance)
     return surface
+
+
+class Weather(VTKPythonAlgorithmBase):
+    """A source with a hundred time steps: the flow of with_flow(), its gradient growing with time."""
+
+    TIMES = [0.25 * k for k in range(100)]
+
+    def __init__(self):
+        super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
+        self.surface = with_flow()
+
+    def RequestInformation(self, _request, _inputs, outputs):
+        information = outputs.GetInformationObject(0)
+        information.Set(vtkStreamingDemandDrivenPipeline.TIME_STEPS(), self.TIMES, len(self.TIMES))
+        information.Set(vtkStreamingDemandDrivenPipeline.TIME_RANGE(), [self.TIMES[0], self.TIMES[-1]], 2)
+        return 1
+
+    def RequestData(self, _request, _inputs, outputs):
+        information = outputs.GetInformationObject(0)
+        time = information.Get(vtkStreamingDemandDrivenPipeline.UPDATE_TIME_STEP())
+        output = vtkPolyData.GetData(outputs)
+        output.ShallowCopy(self.surface)
+        add(output.GetPointData(), "Flow", values(self.surface.GetPointData(), "Flow") + [0, 0, time])
+        output.GetPointData().SetActiveVectors("Flow")
+        return 1
 
 
 class Flows(unittest.TestCase):
@@ -81,6 +109,27 @@ class Flows(unittest.TestCase):
         surface = with_flow()
         surface.GetPointData().SetActiveVectors("Flow")
         self.assertTrue(hodge(surface).GetPointData().HasArray("Potential"))
+
+    def test_a_hundred_time_steps_are_set_up_once(self):
+        for solver in ("Automatic", "ConjugateGradients"):
+            source = Weather()
+            decomposition = vtkHodgeDecomposition()
+            decomposition.SetInputConnection(source.GetOutputPort())
+            decomposition.SetSolver(getattr(vtkHodgeDecomposition, solver))
+            decomposition.UpdateInformation()
+            information = decomposition.GetOutputInformation(0)
+            times = vtkStreamingDemandDrivenPipeline.TIME_STEPS()
+            self.assertEqual([information.Get(times, k) for k in range(information.Length(times))], Weather.TIMES)
+            for time in Weather.TIMES:
+                decomposition.UpdateTimeStep(time)
+                potential = values(decomposition.GetOutput().GetPointData(), "Potential")
+                height = values_of_points(decomposition.GetOutput())[:, 2]
+                np.testing.assert_allclose(potential, (1 + time) * height, atol=0.01 * (1 + time))
+            self.assertEqual(decomposition.GetNumberOfSetups(), 1)
+            self.assertEqual(decomposition.GetNumberOfBases(), 1)
+            self.assertEqual(decomposition.GetNumberOfSolves(), 2 * len(Weather.TIMES))
+            name = decomposition.GetOutput().GetFieldData().GetAbstractArray("Solver").GetValue(0)
+            self.assertEqual("Cholesky" in name, solver == "Automatic", name)
 
     def test_a_time_series_is_the_same_as_its_steps(self):
         decomposition = vtkHodgeDecomposition()

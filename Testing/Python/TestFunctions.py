@@ -6,6 +6,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkDataObject
 
+from directionalmultigrid import FieldError, smooth_field
 from directionalmultigrid.vtkFiltersDirectionalFields import (
     vtkDirectionalProlongation, vtkHarmonicFieldSolver)
 from surfaces import add, torus, values
@@ -76,6 +77,36 @@ class Functions(unittest.TestCase):
             self.assertEqual([u[3], u[700], u[2000]], [3.0, 700.0, 2000.0])
             prescribed = values(solver.GetOutput().GetPointData(), "Prescribed")
             self.assertEqual(list(np.flatnonzero(prescribed)), [3, 700, 2000])
+
+    def test_a_source_that_changes_with_time_is_solved_for_alone(self):
+        data = torus(60, 40)
+        height = np.array([data.GetPoint(i)[2] for i in range(data.GetNumberOfPoints())])
+        solver = vtkHarmonicFieldSolver()
+        solver.SetDiscretisation(vtkHarmonicFieldSolver.ScalarFunction)
+        solver.SetInputArrayToProcess(7, 0, 0, POINTS, "Heat")
+        solver.SetInputData(data)
+        solver.SetTolerance(1e-10)
+        for step in range(1, 4):
+            add(data.GetPointData(), "Heat", step * height)
+            u = function(solver)
+            self.assertAlmostEqual(np.abs(u).max() / step, first, delta=1e-6) if step > 1 else None
+            first = np.abs(u).max() / step
+        self.assertGreater(np.corrcoef(u, height)[0, 1], 0.9)  # warm where heat is supplied
+        self.assertEqual((solver.GetNumberOfSystems(), solver.GetNumberOfSolves()), (1, 3))
+        self.assertEqual(values(solver.GetOutput().GetPointData(), "Prescribed").max(), 0)
+
+    def test_net_sources_are_refused_or_taken_out(self):
+        data = torus(60, 40)
+        add(data.GetPointData(), "Heat", np.full(data.GetNumberOfPoints(), 2.0))
+        area = 4 * np.pi ** 2 * 0.4
+        with self.assertRaises(FieldError) as raised:
+            smooth_field(data, Discretisation="ScalarFunction", Source="Heat")
+        total = float(str(raised.exception).split("sums to ")[1].split(",")[0])
+        self.assertAlmostEqual(total / (2 * area), 1, delta=0.01)
+        result = smooth_field(data, Discretisation="ScalarFunction", Source="Heat", NetSource="TakeOut")
+        self.assertLess(np.abs(values(result.GetPointData(), "ScalarFunction")).max(), 1e-9)
+        with self.assertRaisesRegex(FieldError, "take no source"):
+            smooth_field(data, Discretisation="ScalarFunction", Source="Heat", NetSource="TakeOut", Solver="NestedIterations")
 
     def test_the_gradient_is_shown(self):
         solver = solver_of(surface())

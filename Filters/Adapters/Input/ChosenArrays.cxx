@@ -109,8 +109,10 @@ ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index)
 
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)
 {
-  return { ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2), ChoiceOf(algorithm, 3),
-    ChoiceOf(algorithm, 4), ChoiceOf(algorithm, 5), ChoiceOf(algorithm, 6) };
+  ConstraintChoices choices{ ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2),
+    ChoiceOf(algorithm, 3), ChoiceOf(algorithm, 4), ChoiceOf(algorithm, 5), ChoiceOf(algorithm, 6) };
+  choices.Source = ChoiceOf(algorithm, 7);
+  return choices;
 }
 
 ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surface)

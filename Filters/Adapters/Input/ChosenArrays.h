@@ -41,13 +41,14 @@ struct ConstraintChoices
   ArrayChoice Eastward = {}, Northward = {};
   Vector3 Axis = Vector3::UnitZ();
   bool WeighsTensors = false; ///< by the difference of both principal values
+  ArrayChoice Source = {};   ///< of functions, on the surface alone
 };
 
 /// The choice of one index of vtkAlgorithm::SetInputArrayToProcess.
 ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index);
 
 /// The arrays chosen with vtkAlgorithm::SetInputArrayToProcess and indices 0 (mask), 1 (vectors),
-/// 2 (weights), 3 (values), 4 (rotation), 5 (eastward) and 6 (northward). The name "Active Vectors", of menus, chooses those of the points, else of
+/// 2 (weights), 3 (values), 4 (rotation), 5 (eastward), 6 (northward) and 7 (source). The name "Active Vectors", of menus, chooses those of the points, else of
 /// the cells.
 ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm);
 

@@ -168,6 +168,24 @@ std::vector<ValueConstraint> ValuesOnSurface(
   return prescribed;
 }
 
+/// The source of a function at vertices; empty where none is chosen.
+Vector<double> SourceOnSurface(const ArrayChoice& choice, vtkDataSet* surface, const FramedSurface& framed)
+{
+  const ChosenArray source = FindArray(choice, surface, 1, "source", "the surface");
+  if (source.Array && !source.OnPoints)
+  {
+    throw InvalidInput(
+      "a source stands at points, and an array of cells is chosen for Source; choose an array of points, "
+      "by Cell Data to Point Data (vtkCellDataToPointData) for example");
+  }
+  Vector<double> values(source.Array ? framed.On.Mesh.NumberOfVertices() : 0);
+  for (int vertex = 0; vertex < values.size(); ++vertex)
+  {
+    values[vertex] = source.Array->GetComponent(framed.Relation.PointOf(vertex), 0);
+  }
+  return values;
+}
+
 }
 
 bool HasDirections(const ConstraintChoices& choices, vtkDataSet* dataset)
@@ -198,6 +216,7 @@ Constraints ConstraintsFromArrays(
     constraints = DirectionsOnSurface(choices, input, surface, unusable);
   }
   constraints.Values = std::move(values);
+  constraints.Source = SourceOnSurface(choices.Source, input, surface);
   return constraints;
 }
 

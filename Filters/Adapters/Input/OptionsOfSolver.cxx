@@ -30,6 +30,7 @@ void CheckProperties(Filter* filter)
     { "Curvature Direction", filter->GetCurvatureDirection(), Filter::MaximumCurvature, Filter::MinimumCurvature },
     { "Curvature Scale", filter->GetCurvatureScale(), 0, 100 },
     { "Rotation", filter->GetRotation(), -180, 180 },
+    { "Net Source", filter->GetNetSource(), Filter::Refuse, Filter::TakeOut },
     { "Solver", filter->GetSolver(), Filter::Automatic, Filter::CoarseProlongation },
     { "Expected Solves", filter->GetExpectedSolves(), 1 },
     { "Coarse Space", filter->GetCoarseSpace(), Filter::LinearInterpolation, Filter::StructurePreserving },
@@ -94,6 +95,7 @@ std::string WhatIsFollowed(
   say(HasArray(choices.Vectors, surface), nameOf(choices.Vectors));
   say(HasArray(choices.Eastward, surface), nameOf(choices.Eastward) + " and " + nameOf(choices.Northward));
   say(HasArray(choices.Values, surface), nameOf(choices.Values));
+  say(HasArray(choices.Source, surface), "source " + nameOf(choices.Source));
   say(guides > 0, std::to_string(guides) + (guides == 1 ? " guide" : " guides"));
   say(filter->GetBoundaryWeight() > 0.0, "boundary");
   say(filter->GetSharpEdgesWeight() > 0.0, "sharp edges");
@@ -136,6 +138,10 @@ ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* s
     choices.Vectors = choices.Eastward = choices.Northward = {};
     choices.Mask = hasValues ? choices.Mask : ArrayChoice();
     choices.Weights = hasValues ? choices.Weights : ArrayChoice();
+  }
+  if (filter->GetDiscretisation() != Filter::ScalarFunction)
+  {
+    choices.Source = {};
   }
   CheckTakesTensors(filter, choices, surface);
   return choices;

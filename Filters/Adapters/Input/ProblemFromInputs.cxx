@@ -39,6 +39,8 @@ UnusableDirections ReadInputs(vtkHarmonicFieldSolver* filter, const ConstraintCh
   UnusableDirections unusable;
   const FramedSurface framed = surface.Surface();
   problem.Constraints = ConstraintsFromArrays(choices, inputs.Surface, framed, unusable);
+  problem.Constraints.Net =
+    filter->GetNetSource() == vtkHarmonicFieldSolver::TakeOut ? NetSource::TakeOut : NetSource::Refuse;
   problem.Guides = GuidesFrom(inputs.Guides, unusable);
   if (problem.Constraints.AreEmpty() && problem.Guides.AreEmpty())
   {

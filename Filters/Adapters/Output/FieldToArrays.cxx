@@ -144,7 +144,9 @@ void AddPrescribed(const SurfaceRelation& relation, const FieldConstraints& cons
   weights->Fill(0.0);
   for (std::size_t i = 0; i < constraints.Elements.size(); ++i)
   {
-    if (const vtkIdType tuple = tupleOf(constraints.Elements[i]); tuple >= 0)
+    const bool isGrounded =
+      std::binary_search(constraints.Grounded.begin(), constraints.Grounded.end(), constraints.Elements[i]);
+    if (const vtkIdType tuple = tupleOf(constraints.Elements[i]); tuple >= 0 && !isGrounded)
     {
       weights->SetValue(tuple, std::max(weights->GetValue(tuple), constraints.Weights[i]));
     }

@@ -45,9 +45,9 @@ public:
       return;
     }
     const FramedMesh& on = this->Surface.On;
-    this->AddToCells(name, 3, Vectors(on.Faces, part).data());
+    this->AddToCells(name, 3, this->Vectors(on.Faces, part).data());
     const Vector<Complex> atVertices = PowersAtVertices(on.Mesh, this->Corners, part, 1, this->Context);
-    this->AddToPoints(name, 3, Vectors(on.Vertices, atVertices).data());
+    this->AddToPoints(name, 3, this->Vectors(on.Vertices, atVertices).data());
   }
 
   /// Adds numbers of vertices times a factor.
@@ -75,13 +75,18 @@ public:
   }
 
 private:
-  static Points Vectors(const TangentFrames& frames, const Vector<Complex>& field)
+  Points Vectors(const TangentFrames& frames, const Vector<Complex>& field) const
   {
+    constexpr int Grain = 8192;
     Points vectors(field.size(), 3);
-    for (int element = 0; element < field.size(); ++element)
-    {
-      vectors.row(element) = frames.ToVector(element, field[element]).transpose();
-    }
+    this->Context.ParallelFor(0, static_cast<int>(field.size()), Grain,
+      [&](int first, int last)
+      {
+        for (int element = first; element < last; ++element)
+        {
+          vectors.row(element) = frames.ToVector(element, field[element]).transpose();
+        }
+      });
     return vectors;
   }
 
@@ -111,12 +116,25 @@ std::vector<double> EvenValues(const Vector<double>& function, int number)
   return values;
 }
 
-/// Makes \p output the lines where the stream function of a flow has evenly spaced values.
-void MakeStreamlines(const TriangleMesh& mesh, const Vector<double>& psi, int number, double scale, vtkPolyData* output,
-  const ExecutionContext& context)
+/// The vertices, lifted off the surface along its normal.
+Points LiftedVertices(const FramedMesh& surface, double lift)
 {
-  const std::vector<double> values = EvenValues(psi, number);
-  const ContourLines lines = FindContourLines(mesh, psi, values, context);
+  Points places = surface.Mesh.VertexPositions();
+  const double height = lift * (places.colwise().maxCoeff() - places.colwise().minCoeff()).norm();
+  for (int vertex = 0; vertex < places.rows() && height > 0.0; ++vertex)
+  {
+    places.row(vertex) += height * surface.Vertices.Normal(vertex).transpose();
+  }
+  return places;
+}
+
+/// Makes \p output the lines where the stream function of a flow has evenly spaced values.
+void MakeStreamlines(const FramedMesh& surface, const Vector<double>& psi, const FlowOptions& options,
+  vtkPolyData* output, const ExecutionContext& context)
+{
+  const std::vector<double> values = EvenValues(psi, options.NumberOfContours);
+  const ContourLines lines =
+    FindContourLines(surface.Mesh, LiftedVertices(surface, options.Lift), psi, values, context);
   if (lines.Order.empty())
   {
     return;
@@ -137,11 +155,11 @@ void MakeStreamlines(const TriangleMesh& mesh, const Vector<double>& psi, int nu
   const auto ofPoints = NewArray(StreamFunction, 1, lines.Positions.rows());
   for (std::size_t k = 0; k < lines.Values.size(); ++k)
   {
-    ofPoints->SetValue(static_cast<vtkIdType>(k), scale * values[lines.Values[k]]);
+    ofPoints->SetValue(static_cast<vtkIdType>(k), options.LengthScale * values[lines.Values[k]]);
   }
   output->SetPoints(points);
   output->SetLines(cells);
-  output->GetPointData()->SetScalars(ofPoints);
+  output->GetPointData()->AddArray(ofPoints); // not active: in its colours no line would show on the surface
 }
 
 /// Takes away what a former decomposition has left, and this one may not make.
@@ -155,22 +173,28 @@ void RemoveFlowArrays(vtkDataSet* surface)
   }
 }
 
-void AddReport(const DecomposedFlow& parts, const std::string& solver, vtkFieldData* data)
+/// \param report null: nothing was solved for.
+void AddReport(const DecomposedFlow& parts, const SolveReport* report, vtkFieldData* data)
 {
-  data->RemoveArray(ArrayNames::Solver);
-  data->RemoveArray(ArrayNames::Converged);
-  if (solver.empty())
+  for (const char* const name : { ArrayNames::Solver, ArrayNames::Converged, ArrayNames::SolverBytes })
   {
-    return; // nothing was solved for
+    data->RemoveArray(name);
   }
-  vtkNew<vtkStringArray> name;
-  name->SetName(ArrayNames::Solver);
-  name->InsertNextValue(solver);
-  data->AddArray(name);
+  if (!report)
+  {
+    return;
+  }
+  vtkNew<vtkStringArray> solver;
+  solver->SetName(ArrayNames::Solver);
+  solver->InsertNextValue(report->Solver);
+  data->AddArray(solver);
   vtkNew<vtkIntArray> converged;
   converged->SetName(ArrayNames::Converged);
   converged->InsertNextValue(parts.Converged ? 1 : 0);
   data->AddArray(converged);
+  const auto bytes = NewArray(ArrayNames::SolverBytes, 1, 1);
+  bytes->SetValue(0, static_cast<double>(report->Bytes));
+  data->AddArray(bytes);
 }
 
 void AddEnergies(const FlowArrays& arrays, const DecomposedFlow& parts, double scale)
@@ -276,11 +300,11 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   AddEnergies(arrays, parts, scale);
   AddBoundaries(arrays, parts, this->Decomposition->Boundaries(), this->Relation, scale);
   const bool isSolved = options.Parts.Gradient || options.Parts.Rotational;
-  AddReport(parts, isSolved ? this->Decomposition->SolverName() : std::string(), output->GetFieldData());
+  AddReport(parts, isSolved ? &this->Decomposition->Report() : nullptr, output->GetFieldData());
   if (parts.StreamFunction.size() > 0)
   {
     output->GetPointData()->SetActiveScalars(StreamFunction);
-    MakeStreamlines(on.Mesh, parts.StreamFunction, options.NumberOfContours, scale, streamlines, context);
+    MakeStreamlines(on, parts.StreamFunction, options, streamlines, context);
   }
   context.Checkpoint(1.0);
   return parts.Warnings;

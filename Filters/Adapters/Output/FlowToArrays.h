@@ -25,6 +25,7 @@ struct FlowOptions
   bool Derivatives = true;
   double LengthScale = 1.0; ///< the length of the unit of the points
   int NumberOfContours = 0; ///< of the stream function
+  double Lift = 0.0;        ///< of these lines off the surface, relative to the diagonal of its bounding box
 };
 
 /// A HodgeDecomposition for the surface of a dataset, and the arrays that show its parts; kept for the next flow on the same surface. Keys

@@ -4,6 +4,7 @@
 #include "Mesh/FramedMesh.h"
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
+#include "Operators/FunctionSource.h"
 #include "Support/Types.h"
 
 #include <string>
@@ -38,8 +39,13 @@ struct Constraints
   std::vector<Constraint> OnFaces;
   std::vector<Constraint> AtVertices;
   std::vector<ValueConstraint> Values = {}; ///< of functions
+  Vector<double> Source = {};               ///< of functions, f in -Laplace u = f; one per vertex, or empty for zero
+  NetSource Net = NetSource::Refuse;        ///< of the source, on components without values
 
-  bool AreEmpty() const { return this->OnFaces.empty() && this->AtVertices.empty() && this->Values.empty(); }
+  bool AreEmpty() const
+  {
+    return this->OnFaces.empty() && this->AtVertices.empty() && this->Values.empty() && this->Source.size() == 0;
+  }
 };
 
 /// The range of weights, and that of lengths and values. All that is computed of them then stays far from the largest and

@@ -30,6 +30,10 @@ struct FieldConstraints
   std::vector<double> Weights = {}; ///< one per element, > 0, dimensionless
   // Key of the solution.
   Vector<double> Values = {}; ///< UnknownsPerElement for each element
+  Vector<double> Source = {}; ///< of functions, integrated: what is minimised loses 2 Source^T x; empty for zero
+
+  /// Those of the elements that are held only because a constant is free; no user has asked for it.
+  std::vector<int> Grounded = {};
 };
 
 /// Directions on faces and those at vertices, which are carried into the faces around (CarriedIntoFaces), in this order.

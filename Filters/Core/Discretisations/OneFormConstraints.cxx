@@ -95,10 +95,10 @@ FieldConstraints Joined(const FieldConstraints& a, const FieldConstraints& b)
   std::vector<Wish> wishes;
   for (const FieldConstraints* constraints : { &a, &b })
   {
-    const auto& [edges, weights, values] = *constraints;
+    const std::vector<int>& edges = constraints->Elements;
     for (std::size_t i = 0; i < edges.size(); ++i)
     {
-      wishes.push_back({ edges[i], values[i], weights[i] });
+      wishes.push_back({ edges[i], constraints->Values[i], constraints->Weights[i] });
     }
   }
   return Averaged(std::move(wishes));

@@ -10,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string>
 #include <utility>
 
 namespace dmg
@@ -26,27 +28,51 @@ constexpr int CyclesInARow = 2;
 /// d0^T star1 d0.
 SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh, const ExecutionContext& context)
 {
-  const SparseMatrix<double> d0 = D0(mesh, context);
-  return SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal() * d0;
+  const Vector<double> star1 = Star1(mesh);
+  return AssembleMatrix<double>(mesh.NumberOfVertices(), mesh.NumberOfVertices(), context,
+    [&](int vertex, RowEntries<double>& row)
+    {
+      row.emplace_back(vertex, 0.0);
+      const auto addEdge = [&](int halfedge, int other)
+      {
+        const double weight = star1[mesh.EdgeOf(halfedge)];
+        row.front().second += weight;
+        AddTo(row, other, -weight);
+      };
+      mesh.VisitFan(vertex,
+        [&](int h)
+        {
+          addEdge(h, mesh.Head(h));
+          if (const int last = TriangleMesh::Previous(h); mesh.Twin(last) < 0)
+          {
+            addEdge(last, mesh.Tail(last));
+          }
+        });
+    });
 }
 
-/// The mean over the faces around each vertex, #V x #F.
-SparseMatrix<double> MeanOfFaces(const TriangleMesh& mesh)
+/// The mean over the faces around each vertex of what these take from the columns.
+SparseMatrix<double> MeanOfFaces(
+  const TriangleMesh& mesh, const SparseMatrix<double>& ofFaces, const ExecutionContext& context)
 {
-  std::vector<Eigen::Triplet<double>> entries;
-  entries.reserve(3 * mesh.NumberOfFaces());
-  std::vector<int> numbers(mesh.NumberOfVertices(), 0);
-  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
-  {
-    ++numbers[mesh.Tail(h)];
-  }
-  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
-  {
-    entries.emplace_back(mesh.Tail(h), TriangleMesh::FaceOf(h), 1.0 / numbers[mesh.Tail(h)]);
-  }
-  SparseMatrix<double> mean(mesh.NumberOfVertices(), mesh.NumberOfFaces());
-  mean.setFromTriplets(entries.begin(), entries.end());
-  return mean;
+  return AssembleMatrix<double>(mesh.NumberOfVertices(), static_cast<int>(ofFaces.cols()), context,
+    [&](int vertex, RowEntries<double>& row)
+    {
+      int faces = 0;
+      mesh.VisitFan(vertex,
+        [&](int h)
+        {
+          ++faces;
+          for (SparseMatrix<double>::InnerIterator entry(ofFaces, TriangleMesh::FaceOf(h)); entry; ++entry)
+          {
+            AddTo(row, static_cast<int>(entry.col()), entry.value());
+          }
+        });
+      for (auto& [column, value] : row)
+      {
+        value /= faces;
+      }
+    });
 }
 
 /// The weights of transports, without their turns.
@@ -61,10 +87,10 @@ std::vector<SparseMatrix<double>> WeightsOf(const std::vector<TransportOperator>
 }
 
 std::vector<SparseMatrix<double>> ProlongationsOfNodes(
-  const TriangleMesh& mesh, const std::vector<TransportOperator>& linear)
+  const TriangleMesh& mesh, const std::vector<TransportOperator>& linear, const ExecutionContext& context)
 {
   std::vector<SparseMatrix<double>> prolongations = WeightsOf(linear);
-  prolongations[0] = SparseMatrix<double>(MeanOfFaces(mesh) * prolongations[0]);
+  prolongations[0] = MeanOfFaces(mesh, prolongations[0], context);
   return prolongations;
 }
 
@@ -78,7 +104,7 @@ Vector<double> ScalarFunction::Mass(const ExecutionContext&) const
 std::unique_ptr<const StiffnessHierarchy> ScalarFunction::Coarsen(
   const LinearProlongations& linear, const ExecutionContext& context) const
 {
-  std::vector<SparseMatrix<double>> prolongations = ProlongationsOfNodes(this->Surface.Mesh, linear.All());
+  std::vector<SparseMatrix<double>> prolongations = ProlongationsOfNodes(this->Surface.Mesh, linear.All(), context);
   linear.Forget();
   SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context);
   return std::make_unique<AssembledHierarchy<double>>(L0, std::move(prolongations));
@@ -91,7 +117,7 @@ std::unique_ptr<const StiffnessHierarchy> ScalarFunction::Assemble(
   if (operators && space == CoarseSpaceKind::LinearInterpolation)
   {
     CheckOperators(!operators->Linear.empty(), "Power Fields");
-    prolongations = ProlongationsOfNodes(this->Surface.Mesh, operators->Linear);
+    prolongations = ProlongationsOfNodes(this->Surface.Mesh, operators->Linear, context);
   }
   else if (operators)
   {
@@ -113,12 +139,22 @@ SolverTuning ScalarFunction::Tuning() const
 
 FieldConstraints ScalarFunction::Prescribe(const Constraints& given, const ElementNames& names) const
 {
-  if (given.Values.empty())
+  if (given.Values.empty() && given.Source.size() == 0)
   {
     throw InvalidInput("no value is prescribed, so the function of least smoothness energy is zero; choose an array of "
                        "points for Values, and a Mask and Weights that are not zero everywhere");
   }
-  std::vector<ValueConstraint> values = given.Values;
+  FieldConstraints constraints = this->ConstraintsOfValues(given.Values, names);
+  if (given.Source.size() > 0)
+  {
+    this->AddSource(given, names, constraints);
+  }
+  return constraints;
+}
+
+FieldConstraints ScalarFunction::ConstraintsOfValues(
+  std::vector<ValueConstraint> values, const ElementNames& names) const
+{
   std::stable_sort(values.begin(), values.end(),
     [](const ValueConstraint& a, const ValueConstraint& b) { return a.Vertex < b.Vertex; });
   FieldConstraints constraints;
@@ -154,6 +190,54 @@ Discretisation::IntegralWeights ScalarFunction::WeightsOfIntegral() const
 {
   const double meanArea = this->Mass(SerialContext()).mean();
   return { meanArea, meanArea };
+}
+
+/// On a component without values, the first vertex is held at zero, as the sum of the equations there says that a penalty holds it
+/// exactly.
+void ScalarFunction::AddSource(const Constraints& given, const ElementNames& names, FieldConstraints& constraints) const
+{
+  const TriangleMesh& mesh = this->Surface.Mesh;
+  if (given.Source.size() != mesh.NumberOfVertices())
+  {
+    throw InvalidInput("the source has " + std::to_string(given.Source.size()) +
+      " numbers in place of one for each of the " + std::to_string(mesh.NumberOfVertices()) + " vertices");
+  }
+  for (int vertex = 0; vertex < given.Source.size(); ++vertex)
+  {
+    if (!(std::abs(given.Source[vertex]) <= LargestPrescribed))
+    {
+      throw InvalidInput("the source is " + ShortText(given.Source[vertex]) + " at " + names.Vertex(vertex) +
+        ", which is not finite or too large; repair it");
+    }
+  }
+  const std::vector<int> components = VertexComponents(mesh);
+  const FreeComponents free(components, constraints.Elements);
+  constraints.Source = IntegratedSource(mesh, given.Source);
+  free.Balance(constraints.Source, IntegratedSource(mesh), given.Net);
+  constraints.Grounded = free.FirstVertices();
+  for (const int vertex : constraints.Grounded)
+  {
+    const auto place = std::lower_bound(constraints.Elements.begin(), constraints.Elements.end(), vertex);
+    const auto index = place - constraints.Elements.begin();
+    constraints.Elements.insert(place, vertex);
+    constraints.Weights.insert(constraints.Weights.begin() + index, 1.0);
+    Vector<double> values(constraints.Values.size() + 1);
+    values << constraints.Values.head(index), 0.0, constraints.Values.tail(constraints.Values.size() - index);
+    constraints.Values = std::move(values);
+  }
+}
+
+void ScalarFunction::CentreFree(const FieldConstraints& constraints, Vector<double>& unknowns) const
+{
+  if (constraints.Grounded.empty())
+  {
+    return;
+  }
+  const std::vector<int> components = VertexComponents(this->Surface.Mesh);
+  std::vector<int> held;
+  std::set_difference(constraints.Elements.begin(), constraints.Elements.end(), constraints.Grounded.begin(),
+    constraints.Grounded.end(), std::back_inserter(held));
+  FreeComponents(components, held).Centre(unknowns, IntegratedSource(this->Surface.Mesh));
 }
 
 Vector<double> ScalarFunction::PenaltiesOfElements(

@@ -45,9 +45,13 @@ public:
   std::string NameOfLevels() const override { return "levels of functions"; }
   SolverTuning Tuning() const override;
 
-  /// Takes the prescribed values, not the directions; those at one vertex are averaged by weight.
-  /// \throw InvalidInput no value is prescribed, or one is out of range or not finite, or its weight not positive.
+  /// Takes the prescribed values and the source, not the directions; values at one vertex are averaged by weight. On a component with a
+  /// source and without values, u has a mean of zero.
+  /// \throw InvalidInput there is neither a value nor a source; one is out of range or not finite, or a weight not positive; the source
+  ///   does not sum to zero on a component without values, and is to be refused.
   FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const override;
+
+  void CentreFree(const FieldConstraints& constraints, Vector<double>& unknowns) const override;
 
   /// The gradient.
   FieldPowers Powers(
@@ -60,6 +64,9 @@ protected:
   Vector<double> PenaltiesOfElements(const std::vector<int>& vertices, const ExecutionContext& context) const override;
 
 private:
+  FieldConstraints ConstraintsOfValues(std::vector<ValueConstraint> values, const ElementNames& names) const;
+  void AddSource(const Constraints& given, const ElementNames& names, FieldConstraints& constraints) const;
+
   const VertexAreas Areas;
 };
 

@@ -12,9 +12,10 @@ namespace
 class Tracer
 {
 public:
-  Tracer(const TriangleMesh& mesh, const Vector<double>& u, const std::vector<double>& values,
+  Tracer(const TriangleMesh& mesh, const Points& places, const Vector<double>& u, const std::vector<double>& values,
     const ExecutionContext& context)
     : Mesh(mesh)
+    , Places(places)
     , U(u)
     , Values(values)
     , Ranks(mesh.NumberOfVertices())
@@ -91,7 +92,7 @@ private:
       {
         const int value = this->RanksOf(edge)[0] + point - this->FirstPoints[edge];
         const double t = std::clamp((this->Values[value] - this->U[a]) / (this->U[b] - this->U[a]), 0.0, 1.0);
-        lines.Positions.row(point) = ((1.0 - t) * this->Mesh.Position(a) + t * this->Mesh.Position(b)).transpose();
+        lines.Positions.row(point) = ((1.0 - t) * this->Places.row(a) + t * this->Places.row(b));
         lines.Values[point] = value;
       }
     }
@@ -138,6 +139,7 @@ private:
   }
 
   const TriangleMesh& Mesh;
+  const Points& Places;
   const Vector<double>& U;
   const std::vector<double>& Values;
   std::vector<int> Ranks;       ///< of vertices
@@ -146,10 +148,10 @@ private:
 
 }
 
-ContourLines FindContourLines(
-  const TriangleMesh& mesh, const Vector<double>& u, const std::vector<double>& values, const ExecutionContext& context)
+ContourLines FindContourLines(const TriangleMesh& mesh, const Points& places, const Vector<double>& u,
+  const std::vector<double>& values, const ExecutionContext& context)
 {
-  return Tracer(mesh, u, values, context).Trace();
+  return Tracer(mesh, places, u, values, context).Trace();
 }
 
 }

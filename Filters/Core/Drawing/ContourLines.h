@@ -21,11 +21,12 @@ struct ContourLines
   std::vector<int> Offsets; ///< of lines in Order, and its size
 };
 
+/// \param places of the vertices: those of the mesh or, to draw lines that no face hides, above it.
 /// \param u one per vertex; linear on faces.
 /// \param values ascending.
 /// Cost: linear.
-ContourLines FindContourLines(const TriangleMesh& mesh, const Vector<double>& u, const std::vector<double>& values,
-  const ExecutionContext& context = SerialContext());
+ContourLines FindContourLines(const TriangleMesh& mesh, const Points& places, const Vector<double>& u,
+  const std::vector<double>& values, const ExecutionContext& context = SerialContext());
 
 }
 

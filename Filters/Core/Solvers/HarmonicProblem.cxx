@@ -343,10 +343,11 @@ int HarmonicProblem::NumberOfFree() const
     static_cast<int>(this->Internal->System.Held().size());
 }
 
-LinearSystem HarmonicProblem::Equations(const Vector<double>& values, const ExecutionContext& context) const
+LinearSystem HarmonicProblem::Equations(
+  const Vector<double>& values, const ExecutionContext& context, const Vector<double>& source) const
 {
   assert(values.size() == this->Internal->System.NumberOfPrescribed());
-  return this->Internal->System.Equations(values, context);
+  return this->Internal->System.Equations(values, context, source);
 }
 
 const MultigridSetup& HarmonicProblem::Setup() const

@@ -69,8 +69,9 @@ public:
 
   /// The equations (R + D) x = D y, divided by s, that Solve solves: a matrix for the caller's own solver. See
   /// PrescribedSystem::Equations.
-  /// \param values y, one per prescribed unknown.
-  LinearSystem Equations(const Vector<double>& values, const ExecutionContext& context) const;
+  /// \param values, source as of Solve.
+  LinearSystem Equations(
+    const Vector<double>& values, const ExecutionContext& context, const Vector<double>& source = {}) const;
 
   const MultigridSetup& Setup() const;
 

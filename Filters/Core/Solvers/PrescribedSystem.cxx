@@ -180,7 +180,8 @@ Vector<double> PrescribedSystem::HeldByPenalties(const Vector<double>& values) c
   return held;
 }
 
-LinearSystem PrescribedSystem::Equations(const Vector<double>& values, const ExecutionContext& context) const
+LinearSystem PrescribedSystem::Equations(
+  const Vector<double>& values, const ExecutionContext& context, const Vector<double>& source) const
 {
   const StiffnessHierarchy& hierarchy = *this->Setup().Hierarchy;
   Vector<double> D = this->Diagonal();
@@ -195,6 +196,12 @@ LinearSystem PrescribedSystem::Equations(const Vector<double>& values, const Exe
   }
   A.makeCompressed();
   Vector<double> b = this->RightHandSide(values, context);
+  if (source.size() > 0)
+  {
+    Vector<double> added = Gathered(source, hierarchy.Order, context);
+    added(this->Unprescribed().Unknowns()).setZero();
+    b += added / this->Smoothness();
+  }
   this->InsertHeld(values, b);
   return { Permuted(A, Inverse(hierarchy.Order), hierarchy.Order, context), Scattered(b, hierarchy.Order, context) };
 }

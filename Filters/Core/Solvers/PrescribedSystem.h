@@ -56,7 +56,9 @@ public:
   Vector<double> HeldByPenalties(const Vector<double>& values) const;
   /// (R + D) x = D y with a matrix, in the caller's order. An unknown that is held has the row and the column of the identity,
   /// and its value on the right. On components without prescriptions A is R, and b is zero.
-  LinearSystem Equations(const Vector<double>& values, const ExecutionContext& context) const;
+  /// \param source added to D y, divided by s; in the caller's order, or empty for zero.
+  LinearSystem Equations(
+    const Vector<double>& values, const ExecutionContext& context, const Vector<double>& source = {}) const;
   /// Writes y where hard prescriptions are.
   void InsertHeld(const Vector<double>& values, Vector<double>& x) const;
 

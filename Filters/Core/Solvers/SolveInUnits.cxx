@@ -2,6 +2,7 @@
 
 #include "Support/Errors.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace dmg
@@ -10,9 +11,11 @@ namespace
 {
 
 /// The largest value is at least 2^k and less than 2^(k + 1).
-int ExponentOf(const Vector<double>& values)
+int ExponentOf(const Vector<double>& values, const Vector<double>& source)
 {
-  const double largest = values.size() > 0 ? values.cwiseAbs().maxCoeff() : 0.0;
+  const auto sizeOf = [](const Vector<double>& numbers)
+  { return numbers.size() > 0 ? numbers.cwiseAbs().maxCoeff() : 0.0; };
+  const double largest = std::max(sizeOf(values), sizeOf(source));
   return largest > 0.0 && std::isfinite(largest) ? std::ilogb(largest) : 0;
 }
 
@@ -24,11 +27,12 @@ Vector<double> TimesPowerOfTwo(const Vector<double>& values, int exponent)
 }
 
 Solution SolveInUnits(HarmonicProblem& problem, const Vector<double>& values, const Vector<double>& start,
-  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context)
+  const Vector<double>& reference, const StoppingCriteria& stop, const ExecutionContext& context,
+  const Vector<double>& source)
 {
-  const int unit = ExponentOf(values);
-  const Vector<double> unknowns = problem.Solve(
-    TimesPowerOfTwo(values, -unit), TimesPowerOfTwo(start, -unit), TimesPowerOfTwo(reference, -unit), stop, context);
+  const int unit = ExponentOf(values, source);
+  const Vector<double> unknowns = problem.Solve(TimesPowerOfTwo(values, -unit), TimesPowerOfTwo(start, -unit),
+    TimesPowerOfTwo(reference, -unit), stop, context, TimesPowerOfTwo(source, -unit));
   Solution solution{ TimesPowerOfTwo(unknowns, unit), problem.Report() };
   if (!solution.Unknowns.allFinite())
   {

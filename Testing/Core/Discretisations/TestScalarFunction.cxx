@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -179,4 +180,142 @@ TEST(ScalarFunction, RefusesWhatIsNoValue)
   {
     EXPECT_THROW(functions.Prescribe({ {}, {}, values }, {}), InvalidInput);
   }
+}
+
+namespace
+{
+
+Vector<double> AtVertices(const TriangleMesh& mesh, const std::function<double(const Vector3&)>& function)
+{
+  Vector<double> values(mesh.NumberOfVertices());
+  for (int vertex = 0; vertex < values.size(); ++vertex)
+  {
+    values[vertex] = function(mesh.Position(vertex));
+  }
+  return values;
+}
+
+/// Of a function with a source on a plane with its values at the boundary.
+double ErrorOnPlane(int n, SolverKind solver)
+{
+  const auto exact = [](const Vector3& p) { return std::exp(p[0]) * std::sin(p[1]) + p[0] * p[0]; };
+  Surface shape = IrregularPlane(n, n, 7);
+  shape.V /= n;
+  FieldStages stages(shape.Mesh());
+  const TriangleMesh& mesh = stages.Surface().Mesh;
+  Constraints constraints = OnBoundary(mesh, exact);
+  constraints.Source = Vector<double>::Constant(mesh.NumberOfVertices(), -2.0);
+  const Vector<double>& u = stages.Solve(constraints, Functions(solver), { 1e-10, 100 });
+  const Vector<double> expected = AtVertices(mesh, exact);
+  return (u - expected).norm() / expected.norm();
+}
+
+/// Of x y, with -Laplace x y = 6 x y, on the unit sphere.
+double ErrorOnSphere(int subdivisions, ConstraintKind kind)
+{
+  FieldStages stages(IrregularSphere(subdivisions, 4, 0.15).Mesh());
+  const TriangleMesh& mesh = stages.Surface().Mesh;
+  const Vector<double> expected = AtVertices(mesh, [](const Vector3& p) { return p[0] * p[1]; });
+  Constraints constraints;
+  constraints.Source = 6.0 * expected;
+  constraints.Net = NetSource::TakeOut; // what the triangulation adds
+  FieldOptions options = Functions();
+  options.Constraints = kind;
+  const Vector<double> u = stages.Solve(constraints, options, { 1e-10, 100 });
+  EXPECT_NEAR(u.dot(IntegratedSource(mesh)), 0.0, 1e-12);
+  return (u - expected).norm() / expected.norm();
+}
+
+}
+
+TEST(ScalarFunction, SourcesGiveASolutionOfOrderTwo)
+{
+  for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky })
+  {
+    const double coarse = ErrorOnPlane(12, solver);
+    const double fine = ErrorOnPlane(48, solver);
+    EXPECT_GT(0.5 * std::log2(coarse / fine), 1.8) << coarse << " " << fine;
+  }
+}
+
+TEST(ScalarFunction, SourcesOnAClosedSurfaceNeedNoValues)
+{
+  for (const ConstraintKind kind : { ConstraintKind::Hard, ConstraintKind::Soft })
+  {
+    const double coarse = ErrorOnSphere(2, kind);
+    const double fine = ErrorOnSphere(4, kind);
+    EXPECT_GT(0.5 * std::log2(coarse / fine), 1.8) << coarse << " " << fine;
+  }
+}
+
+TEST(ScalarFunction, NetSourcesAreNamedByTheirIntegral)
+{
+  // The sphere has a value and may have any source; the plane, of area 1, has none.
+  const Surface shape = Union(Icosphere(2), IrregularPlane(9, 9, 3), { 4, 0, 0 });
+  FieldStages stages(shape.Mesh());
+  const TriangleMesh& mesh = stages.Surface().Mesh;
+  const double area = mesh.FaceAreas().sum() - Icosphere(2).Mesh().FaceAreas().sum();
+  Constraints constraints;
+  constraints.Values = { { 0, 1.0, 1.0 } };
+  constraints.Source = Vector<double>::Constant(mesh.NumberOfVertices(), 3.0);
+  try
+  {
+    stages.Solve(constraints, Functions());
+    FAIL();
+  }
+  catch (const InvalidInput& error)
+  {
+    const std::string text = error.what();
+    const std::size_t place = text.find("sums to ");
+    ASSERT_NE(place, std::string::npos) << text;
+    EXPECT_NEAR(std::stod(text.substr(place + 8)), 3.0 * area, 1e-3 * area);
+    EXPECT_NE(text.find("component 1"), std::string::npos);
+  }
+  constraints.Net = NetSource::TakeOut;
+  const Vector<double> u = stages.Solve(constraints, Functions(), { 1e-10, 100 });
+  EXPECT_EQ(u[0], 1.0);
+  EXPECT_LT(u.tail(100).cwiseAbs().maxCoeff(), 1e-9); // a constant source, taken out
+  EXPECT_TRUE(stages.Report().Warnings.empty());
+}
+
+TEST(ScalarFunction, AChangedSourceRepeatsTheSolveAlone)
+{
+  FieldStages stages(IrregularTorus(40, 20, 3).Mesh());
+  const TriangleMesh& mesh = stages.Surface().Mesh;
+  Constraints constraints;
+  constraints.Net = NetSource::TakeOut;
+  constraints.Source = AtVertices(mesh, [](const Vector3& p) { return p[0]; });
+  const Vector<double> first = stages.Solve(constraints, Functions(SolverKind::Cholesky));
+  constraints.Source *= 2.0;
+  const Vector<double> second = stages.Solve(constraints, Functions(SolverKind::Cholesky));
+  EXPECT_LT((second - 2.0 * first).norm(), 1e-10 * second.norm());
+  EXPECT_EQ(stages.Counts().Setups, 1);
+  EXPECT_EQ(stages.Counts().Systems, 1);
+  EXPECT_EQ(stages.Counts().Solves, 2);
+  stages.Solve(constraints, Functions(SolverKind::Cholesky));
+  EXPECT_EQ(stages.Counts().Solves, 2);
+
+  // The equations for somebody else's solver have the source, too.
+  const LinearSystem equations = stages.Equations();
+  const int grounded = 0; // where this solution is not zero, but for its mean
+  Vector<double> shifted = second;
+  shifted.array() -= second[grounded];
+  EXPECT_LT((equations.Matrix * shifted - equations.RightHandSide).norm(), 1e-9 * equations.RightHandSide.norm());
+}
+
+TEST(ScalarFunction, SourcesOfAnySizeAreSolvedForAndWrongOnesNamed)
+{
+  FieldStages stages(IrregularTorus(40, 20, 3).Mesh());
+  const TriangleMesh& mesh = stages.Surface().Mesh;
+  Constraints constraints;
+  constraints.Net = NetSource::TakeOut;
+  constraints.Source = AtVertices(mesh, [](const Vector3& p) { return p[0]; });
+  const Vector<double> one = stages.Solve(constraints, Functions(), { 1e-9, 100 });
+  constraints.Source *= 1e30;
+  const Vector<double> large = stages.Solve(constraints, Functions(), { 1e-9, 100 });
+  EXPECT_LT((1e-30 * large - one).norm(), 1e-7 * one.norm());
+  constraints.Source[5] = std::nan("");
+  EXPECT_THROW(stages.Solve(constraints, Functions()), InvalidInput);
+  constraints.Source.conservativeResize(3);
+  EXPECT_THROW(stages.Solve(constraints, Functions()), InvalidInput);
 }

@@ -200,6 +200,23 @@ def check_ocean(result):
     assert abs(abs(transport) - abs(coasts[1] - coasts[0])) < 1e-6 * np.ptp(psi)
 
 
+def check_organ_flow(result):
+    """The planted sources and vortices are where both functions have their extremes, in spite of the errors."""
+    import organ_flow
+    flow = fetch(result)
+    points = vtk_to_numpy(flow.GetPoints().GetData())
+    potential, stream = (vtk_to_numpy(flow.GetPointData().GetArray(name)) for name in ("Potential", "StreamFunction"))
+    for function, planted in ((potential, organ_flow.SOURCES), (stream, organ_flow.VORTICES)):
+        for place, height in planted.items():
+            near = np.linalg.norm(points - organ_flow.nearest(points, place), axis=1)
+            disc = np.flatnonzero(near < 0.4)
+            extreme = disc[(-height * function[disc]).argmax()]
+            assert near[extreme] < 0.12, (place, near[extreme])
+    shares = vtk_to_numpy(flow.GetFieldData().GetArray("FlowShares"))
+    assert abs(shares.sum() - 1) < 1e-9 and min(shares[:2]) > 0.3 and shares[2] == 0, shares
+    assert 0.02 < shares[3] < 0.2, shares  # most of the errors
+
+
 def picture(path):
     """A row per pixel."""
     reader = vtkPNGReader()

@@ -25,13 +25,13 @@ def main():
         array.SetName(name)
         sea.GetPointData().AddArray(array)
     parts = HodgeDecomposition(Input=surfaces.source(sea), Eastward=["POINTS", "Eastward"], Northward=["POINTS", "Northward"],
-                               NumberOfContours=30, LengthScale=6371000)
+                               NumberOfContours=24, LengthScale=6371000)
     view = view_from([0.9, -0.75, 0.3], [900, 800], up=(0, 0, 1))
-    show(parts, view, "StreamFunction", Ambient=0.25)
+    show(parts, view, "StreamFunction", Ambient=0.6, Diffuse=0.4)
     values = servermanager.Fetch(parts).GetPointData().GetArray("StreamFunction").GetRange()
     GetColorTransferFunction("StreamFunction").RGBPoints = [values[0], 0.35, 0.55, 0.8, 0.5 * sum(values), *IVORY, values[1], 0.9, 0.5, 0.4]
-    show(Tube(Input=OutputPort(parts, 1), Radius=0.004), view, BLUE)
-    show(Sphere(Radius=0.985, ThetaResolution=120, PhiResolution=120), view, [0.72, 0.68, 0.55])
+    show(Tube(Input=OutputPort(parts, 1), Radius=0.005), view, BLUE, Ambient=1, Diffuse=0)
+    show(Sphere(Radius=0.985, ThetaResolution=120, PhiResolution=120), view, [0.72, 0.68, 0.55], Ambient=1, Diffuse=0)
     save(view, "ocean", 1.35)
     return parts
 

@@ -103,22 +103,30 @@ def ellipsoid(centre, radii, pitch=0):
     return distance
 
 
+def blended(parts, blends, x, y, z):
+    """The distance to parts that flow into each other."""
+    whole = parts[0](x, y, z)
+    for part, blend in zip(parts[1:], blends[1:]):
+        other = part(x, y, z)
+        share = np.clip(0.5 + 0.5 * (other - whole) / blend, 0, 1)
+        whole = other + (whole - other) * share - blend * share * (1 - share)
+    return whole
+
+
 def duck(spacing=0.04):
     """A bath toy, 2.5 long: it looks along x, y is up."""
     parts = [ellipsoid((0, 0, 0), (1.05, 0.62, 0.72)), ellipsoid((0.7, 0.95, 0), (0.47, 0.47, 0.45)),
              ellipsoid((1.22, 0.86, 0), (0.26, 0.07, 0.2), -8), ellipsoid((-1.02, 0.38, 0), (0.4, 0.16, 0.3), -40),
              ellipsoid((-0.15, 0.14, 0.62), (0.6, 0.3, 0.2), -12), ellipsoid((-0.15, 0.14, -0.62), (0.6, 0.3, 0.2), -12)]
     blends = [0, 0.22, 0.06, 0.25, 0.08, 0.08]
+    return implicit(lambda x, y, z: blended(parts, blends, x, y, z), (-1.6, -0.8, -1), (1.7, 1.6, 1), spacing)
 
-    def distance(x, y, z):
-        whole = parts[0](x, y, z)
-        for part, blend in zip(parts[1:], blends[1:]):
-            other = part(x, y, z)
-            share = np.clip(0.5 + 0.5 * (other - whole) / blend, 0, 1)
-            whole = other + (whole - other) * share - blend * share * (1 - share)
-        return whole
 
-    return implicit(distance, (-1.6, -0.8, -1), (1.7, 1.6, 1), spacing)
+def heart(spacing=0.045):
+    """Two ventricles with their point below, and two atria, 2.4 high; y is up."""
+    parts = [ellipsoid((0, -0.1, 0), (0.78, 1.12, 0.7), 12), ellipsoid((0.42, 0.78, 0.1), (0.46, 0.42, 0.42)),
+             ellipsoid((-0.46, 0.72, -0.1), (0.5, 0.38, 0.44), 20), ellipsoid((0.02, 1.12, 0.12), (0.2, 0.42, 0.2), -15)]
+    return implicit(lambda x, y, z: blended(parts, [0, 0.25, 0.25, 0.15], x, y, z), (-1.5, -1.6, -1.3), (1.5, 1.9, 1.3), spacing)
 
 
 def tangle(spacing=0.07):

@@ -1,0 +1,154 @@
+#include "Operators/FunctionSource.h"
+
+#include "Support/Errors.h"
+#include "Support/ShortText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dmg
+{
+namespace
+{
+
+/// A sum that is smaller, relative to the sum of magnitudes, is rounding.
+constexpr double RoundingOfSums = 1e-9;
+
+}
+
+Vector<double> IntegratedSource(const TriangleMesh& mesh, const Vector<double>& f)
+{
+  Vector<double> integrals = Vector<double>::Zero(mesh.NumberOfVertices());
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const auto corners = mesh.FaceCorners().row(face);
+    const double sum = f[corners[0]] + f[corners[1]] + f[corners[2]];
+    const double share = mesh.FaceArea(face) / 12.0;
+    for (int k = 0; k < 3; ++k)
+    {
+      integrals[corners[k]] += share * (sum + f[corners[k]]);
+    }
+  }
+  return integrals;
+}
+
+Vector<double> IntegratedSource(const TriangleMesh& mesh)
+{
+  return IntegratedSource(mesh, Vector<double>::Ones(mesh.NumberOfVertices()));
+}
+
+std::vector<int> VertexComponents(const TriangleMesh& mesh)
+{
+  const std::vector<int> ofFaces = FaceComponents(mesh);
+  std::vector<int> components(mesh.NumberOfVertices());
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    components[vertex] = ofFaces[TriangleMesh::FaceOf(mesh.OutgoingHalfedge(vertex))];
+  }
+  return components;
+}
+
+FreeComponents::FreeComponents(const std::vector<int>& components, const std::vector<int>& held)
+  : Components(components)
+  , AreFree(*std::max_element(components.begin(), components.end()) + 1, 1)
+{
+  for (const int vertex : held)
+  {
+    this->AreFree[components[vertex]] = 0;
+  }
+}
+
+std::vector<int> FreeComponents::FirstVertices() const
+{
+  std::vector<int> firsts;
+  std::vector<char> isPending = this->AreFree;
+  for (std::size_t vertex = 0; vertex < this->Components.size(); ++vertex)
+  {
+    if (isPending[this->Components[vertex]])
+    {
+      isPending[this->Components[vertex]] = 0;
+      firsts.push_back(static_cast<int>(vertex));
+    }
+  }
+  return firsts;
+}
+
+Vector<double> FreeComponents::Sums(const Vector<double>& numbers) const
+{
+  Vector<double> sums = Vector<double>::Zero(static_cast<Eigen::Index>(this->AreFree.size()));
+  for (Eigen::Index vertex = 0; vertex < numbers.size(); ++vertex)
+  {
+    const int component = this->Components[vertex];
+    sums[component] += this->AreFree[component] ? numbers[vertex] : 0.0;
+  }
+  return sums;
+}
+
+void FreeComponents::Add(const Vector<double>& byComponent, Vector<double>& numbers) const
+{
+  for (Eigen::Index vertex = 0; vertex < numbers.size(); ++vertex)
+  {
+    const int component = this->Components[vertex];
+    if (this->AreFree[component])
+    {
+      numbers[vertex] += byComponent[component];
+    }
+  }
+}
+
+void FreeComponents::Balance(Vector<double>& source, const Vector<double>& areas, NetSource net) const
+{
+  if (std::find(this->AreFree.begin(), this->AreFree.end(), 1) == this->AreFree.end())
+  {
+    return;
+  }
+  const Vector<double> sums = this->Sums(source);
+  if (net == NetSource::Refuse)
+  {
+    const Vector<double> magnitudes = this->Sums(source.cwiseAbs());
+    for (Eigen::Index component = 0; component < sums.size(); ++component)
+    {
+      if (std::abs(sums[component]) > RoundingOfSums * magnitudes[component])
+      {
+        throw InvalidInput("the source sums to " + ShortText(sums[component]) +
+          (sums.size() > 1 ? " on component " + std::to_string(component) : std::string()) +
+          ", where no value is held and nothing leaves; hold a value there, or have its mean taken out (Net Source)");
+      }
+    }
+    return;
+  }
+  const Vector<double> ofComponents = this->Sums(areas);
+  for (Eigen::Index vertex = 0; vertex < source.size(); ++vertex)
+  {
+    const int component = this->Components[vertex];
+    source[vertex] -= this->AreFree[component] ? areas[vertex] * (sums[component] / ofComponents[component]) : 0.0;
+  }
+}
+
+void FreeComponents::Centre(Vector<double>& u, const Vector<double>& areas) const
+{
+  if (std::find(this->AreFree.begin(), this->AreFree.end(), 1) == this->AreFree.end())
+  {
+    return;
+  }
+  Vector<double> shifts = this->Sums(areas.cwiseProduct(u));
+  const Vector<double> ofComponents = this->Sums(areas);
+  for (Eigen::Index component = 0; component < shifts.size(); ++component)
+  {
+    shifts[component] = this->AreFree[component] ? -shifts[component] / ofComponents[component] : 0.0;
+  }
+  this->Add(shifts, u);
+}
+
+void FreeComponents::MakeZeroAt(const std::vector<int>& vertices, Vector<double>& u) const
+{
+  Vector<double> shifts = Vector<double>::Zero(static_cast<Eigen::Index>(this->AreFree.size()));
+  for (const int vertex : vertices)
+  {
+    shifts[this->Components[vertex]] = -u[vertex];
+  }
+  this->Add(shifts, u);
+}
+
+}

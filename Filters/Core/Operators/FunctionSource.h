@@ -1,0 +1,61 @@
+#ifndef dmgFunctionSource_h
+#define dmgFunctionSource_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// The treatment of a source that does not sum to zero where nothing holds the solution.
+enum class NetSource
+{
+  Refuse,  ///< an error that names the sum
+  TakeOut, ///< its mean by area is subtracted
+};
+
+/// The integrals of f lambda_v, #V: f is linear on faces and has the given values at vertices, lambda_v is 1 at vertex v and 0 at all
+/// others.
+Vector<double> IntegratedSource(const TriangleMesh& mesh, const Vector<double>& f);
+
+/// The integrals of lambda_v, #V: a third of the area of the faces around.
+Vector<double> IntegratedSource(const TriangleMesh& mesh);
+
+/// Connected component of every vertex, numbered as FaceComponents does.
+std::vector<int> VertexComponents(const TriangleMesh& mesh);
+
+/// The components of a surface on which no value is held, where the solution of a Poisson problem is free by a constant.
+class FreeComponents
+{
+public:
+  /// \param components of vertices; borrowed.
+  /// \param held vertices.
+  FreeComponents(const std::vector<int>& components, const std::vector<int>& held);
+
+  /// The first vertex of each, ascending.
+  std::vector<int> FirstVertices() const;
+
+  /// Makes a source sum to zero on each.
+  /// \param areas of vertices.
+  /// \throw InvalidInput its sum is more than 1e-9 of the sum of its magnitudes, and is to be refused.
+  void Balance(Vector<double>& source, const Vector<double>& areas, NetSource net) const;
+  /// Makes the mean of a function zero on each.
+  void Centre(Vector<double>& u, const Vector<double>& areas) const;
+  /// Adds to a function what makes it zero at one vertex of each.
+  /// \param vertices at least that one of each free component.
+  void MakeZeroAt(const std::vector<int>& vertices, Vector<double>& u) const;
+
+private:
+  /// Sums over each; zero for other components.
+  Vector<double> Sums(const Vector<double>& numbers) const;
+  void Add(const Vector<double>& byComponent, Vector<double>& numbers) const;
+
+  const std::vector<int>& Components;
+  std::vector<char> AreFree; ///< by component
+};
+
+}
+
+#endif
