@@ -41,7 +41,7 @@ struct ConstraintChoices
   ArrayChoice Eastward = {}, Northward = {};
   Vector3 Axis = Vector3::UnitZ();
   bool WeighsTensors = false; ///< by the difference of both principal values
-  ArrayChoice Source = {};   ///< of functions, on the surface alone
+  ArrayChoice Source = {};    ///< of functions, on the surface alone
 };
 
 /// The choice of one index of vtkAlgorithm::SetInputArrayToProcess.
