@@ -341,7 +341,7 @@ namespace
 {
 
 constexpr DiscretisationKind KindsWithDirections[] = { DiscretisationKind::VertexPowerField,
-  DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm };
+  DiscretisationKind::FaceField, DiscretisationKind::OneForm };
 
 FieldOptions OptionsWith(DiscretisationKind kind, SolverKind solver)
 {
