@@ -48,6 +48,9 @@ public:
   }
   void EndExecution() { this->OpenExecutions = std::max(0, this->OpenExecutions - 1); }
 
+  /// Whether the dataset of this execution is a leaf of a composite one.
+  bool IsInLeaf() const { return this->OpenExecutions > 1; }
+
   /// Leaves are added while the solvers of those before take less than a GiB.
   Leaf& Of(const std::string& digest)
   {
@@ -277,6 +280,7 @@ int vtkHarmonicFieldSolver::RequestData(
     {
       vtkWarningMacro(<< dmg::TextOf(unusable));
     }
+    problem.Guides.MayMiss = this->Internals->IsInLeaf();
     const dmg::Field& field =
       kept.Solver().Solve(problem, dmg::PartOfContext(context, 0.1, 0.95), kept.Surface().Relation.Names());
     leaf.Bytes = field.Report.Bytes;

@@ -24,9 +24,14 @@ void Append(std::vector<Item>& all, const std::vector<Item>& more)
   all.insert(all.end(), more.begin(), more.end());
 }
 
+/// \param mayMiss whether guides may be left out.
 /// \throw InvalidInput guides are given, and nothing is prescribed.
-void CheckFollowsSomething(const Constraints& constraints, const GuidesReport& guides)
+void CheckFollowsSomething(const Constraints& constraints, const GuidesReport& guides, bool mayMiss)
 {
+  if (mayMiss && !guides.IsAllTaken())
+  {
+    return;
+  }
   if (constraints.AreEmpty() && !guides.IsAllTaken())
   {
     throw InvalidInput("no direction is prescribed; " + guides.LeftOut());
@@ -174,7 +179,7 @@ void FieldSolver::Internals::FollowGuides(
   }
   const FollowedGuides followed = dmg::FollowGuides(problem.Guides, this->PlacesOfSurface(), context);
   Append(constraints.OnFaces, followed.Directions);
-  CheckFollowsSomething(constraints, followed.Report);
+  CheckFollowsSomething(constraints, followed.Report, problem.Guides.MayMiss);
   if (!followed.Report.IsAllTaken())
   {
     this->Last.Warnings.push_back(followed.Report.LeftOut());

@@ -6,14 +6,17 @@ import warnings
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkMultiBlockDataSet, vtkPolyData, vtkStructuredGrid
+from vtkmodules.vtkCommonTransforms import vtkTransform
+from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
 
-from any_surfaces import (cells_of, grid_of, hexagons, image, latitude_longitude, make, out, plane, plate_with_stiffener, points_of, polygons,
+from any_surfaces import (cells_of, grid_of, hard, hexagons, image, latitude_longitude, make, out, plane, plate_with_stiffener, points_of, polygons,
                           positions_of, soup, sphere, superquadric, with_flips_and_twins)
 from directionalmultigrid import FieldError, FieldWarning, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs,
                                                               vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver,
                                                               vtkPrincipalDirections)
+from smoothest import FIELDS, how_it_ended
 from surfaces import add, values
 
 CELLS = vtkDataObject.FIELD_ASSOCIATION_CELLS
@@ -83,6 +86,13 @@ class AnySurface(unittest.TestCase):
                 self.assertAlmostEqual(total, characteristic, delta=1e-9)
                 if expected["characteristic"] is not None:
                     self.assertEqual((characteristic, loops), (expected["characteristic"], expected["loops"]))
+
+    def test_the_smoothest_field_is_found_on_small_surfaces_of_any_shape(self):
+        for name, data in hard().items():
+            for fields, (discretisation, numbers) in FIELDS.items():
+                for n in numbers:
+                    with self.subTest(surface=name, fields=fields, n=n):
+                        self.assertEqual(how_it_ended(data, discretisation, n), "")
 
     def test_the_output_is_of_the_type_that_came_in_with_its_cells_points_and_arrays(self):
         for name, (data, _) in make().items():
@@ -157,6 +167,27 @@ class AnySurface(unittest.TestCase):
             other.SetBlock(k, leaf)
         solver.SetInputDataObject(0, other)
         self.assertEqual(counts()[0], 6)
+
+    def test_a_guide_near_one_block_leaves_the_others_as_smooth_as_they_can_be(self):
+        away = vtkTransformPolyDataFilter()
+        moved = vtkTransform()
+        moved.Translate(10, 0, 0)
+        away.SetTransform(moved)
+        blocks = vtkMultiBlockDataSet()
+        blocks.SetBlock(0, sphere())
+        blocks.SetBlock(1, out(away, sphere()))
+        guide = vtkLineSource()
+        guide.SetPoint1(0.5, -0.2, 0)
+        guide.SetPoint2(0.5, 0.2, 0)
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputDataObject(0, blocks)
+        solver.AddGuidesConnection(guide.GetOutputPort())
+        with self.assertWarnsRegex(FieldWarning, "1 element farther from the surface"):
+            update(solver)
+        near, far = (solver.GetOutputDataObject(0).GetBlock(k) for k in range(2))
+        self.assertGreater(values(near.GetFieldData(), "GuidesTaken")[0], 0)
+        self.assertEqual(values(far.GetFieldData(), "GuidesTaken")[0], 0)
+        np.testing.assert_allclose(directions(far), directions(solved(blocks.GetBlock(1))), atol=1e-12)
 
     def test_the_corner_that_a_polygon_begins_with_makes_no_difference(self):
         for data in (out(plane(7, 5)), hexagons(2), plate_with_stiffener()):

@@ -327,6 +327,63 @@ def two_patches():
     return out(both)
 
 
+def thin_box(squares, height):
+    """The unit square twice, so far apart, with a rim of one row of quads."""
+    numbers, cells = {}, []
+
+    def number(*place):
+        return numbers.setdefault(place, len(numbers))
+
+    for i in range(squares):
+        for j in range(squares):
+            for side in (0, 1):
+                cell = [number(i, j, side), number(i + 1, j, side), number(i + 1, j + 1, side), number(i, j + 1, side)]
+                cells.append(cell if side else cell[::-1])
+        for a, b in (((i, 0), (i + 1, 0)), ((squares, i), (squares, i + 1)), ((i + 1, squares), (i, squares)), ((0, i + 1), (0, i))):
+            cells.append([number(*a, 0), number(*b, 0), number(*b, 1), number(*a, 1)])
+    return polygons([(i / squares, j / squares, side * height) for i, j, side in numbers], cells)
+
+
+def stretched(columns, ratio):
+    """A wavy grid of rectangles that are so many times as long as wide."""
+    places = [(i * ratio, j, 0.1 * ratio * np.sin(i)) for i in range(columns + 1) for j in range(columns + 1)]
+    rows = columns + 1
+    return polygons(places, [[i * rows + j, (i + 1) * rows + j, (i + 1) * rows + j + 1, i * rows + j + 1]
+                             for i in range(columns) for j in range(columns)])
+
+
+def needle(length, radius):
+    """A closed tube of eight sides."""
+    around = 2 * np.pi * np.arange(8) / 8
+    places = [(k, radius * np.cos(u), radius * np.sin(u)) for k in range(length + 1) for u in around]
+    cells = [[8 * k + i, 8 * k + (i + 1) % 8, 8 * k + 8 + (i + 1) % 8, 8 * k + 8 + i] for k in range(length) for i in range(8)]
+    return polygons(places, cells + [list(range(8))[::-1], list(range(8 * length, 8 * length + 8))])
+
+
+def pieces(number, surface):
+    """A surface so many times, in all sizes, far apart."""
+    rng = np.random.default_rng(3)
+    positions, cells = np.array(positions_of(surface)), cells_of(surface)
+    size = len(positions)
+    places = np.concatenate([positions * rng.uniform(0.1, 10) + rng.uniform(-1000, 1000, 3) for _ in range(number)])
+    return polygons(places, [[k * size + i for i in cell] for k in range(number) for cell in cells])
+
+
+def hard():
+    """{name: dataset} of surfaces whose smoothest fields are hard to find: plates, whose sides have almost the same one, cells of
+    many sizes and shapes, and many pieces."""
+    triangle = polygons([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [[0, 1, 2]])
+    surfaces = {f"disc_of_height_{height:g}": plate(24, height) for height in (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)}
+    surfaces.update({f"box_of_height_{height:g}": thin_box(squares, height)
+                     for squares, height in ((1, 1e-3), (4, 1e-2), (8, 1e-4), (20, 1e-6))})
+    surfaces.update({f"grid_stretched_{ratio:g}_times": stretched(12, ratio) for ratio in (1e3, 1e-3)})
+    surfaces.update({f"needle_of_radius_{radius:g}": needle(30, radius) for radius in (1e-2, 1e-5)})
+    surfaces.update({f"{around}_meridians": latitude_longitude(around, along) for around, along in ((8, 200), (200, 8))})
+    surfaces.update({"a_triangle": triangle, "triangles": pieces(100, triangle), "boxes": pieces(100, out(vtkCubeSource())),
+                     "spheres": pieces(40, sphere(8, 6)), "discs": pieces(40, plate(8, 1e-3))})
+    return surfaces
+
+
 def make():
     def expect(characteristic, loops, cells):
         return {"characteristic": characteristic, "loops": loops, "cells": cells}

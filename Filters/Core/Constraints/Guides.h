@@ -36,6 +36,7 @@ struct Guides
   std::vector<GuideLine> Lines = {};
   std::vector<GuideVector> Vectors = {};
   double MaximumDistance = 0.1; ///< from the surface, relative to the diagonal of its bounding box
+  bool MayMiss = false;         ///< whether it is no error if none is taken, as other parts of a model may have them
 
   bool AreEmpty() const { return this->Lines.empty() && this->Vectors.empty(); }
 };
