@@ -9,13 +9,14 @@ import unittest
 import warnings
 
 import numpy as np
-from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from directionalmultigrid import FieldError, FieldWarning, smooth_field, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (
     vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver)
+from any_surfaces import points_of
 from surfaces import add, corners, surface, values, values_of_points
 
 
@@ -42,6 +43,21 @@ class OtherInputs(unittest.TestCase):
             report = update(solver).GetFieldData()
         self.assertTrue(report.HasArray("Eigenvalues"))
         self.assertEqual(report.GetAbstractArray("Followed").GetValue(0), "nothing")
+
+    def test_indices_of_singularities_are_no_text(self):
+        mesh, given, text = sphere(), vtkPolyData(), vtkStringArray()
+        given.SetPoints(points_of([(0, 0, 0.5), (0, 0, -0.5)]))
+        text.SetName("Index")
+        text.SetNumberOfValues(2)
+        given.GetPointData().AddArray(text)
+        solver = vtkHarmonicFieldSolver()
+        solver.SetInputData(mesh)
+        solver.SetInputData(2, given)
+        solver.SetNumberOfDirections(1)
+        with self.assertRaisesRegex(FieldError, "holds text, and an index is a number"):
+            update(solver)
+        given.GetPointData().RemoveArray("Index")
+        update(solver)
 
     def test_what_is_followed_is_written_in_the_report(self):
         mesh = sphere()

@@ -58,6 +58,11 @@ vtkDataArray* IndicesOf(const GuideDataSet& dataset, const std::string& chosen)
 {
   const std::string name = chosen.empty() ? NameOfIndices : chosen;
   vtkDataArray* const array = dataset.Data->GetPointData()->GetArray(name.c_str());
+  if (!array && dataset.Data->GetPointData()->HasArray(name.c_str()))
+  {
+    throw InvalidInput("array '" + name + "' of the points of " + dataset.Name +
+      " holds text, and an index is a number; choose another array as Singularity Index Array");
+  }
   if (!array && !chosen.empty())
   {
     throw InvalidInput("array '" + name + "', chosen as Singularity Index Array, is not among the point arrays of " +

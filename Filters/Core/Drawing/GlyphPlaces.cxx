@@ -1,9 +1,11 @@
 #include "Drawing/GlyphPlaces.h"
 
 #include "Drawing/SurfaceSamples.h"
+#include "Support/Errors.h"
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace dmg
 {
@@ -17,13 +19,27 @@ double InscribedRadius(double area)
   return std::sqrt(area / (3.0 * std::sqrt(3.0)));
 }
 
+void CheckNumber(std::size_t number, const GlyphPlaceOptions& options)
+{
+  if (number > static_cast<std::size_t>(options.MostGlyphs))
+  {
+    throw InvalidInput(std::to_string(number) + " glyphs are more than the " + std::to_string(options.MostGlyphs) +
+      " that are drawn; " +
+      (options.Placement == GlyphPlacement::EvenlySpread ? "raise Separating Distance"
+                                                         : "choose Evenly Spread as Placement"));
+  }
+}
+
 std::vector<SurfacePoint> PointsFor(
   const UnfoldedSurface& surface, const GlyphPlaceOptions& options, const ExecutionContext& context)
 {
   if (options.Placement == GlyphPlacement::EvenlySpread)
   {
-    return EvenlySpreadPoints(surface, options.Distance, context);
+    std::vector<SurfacePoint> spread = EvenlySpreadPoints(surface, options.Distance, context);
+    CheckNumber(spread.size(), options);
+    return spread;
   }
+  CheckNumber(surface.Mesh().NumberOfFaces(), options);
   std::vector<SurfacePoint> points;
   for (int face = 0; face < surface.Mesh().NumberOfFaces(); ++face)
   {

@@ -26,10 +26,12 @@ struct GlyphPlaceOptions
   GlyphPlacement Placement = GlyphPlacement::EvenlySpread;
   double Distance = 1.0; ///< between glyphs that are evenly spread, in the unit of the points; > 0
   GlyphSizing Sizing = GlyphSizing::Even;
-  double Scale = 1.0; ///< of all sizes
+  double Scale = 1.0;       ///< of all sizes
+  int MostGlyphs = 1000000; ///< more are refused: no picture shows them
 };
 
 /// Places and sizes of glyphs. Cost: that of EvenlySpreadPoints, or linear.
+/// \throw InvalidInput there would be more than MostGlyphs.
 /// \throw Cancelled
 std::vector<GlyphPlace> PlaceGlyphs(const UnfoldedSurface& surface, const DirectionsOnFaces& field,
   const GlyphPlaceOptions& options, const ExecutionContext& context = SerialContext());

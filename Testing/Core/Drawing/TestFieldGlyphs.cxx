@@ -2,6 +2,7 @@
 
 #include "Drawing/GlyphPlaces.h"
 #include "Fields.h"
+#include "Support/Errors.h"
 #include "Support/NamedSurfaces.h"
 
 #include <gtest/gtest.h>
@@ -140,6 +141,19 @@ TEST(PlaceGlyphs, SizesThemAsAsked)
     EXPECT_NEAR(glyph.Radius, 0.7 * field.Centre(glyph.Centre.Face)[0] / largest, 1e-14);
   }
   EXPECT_EQ(place(GlyphPlacement::EveryTriangle, GlyphSizing::Even).size(), 200u);
+}
+
+TEST(PlaceGlyphs, RefusesMoreThanPicturesShow)
+{
+  const DrawnField field(PlaneGrid(10, 10), 1, [](const Vector3&) { return Vector3(1.0, 0.0, 0.0); });
+  for (const auto placement : { GlyphPlacement::EvenlySpread, GlyphPlacement::EveryTriangle })
+  {
+    GlyphPlaceOptions options{ placement, 0.7 };
+    options.MostGlyphs = static_cast<int>(PlaceGlyphs(field.Unfolded, field.Field, options).size());
+    EXPECT_NO_THROW(PlaceGlyphs(field.Unfolded, field.Field, options));
+    --options.MostGlyphs;
+    EXPECT_THROW(PlaceGlyphs(field.Unfolded, field.Field, options), InvalidInput);
+  }
 }
 
 }
