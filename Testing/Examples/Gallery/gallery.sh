@@ -16,7 +16,7 @@ cd "$work"
 scenes=("$@")
 if [ $# -eq 0 ]; then
   scenes=(nothing_said how_many strokes features principal_directions fibres singularities noisy_flow measured_fibres handles
-    moving_guides levels ocean organ_flow way_in three_fields)
+    moving_guides levels ocean organ_flow way_in three_fields hatching convergence)
 fi
 for scene in "${scenes[@]}"; do
   arguments=()
@@ -31,12 +31,6 @@ for scene in "${scenes[@]}"; do
   PYTHONDONTWRITEBYTECODE=1 XDG_RUNTIME_DIR=$work xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
     pvbatch "$here/$scene.py" "${arguments[@]}"
 done
-for picture in *.png; do
-  case $picture in
-    ocean.png | organ_flow.png) # fine lines and shades: large, and in true colour
-      convert "$picture" -trim -resize 1170x -bordercolor white -border 16x16 +repage +dither -posterize 26 -strip -define png:compression-level=9 "png24:$pictures/$picture"
-      continue ;;
-  esac
-  convert "$picture" -resize 800x +dither -colors 96 -trim -bordercolor white -border 12x12 +repage -fuzz 1% -fill white -opaque white -strip -define png:compression-level=9 "png8:$pictures/$picture"
+    moving_guides levels ocean organ_flow way_in three_fields hatching convergence)
 done
 ls -l "$pictures"

@@ -11,16 +11,16 @@ NUMBERS = [1, 2, 4, 6]
 
 
 def main():
-    view = view_from([0, 0.25, 1], [900, 240])
+    view = view_from([0, 0.25, 1], [900, 900])
     sphere, counts = source(ball()), []
     for k, number in enumerate(NUMBERS):
         field = HarmonicFieldSolver(Input=sphere, NumberOfDirections=number)
-        place = [2.35 * k, 0, 0]
+        place = [2.3 * (k % 2), -2.3 * (k // 2), 0]
         show_surface(field, view, Position=place)
-        show_lines(field, view, 0.022, Position=place)
+        show_lines(field, view, 0.03, Position=place)
         singularities = show_singularities(field, view, 0.02, Position=place)
         counts.append(singularities.GetNumberOfPoints())
-    save(view, "how_many", 3.75)
+    save(view, "how_many", 1.3)
     return counts
 
 

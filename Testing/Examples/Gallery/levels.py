@@ -13,11 +13,11 @@ def main():
     prolongation.UpdatePipeline()
     levels = prolongation.GetClientSideObject().GetOutputDataObject(1)
     surfaces = [levels.GetPartition(k, 0) for k in range(levels.GetNumberOfPartitionedDataSets())]
-    view = view_from([0, 0.15, 1], [900, 220])
+    view = view_from([0, 0.15, 1], [900, 640])
     for k, surface in enumerate(surfaces):
         show(source(surface), view, IVORY, Representation="Surface With Edges", EdgeColor=BLUE, Ambient=0.2,
-             Position=[2.8 * k, 0, 0])
-    save(view, "levels", 4)
+             Position=[2.8 * (k % 2), -1.9 * (k // 2), 0])
+    save(view, "levels", 1.3)
     return surfaces
 
 

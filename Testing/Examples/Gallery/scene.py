@@ -60,7 +60,9 @@ def lines_along(field, distance, width=0.0011):
     size = size_of(field)
     lines = FieldLines(Input=field, SeparatingDistance=distance, Lift=0.7 * width)
     ends = PolylineLength(Input=CellDatatoPointData(Input=lines))
-    taper = f"{width * size} * min(1, max(0.3, min(arc_length, Length - arc_length) / {2 * distance * size}))"
+    # Arrow heads are short lines, and as wide as the others.
+    taper = (f"{width * size} * if(Length < {1.5 * distance * size}, 0.8,"
+             f" min(1, max(0.3, min(arc_length, Length - arc_length) / {2 * distance * size})))")
     radii = Calculator(Input=ends, ResultArrayName="Radius", Function=taper)
     return Tube(Input=radii, VaryRadius="By Absolute Scalar", Scalars=["POINTS", "Radius"], NumberofSides=8)
 
@@ -93,7 +95,8 @@ def show_singularities(field, view, radius=0.01, **properties):
 
 
 def save(view, name, zoom=1.3):
-    """As a picture twice as large as the view, to be shrunk."""
+    """As a picture that is larger than 2400 pixels, to be shrunk."""
     ResetCamera(view)
     GetActiveCamera().Zoom(zoom)
-    SaveScreenshot(f"{name}.png", view, ImageResolution=[2 * length for length in view.ViewSize])
+    factor = max(2, -(-2700 // view.ViewSize[0]))
+    SaveScreenshot(f"{name}.png", view, ImageResolution=[factor * length for length in view.ViewSize])

@@ -1,0 +1,114 @@
+"""What comes after crosses: a hatched drawing on paper:  pvbatch hatching.py
+
+Crosses follow the bends of a bath toy. Lines along them, where they are seen, are its hatching: one family where it is not in the
+light, the other one as well where it is dark. hatching.svg is the drawing as lines, for a plotter or a page; hatching.png shows it.
+"""
+
+import numpy as np
+from scene import *
+from surfaces import duck, source
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import mutable, vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData, vtkStaticCellLocator, vtkStaticPointLocator
+from vtkmodules.vtkFiltersCore import vtkContourFilter, vtkPolyDataNormals, vtkStripper
+
+TO_EYE, TO_LIGHT, UP = (np.array(v) / np.linalg.norm(v) for v in ([0.45, 0.35, 1], [-0.7, 0.9, 0.5], [0, 1, 0]))
+RIGHT = np.cross(UP, TO_EYE) / np.linalg.norm(np.cross(UP, TO_EYE))
+TONES = [0.55, 0.05]  # a family is drawn where there is less light than this
+
+
+class Paper:
+    """Places of a surface as they are seen, and the light there."""
+
+    def __init__(self, surface):
+        normals = vtkPolyDataNormals()
+        normals.SetInputData(surface)
+        normals.SplittingOff()
+        normals.Update()
+        self.surface = normals.GetOutput()
+        self.normals = vtk_to_numpy(self.surface.GetPointData().GetNormals())
+        self.size = self.surface.GetLength()
+        self.cells, self.points = vtkStaticCellLocator(), vtkStaticPointLocator()
+        for locator in (self.cells, self.points):
+            locator.SetDataSet(self.surface)
+            locator.BuildLocator()
+
+    def light(self, place):
+        return self.normals[self.points.FindClosestPoint(place)] @ TO_LIGHT
+
+    def is_seen(self, place):
+        """Nothing stands between it and the eye."""
+        start = place + 0.004 * self.size * (TO_EYE + self.normals[self.points.FindClosestPoint(place)])
+        unused = [mutable(0.0), [0.0, 0, 0], [0.0, 0, 0], mutable(0), mutable(0)]
+        return not self.cells.IntersectWithLine(start, start + 2 * self.size * TO_EYE, 1e-6, *unused)
+
+    def outline(self):
+        """Where the surface turns away from the eye."""
+        facing = numpy_to_vtk(self.normals @ TO_EYE, deep=True)
+        facing.SetName("Facing")
+        self.surface.GetPointData().SetScalars(facing)
+        contour, joined = vtkContourFilter(), vtkStripper()
+        contour.SetInputData(self.surface)
+        contour.SetValue(0, 0)
+        joined.SetInputConnection(contour.GetOutputPort())
+        joined.Update()
+        return joined.GetOutput()
+
+
+def strokes(lines, is_drawn):
+    """The parts of lines whose points are all drawn, as arrays of points."""
+    places = vtk_to_numpy(lines.GetPoints().GetData()).astype(float)
+    for line in range(lines.GetNumberOfCells()):
+        ids = lines.GetCell(line).GetPointIds()
+        points = places[[ids.GetId(k) for k in range(ids.GetNumberOfIds())]]
+        drawn = np.array([is_drawn(line, place) for place in points])
+        for part in np.split(np.arange(len(points)), np.flatnonzero(np.diff(drawn)) + 1):
+            if drawn[part[0]] and len(part) > 1:
+                yield points[part]
+
+
+def on_paper(parts):
+    points, cells, data = vtkPoints(), vtkCellArray(), vtkPolyData()
+    for part in parts:
+        cells.InsertNextCell(len(part))
+        for place in part:
+            cells.InsertCellPoint(points.InsertNextPoint(place @ RIGHT, place @ np.cross(TO_EYE, RIGHT), 0))
+    data.SetPoints(points)
+    data.SetLines(cells)
+    return data
+
+
+def write_drawing(name, lines_of_width):
+    """Lines with round ends, as SVG of the size of their surface."""
+    bounds = np.array([data.GetBounds() for data in lines_of_width.values()])
+    left, right, below, above = bounds[:, 0].min(), bounds[:, 1].max(), bounds[:, 2].min(), bounds[:, 3].max()
+    with open(name, "w") as file:
+        file.write(f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="{left - 0.1:.3f} {-above - 0.1:.3f} {right - left + 0.2:.3f} '
+                   f'{above - below + 0.2:.3f}">\n')
+        for width, data in lines_of_width.items():
+            file.write(f'<g fill="none" stroke="#1a1a24" stroke-width="{width}" stroke-linecap="round">\n')
+            for line in range(data.GetNumberOfCells()):
+                points = data.GetCell(line).GetPoints()
+                places = (points.GetPoint(k) for k in range(points.GetNumberOfPoints()))
+                file.write('<polyline points="' + " ".join(f"{x:.4f},{-y:.4f}" for x, y, _ in places) + '"/>\n')
+            file.write("</g>\n")
+        file.write("</svg>\n")
+
+
+def main():
+    field = HarmonicFieldSolver(Input=source(duck()), NumberOfDirections=4, CurvatureWeight=0.3)
+    lines = servermanager.Fetch(FieldLines(Input=field, SeparatingDistance=0.009, Lift=0))
+    paper = Paper(servermanager.Fetch(field))
+    branches = vtk_to_numpy(lines.GetCellData().GetArray("Branch"))
+    hatching = on_paper(strokes(lines, lambda line, at: paper.light(at) < TONES[branches[line]] and paper.is_seen(at)))
+    outline = on_paper(strokes(paper.outline(), lambda line, at: paper.is_seen(at)))
+    view = view_from([0, 0, 1], [1200, 1000])
+    for data, width in ((hatching, 2), (outline, 4)):
+        show(source(data), view, [0.1, 0.1, 0.14], Representation="Wireframe", LineWidth=width, Ambient=1, Diffuse=0)
+    save(view, "hatching", 1.25)
+    write_drawing("hatching.svg", {0.003: hatching, 0.006: outline})
+    return hatching, outline, "hatching.svg"
+
+
+if __name__ == "__main__":
+    main()
