@@ -31,6 +31,12 @@ for scene in "${scenes[@]}"; do
   PYTHONDONTWRITEBYTECODE=1 XDG_RUNTIME_DIR=$work xvfb-run --auto-servernum --server-args="-screen 0 1280x1024x24 -noreset" \
     pvbatch "$here/$scene.py" "${arguments[@]}"
 done
-    moving_guides levels ocean organ_flow way_in three_fields hatching convergence)
+for picture in *.png; do # 1200 pixels wide, in true colour, at most 390 KB
+  name=${picture%.png}
+  case $name in
+    convergence) target=$pictures/$name.png ;; # lines and letters
+    *) target=$pictures/$name.jpg ;;
+  esac
+  convert "$picture" -trim -resize 1200x -bordercolor white -border 12x12 +repage -strip -define jpeg:extent=390KB "$target"
 done
 ls -l "$pictures"
