@@ -58,7 +58,9 @@ def earth(around=72, along=37):
 
 def seam(grid):
     """Its first meridian as a line."""
-    columns, rows = grid.GetDimensions()[:2]
+    sizes = [0, 0, 0]
+    grid.GetDimensions(sizes)
+    columns, rows, _ = sizes
     lines, data = vtkCellArray(), vtkPolyData()
     lines.InsertNextCell(rows, [row * columns for row in range(rows)])
     data.SetPoints(grid.GetPoints())
