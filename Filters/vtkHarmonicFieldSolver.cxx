@@ -60,9 +60,9 @@ public:
     return this->Leaves.Of(digest, bytes < Limit);
   }
 
-  dmg::SolvedField::StageCounts Counts() const
+  dmg::FieldSolver::StageCounts Counts() const
   {
-    dmg::SolvedField::StageCounts counts = this->Former;
+    dmg::FieldSolver::StageCounts counts = this->Former;
     this->Leaves.ForEach([&counts](const Leaf& leaf) { counts = counts + leaf.Kept.Counts(); });
     return counts;
   }
@@ -72,7 +72,7 @@ public:
 
 private:
   dmg::LeavesOfExecution<Leaf> Leaves;
-  dmg::SolvedField::StageCounts Former; ///< of leaves that are forgotten
+  dmg::FieldSolver::StageCounts Former; ///< of leaves that are forgotten
   int OpenExecutions = 0;
 };
 
@@ -288,18 +288,10 @@ int vtkHarmonicFieldSolver::RequestData(
     {
       vtkWarningMacro(<< text);
     }
-    const bool hasBasis = this->HarmonicBasis && kept.Solver().Solved().Field().HasHarmonicFields();
-    shown.MakeArrays(kept, field, input, dmg::PartOfContext(context, 0.95, hasBasis ? 0.96 : 1.0));
-    if (hasBasis && shown.MakeBasis(kept, input, dmg::PartOfContext(context, 0.96, 1.0)) && shown.Basis().TooMany)
-    {
-      vtkWarningMacro(
-        "the surface has " << shown.Basis().NumberOfFields
-                           << " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes "
-                              "and remove its small handles first, or switch Harmonic Basis off");
-    }
+    shown.MakeArrays(kept, field, input, dmg::PartOfContext(context, 0.95, 1.0));
 
     output->ShallowCopy(input);
-    shown.AddArraysTo(kept, hasBasis, output, edges);
+    shown.AddArraysTo(kept, field, output, edges);
     dmg::AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
     dmg::MakeConvergenceTable(field.Report, convergence);
     this->Internals->Followed = dmg::WhatIsFollowed(this, choices, input, inputs.Guides.Data.size());
@@ -307,7 +299,7 @@ int vtkHarmonicFieldSolver::RequestData(
     {
       dmg::RemoveReport(data);
       dmg::AddFollowed(this->Internals->Followed, data);
-      shown.AddReportTo(kept, field, hasBasis, data);
+      shown.AddReportTo(kept, field, data);
       if (!inputs.Guides.Data.empty())
       {
         dmg::AddGuidesReport(field.Guides, data);

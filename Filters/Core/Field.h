@@ -8,11 +8,25 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace dmg
 {
+
+struct SingularField;
+
+/// The numbers that a field consists of, and their meaning.
+struct FieldSolution
+{
+  std::shared_ptr<const dmg::Discretisation> Discretisation;
+  FieldConstraints Constraints; ///< on the elements that unknowns stand on
+  Vector<double> Unknowns;      ///< Discretisation::UnknownsPerElement for each element
+  SolveReport Report;
+  double SetupSeconds = 0.0;                       ///< of the set-up in use
+  std::shared_ptr<const SingularField> Connection; ///< of prescribed singularities, or null
+};
 
 /// A field on a surface as N directions on each face and at each vertex, and what it took to find it.
 struct Field
@@ -31,10 +45,15 @@ struct Field
   long long Number = 0;      ///< another one whenever the directions have changed
 
   SolveReport Report;
-  double SetupSeconds = 0.0; ///< of the set-up in use
   GuidesReport Guides;
   /// Sentences for the user: what could not be followed, each time, and what the solver has to say, once.
   std::vector<std::string> Warnings;
+
+  std::shared_ptr<const FieldSolution> Solution;
+  /// A basis of the harmonic fields of this kind, around handles and holes: a column each, orthonormal in the integral over the
+  /// surface. Null where FieldProblem::HarmonicBasis is off, or fields of this kind have none on any surface. No columns where
+  /// there are too many to hold.
+  std::shared_ptr<const Eigen::MatrixXd> HarmonicBasis;
 
   /// Direction k of each face as a vector in space, #F x 3; counter-clockwise from direction 0.
   Points DirectionsOnFaces(const FramedMesh& surface, int k) const;

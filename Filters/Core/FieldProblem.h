@@ -37,6 +37,8 @@ struct FieldProblem
 
   /// Whether direction 0 continues from face to face wherever that is possible, rather than being the principal root.
   bool Combing = true;
+  /// Whether the field comes with a basis of the harmonic fields of its kind (Field::HarmonicBasis).
+  bool HarmonicBasis = false;
   /// Whether directions are unit vectors, zero where the field vanishes, rather than as long as the field.
   bool UnitLength = true;
 };

@@ -1,80 +1,97 @@
 #include "FieldSolver.h"
 
-#include "FieldStages.h"
+#include "Analysis/HarmonicForms.h"
+#include "Discretisations/MakeDiscretisation.h"
 #include "Operators/FluxAnisotropy.h"
-#include "Operators/PrincipalDirections.h"
+#include "ProblemConstraints.h"
+#include "SetupCache.h"
 #include "SingularFieldSolver.h"
+#include "Solvers/HarmonicProblem.h"
+#include "Solvers/SolveInUnits.h"
+#include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
-#include "Support/ShortText.h"
+#include "Support/Stopwatch.h"
 
-#include <cassert>
 #include <cmath>
 #include <optional>
+#include <string>
+#include <tuple>
 #include <utility>
 
 namespace dmg
 {
-
 namespace
 {
 
-template <class Item>
-void Append(std::vector<Item>& all, const std::vector<Item>& more)
+bool AreSame(const Vector<double>& a, const Vector<double>& b)
 {
-  all.insert(all.end(), more.begin(), more.end());
+  return a.size() == b.size() && a == b;
 }
 
-/// \param mayMiss whether guides may be left out.
-/// \throw InvalidInput guides are given, and nothing is prescribed.
-void CheckFollowsSomething(const Constraints& constraints, const GuidesReport& guides, bool mayMiss)
+/// All that a system depends on.
+struct SystemKey
 {
-  if (mayMiss && !guides.IsAllTaken())
-  {
-    return;
-  }
-  if (constraints.AreEmpty() && !guides.IsAllTaken())
-  {
-    throw InvalidInput("no direction is prescribed; " + guides.LeftOut());
-  }
-  if (constraints.AreEmpty())
-  {
-    throw InvalidInput(
-      "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
-      "their mask or weights are; choose others, or clear Guides for the smoothest field");
-  }
-}
+  std::shared_ptr<const MultigridSetup> Setup;
+  FieldOptions Options;
+  std::vector<int> Elements;
+  std::vector<double> Weights;
 
-/// \throw InvalidInput the length is negative or not finite.
-void WeighBySmoothingLength(
-  double relative, const TriangleMesh& mesh, const Discretisation& discretisation, Constraints& constraints)
-{
-  if (!(relative > 0.0) || !std::isfinite(relative))
+  friend bool operator==(const SystemKey& a, const SystemKey& b)
   {
-    throw InvalidInput("Smoothing Length is " + ShortText(relative) + "; make it positive, or 0 for none");
-  }
-  const Points& positions = mesh.VertexPositions();
-  const double length = relative * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
-  const auto [onFaces, atVertices] = discretisation.WeightsOfIntegral();
-  const auto scale = [length](auto& all, double factor)
-  {
-    for (auto& constraint : all)
+    const auto members = [](const SystemKey& key)
     {
-      constraint.Weight *= factor / (length * length);
-    }
-  };
-  scale(constraints.OnFaces, onFaces);
-  scale(constraints.AtVertices, atVertices);
-  scale(constraints.Values, atVertices);
+      const auto& [setup, options, elements, weights] = key; // all of them, or it does not compile
+      return std::tie(setup, options, elements, weights);
+    };
+    return members(a) == members(b);
+  }
+};
+
+/// All that a solve depends on, besides the system.
+struct SolveKey
+{
+  Vector<double> Values;
+  Vector<double> Source;
+  StoppingCriteria Stop;
+
+  friend bool operator==(const SolveKey& a, const SolveKey& b)
+  {
+    return AreSame(a.Values, b.Values) && AreSame(a.Source, b.Source) && a.Stop == b.Stop;
+  }
+};
+
+struct SystemStage
+{
+  SystemKey Key;
+  HarmonicProblem Problem;
+  std::unique_ptr<HarmonicProblem> Reference; ///< factors the same system, to compare; or null
+};
+
+/// The same for a field with prescribed singularities, besides the system, which depends on solver options alone.
+struct SingularKey
+{
+  std::vector<int> Times;
+  int N;
+  StoppingCriteria Stop;
+
+  friend bool operator==(const SingularKey& a, const SingularKey& b)
+  {
+    return a.Times == b.Times && a.N == b.N && a.Stop == b.Stop;
+  }
+};
+
+bool AreSame(const FieldConstraints& a, const FieldConstraints& b)
+{
+  return a.Elements == b.Elements && a.Weights == b.Weights && AreSame(a.Values, b.Values);
 }
 
-std::string WarningOfCancelling(const std::vector<int>& faces, const ElementNames& names)
+/// Whether two options differ in nothing but the weights of energies.
+bool DifferInWeights(FieldOptions a, const FieldOptions& b)
 {
-  const std::size_t others = faces.size() - 1;
-  return "the directions prescribed on " + names.Face(faces[0]) +
-    (others == 0 ? "" : " and " + std::to_string(others) + (others == 1 ? " other" : " others")) +
-    " cancel, as opposite vectors do for a field of one direction, so nothing is followed there; take one of them out, "
-    "or "
-    "choose a Number Of Directions to which they are alike";
+  a.Smoothness = b.Smoothness;
+  a.Alignment = b.Alignment;
+  a.Constraints = b.Constraints;
+  return a == b;
 }
 
 /// The share of the surface from which on sheared triangles are worth a note.
@@ -87,167 +104,276 @@ std::string WarningOfShear(double share)
     "resolution; choose Power Field at Points (PointPowerField) as Discretisation";
 }
 
+bool NeedsReference(const SolverOptions& options, const SolverMethod& method)
+{
+  const bool isRule = method.HasSweeps && options.Nested.Rule == SweepRule::WhileErrorFalls;
+  return (options.CompareWithCholesky || isRule) && !method.IsDirect;
 }
 
+}
+
+/// Each stage is built as a whole and then put in place, and takes away the later ones that refer to it: a run that stops
+/// half-way leaves nothing half-made.
 class FieldSolver::Internals
 {
 public:
   Internals(TriangleMesh mesh, const ExecutionContext& context)
-    : Stages(std::move(mesh), context)
+    : Surface(std::move(mesh), context)
+    , Setups(this->Surface)
+    , Followed(this->Surface)
   {
   }
 
-  Constraints Follow(const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names);
-  void Solve(const FieldProblem& problem, const Constraints& constraints, const ExecutionContext& context,
-    const ElementNames& names);
-  void FindDirections(const FieldProblem& problem, const ExecutionContext& context);
-  const NearestPlaces& PlacesOfSurface();
+  void SetDiscretisation(const DiscretisationOptions& options);
+  /// The solution of a field that follows constraints.
+  std::shared_ptr<const FieldSolution> Solve(const FieldProblem& problem, const Constraints& constraints,
+    const ExecutionContext& context, const ElementNames& names);
+  /// The solution of one with prescribed singularities.
+  std::shared_ptr<const FieldSolution> SolveSingular(const FieldProblem& problem, const Constraints& constraints,
+    const ExecutionContext& context, const ElementNames& names);
+  void FindDirections(std::shared_ptr<const FieldSolution> solution, const FieldProblem& problem,
+    FollowedConstraints followed, const ExecutionContext& context);
+  /// Adds a warning where the discretisation is inaccurate on sheared triangles.
+  void WarnOfShear(const FieldProblem& problem, std::vector<std::string>& warnings, const ExecutionContext& context);
+  void FindBasis(const FieldProblem& problem, const ExecutionContext& context);
+  LinearSystem Equations(const ExecutionContext& context) const
+  {
+    return this->System->Problem.Equations(this->Solved->Values, context, this->Solved->Source);
+  }
 
-  FieldStages Stages;
-  std::unique_ptr<SingularFieldSolver> WithSingularities; ///< as soon as there have been some
-  const SolvedField* Solved = nullptr;                    ///< the one of both that has solved last
-  Field Last;                                             ///< of the last solution or, if it is not current, one before
+  const FramedMesh Surface;
+  std::shared_ptr<const ProlongationOperators> GivenOperators;
+  SetupCache Setups;
+  ProblemConstraints Followed;
+  std::shared_ptr<const dmg::Discretisation> Discretisation; ///< of the solve that goes on
+  StageCounts Counts;
+  Field Last; ///< whose directions may be those of an earlier solution
 
 private:
-  const SolvedField& Solver(const FieldProblem& problem);
-  void FollowGuides(const FieldProblem& problem, Constraints& constraints, const ExecutionContext& context);
-  void FollowFeatures(const FieldProblem& problem, int N, Constraints& constraints, const ExecutionContext& context);
-  void Rotate(const FieldProblem& problem, bool isNothingSaid, Constraints& constraints, const ElementNames& names);
-  const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
-  void WarnOfShear(const FieldProblem& problem, const ExecutionContext& context);
+  void MakeSystem(const PlannedSetup& setup, const FieldConstraints& constraints, const FieldOptions& options,
+    const ExecutionContext& context);
+  bool UpdateSystem(SystemKey& key, const Penalties& penalties, const ExecutionContext& context);
+  std::unique_ptr<HarmonicProblem> MakeReference(
+    const Penalties& penalties, const FieldOptions& options, const ExecutionContext& context) const;
+  void SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop, double setupSeconds,
+    const ExecutionContext& context);
+  void MakeSingularSystem(
+    const SingularKey& key, const SolverOptions& options, const ExecutionContext& context, const ElementNames& names);
 
-  std::unique_ptr<NearestPlaces> Places;
-  std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;
-  std::optional<double> ShearedShare;
-  bool IsCurrent = false; ///< whether the directions of Last are those of the solution
+  std::optional<double> ShearedShare; ///< of the surface
+  DiscretisationOptions OptionsOfDiscretisation;
+  DiscretisationOptions OptionsOfBasis;
+  std::shared_ptr<const Eigen::MatrixXd> Basis;
+
+  // Without prescribed singularities.
+  bool HasSetup = false;
+  std::unique_ptr<SystemStage> System;
+  std::optional<SolveKey> Solved;
+  std::shared_ptr<const FieldSolution> Solution; ///< of this key; without one, where the next solve starts
+
+  // With prescribed singularities.
+  std::optional<SurfaceHolonomy> Holonomy;
+  std::unique_ptr<SingularFieldSolver> SingularSystem;
+  double SingularSeconds = 0.0; ///< for both
+  std::optional<SingularKey> Connected;
+  std::shared_ptr<const SingularField> Connection;       ///< of this key; without one, where the next solve starts
+  std::shared_ptr<const FieldSolution> SingularSolution; ///< the connection's field, turned to constraints
 };
 
-const NearestPlaces& FieldSolver::Internals::PlacesOfSurface()
+void FieldSolver::Internals::SetDiscretisation(const DiscretisationOptions& options)
 {
-  if (!this->Places)
+  if (!this->Discretisation || !(this->OptionsOfDiscretisation == OptionsThatCount(options)))
   {
-    this->Places = std::make_unique<NearestPlaces>(this->Stages.Surface());
+    this->Discretisation = MakeDiscretisation(options, this->Surface);
+    this->OptionsOfDiscretisation = OptionsThatCount(options);
   }
-  return *this->Places;
 }
 
-const PrincipalCurvatures& FieldSolver::Internals::Curvatures(double scale, const ExecutionContext& context)
+std::shared_ptr<const FieldSolution> FieldSolver::Internals::Solve(const FieldProblem& problem,
+  const Constraints& constraints, const ExecutionContext& context, const ElementNames& names)
 {
-  if (!this->CurvaturesAtScale || this->CurvaturesAtScale->first != scale)
+  const FieldOptions& options = problem.Options;
+  const FieldConstraints onElements = this->Discretisation->Prescribe(constraints, names);
+  CheckSizes(constraints, names);
+  const PlannedSetup setup =
+    this->Setups.Take(*this->Discretisation, options, this->GivenOperators, PartOfContext(context, 0.0, 0.5));
+  const bool isFirst = !std::exchange(this->HasSetup, true);
+  this->Counts.Setups += isFirst || setup.HasNewLevels;
+  if (onElements.Source.size() > 0 && setup.Choice.Method->IsApproximation())
   {
-    this->CurvaturesAtScale.emplace(scale, FindPrincipalDirections(this->Stages.Surface(), scale, context).Faces);
+    throw InvalidInput("nested iterations and coarse prolongations take no source; choose another solver");
   }
-  return this->CurvaturesAtScale->second;
+  this->MakeSystem(setup, onElements, options, PartOfContext(context, 0.5, 0.75));
+  this->SolveSystem(onElements, problem.Stop, setup.Seconds, PartOfContext(context, 0.75, 1.0));
+  context.Checkpoint(1.0);
+  return this->Solution;
 }
 
-/// All that the field follows as constraints, turned.
-Constraints FieldSolver::Internals::Follow(
-  const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names)
+void FieldSolver::Internals::MakeSystem(const PlannedSetup& setup, const FieldConstraints& constraints,
+  const FieldOptions& options, const ExecutionContext& context)
 {
-  Constraints constraints = problem.Constraints;
-  if (problem.SmoothingLength != 0.0)
-  {
-    WeighBySmoothingLength(problem.SmoothingLength, this->Stages.Surface().Mesh,
-      this->Stages.DiscretisationFor(problem.Options.Field), constraints);
-  }
-  this->FollowGuides(problem, constraints, context);
-  const DiscretisationOptions& field = problem.Options.Field;
-  if (field.Kind == DiscretisationKind::ScalarFunction)
-  {
-    return constraints;
-  }
-  const int N = this->Stages.DiscretisationFor(field).DirectionsPerPoint();
-  const std::size_t warnings = this->Last.Warnings.size();
-  this->FollowFeatures(problem, N, constraints, context);
-  const bool isNothingSaid = this->Last.Warnings.size() == warnings; // else it is said why nothing is followed
-  this->Rotate(problem, isNothingSaid, constraints, names);
-  const std::vector<int> cancelling = LeaveOutCancelling(constraints.OnFaces, this->Stages.Surface().Faces, N);
-  if (!cancelling.empty())
-  {
-    this->Last.Warnings.push_back(WarningOfCancelling(cancelling, names));
-  }
-  return constraints;
-}
-
-void FieldSolver::Internals::FollowGuides(
-  const FieldProblem& problem, Constraints& constraints, const ExecutionContext& context)
-{
-  this->Last.Guides = {};
-  if (problem.Guides.AreEmpty())
+  SystemKey key{ setup.Levels, options, constraints.Elements, constraints.Weights };
+  if (this->System && this->System->Key == key)
   {
     return;
   }
-  const FollowedGuides followed = dmg::FollowGuides(problem.Guides, this->PlacesOfSurface(), context);
-  Append(constraints.OnFaces, followed.Directions);
-  CheckFollowsSomething(constraints, followed.Report, problem.Guides.MayMiss);
-  if (!followed.Report.IsAllTaken())
-  {
-    this->Last.Warnings.push_back(followed.Report.LeftOut());
-  }
-  this->Last.Guides = followed.Report;
-}
-
-void FieldSolver::Internals::FollowFeatures(
-  const FieldProblem& problem, int N, Constraints& constraints, const ExecutionContext& context)
-{
-  CheckFeatures(problem.Features);
-  const PrincipalCurvatures* curvatures = nullptr;
-  if (problem.Features.CurvatureWeight > 0.0 && N % 2 == 0)
-  {
-    if (problem.Options.Constraints == ConstraintKind::Hard && !problem.Singularities)
-    {
-      throw InvalidInput("principal directions are followed on all triangles, which hard constraints would leave no "
-                         "freedom; set Constraint Type to Soft, or Curvature Weight to 0");
-    }
-    curvatures = &this->Curvatures(problem.Features.CurvatureScale, context);
-  }
-  const FollowedFeatures followed = dmg::FollowFeatures(this->Stages.Surface(), N, problem.Features, curvatures);
-  Append(constraints.OnFaces, followed.Directions);
-  Append(this->Last.Warnings, followed.Warnings);
-}
-
-void FieldSolver::Internals::Rotate(
-  const FieldProblem& problem, bool isNothingSaid, Constraints& constraints, const ElementNames& names)
-{
-  if (problem.Rotation.AreZero())
+  Penalties penalties = this->Discretisation->PenaltiesOf(constraints, options.Weights(), context);
+  if (this->UpdateSystem(key, penalties, context))
   {
     return;
   }
-  if (isNothingSaid && constraints.OnFaces.empty() && constraints.AtVertices.empty())
+  const bool isCompared = NeedsReference(options.Solver, *setup.Choice.Method);
+  std::unique_ptr<HarmonicProblem> reference;
+  HarmonicProblem problem(setup.Levels, penalties, options.Smoothness, options.Solver, setup.Choice,
+    PartOfContext(context, 0.0, isCompared ? 0.5 : 1.0));
+  if (isCompared)
   {
-    this->Last.Warnings.push_back(
-      "nothing is followed that the field could be turned against, so Rotation and Rotation "
-      "Array have no effect; add what it shall follow, or set them to 0 and None");
+    reference = this->MakeReference(penalties, options, PartOfContext(context, 0.5, 1.0));
+  }
+  this->Solved.reset();
+  this->Solution.reset();
+  this->System.reset(new SystemStage{ std::move(key), std::move(problem), std::move(reference) });
+  ++this->Counts.Systems;
+}
+
+std::unique_ptr<HarmonicProblem> FieldSolver::Internals::MakeReference(
+  const Penalties& penalties, const FieldOptions& options, const ExecutionContext& context) const
+{
+  const SolverPlan factored;
+  auto setup = MakeSetup(
+    this->Surface, *this->Discretisation, nullptr, factored, options.CoarseSpace, PartOfContext(context, 0.0, 0.3));
+  return std::make_unique<HarmonicProblem>(
+    std::move(setup), penalties, options.Smoothness, options.Solver, factored.Choice, PartOfContext(context, 0.3, 1.0));
+}
+
+/// Other constrained elements or weights. \return whether no more than these has changed.
+bool FieldSolver::Internals::UpdateSystem(SystemKey& key, const Penalties& penalties, const ExecutionContext& context)
+{
+  if (!this->System || this->System->Key.Setup != key.Setup || !DifferInWeights(key.Options, this->System->Key.Options))
+  {
+    return false;
+  }
+  // Half-updated, it must not be seen again.
+  std::unique_ptr<SystemStage> system = std::move(this->System);
+  this->Solved.reset();
+  const double smoothness = key.Options.Smoothness;
+  if (system->Reference)
+  {
+    system->Reference->Update(penalties, smoothness, PartOfContext(context, 0.0, 0.5));
+  }
+  system->Problem.Update(penalties, smoothness, PartOfContext(context, system->Reference ? 0.5 : 0.0, 1.0));
+  system->Key = std::move(key);
+  this->System = std::move(system);
+  ++this->Counts.Systems;
+  return true;
+}
+
+void FieldSolver::Internals::SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop,
+  double setupSeconds, const ExecutionContext& context)
+{
+  const SolveKey key{ constraints.Values, constraints.Source, stop };
+  if (this->Solved && *this->Solved == key)
+  {
     return;
   }
-  Turn(constraints, this->Stages.Surface(), problem.Rotation, names);
+  Vector<double> reference;
+  if (this->System->Reference)
+  {
+    constexpr double Rounding = 1e-13;
+    constexpr int Corrections = 10;
+    reference = SolveInUnits(*this->System->Reference, key.Values, {}, {}, { Rounding, Corrections },
+      PartOfContext(context, 0.0, 0.2), key.Source)
+                  .Unknowns;
+  }
+  const Vector<double> none;
+  auto [unknowns, report] =
+    SolveInUnits(this->System->Problem, key.Values, this->Solution ? this->Solution->Unknowns : none, reference, stop,
+      PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0), key.Source);
+  this->Discretisation->CentreFree(constraints, unknowns);
+  this->Solution = std::make_shared<const FieldSolution>(
+    FieldSolution{ this->Discretisation, constraints, std::move(unknowns), std::move(report), setupSeconds, nullptr });
+  this->Solved = key;
+  ++this->Counts.Solves;
+}
+
+std::shared_ptr<const FieldSolution> FieldSolver::Internals::SolveSingular(const FieldProblem& problem,
+  const Constraints& constraints, const ExecutionContext& context, const ElementNames& names)
+{
+  const int N = problem.Options.Field.N;
+  SingularKey key{ TimesByVertex(this->Surface.Mesh, *problem.Singularities, names), N, problem.Stop };
+  const FieldConstraints onFaces = this->Discretisation->Prescribe(constraints, names);
+  CheckSizes(constraints, names);
+  this->MakeSingularSystem(key, problem.Options.Solver, PartOfContext(context, 0.0, 0.7), names);
+  const bool isConnected = this->Connected && *this->Connected == key;
+  if (!isConnected)
+  {
+    this->Connection = std::make_shared<const SingularField>(this->SingularSystem->Solve(
+      key.Times, N, key.Stop, this->Connection.get(), PartOfContext(context, 0.7, 0.95), names));
+    this->Connected = std::move(key);
+  }
+  if (!this->SingularSolution || this->SingularSolution->Connection != this->Connection ||
+    !AreSame(this->SingularSolution->Constraints, onFaces))
+  {
+    const Vector<double> weights = this->Discretisation->PenaltiesOf(onFaces, {}, context).Alignment;
+    this->SingularSolution = std::make_shared<const FieldSolution>(FieldSolution{ this->Discretisation, onFaces,
+      AsPairs(this->SingularSystem->TurnedTo(onFaces, weights, *this->Connection)), this->Connection->Report,
+      this->SingularSeconds, this->Connection });
+    ++this->Counts.Solves;
+  }
+  context.Checkpoint(1.0);
+  return this->SingularSolution;
+}
+
+void FieldSolver::Internals::MakeSingularSystem(
+  const SingularKey& key, const SolverOptions& options, const ExecutionContext& context, const ElementNames& names)
+{
+  const bool isFirst = !this->SingularSystem;
+  const Stopwatch watch;
+  if (!this->Holonomy)
+  {
+    this->Holonomy.emplace(this->Surface, context);
+  }
+  this->Holonomy->CheckSums(key.Times, key.N, names);
+  if (!isFirst && this->SingularSystem->HasOptions(options))
+  {
+    return;
+  }
+  auto system = std::make_unique<SingularFieldSolver>(this->Setups, *this->Holonomy, options, context);
+  this->Connected.reset();
+  this->Connection.reset();
+  this->SingularSystem = std::move(system);
+  this->SingularSeconds = watch.Seconds();
+  this->Counts.Setups += isFirst || this->SingularSystem->NumberOfSetups() > 0;
+  ++this->Counts.Systems;
 }
 
 /// The warnings of the solver come once, where something was solved rather than kept.
-void FieldSolver::Internals::Solve(const FieldProblem& problem, const Constraints& constraints,
-  const ExecutionContext& context, const ElementNames& names)
+void FieldSolver::Internals::FindDirections(std::shared_ptr<const FieldSolution> solution, const FieldProblem& problem,
+  FollowedConstraints followed, const ExecutionContext& context)
 {
-  const SolvedField& solver = this->Solver(problem);
-  const SolvedField* const former = std::exchange(this->Solved, nullptr);
-  const int solves = solver.Counts().Solves;
-  if (problem.Singularities)
+  const bool isNew = this->Last.Solution != solution;
+  if (isNew)
   {
-    this->WithSingularities->Solve(*problem.Singularities, constraints, problem.Options, problem.Stop, context, names);
+    const std::vector<std::string>& more = solution->Report.Warnings;
+    followed.Warnings.insert(followed.Warnings.end(), more.begin(), more.end());
+    this->WarnOfShear(problem, followed.Warnings, context);
   }
-  else
+  if (isNew || this->Last.IsCombed != problem.Combing)
   {
-    this->Stages.Solve(constraints, problem.Options, problem.Stop, context, names);
+    Field field = DirectionsOfField(this->Surface, *solution->Discretisation, solution->Unknowns, problem.Combing,
+      this->Last.Solution ? &this->Last : nullptr, context);
+    field.Number = this->Last.Number + 1;
+    field.Report = solution->Report;
+    field.Solution = std::move(solution);
+    this->Last = std::move(field);
   }
-  this->Solved = &solver;
-  if (former != &solver || solver.Counts().Solves != solves)
-  {
-    this->IsCurrent = false;
-    Append(this->Last.Warnings, solver.Report().Warnings);
-    this->WarnOfShear(problem, context);
-  }
+  this->Last.HasUnitLength = problem.UnitLength;
+  this->Last.Guides = followed.Guides;
+  this->Last.Warnings = std::move(followed.Warnings);
 }
 
-void FieldSolver::Internals::WarnOfShear(const FieldProblem& problem, const ExecutionContext& context)
+void FieldSolver::Internals::WarnOfShear(
+  const FieldProblem& problem, std::vector<std::string>& warnings, const ExecutionContext& context)
 {
   if (problem.Options.Field.Kind != DiscretisationKind::PowerField || problem.Singularities)
   {
@@ -255,42 +381,44 @@ void FieldSolver::Internals::WarnOfShear(const FieldProblem& problem, const Exec
   }
   if (!this->ShearedShare)
   {
-    this->ShearedShare = ShareOfShearedArea(this->Stages.Surface(), context);
+    this->ShearedShare = ShareOfShearedArea(this->Surface, context);
   }
   if (*this->ShearedShare > NotableShare)
   {
-    this->Last.Warnings.push_back(WarningOfShear(*this->ShearedShare));
+    warnings.push_back(WarningOfShear(*this->ShearedShare));
   }
 }
 
-const SolvedField& FieldSolver::Internals::Solver(const FieldProblem& problem)
+/// Once for a discretisation.
+void FieldSolver::Internals::FindBasis(const FieldProblem& problem, const ExecutionContext& context)
 {
-  if (!problem.Singularities)
+  if (!problem.HarmonicBasis || !this->Discretisation->HasHarmonicFields())
   {
-    return this->Stages;
+    this->Last.HarmonicBasis = nullptr;
+    return;
   }
-  if (!this->WithSingularities)
+  if (!this->Basis || !(this->OptionsOfBasis == this->OptionsOfDiscretisation))
   {
-    this->WithSingularities = std::make_unique<SingularFieldSolver>(this->Stages.Surface());
+    const int fields = this->Discretisation->NumberOfHarmonicFields();
+    Eigen::MatrixXd basis(this->Discretisation->NumberOfUnknowns(), 0);
+    if (AreTooManyToHold(fields, this->Surface.Mesh))
+    {
+      this->Last.Warnings.push_back("the surface has " + std::to_string(fields) +
+        " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes and remove its small "
+        "handles first, or switch Harmonic Basis off");
+    }
+    else if (fields > 0)
+    {
+      basis = this->System->Key.Setup->HarmonicFields();
+      basis = this->Discretisation->HarmonicBasis(basis.cols() > 0
+          ? std::move(basis)
+          : this->Discretisation->HarmonicFields(nullptr, PartOfContext(context, 0.0, 0.7)),
+        PartOfContext(context, 0.7, 1.0));
+    }
+    this->Basis = std::make_shared<const Eigen::MatrixXd>(std::move(basis));
+    this->OptionsOfBasis = this->OptionsOfDiscretisation;
   }
-  return *this->WithSingularities;
-}
-
-void FieldSolver::Internals::FindDirections(const FieldProblem& problem, const ExecutionContext& context)
-{
-  if (!this->IsCurrent || this->Last.IsCombed != problem.Combing)
-  {
-    Field field = DirectionsOfField(this->Stages.Surface(), this->Solved->Field(), this->Solved->Unknowns(),
-      problem.Combing, this->Last.Number > 0 ? &this->Last : nullptr, context);
-    field.Number = this->Last.Number + 1;
-    field.Guides = this->Last.Guides;
-    field.Warnings = std::move(this->Last.Warnings);
-    this->Last = std::move(field);
-    this->IsCurrent = true;
-  }
-  this->Last.HasUnitLength = problem.UnitLength;
-  this->Last.Report = this->Solved->Report();
-  this->Last.SetupSeconds = this->Solved->SetupSeconds();
+  this->Last.HarmonicBasis = this->Basis;
 }
 
 FieldSolver::FieldSolver(TriangleMesh mesh, const ExecutionContext& context)
@@ -302,35 +430,41 @@ FieldSolver::~FieldSolver() = default;
 
 const FramedMesh& FieldSolver::Surface() const
 {
-  return this->Internal->Stages.Surface();
+  return this->Internal->Surface;
 }
 
 const NearestPlaces& FieldSolver::Places()
 {
-  return this->Internal->PlacesOfSurface();
+  return this->Internal->Followed.Places();
 }
 
 void FieldSolver::SetOperators(std::shared_ptr<const ProlongationOperators> operators)
 {
-  this->Internal->Stages.SetOperators(std::move(operators));
+  this->Internal->GivenOperators = std::move(operators);
 }
 
 void FieldSolver::SetMemoryLimit(long long bytes)
 {
-  this->Internal->Stages.SetMemoryLimit(bytes);
+  this->Internal->Setups.SetMemoryLimit(bytes);
 }
 
 const Field& FieldSolver::Solve(const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names)
 {
   Internals& of = *this->Internal;
+  DiscretisationOptions field = problem.Options.Field;
   if (problem.Singularities)
   {
-    CheckTakesSingularities(problem.Options.Field);
+    CheckTakesSingularities(field);
+    field.Kind = DiscretisationKind::PowerField; // a trivial connection is made of rotations across edges
   }
-  of.Last.Warnings.clear();
-  const Constraints constraints = of.Follow(problem, PartOfContext(context, 0.0, 0.0), names);
-  of.Solve(problem, constraints, PartOfContext(context, 0.0, 0.9), names);
-  of.FindDirections(problem, PartOfContext(context, 0.9, 1.0));
+  of.SetDiscretisation(field);
+  FollowedConstraints followed =
+    of.Followed.Follow(problem, *of.Discretisation, PartOfContext(context, 0.0, 0.0), names);
+  const PartOfContext most(context, 0.0, 0.9);
+  auto solution = problem.Singularities ? of.SolveSingular(problem, followed.Constraints, most, names)
+                                        : of.Solve(problem, followed.Constraints, most, names);
+  of.FindDirections(std::move(solution), problem, std::move(followed), PartOfContext(context, 0.9, 1.0));
+  of.FindBasis(problem, PartOfContext(context, 1.0, 1.0));
   return of.Last;
 }
 
@@ -341,25 +475,12 @@ Points FieldSolver::Directions(int k) const
 
 LinearSystem FieldSolver::Equations(const ExecutionContext& context) const
 {
-  return this->Internal->Stages.Equations(context);
+  return this->Internal->Equations(context);
 }
 
-const SolvedField& FieldSolver::Solved() const
+FieldSolver::StageCounts FieldSolver::Counts() const
 {
-  assert(this->Internal->Solved);
-  return *this->Internal->Solved;
-}
-
-SolvedField::StageCounts FieldSolver::Counts() const
-{
-  SolvedField::StageCounts counts = this->Internal->Stages.Counts();
-  if (const SolvedField* const other = this->Internal->WithSingularities.get())
-  {
-    counts.Setups += other->Counts().Setups;
-    counts.Systems += other->Counts().Systems;
-    counts.Solves += other->Counts().Solves;
-  }
-  return counts;
+  return this->Internal->Counts;
 }
 
 }

@@ -5,7 +5,6 @@
 #include "Field.h"
 #include "FieldProblem.h"
 #include "Levels/ProlongationOperators.h"
-#include "SolvedField.h"
 #include "Solvers/PrescribedSystem.h"
 #include "Support/ExecutionContext.h"
 
@@ -30,8 +29,9 @@ namespace dmg
 ///   const dmg::Field& field = solver.Solve(problem);
 ///   const dmg::Points vectors = solver.Directions(0);
 ///
-/// With singularities, set-up and system depend on the solver alone (SingularFieldSolver). Set-ups of former discretisations
-/// are kept while there is room (SetMemoryLimit). A stage that throws leaves those before it as they are.
+/// With singularities, set-up and system depend on the solver alone, and the solve on the singularities. Then constraints turn
+/// each component as a whole, to where it is nearest to them in the mean of squares. Set-ups of former discretisations are kept
+/// while there is room (SetMemoryLimit). A stage that throws leaves those before it as they are.
 class FieldSolver
 {
 public:
@@ -46,7 +46,7 @@ public:
   /// Operators of this surface that were built before, in place of those that solvers would build for themselves.
   /// \param operators null: none.
   void SetOperators(std::shared_ptr<const ProlongationOperators> operators);
-  /// See FieldStages::SetMemoryLimit.
+  /// See SetupCache::SetMemoryLimit.
   void SetMemoryLimit(long long bytes);
 
   /// Brings all stages up to date. A solve starts from the solution before.
@@ -64,15 +64,19 @@ public:
   /// \pre there was a solve.
   Points Directions(int k) const;
 
-  /// The unknowns of the last solve, their meaning, and what was prescribed. \pre there was one.
-  const SolvedField& Solved() const;
-
   /// The linear equations of the last field without singularities, for a solver of the caller's own; see
   /// HarmonicProblem::Equations. \pre there was one.
   LinearSystem Equations(const ExecutionContext& context = SerialContext()) const;
 
-  /// How often each stage has been completed.
-  SolvedField::StageCounts Counts() const;
+  /// The number of times that each stage has been completed. Given operators make no set-up, and neither does one that is
+  /// found again.
+  struct StageCounts
+  {
+    int Setups = 0;
+    int Systems = 0;
+    int Solves = 0;
+  };
+  StageCounts Counts() const;
 
 private:
   class Internals;

@@ -1,8 +1,8 @@
 #include "PoissonSolver.h"
 
 #include "Discretisations/MakeDiscretisation.h"
-#include "FieldSetup.h"
 #include "Operators/ExteriorCalculus.h"
+#include "SetupCache.h"
 #include "Solvers/HarmonicProblem.h"
 #include "Support/Errors.h"
 
@@ -21,15 +21,13 @@ namespace
 /// The part of a solver that depends on the surface alone.
 struct SetupOfSurface
 {
-  SetupOfSurface(const FramedMesh& surface, const SolverOptions& asked, const ExecutionContext& context);
+  SetupOfSurface(SetupCache& setups, const SolverOptions& asked, const ExecutionContext& context);
 
   const FramedMesh& Surface;
   SolverOptions Options;
   std::vector<int> Components; ///< by vertex
   Vector<double> Areas;        ///< Star0
-  SolverPlan Plan;
-  std::shared_ptr<const MultigridSetup> Levels; ///< or the matrix to factor
-  int NumberOfSetups = 0;
+  PlannedSetup Planned;
 };
 
 /// Other options have no meaning for functions with sources.
@@ -42,21 +40,18 @@ SolverOptions OptionsOfFunctions(const SolverOptions& asked)
   return options;
 }
 
-SetupOfSurface::SetupOfSurface(const FramedMesh& surface, const SolverOptions& asked, const ExecutionContext& context)
-  : Surface(surface)
+SetupOfSurface::SetupOfSurface(SetupCache& setups, const SolverOptions& asked, const ExecutionContext& context)
+  : Surface(setups.Surface)
   , Options(OptionsOfFunctions(asked))
-  , Components(VertexComponents(surface.Mesh))
-  , Areas(Star0(surface.Mesh))
+  , Components(VertexComponents(setups.Surface.Mesh))
+  , Areas(Star0(setups.Surface.Mesh))
 {
   FieldOptions options;
   options.Field.Kind = DiscretisationKind::ScalarFunction;
   options.Constraints = ConstraintKind::Hard;
   options.Solver = this->Options;
-  const auto functions = MakeDiscretisation(options.Field, surface);
-  constexpr bool HasHarmonicFields = false; // functions have none
-  this->Plan = PlanSolver(*functions, options, nullptr, ObstaclesOf(surface.Mesh, HasHarmonicFields, context));
-  this->Levels = MakeSetup(surface, *functions, nullptr, this->Plan, CoarseSpaceKind::LinearInterpolation, context);
-  ++this->NumberOfSetups;
+  const auto functions = MakeDiscretisation(options.Field, this->Surface);
+  this->Planned = setups.Take(*functions, options, nullptr, context);
 }
 
 void CheckHeld(const std::vector<int>& held, int numberOfVertices)
@@ -119,8 +114,8 @@ PoissonSolver::Internals::Internals(
   this->ReportOfHeld.Converged = true;
   if (this->Grounded.size() < this->Setup->Components.size())
   {
-    this->Problem.emplace(this->Setup->Levels, Penalties{ ConstraintKind::Hard, this->Grounded, {} }, 1.0,
-      this->Setup->Options, this->Setup->Plan.ChoiceOn(*this->Setup->Levels), context);
+    this->Problem.emplace(this->Setup->Planned.Levels, Penalties{ ConstraintKind::Hard, this->Grounded, {} }, 1.0,
+      this->Setup->Options, this->Setup->Planned.Choice, context);
   }
 }
 
@@ -141,9 +136,15 @@ Vector<double> PoissonSolver::Internals::ValuesOfGrounded(const Vector<double>& 
 
 PoissonSolver::PoissonSolver(
   const FramedMesh& surface, std::vector<int> held, const SolverOptions& options, const ExecutionContext& context)
+  : PoissonSolver(*std::make_unique<SetupCache>(surface), std::move(held), options, context)
 {
-  CheckHeld(held, surface.Mesh.NumberOfVertices());
-  auto setup = std::make_shared<const SetupOfSurface>(surface, options, PartOfContext(context, 0.0, 0.7));
+}
+
+PoissonSolver::PoissonSolver(
+  SetupCache& setups, std::vector<int> held, const SolverOptions& options, const ExecutionContext& context)
+{
+  CheckHeld(held, setups.Surface.Mesh.NumberOfVertices());
+  auto setup = std::make_shared<const SetupOfSurface>(setups, options, PartOfContext(context, 0.0, 0.7));
   this->Internal = std::make_unique<Internals>(std::move(setup), std::move(held), PartOfContext(context, 0.7, 1.0));
 }
 
@@ -190,7 +191,7 @@ const SolveReport& PoissonSolver::Report() const
 
 int PoissonSolver::NumberOfSetups() const
 {
-  return this->Internal->Setup->NumberOfSetups;
+  return this->Internal->Setup->Planned.IsNew ? 1 : 0;
 }
 
 const std::vector<int>& PoissonSolver::Held() const

@@ -15,6 +15,8 @@
 namespace dmg
 {
 
+class SetupCache;
+
 /// Finds functions u, linear on faces, with
 ///
 ///   L u = source  at free vertices,   u = values  at held ones,   L = d0^T star1 d0 the cotangent Laplacian.
@@ -39,6 +41,9 @@ public:
   /// \throw SolverFailure, Cancelled
   PoissonSolver(const FramedMesh& surface, std::vector<int> held, const SolverOptions& options = {},
     const ExecutionContext& context = SerialContext());
+  /// The same with the set-ups of a surface, among which there may be that of functions already.
+  PoissonSolver(SetupCache& setups, std::vector<int> held, const SolverOptions& options = {},
+    const ExecutionContext& context = SerialContext());
   /// The same surface with other held vertices, whose set-up is shared.
   PoissonSolver(const PoissonSolver& other, std::vector<int> held, const ExecutionContext& context = SerialContext());
   ~PoissonSolver();
@@ -57,7 +62,7 @@ public:
 
   /// The report of the last solve; before one, of the matrix.
   const SolveReport& Report() const;
-  /// The number of set-ups of surfaces that this solver and those that share it have made: one.
+  /// The number of set-ups of surfaces that this solver and those that share it have made: one, or none where it was there.
   int NumberOfSetups() const;
   const std::vector<int>& Held() const;
 

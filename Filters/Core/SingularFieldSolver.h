@@ -2,11 +2,11 @@
 #define dmgSingularFieldSolver_h
 
 #include "Analysis/PrescribedSingularities.h"
-#include "FieldOptions.h"
-#include "SolvedField.h"
-#include "Solvers/Krylov/StoppingCriteria.h"
+#include "Analysis/SurfaceHolonomy.h"
+#include "Discretisations/FieldConstraints.h"
+#include "PoissonSolver.h"
+#include "SetupCache.h"
 
-#include <memory>
 #include <string>
 #include <vector>
 
@@ -16,60 +16,63 @@ namespace dmg
 /// \throw InvalidInput fields of this kind have no singularities: all but power fields.
 void CheckTakesSingularities(const DiscretisationOptions& field);
 
-/// Finds the power fields of magnitude 1 on one surface that have prescribed singularities and no others, and turn as little
-/// as is possible then (TrivialConnection.h), and keeps what a change leaves valid:
-///
-///   stage   is redone when this changes
-///   set-up  solver options
-///   system  solver options
-///   solve   singularities, N, tolerance, iteration limit; if only prescribed directions change, nothing is solved for
-///
-///   dmg::SingularFieldSolver solver(surface);
-///   solver.Solve({ { vertex, 1 }, { other, -1 } }, {}, options);
-///   const dmg::Points vectors = solver.Directions(0);
-///
-/// The set-up are the levels of functions, or a factor, and a solve for each handle and hole. Prescribed directions turn the
-/// field on each component as a whole, to where it is nearest to them in the mean of squares; where there are none,
-/// direction 0 of some face of the component runs along its first side.
-class SingularFieldSolver : public SolvedField
+/// A power field of magnitude 1 that has prescribed singularities and no others, and turns as little as is possible then.
+struct SingularField
+{
+  Vector<double> Potential; ///< by vertex, a first guess for other singularities
+  /// Across each edge, from the face of HalfedgeOf(edge) to that of its twin, besides parallel transport; #E.
+  Vector<double> Rotation;
+  Vector<Complex> Powers; ///< by face, 1 on the first face of each component
+  SolveReport Report;
+};
+
+/// Finds the power fields of magnitude 1 on one surface that have prescribed singularities and no others (TrivialConnection.h).
+/// The set-up are the levels of functions, or a factor; the system is a harmonic form for each handle and hole.
+/// FieldSolver keeps one, and its fields.
+class SingularFieldSolver
 {
 public:
-  /// \param surface is borrowed.
-  explicit SingularFieldSolver(const FramedMesh& surface);
-  ~SingularFieldSolver() override;
-
-  /// Brings all stages up to date. A solve starts from the solution before.
-  /// \param options of its solver: Cholesky, V-cycles and conjugate gradients as asked for; for all others, Automatic. There are
-  ///   no operators of the surface but its own; constraints are neither soft nor hard.
-  /// \param stop tolerances above 1e-6 are taken as that.
-  /// \param names says how messages call vertices and faces.
-  /// \return the unknowns of Field(), a power field. Not converged: the best that was reached; see Report().
-  /// \throw InvalidInput no power field is asked for; a vertex is out of range or on the boundary; singularities on a closed
-  ///   component do not sum to its Euler characteristic; a prescribed direction is wrong; too many loops.
+  /// \param setups of the surface, which may have levels of functions.
+  /// \param holonomy of the surface; both are borrowed.
+  /// \param asked options: Cholesky, V-cycles and conjugate gradients as asked for; for all others, Automatic.
+  /// \throw InvalidInput too many loops.
   /// \throw SolverFailure, Cancelled
-  const Vector<double>& Solve(const std::vector<PrescribedSingularity>& singularities,
-    const dmg::Constraints& directions, const FieldOptions& options, const StoppingCriteria& stop = {},
-    const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
+  SingularFieldSolver(SetupCache& setups, const SurfaceHolonomy& holonomy, const SolverOptions& asked,
+    const ExecutionContext& context = SerialContext());
 
-  const FramedMesh& Surface() const override;
+  /// Whether these options make the same solver.
+  bool HasOptions(const SolverOptions& asked) const;
+  /// See PoissonSolver::NumberOfSetups.
+  int NumberOfSetups() const { return this->Functions.NumberOfSetups(); }
 
-  // Results of the last solve. \pre there was one.
+  /// \param times N times the index of every vertex (TimesByVertex). \pre they have the right sums (SurfaceHolonomy::CheckSums)
+  /// \param stop tolerances above 1e-6 are taken as that.
+  /// \param former field with other singularities to start from, or null.
+  /// \param names says how messages call vertices.
+  /// \return Not converged: the best that was reached; see its Report.
+  /// \throw Cancelled
+  SingularField Solve(const std::vector<int>& times, int N, const StoppingCriteria& stop = {},
+    const SingularField* former = nullptr, const ExecutionContext& context = SerialContext(),
+    const ElementNames& names = {});
 
-  const Discretisation& Field() const override;
-  const FieldConstraints& Constraints() const override;
-  const Vector<double>& Unknowns() const override;
-  const SolveReport& Report() const override;
-  /// Power fields have none.
-  Eigen::MatrixXd HarmonicFields() const override;
-  const StageCounts& Counts() const override;
-  double SetupSeconds() const override;
-  /// The rotation of the field across each edge, from the face of HalfedgeOf(edge) to that of its twin, besides parallel
-  /// transport; #E.
-  const Vector<double>& Rotation() const;
+  /// Turns the field on each component as a whole, to where it is nearest to constraints in the mean of squares.
+  /// \param weights of the constrained faces.
+  Vector<Complex> TurnedTo(
+    const FieldConstraints& constraints, const Vector<double>& weights, const SingularField& field) const;
 
 private:
-  class Internals;
-  std::unique_ptr<Internals> Internal;
+  void MakeHarmonicForms(const ExecutionContext& context);
+  Vector<double> RotationOf(const Vector<double>& potential, int N) const;
+
+  const TriangleMesh& Mesh;
+  const SurfaceHolonomy& Holonomy;
+  const SolverOptions Options;
+  PoissonSolver Functions;
+  Vector<double> Star;              ///< of 1-forms
+  SparseMatrix<double> Divergences; ///< of the loops, #V x k
+  Eigen::MatrixXd Potentials;       ///< u_k, #V x k
+  Eigen::MatrixXd Inverse;          ///< of how much forms turn along loops, k x k
+  std::vector<std::string> Warnings;
 };
 
 }

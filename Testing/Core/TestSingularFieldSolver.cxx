@@ -10,6 +10,7 @@
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
+#include "Support/SolverOfUnknowns.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/QR>
@@ -78,7 +79,7 @@ std::vector<PrescribedSingularity> Joined(
   return a;
 }
 
-FieldTopology TopologyOf(const SingularFieldSolver& solver)
+FieldTopology TopologyOf(const SolverOfUnknowns& solver)
 {
   const auto& [mesh, faces, vertices] = solver.Surface();
   const int N = solver.Field().DirectionsPerPoint();
@@ -87,7 +88,7 @@ FieldTopology TopologyOf(const SingularFieldSolver& solver)
 
 /// Expects the singularities that are prescribed, to the vertex, no others, and a field of magnitude 1.
 void ExpectPrescribed(
-  const SingularFieldSolver& solver, const std::vector<PrescribedSingularity>& singularities, const std::string& name)
+  const SolverOfUnknowns& solver, const std::vector<PrescribedSingularity>& singularities, const std::string& name)
 {
   const TriangleMesh& mesh = solver.Surface().Mesh;
   const int N = solver.Field().DirectionsPerPoint();
@@ -176,7 +177,7 @@ TEST(SingularFieldSolver, FieldsHaveThePrescribedSingularitiesAndNoOthers)
   {
     const FramedMesh surface(example.Shape.Mesh());
     const auto singularities = SingularitiesOf(example, surface.Mesh);
-    SingularFieldSolver solver(surface);
+    SolverOfUnknowns solver(surface.Mesh);
     solver.Solve(singularities, {}, OptionsOf(example.N));
     ExpectPrescribed(solver, singularities, example.Name);
   }
@@ -190,7 +191,7 @@ TEST(SingularFieldSolver, CyclesFindTheFieldOfAFactor)
   {
     const FramedMesh surface(example.Shape.Mesh());
     const auto singularities = SingularitiesOf(example, surface.Mesh);
-    SingularFieldSolver factored(surface), byCycles(surface);
+    SolverOfUnknowns factored(surface.Mesh), byCycles(surface.Mesh);
     factored.Solve(singularities, {}, OptionsOf(example.N, SolverKind::Cholesky));
     byCycles.Solve(singularities, {}, OptionsOf(example.N, SolverKind::ConjugateGradients), { 1e-10, 60 });
     ExpectPrescribed(byCycles, singularities, example.Name);
@@ -203,7 +204,7 @@ TEST(SingularFieldSolver, ARoughToleranceStillGivesThePrescribedSingularities)
 {
   const FramedMesh surface(IrregularTorus(80, 40, 5).Mesh());
   const auto singularities = Joined(At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
-  SingularFieldSolver solver(surface);
+  SolverOfUnknowns solver(surface.Mesh);
   solver.Solve(singularities, {}, OptionsOf(4, SolverKind::ConjugateGradients), { 0.5, 100 });
   EXPECT_LT((TopologyOf(solver).Rotation - solver.Rotation()).cwiseAbs().maxCoeff(), 1e-3);
   EXPECT_EQ(solver.Counts().Solves, 1);
@@ -219,7 +220,7 @@ TEST(SingularFieldSolver, FieldsTurnLeast)
   {
     const FramedMesh surface(example.Shape.Mesh());
     const TriangleMesh& mesh = surface.Mesh;
-    SingularFieldSolver solver(surface);
+    SolverOfUnknowns solver(surface.Mesh);
     solver.Solve(SingularitiesOf(example, mesh), {}, OptionsOf(example.N));
     const Eigen::MatrixXd loops(GeneratorsOverFaces(mesh, MakeTreeCotree(mesh, BoundaryAs::Vertex)));
     std::vector<int> inside;
@@ -248,7 +249,7 @@ TEST(SingularFieldSolver, WithoutSingularitiesATorusHasTheFieldOfItsCircles)
   const FramedMesh surface(Torus(60, 30).Mesh());
   for (const int N : { 1, 4 })
   {
-    SingularFieldSolver solver(surface);
+    SolverOfUnknowns solver(surface.Mesh);
     const Vector<Complex> powers = AsComplex(solver.Solve({}, {}, OptionsOf(N)));
     Complex mean = 0.0;
     double largest = 0.0;
@@ -278,7 +279,7 @@ TEST(SingularFieldSolver, BitsDoNotDependOnThreads)
   {
     const FramedMesh surface(IrregularTorus(80, 40, 5).Mesh());
     const auto singularities = Joined(At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
-    SingularFieldSolver serial(surface), threaded(surface);
+    SolverOfUnknowns serial(surface.Mesh), threaded(surface.Mesh);
     const TbbContext threads(3);
     const Vector<double> expected = serial.Solve(singularities, {}, OptionsOf(4, kind), { 1e-8, 60 });
     EXPECT_EQ(threaded.Solve(singularities, {}, OptionsOf(4, kind), { 1e-8, 60 }, threads), expected);
@@ -290,7 +291,7 @@ TEST(SingularFieldSolver, AMovedSingularitySolvesAgainOnly)
   const FramedMesh surface(IrregularTorus(40, 20, 5).Mesh());
   const auto from = Joined(At(surface.Mesh, { { 1.4, 0, 0 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
   const auto to = Joined(At(surface.Mesh, { { 1.0, 0, 0.4 } }, 1), At(surface.Mesh, { { -1.4, 0, 0 } }, -1));
-  SingularFieldSolver solver(surface);
+  SolverOfUnknowns solver(surface.Mesh);
   const auto expectCounts = [&solver](int setups, int systems, int solves)
   {
     EXPECT_EQ(solver.Counts().Setups, setups);
@@ -318,7 +319,7 @@ TEST(SingularFieldSolver, PrescribedDirectionsTurnTheField)
 {
   const FramedMesh surface(Union(IrregularSphere(3, 3), Disk(6), { 5, 0, 0 }).Mesh());
   const auto singularities = At(surface.Mesh, CornersOfCube(), 1);
-  SingularFieldSolver solver(surface);
+  SolverOfUnknowns solver(surface.Mesh);
   const Vector<Complex> before = AsComplex(solver.Solve(singularities, {}, OptionsOf(4)));
   constexpr int Face = 100;
   const Vector3 direction = surface.Faces.ToVector(Face, std::polar(2.0, 0.7));
@@ -345,7 +346,7 @@ TEST(SingularFieldSolver, PrescribedDirectionsTurnTheField)
 TEST(SingularFieldSolver, MoreThanTheEdgesAtAPointCanShowIsAWarning)
 {
   const FramedMesh surface(Icosphere(3).Mesh());
-  SingularFieldSolver solver(surface);
+  SolverOfUnknowns solver(surface.Mesh);
   solver.Solve({ { 0, 4 }, { 3, 4 } }, {}, OptionsOf(4));
   ASSERT_EQ(solver.Report().Warnings.size(), 1u);
   EXPECT_NE(solver.Report().Warnings[0].find("45 degrees"), std::string::npos);
@@ -360,7 +361,7 @@ TEST(SingularFieldSolver, SurfacesWithoutInnerPointsHaveFields)
   for (const Surface& shape : { Annulus(24, 1), Strip({ 1.0, 2.0, 1.0 }), PlaneGrid(1, 1) })
   {
     const FramedMesh surface(shape.Mesh());
-    SingularFieldSolver solver(surface);
+    SolverOfUnknowns solver(surface.Mesh);
     solver.Solve({}, {}, OptionsOf(4));
     ExpectPrescribed(solver, {}, "all on the boundary");
   }
@@ -373,7 +374,7 @@ std::string ErrorOf(
   const Surface& shape, const std::vector<PrescribedSingularity>& singularities, const FieldOptions& options)
 {
   const FramedMesh surface(shape.Mesh());
-  SingularFieldSolver solver(surface);
+  SolverOfUnknowns solver(surface.Mesh);
   try
   {
     solver.Solve(singularities, {}, options);

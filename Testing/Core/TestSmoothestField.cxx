@@ -1,11 +1,12 @@
 // Fields where nothing is prescribed: the lowest eigenvectors of the smoothness energy.
 
 #include "Discretisations/MakeDiscretisation.h"
-#include "FieldStages.h"
+#include "FieldSolver.h"
 #include "Operators/FieldTopology.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Support/ComplexPairs.h"
 #include "Support/MeshFactory.h"
+#include "Support/SolverOfUnknowns.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Cholesky>
@@ -108,7 +109,7 @@ private:
   double Unit;
 };
 
-FieldTopology TopologyOf(const FieldStages& solver)
+FieldTopology TopologyOf(const SolverOfUnknowns& solver)
 {
   const auto& [mesh, faces, vertices] = solver.Surface();
   const Points directions = solver.Directions(0);
@@ -121,7 +122,7 @@ FieldTopology TopologyOf(const FieldStages& solver)
 }
 
 /// How many singularities have which index, a multiple of 1 / N.
-std::map<int, int> SingularitiesOf(const FieldStages& solver)
+std::map<int, int> SingularitiesOf(const SolverOfUnknowns& solver)
 {
   std::map<int, int> numbers;
   for (const double index : TopologyOf(solver).Indices)
@@ -199,7 +200,7 @@ TEST(SmoothestField, HasTheEigenvalueOfADenseSolver)
   {
     for (const FieldOptions& options : fields)
     {
-      FieldStages solver(surface.Mesh());
+      SolverOfUnknowns solver(surface.Mesh());
       solver.Solve({}, options, { 1e-6, 300 });
       EXPECT_TRUE(solver.Report().Converged) << name;
       ASSERT_EQ(solver.Report().Eigenvalues.size(), 1u) << name;
@@ -220,7 +221,7 @@ TEST(SmoothestField, IsTheEigenvectorOfADenseSolver)
     const FieldOptions options = OptionsOf(DiscretisationKind::PowerField, N);
     for (const SolverKind kind : { SolverKind::Cholesky, SolverKind::ConjugateGradients })
     {
-      FieldStages solver(Ellipsoid(2, { 1.0, 1.3, 2.0 }).Mesh());
+      SolverOfUnknowns solver(Ellipsoid(2, { 1.0, 1.3, 2.0 }).Mesh());
       solver.Solve({}, OptionsOf(options.Field.Kind, N, kind), { 1e-4, 100 });
       const DenseEigenvectors expected(solver.Surface(), options);
       const auto lowest = expected.Vectors.leftCols(2);
@@ -239,7 +240,7 @@ TEST(SmoothestField, IsFoundOnSpheresWhereManyAreAlmostAsSmooth)
 {
   for (const int N : { 3, 7 })
   {
-    FieldStages solver(IrregularSphere(5, 3, 0.3).Mesh());
+    SolverOfUnknowns solver(IrregularSphere(5, 3, 0.3).Mesh());
     solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N, SolverKind::ConjugateGradients), { 1e-4, 100 });
     EXPECT_TRUE(solver.Report().Converged) << N;
     EXPECT_NEAR(solver.Report().Eigenvalues[0], 2.0 * N, 0.04 * 2.0 * N) << N;
@@ -261,7 +262,7 @@ TEST(SmoothestField, IsFoundOnThinPlates)
         {
           continue;
         }
-        FieldStages solver(mesh);
+        SolverOfUnknowns solver(mesh);
         solver.Solve({}, OptionsOf(kind, N), { 1e-4, 100 });
         const std::string name = solver.Field().Name() + ", height " + std::to_string(1e6 * height);
         EXPECT_TRUE(solver.Report().Converged) << name;
@@ -280,13 +281,13 @@ TEST(SmoothestField, IsTheSameBySolversOfAllKinds)
     { DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
   {
     const TriangleMesh mesh = Ellipsoid(4, { 1.0, 1.3, 2.0 }).Mesh();
-    FieldStages factored(mesh);
+    SolverOfUnknowns factored(mesh);
     factored.Solve({}, OptionsOf(kind, 1, SolverKind::Cholesky), { 1e-6, 100 });
     const double expected = factored.Report().Eigenvalues[0];
     for (const SolverKind solverKind : { SolverKind::ConjugateGradients, SolverKind::VCycles,
            SolverKind::NestedIterations, SolverKind::CoarseProlongation })
     {
-      FieldStages solver(mesh);
+      SolverOfUnknowns solver(mesh);
       solver.Solve({}, OptionsOf(kind, 1, solverKind), { 1e-6, 100 });
       EXPECT_TRUE(solver.Report().Converged);
       EXPECT_LE(solver.Report().Iterations.size(), 40u);
@@ -300,7 +301,7 @@ TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
 {
   const auto expectAll = [](const Surface& surface, int N, int number)
   {
-    FieldStages solver(surface.Mesh());
+    SolverOfUnknowns solver(surface.Mesh());
     solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N), { 1e-5, 300 });
     EXPECT_EQ(SingularitiesOf(solver), (std::map<int, int>{ { 1, number } })) << "N = " << N;
   };
@@ -311,7 +312,7 @@ TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
   }
   // At its corners.
   expectAll(Cube(4), 4, 8);
-  FieldStages cube(Cube(4).Mesh());
+  SolverOfUnknowns cube(Cube(4).Mesh());
   cube.Solve({}, OptionsOf(DiscretisationKind::PowerField, 4));
   const Vector<double> indices = TopologyOf(cube).Indices;
   for (int v = 0; v < indices.size(); ++v)
@@ -331,7 +332,7 @@ TEST(SmoothestField, HasIndicesThatSumToTheEulerCharacteristic)
   {
     for (int N = 1; N <= 6; ++N)
     {
-      FieldStages solver(surface.Mesh());
+      SolverOfUnknowns solver(surface.Mesh());
       solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N));
       const FieldTopology topology = TopologyOf(solver);
       double sum = topology.Indices.sum();
@@ -353,7 +354,7 @@ TEST(SmoothestField, IsHarmonicWhereTheSurfaceHasHandlesOrHoles)
     {
       for (const SolverKind solverKind : { SolverKind::ConjugateGradients, SolverKind::Cholesky })
       {
-        FieldStages solver(surface.Mesh());
+        SolverOfUnknowns solver(surface.Mesh());
         solver.Solve({}, OptionsOf(kind, 1, solverKind));
         EXPECT_TRUE(solver.Report().Converged);
         const double area = solver.Surface().Mesh.FaceAreas().sum();
@@ -379,11 +380,11 @@ TEST(SmoothestField, StandsBesideGuidedComponents)
     options.Constraints = ConstraintKind::Hard; // the weights of soft ones know the whole surface
     const Constraints directions{ { { 5, Vector3(0.3, 0.2, 0.9), 1.0 }, { 700, Vector3(0.3, -0.2, 0.5), 1.0 } }, {},
       {} };
-    FieldStages both(Union(guided, other, Vector3(5.0, 0.0, 0.0)).Mesh());
+    SolverOfUnknowns both(Union(guided, other, Vector3(5.0, 0.0, 0.0)).Mesh());
     both.Solve(directions, options, stop);
-    FieldStages first(guided.Mesh());
+    SolverOfUnknowns first(guided.Mesh());
     first.Solve(directions, options, stop);
-    FieldStages second(other.Mesh());
+    SolverOfUnknowns second(other.Mesh());
     second.Solve({}, options, stop);
     EXPECT_TRUE(both.Report().Converged);
     EXPECT_TRUE(both.Report().Warnings.empty());
@@ -410,7 +411,7 @@ TEST(SmoothestField, IsZeroOnSplintersWithoutArea)
   {
     for (const Constraints& directions : { Constraints(), oneDirection })
     {
-      FieldStages solver(mesh);
+      SolverOfUnknowns solver(mesh);
       solver.Solve(directions, OptionsOf(kind, 4), {});
       EXPECT_TRUE(solver.Report().Converged);
       ASSERT_EQ(solver.Report().Warnings.size(), 1u);
@@ -426,8 +427,8 @@ TEST(SmoothestField, IsZeroOnSplintersWithoutArea)
 TEST(SmoothestField, HasTheSameBitsForAnyNumberOfThreads)
 {
   const TriangleMesh mesh = IrregularSphere(5, 3).Mesh();
-  FieldStages one(mesh);
-  FieldStages three(mesh);
+  SolverOfUnknowns one(mesh);
+  SolverOfUnknowns three(mesh);
   const FieldOptions options = OptionsOf(DiscretisationKind::PowerField, 4, SolverKind::ConjugateGradients);
   EXPECT_EQ(one.Solve({}, options), three.Solve({}, options, {}, TbbContext(3)));
 }

@@ -1,9 +1,10 @@
 // Memory that runs out, aborts at any moment, two filters at once: an error or a whole result, and a process that goes on.
 
+#include "Support/SolverOfUnknowns.h"
 #include "vtkHarmonicFieldSolver.h"
 #include "vtkHodgeDecomposition.h"
 
-#include "FieldStages.h"
+#include "FieldSolver.h"
 #include "TestTools.h"
 
 #include "vtkDirectionalProlongation.h"
@@ -204,14 +205,14 @@ TEST(Memory, ThatRunsOutInTheCoreIsAnExceptionAndTheNextSolveIsWhole)
       options.Solver.Kind = solverKind;
       requests = 0;
       failing = 0;
-      FieldStages whole(mesh);
+      SolverOfUnknowns whole(mesh);
       const Vector<double> expected = whole.Solve(directions, options, {});
       failing = -1;
       int errors = 0;
       for (const long long number : Some(requests))
       {
         SCOPED_TRACE(testing::Message() << "request " << number);
-        FieldStages solver(mesh);
+        SolverOfUnknowns solver(mesh);
         requests = 0;
         failing = number;
         try

@@ -6,11 +6,11 @@
 
 #include <memory>
 
-/// The stages of FieldStages one by one and without its cache, for tests and benchmarks that want to see each.
+/// The stages of FieldSolver one by one and without its cache, for tests and benchmarks that want to see each.
 namespace dmg::test
 {
 
-/// What FieldStages would set up for such options.
+/// What FieldSolver would set up for such options.
 /// \param operators null: those that the solver takes by itself, samples or none.
 std::shared_ptr<const MultigridSetup> SetupOf(const FramedMesh& surface, const ProlongationOperators* operators,
   const FieldOptions& options, const ExecutionContext& context);

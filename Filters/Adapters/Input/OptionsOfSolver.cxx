@@ -81,6 +81,7 @@ FieldProblem ProblemOf(vtkHarmonicFieldSolver* filter)
   problem.Features = FeaturesOf(filter);
   problem.Combing = filter->GetCombing();
   problem.UnitLength = filter->GetUnitLength();
+  problem.HarmonicBasis = filter->GetHarmonicBasis();
   return problem;
 }
 

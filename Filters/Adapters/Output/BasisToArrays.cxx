@@ -1,37 +1,26 @@
 #include "Adapters/Output/BasisToArrays.h"
 
 #include "Adapters/Surface/ElementArrays.h"
-#include "Analysis/HarmonicForms.h"
 
 #include "vtkCellData.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
 
-#include <utility>
+#include <string>
 
 namespace dmg
 {
 
 BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceRelation& surface,
-  const Discretisation& discretisation, Eigen::MatrixXd known, vtkDataSet* input, const ExecutionContext& context)
+  const Discretisation& discretisation, const Eigen::MatrixXd& basis, vtkDataSet* input,
+  const ExecutionContext& context)
 {
-  context.Checkpoint(0.0);
-  const int fields = discretisation.NumberOfHarmonicFields();
-  BasisArrays arrays{ discretisation.Name(), fields, AreTooManyToHold(fields, framed.Mesh),
-    vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New() };
-  if (fields == 0 || arrays.TooMany)
-  {
-    return arrays;
-  }
-  if (known.cols() == 0)
-  {
-    known = discretisation.HarmonicFields(nullptr, PartOfContext(context, 0.0, 0.6));
-  }
-  const Eigen::MatrixXd basis = discretisation.HarmonicBasis(std::move(known), PartOfContext(context, 0.6, 0.9));
+  const auto fields = static_cast<int>(basis.cols());
+  BasisArrays arrays{ vtkSmartPointer<vtkFieldData>::New(), vtkSmartPointer<vtkFieldData>::New() };
   const auto cells = ArraysOfCells(framed.Mesh, surface, input, arrays.Cells, context);
   for (int k = 0; k < fields; ++k)
   {
-    context.Checkpoint(0.9 + 0.1 * k / fields);
+    context.Checkpoint(static_cast<double>(k) / fields);
     const Vector<double> field = basis.col(k);
     const std::string name = ArrayNames::HarmonicBasis(k + 1);
     cells.Add(name, 3, discretisation.VectorsOnFaces(field, context).data());

@@ -10,8 +10,6 @@
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
-#include <string>
-
 namespace dmg
 {
 
@@ -19,20 +17,16 @@ namespace dmg
 /// stands.
 struct BasisArrays
 {
-  std::string Fields;                  ///< whose they are: the discretisation's name
-  int NumberOfFields;                  ///< how many harmonic fields there are
-  bool TooMany;                        ///< to hold (AreTooManyToHold): then there are no arrays
   vtkSmartPointer<vtkFieldData> Cells; ///< vectors, one array per field
   vtkSmartPointer<vtkFieldData> Edges; ///< numbers on edges, one array per field, of discretisations that have such
 };
 
-/// \pre discretisation.HasHarmonicFields()
-/// \param known harmonic fields of this discretisation (FieldSolver::HarmonicFields); without columns they are computed.
+/// \param basis of the discretisation's harmonic fields, a column each.
 /// \param input the surface as a dataset.
-/// \throw SolverFailure as HarmonicForms and HarmonicBasisOfForms.
 /// \throw Cancelled
 BasisArrays MakeBasisArrays(const FramedMesh& framed, const SurfaceRelation& surface,
-  const Discretisation& discretisation, Eigen::MatrixXd known, vtkDataSet* input, const ExecutionContext& context);
+  const Discretisation& discretisation, const Eigen::MatrixXd& basis, vtkDataSet* input,
+  const ExecutionContext& context);
 
 /// Adds the arrays to the cells of the surface and of its edges.
 void AddBasisArrays(const BasisArrays& arrays, vtkDataSet* surface, vtkPolyData* edges);

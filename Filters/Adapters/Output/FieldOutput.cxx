@@ -8,66 +8,56 @@
 namespace dmg
 {
 
-void FieldOutput::SetSurface(const SolverOfSurface& surface)
-{
-  if (this->Surface != surface.Number())
-  {
-    this->Arrays.reset();
-    this->BasisOfSurface.reset();
-    this->Surface = surface.Number();
-  }
-}
-
 void FieldOutput::MakeArrays(
   const SolverOfSurface& surface, const dmg::Field& field, vtkDataSet* input, const ExecutionContext& context)
 {
-  this->SetSurface(surface);
-  if (!this->Arrays || this->Field != field.Number || this->HasUnitLength != field.HasUnitLength)
+  const double most = field.HarmonicBasis ? 0.2 : 1.0;
+  if (!this->Arrays || this->Surface != surface.Number() || this->Field != field.Number ||
+    this->HasUnitLength != field.HasUnitLength)
   {
     const FramedSurface framed = surface.Surface();
-    const SolvedField& solved = surface.Solver().Solved();
     this->Arrays.reset(); // the memory of another field first
-    this->Arrays =
-      MakeFieldArrays(framed.On, framed.Relation, solved.Field(), solved.Unknowns(), field, input, context);
+    this->Arrays = MakeFieldArrays(framed.On, framed.Relation, *field.Solution->Discretisation,
+      field.Solution->Unknowns, field, input, PartOfContext(context, 0.0, most));
+    this->Surface = surface.Number();
     this->Field = field.Number;
     this->HasUnitLength = field.HasUnitLength;
   }
+  this->MakeBasis(surface, field, input, PartOfContext(context, most, 1.0));
 }
 
-bool FieldOutput::MakeBasis(const SolverOfSurface& surface, vtkDataSet* input, const ExecutionContext& context)
+void FieldOutput::MakeBasis(
+  const SolverOfSurface& surface, const dmg::Field& field, vtkDataSet* input, const ExecutionContext& context)
 {
-  this->SetSurface(surface);
-  const SolvedField& solved = surface.Solver().Solved();
-  if (this->BasisOfSurface && this->BasisOfSurface->Fields == solved.Field().Name())
+  if (field.HarmonicBasis && this->Basis != field.HarmonicBasis)
   {
-    return false;
+    const FramedSurface framed = surface.Surface();
+    this->ArraysOfBasis.reset(); // the memory of another basis first
+    this->Basis.reset();
+    this->ArraysOfBasis = MakeBasisArrays(
+      framed.On, framed.Relation, *field.Solution->Discretisation, *field.HarmonicBasis, input, context);
+    this->Basis = field.HarmonicBasis;
   }
-  const FramedSurface framed = surface.Surface();
-  this->BasisOfSurface.reset(); // the memory of another discretisation first
-  this->BasisOfSurface =
-    MakeBasisArrays(framed.On, framed.Relation, solved.Field(), solved.HarmonicFields(), input, context);
-  return true;
 }
 
 void FieldOutput::AddArraysTo(
-  const SolverOfSurface& surface, bool hasBasis, vtkDataSet* output, vtkPolyData* edges) const
+  const SolverOfSurface& surface, const dmg::Field& field, vtkDataSet* output, vtkPolyData* edges) const
 {
-  const SolvedField& solved = surface.Solver().Solved();
+  const FieldSolution& solution = *field.Solution;
   AddFieldArrays(*this->Arrays, output, edges);
-  AddPrescribed(surface.Surface().Relation, solved.Constraints(), solved.Field().Elements(), output, edges);
-  if (hasBasis)
+  AddPrescribed(surface.Surface().Relation, solution.Constraints, solution.Discretisation->Elements(), output, edges);
+  if (field.HarmonicBasis)
   {
-    AddBasisArrays(this->Basis(), output, edges);
+    AddBasisArrays(*this->ArraysOfBasis, output, edges);
   }
 }
 
-void FieldOutput::AddReportTo(
-  const SolverOfSurface& surface, const dmg::Field& field, bool hasBasis, vtkFieldData* data) const
+void FieldOutput::AddReportTo(const SolverOfSurface& surface, const dmg::Field& field, vtkFieldData* data) const
 {
   AddReport(field.Report, field.N, surface.SetupSeconds(field), data);
-  if (hasBasis)
+  if (field.HarmonicBasis)
   {
-    AddBasisSize(this->Basis(), data);
+    AddBasisSize(*this->ArraysOfBasis, data);
   }
 }
 

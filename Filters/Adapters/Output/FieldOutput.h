@@ -6,6 +6,7 @@
 #include "Adapters/Surface/SolverOfSurface.h"
 #include "Support/ExecutionContext.h"
 
+#include <memory>
 #include <optional>
 
 class vtkFieldData;
@@ -20,26 +21,23 @@ namespace dmg
 class FieldOutput
 {
 public:
-  /// The arrays of a field, where they are not those that stand.
+  /// The arrays of a field and of the harmonic basis that it comes with, where they are not those that stand.
   void MakeArrays(
     const SolverOfSurface& surface, const Field& field, vtkDataSet* input, const ExecutionContext& context);
-  /// The harmonic fields. \return whether they were made, rather than kept.
-  bool MakeBasis(const SolverOfSurface& surface, vtkDataSet* input, const ExecutionContext& context);
-  const BasisArrays& Basis() const { return *this->BasisOfSurface; }
-
-  /// \param hasBasis whether the harmonic fields come along.
-  void AddArraysTo(const SolverOfSurface& surface, bool hasBasis, vtkDataSet* output, vtkPolyData* edges) const;
+  void AddArraysTo(const SolverOfSurface& surface, const Field& field, vtkDataSet* output, vtkPolyData* edges) const;
   /// Sizes, cost and convergence.
-  void AddReportTo(const SolverOfSurface& surface, const Field& field, bool hasBasis, vtkFieldData* data) const;
+  void AddReportTo(const SolverOfSurface& surface, const Field& field, vtkFieldData* data) const;
 
 private:
-  void SetSurface(const SolverOfSurface& surface);
+  void MakeBasis(
+    const SolverOfSurface& surface, const Field& field, vtkDataSet* input, const ExecutionContext& context);
 
   int Surface = 0;
   long long Field = 0;
   bool HasUnitLength = true;
   std::optional<FieldArrays> Arrays; ///< of these
-  std::optional<BasisArrays> BasisOfSurface;
+  std::shared_ptr<const Eigen::MatrixXd> Basis;
+  std::optional<BasisArrays> ArraysOfBasis; ///< of this basis
 };
 
 }

@@ -68,14 +68,14 @@ std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
   return this->Read.back().second;
 }
 
-SolvedField::StageCounts SolverOfSurface::Counts() const
+FieldSolver::StageCounts SolverOfSurface::Counts() const
 {
   return this->SolverOfMesh ? this->OfFormerSurfaces + this->SolverOfMesh->Counts() : this->OfFormerSurfaces;
 }
 
 double SolverOfSurface::SetupSeconds(const Field& field) const
 {
-  return this->SurfaceSeconds + this->OperatorsSeconds + field.SetupSeconds;
+  return this->SurfaceSeconds + this->OperatorsSeconds + field.Solution->SetupSeconds;
 }
 
 }

@@ -16,7 +16,7 @@ class vtkDataSet;
 namespace dmg
 {
 
-inline SolvedField::StageCounts operator+(const SolvedField::StageCounts& a, const SolvedField::StageCounts& b)
+inline FieldSolver::StageCounts operator+(const FieldSolver::StageCounts& a, const FieldSolver::StageCounts& b)
 {
   return { a.Setups + b.Setups, a.Systems + b.Systems, a.Solves + b.Solves };
 }
@@ -42,7 +42,7 @@ public:
   int Number() const { return this->NumberOfSurface; }
 
   /// Over all surfaces.
-  SolvedField::StageCounts Counts() const;
+  FieldSolver::StageCounts Counts() const;
   /// The sum over the surface, its operators, and the set-up of a field on it.
   double SetupSeconds(const Field& field) const;
 
@@ -59,7 +59,7 @@ private:
   std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> Read;
   double SurfaceSeconds = 0.0;
   double OperatorsSeconds = 0.0;
-  SolvedField::StageCounts OfFormerSurfaces;
+  FieldSolver::StageCounts OfFormerSurfaces;
 };
 
 }

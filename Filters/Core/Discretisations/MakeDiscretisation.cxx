@@ -27,6 +27,26 @@ std::unique_ptr<const Discretisation> MakeDiscretisation(
   }
 }
 
+DiscretisationOptions OptionsThatCount(const DiscretisationOptions& options)
+{
+  DiscretisationOptions counting;
+  counting.Kind = options.Kind;
+  switch (options.Kind)
+  {
+    case DiscretisationKind::ScalarFunction:
+    case DiscretisationKind::OneForm:
+      counting.Areas = options.Areas;
+      break;
+    case DiscretisationKind::PowerField:
+    case DiscretisationKind::VertexPowerField:
+      counting.N = options.N;
+      break;
+    case DiscretisationKind::FaceField:
+      break;
+  }
+  return counting;
+}
+
 std::vector<std::string> NamesOfValues()
 {
   return { "PowerField", "FaceField", "OneForm", "ScalarFunction" };

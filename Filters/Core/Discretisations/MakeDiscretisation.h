@@ -16,6 +16,9 @@ namespace dmg
 std::unique_ptr<const Discretisation> MakeDiscretisation(
   const DiscretisationOptions& options, const FramedMesh& surface);
 
+/// The options with all that this kind does not look at as they are by default: equal where the discretisations are the same.
+DiscretisationOptions OptionsThatCount(const DiscretisationOptions& options);
+
 /// The names of the Values of all discretisations.
 std::vector<std::string> NamesOfValues();
 

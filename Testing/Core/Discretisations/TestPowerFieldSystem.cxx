@@ -1,7 +1,7 @@
 #include "Support/FieldSystems.h"
 
 #include "Examples.h"
-#include "FieldStages.h"
+#include "FieldSolver.h"
 #include "Operators/PowerFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/FieldProblem.h"
@@ -9,6 +9,7 @@
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
 #include "Support/ReferenceOperators.h"
+#include "Support/SolverOfUnknowns.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -190,7 +191,7 @@ TEST(PowerFieldSystem, ComponentsWithoutAPrescriptionHaveTheSmoothestField)
   {
     const HarmonicSystem<Complex> system = MakePowerFieldSystem(mesh, frames, 4, constraints, Weights(kind));
     EXPECT_EQ(system.NumberOfUnreached(), 80);
-    FieldStages solver(mesh);
+    SolverOfUnknowns solver(mesh);
     FieldOptions options = PowersOnFaces();
     options.Constraints = kind;
     solver.Solve({ { { 81, Vector3(1.0, 0.0, 0.0), 1.0 } }, {} }, options);
@@ -241,7 +242,7 @@ TEST(PowerFieldSystem, RefusesWhatItCannotSolve)
       options.Field.N = N;
       std::tie(options.Smoothness, options.Alignment, options.Constraints) =
         std::tie(weights.Smoothness, weights.Alignment, weights.Constraints);
-      FieldProblem(surface, nullptr, { prescribed.Elements, prescribed.Weights, {} }, options, SerialContext());
+      test::FieldProblem(surface, nullptr, { prescribed.Elements, prescribed.Weights, {} }, options, SerialContext());
       ADD_FAILURE() << "accepted; expected \"" << word << '"';
     }
     catch (const InvalidInput& error)
@@ -271,7 +272,7 @@ TEST(PowerFieldSystem, IsHeldEverywhereByHardConstraints)
   FieldOptions options = PowersOnFaces();
   options.Field.Kind = DiscretisationKind::PowerField;
   options.Constraints = ConstraintKind::Hard;
-  FieldProblem problem(surface, nullptr, held, options, SerialContext());
+  test::FieldProblem problem(surface, nullptr, held, options, SerialContext());
   EXPECT_EQ(problem.Solve(held.Values, {}, StoppingCriteria(), SerialContext()), held.Values);
 }
 

@@ -1,9 +1,10 @@
 #include "Discretisations/ScalarFunction.h"
 
-#include "FieldStages.h"
+#include "FieldSolver.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
+#include "Support/SolverOfUnknowns.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
@@ -63,7 +64,7 @@ TEST(ScalarFunction, LinearFunctionsAreReproduced)
   const auto linear = [&slope](const Vector3& p) { return 2.0 + slope.dot(p); };
   for (const SolverKind solver : { SolverKind::ConjugateGradients, SolverKind::Cholesky, SolverKind::VCycles })
   {
-    FieldStages fields(mesh);
+    SolverOfUnknowns fields(mesh);
     const Vector<double> u = fields.Solve(OnBoundary(mesh, linear), Functions(solver), { 1e-12, 200 });
     EXPECT_TRUE(fields.Report().Converged);
     for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
@@ -94,7 +95,7 @@ TEST(ScalarFunction, APotentialRunsAlongATube)
     }
   }
   ASSERT_GE(prescribed.Values.size(), 40u);
-  FieldStages fields(mesh);
+  SolverOfUnknowns fields(mesh);
   const Vector<double> u = fields.Solve(prescribed, Functions(), { 1e-12, 200 });
   // Natural conditions above and below: nothing crosses them.
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
@@ -110,7 +111,7 @@ TEST(ScalarFunction, MinimisesTheDirichletEnergy)
   const TriangleMesh mesh = IrregularTorus(48, 24, 4).Mesh();
   const TangentFrames frames = FaceFrames(mesh);
   const Constraints prescribed = SomeValues(mesh);
-  FieldStages fields(mesh);
+  SolverOfUnknowns fields(mesh);
   const Vector<double> u = fields.Solve(prescribed, Functions(), { 1e-13, 200 });
   Vector<double> residual = FaceDivergence(mesh, frames) * (FaceGradient(mesh, frames) * u);
   for (const ValueConstraint& value : prescribed.Values)
@@ -130,13 +131,13 @@ TEST(ScalarFunction, SolversAndLevelsAgree)
     {
       FieldOptions options = Functions(SolverKind::Cholesky);
       options.Constraints = constraints;
-      FieldStages direct(mesh);
+      SolverOfUnknowns direct(mesh);
       const Vector<double> expected = direct.Solve(SomeValues(mesh), options, { 1e-12, 200 });
       for (const CoarseSpaceKind space : { CoarseSpaceKind::LinearInterpolation, CoarseSpaceKind::StructurePreserving })
       {
         options.Solver.Kind = SolverKind::ConjugateGradients;
         options.CoarseSpace = space;
-        FieldStages fields(mesh);
+        SolverOfUnknowns fields(mesh);
         const Vector<double> u = fields.Solve(SomeValues(mesh), options, { 1e-12, 200 });
         EXPECT_LE((u - expected).norm(), 1e-9 * expected.norm()) << fields.Report().Solver;
         EXPECT_LE(fields.Report().Iterations.size(), 26u) << fields.Report().Solver;
@@ -150,7 +151,7 @@ TEST(ScalarFunction, HasTheSameBitsForAnyNumberOfThreads)
   const TriangleMesh mesh = IrregularTorus(64, 32, 4).Mesh();
   const auto solve = [&mesh](const ExecutionContext& context)
   {
-    FieldStages fields(mesh, context);
+    SolverOfUnknowns fields(mesh, context);
     return fields.Solve(SomeValues(mesh), Functions(), {}, context);
   };
   const Vector<double> expected = solve(SerialContext());
@@ -201,7 +202,7 @@ double ErrorOnPlane(int n, SolverKind solver)
   const auto exact = [](const Vector3& p) { return std::exp(p[0]) * std::sin(p[1]) + p[0] * p[0]; };
   Surface shape = IrregularPlane(n, n, 7);
   shape.V /= n;
-  FieldStages stages(shape.Mesh());
+  SolverOfUnknowns stages(shape.Mesh());
   const TriangleMesh& mesh = stages.Surface().Mesh;
   Constraints constraints = OnBoundary(mesh, exact);
   constraints.Source = Vector<double>::Constant(mesh.NumberOfVertices(), -2.0);
@@ -213,7 +214,7 @@ double ErrorOnPlane(int n, SolverKind solver)
 /// Of x y, with -Laplace x y = 6 x y, on the unit sphere.
 double ErrorOnSphere(int subdivisions, ConstraintKind kind)
 {
-  FieldStages stages(IrregularSphere(subdivisions, 4, 0.15).Mesh());
+  SolverOfUnknowns stages(IrregularSphere(subdivisions, 4, 0.15).Mesh());
   const TriangleMesh& mesh = stages.Surface().Mesh;
   const Vector<double> expected = AtVertices(mesh, [](const Vector3& p) { return p[0] * p[1]; });
   Constraints constraints;
@@ -252,7 +253,7 @@ TEST(ScalarFunction, NetSourcesAreNamedByTheirIntegral)
 {
   // The sphere has a value and may have any source; the plane, of area 1, has none.
   const Surface shape = Union(Icosphere(2), IrregularPlane(9, 9, 3), { 4, 0, 0 });
-  FieldStages stages(shape.Mesh());
+  SolverOfUnknowns stages(shape.Mesh());
   const TriangleMesh& mesh = stages.Surface().Mesh;
   const double area = mesh.FaceAreas().sum() - Icosphere(2).Mesh().FaceAreas().sum();
   Constraints constraints;
@@ -280,7 +281,7 @@ TEST(ScalarFunction, NetSourcesAreNamedByTheirIntegral)
 
 TEST(ScalarFunction, AChangedSourceRepeatsTheSolveAlone)
 {
-  FieldStages stages(IrregularTorus(40, 20, 3).Mesh());
+  SolverOfUnknowns stages(IrregularTorus(40, 20, 3).Mesh());
   const TriangleMesh& mesh = stages.Surface().Mesh;
   Constraints constraints;
   constraints.Net = NetSource::TakeOut;
@@ -305,7 +306,7 @@ TEST(ScalarFunction, AChangedSourceRepeatsTheSolveAlone)
 
 TEST(ScalarFunction, SourcesOfAnySizeAreSolvedForAndWrongOnesNamed)
 {
-  FieldStages stages(IrregularTorus(40, 20, 3).Mesh());
+  SolverOfUnknowns stages(IrregularTorus(40, 20, 3).Mesh());
   const TriangleMesh& mesh = stages.Surface().Mesh;
   Constraints constraints;
   constraints.Net = NetSource::TakeOut;

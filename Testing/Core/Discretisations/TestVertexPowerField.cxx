@@ -1,6 +1,6 @@
 #include "Discretisations/VertexPowerField.h"
 
-#include "FieldStages.h"
+#include "FieldSolver.h"
 #include "Operators/ConnectionLaplacian.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
@@ -8,6 +8,7 @@
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
 #include "Support/Random.h"
+#include "Support/SolverOfUnknowns.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Geometry>
@@ -119,7 +120,7 @@ double RelativeError(const Surface& shape, int N, const std::function<Complex(Co
       held.AtVertices.push_back({ vertex, { direction.real(), direction.imag(), 0.0 }, 1.0 });
     }
   }
-  FieldStages solver(mesh);
+  SolverOfUnknowns solver(mesh);
   solver.Solve(held, PointFields(N), { 1e-10, 200 });
   EXPECT_TRUE(solver.Report().Converged);
   const Vector<Complex> X = InThePlane(solver.Surface(), solver.Unknowns(), N);
@@ -179,7 +180,7 @@ TEST(VertexPowerField, OneDirectionOnAFlatPatchGivesTheConstantField)
       {
         for (const Constraints& one : { Constraints{ { { 17, v, 1.0 } }, {} }, Constraints{ {}, { { 17, v, 1.0 } } } })
         {
-          FieldStages solver(surface.Mesh);
+          SolverOfUnknowns solver(surface.Mesh);
           const Vector<Complex> X =
             AsComplex(solver.Solve(one, PointFields(N, kind, SolverKind::Cholesky), { 1e-12, 50 }));
           EXPECT_LT(RelativeDifference(X, PowersOfDirection(surface.Vertices, v, N)), 1e-9);
@@ -236,7 +237,7 @@ TEST(VertexPowerField, RegionsOfFacesHoldTheFieldWithOrderTwo)
         held.OnFaces.push_back({ face, exactAt(centre), 1.0 });
       }
     }
-    FieldStages solver(mesh);
+    SolverOfUnknowns solver(mesh);
     solver.Solve(held, PointFields(1), { 1e-10, 200 });
     double largest = 0.0;
     for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
@@ -285,9 +286,9 @@ TEST(VertexPowerField, IsItsStatedEnergy)
     options.Smoothness = 0.25;
     options.Alignment = 3.0;
     const Constraints prescribed{ SomeDirections(surface, 7, 3), {} };
-    FieldStages solver(surface.Mesh);
+    SolverOfUnknowns solver(surface.Mesh);
     const Vector<Complex> X = AsComplex(solver.Solve(prescribed, options, { 1e-13, 50 }));
-    const FieldConstraints& constraints = solver.Constraints();
+    const FieldConstraints& constraints = solver.Constrained();
     // The gradient of the energy vanishes.
     Vector<Complex> gradient = 0.25 * (ConnectionLaplacian(surface.Mesh, VertexConnection(surface), N) * X);
     for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
@@ -308,14 +309,14 @@ TEST(VertexPowerField, SolversAndLevelsAgree)
     for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
     {
       const Constraints prescribed{ SomeDirections(surface, 20, 5), {} };
-      FieldStages direct(surface.Mesh);
+      SolverOfUnknowns direct(surface.Mesh);
       const Vector<double> expected =
         direct.Solve(prescribed, PointFields(4, kind, SolverKind::Cholesky), { 1e-12, 100 });
       for (const CoarseSpaceKind space : { CoarseSpaceKind::LinearInterpolation, CoarseSpaceKind::StructurePreserving })
       {
         FieldOptions options = PointFields(4, kind);
         options.CoarseSpace = space;
-        FieldStages solver(surface.Mesh);
+        SolverOfUnknowns solver(surface.Mesh);
         const Vector<double> x = solver.Solve(prescribed, options, { 1e-12, 100 });
         EXPECT_LE((x - expected).norm(), 1e-9 * expected.norm()) << solver.Report().Solver;
         EXPECT_LE(solver.Report().Iterations.size(), 26u) << solver.Report().Solver;
@@ -338,8 +339,8 @@ TEST(VertexPowerField, FollowsRotationAndScale)
   }
   for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
   {
-    FieldStages here(surface.Mesh);
-    FieldStages elsewhere(moved.Mesh);
+    SolverOfUnknowns here(surface.Mesh);
+    SolverOfUnknowns elsewhere(moved.Mesh);
     const FieldOptions options = PointFields(4, kind, SolverKind::Cholesky);
     const Vector<double> x = here.Solve(prescribed, options, { 1e-12, 50 });
     const Vector<double> y = elsewhere.Solve(there, options, { 1e-12, 50 });
@@ -352,7 +353,7 @@ TEST(VertexPowerField, TheSmoothestFieldOnASphereHasTheKnownEigenvalue)
 {
   for (int N : { 1, 2, 4 })
   {
-    FieldStages solver(IrregularSphere(5, 3).Mesh());
+    SolverOfUnknowns solver(IrregularSphere(5, 3).Mesh());
     solver.Solve({}, PointFields(N, ConstraintKind::Soft));
     ASSERT_EQ(solver.Report().Eigenvalues.size(), 1u);
     EXPECT_NEAR(solver.Report().Eigenvalues[0], N, 0.005 * N);
@@ -364,7 +365,7 @@ TEST(VertexPowerField, ZeroAreaFacesGetAField)
   const FramedMesh surface(SphereWithZeroAreaFaces(3, 8).Mesh());
   for (int N : { 1, 4 })
   {
-    FieldStages solver(surface.Mesh);
+    SolverOfUnknowns solver(surface.Mesh);
     const Vector<double> x =
       solver.Solve({ SomeDirections(surface, 4, 14), {} }, PointFields(N, ConstraintKind::Soft, SolverKind::Cholesky));
     EXPECT_TRUE(x.allFinite());
@@ -377,7 +378,7 @@ TEST(VertexPowerField, HasTheSameBitsForAnyNumberOfThreads)
   const FramedMesh surface(IrregularTorus(80, 60, 4).Mesh());
   const auto solve = [&](const ExecutionContext& context)
   {
-    FieldStages solver(surface.Mesh, context);
+    SolverOfUnknowns solver(surface.Mesh, context);
     return solver.Solve({ SomeDirections(surface, 20, 5), {} }, PointFields(4, ConstraintKind::Soft), {}, context);
   };
   const Vector<double> expected = solve(SerialContext());

@@ -1,4 +1,4 @@
-#include "FieldStages.h"
+#include "FieldSolver.h"
 
 #include "Discretisations/OneFormConstraints.h"
 #include "PreparedSurface.h"
@@ -7,6 +7,7 @@
 #include "Support/Errors.h"
 #include "Support/FieldSystems.h"
 #include "Support/MeshFactory.h"
+#include "Support/SolverOfUnknowns.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>
@@ -53,7 +54,7 @@ struct Change
 }
 
 // Every member of the options, one after the other. What a member changes is redone, and not more.
-TEST(FieldStages, EachOptionRepeatsItsStages)
+TEST(FieldSolver, EachOptionRepeatsItsStages)
 {
   const Stages everything{ 1, 1, 1 };
   const Stages system{ 0, 1, 1 };
@@ -84,9 +85,9 @@ TEST(FieldStages, EachOptionRepeatsItsStages)
   {
     FieldOptions options;
     options.Solver.Kind = SolverKind::ConjugateGradients;
-    FieldStages solver(mesh);
+    SolverOfUnknowns solver(mesh);
     solver.Solve(Directions(mesh), options);
-    const FieldStages::StageCounts before = solver.Counts();
+    const FieldSolver::StageCounts before = solver.Counts();
     EXPECT_EQ(before.Setups, 1);
     EXPECT_EQ(before.Systems, 1);
     EXPECT_EQ(before.Solves, 1);
@@ -96,22 +97,22 @@ TEST(FieldStages, EachOptionRepeatsItsStages)
     EXPECT_EQ(solver.Counts().Systems - before.Systems, change.Costs.Systems) << change.Name;
     EXPECT_EQ(solver.Counts().Solves - before.Solves, change.Costs.Solves) << change.Name;
     // Whatever was kept, the field is that of a new solver.
-    FieldStages fresh(mesh);
+    SolverOfUnknowns fresh(mesh);
     fresh.Solve(Directions(mesh), options, { 1e-12, 200 });
     solver.Solve(Directions(mesh), options, { 1e-12, 200 });
     EXPECT_LE((solver.Unknowns() - fresh.Unknowns()).norm(), 1e-8 * fresh.Unknowns().norm()) << change.Name;
   }
 }
 
-TEST(FieldStages, PrescriptionsRepeatTheirStages)
+TEST(FieldSolver, PrescriptionsRepeatTheirStages)
 {
   const TriangleMesh mesh = IrregularTorus(64, 32, 4).Mesh();
-  FieldStages solver(mesh);
+  SolverOfUnknowns solver(mesh);
   FieldOptions options;
   options.Solver.Kind = SolverKind::ConjugateGradients;
   const auto expectCosts = [&](const Constraints& directions, const StoppingCriteria& stop, const Stages& costs)
   {
-    const FieldStages::StageCounts before = solver.Counts();
+    const FieldSolver::StageCounts before = solver.Counts();
     solver.Solve(directions, options, stop);
     EXPECT_EQ(solver.Counts().Setups - before.Setups, costs.Setups);
     EXPECT_EQ(solver.Counts().Systems - before.Systems, costs.Systems);
@@ -129,14 +130,14 @@ TEST(FieldStages, PrescriptionsRepeatTheirStages)
 }
 
 // Given operators make other levels, but no other field; they took no set-up here.
-TEST(FieldStages, TakesOperatorsThatAreGiven)
+TEST(FieldSolver, TakesOperatorsThatAreGiven)
 {
   const TriangleMesh mesh = IrregularTorus(48, 24, 4).Mesh();
   HierarchyOptions levels;
   levels.MinimumNumberOfFaces = 100;
   const auto operators = std::make_shared<const ProlongationOperators>(
     BuildSurfaceHierarchy(mesh, levels, SerialContext(), { true, false, false }).Operators);
-  FieldStages solver(mesh);
+  SolverOfUnknowns solver(mesh);
   FieldOptions options;
   options.Solver.Kind = SolverKind::ConjugateGradients;
   const Vector<double> own = solver.Solve(Directions(mesh), options, { 1e-12, 200 });
@@ -153,12 +154,12 @@ TEST(FieldStages, TakesOperatorsThatAreGiven)
 }
 
 // What was made for one N is found again, while there is room.
-TEST(FieldStages, KeepsSetupsUpToALimitOfMemory)
+TEST(FieldSolver, KeepsSetupsUpToALimitOfMemory)
 {
   const TriangleMesh mesh = IrregularTorus(64, 32, 4).Mesh();
   FieldOptions options;
   options.Solver.Kind = SolverKind::ConjugateGradients;
-  const auto setups = [&](FieldStages& solver, const std::vector<int>& Ns)
+  const auto setups = [&](SolverOfUnknowns& solver, const std::vector<int>& Ns)
   {
     for (const int N : Ns)
     {
@@ -167,10 +168,10 @@ TEST(FieldStages, KeepsSetupsUpToALimitOfMemory)
     }
     return solver.Counts().Setups;
   };
-  FieldStages roomy(mesh);
+  SolverOfUnknowns roomy(mesh);
   EXPECT_EQ(setups(roomy, { 4, 2, 1, 4, 2, 1 }), 3);
   const Vector<double> kept = roomy.Unknowns();
-  FieldStages narrow(mesh);
+  SolverOfUnknowns narrow(mesh);
   narrow.SetMemoryLimit(0);
   EXPECT_EQ(setups(narrow, { 4, 2, 4, 4, 2 }), 4);
   narrow.SetMemoryLimit(1LL << 40);
@@ -182,10 +183,10 @@ TEST(FieldStages, KeepsSetupsUpToALimitOfMemory)
   EXPECT_EQ(setups(narrow, { 4 }), 7);
 }
 
-TEST(FieldStages, AnErrorLeavesWhatStands)
+TEST(FieldSolver, AnErrorLeavesWhatStands)
 {
   const TriangleMesh mesh = IrregularTorus(48, 24, 4).Mesh();
-  FieldStages solver(mesh);
+  SolverOfUnknowns solver(mesh);
   const Vector<double> field = solver.Solve(Directions(mesh), {});
   FieldOptions wrong;
   wrong.Alignment = -1.0;
@@ -201,7 +202,7 @@ TEST(FieldStages, AnErrorLeavesWhatStands)
 }
 
 // The first direction is one of the N, 2 pi / N apart, in the plane of its face, and follows what is prescribed.
-TEST(FieldStages, DirectionsFollowWhatIsPrescribed)
+TEST(FieldSolver, DirectionsFollowWhatIsPrescribed)
 {
   const TriangleMesh mesh = IrregularSphere(3, 3).Mesh();
   FieldOptions options;
@@ -210,7 +211,7 @@ TEST(FieldStages, DirectionsFollowWhatIsPrescribed)
   for (const int N : { 1, 2, 4 })
   {
     options.Field.N = N;
-    FieldStages solver(mesh);
+    SolverOfUnknowns solver(mesh);
     solver.Solve(directions, options);
     for (const auto& [face, direction, weight, side] : directions.OnFaces)
     {
@@ -224,12 +225,12 @@ TEST(FieldStages, DirectionsFollowWhatIsPrescribed)
   }
 }
 
-TEST(FieldStages, SolversAgreeOnEveryDiscretisation)
+TEST(FieldSolver, SolversAgreeOnEveryDiscretisation)
 {
   for (const Surface& surface : { IrregularSphere(3, 3), IrregularTorus(28, 14, 4), IrregularPlane(20, 16, 5) })
   {
     const PreparedSurface on(surface);
-    FieldStages fields(on.Mesh);
+    SolverOfUnknowns fields(on.Mesh);
     for (DiscretisationKind kind : AllKinds)
     {
       for (ConstraintKind constraintKind : { ConstraintKind::Soft, ConstraintKind::Hard })
@@ -265,7 +266,7 @@ TEST(FieldStages, SolversAgreeOnEveryDiscretisation)
 }
 
 // The system that is factored is that of HarmonicSystem, which is assembled and reduced otherwise.
-TEST(FieldStages, AgreesWithTheTextbookSystem)
+TEST(FieldSolver, AgreesWithTheTextbookSystem)
 {
   const PreparedSurface on(IrregularTorus(16, 10, 4));
   const Constraints directions = Prescriptions(on.Framed, 37);
@@ -279,7 +280,7 @@ TEST(FieldStages, AgreesWithTheTextbookSystem)
     {
       const auto A = system.Matrix().toDense().eval();
       const auto x = system.Expand(A.partialPivLu().solve(system.RightHandSide(values)), values);
-      FieldStages fields(on.Mesh);
+      SolverOfUnknowns fields(on.Mesh);
       const Vector<double> field = fields.Solve(directions, options, Tight());
       const Vector<double> expected = pairsOf(x);
       EXPECT_LE((field - expected).norm(), 1e-10 * expected.norm()) << fields.Field().Name();
@@ -301,7 +302,7 @@ TEST(FieldStages, AgreesWithTheTextbookSystem)
 
 // Set-up, system, what it is compared with and the solve share one way from 0 to 1. What was complete when a run was
 // stopped is kept, and changes nothing.
-TEST(FieldStages, ReportsProgressOnceAndStopsWhenAsked)
+TEST(FieldSolver, ReportsProgressOnceAndStopsWhenAsked)
 {
   const PreparedSurface on(IrregularTorus(48, 24, 4));
   for (DiscretisationKind kind : AllKinds)
@@ -315,7 +316,7 @@ TEST(FieldStages, ReportsProgressOnceAndStopsWhenAsked)
       options.Solver.CompareWithCholesky = isCompared;
       const Constraints directions = Prescriptions(on.Framed, 97);
       TbbContext all(2);
-      FieldStages fields(on.Mesh);
+      SolverOfUnknowns fields(on.Mesh);
       const Vector<double> expected = fields.Solve(directions, options, Tight(), all);
       const std::vector<double>& progress = all.Progress();
       EXPECT_TRUE(std::is_sorted(progress.begin(), progress.end())) << isCompared;
@@ -325,7 +326,7 @@ TEST(FieldStages, ReportsProgressOnceAndStopsWhenAsked)
       {
         TbbContext context(2);
         context.CancelAfter(static_cast<int>(count));
-        FieldStages stopped(on.Mesh);
+        SolverOfUnknowns stopped(on.Mesh);
         EXPECT_THROW(stopped.Solve(directions, options, Tight(), context), Cancelled);
         EXPECT_EQ(context.Progress().size(), count);
         if (count % 7 == 0)
@@ -378,13 +379,13 @@ public:
 
 private:
   const TriangleMesh Mesh;
-  FieldStages Solver;
+  SolverOfUnknowns Solver;
 };
 
 }
 
 // The level that is solved exactly is the finest one.
-TEST(FieldStages, StartedOnTheFinestLevelIsExact)
+TEST(FieldSolver, StartedOnTheFinestLevelIsExact)
 {
   OnStoredLevels on;
   for (const DiscretisationKind kind : KindsWithDirections)
@@ -396,7 +397,7 @@ TEST(FieldStages, StartedOnTheFinestLevelIsExact)
   }
 }
 
-TEST(FieldStages, NestedIterationsComeCloserThanTheirStartByEachRule)
+TEST(FieldSolver, NestedIterationsComeCloserThanTheirStartByEachRule)
 {
   OnStoredLevels on;
   for (const DiscretisationKind kind : KindsWithDirections)
@@ -413,7 +414,7 @@ TEST(FieldStages, NestedIterationsComeCloserThanTheirStartByEachRule)
 }
 
 // With another start, linear levels are those that were stored, not samples.
-TEST(FieldStages, SolvesOnStoredLinearLevels)
+TEST(FieldSolver, SolvesOnStoredLinearLevels)
 {
   OnStoredLevels on;
   for (const DiscretisationKind kind : KindsWithDirections)
