@@ -7,6 +7,7 @@
 #include "Adapters/Output/ReportToArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Pipeline/LeavesOfExecution.h"
+#include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
@@ -286,7 +287,7 @@ int vtkHarmonicFieldSolver::RequestData(
     leaf.Bytes = field.Report.Bytes;
     for (const std::string& text : field.Warnings)
     {
-      vtkWarningMacro(<< text);
+      vtkWarningMacro(<< dmg::InPanelWords(text));
     }
     shown.MakeArrays(kept, field, input, dmg::PartOfContext(context, 0.95, 1.0));
 

@@ -4,6 +4,7 @@
 #include "Adapters/Input/FlowFromEdges.h"
 #include "Adapters/Output/FlowToArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Pipeline/PropertyRanges.h"
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
@@ -134,7 +135,7 @@ int vtkHodgeDecomposition::RequestData(
     for (const std::string& warning : kept.Decompose(
            flow, wanted, input, output, vtkPolyData::GetData(outputVector, 1), dmg::PartOfContext(context, 0.1, 1.0)))
     {
-      vtkWarningMacro(<< warning);
+      vtkWarningMacro(<< dmg::InPanelWords(warning));
     }
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make);

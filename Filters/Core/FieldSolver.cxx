@@ -10,6 +10,7 @@
 #include "Solvers/SolveInUnits.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/Stopwatch.h"
 
 #include <cmath>
@@ -404,8 +405,8 @@ void FieldSolver::Internals::FindBasis(const FieldProblem& problem, const Execut
     if (AreTooManyToHold(fields, this->Surface.Mesh))
     {
       this->Last.Warnings.push_back("the surface has " + std::to_string(fields) +
-        " harmonic fields, which are too many to hold: no HarmonicBasis arrays; close its holes and remove its small "
-        "handles first, or switch Harmonic Basis off");
+        " harmonic fields, which are too many to hold; close its holes and remove its small handles first, or " +
+        TextOf(Remedy::NoBasis));
     }
     else if (fields > 0)
     {

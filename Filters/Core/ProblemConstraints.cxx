@@ -1,6 +1,7 @@
 #include "ProblemConstraints.h"
 
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
 #include <cmath>
@@ -32,7 +33,8 @@ void CheckFollowsSomething(const Constraints& constraints, const GuidesReport& g
   {
     throw InvalidInput(
       "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
-      "their mask or weights are; choose others, or clear Guides for the smoothest field");
+      "their mask or weights are; choose others, or clear " +
+      TextOf(Remedy::Guides) + " for the smoothest field");
   }
 }
 
@@ -65,8 +67,8 @@ std::string WarningOfCancelling(const std::vector<int>& faces, const ElementName
   return "the directions prescribed on " + names.Face(faces[0]) +
     (others == 0 ? "" : " and " + std::to_string(others) + (others == 1 ? " other" : " others")) +
     " cancel, as opposite vectors do for a field of one direction, so nothing is followed there; take one of them out, "
-    "or "
-    "choose a Number Of Directions to which they are alike";
+    "or choose a " +
+    TextOf(Remedy::Directions) + " to which they are alike";
 }
 
 }
@@ -142,7 +144,8 @@ void ProblemConstraints::FollowFeatures(
     if (problem.Options.Constraints == ConstraintKind::Hard && !problem.Singularities)
     {
       throw InvalidInput("principal directions are followed on all triangles, which hard constraints would leave no "
-                         "freedom; set Constraint Type to Soft, or Curvature Weight to 0");
+                         "freedom; " +
+        TextOf(Remedy::SoftConstraints) + ", or " + TextOf(Remedy::CurvatureWeight) + " to 0");
     }
     curvatures = &this->Curvatures(problem.Features.CurvatureScale, context);
   }
@@ -161,8 +164,8 @@ void ProblemConstraints::Rotate(
   const Constraints& constraints = followed.Constraints;
   if (isNothingSaid && constraints.OnFaces.empty() && constraints.AtVertices.empty())
   {
-    followed.Warnings.push_back("nothing is followed that the field could be turned against, so Rotation and Rotation "
-                                "Array have no effect; add what it shall follow, or set them to 0 and None");
+    followed.Warnings.push_back(
+      "nothing is followed that the field could be turned against, so " + TextOf(Remedy::RotationOfNothing));
     return;
   }
   Turn(followed.Constraints, this->Surface, problem.Rotation, names);

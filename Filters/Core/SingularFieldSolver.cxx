@@ -4,6 +4,7 @@
 #include "Analysis/TrivialConnection.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 #include "Support/Stopwatch.h"
 
@@ -85,8 +86,8 @@ void CheckTakesSingularities(const DiscretisationOptions& field)
 {
   if (field.Kind != DiscretisationKind::PowerField && field.Kind != DiscretisationKind::VertexPowerField)
   {
-    throw InvalidInput("singularities are prescribed, and only power fields can have them; choose Power Field at "
-                       "Points as Discretisation, or take the input Singularities away");
+    throw InvalidInput(
+      "singularities are prescribed, and only power fields can have them; " + TextOf(Remedy::NoSingularities));
   }
 }
 

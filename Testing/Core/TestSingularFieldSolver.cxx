@@ -414,7 +414,7 @@ TEST(SingularFieldSolver, WhatIsNoSingularityOfAPowerFieldIsAnError)
   ExpectWords(ErrorOf(Disk(3), { { 37, 1 } }, OptionsOf(4)), { "vertex 37", "37 vertices" });
   FieldOptions faceField;
   faceField.Field.Kind = DiscretisationKind::FaceField;
-  ExpectWords(ErrorOf(Torus(12, 6), {}, faceField), { "Power Field", "Singularities" });
+  ExpectWords(ErrorOf(Torus(12, 6), {}, faceField), { "VertexPowerField", "Singularities" });
   EXPECT_EQ(TimesOfIndex(static_cast<float>(1.0 / 3.0), 6, "it"), 2);
   EXPECT_EQ(TimesOfIndex(-1.0, 1, "it"), -1);
   for (const double index : { 0.3, std::nan("none"), 1e300 })

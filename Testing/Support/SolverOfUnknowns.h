@@ -41,6 +41,7 @@ public:
   }
   void SetMemoryLimit(long long bytes) { this->Solver.SetMemoryLimit(bytes); }
   const FramedMesh& Surface() const { return this->Solver.Surface(); }
+  LinearSystem Equations() const { return this->Solver.Equations(); }
   FieldSolver::StageCounts Counts() const { return this->Solver.Counts(); }
 
   // Results of the last solve.

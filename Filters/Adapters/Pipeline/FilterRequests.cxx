@@ -2,6 +2,7 @@
 
 #include "Adapters/Pipeline/ContextFromAlgorithm.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
+#include "Adapters/Pipeline/PanelWords.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
@@ -195,7 +196,7 @@ int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkA
   }
   catch (const std::exception& error)
   {
-    return Failed(algorithm, outputs, error.what());
+    return Failed(algorithm, outputs, InPanelWords(error.what()));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/Types.h"
 
 #include <Eigen/Cholesky>
@@ -57,10 +58,9 @@ void MakeOrthonormal(
     const Eigen::LLT<Eigen::MatrixXd, Eigen::Upper> factor(GramMatrix(fields, mass, PartOfContext(part, 0.0, 0.4)));
     if (factor.info() != Eigen::Success)
     {
-      throw SolverFailure(
-        "the harmonic fields of the surface cannot be told apart by their vectors "
-        "on faces with an area; remove triangles without area with Cell Size, Threshold of Area and Extract Surface "
-        "(vtkCellSizeFilter, vtkThreshold, vtkGeometryFilter)");
+      throw SolverFailure("the harmonic fields of the surface cannot be told apart by their vectors "
+                          "on faces with an area; " +
+        TextOf(Remedy::DropWithoutArea));
     }
     const Eigen::MatrixXd R = factor.matrixU();
     DivideBy(R, fields, PartOfContext(part, 0.4, 0.8));

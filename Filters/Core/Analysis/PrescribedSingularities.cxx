@@ -1,6 +1,7 @@
 #include "Analysis/PrescribedSingularities.h"
 
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
 #include <cmath>
@@ -18,7 +19,7 @@ int TimesOfIndex(double index, int N, const std::string& name)
   {
     throw InvalidInput("the index of " + name + " is " + ShortText(index) + ", and a field of " + std::to_string(N) +
       (N == 1 ? " direction" : " directions") + " has singularities of multiples of " +
-      (N == 1 ? "1" : "1/" + std::to_string(N)) + "; choose one of these, or another Number Of Directions");
+      (N == 1 ? "1" : "1/" + std::to_string(N)) + "; choose one of these, or another " + TextOf(Remedy::Directions));
   }
   return static_cast<int>(std::lround(times));
 }

@@ -1,6 +1,7 @@
 #include "Constraints/Constraints.h"
 
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
 #include <algorithm>
@@ -43,14 +44,14 @@ struct Largest
     if (this->Number > to)
     {
       throw InvalidInput("the " + what + " prescribed on " + (names.*this->Name)(this->Element) + " is " +
-        ShortText(this->Number) + ", too large to compute with; bring it to at most " + ShortText(to) +
-        ", with Calculator (vtkArrayCalculator) for example");
+        ShortText(this->Number) + ", too large to compute with; bring it to at most " + ShortText(to) + ", " +
+        TextOf(Remedy::Rescale));
     }
     if (this->Number > 0.0 && this->Number < from)
     {
       throw InvalidInput("the largest " + what + " of all, on " + (names.*this->Name)(this->Element) + ", is " +
         ShortText(this->Number) + ", too small to compute with; multiply all of them, so that it is at least " +
-        ShortText(from) + ", with Calculator (vtkArrayCalculator) for example");
+        ShortText(from) + ", " + TextOf(Remedy::Rescale));
     }
   }
 };
@@ -93,8 +94,7 @@ Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& 
   const std::string& name, const std::string& kind)
 {
   const std::string where = " prescribed on " + name;
-  const std::string orLeaveOut =
-    ", or leave the " + kind + " out, by Mask or a direction of zero where there is no mask";
+  const std::string orLeaveOut = ", or leave the " + kind + " out, " + TextOf(Remedy::Mask);
   if (!direction.allFinite())
   {
     throw InvalidInput("the direction" + where + " is not finite; repair it" + orLeaveOut);

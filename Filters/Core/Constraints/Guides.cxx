@@ -3,6 +3,7 @@
 #include "Constraints/SegmentOnSurface.h"
 #include "Constraints/WeightsOfFaces.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
 #include <algorithm>
@@ -214,9 +215,11 @@ std::string GuidesReport::LeftOut() const
   say(this->TooFar, " farther from the surface than " + ShortText(this->MaximumDistance));
   say(this->OnFarSide, " nearer to the far side of a thin wall than to the near one");
   say(this->Perpendicular, " within 5 degrees of the normal of the surface");
-  text << "; " << (this->TooFar > 0 ? "move them nearer to the surface, raise Maximum Distance, " : "")
+  text << "; "
+       << (this->TooFar > 0 ? "move them nearer to the surface, raise " + TextOf(Remedy::MaximumDistance) + ", " : "")
        << (this->OnFarSide > 0 ? "give their lines more points, " : "")
-       << (this->Perpendicular > 0 ? "turn them along the surface, " : "") << "or take them out of Guides";
+       << (this->Perpendicular > 0 ? "turn them along the surface, " : "") << "or take them out of "
+       << TextOf(Remedy::Guides);
   return text.str();
 }
 

@@ -2,6 +2,7 @@
 
 #include "Constraints/WeightsOfFaces.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
 #include <algorithm>
@@ -27,8 +28,8 @@ void CheckFeatureWeight(const std::string& name, double weight)
   if (!isOn && weight != 0.0)
   {
     throw InvalidInput(name + " is " + ShortText(weight) + "; make it 0, for off, or from " +
-      ShortText(SmallestFeatureWeight) + " to " + ShortText(LargestFeatureWeight) +
-      ", and turn the field by Rotation if it is to go another way");
+      ShortText(SmallestFeatureWeight) + " to " + ShortText(LargestFeatureWeight) + ", and turn the field by " +
+      TextOf(Remedy::Rotation) + " if it is to go another way");
   }
 }
 
@@ -36,9 +37,9 @@ void CheckFeatureWeight(const std::string& name, double weight)
 
 void CheckFeatures(const FeatureOptions& options)
 {
-  CheckFeatureWeight("Boundary Weight", options.BoundaryWeight);
-  CheckFeatureWeight("Sharp Edges Weight", options.SharpEdgesWeight);
-  CheckFeatureWeight("Curvature Weight", options.CurvatureWeight);
+  CheckFeatureWeight(TextOf(Remedy::BoundaryWeight), options.BoundaryWeight);
+  CheckFeatureWeight(TextOf(Remedy::SharpEdgesWeight), options.SharpEdgesWeight);
+  CheckFeatureWeight(TextOf(Remedy::CurvatureWeight), options.CurvatureWeight);
 }
 
 std::vector<Constraint> AlongBoundary(const TriangleMesh& mesh, double weight)
@@ -109,7 +110,7 @@ FollowedFeatures FollowFeatures(
 {
   CheckFeatures(options);
   FollowedFeatures followed;
-  const auto follow = [&](const std::vector<Constraint>& feature, double degrees, const char* ifEmpty)
+  const auto follow = [&](const std::vector<Constraint>& feature, double degrees, const std::string& ifEmpty)
   {
     for (Constraint along : feature)
     {
@@ -124,7 +125,7 @@ FollowedFeatures FollowFeatures(
   if (options.BoundaryWeight > 0.0)
   {
     follow(AlongBoundary(surface.Mesh, options.BoundaryWeight), options.BoundaryRotation,
-      "the surface has no boundary, so Boundary Weight has no effect");
+      "the surface has no boundary, so " + TextOf(Remedy::BoundaryWeight) + " has no effect");
   }
   if (N % 2 != 0)
   {
@@ -133,21 +134,23 @@ FollowedFeatures FollowFeatures(
     {
       followed.Warnings.push_back("sharp edges and principal directions are lines without a sign, which a field of " +
         std::to_string(N) + (N == 1 ? " direction" : " directions") + " cannot follow, so " +
-        (hasEdges ? "Sharp Edges Weight" : "") + (hasEdges && hasCurvature ? " and " : "") +
-        (hasCurvature ? "Curvature Weight" : "") + (hasEdges && hasCurvature ? " have" : " has") +
-        " no effect; choose an even Number Of Directions");
+        (hasEdges ? TextOf(Remedy::SharpEdgesWeight) : "") + (hasEdges && hasCurvature ? " and " : "") +
+        (hasCurvature ? TextOf(Remedy::CurvatureWeight) : "") + (hasEdges && hasCurvature ? " have" : " has") +
+        " no effect; choose an even " + TextOf(Remedy::Directions));
     }
     return followed;
   }
   if (options.SharpEdgesWeight > 0.0)
   {
     follow(AlongSharpEdges(surface, options.FeatureAngle, options.SharpEdgesWeight), options.SharpEdgesRotation,
-      "no edge of the surface is sharper than Feature Angle, so Sharp Edges Weight has no effect");
+      "no edge of the surface is sharper than " + TextOf(Remedy::FeatureAngle) + ", so " +
+        TextOf(Remedy::SharpEdgesWeight) + " has no effect");
   }
   if (options.CurvatureWeight > 0.0)
   {
     follow(AlongCurvature(surface, *ofFaces, options.FollowsMinimum, options.CurvatureWeight),
-      options.CurvatureRotation, "the surface bends alike in all directions, so Curvature Weight has no effect");
+      options.CurvatureRotation,
+      "the surface bends alike in all directions, so " + TextOf(Remedy::CurvatureWeight) + " has no effect");
   }
   return followed;
 }

@@ -2,6 +2,7 @@
 
 #include "Levels/SampledLevels.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/SparseAssembly.h"
 
 #include <cassert>
@@ -60,9 +61,8 @@ void Discretisation::CheckOperators(bool areThere, const std::string& property)
 {
   if (!areThere)
   {
-    throw InvalidInput("the operators of the surface do not include those that are needed; apply "
-                       "Directional Prolongation (vtkDirectionalProlongation) with " +
-      property + " on");
+    throw InvalidInput("the operators of the surface do not include those that are needed; " +
+      TextOf(Remedy::Operators) + " " + property + " on");
   }
 }
 

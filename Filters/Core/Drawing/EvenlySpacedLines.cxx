@@ -4,6 +4,7 @@
 #include "Drawing/LineTracer.h"
 #include "Drawing/StagnationCheck.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,7 +239,8 @@ private:
       if (this->Spacing.Segments().size() > static_cast<std::size_t>(this->Options.MostSegments))
       {
         throw InvalidInput("the lines cross more than " + std::to_string(this->Options.MostSegments) +
-          " triangles; raise Separating Distance, or take a surface of fewer and less thin triangles");
+          " triangles; raise " + TextOf(Remedy::LineSeparation) +
+          ", or take a surface of fewer and less thin triangles");
       }
       const bool goesOn = this->Tracer.Advance();
       this->AddPoint(trail, this->Surface.PositionAlong(piece.Halfedge, piece.Part), piece.Face,

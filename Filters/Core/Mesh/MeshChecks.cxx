@@ -2,6 +2,7 @@
 
 #include "Mesh/PointChecks.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 
 #include <algorithm>
 #include <limits>
@@ -39,16 +40,14 @@ void CheckPoints(const Points& points, const ElementNames& names)
     }
     if (!(points.row(v).cwiseAbs().maxCoeff() <= LargestCoordinate))
     {
-      throw InvalidInput(names.Vertex(v) +
-        " has a coordinate beyond 1e40, too large to compute with; repair it, or make the whole surface smaller with "
-        "Transform (vtkTransformPolyDataFilter)");
+      throw InvalidInput(names.Vertex(v) + " has a coordinate beyond 1e40, too large to compute with; repair it, or " +
+        TextOf(Remedy::Shrink));
     }
   }
   const double size = (points.colwise().maxCoeff() - points.colwise().minCoeff()).maxCoeff();
   if (size > 0.0 && size <= SmallestSize)
   {
-    throw InvalidInput("the surface is smaller than 1e-40, too small to compute with; make it larger with Transform "
-                       "(vtkTransformPolyDataFilter)");
+    throw InvalidInput("the surface is smaller than 1e-40, too small to compute with; " + TextOf(Remedy::Enlarge));
   }
 }
 
@@ -66,13 +65,11 @@ void CheckElements(const Points& points, const Triangles& triangles, const Eleme
 {
   if (triangles.rows() == 0)
   {
-    throw InvalidInput("the surface has no triangles, so there is nothing to solve on; "
-                       "apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first");
+    throw InvalidInput("the surface has no triangles, so there is nothing to solve on; " + TextOf(Remedy::Triangulate));
   }
   if (triangles.rows() > std::numeric_limits<int>::max() / 3)
   {
-    throw InvalidInput("the surface has more than 715,827,882 triangles; "
-                       "apply Decimate (vtkDecimatePro) first");
+    throw InvalidInput("the surface has more than 715,827,882 triangles; " + TextOf(Remedy::FewerTriangles));
   }
   CheckPoints(points, names);
   const int numberOfVertices = static_cast<int>(points.rows());
@@ -94,15 +91,13 @@ void CheckElements(const Points& points, const Triangles& triangles, const Eleme
     if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0])
     {
       throw InvalidInput(names.Face(f) + " uses " + names.Vertex(corner[0] == corner[1] ? corner[0] : corner[2]) +
-        " twice; apply Clean (vtkCleanPolyData), then Triangulate (vtkTriangleFilter)");
+        " twice; " + TextOf(Remedy::DropRepeatedCorner));
     }
     const double size = std::max(Distance(points, corner[0], corner[1]), Distance(points, corner[0], corner[2]));
     if (!(size > SmallestFace))
     {
       throw InvalidInput("the three corners of " + names.Face(f) + " lie in one place" +
-        (size > 0.0 ? ", nearly; apply Clean (vtkCleanPolyData) with a Tolerance of 1e-12"
-                    : "; apply Clean (vtkCleanPolyData)") +
-        ", which merges them and drops the cell");
+        (size > 0.0 ? ", nearly; " + TextOf(Remedy::DropNearPoint) : "; " + TextOf(Remedy::DropPoint)));
     }
   }
 
@@ -110,8 +105,7 @@ void CheckElements(const Points& points, const Triangles& triangles, const Eleme
   {
     if (!used[v])
     {
-      throw InvalidInput(
-        names.Vertex(v) + " belongs to no triangle; apply Clean (vtkCleanPolyData), which drops unused points");
+      throw InvalidInput(names.Vertex(v) + " belongs to no triangle; " + TextOf(Remedy::DropUnusedPoints));
     }
   }
 }

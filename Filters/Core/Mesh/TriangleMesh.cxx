@@ -2,6 +2,7 @@
 
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 
 #include <Eigen/Geometry>
 
@@ -17,10 +18,6 @@ namespace
 {
 
 constexpr int Grain = 4096;
-
-/// Turns faces and cuts the surface, but along creases.
-const std::string Remedy = "Generate Surface Normals (vtkPolyDataNormals) with Consistency and Splitting on, "
-                           "Feature Angle 180 and Non-Manifold Traversal off";
 
 /// A halfedge under the larger vertex of its edge.
 using Side = ItemOfPair;
@@ -80,9 +77,8 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
       const int g = TriangleMesh::FaceOf(b->Item);
       if (HaveSameCorners(F, f, g))
       {
-        throw InvalidInput(names.Face(f) + " and " + names.Face(g) +
-          " are the same triangle; remove one of them with Clean to Grid, Clean Cells to Grid and Extract Surface "
-          "(vtkRemoveDuplicatePolys)");
+        throw InvalidInput(
+          names.Face(f) + " and " + names.Face(g) + " are the same triangle; " + TextOf(Remedy::DropTwin));
       }
     }
   }
@@ -92,11 +88,10 @@ bool HaveSameCorners(const Triangles& F, int f, int g)
   {
     throw InvalidInput(edge + " belongs to " + std::to_string(last - first) + " triangles, among them " +
       names.Face(f) + ", " + names.Face(g) + " and " + names.Face(TriangleMesh::FaceOf(first[2].Item)) +
-      "; remove the surplus ones, or cut them apart with " + Remedy);
+      "; remove the surplus ones, or cut them apart with " + TextOf(Remedy::CutApart));
   }
-  throw InvalidInput(names.Face(f) + " and " + names.Face(g) + " are oriented against each other along " + edge +
-    "; apply " + Remedy +
-    "; a surface with one side only, like a Moebius strip, is cut by a Feature Angle of 60 or less");
+  throw InvalidInput(names.Face(f) + " and " + names.Face(g) + " are oriented against each other along " + edge + "; " +
+    TextOf(Remedy::Orient));
 }
 
 }
@@ -207,7 +202,7 @@ void TriangleMesh::StartFans(const ElementNames& names, const ExecutionContext& 
   }
   const auto pinched = std::find_if(sizes.begin(), sizes.end(), [](int size) { return size < 0; });
   throw InvalidInput("the triangles around " + names.Vertex(static_cast<int>(pinched - sizes.begin())) +
-    " form more than one fan, so the surface is pinched there; split the point with " + Remedy);
+    " form more than one fan, so the surface is pinched there; split the point with " + TextOf(Remedy::CutApart));
 }
 
 Vector3 TriangleMesh::FaceAreaVector(int face) const

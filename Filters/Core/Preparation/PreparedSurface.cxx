@@ -5,6 +5,7 @@
 #include "Preparation/SurfaceRepair.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
+#include "Support/Remedy.h"
 
 #include <algorithm>
 #include <limits>
@@ -46,7 +47,7 @@ void CheckSizes(const CellTriangles& given)
   if (given.Corners.rows() > Largest)
   {
     throw InvalidInput("the surface has " + std::to_string(given.Corners.rows()) + " triangles, at most " +
-      std::to_string(Largest) + " can be numbered; apply Decimate (vtkDecimatePro) first");
+      std::to_string(Largest) + " can be numbered; " + TextOf(Remedy::FewerTriangles));
   }
   const int numberOfPoints = static_cast<int>(given.Positions.rows());
   for (int i = 0; i < static_cast<int>(given.Corners.size()); ++i)
@@ -185,7 +186,8 @@ PreparedSurface MakeStrict(const CellTriangles& given, const UsedPoints& used, c
     {
       throw InvalidInput(reason);
     }
-    throw InvalidInput(reason + "; or switch Strict off, which parts and turns triangles inside as is needed");
+    throw InvalidInput(
+      reason + "; or " + TextOf(Remedy::Lenient) + ", which parts and turns triangles inside as is needed");
   }
 }
 

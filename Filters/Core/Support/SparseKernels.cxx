@@ -1,6 +1,7 @@
 #include "Support/SparseKernels.h"
 
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/SparseRows.h"
 
 #include <algorithm>
@@ -26,8 +27,8 @@ int OffsetsFromCounts(int* counts, int size)
     total += counts[i];
     if (total > std::numeric_limits<int>::max())
     {
-      throw InvalidInput("a sparse matrix would have more than 2147483647 non-zeros; "
-                         "reduce the number of triangles with Decimate (vtkDecimatePro)");
+      throw InvalidInput(
+        "a sparse matrix would have more than 2147483647 non-zeros; " + TextOf(Remedy::FewerTriangles));
     }
     counts[i] = static_cast<int>(total);
   }

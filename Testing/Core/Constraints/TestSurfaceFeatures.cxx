@@ -130,7 +130,7 @@ TEST(SurfaceFeatures, WhatIsNotThereOrHasNoSignIsAWarning)
   const FollowedFeatures ofPlane = FollowFeatures(plane, 4, all, &flat);
   EXPECT_EQ(ofPlane.Directions.size(), 20u);
   ASSERT_EQ(ofPlane.Warnings.size(), 2u);
-  EXPECT_NE(ofPlane.Warnings[0].find("sharper than Feature Angle"), std::string::npos);
+  EXPECT_NE(ofPlane.Warnings[0].find("sharper than FeatureOptions::FeatureAngle"), std::string::npos);
   EXPECT_NE(ofPlane.Warnings[1].find("bends alike"), std::string::npos);
 
   for (const int N : { 1, 3, 5, 7 })
@@ -140,13 +140,13 @@ TEST(SurfaceFeatures, WhatIsNotThereOrHasNoSignIsAWarning)
     ASSERT_EQ(ofSphere.Warnings.size(), 2u);
     EXPECT_NE(ofSphere.Warnings[0].find("no boundary"), std::string::npos);
     EXPECT_NE(ofSphere.Warnings[1].find("without a sign"), std::string::npos);
-    EXPECT_NE(ofSphere.Warnings[1].find("Sharp Edges Weight and Curvature Weight have"), std::string::npos);
+    EXPECT_NE(ofSphere.Warnings[1].find("FeatureOptions::SharpEdgesWeight and FeatureOptions::CurvatureWeight have"), std::string::npos);
     EXPECT_EQ(FollowFeatures(plane, N, all, nullptr).Directions.size(), 20u);
     FeatureOptions edges;
     edges.SharpEdgesWeight = 1.0;
     const FollowedFeatures ofEdges = FollowFeatures(sphere, N, edges, nullptr);
     ASSERT_EQ(ofEdges.Warnings.size(), 1u);
-    EXPECT_NE(ofEdges.Warnings[0].find("so Sharp Edges Weight has no effect"), std::string::npos);
+    EXPECT_NE(ofEdges.Warnings[0].find("so FeatureOptions::SharpEdgesWeight has no effect"), std::string::npos);
   }
   EXPECT_TRUE(FollowFeatures(sphere, 4, {}, nullptr).Directions.empty());
   EXPECT_TRUE(FollowFeatures(sphere, 4, {}, nullptr).Warnings.empty());

@@ -1,5 +1,7 @@
 #include "Solvers/Direct/CholeskySolver.h"
 
+#include "Support/Remedy.h"
+
 #include <cholmod.h>
 
 #include <algorithm>
@@ -186,8 +188,8 @@ public:
   {
     if (this->Common.status == CHOLMOD_OUT_OF_MEMORY || this->Common.status == CHOLMOD_TOO_LARGE)
     {
-      throw SolverFailure("the Cholesky factor does not fit into memory; choose Conjugate Gradients as Solver or "
-                          "reduce the number of triangles with Decimate (vtkDecimatePro)");
+      throw SolverFailure("the Cholesky factor does not fit into memory; " + TextOf(Remedy::ConjugateGradients) +
+        " or " + TextOf(Remedy::FewerTriangles));
     }
     throw UnexpectedFailure("CHOLMOD failed with status " + std::to_string(this->Common.status));
   }

@@ -1,6 +1,7 @@
 #include "Solvers/Krylov/IterationMonitor.h"
 
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/SparseKernels.h"
 
 #include <algorithm>
@@ -138,8 +139,8 @@ bool IterationMonitor<Scalar>::MayContinue()
   {
     return true;
   }
-  this->Reason = "the limit of " + std::to_string(this->Stop.MaximumIterations) +
-    " iterations is reached; raise Maximum Number Of Iterations";
+  this->Reason = "the limit of " + std::to_string(this->Stop.MaximumIterations) + " iterations is reached; raise " +
+    TextOf(Remedy::Iterations);
   return false;
 }
 

@@ -1,6 +1,7 @@
 #include "Solvers/Krylov/LowestEigenvectors.h"
 
 #include "Solvers/Krylov/LowestOfBlock.h"
+#include "Support/Remedy.h"
 #include "Support/SparseKernels.h"
 
 #include <Eigen/Eigenvalues>
@@ -327,7 +328,7 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
     std::ostringstream text;
     text << std::setprecision(2) << "The smoothest field was found to a residual of "
          << report.Iterations.back().RelativeResidual << " instead of " << stop.RelativeTolerance
-         << ", as the limit of iterations is reached; raise Maximum Number Of Iterations.";
+         << ", as the limit of iterations is reached; raise " << TextOf(Remedy::Iterations) << ".";
     report.Warnings.push_back(text.str());
   }
   report.SolveSeconds = report.Iterations.back().Seconds;

@@ -2,6 +2,7 @@
 
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
+#include "Support/Remedy.h"
 
 #include <Eigen/Cholesky>
 
@@ -163,7 +164,7 @@ void SchwarzBlocks::MakeRoom(const BlockGroups& groups)
   }
   if (std::max({ places, values, inverses }) > std::numeric_limits<std::uint32_t>::max())
   {
-    throw InvalidInput("the smoothing blocks hold more than 2^32 numbers; apply Decimate (vtkDecimatePro) first");
+    throw InvalidInput("the smoothing blocks hold more than 2^32 numbers; " + TextOf(Remedy::FewerTriangles));
   }
   this->Places.resize(places);
   this->EntriesOfB.resize(values);

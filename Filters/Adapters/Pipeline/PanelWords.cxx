@@ -1,0 +1,72 @@
+#include "Adapters/Pipeline/PanelWords.h"
+
+#include <array>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Turns faces and cuts the surface, but along creases.
+const std::string Normals = "Generate Surface Normals (vtkPolyDataNormals) with Consistency and Splitting on, "
+                            "Feature Angle 180 and Non-Manifold Traversal off";
+
+}
+
+std::string PanelTextOf(Remedy remedy)
+{
+  // In the order of the enumeration.
+  static const std::array<std::string, static_cast<std::size_t>(Remedy::Count)> Texts{
+    "Number Of Directions",
+    "Feature Angle",
+    "Boundary Weight",
+    "Sharp Edges Weight",
+    "Curvature Weight",
+    "set Constraint Type to Soft",
+    "Rotation and Rotation Array have no effect; add what it shall follow, or set them to 0 and None",
+    "Rotation",
+    "Maximum Distance",
+    "Guides",
+    "by Mask or a direction of zero where there is no mask",
+    "choose Power Field at Points as Discretisation, or take the input Singularities away",
+    "choose Conjugate Gradients as Solver",
+    "Maximum Number Of Iterations",
+    "switch Harmonic Basis off",
+    "switch Strict off",
+    "Separating Distance",
+    "apply Directional Prolongation (vtkDirectionalProlongation) with",
+    "make it larger with Transform (vtkTransformPolyDataFilter)",
+    "make the whole surface smaller with Transform (vtkTransformPolyDataFilter)",
+    "apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first",
+    "reduce the number of triangles with Decimate (vtkDecimatePro)",
+    "apply Clean (vtkCleanPolyData), then Triangulate (vtkTriangleFilter)",
+    "apply Clean (vtkCleanPolyData), which merges them and drops the cell",
+    "apply Clean (vtkCleanPolyData) with a Tolerance of 1e-12, which merges them and drops the cell",
+    "apply Clean (vtkCleanPolyData), which drops unused points",
+    "remove one of them with Clean to Grid, Clean Cells to Grid and Extract Surface (vtkRemoveDuplicatePolys)",
+    Normals,
+    "apply " + Normals +
+      "; a surface with one side only, like a Moebius strip, is cut by a Feature Angle of 60 or less",
+    "remove triangles without area with Cell Size, Threshold of Area and Extract Surface (vtkCellSizeFilter, "
+    "vtkThreshold, vtkGeometryFilter)",
+    "with Calculator (vtkArrayCalculator) for example",
+  };
+  return Texts[static_cast<std::size_t>(remedy)];
+}
+
+std::string InPanelWords(std::string message)
+{
+  for (int k = 0; k < static_cast<int>(Remedy::Count); ++k)
+  {
+    const std::string from = TextOf(static_cast<Remedy>(k));
+    const std::string to = PanelTextOf(static_cast<Remedy>(k));
+    for (std::size_t at = message.find(from); at != std::string::npos; at = message.find(from, at + to.size()))
+    {
+      message.replace(at, from.size(), to);
+    }
+  }
+  return message;
+}
+
+}

@@ -1,0 +1,47 @@
+#include "Support/Remedy.h"
+
+#include <array>
+
+namespace dmg
+{
+
+std::string TextOf(Remedy remedy)
+{
+  // In the order of the enumeration.
+  static constexpr std::array<const char*, static_cast<std::size_t>(Remedy::Count)> Texts{
+    "DiscretisationOptions::N",
+    "FeatureOptions::FeatureAngle",
+    "FeatureOptions::BoundaryWeight",
+    "FeatureOptions::SharpEdgesWeight",
+    "FeatureOptions::CurvatureWeight",
+    "set FieldOptions::Constraints to Soft",
+    "FieldProblem::Rotation has no effect; add what it shall follow, or set it to 0",
+    "FieldProblem::Rotation",
+    "Guides::MaximumDistance",
+    "FieldProblem::Guides",
+    "by taking it from Constraints",
+    "set DiscretisationOptions::Kind to VertexPowerField, or reset FieldProblem::Singularities",
+    "set SolverOptions::Kind to ConjugateGradients",
+    "StoppingCriteria::MaximumIterations",
+    "reset FieldProblem::HarmonicBasis",
+    "set PreparationOptions::Strict to false",
+    "LineOptions::Separation",
+    "call BuildSurfaceHierarchy with an OperatorSelection that has",
+    "scale it up",
+    "scale the whole surface down",
+    "give it triangles",
+    "take a surface of fewer triangles",
+    "leave the face out, as PrepareSurface does",
+    "leave out the face without area, as PrepareSurface does",
+    "leave out the tiny face, as PrepareSurface does",
+    "leave out unused points, as PrepareSurface does",
+    "remove one of them, as PrepareSurface does",
+    "PrepareSurface, which cuts the surface",
+    "turn one of them, or let PrepareSurface turn and cut the surface",
+    "remove the triangles without area",
+    "by one factor for all",
+  };
+  return Texts[static_cast<std::size_t>(remedy)];
+}
+
+}
