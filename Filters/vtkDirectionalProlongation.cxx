@@ -72,6 +72,12 @@ public:
 vtkDirectionalProlongation::vtkDirectionalProlongation()
   : Internals(new vtkInternals)
 {
+  const dmg::HierarchyOptions options;
+  this->FaceRatio = options.FaceRatio;
+  this->MaximumNumberOfCoarseLevels = options.MaximumNumberOfCoarseLevels;
+  this->MinimumNumberOfFaces = options.MinimumNumberOfFaces;
+  this->CollapsePolicy = static_cast<int>(options.Policy);
+  this->Construction = static_cast<int>(options.Construction);
   this->SetNumberOfOutputPorts(2);
 }
 

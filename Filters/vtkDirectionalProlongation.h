@@ -213,11 +213,12 @@ protected:
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
-  double FaceRatio = 0.25;
-  int MaximumNumberOfCoarseLevels = 3;
-  int MinimumNumberOfFaces = 1000;
-  int CollapsePolicy = IndependentRounds;
-  int Construction = TrackedPaths;
+  // Defaults of these five are those of the core (dmg::HierarchyOptions).
+  double FaceRatio;
+  int MaximumNumberOfCoarseLevels;
+  int MinimumNumberOfFaces;
+  int CollapsePolicy;
+  int Construction;
   bool PowerFields = true;
   bool FaceFields = false;
   bool OneForms = false;

@@ -81,6 +81,35 @@ private:
 vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   : Internals(new vtkInternals)
 {
+  const dmg::FieldProblem problem;
+  this->Discretisation = static_cast<int>(problem.Options.Field.Kind);
+  this->NumberOfDirections = problem.Options.Field.N;
+  this->ConstraintType = static_cast<int>(problem.Options.Constraints);
+  this->Alignment = problem.Options.Alignment;
+  this->SmoothingLength = problem.SmoothingLength;
+  this->MaximumDistance = problem.Guides.MaximumDistance;
+  this->BoundaryWeight = problem.Features.BoundaryWeight;
+  this->BoundaryRotation = problem.Features.BoundaryRotation;
+  this->SharpEdgesWeight = problem.Features.SharpEdgesWeight;
+  this->SharpEdgesRotation = problem.Features.SharpEdgesRotation;
+  this->FeatureAngle = problem.Features.FeatureAngle;
+  this->CurvatureWeight = problem.Features.CurvatureWeight;
+  this->CurvatureRotation = problem.Features.CurvatureRotation;
+  this->CurvatureDirection = problem.Features.FollowsMinimum ? MinimumCurvature : MaximumCurvature;
+  this->CurvatureScale = problem.Features.CurvatureScale;
+  this->Rotation = problem.Rotation.Everywhere * 180.0 / dmg::Pi;
+  this->Solver = static_cast<int>(problem.Options.Solver.Kind);
+  this->ExpectedSolves = problem.Options.Solver.ExpectedSolves;
+  this->CompareWithCholesky = problem.Options.Solver.CompareWithCholesky;
+  this->CoarseSpace = static_cast<int>(problem.Options.CoarseSpace);
+  this->Tolerance = problem.Stop.RelativeTolerance;
+  this->MaximumNumberOfIterations = problem.Stop.MaximumIterations;
+  this->UnitLength = problem.UnitLength;
+  this->Combing = problem.Combing;
+  this->HarmonicBasis = problem.HarmonicBasis;
+  const dmg::PreparationOptions preparation;
+  this->JoinPoints = preparation.JoinPoints;
+  this->Strict = preparation.Strict;
   this->SetNumberOfInputPorts(6);
   this->SetNumberOfOutputPorts(3);
   this->AddObserver(vtkCommand::StartEvent, this->Internals.get(), &vtkInternals::BeginExecution);
