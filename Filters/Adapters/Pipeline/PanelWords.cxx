@@ -16,7 +16,7 @@ const std::string Normals = "Generate Surface Normals (vtkPolyDataNormals) with 
 
 std::string PanelTextOf(Remedy remedy)
 {
-  // In the order of the enumeration.
+  // The order is that of the enumeration.
   static const std::array<std::string, static_cast<std::size_t>(Remedy::Count)> Texts{
     "Number Of Directions",
     "Feature Angle",

@@ -45,7 +45,7 @@ void CopyPoints(const Number* xyz, Points& positions)
   std::copy_n(xyz, positions.size(), positions.data());
 }
 
-/// In double precision.
+/// Positions in double precision.
 Points ReadPoints(vtkDataSet* surface)
 {
   Points positions(surface->GetNumberOfPoints(), 3);

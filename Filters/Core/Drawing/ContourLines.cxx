@@ -98,7 +98,7 @@ private:
     }
   }
 
-  /// In a face, a line comes in through the side along which the function passes its value upwards.
+  /// A line comes into a face through the side along which the function passes its value upwards.
   void Join(std::vector<int>& next, std::vector<char>& isReached) const
   {
     for (int face = 0; face < this->Mesh.NumberOfFaces(); ++face)

@@ -7,7 +7,7 @@ namespace dmg
 
 std::string TextOf(Remedy remedy)
 {
-  // In the order of the enumeration.
+  // The order is that of the enumeration.
   static constexpr std::array<const char*, static_cast<std::size_t>(Remedy::Count)> Texts{
     "DiscretisationOptions::N",
     "FeatureOptions::FeatureAngle",

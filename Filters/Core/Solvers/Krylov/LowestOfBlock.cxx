@@ -15,7 +15,7 @@ namespace
 constexpr int BlockSize = 8;
 using Block = Eigen::MatrixXd;
 
-/// In [-1, 1); SplitMix64 (Steele et al. 2014).
+/// A number in [-1, 1); SplitMix64 (Steele et al. 2014).
 double PseudoRandom(std::uint64_t index)
 {
   std::uint64_t z = (index + 1) * 0x9e3779b97f4a7c15ULL;
