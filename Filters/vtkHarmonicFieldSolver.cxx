@@ -34,8 +34,8 @@ public:
   /// The stages of a dataset, or of a leaf of a composite one.
   struct Leaf
   {
-    dmg::SolverOfSurface Kept;
-    dmg::FieldOutput Shown;
+    dmg::SolverOfSurface Solver;
+    dmg::FieldOutput Output;
     long long Bytes = 0; ///< of the solver
   };
 
@@ -44,7 +44,7 @@ public:
   {
     if (this->OpenExecutions++ == 0)
     {
-      this->Leaves.Begin([this](const Leaf& leaf) { this->Former = this->Former + leaf.Kept.Counts(); });
+      this->Leaves.Begin([this](const Leaf& leaf) { this->Former = this->Former + leaf.Solver.Counts(); });
     }
   }
   void EndExecution() { this->OpenExecutions = std::max(0, this->OpenExecutions - 1); }
@@ -64,11 +64,11 @@ public:
   dmg::FieldSolver::StageCounts Counts() const
   {
     dmg::FieldSolver::StageCounts counts = this->Former;
-    this->Leaves.ForEach([&counts](const Leaf& leaf) { counts = counts + leaf.Kept.Counts(); });
+    this->Leaves.ForEach([&counts](const Leaf& leaf) { counts = counts + leaf.Solver.Counts(); });
     return counts;
   }
 
-  dmg::ConstraintChoices OfGuides; ///< SetGuideArrayToProcess
+  dmg::ConstraintChoices GuideChoices; ///< SetGuideArrayToProcess
   std::string Followed;
 
 private:
@@ -171,7 +171,7 @@ void vtkHarmonicFieldSolver::RemoveAllSingularities()
 void vtkHarmonicFieldSolver::SetGuideArrayToProcess(
   int index, int port, int connection, int association, const char* name)
 {
-  dmg::ConstraintChoices& choices = this->Internals->OfGuides;
+  dmg::ConstraintChoices& choices = this->Internals->GuideChoices;
   dmg::ArrayChoice* const chosen[] = { &choices.Mask, &choices.Vectors, &choices.Weights };
   if (index < 0 || index > 2 || port != 1 || connection != 0)
   {
@@ -199,7 +199,7 @@ void vtkHarmonicFieldSolver::SetGuideDirections(const char* name)
 //------------------------------------------------------------------------------
 const char* vtkHarmonicFieldSolver::GetGuideDirections() const
 {
-  return this->Internals->OfGuides.Vectors.Name.c_str();
+  return this->Internals->GuideChoices.Vectors.Name.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -211,7 +211,7 @@ void vtkHarmonicFieldSolver::SetGuideWeights(const char* name)
 //------------------------------------------------------------------------------
 const char* vtkHarmonicFieldSolver::GetGuideWeights() const
 {
-  return this->Internals->OfGuides.Weights.Name.c_str();
+  return this->Internals->GuideChoices.Weights.Name.c_str();
 }
 
 //------------------------------------------------------------------------------
@@ -288,10 +288,10 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     const std::string digest = dmg::ContentDigest(input, preparation);
     vtkInternals::Leaf& leaf = this->Internals->Of(digest);
-    dmg::SolverOfSurface& kept = leaf.Kept;
-    dmg::FieldOutput& shown = leaf.Shown;
+    dmg::SolverOfSurface& kept = leaf.Solver;
+    dmg::FieldOutput& shown = leaf.Output;
     const dmg::FieldInputs inputs{ input,
-      { dmg::DataOf(inputVector, { 1, 3, 4, 5 }), this->Internals->OfGuides, this->MaximumDistance },
+      { dmg::DataOf(inputVector, { 1, 3, 4, 5 }), this->Internals->GuideChoices, this->MaximumDistance },
       { dmg::DataOf(inputVector, { 2 }), this->SingularityIndexArray, this->MaximumDistance } };
     if (!inputs.Singularities.Data.empty())
     {

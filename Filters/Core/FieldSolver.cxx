@@ -139,7 +139,7 @@ public:
   void FindBasis(const FieldProblem& problem, const ExecutionContext& context);
   LinearSystem Equations(const ExecutionContext& context) const
   {
-    return this->System->Problem.Equations(this->Solved->Values, context, this->Solved->Source);
+    return this->System->Problem.Equations(this->KeyOfSolution->Values, context, this->KeyOfSolution->Source);
   }
 
   const FramedMesh Surface;
@@ -169,14 +169,14 @@ private:
   // Without prescribed singularities.
   bool HasSetup = false;
   std::unique_ptr<SystemStage> System;
-  std::optional<SolveKey> Solved;
+  std::optional<SolveKey> KeyOfSolution;
   std::shared_ptr<const FieldSolution> Solution; ///< of this key; without one, where the next solve starts
 
   // With prescribed singularities.
   std::optional<SurfaceHolonomy> Holonomy;
   std::unique_ptr<SingularFieldSolver> SingularSystem;
   double SingularSeconds = 0.0; ///< for both
-  std::optional<SingularKey> Connected;
+  std::optional<SingularKey> KeyOfConnection;
   std::shared_ptr<const SingularField> Connection;       ///< of this key; without one, where the next solve starts
   std::shared_ptr<const FieldSolution> SingularSolution; ///< the connection's field, turned to constraints
 };
@@ -231,7 +231,7 @@ void FieldSolver::Internals::MakeSystem(const PlannedSetup& setup, const FieldCo
   {
     reference = this->MakeReference(penalties, options, PartOfContext(context, 0.5, 1.0));
   }
-  this->Solved.reset();
+  this->KeyOfSolution.reset();
   this->Solution.reset();
   this->System.reset(new SystemStage{ std::move(key), std::move(problem), std::move(reference) });
   ++this->Counts.Systems;
@@ -256,7 +256,7 @@ bool FieldSolver::Internals::UpdateSystem(SystemKey& key, const Penalties& penal
   }
   // Half-updated, it must not be seen again.
   std::unique_ptr<SystemStage> system = std::move(this->System);
-  this->Solved.reset();
+  this->KeyOfSolution.reset();
   const double smoothness = key.Options.Smoothness;
   if (system->Reference)
   {
@@ -273,7 +273,7 @@ void FieldSolver::Internals::SolveSystem(const FieldConstraints& constraints, co
   double setupSeconds, const ExecutionContext& context)
 {
   const SolveKey key{ constraints.Values, constraints.Source, stop };
-  if (this->Solved && *this->Solved == key)
+  if (this->KeyOfSolution && *this->KeyOfSolution == key)
   {
     return;
   }
@@ -293,7 +293,7 @@ void FieldSolver::Internals::SolveSystem(const FieldConstraints& constraints, co
   this->Discretisation->CentreFree(constraints, unknowns);
   this->Solution = std::make_shared<const FieldSolution>(
     FieldSolution{ this->Discretisation, constraints, std::move(unknowns), std::move(report), setupSeconds, nullptr });
-  this->Solved = key;
+  this->KeyOfSolution = key;
   ++this->Counts.Solves;
 }
 
@@ -305,12 +305,12 @@ std::shared_ptr<const FieldSolution> FieldSolver::Internals::SolveSingular(const
   const FieldConstraints onFaces = this->Discretisation->Prescribe(constraints, names);
   CheckSizes(constraints, names);
   this->MakeSingularSystem(key, problem.Options.Solver, PartOfContext(context, 0.0, 0.7), names);
-  const bool isConnected = this->Connected && *this->Connected == key;
+  const bool isConnected = this->KeyOfConnection && *this->KeyOfConnection == key;
   if (!isConnected)
   {
     this->Connection = std::make_shared<const SingularField>(this->SingularSystem->Solve(
       key.Times, N, key.Stop, this->Connection.get(), PartOfContext(context, 0.7, 0.95), names));
-    this->Connected = std::move(key);
+    this->KeyOfConnection = std::move(key);
   }
   if (!this->SingularSolution || this->SingularSolution->Connection != this->Connection ||
     !AreSame(this->SingularSolution->Constraints, onFaces))
@@ -340,7 +340,7 @@ void FieldSolver::Internals::MakeSingularSystem(
     return;
   }
   auto system = std::make_unique<SingularFieldSolver>(this->Setups, *this->Holonomy, options, context);
-  this->Connected.reset();
+  this->KeyOfConnection.reset();
   this->Connection.reset();
   this->SingularSystem = std::move(system);
   this->SingularSeconds = watch.Seconds();
