@@ -102,7 +102,8 @@ std::string WarningOfShear(double share)
 {
   return std::to_string(std::lround(100.0 * share)) +
     " % of the surface have sheared triangles, as grids have, where power fields on faces are inaccurate at any "
-    "resolution; choose Power Field at Points (PointPowerField) as Discretisation";
+    "resolution; " +
+    TextOf(Remedy::FieldAtPoints);
 }
 
 bool NeedsReference(const SolverOptions& options, const SolverMethod& method)

@@ -44,7 +44,8 @@ void WeighBySmoothingLength(
 {
   if (!(relative > 0.0) || !std::isfinite(relative))
   {
-    throw InvalidInput("Smoothing Length is " + ShortText(relative) + "; make it positive, or 0 for none");
+    throw InvalidInput(
+      TextOf(Remedy::SmoothingLength) + " is " + ShortText(relative) + "; make it positive, or 0 for none");
   }
   const Points& positions = mesh.VertexPositions();
   const double length = relative * (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();

@@ -27,6 +27,8 @@ std::string PanelTextOf(Remedy remedy)
     "Rotation and Rotation Array have no effect; add what it shall follow, or set them to 0 and None",
     "Rotation",
     "Maximum Distance",
+    "Smoothing Length",
+    "choose Power Field at Points (PointPowerField) as Discretisation",
     "Guides",
     "by Mask or a direction of zero where there is no mask",
     "choose Power Field at Points as Discretisation, or take the input Singularities away",

@@ -18,6 +18,8 @@ std::string TextOf(Remedy remedy)
     "FieldProblem::Rotation has no effect; add what it shall follow, or set it to 0",
     "FieldProblem::Rotation",
     "Guides::MaximumDistance",
+    "FieldProblem::SmoothingLength",
+    "take VertexPowerField as DiscretisationOptions::Kind",
     "FieldProblem::Guides",
     "by taking it from Constraints",
     "set DiscretisationOptions::Kind to VertexPowerField, or reset FieldProblem::Singularities",

@@ -20,6 +20,8 @@ enum class Remedy
   RotationOfNothing,
   Rotation,
   MaximumDistance,
+  SmoothingLength,
+  FieldAtPoints,
   Guides,
   Mask,
   NoSingularities,

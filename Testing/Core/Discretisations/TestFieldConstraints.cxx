@@ -138,7 +138,7 @@ TEST_F(AlignmentConstraintsTest, RefuseWhatIsNoDirection)
       const std::string message = error.what();
       EXPECT_NE(message.find("cell 1005"), std::string::npos) << message;
       EXPECT_NE(message.find(example.Word), std::string::npos) << message;
-      EXPECT_NE(message.find("mask"), std::string::npos) << message; // the remedy
+      EXPECT_NE(message.find("taking it from Constraints"), std::string::npos) << message; // the remedy
     }
   }
   for (int face : { -1, this->Mesh.NumberOfFaces() })

@@ -290,7 +290,7 @@ TEST(MeshChecks, RefuseCoordinatesThatAreTooLargeOrTooSmallToComputeWith)
   {
     surface.V.row(surface.F(6, k)) << k * 1e-70, 0.0, 0.0;
   }
-  ExpectRefusal(surface, { "cell 6", "one place", "Tolerance" });
+  ExpectRefusal(surface, { "cell 6", "one place", "tiny face" });
 }
 
 TEST(MeshChecks, RefuseAnUnusedPoint)
