@@ -152,7 +152,7 @@ vtkSmartPointer<vtkHarmonicFieldSolver> NewSolver(vtkPolyData* input, int discre
   return solver;
 }
 
-std::vector<double> Field(vtkAlgorithm* solver)
+std::vector<double> FieldOf(vtkAlgorithm* solver)
 {
   vtkDataObject* const output = solver->GetOutputDataObject(0);
   return Values(output->GetAttributesAsFieldData(vtkDataObject::CELL), "Direction0");
@@ -371,10 +371,10 @@ TEST(Memory, ThatTheFactorLacksIsAnErrorAndConjugateGradientsHelp)
   LetCholmodCall(NoMoreThanFourMegabytes);
   solver->Update();
   EXPECT_NE(messages.Error().find("choose Conjugate Gradients as Solver"), std::string::npos) << messages.Error();
-  EXPECT_TRUE(Field(solver).empty());
+  EXPECT_TRUE(FieldOf(solver).empty());
   solver->SetSolver(vtkHarmonicFieldSolver::ConjugateGradients);
   solver->Update();
-  EXPECT_FALSE(Field(solver).empty());
+  EXPECT_FALSE(FieldOf(solver).empty());
   LetCholmodCall(__libc_malloc);
 }
 
@@ -409,7 +409,7 @@ TEST(Abort, AtAnyMomentLeavesNothingAndTheNextRunIsWhole)
       }
       fresh->Modified();
       fresh->Update();
-      ASSERT_EQ(Field(fresh), Field(whole));
+      ASSERT_EQ(FieldOf(fresh), FieldOf(whole));
     }
   }
 }
@@ -427,7 +427,7 @@ TEST(TwoFilters, InTwoThreadsGiveTheBitsOfOne)
     {
       const auto solver = NewSolver(inputs[i], discretisation, vtkHarmonicFieldSolver::ConjugateGradients);
       solver->Update();
-      return Field(solver);
+      return FieldOf(solver);
     };
     for (int i = 0; i < 2; ++i)
     {
