@@ -140,7 +140,8 @@ TEST(SurfaceFeatures, WhatIsNotThereOrHasNoSignIsAWarning)
     ASSERT_EQ(ofSphere.Warnings.size(), 2u);
     EXPECT_NE(ofSphere.Warnings[0].find("no boundary"), std::string::npos);
     EXPECT_NE(ofSphere.Warnings[1].find("without a sign"), std::string::npos);
-    EXPECT_NE(ofSphere.Warnings[1].find("FeatureOptions::SharpEdgesWeight and FeatureOptions::CurvatureWeight have"), std::string::npos);
+    EXPECT_NE(ofSphere.Warnings[1].find("FeatureOptions::SharpEdgesWeight and FeatureOptions::CurvatureWeight have"),
+      std::string::npos);
     EXPECT_EQ(FollowFeatures(plane, N, all, nullptr).Directions.size(), 20u);
     FeatureOptions edges;
     edges.SharpEdgesWeight = 1.0;
