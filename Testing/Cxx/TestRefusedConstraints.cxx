@@ -41,11 +41,6 @@ void Choose(vtkHarmonicFieldSolver* solver, int index, int association, const ch
   solver->SetInputArrayToProcess(index, 0, 0, association, name);
 }
 
-void SetCell(vtkPolyData* input, vtkIdType cell, double x, double y, double z)
-{
-  input->GetCellData()->GetArray("Given")->SetTuple3(cell, x, y, z);
-}
-
 const BadInput BadInputs[] = {
   { "AllVectorsZero",
     [](vtkPolyData* input, vtkHarmonicFieldSolver*) { input->GetCellData()->GetArray("Given")->Fill(0.0); },

@@ -10,7 +10,10 @@ from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.util.vtkAlgorithm import VTKPythonAlgorithmBase
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
-from vtkmodules.vtkFiltersCore import vtkExtractEdges
+try:
+    from vtkmodules.vtkFiltersCore import vtkExtractEdges
+except ImportError:  # VTK 9.1
+    from vtkmodules.vtkFiltersExtraction import vtkExtractEdges
 
 
 def values(data, name):
