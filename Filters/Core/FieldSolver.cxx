@@ -5,13 +5,11 @@
 #include "Operators/FluxAnisotropy.h"
 #include "ProblemConstraints.h"
 #include "SetupCache.h"
-#include "SingularFieldSolver.h"
+#include "SingularStages.h"
 #include "Solvers/HarmonicProblem.h"
 #include "Solvers/SolveInUnits.h"
-#include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
-#include "Support/Stopwatch.h"
 
 #include <cmath>
 #include <optional>
@@ -68,24 +66,6 @@ struct SystemStage
   std::unique_ptr<HarmonicProblem> Reference; ///< factors the same system, to compare; or null
 };
 
-/// The same for a field with prescribed singularities, besides the system, which depends on solver options alone.
-struct SingularKey
-{
-  std::vector<int> Times;
-  int N;
-  StoppingCriteria Stop;
-
-  friend bool operator==(const SingularKey& a, const SingularKey& b)
-  {
-    return a.Times == b.Times && a.N == b.N && a.Stop == b.Stop;
-  }
-};
-
-bool AreSame(const FieldConstraints& a, const FieldConstraints& b)
-{
-  return a.Elements == b.Elements && a.Weights == b.Weights && AreSame(a.Values, b.Values);
-}
-
 /// Whether two options differ in nothing but the weights of energies.
 bool DifferInWeights(FieldOptions a, const FieldOptions& b)
 {
@@ -122,6 +102,7 @@ public:
   Internals(TriangleMesh mesh, const ExecutionContext& context)
     : Surface(std::move(mesh), context)
     , Setups(this->Surface)
+    , Singular(this->Surface, this->Setups)
     , Followed(this->Surface)
   {
   }
@@ -129,9 +110,6 @@ public:
   void SetDiscretisation(const DiscretisationOptions& options);
   /// The solution of a field that follows constraints.
   std::shared_ptr<const FieldSolution> Solve(const FieldProblem& problem, const Constraints& constraints,
-    const ExecutionContext& context, const ElementNames& names);
-  /// The solution of one with prescribed singularities.
-  std::shared_ptr<const FieldSolution> SolveSingular(const FieldProblem& problem, const Constraints& constraints,
     const ExecutionContext& context, const ElementNames& names);
   void FindDirections(std::shared_ptr<const FieldSolution> solution, const FieldProblem& problem,
     FollowedConstraints followed, const ExecutionContext& context);
@@ -146,6 +124,7 @@ public:
   const FramedMesh Surface;
   std::shared_ptr<const ProlongationOperators> GivenOperators;
   SetupCache Setups;
+  SingularStages Singular;
   ProblemConstraints Followed;
   std::shared_ptr<const dmg::Discretisation> Discretisation; ///< of the solve that goes on
   StageCounts Counts;
@@ -159,27 +138,16 @@ private:
     const Penalties& penalties, const FieldOptions& options, const ExecutionContext& context) const;
   void SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop, double setupSeconds,
     const ExecutionContext& context);
-  void MakeSingularSystem(
-    const SingularKey& key, const SolverOptions& options, const ExecutionContext& context, const ElementNames& names);
 
   std::optional<double> ShearedShare; ///< of the surface
   DiscretisationOptions OptionsOfDiscretisation;
   DiscretisationOptions OptionsOfBasis;
   std::shared_ptr<const Eigen::MatrixXd> Basis;
 
-  // Without prescribed singularities.
   bool HasSetup = false;
   std::unique_ptr<SystemStage> System;
   std::optional<SolveKey> KeyOfSolution;
   std::shared_ptr<const FieldSolution> Solution; ///< of this key; without one, where the next solve starts
-
-  // With prescribed singularities.
-  std::optional<SurfaceHolonomy> Holonomy;
-  std::unique_ptr<SingularFieldSolver> SingularSystem;
-  double SingularSeconds = 0.0; ///< for both
-  std::optional<SingularKey> KeyOfConnection;
-  std::shared_ptr<const SingularField> Connection;       ///< of this key; without one, where the next solve starts
-  std::shared_ptr<const FieldSolution> SingularSolution; ///< the connection's field, turned to constraints
 };
 
 void FieldSolver::Internals::SetDiscretisation(const DiscretisationOptions& options)
@@ -298,57 +266,6 @@ void FieldSolver::Internals::SolveSystem(const FieldConstraints& constraints, co
   ++this->Counts.Solves;
 }
 
-std::shared_ptr<const FieldSolution> FieldSolver::Internals::SolveSingular(const FieldProblem& problem,
-  const Constraints& constraints, const ExecutionContext& context, const ElementNames& names)
-{
-  const int N = problem.Options.Field.N;
-  SingularKey key{ TimesByVertex(this->Surface.Mesh, *problem.Singularities, names), N, problem.Stop };
-  const FieldConstraints onFaces = this->Discretisation->Prescribe(constraints, names);
-  CheckSizes(constraints, names);
-  this->MakeSingularSystem(key, problem.Options.Solver, PartOfContext(context, 0.0, 0.7), names);
-  const bool isConnected = this->KeyOfConnection && *this->KeyOfConnection == key;
-  if (!isConnected)
-  {
-    this->Connection = std::make_shared<const SingularField>(this->SingularSystem->Solve(
-      key.Times, N, key.Stop, this->Connection.get(), PartOfContext(context, 0.7, 0.95), names));
-    this->KeyOfConnection = std::move(key);
-  }
-  if (!this->SingularSolution || this->SingularSolution->Connection != this->Connection ||
-    !AreSame(this->SingularSolution->Constraints, onFaces))
-  {
-    const Vector<double> weights = this->Discretisation->PenaltiesOf(onFaces, {}, context).Alignment;
-    this->SingularSolution = std::make_shared<const FieldSolution>(FieldSolution{ this->Discretisation, onFaces,
-      AsPairs(this->SingularSystem->TurnedTo(onFaces, weights, *this->Connection)), this->Connection->Report,
-      this->SingularSeconds, this->Connection });
-    ++this->Counts.Solves;
-  }
-  context.Checkpoint(1.0);
-  return this->SingularSolution;
-}
-
-void FieldSolver::Internals::MakeSingularSystem(
-  const SingularKey& key, const SolverOptions& options, const ExecutionContext& context, const ElementNames& names)
-{
-  const bool isFirst = !this->SingularSystem;
-  const Stopwatch watch;
-  if (!this->Holonomy)
-  {
-    this->Holonomy.emplace(this->Surface, context);
-  }
-  this->Holonomy->CheckSums(key.Times, key.N, names);
-  if (!isFirst && this->SingularSystem->HasOptions(options))
-  {
-    return;
-  }
-  auto system = std::make_unique<SingularFieldSolver>(this->Setups, *this->Holonomy, options, context);
-  this->KeyOfConnection.reset();
-  this->Connection.reset();
-  this->SingularSystem = std::move(system);
-  this->SingularSeconds = watch.Seconds();
-  this->Counts.Setups += isFirst || this->SingularSystem->NumberOfSetups() > 0;
-  ++this->Counts.Systems;
-}
-
 /// The warnings of the solver come once, where something was solved rather than kept.
 void FieldSolver::Internals::FindDirections(std::shared_ptr<const FieldSolution> solution, const FieldProblem& problem,
   FollowedConstraints followed, const ExecutionContext& context)
@@ -463,8 +380,9 @@ const Field& FieldSolver::Solve(const FieldProblem& problem, const ExecutionCont
   FollowedConstraints followed =
     of.Followed.Follow(problem, *of.Discretisation, PartOfContext(context, 0.0, 0.0), names);
   const PartOfContext most(context, 0.0, 0.9);
-  auto solution = problem.Singularities ? of.SolveSingular(problem, followed.Constraints, most, names)
-                                        : of.Solve(problem, followed.Constraints, most, names);
+  auto solution = problem.Singularities
+    ? of.Singular.Solve(problem, of.Discretisation, followed.Constraints, most, names)
+    : of.Solve(problem, followed.Constraints, most, names);
   of.FindDirections(std::move(solution), problem, std::move(followed), PartOfContext(context, 0.9, 1.0));
   of.FindBasis(problem, PartOfContext(context, 1.0, 1.0));
   return of.Last;
@@ -482,7 +400,9 @@ LinearSystem FieldSolver::Equations(const ExecutionContext& context) const
 
 FieldSolver::StageCounts FieldSolver::Counts() const
 {
-  return this->Internal->Counts;
+  const StageCounts& one = this->Internal->Counts;
+  const StageCounts& other = this->Internal->Singular.Counts();
+  return { one.Setups + other.Setups, one.Systems + other.Systems, one.Solves + other.Solves };
 }
 
 }

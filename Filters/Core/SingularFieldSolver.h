@@ -28,7 +28,7 @@ struct SingularField
 
 /// Finds the power fields of magnitude 1 on one surface that have prescribed singularities and no others (TrivialConnection.h).
 /// The set-up are the levels of functions, or a factor; the system is a harmonic form for each handle and hole.
-/// FieldSolver keeps one, and its fields.
+/// SingularStages keeps one, and its fields.
 class SingularFieldSolver
 {
 public:
