@@ -2,6 +2,7 @@
 
 #include "vtkClientServerInterpreter.h"
 #include "vtkClientServerInterpreterInitializer.h"
+#include "vtkSMConvergenceChartInitializationHelper.h"
 #include "vtkSMCyclicColorsInitializationHelper.h"
 #include "vtkSMDirectionsInitializationHelper.h"
 #include "vtkSMDisplayDefaultsInitializationHelper.h"
@@ -21,6 +22,7 @@ void RegisterInitializationHelpers()
   vtkClientServerInterpreterInitializer::GetInitializer()->RegisterCallback(
     [](vtkClientServerInterpreter* interpreter)
     {
+      Register<vtkSMConvergenceChartInitializationHelper>(interpreter, "vtkSMConvergenceChartInitializationHelper");
       Register<vtkSMCyclicColorsInitializationHelper>(interpreter, "vtkSMCyclicColorsInitializationHelper");
       Register<vtkSMDirectionsInitializationHelper>(interpreter, "vtkSMDirectionsInitializationHelper");
       Register<vtkSMDisplayDefaultsInitializationHelper>(interpreter, "vtkSMDisplayDefaultsInitializationHelper");

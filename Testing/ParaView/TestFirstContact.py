@@ -102,6 +102,26 @@ class FirstContact(unittest.TestCase):
         colours = np.reshape(simple.GetColorTransferFunction("Angle").RGBPoints, (-1, 4))[:, 1:]
         self.assertTrue(np.array_equal(colours, chosen))
 
+    def test_the_chart_has_whole_iterations(self):
+        field = simple.HarmonicFieldSolver(Input=sphere(), Solver="Conjugate Gradients", Tolerance=1e-10)
+        chart = simple.ConvergenceChart(Input=simple.OutputPort(field, 2))
+        view, own = simple.CreateView("XYChartView"), simple.CreateView("XYChartView")
+        own.BottomAxisTitle = "cycles"
+        for shown in (view, own):
+            simple.Show(chart, shown)
+            simple.Render(shown)
+        self.assertEqual((view.BottomAxisTitle, view.LeftAxisTitle), ("iteration", "log10 of the relative residual"))
+        self.assertEqual((own.BottomAxisTitle, own.BottomAxisUseCustomLabels), ("cycles", 0))
+        last = chart.GetDataInformation().GetNumberOfRows() - 1
+        labels = [int(text) for text in view.BottomAxisLabels[1::2]]
+        self.assertEqual(list(view.BottomAxisLabels[0::2]), list(view.BottomAxisLabels[1::2]))
+        self.assertGreater(last, 10)
+        step = labels[1]
+        self.assertEqual(labels, list(range(0, last + 1, step)))
+        self.assertLessEqual(len(labels), 11)
+        simple.Delete(own)
+        simple.Delete(view)
+
     def test_other_data_do_not_offer_our_representations(self):
         offered = show(sphere()).GetProperty("Representation").Available
         self.assertNotIn("Ink", offered)

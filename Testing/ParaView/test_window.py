@@ -379,7 +379,7 @@ def check_state(result):
 
 
 def check_convergence(result):
-    """The chart shows one curve, the logarithm of the table's residuals, on white."""
+    """The chart shows one curve, the logarithm of the table's residuals, on white, with titles and whole iterations."""
     check(result)
     table, chart = (np.genfromtxt(former(result, what, ".csv"), delimiter=",", names=True, deletechars="")
                     for what in ("table", "chart"))
@@ -387,6 +387,12 @@ def check_convergence(result):
     assert len(residuals) > 2 and residuals[0] == 0 and residuals[-1] < -4, residuals
     assert np.abs(residuals - np.log10(table["RelativeResidual"])).max() < 1e-3
     assert (pixels(result).min(axis=1) > 250).sum() > 200000
+    state = ElementTree.parse(result.with_suffix(".pvsm"))
+    view = next(proxy for proxy in state.iter("Proxy") if proxy.get("type") == "XYChartView")
+    assert value_of(view, "BottomAxisTitle", 0) == "iteration"
+    assert value_of(view, "LeftAxisTitle", 0) == "log10 of the relative residual"
+    labels = [element.get("value") for element in view.findall("Property[@name='BottomAxisLabels']/Element")]
+    assert labels == [text for k in range(len(residuals)) for text in 2 * [str(k)]], labels  # at most ten
 
 
 def check_failed_first(result):
