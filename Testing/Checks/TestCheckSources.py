@@ -60,6 +60,27 @@ class CheckSources(unittest.TestCase):
         self.assertEqual(self.found({"Filters/Core/Odds/Ends.h": ""}),
                          ["Filters/Core/Odds/Ends.h:0: Odds has no place in ARROWS"])
 
+    def words_of_core(self, text):
+        panel = """<P><IntVectorProperty name="ConstraintType"><Entry text="Power Field at Points"/></IntVectorProperty>
+          <IntVectorProperty name="N" label="Number Of Directions"/><DoubleVectorProperty name="Weight"/></P>"""
+        return self.found({"ParaViewPlugin/Filter.xml": panel, "Filters/Core/Mesh/Mesh.cxx": text})
+
+    def test_core_has_words_of_its_own(self):
+        wrong = {'f("apply vtkCleanPolyData");': "vtkCleanPolyData",
+                 'f("set Constraint Type to Soft");': "Constraint Type",
+                 'f("set Constraint "\n  "Type to Soft");': "Constraint Type",
+                 'f(\'"\', "the Number Of Directions");': "Number Of Directions",
+                 'f("\\"quoted\\" Number Of Directions");': "Number Of Directions",
+                 'f("http://a", "choose Power Field at Points");': "Power Field at Points"}
+        for text, name in wrong.items():
+            self.assertEqual(self.words_of_core(text),
+                             [f"Filters/Core/Mesh/Mesh.cxx:1: a text of the core says {name}, a word of VTK or of the panel"])
+        right = ['f("the constraint type, N, Weight");', '// "Constraint Type" of vtkFilter', 'f("a"); // "Constraint Type"',
+                 '/* "Constraint Type"\n "vtkFilter" */', 'f("Constraint ", "Type");', 'f("vtk", "an ovtkA");',
+                 'f("Constraint Types");']
+        for text in right:
+            self.assertEqual(self.words_of_core(text), [], text)
+
     def test_adapters_include_downwards(self):
         self.assert_found("Filters/Adapters/Surface/Mesh.h", '#include "Adapters/Output/Arrays.h"\n',
                           "1: Adapters/Surface may not include Adapters/Output/Arrays.h")

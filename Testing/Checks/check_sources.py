@@ -7,6 +7,8 @@ prints one line per violation, "path:line: what is wrong", and fails if there is
 
 - the rooms of the core include downwards only (ARROWS), and never VTK; nor do its tests;
 - the rooms of the adapters include downwards only (ADAPTERS);
+- no text of the core names a class of VTK, or a property or choice of the panel by a label of several words: the
+  core says remedies in words of its own (Support/Remedy.h);
 - the headers of the filters, which VTK's wrappers parse, include VTK and plain C++ only;
 - no "using namespace" in a header;
 - sources are ASCII;
@@ -106,6 +108,46 @@ def check_core(root):
                 target = pathlib.PurePosixPath(name).parent.as_posix()
                 if target != room and target not in ARROWS[room]:
                     yield path, number, f"{room} may not include {name}"
+
+
+def panel_labels(root):
+    """Labels of properties and choices that have several words, each with a capital: "Constraint Type"."""
+    labels = set()
+    for path in sorted((root / "ParaViewPlugin").glob("*.xml")):
+        for element in ElementTree.parse(path).iter():
+            name = element.get("name", "") if element.tag.endswith("Property") else ""
+            texts = [element.get("label", ""), re.sub(r"(?<=[a-z0-9])(?=[A-Z])", " ", name)]
+            texts += [element.get("text", "")] if element.tag == "Entry" else []
+            labels.update(text for text in texts if re.fullmatch(r"[A-Z]\w*(( at| of)? [A-Z]\w*)+", text))
+    return labels
+
+
+TOKEN = re.compile(r'(?P<comment>//[^\n]*|/\*.*?\*/)|(?P<include>^[ \t]*\#[^\n]*)|"(?P<text>(?:[^"\\\n]|\\.)*)"|\'(?:[^\'\\\n]|\\.)\'',
+                   re.DOTALL | re.MULTILINE)
+
+
+def literals(source):
+    """(line number, text) of each string literal; literals with nothing but space between them are one."""
+    found, end = [], None
+    for match in TOKEN.finditer(source):
+        text = match.group("text")
+        if text is None:
+            continue
+        if end is not None and not source[end:match.start()].strip():
+            found[-1][1] += text
+        else:
+            found.append([source.count("\n", 0, match.start()) + 1, text])
+        end = match.end()
+    return found
+
+
+def check_words_of_core(root):
+    labels = panel_labels(root)
+    names = re.compile("|".join([r"\bvtk[A-Z]\w*"] + [rf"\b{re.escape(label)}\b" for label in sorted(labels, reverse=True)]))
+    for path in files(root / "Filters" / "Core", SOURCES):
+        for number, text in literals(path.read_text(errors="replace")):
+            for name in names.findall(text):
+                yield path, number, f"a text of the core says {name}, a word of VTK or of the panel"
 
 
 def check_adapters(root):
@@ -248,7 +290,7 @@ def measurements_in_headers(root):
                 yield path, number, f"a measurement in a header: {match.group(0)}"
 
 
-CHECKS = [check_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_properties,
+CHECKS = [check_core, check_words_of_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_properties,
           check_class_comments, check_data]
 COUNTED = [("comments without a subject", subjectless_comments, SUBJECTLESS_LIMIT),
            ("measurements in headers", measurements_in_headers, MEASUREMENT_LIMIT)]

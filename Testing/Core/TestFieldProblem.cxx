@@ -159,7 +159,7 @@ TEST(FieldProblem, NamesTheOperatorsThatAreMissing)
   const FramedMesh surface(IrregularSphere(3, 3).Mesh());
   const TriangleMesh& mesh = surface.Mesh;
   const SurfaceHierarchy hierarchy = BuildSurfaceHierarchy(mesh, Deep(), SerialContext(), { false, false, false });
-  const char* const properties[] = { "Power Fields", "Face Fields", "One Forms" };
+  const char* const properties[] = { "::PowerFields", "::FaceFields", "::OneForms" };
   for (DiscretisationKind kind : AllKinds)
   {
     FieldOptions options;

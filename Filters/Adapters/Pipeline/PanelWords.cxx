@@ -12,6 +12,8 @@ namespace
 const std::string Normals = "Generate Surface Normals (vtkPolyDataNormals) with Consistency and Splitting on, "
                             "Feature Angle 180 and Non-Manifold Traversal off";
 
+const std::string Operators = "apply Directional Prolongation (vtkDirectionalProlongation) with ";
+
 }
 
 std::string PanelTextOf(Remedy remedy)
@@ -37,7 +39,14 @@ std::string PanelTextOf(Remedy remedy)
     "switch Harmonic Basis off",
     "switch Strict off",
     "Separating Distance",
-    "apply Directional Prolongation (vtkDirectionalProlongation) with",
+    "Separating Distance",
+    "choose Evenly Spread as Placement",
+    "Net Source",
+    "choose an array of points for Values, and a Mask and Weights that are not zero everywhere",
+    "by Mask or a value of NaN where there is no mask",
+    Operators + "Power Fields on",
+    Operators + "Face Fields on",
+    Operators + "One Forms on",
     "make it larger with Transform (vtkTransformPolyDataFilter)",
     "make the whole surface smaller with Transform (vtkTransformPolyDataFilter)",
     "apply Extract Surface (vtkGeometryFilter) and Triangulate (vtkTriangleFilter) first",

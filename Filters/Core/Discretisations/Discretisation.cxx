@@ -2,7 +2,6 @@
 
 #include "Levels/SampledLevels.h"
 #include "Support/Errors.h"
-#include "Support/Remedy.h"
 #include "Support/SparseAssembly.h"
 
 #include <cassert>
@@ -57,12 +56,11 @@ Penalties Discretisation::PenaltiesOf(
   return unknowns;
 }
 
-void Discretisation::CheckOperators(bool areThere, const std::string& property)
+void Discretisation::CheckOperators(bool areThere, Remedy remedy)
 {
   if (!areThere)
   {
-    throw InvalidInput("the operators of the surface do not include those that are needed; " +
-      TextOf(Remedy::Operators) + " " + property + " on");
+    throw InvalidInput("the operators of the surface do not include those that are needed; " + TextOf(remedy));
   }
 }
 

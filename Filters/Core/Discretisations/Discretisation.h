@@ -10,6 +10,7 @@
 #include "Solvers/Multigrid/StiffnessHierarchy.h"
 #include "Solvers/SolverOptions.h"
 #include "Support/ExecutionContext.h"
+#include "Support/Remedy.h"
 #include "Support/Types.h"
 
 #include <memory>
@@ -205,9 +206,9 @@ protected:
   virtual Vector<double> PenaltiesOfElements(
     const std::vector<int>& elements, const ExecutionContext& context) const = 0;
 
-  /// \param property of the filter that makes the operators, for the message.
+  /// \param remedy makes them.
   /// \throw InvalidInput they are not there.
-  static void CheckOperators(bool areThere, const std::string& property);
+  static void CheckOperators(bool areThere, Remedy remedy);
 
   const FramedMesh& Surface;
 };

@@ -67,12 +67,12 @@ std::unique_ptr<const StiffnessHierarchy> FaceField::Assemble(
   std::vector<SparseMatrix<double>> prolongations;
   if (operators && space == CoarseSpaceKind::LinearInterpolation)
   {
-    CheckOperators(!operators->Linear.empty(), "Face Fields");
+    CheckOperators(!operators->Linear.empty(), Remedy::FaceFieldOperators);
     prolongations = OnComponents(operators->Linear, context);
   }
   else if (operators)
   {
-    CheckOperators(!operators->SX.empty(), "Face Fields");
+    CheckOperators(!operators->SX.empty(), Remedy::FaceFieldOperators);
     prolongations = operators->SX;
   }
   SparseMatrix<double> B = FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context);

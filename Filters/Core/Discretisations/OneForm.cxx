@@ -64,14 +64,14 @@ std::unique_ptr<const StiffnessHierarchy> OneForm::Assemble(
   std::vector<SparseMatrix<double>> prolongations;
   if (operators && space == CoarseSpaceKind::LinearInterpolation)
   {
-    CheckOperators(!operators->Linear.empty(), "One Forms");
+    CheckOperators(!operators->Linear.empty(), Remedy::OneFormOperators);
     prolongations = OnComponents(operators->Linear, context);
     prolongations[0] =
       SparseMatrix<double>(FormFromFaceField(this->Surface.Mesh, this->Surface.Faces, context) * prolongations[0]);
   }
   else if (operators)
   {
-    CheckOperators(!operators->S1.empty(), "One Forms");
+    CheckOperators(!operators->S1.empty(), Remedy::OneFormOperators);
     prolongations = operators->S1;
   }
   SparseMatrix<double> L1 = OneFormLaplacian(this->Surface.Mesh, context, this->Areas);

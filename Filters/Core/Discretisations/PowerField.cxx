@@ -80,7 +80,7 @@ std::unique_ptr<const StiffnessHierarchy> PowerField::Assemble(
   if (operators)
   {
     const auto& transports = space == CoarseSpaceKind::LinearInterpolation ? operators->Linear : operators->SP;
-    CheckOperators(!transports.empty(), "Power Fields");
+    CheckOperators(!transports.empty(), Remedy::PowerFieldOperators);
     prolongations = OnPowers(transports, this->N, context);
   }
   SparseMatrix<Complex> L = PowerLaplacian(this->Surface.Mesh, this->Surface.Faces, this->N, context);

@@ -116,12 +116,12 @@ std::unique_ptr<const StiffnessHierarchy> ScalarFunction::Assemble(
   std::vector<SparseMatrix<double>> prolongations;
   if (operators && space == CoarseSpaceKind::LinearInterpolation)
   {
-    CheckOperators(!operators->Linear.empty(), "Power Fields");
+    CheckOperators(!operators->Linear.empty(), Remedy::PowerFieldOperators);
     prolongations = ProlongationsOfNodes(this->Surface.Mesh, operators->Linear, context);
   }
   else if (operators)
   {
-    CheckOperators(!operators->S0.empty(), "Power Fields");
+    CheckOperators(!operators->S0.empty(), Remedy::PowerFieldOperators);
     prolongations = operators->S0;
   }
   SparseMatrix<double> L0 = CotangentLaplacian(this->Surface.Mesh, context);
@@ -141,8 +141,8 @@ FieldConstraints ScalarFunction::Prescribe(const Constraints& given, const Eleme
 {
   if (given.Values.empty() && given.Source.size() == 0)
   {
-    throw InvalidInput("no value is prescribed, so the function of least smoothness energy is zero; choose an array of "
-                       "points for Values, and a Mask and Weights that are not zero everywhere");
+    throw InvalidInput("no value is prescribed, so the function of least smoothness energy is zero; " +
+      TextOf(Remedy::PrescribedValues));
   }
   FieldConstraints constraints = this->ConstraintsOfValues(given.Values, names);
   if (given.Source.size() > 0)
@@ -166,8 +166,8 @@ FieldConstraints ScalarFunction::ConstraintsOfValues(
     {
       throw InvalidInput("the value " + ShortText(value) + " with the weight " + ShortText(weight) +
         ", prescribed on " + names.Vertex(vertex) +
-        ", is not finite or its weight not positive; repair it, or leave the point out, by Mask or a value of NaN "
-        "where there is no mask");
+        ", is not finite or its weight not positive; repair it, or leave the point out, " +
+        TextOf(Remedy::MaskOfValues));
     }
     if (constraints.Elements.empty() || constraints.Elements.back() != vertex)
     {

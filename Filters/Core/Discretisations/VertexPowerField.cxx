@@ -184,7 +184,7 @@ std::unique_ptr<const StiffnessHierarchy> VertexPowerField::Assemble(
   std::vector<SparseMatrix<Complex>> prolongations;
   if (operators)
   {
-    CheckOperators(!operators->Linear.empty(), "Power Fields");
+    CheckOperators(!operators->Linear.empty(), Remedy::PowerFieldOperators);
     prolongations = this->ProlongationsOfPowers(*operators, context);
   }
   SparseMatrix<Complex> L = ConnectionLaplacian(this->Surface.Mesh, this->Connection(context), this->N, context);

@@ -2,6 +2,7 @@
 
 #include "Drawing/SurfaceSamples.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +26,8 @@ void CheckNumber(std::size_t number, const GlyphPlaceOptions& options)
   {
     throw InvalidInput(std::to_string(number) + " glyphs are more than the " + std::to_string(options.MostGlyphs) +
       " that are drawn; " +
-      (options.Placement == GlyphPlacement::EvenlySpread ? "raise Separating Distance"
-                                                         : "choose Evenly Spread as Placement"));
+      (options.Placement == GlyphPlacement::EvenlySpread ? "raise " + TextOf(Remedy::GlyphSeparation)
+                                                         : TextOf(Remedy::SpreadGlyphs)));
   }
 }
 

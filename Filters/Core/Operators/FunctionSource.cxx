@@ -1,6 +1,7 @@
 #include "Operators/FunctionSource.h"
 
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
 #include <algorithm>
@@ -113,7 +114,8 @@ void FreeComponents::Balance(Vector<double>& source, const Vector<double>& areas
       {
         throw InvalidInput("the source sums to " + ShortText(sums[component]) +
           (sums.size() > 1 ? " on component " + std::to_string(component) : std::string()) +
-          ", where no value is held and nothing leaves; hold a value there, or have its mean taken out (Net Source)");
+          ", where no value is held and nothing leaves; hold a value there, or have its mean taken out (" +
+          TextOf(Remedy::NoNetSource) + ")");
       }
     }
     return;

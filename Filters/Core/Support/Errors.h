@@ -8,7 +8,7 @@ namespace dmg
 {
 
 /// The caller can repair the data. The message names the element and the remedy:
-/// "cell 812 is not a triangle; apply vtkTriangleFilter first".
+/// "face 812 has no area; leave it out".
 class InvalidInput : public std::runtime_error
 {
 public:
