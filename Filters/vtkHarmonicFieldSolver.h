@@ -430,8 +430,8 @@ public:
   ///@}
 
   /**
-   * What the field of the last update follows, in words, as in "array 'Wind', 2 guides, boundary"; "nothing" for the smoothest
-   * one. Empty before.
+   * The things that the field of the last update follows, in words, like "array 'Wind', 2 guides, boundary"; "nothing" for the
+   * smoothest one. Empty before.
    */
   const char* GetFollowed() const;
 

@@ -52,7 +52,7 @@ public:
 
   const FramedMesh& Surface() const { return this->On; }
   const std::vector<BoundaryLoop>& Loops() const { return this->LoopsOfBoundary; }
-  /// Of the last solve.
+  /// The report of the last solve.
   const SolveReport& Report() const { return this->LastReport; }
 
   struct StageCounts

@@ -32,7 +32,7 @@ struct FieldConstraints
   Vector<double> Values = {}; ///< UnknownsPerElement for each element
   Vector<double> Source = {}; ///< of functions, integrated: what is minimised loses 2 Source^T x; empty for zero
 
-  /// Those of the elements that are held only because a constant is free; no user has asked for it.
+  /// The elements that are held only because a constant is free; no user has asked for it.
   std::vector<int> Grounded = {};
 };
 

@@ -8,7 +8,7 @@
 namespace dmg
 {
 
-/// How much the energy of PowerLaplacian depends on the direction in which a field changes, where the Dirichlet energy does not.
+/// The dependence of the energy of PowerLaplacian on the direction in which a field changes. The Dirichlet energy has none.
 ///
 /// A linear function of slope p has the energy p^T T p around a face: T is the sum of w_e d_e d_e^T over its edges, half of each,
 /// over the area, d_e the unfolded vector between the centroids of the two faces, w_e PowerEdgeWeights. The mean of T over some

@@ -9,7 +9,7 @@
 namespace dmg
 {
 
-/// Which triangles are to be turned so that neighbours agree.
+/// The triangles that are to be turned so that neighbours agree.
 struct Orientation
 {
   std::vector<char> IsTurned;          ///< per triangle

@@ -21,7 +21,7 @@ struct PreparationReport
   /// Whether something is other than it was given. Joined points close seams that nobody sees, and cells without area are
   /// not seen themselves, so these are no change.
   bool IsChanged() const;
-  /// As in "3 cells turned, 12 points joined"; empty where nothing was done.
+  /// A list like "3 cells turned, 12 points joined"; empty where nothing was done.
   std::string Text() const;
 };
 

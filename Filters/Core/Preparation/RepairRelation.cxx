@@ -209,7 +209,7 @@ private:
     }
   }
 
-  /// How many cells have a triangle that is chosen.
+  /// The number of cells with a triangle that is chosen.
   template <class IsChosen>
   int NumberOfCells(const IsChosen& isChosen) const
   {
