@@ -26,7 +26,7 @@ vtkStandardNewMacro(vtkHodgeDecomposition);
 class vtkHodgeDecomposition::vtkInternals
 {
 public:
-  dmg::FlowSurface Kept;
+  dmg::FlowSurface Surface;
 };
 
 //------------------------------------------------------------------------------
@@ -45,19 +45,19 @@ vtkHodgeDecomposition::~vtkHodgeDecomposition() = default;
 //------------------------------------------------------------------------------
 int vtkHodgeDecomposition::GetNumberOfSetups() const
 {
-  return this->Internals->Kept.Counts().Setups;
+  return this->Internals->Surface.Counts().Setups;
 }
 
 //------------------------------------------------------------------------------
 int vtkHodgeDecomposition::GetNumberOfBases() const
 {
-  return this->Internals->Kept.Counts().Bases;
+  return this->Internals->Surface.Counts().Bases;
 }
 
 //------------------------------------------------------------------------------
 int vtkHodgeDecomposition::GetNumberOfSolves() const
 {
-  return this->Internals->Kept.Counts().Solves;
+  return this->Internals->Surface.Counts().Solves;
 }
 
 //------------------------------------------------------------------------------
@@ -119,20 +119,21 @@ int vtkHodgeDecomposition::RequestData(
     options.ExpectedSolves = std::max(this->ExpectedSolves, 2 * timeSteps);
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
-    dmg::FlowSurface& kept = this->Internals->Kept;
-    kept.SetSurface(input, preparation, this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open,
-      options, dmg::PartOfContext(context, 0.0, 0.1));
+    dmg::FlowSurface& surface = this->Internals->Surface;
+    surface.SetSurface(input, preparation,
+      this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open, options,
+      dmg::PartOfContext(context, 0.0, 0.1));
     vtkDataSet* const edges =
       inputVector[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(inputVector[1]) : nullptr;
     const dmg::FaceFlow flow = edges
-      ? dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals }, input, kept.Surface(), context)
-      : dmg::FlowFromArrays(this, input, kept.Surface(), dmg::Vector3(this->Axis), context);
+      ? dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals }, input, surface.Surface(), context)
+      : dmg::FlowFromArrays(this, input, surface.Surface(), dmg::Vector3(this->Axis), context);
     const dmg::FlowOptions wanted{ { this->GradientPart, this->RotationalPart, this->HarmonicPart }, this->Derivatives,
       this->LengthScale, this->NumberOfContours, this->Lift };
-    dmg::WarnOfPreparation(this, kept.Preparation());
+    dmg::WarnOfPreparation(this, surface.Preparation());
     output->ShallowCopy(input);
-    dmg::AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
-    for (const std::string& warning : kept.Decompose(
+    dmg::AddPreparation(surface.Preparation(), preparation, output->GetFieldData());
+    for (const std::string& warning : surface.Decompose(
            flow, wanted, input, output, vtkPolyData::GetData(outputVector, 1), dmg::PartOfContext(context, 0.1, 1.0)))
     {
       vtkWarningMacro(<< dmg::InPanelWords(warning));

@@ -32,9 +32,9 @@ void SolverOfSurface::SetSurface(vtkDataSet* input, const std::string& digest, c
     const Stopwatch watch;
     SurfaceMesh surface = MeshFromDataSet(input, { order, preparation.JoinPoints, preparation.Strict }, context);
     auto solver = std::make_unique<FieldSolver>(std::move(surface.Mesh), context);
-    this->OfFormerSurfaces = this->Counts();
+    this->FormerCounts = this->Counts();
     this->Digest.clear(); // until all that follows is made
-    this->Read.clear();
+    this->OperatorsByOrigin.clear();
     this->OperatorsSeconds = 0.0;
     this->SolverOfMesh = std::move(solver);
     this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
@@ -51,7 +51,7 @@ void SolverOfSurface::SetSurface(vtkDataSet* input, const std::string& digest, c
 std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
   vtkDataSet* input, const OperatorsOrigin& origin)
 {
-  for (const auto& [known, operators] : this->Read)
+  for (const auto& [known, operators] : this->OperatorsByOrigin)
   {
     if (known == origin)
     {
@@ -60,17 +60,17 @@ std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
   }
   const Stopwatch watch;
   const bool isFirst = this->SolverOfMesh->Counts().Setups == 0; // then the solver counts it
-  this->Read.emplace_back(origin,
+  this->OperatorsByOrigin.emplace_back(origin,
     std::make_shared<const ProlongationOperators>(
       OperatorsFromFieldData(input->GetFieldData(), this->SolverOfMesh->Surface().Mesh)));
   this->OperatorsSeconds = watch.Seconds();
-  this->OfFormerSurfaces.Setups += isFirst ? 0 : 1;
-  return this->Read.back().second;
+  this->FormerCounts.Setups += isFirst ? 0 : 1;
+  return this->OperatorsByOrigin.back().second;
 }
 
 FieldSolver::StageCounts SolverOfSurface::Counts() const
 {
-  return this->SolverOfMesh ? this->OfFormerSurfaces + this->SolverOfMesh->Counts() : this->OfFormerSurfaces;
+  return this->SolverOfMesh ? this->FormerCounts + this->SolverOfMesh->Counts() : this->FormerCounts;
 }
 
 double SolverOfSurface::SetupSeconds(const Field& field) const

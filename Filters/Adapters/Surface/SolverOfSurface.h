@@ -55,11 +55,11 @@ private:
   PreparationReport PreparationOfSurface;
   std::unique_ptr<FieldSolver> SolverOfMesh;
   int NumberOfSurface = 0;
-  /// All operators of this surface that were read.
-  std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> Read;
+  /// All operators of this surface that were read, by their origin.
+  std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> OperatorsByOrigin;
   double SurfaceSeconds = 0.0;
   double OperatorsSeconds = 0.0;
-  FieldSolver::StageCounts OfFormerSurfaces;
+  FieldSolver::StageCounts FormerCounts;
 };
 
 }

@@ -126,14 +126,15 @@ void LineSpacing::VisitNear(const SurfacePoint& at, Complex direction, double di
     });
 }
 
-LineSpacing::Neighbour LineSpacing::Nearest(const SurfacePoint& at, Complex direction, double distance, const Own& own)
+LineSpacing::Neighbour LineSpacing::Nearest(
+  const SurfacePoint& at, Complex direction, double distance, const Exclusion& exclusion)
 {
   Neighbour nearest;
   this->VisitNear(at, direction, distance,
     [&](const Segment& segment, double gap)
     {
-      const bool isExcluded = segment.Line == own.Line &&
-        std::min(std::abs(segment.ArcFrom - own.Arc), std::abs(segment.ArcTo - own.Arc)) < own.Excluded;
+      const bool isExcluded = segment.Line == exclusion.Line &&
+        std::min(std::abs(segment.ArcFrom - exclusion.Arc), std::abs(segment.ArcTo - exclusion.Arc)) < exclusion.Length;
       if (!isExcluded && gap < nearest.Distance)
       {
         nearest = { gap, segment.Line, segment.ArcFrom };

@@ -33,11 +33,11 @@ public:
   };
 
   /// The part of the asking line that leads here: it does not count, although it is near.
-  struct Own
+  struct Exclusion
   {
     int Line = -1;
     double Arc = 0.0;
-    double Excluded = 0.0; ///< length along the line, both ways
+    double Length = 0.0; ///< along the line, both ways
   };
 
   struct Neighbour
@@ -57,10 +57,10 @@ public:
   void Shrink(std::size_t size);
 
   /// The nearest segment of the family of a direction within a distance. Cost: the faces within it.
-  Neighbour Nearest(const SurfacePoint& at, Complex direction, double distance, const Own& own);
+  Neighbour Nearest(const SurfacePoint& at, Complex direction, double distance, const Exclusion& exclusion);
   Neighbour Nearest(const SurfacePoint& at, Complex direction, double distance)
   {
-    return this->Nearest(at, direction, distance, Own());
+    return this->Nearest(at, direction, distance, Exclusion());
   }
   /// Whether there is any.
   bool IsFree(const SurfacePoint& at, Complex direction, double distance);

@@ -23,7 +23,7 @@ class Repairer
 {
 public:
   Repairer(const CellTriangles& given, const UsedPoints& used, bool joinPoints, const ExecutionContext& context)
-    : Given(given)
+    : Input(given)
     , Used(used)
     , JoinsPoints(joinPoints)
     , Context(context)
@@ -38,27 +38,27 @@ public:
   RepairedSurface Run()
   {
     this->CheckPositions();
-    this->Equal = this->JoinsPoints ? FirstOfEqual(this->Given.Positions) : std::vector<int>();
+    this->Equal = this->JoinsPoints ? FirstOfEqual(this->Input.Positions) : std::vector<int>();
     this->JoinSidesWithoutLength();
     this->LeaveOut();
-    this->PairKept();
+    this->PairParticipants();
     if (this->JoinsPoints && this->JoinPoints())
     {
       this->LeaveOut();
-      this->PairKept();
+      this->PairParticipants();
     }
-    if (this->Kept.empty())
+    if (this->Participants.empty())
     {
       RefuseSurfaceWithoutArea();
     }
-    Orientation orientation = Orient(this->Given.Positions, this->KeptCorners, this->Pairs);
-    TurnOver(this->KeptCorners, this->Pairs, orientation.IsTurned);
-    FanVertices fans =
-      VerticesOfFans(static_cast<int>(this->Given.Positions.rows()), this->KeptCorners, this->Pairs, this->Context);
-    return RelateRepaired(this->Given, this->Used,
+    Orientation orientation = Orient(this->Input.Positions, this->CornersOfParticipants, this->Pairs);
+    TurnOver(this->CornersOfParticipants, this->Pairs, orientation.IsTurned);
+    FanVertices fans = VerticesOfFans(
+      static_cast<int>(this->Input.Positions.rows()), this->CornersOfParticipants, this->Pairs, this->Context);
+    return RelateRepaired(this->Input, this->Used,
       { std::move(this->Joined), std::move(this->Corners), std::move(this->Places), std::move(this->Twins),
-        std::move(this->Kept), std::move(this->KeptCorners), std::move(this->Pairs), std::move(orientation),
-        std::move(fans) });
+        std::move(this->Participants), std::move(this->CornersOfParticipants), std::move(this->Pairs),
+        std::move(orientation), std::move(fans) });
   }
 
 private:
@@ -66,7 +66,7 @@ private:
   {
     ElementNames names;
     names.Vertices.assign(this->Used.Points.begin(), this->Used.Points.end());
-    CheckPoints(this->Given.Positions, names);
+    CheckPoints(this->Input.Positions, names);
   }
 
   /// Corners become the first of the points that they were joined with.
@@ -75,7 +75,7 @@ private:
     const std::vector<int> first = this->Joined.AllSmallest();
     for (int i = 0; i < 3 * this->Size; ++i)
     {
-      this->Corners.data()[i] = first[this->Given.Corners.data()[i]];
+      this->Corners.data()[i] = first[this->Input.Corners.data()[i]];
     }
   }
 
@@ -83,10 +83,10 @@ private:
   void JoinSidesWithoutLength()
   {
     constexpr double Smallest = 1e-60;
-    const double rounding = this->JoinsPoints ? RoundingOf(this->Given.Positions) : Smallest;
+    const double rounding = this->JoinsPoints ? RoundingOf(this->Input.Positions) : Smallest;
     for (int t = 0; t < this->Size; ++t)
     {
-      const auto at = [&](int k) { return this->Given.Positions.row(this->Given.Corners(t, k % 3)); };
+      const auto at = [&](int k) { return this->Input.Positions.row(this->Input.Corners(t, k % 3)); };
       const std::array<double, 3> lengths{ (at(1) - at(0)).stableNorm(), (at(2) - at(1)).stableNorm(),
         (at(0) - at(2)).stableNorm() };
       const double longest = *std::max_element(lengths.begin(), lengths.end());
@@ -94,7 +94,7 @@ private:
       {
         if (lengths[k] <= std::max(Smallest, std::min(rounding, PartOfEdge * longest)))
         {
-          this->Joined.Unite(this->Given.Corners(t, k), this->Given.Corners(t, (k + 1) % 3));
+          this->Joined.Unite(this->Input.Corners(t, k), this->Input.Corners(t, (k + 1) % 3));
         }
       }
     }
@@ -118,7 +118,7 @@ private:
     this->PreferCells();
     for (int t = 0; t < this->Size; ++t)
     {
-      this->TakesPart[t] = this->TakesPart[t] && this->Twins[t] == t && !this->Given.IsLeftOut(t);
+      this->TakesPart[t] = this->TakesPart[t] && this->Twins[t] == t && !this->Input.IsLeftOut(t);
     }
   }
 
@@ -129,7 +129,7 @@ private:
     for (int t = 0; t < this->Size; ++t)
     {
       int& first = chosen[this->Twins[t]];
-      first = this->Given.IsLeftOut(first) && !this->Given.IsLeftOut(t) ? t : first;
+      first = this->Input.IsLeftOut(first) && !this->Input.IsLeftOut(t) ? t : first;
     }
     for (int t = 0; t < this->Size; ++t)
     {
@@ -137,31 +137,31 @@ private:
     }
   }
 
-  void PairKept()
+  void PairParticipants()
   {
-    this->Kept = Choose(
+    this->Participants = Choose(
       this->Size, [this](int t) { return this->TakesPart[t] != 0; }, this->Context);
-    this->KeptCorners.resize(static_cast<Eigen::Index>(this->Kept.size()), 3);
-    for (std::size_t i = 0; i < this->Kept.size(); ++i)
+    this->CornersOfParticipants.resize(static_cast<Eigen::Index>(this->Participants.size()), 3);
+    for (std::size_t i = 0; i < this->Participants.size(); ++i)
     {
-      this->KeptCorners.row(static_cast<Eigen::Index>(i)) = this->Corners.row(this->Kept[i]);
+      this->CornersOfParticipants.row(static_cast<Eigen::Index>(i)) = this->Corners.row(this->Participants[i]);
     }
-    this->Pairs = PairSheets(this->Given.Positions, this->KeptCorners, this->Context);
+    this->Pairs = PairSheets(this->Input.Positions, this->CornersOfParticipants, this->Context);
   }
 
   bool JoinPoints()
   {
     BoundaryPoints boundary;
-    for (int side = 0; side < 3 * static_cast<int>(this->Kept.size()); ++side)
+    for (int side = 0; side < 3 * static_cast<int>(this->Participants.size()); ++side)
     {
       if (this->Pairs.Of(side) < 0)
       {
-        const auto& c = this->KeptCorners.row(side / 3);
+        const auto& c = this->CornersOfParticipants.row(side / 3);
         const int k = side % 3;
-        boundary.Add(this->Given.Positions, c[k], c[(k + 1) % 3], c[(k + 2) % 3]);
+        boundary.Add(this->Input.Positions, c[k], c[(k + 1) % 3], c[(k + 2) % 3]);
       }
     }
-    if (!JoinBoundary(this->Given.Positions, boundary.Take(), this->Joined))
+    if (!JoinBoundary(this->Input.Positions, boundary.Take(), this->Joined))
     {
       return false;
     }
@@ -169,19 +169,19 @@ private:
     return true;
   }
 
-  const CellTriangles& Given;
+  const CellTriangles& Input;
   const UsedPoints& Used;
   const bool JoinsPoints;
   const ExecutionContext& Context;
   const int Size;
   DisjointSets Joined;
-  std::vector<int> Equal;      ///< the first point of each place; empty where points are not joined
-  Triangles Corners;           ///< of all triangles, after points were joined
-  std::vector<int> Places;     ///< equal for points at one place
-  std::vector<int> Twins;      ///< per triangle: the one that has its place, or itself
-  std::vector<char> TakesPart; ///< per triangle
-  std::vector<int> Kept;       ///< the triangles that take part
-  Triangles KeptCorners;
+  std::vector<int> Equal;        ///< the first point of each place; empty where points are not joined
+  Triangles Corners;             ///< of all triangles, after points were joined
+  std::vector<int> Places;       ///< equal for points at one place
+  std::vector<int> Twins;        ///< per triangle: the one that has its place, or itself
+  std::vector<char> TakesPart;   ///< per triangle
+  std::vector<int> Participants; ///< the triangles that take part
+  Triangles CornersOfParticipants;
   SheetPairs Pairs; ///< of kept triangles
 };
 
