@@ -299,7 +299,7 @@ int vtkHarmonicFieldSolver::RequestData(
     }
     kept.SetSurface(input, digest, problem.Options, preparation, dmg::PartOfContext(context, 0.0, 0.1));
     dmg::WarnOfPreparation(this, kept.Preparation());
-    if (dmg::IsSoup(kept.Surface().On.Mesh))
+    if (dmg::IsSoup(kept.Surface().Geometry.Mesh))
     {
       vtkWarningMacro("most triangles share no points with those beside them, so each is a surface of its own; apply "
                       "Clean (vtkCleanPolyData) first, or switch Join Points on and Strict off");

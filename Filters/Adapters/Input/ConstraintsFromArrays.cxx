@@ -28,7 +28,7 @@ void Add(UnusableDirections& sum, const UnusableDirections& part)
 /// The place of a point or cell of the caller's that is part of the surface.
 Vector3 PlaceOf(vtkIdType element, bool isPoint, const FramedSurface& surface)
 {
-  const TriangleMesh& mesh = surface.On.Mesh;
+  const TriangleMesh& mesh = surface.Geometry.Mesh;
   const ElementRow row = isPoint ? surface.Relation.VerticesOf(element) : surface.Relation.FacesOf(element);
   Vector3 sum = Vector3::Zero();
   for (const int part : row)
@@ -54,7 +54,7 @@ DirectionReader ReaderOf(
   }
   if (components == 2)
   {
-    const Points& positions = surface.On.Mesh.VertexPositions();
+    const Points& positions = surface.Geometry.Mesh.VertexPositions();
     if (positions.col(2).maxCoeff() > positions.col(2).minCoeff())
     {
       throw InvalidInput(std::string("array '") + arrays.Vectors->GetName() +
@@ -73,9 +73,10 @@ DirectionReader ReaderOf(
     const ElementRow row = onPoints ? surface.Relation.VerticesOf(element) : surface.Relation.FacesOf(element);
     const int place = row.empty() ? -1 : row.front();
     const Eigen::Matrix3d tensor = TensorOf(numbers, components);
-    return place < 0       ? Vector3(Vector3::Zero())
-      : tensor.allFinite() ? PrincipalDirection(tensor, onPoints ? surface.On.Vertices : surface.On.Faces, place)
-                           : Vector3(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
+    return place < 0 ? Vector3(Vector3::Zero())
+      : tensor.allFinite()
+      ? PrincipalDirection(tensor, onPoints ? surface.Geometry.Vertices : surface.Geometry.Faces, place)
+      : Vector3(Vector3::Constant(std::numeric_limits<double>::quiet_NaN()));
   };
 }
 
@@ -123,12 +124,12 @@ Constraints DirectionsOnSurface(
             arrays.Vectors->GetTuple(given.Element, numbers);
             differences.push_back(
               DifferenceOfPrincipalValues(TensorOf(numbers, arrays.Vectors->GetNumberOfComponents()),
-                arrays.OnPoints ? surface.On.Vertices : surface.On.Faces, element));
+                arrays.OnPoints ? surface.Geometry.Vertices : surface.Geometry.Faces, element));
           }
         }
       }));
   WeighByDifference(constraints, differences);
-  Add(unusable, LeaveOutUnusable(directions, surface.On));
+  Add(unusable, LeaveOutUnusable(directions, surface.Geometry));
   return directions;
 }
 
@@ -178,7 +179,7 @@ Vector<double> SourceOnSurface(const ArrayChoice& choice, vtkDataSet* surface, c
       "a source stands at points, and an array of cells is chosen for Source; choose an array of points, "
       "by Cell Data to Point Data (vtkCellDataToPointData) for example");
   }
-  Vector<double> values(source.Array ? framed.On.Mesh.NumberOfVertices() : 0);
+  Vector<double> values(source.Array ? framed.Geometry.Mesh.NumberOfVertices() : 0);
   for (int vertex = 0; vertex < values.size(); ++vertex)
   {
     values[vertex] = source.Array->GetComponent(framed.Relation.PointOf(vertex), 0);
@@ -231,7 +232,7 @@ RotationAngles RotationFromArray(
   {
     return angles;
   }
-  const TriangleMesh& mesh = surface.On.Mesh;
+  const TriangleMesh& mesh = surface.Geometry.Mesh;
   angles.Faces.setZero(mesh.NumberOfFaces());
   angles.Vertices.setZero(mesh.NumberOfVertices());
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)

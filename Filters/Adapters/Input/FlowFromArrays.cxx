@@ -22,7 +22,7 @@ using VectorOfTuple = std::function<Vector3(vtkIdType, const Vector3&)>;
 /// The vector of a face: of its cell, or the mean over its corners.
 Vector3 VectorOnFace(const FramedSurface& surface, int face, bool onPoints, const VectorOfTuple& vectorAt)
 {
-  const TriangleMesh& mesh = surface.On.Mesh;
+  const TriangleMesh& mesh = surface.Geometry.Mesh;
   Vector3 sum = Vector3::Zero();
   Vector3 centre = Vector3::Zero();
   for (int corner = 0; corner < 3; ++corner)
@@ -61,7 +61,7 @@ FaceFlow OnFaces(
   const FramedSurface& surface, bool onPoints, const VectorOfTuple& vectorAt, const ExecutionContext& context)
 {
   constexpr int Grain = 4096;
-  const int faces = surface.On.Mesh.NumberOfFaces();
+  const int faces = surface.Geometry.Mesh.NumberOfFaces();
   FaceFlow flow{ Vector<Complex>(faces), Vector<double>(faces) };
   context.ParallelFor(0, faces, Grain,
     [&](int first, int last)
@@ -69,8 +69,8 @@ FaceFlow OnFaces(
       for (int face = first; face < last; ++face)
       {
         const Vector3 vector = VectorOnFace(surface, face, onPoints, vectorAt);
-        flow.Tangential[face] = surface.On.Faces.ToComplex(face, vector);
-        flow.Normal[face] = surface.On.Faces.Normal(face).dot(vector);
+        flow.Tangential[face] = surface.Geometry.Faces.ToComplex(face, vector);
+        flow.Normal[face] = surface.Geometry.Faces.Normal(face).dot(vector);
       }
     });
   CheckIsFinite(flow, surface.Relation, onPoints);

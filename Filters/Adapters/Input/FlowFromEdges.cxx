@@ -100,7 +100,7 @@ class FormOfLines
 {
 public:
   explicit FormOfLines(const FramedSurface& surface)
-    : Mesh(surface.On.Mesh)
+    : Mesh(surface.Geometry.Mesh)
     , Relation(surface.Relation)
     , Form(Vector<double>::Zero(Mesh.NumberOfEdges()))
     , IsKnown(Mesh.NumberOfEdges(), 0)
@@ -223,7 +223,7 @@ FaceFlow FlowFromEdges(vtkDataSet* edges, const EdgeValues& values, vtkDataSet* 
         }
       });
   }
-  return { FlowOfForm(surface.On, form.Complete(), context), {} };
+  return { FlowOfForm(surface.Geometry, form.Complete(), context), {} };
 }
 
 }

@@ -44,11 +44,11 @@ void AddTo(const Arrays& arrays, const TangentFrames& frames, const PrincipalCur
 void AddCurvatures(const FramedSurface& surface, const PrincipalDirections& curvatures, vtkDataSet* input,
   vtkDataSet* output, const ExecutionContext& context)
 {
-  AddTo(ArraysOfCells(surface.On.Mesh, surface.Relation, input, output->GetCellData(), context), surface.On.Faces,
-    curvatures.Faces);
+  AddTo(ArraysOfCells(surface.Geometry.Mesh, surface.Relation, input, output->GetCellData(), context),
+    surface.Geometry.Faces, curvatures.Faces);
   context.Checkpoint(0.5);
-  AddTo(
-    ArraysOfPoints(surface.Relation, input, output->GetPointData(), context), surface.On.Vertices, curvatures.Vertices);
+  AddTo(ArraysOfPoints(surface.Relation, input, output->GetPointData(), context), surface.Geometry.Vertices,
+    curvatures.Vertices);
   context.Checkpoint(1.0);
 }
 

@@ -17,7 +17,7 @@ void FieldOutput::MakeArrays(
   {
     const FramedSurface framed = surface.Surface();
     this->Arrays.reset(); // the memory of another field first
-    this->Arrays = MakeFieldArrays(framed.On, framed.Relation, *field.Solution->Discretisation,
+    this->Arrays = MakeFieldArrays(framed.Geometry, framed.Relation, *field.Solution->Discretisation,
       field.Solution->Unknowns, field, input, PartOfContext(context, 0.0, most));
     this->Surface = surface.Number();
     this->Field = field.Number;
@@ -35,7 +35,7 @@ void FieldOutput::MakeBasis(
     this->ArraysOfBasis.reset(); // the memory of another basis first
     this->Basis.reset();
     this->ArraysOfBasis = MakeBasisArrays(
-      framed.On, framed.Relation, *field.Solution->Discretisation, *field.HarmonicBasis, input, context);
+      framed.Geometry, framed.Relation, *field.Solution->Discretisation, *field.HarmonicBasis, input, context);
     this->Basis = field.HarmonicBasis;
   }
 }

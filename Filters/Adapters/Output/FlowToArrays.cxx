@@ -44,7 +44,7 @@ public:
     {
       return;
     }
-    const FramedMesh& on = this->Surface.On;
+    const FramedMesh& on = this->Surface.Geometry;
     this->AddToCells(name, 3, this->Vectors(on.Faces, part).data());
     const Vector<Complex> atVertices = PowersAtVertices(on.Mesh, this->Corners, part, 1, this->Context);
     this->AddToPoints(name, 3, this->Vectors(on.Vertices, atVertices).data());
@@ -63,7 +63,7 @@ public:
   void AddToCells(const char* name, int components, const double* values) const
   {
     ArraysOfCells(
-      this->Surface.On.Mesh, this->Surface.Relation, this->Input, this->Output->GetCellData(), this->Context)
+      this->Surface.Geometry.Mesh, this->Surface.Relation, this->Input, this->Output->GetCellData(), this->Context)
       .Add(name, components, values);
   }
 
@@ -236,7 +236,7 @@ void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& prepar
     auto on = std::make_unique<FramedMesh>(std::move(surface.Mesh), context);
     auto corners = Corners(on->Mesh, SideDirections(on->Mesh, on->Faces, context), on->Faces, on->Vertices, context);
     this->Forget();
-    this->On = std::move(on);
+    this->Geometry = std::move(on);
     this->CornersOfFaces = std::move(corners);
     this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
     this->PreparationOfSurface = surface.Report;
@@ -245,7 +245,7 @@ void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& prepar
   if (!this->Decomposition || !(this->Options == options))
   {
     this->Forget();
-    this->Decomposition.emplace(*this->On, boundary, options);
+    this->Decomposition.emplace(*this->Geometry, boundary, options);
     this->Options = options;
   }
   this->Decomposition->SetBoundary(boundary);
@@ -273,7 +273,7 @@ HodgeDecomposition::StageCounts FlowSurface::Counts() const
 std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const FlowOptions& options, vtkDataSet* input,
   vtkDataSet* output, vtkPolyData* streamlines, const ExecutionContext& context)
 {
-  const FramedMesh& on = *this->On;
+  const FramedMesh& on = *this->Geometry;
   const StoppingCriteria stop{ 1e-11, 200 };
   const DecomposedFlow parts =
     this->Decomposition->Decompose(flow.Tangential, options.Parts, stop, PartOfContext(context, 0.0, 0.8));

@@ -40,7 +40,7 @@ public:
 
   /// The things that were done to the surface.
   const PreparationReport& Preparation() const { return this->PreparationOfSurface; }
-  FramedSurface Surface() const { return { *this->On, this->Relation }; }
+  FramedSurface Surface() const { return { *this->Geometry, this->Relation }; }
 
   /// Adds the arrays of vtkHodgeDecomposition to \p output, a copy of the \p input.
   /// \param streamlines an empty output; becomes the contours of the stream function.
@@ -59,9 +59,9 @@ private:
   SolverOptions Options;
   SurfaceRelation Relation;
   PreparationReport PreparationOfSurface;
-  std::unique_ptr<FramedMesh> On;
+  std::unique_ptr<FramedMesh> Geometry;
   Unfilled<Corner> CornersOfFaces;
-  std::optional<HodgeDecomposition> Decomposition; ///< it refers to On
+  std::optional<HodgeDecomposition> Decomposition; ///< it refers to Geometry
   HodgeDecomposition::StageCounts OfFormer;        ///< of those before it
 };
 

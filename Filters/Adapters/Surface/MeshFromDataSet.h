@@ -26,7 +26,7 @@ struct SurfaceMesh : SurfaceRelation
 /// A surface with the frames that its fields refer to; borrowed.
 struct FramedSurface
 {
-  const FramedMesh& On;
+  const FramedMesh& Geometry;
   const SurfaceRelation& Relation;
 };
 
