@@ -115,20 +115,25 @@ Eigen::MatrixXd ProlongedClosedForms(const ProlongationOperators& operators, con
   return forms;
 }
 
-Eigen::MatrixXd HarmonicForms(
-  const TriangleMesh& mesh, const ExecutionContext& context, const ProlongationOperators* operators)
+namespace
 {
-  const bool areProlonged = operators && !operators->S1.empty() && operators->ClosedForms.cols() > 0;
-  Eigen::MatrixXd forms = areProlonged ? ProlongedClosedForms(*operators, context) : ClosedForms(mesh, context);
+
+/// Takes gradients away from closed forms, a column each, until they have no divergence.
+/// \param star of 1-forms.
+Eigen::MatrixXd WithoutDivergence(
+  const TriangleMesh& mesh, Eigen::MatrixXd forms, const Vector<double>& star, const ExecutionContext& context)
+{
   if (forms.cols() == 0)
   {
     return forms;
   }
   const SparseMatrix<double> d0 = D0(mesh, context);
-  const SparseMatrix<double> divergence = SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal();
+  const SparseMatrix<double> divergence = SparseMatrix<double>(d0.transpose()) * star.asDiagonal();
   SparseMatrix<double> laplacian = divergence * d0;
-  // Constants are the kernel; a little of the diagonal makes it definite, and the corrections below undo it.
-  const double shift = 1e-10 * laplacian.diagonal().cwiseAbs().maxCoeff();
+  // Constants are the kernel; a little of the diagonal makes it definite, and the corrections below undo it. Slivers have
+  // entries so large that a part of them would be too much.
+  constexpr double LargestEntry = 1e5;
+  const double shift = 1e-10 * std::min(LargestEntry, laplacian.diagonal().cwiseAbs().maxCoeff());
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
     laplacian.coeffRef(vertex, vertex) += shift;
@@ -150,10 +155,27 @@ Eigen::MatrixXd HarmonicForms(
   return Orthonormal(forms);
 }
 
+/// Closed forms that are no gradients, one for each generator.
+Eigen::MatrixXd FormsOfGenerators(
+  const TriangleMesh& mesh, const ExecutionContext& context, const ProlongationOperators* operators)
+{
+  const bool areProlonged = operators && !operators->S1.empty() && operators->ClosedForms.cols() > 0;
+  return areProlonged ? ProlongedClosedForms(*operators, context) : ClosedForms(mesh, context);
+}
+
+}
+
+Eigen::MatrixXd HarmonicForms(
+  const TriangleMesh& mesh, const ExecutionContext& context, const ProlongationOperators* operators)
+{
+  return WithoutDivergence(mesh, FormsOfGenerators(mesh, context, operators), Star1(mesh), context);
+}
+
 Eigen::MatrixXd HarmonicFaceFields(const TriangleMesh& mesh, const TangentFrames& faceFrames,
   const ExecutionContext& context, const ProlongationOperators* operators)
 {
-  const Eigen::MatrixXd forms = HarmonicForms(mesh, context, operators);
+  const Eigen::MatrixXd forms =
+    WithoutDivergence(mesh, FormsOfGenerators(mesh, context, operators), Star1OfFaceFields(mesh), context);
   if (forms.cols() == 0)
   {
     return Eigen::MatrixXd(2 * mesh.NumberOfFaces(), 0);

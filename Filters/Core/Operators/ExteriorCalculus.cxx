@@ -16,6 +16,8 @@ constexpr int Grain = 4096;
 
 /// Relative to the square of the longest side.
 constexpr double SmallestArea = 1e-4;
+/// The same for the directions of a face (FaceProjection.h).
+constexpr double DegenerateArea = 1e-10;
 
 Vector3 Along(const TriangleMesh& mesh, int halfedge)
 {
@@ -28,14 +30,14 @@ Vector3 AlongEdge(const TriangleMesh& mesh, int edge)
   return mesh.Position(head) - mesh.Position(tail);
 }
 
-double RaisedArea(const TriangleMesh& mesh, int face)
+double RaisedArea(const TriangleMesh& mesh, int face, double smallest = SmallestArea)
 {
   double longest = 0.0;
   for (int h = 3 * face; h < 3 * face + 3; ++h)
   {
     longest = std::max(longest, Along(mesh, h).squaredNorm());
   }
-  return std::max(mesh.FaceArea(face), SmallestArea * longest);
+  return std::max(mesh.FaceArea(face), smallest * longest);
 }
 
 /// Product of the two sides at each corner of a face, from the corner outwards.
@@ -158,19 +160,35 @@ Vector<double> Star0(const TriangleMesh& mesh, VertexAreas areas)
   return star;
 }
 
-Vector<double> Star1(const TriangleMesh& mesh)
+namespace
+{
+
+/// Half the sum of the cotangents opposite to each edge.
+Vector<double> Cotangents(const TriangleMesh& mesh, double smallestArea)
 {
   Vector<double> star = Vector<double>::Zero(mesh.NumberOfEdges());
   for (int face = 0; face < mesh.NumberOfFaces(); ++face)
   {
     const std::array<double, 3> products = CornerProducts(mesh, face);
-    const double doubleArea = 2.0 * RaisedArea(mesh, face);
+    const double doubleArea = 2.0 * RaisedArea(mesh, face, smallestArea);
     for (int k = 0; k < 3; ++k)
     {
       star[mesh.EdgeOf(3 * face + k)] += 0.5 * products[(k + 2) % 3] / doubleArea;
     }
   }
   return star;
+}
+
+}
+
+Vector<double> Star1(const TriangleMesh& mesh)
+{
+  return Cotangents(mesh, SmallestArea);
+}
+
+Vector<double> Star1OfFaceFields(const TriangleMesh& mesh)
+{
+  return Cotangents(mesh, DegenerateArea);
 }
 
 double PositiveStar1OfEdge(const TriangleMesh& mesh, int edge)

@@ -41,6 +41,10 @@ Vector<double> Star0(const TriangleMesh& mesh, VertexAreas areas = VertexAreas::
 /// for energies that stay semi-definite whatever its sign (see OneFormLaplacian), not as a mass.
 Vector<double> Star1(const TriangleMesh& mesh);
 
+/// The same as face fields have it: with it, d0^T star1 of a closed form is the FaceDivergence of its vectors. Areas are raised
+/// to 1e-10 times the square of the longest side only, where directions of a face end, too (FaceProjection.h).
+Vector<double> Star1OfFaceFields(const TriangleMesh& mesh);
+
 /// A mass of 1-forms, #E, dimensionless and always positive: 2 A_e / |e|^2, A_e a third of the
 /// faces at e, at most 1e4. It agrees with Star1 on equilateral triangles and, on every mesh
 /// without slivers, with |v|^2 times the area on the average over the directions of a constant
