@@ -240,6 +240,31 @@ TEST(HarmonicFaceFields, AreTheKernelOfTheirSmoothness)
   }
 }
 
+/// The surface with one triangle flattened: a corner comes as near to the middle of the opposite side as gives that area.
+Surface WithFlatTriangle(Surface surface, int face, double area)
+{
+  const auto corner = [&](int k) { return Vector3(surface.V.row(surface.F(face, k))); };
+  const Vector3 side = corner(1) - corner(0);
+  const Vector3 middle = 0.5 * (corner(0) + corner(1));
+  const Vector3 away = (corner(2) - middle) - (corner(2) - middle).dot(side) / side.squaredNorm() * side;
+  surface.V.row(surface.F(face, 2)) = middle + 2.0 * area / side.norm() * away.normalized();
+  return surface;
+}
+
+TEST(HarmonicFaceFields, HaveNoEnergyOnSurfacesWithAFlatTriangle)
+{
+  for (const double area : { 1e-3, 1e-5, 1e-7, 1e-9 })
+  {
+    SCOPED_TRACE(area);
+    const TriangleMesh mesh = WithFlatTriangle(DoubleTorus(2), 7, area).Mesh();
+    const TangentFrames frames = FaceFrames(mesh);
+    const Eigen::MatrixXd fields = HarmonicFaceFields(mesh, frames, SerialContext());
+    ASSERT_EQ(fields.cols(), 4);
+    const Eigen::MatrixXd energies = fields.transpose() * (FaceFieldSmoothness(mesh, frames) * fields);
+    EXPECT_LE(energies.cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
 TEST(HarmonicFaceFields, OfAFlatTorusAreParallel)
 {
   // All vectors of a parallel field have the same length, also in a sum of two.
