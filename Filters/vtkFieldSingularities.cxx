@@ -4,9 +4,7 @@
 #include "Adapters/Output/DrawingToPolyData.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Operators/FieldTopology.h"
-#include "Operators/UnresolvedSingularities.h"
 #include "Operators/VertexFieldTopology.h"
-#include "Support/ShortText.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
@@ -14,30 +12,6 @@
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkFieldSingularities);
-
-namespace
-{
-
-void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& given, const dmg::FieldTopology& topology)
-{
-  const dmg::TriangleMesh& mesh = given.Surface.Mesh;
-  const bool areAtVertices = !given.Connection;
-  const std::vector<int> elements =
-    dmg::UnresolvedSingularities(mesh, topology.Indices, given.Field.N(), areAtVertices);
-  if (elements.empty())
-  {
-    return;
-  }
-  const dmg::ElementNames names = given.Surface.Names();
-  const std::string element = areAtVertices ? names.Vertex(elements.front()) : names.Face(elements.front());
-  vtkWarningWithObjectMacro(algorithm, << "Neighbouring singularities have opposite signs around " << element
-                                       << (elements.size() > 1 ? " and elsewhere" : "") << ", where the field turns by "
-                                       << dmg::ShortText(180.0 / given.Field.N())
-                                       << " degrees or more across edges, and one of larger index looks like several; "
-                                          "refine the surface there, or choose fewer directions.");
-}
-
-}
 
 //------------------------------------------------------------------------------
 vtkFieldSingularities::vtkFieldSingularities()
@@ -69,7 +43,6 @@ int vtkFieldSingularities::RequestData(
       const dmg::FieldTopology topology = given.Connection
         ? dmg::TopologyOfVertexField(given.Surface.Mesh, *given.Connection, given.AtVertices, given.Field.N(), context)
         : dmg::TopologyOfField(given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
-      WarnOfUnresolved(this, given, topology);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
       dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0),
         this->SphereRadius * vtkDataSet::GetData(inputVector[0])->GetLength(), vtkPolyData::GetData(outputVector, 3));

@@ -58,8 +58,7 @@
  *
  * @section vtkFieldSingularities-Execution Execution
  *
- * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines. There is a warning where a singularity of larger
- * index looks like several of opposite signs, as the triangles around it are too few.
+ * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines.
  *
  * @sa vtkFieldLines vtkFieldGlyphs vtkHarmonicFieldSolver
  */
