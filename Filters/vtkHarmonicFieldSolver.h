@@ -207,8 +207,8 @@ public:
 
   ///@{
   /**
-   * What is done with a source that does not integrate to zero over a component where no value is prescribed and nothing leaves.
-   * There, the function has a mean of zero. Default Refuse.
+   * The treatment of a source that does not integrate to zero over a component without prescribed values, where nothing leaves.
+   * The function has a mean of zero there. Default Refuse.
    */
   vtkSetMacro(NetSource, int);
   vtkGetMacro(NetSource, int);

@@ -105,7 +105,7 @@ public:
 
   ///@{
   /**
-   * What the numbers of EdgeArray are. Default Integrals.
+   * The meaning of the numbers of EdgeArray. Default Integrals.
    */
   vtkSetMacro(EdgeValues, int);
   vtkGetMacro(EdgeValues, int);
@@ -174,8 +174,8 @@ public:
 
   ///@{
   /**
-   * By how much these lines are lifted off the surface along its normal, as a fraction of the surface's size, so that it does
-   * not hide them. Default 0.001, range 0 to 0.1.
+   * The distance of these lines from the surface along its normal, as a fraction of the surface's size. The surface hides lines
+   * that lie in it. Default 0.001, range 0 to 0.1.
    */
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
