@@ -300,7 +300,7 @@ void FieldSolver::Internals::WarnOfShear(
   }
   if (!this->ShearedShare)
   {
-    this->ShearedShare = ShareOfShearedArea(this->Surface, context);
+    this->ShearedShare = ShareOfShearedArea(this->Surface.Mesh, context);
   }
   if (*this->ShearedShare > NotableShare)
   {

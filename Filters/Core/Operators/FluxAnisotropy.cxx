@@ -3,8 +3,10 @@
 #include "Mesh/TangentFrames.h"
 #include "Operators/PowerFieldOperators.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <utility>
+#include <unordered_set>
 #include <vector>
 
 namespace dmg
@@ -12,20 +14,10 @@ namespace dmg
 namespace
 {
 
-constexpr int Grain = 4096;
-// Means over the three neighbours, so many times one after the other, reach some ten faces far.
-constexpr int NumberOfMeans = 20;
+constexpr int Grain = 16;
+constexpr int NumberOfPlaces = 256;
+constexpr std::size_t FacesAround = 100;
 constexpr double LargestAnisotropy = 0.2;
-
-/// A symmetric tensor of the plane: half its trace, and the complex number whose modulus is half the difference of its eigenvalues and
-/// whose argument is twice the angle of its first axis.
-struct PlaneTensor
-{
-  double Mean = 0.0;
-  Complex Deviator = 0.0;
-};
-
-using PlaneTensors = std::vector<PlaneTensor>;
 
 /// The vector between the centroids of the faces of a halfedge and of its twin, unfolded, with the halfedge along the real axis.
 Complex BetweenCentroids(const TriangleMesh& mesh, int halfedge)
@@ -41,77 +33,80 @@ Complex BetweenCentroids(const TriangleMesh& mesh, int halfedge)
   return std::conj(centroid(mesh.Twin(halfedge))) - centroid(halfedge);
 }
 
-PlaneTensors TensorsOfFaces(const TriangleMesh& mesh, const Unfilled<Complex>& sides, const ExecutionContext& context)
+/// A face that is unfolded into the plane of another one.
+struct UnfoldedFace
 {
-  const Vector<double> weights = PowerEdgeWeights(mesh);
-  PlaneTensors tensors(mesh.NumberOfFaces());
-  context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
+  int Face;
+  Complex Turn; ///< carries directions from its frame into that of the other face
+};
+
+/// Faces spread evenly over the area, in the order of the faces; an area above 0.
+std::vector<int> PlacesOnArea(const Vector<double>& areas)
+{
+  const double step = areas.sum() / NumberOfPlaces;
+  std::vector<int> places;
+  double passed = 0.0;
+  for (int face = 0; face < areas.size(); ++face)
+  {
+    passed += areas[face];
+    while (places.size() < NumberOfPlaces && (places.size() + 0.5) * step < passed)
+    {
+      places.push_back(face);
+    }
+  }
+  return places;
+}
+
+}
+
+double FluxAnisotropy(const TriangleMesh& mesh, int face)
+{
+  // T has half its trace in the mean; the modulus of the deviator is half the difference of its eigenvalues.
+  double mean = 0.0;
+  Complex deviator = 0.0;
+  std::unordered_set<int> reached = { face };
+  std::vector<UnfoldedFace> faces = { { face, 1.0 } };
+  for (std::size_t next = 0; next < faces.size(); ++next)
+  {
+    const UnfoldedFace here = faces[next];
+    const std::array<Complex, 3> sides = SideDirections(mesh, here.Face);
+    for (int k = 0; k < 3; ++k)
+    {
+      const int h = 3 * here.Face + k;
+      const int twin = mesh.Twin(h);
+      if (twin < 0)
+      {
+        continue;
+      }
+      const double weight = PowerEdgeWeight(mesh, h);
+      const Complex between = BetweenCentroids(mesh, h) * sides[k] * here.Turn;
+      mean += weight * std::norm(between);
+      deviator += weight * between * between;
+      const int neighbour = TriangleMesh::FaceOf(twin);
+      if (faces.size() < FacesAround && reached.insert(neighbour).second)
+      {
+        const Complex turn = TransportOfSides(SideDirections(mesh, neighbour)[twin % 3], sides[k]);
+        faces.push_back({ neighbour, here.Turn * turn });
+      }
+    }
+  }
+  return mean > 0.0 ? std::abs(deviator) / mean : 0.0;
+}
+
+double ShareOfShearedArea(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  const std::vector<int> places = PlacesOnArea(mesh.FaceAreas(context));
+  std::vector<char> isSheared(places.size());
+  context.ParallelFor(0, static_cast<int>(places.size()), Grain,
     [&](int first, int last)
     {
-      for (int h = 3 * first; h < 3 * last; ++h)
+      for (int i = first; i < last; ++i)
       {
-        if (mesh.Twin(h) < 0)
-        {
-          continue;
-        }
-        PlaneTensor& tensor = tensors[TriangleMesh::FaceOf(h)];
-        const Complex between = BetweenCentroids(mesh, h) * sides[h];
-        tensor.Mean += weights[mesh.EdgeOf(h)] * std::norm(between);
-        tensor.Deviator += weights[mesh.EdgeOf(h)] * between * between;
+        isSheared[i] = FluxAnisotropy(mesh, places[i]) > LargestAnisotropy;
       }
     });
-  return tensors;
-}
-
-/// A quarter each of a face and of its neighbours, so that nothing of the sums is lost; of a boundary side the face itself.
-PlaneTensor MeanAround(const TriangleMesh& mesh, const Unfilled<Complex>& sides, const PlaneTensors& tensors, int face)
-{
-  PlaneTensor sum = tensors[face];
-  for (int h = 3 * face; h < 3 * face + 3; ++h)
-  {
-    const int twin = mesh.Twin(h);
-    const PlaneTensor& other = tensors[twin >= 0 ? TriangleMesh::FaceOf(twin) : face];
-    const Complex turn = twin >= 0 ? TransportOfSides(sides[twin], sides[h]) : Complex(1.0);
-    sum.Mean += other.Mean;
-    sum.Deviator += turn * turn * other.Deviator;
-  }
-  return { 0.25 * sum.Mean, 0.25 * sum.Deviator };
-}
-
-}
-
-Vector<double> FluxAnisotropy(const FramedMesh& surface, const ExecutionContext& context)
-{
-  const TriangleMesh& mesh = surface.Mesh;
-  const Unfilled<Complex> sides = SideDirections(mesh, surface.Faces, context);
-  PlaneTensors tensors = TensorsOfFaces(mesh, sides, context);
-  PlaneTensors means(tensors.size());
-  for (int i = 0; i < NumberOfMeans; ++i)
-  {
-    context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
-      [&](int first, int last)
-      {
-        for (int face = first; face < last; ++face)
-        {
-          means[face] = MeanAround(mesh, sides, tensors, face);
-        }
-      });
-    std::swap(tensors, means);
-  }
-  Vector<double> anisotropy(mesh.NumberOfFaces());
-  for (int face = 0; face < anisotropy.size(); ++face)
-  {
-    anisotropy[face] = tensors[face].Mean > 0.0 ? std::abs(tensors[face].Deviator) / tensors[face].Mean : 0.0;
-  }
-  return anisotropy;
-}
-
-double ShareOfShearedArea(const FramedMesh& surface, const ExecutionContext& context)
-{
-  const Vector<double> areas = surface.Mesh.FaceAreas(context);
-  const Vector<double> anisotropy = FluxAnisotropy(surface, context);
-  const double sheared = (anisotropy.array() > LargestAnisotropy).select(areas, 0.0).sum();
-  return areas.sum() > 0.0 ? sheared / areas.sum() : 0.0;
+  const double sheared = static_cast<double>(std::count(isSheared.begin(), isSheared.end(), true));
+  return places.empty() ? 0.0 : sheared / static_cast<double>(places.size());
 }
 
 }

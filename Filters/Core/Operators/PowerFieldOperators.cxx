@@ -16,8 +16,8 @@ namespace
 /// Keeps |e|^2 / area of slivers finite; relative to |e|^2.
 constexpr double SmallestArea = 1e-6;
 
-/// PowerEdgeWeights of one edge, the same number for both of its halfedges; it has two faces.
-double PowerEdgeWeight(double squaredLength, double areaOfBothFaces)
+/// The same number for both halfedges of an edge.
+double WeightOfEdge(double squaredLength, double areaOfBothFaces)
 {
   return squaredLength > 0.0 ? 3.0 * squaredLength / std::max(areaOfBothFaces, SmallestArea * squaredLength) : 0.0;
 }
@@ -101,21 +101,11 @@ private:
 
 }
 
-Vector<double> PowerEdgeWeights(const TriangleMesh& mesh)
+double PowerEdgeWeight(const TriangleMesh& mesh, int halfedge)
 {
-  Vector<double> weights = Vector<double>::Zero(mesh.NumberOfEdges());
-  const Vector<double> areas = mesh.FaceAreas();
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    const int h = mesh.HalfedgeOf(edge);
-    const int twin = mesh.Twin(h);
-    if (twin >= 0)
-    {
-      weights[edge] =
-        PowerEdgeWeight(SquaredLength(mesh, h), areas[TriangleMesh::FaceOf(h)] + areas[TriangleMesh::FaceOf(twin)]);
-    }
-  }
-  return weights;
+  const int twin = mesh.Twin(halfedge);
+  const auto area = [&mesh](int h) { return mesh.FaceArea(TriangleMesh::FaceOf(h)); };
+  return twin >= 0 ? WeightOfEdge(SquaredLength(mesh, halfedge), area(halfedge) + area(twin)) : 0.0;
 }
 
 SparseMatrix<Complex> PowerLaplacian(
@@ -145,7 +135,7 @@ SparseMatrix<Complex> PowerLaplacian(const TriangleMesh& mesh, const TangentFram
         continue;
       }
       const PowerFaceShape& there = shapeAt(twin / 3);
-      const double weight = PowerEdgeWeight(here.SquaredLengths[k], here.Area + there.Area);
+      const double weight = WeightOfEdge(here.SquaredLengths[k], here.Area + there.Area);
       // Two faces may meet along two edges, whose entries add up.
       entries[around.Find(place)] += weight;
       entries[around.Find(twin / 3)] -= weight * Power(TransportOfSides(there.Sides[twin % 3], here.Sides[k]), N);

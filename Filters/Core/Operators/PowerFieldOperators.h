@@ -30,13 +30,11 @@ inline Complex TransportOfSides(Complex side, Complex sideOfTwin)
   return -sideOfTwin * std::conj(side);
 }
 
-/// Weight of each interior edge in the smoothness energy, 3 |e|^2 / (A_f + A_g); #E, dimensionless,
-/// 0 on the boundary. As in the thesis; on equilateral triangles twice
-/// the consistent two-point flux. Elsewhere it is not consistent: on a grid with all diagonals alike, a linear field of
-/// slope p has 3 |p|^2 along one diagonal and 1.5 |p|^2 along the other. A_f + A_g of slivers
-/// is raised to 1e-6 |e|^2 so that zero-area faces keep a finite weight; an edge of no length has
-/// none.
-Vector<double> PowerEdgeWeights(const TriangleMesh& mesh);
+/// Weight of the edge of a halfedge in the smoothness energy, 3 |e|^2 / (A_f + A_g), dimensionless; 0 on the boundary. As in the
+/// thesis; on equilateral triangles twice the consistent two-point flux. Elsewhere it is not consistent: on a grid with all
+/// diagonals alike, a linear field of slope p has 3 |p|^2 along one diagonal and 1.5 |p|^2 along the other. A_f + A_g of slivers
+/// is raised to 1e-6 |e|^2 so that zero-area faces keep a finite weight; an edge of no length has none.
+double PowerEdgeWeight(const TriangleMesh& mesh, int halfedge);
 
 /// The Laplacian of N-power fields: X^H L X = sum over interior edges of
 ///   w_e |X_f conj(e_f)^N - X_g conj(e_g)^N|^2,
