@@ -22,8 +22,8 @@
  * N is 1 for FaceField, OneForm and ScalarFunction. A component of the surface where nothing is prescribed gets the smoothest field of mean square
  * magnitude 1 (Knoeppel et al. 2013): the eigenvector of the lowest eigenvalue. A function is zero there.
  *
- * Filters/HarmonicFieldSolver.md has the details of all that follows. The pages in Filters/Core/Discretisations have the
- * formulas. The method is that of Tom Broeders, "Simplification Directional Fields", sections 6.1 to 6.3.
+ * Filters/HarmonicFieldSolver.md has the details, the pages in Filters/Core/Discretisations have the formulas. The
+ * method is that of Tom Broeders, "Simplification Directional Fields", sections 6.1 to 6.3.
  *
  * @section vtkHarmonicFieldSolver-Terminology Terminology
  *
@@ -45,9 +45,10 @@
  * warning. A guide with neither lines nor vectors is an error.
  *
  * Port 2, singularities (optional, of the same types): a power field gets these and no others, and rotates as
- * little as it can (trivial connections, Crane, Desbrun and Schroeder 2010). The index of a point is a multiple of 1 / N. On
+ * little as it can (trivial connections, Crane et al. 2010). The index of a point is a multiple of 1 / N. On
  * a closed component the indices sum to the Euler characteristic, 2 - 2 genus, or it is an error. Constraints rotate the field as
- * a whole. Outputs 0 and 3 of vtkFieldSingularities fit.
+ * a whole. Outputs 0 and 3 of vtkFieldSingularities fit. PointPowerField gives the field of PowerField then, on faces, as a
+ * point that has a direction cannot be singular.
  *
  * Arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name), those of guides by
  * SetGuideArrayToProcess(index, 1, 0, association, name):
@@ -86,7 +87,7 @@
  * These weights, and those of lines among the guides, are relative to the surface's size, and mean the same at any
  * resolution. At weight 1 the field follows what is larger than about a thirtieth of the size; for twice the detail, the
  * weight is 4. Rotation, and the array of index 4, rotate the field against all that it follows, counter-clockwise about
- * the normal. Each feature has a rotation of its own besides.
+ * the normal.
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
  *
@@ -103,10 +104,10 @@
  * | HarmonicBasis 1, 2, ... k | cells         | 3          | fields without divergence and curl, with HarmonicBasis    |
  *
  * Directions are unit vectors (UnitLength) or have the field's length. Direction0 becomes the active vector. On a cell,
- * directions of PointPowerField are the mean of the corners; at a point, those of all others are the mean of the faces around.
+ * directions of PointPowerField are the mean of the corners; at a point, those of all others are the mean of the faces around,
+ * and zero at prescribed singularities.
  * Elements without a triangle hold zeros. The frame of a face, to which PowerField refers, has its first axis along the first
  * side.
- * A polygon has the mean power of its triangles.
  *
  * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Rotation,
  * the rotation of the field from the face on the left to the face on the right, in radians; for

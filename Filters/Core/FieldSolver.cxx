@@ -86,6 +86,19 @@ std::string WarningOfShear(double share)
     TextOf(Remedy::FieldAtPoints);
 }
 
+/// A vertex that shall be singular has no direction: all of those around it belong to it alike.
+void ClearSingularVertices(Field& field)
+{
+  for (int vertex = 0; vertex < field.Indices.size(); ++vertex)
+  {
+    if (field.Indices[vertex] != 0.0)
+    {
+      field.Powers.Vertices[vertex] = 0.0;
+      field.AtVertices[vertex] = 0.0;
+    }
+  }
+}
+
 bool NeedsReference(const SolverOptions& options, const SolverMethod& method)
 {
   const bool isRule = method.HasSweeps && options.Nested.Rule == SweepRule::WhileErrorFalls;
@@ -283,6 +296,10 @@ void FieldSolver::Internals::FindDirections(std::shared_ptr<const FieldSolution>
       this->Last.Solution ? &this->Last : nullptr, context);
     field.Number = this->Last.Number + 1;
     field.Report = solution->Report;
+    if (solution->Connection)
+    {
+      ClearSingularVertices(field);
+    }
     field.Solution = std::move(solution);
     this->Last = std::move(field);
   }
@@ -374,7 +391,7 @@ const Field& FieldSolver::Solve(const FieldProblem& problem, const ExecutionCont
   if (problem.Singularities)
   {
     CheckTakesSingularities(field);
-    field.Kind = DiscretisationKind::PowerField; // a trivial connection is made of rotations across edges
+    field.Kind = DiscretisationKind::PowerField; // only a field on faces has its singularities at vertices
   }
   of.SetDiscretisation(field);
   FollowedConstraints followed =

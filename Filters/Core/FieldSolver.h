@@ -29,8 +29,10 @@ namespace dmg
 ///   const dmg::Field& field = solver.Solve(problem);
 ///   const dmg::Points vectors = solver.Directions(0);
 ///
-/// With singularities, set-up and system depend on the solver alone, and the solve on the singularities. Then constraints turn
-/// each component as a whole, to where it is nearest to them in the mean of squares. Set-ups of former discretisations are kept
+/// With singularities, both kinds of power fields give the one on faces, since a vertex cannot be singular where the field has a
+/// value at it: the field of a vertex is the mean of the faces around, and zero where it is singular. Set-up and system depend on
+/// the solver alone then, and the solve on the singularities. Constraints turn each component as a whole, to where it is nearest
+/// to them in the mean of squares. Set-ups of former discretisations are kept
 /// while there is room (SetMemoryLimit). A stage that throws leaves those before it as they are.
 class FieldSolver
 {

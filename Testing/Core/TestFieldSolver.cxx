@@ -129,7 +129,10 @@ TEST(FieldSolver, HasPrescribedSingularitiesAndNoOthers)
   EXPECT_TRUE(field.Warnings.empty());
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
-    EXPECT_NEAR(field.Indices[vertex], vertex % 50 == 0 && vertex < 400 ? 0.25 : 0.0, 1e-9);
+    const bool isSingular = vertex % 50 == 0 && vertex < 400;
+    EXPECT_NEAR(field.Indices[vertex], isSingular ? 0.25 : 0.0, 1e-9);
+    EXPECT_EQ(field.AtVertices[vertex] == 0.0, isSingular);
+    EXPECT_EQ(field.Powers.Vertices[vertex] == 0.0, isSingular);
   }
   ExpectStages(solver, 1, 1, 1);
   problem.Singularities.reset();

@@ -273,6 +273,41 @@ TEST(SingularFieldSolver, WithoutSingularitiesATorusHasTheFieldOfItsCircles)
   }
 }
 
+// In the plane, the field that turns least around one point is z^(k / N). On a square grid mapped to a disc, whose triangles are
+// sheared, the directions of faces are those of their centres to a share of the width of a cell.
+TEST(SingularFieldSolver, IsRightOnShearedTriangles)
+{
+  std::vector<double> errors;
+  for (const int cells : { 20, 40, 80 })
+  {
+    const double half = 0.5 * cells;
+    Surface disc = PlaneGrid(cells, cells);
+    for (int vertex = 0; vertex < disc.V.rows(); ++vertex)
+    {
+      const double x = disc.V(vertex, 0) / half - 1.0;
+      const double y = disc.V(vertex, 1) / half - 1.0;
+      disc.V.row(vertex) << x * std::sqrt(1.0 - y * y / 2.0), y * std::sqrt(1.0 - x * x / 2.0), 0.0;
+    }
+    const FramedMesh surface(disc.Mesh());
+    SolverOfUnknowns solver(surface.Mesh);
+    const Vector<Complex> powers =
+      AsComplex(solver.Solve(At(surface.Mesh, { { 0, 0, 0 } }, 1), {}, OptionsOf(4, SolverKind::Cholesky)));
+    Vector<Complex> against(powers.size());
+    for (int face = 0; face < powers.size(); ++face)
+    {
+      const Vector3 centre = surface.Mesh.VertexPositions()(surface.Mesh.FaceCorners().row(face), All).colwise().mean();
+      const Complex direction = surface.Faces.ToComplex(face, Vector3(1.0, 0.0, 0.0));
+      against[face] = powers[face] / std::pow(direction, 4) / (Complex(centre.x(), centre.y()) / centre.norm());
+    }
+    const Complex mean = against.mean() / std::abs(against.mean());
+    errors.push_back(
+      (against / mean).unaryExpr([](Complex z) { return std::arg(z); }).real().norm() / std::sqrt(powers.size()));
+  }
+  EXPECT_LT(errors.back(), 0.02);
+  EXPECT_GT(errors[0] / errors[1], 1.7);
+  EXPECT_GT(errors[1] / errors[2], 1.7);
+}
+
 TEST(SingularFieldSolver, BitsDoNotDependOnThreads)
 {
   for (const SolverKind kind : { SolverKind::ConjugateGradients, SolverKind::VCycles })

@@ -176,27 +176,90 @@ TEST(PointPowerField, FollowsDirectionsOfPoints)
   }
 }
 
-// Prescribed singularities are those of a power field, whichever of both is asked for.
-TEST(PointPowerField, TakesPrescribedSingularities)
+namespace
 {
-  const auto input = Sphere();
-  const auto points = vtkSmartPointer<vtkPolyData>::New();
+
+/// The poles of the unit sphere, of an index of 1 each.
+vtkSmartPointer<vtkPolyData> Poles()
+{
+  const auto poles = vtkSmartPointer<vtkPolyData>::New();
   const auto positions = vtkSmartPointer<vtkPoints>::New();
+  const auto indices = vtkSmartPointer<vtkDoubleArray>::New();
+  indices->SetName("Index");
   for (const double z : { -1.0, 1.0 })
   {
     positions->InsertNextPoint(0.0, 0.0, z);
+    indices->InsertNextValue(1.0);
   }
-  points->SetPoints(positions);
-  const auto indices = vtkSmartPointer<vtkDoubleArray>::New();
-  indices->SetName("Index");
-  indices->InsertNextValue(1.0);
-  indices->InsertNextValue(1.0);
-  points->GetPointData()->AddArray(indices);
-  const auto solver = NewPointSolver(input);
-  solver->SetInputData(2, points);
+  poles->SetPoints(positions);
+  poles->GetPointData()->AddArray(indices);
+  return poles;
+}
+
+}
+
+// A point that has a direction cannot be singular: the field is that of PowerField, and singular points have no direction.
+TEST(PointPowerField, TakesPrescribedSingularities)
+{
+  const auto solver = NewPointSolver(Sphere());
+  solver->Update();
+  const std::vector<double> onItsOwn = CellValues(solver, "Direction0");
+  const auto poles = Poles();
+  solver->SetInputData(2, poles);
   solver->SetNumberOfDirections(1);
   Messages messages(solver);
   solver->Update();
   EXPECT_TRUE(messages.Error().empty()) << messages.Error();
-  EXPECT_EQ(NumberOfNonZeros(Values(solver->GetOutput()->GetPointData(), "SingularityIndex")), 2);
+  const std::vector<double> indices = Values(solver->GetOutput()->GetPointData(), "SingularityIndex");
+  EXPECT_EQ(NumberOfNonZeros(indices), 2);
+  EXPECT_FALSE(solver->GetOutput()->GetCellData()->HasArray("SingularityIndex"));
+  for (std::size_t point = 0; point < indices.size(); ++point)
+  {
+    EXPECT_NEAR(Tuple(solver->GetOutput()->GetPointData(), "Direction0", static_cast<vtkIdType>(point)).norm(),
+      indices[point] == 0.0 ? 1.0 : 0.0, 1e-12);
+  }
+  const std::vector<double> atPoints = CellValues(solver, "Direction0");
+  solver->SetDiscretisation(Solver::PowerField);
+  solver->Update();
+  EXPECT_EQ(CellValues(solver, "Direction0"), atPoints);
+
+  // Without them, it is a field at points again.
+  solver->SetDiscretisation(Solver::PointPowerField);
+  solver->SetNumberOfDirections(4);
+  solver->RemoveAllSingularities();
+  solver->Update();
+  EXPECT_FALSE(solver->GetOutput()->GetPointData()->HasArray("SingularityIndex"));
+  EXPECT_EQ(CellValues(solver, "Direction0"), onItsOwn);
+}
+
+// All that draws and measures fields goes on from there, also where the surface came from a field at points.
+TEST(PointPowerField, PrescribedSingularitiesAreDrawn)
+{
+  const auto before = NewPointSolver(Sphere());
+  before->Update();
+  const auto solver = NewPointSolver(before->GetPolyDataOutput());
+  const auto poles = Poles();
+  solver->SetInputData(2, poles);
+  solver->SetNumberOfDirections(1);
+  const auto singularities = vtkSmartPointer<vtkFieldSingularities>::New();
+  const auto lines = vtkSmartPointer<vtkFieldLines>::New();
+  const auto glyphs = vtkSmartPointer<vtkFieldGlyphs>::New();
+  const auto angles = vtkSmartPointer<vtkFieldAngles>::New();
+  for (vtkAlgorithm* const filter : { static_cast<vtkAlgorithm*>(singularities), static_cast<vtkAlgorithm*>(lines),
+         static_cast<vtkAlgorithm*>(glyphs), static_cast<vtkAlgorithm*>(angles) })
+  {
+    Messages messages(filter);
+    filter->SetInputConnection(solver->GetOutputPort());
+    filter->Update();
+    EXPECT_TRUE(messages.Silent()) << messages.Error();
+    EXPECT_GT(vtkPolyData::SafeDownCast(filter->GetOutputDataObject(0))->GetNumberOfCells(), 1);
+  }
+  vtkPolyData* const found = singularities->GetOutput(0);
+  ASSERT_EQ(found->GetNumberOfPoints(), 2);
+  for (vtkIdType pole = 0; pole < 2; ++pole)
+  {
+    EXPECT_EQ(found->GetPointData()->GetArray("Index")->GetComponent(pole, 0), 1.0);
+    EXPECT_TRUE(found->GetPointData()->HasArray("PointId"));
+    EXPECT_GT(std::abs(found->GetPoint(pole)[2]), 0.9);
+  }
 }

@@ -99,6 +99,21 @@ def check_the_filter_that_shows_it():
     assert spheres.GetRange() == (0.25, 0.25)
 
 
+def check_what_comes_next():
+    """Of the default kind: singular points stay where they were put, have no direction, and all that draws goes on."""
+    solver = simple.HarmonicFieldSolver(Input=surface(), Singularities=corners(), MaximumDistance=0.5)
+    assert solver.Discretisation == "Power Field at Points"
+    points, _ = indices_of(solver)
+    found = simple.servermanager.Fetch(simple.FieldSingularities(Input=solver))
+    assert np.array_equal(vtk_to_numpy(found.GetPoints().GetData()), points)
+    data = simple.servermanager.Fetch(solver).GetPointData()
+    lengths = np.linalg.norm(vtk_to_numpy(data.GetArray("Direction0")), axis=1)
+    assert np.allclose(lengths, vtk_to_numpy(data.GetArray("SingularityIndex")) == 0)
+    for drawing in (simple.FieldLines(Input=solver), simple.FieldGlyphs(Input=solver)):
+        drawing.UpdatePipeline()
+        assert drawing.GetDataInformation().GetNumberOfCells() > 20
+
+
 def check_error(source, **options):
     solver = simple.HarmonicFieldSolver(Input=surface(), Singularities=source(), **options)
     solver.UpdatePipeline()
@@ -123,7 +138,7 @@ ERRORS = {
 
 def cases():
     for check in (check_corners, check_several, check_another_array, check_those_of_another_field,
-                  check_the_filter_that_shows_it):
+                  check_the_filter_that_shows_it, check_what_comes_next):
         yield check.__name__, check, None
     for name, (source, words) in ERRORS.items():
         yield name, lambda source=source: check_error(source), "ERR.*(" + words + ")"
