@@ -2,12 +2,14 @@
 
 #include "Constraints/SegmentOnSurface.h"
 #include "Constraints/WeightsOfFaces.h"
+#include "Mesh/SpatialOrder.h"
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <sstream>
 
 namespace dmg
@@ -112,9 +114,14 @@ public:
     this->Result.Report.MaximumDistance = maximumDistance;
   }
 
-  void Add(const Element& element) { element.IsVector ? this->AddVector(element) : this->AddSegment(element); }
+  void Add(const Element& element)
+  {
+    element.IsVector ? this->AddVector(element) : this->AddSegment(element);
+    this->Ends.push_back(static_cast<int>(this->Result.Directions.size()));
+  }
 
   FollowedGuides Result;
+  std::vector<int> Ends; ///< of each element: the number of directions up to it
 
 private:
   void AddVector(const Element& element);
@@ -178,14 +185,45 @@ void Projection::AddSegment(const Element& element)
   report.Perpendicular += isPerpendicular;
 }
 
-void Append(FollowedGuides& all, const FollowedGuides& part)
+void Add(const GuidesReport& part, GuidesReport& all)
 {
-  all.Directions.insert(all.Directions.end(), part.Directions.begin(), part.Directions.end());
-  all.Report.Taken += part.Report.Taken;
-  all.Report.TooFar += part.Report.TooFar;
-  all.Report.OnFarSide += part.Report.OnFarSide;
-  all.Report.Perpendicular += part.Report.Perpendicular;
-  all.Report.Farthest = std::max(all.Report.Farthest, part.Report.Farthest);
+  all.Taken += part.Taken;
+  all.TooFar += part.TooFar;
+  all.OnFarSide += part.OnFarSide;
+  all.Perpendicular += part.Perpendicular;
+  all.Farthest = std::max(all.Farthest, part.Farthest);
+}
+
+/// What a run of elements gave.
+struct FollowedRun
+{
+  FollowedGuides Guides;
+  std::vector<int> Ends;
+};
+
+/// The directions of all elements one after the other, from runs of them in another order.
+std::vector<Constraint> InOrderOfElements(const std::vector<FollowedRun>& runs, const std::vector<int>& order)
+{
+  std::vector<int> starts(order.size() + 1, 0);
+  const auto visit = [&runs, &order](const auto& each)
+  {
+    std::size_t next = 0;
+    for (const FollowedRun& run : runs)
+    {
+      for (std::size_t i = 0; i < run.Ends.size(); ++i)
+      {
+        each(order[next++], run.Guides.Directions.data() + (i == 0 ? 0 : run.Ends[i - 1]),
+          run.Guides.Directions.data() + run.Ends[i]);
+      }
+    }
+  };
+  visit([&starts](int element, const Constraint* first, const Constraint* last)
+    { starts[element + 1] = static_cast<int>(last - first); });
+  std::partial_sum(starts.begin(), starts.end(), starts.begin());
+  std::vector<Constraint> all(starts.back());
+  visit([&starts, &all](int element, const Constraint* first, const Constraint* last)
+    { std::copy(first, last, all.begin() + starts[element]); });
+  return all;
 }
 
 std::string Elements(long long number)
@@ -231,30 +269,33 @@ FollowedGuides FollowGuides(const Guides& guides, const NearestPlaces& surface, 
   const WeightsOfFaces weights(surface.Surface.Mesh);
   FollowedGuides all;
   all.Report.MaximumDistance = guides.MaximumDistance * surface.Size;
-  for (int start = 0; start < size; start += Block * BlocksAtATime)
+  // Elements that are near to each other one after the other find what they look at in the processor's cache.
+  const std::vector<int> order = InSpatialOrder(
+    size, [&elements](int i) { return elements[i].Start; }, surface.Lower, (surface.Upper - surface.Lower).maxCoeff(),
+    context);
+  std::vector<FollowedRun> runs((size + Block - 1) / Block);
+  for (int start = 0; start < static_cast<int>(runs.size()); start += BlocksAtATime)
   {
-    context.Checkpoint(static_cast<double>(start) / size);
-    const int blocks = std::min(BlocksAtATime, (size - start + Block - 1) / Block);
-    std::vector<FollowedGuides> parts(blocks);
-    context.ParallelFor(0, blocks, 1,
-      [&](int firstBlock, int lastBlock)
+    context.Checkpoint(static_cast<double>(start) / runs.size());
+    context.ParallelFor(start, std::min(start + BlocksAtATime, static_cast<int>(runs.size())), 1,
+      [&](int firstRun, int lastRun)
       {
-        for (int block = firstBlock; block < lastBlock; ++block)
+        for (int run = firstRun; run < lastRun; ++run)
         {
           Projection projection(surface, weights, all.Report.MaximumDistance);
-          const int first = start + Block * block, last = std::min(first + Block, size);
-          for (int i = first; i < last; ++i)
+          for (int i = Block * run; i < std::min(Block * (run + 1), size); ++i)
           {
-            projection.Add(elements[i]);
+            projection.Add(elements[order[i]]);
           }
-          parts[block] = std::move(projection.Result);
+          runs[run] = { std::move(projection.Result), std::move(projection.Ends) };
         }
       });
-    for (const FollowedGuides& part : parts)
-    {
-      Append(all, part);
-    }
   }
+  for (const FollowedRun& run : runs)
+  {
+    Add(run.Guides.Report, all.Report);
+  }
+  all.Directions = InOrderOfElements(runs, order);
   return all;
 }
 

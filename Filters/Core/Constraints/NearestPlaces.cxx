@@ -44,6 +44,38 @@ Vector3 ClosestOnSide(const Vector3& tail, const Vector3& head, const Vector3& p
   return tail + std::clamp(along, 0.0, 1.0) * side;
 }
 
+std::array<Vector3, 3> CornersOf(const TriangleMesh& mesh, int face)
+{
+  return { mesh.Position(mesh.Tail(3 * face)), mesh.Position(mesh.Tail(3 * face + 1)),
+    mesh.Position(mesh.Tail(3 * face + 2)) };
+}
+
+/// Eigen's squaredExteriorDistance has branches, which cost most of a search.
+double SquaredDistance(const Box& box, const Vector3& position)
+{
+  return (box.min() - position).cwiseMax(position - box.max()).cwiseMax(0.0).squaredNorm();
+}
+
+/// Whether the bounding box of a face tells that no place of it is nearer than the nearest one so far.
+inline bool IsFarther(const TriangleMesh& mesh, int face, const Vector3& position, const NearestPlace& nearest)
+{
+  constexpr double Rounding = 1.0 + 1e-12; // faces that are as near as each other are not told apart here
+  const std::array<Vector3, 3> corners = CornersOf(mesh, face);
+  const Vector3 lower = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
+  const Vector3 upper = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
+  return SquaredDistance(Box(lower, upper), position) > Rounding * nearest.Distance * nearest.Distance;
+}
+
+/// Takes the place of a face that is nearest to a point, if it is nearer than the nearest one so far.
+void TakeNearer(const TriangleMesh& mesh, int face, const Vector3& position, NearestPlace& nearest)
+{
+  if (!IsFarther(mesh, face, position, nearest))
+  {
+    const NearestPlace place = ClosestOnFace(mesh, face, position);
+    nearest = place.Distance < nearest.Distance ? place : nearest;
+  }
+}
+
 std::vector<Box> BoxesOf(const TriangleMesh& mesh)
 {
   std::vector<Box> boxes(mesh.NumberOfFaces());
@@ -58,11 +90,7 @@ std::vector<Box> BoxesOf(const TriangleMesh& mesh)
 
 NearestPlace ClosestOnFace(const TriangleMesh& mesh, int face, const Vector3& position)
 {
-  std::array<Vector3, 3> corners;
-  for (int k = 0; k < 3; ++k)
-  {
-    corners[k] = mesh.Position(mesh.Tail(3 * face + k));
-  }
+  const std::array<Vector3, 3> corners = CornersOf(mesh, face);
   const Vector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   const double squaredNormal = normal.squaredNorm();
   bool isInside = squaredNormal > 0.0;
@@ -121,13 +149,12 @@ public:
       this->Boxes.getChildren(candidate.Node, box, lastBox, face, lastFace);
       for (; face != lastFace; ++face)
       {
-        const NearestPlace place = ClosestOnFace(this->Mesh, *face, position);
-        nearest = place.Distance < nearest.Distance ? place : nearest;
+        TakeNearer(this->Mesh, *face, position, nearest);
       }
       const int first = size;
       for (; box != lastBox; ++box)
       {
-        candidates[size++] = { this->Boxes.getVolume(*box).squaredExteriorDistance(position), *box };
+        candidates[size++] = { SquaredDistance(this->Boxes.getVolume(*box), position), *box };
       }
       if (size == first + 2 && candidates[first].SquaredDistance < candidates[first + 1].SquaredDistance)
       {
@@ -174,22 +201,21 @@ NearestPlace NearestPlaces::operator()(const Vector3& position, int near) const
   return this->Boxes->Nearest(position, start);
 }
 
-NearestPlace NearestPlaces::From(int face, const Vector3& position) const
+NearestPlace NearestPlaces::From(int face, const Vector3& position, int last) const
 {
   const TriangleMesh& mesh = this->Surface.Mesh;
   NearestPlace nearest = ClosestOnFace(mesh, face, position);
-  for (int former = -1; former != nearest.Face;)
+  for (int former = -1; former != nearest.Face && nearest.Face != last;)
   {
     former = nearest.Face;
     for (int h = 3 * former; h < 3 * former + 3; ++h)
     {
       mesh.VisitFan(mesh.Tail(h),
-        [&mesh, &position, &nearest](int halfedge)
+        [&mesh, &position, &nearest, former](int halfedge)
         {
-          const NearestPlace place = ClosestOnFace(mesh, TriangleMesh::FaceOf(halfedge), position);
-          if (place.Distance < nearest.Distance)
+          if (const int beside = TriangleMesh::FaceOf(halfedge); beside != former)
           {
-            nearest = place;
+            TakeNearer(mesh, beside, position, nearest);
           }
         });
     }

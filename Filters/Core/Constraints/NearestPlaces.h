@@ -37,7 +37,8 @@ public:
   NearestPlace operator()(const Vector3& position, int near = -1) const;
 
   /// The place where walking over the surface, from a face, comes no nearer. Cost: a few triangles for each step.
-  NearestPlace From(int face, const Vector3& position) const;
+  /// \param last a face where such a walk ended, which saves its last step, or -1.
+  NearestPlace From(int face, const Vector3& position, int last = -1) const;
 
   const FramedMesh& Surface;
   const double Size; ///< diagonal of the bounding box

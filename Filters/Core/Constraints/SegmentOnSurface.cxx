@@ -23,7 +23,6 @@ constexpr double NearEnd = 1e-3;
 constexpr double LeastAgainst = -1e-3;
 
 /// Relative to the edge.
-constexpr double AtEdge = 1e-3;
 constexpr double OnEdge = 1e-6; // more than the rounding errors of coordinates in single precision
 
 constexpr int MaximumDepth = 50; // beyond which parameters in double precision are too coarse
@@ -100,9 +99,16 @@ struct SegmentOnSurface::Sample
   NearestPlace Place;
 };
 
+struct SegmentOnSurface::Crossing
+{
+  double Fraction; ///< of the way from one sample to the other
+  double Distance; ///< from both faces
+};
+
 SegmentOnSurface::SegmentOnSurface(const NearestPlaces& nearest, double maximumDistance)
   : Nearest(nearest)
   , MaximumDistance(maximumDistance)
+  , Rounding(1e-15 * (nearest.Lower.norm() + nearest.Upper.norm()))
 {
 }
 
@@ -120,8 +126,24 @@ SegmentOnSurface::Sample SegmentOnSurface::Between(
   }
   const Vector3 position = segment.Start + parameter * segment.Direction;
   const NearestPlace fromA = this->Nearest.From(a.Place.Face, position);
-  const NearestPlace fromB = this->Nearest.From(b.Place.Face, position);
+  const NearestPlace fromB = this->Nearest.From(b.Place.Face, position, fromA.Face);
   return { parameter, fromB.Distance < fromA.Distance ? fromB : fromA };
+}
+
+/// An end that is as near to the face of the other end, since it stands at a vertex or over an edge, takes that face.
+void SegmentOnSurface::TakeFaceOfOther(const Segment& segment, Sample& end, const Sample& other) const
+{
+  const int face = this->FaceOf(other);
+  if (face < 0 || this->FaceOf(end) < 0 || face == end.Place.Face)
+  {
+    return;
+  }
+  const Vector3 position = segment.Start + end.Parameter * segment.Direction;
+  const NearestPlace place = ClosestOnFace(this->Nearest.Surface.Mesh, face, position);
+  if (place.Distance <= end.Place.Distance + this->Rounding)
+  {
+    end.Place = place;
+  }
 }
 
 int SegmentOnSurface::FaceOf(const Sample& sample) const
@@ -175,63 +197,82 @@ std::vector<SegmentPart> SegmentOnSurface::PartsOfNear(const Vector3& start, con
 }
 
 void SegmentOnSurface::Split(
-  const Segment& segment, const Sample& a, const Sample& b, int depth, std::vector<SegmentPart>& parts) const
+  const Segment& segment, Sample a, Sample b, int depth, std::vector<SegmentPart>& parts) const
 {
   const double length = (b.Parameter - a.Parameter) * segment.Length;
-  const double nearer = std::min(a.Place.Distance, b.Place.Distance);
-  const bool isStep = length <= std::max(this->Nearest.MeanEdge, 0.5 * nearer) || depth >= MaximumDepth;
+  const auto append = [&](double fraction)
+  {
+    this->Append(parts, a, fraction * length);
+    this->Append(parts, b, (1.0 - fraction) * length);
+  };
+  const bool isLast = depth >= MaximumDepth;
+  const bool isStep =
+    isLast || length <= std::max(this->Nearest.MeanEdge, 0.5 * std::min(a.Place.Distance, b.Place.Distance));
+  std::optional<Crossing> crossing;
   if (isStep)
   {
-    const bool isWhole = this->FaceOf(a) == this->FaceOf(b) || length <= segment.Smallest || depth >= MaximumDepth;
-    const double crossing = isWhole ? 0.5 : this->Crossing(segment, a, b);
-    if (crossing >= 0.0)
+    this->TakeFaceOfOther(segment, a, b);
+    this->TakeFaceOfOther(segment, b, a);
+    if (this->FaceOf(a) == this->FaceOf(b) || length <= segment.Smallest || isLast)
     {
-      this->Append(parts, a, crossing * length);
-      this->Append(parts, b, (1.0 - crossing) * length);
+      append(0.5);
       return;
     }
+    crossing = this->CrossingBetween(segment, a, b);
   }
-  const double parameter = 0.5 * (a.Parameter + b.Parameter);
+  const double fraction = crossing ? crossing->Fraction : 0.5;
+  const double parameter = a.Parameter + fraction * (b.Parameter - a.Parameter);
   const Sample middle = isStep ? this->Between(segment, a, b, parameter) : this->At(segment, parameter, a.Place.Face);
+  if (crossing && middle.Place.Distance + this->Rounding >= crossing->Distance)
+  {
+    append(fraction); // no third face is nearer there
+    return;
+  }
   this->Split(segment, a, middle, depth + 1, parts);
   this->Split(segment, middle, b, depth + 1, parts);
 }
 
-/// The crossing of an edge by the path between two places on its two faces, as a fraction of the
-/// way, in the plane into which both unfold; -1 where it does not, or there is no such edge, or the
-/// place that is nearest there is another one, since the surface bends.
-double SegmentOnSurface::Crossing(const Segment& segment, const Sample& a, const Sample& b) const
+/// Where a segment is as near to the face of one sample as to that of another one; nothing where one of them is too far.
+///
+/// Over a plane, the root of the difference of the squared distances is the distance from the edge between both, which is
+/// linear. Its zero is found by the false position method, with the weights of Illinois (Dowell and Jarratt 1971).
+std::optional<SegmentOnSurface::Crossing> SegmentOnSurface::CrossingBetween(
+  const Segment& segment, const Sample& a, const Sample& b) const
 {
-  const TriangleMesh& mesh = this->Nearest.Surface.Mesh;
   const int from = this->FaceOf(a), to = this->FaceOf(b);
-  for (int h = 3 * from; from >= 0 && to >= 0 && h < 3 * from + 3; ++h)
+  if (from < 0 || to < 0)
   {
-    const int twin = mesh.Twin(h);
-    if (twin < 0 || TriangleMesh::FaceOf(twin) != to)
-    {
-      continue;
-    }
-    const Vector3 tail = mesh.Position(mesh.Tail(h));
-    const Vector3 side = mesh.Position(mesh.Head(h)) - tail;
-    const double length = side.norm();
-    const Vector3 along = side / length;
-    const Vector3 placeA = a.Place.Position - tail, placeB = b.Place.Position - tail;
-    const double xOfA = along.dot(placeA), xOfB = along.dot(placeB);
-    const double yOfA = (placeA - xOfA * along).norm(), yOfB = (placeB - xOfB * along).norm();
-    // Both on the edge: either face will do.
-    const double crossing = yOfA + yOfB > 0.0 ? yOfA / (yOfA + yOfB) : 0.5;
-    const double x = xOfA + crossing * (xOfB - xOfA);
-    if (length > 0.0 && x >= 0.0 && x <= length)
-    {
-      const double parameter = a.Parameter + crossing * (b.Parameter - a.Parameter);
-      const Vector3 there = this->Between(segment, a, b, parameter).Place.Position - tail;
-      if ((there - x * along).norm() <= AtEdge * length)
-      {
-        return crossing;
-      }
-    }
+    return std::nullopt;
   }
-  return -1.0;
+  Crossing crossing{ 0.0, 0.0 };
+  const auto valueAt = [&](double fraction)
+  {
+    const double parameter = a.Parameter + fraction * (b.Parameter - a.Parameter);
+    const Vector3 position = segment.Start + parameter * segment.Direction;
+    const double fromA = ClosestOnFace(this->Nearest.Surface.Mesh, from, position).Distance;
+    const double fromB = ClosestOnFace(this->Nearest.Surface.Mesh, to, position).Distance;
+    crossing = { fraction, std::min(fromA, fromB) };
+    const double difference = fromB - fromA;
+    return std::abs(difference) <= this->Rounding
+      ? 0.0
+      : std::copysign(std::sqrt(std::abs(difference) * (fromA + fromB)), difference);
+  };
+  double lower = 0.0, upper = 1.0, atLower = valueAt(lower), atUpper = valueAt(upper);
+  for (int side = 0; upper - lower > OnEdge;)
+  {
+    const double fraction = lower + atLower / (atLower - atUpper) * (upper - lower);
+    const double value = valueAt(std::clamp(fraction, lower + 0.1 * OnEdge, upper - 0.1 * OnEdge));
+    if (value == 0.0)
+    {
+      break;
+    }
+    (value > 0.0 ? lower : upper) = crossing.Fraction;
+    (value > 0.0 ? atLower : atUpper) = value;
+    const int newSide = value > 0.0 ? 1 : -1;
+    (value > 0.0 ? atUpper : atLower) *= side == newSide ? 0.5 : 1.0;
+    side = newSide;
+  }
+  return crossing;
 }
 
 /// Adds a part, or lengthens the last one if that is of the same face.
@@ -247,21 +288,21 @@ void SegmentOnSurface::Append(std::vector<SegmentPart>& parts, const Sample& sam
 }
 
 /// A face, and the one that is as near to a point since its nearest place is on the edge between them; else -1.
-std::array<int, 2> SegmentOnSurface::FacesAt(int face, const Vector3& position) const
+/// \param place the nearest one, to which one walks from the face.
+std::array<int, 2> SegmentOnSurface::FacesAt(int face, const Vector3& position, const Vector3& place) const
 {
   if (face < 0)
   {
     return { -1, -1 };
   }
   const TriangleMesh& mesh = this->Nearest.Surface.Mesh;
-  const Vector3 place = this->Nearest.From(face, position).Position;
-  const auto isNearest = [&](int other, double length)
-  { return (ClosestOnFace(mesh, other, position).Position - place).norm() <= OnEdge * length; };
+  const auto distanceOf = [&](int other) { return (ClosestOnFace(mesh, other, position).Position - place).norm(); };
+  const double distance = distanceOf(face);
   for (int h = 3 * face; h < 3 * face + 3; ++h)
   {
     const int beyond = mesh.Twin(h) < 0 ? -1 : TriangleMesh::FaceOf(mesh.Twin(h));
     const double length = (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).norm();
-    if (beyond >= 0 && isNearest(beyond, length) && isNearest(face, length))
+    if (beyond >= 0 && distance <= OnEdge * length && distanceOf(beyond) <= OnEdge * length)
     {
       return { face, beyond };
     }
@@ -285,8 +326,9 @@ std::vector<SegmentPart> SegmentOnSurface::OnSides(
 {
   const auto normalAt = [&](const Sample& end, double parameter)
   {
-    const int face = this->FaceOf(this->Between(segment, end, end, parameter));
-    return this->NormalOf(this->FacesAt(face, segment.Start + parameter * segment.Direction));
+    const Sample inside = this->Between(segment, end, end, parameter);
+    const Vector3 position = segment.Start + parameter * segment.Direction;
+    return this->NormalOf(this->FacesAt(this->FaceOf(inside), position, inside.Place.Position));
   };
   const Vector3 atStart = normalAt(first, NearEnd), atEnd = normalAt(last, 1.0 - NearEnd);
   std::vector<SegmentPart> onSides;
@@ -299,7 +341,9 @@ std::vector<SegmentPart> SegmentOnSurface::OnSides(
     {
       continue;
     }
-    const auto faces = this->FacesAt(part.Face, segment.Start + middle * segment.Direction);
+    const Vector3 position = segment.Start + middle * segment.Direction;
+    const Vector3 place = part.Face < 0 ? position : this->Nearest.From(part.Face, position).Position;
+    const auto faces = this->FacesAt(part.Face, position, place);
     const Vector3 meant = (1.0 - middle) * atStart + middle * atEnd;
     if (part.Face >= 0 && this->NormalOf(faces).dot(meant) < LeastAgainst)
     {

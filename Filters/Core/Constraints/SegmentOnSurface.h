@@ -4,6 +4,7 @@
 #include "Constraints/NearestPlaces.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace dmg
@@ -28,8 +29,8 @@ struct SegmentPart
 ///
 /// Samples are no farther apart than the mean edge of the surface, or half of their distance from
 /// it where that is more. Between two of them that are nearest to different faces the segment is
-/// halved, over places to which one can walk from either, until the faces share an edge, and the
-/// way between the nearest places crosses it. So a segment beside a plane has a part for each
+/// parted where it is as near to the one as to the other, and again where a third face is nearer there, to which one
+/// can walk from either. So a segment beside a plane has a part for each
 /// triangle whose interior its projection crosses, however little, and for no other one.
 ///
 /// A part that runs along an edge, or over a ridge, is nearest to both faces of the edge. Each of them has a part of half its length,
@@ -58,21 +59,23 @@ public:
 private:
   struct Sample;
   struct Segment;
+  struct Crossing;
   std::vector<SegmentPart> PartsOfNear(const Vector3& start, const Vector3& end) const;
   Sample At(const Segment& segment, double parameter, int near) const;
   Sample Between(const Segment& segment, const Sample& a, const Sample& b, double parameter) const;
+  void TakeFaceOfOther(const Segment& segment, Sample& end, const Sample& other) const;
   int FaceOf(const Sample& sample) const; ///< -1 where it is too far
-  void Split(
-    const Segment& segment, const Sample& a, const Sample& b, int depth, std::vector<SegmentPart>& parts) const;
-  double Crossing(const Segment& segment, const Sample& a, const Sample& b) const;
+  void Split(const Segment& segment, Sample a, Sample b, int depth, std::vector<SegmentPart>& parts) const;
+  std::optional<Crossing> CrossingBetween(const Segment& segment, const Sample& a, const Sample& b) const;
   void Append(std::vector<SegmentPart>& parts, const Sample& sample, double length) const;
-  std::array<int, 2> FacesAt(int face, const Vector3& position) const;
+  std::array<int, 2> FacesAt(int face, const Vector3& position, const Vector3& place) const;
   Vector3 NormalOf(const std::array<int, 2>& faces) const;
   std::vector<SegmentPart> OnSides(
     const Segment& segment, const Sample& first, const Sample& last, const std::vector<SegmentPart>& parts) const;
 
   const NearestPlaces& Nearest;
   double MaximumDistance;
+  double Rounding; ///< of distances
 };
 
 }

@@ -39,30 +39,38 @@ std::vector<int> SortByBits(
 
 }
 
-std::vector<int> FacesInSpatialOrder(const Points& points, const Triangles& triangles, const ExecutionContext& context)
+std::vector<int> InSpatialOrder(int number, const std::function<Vector3(int)>& placeOf, const Vector3& low, double size,
+  const ExecutionContext& context)
 {
-  const Eigen::RowVector3d low = points.colwise().minCoeff();
-  const double size = (points.colwise().maxCoeff() - low).maxCoeff();
   const double scale = ((1 << BitsPerAxis) - 1) / size;
-  // Also where a coordinate is not finite, or all points are one.
+  // Also where a coordinate is not finite, or all places are one.
   const auto bits = [](double place)
   { return place >= 0.0 && place < (1 << BitsPerAxis) ? static_cast<std::uint32_t>(place) : 0; };
 
-  const int faces = static_cast<int>(triangles.rows());
-  Unfilled<std::uint32_t> keys(faces);
-  context.ParallelFor(0, faces, Grain,
+  Unfilled<std::uint32_t> keys(number);
+  context.ParallelFor(0, number, Grain,
     [&](int first, int last)
     {
-      for (int f = first; f < last; ++f)
+      for (int i = first; i < last; ++i)
       {
-        const auto& corners = triangles.row(f);
-        const Eigen::RowVector3d center =
-          ((points.row(corners[0]) + points.row(corners[1]) + points.row(corners[2])) / 3.0 - low) * scale;
-        keys[f] = Spread(bits(center[0])) | (Spread(bits(center[1])) << 1) | (Spread(bits(center[2])) << 2);
+        const Vector3 place = (placeOf(i) - low) * scale;
+        keys[i] = Spread(bits(place[0])) | (Spread(bits(place[1])) << 1) | (Spread(bits(place[2])) << 2);
       }
     });
-  const std::vector<int> byLowBits = SortByBits(Identity(faces), keys, 0, context);
+  const std::vector<int> byLowBits = SortByBits(Identity(number), keys, 0, context);
   return SortByBits(byLowBits, keys, BitsPerSort, context);
+}
+
+std::vector<int> FacesInSpatialOrder(const Points& points, const Triangles& triangles, const ExecutionContext& context)
+{
+  const Vector3 low = points.colwise().minCoeff();
+  const Vector3 high = points.colwise().maxCoeff();
+  const auto centerOf = [&points, &triangles](int f)
+  {
+    const auto& corners = triangles.row(f);
+    return Vector3((points.row(corners[0]) + points.row(corners[1]) + points.row(corners[2])) / 3.0);
+  };
+  return InSpatialOrder(static_cast<int>(triangles.rows()), centerOf, low, (high - low).maxCoeff(), context);
 }
 
 SpatialOrder::SpatialOrder(const Points& points, const Triangles& triangles, const ExecutionContext& context)

@@ -4,10 +4,17 @@
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 
+#include <functional>
 #include <vector>
 
 namespace dmg
 {
+
+/// Things along Morton's curve through their places in a cube. One that stands outside of the cube may come anywhere.
+/// \param placeOf that of each of them; several threads ask.
+/// \param size the side of the cube, whose corner of least coordinates is low.
+std::vector<int> InSpatialOrder(int number, const std::function<Vector3(int)>& placeOf, const Vector3& low, double size,
+  const ExecutionContext& context);
 
 /// The faces along Morton's curve through their centres. No coordinates are refused: elements that CheckElements
 /// would refuse stand anywhere.

@@ -482,3 +482,27 @@ TEST(Guides, AreTheSameForAnyNumberOfThreads)
     }
   }
 }
+
+// Each guide has a weight of its own: the directions of all come in the order of the guides, those of each along its line.
+TEST(Guides, GiveDirectionsInTheirOrder)
+{
+  constexpr int Seed = 2718;
+  SCOPED_TRACE(Seed);
+  std::mt19937 random(Seed);
+  std::normal_distribution<double> coordinate;
+  const FramedMesh surface(Icosphere(3).Mesh());
+  const NearestPlaces nearest(surface);
+  Guides guides;
+  for (int i = 1; i <= 300; ++i)
+  {
+    const Vector3 position(coordinate(random), coordinate(random), coordinate(random));
+    guides.Vectors.push_back({ position.normalized(), position.unitOrthogonal(), static_cast<double>(i) });
+  }
+  const FollowedGuides followed = FollowGuides(guides, nearest);
+  ASSERT_EQ(followed.Directions.size(), 300u);
+  for (int i = 0; i < 300; ++i)
+  {
+    EXPECT_EQ(followed.Directions[i].Weight, i + 1.0);
+    EXPECT_EQ(followed.Directions[i].Element, nearest(guides.Vectors[i].Position).Face);
+  }
+}
