@@ -202,17 +202,40 @@ def place_points(result):
     for key, place in ((1, (680, 420)), (2, (780, 500))):
         xdotool("mousemove", *place)
         xdotool("key", key)
+    apply_and_save(former(result, "line"))
+
+
+def choose_first_of_menu(result):
+    """The first entry of the plugin's menu, by keys; pictures without and with it."""
+    focus("ParaView")
+    time.sleep(3)
+    take_picture(former(result, "closed", ".png"))
+    xdotool("key", "alt+l")
+    xdotool("key", "d")  # opens Data Analysis, which comes before
+    xdotool("key", "Left", "Down", "Right")
+    take_picture(former(result, "open", ".png"))
+    xdotool("key", "Return")
+    apply_and_save(former(result, "field"))
+
+
+def take_picture(path):
+    subprocess.run(["import", "-window", "root", path], check=True)
+
+
+def apply_and_save(path):
     xdotool("key", "alt+a")
     xdotool("key", "ctrl+s")
     focus("Save File")
-    line = former(result, "line")
-    xdotool("type", line)
+    xdotool("type", path)
     xdotool("key", "Return")
     focus("Configure Writer")
     xdotool("key", "Return")
     deadline = time.monotonic() + 20
-    while not line.exists() and time.monotonic() < deadline:
+    while not path.exists() and time.monotonic() < deadline:
         time.sleep(0.5)
+
+
+WITH_KEYS = {"PointsPlacedInTheWindow": place_points, "MenuInTheWindow": choose_first_of_menu}
 
 
 def play(paraview, data, result, folder, fails):
@@ -234,9 +257,9 @@ def play(paraview, data, result, folder, fails):
                 break
             former_size, size = size, result.stat().st_size if result.exists() else 0
             complete = size == former_size > 0
-        if complete and result.stem.startswith("PointsPlaced"):
-            place_points(result)
-        subprocess.run(["import", "-window", "root", result.with_suffix(".png")], check=True)
+        if complete and result.stem in WITH_KEYS:
+            WITH_KEYS[result.stem](result)
+        take_picture(result.with_suffix(".png"))
     finally:
         window.kill()
         window.wait()
@@ -269,8 +292,12 @@ def number_of_blue(image):
     return ((image[:, 2] > 1.8 * image[:, 0]) & (image[:, 2] > 100)).sum()
 
 
+def is_red(image):
+    return (image[:, 0] > 1.8 * image[:, 2]) & (image[:, 0] > 1.8 * image[:, 1]) & (image[:, 0] > 100)
+
+
 def number_of_red(image):
-    return ((image[:, 0] > 1.8 * image[:, 2]) & (image[:, 0] > 1.8 * image[:, 1]) & (image[:, 0] > 100)).sum()
+    return is_red(image).sum()
 
 
 def check(result, N=4):
@@ -426,6 +453,14 @@ def check_points_placed(result):
     assert np.linalg.norm(points[1] - points[0]) > 0.2, points
 
 
+def check_menu(result):
+    """Directional Field has the first button of the toolbar and the first entry of the menu, with its icon's red dot."""
+    check(result)
+    check(former(result, "field"))
+    closed, opened = (is_red(pixels(former(result, what))) for what in ("closed", "open"))
+    assert 8 < (opened & ~closed).sum() < 60, (opened & ~closed).sum()
+
+
 def check_directions(field, name):
     """Unit vectors on all cells."""
     lengths = np.linalg.norm(vtk_to_numpy(field.GetCellData().GetArray("Direction0")), axis=1)
@@ -462,6 +497,7 @@ def check_grids(result):
 TESTS = {"SourcesInTheWindow": (write_sphere, check_sources),
          "GridsInTheWindow": (write_files, check_grids),
          "PointsPlacedInTheWindow": (write_sphere, check_points_placed),
+         "MenuInTheWindow": (write_sphere, check_menu),
          "FieldInTheWindow": (write_sphere, check),
          "GuideInTheWindow": (write_guide, check_guide),
          "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
