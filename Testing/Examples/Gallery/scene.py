@@ -6,10 +6,6 @@ try:
     SurfaceNormals
 except NameError:  # until ParaView 5.12
     SurfaceNormals = GenerateSurfaceNormals
-try:
-    PolylineLength
-except NameError:  # until ParaView 6.0
-    PolylineLength = AppendArcLength
 
 RED, BLUE = [0.83, 0.15, 0.17], [0.1, 0.26, 0.45]
 IVORY, GOLD = [1, 0.97, 0.92], [0.98, 0.68, 0.08]
@@ -56,15 +52,9 @@ def colour_by_size(name, largest):
 
 
 def lines_along(field, distance, width=0.0011):
-    """Evenly spaced lines as tubes, thin at their ends. Distance and width are relative to the size of the field's surface."""
-    size = size_of(field)
-    lines = FieldLines(Input=field, SeparatingDistance=distance, Lift=0.7 * width)
-    ends = PolylineLength(Input=CellDatatoPointData(Input=lines))
-    # Arrow heads are short lines, and as wide as the others.
-    taper = (f"{width * size} * if(Length < {1.5 * distance * size}, 0.8,"
-             f" min(1, max(0.3, min(arc_length, Length - arc_length) / {2 * distance * size})))")
-    radii = Calculator(Input=ends, ResultArrayName="Radius", Function=taper)
-    return Tube(Input=radii, VaryRadius="By Absolute Scalar", Scalars=["POINTS", "Radius"], NumberofSides=8)
+    """Evenly spaced lines as tubes of one width, without short ones. Distance and width are relative to the size of the field's surface."""
+    lines = FieldLines(Input=field, SeparatingDistance=distance, MinimumLength=8, Lift=0.7 * width)
+    return Tube(Input=lines, Radius=width * size_of(field), NumberofSides=8)
 
 
 def show_lines(field, view, distance, colour=BLUE, **properties):
