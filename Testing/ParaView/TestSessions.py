@@ -113,6 +113,40 @@ class Sessions(unittest.TestCase):
         simple.LoadState(state)
         self.assertEqual(self.results(), before)
 
+    def all_inputs(self):
+        """Filters with something at each of their inputs: four guides, singularities of the corner of a cube, edges of a 1-form."""
+        surface = simple.Sphere(registrationName="Ball", Radius=1, ThetaResolution=40, PhiResolution=40)
+        guides = {name: simple.PolyLineSource(registrationName=name, Points=meridian(angle))
+                  for name, angle in zip(("Guides", "SecondGuide", "ThirdGuide", "FourthGuide"), (0.3, 1.9, 3.2, 4.7))}
+        corners = simple.ProgrammableFilter(registrationName="Corners", Input=simple.Box(XLength=1.1, YLength=1.1, ZLength=1.1), Script=(
+            "import numpy as np\noutput.PointData.append(np.full(output.GetNumberOfPoints(), 0.25), 'Index')"))
+        corners = simple.Clean(registrationName="Singular points", Input=corners)
+        field = simple.DirectionalField(registrationName="Field", Input=surface, PrescribedSingularities=corners,
+                                        GuideWeights="1 1 1 2", **guides)
+        simple.HarmonicFieldSolver(registrationName="Lines", Input=surface, Singularities=corners, GuideWeights="2", **guides)
+        flow = simple.HarmonicFieldSolver(registrationName="Flow", Input=surface, Discretisation="1-Form", Guides=guides["Guides"])
+        simple.HodgeDecomposition(registrationName="Singular", Input=flow, Vectors=["CELLS", "Direction0"],
+                                  Edges=simple.OutputPort(flow, 1))
+        return field
+
+    def test_a_state_keeps_what_is_at_each_input(self):
+        field = self.all_inputs()
+        before = self.results()
+        report = fetch(field).GetFieldData()
+        self.assertEqual(report.GetArray("GuidesTaken").GetValue(0), 4 * 6)
+        indices = vtk_to_numpy(fetch(field).GetPointData().GetArray("SingularityIndex"))
+        self.assertEqual(sorted(indices[indices != 0]), 8 * [0.25])
+        state = str(FOLDER / "inputs.pvsm")
+        simple.SaveState(state)
+        simple.ResetSession()
+        simple.LoadState(state)
+        self.assertEqual(self.results(), before)
+        field = simple.FindSource("Field")
+        guides = [*field.Guides, field.SecondGuide, field.ThirdGuide, field.FourthGuide]
+        self.assertEqual(guides, [simple.FindSource(name) for name in ("Guides", "SecondGuide", "ThirdGuide", "FourthGuide")])
+        field.FourthGuide, field.GuideWeights = None, "3"
+        self.assertEqual(fetch(field).GetFieldData().GetArray("GuidesTaken").GetValue(0), 3 * 6)
+
     def test_a_state_of_a_former_version_gives_the_same_field(self):
         path = FOLDER / "former.pvsm"
         path.write_text(FORMER_STATE)
