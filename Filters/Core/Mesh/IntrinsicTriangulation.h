@@ -1,0 +1,78 @@
+#ifndef dmgIntrinsicTriangulation_h
+#define dmgIntrinsicTriangulation_h
+
+#include "Mesh/VertexConnection.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <array>
+#include <vector>
+
+namespace dmg
+{
+
+/// The intrinsic Delaunay triangulation of a surface: same vertices, same geometry, other edges (Bobenko and Springborn
+/// 2007; Fisher et al. 2007). An edge is a straight line over the surface, which may cross faces of the mesh. On it no edge
+/// inside the surface has a negative cotangent weight, however thin the faces of the mesh are, so that the Laplacian of
+/// functions is an M-matrix.
+///
+/// Halfedges are numbered as those of TriangleMesh. Two vertices may have several edges between them, and an edge may run
+/// from a vertex to itself. Directions count in VertexFrames, by the cone angles of VertexConnection; the direction of a
+/// flipped edge is that of its neighbour plus the corner between them (signposts, Sharp, Soliman and Crane 2019).
+///
+/// Where a face has an angle of 0 or pi, all edges become longer by one number, about 1e-8 of their mean length, so that
+/// all areas are positive (Sharp and Crane 2020).
+class IntrinsicTriangulation
+{
+public:
+  /// \param connection of the surface.
+  /// Cost: O(#F), and constant time for each flip; real meshes take fewer flips than edges.
+  /// \throw Cancelled
+  IntrinsicTriangulation(
+    const FramedMesh& surface, const VertexConnection& connection, const ExecutionContext& context = SerialContext());
+
+  int NumberOfVertices() const { return static_cast<int>(this->Stretches.size()); }
+  int NumberOfHalfedges() const { return static_cast<int>(this->Tails.size()); }
+  int NumberOfFaces() const { return this->NumberOfHalfedges() / 3; }
+  int NumberOfFlips() const { return this->Flips; }
+
+  int Tail(int halfedge) const { return this->Tails[halfedge]; }
+  int Head(int halfedge) const { return this->Tails[TriangleMesh::Next(halfedge)]; }
+  /// The halfedge on the other side, -1 on the boundary.
+  int Twin(int halfedge) const { return this->Twins[halfedge]; }
+  double Length(int halfedge) const { return this->Lengths[halfedge]; }
+
+  /// The polar angle of a halfedge at its tail, in radians.
+  double Direction(int halfedge) const { return this->Directions[halfedge]; }
+  /// The polar angle at its head of the direction in which the halfedge arrives.
+  double Arrival(int halfedge) const;
+  /// Carries directions along a halfedge, from the frame of its tail into that of its head; in radians, not reduced.
+  double Transport(int halfedge) const { return this->Arrival(halfedge) - this->Direction(halfedge); }
+
+  double Area(int face) const;
+  /// Half the sum of the cotangents opposite to the edge of a halfedge, which is 0 or more. On the boundary a negative one is
+  /// raised to 0.
+  double Weight(int halfedge) const;
+
+private:
+  void SetLengths(const TriangleMesh& mesh);
+  void SetDirections(const TriangleMesh& mesh, const VertexConnection& connection);
+  void MakeDelaunay(const ExecutionContext& context);
+  bool MayFlip(int halfedge) const;
+  /// \return the four sides of the two faces.
+  std::array<int, 4> Flip(int halfedge);
+  /// The angle at the tail of a halfedge in its face, not stretched.
+  double CornerAngle(int halfedge) const;
+  double Cotangent(int halfedge) const;
+
+  std::vector<int> Tails;
+  std::vector<int> Twins;
+  std::vector<double> Lengths;
+  std::vector<double> Directions;
+  std::vector<double> Stretches; // of angles, per vertex
+  int Flips = 0;
+};
+
+}
+
+#endif

@@ -1,0 +1,99 @@
+#ifndef dmgParallelTransport_h
+#define dmgParallelTransport_h
+
+#include "Constraints/Constraints.h"
+#include "Mesh/FramedMesh.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// The choices of a user.
+struct TransportOptions
+{
+  /// The time of the diffusion as a multiple of the mean squared edge length, from 0.01 to 1e6. Longer times are smoother, and
+  /// less exact near places that are as far from two sources, or that two shortest paths reach.
+  double TimeStep = 4.0;
+};
+
+/// A vector field that was carried from its sources.
+struct TransportedField
+{
+  Vector<Complex> AtVertices;        ///< in VertexFrames; zero on components without a source
+  Vector<Complex> OnFaces;           ///< in FaceFrames
+  std::vector<std::string> Warnings; ///< one sentence each
+};
+
+/// The logarithmic map of a vertex: its value at p is the vector at the vertex with the direction in which the shortest
+/// path to p starts, and its length. Zero on other components.
+struct LogarithmicMap
+{
+  /// #V, in the frame whose first axis is the direction that was asked for; moduli are Distances, arguments Angles.
+  Vector<Complex> Coordinates;
+  Vector<double> Distances;          ///< along the surface, >= 0
+  Vector<double> Angles;             ///< in radians, from -pi to pi, counter-clockwise seen from outside
+  std::vector<std::string> Warnings; ///< one sentence each
+};
+
+/// Carries tangent vectors from a few places to everywhere along shortest paths, and finds logarithmic maps, by short
+/// diffusion. ParallelTransport.md has the formulas.
+///
+///   dmg::ParallelTransport transport(surface);
+///   const dmg::TransportedField field = transport.Carry(sources);
+///   const dmg::LogarithmicMap map = transport.Map(vertex, 1.0);
+///
+/// The matrices are those of the intrinsic Delaunay triangulation, so bad triangles do no harm. They are factored: far from a
+/// source heat is e^-300 of that at the source, and only a factor has digits there. Vector heat method: Sharp, Soliman
+/// and Crane 2019. Logarithmic map: affine heat method, Soliman and Sharp 2025.
+/// Cost: a real and a complex sparse factor of #V unknowns at the first call; after that, two solves for each field, and three for
+/// a map, one of them by PoissonSolver.
+class ParallelTransport
+{
+public:
+  /// \param surface is borrowed.
+  /// \throw InvalidInput the time step is out of range.
+  /// \throw Cancelled
+  explicit ParallelTransport(
+    const FramedMesh& surface, const TransportOptions& options = {}, const ExecutionContext& context = SerialContext());
+  ~ParallelTransport();
+  ParallelTransport(ParallelTransport&&) noexcept;
+
+  /// Each place has the direction and the length of the vector of the nearest source.
+  /// \param sources directions at vertices and on faces; their tangential part is carried. Weights do not count. Several
+  ///   at one vertex are averaged.
+  /// \throw InvalidInput there is none; a direction is not finite, zero, perpendicular to the surface, or on no element.
+  /// \throw SolverFailure memory ran out.
+  /// \throw Cancelled
+  TransportedField Carry(const Constraints& sources, const ExecutionContext& context = SerialContext());
+
+  /// \param direction of the angle 0, in the frame of the vertex; its length does not count.
+  /// \throw InvalidInput there is no such vertex; the direction is zero or not finite.
+  /// \throw SolverFailure memory ran out.
+  /// \throw Cancelled
+  LogarithmicMap Map(int vertex, Complex direction, const ExecutionContext& context = SerialContext());
+
+  /// The time of the diffusion at each vertex, in squared units of length: one number per component.
+  const Vector<double>& Times() const;
+  /// Held by factors.
+  long long Bytes() const;
+  /// How often matrices were factored, and fields and maps were solved for.
+  struct StageCounts
+  {
+    int Setups = 0;
+    int Solves = 0;
+  };
+  StageCounts Counts() const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif
