@@ -1,4 +1,4 @@
-// The four discretisations beside their peers: time, memory, iterations and agreement, in one run.
+// The five discretisations beside their peers: time, memory, iterations and agreement, in one run.
 //
 //   BenchmarkFields [--out folder] [--runs n] [--threads n] [--limit seconds]
 //     [--discretisation name] [--solver name] [--cut n | --loop n] (--short | surface.ply ...)
@@ -78,6 +78,7 @@ const std::vector<Regime> MoreRegimes = { { "1", 1, 0.0 }, { "20", 20, 0.0 }, { 
 
 const char* const Ours = "ours";
 const char* const Reference = "CHOLMOD, AMD";
+const char* const GeometryCentral = "geometry-central's factor";
 
 struct Options
 {
@@ -190,21 +191,22 @@ double RelativeDifference(const Vector<double>& x, const Vector<double>& referen
 /// a column each; of functions, the constants.
 Eigen::MatrixXd SmoothFields(const FramedMesh& surface, const Discretisation& field)
 {
-  if (field.Elements() == ElementKind::Vertices)
+  if (field.UnknownsPerElement() == 1 && field.Elements() == ElementKind::Vertices)
   {
     return Eigen::MatrixXd::Ones(field.NumberOfUnknowns(), 1);
   }
+  const bool areVertices = field.Elements() == ElementKind::Vertices;
   Eigen::MatrixXd fields(field.NumberOfUnknowns(), 3);
   for (int k = 0; k < 3; ++k)
   {
-    Points constant = Points::Zero(surface.Mesh.NumberOfFaces(), 3);
+    Points constant = Points::Zero(areVertices ? surface.Mesh.NumberOfVertices() : surface.Mesh.NumberOfFaces(), 3);
     constant.col(k).setOnes();
     if (field.Elements() == ElementKind::Edges)
     {
       fields.col(k) = test::FormFromFaceVectors(surface.Mesh, constant);
       continue;
     }
-    Vector<Complex> vectors = AsComplex(FaceFieldFromVectors(surface.Faces, constant));
+    Vector<Complex> vectors = AsComplex(FaceFieldFromVectors(areVertices ? surface.Vertices : surface.Faces, constant));
     for (Complex& v : vectors)
     {
       v = std::polar(std::abs(v), field.DirectionsPerPoint() * std::arg(v));
@@ -223,6 +225,10 @@ std::vector<std::string> Solvers(DiscretisationKind kind)
   if (kind == DiscretisationKind::OneForm)
   {
     names.insert(names.end() - 1, "hypre AMS");
+  }
+  if (kind == DiscretisationKind::PowerField || kind == DiscretisationKind::VertexPowerField)
+  {
+    names.insert(names.begin() + 3, GeometryCentral);
   }
   return names;
 }
@@ -257,6 +263,10 @@ std::unique_ptr<peers::Peer<Scalar>> NewPeer(
   {
     return std::make_unique<peers::CholmodPeer<Scalar>>(
       name == "CHOLMOD, AMD" ? FillOrdering::AMD : FillOrdering::METIS);
+  }
+  if (name == GeometryCentral)
+  {
+    return std::make_unique<peers::SimplicialCholmodPeer<Scalar>>();
   }
   if (name == "IC(0)-CG, RCM")
   {
@@ -349,6 +359,16 @@ void MeasureRuns(int runs, Row& row, const Run& run)
   std::transform(seconds.begin(), seconds.end(), row.Seconds.begin(), &Median);
 }
 
+/// For their time: the bare mesh has none.
+void MakeFrames(const Workplace& place)
+{
+  FaceFrames(place.Surface.Mesh, place.Context);
+  if (place.Asked.Field.Kind == DiscretisationKind::VertexPowerField)
+  {
+    VertexFrames(place.Surface.Mesh, place.Context);
+  }
+}
+
 Measured MeasureOurs(const Workplace& place, const Options& options)
 {
   Measured measured;
@@ -363,7 +383,7 @@ Measured MeasureOurs(const Workplace& place, const Options& options)
       seconds[Row::Setup] = Seconds(
         [&]
         {
-          FaceFrames(place.Surface.Mesh, place.Context); // the bare mesh has none
+          MakeFrames(place);
           setup = test::SetupOf(place.Surface, nullptr, place.Asked, place.Context);
         });
       const PeakMemory memory;
@@ -401,9 +421,9 @@ Measured MeasurePeer(const Workplace& place, const std::string& name, const Opti
       seconds[Row::Assembly] = Seconds(
         [&]
         {
-          const TangentFrames frames = FaceFrames(place.Surface.Mesh, place.Context);
-          system.emplace(MakeSystem<Scalar>(
-            place.Surface.Mesh, frames, *place.Field, place.Constraints, place.Asked, place.Context));
+          MakeFrames(place);
+          system.emplace(
+            MakeSystem<Scalar>(place.Surface, *place.Field, place.Constraints, place.Asked, place.Context));
         });
       const Vector<Scalar> b = system->RightHandSide(values);
       peer = NewPeer(name, place, *system);
@@ -466,21 +486,19 @@ static_assert(std::is_trivially_copyable<Resolve>::value, "it goes through a pip
 Vector<double> WithFirstValueMoved(const Workplace& place)
 {
   Vector<double> values = place.Constraints.Values;
-  switch (place.Field->Elements())
+  if (place.Field->UnknownsPerElement() == 2)
   {
-    case ElementKind::Vertices:
-      values[0] += 0.1;
-      break;
-    case ElementKind::Edges:
-    {
-      const TriangleMesh& mesh = place.Surface.Mesh;
-      const auto [i, j] = mesh.EdgeVertices(place.Constraints.Elements[0]);
-      values[0] += 0.1 * (mesh.Position(j) - mesh.Position(i)).norm();
-      break;
-    }
-    default:
-      values.head<2>() = Eigen::Rotation2Dd(0.1) * Vector2(values.head<2>());
-      break;
+    values.head<2>() = Eigen::Rotation2Dd(0.1) * Vector2(values.head<2>());
+  }
+  else if (place.Field->Elements() == ElementKind::Edges)
+  {
+    const TriangleMesh& mesh = place.Surface.Mesh;
+    const auto [i, j] = mesh.EdgeVertices(place.Constraints.Elements[0]);
+    values[0] += 0.1 * (mesh.Position(j) - mesh.Position(i)).norm();
+  }
+  else
+  {
+    values[0] += 0.1;
   }
   return values;
 }
@@ -517,8 +535,7 @@ public:
 private:
   HarmonicSystem<Scalar> SystemOf(const FieldConstraints& constraints, const FieldOptions& asked) const
   {
-    const auto& [mesh, faceFrames, vertexFrames] = this->Place.Surface;
-    return MakeSystem<Scalar>(mesh, faceFrames, *this->Place.Field, constraints, asked, this->Place.Context);
+    return MakeSystem<Scalar>(this->Place.Surface, *this->Place.Field, constraints, asked, this->Place.Context);
   }
 
   Vector<double> Solve(const Vector<double>& values, const Vector<double>& start, double tolerance)
@@ -642,7 +659,7 @@ std::vector<DiscretisationKind> Discretisations(const Options& options)
 {
   std::vector<DiscretisationKind> kinds;
   for (const DiscretisationKind kind : { DiscretisationKind::OneForm, DiscretisationKind::FaceField,
-         DiscretisationKind::PowerField, DiscretisationKind::ScalarFunction })
+         DiscretisationKind::PowerField, DiscretisationKind::VertexPowerField, DiscretisationKind::ScalarFunction })
   {
     if (NameOf(kind).find(options.Discretisation) != std::string::npos)
     {

@@ -24,6 +24,8 @@ inline std::string NameOf(DiscretisationKind kind)
       return "face-based";
     case DiscretisationKind::ScalarFunction:
       return "scalar";
+    case DiscretisationKind::VertexPowerField:
+      return "points";
     default:
       return "power";
   }
@@ -42,8 +44,8 @@ struct Regime
   }
 };
 
-/// Random elements with weight 1: faces with random directions of unit length, edges with the integrals of such in
-/// their planes, vertices with values between -1 and 1.
+/// Random elements with weight 1: faces and vertices with random directions of unit length, edges with the integrals of such
+/// in their planes, vertices of functions with values between -1 and 1.
 /// \param mesh of the field.
 inline FieldConstraints RandomConstraints(
   const TriangleMesh& mesh, const Discretisation& field, const Regime& regime, test::Random& random)
@@ -62,7 +64,7 @@ inline FieldConstraints RandomConstraints(
   constraints.Values.resize(field.UnknownsPerElement() * size);
   for (int b = 0; b < size; ++b)
   {
-    if (field.Elements() == ElementKind::Vertices)
+    if (field.Elements() == ElementKind::Vertices && field.UnknownsPerElement() == 1)
     {
       constraints.Values[b] = random.Uniform(-1.0, 1.0);
       continue;

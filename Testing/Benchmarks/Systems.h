@@ -2,6 +2,7 @@
 #define dmgBenchmarksSystems_h
 
 #include "FieldOptions.h"
+#include "Operators/ConnectionLaplacian.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldOperators.h"
@@ -21,15 +22,18 @@ inline SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh, const E
   return SparseMatrix<double>(d0.transpose()) * Star1(mesh).asDiagonal() * d0;
 }
 
-/// The smoothness energy of a field as a matrix.
+/// The smoothness energy of a field as a matrix, with the angles of its connection.
 /// \tparam Scalar Complex for power fields, else double.
 template <class Scalar>
-SparseMatrix<Scalar> MakeStiffness(const TriangleMesh& mesh, const TangentFrames& frames,
-  const DiscretisationOptions& options, const ExecutionContext& context)
+SparseMatrix<Scalar> MakeStiffness(
+  const FramedMesh& surface, const DiscretisationOptions& options, const ExecutionContext& context)
 {
+  const auto& [mesh, frames, vertexFrames] = surface;
   if constexpr (std::is_same<Scalar, Complex>::value)
   {
-    return PowerLaplacian(mesh, frames, options.N, context);
+    return options.Kind == DiscretisationKind::VertexPowerField
+      ? ConnectionLaplacian(mesh, VertexConnection(surface, context), options.N, context)
+      : PowerLaplacian(mesh, frames, options.N, context);
   }
   else
   {
@@ -62,13 +66,12 @@ inline Penalties OfPairs(const Penalties& pairs)
 
 /// The system that FieldProblem solves, for who solves it otherwise.
 /// \tparam Scalar Complex for power fields, else double.
-/// \param frames of the faces.
-/// \param field, options on this mesh.
+/// \param field, options on this surface.
 template <class Scalar>
-HarmonicSystem<Scalar> MakeSystem(const TriangleMesh& mesh, const TangentFrames& frames, const Discretisation& field,
+HarmonicSystem<Scalar> MakeSystem(const FramedMesh& surface, const Discretisation& field,
   const FieldConstraints& constraints, const FieldOptions& options, const ExecutionContext& context)
 {
-  SparseMatrix<Scalar> stiffness = MakeStiffness<Scalar>(mesh, frames, options.Field, context);
+  SparseMatrix<Scalar> stiffness = MakeStiffness<Scalar>(surface, options.Field, context);
   if (options.Constraints == ConstraintKind::Soft)
   {
     stiffness *= options.Smoothness;

@@ -10,7 +10,7 @@ from pathlib import Path
 from plot_thesis import column, figure, of, pyplot, read
 
 COLOURS = {"ours": "tab:red", "CHOLMOD, AMD": "tab:blue", "CHOLMOD, METIS": "tab:cyan",
-           "IC(0)-CG, RCM": "tab:green", "Eigen SimplicialLDLT": "tab:purple",
+           "geometry-central's factor": "tab:pink", "IC(0)-CG, RCM": "tab:green", "Eigen SimplicialLDLT": "tab:purple",
            "hypre BoomerAMG": "tab:brown", "hypre AMS": "tab:olive", "PETSc GAMG": "tab:orange"}
 
 
