@@ -1,10 +1,12 @@
 #include "Preparation/CoincidingPoints.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace dmg
@@ -107,6 +109,32 @@ double RoundingOf(const Points& positions)
   return positions.rows() > 0 ? Ulps * positions.cwiseAbs().maxCoeff() : 0.0;
 }
 
+bool UniteNear(
+  const Points& positions, const std::vector<std::array<int, 2>>& pairs, double distance, DisjointSets& sets)
+{
+  using Box = Eigen::AlignedBox<double, 3>;
+  DisjointSets chains(pairs.empty() ? 0 : static_cast<int>(positions.rows()));
+  for (const auto& [a, b] : pairs)
+  {
+    chains.Unite(a, b);
+  }
+  std::unordered_map<int, Box> boxes;
+  for (const auto& [a, b] : pairs)
+  {
+    boxes[chains.Smallest(a)].extend(positions.row(a).transpose()).extend(positions.row(b).transpose());
+  }
+  bool isAny = false;
+  for (const auto& [a, b] : pairs)
+  {
+    if (boxes[chains.Smallest(a)].diagonal().norm() <= distance)
+    {
+      sets.Unite(a, b);
+      isAny = true;
+    }
+  }
+  return isAny;
+}
+
 bool JoinBoundary(const Points& positions, const std::vector<BoundaryPoint>& points, DisjointSets& sets)
 {
   const double rounding = RoundingOf(positions);
@@ -115,17 +143,12 @@ bool JoinBoundary(const Points& positions, const std::vector<BoundaryPoint>& poi
     return false;
   }
   const NearPoints near(positions, points, rounding);
-  bool isAny = false;
+  std::vector<std::array<int, 2>> pairs;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    near.VisitAfter(static_cast<int>(i),
-      [&](int j)
-      {
-        sets.Unite(points[i].Point, points[j].Point);
-        isAny = true;
-      });
+    near.VisitAfter(static_cast<int>(i), [&](int j) { pairs.push_back({ points[i].Point, points[j].Point }); });
   }
-  return isAny;
+  return UniteNear(positions, pairs, rounding, sets);
 }
 
 std::vector<int> FirstOfEqual(const Points& positions)

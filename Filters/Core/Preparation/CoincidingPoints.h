@@ -4,6 +4,7 @@
 #include "Support/DisjointSets.h"
 #include "Support/Types.h"
 
+#include <array>
 #include <vector>
 
 namespace dmg
@@ -22,8 +23,15 @@ struct BoundaryPoint
   double Size; ///< least of the longest edges of the triangles that have it on a boundary side
 };
 
+/// Unites pairs of points that are no farther from each other than a distance, but for chains of them that reach
+/// farther: these are rows of points of their own, as in the layers of a mesh along a wall, which may be thinner than
+/// single precision tells.
+/// \return whether there were any.
+bool UniteNear(
+  const Points& positions, const std::vector<std::array<int, 2>>& pairs, double distance, DisjointSets& sets);
+
 /// Unites the points of boundaries that coincide: those that are equal, and those that are nearer to each other than
-/// RoundingOf all positions and than PartOfEdge of both sizes.
+/// RoundingOf all positions and than PartOfEdge of both sizes, as UniteNear does.
 /// \param points ascending, each once.
 /// \param sets of the rows of \p positions.
 /// \return whether there were any.

@@ -191,7 +191,7 @@ PreparedSurface MakeStrict(const CellTriangles& given, const UsedPoints& used, c
   }
 }
 
-/// The surface as it is, if that is an oriented manifold.
+/// The surface as it is, if that is an oriented manifold; without a report.
 std::optional<PreparedSurface> AsItIs(const CellTriangles& given, const UsedPoints& used,
   const PreparationOptions& options, const ExecutionContext& context)
 {
@@ -202,19 +202,24 @@ std::optional<PreparedSurface> AsItIs(const CellTriangles& given, const UsedPoin
   }
   try
   {
-    PreparedSurface surface = options.Order == Numbering::Spatial
+    return options.Order == Numbering::Spatial
       ? InSpatialOrder(given.Positions, given.Corners, SurfaceParts(parts), context)
       : InGivenOrder(given.Positions, given.Corners, SurfaceParts(parts), context);
-    if (!options.JoinPoints || !HasCoincidingBoundary(surface.Mesh))
-    {
-      return surface;
-    }
   }
   catch (const InvalidInput&)
   {
     // It is repaired, or refused by the one that repairs.
   }
   return std::nullopt;
+}
+
+PreparedSurface Repaired(const CellTriangles& given, const UsedPoints& used, const PreparationOptions& options,
+  const ExecutionContext& context)
+{
+  const RepairedSurface repaired = Repair(given, used, options.JoinPoints, context);
+  PreparedSurface surface = MakeMesh(repaired.Positions, repaired.Corners, repaired.Parts, options.Order, context);
+  surface.Report = repaired.Report;
+  return surface;
 }
 
 }
@@ -231,11 +236,20 @@ PreparedSurface PrepareSurface(
   {
     surface = AsItIs(given, used, options, context);
   }
-  if (!surface)
+  if (!surface || (!options.Strict && options.JoinPoints && HasCoincidingBoundary(surface->Mesh)))
   {
-    const RepairedSurface repaired = Repair(given, used, options.JoinPoints, context);
-    surface = MakeMesh(repaired.Positions, repaired.Corners, repaired.Parts, options.Order, context);
-    surface->Report = repaired.Report;
+    try
+    {
+      surface = Repaired(given, used, options, context);
+    }
+    catch (const InvalidInput&)
+    {
+      if (!surface)
+      {
+        throw;
+      }
+      // The whole surface is thinner than single precision tells: nothing of it is joined.
+    }
   }
   surface->Relation.SetEdges(surface->Mesh, context);
   return std::move(*surface);

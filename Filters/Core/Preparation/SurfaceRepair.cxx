@@ -49,6 +49,7 @@ public:
     }
     if (this->Participants.empty())
     {
+      this->RefuseDuplicatesOnly();
       RefuseSurfaceWithoutArea();
     }
     Orientation orientation = Orient(this->Input.Positions, this->CornersOfParticipants, this->Pairs);
@@ -69,6 +70,19 @@ private:
     CheckPoints(this->Input.Positions, names);
   }
 
+  void RefuseDuplicatesOnly() const
+  {
+    for (int t = 0; t < this->Size; ++t)
+    {
+      if (!this->Input.IsLeftOut(t))
+      {
+        return;
+      }
+    }
+    throw InvalidInput("all cells of the surface are marked as duplicates of other ones; take the surface that has "
+                       "these, or remove the marks");
+  }
+
   /// Corners become the first of the points that they were joined with.
   void RenumberCorners()
   {
@@ -84,6 +98,7 @@ private:
   {
     constexpr double Smallest = 1e-60;
     const double rounding = this->JoinsPoints ? RoundingOf(this->Input.Positions) : Smallest;
+    std::vector<std::array<int, 2>> near;
     for (int t = 0; t < this->Size; ++t)
     {
       const auto at = [&](int k) { return this->Input.Positions.row(this->Input.Corners(t, k % 3)); };
@@ -92,12 +107,18 @@ private:
       const double longest = *std::max_element(lengths.begin(), lengths.end());
       for (int k = 0; k < 3; ++k)
       {
-        if (lengths[k] <= std::max(Smallest, std::min(rounding, PartOfEdge * longest)))
+        const std::array<int, 2> ends{ this->Input.Corners(t, k), this->Input.Corners(t, (k + 1) % 3) };
+        if (lengths[k] <= Smallest)
         {
-          this->Joined.Unite(this->Input.Corners(t, k), this->Input.Corners(t, (k + 1) % 3));
+          this->Joined.Unite(ends[0], ends[1]);
+        }
+        else if (lengths[k] <= std::min(rounding, PartOfEdge * longest))
+        {
+          near.push_back(ends);
         }
       }
     }
+    UniteNear(this->Input.Positions, near, rounding, this->Joined);
     this->RenumberCorners();
   }
 

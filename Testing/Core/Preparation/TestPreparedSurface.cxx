@@ -144,6 +144,53 @@ TEST(PreparedSurface, KeepsGapsAndThinWalls)
   EXPECT_EQ(joined.Report.PointsJoined, 5);
 }
 
+// A plane from 0 to 100 whose cells have heights from 1e-6 on, as those along a wall in a flow: single precision does not tell
+// the first 30 rows from each other, but they are rows.
+TEST(PreparedSurface, KeepsLayersThatAreThinnerThanRounding)
+{
+  Surface layers = PlaneGrid(10, 60);
+  for (int v = 0; v < layers.V.rows(); ++v)
+  {
+    layers.V(v, 0) *= 10.0;
+    layers.V(v, 1) = 5e-6 * (std::pow(1.2, layers.V(v, 1)) - 1.0);
+  }
+  const PreparedSurface prepared = Prepared(layers);
+  EXPECT_EQ(prepared.Mesh.NumberOfFaces(), layers.F.rows());
+  EXPECT_EQ(prepared.Report.Text(), "");
+  // Also where something else is to be repaired.
+  Surface withFlip = layers;
+  std::swap(withFlip.F(700, 0), withFlip.F(700, 1));
+  const PreparedSurface repaired = Prepared(withFlip);
+  EXPECT_EQ(repaired.Mesh.NumberOfFaces(), layers.F.rows());
+  EXPECT_EQ(repaired.Report.Text(), "1 cell turned");
+}
+
+// Nothing would be left of a plane that is 1e-6 as wide as long if points were joined across it.
+TEST(PreparedSurface, KeepsANarrowPlane)
+{
+  Surface plane = PlaneGrid(5, 5);
+  plane.V.col(1) *= 1e-6;
+  const PreparedSurface prepared = Prepared(plane);
+  EXPECT_EQ(prepared.Mesh.NumberOfFaces(), plane.F.rows());
+  EXPECT_EQ(NumberOfComponents(prepared.Mesh), 1);
+}
+
+TEST(PreparedSurface, RefusesDuplicatesOnly)
+{
+  const Surface plane = PlaneGrid(2, 2);
+  CellTriangles triangles = TrianglesOf(plane);
+  triangles.IsDuplicate.assign(plane.F.rows(), 1);
+  try
+  {
+    PrepareSurface(std::move(triangles), {});
+    ADD_FAILURE() << "no error";
+  }
+  catch (const InvalidInput& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("duplicates of other ones"), std::string::npos) << error.what();
+  }
+}
+
 TEST(PreparedSurface, OrientsAsMostOfAComponent)
 {
   const Surface both = Union(Icosphere(1), Torus(8, 6), Vector3(5.0, 0.0, 0.0));
