@@ -369,6 +369,10 @@ def pieces(number, surface):
     return polygons(places, [[k * size + i for i in cell] for k in range(number) for cell in cells])
 
 
+def scaled(surface, factors):
+    return polygons(np.array(positions_of(surface)) * factors, cells_of(surface))
+
+
 def hard():
     """{name: dataset} of surfaces whose smoothest fields are hard to find: plates, whose sides have almost the same one, cells of
     many sizes and shapes, and many pieces."""
@@ -378,6 +382,8 @@ def hard():
                      for squares, height in ((1, 1e-3), (4, 1e-2), (8, 1e-4), (20, 1e-6))})
     surfaces.update({f"grid_stretched_{ratio:g}_times": stretched(12, ratio) for ratio in (1e3, 1e-3)})
     surfaces.update({f"needle_of_radius_{radius:g}": needle(30, radius) for radius in (1e-2, 1e-5)})
+    surfaces["ellipsoid_of_three_scales"] = scaled(hexagons(2), (5.0, 2.4e-3, 3.8e-6))
+    surfaces["superquadric_of_three_scales"] = scaled(superquadric(), (50.0, 1e-6, 3e-3))
     surfaces.update({f"{around}_meridians": latitude_longitude(around, along) for around, along in ((8, 200), (200, 8))})
     surfaces.update({"a_triangle": triangle, "triangles": pieces(100, triangle), "boxes": pieces(100, out(vtkCubeSource())),
                      "spheres": pieces(40, sphere(8, 6)), "discs": pieces(40, plate(8, 1e-3))})

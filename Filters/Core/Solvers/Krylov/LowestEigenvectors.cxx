@@ -314,13 +314,14 @@ std::vector<double> FindLowestEigenvectors(const EigenProblem& problem, const St
       residual > stop.RelativeTolerance ? slow.push_back(static_cast<int>(part))
                                         : void(row.RelativeResidual = std::max(row.RelativeResidual, residual));
     }
-    for (const double residual : FindLowestOfBlocks(problem, slow, stop, x, eigenvalues, context))
+    report.Converged = true;
+    for (const LowestOfPart& part : FindLowestOfBlocks(problem, slow, stop, x, eigenvalues, context))
     {
-      row.RelativeResidual = std::max(row.RelativeResidual, residual);
+      row.RelativeResidual = std::max(row.RelativeResidual, part.Residual);
+      report.Converged &= part.IsSolved;
     }
     row.Energy = std::accumulate(eigenvalues.begin(), eigenvalues.end(), 0.0);
     row.Seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    report.Converged = row.RelativeResidual <= stop.RelativeTolerance;
     report.Iterations.push_back(row);
   }
   if (!report.Converged)

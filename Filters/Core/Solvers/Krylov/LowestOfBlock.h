@@ -8,17 +8,24 @@
 namespace dmg
 {
 
+/// How FindLowestOfBlocks ended on a part.
+struct LowestOfPart
+{
+  double Residual; ///< as FindLowestEigenvectors measures it
+  /// Whether it is at most the tolerance, or held up by rounding errors at an error of x below 1e-4 in M; else the limit of
+  /// iterations is reached.
+  bool IsSolved;
+};
+
 /// The lowest eigenvectors of some parts by LOBPCG with a block of vectors for each (Knyazev 2001). Eigenvalues that are close
 /// to the lowest one, as the two sides of a thin plate have them, hold up an iteration with one vector. In a block, what
 /// counts is the distance to the first eigenvalue that is not in it.
 /// \param parts their numbers in problem.Parts.
 /// \param x a start in the unknowns of these parts, not zero; on exit x^T M x = 1. Other unknowns stay as they are.
 /// \param theta by part of the problem; on exit the eigenvalues of these parts.
-/// \return the residual of each, as FindLowestEigenvectors measures it. It is at most \p stop.RelativeTolerance, unless the
-///   limit of iterations is reached.
 /// \throw Cancelled
 /// Cost per iteration: those of FindLowestEigenvectors, times the eight vectors of a block, for all parts together.
-std::vector<double> FindLowestOfBlocks(const EigenProblem& problem, const std::vector<int>& parts,
+std::vector<LowestOfPart> FindLowestOfBlocks(const EigenProblem& problem, const std::vector<int>& parts,
   const StoppingCriteria& stop, Vector<double>& x, std::vector<double>& theta, const ExecutionContext& context);
 
 }
