@@ -29,7 +29,7 @@ class Sweep(unittest.TestCase):
     def test_cycles_solve_every_field_on_the_surfaces_of_this_repository(self):
         rows, bad = table_of(DATA.glob("*.vtp"), "ConjugateGradients")
         self.assertEqual(bad, [])
-        self.assertEqual(len(rows), 4 * len(list(DATA.glob("*.vtp"))))
+        self.assertEqual(len(rows), len(sweep.FIELDS) * len(list(DATA.glob("*.vtp"))))
         for row in rows:
             with self.subTest(surface=row["surface"], field=row["field"]):
                 self.assertEqual(row["outcome"], "solved")
@@ -40,6 +40,17 @@ class Sweep(unittest.TestCase):
     def test_small_real_surfaces_are_solved_or_refused(self):
         paths = [path for path in SHARED.glob("*.ply") if sweep.is_small_enough(path, MOST_FACES)]
         self.assertEqual(table_of(paths, "Automatic")[1], [])
+
+    @unittest.skipUnless(SHARED.is_dir(), "no surfaces beside the repository")
+    def test_dirty_real_surfaces_are_solved(self):
+        """None is refused, and the indices sum to the Euler characteristic of the surface on which it was solved."""
+        paths = sorted(SHARED.glob("bad_*.ply"))
+        rows, bad = table_of(paths, "Automatic", ("points", "power"))
+        self.assertEqual((bad, len(rows)), ([], 2 * len(paths)))
+        for row in rows:
+            with self.subTest(surface=row["surface"], field=row["field"]):
+                self.assertEqual(row["outcome"], "solved")
+                self.assertEqual(float(row["index"]), float(row["euler"]))
 
     def test_a_run_that_hangs_or_crashes_is_a_row(self):
         surface = DATA / "disk.vtp"
