@@ -16,12 +16,14 @@ from xml.etree import ElementTree
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
-from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet
+from vtkmodules.vtkCommonDataModel import vtkMultiBlockDataSet, vtkPartitionedDataSetCollection, vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkArcSource, vtkSphereSource
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkIOLegacy import vtkGenericDataObjectReader, vtkPolyDataReader
-from vtkmodules.vtkIOXML import (vtkXMLImageDataWriter, vtkXMLMultiBlockDataReader, vtkXMLMultiBlockDataWriter, vtkXMLPolyDataWriter,
-                                 vtkXMLRectilinearGridWriter, vtkXMLStructuredGridWriter, vtkXMLUnstructuredGridWriter)
+from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter
+from vtkmodules.vtkIOXML import (vtkXMLImageDataWriter, vtkXMLMultiBlockDataReader, vtkXMLMultiBlockDataWriter,
+                                 vtkXMLPartitionedDataSetCollectionReader, vtkXMLPolyDataWriter, vtkXMLRectilinearGridWriter,
+                                 vtkXMLStructuredGridWriter, vtkXMLUnstructuredGridWriter)
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "Python"))
 import any_surfaces
@@ -97,6 +99,11 @@ def write_guide(path):
     write(path, arc.GetOutput())
 
 
+def write_plate_with_stiffener(path):
+    """A plate of quads, and a wall on its middle line."""
+    write(path, any_surfaces.plate_with_stiffener())
+
+
 def write(path, data):
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(str(path))
@@ -108,20 +115,27 @@ def write(path, data):
 # Sources that ParaView brings along, each with the filter that makes it a surface, if it is none; and types of files.
 SHAPES = [(shape, None) for shape in ("ArrowSource", "CubeSource", "ConeSource", "CylinderSource", "DiskSource", "PlaneSource",
                                       "SphereSource", "SuperquadricSource")] + [("LineSource", "TubeFilter")]
-FILES = ["grid.vtu", "grid.vts", "grid.vtr", "grid.vti", "blocks.vtm"]
+FILES = ["grid.vtu", "grid.vts", "grid.vtr", "grid.vti", "blocks.vtm", "parts.vtpc"]
+COMPOSITE = (".vtm", ".vtpc")
 
 
 def write_files(path):
-    """Surfaces of other types than vtkPolyData: hexagons, a seam with poles, rectangles, pixels and blocks of two types."""
+    """Surfaces of other types than vtkPolyData: hexagons, a seam with poles, rectangles, pixels, blocks of two types, and parts
+    of one, with nothing in the middle."""
     hexagonal, blocks, pixels = any_surfaces.grid_of(any_surfaces.hexagons(2)), vtkMultiBlockDataSet(), any_surfaces.image()
     numbers = numpy_to_vtk(np.arange(pixels.GetNumberOfPoints()), deep=True)  # without an array ParaView fails to draw an image
     numbers.SetName("Number")
     pixels.GetPointData().SetScalars(numbers)
     blocks.SetBlock(0, hexagonal)
     blocks.SetBlock(1, any_surfaces.sphere())
+    parts = vtkPartitionedDataSetCollection()
+    parts.SetPartition(0, 0, any_surfaces.sphere())
+    parts.SetPartition(1, 0, vtkPolyData())
+    parts.SetPartition(2, 0, any_surfaces.plate_with_stiffener())
     for name, writer, data in zip(FILES, (vtkXMLUnstructuredGridWriter(), vtkXMLStructuredGridWriter(), vtkXMLRectilinearGridWriter(),
-                                          vtkXMLImageDataWriter(), vtkXMLMultiBlockDataWriter()),
-                                  (hexagonal, any_surfaces.latitude_longitude(), any_surfaces.rectilinear(), pixels, blocks)):
+                                          vtkXMLImageDataWriter(), vtkXMLMultiBlockDataWriter(),
+                                          vtkXMLPartitionedDataSetCollectionWriter()),
+                                  (hexagonal, any_surfaces.latitude_longitude(), any_surfaces.rectilinear(), pixels, blocks, parts)):
         writer.SetFileName(str(path.with_name(f"{path.stem}-{name}")))
         writer.SetInputData(data)
         writer.SetDataModeToBinary()
@@ -167,7 +181,7 @@ def apply_to_any_surface(name):
         events += field + save(f"{name}-{shape}.vtk") + forget
     for file in FILES if name.startswith("Grids") else []:
         events += open_file(f"{name}-{file}") + field
-        events += save(f"{name}-field-{file}" if file.endswith(".vtm") else f"{name}-{file}.vtk") + forget
+        events += save(f"{name}-field-{file}" if file.endswith(COMPOSITE) else f"{name}-{file}.vtk") + forget
     events += open_file(f"{name}.vtp") + field + save(f"{name}.vtk")
     return f"<pqevents>\n{events}</pqevents>\n"
 
@@ -481,9 +495,20 @@ def check_sources(result):
     check_directions(read(result), "sphere")
 
 
+def check_failed_strict(result):
+    """Strict said why, and how to go on; the field is on the plate and its stiffener."""
+    log = result.with_suffix(".log").read_text()
+    assert "switch Strict off" in log and "3 triangles" in log, log
+    field = read(result)
+    check_directions(field, "plate")
+    assert field.GetNumberOfCells() == any_surfaces.plate_with_stiffener().GetNumberOfCells()
+    assert "more than two sheets" in field.GetFieldData().GetAbstractArray("SurfacePreparation").GetValue(0)
+
+
 def check_grids(result):
-    for name in FILES[:-1]:
-        check_directions(read_any(former(result, name)), name)
+    for name in FILES:
+        if not name.endswith(COMPOSITE):
+            check_directions(read_any(former(result, name)), name)
     reader = vtkXMLMultiBlockDataReader()
     reader.SetFileName(str(former(result, "field-blocks", ".vtm")))
     reader.Update()
@@ -491,6 +516,13 @@ def check_grids(result):
     assert blocks.GetNumberOfBlocks() == 2
     for k in range(2):
         check_directions(blocks.GetBlock(k), f"block {k}")
+    reader = vtkXMLPartitionedDataSetCollectionReader()
+    reader.SetFileName(str(former(result, "field-parts", ".vtpc")))
+    reader.Update()
+    parts = reader.GetOutput()
+    for k, cells in ((0, any_surfaces.sphere().GetNumberOfCells()), (2, any_surfaces.plate_with_stiffener().GetNumberOfCells())):
+        check_directions(parts.GetPartition(k, 0), f"part {k}")
+        assert parts.GetPartition(k, 0).GetNumberOfCells() == cells
     check_directions(read(result), "sphere")
 
 
@@ -503,6 +535,7 @@ TESTS = {"SourcesInTheWindow": (write_sphere, check_sources),
          "NothingSaidInTheWindow": (write_sphere, check_nothing_said),
          "FeaturesInTheWindow": (write_ellipsoid, check_features),
          "GuideMovedInTheWindow": (write_sphere, check_guide_moved),
+         "FailedStrictInTheWindow": (write_plate_with_stiffener, check_failed_strict),
          "FailedFirstInTheWindow": (write_zero_directions, check_failed_first),
          "FiltersInTheWindow": (write_sphere, check_filters),
          "StateInTheWindow": (write_sphere, check_state),
