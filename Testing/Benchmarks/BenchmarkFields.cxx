@@ -37,6 +37,7 @@
 #include "Benchmarks/Peers/DirectPeers.h"
 #include "Benchmarks/Peers/IncompleteCholeskyPeer.h"
 #include "Benchmarks/Peers/RealForm.h"
+#include "Benchmarks/Peers/SimplicialCholmodPeer.h"
 #include "Benchmarks/Prescriptions.h"
 #include "Benchmarks/Systems.h"
 #include "Benchmarks/Timing.h"
