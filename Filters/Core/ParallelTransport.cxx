@@ -27,7 +27,7 @@ namespace
 {
 
 constexpr double SmallestTimeStep = 0.01;
-constexpr double LargestTimeStep = 1e6;
+constexpr double LargestTimeStep = 1000.0;
 
 /// The square root of the time is at least this part of a component's diameter. Heat falls by e for each such length, so it
 /// stays within the range of doubles, e^-708, also where the diameter was found too small by half.
@@ -372,6 +372,7 @@ TransportedField ParallelTransport::Carry(const Constraints& sources, const Exec
   {
     throw InvalidInput("there is no direction to carry; give one at least, at a vertex or on a face");
   }
+  CheckSizes(sources);
   const Internals::Heat sourcesOfHeat = of.HeatOf(sources);
   of.MakeFactors(PartOfContext(context, 0.0, 0.8));
   Vector<Complex> directions;

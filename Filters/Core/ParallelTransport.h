@@ -16,9 +16,9 @@ namespace dmg
 /// The choices of a user.
 struct TransportOptions
 {
-  /// The time of the diffusion as a multiple of the mean squared edge length, from 0.01 to 1e6. Longer times are smoother, and
-  /// less exact near places that are as far from two sources, or that two shortest paths reach.
-  double TimeStep = 4.0;
+  /// The time of the diffusion as a multiple of the mean squared edge length, from 0.01 to 1000. With longer times heat
+  /// takes more ways beside the shortest one. With shorter ones the edges of the mesh bend its way.
+  double TimeStep = 2.0;
 };
 
 /// A vector field that was carried from its sources.
@@ -66,7 +66,7 @@ public:
   /// Each place has the direction and the length of the vector of the nearest source.
   /// \param sources directions at vertices and on faces; their tangential part is carried. Weights do not count. Several
   ///   at one vertex are averaged.
-  /// \throw InvalidInput there is none; a direction is not finite, zero, perpendicular to the surface, or on no element.
+  /// \throw InvalidInput there is none; a direction is not finite, zero, perpendicular to the surface, or on no element; CheckSizes.
   /// \throw SolverFailure memory ran out.
   /// \throw Cancelled
   TransportedField Carry(const Constraints& sources, const ExecutionContext& context = SerialContext());

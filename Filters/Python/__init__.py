@@ -2,6 +2,7 @@
 
 smooth_field()                        a field by one call, errors as exceptions
 hodge()                               stream function, potential and parts of a flow
+transport()                           vectors along shortest paths, and polar coordinates around a point
 update()                              runs any VTK filter, errors as exceptions
 write_rosy(), write_sharp(),
 write_raw_field()                     files for remeshers
@@ -19,9 +20,10 @@ if TYPE_CHECKING:
     from .export import write_raw_field, write_rosy, write_sharp
     from .fields import FieldError, FieldWarning, smooth_field, update
     from .flows import hodge
+    from .geodesics import transport
 
 __all__ = [
-    "FieldError", "FieldWarning", "hodge", "smooth_field", "update", "write_raw_field", "write_rosy", "write_sharp",
+    "FieldError", "FieldWarning", "hodge", "smooth_field", "transport", "update", "write_raw_field", "write_rosy", "write_sharp",
     "vtkFiltersDirectionalFields",
 ]
 
@@ -31,7 +33,8 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if name == "vtkFiltersDirectionalFields":
         return import_module("." + name, __name__)
-    module = "export" if name.startswith("write_") else "flows" if name == "hodge" else "fields"
+    modules = {"hodge": "flows", "transport": "geodesics"}
+    module = "export" if name.startswith("write_") else modules.get(name, "fields")
     return getattr(import_module("." + module, __name__), name)
 
 

@@ -9,6 +9,7 @@ import pyvista
 from .export import write_raw_field, write_rosy, write_sharp
 from .fields import DataObjects, smooth_field
 from .flows import hodge
+from .geodesics import transport
 
 
 @pyvista.register_dataset_accessor("directional", pyvista.PolyData)
@@ -29,6 +30,10 @@ class DirectionalAccessor:
     def hodge(self, vectors: Optional[str] = None, **arguments: Any) -> pyvista.PolyData:
         """A new mesh with the parts of a flow; see directionalmultigrid.hodge."""
         return hodge(self._mesh, vectors, **arguments)
+
+    def transport(self, vectors: Optional[str] = None, **arguments: Any) -> pyvista.PolyData:
+        """A new mesh with vectors carried along shortest paths; see directionalmultigrid.transport."""
+        return transport(self._mesh, vectors, **arguments)
 
     def write_rosy(self, path: Any) -> None:
         """Writes the field of this mesh; see directionalmultigrid.write_rosy."""

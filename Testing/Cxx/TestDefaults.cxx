@@ -1,10 +1,12 @@
 #include "Adapters/Input/OptionsOfSolver.h"
+#include "ParallelTransport.h"
 #include "Preparation/PreparedSurface.h"
 #include "StructurePreserving/Decimation/HierarchyOptions.h"
 
 #include "vtkDirectionalProlongation.h"
 #include "vtkHarmonicFieldSolver.h"
 #include "vtkNew.h"
+#include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
 
 #include <gtest/gtest.h>
@@ -50,4 +52,5 @@ TEST(Defaults, OfOtherFiltersAreThoseOfTheCore)
   EXPECT_EQ(prolongation->GetJoinPoints(), PreparationOptions().JoinPoints);
   EXPECT_EQ(prolongation->GetStrict(), PreparationOptions().Strict);
   EXPECT_EQ(vtkNew<vtkPrincipalDirections>()->GetScale(), FeatureOptions().CurvatureScale);
+  EXPECT_EQ(vtkNew<vtkParallelTransport>()->GetTimeStep(), TransportOptions().TimeStep);
 }

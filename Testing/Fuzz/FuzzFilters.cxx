@@ -18,6 +18,7 @@
 #include "vtkFieldSingularities.h"
 #include "vtkFloatArray.h"
 #include "vtkIntArray.h"
+#include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
 #include "vtkTable.h"
 
@@ -267,7 +268,7 @@ void SetFeatures(Choices& choose, vtkHarmonicFieldSolver* solver)
   }
   solver->SetFeatureAngle(180.0 * choose.Unit());
   solver->SetCurvatureDirection(choose.Below(2));
-  solver->SetCurvatureScale(choose.OneIn(8) ? 100.0 * choose.Unit() : 4.0 * choose.Unit());
+  solver->SetCurvatureScale(choose.OneIn(8) ? 100.0 * choose.Unit() : 2.0 * choose.Unit());
   solver->SetRotation(choose.OneIn(2) ? 0.0 : 360.0 * choose.Unit() - 180.0);
   solver->SetInputArrayToProcess(4, 0, 0, choose.Below(2), choose.OneIn(3) ? "Values" : "");
 }
@@ -426,6 +427,13 @@ void RunCase(unsigned long long seed)
   hodge->SetSolver(choose.Below(3));
   hodge->SetNumberOfContours(choose.Below(10));
   Draw(choose, { singularities, lines, glyphs, angles, principal, hodge }, FieldOf(solver, input));
+  vtkNew<vtkParallelTransport> transport;
+  transport->SetPoint(choose.Number(), choose.Number(), choose.Number());
+  transport->SetDirection(choose.Number(), choose.Number(), choose.Number());
+  transport->SetAddPoint(choose.OneIn(2));
+  transport->SetTextureSize(choose.OneIn(2) ? choose.Unit() : 0.0);
+  transport->SetTimeStep(choose.OneIn(4) ? 100.0 * choose.Unit() : 4.0);
+  Draw(choose, { transport }, FieldOf(solver, input));
 }
 
 /// \return whether it is as it must be.

@@ -12,6 +12,7 @@
 #include "vtkFieldGlyphs.h"
 #include "vtkFieldLines.h"
 #include "vtkFieldSingularities.h"
+#include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
 
 #include <SuiteSparse_config.h>
@@ -278,7 +279,7 @@ std::vector<vtkSmartPointer<vtkAlgorithm>> AllFilters(vtkPolyData* input)
   const std::initializer_list<vtkSmartPointer<vtkAlgorithm>> drawings = { vtkSmartPointer<vtkFieldLines>::New(),
     vtkSmartPointer<vtkFieldGlyphs>::New(), vtkSmartPointer<vtkFieldSingularities>::New(),
     vtkSmartPointer<vtkFieldAngles>::New(), vtkSmartPointer<vtkPrincipalDirections>::New(),
-    vtkSmartPointer<vtkHodgeDecomposition>::New() };
+    vtkSmartPointer<vtkHodgeDecomposition>::New(), vtkSmartPointer<vtkParallelTransport>::New() };
   for (const auto& drawing : drawings)
   {
     drawing->SetInputDataObject(input);

@@ -369,6 +369,21 @@ def check_flow(result):
     assert (blue[4:-4] & warm[:-8] & warm[8:]).sum() > 500  # thin lines on the half where the stream function is positive
 
 
+def check_transport(result):
+    """Distances from the point that is nearest to the middle are those of great circles; colours show them."""
+    carried = read(result)
+    places = vtk_to_numpy(carried.GetPoints().GetData()).astype(float)
+    start = places[int(carried.GetFieldData().GetArray("MapPoint").GetValue(0))]
+    exact = np.arccos(np.clip(places @ start, -1, 1))
+    near = exact < 2.6
+    distance = vtk_to_numpy(carried.GetPointData().GetArray("GeodesicDistance"))
+    assert np.abs(distance - exact)[near].max() < 0.02 * np.pi
+    lengths = np.linalg.norm(vtk_to_numpy(carried.GetPointData().GetArray("TransportedVectors")), axis=1)
+    assert lengths.min() > 0 and np.ptp(lengths) < 1e-5 * lengths.max()
+    image = pixels(result).astype(int)
+    assert (np.ptp(image, axis=1) > 60).sum() > 20000  # coloured by the distance
+
+
 def check_nothing_said(result):
     """The smoothest crosses, then the smoothest lines: four singularities, which the window shows as red spheres, and blue lines."""
     for path, N in ((former(result), 4), (result, 2)):
@@ -540,6 +555,7 @@ TESTS = {"SourcesInTheWindow": (write_sphere, check_sources),
          "FiltersInTheWindow": (write_sphere, check_filters),
          "StateInTheWindow": (write_sphere, check_state),
          "FlowInTheWindow": (write_flow, check_flow),
+         "TransportInTheWindow": (write_sphere, check_transport),
          "ConvergenceInTheWindow": (write_large_sphere, check_convergence)}
 
 

@@ -296,6 +296,9 @@ class Accessor(unittest.TestCase):
         flow = result.directional.hodge("Direction0", Boundary="Open")
         self.assertIs(type(flow), self.pyvista.PolyData)
         self.assertTrue(flow.GetPointData().HasArray("StreamFunction"))
+        carried = mesh.directional.transport(point=(1, 0, 0), direction=(0, 0, 1))
+        self.assertIs(type(carried), self.pyvista.PolyData)
+        self.assertTrue(carried.GetPointData().HasArray("LogarithmicMap"))
 
 
 if __name__ == "__main__":

@@ -33,6 +33,16 @@ inline constexpr const char* StreamFunction = "StreamFunction";
 inline constexpr const char* Divergence = "Divergence";
 inline constexpr const char* Vorticity = "Vorticity";
 
+// cells and points: what is carried along shortest paths
+inline constexpr const char* TransportedVectors = "TransportedVectors";
+inline constexpr const char* GeodesicDistance = "GeodesicDistance";
+inline constexpr const char* GeodesicAngle = "GeodesicAngle";
+inline constexpr const char* LogarithmicMap = "LogarithmicMap";
+inline constexpr const char* TextureCoordinates = "TextureCoordinates";
+
+// field data: the same
+inline constexpr const char* MapPoint = "MapPoint";
+
 // field data: a decomposed flow
 inline constexpr const char* FlowEnergies = "FlowEnergies";
 inline constexpr const char* FlowShares = "FlowShares";

@@ -218,6 +218,25 @@ def check_organ_flow(result):
     assert 0.02 < shares[3] < 0.2, shares  # most of the errors
 
 
+def check_carried(result):
+    """Distances are no shorter than straight lines, and change along edges by no more than their lengths; directions are
+    as long everywhere."""
+    data = fetch(result)
+    points = vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+    triangles = vtk_to_numpy(data.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+    distance = vtk_to_numpy(data.GetPointData().GetArray("GeodesicDistance"))
+    start = points[int(field_data(data, "MapPoint"))]
+    straight = np.linalg.norm(points - start, axis=1)
+    assert (distance > 0.97 * straight - 0.02).all() and distance.max() > straight.max()
+    for a, b in ((0, 1), (1, 2), (2, 0)):
+        lengths = np.linalg.norm(points[triangles[:, a]] - points[triangles[:, b]], axis=1)
+        slopes = np.abs(distance[triangles[:, a]] - distance[triangles[:, b]]) / lengths
+        assert (slopes < 1.1).mean() > 0.99 and slopes.max() < 1.3  # there, where shortest paths meet
+    vectors = cells(data, "TransportedVectors")
+    lengths = np.linalg.norm(vectors, axis=1)
+    assert np.ptp(lengths) < 1e-6 * lengths.max() and np.abs((vectors * normals(data)).sum(1)).max() < 1e-6
+
+
 def check_hatching(result):
     """The drawing is made of lines, as many as there are, and lighter where the light is: above."""
     hatching, outline, drawing = result

@@ -1,0 +1,149 @@
+#include "Adapters/Output/TransportToArrays.h"
+
+#include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/Surface/ElementArrays.h"
+#include "Support/Errors.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+
+#include <cmath>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+using namespace ArrayNames;
+
+Points VectorsInSpace(const TangentFrames& frames, const Vector<Complex>& field)
+{
+  Points vectors(field.size(), 3);
+  for (int element = 0; element < field.size(); ++element)
+  {
+    vectors.row(element) = frames.ToVector(element, field[element]).transpose();
+  }
+  return vectors;
+}
+
+}
+
+void RemoveTransportArrays(vtkDataSet* surface)
+{
+  for (const char* const name :
+    { TransportedVectors, GeodesicDistance, GeodesicAngle, ArrayNames::LogarithmicMap, TextureCoordinates })
+  {
+    surface->GetCellData()->RemoveArray(name);
+    surface->GetPointData()->RemoveArray(name);
+  }
+  surface->GetFieldData()->RemoveArray(MapPoint);
+}
+
+void TransportSurface::SetSurface(vtkDataSet* input, const PreparationOptions& preparation,
+  const TransportOptions& options, const ExecutionContext& context)
+{
+  const std::string digest = ContentDigest(input, preparation);
+  if (this->Digest != digest)
+  {
+    SurfaceMesh surface = MeshFromDataSet(input, preparation, context);
+    auto on = std::make_unique<FramedMesh>(std::move(surface.Mesh), context);
+    this->Forget();
+    this->Digest.clear(); // until all is there
+    this->Geometry = std::move(on);
+    this->Relation = std::move(static_cast<SurfaceRelation&>(surface));
+    this->PreparationOfSurface = surface.Report;
+    this->Digest = digest;
+  }
+  if (!this->Transport || this->Options.TimeStep != options.TimeStep)
+  {
+    this->Forget();
+    this->Transport.emplace(*this->Geometry, options, context);
+    this->Options = options;
+  }
+}
+
+void TransportSurface::Forget()
+{
+  this->OfFormer = this->Counts();
+  this->Transport.reset();
+}
+
+ParallelTransport::StageCounts TransportSurface::Counts() const
+{
+  ParallelTransport::StageCounts counts = this->OfFormer;
+  if (this->Transport)
+  {
+    counts.Setups += this->Transport->Counts().Setups;
+    counts.Solves += this->Transport->Counts().Solves;
+  }
+  return counts;
+}
+
+PlacedDirection TransportSurface::Place(const Vector3& place, const Vector3& direction) const
+{
+  if (!place.allFinite())
+  {
+    throw InvalidInput("Point is not finite; give three numbers");
+  }
+  const double length = direction.stableNorm();
+  if (!(length > 0.0) || !std::isfinite(length))
+  {
+    throw InvalidInput("Direction is zero or not finite; give a vector along the surface");
+  }
+  constexpr double SmallestTangentialPart = 1e-6;
+  PlacedDirection placed{ 0, direction, true };
+  (this->Geometry->Mesh.VertexPositions().rowwise() - place.transpose())
+    .rowwise()
+    .stableNorm()
+    .minCoeff(&placed.Vertex);
+  const TangentFrames& frames = this->Geometry->Vertices;
+  if (std::abs(frames.ToComplex(placed.Vertex, direction)) <= SmallestTangentialPart * length)
+  {
+    placed.Direction = length * frames.X.row(placed.Vertex).transpose();
+    placed.IsGiven = false;
+  }
+  return placed;
+}
+
+std::vector<std::string> TransportSurface::AddVectors(
+  const Constraints& sources, vtkDataSet* input, vtkDataSet* output, const ExecutionContext& context)
+{
+  const FramedMesh& on = *this->Geometry;
+  CheckSizes(sources, this->Relation.Names());
+  const TransportedField field = this->Transport->Carry(sources, context);
+  ArraysOfCells(on.Mesh, this->Relation, input, output->GetCellData(), context)
+    .Add(TransportedVectors, 3, VectorsInSpace(on.Faces, field.OnFaces).data());
+  ArraysOfPoints(this->Relation, input, output->GetPointData(), context)
+    .Add(TransportedVectors, 3, VectorsInSpace(on.Vertices, field.AtVertices).data());
+  output->GetPointData()->SetActiveVectors(TransportedVectors);
+  return field.Warnings;
+}
+
+std::vector<std::string> TransportSurface::AddMap(const PlacedDirection& from, double textureSize, vtkDataSet* input,
+  vtkDataSet* output, const ExecutionContext& context)
+{
+  const FramedMesh& on = *this->Geometry;
+  const dmg::LogarithmicMap map =
+    this->Transport->Map(from.Vertex, on.Vertices.ToComplex(from.Vertex, from.Direction), context);
+  const ArraysOfPoints arrays(this->Relation, input, output->GetPointData(), context);
+  const auto* const coordinates = reinterpret_cast<const double*>(map.Coordinates.data());
+  const double size = textureSize > 0.0 ? textureSize : 2.0 * map.Distances.maxCoeff();
+  const Vector<double> inTexture =
+    0.5 + Eigen::Map<const Vector<double>>(coordinates, 2 * map.Coordinates.size()).array() / size;
+  const Vector<double> degrees = map.Angles * (180.0 / Pi);
+  arrays.Add(GeodesicDistance, 1, map.Distances.data());
+  arrays.Add(GeodesicAngle, 1, degrees.data());
+  arrays.Add(ArrayNames::LogarithmicMap, 2, coordinates);
+  arrays.Add(TextureCoordinates, 2, inTexture.data());
+  output->GetPointData()->SetActiveScalars(GeodesicDistance);
+  output->GetPointData()->SetActiveTCoords(TextureCoordinates);
+  const auto point = NewArray(MapPoint, 1, 1);
+  point->SetValue(0, static_cast<double>(this->Relation.PointOf(from.Vertex)));
+  output->GetFieldData()->AddArray(point);
+  return map.Warnings;
+}
+
+}

@@ -1,0 +1,80 @@
+#ifndef dmgTransportToArrays_h
+#define dmgTransportToArrays_h
+
+#include "Adapters/Surface/MeshFromDataSet.h"
+#include "Constraints/Constraints.h"
+#include "ParallelTransport.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkDataSet;
+
+namespace dmg
+{
+
+/// A vertex with a direction in its tangent plane.
+struct PlacedDirection
+{
+  int Vertex;
+  Vector3 Direction;
+  bool IsGiven; ///< rather than any direction in the place of one that is perpendicular to the surface
+};
+
+/// A ParallelTransport for the surface of a dataset, and the arrays that show its results; kept for the next call on the same surface.
+/// Keys are contents, not modification times.
+class TransportSurface
+{
+public:
+  /// Takes another surface or time step, if it is another.
+  /// \throw InvalidInput as MeshFromDataSet; the time step is out of range.
+  void SetSurface(vtkDataSet* input, const PreparationOptions& preparation, const TransportOptions& options,
+    const ExecutionContext& context);
+
+  const PreparationReport& Preparation() const { return this->PreparationOfSurface; }
+  FramedSurface Surface() const { return { *this->Geometry, this->Relation }; }
+
+  /// A direction at the vertex that is nearest to a place; the first of several.
+  /// \throw InvalidInput the place is not finite; the direction is zero or not finite.
+  PlacedDirection Place(const Vector3& place, const Vector3& direction) const;
+
+  /// Adds TransportedVectors to \p output, a copy of the \p input.
+  /// \throw InvalidInput a vector is too long or too short to compute with.
+  /// \return warnings for the user.
+  std::vector<std::string> AddVectors(
+    const Constraints& sources, vtkDataSet* input, vtkDataSet* output, const ExecutionContext& context);
+
+  /// Adds the arrays of the logarithmic map.
+  /// \param textureSize the side of the square that a texture covers; 0: twice the largest distance.
+  /// \return warnings for the user.
+  std::vector<std::string> AddMap(const PlacedDirection& from, double textureSize, vtkDataSet* input,
+    vtkDataSet* output, const ExecutionContext& context);
+
+  /// Held by factors.
+  long long Bytes() const { return this->Transport->Bytes(); }
+  /// Over all surfaces.
+  ParallelTransport::StageCounts Counts() const;
+
+private:
+  /// Takes the factors away.
+  void Forget();
+
+  std::string Digest;
+  TransportOptions Options;
+  SurfaceRelation Relation;
+  PreparationReport PreparationOfSurface;
+  std::unique_ptr<FramedMesh> Geometry;
+  std::optional<ParallelTransport> Transport; ///< it refers to Geometry
+  ParallelTransport::StageCounts OfFormer;    ///< of those before it
+};
+
+/// Takes away what a former execution has left, and this one may not make.
+void RemoveTransportArrays(vtkDataSet* surface);
+
+}
+
+#endif

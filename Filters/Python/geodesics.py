@@ -1,0 +1,63 @@
+"""Parallel transport and logarithmic maps by one call."""
+
+from __future__ import annotations
+
+import difflib
+from typing import Optional, Sequence, TypeVar
+
+from vtkmodules.vtkCommonDataModel import vtkDataSet
+
+from .fields import FieldError, Property, _check_mesh, _choose_array, _set_property, _update
+from .vtkFiltersDirectionalFields import vtkParallelTransport
+
+Mesh = TypeVar("Mesh", bound=vtkDataSet)
+
+
+def transport(mesh: Mesh, vectors: Optional[str] = None, *, point: Optional[Sequence[float]] = None,
+              direction: Optional[Sequence[float]] = None, **properties: Property) -> Mesh:
+    """Vectors carried over a surface along shortest paths, and the logarithmic map of a point.
+
+    mesh        a surface: any vtkDataSet with cells of two dimensions, or an object of a class derived from one, as
+                pyvista.PolyData. It is not changed.
+    vectors     the name of an array of vectors at points, else on cells, zero or NaN where nothing is given; by default, the direction
+                at the point is carried
+    point       a place; the point of the mesh that is nearest to it is that of the map, by default the one nearest to the middle of
+                the mesh's bounds. Beside vectors, its direction counts only with AddPoint=True.
+    direction   the vector there, of which the part along the surface counts, and the zero of the angles; by default (1, 0, 0)
+    properties  properties of vtkParallelTransport by name, as TextureSize=0.5, LogarithmicMap=False
+
+    Returns a mesh of the same class, which has the arrays of the input and TransportedVectors on cells and at points;
+    GeodesicDistance, GeodesicAngle, LogarithmicMap and TextureCoordinates at points; in its field data MapPoint.
+
+    Raises TypeError for arguments that do not exist or are of another type, FieldError for values out of range and for what the
+    filter refuses; warns with FieldWarning.
+    """
+    _check_mesh(mesh)
+    carry = vtkParallelTransport()
+    carry.SetInputData(mesh)
+    for name, value in properties.items():
+        _set_known(carry, name, value)
+    low, high = mesh.GetBounds()[::2], mesh.GetBounds()[1::2]
+    carry.SetPoint(*_three("point", [(a + b) / 2 for a, b in zip(low, high)] if point is None else point))
+    if direction is not None:
+        carry.SetDirection(*_three("direction", direction))
+    _choose_array(carry, mesh, 0, vectors)
+    result = type(mesh)()
+    result.ShallowCopy(_update(carry, 3))
+    return result
+
+
+def _three(name: str, values: Sequence[float]) -> Sequence[float]:
+    numbers = [float(each) for each in values]
+    if len(numbers) != 3:
+        raise FieldError(f"{name} has {len(numbers)} numbers; give three")
+    return numbers
+
+
+def _set_known(carry: vtkParallelTransport, name: str, value: Property) -> None:
+    known = sorted(each[3:] for each in vars(type(carry))
+                   if each.startswith("Set") and hasattr(carry, "Get" + each[3:]) and each not in ("SetPoint", "SetDirection"))
+    if name not in known:
+        near = difflib.get_close_matches(name, known + ["vectors", "point", "direction"], 1, 0.5)
+        raise TypeError(f"there is no property {name}; " + (f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)))
+    _set_property(carry, name, value)

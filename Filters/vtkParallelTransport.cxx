@@ -1,0 +1,164 @@
+#include "vtkParallelTransport.h"
+
+#include "Adapters/Input/ConstraintsFromArrays.h"
+#include "Adapters/Output/TransportToArrays.h"
+#include "Adapters/Pipeline/FilterRequests.h"
+#include "Adapters/Pipeline/PanelWords.h"
+#include "Adapters/Pipeline/PropertyRanges.h"
+#include "Adapters/Surface/PolygonsFromDataSet.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
+#include "Support/Errors.h"
+
+#include "vtkDataSet.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+
+#include <string>
+
+vtkStandardNewMacro(vtkParallelTransport);
+
+class vtkParallelTransport::vtkInternals
+{
+public:
+  dmg::TransportSurface Surface;
+};
+
+namespace
+{
+
+/// The vectors of an array that count as sources; none where no array is chosen.
+/// \param warnings for the user.
+/// \throw dmg::InvalidInput there is no such array, or none of its vectors counts.
+dmg::Constraints SourcesFromArray(
+  const dmg::ArrayChoice& choice, vtkDataSet* input, const dmg::FramedSurface& surface, std::string& warning)
+{
+  dmg::ConstraintChoices choices;
+  choices.Vectors = choice;
+  if (!dmg::FindArray(choice, input, 3, "vectors", "the surface").Array)
+  {
+    return {};
+  }
+  dmg::UnusableDirections unusable;
+  dmg::Constraints sources = dmg::ConstraintsFromArrays(choices, input, surface, unusable);
+  if (sources.AreEmpty())
+  {
+    throw dmg::InvalidInput("no vector of the array '" + choice.Name +
+      "' is finite, not zero and along the surface; give one, or choose no array to carry Direction from Point");
+  }
+  unusable.NotFinite = 0; // as where nothing is given
+  warning = unusable.AreNone() ? "" : dmg::TextOf(unusable);
+  return sources;
+}
+
+}
+
+//------------------------------------------------------------------------------
+vtkParallelTransport::vtkParallelTransport()
+  : Internals(new vtkInternals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkParallelTransport::~vtkParallelTransport() = default;
+
+//------------------------------------------------------------------------------
+int vtkParallelTransport::GetNumberOfSetups() const
+{
+  return this->Internals->Surface.Counts().Setups;
+}
+
+//------------------------------------------------------------------------------
+int vtkParallelTransport::GetNumberOfSolves() const
+{
+  return this->Internals->Surface.Counts().Solves;
+}
+
+//------------------------------------------------------------------------------
+int vtkParallelTransport::FillInputPortInformation(int, vtkInformation* information)
+{
+  return dmg::TakeAnyDataSet(information);
+}
+
+//------------------------------------------------------------------------------
+int vtkParallelTransport::RequestDataObject(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::MakeOutputLikeInput(inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkParallelTransport::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  return dmg::AskForInputs(this, request, inputVector, outputVector);
+}
+
+//------------------------------------------------------------------------------
+int vtkParallelTransport::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
+  const auto make = [&](const dmg::ExecutionContext& context)
+  {
+    dmg::CheckRanges({ { "Texture Size", this->TextureSize, 0, 1e40 }, { "Time Step", this->TimeStep, 0.01, 1000 } });
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
+    dmg::TransportSurface& surface = this->Internals->Surface;
+    surface.SetSurface(input, preparation, { this->TimeStep }, dmg::PartOfContext(context, 0.0, 0.2));
+    dmg::WarnOfPreparation(this, surface.Preparation());
+    output->ShallowCopy(input);
+    dmg::RemoveTransportArrays(output);
+    dmg::AddPreparation(surface.Preparation(), preparation, output->GetFieldData());
+    const auto warn = [this](const std::string& warning) { vtkWarningMacro(<< dmg::InPanelWords(warning)); };
+
+    std::string warning;
+    dmg::Constraints sources = SourcesFromArray(dmg::ChoiceOf(this, 0), input, surface.Surface(), warning);
+    if (!warning.empty())
+    {
+      warn(warning);
+    }
+    const bool isPointSource = this->AddPoint || sources.AreEmpty();
+    if (isPointSource || this->LogarithmicMap)
+    {
+      const dmg::PlacedDirection point = surface.Place(dmg::Vector3(this->Point), dmg::Vector3(this->Direction));
+      if (!point.IsGiven)
+      {
+        warn(
+          "Direction is perpendicular to the surface at the point next to Point; another direction takes its place.");
+      }
+      if (isPointSource)
+      {
+        sources.AtVertices.push_back({ point.Vertex, point.Direction, 1.0 });
+      }
+      if (this->LogarithmicMap)
+      {
+        for (const std::string& text :
+          surface.AddMap(point, this->TextureSize, input, output, dmg::PartOfContext(context, 0.2, 0.8)))
+        {
+          warn(text);
+        }
+      }
+    }
+    for (const std::string& text : surface.AddVectors(sources, input, output, dmg::PartOfContext(context, 0.8, 1.0)))
+    {
+      warn(text);
+    }
+  };
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
+}
+
+//------------------------------------------------------------------------------
+void vtkParallelTransport::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Point: " << this->Point[0] << " " << this->Point[1] << " " << this->Point[2] << "\n";
+  os << indent << "Direction: " << this->Direction[0] << " " << this->Direction[1] << " " << this->Direction[2] << "\n";
+  os << indent << "AddPoint: " << (this->AddPoint ? "On" : "Off") << "\n";
+  os << indent << "LogarithmicMap: " << (this->LogarithmicMap ? "On" : "Off") << "\n";
+  os << indent << "TextureSize: " << this->TextureSize << "\n";
+  os << indent << "TimeStep: " << this->TimeStep << "\n";
+  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
+  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
+}

@@ -1,0 +1,166 @@
+/**
+ * @class   vtkParallelTransport
+ * @brief   directions carried over a surface along shortest paths, and polar coordinates around a point
+ *
+ * Vectors that are given at a few places are carried to everywhere: each place takes the vector of the nearest source, which keeps its
+ * angle to the shortest path (the vector heat method, Sharp, Soliman and Crane 2019). The logarithmic map of a point gives each place
+ * the direction in which the shortest path to it starts, and its length: coordinates for decals and polar plots, with little distortion
+ * near the point (the affine heat method, Soliman and Sharp 2025). Filters/Core/ParallelTransport.md has the formulas.
+ *
+ * @section vtkParallelTransport-Inputs Inputs
+ *
+ * Port 0: a surface as described in vtkDirectionalProlongation. The sources are one of these, or both (AddPoint):
+ *
+ * - an array of vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default none. A vector counts
+ *   where it is finite and not zero; its tangential part is carried, with its length.
+ * - Direction at the point of the surface that is nearest to Point, where no array is chosen or where AddPoint is on.
+ *
+ * @section vtkParallelTransport-Output Output
+ *
+ * Port 0: of the type of the input, with all its arrays, and, as double:
+ *
+ * | array              | of            | components | meaning                                                                       |
+ * | ------------------ | ------------- | ---------- | ----------------------------------------------------------------------------- |
+ * | TransportedVectors | cells, points | 3          | tangential, of the length of the source; active vectors of points             |
+ * | GeodesicDistance   | points        | 1          | from the map's point along the surface; active scalars                        |
+ * | GeodesicAngle      | points        | 1          | of the shortest path at the map's point, from Direction counter-clockwise seen from outside, in degrees from -180 to 180 |
+ * | LogarithmicMap     | points        | 2          | distance times (cosine, sine) of the angle: normal coordinates                |
+ * | TextureCoordinates | points        | 2          | 0.5 + LogarithmicMap / TextureSize: an image with the point in its middle; active texture coordinates |
+ * | MapPoint           | field data    | 1          | the point of the input that is the map's                                      |
+ *
+ * Components of the surface without a source, or without the map's point, have zeros; a warning counts their points. So have points of no
+ * cell of two dimensions. Coordinates jump where shortest paths from different sides meet, as on the far side of the surface. A triangle
+ * across such a place shows the whole texture; take it away with Threshold of GeodesicDistance.
+ *
+ * @section vtkParallelTransport-Execution Execution
+ *
+ * Two sparse factors are made, once for a surface and a time step, and kept: a moved point or other vectors then cost some solves.
+ * Results have the same bits for any number of threads. Blocks of composite inputs are surfaces of their own, each with its nearest point. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ *
+ * @sa vtkHarmonicFieldSolver
+ */
+
+#ifndef vtkParallelTransport_h
+#define vtkParallelTransport_h
+
+#include "vtkDataSetAlgorithm.h"
+#include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+
+#include <memory> // For std::unique_ptr
+
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkParallelTransport : public vtkDataSetAlgorithm
+{
+public:
+  static vtkParallelTransport* New();
+  vtkTypeMacro(vtkParallelTransport, vtkDataSetAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * A place whose nearest point of the surface is the point of the logarithmic map, and the source of Direction. Default (0, 0, 0).
+   */
+  vtkSetVector3Macro(Point, double);
+  vtkGetVector3Macro(Point, double);
+  ///@}
+
+  ///@{
+  /**
+   * The vector that is carried from there, and the zero of GeodesicAngle; its tangential part counts. Any direction takes its place, with a
+   * warning, where it is perpendicular to the surface. Default (1, 0, 0). (0, 0, 0) is an error.
+   */
+  vtkSetVector3Macro(Direction, double);
+  vtkGetVector3Macro(Direction, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether Direction is a source beside the vectors of an array. Without such an array it always is. Default off.
+   */
+  vtkSetMacro(AddPoint, bool);
+  vtkGetMacro(AddPoint, bool);
+  vtkBooleanMacro(AddPoint, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the logarithmic map is computed: distance, angle and coordinates. Default on.
+   */
+  vtkSetMacro(LogarithmicMap, bool);
+  vtkGetMacro(LogarithmicMap, bool);
+  vtkBooleanMacro(LogarithmicMap, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The side of the square, in the unit of the points, that an image covers by TextureCoordinates. 0: twice the largest distance, so that all
+   * of the surface is in the image. Default 0, at least 0.
+   */
+  vtkSetMacro(TextureSize, double);
+  vtkGetMacro(TextureSize, double);
+  ///@}
+
+  ///@{
+  /**
+   * The time of the diffusion as a multiple of the mean squared edge length. With more, heat takes ways beside the shortest one, and vectors
+   * blend over a wider band between two sources. With less, the edges of the mesh bend its way. Default 2, range 0.01 to 1000.
+   */
+  vtkSetMacro(TimeStep, double);
+  vtkGetMacro(TimeStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether points that coincide are one, as of vtkHarmonicFieldSolver. Default on.
+   */
+  vtkSetMacro(JoinPoints, bool);
+  vtkGetMacro(JoinPoints, bool);
+  vtkBooleanMacro(JoinPoints, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a surface that is no oriented manifold is refused, as of vtkHarmonicFieldSolver. Default off.
+   */
+  vtkSetMacro(Strict, bool);
+  vtkGetMacro(Strict, bool);
+  vtkBooleanMacro(Strict, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How often, since this filter was made, matrices were factored, and vectors or a map were solved for.
+   */
+  int GetNumberOfSetups() const;
+  int GetNumberOfSolves() const;
+  ///@}
+
+  vtkParallelTransport(const vtkParallelTransport&) = delete;
+  void operator=(const vtkParallelTransport&) = delete;
+
+protected:
+  vtkParallelTransport();
+  ~vtkParallelTransport() override;
+
+  int FillInputPortInformation(int port, vtkInformation* information) override;
+  int RequestDataObject(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestUpdateExtent(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
+
+private:
+  double Point[3] = { 0.0, 0.0, 0.0 };
+  double Direction[3] = { 1.0, 0.0, 0.0 };
+  bool AddPoint = false;
+  bool LogarithmicMap = true;
+  double TextureSize = 0.0;
+  double TimeStep = 2.0;
+  bool JoinPoints = true;
+  bool Strict = false;
+
+  class vtkInternals;
+  std::unique_ptr<vtkInternals> Internals;
+};
+
+#endif

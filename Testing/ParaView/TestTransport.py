@@ -1,0 +1,52 @@
+"""Parallel Transport through ParaView's Python: every property, by its label, and Apply with nothing said."""
+
+import numpy as np
+import paraview.simple as simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+
+def points_of(proxy):
+    data = simple.servermanager.Fetch(proxy)
+    return data.GetPointData(), vtk_to_numpy(data.GetPoints().GetData()).astype(float)
+
+
+def array(attributes, name):
+    return vtk_to_numpy(attributes.GetArray(name))
+
+
+def main():
+    plane = simple.Plane(XResolution=14, YResolution=14)
+    carried = simple.ParallelTransport(Input=plane)
+    arrays, places = points_of(carried)
+    # The middle of the plane, and the x-axis.
+    assert np.abs(array(arrays, "LogarithmicMap") - places[:, :2]).max() < 1e-6
+    assert np.abs(array(arrays, "TransportedVectors") - [1, 0, 0]).max() < 1e-9
+    assert arrays.GetTCoords().GetName() == "TextureCoordinates"
+    assert array(arrays, "TextureCoordinates").min() >= 0 and array(arrays, "TextureCoordinates").max() <= 1
+
+    carried.Point = [-0.5, -0.5, 3]
+    carried.Direction = [0, 2, 0]
+    carried.TextureSize = 2
+    arrays, places = points_of(carried)
+    offsets = places[:, :2] + 0.5
+    assert np.abs(array(arrays, "GeodesicDistance") - np.linalg.norm(offsets, axis=1)).max() < 1e-6
+    texture = 0.5 + np.stack([offsets[:, 1], -offsets[:, 0]], 1) / 2
+    assert np.abs(array(arrays, "TextureCoordinates") - texture).max() < 1e-6
+
+    given = simple.Calculator(Input=plane, ResultArrayName="Given", Function="if(coordsX > 0.49, 1, 0) * jHat")
+    carried = simple.ParallelTransport(Input=given, Vectors=["POINTS", "Given"], Point=[-0.5, 0, 0], LogarithmicMap=0)
+    arrays, places = points_of(carried)
+    assert np.abs(array(arrays, "TransportedVectors") - [0, 1, 0]).max() < 1e-9
+    assert not arrays.HasArray("LogarithmicMap")
+    carried.AddPoint = 1
+    carried.TimeStep = 1
+    arrays, places = points_of(carried)
+    assert np.abs(array(arrays, "TransportedVectors")[places[:, 0] < -0.4] - [1, 0, 0]).max() < 0.05
+
+    carried.JoinPoints = 0
+    carried.Strict = 1
+    assert points_of(carried)[0].HasArray("TransportedVectors")
+    print("vectors are carried")
+
+
+main()
