@@ -381,6 +381,45 @@ vtkSmartPointer<vtkPolyData> FieldOf(vtkHarmonicFieldSolver* solver, vtkPolyData
   return field;
 }
 
+/// A line for most sides of the cells, some between points that share no cell, and a number for each.
+vtkSmartPointer<vtkPolyData> EdgesOf(Choices& choose, vtkPolyData* surface)
+{
+  auto edges = vtkSmartPointer<vtkPolyData>::New();
+  edges->SetPoints(surface->GetPoints());
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIdList> corners;
+  const int odd = choose.OneIn(3) ? 2 + choose.Below(20) : 1000000;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType next = corners->GetId((k + 1) % corners->GetNumberOfIds());
+      const vtkIdType other = choose.Below(static_cast<int>(surface->GetNumberOfPoints()));
+      lines->InsertNextCell({ corners->GetId(k), choose.OneIn(odd) ? other : next });
+    }
+  }
+  edges->SetLines(lines);
+  vtkNew<vtkDoubleArray> form;
+  form->SetName("OneForm");
+  form->SetNumberOfTuples(lines->GetNumberOfCells());
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    form->SetValue(line, odd < 1000000 ? choose.Number() : choose.Unit());
+  }
+  edges->GetCellData()->AddArray(form);
+  return edges;
+}
+
+/// A flow given on edges instead of by vectors.
+void RunWithEdges(Choices& choose, vtkHodgeDecomposition* hodge, vtkPolyData* surface)
+{
+  hodge->SetInputDataObject(1, EdgesOf(choose, surface));
+  hodge->SetEdgeArray(choose.OneIn(12) ? "Given" : "OneForm");
+  hodge->SetEdgeValues(choose.Below(2));
+  Run(hodge, surface);
+}
+
 void RunCase(unsigned long long seed)
 {
   Choices choose(seed);
@@ -426,14 +465,16 @@ void RunCase(unsigned long long seed)
   hodge->SetBoundary(choose.Below(2));
   hodge->SetSolver(choose.Below(3));
   hodge->SetNumberOfContours(choose.Below(10));
-  Draw(choose, { singularities, lines, glyphs, angles, principal, hodge }, FieldOf(solver, input));
+  const vtkSmartPointer<vtkPolyData> field = FieldOf(solver, input);
+  Draw(choose, { singularities, lines, glyphs, angles, principal, hodge }, field);
   vtkNew<vtkParallelTransport> transport;
   transport->SetPoint(choose.Number(), choose.Number(), choose.Number());
   transport->SetDirection(choose.Number(), choose.Number(), choose.Number());
   transport->SetAddPoint(choose.OneIn(2));
   transport->SetTextureSize(choose.OneIn(2) ? choose.Unit() : 0.0);
   transport->SetTimeStep(choose.OneIn(4) ? 100.0 * choose.Unit() : 4.0);
-  Draw(choose, { transport }, FieldOf(solver, input));
+  Draw(choose, { transport }, field);
+  RunWithEdges(choose, hodge, field);
 }
 
 /// \return whether it is as it must be.
