@@ -4,7 +4,9 @@
 #include "Adapters/Output/DrawingToPolyData.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Operators/FieldTopology.h"
+#include "Operators/UnresolvedSingularities.h"
 #include "Operators/VertexFieldTopology.h"
+#include "Support/ShortText.h"
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
@@ -12,6 +14,27 @@
 #include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkFieldSingularities);
+
+namespace
+{
+
+void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& given, const dmg::FieldTopology& topology)
+{
+  const dmg::TriangleMesh& mesh = given.Surface.Mesh;
+  const std::vector<int> vertices =
+    dmg::UnresolvedSingularities(mesh, topology.Indices, given.Field.N(), !given.Connection);
+  if (!vertices.empty())
+  {
+    vtkWarningWithObjectMacro(
+      algorithm, << "A singularity at " << given.Surface.Names().Vertex(vertices.front())
+                 << (vertices.size() > 1 ? " and others look" : " looks")
+                 << " like several of smaller indices and both signs, since the field turns by more than "
+                 << dmg::ShortText(180.0 / given.Field.N())
+                 << " degrees across the edges there; refine the surface there, or choose fewer directions.");
+  }
+}
+
+}
 
 //------------------------------------------------------------------------------
 vtkFieldSingularities::vtkFieldSingularities()
@@ -43,6 +66,7 @@ int vtkFieldSingularities::RequestData(
       const dmg::FieldTopology topology = given.Connection
         ? dmg::TopologyOfVertexField(given.Surface.Mesh, *given.Connection, given.AtVertices, given.Field.N(), context)
         : dmg::TopologyOfField(given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
+      WarnOfUnresolved(this, given, topology);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
       dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0),
         this->SphereRadius * vtkDataSet::GetData(inputVector[0])->GetLength(), vtkPolyData::GetData(outputVector, 3));

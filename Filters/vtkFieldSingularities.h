@@ -58,7 +58,8 @@
  *
  * @section vtkFieldSingularities-Execution Execution
  *
- * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines. There is a warning where a singularity of larger
+ * index looks like several of opposite signs, as the triangles around it are too few.
  *
  * @sa vtkFieldLines vtkFieldGlyphs vtkHarmonicFieldSolver
  */

@@ -444,4 +444,40 @@ TEST(FieldSingularities, LoopsOfTheBoundaryAreClosedLines)
   EXPECT_EQ(sum, 0.0);
 }
 
+// Parallels around a vertex of five triangles turn by about 60 degrees across each of its edges.
+TEST(FieldSingularities, OfAPoleWithTooFewTrianglesWarn)
+{
+  const auto field = PolyDataOf(dmg::test::Icosphere(2));
+  const Vector3 pole(field->GetPoint(0));
+  Vectors parallels;
+  for (vtkIdType cell = 0; cell < field->GetNumberOfCells(); ++cell)
+  {
+    const double* const bounds = field->GetCell(cell)->GetBounds();
+    const Vector3 centre(bounds[0] + bounds[1], bounds[2] + bounds[3], bounds[4] + bounds[5]);
+    parallels.emplace_back(cell, pole.cross(centre));
+  }
+  AddCellVectors(field, "Parallels", parallels);
+  vtkNew<vtkFieldSingularities> singularities;
+  singularities->SetInputData(field);
+  singularities->SetInputArrayToProcess(0, 0, 0, Cells, "Parallels");
+  singularities->SetNumberOfDirections(4);
+  Messages messages(singularities);
+  singularities->Update();
+  ASSERT_EQ(messages.GetWarnings().size(), 1u);
+  for (const char* const word : { " and others look like several", "45 degrees", "refine", "fewer directions" })
+  {
+    EXPECT_NE(messages.GetWarnings().front().find(word), std::string::npos) << messages.GetWarnings().front();
+  }
+  const auto names = [&](vtkIdType point)
+  { return messages.GetWarnings().front().find("at point " + std::to_string(point) + " ") != std::string::npos; };
+  EXPECT_TRUE(names(0) || names(field->FindPoint(-pole[0], -pole[1], -pole[2]))) << "one of both poles";
+  EXPECT_EQ(singularities->GetOutput(0)->GetPointData()->GetArray("Index")->GetComponent(0, 0), -0.25);
+
+  messages.Forget();
+  singularities->SetNumberOfDirections(2);
+  singularities->Update();
+  EXPECT_TRUE(messages.Silent()) << messages.Error();
+  EXPECT_EQ(singularities->GetOutput(0)->GetNumberOfPoints(), 2);
+}
+
 }

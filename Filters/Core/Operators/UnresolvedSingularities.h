@@ -1,0 +1,26 @@
+#ifndef dmgUnresolvedSingularities_h
+#define dmgUnresolvedSingularities_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Support/Types.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// Vertices at which the surface is too coarse for a singularity. Around a singularity of index k / N at a vertex of n triangles, the
+/// field rotates by 2 pi k / (N n) across each edge. Where that is more than pi / N, thus n < 2 k, the nearest direction across the
+/// edge is another one: the vertex then reads as a singularity of the opposite sign, and the ring around it has the rest.
+///
+/// A vertex is listed where its index, or those of its triangles, has another sign than the sum with the ring's, k / N, and n < 2 k. Pairs
+/// of opposite singularities, as noise and coarse surfaces have them, are not.
+/// \param indices of FieldTopology: per vertex, or per face, then the ring are the triangles across the edges of the vertex's triangles.
+/// \param areAtVertices says which.
+/// \return the vertices, ascending. Cost: linear.
+std::vector<int> UnresolvedSingularities(
+  const TriangleMesh& mesh, const Vector<double>& indices, int N, bool areAtVertices);
+
+}
+
+#endif
