@@ -164,7 +164,8 @@ def draw_strokes(window):
 
 
 def draw_flow(window):
-    """Two arrows on the surface, and the flow that follows both: lines with heads."""
+    """Two arrows on the surface, and the flow that follows both: lines with heads. Drawing takes six actions, and the filter two. The
+    other three select the surface again and choose each guide, since nothing is followed that was not chosen."""
     window.play("surface", window.apply(), window.choose_source("PolyLineSource"))
     before = window.actions - 1
     window.press(1, (680, 420))
