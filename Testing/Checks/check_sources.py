@@ -57,6 +57,8 @@ ARROWS = {
     "StructurePreserving": THESIS | {"Analysis", "Levels", "Mesh", "Support"},
     "Drawing": {"Operators", "Mesh", "Support"},
     "Constraints": {"Operators", "Mesh", "Support"},
+    # The only room that knows MPI and PETSc; nothing of the core includes it.
+    "Pieces": {"Discretisations", "Constraints", "Solvers/Krylov", "Solvers", "Levels", "Operators", "Mesh", "Support"},
     "Discretisations": SOLVERS | {"Constraints", "Solvers", "Levels", "Analysis", "Operators", "Mesh", "Support"},
 }
 
@@ -104,6 +106,8 @@ def check_core(root):
         for number, name in includes(path):
             if re.match(r"vtk|Adapters/|\.\./", name):
                 yield path, number, f"the core includes {name}"
+            elif room != "Pieces" and re.match(r"mpi\.h|petsc|Pieces/", name):
+                yield path, number, f"{name} is known in the room Pieces alone"
             elif room != "." and (core / name).exists():  # FieldSolver and its set-up see every room
                 target = pathlib.PurePosixPath(name).parent.as_posix()
                 if target != room and target not in ARROWS[room]:

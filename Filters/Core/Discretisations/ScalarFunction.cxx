@@ -1,5 +1,6 @@
 #include "Discretisations/ScalarFunction.h"
 
+#include "Operators/CotangentLaplacian.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Solvers/Multigrid/AssembledHierarchy.h"
@@ -24,32 +25,6 @@ constexpr int LargestForCholesky = 100000;
 constexpr int SolvesForCholesky = 30;
 // Two cycles halve the iterations, and take as long; they mind uneven triangles less.
 constexpr int CyclesInARow = 2;
-
-/// d0^T star1 d0.
-SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh, const ExecutionContext& context)
-{
-  const Vector<double> star1 = Star1(mesh);
-  return AssembleMatrix<double>(mesh.NumberOfVertices(), mesh.NumberOfVertices(), context,
-    [&](int vertex, RowEntries<double>& row)
-    {
-      row.emplace_back(vertex, 0.0);
-      const auto addEdge = [&](int halfedge, int other)
-      {
-        const double weight = star1[mesh.EdgeOf(halfedge)];
-        row.front().second += weight;
-        AddTo(row, other, -weight);
-      };
-      mesh.VisitFan(vertex,
-        [&](int h)
-        {
-          addEdge(h, mesh.Head(h));
-          if (const int last = TriangleMesh::Previous(h); mesh.Twin(last) < 0)
-          {
-            addEdge(last, mesh.Tail(last));
-          }
-        });
-    });
-}
 
 /// The mean over the faces around each vertex of what these take from the columns.
 SparseMatrix<double> MeanOfFaces(

@@ -1,6 +1,7 @@
 #include "Discretisations/VertexPowerField.h"
 
 #include "Discretisations/PowerField.h"
+#include "Discretisations/VertexConstraints.h"
 #include "Levels/SampledLevels.h"
 #include "Operators/ConnectionLaplacian.h"
 #include "Operators/FaceFieldOperators.h"
@@ -28,7 +29,6 @@ constexpr int CoarseCycles = 2;
 // The limits of fields on faces, whose factors have as many entries.
 constexpr int LargestForCholesky = 20000;
 constexpr int SolvesForCholesky = 30;
-constexpr double DistanceOfSamples = 2.5;
 
 /// Directions of the vertices from those of the faces around, carried by the connection and averaged.
 TransportOperator MeanOfFaces(
@@ -60,50 +60,6 @@ TransportOperator WithTurns(
           static_cast<int>(entry.col()), length > 0.0 ? entry.value() * (turn / length) : Complex(entry.value()));
       }
     });
-}
-
-/// The sum of the constraints at a vertex.
-struct PowerAtVertex
-{
-  double Weight = 0.0;
-  Complex Power = 0.0;
-
-  void Add(double weight, Complex power)
-  {
-    this->Weight += weight;
-    this->Power += weight * power;
-  }
-};
-
-/// Faces without area hold their corners, too.
-constexpr double SmallestShare = 1e-9;
-
-/// The share of a face's area that counts at a corner of it: a third, or half at both ends of a side.
-double PartOfCorner(int corner, int side)
-{
-  if (side < 0)
-  {
-    return 1.0 / 3.0;
-  }
-  return corner == (side + 2) % 3 ? 0.0 : 0.5;
-}
-
-/// Vertices with directions on all faces around. On the rim of a region that is prescribed on faces a vertex has them on one
-/// side only, and the mean of those is the direction of a place half an edge inside.
-std::vector<char> SurroundedVertices(const TriangleMesh& mesh, const std::vector<Constraint>& onFaces)
-{
-  std::vector<char> isPrescribed(mesh.NumberOfFaces(), 0);
-  for (const Constraint& onFace : onFaces)
-  {
-    CheckElement(onFace.Element, mesh.NumberOfFaces(), "face");
-    isPrescribed[onFace.Element] |= onFace.Side < 0;
-  }
-  std::vector<char> isSurrounded(mesh.NumberOfVertices(), 1);
-  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
-  {
-    isSurrounded[mesh.Tail(h)] &= isPrescribed[TriangleMesh::FaceOf(h)];
-  }
-  return isSurrounded;
 }
 
 FieldConstraints MeansOf(const std::vector<PowerAtVertex>& sums)
@@ -219,39 +175,8 @@ SolverTuning VertexPowerField::Tuning() const
 
 FieldConstraints VertexPowerField::Prescribe(const Constraints& constraints, const ElementNames& names) const
 {
-  const auto& [mesh, faceFrames, vertexFrames] = this->Surface;
-  const VertexConnection& connection = this->Connection(SerialContext());
-  const Vector<double> areas = LumpedMass(mesh);
-  const std::vector<char> isSurrounded = SurroundedVertices(mesh, constraints.OnFaces);
-  std::vector<PowerAtVertex> sums(mesh.NumberOfVertices());
-  for (const Constraint& onFace : constraints.OnFaces)
-  {
-    const int face = onFace.Element;
-    const auto isInside = [&](int k) { return isSurrounded[mesh.FaceCorners()(face, k)] != 0; };
-    const bool holdsInside = onFace.Side < 0 && (isInside(0) || isInside(1) || isInside(2));
-    const Complex v = TangentialPart(faceFrames, face, onFace.Direction, onFace.Weight, names.Face(face), "cell");
-    const double area = mesh.FaceArea(face);
-    for (int k = 0; k < 3; ++k)
-    {
-      if (const double part = PartOfCorner(k, onFace.Side); part > 0.0 && (isInside(k) || !holdsInside))
-      {
-        const int h = 3 * face + k;
-        const int vertex = mesh.Tail(h);
-        const double share = std::max(part * area, SmallestShare * areas[vertex]) / areas[vertex];
-        sums[vertex].Add(onFace.Weight * (areas[vertex] > 0.0 ? share : 1.0),
-          PowerOfDirection(connection.TurnFromFace(h) * v, this->N));
-      }
-    }
-  }
-  for (const Constraint& atVertex : constraints.AtVertices)
-  {
-    const int vertex = atVertex.Element;
-    CheckElement(vertex, mesh.NumberOfVertices(), "vertex");
-    const Complex v =
-      TangentialPart(vertexFrames, vertex, atVertex.Direction, atVertex.Weight, names.Vertex(vertex), "point");
-    sums[vertex].Add(atVertex.Weight, PowerOfDirection(v, this->N));
-  }
-  return MeansOf(sums);
+  return MeansOf(PowersAtVertices(this->Surface, this->Connection(SerialContext()), this->N, constraints,
+    SurroundedVertices(this->Surface.Mesh, constraints.OnFaces), names));
 }
 
 Discretisation::IntegralWeights VertexPowerField::WeightsOfIntegral() const

@@ -23,6 +23,9 @@ namespace dmg
 class VertexPowerField : public Discretisation
 {
 public:
+  /// SampleDistance() of all of them.
+  static constexpr double DistanceOfSamples = 2.5;
+
   /// \param N 1 to 8.
   /// \throw InvalidInput N is out of range.
   VertexPowerField(const FramedMesh& surface, int N);

@@ -1,6 +1,7 @@
 #include "Levels/SampledLevels.h"
 
 #include "Levels/PointSampling.h"
+#include "Levels/SampleSpacing.h"
 #include "Levels/SampledProlongation.h"
 #include "Levels/TangentGraph.h"
 #include "Mesh/SpatialOrder.h"
@@ -11,22 +12,6 @@
 
 namespace dmg
 {
-
-namespace
-{
-
-// Leaves one sample of four.
-constexpr double DistanceOfCoarserSamples = 1.8;
-// The curvature of the region that a sample covers, in radians. With twice as much of both, surfaces full of folds and
-// limbs take half as many iterations again.
-constexpr double LargestCurvatureOfElements = 0.5;
-constexpr double LargestCurvatureOfSamples = 1.0;
-// A level of fewer samples is factored at once, and every level less represents fields of nearly no energy better.
-constexpr int FewestSamplesToSample = 1500;
-// A level that keeps more of the points than this is not worth its cost.
-constexpr double LargestUsefulRatio = 0.5;
-
-}
 
 PointsToSample FacesToSample(const TriangleMesh& mesh, const ExecutionContext& context)
 {

@@ -21,8 +21,8 @@ namespace dmg
 TransportOperator SampledProlongation(
   const PointSampling& sampling, const TangentGraph& samples, const ExecutionContext& context);
 
-/// The same with its rows in another order.
-/// \param points [i] is the point of row i; a permutation.
+/// The same with other rows.
+/// \param points [i] is the point of row i; some or all of the points, in any order.
 TransportOperator SampledProlongation(const PointSampling& sampling, const TangentGraph& samples,
   const std::vector<int>& points, const ExecutionContext& context);
 

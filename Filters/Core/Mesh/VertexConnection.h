@@ -48,6 +48,25 @@ public:
   /// coincide.
   Complex TurnFromFace(int halfedge) const { return this->TurnsFromFaces[halfedge]; }
 
+  /// The numbers above at the tail of a halfedge.
+  struct CornerNumbers
+  {
+    double PolarAngle;
+    double CornerAngle;
+    Complex TurnFromFace;
+  };
+  CornerNumbers Corner(int halfedge) const
+  {
+    return { this->PolarAngles[halfedge], this->CornerAngles[halfedge], this->TurnsFromFaces[halfedge] };
+  }
+  /// Takes the numbers of a larger surface, for a mesh that is a part of it and ends within a fan.
+  void SetCorner(int halfedge, const CornerNumbers& numbers)
+  {
+    this->PolarAngles[halfedge] = numbers.PolarAngle;
+    this->CornerAngles[halfedge] = numbers.CornerAngle;
+    this->TurnsFromFaces[halfedge] = numbers.TurnFromFace;
+  }
+
 private:
   void SetCorners(const FramedMesh& surface, const ExecutionContext& context);
   void SetPolarAngles(const FramedMesh& surface, int vertex);

@@ -17,14 +17,6 @@ namespace
 
 constexpr double Infinity = std::numeric_limits<double>::infinity();
 
-/// At most 1e13 times the diagonal of R, if that is not zero: such a penalty holds its unknown to rounding, and a stronger
-/// one would drown the rest of the system in rounding errors.
-double LimitedPenalty(double penalty, double diagonalOfR)
-{
-  constexpr double Strongest = 1e13;
-  return diagonalOfR > 0.0 ? std::min(penalty, Strongest * diagonalOfR) : penalty;
-}
-
 /// 1 / (R_ii + D_i), zero where unknowns are held or neither is there.
 Vector<double> InverseDiagonal(
   const StiffnessHierarchy& hierarchy, const Vector<double>& D, const ExecutionContext& context)

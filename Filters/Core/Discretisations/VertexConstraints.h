@@ -1,0 +1,41 @@
+#ifndef dmgVertexConstraints_h
+#define dmgVertexConstraints_h
+
+#include "Constraints/Constraints.h"
+#include "Mesh/FramedMesh.h"
+#include "Mesh/VertexConnection.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// The sum of the constraints at a vertex.
+struct PowerAtVertex
+{
+  double Weight = 0.0;
+  Complex Power = 0.0; ///< the N-th powers of the directions, each times its weight
+
+  void Add(double weight, Complex power)
+  {
+    this->Weight += weight;
+    this->Power += weight * power;
+  }
+};
+
+/// Vertices with directions on all faces around. On the rim of a region that is prescribed on faces a vertex has them on one
+/// side only, and the mean of those is the direction of a place half an edge inside.
+/// \throw InvalidInput there is no such face.
+std::vector<char> SurroundedVertices(const TriangleMesh& mesh, const std::vector<Constraint>& onFaces);
+
+/// Constraints as a power field at points takes them, per vertex of the mesh. A direction on a face counts at its corners, each with
+/// the part of the vertex's area that the face has there; where a corner is surrounded, at such corners alone. A direction
+/// along a side counts at both ends of it.
+/// \param isSurrounded SurroundedVertices.
+/// \throw InvalidInput as CheckElement and TangentialPart.
+std::vector<PowerAtVertex> PowersAtVertices(const FramedMesh& surface, const VertexConnection& connection, int N,
+  const Constraints& constraints, const std::vector<char>& isSurrounded, const ElementNames& names);
+
+}
+
+#endif

@@ -1,0 +1,34 @@
+#include "Operators/CotangentLaplacian.h"
+
+#include "Operators/ExteriorCalculus.h"
+#include "Support/SparseAssembly.h"
+
+namespace dmg
+{
+
+SparseMatrix<double> CotangentLaplacian(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  const Vector<double> star1 = Star1(mesh);
+  return AssembleMatrix<double>(mesh.NumberOfVertices(), mesh.NumberOfVertices(), context,
+    [&](int vertex, RowEntries<double>& row)
+    {
+      row.emplace_back(vertex, 0.0);
+      const auto addEdge = [&](int halfedge, int other)
+      {
+        const double weight = star1[mesh.EdgeOf(halfedge)];
+        row.front().second += weight;
+        AddTo(row, other, -weight);
+      };
+      mesh.VisitFan(vertex,
+        [&](int h)
+        {
+          addEdge(h, mesh.Head(h));
+          if (const int last = TriangleMesh::Previous(h); mesh.Twin(last) < 0)
+          {
+            addEdge(last, mesh.Tail(last));
+          }
+        });
+    });
+}
+
+}

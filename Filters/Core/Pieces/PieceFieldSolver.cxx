@@ -1,0 +1,301 @@
+#include "Pieces/PieceFieldSolver.h"
+
+#include "Discretisations/PowerField.h"
+#include "Discretisations/VertexPowerField.h"
+#include "Levels/TransportOperator.h"
+#include "Operators/ConnectionLaplacian.h"
+#include "Operators/CotangentLaplacian.h"
+#include "Operators/PowerFieldOperators.h"
+#include "Pieces/PetscMultigrid.h"
+#include "Pieces/PieceConstraints.h"
+#include "Solvers/Penalties.h"
+#include "Support/Errors.h"
+#include "Support/ShortText.h"
+#include "Support/SparseAssembly.h"
+#include "Support/Stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <string>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Of the matrix of any linear triangle over its diagonal: its trace is 3, and it has no negative eigenvalue.
+constexpr double LargestEigenvalueOfElements = 3.0;
+
+/// A bound of the eigenvalues of a matrix over its diagonal: by elements, or by the sums of its rows.
+double LargestEigenvalue(const Ranks& ranks, const SparseMatrix<Complex>& owned, int firstColumn)
+{
+  double largest = 1.0;
+  for (int i = 0; i < owned.rows(); ++i)
+  {
+    double sum = 0.0;
+    double diagonal = 0.0;
+    for (SparseMatrix<Complex>::InnerIterator entry(owned, i); entry; ++entry)
+    {
+      sum += std::abs(entry.value());
+      diagonal += entry.col() == firstColumn + i ? entry.value().real() : 0.0;
+    }
+    largest = std::max(largest, diagonal > 0.0 ? sum / diagonal : LargestEigenvalueOfElements);
+  }
+  return std::min(ranks.Max(largest), LargestEigenvalueOfElements);
+}
+
+/// As in ScalarFunction: functions mind uneven triangles less so.
+constexpr int CyclesOfFunctions = 2;
+
+std::vector<int> Consecutive(int first, int size)
+{
+  std::vector<int> numbers(size);
+  std::iota(numbers.begin(), numbers.end(), first);
+  return numbers;
+}
+
+std::string TextOf(const DiscretisationOptions& field)
+{
+  return "kind " + std::to_string(static_cast<int>(field.Kind)) + ", N = " + std::to_string(field.N) + ", areas " +
+    std::to_string(static_cast<int>(field.Areas));
+}
+
+std::string TextOf(const FieldWeights& weights, const StoppingCriteria& stop)
+{
+  return "smoothness " + ShortText(weights.Smoothness) + ", alignment " + ShortText(weights.Alignment) +
+    (weights.Constraints == ConstraintKind::Hard ? ", hard" : ", soft") + ", tolerance " +
+    ShortText(stop.RelativeTolerance) + ", iterations " + std::to_string(stop.MaximumIterations);
+}
+
+}
+
+/// The equations of owned unknowns.
+struct PieceFieldSolver::System
+{
+  Vector<double> D = {};
+  Vector<Complex> Known = {}; ///< values that are held, and the diagonal solution elsewhere
+  std::vector<char> IsHeld = {};
+  int UnheldComponents = 0;
+};
+
+PieceFieldSolver::PieceFieldSolver(MPI_Comm communicator, const SurfacePiece& piece,
+  const DiscretisationOptions& field, const ElementNames& names, const ExecutionContext& context)
+  : Session(communicator)
+  , All(communicator)
+  , Field(field)
+  , Names(names)
+  , Part(this->All, piece, names, PartOfContext(context, 0.0, 0.5))
+{
+  const Stopwatch watch;
+  this->CheckField();
+  this->Components = ComponentsOfPieces(this->Part);
+  this->MakeLaplacian(context);
+  this->Prolongations =
+    LevelsOfPieces(this->Part, VertexPowerField::DistanceOfSamples, PartOfContext(context, 0.6, 1.0));
+  for (RowsOfRank<Complex>& prolongation : this->Prolongations)
+  {
+    const bool isFunction = this->Field.Kind == DiscretisationKind::ScalarFunction;
+    this->All.Together(
+      [&]
+      {
+        prolongation.Rows = isFunction ? SparseMatrix<Complex>(prolongation.Rows.cwiseAbs().cast<Complex>())
+                                       : OnPowers(prolongation.Rows, this->Field.N, context);
+      });
+  }
+  this->SetupSeconds = watch.Seconds();
+}
+
+void PieceFieldSolver::CheckField() const
+{
+  this->All.CheckSame(TextOf(this->Field), "the field");
+  if (this->Part.GlobalNumberOfVertices() == 0)
+  {
+    throw InvalidInput("no rank has a triangle of the surface; give at least one a piece");
+  }
+  if (this->Field.Kind == DiscretisationKind::VertexPowerField)
+  {
+    CheckNumberOfDirections(this->Field.N);
+  }
+  else if (this->Field.Kind != DiscretisationKind::ScalarFunction)
+  {
+    throw InvalidInput("on a surface in pieces there are power fields at points and functions; for other fields gather it on "
+                       "one rank");
+  }
+}
+
+void PieceFieldSolver::MakeLaplacian(const ExecutionContext& context)
+{
+  const PieceOfSurface& piece = this->Part;
+  const int owned = piece.NumberOfOwned();
+  const bool isFunction = this->Field.Kind == DiscretisationKind::ScalarFunction;
+  this->Mass.setZero(owned);
+  this->All.Together(
+    [&]
+    {
+      if (piece.IsEmpty())
+      {
+        return;
+      }
+      const TriangleMesh& mesh = piece.Surface().Mesh;
+      const Vector<double> areas = isFunction ? Star0(mesh, this->Field.Areas) : LumpedMass(mesh, context);
+      this->Mass = areas.segment(piece.FirstOwned(), owned);
+      const std::vector<int> rows = Consecutive(piece.FirstOwned(), owned);
+      this->Laplacian.Rows = isFunction
+        ? SelectRows<Complex>(CotangentLaplacian(mesh, context).cast<Complex>(), rows, context)
+        : SelectRows(ConnectionLaplacian(mesh, piece.Connection(), this->Field.N, context), rows, context);
+    });
+  const double mean = this->All.Sum(this->Mass.sum()) / static_cast<double>(piece.GlobalNumberOfVertices());
+  this->Mass = mean > 0.0 ? Vector<double>(this->Mass / mean) : Vector<double>::Ones(owned);
+  this->Laplacian.GlobalColumns = piece.GlobalNumbers();
+  this->Laplacian.OwnedColumns = owned;
+}
+
+PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWeights& weights,
+  const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  const Stopwatch watch;
+  this->All.CheckSame(TextOf(weights, stop), "weights or criteria");
+  CheckWeights(weights);
+  const std::vector<PowerAtVertex> atOwned = ConstraintsAtOwned(this->Part, this->Field, constraints, this->Names);
+  System system = this->MakeSystem(atOwned, weights);
+  this->HoldComponents(system, atOwned);
+  const std::vector<char> isHeld = this->Part.WithGhosts<char>(system.IsHeld);
+  const std::vector<Complex> known = this->Part.WithGhosts<Complex>(system.Known);
+
+  RowsOfRank<Complex> matrix;
+  std::vector<RowsOfRank<Complex>> prolongations;
+  Vector<Complex> b;
+  this->All.Together(
+    [&]
+    {
+      matrix = this->Laplacian;
+      prolongations = this->Prolongations;
+      b = this->SetEquations(system, isHeld, known, matrix.Rows, prolongations);
+    });
+  PieceField field;
+  field.UnheldComponents = system.UnheldComponents;
+  PetscMultigrid solver(this->All, matrix, prolongations, LargestEigenvalue(this->All, matrix.Rows, this->Part.FirstOwned()),
+    this->Field.Kind == DiscretisationKind::ScalarFunction ? CyclesOfFunctions : 1,
+    PartOfContext(context, 0.0, 0.5));
+  field.Report.Solver = "conjugate gradients with one V-cycle, by PETSc on " + std::to_string(this->All.Size()) + " ranks";
+  field.Report.Levels = solver.Levels();
+  field.Report.PrepareSeconds = watch.Seconds();
+  const Vector<Complex> x = solver.Solve(b, stop, field.Report, PartOfContext(context, 0.5, 1.0)) + system.Known;
+  const std::vector<Complex> all = this->Part.WithGhosts<Complex>(x);
+  field.AtVertices = Eigen::Map<const Vector<Complex>>(all.data(), static_cast<Eigen::Index>(all.size()));
+  return field;
+}
+
+/// Adds penalties to the Laplacian, takes held vertices out of it and out of the finest prolongation, and
+/// weakens the latter where penalties are strong.
+/// \return what remains on the right when the known values are taken away: D y and the diagonal solution cancel.
+Vector<Complex> PieceFieldSolver::SetEquations(const System& system, const std::vector<char>& isHeld,
+  const std::vector<Complex>& known, SparseMatrix<Complex>& matrix, std::vector<RowsOfRank<Complex>>& prolongations) const
+{
+  const int first = this->Part.FirstOwned();
+  Vector<Complex> b = Vector<Complex>::Zero(this->Part.NumberOfOwned());
+  for (int i = 0; i < this->Part.NumberOfOwned(); ++i)
+  {
+    double share = 0.0; // of the Laplacian in the diagonal
+    for (SparseMatrix<Complex>::InnerIterator entry(matrix, i); entry; ++entry)
+    {
+      const int column = static_cast<int>(entry.col());
+      if (column == first + i)
+      {
+        const double diagonal = entry.value().real() + system.D[i];
+        share = system.IsHeld[i] || diagonal <= 0.0 ? 0.0 : entry.value().real() / diagonal;
+        entry.valueRef() = diagonal > 0.0 ? diagonal : 1.0;
+        continue;
+      }
+      b[i] -= system.IsHeld[i] ? Complex(0.0) : Complex(entry.value() * known[column]);
+      if (system.IsHeld[i] || isHeld[column])
+      {
+        entry.valueRef() = 0.0;
+      }
+    }
+    if (!prolongations.empty())
+    {
+      prolongations[0].Rows.row(i) *= share;
+    }
+  }
+  return b;
+}
+
+PieceFieldSolver::System PieceFieldSolver::MakeSystem(
+  const std::vector<PowerAtVertex>& constraints, const FieldWeights& weights) const
+{
+  const int owned = this->Part.NumberOfOwned();
+  const int first = this->Part.FirstOwned();
+  System system{ Vector<double>::Zero(owned), Vector<Complex>::Zero(owned), std::vector<char>(owned, 0) };
+  for (int i = 0; i < owned; ++i)
+  {
+    const PowerAtVertex& constraint = constraints[i];
+    if (!(constraint.Weight > 0.0))
+    {
+      continue;
+    }
+    const Complex value = constraint.Power / constraint.Weight;
+    if (weights.Constraints == ConstraintKind::Hard)
+    {
+      system.IsHeld[i] = 1;
+      system.Known[i] = value;
+      continue;
+    }
+    const double diagonal = this->Laplacian.Rows.coeff(i, first + i).real();
+    const double penalty = weights.Alignment * constraint.Weight * this->Mass[i] / weights.Smoothness;
+    system.D[i] = LimitedPenalty(penalty, diagonal);
+    system.Known[i] = system.D[i] > 0.0 ? Complex(system.D[i] / (diagonal + system.D[i]) * value) : Complex(0.0);
+  }
+  return system;
+}
+
+/// Holds one vertex of each component without constraints at zero, the solution there.
+void PieceFieldSolver::HoldComponents(System& system, const std::vector<PowerAtVertex>& constraints) const
+{
+  std::vector<char> isReached(this->Components.NumberBound, 0);
+  std::vector<char> isThere(this->Components.NumberBound, 0);
+  for (int i = 0; i < this->Part.NumberOfOwned(); ++i)
+  {
+    isReached[this->Components.OfOwned[i]] |= constraints[i].Weight > 0.0 && (system.D[i] > 0.0 || system.IsHeld[i]);
+    isThere[this->Components.OfOwned[i]] = 1;
+  }
+  this->All.Any(isReached);
+  std::vector<char> isAnywhere = isThere;
+  this->All.Any(isAnywhere);
+  int held = 0;
+  std::vector<int> firstRank(isThere.size(), std::numeric_limits<int>::max());
+  for (std::size_t component = 0; component < isThere.size(); ++component)
+  {
+    held += isReached[component];
+    system.UnheldComponents += isAnywhere[component] && !isReached[component];
+    firstRank[component] = isThere[component] ? this->All.Rank() : this->All.Size();
+  }
+  if (held == 0)
+  {
+    throw InvalidInput("no rank has a constraint that holds anything; prescribe a direction or a value on some element, or gather "
+                       "the surface on one rank for its smoothest field");
+  }
+  MPI_Allreduce(MPI_IN_PLACE, firstRank.data(), static_cast<int>(firstRank.size()), MPI_INT, MPI_MIN,
+    this->All.Communicator());
+  std::vector<char> isDone = isReached;
+  for (int i = 0; i < this->Part.NumberOfOwned(); ++i)
+  {
+    const int component = this->Components.OfOwned[i];
+    if (!isDone[component] && firstRank[component] == this->All.Rank())
+    {
+      isDone[component] = 1;
+      system.IsHeld[i] = 1;
+      system.Known[i] = 0.0;
+    }
+  }
+  const bool hasFree = std::find(system.IsHeld.begin(), system.IsHeld.end(), 0) != system.IsHeld.end();
+  if (!this->All.Any(hasFree))
+  {
+    throw InvalidInput("hard constraints hold all vertices, so that nothing is left to solve for; make them soft, or leave some out");
+  }
+}
+
+}

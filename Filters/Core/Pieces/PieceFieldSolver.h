@@ -1,0 +1,89 @@
+#ifndef dmgPieceFieldSolver_h
+#define dmgPieceFieldSolver_h
+
+#include "Constraints/Constraints.h"
+#include "Discretisations/DiscretisationOptions.h"
+#include "Discretisations/FieldConstraints.h"
+#include "Discretisations/VertexConstraints.h"
+#include "Pieces/PetscSession.h"
+#include "Pieces/PieceComponents.h"
+#include "Pieces/PieceLevels.h"
+#include "Pieces/PieceOfSurface.h"
+#include "Solvers/Krylov/SolveReport.h"
+#include "Solvers/Krylov/StoppingCriteria.h"
+#include "Support/ExecutionContext.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// A field on a surface in pieces, as one rank sees it.
+struct PieceField
+{
+  /// Per vertex of PieceOfSurface::Surface, ghosts included: the N-th power in VertexFrames, or the value of a function, a real
+  /// number. Of vertices that only ghosts have, the frame is not that of the whole surface.
+  Vector<Complex> AtVertices;
+  SolveReport Report; ///< the same on all ranks, but for seconds
+  /// Components that no constraint holds; the field is zero there.
+  int UnheldComponents = 0;
+};
+
+/// Finds smooth fields on a surface of which each rank has a piece: power fields at points and functions, the same as FieldSolver up to
+/// the tolerance. No rank ever has more than its piece and the triangles around it; PETSc solves.
+///
+///   dmg::PieceFieldSolver solver(MPI_COMM_WORLD, piece, {});
+///   dmg::Constraints constraints;
+///   constraints.OnFaces = { { triangle, direction, weight } }; // of this rank's piece
+///   const dmg::PieceField field = solver.Solve(constraints);
+///
+/// All functions are collective: every rank calls them with the same options, those without triangles and without
+/// constraints, too. An error on one rank is thrown on all of them.
+class PieceFieldSolver
+{
+public:
+  /// \param communicator of the ranks that have the surface.
+  /// \param names how messages call the triangles and points of this rank's piece.
+  /// \throw InvalidInput as PieceOfSurface; the discretisation is another one; ranks differ in it; no rank has a triangle.
+  /// Cost: linear in the size of the largest piece.
+  PieceFieldSolver(MPI_Comm communicator, const SurfacePiece& piece, const DiscretisationOptions& field,
+    const ElementNames& names = {}, const ExecutionContext& context = SerialContext());
+
+  PieceFieldSolver(const PieceFieldSolver&) = delete;
+  PieceFieldSolver& operator=(const PieceFieldSolver&) = delete;
+
+  const PieceOfSurface& Piece() const { return this->Part; }
+
+  /// \param constraints on own triangles, counted from 0, and at points of the piece; of functions, Values. See
+  ///   ConstraintsAtOwned.
+  /// \throw InvalidInput a constraint or weight is wrong, there is no constraint on any rank, or hard constraints hold all vertices.
+  /// \throw SolverFailure
+  /// \throw Cancelled on all ranks
+  PieceField Solve(const Constraints& constraints, const FieldWeights& weights = {}, const StoppingCriteria& stop = {},
+    const ExecutionContext& context = SerialContext());
+
+private:
+  struct System;
+
+  void CheckField() const;
+  void MakeLaplacian(const ExecutionContext& context);
+  System MakeSystem(const std::vector<PowerAtVertex>& constraints, const FieldWeights& weights) const;
+  Vector<Complex> SetEquations(const System& system, const std::vector<char>& isHeld, const std::vector<Complex>& known,
+    SparseMatrix<Complex>& matrix, std::vector<RowsOfRank<Complex>>& prolongations) const;
+  void HoldComponents(System& system, const std::vector<PowerAtVertex>& constraints) const;
+
+  const PetscSession Session;
+  const Ranks All;
+  const DiscretisationOptions Field;
+  const ElementNames Names;
+  const PieceOfSurface Part;
+  PieceComponents Components;
+  Vector<double> Mass;                          // of owned vertices, over the mean of all
+  RowsOfRank<Complex> Laplacian;                // of owned vertices
+  std::vector<RowsOfRank<Complex>> Prolongations; // of powers
+  double SetupSeconds = 0.0;
+};
+
+}
+
+#endif

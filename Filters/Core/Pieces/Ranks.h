@@ -1,0 +1,118 @@
+#ifndef dmgRanks_h
+#define dmgRanks_h
+
+#include "Support/ExecutionContext.h"
+
+#include <mpi.h>
+
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace dmg
+{
+
+/// What came from other ranks, in the order of the ranks: the items of rank r are [Begins[r], Begins[r + 1]).
+template <class Item>
+struct Received
+{
+  std::vector<Item> Items;
+  std::vector<int> Begins;
+};
+
+/// The processes that hold a surface together, and all that they say to each other. Every function is collective: all ranks
+/// call it, in the same order, from the thread that entered the core.
+class Ranks
+{
+public:
+  /// \param communicator is borrowed. \pre MPI is initialised.
+  explicit Ranks(MPI_Comm communicator);
+
+  MPI_Comm Communicator() const { return this->Comm; }
+  int Rank() const { return this->RankHere; }
+  int Size() const { return this->NumberOfRanks; }
+
+  /// Sends \p toRanks [r] to rank r.
+  template <class Item>
+  Received<Item> Exchange(const std::vector<std::vector<Item>>& toRanks) const;
+  /// The items of all ranks, the same everywhere.
+  template <class Item>
+  Received<Item> GatherToAll(const std::vector<Item>& items) const;
+
+  double Sum(double here) const;
+  long long Sum(long long here) const;
+  double Max(double here) const;
+  bool Any(bool here) const;
+  /// Element by element.
+  void Any(std::vector<char>& here) const;
+  /// The sum over all ranks before this one.
+  long long SumBefore(long long here) const;
+
+  /// Runs a step that sends nothing. If it throws anywhere, all ranks throw: the exception of the lowest such rank, with the same
+  /// message. Otherwise the other ranks would wait for ever.
+  void Together(const std::function<void()>& step) const;
+  /// A checkpoint where all ranks stop as soon as one of them was asked to.
+  /// \throw Cancelled
+  void Checkpoint(const ExecutionContext& context, double fraction) const;
+  /// \throw InvalidInput the texts differ. \param what they say, for the message.
+  void CheckSame(const std::string& text, const std::string& what) const;
+
+  /// Bytes that this rank has sent to others by Exchange and GatherToAll.
+  long long BytesSent() const { return this->Bytes; }
+
+private:
+  std::vector<int> CountsFromRanks(const std::vector<int>& counts) const;
+  void ExchangeBytes(const void* items, const std::vector<int>& counts, void* received,
+    const std::vector<int>& receivedCounts, int sizeOfItem) const;
+  void GatherBytes(const void* items, int count, void* received, const std::vector<int>& counts, int sizeOfItem) const;
+
+  MPI_Comm Comm;
+  int RankHere;
+  int NumberOfRanks;
+  mutable long long Bytes = 0;
+};
+
+template <class Item>
+Received<Item> Ranks::Exchange(const std::vector<std::vector<Item>>& toRanks) const
+{
+  static_assert(std::is_trivially_copyable_v<Item>);
+  std::vector<Item> items;
+  std::vector<int> counts;
+  for (const std::vector<Item>& toRank : toRanks)
+  {
+    items.insert(items.end(), toRank.begin(), toRank.end());
+    counts.push_back(static_cast<int>(toRank.size()));
+  }
+  const std::vector<int> receivedCounts = this->CountsFromRanks(counts);
+  Received<Item> received;
+  received.Begins.assign(1, 0);
+  for (const int count : receivedCounts)
+  {
+    received.Begins.push_back(received.Begins.back() + count);
+  }
+  received.Items.resize(received.Begins.back());
+  this->ExchangeBytes(items.data(), counts, received.Items.data(), receivedCounts, sizeof(Item));
+  return received;
+}
+
+template <class Item>
+Received<Item> Ranks::GatherToAll(const std::vector<Item>& items) const
+{
+  static_assert(std::is_trivially_copyable_v<Item>);
+  const int count = static_cast<int>(items.size());
+  const std::vector<int> counts = this->CountsFromRanks(std::vector<int>(this->Size(), count));
+  Received<Item> received;
+  received.Begins.assign(1, 0);
+  for (const int fromRank : counts)
+  {
+    received.Begins.push_back(received.Begins.back() + fromRank);
+  }
+  received.Items.resize(received.Begins.back());
+  this->GatherBytes(items.data(), count, received.Items.data(), counts, sizeof(Item));
+  return received;
+}
+
+}
+
+#endif

@@ -1,0 +1,251 @@
+#include "Pieces/PieceFieldSolver.h"
+
+#include "Partitions.h"
+#include "Support/Errors.h"
+#include "Support/ExecutionContext.h"
+
+#include <gtest/gtest.h>
+
+#include <petscksp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string>
+
+using namespace dmg;
+
+namespace
+{
+
+/// Whatever is wrong on the last rank is told on all of them, in the same words. A rank that went on alone would wait until the
+/// test's time is over.
+template <class Error>
+void ExpectOnAllRanks(const std::function<void(bool isLast)>& run, const std::string& words)
+{
+  const Ranks all(MPI_COMM_WORLD);
+  std::string message;
+  try
+  {
+    run(all.Rank() == all.Size() - 1);
+  }
+  catch (const Error& error)
+  {
+    message = error.what();
+  }
+  EXPECT_NE(message.find(words), std::string::npos) << "rank " << all.Rank() << " says \"" << message << "\"";
+  EXPECT_NO_THROW(all.CheckSame(message, "the message"));
+}
+
+test::CutPiece PieceHere(const test::Surface& surface, int partition = 0)
+{
+  const Ranks all(MPI_COMM_WORLD);
+  return test::CutOut(
+    surface, test::Partitions()[partition].RanksOfTriangles(surface, all.Size()), all.Rank());
+}
+
+Constraints OneDirection(const PieceOfSurface& piece, int triangle = 0)
+{
+  Constraints constraints;
+  if (piece.NumberOfOwnFaces() > triangle)
+  {
+    const int face = piece.FirstOwnFace() + triangle;
+    constraints.OnFaces.push_back({ triangle, piece.Surface().Faces.X.row(face).transpose(), 1.0 });
+  }
+  return constraints;
+}
+
+/// Asks to stop after some checkpoints.
+class StoppingContext : public SerialContext
+{
+public:
+  explicit StoppingContext(int checkpoints)
+    : Left(checkpoints)
+  {
+  }
+  bool IsCancelled() const override { return this->Left <= 0; }
+
+protected:
+  void ReportProgress(double) const override { --this->Left; }
+
+private:
+  mutable int Left;
+};
+
+}
+
+TEST(TestFaultsOfPieces, WrongDirectionOnOneRank)
+{
+  const test::CutPiece cut = PieceHere(test::Icosphere(3));
+  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  ExpectOnAllRanks<InvalidInput>(
+    [&](bool isLast)
+    {
+      Constraints constraints = OneDirection(solver.Piece());
+      if (isLast)
+      {
+        constraints.OnFaces[0].Direction[1] = std::nan("");
+      }
+      solver.Solve(constraints);
+    },
+    "cell 0");
+  // The solver is as it was.
+  EXPECT_TRUE(solver.Solve(OneDirection(solver.Piece())).Report.Converged);
+}
+
+TEST(TestFaultsOfPieces, WrongSurfaceOnOneRank)
+{
+  ExpectOnAllRanks<InvalidInput>(
+    [](bool isLast)
+    {
+      test::CutPiece cut = PieceHere(test::Icosphere(3));
+      if (isLast)
+      {
+        cut.Piece.Corners(2, 1) = 1000000;
+      }
+      PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, {});
+    },
+    "triangle 2");
+  ExpectOnAllRanks<InvalidInput>(
+    [](bool isLast)
+    {
+      test::CutPiece cut = PieceHere(test::Icosphere(3));
+      if (isLast)
+      {
+        cut.Piece.Positions(cut.Piece.Corners(5, 0), 1) = std::nan("");
+      }
+      PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, {});
+    },
+    "point");
+}
+
+TEST(TestFaultsOfPieces, TurnedPieceAndDoubledPieces)
+{
+  const Ranks all(MPI_COMM_WORLD);
+  if (all.Size() == 1)
+  {
+    GTEST_SKIP() << "one rank has no seams";
+  }
+  ExpectOnAllRanks<InvalidInput>(
+    [](bool isLast)
+    {
+      test::CutPiece cut = PieceHere(test::Icosphere(3));
+      if (isLast)
+      {
+        cut.Piece.Corners.col(1).swap(cut.Piece.Corners.col(2));
+      }
+      PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, {});
+    },
+    "in the same direction");
+  ExpectOnAllRanks<InvalidInput>(
+    [](bool)
+    {
+      test::Surface open = test::Disk(5);
+      PieceFieldSolver(MPI_COMM_WORLD, { open.V, open.F, {} }, {});
+    },
+    "ranks 0");
+}
+
+TEST(TestFaultsOfPieces, RanksThatDiffer)
+{
+  const Ranks all(MPI_COMM_WORLD);
+  if (all.Size() == 1)
+  {
+    GTEST_SKIP() << "one rank does not differ";
+  }
+  const test::CutPiece cut = PieceHere(test::Icosphere(3));
+  ExpectOnAllRanks<InvalidInput>(
+    [&](bool isLast)
+    {
+      DiscretisationOptions field;
+      field.N = isLast ? 2 : 4;
+      PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, field);
+    },
+    "N = 2");
+  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  ExpectOnAllRanks<InvalidInput>(
+    [&](bool isLast)
+    {
+      FieldWeights weights;
+      weights.Alignment = isLast ? 2.0 : 3.0;
+      solver.Solve(OneDirection(solver.Piece()), weights);
+    },
+    "alignment 2");
+  ExpectOnAllRanks<InvalidInput>(
+    [&](bool isLast)
+    {
+      SurfacePiece piece = cut.Piece;
+      if (isLast)
+      {
+        piece.GlobalIds.assign(piece.Positions.rows(), 0);
+      }
+      PieceFieldSolver(MPI_COMM_WORLD, piece, {});
+    },
+    "global ids");
+}
+
+TEST(TestFaultsOfPieces, NothingToSolve)
+{
+  ExpectOnAllRanks<InvalidInput>([](bool) { PieceFieldSolver(MPI_COMM_WORLD, {}, {}); }, "no rank has a triangle");
+  const test::CutPiece cut = PieceHere(test::Icosphere(2));
+  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  ExpectOnAllRanks<InvalidInput>([&](bool) { solver.Solve({}); }, "no rank has a constraint");
+  DiscretisationOptions flow;
+  flow.Kind = DiscretisationKind::FaceField;
+  ExpectOnAllRanks<InvalidInput>([&](bool) { PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, flow); }, "gather it");
+}
+
+TEST(TestFaultsOfPieces, OneRankStopsAll)
+{
+  const Ranks all(MPI_COMM_WORLD);
+  const test::CutPiece cut = PieceHere(test::IrregularSphere(4, 3));
+  int stopped = 0;
+  for (int checkpoints = 0; checkpoints < 20; checkpoints += 2)
+  {
+    const bool isLast = all.Rank() == all.Size() - 1;
+    const StoppingContext context(isLast ? checkpoints : 1000000);
+    bool isStopped = false;
+    try
+    {
+      PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {}, {}, context);
+      solver.Solve(OneDirection(solver.Piece()), {}, {}, context);
+    }
+    catch (const Cancelled&)
+    {
+      isStopped = true;
+    }
+    EXPECT_EQ(all.Sum(isStopped ? 1LL : 0LL), isStopped ? all.Size() : 0);
+    stopped += isStopped;
+  }
+  EXPECT_GE(stopped, 2);
+}
+
+TEST(TestFaultsOfPieces, PetscOfSomebodyElse)
+{
+  const test::CutPiece cut = PieceHere(test::Icosphere(3));
+  const auto solve = [&]
+  {
+    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+    EXPECT_TRUE(solver.Solve(OneDirection(solver.Piece())).Report.Converged);
+  };
+  PetscBool isInitialised;
+  for (int k = 0; k < 3; ++k)
+  {
+    solve();
+    PetscInitialized(&isInitialised);
+    EXPECT_FALSE(isInitialised);
+  }
+  ASSERT_EQ(PetscInitializeNoArguments(), 0);
+  Vec vector;
+  ASSERT_EQ(VecCreateMPI(MPI_COMM_WORLD, 3, PETSC_DETERMINE, &vector), 0);
+  solve();
+  PetscInitialized(&isInitialised);
+  EXPECT_TRUE(isInitialised);
+  EXPECT_EQ(VecSet(vector, 2.0), 0);
+  PetscReal norm = 0.0;
+  EXPECT_EQ(VecNorm(vector, NORM_INFINITY, &norm), 0);
+  EXPECT_EQ(norm, 2.0);
+  VecDestroy(&vector);
+  PetscFinalize();
+  solve();
+}

@@ -1,0 +1,21 @@
+#include <gtest/gtest.h>
+
+#include <mpi.h>
+
+/// Only rank 0 tells of tests that pass; all tell of those that fail.
+int main(int count, char** arguments)
+{
+  MPI_Init(&count, &arguments);
+  ::testing::InitGoogleTest(&count, arguments);
+  int rank = 0;
+  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+  ::testing::TestEventListeners& listeners = ::testing::UnitTest::GetInstance()->listeners();
+  if (rank > 0)
+  {
+    delete listeners.Release(listeners.default_result_printer());
+  }
+  int failed = RUN_ALL_TESTS();
+  MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+  MPI_Finalize();
+  return failed;
+}
