@@ -57,8 +57,8 @@ ARROWS = {
     "StructurePreserving": THESIS | {"Analysis", "Levels", "Mesh", "Support"},
     "Drawing": {"Operators", "Mesh", "Support"},
     "Constraints": {"Operators", "Mesh", "Support"},
-    # The only room that knows MPI and PETSc; nothing of the core includes it.
-    "Pieces": {"Discretisations", "Constraints", "Solvers/Krylov", "Solvers", "Levels", "Operators", "Mesh", "Support"},
+    # The only room that knows MPI and PETSc; nothing of the core includes it. It gives a Field, as FieldSolver does.
+    "Pieces": {".", "Discretisations", "Constraints", "Solvers/Krylov", "Solvers", "Levels", "Operators", "Mesh", "Support"},
     "Discretisations": SOLVERS | {"Constraints", "Solvers", "Levels", "Analysis", "Operators", "Mesh", "Support"},
 }
 

@@ -113,8 +113,8 @@ CutPiece CutOut(const Surface& surface, const std::vector<int>& rankOfTriangles,
 
 std::vector<NamedPartition> Partitions()
 {
-  return { { "in order", InOrder }, { "random tiles", RandomTiles }, { "one triangle on the last", OneTriangleOnTheLast },
-    { "none on the first", NoneOnTheFirst } };
+  return { { "in order", InOrder }, { "random tiles", RandomTiles },
+    { "one triangle on the last", OneTriangleOnTheLast }, { "none on the first", NoneOnTheFirst } };
 }
 
 }

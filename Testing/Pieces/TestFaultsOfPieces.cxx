@@ -40,8 +40,7 @@ void ExpectOnAllRanks(const std::function<void(bool isLast)>& run, const std::st
 test::CutPiece PieceHere(const test::Surface& surface, int partition = 0)
 {
   const Ranks all(MPI_COMM_WORLD);
-  return test::CutOut(
-    surface, test::Partitions()[partition].RanksOfTriangles(surface, all.Size()), all.Rank());
+  return test::CutOut(surface, test::Partitions()[partition].RanksOfTriangles(surface, all.Size()), all.Rank());
 }
 
 Constraints OneDirection(const PieceOfSurface& piece, int triangle = 0)

@@ -165,6 +165,30 @@ public:
     }
   }
 
+  /// Directions and singularities of own triangles.
+  void CheckDirections(const test::NamedPartition& partition)
+  {
+    const int N = this->Options.Field.N;
+    const test::CutPiece cut =
+      test::CutOut(this->Surface, partition.RanksOfTriangles(this->Surface, this->All.Size()), this->All.Rank());
+    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, this->Options.Field);
+    const Field field = solver.Directions(
+      solver.Solve(OfPiece(this->Whole, cut, this->Surface), this->Options.Weights(), { 1e-11, 100 }));
+    const Field& exact = this->Reference->Solve(this->Exact);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < cut.Triangles.size(); ++i)
+    {
+      const int face = solver.Piece().FirstOwnFace() + static_cast<int>(i);
+      const int there = cut.Triangles[i];
+      // The corners come in the same order, so frames are equal. Any of the N directions may be the first.
+      const Complex quotient = field.OnFaces[face] / exact.OnFaces[there];
+      EXPECT_LE(std::abs(std::pow(quotient, N) - 1.0), 1e-5) << "triangle " << there;
+      EXPECT_NEAR(field.Indices[face], exact.Indices[there], 1e-9) << "triangle " << there;
+      sum += field.Indices[face];
+    }
+    EXPECT_NEAR(this->All.Sum(sum), this->Surface.Mesh().EulerCharacteristic(), 1e-9);
+  }
+
 private:
   /// Relative to the exact solution, over all points of all pieces.
   double Error(const PieceOfSurface& piece, const PieceField& field, const test::CutPiece& cut) const
@@ -186,8 +210,8 @@ private:
       else
       {
         // The axes of both frames may differ, and the powers turn N times as far.
-        const Complex axis = piece.Surface().Vertices.ToComplex(
-          here, this->Reference->Surface().Vertices.X.row(there).transpose());
+        const Complex axis =
+          piece.Surface().Vertices.ToComplex(here, this->Reference->Surface().Vertices.X.row(there).transpose());
         expected = AsComplex(unknowns)[there] * std::pow(axis, this->Options.Field.N);
       }
       squares += std::norm(expected);
@@ -316,17 +340,17 @@ TEST(TestPieceFieldSolver, PointsAreJoinedByGlobalIds)
 
 TEST(TestPieceFieldSolver, ComponentsWithoutConstraintsAreZero)
 {
-  const test::Surface surface =
-    test::Union(test::Union(test::Icosphere(3), test::Disk(12), Vector3(4.0, 0.0, 0.0)), test::Icosphere(2), Vector3(0.0, 4.0, 0.0));
+  const test::Surface surface = test::Union(test::Union(test::Icosphere(3), test::Disk(12), Vector3(4.0, 0.0, 0.0)),
+    test::Icosphere(2), Vector3(0.0, 4.0, 0.0));
   const Ranks ranks(MPI_COMM_WORLD);
   for (const FieldOptions& options : { Crosses(), Functions() })
   {
     for (const test::NamedPartition& partition : test::Partitions())
     {
-      const test::CutPiece cut =
-        test::CutOut(surface, partition.RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
+      const test::CutPiece cut = test::CutOut(surface, partition.RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
       Constraints whole;
-      whole.OnFaces.push_back({ 3, surface.Mesh().Position(surface.F(3, 1)) - surface.Mesh().Position(surface.F(3, 0)), 1.0 });
+      whole.OnFaces.push_back(
+        { 3, surface.Mesh().Position(surface.F(3, 1)) - surface.Mesh().Position(surface.F(3, 0)), 1.0 });
       whole.Values = { { 3, 1.0, 1.0 }, { 100, 2.0, 1.0 } };
       PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, options.Field);
       const PieceField field = solver.Solve(OfPiece(whole, cut, surface));
@@ -338,6 +362,19 @@ TEST(TestPieceFieldSolver, ComponentsWithoutConstraintsAreZero)
         const double size = std::abs(field.AtVertices[solver.Piece().VerticesOfPoints()[i]]);
         EXPECT_EQ(size > 0.0, isHeld) << size;
       }
+    }
+  }
+}
+
+TEST(TestPieceFieldSolver, DirectionsAndSingularitiesAsOnOneProcess)
+{
+  for (const test::Surface& surface : { test::IrregularSphere(4, 3), test::DoubleTorus(8) })
+  {
+    Comparison comparison(surface, Crosses(), SomeDirections(surface.Mesh()));
+    for (const test::NamedPartition& partition : test::Partitions())
+    {
+      SCOPED_TRACE(partition.Name);
+      comparison.CheckDirections(partition);
     }
   }
 }

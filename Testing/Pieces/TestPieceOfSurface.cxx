@@ -155,8 +155,8 @@ TEST(TestPieceOfSurface, ComponentsAreThoseOfTheSurface)
       const PieceComponents components = ComponentsOfPieces(piece);
       const Received<int> all = piece.Everyone().GatherToAll(components.OfOwned);
       const std::vector<int> ofFaces = FaceComponents(mesh);
-      EXPECT_EQ(std::set<int>(all.Items.begin(), all.Items.end()).size(),
-        std::set<int>(ofFaces.begin(), ofFaces.end()).size());
+      EXPECT_EQ(
+        std::set<int>(all.Items.begin(), all.Items.end()).size(), std::set<int>(ofFaces.begin(), ofFaces.end()).size());
     });
 }
 

@@ -94,8 +94,7 @@ std::vector<TravellingTriangle> GhostTriangles(const Ranks& ranks, const Surface
       }
     }
   }
-  std::vector<TravellingTriangle> ghosts =
-    ranks.Exchange(ToAllAround(ranks, ranks.Exchange(toOwners).Items)).Items;
+  std::vector<TravellingTriangle> ghosts = ranks.Exchange(ToAllAround(ranks, ranks.Exchange(toOwners).Items)).Items;
   std::sort(ghosts.begin(), ghosts.end(),
     [](const TravellingTriangle& a, const TravellingTriangle& b) { return a.Place < b.Place; });
   ghosts.erase(std::unique(ghosts.begin(), ghosts.end(),

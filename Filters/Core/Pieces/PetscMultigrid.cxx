@@ -177,11 +177,11 @@ PetscErrorCode HasConverged(KSP, PetscInt iteration, PetscReal norm, KSPConverge
   report.RelativeResidual = relative;
   monitor.Iterations.push_back(report);
   const bool isStopped = monitor.All->Any(monitor.Context->IsCancelled());
-  *reason = isStopped                                             ? KSP_DIVERGED_BREAKDOWN
-    : !std::isfinite(norm)                                        ? KSP_DIVERGED_NANORINF
+  *reason = isStopped                                                 ? KSP_DIVERGED_BREAKDOWN
+    : !std::isfinite(norm)                                            ? KSP_DIVERGED_NANORINF
     : relative <= monitor.Tolerance && (iteration > 0 || norm == 0.0) ? KSP_CONVERGED_RTOL
-    : iteration >= monitor.MaximumIterations                      ? KSP_DIVERGED_ITS
-                                                                  : KSP_CONVERGED_ITERATING;
+    : iteration >= monitor.MaximumIterations                          ? KSP_DIVERGED_ITS
+                                                                      : KSP_CONVERGED_ITERATING;
   return 0;
 }
 
@@ -304,8 +304,8 @@ Vector<Complex> PetscMultigrid::Solve(
   std::copy(b.data(), b.data() + b.size(), values);
   CheckPetsc(VecRestoreArray(right, &values));
   Monitor monitor{ &this->All, &context, stop.RelativeTolerance, stop.MaximumIterations, {}, {} };
-  CheckPetsc(KSPSetTolerances(
-    this->Of->Solver, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, stop.MaximumIterations + 1));
+  CheckPetsc(
+    KSPSetTolerances(this->Of->Solver, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, stop.MaximumIterations + 1));
   CheckPetsc(KSPSetConvergenceTest(this->Of->Solver, HasConverged, &monitor, nullptr));
   CheckPetsc(KSPSolve(this->Of->Solver, right, left));
   KSPConvergedReason reason;
@@ -317,8 +317,9 @@ Vector<Complex> PetscMultigrid::Solve(
   report.SolveSeconds = monitor.Watch.Seconds();
   if (reason == KSP_DIVERGED_NANORINF || reason == KSP_DIVERGED_PC_FAILED)
   {
-    throw SolverFailure("the cycle of the surface in pieces has failed, as its coarsest matrix is singular or the surface has "
-                        "extremely thin triangles; gather the surface on one rank");
+    throw SolverFailure(
+      "the cycle of the surface in pieces has failed, as its coarsest matrix is singular or the surface has "
+      "extremely thin triangles; gather the surface on one rank");
   }
   Vector<Complex> x(b.size());
   const PetscScalar* solution;

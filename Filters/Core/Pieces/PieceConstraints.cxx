@@ -163,8 +163,8 @@ std::vector<PowerAtVertex> PowersAtOwned(
     {
       if (!piece.IsEmpty())
       {
-        sums = PowersAtVertices(
-          piece.Surface(), piece.Connection(), N, onMesh, isSurrounded, NamesOnMesh(piece, names));
+        sums =
+          PowersAtVertices(piece.Surface(), piece.Connection(), N, onMesh, isSurrounded, NamesOnMesh(piece, names));
         sums = { sums.begin() + piece.FirstOwned(), sums.begin() + piece.FirstOwned() + piece.NumberOfOwned() };
       }
     });

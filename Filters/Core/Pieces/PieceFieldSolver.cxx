@@ -1,5 +1,6 @@
 #include "Pieces/PieceFieldSolver.h"
 
+#include "Discretisations/MakeDiscretisation.h"
 #include "Discretisations/PowerField.h"
 #include "Discretisations/VertexPowerField.h"
 #include "Levels/TransportOperator.h"
@@ -8,7 +9,8 @@
 #include "Operators/PowerFieldOperators.h"
 #include "Pieces/PetscMultigrid.h"
 #include "Pieces/PieceConstraints.h"
-#include "Solvers/Penalties.h"
+#include "Solvers/LimitedPenalty.h"
+#include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 #include "Support/SparseAssembly.h"
@@ -81,15 +83,14 @@ struct PieceFieldSolver::System
   int UnheldComponents = 0;
 };
 
-PieceFieldSolver::PieceFieldSolver(MPI_Comm communicator, const SurfacePiece& piece,
-  const DiscretisationOptions& field, const ElementNames& names, const ExecutionContext& context)
+PieceFieldSolver::PieceFieldSolver(MPI_Comm communicator, const SurfacePiece& piece, const DiscretisationOptions& field,
+  const ElementNames& names, const ExecutionContext& context)
   : Session(communicator)
   , All(communicator)
-  , Field(field)
+  , OptionsOfField(field)
   , Names(names)
   , Part(this->All, piece, names, PartOfContext(context, 0.0, 0.5))
 {
-  const Stopwatch watch;
   this->CheckField();
   this->Components = ComponentsOfPieces(this->Part);
   this->MakeLaplacian(context);
@@ -97,32 +98,33 @@ PieceFieldSolver::PieceFieldSolver(MPI_Comm communicator, const SurfacePiece& pi
     LevelsOfPieces(this->Part, VertexPowerField::DistanceOfSamples, PartOfContext(context, 0.6, 1.0));
   for (RowsOfRank<Complex>& prolongation : this->Prolongations)
   {
-    const bool isFunction = this->Field.Kind == DiscretisationKind::ScalarFunction;
+    const bool isFunction = this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction;
     this->All.Together(
       [&]
       {
         prolongation.Rows = isFunction ? SparseMatrix<Complex>(prolongation.Rows.cwiseAbs().cast<Complex>())
-                                       : OnPowers(prolongation.Rows, this->Field.N, context);
+                                       : OnPowers(prolongation.Rows, this->OptionsOfField.N, context);
       });
   }
-  this->SetupSeconds = watch.Seconds();
+  this->SetupSeconds = this->Watch.Seconds();
 }
 
 void PieceFieldSolver::CheckField() const
 {
-  this->All.CheckSame(TextOf(this->Field), "the field");
+  this->All.CheckSame(TextOf(this->OptionsOfField), "the field");
   if (this->Part.GlobalNumberOfVertices() == 0)
   {
     throw InvalidInput("no rank has a triangle of the surface; give at least one a piece");
   }
-  if (this->Field.Kind == DiscretisationKind::VertexPowerField)
+  if (this->OptionsOfField.Kind == DiscretisationKind::VertexPowerField)
   {
-    CheckNumberOfDirections(this->Field.N);
+    CheckNumberOfDirections(this->OptionsOfField.N);
   }
-  else if (this->Field.Kind != DiscretisationKind::ScalarFunction)
+  else if (this->OptionsOfField.Kind != DiscretisationKind::ScalarFunction)
   {
-    throw InvalidInput("on a surface in pieces there are power fields at points and functions; for other fields gather it on "
-                       "one rank");
+    throw InvalidInput(
+      "on a surface in pieces there are power fields at points and functions; for other fields gather it on "
+      "one rank");
   }
 }
 
@@ -130,7 +132,7 @@ void PieceFieldSolver::MakeLaplacian(const ExecutionContext& context)
 {
   const PieceOfSurface& piece = this->Part;
   const int owned = piece.NumberOfOwned();
-  const bool isFunction = this->Field.Kind == DiscretisationKind::ScalarFunction;
+  const bool isFunction = this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction;
   this->Mass.setZero(owned);
   this->All.Together(
     [&]
@@ -140,12 +142,12 @@ void PieceFieldSolver::MakeLaplacian(const ExecutionContext& context)
         return;
       }
       const TriangleMesh& mesh = piece.Surface().Mesh;
-      const Vector<double> areas = isFunction ? Star0(mesh, this->Field.Areas) : LumpedMass(mesh, context);
+      const Vector<double> areas = isFunction ? Star0(mesh, this->OptionsOfField.Areas) : LumpedMass(mesh, context);
       this->Mass = areas.segment(piece.FirstOwned(), owned);
       const std::vector<int> rows = Consecutive(piece.FirstOwned(), owned);
       this->Laplacian.Rows = isFunction
         ? SelectRows<Complex>(CotangentLaplacian(mesh, context).cast<Complex>(), rows, context)
-        : SelectRows(ConnectionLaplacian(mesh, piece.Connection(), this->Field.N, context), rows, context);
+        : SelectRows(ConnectionLaplacian(mesh, piece.Connection(), this->OptionsOfField.N, context), rows, context);
     });
   const double mean = this->All.Sum(this->Mass.sum()) / static_cast<double>(piece.GlobalNumberOfVertices());
   this->Mass = mean > 0.0 ? Vector<double>(this->Mass / mean) : Vector<double>::Ones(owned);
@@ -159,7 +161,8 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
   const Stopwatch watch;
   this->All.CheckSame(TextOf(weights, stop), "weights or criteria");
   CheckWeights(weights);
-  const std::vector<PowerAtVertex> atOwned = ConstraintsAtOwned(this->Part, this->Field, constraints, this->Names);
+  const std::vector<PowerAtVertex> atOwned =
+    ConstraintsAtOwned(this->Part, this->OptionsOfField, constraints, this->Names);
   System system = this->MakeSystem(atOwned, weights);
   this->HoldComponents(system, atOwned);
   const std::vector<char> isHeld = this->Part.WithGhosts<char>(system.IsHeld);
@@ -177,10 +180,13 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
     });
   PieceField field;
   field.UnheldComponents = system.UnheldComponents;
-  PetscMultigrid solver(this->All, matrix, prolongations, LargestEigenvalue(this->All, matrix.Rows, this->Part.FirstOwned()),
-    this->Field.Kind == DiscretisationKind::ScalarFunction ? CyclesOfFunctions : 1,
+  field.SetupSeconds = this->SetupSeconds;
+  PetscMultigrid solver(this->All, matrix, prolongations,
+    LargestEigenvalue(this->All, matrix.Rows, this->Part.FirstOwned()),
+    this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction ? CyclesOfFunctions : 1,
     PartOfContext(context, 0.0, 0.5));
-  field.Report.Solver = "conjugate gradients with one V-cycle, by PETSc on " + std::to_string(this->All.Size()) + " ranks";
+  field.Report.Solver =
+    "conjugate gradients with one V-cycle, by PETSc on " + std::to_string(this->All.Size()) + " ranks";
   field.Report.Levels = solver.Levels();
   field.Report.PrepareSeconds = watch.Seconds();
   const Vector<Complex> x = solver.Solve(b, stop, field.Report, PartOfContext(context, 0.5, 1.0)) + system.Known;
@@ -193,7 +199,8 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
 /// weakens the latter where penalties are strong.
 /// \return what remains on the right when the known values are taken away: D y and the diagonal solution cancel.
 Vector<Complex> PieceFieldSolver::SetEquations(const System& system, const std::vector<char>& isHeld,
-  const std::vector<Complex>& known, SparseMatrix<Complex>& matrix, std::vector<RowsOfRank<Complex>>& prolongations) const
+  const std::vector<Complex>& known, SparseMatrix<Complex>& matrix,
+  std::vector<RowsOfRank<Complex>>& prolongations) const
 {
   const int first = this->Part.FirstOwned();
   Vector<Complex> b = Vector<Complex>::Zero(this->Part.NumberOfOwned());
@@ -275,11 +282,12 @@ void PieceFieldSolver::HoldComponents(System& system, const std::vector<PowerAtV
   }
   if (held == 0)
   {
-    throw InvalidInput("no rank has a constraint that holds anything; prescribe a direction or a value on some element, or gather "
-                       "the surface on one rank for its smoothest field");
+    throw InvalidInput(
+      "no rank has a constraint that holds anything; prescribe a direction or a value on some element, or gather "
+      "the surface on one rank for its smoothest field");
   }
-  MPI_Allreduce(MPI_IN_PLACE, firstRank.data(), static_cast<int>(firstRank.size()), MPI_INT, MPI_MIN,
-    this->All.Communicator());
+  MPI_Allreduce(
+    MPI_IN_PLACE, firstRank.data(), static_cast<int>(firstRank.size()), MPI_INT, MPI_MIN, this->All.Communicator());
   std::vector<char> isDone = isReached;
   for (int i = 0; i < this->Part.NumberOfOwned(); ++i)
   {
@@ -294,8 +302,24 @@ void PieceFieldSolver::HoldComponents(System& system, const std::vector<PowerAtV
   const bool hasFree = std::find(system.IsHeld.begin(), system.IsHeld.end(), 0) != system.IsHeld.end();
   if (!this->All.Any(hasFree))
   {
-    throw InvalidInput("hard constraints hold all vertices, so that nothing is left to solve for; make them soft, or leave some out");
+    throw InvalidInput(
+      "hard constraints hold all vertices, so that nothing is left to solve for; make them soft, or leave some out");
   }
+}
+
+Field PieceFieldSolver::Directions(const PieceField& field, bool combing, const ExecutionContext& context) const
+{
+  Field directions;
+  if (!this->Part.IsEmpty())
+  {
+    const FramedMesh& surface = this->Part.Surface();
+    const std::unique_ptr<const Discretisation> discretisation = MakeDiscretisation(this->OptionsOfField, surface);
+    const bool isFunction = this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction;
+    const Vector<double> unknowns =
+      isFunction ? Vector<double>(field.AtVertices.real()) : Vector<double>(AsPairs(field.AtVertices));
+    directions = DirectionsOfField(surface, *discretisation, unknowns, combing, nullptr, context);
+  }
+  return directions;
 }
 
 }

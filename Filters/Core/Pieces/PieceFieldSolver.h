@@ -5,6 +5,7 @@
 #include "Discretisations/DiscretisationOptions.h"
 #include "Discretisations/FieldConstraints.h"
 #include "Discretisations/VertexConstraints.h"
+#include "Field.h"
 #include "Pieces/PetscSession.h"
 #include "Pieces/PieceComponents.h"
 #include "Pieces/PieceLevels.h"
@@ -12,6 +13,7 @@
 #include "Solvers/Krylov/SolveReport.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
 #include "Support/ExecutionContext.h"
+#include "Support/Stopwatch.h"
 
 #include <vector>
 
@@ -25,6 +27,7 @@ struct PieceField
   /// number. Of vertices that only ghosts have, the frame is not that of the whole surface.
   Vector<Complex> AtVertices;
   SolveReport Report; ///< the same on all ranks, but for seconds
+  double SetupSeconds = 0.0;
   /// Components that no constraint holds; the field is zero there.
   int UnheldComponents = 0;
 };
@@ -62,6 +65,12 @@ public:
   PieceField Solve(const Constraints& constraints, const FieldWeights& weights = {}, const StoppingCriteria& stop = {},
     const ExecutionContext& context = SerialContext());
 
+  /// The directions and singularities of a field on the mesh of Piece(), by this rank alone. On own triangles and at
+  /// their vertices they are those of the whole surface; on ghosts they mean nothing. Empty where there are no triangles.
+  /// \param combing whether direction 0 continues from triangle to triangle, as far as this mesh goes.
+  dmg::Field Directions(
+    const PieceField& field, bool combing = true, const ExecutionContext& context = SerialContext()) const;
+
 private:
   struct System;
 
@@ -72,14 +81,15 @@ private:
     SparseMatrix<Complex>& matrix, std::vector<RowsOfRank<Complex>>& prolongations) const;
   void HoldComponents(System& system, const std::vector<PowerAtVertex>& constraints) const;
 
+  const Stopwatch Watch; ///< of the set-up
   const PetscSession Session;
   const Ranks All;
-  const DiscretisationOptions Field;
+  const DiscretisationOptions OptionsOfField;
   const ElementNames Names;
   const PieceOfSurface Part;
   PieceComponents Components;
-  Vector<double> Mass;                          // of owned vertices, over the mean of all
-  RowsOfRank<Complex> Laplacian;                // of owned vertices
+  Vector<double> Mass;                            // of owned vertices, over the mean of all
+  RowsOfRank<Complex> Laplacian;                  // of owned vertices
   std::vector<RowsOfRank<Complex>> Prolongations; // of powers
   double SetupSeconds = 0.0;
 };

@@ -77,7 +77,8 @@ std::vector<int> OrderOfVertices(const PieceOfSurface& piece, const ExecutionCon
   return order;
 }
 
-GraphOfPiece GraphOfVertices(const PieceOfSurface& piece, const std::vector<int>& order, const ExecutionContext& context)
+GraphOfPiece GraphOfVertices(
+  const PieceOfSurface& piece, const std::vector<int>& order, const ExecutionContext& context)
 {
   GraphOfPiece level;
   level.NumberOfOwn = piece.NumberOfOwned();

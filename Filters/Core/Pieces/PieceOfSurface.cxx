@@ -78,8 +78,8 @@ void CollectCorners(const SurfacePiece& piece, const FansOfPiece& fans, const st
   addGhosts(ghostsBefore, static_cast<int>(ghosts.size()));
 }
 
-JoinedTriangles Join(const std::vector<PlaceOnRank>& labels, const std::vector<Vector3>& positions,
-  const ExecutionContext& context)
+JoinedTriangles Join(
+  const std::vector<PlaceOnRank>& labels, const std::vector<Vector3>& positions, const ExecutionContext& context)
 {
   std::vector<PlaceOnRank> ascending = labels;
   std::sort(ascending.begin(), ascending.end());
@@ -130,8 +130,8 @@ PieceOfSurface::PieceOfSurface(
   const std::vector<TravellingTriangle> ghosts = GhostTriangles(ranks, piece, fans, seams, joined);
   ranks.Checkpoint(context, 0.4);
 
-  this->OwnFacesBegin = static_cast<int>(std::count_if(ghosts.begin(), ghosts.end(),
-    [&](const TravellingTriangle& ghost) { return ghost.Place.Rank < ranks.Rank(); }));
+  this->OwnFacesBegin = static_cast<int>(std::count_if(
+    ghosts.begin(), ghosts.end(), [&](const TravellingTriangle& ghost) { return ghost.Place.Rank < ranks.Rank(); }));
   std::vector<PlaceOnRank> placesOfGhosts;
   for (std::size_t k = 0; k < ghosts.size(); ++k)
   {
@@ -152,8 +152,8 @@ PieceOfSurface::PieceOfSurface(
       CollectCorners(piece, fans, joined, ghosts, this->OwnFacesBegin, labels, positions);
       JoinedTriangles all = Join(labels, positions, context);
       this->Owners = std::move(all.Labels);
-      this->Local =
-        std::make_unique<const FramedMesh>(TriangleMesh(std::move(all.Positions), std::move(all.Corners), {}, context), context);
+      this->Local = std::make_unique<const FramedMesh>(
+        TriangleMesh(std::move(all.Positions), std::move(all.Corners), {}, context), context);
       for (int h = 0; h < 3 * this->OwnFaces; ++h)
       {
         this->Vertices[piece.Corners.data()[h]] = this->Local->Mesh.Tail(3 * this->OwnFacesBegin + h);

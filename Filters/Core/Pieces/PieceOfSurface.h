@@ -30,7 +30,8 @@ public:
   /// Collective. \param names how messages call the triangles and points of the piece.
   /// \throw InvalidInput as CheckElements, FansAround and PairSides.
   /// Messages: two exchanges of about 110 bytes per triangle at a seam, and a few smaller ones.
-  PieceOfSurface(const Ranks& ranks, const SurfacePiece& piece, const ElementNames& names, const ExecutionContext& context);
+  PieceOfSurface(
+    const Ranks& ranks, const SurfacePiece& piece, const ElementNames& names, const ExecutionContext& context);
 
   const Ranks& Everyone() const { return this->All; }
 
@@ -44,10 +45,7 @@ public:
   /// Own triangle i is face FirstOwnFace() + i.
   int FirstOwnFace() const { return this->OwnFacesBegin; }
   int NumberOfOwnFaces() const { return this->OwnFaces; }
-  bool IsOwnFace(int face) const
-  {
-    return face >= this->OwnFacesBegin && face < this->OwnFacesBegin + this->OwnFaces;
-  }
+  bool IsOwnFace(int face) const { return face >= this->OwnFacesBegin && face < this->OwnFacesBegin + this->OwnFaces; }
   /// A vertex at each point of the piece, -1 where no triangle is; one of them where the piece is pinched.
   const std::vector<int>& VerticesOfPoints() const { return this->Vertices; }
 

@@ -119,7 +119,8 @@ std::vector<Meeting> SortedByEnds(const Received<MeetingSide>& received, int num
     std::to_string(last[-1].Rank) + " meet, has ";
   if (last - first > 2)
   {
-    throw InvalidInput(edge + std::to_string(last - first) + " triangles; gather the surface on one rank, which parts them");
+    throw InvalidInput(
+      edge + std::to_string(last - first) + " triangles; gather the surface on one rank, which parts them");
   }
   throw InvalidInput(edge + "triangles that run along it in the same direction; " + TextOf(Remedy::Orient) +
     ", and leave out triangles that two ranks have");
@@ -251,8 +252,10 @@ std::vector<PlaceOnRank> JoinFans(const Ranks& ranks, const FansOfPiece& fans, c
   while (ranks.Any(hasChanged))
   {
     hasChanged = false;
-    const std::vector<Ends> others = sides.Fetch<Ends>([&](int side) -> Ends
-      { return { joined[corners[side]], joined[corners[NextSide(side)]] }; });
+    const std::vector<Ends> others = sides.Fetch<Ends>(
+      [&](int side) -> Ends {
+        return { joined[corners[side]], joined[corners[NextSide(side)]] };
+      });
     const auto lower = [&](int fan, const PlaceOnRank& other)
     {
       if (other < joined[fan])

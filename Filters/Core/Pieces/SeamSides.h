@@ -14,8 +14,8 @@ namespace dmg
 /// What a rank has of a surface: triangles that no other rank has.
 struct SurfacePiece
 {
-  Points Positions;    ///< some may be used by no triangle
-  Triangles Corners;   ///< counter-clockwise seen from outside, in all pieces alike
+  Points Positions;  ///< some may be used by no triangle
+  Triangles Corners; ///< counter-clockwise seen from outside, in all pieces alike
   /// Points of different pieces with the same number are one; empty: points at the same place are one, to the last bit.
   std::vector<long long> GlobalIds;
 };
@@ -25,7 +25,8 @@ struct FansOfPiece
 {
   Triangles Corners;         ///< fans, numbered by their points
   std::vector<int> OfPoints; ///< the point that each fan is at; ascending
-  std::vector<int> Boundary; ///< sides without a triangle beyond them, ascending; side 3 t + k of triangle t starts at corner k
+  std::vector<int>
+    Boundary; ///< sides without a triangle beyond them, ascending; side 3 t + k of triangle t starts at corner k
 };
 
 /// \throw InvalidInput an edge has more than two triangles, or two that run along it in the same direction.
@@ -46,8 +47,7 @@ std::vector<SeamSide> PairSides(const Ranks& ranks, const SurfacePiece& piece, c
 
 /// The vertices of the whole surface: per fan of this piece the smallest rank, and the smallest number there, of the fans that
 /// seams join it with. Collective. Exchanges: as many as pieces meet around one vertex.
-std::vector<PlaceOnRank> JoinFans(
-  const Ranks& ranks, const FansOfPiece& fans, const std::vector<SeamSide>& seams);
+std::vector<PlaceOnRank> JoinFans(const Ranks& ranks, const FansOfPiece& fans, const std::vector<SeamSide>& seams);
 
 }
 

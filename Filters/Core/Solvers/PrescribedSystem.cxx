@@ -1,5 +1,6 @@
 #include "Solvers/PrescribedSystem.h"
 
+#include "Solvers/LimitedPenalty.h"
 #include "Support/CountingSort.h"
 #include "Support/Errors.h"
 #include "Support/Permutations.h"
