@@ -7,7 +7,7 @@ target_include_directories(dmgCore INTERFACE "$<INSTALL_INTERFACE:${headers_dest
 install(TARGETS dmgCore EXPORT DirectionalMultigridCore
   ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT development)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/Filters/Core/" DESTINATION "${headers_destination}" COMPONENT development
-  FILES_MATCHING PATTERN "*.h")
+  FILES_MATCHING PATTERN "*.h" PATTERN "Pieces" EXCLUDE) # what needs MPI and PETSc is not installed
 install(EXPORT DirectionalMultigridCore NAMESPACE DirectionalMultigrid:: FILE DirectionalMultigridCore-targets.cmake
   DESTINATION "${package_destination}" COMPONENT development)
 
