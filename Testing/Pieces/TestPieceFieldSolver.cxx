@@ -142,7 +142,6 @@ public:
     problem.Options.Solver.Kind = SolverKind::Cholesky;
     this->Reference = std::make_unique<FieldSolver>(surface.Mesh());
     this->Reference->Solve(problem);
-    this->Reference->Solve(problem);
     this->Exact = problem;
   }
 
