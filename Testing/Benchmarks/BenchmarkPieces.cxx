@@ -96,7 +96,8 @@ void Run(long long triangles)
   if (ranks.Rank() == 0)
   {
     std::printf("%d ranks, %.0f triangles: set-up %.2f s, system %.2f s, solve %.2f s, directions %.2f s, all %.2f s; "
-                "%d iterations, %d levels; peak %.0f MB on the largest rank, %.0f bytes per own triangle; sent %.2f MB besides PETSc's\n",
+                "%d iterations, %d levels; peak %.0f MB on the largest rank, %.0f bytes per own triangle; "
+                "sent %.2f MB besides PETSc's\n",
       ranks.Size(), total, slowestSetup, prepare, solve, drawing, all, field.Report.Returned,
       static_cast<int>(field.Report.Levels.size()), peak / 1e6, peak * ranks.Size() / total, sent / 1e6);
   }
