@@ -84,9 +84,7 @@ FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceRelation& sur
   const auto points = ArraysOfPoints(surface, input, arrays.Points, context);
   field.AreSingularitiesOnFaces ? cells.AddSums(ArrayNames::SingularityIndex, field.Indices.data())
                                 : points.AddSums(ArrayNames::SingularityIndex, field.Indices.data());
-  cells.AddDirections(framed.Faces, field.OnFaces, field.N, field.HasUnitLength);
-  context.Checkpoint(0.5);
-  points.AddDirections(framed.Vertices, field.AtVertices, field.N, field.HasUnitLength);
+  // First, so that copies of the numbers are gone before most memory is needed.
   for (const ElementValues& values : discretisation.Values(unknowns, field.Powers))
   {
     switch (values.On)
@@ -104,6 +102,9 @@ FieldArrays MakeFieldArrays(const FramedMesh& framed, const SurfaceRelation& sur
         break;
     }
   }
+  cells.AddDirections(framed.Faces, field.OnFaces, field.N, field.HasUnitLength);
+  context.Checkpoint(0.5);
+  points.AddDirections(framed.Vertices, field.AtVertices, field.N, field.HasUnitLength);
   context.Checkpoint(1.0);
   return arrays;
 }

@@ -146,8 +146,11 @@ FieldPowers FaceField::Powers(
 
 std::vector<ElementValues> FaceField::Values(const Vector<double>& unknowns, const FieldPowers&) const
 {
-  const Points vectors = VectorsFromFaceField(this->Surface.Faces, unknowns);
-  return { { "FaceField", ElementKind::Faces, 3, Eigen::Map<const Vector<double>>(vectors.data(), vectors.size()) } };
+  Vector<double> vectors(3 * this->Surface.Mesh.NumberOfFaces());
+  Eigen::Map<Points>(vectors.data(), vectors.size() / 3, 3) = VectorsFromFaceField(this->Surface.Faces, unknowns);
+  std::vector<ElementValues> values;
+  values.push_back({ "FaceField", ElementKind::Faces, 3, std::move(vectors) });
+  return values;
 }
 
 Points FaceField::VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext&) const

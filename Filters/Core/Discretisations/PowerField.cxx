@@ -126,8 +126,10 @@ FieldPowers PowerField::Powers(
 
 std::vector<ElementValues> PowerField::Values(const Vector<double>& unknowns, const FieldPowers& powers) const
 {
-  return { { "PowerField", ElementKind::Faces, 2, unknowns },
-    { "PowerField", ElementKind::Vertices, 2, AsPairs(powers.Vertices) } };
+  std::vector<ElementValues> values; // not from a list in braces, which copies all numbers once more
+  values.push_back({ "PowerField", ElementKind::Faces, 2, unknowns });
+  values.push_back({ "PowerField", ElementKind::Vertices, 2, AsPairs(powers.Vertices) });
+  return values;
 }
 
 Points PowerField::VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext&) const

@@ -221,8 +221,10 @@ FieldPowers VertexPowerField::Powers(
 
 std::vector<ElementValues> VertexPowerField::Values(const Vector<double>& unknowns, const FieldPowers& powers) const
 {
-  return { { "PowerField", ElementKind::Faces, 2, AsPairs(powers.Faces) },
-    { "PowerField", ElementKind::Vertices, 2, unknowns } };
+  std::vector<ElementValues> values; // not from a list in braces, which copies all numbers once more
+  values.push_back({ "PowerField", ElementKind::Faces, 2, AsPairs(powers.Faces) });
+  values.push_back({ "PowerField", ElementKind::Vertices, 2, unknowns });
+  return values;
 }
 
 Points VertexPowerField::VectorsOnFaces(const Vector<double>& unknowns, const ExecutionContext& context) const

@@ -195,16 +195,15 @@ PreparedSurface MakeStrict(const CellTriangles& given, const UsedPoints& used, c
 std::optional<PreparedSurface> AsItIs(const CellTriangles& given, const UsedPoints& used,
   const PreparationOptions& options, const ExecutionContext& context)
 {
-  const SurfaceParts parts = PartsAsGiven(given, used);
   if (options.Strict)
   {
-    return MakeStrict(given, used, parts, options.Order, context);
+    return MakeStrict(given, used, PartsAsGiven(given, used), options.Order, context);
   }
   try
   {
     return options.Order == Numbering::Spatial
-      ? InSpatialOrder(given.Positions, given.Corners, SurfaceParts(parts), context)
-      : InGivenOrder(given.Positions, given.Corners, SurfaceParts(parts), context);
+      ? InSpatialOrder(given.Positions, given.Corners, PartsAsGiven(given, used), context)
+      : InGivenOrder(given.Positions, given.Corners, PartsAsGiven(given, used), context);
   }
   catch (const InvalidInput&)
   {
@@ -251,6 +250,7 @@ PreparedSurface PrepareSurface(
       // The whole surface is thinner than single precision tells: nothing of it is joined.
     }
   }
+  given = CellTriangles(); // frees its memory before more is needed
   surface->Relation.SetEdges(surface->Mesh, context);
   return std::move(*surface);
 }
