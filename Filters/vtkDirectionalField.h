@@ -8,11 +8,11 @@
  *
  * @section vtkDirectionalField-Inputs Inputs
  *
- * Those of vtkHarmonicFieldSolver: the surface on port 0, guides on port 1, singularities on port 2.
+ * Those of vtkHarmonicFieldSolver: the surface on port 0, guides on ports 1, 3, 4 and 5, singularities on port 2.
  *
  * @section vtkDirectionalField-Outputs Outputs
  *
- * Port 0, the surface: vtkPolyData, the output of that name of vtkHarmonicFieldSolver. Its edges and its table of convergence
+ * Port 0, the surface: of the type of the input, the output of that name of vtkHarmonicFieldSolver. Its edges and its table of convergence
  * are no outputs here.
  *
  * Port 1, the lines: vtkPolyData, the output of vtkFieldLines at LineDistance.

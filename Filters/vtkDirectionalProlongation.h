@@ -7,7 +7,6 @@
  * coarse spaces, full multigrid (NestedIterations) and coarse prolongation only. Its default levels are samples of the
  * surface, which it makes itself, and faster.
  *
- *
  * The surface is decimated by quadric-guided edge collapses, level after level. Each collapse
  * flattens the triangles around the edge, before and after, into one plane; the overlay of both
  * gives sparse operators that carry functions and directions from a level to the next finer one.

@@ -32,7 +32,8 @@
  *
  * @section vtkFieldGlyphs-Execution Execution
  *
- * Linear in the triangles and in the number of glyphs, of which more than a million are an error. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ * Linear in the triangles and in the number of glyphs, of which more than a million are an error. Threads, errors, aborts and
+ * pieces are as in vtkFieldLines.
  *
  * @sa vtkFieldLines vtkFieldSingularities vtkHarmonicFieldSolver
  */

@@ -7,7 +7,7 @@
  *
  * A field of N directions has N / 2 families of lines through each point if N is even, two for crosses, and N if it is
  * odd. Lines of different families cross; those of one family keep a distance. It is measured along the surface:
- * the two sides of a thin plate do not see each other. Around a singularity families go over into each other.
+ * the two sides of a thin plate do not see each other. Around a singularity one family turns into another.
  *
  * Lines are traced exactly: the field is constant on each triangle, where a line is straight, and beyond an edge it
  * goes on along the direction that turns least. There is no step length. A line ends at the boundary, in a

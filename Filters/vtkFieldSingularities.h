@@ -18,7 +18,7 @@
  * centre of the other.
  *
  * All are outputs of one filter, since they are read from one matching of the field, and since their sum means
- * something only if they belong to the same field; one Apply shows the spheres, and the eye shows the others.
+ * something only if they belong to the same field.
  *
  * @section vtkFieldSingularities-Inputs Inputs
  *

@@ -19,8 +19,9 @@
  *   integrated along paths.
  * - ScalarFunction: a number per point. The energy is the Dirichlet energy. For potentials; the gradient is shown.
  *
- * N is 1 for FaceField, OneForm and ScalarFunction. A component of the surface where nothing is prescribed gets the smoothest field of mean square
- * magnitude 1 (Knoeppel et al. 2013): the eigenvector of the lowest eigenvalue. A function is zero there.
+ * N is 1 for FaceField, OneForm and ScalarFunction. A component of the surface where nothing is prescribed gets the
+ * smoothest field of mean square magnitude 1 (Knoeppel et al. 2013): the eigenvector of the lowest eigenvalue. A function is
+ * zero there.
  *
  * Filters/HarmonicFieldSolver.md has the details, the pages in Filters/Core/Discretisations have the formulas. The
  * method is that of Tom Broeders, "Simplification Directional Fields", sections 6.1 to 6.3.
@@ -38,9 +39,10 @@
  * by CoarseSpace StructurePreserving, NestedIterations and CoarseProlongation alone. Those of other points and triangles
  * are an error there.
  *
- * Port 1, guides (optional, any number of connections; ports 3, 4 and 5 take one more each): vtkDataSet, or composite datasets of these. Each guide goes to the
- * nearest place of the surface. Chosen vectors of points and cells prescribe the face that is nearest. Without a choice, lines
- * prescribe their tangents on all faces that they pass; without lines, the active vectors count. Whatever lies
+ * Port 1, guides (optional, any number of connections; ports 3, 4 and 5 take one more each): vtkDataSet, or composite
+ * datasets of these. Each guide goes to the nearest place of the surface. Chosen vectors of points and cells prescribe the face
+ * that is nearest. Without a choice, lines prescribe their tangents on all faces that they pass; without lines, the active
+ * vectors count. Whatever lies
  * farther than MaximumDistance, on the far side of a thin wall, or within 5 degrees of the normal is left out, with a
  * warning. A guide with neither lines nor vectors is an error.
  *
@@ -107,7 +109,7 @@
  * directions of PointPowerField are the mean of the corners; at a point, those of all others are the mean of the faces around,
  * and zero at prescribed singularities.
  * Elements without a triangle hold zeros. The frame of a face, to which PowerField refers, has its first axis along the first
- * side.
+ * side. A polygon has the mean power of its triangles.
  *
  * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Rotation,
  * the rotation of the field from the face on the left to the face on the right, in radians; for
@@ -141,8 +143,8 @@
  * | solve  | prescribed vectors; singularities; Tolerance, MaximumNumberOfIterations                                   |
  *
  * Leaves of composite datasets keep theirs (1 GiB). A solve starts from the solution before. UnitLength and
- * Combing change the output arrays only. A solve that misses Tolerance gives its best field, Converged = 0 and a warning; NestedIterations and CoarseProlongation are approximations
- * and give no warning. Where the constraints do not determine the harmonic parts of face fields and 1-forms, these are left
+ * Combing change the output arrays only. A solve that misses Tolerance gives its best field, Converged = 0 and a warning.
+ * NestedIterations and CoarseProlongation are approximations and give no warning. Where the constraints do not determine the harmonic parts of face fields and 1-forms, these are left
  * out, with a warning. An error or an aborted run leaves empty outputs and keeps complete stages.
  *
  * Threads and pieces are as in vtkDirectionalProlongation. Results have the same bits for any number of threads, but

@@ -4,7 +4,7 @@
  *
  * A flow on a surface is the sum of a part without vortices, the gradient of a potential; a part without sources, the gradient
  * of a stream function after a quarter turn counter-clockwise; a harmonic part with neither, around handles and holes; and a
- * residual, which varies within rings of cells and that the mesh does not resolve. The parts are orthogonal to each other in the
+ * residual, which varies from cell to cell and is too fine for the mesh. The parts are orthogonal to each other in the
  * integral over the surface, so that their energies sum to that of the flow (Filters/Core/HodgeDecomposition.md has the proof).
  *
  * @section vtkHodgeDecomposition-Inputs Inputs
@@ -19,7 +19,7 @@
  *
  * Port 1 (optional): the flow as a 1-form instead. A dataset with a line for each edge of the surface, whose points are numbered as
  * those of the surface or lie where these are, and the cell array EdgeArray: numbers for the way from the first point of a line to the
- * second (EdgeValues). Diagonals of polygons may be left out. Lines elsewhere are passed over. Such are
+ * second (EdgeValues). Diagonals of polygons may be left out. Lines elsewhere are passed over. Examples:
  *
  * - the second output of vtkHarmonicFieldSolver with its array OneForm;
  * - velocities of C-grid models, as of MPAS: the component of the flow that is normal to the side between two cells goes along the line
@@ -36,12 +36,13 @@
  * | ----------------------------------------------------- | -------------- | ---------- | ---------------------------------------------- |
  * | GradientPart, RotationalPart, HarmonicPart, Residual  | cells, points  | 3          | the parts, in the unit of the flow             |
  * | Potential                                             | points         | 1          | flow times length; grows along GradientPart    |
- * | StreamFunction                                        | points         | 1          | grows to the left of RotationalPart's quarter turn: to the right of the flow; active scalars |
+ * | StreamFunction                                        | points         | 1          | grows to the right of RotationalPart; active scalars |
  * | Divergence, Vorticity                                 | points         | 1          | flow over length; counter-clockwise is positive |
  * | NormalComponent                                       | cells          | 1          | of vectors, what is not tangential; none of a 1-form |
  *
- * On triangles, parts sum to the tangential part of the flow; other cells have the mean of their triangles. At points, they are means of the cells around, by angle. Where functions are
- * free by a constant, their mean by area is zero on each component of the surface.
+ * On triangles, parts sum to the tangential part of the flow; other cells have the mean of their triangles. At points, they are
+ * means of the cells around, by angle. Where a function is free by a constant, its mean over the area of each component of the
+ * surface is zero.
  *
  * Field data:
  *

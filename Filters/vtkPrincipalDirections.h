@@ -2,20 +2,19 @@
  * @class   vtkPrincipalDirections
  * @brief   principal curvatures of a surface and their directions
  *
- * A surface bends most along one direction and least along another, perpendicular to it: the principal directions. For
- * crosses that a remesher or a hatching follows, for fibres along ridges, and wherever a field shall follow the shape.
+ * A surface bends most along one direction and least along another, perpendicular to it: the principal directions.
+ * Remeshers and hatchings follow them by crosses, and fibres run along them on ridges.
  * vtkHarmonicFieldSolver follows them by itself (CurvatureWeight); this filter shows them, and lets them be chosen,
  * masked or weighted first.
  *
- * What is computed is the mean of the shape operator over a region around each point, of which curvatures and directions
- * are eigenvalues and eigenvectors; for each cell, the mean over the regions of its three points. A region holds what
- * lies nearer than Scale mean edges and is reached without leaving that ball, and the neighbours of the point. On a
+ * The filter computes the mean of the shape operator over a region around each point. Its eigenvalues and eigenvectors are the
+ * curvatures and directions. A cell has the mean over the regions of its points. The region of a point is the connected part of
+ * the surface within a ball of Scale mean edges, and at least the triangles around the point. On a
  * triangle the shape operator is the derivative of the points' normals, interpolated between its corners (S. Rusinkiewicz,
  * "Estimating curvatures and their derivatives on triangle meshes", 2004); its integral over a region is a corrected
  * curvature measure (J.-O. Lachaud, P. Romon and B. Thibert, "Corrected curvature measures", 2022), a successor of the
  * normal cycle (D. Cohen-Steiner and J.-M. Morvan, "Restricted Delaunay triangulations and normal cycle", 2003).
- * Noise inside a region cancels, so that the directions withstand
- * the noise of scans.
+ * Noise inside a region cancels, so that the directions withstand the noise of scans.
  *
  * @section vtkPrincipalDirections-Inputs Inputs
  *
@@ -42,7 +41,7 @@
  * and where there is hardly any. Directions are zero where it is 0, and so are all arrays on elements that belong to no
  * triangle.
  *
- * To follow them elsewhere: vtkHarmonicFieldSolver with MaximumDirection as directions and Confidence as weights.
+ * A field follows them by vtkHarmonicFieldSolver with MaximumDirection as directions and Confidence as weights.
  * vtkFieldLines and the other filters that draw take these arrays for lines, NumberOfDirections 2, and draw both families
  * with 4. A copy under another name has to be given its number.
  *
