@@ -1,5 +1,6 @@
 #include "Adapters/Input/FieldFromArrays.h"
 
+#include "Adapters/Input/ChosenVectors.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Operators/CellDirections.h"
@@ -10,10 +11,6 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSet.h"
-#include "vtkInformation.h"
-#include "vtkInformationIntegerKey.h"
-#include "vtkInformationStringKey.h"
-#include "vtkInformationVector.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
@@ -38,130 +35,6 @@ constexpr double SmallestTangentialPart = 1e-6;
 
 /// The tolerance of the angles between directions of a cell, 2 pi / N: single precision, rounded some times.
 constexpr double LargestAngle = 1e-3;
-
-struct ChosenVectors
-{
-  vtkDataArray* Array = nullptr;
-  bool OnPoints = false;
-};
-
-std::string NameOf(vtkDataArray* array)
-{
-  return array->GetName() ? array->GetName() : "(without a name)";
-}
-
-ChosenVectors DefaultVectors(vtkDataSet* surface)
-{
-  vtkDataSetAttributes* const cells = surface->GetCellData();
-  vtkDataSetAttributes* const points = surface->GetPointData();
-  const std::string name = ArrayNames::Direction(0);
-  for (vtkDataArray* array :
-    { cells->GetArray(name.c_str()), points->GetArray(name.c_str()), cells->GetVectors(), points->GetVectors() })
-  {
-    if (array)
-    {
-      return { array, points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str()) };
-    }
-  }
-  throw InvalidInput("the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
-                     "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
-}
-
-ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
-{
-  vtkInformation* const choice = algorithm->GetInputArrayInformation(0);
-  const bool byName = choice->Has(vtkDataObject::FIELD_NAME());
-  const std::string name = byName ? choice->Get(vtkDataObject::FIELD_NAME()) : "";
-  if (byName ? name.empty() : !choice->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
-  {
-    return DefaultVectors(surface);
-  }
-  const int wanted = choice->Get(vtkDataObject::FIELD_ASSOCIATION());
-  for (const int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
-  {
-    if (wanted != association && wanted != vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS)
-    {
-      continue;
-    }
-    vtkDataSetAttributes* const attributes = surface->GetAttributes(association);
-    vtkAbstractArray* const found = byName
-      ? attributes->GetAbstractArray(name.c_str())
-      : attributes->GetAbstractAttribute(choice->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE()));
-    vtkDataArray* const ofCells = surface->GetCellData()->GetArray(ArrayNames::Direction(0).c_str());
-    if (found && name == ArrayNames::Direction(0) && ofCells)
-    {
-      return { ofCells, false };
-    }
-    if (found)
-    {
-      return { vtkDataArray::SafeDownCast(found), association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
-    }
-  }
-  if (name == "None") // how menus say that nothing is chosen
-  {
-    return DefaultVectors(surface);
-  }
-  throw InvalidInput("array '" + name +
-    "', chosen for the directions, is not among the surface's point or cell arrays; choose one of "
-    "those, or none");
-}
-
-/// \throw InvalidInput there is not a tuple for every element.
-void CheckTuples(vtkDataArray* array, vtkDataSet* surface, bool isOnPoints)
-{
-  const vtkIdType elements = isOnPoints ? surface->GetNumberOfPoints() : surface->GetNumberOfCells();
-  if (array->GetNumberOfTuples() < elements)
-  {
-    throw InvalidInput("array '" + NameOf(array) + "' has " + std::to_string(array->GetNumberOfTuples()) +
-      " tuples for " + std::to_string(elements) + (isOnPoints ? " points" : " cells") +
-      "; choose another, or have its source write one for each");
-  }
-}
-
-ChosenVectors ReadChoice(vtkAlgorithm* algorithm, vtkDataSet* surface)
-{
-  const ChosenVectors chosen = FindVectors(algorithm, surface);
-  if (!chosen.Array || (chosen.Array->GetNumberOfComponents() != 3 && !HoldsTensors(chosen.Array)))
-  {
-    const std::string name = chosen.Array ? NameOf(chosen.Array) : "that was chosen";
-    throw InvalidInput("array '" + name +
-      "' does not hold 3 numbers per element; choose an array of vectors, or of tensors (6 or 9 numbers)");
-  }
-  for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
-         static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })
-  {
-    if (attributes->GetNormals() == chosen.Array) // the first vectors of many surfaces, which menus choose
-    {
-      throw InvalidInput("array '" + NameOf(chosen.Array) +
-        "' holds the normals of the surface, which are no field on it; apply "
-        "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose another array of vectors");
-    }
-  }
-  CheckTuples(chosen.Array, surface, chosen.OnPoints);
-  return chosen;
-}
-
-/// The number of directions that an array stands for, by its name.
-int NumberOfDirections(vtkDataSet* surface, const ChosenVectors& chosen)
-{
-  const std::string name = NameOf(chosen.Array);
-  if (name == ArrayNames::MaximumDirection || name == ArrayNames::MinimumDirection || HoldsTensors(chosen.Array))
-  {
-    return 2;
-  }
-  if (name != ArrayNames::Direction(0))
-  {
-    return 1;
-  }
-  vtkDataSetAttributes* const attributes =
-    surface->GetAttributes(chosen.OnPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
-  int number = 1;
-  while (number < DirectionsOnFaces::LargestN && attributes->GetArray(ArrayNames::Direction(number).c_str()))
-  {
-    ++number;
-  }
-  return number;
-}
 
 /// The principal direction of a tensor.
 Complex ReadTensor(vtkDataArray* array, vtkIdType tuple, const TangentFrames& frames, int element)
@@ -315,14 +188,6 @@ void CheckSiblings(
   }
 }
 
-/// Whether an array shows a power field at points, whose singularities stand on cells.
-bool IsFieldAtPoints(vtkDataSet* input, const ChosenVectors& chosen)
-{
-  vtkDataArray* const atPoints = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
-  return NameOf(chosen.Array) == ArrayNames::Direction(0) && atPoints && atPoints->GetNumberOfComponents() == 3 &&
-    input->GetCellData()->HasArray(ArrayNames::SingularityIndex);
-}
-
 /// The values at the points.
 void ReadFieldAtPoints(vtkDataSet* input, SurfaceWithField& given, const ExecutionContext& context)
 {
@@ -338,11 +203,6 @@ double DiagonalOf(const TriangleMesh& mesh)
   const Points& positions = mesh.VertexPositions();
   return (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
 }
-
-}
-
-namespace
-{
 
 /// Warns where vectors flip as axes do. (A field of a solver is combed.)
 void CheckSign(vtkAlgorithm* algorithm, const ChosenVectors& chosen, const TriangleMesh& mesh,
@@ -361,7 +221,7 @@ void CheckSign(vtkAlgorithm* algorithm, const ChosenVectors& chosen, const Trian
 
 SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, const ExecutionContext& context)
 {
-  const ChosenVectors chosen = ReadChoice(algorithm, input);
+  const ChosenVectors chosen = ChooseVectors(algorithm, input);
   const int numberByName = NumberOfDirections(input, chosen);
   const bool areSiblings = NameOf(chosen.Array) == ArrayNames::Direction(0) && (N == 0 || N == numberByName);
   N = N == 0 ? numberByName : N;

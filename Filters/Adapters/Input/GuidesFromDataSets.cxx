@@ -29,10 +29,10 @@ namespace
 class Reader
 {
 public:
-  /// \param ofGuides TypedWeights.
-  Reader(const ConstraintChoices& choices, const std::vector<double>& ofGuides)
+  /// \param weightsOfGuides TypedWeights.
+  Reader(const ConstraintChoices& choices, const std::vector<double>& weightsOfGuides)
     : Choices(choices)
-    , OfGuides(ofGuides)
+    , WeightsOfGuides(weightsOfGuides)
   {
   }
 
@@ -47,15 +47,16 @@ private:
   void AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices);
 
   const ConstraintChoices& Choices;
-  const std::vector<double>& OfGuides;
-  double OfWhole = 1.0; ///< the weight of the dataset
+  const std::vector<double>& WeightsOfGuides;
+  double WeightOfWhole = 1.0; ///< the weight of the dataset
 };
 
 bool Reader::Add(const GuideDataSet& dataset)
 {
   ConstraintChoices choices = ChoicesFor(this->Choices, dataset.Data);
-  this->OfWhole = this->OfGuides.empty() ? WholeWeight(this->Choices.Weights, dataset) : this->OfGuides[dataset.Guide];
-  if (this->OfWhole == 0.0)
+  this->WeightOfWhole =
+    this->WeightsOfGuides.empty() ? WholeWeight(this->Choices.Weights, dataset) : this->WeightsOfGuides[dataset.Guide];
+  if (this->WeightOfWhole == 0.0)
   {
     return true;
   }
@@ -84,7 +85,7 @@ void Reader::AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arr
     arrays, [](vtkIdType) { return true; },
     [&](const ElementDirection& given)
     {
-      const double weight = this->OfWhole * given.Weight;
+      const double weight = this->WeightOfWhole * given.Weight;
       if (arrays.OnPoints)
       {
         this->Result.Vectors.push_back({ PositionOf(dataset, given.Element), given.Vector, weight });
@@ -131,7 +132,7 @@ void Reader::AddLines(const GuideDataSet& dataset, const ConstraintChoices& choi
       line.Points.push_back(PositionOf(dataset, points->GetId(i)));
       if (i > 0)
       {
-        line.Weights.push_back(this->OfWhole * arrays.Weight(cell, points->GetId(i - 1), points->GetId(i)));
+        line.Weights.push_back(this->WeightOfWhole * arrays.Weight(cell, points->GetId(i - 1), points->GetId(i)));
       }
     }
     this->Result.Lines.push_back(std::move(line));
