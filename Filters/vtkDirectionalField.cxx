@@ -25,7 +25,7 @@ namespace
 {
 
 /// The parts of the progress that are done when the field is solved for, and when lines are drawn, too.
-constexpr double Solved = 0.7;
+constexpr double PartOfSolver = 0.7;
 constexpr double Drawn = 0.95;
 
 /// Outputs of a solver for the pieces that are asked for, of which the surface is that of this filter.
@@ -66,7 +66,7 @@ int vtkDirectionalField::RequestData(
     });
     vtkNew<vtkInformationVector> solved;
     MakeSolverOutputs(outputVector, solved);
-    this->SetProgressShiftScale(0.0, Solved);
+    this->SetProgressShiftScale(0.0, PartOfSolver);
     success = this->Superclass::RequestData(request, inputVector, solved);
     this->SetProgressShiftScale(0.0, 1.0);
     if (solved->GetInformationObject(0)->Has(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
@@ -84,7 +84,7 @@ int vtkDirectionalField::RequestData(
     vtkNew<vtkFieldSingularities> singularities;
     singularities->SetInputData(surface);
     singularities->SetSphereRadius(this->SphereRadius);
-    const bool isDrawn = dmg::UpdateInside(this, lines, dmg::PartOfContext(context, Solved, Drawn)) &&
+    const bool isDrawn = dmg::UpdateInside(this, lines, dmg::PartOfContext(context, PartOfSolver, Drawn)) &&
       dmg::UpdateInside(this, singularities, dmg::PartOfContext(context, Drawn, 1.0));
     if (isDrawn)
     {

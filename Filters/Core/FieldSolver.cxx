@@ -116,7 +116,7 @@ public:
     : Surface(std::move(mesh), context)
     , Setups(this->Surface)
     , Singular(this->Surface, this->Setups)
-    , Followed(this->Surface)
+    , ConstraintsOfSurface(this->Surface)
   {
   }
 
@@ -138,7 +138,7 @@ public:
   std::shared_ptr<const ProlongationOperators> GivenOperators;
   SetupCache Setups;
   SingularStages Singular;
-  ProblemConstraints Followed;
+  ProblemConstraints ConstraintsOfSurface;
   std::shared_ptr<const dmg::Discretisation> Discretisation; ///< of the solve that goes on
   StageCounts Counts;
   Field Last; ///< whose directions may be those of an earlier solution
@@ -371,7 +371,7 @@ const FramedMesh& FieldSolver::Surface() const
 
 const NearestPlaces& FieldSolver::Places()
 {
-  return this->Internal->Followed.Places();
+  return this->Internal->ConstraintsOfSurface.Places();
 }
 
 void FieldSolver::SetOperators(std::shared_ptr<const ProlongationOperators> operators)
@@ -395,7 +395,7 @@ const Field& FieldSolver::Solve(const FieldProblem& problem, const ExecutionCont
   }
   of.SetDiscretisation(field);
   FollowedConstraints followed =
-    of.Followed.Follow(problem, *of.Discretisation, PartOfContext(context, 0.0, 0.0), names);
+    of.ConstraintsOfSurface.Follow(problem, *of.Discretisation, PartOfContext(context, 0.0, 0.0), names);
   const PartOfContext most(context, 0.0, 0.9);
   auto solution = problem.Singularities
     ? of.Singular.Solve(problem, of.Discretisation, followed.Constraints, most, names)

@@ -20,7 +20,7 @@ constexpr int LargestForFactor = 300000;
 }
 
 FlowPotentials::FlowPotentials(const FramedMesh& surface, const SolverOptions& options)
-  : On(surface)
+  : Geometry(surface)
   , Options(options)
   , LoopsOfBoundary(FindBoundaryLoops(surface.Mesh))
 {
@@ -40,7 +40,7 @@ PoissonSolver& FlowPotentials::Make(std::optional<PoissonSolver>& solver, const 
   }
   else if (!solver)
   {
-    solver.emplace(this->On, std::move(held), this->Options, context);
+    solver.emplace(this->Geometry, std::move(held), this->Options, context);
     ++this->CountsOfStages.Setups;
   }
   return *solver;
@@ -104,7 +104,7 @@ Vector<double> FlowPotentials::StreamFunction(
 
 void FlowPotentials::CheckNumber(int functions, const std::string& name) const
 {
-  if (AreTooManyToHold(functions, this->On.Mesh))
+  if (AreTooManyToHold(functions, this->Geometry.Mesh))
   {
     throw InvalidInput("the surface has " + std::to_string(functions) + name +
       ", and the decomposition needs a function for each: too many to hold; close holes and remove small handles "
@@ -114,9 +114,9 @@ void FlowPotentials::CheckNumber(int functions, const std::string& name) const
 
 const Eigen::MatrixXd& FlowPotentials::FunctionsOfLoops(const ExecutionContext& context)
 {
-  if (this->OfLoops)
+  if (this->StoredFunctions)
   {
-    return *this->OfLoops;
+    return *this->StoredFunctions;
   }
   std::vector<const BoundaryLoop*> loops;
   for (std::size_t k = 1; k < this->LoopsOfBoundary.size(); ++k)
@@ -128,7 +128,7 @@ const Eigen::MatrixXd& FlowPotentials::FunctionsOfLoops(const ExecutionContext& 
   }
   const int number = static_cast<int>(loops.size());
   this->CheckNumber(number, " islands");
-  Eigen::MatrixXd functions = Eigen::MatrixXd::Zero(this->On.Mesh.NumberOfVertices(), number);
+  Eigen::MatrixXd functions = Eigen::MatrixXd::Zero(this->Geometry.Mesh.NumberOfVertices(), number);
   Eigen::MatrixXd energies(number, number);
   for (int k = 0; k < number; ++k)
   {
@@ -138,14 +138,14 @@ const Eigen::MatrixXd& FlowPotentials::FunctionsOfLoops(const ExecutionContext& 
     const Vector<double> held = values(solver.Held());
     const double step = 1.0 / number;
     functions.col(k) = solver.Solve({}, held, StopOfFunctions, PartOfContext(context, step * k, step * (k + 1)));
-    const Vector<Complex> gradient = GradientOnFaces(this->On, functions.col(k), context);
-    energies.col(k) = -functions.transpose() * IntegratedDerivatives(this->On, gradient, context).Divergence;
+    const Vector<Complex> gradient = GradientOnFaces(this->Geometry, functions.col(k), context);
+    energies.col(k) = -functions.transpose() * IntegratedDerivatives(this->Geometry, gradient, context).Divergence;
   }
   const Eigen::MatrixXd symmetric = energies.selfadjointView<Eigen::Upper>();
   this->Energies.compute(symmetric);
-  this->OfLoops = std::move(functions);
+  this->StoredFunctions = std::move(functions);
   this->CountsOfStages.Functions += number > 0 ? 1 : 0;
-  return *this->OfLoops;
+  return *this->StoredFunctions;
 }
 
 }

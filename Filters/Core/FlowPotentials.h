@@ -50,7 +50,7 @@ public:
   /// \throw InvalidInput so many functions are too many to hold.
   void CheckNumber(int functions, const std::string& name) const;
 
-  const FramedMesh& Surface() const { return this->On; }
+  const FramedMesh& Surface() const { return this->Geometry; }
   const std::vector<BoundaryLoop>& Loops() const { return this->LoopsOfBoundary; }
   /// The report of the last solve.
   const SolveReport& Report() const { return this->LastReport; }
@@ -72,12 +72,12 @@ private:
   Vector<double> Solve(
     PoissonSolver& solver, const Vector<double>& source, const StoppingCriteria& stop, const ExecutionContext& context);
 
-  const FramedMesh& On;
+  const FramedMesh& Geometry;
   SolverOptions Options;
   const std::vector<BoundaryLoop> LoopsOfBoundary;
   std::optional<PoissonSolver> FreeSolver;
   std::optional<PoissonSolver> HeldSolver;
-  std::optional<Eigen::MatrixXd> OfLoops;
+  std::optional<Eigen::MatrixXd> StoredFunctions;
   Eigen::LDLT<Eigen::MatrixXd> Energies; ///< of these functions
   SolveReport LastReport;
   StageCounts CountsOfStages;

@@ -40,7 +40,7 @@ class HodgeDecomposition::Internals
 {
 public:
   Internals(const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options)
-    : On(surface)
+    : Geometry(surface)
     , Boundary(boundary)
     , Areas(surface.Mesh.FaceAreas())
     , Potentials(surface, options)
@@ -54,7 +54,7 @@ public:
   void MakeBasis(const ExecutionContext& context);
   double Norm(const Vector<Complex>& X) const { return FlowProduct(this->Areas, X, X); }
 
-  const FramedMesh& On;
+  const FramedMesh& Geometry;
   FlowBoundary Boundary;
   const Vector<double> Areas;
   FlowPotentials Potentials;
@@ -79,7 +79,7 @@ void HodgeDecomposition::Internals::AddGradient(
 {
   parts.Potential = this->Potentials.Potential(parts.Derivatives, this->Boundary, stop, context);
   this->TakeReport(parts);
-  parts.Gradient = GradientOnFaces(this->On, parts.Potential, context);
+  parts.Gradient = GradientOnFaces(this->Geometry, parts.Potential, context);
   parts.GradientEnergy = this->Norm(parts.Gradient);
 }
 
@@ -88,7 +88,7 @@ void HodgeDecomposition::Internals::AddRotational(
 {
   parts.StreamFunction = this->Potentials.StreamFunction(parts.Derivatives, this->Boundary, stop, context);
   this->TakeReport(parts);
-  parts.Rotational = QuarterTurn * GradientOnFaces(this->On, parts.StreamFunction, context);
+  parts.Rotational = QuarterTurn * GradientOnFaces(this->Geometry, parts.StreamFunction, context);
   parts.RotationalEnergy = this->Norm(parts.Rotational);
 }
 
@@ -157,9 +157,9 @@ DecomposedFlow HodgeDecomposition::Decompose(
   const Vector<Complex>& flow, const FlowParts& wanted, const StoppingCriteria& stop, const ExecutionContext& context)
 {
   Internals& of = *this->Internal;
-  CheckFlow(flow, of.On.Mesh.NumberOfFaces());
+  CheckFlow(flow, of.Geometry.Mesh.NumberOfFaces());
   DecomposedFlow parts;
-  parts.Derivatives = IntegratedDerivatives(of.On, flow, context);
+  parts.Derivatives = IntegratedDerivatives(of.Geometry, flow, context);
   parts.Energy = of.Norm(flow);
   parts.Residual = flow;
   if (wanted.Gradient)

@@ -253,13 +253,13 @@ void FlowSurface::SetSurface(vtkDataSet* input, const PreparationOptions& prepar
 
 void FlowSurface::Forget()
 {
-  this->OfFormer = this->Counts();
+  this->FormerCounts = this->Counts();
   this->Decomposition.reset();
 }
 
 HodgeDecomposition::StageCounts FlowSurface::Counts() const
 {
-  HodgeDecomposition::StageCounts counts = this->OfFormer;
+  HodgeDecomposition::StageCounts counts = this->FormerCounts;
   if (this->Decomposition)
   {
     const HodgeDecomposition::StageCounts now = this->Decomposition->Counts();

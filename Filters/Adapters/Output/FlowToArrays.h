@@ -62,7 +62,7 @@ private:
   std::unique_ptr<FramedMesh> Geometry;
   Unfilled<Corner> CornersOfFaces;
   std::optional<HodgeDecomposition> Decomposition; ///< it refers to Geometry
-  HodgeDecomposition::StageCounts OfFormer;        ///< of those before it
+  HodgeDecomposition::StageCounts FormerCounts;    ///< of those before it
 };
 
 }

@@ -28,7 +28,7 @@ public:
     const std::size_t size = std::min(this->Leaves.size(), this->Next);
     for (std::size_t i = size; i < this->Leaves.size(); ++i)
     {
-      forget(*this->Leaves[i].Kept);
+      forget(*this->Leaves[i].Result);
     }
     this->Leaves.resize(size);
     this->Next = 0;
@@ -42,7 +42,7 @@ public:
     const auto known = std::find_if(this->Leaves.begin(), this->Leaves.end(), hasContent);
     if (known - this->Leaves.begin() < static_cast<std::ptrdiff_t>(this->Next)) // a twin of one of this execution
     {
-      return *known->Kept;
+      return *known->Result;
     }
     if (known != this->Leaves.end())
     {
@@ -55,7 +55,7 @@ public:
     const std::size_t place = std::min(this->Next, this->Leaves.size() - 1);
     this->Leaves[place].Content = content;
     this->Next = place + 1;
-    return *this->Leaves[place].Kept;
+    return *this->Leaves[place].Result;
   }
 
   /// Calls visit for the value of each leaf.
@@ -64,7 +64,7 @@ public:
   {
     for (const Leaf& leaf : this->Leaves)
     {
-      visit(*leaf.Kept);
+      visit(*leaf.Result);
     }
   }
 
@@ -72,7 +72,7 @@ private:
   struct Leaf
   {
     std::string Content;
-    std::unique_ptr<Value> Kept;
+    std::unique_ptr<Value> Result;
   };
   std::vector<Leaf> Leaves;
   std::size_t Next = 0; ///< leaves of this execution so far

@@ -199,12 +199,12 @@ void TurnOver(Triangles& triangles, SheetPairs& pairs, const std::vector<char>& 
 {
   const auto turned = [&isTurned](int side)
   { return side >= 0 && isTurned[side / 3] ? side - side % 3 + (2 - side % 3) : side; };
-  std::vector<int> beyond(pairs.Beyond.size());
+  std::vector<int> beyond(pairs.Opposite.size());
   for (int side = 0; side < static_cast<int>(beyond.size()); ++side)
   {
     beyond[turned(side)] = turned(pairs.Of(side));
   }
-  pairs.Beyond = std::move(beyond);
+  pairs.Opposite = std::move(beyond);
   for (int triangle = 0; triangle < triangles.rows(); ++triangle)
   {
     if (isTurned[triangle])

@@ -39,8 +39,8 @@ class RelationOfRepair
 {
 public:
   RelationOfRepair(const CellTriangles& given, const UsedPoints& used, const RepairSteps& steps)
-    : Given(given)
-    , Used(used)
+    : Input(given)
+    , PointsInUse(used)
     , Steps(steps)
     , Size(static_cast<int>(given.Corners.rows()))
   {
@@ -60,15 +60,15 @@ private:
   /// The point that a corner of a kept triangle was given with, after the triangle was turned.
   int GivenCorner(int i, int k) const
   {
-    return this->Given.Corners(this->Steps.Kept[i], this->Steps.Orientation.IsTurned[i] && k > 0 ? 3 - k : k);
+    return this->Input.Corners(this->Steps.Participants[i], this->Steps.Orientation.IsTurned[i] && k > 0 ? 3 - k : k);
   }
 
   void RelatePoints(RepairedSurface& result) const
   {
-    const int rows = static_cast<int>(this->Given.Positions.rows());
-    std::vector<int> firstRows(this->Steps.Fans.OfVertices.size(), rows);
+    const int rows = static_cast<int>(this->Input.Positions.rows());
+    std::vector<int> firstRows(this->Steps.Fans.Points.size(), rows);
     std::vector<Entry> entries;
-    for (int i = 0; i < static_cast<int>(this->Steps.Kept.size()); ++i)
+    for (int i = 0; i < static_cast<int>(this->Steps.Participants.size()); ++i)
     {
       for (int k = 0; k < 3; ++k)
       {
@@ -83,21 +83,21 @@ private:
     this->AddPointsOfOthers(entries);
     for (Entry& entry : entries)
     {
-      entry.first = this->Used.Points[entry.first];
+      entry.first = this->PointsInUse.Points[entry.first];
     }
-    result.Parts.VerticesOfPoints = RowsOf(static_cast<int>(this->Used.Rows.size()), std::move(entries));
+    result.Parts.VerticesOfPoints = RowsOf(static_cast<int>(this->PointsInUse.Rows.size()), std::move(entries));
     result.Positions.resize(static_cast<Eigen::Index>(firstRows.size()), 3);
     for (std::size_t vertex = 0; vertex < firstRows.size(); ++vertex)
     {
-      result.Positions.row(static_cast<Eigen::Index>(vertex)) = this->Given.Positions.row(firstRows[vertex]);
-      result.Parts.PointsOfVertices.push_back(this->Used.Points[firstRows[vertex]]);
+      result.Positions.row(static_cast<Eigen::Index>(vertex)) = this->Input.Positions.row(firstRows[vertex]);
+      result.Parts.PointsOfVertices.push_back(this->PointsInUse.Points[firstRows[vertex]]);
     }
   }
 
   /// Points that only doubled or collapsed triangles use have the vertices of a point at the same place.
   void AddPointsOfOthers(std::vector<Entry>& entries) const
   {
-    const int rows = static_cast<int>(this->Given.Positions.rows());
+    const int rows = static_cast<int>(this->Input.Positions.rows());
     std::vector<int> entryOfPlace(rows, -1);
     std::vector<char> isRelated(rows, 0);
     for (int i = static_cast<int>(entries.size()) - 1; i >= 0; --i)
@@ -118,44 +118,44 @@ private:
 
   void RelateCells(SurfaceParts& parts) const
   {
-    parts.FirstCell = this->Given.FirstCell;
+    parts.FirstCell = this->Input.FirstCell;
     std::vector<int> faces(this->Size, -1);
     std::vector<Entry> entries;
-    std::vector<char> hasFaces(this->Given.NumberOfCells, 0);
-    for (int i = 0; i < static_cast<int>(this->Steps.Kept.size()); ++i)
+    std::vector<char> hasFaces(this->Input.NumberOfCells, 0);
+    for (int i = 0; i < static_cast<int>(this->Steps.Participants.size()); ++i)
     {
-      const int cell = this->Given.CellOf(this->Steps.Kept[i]);
-      faces[this->Steps.Kept[i]] = i;
+      const int cell = this->Input.CellOf(this->Steps.Participants[i]);
+      faces[this->Steps.Participants[i]] = i;
       parts.CellsOfFaces.push_back(cell);
       entries.emplace_back(cell, i);
       hasFaces[cell] = 1;
     }
-    std::vector<char> isDoubled(this->Given.NumberOfCells, 0);
+    std::vector<char> isDoubled(this->Input.NumberOfCells, 0);
     for (int t = 0; t < this->Size; ++t)
     {
-      const int cell = this->Given.CellOf(t);
+      const int cell = this->Input.CellOf(t);
       if (!hasFaces[cell] && this->Steps.Twins[t] != t && faces[this->Steps.Twins[t]] >= 0)
       {
         entries.emplace_back(cell, faces[this->Steps.Twins[t]]);
         isDoubled[cell] = 1;
       }
     }
-    for (int cell = 0; cell < this->Given.NumberOfCells; ++cell)
+    for (int cell = 0; cell < this->Input.NumberOfCells; ++cell)
     {
       hasFaces[cell] = hasFaces[cell] || isDoubled[cell];
     }
     this->AddFacesAroundCollapsed(hasFaces, entries);
-    parts.FacesOfCells = RowsOf(this->Given.NumberOfCells, std::move(entries));
+    parts.FacesOfCells = RowsOf(this->Input.NumberOfCells, std::move(entries));
   }
 
   /// Cells of collapsed triangles have the faces that share a side with them, or else a corner.
   void AddFacesAroundCollapsed(const std::vector<char>& hasFaces, std::vector<Entry>& entries) const
   {
     std::vector<int> collapsed;
-    std::vector<char> isCorner(this->Given.Positions.rows(), 0);
+    std::vector<char> isCorner(this->Input.Positions.rows(), 0);
     for (int t = 0; t < this->Size; ++t)
     {
-      if (!hasFaces[this->Given.CellOf(t)] && IsCollapsed(this->Steps.Corners, t) && !this->Given.IsLeftOut(t))
+      if (!hasFaces[this->Input.CellOf(t)] && IsCollapsed(this->Steps.Corners, t) && !this->Input.IsLeftOut(t))
       {
         collapsed.push_back(t);
         for (int k = 0; k < 3; ++k)
@@ -169,13 +169,13 @@ private:
       return;
     }
     std::vector<Entry> around; // (corner, face)
-    for (int i = 0; i < static_cast<int>(this->Steps.Kept.size()); ++i)
+    for (int i = 0; i < static_cast<int>(this->Steps.Participants.size()); ++i)
     {
       for (int k = 0; k < 3; ++k)
       {
-        if (isCorner[this->Steps.KeptCorners(i, k)])
+        if (isCorner[this->Steps.CornersOfParticipants(i, k)])
         {
-          around.emplace_back(this->Steps.KeptCorners(i, k), i);
+          around.emplace_back(this->Steps.CornersOfParticipants(i, k), i);
         }
       }
     }
@@ -188,7 +188,7 @@ private:
 
   void AddFacesAround(int t, const ElementRows& facesOfCorners, std::vector<Entry>& entries) const
   {
-    const int cell = this->Given.CellOf(t);
+    const int cell = this->Input.CellOf(t);
     const int a = this->Steps.Corners(t, 0);
     const int b = this->Steps.Corners(t, 1) != a ? this->Steps.Corners(t, 1) : this->Steps.Corners(t, 2);
     const ElementRow atA = facesOfCorners[a], atB = facesOfCorners[b];
@@ -216,9 +216,9 @@ private:
     int last = -1, count = 0;
     for (int t = 0; t < this->Size; ++t)
     {
-      if (this->Given.CellOf(t) != last && isChosen(t))
+      if (this->Input.CellOf(t) != last && isChosen(t))
       {
-        last = this->Given.CellOf(t);
+        last = this->Input.CellOf(t);
         ++count;
       }
     }
@@ -228,27 +228,27 @@ private:
   void Count(RepairedSurface& result) const
   {
     PreparationReport& report = result.Report;
-    std::vector<char> isTurned(this->Size, 0), isOfCell(this->Given.NumberOfCells, 0);
-    for (std::size_t i = 0; i < this->Steps.Kept.size(); ++i)
+    std::vector<char> isTurned(this->Size, 0), isOfCell(this->Input.NumberOfCells, 0);
+    for (std::size_t i = 0; i < this->Steps.Participants.size(); ++i)
     {
-      isTurned[this->Steps.Kept[i]] = this->Steps.Orientation.IsTurned[i];
-      isOfCell[this->Given.CellOf(this->Steps.Kept[i])] = 1;
+      isTurned[this->Steps.Participants[i]] = this->Steps.Orientation.IsTurned[i];
+      isOfCell[this->Input.CellOf(this->Steps.Participants[i])] = 1;
     }
-    const std::vector<int> joined = this->Steps.Joined.AllSmallest();
-    for (int row = 0; row < this->Given.Positions.rows(); ++row)
+    const std::vector<int> joined = this->Steps.JoinedPoints.AllSmallest();
+    for (int row = 0; row < this->Input.Positions.rows(); ++row)
     {
       report.PointsJoined += joined[row] != row;
     }
     report.CellsTurned = this->NumberOfCells([&](int t) { return isTurned[t] != 0; });
     report.CellsDoubled = this->NumberOfCells([&](int t)
-      { return this->Steps.Twins[t] != t && !this->Given.IsLeftOut(t) && !isOfCell[this->Given.CellOf(t)]; });
+      { return this->Steps.Twins[t] != t && !this->Input.IsLeftOut(t) && !isOfCell[this->Input.CellOf(t)]; });
     report.CellsCollapsed = this->NumberOfCells(
-      [&](int t) { return IsCollapsed(this->Steps.Corners, t) && !isOfCell[this->Given.CellOf(t)]; });
+      [&](int t) { return IsCollapsed(this->Steps.Corners, t) && !isOfCell[this->Input.CellOf(t)]; });
     report.EdgesParted = static_cast<int>(this->Steps.Pairs.Crossed.size());
     report.EdgesCut = static_cast<int>(this->Steps.Orientation.Cut.size());
     report.CellsDetached = this->Steps.Fans.TrianglesDetached;
-    std::vector<int> vertices(this->Given.Positions.rows(), 0);
-    for (const int point : this->Steps.Fans.OfVertices)
+    std::vector<int> vertices(this->Input.Positions.rows(), 0);
+    for (const int point : this->Steps.Fans.Points)
     {
       ++vertices[point];
     }
@@ -265,8 +265,8 @@ private:
       static_cast<int>(std::count_if(vertices.begin(), vertices.end(), [](int count) { return count > 1; }));
   }
 
-  const CellTriangles& Given;
-  const UsedPoints& Used;
+  const CellTriangles& Input;
+  const UsedPoints& PointsInUse;
   const RepairSteps& Steps;
   const int Size; ///< triangles that were given
 };

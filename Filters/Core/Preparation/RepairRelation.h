@@ -18,13 +18,13 @@ namespace dmg
 /// The changes that repair some triangles.
 struct RepairSteps
 {
-  DisjointSets Joined;     ///< points
-  Triangles Corners;       ///< of all triangles, after points were joined
-  std::vector<int> Places; ///< by point: equal for points at one place
-  std::vector<int> Twins;  ///< by triangle: the one that has its place, or itself
-  std::vector<int> Kept;   ///< the triangles that take part
-  Triangles KeptCorners;
-  SheetPairs Pairs; ///< of kept triangles
+  DisjointSets JoinedPoints;     ///< points
+  Triangles Corners;             ///< of all triangles, after points were joined
+  std::vector<int> Places;       ///< by point: equal for points at one place
+  std::vector<int> Twins;        ///< by triangle: the one that has its place, or itself
+  std::vector<int> Participants; ///< the triangles that take part
+  Triangles CornersOfParticipants;
+  SheetPairs Pairs; ///< of participants
   dmg::Orientation Orientation;
   FanVertices Fans;
 };

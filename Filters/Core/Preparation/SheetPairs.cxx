@@ -109,7 +109,7 @@ SheetPairs PairSheets(const Points& positions, const Triangles& triangles, const
     },
     context);
   SheetPairs pairs;
-  pairs.Beyond.assign(sides.Items.size(), -1);
+  pairs.Opposite.assign(sides.Items.size(), -1);
   Sheets sheets(positions, triangles);
   for (int point = 0; point < numberOfPoints; ++point)
   {
@@ -120,12 +120,12 @@ SheetPairs PairSheets(const Points& positions, const Triangles& triangles, const
         std::find_if(first, end, [first](const ItemOfPair& side) { return side.Second != first->Second; });
       if (last - first == 2)
       {
-        pairs.Beyond[first[0].Item] = first[1].Item;
-        pairs.Beyond[first[1].Item] = first[0].Item;
+        pairs.Opposite[first[0].Item] = first[1].Item;
+        pairs.Opposite[first[1].Item] = first[0].Item;
       }
       else if (last - first > 2)
       {
-        sheets.Pair(first, last, pairs.Beyond);
+        sheets.Pair(first, last, pairs.Opposite);
         pairs.Crossed.push_back({ point, first->Second });
       }
       first = last;

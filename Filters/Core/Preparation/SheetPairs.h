@@ -13,16 +13,16 @@ namespace dmg
 /// The triangles that go on across each other's sides. Side 3 t + k of triangle t runs from its corner k to the next.
 struct SheetPairs
 {
-  std::vector<int> Beyond;                 ///< per side: the one beyond it, -1 on a boundary
+  std::vector<int> Opposite;               ///< per side: the one beyond it, -1 on a boundary
   std::vector<std::array<int, 2>> Crossed; ///< the points of edges of more than two triangles
 
-  int Of(int side) const { return this->Beyond[side]; }
+  int Of(int side) const { return this->Opposite[side]; }
   void Part(int side)
   {
-    if (this->Beyond[side] >= 0)
+    if (this->Opposite[side] >= 0)
     {
-      this->Beyond[this->Beyond[side]] = -1;
-      this->Beyond[side] = -1;
+      this->Opposite[this->Opposite[side]] = -1;
+      this->Opposite[side] = -1;
     }
   }
 };

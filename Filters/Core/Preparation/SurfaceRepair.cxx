@@ -24,11 +24,11 @@ class Repairer
 public:
   Repairer(const CellTriangles& given, const UsedPoints& used, bool joinPoints, const ExecutionContext& context)
     : Input(given)
-    , Used(used)
+    , PointsInUse(used)
     , JoinsPoints(joinPoints)
     , Context(context)
     , Size(static_cast<int>(given.Corners.rows()))
-    , Joined(static_cast<int>(given.Positions.rows()))
+    , JoinedPoints(static_cast<int>(given.Positions.rows()))
     , Corners(given.Corners)
     , Twins(this->Size)
     , TakesPart(this->Size, 1)
@@ -56,8 +56,8 @@ public:
     TurnOver(this->CornersOfParticipants, this->Pairs, orientation.IsTurned);
     FanVertices fans = VerticesOfFans(
       static_cast<int>(this->Input.Positions.rows()), this->CornersOfParticipants, this->Pairs, this->Context);
-    return RelateRepaired(this->Input, this->Used,
-      { std::move(this->Joined), std::move(this->Corners), std::move(this->Places), std::move(this->Twins),
+    return RelateRepaired(this->Input, this->PointsInUse,
+      { std::move(this->JoinedPoints), std::move(this->Corners), std::move(this->Places), std::move(this->Twins),
         std::move(this->Participants), std::move(this->CornersOfParticipants), std::move(this->Pairs),
         std::move(orientation), std::move(fans) });
   }
@@ -66,7 +66,7 @@ private:
   void CheckPositions() const
   {
     ElementNames names;
-    names.Vertices.assign(this->Used.Points.begin(), this->Used.Points.end());
+    names.Vertices.assign(this->PointsInUse.Points.begin(), this->PointsInUse.Points.end());
     CheckPoints(this->Input.Positions, names);
   }
 
@@ -86,7 +86,7 @@ private:
   /// Corners become the first of the points that they were joined with.
   void RenumberCorners()
   {
-    const std::vector<int> first = this->Joined.AllSmallest();
+    const std::vector<int> first = this->JoinedPoints.AllSmallest();
     for (int i = 0; i < 3 * this->Size; ++i)
     {
       this->Corners.data()[i] = first[this->Input.Corners.data()[i]];
@@ -110,7 +110,7 @@ private:
         const std::array<int, 2> ends{ this->Input.Corners(t, k), this->Input.Corners(t, (k + 1) % 3) };
         if (lengths[k] <= Smallest)
         {
-          this->Joined.Unite(ends[0], ends[1]);
+          this->JoinedPoints.Unite(ends[0], ends[1]);
         }
         else if (lengths[k] <= std::min(rounding, PartOfEdge * longest))
         {
@@ -118,7 +118,7 @@ private:
         }
       }
     }
-    UniteNear(this->Input.Positions, near, rounding, this->Joined);
+    UniteNear(this->Input.Positions, near, rounding, this->JoinedPoints);
     this->RenumberCorners();
   }
 
@@ -129,7 +129,7 @@ private:
     {
       this->TakesPart[t] = !IsCollapsed(this->Corners, t);
     }
-    DisjointSets places = this->Joined;
+    DisjointSets places = this->JoinedPoints;
     for (int row = 0; row < static_cast<int>(this->Equal.size()); ++row)
     {
       places.Unite(row, this->Equal[row]);
@@ -182,7 +182,7 @@ private:
         boundary.Add(this->Input.Positions, c[k], c[(k + 1) % 3], c[(k + 2) % 3]);
       }
     }
-    if (!JoinBoundary(this->Input.Positions, boundary.Take(), this->Joined))
+    if (!JoinBoundary(this->Input.Positions, boundary.Take(), this->JoinedPoints))
     {
       return false;
     }
@@ -191,11 +191,11 @@ private:
   }
 
   const CellTriangles& Input;
-  const UsedPoints& Used;
+  const UsedPoints& PointsInUse;
   const bool JoinsPoints;
   const ExecutionContext& Context;
   const int Size;
-  DisjointSets Joined;
+  DisjointSets JoinedPoints;
   std::vector<int> Equal;        ///< the first point of each place; empty where points are not joined
   Triangles Corners;             ///< of all triangles, after points were joined
   std::vector<int> Places;       ///< equal for points at one place

@@ -43,8 +43,8 @@ FanVertices NumberFans(
   std::vector<int> numbers(sides, -1);
   for (const int side : order)
   {
-    numbers[side] = static_cast<int>(vertices.OfVertices.size());
-    vertices.OfVertices.push_back(points[side]);
+    numbers[side] = static_cast<int>(vertices.Points.size());
+    vertices.Points.push_back(points[side]);
   }
   vertices.Corners.resize(triangles.rows(), 3);
   for (int side = 0; side < sides; ++side)
@@ -58,7 +58,7 @@ FanVertices NumberFans(
 std::set<int> Surplus(const FanVertices& vertices, const SheetPairs& pairs, const ExecutionContext& context)
 {
   const int* const corners = vertices.Corners.data();
-  const int numberOfVertices = static_cast<int>(vertices.OfVertices.size());
+  const int numberOfVertices = static_cast<int>(vertices.Points.size());
   const ItemsByPair sides = SortByPair(
     3 * static_cast<int>(vertices.Corners.rows()), numberOfVertices,
     [corners](int side) -> std::pair<int, int> {

@@ -11,9 +11,9 @@ namespace dmg
 /// A vertex for each fan of triangles around a point.
 struct FanVertices
 {
-  Triangles Corners;           ///< vertices
-  std::vector<int> OfVertices; ///< the point that each vertex is at; ascending
-  int TrianglesDetached = 0;   ///< that share no vertices with others, as their neighbours do not meet in a manifold
+  Triangles Corners;         ///< vertices
+  std::vector<int> Points;   ///< the point that each vertex is at; ascending
+  int TrianglesDetached = 0; ///< that share no vertices with others, as their neighbours do not meet in a manifold
 };
 
 /// Gives corners the same vertex where their triangles are neighbours in \p pairs, so that pinched points, parted sheets

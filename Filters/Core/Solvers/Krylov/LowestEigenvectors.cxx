@@ -101,7 +101,7 @@ public:
   /// theta, r = A x - theta M x, w = B r. \return the largest sqrt(r^T w / theta).
   double FindResidual();
   /// The residual of each part.
-  const std::vector<double>& Residuals() const { return this->OfParts; }
+  const std::vector<double>& Residuals() const { return this->ResidualsOfParts; }
   /// The best combination of x, w and p becomes x.
   void Step();
   /// A x anew, free of the rounding errors of its recurrence.
@@ -133,7 +133,7 @@ private:
   Vector<double> w, p, Ax, Aw, Ap, r;
   const int Pair; ///< unknowns that share a mass
   std::vector<double> Theta;
-  std::vector<double> OfParts; ///< residuals
+  std::vector<double> ResidualsOfParts; ///< residuals
   std::vector<Piece> Pieces;
 };
 
@@ -222,12 +222,12 @@ double LocallyOptimalIteration::FindResidual()
   this->Problem.Inverse.Apply(this->r, this->w, this->Context);
   const std::vector<double> squares =
     this->SumsOfParts(0.0, [this](double& sum, int i) { sum += this->r[i] * this->w[i]; });
-  this->OfParts.assign(this->Theta.size(), 0.0);
+  this->ResidualsOfParts.assign(this->Theta.size(), 0.0);
   double largest = 0.0;
   for (std::size_t part = 0; part < this->Theta.size(); ++part)
   {
     largest = std::max(largest, squares[part] / this->Theta[part]);
-    this->OfParts[part] = std::sqrt(squares[part] / this->Theta[part]);
+    this->ResidualsOfParts[part] = std::sqrt(squares[part] / this->Theta[part]);
   }
   return std::sqrt(largest);
 }

@@ -61,7 +61,7 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
         this->InverseDiagonal[k] = diagonal > 0.0 ? static_cast<float>(1.0 / diagonal) : 0.0f;
       }
     });
-  this->Held = Choose(
+  this->HeldUnknowns = Choose(
     size, [&D](int k) { return !std::isfinite(D[2 * k]); }, context);
   this->Penalised = PenalisedUnknowns<Single>(
     size, [&D](int k) { return D[2 * k]; }, [this](int k) { return this->Fine.DiagonalOf(2 * k); }, context);
@@ -70,7 +70,7 @@ void LaplacianCycle::SetDiagonal(const Vector<double>& D, const ExecutionContext
 SparseMatrix<Complex> LaplacianCycle::CoarseMatrixOfFree(const ExecutionContext& context) const
 {
   SparseMatrix<Complex> P = this->Rows(Identity(this->Fine.Prolongation.Rows()), context);
-  for (const int k : this->Held)
+  for (const int k : this->HeldUnknowns)
   {
     // Rows become zero, but stay in the pattern, so that it does not depend on D.
     std::fill(P.valuePtr() + P.outerIndexPtr()[k], P.valuePtr() + P.outerIndexPtr()[k + 1], 0.0);
@@ -80,8 +80,8 @@ SparseMatrix<Complex> LaplacianCycle::CoarseMatrixOfFree(const ExecutionContext&
 
 SparseMatrix<Complex> LaplacianCycle::CoarseMatrix(const ExecutionContext& context) const
 {
-  SparseMatrix<Complex> coarse =
-    this->Held.empty() ? SymmetricFromLower(this->Fine.CoarseLower, context) : this->CoarseMatrixOfFree(context);
+  SparseMatrix<Complex> coarse = this->HeldUnknowns.empty() ? SymmetricFromLower(this->Fine.CoarseLower, context)
+                                                            : this->CoarseMatrixOfFree(context);
   // The added matrix is the product of some rows of P, times roots, with their adjoint. An unknown couples all that it
   // is interpolated from, so the pattern has room for it.
   SparseMatrix<Complex> rows = this->Rows(this->Penalised.Unknowns(), context);
@@ -107,12 +107,12 @@ void LaplacianCycle::Apply(const Vector<double>& r, Vector<double>& z, const Exe
       }
     });
   Vector<Single>& residual = this->FineSmoother->PreSmooth(this->b, this->x, context);
-  SetZero(residual, this->Held, context);
+  SetZero(residual, this->HeldUnknowns, context);
   this->Penalised.ScaleResidual(residual, this->x, context);
   this->Fine.Prolongation.MultiplyAdjoint(residual, this->CoarseResidual, this->SumsOfParts, context);
   this->Coarse->Apply(this->CoarseResidual, this->CoarseCorrection, context);
   this->Fine.Prolongation.AddProduct(this->CoarseCorrection, this->x, context);
-  SetZero(this->x, this->Held, context);
+  SetZero(this->x, this->HeldUnknowns, context);
   this->Penalised.ScaleCorrection(this->x, context);
   this->FineSmoother->PostSmooth(this->b, this->x, context);
   z.resize(r.size());

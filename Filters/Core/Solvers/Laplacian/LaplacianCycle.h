@@ -42,7 +42,7 @@ private:
   const LaplacianHierarchy& Fine;
   Vector<float> InverseDiagonal; ///< of L + D; 0 where an unknown is held
   PenalisedUnknowns<Single> Penalised;
-  std::vector<int> Held; ///< at zero
+  std::vector<int> HeldUnknowns; ///< at zero
   std::unique_ptr<Smoother<Single>> FineSmoother;
   std::unique_ptr<GalerkinCycle<Complex>> Coarse;
   Vector<Single> b;

@@ -83,21 +83,21 @@ public:
           this->Touched.push_back({ this->Lengths[row], 0, row });
         }
         Touch& touch = this->Touched[this->Places[row]];
-        touch.ByOthers -= 1;
+        touch.IsShared -= 1;
         touch.Unknowns |= std::uint64_t(1) << i;
       }
     }
     for (Touch& touch : this->Touched)
     {
       this->Places[touch.Row] = -1;
-      touch.ByOthers = touch.ByOthers > 0;
+      touch.IsShared = touch.IsShared > 0;
     }
     std::sort(this->Touched.begin(), this->Touched.end());
     this->Key.assign(2, size);
     this->Key[1] = 0;
     for (const Touch& touch : this->Touched)
     {
-      this->Key[1] += touch.ByOthers == 0;
+      this->Key[1] += touch.IsShared == 0;
       this->Key.push_back(touch.Unknowns);
     }
   }
@@ -109,13 +109,13 @@ public:
 private:
   struct Touch
   {
-    int ByOthers; ///< whether unknowns of other blocks touch the row
+    int IsShared; ///< whether unknowns of other blocks touch the row
     std::uint64_t Unknowns;
     int Row;
 
     bool operator<(const Touch& other) const
     {
-      return std::tie(this->ByOthers, this->Unknowns, this->Row) < std::tie(other.ByOthers, other.Unknowns, other.Row);
+      return std::tie(this->IsShared, this->Unknowns, this->Row) < std::tie(other.IsShared, other.Unknowns, other.Row);
     }
   };
 
@@ -170,8 +170,8 @@ public:
           this->AppendGroup(pack.data(), static_cast<int>(pack.size()));
         }
       });
-    this->OfBlocks.clear();
-    this->OfBlocks.shrink_to_fit();
+    this->IndicesOfBlocks.clear();
+    this->IndicesOfBlocks.shrink_to_fit();
   }
 
 private:
@@ -179,7 +179,7 @@ private:
   {
     int Colour;
     int Pattern;
-    int Begin; ///< of its unknowns, and then its rows, among OfBlocks
+    int Begin; ///< of its unknowns, and then its rows, among IndicesOfBlocks
 
     bool IsLike(const Key& other) const { return this->Colour == other.Colour && this->Pattern == other.Pattern; }
     bool operator<(const Key& other) const
@@ -208,11 +208,11 @@ private:
       {
         this->Patterns.push_back(rows.OfBlock());
       }
-      keys.push_back({ tiles.BlockColours()[k], found->second, static_cast<int>(this->OfBlocks.size()) });
-      this->OfBlocks.insert(this->OfBlocks.end(), unknowns, unknowns + size);
+      keys.push_back({ tiles.BlockColours()[k], found->second, static_cast<int>(this->IndicesOfBlocks.size()) });
+      this->IndicesOfBlocks.insert(this->IndicesOfBlocks.end(), unknowns, unknowns + size);
       for (int row = 0; row < rows.Size(); ++row)
       {
-        this->OfBlocks.push_back(rows[row]);
+        this->IndicesOfBlocks.push_back(rows[row]);
       }
     }
     return keys;
@@ -242,7 +242,7 @@ private:
     std::vector<std::vector<int>> rowsOfPacks; // ascending
     for (const Key* key = begin; key != end; ++key)
     {
-      const int* const last = this->OfBlocks.data() + key->Begin + this->IndicesOf(key->Pattern);
+      const int* const last = this->IndicesOfBlocks.data() + key->Begin + this->IndicesOf(key->Pattern);
       const int* const first = last - this->RowsOf(key->Pattern);
       std::size_t pack = 0;
       while (pack < packs.size() &&
@@ -270,7 +270,7 @@ private:
     {
       for (int lane = 0; lane < lanes; ++lane)
       {
-        this->Indices.push_back(this->OfBlocks[blocks[lane < size ? lane : 0].Begin + k]);
+        this->Indices.push_back(this->IndicesOfBlocks[blocks[lane < size ? lane : 0].Begin + k]);
       }
     }
   }
@@ -278,7 +278,7 @@ private:
   int RowsOf(int pattern) const { return static_cast<int>(this->Patterns[pattern].size()) - 2; }
   int IndicesOf(int pattern) const { return static_cast<int>(this->Patterns[pattern][0]) + this->RowsOf(pattern); }
 
-  std::vector<int> OfBlocks; ///< unknowns and rows, block by block
+  std::vector<int> IndicesOfBlocks; ///< unknowns and rows, block by block
 };
 
 /// Puts the groups of all tiles together; numbers patterns and groups through.

@@ -138,7 +138,7 @@ class GaussSeidelSmoother : public Smoother<Value>
 public:
   GaussSeidelSmoother(const TriangularParts<Value>& matrix, Diagonal diagonal, const SmootherOptions& options)
     : Parts(matrix)
-    , Solved(diagonal)
+    , DivisionByDiagonal(diagonal)
     , PreSweeps(options.PreSweeps)
     , PostSweeps(options.PostSweeps)
     , Sums(matrix.Lower.rows())
@@ -192,7 +192,7 @@ private:
       const bool isKept = keepsSums && sweep + 1 == count;
       const auto relax = [this, &b, &x, isKept](int i, Value sum)
       {
-        x[i] = this->Solved(i, b[i] - this->Sums[i] - sum);
+        x[i] = this->DivisionByDiagonal(i, b[i] - this->Sums[i] - sum);
         if (!isKept)
         {
           this->Sums[i] = sum;
@@ -211,7 +211,7 @@ private:
   }
 
   Sweeps Parts;
-  const Diagonal Solved;
+  const Diagonal DivisionByDiagonal;
   const int PreSweeps;
   const int PostSweeps;
   Vector<Value> Sums; ///< over earlier or over later unknowns, whichever the last sweep added up; or residuals

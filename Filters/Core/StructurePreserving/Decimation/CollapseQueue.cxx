@@ -108,7 +108,7 @@ private:
     {
       this->Records->push_back(this->Collapse.Record());
     }
-    const int hub = this->Collapse.Ring().Kept;
+    const int hub = this->Collapse.Ring().Target;
     this->Mesh.VisitOutgoing(hub,
       [this](int leaving)
       {

@@ -115,7 +115,7 @@ CollapsibleMesh::Afterwork CollapsibleMesh::Collapse(const OneRing& ring)
 {
   for (const OneRing::Sector& sector : ring.Sectors)
   {
-    this->Corners[3 * sector.Face + sector.HubCorner] = ring.Kept;
+    this->Corners[3 * sector.Face + sector.HubCorner] = ring.Target;
   }
   for (int d = 0; d < ring.NumberOfDead; ++d)
   {
@@ -129,21 +129,21 @@ CollapsibleMesh::Afterwork CollapsibleMesh::Collapse(const OneRing& ring)
       this->Twins[ring.Glued[g][1]] = ring.Glued[g][0];
     }
   }
-  this->Positions[ring.Kept] = ring.Positions[ring.HubIndex()];
-  this->Quadrics[ring.Kept].Add(this->Quadrics[ring.Removed]);
+  this->Positions[ring.Target] = ring.Positions[ring.HubIndex()];
+  this->Quadrics[ring.Target].Add(this->Quadrics[ring.Removed]);
   this->Outgoing[ring.Removed] = -1;
   if (ring.Kind == CollapseKind::OntoBoundary)
   {
     // The boundary may leave the kept vertex by its first spoke, which lay in a dead face.
     const int leaving = ring.Sectors.front().LeavingSpoke();
-    if (this->Twins[leaving] < 0 || this->Corners[this->Outgoing[ring.Kept]] < 0)
+    if (this->Twins[leaving] < 0 || this->Corners[this->Outgoing[ring.Target]] < 0)
     {
-      this->Outgoing[ring.Kept] = leaving;
+      this->Outgoing[ring.Target] = leaving;
     }
   }
   else
   {
-    this->Outgoing[ring.Kept] = ring.Sectors.front().LeavingSpoke();
+    this->Outgoing[ring.Target] = ring.Sectors.front().LeavingSpoke();
   }
 
   Afterwork work;

@@ -131,19 +131,19 @@ void JointFlattening::PinBoundary(const OneRing& ring)
 {
   const int last = ring.LoopSize() - 1;
   const auto length = [&](int a, int b) { return (ring.Positions[a] - ring.Positions[b]).norm(); };
-  const double edge = length(ring.KeptIndex(), ring.RemovedIndex());
-  this->Positions[ring.KeptIndex()] = 0.0;
+  const double edge = length(ring.TargetIndex(), ring.RemovedIndex());
+  this->Positions[ring.TargetIndex()] = 0.0;
   this->Positions[ring.RemovedIndex()] = edge;
   this->Positions[ring.HubIndex()] = 0.5 * edge;
   this->Positions[0] = edge + length(0, ring.RemovedIndex());
-  this->Positions[last] = -length(last, ring.KeptIndex());
+  this->Positions[last] = -length(last, ring.TargetIndex());
 }
 
 void JointFlattening::FlattenConformally(const OneRing& ring)
 {
   const int numberOfVertices = ring.NumberOfVertices();
   this->Unknown.assign(numberOfVertices, 0);
-  this->Unknown[ring.KeptIndex()] = -1;
+  this->Unknown[ring.TargetIndex()] = -1;
   this->Unknown[ring.RemovedIndex()] = -1;
   if (ring.Kind == CollapseKind::AlongBoundary)
   {
@@ -154,7 +154,7 @@ void JointFlattening::FlattenConformally(const OneRing& ring)
   }
   else
   {
-    const double edge = (ring.Positions[ring.RemovedIndex()] - ring.Positions[ring.KeptIndex()]).norm();
+    const double edge = (ring.Positions[ring.RemovedIndex()] - ring.Positions[ring.TargetIndex()]).norm();
     this->Positions[ring.RemovedIndex()] = edge > 0.0 ? edge : 1.0;
   }
   this->Vertex.clear();
@@ -192,7 +192,7 @@ void JointFlattening::FlattenIntoCircle(const OneRing& ring)
     }
     this->Positions[size - 1] = -1.0; // without rounding, so that the boundary is exactly straight
     this->Positions[ring.RemovedIndex()] = 1.0 / 3.0;
-    this->Positions[ring.KeptIndex()] = -1.0 / 3.0;
+    this->Positions[ring.TargetIndex()] = -1.0 / 3.0;
     return; // and the hub at zero
   }
   const bool hubOnLoop = ring.Kind == CollapseKind::OntoBoundary;
@@ -205,7 +205,7 @@ void JointFlattening::FlattenIntoCircle(const OneRing& ring)
   }
   if (hubOnLoop)
   {
-    this->Positions[ring.KeptIndex()] = std::polar(1.0, 2.0 * Pi * size / corners);
+    this->Positions[ring.TargetIndex()] = std::polar(1.0, 2.0 * Pi * size / corners);
     this->Positions[ring.RemovedIndex()] = 0.0; // the mean of a regular polygon
     return;
   }
@@ -217,7 +217,7 @@ void JointFlattening::FlattenIntoCircle(const OneRing& ring)
   {
     for (int end : { 0, 1 })
     {
-      const int center = end == 0 ? ring.KeptIndex() : ring.RemovedIndex();
+      const int center = end == 0 ? ring.TargetIndex() : ring.RemovedIndex();
       const int previous = k == 0 ? size - 1 : k - 1;
       if (ring.Sectors[k].CenterBefore == center || ring.Sectors[previous].CenterBefore == center)
       {
@@ -227,7 +227,7 @@ void JointFlattening::FlattenIntoCircle(const OneRing& ring)
     }
   }
   const double determinant = (count[0] + 1.0) * (count[1] + 1.0) - 1.0;
-  this->Positions[ring.KeptIndex()] = ((count[1] + 1.0) * sum[0] + sum[1]) / determinant;
+  this->Positions[ring.TargetIndex()] = ((count[1] + 1.0) * sum[0] + sum[1]) / determinant;
   this->Positions[ring.RemovedIndex()] = ((count[0] + 1.0) * sum[1] + sum[0]) / determinant;
 }
 

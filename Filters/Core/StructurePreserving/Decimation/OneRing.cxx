@@ -81,7 +81,7 @@ private:
   void SetPositions(const Vector3& hub);
   void SetPositionsAboutMidpoint()
   {
-    this->SetPositions(0.5 * (this->Mesh.Position(this->Ring.Kept) + this->Mesh.Position(this->Ring.Removed)));
+    this->SetPositions(0.5 * (this->Mesh.Position(this->Ring.Target) + this->Mesh.Position(this->Ring.Removed)));
   }
 
   const CollapsibleMesh& Mesh;
@@ -96,7 +96,7 @@ void Gatherer::SetPositions(const Vector3& hub)
     this->Ring.Positions.push_back(this->Mesh.Position(vertex));
   }
   this->Ring.Positions.push_back(this->Mesh.Position(this->Ring.Removed));
-  this->Ring.Positions.push_back(this->Mesh.Position(this->Ring.Kept));
+  this->Ring.Positions.push_back(this->Mesh.Position(this->Ring.Target));
   this->Ring.Positions.push_back(hub);
 }
 
@@ -107,7 +107,7 @@ bool Gatherer::Interior(int left)
   const int right = this->Mesh.Twin(left);
   OneRing& ring = this->Ring;
   ring.Kind = CollapseKind::Interior;
-  ring.Kept = this->Mesh.Tail(left);
+  ring.Target = this->Mesh.Tail(left);
   ring.Removed = this->Mesh.Head(left);
   this->AppendSectors(this->Turn(left), TriangleMesh::FaceOf(right));
   const int b = ring.LoopSize();
@@ -117,9 +117,9 @@ bool Gatherer::Interior(int left)
   {
     return false;
   }
-  this->SetCenters(b, ring.KeptIndex(), ring.RemovedIndex());
-  this->AppendDead(left, { ring.KeptIndex(), ring.RemovedIndex(), 0 });
-  this->AppendDead(right, { ring.RemovedIndex(), ring.KeptIndex(), b });
+  this->SetCenters(b, ring.TargetIndex(), ring.RemovedIndex());
+  this->AppendDead(left, { ring.TargetIndex(), ring.RemovedIndex(), 0 });
+  this->AppendDead(right, { ring.RemovedIndex(), ring.TargetIndex(), b });
   this->Glue(ring.Sectors[0].LeavingSpoke(), ring.Sectors[size - 1].ReturningSpoke());
   this->Glue(ring.Sectors[b].LeavingSpoke(), ring.Sectors[b - 1].ReturningSpoke());
   this->SetPositionsAboutMidpoint();
@@ -146,27 +146,27 @@ bool Gatherer::OntoBoundary(int firstDead)
   OneRing& ring = this->Ring;
   ring.Kind = CollapseKind::OntoBoundary;
   ring.Removed = this->Mesh.Tail(firstDead);
-  ring.Kept = this->Mesh.Head(firstDead); // the first dead face is (removed, kept, x_0)
-  int lastDead = this->Turn(firstDead);   // (removed, x_{m-1}, kept)
-  for (; this->Mesh.Head(TriangleMesh::Next(lastDead)) != ring.Kept; lastDead = this->Turn(lastDead))
+  ring.Target = this->Mesh.Head(firstDead); // the first dead face is (removed, kept, x_0)
+  int lastDead = this->Turn(firstDead);     // (removed, x_{m-1}, kept)
+  for (; this->Mesh.Head(TriangleMesh::Next(lastDead)) != ring.Target; lastDead = this->Turn(lastDead))
   {
     this->AppendSector(lastDead);
   }
   ring.Loop.push_back(this->Mesh.Head(lastDead));
   const int size = ring.LoopSize();
   if (size < 2 || TriangleMesh::FaceOf(firstDead) == TriangleMesh::FaceOf(lastDead) || !AllDistinct(ring.Loop) ||
-    this->IsLinkedToInside(ring.Kept))
+    this->IsLinkedToInside(ring.Target))
   {
     return false;
   }
   this->SetCenters(ring.NumberOfSectors(), ring.RemovedIndex(), -1);
   const int firstBorder = TriangleMesh::Next(firstDead); // kept -> x_0
   const int lastBorder = TriangleMesh::Next(lastDead);   // x_{m-1} -> kept
-  this->AppendDead(firstDead, { ring.RemovedIndex(), ring.KeptIndex(), 0 }, firstBorder);
-  this->AppendDead(lastDead, { ring.RemovedIndex(), size - 1, ring.KeptIndex() }, lastBorder);
+  this->AppendDead(firstDead, { ring.RemovedIndex(), ring.TargetIndex(), 0 }, firstBorder);
+  this->AppendDead(lastDead, { ring.RemovedIndex(), size - 1, ring.TargetIndex() }, lastBorder);
   this->Glue(ring.Sectors.front().LeavingSpoke(), this->Mesh.Twin(firstBorder));
   this->Glue(ring.Sectors.back().ReturningSpoke(), this->Mesh.Twin(lastBorder));
-  this->SetPositions(this->Mesh.Position(ring.Kept));
+  this->SetPositions(this->Mesh.Position(ring.Target));
   ring.Positions.pop_back(); // the kept vertex is the hub
   return true;
 }
@@ -177,7 +177,7 @@ bool Gatherer::AlongBoundary(int halfedge)
 {
   OneRing& ring = this->Ring;
   ring.Kind = CollapseKind::AlongBoundary;
-  ring.Kept = this->Mesh.Tail(halfedge);
+  ring.Target = this->Mesh.Tail(halfedge);
   ring.Removed = this->Mesh.Head(halfedge);
   this->AppendSectors(this->Mesh.OutgoingHalfedge(ring.Removed), TriangleMesh::FaceOf(halfedge));
   const int a = ring.LoopSize();
@@ -193,8 +193,8 @@ bool Gatherer::AlongBoundary(int halfedge)
   {
     return false;
   }
-  this->SetCenters(a, ring.RemovedIndex(), ring.KeptIndex());
-  this->AppendDead(halfedge, { ring.KeptIndex(), ring.RemovedIndex(), a });
+  this->SetCenters(a, ring.RemovedIndex(), ring.TargetIndex());
+  this->AppendDead(halfedge, { ring.TargetIndex(), ring.RemovedIndex(), a });
   this->Glue(ring.Sectors[a].LeavingSpoke(), ring.Sectors[a - 1].ReturningSpoke());
   this->SetPositionsAboutMidpoint();
   return true;

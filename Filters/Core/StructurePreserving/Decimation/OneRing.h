@@ -30,7 +30,7 @@ enum class CollapseKind
 /// for interior collapses. Otherwise the hub lies on the polygon, and sectors run from x_0 to
 /// x_{m-1}.
 ///
-/// Local vertex numbers: k for x_k, then RemovedIndex(), KeptIndex(), HubIndex().
+/// Local vertex numbers: k for x_k, then RemovedIndex(), TargetIndex(), HubIndex().
 struct OneRing
 {
   /// A face that survives: the sector's corners start, in the face, at HubCorner.
@@ -58,7 +58,7 @@ struct OneRing
   };
 
   CollapseKind Kind = CollapseKind::Interior;
-  int Kept = -1;
+  int Target = -1;
   int Removed = -1;
   std::vector<int> Loop;
   std::vector<Sector> Sectors;
@@ -75,9 +75,9 @@ struct OneRing
   int NumberOfSectors() const { return static_cast<int>(this->Sectors.size()); }
   int NumberOfVertices() const { return static_cast<int>(this->Positions.size()); }
   int RemovedIndex() const { return this->LoopSize(); }
-  int KeptIndex() const { return this->LoopSize() + 1; }
+  int TargetIndex() const { return this->LoopSize() + 1; }
   /// A collapse onto the boundary leaves the kept vertex where it is: it is the hub.
-  int HubIndex() const { return this->Kind == CollapseKind::OntoBoundary ? this->KeptIndex() : this->LoopSize() + 2; }
+  int HubIndex() const { return this->Kind == CollapseKind::OntoBoundary ? this->TargetIndex() : this->LoopSize() + 2; }
   int NextOnLoop(int k) const { return k + 1 == this->LoopSize() ? 0 : k + 1; }
 
   /// Corners of sector \p k before and after the collapse, hub first.

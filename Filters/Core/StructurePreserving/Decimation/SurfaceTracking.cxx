@@ -42,14 +42,14 @@ SurfaceTracking::SurfaceTracking(const TriangleMesh& fine)
   , PointWeights(fine.NumberOfVertices())
   , NextPointInFace(fine.NumberOfVertices(), -1)
   , FirstPointInFace(fine.NumberOfFaces(), -1)
-  , Along(3 * fine.NumberOfFaces())
+  , FineEdges(3 * fine.NumberOfFaces())
   , FirstPieceInFace(fine.NumberOfFaces(), -1)
   , SectorOfFace(fine.NumberOfFaces(), 0)
   , Pages(static_cast<std::size_t>(fine.NumberOfEdges()) + 1024)
 {
   for (int h = 0; h < 3 * fine.NumberOfFaces(); ++h)
   {
-    this->Along[h] = fine.EdgeOf(h);
+    this->FineEdges[h] = fine.EdgeOf(h);
   }
   while (this->NumberOfPages * NodesPerPage < 2 * fine.NumberOfEdges())
   {
@@ -199,14 +199,14 @@ void SurfaceTracking::CollectEdgesThatLeaveTheMesh(const OneRing& ring, Worker& 
 {
   const auto leave = [&](int halfedge)
   {
-    const int edge = this->Along[halfedge];
+    const int edge = this->FineEdges[halfedge];
     // Both halfedges of an edge inside the patch are met; the path is made once.
     if (edge >= 0 && this->Node(StartNode(edge)).Next < 0)
     {
       this->Node(StartNode(edge)).Next = EndNode(edge);
       worker.Chains.push_back({ StartNode(edge), EndNode(edge) });
     }
-    this->Along[halfedge] = -1;
+    this->FineEdges[halfedge] = -1;
   };
   for (const OneRing::Sector& sector : ring.Sectors)
   {
@@ -311,9 +311,9 @@ void SurfaceTracking::MovePoints(const OneRing& ring, const std::vector<Complex>
   {
     this->MovePoint(ring.Removed, plane[ring.RemovedIndex()], ring, plane);
   }
-  if (ring.HubIndex() != ring.KeptIndex() && this->PointFaces[ring.Kept] < 0)
+  if (ring.HubIndex() != ring.TargetIndex() && this->PointFaces[ring.Target] < 0)
   {
-    this->MovePoint(ring.Kept, plane[ring.KeptIndex()], ring, plane);
+    this->MovePoint(ring.Target, plane[ring.TargetIndex()], ring, plane);
   }
 }
 
@@ -328,8 +328,8 @@ void SurfaceTracking::KeepBorder(const OneRing& ring, Worker& worker)
   const std::array<int, 2> after = { ring.Sectors.front().LeavingSpoke(), ring.Sectors.back().ReturningSpoke() };
   for (int i : { 0, 1 })
   {
-    this->Along[after[i]] = this->Along[before[i]];
-    this->Along[before[i]] = -1;
+    this->FineEdges[after[i]] = this->FineEdges[before[i]];
+    this->FineEdges[before[i]] = -1;
   }
   for (const Chain& chain : worker.Chains)
   {
@@ -360,7 +360,7 @@ PlaceInRing SurfaceTracking::LocateFineVertex(
         w[(corner + 2) % 3] * plane[ring.NextOnLoop(k)],
       k, k, false };
   }
-  if (fineVertex == ring.Kept)
+  if (fineVertex == ring.Target)
   {
     return { plane[ring.HubIndex()], 0, ring.NumberOfSectors() - 1, true };
   }

@@ -67,7 +67,7 @@ public:
   /// A fine edge that is still an edge of the coarse mesh has no path: see AlongHalfedge.
   bool HasPath(int fineEdge) const { return this->Node(StartNode(fineEdge)).Next >= 0; }
   /// The fine edge that runs along a coarse halfedge, or -1.
-  int FineEdgeAlong(int halfedge) const { return this->Along[halfedge]; }
+  int FineEdgeAlong(int halfedge) const { return this->FineEdges[halfedge]; }
 
   /// Calls visit(face, from, to) for the pieces of the path of a fine edge, in its orientation,
   /// with barycentric coordinates of both ends. An end at a vertex of the coarse mesh has
@@ -192,7 +192,7 @@ private:
   std::vector<int> NextPointInFace;                // per fine vertex
   std::vector<int> FirstPointInFace;               // per face slot
 
-  std::vector<int> Along;            // per halfedge slot
+  std::vector<int> FineEdges;        // per halfedge slot
   std::vector<int> FirstPieceInFace; // per face slot
   /// Per face slot, in the ring at hand: its sector, or -1 - d for dead face d.
   std::vector<int> SectorOfFace;

@@ -206,7 +206,8 @@ LocalProlongation::LocalProlongation(const CollapseRecord& collapse)
   const auto addVertex = [&](int vertexSlot, int vertex)
   {
     const RingOverlay::Place place = overlay.PlaceOf(vertex);
-    const std::array<int, 3> corners = { ring.Kept, ring.Loop[place.Sector], ring.Loop[ring.NextOnLoop(place.Sector)] };
+    const std::array<int, 3> corners = { ring.Target, ring.Loop[place.Sector],
+      ring.Loop[ring.NextOnLoop(place.Sector)] };
     Combination<double> row;
     for (int k = 0; k < 3; ++k)
     {
@@ -218,9 +219,9 @@ LocalProlongation::LocalProlongation(const CollapseRecord& collapse)
     this->Vertices.push_back({ vertexSlot, row });
   };
   addVertex(ring.Removed, ring.RemovedIndex());
-  if (ring.KeptIndex() != ring.HubIndex())
+  if (ring.TargetIndex() != ring.HubIndex())
   {
-    addVertex(ring.Kept, ring.KeptIndex());
+    addVertex(ring.Target, ring.TargetIndex());
   }
 
   std::vector<FlatTriangle> sectors;

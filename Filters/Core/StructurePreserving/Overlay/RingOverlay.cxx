@@ -36,7 +36,7 @@ RingOverlay::RingOverlay(const CollapseRecord& collapse)
       this->Areas.push_back(CGAL::determinant(this->FromHub[k], this->FromHub[vertex]));
     }
   }
-  for (int vertex : { this->Ring.RemovedIndex(), this->Ring.KeptIndex() })
+  for (int vertex : { this->Ring.RemovedIndex(), this->Ring.TargetIndex() })
   {
     const int sector = this->SectorWith(vertex, vertex);
     if (sector < 0 || !IsInside(this->WeightsIn(sector, vertex)))
