@@ -109,7 +109,7 @@
  * directions of PointPowerField are the mean of the corners; at a point, those of all others are the mean of the faces around,
  * and zero at prescribed singularities.
  * Elements without a triangle hold zeros. The frame of a face, to which PowerField refers, has its first axis along the first
- * side. A polygon has the mean power of its triangles.
+ * side.
  *
  * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Rotation,
  * the rotation of the field from the face on the left to the face on the right, in radians; for
