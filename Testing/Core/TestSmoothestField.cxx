@@ -194,8 +194,9 @@ TEST(SmoothestField, HasTheEigenvalueOfADenseSolver)
 {
   const std::vector<FieldOptions> fields{ OptionsOf(DiscretisationKind::PowerField, 1),
     OptionsOf(DiscretisationKind::PowerField, 2), OptionsOf(DiscretisationKind::PowerField, 4),
-    OptionsOf(DiscretisationKind::PowerField, 6), OptionsOf(DiscretisationKind::FaceField, 1),
-    OptionsOf(DiscretisationKind::OneForm, 1) };
+    OptionsOf(DiscretisationKind::PowerField, 6), OptionsOf(DiscretisationKind::VertexPowerField, 1),
+    OptionsOf(DiscretisationKind::VertexPowerField, 4), OptionsOf(DiscretisationKind::VertexPowerField, 6),
+    OptionsOf(DiscretisationKind::FaceField, 1), OptionsOf(DiscretisationKind::OneForm, 1) };
   for (const auto& [name, surface] : SmallSurfaces())
   {
     for (const FieldOptions& options : fields)
@@ -216,9 +217,11 @@ TEST(SmoothestField, HasTheEigenvalueOfADenseSolver)
 // the next eigenvalue. Eigenvalues of power fields are double: a field and its quarter turn as a power.
 TEST(SmoothestField, IsTheEigenvectorOfADenseSolver)
 {
-  for (const int N : { 1, 2, 4 })
+  for (const auto& [fieldKind, N] : { std::pair(DiscretisationKind::PowerField, 1),
+         std::pair(DiscretisationKind::PowerField, 2), std::pair(DiscretisationKind::PowerField, 4),
+         std::pair(DiscretisationKind::VertexPowerField, 1), std::pair(DiscretisationKind::VertexPowerField, 4) })
   {
-    const FieldOptions options = OptionsOf(DiscretisationKind::PowerField, N);
+    const FieldOptions options = OptionsOf(fieldKind, N);
     for (const SolverKind kind : { SolverKind::Cholesky, SolverKind::ConjugateGradients })
     {
       SolverOfUnknowns solver(Ellipsoid(2, { 1.0, 1.3, 2.0 }).Mesh());
@@ -277,8 +280,8 @@ TEST(SmoothestField, IsFoundOnThinPlates)
 // The factor that small surfaces take and the cycles of large ones find the same field, if it is the only one.
 TEST(SmoothestField, IsTheSameBySolversOfAllKinds)
 {
-  for (const DiscretisationKind kind :
-    { DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
+  for (const DiscretisationKind kind : { DiscretisationKind::PowerField, DiscretisationKind::VertexPowerField,
+         DiscretisationKind::FaceField, DiscretisationKind::OneForm })
   {
     const TriangleMesh mesh = Ellipsoid(4, { 1.0, 1.3, 2.0 }).Mesh();
     SolverOfUnknowns factored(mesh);
@@ -304,6 +307,13 @@ TEST(SmoothestField, HasTheSingularitiesOfTheLiterature)
     SolverOfUnknowns solver(surface.Mesh());
     solver.Solve({}, OptionsOf(DiscretisationKind::PowerField, N), { 1e-5, 300 });
     EXPECT_EQ(SingularitiesOf(solver), (std::map<int, int>{ { 1, number } })) << "N = " << N;
+    FieldSolver atVertices(surface.Mesh());
+    FieldProblem problem;
+    problem.Options = OptionsOf(DiscretisationKind::VertexPowerField, N);
+    problem.Stop = { 1e-5, 300 };
+    const Vector<double> indices = atVertices.Solve(problem).Indices; // of faces
+    EXPECT_EQ((indices.array() != 0.0).count(), number) << "N = " << N;
+    EXPECT_NEAR(indices.sum(), 2.0, 1e-12) << "N = " << N;
   };
   for (const int N : { 1, 2, 4, 6 })
   {
@@ -372,8 +382,8 @@ TEST(SmoothestField, StandsBesideGuidedComponents)
 {
   const Surface guided = IrregularTorus(48, 24, 4);
   const Surface other = Ellipsoid(3, { 1.0, 1.3, 2.0 });
-  for (const DiscretisationKind kind :
-    { DiscretisationKind::PowerField, DiscretisationKind::FaceField, DiscretisationKind::OneForm })
+  for (const DiscretisationKind kind : { DiscretisationKind::PowerField, DiscretisationKind::VertexPowerField,
+         DiscretisationKind::FaceField, DiscretisationKind::OneForm })
   {
     const StoppingCriteria stop{ 1e-7, 200 };
     FieldOptions options = OptionsOf(kind, 2, SolverKind::ConjugateGradients);

@@ -176,6 +176,42 @@ TEST(PointPowerField, FollowsDirectionsOfPoints)
   }
 }
 
+// Of many directions at points, those in the mask count, with their weights.
+TEST(PointPowerField, TakesMaskAndWeightsOfPoints)
+{
+  const auto input = PolyDataOf(IrregularPlane(20, 15, 3));
+  const auto addToPoints = [&input](const char* name, int components)
+  {
+    const auto array = vtkSmartPointer<vtkDoubleArray>::New();
+    array->SetName(name);
+    array->SetNumberOfComponents(components);
+    array->SetNumberOfTuples(input->GetNumberOfPoints());
+    array->Fill(components == 3 ? 0.6 : 0.0);
+    input->GetPointData()->AddArray(array);
+    return array;
+  };
+  addToPoints("AtPoints", 3);
+  const auto mask = addToPoints("Mask", 1);
+  const auto weights = addToPoints("Weight", 1);
+  for (const auto& [point, weight] : { std::pair(17, 2.0), std::pair(40, 0.5), std::pair(99, 3.0) })
+  {
+    mask->SetValue(point, 1.0);
+    weights->SetValue(point, weight);
+  }
+  weights->SetValue(200, 7.0); // not in the mask
+  const auto solver = NewPointSolver(input);
+  solver->SetInputArrayToProcess(0, 0, 0, OnPoints, "Mask");
+  solver->SetInputArrayToProcess(1, 0, 0, OnPoints, "AtPoints");
+  solver->SetInputArrayToProcess(2, 0, 0, OnPoints, "Weight");
+  solver->Update();
+  ASSERT_EQ(Converged(solver), 1);
+  std::vector<double> expected(input->GetNumberOfPoints(), 0.0);
+  expected[17] = 2.0;
+  expected[40] = 0.5;
+  expected[99] = 3.0;
+  EXPECT_EQ(Values(solver->GetOutput()->GetPointData(), "Prescribed"), expected);
+}
+
 namespace
 {
 

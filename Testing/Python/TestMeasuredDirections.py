@@ -101,6 +101,16 @@ class MeasuredDirections(unittest.TestCase):
             field = smooth_field(mesh, n=2, Discretisation="PowerField", Directions="Stress", TensorWeights=weighs)
             found = vtk_to_numpy(field.GetCellData().GetArray("Prescribed"))
             self.assertTrue(np.allclose(found, expected, rtol=1e-9), (weighs, found[:4]))
+            # At points, the mean of the cells around by area; all lines run along the tube.
+            field = smooth_field(mesh, n=2, Directions="Stress", TensorWeights=weighs)
+            areas = 0.5 * np.linalg.norm(np.cross(points[triangles[:, 1]] - points[triangles[:, 0]],
+                                                  points[triangles[:, 2]] - points[triangles[:, 0]]), axis=1)
+            sums = [np.bincount(triangles.ravel(), np.repeat(a, 3), len(points)) for a in (areas * expected, areas)]
+            found = vtk_to_numpy(field.GetPointData().GetArray("Prescribed"))
+            self.assertTrue(np.allclose(found, sums[0] / sums[1], rtol=1e-9), (weighs, found[:4]))
+            for attributes in (field.GetPointData(), field.GetCellData()):
+                along = np.abs(vtk_to_numpy(attributes.GetArray("Direction0"))[:, 0])
+                self.assertGreater(along.min(), 0.99)  # the triangles lean by 5 degrees
 
 
 if __name__ == "__main__":
