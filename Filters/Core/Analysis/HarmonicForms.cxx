@@ -1,11 +1,13 @@
 #include "Analysis/HarmonicForms.h"
 
 #include "Analysis/TreeCotree.h"
+#include "Mesh/FaceProjection.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Solvers/Direct/CholeskySolver.h"
 
 #include <Eigen/QR>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <vector>
@@ -38,6 +40,42 @@ Eigen::MatrixXd Orthonormal(const Eigen::MatrixXd& columns)
   }
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(columns);
   return qr.householderQ() * Eigen::MatrixXd::Identity(columns.rows(), columns.cols());
+}
+
+/// Gives degenerate faces what has the least energy beside the other faces: a form tells the part along their longest side
+/// only, but a field crosses them.
+void FillDegenerateFaces(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, Eigen::MatrixXd& fields, const ExecutionContext& context)
+{
+  std::vector<int> unknowns;
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    if (IsDegenerate(ProjectionOntoSides(mesh, faceFrames, face)))
+    {
+      unknowns.push_back(2 * face);
+      unknowns.push_back(2 * face + 1);
+    }
+  }
+  if (unknowns.empty())
+  {
+    return;
+  }
+  const int size = static_cast<int>(unknowns.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int k = 0; k < size; ++k)
+  {
+    entries.emplace_back(unknowns[k], k, 1.0);
+  }
+  Eigen::SparseMatrix<double> insert(fields.rows(), size);
+  insert.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SparseMatrix<double> B = FaceFieldSmoothnessFactor(mesh, faceFrames, context);
+  const Eigen::SparseMatrix<double> ofUnknowns = B * insert;
+  const Eigen::SparseMatrix<double> normal = ofUnknowns.transpose() * ofUnknowns;
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(normal);
+  if (factor.info() == Eigen::Success)
+  {
+    fields -= insert * Eigen::MatrixXd(factor.solve(ofUnknowns.transpose() * (B * fields)));
+  }
 }
 
 }
@@ -185,7 +223,9 @@ Eigen::MatrixXd HarmonicFaceFields(const TriangleMesh& mesh, const TangentFrames
   {
     alongHalfedges.row(h) = mesh.EdgeSign(h) * forms.row(mesh.EdgeOf(h));
   }
-  return Orthonormal(HalfedgePseudoInverse(mesh, faceFrames, context) * alongHalfedges);
+  Eigen::MatrixXd fields = HalfedgePseudoInverse(mesh, faceFrames, context) * alongHalfedges;
+  FillDegenerateFaces(mesh, faceFrames, fields, context);
+  return Orthonormal(fields);
 }
 
 }

@@ -17,6 +17,9 @@ constexpr int Grain = 4096;
 /// Keeps 1 / area of slivers finite; relative to the square of the longest side.
 constexpr double SmallestArea = 1e-6;
 
+/// Holds degenerate faces, where nothing else determines a field; less than any weight that means something.
+constexpr double EnergyOfDegenerate = 1e-12;
+
 /// Areas of the faces, those of slivers raised.
 Vector<double> AreasForInverses(const TriangleMesh& mesh)
 {
@@ -181,7 +184,7 @@ SparseMatrix<double> FaceFieldSmoothnessFactor(
       else
       {
         const int k = r - vertices - edges;
-        row.emplace_back(2 * degenerate[k / 2] + k % 2, std::sqrt(SmallestArea));
+        row.emplace_back(2 * degenerate[k / 2] + k % 2, std::sqrt(EnergyOfDegenerate));
       }
       for (auto& [column, value] : row)
       {
