@@ -17,8 +17,14 @@ constexpr int Grain = 4096;
 /// Keeps 1 / area of slivers finite; relative to the square of the longest side.
 constexpr double SmallestArea = 1e-6;
 
-/// Holds degenerate faces, where nothing else determines a field; less than any weight that means something.
-constexpr double EnergyOfDegenerate = 1e-12;
+/// A field circulates at no cost through two degenerate faces that share a side of no length, so that these are held. One whose
+/// sides all have a length is crossed by a field as its neighbours are: it is hardly held.
+double EnergyOfDegenerate(const FaceProjection& P)
+{
+  constexpr double NoLength = 1e-5; // as in FaceFrames
+  const auto squares = P.rowwise().squaredNorm();
+  return squares.minCoeff() < NoLength * NoLength * squares.maxCoeff() ? SmallestArea : 1e-6 * SmallestArea;
+}
 
 /// Areas of the faces, those of slivers raised.
 Vector<double> AreasForInverses(const TriangleMesh& mesh)
@@ -184,7 +190,8 @@ SparseMatrix<double> FaceFieldSmoothnessFactor(
       else
       {
         const int k = r - vertices - edges;
-        row.emplace_back(2 * degenerate[k / 2] + k % 2, std::sqrt(EnergyOfDegenerate));
+        const int face = degenerate[k / 2];
+        row.emplace_back(2 * face + k % 2, std::sqrt(EnergyOfDegenerate(projections[face])));
       }
       for (auto& [column, value] : row)
       {

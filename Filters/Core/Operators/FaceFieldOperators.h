@@ -54,8 +54,8 @@ FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh);
 /// Its kernel are the harmonic fields that run along the boundary. Their dimension is the first
 /// Betti number of the surface: 2 g where it is closed, 2 g + b - 1 with b boundary loops; none on
 /// spheres and discs.
-/// Degenerate faces add 1e-12 |X_f|^2: through two of them that share a side of no length a field
-/// circulate at no cost. Cost: O(#F) for bounded valence.
+/// Degenerate faces with a side of no length add 1e-6 |X_f|^2: through two of them that share that side a field
+/// circulates at no cost. Others add 1e-12 |X_f|^2. Cost: O(#F) for bounded valence.
 /// A row of B per vertex, M_V^-1/2 D_V, per edge, M_E^-1/2 C_E, and two per degenerate face. 12 entries per face.
 SparseMatrix<double> FaceFieldSmoothnessFactor(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());

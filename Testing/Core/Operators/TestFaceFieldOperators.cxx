@@ -198,7 +198,7 @@ TEST(FaceFieldOperators, SmoothnessIsTheSquareOfItsFactor)
     });
 }
 
-// Degenerate faces add 1e-6 |X_f|^2, in two rows each.
+// Degenerate faces are held, in two rows each.
 TEST(FaceFieldOperators, FactorHoldsFacesWithoutArea)
 {
   const TriangleMesh mesh = SphereWithZeroAreaFaces(2, 3).Mesh();
