@@ -10,11 +10,12 @@ from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersGeneral import vtkTransformPolyDataFilter
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkLineSource
 
-from any_surfaces import (cells_of, grid_of, hard, hexagons, image, latitude_longitude, make, out, plane, plate_with_stiffener, points_of, polygons,
+from any_surfaces import (cells_of, grid_of, hard, hexagons, image, latitude_longitude, make, odd, out, plane, plate_with_stiffener, points_of, polygons,
                           positions_of, soup, sphere, superquadric, with_flips_and_twins)
 from directionalmultigrid import FieldError, FieldWarning, update
-from directionalmultigrid.vtkFiltersDirectionalFields import (vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs,
-                                                              vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver,
+from directionalmultigrid.vtkFiltersDirectionalFields import (vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles,
+                                                              vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities,
+                                                              vtkHarmonicFieldSolver, vtkHodgeDecomposition,
                                                               vtkPrincipalDirections)
 from smoothest import FIELDS, how_it_ended
 from surfaces import add, values
@@ -86,6 +87,30 @@ class AnySurface(unittest.TestCase):
                 self.assertAlmostEqual(total, characteristic, delta=1e-9)
                 if expected["characteristic"] is not None:
                     self.assertEqual((characteristic, loops), (expected["characteristic"], expected["loops"]))
+
+    def test_what_files_hold_has_a_field_or_one_clear_error(self):
+        for name, (data, error) in odd().items():
+            with self.subTest(surface=name):
+                curvature, hodge = vtkPrincipalDirections(), vtkHodgeDecomposition()
+                add(data.GetCellData(), "Flow", np.random.default_rng(2).normal(size=(data.GetNumberOfCells(), 3)))
+                hodge.SetInputArrayToProcess(0, 0, 0, CELLS, "Flow")
+                for each in (vtkDirectionalField(), curvature, hodge):
+                    each.SetInputDataObject(0, data)
+                    if error:
+                        with self.assertRaisesRegex(FieldError, error):
+                            result_of(each)
+                        continue
+                    result = result_of(each)
+                    for attributes in (result.GetCellData(), result.GetPointData()):
+                        for k in range(attributes.GetNumberOfArrays()):
+                            self.assertTrue(np.isfinite(values(attributes, attributes.GetArrayName(k))).all())
+                if not error:
+                    total, characteristic, _ = topology(solved(data))
+                    self.assertAlmostEqual(total, characteristic, delta=1e-9)
+
+    def test_layers_along_a_wall_are_no_rounding(self):
+        data = odd()["layers_along_a_wall"][0]
+        self.assertEqual(preparation(solved(data)), "")
 
     def test_the_smoothest_field_is_found_on_small_surfaces_of_any_shape(self):
         for name, data in hard().items():

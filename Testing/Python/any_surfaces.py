@@ -8,7 +8,7 @@ import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricEllipsoid, vtkParametricTorus
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import (VTK_POLYGON, VTK_QUAD, VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE, VTK_TRIANGLE,
+from vtkmodules.vtkCommonDataModel import (VTK_BEZIER_TRIANGLE, VTK_LAGRANGE_QUADRILATERAL, VTK_PIXEL, VTK_WEDGE, VTK_POLYGON, VTK_QUAD, VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE, VTK_TRIANGLE,
                                            vtkCellArray, vtkImageData, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid,
                                            vtkUnstructuredGrid)
 from vtkmodules.vtkFiltersCore import vtkAppendPolyData, vtkPolyDataNormals, vtkTubeFilter
@@ -388,6 +388,109 @@ def hard():
     surfaces.update({"a_triangle": triangle, "triangles": pieces(100, triangle), "boxes": pieces(100, out(vtkCubeSource())),
                      "spheres": pieces(40, sphere(8, 6)), "discs": pieces(40, plate(8, 1e-3))})
     return surfaces
+
+
+def cells_of_a_plane(columns, rows):
+    """The points of a plane of unit squares, and the corners of these."""
+    width = columns + 1
+    places = [(i % width, i // width, 0.0) for i in range(width * (rows + 1))]
+    return np.array(places), [[c, c + 1, c + 1 + width, c + width] for j in range(rows) for c in range(j * width, j * width + columns)]
+
+
+def single_precision(positions, cells):
+    data = polygons(positions, cells)
+    points = vtkPoints()
+    points.SetData(numpy_to_vtk(np.array(positions, np.float32), deep=True))
+    data.SetPoints(points)
+    return data
+
+
+def grid_of_types(positions, cells):
+    """An unstructured grid of pairs of a type and corners."""
+    grid = vtkUnstructuredGrid()
+    grid.SetPoints(points_of(positions))
+    for kind, corners in cells:
+        grid.InsertNextCell(kind, len(corners), list(corners))
+    return grid
+
+
+def book(sheets):
+    """Squares around one edge."""
+    positions, cells = [(0, 0, 0), (0, 0, 1)], []
+    for k in range(sheets):
+        x, y = np.cos(2 * np.pi * k / sheets), np.sin(2 * np.pi * k / sheets)
+        positions += [(x, y, 0), (x, y, 1)]
+        cells.append([0, 2 + 2 * k, 3 + 2 * k, 1])
+    return polygons(positions, cells)
+
+
+def klein_bottle(size=16):
+    """Closed, with one side, and through itself."""
+    u, v = np.meshgrid(*[2 * np.pi * np.arange(size) / size] * 2, indexing="ij")
+    radius = 2 + np.cos(u / 2) * np.sin(v) - np.sin(u / 2) * np.sin(2 * v)
+    positions = np.stack([radius * np.cos(u), radius * np.sin(u), np.sin(u / 2) * np.sin(v) + np.cos(u / 2) * np.sin(2 * v)], -1)
+
+    def at(i, j):
+        return i * size + j % size if i < size else -j % size
+
+    return polygons(positions, [[at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)] for i in range(size) for j in range(size)])
+
+
+def strip_beside_quads():
+    places, cells = cells_of_a_plane(6, 3)
+    data, strips = polygons(places, cells[:12]), vtkCellArray()
+    strips.InsertNextCell(14, [i + (2 + j) * 7 for i in range(7) for j in (0, 1)])
+    data.SetStrips(strips)
+    return data
+
+
+def odd():
+    """{name: (dataset, error)} of what files hold, too. The error is a pattern, empty where there is a field."""
+    places, quads = cells_of_a_plane(8, 6)
+    rng = np.random.default_rng(3)
+    nowhere = places.copy()
+    nowhere[14] = np.nan
+    layers, cells_of_layers = cells_of_a_plane(8, 50)
+    layers *= 10
+    layers[:, 1] = 5e-6 * (1.2 ** (layers[:, 1] / 10) - 1)
+    volume = "three dimensions.*Extract Surface"
+    unused = np.vstack([places, [(1e9, 0, 0), (np.nan, 0, 0)]])
+    wedge = np.vstack([places, np.random.default_rng(1).normal(size=(6, 3))])
+    return {
+        "mixed_cells": (grid_of_types(places, [(VTK_QUAD, q) if k % 3 else (VTK_POLYGON, q + [q[0]]) for k, q in enumerate(quads)]), ""),
+        "pixels": (grid_of_types(places, [(VTK_PIXEL, [q[0], q[1], q[3], q[2]]) for q in quads]), ""),
+        "a_lagrange_quad": (grid_of_types(
+            [(0, 0, 0), (3, 0, 0), (3, 3, 0), (0, 3, 0), (1, 0, 0), (2, 0, 0), (3, 1, 0), (3, 2, 0), (1, 3, 0), (2, 3, 0), (0, 1, 0),
+             (0, 2, 0), (1, 1, 0.1), (2, 1, 0.1), (1, 2, 0.1), (2, 2, 0.1)], [(VTK_LAGRANGE_QUADRILATERAL, range(16))]), ""),
+        "a_bezier_triangle": (grid_of_types([(0, 0, 0), (3, 0, 0), (0, 3, 0), (1.5, 0, 0.2), (1.5, 1.5, 0.2), (0, 1.5, 0.2)],
+                                            [(VTK_BEZIER_TRIANGLE, range(6))]), ""),
+        "a_wedge_beside_quads": (grid_of_types(wedge, [(VTK_QUAD, q) for q in quads] + [(VTK_WEDGE, range(63, 69))]), volume),
+        "strip_beside_quads": (strip_beside_quads(), ""),
+        "unused_points_far_away": (polygons(unused, quads), ""),
+        "a_point_nowhere": (polygons(nowhere, quads), "point 14 has a coordinate that is not finite"),
+        "a_point_that_is_not_there": (polygons(places, quads[:5] + [[0, 1, 99]]), "cell 5 uses point 99"),
+        "a_negative_point": (polygons(places, quads[:5] + [[0, 1, -1]]), "cell 5 uses point -1"),
+        "far_in_single_precision": (single_precision(0.7 * places + 1e6, quads), ""),
+        "far": (polygons(0.1 * places + 1e9, quads), ""),
+        "tiny": (polygons(1e-9 * places, quads), ""),
+        "too_tiny": (polygons(1e-100 * places, quads), "smaller than 1e-40.*Transform"),
+        "huge": (polygons(1e30 * places, quads), ""),
+        "too_huge": (polygons(1e160 * places, quads), "beyond 1e40.*Transform"),
+        "layers_along_a_wall": (polygons(layers, cells_of_layers), ""),
+        "narrow": (polygons(places * (1, 1e-6, 1), quads), ""),
+        "repeated_corners": (polygons(places, [[*q, q[3], q[0]] for q in quads]), ""),
+        "a_spike": (polygons([(0, 0, 0), (2, 0, 0), (2, 2, 0), (1, 2, 0), (1, 3, 0), (0, 2, 0)], [[0, 1, 2, 3, 4, 3, 5]]), ""),
+        "a_bridge_to_a_hole": (polygons([(0, 0, 0), (4, 0, 0), (4, 4, 0), (0, 4, 0), (1, 1, 0), (1, 3, 0), (3, 3, 0), (3, 1, 0)],
+                                        [[0, 1, 2, 3, 0, 4, 5, 6, 7, 4]]), ""),
+        "a_star": (polygons([(np.cos(t), np.sin(t), 0.1 * np.sin(3 * t)) for t in 2 * np.pi * np.arange(7) / 7], [[0, 3, 6, 2, 5, 1, 4]]), ""),
+        "few_corners": (polygons(places, quads + [[0, 1], [5], []]), ""),
+        "all_cells_twice": (polygons(places, quads + [q[::-1] for q in quads]), ""),
+        "chequered": (polygons(places, [q for k, q in enumerate(quads) if (k % 8 + k // 8) % 2]), ""),
+        "a_book": (book(7), ""),
+        "klein_bottle": (klein_bottle(), ""),
+        "polygons_of_any_points": (polygons(rng.normal(size=(30, 3)), [rng.integers(0, 30, rng.integers(3, 9)) for _ in range(60)]), ""),
+        "on_a_line": (polygons([(i, 0, 0) for i in range(4)], [[0, 1, 2], [1, 2, 3]]), "no triangle of the surface has an area"),
+    }
 
 
 def make():
