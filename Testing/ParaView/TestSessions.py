@@ -118,8 +118,8 @@ class Sessions(unittest.TestCase):
         surface = simple.Sphere(registrationName="Ball", Radius=1, ThetaResolution=40, PhiResolution=40)
         guides = {name: simple.PolyLineSource(registrationName=name, Points=meridian(angle))
                   for name, angle in zip(("Guides", "SecondGuide", "ThirdGuide", "FourthGuide"), (0.3, 1.9, 3.2, 4.7))}
-        corners = simple.ProgrammableFilter(registrationName="Corners", Input=simple.Box(XLength=1.1, YLength=1.1, ZLength=1.1), Script=(
-            "import numpy as np\noutput.PointData.append(np.full(output.GetNumberOfPoints(), 0.25), 'Index')"))
+        corners = simple.Calculator(registrationName="Corners", Input=simple.Box(XLength=1.1, YLength=1.1, ZLength=1.1),
+                                    ResultArrayName="Index", Function="0.25")
         corners = simple.Clean(registrationName="Singular points", Input=corners)
         field = simple.DirectionalField(registrationName="Field", Input=surface, PrescribedSingularities=corners,
                                         GuideWeights="1 1 1 2", **guides)
