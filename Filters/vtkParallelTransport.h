@@ -34,7 +34,7 @@
  *
  * @section vtkParallelTransport-Execution Execution
  *
- * Two sparse factors are made, once for a surface and a time step, and kept: a moved point or other vectors then cost some solves.
+ * Sparse factors are made, once for a surface and a time step, and kept: a moved point or other vectors then cost some solves.
  * Results have the same bits for any number of threads. Blocks of composite inputs are surfaces of their own, each with its nearest point. Threads, errors, aborts and pieces are as in vtkFieldLines.
  *
  * @sa vtkHarmonicFieldSolver

@@ -3,9 +3,7 @@
 #include "Mesh/IntrinsicTriangulation.h"
 #include "Mesh/VertexConnection.h"
 #include "Operators/DiffusionOperators.h"
-#include "Operators/ExteriorCalculus.h"
 #include "Operators/FunctionSource.h"
-#include "PoissonSolver.h"
 #include "Solvers/Direct/CholeskySolver.h"
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
@@ -16,7 +14,6 @@
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <queue>
 #include <utility>
 
@@ -35,6 +32,9 @@ constexpr double LargestDecay = 300.0;
 
 /// Below, a number has lost digits: the smallest normal double is 2e-308.
 constexpr double SmallestHeat = 1e-290;
+
+/// The part of all points whose distances may need a large correction before a warning says so.
+constexpr double MostCorrected = 0.01;
 
 constexpr int Grain = 4096;
 
@@ -140,6 +140,32 @@ Vector<double> TimesOf(const TriangleMesh& mesh, const std::vector<int>& compone
   return ofVertices;
 }
 
+/// Distances are at least those through space and at most those along edges. On uneven triangles, integrated ones may not be.
+/// \return of how many the correction was large, more than 2 % of the largest distance.
+int KeepWithinBounds(const TriangleMesh& mesh, int from, Vector<double>& distances)
+{
+  constexpr double Large = 0.02;
+  const Vector<double> alongEdges = DistancesAlongEdges(mesh, { from });
+  double largest = 0.0;
+  for (const double distance : alongEdges)
+  {
+    largest = std::isfinite(distance) ? std::max(largest, distance) : largest;
+  }
+  int large = 0;
+  for (int vertex = 0; vertex < distances.size(); ++vertex)
+  {
+    if (!std::isfinite(alongEdges[vertex]))
+    {
+      continue; // on another component
+    }
+    const double straight = (mesh.Position(vertex) - mesh.Position(from)).norm();
+    const double kept = std::min(std::max(distances[vertex], straight), alongEdges[vertex]);
+    large += std::abs(kept - distances[vertex]) > Large * largest ? 1 : 0;
+    distances[vertex] = kept;
+  }
+  return large;
+}
+
 template <class Scalar>
 std::unique_ptr<CholeskySolver<Scalar>> Factor(const SparseMatrix<Scalar>& matrix)
 {
@@ -181,8 +207,10 @@ public:
   Vector<Complex> VectorsOnFaces(const Vector<Complex>& atVertices, const ExecutionContext& context) const;
   std::vector<std::string> WarningsOf(const std::vector<char>& hasSource, const Vector<double>& heat,
     const std::string& given, const std::string& result) const;
-  /// Distances from a vertex whose positions others see.
-  Vector<double> Distances(int vertex, const Vector<Complex>& positions, const ExecutionContext& context);
+  void MakeFactorOfDistances();
+  /// Distances from a vertex.
+  /// \param positions where each vertex sees it.
+  Vector<double> Distances(int vertex, const Vector<Complex>& positions);
 
   const FramedMesh& On;
   const std::vector<int> Components; ///< of vertices
@@ -191,7 +219,7 @@ public:
   const Vector<double> Times;
   std::unique_ptr<CholeskySolver<double>> OfFunctions;
   std::unique_ptr<CholeskySolver<Complex>> OfVectors;
-  std::optional<PoissonSolver> Poisson;
+  std::unique_ptr<CholeskySolver<double>> OfDistances;
   StageCounts Counts;
 };
 
@@ -318,34 +346,41 @@ std::vector<std::string> ParallelTransport::Internals::WarningsOf(const std::vec
   return warnings;
 }
 
-Vector<double> ParallelTransport::Internals::Distances(
-  int vertex, const Vector<Complex>& positions, const ExecutionContext& context)
+void ParallelTransport::Internals::MakeFactorOfDistances()
 {
-  const TriangleMesh& mesh = this->On.Mesh;
-  if (!this->Poisson)
+  if (this->OfDistances)
   {
-    this->Poisson.emplace(this->On, std::vector<int>(), SolverOptions(), PartOfContext(context, 0.0, 0.6));
+    return;
   }
+  const Vector<double> forever = Vector<double>::Constant(this->Times.size(), std::numeric_limits<double>::infinity());
+  SparseMatrix<double> laplacian = DiffusionOfFunctions(this->Delaunay, forever);
+  // Sources sum to zero, so that a function that is held at one vertex of each component is zero there.
+  for (const int vertex : Farthest(Vector<double>::Zero(this->Times.size()), this->Components))
+  {
+    laplacian.coeffRef(vertex, vertex) += 1.0;
+  }
+  this->OfDistances = Factor(laplacian);
+}
+
+Vector<double> ParallelTransport::Internals::Distances(int vertex, const Vector<Complex>& positions)
+{
+  this->MakeFactorOfDistances();
   // How much farther away the head of an edge is than its tail, seen from both: in the plane, that is exact.
-  const Vector<double> weights = Star1(mesh);
-  Vector<double> source = Vector<double>::Zero(mesh.NumberOfVertices());
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    const int h = mesh.HalfedgeOf(edge);
-    const int tail = mesh.Tail(h);
-    const int head = mesh.Head(h);
-    const double length = (mesh.Position(head) - mesh.Position(tail)).norm();
-    const double direction = this->Connection.PolarAngle(h);
-    const Complex fromTail = std::polar(length, direction);
-    const Complex fromHead = -std::polar(length, direction + this->Connection.Transport(h));
-    const double difference = 0.5 *
-      (std::abs(positions[tail] - fromTail) - std::abs(positions[tail]) + std::abs(positions[head]) -
-        std::abs(positions[head] - fromHead));
-    source[head] += weights[edge] * difference;
-    source[tail] -= weights[edge] * difference;
-  }
-  Vector<double> distances =
-    this->Poisson->Solve(source, {}, { 1e-10, 200 }, PartOfContext(context, 0.6, 1.0), NetSource::TakeOut);
+  Vector<double> source = Vector<double>::Zero(positions.size());
+  VisitEdges(this->Delaunay,
+    [&](int h)
+    {
+      const Complex tail = positions[this->Delaunay.Tail(h)];
+      const Complex head = positions[this->Delaunay.Head(h)];
+      const Complex fromTail = std::polar(this->Delaunay.Length(h), this->Delaunay.Direction(h));
+      const Complex fromHead = -std::polar(this->Delaunay.Length(h), this->Delaunay.Arrival(h));
+      const double flux = 0.5 * this->Delaunay.Weight(h) *
+        (std::abs(tail - fromTail) - std::abs(tail) + std::abs(head) - std::abs(head - fromHead));
+      source[this->Delaunay.Head(h)] += flux;
+      source[this->Delaunay.Tail(h)] -= flux;
+    });
+  Vector<double> distances;
+  this->OfDistances->Solve(source, distances);
   const double zero = distances[vertex];
   for (int other = 0; other < distances.size(); ++other)
   {
@@ -430,7 +465,15 @@ LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const Execu
   std::vector<char> hasSource(of.Components.size(), 0); // by component
   hasSource[of.Components[vertex]] = 1;
   map.Warnings = of.WarningsOf(hasSource, heat, "the point of the logarithmic map", "the map");
-  map.Distances = of.Distances(vertex, positions, PartOfContext(context, 0.7, 1.0));
+  map.Distances = of.Distances(vertex, positions);
+  const int corrected = KeepWithinBounds(of.On.Mesh, vertex, map.Distances);
+  if (corrected > MostCorrected * size)
+  {
+    map.Warnings.push_back("Distances of " + std::to_string(corrected) + " of " + std::to_string(size) +
+      " points were off by more than 2 % of the largest and are corrected; angles there may be off, too. The triangles "
+      "are too "
+      "coarse or uneven for this surface: refine or remesh it.");
+  }
   map.Distances[vertex] = 0.0;
   map.Angles.setZero(size);
   map.Coordinates.setZero(size);
@@ -457,7 +500,7 @@ long long ParallelTransport::Bytes() const
 {
   const Internals& of = *this->Internal;
   return (of.OfFunctions ? of.OfFunctions->Bytes() : 0) + (of.OfVectors ? of.OfVectors->Bytes() : 0) +
-    (of.Poisson ? of.Poisson->Report().Bytes : 0);
+    (of.OfDistances ? of.OfDistances->Bytes() : 0);
 }
 
 ParallelTransport::StageCounts ParallelTransport::Counts() const

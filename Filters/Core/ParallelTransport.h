@@ -50,8 +50,8 @@ struct LogarithmicMap
 /// The matrices are those of the intrinsic Delaunay triangulation, so bad triangles do no harm. They are factored: far from a
 /// source heat is e^-300 of that at the source, and only a factor has digits there. Vector heat method: Sharp, Soliman
 /// and Crane 2019. Logarithmic map: affine heat method, Soliman and Sharp 2025.
-/// Cost: a real and a complex sparse factor of #V unknowns at the first call; after that, two solves for each field, and three for
-/// a map, one of them by PoissonSolver.
+/// Cost: a real and a complex sparse factor of #V unknowns at the first call, and another real one at the first map; after that, two
+/// solves for each field, and four for a map.
 class ParallelTransport
 {
 public:

@@ -355,11 +355,30 @@ TEST(ParallelTransport, IsFiniteOnDifficultSurfaces)
     const TransportedField field = transport.Carry(At(3, surface.Vertices.ToVector(3, 2.0)));
     const LogarithmicMap map = transport.Map(3, Complex(0.0, 1.0));
     EXPECT_TRUE(field.Warnings.empty());
-    EXPECT_TRUE(map.Warnings.empty());
     for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); ++vertex)
     {
       EXPECT_NEAR(std::abs(field.AtVertices[vertex]), 2.0, 1e-6);
       EXPECT_TRUE(std::isfinite(std::abs(map.Coordinates[vertex])));
+      // No way over the surface is shorter than that through space.
+      const double straight = (surface.Mesh.Position(vertex) - surface.Mesh.Position(3)).norm();
+      EXPECT_GE(map.Distances[vertex], straight * (1.0 - 1e-12));
+    }
+  }
+}
+
+TEST(ParallelTransport, HasDistancesOfASphereWithFacesWithoutArea)
+{
+  const FramedMesh surface(SphereWithZeroAreaFaces(3, 6).Mesh());
+  ParallelTransport transport(surface);
+  const LogarithmicMap map = transport.Map(3, 1.0);
+  EXPECT_TRUE(map.Warnings.empty());
+  for (int vertex = 0; vertex < surface.Mesh.NumberOfVertices(); ++vertex)
+  {
+    const double exact = std::acos(
+      std::clamp(surface.Mesh.Position(3).normalized().dot(surface.Mesh.Position(vertex).normalized()), -1.0, 1.0));
+    if (exact < 2.6)
+    {
+      EXPECT_NEAR(map.Distances[vertex], exact, 0.02 * Pi);
     }
   }
 }

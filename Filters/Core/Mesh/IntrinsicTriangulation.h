@@ -73,6 +73,19 @@ private:
   int Flips = 0;
 };
 
+/// Calls visit(h) for one halfedge of each edge.
+template <class Visit>
+void VisitEdges(const IntrinsicTriangulation& surface, const Visit& visit)
+{
+  for (int h = 0; h < surface.NumberOfHalfedges(); ++h)
+  {
+    if (surface.Twin(h) < h)
+    {
+      visit(h);
+    }
+  }
+}
+
 }
 
 #endif

@@ -10,19 +10,6 @@ namespace dmg
 namespace
 {
 
-/// Calls visit(h) for one halfedge of each edge.
-template <class Visit>
-void VisitEdges(const IntrinsicTriangulation& surface, const Visit& visit)
-{
-  for (int h = 0; h < surface.NumberOfHalfedges(); ++h)
-  {
-    if (surface.Twin(h) < h)
-    {
-      visit(h);
-    }
-  }
-}
-
 /// \param transportOf gives r of a halfedge.
 template <class Scalar, class TransportOf>
 SparseMatrix<Scalar> Diffusion(
