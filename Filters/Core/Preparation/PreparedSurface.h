@@ -41,7 +41,8 @@ struct PreparedSurface
 ///
 /// A surface that is one already stays as it is, and costs one pass over its boundary more than the mesh. Else:
 /// - Points of the boundary that coincide are joined: equal ones, and those that single precision does not tell
-///   apart (RoundingOf), nearer than a hundredth of the edges there. Thin walls and gaps stay.
+///   apart (RoundingOf), nearer than a hundredth of the edges there. Thin walls and gaps stay, and so do thin layers of
+///   cells (UniteNear).
 /// - Doubled triangles and triangles with a corner twice are left out; see SurfaceRelation for what stands in for them.
 /// - At an edge of more than two triangles, those two stay joined that continue each other most smoothly; others do
 ///   where they meet within 45 degrees of a plane, and end there else.
