@@ -250,6 +250,10 @@ TEST(TestPieceFieldSolver, SoftDirectionsAsOnOneProcess)
     for (const test::NamedPartition& partition : test::Partitions())
     {
       comparison.Check(partition, problem.Name);
+      if (Ranks(MPI_COMM_WORLD).Size() == 1) // which has all, whatever the partition
+      {
+        break;
+      }
     }
   }
 }

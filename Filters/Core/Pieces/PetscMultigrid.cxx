@@ -27,15 +27,15 @@ constexpr double SmoothedPart = 0.1;
 
 void Destroy(Mat& matrix)
 {
-  MatDestroy(&matrix);
+  static_cast<void>(MatDestroy(&matrix)); // a destructor can do nothing about errors
 }
 void Destroy(Vec& vector)
 {
-  VecDestroy(&vector);
+  static_cast<void>(VecDestroy(&vector));
 }
 void Destroy(KSP& solver)
 {
-  KSPDestroy(&solver);
+  static_cast<void>(KSPDestroy(&solver));
 }
 
 /// An object of PETSc's, which it counts references to.
@@ -116,11 +116,9 @@ void FillZeroDiagonal(Mat matrix)
   PetscScalar* values;
   CheckPetsc(VecGetLocalSize(diagonal, &size));
   CheckPetsc(VecGetArray(diagonal, &values));
-  double hasZero = 0.0;
   for (PetscInt i = 0; i < size; ++i)
   {
     const bool isZero = values[i] == 0.0;
-    hasZero += isZero;
     values[i] = isZero ? 1.0 : 0.0;
   }
   CheckPetsc(VecRestoreArray(diagonal, &values));
@@ -182,7 +180,7 @@ PetscErrorCode HasConverged(KSP, PetscInt iteration, PetscReal norm, KSPConverge
     : relative <= monitor.Tolerance && (iteration > 0 || norm == 0.0) ? KSP_CONVERGED_RTOL
     : iteration >= monitor.MaximumIterations                          ? KSP_DIVERGED_ITS
                                                                       : KSP_CONVERGED_ITERATING;
-  return 0;
+  return static_cast<PetscErrorCode>(0);
 }
 
 }

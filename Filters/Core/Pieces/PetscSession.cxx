@@ -16,7 +16,7 @@ void CheckPetsc(PetscErrorCode code)
   if (code)
   {
     const char* text = nullptr;
-    PetscErrorMessage(code, &text, nullptr);
+    static_cast<void>(PetscErrorMessage(code, &text, nullptr));
     throw UnexpectedFailure(
       "PETSc failed with code " + std::to_string(static_cast<int>(code)) + (text ? ", " + std::string(text) : ""));
   }
@@ -25,7 +25,7 @@ void CheckPetsc(PetscErrorCode code)
 PetscSession::PetscSession(MPI_Comm communicator)
 {
   PetscBool isInitialised = PETSC_FALSE;
-  PetscInitialized(&isInitialised);
+  CheckPetsc(PetscInitialized(&isInitialised));
   this->IsOurs = !isInitialised;
   if (this->IsOurs)
   {
@@ -43,10 +43,10 @@ PetscSession::PetscSession(MPI_Comm communicator)
 
 PetscSession::~PetscSession()
 {
-  PetscPopErrorHandler();
+  static_cast<void>(PetscPopErrorHandler());
   if (this->IsOurs)
   {
-    PetscFinalize();
+    static_cast<void>(PetscFinalize());
   }
 }
 
