@@ -1,18 +1,23 @@
 /// Fields of a surface in pieces: seconds of each stage, memory and messages.
 ///
-///   mpiexec -n RANKS BenchmarkPieces TRIANGLES
+///   mpiexec -n RANKS BenchmarkPieces TRIANGLES|surface.ply ...
 ///
-/// The surface is a torus with bumps of many sizes, of which each rank makes a slice; no rank ever has all of it. One line per run, of
-/// the slowest rank and of the largest.
+/// TRIANGLES is a torus with bumps of many sizes, of which each rank makes a slice; no rank ever has all of it. A file is read by all
+/// ranks, each of which keeps a part of Morton's curve. One line per surface, of the slowest rank and of the largest.
 
+#include "Mesh/SpatialOrder.h"
 #include "Pieces/PieceFieldSolver.h"
+#include "Support/ReadPly.h"
 #include "Support/Stopwatch.h"
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <string>
+#include <vector>
 
 using namespace dmg;
 
@@ -57,6 +62,32 @@ SurfacePiece SliceOf(int around, int across, int rank, int ranks)
   return piece;
 }
 
+SurfacePiece PartOf(const test::Surface& surface, int rank, int ranks)
+{
+  const std::vector<int> order = FacesInSpatialOrder(surface.V, surface.F, SerialContext());
+  const long long faces = surface.F.rows();
+  std::vector<int> numbers(surface.V.rows(), -1);
+  std::vector<int> points;
+  std::vector<int> corners;
+  for (long long k = faces * rank / ranks; k < faces * (rank + 1) / ranks; ++k)
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      int& number = numbers[surface.F(order[k], corner)];
+      if (number < 0)
+      {
+        number = static_cast<int>(points.size());
+        points.push_back(surface.F(order[k], corner));
+      }
+      corners.push_back(number);
+    }
+  }
+  SurfacePiece piece;
+  piece.Positions = surface.V(points, Eigen::all);
+  piece.Corners = Eigen::Map<const Triangles>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
+  return piece;
+}
+
 /// Bytes.
 double PeakMemory()
 {
@@ -65,19 +96,28 @@ double PeakMemory()
   return 1024.0 * static_cast<double>(usage.ru_maxrss);
 }
 
-void Run(long long triangles)
+SurfacePiece PieceOf(const std::string& surface, const Ranks& ranks)
+{
+  if (surface.find(".ply") != std::string::npos)
+  {
+    return PartOf(test::ReadPly(surface), ranks.Rank(), ranks.Size());
+  }
+  const int across = static_cast<int>(std::sqrt(std::atof(surface.c_str()) / 4.0));
+  return SliceOf(2 * across, across, ranks.Rank(), ranks.Size());
+}
+
+void Run(const std::string& surface)
 {
   const Ranks ranks(MPI_COMM_WORLD);
-  const int across = static_cast<int>(std::sqrt(static_cast<double>(triangles) / 4.0));
-  const int around = 2 * across;
   const double before = PeakMemory();
-  SurfacePiece piece = SliceOf(around, across, ranks.Rank(), ranks.Size());
+  const SurfacePiece piece = PieceOf(surface, ranks);
   const double faces = static_cast<double>(piece.Corners.rows());
   const Stopwatch watch;
   PieceFieldSolver solver(MPI_COMM_WORLD, piece, {});
   const double setup = watch.Seconds();
   Constraints constraints;
-  for (int face = 1000; face < solver.Piece().NumberOfOwnFaces(); face += 100000)
+  const int step = std::max(1, solver.Piece().NumberOfOwnFaces() * ranks.Size() / 20); // 20 constraints
+  for (int face = step / 2; face < solver.Piece().NumberOfOwnFaces(); face += step)
   {
     constraints.OnFaces.push_back(
       { face, solver.Piece().Surface().Faces.X.row(solver.Piece().FirstOwnFace() + face).transpose(), 1.0 });
@@ -95,10 +135,11 @@ void Run(long long triangles)
   const double sent = ranks.Sum(static_cast<double>(ranks.BytesSent() + solver.Piece().Everyone().BytesSent()));
   if (ranks.Rank() == 0)
   {
-    std::printf("%d ranks, %.0f triangles: set-up %.2f s, system %.2f s, solve %.2f s, directions %.2f s, all %.2f s; "
-                "%d iterations, %d levels; peak %.0f MB on the largest rank, %.0f bytes per own triangle; "
-                "sent %.2f MB besides PETSc's\n",
-      ranks.Size(), total, slowestSetup, prepare, solve, drawing, all, field.Report.Returned,
+    std::printf(
+      "%s, %d ranks, %.0f triangles: set-up %.2f s, system %.2f s, solve %.2f s, directions %.2f s, all %.2f s; "
+      "%d iterations, %d levels; peak %.0f MB on the largest rank, %.0f bytes per own triangle; "
+      "sent %.2f MB besides PETSc's\n",
+      surface.c_str(), ranks.Size(), total, slowestSetup, prepare, solve, drawing, all, field.Report.Returned,
       static_cast<int>(field.Report.Levels.size()), peak / 1e6, peak * ranks.Size() / total, sent / 1e6);
   }
 }
@@ -108,7 +149,10 @@ void Run(long long triangles)
 int main(int count, char** arguments)
 {
   MPI_Init(&count, &arguments);
-  Run(count > 1 ? std::atoll(arguments[1]) : 1000000);
+  for (int k = 1; k < count; ++k)
+  {
+    Run(arguments[k]);
+  }
   MPI_Finalize();
   return 0;
 }
