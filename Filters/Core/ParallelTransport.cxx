@@ -1,5 +1,6 @@
 #include "ParallelTransport.h"
 
+#include "Mesh/EdgeDistances.h"
 #include "Mesh/IntrinsicTriangulation.h"
 #include "Mesh/VertexConnection.h"
 #include "Operators/DiffusionOperators.h"
@@ -10,11 +11,9 @@
 #include "Support/ShortText.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <queue>
 #include <utility>
 
 namespace dmg
@@ -38,73 +37,6 @@ constexpr double MostCorrected = 0.01;
 
 constexpr int Grain = 4096;
 
-/// Lengths of the shortest ways along edges from the nearest of some vertices; infinite on components without one.
-Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<int>& from)
-{
-  using Reached = std::pair<double, int>;
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
-  Vector<double> distances = Vector<double>::Constant(mesh.NumberOfVertices(), std::numeric_limits<double>::infinity());
-  for (const int vertex : from)
-  {
-    distances[vertex] = 0.0;
-    front.emplace(0.0, vertex);
-  }
-  while (!front.empty())
-  {
-    const auto [distance, vertex] = front.top();
-    front.pop();
-    if (distance > distances[vertex])
-    {
-      continue;
-    }
-    const auto visit = [&, distance = distance, vertex = vertex](int neighbour)
-    {
-      const double further = distance + (mesh.Position(neighbour) - mesh.Position(vertex)).norm();
-      if (further < distances[neighbour])
-      {
-        distances[neighbour] = further;
-        front.emplace(further, neighbour);
-      }
-    };
-    mesh.VisitFan(vertex,
-      [&](int h)
-      {
-        visit(mesh.Head(h));
-        visit(mesh.Tail(TriangleMesh::Previous(h)));
-      });
-  }
-  return distances;
-}
-
-/// For each component, the vertex that is farthest away.
-std::vector<int> Farthest(const Vector<double>& distances, const std::vector<int>& components)
-{
-  std::vector<int> farthest(*std::max_element(components.begin(), components.end()) + 1, -1);
-  for (int vertex = 0; vertex < distances.size(); ++vertex)
-  {
-    int& best = farthest[components[vertex]];
-    if (best < 0 || distances[vertex] > distances[best])
-    {
-      best = vertex;
-    }
-  }
-  return farthest;
-}
-
-/// The diameter of each component, which may be too small by up to a half; in practice it is seldom too small by a tenth.
-std::vector<double> Diameters(const TriangleMesh& mesh, const std::vector<int>& components)
-{
-  const Vector<double> noDistances = Vector<double>::Zero(mesh.NumberOfVertices());
-  const std::vector<int> ends = Farthest(DistancesAlongEdges(mesh, Farthest(noDistances, components)), components);
-  const Vector<double> distances = DistancesAlongEdges(mesh, ends);
-  std::vector<double> diameters;
-  for (const int vertex : Farthest(distances, components))
-  {
-    diameters.push_back(distances[vertex]);
-  }
-  return diameters;
-}
-
 /// The mean squared edge length of each component.
 std::vector<double> MeanSquares(const TriangleMesh& mesh, const std::vector<int>& components, std::size_t size)
 {
@@ -125,7 +57,7 @@ std::vector<double> MeanSquares(const TriangleMesh& mesh, const std::vector<int>
 
 Vector<double> TimesOf(const TriangleMesh& mesh, const std::vector<int>& components, double timeStep)
 {
-  const std::vector<double> diameters = Diameters(mesh, components);
+  const std::vector<double> diameters = ComponentDiameters(mesh, components);
   std::vector<double> times = MeanSquares(mesh, components, diameters.size());
   for (std::size_t k = 0; k < times.size(); ++k)
   {
@@ -212,7 +144,7 @@ public:
   /// \param positions where each vertex sees it.
   Vector<double> Distances(int vertex, const Vector<Complex>& positions);
 
-  const FramedMesh& On;
+  const FramedMesh& Surface;
   const std::vector<int> Components; ///< of vertices
   const VertexConnection Connection;
   const IntrinsicTriangulation Delaunay;
@@ -240,7 +172,7 @@ double Checked(double timeStep)
 
 ParallelTransport::Internals::Internals(
   const FramedMesh& surface, const TransportOptions& options, const ExecutionContext& context)
-  : On(surface)
+  : Surface(surface)
   , Components(VertexComponents(surface.Mesh))
   , Connection(surface, context)
   , Delaunay(surface, this->Connection, context)
@@ -264,7 +196,7 @@ void ParallelTransport::Internals::MakeFactors(const ExecutionContext& context)
 
 ParallelTransport::Internals::Heat ParallelTransport::Internals::HeatOf(const Constraints& sources) const
 {
-  const TriangleMesh& mesh = this->On.Mesh;
+  const TriangleMesh& mesh = this->Surface.Mesh;
   Heat heat;
   heat.Directions.setZero(mesh.NumberOfVertices());
   heat.LengthsAndOnes.setZero(mesh.NumberOfVertices(), 2);
@@ -279,14 +211,14 @@ ParallelTransport::Internals::Heat ParallelTransport::Internals::HeatOf(const Co
   {
     CheckElement(at.Element, mesh.NumberOfVertices(), "vertex");
     const Complex vector =
-      TangentialPart(this->On.Vertices, at.Element, at.Direction, at.Weight, names.Vertex(at.Element), "vertex");
+      TangentialPart(this->Surface.Vertices, at.Element, at.Direction, at.Weight, names.Vertex(at.Element), "vertex");
     add(at.Element, vector / std::abs(vector), std::abs(vector), 1.0);
   }
   for (const Constraint& on : sources.OnFaces)
   {
     CheckElement(on.Element, mesh.NumberOfFaces(), "face");
     const Complex vector =
-      TangentialPart(this->On.Faces, on.Element, on.Direction, on.Weight, names.Face(on.Element), "face");
+      TangentialPart(this->Surface.Faces, on.Element, on.Direction, on.Weight, names.Face(on.Element), "face");
     const Complex direction = vector / std::abs(vector);
     for (int h = 3 * on.Element; h < 3 * on.Element + 3; ++h)
     {
@@ -299,7 +231,7 @@ ParallelTransport::Internals::Heat ParallelTransport::Internals::HeatOf(const Co
 Vector<Complex> ParallelTransport::Internals::VectorsOnFaces(
   const Vector<Complex>& atVertices, const ExecutionContext& context) const
 {
-  const TriangleMesh& mesh = this->On.Mesh;
+  const TriangleMesh& mesh = this->Surface.Mesh;
   Vector<Complex> vectors(mesh.NumberOfFaces());
   context.ParallelFor(0, mesh.NumberOfFaces(), Grain,
     [&](int first, int last)
@@ -355,7 +287,7 @@ void ParallelTransport::Internals::MakeFactorOfDistances()
   const Vector<double> forever = Vector<double>::Constant(this->Times.size(), std::numeric_limits<double>::infinity());
   SparseMatrix<double> laplacian = DiffusionOfFunctions(this->Delaunay, forever);
   // Sources sum to zero, so that a function that is held at one vertex of each component is zero there.
-  for (const int vertex : Farthest(Vector<double>::Zero(this->Times.size()), this->Components))
+  for (const int vertex : FarthestVertices(Vector<double>::Zero(this->Times.size()), this->Components))
   {
     laplacian.coeffRef(vertex, vertex) += 1.0;
   }
@@ -438,7 +370,7 @@ TransportedField ParallelTransport::Carry(const Constraints& sources, const Exec
 LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const ExecutionContext& context)
 {
   Internals& of = *this->Internal;
-  const int size = of.On.Mesh.NumberOfVertices();
+  const int size = of.Surface.Mesh.NumberOfVertices();
   CheckElement(vertex, size, "vertex");
   const double length = std::abs(direction);
   if (!(length > 0.0) || !std::isfinite(length))
@@ -466,7 +398,7 @@ LogarithmicMap ParallelTransport::Map(int vertex, Complex direction, const Execu
   hasSource[of.Components[vertex]] = 1;
   map.Warnings = of.WarningsOf(hasSource, heat, "the point of the logarithmic map", "the map");
   map.Distances = of.Distances(vertex, positions);
-  const int corrected = KeepWithinBounds(of.On.Mesh, vertex, map.Distances);
+  const int corrected = KeepWithinBounds(of.Surface.Mesh, vertex, map.Distances);
   if (corrected > MostCorrected * size)
   {
     map.Warnings.push_back("Distances of " + std::to_string(corrected) + " of " + std::to_string(size) +
