@@ -144,8 +144,8 @@ public:
       {
         continue;
       }
-      BoxTree::VolumeIterator box, lastBox;
-      BoxTree::ObjectIterator face, lastFace;
+      BoxTree::VolumeIterator box = nullptr, lastBox = nullptr;
+      BoxTree::ObjectIterator face = nullptr, lastFace = nullptr;
       this->Boxes.getChildren(candidate.Node, box, lastBox, face, lastFace);
       for (; face != lastFace; ++face)
       {
