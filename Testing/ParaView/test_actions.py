@@ -16,7 +16,7 @@ import time
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
 
-from test_window import focus, read, toolbar, write_sphere, xdotool
+from test_window import focus, is_5_11, read, toolbar, write_sphere, xdotool
 
 MAIN = "pqClientMainWindow"
 PANEL = (f"{MAIN}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
@@ -55,7 +55,8 @@ class Window:
 
     def choose_other_filter(self, name):
         """One that is in no category of the Filters menu."""
-        return self.event(f"{MAIN}/menubar/menuFilters/pqProxyGroupMenuManager0/{name}", "activate")
+        return self.opened(f"{MAIN}/menubar", "menuFilters") + self.event(
+            f"{MAIN}/menubar/menuFilters/Alphabetical", "activate", name)
 
     def look_at(self, item):
         """What is saved next; nothing that a person would have to do."""
@@ -107,12 +108,11 @@ class Window:
         with self.log.open("w") as output:
             self.process = subprocess.Popen(command, stdout=output, stderr=subprocess.STDOUT)
 
-    @staticmethod
-    def play_test(script):
-        """The menu choice Tools, Play Test..., which is the seventh from below."""
+    def play_test(self, script):
+        """The menu choice Tools, Play Test..., which is the seventh or eighth from below."""
         focus("ParaView")
         xdotool("key", "alt+t")
-        xdotool("key", *["Up"] * 7)
+        xdotool("key", *["Up"] * (7 if is_5_11(self.paraview) else 8))
         xdotool("key", "Return")
         focus("Test")
         xdotool("type", script)

@@ -186,10 +186,15 @@ def apply_to_any_surface(name):
     return f"<pqevents>\n{events}</pqevents>\n"
 
 
-def toolbar(paraview):
-    """The name of the filters' toolbar, which ParaView 5.13 calls another name than 5.11."""
+def is_5_11(paraview):
+    """Whether it is ParaView 5.11; later versions have other names and other menus."""
     version = subprocess.run([paraview, "--version"], capture_output=True, text=True, check=True).stdout
-    return "Directional Fields" if " 5.11" in version else "filters.Directional Fields"
+    return " 5.11" in version
+
+
+def toolbar(paraview):
+    """The name of the filters' toolbar."""
+    return "Directional Fields" if is_5_11(paraview) else "filters.Directional Fields"
 
 
 def xdotool(*arguments):
