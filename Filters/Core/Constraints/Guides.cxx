@@ -194,7 +194,7 @@ void Add(const GuidesReport& part, GuidesReport& all)
   all.Farthest = std::max(all.Farthest, part.Farthest);
 }
 
-/// What a run of elements gave.
+/// The directions and the report of a run of elements.
 struct FollowedRun
 {
   FollowedGuides Guides;

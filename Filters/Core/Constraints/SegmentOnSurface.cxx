@@ -232,7 +232,7 @@ void SegmentOnSurface::Split(
   this->Split(segment, middle, b, depth + 1, parts);
 }
 
-/// Where a segment is as near to the face of one sample as to that of another one; nothing where one of them is too far.
+/// The place of a segment that is as near to the face of one sample as to that of another one; nothing if one of them is too far.
 ///
 /// Over a plane, the root of the difference of the squared distances is the distance from the edge between both, which is
 /// linear. Its zero is found by the false position method, with the weights of Illinois (Dowell and Jarratt 1971).

@@ -20,8 +20,8 @@ namespace dmg
 /// from a vertex to itself. Directions count in VertexFrames, by the cone angles of VertexConnection; the direction of a
 /// flipped edge is that of its neighbour plus the corner between them (signposts, Sharp, Soliman and Crane 2019).
 ///
-/// Where a face has an angle of 0 or pi, all edges become longer by one number, about 1e-8 of their mean length, so that
-/// all areas are positive (Sharp and Crane 2020).
+/// All edges become longer by one number, about 1e-8 of their mean length, if a face has an angle of 0 or pi: then all areas
+/// are positive (Sharp and Crane 2020).
 class IntrinsicTriangulation
 {
 public:

@@ -72,7 +72,7 @@ void CheckOwn(const PieceOfSurface& piece, const Constraints& constraints, const
   CheckSizes(constraints, names);
 }
 
-/// Of each vertex what the lowest rank gives, ascending.
+/// The constraint of the lowest rank for each vertex, ascending by vertex.
 std::vector<ConstraintForOwner> AtOwners(
   const Ranks& ranks, const std::vector<std::vector<ConstraintForOwner>>& toOwners)
 {

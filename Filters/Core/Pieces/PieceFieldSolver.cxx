@@ -28,7 +28,7 @@ namespace dmg
 namespace
 {
 
-/// Of the matrix of any linear triangle over its diagonal: its trace is 3, and it has no negative eigenvalue.
+/// The matrix of a linear triangle over its diagonal has the trace 3 and no negative eigenvalue.
 constexpr double LargestEigenvalueOfElements = 3.0;
 
 /// A bound of the eigenvalues of a matrix over its diagonal: by elements, or by the sums of its rows.
@@ -49,7 +49,7 @@ double LargestEigenvalue(const Ranks& ranks, const SparseMatrix<Complex>& owned,
   return std::min(ranks.Max(largest), LargestEigenvalueOfElements);
 }
 
-/// As in ScalarFunction: functions mind uneven triangles less so.
+/// With two cycles, functions mind uneven triangles less, as in ScalarFunction.
 constexpr int CyclesOfFunctions = 2;
 
 std::vector<int> Consecutive(int first, int size)
