@@ -89,13 +89,30 @@ PieceFieldSolver::PieceFieldSolver(MPI_Comm communicator, const SurfacePiece& pi
   , All(communicator)
   , OptionsOfField(field)
   , Names(names)
-  , Part(this->All, piece, names, PartOfContext(context, 0.0, 0.5))
+  , OwnPart(std::make_unique<const PieceOfSurface>(this->All, piece, names, PartOfContext(context, 0.0, 0.5)))
+  , Part(*this->OwnPart)
+{
+  this->SetUp(PartOfContext(context, 0.5, 1.0));
+}
+
+PieceFieldSolver::PieceFieldSolver(const PieceOfSurface& piece, const DiscretisationOptions& field,
+  const ElementNames& names, const ExecutionContext& context)
+  : Session(piece.Everyone().Communicator())
+  , All(piece.Everyone().Communicator())
+  , OptionsOfField(field)
+  , Names(names)
+  , Part(piece)
+{
+  this->SetUp(context);
+}
+
+void PieceFieldSolver::SetUp(const ExecutionContext& context)
 {
   this->CheckField();
   this->Components = ComponentsOfPieces(this->Part);
   this->MakeLaplacian(context);
   this->Prolongations =
-    LevelsOfPieces(this->Part, VertexPowerField::DistanceOfSamples, PartOfContext(context, 0.6, 1.0));
+    LevelsOfPieces(this->Part, VertexPowerField::DistanceOfSamples, PartOfContext(context, 0.2, 1.0));
   for (RowsOfRank<Complex>& prolongation : this->Prolongations)
   {
     const bool isFunction = this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction;

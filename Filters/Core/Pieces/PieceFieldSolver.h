@@ -15,6 +15,7 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Stopwatch.h"
 
+#include <memory>
 #include <vector>
 
 namespace dmg
@@ -51,6 +52,9 @@ public:
   /// Cost: linear in the size of the largest piece.
   PieceFieldSolver(MPI_Comm communicator, const SurfacePiece& piece, const DiscretisationOptions& field,
     const ElementNames& names = {}, const ExecutionContext& context = SerialContext());
+  /// \param piece is borrowed.
+  PieceFieldSolver(const PieceOfSurface& piece, const DiscretisationOptions& field, const ElementNames& names = {},
+    const ExecutionContext& context = SerialContext());
 
   PieceFieldSolver(const PieceFieldSolver&) = delete;
   PieceFieldSolver& operator=(const PieceFieldSolver&) = delete;
@@ -74,6 +78,7 @@ public:
 private:
   struct System;
 
+  void SetUp(const ExecutionContext& context);
   void CheckField() const;
   void MakeLaplacian(const ExecutionContext& context);
   System MakeSystem(const std::vector<PowerAtVertex>& constraints, const FieldWeights& weights) const;
@@ -86,7 +91,8 @@ private:
   const Ranks All;
   const DiscretisationOptions OptionsOfField;
   const ElementNames Names;
-  const PieceOfSurface Part;
+  const std::unique_ptr<const PieceOfSurface> OwnPart; // null where it is borrowed
+  const PieceOfSurface& Part;
   PieceComponents Components;
   Vector<double> Mass;                            // of owned vertices, over the mean of all
   RowsOfRank<Complex> Laplacian;                  // of owned vertices

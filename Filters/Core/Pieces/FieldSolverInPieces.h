@@ -1,0 +1,71 @@
+#ifndef dmgFieldSolverInPieces_h
+#define dmgFieldSolverInPieces_h
+
+#include "Field.h"
+#include "FieldProblem.h"
+#include "FieldSolver.h"
+#include "Pieces/PieceOfSurface.h"
+#include "Pieces/ReasonToGather.h"
+#include "Support/ExecutionContext.h"
+
+#include <mpi.h>
+
+#include <memory>
+
+namespace dmg
+{
+
+/// FieldSolver for a surface of which each rank has a piece: the same fields up to the tolerance, from the same problems, with the same
+/// stages. No rank ever has more than its piece and the triangles around it.
+///
+///   dmg::FieldSolverInPieces solver(MPI_COMM_WORLD, piece);
+///   dmg::FieldProblem problem;
+///   problem.Constraints.OnFaces = { { triangle, direction, weight } }; // of this rank's piece
+///   if (dmg::ReasonToGather(problem).empty())
+///   {
+///     const dmg::Field& field = solver.Solve(problem);
+///     const int face = solver.Piece().FirstOwnFace() + triangle;
+///     const dmg::Complex direction = field.OnFaces[face];
+///   }
+///
+/// All functions are collective, those that are const excepted. Ranks without triangles or constraints call them, too. An error on one rank,
+/// or a request to stop, is thrown on all of them.
+class FieldSolverInPieces
+{
+public:
+  /// \param communicator of the ranks that have the surface.
+  /// \param names says how messages call the triangles and points of this rank's piece.
+  /// \throw InvalidInput as PieceOfSurface, or no rank has a triangle.
+  FieldSolverInPieces(MPI_Comm communicator, const SurfacePiece& piece, const ElementNames& names = {},
+    const ExecutionContext& context = SerialContext());
+  ~FieldSolverInPieces();
+
+  const PieceOfSurface& Piece() const;
+
+  /// Brings all stages up to date, as FieldSolver::Solve does.
+  /// \param problem Constraints, Source and RotationAngles count own triangles from 0, and the points of the piece. At a point that
+  ///   several ranks have, each may give the same; what the lowest of these ranks gives counts. Guides are the same on all ranks,
+  ///   and so is all else.
+  /// \return the field on Piece().Surface(). It is that of the whole surface on own triangles and at their vertices, and means nothing
+  ///   elsewhere, but for Indices, which are zero there. Where this rank has no triangle, arrays are empty, and Solution has no
+  ///   discretisation. Report, Guides, and Warnings are the same on all ranks, but for seconds.
+  /// \throw InvalidInput as FieldSolver::Solve, ranks differ in the problem, or there is a ReasonToGather.
+  /// \throw SolverFailure
+  /// \throw Cancelled
+  const Field& Solve(const FieldProblem& problem, const ExecutionContext& context = SerialContext());
+
+  /// Whether an element of Field::Indices is one whose singularity this rank tells: an own triangle, or an owned vertex. Over
+  /// all ranks, each element of the surface is told once.
+  bool TellsIndexOf(int element) const;
+
+  /// See FieldSolver::Counts.
+  FieldSolver::StageCounts Counts() const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif
