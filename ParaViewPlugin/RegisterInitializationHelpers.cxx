@@ -7,6 +7,7 @@
 #include "vtkSMDirectionsInitializationHelper.h"
 #include "vtkSMDisplayDefaultsInitializationHelper.h"
 #include "vtkSMFollowedInitializationHelper.h"
+#include "vtkSMGuidesFirstInitializationHelper.h"
 
 namespace
 {
@@ -27,5 +28,6 @@ void RegisterInitializationHelpers()
       Register<vtkSMDirectionsInitializationHelper>(interpreter, "vtkSMDirectionsInitializationHelper");
       Register<vtkSMDisplayDefaultsInitializationHelper>(interpreter, "vtkSMDisplayDefaultsInitializationHelper");
       Register<vtkSMFollowedInitializationHelper>(interpreter, "vtkSMFollowedInitializationHelper");
+      Register<vtkSMGuidesFirstInitializationHelper>(interpreter, "vtkSMGuidesFirstInitializationHelper");
     });
 }

@@ -86,18 +86,18 @@ class Window:
 
     def play(self, what, *events):
         """Plays events, after which the selected output is saved; returns it. The last event comes after that where it makes a
-        source, which has no data yet."""
+        source or a filter, which has no data yet."""
         path = self.folder / f"{self.name}-{what}.vtk"
         saved = (self.opened(f"{MAIN}/menubar/menu_File/actionFileSaveData", "")
                  + self.opened(f"{MAIN}/FileSaveDialog", path, "filesSelected")
                  + self.opened(f"{MAIN}/WriterSettingsDialog/widget/OKButton", ""))
-        makes_source = "menuSources" in events[-1]
-        ordered = [*events[:-1], saved, events[-1]] if makes_source else [*events, saved]
+        makes_one = "menuSources" in events[-1] or "menuFilters" in events[-1]
+        ordered = [*events[:-1], saved, events[-1]] if makes_one else [*events, saved]
         script = path.with_suffix(".xml")
         script.write_text("<pqevents>\n" + "".join(ordered) + "</pqevents>\n")
         self.start(script) if self.process is None else self.play_test(script)
         self.wait_for(path)
-        if makes_source:
+        if makes_one:
             time.sleep(3)
             focus("ParaView")
         return read(path)
@@ -181,7 +181,22 @@ def draw_flow(window):
     assert sizes.count(3) > 20, sizes  # heads
 
 
-TESTS = {"Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow)}
+def draw_after_the_filter(window):
+    """As draw_flow, but the filter is made before its guides, none of them applied."""
+    window.play("surface", window.apply(), window.choose_other_filter("VectorField"))
+    window.play("filter", window.look_at("/0/0"), window.choose_source("PolyLineSource"))
+    window.press(1, (680, 420))
+    window.press(2, (780, 420))
+    window.play("first", window.look_at("/0/0"), window.choose_source("PolyLineSource"))
+    window.press(1, (780, 500))
+    window.press(2, (680, 500))
+    flow = window.play("flow", window.select("/0/0/0"), window.set("Guides/1QComboBox0", "PolyLineSource1"),
+                       window.set("SecondGuide/1QComboBox0", "PolyLineSource2"), window.apply())
+    assert taken(flow) == 2
+
+
+TESTS = {"Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow),
+         "FilterFirst": (write_sphere, draw_after_the_filter)}
 
 
 def main():
