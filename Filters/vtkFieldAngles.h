@@ -26,7 +26,8 @@
  *
  * @section vtkFieldAngles-Execution Execution
  *
- * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines; where the array that is chosen is no field,
+ * the output is the input, beside the error, so that a window goes on to show the surface.
  *
  * @sa vtkHarmonicFieldSolver
  */

@@ -67,7 +67,8 @@
  *
  * Two solves for each flow; one more, once, for each island (Closed) and for each loop around handles and holes (HarmonicPart).
  * Divergence and vorticity take no solve. Set-up and harmonic fields are kept for the next flow on the same surface, as in a time series, whose
- * times pass through. Results have the same bits for any number of threads. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ * times pass through. Results have the same bits for any number of threads. Threads, errors, aborts and pieces are as in vtkFieldLines;
+ * where no flow is chosen, the first output is the input, beside the error, so that a window goes on to show the surface.
  *
  * @sa vtkHarmonicFieldSolver
  */

@@ -29,14 +29,23 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "Python"))
 import any_surfaces
 
 
-def write_sphere(path, resolution=60, zero=False):
-    """The unit sphere with prescribed directions on one side."""
+def bare_sphere(resolution=60):
+    """The unit sphere, with normals."""
     source = vtkSphereSource()
     source.SetRadius(1)
     source.SetThetaResolution(resolution)
     source.SetPhiResolution(resolution)
     source.Update()
-    sphere = source.GetOutput()
+    return source.GetOutput()
+
+
+def write_bare_sphere(path):
+    write(path, bare_sphere())
+
+
+def write_sphere(path, resolution=60, zero=False):
+    """The unit sphere with prescribed directions on one side."""
+    sphere = bare_sphere(resolution)
     points = vtk_to_numpy(sphere.GetPoints().GetData())
     arrays = {"Mask": (points[:, 0] > 0.9).astype("i4"), "Directions": 0 * points + (0, 1, 0)}
     if zero:
@@ -71,12 +80,7 @@ def write_ellipsoid(path):
 
 def write_flow(path):
     """The unit sphere, as active vectors its rotation about the x-axis and the gradient of z."""
-    source = vtkSphereSource()
-    source.SetRadius(1)
-    source.SetThetaResolution(60)
-    source.SetPhiResolution(60)
-    source.Update()
-    sphere = source.GetOutput()
+    sphere = bare_sphere()
     x, y, z = vtk_to_numpy(sphere.GetPoints().GetData()).T.astype(float)
     flow = numpy_to_vtk(np.stack([0 * x, -z, y + 1], axis=1), deep=True)
     flow.SetName("Flow")
@@ -319,6 +323,11 @@ def number_of_red(image):
     return is_red(image).sum()
 
 
+def shows_surface(image):
+    """Whether a grey surface is seen."""
+    return ((np.ptp(image, axis=1) < 40) & (image.min(axis=1) > 60) & (image.max(axis=1) < 239)).sum() > 20000
+
+
 def check(result, N=4):
     field = read(result)
     assert field.GetFieldData().GetArray("Converged").GetValue(0) == 1
@@ -423,8 +432,7 @@ def check_filters(result):
     assert set(vtk_to_numpy(lines.GetCellData().GetArray("Branch"))) == {0, 1}
     image = pixels(result)
     assert number_of_blue(image) > 1500 and number_of_red(image) > 50
-    grey = (np.ptp(image, axis=1) < 40) & (image.min(axis=1) > 60) & (image.max(axis=1) < 239)
-    assert grey.sum() > 20000, grey.sum()
+    assert shows_surface(image)
 
 
 def check_state(result):
@@ -525,6 +533,15 @@ def check_failed_strict(result):
     assert "more than two sheets" in field.GetFieldData().GetAbstractArray("SurfacePreparation").GetValue(0)
 
 
+def check_without_field(result):
+    """Both filters say what to choose, and the sphere stays in sight."""
+    log = result.with_suffix(".log").read_text()
+    assert "choose another array of vectors" in log and "there is no flow to decompose" in log, log
+    for path in (former(result), result):
+        assert read(path).GetNumberOfCells() == bare_sphere().GetNumberOfCells(), path
+    assert shows_surface(pixels(result))
+
+
 def check_grids(result):
     for name in FILES:
         if not name.endswith(COMPOSITE):
@@ -556,6 +573,7 @@ TESTS = {"SourcesInTheWindow": (write_sphere, check_sources),
          "FeaturesInTheWindow": (write_ellipsoid, check_features),
          "GuideMovedInTheWindow": (write_sphere, check_guide_moved),
          "FailedStrictInTheWindow": (write_plate_with_stiffener, check_failed_strict),
+         "FailedWithoutFieldInTheWindow": (write_bare_sphere, check_without_field),
          "FailedFirstInTheWindow": (write_zero_directions, check_failed_first),
          "FiltersInTheWindow": (write_sphere, check_filters),
          "StateInTheWindow": (write_sphere, check_state),

@@ -1,6 +1,7 @@
 #include "Adapters/Input/ChosenVectors.h"
 
 #include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Drawing/DirectionsOnFaces.h"
 #include "Support/Errors.h"
@@ -33,8 +34,8 @@ ChosenVectors DefaultVectors(vtkDataSet* surface)
       return { array, points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str()) };
     }
   }
-  throw InvalidInput("the surface has no field to draw: neither an array Direction0 nor active vectors; apply "
-                     "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
+  throw WrongChoice("the surface has no field: neither an array Direction0 nor active vectors; apply "
+                    "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
 }
 
 ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
@@ -71,7 +72,7 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
   {
     return DefaultVectors(surface);
   }
-  throw InvalidInput("array '" + name +
+  throw WrongChoice("array '" + name +
     "', chosen for the directions, is not among the surface's point or cell arrays; choose one of "
     "those, or none");
 }
@@ -100,7 +101,7 @@ ChosenVectors ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
   if (!chosen.Array || (chosen.Array->GetNumberOfComponents() != 3 && !HoldsTensors(chosen.Array)))
   {
     const std::string name = chosen.Array ? NameOf(chosen.Array) : "that was chosen";
-    throw InvalidInput("array '" + name +
+    throw WrongChoice("array '" + name +
       "' does not hold 3 numbers per element; choose an array of vectors, or of tensors (6 or 9 numbers)");
   }
   for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
@@ -108,7 +109,7 @@ ChosenVectors ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
   {
     if (attributes->GetNormals() == chosen.Array) // the first vectors of many surfaces, which menus choose
     {
-      throw InvalidInput("array '" + NameOf(chosen.Array) +
+      throw WrongChoice("array '" + NameOf(chosen.Array) +
         "' holds the normals of the surface, which are no field on it; apply "
         "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose another array of vectors");
     }

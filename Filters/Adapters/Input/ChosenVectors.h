@@ -18,8 +18,8 @@ struct ChosenVectors
 };
 
 /// The array that was chosen with SetInputArrayToProcess, index 0, or else the default (see ReadField).
-/// \throw InvalidInput a chosen array that is not there, holds neither vectors nor tensors, or holds the normals; a surface without
-/// vectors.
+/// \throw WrongChoice a chosen array that is not there, holds neither vectors nor tensors, or holds the normals; a surface without
+/// vectors. InvalidInput: it has not a tuple for every element.
 ChosenVectors ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface);
 
 /// The number of directions that an array stands for, by its name.

@@ -263,7 +263,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   }
   if (first.isZero(0.0))
   {
-    throw InvalidInput("array '" + NameOf(chosen.Array) +
+    throw WrongChoice("array '" + NameOf(chosen.Array) +
       "' has no direction on any triangle, its vectors are zero or perpendicular to the surface; "
       "choose another");
   }

@@ -42,8 +42,8 @@ struct SurfaceWithField
 ///
 /// \param N of the field; 0: as many as there are arrays Direction0, Direction1, ... where Direction0 is chosen, 2 for
 /// principal directions and tensors, and 1 for any other array.
-/// \throw InvalidInput what MeshFromDataSet refuses; a chosen array that is not there or does not hold vectors; a
-/// vector that is not finite; no direction on any triangle; arrays Direction0, Direction1, ... of cells that are not
+/// \throw WrongChoice as ChooseVectors; no direction on any triangle.
+/// \throw InvalidInput what MeshFromDataSet refuses; a vector that is not finite; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.
 SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* surface, int N, const ExecutionContext& context);
 

@@ -1,6 +1,7 @@
 #include "Adapters/Input/FlowFromArrays.h"
 
 #include "Adapters/Input/EastAndNorth.h"
+#include "Adapters/Pipeline/FilterRequests.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"
@@ -93,7 +94,7 @@ FaceFlow FlowFromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, const Framed
   const ChosenArray vectors = FindArray(ChoiceOf(algorithm, 0), input, 3, "flow", whose);
   if (!vectors.Array)
   {
-    throw InvalidInput(
+    throw WrongChoice(
       "there is no flow to decompose: no array of vectors is chosen, and none is active; choose one, or eastward and "
       "northward components, or connect Edges");
   }

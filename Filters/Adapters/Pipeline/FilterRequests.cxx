@@ -76,6 +76,13 @@ int Aborted(vtkAlgorithm* algorithm, vtkInformationVector* outputs)
   return 1;
 }
 
+/// Whether the first output is of the type of the first input.
+bool HandsSurfaceOn(vtkAlgorithm* algorithm)
+{
+  const std::string type = algorithm->GetOutputPortInformation(0)->Get(vtkDataObject::DATA_TYPE_NAME());
+  return type == "vtkDataSet";
+}
+
 int Failed(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& message)
 {
   Empty(outputs);
@@ -193,6 +200,16 @@ int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkA
     return Failed(algorithm, outputs,
       "there is not enough memory for this surface; free some, or reduce the number of triangles with Decimate "
       "(vtkDecimatePro)");
+  }
+  catch (const WrongChoice& error)
+  {
+    const int success = Failed(algorithm, outputs, InPanelWords(error.what()));
+    if (!HandsSurfaceOn(algorithm))
+    {
+      return success;
+    }
+    vtkDataObject::GetData(outputs, 0)->ShallowCopy(vtkDataObject::GetData(inputs[0]));
+    return 1;
   }
   catch (const std::exception& error)
   {

@@ -1,6 +1,7 @@
 #ifndef dmgFilterRequests_h
 #define dmgFilterRequests_h
 
+#include "Support/Errors.h"
 #include "Support/ExecutionContext.h"
 
 #include <functional>
@@ -11,6 +12,13 @@ class vtkInformationVector;
 
 namespace dmg
 {
+
+/// The array that is chosen, or that stands for no choice, is none that the filter could work on.
+class WrongChoice : public InvalidInput
+{
+public:
+  using InvalidInput::InvalidInput;
+};
 
 /// Answers of all filters to the pipeline. Their result depends on the whole surface: piece 0 works on the whole, and the
 /// others stay empty. In a parallel run piece and rank are the same.
@@ -38,7 +46,8 @@ int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkA
 /// RequestData: calls \p make with the algorithm's context, outputs empty, unless the first input has no cells or this is
 /// not the piece to work on; sources that do not know of pieces deliver the same to all.
 /// The outputs are empty in the end where \p make throws (Cancelled is no error, all else goes to the algorithm), or where
-/// an array or point that it made is not finite, which is an error as well.
+/// an array or point that it made is not finite, which is an error as well. After a WrongChoice, a first output of the type of the
+/// first input is the input: a window goes on to show the surface while its user chooses.
 /// \return what RequestData returns.
 template <class Make>
 int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
