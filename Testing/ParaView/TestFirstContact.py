@@ -5,6 +5,7 @@ import unittest
 
 import numpy as np
 import paraview.simple as simple
+from paraview import smtrace
 from paraview.modules.vtkRemotingCore import vtkPVPluginTracker
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkOutputWindow, vtkStringOutputWindow
@@ -55,6 +56,23 @@ class FirstContact(unittest.TestCase):
         drawn = simple.servermanager.Fetch(flow, idx=1)
         lengths = [drawn.GetCell(line).GetNumberOfPoints() for line in range(drawn.GetNumberOfCells())]
         self.assertGreater(lengths.count(3), 20)  # a head is a line of three points
+
+    def test_apply_reaches_guides_before_their_filter(self):
+        """Apply comes to proxies in an order of its own. Until then, their properties have what the panel shows as unchecked values."""
+        stroke = simple.Line(Point1=[0, 0, 0], Point2=[1, 0, 0])  # across the surface, as a new one
+        field = simple.VectorField(Input=sphere(), Guides=stroke)
+        for name, values in (("Point1", (0.5, -0.1, 0)), ("Point2", (0.5, 0.1, 0))):
+            for element, value in enumerate(values):
+                stroke.SMProxy.GetProperty(name).SetUncheckedElement(element, value)
+        simple.RenameSource("Stroke", stroke)
+        smtrace.start_trace()
+        field.LineDistance = 0.05
+        trace = smtrace.stop_trace()
+        self.assertEqual((list(stroke.Point1), list(stroke.Point2)), ([0.5, -0.1, 0], [0.5, 0.1, 0]))
+        self.assertIn("stroke.Point1 = [0.5, -0.1, 0", trace)
+        field.UpdatePipeline()
+        report = simple.servermanager.Fetch(field, idx=0).GetFieldData()
+        self.assertEqual(report.GetArray("GuidesTooFar").GetValue(0), 0)
 
     def test_normals_are_never_the_first_choice(self):
         fibres = simple.Calculator(Input=sphere(), ResultArrayName="Zz", Function="kHat")

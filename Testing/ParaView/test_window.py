@@ -218,7 +218,7 @@ def focus(title):
     raise SystemExit(f"there is no window {title}")
 
 
-def place_points(result):
+def place_points(_, result):
     """Keys 1 and 2 place both ends of the line on the surface below the mouse; then Apply, and the line is saved."""
     focus("ParaView")
     time.sleep(3)
@@ -228,14 +228,17 @@ def place_points(result):
     apply_and_save(former(result, "line"))
 
 
-def choose_first_of_menu(result):
+def choose_first_of_menu(paraview, result):
     """The first entry of the plugin's menu, by keys; pictures without and with it."""
     focus("ParaView")
     time.sleep(3)
     take_picture(former(result, "closed", ".png"))
     xdotool("key", "alt+l")
-    xdotool("key", "d")  # opens Data Analysis, which comes before
-    xdotool("key", "Left", "Down", "Right")
+    if is_5_11(paraview):
+        xdotool("key", "d")  # opens Data Analysis, which comes before
+        xdotool("key", "Left", "Down", "Right")
+    else:
+        xdotool("key", *6 * ["Down"], "Right")  # from Search past Favorites, Alphabetical, Common, Data Array and Data Model
     take_picture(former(result, "open", ".png"))
     xdotool("key", "Return")
     apply_and_save(former(result, "field"))
@@ -281,7 +284,7 @@ def play(paraview, data, result, folder, fails):
             former_size, size = size, result.stat().st_size if result.exists() else 0
             complete = size == former_size > 0
         if complete and result.stem in WITH_KEYS:
-            WITH_KEYS[result.stem](result)
+            WITH_KEYS[result.stem](paraview, result)
         take_picture(result.with_suffix(".png"))
     finally:
         window.kill()
