@@ -238,7 +238,7 @@ def choose_first_of_menu(paraview, result):
         xdotool("key", "d")  # opens Data Analysis, which comes before
         xdotool("key", "Left", "Down", "Right")
     else:
-        xdotool("key", *6 * ["Down"], "Right")  # from Search past Favorites, Alphabetical, Common, Data Array and Data Model
+        xdotool("key", *7 * ["Down"], "Right")  # from Search past Recent, Favorites, Alphabetical, Common, Data Array and Data Model
     take_picture(former(result, "open", ".png"))
     xdotool("key", "Return")
     apply_and_save(former(result, "field"))
