@@ -12,6 +12,28 @@ target_link_libraries(Flow PRIVATE DirectionalMultigrid::Core)
 add_test(NAME Examples.Core.Flow COMMAND Flow "${problem}" "${answers}/core-flow.txt")
 set_tests_properties(Examples.Core Examples.Core.Flow PROPERTIES LABELS core FIXTURES_SETUP answers)
 
+# The same crosses on two ranks.
+set(pieces_example "${CMAKE_CURRENT_LIST_DIR}/Pieces")
+find_program(MPIEXEC_OF_TESTS mpiexec)
+set(two_ranks "${MPIEXEC_OF_TESTS}" --oversubscribe -n 2)
+set(environment_of_ranks OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1 OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+  OMPI_MCA_mpi_yield_when_idle=1)
+if (DMG_PETSC AND MPIEXEC_OF_TESTS AND NOT DMG_SANITIZER)
+  add_executable(SmoothFieldInPieces "${pieces_example}/SmoothFieldInPieces.cxx")
+  target_link_libraries(SmoothFieldInPieces PRIVATE DirectionalMultigrid::Pieces)
+  add_test(NAME Examples.Pieces
+    COMMAND ${two_ranks} "$<TARGET_FILE:SmoothFieldInPieces>" "${problem}" "${answers}/pieces.txt")
+  set_tests_properties(Examples.Pieces PROPERTIES LABELS core TIMEOUT 120 FIXTURES_SETUP answers
+    ENVIRONMENT "${environment_of_ranks}")
+  if (NOT DMG_HOST STREQUAL "None") # their Python has numpy
+    find_package(Python3 REQUIRED COMPONENTS Interpreter)
+    add_test(NAME Examples.Pieces.SameAnswers
+      COMMAND Python3::Interpreter "${CMAKE_CURRENT_LIST_DIR}/FourWays/TestSameAnswers.py"
+        "${problem}" "${answers}/core.txt" "${answers}/pieces.txt")
+    set_tests_properties(Examples.Pieces.SameAnswers PROPERTIES LABELS core FIXTURES_REQUIRED answers)
+  endif ()
+endif ()
+
 if (DMG_HOST STREQUAL "None")
   set(stage "${PROJECT_BINARY_DIR}/Stage")
   set(build "${PROJECT_BINARY_DIR}/Testing/Examples/Core")
@@ -34,4 +56,24 @@ if (DMG_HOST STREQUAL "None")
   set_tests_properties(Examples.Core.Installed PROPERTIES
     LABELS core TIMEOUT 300 FIXTURES_REQUIRED stage FIXTURES_SETUP answers)
   set_tests_properties(Examples.Core.SameAnswers PROPERTIES LABELS core FIXTURES_REQUIRED answers)
+
+  set(build "${PROJECT_BINARY_DIR}/Testing/Examples/Pieces")
+  if (TARGET SmoothFieldInPieces)
+    add_test(NAME Examples.Pieces.Installed
+      COMMAND "${CMAKE_CTEST_COMMAND}"
+        --build-and-test "${pieces_example}" "${build}"
+        --build-generator "${CMAKE_GENERATOR}"
+        --build-options "-DCMAKE_BUILD_TYPE=${CMAKE_BUILD_TYPE}" "-DCMAKE_PREFIX_PATH=${paths}"
+        --test-command ${two_ranks} "${build}/SmoothFieldInPieces" "${problem}" "${answers}/installed-pieces.txt")
+    add_test(NAME Examples.Pieces.SameAnswersInstalled
+      COMMAND "${CMAKE_COMMAND}" -E compare_files "${answers}/pieces.txt" "${answers}/installed-pieces.txt")
+    set_tests_properties(Examples.Pieces.Installed PROPERTIES
+      LABELS core TIMEOUT 300 FIXTURES_REQUIRED stage FIXTURES_SETUP answers ENVIRONMENT "${environment_of_ranks}")
+    set_tests_properties(Examples.Pieces.SameAnswersInstalled PROPERTIES LABELS core FIXTURES_REQUIRED answers)
+  elseif (NOT DMG_PETSC)
+    add_test(NAME Examples.Pieces.Refused
+      COMMAND "${CMAKE_COMMAND}" -S "${pieces_example}" -B "${build}" "-DCMAKE_PREFIX_PATH=${paths}")
+    set_tests_properties(Examples.Pieces.Refused PROPERTIES
+      LABELS core FIXTURES_REQUIRED stage PASS_REGULAR_EXPRESSION "The component Pieces is missing")
+  endif ()
 endif ()

@@ -117,4 +117,21 @@ std::vector<NamedPartition> Partitions()
     { "one triangle on the last", OneTriangleOnTheLast }, { "none on the first", NoneOnTheFirst } };
 }
 
+CutPiece PieceHere(const Surface& surface, MPI_Comm communicator)
+{
+  const Ranks all(communicator);
+  return CutOut(surface, Partitions()[0].RanksOfTriangles(surface, all.Size()), all.Rank());
+}
+
+Constraints OneDirection(const PieceOfSurface& piece, int triangle)
+{
+  Constraints constraints;
+  if (piece.NumberOfOwnFaces() > triangle)
+  {
+    const int face = piece.FirstOwnFace() + triangle;
+    constraints.OnFaces.push_back({ triangle, piece.Surface().Faces.X.row(face).transpose(), 1.0 });
+  }
+  return constraints;
+}
+
 }

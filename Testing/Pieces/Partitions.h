@@ -1,6 +1,8 @@
 #ifndef dmgTestPartitions_h
 #define dmgTestPartitions_h
 
+#include "Constraints/Constraints.h"
+#include "Pieces/PieceOfSurface.h"
 #include "Pieces/SeamSides.h"
 #include "Support/MeshFactory.h"
 
@@ -31,6 +33,12 @@ struct NamedPartition
 
 /// Blocks in the order of the file; random tiles; one triangle on the last rank; none on the first rank.
 std::vector<NamedPartition> Partitions();
+
+/// The piece of this rank in the first partition.
+CutPiece PieceHere(const Surface& surface, MPI_Comm communicator = MPI_COMM_WORLD);
+
+/// On one triangle of each rank that has so many, along its first side.
+Constraints OneDirection(const PieceOfSurface& piece, int triangle = 0);
 
 }
 

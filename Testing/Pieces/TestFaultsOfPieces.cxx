@@ -6,12 +6,13 @@
 
 #include <gtest/gtest.h>
 
-#include <petscksp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <new>
 #include <string>
+#include <utility>
+#include <vector>
 
 using namespace dmg;
 
@@ -37,23 +38,6 @@ void ExpectOnAllRanks(const std::function<void(bool isLast)>& run, const std::st
   EXPECT_NO_THROW(all.CheckSame(message, "the message"));
 }
 
-test::CutPiece PieceHere(const test::Surface& surface, int partition = 0)
-{
-  const Ranks all(MPI_COMM_WORLD);
-  return test::CutOut(surface, test::Partitions()[partition].RanksOfTriangles(surface, all.Size()), all.Rank());
-}
-
-Constraints OneDirection(const PieceOfSurface& piece, int triangle = 0)
-{
-  Constraints constraints;
-  if (piece.NumberOfOwnFaces() > triangle)
-  {
-    const int face = piece.FirstOwnFace() + triangle;
-    constraints.OnFaces.push_back({ triangle, piece.Surface().Faces.X.row(face).transpose(), 1.0 });
-  }
-  return constraints;
-}
-
 /// Asks to stop after some checkpoints.
 class StoppingContext : public SerialContext
 {
@@ -75,12 +59,12 @@ private:
 
 TEST(TestFaultsOfPieces, WrongDirectionOnOneRank)
 {
-  const test::CutPiece cut = PieceHere(test::Icosphere(3));
+  const test::CutPiece cut = test::PieceHere(test::Icosphere(3));
   PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
   ExpectOnAllRanks<InvalidInput>(
     [&](bool isLast)
     {
-      Constraints constraints = OneDirection(solver.Piece());
+      Constraints constraints = test::OneDirection(solver.Piece());
       if (isLast)
       {
         constraints.OnFaces[0].Direction[1] = std::nan("");
@@ -89,7 +73,63 @@ TEST(TestFaultsOfPieces, WrongDirectionOnOneRank)
     },
     "cell 0");
   // The solver is as it was.
-  EXPECT_TRUE(solver.Solve(OneDirection(solver.Piece())).Report.Converged);
+  EXPECT_TRUE(solver.Solve(test::OneDirection(solver.Piece())).Report.Converged);
+}
+
+TEST(TestFaultsOfPieces, WrongConstraintsOnOneRank)
+{
+  test::CutPiece cut = test::PieceHere(test::Icosphere(3));
+  cut.Piece.Positions.conservativeResize(cut.Piece.Positions.rows() + 1, 3);
+  cut.Piece.Positions.bottomRows(1).setConstant(5.0); // without a triangle
+  const int lastPoint = static_cast<int>(cut.Piece.Positions.rows()) - 1;
+  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  const Vector3 x(1.0, 0.0, 0.0);
+  const std::vector<std::pair<Constraints, std::string>> wrong = {
+    { { { { 1000000, x, 1.0 } }, {}, {} }, "1000000" },
+    { { { { -1, x, 1.0 } }, {}, {} }, "-1" },
+    { { { { 0, x, 0.0 } }, {}, {} }, "weight" },
+    { { { { 0, x, -2.0 } }, {}, {} }, "weight" },
+    { { { { 0, x, std::nan("") } }, {}, {} }, "weight" },
+    { { { { 0, x, 1e30 } }, {}, {} }, "weight" },
+    { { {}, { { 0, x, -1.0 } }, {} }, "weight" },
+    { { {}, { { 1000000, x, 1.0 } }, {} }, "1000000" },
+    { { {}, { { lastPoint, x, 1.0 } }, {} }, "has no triangle" },
+  };
+  for (const auto& [constraints, words] : wrong)
+  {
+    ExpectOnAllRanks<InvalidInput>([&, &constraints = constraints](bool isLast)
+      { solver.Solve(isLast ? constraints : test::OneDirection(solver.Piece())); },
+      words);
+  }
+  DiscretisationOptions function;
+  function.Kind = DiscretisationKind::ScalarFunction;
+  PieceFieldSolver ofFunctions(MPI_COMM_WORLD, cut.Piece, function);
+  for (const ValueConstraint& value : { ValueConstraint{ 0, std::nan(""), 1.0 }, ValueConstraint{ 0, 1.0, -1.0 },
+         ValueConstraint{ lastPoint, 1.0, 1.0 } })
+  {
+    ExpectOnAllRanks<InvalidInput>(
+      [&](bool isLast)
+      {
+        Constraints constraints;
+        constraints.Values.push_back(isLast ? value : ValueConstraint{ 0, 1.0, 1.0 });
+        ofFunctions.Solve(constraints);
+      },
+      value.Vertex == lastPoint ? "has no triangle" : "not finite or its weight not positive");
+  }
+}
+
+TEST(TestFaultsOfPieces, WrongWeights)
+{
+  const test::CutPiece cut = test::PieceHere(test::Icosphere(3));
+  PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+  for (const double alignment : { 0.0, -1.0, std::nan("") })
+  {
+    FieldWeights weights;
+    weights.Alignment = alignment;
+    ExpectOnAllRanks<InvalidInput>(
+      [&](bool) { solver.Solve(test::OneDirection(solver.Piece()), weights); }, "lignment");
+  }
+  EXPECT_TRUE(solver.Solve(test::OneDirection(solver.Piece())).Report.Converged);
 }
 
 TEST(TestFaultsOfPieces, WrongSurfaceOnOneRank)
@@ -97,7 +137,7 @@ TEST(TestFaultsOfPieces, WrongSurfaceOnOneRank)
   ExpectOnAllRanks<InvalidInput>(
     [](bool isLast)
     {
-      test::CutPiece cut = PieceHere(test::Icosphere(3));
+      test::CutPiece cut = test::PieceHere(test::Icosphere(3));
       if (isLast)
       {
         cut.Piece.Corners(2, 1) = 1000000;
@@ -108,7 +148,7 @@ TEST(TestFaultsOfPieces, WrongSurfaceOnOneRank)
   ExpectOnAllRanks<InvalidInput>(
     [](bool isLast)
     {
-      test::CutPiece cut = PieceHere(test::Icosphere(3));
+      test::CutPiece cut = test::PieceHere(test::Icosphere(3));
       if (isLast)
       {
         cut.Piece.Positions(cut.Piece.Corners(5, 0), 1) = std::nan("");
@@ -128,7 +168,7 @@ TEST(TestFaultsOfPieces, TurnedPieceAndDoubledPieces)
   ExpectOnAllRanks<InvalidInput>(
     [](bool isLast)
     {
-      test::CutPiece cut = PieceHere(test::Icosphere(3));
+      test::CutPiece cut = test::PieceHere(test::Icosphere(3));
       if (isLast)
       {
         cut.Piece.Corners.col(1).swap(cut.Piece.Corners.col(2));
@@ -152,7 +192,7 @@ TEST(TestFaultsOfPieces, RanksThatDiffer)
   {
     GTEST_SKIP() << "one rank does not differ";
   }
-  const test::CutPiece cut = PieceHere(test::Icosphere(3));
+  const test::CutPiece cut = test::PieceHere(test::Icosphere(3));
   ExpectOnAllRanks<InvalidInput>(
     [&](bool isLast)
     {
@@ -167,7 +207,7 @@ TEST(TestFaultsOfPieces, RanksThatDiffer)
     {
       FieldWeights weights;
       weights.Alignment = isLast ? 2.0 : 3.0;
-      solver.Solve(OneDirection(solver.Piece()), weights);
+      solver.Solve(test::OneDirection(solver.Piece()), weights);
     },
     "alignment 2");
   ExpectOnAllRanks<InvalidInput>(
@@ -186,7 +226,7 @@ TEST(TestFaultsOfPieces, RanksThatDiffer)
 TEST(TestFaultsOfPieces, NothingToSolve)
 {
   ExpectOnAllRanks<InvalidInput>([](bool) { PieceFieldSolver(MPI_COMM_WORLD, {}, {}); }, "no rank has a triangle");
-  const test::CutPiece cut = PieceHere(test::Icosphere(2));
+  const test::CutPiece cut = test::PieceHere(test::Icosphere(2));
   PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
   ExpectOnAllRanks<InvalidInput>([&](bool) { solver.Solve({}); }, "no rank has a constraint");
   DiscretisationOptions flow;
@@ -194,10 +234,28 @@ TEST(TestFaultsOfPieces, NothingToSolve)
   ExpectOnAllRanks<InvalidInput>([&](bool) { PieceFieldSolver(MPI_COMM_WORLD, cut.Piece, flow); }, "gather it");
 }
 
+TEST(TestFaultsOfPieces, NoMemoryOnOneRank)
+{
+  const Ranks all(MPI_COMM_WORLD);
+  ExpectOnAllRanks<MemoryRanOut>(
+    [&](bool isLast)
+    {
+      all.Together(
+        [&]
+        {
+          if (isLast)
+          {
+            throw std::bad_alloc();
+          }
+        });
+    },
+    "more ranks");
+}
+
 TEST(TestFaultsOfPieces, OneRankStopsAll)
 {
   const Ranks all(MPI_COMM_WORLD);
-  const test::CutPiece cut = PieceHere(test::IrregularSphere(4, 3));
+  const test::CutPiece cut = test::PieceHere(test::IrregularSphere(4, 3));
   int stopped = 0;
   for (int checkpoints = 0; checkpoints < 20; checkpoints += 2)
   {
@@ -207,7 +265,7 @@ TEST(TestFaultsOfPieces, OneRankStopsAll)
     try
     {
       PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {}, {}, context);
-      solver.Solve(OneDirection(solver.Piece()), {}, {}, context);
+      solver.Solve(test::OneDirection(solver.Piece()), {}, {}, context);
     }
     catch (const Cancelled&)
     {
@@ -217,34 +275,4 @@ TEST(TestFaultsOfPieces, OneRankStopsAll)
     stopped += isStopped;
   }
   EXPECT_GE(stopped, 2);
-}
-
-TEST(TestFaultsOfPieces, PetscOfSomebodyElse)
-{
-  const test::CutPiece cut = PieceHere(test::Icosphere(3));
-  const auto solve = [&]
-  {
-    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
-    EXPECT_TRUE(solver.Solve(OneDirection(solver.Piece())).Report.Converged);
-  };
-  PetscBool isInitialised;
-  for (int k = 0; k < 3; ++k)
-  {
-    solve();
-    PetscInitialized(&isInitialised);
-    EXPECT_FALSE(isInitialised);
-  }
-  ASSERT_EQ(PetscInitializeNoArguments(), 0);
-  Vec vector;
-  ASSERT_EQ(VecCreateMPI(MPI_COMM_WORLD, 3, PETSC_DETERMINE, &vector), 0);
-  solve();
-  PetscInitialized(&isInitialised);
-  EXPECT_TRUE(isInitialised);
-  EXPECT_EQ(VecSet(vector, 2.0), 0);
-  PetscReal norm = 0.0;
-  EXPECT_EQ(VecNorm(vector, NORM_INFINITY, &norm), 0);
-  EXPECT_EQ(norm, 2.0);
-  VecDestroy(&vector);
-  PetscFinalize();
-  solve();
 }

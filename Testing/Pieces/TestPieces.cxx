@@ -2,6 +2,20 @@
 
 #include <mpi.h>
 
+#include <unistd.h>
+
+namespace
+{
+
+/// Ends a test in which a rank waits for ever; the last test that rank 0 has begun is the one.
+class TimeLimit : public ::testing::EmptyTestEventListener
+{
+  void OnTestStart(const ::testing::TestInfo&) override { alarm(90); }
+  void OnTestEnd(const ::testing::TestInfo&) override { alarm(0); }
+};
+
+}
+
 /// Only rank 0 tells of tests that pass; all tell of those that fail.
 int main(int count, char** arguments)
 {
@@ -10,6 +24,7 @@ int main(int count, char** arguments)
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   ::testing::TestEventListeners& listeners = ::testing::UnitTest::GetInstance()->listeners();
+  listeners.Append(new TimeLimit); // which takes it
   if (rank > 0)
   {
     delete listeners.Release(listeners.default_result_printer());

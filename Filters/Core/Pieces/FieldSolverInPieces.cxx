@@ -57,8 +57,7 @@ class FieldSolverInPieces::Internals
 public:
   Internals(
     MPI_Comm communicator, const SurfacePiece& piece, const ElementNames& names, const ExecutionContext& context)
-    : Session(communicator)
-    , All(communicator)
+    : All(communicator)
     , Names(names)
     , Part(this->All, piece, names, context)
   {
@@ -199,7 +198,8 @@ void FieldSolverInPieces::Internals::ClearIndicesOfOthers(Field& field) const
 
 FieldSolverInPieces::FieldSolverInPieces(
   MPI_Comm communicator, const SurfacePiece& piece, const ElementNames& names, const ExecutionContext& context)
-  : Internal(std::make_unique<Internals>(communicator, piece, names, context))
+  : Internal(
+      EndingTogether(communicator, [&] { return std::make_unique<Internals>(communicator, piece, names, context); }))
 {
 }
 
@@ -212,7 +212,8 @@ const PieceOfSurface& FieldSolverInPieces::Piece() const
 
 const Field& FieldSolverInPieces::Solve(const FieldProblem& problem, const ExecutionContext& context)
 {
-  return this->Internal->Solve(problem, context);
+  return EndingTogether(
+    this->Internal->All.Communicator(), [&]() -> const Field& { return this->Internal->Solve(problem, context); });
 }
 
 bool FieldSolverInPieces::TellsIndexOf(int element) const

@@ -27,15 +27,15 @@ constexpr double SmoothedPart = 0.1;
 
 void Destroy(Mat& matrix)
 {
-  static_cast<void>(MatDestroy(&matrix)); // a destructor can do nothing about errors
+  CheckDestroyed(MatDestroy(&matrix));
 }
 void Destroy(Vec& vector)
 {
-  static_cast<void>(VecDestroy(&vector));
+  CheckDestroyed(VecDestroy(&vector));
 }
 void Destroy(KSP& solver)
 {
-  static_cast<void>(KSPDestroy(&solver));
+  CheckDestroyed(KSPDestroy(&solver));
 }
 
 /// An object of PETSc's, which it counts references to.

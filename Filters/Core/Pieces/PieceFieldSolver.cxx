@@ -85,8 +85,7 @@ struct PieceFieldSolver::System
 
 PieceFieldSolver::PieceFieldSolver(MPI_Comm communicator, const SurfacePiece& piece, const DiscretisationOptions& field,
   const ElementNames& names, const ExecutionContext& context)
-  : Session(communicator)
-  , All(communicator)
+  : All(communicator)
   , OptionsOfField(field)
   , Names(names)
   , OwnPart(std::make_unique<const PieceOfSurface>(this->All, piece, names, PartOfContext(context, 0.0, 0.5)))
@@ -97,8 +96,7 @@ PieceFieldSolver::PieceFieldSolver(MPI_Comm communicator, const SurfacePiece& pi
 
 PieceFieldSolver::PieceFieldSolver(const PieceOfSurface& piece, const DiscretisationOptions& field,
   const ElementNames& names, const ExecutionContext& context)
-  : Session(piece.Everyone().Communicator())
-  , All(piece.Everyone().Communicator())
+  : All(piece.Everyone().Communicator())
   , OptionsOfField(field)
   , Names(names)
   , Part(piece)
@@ -176,6 +174,7 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
   const StoppingCriteria& stop, const ExecutionContext& context)
 {
   const Stopwatch watch;
+  this->Session.Check();
   this->All.CheckSame(TextOf(weights, stop), "weights or criteria");
   CheckWeights(weights);
   const std::vector<PowerAtVertex> atOwned =

@@ -2,7 +2,7 @@
 
 #include "Support/Errors.h"
 
-#include <new>
+#include <cstdio>
 #include <numeric>
 
 namespace dmg
@@ -81,7 +81,7 @@ Outcome OutcomeOf(const std::function<void()>& step, std::string& message)
     case Outcome::Stopped:
       throw Cancelled();
     case Outcome::NoMemory:
-      throw std::bad_alloc();
+      throw MemoryRanOut();
     case Outcome::Invalid:
       throw InvalidInput(message);
     default:
@@ -89,6 +89,18 @@ Outcome OutcomeOf(const std::function<void()>& step, std::string& message)
   }
 }
 
+}
+
+void EndWithOthers(MPI_Comm communicator, const std::string& message)
+{
+  const Ranks all(communicator);
+  if (all.Size() > 1)
+  {
+    // No exception gets from here to the other ranks.
+    std::fprintf(stderr, "DirectionalMultigrid: rank %d of %d: %s. All ranks end, as they would wait for this one.\n",
+      all.Rank(), all.Size(), message.c_str());
+    MPI_Abort(communicator, 1);
+  }
 }
 
 Ranks::Ranks(MPI_Comm communicator)

@@ -6,6 +6,7 @@
 #include <mpi.h>
 
 #include <functional>
+#include <new>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -20,6 +21,39 @@ struct Received
   std::vector<Item> Items;
   std::vector<int> Begins;
 };
+
+/// Ends the processes of all ranks, after a line on the standard error: for a failure of one rank that the others, which wait
+/// for its messages, cannot learn of. Returns where the communicator has one rank only.
+void EndWithOthers(MPI_Comm communicator, const std::string& message);
+
+/// Memory has run out on some rank, and all ranks throw this.
+class MemoryRanOut : public std::bad_alloc
+{
+public:
+  const char* what() const noexcept override
+  {
+    return "memory has run out on one rank; take more ranks, on more machines";
+  }
+};
+
+/// Runs a function that sends messages. Memory that runs out on one rank between two agreements (Ranks::Together) ends all ranks.
+template <class Function>
+decltype(auto) EndingTogether(MPI_Comm communicator, const Function& function)
+{
+  try
+  {
+    return function();
+  }
+  catch (const MemoryRanOut&)
+  {
+    throw;
+  }
+  catch (const std::bad_alloc&)
+  {
+    EndWithOthers(communicator, MemoryRanOut().what());
+    throw;
+  }
+}
 
 /// The processes that hold a surface together, and all that they say to each other. Every function is collective: all ranks
 /// call it, in the same order, from the thread that entered the core.

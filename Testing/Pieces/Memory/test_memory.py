@@ -1,0 +1,39 @@
+"""Memory that runs out on one rank ends the work of all ranks, whenever it is: by an exception on each, or by one line and the end.
+
+    test_memory.py RUN-OF-WithoutMemory...
+"""
+
+import re
+import subprocess
+import sys
+
+RUN = sys.argv[1:]
+SECONDS = 60  # a rank that waits for ever is stopped
+ENDS = re.compile(r"DirectionalMultigrid: rank \d+ of \d+: (?:memory|PETSc) .*All ranks end")
+
+
+def run(failing):
+    """The outcome in words."""
+    result = subprocess.run([*RUN, str(failing)], stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=SECONDS)
+    if result.returncode == 0 and "all ranks throw" in result.stdout:
+        return "throw"
+    if result.returncode == 0 and (count := re.search(r"(\d+) requests", result.stdout)):
+        return count[1]
+    if result.returncode != 0 and len(ENDS.findall(result.stdout)) == 1:
+        return "end"
+    raise AssertionError(f"request {failing}: exit code {result.returncode}\n{result.stdout}")
+
+
+def main():
+    requests = int(run(0))
+    # From the first to the last one, the nearer the more likely.
+    failing = sorted({1, 2, 3, *(1 + (requests - 1) * k // 16 for k in range(17))})
+    outcomes = [run(each) for each in failing]
+    print(f"{requests} requests; {dict(zip(failing, outcomes))}")
+    assert requests > 1000, requests
+    assert "throw" in outcomes, "no step that is agreed upon has failed"
+    assert "end" in outcomes, "no request of PETSc has failed"
+    assert all(outcome in ("throw", "end") for outcome in outcomes[:-1]), "a failed request has passed unseen"
+
+
+main()
