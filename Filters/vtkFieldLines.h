@@ -29,7 +29,8 @@
  * of the points. Where cells and points have an array Direction0, as vtkHarmonicFieldSolver leaves them, that of the
  * cells is taken for both: the other one is its mean. The array holds one direction of N; the others are those, turned
  * by 2 pi / N. Vectors at points are averaged over the corners of each triangle, as N-th powers. Of a tensor of 6 (XX YY ZZ XY
- * YZ XZ) or 9 components the direction of the largest eigenvalue in the tangent plane is taken, with N = 2 by default. Vectors
+ * YZ XZ) or 9 components the direction of the largest eigenvalue in the tangent plane is taken, with N = 2 by default. In a
+ * plane of constant z, vectors may have 2 components. Those that are not finite are no directions, and a warning counts them. Vectors
  * that flip from element to element, as eigenvectors do, are a warning where N is 1: they have no sign.
  *
  * @section vtkFieldLines-Output Output

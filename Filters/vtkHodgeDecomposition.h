@@ -13,7 +13,7 @@
  * forms:
  *
  * - vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default the active vectors of points,
- *   else of cells. Their tangential part is decomposed. Of points, a face has the mean of its corners.
+ *   else of cells. Their tangential part is decomposed. In a plane of constant z they may have 2 components. Of points, a face has the mean of its corners.
  * - eastward and northward components of cells or points, chosen with indices 1 and 2, for surfaces around the origin with Axis to the
  *   north. They count where index 1 is chosen, instead of vectors.
  *

@@ -16,14 +16,17 @@ vtkStandardNewMacro(vtkSMDirectionsInitializationHelper);
 
 namespace
 {
-// An array that is marked as normals, or is called so.
-bool AreNormals(vtkSMSourceProxy* input, unsigned int port, int association, const std::string& name)
+// Normals and texture coordinates: arrays that are marked so, or are called so.
+bool AreNoField(vtkSMSourceProxy* input, unsigned int port, int association, const std::string& name)
 {
   vtkPVDataSetAttributesInformation* const arrays =
     input->GetDataInformation(port)->GetAttributeInformation(association);
-  vtkPVArrayInformation* const normals =
-    arrays ? arrays->GetAttributeInformation(vtkDataSetAttributes::NORMALS) : nullptr;
-  return name == "Normals" || (normals && normals->GetName() && name == normals->GetName());
+  const auto areActive = [&](int attribute)
+  {
+    vtkPVArrayInformation* const active = arrays ? arrays->GetAttributeInformation(attribute) : nullptr;
+    return active && active->GetName() && name == active->GetName();
+  };
+  return name == "Normals" || areActive(vtkDataSetAttributes::NORMALS) || areActive(vtkDataSetAttributes::TCOORDS);
 }
 }
 
@@ -40,14 +43,14 @@ void vtkSMDirectionsInitializationHelper::PostInitializeProxy(vtkSMProxy* filter
     return;
   }
   const unsigned int port = connection.GetOutputPort();
-  if (!AreNormals(input, port, directions.GetAsInt(3), directions.GetAsString(4)))
+  if (!AreNoField(input, port, directions.GetAsInt(3), directions.GetAsString(4)))
   {
     return;
   }
   for (unsigned int k = 0; k < domain->GetNumberOfStrings(); ++k)
   {
     const int association = domain->GetFieldAssociation(k);
-    if (!AreNormals(input, port, association, domain->GetString(k)))
+    if (!AreNoField(input, port, association, domain->GetString(k)))
     {
       directions.SetInputArrayToProcess(association, domain->GetString(k));
       filter->UpdateVTKObjects();

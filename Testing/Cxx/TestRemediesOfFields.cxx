@@ -59,8 +59,6 @@ const DrawingMistake WithFields[] = {
       } } },
   { "NoSuchArray", Drawn(0, "Wind"), "choose one of those, or none", { Drawn(0, "Given"), Drawn(0, "") } },
   { "NoVectors", Drawn(0, "Weights"), "choose an array of vectors", { Drawn(0, "Given") } },
-  { "NotFinite", Cell10("Direction0", Vector3::Constant(NaN)), "repair it, or set it to zero for no direction",
-    { Cell10("Direction0", Along), Cell10("Direction0", None) } },
   { "NoDirections",
     [](Angles* angles, vtkPolyData* surface)
     {

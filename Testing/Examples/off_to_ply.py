@@ -33,4 +33,6 @@ def convert(off, ply):
 
 
 if __name__ == "__main__":
+    if len(sys.argv) != 3:
+        sys.exit(__doc__)
     convert(*sys.argv[1:])

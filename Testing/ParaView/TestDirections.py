@@ -31,6 +31,10 @@ def surface():
     return simple.Sphere(ThetaResolution=20, PhiResolution=20)
 
 
+def upper():
+    return (vtk_to_numpy(fetch(surface()).GetPoints().GetData())[:, 2] > 0).sum()
+
+
 def with_vectors(input_of_them, name="Wind"):
     return simple.Calculator(Input=input_of_them, AttributeType="Cell Data", ResultArrayName=name, Function="jHat")
 
@@ -71,6 +75,24 @@ class Directions(unittest.TestCase):
         self.assertTrue(is_smoothest(second))
         second.Directions = ["CELLS", "Wind"]
         self.assertFalse(is_smoothest(second))  # nor does it have the report of the first
+
+    def test_directions_that_cannot_be_followed_are_left_out(self):
+        """A calculator's kHat stands on end at two points of a sphere, and a mask or a vector may be missing in places."""
+        missing = "output.PointData.append(numpy.where(inputs[0].Points[:, 2:] > 0, numpy.nan, 1.0), 'Missing')"
+        upwards = simple.Calculator(Input=surface(), ResultArrayName="Up", Function="kHat")
+        both = simple.ProgrammableFilter(Input=upwards, CopyArrays=1, Script="import numpy\n" + missing)
+        product = simple.PythonCalculator(Input=both, Expression="Up * Missing", ArrayName="Holes")
+        for make in (simple.HarmonicFieldSolver, simple.DirectionalField):
+            for chosen, left in (({"Directions": ["POINTS", "Up"]}, 2),
+                                 ({"Directions": ["POINTS", "Up"], "Mask": ["POINTS", "Missing"]}, 1 + upper()),
+                                 ({"Directions": ["POINTS", "Holes"]}, 1 + upper())):
+                with self.subTest(filter=make.__name__, chosen=chosen):
+                    field = make(Input=product, NumberOfDirections=1, **chosen)
+                    points = fetch(field).GetNumberOfPoints()
+                    self.assertEqual(prescribed(field), points - left)
+            for chosen in ("0 * kHat", "kHat * 0 * coordsX"):
+                nothing = simple.Calculator(Input=surface(), ResultArrayName="None", Function=chosen)
+                self.assertEqual(fetch(make(Input=nothing, Directions=["POINTS", "None"])).GetNumberOfPoints(), 0)
 
     def test_none_are_followed_where_the_user_does_not_want_it(self):
         field = simple.HarmonicFieldSolver(

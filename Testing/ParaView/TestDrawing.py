@@ -184,6 +184,34 @@ class Drawing(unittest.TestCase):
         simple.Delete(view)
 
     @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
+    def test_the_mouse_reaches_the_surface_below_lines(self):
+        """As where points of a stroke are placed by keys. ParaView puts those on lines up to 0.1 off."""
+        view = simple.CreateRenderView(ViewSize=[500, 500], CameraPosition=[0, 0, 5], CameraFocalPoint=[0, 0, 0])
+        sphere = simple.Sphere(Radius=1, ThetaResolution=60, PhiResolution=60)
+        field = simple.DirectionalField(Input=sphere)
+        simple.Show(field, view)
+        display = simple.Show(simple.OutputPort(field, 1), view)
+        for pickable, most in ((1, 0.5), (0, 0.01)):
+            display.InkPickable = pickable
+            simple.Render(view)
+            places = [self.place_at(view, x, y) for x in range(180, 320, 14) for y in range(180, 320, 14)]
+            off = np.abs(np.linalg.norm(places, axis=1) - 1)
+            self.assertEqual(len(off), 100)
+            self.assertLess(off.max(), most)
+            self.assertEqual(off.max() > 0.01, bool(pickable))
+        self.assertEqual(simple.Show(simple.FieldLines(Input=self.field), view).InkPickable, 0)
+        simple.Delete(view)
+
+    @staticmethod
+    def place_at(view, x, y):
+        place, normal = [0.0] * 3, [0.0] * 3
+        try:
+            view.SMProxy.ConvertDisplayToPointOnSurface([x, y], place, normal, False)
+        except TypeError:  # as versions differ
+            view.SMProxy.ConvertDisplayToPointOnSurface([x, y], place, False)
+        return place
+
+    @unittest.skipUnless(IMAGE, "needs a display and the name of an image")
     def test_spheres_are_red_and_green(self):
         view = simple.CreateRenderView(ViewSize=[500, 500])
         line = simple.Line(Point1=[0, 0, -1], Point2=[0, 0, 1], Resolution=1)

@@ -77,8 +77,11 @@ class MeasuredDirections(unittest.TestCase):
             add(attributes, "North" + where, np.zeros(len(places)))
         around = np.cross((1.0, 0, 0), points[triangles].mean(1))
         for where in "PC":
+            vectors = add(mesh.GetCellData(), "Instead", np.tile((1.0, 2.0, 3.0), (len(triangles), 1))).GetName()
             field = smooth_field(mesh, n=1, Eastward="East" + where, Northward="North" + where, Axis=(1.0, 0, 0),
-                                 ConstraintType="Hard")
+                                 ConstraintType="Hard", Directions=vectors)  # which do not count then
+            self.assertEqual(field.GetFieldData().GetAbstractArray("Followed").GetValue(0),
+                             f"array 'East{where}' and array 'North{where}'")
             found = vtk_to_numpy(field.GetCellData().GetArray("Direction0"))
             cosines = (found * around).sum(1) / np.linalg.norm(around, axis=1)
             self.assertGreater(cosines.min(), 0.99, where)

@@ -13,7 +13,7 @@ from vtkmodules.vtkCommonCore import vtkPoints, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-from directionalmultigrid import FieldError, FieldWarning, smooth_field, update
+from directionalmultigrid import FieldError, FieldWarning, hodge, smooth_field, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (
     vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver)
 from any_surfaces import points_of
@@ -142,6 +142,15 @@ class OtherInputs(unittest.TestCase):
         np.testing.assert_allclose(
             values(smooth_field(plane, n=1, Directions="V").GetCellData(), "Direction0"),
             np.tile((0.6, 0.8, 0), (4, 1)), atol=1e-6)
+        add(plane.GetCellData(), "W", np.tile((0.6, 0.8, 0.0), (4, 1)))
+        potentials = [values(hodge(plane, name).GetPointData(), "Potential") for name in "VW"]
+        np.testing.assert_array_equal(*potentials)
+        self.assertGreater(np.ptp(potentials[0]), 1)
+        bent = sphere()
+        add(bent.GetPointData(), "V", np.tile((0.6, 0.8), (bent.GetNumberOfPoints(), 1)))
+        for call in (lambda: smooth_field(bent, Directions="V"), lambda: hodge(bent, "V")):
+            with self.assertRaisesRegex(FieldError, "array 'V' holds vectors of 2 numbers, .* with Calculator"):
+                call()
 
     def test_hard_constraints_everywhere_are_the_field(self):
         """An axis on every triangle, turned by 30 degrees."""

@@ -100,6 +100,21 @@ class SmoothField(unittest.TestCase):
         np.testing.assert_allclose(indices[np.abs(indices) > 1e-9], 1 / 3)
         self.assertEqual(np.count_nonzero(np.abs(indices) > 1e-9), 6)
 
+    def test_indices_are_no_negative_zeros(self):
+        source = vtkSphereSource()
+        source.SetThetaResolution(32)
+        source.SetPhiResolution(33)
+        sphere = update(source)
+        for kind in ("PointPowerField", "PowerField", "FaceField", "OneForm"):
+            for n in (1,) if kind in ("FaceField", "OneForm") else (1, 2, 4):
+                with warnings.catch_warnings():
+                    warnings.simplefilter("ignore")  # the triangles are sheared
+                    field = smooth_field(sphere, n=n, Discretisation=kind)
+                for attributes in (field.GetPointData(), field.GetCellData()):
+                    if attributes.HasArray("SingularityIndex"):
+                        indices = values(attributes, "SingularityIndex")
+                        self.assertFalse((np.signbit(indices) & (indices == 0)).any(), (kind, n))
+
     def test_no_singularities_may_be_prescribed(self):
         """A torus may have none, a sphere has to have some; None prescribes nothing."""
         tilted = prescribe(torus(20, 10), {7: (1, 2, 3), 150: (3, -1, 2), 260: (-2, 3, 1)})

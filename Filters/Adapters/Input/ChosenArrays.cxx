@@ -148,6 +148,25 @@ ChosenArray FindArray(
     ", is not among its point or cell arrays; choose one of those, or none");
 }
 
+ChosenArray FindVectors(
+  const ArrayChoice& choice, vtkDataSet* dataset, const std::string& what, const std::string& whose)
+{
+  vtkDataArray* const array = vtkDataArray::SafeDownCast(Find(choice, dataset).Array);
+  return FindArray(choice, dataset, array && array->GetNumberOfComponents() == 2 ? 2 : 3, what, whose);
+}
+
+std::string ProblemOfPlaneVectors(vtkDataArray* vectors, const Points& positions)
+{
+  if (vectors->GetNumberOfComponents() != 2 || positions.rows() == 0 ||
+    positions.col(2).maxCoeff() == positions.col(2).minCoeff())
+  {
+    return "";
+  }
+  return NameOf(vectors) +
+    " holds vectors of 2 numbers, and the surface is not in a plane of constant z; make vectors of 3 numbers, with "
+    "Calculator (vtkArrayCalculator) for example";
+}
+
 Eigen::Matrix3d TensorOf(const double* numbers, int components)
 {
   Eigen::Matrix3d tensor;

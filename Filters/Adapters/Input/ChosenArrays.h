@@ -91,6 +91,14 @@ struct ChosenArray
 ChosenArray FindArray(
   const ArrayChoice& choice, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose);
 
+/// The same for vectors, of 3 numbers or of 2 (see ProblemOfPlaneVectors).
+ChosenArray FindVectors(
+  const ArrayChoice& choice, vtkDataSet* dataset, const std::string& what, const std::string& whose);
+
+/// Vectors of 2 numbers belong to surfaces in a plane of constant z, where the third number is zero.
+/// \return the words of an error where the surface is another one, else nothing.
+std::string ProblemOfPlaneVectors(vtkDataArray* vectors, const Points& positions);
+
 /// A symmetric tensor of 6 numbers (XX YY ZZ XY YZ XZ), or one of 9 by rows.
 Eigen::Matrix3d TensorOf(const double* numbers, int components);
 bool HoldsTensors(vtkDataArray* array);

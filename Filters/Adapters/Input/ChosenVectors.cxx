@@ -98,11 +98,13 @@ void CheckTuples(vtkDataArray* array, vtkDataSet* surface, bool isOnPoints)
 ChosenVectors ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
 {
   const ChosenVectors chosen = FindVectors(algorithm, surface);
-  if (!chosen.Array || (chosen.Array->GetNumberOfComponents() != 3 && !HoldsTensors(chosen.Array)))
+  const int components = chosen.Array ? chosen.Array->GetNumberOfComponents() : 0;
+  if (components != 2 && components != 3 && components != 6 && components != 9)
   {
     const std::string name = chosen.Array ? NameOf(chosen.Array) : "that was chosen";
     throw WrongChoice("array '" + name +
-      "' does not hold 3 numbers per element; choose an array of vectors, or of tensors (6 or 9 numbers)");
+      "' holds neither vectors nor tensors; choose an array of vectors (3 numbers, or 2 in a plane) or of tensors (6 "
+      "or 9)");
   }
   for (vtkDataSetAttributes* const attributes : { static_cast<vtkDataSetAttributes*>(surface->GetPointData()),
          static_cast<vtkDataSetAttributes*>(surface->GetCellData()) })

@@ -13,7 +13,7 @@ namespace dmg
 /// The array that a field is drawn from.
 struct ChosenVectors
 {
-  vtkDataArray* Array = nullptr; ///< vectors or tensors
+  vtkDataArray* Array = nullptr; ///< vectors of 2 or 3 numbers, or tensors
   bool OnPoints = false;
 };
 

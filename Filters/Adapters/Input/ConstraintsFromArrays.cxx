@@ -54,13 +54,10 @@ DirectionReader ReaderOf(
   }
   if (components == 2)
   {
-    const Points& positions = surface.Geometry.Mesh.VertexPositions();
-    if (positions.col(2).maxCoeff() > positions.col(2).minCoeff())
+    if (const std::string problem = ProblemOfPlaneVectors(arrays.Vectors, surface.Geometry.Mesh.VertexPositions());
+        !problem.empty())
     {
-      throw InvalidInput(std::string("array '") + arrays.Vectors->GetName() +
-        "', chosen for the directions of the surface, holds 2 numbers per element, and the surface is not in a plane "
-        "of "
-        "constant z; make vectors of three numbers, with Calculator (vtkArrayCalculator) for example");
+      throw InvalidInput(problem);
     }
     return [](vtkIdType, const double* numbers) { return Vector3(numbers[0], numbers[1], 0.0); };
   }

@@ -1,5 +1,6 @@
 #include "Adapters/Input/FieldFromArrays.h"
 
+#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/ChosenVectors.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
@@ -19,6 +20,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -61,7 +63,7 @@ Complex ReadTuple(vtkDataArray* array, vtkIdType tuple, const TangentFrames& fra
   {
     return ReadTensor(array, tuple, frames, element);
   }
-  Vector3 vector;
+  Vector3 vector = Vector3::Zero();
   array->GetTuple(tuple, vector.data());
   return TangentialPart(vector, frames.ToComplex(element, vector));
 }
@@ -84,7 +86,7 @@ public:
     {
       return ReadTuple(array, cell, this->Frames, face);
     }
-    Vector3 vector;
+    Vector3 vector = Vector3::Zero();
     array->GetTuple(cell, vector.data());
     return TangentialPart(vector, OnFaceOfCell(this->Frames, face, this->Normals.row(face), vector));
   }
@@ -96,11 +98,15 @@ private:
   const Points Normals; ///< of the cells
 };
 
-/// Directions of elements.
-/// \throw InvalidInput one is not finite; the message names the first one of the caller's.
+bool IsFinite(Complex number)
+{
+  return std::isfinite(number.real()) && std::isfinite(number.imag());
+}
+
+/// Directions of elements; zero where they are not finite, of which \p left counts the tuples.
 template <class Read, class TupleOf>
-Vector<Complex> ReadTuples(vtkDataArray* array, const Read& read, int size, const std::string& kind,
-  const TupleOf& tupleOf, const ExecutionContext& context)
+Vector<Complex> ReadTuples(
+  const Read& read, int size, const TupleOf& tupleOf, std::set<vtkIdType>& left, const ExecutionContext& context)
 {
   Vector<Complex> directions(size);
   std::atomic<bool> areFinite{ true };
@@ -111,36 +117,29 @@ Vector<Complex> ReadTuples(vtkDataArray* array, const Read& read, int size, cons
       {
         const Complex direction = read(element);
         directions[element] = direction;
-        if (!std::isfinite(direction.real()) || !std::isfinite(direction.imag()))
+        if (!IsFinite(direction))
         {
           areFinite = false;
         }
       }
     });
-  if (!areFinite)
+  for (int element = 0; !areFinite && element < size; ++element)
   {
-    vtkIdType tuple = std::numeric_limits<vtkIdType>::max();
-    for (int element = 0; element < size; ++element)
+    if (!IsFinite(directions[element]))
     {
-      const Complex direction = directions[element];
-      if (!std::isfinite(direction.real()) || !std::isfinite(direction.imag()))
-      {
-        tuple = std::min<vtkIdType>(tuple, tupleOf(element));
-      }
+      left.insert(tupleOf(element));
+      directions[element] = 0.0;
     }
-    throw InvalidInput("the direction of " + kind + " " + std::to_string(tuple) + " in array '" + NameOf(array) +
-      "' is not finite; repair it, or set it to zero for no direction");
   }
   return directions;
 }
 
-Vector<Complex> ReadVertices(
-  vtkDataArray* array, const TangentFrames& frames, const SurfaceMesh& surface, const ExecutionContext& context)
+Vector<Complex> ReadVertices(vtkDataArray* array, const TangentFrames& frames, const SurfaceMesh& surface,
+  std::set<vtkIdType>& left, const ExecutionContext& context)
 {
   const auto pointOf = [&surface](int vertex) { return surface.PointOf(vertex); };
-  return ReadTuples(
-    array, [&](int vertex) { return ReadTuple(array, pointOf(vertex), frames, vertex); },
-    surface.Mesh.NumberOfVertices(), "point", pointOf, context);
+  return ReadTuples([&](int vertex) { return ReadTuple(array, pointOf(vertex), frames, vertex); },
+    surface.Mesh.NumberOfVertices(), pointOf, left, context);
 }
 
 /// Refuses arrays Direction1, ... that are not Direction0, turned.
@@ -159,6 +158,10 @@ void CheckSiblings(
     const auto isTurned = [&](int face)
     {
       const Complex given = cells.Read(array, face);
+      if (!IsFinite(given))
+      {
+        return first[face] == 0.0;
+      }
       const Complex expected = turn * first[face];
       return std::abs(given / std::max(std::abs(given), 1e-300) - expected / std::max(std::abs(expected), 1e-300)) <=
         LargestAngle;
@@ -194,7 +197,8 @@ void ReadFieldAtPoints(vtkDataSet* input, SurfaceWithField& given, const Executi
   const FramedMesh framed(given.Surface.Mesh, context);
   vtkDataArray* const array = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
   CheckTuples(array, input, true);
-  given.AtVertices = ReadVertices(array, framed.Vertices, given.Surface, context);
+  std::set<vtkIdType> left; // those of the cells were counted
+  given.AtVertices = ReadVertices(array, framed.Vertices, given.Surface, left, context);
   given.Connection = std::make_shared<const VertexConnection>(framed, context);
 }
 
@@ -202,6 +206,17 @@ double DiagonalOf(const TriangleMesh& mesh)
 {
   const Points& positions = mesh.VertexPositions();
   return (positions.colwise().maxCoeff() - positions.colwise().minCoeff()).norm();
+}
+
+/// Warns of directions that are not finite.
+void CheckLeft(vtkAlgorithm* algorithm, const ChosenVectors& chosen, const std::set<vtkIdType>& left)
+{
+  if (!left.empty())
+  {
+    vtkWarningWithObjectMacro(algorithm, << "array '" << NameOf(chosen.Array) << "' is not finite at " << left.size()
+                                         << (chosen.OnPoints ? " points" : " cells") << ", as at " << *left.begin()
+                                         << ", where nothing is drawn; make it zero where there is no direction");
+  }
 }
 
 /// Warns where vectors flip as axes do. (A field of a solver is combed.)
@@ -235,11 +250,16 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   TangentFrames frames = FaceFrames(mesh, context);
   context.Checkpoint(0.5);
 
+  if (const std::string problem = ProblemOfPlaneVectors(chosen.Array, mesh.VertexPositions()); !problem.empty())
+  {
+    throw WrongChoice(problem);
+  }
   Vector<Complex> first;
+  std::set<vtkIdType> left;
   if (chosen.OnPoints)
   {
     const TangentFrames vertexFrames = VertexFrames(mesh, context);
-    const Vector<Complex> ofVertices = ReadVertices(chosen.Array, vertexFrames, surface, context);
+    const Vector<Complex> ofVertices = ReadVertices(chosen.Array, vertexFrames, surface, left, context);
     if (N == 1)
     {
       CheckSign(algorithm, chosen, mesh, vertexFrames, ofVertices);
@@ -249,9 +269,8 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   else
   {
     const CellsOnFaces cells(surface, frames, context);
-    first = ReadTuples(
-      chosen.Array, [&](int face) { return cells.Read(chosen.Array, face); }, mesh.NumberOfFaces(), "cell",
-      [&](int face) { return surface.CellOf(face); }, context);
+    first = ReadTuples([&](int face) { return cells.Read(chosen.Array, face); }, mesh.NumberOfFaces(),
+      [&](int face) { return surface.CellOf(face); }, left, context);
     if (N == 1)
     {
       CheckSign(algorithm, chosen, mesh, frames, first);
@@ -264,9 +283,10 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   if (first.isZero(0.0))
   {
     throw WrongChoice("array '" + NameOf(chosen.Array) +
-      "' has no direction on any triangle, its vectors are zero or perpendicular to the surface; "
+      "' has no direction on any triangle, its vectors are zero, not finite or perpendicular to the surface; "
       "choose another");
   }
+  CheckLeft(algorithm, chosen, left);
   context.Checkpoint(1.0);
   const double diagonal = DiagonalOf(mesh);
   DirectionsOnFaces field(N, first, context);

@@ -42,8 +42,10 @@ struct SurfaceWithField
 ///
 /// \param N of the field; 0: as many as there are arrays Direction0, Direction1, ... where Direction0 is chosen, 2 for
 /// principal directions and tensors, and 1 for any other array.
-/// \throw WrongChoice as ChooseVectors; no direction on any triangle.
-/// \throw InvalidInput what MeshFromDataSet refuses; a vector that is not finite; arrays Direction0, Direction1, ... of cells that are not
+/// Vectors that are not finite, as where nothing was measured, are no directions; one warning counts them.
+/// \throw WrongChoice as ChooseVectors; vectors of 2 numbers on a surface that is not in a plane of constant z; no direction on
+/// any triangle.
+/// \throw InvalidInput what MeshFromDataSet refuses; arrays Direction0, Direction1, ... of cells that are not
 /// 2 pi / N apart. Cost: linear.
 SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* surface, int N, const ExecutionContext& context);
 

@@ -91,18 +91,23 @@ FaceFlow FlowFromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, const Framed
       surface, components.OnPoints, [&](vtkIdType tuple, const Vector3& place) { return components.At(tuple, place); },
       context);
   }
-  const ChosenArray vectors = FindArray(ChoiceOf(algorithm, 0), input, 3, "flow", whose);
+  const ChosenArray vectors = FindVectors(ChoiceOf(algorithm, 0), input, "flow", whose);
   if (!vectors.Array)
   {
     throw WrongChoice(
       "there is no flow to decompose: no array of vectors is chosen, and none is active; choose one, or eastward and "
       "northward components, or connect Edges");
   }
+  if (const std::string problem = ProblemOfPlaneVectors(vectors.Array, surface.Geometry.Mesh.VertexPositions());
+      !problem.empty())
+  {
+    throw WrongChoice(problem);
+  }
   return OnFaces(
     surface, vectors.OnPoints,
     [&](vtkIdType tuple, const Vector3&)
     {
-      Vector3 vector;
+      Vector3 vector = Vector3::Zero();
       vectors.Array->GetTuple(tuple, vector.data());
       return vector;
     },

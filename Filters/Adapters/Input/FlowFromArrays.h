@@ -20,7 +20,7 @@ struct FaceFlow
 
 /// The flow that was chosen with SetInputArrayToProcess: vectors (index 0) or, where index 1 is chosen, eastward (1) and northward
 /// components (2) about an axis through the origin. Of points, the mean over the corners.
-/// \throw WrongChoice nothing is chosen.
+/// \throw WrongChoice nothing is chosen, or vectors of 2 numbers on a surface that is not in a plane of constant z.
 /// \throw InvalidInput as FindArray; a number is not finite; the axis is zero where it is needed. Cost: linear.
 FaceFlow FlowFromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, const FramedSurface& surface, const Vector3& axis,
   const ExecutionContext& context);

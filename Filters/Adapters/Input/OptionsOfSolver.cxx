@@ -93,8 +93,9 @@ std::string WhatIsFollowed(
   { text += isFollowed ? (text.empty() ? "" : ", ") + what : ""; };
   const auto nameOf = [](const ArrayChoice& choice)
   { return choice.Name.empty() ? "active vectors" : "array '" + choice.Name + "'"; };
-  say(HasArray(choices.Vectors, surface), nameOf(choices.Vectors));
-  say(HasArray(choices.Eastward, surface), nameOf(choices.Eastward) + " and " + nameOf(choices.Northward));
+  const bool hasComponents = HasArray(choices.Eastward, surface); // which count instead of vectors
+  say(HasArray(choices.Vectors, surface) && !hasComponents, nameOf(choices.Vectors));
+  say(hasComponents, nameOf(choices.Eastward) + " and " + nameOf(choices.Northward));
   say(HasArray(choices.Values, surface), nameOf(choices.Values));
   say(HasArray(choices.Source, surface), "source " + nameOf(choices.Source));
   say(guides > 0, std::to_string(guides) + (guides == 1 ? " guide" : " guides"));

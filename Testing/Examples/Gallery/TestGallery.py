@@ -98,7 +98,7 @@ def check_noisy_flow(result):
     cosines = (unit(measured) * unit(cells(field, "Truth"))).sum(1)[known]
     noise = np.degrees(np.arccos(np.clip(cosines, -1, 1)))
     print(f"measured {noise.mean():.1f} degrees off, {known.mean():.0%} of the triangles; the field {off.mean():.1f}")
-    assert noise.mean() > 40 and off.mean() < 10
+    assert abs(noise.mean() - 58) < 0.5 and abs(off.mean() - 5.9) < 0.3  # as its page says
 
 
 def check_measured_fibres(result):
@@ -106,7 +106,8 @@ def check_measured_fibres(result):
     off, measured = angles(field, cells(field, "Truth"), 2), cells(field, "Measured")
     known = np.linalg.norm(measured, axis=1) > 0
     print(f"the field {np.median(off[known]):.1f} degrees off where measured, {np.median(off[~known]):.1f} elsewhere")
-    assert 0.3 < known.mean() < 0.36 and np.median(off[known]) < 4 and np.median(off[~known]) < 20
+    assert 0.3 < known.mean() < 0.36
+    assert abs(np.median(off[known]) - 1) < 0.5 and abs(np.median(off[~known]) - 6) < 1  # as its page says
 
 
 def check_fibres(result):

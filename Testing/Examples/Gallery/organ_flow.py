@@ -59,7 +59,7 @@ def skeleton(parts, view):
 def main():
     organ = surfaces.heart()
     data = surfaces.polydata(*surfaces.triangles_of(organ), Flow=measured(organ))
-    parts = HodgeDecomposition(Input=surfaces.source(data), Vectors=["CELLS", "Flow"], NumberOfContours=24)
+    parts = HodgeDecomposition(Input=surfaces.source(data), Vectors=["CELLS", "Flow"], NumberOfContours=14)
     view = view_from([0.12, 0, 1], [1200, 760])
     right = {"Position": [2.1, 0, 0]}
     for name, shift in (("Potential", {}), ("StreamFunction", right)):

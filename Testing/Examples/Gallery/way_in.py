@@ -72,11 +72,11 @@ def main():
     view = view_from([0.35, -1, 0.75], [1100, 480], up=(0, 0, 1))
     plate = HarmonicFieldSolver(Input=source(stiffened_plate()), SharpEdgesWeight=0)
     show(plate, view, IVORY, Representation="Surface With Edges", EdgeColor=[0.8, 0.78, 0.74], Ambient=0.15)
-    show_lines(plate, view, 0.03)
+    show(lines_along(plate, 0.03, 0.0016), view, BLUE)
     globe = earth()
     sphere = HarmonicFieldSolver(Input=source(globe))
     show(sphere, view, IVORY, Representation="Surface With Edges", EdgeColor=[0.8, 0.78, 0.74], Ambient=0.15)
-    show_lines(sphere, view, 0.03)
+    show(lines_along(sphere, 0.03, 0.0016), view, BLUE)
     show(Tube(Input=source(seam(globe)), Radius=0.15), view, RED)
     save(view, "way_in", 1.35)
     return plate, sphere
