@@ -51,11 +51,15 @@ class FirstContact(unittest.TestCase):
     def test_flows_have_heads(self):
         surface = sphere()
         ends = [simple.Line(Point1=[0, -0.1, z], Point2=[0, 0.1, z]) for z in (0.5, -0.5)]
-        flow = simple.DirectionalField(Input=surface, Discretisation="Face Field", Guides=ends[0], SecondGuide=ends[1])
-        flow.UpdatePipeline()
-        drawn = simple.servermanager.Fetch(flow, idx=1)
-        lengths = [drawn.GetCell(line).GetNumberOfPoints() for line in range(drawn.GetNumberOfCells())]
-        self.assertGreater(lengths.count(3), 20)  # a head is a line of three points
+        for kind in ("Face Field", "1-Form", "Power Field at Points", "Power Field on Faces"):
+            for number in (1, 2) if "Power" in kind else (1,):
+                flow = simple.DirectionalField(Input=surface, Discretisation=kind, NumberOfDirections=number, Guides=ends[0],
+                                               SecondGuide=ends[1])
+                flow.UpdatePipeline()
+                drawn = simple.servermanager.Fetch(flow, idx=1)
+                lengths = [drawn.GetCell(line).GetNumberOfPoints() for line in range(drawn.GetNumberOfCells())]
+                heads = lengths.count(3)  # a head is a line of three points
+                self.assertTrue(heads > 20 if number == 1 else heads == 0, (kind, number, heads))
 
     def test_apply_reaches_guides_before_their_filter(self):
         """Apply comes to proxies in an order of its own. Until then, their properties have what the panel shows as unchecked values."""

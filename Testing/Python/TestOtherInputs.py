@@ -191,6 +191,15 @@ class OtherInputs(unittest.TestCase):
                     warnings.simplefilter("error")
                     update(drawing)
 
+    def test_neither_normals_nor_colours_are_proposed_as_directions_of_guides(self):
+        singularities = vtkFieldSingularities()
+        singularities.SetInputData(smooth_field(sphere(), n=4))
+        update(singularities)
+        spheres = singularities.GetOutput(3)
+        self.assertEqual([spheres.GetPointData().GetArray(name).GetNumberOfComponents() for name in ("Normals", "SignColor")], [3, 3])
+        with self.assertRaisesRegex(FieldError, "neither lines nor vectors to follow"):
+            smooth_field(sphere(), guides=[spheres])
+
     def test_a_mesh_without_cells_is_an_error(self):
         mesh, points = vtkPolyData(), vtkPoints()
         for i in range(5):

@@ -139,7 +139,7 @@ void Reader::AddLines(const GuideDataSet& dataset, const ConstraintChoices& choi
   }
 }
 
-/// An array of a guide that holds three numbers for each point or cell, no normals; empty where there is none.
+/// An array of a guide that holds three numbers for each point or cell, neither normals nor colours; empty where there is none.
 std::string NameOfVectors(const std::vector<GuideDataSet>& datasets, std::size_t guide)
 {
   for (const GuideDataSet& dataset : datasets)
@@ -151,7 +151,7 @@ std::string NameOfVectors(const std::vector<GuideDataSet>& datasets, std::size_t
       {
         vtkDataArray* const array = arrays->GetArray(k);
         if (array && array->GetName() && array->GetNumberOfComponents() == 3 &&
-          array->GetName() != std::string("Normals"))
+          array->GetName() != std::string("Normals") && array->GetDataType() != VTK_UNSIGNED_CHAR)
         {
           return array->GetName();
         }
