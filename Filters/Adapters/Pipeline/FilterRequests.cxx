@@ -203,13 +203,12 @@ int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkA
   }
   catch (const WrongChoice& error)
   {
-    const int success = Failed(algorithm, outputs, InPanelWords(error.what()));
-    if (!HandsSurfaceOn(algorithm))
+    Failed(algorithm, outputs, InPanelWords(error.what()));
+    if (HandsSurfaceOn(algorithm))
     {
-      return success;
+      vtkDataObject::GetData(outputs, 0)->ShallowCopy(vtkDataObject::GetData(inputs[0]));
     }
-    vtkDataObject::GetData(outputs, 0)->ShallowCopy(vtkDataObject::GetData(inputs[0]));
-    return 1;
+    return 1; // nothing failed on the way, which the pipeline would add as an error of its own
   }
   catch (const std::exception& error)
   {
