@@ -341,30 +341,26 @@ TEST(TestPieceFieldSolver, PointsAreJoinedByGlobalIds)
   EXPECT_EQ(solver.Piece().GlobalNumberOfVertices(), surface.V.rows());
 }
 
-TEST(TestPieceFieldSolver, ComponentsWithoutConstraintsAreZero)
+TEST(TestPieceFieldSolver, FunctionsAreZeroOnComponentsWithoutValues)
 {
   const test::Surface surface = test::Union(test::Union(test::Icosphere(3), test::Disk(12), Vector3(4.0, 0.0, 0.0)),
     test::Icosphere(2), Vector3(0.0, 4.0, 0.0));
   const Ranks ranks(MPI_COMM_WORLD);
-  for (const FieldOptions& options : { Crosses(), Functions() })
+  for (const test::NamedPartition& partition : test::Partitions())
   {
-    for (const test::NamedPartition& partition : test::Partitions())
+    const test::CutPiece cut = test::CutOut(surface, partition.RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
+    Constraints whole;
+    whole.Values = { { 3, 1.0, 1.0 }, { 100, 2.0, 1.0 } };
+    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, Functions().Field);
+    const PieceField field = solver.Solve(OfPiece(whole, cut, surface));
+    EXPECT_TRUE(field.Report.Converged);
+    EXPECT_EQ(field.UnheldComponents, 2);
+    EXPECT_EQ(field.Report.Warnings.size(), 1);
+    for (std::size_t i = 0; i < cut.Points.size(); ++i)
     {
-      const test::CutPiece cut = test::CutOut(surface, partition.RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
-      Constraints whole;
-      whole.OnFaces.push_back(
-        { 3, surface.Mesh().Position(surface.F(3, 1)) - surface.Mesh().Position(surface.F(3, 0)), 1.0 });
-      whole.Values = { { 3, 1.0, 1.0 }, { 100, 2.0, 1.0 } };
-      PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, options.Field);
-      const PieceField field = solver.Solve(OfPiece(whole, cut, surface));
-      EXPECT_TRUE(field.Report.Converged);
-      EXPECT_EQ(field.UnheldComponents, 2);
-      for (std::size_t i = 0; i < cut.Points.size(); ++i)
-      {
-        const bool isHeld = cut.Points[i] < test::Icosphere(3).V.rows();
-        const double size = std::abs(field.AtVertices[solver.Piece().VerticesOfPoints()[i]]);
-        EXPECT_EQ(size > 0.0, isHeld) << size;
-      }
+      const bool isHeld = cut.Points[i] < test::Icosphere(3).V.rows();
+      const double size = std::abs(field.AtVertices[solver.Piece().VerticesOfPoints()[i]]);
+      EXPECT_EQ(size > 0.0, isHeld) << size;
     }
   }
 }

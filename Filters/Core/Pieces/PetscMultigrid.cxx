@@ -192,6 +192,25 @@ struct PetscMultigrid::Objects
   std::vector<Owned<Mat>> Restrictions;
   Owned<KSP> Solver;
 
+  /// function(from, to) on vectors of PETSc's.
+  template <class Function>
+  Vector<Complex> Apply(const Vector<Complex>& x, const Function& function)
+  {
+    Owned<Vec> from, to;
+    CheckPetsc(MatCreateVecs(this->Matrices[0], to.Place(), from.Place()));
+    PetscScalar* values;
+    CheckPetsc(VecGetArray(from, &values));
+    std::copy(x.data(), x.data() + x.size(), values);
+    CheckPetsc(VecRestoreArray(from, &values));
+    function(Vec(from), Vec(to));
+    Vector<Complex> y(x.size());
+    const PetscScalar* results;
+    CheckPetsc(VecGetArrayRead(to, &results));
+    std::copy(results, results + y.size(), y.data());
+    CheckPetsc(VecRestoreArrayRead(to, &results));
+    return y;
+  }
+
   void SetMultigrid(double largestEigenvalue, int cyclesInARow)
   {
     PC cycle;
@@ -282,6 +301,18 @@ PetscMultigrid::PetscMultigrid(const Ranks& ranks, const RowsOfRank<Complex>& ma
 
 PetscMultigrid::~PetscMultigrid() = default;
 
+Vector<Complex> PetscMultigrid::Multiply(const Vector<Complex>& x)
+{
+  return this->Of->Apply(x, [this](Vec from, Vec to) { CheckPetsc(MatMult(this->Of->Matrices[0], from, to)); });
+}
+
+Vector<Complex> PetscMultigrid::Precondition(const Vector<Complex>& r)
+{
+  PC cycle;
+  CheckPetsc(KSPGetPC(this->Of->Solver, &cycle));
+  return this->Of->Apply(r, [&cycle](Vec from, Vec to) { CheckPetsc(PCApply(cycle, from, to)); });
+}
+
 std::vector<LevelReport> PetscMultigrid::Levels() const
 {
   std::vector<LevelReport> levels;
@@ -295,17 +326,12 @@ std::vector<LevelReport> PetscMultigrid::Levels() const
 Vector<Complex> PetscMultigrid::Solve(
   const Vector<Complex>& b, const StoppingCriteria& stop, SolveReport& report, const ExecutionContext& context)
 {
-  Owned<Vec> right, left;
-  CheckPetsc(MatCreateVecs(this->Of->Matrices[0], left.Place(), right.Place()));
-  PetscScalar* values;
-  CheckPetsc(VecGetArray(right, &values));
-  std::copy(b.data(), b.data() + b.size(), values);
-  CheckPetsc(VecRestoreArray(right, &values));
   Monitor monitor{ &this->All, &context, stop.RelativeTolerance, stop.MaximumIterations, {}, {} };
   CheckPetsc(
     KSPSetTolerances(this->Of->Solver, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, stop.MaximumIterations + 1));
   CheckPetsc(KSPSetConvergenceTest(this->Of->Solver, HasConverged, &monitor, nullptr));
-  CheckPetsc(KSPSolve(this->Of->Solver, right, left));
+  Vector<Complex> x =
+    this->Of->Apply(b, [this](Vec right, Vec left) { CheckPetsc(KSPSolve(this->Of->Solver, right, left)); });
   KSPConvergedReason reason;
   CheckPetsc(KSPGetConvergedReason(this->Of->Solver, &reason));
   this->All.Checkpoint(context, 1.0);
@@ -319,11 +345,6 @@ Vector<Complex> PetscMultigrid::Solve(
       "the cycle of the surface in pieces has failed, as its coarsest matrix is singular or the surface has "
       "extremely thin triangles; gather the surface on one rank");
   }
-  Vector<Complex> x(b.size());
-  const PetscScalar* solution;
-  CheckPetsc(VecGetArrayRead(left, &solution));
-  std::copy(solution, solution + x.size(), x.data());
-  CheckPetsc(VecRestoreArrayRead(left, &solution));
   return x;
 }
 

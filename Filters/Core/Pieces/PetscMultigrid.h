@@ -42,6 +42,11 @@ public:
   Vector<Complex> Solve(
     const Vector<Complex>& b, const StoppingCriteria& stop, SolveReport& report, const ExecutionContext& context);
 
+  /// A x.
+  Vector<Complex> Multiply(const Vector<Complex>& x);
+  /// What one V-cycle from zero makes of a right-hand side.
+  Vector<Complex> Precondition(const Vector<Complex>& r);
+
   /// Unknowns and entries of all ranks, finest first.
   std::vector<LevelReport> Levels() const;
 

@@ -9,9 +9,11 @@
 #include "Operators/PowerFieldOperators.h"
 #include "Pieces/PetscMultigrid.h"
 #include "Pieces/PieceConstraints.h"
+#include "Pieces/SmoothestInPieces.h"
 #include "Solvers/LimitedPenalty.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 #include "Support/SparseAssembly.h"
 #include "Support/Stopwatch.h"
@@ -80,6 +82,8 @@ struct PieceFieldSolver::System
   Vector<double> D = {};
   Vector<Complex> Known = {}; ///< values that are held, and the diagonal solution elsewhere
   std::vector<char> IsHeld = {};
+  SmoothestInPieces Smoothest;
+  bool HoldsAny = false; ///< whether a constraint does
   int UnheldComponents = 0;
 };
 
@@ -113,7 +117,7 @@ void PieceFieldSolver::SetUp(const ExecutionContext& context)
     LevelsOfPieces(this->Part, VertexPowerField::DistanceOfSamples, PartOfContext(context, 0.2, 1.0));
   for (RowsOfRank<Complex>& prolongation : this->Prolongations)
   {
-    const bool isFunction = this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction;
+    const bool isFunction = this->IsFunction();
     this->All.Together(
       [&]
       {
@@ -147,8 +151,9 @@ void PieceFieldSolver::MakeLaplacian(const ExecutionContext& context)
 {
   const PieceOfSurface& piece = this->Part;
   const int owned = piece.NumberOfOwned();
-  const bool isFunction = this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction;
+  const bool isFunction = this->IsFunction();
   this->Mass.setZero(owned);
+  this->Stiffness.setZero(owned);
   this->All.Together(
     [&]
     {
@@ -163,8 +168,13 @@ void PieceFieldSolver::MakeLaplacian(const ExecutionContext& context)
       this->Laplacian.Rows = isFunction
         ? SelectRows<Complex>(CotangentLaplacian(mesh, context).cast<Complex>(), rows, context)
         : SelectRows(ConnectionLaplacian(mesh, piece.Connection(), this->OptionsOfField.N, context), rows, context);
+      for (int i = 0; i < owned; ++i)
+      {
+        this->Stiffness[i] = this->Laplacian.Rows.coeff(i, piece.FirstOwned() + i).real();
+      }
     });
   const double mean = this->All.Sum(this->Mass.sum()) / static_cast<double>(piece.GlobalNumberOfVertices());
+  this->MeanMass = mean > 0.0 ? mean : 1.0;
   this->Mass = mean > 0.0 ? Vector<double>(this->Mass / mean) : Vector<double>::Ones(owned);
   this->Laplacian.GlobalColumns = piece.GlobalNumbers();
   this->Laplacian.OwnedColumns = owned;
@@ -198,17 +208,48 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
   field.UnheldComponents = system.UnheldComponents;
   field.SetupSeconds = this->SetupSeconds;
   PetscMultigrid solver(this->All, matrix, prolongations,
-    LargestEigenvalue(this->All, matrix.Rows, this->Part.FirstOwned()),
-    this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction ? CyclesOfFunctions : 1,
+    LargestEigenvalue(this->All, matrix.Rows, this->Part.FirstOwned()), this->IsFunction() ? CyclesOfFunctions : 1,
     PartOfContext(context, 0.0, 0.5));
-  field.Report.Solver =
-    "conjugate gradients with one V-cycle, by PETSc on " + std::to_string(this->All.Size()) + " ranks";
+  field.Report.Solver = std::string(system.HoldsAny ? "conjugate gradients" : "LOBPCG") +
+    " with one V-cycle, by PETSc on " + std::to_string(this->All.Size()) + " ranks";
   field.Report.Levels = solver.Levels();
   field.Report.PrepareSeconds = watch.Seconds();
-  const Vector<Complex> x = solver.Solve(b, stop, field.Report, PartOfContext(context, 0.5, 1.0)) + system.Known;
+  const Vector<Complex> x =
+    system.Known + this->SolveSystem(system, solver, b, stop, field.Report, PartOfContext(context, 0.5, 1.0));
   const std::vector<Complex> all = this->Part.WithGhosts<Complex>(x);
   field.AtVertices = Eigen::Map<const Vector<Complex>>(all.data(), static_cast<Eigen::Index>(all.size()));
   return field;
+}
+
+/// By conjugate gradients where something is held, and the smoothest field elsewhere.
+Vector<Complex> PieceFieldSolver::SolveSystem(const System& system, PetscMultigrid& solver, const Vector<Complex>& b,
+  const StoppingCriteria& stop, SolveReport& report, const ExecutionContext& context) const
+{
+  report.Converged = true;
+  Vector<Complex> x = Vector<Complex>::Zero(b.size());
+  if (system.HoldsAny)
+  {
+    x = solver.Solve(b, stop, report, context);
+  }
+  if (system.Smoothest.NumberOfComponents() > 0)
+  {
+    std::vector<IterationReport> iterations =
+      system.Smoothest.Find(solver, this->MeanMass, stop.MaximumIterations, x, report, context);
+    if (!system.HoldsAny)
+    {
+      report.Iterations = std::move(iterations);
+      report.Returned = report.Iterations.back().Iteration;
+    }
+  }
+  if (const int zero = system.UnheldComponents - system.Smoothest.NumberOfComponents(); zero > 0)
+  {
+    report.Warnings.push_back(std::to_string(zero) +
+      (this->IsFunction()
+          ? " components of the surface hold no prescribed value; the function is zero there"
+          : " components of the surface hold no prescribed direction and have no area; the field is zero "
+            "there"));
+  }
+  return x;
 }
 
 /// Adds penalties to the Laplacian, takes held vertices out of it and out of the finest prolongation, and
@@ -251,8 +292,8 @@ PieceFieldSolver::System PieceFieldSolver::MakeSystem(
   const std::vector<PowerAtVertex>& constraints, const FieldWeights& weights) const
 {
   const int owned = this->Part.NumberOfOwned();
-  const int first = this->Part.FirstOwned();
-  System system{ Vector<double>::Zero(owned), Vector<Complex>::Zero(owned), std::vector<char>(owned, 0) };
+  System system{ Vector<double>::Zero(owned), Vector<Complex>::Zero(owned), std::vector<char>(owned, 0),
+    SmoothestInPieces(this->All) };
   for (int i = 0; i < owned; ++i)
   {
     const PowerAtVertex& constraint = constraints[i];
@@ -267,7 +308,7 @@ PieceFieldSolver::System PieceFieldSolver::MakeSystem(
       system.Known[i] = value;
       continue;
     }
-    const double diagonal = this->Laplacian.Rows.coeff(i, first + i).real();
+    const double diagonal = this->Stiffness[i];
     const double penalty = weights.Alignment * constraint.Weight * this->Mass[i] / weights.Smoothness;
     system.D[i] = LimitedPenalty(penalty, diagonal);
     system.Known[i] = system.D[i] > 0.0 ? Complex(system.D[i] / (diagonal + system.D[i]) * value) : Complex(0.0);
@@ -275,51 +316,85 @@ PieceFieldSolver::System PieceFieldSolver::MakeSystem(
   return system;
 }
 
-/// Holds one vertex of each component without constraints at zero, the solution there.
+/// Components without constraints get the smoothest field, if they have one; else one vertex is held at zero, the solution
+/// there.
 void PieceFieldSolver::HoldComponents(System& system, const std::vector<PowerAtVertex>& constraints) const
 {
+  const int owned = this->Part.NumberOfOwned();
+  const std::vector<int>& components = this->Components.OfOwned;
   std::vector<char> isReached(this->Components.NumberBound, 0);
-  std::vector<char> isThere(this->Components.NumberBound, 0);
-  for (int i = 0; i < this->Part.NumberOfOwned(); ++i)
+  std::vector<char> isThere = isReached;
+  std::vector<char> hasArea = isReached;
+  bool isConstrained = false;
+  for (int i = 0; i < owned; ++i)
   {
-    isReached[this->Components.OfOwned[i]] |= constraints[i].Weight > 0.0 && (system.D[i] > 0.0 || system.IsHeld[i]);
-    isThere[this->Components.OfOwned[i]] = 1;
+    const bool holds = constraints[i].Weight > 0.0 && (system.D[i] > 0.0 || system.IsHeld[i]);
+    isReached[components[i]] |= holds;
+    isThere[components[i]] = 1;
+    hasArea[components[i]] |= this->Mass[i] > 0.0;
+    isConstrained |= constraints[i].Weight > 0.0;
   }
+  isConstrained = this->All.Any(isConstrained);
   this->All.Any(isReached);
+  this->All.Any(hasArea);
   std::vector<char> isAnywhere = isThere;
   this->All.Any(isAnywhere);
-  int held = 0;
-  std::vector<int> firstRank(isThere.size(), std::numeric_limits<int>::max());
-  for (std::size_t component = 0; component < isThere.size(); ++component)
-  {
-    held += isReached[component];
-    system.UnheldComponents += isAnywhere[component] && !isReached[component];
-    firstRank[component] = isThere[component] ? this->All.Rank() : this->All.Size();
-  }
-  if (held == 0)
+  system.HoldsAny = std::find(isReached.begin(), isReached.end(), 1) != isReached.end();
+  if (!system.HoldsAny && isConstrained)
   {
     throw InvalidInput(
-      "no rank has a constraint that holds anything; prescribe a direction or a value on some element, or gather "
-      "the surface on one rank for its smoothest field");
+      "all prescribed cells have zero area, so that they hold nothing; prescribe a direction on another "
+      "cell or make the constraints hard");
   }
-  MPI_Allreduce(
-    MPI_IN_PLACE, firstRank.data(), static_cast<int>(firstRank.size()), MPI_INT, MPI_MIN, this->All.Communicator());
-  std::vector<char> isDone = isReached;
-  for (int i = 0; i < this->Part.NumberOfOwned(); ++i)
+  if (!system.HoldsAny && this->IsFunction())
   {
-    const int component = this->Components.OfOwned[i];
-    if (!isDone[component] && firstRank[component] == this->All.Rank())
+    throw InvalidInput("no rank prescribes a value, so the function of least smoothness energy is zero; " +
+      TextOf(Remedy::PrescribedValues));
+  }
+  std::vector<int> numbers(isThere.size(), -1); // of components with a smoothest field
+  std::vector<int> ranksThatHold(isThere.size(), this->All.Size());
+  int smoothest = 0;
+  for (std::size_t component = 0; component < isThere.size(); ++component)
+  {
+    const bool isUnheld = isAnywhere[component] && !isReached[component];
+    const bool hasSmoothest = isUnheld && hasArea[component] && !this->IsFunction();
+    system.UnheldComponents += isUnheld;
+    numbers[component] = hasSmoothest ? smoothest++ : -1;
+    if (isUnheld && !hasSmoothest && isThere[component])
     {
-      isDone[component] = 1;
-      system.IsHeld[i] = 1;
-      system.Known[i] = 0.0;
+      ranksThatHold[component] = this->All.Rank();
     }
   }
+  this->HoldOneVertex(ranksThatHold, system);
+  std::vector<int> numbersOfOwned;
+  for (const int component : components)
+  {
+    numbersOfOwned.push_back(numbers[component]);
+  }
+  system.Smoothest = SmoothestInPieces(this->All, numbersOfOwned, smoothest, this->Stiffness, this->Mass);
+  system.Smoothest.AddShifts(system.D);
   const bool hasFree = std::find(system.IsHeld.begin(), system.IsHeld.end(), 0) != system.IsHeld.end();
   if (!this->All.Any(hasFree))
   {
     throw InvalidInput(
       "hard constraints hold all vertices, so that nothing is left to solve for; make them soft, or leave some out");
+  }
+}
+
+/// Holds the first vertex of some components at zero, on the lowest rank that has one.
+/// \param ranks per component this rank if it has such a vertex, else the number of ranks.
+void PieceFieldSolver::HoldOneVertex(std::vector<int>& ranks, System& system) const
+{
+  MPI_Allreduce(MPI_IN_PLACE, ranks.data(), static_cast<int>(ranks.size()), MPI_INT, MPI_MIN, this->All.Communicator());
+  for (int i = 0; i < this->Part.NumberOfOwned(); ++i)
+  {
+    int& rank = ranks[this->Components.OfOwned[i]];
+    if (rank == this->All.Rank())
+    {
+      rank = this->All.Size(); // done
+      system.IsHeld[i] = 1;
+      system.Known[i] = 0.0;
+    }
   }
 }
 
@@ -330,7 +405,7 @@ Field PieceFieldSolver::Directions(const PieceField& field, bool combing, const 
   {
     const FramedMesh& surface = this->Part.Surface();
     const std::unique_ptr<const Discretisation> discretisation = MakeDiscretisation(this->OptionsOfField, surface);
-    const bool isFunction = this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction;
+    const bool isFunction = this->IsFunction();
     const Vector<double> unknowns =
       isFunction ? Vector<double>(field.AtVertices.real()) : Vector<double>(AsPairs(field.AtVertices));
     directions = DirectionsOfField(surface, *discretisation, unknowns, combing, nullptr, context);

@@ -21,6 +21,8 @@
 namespace dmg
 {
 
+class PetscMultigrid;
+
 /// A field on a surface in pieces, as one rank sees it.
 struct PieceField
 {
@@ -29,7 +31,8 @@ struct PieceField
   Vector<Complex> AtVertices;
   SolveReport Report; ///< the same on all ranks, but for seconds
   double SetupSeconds = 0.0;
-  /// Components that no constraint holds; the field is zero there.
+  /// Components that no constraint holds. Power fields are the smoothest ones of mean square magnitude 1 there, whose eigenvalues
+  /// are in the report, and functions are zero.
   int UnheldComponents = 0;
 };
 
@@ -63,7 +66,8 @@ public:
 
   /// \param constraints on own triangles, counted from 0, and at points of the piece; of functions, Values. See
   ///   ConstraintsAtOwned.
-  /// \throw InvalidInput a constraint or weight is wrong, there is no constraint on any rank, or hard constraints hold all vertices.
+  /// \throw InvalidInput a constraint or weight is wrong, what is prescribed holds nothing, a function has no value on any
+  ///   rank, or hard constraints hold all vertices.
   /// \throw SolverFailure
   /// \throw Cancelled on all ranks
   PieceField Solve(const Constraints& constraints, const FieldWeights& weights = {}, const StoppingCriteria& stop = {},
@@ -79,12 +83,16 @@ private:
   struct System;
 
   void SetUp(const ExecutionContext& context);
+  bool IsFunction() const { return this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction; }
   void CheckField() const;
   void MakeLaplacian(const ExecutionContext& context);
   System MakeSystem(const std::vector<PowerAtVertex>& constraints, const FieldWeights& weights) const;
   Vector<Complex> SetEquations(const System& system, const std::vector<char>& isHeld, const std::vector<Complex>& known,
     SparseMatrix<Complex>& matrix, std::vector<RowsOfRank<Complex>>& prolongations) const;
   void HoldComponents(System& system, const std::vector<PowerAtVertex>& constraints) const;
+  void HoldOneVertex(std::vector<int>& ranks, System& system) const;
+  Vector<Complex> SolveSystem(const System& system, PetscMultigrid& solver, const Vector<Complex>& b,
+    const StoppingCriteria& stop, SolveReport& report, const ExecutionContext& context) const;
 
   const Stopwatch Watch; ///< of the set-up
   const PetscSession Session;
@@ -95,6 +103,8 @@ private:
   const PieceOfSurface& Part;
   PieceComponents Components;
   Vector<double> Mass;                            // of owned vertices, over the mean of all
+  double MeanMass = 1.0;                          // an area
+  Vector<double> Stiffness;                       // the diagonal of the Laplacian
   RowsOfRank<Complex> Laplacian;                  // of owned vertices
   std::vector<RowsOfRank<Complex>> Prolongations; // of powers
   double SetupSeconds = 0.0;

@@ -152,6 +152,11 @@ long long Ranks::Sum(long long here) const
   return sum;
 }
 
+void Ranks::Sum(double* here, int size) const
+{
+  MPI_Allreduce(MPI_IN_PLACE, here, size, MPI_DOUBLE, MPI_SUM, this->Comm);
+}
+
 double Ranks::Max(double here) const
 {
   double largest = 0.0;

@@ -76,6 +76,9 @@ public:
 
   double Sum(double here) const;
   long long Sum(long long here) const;
+  /// Element by element, in place.
+  void Sum(double* here, int size) const;
+  void Sum(std::vector<double>& here) const { this->Sum(here.data(), static_cast<int>(here.size())); }
   double Max(double here) const;
   bool Any(bool here) const;
   /// Element by element.

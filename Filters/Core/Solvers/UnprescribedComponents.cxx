@@ -9,6 +9,22 @@
 namespace dmg
 {
 
+StoppingCriteria StopOfSmoothest(int maximumIterations)
+{
+  // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart. At 1e-4
+  // the next eigenvectors may still turn the field by many degrees where it is small.
+  constexpr double Tolerance = 1e-6;
+  // Eigenvectors part slowly where many eigenvalues are close together, as on spheres.
+  constexpr int Patience = 3;
+  const bool isLarge = maximumIterations > std::numeric_limits<int>::max() / Patience;
+  return { Tolerance, isLarge ? maximumIterations : Patience * maximumIterations };
+}
+
+double ShiftOfSmoothest(double sumOfMassOverStiffness)
+{
+  return sumOfMassOverStiffness > 0.0 ? 1.0 / sumOfMassOverStiffness : 1.0; // a triangle alone has no smoothness energy
+}
+
 UnprescribedComponents::UnprescribedComponents(
   const MultigridSetup& setup, const std::vector<int>& unknowns, const ExecutionContext& context)
   : Setup(&setup)
@@ -17,8 +33,6 @@ UnprescribedComponents::UnprescribedComponents(
       context))
   , Shifts(setup.Hierarchy->NumberOfComponents(), 0.0)
 {
-  // A surface of size L has eigenvalues from about 1 / L^2 to 1 / h^2, where the diagonal is. The areas h^2 of its triangles
-  // sum to L^2. Triangles that are much smaller than others, as on the rim of a thin plate, add little to the sum.
   for (std::size_t component = 0; component < this->Shifts.size(); ++component)
   {
     double area = 0.0;
@@ -28,7 +42,7 @@ UnprescribedComponents::UnprescribedComponents(
       const double stiffness = setup.Hierarchy->DiagonalOf(unknown);
       area += stiffness > 0.0 ? setup.MassOf(unknown) / stiffness : 0.0;
     }
-    this->Shifts[component] = area > 0.0 ? 1.0 / area : 1.0; // a triangle by itself has no smoothness energy
+    this->Shifts[component] = ShiftOfSmoothest(area);
   }
 }
 
@@ -61,14 +75,7 @@ std::vector<IterationReport> UnprescribedComponents::FindSmoothest(const LinearO
     // Nothing is smoother than a harmonic field.
     start = setup.Kernel.cols() > 0 ? Vector<double>(setup.Kernel.rowwise().sum()) : Vector<double>::Zero(x.size());
   }
-  // At 1e-6 the eigenvalue has twelve digits. Vectors of eigenvalues that are closer to each other are not told apart. At 1e-4
-  // the next eigenvectors may still turn the field by many degrees where it is small.
-  constexpr double Tolerance = 1e-6;
-  // Eigenvectors part slowly where many eigenvalues are close together, as on spheres.
-  constexpr int Patience = 3;
-  const int iterations =
-    maximumIterations <= std::numeric_limits<int>::max() / Patience ? Patience * maximumIterations : maximumIterations;
-  const StoppingCriteria stop{ Tolerance, iterations };
+  const StoppingCriteria stop = StopOfSmoothest(maximumIterations);
   SolveReport found;
   const std::vector<double> theta =
     FindLowestEigenvectors({ A, inverse, setup.Mass, this->ByComponent }, stop, start, found, context);

@@ -4,6 +4,7 @@
 #include "Solvers/Krylov/LinearOperator.h"
 #include "Solvers/Krylov/Preconditioner.h"
 #include "Solvers/Krylov/SolveReport.h"
+#include "Solvers/Krylov/StoppingCriteria.h"
 #include "Solvers/MultigridSetup.h"
 #include "Support/CountingSort.h"
 #include "Support/ExecutionContext.h"
@@ -13,6 +14,15 @@
 
 namespace dmg
 {
+
+/// The end of an iteration for the smoothest field: a residual of 1e-6, or three times \p maximumIterations.
+StoppingCriteria StopOfSmoothest(int maximumIterations);
+
+/// The multiple of the mass that is about the lowest eigenvalue of a component. A surface of size L has eigenvalues from about
+/// 1 / L^2 to 1 / h^2, where the diagonal is. The areas h^2 of its triangles sum to L^2. Triangles that are much smaller than
+/// others, as on the rim of a thin plate, add little to the sum.
+/// \param sumOfMassOverStiffness over the unknowns of the component, of the mass over the diagonal of R.
+double ShiftOfSmoothest(double sumOfMassOverStiffness);
 
 /// Components of a surface without prescriptions. There the solution is the smoothest field of unit norm: the eigenvector of
 /// the lowest eigenvalue of R in the mass of the set-up (Knoeppel et al. 2013), or a harmonic field, of eigenvalue zero.

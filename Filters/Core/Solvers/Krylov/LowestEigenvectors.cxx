@@ -90,7 +90,7 @@ public:
     : Problem(problem)
     , Context(context)
     , x(x)
-    , Pair(static_cast<int>(x.size() / problem.Mass.size()))
+    , Pair(problem.UnknownsPerMass(x.size()))
     , Theta(problem.Parts.Begins.size() - 1)
   {
     this->MakePieces();
@@ -189,6 +189,7 @@ std::vector<Sum> LocallyOptimalIteration::SumsOfParts(const Sum& zero, const Add
   {
     sums[this->Pieces[k].Part] += ofPieces[k];
   }
+  this->Problem.Sum(reinterpret_cast<double*>(sums.data()), sums.size() * sizeof(Sum) / sizeof(double));
   return sums;
 }
 

@@ -9,6 +9,7 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <functional>
 #include <vector>
 
 namespace dmg
@@ -25,6 +26,23 @@ struct EigenProblem
   const Vector<double>& Mass;
   /// Unknowns by part; those in none are zero.
   const SortedItems& Parts;
+  /// Where vectors are spread over several processes: adds up numbers of all of them, in place. All have the same number of
+  /// parts, and each has its unknowns of them. Empty: vectors are whole.
+  std::function<void(double* numbers, int size)> SumOverProcesses = {};
+
+  /// Unknowns that share a mass.
+  int UnknownsPerMass(Eigen::Index unknowns) const
+  {
+    return this->Mass.size() > 0 ? static_cast<int>(unknowns / this->Mass.size()) : 1;
+  }
+  /// Sums numbers, or structs and matrices of them.
+  void Sum(double* numbers, std::size_t size) const
+  {
+    if (this->SumOverProcesses)
+    {
+      this->SumOverProcesses(numbers, static_cast<int>(size));
+    }
+  }
 };
 
 /// The eigenvectors of lowest eigenvalues by the locally optimal preconditioned conjugate gradient method, LOBPCG (Knyazev

@@ -39,7 +39,7 @@ public:
     , Context(context)
     , Whole(Vector<double>::Zero(unknowns))
   {
-    const Eigen::Index pair = unknowns / problem.Mass.size();
+    const Eigen::Index pair = problem.UnknownsPerMass(unknowns);
     for (const int part : parts)
     {
       const auto begin = problem.Parts.Items.begin() + problem.Parts.Begins[part];
@@ -54,6 +54,17 @@ public:
   }
 
   const Vector<double>& MassOf(std::size_t part) const { return this->Masses[part]; }
+  /// Sums over all processes, which each have some of the rows.
+  Block Summed(Block products) const
+  {
+    this->Problem.Sum(products.data(), static_cast<std::size_t>(products.size()));
+    return products;
+  }
+  double Summed(double product) const
+  {
+    this->Problem.Sum(&product, 1);
+    return product;
+  }
   Vector<double> Gather(std::size_t part, const Vector<double>& whole) const { return whole(this->Unknowns[part]); }
   void Scatter(std::size_t part, const Vector<double>& values, Vector<double>& whole) const
   {
@@ -136,11 +147,11 @@ struct BlockIteration
   int SinceBest = 0;
 
   /// Rayleigh and Ritz: X becomes the lowest eigenvectors in the span. \return their residuals.
-  Block Improve(const Block& ASpan, const Vector<double>& mass)
+  Block Improve(const PartsOfProblem& on, const Block& ASpan, const Vector<double>& mass)
   {
     const Eigen::Index width = this->X.cols();
-    const Block basis = Basis(this->Span.transpose() * (mass.asDiagonal() * this->Span));
-    const Block gramA = basis.transpose() * (this->Span.transpose() * ASpan) * basis;
+    const Block basis = Basis(on.Summed(this->Span.transpose() * (mass.asDiagonal() * this->Span)));
+    const Block gramA = basis.transpose() * on.Summed(this->Span.transpose() * ASpan) * basis;
     const Eigen::SelfAdjointEigenSolver<Block> solver(0.5 * (gramA + gramA.transpose()));
     const Eigen::Index size = std::min(width, gramA.cols());
     const Block C = basis * solver.eigenvectors().leftCols(size);
@@ -153,21 +164,21 @@ struct BlockIteration
 
   /// Where cells are of very different shapes, rounding errors of products with A are large in the energy norm, but not
   /// in the field. Where they hold up the residual, the norm of B r in M tells the error of x.
-  bool IsSolved(const Block& W, const Vector<double>& mass, double tolerance)
+  /// \param squaredError of x, by that norm.
+  bool IsSolved(double squaredError, double tolerance)
   {
     constexpr double SmallError = 1e-4;
     const bool isBest = this->Residual < 0.5 * this->Best;
     this->Best = isBest ? this->Residual : this->Best;
     this->SinceBest = isBest ? 0 : this->SinceBest + 1;
-    return this->Residual <= tolerance ||
-      (this->SinceBest >= Patience && W.col(0).cwiseAbs2().dot(mass) <= SmallError * SmallError);
+    return this->Residual <= tolerance || (this->SinceBest >= Patience && squaredError <= SmallError * SmallError);
   }
 
   /// \param W the preconditioned residuals R.
-  void Extend(const Block& R, const Block& W, const Vector<double>& mass, double tolerance)
+  void Extend(const PartsOfProblem& on, const Block& R, const Block& W, const Vector<double>& mass, double tolerance)
   {
-    this->Residual = std::sqrt(std::max(0.0, R.col(0).dot(W.col(0))) / this->Theta);
-    if (this->IsSolved(W, mass, tolerance))
+    this->Residual = std::sqrt(std::max(0.0, on.Summed(R.col(0).dot(W.col(0)))) / this->Theta);
+    if (this->IsSolved(on.Summed(W.col(0).cwiseAbs2().dot(mass)), tolerance))
     {
       this->Span.resize(this->X.rows(), 0);
       return;
@@ -184,7 +195,8 @@ std::vector<BlockIteration> Start(PartsOfProblem& on, std::size_t numberOfParts,
   for (std::size_t part = 0; part < numberOfParts; ++part)
   {
     const Vector<double>& mass = on.MassOf(part);
-    Block block(mass.size(), std::min<Eigen::Index>(BlockSize, mass.size()));
+    const double unknowns = on.Summed(static_cast<double>(mass.size()));
+    Block block(mass.size(), static_cast<Eigen::Index>(std::min<double>(BlockSize, unknowns)));
     for (Eigen::Index k = 0; k < block.size(); ++k)
     {
       block.data()[k] = PseudoRandom(static_cast<std::uint64_t>(k));
@@ -221,14 +233,14 @@ std::vector<LowestOfPart> FindLowestOfBlocks(const EigenProblem& problem, const 
     for (std::size_t part = 0; part < parts.size(); ++part)
     {
       residuals[part] = isSolved(iterations[part]) ? Block(spans[part].rows(), 0)
-                                                   : iterations[part].Improve(images[part], on.MassOf(part));
+                                                   : iterations[part].Improve(on, images[part], on.MassOf(part));
     }
     const Blocks corrections = on.Preconditioned(residuals);
     for (std::size_t part = 0; part < parts.size(); ++part)
     {
       if (!isSolved(iterations[part]))
       {
-        iterations[part].Extend(residuals[part], corrections[part], on.MassOf(part), stop.RelativeTolerance);
+        iterations[part].Extend(on, residuals[part], corrections[part], on.MassOf(part), stop.RelativeTolerance);
       }
     }
     context.Checkpoint(static_cast<double>(k) / stop.MaximumIterations);
