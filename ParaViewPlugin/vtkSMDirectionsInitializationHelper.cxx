@@ -10,6 +10,7 @@
 #include "vtkSMPropertyHelper.h"
 #include "vtkSMSourceProxy.h"
 
+#include <cstdlib>
 #include <string>
 
 vtkStandardNewMacro(vtkSMDirectionsInitializationHelper);
@@ -31,19 +32,22 @@ bool AreNoField(vtkSMSourceProxy* input, unsigned int port, int association, con
 }
 
 //------------------------------------------------------------------------------
-void vtkSMDirectionsInitializationHelper::PostInitializeProxy(vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType)
+void vtkSMDirectionsInitializationHelper::PostInitializeProxy(
+  vtkSMProxy* filter, vtkPVXMLElement*, vtkMTimeType initialised)
 {
   const vtkSMPropertyHelper connection(filter, "Input");
   auto* const input =
     connection.GetNumberOfElements() > 0 ? vtkSMSourceProxy::SafeDownCast(connection.GetAsProxy()) : nullptr;
-  auto* const domain = filter->GetProperty("Directions")->FindDomain<vtkSMArrayListDomain>();
-  vtkSMPropertyHelper directions(filter, "Directions");
-  if (!input || !domain || directions.GetNumberOfElements() < 5)
+  vtkSMProperty* const property = filter->GetProperty("Directions");
+  auto* const domain = property->FindDomain<vtkSMArrayListDomain>();
+  if (!input || !domain || property->GetMTime() > initialised) // a script has chosen
   {
     return;
   }
+  property->ResetToDomainDefaults(); // ParaView would do so later on, unless the property is modified here
+  vtkSMPropertyHelper directions(filter, "Directions");
   const unsigned int port = connection.GetOutputPort();
-  if (!AreNoField(input, port, directions.GetAsInt(3), directions.GetAsString(4)))
+  if (!AreNoField(input, port, std::atoi(directions.GetAsString(3)), directions.GetAsString(4)))
   {
     return;
   }

@@ -85,6 +85,21 @@ class FirstContact(unittest.TestCase):
         for kind in (simple.FieldLines, simple.FieldGlyphs, simple.FieldAngles, simple.FieldSingularities):
             self.assertEqual(list(kind(Input=fibres).Directions), ["POINTS", "Zz"], kind.__name__)
 
+    def test_texture_coordinates_are_never_the_first_choice(self):
+        """Although vectors of two components may be chosen, as those of models in the plane are."""
+        script = "import numpy\noutput.PointData.append(numpy.tile((1.0, 0.0), (len(inputs[0].Points), 1)), 'Wind')"
+        flow = simple.ProgrammableFilter(Input=simple.Plane(XResolution=10, YResolution=10), CopyArrays=1, Script=script)
+        flow.UpdatePipeline()
+        for kind in (simple.FieldLines, simple.FieldGlyphs, simple.FieldAngles, simple.FieldSingularities):
+            drawn = kind(Input=flow)
+            offered = drawn.SMProxy.GetProperty("Directions").GetDomain("array_list")
+            self.assertEqual({offered.GetString(k) for k in range(offered.GetNumberOfStrings())},
+                             {"Normals", "TextureCoordinates", "Wind"}, kind.__name__)
+            self.assertEqual(list(drawn.Directions), ["POINTS", "Wind"], kind.__name__)
+            drawn.UpdatePipeline()
+            points = simple.servermanager.Fetch(drawn).GetNumberOfPoints()
+            self.assertEqual(points > 0, kind is not simple.FieldSingularities)  # parallel vectors have none
+
     def test_messages_say_what_is_followed(self):
         window, former = vtkStringOutputWindow(), vtkOutputWindow.GetInstance()
         vtkOutputWindow.SetInstance(window)
