@@ -148,6 +148,7 @@ TEST(TestPetscSession, EndedUnderASolver)
 {
   ASSERT_EQ(PetscInitializeNoArguments(), 0);
   PieceFieldSolver solver(MPI_COMM_WORLD, test::PieceHere(test::Icosphere(3)).Piece, {});
+  solver.Solve(test::OneDirection(solver.Piece()));
   EXPECT_EQ(PetscFinalize(), 0);
   EXPECT_THROW(solver.Solve(test::OneDirection(solver.Piece())), SolverFailure);
   const Solved another;

@@ -44,7 +44,13 @@ class Owned
 {
 public:
   Owned() = default;
-  ~Owned() { Destroy(this->Held); }
+  ~Owned()
+  {
+    if (IsPetscInitialised())
+    {
+      Destroy(this->Held);
+    }
+  }
   Owned(Owned&& other) noexcept
     : Held(std::exchange(other.Held, nullptr))
   {

@@ -10,6 +10,12 @@
 namespace dmg
 {
 
+bool IsPetscInitialised()
+{
+  PetscBool isInitialised = PETSC_FALSE;
+  return !PetscInitialized(&isInitialised) && isInitialised;
+}
+
 namespace
 {
 
@@ -27,12 +33,6 @@ std::string TextOf(PetscErrorCode code)
   return "PETSc failed with code " + std::to_string(static_cast<int>(code)) + (text ? ", " + std::string(text) : "");
 }
 
-bool IsInitialised()
-{
-  PetscBool isInitialised = PETSC_FALSE;
-  return !PetscInitialized(&isInitialised) && isInitialised;
-}
-
 void Initialise()
 {
   PETSC_COMM_WORLD = MPI_COMM_SELF;
@@ -47,7 +47,7 @@ void Initialise()
 
 void End(bool isLast)
 {
-  if (isLast && IsInitialised())
+  if (isLast && IsPetscInitialised())
   {
     static_cast<void>(PetscFinalize());
     PETSC_COMM_WORLD = MPI_COMM_NULL; // the next one to initialise PETSc finds it as at the beginning
@@ -92,9 +92,9 @@ void CheckDestroyed(PetscErrorCode code)
 }
 
 PetscSession::PetscSession()
-  : IsOurs(sessionsOfOurs > 0 || !IsInitialised())
+  : IsOurs(sessionsOfOurs > 0 || !IsPetscInitialised())
 {
-  if (!IsInitialised())
+  if (!IsPetscInitialised())
   {
     Initialise();
   }
@@ -118,7 +118,7 @@ PetscSession::~PetscSession()
 
 void PetscSession::Check() const
 {
-  if (!IsInitialised())
+  if (!IsPetscInitialised())
   {
     throw SolverFailure(
       "PETSc was ended while a solver for surfaces in pieces was there; end it after the solver, and make "

@@ -14,6 +14,9 @@ void CheckPetsc(PetscErrorCode code);
 /// The same for destructors, which throw nothing. Where there is one rank only, what is left is lost.
 void CheckDestroyed(PetscErrorCode code);
 
+/// False before PETSc begins and after it has ended; objects cannot be destroyed any more then.
+bool IsPetscInitialised();
+
 /// PETSc, initialised. Where somebody else has initialised it, it is left to them; else it ends with the last session. Errors are
 /// returned to the caller while there is a session, and options of files, of the command line and of the environment are not read.
 ///
