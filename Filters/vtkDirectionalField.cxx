@@ -17,8 +17,6 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
-
 vtkStandardNewMacro(vtkDirectionalField);
 
 namespace
@@ -57,8 +55,7 @@ int vtkDirectionalField::FillOutputPortInformation(int port, vtkInformation* inf
 int vtkDirectionalField::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  int success = 1;
-  const auto make = [&](const dmg::ExecutionContext& context)
+  const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({
       { "Line Distance", this->LineDistance, 0.0005, 1 },
@@ -67,17 +64,17 @@ int vtkDirectionalField::RequestData(
     vtkNew<vtkInformationVector> solved;
     MakeSolverOutputs(outputVector, solved);
     this->SetProgressShiftScale(0.0, PartOfSolver);
-    success = this->Superclass::RequestData(request, inputVector, solved);
+    const int success = this->Superclass::RequestData(request, whole, solved);
     this->SetProgressShiftScale(0.0, 1.0);
     if (solved->GetInformationObject(0)->Has(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
     {
       throw dmg::Cancelled();
     }
-    vtkDataSet* const surface = vtkDataSet::GetData(outputVector, 0);
-    if (surface->GetNumberOfCells() == 0) // there was an error
+    if (success == 0)
     {
-      return;
+      throw dmg::ToldFailure();
     }
+    vtkDataSet* const surface = vtkDataSet::GetData(outputVector, 0);
     vtkNew<vtkFieldLines> lines;
     lines->SetInputData(surface);
     lines->SetSeparatingDistance(this->LineDistance);
@@ -92,7 +89,7 @@ int vtkDirectionalField::RequestData(
       vtkPolyData::GetData(outputVector, 2)->ShallowCopy(singularities->GetOutput(3));
     }
   };
-  return std::min(dmg::MakeOutputs(this, request, inputVector, outputVector, make), success);
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
 }
 
 //------------------------------------------------------------------------------

@@ -123,7 +123,7 @@ int vtkDirectionalProlongation::RequestData(
 {
   vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   auto* const levels = vtkPartitionedDataSetCollection::GetData(outputVector, 1);
-  const auto make = [this, inputVector, output, levels](const dmg::ExecutionContext& context)
+  const auto make = [this, output, levels](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({
       { "Face Ratio", this->FaceRatio, 0.05, 0.9 },
@@ -138,7 +138,7 @@ int vtkDirectionalProlongation::RequestData(
     options.MinimumNumberOfFaces = this->MinimumNumberOfFaces;
     options.Policy = static_cast<dmg::CollapsePolicy>(this->CollapsePolicy);
     options.Construction = static_cast<dmg::ProlongationConstruction>(this->Construction);
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
     const dmg::PreparationOptions preparation{ dmg::Numbering::AsGiven, this->JoinPoints, this->Strict };
     this->Internals->SetUp(
       input, preparation, options, { this->PowerFields, this->FaceFields, this->OneForms }, context);

@@ -72,8 +72,15 @@
  * that is added to the input, or new objects with the same content, repeat nothing. Linear in the
  * number of triangles. Runs in the threads of vtkSMPTools (in those of TBB where the backend is
  * Sequential by default rather than by choice) and gives the same bits for any number of threads.
- * An aborted run leaves empty outputs, and so does an error, as a number out of its range is. With
- * several pieces, piece 0 asks for the whole surface and holds the whole result; the other pieces are empty.
+ * An aborted run leaves empty outputs, and so does an error, as a number out of its range is.
+ *
+ * On several ranks (vtkMultiProcessController), a vtkPolyData or vtkUnstructuredGrid in pieces is gathered on the first
+ * rank, which holds the whole result; the other ranks are empty. Points of different pieces are one by global ids, or at
+ * the same place. Guides and other inputs are gathered as well. Equal pieces, as of a file that each rank reads, are one.
+ * Field data (string, Gathered) and a line of VTK's output say so, with the memory that it takes. Where the first rank has
+ * not that much, there is an error with the numbers; DMG_MEMORY_LIMIT (in KiB) in the environment tells of less than the
+ * machine has. An error or an abort on one rank ends all. The first rank asks for the whole of grids and of the leaves of
+ * composite datasets.
  *
  * @sa vtkHarmonicFieldSolver
  */

@@ -39,9 +39,9 @@ int vtkFieldAngles::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections, {},
-    [this, inputVector, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    [this, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
-      const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+      vtkDataSet* const input = given.Data;
       vtkDataSet* const output = vtkDataSet::GetData(outputVector);
       const dmg::Points references =
         dmg::ReferenceVectors(dmg::ChoicesOf(this).Vectors, input, given.Surface, dmg::Vector3(this->Axis));

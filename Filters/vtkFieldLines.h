@@ -50,8 +50,8 @@
  *
  * Linear in the triangles of the surface and in the length of all lines over their distance. One thread draws, what
  * comes before runs in the threads of vtkSMPTools as in vtkDirectionalProlongation; same lines for any number of
- * threads. An aborted run leaves an empty output, and so does an error, as a number out of its range is. With several
- * pieces, piece 0 asks for the whole surface and holds all lines; the other pieces are empty.
+ * threads. An aborted run leaves an empty output, and so does an error, as a number out of its range is. Surfaces
+ * in pieces are gathered on the first rank, as in vtkDirectionalProlongation.
  *
  * @sa vtkFieldGlyphs vtkFieldSingularities vtkHarmonicFieldSolver
  */

@@ -61,15 +61,15 @@ int vtkFieldSingularities::RequestData(
 {
   return dmg::DrawField(this, request, inputVector, outputVector, this->NumberOfDirections,
     { { "Sphere Radius", this->SphereRadius, 0, 0.1 } },
-    [this, inputVector, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
+    [this, outputVector](const dmg::SurfaceWithField& given, const dmg::ExecutionContext& context)
     {
       const dmg::FieldTopology topology = given.Connection
         ? dmg::TopologyOfVertexField(given.Surface.Mesh, *given.Connection, given.AtVertices, given.Field.N(), context)
         : dmg::TopologyOfField(given.Surface.Mesh, given.Faces, given.Field.First(), given.Field.N(), context);
       WarnOfUnresolved(this, given, topology);
       dmg::SingularitiesToPolyData(given, topology, vtkPolyData::GetData(outputVector, 0));
-      dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0),
-        this->SphereRadius * vtkDataSet::GetData(inputVector[0])->GetLength(), vtkPolyData::GetData(outputVector, 3));
+      dmg::SpheresToPolyData(vtkPolyData::GetData(outputVector, 0), this->SphereRadius * given.Data->GetLength(),
+        vtkPolyData::GetData(outputVector, 3));
       dmg::CutsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 1));
       dmg::BoundaryLoopsToPolyData(given, topology, vtkPolyData::GetData(outputVector, 2));
     });

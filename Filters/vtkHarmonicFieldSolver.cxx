@@ -281,18 +281,18 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
   vtkPolyData* const edges = vtkPolyData::GetData(outputVector, 1);
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
-  const auto make = [&](const dmg::ExecutionContext& context)
+  const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::FieldProblem problem = dmg::ProblemOf(this); // properties out of range are told before anything is read
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     const std::string digest = dmg::ContentDigest(input, preparation);
     vtkInternals::Leaf& leaf = this->Internals->Of(digest);
     dmg::SolverOfSurface& kept = leaf.Solver;
     dmg::FieldOutput& shown = leaf.Output;
     const dmg::FieldInputs inputs{ input,
-      { dmg::DataOf(inputVector, { 1, 3, 4, 5 }), this->Internals->GuideChoices, this->MaximumDistance },
-      { dmg::DataOf(inputVector, { 2 }), this->SingularityIndexArray, this->MaximumDistance } };
+      { dmg::DataOf(whole, { 1, 3, 4, 5 }), this->Internals->GuideChoices, this->MaximumDistance },
+      { dmg::DataOf(whole, { 2 }), this->SingularityIndexArray, this->MaximumDistance } };
     if (!inputs.Singularities.Data.empty())
     {
       dmg::CheckTakesSingularities(problem.Options.Field);

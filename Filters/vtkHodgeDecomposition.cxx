@@ -103,7 +103,7 @@ int vtkHodgeDecomposition::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
-  const auto make = [&](const dmg::ExecutionContext& context)
+  const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges(
       { { "Boundary", this->Boundary, Closed, Open }, { "Edge Values", this->EdgeValues, Integrals, Components },
@@ -114,17 +114,15 @@ int vtkHodgeDecomposition::RequestData(
     options.Kind = this->Solver == Cholesky ? dmg::SolverKind::Cholesky
       : this->Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients
                                             : dmg::SolverKind::Automatic;
-    const int timeSteps =
-      inputVector[0]->GetInformationObject(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
+    const int timeSteps = whole[0]->GetInformationObject(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS());
     options.ExpectedSolves = std::max(this->ExpectedSolves, 2 * timeSteps);
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     dmg::FlowSurface& surface = this->Internals->Surface;
     surface.SetSurface(input, preparation,
       this->Boundary == Closed ? dmg::FlowBoundary::Closed : dmg::FlowBoundary::Open, options,
       dmg::PartOfContext(context, 0.0, 0.1));
-    vtkDataSet* const edges =
-      inputVector[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(inputVector[1]) : nullptr;
+    vtkDataSet* const edges = whole[1]->GetNumberOfInformationObjects() > 0 ? vtkDataSet::GetData(whole[1]) : nullptr;
     const dmg::FaceFlow flow = edges
       ? dmg::FlowFromEdges(edges, { this->EdgeArray, this->EdgeValues == Integrals }, input, surface.Surface(), context)
       : dmg::FlowFromArrays(this, input, surface.Surface(), dmg::Vector3(this->Axis), context);

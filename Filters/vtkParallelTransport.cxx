@@ -100,10 +100,10 @@ int vtkParallelTransport::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
-  const auto make = [&](const dmg::ExecutionContext& context)
+  const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({ { "Texture Size", this->TextureSize, 0, 1e40 }, { "Time Step", this->TimeStep, 0.01, 1000 } });
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
     const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     dmg::TransportSurface& surface = this->Internals->Surface;
     surface.SetSurface(input, preparation, { this->TimeStep }, dmg::PartOfContext(context, 0.0, 0.2));

@@ -40,10 +40,10 @@ int vtkPrincipalDirections::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkDataSet* const output = vtkDataSet::GetData(outputVector);
-  const auto make = [&](const dmg::ExecutionContext& context)
+  const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({ { "Scale", this->Scale, 0, 100 } });
-    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(inputVector[0]);
+    const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
     const dmg::PreparationOptions options{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     dmg::SurfaceMesh surface = dmg::MeshFromDataSet(input, options, dmg::PartOfContext(context, 0.0, 0.3));
     dmg::WarnOfPreparation(this, surface.Report);

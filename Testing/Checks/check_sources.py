@@ -63,7 +63,7 @@ ARROWS = {
 }
 
 # The rooms of Filters/Adapters, lowest first: each may include itself and those before it.
-ADAPTERS = ["Pipeline", "Surface", "Input", "Output"]
+ADAPTERS = ["Ranks", "Pipeline", "Surface", "Input", "Output"]
 
 SOURCES = {".h", ".cxx"}
 TEXTS = SOURCES | {".cmake", ".in", ".json", ".module", ".plugin", ".py", ".sh", ".txt", ".xml"}

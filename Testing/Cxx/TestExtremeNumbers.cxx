@@ -267,7 +267,7 @@ protected:
   int RequestData(vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override
   {
     return MakeOutputs(this, request, inputs, outputs,
-      [&](const ExecutionContext&)
+      [&](vtkInformationVector**, const ExecutionContext&)
       {
         vtkPolyData* const output = vtkPolyData::GetData(outputs);
         output->DeepCopy(vtkPolyData::GetData(inputs[0]));

@@ -290,7 +290,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   context.Checkpoint(1.0);
   const double diagonal = DiagonalOf(mesh);
   DirectionsOnFaces field(N, first, context);
-  SurfaceWithField given{ std::move(surface), std::move(frames), std::move(field), nullptr, {}, diagonal };
+  SurfaceWithField given{ input, std::move(surface), std::move(frames), std::move(field), nullptr, {}, diagonal };
   if (IsFieldAtPoints(input, chosen) && N == numberByName)
   {
     ReadFieldAtPoints(input, given, context);

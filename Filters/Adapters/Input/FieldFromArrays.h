@@ -13,6 +13,7 @@
 
 #include "vtkDataSet.h"
 #include "vtkInformationVector.h"
+#include "vtkSmartPointer.h"
 
 #include <initializer_list>
 #include <memory>
@@ -26,6 +27,7 @@ namespace dmg
 /// A surface with a field of N directions that stands in its arrays.
 struct SurfaceWithField
 {
+  vtkSmartPointer<vtkDataSet> Data; ///< that the surface comes from
   SurfaceMesh Surface;
   TangentFrames Faces;
   DirectionsOnFaces Field;
@@ -64,11 +66,11 @@ int DrawField(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVe
   vtkInformationVector* outputs, int N, std::initializer_list<PropertyRange> others, const Draw& draw)
 {
   return MakeOutputs(algorithm, request, inputs, outputs,
-    [&](const ExecutionContext& context)
+    [&](vtkInformationVector** whole, const ExecutionContext& context)
     {
       CheckRanges({ { "Number Of Directions", N, 0, DirectionsOnFaces::LargestN } });
       CheckRanges(others);
-      const SurfaceWithField field = ReadField(algorithm, SurfaceOf(inputs[0]), N, PartOfContext(context, 0.0, 0.3));
+      const SurfaceWithField field = ReadField(algorithm, SurfaceOf(whole[0]), N, PartOfContext(context, 0.0, 0.3));
       draw(field, PartOfContext(context, 0.3, 1.0));
     });
 }

@@ -3,20 +3,26 @@
 #include "Adapters/Pipeline/ContextFromAlgorithm.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Pipeline/PanelWords.h"
+#include "Adapters/Ranks/GatheredInputs.h"
+#include "Adapters/Ranks/RanksOfPipeline.h"
 #include "Support/Errors.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
 #include "vtkDemandDrivenPipeline.h"
 #include "vtkExecutive.h"
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleVectorKey.h"
 #include "vtkInformationIntegerKey.h"
 #include "vtkInformationStringKey.h"
 #include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 #include "vtkTrivialProducer.h"
 
 #include <algorithm>
@@ -32,12 +38,34 @@ namespace
 
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
-bool IsPieceZero(vtkInformation* request, vtkInformationVector* outputs)
+/// The output that is asked for.
+vtkInformation* AskedOf(vtkInformation* request, vtkInformationVector* outputs)
 {
   const int port = std::max(0, request->Get(vtkExecutive::FROM_OUTPUT_PORT())); // -1: all
-  vtkInformation* const output = outputs->GetInformationObject(port);
+  return outputs->GetInformationObject(port);
+}
+
+bool IsPieceZero(vtkInformation* request, vtkInformationVector* outputs)
+{
+  vtkInformation* const output = AskedOf(request, outputs);
   // "Piece 0 of none" is how the filter downstream asks for nothing.
   return output->Get(Pipeline::UPDATE_PIECE_NUMBER()) == 0 && output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 0;
+}
+
+/// Whether the piece of this rank is asked for, of as many pieces as ranks.
+bool IsPieceOfRank(const RanksOfPipeline& ranks, vtkInformation* asked)
+{
+  return ranks.Size() > 1 && asked->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) == ranks.Size() &&
+    asked->Get(Pipeline::UPDATE_PIECE_NUMBER()) == ranks.Rank();
+}
+
+/// Whether AskForInputs has asked for the piece of this rank. Leaves of composite datasets come as a whole: ranks may have other numbers
+/// of them, so that one would wait for the others.
+bool AreInPieces(
+  const RanksOfPipeline& ranks, vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  return IsPieceOfRank(ranks, AskedOf(request, outputs)) && ComesInPieces(inputs[0]) &&
+    IsPieceOfRank(ranks, inputs[0]->GetInformationObject(0));
 }
 
 /// Whether the surface of a piece other than the first may be another one than that of the first. Sources that do not know of
@@ -83,11 +111,101 @@ bool HandsSurfaceOn(vtkAlgorithm* algorithm)
   return type == "vtkDataSet";
 }
 
+/// \param message empty where it is told already, or by another rank.
 int Failed(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& message)
 {
   Empty(outputs);
-  vtkErrorWithObjectMacro(algorithm, << message);
+  if (!message.empty())
+  {
+    vtkErrorWithObjectMacro(algorithm, << message);
+  }
   return 0;
+}
+
+void MakeAndCheck(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const ExecutionContext& context)
+{
+  make(inputs, context);
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    CheckArraysAreFinite(vtkDataObject::GetData(outputs, port), vtkDataSet::GetData(inputs[0]));
+  }
+}
+
+/// Says in field data of the first output what was gathered, and in VTK's output, the first time that this filter does so.
+void TellOfGathering(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& note)
+{
+  static vtkInformationIntegerKey* const told =
+    vtkInformationIntegerKey::MakeKey("GATHERING_IS_TOLD", "DirectionalMultigrid");
+  vtkNew<vtkStringArray> text;
+  text->SetName("Gathered");
+  text->InsertNextValue(note);
+  vtkDataObject::GetData(outputs, 0)->GetFieldData()->AddArray(text);
+  if (!algorithm->GetInformation()->Has(told))
+  {
+    algorithm->GetInformation()->Set(told, 1);
+    vtkOutputWindowDisplayText((std::string(algorithm->GetClassName()) + ": " + note + "\n").c_str());
+  }
+}
+
+/// Collective: the pieces of all ranks, worked on by the first one.
+void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, vtkAlgorithm* algorithm,
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  const ContextFromAlgorithm context(algorithm);
+  ranks.Together([&] { context.Checkpoint(0.0); });
+  GatheredInputs gathered(ranks, algorithm, inputs);
+  if (gathered.AreEmpty())
+  {
+    return;
+  }
+  std::string wrongChoice;
+  ranks.Together(
+    [&]
+    {
+      try
+      {
+        if (ranks.Rank() == 0)
+        {
+          MakeAndCheck(make, algorithm, gathered.Get(), outputs, context);
+        }
+      }
+      catch (const WrongChoice& error)
+      {
+        wrongChoice = error.what();
+      }
+      context.Checkpoint(1.0);
+    });
+  if (!ranks.Gather(wrongChoice)[0].empty())
+  {
+    throw WrongChoice(wrongChoice); // all ranks hand their pieces on
+  }
+  if (ranks.Rank() == 0 && !gathered.Note().empty())
+  {
+    TellOfGathering(algorithm, outputs, gathered.Note() + ", since this filter works on whole surfaces");
+  }
+}
+
+/// The whole surface, where there is one process or only the first one works.
+void MakeOfWhole(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkDataSet* const input = vtkDataSet::GetData(inputs[0]);
+  if (input->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  if (IsPieceZero(request, outputs))
+  {
+    MakeAndCheck(make, algorithm, inputs, outputs, ContextFromAlgorithm(algorithm));
+  }
+  else if (MayBePart(algorithm))
+  {
+    vtkWarningWithObjectMacro(algorithm,
+      "a piece of the surface other than the first holds "
+        << input->GetNumberOfCells()
+        << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
+  }
 }
 
 }
@@ -147,13 +265,18 @@ int AskForInputs(
   vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   algorithm->SetAbortExecute(0);
-  const int numberOfPieces = IsPieceZero(request, outputs) ? 1 : 0;
+  const RanksOfPipeline ranks;
+  // Of each leaf of a composite dataset, the executive asks after what it has forwarded.
+  const bool isLeaf = request->Get(vtkExecutive::ALGORITHM_AFTER_FORWARD()) != 0;
+  const bool inPieces = !isLeaf && IsPieceOfRank(ranks, AskedOf(request, outputs)) && ComesInPieces(inputs[0]);
+  const int piece = inPieces ? ranks.Rank() : 0;
+  const int numberOfPieces = inPieces ? ranks.Size() : IsPieceZero(request, outputs) ? 1 : 0;
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
     for (int connection = 0; connection < inputs[port]->GetNumberOfInformationObjects(); ++connection)
     {
       vtkInformation* const input = inputs[port]->GetInformationObject(connection);
-      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+      input->Set(Pipeline::UPDATE_PIECE_NUMBER(), piece);
       input->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), numberOfPieces);
       input->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
     }
@@ -161,39 +284,30 @@ int AskForInputs(
   return 1;
 }
 
-int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkAlgorithm* algorithm,
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int MakeOutputsBy(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
+  const RanksOfPipeline ranks;
   try
   {
     Empty(outputs);
-    vtkDataSet* const input = vtkDataSet::GetData(inputs[0]);
-    if (input->GetNumberOfCells() == 0)
+    if (AreInPieces(ranks, request, inputs, outputs))
     {
-      return 1;
+      MakeOfPieces(ranks, make, algorithm, inputs, outputs);
     }
-    if (!IsPieceZero(request, outputs))
+    else
     {
-      if (!MayBePart(algorithm))
-      {
-        return 1;
-      }
-      vtkWarningWithObjectMacro(algorithm,
-        "a piece of the surface other than the first holds "
-          << input->GetNumberOfCells()
-          << " cells, which are ignored; if the surface is distributed, gather it in piece 0 first");
-      return 1;
-    }
-    make(ContextFromAlgorithm(algorithm));
-    for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-    {
-      CheckArraysAreFinite(vtkDataObject::GetData(outputs, port), input);
+      MakeOfWhole(make, algorithm, request, inputs, outputs);
     }
     return 1;
   }
   catch (const Cancelled&)
   {
     return Aborted(algorithm, outputs);
+  }
+  catch (const FailedTogether& error)
+  {
+    return Failed(algorithm, outputs, ranks.Rank() == 0 ? InPanelWords(error.what()) : "");
   }
   catch (const std::bad_alloc&)
   {

@@ -4,6 +4,7 @@
 #include "Support/Errors.h"
 #include "Support/ExecutionContext.h"
 
+#include <exception>
 #include <functional>
 
 class vtkAlgorithm;
@@ -20,8 +21,11 @@ public:
   using InvalidInput::InvalidInput;
 };
 
-/// Answers of all filters to the pipeline. Their result depends on the whole surface: piece 0 works on the whole, and the
-/// others stay empty. In a parallel run piece and rank are the same.
+/// Answers of all filters to the pipeline. Their result depends on the whole surface.
+///
+/// In a parallel run, where each rank is asked for its own piece, all ranks ask for their pieces of a surface that comes in pieces
+/// (ComesInPieces). These are gathered on rank 0 (GatheredInputs), which works on the whole, and the others stay empty. RequestData
+/// is then collective. Otherwise piece 0 asks for the whole and works on it, and the other pieces stay empty.
 
 /// FillInputPortInformation of the surface: any dataset, of which MeshFromDataSet takes the cells of two dimensions.
 int TakeAnyDataSet(vtkInformation* port);
@@ -34,21 +38,34 @@ int MakeOutputLikeInput(vtkInformationVector** inputs, vtkInformationVector* out
 /// VTK looks at the first input alone, and does not ask the others for another time.
 int GatherTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
-/// RequestUpdateExtent: asks for the whole of all inputs where piece 0 is requested, and for nothing elsewhere. A request
-/// to abort that came after the end of the last execution is forgotten.
+/// RequestUpdateExtent: asks for the rank's piece of all inputs, or for the whole where piece 0 is requested, and for nothing elsewhere.
+/// A request to abort that came after the end of the last execution is forgotten.
 int AskForInputs(
   vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
-/// MakeOutputs of any type of function.
-int MakeOutputsBy(const std::function<void(const ExecutionContext&)>& make, vtkAlgorithm* algorithm,
-  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
+/// The inputs to work on, and the algorithm's context.
+using MakeFunction = std::function<void(vtkInformationVector** inputs, const ExecutionContext& context)>;
 
-/// RequestData: calls \p make with the algorithm's context, outputs empty, unless the first input has no cells or this is
-/// not the piece to work on; sources that do not know of pieces deliver the same to all.
-/// The outputs are empty in the end where \p make throws (Cancelled is no error, all else goes to the algorithm), or where
+/// What make() throws where a filter inside of this one has told its error already.
+class ToldFailure : public std::exception
+{
+public:
+  const char* what() const noexcept override { return ""; }
+};
+
+/// MakeOutputs of any type of function.
+int MakeOutputsBy(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformation* request,
+  vtkInformationVector** inputs, vtkInformationVector* outputs);
+
+/// RequestData: calls \p make with inputs that are the whole surface and all of the others, and with the algorithm's context, outputs
+/// empty, unless the first input has no cells or this is not the piece to work on; sources that do not know of pieces deliver the
+/// same to all.
+/// The outputs are empty in the end, on all ranks, where \p make throws (Cancelled is no error, all else goes to the algorithm), or where
 /// an array or point that it made is not finite, which is an error as well. After a WrongChoice, a first output of the type of the
-/// first input is the input: a window goes on to show the surface while its user chooses.
-/// \return what RequestData returns.
+/// first input is the input: a window goes on to show the surface while its user chooses. Rank 0 tells the errors of all ranks.
+/// Where pieces were gathered, the field data of the first output say so in the text Gathered, and so does a line of VTK's output, once
+/// for each filter.
+/// \return what RequestData returns, the same on all ranks.
 template <class Make>
 int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
   vtkInformationVector* outputs, const Make& make)

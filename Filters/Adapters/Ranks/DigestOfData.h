@@ -1,0 +1,20 @@
+#ifndef dmgDigestOfData_h
+#define dmgDigestOfData_h
+
+#include <string>
+
+class vtkDataObject;
+
+namespace dmg
+{
+
+/// What tells most data objects apart at a glance: type, sizes, the box around the points. Empty where there are no points.
+std::string OutlineOf(vtkDataObject* data);
+
+/// Fingerprint of all that a data object holds: points, cells and arrays with their names. Equal for equal content. It guards against
+/// accidents, not against forgery. Cost: linear; composite and structured data take as much memory again.
+std::string DigestOfData(vtkDataObject* data);
+
+}
+
+#endif

@@ -1,0 +1,53 @@
+#ifndef dmgGatheredInputs_h
+#define dmgGatheredInputs_h
+
+#include "Adapters/Ranks/RanksOfPipeline.h"
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+#include <vector>
+
+class vtkAlgorithm;
+class vtkInformation;
+class vtkInformationVector;
+
+namespace dmg
+{
+
+/// Whether the dataset of a filter's first input may be in pieces: a vtkPolyData or a vtkUnstructuredGrid. Others come as a whole:
+/// composite datasets, since ranks may have different leaves, and grids, of which a source makes any part.
+bool ComesInPieces(vtkInformationVector* port);
+
+/// What the filter is told by its properties, as its PrintSelf says, a line each; not its counts of what it did.
+std::string PropertiesOf(vtkAlgorithm* algorithm);
+
+/// All inputs of a filter on the first rank: of each, the pieces that ranks have, joined. Pieces that are equal, as where each rank
+/// has read the same file, are one.
+class GatheredInputs
+{
+public:
+  /// Collective. \pre the first input of each rank has data that come in pieces.
+  /// \throw FailedTogether ranks differ in properties, or the first one has not enough memory (CheckFits).
+  /// \throw Cancelled
+  GatheredInputs(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm, vtkInformationVector** inputs);
+
+  /// Whether no rank has a cell of the surface.
+  bool AreEmpty() const { return this->Empty; }
+  /// The ports, as the pipeline hands them to a filter that runs on one process. \pre this is rank 0.
+  vtkInformationVector** Get() { return this->Ports.data(); }
+  /// What was gathered, from how many ranks, and the memory that it takes; empty where the surface was on the first rank already.
+  const std::string& Note() const { return this->Text; }
+
+private:
+  void Gather(const RanksOfPipeline& ranks, vtkInformation* input, bool isSurface);
+
+  bool Empty = true;
+  std::string Text;
+  std::vector<vtkSmartPointer<vtkInformationVector>> Copies;
+  std::vector<vtkInformationVector*> Ports;
+};
+
+}
+
+#endif

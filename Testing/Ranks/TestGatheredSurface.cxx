@@ -1,0 +1,397 @@
+#include "SurfaceInPieces.h"
+
+#include "vtkAppendFilter.h"
+#include "vtkCellData.h"
+#include "vtkDirectionalField.h"
+#include "vtkFieldAngles.h"
+#include "vtkFieldGlyphs.h"
+#include "vtkFieldLines.h"
+#include "vtkFieldSingularities.h"
+#include "vtkLineSource.h"
+#include "vtkMultiBlockDataSet.h"
+#include "vtkPointData.h"
+#include "vtkPrincipalDirections.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+namespace dmg::test
+{
+
+namespace
+{
+
+/// The solver's output on rank 0 is the field of the whole, and nothing is elsewhere.
+void ExpectWhole(Solver* solver)
+{
+  if (Rank() > 0)
+  {
+    ExpectEmpty(solver);
+    return;
+  }
+  const auto whole = FieldOfWhole();
+  vtkDataSet* const field = vtkDataSet::SafeDownCast(solver->GetOutput());
+  EXPECT_EQ(field->GetNumberOfCells(), whole->GetNumberOfCells());
+  EXPECT_EQ(field->GetNumberOfPoints(), whole->GetNumberOfPoints());
+  EXPECT_LT(LargestDifference(field, whole), 1e-7); // ten times the tolerance
+}
+
+/// Rank 0 alone tells the error, once.
+void ExpectOneError(const Messages& messages, Solver* solver, const std::string& words)
+{
+  if (Rank() > 0)
+  {
+    EXPECT_TRUE(std::none_of(messages.GetErrors().begin(), messages.GetErrors().end(),
+      [](const std::string& text) { return text.find("HarmonicFieldSolver (0x") != std::string::npos; }))
+      << messages.Error();
+  }
+  else
+  {
+    EXPECT_NE(messages.Error().find(words), std::string::npos) << messages.Error();
+  }
+  ExpectEmpty(solver);
+}
+
+}
+
+TEST(GatheredSurface, HasTheFieldOfTheWhole)
+{
+  const auto solver = NewSolver(OwnBand());
+  const Messages messages(solver);
+  UpdateOwnPiece(solver);
+  EXPECT_TRUE(messages.Silent());
+  ExpectWhole(solver);
+  if (Rank() == 0)
+  {
+    EXPECT_EQ(
+      Gathered(solver->GetOutput()).find("1280 cells of " + std::to_string(Ranks()) + " ranks were gathered"), 0u)
+      << Gathered(solver->GetOutput());
+  }
+}
+
+TEST(GatheredSurface, IsOneCopyWhereEachRankHasReadTheSameFile)
+{
+  const auto solver = NewSolver(Sphere());
+  const Messages messages(solver);
+  UpdateOwnPiece(solver);
+  EXPECT_TRUE(messages.Silent());
+  ExpectWhole(solver);
+  EXPECT_EQ(Gathered(solver->GetOutput()), "");
+}
+
+TEST(GatheredSurface, MayHaveAnEmptyPieceOnAnyRank)
+{
+  for (const int first : { 0, 1 }) // the last rank, or the first one
+  {
+    const auto solver = NewSolver(OwnBand(Ranks() - 1, first));
+    UpdateOwnPiece(solver);
+    ExpectWhole(solver);
+  }
+}
+
+TEST(GatheredSurface, IsEmptyWhereAllPiecesAre)
+{
+  vtkNew<vtkPolyData> empty;
+  const auto solver = NewSolver(empty);
+  const Messages messages(solver);
+  UpdateOwnPiece(solver);
+  EXPECT_TRUE(messages.Silent());
+  ExpectEmpty(solver);
+}
+
+TEST(GatheredSurface, LeavesGhostsOut)
+{
+  // The next band is there as well, as ghosts.
+  const auto piece = PieceOfSphere(Subdivisions,
+    [](const Surface& whole, int f)
+    { return BandOf(whole, f, Ranks()) == Rank() || BandOf(whole, f, Ranks()) == Rank() + 1; });
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  const Surface whole = Icosphere(Subdivisions);
+  for (int f = 0; f < whole.F.rows(); ++f)
+  {
+    const int band = BandOf(whole, f, Ranks());
+    if (band == Rank() || band == Rank() + 1)
+    {
+      ghosts->InsertNextValue(band == Rank() ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+    }
+  }
+  piece->GetCellData()->AddArray(ghosts);
+  const auto solver = NewSolver(piece);
+  UpdateOwnPiece(solver);
+  ExpectWhole(solver);
+}
+
+TEST(GatheredSurface, HasNoSeamsWherePointsAreNotJoined)
+{
+  const auto solver = NewSolver(OwnBand());
+  solver->JoinPointsOff();
+  UpdateOwnPiece(solver);
+  ExpectWhole(solver);
+}
+
+TEST(GatheredSurface, JoinsPointsByTheirGlobalIds)
+{
+  const auto piece = OwnBand();
+  const Surface whole = Icosphere(Subdivisions);
+  std::map<Place, int> numbers;
+  for (int i = 0; i < whole.V.rows(); ++i)
+  {
+    numbers[{ whole.V(i, 0), whole.V(i, 1), whole.V(i, 2) }] = i;
+  }
+  vtkNew<vtkIdTypeArray> ids;
+  for (vtkIdType point = 0; point < piece->GetNumberOfPoints(); ++point)
+  {
+    Place place;
+    piece->GetPoint(point, place.data());
+    ids->InsertNextValue(1000 + numbers.at(place));
+    for (double& coordinate : place) // as where ranks have rounded for themselves
+    {
+      coordinate *= 1.0 + 1e-14 * Rank();
+    }
+    piece->GetPoints()->SetPoint(point, place.data());
+  }
+  ids->SetName("Ids");
+  piece->GetPointData()->SetGlobalIds(ids);
+  const auto solver = NewSolver(piece);
+  solver->JoinPointsOff();
+  UpdateOwnPiece(solver);
+  if (Rank() == 0)
+  {
+    EXPECT_EQ(solver->GetOutput()->GetNumberOfPoints(), whole.V.rows());
+  }
+}
+
+TEST(GatheredSurface, MayBeAnUnstructuredGrid)
+{
+  vtkNew<vtkAppendFilter> asGrid;
+  asGrid->SetInputData(OwnBand());
+  asGrid->Update();
+  vtkNew<Solver> solver;
+  solver->SetInputData(asGrid->GetOutput());
+  solver->SetInputArrayToProcess(1, 0, 0, OnCells, "Given");
+  solver->SetTolerance(1e-8);
+  UpdateOwnPiece(solver);
+  EXPECT_TRUE(vtkUnstructuredGrid::SafeDownCast(solver->GetOutputDataObject(0)));
+  ExpectWhole(solver);
+}
+
+TEST(GatheredSurface, TakesGuidesOfAllRanksOnce)
+{
+  const auto withGuide = [](vtkPolyData* surface, vtkDataObject* guide)
+  {
+    const auto solver = NewSolver(surface);
+    solver->SetInputDataObject(1, guide);
+    return solver;
+  };
+  vtkNew<vtkLineSource> line;
+  line->SetPoint1(1.0, -0.3, 0.1);
+  line->SetPoint2(1.0, 0.3, 0.2);
+  line->SetResolution(5);
+  line->Update();
+  const auto whole = withGuide(Sphere(), line->GetOutput());
+  whole->Update();
+  vtkNew<vtkPolyData> none;
+  const int last = Ranks() - 1;
+  for (const bool isOnAll : { true, false })
+  {
+    const auto solver = withGuide(OwnBand(), isOnAll || Rank() == last ? line->GetOutput() : none);
+    UpdateOwnPiece(solver);
+    if (Rank() == 0)
+    {
+      EXPECT_LT(
+        LargestDifference(vtkDataSet::SafeDownCast(solver->GetOutput()), vtkDataSet::SafeDownCast(whole->GetOutput())),
+        1e-7);
+    }
+  }
+}
+
+TEST(GatheredSurface, AnErrorOfOneRankIsToldOnce)
+{
+  const auto piece = OwnBand();
+  if (Rank() == 1)
+  {
+    piece->GetPoints()->SetPoint(7, 0.0, std::nan(""), 0.0);
+  }
+  const auto solver = NewSolver(piece);
+  const Messages messages(solver);
+  UpdateOwnPiece(solver);
+  ExpectOneError(messages, solver, "has a coordinate that is not finite");
+
+  vtkSmartPointer<vtkDataObject> other = OwnBand();
+  if (Rank() == 1)
+  {
+    vtkNew<vtkAppendFilter> asGrid;
+    asGrid->SetInputData(OwnBand());
+    asGrid->Update();
+    other = asGrid->GetOutput();
+  }
+  vtkNew<Solver> mixed;
+  mixed->SetInputDataObject(other);
+  const Messages ofMixed(mixed);
+  UpdateOwnPiece(mixed);
+  ExpectOneError(ofMixed, mixed, "of different types");
+}
+
+TEST(GatheredSurface, RanksThatDifferInPropertiesAreTold)
+{
+  const auto solver = NewSolver(OwnBand());
+  solver->SetNumberOfDirections(Rank() == 1 ? 2 : 4);
+  const Messages messages(solver);
+  UpdateOwnPiece(solver);
+  ExpectOneError(
+    messages, solver, "ranks 0 and 1 differ in a property: \"NumberOfDirections: 4\" and \"NumberOfDirections: 2\"");
+
+  vtkNew<vtkPolyData> guide;
+  const auto guided = NewSolver(OwnBand());
+  if (Rank() == 1)
+  {
+    guided->SetInputDataObject(1, guide);
+  }
+  const Messages ofGuided(guided);
+  UpdateOwnPiece(guided);
+  ExpectOneError(ofGuided, guided, "connections of input 1");
+}
+
+TEST(GatheredSurface, IsRefusedWhereMemoryIsShort)
+{
+  setenv("DMG_MEMORY_LIMIT", "1024", 1); // of the whole machine: less than is used already
+  const auto solver = NewSolver(OwnBand());
+  const Messages messages(solver);
+  UpdateOwnPiece(solver);
+  unsetenv("DMG_MEMORY_LIMIT");
+  ExpectOneError(messages, solver, "its 1280 cells take some");
+  solver->Modified();
+  UpdateOwnPiece(solver);
+  ExpectWhole(solver);
+}
+
+TEST(GatheredSurface, AnAbortOnAnyRankEndsAll)
+{
+  for (const int rank : { 0, 1 })
+  {
+    const auto solver = NewSolver(OwnBand());
+    {
+      const AbortAt abort(solver, Rank() == rank ? 0.0 : 2.0);
+      UpdateOwnPiece(solver);
+      EXPECT_TRUE(abort.Asked() == (Rank() == rank));
+    }
+    ExpectEmpty(solver);
+    UpdateOwnPiece(solver);
+    ExpectWhole(solver);
+  }
+}
+
+TEST(GatheredSurface, LeavesOfCompositeDatasetsNeedNoOtherRank)
+{
+  vtkNew<vtkMultiBlockDataSet> blocks;
+  for (int block = 0; block <= Rank(); ++block) // another number on each rank
+  {
+    blocks->SetBlock(block, Sphere());
+  }
+  vtkNew<Solver> solver;
+  solver->SetInputDataObject(blocks);
+  solver->SetInputArrayToProcess(1, 0, 0, OnCells, "Given");
+  const Messages messages(solver); // those of ignored cells
+  UpdateOwnPiece(solver);
+  auto* const output = vtkMultiBlockDataSet::SafeDownCast(solver->GetOutputDataObject(0));
+  ASSERT_TRUE(output);
+  EXPECT_EQ(output->GetNumberOfCells(), Rank() == 0 ? 1280 : 0);
+}
+
+TEST(GatheredSurface, OneRankMayWorkAlone)
+{
+  if (Rank() == Ranks() - 1)
+  {
+    const auto solver = NewSolver(Sphere());
+    solver->Update();
+    EXPECT_EQ(solver->GetOutput()->GetNumberOfCells(), 1280);
+  }
+}
+
+TEST(GatheredSurface, IsDrawnWithoutSeams)
+{
+  // Each rank has its band of the field, as a file in pieces has.
+  const auto whole = FieldOfWhole();
+  const auto piece = OwnBand();
+  const auto directions = DirectionsAtPoints(whole);
+  const auto array = Zeros("Direction0", piece->GetNumberOfPoints(), 3);
+  for (vtkIdType point = 0; point < piece->GetNumberOfPoints(); ++point)
+  {
+    Place place;
+    piece->GetPoint(point, place.data());
+    array->SetTuple(point, directions.at(place)[0].data());
+  }
+  piece->GetPointData()->AddArray(array);
+  piece->GetCellData()->Initialize();
+  const auto update = [&piece](vtkAlgorithm* filter)
+  {
+    filter->SetInputDataObject(piece);
+    filter->SetInputArrayToProcess(0, 0, 0, OnPoints, "Direction0");
+    const Messages messages(filter);
+    UpdateOwnPiece(filter);
+    EXPECT_TRUE(messages.Silent()) << filter->GetClassName() << messages.Error();
+    EXPECT_EQ(Gathered(filter->GetOutputDataObject(0)).empty(), Rank() > 0) << filter->GetClassName();
+    return vtkDataSet::SafeDownCast(filter->GetOutputDataObject(0));
+  };
+  vtkNew<vtkFieldLines> lines;
+  lines->SetNumberOfDirections(4);
+  vtkDataSet* const drawn = update(lines);
+  vtkNew<vtkFieldGlyphs> glyphs;
+  glyphs->SetNumberOfDirections(4);
+  EXPECT_EQ(update(glyphs)->GetNumberOfCells() > 0, Rank() == 0);
+  vtkNew<vtkFieldSingularities> singularities;
+  singularities->SetNumberOfDirections(4);
+  vtkDataSet* const points = update(singularities);
+  vtkNew<vtkFieldAngles> angles;
+  angles->SetNumberOfDirections(4);
+  EXPECT_EQ(update(angles)->GetNumberOfCells(), Rank() == 0 ? 1280 : 0);
+  vtkNew<vtkPrincipalDirections> curvatures;
+  EXPECT_EQ(update(curvatures)->GetNumberOfCells(), Rank() == 0 ? 1280 : 0);
+  if (Rank() > 0)
+  {
+    EXPECT_EQ(drawn->GetNumberOfCells(), 0);
+    EXPECT_EQ(points->GetNumberOfPoints(), 0);
+    return;
+  }
+  double sum = 0.0; // of indices: the Euler characteristic
+  for (vtkIdType k = 0; k < points->GetNumberOfPoints(); ++k)
+  {
+    sum += points->GetPointData()->GetArray("Index")->GetComponent(k, 0);
+  }
+  EXPECT_NEAR(sum, 2.0, 1e-12);
+  int crossing = 0;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType line = 0; line < drawn->GetNumberOfCells(); ++line)
+  {
+    drawn->GetCellPoints(line, ids);
+    const double seam = 2.0 / Ranks() - 1.0;
+    const auto isAbove = [&](vtkIdType point) { return drawn->GetPoint(point)[2] > seam; };
+    const auto above = std::count_if(ids->begin(), ids->end(), isAbove);
+    crossing += above > 0 && above < ids->GetNumberOfIds() ? 1 : 0;
+  }
+  EXPECT_GT(crossing, 10);
+}
+
+TEST(GatheredSurface, DirectionalFieldDrawsIt)
+{
+  vtkNew<vtkDirectionalField> field;
+  field->SetInputData(OwnBand());
+  const Messages messages(field);
+  UpdateOwnPiece(field);
+  EXPECT_TRUE(messages.Silent());
+  for (int port = 0; port < 3; ++port)
+  {
+    EXPECT_EQ(vtkDataSet::SafeDownCast(field->GetOutputDataObject(port))->GetNumberOfCells() > 0, Rank() == 0);
+  }
+  field->SetNumberOfDirections(99);
+  UpdateOwnPiece(field);
+  EXPECT_EQ(field->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_EQ(messages.GetErrors().empty(), false); // the executive says on all ranks that it failed
+  EXPECT_EQ(messages.GetWarnings().size(), 0u);
+}
+
+}
