@@ -15,6 +15,7 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
 vtkStandardNewMacro(vtkDirectionalField);
@@ -74,7 +75,10 @@ int vtkDirectionalField::RequestData(
     {
       throw dmg::ToldFailure();
     }
-    vtkDataSet* const surface = vtkDataSet::GetData(outputVector, 0);
+    // A copy: the pipelines of these filters write into the data what was asked for, and the output would seem to be another piece.
+    vtkDataSet* const output = vtkDataSet::GetData(outputVector, 0);
+    const auto surface = vtk::TakeSmartPointer(output->NewInstance());
+    surface->ShallowCopy(output);
     vtkNew<vtkFieldLines> lines;
     lines->SetInputData(surface);
     lines->SetSeparatingDistance(this->LineDistance);

@@ -226,7 +226,9 @@ void SpheresToPolyData(vtkPolyData* singularities, double radius, vtkPolyData* o
   sphere->SetThetaResolution(Resolution);
   sphere->SetPhiResolution(Resolution);
   vtkNew<vtkGlyph3D> glyphs;
-  glyphs->SetInputData(singularities);
+  vtkNew<vtkPolyData> copy; // the pipeline writes into the data what was asked for
+  copy->ShallowCopy(singularities);
+  glyphs->SetInputData(copy);
   glyphs->SetSourceConnection(sphere->GetOutputPort());
   glyphs->ScalingOff();
   glyphs->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);

@@ -166,7 +166,7 @@ std::string PropertiesOf(vtkAlgorithm* algorithm)
   std::ostringstream all;
   algorithm->vtkAlgorithm::PrintSelf(base, vtkIndent()); // objects in memory, times, observers
   algorithm->PrintSelf(all, vtkIndent());
-  std::string properties;
+  std::string properties = std::string("filter: ") + algorithm->GetClassName() + "\n";
   for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
     properties += "connections of input " + std::to_string(port) + ": " +

@@ -95,7 +95,10 @@ vtkSmartPointer<vtkPointSet> Appended(const std::vector<vtkSmartPointer<vtkDataO
   vtkNew<Append> append;
   for (const auto& piece : pieces)
   {
-    append->AddInputData(DataSet::SafeDownCast(piece));
+    // A copy: the pipeline of this one filter writes into the data what was asked for.
+    vtkNew<DataSet> copy;
+    copy->ShallowCopy(piece);
+    append->AddInputData(copy);
   }
   append->Update();
   auto joined = vtkSmartPointer<DataSet>::New();
