@@ -138,7 +138,7 @@ public:
   std::shared_ptr<const ProlongationOperators> GivenOperators;
   SetupCache Setups;
   SingularStages Singular;
-  ProblemConstraints ConstraintsOfSurface;
+  ConstraintsOnMesh ConstraintsOfSurface;
   std::shared_ptr<const dmg::Discretisation> Discretisation; ///< of the solve that goes on
   StageCounts Counts;
   Field Last; ///< whose directions may be those of an earlier solution

@@ -4,6 +4,7 @@
 #include "Constraints/NearestPlaces.h"
 #include "FieldProblem.h"
 #include "Mesh/FramedMesh.h"
+#include "Mesh/SurfaceSizes.h"
 #include "Operators/PrincipalDirections.h"
 #include "Support/ExecutionContext.h"
 
@@ -24,35 +25,74 @@ struct FollowedConstraints
   std::vector<std::string> Warnings;
 };
 
+/// Faces whose directions cancel each other.
+struct CancellingFaces
+{
+  long long Number = 0;
+  std::string First; ///< its name
+};
+
 /// Makes constraints of all that a problem says: guides and features besides the constraints it has, rotated, without those
-/// that cancel each other. Keeps the search for nearest places, and the principal directions of one scale.
+/// that cancel each other. Subclasses know the surface: as a whole, or in pieces.
 class ProblemConstraints
 {
 public:
+  virtual ~ProblemConstraints() = default;
+
+  /// \param N the number of directions of the field.
+  /// \param names says how messages call vertices and faces.
+  /// \throw InvalidInput a guide or feature is wrong, or guides are given and none of them is near.
+  FollowedConstraints Follow(
+    const FieldProblem& problem, int N, const ExecutionContext& context, const ElementNames& names);
+
+protected:
+  virtual SurfaceSizes Sizes() = 0;
+  virtual Discretisation::IntegralWeights WeightsOfIntegral() = 0;
+  virtual FollowedGuides DirectionsOfGuides(const Guides& guides, const ExecutionContext& context) = 0;
+  virtual FollowedFeatures DirectionsOfFeatures(
+    const FeatureOptions& options, int N, const ExecutionContext& context) = 0;
+  virtual void Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names) = 0;
+  virtual CancellingFaces TakeOutCancelling(std::vector<Constraint>& onFaces, int N, const ElementNames& names) = 0;
+  /// Whether something holds on any piece of the surface.
+  virtual bool IsAnywhere(bool isHere) { return isHere; }
+
+private:
+  void AddGuides(const FieldProblem& problem, FollowedConstraints& followed, const ExecutionContext& context);
+  void AddFeatures(const FieldProblem& problem, int N, FollowedConstraints& followed, const ExecutionContext& context);
+  void Rotate(
+    const FieldProblem& problem, bool isNothingSaid, FollowedConstraints& followed, const ElementNames& names);
+};
+
+/// Those on a mesh. Keeps the search for nearest places, and the principal directions of one scale.
+class ConstraintsOnMesh : public ProblemConstraints
+{
+public:
   /// \param surface is borrowed.
-  explicit ProblemConstraints(const FramedMesh& surface)
+  explicit ConstraintsOnMesh(const FramedMesh& surface)
     : Surface(surface)
   {
   }
 
-  /// \param discretisation that problem.Options names.
-  /// \param names says how messages call vertices and faces.
-  /// \throw InvalidInput a guide or feature is wrong, or guides are given and none of them is near.
+  /// \param discretisation that problem.Options names; borrowed until the next call.
   FollowedConstraints Follow(const FieldProblem& problem, const Discretisation& discretisation,
     const ExecutionContext& context, const ElementNames& names);
 
   /// The search for nearest places, made at the first call.
   const NearestPlaces& Places();
 
+protected:
+  SurfaceSizes Sizes() override;
+  Discretisation::IntegralWeights WeightsOfIntegral() override { return this->Unknowns->WeightsOfIntegral(); }
+  FollowedGuides DirectionsOfGuides(const Guides& guides, const ExecutionContext& context) override;
+  FollowedFeatures DirectionsOfFeatures(const FeatureOptions& options, int N, const ExecutionContext& context) override;
+  void Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names) override;
+  CancellingFaces TakeOutCancelling(std::vector<Constraint>& onFaces, int N, const ElementNames& names) override;
+
 private:
-  void FollowGuides(const FieldProblem& problem, FollowedConstraints& followed, const ExecutionContext& context);
-  void FollowFeatures(
-    const FieldProblem& problem, int N, FollowedConstraints& followed, const ExecutionContext& context);
-  void Rotate(
-    const FieldProblem& problem, bool isNothingSaid, FollowedConstraints& followed, const ElementNames& names) const;
   const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
 
   const FramedMesh& Surface;
+  const Discretisation* Unknowns = nullptr;
   std::unique_ptr<NearestPlaces> PlacesOfSurface;
   std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;
 };

@@ -105,8 +105,8 @@ TEST(FieldSolver, GivesWhatItsConstraintsGive)
   whole.Features.BoundaryWeight = 2.0;
   whole.Constraints.AtVertices = { { 17, Vector3(1.0, 0.0, 0.0), 1.0 } };
   parts.Constraints = whole.Constraints;
-  for (const std::vector<Constraint>& directions :
-    { FollowGuides(whole.Guides, NearestPlaces(annulus)).Directions, AlongBoundary(annulus.Mesh, 2.0) })
+  for (const std::vector<Constraint>& directions : { FollowGuides(whole.Guides, NearestPlaces(annulus)).Directions,
+         AlongBoundary(annulus.Mesh, WeightsOfFaces(annulus.Mesh, SizesOf(annulus.Mesh)), 2.0) })
   {
     parts.Constraints.OnFaces.insert(parts.Constraints.OnFaces.end(), directions.begin(), directions.end());
   }

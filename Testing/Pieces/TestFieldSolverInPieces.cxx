@@ -2,6 +2,7 @@
 
 #include "FieldSolver.h"
 #include "Partitions.h"
+#include "ProblemsInPieces.h"
 #include "Support/Errors.h"
 
 #include <gtest/gtest.h>
@@ -16,58 +17,6 @@ namespace
 {
 
 const double Tolerance = 1e-8;
-
-/// The numbers that the elements of the whole surface have in a piece, -1 where they are not there.
-struct NumbersInPiece
-{
-  std::vector<int> Triangles;
-  std::vector<int> Points;
-
-  NumbersInPiece(const test::CutPiece& cut, const test::Surface& surface)
-    : Triangles(surface.F.rows(), -1)
-    , Points(surface.V.rows(), -1)
-  {
-    for (std::size_t i = 0; i < cut.Triangles.size(); ++i)
-    {
-      this->Triangles[cut.Triangles[i]] = static_cast<int>(i);
-    }
-    for (std::size_t i = 0; i < cut.Points.size(); ++i)
-    {
-      this->Points[cut.Points[i]] = static_cast<int>(i);
-    }
-  }
-};
-
-template <class Item>
-std::vector<Item> InPiece(const std::vector<Item>& whole, int Item::*element, const std::vector<int>& numbers)
-{
-  std::vector<Item> here;
-  for (Item item : whole)
-  {
-    item.*element = numbers[item.*element];
-    if (item.*element >= 0)
-    {
-      here.push_back(item);
-    }
-  }
-  return here;
-}
-
-/// A problem on the whole surface as the rank of a piece has it. All ranks that have a point give what holds there.
-FieldProblem OfPiece(const FieldProblem& whole, const test::CutPiece& cut, const test::Surface& surface)
-{
-  const NumbersInPiece numbers(cut, surface);
-  FieldProblem here = whole;
-  here.Constraints.OnFaces = InPiece(whole.Constraints.OnFaces, &Constraint::Element, numbers.Triangles);
-  here.Constraints.AtVertices = InPiece(whole.Constraints.AtVertices, &Constraint::Element, numbers.Points);
-  here.Constraints.Values = InPiece(whole.Constraints.Values, &ValueConstraint::Vertex, numbers.Points);
-  const auto choose = [](const Vector<double>& all, const std::vector<int>& chosen)
-  { return all.size() > 0 ? Vector<double>(all(chosen)) : all; };
-  here.Constraints.Source = choose(whole.Constraints.Source, cut.Points);
-  here.Rotation.Faces = choose(whole.Rotation.Faces, cut.Triangles);
-  here.Rotation.Vertices = choose(whole.Rotation.Vertices, cut.Points);
-  return here;
-}
 
 /// The same problem on one process and in pieces.
 class Comparison
@@ -96,7 +45,7 @@ public:
     SCOPED_TRACE(partition.Name);
     const test::CutPiece cut = this->Cut(partition);
     FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
-    const Field& field = solver.Solve(OfPiece(this->Whole, cut, this->Surface));
+    const Field& field = solver.Solve(test::OfPiece(this->Whole, cut, this->Surface));
     EXPECT_TRUE(field.Report.Converged);
     EXPECT_EQ(field.N, this->Exact->N);
     EXPECT_EQ(field.AreSingularitiesOnFaces, this->Exact->AreSingularitiesOnFaces);

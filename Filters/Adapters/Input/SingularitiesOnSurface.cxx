@@ -126,7 +126,7 @@ std::vector<PrescribedSingularity> BringToSurface(
   {
     return prescribed;
   }
-  const double limit = singularities.MaximumDistance * surface.Size;
+  const double limit = singularities.MaximumDistance * surface.Sizes.Diagonal();
   for (const GuideDataSet& dataset : datasets)
   {
     vtkDataArray* const indices = IndicesOf(dataset, singularities.IndexArray);

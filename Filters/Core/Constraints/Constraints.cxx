@@ -234,15 +234,10 @@ Vector3 Turned(const Vector3& direction, const TangentFrames& frames, int elemen
   return angle == 0.0 ? direction : Vector3(Eigen::AngleAxisd(angle, frames.Normal(element)) * direction);
 }
 
-namespace
+void RefuseRotation(const std::string& element)
 {
-
-InvalidInput RotationNotFinite(const std::string& element)
-{
-  return InvalidInput("the rotation at " + element +
+  throw InvalidInput("the rotation at " + element +
     " is not finite, and a direction is prescribed there; repair it, or leave the direction out");
-}
-
 }
 
 void Turn(Constraints& constraints, const FramedMesh& surface, const RotationAngles& angles, const ElementNames& names)
@@ -253,7 +248,7 @@ void Turn(Constraints& constraints, const FramedMesh& surface, const RotationAng
     const double angle = angles.Everywhere + (angles.Faces.size() > 0 ? angles.Faces[on.Element] : 0.0);
     if (!std::isfinite(angle))
     {
-      throw RotationNotFinite(names.Face(on.Element));
+      RefuseRotation(names.Face(on.Element));
     }
     on.Direction = Turned(on.Direction, surface.Faces, on.Element, angle);
   }
@@ -263,7 +258,7 @@ void Turn(Constraints& constraints, const FramedMesh& surface, const RotationAng
     const double angle = angles.Everywhere + (angles.Vertices.size() > 0 ? angles.Vertices[at.Element] : 0.0);
     if (!std::isfinite(angle))
     {
-      throw RotationNotFinite(names.Vertex(at.Element));
+      RefuseRotation(names.Vertex(at.Element));
     }
     at.Direction = Turned(at.Direction, surface.Vertices, at.Element, angle);
   }

@@ -122,6 +122,9 @@ struct RotationAngles
 void Turn(
   Constraints& constraints, const FramedMesh& surface, const RotationAngles& angles, const ElementNames& names = {});
 
+/// \throw InvalidInput it is not finite at an element, whose name this is, and a direction is prescribed there.
+[[noreturn]] void RefuseRotation(const std::string& element);
+
 /// A direction, turned about the normal of its element by an angle in radians.
 Vector3 Turned(const Vector3& direction, const TangentFrames& frames, int element, double angle);
 

@@ -261,17 +261,23 @@ std::string GuidesReport::LeftOut() const
   return text.str();
 }
 
+void CheckGuides(const Guides& guides)
+{
+  static_cast<void>(ElementsOf(guides));
+}
+
 FollowedGuides FollowGuides(const Guides& guides, const NearestPlaces& surface, const ExecutionContext& context)
 {
   constexpr int Block = 64, BlocksAtATime = 64; // small enough for checkpoints in between
   const std::vector<Element> elements = ElementsOf(guides);
   const int size = static_cast<int>(elements.size());
-  const WeightsOfFaces weights(surface.Surface.Mesh);
+  const SurfaceSizes& sizes = surface.Sizes;
+  const WeightsOfFaces weights(surface.Surface.Mesh, sizes);
   FollowedGuides all;
-  all.Report.MaximumDistance = guides.MaximumDistance * surface.Size;
+  all.Report.MaximumDistance = guides.MaximumDistance * sizes.Diagonal();
   // Elements that are near to each other one after the other find what they look at in the processor's cache.
   const std::vector<int> order = InSpatialOrder(
-    size, [&elements](int i) { return elements[i].Start; }, surface.Lower, (surface.Upper - surface.Lower).maxCoeff(),
+    size, [&elements](int i) { return elements[i].Start; }, sizes.Lower, (sizes.Upper - sizes.Lower).maxCoeff(),
     context);
   std::vector<FollowedRun> runs((size + Block - 1) / Block);
   for (int start = 0; start < static_cast<int>(runs.size()); start += BlocksAtATime)

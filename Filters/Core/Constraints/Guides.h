@@ -64,8 +64,11 @@ struct FollowedGuides
   GuidesReport Report;
 };
 
-/// Brings guides to a surface: a vector to the nearest face, a segment to all faces that it passes (SegmentOnSurface).
 /// \throw InvalidInput a number is not finite, a weight is negative, or a vector is zero.
+void CheckGuides(const Guides& guides);
+
+/// Brings guides to a surface: a vector to the nearest face, a segment to all faces that it passes (SegmentOnSurface).
+/// \throw InvalidInput as CheckGuides.
 /// \throw Cancelled
 /// Cost: logarithmic time for each vector, for each face that a line touches, and for each mean edge of its length.
 FollowedGuides FollowGuides(

@@ -19,23 +19,6 @@ namespace
 using Box = Eigen::AlignedBox<double, 3>;
 using BoxTree = Eigen::KdBVH<double, 3, int>;
 
-double SizeOf(const TriangleMesh& mesh)
-{
-  const Points& points = mesh.VertexPositions();
-  return (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
-}
-
-double MeanEdgeOf(const TriangleMesh& mesh)
-{
-  double sum = 0.0;
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    const auto [a, b] = mesh.EdgeVertices(edge);
-    sum += (mesh.Position(a) - mesh.Position(b)).norm();
-  }
-  return sum / mesh.NumberOfEdges();
-}
-
 Vector3 ClosestOnSide(const Vector3& tail, const Vector3& head, const Vector3& position)
 {
   const Vector3 side = head - tail;
@@ -56,23 +39,28 @@ double SquaredDistance(const Box& box, const Vector3& position)
   return (box.min() - position).cwiseMax(position - box.max()).cwiseMax(0.0).squaredNorm();
 }
 
-/// Whether the bounding box of a face tells that no place of it is nearer than the nearest one so far.
-inline bool IsFarther(const TriangleMesh& mesh, int face, const Vector3& position, const NearestPlace& nearest)
+inline Box BoxOf(const TriangleMesh& mesh, int face)
 {
-  constexpr double Rounding = 1.0 + 1e-12; // faces that are as near as each other are not told apart here
   const std::array<Vector3, 3> corners = CornersOf(mesh, face);
-  const Vector3 lower = corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]);
-  const Vector3 upper = corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]);
-  return SquaredDistance(Box(lower, upper), position) > Rounding * nearest.Distance * nearest.Distance;
+  return { corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]), corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) };
 }
 
-/// Takes the place of a face that is nearest to a point, if it is nearer than the nearest one so far.
+/// Whether the distance of a bounding box tells that no place in it is nearer than the nearest one so far.
+inline bool IsFarther(double squaredDistance, const NearestPlace& nearest)
+{
+  constexpr double Rounding = 1.0 + 1e-12; // faces that are as near as each other are not told apart here
+  return squaredDistance > Rounding * nearest.Distance * nearest.Distance;
+}
+
+/// Takes the place of a face that is nearest to a point, if it is nearer than the nearest one so far, or as near and of a smaller
+/// number. So the result does not depend on the way of a search.
 void TakeNearer(const TriangleMesh& mesh, int face, const Vector3& position, NearestPlace& nearest)
 {
-  if (!IsFarther(mesh, face, position, nearest))
+  if (!IsFarther(SquaredDistance(BoxOf(mesh, face), position), nearest))
   {
     const NearestPlace place = ClosestOnFace(mesh, face, position);
-    nearest = place.Distance < nearest.Distance ? place : nearest;
+    const bool isNearer = place.Distance < nearest.Distance;
+    nearest = isNearer || (place.Distance == nearest.Distance && place.Face < nearest.Face) ? place : nearest;
   }
 }
 
@@ -140,7 +128,7 @@ public:
     while (size > 0)
     {
       const Candidate candidate = candidates[--size];
-      if (!(candidate.SquaredDistance < nearest.Distance * nearest.Distance))
+      if (IsFarther(candidate.SquaredDistance, nearest))
       {
         continue;
       }
@@ -164,6 +152,32 @@ public:
     return nearest;
   }
 
+  void VisitNear(const Vector3& position, double distance, const std::function<void(int)>& visit) const
+  {
+    std::vector<int> nodes{ this->Boxes.getRootIndex() };
+    while (!nodes.empty())
+    {
+      BoxTree::VolumeIterator box = nullptr, lastBox = nullptr;
+      BoxTree::ObjectIterator face = nullptr, lastFace = nullptr;
+      this->Boxes.getChildren(nodes.back(), box, lastBox, face, lastFace);
+      nodes.pop_back();
+      for (; face != lastFace; ++face)
+      {
+        if (SquaredDistance(BoxOf(this->Mesh, *face), position) <= distance * distance)
+        {
+          visit(*face);
+        }
+      }
+      for (; box != lastBox; ++box)
+      {
+        if (SquaredDistance(this->Boxes.getVolume(*box), position) <= distance * distance)
+        {
+          nodes.push_back(*box);
+        }
+      }
+    }
+  }
+
 private:
   struct Candidate
   {
@@ -176,11 +190,13 @@ private:
 };
 
 NearestPlaces::NearestPlaces(const FramedMesh& surface)
+  : NearestPlaces(surface, SizesOf(surface.Mesh))
+{
+}
+
+NearestPlaces::NearestPlaces(const FramedMesh& surface, const SurfaceSizes& sizes)
   : Surface(surface)
-  , Size(SizeOf(surface.Mesh))
-  , MeanEdge(MeanEdgeOf(surface.Mesh))
-  , Lower(surface.Mesh.VertexPositions().colwise().minCoeff())
-  , Upper(surface.Mesh.VertexPositions().colwise().maxCoeff())
+  , Sizes(sizes)
   , Boxes(std::make_unique<const Tree>(surface.Mesh))
 {
 }
@@ -199,6 +215,12 @@ NearestPlace NearestPlaces::operator()(const Vector3& position, int near) const
     start = ClosestOnFace(this->Surface.Mesh, near, position);
   }
   return this->Boxes->Nearest(position, start);
+}
+
+void NearestPlaces::VisitNear(
+  const Vector3& position, double distance, const std::function<void(int face)>& visit) const
+{
+  this->Boxes->VisitNear(position, distance, visit);
 }
 
 NearestPlace NearestPlaces::From(int face, const Vector3& position, int last) const

@@ -2,8 +2,10 @@
 #define dmgNearestPlaces_h
 
 #include "Mesh/FramedMesh.h"
+#include "Mesh/SurfaceSizes.h"
 #include "Support/Types.h"
 
+#include <functional>
 #include <limits>
 #include <memory>
 
@@ -28,10 +30,12 @@ public:
   /// \param surface is borrowed.
   /// Cost: n log n.
   explicit NearestPlaces(const FramedMesh& surface);
+  /// \param sizes of the surface that this one is a part of.
+  NearestPlaces(const FramedMesh& surface, const SurfaceSizes& sizes);
   ~NearestPlaces();
 
-  /// \param near a face that is not far, which saves time, or -1. Where faces are as near as each other but for rounding,
-  ///   it may decide between them.
+  /// \param near a face that is not far, which saves time, or -1.
+  /// \return of places that are as near as each other, that of the face with the smallest number.
   /// \pre position is finite.
   /// Cost: logarithmic near the surface; elsewhere it grows with the number of faces in a ball around the point.
   NearestPlace operator()(const Vector3& position, int near = -1) const;
@@ -40,10 +44,11 @@ public:
   /// \param last a face where such a walk ended, which saves its last step, or -1.
   NearestPlace From(int face, const Vector3& position, int last = -1) const;
 
+  /// Calls visit(face) for all faces whose bounding boxes have a place within a distance of a position.
+  void VisitNear(const Vector3& position, double distance, const std::function<void(int face)>& visit) const;
+
   const FramedMesh& Surface;
-  const double Size; ///< diagonal of the bounding box
-  const double MeanEdge;
-  const Vector3 Lower, Upper; ///< corners of the bounding box
+  const SurfaceSizes Sizes;
 
 private:
   class Tree;

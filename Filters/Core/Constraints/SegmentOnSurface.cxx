@@ -1,5 +1,7 @@
 #include "Constraints/SegmentOnSurface.h"
 
+#include "Constraints/CutSegment.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,62 +29,6 @@ constexpr double OnEdge = 1e-6; // more than the rounding errors of coordinates 
 
 constexpr int MaximumDepth = 50; // beyond which parameters in double precision are too coarse
 
-/// The place of a segment where it crosses a side of a box.
-Vector3 At(const Vector3& start, const Vector3& end, double parameter, int axis, double side)
-{
-  Vector3 place = (1.0 - parameter) * start + parameter * end;
-  place[axis] = side;
-  return place;
-}
-
-/// A segment without what lies outside of a box.
-struct CutSegment
-{
-  Vector3 Start, End;
-  double First = 0.0, Last = 1.0; ///< fractions of the whole
-  bool IsAny = true;              ///< whether something is left
-};
-
-/// (Liang and Barsky 1984) Parameters of places near the start are accurate, however far the end is.
-CutSegment CutFromStart(const Vector3& start, const Vector3& end, const Vector3& lower, const Vector3& upper)
-{
-  CutSegment cut{ start, end };
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double along = end[axis] - start[axis];
-    if (along == 0.0)
-    {
-      cut.IsAny &= start[axis] >= lower[axis] && start[axis] <= upper[axis];
-      continue;
-    }
-    const double entrySide = along < 0.0 ? upper[axis] : lower[axis];
-    const double exitSide = along < 0.0 ? lower[axis] : upper[axis];
-    if (const double entry = (entrySide - start[axis]) / along; entry > cut.First)
-    {
-      cut.First = entry;
-      cut.Start = At(start, end, entry, axis, entrySide);
-    }
-    if (const double exit = (exitSide - start[axis]) / along; exit < cut.Last)
-    {
-      cut.Last = exit;
-      cut.End = At(start, end, exit, axis, exitSide);
-    }
-  }
-  cut.IsAny &= cut.First < cut.Last;
-  return cut;
-}
-
-CutSegment CutToBox(const Vector3& start, const Vector3& end, const Vector3& lower, const Vector3& upper)
-{
-  const Vector3 centre = 0.5 * lower + 0.5 * upper;
-  if (!((end - centre).stableNorm() < (start - centre).stableNorm()))
-  {
-    return CutFromStart(start, end, lower, upper);
-  }
-  const CutSegment cut = CutFromStart(end, start, lower, upper);
-  return { cut.End, cut.Start, 1.0 - cut.Last, 1.0 - cut.First, cut.IsAny };
-}
-
 }
 
 //------------------------------------------------------------------------------
@@ -108,7 +54,7 @@ struct SegmentOnSurface::Crossing
 SegmentOnSurface::SegmentOnSurface(const NearestPlaces& nearest, double maximumDistance)
   : Nearest(nearest)
   , MaximumDistance(maximumDistance)
-  , Rounding(1e-15 * (nearest.Lower.norm() + nearest.Upper.norm()))
+  , Rounding(1e-15 * (nearest.Sizes.Lower.norm() + nearest.Sizes.Upper.norm()))
 {
 }
 
@@ -158,8 +104,7 @@ std::vector<SegmentPart> SegmentOnSurface::PartsOf(const Vector3& start, const V
   {
     return {};
   }
-  const Vector3 margin = Vector3::Constant(this->MaximumDistance);
-  const CutSegment cut = CutToBox(start, end, this->Nearest.Lower - margin, this->Nearest.Upper + margin);
+  const CutSegment cut = CutToSurface(start, end, this->Nearest.Sizes, this->MaximumDistance);
   constexpr double Infinity = std::numeric_limits<double>::infinity();
   const auto tooFar = [&](double fraction) {
     return SegmentPart{ SegmentPart::TooFar, -1, fraction * length, Infinity };
@@ -190,7 +135,7 @@ std::vector<SegmentPart> SegmentOnSurface::PartsOfNear(const Vector3& start, con
     return parts;
   }
   const Segment segment{ start, end - start, length,
-    std::min(SmallestOfSurface * this->Nearest.Size, SmallestOfSegment * length) };
+    std::min(SmallestOfSurface * this->Nearest.Sizes.Diagonal(), SmallestOfSegment * length) };
   const Sample first = this->At(segment, 0.0, -1), last = this->At(segment, 1.0, first.Place.Face);
   this->Split(segment, first, last, 0, parts);
   return this->OnSides(segment, first, last, parts);
@@ -207,7 +152,7 @@ void SegmentOnSurface::Split(
   };
   const bool isLast = depth >= MaximumDepth;
   const bool isStep =
-    isLast || length <= std::max(this->Nearest.MeanEdge, 0.5 * std::min(a.Place.Distance, b.Place.Distance));
+    isLast || length <= std::max(this->Nearest.Sizes.MeanEdge, 0.5 * std::min(a.Place.Distance, b.Place.Distance));
   std::optional<Crossing> crossing;
   if (isStep)
   {

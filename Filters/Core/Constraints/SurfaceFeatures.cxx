@@ -1,12 +1,12 @@
 #include "Constraints/SurfaceFeatures.h"
 
-#include "Constraints/WeightsOfFaces.h"
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dmg
 {
@@ -42,9 +42,8 @@ void CheckFeatures(const FeatureOptions& options)
   CheckFeatureWeight(TextOf(Remedy::CurvatureWeight), options.CurvatureWeight);
 }
 
-std::vector<Constraint> AlongBoundary(const TriangleMesh& mesh, double weight)
+std::vector<Constraint> AlongBoundary(const TriangleMesh& mesh, const WeightsOfFaces& weights, double weight)
 {
-  const WeightsOfFaces weights(mesh);
   std::vector<Constraint> directions;
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
@@ -59,10 +58,10 @@ std::vector<Constraint> AlongBoundary(const TriangleMesh& mesh, double weight)
   return directions;
 }
 
-std::vector<Constraint> AlongSharpEdges(const FramedMesh& surface, double degrees, double weight)
+std::vector<Constraint> AlongSharpEdges(
+  const FramedMesh& surface, const WeightsOfFaces& weights, double degrees, double weight)
 {
   const TriangleMesh& mesh = surface.Mesh;
-  const WeightsOfFaces weights(mesh);
   std::vector<Constraint> directions;
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
@@ -87,14 +86,12 @@ std::vector<Constraint> AlongSharpEdges(const FramedMesh& surface, double degree
   return directions;
 }
 
-std::vector<Constraint> AlongCurvature(
-  const FramedMesh& surface, const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight)
+std::vector<Constraint> AlongCurvature(const FramedMesh& surface, const WeightsOfFaces& weights,
+  const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight)
 {
-  const WeightsOfFaces weights(surface.Mesh);
   const Complex turn = followsMinimum ? Complex(0.0, 1.0) : Complex(1.0);
   std::vector<Constraint> directions;
-  const bool isClear = (ofFaces.Confidence.array() > LeastConfidence).any();
-  for (int face = 0; isClear && face < surface.Mesh.NumberOfFaces(); ++face)
+  for (int face = 0; face < surface.Mesh.NumberOfFaces(); ++face)
   {
     if (ofFaces.Confidence[face] > 0.0)
     {
@@ -105,27 +102,54 @@ std::vector<Constraint> AlongCurvature(
   return directions;
 }
 
-FollowedFeatures FollowFeatures(
-  const FramedMesh& surface, int N, const FeatureOptions& options, const PrincipalCurvatures* ofFaces)
+bool AreClear(const PrincipalCurvatures& curvatures)
+{
+  return (curvatures.Confidence.array() > LeastConfidence).any();
+}
+
+std::vector<Constraint> AlongFeature(SurfaceFeature feature, const FramedMesh& surface, const WeightsOfFaces& weights,
+  const FeatureOptions& options, const PrincipalCurvatures* ofFaces)
+{
+  std::vector<Constraint> directions;
+  double degrees = 0.0;
+  switch (feature)
+  {
+    case SurfaceFeature::Boundary:
+      directions = AlongBoundary(surface.Mesh, weights, options.BoundaryWeight);
+      degrees = options.BoundaryRotation;
+      break;
+    case SurfaceFeature::SharpEdges:
+      directions = AlongSharpEdges(surface, weights, options.FeatureAngle, options.SharpEdgesWeight);
+      degrees = options.SharpEdgesRotation;
+      break;
+    case SurfaceFeature::PrincipalDirections:
+      directions = AlongCurvature(surface, weights, *ofFaces, options.FollowsMinimum, options.CurvatureWeight);
+      degrees = options.CurvatureRotation;
+      break;
+  }
+  for (Constraint& along : directions)
+  {
+    along.Direction = Turned(along.Direction, surface.Faces, along.Element, degrees * Pi / 180.0);
+  }
+  return directions;
+}
+
+FollowedFeatures FollowFeatures(int N, const FeatureOptions& options,
+  const std::function<bool(SurfaceFeature feature, std::vector<Constraint>& directions)>& find)
 {
   CheckFeatures(options);
   FollowedFeatures followed;
-  const auto follow = [&](const std::vector<Constraint>& feature, double degrees, const std::string& ifEmpty)
+  const auto follow = [&](SurfaceFeature feature, const std::string& ifNone)
   {
-    for (Constraint along : feature)
+    if (!find(feature, followed.Directions))
     {
-      along.Direction = Turned(along.Direction, surface.Faces, along.Element, degrees * Pi / 180.0);
-      followed.Directions.push_back(along);
-    }
-    if (feature.empty())
-    {
-      followed.Warnings.push_back(ifEmpty);
+      followed.Warnings.push_back(ifNone);
     }
   };
   if (options.BoundaryWeight > 0.0)
   {
-    follow(AlongBoundary(surface.Mesh, options.BoundaryWeight), options.BoundaryRotation,
-      "the surface has no boundary, so " + TextOf(Remedy::BoundaryWeight) + " has no effect");
+    follow(
+      SurfaceFeature::Boundary, "the surface has no boundary, so " + TextOf(Remedy::BoundaryWeight) + " has no effect");
   }
   if (N % 2 != 0)
   {
@@ -142,17 +166,37 @@ FollowedFeatures FollowFeatures(
   }
   if (options.SharpEdgesWeight > 0.0)
   {
-    follow(AlongSharpEdges(surface, options.FeatureAngle, options.SharpEdgesWeight), options.SharpEdgesRotation,
+    follow(SurfaceFeature::SharpEdges,
       "no edge of the surface is sharper than " + TextOf(Remedy::FeatureAngle) + ", so " +
         TextOf(Remedy::SharpEdgesWeight) + " has no effect");
   }
   if (options.CurvatureWeight > 0.0)
   {
-    follow(AlongCurvature(surface, *ofFaces, options.FollowsMinimum, options.CurvatureWeight),
-      options.CurvatureRotation,
+    follow(SurfaceFeature::PrincipalDirections,
       "the surface bends alike in all directions, so " + TextOf(Remedy::CurvatureWeight) + " has no effect");
   }
   return followed;
+}
+
+FollowedFeatures FollowFeatures(
+  const FramedMesh& surface, int N, const FeatureOptions& options, const PrincipalCurvatures* ofFaces)
+{
+  std::optional<WeightsOfFaces> weights;
+  return FollowFeatures(N, options,
+    [&](SurfaceFeature feature, std::vector<Constraint>& directions)
+    {
+      if (feature == SurfaceFeature::PrincipalDirections && !AreClear(*ofFaces))
+      {
+        return false;
+      }
+      if (!weights)
+      {
+        weights.emplace(surface.Mesh, SizesOf(surface.Mesh));
+      }
+      const std::vector<Constraint> along = AlongFeature(feature, surface, *weights, options, ofFaces);
+      directions.insert(directions.end(), along.begin(), along.end());
+      return !along.empty();
+    });
 }
 
 }

@@ -2,9 +2,11 @@
 #define dmgSurfaceFeatures_h
 
 #include "Constraints/Constraints.h"
+#include "Constraints/WeightsOfFaces.h"
 #include "Mesh/FramedMesh.h"
 #include "Operators/PrincipalDirections.h"
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -43,16 +45,20 @@ void CheckFeatures(const FeatureOptions& options);
 
 /// Unit directions along the edges of the boundary, with the surface on the left. Edges without length, or of a face
 /// without area, have none.
-std::vector<Constraint> AlongBoundary(const TriangleMesh& mesh, double weight);
+std::vector<Constraint> AlongBoundary(const TriangleMesh& mesh, const WeightsOfFaces& weights, double weight);
 
 /// Unit directions along sharp edges, on both of their faces. Edges without length, or of a face without area, are not
 /// sharp.
-std::vector<Constraint> AlongSharpEdges(const FramedMesh& surface, double degrees, double weight);
+std::vector<Constraint> AlongSharpEdges(
+  const FramedMesh& surface, const WeightsOfFaces& weights, double degrees, double weight);
 
-/// Unit directions along principal directions, on all faces where there are some, with their confidence as weight. None where
-/// no confidence is more than 1e-4: where the curvatures differ by less than 1 % everywhere.
-std::vector<Constraint> AlongCurvature(
-  const FramedMesh& surface, const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight);
+/// Unit directions along principal directions, on all faces where there are some, with their confidence as weight.
+std::vector<Constraint> AlongCurvature(const FramedMesh& surface, const WeightsOfFaces& weights,
+  const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight);
+
+/// Whether some principal direction is worth to be followed: a confidence is more than 1e-4. Elsewhere the curvatures differ by less
+/// than 1 %, as rounding of coordinates makes them do.
+bool AreClear(const PrincipalCurvatures& curvatures);
 
 /// The features that are followed, and those that the surface does not have.
 struct FollowedFeatures
@@ -60,6 +66,23 @@ struct FollowedFeatures
   std::vector<Constraint> Directions;
   std::vector<std::string> Warnings; ///< a sentence each
 };
+
+enum class SurfaceFeature
+{
+  Boundary,
+  SharpEdges,
+  PrincipalDirections,
+};
+
+/// The directions along one feature of a surface, turned as the options say.
+/// \param ofFaces the principal directions; may be null for other features.
+std::vector<Constraint> AlongFeature(SurfaceFeature feature, const FramedMesh& surface, const WeightsOfFaces& weights,
+  const FeatureOptions& options, const PrincipalCurvatures* ofFaces);
+
+/// Follows the features that options ask for, as the function below, wherever these are.
+/// \param find appends the directions along a feature, and says whether the surface has it.
+FollowedFeatures FollowFeatures(int N, const FeatureOptions& options,
+  const std::function<bool(SurfaceFeature feature, std::vector<Constraint>& directions)>& find);
 
 /// The constraints that features of a surface make for a field of N directions. Sharp edges and principal directions are lines
 /// without a sign: fields of an odd N do not follow them, which is a warning.

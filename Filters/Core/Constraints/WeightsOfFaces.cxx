@@ -14,10 +14,10 @@ constexpr double RelativeLength = 1.0 / 30.0;
 
 }
 
-WeightsOfFaces::WeightsOfFaces(const TriangleMesh& mesh)
+WeightsOfFaces::WeightsOfFaces(const TriangleMesh& mesh, const SurfaceSizes& sizes)
   : Areas(mesh.FaceAreas())
-  , Mean(this->Areas.mean())
-  , Length(RelativeLength * std::sqrt(this->Areas.sum()))
+  , Mean(sizes.MeanFaceArea)
+  , Length(RelativeLength * std::sqrt(sizes.Area))
 {
 }
 

@@ -1,6 +1,7 @@
 #ifndef dmgWeightsOfFaces_h
 #define dmgWeightsOfFaces_h
 
+#include "Mesh/SurfaceSizes.h"
 #include "Mesh/TriangleMesh.h"
 #include "Support/Types.h"
 
@@ -13,8 +14,9 @@ namespace dmg
 class WeightsOfFaces
 {
 public:
+  /// \param sizes of the surface that the mesh is, or is a part of.
   /// Cost: linear.
-  explicit WeightsOfFaces(const TriangleMesh& mesh);
+  WeightsOfFaces(const TriangleMesh& mesh, const SurfaceSizes& sizes);
 
   /// The integral of (30 / L)^2 over a face.
   double OfFace() const;

@@ -1,5 +1,6 @@
 #include "Operators/PrincipalDirections.h"
 
+#include "Operators/BendOfRegions.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Operators/PowerFieldOperators.h"
 
@@ -19,20 +20,6 @@ constexpr int Grain = 4096;
 /// Ratios of curvatures below this are rounding errors.
 constexpr double SmallestRatio = 1e-6;
 
-/// The shape operator, symmetric in space, integrated over a part of the surface.
-struct BendOfPart
-{
-  Eigen::Matrix3d Bend = Eigen::Matrix3d::Zero();
-  double Area = 0.0;
-
-  BendOfPart& operator+=(const BendOfPart& other)
-  {
-    this->Bend += other.Bend;
-    this->Area += other.Area;
-    return *this;
-  }
-};
-
 /// With normals that are interpolated between the corners, whose derivative is constant: the sum over the corners of
 /// their normals times the gradients of their hat functions.
 BendOfPart BendOfFace(const FramedMesh& surface, const Points& normals, int face)
@@ -49,119 +36,37 @@ BendOfPart BendOfFace(const FramedMesh& surface, const Points& normals, int face
   return { 0.5 * (derivative + derivative.transpose()), mesh.FaceArea(face) };
 }
 
-/// A third of each face around a vertex.
-std::vector<BendOfPart> BendsOfVertices(const FramedMesh& surface, const ExecutionContext& context)
-{
-  const TriangleMesh& mesh = surface.Mesh;
-  Points normals(mesh.NumberOfVertices(), 3);
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
-    [&](int first, int last)
-    {
-      for (int vertex = first; vertex < last; ++vertex)
-      {
-        normals.row(vertex) = surface.Vertices.Normal(vertex).transpose();
-      }
-    });
-  std::vector<BendOfPart> ofVertices(mesh.NumberOfVertices());
-  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
-    [&](int first, int last)
-    {
-      for (int vertex = first; vertex < last; ++vertex)
-      {
-        BendOfPart& sum = ofVertices[vertex];
-        mesh.VisitFan(
-          vertex, [&](int halfedge) { sum += BendOfFace(surface, normals, TriangleMesh::FaceOf(halfedge)); });
-        sum.Bend /= 3.0;
-        sum.Area /= 3.0;
-      }
-    });
-  return ofVertices;
-}
-
-template <class Visit>
-void VisitNeighbours(const TriangleMesh& mesh, int vertex, const Visit& visit)
-{
-  mesh.VisitFan(vertex,
-    [&](int halfedge)
-    {
-      visit(mesh.Head(halfedge));
-      const int previous = TriangleMesh::Previous(halfedge);
-      if (mesh.Twin(previous) < 0)
-      {
-        visit(mesh.Tail(previous));
-      }
-    });
-}
-
-/// Sums over the regions of vertices, for one piece of a loop over them.
-class SumsOverRegions
+/// The vertices of a mesh.
+class BendsOnMesh
 {
 public:
-  SumsOverRegions(const TriangleMesh& mesh, const std::vector<BendOfPart>& parts, double radius, std::size_t limit)
+  BendsOnMesh(const TriangleMesh& mesh, const std::vector<BendOfPart>& parts)
     : Mesh(mesh)
     , Parts(parts)
-    , SquaredRadius(radius * radius)
-    , Limit(limit)
-    , RegionOf(mesh.NumberOfVertices(), -1)
   {
   }
 
-  BendOfPart Around(int centre)
+  Vector3 Position(int vertex) const { return this->Mesh.Position(vertex); }
+  const BendOfPart& Part(int vertex) const { return this->Parts[vertex]; }
+  template <class Visit>
+  void VisitNeighbours(int vertex, const Visit& visit) const
   {
-    const Vector3 position = this->Mesh.Position(centre);
-    BendOfPart sum;
-    this->Region.assign(1, centre);
-    this->RegionOf[centre] = centre;
-    for (std::size_t i = 0; i < this->Region.size(); ++i) // grows meanwhile
-    {
-      sum += this->Parts[this->Region[i]];
-      VisitNeighbours(this->Mesh, this->Region[i],
-        [&](int vertex)
-        {
-          const bool isInside = i == 0 ||
-            (this->Region.size() < this->Limit &&
-              (this->Mesh.Position(vertex) - position).squaredNorm() < this->SquaredRadius);
-          if (isInside && this->RegionOf[vertex] != centre)
-          {
-            this->RegionOf[vertex] = centre;
-            this->Region.push_back(vertex);
-          }
-        });
-    }
-    return sum;
+    VisitVerticesAround(this->Mesh, vertex, visit);
   }
 
 private:
   const TriangleMesh& Mesh;
   const std::vector<BendOfPart>& Parts;
-  const double SquaredRadius;
-  const std::size_t Limit;
-  std::vector<int> RegionOf; ///< the last one that a vertex was in
-  std::vector<int> Region;
 };
 
-double MeanEdge(const TriangleMesh& mesh)
+std::vector<BendOfPart> BendsOfRegions(
+  const FramedMesh& surface, const RegionSize& region, const ExecutionContext& context)
 {
-  double sum = 0.0;
-  for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
-  {
-    const auto [tail, head] = mesh.EdgeVertices(edge);
-    sum += (mesh.Position(head) - mesh.Position(tail)).norm();
-  }
-  return sum / mesh.NumberOfEdges();
-}
-
-std::vector<BendOfPart> BendsOfRegions(const FramedMesh& surface, double scale, const ExecutionContext& context)
-{
-  const TriangleMesh& mesh = surface.Mesh;
-  const std::vector<BendOfPart> parts = BendsOfVertices(surface, context);
-  const double radius = scale * MeanEdge(mesh);
-  std::vector<BendOfPart> ofRegions(mesh.NumberOfVertices());
-  const int size = mesh.NumberOfVertices();
-  // A region has 3.6 scale^2 vertices on an even surface; a batch visits some million.
-  const double expected = 4.0 * scale * scale + 4.0;
-  const auto limit = static_cast<std::size_t>(std::min(4.0 * expected, 1.0 * size));
-  const int batch = std::max(256, static_cast<int>(1e6 / expected));
+  const std::vector<BendOfPart> parts = BendsOfVertices(surface, NormalsOfVertices(surface, context), context);
+  const BendsOnMesh graph(surface.Mesh, parts);
+  const int size = surface.Mesh.NumberOfVertices();
+  std::vector<BendOfPart> ofRegions(size);
+  const int batch = std::max(256, static_cast<int>(1e6 / region.Expected)); // visits some million
   for (int start = 0; start < size; start += batch)
   {
     context.Checkpoint(static_cast<double>(start) / size);
@@ -169,7 +74,7 @@ std::vector<BendOfPart> BendsOfRegions(const FramedMesh& surface, double scale, 
     context.ParallelFor(start, end, std::max(64, batch / 8),
       [&](int first, int last)
       {
-        SumsOverRegions sums(mesh, parts, radius, limit);
+        SumsOverRegions<BendsOnMesh> sums(graph, size, region);
         for (int vertex = first; vertex < last; ++vertex)
         {
           ofRegions[vertex] = sums.Around(vertex);
@@ -215,25 +120,72 @@ PrincipalCurvatures CurvaturesOf(
 
 }
 
-PrincipalDirections FindPrincipalDirections(const FramedMesh& surface, double scale, const ExecutionContext& context)
+Points NormalsOfVertices(const FramedMesh& surface, const ExecutionContext& context)
 {
-  assert(scale >= 0.0 && std::isfinite(scale));
+  Points normals(surface.Mesh.NumberOfVertices(), 3);
+  context.ParallelFor(0, surface.Mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
+    {
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        normals.row(vertex) = surface.Vertices.Normal(vertex).transpose();
+      }
+    });
+  return normals;
+}
+
+std::vector<BendOfPart> BendsOfVertices(
+  const FramedMesh& surface, const Points& normals, const ExecutionContext& context)
+{
   const TriangleMesh& mesh = surface.Mesh;
-  const std::vector<BendOfPart> regions = BendsOfRegions(surface, scale, PartOfContext(context, 0.0, 0.9));
-  const Points& points = mesh.VertexPositions();
-  const double diagonal = (points.colwise().maxCoeff() - points.colwise().minCoeff()).norm();
+  std::vector<BendOfPart> ofVertices(mesh.NumberOfVertices());
+  context.ParallelFor(0, mesh.NumberOfVertices(), Grain,
+    [&](int first, int last)
+    {
+      for (int vertex = first; vertex < last; ++vertex)
+      {
+        BendOfPart& sum = ofVertices[vertex];
+        mesh.VisitFan(
+          vertex, [&](int halfedge) { sum += BendOfFace(surface, normals, TriangleMesh::FaceOf(halfedge)); });
+        sum.Bend /= 3.0;
+        sum.Area /= 3.0;
+      }
+    });
+  return ofVertices;
+}
+
+// A region has 3.6 scale^2 vertices on an even surface.
+RegionSize::RegionSize(double scale, const SurfaceSizes& sizes)
+  : Expected(4.0 * scale * scale + 4.0)
+  , SquaredRadius(scale * sizes.MeanEdge * (scale * sizes.MeanEdge))
+  , Limit(static_cast<std::size_t>(std::min(4.0 * this->Expected, 1.0 * static_cast<double>(sizes.NumberOfVertices))))
+{
+}
+
+PrincipalCurvatures CurvaturesOfFaces(
+  const FramedMesh& surface, const std::vector<BendOfPart>& ofRegions, double diagonal, const ExecutionContext& context)
+{
   const auto ofFace = [&](int face)
   {
     BendOfPart sum;
     for (int k = 0; k < 3; ++k)
     {
-      sum += regions[mesh.FaceCorners()(face, k)];
+      sum += ofRegions[surface.Mesh.FaceCorners()(face, k)];
     }
     return sum;
   };
-  PrincipalDirections found{ CurvaturesOf(surface.Faces, 1.0 / diagonal, ofFace, context),
+  return CurvaturesOf(surface.Faces, 1.0 / diagonal, ofFace, context);
+}
+
+PrincipalDirections FindPrincipalDirections(const FramedMesh& surface, double scale, const ExecutionContext& context)
+{
+  assert(scale >= 0.0 && std::isfinite(scale));
+  const SurfaceSizes sizes = SizesOf(surface.Mesh);
+  const std::vector<BendOfPart> regions =
+    BendsOfRegions(surface, RegionSize(scale, sizes), PartOfContext(context, 0.0, 0.9));
+  PrincipalDirections found{ CurvaturesOfFaces(surface, regions, sizes.Diagonal(), context),
     CurvaturesOf(
-      surface.Vertices, 1.0 / diagonal, [&regions](int vertex) { return regions[vertex]; }, context) };
+      surface.Vertices, 1.0 / sizes.Diagonal(), [&regions](int vertex) { return regions[vertex]; }, context) };
   context.Checkpoint(1.0);
   return found;
 }

@@ -1,6 +1,7 @@
 #include "Pieces/FieldSolverInPieces.h"
 
 #include "Discretisations/MakeDiscretisation.h"
+#include "Pieces/ConstraintsInPieces.h"
 #include "Pieces/PetscSession.h"
 #include "Pieces/PieceFieldSolver.h"
 #include "Support/ComplexPairs.h"
@@ -60,6 +61,7 @@ public:
     : All(communicator)
     , Names(names)
     , Part(this->All, piece, names, context)
+    , ConstraintsOfSurface(this->Part)
   {
     if (this->Part.GlobalNumberOfVertices() == 0)
     {
@@ -73,13 +75,14 @@ public:
   const Ranks All;
   const ElementNames Names;
   const PieceOfSurface Part;
+  ConstraintsInPieces ConstraintsOfSurface;
   FieldSolver::StageCounts Counts;
   Field Last;
 
 private:
   void SetDiscretisation(const DiscretisationOptions& options, const ExecutionContext& context);
   void SolveSystem(const FieldProblem& problem, const Constraints& constraints, const ExecutionContext& context);
-  void FindDirections(const FieldProblem& problem, const ExecutionContext& context);
+  void FindDirections(const FieldProblem& problem, FollowedConstraints followed, const ExecutionContext& context);
   void ClearIndicesOfOthers(Field& field) const;
 
   DiscretisationOptions OptionsOfSolver;
@@ -98,9 +101,11 @@ const Field& FieldSolverInPieces::Internals::Solve(const FieldProblem& problem, 
         throw InvalidInput(reason + "; gather the surface on one rank");
       }
     });
+  FollowedConstraints followed =
+    this->ConstraintsOfSurface.Follow(problem, PartOfContext(context, 0.0, 0.0), this->Names);
   this->SetDiscretisation(problem.Options.Field, PartOfContext(context, 0.0, 0.4));
-  this->SolveSystem(problem, problem.Constraints, PartOfContext(context, 0.4, 0.9));
-  this->FindDirections(problem, PartOfContext(context, 0.9, 1.0));
+  this->SolveSystem(problem, followed.Constraints, PartOfContext(context, 0.4, 0.9));
+  this->FindDirections(problem, std::move(followed), PartOfContext(context, 0.9, 1.0));
   return this->Last;
 }
 
@@ -148,7 +153,8 @@ void FieldSolverInPieces::Internals::SolveSystem(
   ++this->Counts.Solves;
 }
 
-void FieldSolverInPieces::Internals::FindDirections(const FieldProblem& problem, const ExecutionContext& context)
+void FieldSolverInPieces::Internals::FindDirections(
+  const FieldProblem& problem, FollowedConstraints followed, const ExecutionContext& context)
 {
   const bool isNew = this->Last.Solution != this->Solution;
   Field field;
@@ -175,7 +181,13 @@ void FieldSolverInPieces::Internals::FindDirections(const FieldProblem& problem,
     this->Last = std::move(field);
   }
   this->Last.HasUnitLength = problem.UnitLength;
-  this->Last.Warnings = isNew ? this->Last.Report.Warnings : std::vector<std::string>();
+  this->Last.Guides = followed.Guides;
+  if (isNew)
+  {
+    const std::vector<std::string>& more = this->Last.Report.Warnings;
+    followed.Warnings.insert(followed.Warnings.end(), more.begin(), more.end());
+  }
+  this->Last.Warnings = std::move(followed.Warnings);
 }
 
 /// Ghosts do not have all of their neighbours.

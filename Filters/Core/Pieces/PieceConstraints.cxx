@@ -22,18 +22,6 @@ struct ConstraintForOwner
   double Weight;
 };
 
-/// The vertex of a point that holds a constraint.
-int VertexOf(const PieceOfSurface& piece, int point, const ElementNames& names)
-{
-  CheckElement(point, static_cast<int>(piece.VerticesOfPoints().size()), "vertex");
-  const int vertex = piece.VerticesOfPoints()[point];
-  if (vertex < 0)
-  {
-    throw InvalidInput(names.Vertex(point) + " holds a constraint and has no triangle; leave it out");
-  }
-  return vertex;
-}
-
 /// Names the own triangles of a piece as the caller does.
 ElementNames NamesOnMesh(const PieceOfSurface& piece, const ElementNames& names)
 {
@@ -57,12 +45,12 @@ void CheckOwn(const PieceOfSurface& piece, const Constraints& constraints, const
   }
   for (const Constraint& atPoint : constraints.AtVertices)
   {
-    TangentialPart(piece.Surface().Vertices, VertexOf(piece, atPoint.Element, names), atPoint.Direction, atPoint.Weight,
+    TangentialPart(piece.Surface().Vertices, piece.VertexAt(atPoint.Element, names), atPoint.Direction, atPoint.Weight,
       names.Vertex(atPoint.Element), "point");
   }
   for (const ValueConstraint& value : constraints.Values)
   {
-    VertexOf(piece, value.Vertex, names);
+    piece.VertexAt(value.Vertex, names);
     if (!std::isfinite(value.Value) || !(value.Weight > 0.0) || !std::isfinite(value.Weight))
     {
       throw InvalidInput("the value " + ShortText(value.Value) + " with the weight " + ShortText(value.Weight) +
@@ -132,7 +120,7 @@ std::vector<PowerAtVertex> PowersAtOwned(
   std::vector<std::vector<ConstraintForOwner>> toOwners(ranks.Size());
   for (const Constraint& atPoint : constraints.AtVertices)
   {
-    const PlaceOnRank& owner = piece.OwnerOf(VertexOf(piece, atPoint.Element, names));
+    const PlaceOnRank& owner = piece.OwnerOf(piece.VertexAt(atPoint.Element, names));
     const Vector3& v = atPoint.Direction;
     toOwners[owner.Rank].push_back({ owner.Number, ranks.Rank(), { v[0], v[1], v[2] }, atPoint.Weight });
   }
@@ -178,7 +166,7 @@ std::vector<PowerAtVertex> ValuesAtOwned(
   std::vector<std::vector<ConstraintForOwner>> toOwners(ranks.Size());
   for (const ValueConstraint& value : constraints.Values)
   {
-    const PlaceOnRank& owner = piece.OwnerOf(VertexOf(piece, value.Vertex, names));
+    const PlaceOnRank& owner = piece.OwnerOf(piece.VertexAt(value.Vertex, names));
     toOwners[owner.Rank].push_back({ owner.Number, ranks.Rank(), { value.Value, 0.0, 0.0 }, value.Weight });
   }
   std::vector<PowerAtVertex> sums(piece.NumberOfOwned());

@@ -1,6 +1,8 @@
 #include "Pieces/PieceOfSurface.h"
 
+#include "Constraints/Constraints.h"
 #include "Pieces/GhostTriangles.h"
+#include "Pieces/JoinedTriangles.h"
 #include "Support/Errors.h"
 
 #include <algorithm>
@@ -45,14 +47,6 @@ void CheckFans(const SurfacePiece& piece, const FansOfPiece& fans, const Element
   CheckElements(piece.Positions(fans.OfPoints, Eigen::all), fans.Corners, namesOfFans);
 }
 
-/// Own triangles and ghosts together, with one fan around each vertex.
-struct JoinedTriangles
-{
-  Points Positions;
-  Triangles Corners;
-  std::vector<PlaceOnRank> Labels; ///< of vertices, ascending; several of one label where ghosts are cut off
-};
-
 /// Writes the labels and positions of all corners, ghosts of lower ranks first.
 void CollectCorners(const SurfacePiece& piece, const FansOfPiece& fans, const std::vector<PlaceOnRank>& joined,
   const std::vector<TravellingTriangle>& ghosts, int ghostsBefore, std::vector<PlaceOnRank>& labels,
@@ -76,30 +70,6 @@ void CollectCorners(const SurfacePiece& piece, const FansOfPiece& fans, const st
     positions.emplace_back(piece.Positions.row(piece.Corners.data()[h]).transpose());
   }
   addGhosts(ghostsBefore, static_cast<int>(ghosts.size()));
-}
-
-JoinedTriangles Join(
-  const std::vector<PlaceOnRank>& labels, const std::vector<Vector3>& positions, const ExecutionContext& context)
-{
-  std::vector<PlaceOnRank> ascending = labels;
-  std::sort(ascending.begin(), ascending.end());
-  ascending.erase(std::unique(ascending.begin(), ascending.end()), ascending.end());
-  Triangles corners(static_cast<Eigen::Index>(labels.size() / 3), 3);
-  std::vector<Vector3> places(ascending.size());
-  for (std::size_t h = 0; h < labels.size(); ++h)
-  {
-    const auto place = std::lower_bound(ascending.begin(), ascending.end(), labels[h]) - ascending.begin();
-    corners.data()[h] = static_cast<int>(place);
-    places[place] = positions[h];
-  }
-  const FansOfPiece fans = FansAround(static_cast<int>(ascending.size()), corners, context);
-  JoinedTriangles result{ Points(static_cast<Eigen::Index>(fans.OfPoints.size()), 3), fans.Corners, {} };
-  for (std::size_t vertex = 0; vertex < fans.OfPoints.size(); ++vertex)
-  {
-    result.Positions.row(vertex) = places[fans.OfPoints[vertex]].transpose();
-    result.Labels.push_back(ascending[fans.OfPoints[vertex]]);
-  }
-  return result;
 }
 
 }
@@ -162,6 +132,30 @@ PieceOfSurface::PieceOfSurface(
   this->NumberVertices();
   this->TakeConnection(context);
   ranks.Checkpoint(context, 1.0);
+}
+
+int PieceOfSurface::VertexAt(int point, const ElementNames& names) const
+{
+  CheckElement(point, static_cast<int>(this->Vertices.size()), "vertex");
+  if (this->Vertices[point] < 0)
+  {
+    throw InvalidInput(names.Vertex(point) + " holds a constraint and has no triangle; leave it out");
+  }
+  return this->Vertices[point];
+}
+
+TravellingTriangle PieceOfSurface::Travelling(int triangle) const
+{
+  TravellingTriangle travelling;
+  travelling.Place = { this->All.Rank(), triangle };
+  for (int k = 0; k < 3; ++k)
+  {
+    const int vertex = this->Local->Mesh.Tail(3 * (this->OwnFacesBegin + triangle) + k);
+    const Vector3 position = this->Local->Mesh.Position(vertex);
+    travelling.Vertices[k] = this->Owners[vertex];
+    travelling.Positions[k] = { position[0], position[1], position[2] };
+  }
+  return travelling;
 }
 
 /// Owned vertices follow each other, since labels begin with the rank. Their numbers replace those of fans.

@@ -3,6 +3,7 @@
 
 #include "Mesh/FramedMesh.h"
 #include "Mesh/VertexConnection.h"
+#include "Pieces/GhostTriangles.h"
 #include "Pieces/Ranks.h"
 #include "Pieces/SeamSides.h"
 #include "Pieces/ValuesOfOwners.h"
@@ -46,8 +47,14 @@ public:
   int FirstOwnFace() const { return this->OwnFacesBegin; }
   int NumberOfOwnFaces() const { return this->OwnFaces; }
   bool IsOwnFace(int face) const { return face >= this->OwnFacesBegin && face < this->OwnFacesBegin + this->OwnFaces; }
+  /// An own triangle as other ranks get it, with owners of vertices.
+  TravellingTriangle Travelling(int triangle) const;
   /// A vertex at each point of the piece, -1 where no triangle is; one of them where the piece is pinched.
   const std::vector<int>& VerticesOfPoints() const { return this->Vertices; }
+
+  /// The vertex of a point that holds a constraint.
+  /// \throw InvalidInput there is no such point, or no triangle at it.
+  int VertexAt(int point, const ElementNames& names) const;
 
   int NumberOfVertices() const { return static_cast<int>(this->Owners.size()); }
   /// Owned vertex i is vertex FirstOwned() + i.

@@ -164,6 +164,11 @@ double Ranks::Max(double here) const
   return largest;
 }
 
+void Ranks::Min(std::vector<double>& here) const
+{
+  MPI_Allreduce(MPI_IN_PLACE, here.data(), static_cast<int>(here.size()), MPI_DOUBLE, MPI_MIN, this->Comm);
+}
+
 bool Ranks::Any(bool here) const
 {
   return this->Sum(here ? 1LL : 0LL) > 0;
@@ -201,6 +206,22 @@ void Ranks::Together(const std::function<void()>& step) const
 void Ranks::Checkpoint(const ExecutionContext& context, double fraction) const
 {
   this->Together([&] { context.Checkpoint(fraction); });
+}
+
+std::string Ranks::FirstText(const std::string& here) const
+{
+  int first = here.empty() ? this->Size() : this->Rank();
+  MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, this->Comm);
+  if (first == this->Size())
+  {
+    return "";
+  }
+  int size = static_cast<int>(here.size());
+  MPI_Bcast(&size, 1, MPI_INT, first, this->Comm);
+  std::string text = here;
+  text.resize(size);
+  MPI_Bcast(text.data(), size, MPI_CHAR, first, this->Comm);
+  return text;
 }
 
 void Ranks::CheckSame(const std::string& text, const std::string& what) const

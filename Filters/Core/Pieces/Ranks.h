@@ -80,6 +80,8 @@ public:
   void Sum(double* here, int size) const;
   void Sum(std::vector<double>& here) const { this->Sum(here.data(), static_cast<int>(here.size())); }
   double Max(double here) const;
+  /// Element by element, in place.
+  void Min(std::vector<double>& here) const;
   bool Any(bool here) const;
   /// Element by element.
   void Any(std::vector<char>& here) const;
@@ -92,6 +94,8 @@ public:
   /// A checkpoint where all ranks stop as soon as one of them was asked to.
   /// \throw Cancelled
   void Checkpoint(const ExecutionContext& context, double fraction) const;
+  /// The text of the lowest rank whose text is not empty; empty if there is none.
+  std::string FirstText(const std::string& here) const;
   /// \throw InvalidInput the texts differ. \param what they say, for the message.
   void CheckSame(const std::string& text, const std::string& what) const;
 

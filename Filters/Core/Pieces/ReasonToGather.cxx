@@ -36,23 +36,6 @@ std::string ReasonToGather(const FieldProblem& problem)
   {
     return "the system is factored on one process, to compare with";
   }
-  if (!problem.Guides.AreEmpty())
-  {
-    return "guides are brought to the surface on one process";
-  }
-  const FeatureOptions& features = problem.Features;
-  if (features.BoundaryWeight > 0.0 || features.SharpEdgesWeight > 0.0 || features.CurvatureWeight > 0.0)
-  {
-    return "features of the surface are found on one process";
-  }
-  if (problem.SmoothingLength != 0.0)
-  {
-    return "a smoothing length is applied on one process";
-  }
-  if (!problem.Rotation.AreZero())
-  {
-    return "fields are turned against what they follow on one process";
-  }
   if (problem.Constraints.Source.size() > 0)
   {
     return "functions with a source are found on one process";

@@ -25,6 +25,11 @@ Vector3 Centre(const TriangleMesh& mesh, int face)
   return sum;
 }
 
+WeightsOfFaces WeightsOf(const TriangleMesh& mesh)
+{
+  return { mesh, SizesOf(mesh) };
+}
+
 /// [0, 1] cubed, each of whose sides is cut into 2 4^subdivisions triangles.
 Surface Cube(int subdivisions)
 {
@@ -59,7 +64,7 @@ double EnergyOfUnit(const TriangleMesh& mesh, const std::vector<Constraint>& dir
 TEST(SurfaceFeatures, TheBoundaryRunsWithTheSurfaceOnTheLeft)
 {
   const TriangleMesh annulus = Annulus(48, 6).Mesh();
-  const auto directions = AlongBoundary(annulus, 1.0);
+  const auto directions = AlongBoundary(annulus, WeightsOf(annulus), 1.0);
   EXPECT_EQ(directions.size(), 96u);
   for (const auto& [face, direction, weight, side] : directions)
   {
@@ -79,37 +84,38 @@ TEST(SurfaceFeatures, WeightsAreThoseOfIntegralsAtAnySizeAndResolution)
     {
       const FramedMesh cube(RotatedAndScaled(Cube(subdivisions), 0.5, scale).Mesh());
       // Twelve edges, each with two faces; half of the smoothness energy of power fields is the Dirichlet energy.
-      EXPECT_NEAR(
-        EnergyOfUnit(cube.Mesh, AlongSharpEdges(cube, 30.0, 3.0)), 2.0 * 3.0 * 24.0 * 30.0 / std::sqrt(6.0), 1e-9);
+      EXPECT_NEAR(EnergyOfUnit(cube.Mesh, AlongSharpEdges(cube, WeightsOf(cube.Mesh), 30.0, 3.0)),
+        2.0 * 3.0 * 24.0 * 30.0 / std::sqrt(6.0), 1e-9);
       const int faces = cube.Mesh.NumberOfFaces();
       PrincipalCurvatures clear{ Vector<Complex>::Ones(faces), Vector<double>::Ones(faces), Vector<double>::Zero(faces),
         Vector<double>::Constant(faces, 0.25) };
-      EXPECT_NEAR(EnergyOfUnit(cube.Mesh, AlongCurvature(cube, clear, false, 3.0)), 2.0 * 3.0 * 0.25 * 900.0, 1e-9);
+      EXPECT_NEAR(EnergyOfUnit(cube.Mesh, AlongCurvature(cube, WeightsOf(cube.Mesh), clear, false, 3.0)),
+        2.0 * 3.0 * 0.25 * 900.0, 1e-9);
     }
   }
   const TriangleMesh grid = PlaneGrid(12, 3).Mesh();
-  EXPECT_NEAR(EnergyOfUnit(grid, AlongBoundary(grid, 2.0)), 2.0 * 2.0 * 30.0 * 30.0 / 6.0, 1e-9);
+  EXPECT_NEAR(EnergyOfUnit(grid, AlongBoundary(grid, WeightsOf(grid), 2.0)), 2.0 * 2.0 * 30.0 * 30.0 / 6.0, 1e-9);
 }
 
 TEST(SurfaceFeatures, SharpEdgesAreThoseBeyondTheFeatureAngle)
 {
   const FramedMesh cube(Cube(2).Mesh());
-  const auto directions = AlongSharpEdges(cube, 89.0, 1.0);
+  const auto directions = AlongSharpEdges(cube, WeightsOf(cube.Mesh), 89.0, 1.0);
   EXPECT_EQ(directions.size(), 12u * 4u * 2u);
   for (const auto& [face, direction, weight, side] : directions)
   {
     EXPECT_NEAR(direction.cwiseAbs().maxCoeff(), 1.0, 1e-12);
     EXPECT_NEAR(direction.dot(cube.Faces.Normal(face)), 0.0, 1e-12);
   }
-  EXPECT_TRUE(AlongSharpEdges(cube, 91.0, 1.0).empty());
+  EXPECT_TRUE(AlongSharpEdges(cube, WeightsOf(cube.Mesh), 91.0, 1.0).empty());
 }
 
 TEST(SurfaceFeatures, LinesFollowTheMaximumOrTheMinimum)
 {
   const FramedMesh torus(Torus(40, 20).Mesh());
   const PrincipalCurvatures curvatures = FindPrincipalDirections(torus, 2.0).Faces;
-  const auto maximum = AlongCurvature(torus, curvatures, false, 1.0);
-  const auto minimum = AlongCurvature(torus, curvatures, true, 1.0);
+  const auto maximum = AlongCurvature(torus, WeightsOf(torus.Mesh), curvatures, false, 1.0);
+  const auto minimum = AlongCurvature(torus, WeightsOf(torus.Mesh), curvatures, true, 1.0);
   ASSERT_EQ(maximum.size(), minimum.size());
   EXPECT_GT(maximum.size(), 1500u);
   for (std::size_t i = 0; i < maximum.size(); ++i)

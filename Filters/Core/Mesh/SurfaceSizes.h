@@ -1,0 +1,29 @@
+#ifndef dmgSurfaceSizes_h
+#define dmgSurfaceSizes_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Support/Types.h"
+
+namespace dmg
+{
+
+/// The sizes of a whole surface that lengths and weights are relative to, also where a mesh is a part of it.
+struct SurfaceSizes
+{
+  double Area = 0.0;
+  double MeanFaceArea = 0.0;
+  double MeanEdge = 0.0;           ///< length
+  Vector3 Lower = Vector3::Zero(); ///< corner of the box around it
+  Vector3 Upper = Vector3::Zero(); ///< the opposite one
+  long long NumberOfVertices = 0;
+
+  /// Of the box.
+  double Diagonal() const { return (this->Upper - this->Lower).norm(); }
+};
+
+/// Cost: linear.
+SurfaceSizes SizesOf(const TriangleMesh& mesh);
+
+}
+
+#endif

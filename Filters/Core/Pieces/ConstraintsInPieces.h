@@ -1,0 +1,54 @@
+#ifndef dmgConstraintsInPieces_h
+#define dmgConstraintsInPieces_h
+
+#include "Constraints/NearestPlaces.h"
+#include "Pieces/PieceOfSurface.h"
+#include "ProblemConstraints.h"
+
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace dmg
+{
+
+/// The sizes of a whole surface in pieces. Collective.
+SurfaceSizes SizesOf(const PieceOfSurface& piece);
+
+/// What a problem says on a surface in pieces: constraints on own triangles, counted from 0, and at points of the piece. Keeps what
+/// ConstraintsOnMesh keeps. All functions are collective.
+class ConstraintsInPieces : public ProblemConstraints
+{
+public:
+  /// \param piece is borrowed.
+  explicit ConstraintsInPieces(const PieceOfSurface& piece)
+    : Piece(piece)
+  {
+  }
+
+  /// \param problem the same on all ranks, but for Constraints and Rotation.
+  FollowedConstraints Follow(const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names);
+
+protected:
+  SurfaceSizes Sizes() override;
+  Discretisation::IntegralWeights WeightsOfIntegral() override;
+  FollowedGuides DirectionsOfGuides(const Guides& guides, const ExecutionContext& context) override;
+  FollowedFeatures DirectionsOfFeatures(const FeatureOptions& options, int N, const ExecutionContext& context) override;
+  void Turn(Constraints& constraints, const RotationAngles& angles, const ElementNames& names) override;
+  CancellingFaces TakeOutCancelling(std::vector<Constraint>& onFaces, int N, const ElementNames& names) override;
+  bool IsAnywhere(bool isHere) override { return this->Piece.Everyone().Any(isHere); }
+
+private:
+  const PrincipalCurvatures& Curvatures(double scale, const ExecutionContext& context);
+  std::vector<Constraint> OnOwn(std::vector<Constraint> onMesh) const;
+
+  const PieceOfSurface& Piece;
+  DiscretisationOptions Field; ///< of the problem at hand
+  std::optional<SurfaceSizes> SizesOfSurface;
+  std::unique_ptr<const NearestPlaces> Places;
+  std::optional<std::pair<double, PrincipalCurvatures>> CurvaturesAtScale;
+};
+
+}
+
+#endif
