@@ -140,3 +140,152 @@ TEST(TestFieldSolverInPieces, ArraysAsOnOneProcess)
     CheckOnAllPartitions(surface, SomeValues(surface.Mesh()));
   }
 }
+
+TEST(TestFieldSolverInPieces, GuidesAndFeaturesAsOnOneProcess)
+{
+  const test::Surface surface = test::Prism(24, 16);
+  FieldProblem problem;
+  problem.Guides.Lines = { { { Vector3(1.0, 0.1, 0.1), Vector3(0.1, 1.0, 0.5), Vector3(-0.9, 0.2, 0.8) } } };
+  problem.Guides.Vectors = { { Vector3(0.0, -1.1, 0.4), Vector3(1.0, 0.0, 1.0), 3.0 } };
+  problem.Features.BoundaryWeight = 1.0;
+  problem.Features.SharpEdgesWeight = 0.5;
+  problem.Features.FeatureAngle = 10.0;
+  problem.Features.CurvatureWeight = 0.1;
+  problem.Rotation.Everywhere = 0.2;
+  CheckOnAllPartitions(surface, problem);
+}
+
+TEST(TestFieldSolverInPieces, SourcesAsOnOneProcess)
+{
+  // The second component has no value: its function has the mean zero.
+  const test::Surface surface =
+    test::Union(test::IrregularSphere(4, 3), test::IrregularTorus(40, 20, 4), Vector3(4.0, 0.0, 0.0));
+  FieldProblem problem = SomeValues(surface.Mesh());
+  problem.Constraints.Values.resize(2);
+  problem.Constraints.Source = surface.V.col(0).array().sin() * surface.V.col(1).array();
+  problem.Constraints.Net = NetSource::TakeOut;
+  problem.Options.Smoothness = 2.0;
+  for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
+  {
+    problem.Options.Constraints = kind;
+    CheckOnAllPartitions(surface, problem);
+  }
+  problem.Constraints.Values.clear();
+  CheckOnAllPartitions(surface, problem);
+}
+
+TEST(TestFieldSolverInPieces, SmoothestFieldIsThere)
+{
+  const test::Surface surface = test::IrregularTorus(40, 20, 4);
+  const Ranks ranks(MPI_COMM_WORLD);
+  const test::CutPiece cut =
+    test::CutOut(surface, test::Partitions()[1].RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
+  FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
+  const Field& field = solver.Solve({});
+  EXPECT_TRUE(field.Report.Converged);
+  ASSERT_EQ(field.Report.Eigenvalues.size(), 1u);
+  FieldSolver whole(surface.Mesh());
+  const double expected = whole.Solve({}).Report.Eigenvalues[0];
+  EXPECT_NEAR(field.Report.Eigenvalues[0], expected, 1e-3 * expected);
+}
+
+TEST(TestFieldSolverInPieces, StagesAreKept)
+{
+  const test::Surface surface = test::IrregularSphere(4, 3);
+  const Ranks ranks(MPI_COMM_WORLD);
+  const test::CutPiece cut =
+    test::CutOut(surface, test::Partitions()[1].RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
+  FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
+  FieldProblem problem;
+  problem.Guides.Vectors = { { Vector3(1.0, 0.2, 0.1), Vector3(0.0, 1.0, 0.3) } };
+  const long long first = solver.Solve(problem).Number;
+  EXPECT_EQ(solver.Solve(problem).Number, first);
+  EXPECT_EQ(solver.Counts().Solves, 1);
+  problem.Guides.Vectors[0].Position[1] = -0.7;
+  EXPECT_GT(solver.Solve(problem).Number, first);
+  EXPECT_EQ(solver.Counts().Setups, 1);
+  EXPECT_EQ(solver.Counts().Solves, 2);
+  problem.Combing = false;
+  EXPECT_FALSE(solver.Solve(problem).IsCombed);
+  EXPECT_EQ(solver.Counts().Solves, 2);
+  problem.Options.Field.N = 2;
+  EXPECT_EQ(solver.Solve(problem).N, 2);
+  EXPECT_EQ(solver.Counts().Setups, 2);
+}
+
+TEST(TestFieldSolverInPieces, ReasonsToGatherAreTold)
+{
+  EXPECT_EQ(ReasonToGather({}), "");
+  const auto reasonOf = [](const auto& change)
+  {
+    FieldProblem problem;
+    change(problem);
+    return ReasonToGather(problem);
+  };
+  EXPECT_NE(reasonOf([](FieldProblem& p) { p.Options.Field.Kind = DiscretisationKind::OneForm; }), "");
+  EXPECT_NE(reasonOf([](FieldProblem& p) { p.Options.Field.Kind = DiscretisationKind::PowerField; }), "");
+  EXPECT_NE(reasonOf([](FieldProblem& p) { p.Singularities.emplace(); }), "");
+  EXPECT_NE(reasonOf([](FieldProblem& p) { p.Options.Solver.Kind = SolverKind::Cholesky; }), "");
+  EXPECT_NE(reasonOf([](FieldProblem& p) { p.Options.Solver.CompareWithCholesky = true; }), "");
+  EXPECT_EQ(reasonOf([](FieldProblem& p) { p.Options.Field.Kind = DiscretisationKind::ScalarFunction; }), "");
+  EXPECT_EQ(reasonOf([](FieldProblem& p) { p.Features.CurvatureWeight = 1.0; }), "");
+}
+
+TEST(TestFieldSolverInPieces, WrongProblemsAreToldOnAllRanks)
+{
+  const test::Surface surface = test::IrregularSphere(3, 3);
+  const Ranks ranks(MPI_COMM_WORLD);
+  const test::CutPiece cut =
+    test::CutOut(surface, test::Partitions()[0].RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
+  FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
+  const bool isLast = ranks.Rank() == ranks.Size() - 1;
+  const auto messageOf = [&](const FieldProblem& problem)
+  {
+    std::string message;
+    try
+    {
+      solver.Solve(problem);
+    }
+    catch (const InvalidInput& error)
+    {
+      message = error.what();
+    }
+    EXPECT_NO_THROW(ranks.CheckSame(message, "the message"));
+    return message;
+  };
+  FieldProblem problem;
+  problem.Constraints.OnFaces = { { 0, Vector3(1.0, 0.3, 0.2), 1.0 } };
+  problem.Rotation.Faces = Vector<double>::Zero(cut.Piece.Corners.rows());
+  problem.Rotation.Faces[0] = isLast ? std::nan("") : 0.0;
+  EXPECT_NE(messageOf(problem).find("rotation at"), std::string::npos);
+
+  problem = {};
+  problem.Guides.Vectors = { { Vector3(1.0, 0.0, 0.0), Vector3(0.0, std::nan(""), 0.0) } };
+  EXPECT_NE(messageOf(problem).find("guide vector 0"), std::string::npos);
+  problem.Guides.Vectors = { { Vector3(50.0, 0.0, 0.0), Vector3(0.0, 1.0, 0.0) } };
+  EXPECT_NE(messageOf(problem).find("no direction is prescribed"), std::string::npos);
+
+  problem = {};
+  problem.Options.Field.Kind = DiscretisationKind::FaceField;
+  EXPECT_NE(messageOf(problem).find("gather the surface"), std::string::npos);
+
+  problem = {};
+  problem.Options.Field.Kind = DiscretisationKind::ScalarFunction;
+  EXPECT_NE(messageOf(problem).find("value"), std::string::npos);
+  problem.Constraints.Source = Vector<double>::Ones(cut.Piece.Positions.rows());
+  EXPECT_NE(messageOf(problem).find("the source sums to"), std::string::npos);
+  problem.Constraints.Source[0] = isLast ? std::nan("") : 1.0;
+  EXPECT_NE(messageOf(problem).find("the source is"), std::string::npos);
+
+  if (ranks.Size() > 1)
+  {
+    problem = {};
+    problem.Features.BoundaryWeight = isLast ? 1.0 : 2.0;
+    EXPECT_NE(messageOf(problem).find("the features"), std::string::npos);
+    problem = {};
+    problem.Guides.Vectors = { { Vector3(1.0, isLast ? 0.1 : 0.2, 0.0), Vector3(0.0, 1.0, 0.0) } };
+    EXPECT_NE(messageOf(problem).find("the guides"), std::string::npos);
+  }
+  // The solver is as it was.
+  EXPECT_TRUE(solver.Solve({}).Report.Converged);
+}

@@ -39,6 +39,16 @@ Vector<double> IntegratedSource(const TriangleMesh& mesh)
   return IntegratedSource(mesh, Vector<double>::Ones(mesh.NumberOfVertices()));
 }
 
+void CheckNetSource(double sum, double sumOfMagnitudes, const std::string& part)
+{
+  if (std::abs(sum) > RoundingOfSums * sumOfMagnitudes)
+  {
+    throw InvalidInput("the source sums to " + ShortText(sum) + (part.empty() ? "" : " on " + part) +
+      ", where no value is held and nothing leaves; hold a value there, or have its mean taken out (" +
+      TextOf(Remedy::NoNetSource) + ")");
+  }
+}
+
 std::vector<int> VertexComponents(const TriangleMesh& mesh)
 {
   const std::vector<int> ofFaces = FaceComponents(mesh);
@@ -110,13 +120,8 @@ void FreeComponents::Balance(Vector<double>& source, const Vector<double>& areas
     const Vector<double> magnitudes = this->Sums(source.cwiseAbs());
     for (Eigen::Index component = 0; component < sums.size(); ++component)
     {
-      if (std::abs(sums[component]) > RoundingOfSums * magnitudes[component])
-      {
-        throw InvalidInput("the source sums to " + ShortText(sums[component]) +
-          (sums.size() > 1 ? " on component " + std::to_string(component) : std::string()) +
-          ", where no value is held and nothing leaves; hold a value there, or have its mean taken out (" +
-          TextOf(Remedy::NoNetSource) + ")");
-      }
+      CheckNetSource(sums[component], magnitudes[component],
+        sums.size() > 1 ? "component " + std::to_string(component) : std::string());
     }
     return;
   }

@@ -4,6 +4,7 @@
 #include "Mesh/TriangleMesh.h"
 #include "Support/Types.h"
 
+#include <string>
 #include <vector>
 
 namespace dmg
@@ -22,6 +23,10 @@ Vector<double> IntegratedSource(const TriangleMesh& mesh, const Vector<double>& 
 
 /// The integrals of lambda_v, #V: a third of the area of the faces around.
 Vector<double> IntegratedSource(const TriangleMesh& mesh);
+
+/// \throw InvalidInput a sum over a part of a surface where nothing is held is more than 1e-9 of that of magnitudes.
+/// \param part for the message; may be empty.
+void CheckNetSource(double sum, double sumOfMagnitudes, const std::string& part);
 
 /// Connected component of every vertex, numbered as FaceComponents does.
 std::vector<int> VertexComponents(const TriangleMesh& mesh);

@@ -4,6 +4,7 @@
 #include "Pieces/ConstraintsInPieces.h"
 #include "Pieces/PetscSession.h"
 #include "Pieces/PieceFieldSolver.h"
+#include "Pieces/ProblemAgreement.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 
@@ -93,6 +94,7 @@ private:
 
 const Field& FieldSolverInPieces::Internals::Solve(const FieldProblem& problem, const ExecutionContext& context)
 {
+  CheckAgreement(this->All, problem);
   this->All.Together(
     [&]
     {

@@ -10,6 +10,7 @@
 #include "Pieces/PetscMultigrid.h"
 #include "Pieces/PieceConstraints.h"
 #include "Pieces/SmoothestInPieces.h"
+#include "Pieces/SourceInPieces.h"
 #include "Solvers/LimitedPenalty.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
@@ -74,6 +75,15 @@ std::string TextOf(const FieldWeights& weights, const StoppingCriteria& stop)
     ShortText(stop.RelativeTolerance) + ", iterations " + std::to_string(stop.MaximumIterations);
 }
 
+/// \param source of owned vertices.
+void AddSource(const Vector<double>& source, const std::vector<char>& isHeld, Vector<Complex>& b)
+{
+  for (Eigen::Index i = 0; i < source.size(); ++i)
+  {
+    b[i] += isHeld[i] ? 0.0 : source[i];
+  }
+}
+
 }
 
 /// The equations of owned unknowns.
@@ -82,6 +92,7 @@ struct PieceFieldSolver::System
   Vector<double> D = {};
   Vector<Complex> Known = {}; ///< values that are held, and the diagonal solution elsewhere
   std::vector<char> IsHeld = {};
+  std::vector<char> IsReached = {}; ///< by component, whether a constraint holds it
   SmoothestInPieces Smoothest;
   bool HoldsAny = false; ///< whether a constraint does
   int UnheldComponents = 0;
@@ -190,7 +201,13 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
   const std::vector<PowerAtVertex> atOwned =
     ConstraintsAtOwned(this->Part, this->OptionsOfField, constraints, this->Names);
   System system = this->MakeSystem(atOwned, weights);
-  this->HoldComponents(system, atOwned);
+  SourceInPieces source(this->Part, this->Components, constraints, this->Names);
+  this->HoldComponents(system, atOwned, source.IsAny());
+  if (source.IsAny())
+  {
+    source.Balance(system.IsReached, constraints.Net);
+    system.UnheldComponents = 0; // the source has a solution there
+  }
   const std::vector<char> isHeld = this->Part.WithGhosts<char>(system.IsHeld);
   const std::vector<Complex> known = this->Part.WithGhosts<Complex>(system.Known);
 
@@ -203,6 +220,7 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
       matrix = this->Laplacian;
       prolongations = this->Prolongations;
       b = this->SetEquations(system, isHeld, known, matrix.Rows, prolongations);
+      AddSource(source.IntegralsAtOwned() / weights.Smoothness, system.IsHeld, b);
     });
   PieceField field;
   field.UnheldComponents = system.UnheldComponents;
@@ -214,8 +232,12 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
     " with one V-cycle, by PETSc on " + std::to_string(this->All.Size()) + " ranks";
   field.Report.Levels = solver.Levels();
   field.Report.PrepareSeconds = watch.Seconds();
-  const Vector<Complex> x =
+  Vector<Complex> x =
     system.Known + this->SolveSystem(system, solver, b, stop, field.Report, PartOfContext(context, 0.5, 1.0));
+  if (source.IsAny())
+  {
+    source.Centre(system.IsReached, x);
+  }
   const std::vector<Complex> all = this->Part.WithGhosts<Complex>(x);
   field.AtVertices = Eigen::Map<const Vector<Complex>>(all.data(), static_cast<Eigen::Index>(all.size()));
   return field;
@@ -292,7 +314,7 @@ PieceFieldSolver::System PieceFieldSolver::MakeSystem(
   const std::vector<PowerAtVertex>& constraints, const FieldWeights& weights) const
 {
   const int owned = this->Part.NumberOfOwned();
-  System system{ Vector<double>::Zero(owned), Vector<Complex>::Zero(owned), std::vector<char>(owned, 0),
+  System system{ Vector<double>::Zero(owned), Vector<Complex>::Zero(owned), std::vector<char>(owned, 0), {},
     SmoothestInPieces(this->All) };
   for (int i = 0; i < owned; ++i)
   {
@@ -318,7 +340,8 @@ PieceFieldSolver::System PieceFieldSolver::MakeSystem(
 
 /// Components without constraints get the smoothest field, if they have one; else one vertex is held at zero, the solution
 /// there.
-void PieceFieldSolver::HoldComponents(System& system, const std::vector<PowerAtVertex>& constraints) const
+void PieceFieldSolver::HoldComponents(
+  System& system, const std::vector<PowerAtVertex>& constraints, bool hasSource) const
 {
   const int owned = this->Part.NumberOfOwned();
   const std::vector<int>& components = this->Components.OfOwned;
@@ -339,7 +362,8 @@ void PieceFieldSolver::HoldComponents(System& system, const std::vector<PowerAtV
   this->All.Any(hasArea);
   std::vector<char> isAnywhere = isThere;
   this->All.Any(isAnywhere);
-  system.HoldsAny = std::find(isReached.begin(), isReached.end(), 1) != isReached.end();
+  system.IsReached = isReached;
+  system.HoldsAny = hasSource || std::find(isReached.begin(), isReached.end(), 1) != isReached.end();
   if (!system.HoldsAny && isConstrained)
   {
     throw InvalidInput(

@@ -64,9 +64,9 @@ public:
 
   const PieceOfSurface& Piece() const { return this->Part; }
 
-  /// \param constraints on own triangles, counted from 0, and at points of the piece; of functions, Values. See
+  /// \param constraints on own triangles, counted from 0, and at points of the piece; of functions, Values and a Source. See
   ///   ConstraintsAtOwned.
-  /// \throw InvalidInput a constraint or weight is wrong, what is prescribed holds nothing, a function has no value on any
+  /// \throw InvalidInput a constraint or weight is wrong, what is prescribed holds nothing, a function has no value and no source on any
   ///   rank, or hard constraints hold all vertices.
   /// \throw SolverFailure
   /// \throw Cancelled on all ranks
@@ -89,7 +89,7 @@ private:
   System MakeSystem(const std::vector<PowerAtVertex>& constraints, const FieldWeights& weights) const;
   Vector<Complex> SetEquations(const System& system, const std::vector<char>& isHeld, const std::vector<Complex>& known,
     SparseMatrix<Complex>& matrix, std::vector<RowsOfRank<Complex>>& prolongations) const;
-  void HoldComponents(System& system, const std::vector<PowerAtVertex>& constraints) const;
+  void HoldComponents(System& system, const std::vector<PowerAtVertex>& constraints, bool hasSource) const;
   void HoldOneVertex(std::vector<int>& ranks, System& system) const;
   Vector<Complex> SolveSystem(const System& system, PetscMultigrid& solver, const Vector<Complex>& b,
     const StoppingCriteria& stop, SolveReport& report, const ExecutionContext& context) const;

@@ -30,15 +30,11 @@ std::string ReasonToGather(const FieldProblem& problem)
   const SolverKind kind = options.Solver.Kind;
   if (kind != SolverKind::Automatic && kind != SolverKind::ConjugateGradients)
   {
-    return MethodOf(kind).Name + " run on one process, unlike conjugate gradients";
+    return "the method " + MethodOf(kind).Name + " runs on one process, unlike conjugate gradients";
   }
   if (options.Solver.CompareWithCholesky)
   {
     return "the system is factored on one process, to compare with";
-  }
-  if (problem.Constraints.Source.size() > 0)
-  {
-    return "functions with a source are found on one process";
   }
   return "";
 }
