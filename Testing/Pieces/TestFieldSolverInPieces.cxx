@@ -289,3 +289,47 @@ TEST(TestFieldSolverInPieces, WrongProblemsAreToldOnAllRanks)
   // The solver is as it was.
   EXPECT_TRUE(solver.Solve({}).Report.Converged);
 }
+
+// A plane has no holes and the field no singularities: combed, direction 0 continues over all edges.
+TEST(TestFieldSolverInPieces, CombedDirectionsContinueOverSeams)
+{
+  const test::Surface surface = test::IrregularPlane(40, 30, 5);
+  const Ranks ranks(MPI_COMM_WORLD);
+  FieldProblem whole;
+  for (const int face : { 100, 700, 1500, 2300 })
+  {
+    whole.Constraints.OnFaces.push_back({ face, Vector3(1.0, 1e-4 * face, 0.0), 1.0 });
+  }
+  for (const test::NamedPartition& partition : test::Partitions())
+  {
+    SCOPED_TRACE(partition.Name);
+    const test::CutPiece cut = test::CutOut(surface, partition.RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
+    FieldSolverInPieces solver(MPI_COMM_WORLD, cut.Piece);
+    FieldProblem problem = test::OfPiece(whole, cut, surface);
+    for (const double turn : { 0.0, 0.4 }) // the second one stays near to the first
+    {
+      problem.Rotation.Everywhere = turn;
+      const Field& field = solver.Solve(problem);
+      const PieceOfSurface& piece = solver.Piece();
+      const std::vector<Complex> ofOwners = piece.OwnersOfGhostFaces().Fetch<Complex>(
+        [&](int triangle) { return field.OnFaces[piece.FirstOwnFace() + triangle]; });
+      for (std::size_t k = 0; k < ofOwners.size(); ++k)
+      {
+        EXPECT_LE(std::abs(field.OnFaces[piece.GhostFaces()[k]] / ofOwners[k] - 1.0), 1e-6);
+      }
+      const std::vector<Complex> atVertices =
+        piece.GhostVertices().Fetch<Complex>([&](int number) { return field.AtVertices[piece.FirstOwned() + number]; });
+      for (std::size_t k = 0; k < atVertices.size(); ++k)
+      {
+        EXPECT_EQ(field.AtVertices[piece.NotOwned()[k]], atVertices[k]);
+      }
+      for (int i = 0; i < piece.NumberOfOwnFaces(); ++i)
+      {
+        const Vector3 direction =
+          piece.Surface().Faces.ToVector(piece.FirstOwnFace() + i, field.OnFaces[piece.FirstOwnFace() + i]);
+        const Vector3 first = piece.Surface().Faces.ToVector(piece.FirstOwnFace(), field.OnFaces[piece.FirstOwnFace()]);
+        EXPECT_GT(direction.normalized().dot(first.normalized()), 0.5);
+      }
+    }
+  }
+}

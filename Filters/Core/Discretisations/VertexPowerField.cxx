@@ -90,6 +90,14 @@ VertexPowerField::VertexPowerField(const FramedMesh& surface, int directions)
   CheckNumberOfDirections(directions);
 }
 
+VertexPowerField::VertexPowerField(const FramedMesh& surface, int directions, const VertexConnection& connection)
+  : Discretisation(surface)
+  , N(directions)
+  , GivenConnection(&connection)
+{
+  CheckNumberOfDirections(directions);
+}
+
 std::string VertexPowerField::Name() const
 {
   return "power fields at points with N = " + std::to_string(this->N);
@@ -97,6 +105,10 @@ std::string VertexPowerField::Name() const
 
 const VertexConnection& VertexPowerField::Connection(const ExecutionContext& context) const
 {
+  if (this->GivenConnection)
+  {
+    return *this->GivenConnection;
+  }
   std::call_once(this->IsConnected,
     [&] { this->ConnectionOfSurface = std::make_unique<const VertexConnection>(this->Surface, context); });
   return *this->ConnectionOfSurface;

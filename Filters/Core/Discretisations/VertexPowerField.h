@@ -29,6 +29,8 @@ public:
   /// \param N 1 to 8.
   /// \throw InvalidInput N is out of range.
   VertexPowerField(const FramedMesh& surface, int N);
+  /// \param connection where a mesh is a part of a surface, whose frames its vertices have; borrowed.
+  VertexPowerField(const FramedMesh& surface, int N, const VertexConnection& connection);
 
   std::string Name() const override;
   ElementKind Elements() const override { return ElementKind::Vertices; }
@@ -63,7 +65,7 @@ protected:
   Vector<double> PenaltiesOfElements(const std::vector<int>& vertices, const ExecutionContext& context) const override;
 
 private:
-  /// Made when it is first asked for.
+  /// Made when it is first asked for, if none is given.
   const VertexConnection& Connection(const ExecutionContext& context) const;
   /// From the levels of samples of the vertices, or from those of the thesis: S0 with transport.
   std::vector<SparseMatrix<Complex>> ProlongationsOfPowers(
@@ -72,6 +74,7 @@ private:
   Vector<Complex> PowersOfFaces(const Vector<double>& unknowns, const ExecutionContext& context) const;
 
   const int N;
+  const VertexConnection* const GivenConnection = nullptr;
   mutable std::once_flag IsConnected;
   mutable std::unique_ptr<const VertexConnection> ConnectionOfSurface;
 };

@@ -1,6 +1,8 @@
 #include "Pieces/FieldSolverInPieces.h"
 
 #include "Discretisations/MakeDiscretisation.h"
+#include "Discretisations/VertexPowerField.h"
+#include "Pieces/CombingOverSeams.h"
 #include "Pieces/ConstraintsInPieces.h"
 #include "Pieces/PetscSession.h"
 #include "Pieces/PieceFieldSolver.h"
@@ -83,6 +85,7 @@ public:
 private:
   void SetDiscretisation(const DiscretisationOptions& options, const ExecutionContext& context);
   void SolveSystem(const FieldProblem& problem, const Constraints& constraints, const ExecutionContext& context);
+  std::unique_ptr<const dmg::Discretisation> Unknowns() const;
   void FindDirections(const FieldProblem& problem, FollowedConstraints followed, const ExecutionContext& context);
   void ClearIndicesOfOthers(Field& field) const;
 
@@ -142,7 +145,7 @@ void FieldSolverInPieces::Internals::SolveSystem(
       if (!this->Part.IsEmpty())
       {
         const bool isFunction = this->OptionsOfSolver.Kind == DiscretisationKind::ScalarFunction;
-        solution.Discretisation = MakeDiscretisation(this->OptionsOfSolver, this->Part.Surface());
+        solution.Discretisation = this->Unknowns();
         solution.Unknowns =
           isFunction ? Vector<double>(field.AtVertices.real()) : Vector<double>(AsPairs(field.AtVertices));
       }
@@ -153,6 +156,17 @@ void FieldSolverInPieces::Internals::SolveSystem(
   this->KeyOfSolution = key;
   ++this->Counts.Systems;
   ++this->Counts.Solves;
+}
+
+/// On ghosts, too, powers are those of the whole surface.
+std::unique_ptr<const Discretisation> FieldSolverInPieces::Internals::Unknowns() const
+{
+  const FramedMesh& surface = this->Part.Surface();
+  if (this->OptionsOfSolver.Kind == DiscretisationKind::VertexPowerField)
+  {
+    return std::make_unique<VertexPowerField>(surface, this->OptionsOfSolver.N, this->Part.Connection());
+  }
+  return MakeDiscretisation(this->OptionsOfSolver, surface);
 }
 
 void FieldSolverInPieces::Internals::FindDirections(
@@ -177,6 +191,10 @@ void FieldSolverInPieces::Internals::FindDirections(
     field.N = isFunction ? 1 : this->OptionsOfSolver.N;
     field.AreSingularitiesOnFaces = !isFunction;
     field.IsCombed = problem.Combing;
+    if (problem.Combing)
+    {
+      CombOverSeams(this->Part, field);
+    }
     field.Number = this->Last.Number + 1;
     field.Report = this->Solution->Report;
     field.Solution = this->Solution;

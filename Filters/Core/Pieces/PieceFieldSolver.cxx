@@ -220,7 +220,8 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
       matrix = this->Laplacian;
       prolongations = this->Prolongations;
       b = this->SetEquations(system, isHeld, known, matrix.Rows, prolongations);
-      AddSource(source.IntegralsAtOwned() / weights.Smoothness, system.IsHeld, b);
+      const double smoothness = weights.Constraints == ConstraintKind::Hard ? 1.0 : weights.Smoothness;
+      AddSource(source.IntegralsAtOwned() / smoothness, system.IsHeld, b);
     });
   PieceField field;
   field.UnheldComponents = system.UnheldComponents;
