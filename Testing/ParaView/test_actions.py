@@ -14,9 +14,10 @@ import sys
 import time
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkFiltersSources import vtkSphereSource
 
-from test_window import focus, is_5_11, read, toolbar, write_sphere, xdotool
+from test_window import focus, is_5_11, read, toolbar, write, write_sphere, xdotool
 
 MAIN = "pqClientMainWindow"
 PANEL = (f"{MAIN}/propertiesDock/propertiesPanel/scrollArea/qt_scrollarea_viewport/scrollAreaWidgetContents/PropertiesFrame/"
@@ -195,7 +196,38 @@ def draw_after_the_filter(window):
     assert taken(flow) == 2
 
 
-TESTS = {"Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow),
+def write_eigenvectors(path):
+    """A sphere with normals, an axis whose sign is random, and a tensor; none is active."""
+    source = vtkSphereSource()
+    source.SetThetaResolution(60)
+    source.SetPhiResolution(60)
+    source.Update()
+    sphere = source.GetOutput()
+    points = vtk_to_numpy(sphere.GetPoints().GetData()).astype(float)
+    signs = np.random.default_rng(3).choice((-1.0, 1.0), (len(points), 1))
+    for name, values in (("Axis", np.cross((0, 0, 1.0), points) * signs), ("Stress", np.tile((1.0, 0, 0, 0, 0, 0), (len(points), 1)))):
+        array = numpy_to_vtk(values, deep=True)
+        array.SetName(name)
+        sphere.GetPointData().AddArray(array)
+    write(path, sphere)
+
+
+def draw_eigenvectors(window):
+    """Lines along axes without a sign: a message says what to choose, and then they are as long as circles. Tensors have lines at once."""
+    scraps = window.play("scraps", window.apply(), window.choose_filter("FieldLines"), window.apply())
+    assert window.actions == 4, window.actions
+    assert "'Axis' seems to have no sign" in window.log.read_text() and "choose 2 as Number Of Directions" in window.log.read_text()
+    circles = window.play("circles", window.set("NumberOfDirections/IntRangeWidget/LineEdit", "2"), window.apply())
+    assert circles.GetNumberOfCells() < scraps.GetNumberOfCells() / 5, (circles.GetNumberOfCells(), scraps.GetNumberOfCells())
+    stress = window.play("stress", window.set("NumberOfDirections/IntRangeWidget/LineEdit", "0"), window.set(
+        "Directions/ComboBox", "Stress"), window.apply())
+    ends = vtk_to_numpy(stress.GetPoints().GetData())[vtk_to_numpy(stress.GetLines().GetConnectivityArray())]
+    assert stress.GetNumberOfCells() > 20 and np.ptp(ends[:, 0]) > 0.9  # from one end of the x-axis to the other
+    assert window.log.read_text().count("no sign") == 1
+
+
+TESTS = {"Eigenvectors": (write_eigenvectors, draw_eigenvectors),
+         "Strokes": (write_sphere, draw_strokes), "Flow": (write_sphere, draw_flow),
          "FilterFirst": (write_sphere, draw_after_the_filter)}
 
 
