@@ -51,7 +51,7 @@ class HelpPages(unittest.TestCase):
         """What the plugin carries is an SQLite file of Qt."""
         with sqlite3.connect(PAGES / "DirectionalMultigrid.qch") as database:
             names = {row[0] for row in database.execute("SELECT Name FROM FileNameTable")}
-        for name in ["DirectionalFields.html", "PowerField.md", *(f"filters.{proxy.get('name')}.html" for proxy in proxies())]:
+        for name in ["DirectionalFields.html", "SeveralRanks.html", "PowerField.md", *(f"filters.{proxy.get('name')}.html" for proxy in proxies())]:
             self.assertIn(name, {pathlib.PurePath(name).name for name in names})
 
 

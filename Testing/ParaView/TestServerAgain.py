@@ -50,7 +50,11 @@ def use():
     solver.Alignment = -1  # an error on all ranks
     solver.UpdatePipeline()
     assert fetch(solver) is None, "a negative weight was taken"
-    solver.Alignment = 2
+    if PROCESS.GetSymmetricMPIMode():
+        solver.Alignment = 2 + PROCESS.GetPartitionId()  # ranks differ
+        solver.UpdatePipeline()
+        assert fetch(solver) is None, "different weights were taken"
+    solver.Alignment = 5  # another one than before on each rank, as one whose filter has not changed would not run
     solver.UpdatePipeline()
     check(solver)
 
@@ -65,7 +69,8 @@ server = sys.argv[1] if len(sys.argv) > 1 else None
 if server:
     host, port = server.split(":")
     simple.Connect(host, int(port))
-IS_FIRST = vtkProcessModule.GetProcessModule().GetPartitionId() == 0
+PROCESS = vtkProcessModule.GetProcessModule()
+IS_FIRST = PROCESS.GetPartitionId() == 0
 for _ in range(1 if server else 3):
     use()
 print("fields made and fetched", flush=True)
