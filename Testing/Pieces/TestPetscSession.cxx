@@ -15,13 +15,6 @@ using namespace dmg;
 namespace
 {
 
-bool IsInitialised()
-{
-  PetscBool isInitialised = PETSC_FALSE;
-  PetscInitialized(&isInitialised);
-  return isInitialised;
-}
-
 int SizeOf(MPI_Comm communicator)
 {
   int size = 0;
@@ -90,9 +83,9 @@ TEST(TestPetscSession, OursEndsWithTheSolver)
   {
     {
       const Solved solved;
-      EXPECT_TRUE(IsInitialised());
+      EXPECT_TRUE(IsPetscInitialised());
     }
-    EXPECT_FALSE(IsInitialised());
+    EXPECT_FALSE(IsPetscInitialised());
   }
 }
 
@@ -102,7 +95,7 @@ TEST(TestPetscSession, OursEndsWithTheLastSolver)
   auto first = std::make_unique<Solved>();
   Solved second(MPI_COMM_WORLD, test::Icosphere(2));
   first.reset();
-  EXPECT_TRUE(IsInitialised());
+  EXPECT_TRUE(IsPetscInitialised());
   second.Again();
   const Solved third;
   second.Again();
@@ -123,10 +116,10 @@ TEST(TestPetscSession, SomebodyElseBeforeAndAfter)
         Solved second;
         first.Again();
       }
-      EXPECT_TRUE(IsInitialised());
+      EXPECT_TRUE(IsPetscInitialised());
     }
     EXPECT_EQ(PetscFinalize(), 0);
-    EXPECT_FALSE(IsInitialised());
+    EXPECT_FALSE(IsPetscInitialised());
     const Solved afterThem;
   }
 }
