@@ -171,21 +171,23 @@ Guides SomeGuides(const TriangleMesh& mesh, double offset, unsigned seed)
 
 TEST(TestConstraintsInPieces, GuidesAsOnOneProcess)
 {
-  for (const test::Surface& surface : { test::IrregularSphere(4, 3), test::IrregularTorus(60, 30, 4),
-         test::IrregularPlane(40, 30, 5), test::DoubleTorus(8) })
+  struct Distances
+  {
+    double Offset; // in mean edges
+    double Maximum;
+  };
+  for (const test::Surface& surface :
+    { test::IrregularSphere(4, 3), test::IrregularPlane(30, 20, 5), test::DoubleTorus(6) })
   {
     const TriangleMesh mesh = surface.Mesh();
-    const double edge = SizesOf(mesh).MeanEdge;
-    for (const double offset : { 0.3 * edge, 4.0 * edge })
+    for (const auto& [offset, maximum] : { Distances{ 0.3, 0.1 }, Distances{ 4.0, 0.01 }, Distances{ 4.0, 0.1 } })
     {
-      for (const double maximum : { 0.01, 0.1 })
-      {
-        SCOPED_TRACE("offset " + std::to_string(offset) + ", maximum " + std::to_string(maximum));
-        FieldProblem problem;
-        problem.Guides = SomeGuides(mesh, offset, 7);
-        problem.Guides.MaximumDistance = maximum;
-        CheckOnAllPartitions(surface, problem);
-      }
+      SCOPED_TRACE("offset " + std::to_string(offset) + ", maximum " + std::to_string(maximum));
+      FieldProblem problem;
+      problem.Guides = SomeGuides(mesh, offset * SizesOf(mesh).MeanEdge, 7);
+      problem.Guides.MaximumDistance = maximum;
+      Check(surface, problem, test::Partitions()[1]);
+      Check(surface, problem, test::Partitions()[offset > 1.0 ? 2 : 0]);
     }
   }
 }
@@ -254,13 +256,14 @@ TEST(TestConstraintsInPieces, PrincipalDirectionsOfAllScalesAsOnOneProcess)
   problem.Features.CurvatureWeight = 1.0;
   // On the needle, regions are limited by their number of vertices.
   for (const test::Surface& surface :
-    { test::IrregularTorus(60, 30, 4), test::Needle(3, 20.0), test::IrregularPlane(20, 20, 5) })
+    { test::IrregularTorus(40, 20, 4), test::Needle(3, 20.0), test::IrregularPlane(20, 20, 5) })
   {
     for (const double scale : { 0.0, 1.0, 3.0, 6.0 })
     {
       SCOPED_TRACE("scale " + std::to_string(scale));
       problem.Features.CurvatureScale = scale;
-      CheckOnAllPartitions(surface, problem);
+      Check(surface, problem, test::Partitions()[1]);
+      Check(surface, problem, test::Partitions()[3]);
     }
   }
 }
