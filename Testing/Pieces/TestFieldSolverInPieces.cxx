@@ -51,6 +51,7 @@ public:
     EXPECT_EQ(field.AreSingularitiesOnFaces, this->Exact->AreSingularitiesOnFaces);
     this->CheckPowers(solver, field, cut);
     this->CheckIndices(solver, field, cut);
+    this->CheckPrescribed(solver, *field.Solution, cut);
   }
 
 private:
@@ -68,6 +69,34 @@ private:
     }
     const double error = std::sqrt(this->All.Sum(differences) / this->All.Sum(squares));
     EXPECT_LE(error, 10.0 * Tolerance);
+  }
+
+  /// The elements that hold something, without those that are held only because a constant is free.
+  static std::vector<double> WeightsOf(const FieldConstraints& constraints, int size)
+  {
+    std::vector<double> weights(size, 0.0);
+    for (std::size_t k = 0; k < constraints.Elements.size(); ++k)
+    {
+      weights[constraints.Elements[k]] = constraints.Weights[k];
+    }
+    for (const int element : constraints.Grounded)
+    {
+      weights[element] = 0.0;
+    }
+    return weights;
+  }
+
+  void CheckPrescribed(
+    const FieldSolverInPieces& solver, const FieldSolution& solution, const test::CutPiece& cut) const
+  {
+    const std::vector<double> here = WeightsOf(solution.Constraints, solver.Piece().NumberOfVertices());
+    const std::vector<double> there =
+      WeightsOf(this->Exact->Solution->Constraints, static_cast<int>(this->Surface.V.rows()));
+    for (std::size_t i = 0; i < cut.Points.size(); ++i)
+    {
+      const double expected = there[cut.Points[i]];
+      EXPECT_NEAR(here[solver.Piece().VerticesOfPoints()[i]], expected, 1e-9 * expected) << "point " << cut.Points[i];
+    }
   }
 
   void CheckIndices(const FieldSolverInPieces& solver, const Field& field, const test::CutPiece& cut) const

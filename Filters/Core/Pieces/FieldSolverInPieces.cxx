@@ -5,6 +5,7 @@
 #include "Pieces/CombingOverSeams.h"
 #include "Pieces/ConstraintsInPieces.h"
 #include "Pieces/PetscSession.h"
+#include "Pieces/PieceConstraints.h"
 #include "Pieces/PieceFieldSolver.h"
 #include "Pieces/ProblemAgreement.h"
 #include "Support/ComplexPairs.h"
@@ -150,6 +151,8 @@ void FieldSolverInPieces::Internals::SolveSystem(
           isFunction ? Vector<double>(field.AtVertices.real()) : Vector<double>(AsPairs(field.AtVertices));
       }
     });
+  solution.Constraints = ConstraintsAtVertices(
+    this->Part, this->OptionsOfSolver, ConstraintsAtOwned(this->Part, this->OptionsOfSolver, constraints, this->Names));
   solution.Report = field.Report;
   solution.SetupSeconds = field.SetupSeconds;
   this->Solution = std::make_shared<const FieldSolution>(std::move(solution));

@@ -187,4 +187,30 @@ std::vector<PowerAtVertex> ConstraintsAtOwned(const PieceOfSurface& piece, const
                                                           : PowersAtOwned(piece, field.N, constraints, names);
 }
 
+FieldConstraints ConstraintsAtVertices(
+  const PieceOfSurface& piece, const DiscretisationOptions& field, const std::vector<PowerAtVertex>& atOwned)
+{
+  const std::vector<PowerAtVertex> all = piece.WithGhosts<PowerAtVertex>(atOwned);
+  const bool isFunction = field.Kind == DiscretisationKind::ScalarFunction;
+  FieldConstraints constraints;
+  std::vector<double> values;
+  for (int vertex = 0; vertex < piece.NumberOfVertices(); ++vertex)
+  {
+    const PowerAtVertex& at = all[vertex];
+    if (at.Weight > 0.0)
+    {
+      constraints.Elements.push_back(vertex);
+      constraints.Weights.push_back(at.Weight);
+      const Complex value = at.Power / at.Weight;
+      values.push_back(value.real());
+      if (!isFunction)
+      {
+        values.push_back(value.imag());
+      }
+    }
+  }
+  constraints.Values = Eigen::Map<const Vector<double>>(values.data(), static_cast<Eigen::Index>(values.size()));
+  return constraints;
+}
+
 }

@@ -3,6 +3,7 @@
 
 #include "Constraints/Constraints.h"
 #include "Discretisations/DiscretisationOptions.h"
+#include "Discretisations/FieldConstraints.h"
 #include "Discretisations/VertexConstraints.h"
 #include "Pieces/PieceOfSurface.h"
 
@@ -21,6 +22,10 @@ namespace dmg
 /// \throw InvalidInput as Discretisation::Prescribe, or a constraint is at a point without triangles.
 std::vector<PowerAtVertex> ConstraintsAtOwned(const PieceOfSurface& piece, const DiscretisationOptions& field,
   const Constraints& constraints, const ElementNames& names);
+
+/// Those of all vertices here, ghosts included, as a discretisation has them. Collective. \param atOwned ConstraintsAtOwned.
+FieldConstraints ConstraintsAtVertices(
+  const PieceOfSurface& piece, const DiscretisationOptions& field, const std::vector<PowerAtVertex>& atOwned);
 
 }
 
