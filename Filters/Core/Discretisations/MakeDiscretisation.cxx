@@ -10,7 +10,7 @@ namespace dmg
 {
 
 std::unique_ptr<const Discretisation> MakeDiscretisation(
-  const DiscretisationOptions& options, const FramedMesh& surface)
+  const DiscretisationOptions& options, const FramedMesh& surface, const VertexConnection* connection)
 {
   switch (options.Kind)
   {
@@ -21,7 +21,7 @@ std::unique_ptr<const Discretisation> MakeDiscretisation(
     case DiscretisationKind::FaceField:
       return std::make_unique<FaceField>(surface);
     case DiscretisationKind::VertexPowerField:
-      return std::make_unique<VertexPowerField>(surface, options.N);
+      return std::make_unique<VertexPowerField>(surface, options.N, connection);
     default:
       return std::make_unique<PowerField>(surface, options.N);
   }

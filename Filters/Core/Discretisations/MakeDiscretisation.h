@@ -12,9 +12,10 @@ namespace dmg
 
 /// The only place that knows which discretisations there are.
 /// \param surface is borrowed.
+/// \param connection of the surface, borrowed by discretisations that need one; null: they make it.
 /// \throw InvalidInput options out of range.
 std::unique_ptr<const Discretisation> MakeDiscretisation(
-  const DiscretisationOptions& options, const FramedMesh& surface);
+  const DiscretisationOptions& options, const FramedMesh& surface, const VertexConnection* connection = nullptr);
 
 /// The options with all that this kind does not look at as they are by default: equal where the discretisations are the same.
 DiscretisationOptions OptionsThatCount(const DiscretisationOptions& options);

@@ -83,17 +83,10 @@ FieldConstraints MeansOf(const std::vector<PowerAtVertex>& sums)
 
 }
 
-VertexPowerField::VertexPowerField(const FramedMesh& surface, int directions)
+VertexPowerField::VertexPowerField(const FramedMesh& surface, int directions, const VertexConnection* connection)
   : Discretisation(surface)
   , N(directions)
-{
-  CheckNumberOfDirections(directions);
-}
-
-VertexPowerField::VertexPowerField(const FramedMesh& surface, int directions, const VertexConnection& connection)
-  : Discretisation(surface)
-  , N(directions)
-  , GivenConnection(&connection)
+  , Given(connection)
 {
   CheckNumberOfDirections(directions);
 }
@@ -105,9 +98,9 @@ std::string VertexPowerField::Name() const
 
 const VertexConnection& VertexPowerField::Connection(const ExecutionContext& context) const
 {
-  if (this->GivenConnection)
+  if (this->Given)
   {
-    return *this->GivenConnection;
+    return *this->Given;
   }
   std::call_once(this->IsConnected,
     [&] { this->ConnectionOfSurface = std::make_unique<const VertexConnection>(this->Surface, context); });

@@ -27,10 +27,9 @@ public:
   static constexpr double DistanceOfSamples = 2.5;
 
   /// \param N 1 to 8.
+  /// \param connection of the surface, which is borrowed; null: it is made when it is needed.
   /// \throw InvalidInput N is out of range.
-  VertexPowerField(const FramedMesh& surface, int N);
-  /// \param connection where a mesh is a part of a surface, whose frames its vertices have; borrowed.
-  VertexPowerField(const FramedMesh& surface, int N, const VertexConnection& connection);
+  VertexPowerField(const FramedMesh& surface, int N, const VertexConnection* connection = nullptr);
 
   std::string Name() const override;
   ElementKind Elements() const override { return ElementKind::Vertices; }
@@ -65,7 +64,7 @@ protected:
   Vector<double> PenaltiesOfElements(const std::vector<int>& vertices, const ExecutionContext& context) const override;
 
 private:
-  /// Made when it is first asked for, if none is given.
+  /// Made when it is first asked for, unless it was given.
   const VertexConnection& Connection(const ExecutionContext& context) const;
   /// From the levels of samples of the vertices, or from those of the thesis: S0 with transport.
   std::vector<SparseMatrix<Complex>> ProlongationsOfPowers(
@@ -74,7 +73,7 @@ private:
   Vector<Complex> PowersOfFaces(const Vector<double>& unknowns, const ExecutionContext& context) const;
 
   const int N;
-  const VertexConnection* const GivenConnection = nullptr;
+  const VertexConnection* const Given;
   mutable std::once_flag IsConnected;
   mutable std::unique_ptr<const VertexConnection> ConnectionOfSurface;
 };

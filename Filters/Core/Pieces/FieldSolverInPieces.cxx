@@ -1,7 +1,6 @@
 #include "Pieces/FieldSolverInPieces.h"
 
 #include "Discretisations/MakeDiscretisation.h"
-#include "Discretisations/VertexPowerField.h"
 #include "Pieces/CombingOverSeams.h"
 #include "Pieces/ConstraintsInPieces.h"
 #include "Pieces/PetscSession.h"
@@ -86,7 +85,6 @@ public:
 private:
   void SetDiscretisation(const DiscretisationOptions& options, const ExecutionContext& context);
   void SolveSystem(const FieldProblem& problem, const Constraints& constraints, const ExecutionContext& context);
-  std::unique_ptr<const dmg::Discretisation> Unknowns() const;
   void FindDirections(const FieldProblem& problem, FollowedConstraints followed, const ExecutionContext& context);
   void ClearIndicesOfOthers(Field& field) const;
 
@@ -146,7 +144,8 @@ void FieldSolverInPieces::Internals::SolveSystem(
       if (!this->Part.IsEmpty())
       {
         const bool isFunction = this->OptionsOfSolver.Kind == DiscretisationKind::ScalarFunction;
-        solution.Discretisation = this->Unknowns();
+        solution.Discretisation =
+          MakeDiscretisation(this->OptionsOfSolver, this->Part.Surface(), &this->Part.Connection());
         solution.Unknowns =
           isFunction ? Vector<double>(field.AtVertices.real()) : Vector<double>(AsPairs(field.AtVertices));
       }
@@ -159,17 +158,6 @@ void FieldSolverInPieces::Internals::SolveSystem(
   this->KeyOfSolution = key;
   ++this->Counts.Systems;
   ++this->Counts.Solves;
-}
-
-/// On ghosts, too, powers are those of the whole surface.
-std::unique_ptr<const Discretisation> FieldSolverInPieces::Internals::Unknowns() const
-{
-  const FramedMesh& surface = this->Part.Surface();
-  if (this->OptionsOfSolver.Kind == DiscretisationKind::VertexPowerField)
-  {
-    return std::make_unique<VertexPowerField>(surface, this->OptionsOfSolver.N, this->Part.Connection());
-  }
-  return MakeDiscretisation(this->OptionsOfSolver, surface);
 }
 
 void FieldSolverInPieces::Internals::FindDirections(
