@@ -15,7 +15,7 @@ from vtkmodules.vtkFiltersSources import vtkSphereSource
 
 from directionalmultigrid import FieldError, FieldWarning, hodge, smooth_field, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (
-    vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver)
+    vtkFieldAngles, vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities, vtkHarmonicFieldSolver)
 from any_surfaces import points_of
 from surfaces import add, corners, surface, values, values_of_points
 
@@ -109,18 +109,25 @@ class OtherInputs(unittest.TestCase):
                 for rotation in (0.0, 90.0):
                     field = smooth_field(mesh, n=2, Directions=name, Rotation=rotation)
                     self.assertGreater(self.along_x(field, place, rotation), 0.99)
+                    crosses = smooth_field(mesh, n=4, Directions=name, Rotation=rotation)  # follow both
+                    self.assertGreater(max(self.along_x(crosses, place, 0.0, k) for k in range(4)), 0.99)
+                angles = vtkFieldAngles()
+                angles.SetInputData(mesh)
+                angles.SetInputArrayToProcess(0, 0, 0, int(attributes is mesh.GetCellData()), name)
+                angles.SetAxis(1, 0, 0)
+                self.assertLess(np.median(np.abs(values(update(angles).GetCellData(), "Angle"))), 3)  # degrees
             mesh.GetPointData().Initialize()
             mesh.GetCellData().Initialize()
 
     @staticmethod
-    def along_x(field, place, rotation):
-        """The median cosine between the field and the x-axis in the surface, turned about the normal."""
+    def along_x(field, place, rotation, k=0):
+        """The median cosine between direction k of the field and the x-axis in the surface, turned about the normal."""
         normal = place / np.linalg.norm(place, axis=1, keepdims=True)
         axis = (1.0, 0, 0) - normal * normal[:, :1]
         away = np.linalg.norm(axis, axis=1) > 0.5
         axis /= np.linalg.norm(axis, axis=1, keepdims=True) + 1e-300
         turned = axis if rotation == 0.0 else np.cross(normal, axis)
-        return np.median(np.abs((values(field.GetCellData(), "Direction0") * turned).sum(axis=1))[away])
+        return np.median(np.abs((values(field.GetCellData(), f"Direction{k}") * turned).sum(axis=1))[away])
 
     def test_tensors_are_drawn_as_lines_and_refuse_vectors(self):
         mesh = sphere()
