@@ -1,3 +1,5 @@
+#include "Support/FailuresOfOtherRanks.h"
+
 #include <gtest/gtest.h>
 
 #include <mpi.h>
@@ -23,12 +25,8 @@ int main(int count, char** arguments)
   ::testing::InitGoogleTest(&count, arguments);
   int rank = 0;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  ::testing::TestEventListeners& listeners = ::testing::UnitTest::GetInstance()->listeners();
-  listeners.Append(new TimeLimit); // which takes it
-  if (rank > 0)
-  {
-    delete listeners.Release(listeners.default_result_printer());
-  }
+  ::testing::UnitTest::GetInstance()->listeners().Append(new TimeLimit); // which takes it
+  dmg::test::PrintOnFirstRank(rank);
   int failed = RUN_ALL_TESTS();
   MPI_Allreduce(MPI_IN_PLACE, &failed, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   MPI_Finalize();

@@ -13,6 +13,7 @@
 #include "vtkPrincipalDirections.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVersionMacros.h"
 
 #include <gtest/gtest.h>
 
@@ -299,7 +300,11 @@ TEST(GatheredSurface, LeavesOfCompositeDatasetsNeedNoOtherRank)
   UpdateOwnPiece(solver);
   auto* const output = vtkMultiBlockDataSet::SafeDownCast(solver->GetOutputDataObject(0));
   ASSERT_TRUE(output);
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 2, 0)
+  EXPECT_EQ(output->GetNumberOfCells(), 1280 * (Rank() + 1)); // it asks for each leaf as for a whole, on every rank
+#else
   EXPECT_EQ(output->GetNumberOfCells(), Rank() == 0 ? 1280 : 0);
+#endif
 }
 
 TEST(GatheredSurface, OneRankMayWorkAlone)

@@ -1,3 +1,5 @@
+#include "Support/FailuresOfOtherRanks.h"
+
 #include "vtkMPIController.h"
 #include "vtkNew.h"
 
@@ -12,11 +14,7 @@ int main(int count, char** arguments)
   controller->Initialize(&count, &arguments);
   vtkMultiProcessController::SetGlobalController(controller);
   ::testing::InitGoogleTest(&count, arguments);
-  ::testing::TestEventListeners& listeners = ::testing::UnitTest::GetInstance()->listeners();
-  if (controller->GetLocalProcessId() > 0)
-  {
-    delete listeners.Release(listeners.default_result_printer());
-  }
+  dmg::test::PrintOnFirstRank(controller->GetLocalProcessId());
   const int failed = RUN_ALL_TESTS();
   int anywhere = 0;
   controller->AllReduce(&failed, &anywhere, 1, vtkCommunicator::MAX_OP);
