@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <iostream>
+#include <string>
 
 namespace dmg::test
 {
@@ -18,18 +19,19 @@ public:
   }
 
 private:
+  void OnTestStart(const ::testing::TestInfo& test) override { this->Test = test.name(); }
   void OnTestPartResult(const ::testing::TestPartResult& result) override
   {
     if (result.failed())
     {
-      const ::testing::TestInfo* const test = ::testing::UnitTest::GetInstance()->current_test_info();
-      std::cerr << "rank " << this->Rank << ", " << (test ? test->name() : "") << ": "
-                << (result.file_name() ? result.file_name() : "") << ":" << result.line_number() << "\n"
+      std::cerr << "rank " << this->Rank << ", " << this->Test << ": " << (result.file_name() ? result.file_name() : "")
+                << ":" << result.line_number() << "\n"
                 << result.message() << std::endl;
     }
   }
 
   int Rank;
+  std::string Test; ///< GoogleTest does not tell it to who is told of results
 };
 
 /// Leaves the printing of all else to the first rank.
