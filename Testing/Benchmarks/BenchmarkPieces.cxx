@@ -115,6 +115,7 @@ void Run(const std::string& surface)
   const Stopwatch watch;
   PieceFieldSolver solver(MPI_COMM_WORLD, piece, {});
   const double setup = watch.Seconds();
+  const double peakOfSetup = ranks.Max(PeakMemory() - before);
   Constraints constraints;
   const int step = std::max(1, solver.Piece().NumberOfOwnFaces() * ranks.Size() / 20); // 20 constraints
   for (int face = step / 2; face < solver.Piece().NumberOfOwnFaces(); face += step)
@@ -124,6 +125,7 @@ void Run(const std::string& surface)
   }
   const PieceField field = solver.Solve(constraints, {}, { 1e-8, 100 });
   const double solved = watch.Seconds();
+  const double peakOfSolve = ranks.Max(PeakMemory() - before);
   const Field directions = solver.Directions(field);
   const double all = ranks.Max(watch.Seconds());
   const double slowestSetup = ranks.Max(setup);
@@ -137,10 +139,12 @@ void Run(const std::string& surface)
   {
     std::printf(
       "%s, %d ranks, %.0f triangles: set-up %.2f s, system %.2f s, solve %.2f s, directions %.2f s, all %.2f s; "
-      "%d iterations, %d levels; peak %.0f MB on the largest rank, %.0f bytes per own triangle; "
+      "%d iterations, %d levels; peak of the largest rank until set-up %.0f MB, solve %.0f MB, end %.0f MB, %.0f bytes "
+      "per own triangle; "
       "sent %.2f MB besides PETSc's\n",
       surface.c_str(), ranks.Size(), total, slowestSetup, prepare, solve, drawing, all, field.Report.Returned,
-      static_cast<int>(field.Report.Levels.size()), peak / 1e6, peak * ranks.Size() / total, sent / 1e6);
+      static_cast<int>(field.Report.Levels.size()), peakOfSetup / 1e6, peakOfSolve / 1e6, peak / 1e6,
+      peak * ranks.Size() / total, sent / 1e6);
   }
 }
 

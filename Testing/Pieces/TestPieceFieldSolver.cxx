@@ -377,3 +377,50 @@ TEST(TestPieceFieldSolver, DirectionsAndSingularitiesAsOnOneProcess)
     }
   }
 }
+
+/// The system follows from penalties, and other values leave it as it is.
+TEST(TestPieceFieldSolver, OtherValuesKeepTheSystem)
+{
+  const test::Surface surface = test::IrregularTorus(80, 30, 4);
+  const Ranks ranks(MPI_COMM_WORLD);
+  const test::CutPiece cut =
+    test::CutOut(surface, test::Partitions()[1].RanksOfTriangles(surface, ranks.Size()), ranks.Rank());
+  const TriangleMesh mesh = surface.Mesh();
+  const Constraints first = SomeDirections(mesh);
+  Constraints turned = first;
+  for (Constraint& constraint : turned.OnFaces) // to another side of their triangles
+  {
+    const int h = 3 * constraint.Element + 1;
+    constraint.Direction = (mesh.Position(mesh.Head(h)) - mesh.Position(mesh.Tail(h))).normalized();
+  }
+  Constraints heavier = turned;
+  heavier.OnFaces[2].Weight *= 2.0; // on one rank
+  for (const ConstraintKind kind : { ConstraintKind::Soft, ConstraintKind::Hard })
+  {
+    FieldWeights weights;
+    weights.Constraints = kind;
+    PieceFieldSolver solver(MPI_COMM_WORLD, cut.Piece, {});
+    int systems = 0;
+    int solves = 0;
+    const auto solveAndCompare = [&](const Constraints& whole, int newSystems)
+    {
+      const Constraints own = OfPiece(whole, cut, surface);
+      const PieceField field = solver.Solve(own, weights, { Tolerance, 100 });
+      EXPECT_TRUE(field.Report.Converged);
+      EXPECT_EQ(solver.Counts().Systems, systems += newSystems);
+      EXPECT_EQ(solver.Counts().Solves, ++solves);
+      PieceFieldSolver fresh(MPI_COMM_WORLD, cut.Piece, {});
+      const PieceField expected = fresh.Solve(own, weights, { Tolerance, 100 });
+      EXPECT_EQ(field.Report.Returned, expected.Report.Returned);
+      const double size = ranks.Max(expected.AtVertices.size() > 0 ? expected.AtVertices.cwiseAbs().maxCoeff() : 0.0);
+      EXPECT_LE((field.AtVertices - expected.AtVertices).norm(), 1e-12 * size);
+    };
+    const bool isHard = kind == ConstraintKind::Hard; // without penalties, weights only weigh what meets at a vertex
+    solveAndCompare(first, 1);
+    solveAndCompare(turned, 0);
+    solveAndCompare(heavier, isHard ? 0 : 1);
+    solveAndCompare(first, isHard ? 0 : 1);
+    solveAndCompare({}, 1);
+    solveAndCompare(turned, 1);
+  }
+}

@@ -136,6 +136,7 @@ void FieldSolverInPieces::Internals::SolveSystem(
   {
     return;
   }
+  const int systems = this->Solver->Counts().Systems;
   const PieceField field = this->Solver->Solve(constraints, problem.Options.Weights(), problem.Stop, context);
   FieldSolution solution;
   this->All.Together(
@@ -156,7 +157,7 @@ void FieldSolverInPieces::Internals::SolveSystem(
   solution.SetupSeconds = field.SetupSeconds;
   this->Solution = std::make_shared<const FieldSolution>(std::move(solution));
   this->KeyOfSolution = key;
-  ++this->Counts.Systems;
+  this->Counts.Systems += this->Solver->Counts().Systems - systems;
   ++this->Counts.Solves;
 }
 

@@ -1,18 +1,14 @@
 #include "Pieces/PetscMultigrid.h"
 
+#include "Pieces/PetscObjects.h"
 #include "Pieces/PetscSession.h"
 #include "Support/Errors.h"
 #include "Support/Stopwatch.h"
 
-#include <petscksp.h>
-
 #include <algorithm>
 #include <cmath>
-#include <limits>
-
-#ifndef PETSC_USE_COMPLEX
-#error "PETSc has to be one for complex numbers"
-#endif
+#include <deque>
+#include <utility>
 
 namespace dmg
 {
@@ -25,92 +21,11 @@ constexpr int CoarseDegree = 3;
 /// The smoother reduces what belongs to eigenvalues above this part of the largest.
 constexpr double SmoothedPart = 0.1;
 
-void Destroy(Mat& matrix)
-{
-  CheckDestroyed(MatDestroy(&matrix));
-}
-void Destroy(Vec& vector)
-{
-  CheckDestroyed(VecDestroy(&vector));
-}
-void Destroy(KSP& solver)
-{
-  CheckDestroyed(KSPDestroy(&solver));
-}
+/// A penalty below this part of the stiffness leaves the prolongation as it is.
+constexpr double WeakPenalty = 1e-3;
 
-/// An object of PETSc's, which it counts references to.
-template <class Object>
-class Owned
-{
-public:
-  Owned() = default;
-  ~Owned()
-  {
-    if (IsPetscInitialised())
-    {
-      Destroy(this->Held);
-    }
-  }
-  Owned(Owned&& other) noexcept
-    : Held(std::exchange(other.Held, nullptr))
-  {
-  }
-  Owned& operator=(Owned&& other) noexcept
-  {
-    std::swap(this->Held, other.Held);
-    return *this;
-  }
-  operator Object() const { return this->Held; }
-  /// For functions that make one.
-  Object* Place() { return &this->Held; }
-
-private:
-  Object Held = nullptr;
-};
-
-PetscInt Narrow(long long number)
-{
-  if (number > std::numeric_limits<PetscInt>::max())
-  {
-    throw InvalidInput("the surface has too many vertices for this PETSc, whose indices have 32 bits; build "
-                       "DirectionalMultigrid with one of 64-bit indices");
-  }
-  return static_cast<PetscInt>(number);
-}
-
-/// PETSc copies the rows.
-Owned<Mat> MatrixOfRows(const Ranks& ranks, const RowsOfRank<Complex>& matrix)
-{
-  const SparseMatrix<Complex>& rows = matrix.Rows;
-  std::vector<PetscInt> offsets, columns;
-  std::vector<PetscScalar> values;
-  ranks.Together(
-    [&]
-    {
-      offsets.assign(rows.outerIndexPtr(), rows.outerIndexPtr() + rows.rows() + 1);
-      columns.reserve(rows.nonZeros());
-      values.reserve(rows.nonZeros());
-      std::vector<std::pair<PetscInt, PetscScalar>> row;
-      for (int i = 0; i < rows.rows(); ++i)
-      {
-        row.clear();
-        for (SparseMatrix<Complex>::InnerIterator entry(rows, i); entry; ++entry)
-        {
-          row.emplace_back(Narrow(matrix.GlobalColumns[entry.col()]), entry.value());
-        }
-        std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-        for (const auto& [column, value] : row)
-        {
-          columns.push_back(column);
-          values.push_back(value);
-        }
-      }
-    });
-  Owned<Mat> result;
-  CheckPetsc(MatCreateMPIAIJWithArrays(ranks.Communicator(), static_cast<PetscInt>(rows.rows()), matrix.OwnedColumns,
-    PETSC_DETERMINE, PETSC_DETERMINE, offsets.data(), columns.data(), values.data(), result.Place()));
-  return result;
-}
+/// The matrix of a linear triangle over its diagonal has the trace 3 and no negative eigenvalue.
+constexpr double LargestEigenvalueOfElements = 3.0;
 
 /// A coarse unknown that only touches held ones has nothing to say, and would make the matrix singular: its diagonal becomes 1.
 void FillZeroDiagonal(Mat matrix)
@@ -145,14 +60,27 @@ LevelReport ReportOf(Mat matrix)
   return { rows, static_cast<long long>(information.nz_used) };
 }
 
-void SetChebyshev(KSP smoother, int degree)
+KSP SetChebyshev(KSP smoother, int degree)
 {
   CheckPetsc(KSPSetType(smoother, KSPCHEBYSHEV));
   CheckPetsc(KSPSetNormType(smoother, KSP_NORM_NONE));
   CheckPetsc(KSPSetTolerances(smoother, PETSC_DEFAULT, PETSC_DEFAULT, PETSC_DEFAULT, degree));
-  PC jacobi;
-  CheckPetsc(KSPGetPC(smoother, &jacobi));
-  CheckPetsc(PCSetType(jacobi, PCJACOBI));
+  return smoother;
+}
+
+PC PreconditionerOf(KSP solver)
+{
+  PC preconditioner;
+  CheckPetsc(KSPGetPC(solver, &preconditioner));
+  return preconditioner;
+}
+
+/// Jacobi with zeros where unknowns are held.
+PetscErrorCode ApplyJacobi(PC preconditioner, Vec from, Vec to)
+{
+  void* inverse = nullptr;
+  const PetscErrorCode code = PCShellGetContext(preconditioner, &inverse);
+  return code ? code : VecPointwiseMult(to, from, static_cast<Vec>(inverse));
 }
 
 /// The test of convergence with a look at who was asked to stop.
@@ -193,21 +121,52 @@ PetscErrorCode HasConverged(KSP, PetscInt iteration, PetscReal norm, KSPConverge
 
 struct PetscMultigrid::Objects
 {
-  std::vector<Owned<Mat>> Matrices; // finest first
-  std::vector<Owned<Mat>> Prolongations;
-  std::vector<Owned<Mat>> Restrictions;
+  Objects(const Ranks& ranks, RowsOfRank<Complex> laplacian, std::vector<RowsOfRank<Complex>> prolongations)
+    : Laplacian(ranks, std::move(laplacian))
+  {
+    for (RowsOfRank<Complex>& prolongation : prolongations)
+    {
+      this->Prolongations.emplace_back(ranks, std::move(prolongation));
+    }
+  }
+
+  PetscRows Laplacian; ///< with the diagonal of L + D
+  std::deque<PetscRows> Prolongations;
+  std::vector<Owned<Mat>> Restrictions; ///< they have no memory of their own
+  Owned<Vec> InverseDiagonal;           ///< zero where unknowns are held
+  Owned<Mat> Single;                    ///< L + D without what is held, where there are no coarse levels
+  std::vector<Owned<Mat>> CoarseMatrices;
   Owned<KSP> Solver;
+  /// Rows of the first prolongation before they were weakened.
+  std::vector<int> WeakenedRows;
+  std::vector<Complex> EntriesOfWeakened;
+
+  Mat Finest() const { return this->Single ? Mat(this->Single) : Mat(this->Laplacian); }
+  Mat Level(std::size_t level) const { return level == 0 ? this->Finest() : Mat(this->CoarseMatrices[level - 1]); }
+
+  Owned<Vec> NewVector() const
+  {
+    Owned<Vec> vector;
+    CheckPetsc(MatCreateVecs(this->Laplacian, nullptr, vector.Place()));
+    return vector;
+  }
+
+  template <class Numbers>
+  static void Copy(const Numbers& from, Vec to)
+  {
+    PetscScalar* values;
+    CheckPetsc(VecGetArray(to, &values));
+    std::copy(from.data(), from.data() + from.size(), values);
+    CheckPetsc(VecRestoreArray(to, &values));
+  }
 
   /// function(from, to) on vectors of PETSc's.
   template <class Function>
-  Vector<Complex> Apply(const Vector<Complex>& x, const Function& function)
+  Vector<Complex> Apply(const Vector<Complex>& x, const Function& function) const
   {
-    Owned<Vec> from, to;
-    CheckPetsc(MatCreateVecs(this->Matrices[0], to.Place(), from.Place()));
-    PetscScalar* values;
-    CheckPetsc(VecGetArray(from, &values));
-    std::copy(x.data(), x.data() + x.size(), values);
-    CheckPetsc(VecRestoreArray(from, &values));
+    const Owned<Vec> from = this->NewVector();
+    const Owned<Vec> to = this->NewVector();
+    Copy(x, from);
     function(Vec(from), Vec(to));
     Vector<Complex> y(x.size());
     const PetscScalar* results;
@@ -217,16 +176,15 @@ struct PetscMultigrid::Objects
     return y;
   }
 
-  void SetMultigrid(double largestEigenvalue, int cyclesInARow)
+  void SetMultigrid(double largestEigenvalue, int cyclesInARow) const
   {
-    PC cycle;
-    CheckPetsc(KSPGetPC(this->Solver, &cycle));
-    const int levels = static_cast<int>(this->Matrices.size());
+    const int levels = 1 + static_cast<int>(this->CoarseMatrices.size());
     if (levels == 1)
     {
-      this->Factor(this->Solver);
+      Factor(this->Solver);
       return;
     }
+    const PC cycle = PreconditionerOf(this->Solver);
     CheckPetsc(PCSetType(cycle, PCMG));
     CheckPetsc(PCMGSetLevels(cycle, levels, nullptr));
     CheckPetsc(PCMGSetType(cycle, PC_MG_MULTIPLICATIVE));
@@ -239,94 +197,233 @@ struct PetscMultigrid::Objects
       CheckPetsc(PCMGSetRestriction(cycle, above, this->Restrictions[level]));
       KSP smoother;
       CheckPetsc(PCMGGetSmoother(cycle, above, &smoother));
-      CheckPetsc(KSPSetOperators(smoother, this->Matrices[level], this->Matrices[level]));
-      SetChebyshev(smoother, level == 0 ? FinestDegree : CoarseDegree);
+      CheckPetsc(KSPSetOperators(smoother, this->Level(level), this->Level(level)));
       if (level == 0)
       {
-        CheckPetsc(KSPChebyshevSetEigenvalues(smoother, largestEigenvalue, SmoothedPart * largestEigenvalue));
+        this->SetFinestSmoother(smoother, largestEigenvalue);
       }
       else
       {
+        CheckPetsc(PCSetType(PreconditionerOf(SetChebyshev(smoother, CoarseDegree)), PCJACOBI));
         CheckPetsc(KSPChebyshevEstEigSet(smoother, 0.0, SmoothedPart, 0.0, 1.1));
         CheckPetsc(PCMGSetCycleTypeOnLevel(cycle, above, PC_MG_CYCLE_W));
       }
     }
     KSP coarsest;
     CheckPetsc(PCMGGetCoarseSolve(cycle, &coarsest));
-    CheckPetsc(KSPSetOperators(coarsest, this->Matrices.back(), this->Matrices.back()));
+    CheckPetsc(KSPSetOperators(coarsest, this->Level(levels - 1), this->Level(levels - 1)));
     CheckPetsc(KSPSetType(coarsest, KSPPREONLY));
-    this->Factor(coarsest);
+    Factor(coarsest);
   }
 
 private:
+  void SetFinestSmoother(KSP smoother, double largestEigenvalue) const
+  {
+    const PC jacobi = PreconditionerOf(SetChebyshev(smoother, FinestDegree));
+    CheckPetsc(PCSetType(jacobi, PCSHELL));
+    CheckPetsc(PCShellSetContext(jacobi, static_cast<Vec>(this->InverseDiagonal)));
+    CheckPetsc(PCShellSetApply(jacobi, ApplyJacobi));
+    CheckPetsc(KSPChebyshevSetEigenvalues(smoother, largestEigenvalue, SmoothedPart * largestEigenvalue));
+  }
+
   /// Every rank factors the whole matrix.
   static void Factor(KSP solver)
   {
-    PC redundant, factor;
-    KSP inner;
-    CheckPetsc(KSPGetPC(solver, &redundant));
+    const PC redundant = PreconditionerOf(solver);
     CheckPetsc(PCSetType(redundant, PCREDUNDANT));
+    KSP inner;
     CheckPetsc(PCRedundantGetKSP(redundant, &inner));
     CheckPetsc(KSPSetType(inner, KSPPREONLY));
-    CheckPetsc(KSPGetPC(inner, &factor));
-    CheckPetsc(PCSetType(factor, PCLU));
+    CheckPetsc(PCSetType(PreconditionerOf(inner), PCLU));
   }
 };
 
-PetscMultigrid::PetscMultigrid(const Ranks& ranks, const RowsOfRank<Complex>& matrix,
-  const std::vector<RowsOfRank<Complex>>& prolongations, double largestEigenvalue, int cyclesInARow,
-  const ExecutionContext& context)
-  : Of(std::make_unique<Objects>())
-  , All(ranks)
+PetscMultigrid::PetscMultigrid(
+  const Ranks& ranks, RowsOfRank<Complex> laplacian, std::vector<RowsOfRank<Complex>> prolongations, int cyclesInARow)
+  : All(ranks)
+  , CyclesInARow(cyclesInARow)
+  , Of(std::make_unique<Objects>(ranks, std::move(laplacian), std::move(prolongations)))
 {
-  this->Of->Matrices.push_back(MatrixOfRows(ranks, matrix));
-  for (std::size_t level = 0; level < prolongations.size(); ++level)
+  for (const PetscRows& prolongation : this->Of->Prolongations)
   {
-    ranks.Checkpoint(context, static_cast<double>(level) / static_cast<double>(prolongations.size()));
-    Owned<Mat> P = MatrixOfRows(ranks, prolongations[level]);
-    Owned<Mat> R, AP, coarse;
-    CheckPetsc(MatHermitianTranspose(P, MAT_INITIAL_MATRIX, R.Place()));
-    CheckPetsc(MatMatMult(this->Of->Matrices.back(), P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, AP.Place()));
-    CheckPetsc(MatMatMult(R, AP, MAT_INITIAL_MATRIX, PETSC_DEFAULT, coarse.Place()));
-    FillZeroDiagonal(coarse);
-    this->Of->Prolongations.push_back(std::move(P));
-    this->Of->Restrictions.push_back(std::move(R));
-    this->Of->Matrices.push_back(std::move(coarse));
+    CheckPetsc(MatCreateHermitianTranspose(prolongation, this->Of->Restrictions.emplace_back().Place()));
   }
-  KSP solver;
-  CheckPetsc(KSPCreate(ranks.Communicator(), this->Of->Solver.Place()));
-  solver = this->Of->Solver;
-  CheckPetsc(KSPSetOperators(solver, this->Of->Matrices[0], this->Of->Matrices[0]));
-  CheckPetsc(KSPSetType(solver, KSPCG));
-  CheckPetsc(KSPCGSetType(solver, KSP_CG_HERMITIAN));
-  CheckPetsc(KSPSetNormType(solver, KSP_NORM_NATURAL));
-  this->Of->SetMultigrid(largestEigenvalue, cyclesInARow);
-  CheckPetsc(KSPSetUp(solver));
-  ranks.Checkpoint(context, 1.0);
+  const int owned = this->Of->Laplacian.NumberOfRows();
+  this->StiffnessOfOwned.setZero(owned);
+  for (int i = 0; i < owned; ++i)
+  {
+    this->Of->Laplacian.VisitRow(i,
+      [this, i](const Complex& value, bool isDiagonal)
+      { this->StiffnessOfOwned[i] += isDiagonal ? value.real() : 0.0; });
+  }
 }
 
 PetscMultigrid::~PetscMultigrid() = default;
 
-Vector<Complex> PetscMultigrid::Multiply(const Vector<Complex>& x)
+void PetscMultigrid::SetDiagonal(const Vector<double>& diagonal)
 {
-  return this->Of->Apply(x, [this](Vec from, Vec to) { CheckPetsc(MatMult(this->Of->Matrices[0], from, to)); });
+  for (int i = 0; i < diagonal.size(); ++i)
+  {
+    this->Of->Laplacian.VisitRow(i,
+      [&](Complex& value, bool isDiagonal)
+      {
+        if (isDiagonal)
+        {
+          value = diagonal[i];
+        }
+      });
+  }
 }
 
-Vector<Complex> PetscMultigrid::Precondition(const Vector<Complex>& r)
+/// A bound of the eigenvalues of L + D over its diagonal: by elements, or by the sums of its rows.
+double PetscMultigrid::LargestEigenvalue(const std::vector<char>& isHeld) const
 {
-  PC cycle;
-  CheckPetsc(KSPGetPC(this->Of->Solver, &cycle));
-  return this->Of->Apply(r, [&cycle](Vec from, Vec to) { CheckPetsc(PCApply(cycle, from, to)); });
+  double largest = 1.0;
+  for (int i = 0; i < this->Diagonal.size(); ++i)
+  {
+    double sum = 0.0;
+    this->Of->Laplacian.VisitRow(i, [&sum](const Complex& value, bool) { sum += std::abs(value); });
+    largest = isHeld[i] ? largest : std::max(largest, sum / this->Diagonal[i]);
+  }
+  return std::min(this->All.Max(largest), LargestEigenvalueOfElements);
+}
+
+void PetscMultigrid::WeakenRows(const Vector<double>& shares)
+{
+  if (this->Of->Prolongations.empty())
+  {
+    return;
+  }
+  PetscRows& prolongation = this->Of->Prolongations[0];
+  for (int i = 0; i < shares.size(); ++i)
+  {
+    if (shares[i] < 1.0)
+    {
+      this->Of->WeakenedRows.push_back(i);
+      prolongation.VisitRow(i,
+        [&](Complex& value, bool)
+        {
+          this->Of->EntriesOfWeakened.push_back(value);
+          value *= shares[i];
+        });
+    }
+  }
+}
+
+void PetscMultigrid::RestoreRows()
+{
+  auto entry = this->Of->EntriesOfWeakened.begin();
+  for (const int row : this->Of->WeakenedRows)
+  {
+    this->Of->Prolongations[0].VisitRow(row, [&entry](Complex& value, bool) { value = *entry++; });
+  }
+  this->Of->WeakenedRows.clear();
+  this->Of->EntriesOfWeakened.clear();
+}
+
+void PetscMultigrid::SetPenalties(
+  const Vector<double>& D, const std::vector<char>& isHeld, const ExecutionContext& context)
+{
+  Objects& of = *this->Of;
+  of.Solver = {};
+  of.CoarseMatrices.clear();
+  of.Single = {};
+  this->RestoreRows();
+  const auto owned = static_cast<Eigen::Index>(isHeld.size());
+  this->Diagonal = this->StiffnessOfOwned + D;
+  Vector<double> shares = Vector<double>::Ones(owned);
+  Vector<double> inverse = Vector<double>::Zero(owned);
+  for (Eigen::Index i = 0; i < owned; ++i)
+  {
+    const bool isFree = !isHeld[i] && this->Diagonal[i] > 0.0;
+    const double stiffness = this->StiffnessOfOwned[i];
+    shares[i] = !isFree ? 0.0 : D[i] < WeakPenalty * stiffness ? 1.0 : stiffness / this->Diagonal[i];
+    this->Diagonal[i] = this->Diagonal[i] > 0.0 ? this->Diagonal[i] : 1.0;
+    inverse[i] = isHeld[i] ? 0.0 : 1.0 / this->Diagonal[i];
+  }
+  this->SetDiagonal(this->Diagonal);
+  this->WeakenRows(shares);
+  of.InverseDiagonal = of.NewVector();
+  Objects::Copy(inverse, of.InverseDiagonal);
+  this->MakeCoarseMatrices(context);
+  if (of.Prolongations.empty())
+  {
+    this->TakeHeldOut(isHeld);
+  }
+  CheckPetsc(KSPCreate(this->All.Communicator(), of.Solver.Place()));
+  CheckPetsc(KSPSetOperators(of.Solver, of.Finest(), of.Finest()));
+  CheckPetsc(KSPSetType(of.Solver, KSPCG));
+  CheckPetsc(KSPCGSetType(of.Solver, KSP_CG_HERMITIAN));
+  CheckPetsc(KSPSetNormType(of.Solver, KSP_NORM_NATURAL));
+  of.SetMultigrid(this->LargestEigenvalue(isHeld), this->CyclesInARow);
+  CheckPetsc(KSPSetUp(of.Solver));
+  this->All.Checkpoint(context, 1.0);
+}
+
+/// A matrix that is to be factored has the row and the column of the identity where an unknown is held.
+void PetscMultigrid::TakeHeldOut(const std::vector<char>& isHeld)
+{
+  Objects& of = *this->Of;
+  CheckPetsc(MatDuplicate(of.Laplacian, MAT_COPY_VALUES, of.Single.Place()));
+  PetscInt first = 0;
+  CheckPetsc(MatGetOwnershipRange(of.Single, &first, nullptr));
+  std::vector<PetscInt> held;
+  for (std::size_t i = 0; i < isHeld.size(); ++i)
+  {
+    if (isHeld[i])
+    {
+      held.push_back(first + static_cast<PetscInt>(i));
+    }
+  }
+  CheckPetsc(MatZeroRowsColumns(of.Single, static_cast<PetscInt>(held.size()), held.data(), 1.0, nullptr, nullptr));
+}
+
+void PetscMultigrid::MakeCoarseMatrices(const ExecutionContext& context)
+{
+  const std::deque<PetscRows>& prolongations = this->Of->Prolongations;
+  for (std::size_t level = 0; level < prolongations.size(); ++level)
+  {
+    this->All.Checkpoint(context, static_cast<double>(level) / static_cast<double>(prolongations.size()));
+    const Mat P = prolongations[level];
+    Owned<Mat> R, AP, coarse;
+    CheckPetsc(MatMatMult(this->Of->Level(level), P, MAT_INITIAL_MATRIX, PETSC_DEFAULT, AP.Place()));
+    CheckPetsc(MatProductClear(AP)); // of what only a second product would need
+    CheckPetsc(MatHermitianTranspose(P, MAT_INITIAL_MATRIX, R.Place()));
+    CheckPetsc(MatMatMult(R, AP, MAT_INITIAL_MATRIX, PETSC_DEFAULT, coarse.Place()));
+    CheckPetsc(MatProductClear(coarse));
+    FillZeroDiagonal(coarse);
+    this->Of->CoarseMatrices.push_back(std::move(coarse));
+  }
 }
 
 std::vector<LevelReport> PetscMultigrid::Levels() const
 {
   std::vector<LevelReport> levels;
-  for (const Owned<Mat>& matrix : this->Of->Matrices)
+  for (std::size_t level = 0; level <= this->Of->CoarseMatrices.size(); ++level)
   {
-    levels.push_back(ReportOf(matrix));
+    levels.push_back(ReportOf(this->Of->Level(level)));
   }
   return levels;
+}
+
+Vector<Complex> PetscMultigrid::MultiplyOffDiagonal(const Vector<Complex>& x)
+{
+  this->SetDiagonal(Vector<double>::Zero(this->Diagonal.size()));
+  Vector<Complex> product =
+    this->Of->Apply(x, [this](Vec from, Vec to) { CheckPetsc(MatMult(this->Of->Laplacian, from, to)); });
+  this->SetDiagonal(this->Diagonal);
+  return product;
+}
+
+Vector<Complex> PetscMultigrid::Multiply(const Vector<Complex>& x)
+{
+  return this->Of->Apply(x, [this](Vec from, Vec to) { CheckPetsc(MatMult(this->Of->Laplacian, from, to)); });
+}
+
+Vector<Complex> PetscMultigrid::Precondition(const Vector<Complex>& r)
+{
+  const PC cycle = PreconditionerOf(this->Of->Solver);
+  return this->Of->Apply(r, [cycle](Vec from, Vec to) { CheckPetsc(PCApply(cycle, from, to)); });
 }
 
 Vector<Complex> PetscMultigrid::Solve(
@@ -347,9 +444,9 @@ Vector<Complex> PetscMultigrid::Solve(
   report.SolveSeconds = monitor.Watch.Seconds();
   if (reason == KSP_DIVERGED_NANORINF || reason == KSP_DIVERGED_PC_FAILED)
   {
-    throw SolverFailure(
-      "the cycle of the surface in pieces has failed, as its coarsest matrix is singular or the surface has "
-      "extremely thin triangles; gather the surface on one rank");
+    throw SolverFailure("the cycle of the surface in pieces has failed, as its coarsest matrix "
+                        "is singular or the surface has "
+                        "extremely thin triangles; gather the surface on one rank");
   }
   return x;
 }

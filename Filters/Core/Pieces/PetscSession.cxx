@@ -22,6 +22,25 @@ namespace
 /// The sessions that use a PETSc of ours. PETSc itself is there once in a process.
 int sessionsOfOurs = 0;
 
+/// The times that PETSc was ended, and the number of them when it was told to count the next one.
+int endsOfPetsc = 0;
+int endsWhenTold = -1;
+
+PetscErrorCode CountEnd()
+{
+  ++endsOfPetsc;
+  return static_cast<PetscErrorCode>(0);
+}
+
+void CountNextEnd()
+{
+  if (endsWhenTold != endsOfPetsc)
+  {
+    CheckPetsc(PetscRegisterFinalize(CountEnd));
+    endsWhenTold = endsOfPetsc;
+  }
+}
+
 std::string TextOf(PetscErrorCode code)
 {
   if (code == PETSC_ERR_MEM)
@@ -93,6 +112,7 @@ void CheckDestroyed(PetscErrorCode code)
 
 PetscSession::PetscSession()
   : IsOurs(sessionsOfOurs > 0 || !IsPetscInitialised())
+  , EndsBefore(Ends())
 {
   if (!IsPetscInitialised())
   {
@@ -105,6 +125,7 @@ PetscSession::PetscSession()
       "a PETSc for real numbers has taken the place of the one for complex numbers in this process; link "
       "the program to one of them only, or load the other without RTLD_GLOBAL");
   }
+  CountNextEnd();
   CheckPetsc(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
   sessionsOfOurs += this->IsOurs;
 }
@@ -116,9 +137,14 @@ PetscSession::~PetscSession()
   End(this->IsOurs && sessionsOfOurs == 0);
 }
 
+int PetscSession::Ends()
+{
+  return endsOfPetsc;
+}
+
 void PetscSession::Check() const
 {
-  if (!IsPetscInitialised())
+  if (!IsPetscInitialised() || this->EndsBefore != Ends())
   {
     throw SolverFailure(
       "PETSc was ended while a solver for surfaces in pieces was there; end it after the solver, and make "

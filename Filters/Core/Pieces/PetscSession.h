@@ -36,8 +36,12 @@ public:
   /// \throw SolverFailure somebody else has ended PETSc.
   void Check() const;
 
+  /// The number of times that PETSc was ended in this process, by whomever. Objects from before are no longer there.
+  static int Ends();
+
 private:
   bool IsOurs;
+  int EndsBefore;
 };
 
 }

@@ -16,14 +16,13 @@
 #include "Support/Errors.h"
 #include "Support/Remedy.h"
 #include "Support/ShortText.h"
-#include "Support/SparseAssembly.h"
 #include "Support/Stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <string>
+#include <utility>
 
 namespace dmg
 {
@@ -31,35 +30,23 @@ namespace dmg
 namespace
 {
 
-/// The matrix of a linear triangle over its diagonal has the trace 3 and no negative eigenvalue.
-constexpr double LargestEigenvalueOfElements = 3.0;
-
-/// A bound of the eigenvalues of a matrix over its diagonal: by elements, or by the sums of its rows.
-double LargestEigenvalue(const Ranks& ranks, const SparseMatrix<Complex>& owned, int firstColumn)
-{
-  double largest = 1.0;
-  for (int i = 0; i < owned.rows(); ++i)
-  {
-    double sum = 0.0;
-    double diagonal = 0.0;
-    for (SparseMatrix<Complex>::InnerIterator entry(owned, i); entry; ++entry)
-    {
-      sum += std::abs(entry.value());
-      diagonal += entry.col() == firstColumn + i ? entry.value().real() : 0.0;
-    }
-    largest = std::max(largest, diagonal > 0.0 ? sum / diagonal : LargestEigenvalueOfElements);
-  }
-  return std::min(ranks.Max(largest), LargestEigenvalueOfElements);
-}
-
 /// With two cycles, functions mind uneven triangles less, as in ScalarFunction.
 constexpr int CyclesOfFunctions = 2;
 
-std::vector<int> Consecutive(int first, int size)
+/// Keeps consecutive rows, in place.
+void KeepRows(SparseMatrix<Complex>& matrix, int first, int count)
 {
-  std::vector<int> numbers(size);
-  std::iota(numbers.begin(), numbers.end(), first);
-  return numbers;
+  int* const offsets = matrix.outerIndexPtr();
+  const int begin = offsets[first];
+  const int end = offsets[first + count];
+  std::copy(matrix.innerIndexPtr() + begin, matrix.innerIndexPtr() + end, matrix.innerIndexPtr());
+  std::copy(matrix.valuePtr() + begin, matrix.valuePtr() + end, matrix.valuePtr());
+  for (int row = 0; row <= count; ++row)
+  {
+    offsets[row] = offsets[first + row] - begin;
+  }
+  matrix.conservativeResize(count, matrix.cols());
+  matrix.resizeNonZeros(end - begin);
 }
 
 std::string TextOf(const DiscretisationOptions& field)
@@ -123,21 +110,14 @@ void PieceFieldSolver::SetUp(const ExecutionContext& context)
 {
   this->CheckField();
   this->Components = ComponentsOfPieces(this->Part);
-  this->MakeLaplacian(context);
-  this->Prolongations =
-    LevelsOfPieces(this->Part, VertexPowerField::DistanceOfSamples, PartOfContext(context, 0.2, 1.0));
-  for (RowsOfRank<Complex>& prolongation : this->Prolongations)
-  {
-    const bool isFunction = this->IsFunction();
-    this->All.Together(
-      [&]
-      {
-        prolongation.Rows = isFunction ? SparseMatrix<Complex>(prolongation.Rows.cwiseAbs().cast<Complex>())
-                                       : OnPowers(prolongation.Rows, this->OptionsOfField.N, context);
-      });
-  }
+  this->SetMass(context);
+  std::vector<RowsOfRank<Complex>> prolongations = this->Prolongations(context);
+  this->Multigrid = std::make_unique<PetscMultigrid>(
+    this->All, this->Laplacian(context), std::move(prolongations), this->IsFunction() ? CyclesOfFunctions : 1);
   this->SetupSeconds = this->Watch.Seconds();
 }
+
+PieceFieldSolver::~PieceFieldSolver() = default;
 
 void PieceFieldSolver::CheckField() const
 {
@@ -158,37 +138,65 @@ void PieceFieldSolver::CheckField() const
   }
 }
 
-void PieceFieldSolver::MakeLaplacian(const ExecutionContext& context)
+void PieceFieldSolver::SetMass(const ExecutionContext& context)
 {
-  const PieceOfSurface& piece = this->Part;
-  const int owned = piece.NumberOfOwned();
-  const bool isFunction = this->IsFunction();
+  const int owned = this->Part.NumberOfOwned();
   this->Mass.setZero(owned);
-  this->Stiffness.setZero(owned);
   this->All.Together(
     [&]
     {
-      if (piece.IsEmpty())
+      if (!this->Part.IsEmpty())
       {
-        return;
-      }
-      const TriangleMesh& mesh = piece.Surface().Mesh;
-      const Vector<double> areas = isFunction ? Star0(mesh, this->OptionsOfField.Areas) : LumpedMass(mesh, context);
-      this->Mass = areas.segment(piece.FirstOwned(), owned);
-      const std::vector<int> rows = Consecutive(piece.FirstOwned(), owned);
-      this->Laplacian.Rows = isFunction
-        ? SelectRows<Complex>(CotangentLaplacian(mesh, context).cast<Complex>(), rows, context)
-        : SelectRows(ConnectionLaplacian(mesh, piece.Connection(), this->OptionsOfField.N, context), rows, context);
-      for (int i = 0; i < owned; ++i)
-      {
-        this->Stiffness[i] = this->Laplacian.Rows.coeff(i, piece.FirstOwned() + i).real();
+        const TriangleMesh& mesh = this->Part.Surface().Mesh;
+        const Vector<double> areas =
+          this->IsFunction() ? Star0(mesh, this->OptionsOfField.Areas) : LumpedMass(mesh, context);
+        this->Mass = areas.segment(this->Part.FirstOwned(), owned);
       }
     });
-  const double mean = this->All.Sum(this->Mass.sum()) / static_cast<double>(piece.GlobalNumberOfVertices());
+  const double mean = this->All.Sum(this->Mass.sum()) / static_cast<double>(this->Part.GlobalNumberOfVertices());
   this->MeanMass = mean > 0.0 ? mean : 1.0;
   this->Mass = mean > 0.0 ? Vector<double>(this->Mass / mean) : Vector<double>::Ones(owned);
-  this->Laplacian.GlobalColumns = piece.GlobalNumbers();
-  this->Laplacian.OwnedColumns = owned;
+}
+
+/// The rows of owned vertices.
+RowsOfRank<Complex> PieceFieldSolver::Laplacian(const ExecutionContext& context) const
+{
+  RowsOfRank<Complex> laplacian;
+  laplacian.OwnedColumns = this->Part.NumberOfOwned();
+  this->All.Together(
+    [&]
+    {
+      if (!this->Part.IsEmpty())
+      {
+        const TriangleMesh& mesh = this->Part.Surface().Mesh;
+        SparseMatrix<Complex> rows = this->IsFunction()
+          ? SparseMatrix<Complex>(CotangentLaplacian(mesh, context).cast<Complex>())
+          : ConnectionLaplacian(mesh, this->Part.Connection(), this->OptionsOfField.N, context);
+        laplacian.Rows.swap(rows);
+        KeepRows(laplacian.Rows, this->Part.FirstOwned(), this->Part.NumberOfOwned());
+      }
+      laplacian.GlobalColumns = this->Part.GlobalNumbers();
+    });
+  return laplacian;
+}
+
+/// The prolongations of powers or values.
+std::vector<RowsOfRank<Complex>> PieceFieldSolver::Prolongations(const ExecutionContext& context) const
+{
+  std::vector<RowsOfRank<Complex>> prolongations =
+    LevelsOfPieces(this->Part, VertexPowerField::DistanceOfSamples, PartOfContext(context, 0.2, 1.0));
+  for (RowsOfRank<Complex>& prolongation : prolongations)
+  {
+    this->All.Together(
+      [&]
+      {
+        SparseMatrix<Complex> rows = this->IsFunction()
+          ? SparseMatrix<Complex>(prolongation.Rows.cwiseAbs().cast<Complex>())
+          : OnPowers(prolongation.Rows, this->OptionsOfField.N, context);
+        prolongation.Rows.swap(rows);
+      });
+  }
+  return prolongations;
 }
 
 PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWeights& weights,
@@ -208,56 +216,70 @@ PieceField PieceFieldSolver::Solve(const Constraints& constraints, const FieldWe
     source.Balance(system.IsReached, constraints.Net);
     system.UnheldComponents = 0; // the source has a solution there
   }
-  const std::vector<char> isHeld = this->Part.WithGhosts<char>(system.IsHeld);
-  const std::vector<Complex> known = this->Part.WithGhosts<Complex>(system.Known);
-
-  RowsOfRank<Complex> matrix;
-  std::vector<RowsOfRank<Complex>> prolongations;
-  Vector<Complex> b;
-  this->All.Together(
-    [&]
-    {
-      matrix = this->Laplacian;
-      prolongations = this->Prolongations;
-      b = this->SetEquations(system, isHeld, known, matrix.Rows, prolongations);
-      const double smoothness = weights.Constraints == ConstraintKind::Hard ? 1.0 : weights.Smoothness;
-      AddSource(source.IntegralsAtOwned() / smoothness, system.IsHeld, b);
-    });
+  this->SetSystem(system, PartOfContext(context, 0.0, 0.5));
+  Vector<Complex> b = this->RightHandSide(system);
+  const double smoothness = weights.Constraints == ConstraintKind::Hard ? 1.0 : weights.Smoothness;
+  AddSource(source.IntegralsAtOwned() / smoothness, system.IsHeld, b);
   PieceField field;
   field.UnheldComponents = system.UnheldComponents;
   field.SetupSeconds = this->SetupSeconds;
-  PetscMultigrid solver(this->All, matrix, prolongations,
-    LargestEigenvalue(this->All, matrix.Rows, this->Part.FirstOwned()), this->IsFunction() ? CyclesOfFunctions : 1,
-    PartOfContext(context, 0.0, 0.5));
   field.Report.Solver = std::string(system.HoldsAny ? "conjugate gradients" : "LOBPCG") +
     " with one V-cycle, by PETSc on " + std::to_string(this->All.Size()) + " ranks";
-  field.Report.Levels = solver.Levels();
+  field.Report.Levels = this->Multigrid->Levels();
   field.Report.PrepareSeconds = watch.Seconds();
-  Vector<Complex> x =
-    system.Known + this->SolveSystem(system, solver, b, stop, field.Report, PartOfContext(context, 0.5, 1.0));
+  Vector<Complex> x = this->SolveSystem(system, b, stop, field.Report, PartOfContext(context, 0.5, 1.0));
   if (source.IsAny())
   {
     source.Centre(system.IsReached, x);
   }
   const std::vector<Complex> all = this->Part.WithGhosts<Complex>(x);
   field.AtVertices = Eigen::Map<const Vector<Complex>>(all.data(), static_cast<Eigen::Index>(all.size()));
+  ++this->Completed.Solves;
   return field;
 }
 
-/// By conjugate gradients where something is held, and the smoothest field elsewhere.
-Vector<Complex> PieceFieldSolver::SolveSystem(const System& system, PetscMultigrid& solver, const Vector<Complex>& b,
-  const StoppingCriteria& stop, SolveReport& report, const ExecutionContext& context) const
+/// Keeps the matrices where penalties are the same on all ranks.
+void PieceFieldSolver::SetSystem(const System& system, const ExecutionContext& context)
+{
+  const bool isSame = this->HasSystem && this->Penalties == system.D && this->HeldVertices == system.IsHeld;
+  if (!this->All.Any(!isSame))
+  {
+    return;
+  }
+  this->HasSystem = false;
+  this->Multigrid->SetPenalties(system.D, system.IsHeld, context);
+  this->Penalties = system.D;
+  this->HeldVertices = system.IsHeld;
+  this->HasSystem = true;
+  ++this->Completed.Systems;
+}
+
+/// The rest when the known values are taken away: D y and the diagonal solution cancel.
+Vector<Complex> PieceFieldSolver::RightHandSide(const System& system) const
+{
+  Vector<Complex> b = -this->Multigrid->MultiplyOffDiagonal(system.Known);
+  for (Eigen::Index i = 0; i < b.size(); ++i)
+  {
+    b[i] = system.IsHeld[i] ? Complex(0.0) : b[i];
+  }
+  return b;
+}
+
+/// Conjugate gradients where something is held, and the smoothest field elsewhere.
+Vector<Complex> PieceFieldSolver::SolveSystem(const System& system, const Vector<Complex>& b,
+  const StoppingCriteria& stop, SolveReport& report, const ExecutionContext& context)
 {
   report.Converged = true;
-  Vector<Complex> x = Vector<Complex>::Zero(b.size());
+  Vector<Complex> x = system.Known;
   if (system.HoldsAny)
   {
-    x = solver.Solve(b, stop, report, context);
+    x += this->Multigrid->Solve(b, stop, report, context);
   }
   if (system.Smoothest.NumberOfComponents() > 0)
   {
-    std::vector<IterationReport> iterations =
-      system.Smoothest.Find(solver, this->MeanMass, stop.MaximumIterations, x, report, context);
+    this->FormerSmoothest.conservativeResizeLike(Vector<Complex>::Zero(x.size()));
+    std::vector<IterationReport> iterations = system.Smoothest.Find(
+      *this->Multigrid, this->MeanMass, stop.MaximumIterations, this->FormerSmoothest, x, report, context);
     if (!system.HoldsAny)
     {
       report.Iterations = std::move(iterations);
@@ -273,42 +295,6 @@ Vector<Complex> PieceFieldSolver::SolveSystem(const System& system, PetscMultigr
             "there"));
   }
   return x;
-}
-
-/// Adds penalties to the Laplacian, takes held vertices out of it and out of the finest prolongation, and
-/// weakens the latter where penalties are strong.
-/// \return what remains on the right when the known values are taken away: D y and the diagonal solution cancel.
-Vector<Complex> PieceFieldSolver::SetEquations(const System& system, const std::vector<char>& isHeld,
-  const std::vector<Complex>& known, SparseMatrix<Complex>& matrix,
-  std::vector<RowsOfRank<Complex>>& prolongations) const
-{
-  const int first = this->Part.FirstOwned();
-  Vector<Complex> b = Vector<Complex>::Zero(this->Part.NumberOfOwned());
-  for (int i = 0; i < this->Part.NumberOfOwned(); ++i)
-  {
-    double share = 0.0; // of the Laplacian in the diagonal
-    for (SparseMatrix<Complex>::InnerIterator entry(matrix, i); entry; ++entry)
-    {
-      const int column = static_cast<int>(entry.col());
-      if (column == first + i)
-      {
-        const double diagonal = entry.value().real() + system.D[i];
-        share = system.IsHeld[i] || diagonal <= 0.0 ? 0.0 : entry.value().real() / diagonal;
-        entry.valueRef() = diagonal > 0.0 ? diagonal : 1.0;
-        continue;
-      }
-      b[i] -= system.IsHeld[i] ? Complex(0.0) : Complex(entry.value() * known[column]);
-      if (system.IsHeld[i] || isHeld[column])
-      {
-        entry.valueRef() = 0.0;
-      }
-    }
-    if (!prolongations.empty())
-    {
-      prolongations[0].Rows.row(i) *= share;
-    }
-  }
-  return b;
 }
 
 PieceFieldSolver::System PieceFieldSolver::MakeSystem(
@@ -331,7 +317,7 @@ PieceFieldSolver::System PieceFieldSolver::MakeSystem(
       system.Known[i] = value;
       continue;
     }
-    const double diagonal = this->Stiffness[i];
+    const double diagonal = this->Multigrid->Stiffness()[i];
     const double penalty = weights.Alignment * constraint.Weight * this->Mass[i] / weights.Smoothness;
     system.D[i] = LimitedPenalty(penalty, diagonal);
     system.Known[i] = system.D[i] > 0.0 ? Complex(system.D[i] / (diagonal + system.D[i]) * value) : Complex(0.0);
@@ -396,7 +382,7 @@ void PieceFieldSolver::HoldComponents(
   {
     numbersOfOwned.push_back(numbers[component]);
   }
-  system.Smoothest = SmoothestInPieces(this->All, numbersOfOwned, smoothest, this->Stiffness, this->Mass);
+  system.Smoothest = SmoothestInPieces(this->All, numbersOfOwned, smoothest, this->Multigrid->Stiffness(), this->Mass);
   system.Smoothest.AddShifts(system.D);
   const bool hasFree = std::find(system.IsHeld.begin(), system.IsHeld.end(), 0) != system.IsHeld.end();
   if (!this->All.Any(hasFree))
@@ -429,8 +415,9 @@ Field PieceFieldSolver::Directions(const PieceField& field, bool combing, const 
   if (!this->Part.IsEmpty())
   {
     const FramedMesh& surface = this->Part.Surface();
-    const std::unique_ptr<const Discretisation> discretisation = MakeDiscretisation(this->OptionsOfField, surface);
     const bool isFunction = this->IsFunction();
+    const std::unique_ptr<const Discretisation> discretisation =
+      MakeDiscretisation(this->OptionsOfField, surface, &this->Part.Connection());
     const Vector<double> unknowns =
       isFunction ? Vector<double>(field.AtVertices.real()) : Vector<double>(AsPairs(field.AtVertices));
     directions = DirectionsOfField(surface, *discretisation, unknowns, combing, nullptr, context);

@@ -59,6 +59,8 @@ public:
   PieceFieldSolver(const PieceOfSurface& piece, const DiscretisationOptions& field, const ElementNames& names = {},
     const ExecutionContext& context = SerialContext());
 
+  ~PieceFieldSolver();
+
   PieceFieldSolver(const PieceFieldSolver&) = delete;
   PieceFieldSolver& operator=(const PieceFieldSolver&) = delete;
 
@@ -70,6 +72,7 @@ public:
   ///   rank, or hard constraints hold all vertices.
   /// \throw SolverFailure
   /// \throw Cancelled on all ranks
+  /// Cost: of the first solve and after penalties have changed, Galerkin products.
   PieceField Solve(const Constraints& constraints, const FieldWeights& weights = {}, const StoppingCriteria& stop = {},
     const ExecutionContext& context = SerialContext());
 
@@ -79,20 +82,31 @@ public:
   dmg::Field Directions(
     const PieceField& field, bool combing = true, const ExecutionContext& context = SerialContext()) const;
 
+  /// The number of times that stages have been completed. The system follows from penalties: which vertices are prescribed, with
+  /// which weights. It is kept where only values change.
+  struct StageCounts
+  {
+    int Systems = 0;
+    int Solves = 0;
+  };
+  StageCounts Counts() const { return this->Completed; }
+
 private:
   struct System;
 
   void SetUp(const ExecutionContext& context);
   bool IsFunction() const { return this->OptionsOfField.Kind == DiscretisationKind::ScalarFunction; }
   void CheckField() const;
-  void MakeLaplacian(const ExecutionContext& context);
+  void SetMass(const ExecutionContext& context);
+  RowsOfRank<Complex> Laplacian(const ExecutionContext& context) const;
+  std::vector<RowsOfRank<Complex>> Prolongations(const ExecutionContext& context) const;
   System MakeSystem(const std::vector<PowerAtVertex>& constraints, const FieldWeights& weights) const;
-  Vector<Complex> SetEquations(const System& system, const std::vector<char>& isHeld, const std::vector<Complex>& known,
-    SparseMatrix<Complex>& matrix, std::vector<RowsOfRank<Complex>>& prolongations) const;
   void HoldComponents(System& system, const std::vector<PowerAtVertex>& constraints, bool hasSource) const;
   void HoldOneVertex(std::vector<int>& ranks, System& system) const;
-  Vector<Complex> SolveSystem(const System& system, PetscMultigrid& solver, const Vector<Complex>& b,
-    const StoppingCriteria& stop, SolveReport& report, const ExecutionContext& context) const;
+  void SetSystem(const System& system, const ExecutionContext& context);
+  Vector<Complex> RightHandSide(const System& system) const;
+  Vector<Complex> SolveSystem(const System& system, const Vector<Complex>& b, const StoppingCriteria& stop,
+    SolveReport& report, const ExecutionContext& context);
 
   const Stopwatch Watch; ///< of the set-up
   const PetscSession Session;
@@ -102,11 +116,14 @@ private:
   const std::unique_ptr<const PieceOfSurface> OwnPart; // null where it is borrowed
   const PieceOfSurface& Part;
   PieceComponents Components;
-  Vector<double> Mass;                            // of owned vertices, over the mean of all
-  double MeanMass = 1.0;                          // an area
-  Vector<double> Stiffness;                       // the diagonal of the Laplacian
-  RowsOfRank<Complex> Laplacian;                  // of owned vertices
-  std::vector<RowsOfRank<Complex>> Prolongations; // of powers
+  Vector<double> Mass;                       // of owned vertices, over the mean of all
+  double MeanMass = 1.0;                     // an area
+  std::unique_ptr<PetscMultigrid> Multigrid; // of the Laplacian and, if there is a system, its penalties
+  bool HasSystem = false;
+  Vector<double> Penalties;       // of the system
+  std::vector<char> HeldVertices; // of the system
+  Vector<Complex> FormerSmoothest;
+  StageCounts Completed;
   double SetupSeconds = 0.0;
 };
 

@@ -33,28 +33,88 @@ struct SightOfGhost
   Complex Turn;
 };
 
-/// The graph of own points alone.
-TangentGraph OwnPart(const GraphOfPiece& level)
+/// Links between own points and ghosts. Sampling must not follow them, and a second graph would be much memory.
+class LinksWithGhosts
 {
-  const TangentGraph& all = level.Graph;
-  TangentGraph own;
-  own.Offsets.reserve(level.NumberOfOwn + 1);
-  for (int point = 0; point < level.NumberOfOwn; ++point)
+public:
+  /// Takes them out of a graph, which becomes that of own points alone.
+  explicit LinksWithGhosts(GraphOfPiece& level)
+    : Graph(level.Graph)
+    , NumberOfPoints(level.Graph.NumberOfPoints())
   {
-    for (int link = all.Offsets[point]; link < all.Offsets[point + 1]; ++link)
+    int next = 0;
+    int begin = 0;
+    for (int point = 0; point < level.NumberOfOwn; ++point)
     {
-      if (all.Neighbours[link] < level.NumberOfOwn)
+      const int end = this->Graph.Offsets[point + 1];
+      for (int link = begin; link < end; ++link)
       {
-        own.Neighbours.push_back(all.Neighbours[link]);
-        own.Steps.push_back(all.Steps[link]);
-        own.Turns.push_back(all.Turns[link]);
+        if (this->Graph.Neighbours[link] >= level.NumberOfOwn)
+        {
+          this->Links.push_back(
+            { point, link, this->Graph.Neighbours[link], this->Graph.Steps[link], this->Graph.Turns[link] });
+          continue;
+        }
+        this->Graph.Neighbours[next] = this->Graph.Neighbours[link];
+        this->Graph.Steps[next] = this->Graph.Steps[link];
+        this->Graph.Turns[next++] = this->Graph.Turns[link];
       }
+      begin = end;
+      this->Graph.Offsets[point + 1] = next;
     }
-    own.Offsets.push_back(static_cast<int>(own.Neighbours.size()));
+    this->Graph.Offsets.resize(level.NumberOfOwn + 1);
+    this->Resize(next);
   }
-  own.Curvatures.assign(all.Curvatures.begin(), all.Curvatures.begin() + level.NumberOfOwn);
-  return own;
-}
+
+  /// Puts them back where they were, from the last to the first.
+  void PutBack()
+  {
+    int from = this->Graph.NumberOfLinks();
+    const int links = from + static_cast<int>(this->Links.size());
+    this->Resize(links);
+    auto next = this->Links.rbegin();
+    for (int link = links - 1; link >= 0; --link)
+    {
+      const bool isPutBack = next != this->Links.rend() && next->Place == link;
+      from -= isPutBack ? 0 : 1;
+      this->Graph.Neighbours[link] = isPutBack ? next->Neighbour : this->Graph.Neighbours[from];
+      this->Graph.Steps[link] = isPutBack ? next->Step : this->Graph.Steps[from];
+      this->Graph.Turns[link] = isPutBack ? next->Turn : this->Graph.Turns[from];
+      next += isPutBack ? 1 : 0;
+    }
+    std::size_t before = 0;
+    for (int point = 0; point + 1 < static_cast<int>(this->Graph.Offsets.size()); ++point)
+    {
+      while (before < this->Links.size() && this->Links[before].Point == point)
+      {
+        ++before;
+      }
+      this->Graph.Offsets[point + 1] += static_cast<int>(before);
+    }
+    this->Graph.Offsets.resize(this->NumberOfPoints + 1, links);
+  }
+
+private:
+  struct Link
+  {
+    int Point;
+    int Place; ///< among all links
+    int Neighbour;
+    Complex Step;
+    Complex Turn;
+  };
+
+  void Resize(int links)
+  {
+    this->Graph.Neighbours.resize(links);
+    this->Graph.Steps.resize(links);
+    this->Graph.Turns.resize(links);
+  }
+
+  TangentGraph& Graph;
+  const int NumberOfPoints;
+  std::vector<Link> Links;
+};
 
 /// Takes away the links of points that are not owned: these links are not all here.
 void DropLinksOfGhosts(GraphOfPiece& level)
@@ -128,7 +188,9 @@ public:
       {
         if (level.NumberOfOwn > 0)
         {
-          sampling = SamplePoints(OwnPart(level), distance, largestCurvature, this->Context);
+          LinksWithGhosts ghosts(level);
+          sampling = SamplePoints(level.Graph, distance, largestCurvature, this->Context);
+          ghosts.PutBack();
         }
       });
     const int own = static_cast<int>(sampling.Samples.size());
@@ -154,7 +216,8 @@ public:
         AddGhosts(sampling, ghosts, samplesOfGhosts);
         coarse.NumberOfOwn = own;
         coarse.Graph = GraphOfSamples(level.Graph, sampling, this->Context);
-        prolongation.Rows = SampledProlongation(sampling, coarse.Graph, points, this->Context);
+        SparseMatrix<Complex> rows = SampledProlongation(sampling, coarse.Graph, points, this->Context);
+        prolongation.Rows.swap(rows);
       });
     coarse.PlacesOfGhosts = samplesOfGhosts;
     DropLinksOfGhosts(coarse);

@@ -5,6 +5,7 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
+#include <utility>
 #include <vector>
 
 namespace dmg
@@ -16,7 +17,18 @@ struct RowsOfRank
 {
   SparseMatrix<Scalar> Rows;            ///< columns are numbers of this rank
   std::vector<long long> GlobalColumns; ///< per column the number over all ranks
-  int OwnedColumns;                     ///< columns that this rank owns
+  int OwnedColumns = 0;                 ///< columns that this rank owns
+
+  RowsOfRank() = default;
+  /// Eigen 3.4 would copy the rows.
+  RowsOfRank(RowsOfRank&& other) noexcept { *this = std::move(other); }
+  RowsOfRank& operator=(RowsOfRank&& other) noexcept
+  {
+    this->Rows.swap(other.Rows);
+    std::swap(this->GlobalColumns, other.GlobalColumns);
+    std::swap(this->OwnedColumns, other.OwnedColumns);
+    return *this;
+  }
 };
 
 /// Levels of samples of a surface in pieces: each rank samples the vertices that it owns, and interpolates between its samples

@@ -107,9 +107,10 @@ void SmoothestInPieces::AddShifts(Vector<double>& D) const
 }
 
 std::vector<IterationReport> SmoothestInPieces::Find(PetscMultigrid& system, double meanMass, int maximumIterations,
-  Vector<Complex>& x, SolveReport& report, const ExecutionContext& context) const
+  Vector<Complex>& former, Vector<Complex>& x, SolveReport& report, const ExecutionContext& context) const
 {
-  Vector<double> pairs = AsPairs(x);
+  Vector<double> pairs = AsPairs(former);
+  former.setZero(x.size());
   const MatrixOfSystem matrix(system, static_cast<int>(x.size()));
   CycleOfSystem cycle(system);
   SolveReport found;
@@ -123,7 +124,7 @@ std::vector<IterationReport> SmoothestInPieces::Find(PetscMultigrid& system, dou
     for (int item = this->ByComponent.Begins[component]; item < this->ByComponent.Begins[component + 1]; item += 2)
     {
       const int unknown = this->ByComponent.Items[item];
-      x[unknown / 2] = length * Complex(pairs[unknown], pairs[unknown + 1]);
+      x[unknown / 2] = former[unknown / 2] = length * Complex(pairs[unknown], pairs[unknown + 1]);
     }
     report.Eigenvalues.push_back(std::max(theta[component] - this->Shifts[component], 0.0) / meanMass);
   }

@@ -36,12 +36,13 @@ public:
   void AddShifts(Vector<double>& D) const;
 
   /// Writes the fields into x, with a mean square magnitude of 1.
-  /// \param system with the shifts. \param x of owned vertices; the start, zero: none.
+  /// \param system with the shifts. \param x of owned vertices.
+  /// \param former the field of another time to start from, zero: none; on exit this one, zero elsewhere.
   /// \param meanMass of a vertex, an area.
   /// \param report is added to: eigenvalues, in 1 / length^2, seconds, convergence and warnings.
   /// \return the history of the iteration.
-  std::vector<IterationReport> Find(PetscMultigrid& system, double meanMass, int maximumIterations, Vector<Complex>& x,
-    SolveReport& report, const ExecutionContext& context) const;
+  std::vector<IterationReport> Find(PetscMultigrid& system, double meanMass, int maximumIterations,
+    Vector<Complex>& former, Vector<Complex>& x, SolveReport& report, const ExecutionContext& context) const;
 
 private:
   const Ranks* All;
