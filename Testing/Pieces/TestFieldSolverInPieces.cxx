@@ -182,6 +182,10 @@ TEST(TestFieldSolverInPieces, GuidesAndFeaturesAsOnOneProcess)
   problem.Features.CurvatureWeight = 0.1;
   problem.Rotation.Everywhere = 0.2;
   CheckOnAllPartitions(surface, problem);
+  problem.Features.CurvatureWeight = 0.0;
+  problem.Features.SharpEdgesWeight = 0.0; // at all vertices
+  problem.Options.Constraints = ConstraintKind::Hard;
+  CheckOnAllPartitions(surface, problem);
 }
 
 TEST(TestFieldSolverInPieces, SourcesAsOnOneProcess)
