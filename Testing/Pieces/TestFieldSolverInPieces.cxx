@@ -183,8 +183,9 @@ TEST(TestFieldSolverInPieces, GuidesAndFeaturesAsOnOneProcess)
   problem.Rotation.Everywhere = 0.2;
   CheckOnAllPartitions(surface, problem);
   problem.Features.CurvatureWeight = 0.0;
-  problem.Features.SharpEdgesWeight = 0.0; // at all vertices
   problem.Options.Constraints = ConstraintKind::Hard;
+  Comparison(surface, problem).Check(test::Partitions()[1]); // sharp edges hold all vertices
+  problem.Features.SharpEdgesWeight = 0.0;
   CheckOnAllPartitions(surface, problem);
 }
 
@@ -234,13 +235,18 @@ TEST(TestFieldSolverInPieces, StagesAreKept)
   const long long first = solver.Solve(problem).Number;
   EXPECT_EQ(solver.Solve(problem).Number, first);
   EXPECT_EQ(solver.Counts().Solves, 1);
+  problem.Guides.Vectors[0].Direction[2] = -0.7; // other values of the same system
+  solver.Solve(problem);
+  EXPECT_EQ(solver.Counts().Systems, 1);
+  EXPECT_EQ(solver.Counts().Solves, 2);
   problem.Guides.Vectors[0].Position[1] = -0.7;
   EXPECT_GT(solver.Solve(problem).Number, first);
   EXPECT_EQ(solver.Counts().Setups, 1);
-  EXPECT_EQ(solver.Counts().Solves, 2);
+  EXPECT_EQ(solver.Counts().Systems, 2);
+  EXPECT_EQ(solver.Counts().Solves, 3);
   problem.Combing = false;
   EXPECT_FALSE(solver.Solve(problem).IsCombed);
-  EXPECT_EQ(solver.Counts().Solves, 2);
+  EXPECT_EQ(solver.Counts().Solves, 3);
   problem.Options.Field.N = 2;
   EXPECT_EQ(solver.Solve(problem).N, 2);
   EXPECT_EQ(solver.Counts().Setups, 2);

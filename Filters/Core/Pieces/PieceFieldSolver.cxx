@@ -384,12 +384,6 @@ void PieceFieldSolver::HoldComponents(
   }
   system.Smoothest = SmoothestInPieces(this->All, numbersOfOwned, smoothest, this->Multigrid->Stiffness(), this->Mass);
   system.Smoothest.AddShifts(system.D);
-  const bool hasFree = std::find(system.IsHeld.begin(), system.IsHeld.end(), 0) != system.IsHeld.end();
-  if (!this->All.Any(hasFree))
-  {
-    throw InvalidInput(
-      "hard constraints hold all vertices, so that nothing is left to solve for; make them soft, or leave some out");
-  }
 }
 
 /// Holds the first vertex of some components at zero, on the lowest rank that has one.

@@ -68,8 +68,8 @@ public:
 
   /// \param constraints on own triangles, counted from 0, and at points of the piece; of functions, Values and a Source. See
   ///   ConstraintsAtOwned.
-  /// \throw InvalidInput a constraint or weight is wrong, what is prescribed holds nothing, a function has no value and no source on any
-  ///   rank, or hard constraints hold all vertices.
+  /// \throw InvalidInput a constraint or weight is wrong, what is prescribed holds nothing, or a function has no value and no source on
+  ///   any rank.
   /// \throw SolverFailure
   /// \throw Cancelled on all ranks
   /// Cost: of the first solve and after penalties have changed, Galerkin products.
