@@ -18,6 +18,8 @@
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 
+#include <string>
+
 vtkStandardNewMacro(vtkDirectionalField);
 
 namespace
@@ -56,7 +58,8 @@ int vtkDirectionalField::FillOutputPortInformation(int port, vtkInformation* inf
 int vtkDirectionalField::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
+  const auto solveAndDraw =
+    [&](vtkInformationVector** inputs, int piece, int pieces, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({
       { "Line Distance", this->LineDistance, 0.0005, 1 },
@@ -65,7 +68,7 @@ int vtkDirectionalField::RequestData(
     vtkNew<vtkInformationVector> solved;
     MakeSolverOutputs(outputVector, solved);
     this->SetProgressShiftScale(0.0, PartOfSolver);
-    const int success = this->Superclass::RequestData(request, whole, solved);
+    const int success = this->Superclass::RequestData(request, inputs, solved);
     this->SetProgressShiftScale(0.0, 1.0);
     if (solved->GetInformationObject(0)->Has(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()))
     {
@@ -85,15 +88,25 @@ int vtkDirectionalField::RequestData(
     vtkNew<vtkFieldSingularities> singularities;
     singularities->SetInputData(surface);
     singularities->SetSphereRadius(this->SphereRadius);
-    const bool isDrawn = dmg::UpdateInside(this, lines, dmg::PartOfContext(context, PartOfSolver, Drawn)) &&
-      dmg::UpdateInside(this, singularities, dmg::PartOfContext(context, Drawn, 1.0));
+    const bool isDrawn =
+      dmg::UpdateInside(this, lines, dmg::PartOfContext(context, PartOfSolver, Drawn), piece, pieces) &&
+      dmg::UpdateInside(this, singularities, dmg::PartOfContext(context, Drawn, 1.0), piece, pieces);
     if (isDrawn)
     {
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines->GetOutput());
       vtkPolyData::GetData(outputVector, 2)->ShallowCopy(singularities->GetOutput(3));
     }
   };
-  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
+  const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
+  { solveAndDraw(whole, 0, 1, context); };
+  // The filters inside are collective, too: each solves in pieces or gathers them.
+  const auto makeInPieces =
+    [&](const dmg::RanksOfPipeline& ranks, vtkInformationVector** inputs, const dmg::ExecutionContext& context)
+  {
+    ranks.Together([&] { solveAndDraw(inputs, ranks.Rank(), ranks.Size(), context); });
+    return std::string();
+  };
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make, makeInPieces);
 }
 
 //------------------------------------------------------------------------------

@@ -14,6 +14,9 @@
 #include "Adapters/Surface/SolverOfSurface.h"
 #include "Mesh/TriangleSoup.h"
 #include "SingularFieldSolver.h"
+#ifdef DMG_PETSC
+#include "Adapters/Output/OutputOfPieces.h"
+#endif
 
 #include "vtkCommand.h"
 #include "vtkDataSetAttributes.h"
@@ -64,12 +67,18 @@ public:
   dmg::FieldSolver::StageCounts Counts() const
   {
     dmg::FieldSolver::StageCounts counts = this->Former;
+#ifdef DMG_PETSC
+    counts = counts + this->Pieces.Counts();
+#endif
     this->Leaves.ForEach([&counts](const Leaf& leaf) { counts = counts + leaf.Solver.Counts(); });
     return counts;
   }
 
   dmg::ConstraintChoices GuideChoices; ///< SetGuideArrayToProcess
   std::string Followed;
+#ifdef DMG_PETSC
+  dmg::SolverOfPieces Pieces;
+#endif
 
 private:
   dmg::LeavesOfExecution<Leaf> Leaves;
@@ -305,7 +314,17 @@ int vtkHarmonicFieldSolver::RequestData(
                       "Clean (vtkCleanPolyData) first, or switch Join Points on and Strict off");
     }
     const dmg::ConstraintChoices choices = dmg::ChoicesOnSurface(this, input);
-    const dmg::UnusableDirections unusable = dmg::ReadInputs(this, choices, inputs, kept, problem);
+    const dmg::FramedSurface surface = kept.Surface();
+    const dmg::UnusableDirections unusable = dmg::ReadInputs(this, choices, inputs, &surface, problem);
+    if (problem.Constraints.AreEmpty() && problem.Guides.AreEmpty())
+    {
+      dmg::CheckPrescribes(choices, inputs);
+    }
+    if (!inputs.Singularities.Data.empty())
+    {
+      problem.Singularities =
+        dmg::BringToSurface(inputs.Singularities, problem.Options.Field.N, kept.Solver().Places());
+    }
     if (!unusable.AreNone())
     {
       vtkWarningMacro(<< dmg::TextOf(unusable));
@@ -336,7 +355,18 @@ int vtkHarmonicFieldSolver::RequestData(
       }
     }
   };
-  return dmg::MakeOutputs(this, request, inputVector, outputVector, make);
+  const auto makeInPieces = [&](const dmg::RanksOfPipeline& ranks, vtkInformationVector** pieces,
+                              const dmg::ExecutionContext& context) -> std::string
+  {
+#ifdef DMG_PETSC
+    return dmg::SolveInPieces(this, this->Internals->GuideChoices, this->Internals->Pieces, ranks, pieces, outputVector,
+      this->Internals->Followed, context);
+#else
+    (void)ranks, (void)pieces, (void)context;
+    return "the filters were built without DMG_PETSC, by which power fields at points and functions stay in pieces";
+#endif
+  };
+  return dmg::MakeOutputs(this, request, inputVector, outputVector, make, makeInPieces);
 }
 
 //------------------------------------------------------------------------------

@@ -147,8 +147,8 @@
  * NestedIterations and CoarseProlongation are approximations and give no warning. Where the constraints do not determine the harmonic parts of face fields and 1-forms, these are left
  * out, with a warning. An error or an aborted run leaves empty outputs and keeps complete stages.
  *
- * Threads and pieces are as in vtkDirectionalProlongation. Results have the same bits for any number of threads, but
- * for those of the BLAS (OPENBLAS_NUM_THREADS).
+ * Threads and pieces are as in vtkDirectionalProlongation, or Pieces.md. Results have the same bits for any number of threads, but
+ * those of BLAS (OPENBLAS_NUM_THREADS).
  *
  * @sa vtkDirectionalProlongation vtkPrincipalDirections
  */

@@ -39,6 +39,14 @@ void ExpectWhole(Solver* solver)
   EXPECT_LT(LargestDifference(field, whole), 1e-7); // ten times the tolerance
 }
 
+/// A solver that runs on one process only.
+vtkSmartPointer<Solver> NewGathering(vtkPolyData* input)
+{
+  auto solver = NewSolver(input);
+  solver->SetSolver(Solver::Cholesky);
+  return solver;
+}
+
 /// Rank 0 alone tells the error, once; of other ranks, the executive says that there was one.
 void ExpectOneError(const Messages& messages, Solver* solver, const std::string& words)
 {
@@ -59,7 +67,7 @@ void ExpectOneError(const Messages& messages, Solver* solver, const std::string&
 
 TEST(GatheredSurface, HasTheFieldOfTheWhole)
 {
-  const auto solver = NewSolver(OwnBand());
+  const auto solver = NewGathering(OwnBand());
   const Messages messages(solver);
   UpdateOwnPiece(solver);
   EXPECT_TRUE(messages.Silent());
@@ -74,7 +82,7 @@ TEST(GatheredSurface, HasTheFieldOfTheWhole)
 
 TEST(GatheredSurface, IsOneCopyWhereEachRankHasReadTheSameFile)
 {
-  const auto solver = NewSolver(Sphere());
+  const auto solver = NewGathering(Sphere());
   const Messages messages(solver);
   UpdateOwnPiece(solver);
   EXPECT_TRUE(messages.Silent());
@@ -86,7 +94,7 @@ TEST(GatheredSurface, MayHaveAnEmptyPieceOnAnyRank)
 {
   for (const int first : { 0, 1 }) // the last rank, or the first one
   {
-    const auto solver = NewSolver(OwnBand(Ranks() - 1, first));
+    const auto solver = NewGathering(OwnBand(Ranks() - 1, first));
     UpdateOwnPiece(solver);
     ExpectWhole(solver);
   }
@@ -95,7 +103,7 @@ TEST(GatheredSurface, MayHaveAnEmptyPieceOnAnyRank)
 TEST(GatheredSurface, IsEmptyWhereAllPiecesAre)
 {
   vtkNew<vtkPolyData> empty;
-  const auto solver = NewSolver(empty);
+  const auto solver = NewGathering(empty);
   const Messages messages(solver);
   UpdateOwnPiece(solver);
   EXPECT_TRUE(messages.Silent());
@@ -120,14 +128,14 @@ TEST(GatheredSurface, LeavesGhostsOut)
     }
   }
   piece->GetCellData()->AddArray(ghosts);
-  const auto solver = NewSolver(piece);
+  const auto solver = NewGathering(piece);
   UpdateOwnPiece(solver);
   ExpectWhole(solver);
 }
 
 TEST(GatheredSurface, HasNoSeamsWherePointsAreNotJoined)
 {
-  const auto solver = NewSolver(OwnBand());
+  const auto solver = NewGathering(OwnBand());
   solver->JoinPointsOff();
   UpdateOwnPiece(solver);
   ExpectWhole(solver);
@@ -156,7 +164,7 @@ TEST(GatheredSurface, JoinsPointsByTheirGlobalIds)
   }
   ids->SetName("Ids");
   piece->GetPointData()->SetGlobalIds(ids);
-  const auto solver = NewSolver(piece);
+  const auto solver = NewGathering(piece);
   solver->JoinPointsOff();
   UpdateOwnPiece(solver);
   if (Rank() == 0)
@@ -174,6 +182,7 @@ TEST(GatheredSurface, MayBeAnUnstructuredGrid)
   solver->SetInputData(asGrid->GetOutput());
   solver->SetInputArrayToProcess(1, 0, 0, OnCells, "Given");
   solver->SetTolerance(1e-8);
+  solver->SetSolver(Solver::Cholesky);
   UpdateOwnPiece(solver);
   EXPECT_TRUE(vtkUnstructuredGrid::SafeDownCast(solver->GetOutputDataObject(0)));
   ExpectWhole(solver);
@@ -183,7 +192,7 @@ TEST(GatheredSurface, TakesGuidesOfAllRanksOnce)
 {
   const auto withGuide = [](vtkPolyData* surface, vtkDataObject* guide)
   {
-    const auto solver = NewSolver(surface);
+    const auto solver = NewGathering(surface);
     solver->SetInputDataObject(1, guide);
     return solver;
   };
@@ -216,7 +225,7 @@ TEST(GatheredSurface, AnErrorOfOneRankIsToldOnce)
   {
     piece->GetPoints()->SetPoint(7, 0.0, std::nan(""), 0.0);
   }
-  const auto solver = NewSolver(piece);
+  const auto solver = NewGathering(piece);
   const Messages messages(solver);
   UpdateOwnPiece(solver);
   ExpectOneError(messages, solver, "has a coordinate that is not finite");
@@ -230,6 +239,7 @@ TEST(GatheredSurface, AnErrorOfOneRankIsToldOnce)
     other = asGrid->GetOutput();
   }
   vtkNew<Solver> mixed;
+  mixed->SetSolver(Solver::Cholesky);
   mixed->SetInputDataObject(other);
   const Messages ofMixed(mixed);
   UpdateOwnPiece(mixed);
@@ -238,7 +248,7 @@ TEST(GatheredSurface, AnErrorOfOneRankIsToldOnce)
 
 TEST(GatheredSurface, RanksThatDifferInPropertiesAreTold)
 {
-  const auto solver = NewSolver(OwnBand());
+  const auto solver = NewGathering(OwnBand());
   solver->SetNumberOfDirections(Rank() == 1 ? 2 : 4);
   const Messages messages(solver);
   UpdateOwnPiece(solver);
@@ -246,7 +256,7 @@ TEST(GatheredSurface, RanksThatDifferInPropertiesAreTold)
     messages, solver, "ranks 0 and 1 differ in a property: \"NumberOfDirections: 4\" and \"NumberOfDirections: 2\"");
 
   vtkNew<vtkPolyData> guide;
-  const auto guided = NewSolver(OwnBand());
+  const auto guided = NewGathering(OwnBand());
   if (Rank() == 1)
   {
     guided->SetInputDataObject(1, guide);
@@ -259,7 +269,7 @@ TEST(GatheredSurface, RanksThatDifferInPropertiesAreTold)
 TEST(GatheredSurface, IsRefusedWhereMemoryIsShort)
 {
   setenv("DMG_MEMORY_LIMIT", "1024", 1); // of the whole machine: less than is used already
-  const auto solver = NewSolver(OwnBand());
+  const auto solver = NewGathering(OwnBand());
   const Messages messages(solver);
   UpdateOwnPiece(solver);
   unsetenv("DMG_MEMORY_LIMIT");
@@ -273,7 +283,7 @@ TEST(GatheredSurface, AnAbortOnAnyRankEndsAll)
 {
   for (const int rank : { 0, 1 })
   {
-    const auto solver = NewSolver(OwnBand());
+    const auto solver = NewGathering(OwnBand());
     {
       const AbortAt abort(solver, Rank() == rank ? 0.0 : 2.0);
       UpdateOwnPiece(solver);
@@ -306,7 +316,7 @@ TEST(GatheredSurface, OneRankMayWorkAlone)
 {
   if (Rank() == Ranks() - 1)
   {
-    const auto solver = NewSolver(Sphere());
+    const auto solver = NewGathering(Sphere());
     solver->Update();
     EXPECT_EQ(solver->GetOutput()->GetNumberOfCells(), 1280);
   }
@@ -380,6 +390,7 @@ TEST(GatheredSurface, DirectionalFieldDrawsIt)
 {
   vtkNew<vtkDirectionalField> field;
   field->SetInputData(OwnBand());
+  field->SetSolver(Solver::Cholesky);
   const Messages messages(field);
   UpdateOwnPiece(field);
   EXPECT_TRUE(messages.Silent());

@@ -10,10 +10,6 @@
 namespace dmg
 {
 
-namespace
-{
-
-/// Refuses choices that prescribe nothing.
 void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs)
 {
   if (HasDirections(choices, inputs.Surface))
@@ -31,28 +27,20 @@ void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs
   }
 }
 
-}
-
 UnusableDirections ReadInputs(vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices,
-  const FieldInputs& inputs, SolverOfSurface& surface, FieldProblem& problem)
+  const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem)
 {
   UnusableDirections unusable;
-  const FramedSurface framed = surface.Surface();
-  problem.Constraints = ConstraintsFromArrays(choices, inputs.Surface, framed, unusable);
+  if (surface)
+  {
+    problem.Constraints = ConstraintsFromArrays(choices, inputs.Surface, *surface, unusable);
+  }
   problem.Constraints.Net =
     filter->GetNetSource() == vtkHarmonicFieldSolver::TakeOut ? NetSource::TakeOut : NetSource::Refuse;
   problem.Guides = GuidesFrom(inputs.Guides, unusable);
-  if (problem.Constraints.AreEmpty() && problem.Guides.AreEmpty())
+  if (surface && problem.Options.Field.Kind != DiscretisationKind::ScalarFunction) // which nothing turns
   {
-    CheckPrescribes(choices, inputs);
-  }
-  if (problem.Options.Field.Kind != DiscretisationKind::ScalarFunction) // which nothing turns
-  {
-    problem.Rotation = RotationFromArray(choices.Rotation, filter->GetRotation(), inputs.Surface, framed);
-  }
-  if (!inputs.Singularities.Data.empty())
-  {
-    problem.Singularities = BringToSurface(inputs.Singularities, problem.Options.Field.N, surface.Solver().Places());
+    problem.Rotation = RotationFromArray(choices.Rotation, filter->GetRotation(), inputs.Surface, *surface);
   }
   return unusable;
 }

@@ -3,7 +3,7 @@
 
 #include "Adapters/Input/GuidesFromDataSets.h"
 #include "Adapters/Input/SingularitiesOnSurface.h"
-#include "Adapters/Surface/SolverOfSurface.h"
+#include "Adapters/Surface/MeshFromDataSet.h"
 #include "FieldProblem.h"
 
 class vtkDataSet;
@@ -20,14 +20,16 @@ struct FieldInputs
   dmg::Singularities Singularities;
 };
 
-/// Adds to a problem what the inputs say: constraints and rotations by arrays of the surface, guides and singularities.
+/// Adds to a problem what the inputs say but for singularities: constraints and rotations by arrays of the surface, and guides.
 /// \param choices of ChoicesOnSurface.
-/// \param surface made of the first input.
+/// \param surface made of the first input; null where a rank has no piece of it.
 /// \return the directions that are left out.
-/// \throw InvalidInput as ConstraintsFromArrays, RotationFromArray, GuidesFrom and BringToSurface; arrays or guides are chosen
-/// that prescribe nothing; singularities of a field that has none.
+/// \throw InvalidInput as ConstraintsFromArrays, RotationFromArray and GuidesFrom.
 UnusableDirections ReadInputs(vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices,
-  const FieldInputs& inputs, SolverOfSurface& surface, FieldProblem& problem);
+  const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem);
+
+/// Where nothing is prescribed. \throw InvalidInput arrays or guides are chosen that prescribe nothing.
+void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs);
 
 }
 

@@ -50,7 +50,6 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
   }
   addColumn(ArrayNames::Seconds, &IterationReport::Seconds);
   addColumn(ArrayNames::RelativeResidual, &IterationReport::RelativeResidual);
-  addColumn(ArrayNames::Energy, &IterationReport::Energy);
   const auto addIfMeasured = [&](const char* name, double IterationReport::*value)
   {
     if (size > 0 && !std::isnan(report.Iterations.back().*value))
@@ -58,6 +57,10 @@ void MakeConvergenceTable(const SolveReport& report, vtkTable* table)
       addColumn(name, value);
     }
   };
+  if (size == 0 || !std::isnan(report.Iterations.back().Energy)) // in pieces, nobody measures it
+  {
+    addColumn(ArrayNames::Energy, &IterationReport::Energy);
+  }
   addIfMeasured(ArrayNames::MassResidual, &IterationReport::MassResidual);
   addIfMeasured(ArrayNames::Error, &IterationReport::Error);
   vtkNew<vtkIntArray> returned;

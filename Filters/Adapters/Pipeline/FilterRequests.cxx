@@ -122,14 +122,19 @@ int Failed(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::st
   return 0;
 }
 
+void CheckOutputs(vtkInformationVector* outputs, vtkDataSet* input)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    CheckArraysAreFinite(vtkDataObject::GetData(outputs, port), input);
+  }
+}
+
 void MakeAndCheck(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformationVector** inputs,
   vtkInformationVector* outputs, const ExecutionContext& context)
 {
   make(inputs, context);
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    CheckArraysAreFinite(vtkDataObject::GetData(outputs, port), vtkDataSet::GetData(inputs[0]));
-  }
+  CheckOutputs(outputs, vtkDataSet::GetData(inputs[0]));
 }
 
 /// Says in field data of the first output what was gathered, and in VTK's output, the first time that this filter does so.
@@ -149,16 +154,27 @@ void TellOfGathering(vtkAlgorithm* algorithm, vtkInformationVector* outputs, con
 }
 
 /// Collective: the pieces of all ranks, worked on by the first one.
-void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, vtkAlgorithm* algorithm,
-  vtkInformationVector** inputs, vtkInformationVector* outputs)
+void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const MakeInPiecesFunction& inPieces,
+  vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const ContextFromAlgorithm context(algorithm);
   ranks.Together([&] { context.Checkpoint(0.0); });
-  GatheredInputs gathered(ranks, algorithm, inputs);
-  if (gathered.AreEmpty())
+  CheckSameProperties(ranks, algorithm);
+  if (AreEmpty(ranks, inputs[0]))
   {
     return;
   }
+  std::string reason = "this filter works on whole surfaces";
+  if (inPieces && AreDifferentPieces(ranks, inputs[0]))
+  {
+    reason = inPieces(ranks, inputs, context);
+    if (reason.empty())
+    {
+      ranks.Together([&] { CheckOutputs(outputs, vtkDataSet::GetData(inputs[0])); });
+      return;
+    }
+  }
+  GatheredInputs gathered(ranks, algorithm, inputs, GatheredInputs::Place::OnFirst);
   std::string wrongChoice;
   ranks.Together(
     [&]
@@ -182,7 +198,7 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, vtkAlg
   }
   if (ranks.Rank() == 0 && !gathered.Note().empty())
   {
-    TellOfGathering(algorithm, outputs, gathered.Note() + ", since this filter works on whole surfaces");
+    TellOfGathering(algorithm, outputs, gathered.Note() + ", since " + reason);
   }
 }
 
@@ -284,8 +300,8 @@ int AskForInputs(
   return 1;
 }
 
-int MakeOutputsBy(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformation* request,
-  vtkInformationVector** inputs, vtkInformationVector* outputs)
+int MakeOutputsBy(const MakeFunction& make, const MakeInPiecesFunction& inPieces, vtkAlgorithm* algorithm,
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   const RanksOfPipeline ranks;
   try
@@ -293,7 +309,7 @@ int MakeOutputsBy(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformat
     Empty(outputs);
     if (AreInPieces(ranks, request, inputs, outputs))
     {
-      MakeOfPieces(ranks, make, algorithm, inputs, outputs);
+      MakeOfPieces(ranks, make, inPieces, algorithm, inputs, outputs);
     }
     else
     {

@@ -1,6 +1,7 @@
 #ifndef dmgFilterRequests_h
 #define dmgFilterRequests_h
 
+#include "Adapters/Ranks/RanksOfPipeline.h"
 #include "Support/Errors.h"
 #include "Support/ExecutionContext.h"
 
@@ -46,6 +47,11 @@ int AskForInputs(
 /// The inputs to work on, and the algorithm's context.
 using MakeFunction = std::function<void(vtkInformationVector** inputs, const ExecutionContext& context)>;
 
+/// Makes the outputs of all ranks, each of its own piece of the surface, by collective calls. \param inputs those of the pipeline.
+/// \return the reason why it has not: a clause for the user, the same on all ranks, as in "flows are found on one process".
+using MakeInPiecesFunction = std::function<std::string(
+  const RanksOfPipeline& ranks, vtkInformationVector** inputs, const ExecutionContext& context)>;
+
 /// What make() throws where a filter inside of this one has told its error already.
 class ToldFailure : public std::exception
 {
@@ -54,8 +60,9 @@ public:
 };
 
 /// MakeOutputs of any type of function.
-int MakeOutputsBy(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformation* request,
-  vtkInformationVector** inputs, vtkInformationVector* outputs);
+/// \param inPieces what to try first on surfaces in pieces, no two of which are equal; may be empty.
+int MakeOutputsBy(const MakeFunction& make, const MakeInPiecesFunction& inPieces, vtkAlgorithm* algorithm,
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
 /// RequestData: calls \p make with inputs that are the whole surface and all of the others, and with the algorithm's context, outputs
 /// empty, unless the first input has no cells or this is not the piece to work on; sources that do not know of pieces deliver the
@@ -71,7 +78,15 @@ int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformation
   vtkInformationVector* outputs, const Make& make)
 {
   // A reference takes no memory, which may be all gone already.
-  return MakeOutputsBy(std::cref(make), algorithm, request, inputs, outputs);
+  return MakeOutputsBy(std::cref(make), nullptr, algorithm, request, inputs, outputs);
+}
+
+/// The same with a function that makes the outputs in pieces.
+template <class Make, class MakeInPieces>
+int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
+  vtkInformationVector* outputs, const Make& make, const MakeInPieces& inPieces)
+{
+  return MakeOutputsBy(std::cref(make), std::cref(inPieces), algorithm, request, inputs, outputs);
 }
 
 }

@@ -57,7 +57,7 @@ struct Listener
 
 }
 
-bool UpdateInside(vtkAlgorithm* outer, vtkAlgorithm* inner, const ExecutionContext& context)
+bool UpdateInside(vtkAlgorithm* outer, vtkAlgorithm* inner, const ExecutionContext& context, int piece, int pieces)
 {
   Listener listener{ inner, context, {} };
   vtkNew<vtkCallbackCommand> command;
@@ -69,7 +69,7 @@ bool UpdateInside(vtkAlgorithm* outer, vtkAlgorithm* inner, const ExecutionConte
     inner->AddObserver(event, command);
   }
   inner->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, command);
-  inner->Update();
+  inner->UpdatePiece(piece, pieces, 0);
   inner->RemoveObserver(command);
   inner->GetExecutive()->RemoveObserver(command);
   context.Checkpoint(1.0);

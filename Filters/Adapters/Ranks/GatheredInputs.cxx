@@ -43,7 +43,7 @@ std::vector<std::string> LinesOf(const std::string& text)
 }
 
 /// \throw InvalidInput
-void CheckSameProperties(const std::vector<std::string>& texts)
+void CheckSameTexts(const std::vector<std::string>& texts)
 {
   for (std::size_t rank = 1; rank < texts.size(); ++rank)
   {
@@ -152,6 +152,34 @@ std::vector<vtkSmartPointer<vtkDataObject>> PiecesOnFirst(
   return pieces;
 }
 
+/// Brings the data of rank 0 to all ranks.
+void ShareOfFirst(const RanksOfPipeline& ranks, vtkInformation* input)
+{
+  vtkNew<vtkCharArray> bytes;
+  ranks.Together(
+    [&]
+    {
+      if (ranks.Rank() == 0 && !vtkCommunicator::MarshalDataObject(vtkDataObject::GetData(input), bytes))
+      {
+        throw UnexpectedFailure("an input could not be packed to be sent");
+      }
+    });
+  ranks.FromFirst(bytes);
+  ranks.Together(
+    [&]
+    {
+      if (ranks.Rank() > 0)
+      {
+        const vtkSmartPointer<vtkDataObject> data = vtkCommunicator::UnMarshalDataObject(bytes);
+        if (!data)
+        {
+          throw UnexpectedFailure("an input of rank 0 could not be unpacked");
+        }
+        input->Set(vtkDataObject::DATA_OBJECT(), data);
+      }
+    });
+}
+
 }
 
 bool ComesInPieces(vtkInformationVector* port)
@@ -181,25 +209,50 @@ std::string PropertiesOf(vtkAlgorithm* algorithm)
   return properties;
 }
 
-GatheredInputs::GatheredInputs(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm, vtkInformationVector** inputs)
+void CheckSameProperties(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm)
 {
   std::string properties;
   ranks.Together([&] { properties = PropertiesOf(algorithm); });
   const std::vector<std::string> all = ranks.Gather(properties);
-  ranks.Together([&] { CheckSameProperties(all); });
+  ranks.Together([&] { CheckSameTexts(all); });
+}
+
+bool AreEmpty(const RanksOfPipeline& ranks, vtkInformationVector* port)
+{
   const std::vector<long long> cells =
-    ranks.Gather(static_cast<long long>(vtkDataSet::GetData(inputs[0])->GetNumberOfCells()));
-  this->Empty = std::all_of(cells.begin(), cells.end(), [](long long each) { return each == 0; });
-  for (int port = 0; port < algorithm->GetNumberOfInputPorts() && !this->Empty; ++port)
+    ranks.Gather(static_cast<long long>(vtkDataSet::GetData(port)->GetNumberOfCells()));
+  return std::all_of(cells.begin(), cells.end(), [](long long each) { return each == 0; });
+}
+
+bool AreDifferentPieces(const RanksOfPipeline& ranks, vtkInformationVector* port)
+{
+  vtkDataSet* const data = vtkDataSet::GetData(port);
+  const std::vector<long long> cells = ranks.Gather(static_cast<long long>(data->GetNumberOfCells()));
+  const std::vector<char> have = HaveOwn(ranks, data->GetNumberOfCells() > 0 ? data : nullptr);
+  const auto pieces = std::count_if(cells.begin(), cells.end(), [](long long each) { return each > 0; });
+  return pieces > 1 && std::count(have.begin(), have.end(), 1) == pieces;
+}
+
+GatheredInputs::GatheredInputs(
+  const RanksOfPipeline& ranks, vtkAlgorithm* algorithm, vtkInformationVector** inputs, Place place)
+{
+  for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
   {
     auto copies = vtkSmartPointer<vtkInformationVector>::New();
     for (int connection = 0; connection < inputs[port]->GetNumberOfInformationObjects(); ++connection)
     {
       vtkNew<vtkInformation> copy;
       copy->Copy(inputs[port]->GetInformationObject(connection));
-      copy->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
-      copy->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
-      this->Gather(ranks, copy, port == 0);
+      if (port > 0 || place == Place::OnFirst)
+      {
+        copy->Set(Pipeline::UPDATE_PIECE_NUMBER(), 0);
+        copy->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+        this->Gather(ranks, copy, port == 0);
+        if (place == Place::SurfaceApart)
+        {
+          ShareOfFirst(ranks, copy);
+        }
+      }
       copies->Append(copy);
     }
     this->Copies.push_back(copies);

@@ -22,19 +22,31 @@ bool ComesInPieces(vtkInformationVector* port);
 /// What the filter is told by its properties, as its PrintSelf says, a line each; not its counts of what it did.
 std::string PropertiesOf(vtkAlgorithm* algorithm);
 
-/// All inputs of a filter on the first rank: of each, the pieces that ranks have, joined. Pieces that are equal, as where each rank
-/// has read the same file, are one.
+/// Collective. \throw FailedTogether ranks differ in what PropertiesOf says.
+void CheckSameProperties(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm);
+
+/// Collective. Whether no rank has a cell.
+bool AreEmpty(const RanksOfPipeline& ranks, vtkInformationVector* port);
+
+/// Collective. Whether several ranks have cells, and no two the same ones, as where each rank has read the same file.
+bool AreDifferentPieces(const RanksOfPipeline& ranks, vtkInformationVector* port);
+
+/// The inputs of a filter, joined from the pieces that ranks have. Pieces that are equal are one.
 class GatheredInputs
 {
 public:
-  /// Collective. \pre the first input of each rank has data that come in pieces.
-  /// \throw FailedTogether ranks differ in properties, or the first one has not enough memory (CheckFits).
-  /// \throw Cancelled
-  GatheredInputs(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm, vtkInformationVector** inputs);
+  enum class Place
+  {
+    OnFirst,      ///< all inputs on the first rank
+    SurfaceApart, ///< the pieces of the first input stay where they are; the others are on all ranks
+  };
 
-  /// Whether no rank has a cell of the surface.
-  bool AreEmpty() const { return this->Empty; }
-  /// The ports, as the pipeline hands them to a filter that runs on one process. \pre this is rank 0.
+  /// Collective. \pre the first input of each rank has data that come in pieces.
+  /// \throw FailedTogether the first rank has not enough memory (CheckFits).
+  /// \throw Cancelled
+  GatheredInputs(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm, vtkInformationVector** inputs, Place place);
+
+  /// The ports, as the pipeline hands them to a filter that runs on one process. \pre this is rank 0, or SurfaceApart.
   vtkInformationVector** Get() { return this->Ports.data(); }
   /// What was gathered, from how many ranks, and the memory that it takes; empty where the surface was on the first rank already.
   const std::string& Note() const { return this->Text; }
@@ -42,7 +54,6 @@ public:
 private:
   void Gather(const RanksOfPipeline& ranks, vtkInformation* input, bool isSurface);
 
-  bool Empty = true;
   std::string Text;
   std::vector<vtkSmartPointer<vtkInformationVector>> Copies;
   std::vector<vtkInformationVector*> Ports;

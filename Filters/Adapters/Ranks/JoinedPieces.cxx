@@ -1,5 +1,7 @@
 #include "Adapters/Ranks/JoinedPieces.h"
 
+#include "Adapters/Ranks/NearPlaces.h"
+
 #include "vtkAppendFilter.h"
 #include "vtkAppendPolyData.h"
 #include "vtkBoundingBox.h"
@@ -18,13 +20,10 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
 #include <numeric>
-#include <set>
 #include <utility>
 
 namespace dmg
@@ -179,9 +178,7 @@ public:
     , Ids(joined->GetPointData()->GetGlobalIds())
     , Begins(std::move(begins))
     , IsUsed(joined->GetNumberOfPoints(), 0)
-    , Tolerance(LargestCoordinate(joined) *
-        (joined->GetPoints()->GetDataType() == VTK_DOUBLE ? 8.0 * std::numeric_limits<double>::epsilon()
-                                                          : 4.0 * std::numeric_limits<float>::epsilon()))
+    , Tolerance(LargestCoordinate(joined) * RoundOffOfPoints(joined))
   {
     ForCorners(joined,
       [this](vtkIdType point)
@@ -214,7 +211,7 @@ public:
   }
 
 private:
-  using Place = std::array<double, 3>;
+  using Place = NearPlaces::Place;
   using Entry = std::pair<std::uint64_t, vtkIdType>; // a key that points share that may be one, and the point
 
   static double LargestCoordinate(vtkDataSet* dataset)
@@ -242,10 +239,8 @@ private:
     {
       return true;
     }
-    const Place first = this->PlaceOf(a);
-    const Place second = this->PlaceOf(b);
-    const auto isNear = [this](double x, double y) { return std::abs(x - y) <= this->Tolerance; };
-    return this->PieceOf(a) != this->PieceOf(b) && std::equal(first.begin(), first.end(), second.begin(), isNear);
+    return this->PieceOf(a) != this->PieceOf(b) &&
+      NearPlaces::AreNear(this->PlaceOf(a), this->PlaceOf(b), this->Tolerance);
   }
 
   std::vector<Entry> SortedByIds() const
@@ -298,21 +293,7 @@ private:
 
   void AddCells(vtkIdType point, const Place& place, std::vector<Entry>& entries) const
   {
-    const double width = std::max(16.0 * this->Tolerance, std::numeric_limits<double>::min());
-    std::set<std::uint64_t> cells;
-    for (int corner = 0; corner < 8; ++corner)
-    {
-      std::uint64_t hash = 0;
-      for (int k = 0; k < 3; ++k)
-      {
-        const double side = ((corner >> k) & 1) != 0 ? this->Tolerance : -this->Tolerance;
-        const auto cell = static_cast<std::int64_t>(std::floor((place[k] + side) / width));
-        hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x9e3779b97f4a7c15ull; // 2^64 / golden ratio
-        hash ^= hash >> 32;
-      }
-      cells.insert(hash);
-    }
-    for (const std::uint64_t cell : cells)
+    for (const std::uint64_t cell : NearPlaces::CellsAt(place, this->Tolerance))
     {
       entries.emplace_back(cell, point);
     }

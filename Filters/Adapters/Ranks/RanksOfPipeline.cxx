@@ -138,4 +138,19 @@ vtkSmartPointer<vtkCharArray> RanksOfPipeline::ToFirst(vtkCharArray* bytes, int 
   return received;
 }
 
+void RanksOfPipeline::FromFirst(vtkCharArray* bytes) const
+{
+  const long long size = this->Gather(static_cast<long long>(bytes->GetNumberOfValues()))[0];
+  this->Together(
+    [&]
+    {
+      if (this->Rank() > 0 && !bytes->Allocate(size))
+      {
+        throw std::bad_alloc();
+      }
+    });
+  bytes->SetNumberOfValues(size);
+  this->All->Broadcast(bytes->GetPointer(0), size, 0);
+}
+
 }

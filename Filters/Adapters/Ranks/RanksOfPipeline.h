@@ -46,6 +46,9 @@ public:
   /// \return the bytes on rank 0; null elsewhere.
   vtkSmartPointer<vtkCharArray> ToFirst(vtkCharArray* bytes, int from, long long size) const;
 
+  /// Brings the bytes of rank 0 to all ranks.
+  void FromFirst(vtkCharArray* bytes) const;
+
 private:
   vtkMultiProcessController* All;
   int RankHere = 0;

@@ -1,0 +1,78 @@
+#include "Adapters/Ranks/NearPlaces.h"
+
+#include "vtkPointSet.h"
+#include "vtkPoints.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dmg
+{
+
+double RoundOffOfPoints(vtkDataSet* dataset)
+{
+  auto* const points = vtkPointSet::SafeDownCast(dataset);
+  const bool areSingle = points && points->GetPoints() && points->GetPoints()->GetDataType() != VTK_DOUBLE;
+  return areSingle ? 4.0 * std::numeric_limits<float>::epsilon() : 8.0 * std::numeric_limits<double>::epsilon();
+}
+
+std::vector<std::uint64_t> NearPlaces::CellsAt(const Place& place, double tolerance)
+{
+  const double width = std::max(16.0 * tolerance, std::numeric_limits<double>::min());
+  std::vector<std::uint64_t> cells;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    std::uint64_t hash = 0;
+    for (int k = 0; k < 3; ++k)
+    {
+      const double side = ((corner >> k) & 1) != 0 ? tolerance : -tolerance;
+      const auto cell = static_cast<std::int64_t>(std::floor((place[k] + side) / width));
+      hash = (hash ^ static_cast<std::uint64_t>(cell)) * 0x9e3779b97f4a7c15ull; // 2^64 / golden ratio
+      hash ^= hash >> 32;
+    }
+    cells.push_back(hash);
+  }
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  return cells;
+}
+
+bool NearPlaces::AreNear(const Place& a, const Place& b, double tolerance)
+{
+  return std::equal(
+    a.begin(), a.end(), b.begin(), [tolerance](double x, double y) { return std::abs(x - y) <= tolerance; });
+}
+
+NearPlaces::NearPlaces(const std::vector<Place>& places, double tolerance)
+  : Places(places)
+  , Tolerance(tolerance)
+{
+  for (std::size_t k = 0; k < places.size(); ++k)
+  {
+    for (const std::uint64_t cell : CellsAt(places[k], tolerance))
+    {
+      this->Entries.emplace_back(cell, static_cast<int>(k));
+    }
+  }
+  std::sort(this->Entries.begin(), this->Entries.end());
+}
+
+int NearPlaces::First(const Place& place) const
+{
+  int first = -1;
+  for (const std::uint64_t cell : CellsAt(place, this->Tolerance))
+  {
+    auto entry = std::lower_bound(this->Entries.begin(), this->Entries.end(), std::pair(cell, 0));
+    for (; entry != this->Entries.end() && entry->first == cell; ++entry)
+    {
+      if ((first < 0 || entry->second < first) && AreNear(this->Places[entry->second], place, this->Tolerance))
+      {
+        first = entry->second;
+      }
+    }
+  }
+  return first;
+}
+
+}

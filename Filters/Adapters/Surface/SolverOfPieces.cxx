@@ -1,0 +1,217 @@
+#include "Adapters/Surface/SolverOfPieces.h"
+
+#include "Adapters/Ranks/NearPlaces.h"
+#include "Adapters/Surface/SolverOfSurface.h"
+#include "Support/Errors.h"
+#include "Support/Stopwatch.h"
+
+#include "vtkDataSet.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Whether the ranks of the pipeline are those of MPI_COMM_WORLD.
+bool AreAllOfMpi(const RanksOfPipeline& ranks)
+{
+  int isInitialised = 0;
+  MPI_Initialized(&isInitialised);
+  int rank = -1;
+  int size = 0;
+  if (isInitialised != 0)
+  {
+    MPI_Comm_rank(MPI_COMM_WORLD, &rank);
+    MPI_Comm_size(MPI_COMM_WORLD, &size);
+  }
+  const std::vector<long long> are = ranks.Gather(rank == ranks.Rank() && size == ranks.Size() ? 1LL : 0LL);
+  return std::all_of(are.begin(), are.end(), [](long long each) { return each == 1; });
+}
+
+/// The vertices of a mesh that a seam may run through.
+std::vector<int> BoundaryVertices(const TriangleMesh& mesh)
+{
+  std::vector<int> vertices;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    if (mesh.IsBoundaryVertex(vertex))
+    {
+      vertices.push_back(vertex);
+    }
+  }
+  return vertices;
+}
+
+/// Moves points at the rims of pieces by some roundings to where ranks before this one have them: sources that compute the points of
+/// each piece for themselves round them for themselves.
+void AgreeOnSeams(const RanksOfPipeline& ranks, const TriangleMesh* mesh, double roundOff, Points& positions)
+{
+  const std::vector<int> rim = mesh ? BoundaryVertices(*mesh) : std::vector<int>();
+  std::string here(rim.size() * sizeof(NearPlaces::Place), '\0');
+  double largest = 0.0;
+  for (std::size_t k = 0; k < rim.size(); ++k)
+  {
+    const NearPlaces::Place place{ positions(rim[k], 0), positions(rim[k], 1), positions(rim[k], 2) };
+    std::copy_n(reinterpret_cast<const char*>(place.data()), sizeof(place), here.data() + k * sizeof(place));
+  }
+  const std::vector<std::string> rims = ranks.Gather(here);
+  ranks.Together(
+    [&]
+    {
+      std::vector<NearPlaces::Place> others;
+      for (int rank = 0; rank < ranks.Rank(); ++rank)
+      {
+        const std::size_t former = others.size();
+        others.resize(former + rims[rank].size() / sizeof(NearPlaces::Place));
+        std::copy_n(rims[rank].data(), rims[rank].size(), reinterpret_cast<char*>(others.data() + former));
+      }
+      for (const auto& place : others)
+      {
+        for (const double coordinate : place)
+        {
+          largest = std::max(largest, std::abs(coordinate));
+        }
+      }
+      const NearPlaces near(others, roundOff * largest);
+      for (const int vertex : rim)
+      {
+        if (const int found = near.First({ positions(vertex, 0), positions(vertex, 1), positions(vertex, 2) });
+            found >= 0)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            positions(vertex, k) = others[found][k];
+          }
+        }
+      }
+    });
+}
+
+}
+
+std::string SolverOfPieces::SetSurface(const RanksOfPipeline& ranks, vtkDataSet* input,
+  const PreparationOptions& preparation, const ExecutionContext& context)
+{
+  const bool isEmpty = input->GetNumberOfCells() == 0;
+  std::string digest;
+  ranks.Together([&] { digest = isEmpty ? "none" : ContentDigest(input, preparation); });
+  const std::vector<long long> are = ranks.Gather(digest == this->Digest ? 1LL : 0LL);
+  if (std::all_of(are.begin(), are.end(), [](long long each) { return each == 1; }))
+  {
+    return this->Reason;
+  }
+  this->FormerCounts = this->Counts();
+  this->SolverOfMeshes.reset();
+  this->Digest.clear();
+  if (!AreAllOfMpi(ranks))
+  {
+    return "the ranks of VTK's controller are not those of MPI";
+  }
+  const Stopwatch watch;
+  std::optional<SurfaceMesh> mesh;
+  SurfacePiece piece;
+  ranks.Together(
+    [&]
+    {
+      if (!isEmpty)
+      {
+        mesh = MeshFromDataSet(input, preparation, PartOfContext(context, 0.0, 0.4));
+        piece.Positions = mesh->Mesh.VertexPositions();
+        piece.Corners = mesh->Mesh.FaceCorners();
+      }
+    });
+  AgreeOnSeams(ranks, isEmpty ? nullptr : &mesh->Mesh, RoundOffOfPoints(input), piece.Positions);
+  this->Reason.clear();
+  this->OwnRelation =
+    mesh ? std::move(static_cast<SurfaceRelation&>(*mesh)) : SurfaceRelation(); // the solver keeps its names
+  this->PreparationOfPiece = mesh ? mesh->Report : PreparationReport();
+  try
+  {
+    this->SolverOfMeshes = std::make_unique<FieldSolverInPieces>(
+      MPI_COMM_WORLD, piece, this->OwnRelation.Names(), PartOfContext(context, 0.4, 1.0));
+  }
+  catch (const InvalidInput& error) // of all ranks
+  {
+    this->Reason = std::string("the pieces cannot be joined where they are: ") + error.what();
+  }
+  if (this->SolverOfMeshes)
+  {
+    ranks.Together(
+      [&]
+      {
+        this->OwnGeometry = isEmpty ? nullptr : std::make_unique<const FramedMesh>(std::move(mesh->Mesh), context);
+        this->Relate(static_cast<int>(input->GetNumberOfCells()), static_cast<int>(input->GetNumberOfPoints()));
+      });
+  }
+  this->SurfaceSeconds = watch.Seconds();
+  this->Digest = digest;
+  return this->Reason;
+}
+
+void SolverOfPieces::Relate(int numberOfCells, int numberOfPoints)
+{
+  const PieceOfSurface& part = this->SolverOfMeshes->Piece();
+  if (part.IsEmpty())
+  {
+    this->Relation = SurfaceRelation();
+    return;
+  }
+  const SurfaceRelation& piece = this->OwnRelation;
+  const TriangleMesh& mesh = part.Surface().Mesh;
+  std::vector<int> cells(mesh.NumberOfFaces(), -1);
+  for (int triangle = 0; triangle < part.NumberOfOwnFaces(); ++triangle)
+  {
+    cells[part.FirstOwnFace() + triangle] = piece.CellOf(triangle);
+  }
+  const std::vector<int>& vertices = part.VerticesOfPoints();
+  std::vector<int> points(mesh.NumberOfVertices(), -1);
+  for (int k = static_cast<int>(vertices.size()) - 1; k >= 0; --k)
+  {
+    if (vertices[k] >= 0)
+    {
+      points[vertices[k]] = piece.PointOf(k);
+    }
+  }
+  ElementRows faces;
+  faces.Offsets.push_back(0);
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    for (const int triangle : piece.FacesOf(cell))
+    {
+      faces.Items.push_back(part.FirstOwnFace() + triangle);
+    }
+    faces.Offsets.push_back(static_cast<int>(faces.Items.size()));
+  }
+  ElementRows verticesOfPoints;
+  verticesOfPoints.Offsets.push_back(0);
+  for (int point = 0; point < numberOfPoints; ++point)
+  {
+    for (const int k : piece.VerticesOf(point))
+    {
+      if (vertices[k] >= 0)
+      {
+        verticesOfPoints.Items.push_back(vertices[k]);
+      }
+    }
+    verticesOfPoints.Offsets.push_back(static_cast<int>(verticesOfPoints.Items.size()));
+  }
+  this->Relation =
+    SurfaceRelation(0, std::move(cells), std::move(faces), std::move(points), std::move(verticesOfPoints));
+}
+
+FieldSolver::StageCounts SolverOfPieces::Counts() const
+{
+  return this->SolverOfMeshes ? this->FormerCounts + this->SolverOfMeshes->Counts() : this->FormerCounts;
+}
+
+double SolverOfPieces::SetupSeconds(const Field& field) const
+{
+  return this->SurfaceSeconds + field.Solution->SetupSeconds;
+}
+
+}
