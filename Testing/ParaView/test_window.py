@@ -7,6 +7,7 @@ plays NAME.xml (those of TESTS below), leaves NAME.vtk, as saved by the window i
 and checks them. Needs a display, and xdotool where mouse and keys are played; ParaView has to find the plugin by itself.
 """
 
+import functools
 import pathlib
 import shutil
 import subprocess
@@ -190,6 +191,7 @@ def apply_to_any_surface(name):
     return f"<pqevents>\n{events}</pqevents>\n"
 
 
+@functools.lru_cache
 def is_5_11(paraview):
     """Whether it is ParaView 5.11; later versions have other names and other menus."""
     version = subprocess.run([paraview, "--version"], capture_output=True, text=True, check=True).stdout
