@@ -211,7 +211,7 @@ def xdotool(*arguments):
 
 def focus(title):
     """Waits for a window, which takes the keys from now on."""
-    for _ in range(20):
+    for _ in range(80):  # a busy machine takes its time
         found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True)
         if found.stdout:
             xdotool("windowfocus", found.stdout.split()[-1])
@@ -258,7 +258,7 @@ def apply_and_save(path):
     xdotool("key", "Return")
     focus("Configure Writer")
     xdotool("key", "Return")
-    deadline = time.monotonic() + 20
+    deadline = time.monotonic() + 60
     while not path.exists() and time.monotonic() < deadline:
         time.sleep(0.5)
 
