@@ -58,8 +58,9 @@ int vtkDirectionalField::FillOutputPortInformation(int port, vtkInformation* inf
 int vtkDirectionalField::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  // Of several ranks, or of one process: null.
   const auto solveAndDraw =
-    [&](vtkInformationVector** inputs, int piece, int pieces, const dmg::ExecutionContext& context)
+    [&](vtkInformationVector** inputs, const dmg::RanksOfPipeline* ranks, const dmg::ExecutionContext& context)
   {
     dmg::CheckRanges({
       { "Line Distance", this->LineDistance, 0.0005, 1 },
@@ -88,9 +89,18 @@ int vtkDirectionalField::RequestData(
     vtkNew<vtkFieldSingularities> singularities;
     singularities->SetInputData(surface);
     singularities->SetSphereRadius(this->SphereRadius);
-    const bool isDrawn =
-      dmg::UpdateInside(this, lines, dmg::PartOfContext(context, PartOfSolver, Drawn), piece, pieces) &&
-      dmg::UpdateInside(this, singularities, dmg::PartOfContext(context, Drawn, 1.0), piece, pieces);
+    const auto draw = [&](vtkAlgorithm* filter, double from, double to)
+    {
+      const dmg::PartOfContext part(context, from, to);
+      if (!ranks)
+      {
+        return dmg::UpdateInside(this, filter, part);
+      }
+      bool isMade = false;
+      ranks->Together([&] { isMade = dmg::UpdateInside(this, filter, part, ranks->Rank(), ranks->Size()); });
+      return ranks->AreAll(isMade);
+    };
+    const bool isDrawn = draw(lines, PartOfSolver, Drawn) && draw(singularities, Drawn, 1.0);
     if (isDrawn)
     {
       vtkPolyData::GetData(outputVector, 1)->ShallowCopy(lines->GetOutput());
@@ -98,12 +108,12 @@ int vtkDirectionalField::RequestData(
     }
   };
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
-  { solveAndDraw(whole, 0, 1, context); };
+  { solveAndDraw(whole, nullptr, context); };
   // The filters inside are collective, too: each solves in pieces or gathers them.
   const auto makeInPieces =
     [&](const dmg::RanksOfPipeline& ranks, vtkInformationVector** inputs, const dmg::ExecutionContext& context)
   {
-    ranks.Together([&] { solveAndDraw(inputs, ranks.Rank(), ranks.Size(), context); });
+    ranks.Together([&] { solveAndDraw(inputs, &ranks, context); });
     return std::string();
   };
   return dmg::MakeOutputs(this, request, inputVector, outputVector, make, makeInPieces);

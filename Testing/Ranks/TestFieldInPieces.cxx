@@ -240,4 +240,19 @@ TEST(FieldInPieces, OfDirectionalFieldHasItsLinesOnTheFirstRank)
   EXPECT_EQ(OutputOf(field, 2)->GetNumberOfCells() > 0, Rank() == 0);
 }
 
+TEST(FieldInPieces, DirectionalFieldThatVanishesIsNotDrawnOnAnyRank)
+{
+  const auto own = OwnBand();
+  const auto values = Zeros("Height", own->GetNumberOfPoints(), 1); // a constant function has no gradient
+  own->GetPointData()->AddArray(values);
+  vtkNew<vtkDirectionalField> field;
+  field->SetInputData(own);
+  field->SetDiscretisation(Solver::ScalarFunction);
+  field->SetInputArrayToProcess(1, 0, 0, OnPoints, "Height");
+  const Messages messages(field);
+  UpdateOwnPiece(field);
+  EXPECT_EQ(OutputOf(field, 1)->GetNumberOfCells(), 0);
+  EXPECT_EQ(OutputOf(field, 2)->GetNumberOfCells(), 0);
+}
+
 }

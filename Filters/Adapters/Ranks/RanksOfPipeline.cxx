@@ -75,6 +75,12 @@ std::vector<long long> RanksOfPipeline::Gather(long long here) const
   return all;
 }
 
+bool RanksOfPipeline::AreAll(bool here) const
+{
+  const std::vector<long long> all = this->Gather(here ? 1LL : 0LL);
+  return std::all_of(all.begin(), all.end(), [](long long each) { return each == 1; });
+}
+
 std::vector<std::string> RanksOfPipeline::Gather(const std::string& here) const
 {
   if (!this->All)

@@ -37,6 +37,8 @@ public:
 
   std::vector<std::string> Gather(const std::string& here) const;
   std::vector<long long> Gather(long long here) const;
+  /// Whether all ranks say so.
+  bool AreAll(bool here) const;
 
   /// Runs a step that sends nothing. If it throws anywhere, all ranks throw: Cancelled, or FailedTogether with the message of the
   /// lowest such rank. Otherwise the other ranks would wait for ever.
