@@ -9,6 +9,7 @@
 #include "Pieces/Ranks.h"
 
 #include "../Partitions.h"
+#include "Support/Errors.h"
 
 #include <algorithm>
 #include <array>
@@ -133,7 +134,10 @@ void Solve(const SurfacePiece& piece)
   FieldSolverInPieces solver(MPI_COMM_WORLD, piece);
   FieldProblem problem;
   problem.Constraints = test::OneDirection(solver.Piece());
-  solver.Solve(problem);
+  if (!solver.Solve(problem).Report.Converged)
+  {
+    throw SolverFailure("the field has not converged");
+  }
 }
 
 }
