@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 /// Fields that each rank has on its own piece, with PETSc.
 namespace dmg::test
 {
@@ -140,6 +142,76 @@ TEST(FieldInPieces, FollowsGuidesAndFeaturesAndAMovedGuideBuildsNoLevels)
     UpdateOwnPiece(solver);
     ExpectPieces(solver, own, WholeOf(whole));
     EXPECT_EQ(solver->GetNumberOfSetups(), 1);
+  }
+}
+
+TEST(FieldInPieces, FollowsFeaturesAndSmoothsDataAsTheWholeDoes)
+{
+  const auto own = OwnBand();
+  const auto solver = NewSolver(own);
+  const auto whole = NewSolver(Sphere(Subdivisions));
+  for (Solver* const each : { solver.Get(), whole.Get() })
+  {
+    each->SetSharpEdgesWeight(2.0);
+    each->SetFeatureAngle(3.0); // some edges of the triangulated sphere have more, some less
+    each->SetSharpEdgesRotation(30.0);
+    each->UnitLengthOff(); // where the field vanishes, its direction says nothing
+  }
+  const auto without = FieldOfWhole();
+  UpdateOwnPiece(solver);
+  ExpectPieces(solver, own, WholeOf(whole));
+  EXPECT_GT(LargestDifference(OutputOf(solver), without), 0.01); // edges are followed
+  for (Solver* const each : { solver.Get(), whole.Get() })
+  {
+    each->SetSharpEdgesWeight(0.0);
+    each->SetSmoothingLength(0.3);
+  }
+  UpdateOwnPiece(solver);
+  ExpectPieces(solver, own, WholeOf(whole));
+}
+
+TEST(FieldInPieces, FunctionsHaveTheValuesOfTheWhole)
+{
+  // A function that is given at the points of the upper half, softly.
+  const auto withValues = [](vtkSmartPointer<vtkPolyData> surface)
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName("Height");
+    for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+    {
+      double place[3];
+      surface->GetPoint(point, place);
+      values->InsertNextValue(place[2] > 0.0 ? place[2] + place[0] : std::nan(""));
+    }
+    surface->GetPointData()->AddArray(values);
+    return surface;
+  };
+  const auto own = withValues(OwnBand());
+  const auto solver = NewSolver(own, Solver::ScalarFunction);
+  const auto whole = NewSolver(withValues(Sphere(Subdivisions)), Solver::ScalarFunction);
+  for (Solver* const each : { solver.Get(), whole.Get() })
+  {
+    each->SetInputArrayToProcess(3, 0, 0, OnPoints, "Height");
+    each->SetAlignment(10.0);
+  }
+  UpdateOwnPiece(solver);
+  EXPECT_EQ(Gathered(OutputOf(solver)), "");
+  vtkDataSet* const expected = WholeOf(whole);
+  std::map<Place, double> byPlace;
+  const auto ofWhole = Values(expected->GetPointData(), "ScalarFunction");
+  for (vtkIdType point = 0; point < expected->GetNumberOfPoints(); ++point)
+  {
+    Place place;
+    expected->GetPoint(point, place.data());
+    byPlace[place] = ofWhole[point];
+  }
+  const auto values = Values(OutputOf(solver)->GetPointData(), "ScalarFunction");
+  ASSERT_EQ(static_cast<vtkIdType>(values.size()), own->GetNumberOfPoints());
+  for (vtkIdType point = 0; point < own->GetNumberOfPoints(); ++point)
+  {
+    Place place;
+    own->GetPoint(point, place.data());
+    EXPECT_NEAR(values[point], byPlace.at(place), Near);
   }
 }
 
