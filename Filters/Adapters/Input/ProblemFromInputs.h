@@ -28,7 +28,7 @@ struct FieldInputs
 UnusableDirections ReadInputs(vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices,
   const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem);
 
-/// Where nothing is prescribed. \throw InvalidInput arrays or guides are chosen that prescribe nothing.
+/// \pre Nothing is prescribed. \throw InvalidInput arrays or guides are chosen all the same.
 void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs);
 
 }

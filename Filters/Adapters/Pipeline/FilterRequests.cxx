@@ -282,7 +282,7 @@ int AskForInputs(
 {
   algorithm->SetAbortExecute(0);
   const RanksOfPipeline ranks;
-  // Of each leaf of a composite dataset, the executive asks after what it has forwarded.
+  // The executive asks for each leaf of a composite dataset after what it has forwarded.
   const bool isLeaf = request->Get(vtkExecutive::ALGORITHM_AFTER_FORWARD()) != 0;
   const bool inPieces = !isLeaf && IsPieceOfRank(ranks, AskedOf(request, outputs)) && ComesInPieces(inputs[0]);
   const int piece = inPieces ? ranks.Rank() : 0;

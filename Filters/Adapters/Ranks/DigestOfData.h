@@ -8,7 +8,7 @@ class vtkDataObject;
 namespace dmg
 {
 
-/// What tells most data objects apart at a glance: type, sizes, the box around the points. Empty where there are no points.
+/// The type, the sizes and the box around the points, which tell most data objects apart at a glance. It is empty where there are no points.
 std::string OutlineOf(vtkDataObject* data);
 
 /// Fingerprint of all that a data object holds: points, cells and arrays with their names. Equal for equal content. It guards against

@@ -19,7 +19,7 @@ namespace dmg
 /// composite datasets, since ranks may have different leaves, and grids, of which a source makes any part.
 bool ComesInPieces(vtkInformationVector* port);
 
-/// What the filter is told by its properties, as its PrintSelf says, a line each; not its counts of what it did.
+/// The properties of a filter, as its PrintSelf says them, a line each; not its counts of what it did.
 std::string PropertiesOf(vtkAlgorithm* algorithm);
 
 /// Collective. \throw FailedTogether ranks differ in what PropertiesOf says.
