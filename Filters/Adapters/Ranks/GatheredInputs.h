@@ -48,7 +48,7 @@ public:
 
   /// The ports, as the pipeline hands them to a filter that runs on one process. \pre this is rank 0, or SurfaceApart.
   vtkInformationVector** Get() { return this->Ports.data(); }
-  /// What was gathered, from how many ranks, and the memory that it takes; empty where the surface was on the first rank already.
+  /// The number of cells and of ranks that were gathered, and the memory; empty where the surface was on the first rank already.
   const std::string& Note() const { return this->Text; }
 
 private:

@@ -27,7 +27,7 @@ public:
 class RanksOfPipeline
 {
 public:
-  /// Of the global controller; there may be none.
+  /// The ranks are those of the global controller; there may be none.
   RanksOfPipeline();
 
   int Rank() const { return this->RankHere; }

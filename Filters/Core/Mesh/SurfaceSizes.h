@@ -17,7 +17,7 @@ struct SurfaceSizes
   Vector3 Upper = Vector3::Zero(); ///< the opposite one
   long long NumberOfVertices = 0;
 
-  /// Of the box.
+  /// The length of the diagonal of the box.
   double Diagonal() const { return (this->Upper - this->Lower).norm(); }
 };
 

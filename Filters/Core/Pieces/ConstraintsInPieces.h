@@ -15,7 +15,7 @@ namespace dmg
 /// The sizes of a whole surface in pieces. Collective.
 SurfaceSizes SizesOf(const PieceOfSurface& piece);
 
-/// What a problem says on a surface in pieces: constraints on own triangles, counted from 0, and at points of the piece. Keeps what
+/// The constraints of a problem on a surface in pieces: on own triangles, counted from 0, and at points of the piece. It keeps what
 /// ConstraintsOnMesh keeps. All functions are collective.
 class ConstraintsInPieces : public ProblemConstraints
 {

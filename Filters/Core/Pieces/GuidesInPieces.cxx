@@ -168,7 +168,7 @@ double TrianglesNearGuides::LongestAt(double distance) const
   return std::max(this->Sizes.MeanEdge, std::min(distance, FarAway * this->Sizes.MeanEdge));
 }
 
-/// What is nearest to a place of a stretch, and what is passed on the way there from a place one step away.
+/// Adds the triangles nearest to places of a stretch, and those that are passed on the way there from a place one step away.
 void TrianglesNearGuides::AddNear(const Stretch& stretch)
 {
   if (!this->Places)

@@ -23,7 +23,7 @@ namespace dmg
 std::vector<PowerAtVertex> ConstraintsAtOwned(const PieceOfSurface& piece, const DiscretisationOptions& field,
   const Constraints& constraints, const ElementNames& names);
 
-/// Those of all vertices here, ghosts included, as a discretisation has them. Collective. \param atOwned ConstraintsAtOwned.
+/// The constraints of all vertices here, ghosts included, as a discretisation has them. Collective. \param atOwned ConstraintsAtOwned.
 FieldConstraints ConstraintsAtVertices(
   const PieceOfSurface& piece, const DiscretisationOptions& field, const std::vector<PowerAtVertex>& atOwned);
 
