@@ -13,7 +13,7 @@
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/Surface/SolverOfSurface.h"
 #include "Mesh/TriangleSoup.h"
-#include "SingularFieldSolver.h"
+#include "Singularities/SingularFieldSolver.h"
 #ifdef DMG_PETSC
 #include "Adapters/Output/OutputOfPieces.h"
 #endif
@@ -64,9 +64,9 @@ public:
     return this->Leaves.Of(digest, bytes < Limit);
   }
 
-  dmg::FieldSolver::StageCounts Counts() const
+  dmg::StageCounts Counts() const
   {
-    dmg::FieldSolver::StageCounts counts = this->Former;
+    dmg::StageCounts counts = this->Former;
 #ifdef DMG_PETSC
     counts = counts + this->Pieces.Counts();
 #endif
@@ -82,7 +82,7 @@ public:
 
 private:
   dmg::LeavesOfExecution<Leaf> Leaves;
-  dmg::FieldSolver::StageCounts Former; ///< of leaves that are forgotten
+  dmg::StageCounts Former; ///< of leaves that are forgotten
   int OpenExecutions = 0;
 };
 

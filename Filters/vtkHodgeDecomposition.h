@@ -5,7 +5,7 @@
  * A flow on a surface is the sum of a part without vortices, the gradient of a potential; a part without sources, the gradient
  * of a stream function after a quarter turn counter-clockwise; a harmonic part with neither, around handles and holes; and a
  * residual, which varies from cell to cell and is too fine for the mesh. The parts are orthogonal to each other in the
- * integral over the surface, so that their energies sum to that of the flow (Filters/Core/HodgeDecomposition.md has the proof).
+ * integral over the surface, so that their energies sum to that of the flow (Filters/Core/Flows/HodgeDecomposition.md has the proof).
  *
  * @section vtkHodgeDecomposition-Inputs Inputs
  *

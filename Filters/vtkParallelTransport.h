@@ -5,7 +5,7 @@
  * Vectors that are given at a few places are carried to everywhere: each place takes the vector of the nearest source, which keeps its
  * angle to the shortest path (the vector heat method, Sharp, Soliman and Crane 2019). The logarithmic map of a point gives each place
  * the direction in which the shortest path to it starts, and its length: coordinates for decals and polar plots, with little distortion
- * near the point (the affine heat method, Soliman and Sharp 2025). Filters/Core/ParallelTransport.md has the formulas.
+ * near the point (the affine heat method, Soliman and Sharp 2025). Filters/Core/Geodesics/ParallelTransport.md has the formulas.
  *
  * @section vtkParallelTransport-Inputs Inputs
  *

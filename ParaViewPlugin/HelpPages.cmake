@@ -1,6 +1,6 @@
 # Writes the pages that `?` opens: ours, with the table of properties that ParaView makes from the XML; and those of the method.
 #
-#   cmake -D SOURCE=folder of our pages -D METHOD=folder of the method's -D GENERATED=folder of ParaView's -D OUTPUT=folder
+#   cmake -D SOURCE=folder of our pages -D METHOD=folder of the core -D GENERATED=folder of ParaView's -D OUTPUT=folder
 #     -P HelpPages.cmake
 #
 # The pages that are written here replace ParaView's in a later step; so the table may be found in either, always as the last one.
@@ -37,7 +37,7 @@ foreach (page IN LISTS pages)
   file(WRITE "${OUTPUT}/${page}" "${text}")
 endforeach ()
 
-file(GLOB pages "${METHOD}/*.md" "${METHOD}/../*.md")
+file(GLOB pages "${METHOD}/*/*.md")
 foreach (path IN LISTS pages)
   get_filename_component(page "${path}" NAME)
   file(READ "${path}" text)

@@ -4,6 +4,7 @@
 #include "Constraints/Guides.h"
 #include "Discretisations/Discretisation.h"
 #include "Mesh/FramedMesh.h"
+#include "Setup/FieldSolution.h"
 #include "Solvers/Krylov/SolveReport.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
@@ -14,19 +15,6 @@
 
 namespace dmg
 {
-
-struct SingularField;
-
-/// The numbers that a field consists of, and their meaning.
-struct FieldSolution
-{
-  std::shared_ptr<const dmg::Discretisation> Discretisation;
-  FieldConstraints Constraints; ///< on the elements that unknowns stand on
-  Vector<double> Unknowns;      ///< Discretisation::UnknownsPerElement for each element
-  SolveReport Report;
-  double SetupSeconds = 0.0;                       ///< of the set-up in use
-  std::shared_ptr<const SingularField> Connection; ///< of prescribed singularities, or null
-};
 
 /// A field on a surface as N directions on each face and at each vertex, and what it took to find it.
 struct Field

@@ -1,11 +1,11 @@
 #ifndef dmgFieldProblem_h
 #define dmgFieldProblem_h
 
-#include "Analysis/PrescribedSingularities.h"
 #include "Constraints/Constraints.h"
 #include "Constraints/Guides.h"
 #include "Constraints/SurfaceFeatures.h"
-#include "FieldOptions.h"
+#include "Setup/FieldOptions.h"
+#include "Singularities/PrescribedSingularities.h"
 #include "Solvers/Krylov/StoppingCriteria.h"
 
 #include <optional>

@@ -4,8 +4,8 @@
 #include "Discretisations/MakeDiscretisation.h"
 #include "Operators/FluxAnisotropy.h"
 #include "ProblemConstraints.h"
-#include "SetupCache.h"
-#include "SingularStages.h"
+#include "Setup/SetupCache.h"
+#include "Singularities/SingularStages.h"
 #include "Solvers/HarmonicProblem.h"
 #include "Solvers/SolveInUnits.h"
 #include "Support/Errors.h"
@@ -398,7 +398,8 @@ const Field& FieldSolver::Solve(const FieldProblem& problem, const ExecutionCont
     of.ConstraintsOfSurface.Follow(problem, *of.Discretisation, PartOfContext(context, 0.0, 0.0), names);
   const PartOfContext most(context, 0.0, 0.9);
   auto solution = problem.Singularities
-    ? of.Singular.Solve(problem, of.Discretisation, followed.Constraints, most, names)
+    ? of.Singular.Solve({ *problem.Singularities, field.N, problem.Stop, problem.Options.Solver }, of.Discretisation,
+        followed.Constraints, most, names)
     : of.Solve(problem, followed.Constraints, most, names);
   of.FindDirections(std::move(solution), problem, std::move(followed), PartOfContext(context, 0.9, 1.0));
   of.FindBasis(problem, PartOfContext(context, 1.0, 1.0));
@@ -415,11 +416,9 @@ LinearSystem FieldSolver::Equations(const ExecutionContext& context) const
   return this->Internal->Equations(context);
 }
 
-FieldSolver::StageCounts FieldSolver::Counts() const
+StageCounts FieldSolver::Counts() const
 {
-  const StageCounts& one = this->Internal->Counts;
-  const StageCounts& other = this->Internal->Singular.Counts();
-  return { one.Setups + other.Setups, one.Systems + other.Systems, one.Solves + other.Solves };
+  return this->Internal->Counts + this->Internal->Singular.Counts();
 }
 
 }

@@ -5,6 +5,7 @@
 #include "Field.h"
 #include "FieldProblem.h"
 #include "Levels/ProlongationOperators.h"
+#include "Setup/StageCounts.h"
 #include "Solvers/PrescribedSystem.h"
 #include "Support/ExecutionContext.h"
 
@@ -70,14 +71,6 @@ public:
   /// HarmonicProblem::Equations. \pre there was one.
   LinearSystem Equations(const ExecutionContext& context = SerialContext()) const;
 
-  /// The number of times that each stage has been completed. Given operators make no set-up, and neither does one that is
-  /// found again.
-  struct StageCounts
-  {
-    int Setups = 0;
-    int Systems = 0;
-    int Solves = 0;
-  };
   StageCounts Counts() const;
 
 private:

@@ -1,11 +1,11 @@
 #ifndef dmgBenchmarksSystems_h
 #define dmgBenchmarksSystems_h
 
-#include "FieldOptions.h"
 #include "Operators/ConnectionLaplacian.h"
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldOperators.h"
+#include "Setup/FieldOptions.h"
 #include "Support/HarmonicSystem.h"
 #include "Support/ReferenceOperators.h"
 

@@ -60,6 +60,15 @@ class CheckSources(unittest.TestCase):
         self.assertEqual(self.found({"Filters/Core/Odds/Ends.h": ""}),
                          ["Filters/Core/Odds/Ends.h:0: Odds has no place in ARROWS"])
 
+    def test_rooms_below_the_door_do_not_see_it(self):
+        wrong = {"Singularities/Stages.h": "FieldSolver.h", "Pieces/Piece.h": "FieldSolver.h", "Setup/Cache.h": "FieldProblem.h",
+                 "FieldProblem.h": "Flows/Flow.h"}
+        for name, included in wrong.items():
+            changes = {"Filters/Core/FieldProblem.h": "", "Filters/Core/Flows/Flow.h": "",
+                       f"Filters/Core/{name}": f'#include "{included}"\n'}
+            room = pathlib.PurePosixPath(name).parent.as_posix()
+            self.assertEqual(self.found(changes), [f"Filters/Core/{name}:1: {room} may not include {included}"])
+
     def words_of_core(self, text):
         panel = """<P><IntVectorProperty name="ConstraintType"><Entry text="Power Field at Points"/></IntVectorProperty>
           <IntVectorProperty name="N" label="Number Of Directions"/><DoubleVectorProperty name="Weight"/></P>"""

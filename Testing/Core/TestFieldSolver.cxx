@@ -36,7 +36,7 @@ GuideLine Diagonal(double height)
 
 void ExpectStages(const FieldSolver& solver, int setups, int systems, int solves)
 {
-  const FieldSolver::StageCounts counts = solver.Counts();
+  const StageCounts counts = solver.Counts();
   EXPECT_EQ(counts.Setups, setups);
   EXPECT_EQ(counts.Systems, systems);
   EXPECT_EQ(counts.Solves, solves);

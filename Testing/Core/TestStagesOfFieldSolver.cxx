@@ -87,7 +87,7 @@ TEST(FieldSolver, EachOptionRepeatsItsStages)
     options.Solver.Kind = SolverKind::ConjugateGradients;
     SolverOfUnknowns solver(mesh);
     solver.Solve(Directions(mesh), options);
-    const FieldSolver::StageCounts before = solver.Counts();
+    const StageCounts before = solver.Counts();
     EXPECT_EQ(before.Setups, 1);
     EXPECT_EQ(before.Systems, 1);
     EXPECT_EQ(before.Solves, 1);
@@ -112,7 +112,7 @@ TEST(FieldSolver, PrescriptionsRepeatTheirStages)
   options.Solver.Kind = SolverKind::ConjugateGradients;
   const auto expectCosts = [&](const Constraints& directions, const StoppingCriteria& stop, const Stages& costs)
   {
-    const FieldSolver::StageCounts before = solver.Counts();
+    const StageCounts before = solver.Counts();
     solver.Solve(directions, options, stop);
     EXPECT_EQ(solver.Counts().Setups - before.Setups, costs.Setups);
     EXPECT_EQ(solver.Counts().Systems - before.Systems, costs.Systems);

@@ -1,5 +1,5 @@
 #include "Adapters/Input/OptionsOfSolver.h"
-#include "ParallelTransport.h"
+#include "Geodesics/ParallelTransport.h"
 #include "Preparation/PreparedSurface.h"
 #include "StructurePreserving/Decimation/HierarchyOptions.h"
 

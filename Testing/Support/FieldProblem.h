@@ -1,7 +1,7 @@
 #ifndef dmgTestFieldProblem_h
 #define dmgTestFieldProblem_h
 
-#include "FieldSetup.h"
+#include "Setup/FieldSetup.h"
 #include "Solvers/HarmonicProblem.h"
 
 #include <memory>

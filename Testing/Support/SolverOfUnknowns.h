@@ -2,7 +2,7 @@
 #define dmgTestSolverOfUnknowns_h
 
 #include "FieldSolver.h"
-#include "SingularFieldSolver.h"
+#include "Singularities/SingularFieldSolver.h"
 
 #include <memory>
 #include <utility>
@@ -42,7 +42,7 @@ public:
   void SetMemoryLimit(long long bytes) { this->Solver.SetMemoryLimit(bytes); }
   const FramedMesh& Surface() const { return this->Solver.Surface(); }
   LinearSystem Equations() const { return this->Solver.Equations(); }
-  FieldSolver::StageCounts Counts() const { return this->Solver.Counts(); }
+  StageCounts Counts() const { return this->Solver.Counts(); }
 
   // Results of the last solve.
   const FieldSolution& Solution() const { return *this->Last->Solution; }

@@ -2,8 +2,8 @@
 
 #include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/GuideDataSets.h"
-#include "Analysis/FlowOperators.h"
-#include "Analysis/FormOnPolygons.h"
+#include "Flows/FlowOperators.h"
+#include "Flows/FormOnPolygons.h"
 #include "Support/Errors.h"
 
 #include "vtkDataArray.h"

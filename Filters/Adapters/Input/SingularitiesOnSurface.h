@@ -1,8 +1,8 @@
 #ifndef dmgSingularitiesOnSurface_h
 #define dmgSingularitiesOnSurface_h
 
-#include "Analysis/PrescribedSingularities.h"
 #include "Constraints/NearestPlaces.h"
+#include "Singularities/PrescribedSingularities.h"
 
 #include <string>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "Adapters/Input/FlowFromArrays.h"
 #include "Adapters/Surface/MeshFromDataSet.h"
-#include "HodgeDecomposition.h"
+#include "Flows/HodgeDecomposition.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

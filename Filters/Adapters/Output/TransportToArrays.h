@@ -3,7 +3,7 @@
 
 #include "Adapters/Surface/MeshFromDataSet.h"
 #include "Constraints/Constraints.h"
-#include "ParallelTransport.h"
+#include "Geodesics/ParallelTransport.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 

@@ -204,7 +204,7 @@ void SolverOfPieces::Relate(int numberOfCells, int numberOfPoints)
     SurfaceRelation(0, std::move(cells), std::move(faces), std::move(points), std::move(verticesOfPoints));
 }
 
-FieldSolver::StageCounts SolverOfPieces::Counts() const
+StageCounts SolverOfPieces::Counts() const
 {
   return this->SolverOfMeshes ? this->FormerCounts + this->SolverOfMeshes->Counts() : this->FormerCounts;
 }

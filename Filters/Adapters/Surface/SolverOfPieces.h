@@ -38,7 +38,7 @@ public:
   const PreparationReport& Preparation() const { return this->PreparationOfPiece; }
 
   /// Over all surfaces.
-  FieldSolver::StageCounts Counts() const;
+  StageCounts Counts() const;
   /// The sum over the surface and the set-up of a field on it.
   double SetupSeconds(const Field& field) const;
 
@@ -53,7 +53,7 @@ private:
   PreparationReport PreparationOfPiece;
   std::unique_ptr<FieldSolverInPieces> SolverOfMeshes;
   double SurfaceSeconds = 0.0;
-  FieldSolver::StageCounts FormerCounts;
+  StageCounts FormerCounts;
 };
 
 }

@@ -1,7 +1,7 @@
 #include "Adapters/Surface/SolverOfSurface.h"
 
 #include "Adapters/Surface/ArrayNames.h"
-#include "FieldSetup.h"
+#include "Setup/FieldSetup.h"
 #include "Support/Errors.h"
 #include "Support/Stopwatch.h"
 
@@ -68,7 +68,7 @@ std::shared_ptr<const ProlongationOperators> SolverOfSurface::Operators(
   return this->OperatorsByOrigin.back().second;
 }
 
-FieldSolver::StageCounts SolverOfSurface::Counts() const
+StageCounts SolverOfSurface::Counts() const
 {
   return this->SolverOfMesh ? this->FormerCounts + this->SolverOfMesh->Counts() : this->FormerCounts;
 }

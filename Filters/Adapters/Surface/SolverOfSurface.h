@@ -16,11 +16,6 @@ class vtkDataSet;
 namespace dmg
 {
 
-inline FieldSolver::StageCounts operator+(const FieldSolver::StageCounts& a, const FieldSolver::StageCounts& b)
-{
-  return { a.Setups + b.Setups, a.Systems + b.Systems, a.Solves + b.Solves };
-}
-
 /// A FieldSolver for the surface of a dataset, which a filter keeps from one execution to the next, and the operators that
 /// the surface brings along. Keys are contents, not modification times.
 class SolverOfSurface
@@ -42,7 +37,7 @@ public:
   int Number() const { return this->NumberOfSurface; }
 
   /// Over all surfaces.
-  FieldSolver::StageCounts Counts() const;
+  StageCounts Counts() const;
   /// The sum over the surface, its operators, and the set-up of a field on it.
   double SetupSeconds(const Field& field) const;
 
@@ -59,7 +54,7 @@ private:
   std::vector<std::pair<OperatorsOrigin, std::shared_ptr<const ProlongationOperators>>> OperatorsByOrigin;
   double SurfaceSeconds = 0.0;
   double OperatorsSeconds = 0.0;
-  FieldSolver::StageCounts FormerCounts;
+  StageCounts FormerCounts;
 };
 
 }

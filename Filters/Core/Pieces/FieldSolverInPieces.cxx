@@ -79,7 +79,7 @@ public:
   const ElementNames Names;
   const PieceOfSurface Part;
   ConstraintsInPieces ConstraintsOfSurface;
-  FieldSolver::StageCounts Counts;
+  StageCounts Counts;
   Field Last;
 
 private:
@@ -246,7 +246,7 @@ bool FieldSolverInPieces::TellsIndexOf(int element) const
   return this->Internal->Last.AreSingularitiesOnFaces ? piece.IsOwnFace(element) : piece.IsOwned(element);
 }
 
-FieldSolver::StageCounts FieldSolverInPieces::Counts() const
+StageCounts FieldSolverInPieces::Counts() const
 {
   return this->Internal->Counts;
 }

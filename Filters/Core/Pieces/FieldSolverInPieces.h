@@ -3,9 +3,9 @@
 
 #include "Field.h"
 #include "FieldProblem.h"
-#include "FieldSolver.h"
 #include "Pieces/PieceOfSurface.h"
 #include "Pieces/ReasonToGather.h"
+#include "Setup/StageCounts.h"
 #include "Support/ExecutionContext.h"
 
 #include <mpi.h>
@@ -58,8 +58,8 @@ public:
   /// all ranks, each element of the surface is told once.
   bool TellsIndexOf(int element) const;
 
-  /// See FieldSolver::Counts.
-  FieldSolver::StageCounts Counts() const;
+  /// As FieldSolver::Counts.
+  StageCounts Counts() const;
 
 private:
   class Internals;

@@ -1,0 +1,215 @@
+#include "Flows/HodgeDecomposition.h"
+
+#include "Flows/HarmonicFlows.h"
+#include "Support/ComplexPairs.h"
+#include "Support/Errors.h"
+#include "Support/ShortText.h"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace dmg
+{
+namespace
+{
+
+constexpr Complex QuarterTurn(0.0, 1.0);
+/// A larger share of the energy that parts have in common is said.
+constexpr double LargestOverlap = 1e-8;
+
+void CheckFlow(const Vector<Complex>& flow, int faces)
+{
+  if (flow.size() != faces)
+  {
+    throw InvalidInput("the flow has " + std::to_string(flow.size()) + " vectors in place of one for each of the " +
+      std::to_string(faces) + " faces");
+  }
+  for (int face = 0; face < faces; ++face)
+  {
+    if (!std::isfinite(flow[face].real()) || !std::isfinite(flow[face].imag()))
+    {
+      throw InvalidInput("the flow is not finite on face " + std::to_string(face) + "; repair it");
+    }
+  }
+}
+
+}
+
+class HodgeDecomposition::Internals
+{
+public:
+  Internals(const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options)
+    : Geometry(surface)
+    , Boundary(boundary)
+    , Areas(surface.Mesh.FaceAreas())
+    , Potentials(surface, options)
+  {
+  }
+
+  void AddGradient(const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context);
+  void AddRotational(const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context);
+  void AddHarmonic(const Vector<Complex>& flow, DecomposedFlow& parts, const ExecutionContext& context);
+  void AddBoundaries(DecomposedFlow& parts) const;
+  void MakeBasis(const ExecutionContext& context);
+  double Norm(const Vector<Complex>& X) const { return FlowProduct(this->Areas, X, X); }
+
+  const FramedMesh& Geometry;
+  FlowBoundary Boundary;
+  const Vector<double> Areas;
+  FlowPotentials Potentials;
+  std::optional<Eigen::MatrixXd> Basis;
+  int Bases = 0;
+  int Solves = 0;
+
+private:
+  void TakeReport(DecomposedFlow& parts);
+};
+
+void HodgeDecomposition::Internals::TakeReport(DecomposedFlow& parts)
+{
+  ++this->Solves;
+  const SolveReport& report = this->Potentials.Report();
+  parts.Converged &= report.Converged || report.EndedByRounding;
+  parts.Warnings.insert(parts.Warnings.end(), report.Warnings.begin(), report.Warnings.end());
+}
+
+void HodgeDecomposition::Internals::AddGradient(
+  const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context)
+{
+  parts.Potential = this->Potentials.Potential(parts.Derivatives, this->Boundary, stop, context);
+  this->TakeReport(parts);
+  parts.Gradient = GradientOnFaces(this->Geometry, parts.Potential, context);
+  parts.GradientEnergy = this->Norm(parts.Gradient);
+}
+
+void HodgeDecomposition::Internals::AddRotational(
+  const StoppingCriteria& stop, DecomposedFlow& parts, const ExecutionContext& context)
+{
+  parts.StreamFunction = this->Potentials.StreamFunction(parts.Derivatives, this->Boundary, stop, context);
+  this->TakeReport(parts);
+  parts.Rotational = QuarterTurn * GradientOnFaces(this->Geometry, parts.StreamFunction, context);
+  parts.RotationalEnergy = this->Norm(parts.Rotational);
+}
+
+void HodgeDecomposition::Internals::MakeBasis(const ExecutionContext& context)
+{
+  if (!this->Basis)
+  {
+    this->Basis = HarmonicFlows(this->Potentials, this->Boundary, context);
+    this->Bases += this->Basis->cols() > 0 ? 1 : 0;
+  }
+}
+
+void HodgeDecomposition::Internals::AddHarmonic(
+  const Vector<Complex>& flow, DecomposedFlow& parts, const ExecutionContext& context)
+{
+  this->MakeBasis(context);
+  Vector<Complex> weighted = flow;
+  for (Eigen::Index face = 0; face < flow.size(); ++face)
+  {
+    weighted[face] *= this->Areas[face];
+  }
+  parts.Coefficients = this->Basis->transpose() * AsPairs(weighted);
+  const Vector<double> field = *this->Basis * parts.Coefficients;
+  parts.Harmonic = AsComplex(field);
+  parts.HarmonicEnergy = this->Norm(parts.Harmonic);
+}
+
+void HodgeDecomposition::Internals::AddBoundaries(DecomposedFlow& parts) const
+{
+  const std::vector<BoundaryLoop>& loops = this->Potentials.Loops();
+  const auto number = static_cast<Eigen::Index>(loops.size());
+  parts.Flux.resize(number);
+  parts.Circulation.resize(number);
+  parts.StreamValues.setZero(number);
+  for (Eigen::Index k = 0; k < number; ++k)
+  {
+    const std::vector<int>& vertices = loops[k].Vertices;
+    parts.Flux[k] = -parts.Derivatives.Divergence(vertices).sum();
+    parts.Circulation[k] = -parts.Derivatives.Vorticity(vertices).sum();
+    if (parts.StreamFunction.size() > 0)
+    {
+      parts.StreamValues[k] = parts.StreamFunction(vertices).mean();
+    }
+  }
+}
+
+HodgeDecomposition::HodgeDecomposition(const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options)
+  : Internal(std::make_unique<Internals>(surface, boundary, options))
+{
+}
+
+HodgeDecomposition::~HodgeDecomposition() = default;
+
+HodgeDecomposition::HodgeDecomposition(HodgeDecomposition&&) noexcept = default;
+
+void HodgeDecomposition::SetBoundary(FlowBoundary boundary)
+{
+  if (this->Internal->Boundary != boundary)
+  {
+    this->Internal->Boundary = boundary;
+    this->Internal->Basis.reset();
+  }
+}
+
+DecomposedFlow HodgeDecomposition::Decompose(
+  const Vector<Complex>& flow, const FlowParts& wanted, const StoppingCriteria& stop, const ExecutionContext& context)
+{
+  Internals& of = *this->Internal;
+  CheckFlow(flow, of.Geometry.Mesh.NumberOfFaces());
+  DecomposedFlow parts;
+  parts.Derivatives = IntegratedDerivatives(of.Geometry, flow, context);
+  parts.Energy = of.Norm(flow);
+  parts.Residual = flow;
+  if (wanted.Gradient)
+  {
+    of.AddGradient(stop, parts, PartOfContext(context, 0.0, 0.5));
+    parts.Residual -= parts.Gradient;
+  }
+  if (wanted.Rotational)
+  {
+    of.AddRotational(stop, parts, PartOfContext(context, 0.5, 0.8));
+    parts.Residual -= parts.Rotational;
+  }
+  if (wanted.Harmonic)
+  {
+    of.AddHarmonic(flow, parts, PartOfContext(context, 0.8, 0.95));
+    parts.Residual -= parts.Harmonic;
+  }
+  parts.ResidualEnergy = of.Norm(parts.Residual);
+  of.AddBoundaries(parts);
+  const double overlap = std::abs(
+    parts.Energy - parts.GradientEnergy - parts.RotationalEnergy - parts.HarmonicEnergy - parts.ResidualEnergy);
+  if (overlap > LargestOverlap * parts.Energy)
+  {
+    parts.Warnings.push_back("The parts have " + ShortText(overlap / parts.Energy) +
+      " of the energy in common, as some triangles are too thin, or the solver has not converged.");
+  }
+  context.Checkpoint(1.0);
+  return parts;
+}
+
+const Eigen::MatrixXd& HodgeDecomposition::HarmonicBasis(const ExecutionContext& context)
+{
+  this->Internal->MakeBasis(context);
+  return *this->Internal->Basis;
+}
+
+const std::vector<BoundaryLoop>& HodgeDecomposition::Boundaries() const
+{
+  return this->Internal->Potentials.Loops();
+}
+
+const SolveReport& HodgeDecomposition::Report() const
+{
+  return this->Internal->Potentials.Report();
+}
+
+HodgeDecomposition::StageCounts HodgeDecomposition::Counts() const
+{
+  const Internals& of = *this->Internal;
+  return { of.Potentials.Counts().Setups, of.Bases + of.Potentials.Counts().Functions, of.Solves };
+}
+
+}

@@ -1,0 +1,103 @@
+#ifndef dmgHodgeDecomposition_h
+#define dmgHodgeDecomposition_h
+
+#include "Flows/FlowPotentials.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// The parts that are computed; each is the same, whichever others are.
+struct FlowParts
+{
+  bool Gradient = true;
+  bool Rotational = true;
+  bool Harmonic = true;
+};
+
+/// A flow as a sum of parts that are orthogonal to each other in the integral over the surface. Parts are vectors on faces,
+/// complex numbers in their frames; those that were not asked for are empty.
+struct DecomposedFlow
+{
+  Vector<Complex> Gradient;   ///< grad u
+  Vector<Complex> Rotational; ///< grad psi after a quarter turn counter-clockwise
+  Vector<Complex> Harmonic;   ///< a combination of the harmonic basis
+  /// The flow without all other parts. With all parts computed, it is the variation within rings of faces that functions linear
+  /// on faces do not resolve, and vanishes with the size of the faces where the flow is smooth.
+  Vector<Complex> Residual;
+
+  Vector<double> Potential;      ///< u, at vertices: a mean of zero on each component where no boundary fixes it
+  Vector<double> StreamFunction; ///< psi, the same
+  Vector<double> Coefficients;   ///< of the harmonic basis
+  FlowDerivatives Derivatives;   ///< of the flow; DensityAtVertices makes densities of them
+
+  // Squared magnitudes, integrated; zero for parts that were not computed.
+  double Energy = 0.0; ///< of the flow
+  double GradientEnergy = 0.0;
+  double RotationalEnergy = 0.0;
+  double HarmonicEnergy = 0.0;
+  double ResidualEnergy = 0.0;
+
+  // One number per boundary loop. They sum to the divergence and the vorticity of the surface.
+  Vector<double> Flux;         ///< out of the surface
+  Vector<double> Circulation;  ///< along the loop, with the surface to the left
+  Vector<double> StreamValues; ///< the stream function; its mean over the loop where the boundary is open
+
+  bool Converged = true;
+  std::vector<std::string> Warnings; ///< one sentence each, for the user
+};
+
+/// Decomposes flows on one surface (HodgeDecomposition.md):
+///
+///   boundary  potential u          stream function psi       dimension of the harmonic part
+///   Closed    any                  constant on each loop     2 g
+///   Open      zero on all loops    any                       2 g + b - 1, 2 g on closed components
+///
+/// for components of genus g with b loops. Solvers and harmonic basis are made when they are first needed and kept: each further flow
+/// costs two solves at most.
+///
+///   dmg::HodgeDecomposition hodge(surface, dmg::FlowBoundary::Closed);
+///   const dmg::DecomposedFlow parts = hodge.Decompose(flow);
+class HodgeDecomposition
+{
+public:
+  /// \param surface is borrowed.
+  HodgeDecomposition(const FramedMesh& surface, FlowBoundary boundary, const SolverOptions& options = {});
+  ~HodgeDecomposition();
+  HodgeDecomposition(HodgeDecomposition&&) noexcept;
+
+  /// Takes another boundary. The set-up of the solvers stays.
+  void SetBoundary(FlowBoundary boundary);
+
+  /// \param flow #F, in the frames of the faces.
+  /// \param stop of the solves. Parts are orthogonal to about its tolerance.
+  /// \throw InvalidInput the flow is not finite or has another size; harmonic fields or loops are too many to hold.
+  /// \throw SolverFailure, Cancelled
+  DecomposedFlow Decompose(const Vector<Complex>& flow, const FlowParts& parts = {},
+    const StoppingCriteria& stop = { 1e-11, 200 }, const ExecutionContext& context = SerialContext());
+
+  /// An orthonormal basis of the harmonic parts, 2 #F x k: components of vectors in the frames of the faces.
+  const Eigen::MatrixXd& HarmonicBasis(const ExecutionContext& context = SerialContext());
+  const std::vector<BoundaryLoop>& Boundaries() const;
+  /// The report of the last solve, without a solver before the first.
+  const SolveReport& Report() const;
+
+  struct StageCounts
+  {
+    int Setups = 0; ///< of solvers on the surface
+    int Bases = 0;  ///< of harmonic fields or of stream functions of loops
+    int Solves = 0; ///< for potentials and stream functions
+  };
+  StageCounts Counts() const;
+
+private:
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+}
+
+#endif

@@ -1,0 +1,77 @@
+#include "Geodesics/EdgeDistances.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace dmg
+{
+
+Vector<double> DistancesAlongEdges(const TriangleMesh& mesh, const std::vector<int>& from)
+{
+  using Reached = std::pair<double, int>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front;
+  Vector<double> distances = Vector<double>::Constant(mesh.NumberOfVertices(), std::numeric_limits<double>::infinity());
+  for (const int vertex : from)
+  {
+    distances[vertex] = 0.0;
+    front.emplace(0.0, vertex);
+  }
+  while (!front.empty())
+  {
+    const auto [distance, vertex] = front.top();
+    front.pop();
+    if (distance > distances[vertex])
+    {
+      continue;
+    }
+    const auto visit = [&, distance = distance, vertex = vertex](int neighbour)
+    {
+      const double further = distance + (mesh.Position(neighbour) - mesh.Position(vertex)).norm();
+      if (further < distances[neighbour])
+      {
+        distances[neighbour] = further;
+        front.emplace(further, neighbour);
+      }
+    };
+    mesh.VisitFan(vertex,
+      [&](int h)
+      {
+        visit(mesh.Head(h));
+        visit(mesh.Tail(TriangleMesh::Previous(h)));
+      });
+  }
+  return distances;
+}
+
+std::vector<int> FarthestVertices(const Vector<double>& distances, const std::vector<int>& components)
+{
+  std::vector<int> farthest(*std::max_element(components.begin(), components.end()) + 1, -1);
+  for (int vertex = 0; vertex < distances.size(); ++vertex)
+  {
+    int& best = farthest[components[vertex]];
+    if (best < 0 || distances[vertex] > distances[best])
+    {
+      best = vertex;
+    }
+  }
+  return farthest;
+}
+
+std::vector<double> ComponentDiameters(const TriangleMesh& mesh, const std::vector<int>& components)
+{
+  const Vector<double> noDistances = Vector<double>::Zero(mesh.NumberOfVertices());
+  const std::vector<int> ends =
+    FarthestVertices(DistancesAlongEdges(mesh, FarthestVertices(noDistances, components)), components);
+  const Vector<double> distances = DistancesAlongEdges(mesh, ends);
+  std::vector<double> diameters;
+  for (const int vertex : FarthestVertices(distances, components))
+  {
+    diameters.push_back(distances[vertex]);
+  }
+  return diameters;
+}
+
+}
