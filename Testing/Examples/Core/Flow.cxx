@@ -1,6 +1,6 @@
 // The parts of a flow without VTK: Flow SURFACE.ply OUTPUT.txt
 
-#include <HodgeDecomposition.h>
+#include <Flows/HodgeDecomposition.h>
 
 #include <fstream>
 #include <iomanip>
