@@ -40,7 +40,6 @@ struct SeamSide
 };
 
 /// Pairs the boundary sides of all pieces that have the same ends. Collective.
-/// \param names say how messages call points.
 /// \throw InvalidInput more than two sides meet, or two in the same direction.
 /// Messages: one exchange of 64 bytes per boundary side and one of 12 per seam.
 std::vector<SeamSide> PairSides(const Ranks& ranks, const SurfacePiece& piece, const FansOfPiece& fans);

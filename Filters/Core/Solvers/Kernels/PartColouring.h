@@ -21,7 +21,7 @@ struct PartGraph
   const int* End(int part) const { return this->Neighbours.data() + this->Begins[part + 1]; }
 };
 
-/// \param forItems(part, visit) calls visit(item) for all items of a part; several times does no harm.
+/// \param forItems forItems(part, visit) calls visit(item) for all items of a part; several times does no harm.
 /// Cost: linear in the visits, but for items of many parts.
 template <class ForItems>
 PartGraph GraphOfParts(int numberOfParts, int numberOfItems, const ForItems& forItems)

@@ -137,8 +137,7 @@ public:
   virtual std::unique_ptr<StiffnessCycle> Cycle(
     const Vector<double>& D, const StiffnessCycleOptions& options, const ExecutionContext& context) const = 0;
 
-  /// Full multigrid for R + D, if the hierarchy has it; else null. Parameters as above.
-  /// \param maySweep see NestedOptions.
+  /// Full multigrid for R + D, if the hierarchy has it; else null. Parameters as above; maySweep: see NestedOptions.
   virtual std::unique_ptr<StiffnessNestedIteration> NestedIterations(
     const Vector<double>&, const StiffnessCycleOptions&, bool /*maySweep*/, const ExecutionContext&) const
   {

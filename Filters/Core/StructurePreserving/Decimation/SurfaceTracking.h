@@ -72,7 +72,7 @@ public:
   /// Calls visit(face, from, to) for the pieces of the path of a fine edge, in its orientation,
   /// with barycentric coordinates of both ends. An end at a vertex of the coarse mesh has
   /// coordinates exactly 0 and 1.
-  /// \param corners of the coarse mesh, by halfedge: its tail.
+  /// \param tail tail(halfedge) is the vertex of the coarse mesh where a halfedge begins.
   /// \pre HasPath
   template <class Tail, class Visit>
   void VisitPath(int fineEdge, const Tail& tail, Visit visit) const
