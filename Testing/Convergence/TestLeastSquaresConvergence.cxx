@@ -108,7 +108,7 @@ protected:
 
 }
 
-TEST_P(LeastSquaresConvergence, OnIrregularSpheres)
+TEST_P(LeastSquaresConvergence, IsFastOnIrregularSpheres)
 {
   std::vector<Surface> family = { IrregularSphere(4, 3), IrregularSphere(5, 3) };
   if (std::get<1>(GetParam()) == LevelKind::EdgeCollapses)
@@ -118,29 +118,29 @@ TEST_P(LeastSquaresConvergence, OnIrregularSpheres)
   ExpectBounded(family);
 }
 
-TEST_P(LeastSquaresConvergence, OnIrregularTori)
+TEST_P(LeastSquaresConvergence, IsFastOnIrregularTori)
 {
   ExpectBounded({ IrregularTorus(80, 32, 4), IrregularTorus(112, 44, 4), IrregularTorus(160, 64, 4) });
 }
 
-TEST_P(LeastSquaresConvergence, WithBoundaries)
+TEST_P(LeastSquaresConvergence, IsFastWithBoundaries)
 {
   ExpectBounded({ IrregularPlane(40, 30, 5), IrregularPlane(80, 60, 5), IrregularPlane(160, 120, 5) }, 20);
 }
 
-TEST_P(LeastSquaresConvergence, OnThinSurfaces)
+TEST_P(LeastSquaresConvergence, IsFastOnThinSurfaces)
 {
   ExpectBounded({ Flattened(DoubleTorus(8), 0.1), Flattened(DoubleTorus(16), 0.1) }, 20);
 }
 
 /// Cut into 64, a thin triangle is 64 of them, and no patch holds them all: cycles take more iterations, and reach the
 /// tolerance.
-TEST_P(LeastSquaresConvergence, OnThinTrianglesThatAreCut)
+TEST_P(LeastSquaresConvergence, IsFastOnThinTrianglesThatAreCut)
 {
   Iterations(Subdivide(Subdivide(Subdivide(PlaneWithThinTriangles(24, 16)))));
 }
 
-TEST_P(LeastSquaresConvergence, ForAnyAlignment)
+TEST_P(LeastSquaresConvergence, IsFastForAnyAlignment)
 {
   for (const double alignment : { 1e-6, 1e-3, 1e-1, 1e1, 1e2, 1e3, 1e6, Infinity })
   {
@@ -154,7 +154,7 @@ TEST_P(LeastSquaresConvergence, ForAnyAlignment)
 
 /// Harmonic fields cost nothing, but must yield where they are pulled. The norm that decides bounds the error, whatever the
 /// weights, and takes one iteration more than the residual relative to the right-hand side did.
-TEST_P(LeastSquaresConvergence, OnManyHandlesForAnyAlignment)
+TEST_P(LeastSquaresConvergence, IsFastOnManyHandlesForAnyAlignment)
 {
   for (const double alignment : { 1e-2, 1.0, 1e1, 1e2, 1e4, 1e6, 1e8, 1e10 })
   {

@@ -97,7 +97,7 @@ TEST_P(PowerFieldConvergence, IsAlmostAsFastOnThinSurfacesAndWithBoundaries)
 }
 
 /// Cycles take more iterations, and reach the tolerance.
-TEST_P(PowerFieldConvergence, OnThinTrianglesThatAreCut)
+TEST_P(PowerFieldConvergence, HoldsOnThinTrianglesThatAreCut)
 {
   for (int N : { 1, 2, 4, 6 })
   {
@@ -125,7 +125,7 @@ TEST_P(PowerFieldConvergence, DoesNotDependOnAlignment)
 }
 
 /// Parallel fields cost nothing there, and so weak pulls little: rounding errors in the cycle must not decide.
-TEST_P(PowerFieldConvergence, OnAPlaneUnderWeakPulls)
+TEST_P(PowerFieldConvergence, IsFastOnAPlaneUnderWeakPulls)
 {
   const Surface plane = Subdivide(IrregularPlane(120, 80, 4)); // 76,800
   for (int N : { 1, 2, 4, 6 })

@@ -76,7 +76,7 @@ TEST(VertexPowerFieldConvergence, DoesNotDependOnGenus)
   }
 }
 
-TEST(VertexPowerFieldConvergence, WithBoundaries)
+TEST(VertexPowerFieldConvergence, IsFastWithBoundaries)
 {
   for (int N : { 1, 2, 4, 6 })
   {
@@ -105,7 +105,7 @@ TEST(VertexPowerFieldConvergence, DoesNotDependOnAlignment)
 }
 
 /// Cycles take more iterations, and reach the tolerance.
-TEST(VertexPowerFieldConvergence, OnThinTrianglesThatAreCut)
+TEST(VertexPowerFieldConvergence, HoldsOnThinTrianglesThatAreCut)
 {
   for (int N : { 1, 4 })
   {

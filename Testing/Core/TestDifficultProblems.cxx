@@ -16,7 +16,7 @@ using namespace dmg::test;
 
 // Cotangents of faces without area make matrices of 1-forms so uneven that rounding errors alone
 // are 1e-9 or so of a right-hand side.
-TEST(HarmonicProblem, FacesWithoutArea)
+TEST(HarmonicProblem, IsSolvedOnFacesWithoutArea)
 {
   for (const DiscretisationKind kind : AllKinds)
   {
@@ -43,7 +43,7 @@ TEST(HarmonicProblem, FacesWithoutArea)
 }
 
 // A torus has two harmonic fields, which a face or two hold weakly. Cycles know them.
-TEST(HarmonicProblem, FewPrescriptionsOnATorus)
+TEST(HarmonicProblem, IsSolvedForFewPrescriptionsOnATorus)
 {
   for (const DiscretisationKind kind : Squares)
   {

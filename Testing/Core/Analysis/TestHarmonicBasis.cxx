@@ -250,7 +250,7 @@ TEST(HarmonicBasis, ReportsProgressOnceAndStopsWhenAsked)
   }
 }
 
-TEST(HarmonicForms, OnePerLoop)
+TEST(HarmonicForms, AreAsManyAsLoops)
 {
   for (const Case& surface : Cases())
   {

@@ -16,7 +16,7 @@ namespace
 using namespace dmg;
 using namespace dmg::test;
 
-class AlignmentConstraintsTest : public ::testing::Test
+class AlignmentConstraints : public ::testing::Test
 {
 protected:
   const TriangleMesh Mesh = IrregularSphere(1, 1).Mesh();
@@ -28,7 +28,7 @@ protected:
   }
 };
 
-TEST_F(AlignmentConstraintsTest, AreSortedPowersOfTheTangentialParts)
+TEST_F(AlignmentConstraints, AreSortedPowersOfTheTangentialParts)
 {
   for (int N = 1; N <= 8; ++N)
   {
@@ -44,7 +44,7 @@ TEST_F(AlignmentConstraintsTest, AreSortedPowersOfTheTangentialParts)
   }
 }
 
-TEST_F(AlignmentConstraintsTest, DirectionsThatAreEqualForNDirectionFieldsAgree)
+TEST_F(AlignmentConstraints, DirectionsThatAreEqualForNDirectionFieldsAgree)
 {
   for (int N = 1; N <= 8; ++N)
   {
@@ -60,7 +60,7 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatAreEqualForNDirectionFieldsAgree)
   }
 }
 
-TEST_F(AlignmentConstraintsTest, DirectionsOnOneFaceAreAveragedByWeight)
+TEST_F(AlignmentConstraints, DirectionsOnOneFaceAreAveragedByWeight)
 {
   const FieldConstraints constraints = MakePowerConstraints(
     this->Mesh, this->Frames, 1, { { 7, this->Direction(7, 0.0), 3.0 }, { 7, this->Direction(7, 0.5 * Pi), 1.0 } });
@@ -68,7 +68,7 @@ TEST_F(AlignmentConstraintsTest, DirectionsOnOneFaceAreAveragedByWeight)
 }
 
 // Opposite vectors mean nothing to a field of one direction, and the same to one of two; quarter turns likewise for two and four.
-TEST_F(AlignmentConstraintsTest, DirectionsThatCancelAreLeftOut)
+TEST_F(AlignmentConstraints, DirectionsThatCancelAreLeftOut)
 {
   for (const auto& [N, cancelling] : { std::pair(1, 2), std::pair(2, 6), std::pair(4, -1) })
   {
@@ -94,14 +94,14 @@ TEST_F(AlignmentConstraintsTest, DirectionsThatCancelAreLeftOut)
   }
 }
 
-TEST_F(AlignmentConstraintsTest, NothingPrescribedIsEmpty)
+TEST_F(AlignmentConstraints, NothingPrescribedIsEmpty)
 {
   const FieldConstraints constraints = MakePowerConstraints(this->Mesh, this->Frames, 4, {});
   EXPECT_TRUE(constraints.Elements.empty());
   EXPECT_EQ(constraints.Values.size(), 0);
 }
 
-TEST_F(AlignmentConstraintsTest, RefuseWhatIsNoDirection)
+TEST_F(AlignmentConstraints, RefuseWhatIsNoDirection)
 {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const double infinity = std::numeric_limits<double>::infinity();

@@ -71,7 +71,7 @@ TriangleMesh StripWithThinColumn(int columns, int thin, double width)
 
 }
 
-TEST(SmoothingBlocks, SidesOfEvenFaces)
+TEST(SmoothingBlocks, AreSidesOfFacesWhereFacesAreEven)
 {
   // Every second face of a regular torus has all sides between them.
   const TriangleMesh torus = test::Torus(12, 9, 1.0, 0.5).Mesh();
@@ -92,7 +92,7 @@ TEST(SmoothingBlocks, SidesOfEvenFaces)
   }
 }
 
-TEST(SmoothingBlocks, FansOfEvenFaces)
+TEST(SmoothingBlocks, AreFansWhereFacesAreEven)
 {
   const TriangleMesh mesh = test::Icosphere(2).Mesh();
   const std::vector<std::set<int>> blocks = SetsOf(BlocksOfFaceFields(mesh));

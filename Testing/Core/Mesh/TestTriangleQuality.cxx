@@ -24,7 +24,7 @@ double OfLegs(double h)
 
 }
 
-TEST(TestTriangleQuality, OfRightTriangles)
+TEST(TriangleQuality, OfRightTrianglesIsThatOfTheirLegs)
 {
   for (const double h : { 1.0, 0.3, 1e-3, 1e-9 })
   {
@@ -36,7 +36,7 @@ TEST(TestTriangleQuality, OfRightTriangles)
   }
 }
 
-TEST(TestTriangleQuality, IsOneForEquilateralTrianglesOfAnySizeAndZeroWithoutArea)
+TEST(TriangleQuality, IsOneForEquilateralTrianglesOfAnySizeAndZeroWithoutArea)
 {
   for (const double scale : { 1e-30, 1.0, 1e30 })
   {
@@ -52,7 +52,7 @@ TEST(TestTriangleQuality, IsOneForEquilateralTrianglesOfAnySizeAndZeroWithoutAre
   EXPECT_GE(ShareOfFacesBelow(1e-7, mesh, SerialContext()), 3.0 / mesh.NumberOfFaces());
 }
 
-TEST(TestTriangleQuality, SharesCountFaces)
+TEST(TriangleQuality, SharesCountFaces)
 {
   // Qualities of 0.17 in three columns of ten, of 0.87 in the others; two faces each.
   std::vector<double> widths(10, 1.0);

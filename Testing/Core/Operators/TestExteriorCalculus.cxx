@@ -75,7 +75,7 @@ TEST(ExteriorCalculus, StarsArePositiveAndCoverTheSurface)
 
 // On equilateral triangles the dual of an inner edge is 1 / sqrt(3) of it, and a vertex has a third
 // of its faces, by either rule.
-TEST(ExteriorCalculus, StarsOfEquilateralTriangles)
+TEST(ExteriorCalculus, StarsOfEquilateralTrianglesAreThoseOfTheirFormulas)
 {
   const TriangleMesh mesh = Icosphere(0).Mesh();
   const double area = mesh.FaceArea(0);

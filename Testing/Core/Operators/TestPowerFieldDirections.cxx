@@ -339,7 +339,7 @@ TEST(SingularityIndices, OfEastAreOneAtThePoles)
   }
 }
 
-TEST(SingularityIndices, OfModelSingularitiesInThePlane)
+TEST(SingularityIndices, AreThoseOfModelSingularitiesInThePlane)
 {
   const TriangleMesh mesh = Disk(5).Mesh();
   const TangentFrames frames = FaceFrames(mesh);

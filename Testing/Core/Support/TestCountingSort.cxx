@@ -11,7 +11,7 @@
 
 using namespace dmg;
 
-TEST(TestCountingSort, SortsAsStableSortDoesForAnyNumberOfThreads)
+TEST(CountingSort, SortsAsStableSortDoesForAnyNumberOfThreads)
 {
   test::Random random(2801);
   for (const int size : { 0, 1, 50, 9000, 60000 })
@@ -42,7 +42,7 @@ TEST(TestCountingSort, SortsAsStableSortDoesForAnyNumberOfThreads)
   }
 }
 
-TEST(TestCountingSort, SortsByPairsForAnyNumberOfThreads)
+TEST(CountingSort, SortsByPairsForAnyNumberOfThreads)
 {
   test::Random random(2802);
   for (const int size : { 0, 1, 50, 60000 })
@@ -76,7 +76,7 @@ TEST(TestCountingSort, SortsByPairsForAnyNumberOfThreads)
   }
 }
 
-TEST(TestCountingSort, ChoosesInOrder)
+TEST(CountingSort, ChoosesInOrder)
 {
   const test::TbbContext context(3);
   for (const int size : { 0, 5, 8192, 30000 })
@@ -92,7 +92,7 @@ TEST(TestCountingSort, ChoosesInOrder)
   }
 }
 
-TEST(TestPermutations, InverseIsTheSameForAnyNumberOfThreads)
+TEST(Permutations, InverseIsTheSameForAnyNumberOfThreads)
 {
   constexpr int size = 50021; // prime
   std::vector<int> permutation(size);

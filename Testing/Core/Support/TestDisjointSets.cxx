@@ -23,7 +23,7 @@ void Rename(std::vector<int>& names, int a, int b)
 
 }
 
-TEST(TestDisjointSets, AreThoseOfNamesThatAreReplaced)
+TEST(DisjointSets, AreThoseOfNamesThatAreReplaced)
 {
   constexpr int size = 200;
   test::Random random(8201);
@@ -43,7 +43,7 @@ TEST(TestDisjointSets, AreThoseOfNamesThatAreReplaced)
   EXPECT_EQ(DisjointSets(0).AllSmallest(), std::vector<int>());
 }
 
-TEST(TestDisjointSets, ColumnsAreConnectedThroughRows)
+TEST(DisjointSets, ColumnsAreConnectedThroughRows)
 {
   // Columns 0, 3 and 5 by two rows; 1 and 4 by one; 2 alone; an entry that is zero connects nothing.
   SparseMatrix<double> A(5, 6);

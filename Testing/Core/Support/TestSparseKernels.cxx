@@ -249,7 +249,7 @@ TYPED_TEST(TestSparseKernels, SameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(TestOffsets, CountsThatDoNotFitAreRefused)
+TEST(Offsets, CountsThatDoNotFitAreRefused)
 {
   std::vector<int> counts = { 0, 2, 0, 3 };
   EXPECT_EQ(OffsetsFromCounts(counts), 5);
@@ -258,7 +258,7 @@ TEST(TestOffsets, CountsThatDoNotFitAreRefused)
   EXPECT_THROW(OffsetsFromCounts(counts), InvalidInput);
 }
 
-TEST(TestOffsets, RowsGetTheRoomTheyAskFor)
+TEST(Offsets, RowsGetTheRoomTheyAskFor)
 {
   constexpr int rows = 40000;
   SparseMatrix<Complex> matrix(rows, 3);
@@ -272,7 +272,7 @@ TEST(TestOffsets, RowsGetTheRoomTheyAskFor)
   EXPECT_EQ(matrix.nonZeros(), rows / 4 * 6);
 }
 
-TEST(TestPairs, AreAnEvenColumnAndTheNext)
+TEST(Pairs, AreAnEvenColumnAndTheNext)
 {
   const auto matrixOf = [](std::vector<std::pair<int, int>> places)
   {

@@ -11,7 +11,7 @@
 
 using namespace dmg;
 
-TEST(TestSparseRows, SortIndicesSorts)
+TEST(SparseRows, SortIndicesSorts)
 {
   test::Random random(2701);
   for (const int size : { 0, 1, 2, 7, 40, 500 })
@@ -28,7 +28,7 @@ TEST(TestSparseRows, SortIndicesSorts)
   }
 }
 
-TEST(TestSparseRows, SumsAreAppendedAsRows)
+TEST(SparseRows, SumsAreAppendedAsRows)
 {
   // Rows of multiples of random rows, compared with a map; the second of each is empty.
   test::Random random(2702);

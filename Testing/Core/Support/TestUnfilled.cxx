@@ -8,7 +8,7 @@
 
 using namespace dmg;
 
-TEST(TestUnfilled, VectorsKeepWhatIsWritten)
+TEST(Unfilled, VectorsKeepWhatIsWritten)
 {
   Unfilled<Complex> numbers(3);
   std::iota(numbers.begin(), numbers.end(), 1.0);
@@ -20,7 +20,7 @@ TEST(TestUnfilled, VectorsKeepWhatIsWritten)
   EXPECT_EQ(Unfilled<double>(4, 2.5), (Unfilled<double>{ 2.5, 2.5, 2.5, 2.5 }));
 }
 
-TEST(TestUnfilled, LazyZerosAreZeroUntilWritten)
+TEST(Unfilled, LazyZerosAreZeroUntilWritten)
 {
   struct Pair
   {
