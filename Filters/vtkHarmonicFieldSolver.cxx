@@ -1,7 +1,6 @@
 #include "vtkHarmonicFieldSolver.h"
 
 #include "Adapters/Input/ConstraintsFromArrays.h"
-#include "Adapters/Input/OptionsOfSolver.h"
 #include "Adapters/Input/ProblemFromInputs.h"
 #include "Adapters/Output/FieldOutput.h"
 #include "Adapters/Output/ReportToArrays.h"
@@ -18,6 +17,7 @@
 #include "Adapters/Output/OutputOfPieces.h"
 #endif
 
+#include "PropertiesOfSolver.h"
 #include "vtkCommand.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFieldData.h"
@@ -292,16 +292,16 @@ int vtkHarmonicFieldSolver::RequestData(
   vtkTable* const convergence = vtkTable::GetData(outputVector, 2);
   const auto make = [&](vtkInformationVector** whole, const dmg::ExecutionContext& context)
   {
-    dmg::FieldProblem problem = dmg::ProblemOf(this); // properties out of range are told before anything is read
+    // Properties out of range are told before anything is read.
+    const dmg::FieldProperties properties = dmg::PropertiesOf(this, this->Internals->GuideChoices);
+    const dmg::PreparationOptions& preparation = properties.Preparation;
+    dmg::FieldProblem problem = properties.Problem;
     const vtkSmartPointer<vtkDataSet> input = dmg::SurfaceOf(whole[0]);
-    const dmg::PreparationOptions preparation{ dmg::Numbering::Spatial, this->JoinPoints, this->Strict };
     const std::string digest = dmg::ContentDigest(input, preparation);
     vtkInternals::Leaf& leaf = this->Internals->Of(digest);
     dmg::SolverOfSurface& kept = leaf.Solver;
     dmg::FieldOutput& shown = leaf.Output;
-    const dmg::FieldInputs inputs{ input,
-      { dmg::DataOf(whole, { 1, 3, 4, 5 }), this->Internals->GuideChoices, this->MaximumDistance },
-      { dmg::DataOf(whole, { 2 }), this->SingularityIndexArray, this->MaximumDistance } };
+    const dmg::FieldInputs inputs = dmg::InputsOf(properties, input, whole);
     if (!inputs.Singularities.Data.empty())
     {
       dmg::CheckTakesSingularities(problem.Options.Field);
@@ -313,12 +313,11 @@ int vtkHarmonicFieldSolver::RequestData(
       vtkWarningMacro("most triangles share no points with those beside them, so each is a surface of its own; apply "
                       "Clean (vtkCleanPolyData) first, or switch Join Points on and Strict off");
     }
-    const dmg::ConstraintChoices choices = dmg::ChoicesOnSurface(this, input);
     const dmg::FramedSurface surface = kept.Surface();
-    const dmg::UnusableDirections unusable = dmg::ReadInputs(this, choices, inputs, &surface, problem);
+    const dmg::UnusableDirections unusable = dmg::ReadInputs(inputs, &surface, problem);
     if (problem.Constraints.AreEmpty() && problem.Guides.AreEmpty())
     {
-      dmg::CheckPrescribes(choices, inputs);
+      dmg::CheckPrescribes(inputs);
     }
     if (!inputs.Singularities.Data.empty())
     {
@@ -343,7 +342,7 @@ int vtkHarmonicFieldSolver::RequestData(
     shown.AddArraysTo(kept, field, output, edges);
     dmg::AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
     dmg::MakeConvergenceTable(field.Report, convergence);
-    this->Internals->Followed = dmg::WhatIsFollowed(this, choices, input, inputs.Guides.Data.size());
+    this->Internals->Followed = dmg::WhatIsFollowed(inputs, problem.Features);
     for (vtkFieldData* const data : { output->GetFieldData(), convergence->GetFieldData() })
     {
       dmg::RemoveReport(data);
@@ -359,8 +358,10 @@ int vtkHarmonicFieldSolver::RequestData(
                               const dmg::ExecutionContext& context) -> std::string
   {
 #ifdef DMG_PETSC
-    return dmg::SolveInPieces(this, this->Internals->GuideChoices, this->Internals->Pieces, ranks, pieces, outputVector,
-      this->Internals->Followed, context);
+    dmg::FieldProperties properties;
+    ranks.Together([&] { properties = dmg::PropertiesOf(this, this->Internals->GuideChoices); });
+    return dmg::SolveInPieces(
+      this, properties, this->Internals->Pieces, ranks, pieces, outputVector, this->Internals->Followed, context);
 #else
     (void)ranks, (void)pieces, (void)context;
     return "the filters were built without DMG_PETSC, by which power fields at points and functions stay in pieces";

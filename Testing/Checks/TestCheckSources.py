@@ -94,6 +94,9 @@ class CheckSources(unittest.TestCase):
         self.assert_found("Filters/Adapters/Surface/Mesh.h", '#include "Adapters/Output/Arrays.h"\n',
                           "1: Adapters/Surface may not include Adapters/Output/Arrays.h")
 
+    def test_adapters_know_no_filter(self):
+        self.assert_found("Filters/Adapters/Surface/Mesh.h", '#include "vtkFilter.h"\n', "1: an adapter includes vtkFilter.h")
+
     def test_new_room_of_adapters_needs_a_place(self):
         self.assert_found("Filters/Adapters/Odds/Ends.h", "", "0: Adapters/Odds has no place in ADAPTERS")
 

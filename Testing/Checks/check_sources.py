@@ -6,7 +6,7 @@
 prints one line per violation, "path:line: what is wrong", and fails if there is any. The rules:
 
 - the rooms of the core include downwards only (ARROWS), and never VTK; nor do its tests;
-- the rooms of the adapters include downwards only (ADAPTERS);
+- the rooms of the adapters include downwards only (ADAPTERS), and no header of a filter;
 - no text of the core names a class of VTK, or a property or choice of the panel by a label of several words: the
   core says remedies in words of its own (Support/Remedy.h);
 - the headers of the filters, which VTK's wrappers parse, include VTK and plain C++ only;
@@ -169,12 +169,15 @@ def check_words_of_core(root):
 
 def check_adapters(root):
     adapters = root / "Filters" / "Adapters"
+    filters = {path.name for path in (root / "Filters").glob("*.h")}
     for path in files(adapters, SOURCES):
         room = path.parent.relative_to(adapters).as_posix()
         if room not in ADAPTERS:
             yield path, 0, f"Adapters/{room} has no place in ADAPTERS"
             continue
         for number, name in includes(path):
+            if name in filters:
+                yield path, number, f"an adapter includes {name}"
             match = re.match(r"Adapters/(\w+)/", name)
             if match and ADAPTERS.index(match.group(1)) > ADAPTERS.index(room):
                 yield path, number, f"Adapters/{room} may not include {name}"

@@ -1,6 +1,6 @@
-#include "Adapters/Input/OptionsOfSolver.h"
 #include "Geodesics/ParallelTransport.h"
 #include "Preparation/PreparedSurface.h"
+#include "PropertiesOfSolver.h"
 #include "StructurePreserving/Decimation/HierarchyOptions.h"
 
 #include "vtkDirectionalProlongation.h"
@@ -18,7 +18,7 @@ using namespace dmg;
 TEST(Defaults, OfTheSolverAreThoseOfTheCore)
 {
   vtkNew<vtkHarmonicFieldSolver> filter;
-  const FieldProblem problem = ProblemOf(filter);
+  const FieldProblem problem = PropertiesOf(filter).Problem;
   const FieldProblem expected;
   EXPECT_TRUE(problem.Options == expected.Options);
   EXPECT_TRUE(problem.Stop == expected.Stop);
@@ -34,8 +34,8 @@ TEST(Defaults, OfTheSolverAreThoseOfTheCore)
   EXPECT_EQ(problem.Combing, expected.Combing);
   EXPECT_EQ(problem.UnitLength, expected.UnitLength);
   EXPECT_EQ(problem.HarmonicBasis, expected.HarmonicBasis);
-  EXPECT_EQ(filter->GetMaximumDistance(), expected.Guides.MaximumDistance);
-  EXPECT_EQ(filter->GetRotation(), expected.Rotation.Everywhere);
+  EXPECT_EQ(problem.Guides.MaximumDistance, expected.Guides.MaximumDistance);
+  EXPECT_EQ(problem.Rotation.Everywhere, expected.Rotation.Everywhere);
   EXPECT_EQ(filter->GetJoinPoints(), PreparationOptions().JoinPoints);
   EXPECT_EQ(filter->GetStrict(), PreparationOptions().Strict);
 }

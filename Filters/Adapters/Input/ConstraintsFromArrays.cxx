@@ -218,16 +218,13 @@ Constraints ConstraintsFromArrays(
   return constraints;
 }
 
-RotationAngles RotationFromArray(
-  const ArrayChoice& choice, double degrees, vtkDataSet* input, const FramedSurface& surface)
+void AddRotation(const ArrayChoice& choice, vtkDataSet* input, const FramedSurface& surface, RotationAngles& angles)
 {
   constexpr double Degree = Pi / 180.0;
-  RotationAngles angles;
-  angles.Everywhere = degrees * Degree;
   const ChosenArray chosen = FindArray(choice, input, 1, "rotation", "the surface");
   if (!chosen.Array)
   {
-    return angles;
+    return;
   }
   const TriangleMesh& mesh = surface.Geometry.Mesh;
   angles.Faces.setZero(mesh.NumberOfFaces());
@@ -255,7 +252,6 @@ RotationAngles RotationFromArray(
   {
     angles.Faces[face] = Degree * chosen.Array->GetComponent(surface.Relation.CellOf(face), 0);
   }
-  return angles;
 }
 
 }

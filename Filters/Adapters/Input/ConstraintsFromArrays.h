@@ -31,11 +31,10 @@ bool HasDirections(const ConstraintChoices& choices, vtkDataSet* dataset);
 /// One sentence: the directions that are left out, and what helps.
 std::string TextOf(const UnusableDirections& unusable);
 
-/// The rotation by an angle and an array, both in degrees. Elements of the other kind than the array's get the mean of those
-/// that they touch.
+/// Adds the rotations of an array, in degrees, if one is chosen. Elements of the other kind than the array's get the mean of
+/// those that they touch.
 /// \throw InvalidInput as FindArray.
-RotationAngles RotationFromArray(
-  const ArrayChoice& choice, double degrees, vtkDataSet* input, const FramedSurface& surface);
+void AddRotation(const ArrayChoice& choice, vtkDataSet* input, const FramedSurface& surface, RotationAngles& angles);
 
 }
 

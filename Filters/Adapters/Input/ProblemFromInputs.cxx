@@ -5,14 +5,84 @@
 #include "Support/Errors.h"
 
 #include "vtkDataSet.h"
-#include "vtkHarmonicFieldSolver.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkInformationVector.h"
+
+#include <utility>
 
 namespace dmg
 {
 
-void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs)
+namespace
 {
-  if (HasDirections(choices, inputs.Surface))
+
+/// \throw InvalidInput directions are tensors, and the field has a sign.
+void CheckTakesTensors(const DiscretisationOptions& field, const ArrayChoice& vectors, vtkDataSet* surface)
+{
+  const bool isPower =
+    field.Kind == DiscretisationKind::PowerField || field.Kind == DiscretisationKind::VertexPowerField;
+  const bool isEven = isPower && field.N % 2 == 0;
+  for (const int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
+  {
+    const bool isThere =
+      vectors.Association == association || vectors.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
+    if (!isEven && isThere && HoldsTensors(surface->GetAttributes(association)->GetArray(vectors.Name.c_str())))
+    {
+      throw InvalidInput("array '" + vectors.Name +
+        "' holds tensors, whose principal directions have no sign; choose a power field and an even Number Of "
+        "Directions");
+    }
+  }
+}
+
+ConstraintChoices ChoicesOnSurface(const FieldProperties& properties, vtkDataSet* surface)
+{
+  ConstraintChoices choices = WithoutFormerField(properties.Choices, surface);
+  if (!properties.FollowsDirections)
+  {
+    const bool hasValues = HasArray(choices.Values, surface); // whose mask and weights they are then
+    choices.Vectors = choices.Eastward = choices.Northward = {};
+    choices.Mask = hasValues ? choices.Mask : ArrayChoice();
+    choices.Weights = hasValues ? choices.Weights : ArrayChoice();
+  }
+  if (properties.Problem.Options.Field.Kind != DiscretisationKind::ScalarFunction)
+  {
+    choices.Source = {};
+  }
+  CheckTakesTensors(properties.Problem.Options.Field, choices.Vectors, surface);
+  return choices;
+}
+
+}
+
+FieldInputs InputsOf(const FieldProperties& properties, vtkDataSet* surface, vtkInformationVector** inputs)
+{
+  const double maximumDistance = properties.Problem.Guides.MaximumDistance;
+  return { surface, ChoicesOnSurface(properties, surface),
+    { DataOf(inputs, { 1, 3, 4, 5 }), properties.GuideChoices, maximumDistance },
+    { DataOf(inputs, { 2 }), properties.SingularityIndexArray, maximumDistance } };
+}
+
+UnusableDirections ReadInputs(const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem)
+{
+  UnusableDirections unusable;
+  if (surface)
+  {
+    Constraints constraints = ConstraintsFromArrays(inputs.Choices, inputs.Surface, *surface, unusable);
+    constraints.Net = problem.Constraints.Net;
+    problem.Constraints = std::move(constraints);
+  }
+  problem.Guides = GuidesFrom(inputs.Guides, unusable);
+  if (surface && problem.Options.Field.Kind != DiscretisationKind::ScalarFunction) // which nothing rotates
+  {
+    AddRotation(inputs.Choices.Rotation, inputs.Surface, *surface, problem.Rotation);
+  }
+  return unusable;
+}
+
+void CheckPrescribes(const FieldInputs& inputs)
+{
+  if (HasDirections(inputs.Choices, inputs.Surface))
   {
     throw InvalidInput("no direction is prescribed: the directions of the surface are zero, perpendicular to it or not "
                        "finite, or its mask "
@@ -27,22 +97,26 @@ void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs
   }
 }
 
-UnusableDirections ReadInputs(vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices,
-  const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem)
+std::string WhatIsFollowed(const FieldInputs& inputs, const FeatureOptions& features)
 {
-  UnusableDirections unusable;
-  if (surface)
-  {
-    problem.Constraints = ConstraintsFromArrays(choices, inputs.Surface, *surface, unusable);
-  }
-  problem.Constraints.Net =
-    filter->GetNetSource() == vtkHarmonicFieldSolver::TakeOut ? NetSource::TakeOut : NetSource::Refuse;
-  problem.Guides = GuidesFrom(inputs.Guides, unusable);
-  if (surface && problem.Options.Field.Kind != DiscretisationKind::ScalarFunction) // which nothing turns
-  {
-    problem.Rotation = RotationFromArray(choices.Rotation, filter->GetRotation(), inputs.Surface, *surface);
-  }
-  return unusable;
+  std::string text;
+  const auto say = [&text](bool isFollowed, const std::string& what)
+  { text += isFollowed ? (text.empty() ? "" : ", ") + what : ""; };
+  const auto has = [&inputs](const ArrayChoice& choice) { return HasArray(choice, inputs.Surface); };
+  const auto nameOf = [](const ArrayChoice& choice)
+  { return choice.Name.empty() ? "active vectors" : "array '" + choice.Name + "'"; };
+  const ConstraintChoices& choices = inputs.Choices;
+  const bool hasComponents = has(choices.Eastward); // which count instead of vectors
+  const std::size_t guides = inputs.Guides.Data.size();
+  say(has(choices.Vectors) && !hasComponents, nameOf(choices.Vectors));
+  say(hasComponents, nameOf(choices.Eastward) + " and " + nameOf(choices.Northward));
+  say(has(choices.Values), nameOf(choices.Values));
+  say(has(choices.Source), "source " + nameOf(choices.Source));
+  say(guides > 0, std::to_string(guides) + (guides == 1 ? " guide" : " guides"));
+  say(features.BoundaryWeight > 0.0, "boundary");
+  say(features.SharpEdgesWeight > 0.0, "sharp edges");
+  say(features.CurvatureWeight > 0.0, "curvature");
+  return text.empty() ? "nothing" : text;
 }
 
 }

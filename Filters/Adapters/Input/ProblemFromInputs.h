@@ -6,30 +6,49 @@
 #include "Adapters/Surface/MeshFromDataSet.h"
 #include "FieldProblem.h"
 
+#include <string>
+
 class vtkDataSet;
-class vtkHarmonicFieldSolver;
+class vtkInformationVector;
 
 namespace dmg
 {
 
-/// The inputs of a filter.
+/// The properties of a filter that computes a field.
+struct FieldProperties
+{
+  FieldProblem Problem; ///< without constraints and singularities, which the inputs add
+  PreparationOptions Preparation;
+  ConstraintChoices Choices;     ///< of arrays of the surface
+  bool FollowsDirections = true; ///< false: as if no arrays were chosen for directions of the surface
+  ConstraintChoices GuideChoices;
+  std::string SingularityIndexArray;
+};
+
+/// The inputs of the filter.
 struct FieldInputs
 {
-  vtkDataSet* Surface;
+  vtkDataSet* Surface = nullptr;
+  ConstraintChoices Choices; ///< of arrays of the surface
   GuideInput Guides;
   dmg::Singularities Singularities;
 };
 
-/// Adds to a problem what the inputs say but for singularities: constraints and rotations by arrays of the surface, and guides.
-/// \param choices of ChoicesOnSurface.
-/// \param surface made of the first input; null where a rank has no piece of it.
+/// \param inputs of all ports; \p surface is that of port 0.
+/// \throw InvalidInput directions of the surface are tensors, and the field has a sign.
+FieldInputs InputsOf(const FieldProperties& properties, vtkDataSet* surface, vtkInformationVector** inputs);
+
+/// Adds the constraints to a problem: arrays of the surface, their rotation, and guides.
+/// \param surface made of FieldInputs::Surface; null where a rank has no piece of it.
 /// \return the directions that are left out.
-/// \throw InvalidInput as ConstraintsFromArrays, RotationFromArray and GuidesFrom.
-UnusableDirections ReadInputs(vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices,
-  const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem);
+/// \throw InvalidInput as ConstraintsFromArrays, AddRotation and GuidesFrom.
+UnusableDirections ReadInputs(const FieldInputs& inputs, const FramedSurface* surface, FieldProblem& problem);
 
 /// \pre Nothing is prescribed. \throw InvalidInput arrays or guides are chosen all the same.
-void CheckPrescribes(const ConstraintChoices& choices, const FieldInputs& inputs);
+void CheckPrescribes(const FieldInputs& inputs);
+
+/// The things that the field follows, in words, such as "array 'Wind', 2 guides, boundary"; "nothing" where it is the smoothest one.
+std::string WhatIsFollowed(const FieldInputs& inputs, const FeatureOptions& features);
 
 }
 

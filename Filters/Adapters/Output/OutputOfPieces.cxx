@@ -1,8 +1,6 @@
 #include "Adapters/Output/OutputOfPieces.h"
 
 #include "Adapters/Input/ConstraintsFromArrays.h"
-#include "Adapters/Input/OptionsOfSolver.h"
-#include "Adapters/Input/ProblemFromInputs.h"
 #include "Adapters/Output/FieldToArrays.h"
 #include "Adapters/Output/ReportToArrays.h"
 #include "Adapters/Pipeline/PanelWords.h"
@@ -11,9 +9,9 @@
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkDataSet.h"
 #include "vtkFieldData.h"
-#include "vtkHarmonicFieldSolver.h"
 #include "vtkInformationVector.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -46,8 +44,8 @@ long long Sum(const RanksOfPipeline& ranks, long long here)
 }
 
 /// Reads what the field follows. \return the directions that are left out on all ranks.
-UnusableDirections ReadPieces(vtkHarmonicFieldSolver* filter, const FieldInputs& inputs, const SolverOfPieces& kept,
-  const RanksOfPipeline& ranks, FieldProblem& problem, ConstraintChoices& choices)
+UnusableDirections ReadPieces(
+  const FieldInputs& inputs, const SolverOfPieces& kept, const RanksOfPipeline& ranks, FieldProblem& problem)
 {
   UnusableDirections unusable;
   ranks.Together(
@@ -55,15 +53,12 @@ UnusableDirections ReadPieces(vtkHarmonicFieldSolver* filter, const FieldInputs&
     {
       if (kept.HasSurface())
       {
-        choices = ChoicesOnSurface(filter, inputs.Surface);
         const FramedSurface own = kept.Own();
-        unusable = ReadInputs(filter, choices, inputs, &own, problem);
+        unusable = ReadInputs(inputs, &own, problem);
       }
       else
       {
-        unusable = ReadInputs(filter, choices, inputs, nullptr, problem);
-        problem.Rotation.Everywhere =
-          problem.Options.Field.Kind == DiscretisationKind::ScalarFunction ? 0.0 : filter->GetRotation() * Pi / 180.0;
+        unusable = ReadInputs(inputs, nullptr, problem);
       }
     });
   if (Sum(ranks, problem.Constraints.AreEmpty() && problem.Guides.AreEmpty() ? 0 : 1) == 0)
@@ -73,7 +68,7 @@ UnusableDirections ReadPieces(vtkHarmonicFieldSolver* filter, const FieldInputs&
       {
         if (kept.HasSurface())
         {
-          CheckPrescribes(choices, inputs);
+          CheckPrescribes(inputs);
         }
       });
   }
@@ -83,7 +78,7 @@ UnusableDirections ReadPieces(vtkHarmonicFieldSolver* filter, const FieldInputs&
   return unusable;
 }
 
-void Warn(vtkHarmonicFieldSolver* filter, const RanksOfPipeline& ranks, const std::string& text)
+void Warn(vtkAlgorithm* filter, const RanksOfPipeline& ranks, const std::string& text)
 {
   if (ranks.Rank() == 0)
   {
@@ -93,12 +88,11 @@ void Warn(vtkHarmonicFieldSolver* filter, const RanksOfPipeline& ranks, const st
 
 }
 
-std::string SolveInPieces(vtkHarmonicFieldSolver* filter, const ConstraintChoices& guideChoices, SolverOfPieces& kept,
+std::string SolveInPieces(vtkAlgorithm* filter, const FieldProperties& properties, SolverOfPieces& kept,
   const RanksOfPipeline& ranks, vtkInformationVector** inputs, vtkInformationVector* outputs, std::string& followed,
   const ExecutionContext& context)
 {
-  FieldProblem problem;
-  ranks.Together([&] { problem = ProblemOf(filter); }); // properties out of range are told before anything is read
+  FieldProblem problem = properties.Problem;
   std::string reason = ReasonToGather(problem);
   if (reason.empty() && filter->GetNumberOfInputConnections(2) > 0)
   {
@@ -112,16 +106,14 @@ std::string SolveInPieces(vtkHarmonicFieldSolver* filter, const ConstraintChoice
   vtkSmartPointer<vtkDataSet> input;
   ranks.Together(
     [&] { input = WithoutStrips(vtkDataSet::SafeDownCast(WithoutGhosts(vtkDataObject::GetData(inputs[0])))); });
-  const PreparationOptions preparation{ Numbering::Spatial, filter->GetJoinPoints(), filter->GetStrict() };
-  reason = kept.SetSurface(ranks, input, preparation, PartOfContext(context, 0.0, 0.3));
+  reason = kept.SetSurface(ranks, input, properties.Preparation, PartOfContext(context, 0.0, 0.3));
   if (!reason.empty())
   {
     return reason;
   }
-  const FieldInputs given{ input, { DataOf(shared.Get(), { 1, 3, 4, 5 }), guideChoices, filter->GetMaximumDistance() },
-    { {}, filter->GetSingularityIndexArray(), filter->GetMaximumDistance() } };
-  ConstraintChoices choices;
-  if (const UnusableDirections unusable = ReadPieces(filter, given, kept, ranks, problem, choices); !unusable.AreNone())
+  FieldInputs given;
+  ranks.Together([&] { given = InputsOf(properties, input, shared.Get()); });
+  if (const UnusableDirections unusable = ReadPieces(given, kept, ranks, problem); !unusable.AreNone())
   {
     Warn(filter, ranks, TextOf(unusable));
   }
@@ -150,8 +142,8 @@ std::string SolveInPieces(vtkHarmonicFieldSolver* filter, const ConstraintChoice
                          *field, input, PartOfContext(context, 0.95, 1.0)),
           output, edges);
         AddPrescribed(surface.Relation, solution.Constraints, solution.Discretisation->Elements(), output, edges);
-        AddPreparation(kept.Preparation(), preparation, output->GetFieldData());
-        followedHere = WhatIsFollowed(filter, choices, input, given.Guides.Data.size());
+        AddPreparation(kept.Preparation(), properties.Preparation, output->GetFieldData());
+        followedHere = WhatIsFollowed(given, problem.Features);
       }
     });
   followed = FirstOf(ranks, followedHere);

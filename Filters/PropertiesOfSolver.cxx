@@ -1,10 +1,7 @@
-#include "Adapters/Input/OptionsOfSolver.h"
+#include "PropertiesOfSolver.h"
 
 #include "Adapters/Pipeline/PropertyRanges.h"
-#include "Support/Errors.h"
 
-#include "vtkDataSet.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkHarmonicFieldSolver.h"
 
 namespace dmg
@@ -68,85 +65,34 @@ FieldOptions OptionsOf(Filter* filter)
   return options;
 }
 
-}
-
-FieldProblem ProblemOf(vtkHarmonicFieldSolver* filter)
+FieldProblem ProblemOf(Filter* filter)
 {
-  CheckProperties(filter);
   FieldProblem problem;
   problem.Options = OptionsOf(filter);
   problem.Stop.RelativeTolerance = filter->GetTolerance();
   problem.Stop.MaximumIterations = filter->GetMaximumNumberOfIterations();
   problem.SmoothingLength = filter->GetSmoothingLength();
   problem.Features = FeaturesOf(filter);
+  problem.Guides.MaximumDistance = filter->GetMaximumDistance();
+  problem.Constraints.Net = filter->GetNetSource() == Filter::TakeOut ? NetSource::TakeOut : NetSource::Refuse;
+  const bool isFunction = problem.Options.Field.Kind == DiscretisationKind::ScalarFunction; // which nothing rotates
+  problem.Rotation.Everywhere = isFunction ? 0.0 : filter->GetRotation() * (Pi / 180.0);
   problem.Combing = filter->GetCombing();
   problem.UnitLength = filter->GetUnitLength();
   problem.HarmonicBasis = filter->GetHarmonicBasis();
   return problem;
 }
 
-std::string WhatIsFollowed(
-  vtkHarmonicFieldSolver* filter, const ConstraintChoices& choices, vtkDataSet* surface, std::size_t guides)
-{
-  std::string text;
-  const auto say = [&text](bool isFollowed, const std::string& what)
-  { text += isFollowed ? (text.empty() ? "" : ", ") + what : ""; };
-  const auto nameOf = [](const ArrayChoice& choice)
-  { return choice.Name.empty() ? "active vectors" : "array '" + choice.Name + "'"; };
-  const bool hasComponents = HasArray(choices.Eastward, surface); // which count instead of vectors
-  say(HasArray(choices.Vectors, surface) && !hasComponents, nameOf(choices.Vectors));
-  say(hasComponents, nameOf(choices.Eastward) + " and " + nameOf(choices.Northward));
-  say(HasArray(choices.Values, surface), nameOf(choices.Values));
-  say(HasArray(choices.Source, surface), "source " + nameOf(choices.Source));
-  say(guides > 0, std::to_string(guides) + (guides == 1 ? " guide" : " guides"));
-  say(filter->GetBoundaryWeight() > 0.0, "boundary");
-  say(filter->GetSharpEdgesWeight() > 0.0, "sharp edges");
-  say(filter->GetCurvatureWeight() > 0.0, "curvature");
-  return text.empty() ? "nothing" : text;
 }
 
-namespace
+FieldProperties PropertiesOf(vtkHarmonicFieldSolver* filter, const ConstraintChoices& guideChoices)
 {
-
-/// \throw InvalidInput directions are tensors, and the field has a sign.
-void CheckTakesTensors(Filter* filter, const ConstraintChoices& choices, vtkDataSet* surface)
-{
-  const bool isPower =
-    filter->GetDiscretisation() == Filter::PowerField || filter->GetDiscretisation() == Filter::PointPowerField;
-  const bool isEven = isPower && filter->GetNumberOfDirections() % 2 == 0;
-  for (const int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
-  {
-    const bool isThere = choices.Vectors.Association == association ||
-      choices.Vectors.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
-    if (!isEven && isThere && HoldsTensors(surface->GetAttributes(association)->GetArray(choices.Vectors.Name.c_str())))
-    {
-      throw InvalidInput("array '" + choices.Vectors.Name +
-        "' holds tensors, whose principal directions have no sign; choose a power field and an even Number Of "
-        "Directions");
-    }
-  }
-}
-
-}
-
-ConstraintChoices ChoicesOnSurface(vtkHarmonicFieldSolver* filter, vtkDataSet* surface)
-{
-  ConstraintChoices choices = WithoutFormerField(ChoicesOf(filter), surface);
-  choices.Axis = Vector3(filter->GetAxis());
-  choices.WeighsTensors = filter->GetTensorWeights();
-  if (!filter->GetFollowDirections())
-  {
-    const bool hasValues = HasArray(choices.Values, surface); // whose mask and weights they are then
-    choices.Vectors = choices.Eastward = choices.Northward = {};
-    choices.Mask = hasValues ? choices.Mask : ArrayChoice();
-    choices.Weights = hasValues ? choices.Weights : ArrayChoice();
-  }
-  if (filter->GetDiscretisation() != Filter::ScalarFunction)
-  {
-    choices.Source = {};
-  }
-  CheckTakesTensors(filter, choices, surface);
-  return choices;
+  CheckProperties(filter);
+  FieldProperties properties{ ProblemOf(filter), { Numbering::Spatial, filter->GetJoinPoints(), filter->GetStrict() },
+    ChoicesOf(filter), filter->GetFollowDirections(), guideChoices, filter->GetSingularityIndexArray() };
+  properties.Choices.Axis = Vector3(filter->GetAxis());
+  properties.Choices.WeighsTensors = filter->GetTensorWeights();
+  return properties;
 }
 
 }
