@@ -75,8 +75,7 @@ FieldProblem ProblemOf(Filter* filter)
   problem.Features = FeaturesOf(filter);
   problem.Guides.MaximumDistance = filter->GetMaximumDistance();
   problem.Constraints.Net = filter->GetNetSource() == Filter::TakeOut ? NetSource::TakeOut : NetSource::Refuse;
-  const bool isFunction = problem.Options.Field.Kind == DiscretisationKind::ScalarFunction; // which nothing rotates
-  problem.Rotation.Everywhere = isFunction ? 0.0 : filter->GetRotation() * (Pi / 180.0);
+  problem.Rotation.Everywhere = problem.Options.Field.HasDirections() ? filter->GetRotation() * (Pi / 180.0) : 0.0;
   problem.Combing = filter->GetCombing();
   problem.UnitLength = filter->GetUnitLength();
   problem.HarmonicBasis = filter->GetHarmonicBasis();

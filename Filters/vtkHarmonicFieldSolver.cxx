@@ -11,8 +11,8 @@
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Adapters/Surface/SolverOfSurface.h"
+#include "Discretisations/MakeDiscretisation.h"
 #include "Mesh/TriangleSoup.h"
-#include "Singularities/SingularFieldSolver.h"
 #ifdef DMG_PETSC
 #include "Adapters/Output/OutputOfPieces.h"
 #endif
@@ -304,7 +304,7 @@ int vtkHarmonicFieldSolver::RequestData(
     const dmg::FieldInputs inputs = dmg::InputsOf(properties, input, whole);
     if (!inputs.Singularities.Data.empty())
     {
-      dmg::CheckTakesSingularities(problem.Options.Field);
+      dmg::WithSingularitiesAtVertices(problem.Options.Field); // throws where there are none
     }
     kept.SetSurface(input, digest, problem.Options, preparation, dmg::PartOfContext(context, 0.0, 0.1));
     dmg::WarnOfPreparation(this, kept.Preparation());

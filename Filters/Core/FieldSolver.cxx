@@ -311,7 +311,7 @@ void FieldSolver::Internals::FindDirections(std::shared_ptr<const FieldSolution>
 void FieldSolver::Internals::WarnOfShear(
   const FieldProblem& problem, std::vector<std::string>& warnings, const ExecutionContext& context)
 {
-  if (problem.Options.Field.Kind != DiscretisationKind::PowerField || problem.Singularities)
+  if (this->Discretisation->IsAccurateOnShearedTriangles() || problem.Singularities)
   {
     return;
   }
@@ -387,12 +387,8 @@ void FieldSolver::SetMemoryLimit(long long bytes)
 const Field& FieldSolver::Solve(const FieldProblem& problem, const ExecutionContext& context, const ElementNames& names)
 {
   Internals& of = *this->Internal;
-  DiscretisationOptions field = problem.Options.Field;
-  if (problem.Singularities)
-  {
-    CheckTakesSingularities(field);
-    field.Kind = DiscretisationKind::PowerField; // only a field on faces has its singularities at vertices
-  }
+  const DiscretisationOptions field =
+    problem.Singularities ? WithSingularitiesAtVertices(problem.Options.Field) : problem.Options.Field;
   of.SetDiscretisation(field);
   FollowedConstraints followed =
     of.ConstraintsOfSurface.Follow(problem, *of.Discretisation, PartOfContext(context, 0.0, 0.0), names);

@@ -76,7 +76,7 @@ FollowedConstraints ProblemConstraints::Follow(
     WeighByLength(problem.SmoothingLength * this->Sizes().Diagonal(), this->WeightsOfIntegral(), followed.Constraints);
   }
   this->AddGuides(problem, followed, context);
-  if (problem.Options.Field.Kind == DiscretisationKind::ScalarFunction)
+  if (!problem.Options.Field.HasDirections())
   {
     return followed;
   }

@@ -56,6 +56,12 @@ class CheckSources(unittest.TestCase):
         self.assert_found("Filters/Core/Mesh/Mesh.h", '#include "FieldSolver.h"\n',
                           "1: Mesh may not include FieldSolver.h")
 
+    def test_discretisations_alone_know_their_kinds(self):
+        message = "1: Core/Discretisations alone asks which discretisation a field has"
+        for line in ("if (kind == DiscretisationKind::OneForm)", "if (a.Field.Kind == b.Field.Kind)"):
+            self.assert_found("Filters/Core/Mesh/Mesh.h", line + "\n", message)
+            self.assertEqual(self.found({"Filters/Core/Discretisations/Field.h": line + "\n"}), [])
+
     def test_new_folder_needs_a_place(self):
         self.assertEqual(self.found({"Filters/Core/Odds/Ends.h": ""}),
                          ["Filters/Core/Odds/Ends.h:0: Odds has no place in ARROWS"])

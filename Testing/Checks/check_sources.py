@@ -7,6 +7,7 @@ prints one line per violation, "path:line: what is wrong", and fails if there is
 
 - the rooms of the core include downwards only (ARROWS), and never VTK; nor do its tests;
 - the rooms of the adapters include downwards only (ADAPTERS), and no header of a filter;
+- Core/Discretisations alone asks which discretisation a field has (DiscretisationKind::);
 - no text of the core names a class of VTK, or a property or choice of the panel by a label of several words: the
   core says remedies in words of its own (Support/Remedy.h);
 - the headers of the filters, which VTK's wrappers parse, include VTK and plain C++ only;
@@ -77,6 +78,13 @@ ENTRANCE = "FieldSolver.h"
 # The rooms of Filters/Adapters, lowest first: each may include itself and those before it.
 ADAPTERS = ["Ranks", "Pipeline", "Surface", "Input", "Output"]
 
+# A line that asks which discretisation a field has.
+ASKS_KIND = re.compile(r"\bDiscretisationKind::|Field\.Kind\s*[!=]=|[!=]=\s*[\w.]*Field\.Kind\b")
+# Files that still ask; they are to become methods of Discretisation and of DiscretisationOptions.
+ASKING_KINDS = {f"Core/Pieces/{name}" for name in
+                ("ConstraintsInPieces.cxx", "FieldSolverInPieces.cxx", "PieceConstraints.cxx", "PieceFieldSolver.cxx",
+                 "PieceFieldSolver.h", "ReasonToGather.cxx")}
+
 SOURCES = {".h", ".cxx"}
 TEXTS = SOURCES | {".cmake", ".in", ".json", ".module", ".plugin", ".py", ".sh", ".txt", ".xml"}
 
@@ -125,6 +133,17 @@ def check_core(root):
                 is_for_programs = name == ENTRANCE and path.stem != pathlib.PurePath(ENTRANCE).stem
                 if is_for_programs or target != room and target not in ARROWS[room]:
                     yield path, number, f"{room} may not include {name}"
+
+
+def check_kinds(root):
+    filters = root / "Filters"
+    for path in files(filters, SOURCES):
+        name = path.relative_to(filters).as_posix()
+        if name.startswith("Core/Discretisations/") or name in ASKING_KINDS:
+            continue
+        for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+            if ASKS_KIND.search(line):
+                yield path, number, "Core/Discretisations alone asks which discretisation a field has"
 
 
 def panel_labels(root):
@@ -310,7 +329,7 @@ def measurements_in_headers(root):
                 yield path, number, f"a measurement in a header: {match.group(0)}"
 
 
-CHECKS = [check_core, check_words_of_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_properties,
+CHECKS = [check_core, check_kinds, check_words_of_core, check_adapters, check_core_tests, check_filter_headers, check_texts, check_properties,
           check_class_comments, check_data]
 COUNTED = [("comments without a subject", subjectless_comments, SUBJECTLESS_LIMIT),
            ("measurements in headers", measurements_in_headers, MEASUREMENT_LIMIT)]

@@ -19,9 +19,7 @@ namespace
 /// \throw InvalidInput directions are tensors, and the field has a sign.
 void CheckTakesTensors(const DiscretisationOptions& field, const ArrayChoice& vectors, vtkDataSet* surface)
 {
-  const bool isPower =
-    field.Kind == DiscretisationKind::PowerField || field.Kind == DiscretisationKind::VertexPowerField;
-  const bool isEven = isPower && field.N % 2 == 0;
+  const bool isEven = field.DirectionsPerPoint() % 2 == 0;
   for (const int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
   {
     const bool isThere =
@@ -45,7 +43,7 @@ ConstraintChoices ChoicesOnSurface(const FieldProperties& properties, vtkDataSet
     choices.Mask = hasValues ? choices.Mask : ArrayChoice();
     choices.Weights = hasValues ? choices.Weights : ArrayChoice();
   }
-  if (properties.Problem.Options.Field.Kind != DiscretisationKind::ScalarFunction)
+  if (properties.Problem.Options.Field.HasDirections())
   {
     choices.Source = {};
   }
@@ -73,7 +71,7 @@ UnusableDirections ReadInputs(const FieldInputs& inputs, const FramedSurface* su
     problem.Constraints = std::move(constraints);
   }
   problem.Guides = GuidesFrom(inputs.Guides, unusable);
-  if (surface && problem.Options.Field.Kind != DiscretisationKind::ScalarFunction) // which nothing rotates
+  if (surface && problem.Options.Field.HasDirections())
   {
     AddRotation(inputs.Choices.Rotation, inputs.Surface, *surface, problem.Rotation);
   }

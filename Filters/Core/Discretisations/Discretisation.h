@@ -128,9 +128,11 @@ public:
   {
     return mass.sum() * this->NumberOfElements() / this->NumberOfEquations();
   }
-  /// Whether a component where nothing is prescribed has a smoothest field, among those of unit norm, that is worth
-  /// looking at; else the field is zero there.
+  /// Whether an unconstrained component gets the eigenvector of the lowest eigenvalue; otherwise the field is zero there.
   virtual bool HasSmoothest() const { return true; }
+
+  /// Whether solutions converge to those of the continuous energy on triangles that are sheared alike.
+  virtual bool IsAccurateOnShearedTriangles() const { return true; }
 
   /// The multigrid that suits this discretisation best, with stiffness and penalties apart.
   virtual std::unique_ptr<const StiffnessHierarchy> Coarsen(

@@ -31,6 +31,23 @@ struct DiscretisationOptions
   /// The star of 0-forms: of 1-forms in their divergence, of functions in their mass.
   VertexAreas Areas = VertexAreas::MixedVoronoi;
 
+  static DiscretisationOptions OfFunctions()
+  {
+    DiscretisationOptions options;
+    options.Kind = DiscretisationKind::ScalarFunction;
+    return options;
+  }
+
+  /// Whether a field consists of directions, which features and rotations concern; else of values.
+  bool HasDirections() const { return this->Kind != DiscretisationKind::ScalarFunction; }
+
+  int DirectionsPerPoint() const
+  {
+    const bool isPower =
+      this->Kind == DiscretisationKind::PowerField || this->Kind == DiscretisationKind::VertexPowerField;
+    return isPower ? this->N : 1;
+  }
+
   friend bool operator==(const DiscretisationOptions& a, const DiscretisationOptions& b)
   {
     const auto members = [](const DiscretisationOptions& options)

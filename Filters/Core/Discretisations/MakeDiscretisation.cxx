@@ -5,6 +5,8 @@
 #include "Discretisations/PowerField.h"
 #include "Discretisations/ScalarFunction.h"
 #include "Discretisations/VertexPowerField.h"
+#include "Support/Errors.h"
+#include "Support/Remedy.h"
 
 namespace dmg
 {
@@ -45,6 +47,18 @@ DiscretisationOptions OptionsThatCount(const DiscretisationOptions& options)
       break;
   }
   return counting;
+}
+
+DiscretisationOptions WithSingularitiesAtVertices(const DiscretisationOptions& options)
+{
+  if (options.Kind != DiscretisationKind::PowerField && options.Kind != DiscretisationKind::VertexPowerField)
+  {
+    throw InvalidInput(
+      "singularities are prescribed, and only power fields can have them; " + TextOf(Remedy::NoSingularities));
+  }
+  DiscretisationOptions onFaces = options;
+  onFaces.Kind = DiscretisationKind::PowerField;
+  return onFaces;
 }
 
 std::vector<std::string> NamesOfValues()

@@ -20,6 +20,11 @@ std::unique_ptr<const Discretisation> MakeDiscretisation(
 /// The options with all that this kind does not look at as they are by default: equal where the discretisations are the same.
 DiscretisationOptions OptionsThatCount(const DiscretisationOptions& options);
 
+/// The discretisation of the same directions that has its singularities at vertices, where they can be prescribed: a vertex that has
+/// a direction cannot be singular.
+/// \throw InvalidInput fields of this kind have no singularities: all but power fields.
+DiscretisationOptions WithSingularitiesAtVertices(const DiscretisationOptions& options);
+
 /// The names of the Values of all discretisations.
 std::vector<std::string> NamesOfValues();
 

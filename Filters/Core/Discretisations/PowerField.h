@@ -31,6 +31,7 @@ public:
   int NumberOfEquations() const override { return this->NumberOfElements(); }
   int DirectionsPerPoint() const override { return this->N; }
 
+  bool IsAccurateOnShearedTriangles() const override { return false; }
   Vector<double> Mass(const ExecutionContext& context) const override;
   std::unique_ptr<const StiffnessHierarchy> Coarsen(
     const LinearProlongations& linear, const ExecutionContext& context) const override;

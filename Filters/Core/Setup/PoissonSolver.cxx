@@ -47,7 +47,7 @@ SetupOfSurface::SetupOfSurface(SetupCache& setups, const SolverOptions& asked, c
   , Areas(Star0(setups.Surface.Mesh))
 {
   FieldOptions options;
-  options.Field.Kind = DiscretisationKind::ScalarFunction;
+  options.Field = DiscretisationOptions::OfFunctions();
   options.Constraints = ConstraintKind::Hard;
   options.Solver = this->Options;
   const auto functions = MakeDiscretisation(options.Field, this->Surface);

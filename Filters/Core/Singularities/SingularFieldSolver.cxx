@@ -4,7 +4,6 @@
 #include "Singularities/TrivialConnection.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
-#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 #include "Support/Stopwatch.h"
 
@@ -80,15 +79,6 @@ std::string WarningOfLargeRotation(
     "farther apart, choose fewer directions, or smooth the surface there.";
 }
 
-}
-
-void CheckTakesSingularities(const DiscretisationOptions& field)
-{
-  if (field.Kind != DiscretisationKind::PowerField && field.Kind != DiscretisationKind::VertexPowerField)
-  {
-    throw InvalidInput(
-      "singularities are prescribed, and only power fields can have them; " + TextOf(Remedy::NoSingularities));
-  }
 }
 
 SingularFieldSolver::SingularFieldSolver(

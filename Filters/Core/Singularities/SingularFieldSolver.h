@@ -13,9 +13,6 @@
 namespace dmg
 {
 
-/// \throw InvalidInput fields of this kind have no singularities: all but power fields.
-void CheckTakesSingularities(const DiscretisationOptions& field);
-
 /// A power field of magnitude 1 that has prescribed singularities and no others, and turns as little as is possible then.
 struct SingularField
 {
