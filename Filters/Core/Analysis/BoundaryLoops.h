@@ -16,7 +16,7 @@ struct BoundaryLoop
   double Length = 0.0;
 };
 
-/// All of them, by component; of a component the longest first. Cost: O(#F).
+/// All boundary loops, by component, the longest of a component first. Cost: O(#F).
 std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh);
 
 }

@@ -29,7 +29,7 @@ bool AreTooManyToHold(int loops, const TriangleMesh& mesh);
 /// Cost: O(#E) and O(#E) per form.
 Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
-/// The same by the hierarchy: closed forms of its coarsest level (ProlongationOperators::ClosedForms),
+/// Harmonic forms by the hierarchy: from the closed forms of its coarsest level (ProlongationOperators::ClosedForms),
 /// prolonged by S1, which keeps their integrals around loops: the same classes, closed to rounding and as
 /// smooth as the coarse level. Thesis, section 4.2.
 /// \pre operators has both.

@@ -15,16 +15,16 @@ namespace dmg
 namespace
 {
 
-/// A direction leaning less than this (as a sine) out of the normal has no part in the plane.
+/// The sine of the angle to the normal below which a direction has no part in the plane.
 constexpr double SmallestTangentialPart = 1e-6;
 
-/// A mean of several directions of a face that is shorter than this, relative to them, is rounding noise.
+/// The length of a mean of directions, relative to them, below which it is rounding noise.
 constexpr double SmallestMean = 1e-6;
 
 /// A method that names elements.
 using Naming = std::string (ElementNames::*)(int) const;
 
-/// The largest of some numbers, and whose it is.
+/// The largest of some numbers, and its element.
 struct Largest
 {
   double Number = 0.0;

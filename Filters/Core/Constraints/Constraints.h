@@ -71,7 +71,7 @@ void CheckElement(int element, int size, const std::string& kind);
 Complex TangentialPart(const TangentFrames& frames, int element, const Vector3& direction, double weight,
   const std::string& name, const std::string& kind);
 
-/// Numbers of directions that say nothing on a surface, for a message.
+/// The numbers of directions that are left out, by reason, for a message.
 struct UnusableDirections
 {
   long long NotFinite = 0;
@@ -81,8 +81,8 @@ struct UnusableDirections
   bool AreNone() const { return this->NotFinite == 0 && this->Zero == 0 && this->Perpendicular == 0; }
 };
 
-/// Leaves out directions that are not finite, zero, or perpendicular to the surface. Measured data have some, and no single
-/// one shall refuse the field. Cost: linear.
+/// Leaves out directions that are not finite, zero, or perpendicular to the surface, as measured data have some.
+/// Cost: linear.
 /// \return the numbers of those that are left out.
 UnusableDirections LeaveOutUnusable(Constraints& constraints, const FramedMesh& surface);
 
@@ -100,8 +100,8 @@ Complex PowerOfDirection(const Complex& direction, int N);
 /// The numbers of some constraints in the order of their elements. Constraints of one element keep their order.
 std::vector<int> ByElement(const std::vector<Constraint>& constraints);
 
-/// Leaves out the directions of faces on which several cancel: the mean of their N-th powers is less than a millionth of
-/// them, as of opposite vectors where N is 1, and so says nothing but what rounding has left.
+/// Leaves out the directions of faces on which several cancel, as opposite vectors do where N is 1: the mean of their N-th powers is
+/// less than a millionth of them, and so is rounding noise.
 /// \return those faces, ascending.
 /// Cost: n log n, linear where directions are sorted by face.
 std::vector<int> LeaveOutCancelling(std::vector<Constraint>& onFaces, const TangentFrames& faceFrames, int N);

@@ -275,7 +275,7 @@ FollowedGuides FollowGuides(const Guides& guides, const NearestPlaces& surface, 
   const WeightsOfFaces weights(surface.Surface.Mesh, sizes);
   FollowedGuides all;
   all.Report.MaximumDistance = guides.MaximumDistance * sizes.Diagonal();
-  // Elements that are near to each other one after the other find what they look at in the processor's cache.
+  // Elements that are near each other follow each other, so that the tree of boxes stays in the cache.
   const std::vector<int> order = InSpatialOrder(
     size, [&elements](int i) { return elements[i].Start; }, sizes.Lower, (sizes.Upper - sizes.Lower).maxCoeff(),
     context);

@@ -16,7 +16,7 @@ namespace dmg
 struct GuideLine
 {
   std::vector<Vector3> Points;
-  /// One for each segment, or one for all of them, >= 0; none: 1. They mean what those of features do (FeatureOptions).
+  /// Weights: one for each segment, or one for all of them, >= 0; none: 1. Their unit is that of features (FeatureOptions).
   std::vector<double> Weights = {};
   /// The direction that it prescribes; none: its own, of unit length.
   std::optional<Vector3> Direction = {};
@@ -36,13 +36,13 @@ struct Guides
   std::vector<GuideLine> Lines = {};
   std::vector<GuideVector> Vectors = {};
   double MaximumDistance = 0.1; ///< from the surface, relative to the diagonal of its bounding box
-  bool MayMiss = false;         ///< whether it is no error if none is taken, as other parts of a model may have them
+  bool MayMiss = false;         ///< no error if none is taken, as they may belong to other parts of a model
 
   bool AreEmpty() const { return this->Lines.empty() && this->Vectors.empty(); }
 };
 
-/// The number of guides that were taken, and of those that were not. Vectors and the segments of lines count; a segment
-/// whose parts fare differently counts for each of them.
+/// The numbers of guides that were taken, and of those that were not. Vectors and segments of lines count; a segment counts in each
+/// category that one of its parts falls into.
 struct GuidesReport
 {
   long long Taken = 0;          ///< prescribes some face
@@ -57,7 +57,7 @@ struct GuidesReport
   std::string LeftOut() const;
 };
 
-/// Directions on faces, and how guides fared.
+/// Directions on faces, and the report on the guides.
 struct FollowedGuides
 {
   std::vector<Constraint> Directions;

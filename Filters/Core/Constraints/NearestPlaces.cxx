@@ -33,7 +33,7 @@ std::array<Vector3, 3> CornersOf(const TriangleMesh& mesh, int face)
     mesh.Position(mesh.Tail(3 * face + 2)) };
 }
 
-/// Eigen's squaredExteriorDistance has branches, which cost most of a search.
+/// The squared distance from a box, without branches, which make Eigen's squaredExteriorDistance slow.
 double SquaredDistance(const Box& box, const Vector3& position)
 {
   return (box.min() - position).cwiseMax(position - box.max()).cwiseMax(0.0).squaredNorm();
@@ -45,7 +45,7 @@ inline Box BoxOf(const TriangleMesh& mesh, int face)
   return { corners[0].cwiseMin(corners[1]).cwiseMin(corners[2]), corners[0].cwiseMax(corners[1]).cwiseMax(corners[2]) };
 }
 
-/// Whether the distance of a bounding box tells that no place in it is nearer than the nearest one so far.
+/// Whether no place in a bounding box is nearer than the nearest one so far.
 inline bool IsFarther(double squaredDistance, const NearestPlace& nearest)
 {
   constexpr double Rounding = 1.0 + 1e-12; // faces that are as near as each other are not told apart here

@@ -21,10 +21,10 @@ constexpr double SmallestOfSegment = 1e-3;
 /// this far inside.
 constexpr double NearEnd = 1e-3;
 
-/// Normals that are perpendicular to each other are not against each other.
+/// The cosine below which two normals are opposed; perpendicular ones are not.
 constexpr double LeastAgainst = -1e-3;
 
-/// Relative to the edge.
+/// The distance from an edge, relative to its length, below which a place is on it.
 constexpr double OnEdge = 1e-6; // more than the rounding errors of coordinates in single precision
 
 constexpr int MaximumDepth = 50; // beyond which parameters in double precision are too coarse
@@ -125,7 +125,7 @@ std::vector<SegmentPart> SegmentOnSurface::PartsOf(const Vector3& start, const V
   return parts;
 }
 
-/// The parts of a segment that is nowhere far.
+/// The parts of a segment that is near to the surface all along.
 std::vector<SegmentPart> SegmentOnSurface::PartsOfNear(const Vector3& start, const Vector3& end) const
 {
   std::vector<SegmentPart> parts;

@@ -56,8 +56,8 @@ std::vector<Constraint> AlongSharpEdges(
 std::vector<Constraint> AlongCurvature(const FramedMesh& surface, const WeightsOfFaces& weights,
   const PrincipalCurvatures& ofFaces, bool followsMinimum, double weight);
 
-/// Whether some principal direction is worth to be followed: a confidence is more than 1e-4. Elsewhere the curvatures differ by less
-/// than 1 %, as rounding of coordinates makes them do.
+/// Whether the confidence of some principal direction is more than 1e-4. Below it, the curvatures differ by less than 1 %, as
+/// rounding of coordinates makes them do.
 bool AreClear(const PrincipalCurvatures& curvatures);
 
 /// The features that are followed, and those that the surface does not have.

@@ -10,8 +10,8 @@
 namespace dmg
 {
 
-/// Lines on a surface where a function has given values. A line runs with larger values to its right, as a flow does whose stream
-/// function it is.
+/// Lines on a surface where a function has given values. A line has larger values to its right, so that it runs like the flow whose
+/// stream function is drawn.
 struct ContourLines
 {
   Points Positions;

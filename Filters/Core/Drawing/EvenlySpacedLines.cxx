@@ -28,7 +28,7 @@ constexpr double SeedStep = 0.5;       ///< along a line, between seeds beside i
 
 constexpr double IdleDistance = 0.05; ///< within which a line that stays ends
 
-/// Pieces between two checkpoints; a millisecond or so.
+/// The number of pieces between two checkpoints.
 constexpr int PiecesBetweenCheckpoints = 4096;
 
 struct Seed
@@ -153,7 +153,7 @@ private:
     }
   }
 
-  /// To the left of a direction.
+  /// The direction to the left.
   void SeedBeside(const SurfacePoint& at, Complex along, std::deque<Seed>& waiting)
   {
     SurfacePoint place = at;

@@ -8,7 +8,7 @@ namespace dmg
 namespace
 {
 
-/// A branch bends with the surface at so many places.
+/// The number of places where a branch bends with the surface.
 constexpr int Steps = 5;
 
 /// The head of an arrow, in parts of its radius.

@@ -9,7 +9,7 @@ namespace dmg
 namespace
 {
 
-/// A face is large if one of its sides is so many times the distance between lines.
+/// The length of a side, over the distance between lines, from which a face is large.
 constexpr double LargeFace = 8.0;
 
 }

@@ -62,14 +62,14 @@ public:
   {
     return this->Nearest(at, direction, distance, Exclusion());
   }
-  /// Whether there is any.
+  /// Whether there is such a segment.
   bool IsFree(const SurfacePoint& at, Complex direction, double distance);
 
   /// Notes for all faces whose centre is within a distance that a line of this direction's family is near.
   void Cover(const SurfacePoint& at, Complex direction, double distance);
   void CoverFamily(int face, int family);
   bool IsCovered(int face, int family) const { return (this->Covered[face] >> family) & 1; }
-  /// Part of all families of all faces.
+  /// The share of the families of faces that are covered.
   double CoveredPart() const;
 
 private:

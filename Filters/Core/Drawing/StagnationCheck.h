@@ -6,9 +6,9 @@
 namespace dmg
 {
 
-/// Detects a path over triangles that makes no progress, as one that turns around a vertex without end: 300 triangles have
-/// brought it less than a distance away, though the path through them has ten times that length, or 10,000 triangles less
-/// than 20 distances, as where it winds around a spike. A path that crosses a band of thin triangles goes on.
+/// Detects a path over triangles that makes no progress, as one that turns around a vertex without end. Over 300 triangles it has
+/// come less than a distance away, though its length is ten times that; or over 10,000 triangles less than 20 distances, as where it
+/// winds around a spike. A path that crosses a band of thin triangles goes on.
 class StagnationCheck
 {
 public:

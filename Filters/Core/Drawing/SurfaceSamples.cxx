@@ -11,10 +11,10 @@ namespace dmg
 namespace
 {
 
-/// The number of darts per square of the distance; about 0.7 would do if none missed.
+/// The number of darts per square of the distance; 0.7 would do if none missed.
 constexpr double DartsPerSquare = 20.0;
 
-/// A face is large if one of its sides is so many times the distance.
+/// The length of a side, over the distance, from which a face is large.
 constexpr double LargeFace = 8.0;
 
 constexpr int DartsBetweenCheckpoints = 2048;

@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr int Grain = 4096;
-// The limit of faces that one straight path crosses. It would go around a vertex without end, a million times around a spike.
+// The limit of faces that one straight path crosses. Around a vertex or a spike it would go on without end.
 constexpr int MostCrossed = 10'000;
 
 }
@@ -54,7 +54,7 @@ Complex UnfoldedSurface::Across(int halfedge) const
 double UnfoldedSurface::AngleAt(int halfedge) const
 {
   const double angle = std::arg(-this->Sides[TriangleMesh::Previous(halfedge)] * std::conj(this->Sides[halfedge]));
-  // It is between 0 and pi; rounding may show a straight one as -pi.
+  // The angle is between 0 and pi; rounding may make -pi of a straight one.
   return angle < -0.5 * Pi ? angle + 2.0 * Pi : std::max(angle, 0.0);
 }
 
@@ -81,7 +81,7 @@ UnfoldedSurface::Exit UnfoldedSurface::LeaveFace(const SurfacePoint& from, Compl
   }
   else
   {
-    // One exists for a point inside; rounding may hide it in a face without area, which has the widest one then.
+    // A point inside has such a side. Rounding may hide it in a face without area; then the widest side is taken.
     double widest = -1.0;
     for (int h = 3 * from.Face; h < 3 * from.Face + 3; ++h)
     {

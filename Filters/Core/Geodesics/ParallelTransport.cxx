@@ -297,7 +297,7 @@ void ParallelTransport::Internals::MakeFactorOfDistances()
 Vector<double> ParallelTransport::Internals::Distances(int vertex, const Vector<Complex>& positions)
 {
   this->MakeFactorOfDistances();
-  // How much farther away the head of an edge is than its tail, seen from both: in the plane, that is exact.
+  // The distance of the head of an edge less that of its tail, as the maps at both give it; exact in the plane.
   Vector<double> source = Vector<double>::Zero(positions.size());
   VisitEdges(this->Delaunay,
     [&](int h)

@@ -81,7 +81,7 @@ public:
   const Vector<double>& Times() const;
   /// Held by factors.
   long long Bytes() const;
-  /// How often matrices were factored, and fields and maps were solved for.
+  /// The numbers of factorisations and of solves.
   struct StageCounts
   {
     int Setups = 0;

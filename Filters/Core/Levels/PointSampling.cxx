@@ -18,8 +18,7 @@ namespace
 
 constexpr int Grain = 4096;
 
-/// Points that one thread samples at a time. Of constant size, for the same samples whatever the
-/// number of threads.
+/// The number of points that a thread samples at a time. It is constant, so that samples do not depend on the number of threads.
 constexpr int BlockSize = 8192;
 
 /// The number of times that places and rotations are averaged over neighbours after the points have found their
@@ -92,7 +91,7 @@ public:
       });
   }
 
-  /// First in blocks, each by itself, what covers points of the block only; then the seams.
+  /// Samples blocks of points in parallel, as far as samples cover points of their block only; then what lies between blocks.
   Sights Run(const ExecutionContext& context)
   {
     const int points = this->Graph.NumberOfPoints();
@@ -346,7 +345,7 @@ void SetLinks(
   }
 }
 
-/// With samples numbered in the order of their points.
+/// Renumbers samples in the order of their points.
 PointSampling Numbered(const Sights& sights, const ExecutionContext& context)
 {
   const int points = static_cast<int>(sights.size());

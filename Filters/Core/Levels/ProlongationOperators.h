@@ -30,7 +30,7 @@ struct OperatorSelection
   }
 };
 
-/// Everything the solvers need to know of a hierarchy: the prolongations between its levels.
+/// The prolongations between the levels of a hierarchy, which are all that solvers need of it.
 ///
 /// Level 0 is the finest. Operator l of each list carries values from level l + 1 to level l.
 /// The operators do not depend on N, on constraints or on weights.

@@ -39,7 +39,7 @@ PointsToSample VerticesToSample(
 /// \throw Cancelled
 /// Checkpoints: a few for each level. Cost: linear.
 ProlongationOperators SampledLevels(const TriangleMesh& mesh, double distance, const ExecutionContext& context);
-/// The same of any elements of the surface. \param distance in spacings of the points of the graph.
+/// Levels of any elements of the surface. \param distance in spacings of the points of the graph.
 ProlongationOperators SampledLevels(
   const TriangleMesh& mesh, PointsToSample toSample, double distance, const ExecutionContext& context);
 

@@ -12,7 +12,7 @@ namespace dmg
 namespace
 {
 
-/// Below it, relative to the product of their lengths, two steps span no triangle.
+/// The area, relative to the product of their lengths, below which two steps span no triangle.
 constexpr double SmallestSine = 1e-9;
 
 double Cross(Complex a, Complex b)
@@ -66,7 +66,7 @@ bool WeightsInTriangle(const TangentGraph& samples, int first, int second, Compl
   return true;
 }
 
-/// On the nearest of the links from a sample.
+/// The weights of the nearest place on the links of a sample.
 Weights WeightsOnLink(const TangentGraph& samples, int begin, int end, Complex place)
 {
   Weights weights{ begin, begin, 0.0, 0.0 };

@@ -23,7 +23,7 @@ struct FlatFace
   std::array<int, 3> Twins; // 3 * place of the neighbour + its side; -1 where there is no link
 };
 
-/// Without twins.
+/// A face whose twins are not known yet.
 FlatFace Flatten(const TriangleMesh& mesh, int face)
 {
   FlatFace flat{ SideDirections(mesh, face), {}, {} };

@@ -12,9 +12,8 @@
 namespace dmg
 {
 
-/// Points of a surface with a tangent frame each, and how its neighbours lie around every point:
-/// all that interpolation on the surface needs to know of it. Complex numbers are vectors and turns
-/// in the frames.
+/// Points of a surface with a tangent frame each, and the positions of the neighbours around every point: all that interpolation
+/// on the surface needs. Complex numbers are vectors and rotations in the frames.
 ///
 /// The links of point p are [Offsets[p], Offsets[p + 1]), counter-clockwise around p. Links are
 /// mutual, and a point is no neighbour of itself.

@@ -8,7 +8,7 @@ namespace dmg
 namespace
 {
 
-/// Goes from each of some items that is taken to others, and starts anew where it comes to an end.
+/// A greedy traversal: it goes from an item that is taken to its neighbours, and starts anew where these end.
 /// \param take(item) called once for each; returns whether the item is taken.
 /// \param forNext(item, visit) calls visit(next) for where to go from an item that has been taken.
 template <class Take, class ForNext>

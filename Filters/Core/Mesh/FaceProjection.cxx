@@ -6,7 +6,7 @@ namespace dmg
 namespace
 {
 
-/// The limit that the frames have, too: below it the second direction of a face is rounding noise.
+/// The limit of the frames: below it, the second direction of a face is rounding noise.
 constexpr double DegenerateArea = 1e-10;
 
 double Area(const FaceProjection& P)

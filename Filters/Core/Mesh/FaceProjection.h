@@ -12,10 +12,9 @@ namespace dmg
 using FaceProjection = Eigen::Matrix<double, 3, 2>;
 FaceProjection ProjectionOntoSides(const TriangleMesh& mesh, const TangentFrames& faceFrames, int face);
 
-/// P_t^+: the vector whose integrals along the sides are nearest to three given numbers. It filters
-/// out their mean, which no vector has (Q_I of the thesis, section 4.3), and P_t^+ P_t = 1. The
-/// same as the Whitney form of the three numbers at the barycentre, which is how it is computed:
-/// its error grows with the slimness of the face, not with the square of it.
+/// The pseudo-inverse P_t^+: the vector whose integrals along the sides are nearest to three given numbers; P_t^+ P_t = 1. It
+/// filters out their mean, which no vector has (Q_I of the thesis, section 4.3). It is computed as the Whitney form of the three
+/// numbers at the barycentre, whose rounding error grows with the slimness of the face rather than with its square.
 ///
 /// A degenerate face, with an area below 1e-10 times the square of its longest side, has no second
 /// direction: there P_t^+ is that of the sides' parts along the longest one, and stays finite.

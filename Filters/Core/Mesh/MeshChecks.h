@@ -9,8 +9,8 @@
 namespace dmg
 {
 
-/// The names of elements in error messages, after the caller's data set: entry i is the caller's number of
-/// vertex / face i. Empty: the same numbers.
+/// The names of elements in error messages. Entry i is the caller's number of vertex or face i; an empty list stands for equal
+/// numbers.
 struct ElementNames
 {
   std::vector<long long> Vertices;

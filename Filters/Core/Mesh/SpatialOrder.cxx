@@ -43,7 +43,7 @@ std::vector<int> InSpatialOrder(int number, const std::function<Vector3(int)>& p
   const ExecutionContext& context)
 {
   const double scale = ((1 << BitsPerAxis) - 1) / size;
-  // Also where a coordinate is not finite, or all places are one.
+  // The case of a coordinate that is not finite, and that of one position for all.
   const auto bits = [](double place)
   { return place >= 0.0 && place < (1 << BitsPerAxis) ? static_cast<std::uint32_t>(place) : 0; };
 

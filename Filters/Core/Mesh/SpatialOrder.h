@@ -10,20 +10,18 @@
 namespace dmg
 {
 
-/// Things along Morton's curve through their places in a cube. One that stands outside of the cube may come anywhere.
-/// \param placeOf that of each of them; several threads ask.
+/// Orders items along Morton's curve through their positions in a cube. An item outside of the cube may come anywhere.
+/// \param placeOf the position of an item; several threads call it.
 /// \param size the side of the cube, whose corner of least coordinates is low.
 std::vector<int> InSpatialOrder(int number, const std::function<Vector3(int)>& placeOf, const Vector3& low, double size,
   const ExecutionContext& context);
 
-/// The faces along Morton's curve through their centres. No coordinates are refused: elements that CheckElements
-/// would refuse stand anywhere.
+/// Orders faces along Morton's curve through their centres. Elements that CheckElements would refuse may come anywhere.
 /// \pre corners are in range.
 std::vector<int> FacesInSpatialOrder(const Points& points, const Triangles& triangles, const ExecutionContext& context);
 
-/// A numbering in which neighbours in space are neighbours in memory: faces in
-/// spatial order, vertices by their first face. Files number surfaces in any order, and walks
-/// from neighbour to neighbour are slow in a bad one.
+/// A numbering in which neighbours in space are neighbours in memory: faces in spatial order, vertices by their first face.
+/// Files number surfaces in any order, which may make walks from neighbour to neighbour slow.
 /// Cost: O(#F).
 class SpatialOrder
 {
@@ -44,7 +42,7 @@ public:
   };
   SignedEdges Edges(const TriangleMesh& mesh, const TriangleMesh& sorted) const;
 
-  /// The same surface in this order; the corners of a face stay in theirs.
+  /// A copy of the surface in this order. The corners of a face keep their order.
   /// \throw InvalidInput as the constructor of TriangleMesh, with numbers of this order.
   TriangleMesh Apply(const Points& points, const Triangles& triangles, const ExecutionContext& context) const;
   TangentFrames ApplyToFaces(const TangentFrames& faceFrames, const ExecutionContext& context) const;

@@ -7,7 +7,7 @@
 namespace dmg
 {
 
-/// The sizes of a whole surface that lengths and weights are relative to, also where a mesh is a part of it.
+/// The sizes of a surface, to which lengths and weights are relative. A mesh that is a part takes those of the whole.
 struct SurfaceSizes
 {
   double Area = 0.0;

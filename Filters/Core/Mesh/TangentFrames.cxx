@@ -13,7 +13,7 @@ namespace
 
 constexpr int Grain = 4096;
 
-/// Below it the direction of a cross product of two sides is rounding noise rather than geometry.
+/// The area, relative to the longest side squared, below which the cross product of two sides is rounding noise.
 constexpr double DegenerateArea = 1e-10;
 
 /// A side of a degenerate face that is shorter than this times the longest one counts as having no length;

@@ -53,9 +53,9 @@ std::array<Complex, 3> SideDirections(const TriangleMesh& mesh, int face);
 /// Cost: O(#F).
 TangentFrames VertexFrames(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
-/// The rotation of a direction that is carried from one tangent plane to another along the shortest
-/// rotation between their normals: z becomes turn * z, |turn| = 1. Defined for every pair; where
-/// the normals are opposite, by any shortest rotation.
+/// The rotation of a direction that is carried from one tangent plane to another by the shortest rotation between their normals:
+/// z becomes turn * z, |turn| = 1.
+/// Between opposite normals, any shortest rotation will do.
 Complex TransportTurn(const TangentFrames& from, int a, const TangentFrames& to, int b);
 
 /// A corner of a face, for those who gather from the faces around a vertex.

@@ -27,7 +27,7 @@ VertexConnection::VertexConnection(const FramedMesh& surface, const ExecutionCon
     });
 }
 
-/// Angles as they are, and the bisectors of corners in the frames of their faces in the place of turns.
+/// Stores angles before they are stretched, and the bisectors of corners, in the frames of their faces, in the place of turns.
 void VertexConnection::SetCorners(const FramedMesh& surface, const ExecutionContext& context)
 {
   const int halfedges = 3 * surface.Mesh.NumberOfFaces();

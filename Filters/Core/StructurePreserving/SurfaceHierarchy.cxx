@@ -79,7 +79,7 @@ void AppendSelected(LevelOperators&& level, const OperatorSelection& selection, 
   operators.S0.push_back(std::move(level.S0));
 }
 
-/// Level 0 goes back into the caller's order.
+/// Renumbers level 0 in the caller's order.
 void RenumberFinest(const TriangleMesh& mesh, const TriangleMesh& sorted, const SpatialOrder& order,
   ProlongationOperators& operators, const ExecutionContext& context)
 {
@@ -111,7 +111,7 @@ SurfaceHierarchy BuildSurfaceHierarchy(const TriangleMesh& mesh, const Hierarchy
   ProlongationOperators& operators = result.Operators;
   AppendSizes(mesh, operators);
 
-  // The work is done in an order that is kind to the caches; coarse levels inherit it.
+  // Neighbours stand near each other in memory; coarse levels inherit the order.
   const SpatialOrder order(mesh.VertexPositions(), mesh.FaceCorners(), context);
   const TriangleMesh sorted = order.Apply(mesh.VertexPositions(), mesh.FaceCorners(), context);
   TangentFrames fineFrames = order.ApplyToFaces(FaceFrames(mesh, context), context);

@@ -10,8 +10,8 @@
 namespace dmg
 {
 
-/// Returns freed memory to the system if there is much of it. glibc keeps the gaps between blocks that are in use, and
-/// after a large set-up these amount to a third of the used memory.
+/// Returns freed memory to the system if there is much of it. glibc keeps the gaps between blocks that are in use, which are many
+/// after a large set-up.
 /// Cost: linear in the memory returned, and several times as much when it is needed again. Smaller amounts, which a
 /// set-up frees and needs again and again, are therefore kept.
 inline void GiveBackFreedMemory()

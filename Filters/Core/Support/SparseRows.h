@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-/// Tools that compute a sparse matrix row by row when its pattern is not known before.
+// Tools that compute a sparse matrix row by row when its pattern is not known before.
 namespace dmg
 {
 
@@ -167,7 +167,7 @@ template <class Thing>
 class Pool
 {
 public:
-  /// The thing that is nearest; null if all are taken.
+  /// The nearest object; null if all are taken.
   std::unique_ptr<Thing> Take(int place)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);

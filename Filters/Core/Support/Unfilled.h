@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-/// Memory that holds nothing before it is written. Large arrays are written by parallel loops; to fill
-/// them with zeros before would take one thread alone, which also waits for all their pages.
+/// An allocator that leaves new elements uninitialised. Large arrays are written by parallel loops; filling them with zeros before
+/// would be serial, and commit all their pages.
 namespace dmg
 {
 
@@ -46,8 +46,8 @@ public:
 template <class T>
 using Unfilled = std::vector<T, UnfilledAllocator<T>>;
 
-/// An array of zeros that takes no memory before it is written, page by page: room for all indices, for
-/// those who meet few of them that stand near each other.
+/// Lazily zeroed memory (calloc): a page is committed when it is first written. So there is room for all indices, at
+/// the cost of those that are used.
 template <class T>
 class LazyZeros
 {

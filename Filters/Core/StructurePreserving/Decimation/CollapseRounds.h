@@ -17,7 +17,7 @@ namespace dmg
 ///
 /// Stops at \p targetFaces, or before where nothing more can be collapsed without changing the
 /// topology. Cost: O(#F), about ten rounds for a factor four.
-/// \param records receives the collapses, oldest first; null where nobody looks at them.
+/// \param records receives the collapses, oldest first; null: they are not recorded.
 /// Checkpoints: several in each round. Same result for any number of threads.
 void CollapseInRounds(CollapsibleMesh& mesh, SurfaceTracking& tracking, int targetFaces,
   std::vector<CollapseRecord>* records, const ExecutionContext& context);

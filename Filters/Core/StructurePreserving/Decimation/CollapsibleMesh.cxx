@@ -10,8 +10,7 @@ namespace dmg
 namespace
 {
 
-// Share of length^4 in the cost. Larger values give rounder coarse triangles and a worse
-// approximation; 0.01 to 0.1 do equally well in scalar multigrid.
+// Share of length^4 in the cost. Larger values give rounder coarse triangles and a worse approximation.
 constexpr double LengthShare = 0.03;
 
 constexpr int Grain = 4096;

@@ -30,7 +30,7 @@ public:
   int Tail(int halfedge) const { return this->Corners[halfedge]; }
   int Head(int halfedge) const { return this->Corners[TriangleMesh::Next(halfedge)]; }
   int Twin(int halfedge) const { return this->Twins[halfedge]; }
-  /// The same as that of a TriangleMesh.
+  /// A halfedge that leaves the vertex, as in TriangleMesh.
   int OutgoingHalfedge(int vertex) const { return this->Outgoing[vertex]; }
   bool IsBoundaryVertex(int vertex) const { return this->Twins[this->Outgoing[vertex]] < 0; }
   const Vector3& Position(int vertex) const { return this->Positions[vertex]; }

@@ -19,7 +19,7 @@ struct CollapseLimits
   bool KeepShape;            ///< no new thin triangles
   bool MayFlattenIntoCircle; ///< where the conformal flattening folds
 
-  /// Three steps from strict to the bare topology, for surfaces that cannot be decimated otherwise.
+  /// The limits of three steps, from strict ones to the topology alone, for surfaces that cannot be decimated otherwise.
   static constexpr int NumberOfSteps = 3;
   static CollapseLimits Step(int step)
   {

@@ -32,7 +32,7 @@ struct HierarchyOptions
 {
   /// Faces of a level over faces of the next finer one, in (0, 1).
   double FaceRatio = 0.25;
-  /// At most so many levels beside the finest, >= 0.
+  /// The largest number of levels beside the finest, >= 0.
   int MaximumNumberOfCoarseLevels = 3;
   /// No level is decimated below this many faces, >= 4.
   int MinimumNumberOfFaces = 1000;

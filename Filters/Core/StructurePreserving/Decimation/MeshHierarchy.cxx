@@ -17,7 +17,7 @@ namespace
 // A level that keeps more of the faces than this is not worth its cost.
 constexpr double LargestUsefulRatio = 0.7;
 
-/// The share that the collapses have in the time for a level and its operators.
+/// The share of the collapses in the progress of a level and its operators.
 double ShareOfCollapses(ProlongationConstruction construction)
 {
   return construction == ProlongationConstruction::ExactOverlay ? 0.02 : 0.8;

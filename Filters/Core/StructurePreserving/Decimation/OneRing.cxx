@@ -139,8 +139,8 @@ bool Gatherer::IsLinkedToInside(int vertex) const
   return isLinked;
 }
 
-/// From the inner vertex, along the halfedge, onto the boundary vertex at its head: the star of the
-/// inner vertex becomes a fan around the other.
+/// The ring of a collapse onto the boundary: the inner vertex moves along the halfedge to the boundary vertex at its head, and its
+/// star becomes a fan around that.
 bool Gatherer::OntoBoundary(int firstDead)
 {
   OneRing& ring = this->Ring;

@@ -18,8 +18,8 @@ struct LocalRow
   std::vector<std::pair<int, Scalar>> Entries; ///< {after, coefficient}, none zero
 };
 
-/// The operators of one collapse, from the exact overlay of its one-ring. What has no row keeps its
-/// value. Coefficients are computed in rational numbers and rounded once, all but those of Powers.
+/// The operators of one collapse, from the exact overlay of its one-ring. An element without a row keeps
+/// its value. Coefficients are computed in rational numbers and rounded once, all but those of Powers.
 /// Thesis, chapter 4.
 struct LocalProlongation
 {
@@ -35,7 +35,7 @@ struct LocalProlongation
   /// Q S_h, between face fields as sums to zero of values along the halfedges of a face: as above,
   /// and then the sum over each face is taken off again, in equal parts from its sides inside the
   /// ring. These are two of a face at the polygon, whose outer side must fit the neighbour (Q_B),
-  /// all three of others (Q_I). What summed to zero is left alone by this. Thesis, section 4.3.
+  /// all three of others (Q_I). Values that sum to zero do not change. Thesis, section 4.3.
   std::vector<LocalRow<double>> ZeroSumHalfedges;
 
   /// SP: directions of faces, each in a frame whose X is the direction of the first side, in space.

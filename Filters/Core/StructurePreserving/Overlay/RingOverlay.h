@@ -14,18 +14,16 @@ namespace dmg
 
 using Rational = CGAL::Gmpq;
 
-/// The overlay of a one-ring before and after its collapse, in the plane of their joint flattening:
-/// where the vertices and the edges before lie on the sectors after. In rational numbers, which
-/// doubles are: which sector holds a point, whether a point lies on an edge and whether an edge
-/// runs along another are facts, not matters of tolerance. Thesis, sections 4.1 and 5.2.
+/// The overlay of a one-ring before and after its collapse, in the plane of their joint flattening: the places of the vertices and
+/// the edges before on the sectors after. Arithmetic is rational, and doubles are rational numbers. So the sector of a point, and
+/// whether a point lies on an edge or an edge along another, are decided without tolerances. Thesis, sections 4.1 and 5.2.
 ///
 /// Vertices are named by the local numbers of the ring. A place is a sector and barycentric
 /// coordinates there, hub first; they are never negative and sum to 1.
 ///
-/// Both sides fill the same polygon, so all edges before lie on the sectors after. Only a face that
-/// has no area in space may lie folded in the plane. Then a vertex outside of the polygon is put on
-/// the hub, and an edge that leaves the polygon takes the way by the hub, which sees all of it:
-/// what holds for the paths of edges and the places of vertices holds still.
+/// Both sides fill the same polygon, so all edges before lie on the sectors after. Only a face without area in space may be folded
+/// in the plane. Then a vertex outside of the polygon is put on the hub, and an edge that leaves the polygon goes by way of the hub,
+/// from which all of the polygon is visible.
 ///
 /// Includes CGAL: for source files of this folder only.
 class RingOverlay

@@ -12,7 +12,7 @@ namespace dmg
 namespace
 {
 
-/// A coarse edge whose entries are all below this goes unseen: squared, it is lost in rounding.
+/// The size of entries below which a coarse edge counts as unseen: their squares are lost in rounding.
 constexpr double SmallestEntry = 1e-6;
 
 /// Columns without an entry of some size.

@@ -14,7 +14,7 @@ class FineEdgePaths;
 /// blind for its field or for one component of it, and systems singular (the failures of the
 /// thesis's table 7.9). Such faces are few; each gets a detour: a piece p -> q in a neighbour runs
 /// p -> a -> b -> q instead, with a -> b along the side between the two, inside the face
-/// (FineEdgePaths::Bend). What the operators keep along any path they keep along this one.
+/// (FineEdgePaths::Bend). The operators keep their structure along any path, and so along this one.
 ///
 /// The edge's one value cannot show two faces: where the neighbour needed it, the neighbour gets a
 /// detour from a third face, and so on until one can spare an edge. A face stays hidden where no

@@ -28,7 +28,7 @@ public:
     {
       if (this->Count == static_cast<int>(this->OnFaces.size()))
       {
-        return; // a hair of a long thin face; the others say enough
+        return; // at most so many coarse faces per fine face; the weights of the others are normalised
       }
       this->OnFaces[this->Count++] = { face, 0.0, 0.0 };
     }
