@@ -28,10 +28,10 @@ constexpr double DistanceOfSamples = 7.0;
 constexpr int ProlongationDegree = 9;
 constexpr double DroppedEntries = 0.001;
 
-// Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks).
+// The number of unknowns up to which a factor is ready before multigrid, from the bare mesh.
 constexpr int LargestForCholesky = 30000;
-// The extra time of a factorisation of t01, over the time that its back-substitution saves against a second solve by cycles
-// (Benchmarks, "Second solves"): 7.5 s / 0.02 s. At 1.1M faces these are fewer.
+// The number of solves from which a factor is worth its time: the extra time that it takes, over the time that a
+// back-substitution saves against a second solve by cycles, on surfaces of some 100,000 vertices.
 constexpr int SolvesForCholesky = 400;
 
 }

@@ -20,11 +20,11 @@ constexpr int CoarseCycles = 2;
 constexpr int LargestCoarseFactor = 10000;
 constexpr double DistanceOfSamples = 7.0;
 
-// Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks): the matrix
-// is easily factored.
+// The number of unknowns up to which a factor is ready before multigrid, from the bare mesh: factors
+// have few entries.
 constexpr int LargestForCholesky = 400000;
-// The extra time of a factorisation of t01, over the time that its back-substitution saves against a second solve by cycles
-// (Benchmarks, "Second solves"): 2.5 s / 0.07 s. At 1.1M faces these are fewer.
+// The number of solves from which a factor is worth its time: the extra time that it takes, over the time that a
+// back-substitution saves against a second solve by cycles, on surfaces of some 100,000 vertices.
 constexpr int SolvesForCholesky = 40;
 
 Vector<Complex> InFrames(const TangentFrames& frames, const Points& vectors)

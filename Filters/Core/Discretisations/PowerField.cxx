@@ -26,10 +26,10 @@ constexpr int FinestSweepsFactor = 3;
 // unknowns, and makes up.
 constexpr int CoarseCycles = 2;
 
-// Up to so many unknowns a factorisation is ready before multigrid, from the bare mesh (Benchmarks).
+// The number of unknowns up to which a factor is ready before multigrid, from the bare mesh.
 constexpr int LargestForCholesky = 20000;
-// The extra time of a factorisation of t01, over the time that its back-substitution saves against a second solve by cycles
-// (Benchmarks, "Second solves"): 1.2 s / 0.04 s. At 1.1M faces these are fewer.
+// The number of solves from which a factor is worth its time: the extra time that it takes, over the time that a
+// back-substitution saves against a second solve by cycles, on surfaces of some 100,000 vertices.
 constexpr int SolvesForCholesky = 30;
 
 }

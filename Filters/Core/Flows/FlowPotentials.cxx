@@ -14,7 +14,7 @@ namespace
 
 /// Functions of loops are made once, and all stream functions rest on them.
 const StoppingCriteria StopOfFunctions{ 1e-12, 200 };
-/// Up to so many vertices, two solves by a factor take less time than by cycles, from the bare surface (Benchmarks, "Flows").
+/// The number of vertices up to which two solves by a factor are faster than by cycles, from the bare surface.
 constexpr int LargestForFactor = 300000;
 
 }

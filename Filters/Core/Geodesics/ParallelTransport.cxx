@@ -25,7 +25,7 @@ namespace
 constexpr double SmallestTimeStep = 0.01;
 constexpr double LargestTimeStep = 1000.0;
 
-/// The square root of the time is at least this part of a component's diameter. Heat falls by e for each such length, so it
+/// The largest quotient of a component's diameter and the square root of the diffusion time. Heat falls by e for each such root, so it
 /// stays within the range of doubles, e^-708, also where the diameter was found too small by half.
 constexpr double LargestDecay = 300.0;
 

@@ -24,7 +24,7 @@ void AddKernel(const FramedMesh& surface, const Discretisation& discretisation, 
   }
   else if (loops > LargestNumberOfGenerators && !setup.HasLevels)
   {
-    // A factor does not need them, and they would take many times as long as it does.
+    // A factor does not need them, and is made faster than they are.
     setup.KernelNote = ", without looking at its " + std::to_string(loops) + " harmonic fields";
   }
   else if (loops > 0)
@@ -98,7 +98,7 @@ std::shared_ptr<const MultigridSetup> MakeCoarsened(const FramedMesh& surface, c
 
 }
 
-/// Samples give all that cycles need, in a fifth of the time.
+/// Whether a solver needs decimated surfaces: samples are made faster, and suffice for cycles.
 bool WantsDecimation(const FieldOptions& options)
 {
   const SolverMethod& method = MethodOf(options.Solver.Kind);
