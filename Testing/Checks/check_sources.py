@@ -65,6 +65,7 @@ ARROWS = {
                       "Support"},
     "Flows": {"Setup", "Solvers/Krylov", "Solvers", "Analysis", "Operators", "Mesh", "Support"},
     "Geodesics": {"Constraints", "Solvers/Direct", "Operators", "Mesh", "Support"},
+    "Quads": {"Constraints", "Solvers/Direct", "Analysis", "Operators", "Mesh", "Support"},
     # The door: fields, as users ask for them and get them.
     ".": {"Singularities", "Setup", "Discretisations", "Constraints", "Solvers/Krylov", "Solvers", "Levels", "Analysis",
           "Operators", "Mesh", "Support"},

@@ -1,0 +1,46 @@
+#ifndef dmgCellPlaces_h
+#define dmgCellPlaces_h
+
+#include "Constraints/NearestPlaces.h"
+#include "Mesh/FramedMesh.h"
+#include "Quads/AlignedEdges.h"
+#include "Quads/CrossField.h"
+#include "Quads/IsolineArrangement.h"
+#include "Quads/IsolineCells.h"
+#include "Quads/SurfacePlace.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// The way in which a vertex of the quad mesh is held at its place.
+enum class Hold
+{
+  Free,   ///< it may move over the surface
+  OnLine, ///< on an aligned edge, or on the boundary
+  AtPoint ///< at an end, a branch or a bend of aligned edges
+};
+
+/// The places on the surface of the vertices that stand for cells, by cell.
+struct CellPlaces
+{
+  std::vector<SurfacePlace> Places; ///< no face for cells that no quad uses
+  std::vector<Hold> Holds;
+  std::vector<int> Singularities; ///< number of singular vertices in the cell
+};
+
+/// A cell lies at its singular vertex, or where both coordinates are integers in it, in a face that the map does not turn over;
+/// along aligned edges where one is an integer. Else it lies at the mean of the crossings around it.
+/// \param isAligned by edge.
+/// Cost: linear.
+CellPlaces PlaceCells(const NearestPlaces& surface, const SurfaceAngles& angles, const CrossField& field,
+  const std::vector<char>& isAligned, const MapOfCorners& map, const IsolineArrangement& isolines,
+  const IsolineCells& cells);
+
+/// The place of a face that a position on it has.
+SurfacePlace PlaceInFace(const TriangleMesh& mesh, int face, const Vector3& position);
+
+}
+
+#endif

@@ -1,0 +1,117 @@
+#include "Quads/PathsAlongEdges.h"
+
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// Vertices by distance, the nearest first; of equal ones that of the smallest number.
+using Queue = std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>>;
+
+double LengthOf(const TriangleMesh& mesh, int halfedge)
+{
+  return (mesh.Position(mesh.Head(halfedge)) - mesh.Position(mesh.Tail(halfedge))).norm();
+}
+
+}
+
+PathsAlongEdges::PathsAlongEdges(const TriangleMesh& mesh, int from, double distance)
+  : Mesh(mesh)
+{
+  std::unordered_map<int, double> distances{ { from, 0.0 } };
+  std::unordered_map<int, char> isDone;
+  Queue queue;
+  queue.emplace(0.0, from);
+  while (!queue.empty())
+  {
+    const auto [length, vertex] = queue.top();
+    queue.pop();
+    if (isDone[vertex]++)
+    {
+      continue;
+    }
+    this->Vertices.push_back(vertex);
+    if (length >= distance)
+    {
+      this->Farthest.push_back(vertex);
+      continue;
+    }
+    if (mesh.IsBoundaryVertex(vertex))
+    {
+      continue;
+    }
+    mesh.VisitFan(vertex,
+      [&, length = length](int h)
+      {
+        const double candidate = length + LengthOf(mesh, h);
+        const auto [known, isNew] = distances.try_emplace(mesh.Head(h), candidate);
+        if (isNew || candidate < known->second)
+        {
+          known->second = candidate;
+          this->Arrivals[mesh.Head(h)] = h;
+          queue.emplace(candidate, mesh.Head(h));
+        }
+      });
+  }
+}
+
+std::vector<int> PathsAlongEdges::To(int vertex) const
+{
+  std::vector<int> path;
+  for (auto arrival = this->Arrivals.find(vertex); arrival != this->Arrivals.end();
+       arrival = this->Arrivals.find(this->Mesh.Tail(arrival->second)))
+  {
+    path.push_back(arrival->second);
+  }
+  return path;
+}
+
+void GrowMarks(const TriangleMesh& mesh, double distance, std::vector<char>& isMarked)
+{
+  Vector<double> distances = Vector<double>::Constant(mesh.NumberOfVertices(), std::numeric_limits<double>::infinity());
+  Queue queue;
+  const auto reach = [&distances, &queue, distance](int vertex, double length)
+  {
+    if (length <= distance && length < distances[vertex])
+    {
+      distances[vertex] = length;
+      queue.emplace(length, vertex);
+    }
+  };
+  for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
+  {
+    if (isMarked[TriangleMesh::FaceOf(h)])
+    {
+      reach(mesh.Tail(h), 0.0);
+    }
+  }
+  while (!queue.empty())
+  {
+    const auto [length, vertex] = queue.top();
+    queue.pop();
+    if (length > distances[vertex])
+    {
+      continue;
+    }
+    mesh.VisitFan(vertex,
+      [&, length = length](int h)
+      {
+        const int incoming = TriangleMesh::Previous(h);
+        reach(mesh.Head(h), length + LengthOf(mesh, h));
+        reach(mesh.Tail(incoming), length + LengthOf(mesh, incoming));
+      });
+  }
+  for (int face = 0; face < mesh.NumberOfFaces(); ++face)
+  {
+    const auto isReached = [&](int k) { return distances[mesh.Tail(3 * face + k)] <= distance; };
+    isMarked[face] = isReached(0) && isReached(1) && isReached(2);
+  }
+}
+
+}

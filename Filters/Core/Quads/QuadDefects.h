@@ -1,0 +1,41 @@
+#ifndef dmgQuadDefects_h
+#define dmgQuadDefects_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Quads/IndexedQuads.h"
+#include "Quads/IsolineArrangement.h"
+#include "Quads/IsolineCells.h"
+
+#include <vector>
+
+namespace dmg
+{
+
+/// The places where quads are not a mesh of the surface: a component has another Euler number, or is lost; a hole has fewer than three edges around
+/// it; an edge has two quads on one side; a quad has a vertex twice; the quads around a vertex are no fan; an inner vertex has fewer than
+/// three of them. All of these mean that the quads are too large for what the surface has there.
+struct QuadDefects
+{
+  int Number = 0;           ///< of defects, 0 where the mesh is good
+  std::vector<char> AreBad; ///< by face of the surface: whether edges should be shorter there
+  int LostComponent = -1;   ///< a face of a component without quads
+  int SmallHole = -1;       ///< a vertex on a hole with too few edges
+  int Handle = -1;          ///< a vertex where a cell is no disc, or quads do not fit
+};
+
+/// \param components of the faces of the surface (FaceComponents).
+/// \param before quads before they were cleaned up.
+QuadDefects FindDefects(const TriangleMesh& mesh, const std::vector<int>& components,
+  const IsolineArrangement& isolines, const IsolineCells& cells, const IndexedQuads& before, const IndexedQuads& quads,
+  const QuadTopology& topology);
+
+/// The number of vertices less edges plus quads, by component.
+/// \param components of the faces of the surface.
+std::vector<int> EulerNumbers(
+  const std::vector<int>& components, int numberOfComponents, const IndexedQuads& quads, const QuadTopology& topology);
+/// The same of the surface.
+std::vector<int> EulerNumbers(const TriangleMesh& mesh, const std::vector<int>& components, int numberOfComponents);
+
+}
+
+#endif

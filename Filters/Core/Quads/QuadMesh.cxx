@@ -1,0 +1,337 @@
+#include "Quads/QuadMesh.h"
+
+#include "Constraints/NearestPlaces.h"
+#include "Mesh/SurfaceSizes.h"
+#include "Quads/AlignedEdges.h"
+#include "Quads/CellPlaces.h"
+#include "Quads/CrossField.h"
+#include "Quads/CutSurface.h"
+#include "Quads/IndexedQuads.h"
+#include "Quads/IsolineArrangement.h"
+#include "Quads/IsolineCells.h"
+#include "Quads/PathsAlongEdges.h"
+#include "Quads/QuadDefects.h"
+#include "Quads/QuadSmoothing.h"
+#include "Quads/SeamlessVariables.h"
+#include "Support/Errors.h"
+#include "Support/ShortText.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+constexpr int MostRounds = 6;
+/// Small components get so many quads at least.
+constexpr double FewestQuadsOfComponent = 24.0;
+/// Singularities are split at this distance, in edges of quads.
+constexpr double DistanceOfSplitting = 1.5;
+/// Edges are halved so many times at most.
+constexpr double SmallestScale = 1.0 / 64.0;
+
+void CheckInput(
+  const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options, const ElementNames& names)
+{
+  const int faces = surface.Mesh.NumberOfFaces();
+  if (powers.size() != faces)
+  {
+    throw InvalidInput("there are " + std::to_string(powers.size()) + " directions for " + std::to_string(faces) +
+      " faces; give one per face");
+  }
+  for (int face = 0; face < faces; ++face)
+  {
+    if (!std::isfinite(powers[face].real()) || !std::isfinite(powers[face].imag()))
+    {
+      throw InvalidInput("the direction of " + names.Face(face) + " is not finite; set it to 0 where there is none");
+    }
+  }
+  const double given = options.EdgeLength != 0.0 ? options.EdgeLength : options.NumberOfQuads;
+  if (!(given > 0.0) || !std::isfinite(given))
+  {
+    throw InvalidInput((options.EdgeLength != 0.0 ? "QuadOptions::EdgeLength is " : "QuadOptions::NumberOfQuads is ") +
+      ShortText(given) + "; make it positive");
+  }
+  if (options.Sizes.size() != 0 && options.Sizes.size() != faces)
+  {
+    throw InvalidInput("there are " + std::to_string(options.Sizes.size()) + " sizes for " + std::to_string(faces) +
+      " faces; give one per face, or none");
+  }
+  for (int face = 0; face < options.Sizes.size(); ++face)
+  {
+    if (!(options.Sizes[face] > 0.0) || !std::isfinite(options.Sizes[face]))
+    {
+      throw InvalidInput(
+        "the size of " + names.Face(face) + " is " + ShortText(options.Sizes[face]) + "; make it positive");
+    }
+  }
+}
+
+/// The quads of one round, with all that they were made of.
+struct Round
+{
+  MapOfCorners Map;
+  IsolineArrangement Isolines;
+  IsolineCells Cells;
+  CellPlaces Places;
+  IndexedQuads Quads;
+  QuadDefects Defects;
+};
+
+class QuadMaking
+{
+public:
+  QuadMaking(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options,
+    const ElementNames& names, const ExecutionContext& context)
+    : Surface(surface)
+    , Mesh(surface.Mesh)
+    , Options(options)
+    , Names(names)
+    , Angles(surface, context)
+    , Field(MatchCrosses(surface, this->Angles, powers, context))
+    , Components(FaceComponents(surface.Mesh))
+    , Places(surface)
+    , Lengths(this->FirstLengths())
+  {
+  }
+
+  QuadMesh Make(const ExecutionContext& context)
+  {
+    context.Checkpoint(0.02);
+    this->Report.SplitSingularities =
+      SplitSingularities(this->Surface, this->Angles, DistanceOfSplitting * this->Report.LengthOfEdges, this->Field);
+    this->Cut = CutAlongSeams(this->Mesh, this->Field);
+    this->IsAligned = FindAlignedEdges(this->Surface, this->Angles, this->Field, this->Options);
+    context.Checkpoint(0.1);
+    this->Map.emplace(this->Surface, this->Field,
+      MakeSeamlessVariables(this->Mesh, this->Angles, this->Field, this->Cut, this->IsAligned),
+      PartOfContext(context, 0.15, 0.6));
+    this->FitLengths(PartOfContext(context, 0.6, 0.65));
+    Round best = this->BestRound(PartOfContext(context, 0.65, 0.9));
+    return this->Result(std::move(best), PartOfContext(context, 0.9, 1.0));
+  }
+
+private:
+  /// Edges that give the number of quads on a flat surface, and shorter ones on small components.
+  Vector<double> FirstLengths()
+  {
+    const Vector<double> areas = this->Mesh.FaceAreas();
+    Vector<double> ofComponents =
+      Vector<double>::Zero(1 + *std::max_element(this->Components.begin(), this->Components.end()));
+    for (int face = 0; face < areas.size(); ++face)
+    {
+      ofComponents[this->Components[face]] += areas[face];
+    }
+    this->Report.LengthOfEdges =
+      this->Options.EdgeLength > 0.0 ? this->Options.EdgeLength : std::sqrt(areas.sum() / this->Options.NumberOfQuads);
+    Vector<double> lengths(areas.size());
+    for (int face = 0; face < areas.size(); ++face)
+    {
+      const double size = this->Options.Sizes.size() > 0 ? this->Options.Sizes[face] : 1.0;
+      const double area = std::max(ofComponents[this->Components[face]], std::numeric_limits<double>::min());
+      lengths[face] = std::min(size * this->Report.LengthOfEdges, std::sqrt(area / FewestQuadsOfComponent));
+    }
+    return lengths;
+  }
+
+  /// Scales all lengths so that the real map gives the number of quads.
+  void FitLengths(const ExecutionContext& context)
+  {
+    if (this->Options.EdgeLength > 0.0)
+    {
+      return;
+    }
+    constexpr double LargestFactor = 2.0;
+    const double area = this->Map->AreaOfRealMap(this->Lengths, context);
+    const double factor = std::sqrt(std::max(area, 1e-9) / this->Options.NumberOfQuads);
+    const double limited = std::clamp(factor, 1.0 / LargestFactor, LargestFactor);
+    this->Lengths *= limited;
+    this->Report.LengthOfEdges *= limited;
+  }
+
+  /// Makes quads, with shorter edges where they do not fit, until they do.
+  Round BestRound(const ExecutionContext& context)
+  {
+    std::optional<Round> best;
+    Vector<double> scales = Vector<double>::Ones(this->Mesh.NumberOfFaces());
+    for (int round = 0; round <= MostRounds; ++round)
+    {
+      const auto part = [round](int k) { return static_cast<double>(round + k) / (MostRounds + 1); };
+      Round made = this->MakeRound(this->Lengths.cwiseProduct(scales), PartOfContext(context, part(0), part(1)));
+      std::vector<char> areBad = made.Defects.AreBad;
+      const bool isGood = made.Defects.Number == 0;
+      if (!best || made.Defects.Number < best->Defects.Number)
+      {
+        this->Report.Refinements = round;
+        this->BestScales = scales;
+        best = std::move(made);
+      }
+      if (isGood)
+      {
+        break;
+      }
+      GrowMarks(this->Mesh, this->Report.LengthOfEdges, areBad);
+      for (int face = 0; face < scales.size(); ++face)
+      {
+        scales[face] = areBad[face] ? std::max(0.5 * scales[face], SmallestScale) : scales[face];
+      }
+    }
+    return std::move(*best);
+  }
+
+  Round MakeRound(const Vector<double>& lengths, const ExecutionContext& context)
+  {
+    Round round;
+    round.Map = this->Map->Map(lengths, PartOfContext(context, 0.0, 0.7));
+    round.Isolines = ArrangeIsolines(this->Mesh, this->Cut, round.Map, PartOfContext(context, 0.7, 0.9));
+    round.Cells = FindCells(this->Mesh, round.Isolines);
+    round.Places =
+      PlaceCells(this->Places, this->Angles, this->Field, this->IsAligned, round.Map, round.Isolines, round.Cells);
+    const IndexedQuads before = QuadsOfCells(round.Isolines, round.Cells);
+    round.Quads = before;
+    CleanUp(round.Quads, Ranks(round.Places));
+    round.Defects = FindDefects(
+      this->Mesh, this->Components, round.Isolines, round.Cells, before, round.Quads, QuadTopology(round.Quads));
+    context.Checkpoint(1.0);
+    return round;
+  }
+
+  static std::vector<int> Ranks(const CellPlaces& places)
+  {
+    std::vector<int> ranks(places.Holds.size());
+    for (std::size_t cell = 0; cell < ranks.size(); ++cell)
+    {
+      ranks[cell] = 2 * static_cast<int>(places.Holds[cell]) + (places.Singularities[cell] > 0 ? 1 : 0);
+    }
+    return ranks;
+  }
+
+  QuadMesh Result(Round round, const ExecutionContext& context)
+  {
+    QuadMesh mesh;
+    mesh.Map = std::move(round.Map);
+    mesh.IsCut = this->Cut.IsCut;
+    this->Report.FlippedFaces = NumberOfFlippedFaces(mesh.Map);
+    this->Report.Singularities = static_cast<int>(
+      std::count_if(this->Field.Indices.begin(), this->Field.Indices.end(), [](int index) { return index != 0; }));
+    this->Report.EulerOfSurface = this->Mesh.EulerCharacteristic();
+    for (int face = 0; face < this->BestScales.size(); ++face)
+    {
+      if (this->BestScales[face] < 1.0)
+      {
+        this->Report.RefinedFaces.push_back(face);
+      }
+    }
+    if (round.Defects.Number > 0)
+    {
+      this->Report.Error = this->Explained(round.Defects, round.Quads.Size());
+    }
+    else
+    {
+      this->FillQuads(round, mesh, context);
+    }
+    mesh.Report = std::move(this->Report);
+    return mesh;
+  }
+
+  std::string Explained(const QuadDefects& defects, int quads) const
+  {
+    const std::string remedy = this->Options.EdgeLength > 0.0
+      ? "make QuadOptions::EdgeLength " + ShortText(this->Options.EdgeLength / 2.0)
+      : "ask for " + ShortText(4.0 * std::max<double>(quads, this->Options.NumberOfQuads)) + " quads";
+    if (defects.LostComponent >= 0)
+    {
+      return "quads lose the component of " + this->Names.Face(defects.LostComponent) + "; leave it out, or " + remedy;
+    }
+    if (defects.SmallHole >= 0)
+    {
+      return "quads lose the hole at " + this->Names.Vertex(defects.SmallHole) + "; fill it, or " + remedy;
+    }
+    return "quads do not fit the surface at " + this->Names.Vertex(defects.Handle) + ", a handle or a thin part; " +
+      remedy;
+  }
+
+  void FillQuads(Round& round, QuadMesh& mesh, const ExecutionContext& context)
+  {
+    SmoothQuads(
+      this->Places, round.Quads, this->Options.SmoothingSteps, round.Places, PartOfContext(context, 0.0, 0.7));
+    if (this->Options.SmoothingSteps > 0)
+    {
+      Untangle(this->Places, round.Quads, round.Places, PartOfContext(context, 0.7, 1.0));
+    }
+    const QuadTopology topology(round.Quads);
+    std::vector<int> numbers(round.Quads.NumberOfVertices(), -1);
+    for (int cell = 0; cell < round.Quads.NumberOfVertices(); ++cell)
+    {
+      if (topology.Valences[cell] > 0)
+      {
+        numbers[cell] = static_cast<int>(mesh.Places.size());
+        mesh.Places.push_back(round.Places.Places[cell]);
+        mesh.IsOnBoundary.push_back(round.Quads.IsOnBoundary[cell]);
+        mesh.Valences.push_back(topology.Valences[cell]);
+        mesh.Singularities.push_back(round.Places.Singularities[cell]);
+      }
+    }
+    mesh.Positions.resize(static_cast<int>(mesh.Places.size()), 3);
+    for (int vertex = 0; vertex < mesh.Positions.rows(); ++vertex)
+    {
+      mesh.Positions.row(vertex) = PositionOf(this->Mesh, mesh.Places[vertex]).transpose();
+    }
+    mesh.Quads = std::move(round.Quads.Corners);
+    for (std::array<int, 4>& quad : mesh.Quads)
+    {
+      std::transform(quad.begin(), quad.end(), quad.begin(), [&numbers](int cell) { return numbers[cell]; });
+    }
+    this->Measure(mesh, topology);
+  }
+
+  void Measure(QuadMesh& mesh, const QuadTopology& topology)
+  {
+    mesh.ScaledJacobians = ScaledJacobians(mesh.Quads, mesh.Positions);
+    this->Report.InvertedQuads = static_cast<int>((mesh.ScaledJacobians.array() <= 0.0).count());
+    this->Report.MeanScaledJacobian = mesh.ScaledJacobians.size() > 0 ? mesh.ScaledJacobians.mean() : 0.0;
+    this->Report.EulerOfMesh =
+      static_cast<int>(mesh.Places.size()) - topology.NumberOfEdges + static_cast<int>(mesh.Quads.size());
+    for (std::size_t vertex = 0; vertex < mesh.Places.size(); ++vertex)
+    {
+      if (!mesh.IsOnBoundary[vertex] && mesh.Valences[vertex] != 4)
+      {
+        ++this->Report.IrregularVertices;
+        this->Report.IrregularWithoutSingularity += mesh.Singularities[vertex] == 0 ? 1 : 0;
+      }
+    }
+  }
+
+  const FramedMesh& Surface;
+  const TriangleMesh& Mesh;
+  const QuadOptions& Options;
+  const ElementNames& Names;
+  const SurfaceAngles Angles;
+  CrossField Field;
+  QuadReport Report;
+  const std::vector<int> Components;
+  const NearestPlaces Places;
+  Vector<double> Lengths;
+  CutSurface Cut;
+  std::vector<char> IsAligned;
+  std::optional<SeamlessMap> Map;
+  Vector<double> BestScales;
+};
+
+}
+
+QuadMesh MakeQuads(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options,
+  const ExecutionContext& context, const ElementNames& names)
+{
+  CheckInput(surface, powers, options, names);
+  return QuadMaking(surface, powers, options, names, context).Make(context);
+}
+
+}

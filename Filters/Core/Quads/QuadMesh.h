@@ -1,0 +1,72 @@
+#ifndef dmgQuadMesh_h
+#define dmgQuadMesh_h
+
+#include "Mesh/FramedMesh.h"
+#include "Quads/QuadOptions.h"
+#include "Quads/SeamlessMap.h"
+#include "Quads/SurfacePlace.h"
+#include "Support/ExecutionContext.h"
+#include "Support/Types.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace dmg
+{
+
+/// The properties of a quad mesh, and how it was made.
+struct QuadReport
+{
+  double LengthOfEdges = 0.0;          ///< that was aimed at, before local refinement
+  int Singularities = 0;               ///< of the field, after splitting
+  int SplitSingularities = 0;          ///< of an index of 1/2 or more that were split
+  int IrregularVertices = 0;           ///< inner vertices that have not four quads
+  int IrregularWithoutSingularity = 0; ///< of these, the ones that are at no singularity of the field
+  int FlippedFaces = 0;                ///< of the surface, that the map turns over
+  int InvertedQuads = 0;               ///< of a scaled Jacobian that is not positive
+  double MeanScaledJacobian = 0.0;
+  int EulerOfSurface = 0;
+  int EulerOfMesh = 0;
+  int Refinements = 0;                ///< rounds in which edges were halved somewhere
+  std::vector<int> RefinedFaces = {}; ///< of the surface, where they are shorter than was aimed at; ascending
+  /// Empty, or why there are no quads: what of the surface they would lose, and a remedy.
+  std::string Error = {};
+};
+
+/// A pure quad mesh of a surface, and the map that it comes from.
+struct QuadMesh
+{
+  std::vector<std::array<int, 4>> Quads; ///< counter-clockwise seen from outside
+  Points Positions;                      ///< of vertices
+  std::vector<SurfacePlace> Places;      ///< of vertices on the surface
+  std::vector<char> IsOnBoundary;        ///< by vertex
+  std::vector<int> Valences;             ///< by vertex, the number of its quads
+  std::vector<int> Singularities; ///< by vertex, the number of singular vertices of the surface that it stands for
+  Vector<double> ScaledJacobians; ///< by quad, see QuadSmoothing.h
+
+  MapOfCorners Map;        ///< seamless; integers are the vertices' coordinates
+  std::vector<char> IsCut; ///< by edge of the surface: whether the map jumps there
+
+  QuadReport Report;
+};
+
+/// Makes a pure quad mesh whose edges follow a cross field. See Quads.md for the method.
+///
+/// The mesh has the Euler number of the surface, and each edge has a quad on each side, except on the boundary. Where quads are too
+/// large for a handle, a hole or a component, edges are halved there and around it, in up to six rounds. If that does not help, there
+/// are no quads and QuadReport::Error says why; the map is there.
+///
+/// \param powers the fourth powers of the field's directions, one per face in its frame. A field that follows the boundary and sharp
+///   edges gives edges along them (FeatureOptions).
+/// \param names says how messages call faces and vertices.
+/// \return the same bits for any number of threads.
+/// \throw InvalidInput an option is out of range, or the number of powers is not that of faces, or one is not finite.
+/// Cost: a sparse factor of a Laplacian of the vertices with two unknowns each, a solve per integer, of which there are some for each
+/// singularity, handle and hole, and the cube of their number.
+QuadMesh MakeQuads(const FramedMesh& surface, const Vector<Complex>& powers, const QuadOptions& options = {},
+  const ExecutionContext& context = SerialContext(), const ElementNames& names = {});
+
+}
+
+#endif
