@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 
 namespace dmg
 {
@@ -15,15 +14,6 @@ namespace
 
 constexpr int RowGrain = 2048;
 constexpr int ColumnGrain = 4096;
-
-using FloatPair = float __attribute__((vector_size(2 * sizeof(float))));
-
-FloatPair LoadPair(const float* from)
-{
-  FloatPair pair;
-  std::memcpy(&pair, from, sizeof(pair));
-  return pair;
-}
 
 /// The sums of the products of components, over the entries of a row and the pairs that they take.
 FloatPair ProductOfRow(const float* entries, const int* columns, int size, const float* z)
@@ -34,12 +24,12 @@ FloatPair ProductOfRow(const float* entries, const int* columns, int size, const
   {
     for (int lane = 0; lane < 4; ++lane)
     {
-      sums[lane] += LoadPair(entries + 2 * (k + lane)) * LoadPair(z + 2 * columns[k + lane]);
+      sums[lane] += LoadPack<FloatPair>(entries + 2 * (k + lane)) * LoadPack<FloatPair>(z + 2 * columns[k + lane]);
     }
   }
   for (; k < size; ++k)
   {
-    sums[0] += LoadPair(entries + 2 * k) * LoadPair(z + 2 * columns[k]);
+    sums[0] += LoadPack<FloatPair>(entries + 2 * k) * LoadPack<FloatPair>(z + 2 * columns[k]);
   }
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
 }
@@ -150,11 +140,11 @@ void SingleProlongation::MultiplyAdjoint(
     sums, context,
     [&x](int row, const float* entries, const int* columns, int size, double* ofPart)
     {
-      const DoublePack factor = DoublePack{} + x[row];
+      const DoublePack factor = { x[row], x[row] };
       for (int k = 0; k < size; ++k)
       {
         double* const sum = ofPart + 2 * columns[k];
-        const auto entry = __builtin_convertvector(LoadPair(entries + 2 * k), DoublePack);
+        const auto entry = Widened(LoadPack<FloatPair>(entries + 2 * k));
         StorePack(LoadPack<DoublePack>(sum) + entry * factor, sum);
       }
     },
@@ -180,8 +170,9 @@ void SingleProlongation::MultiplyAdjoint(
       for (int k = 0; k < size; ++k)
       {
         float* const sum = ofPart + 2 * columns[k];
-        const FloatPair next = LoadPair(sum) + entries[2 * k] * ofFirst + entries[2 * k + 1] * ofSecond;
-        std::memcpy(sum, &next, sizeof(next));
+        const FloatPair first = { entries[2 * k], entries[2 * k] };
+        const FloatPair second = { entries[2 * k + 1], entries[2 * k + 1] };
+        StorePack(LoadPack<FloatPair>(sum) + first * ofFirst + second * ofSecond, sum);
       }
     },
     [&z](int column, double first, double second) { z[column] = Complex(first, second); });

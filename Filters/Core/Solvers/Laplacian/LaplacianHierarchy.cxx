@@ -73,7 +73,6 @@ void SetUnknowns(LaplacianHierarchy& hierarchy, const std::vector<int>& byParent
 /// To single precision, so that the coarse matrix is that of the prolongation that cycles read.
 void Round(SparseMatrix<Complex>& P, const ExecutionContext& context)
 {
-  using FloatPair = float __attribute__((vector_size(2 * sizeof(float))));
   context.ParallelFor(0, static_cast<int>(P.nonZeros()), RowGrain,
     [&P](int first, int last)
     {
@@ -81,8 +80,7 @@ void Round(SparseMatrix<Complex>& P, const ExecutionContext& context)
       {
         // Packs are written out, because GCC 12 takes a number for its rounded one when it makes packs of this itself.
         const auto entry = LoadPack<DoublePack>(P.valuePtr() + e);
-        const FloatPair nearest = __builtin_convertvector(entry, FloatPair);
-        StorePack(__builtin_convertvector(nearest, DoublePack), P.valuePtr() + e);
+        StorePack(Widened(Rounded(entry)), P.valuePtr() + e);
       }
     });
 }
