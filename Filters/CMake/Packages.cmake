@@ -1,4 +1,4 @@
-# What cpack makes: a Debian package of the installation, whose dependencies dpkg-shlibdeps finds, and a tarball of the sources.
+# The packages of cpack: a Debian package of the installation, whose dependencies dpkg-shlibdeps finds, and a tarball of the sources.
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" # where Debian's policy wants it
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/directionalmultigrid" RENAME "copyright" COMPONENT metadata)
 

@@ -1,7 +1,6 @@
-# dmg_precompile_headers(<target> [<header>...]): with DMG_PRECOMPILED_HEADERS, the target reads Eigen, the standard
-# library and the given headers once, which is half of the time of a source of the core. A compiler cache gains more where
-# trees share it, and it tells precompiled headers of different trees apart; hence an option. Sources include what they use
-# all the same: builds without the option, as that of the preset vtk-asan, notice it.
+# dmg_precompile_headers(<target> [<header>...]): with DMG_PRECOMPILED_HEADERS, the target reads Eigen, the standard library and the
+# given headers once. This is an option, since a compiler cache gains more where several trees share it, and caches distinguish
+# precompiled headers of different trees. Sources include what they use all the same: the preset vtk-asan builds without the option.
 function (dmg_precompile_headers target)
   if (DMG_PRECOMPILED_HEADERS)
     target_precompile_headers(${target} PRIVATE

@@ -1,6 +1,6 @@
 # Debian 13 and later name VTK's and ParaView's Python modules with a tag of Python's version (vtkCommonCore.cpython-313-*.so),
-# but the targets of their CMake packages say vtkCommonCore.so, so find_package() fails: "this file does not exist". It passes
-# over a file of targets that are there already. So they are declared here; nothing uses them.
+# but the targets of their CMake packages say vtkCommonCore.so, so find_package() fails: "this file does not exist". It skips a
+# file whose targets exist. So they are declared here; nothing uses them.
 
 # Declares the Python modules of the packages, which find_package() has found before or would find first, if they are tagged.
 function (dmg_declare_tagged_python_modules)

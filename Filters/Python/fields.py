@@ -27,11 +27,11 @@ _ARRAYS = {"Mask": 0, "Directions": 1, "Weights": 2, "Values": 3, "RotationArray
 
 
 class FieldError(ValueError):
-    """What a filter or a writer says is wrong: the element, and what to do about it."""
+    """An error of a filter or a writer. It names the element and a remedy."""
 
 
 class FieldWarning(UserWarning):
-    """What a filter warns of; there is a result."""
+    """A warning of a filter, which has a result all the same."""
 
 
 def smooth_field(mesh: Mesh, guides: DataObjects = None, n: Optional[int] = None, *, singularities: DataObjects = None,
@@ -93,8 +93,8 @@ def update(algorithm: vtkAlgorithm) -> Optional[vtkDataObject]:
     """Updates a filter, one of this package or any other, and what stands before it in the pipeline.
 
     Returns its first output, or None if it has none. Raises FieldError where one of them reports an error, which would else be
-    a line on standard error and an empty output; warns with FieldWarning. What failed runs again at the next call; but VTK tells
-    nothing of what failed in an Update() of its own before, unless something has changed since.
+    a line on standard error and an empty output; warns with FieldWarning. A filter that has failed runs again at the next call. A
+    failure in an earlier Update() is not reported again by VTK, unless something has changed since.
     """
     _check_vtk(algorithm, "the filter")
     if not isinstance(algorithm, vtkAlgorithm):
@@ -104,7 +104,7 @@ def update(algorithm: vtkAlgorithm) -> Optional[vtkDataObject]:
 
 def _update(algorithm: vtkAlgorithm, stacklevel: int) -> Optional[vtkDataObject]:
     errors: List[Message] = []
-    failures: List[Message] = []  # what executives say, mostly of errors that their filter has reported
+    failures: List[Message] = []  # messages of executives, mostly on errors that their filter has reported
     warned: List[Message] = []
     observed = []
     for each in _pipeline(algorithm):
@@ -127,7 +127,7 @@ def _update(algorithm: vtkAlgorithm, stacklevel: int) -> Optional[vtkDataObject]
 
 
 def _reason(algorithm: vtkAlgorithm, text: str, warned: List[Message]) -> str:
-    """What the executive says, unless that is only that a filter failed: some readers warn of what they do not find."""
+    """The reason of a failure: the message of the executive or, if it only says that a filter failed, the filter's warnings."""
     if "returned failure for request" not in text:
         return text
     name = getattr(algorithm, "GetFileName", str)()
@@ -136,7 +136,7 @@ def _reason(algorithm: vtkAlgorithm, text: str, warned: List[Message]) -> str:
 
 
 def _pipeline(algorithm: vtkAlgorithm) -> Iterable[vtkAlgorithm]:
-    """The algorithm and all that stand before it."""
+    """The algorithm and all upstream of it."""
     found = [algorithm]
     for each in found:  # it grows
         for port in range(each.GetNumberOfInputPorts()):
@@ -182,7 +182,7 @@ def _set_properties(solver: vtkHarmonicFieldSolver, properties: Dict[str, Proper
 
 
 def _nearest(name: str, names: List[str]) -> str:
-    """What somebody may have meant, however it is spelt: max_distance for MaximumDistance, N for n."""
+    """A hint at the property with the nearest name, in any spelling: max_distance for MaximumDistance, N for n."""
     spellings = {each.lower(): each for each in [*names, "guides", "singularities", "n"]}
     spellings.update(numberofdirections="n", directionsperpoint="n", mesh="mesh")
     near = difflib.get_close_matches(name.replace("_", "").lower(), spellings, 1, 0.5)
@@ -215,7 +215,7 @@ def _set_property(solver: vtkHarmonicFieldSolver, name: str, value: Property) ->
 
 
 def _converted(value: Any, kind: type) -> Property:
-    """The value as what the solver keeps. Its wrapping would take NaN, None for an empty name, and any object for a bool."""
+    """The value in the type of the property. The wrapping would take NaN, None for an empty name, and any object for a bool."""
     if kind is bool:
         if value is None or isinstance(value, (str, bytes)) or value not in (False, True):
             raise TypeError("it is True or False")
