@@ -27,7 +27,7 @@ Eigen::MatrixXd GramMatrix(const Eigen::MatrixXd& fields, const Vector<double>& 
   return gram;
 }
 
-/// columns R^-1, R an upper triangle.
+/// Multiplies columns by R^-1, R an upper triangle.
 void DivideBy(const Eigen::MatrixXd& R, Eigen::MatrixXd& columns, const ExecutionContext& context)
 {
   for (int k = 0; k < columns.cols(); ++k)

@@ -7,9 +7,8 @@
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
-/// The fields without curl and divergence: what a most harmonic field is free to be where nothing is
-/// prescribed. On a closed surface of genus g there are 2 g of them, around its handles; with b > 0
-/// boundary loops 2 g + b - 1, none of which crosses the boundary.
+/// Harmonic fields: curl-free and divergence-free. They span the kernel of the energy. On a closed surface of genus g there are 2 g
+/// of them, around its handles. With b > 0 boundary loops there are 2 g + b - 1, none of which crosses the boundary.
 namespace dmg
 {
 
@@ -17,15 +16,14 @@ namespace dmg
 /// one, summed over the components. Cost: O(#E).
 int NumberOfGenerators(const TriangleMesh& mesh);
 
-/// Scans have handles by the hundred where they are noisy; what all of their harmonic fields have to
-/// say is not worth gigabytes. \return whether the fields of so many loops are more than that.
+/// Whether the harmonic fields of so many generators take too much memory, as on noisy scans, which have handles by the hundred.
 bool AreTooManyToHold(int loops, const TriangleMesh& mesh);
 
 /// Closed 1-forms that are no gradients, one per independent loop, #E x (2 g + b - 1): a basis of
 /// the first cohomology by integers. Tree and cotree (Eppstein 2003): contract the edges of a spanning tree of
 /// the vertices and merge the faces along a spanning tree of theirs, and one vertex, one face and the loops are left,
 /// where any numbers are closed and none is a gradient. Undone, the contractions give their edges 0, and every face, from the
-/// leaves on, closes its sum by the edge to its parent. Components one by one.
+/// leaves on, closes its sum by the edge to its parent. Each component has trees of its own.
 /// Cost: O(#E) and O(#E) per form.
 Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
@@ -45,7 +43,7 @@ Eigen::MatrixXd ProlongedClosedForms(const ProlongationOperators& operators, con
 /// \throw SolverFailure the scalar Laplacian could not be factored.
 /// \throw Cancelled
 /// Cost: one Cholesky factorisation for the vertices, if there is a loop at all, and three solves for all forms
-/// at once; the closed forms are a tenth of it, whichever they are.
+/// at once; the closed forms cost little beside these.
 Eigen::MatrixXd HarmonicForms(
   const TriangleMesh& mesh, const ExecutionContext& context, const ProlongationOperators* operators = nullptr);
 

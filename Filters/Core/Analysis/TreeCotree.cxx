@@ -22,7 +22,7 @@ public:
   {
   }
 
-  /// With all boundaries as roots, joined by their own edges.
+  /// Marks the edges of a spanning forest whose roots are the boundaries, joined by their own edges.
   void GrowFromBoundary()
   {
     std::vector<int> roots;
@@ -106,7 +106,7 @@ void GrowOverFaces(const TriangleMesh& mesh, std::vector<char>& isTaken, TreeCot
       }
     }
   };
-  // From beyond the boundary first.
+  // The root beyond the boundary comes first.
   for (int h = 0; h < 3 * mesh.NumberOfFaces(); ++h)
   {
     const int face = TriangleMesh::FaceOf(h);

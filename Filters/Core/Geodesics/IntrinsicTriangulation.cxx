@@ -17,7 +17,7 @@ constexpr double SmallestExcess = 1e-8;
 /// Sums of cotangents above this are not negative but for rounding.
 constexpr double Rounding = -1e-9;
 
-/// Edges are flipped at most so often in the mean; rounding could otherwise flip some for ever.
+/// The largest number of flips per edge, in the mean. Rounding could flip some edges for ever.
 constexpr long long LargestFlipsPerEdge = 100;
 
 /// Heron's formula in Kahan's order, which keeps all digits of thin triangles.

@@ -29,7 +29,7 @@ constexpr double LargestTimeStep = 1000.0;
 /// stays within the range of doubles, e^-708, also where the diameter was found too small by half.
 constexpr double LargestDecay = 300.0;
 
-/// Below, a number has lost digits: the smallest normal double is 2e-308.
+/// The heat below which numbers have lost digits: the smallest normal double is 2e-308.
 constexpr double SmallestHeat = 1e-290;
 
 /// The part of all points whose distances may need a large correction before a warning says so.

@@ -13,7 +13,7 @@
 namespace dmg
 {
 
-/// The choices of a user.
+/// The options of parallel transport.
 struct TransportOptions
 {
   /// The time of the diffusion as a multiple of the mean squared edge length, from 0.01 to 1000. With longer times heat
@@ -79,7 +79,7 @@ public:
 
   /// The time of the diffusion at each vertex, in squared units of length: one number per component.
   const Vector<double>& Times() const;
-  /// Held by factors.
+  /// The memory of the factors.
   long long Bytes() const;
   /// The numbers of factorisations and of solves.
   struct StageCounts
