@@ -32,15 +32,19 @@ def link_for_doxygen(html, page, label, target):
     return f"[{label}]({copy.as_posix()})"
 
 
+def without_autolinks(line):
+    """#F is a number of faces, not a link. A line that begins with # is a heading, or for the preprocessor."""
+    return line if line.lstrip().startswith("#") else re.sub(r"#(?=\w)", r"\\#", line)
+
+
 def filtered(html, page):
     text = page.read_text()
-    text = re.sub(r"#([VEF])(?![A-Za-z])", r"\\#\1", text)  # a number of faces, not a link
     if page.suffix == ".md" and METHOD in page.parents:
         text = re.sub(r"```math\n(.*?)```", r"\\f[\n\1\\f]", text, flags=re.DOTALL)
         text = re.sub(r"\$", r"\\f$", text)
     if page.suffix == ".md":
         text = re.sub(r"\[([^]]*)\]\(([^)\s]+)\)", lambda match: link_for_doxygen(html, page, *match.groups()), text)
-    return text
+    return "\n".join(map(without_autolinks, text.split("\n")))
 
 
 def add_help(html):
