@@ -5,7 +5,6 @@
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Operators/FieldTopology.h"
 #include "Operators/UnresolvedSingularities.h"
-#include "Operators/VertexFieldTopology.h"
 #include "Support/ShortText.h"
 
 #include "vtkDataSet.h"

@@ -2,7 +2,6 @@
 
 #include "Operators/FieldTopology.h"
 #include "Operators/PowerFieldDirections.h"
-#include "Operators/VertexFieldTopology.h"
 
 namespace dmg
 {

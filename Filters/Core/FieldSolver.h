@@ -14,8 +14,8 @@
 namespace dmg
 {
 
-/// Finds the smoothest fields on one surface that follow constraints, guides and features, or have the singularities that are
-/// asked for, and keeps what a change leaves valid:
+/// Finds the smoothest fields on one surface that satisfy constraints, guides and features, or have prescribed singularities. Keeps what
+/// a change leaves valid:
 ///
 ///   stage       is redone when this changes
 ///   set-up      discretisation (with N and areas), operators, or what asks for other levels
@@ -31,10 +31,11 @@ namespace dmg
 ///   const dmg::Points vectors = solver.Directions(0);
 ///
 /// With singularities, both kinds of power fields give the one on faces, since a vertex cannot be singular where the field has a
-/// value at it: the field of a vertex is the mean of the faces around, and zero where it is singular. Set-up and system depend on
-/// the solver alone then, and the solve on the singularities. Constraints turn each component as a whole, to where it is nearest
-/// to them in the mean of squares. Set-ups of former discretisations are kept
-/// while there is room (SetMemoryLimit). A stage that throws leaves those before it as they are.
+/// value at it: the field of a vertex is the mean of the faces around, and zero where it is singular. The solve then depends on the
+/// singularities only. Constraints rotate each component rigidly, by least squares.
+///
+/// Set-ups of former discretisations are kept while there is room (SetMemoryLimit). A stage that throws leaves those before it as they
+/// are.
 class FieldSolver
 {
 public:

@@ -40,7 +40,7 @@ SparseMatrix<Scalar> MakeStiffness(
     switch (options.Kind)
     {
       case DiscretisationKind::OneForm:
-        return OneFormLaplacian(mesh, context, options.Areas);
+        return test::OneFormLaplacian(mesh, context, options.Areas);
       case DiscretisationKind::FaceField:
         return test::FaceFieldSmoothness(mesh, frames, context);
       default:

@@ -79,7 +79,7 @@ private:
     {
       weights[constraints.Elements[k]] = constraints.Weights[k];
     }
-    for (const int element : constraints.Grounded)
+    for (const int element : constraints.Pinned)
     {
       weights[element] = 0.0;
     }

@@ -67,7 +67,7 @@ HarmonicSystem<double> MakeFaceFieldSystem(const TriangleMesh& mesh, const Tange
 HarmonicSystem<double> MakeOneFormSystem(const TriangleMesh& mesh, const FieldConstraints& prescribed,
   const FieldWeights& weights, const ExecutionContext& context, VertexAreas areas)
 {
-  return MakeSystem<double>(OneFormLaplacian(mesh, context, areas), PositiveStar1(mesh, context),
+  return MakeSystem<double>(test::OneFormLaplacian(mesh, context, areas), PositiveStar1(mesh, context),
     PenaltiesOfEdges(mesh, prescribed, weights), weights);
 }
 

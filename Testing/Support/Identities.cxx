@@ -3,6 +3,7 @@
 #include "Operators/ExteriorCalculus.h"
 #include "Operators/PowerFieldDirections.h"
 #include "Support/Random.h"
+#include "Support/ReferenceOperators.h"
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>

@@ -70,6 +70,38 @@ SparseMatrix<double> FaceFieldSmoothness(
   return NormalMatrix(FaceFieldSmoothnessFactor(mesh, faceFrames, context), context);
 }
 
+SparseMatrix<double> D1(const TriangleMesh& mesh, const ExecutionContext& context)
+{
+  return AssembleMatrix<double>(mesh.NumberOfFaces(), mesh.NumberOfEdges(), context,
+    [&mesh](int face, RowEntries<double>& row)
+    {
+      for (int h = 3 * face; h < 3 * face + 3; ++h)
+      {
+        row.emplace_back(mesh.EdgeOf(h), mesh.EdgeSign(h));
+      }
+    });
+}
+
+SparseMatrix<double> OneFormLaplacian(const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas)
+{
+  return NormalMatrix(OneFormLaplacianFactor(mesh, context, areas), context);
+}
+
+SparseMatrix<double> FaceDivergence(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
+{
+  const SparseMatrix<double> B = FaceFieldSmoothnessFactor(mesh, faceFrames, context);
+  return MassesOfFaceFields(mesh).Vertices.cwiseSqrt().asDiagonal() * B.topRows(mesh.NumberOfVertices());
+}
+
+SparseMatrix<double> FaceCurl(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
+{
+  const SparseMatrix<double> B = FaceFieldSmoothnessFactor(mesh, faceFrames, context);
+  return MassesOfFaceFields(mesh).Edges.cwiseSqrt().asDiagonal() *
+    B.middleRows(mesh.NumberOfVertices(), mesh.NumberOfEdges());
+}
+
 double TransportAcrossEdge(const TriangleMesh& mesh, const TangentFrames& faceFrames, int halfedge)
 {
   const int twin = mesh.Twin(halfedge);

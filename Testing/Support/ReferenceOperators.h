@@ -4,6 +4,7 @@
 #include "Mesh/TangentFrames.h"
 #include "Mesh/TriangleMesh.h"
 #include "Mesh/VertexConnection.h"
+#include "Operators/ExteriorCalculus.h"
 #include "Support/ExecutionContext.h"
 #include "Support/Types.h"
 
@@ -24,6 +25,19 @@ SparseMatrix<double> HalfedgeProjection(
 
 /// The smoothness matrix A = B^T B, B = FaceFieldSmoothnessFactor; 2 #F x 2 #F.
 SparseMatrix<double> FaceFieldSmoothness(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
+
+/// Derivative of 1-forms, #F x #E: the sum around a face (the curl, integrated). D1 D0 = 0 exactly.
+SparseMatrix<double> D1(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
+
+/// The Hodge Laplacian of 1-forms in weak form, #E x #E: B^T B, B = OneFormLaplacianFactor.
+SparseMatrix<double> OneFormLaplacian(
+  const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas = VertexAreas::MixedVoronoi);
+
+/// D_V, #V x 2 #F, and C_E, #E x 2 #F: the rows of FaceFieldSmoothnessFactor times the roots of their masses.
+SparseMatrix<double> FaceDivergence(
+  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
+SparseMatrix<double> FaceCurl(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
 /// Angle that carries a direction across an interior edge, from the frame of the face of

@@ -145,9 +145,9 @@ void AddPrescribed(const SurfaceRelation& relation, const FieldConstraints& cons
   weights->Fill(0.0);
   for (std::size_t i = 0; i < constraints.Elements.size(); ++i)
   {
-    const bool isGrounded =
-      std::binary_search(constraints.Grounded.begin(), constraints.Grounded.end(), constraints.Elements[i]);
-    if (const vtkIdType tuple = tupleOf(constraints.Elements[i]); tuple >= 0 && !isGrounded)
+    const bool isPinned =
+      std::binary_search(constraints.Pinned.begin(), constraints.Pinned.end(), constraints.Elements[i]);
+    if (const vtkIdType tuple = tupleOf(constraints.Elements[i]); tuple >= 0 && !isPinned)
     {
       weights->SetValue(tuple, std::max(weights->GetValue(tuple), constraints.Weights[i]));
     }

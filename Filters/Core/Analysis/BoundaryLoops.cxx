@@ -36,4 +36,17 @@ std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh)
   return loops;
 }
 
+std::vector<int> BoundaryVertices(const TriangleMesh& mesh)
+{
+  std::vector<int> vertices;
+  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    if (mesh.IsBoundaryVertex(vertex))
+    {
+      vertices.push_back(vertex);
+    }
+  }
+  return vertices;
+}
+
 }

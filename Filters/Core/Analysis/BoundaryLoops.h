@@ -19,6 +19,9 @@ struct BoundaryLoop
 /// All boundary loops, by component, the longest of a component first. Cost: O(#F).
 std::vector<BoundaryLoop> FindBoundaryLoops(const TriangleMesh& mesh);
 
+/// All vertices on the boundary, ascending. Cost: O(#V).
+std::vector<int> BoundaryVertices(const TriangleMesh& mesh);
+
 }
 
 #endif

@@ -99,10 +99,10 @@ int NumberOfGenerators(const TriangleMesh& mesh)
   return mesh.NumberOfEdges() - (mesh.NumberOfVertices() - numberOfTrees) - (mesh.NumberOfFaces() - numberOfClosed);
 }
 
-bool AreTooManyToHold(int loops, const TriangleMesh& mesh)
+bool AreTooManyToHold(int generators, const TriangleMesh& mesh)
 {
   constexpr double LargestNumberOfValues = 5e7;
-  return static_cast<double>(loops) * mesh.NumberOfFaces() > LargestNumberOfValues;
+  return static_cast<double>(generators) * mesh.NumberOfFaces() > LargestNumberOfValues;
 }
 
 Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context)

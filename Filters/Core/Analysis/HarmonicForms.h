@@ -17,24 +17,23 @@ namespace dmg
 int NumberOfGenerators(const TriangleMesh& mesh);
 
 /// Whether the harmonic fields of so many generators take too much memory, as on noisy scans, which have handles by the hundred.
-bool AreTooManyToHold(int loops, const TriangleMesh& mesh);
+bool AreTooManyToHold(int generators, const TriangleMesh& mesh);
 
-/// Closed 1-forms that are no gradients, one per independent loop, #E x (2 g + b - 1): a basis of
-/// the first cohomology by integers. Tree and cotree (Eppstein 2003): contract the edges of a spanning tree of
-/// the vertices and merge the faces along a spanning tree of theirs, and one vertex, one face and the loops are left,
+/// Closed 1-forms that are no gradients, one per homology generator, #E x (2 g + b - 1): a basis of the first cohomology by integers.
+/// Tree and cotree (Eppstein 2003): contract the edges of a spanning tree of the vertices and merge the faces along a spanning tree of theirs, and one vertex, one face and the loops are left,
 /// where any numbers are closed and none is a gradient. Undone, the contractions give their edges 0, and every face, from the
 /// leaves on, closes its sum by the edge to its parent. Each component has trees of its own.
 /// Cost: O(#E) and O(#E) per form.
 Eigen::MatrixXd ClosedForms(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
-/// Harmonic forms by the hierarchy: from the closed forms of its coarsest level (ProlongationOperators::ClosedForms),
+/// Closed forms by the hierarchy: those of its coarsest level (ProlongationOperators::ClosedForms),
 /// prolonged by S1, which keeps their integrals around loops: the same classes, closed to rounding and as
 /// smooth as the coarse level. Thesis, section 4.2.
 /// \pre operators has both.
 /// Cost: O(#E) per form.
 Eigen::MatrixXd ProlongedClosedForms(const ProlongationOperators& operators, const ExecutionContext& context);
 
-/// A basis of the harmonic 1-forms, the kernel of OneFormLaplacian, #E x (2 g + b - 1): closed forms
+/// A basis of the harmonic 1-forms, the kernel of OneFormLaplacianFactor, #E x (2 g + b - 1): closed forms
 /// less the gradients of u with d0^T star1 d0 u = d0^T star1 w. Columns are orthogonal and of length 1
 /// for the Euclidean product.
 /// \param operators of this mesh: where they have S1 and the forms of the coarsest level, the closed forms are

@@ -172,7 +172,7 @@ public:
   /// \throw InvalidInput a direction is out of range, not finite, perpendicular to the surface, or its weight is
   ///   not positive; or nothing is prescribed, and there is no smoothest field.
   virtual FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const = 0;
-  /// Makes the means of a solution zero where it is free by a constant (FieldConstraints::Grounded).
+  /// Makes the means of a solution zero where it is free by a constant (FieldConstraints::Pinned).
   virtual void CentreFree(const FieldConstraints&, Vector<double>&) const {}
   /// The penalties m_b, weights included.
   /// \throw InvalidInput a weight is out of range.

@@ -5,10 +5,7 @@
 #include "Discretisations/LeastSquaresLevels.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldDirections.h"
-#include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
-#include "Solvers/Multigrid/AssembledHierarchy.h"
 #include "Support/ComplexPairs.h"
-#include "Support/SparseKernels.h"
 
 #include <utility>
 
@@ -17,13 +14,6 @@ namespace dmg
 namespace
 {
 
-// Blocks on the finest level do not overlap, and sweeps over them follow each other in the caches: for what
-// they do, they are cheap.
-constexpr int FinestSweepsFactor = 3;
-constexpr int CoarseCycles = 2;
-constexpr int LargestCoarseFactor = 10000;
-// The distance that a smoothed interpolation reaches.
-constexpr double DistanceOfSamples = 7.0;
 // Face fields leave more to the interpolation than 1-forms do; but smaller entries do not help them.
 constexpr int ProlongationDegree = 9;
 constexpr double DroppedEntries = 0.001;
@@ -44,61 +34,37 @@ Vector<double> FaceField::Mass(const ExecutionContext&) const
   return meanArea > 0.0 ? Vector<double>(mass / meanArea) : Vector<double>::Ones(mass.size());
 }
 
-std::unique_ptr<const StiffnessHierarchy> FaceField::Coarsen(
-  const LinearProlongations& linear, const ExecutionContext& context) const
+SparseMatrix<double> FaceField::Factor(const ExecutionContext& context) const
 {
-  LeastSquaresHierarchyOptions coarsening;
-  coarsening.ProlongationDegree = ProlongationDegree;
-  coarsening.Dropped = DroppedEntries;
-  const auto takeLevels = [&]
-  {
-    LeastSquaresLevels levels = LinearLevelsOfFaceFields(this->Surface.Mesh, linear.All(), context);
-    linear.Forget();
-    return levels; // handed on as it is: Eigen 3.4 would copy what is moved
-  };
-  return std::make_unique<LeastSquaresHierarchy>(
-    CoarsenLeastSquares(FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context), takeLevels(),
-      coarsening, PartOfContext(context, 0.2, 1.0)));
+  return FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context);
 }
 
-std::unique_ptr<const StiffnessHierarchy> FaceField::Assemble(
-  const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
+LeastSquaresLevels FaceField::LinearLevels(
+  const std::vector<TransportOperator>& linear, const ExecutionContext& context) const
 {
-  std::vector<SparseMatrix<double>> prolongations;
-  if (operators && space == CoarseSpaceKind::LinearInterpolation)
-  {
-    CheckOperators(!operators->Linear.empty(), Remedy::FaceFieldOperators);
-    prolongations = OnComponents(operators->Linear, context);
-  }
-  else if (operators)
-  {
-    CheckOperators(!operators->SX.empty(), Remedy::FaceFieldOperators);
-    prolongations = operators->SX;
-  }
-  SparseMatrix<double> B = FaceFieldSmoothnessFactor(this->Surface.Mesh, this->Surface.Faces, context);
-  SparseMatrix<double> A = NormalMatrix(B, context);
-  return std::make_unique<AssembledHierarchy<double>>(A, std::move(prolongations), std::move(B));
+  return LinearLevelsOfFaceFields(this->Surface.Mesh, linear, context);
 }
 
-double FaceField::SampleDistance() const
+LeastSquaresHierarchyOptions FaceField::Coarsening() const
 {
-  return DistanceOfSamples;
+  LeastSquaresHierarchyOptions options;
+  options.ProlongationDegree = ProlongationDegree;
+  options.Dropped = DroppedEntries;
+  return options;
+}
+
+std::vector<SparseMatrix<double>> FaceField::LinearProlongationsOfUnknowns(
+  const std::vector<TransportOperator>& linear, const ExecutionContext& context) const
+{
+  return OnComponents(linear, context);
 }
 
 SolverTuning FaceField::Tuning() const
 {
-  SolverTuning tuning;
+  SolverTuning tuning = LeastSquaresField::Tuning();
   tuning.LargestForCholesky = LargestForCholesky;
   tuning.SolvesForCholesky = SolvesForCholesky;
-  tuning.FinestSweepsFactor = FinestSweepsFactor;
-  tuning.CoarseCycles = CoarseCycles;
-  tuning.LargestCoarseFactor = LargestCoarseFactor;
   return tuning;
-}
-
-int FaceField::NumberOfHarmonicFields() const
-{
-  return NumberOfGenerators(this->Surface.Mesh);
 }
 
 Eigen::MatrixXd FaceField::HarmonicFields(const ProlongationOperators* operators, const ExecutionContext& context) const

@@ -1,9 +1,11 @@
 #include "Discretisations/FieldConstraints.h"
 
+#include "Discretisations/WeightedMeans.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 
 #include <string>
+#include <utility>
 
 namespace dmg
 {
@@ -62,30 +64,16 @@ std::vector<Constraint> DirectionsOnFaces(
 FieldConstraints MakePowerConstraints(const TriangleMesh& mesh, const TangentFrames& faceFrames, int N,
   const std::vector<Constraint>& directions, const ElementNames& names)
 {
-  FieldConstraints constraints;
-  std::vector<Complex> sums;
+  std::vector<WeightedValue<Complex>> powers;
+  powers.reserve(directions.size());
   for (int i : ByElement(directions))
   {
     const auto& [face, direction, weight, side] = directions[i];
     CheckElement(face, mesh.NumberOfFaces(), "face");
     const Complex v = TangentialPart(faceFrames, face, direction, weight, names.Face(face), "cell");
-    if (constraints.Elements.empty() || constraints.Elements.back() != face)
-    {
-      constraints.Elements.push_back(face);
-      constraints.Weights.push_back(0.0);
-      sums.emplace_back(0.0);
-    }
-    constraints.Weights.back() += weight;
-    sums.back() += weight * PowerOfDirection(v, N);
+    powers.push_back({ face, PowerOfDirection(v, N), weight });
   }
-  constraints.Values.resize(2 * sums.size());
-  for (std::size_t b = 0; b < sums.size(); ++b)
-  {
-    const Complex mean = sums[b] / constraints.Weights[b];
-    constraints.Values[2 * b] = mean.real();
-    constraints.Values[2 * b + 1] = mean.imag();
-  }
-  return constraints;
+  return MeansByElement(std::move(powers));
 }
 
 }

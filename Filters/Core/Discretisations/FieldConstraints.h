@@ -32,8 +32,8 @@ struct FieldConstraints
   Vector<double> Values = {}; ///< UnknownsPerElement for each element
   Vector<double> Source = {}; ///< of functions, integrated: what is minimised loses 2 Source^T x; empty for zero
 
-  /// The elements that are held only because a constant is free; no user has asked for it.
-  std::vector<int> Grounded = {};
+  /// Elements that are pinned at zero because the solution is free by a constant; no user has asked for it.
+  std::vector<int> Pinned = {};
 };
 
 /// Directions on faces and those at vertices, which are carried into the faces around (CarriedIntoFaces), in this order.

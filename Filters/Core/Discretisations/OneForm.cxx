@@ -4,8 +4,6 @@
 #include "Analysis/HarmonicForms.h"
 #include "Discretisations/LeastSquaresLevels.h"
 #include "Discretisations/OneFormConstraints.h"
-#include "Solvers/LeastSquares/LeastSquaresHierarchy.h"
-#include "Solvers/Multigrid/AssembledHierarchy.h"
 
 #include <utility>
 
@@ -13,12 +11,6 @@ namespace dmg
 {
 namespace
 {
-
-// The same values as for face fields.
-constexpr int FinestSweepsFactor = 3;
-constexpr int CoarseCycles = 2;
-constexpr int LargestCoarseFactor = 10000;
-constexpr double DistanceOfSamples = 7.0;
 
 // The number of unknowns up to which a factor is ready before multigrid, from the bare mesh: factors
 // have few entries.
@@ -44,60 +36,32 @@ Vector<double> OneForm::Mass(const ExecutionContext& context) const
   return PositiveStar1(this->Surface.Mesh, context);
 }
 
-std::unique_ptr<const StiffnessHierarchy> OneForm::Coarsen(
-  const LinearProlongations& linear, const ExecutionContext& context) const
+SparseMatrix<double> OneForm::Factor(const ExecutionContext& context) const
 {
-  const auto takeLevels = [&]
-  {
-    LeastSquaresLevels levels = LinearLevelsOfOneForms(this->Surface.Mesh, this->Surface.Faces, linear.All(), context);
-    linear.Forget();
-    return levels; // handed on as it is: Eigen 3.4 would copy what is moved
-  };
-  return std::make_unique<LeastSquaresHierarchy>(
-    CoarsenLeastSquares(OneFormLaplacianFactor(this->Surface.Mesh, context, this->Areas), takeLevels(), {},
-      PartOfContext(context, 0.2, 1.0)));
+  return OneFormLaplacianFactor(this->Surface.Mesh, context, this->Areas);
 }
 
-std::unique_ptr<const StiffnessHierarchy> OneForm::Assemble(
-  const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const
+LeastSquaresLevels OneForm::LinearLevels(
+  const std::vector<TransportOperator>& linear, const ExecutionContext& context) const
 {
-  std::vector<SparseMatrix<double>> prolongations;
-  if (operators && space == CoarseSpaceKind::LinearInterpolation)
-  {
-    CheckOperators(!operators->Linear.empty(), Remedy::OneFormOperators);
-    prolongations = OnComponents(operators->Linear, context);
-    prolongations[0] =
-      SparseMatrix<double>(FormFromFaceField(this->Surface.Mesh, this->Surface.Faces, context) * prolongations[0]);
-  }
-  else if (operators)
-  {
-    CheckOperators(!operators->S1.empty(), Remedy::OneFormOperators);
-    prolongations = operators->S1;
-  }
-  SparseMatrix<double> L1 = OneFormLaplacian(this->Surface.Mesh, context, this->Areas);
-  return std::make_unique<AssembledHierarchy<double>>(
-    L1, std::move(prolongations), OneFormLaplacianFactor(this->Surface.Mesh, context, this->Areas));
+  return LinearLevelsOfOneForms(this->Surface.Mesh, this->Surface.Faces, linear, context);
 }
 
-double OneForm::SampleDistance() const
+std::vector<SparseMatrix<double>> OneForm::LinearProlongationsOfUnknowns(
+  const std::vector<TransportOperator>& linear, const ExecutionContext& context) const
 {
-  return DistanceOfSamples;
+  std::vector<SparseMatrix<double>> prolongations = OnComponents(linear, context);
+  prolongations[0] =
+    SparseMatrix<double>(FormFromFaceField(this->Surface.Mesh, this->Surface.Faces, context) * prolongations[0]);
+  return prolongations;
 }
 
 SolverTuning OneForm::Tuning() const
 {
-  SolverTuning tuning;
+  SolverTuning tuning = LeastSquaresField::Tuning();
   tuning.LargestForCholesky = LargestForCholesky;
   tuning.SolvesForCholesky = SolvesForCholesky;
-  tuning.FinestSweepsFactor = FinestSweepsFactor;
-  tuning.CoarseCycles = CoarseCycles;
-  tuning.LargestCoarseFactor = LargestCoarseFactor;
   return tuning;
-}
-
-int OneForm::NumberOfHarmonicFields() const
-{
-  return NumberOfGenerators(this->Surface.Mesh);
 }
 
 Eigen::MatrixXd OneForm::HarmonicFields(const ProlongationOperators* operators, const ExecutionContext& context) const

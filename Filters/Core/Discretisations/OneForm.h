@@ -1,7 +1,7 @@
 #ifndef dmgOneForm_h
 #define dmgOneForm_h
 
-#include "Discretisations/Discretisation.h"
+#include "Discretisations/LeastSquaresField.h"
 
 namespace dmg
 {
@@ -9,22 +9,20 @@ namespace dmg
 /// A number h_e per edge, the integral of a 1-form along it. Thesis, section 6.1, as corrected: its alignment term
 /// aims at half the values, and its mass, the cotangents, may be negative.
 ///
-/// The smoothness energy is h^T L1 h, L1 = OneFormLaplacian: squared divergence and curl. A prescribed edge has the penalty
-/// PositiveStar1 / (2 mean A), A the areas of the faces: so a prescribed region pulls as hard, by its area, as the same region
-/// on a power field with the same weights, as the power energy is twice the Dirichlet energy and h^T L1 h is not. The
-/// mass is PositiveStar1.
+/// The smoothness energy is |B h|^2 with B = OneFormLaplacianFactor. A prescribed edge has the penalty
+/// PositiveStar1 / (2 mean A), A the areas of the faces. A prescribed region then pulls as hard, by its area, as the same region on a
+/// power field with the same weights, as the power energy is twice the Dirichlet energy and h^T L1 h is not. The mass is PositiveStar1.
 ///
-/// The field flows along a boundary, not across it: that is what the natural conditions of L1 ask. The kernel are
-/// the harmonic forms, of dimension 2 g on a closed surface of genus g, 2 g + b - 1 with b > 0 boundary loops. One
-/// prescribed face fixes two of them, so genus 2 needs two faces at least.
+/// The field flows along a boundary, not across it, by the natural conditions of L1. One prescribed face fixes two harmonic forms, so
+/// genus 2 needs two faces at least.
 ///
-/// Solved by LeastSquaresHierarchy, L1 = B^T B with OneFormLaplacianFactor, smoothed on the sides of faces.
-class OneForm : public Discretisation
+/// Smoothed on the sides of faces.
+class OneForm : public LeastSquaresField
 {
 public:
   /// \param areas the star of 0-forms.
   OneForm(const FramedMesh& surface, VertexAreas areas)
-    : Discretisation(surface)
+    : LeastSquaresField(surface)
     , Areas(areas)
   {
   }
@@ -38,17 +36,10 @@ public:
 
   Vector<double> Mass(const ExecutionContext& context) const override;
   double SquaredNormOfUnit(const Vector<double>&) const override { return this->Surface.Mesh.FaceAreas().sum(); }
-  std::unique_ptr<const StiffnessHierarchy> Coarsen(
-    const LinearProlongations& linear, const ExecutionContext& context) const override;
-  std::unique_ptr<const StiffnessHierarchy> Assemble(
-    const ProlongationOperators* operators, CoarseSpaceKind space, const ExecutionContext& context) const override;
   OperatorSelection StructurePreservingOperators() const override { return { false, false, true }; }
   std::string NameOfLevels() const override { return "levels of 1-forms"; }
-  double SampleDistance() const override;
   SolverTuning Tuning() const override;
 
-  bool HasHarmonicFields() const override { return true; }
-  int NumberOfHarmonicFields() const override;
   Eigen::MatrixXd HarmonicFields(
     const ProlongationOperators* operators, const ExecutionContext& context) const override;
   Eigen::MatrixXd HarmonicBasis(Eigen::MatrixXd basis, const ExecutionContext& context) const override;
@@ -64,6 +55,17 @@ public:
   IntegralWeights WeightsOfIntegral() const override;
 
 protected:
+  SparseMatrix<double> Factor(const ExecutionContext& context) const override;
+  LeastSquaresLevels LinearLevels(
+    const std::vector<TransportOperator>& linear, const ExecutionContext& context) const override;
+  std::vector<SparseMatrix<double>> LinearProlongationsOfUnknowns(
+    const std::vector<TransportOperator>& linear, const ExecutionContext& context) const override;
+  const std::vector<SparseMatrix<double>>& PreservingProlongations(
+    const ProlongationOperators& operators) const override
+  {
+    return operators.S1;
+  }
+  Remedy RemedyOfOperators() const override { return Remedy::OneFormOperators; }
   Vector<double> PenaltiesOfElements(const std::vector<int>& edges, const ExecutionContext& context) const override;
 
 private:

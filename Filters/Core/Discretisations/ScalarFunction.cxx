@@ -1,5 +1,6 @@
 #include "Discretisations/ScalarFunction.h"
 
+#include "Discretisations/WeightedMeans.h"
 #include "Operators/CotangentLaplacian.h"
 #include "Operators/FaceFieldOperators.h"
 #include "Operators/PowerFieldDirections.h"
@@ -69,6 +70,34 @@ std::vector<SparseMatrix<double>> ProlongationsOfNodes(
   return prolongations;
 }
 
+/// Inserts the pinned vertices among the elements, with the value zero.
+void AddPinned(FieldConstraints& constraints)
+{
+  std::vector<int> elements;
+  std::merge(constraints.Elements.begin(), constraints.Elements.end(), constraints.Pinned.begin(),
+    constraints.Pinned.end(), std::back_inserter(elements));
+  std::vector<double> weights(elements.size(), 1.0);
+  Vector<double> values = Vector<double>::Zero(static_cast<Eigen::Index>(elements.size()));
+  for (std::size_t b = 0, k = 0; k < constraints.Elements.size(); ++b)
+  {
+    if (elements[b] == constraints.Elements[k])
+    {
+      weights[b] = constraints.Weights[k];
+      values[b] = constraints.Values[k++];
+    }
+  }
+  constraints.Elements = std::move(elements);
+  constraints.Weights = std::move(weights);
+  constraints.Values = std::move(values);
+}
+
+}
+
+ScalarFunction::ScalarFunction(const FramedMesh& surface, VertexAreas areas)
+  : Discretisation(surface)
+  , Areas(areas)
+  , Components(VertexComponents(surface.Mesh))
+{
 }
 
 Vector<double> ScalarFunction::Mass(const ExecutionContext&) const
@@ -128,12 +157,9 @@ FieldConstraints ScalarFunction::Prescribe(const Constraints& given, const Eleme
 }
 
 FieldConstraints ScalarFunction::ConstraintsOfValues(
-  std::vector<ValueConstraint> values, const ElementNames& names) const
+  const std::vector<ValueConstraint>& values, const ElementNames& names) const
 {
-  std::stable_sort(values.begin(), values.end(),
-    [](const ValueConstraint& a, const ValueConstraint& b) { return a.Vertex < b.Vertex; });
-  FieldConstraints constraints;
-  std::vector<double> sums;
+  std::vector<WeightedValue<double>> weighted;
   for (const auto& [vertex, value, weight] : values)
   {
     CheckElement(vertex, this->Surface.Mesh.NumberOfVertices(), "vertex");
@@ -144,21 +170,9 @@ FieldConstraints ScalarFunction::ConstraintsOfValues(
         ", is not finite or its weight not positive; repair it, or leave the point out, " +
         TextOf(Remedy::MaskOfValues));
     }
-    if (constraints.Elements.empty() || constraints.Elements.back() != vertex)
-    {
-      constraints.Elements.push_back(vertex);
-      constraints.Weights.push_back(0.0);
-      sums.push_back(0.0);
-    }
-    constraints.Weights.back() += weight;
-    sums.back() += weight * value;
+    weighted.push_back({ vertex, value, weight });
   }
-  constraints.Values.resize(sums.size());
-  for (std::size_t b = 0; b < sums.size(); ++b)
-  {
-    constraints.Values[b] = sums[b] / constraints.Weights[b];
-  }
-  return constraints;
+  return MeansByElement(std::move(weighted));
 }
 
 Discretisation::IntegralWeights ScalarFunction::WeightsOfIntegral() const
@@ -167,8 +181,6 @@ Discretisation::IntegralWeights ScalarFunction::WeightsOfIntegral() const
   return { meanArea, meanArea };
 }
 
-/// On a component without values, the first vertex is held at zero, as the sum of the equations there says that a penalty holds it
-/// exactly.
 void ScalarFunction::AddSource(const Constraints& given, const ElementNames& names, FieldConstraints& constraints) const
 {
   const TriangleMesh& mesh = this->Surface.Mesh;
@@ -185,34 +197,33 @@ void ScalarFunction::AddSource(const Constraints& given, const ElementNames& nam
         ", which is not finite or too large; repair it");
     }
   }
-  const std::vector<int> components = VertexComponents(mesh);
-  const FreeComponents free(components, constraints.Elements);
   constraints.Source = IntegratedSource(mesh, given.Source);
-  free.Balance(constraints.Source, IntegratedSource(mesh), given.Net);
-  constraints.Grounded = free.FirstVertices();
-  for (const int vertex : constraints.Grounded)
+  this->PinFree(given.Net, constraints);
+}
+
+void ScalarFunction::PinFree(NetSource net, FieldConstraints& constraints) const
+{
+  const FreeComponents free(this->Components, constraints.Elements);
+  if (!free.AreAny())
   {
-    const auto place = std::lower_bound(constraints.Elements.begin(), constraints.Elements.end(), vertex);
-    const auto index = place - constraints.Elements.begin();
-    constraints.Elements.insert(place, vertex);
-    constraints.Weights.insert(constraints.Weights.begin() + index, 1.0);
-    Vector<double> values(constraints.Values.size() + 1);
-    values << constraints.Values.head(index), 0.0, constraints.Values.tail(constraints.Values.size() - index);
-    constraints.Values = std::move(values);
+    return;
   }
+  free.Balance(constraints.Source, IntegratedSource(this->Surface.Mesh), net);
+  constraints.Pinned = free.FirstVertices();
+  AddPinned(constraints);
 }
 
 void ScalarFunction::CentreFree(const FieldConstraints& constraints, Vector<double>& unknowns) const
 {
-  if (constraints.Grounded.empty())
+  if (!constraints.Pinned.empty())
   {
-    return;
+    FreeComponents::Of(this->Components, constraints.Pinned).Centre(unknowns, IntegratedSource(this->Surface.Mesh));
   }
-  const std::vector<int> components = VertexComponents(this->Surface.Mesh);
-  std::vector<int> held;
-  std::set_difference(constraints.Elements.begin(), constraints.Elements.end(), constraints.Grounded.begin(),
-    constraints.Grounded.end(), std::back_inserter(held));
-  FreeComponents(components, held).Centre(unknowns, IntegratedSource(this->Surface.Mesh));
+}
+
+void ScalarFunction::VanishAtPinned(const FieldConstraints& constraints, Vector<double>& unknowns) const
+{
+  FreeComponents::Of(this->Components, constraints.Pinned).VanishAt(constraints.Pinned, unknowns);
 }
 
 Vector<double> ScalarFunction::PenaltiesOfElements(

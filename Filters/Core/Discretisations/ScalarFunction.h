@@ -6,8 +6,8 @@
 namespace dmg
 {
 
-/// A function u, linear on faces, by its values at the vertices: solutions of the Laplace equation with given values
-/// at some vertices, and potentials.
+/// A function u, linear on faces, by its values at the vertices: the solution of a Poisson problem -Laplace u = f with given values at
+/// some vertices. PoissonSolver solves many of them at once.
 ///
 /// The smoothness energy is u^T L0 u, L0 = d0^T star1 d0 the cotangent Laplacian: the Dirichlet energy. A prescribed vertex v has the
 /// penalty A_v / mean A with the areas A_v of Star0, which are the mass as well. What crosses a boundary vanishes
@@ -20,11 +20,7 @@ class ScalarFunction : public Discretisation
 {
 public:
   /// \param areas Star0.
-  ScalarFunction(const FramedMesh& surface, VertexAreas areas)
-    : Discretisation(surface)
-    , Areas(areas)
-  {
-  }
+  ScalarFunction(const FramedMesh& surface, VertexAreas areas);
 
   std::string Name() const override
   {
@@ -51,7 +47,14 @@ public:
   ///   does not sum to zero on a component without values, and is to be refused.
   FieldConstraints Prescribe(const Constraints& constraints, const ElementNames& names) const override;
 
+  /// Pins the first vertex of each component without a prescribed vertex at zero; the solution is free by a constant there. The sum of
+  /// its equations says that even a penalty holds it exactly.
+  /// \param net the treatment of a source that does not sum to zero on such a component.
+  /// \throw InvalidInput it is to be refused.
+  void PinFree(NetSource net, FieldConstraints& constraints) const;
   void CentreFree(const FieldConstraints& constraints, Vector<double>& unknowns) const override;
+  /// Shifts a function on each component with a pinned vertex so that it vanishes there: a first guess.
+  void VanishAtPinned(const FieldConstraints& constraints, Vector<double>& unknowns) const;
 
   /// The gradient.
   FieldPowers Powers(
@@ -64,10 +67,11 @@ protected:
   Vector<double> PenaltiesOfElements(const std::vector<int>& vertices, const ExecutionContext& context) const override;
 
 private:
-  FieldConstraints ConstraintsOfValues(std::vector<ValueConstraint> values, const ElementNames& names) const;
+  FieldConstraints ConstraintsOfValues(const std::vector<ValueConstraint>& values, const ElementNames& names) const;
   void AddSource(const Constraints& given, const ElementNames& names, FieldConstraints& constraints) const;
 
   const VertexAreas Areas;
+  const std::vector<int> Components; ///< by vertex
 };
 
 }

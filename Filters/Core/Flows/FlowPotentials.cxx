@@ -3,7 +3,6 @@
 #include "Analysis/HarmonicForms.h"
 #include "Support/Errors.h"
 
-#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -21,6 +20,7 @@ constexpr int LargestForFactor = 300000;
 
 FlowPotentials::FlowPotentials(const FramedMesh& surface, const SolverOptions& options)
   : Geometry(surface)
+  , Setups(surface)
   , Options(options)
   , LoopsOfBoundary(FindBoundaryLoops(surface.Mesh))
 {
@@ -31,39 +31,26 @@ FlowPotentials::FlowPotentials(const FramedMesh& surface, const SolverOptions& o
   }
 }
 
-PoissonSolver& FlowPotentials::Make(std::optional<PoissonSolver>& solver, const std::optional<PoissonSolver>& other,
-  std::vector<int> held, const ExecutionContext& context)
+PoissonSolver& FlowPotentials::Make(
+  std::optional<PoissonSolver>& solver, std::vector<int> fixed, const ExecutionContext& context)
 {
-  if (!solver && other)
+  if (!solver)
   {
-    solver.emplace(*other, std::move(held), context);
-  }
-  else if (!solver)
-  {
-    solver.emplace(this->Geometry, std::move(held), this->Options, context);
-    ++this->CountsOfStages.Setups;
+    solver.emplace(this->Setups, std::move(fixed), this->Options, context);
+    this->CountsOfStages.Setups += solver->HasNewSetup();
   }
   return *solver;
 }
 
 PoissonSolver& FlowPotentials::Free(const ExecutionContext& context)
 {
-  return this->Make(this->FreeSolver, this->HeldSolver, {}, context);
+  return this->Make(this->FreeSolver, {}, context);
 }
 
-PoissonSolver& FlowPotentials::Held(const ExecutionContext& context)
+PoissonSolver& FlowPotentials::Fixed(const ExecutionContext& context)
 {
-  if (this->LoopsOfBoundary.empty())
-  {
-    return this->Free(context);
-  }
-  std::vector<int> held;
-  for (const BoundaryLoop& loop : this->LoopsOfBoundary)
-  {
-    held.insert(held.end(), loop.Vertices.begin(), loop.Vertices.end());
-  }
-  std::sort(held.begin(), held.end());
-  return this->Make(this->HeldSolver, this->FreeSolver, std::move(held), context);
+  return this->LoopsOfBoundary.empty() ? this->Free(context)
+                                       : this->Make(this->FixedSolver, BoundaryVertices(this->Geometry.Mesh), context);
 }
 
 Vector<double> FlowPotentials::Solve(
@@ -79,7 +66,7 @@ Vector<double> FlowPotentials::Potential(
   const FlowDerivatives& of, FlowBoundary boundary, const StoppingCriteria& stop, const ExecutionContext& context)
 {
   const PartOfContext first(context, 0.0, 0.4);
-  PoissonSolver& solver = boundary == FlowBoundary::Closed ? this->Free(first) : this->Held(first);
+  PoissonSolver& solver = boundary == FlowBoundary::Closed ? this->Free(first) : this->Fixed(first);
   return this->Solve(solver, -of.Divergence, stop, PartOfContext(context, 0.4, 1.0));
 }
 
@@ -87,7 +74,7 @@ Vector<double> FlowPotentials::StreamFunction(
   const FlowDerivatives& of, FlowBoundary boundary, const StoppingCriteria& stop, const ExecutionContext& context)
 {
   const PartOfContext first(context, 0.0, 0.4);
-  PoissonSolver& solver = boundary == FlowBoundary::Closed ? this->Held(first) : this->Free(first);
+  PoissonSolver& solver = boundary == FlowBoundary::Closed ? this->Fixed(first) : this->Free(first);
   const Vector<double> source = -of.Vorticity;
   Vector<double> psi = this->Solve(solver, source, stop, PartOfContext(context, 0.4, 0.7));
   if (boundary == FlowBoundary::Closed)
@@ -132,12 +119,12 @@ const Eigen::MatrixXd& FlowPotentials::FunctionsOfLoops(const ExecutionContext& 
   Eigen::MatrixXd energies(number, number);
   for (int k = 0; k < number; ++k)
   {
-    PoissonSolver& solver = this->Held(context);
+    PoissonSolver& solver = this->Fixed(context);
     Vector<double> values = Vector<double>::Zero(functions.rows());
     values(loops[k]->Vertices).setOnes();
-    const Vector<double> held = values(solver.Held());
+    const Vector<double> fixed = values(solver.Fixed());
     const double step = 1.0 / number;
-    functions.col(k) = solver.Solve({}, held, StopOfFunctions, PartOfContext(context, step * k, step * (k + 1)));
+    functions.col(k) = solver.Solve({}, fixed, StopOfFunctions, PartOfContext(context, step * k, step * (k + 1)));
     const Vector<Complex> gradient = GradientOnFaces(this->Geometry, functions.col(k), context);
     energies.col(k) = -functions.transpose() * IntegratedDerivatives(this->Geometry, gradient, context).Divergence;
   }

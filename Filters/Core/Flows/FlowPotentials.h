@@ -4,6 +4,7 @@
 #include "Analysis/BoundaryLoops.h"
 #include "Flows/FlowOperators.h"
 #include "Setup/PoissonSolver.h"
+#include "Setup/SetupCache.h"
 
 #include <Eigen/Cholesky>
 
@@ -23,7 +24,7 @@ enum class FlowBoundary
   Open,
 };
 
-/// Potentials and stream functions of flows on one surface: Poisson problems in which no value is held, or those on the boundary. Both
+/// Potentials and stream functions of flows on one surface: Poisson problems in which no value is fixed, or those on the boundary. Both
 /// share one set-up, whatever the boundary is; solvers are made when they are first needed.
 class FlowPotentials
 {
@@ -63,20 +64,20 @@ public:
   const StageCounts& Counts() const { return this->CountsOfStages; }
 
 private:
-  /// Nothing is held.
+  /// No value is fixed.
   PoissonSolver& Free(const ExecutionContext& context);
-  /// All boundaries are; the same where there is none.
-  PoissonSolver& Held(const ExecutionContext& context);
-  PoissonSolver& Make(std::optional<PoissonSolver>& solver, const std::optional<PoissonSolver>& other,
-    std::vector<int> held, const ExecutionContext& context);
+  /// All boundaries are; Free where there is none.
+  PoissonSolver& Fixed(const ExecutionContext& context);
+  PoissonSolver& Make(std::optional<PoissonSolver>& solver, std::vector<int> fixed, const ExecutionContext& context);
   Vector<double> Solve(
     PoissonSolver& solver, const Vector<double>& source, const StoppingCriteria& stop, const ExecutionContext& context);
 
   const FramedMesh& Geometry;
   SolverOptions Options;
   const std::vector<BoundaryLoop> LoopsOfBoundary;
+  SetupCache Setups;
   std::optional<PoissonSolver> FreeSolver;
-  std::optional<PoissonSolver> HeldSolver;
+  std::optional<PoissonSolver> FixedSolver;
   std::optional<Eigen::MatrixXd> StoredFunctions;
   Eigen::LDLT<Eigen::MatrixXd> Energies; ///< of these functions
   SolveReport LastReport;

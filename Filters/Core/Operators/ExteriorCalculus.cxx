@@ -131,18 +131,6 @@ SparseMatrix<double> D0(const TriangleMesh& mesh, const ExecutionContext& contex
     });
 }
 
-SparseMatrix<double> D1(const TriangleMesh& mesh, const ExecutionContext& context)
-{
-  return AssembleMatrix<double>(mesh.NumberOfFaces(), mesh.NumberOfEdges(), context,
-    [&mesh](int face, RowEntries<double>& row)
-    {
-      for (int h = 3 * face; h < 3 * face + 3; ++h)
-      {
-        row.emplace_back(mesh.EdgeOf(h), mesh.EdgeSign(h));
-      }
-    });
-}
-
 Vector<double> Star0(const TriangleMesh& mesh, VertexAreas areas)
 {
   Vector<double> star = Vector<double>::Zero(mesh.NumberOfVertices());
@@ -226,48 +214,6 @@ Vector<double> Star2(const TriangleMesh& mesh)
     star[face] = 1.0 / RaisedArea(mesh, face);
   }
   return star;
-}
-
-SparseMatrix<double> OneFormLaplacian(const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas)
-{
-  const Vector<double> inverseStar0 = Star0(mesh, areas).cwiseInverse();
-  const Vector<double> star1 = Star1(mesh);
-  const Vector<double> star2 = Star2(mesh);
-
-  const auto appendRow = [&](int edge, RowEntries<double>& row)
-  {
-    row.emplace_back(edge, 0.0);
-    // Divergence: two edges share one vertex at most, so every other edge comes once.
-    for (int vertex : mesh.EdgeVertices(edge))
-    {
-      const double sign = mesh.EdgeVertices(edge)[1] == vertex ? 1.0 : -1.0;
-      VisitEdgesAt(mesh, vertex,
-        [&](int other, double otherSign)
-        {
-          const double value = sign * otherSign * inverseStar0[vertex] * (star1[edge] * star1[other]);
-          if (other == edge)
-          {
-            row.front().second += value;
-          }
-          else
-          {
-            row.emplace_back(other, value);
-          }
-        });
-    }
-    // Curl: the sides of the two faces are among these edges.
-    const int halfedge = mesh.HalfedgeOf(edge);
-    for (int h : { halfedge, mesh.Twin(halfedge) })
-    {
-      for (int k = 0; k < 3 && h >= 0; ++k)
-      {
-        const int face = TriangleMesh::FaceOf(h);
-        const int other = 3 * face + k;
-        AddTo(row, mesh.EdgeOf(other), mesh.EdgeSign(h) * mesh.EdgeSign(other) * star2[face]);
-      }
-    }
-  };
-  return AssembleMatrix<double>(mesh.NumberOfEdges(), mesh.NumberOfEdges(), context, appendRow);
 }
 
 SparseMatrix<double> OneFormLaplacianFactor(

@@ -20,9 +20,6 @@ namespace dmg
 /// one.
 SparseMatrix<double> D0(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
 
-/// Derivative of 1-forms, #F x #E: the sum around a face (the curl, integrated). D1 D0 = 0 exactly.
-SparseMatrix<double> D1(const TriangleMesh& mesh, const ExecutionContext& context = SerialContext());
-
 /// The part that a vertex has of the faces around it.
 enum class VertexAreas
 {
@@ -38,10 +35,10 @@ Vector<double> Star0(const TriangleMesh& mesh, VertexAreas areas = VertexAreas::
 
 /// Hodge star of 1-forms, #E, dimensionless: length of the dual edge over that of the edge, half
 /// the sum of the cotangents opposite to it. Zero or negative where the edge is not Delaunay: good
-/// for energies that stay semi-definite whatever its sign (see OneFormLaplacian), not as a mass.
+/// for energies that stay semi-definite whatever its sign (OneFormLaplacianFactor), not as a mass.
 Vector<double> Star1(const TriangleMesh& mesh);
 
-/// The same as face fields have it: with it, d0^T star1 of a closed form is the FaceDivergence of its vectors. Areas are raised
+/// Star1 as face fields have it: with it, d0^T star1 of a closed form is the divergence of its vectors (FaceFieldOperators.h). Areas are raised
 /// to 1e-10 times the square of the longest side only, where directions of a face end, too (FaceProjection.h).
 Vector<double> Star1OfFaceFields(const TriangleMesh& mesh);
 
@@ -57,20 +54,14 @@ double PositiveStar1OfEdge(const TriangleMesh& mesh, int edge);
 /// Hodge star of 2-forms, #F: 1 / area.
 Vector<double> Star2(const TriangleMesh& mesh);
 
-/// The Hodge Laplacian of 1-forms in weak form, #E x #E:
+/// The Hodge energy of 1-forms as a sum of squares, the squared curl plus the squared divergence, integrated: |B h|^2 = h^T L1 h with
 ///   L1 = d1^T star2 d1 + star1 d0 star0^-1 d0^T star1,
-/// h^T L1 h being the squared curl plus the squared divergence, integrated. Symmetric and positive
-/// semi-definite for every sign of Star1, because Star0 is positive. A row holds the edges at both
-/// ends of its edge, eleven or so.
+/// d1 the sum around a face. B has a row per face, star2^1/2 d1, and per vertex, star0^-1/2 d0^T star1; 4 entries per edge. L1 is
+/// positive semi-definite for every sign of Star1, because Star0 is positive.
 ///
-/// On a boundary the conditions are the natural ones, no flux across it and no curl on it. The
-/// kernel are the harmonic forms: dimension 2g per closed component of genus g, 2g + b - 1 with b >
-/// 0 boundary loops. Thesis, section 6.1 with its transposes put right.
-SparseMatrix<double> OneFormLaplacian(
-  const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas = VertexAreas::MixedVoronoi);
-
-/// The squares that L1 sums up: B with h^T L1 h = |B h|^2. A row per face, star2^1/2 d1, and per
-/// vertex, star0^-1/2 d0^T star1. 4 entries per edge.
+/// On a boundary the conditions are the natural ones, no flux across it and no curl on it. The kernel are the harmonic forms. Their
+/// dimension is 2 g per closed component of genus g, 2 g + b - 1 with b > 0 boundary loops. Thesis, section 6.1 with its transposes
+/// put right.
 SparseMatrix<double> OneFormLaplacianFactor(
   const TriangleMesh& mesh, const ExecutionContext& context, VertexAreas areas = VertexAreas::MixedVoronoi);
 

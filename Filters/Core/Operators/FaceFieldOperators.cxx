@@ -123,22 +123,6 @@ SparseMatrix<double> FaceGradient(
     });
 }
 
-SparseMatrix<double> FaceDivergence(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
-{
-  const std::vector<FaceProjection> projections = AllProjections(mesh, faceFrames, context);
-  return AssembleMatrix<double>(mesh.NumberOfVertices(), 2 * mesh.NumberOfFaces(), context,
-    [&](int vertex, RowEntries<double>& row) { AppendDivergence(mesh, projections, vertex, row); });
-}
-
-SparseMatrix<double> FaceCurl(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context)
-{
-  const std::vector<FaceProjection> projections = AllProjections(mesh, faceFrames, context);
-  return AssembleMatrix<double>(mesh.NumberOfEdges(), 2 * mesh.NumberOfFaces(), context,
-    [&](int edge, RowEntries<double>& row) { AppendCurl(mesh, projections, edge, row); });
-}
-
 FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh)
 {
   const Vector<double> areas = AreasForInverses(mesh);

@@ -22,23 +22,7 @@ SparseMatrix<double> HalfedgePseudoInverse(
 SparseMatrix<double> FaceGradient(
   const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
 
-/// D_V, #V x 2 #F: the divergence integrated around each vertex, positive at sources,
-///   (D_V X)_v = - sum over faces f around v of A_f X_f . grad lambda_v ,
-/// with lambda_v linear, 1 at v and 0 at the other vertices. D_V = -G^T M_F and D_V G = -L where no
-/// face is degenerate, L the positive semi-definite cotangent Laplacian. Sums to zero: at boundary
-/// vertices it holds the flux through the boundary, too, so fields with D_V X = 0 do not cross it.
-/// A_f grad lambda_v is half the opposite side, turned, and so finite in every face.
-SparseMatrix<double> FaceDivergence(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
-
-/// C_E, #E x 2 #F: the curl integrated over each interior edge, counter-clockwise,
-///   (C_E X)_e = (X_g - X_f) . e ,
-/// with f to the left and g to the right of the edge e. Rows of boundary edges are empty.
-/// C_E G = 0.
-SparseMatrix<double> FaceCurl(
-  const TriangleMesh& mesh, const TangentFrames& faceFrames, const ExecutionContext& context = SerialContext());
-
-/// Diagonal masses, areas, by mixed elements. D_V X and C_E X are integrals, so the masses of
+/// Diagonal masses, areas, by mixed elements. The divergence and the curl of FaceFieldSmoothnessFactor are integrals, so the masses of
 /// vertices and edges enter energies inverted; for that, a face of less area than 1e-6 times the
 /// square of its longest side counts with as much in these two.
 struct FaceFieldMasses
@@ -51,6 +35,16 @@ FaceFieldMasses MassesOfFaceFields(const TriangleMesh& mesh);
 
 /// The squares that the smoothness energy of a face field sums up, dimensionless: B with X^T A X = |B X|^2, A = B^T B, and
 ///   X^T A X = (D_V X)^T M_V^-1 (D_V X) + (C_E X)^T M_E^-1 (C_E X) .
+///
+/// D_V is the divergence integrated around each vertex, positive at sources,
+///   (D_V X)_v = - sum over faces f around v of A_f X_f . grad lambda_v ,
+/// with lambda_v linear, 1 at v and 0 at the other vertices. D_V = -G^T M_F where no face is degenerate. It sums to zero: at boundary
+/// vertices it holds the flux through the boundary, too, so fields with D_V X = 0 do not cross it. A_f grad lambda_v is half the
+/// opposite side, rotated, and so finite in every face.
+///
+/// C_E is the curl integrated over each interior edge, counter-clockwise, (C_E X)_e = (X_g - X_f) . e , with f to the left and g to
+/// the right of the edge e. Rows of boundary edges are empty. C_E G = 0.
+///
 /// Its kernel are the harmonic fields that run along the boundary. Their dimension is the first
 /// Betti number of the surface: 2 g where it is closed, 2 g + b - 1 with b boundary loops; none on
 /// spheres and discs.

@@ -60,14 +60,30 @@ std::vector<int> VertexComponents(const TriangleMesh& mesh)
   return components;
 }
 
-FreeComponents::FreeComponents(const std::vector<int>& components, const std::vector<int>& held)
+FreeComponents::FreeComponents(const std::vector<int>& components, const std::vector<int>& prescribed)
   : Components(components)
   , AreFree(*std::max_element(components.begin(), components.end()) + 1, 1)
 {
-  for (const int vertex : held)
+  for (const int vertex : prescribed)
   {
     this->AreFree[components[vertex]] = 0;
   }
+}
+
+FreeComponents FreeComponents::Of(const std::vector<int>& components, const std::vector<int>& vertices)
+{
+  FreeComponents free(components, {});
+  std::fill(free.AreFree.begin(), free.AreFree.end(), 0);
+  for (const int vertex : vertices)
+  {
+    free.AreFree[components[vertex]] = 1;
+  }
+  return free;
+}
+
+bool FreeComponents::AreAny() const
+{
+  return std::find(this->AreFree.begin(), this->AreFree.end(), 1) != this->AreFree.end();
 }
 
 std::vector<int> FreeComponents::FirstVertices() const
@@ -96,24 +112,8 @@ Vector<double> FreeComponents::Sums(const Vector<double>& numbers) const
   return sums;
 }
 
-void FreeComponents::Add(const Vector<double>& byComponent, Vector<double>& numbers) const
-{
-  for (Eigen::Index vertex = 0; vertex < numbers.size(); ++vertex)
-  {
-    const int component = this->Components[vertex];
-    if (this->AreFree[component])
-    {
-      numbers[vertex] += byComponent[component];
-    }
-  }
-}
-
 void FreeComponents::Balance(Vector<double>& source, const Vector<double>& areas, NetSource net) const
 {
-  if (std::find(this->AreFree.begin(), this->AreFree.end(), 1) == this->AreFree.end())
-  {
-    return;
-  }
   const Vector<double> sums = this->Sums(source);
   if (net == NetSource::Refuse)
   {
@@ -135,27 +135,26 @@ void FreeComponents::Balance(Vector<double>& source, const Vector<double>& areas
 
 void FreeComponents::Centre(Vector<double>& u, const Vector<double>& areas) const
 {
-  if (std::find(this->AreFree.begin(), this->AreFree.end(), 1) == this->AreFree.end())
-  {
-    return;
-  }
-  Vector<double> shifts = this->Sums(areas.cwiseProduct(u));
+  const Vector<double> integrals = this->Sums(areas.cwiseProduct(u));
   const Vector<double> ofComponents = this->Sums(areas);
-  for (Eigen::Index component = 0; component < shifts.size(); ++component)
+  for (Eigen::Index vertex = 0; vertex < u.size(); ++vertex)
   {
-    shifts[component] = this->AreFree[component] ? -shifts[component] / ofComponents[component] : 0.0;
+    const int component = this->Components[vertex];
+    u[vertex] -= this->AreFree[component] ? integrals[component] / ofComponents[component] : 0.0;
   }
-  this->Add(shifts, u);
 }
 
-void FreeComponents::MakeZeroAt(const std::vector<int>& vertices, Vector<double>& u) const
+void FreeComponents::VanishAt(const std::vector<int>& vertices, Vector<double>& u) const
 {
   Vector<double> shifts = Vector<double>::Zero(static_cast<Eigen::Index>(this->AreFree.size()));
   for (const int vertex : vertices)
   {
-    shifts[this->Components[vertex]] = -u[vertex];
+    shifts[this->Components[vertex]] = u[vertex];
   }
-  this->Add(shifts, u);
+  for (Eigen::Index vertex = 0; vertex < u.size(); ++vertex)
+  {
+    u[vertex] -= shifts[this->Components[vertex]];
+  }
 }
 
 }

@@ -31,14 +31,17 @@ void CheckNetSource(double sum, double sumOfMagnitudes, const std::string& part)
 /// Connected component of every vertex, numbered as FaceComponents does.
 std::vector<int> VertexComponents(const TriangleMesh& mesh);
 
-/// The components of a surface on which no value is held, where the solution of a Poisson problem is free by a constant.
+/// The components of a surface on which no value is prescribed, where the solution of a Poisson problem is free by a constant.
 class FreeComponents
 {
 public:
   /// \param components of vertices; borrowed.
-  /// \param held vertices.
-  FreeComponents(const std::vector<int>& components, const std::vector<int>& held);
+  /// \param prescribed vertices.
+  FreeComponents(const std::vector<int>& components, const std::vector<int>& prescribed);
+  /// Those of some vertices.
+  static FreeComponents Of(const std::vector<int>& components, const std::vector<int>& vertices);
 
+  bool AreAny() const;
   /// The first vertex of each, ascending.
   std::vector<int> FirstVertices() const;
 
@@ -48,14 +51,13 @@ public:
   void Balance(Vector<double>& source, const Vector<double>& areas, NetSource net) const;
   /// Makes the mean of a function zero on each.
   void Centre(Vector<double>& u, const Vector<double>& areas) const;
-  /// Adds to a function what makes it zero at one vertex of each.
-  /// \param vertices at least that one of each free component.
-  void MakeZeroAt(const std::vector<int>& vertices, Vector<double>& u) const;
+  /// Shifts a function on each so that it vanishes at one vertex.
+  /// \param vertices one of each.
+  void VanishAt(const std::vector<int>& vertices, Vector<double>& u) const;
 
 private:
   /// Sums over each; zero for other components.
   Vector<double> Sums(const Vector<double>& numbers) const;
-  void Add(const Vector<double>& byComponent, Vector<double>& numbers) const;
 
   const std::vector<int>& Components;
   std::vector<char> AreFree; ///< by component

@@ -9,28 +9,28 @@
 /// The choice between a sparse factor of the whole system and multigrid's cycles, by the shape of the surface. Its size is
 /// another matter (SolverTuning::LargestForCholesky).
 ///
-/// Cycles slow down on thin triangles, whose smoothest fields have no place in coarse spaces and are too many for patches.
-/// They also slow down on surfaces of many handles and holes, as deflation holds, and multiplies by, each harmonic field. A factor
-/// (ShiftedFactor) minds neither. Testing/Benchmarks/README.md has times and memory of both.
+/// Thin triangles have low-energy modes that coarse levels do not represent, so V-cycles converge slowly. On surfaces of many handles
+/// and holes, deflation stores each harmonic field and multiplies by it. A factor (ShiftedFactor) depends on neither.
+/// Testing/Benchmarks/README.md has times and memory of both.
 namespace dmg
 {
 
-/// The properties of a surface that slow cycles down.
+/// The properties of a surface that slow V-cycles down.
 struct CycleObstacles
 {
   double ShareOfThinTriangles = 0.0; ///< of the faces, those of a quality below ThinTriangleQuality
-  int Loops = 0;                     ///< independent loops around handles and holes, with a harmonic field each
+  int Loops = 0;                     ///< homology generators, with a harmonic field each
 };
 
 /// A triangle of a lower quality is thin; see TriangleQuality.
 constexpr double ThinTriangleQuality = 0.1;
 /// Cycles need few iterations up to this share, and many from twice as much on.
 constexpr double LargestShareOfThinTriangles = 0.03;
-/// Both ways take about the same time, or the same memory, with so many loops.
+/// With so many generators, V-cycles and factors take about the same time, or the same memory.
 constexpr int LargestNumberOfGenerators = 40;
 
-/// \param hasHarmonicFields whether fields without energy belong to the loops of the surface: those of 1-forms and of
-///   face fields do, power fields have none; then loops do not count.
+/// \param hasHarmonicFields whether the field has a harmonic field for each generator, as 1-forms and face fields have; else generators
+///   do not count.
 /// Cost: linear in the number of faces.
 CycleObstacles ObstaclesOf(const TriangleMesh& mesh, bool hasHarmonicFields, const ExecutionContext& context);
 

@@ -18,10 +18,10 @@ namespace dmg
 struct SolverPlan
 {
   SolverChoice Choice;
-  SolverChoice Fallback; ///< in its place where the surface turns out to have one level
+  SolverChoice Fallback; ///< if the surface turns out to have one level
   /// Whether R and D stay apart (Discretisation::Coarsen); else the system is assembled.
   bool SplitsOperator = false;
-  /// Whether the set-up makes levels of samples for itself, and forgets them when it has read them.
+  /// Whether the set-up samples the surface itself, and frees the samples when the hierarchy is made.
   bool BuildsSamples = false;
   double SampleDistance = DefaultSampleDistance;
   /// Structure-preserving operators that the solver needs.
@@ -43,10 +43,9 @@ bool WantsDecimation(const FieldOptions& options);
 SolverPlan PlanSolver(const Discretisation& discretisation, const FieldOptions& options,
   const ProlongationOperators* given, const CycleObstacles& obstacles);
 
-/// The last part of the set-up: what the planned solver needs of the surface, whatever is prescribed.
-/// \param operators given or built; used during the call only. Null: the system is factored, or samples are
-///   taken and forgotten as soon as possible; they are much memory, and made in less time than what is made of them.
-///   Where there are too few faces for samples the system is factored.
+/// Builds the hierarchy that the plan asks for. Constraints have no influence.
+/// \param operators given or built; used during the call only. Null: the system is factored, or samples are computed and freed before
+///   the hierarchy is finished. A surface of too few faces for samples is factored.
 /// \throw InvalidInput the operators lack those that are needed, or there are none.
 /// \throw SolverFailure, Cancelled
 /// Cost: assembly, where the system is assembled; else several products of sparse matrices, linear

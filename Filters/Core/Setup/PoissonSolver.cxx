@@ -1,14 +1,11 @@
 #include "Setup/PoissonSolver.h"
 
-#include "Discretisations/MakeDiscretisation.h"
-#include "Operators/ExteriorCalculus.h"
+#include "Discretisations/ScalarFunction.h"
 #include "Setup/SetupCache.h"
-#include "Solvers/HarmonicProblem.h"
+#include "Solvers/SolveInUnits.h"
 #include "Support/Errors.h"
 
-#include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <string>
 #include <utility>
@@ -17,18 +14,6 @@ namespace dmg
 {
 namespace
 {
-
-/// The part of a solver that depends on the surface alone.
-struct SetupOfSurface
-{
-  SetupOfSurface(SetupCache& setups, const SolverOptions& asked, const ExecutionContext& context);
-
-  const FramedMesh& Surface;
-  SolverOptions Options;
-  std::vector<int> Components; ///< by vertex
-  Vector<double> Areas;        ///< Star0
-  PlannedSetup Planned;
-};
 
 /// Other options have no meaning for functions with sources.
 SolverOptions OptionsOfFunctions(const SolverOptions& asked)
@@ -40,35 +25,21 @@ SolverOptions OptionsOfFunctions(const SolverOptions& asked)
   return options;
 }
 
-SetupOfSurface::SetupOfSurface(SetupCache& setups, const SolverOptions& asked, const ExecutionContext& context)
-  : Surface(setups.Surface)
-  , Options(OptionsOfFunctions(asked))
-  , Components(VertexComponents(setups.Surface.Mesh))
-  , Areas(Star0(setups.Surface.Mesh))
+void CheckFixed(const std::vector<int>& fixed, int numberOfVertices)
 {
-  FieldOptions options;
-  options.Field = DiscretisationOptions::OfFunctions();
-  options.Constraints = ConstraintKind::Hard;
-  options.Solver = this->Options;
-  const auto functions = MakeDiscretisation(options.Field, this->Surface);
-  this->Planned = setups.Take(*functions, options, nullptr, context);
-}
-
-void CheckHeld(const std::vector<int>& held, int numberOfVertices)
-{
-  for (std::size_t k = 0; k < held.size(); ++k)
+  for (std::size_t k = 0; k < fixed.size(); ++k)
   {
-    const bool isInRange = held[k] >= 0 && held[k] < numberOfVertices;
-    if (!isInRange || (k > 0 && held[k] <= held[k - 1]))
+    const bool isInRange = fixed[k] >= 0 && fixed[k] < numberOfVertices;
+    if (!isInRange || (k > 0 && fixed[k] <= fixed[k - 1]))
     {
-      throw InvalidInput("the held vertex " + std::to_string(held[k]) +
-        (isInRange ? " does not follow a smaller one; sort held vertices, and name each once"
+      throw InvalidInput("the fixed vertex " + std::to_string(fixed[k]) +
+        (isInRange ? " does not follow a smaller one; sort fixed vertices, and name each once"
                    : " is not one of the " + std::to_string(numberOfVertices) + " vertices"));
     }
   }
 }
 
-/// The size of numbers that may be left out.
+/// \throw InvalidInput numbers, which may be left out, are not as many as expected or not finite.
 void CheckNumbers(const Vector<double>& numbers, Eigen::Index expected, const std::string& name)
 {
   if (numbers.size() != 0 && numbers.size() != expected)
@@ -90,113 +61,108 @@ void CheckNumbers(const Vector<double>& numbers, Eigen::Index expected, const st
 class PoissonSolver::Internals
 {
 public:
-  Internals(std::shared_ptr<const SetupOfSurface> setup, std::vector<int> held, const ExecutionContext& context);
+  Internals(SetupCache& setups, std::vector<int> fixed, const SolverOptions& asked, const ExecutionContext& context);
 
-  Vector<double> ValuesOfGrounded(const Vector<double>& values) const;
+  /// The constraints of a solve, on fixed vertices and on those that have to be pinned.
+  FieldConstraints Prescribe(const Vector<double>& values, const Vector<double>& source, NetSource net) const;
 
-  const std::shared_ptr<const SetupOfSurface> Setup;
-  const std::vector<int> Held;
-  const FreeComponents Free;
-  std::vector<int> Grounded;              ///< held, and a vertex of each component without, ascending
-  std::optional<HarmonicProblem> Problem; ///< none where all vertices are held
-  SolveReport ReportOfHeld;
+  const FramedMesh& Surface;
+  const std::vector<int> Fixed;
+  const ScalarFunction Functions;
+  PlannedSetup Setup;
+  std::optional<HarmonicProblem> Problem; ///< none where all vertices are fixed
+  SolveReport Report;
 };
 
 PoissonSolver::Internals::Internals(
-  std::shared_ptr<const SetupOfSurface> setup, std::vector<int> held, const ExecutionContext& context)
-  : Setup(std::move(setup))
-  , Held(std::move(held))
-  , Free(Setup->Components, Held)
+  SetupCache& setups, std::vector<int> fixed, const SolverOptions& asked, const ExecutionContext& context)
+  : Surface(setups.Surface)
+  , Fixed(std::move(fixed))
+  , Functions(setups.Surface, DiscretisationOptions().Areas)
 {
-  const std::vector<int> firsts = this->Free.FirstVertices();
-  std::merge(this->Held.begin(), this->Held.end(), firsts.begin(), firsts.end(), std::back_inserter(this->Grounded));
-  this->ReportOfHeld.Solver = "none, as all values are given";
-  this->ReportOfHeld.Converged = true;
-  if (this->Grounded.size() < this->Setup->Components.size())
+  CheckFixed(this->Fixed, this->Surface.Mesh.NumberOfVertices());
+  FieldOptions options;
+  options.Field = DiscretisationOptions::OfFunctions();
+  options.Constraints = ConstraintKind::Hard;
+  options.Solver = OptionsOfFunctions(asked);
+  this->Setup = setups.Take(this->Functions, options, nullptr, PartOfContext(context, 0.0, 0.7));
+  const FieldConstraints constraints = this->Prescribe({}, {}, NetSource::Refuse);
+  if (static_cast<int>(constraints.Elements.size()) == this->Functions.NumberOfUnknowns())
   {
-    this->Problem.emplace(this->Setup->Planned.Levels, Penalties{ ConstraintKind::Hard, this->Grounded, {} }, 1.0,
-      this->Setup->Options, this->Setup->Planned.Choice, context);
+    this->Report.Solver = "none, as all values are given";
+    this->Report.Converged = true;
+    return;
   }
+  const Penalties penalties = this->Functions.PenaltiesOf(constraints, options.Weights(), context);
+  this->Problem.emplace(this->Setup.Levels, penalties, options.Smoothness, options.Solver, this->Setup.Choice,
+    PartOfContext(context, 0.7, 1.0));
+  this->Report = this->Problem->Report();
 }
 
-Vector<double> PoissonSolver::Internals::ValuesOfGrounded(const Vector<double>& values) const
+FieldConstraints PoissonSolver::Internals::Prescribe(
+  const Vector<double>& values, const Vector<double>& source, NetSource net) const
 {
-  Vector<double> all = Vector<double>::Zero(static_cast<Eigen::Index>(this->Grounded.size()));
-  std::size_t k = 0;
-  for (Eigen::Index held = 0; held < values.size(); ++held)
-  {
-    while (this->Grounded[k] != this->Held[held])
-    {
-      ++k;
-    }
-    all[static_cast<Eigen::Index>(k)] = values[held];
-  }
-  return all;
+  FieldConstraints constraints;
+  constraints.Elements = this->Fixed;
+  constraints.Weights.assign(this->Fixed.size(), 1.0);
+  constraints.Values = values.size() > 0 ? values : Vector<double>::Zero(static_cast<Eigen::Index>(this->Fixed.size()));
+  constraints.Source = source;
+  this->Functions.PinFree(net, constraints);
+  return constraints;
 }
 
 PoissonSolver::PoissonSolver(
-  const FramedMesh& surface, std::vector<int> held, const SolverOptions& options, const ExecutionContext& context)
-  : PoissonSolver(*std::make_unique<SetupCache>(surface), std::move(held), options, context)
+  const FramedMesh& surface, std::vector<int> fixed, const SolverOptions& options, const ExecutionContext& context)
+  : PoissonSolver(*std::make_unique<SetupCache>(surface), std::move(fixed), options, context)
 {
 }
 
 PoissonSolver::PoissonSolver(
-  SetupCache& setups, std::vector<int> held, const SolverOptions& options, const ExecutionContext& context)
+  SetupCache& setups, std::vector<int> fixed, const SolverOptions& options, const ExecutionContext& context)
+  : Internal(std::make_unique<Internals>(setups, std::move(fixed), options, context))
 {
-  CheckHeld(held, setups.Surface.Mesh.NumberOfVertices());
-  auto setup = std::make_shared<const SetupOfSurface>(setups, options, PartOfContext(context, 0.0, 0.7));
-  this->Internal = std::make_unique<Internals>(std::move(setup), std::move(held), PartOfContext(context, 0.7, 1.0));
-}
-
-PoissonSolver::PoissonSolver(const PoissonSolver& other, std::vector<int> held, const ExecutionContext& context)
-{
-  CheckHeld(held, other.Internal->Setup->Surface.Mesh.NumberOfVertices());
-  this->Internal = std::make_unique<Internals>(other.Internal->Setup, std::move(held), context);
 }
 
 PoissonSolver::~PoissonSolver() = default;
 
 PoissonSolver::PoissonSolver(PoissonSolver&&) noexcept = default;
 
-Vector<double> PoissonSolver::Solve(const Vector<double>& asked, const Vector<double>& values,
+Vector<double> PoissonSolver::Solve(const Vector<double>& source, const Vector<double>& values,
   const StoppingCriteria& stop, const ExecutionContext& context, NetSource net, const Vector<double>& start)
 {
   Internals& of = *this->Internal;
-  CheckNumbers(asked, static_cast<Eigen::Index>(of.Setup->Components.size()), "source");
-  CheckNumbers(values, static_cast<Eigen::Index>(of.Held.size()), "list of held values");
-  CheckNumbers(start, static_cast<Eigen::Index>(of.Setup->Components.size()), "first guess");
-  Vector<double> source = asked;
-  if (source.size() > 0)
+  CheckNumbers(source, of.Functions.NumberOfUnknowns(), "source");
+  CheckNumbers(values, static_cast<Eigen::Index>(of.Fixed.size()), "list of fixed values");
+  CheckNumbers(start, of.Functions.NumberOfUnknowns(), "first guess");
+  const FieldConstraints constraints = of.Prescribe(values, source, net);
+  if (!of.Problem)
   {
-    of.Free.Balance(source, of.Setup->Areas, net);
+    return constraints.Values;
   }
-  Vector<double> u = of.ValuesOfGrounded(values); // of all vertices, where all are grounded
-  if (of.Problem)
+  Vector<double> shifted = start;
+  if (start.size() > 0)
   {
-    Vector<double> shifted = start; // to where the solver has it
-    if (start.size() > 0)
-    {
-      of.Free.MakeZeroAt(of.Grounded, shifted);
-    }
-    u = of.Problem->Solve(u, shifted, {}, stop, context, source);
+    of.Functions.VanishAtPinned(constraints, shifted);
   }
-  of.Free.Centre(u, of.Setup->Areas);
-  return u;
+  auto [u, report] = SolveInUnits(*of.Problem, constraints.Values, shifted, {}, stop, context, constraints.Source);
+  of.Report = std::move(report);
+  of.Functions.CentreFree(constraints, u);
+  return std::move(u);
 }
 
 const SolveReport& PoissonSolver::Report() const
 {
-  return this->Internal->Problem ? this->Internal->Problem->Report() : this->Internal->ReportOfHeld;
+  return this->Internal->Report;
 }
 
-int PoissonSolver::NumberOfSetups() const
+bool PoissonSolver::HasNewSetup() const
 {
-  return this->Internal->Setup->Planned.IsNew ? 1 : 0;
+  return this->Internal->Setup.IsNew;
 }
 
-const std::vector<int>& PoissonSolver::Held() const
+const std::vector<int>& PoissonSolver::Fixed() const
 {
-  return this->Internal->Held;
+  return this->Internal->Fixed;
 }
 
 }

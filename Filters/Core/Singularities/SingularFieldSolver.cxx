@@ -1,5 +1,6 @@
 #include "Singularities/SingularFieldSolver.h"
 
+#include "Analysis/BoundaryLoops.h"
 #include "Analysis/HarmonicForms.h"
 #include "Singularities/TrivialConnection.h"
 #include "Support/ComplexPairs.h"
@@ -41,17 +42,15 @@ SolverOptions OptionsOfPotentials(const SolverOptions& asked, int loops)
   return options;
 }
 
-/// \throw InvalidInput the harmonic forms of the loops do not fit into memory.
-std::vector<int> GroundedVertices(const TriangleMesh& mesh, const SurfaceHolonomy& holonomy)
+/// \throw InvalidInput the harmonic forms of the generators do not fit into memory.
+void CheckNumberOfGenerators(const TriangleMesh& mesh, int generators)
 {
-  const int loops = holonomy.NumberOfGenerators();
-  if (AreTooManyToHold(loops, mesh))
+  if (AreTooManyToHold(generators, mesh))
   {
-    throw InvalidInput("the surface has " + std::to_string(loops) +
+    throw InvalidInput("the surface has " + std::to_string(generators) +
       " loops around its handles and holes, and singularities need a harmonic form for each: too many to "
       "hold; close holes and remove small handles first");
   }
-  return holonomy.Grounded(mesh);
 }
 
 /// Says where directions turn so far across edges that other ones look nearer.
@@ -86,9 +85,10 @@ SingularFieldSolver::SingularFieldSolver(
   : Mesh(setups.Surface.Mesh)
   , Holonomy(holonomy)
   , Options(OptionsOfPotentials(asked, holonomy.NumberOfGenerators()))
-  , Functions(setups, GroundedVertices(this->Mesh, holonomy), this->Options, PartOfContext(context, 0.0, 0.7))
+  , Functions(setups, BoundaryVertices(this->Mesh), this->Options, PartOfContext(context, 0.0, 0.7))
   , Star(Star1(this->Mesh))
 {
+  CheckNumberOfGenerators(this->Mesh, holonomy.NumberOfGenerators());
   this->MakeHarmonicForms(PartOfContext(context, 0.7, 1.0));
 }
 

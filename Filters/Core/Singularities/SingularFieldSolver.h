@@ -39,8 +39,8 @@ public:
 
   /// Whether these options make the same solver.
   bool HasOptions(const SolverOptions& asked) const;
-  /// See PoissonSolver::NumberOfSetups.
-  int NumberOfSetups() const { return this->Functions.NumberOfSetups(); }
+  /// See PoissonSolver.
+  bool HasNewSetup() const { return this->Functions.HasNewSetup(); }
 
   /// \param times N times the index of every vertex (TimesByVertex). \pre they have the right sums (SurfaceHolonomy::CheckSums)
   /// \param stop tolerances above 1e-6 are taken as that.

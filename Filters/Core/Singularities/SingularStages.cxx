@@ -72,7 +72,7 @@ void SingularStages::MakeSystem(
   this->Connection.reset();
   this->System = std::move(system);
   this->SetupSeconds = watch.Seconds();
-  this->Completed.Setups += isFirst || this->System->NumberOfSetups() > 0;
+  this->Completed.Setups += isFirst || this->System->HasNewSetup();
   ++this->Completed.Systems;
 }
 

@@ -1,10 +1,12 @@
 #include "Singularities/SurfaceHolonomy.h"
 
+#include "Operators/FunctionSource.h"
 #include "Singularities/PrescribedSingularities.h"
 #include "Singularities/TrivialConnection.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -18,39 +20,16 @@ SurfaceHolonomy::SurfaceHolonomy(const FramedMesh& surface, const ExecutionConte
   , Defects(
       AngleDefects(surface.Mesh, Corners(surface.Mesh, this->Sides, surface.Faces, surface.Vertices, context), context))
   , AlongGenerators(RotationOfTransport(surface.Mesh, this->Sides, this->Loops))
-  , Components(surface.Mesh.NumberOfVertices())
+  , Components(VertexComponents(surface.Mesh))
 {
-  const TriangleMesh& mesh = surface.Mesh;
-  const std::vector<int> ofFaces = FaceComponents(mesh);
-  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
+  const int components = *std::max_element(this->Components.begin(), this->Components.end()) + 1;
+  this->FirstVertices.assign(components, -1);
+  this->AreClosed.assign(components, 1);
+  for (int vertex = surface.Mesh.NumberOfVertices() - 1; vertex >= 0; --vertex)
   {
-    const int component = ofFaces[TriangleMesh::FaceOf(mesh.OutgoingHalfedge(vertex))];
-    if (component >= this->NumberOfComponents())
-    {
-      this->FirstVertices.resize(component + 1, -1);
-      this->AreClosed.resize(component + 1, 1);
-    }
-    if (this->FirstVertices[component] < 0)
-    {
-      this->FirstVertices[component] = vertex;
-    }
-    this->AreClosed[component] &= !mesh.IsBoundaryVertex(vertex);
-    this->Components[vertex] = component;
+    this->FirstVertices[this->Components[vertex]] = vertex;
+    this->AreClosed[this->Components[vertex]] &= !surface.Mesh.IsBoundaryVertex(vertex);
   }
-}
-
-std::vector<int> SurfaceHolonomy::Grounded(const TriangleMesh& mesh) const
-{
-  std::vector<int> vertices;
-  for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
-  {
-    const int component = this->Components[vertex];
-    if (mesh.IsBoundaryVertex(vertex) || (this->AreClosed[component] && this->FirstVertices[component] == vertex))
-    {
-      vertices.push_back(vertex);
-    }
-  }
-  return vertices;
 }
 
 void SurfaceHolonomy::CheckSums(const std::vector<int>& times, int N, const ElementNames& names) const

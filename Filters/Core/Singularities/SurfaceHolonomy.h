@@ -31,9 +31,6 @@ struct SurfaceHolonomy
   int NumberOfGenerators() const { return static_cast<int>(this->Loops.cols()); }
   int NumberOfComponents() const { return static_cast<int>(this->FirstVertices.size()); }
 
-  /// The vertices at which potentials are zero: those on boundaries, and one of each closed component; ascending.
-  std::vector<int> Grounded(const TriangleMesh& mesh) const;
-
   /// \param times N times the index of every vertex.
   /// \param names says how messages call vertices.
   /// \throw InvalidInput the indices on a closed component do not sum to its Euler characteristic; the message says how much

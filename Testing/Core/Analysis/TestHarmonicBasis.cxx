@@ -6,6 +6,7 @@
 #include "Support/Errors.h"
 #include "Support/Identities.h"
 #include "Support/MeshFactory.h"
+#include "Support/ReferenceOperators.h"
 #include "Support/TbbContext.h"
 
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "Operators/ExteriorCalculus.h"
 #include "Support/AllIndices.h"
 #include "Support/NamedSurfaces.h"
+#include "Support/ReferenceOperators.h"
 
 #include <Eigen/QR>
 #include <gtest/gtest.h>

@@ -4,6 +4,7 @@
 #include "Operators/FaceFieldOperators.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
+#include "Support/ReferenceOperators.h"
 #include "Support/SolverOfUnknowns.h"
 #include "Support/TbbContext.h"
 

@@ -8,6 +8,7 @@
 #include "Support/ComplexPairs.h"
 #include "Support/MeshFactory.h"
 #include "Support/NamedSurfaces.h"
+#include "Support/ReferenceOperators.h"
 
 #include <gtest/gtest.h>
 

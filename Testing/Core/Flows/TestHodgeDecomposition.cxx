@@ -9,6 +9,7 @@
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
 #include "Support/MeshFactory.h"
+#include "Support/ReferenceOperators.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/QR>

@@ -1,4 +1,4 @@
-#include "Operators/VertexFieldTopology.h"
+#include "Operators/FieldTopology.h"
 
 #include "Operators/PowerFieldDirections.h"
 #include "Support/Identities.h"

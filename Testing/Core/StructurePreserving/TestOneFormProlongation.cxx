@@ -8,6 +8,7 @@
 #include "Support/Identities.h"
 #include "Support/Levels.h"
 #include "Support/MeshFactory.h"
+#include "Support/ReferenceOperators.h"
 #include "Support/TbbContext.h"
 
 #include <Eigen/Eigenvalues>
