@@ -46,7 +46,7 @@ SparseMatrix<double> FaceCurl(
 /// \pre the halfedge has a twin.
 double TransportAcrossEdge(const TriangleMesh& mesh, const TangentFrames& faceFrames, int halfedge);
 
-/// The mass of linear elements: X^H M X is the integral of |X|^2. #V x #V, Hermitian, positive semi-definite; a unit of
+/// The mass of linear elements, as in the appendix of Knoeppel et al. 2013: X^H M X is the integral of |X|^2. #V x #V, Hermitian, positive semi-definite; a unit of
 /// area. Cost: O(#F).
 SparseMatrix<Complex> ConnectionMass(const TriangleMesh& mesh, const VertexConnection& connection, int N,
   const ExecutionContext& context = SerialContext());

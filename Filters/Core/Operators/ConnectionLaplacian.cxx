@@ -167,7 +167,6 @@ CurvedElementIntegrals::CurvedElementIntegrals(double s)
   const Complex is(0.0, s);
   this->OfSquares = -is * (m[2] / 2.0 - m[3] / 3.0) - s * s * (m[4] / 12.0 - m[5] / 20.0);
   this->OfProduct = m[1] - is * m[3] / 3.0 - s * s * (m[3] / 6.0 - m[4] / 6.0 + m[5] / 15.0);
-  this->OfMass = m[3] / 6.0;
 }
 
 SparseMatrix<Complex> ConnectionLaplacian(

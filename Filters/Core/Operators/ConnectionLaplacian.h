@@ -17,15 +17,13 @@ namespace dmg
 ///
 ///   OfSquares   -i s (m^2 / 2 - m^3 / 3) - s^2 (m^4 / 12 - m^5 / 20)
 ///   OfProduct   m - i s m^3 / 3 - s^2 (m^3 / 6 - m^4 / 6 + m^5 / 15)
-///   OfMass      m^3 / 6
 ///
 /// and with p_j, p_k the sides from corner i to j and k, A the area, r the transport from j to k, to the N-th power
 ///
 ///   stiffness jk = conj(r) / (2 A) (OfSquares (|p_j|^2 + |p_k|^2) - OfProduct <p_j, p_k>)
 ///   stiffness ii = 1 / (4 A) (|p_k - p_j|^2 + s^2 / 90 (|p_j|^2 + |p_k|^2 + <p_j, p_k>))
-///   mass jk      = conj(r) 2 A OfMass,  mass ii = A / 6
 ///
-/// as in the appendix of Knoeppel et al. 2013. A flat triangle has 0, 1/2 and 1/24.
+/// as in the appendix of Knoeppel et al. 2013. A flat triangle has 0 and 1/2.
 struct CurvedElementIntegrals
 {
   /// \param s N times the curvature of the triangle, in radians. Any; all digits hold near 0, too.
@@ -33,7 +31,6 @@ struct CurvedElementIntegrals
 
   Complex OfSquares;
   Complex OfProduct;
-  Complex OfMass;
 };
 
 /// The connection Laplacian of linear elements: X^H L X is the Dirichlet energy, the integral of |grad X|^2, of the
