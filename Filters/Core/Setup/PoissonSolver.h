@@ -21,7 +21,8 @@ class SetupCache;
 ///
 ///   L u = source  at free vertices,   u = values  at fixed ones,   L = d0^T star1 d0 the cotangent Laplacian.
 ///
-/// -Laplace u = f has the source IntegratedSource(mesh, f). On a boundary without fixed vertices the flux is zero. On a component
+/// -Laplace u = f has the source IntegratedSource(mesh, f), or lumped Star0 times f. On a boundary without fixed vertices the flux is
+/// zero. On a component
 /// without fixed vertices the integral of u is zero, and the source has to sum to zero.
 ///
 ///   dmg::PoissonSolver solver(surface, { vertex, other });
