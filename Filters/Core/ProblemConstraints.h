@@ -17,7 +17,7 @@
 namespace dmg
 {
 
-/// All that a field follows, brought to the surface, and what could not be followed.
+/// The constraints of a problem on a surface, and what was left out.
 struct FollowedConstraints
 {
   dmg::Constraints Constraints;
@@ -25,15 +25,15 @@ struct FollowedConstraints
   std::vector<std::string> Warnings;
 };
 
-/// Faces whose directions cancel each other.
+/// The faces on which directions cancel each other.
 struct CancellingFaces
 {
   long long Number = 0;
   std::string First; ///< its name
 };
 
-/// Makes constraints of all that a problem says: guides and features besides the constraints it has, rotated, without those
-/// that cancel each other. Subclasses know the surface: as a whole, or in pieces.
+/// Makes constraints of the guides and features of a problem, besides those that it has. Rotates them, and takes out those that cancel
+/// each other. Subclasses know the surface: as a whole, or in pieces.
 class ProblemConstraints
 {
 public:
@@ -63,7 +63,7 @@ private:
     const FieldProblem& problem, bool isNothingSaid, FollowedConstraints& followed, const ElementNames& names);
 };
 
-/// Those on a mesh. Keeps the search for nearest places, and the principal directions of one scale.
+/// Constraints on a mesh. Keeps the search for nearest places, and the principal directions of one scale.
 class ConstraintsOnMesh : public ProblemConstraints
 {
 public:

@@ -13,7 +13,7 @@ namespace dmg
 /// Directions prescribed on faces, as 1-form: every side of a prescribed face is prescribed, with
 /// the direction's product with the side. Where directions meet on an edge their values are
 /// averaged by weight. An edge has the mean weight of its faces, those without a direction counting
-/// as 0: inside a prescribed region that is the region's, on its rim half of it. Lengths count: a
+/// as 0: inside a prescribed region that is the region's, on its boundary half of it. Lengths count: a
 /// direction of length 2 asks for a field of length 2. \throw InvalidInput a direction is not
 /// finite, has no part in the plane of its face (less than 1e-6 of its length), or its weight is
 /// not positive; \p names says how messages call face i.

@@ -23,8 +23,8 @@ struct PowerAtVertex
   }
 };
 
-/// Vertices with directions on all faces around. On the rim of a region that is prescribed on faces a vertex has them on one
-/// side only, and the mean of those is the direction of a place half an edge inside.
+/// Vertices with directions on all faces around. On the boundary of a region with directions on faces, a vertex has them on one side
+/// only. Their mean is then the direction half an edge inside of the region.
 /// \throw InvalidInput there is no such face.
 std::vector<char> SurroundedVertices(const TriangleMesh& mesh, const std::vector<Constraint>& onFaces);
 

@@ -33,11 +33,11 @@ double ResidualOf(const SolveReport& report)
 }
 
 /// The solver options for potentials, from those that users ask for: a connection has no smoothness energy.
-SolverOptions OptionsOfPotentials(const SolverOptions& asked, int loops)
+SolverOptions OptionsOfPotentials(const SolverOptions& asked, int generators)
 {
   SolverOptions options;
   options.Kind = asked.Kind;
-  options.ExpectedSolves = asked.ExpectedSolves + loops;
+  options.ExpectedSolves = asked.ExpectedSolves + generators;
   options.Sweeps = asked.Sweeps;
   return options;
 }
@@ -53,7 +53,7 @@ void CheckNumberOfGenerators(const TriangleMesh& mesh, int generators)
   }
 }
 
-/// Says where directions turn so far across edges that other ones look nearer.
+/// A warning that names an edge across which the field rotates so far that other directions look nearer; empty if there is none.
 std::string WarningOfLargeRotation(
   const TriangleMesh& mesh, const Vector<double>& rotation, int N, const ElementNames& names)
 {
@@ -101,14 +101,14 @@ void SingularFieldSolver::MakeHarmonicForms(const ExecutionContext& context)
 {
   const StoppingCriteria stop{ 1e-10, 100 }; // if rounding allows
   const SparseMatrix<double>& generators = this->Holonomy.Loops;
-  const int loops = this->Holonomy.NumberOfGenerators();
+  const int number = this->Holonomy.NumberOfGenerators();
   const SparseMatrix<double> transposed = SparseMatrix<double>(generators.transpose());
   const SparseMatrix<double> flux = this->Star.asDiagonal() * generators;
   this->Divergences = SparseMatrix<double>(D0(this->Mesh, context).transpose()) * flux;
-  this->Potentials.resize(this->Mesh.NumberOfVertices(), loops);
-  for (int k = 0; k < loops; ++k)
+  this->Potentials.resize(this->Mesh.NumberOfVertices(), number);
+  for (int k = 0; k < number; ++k)
   {
-    const double step = 1.0 / loops;
+    const double step = 1.0 / number;
     this->Potentials.col(k) =
       this->Functions.Solve(this->Divergences.col(k), {}, stop, PartOfContext(context, step * k, step * (k + 1)));
     if (ResidualOf(this->Functions.Report()) > LargestTolerance)
@@ -119,7 +119,7 @@ void SingularFieldSolver::MakeHarmonicForms(const ExecutionContext& context)
   const Eigen::MatrixXd energies =
     Eigen::MatrixXd(transposed * flux) - Eigen::MatrixXd(this->Divergences.transpose() * this->Potentials);
   const Eigen::MatrixXd symmetric = 0.5 * (energies + energies.transpose());
-  this->Inverse = symmetric.ldlt().solve(Eigen::MatrixXd::Identity(loops, loops));
+  this->Inverse = symmetric.ldlt().solve(Eigen::MatrixXd::Identity(number, number));
 }
 
 Vector<double> SingularFieldSolver::RotationOf(const Vector<double>& potential, int N) const
@@ -174,26 +174,26 @@ SingularField SingularFieldSolver::Solve(const std::vector<int>& times, int N, c
   return field;
 }
 
-Vector<Complex> SingularFieldSolver::TurnedTo(
+Vector<Complex> SingularFieldSolver::RotatedTo(
   const FieldConstraints& constraints, const Vector<double>& weights, const SingularField& field) const
 {
   const auto componentOf = [&](int face) { return this->Holonomy.Components[this->Mesh.FaceCorners()(face, 0)]; };
   const auto values = AsComplex(constraints.Values);
   Vector<Complex> powers = field.Powers;
-  Vector<Complex> turns = Vector<Complex>::Zero(this->Holonomy.NumberOfComponents());
+  Vector<Complex> rotations = Vector<Complex>::Zero(this->Holonomy.NumberOfComponents());
   for (std::size_t b = 0; b < constraints.Elements.size(); ++b)
   {
     const int face = constraints.Elements[b];
-    turns[componentOf(face)] += weights[2 * b] * std::conj(powers[face]) * values[b];
+    rotations[componentOf(face)] += weights[2 * b] * std::conj(powers[face]) * values[b];
   }
-  for (Complex& turn : turns)
+  for (Complex& rotation : rotations)
   {
-    const double length = std::abs(turn);
-    turn = length > 0.0 ? turn / length : Complex(1.0);
+    const double length = std::abs(rotation);
+    rotation = length > 0.0 ? rotation / length : Complex(1.0);
   }
   for (int face = 0; face < powers.size(); ++face)
   {
-    powers[face] *= turns[componentOf(face)];
+    powers[face] *= rotations[componentOf(face)];
   }
   return powers;
 }

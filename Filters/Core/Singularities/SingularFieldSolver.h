@@ -13,7 +13,7 @@
 namespace dmg
 {
 
-/// A power field of magnitude 1 that has prescribed singularities and no others, and turns as little as is possible then.
+/// A power field of magnitude 1 with prescribed singularities and no others, of the least rotation.
 struct SingularField
 {
   Vector<double> Potential; ///< by vertex, a first guess for other singularities
@@ -23,16 +23,15 @@ struct SingularField
   SolveReport Report;
 };
 
-/// Finds the power fields of magnitude 1 on one surface that have prescribed singularities and no others (TrivialConnection.h).
-/// The set-up are the levels of functions, or a factor; the system is a harmonic form for each handle and hole.
-/// SingularStages keeps one, and its fields.
+/// Finds the power fields of magnitude 1 on one surface with prescribed singularities and no others (TrivialConnection.h). The set-up is
+/// that of functions; the system is a harmonic form for each homology generator. SingularStages keeps one, and its fields.
 class SingularFieldSolver
 {
 public:
   /// \param setups of the surface, which may have levels of functions.
   /// \param holonomy of the surface; both are borrowed.
   /// \param asked options: Cholesky, V-cycles and conjugate gradients as asked for; for all others, Automatic.
-  /// \throw InvalidInput too many loops.
+  /// \throw InvalidInput there are too many homology generators.
   /// \throw SolverFailure, Cancelled
   SingularFieldSolver(SetupCache& setups, const SurfaceHolonomy& holonomy, const SolverOptions& asked,
     const ExecutionContext& context = SerialContext());
@@ -52,9 +51,9 @@ public:
     const SingularField* former = nullptr, const ExecutionContext& context = SerialContext(),
     const ElementNames& names = {});
 
-  /// Turns the field on each component as a whole, to where it is nearest to constraints in the mean of squares.
+  /// Rotates the field rigidly on each component, nearest to the constraints by least squares.
   /// \param weights of the constrained faces.
-  Vector<Complex> TurnedTo(
+  Vector<Complex> RotatedTo(
     const FieldConstraints& constraints, const Vector<double>& weights, const SingularField& field) const;
 
 private:
@@ -66,9 +65,9 @@ private:
   const SolverOptions Options;
   PoissonSolver Functions;
   Vector<double> Star;              ///< of 1-forms
-  SparseMatrix<double> Divergences; ///< of the loops, #V x k
+  SparseMatrix<double> Divergences; ///< of the generators, #V x k
   Eigen::MatrixXd Potentials;       ///< u_k, #V x k
-  Eigen::MatrixXd Inverse;          ///< of how much forms turn along loops, k x k
+  Eigen::MatrixXd Inverse;          ///< of w_j^T star1 w_k, k x k
   std::vector<std::string> Warnings;
 };
 

@@ -45,7 +45,7 @@ std::shared_ptr<const FieldSolution> SingularStages::Solve(const SingularProblem
   {
     const Vector<double> weights = discretisation->PenaltiesOf(onFaces, {}, context).Alignment;
     this->Solution = std::make_shared<const FieldSolution>(FieldSolution{ std::move(discretisation), onFaces,
-      AsPairs(this->System->TurnedTo(onFaces, weights, *this->Connection)), this->Connection->Report,
+      AsPairs(this->System->RotatedTo(onFaces, weights, *this->Connection)), this->Connection->Report,
       this->SetupSeconds, this->Connection });
     ++this->Completed.Solves;
   }

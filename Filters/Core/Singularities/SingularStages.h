@@ -12,7 +12,7 @@
 namespace dmg
 {
 
-/// The field that is asked for, but for what its discretisation and constraints say.
+/// A field with prescribed singularities, without its discretisation and constraints.
 struct SingularProblem
 {
   const std::vector<PrescribedSingularity>& Singularities;
@@ -22,7 +22,7 @@ struct SingularProblem
 };
 
 /// The stages of FieldSolver for fields with prescribed singularities, and their keys. Set-up and system depend on the surface
-/// and on solver options, the solve on the singularities; constraints turn its result.
+/// and on solver options, the solve on the singularities; constraints rotate its result.
 ///
 /// Each stage is built as a whole and then put in place: a run that stops half-way leaves nothing half-made.
 class SingularStages
@@ -62,7 +62,7 @@ private:
   double SetupSeconds = 0.0; ///< of holonomy and system
   std::optional<Key> KeyOfConnection;
   std::shared_ptr<const SingularField> Connection; ///< of this key; without one, where the next solve starts
-  std::shared_ptr<const FieldSolution> Solution;   ///< the connection's field, turned to constraints
+  std::shared_ptr<const FieldSolution> Solution;   ///< the connection's field, rotated to the constraints
 };
 
 }

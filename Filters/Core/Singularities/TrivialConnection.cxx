@@ -91,18 +91,18 @@ Vector<double> AngleDefects(const TriangleMesh& mesh, const Unfilled<Corner>& co
 }
 
 Vector<double> RotationOfTransport(
-  const TriangleMesh& mesh, const Unfilled<Complex>& sides, const SparseMatrix<double>& loops)
+  const TriangleMesh& mesh, const Unfilled<Complex>& sides, const SparseMatrix<double>& generators)
 {
   Vector<double> transports = Vector<double>::Zero(mesh.NumberOfEdges());
   for (int edge = 0; edge < mesh.NumberOfEdges(); ++edge)
   {
     const int h = mesh.HalfedgeOf(edge);
-    if (SparseMatrix<double>::InnerIterator(loops, edge) && mesh.Twin(h) >= 0)
+    if (SparseMatrix<double>::InnerIterator(generators, edge) && mesh.Twin(h) >= 0)
     {
       transports[edge] = std::arg(TransportOfSides(sides[h], sides[mesh.Twin(h)]));
     }
   }
-  return loops.transpose() * transports;
+  return generators.transpose() * transports;
 }
 
 Vector<double> NearestIntegers(const Eigen::MatrixXd& energy, const Vector<double>& x)
