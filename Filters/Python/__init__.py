@@ -2,6 +2,7 @@
 
 smooth_field()                        a field by one call, errors as exceptions
 hodge()                               stream function, potential and parts of a flow
+quads()                               a mesh of quads along a cross field
 transport()                           vectors along shortest paths, and polar coordinates around a point
 update()                              runs any VTK filter, errors as exceptions
 write_rosy(), write_sharp(),
@@ -21,9 +22,10 @@ if TYPE_CHECKING:
     from .fields import FieldError, FieldWarning, smooth_field, update
     from .flows import hodge
     from .geodesics import transport
+    from .meshes import quads
 
 __all__ = [
-    "FieldError", "FieldWarning", "hodge", "smooth_field", "transport", "update", "write_raw_field", "write_rosy", "write_sharp",
+    "FieldError", "FieldWarning", "hodge", "quads", "smooth_field", "transport", "update", "write_raw_field", "write_rosy", "write_sharp",
     "vtkFiltersDirectionalFields",
 ]
 
@@ -33,7 +35,7 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     if name == "vtkFiltersDirectionalFields":
         return import_module("." + name, __name__)
-    modules = {"hodge": "flows", "transport": "geodesics"}
+    modules = {"hodge": "flows", "quads": "meshes", "transport": "geodesics"}
     module = "export" if name.startswith("write_") else modules.get(name, "fields")
     return getattr(import_module("." + module, __name__), name)
 

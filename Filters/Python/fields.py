@@ -8,7 +8,7 @@ import numbers
 import operator
 import re
 import warnings
-from typing import Any, Callable, Dict, Iterable, List, Optional, Tuple, TypeVar, Union
+from typing import Any, Callable, Dict, Iterable, List, Optional, Sequence, Tuple, TypeVar, Union
 
 from vtkmodules.vtkCommonCore import vtkObjectBase, vtkVersion
 from vtkmodules.vtkCommonDataModel import vtkDataObject, vtkDataSet, vtkPolyData
@@ -235,6 +235,16 @@ def _converted(value: Any, kind: type) -> Property:
     if not math.isfinite(value):
         raise OverflowError
     return float(value)
+
+
+def _set_known_property(algorithm: vtkAlgorithm, name: str, value: Property, arguments: Sequence[str]) -> None:
+    """Sets a property of a filter by its name, unless one of the arguments of its function has the same name and does that."""
+    known = sorted(each[3:] for each in vars(type(algorithm))
+                   if each.startswith("Set") and hasattr(algorithm, "Get" + each[3:]) and each[3:].lower() not in arguments)
+    if name not in known:
+        near = difflib.get_close_matches(name, known + list(arguments), 1, 0.5)
+        raise TypeError(f"there is no property {name}; " + (f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)))
+    _set_property(algorithm, name, value)
 
 
 def _choose_array(solver: vtkHarmonicFieldSolver, mesh: vtkDataSet, index: int, name: Optional[Property]) -> None:

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import difflib
 from typing import Optional, Sequence, TypeVar
 
 from vtkmodules.vtkCommonDataModel import vtkDataSet
 
-from .fields import FieldError, Property, _check_mesh, _choose_array, _set_property, _update
+from .fields import FieldError, Property, _check_mesh, _choose_array, _set_known_property, _update
 from .vtkFiltersDirectionalFields import vtkParallelTransport
 
 Mesh = TypeVar("Mesh", bound=vtkDataSet)
@@ -36,7 +35,7 @@ def transport(mesh: Mesh, vectors: Optional[str] = None, *, point: Optional[Sequ
     carry = vtkParallelTransport()
     carry.SetInputData(mesh)
     for name, value in properties.items():
-        _set_known(carry, name, value)
+        _set_known_property(carry, name, value, ("vectors", "point", "direction"))
     low, high = mesh.GetBounds()[::2], mesh.GetBounds()[1::2]
     carry.SetPoint(*_three("point", [(a + b) / 2 for a, b in zip(low, high)] if point is None else point))
     if direction is not None:
@@ -52,12 +51,3 @@ def _three(name: str, values: Sequence[float]) -> Sequence[float]:
     if len(numbers) != 3:
         raise FieldError(f"{name} has {len(numbers)} numbers; give three")
     return numbers
-
-
-def _set_known(carry: vtkParallelTransport, name: str, value: Property) -> None:
-    known = sorted(each[3:] for each in vars(type(carry))
-                   if each.startswith("Set") and hasattr(carry, "Get" + each[3:]) and each not in ("SetPoint", "SetDirection"))
-    if name not in known:
-        near = difflib.get_close_matches(name, known + ["vectors", "point", "direction"], 1, 0.5)
-        raise TypeError(f"there is no property {name}; " + (f"did you mean {near[0]}?" if near else "there are " + ", ".join(known)))
-    _set_property(carry, name, value)

@@ -1,9 +1,9 @@
 // Quad meshes of surfaces in PLY files.
 //
-//   BenchmarkQuads [--smooth] [--quads 1000,4000,16000] SURFACE.ply...
+//   BenchmarkQuads [--smooth] [--faces] [--quads 1000,4000,16000] SURFACE.ply...
 //
 // prints a row of a table for each surface and number: what was asked for and what came of it. The field follows boundary and sharp edges;
-// with --smooth, nothing. The column "good" is a check of the indices alone: each directed edge once, one fan per vertex, the Euler number of
+// with --smooth, nothing. It is a power field at points; with --faces, on faces. The column "good" is a check of the indices alone: each directed edge once, one fan per vertex, the Euler number of
 // the surface, inner valences of 3 at least, no two vertices in
 // one place but where the surface has such, too. Times are processor seconds of the calls.
 
@@ -122,17 +122,17 @@ void PrintRow(
   std::fflush(stdout);
 }
 
-void Run(const std::string& path, const std::vector<double>& numbers, bool followsFeatures)
+void Run(const std::string& path, const std::vector<double>& numbers, bool followsFeatures, bool isOnFaces)
 {
   const PreparedSurface prepared = ReadSurface(path);
   const std::string name = path.substr(path.find_last_of('/') + 1);
   const double start = ProcessorSeconds();
   FieldSolver solver(prepared.Mesh);
   FieldProblem problem;
-  problem.Options.Field.Kind = DiscretisationKind::PowerField;
+  problem.Options.Field.Kind = isOnFaces ? DiscretisationKind::PowerField : DiscretisationKind::VertexPowerField;
   problem.Features.BoundaryWeight = followsFeatures ? 1000.0 : 0.0;
   problem.Features.SharpEdgesWeight = followsFeatures ? 1000.0 : 0.0;
-  const Vector<Complex> powers = solver.Solve(problem).Powers.Faces;
+  const Vector<Complex> powers = solver.Solve(problem).OnFaces.array().pow(4);
   const double field = ProcessorSeconds() - start;
   for (const double number : numbers)
   {
@@ -162,7 +162,7 @@ int main(int argc, char* argv[])
   CommandLine commandLine(argc, argv);
   std::string numbers = "4000";
   commandLine.Take("--quads", numbers);
-  const bool isSmooth = commandLine.Take("--smooth");
+  const bool isSmooth = commandLine.Take("--smooth"), isOnFaces = commandLine.Take("--faces");
   std::printf("| surface | triangles | wanted | quads | good | Euler | singular | irregular besides | flipped | "
               "inverted | scaled Jacobian | "
               "rounds | field s | quads s | error |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
@@ -170,7 +170,7 @@ int main(int argc, char* argv[])
   {
     try
     {
-      Run(path, NumbersOf(numbers), !isSmooth);
+      Run(path, NumbersOf(numbers), !isSmooth, isOnFaces);
     }
     catch (const std::exception& error)
     {

@@ -13,12 +13,17 @@ namespace
 {
 
 /// Numbers of which some are rounded. The real ones come first, with their conditional means and covariances.
+///
+/// A number that is rounded takes c c^T / C_ii from the covariance C of the others, c its column. These products are kept, and subtracted
+/// many at a time, which passes over C less often; the diagonal is always up to date.
 class ConditionalRounding
 {
 public:
   ConditionalRounding(Eigen::MatrixXd covariance, Vector<double> mean)
     : C(std::move(covariance))
+    , Diagonal(this->C.diagonal())
     , Mean(std::move(mean))
+    , Kept(this->Mean.size(), MostKept)
     , Rounded(this->Mean.size())
     , Names(this->Mean.size())
   {
@@ -38,11 +43,13 @@ public:
   }
 
 private:
+  static constexpr int MostKept = 64;
+
   int Cheapest(int left) const
   {
     const auto distances = this->Mean.head(left).array() - this->Mean.head(left).array().round();
     int cheapest = 0;
-    (distances.square() / this->C.diagonal().head(left).array().max(1e-300)).minCoeff(&cheapest);
+    (distances.square() / this->Diagonal.head(left).array().max(1e-300)).minCoeff(&cheapest);
     return cheapest;
   }
 
@@ -52,6 +59,8 @@ private:
     {
       this->C.col(a).head(left).swap(this->C.col(b).head(left));
       this->C.row(a).head(left).swap(this->C.row(b).head(left));
+      this->Kept.row(a).swap(this->Kept.row(b));
+      std::swap(this->Diagonal[a], this->Diagonal[b]);
       std::swap(this->Mean[a], this->Mean[b]);
       std::swap(this->Names[a], this->Names[b]);
     }
@@ -60,16 +69,27 @@ private:
   /// Rounds number k, and lets those before it follow.
   void RoundLast(int k)
   {
-    const double variance = std::max(this->C(k, k), 1e-300);
+    const double variance = std::max(this->Diagonal[k], 1e-300);
     const double integer = std::round(this->Mean[k]);
-    const Vector<double> column = this->C.col(k).head(k);
+    const auto kept = this->Kept.leftCols(this->NumberKept);
+    const Vector<double> column = this->C.col(k).head(k) - kept.topRows(k) * kept.row(k).transpose();
     this->Rounded[this->Names[k]] = integer;
     this->Mean.head(k) += column * ((integer - this->Mean[k]) / variance);
-    this->C.topLeftCorner(k, k).noalias() -= (column / variance) * column.transpose();
+    this->Diagonal.head(k) -= column.cwiseAbs2() / variance;
+    this->Kept.col(this->NumberKept++).head(k) = column / std::sqrt(variance);
+    if (this->NumberKept == MostKept)
+    {
+      const auto rows = this->Kept.topRows(k);
+      this->C.topLeftCorner(k, k).noalias() -= rows * rows.transpose();
+      this->NumberKept = 0;
+    }
   }
 
   Eigen::MatrixXd C;
+  Vector<double> Diagonal; ///< of the covariance less the products that are kept
   Vector<double> Mean;
+  Eigen::MatrixXd Kept; ///< C less the sum of k k^T over its first columns k is the covariance
+  int NumberKept = 0;
   Vector<double> Rounded;
   std::vector<int> Names;
 };

@@ -1,5 +1,7 @@
 #include "Quads/IndexedQuads.h"
 
+#include "Support/DisjointSets.h"
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -251,6 +253,98 @@ QuadTopology::QuadTopology(const IndexedQuads& quads)
 void CleanUp(IndexedQuads& quads, const std::vector<int>& ranks)
 {
   Cleaner(quads, ranks).Run();
+}
+
+namespace
+{
+
+/// Keeps the quads for which isKept is true.
+template <class IsKept>
+void Keep(IndexedQuads& quads, const IsKept& isKept)
+{
+  IndexedQuads kept;
+  kept.IsOnBoundary = quads.IsOnBoundary;
+  for (int q = 0; q < quads.Size(); ++q)
+  {
+    if (isKept(q))
+    {
+      kept.Corners.push_back(quads.Corners[q]);
+      kept.Faces.push_back(quads.Faces[q]);
+    }
+  }
+  quads = std::move(kept);
+}
+
+/// Keeps of each component the most quads that are joined by sides.
+void KeepLargestSets(const std::vector<int>& components, IndexedQuads& quads)
+{
+  const QuadTopology topology(quads);
+  DisjointSets sets(quads.Size());
+  for (int side = 0; side < 4 * quads.Size(); ++side)
+  {
+    if (topology.Twins[side] >= 0)
+    {
+      sets.Unite(side / 4, topology.Twins[side] / 4);
+    }
+  }
+  std::vector<int> sizes(quads.Size(), 0);
+  std::vector<int> largest(1 + *std::max_element(components.begin(), components.end()), -1); // set of each component
+  for (int q = 0; q < quads.Size(); ++q)
+  {
+    const int set = sets.Smallest(q);
+    int& best = largest[components[quads.Faces[q]]];
+    ++sizes[set];
+    best = best < 0 || sizes[set] > sizes[best] ? set : best;
+  }
+  Keep(quads, [&](int q) { return sets.Smallest(q) == largest[components[quads.Faces[q]]]; });
+}
+
+/// Drops the quads around vertices of several fans but those of the largest fan there.
+void DropAtPinches(IndexedQuads& quads)
+{
+  const QuadTopology topology(quads);
+  DisjointSets fans(4 * quads.Size()); // corners that follow each other around their vertex
+  for (int side = 0; side < 4 * quads.Size(); ++side)
+  {
+    if (const int twin = topology.Twins[side]; twin >= 0)
+    {
+      fans.Unite(side, twin - twin % 4 + (twin + 1) % 4);
+    }
+  }
+  std::vector<int> sizes(4 * quads.Size(), 0), largest(quads.NumberOfVertices(), -1);
+  for (int corner = 0; corner < 4 * quads.Size(); ++corner)
+  {
+    const int fan = fans.Smallest(corner);
+    int& best = largest[quads.Corners[corner / 4][corner % 4]];
+    ++sizes[fan];
+    best = best < 0 || sizes[fan] > sizes[best] ? fan : best;
+  }
+  const auto isInLargest = [&](int corner)
+  { return fans.Smallest(corner) == largest[quads.Corners[corner / 4][corner % 4]]; };
+  Keep(quads,
+    [&](int q)
+    { return isInLargest(4 * q) && isInLargest(4 * q + 1) && isInLargest(4 * q + 2) && isInLargest(4 * q + 3); });
+}
+
+}
+
+void DropLooseQuads(const std::vector<int>& components, IndexedQuads& quads)
+{
+  for (int former = -1; former != quads.Size();)
+  {
+    former = quads.Size();
+    KeepLargestSets(components, quads);
+    DropAtPinches(quads);
+  }
+  const QuadTopology topology(quads);
+  for (int side = 0; side < 4 * quads.Size(); ++side)
+  {
+    if (topology.Twins[side] < 0)
+    {
+      const auto& corners = quads.Corners[side / 4];
+      quads.IsOnBoundary[corners[side % 4]] = quads.IsOnBoundary[corners[(side + 1) % 4]] = 1;
+    }
+  }
 }
 
 }

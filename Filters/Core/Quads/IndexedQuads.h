@@ -42,6 +42,11 @@ struct QuadTopology
 /// \param ranks by vertex: of two that become one, that of the higher rank stays.
 void CleanUp(IndexedQuads& quads, const std::vector<int>& ranks);
 
+/// Keeps of each component of the surface the most quads that are joined by sides, and of those around a vertex one fan. Where the boundary
+/// is not aligned, some quads near its corners hang on the others by a vertex alone.
+/// \param components of the faces of the surface (FaceComponents).
+void DropLooseQuads(const std::vector<int>& components, IndexedQuads& quads);
+
 }
 
 #endif

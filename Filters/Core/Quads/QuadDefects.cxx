@@ -16,10 +16,12 @@ constexpr int FewestEdgesOfHole = 3;
 class DefectSearch
 {
 public:
-  DefectSearch(const TriangleMesh& mesh, const IsolineArrangement& isolines, const IsolineCells& cells)
+  DefectSearch(
+    const TriangleMesh& mesh, const IsolineArrangement& isolines, const IsolineCells& cells, bool isBoundaryAligned)
     : Mesh(mesh)
     , Isolines(isolines)
     , Cells(cells)
+    , IsBoundaryAligned(isBoundaryAligned)
   {
     this->Found.AreBad.assign(mesh.NumberOfFaces(), 0);
   }
@@ -96,8 +98,11 @@ public:
   QuadDefects Found;
 
 private:
-  /// Whether an isoline goes from the boundary to the boundary and crosses no other one.
-  bool IsBare(int end) const { return this->Isolines.IsEnd(this->Isolines.Opposite[end][1] / 4); }
+  /// Whether an isoline goes from an aligned boundary to another one and crosses no other isoline.
+  bool IsBare(int end) const
+  {
+    return this->IsBoundaryAligned && this->Isolines.IsEnd(this->Isolines.Opposite[end][1] / 4);
+  }
 
   /// Marks cells that are no discs: the vertices, edges and faces that no isoline crosses have another Euler number than 1.
   void MarkCells()
@@ -188,6 +193,7 @@ private:
   const TriangleMesh& Mesh;
   const IsolineArrangement& Isolines;
   const IsolineCells& Cells;
+  const bool IsBoundaryAligned;
   std::vector<char> SmallComponents; ///< by face: whether its component has too few quads
 };
 
@@ -195,9 +201,9 @@ private:
 
 QuadDefects FindDefects(const TriangleMesh& mesh, const std::vector<int>& components,
   const IsolineArrangement& isolines, const IsolineCells& cells, const IndexedQuads& before, const IndexedQuads& quads,
-  const QuadTopology& topology)
+  const QuadTopology& topology, bool isBoundaryAligned)
 {
-  DefectSearch search(mesh, isolines, cells);
+  DefectSearch search(mesh, isolines, cells, isBoundaryAligned);
   search.CheckComponents(components, quads, topology);
   search.CheckIndices(topology, quads);
   search.CheckHoles();

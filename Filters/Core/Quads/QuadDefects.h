@@ -25,9 +25,11 @@ struct QuadDefects
 
 /// \param components of the faces of the surface (FaceComponents).
 /// \param before quads before they were cleaned up.
+/// \param isBoundaryAligned whether an isoline that goes from the boundary to the boundary and crosses no other one is a defect: a part
+///   beyond it may be lost. Elsewhere such isolines cut off corners.
 QuadDefects FindDefects(const TriangleMesh& mesh, const std::vector<int>& components,
   const IsolineArrangement& isolines, const IsolineCells& cells, const IndexedQuads& before, const IndexedQuads& quads,
-  const QuadTopology& topology);
+  const QuadTopology& topology, bool isBoundaryAligned);
 
 /// The number of vertices less edges plus quads, by component.
 /// \param components of the faces of the surface.

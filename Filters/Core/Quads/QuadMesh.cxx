@@ -197,8 +197,12 @@ private:
     const IndexedQuads before = QuadsOfCells(round.Isolines, round.Cells);
     round.Quads = before;
     CleanUp(round.Quads, Ranks(round.Places));
-    round.Defects = FindDefects(
-      this->Mesh, this->Components, round.Isolines, round.Cells, before, round.Quads, QuadTopology(round.Quads));
+    if (!this->Options.AlignBoundary)
+    {
+      DropLooseQuads(this->Components, round.Quads);
+    }
+    round.Defects = FindDefects(this->Mesh, this->Components, round.Isolines, round.Cells, before, round.Quads,
+      QuadTopology(round.Quads), this->Options.AlignBoundary);
     context.Checkpoint(1.0);
     return round;
   }
@@ -244,7 +248,7 @@ private:
   std::string Explained(const QuadDefects& defects, int quads) const
   {
     const std::string remedy = this->Options.EdgeLength > 0.0
-      ? "make QuadOptions::EdgeLength " + ShortText(this->Options.EdgeLength / 2.0)
+      ? "make edges " + ShortText(this->Options.EdgeLength / 2.0) + " long"
       : "ask for " + ShortText(4.0 * std::max<double>(quads, this->Options.NumberOfQuads)) + " quads";
     if (defects.LostComponent >= 0)
     {
@@ -285,6 +289,7 @@ private:
       mesh.Positions.row(vertex) = PositionOf(this->Mesh, mesh.Places[vertex]).transpose();
     }
     mesh.Quads = std::move(round.Quads.Corners);
+    mesh.Faces = std::move(round.Quads.Faces);
     for (std::array<int, 4>& quad : mesh.Quads)
     {
       std::transform(quad.begin(), quad.end(), quad.begin(), [&numbers](int cell) { return numbers[cell]; });

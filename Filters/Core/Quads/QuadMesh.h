@@ -38,6 +38,7 @@ struct QuadReport
 struct QuadMesh
 {
   std::vector<std::array<int, 4>> Quads; ///< counter-clockwise seen from outside
+  std::vector<int> Faces;                ///< by quad, a face of the surface under it
   Points Positions;                      ///< of vertices
   std::vector<SurfacePlace> Places;      ///< of vertices on the surface
   std::vector<char> IsOnBoundary;        ///< by vertex

@@ -335,6 +335,34 @@ TEST(QuadMesh, HasSmallerQuadsWhereSizesAreSmaller)
   EXPECT_GT(left, 1.3 * right);
 }
 
+TEST(QuadMesh, LeavesBoundaryWhereItIsNotAligned)
+{
+  const FramedMesh surface(Square(24).Mesh());
+  QuadOptions options;
+  options.AlignBoundary = false;
+  for (const double angle : { 0.2, 0.5, 0.6, 0.7 })
+  {
+    SCOPED_TRACE(angle);
+    Vector<Complex> crosses(surface.Mesh.NumberOfFaces());
+    for (int face = 0; face < crosses.size(); ++face)
+    {
+      crosses[face] = std::pow(surface.Faces.ToComplex(face, Vector3(std::cos(angle), std::sin(angle), 0.0)), 4);
+    }
+    for (options.NumberOfQuads = 100.0; options.NumberOfQuads < 900.0; options.NumberOfQuads *= 1.2)
+    {
+      const QuadMesh mesh = MakeQuads(surface, crosses, options);
+      ExpectGoodMesh(surface, mesh);
+      for (const auto& quad : mesh.Quads)
+      {
+        const Vector3 tail = mesh.Positions.row(quad[0]).transpose(),
+                      way = mesh.Positions.row(quad[1]).transpose() - tail;
+        const bool isInside = (tail - Vector3(0.5, 0.5, 0.0)).norm() < 0.25;
+        EXPECT_TRUE(!isInside || std::abs(std::remainder(std::atan2(way[1], way[0]) - angle, Pi / 2.0)) < 0.2);
+      }
+    }
+  }
+}
+
 TEST(QuadMesh, FollowsSeams)
 {
   const FramedMesh surface(IrregularTorus(48, 24, 5).Mesh());

@@ -1,0 +1,93 @@
+#include "Adapters/Input/CrossesOfSurface.h"
+
+#include "Adapters/Input/ChosenArrays.h"
+#include "Adapters/Input/FieldFromArrays.h"
+#include "Adapters/Surface/ArrayNames.h"
+#include "Adapters/Surface/PreparationToFieldData.h"
+#include "FieldSolver.h"
+
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
+
+#include <string>
+#include <utility>
+
+namespace dmg
+{
+
+namespace
+{
+
+/// The weight of features that edges of quads shall run along.
+constexpr double WeightOfAligned = 1000.0;
+
+/// Whether a field of a solver is there.
+bool HasField(vtkDataSet* surface)
+{
+  const std::string name = ArrayNames::Direction(0);
+  return surface->GetCellData()->HasArray(name.c_str()) || surface->GetPointData()->HasArray(name.c_str());
+}
+
+/// Whether the user means an array: menus say None where nothing is chosen.
+bool IsFieldChosen(vtkAlgorithm* algorithm, vtkDataSet* surface)
+{
+  const ArrayChoice choice = ChoiceOf(algorithm, 0);
+  return HasField(surface) || (choice.IsMade() && (choice.Name != "None" || HasArray(choice, surface)));
+}
+
+/// The fourth power of each direction, unit; zero where there is none.
+Vector<Complex> FourthPowers(const Vector<Complex>& directions)
+{
+  Vector<Complex> powers(directions.size());
+  for (Eigen::Index face = 0; face < directions.size(); ++face)
+  {
+    const double length = std::abs(directions[face]);
+    powers[face] = length > 0.0 ? std::pow(directions[face] / length, 4) : Complex(0.0);
+  }
+  return powers;
+}
+
+CrossesOfSurface FromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, int N, const ExecutionContext& context)
+{
+  SurfaceWithField given = ReadField(algorithm, input, N, context);
+  if (4 % given.Field.N() != 0)
+  {
+    throw WrongChoice("quads have no edges along a field of " + std::to_string(given.Field.N()) +
+      " directions; choose one of 4, or of 1 or 2, whose lines are one of both");
+  }
+  CrossesOfSurface crosses;
+  crosses.Powers = FourthPowers(given.Field.First());
+  crosses.Relation = given.Surface;
+  crosses.Geometry = std::make_shared<const FramedMesh>(std::move(given.Surface.Mesh), context);
+  return crosses;
+}
+
+CrossesOfSurface Smoothest(
+  vtkAlgorithm* algorithm, vtkDataSet* input, const QuadOptions& options, const ExecutionContext& context)
+{
+  SurfaceMesh surface = MeshFromDataSet(input, PreparationOf(input), PartOfContext(context, 0.0, 0.2));
+  WarnOfPreparation(algorithm, surface.Report);
+  const auto solver = std::make_shared<FieldSolver>(std::move(surface.Mesh), context);
+  FieldProblem problem;
+  problem.Features.BoundaryWeight = options.AlignBoundary ? WeightOfAligned : 0.0;
+  problem.Features.SharpEdgesWeight = options.AlignSharpEdges ? WeightOfAligned : 0.0;
+  problem.Features.FeatureAngle = options.FeatureAngle;
+  CrossesOfSurface crosses;
+  crosses.Relation = surface;
+  const Field& field = solver->Solve(problem, PartOfContext(context, 0.2, 1.0), surface.Names());
+  crosses.Powers = FourthPowers(field.OnFaces);
+  crosses.Geometry = std::shared_ptr<const FramedMesh>(solver, &solver->Surface());
+  return crosses;
+}
+
+}
+
+CrossesOfSurface CrossesOf(
+  vtkAlgorithm* algorithm, vtkDataSet* surface, int N, const QuadOptions& options, const ExecutionContext& context)
+{
+  return IsFieldChosen(algorithm, surface) ? FromArrays(algorithm, surface, N, context)
+                                           : Smoothest(algorithm, surface, options, context);
+}
+
+}
