@@ -1,5 +1,6 @@
 // Memory that runs out, aborts at any moment, two filters at once: an error or a whole result, and a process that goes on.
 
+#include "Support/FailingRequests.h"
 #include "Support/SolverOfUnknowns.h"
 #include "vtkHarmonicFieldSolver.h"
 #include "vtkHodgeDecomposition.h"
@@ -19,12 +20,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cerrno>
-#include <cstdint>
 #include <cstdlib>
-#include <cstring>
-#include <link.h>
-#include <new>
 #include <random>
 #include <thread>
 #include <utility>
@@ -37,15 +33,6 @@ using namespace dmg::test;
 // process.
 // ----------------------------------------------------------------------------------------------
 
-extern "C"
-{
-  void* __libc_malloc(std::size_t);
-  void* __libc_calloc(std::size_t, std::size_t);
-  void* __libc_realloc(void*, std::size_t);
-  void* __libc_memalign(std::size_t, std::size_t);
-  void __libc_free(void*);
-}
-
 namespace
 {
 
@@ -53,81 +40,13 @@ thread_local long long requests = 0;   ///< counted while failing >= 0
 thread_local long long failing = -1;   ///< the request that fails; 0: none
 thread_local bool isOfFilters = false; ///< only requests from the code of their library count
 
-struct CodeOfFilters
-{
-  std::uintptr_t Begin = 0, End = 0;
-};
-
-CodeOfFilters FindCodeOfFilters()
-{
-  CodeOfFilters code;
-  dl_iterate_phdr(
-    [](dl_phdr_info* library, std::size_t, void* found)
-    {
-      for (int k = 0; std::strstr(library->dlpi_name, "FiltersDirectionalFields") && k < library->dlpi_phnum; ++k)
-      {
-        const auto& segment = library->dlpi_phdr[k];
-        if (segment.p_type == PT_LOAD && (segment.p_flags & PF_X))
-        {
-          const std::uintptr_t begin = library->dlpi_addr + segment.p_vaddr;
-          *static_cast<CodeOfFilters*>(found) = { begin, begin + segment.p_memsz };
-        }
-      }
-      return 0;
-    },
-    &code);
-  return code;
-}
-
-const CodeOfFilters codeOfFilters = FindCodeOfFilters();
-
-/// \param caller where the request comes from.
-bool Fails(const void* caller)
-{
-  const auto address = reinterpret_cast<std::uintptr_t>(caller);
-  return failing >= 0 && (!isOfFilters || (address >= codeOfFilters.Begin && address < codeOfFilters.End)) &&
-    ++requests == failing;
-}
+const CodeRange codeOfFilters = CodeOf("FiltersDirectionalFields");
 
 }
 
-extern "C"
+bool dmg::test::Fails(const void* caller)
 {
-  void* malloc(std::size_t size)
-  {
-    return Fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
-  }
-  void* calloc(std::size_t number, std::size_t size)
-  {
-    return Fails(__builtin_return_address(0)) ? nullptr : __libc_calloc(number, size);
-  }
-  void* realloc(void* memory, std::size_t size)
-  {
-    return Fails(__builtin_return_address(0)) ? nullptr : __libc_realloc(memory, size);
-  }
-  void* aligned_alloc(std::size_t alignment, std::size_t size)
-  {
-    return Fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
-  }
-  int posix_memalign(void** memory, std::size_t alignment, std::size_t size)
-  {
-    *memory = Fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
-    return *memory ? 0 : ENOMEM;
-  }
-}
-
-void* operator new(std::size_t size)
-{
-  void* const memory = Fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
-  return memory ? memory : throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept
-{
-  __libc_free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-  __libc_free(memory);
+  return failing >= 0 && (!isOfFilters || codeOfFilters.Contains(caller)) && ++requests == failing;
 }
 
 namespace

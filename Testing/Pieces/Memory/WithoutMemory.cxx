@@ -10,25 +10,11 @@
 
 #include "../Partitions.h"
 #include "Support/Errors.h"
+#include "Support/FailingRequests.h"
 
-#include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
-#include <link.h>
-#include <new>
-
-extern "C"
-{
-  void* __libc_malloc(std::size_t);
-  void* __libc_calloc(std::size_t, std::size_t);
-  void* __libc_realloc(void*, std::size_t);
-  void* __libc_memalign(std::size_t, std::size_t);
-  void __libc_free(void*);
-}
 
 namespace
 {
@@ -37,91 +23,14 @@ bool isCounting = false;
 long long requests = 0;
 long long failing = 0;
 
-struct Code
-{
-  std::uintptr_t Begin = 0, End = 0;
-};
-
 /// Requests of MPI and of the standard library are spared, which do not survive that.
-std::array<Code, 2> FindCode()
-{
-  std::array<Code, 2> code;
-  dl_iterate_phdr(
-    [](dl_phdr_info* library, std::size_t, void* found)
-    {
-      auto& ours = *static_cast<std::array<Code, 2>*>(found);
-      const bool isProgram = ours[0].End == 0; // it comes first
-      const bool isPetsc = std::strstr(library->dlpi_name, "petsc") != nullptr;
-      for (int k = 0; (isProgram || isPetsc) && k < library->dlpi_phnum; ++k)
-      {
-        const auto& segment = library->dlpi_phdr[k];
-        if (segment.p_type == PT_LOAD && (segment.p_flags & PF_X))
-        {
-          const std::uintptr_t begin = library->dlpi_addr + segment.p_vaddr;
-          ours[isProgram ? 0 : 1] = { begin, begin + segment.p_memsz };
-        }
-      }
-      return 0;
-    },
-    &code);
-  return code;
-}
-
-std::array<Code, 2> code;
-
-/// \param caller the code that the request comes from.
-bool Fails(const void* caller)
-{
-  const auto address = reinterpret_cast<std::uintptr_t>(caller);
-  const bool isOurs = isCounting &&
-    std::any_of(
-      code.begin(), code.end(), [&](const Code& each) { return address >= each.Begin && address < each.End; });
-  return isOurs && ++requests == failing;
-}
+std::array<dmg::test::CodeRange, 2> code;
 
 }
 
-extern "C"
+bool dmg::test::Fails(const void* caller)
 {
-  void* malloc(std::size_t size)
-  {
-    return Fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
-  }
-  void* calloc(std::size_t number, std::size_t size)
-  {
-    return Fails(__builtin_return_address(0)) ? nullptr : __libc_calloc(number, size);
-  }
-  void* realloc(void* memory, std::size_t size)
-  {
-    return Fails(__builtin_return_address(0)) ? nullptr : __libc_realloc(memory, size);
-  }
-  void* memalign(std::size_t alignment, std::size_t size)
-  {
-    return Fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
-  }
-  void* aligned_alloc(std::size_t alignment, std::size_t size)
-  {
-    return Fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
-  }
-  int posix_memalign(void** memory, std::size_t alignment, std::size_t size)
-  {
-    *memory = Fails(__builtin_return_address(0)) ? nullptr : __libc_memalign(alignment, size);
-    return *memory ? 0 : ENOMEM;
-  }
-}
-
-void* operator new(std::size_t size)
-{
-  void* const memory = Fails(__builtin_return_address(0)) ? nullptr : __libc_malloc(size);
-  return memory ? memory : throw std::bad_alloc();
-}
-void operator delete(void* memory) noexcept
-{
-  __libc_free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept
-{
-  __libc_free(memory);
+  return isCounting && (code[0].Contains(caller) || code[1].Contains(caller)) && ++requests == failing;
 }
 
 namespace
@@ -145,7 +54,7 @@ void Solve(const SurfacePiece& piece)
 int main(int count, char** arguments)
 {
   MPI_Init(&count, &arguments);
-  code = FindCode();
+  code = { test::CodeOf(""), test::CodeOf("petsc") };
   failing = count > 1 ? std::atoll(arguments[1]) : 0;
   {
     const Ranks all(MPI_COMM_WORLD);
