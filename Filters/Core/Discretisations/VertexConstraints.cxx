@@ -44,7 +44,7 @@ std::vector<char> SurroundedVertices(const TriangleMesh& mesh, const std::vector
 std::vector<PowerAtVertex> PowersAtVertices(const FramedMesh& surface, const VertexConnection& connection, int N,
   const Constraints& constraints, const std::vector<char>& isSurrounded, const ElementNames& names)
 {
-  const auto& [mesh, faceFrames, vertexFrames] = surface;
+  const TriangleMesh& mesh = surface.Mesh;
   const Vector<double> areas = LumpedMass(mesh);
   std::vector<PowerAtVertex> sums(mesh.NumberOfVertices());
   for (const Constraint& onFace : constraints.OnFaces)
@@ -53,7 +53,7 @@ std::vector<PowerAtVertex> PowersAtVertices(const FramedMesh& surface, const Ver
     CheckElement(face, mesh.NumberOfFaces(), "face");
     const auto isInside = [&](int k) { return isSurrounded[mesh.FaceCorners()(face, k)] != 0; };
     const bool holdsInside = onFace.Side < 0 && (isInside(0) || isInside(1) || isInside(2));
-    const Complex v = TangentialPart(faceFrames, face, onFace.Direction, onFace.Weight, names.Face(face), "cell");
+    const Complex v = TangentialPart(surface.Faces, face, onFace.Direction, onFace.Weight, names.Face(face), "cell");
     const double area = mesh.FaceArea(face);
     for (int k = 0; k < 3; ++k)
     {
@@ -72,7 +72,7 @@ std::vector<PowerAtVertex> PowersAtVertices(const FramedMesh& surface, const Ver
     const int vertex = atVertex.Element;
     CheckElement(vertex, mesh.NumberOfVertices(), "vertex");
     const Complex v =
-      TangentialPart(vertexFrames, vertex, atVertex.Direction, atVertex.Weight, names.Vertex(vertex), "point");
+      TangentialPart(surface.Vertices, vertex, atVertex.Direction, atVertex.Weight, names.Vertex(vertex), "point");
     sums[vertex].Add(atVertex.Weight, PowerOfDirection(v, N));
   }
   return sums;
