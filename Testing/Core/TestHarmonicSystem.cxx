@@ -46,7 +46,7 @@ SparseMatrix<Scalar> ThreeChains(Random& random)
 }
 
 template <class Scalar>
-class HarmonicSystemTest : public ::testing::Test
+class AnyHarmonicSystem : public ::testing::Test
 {
 protected:
   using Dense = Eigen::Matrix<Scalar, -1, -1>;
@@ -75,9 +75,9 @@ protected:
 };
 
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(HarmonicSystemTest, Scalars);
+TYPED_TEST_SUITE(AnyHarmonicSystem, Scalars);
 
-TYPED_TEST(HarmonicSystemTest, SoftMinimisesItsEnergy)
+TYPED_TEST(AnyHarmonicSystem, SoftMinimisesItsEnergy)
 {
   const std::vector<int> prescribed = { 1, 4, 8 };
   const Vector<double> alignment = Eigen::Vector3d(0.7, 2.0, 0.3);
@@ -115,7 +115,7 @@ TYPED_TEST(HarmonicSystemTest, SoftMinimisesItsEnergy)
   }
 }
 
-TYPED_TEST(HarmonicSystemTest, HardMinimisesAmongWhatHoldsTheValues)
+TYPED_TEST(AnyHarmonicSystem, HardMinimisesAmongWhatHoldsTheValues)
 {
   const std::vector<int> prescribed = { 2, 3, 9 };
   const auto system = HarmonicSystem<TypeParam>::Hard(this->L, this->M, prescribed);
@@ -140,7 +140,7 @@ TYPED_TEST(HarmonicSystemTest, HardMinimisesAmongWhatHoldsTheValues)
   }
 }
 
-TYPED_TEST(HarmonicSystemTest, HardIsTheLimitOfSoft)
+TYPED_TEST(AnyHarmonicSystem, HardIsTheLimitOfSoft)
 {
   const std::vector<int> prescribed = { 0, 5, 7, 11 };
   const Vector<TypeParam> y = this->RandomVector(4);
@@ -158,7 +158,7 @@ TYPED_TEST(HarmonicSystemTest, HardIsTheLimitOfSoft)
   }
 }
 
-TYPED_TEST(HarmonicSystemTest, KnowsItsUnknowns)
+TYPED_TEST(AnyHarmonicSystem, KnowsItsUnknowns)
 {
   const auto system = HarmonicSystem<TypeParam>::Hard(this->L, this->M, { 3 });
   ASSERT_EQ(system.FreeUnknowns(), (std::vector<int>{ 0, 1, 2, 4, 5 }));
@@ -181,14 +181,14 @@ TYPED_TEST(HarmonicSystemTest, KnowsItsUnknowns)
   EXPECT_EQ(system.Restrict(system.Expand(free, y)), free);
 }
 
-TYPED_TEST(HarmonicSystemTest, SoftPrescriptionsWithoutMassHoldNothing)
+TYPED_TEST(AnyHarmonicSystem, SoftPrescriptionsWithoutMassHoldNothing)
 {
   const auto system = HarmonicSystem<TypeParam>::Soft(this->L, this->M, { 1, 8 }, Eigen::Vector2d(0.0, 1.0));
   EXPECT_EQ(system.FreeUnknowns(), (std::vector<int>{ 6, 7, 8, 9 }));
   EXPECT_EQ(system.RightHandSide(this->RandomVector(2)).size(), 4);
 }
 
-TYPED_TEST(HarmonicSystemTest, MakeIsSoftOrHardAsThePrescriptionSays)
+TYPED_TEST(AnyHarmonicSystem, MakeIsSoftOrHardAsThePrescriptionSays)
 {
   using Dense = typename TestFixture::Dense;
   const std::vector<int> prescribed = { 1, 4, 8 };
@@ -206,7 +206,7 @@ TYPED_TEST(HarmonicSystemTest, MakeIsSoftOrHardAsThePrescriptionSays)
     HarmonicSystem<TypeParam>::Hard(this->L, this->M, prescribed));
 }
 
-TYPED_TEST(HarmonicSystemTest, EverythingPrescribedHardLeavesNothing)
+TYPED_TEST(AnyHarmonicSystem, EverythingPrescribedHardLeavesNothing)
 {
   std::vector<int> all(12);
   for (int i = 0; i < 12; ++i)

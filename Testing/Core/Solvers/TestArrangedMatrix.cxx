@@ -40,7 +40,7 @@ SparseMatrix<double> MatrixOfPairs(int pairs, test::Random& random)
 
 }
 
-TEST(TestArrangedMatrix, PartsOfPairsAreTheMatrixButForItsDiagonal)
+TEST(ArrangedMatrix, PartsOfPairsAreTheMatrixButForItsDiagonal)
 {
   test::Random random(4101);
   const SparseMatrix<double> A = MatrixOfPairs(9, random);

@@ -16,15 +16,15 @@ namespace
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
 template <class Scalar>
-class TestCholeskySolver : public ::testing::Test
+class AnyCholeskySolver : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestCholeskySolver, Scalars);
+TYPED_TEST_SUITE(AnyCholeskySolver, Scalars);
 
 }
 
-TYPED_TEST(TestCholeskySolver, SolvesWithEveryOrdering)
+TYPED_TEST(AnyCholeskySolver, SolvesWithEveryOrdering)
 {
   const auto A = test::MakeGridProblem<TypeParam>(6, 1).A;
   const auto b = test::RandomVector<TypeParam>(A.rows(), 2701);
@@ -41,7 +41,7 @@ TYPED_TEST(TestCholeskySolver, SolvesWithEveryOrdering)
   }
 }
 
-TYPED_TEST(TestCholeskySolver, ReadsTheLowerTriangleOnly)
+TYPED_TEST(AnyCholeskySolver, ReadsTheLowerTriangleOnly)
 {
   const auto A = test::MakeGridProblem<TypeParam>(3, 1).A;
   SparseMatrix<TypeParam> lower = A.template triangularView<Eigen::Lower>();
@@ -52,7 +52,7 @@ TYPED_TEST(TestCholeskySolver, ReadsTheLowerTriangleOnly)
   EXPECT_EQ(x, y);
 }
 
-TYPED_TEST(TestCholeskySolver, UpdateFactorsOtherValues)
+TYPED_TEST(AnyCholeskySolver, UpdateFactorsOtherValues)
 {
   auto A = test::MakeGridProblem<TypeParam>(5, 1).A;
   CholeskySolver<TypeParam> updated(A);
@@ -69,7 +69,7 @@ TYPED_TEST(TestCholeskySolver, UpdateFactorsOtherValues)
   EXPECT_EQ(x, y);
 }
 
-TYPED_TEST(TestCholeskySolver, ConditionOfADiagonalMatrix)
+TYPED_TEST(AnyCholeskySolver, KnowsTheConditionOfADiagonalMatrix)
 {
   SparseMatrix<TypeParam> A(3, 3);
   A.insert(0, 0) = 4.0;
@@ -79,7 +79,7 @@ TYPED_TEST(TestCholeskySolver, ConditionOfADiagonalMatrix)
   EXPECT_NEAR(CholeskySolver<TypeParam>(A).ReciprocalCondition(), 1.0 / 64.0, 10 * Epsilon);
 }
 
-TYPED_TEST(TestCholeskySolver, AnIndefiniteMatrixIsNamed)
+TYPED_TEST(AnyCholeskySolver, AnIndefiniteMatrixIsNamed)
 {
   // One unknown has a negative diagonal and no neighbours: it is the one to be named.
   SparseMatrix<TypeParam> A(4, 4);
@@ -99,7 +99,7 @@ TYPED_TEST(TestCholeskySolver, AnIndefiniteMatrixIsNamed)
   }
 }
 
-TYPED_TEST(TestCholeskySolver, UpdateRefusesAnIndefiniteMatrix)
+TYPED_TEST(AnyCholeskySolver, UpdateRefusesAnIndefiniteMatrix)
 {
   auto A = test::MakeGridProblem<TypeParam>(4, 1).A;
   CholeskySolver<TypeParam> solver(A);

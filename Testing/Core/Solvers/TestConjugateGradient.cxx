@@ -95,15 +95,15 @@ double RelativeEnergyNorm(CyclePreconditioned<Scalar>& grid, const Vector<Scalar
 }
 
 template <class Scalar>
-class TestConjugateGradient : public ::testing::Test
+class AnyConjugateGradient : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestConjugateGradient, Scalars);
+TYPED_TEST_SUITE(AnyConjugateGradient, Scalars);
 
 }
 
-TYPED_TEST(TestConjugateGradient, AgreesWithCholesky)
+TYPED_TEST(AnyConjugateGradient, AgreesWithCholesky)
 {
   CyclePreconditioned<TypeParam> grid(7, 5);
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3101);
@@ -123,7 +123,7 @@ TYPED_TEST(TestConjugateGradient, AgreesWithCholesky)
   }
 }
 
-TYPED_TEST(TestConjugateGradient, IterationsDoNotGrowWithTheGrid)
+TYPED_TEST(AnyConjugateGradient, IterationsDoNotGrowWithTheGrid)
 {
   std::vector<int> iterations;
   for (int depth = 5; depth <= 8; ++depth)
@@ -142,7 +142,7 @@ TYPED_TEST(TestConjugateGradient, IterationsDoNotGrowWithTheGrid)
   EXPECT_LE(iterations.back(), iterations.front() + 1);
 }
 
-TYPED_TEST(TestConjugateGradient, SinglePrecisionInTheCycleCostsNoIteration)
+TYPED_TEST(AnyConjugateGradient, SinglePrecisionInTheCycleCostsNoIteration)
 {
   std::vector<int> iterations;
   for (const CyclePrecision precision : { CyclePrecision::Single, CyclePrecision::Double })
@@ -159,7 +159,7 @@ TYPED_TEST(TestConjugateGradient, SinglePrecisionInTheCycleCostsNoIteration)
   EXPECT_EQ(iterations[0], iterations[1]);
 }
 
-TYPED_TEST(TestConjugateGradient, HistoryStartsAtTheStartAndEndsAtTheTruth)
+TYPED_TEST(AnyConjugateGradient, HistoryStartsAtTheStartAndEndsAtTheTruth)
 {
   CyclePreconditioned<TypeParam> grid(5, 3);
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3104);
@@ -190,7 +190,7 @@ TYPED_TEST(TestConjugateGradient, HistoryStartsAtTheStartAndEndsAtTheTruth)
 
 // B is the inverse of A = I but for one unknown, of which b has 1e-9 and B makes 1e8 times too much. After one step that
 // unknown is all of the residual: |r|_B is 1e4 |r| = 1e3, where it was |r| = 7 before.
-TYPED_TEST(TestConjugateGradient, ResidualThatTheRatioBeforeMakesSmallIsNotConverged)
+TYPED_TEST(AnyConjugateGradient, ResidualThatTheRatioBeforeMakesSmallIsNotConverged)
 {
   constexpr int size = 50;
   SparseMatrix<TypeParam> A(size, size);
@@ -228,7 +228,7 @@ TYPED_TEST(TestConjugateGradient, ResidualThatTheRatioBeforeMakesSmallIsNotConve
 }
 
 // A V-cycle is close to the inverse, so that the residual in its norm is the error in the energy norm.
-TYPED_TEST(TestConjugateGradient, ResidualsAreErrorsInTheEnergyNorm)
+TYPED_TEST(AnyConjugateGradient, ResidualsAreErrorsInTheEnergyNorm)
 {
   CyclePreconditioned<TypeParam> grid(6, 4);
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3114);
@@ -246,7 +246,7 @@ TYPED_TEST(TestConjugateGradient, ResidualsAreErrorsInTheEnergyNorm)
   }
 }
 
-TYPED_TEST(TestConjugateGradient, StartsFromTheGivenVector)
+TYPED_TEST(AnyConjugateGradient, StartsFromTheGivenVector)
 {
   CyclePreconditioned<TypeParam> grid(5, 3);
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3105);
@@ -266,7 +266,7 @@ TYPED_TEST(TestConjugateGradient, StartsFromTheGivenVector)
   EXPECT_LT(report.Iterations.back().Iteration, fromZero);
 }
 
-TYPED_TEST(TestConjugateGradient, ZeroRightHandSideHasTheSolutionZero)
+TYPED_TEST(AnyConjugateGradient, ZeroRightHandSideHasTheSolutionZero)
 {
   CyclePreconditioned<TypeParam> grid(4, 2);
   const Vector<TypeParam> zero = Vector<TypeParam>::Zero(grid.Size());
@@ -279,7 +279,7 @@ TYPED_TEST(TestConjugateGradient, ZeroRightHandSideHasTheSolutionZero)
   EXPECT_EQ(report.Iterations[0].RelativeResidual, 0.0);
 }
 
-TYPED_TEST(TestConjugateGradient, TheLimitLeavesTheBestVector)
+TYPED_TEST(AnyConjugateGradient, TheLimitLeavesTheBestVector)
 {
   // Eigenvalues from 1 to 10^4 and no preconditioner: residuals go up and down. Stop where one is
   // worse than the best before it.
@@ -320,7 +320,7 @@ TYPED_TEST(TestConjugateGradient, TheLimitLeavesTheBestVector)
   EXPECT_NE(report.Warnings[0].find("limit of " + std::to_string(limit)), std::string::npos);
 }
 
-TYPED_TEST(TestConjugateGradient, StopsWhereRoundingForbidsProgress)
+TYPED_TEST(AnyConjugateGradient, StopsWhereRoundingForbidsProgress)
 {
   CyclePreconditioned<TypeParam> grid(6, 4);
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3108);
@@ -335,7 +335,7 @@ TYPED_TEST(TestConjugateGradient, StopsWhereRoundingForbidsProgress)
   EXPECT_NE(report.Warnings[0].find("rounding"), std::string::npos);
 }
 
-TYPED_TEST(TestConjugateGradient, IndefiniteOperatorsEndWithAWarning)
+TYPED_TEST(AnyConjugateGradient, IndefiniteOperatorsEndWithAWarning)
 {
   const auto A = test::MakeGridProblem<TypeParam>(4, 1).A;
   const SparseMatrix<TypeParam> negative = -A;
@@ -356,7 +356,7 @@ TYPED_TEST(TestConjugateGradient, IndefiniteOperatorsEndWithAWarning)
   EXPECT_NE(report.Warnings[1].find("preconditioner is not positive"), std::string::npos);
 }
 
-TYPED_TEST(TestConjugateGradient, NumbersThatAreNotFiniteAreRefused)
+TYPED_TEST(AnyConjugateGradient, NumbersThatAreNotFiniteAreRefused)
 {
   const auto A = test::MakeGridProblem<TypeParam>(3, 1).A;
   Scaling<TypeParam> identity(1.0);
@@ -371,7 +371,7 @@ TYPED_TEST(TestConjugateGradient, NumbersThatAreNotFiniteAreRefused)
   EXPECT_THROW(ConjugateGradient(MatrixOperator(A), identity, good, {}, x, report, SerialContext()), InvalidInput);
 }
 
-TYPED_TEST(TestConjugateGradient, CanBeCancelledAtEveryIteration)
+TYPED_TEST(AnyConjugateGradient, CanBeCancelledAtEveryIteration)
 {
   CyclePreconditioned<TypeParam> grid(5, 3);
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3111);
@@ -391,7 +391,7 @@ TYPED_TEST(TestConjugateGradient, CanBeCancelledAtEveryIteration)
   }
 }
 
-TYPED_TEST(TestConjugateGradient, SameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnyConjugateGradient, HasTheSameBitsForAnyNumberOfThreads)
 {
   CyclePreconditioned<TypeParam> grid(8, 6);
   const auto b = test::RandomVector<TypeParam>(grid.Size(), 3112);

@@ -19,11 +19,11 @@ namespace
 {
 
 template <class Scalar>
-class TestConvergenceMeasure : public ::testing::Test
+class AnyConvergenceMeasure : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestConvergenceMeasure, Scalars);
+TYPED_TEST_SUITE(AnyConvergenceMeasure, Scalars);
 
 Vector<double> PositiveMass(int size)
 {
@@ -32,7 +32,7 @@ Vector<double> PositiveMass(int size)
 
 }
 
-TYPED_TEST(TestConvergenceMeasure, ColumnsEqualTheirDefinitions)
+TYPED_TEST(AnyConvergenceMeasure, ColumnsEqualTheirDefinitions)
 {
   // An energy |C x - d|^2, so that A = C^H C, b = C^H d and the constant is |d|^2.
   using Matrix = Eigen::Matrix<TypeParam, Eigen::Dynamic, Eigen::Dynamic>;
@@ -61,7 +61,7 @@ TYPED_TEST(TestConvergenceMeasure, ColumnsEqualTheirDefinitions)
   EXPECT_NEAR(row.Error, norm(x - measure.Reference) / norm(measure.Reference), 1e-14);
 }
 
-TYPED_TEST(TestConvergenceMeasure, OneMassForEachPairIsTheSameForBoth)
+TYPED_TEST(AnyConvergenceMeasure, OneMassForEachPairIsTheSameForBoth)
 {
   const auto x = test::RandomVector<TypeParam>(6, 3420);
   const auto b = test::RandomVector<TypeParam>(6, 3421);
@@ -81,7 +81,7 @@ TYPED_TEST(TestConvergenceMeasure, OneMassForEachPairIsTheSameForBoth)
   EXPECT_EQ(rows[1].Error, rows[0].Error);
 }
 
-TYPED_TEST(TestConvergenceMeasure, WatchesIterations)
+TYPED_TEST(AnyConvergenceMeasure, WatchesIterations)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   const SparseMatrix<TypeParam>& A = problem.A;
@@ -129,7 +129,7 @@ TYPED_TEST(TestConvergenceMeasure, WatchesIterations)
   }
 }
 
-TYPED_TEST(TestConvergenceMeasure, SizesAreChecked)
+TYPED_TEST(AnyConvergenceMeasure, SizesAreChecked)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());

@@ -95,7 +95,7 @@ int Iterations(const WeaklyHeld& problem, Preconditioner<double>& B, Vector<doub
 
 }
 
-TEST(TestDeflatedPreconditioner, IsItsFormula)
+TEST(DeflatedPreconditioner, IsItsFormula)
 {
   const WeaklyHeld problem(60, 4, 6, 0.5);
   const Eigen::MatrixXd A(problem.A);
@@ -114,7 +114,7 @@ TEST(TestDeflatedPreconditioner, IsItsFormula)
   EXPECT_LE((D * A * H - H).norm(), 1e3 * Epsilon * D.norm() * A.norm());
 }
 
-TEST(TestDeflatedPreconditioner, IterationsDoNotKnowHowWeaklyTheKernelIsHeld)
+TEST(DeflatedPreconditioner, IterationsDoNotKnowHowWeaklyTheKernelIsHeld)
 {
   // Besides H, D A has eigenvalues between 0.6 and 1.4 + 0.7 weight: conjugate gradients gain a
   // factor of 4 per iteration (Chebyshev), so 16 lead to 1e-8 of the energy, whatever the weight.
@@ -131,7 +131,7 @@ TEST(TestDeflatedPreconditioner, IterationsDoNotKnowHowWeaklyTheKernelIsHeld)
   }
 }
 
-TEST(TestDeflatedPreconditioner, FewerPrescriptionsThanKernelVectors)
+TEST(DeflatedPreconditioner, IsDefinedForFewerPrescriptionsThanKernelVectors)
 {
   // A is singular. What it holds is found; H^T A H has no inverse.
   for (const int prescribed : { 1, 2, 5 })
@@ -153,7 +153,7 @@ TEST(TestDeflatedPreconditioner, FewerPrescriptionsThanKernelVectors)
   }
 }
 
-TEST(TestDeflatedPreconditioner, WhatRoundingMakesOfNoEnergyIsNotInverted)
+TEST(DeflatedPreconditioner, EnergiesThatAreRoundingErrorsAreNotInverted)
 {
   // One unknown is held and the kernel has six dimensions, so that five have no energy. Scaling the
   // system scales its rounding errors, and what the preconditioner takes for one.
@@ -170,7 +170,7 @@ TEST(TestDeflatedPreconditioner, WhatRoundingMakesOfNoEnergyIsNotInverted)
   }
 }
 
-TEST(TestDeflatedPreconditioner, VectorsThatAreHeldAreNoKernel)
+TEST(DeflatedPreconditioner, VectorsThatAreHeldAreNoKernel)
 {
   // Two blocks, one of them held; the kernel of A in H is one vector of the other.
   const WeaklyHeld block(40, 2, 1, 1.0);
@@ -192,7 +192,7 @@ TEST(TestDeflatedPreconditioner, VectorsThatAreHeldAreNoKernel)
   EXPECT_GT((x - without).norm(), 1e-3);
 }
 
-TEST(TestDeflatedPreconditioner, HeldUnknownsStayZero)
+TEST(DeflatedPreconditioner, HeldUnknownsStayZero)
 {
   // Rows of A, B and H that are zero, as where an unknown is held.
   WeaklyHeld problem(60, 4, 6, 0.5);

@@ -4,7 +4,7 @@
 
 using namespace dmg;
 
-TEST(TestFirstOccurrences, ThoseThatAreSaidComeFirst)
+TEST(FirstOccurrences, IndicesThatOccurComeFirst)
 {
   const std::vector<int> said = { 4, 1, 4, 4, 1, 6 };
   FirstOccurrences order(8);

@@ -17,11 +17,11 @@ namespace
 {
 
 template <class Scalar>
-class TestGalerkinCycle : public ::testing::Test
+class AnyGalerkinCycle : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestGalerkinCycle, Scalars);
+TYPED_TEST_SUITE(AnyGalerkinCycle, Scalars);
 
 struct MultigridOptions
 {
@@ -80,7 +80,7 @@ std::vector<Eigen::Triplet<Scalar>> Entries(const SparseMatrix<Scalar>& A)
 
 }
 
-TYPED_TEST(TestGalerkinCycle, AllThreeSolversAgree)
+TYPED_TEST(AnyGalerkinCycle, AllThreeSolversAgree)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(6, 4);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3301);
@@ -99,7 +99,7 @@ TYPED_TEST(TestGalerkinCycle, AllThreeSolversAgree)
   EXPECT_EQ(report.Iterations.size(), 1u);
 }
 
-TYPED_TEST(TestGalerkinCycle, UpdateHasTheBitsOfANewSolver)
+TYPED_TEST(AnyGalerkinCycle, UpdateHasTheBitsOfANewSolver)
 {
   auto problem = test::MakeGridProblem<TypeParam>(6, 4);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3302);
@@ -119,7 +119,7 @@ TYPED_TEST(TestGalerkinCycle, UpdateHasTheBitsOfANewSolver)
   EXPECT_EQ(updated.Bytes(), fresh.Bytes());
 }
 
-TYPED_TEST(TestGalerkinCycle, UpdateMayChangeThePrecision)
+TYPED_TEST(AnyGalerkinCycle, UpdateMayChangeThePrecision)
 {
   // Natural boundary conditions, held by one unknown: strongly, weakly (a nearly singular matrix,
   // for which the cycle works in double precision), and strongly again.
@@ -151,7 +151,7 @@ TYPED_TEST(TestGalerkinCycle, UpdateMayChangeThePrecision)
   EXPECT_EQ(updated.Bytes(), bytes);
 }
 
-TYPED_TEST(TestGalerkinCycle, SolvesAroundUnknownsThatNothingSees)
+TYPED_TEST(AnyGalerkinCycle, SolvesAroundUnknownsThatNothingSees)
 {
   // Every tenth fine unknown is eliminated, a whole square among them, so that some coarse unknowns
   // see nothing any more.
@@ -201,7 +201,7 @@ TYPED_TEST(TestGalerkinCycle, SolvesAroundUnknownsThatNothingSees)
   EXPECT_LE((x - expected).norm(), 1e-10 * b.norm() / 0.0048);
 }
 
-TYPED_TEST(TestGalerkinCycle, SingularButConsistentSystemsConverge)
+TYPED_TEST(AnyGalerkinCycle, SingularButConsistentSystemsConverge)
 {
   // The natural boundary condition: diagonals lowered to the number of neighbours, kernel = constants.
   const int n = 63;
@@ -242,7 +242,7 @@ TYPED_TEST(TestGalerkinCycle, SingularButConsistentSystemsConverge)
   EXPECT_LE(x.norm(), b.norm() / (2.0 - 2.0 * std::cos(std::acos(-1.0) / n)));
 }
 
-TYPED_TEST(TestGalerkinCycle, NearlyZeroDiagonalsSurvive)
+TYPED_TEST(AnyGalerkinCycle, NearlyZeroDiagonalsSurvive)
 {
   // Three more pieces, each a path of three unknowns with random weights, held by 1e-14 of its
   // stiffness. Their coarse unknowns carry constants, of an energy that is rounding error mostly,
@@ -327,7 +327,7 @@ TYPED_TEST(TestGalerkinCycle, NearlyZeroDiagonalsSurvive)
   EXPECT_LE((x - expected).norm(), 0.01 * expected.norm());
 }
 
-TEST(TestGalerkinCycle, OneFormsOnATorusConverge)
+TEST(AnyGalerkinCycle, OneFormsOnATorusConverge)
 {
   const auto problem = test::MakeTorusProblem(48, 4);
   for (int i = 0; i < problem.A.rows(); ++i)
@@ -371,7 +371,7 @@ TEST(TestGalerkinCycle, OneFormsOnATorusConverge)
   }
 }
 
-TYPED_TEST(TestGalerkinCycle, FewerLevelsAndOtherSweepsConvergeToo)
+TYPED_TEST(AnyGalerkinCycle, FewerLevelsAndOtherSweepsConvergeToo)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 4);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3310);
@@ -400,7 +400,7 @@ TYPED_TEST(TestGalerkinCycle, FewerLevelsAndOtherSweepsConvergeToo)
   }
 }
 
-TYPED_TEST(TestGalerkinCycle, SizesOfVectorsAreChecked)
+TYPED_TEST(AnyGalerkinCycle, SizesOfVectorsAreChecked)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   MultigridSolver<TypeParam> solver(problem.A, problem.P, {}, SerialContext());
@@ -413,7 +413,7 @@ TYPED_TEST(TestGalerkinCycle, SizesOfVectorsAreChecked)
     solver.SolveByCycles(Vector<TypeParam>::Ones(problem.A.rows()), {}, x, report, SerialContext()), InvalidInput);
 }
 
-TYPED_TEST(TestGalerkinCycle, LevelsAreReported)
+TYPED_TEST(AnyGalerkinCycle, LevelsAreReported)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   MultigridSolver<TypeParam> solver(problem.A, problem.P, {}, SerialContext());

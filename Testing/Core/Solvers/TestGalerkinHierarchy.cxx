@@ -28,15 +28,15 @@ bool AreIdentical(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B)
 }
 
 template <class Scalar>
-class TestGalerkinHierarchy : public ::testing::Test
+class AnyGalerkinHierarchy : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestGalerkinHierarchy, Scalars);
+TYPED_TEST_SUITE(AnyGalerkinHierarchy, Scalars);
 
 }
 
-TYPED_TEST(TestGalerkinHierarchy, CoarseMatricesAreGalerkinProducts)
+TYPED_TEST(AnyGalerkinHierarchy, CoarseMatricesAreGalerkinProducts)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(6, 4);
   const GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
@@ -59,7 +59,7 @@ TYPED_TEST(TestGalerkinHierarchy, CoarseMatricesAreGalerkinProducts)
   }
 }
 
-TYPED_TEST(TestGalerkinHierarchy, OrderIsAPermutation)
+TYPED_TEST(AnyGalerkinHierarchy, OrderIsAPermutation)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   const GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
@@ -76,7 +76,7 @@ TYPED_TEST(TestGalerkinHierarchy, OrderIsAPermutation)
   }
 }
 
-TYPED_TEST(TestGalerkinHierarchy, ChildrenFollowEachOther)
+TYPED_TEST(AnyGalerkinHierarchy, ChildrenFollowEachOther)
 {
   // Aggregation: unknown i has the parent i mod 8, so the order must gather what is 8 apart.
   SparseMatrix<TypeParam> A(64, 64);
@@ -93,7 +93,7 @@ TYPED_TEST(TestGalerkinHierarchy, ChildrenFollowEachOther)
   }
 }
 
-TYPED_TEST(TestGalerkinHierarchy, PairsStayTogether)
+TYPED_TEST(AnyGalerkinHierarchy, PairsStayTogether)
 {
   // Pair k takes from pair k mod 4, each unknown most from the other component: alone, the two would part.
   SparseMatrix<TypeParam> A(64, 64);
@@ -115,7 +115,7 @@ TYPED_TEST(TestGalerkinHierarchy, PairsStayTogether)
   }
 }
 
-TYPED_TEST(TestGalerkinHierarchy, UpdateHasTheBitsOfANewHierarchy)
+TYPED_TEST(AnyGalerkinHierarchy, UpdateHasTheBitsOfANewHierarchy)
 {
   auto problem = test::MakeGridProblem<TypeParam>(6, 4);
   GalerkinHierarchy<TypeParam> updated(problem.A, problem.P, {}, SerialContext());
@@ -154,7 +154,7 @@ TYPED_TEST(TestGalerkinHierarchy, UpdateHasTheBitsOfANewHierarchy)
   }
 }
 
-TYPED_TEST(TestGalerkinHierarchy, SameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnyGalerkinHierarchy, HasTheSameBitsForAnyNumberOfThreads)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(8, 4);
   const GalerkinHierarchy<TypeParam> serial(problem.A, problem.P, {}, SerialContext());
@@ -168,7 +168,7 @@ TYPED_TEST(TestGalerkinHierarchy, SameBitsForAnyNumberOfThreads)
   }
 }
 
-TYPED_TEST(TestGalerkinHierarchy, UnknownsThatNothingSeesAreInactive)
+TYPED_TEST(AnyGalerkinHierarchy, UnknownsThatNothingSeesAreInactive)
 {
   // Two unknowns are added to the coarse level: one without children, and one that carries the
   // kernel of a piece of the fine level, of energy zero up to rounding.
@@ -215,7 +215,7 @@ TYPED_TEST(TestGalerkinHierarchy, UnknownsThatNothingSeesAreInactive)
   EXPECT_EQ(x[coarse + 1], TypeParam(0.0));
 }
 
-TYPED_TEST(TestGalerkinHierarchy, TheFinestProlongationCanBeSmoothed)
+TYPED_TEST(AnyGalerkinHierarchy, TheFinestProlongationCanBeSmoothed)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   GalerkinOptions options;
@@ -228,14 +228,14 @@ TYPED_TEST(TestGalerkinHierarchy, TheFinestProlongationCanBeSmoothed)
   EXPECT_TRUE(AreIdentical(smoothed.Prolongation(1), plain.Prolongation(1)));
 }
 
-TYPED_TEST(TestGalerkinHierarchy, SizesMustChain)
+TYPED_TEST(AnyGalerkinHierarchy, SizesMustChain)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   EXPECT_THROW(GalerkinHierarchy<TypeParam>(problem.A, { problem.P[1] }, {}, SerialContext()), InvalidInput);
   EXPECT_THROW(GalerkinHierarchy<TypeParam>(problem.P[0], {}, {}, SerialContext()), InvalidInput);
 }
 
-TYPED_TEST(TestGalerkinHierarchy, NegativeOrInfiniteDiagonalsAreNamed)
+TYPED_TEST(AnyGalerkinHierarchy, NegativeOrInfiniteDiagonalsAreNamed)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   for (const double value : { -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN() })
@@ -254,7 +254,7 @@ TYPED_TEST(TestGalerkinHierarchy, NegativeOrInfiniteDiagonalsAreNamed)
   }
 }
 
-TYPED_TEST(TestGalerkinHierarchy, CanBeCancelledAtEveryCheckpoint)
+TYPED_TEST(AnyGalerkinHierarchy, CanBeCancelledAtEveryCheckpoint)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   const test::TbbContext all(2);

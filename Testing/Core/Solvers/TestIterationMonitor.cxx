@@ -20,10 +20,10 @@ public:
 };
 
 /// A = I, b = 1: an iterate t b has the residual 1 - t and the energy norm t.
-class TestIterationMonitor : public ::testing::Test
+class MonitoredIteration : public ::testing::Test
 {
 protected:
-  TestIterationMonitor() { this->A.setIdentity(); }
+  MonitoredIteration() { this->A.setIdentity(); }
 
   void Begin(StoppingCriteria stop)
   {
@@ -53,7 +53,7 @@ protected:
 
 }
 
-TEST_F(TestIterationMonitor, BestIsTheOneBeforeWhereAMeasuredResidualIsRaised)
+TEST_F(MonitoredIteration, BestIsTheOneBeforeWhereAMeasuredResidualIsRaised)
 {
   this->Begin({ 0.01, 2 });
   this->GoTo(0.9);
@@ -79,7 +79,7 @@ TEST_F(TestIterationMonitor, BestIsTheOneBeforeWhereAMeasuredResidualIsRaised)
   EXPECT_NE(this->Report.Warnings[0].find("1.1e-01 (iteration 1,"), std::string::npos);
 }
 
-TEST_F(TestIterationMonitor, EstimateConvergesOnlyWhereAllowedAndSteady)
+TEST_F(MonitoredIteration, EstimateConvergesOnlyWhereAllowedAndSteady)
 {
   for (const bool mayEstimate : { false, true })
   {
@@ -103,7 +103,7 @@ TEST_F(TestIterationMonitor, EstimateConvergesOnlyWhereAllowedAndSteady)
   }
 }
 
-TEST_F(TestIterationMonitor, PreconditionerThatIsNotPositiveMeasuresNothing)
+TEST_F(MonitoredIteration, PreconditionerThatIsNotPositiveMeasuresNothing)
 {
   this->Begin({ 0.01, 10 });
   this->GoTo(0.999);

@@ -110,7 +110,7 @@ StiffnessCycleOptions Options(int sweeps, int largestFactor)
 
 }
 
-TEST(TestLaplacianHierarchy, IsTheMatrixInAnotherOrder)
+TEST(LaplacianHierarchy, IsTheMatrixInAnotherOrder)
 {
   const Problem problem(4, 3);
   const LaplacianHierarchy hierarchy = problem.Hierarchy();
@@ -142,7 +142,7 @@ TEST(TestLaplacianHierarchy, IsTheMatrixInAnotherOrder)
   }
 }
 
-TEST(TestLaplacianHierarchy, TheCoarseMatrixIsGalerkins)
+TEST(LaplacianHierarchy, TheCoarseMatrixIsGalerkins)
 {
   const Problem problem(4, 3);
   for (const int steps : { 0, 2 })
@@ -155,7 +155,7 @@ TEST(TestLaplacianHierarchy, TheCoarseMatrixIsGalerkins)
   }
 }
 
-TEST(TestLaplacianHierarchy, OperatorsAddWhatIsPrescribed)
+TEST(LaplacianHierarchy, OperatorsAddWhatIsPrescribed)
 {
   const Problem problem(4, 2);
   const LaplacianHierarchy hierarchy = problem.Hierarchy();
@@ -173,7 +173,7 @@ TEST(TestLaplacianHierarchy, OperatorsAddWhatIsPrescribed)
 
 // On two levels with the coarse one factored, errors are swept, lose their part in the coarse space, and
 // are swept by the adjoint.
-TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
+TEST(LaplacianCycle, TwoGridsAreTheTextbooksFormula)
 {
   const Problem problem(4, 2);
   const LaplacianHierarchy hierarchy = problem.Hierarchy();
@@ -222,7 +222,7 @@ TEST(TestLaplacianCycle, TwoGridsAreTheTextbooksFormula)
   }
 }
 
-TEST(TestLaplacianCycle, UpdateIsANewCycle)
+TEST(LaplacianCycle, UpdateIsANewCycle)
 {
   const Problem problem(5, 4);
   const LaplacianHierarchy hierarchy = problem.Hierarchy();
@@ -241,7 +241,7 @@ TEST(TestLaplacianCycle, UpdateIsANewCycle)
   }
 }
 
-TEST(TestLaplacianCycle, SameBitsForAnyNumberOfThreads)
+TEST(LaplacianCycle, HasTheSameBitsForAnyNumberOfThreads)
 {
   const Problem problem(7, 4);
   std::vector<Vector<double>> results;
@@ -261,7 +261,7 @@ TEST(TestLaplacianCycle, SameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(TestLaplacianHierarchy, RefusesSizesThatDoNotChain)
+TEST(LaplacianHierarchy, RefusesSizesThatDoNotChain)
 {
   const Problem problem(4, 3);
   try

@@ -96,7 +96,7 @@ constexpr ConstraintKind BothConstraints[] = { ConstraintKind::Soft, ConstraintK
 
 }
 
-TEST(TestLeastSquaresCycle, IsSymmetricPositiveDefinite)
+TEST(LeastSquaresCycle, IsSymmetricPositiveDefinite)
 {
   // Up to the rounding of single precision, in which the coarse levels are held.
   ForProblems(2,
@@ -127,7 +127,7 @@ TEST(TestLeastSquaresCycle, IsSymmetricPositiveDefinite)
     });
 }
 
-TEST(TestLeastSquaresCycle, HeldUnknownsAreZero)
+TEST(LeastSquaresCycle, HeldUnknownsAreZero)
 {
   ForProblems(4,
     [](const SurfaceProblem& problem)
@@ -148,7 +148,7 @@ TEST(TestLeastSquaresCycle, HeldUnknownsAreZero)
     });
 }
 
-TEST(TestLeastSquaresCycle, SpectrumIsThatOfAGoodPreconditioner)
+TEST(LeastSquaresCycle, SpectrumIsThatOfAGoodPreconditioner)
 {
   for (const ConstraintKind kind : BothConstraints)
   {
@@ -183,7 +183,7 @@ TEST(TestLeastSquaresCycle, SpectrumIsThatOfAGoodPreconditioner)
   }
 }
 
-TEST(TestLeastSquaresCycle, IterationsAgreeWithCholesky)
+TEST(LeastSquaresCycle, IterationsAgreeWithCholesky)
 {
   ForProblems(4,
     [](const SurfaceProblem& problem)
@@ -216,7 +216,7 @@ TEST(TestLeastSquaresCycle, IterationsAgreeWithCholesky)
     });
 }
 
-TEST(TestLeastSquaresCycle, AnyDegreeAndSweeps)
+TEST(LeastSquaresCycle, ConvergesForAnyDegreeAndSweeps)
 {
   const SurfaceProblem problem(test::IrregularTorus(40, 16, 5), SurfaceProblem::Of::FaceFields);
   for (const int degree : { 0, 1, 3 })
@@ -245,7 +245,7 @@ TEST(TestLeastSquaresCycle, AnyDegreeAndSweeps)
 }
 
 // A cycle that was updated is the cycle that a new one would be, whatever it was before.
-TEST(TestLeastSquaresCycle, UpdateIsANewCycle)
+TEST(LeastSquaresCycle, UpdateIsANewCycle)
 {
   const std::vector<test::Surface> surfaces = { test::IrregularTorus(80, 32, 5),
     // Faces without area have nothing that they share with others.
@@ -291,7 +291,7 @@ TEST(TestLeastSquaresCycle, UpdateIsANewCycle)
   }
 }
 
-TEST(TestLeastSquaresCycle, CyclesShareAHierarchy)
+TEST(LeastSquaresCycle, CyclesShareAHierarchy)
 {
   const SurfaceProblem problem(test::IrregularTorus(80, 32, 5), SurfaceProblem::Of::OneForms);
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
@@ -308,7 +308,7 @@ TEST(TestLeastSquaresCycle, CyclesShareAHierarchy)
   EXPECT_EQ(z, expected);
 }
 
-TEST(TestLeastSquaresCycle, SameBitsForAnyNumberOfThreads)
+TEST(LeastSquaresCycle, HasTheSameBitsForAnyNumberOfThreads)
 {
   const SurfaceProblem problem(test::IrregularTorus(120, 48, 5), SurfaceProblem::Of::FaceFields);
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
@@ -329,7 +329,7 @@ TEST(TestLeastSquaresCycle, SameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(TestLeastSquaresCycle, ReportsItsLevels)
+TEST(LeastSquaresCycle, ReportsItsLevels)
 {
   const SurfaceProblem problem(test::IrregularTorus(80, 32, 5), SurfaceProblem::Of::FaceFields);
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
@@ -347,7 +347,7 @@ TEST(TestLeastSquaresCycle, ReportsItsLevels)
   EXPECT_GT(cycle.Bytes(), 5 * 8 * problem.Size());
 }
 
-TEST(TestLeastSquaresCycle, ReportsProgressOnceAndStopsWhenAsked)
+TEST(LeastSquaresCycle, ReportsProgressOnceAndStopsWhenAsked)
 {
   const SurfaceProblem problem(test::IrregularTorus(80, 32, 5), SurfaceProblem::Of::OneForms);
   const LeastSquaresHierarchy hierarchy = problem.Hierarchy();
@@ -378,7 +378,7 @@ TEST(TestLeastSquaresCycle, ReportsProgressOnceAndStopsWhenAsked)
   }
 }
 
-TEST(TestLeastSquaresCycle, LevelsThatDoNotChainAreRefused)
+TEST(LeastSquaresCycle, LevelsThatDoNotChainAreRefused)
 {
   const SurfaceProblem problem(test::IrregularTorus(80, 32, 5), SurfaceProblem::Of::OneForms);
   const auto make = [&problem](LeastSquaresLevels levels)

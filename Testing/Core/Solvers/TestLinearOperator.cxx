@@ -17,15 +17,15 @@ namespace
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
 template <class Scalar>
-class TestLinearOperator : public ::testing::Test
+class AnyLinearOperator : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestLinearOperator, Scalars);
+TYPED_TEST_SUITE(AnyLinearOperator, Scalars);
 
 }
 
-TYPED_TEST(TestLinearOperator, AMatrixIsItsProduct)
+TYPED_TEST(AnyLinearOperator, AMatrixIsItsProduct)
 {
   const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(5, 1).A;
   const MatrixOperator<TypeParam> linear(A);
@@ -45,7 +45,7 @@ TYPED_TEST(TestLinearOperator, AMatrixIsItsProduct)
   }
 }
 
-TYPED_TEST(TestLinearOperator, AMatrixMustBeSquare)
+TYPED_TEST(AnyLinearOperator, AMatrixMustBeSquare)
 {
   const SparseMatrix<TypeParam> wide(3, 4);
   const SparseMatrix<TypeParam> tall(4, 3);
@@ -53,7 +53,7 @@ TYPED_TEST(TestLinearOperator, AMatrixMustBeSquare)
   EXPECT_THROW(MatrixOperator<TypeParam>{ tall }, InvalidInput);
 }
 
-TYPED_TEST(TestLinearOperator, SameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnyLinearOperator, HasTheSameBitsForAnyNumberOfThreads)
 {
   const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(8, 1).A;
   const MatrixOperator<TypeParam> linear(A);

@@ -43,15 +43,15 @@ Matrix<Scalar> Densified(Preconditioner<Scalar>& B, int size)
 }
 
 template <class Scalar>
-class TestMultigridCycle : public ::testing::Test
+class AnyMultigridCycle : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestMultigridCycle, Scalars);
+TYPED_TEST_SUITE(AnyMultigridCycle, Scalars);
 
 }
 
-TYPED_TEST(TestMultigridCycle, IsHermitianPositiveDefinite)
+TYPED_TEST(AnyMultigridCycle, IsHermitianPositiveDefinite)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
@@ -73,7 +73,7 @@ TYPED_TEST(TestMultigridCycle, IsHermitianPositiveDefinite)
   }
 }
 
-TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
+TYPED_TEST(AnyMultigridCycle, TwoGridsAreTheTextbooksFormula)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
@@ -105,7 +105,7 @@ TYPED_TEST(TestMultigridCycle, TwoGridsAreTheTextbooksFormula)
   EXPECT_LE((B - expected).norm(), 1e-10 * expected.norm());
 }
 
-TYPED_TEST(TestMultigridCycle, RepetitionsAreChebyshevsIteration)
+TYPED_TEST(AnyMultigridCycle, RepetitionsAreChebyshevsIteration)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
@@ -131,7 +131,7 @@ TYPED_TEST(TestMultigridCycle, RepetitionsAreChebyshevsIteration)
   }
 }
 
-TYPED_TEST(TestMultigridCycle, SinglePrecisionStaysAtItsRounding)
+TYPED_TEST(AnyMultigridCycle, SinglePrecisionStaysAtItsRounding)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 5);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
@@ -148,7 +148,7 @@ TYPED_TEST(TestMultigridCycle, SinglePrecisionStaysAtItsRounding)
   }
 }
 
-TYPED_TEST(TestMultigridCycle, OneLevelIsTheInverse)
+TYPED_TEST(AnyMultigridCycle, OneLevelIsTheInverse)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 1);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, {}, {}, SerialContext());
@@ -159,7 +159,7 @@ TYPED_TEST(TestMultigridCycle, OneLevelIsTheInverse)
   EXPECT_LE((z - x).norm(), 1e-10 * x.norm()); // lifted by 1e-12, condition about 100
 }
 
-TYPED_TEST(TestMultigridCycle, UpdateHasTheBitsOfANewCycle)
+TYPED_TEST(AnyMultigridCycle, UpdateHasTheBitsOfANewCycle)
 {
   auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
@@ -181,7 +181,7 @@ TYPED_TEST(TestMultigridCycle, UpdateHasTheBitsOfANewCycle)
   EXPECT_EQ(updated.Bytes(), fresh.Bytes());
 }
 
-TYPED_TEST(TestMultigridCycle, SameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnyMultigridCycle, HasTheSameBitsForAnyNumberOfThreads)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(8, 5);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
@@ -198,7 +198,7 @@ TYPED_TEST(TestMultigridCycle, SameBitsForAnyNumberOfThreads)
   }
 }
 
-TYPED_TEST(TestMultigridCycle, NegativeSweepsAreRefused)
+TYPED_TEST(AnyMultigridCycle, NegativeSweepsAreRefused)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(3, 2);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());

@@ -20,11 +20,11 @@ template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 template <class Scalar>
-class TestNestedIteration : public ::testing::Test
+class AnyNestedIteration : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestNestedIteration, Scalars);
+TYPED_TEST_SUITE(AnyNestedIteration, Scalars);
 
 template <class Scalar>
 Vector<Scalar> SolveByCholesky(const SparseMatrix<Scalar>& A, const Vector<Scalar>& b)
@@ -111,7 +111,7 @@ test::GridProblem<double> MakePoisson(int dimension, int depth, int levels)
 
 }
 
-TYPED_TEST(TestNestedIteration, EnoughSweepsEqualCholesky)
+TYPED_TEST(AnyNestedIteration, EnoughSweepsEqualCholesky)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3501);
@@ -131,7 +131,7 @@ TYPED_TEST(TestNestedIteration, EnoughSweepsEqualCholesky)
 
 // Conjugate gradients lower the energy with every step, and a V(1,1)-cycle makes the condition number of
 // this problem less than 2, so that a step divides the error by 5 or more.
-TYPED_TEST(TestNestedIteration, CyclesOnEachLevelConverge)
+TYPED_TEST(AnyNestedIteration, CyclesOnEachLevelConverge)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 4);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3507);
@@ -166,7 +166,7 @@ TYPED_TEST(TestNestedIteration, CyclesOnEachLevelConverge)
   EXPECT_THROW(nested.Solve(b, options, x, report, SerialContext()), InvalidInput);
 }
 
-TEST(TestNestedIteration, PoissonOnALineAndInACube)
+TEST(AnyNestedIteration, SolvesPoissonProblemsOnALineAndInACube)
 {
   for (const int dimension : { 1, 3 })
   {
@@ -191,7 +191,7 @@ TEST(TestNestedIteration, PoissonOnALineAndInACube)
   }
 }
 
-TYPED_TEST(TestNestedIteration, StartingAtTheFinestLevelIsCholesky)
+TYPED_TEST(AnyNestedIteration, StartingAtTheFinestLevelIsCholesky)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3503);
@@ -206,7 +206,7 @@ TYPED_TEST(TestNestedIteration, StartingAtTheFinestLevelIsCholesky)
   EXPECT_THROW(NestedIteration<TypeParam>(problem.A, problem.P, StartingAt(-1), SerialContext()), InvalidInput);
 }
 
-TYPED_TEST(TestNestedIteration, WithoutSweepsItIsCoarseProlongation)
+TYPED_TEST(AnyNestedIteration, WithoutSweepsItIsCoarseProlongation)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 3);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3504);
@@ -234,7 +234,7 @@ TYPED_TEST(TestNestedIteration, WithoutSweepsItIsCoarseProlongation)
   }
 }
 
-TYPED_TEST(TestNestedIteration, SweepsAreGaussSeidel)
+TYPED_TEST(AnyNestedIteration, SweepsAreGaussSeidel)
 {
   // One coarse unknown that nothing sees, so that the sweeps start from zero. On a path the colours
   // are even and odd; sweeps go from the last colour to the first.
@@ -273,7 +273,7 @@ TYPED_TEST(TestNestedIteration, SweepsAreGaussSeidel)
   }
 }
 
-TYPED_TEST(TestNestedIteration, HistoryFollowsTheLevels)
+TYPED_TEST(AnyNestedIteration, HistoryFollowsTheLevels)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3506);
@@ -315,7 +315,7 @@ TYPED_TEST(TestNestedIteration, HistoryFollowsTheLevels)
   EXPECT_EQ(x, y);
 }
 
-TYPED_TEST(TestNestedIteration, TheErrorRuleStopsWhereTheErrorsSay)
+TYPED_TEST(AnyNestedIteration, TheErrorRuleStopsWhereTheErrorsSay)
 {
   // One coarse level, so that a run with a fixed number shows the errors after each sweep.
   const auto problem = test::MakeGridProblem<TypeParam>(5, 2);
@@ -346,7 +346,7 @@ TYPED_TEST(TestNestedIteration, TheErrorRuleStopsWhereTheErrorsSay)
   EXPECT_THROW(nested.Solve(b, { SweepRule::WhileErrorFalls }, x, report, SerialContext()), InvalidInput);
 }
 
-TYPED_TEST(TestNestedIteration, TheErrorRuleComparesProlongedIterates)
+TYPED_TEST(AnyNestedIteration, TheErrorRuleComparesProlongedIterates)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3509);
@@ -376,7 +376,7 @@ TYPED_TEST(TestNestedIteration, TheErrorRuleComparesProlongedIterates)
   EXPECT_NEAR(report.Iterations[2].Error, errorAfter(expected), 1e-10);
 }
 
-TYPED_TEST(TestNestedIteration, TheResidualRuleNeedsNoReference)
+TYPED_TEST(AnyNestedIteration, TheResidualRuleNeedsNoReference)
 {
   // Scaled to unit diagonal, a grid's residual is the plain one.
   const auto problem = test::MakeGridProblem<TypeParam>(5, 2);
@@ -399,7 +399,7 @@ TYPED_TEST(TestNestedIteration, TheResidualRuleNeedsNoReference)
 
 // Without a limit of one's own: on a grid so small that sweeps alone converge to rounding, which is
 // the longest that the rules can take.
-TYPED_TEST(TestNestedIteration, TheRulesEndByThemselves)
+TYPED_TEST(AnyNestedIteration, TheRulesEndByThemselves)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3511);
@@ -421,7 +421,7 @@ TYPED_TEST(TestNestedIteration, TheRulesEndByThemselves)
   }
 }
 
-TYPED_TEST(TestNestedIteration, InputIsCheckedAndZeroIsSolvedByZero)
+TYPED_TEST(AnyNestedIteration, InputIsCheckedAndZeroIsSolvedByZero)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   NestedIteration<TypeParam> nested(problem.A, problem.P, {}, SerialContext());
@@ -437,7 +437,7 @@ TYPED_TEST(TestNestedIteration, InputIsCheckedAndZeroIsSolvedByZero)
   EXPECT_THROW(nested.Solve(b, {}, x, report, SerialContext()), InvalidInput);
 }
 
-TYPED_TEST(TestNestedIteration, CanBeCancelledAtEveryCheckpoint)
+TYPED_TEST(AnyNestedIteration, CanBeCancelledAtEveryCheckpoint)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   const auto b = test::RandomVector<TypeParam>(problem.A.rows(), 3511);

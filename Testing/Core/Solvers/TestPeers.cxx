@@ -25,11 +25,11 @@ template <class Scalar>
 using Matrix = Eigen::Matrix<Scalar, Eigen::Dynamic, Eigen::Dynamic>;
 
 template <class Scalar>
-class TestPeers : public ::testing::Test
+class AnyPeers : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestPeers, Scalars);
+TYPED_TEST_SUITE(AnyPeers, Scalars);
 
 template <class Scalar>
 Matrix<Scalar> ProductOfFactors(const peers::IncompleteCholesky<Scalar>& factor)
@@ -46,7 +46,7 @@ Matrix<Scalar> ProductOfFactors(const peers::IncompleteCholesky<Scalar>& factor)
 
 }
 
-TYPED_TEST(TestPeers, IncompleteFactorsReproduceTheMatrixOnItsPattern)
+TYPED_TEST(AnyPeers, IncompleteFactorsReproduceTheMatrixOnItsPattern)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   // Nine points per row, so that triangles occur and the pattern is not trivial.
@@ -67,7 +67,7 @@ TYPED_TEST(TestPeers, IncompleteFactorsReproduceTheMatrixOnItsPattern)
   EXPECT_LE((product * z - r).norm(), 100 * Epsilon * r.norm());
 }
 
-TYPED_TEST(TestPeers, BreakdownIsCuredByAShift)
+TYPED_TEST(AnyPeers, BreakdownIsCuredByAShift)
 {
   // Positive definite, but the pivot of its incomplete factorisation is negative: Kershaw 1978.
   const double entries[4][4] = { { 3, -2, 0, 2 }, { -2, 3, -2, 0 }, { 0, -2, 3, -2 }, { 2, 0, -2, 3 } };
@@ -86,7 +86,7 @@ TYPED_TEST(TestPeers, BreakdownIsCuredByAShift)
   EXPECT_GT(peers::IncompleteCholesky<TypeParam>(A).Shift(), 0.0);
 }
 
-TYPED_TEST(TestPeers, CuthillMcKeeNarrowsTheBand)
+TYPED_TEST(AnyPeers, CuthillMcKeeNarrowsTheBand)
 {
   const auto A = test::MakeGridProblem<TypeParam>(4, 1).A;
   std::vector<int> scramble(A.rows());
@@ -116,7 +116,7 @@ TYPED_TEST(TestPeers, CuthillMcKeeNarrowsTheBand)
   EXPECT_LE(bandwidth, 15 + 1); // layers are diagonals of the 15 x 15 grid
 }
 
-TYPED_TEST(TestPeers, AllSolveTheSystem)
+TYPED_TEST(AnyPeers, AllSolveTheSystem)
 {
   const auto A = test::MakeGridProblem<TypeParam>(6, 1).A;
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3402);

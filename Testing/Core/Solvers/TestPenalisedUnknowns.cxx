@@ -35,13 +35,13 @@ double Yielded(int i, double c)
 
 }
 
-TEST(TestPenalisedUnknowns, ArePenalisedButNotHeld)
+TEST(PenalisedUnknowns, ArePenalisedButNotHeld)
 {
   EXPECT_EQ(Make<double>().Unknowns(), Penalised);
   EXPECT_TRUE(PenalisedUnknowns<double>().Unknowns().empty());
 }
 
-TEST(TestPenalisedUnknowns, TakeTheCorrectionOfLeastEnergy)
+TEST(PenalisedUnknowns, TakeTheCorrectionOfLeastEnergy)
 {
   PenalisedUnknowns<double> unknowns = Make<double>();
   const Vector<double> smoothed = Vector<double>::LinSpaced(6, 1.0, 2.0);
@@ -60,7 +60,7 @@ TEST(TestPenalisedUnknowns, TakeTheCorrectionOfLeastEnergy)
   }
 }
 
-TEST(TestPenalisedUnknowns, SameBitsForAnyNumberOfThreads)
+TEST(PenalisedUnknowns, HasTheSameBitsForAnyNumberOfThreads)
 {
   constexpr int Size = 50000; // several pieces of a loop
   const auto corrected = [](const ExecutionContext& context)
@@ -81,7 +81,7 @@ TEST(TestPenalisedUnknowns, SameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(TestPenalisedUnknowns, AreSpringsOfThatEnergy)
+TEST(PenalisedUnknowns, AreSpringsOfThatEnergy)
 {
   // A coarse function of one at each.
   SparseMatrix<Complex> rows(3, 3);

@@ -95,13 +95,13 @@ void ExpectIdentical(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& 
 
 }
 
-TEST(TestPlanarProlongation, DegreeZeroRoundsOnly)
+TEST(PlanarProlongation, DegreeZeroRoundsOnly)
 {
   const PlanarProlongation P = Interpolation(60);
   ExpectIdentical(Smoothed(Squares(60), P, 0, 0.5, SerialContext()), SparseMatrix<Complex32>(P.cast<Complex32>()));
 }
 
-TEST(TestPlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
+TEST(PlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
 {
   // max t p(t)^2 over (0, 1] is 1 / (2 k + 1)^2.
   const int size = 120;
@@ -119,7 +119,7 @@ TEST(TestPlanarProlongation, EnergyIsThatOfChebyshevsPolynomial)
   }
 }
 
-TEST(TestPlanarProlongation, IsThePolynomialInTheMatrix)
+TEST(PlanarProlongation, IsThePolynomialInTheMatrix)
 {
   const SparseMatrix<double> B = Squares(60);
   const Eigen::MatrixXd P = OnPairs(Interpolation(60));
@@ -132,7 +132,7 @@ TEST(TestPlanarProlongation, IsThePolynomialInTheMatrix)
   EXPECT_LE((quadratic - (P - 4.0 * A * P + 3.2 * A * A * P)).norm(), 100 * SingleEpsilon * P.norm());
 }
 
-TEST(TestPlanarProlongation, KernelVectorsStay)
+TEST(PlanarProlongation, KernelVectorsStay)
 {
   // v is in the kernel of B and v = P z for a z of random vectors.
   const int size = 60;
@@ -165,7 +165,7 @@ TEST(TestPlanarProlongation, KernelVectorsStay)
   }
 }
 
-TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
+TEST(PlanarProlongation, DroppedEntriesAreSmall)
 {
   const SparseMatrix<double> B = Squares(600);
   const PlanarProlongation P = Interpolation(600);
@@ -191,7 +191,7 @@ TEST(TestPlanarProlongation, DroppedEntriesAreSmall)
   }
 }
 
-TEST(TestPlanarProlongation, CoarseStiffnessIsTheTripleProductOfPairs)
+TEST(PlanarProlongation, CoarseStiffnessIsTheTripleProductOfPairs)
 {
   const SparseMatrix<double> B = Squares(240);
   const SparseMatrix<double> Bt = B.transpose();
@@ -223,7 +223,7 @@ TEST(TestPlanarProlongation, CoarseStiffnessIsTheTripleProductOfPairs)
   }
 }
 
-TEST(TestPlanarProlongation, GramIsTheProductOfPairs)
+TEST(PlanarProlongation, GramIsTheProductOfPairs)
 {
   const SparseMatrix<Complex32> Q = Smoothed(Squares(240), Interpolation(240), 2, 0.01, SerialContext());
   const SparseMatrix<double> gram = GramOfPlanar(Q, SerialContext());
@@ -240,7 +240,7 @@ TEST(TestPlanarProlongation, GramIsTheProductOfPairs)
   }
 }
 
-TEST(TestPlanarProlongation, SameBitsForAnyNumberOfThreads)
+TEST(PlanarProlongation, HasTheSameBitsForAnyNumberOfThreads)
 {
   const SparseMatrix<double> B = Squares(6000);
   const PlanarProlongation P = Interpolation(6000);

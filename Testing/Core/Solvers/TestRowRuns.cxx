@@ -102,7 +102,7 @@ void ExpectRowsTimes(const SparseMatrix<Value>& matrix, test::Random& random)
 
 }
 
-TEST(TestRowRuns, MultipliesPiecesOfRowsAsRowTimesDoes)
+TEST(RowRuns, MultipliesPiecesOfRowsAsRowTimesDoes)
 {
   test::Random random(2802);
   ExpectRowsTimes(MatrixOfRuns<Complex>(random), random);
@@ -110,7 +110,7 @@ TEST(TestRowRuns, MultipliesPiecesOfRowsAsRowTimesDoes)
   ExpectRowsTimes(MatrixOfPairs(random), random);
 }
 
-TEST(TestRowRuns, LaterRowsSeeWhatEarlierOnesChange)
+TEST(RowRuns, LaterRowsSeeWhatEarlierOnesChange)
 {
   // x_{i+1} = 2 x_i makes powers of two.
   constexpr int size = 20;
@@ -126,7 +126,7 @@ TEST(TestRowRuns, LaterRowsSeeWhatEarlierOnesChange)
   EXPECT_EQ(x[size], std::ldexp(1.0, size));
 }
 
-TEST(TestRowRuns, AddsProductsWithTheTranspose)
+TEST(RowRuns, AddsProductsWithTheTranspose)
 {
   test::Random random(2803);
   for (const SparseMatrix<double>& matrix : { MatrixOfRuns<double>(random), MatrixOfPairs(random) })

@@ -45,7 +45,7 @@ Vector<double> AdjointProduct(
 
 }
 
-TEST(TestRowTiles, NeighboursShareAnItem)
+TEST(RowTiles, NeighboursShareAnItem)
 {
   // Parts k and k + 1 share an item, and all multiples of 3 another.
   const PartGraph graph = GraphOfParts(10, 20,
@@ -67,7 +67,7 @@ TEST(TestRowTiles, NeighboursShareAnItem)
   }
 }
 
-TEST(TestRowTiles, ColoursShareNoItem)
+TEST(RowTiles, ColoursShareNoItem)
 {
   // Parts k and k + 1 share an item, and all multiples of 5 another.
   const PartColouring colouring = ColourParts(40, 100,
@@ -96,7 +96,7 @@ TEST(TestRowTiles, ColoursShareNoItem)
   EXPECT_EQ(ColourParts(0, 10, [](int, const auto&) {}).NumberOfColours(), 0);
 }
 
-TEST(TestRowTiles, ProductsWithTheTranspose)
+TEST(RowTiles, ProductsWithTheTransposeAreThoseOfTheMatrix)
 {
   for (const int rows : { 0, 10, 4096, 50000 })
   {

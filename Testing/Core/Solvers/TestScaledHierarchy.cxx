@@ -15,7 +15,7 @@ namespace
 
 /// With scalars and values of these kinds.
 template <class ScalarAndValue>
-class TestScaledHierarchy : public ::testing::Test
+class AnyScaledHierarchy : public ::testing::Test
 {
 public:
   using Scalar = typename ScalarAndValue::first_type;
@@ -49,12 +49,12 @@ public:
 
 using Kinds = ::testing::Types<std::pair<double, float>, std::pair<double, double>, std::pair<Complex, Complex32>,
   std::pair<Complex, Complex>>;
-TYPED_TEST_SUITE(TestScaledHierarchy, Kinds);
+TYPED_TEST_SUITE(AnyScaledHierarchy, Kinds);
 
 }
 
 // Level l holds D^{1/2} x and D^{-1/2} b, D the diagonal of A_l. In the caller's order and without scales:
-TYPED_TEST(TestScaledHierarchy, TransfersAreThoseOfTheHierarchy)
+TYPED_TEST(AnyScaledHierarchy, TransfersAreThoseOfTheHierarchy)
 {
   using Scaled = typename TestFixture::Levels;
   GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
@@ -88,7 +88,7 @@ TYPED_TEST(TestScaledHierarchy, TransfersAreThoseOfTheHierarchy)
   }
 }
 
-TYPED_TEST(TestScaledHierarchy, MatricesHaveUnitDiagonals)
+TYPED_TEST(AnyScaledHierarchy, MatricesHaveUnitDiagonals)
 {
   GalerkinHierarchy<typename TestFixture::Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
   typename TestFixture::Levels levels(hierarchy, TestFixture::Content::MatricesForSweeps, SerialContext());
@@ -102,7 +102,7 @@ TYPED_TEST(TestScaledHierarchy, MatricesHaveUnitDiagonals)
   this->ExpectNear(this->Stored(levels), inverse * (this->A * (inverse * this->b)));
 }
 
-TYPED_TEST(TestScaledHierarchy, UpdateTakesOtherValues)
+TYPED_TEST(AnyScaledHierarchy, UpdateTakesOtherValues)
 {
   using Scalar = typename TestFixture::Scalar;
   GalerkinHierarchy<Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());
@@ -119,7 +119,7 @@ TYPED_TEST(TestScaledHierarchy, UpdateTakesOtherValues)
   this->ExpectNear(this->Stored(levels), this->b.cwiseQuotient(other.diagonal()));
 }
 
-TYPED_TEST(TestScaledHierarchy, InactiveUnknownsStayZero)
+TYPED_TEST(AnyScaledHierarchy, InactiveUnknownsStayZero)
 {
   using Scalar = typename TestFixture::Scalar;
   SparseMatrix<Scalar> A = this->Grid.A;
@@ -134,7 +134,7 @@ TYPED_TEST(TestScaledHierarchy, InactiveUnknownsStayZero)
   EXPECT_EQ(this->Stored(levels)[7], Scalar(0.0));
 }
 
-TYPED_TEST(TestScaledHierarchy, SameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnyScaledHierarchy, HasTheSameBitsForAnyNumberOfThreads)
 {
   using Scalar = typename TestFixture::Scalar;
   GalerkinHierarchy<Scalar> hierarchy(this->Grid.A, this->Grid.P, {}, SerialContext());

@@ -20,11 +20,11 @@ namespace
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
 template <class Scalar>
-class TestShiftedFactor : public ::testing::Test
+class AnyShiftedFactor : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestShiftedFactor, Scalars);
+TYPED_TEST_SUITE(AnyShiftedFactor, Scalars);
 
 /// Differences along rings of so many unknowns, one ring after the other, each with a weight and a gauge: row i of a ring is
 /// w_i (conj(g_i) x_i - conj(g_i+1) x_i+1), so that fields c g on a ring cost nothing.
@@ -103,7 +103,7 @@ int IterationsOf(const SolveReport& report)
 
 }
 
-TYPED_TEST(TestShiftedFactor, InvertsTheMatrixAndAShareOfItsDiagonal)
+TYPED_TEST(AnyShiftedFactor, InvertsTheMatrixAndAShareOfItsDiagonal)
 {
   // Scales over sixteen orders of magnitude.
   SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(4, 1).A;
@@ -127,7 +127,7 @@ TYPED_TEST(TestShiftedFactor, InvertsTheMatrixAndAShareOfItsDiagonal)
 }
 
 // Fields that cost nothing make it singular; nobody says which. Right-hand sides in its range determine the rest.
-TYPED_TEST(TestShiftedFactor, ASingularMatrixIsSolvedWithoutItsKernel)
+TYPED_TEST(AnyShiftedFactor, ASingularMatrixIsSolvedWithoutItsKernel)
 {
   const int length = 60;
   const Rings<TypeParam> rings(5, length, 1.0);
@@ -153,7 +153,7 @@ TYPED_TEST(TestShiftedFactor, ASingularMatrixIsSolvedWithoutItsKernel)
 
 // The energies of what is prescribed are 1e-13 of the diagonal, and those of some fields far less than
 // rounding errors of the matrix; but not of its factor.
-TYPED_TEST(TestShiftedFactor, ANearlySingularMatrixIsSolvedByItsRoot)
+TYPED_TEST(AnyShiftedFactor, ANearlySingularMatrixIsSolvedByItsRoot)
 {
   const Rings<TypeParam> rings(4, 50, 1e-6);
   Vector<double> D = Vector<double>::Zero(rings.B.cols());
@@ -177,7 +177,7 @@ TYPED_TEST(TestShiftedFactor, ANearlySingularMatrixIsSolvedByItsRoot)
   EXPECT_LE(squares.Apply(error, image, SerialContext()), 1e-10 * energy);
 }
 
-TYPED_TEST(TestShiftedFactor, AnUnknownWithoutAnEquationStaysZero)
+TYPED_TEST(AnyShiftedFactor, AnUnknownWithoutAnEquationStaysZero)
 {
   SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(3, 1).A;
   const int alone = 5;
@@ -193,7 +193,7 @@ TYPED_TEST(TestShiftedFactor, AnUnknownWithoutAnEquationStaysZero)
 }
 
 // A ring's Laplacian less 1e-10 of its diagonal is indefinite by as much as rounding errors might make it.
-TYPED_TEST(TestShiftedFactor, ABreakdownMakesTheShiftLarger)
+TYPED_TEST(AnyShiftedFactor, ABreakdownMakesTheShiftLarger)
 {
   const auto lessShare = [](double share)
   {
@@ -212,7 +212,7 @@ TYPED_TEST(TestShiftedFactor, ABreakdownMakesTheShiftLarger)
   EXPECT_THROW(ShiftedFactor<TypeParam>(lessShare(1e-3)), NotPositiveDefinite);
 }
 
-TYPED_TEST(TestShiftedFactor, UpdateIsANewFactor)
+TYPED_TEST(AnyShiftedFactor, UpdateIsANewFactor)
 {
   SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(5, 1).A;
   ShiftedFactor<TypeParam> updated(A);

@@ -52,7 +52,7 @@ Eigen::MatrixXd OnPairs(const SparseMatrix<Complex32>& P)
 
 }
 
-TEST(TestSingleProlongation, ProductsAreThoseOfTheMatrix)
+TEST(SingleProlongation, ProductsAreThoseOfTheMatrix)
 {
   const SingleProlongation single = Single(Interpolation(5000, 600));
   const Eigen::MatrixXd P = OnPairs(single.Matrix());
@@ -71,7 +71,7 @@ TEST(TestSingleProlongation, ProductsAreThoseOfTheMatrix)
   EXPECT_LE((adjoint - expected).norm(), 1e-6 * expected.norm());
 }
 
-TEST(TestSingleProlongation, ProductsWithComplexNumbers)
+TEST(SingleProlongation, ProductsWithComplexNumbersAreThoseOfTheMatrix)
 {
   const SingleProlongation single = Single(Interpolation(5000, 600));
   const Eigen::MatrixXcd P = Eigen::MatrixXcf(single.Matrix()).cast<Complex>();
@@ -92,7 +92,7 @@ TEST(TestSingleProlongation, ProductsWithComplexNumbers)
   EXPECT_LE((adjoint - expected).norm(), 1e-6 * expected.norm());
 }
 
-TEST(TestSingleProlongation, SomeRows)
+TEST(SingleProlongation, SelectedRowsAreThoseOfTheMatrix)
 {
   const SingleProlongation single = Single(Interpolation(5000, 600));
   const Eigen::MatrixXcf all(single.Matrix());
@@ -102,7 +102,7 @@ TEST(TestSingleProlongation, SomeRows)
   EXPECT_EQ(single.SelectedRows({}, SerialContext()).rows(), 0);
 }
 
-TEST(TestSingleProlongation, EmptyOnes)
+TEST(SingleProlongation, MayBeEmpty)
 {
   const SingleProlongation none = Single(SparseMatrix<Complex32>(0, 0));
   EXPECT_EQ(none.Rows(), 0);
@@ -116,7 +116,7 @@ TEST(TestSingleProlongation, EmptyOnes)
   EXPECT_EQ(z, Vector<double>::Zero(4));
 }
 
-TEST(TestSingleProlongation, SameBitsForAnyNumberOfThreads)
+TEST(SingleProlongation, HasTheSameBitsForAnyNumberOfThreads)
 {
   const SparseMatrix<Complex32> P = Interpolation(30000, 4000);
   const SingleProlongation single = Single(P);

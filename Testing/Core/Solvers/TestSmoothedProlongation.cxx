@@ -17,7 +17,7 @@ namespace
 constexpr double Epsilon = std::numeric_limits<double>::epsilon();
 
 template <class Scalar>
-class TestSmoothedProlongation : public ::testing::Test
+class AnySmoothedProlongation : public ::testing::Test
 {
 };
 template <class Scalar>
@@ -29,11 +29,11 @@ SparseMatrix<Scalar> Smoothed(
 }
 
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestSmoothedProlongation, Scalars);
+TYPED_TEST_SUITE(AnySmoothedProlongation, Scalars);
 
 }
 
-TYPED_TEST(TestSmoothedProlongation, OneStepByHand)
+TYPED_TEST(AnySmoothedProlongation, OneStepIsThatByHand)
 {
   // A path of four with unit diagonal and couplings -1/2, and an injection of its two ends:
   // (I - 2/3 A) P has the rows (1/3, 0), (1/3, 0), (0, 1/3), (0, 1/3).
@@ -58,7 +58,7 @@ TYPED_TEST(TestSmoothedProlongation, OneStepByHand)
   EXPECT_LE(std::abs(smoothed.coeff(3, 1) - TypeParam(1.0 / 3.0)), Epsilon);
 }
 
-TYPED_TEST(TestSmoothedProlongation, NoStepChangesNothing)
+TYPED_TEST(AnySmoothedProlongation, NoStepChangesNothing)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(4, 2);
   const auto P = Smoothed(problem.A, problem.P[0], 0, SerialContext());
@@ -66,7 +66,7 @@ TYPED_TEST(TestSmoothedProlongation, NoStepChangesNothing)
   EXPECT_EQ(P.nonZeros(), problem.P[0].nonZeros());
 }
 
-TYPED_TEST(TestSmoothedProlongation, SmallEntriesAreDroppedAndMadeUpFor)
+TYPED_TEST(AnySmoothedProlongation, SmallEntriesAreDroppedAndMadeUpFor)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 2);
   const SparseMatrix<TypeParam> AP = problem.A * problem.P[0];
@@ -95,7 +95,7 @@ TYPED_TEST(TestSmoothedProlongation, SmallEntriesAreDroppedAndMadeUpFor)
   }
 }
 
-TYPED_TEST(TestSmoothedProlongation, CoarseFunctionsLoseEnergyWhereCoefficientsJump)
+TYPED_TEST(AnySmoothedProlongation, CoarseFunctionsLoseEnergyWhereCoefficientsJump)
 {
   // Couplings of random size, 1 to 10^4: bilinear functions have far too much energy.
   auto problem = test::MakeGridProblem<TypeParam>(5, 2);
@@ -134,7 +134,7 @@ TYPED_TEST(TestSmoothedProlongation, CoarseFunctionsLoseEnergyWhereCoefficientsJ
   }
 }
 
-TYPED_TEST(TestSmoothedProlongation, SameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnySmoothedProlongation, HasTheSameBitsForAnyNumberOfThreads)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 2);
   const auto expected = Smoothed(problem.A, problem.P[0], 2, SerialContext());

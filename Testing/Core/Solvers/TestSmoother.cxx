@@ -113,15 +113,15 @@ Matrix<Scalar> Densified(int size, const Smooth& smooth)
 }
 
 template <class Scalar>
-class TestSmoother : public ::testing::Test
+class AnySmoother : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestSmoother, Scalars);
+TYPED_TEST_SUITE(AnySmoother, Scalars);
 
 }
 
-TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
+TYPED_TEST(AnySmoother, GaussSeidelSolvesTriangles)
 {
   for (const auto& [ordered, sweeps] : { std::pair(Ordered::ByTwoColours, 0), std::pair(Ordered::ByTwoColours, 1),
          std::pair(Ordered::ByTwoColours, 2), std::pair(Ordered::ByTwoColours, 3), std::pair(Ordered::ByManyColours, 1),
@@ -159,7 +159,7 @@ TYPED_TEST(TestSmoother, GaussSeidelSolvesTriangles)
 }
 
 // With any diagonal, and without unknowns that are held.
-TYPED_TEST(TestSmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
+TYPED_TEST(AnySmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
 {
   const OrderedGrid<TypeParam> grid(4, Ordered::ByManyColours);
   Vector<double> inverse(grid.Size());
@@ -197,7 +197,7 @@ TYPED_TEST(TestSmoother, WithDiagonalIsGaussSeidelOfTheFreeUnknowns)
   }
 }
 
-TYPED_TEST(TestSmoother, PostIsTheAdjointOfPre)
+TYPED_TEST(AnySmoother, PostIsTheAdjointOfPre)
 {
   for (const Ordered ordered : AllOrders)
   {
@@ -217,7 +217,7 @@ TYPED_TEST(TestSmoother, PostIsTheAdjointOfPre)
   }
 }
 
-TYPED_TEST(TestSmoother, SameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnySmoother, HasTheSameBitsForAnyNumberOfThreads)
 {
   for (const Ordered ordered : AllOrders)
   {
@@ -240,7 +240,7 @@ TYPED_TEST(TestSmoother, SameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(TestSinglePrecisionSmoother, PairsAreTakenAtOnce)
+TEST(SinglePrecisionSmoother, PairsAreTakenAtOnce)
 {
   const OrderedGrid<double> grid(5, Ordered::ByTilesOfPairs);
   TriangularParts<float> parts;

@@ -8,7 +8,7 @@
 
 using namespace dmg;
 
-TEST(TestSparseDiagonal, AddsTheProductAndHoldsUnknowns)
+TEST(SparseDiagonal, AddsTheProductAndHoldsUnknowns)
 {
   Vector<double> D(5);
   D << 2.0, 0.0, std::numeric_limits<double>::infinity(), 0.5, 0.0;
@@ -21,7 +21,7 @@ TEST(TestSparseDiagonal, AddsTheProductAndHoldsUnknowns)
   EXPECT_EQ(y, expected);
 }
 
-TEST(TestSparseDiagonal, SameBitsForAnyNumberOfThreads)
+TEST(SparseDiagonal, HasTheSameBitsForAnyNumberOfThreads)
 {
   constexpr int Size = 100000; // several pieces of a loop
   const SparseDiagonal D(Vector<double>::LinSpaced(Size, 0.1, 3.0), SerialContext());

@@ -29,15 +29,15 @@ private:
 };
 
 template <class Scalar>
-class TestStationaryIteration : public ::testing::Test
+class AnyStationaryIteration : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestStationaryIteration, Scalars);
+TYPED_TEST_SUITE(AnyStationaryIteration, Scalars);
 
 }
 
-TYPED_TEST(TestStationaryIteration, CyclesAgreeWithCholesky)
+TYPED_TEST(AnyStationaryIteration, CyclesAgreeWithCholesky)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(7, 5);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());
@@ -61,7 +61,7 @@ TYPED_TEST(TestStationaryIteration, CyclesAgreeWithCholesky)
   }
 }
 
-TYPED_TEST(TestStationaryIteration, RichardsonContractsAsComputedByHand)
+TYPED_TEST(AnyStationaryIteration, RichardsonContractsAsComputedByHand)
 {
   // A = diag(1, 2), B = I / 2: the error of the first component halves, the second is gone at once.
   SparseMatrix<TypeParam> A(2, 2);
@@ -83,7 +83,7 @@ TYPED_TEST(TestStationaryIteration, RichardsonContractsAsComputedByHand)
   EXPECT_EQ(report.Iterations.back().Iteration, 10); // 2^-10 / sqrt 3 < 1e-3 < 2^-9 / sqrt 3
 }
 
-TYPED_TEST(TestStationaryIteration, DivergenceLeavesTheBestVector)
+TYPED_TEST(AnyStationaryIteration, DivergenceLeavesTheBestVector)
 {
   const auto A = test::MakeGridProblem<TypeParam>(4, 1).A;
   const auto b = test::RandomVector<TypeParam>(A.rows(), 3202);
@@ -97,7 +97,7 @@ TYPED_TEST(TestStationaryIteration, DivergenceLeavesTheBestVector)
   ASSERT_EQ(report.Warnings.size(), 1u);
 }
 
-TYPED_TEST(TestStationaryIteration, LimitZeroRightHandSideAndCancel)
+TYPED_TEST(AnyStationaryIteration, EndsAtItsLimitAtZeroAndWhenAsked)
 {
   const auto problem = test::MakeGridProblem<TypeParam>(5, 3);
   GalerkinHierarchy<TypeParam> hierarchy(problem.A, problem.P, {}, SerialContext());

@@ -14,15 +14,15 @@ namespace
 {
 
 template <class Scalar>
-class TestSweepOrder : public ::testing::Test
+class AnySweepOrder : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestSweepOrder, Scalars);
+TYPED_TEST_SUITE(AnySweepOrder, Scalars);
 
 }
 
-TYPED_TEST(TestSweepOrder, ColoursSeparateNeighbours)
+TYPED_TEST(AnySweepOrder, ColoursSeparateNeighbours)
 {
   const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(5, 1).A;
   const SparseMatrix<TypeParam> wider = A * A; // neighbours of neighbours
@@ -56,7 +56,7 @@ TYPED_TEST(TestSweepOrder, ColoursSeparateNeighbours)
   EXPECT_EQ(Colouring(A).Begins.size(), 3u) << "a chessboard has two colours";
 }
 
-TYPED_TEST(TestSweepOrder, TilesAreRangesAndKnowWithWhichTheyAreCoupled)
+TYPED_TEST(AnySweepOrder, TilesAreRangesAndKnowWithWhichTheyAreCoupled)
 {
   const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(6, 1).A;
   const SweepOrder order = Tiling(A);
@@ -99,7 +99,7 @@ TYPED_TEST(TestSweepOrder, TilesAreRangesAndKnowWithWhichTheyAreCoupled)
   EXPECT_LE(colours.size(), 4u);
 }
 
-TYPED_TEST(TestSweepOrder, ColoursWhereRowsAreShort)
+TYPED_TEST(AnySweepOrder, TakesColoursWhereRowsAreShort)
 {
   const SparseMatrix<TypeParam> A = test::MakeGridProblem<TypeParam>(5, 1).A;
   const SweepOrder colours = OrderForSweeps(A);
@@ -112,7 +112,7 @@ TYPED_TEST(TestSweepOrder, ColoursWhereRowsAreShort)
   EXPECT_EQ(tiles.Begins, Tiling(longRows).Begins);
 }
 
-TYPED_TEST(TestSweepOrder, NoUnknownsHaveNoTile)
+TYPED_TEST(AnySweepOrder, NoUnknownsHaveNoTile)
 {
   const SweepOrder order = Tiling(SparseMatrix<TypeParam>(0, 0));
   EXPECT_TRUE(order.Unknowns.empty());

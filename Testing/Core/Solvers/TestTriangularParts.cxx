@@ -44,7 +44,7 @@ void ExpectProducts(const TriangularParts<Value>& parts, double tolerance)
 
 }
 
-TEST(TestTriangularParts, ProductsAreThoseOfTheRows)
+TEST(TriangularParts, ProductsAreThoseOfTheRows)
 {
   TriangularParts<float> parts;
   parts.Lower = RowsOfPairs().cast<float>();

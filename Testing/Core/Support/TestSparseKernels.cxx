@@ -66,15 +66,15 @@ bool AreIdentical(const SparseMatrix<Scalar>& A, const SparseMatrix<Scalar>& B)
 }
 
 template <class Scalar>
-class TestSparseKernels : public ::testing::Test
+class AnySparseKernels : public ::testing::Test
 {
 };
 using Scalars = ::testing::Types<double, Complex>;
-TYPED_TEST_SUITE(TestSparseKernels, Scalars);
+TYPED_TEST_SUITE(AnySparseKernels, Scalars);
 
 }
 
-TYPED_TEST(TestSparseKernels, MultiplyIsTheProductOfEigen)
+TYPED_TEST(AnySparseKernels, MultiplyIsTheProductOfEigen)
 {
   const auto A = RandomMatrix<TypeParam>(500, 300, 2601);
   const auto x = RandomVector<TypeParam>(300, 2602);
@@ -84,7 +84,7 @@ TYPED_TEST(TestSparseKernels, MultiplyIsTheProductOfEigen)
   EXPECT_LE((y - expected).template lpNorm<Eigen::Infinity>(), 10 * Epsilon * A.norm());
 }
 
-TYPED_TEST(TestSparseKernels, AdjointIsThatOfEigen)
+TYPED_TEST(AnySparseKernels, AdjointIsThatOfEigen)
 {
   for (const int rows : { 40, 9000 }) // the larger is worked on in bands
   {
@@ -94,7 +94,7 @@ TYPED_TEST(TestSparseKernels, AdjointIsThatOfEigen)
   }
 }
 
-TYPED_TEST(TestSparseKernels, SymmetricFromLowerIsTheWhole)
+TYPED_TEST(AnySparseKernels, SymmetricFromLowerIsTheWhole)
 {
   for (const int rows : { 30, 9000 })
   {
@@ -106,7 +106,7 @@ TYPED_TEST(TestSparseKernels, SymmetricFromLowerIsTheWhole)
   }
 }
 
-TYPED_TEST(TestSparseKernels, AddInPatternIsTheSum)
+TYPED_TEST(AnySparseKernels, AddInPatternIsTheSum)
 {
   for (const int rows : { 0, 40, 9000 })
   {
@@ -126,7 +126,7 @@ TYPED_TEST(TestSparseKernels, AddInPatternIsTheSum)
   }
 }
 
-TYPED_TEST(TestSparseKernels, PermutedMovesRowsAndColumns)
+TYPED_TEST(AnySparseKernels, PermutedMovesRowsAndColumns)
 {
   const auto A = RandomMatrix<TypeParam>(50, 40, 2604);
   std::vector<int> rowOrder(50);
@@ -150,7 +150,7 @@ TYPED_TEST(TestSparseKernels, PermutedMovesRowsAndColumns)
   }
 }
 
-TYPED_TEST(TestSparseKernels, TripleProductIsTheProductOfEigen)
+TYPED_TEST(AnySparseKernels, TripleProductIsTheProductOfEigen)
 {
   const auto R = RandomMatrix<TypeParam>(1300, 2000, 2605); // three bands
   const auto A = RandomMatrix<TypeParam>(2000, 1500, 2606);
@@ -170,7 +170,7 @@ TYPED_TEST(TestSparseKernels, TripleProductIsTheProductOfEigen)
   }
 }
 
-TYPED_TEST(TestSparseKernels, ProductIsThatOfEigen)
+TYPED_TEST(AnySparseKernels, ProductIsThatOfEigen)
 {
   const auto A = RandomMatrix<TypeParam>(1300, 2000, 2613); // three bands
   const auto B = RandomMatrix<Complex>(2000, 900, 2614);
@@ -187,7 +187,7 @@ TYPED_TEST(TestSparseKernels, ProductIsThatOfEigen)
   }
 }
 
-TYPED_TEST(TestSparseKernels, NormalMatrixIsThatOfEigen)
+TYPED_TEST(AnySparseKernels, NormalMatrixIsThatOfEigen)
 {
   for (const int columns : { 30, 1300 }) // the larger is worked on in bands
   {
@@ -203,7 +203,7 @@ TYPED_TEST(TestSparseKernels, NormalMatrixIsThatOfEigen)
   }
 }
 
-TYPED_TEST(TestSparseKernels, SumsAreThoseOfLongDouble)
+TYPED_TEST(AnySparseKernels, SumsAreThoseOfLongDouble)
 {
   const auto x = RandomVector<TypeParam>(10000, 2608);
   const auto y = RandomVector<TypeParam>(10000, 2609);
@@ -220,7 +220,7 @@ TYPED_TEST(TestSparseKernels, SumsAreThoseOfLongDouble)
   EXPECT_NEAR(static_cast<double>(squaredNorm), SquaredNorm(x, SerialContext()), 10000 * Epsilon * x.squaredNorm());
 }
 
-TYPED_TEST(TestSparseKernels, SameBitsForAnyNumberOfThreads)
+TYPED_TEST(AnySparseKernels, HasTheSameBitsForAnyNumberOfThreads)
 {
   const auto A = RandomMatrix<TypeParam>(30000, 30000, 2610);
   const auto P = RandomMatrix<TypeParam>(30000, 6000, 2611);
