@@ -244,7 +244,7 @@ SparseMatrix<double> CoarseStiffness(const SparseMatrix<double>& B, const Sparse
   const int columns = static_cast<int>(P.cols());
   const auto makeWorker = [&, columns]
   {
-    return [&, columns, Bp = SparseVector<double>(static_cast<int>(B.rows())),
+    return [&, Bp = SparseVector<double>(static_cast<int>(B.rows())),
              AP = SparseVector<double>(static_cast<int>(B.cols())), sum = SparseSum<OuterProducts>(columns),
              members = std::vector<int>()](int firstRow, int lastRow, SparseRows<double>& rows) mutable
     {
