@@ -148,9 +148,12 @@ int vtkDirectionalProlongation::RequestData(
     dmg::RemoveOperators(output->GetFieldData());
     dmg::AddPreparation(setup.Preparation, preparation, output->GetFieldData());
     dmg::WarnOfPreparation(this, setup.Preparation);
-    for (int i = 0; i < setup.Operators->GetNumberOfArrays(); ++i)
+    for (int i = 0; i < setup.Operators->GetNumberOfArrays(); ++i) // copies, which may be changed in place
     {
-      output->GetFieldData()->AddArray(setup.Operators->GetAbstractArray(i));
+      vtkAbstractArray* const kept = setup.Operators->GetAbstractArray(i);
+      const auto copy = vtk::TakeSmartPointer(kept->NewInstance());
+      copy->DeepCopy(kept);
+      output->GetFieldData()->AddArray(copy);
     }
     const auto finest = vtk::TakeSmartPointer(input->NewInstance());
     finest->ShallowCopy(input);

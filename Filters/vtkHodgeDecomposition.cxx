@@ -109,7 +109,7 @@ int vtkHodgeDecomposition::RequestData(
       { { "Boundary", this->Boundary, Closed, Open }, { "Edge Values", this->EdgeValues, Integrals, Components },
         { "Solver", this->Solver, Automatic, ConjugateGradients }, { "Expected Solves", this->ExpectedSolves, 1 },
         { "Number Of Contours", this->NumberOfContours, 0, 1000 }, { "Lift", this->Lift, 0, 0.1 },
-        { "Length Scale", this->LengthScale, 1e-30 } });
+        { "Length Scale", this->LengthScale, 1e-30, 1e30 } });
     dmg::SolverOptions options;
     options.Kind = this->Solver == Cholesky ? dmg::SolverKind::Cholesky
       : this->Solver == ConjugateGradients  ? dmg::SolverKind::ConjugateGradients

@@ -186,7 +186,7 @@ public:
   ///@{
   /**
    * The length of the unit of the points: 6371000 for the Earth as a unit sphere and a flow in m/s, so that the stream function is in
-   * m^2/s. Default 1, more than 0.
+   * m^2/s. Default 1, between 1e-30 and 1e30.
    */
   vtkSetMacro(LengthScale, double);
   vtkGetMacro(LengthScale, double);

@@ -110,6 +110,57 @@ TEST(GatheredSurface, IsEmptyWhereAllPiecesAre)
   ExpectEmpty(solver);
 }
 
+// A triangle of one rank has a point that is not there. VTK would read it from wherever that leads.
+TEST(GatheredSurface, RefusesCellsWhosePointsAreNotThere)
+{
+  for (const vtkIdType far : { vtkIdType(-1), vtkIdType(1000000000) })
+  {
+    const auto band = OwnBand();
+    if (Rank() == 1)
+    {
+      band->GetPolys()->InsertNextCell({ 0, 1, far });
+      band->GetCellData()->GetArray("Given")->InsertNextTuple3(0.0, 0.0, 0.0);
+    }
+    for (const int discretisation : { Solver::PowerField, Solver::PointPowerField }) // gathered, and in pieces
+    {
+      const auto solver = NewSolver(band);
+      solver->SetDiscretisation(discretisation);
+      const Messages messages(solver);
+      UpdateOwnPiece(solver);
+      ExpectEmpty(solver);
+      ExpectOneError(messages, solver, "uses point " + std::to_string(far) + ", and the surface has");
+    }
+  }
+}
+
+// Cells of a model where nothing was measured. RemoveGhostCells copies the arrays that are left.
+TEST(GatheredSurface, HandsArraysOnThatAreNotFiniteAndLeavesOutShortOnes)
+{
+  const auto band = OwnBand();
+  vtkNew<vtkDoubleArray> measured;
+  measured->SetName("Measured");
+  measured->SetNumberOfTuples(band->GetNumberOfPoints());
+  measured->Fill(std::nan(""));
+  band->GetPointData()->AddArray(measured);
+  vtkNew<vtkDoubleArray> shortOne;
+  shortOne->SetName("Short");
+  band->GetCellData()->AddArray(shortOne);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(band->GetNumberOfCells());
+  ghosts->Fill(0);
+  band->GetCellData()->AddArray(ghosts);
+  for (const int discretisation : { Solver::PowerField, Solver::PointPowerField })
+  {
+    const auto solver = NewSolver(band);
+    solver->SetDiscretisation(discretisation);
+    const Messages messages(solver);
+    UpdateOwnPiece(solver);
+    EXPECT_TRUE(messages.GetErrors().empty()) << messages.Error();
+    EXPECT_EQ(Sum(static_cast<int>(solver->GetOutput()->GetNumberOfCells())), Icosphere(Subdivisions).F.rows());
+  }
+}
+
 TEST(GatheredSurface, LeavesGhostsOut)
 {
   // The next band is there as well, as ghosts.

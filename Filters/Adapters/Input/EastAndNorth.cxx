@@ -4,6 +4,8 @@
 
 #include "vtkDataArray.h"
 
+#include <sstream>
+
 namespace dmg
 {
 
@@ -21,6 +23,18 @@ Vector3 EastAndNorth::At(vtkIdType tuple, const Vector3& place) const
   return components[0] * east / length + components[1] * place.normalized().cross(east / length);
 }
 
+Vector3 UnitAxis(const Vector3& axis, const std::string& another)
+{
+  if (axis.isZero(0.0) || !axis.allFinite())
+  {
+    std::ostringstream text;
+    text << "Axis is (" << axis[0] << ", " << axis[1] << ", " << axis[2]
+         << "), which has no direction; give it another value" << another;
+    throw InvalidInput(text.str());
+  }
+  return (axis / axis.cwiseAbs().maxCoeff()).normalized();
+}
+
 EastAndNorth FindEastAndNorth(const ArrayChoice& eastward, const ArrayChoice& northward, const Vector3& axis,
   vtkDataSet* dataset, const std::string& whose)
 {
@@ -36,11 +50,7 @@ EastAndNorth FindEastAndNorth(const ArrayChoice& eastward, const ArrayChoice& no
     throw InvalidInput("the " + chosen + " component is chosen, and no " + other +
       " component of the same points or cells; choose both");
   }
-  if (axis.isZero(0.0))
-  {
-    throw InvalidInput("Axis is (0, 0, 0), which has no direction; give it another value");
-  }
-  return { east.Array, north.Array, east.OnPoints, axis };
+  return { east.Array, north.Array, east.OnPoints, UnitAxis(axis) };
 }
 
 }

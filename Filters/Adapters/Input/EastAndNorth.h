@@ -12,13 +12,17 @@ struct EastAndNorth
   vtkDataArray* Eastward = nullptr; ///< null where none is chosen
   vtkDataArray* Northward = nullptr;
   bool OnPoints = false;           ///< else on cells
-  Vector3 Axis = Vector3::UnitZ(); ///< from the origin to the north pole
+  Vector3 Axis = Vector3::UnitZ(); ///< a unit vector, from the origin to the north pole
 
   /// The vector of a tuple at a place; zero on the axis, where there is no east. Several threads may call it.
   Vector3 At(vtkIdType tuple, const Vector3& place) const;
 };
 
-/// \throw InvalidInput as FindArray; one of both is chosen, or they are not both on points or on cells; the axis is zero.
+/// The direction of an axis, of any length. \throw InvalidInput it is zero or not finite; \p another remedy may follow.
+Vector3 UnitAxis(const Vector3& axis, const std::string& another = "");
+
+/// \param axis of any length.
+/// \throw InvalidInput as FindArray and UnitAxis; one of both is chosen, or they are not both on points or on cells.
 EastAndNorth FindEastAndNorth(const ArrayChoice& eastward, const ArrayChoice& northward, const Vector3& axis,
   vtkDataSet* dataset, const std::string& whose);
 

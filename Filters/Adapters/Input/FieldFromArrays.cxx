@@ -2,6 +2,7 @@
 
 #include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/ChosenVectors.h"
+#include "Adapters/Input/EastAndNorth.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 #include "Operators/CellDirections.h"
@@ -302,7 +303,6 @@ Points ReferenceVectors(
   const ArrayChoice& choice, vtkDataSet* surface, const SurfaceMesh& mesh, const Vector3& otherwise)
 {
   Points references(mesh.Mesh.NumberOfFaces(), 3);
-  references.rowwise() = otherwise.transpose();
   if (const ChosenArray chosen = FindArray(choice, surface, 3, "reference vectors", "the surface"); chosen.Array)
   {
     Vector3 vector;
@@ -317,9 +317,9 @@ Points ReferenceVectors(
       }
     }
   }
-  else if (otherwise.isZero(0.0))
+  else
   {
-    throw InvalidInput("Axis is (0, 0, 0), which has no direction; give it another value, or choose Reference Vectors");
+    references.rowwise() = UnitAxis(otherwise, ", or choose Reference Vectors").transpose();
   }
   for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
   {

@@ -1,5 +1,6 @@
 #include "Adapters/Input/FlowFromEdges.h"
 
+#include "Adapters/Data/CellChecks.h"
 #include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Input/GuideDataSets.h"
 #include "Flows/FlowOperators.h"
@@ -177,6 +178,7 @@ std::string NameOfLine(vtkIdType line)
 FaceFlow FlowFromEdges(vtkDataSet* edges, const EdgeValues& values, vtkDataSet* input, const FramedSurface& surface,
   const ExecutionContext& context)
 {
+  CheckCells(edges, "the dataset of edges");
   const ArrayChoice choice{ values.Name, -1, vtkDataObject::FIELD_ASSOCIATION_CELLS };
   vtkDataArray* const array = FindArray(choice, edges, 1, "flow", "the edges").Array;
   if (!array)

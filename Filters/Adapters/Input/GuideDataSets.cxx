@@ -1,5 +1,6 @@
 #include "Adapters/Input/GuideDataSets.h"
 
+#include "Adapters/Data/CellChecks.h"
 #include "Support/Errors.h"
 #include "Support/ShortText.h"
 
@@ -70,6 +71,7 @@ std::vector<GuideDataSet> DataSetsOf(const std::vector<vtkDataObject*>& guides, 
     auto* const dataset = vtkDataSet::SafeDownCast(data);
     if (dataset && dataset->GetNumberOfPoints() > 0)
     {
+      CheckCells(dataset, name);
       datasets.push_back({ dataset, guide, name });
     }
     return dataset != nullptr;
@@ -119,12 +121,6 @@ bool HasLines(vtkDataSet* dataset)
 
 Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point)
 {
-  const vtkIdType size = dataset.Data->GetNumberOfPoints();
-  if (point < 0 || point >= size)
-  {
-    throw InvalidInput("a cell of " + dataset.Name + " uses point " + std::to_string(point) + ", and there are " +
-      std::to_string(size) + " points; repair the source of the guide");
-  }
   Vector3 position;
   dataset.Data->GetPoint(point, position.data());
   if (!position.allFinite())

@@ -36,16 +36,16 @@ void CheckTakesTensors(const DiscretisationOptions& field, const ArrayChoice& ve
 ConstraintChoices ChoicesOnSurface(const FieldProperties& properties, vtkDataSet* surface)
 {
   ConstraintChoices choices = WithoutFormerField(properties.Choices, surface);
+  if (properties.Problem.Options.Field.HasDirections())
+  {
+    choices.Values = choices.Source = {}; // of functions alone
+  }
   if (!properties.FollowsDirections)
   {
     const bool hasValues = HasArray(choices.Values, surface); // whose mask and weights they are then
     choices.Vectors = choices.Eastward = choices.Northward = {};
     choices.Mask = hasValues ? choices.Mask : ArrayChoice();
     choices.Weights = hasValues ? choices.Weights : ArrayChoice();
-  }
-  if (properties.Problem.Options.Field.HasDirections())
-  {
-    choices.Source = {};
   }
   CheckTakesTensors(properties.Problem.Options.Field, choices.Vectors, surface);
   return choices;

@@ -39,7 +39,7 @@ void AddBasisArrays(const BasisArrays& arrays, vtkDataSet* surface, vtkPolyData*
   {
     for (int i = 0; i < from->GetNumberOfArrays(); ++i)
     {
-      to->AddArray(from->GetArray(i));
+      to->AddArray(CopyOf(vtkDoubleArray::SafeDownCast(from->GetAbstractArray(i))));
     }
   };
   add(arrays.Cells, surface->GetCellData());

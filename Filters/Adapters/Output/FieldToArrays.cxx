@@ -67,7 +67,7 @@ void AddAll(vtkFieldData* arrays, vtkDataSetAttributes* attributes)
   attributes->RemoveArray(ArrayNames::SingularityIndex);
   for (int i = 0; i < arrays->GetNumberOfArrays(); ++i)
   {
-    attributes->AddArray(arrays->GetArray(i));
+    attributes->AddArray(CopyOf(vtkDoubleArray::SafeDownCast(arrays->GetAbstractArray(i))));
   }
   attributes->SetActiveVectors(ArrayNames::Direction(0).c_str());
 }
@@ -115,6 +115,10 @@ void AddFieldArrays(const FieldArrays& arrays, vtkDataSet* surface, vtkPolyData*
   AddAll(arrays.Points, surface->GetPointData());
   RemoveBasis(surface);
   edges->ShallowCopy(arrays.Edges);
+  for (int i = 0; i < arrays.Edges->GetCellData()->GetNumberOfArrays(); ++i)
+  {
+    edges->GetCellData()->AddArray(CopyOf(vtkDoubleArray::SafeDownCast(arrays.Edges->GetCellData()->GetArray(i))));
+  }
   edges->SetPoints(PointsOf(surface));
 }
 

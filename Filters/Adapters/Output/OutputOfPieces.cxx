@@ -5,8 +5,6 @@
 #include "Adapters/Output/ReportToArrays.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Ranks/GatheredInputs.h"
-#include "Adapters/Ranks/JoinedPieces.h"
-#include "Adapters/Surface/PolygonsFromDataSet.h"
 #include "Adapters/Surface/PreparationToFieldData.h"
 
 #include "vtkAlgorithm.h"
@@ -103,9 +101,7 @@ std::string SolveInPieces(vtkAlgorithm* filter, const FieldProperties& propertie
     return reason;
   }
   GatheredInputs shared(ranks, filter, inputs, GatheredInputs::Place::SurfaceApart);
-  vtkSmartPointer<vtkDataSet> input;
-  ranks.Together(
-    [&] { input = WithoutStrips(vtkDataSet::SafeDownCast(WithoutGhosts(vtkDataObject::GetData(inputs[0])))); });
+  vtkDataSet* const input = vtkDataSet::GetData(inputs[0]);
   reason = kept.SetSurface(ranks, input, properties.Preparation, PartOfContext(context, 0.0, 0.3));
   if (!reason.empty())
   {

@@ -1,9 +1,12 @@
 #include "Adapters/Pipeline/FilterRequests.h"
 
+#include "Adapters/Data/CellChecks.h"
+#include "Adapters/Data/WithoutStrips.h"
 #include "Adapters/Pipeline/ContextFromAlgorithm.h"
 #include "Adapters/Pipeline/FiniteArrays.h"
 #include "Adapters/Pipeline/PanelWords.h"
 #include "Adapters/Ranks/GatheredInputs.h"
+#include "Adapters/Ranks/JoinedPieces.h"
 #include "Adapters/Ranks/RanksOfPipeline.h"
 #include "Support/Errors.h"
 
@@ -130,11 +133,69 @@ void CheckOutputs(vtkInformationVector* outputs, vtkDataSet* input)
   }
 }
 
+/// The inputs of a filter with another surface, so that arrays of its outputs are known as those of this surface.
+class InputsWithSurface
+{
+public:
+  InputsWithSurface(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkDataSet* surface)
+    : Ports(inputs, inputs + algorithm->GetNumberOfInputPorts())
+  {
+    vtkNew<vtkInformation> first;
+    first->Copy(inputs[0]->GetInformationObject(0));
+    first->Set(vtkDataObject::DATA_OBJECT(), surface);
+    this->First->Append(first);
+    this->Ports[0] = this->First;
+  }
+
+  vtkInformationVector** Get() { return this->Ports.data(); }
+
+private:
+  vtkNew<vtkInformationVector> First;
+  std::vector<vtkInformationVector*> Ports;
+};
+
 void MakeAndCheck(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformationVector** inputs,
   vtkInformationVector* outputs, const ExecutionContext& context)
 {
-  make(inputs, context);
-  CheckOutputs(outputs, vtkDataSet::GetData(inputs[0]));
+  vtkDataSet* const given = vtkDataSet::GetData(inputs[0]);
+  CheckCells(given, "the surface");
+  const vtkSmartPointer<vtkDataSet> surface = WithoutStrips(given);
+  make(InputsWithSurface(algorithm, inputs, surface).Get(), context);
+  CheckOutputs(outputs, surface);
+}
+
+/// Collective: the cells of all datasets that come in, before anything reads them.
+void CheckInputs(const RanksOfPipeline& ranks, vtkAlgorithm* algorithm, vtkInformationVector** inputs)
+{
+  ranks.Together(
+    [&]
+    {
+      for (int port = 0; port < algorithm->GetNumberOfInputPorts(); ++port)
+      {
+        for (int k = 0; k < inputs[port]->GetNumberOfInformationObjects(); ++k)
+        {
+          if (auto* const dataset = vtkDataSet::GetData(inputs[port], k))
+          {
+            CheckCells(dataset, port == 0 ? "the surface" : "input " + std::to_string(port));
+          }
+        }
+      }
+    });
+}
+
+/// Makes the outputs of all ranks in pieces, without ghosts and strips. \return the reason why it has not.
+std::string MakeInPieces(const RanksOfPipeline& ranks, const MakeInPiecesFunction& inPieces, vtkAlgorithm* algorithm,
+  vtkInformationVector** inputs, vtkInformationVector* outputs, const ExecutionContext& context)
+{
+  vtkSmartPointer<vtkDataSet> surface;
+  ranks.Together(
+    [&] { surface = WithoutStrips(vtkDataSet::SafeDownCast(WithoutGhosts(vtkDataObject::GetData(inputs[0])))); });
+  const std::string reason = inPieces(ranks, InputsWithSurface(algorithm, inputs, surface).Get(), context);
+  if (reason.empty())
+  {
+    ranks.Together([&] { CheckOutputs(outputs, surface); });
+  }
+  return reason;
 }
 
 /// Says in field data of the first output what was gathered, and in VTK's output, the first time that this filter does so.
@@ -160,6 +221,7 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const 
   const ContextFromAlgorithm context(algorithm);
   ranks.Together([&] { context.Checkpoint(0.0); });
   CheckSameProperties(ranks, algorithm);
+  CheckInputs(ranks, algorithm, inputs);
   if (AreEmpty(ranks, inputs[0]))
   {
     return;
@@ -167,10 +229,9 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const 
   std::string reason = "this filter works on whole surfaces";
   if (inPieces && AreDifferentPieces(ranks, inputs[0]))
   {
-    reason = inPieces(ranks, inputs, context);
+    reason = MakeInPieces(ranks, inPieces, algorithm, inputs, outputs, context);
     if (reason.empty())
     {
-      ranks.Together([&] { CheckOutputs(outputs, vtkDataSet::GetData(inputs[0])); });
       return;
     }
   }

@@ -44,10 +44,11 @@ int GatherTimes(vtkAlgorithm* algorithm, vtkInformationVector** inputs, vtkInfor
 int AskForInputs(
   vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs);
 
-/// The inputs to work on, and the algorithm's context.
+/// The inputs to work on, and the algorithm's context. The cells of the surface are right (CheckCells), and it has no strips.
 using MakeFunction = std::function<void(vtkInformationVector** inputs, const ExecutionContext& context)>;
 
-/// Makes the outputs of all ranks, each of its own piece of the surface, by collective calls. \param inputs those of the pipeline.
+/// Makes the outputs of all ranks, each of its own piece of the surface, by collective calls. \param inputs those of the pipeline,
+/// with pieces of the surface that have neither ghosts nor strips.
 /// \return the reason why it has not: a clause for the user, the same on all ranks, as in "flows are found on one process".
 using MakeInPiecesFunction = std::function<std::string(
   const RanksOfPipeline& ranks, vtkInformationVector** inputs, const ExecutionContext& context)>;

@@ -30,14 +30,26 @@ void CheckNumbers(vtkAbstractArray* array, const std::string& name)
   }
 }
 
+bool Holds(vtkFieldData* data, vtkAbstractArray* array)
+{
+  for (int k = 0; data && k < data->GetNumberOfArrays(); ++k)
+  {
+    if (data->GetAbstractArray(k) == array)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 void CheckArrays(vtkFieldData* output, vtkFieldData* input)
 {
   for (int k = 0; output && k < output->GetNumberOfArrays(); ++k)
   {
     vtkAbstractArray* const array = output->GetAbstractArray(k);
-    const char* const name = array->GetName();
-    if (!input || !name || input->GetAbstractArray(name) != array)
+    if (!Holds(input, array))
     {
+      const char* const name = array->GetName();
       CheckNumbers(array, std::string("array '") + (name ? name : "") + "'");
     }
   }

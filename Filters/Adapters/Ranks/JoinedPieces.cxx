@@ -32,6 +32,30 @@ namespace dmg
 namespace
 {
 
+/// Leaves out the arrays that are shorter than the elements of a dataset: VTK would copy tuples that are not there.
+void RemoveShortArrays(vtkDataSetAttributes* data, vtkIdType elements)
+{
+  for (int k = data->GetNumberOfArrays() - 1; k >= 0; --k)
+  {
+    if (data->GetAbstractArray(k)->GetNumberOfTuples() < elements)
+    {
+      data->RemoveArray(k);
+    }
+  }
+}
+
+bool HasShortArrays(vtkFieldData* data, vtkIdType elements)
+{
+  for (int k = 0; k < data->GetNumberOfArrays(); ++k)
+  {
+    if (data->GetAbstractArray(k)->GetNumberOfTuples() < elements)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 vtkUnsignedCharArray* GhostArray(vtkDataSetAttributes* data)
 {
   return vtkUnsignedCharArray::SafeDownCast(data->GetAbstractArray(vtkDataSetAttributes::GhostArrayName()));
@@ -71,6 +95,8 @@ vtkSmartPointer<vtkDataObject> CopyWithoutGhosts(DataSet* piece)
 {
   auto copy = vtkSmartPointer<DataSet>::New();
   copy->ShallowCopy(piece);
+  RemoveShortArrays(copy->GetPointData(), copy->GetNumberOfPoints());
+  RemoveShortArrays(copy->GetCellData(), copy->GetNumberOfCells());
   if (GhostArray(copy->GetPointData()))
   {
     HideCellsOfHiddenPoints(copy);
@@ -386,7 +412,10 @@ vtkSmartPointer<vtkDataObject> AsBlocks(const std::vector<vtkSmartPointer<vtkDat
 vtkSmartPointer<vtkDataObject> WithoutGhosts(vtkDataObject* piece)
 {
   auto* const dataset = vtkDataSet::SafeDownCast(piece);
-  if (!dataset || !(GhostArray(dataset->GetCellData()) || GhostArray(dataset->GetPointData())))
+  if (!dataset ||
+    !(GhostArray(dataset->GetCellData()) || GhostArray(dataset->GetPointData()) ||
+      HasShortArrays(dataset->GetPointData(), dataset->GetNumberOfPoints()) ||
+      HasShortArrays(dataset->GetCellData(), dataset->GetNumberOfCells())))
   {
     return piece;
   }

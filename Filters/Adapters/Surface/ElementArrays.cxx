@@ -28,6 +28,13 @@ vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components
   return array;
 }
 
+vtkSmartPointer<vtkDoubleArray> CopyOf(vtkDoubleArray* array)
+{
+  auto copy = NewArray(array->GetName(), array->GetNumberOfComponents(), array->GetNumberOfTuples());
+  std::copy_n(array->GetPointer(0), array->GetNumberOfValues(), copy->GetPointer(0));
+  return copy;
+}
+
 void ArraysOfCells::Add(const std::string& name, int components, const double* values) const
 {
   double* const tuples = this->NewTuples(name, components);

@@ -24,6 +24,9 @@ namespace dmg
 /// Its values are to be written.
 vtkSmartPointer<vtkDoubleArray> NewArray(const std::string& name, int components, vtkIdType tuples);
 
+/// A copy, so that whoever changes it in place does not change what is kept.
+vtkSmartPointer<vtkDoubleArray> CopyOf(vtkDoubleArray* array);
+
 /// Adds an array that no menu offers, as for colours (vtkAbstractArray::GUI_HIDE).
 void AddHidden(vtkFieldData* fieldData, vtkAbstractArray* array);
 

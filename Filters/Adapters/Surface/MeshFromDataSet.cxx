@@ -157,6 +157,7 @@ void AddTo(Hash& hash, const Number* numbers, std::size_t size)
 /// The surface of any other dataset, as it is read.
 void AddTo(Hash& hash, const PolygonSurface& polygons)
 {
+  hash.Add(static_cast<vtkIdType>(polygons.NumberOfCells)); // those that are no polygons have tuples in arrays, too
   AddTo(hash, polygons.Positions.data(), polygons.Positions.size());
   AddTo(hash, polygons.Offsets.data(), polygons.Offsets.size());
   AddTo(hash, polygons.Corners.data(), polygons.Corners.size());

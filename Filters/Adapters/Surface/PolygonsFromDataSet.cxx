@@ -1,5 +1,6 @@
 #include "Adapters/Surface/PolygonsFromDataSet.h"
 
+#include "Adapters/Data/CellChecks.h"
 #include "Support/Errors.h"
 
 #include "vtkCell.h"
@@ -139,22 +140,9 @@ void VisitPolygons(vtkPolyData* surface, Visitor&& visit)
   }
 }
 
-void CheckPoints(vtkIdType cell, vtkIdType size, const vtkIdType* points, vtkIdType numberOfPoints)
-{
-  for (vtkIdType k = 0; k < size; ++k)
-  {
-    if (points[k] < 0 || points[k] >= numberOfPoints)
-    {
-      throw InvalidInput(Cell(cell) + " uses point " + std::to_string(points[k]) + ", and the surface has " +
-        std::to_string(numberOfPoints) + " points; repair the source of the surface");
-    }
-  }
-}
-
 /// \return whether all polygons are triangles.
-bool ReadTriangles(vtkPolyData* surface, vtkIdType firstCell, Triangles& corners)
+bool ReadTriangles(vtkPolyData* surface, Triangles& corners)
 {
-  const vtkIdType numberOfPoints = surface->GetNumberOfPoints();
   corners.resize(surface->GetNumberOfPolys(), 3);
   bool areTriangles = true;
   VisitPolygons(surface,
@@ -163,7 +151,6 @@ bool ReadTriangles(vtkPolyData* surface, vtkIdType firstCell, Triangles& corners
       areTriangles = size == 3;
       if (areTriangles)
       {
-        CheckPoints(firstCell + polygon, size, points, numberOfPoints);
         std::copy_n(points, 3, corners.data() + 3 * polygon);
       }
       return areTriangles;
@@ -190,7 +177,7 @@ SurfaceCells ReadPolyData(vtkPolyData* surface)
   const Ghosts ghosts(surface);
   std::vector<char> duplicates = ghosts.Duplicates(firstCell, numberOfPolygons);
   Triangles corners;
-  if (!ghosts.AreAny() && ReadTriangles(surface, firstCell, corners))
+  if (!ghosts.AreAny() && ReadTriangles(surface, corners))
   {
     return CellTriangles{ ReadPoints(surface), std::move(corners), static_cast<int>(firstCell),
       static_cast<int>(numberOfPolygons), {}, {} };
@@ -202,7 +189,6 @@ SurfaceCells ReadPolyData(vtkPolyData* surface)
   VisitPolygons(surface,
     [&](vtkIdType polygon, vtkIdType size, const vtkIdType* points)
     {
-      CheckPoints(firstCell + polygon, size, points, surface->GetNumberOfPoints());
       Add(polygons, ghosts.IsHidden(firstCell + polygon, size, points) ? 0 : size, points);
       return true;
     });
@@ -249,7 +235,7 @@ private:
     int& dimension = this->Dimensions.at(this->Surface->GetCellType(cell));
     if (dimension < 0)
     {
-      this->Surface->GetCell(cell, this->Generic);
+      this->Generic->SetCellType(this->Surface->GetCellType(cell));
       dimension = this->Generic->GetCellDimension();
     }
     return dimension;
@@ -260,7 +246,6 @@ private:
     this->Surface->GetCellPoints(cell, this->Ids);
     const vtkIdType size = this->Ids->GetNumberOfIds();
     vtkIdType* const points = this->Ids->GetPointer(0);
-    CheckPoints(cell, size, points, this->Surface->GetNumberOfPoints());
     if (this->HiddenCells.IsHidden(cell, size, points))
     {
       return;
@@ -307,34 +292,6 @@ private:
   vtkNew<vtkGenericCell> Generic;
 };
 
-/// Copies polygons, and makes triangles of strips. \return the cell that each new one comes from.
-std::vector<vtkIdType> TrianglesOfStrips(vtkPolyData* surface, vtkCellArray* polygons)
-{
-  std::vector<vtkIdType> origins;
-  vtkIdType cell = surface->GetNumberOfVerts() + surface->GetNumberOfLines();
-  VisitPolygons(surface,
-    [&](vtkIdType, vtkIdType size, const vtkIdType* points)
-    {
-      polygons->InsertNextCell(size, points);
-      origins.push_back(cell++);
-      return true;
-    });
-  const auto iterator = vtk::TakeSmartPointer(surface->GetStrips()->NewIterator());
-  for (iterator->GoToFirstCell(); !iterator->IsDoneWithTraversal(); iterator->GoToNextCell(), ++cell)
-  {
-    vtkIdType size;
-    const vtkIdType* points;
-    iterator->GetCurrentCell(size, points);
-    for (vtkIdType k = 0; k + 2 < size; ++k)
-    {
-      const bool isTurned = k % 2 == 1;
-      polygons->InsertNextCell({ points[k], points[isTurned ? k + 2 : k + 1], points[isTurned ? k + 1 : k + 2] });
-      origins.push_back(cell);
-    }
-  }
-  return origins;
-}
-
 }
 
 SurfaceCells ReadSurfaceCells(vtkDataSet* surface)
@@ -344,6 +301,7 @@ SurfaceCells ReadSurfaceCells(vtkDataSet* surface)
     throw InvalidInput("the surface has " + std::to_string(surface->GetNumberOfCells()) + " cells, at most " +
       std::to_string(std::numeric_limits<int>::max() / 3) + " can be numbered; apply Decimate (vtkDecimatePro) first");
   }
+  CheckCells(surface, "the surface");
   SurfaceCells cells;
   if (auto* const polyData = vtkPolyData::SafeDownCast(surface))
   {
@@ -361,44 +319,9 @@ SurfaceCells ReadSurfaceCells(vtkDataSet* surface)
   return cells;
 }
 
-vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* surface)
-{
-  auto* const given = vtkPolyData::SafeDownCast(surface);
-  if (!given || given->GetNumberOfStrips() == 0)
-  {
-    return surface;
-  }
-  vtkNew<vtkCellArray> polygons;
-  const std::vector<vtkIdType> origins = TrianglesOfStrips(given, polygons);
-  auto result = vtkSmartPointer<vtkPolyData>::New();
-  result->SetPoints(given->GetPoints());
-  result->SetVerts(given->GetVerts());
-  result->SetLines(given->GetLines());
-  result->SetPolys(polygons);
-  result->GetPointData()->ShallowCopy(given->GetPointData());
-  result->GetFieldData()->ShallowCopy(given->GetFieldData());
-  const vtkIdType others = given->GetNumberOfVerts() + given->GetNumberOfLines();
-  vtkNew<vtkIdList> from;
-  for (vtkIdType cell = 0; cell < others; ++cell)
-  {
-    from->InsertNextId(cell);
-  }
-  for (const vtkIdType origin : origins)
-  {
-    from->InsertNextId(origin);
-  }
-  result->GetCellData()->CopyAllOn();
-  result->GetCellData()->CopyAllocate(given->GetCellData(), from->GetNumberOfIds());
-  for (vtkIdType cell = 0; cell < from->GetNumberOfIds(); ++cell)
-  {
-    result->GetCellData()->CopyData(given->GetCellData(), from->GetId(cell), cell);
-  }
-  return result;
-}
-
 vtkSmartPointer<vtkDataSet> SurfaceOf(vtkInformationVector* port)
 {
-  return WithoutStrips(vtkDataSet::GetData(port));
+  return vtkDataSet::GetData(port);
 }
 
 vtkSmartPointer<vtkPoints> PointsOf(vtkDataSet* dataset)

@@ -17,12 +17,8 @@ namespace dmg
 /// The cells of two dimensions: triangles, where there is nothing else.
 using SurfaceCells = std::variant<CellTriangles, PolygonSurface>;
 
-/// \throw InvalidInput as MeshFromDataSet, but for PrepareSurface.
+/// \throw InvalidInput as CheckCells and MeshFromDataSet, but for PrepareSurface.
 SurfaceCells ReadSurfaceCells(vtkDataSet* surface);
-
-/// The dataset itself or, where it is a vtkPolyData with triangle strips, a copy with a triangle for each of theirs, after
-/// the polygons; these have the arrays of their strip.
-vtkSmartPointer<vtkDataSet> WithoutStrips(vtkDataSet* surface);
 
 /// The surface that comes in through a port. \pre it is a dataset.
 vtkSmartPointer<vtkDataSet> SurfaceOf(vtkInformationVector* port);

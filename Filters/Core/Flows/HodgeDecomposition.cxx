@@ -3,6 +3,7 @@
 #include "Flows/HarmonicFlows.h"
 #include "Support/ComplexPairs.h"
 #include "Support/Errors.h"
+#include "Support/Remedy.h"
 #include "Support/ShortText.h"
 
 #include <cmath>
@@ -18,6 +19,10 @@ constexpr Complex QuarterTurn(0.0, 1.0);
 /// A larger share of the energy that parts have in common is said.
 constexpr double LargestOverlap = 1e-8;
 
+/// Squares of the flow, and of what is computed of it, stay far from the largest and smallest doubles in this range.
+constexpr double SmallestFlow = 1e-40;
+constexpr double LargestFlow = 1e40;
+
 void CheckFlow(const Vector<Complex>& flow, int faces)
 {
   if (flow.size() != faces)
@@ -31,6 +36,12 @@ void CheckFlow(const Vector<Complex>& flow, int faces)
     {
       throw InvalidInput("the flow is not finite on face " + std::to_string(face) + "; repair it");
     }
+  }
+  const double largest = faces > 0 ? flow.cwiseAbs().maxCoeff() : 0.0;
+  if (largest > LargestFlow || (largest > 0.0 && largest < SmallestFlow))
+  {
+    throw InvalidInput("the largest vector of the flow is " + ShortText(largest) + " long; bring it to between " +
+      ShortText(SmallestFlow) + " and " + ShortText(LargestFlow) + ", " + TextOf(Remedy::Rescale));
   }
 }
 

@@ -74,7 +74,7 @@ public:
 
   /// \param flow #F, in the frames of the faces.
   /// \param stop of the solves. Parts are orthogonal to about its tolerance.
-  /// \throw InvalidInput the flow is not finite or has another size; harmonic fields or loops are too many to hold.
+  /// \throw InvalidInput the flow is not finite, has another size, or is longer than 1e40 or shorter than 1e-40 everywhere; harmonic fields or loops are too many to hold.
   /// \throw SolverFailure, Cancelled
   DecomposedFlow Decompose(const Vector<Complex>& flow, const FlowParts& parts = {},
     const StoppingCriteria& stop = { 1e-11, 200 }, const ExecutionContext& context = SerialContext());

@@ -1,0 +1,250 @@
+"""Inputs that are damaged, or that do not matter: cells whose points are not there, short arrays, NaN in arrays that nobody has
+chosen, values that are left over from another kind of field. A fault is one error that names the element; the rest is solved."""
+
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonCore import vtkDoubleArray
+from vtkmodules.vtkCommonDataModel import (
+    VTK_BEZIER_QUADRILATERAL, VTK_BEZIER_TRIANGLE, VTK_BIQUADRATIC_QUAD, VTK_BIQUADRATIC_TRIANGLE, VTK_LAGRANGE_QUADRILATERAL,
+    VTK_LAGRANGE_TRIANGLE, VTK_LINE, VTK_PIXEL, VTK_QUADRATIC_LINEAR_QUAD, VTK_QUADRATIC_QUAD, VTK_QUADRATIC_TRIANGLE, VTK_TETRA,
+    VTK_TRIANGLE, VTK_VERTEX, vtkCellArray, vtkPolyData, vtkRectilinearGrid, vtkStructuredGrid)
+from vtkmodules.vtkFiltersSources import vtkSphereSource
+
+from directionalmultigrid import FieldError, smooth_field, update
+from directionalmultigrid.vtkFiltersDirectionalFields import (
+    vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities,
+    vtkHarmonicFieldSolver, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections)
+from any_surfaces import grid_of_types, points_of
+from surfaces import add
+
+FILTERS = (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkFieldLines, vtkFieldGlyphs, vtkFieldSingularities,
+           vtkFieldAngles, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections)
+SQUARE = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
+
+
+def sphere(resolution=16):
+    source = vtkSphereSource()
+    source.SetThetaResolution(resolution)
+    source.SetPhiResolution(resolution)
+    return update(source)
+
+
+def band_of_strips(squares=8):
+    """Strips of two triangles each."""
+    data, strips = vtkPolyData(), vtkCellArray()
+    data.SetPoints(points_of([(i // 2, i % 2, 0) for i in range(2 * squares + 2)]))
+    for i in range(0, 2 * squares, 2):
+        strips.InsertNextCell(4, [i, i + 1, i + 2, i + 3])
+    data.SetStrips(strips)
+    return data
+
+
+def made(kind, data):
+    filter = kind()
+    filter.SetInputData(data)
+    return filter
+
+
+class DamagedInputs(unittest.TestCase):
+    def expect_error(self, data, pattern, kinds=FILTERS):
+        for kind in kinds:
+            with self.subTest(filter=kind.__name__), self.assertRaisesRegex(FieldError, pattern):
+                update(made(kind, data))
+
+    def test_cells_of_too_few_points_are_named(self):
+        positions = [(i % 3, i // 3, 0) for i in range(12)]
+        needed = {VTK_PIXEL: 4, VTK_QUADRATIC_TRIANGLE: 6, VTK_QUADRATIC_QUAD: 8, VTK_BIQUADRATIC_QUAD: 9, VTK_QUADRATIC_LINEAR_QUAD: 6,
+                  VTK_BIQUADRATIC_TRIANGLE: 7, VTK_LAGRANGE_TRIANGLE: 3, VTK_BEZIER_TRIANGLE: 3, VTK_LAGRANGE_QUADRILATERAL: 4,
+                  VTK_BEZIER_QUADRILATERAL: 4}
+        for kind, size in needed.items():
+            for given in range(size):
+                grid = grid_of_types(positions, [(VTK_TRIANGLE, [0, 1, 3]), (kind, range(4, 4 + given))])
+                self.expect_error(grid, f"cell 1 of the surface has {given} points, and its type needs {size}", FILTERS[:1])
+        self.expect_error(grid, "cell 1 of the surface has 3 points")
+        seven = grid_of_types(positions, [(VTK_LAGRANGE_QUADRILATERAL, range(7))])  # VTK takes it for one of 3 x 3
+        self.expect_error(seven, "has 7 points, and its type needs 9", FILTERS[:1])
+
+    def test_points_that_are_not_there_are_named_in_cells_of_any_type(self):
+        for far in (-10**9, -1, 4, 10**9):
+            for kind, size in ((VTK_TRIANGLE, 3), (VTK_LINE, 2), (VTK_VERTEX, 1), (VTK_TETRA, 4)):
+                cells = [(VTK_TRIANGLE, [0, 1, 2]), (kind, [0, 1, 2][:size - 1] + [far])]
+                self.expect_error(grid_of_types(SQUARE, cells), f"cell 1 uses point {far}, and the surface has 4 points", FILTERS[:1])
+                self.expect_error(grid_of_types(SQUARE, cells[1:]), f"cell 0 uses point {far}", FILTERS[:1])
+        self.expect_error(grid_of_types(SQUARE, cells), f"cell 1 uses point {far}")
+        lines = vtkPolyData()
+        lines.DeepCopy(sphere())
+        lines.SetLines(vtkCellArray())
+        lines.GetLines().InsertNextCell(2, [0, 10**9])
+        self.expect_error(lines, "cell 0 uses point 1000000000")
+
+    def test_lists_that_are_shorter_than_their_grid_are_refused(self):
+        grid = vtkStructuredGrid()
+        grid.SetDimensions(3, 3, 1)
+        grid.SetPoints(points_of(SQUARE))
+        self.expect_error(grid, "the surface has 4 points for 9 places", FILTERS[:1])
+        grid = vtkRectilinearGrid()
+        grid.SetDimensions(30, 3, 1)
+        for set_axis, values in ((grid.SetXCoordinates, [0, 1]), (grid.SetYCoordinates, [0, 1, 2]), (grid.SetZCoordinates, [0])):
+            set_axis(numpy_to_vtk(np.array(values, float), deep=True))
+        self.expect_error(grid, "the surface has 2 coordinates along an axis for 30 places", FILTERS[:1])
+
+    def test_edges_and_guides_are_checked_as_the_surface_is(self):
+        mesh = sphere()
+        solver = made(vtkHarmonicFieldSolver, mesh)
+        solver.SetDiscretisation(solver.OneForm)
+        update(solver)
+        edges = vtkPolyData()
+        edges.DeepCopy(solver.GetOutputDataObject(1))
+        edges.GetLines().InsertNextCell(2, [0, 10**9])
+        edges.GetCellData().GetArray("OneForm").InsertNextTuple([1.0])
+        hodge = made(vtkHodgeDecomposition, mesh)
+        hodge.SetInputData(1, edges)
+        with self.assertRaisesRegex(FieldError, "uses point 1000000000, and the dataset of edges has"):
+            update(hodge)
+        solver = made(vtkHarmonicFieldSolver, mesh)
+        solver.SetInputData(1, edges)
+        with self.assertRaisesRegex(FieldError, "uses point 1000000000, and the guide has"):
+            update(solver)
+
+    def test_short_arrays_beside_strips_are_handed_on(self):
+        data = band_of_strips()
+        for name, values in (("None", []), ("Some", [1.0, 2.0])):
+            array = vtkDoubleArray()
+            array.SetName(name)
+            for value in values:
+                array.InsertNextValue(value)
+            data.GetCellData().AddArray(array)
+        for kind in FILTERS[:-3] + FILTERS[-2:]:  # a Hodge decomposition has no flow here
+            with self.subTest(filter=kind.__name__):
+                update(made(kind, data))
+        field = update(made(vtkHarmonicFieldSolver, data))
+        self.assertEqual(field.GetNumberOfCells(), 16)
+        np.testing.assert_array_equal(vtk_to_numpy(field.GetCellData().GetArray("Some")), [1, 1, 2, 2])
+        with self.assertRaisesRegex(FieldError, "array 'Some', chosen for the mask of the surface, has 4 tuples for 16 cells"):
+            smooth_field(data, Directions="Some", Mask="Some")
+
+    def test_numbers_in_arrays_that_are_not_chosen_may_be_anything(self):
+        mesh = sphere()
+        values = np.full(mesh.GetNumberOfPoints(), np.nan)
+        mesh.GetPointData().AddArray(numpy_to_vtk(values, deep=True))  # without a name
+        mesh.GetFieldData().AddArray(numpy_to_vtk(values, deep=True))
+        strips = band_of_strips()
+        add(strips.GetCellData(), "Temperature", [np.nan] + 7 * [1.0])
+        for data, cells in ((mesh, mesh.GetNumberOfCells()), (strips, 16)):
+            for kind in (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkParallelTransport, vtkPrincipalDirections):
+                with self.subTest(filter=kind.__name__):
+                    self.assertEqual(update(made(kind, data)).GetNumberOfCells(), cells)
+
+    def test_values_count_for_functions_alone(self):
+        """They are left over from a function when another kind of field is chosen."""
+        mesh = sphere()
+        add(mesh.GetPointData(), "S", np.ones(mesh.GetNumberOfPoints()))
+        add(mesh.GetCellData(), "G", np.tile([1, 2, 3], (mesh.GetNumberOfCells(), 1)))
+        add(mesh.GetCellData(), "W", np.ones(mesh.GetNumberOfCells()))
+        for kind in (0, 1, 2, 4):
+            solver = made(vtkHarmonicFieldSolver, mesh)
+            solver.SetDiscretisation(kind)
+            solver.SetInputArrayToProcess(3, 0, 0, 0, "S")
+            solver.Update()
+            self.assertEqual(solver.GetFollowed(), "nothing")
+            solver.SetInputArrayToProcess(1, 0, 0, 1, "G")
+            solver.SetInputArrayToProcess(2, 0, 0, 1, "W")
+            solver.Update()
+            self.assertEqual(solver.GetFollowed(), "array 'G'")
+            self.assertEqual(solver.GetOutput().GetNumberOfCells(), mesh.GetNumberOfCells())
+
+
+class KeptArrays(unittest.TestCase):
+    def test_arrays_have_a_tuple_for_each_cell_after_cells_have_come_or_gone(self):
+        """Vertices beside the triangles are all that changes."""
+        for kind in (vtkHarmonicFieldSolver, vtkDirectionalField):
+            filter = kind()
+            for vertices in (0, 3, 1):
+                cells = [(VTK_TRIANGLE, [0, 1, 2]), (VTK_TRIANGLE, [1, 3, 2])] + vertices * [(VTK_VERTEX, [0])]
+                filter.SetInputData(grid_of_types(SQUARE, cells))
+                filter.Update()
+                self.assertEqual(filter.GetOutput().GetCellData().GetArray("Direction0").GetNumberOfTuples(), 2 + vertices)
+
+    def test_the_caller_may_change_arrays_in_place(self):
+        """The next execution gives the filter's own numbers."""
+        mesh = sphere()
+
+        def arrays_of(output, edges):
+            sets = (output.GetCellData(), output.GetPointData(), output.GetFieldData(), edges.GetCellData() if edges else vtkPolyData().GetCellData())
+            return [data.GetArray(k) for data in sets for k in range(data.GetNumberOfArrays()) if data.GetArray(k)]
+
+        for kind in (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation):
+            filter = made(kind, mesh)
+            if kind is vtkHarmonicFieldSolver:
+                filter.SetDiscretisation(filter.OneForm)
+                filter.SetHarmonicBasis(True)
+
+            def arrays():
+                filter.Update()
+                return arrays_of(filter.GetOutput(), filter.GetOutputDataObject(1) if kind is vtkHarmonicFieldSolver else None)
+
+            before = {array.GetName(): vtk_to_numpy(array).copy() for array in arrays() if "Seconds" not in array.GetName()}
+            for array in arrays():
+                if not mesh.GetPointData().HasArray(array.GetName()):
+                    vtk_to_numpy(array)[...] = 7
+            filter.Modified()
+            after = {array.GetName(): vtk_to_numpy(array) for array in arrays()}
+            for name, values in before.items():
+                with self.subTest(filter=kind.__name__, array=name):
+                    np.testing.assert_array_equal(after[name], values)
+
+
+class ExtremeProperties(unittest.TestCase):
+    def test_axes_have_a_direction_of_any_length(self):
+        mesh = sphere()
+        for name in ("East", "North"):
+            add(mesh.GetPointData(), name, np.ones(mesh.GetNumberOfPoints()))
+
+        def energy(*axis):
+            hodge = made(vtkHodgeDecomposition, mesh)
+            hodge.SetAxis(*axis)
+            hodge.SetInputArrayToProcess(1, 0, 0, 0, "East")
+            hodge.SetInputArrayToProcess(2, 0, 0, 0, "North")
+            return update(hodge).GetFieldData().GetArray("FlowEnergies").GetValue(0)
+
+        def angle(*axis):
+            angles = made(vtkFieldAngles, smooth_field(mesh))
+            angles.SetAxis(*axis)
+            return vtk_to_numpy(update(angles).GetCellData().GetArray("Angle"))
+
+        for length in (1e150, 1e200, 1e-200, 1e300):
+            self.assertAlmostEqual(energy(0, 0, length), energy(0, 0, 1))
+            np.testing.assert_allclose(angle(0, length, 0), angle(0, 1, 0), atol=1e-9)
+        for wrong in ((np.nan, 0, 0), (0, np.inf, 0), (0, 0, 0)):
+            for measure in (energy, angle):
+                with self.assertRaisesRegex(FieldError, "Axis is .*, which has no direction"):
+                    measure(*wrong)
+
+    def test_flows_are_decomposed_or_refused_by_their_size(self):
+        """Parts of a flow are as large as the flow, whatever its unit."""
+        mesh = sphere()
+        flow = np.tile([1.0, 2, 3], (mesh.GetNumberOfCells(), 1))
+
+        def gradient(scale, length=1):
+            add(mesh.GetCellData(), "U", scale * flow)
+            hodge = made(vtkHodgeDecomposition, mesh)
+            hodge.SetInputArrayToProcess(0, 0, 0, 1, "U")
+            hodge.SetLengthScale(length)
+            return np.abs(vtk_to_numpy(update(hodge).GetCellData().GetArray("GradientPart"))).max() / scale
+
+        one = gradient(1)
+        self.assertGreater(one, 1)
+        for scale in (1e-39, 1e39):
+            self.assertAlmostEqual(gradient(scale), one)
+        self.assertAlmostEqual(gradient(1e39, 1e30), one)
+        for scale in (1e-170, 1e-300, 1e160):
+            with self.assertRaisesRegex(FieldError, "the largest vector of the flow is .*bring it to between 1e-40 and 1e\\+40"):
+                gradient(scale)
+        with self.assertRaisesRegex(FieldError, "Length Scale is 1e\\+300; choose a value from 1e-30 to 1e\\+30"):
+            gradient(1, 1e300)
+
+
+if __name__ == "__main__":
+    unittest.main()
