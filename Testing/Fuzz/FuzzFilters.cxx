@@ -21,12 +21,15 @@
 #include "vtkParallelTransport.h"
 #include "vtkPrincipalDirections.h"
 #include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
 
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <initializer_list>
 #include <iostream>
+#include <iterator>
 #include <limits>
 #include <random>
 
@@ -432,6 +435,49 @@ void RunWithEdges(Choices& choose, vtkHodgeDecomposition* hodge, vtkPolyData* su
   Run(hodge, surface);
 }
 
+/// The same cells as an unstructured grid of any types, some with too few points or with points that are not there, beside lines
+/// and arrays that are too short or not finite.
+vtkSmartPointer<vtkUnstructuredGrid> DamagedGrid(Choices& choose, vtkPolyData* surface)
+{
+  constexpr int Types[] = { VTK_TRIANGLE, VTK_PIXEL, VTK_POLYGON, VTK_TRIANGLE_STRIP, VTK_QUADRATIC_TRIANGLE,
+    VTK_BIQUADRATIC_QUAD, VTK_LAGRANGE_TRIANGLE, VTK_LAGRANGE_QUADRILATERAL, VTK_BEZIER_TRIANGLE,
+    VTK_BEZIER_QUADRILATERAL, VTK_QUADRATIC_POLYGON, VTK_LINE, VTK_VERTEX };
+  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  grid->SetPoints(surface->GetPoints());
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < surface->GetNumberOfCells(); ++cell)
+  {
+    surface->GetCellPoints(cell, corners);
+    grid->InsertNextCell(VTK_POLYGON, corners);
+  }
+  const int size = static_cast<int>(surface->GetNumberOfPoints());
+  for (int more = choose.Below(4); more > 0; --more)
+  {
+    corners->Reset();
+    for (int k = choose.Below(12); k > 0; --k)
+    {
+      corners->InsertNextId(choose.OneIn(40) ? choose.Below(2000000000) - 1000000000 : choose.Below(size));
+    }
+    grid->InsertNextCell(Types[choose.Below(static_cast<int>(std::size(Types)))], corners);
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetNumberOfTuples(choose.Below(static_cast<int>(grid->GetNumberOfCells()) + 1));
+  array->Fill(choose.Number());
+  grid->GetCellData()->AddArray(array); // without a name
+  return grid;
+}
+
+/// The triangles of a surface as strips, beside an array of any length.
+vtkSmartPointer<vtkPolyData> StripsOf(Choices& choose, vtkPolyData* surface)
+{
+  auto strips = vtkSmartPointer<vtkPolyData>::New();
+  strips->SetPoints(surface->GetPoints());
+  strips->SetStrips(surface->GetPolys());
+  const auto array = ArrayOf(choose, "Given", choose.Below(static_cast<int>(surface->GetNumberOfCells()) + 2), 3);
+  strips->GetCellData()->AddArray(array);
+  return strips;
+}
+
 void RunCase(unsigned long long seed)
 {
   Choices choose(seed);
@@ -487,6 +533,19 @@ void RunCase(unsigned long long seed)
   transport->SetTimeStep(choose.OneIn(4) ? 100.0 * choose.Unit() : 4.0);
   Draw(choose, { transport }, field);
   RunWithEdges(choose, hodge, field);
+  if (choose.OneIn(3))
+  {
+    const vtkSmartPointer<vtkDataSet> damaged = choose.OneIn(2)
+      ? vtkSmartPointer<vtkDataSet>(DamagedGrid(choose, input))
+      : vtkSmartPointer<vtkDataSet>(StripsOf(choose, input));
+    for (vtkAlgorithm* const filter :
+      std::initializer_list<vtkAlgorithm*>{ solver, principal, hodge, transport, lines })
+    {
+      filter->SetInputDataObject(damaged);
+      const Messages messages(filter);
+      filter->Update(); // ends, with an output or an error
+    }
+  }
 }
 
 /// \return whether it is as it must be.

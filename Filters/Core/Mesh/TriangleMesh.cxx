@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <numeric>
+#include <unordered_map>
 #include <utility>
 
 namespace dmg
@@ -57,29 +58,20 @@ bool IsManifold(const Triangles& F, const Side* first, const Side* last)
   return last - first == 1 || (last - first == 2 && F.data()[first[0].Item] != F.data()[first[1].Item]);
 }
 
-bool HaveSameCorners(const Triangles& F, int f, int g)
-{
-  const int* a = F.data() + 3 * f;
-  const int* b = F.data() + 3 * g;
-  return std::is_permutation(a, a + 3, b);
-}
-
 /// \param first, last the halfedges of one edge, more than one may take.
 [[noreturn]] void RefuseEdge(
   const Triangles& F, const ElementNames& names, const Side* first, const Side* last, int smaller)
 {
   const std::string edge = "the edge between " + names.Vertex(smaller) + " and " + names.Vertex(first->Second);
-  for (const Side* a = first; a != last; ++a)
+  std::unordered_map<int, int> faces; // by the corner that is not on the edge
+  for (const Side* side = first; side != last; ++side)
   {
-    for (const Side* b = a + 1; b != last; ++b)
+    const int third = F.data()[TriangleMesh::Previous(side->Item)];
+    const auto [found, isFirst] = faces.emplace(third, TriangleMesh::FaceOf(side->Item));
+    if (!isFirst)
     {
-      const int f = TriangleMesh::FaceOf(a->Item);
-      const int g = TriangleMesh::FaceOf(b->Item);
-      if (HaveSameCorners(F, f, g))
-      {
-        throw InvalidInput(
-          names.Face(f) + " and " + names.Face(g) + " are the same triangle; " + TextOf(Remedy::DropTwin));
-      }
+      throw InvalidInput(names.Face(found->second) + " and " + names.Face(TriangleMesh::FaceOf(side->Item)) +
+        " are the same triangle; " + TextOf(Remedy::DropTwin));
     }
   }
   const int f = TriangleMesh::FaceOf(first[0].Item);

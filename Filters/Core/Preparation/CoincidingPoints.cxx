@@ -135,6 +135,38 @@ bool UniteNear(
   return isAny;
 }
 
+namespace
+{
+
+/// Unites equal points. \return the first of each place, ascending, with the largest size there.
+std::vector<BoundaryPoint> UniteEqual(
+  const Points& positions, const std::vector<BoundaryPoint>& points, DisjointSets& sets)
+{
+  Points own(static_cast<Eigen::Index>(points.size()), 3);
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    own.row(static_cast<Eigen::Index>(i)) = positions.row(points[i].Point);
+  }
+  const std::vector<int> first = FirstOfEqual(own);
+  std::vector<BoundaryPoint> places;
+  std::vector<int> placeOf(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    if (first[i] == static_cast<int>(i))
+    {
+      placeOf[i] = static_cast<int>(places.size());
+      places.push_back(points[i]);
+      continue;
+    }
+    BoundaryPoint& place = places[placeOf[first[i]]];
+    place.Size = std::max(place.Size, points[i].Size);
+    sets.Unite(place.Point, points[i].Point);
+  }
+  return places;
+}
+
+}
+
 bool JoinBoundary(const Points& positions, const std::vector<BoundaryPoint>& points, DisjointSets& sets)
 {
   const double rounding = RoundingOf(positions);
@@ -142,13 +174,14 @@ bool JoinBoundary(const Points& positions, const std::vector<BoundaryPoint>& poi
   {
     return false;
   }
-  const NearPoints near(positions, points, rounding);
+  const std::vector<BoundaryPoint> places = UniteEqual(positions, points, sets);
+  const NearPoints near(positions, places, rounding);
   std::vector<std::array<int, 2>> pairs;
-  for (std::size_t i = 0; i < points.size(); ++i)
+  for (std::size_t i = 0; i < places.size(); ++i)
   {
-    near.VisitAfter(static_cast<int>(i), [&](int j) { pairs.push_back({ points[i].Point, points[j].Point }); });
+    near.VisitAfter(static_cast<int>(i), [&](int j) { pairs.push_back({ places[i].Point, places[j].Point }); });
   }
-  return UniteNear(positions, pairs, rounding, sets);
+  return UniteNear(positions, pairs, rounding, sets) || places.size() < points.size();
 }
 
 std::vector<int> FirstOfEqual(const Points& positions)

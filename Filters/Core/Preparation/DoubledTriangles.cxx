@@ -1,6 +1,7 @@
 #include "Preparation/DoubledTriangles.h"
 
 #include "Support/CountingSort.h"
+#include "Support/DisjointSets.h"
 
 #include <algorithm>
 #include <array>
@@ -50,23 +51,136 @@ std::vector<int> FirstOfDoubled(const Triangles& triangles, const std::vector<in
     },
     context);
   std::vector<int> firsts = Identity(size);
+  std::vector<std::pair<int, int>>
+    group; // (largest place, triangle) of triangles that have the other two places in common
   for (std::size_t place = 0; place < places.size(); ++place)
   {
-    for (int k = byPlaces.Begins[place]; k < byPlaces.Begins[place + 1]; ++k)
+    for (int k = byPlaces.Begins[place], end = k; k < byPlaces.Begins[place + 1]; k = end)
     {
-      const int t = byPlaces.Items[k].Item;
-      for (int i = k - 1;
-           takesPart[t] && i >= byPlaces.Begins[place] && byPlaces.Items[i].Second == byPlaces.Items[k].Second; --i)
+      group.clear();
+      for (; end < byPlaces.Begins[place + 1] && byPlaces.Items[end].Second == byPlaces.Items[k].Second; ++end)
       {
-        const int u = byPlaces.Items[i].Item; // before t
-        if (takesPart[u] && firsts[u] == u && areSame(t, u))
+        const int t = byPlaces.Items[end].Item;
+        if (takesPart[t])
         {
-          firsts[t] = u;
+          group.emplace_back(Sorted(placesOf(t))[2], t);
+        }
+      }
+      std::sort(group.begin(), group.end());
+      std::vector<int> different; // of the triangles at one place
+      for (std::size_t i = 0; i < group.size(); ++i)
+      {
+        const int t = group[i].second;
+        if (i > 0 && group[i].first != group[i - 1].first)
+        {
+          different.clear();
+        }
+        const auto first = std::find_if(different.begin(), different.end(), [&](int u) { return areSame(t, u); });
+        if (first != different.end())
+        {
+          firsts[t] = *first;
+        }
+        else
+        {
+          different.push_back(t);
         }
       }
     }
   }
   return firsts;
+}
+
+namespace
+{
+
+/// For each triangle the one that is its only double and has its corners in opposite order; -1 for none.
+std::vector<int> OppositeTwins(
+  const Triangles& triangles, const std::vector<char>& takesPart, const std::vector<int>& firsts)
+{
+  const int size = static_cast<int>(triangles.rows());
+  std::vector<int> twins(size, -1), doubles(size, 0);
+  for (int t = 0; t < size; ++t)
+  {
+    const int u = firsts[t];
+    doubles[u] += u != t;
+    const Triple corners{ triangles(t, 0), triangles(t, 1), triangles(t, 2) };
+    const Triple others{ triangles(u, 0), triangles(u, 1), triangles(u, 2) };
+    if (u != t && takesPart[t] && takesPart[u] && Sorted(corners) == Sorted(others) &&
+      Turned(corners) != Turned(others))
+    {
+      twins[u] = t;
+    }
+  }
+  for (int u = 0; u < size; ++u)
+  {
+    twins[u] = doubles[u] == 1 ? twins[u] : -1;
+  }
+  return twins;
+}
+
+}
+
+void KeepTwinsOfSolids(const Triangles& triangles, const std::vector<char>& takesPart, std::vector<int>& firsts,
+  const ExecutionContext& context)
+{
+  const std::vector<int> twins = OppositeTwins(triangles, takesPart, firsts);
+  const int size = static_cast<int>(triangles.rows());
+  const std::vector<int> alone = Choose(
+    size, [&](int t) { return takesPart[t] && firsts[t] == t; }, context);
+  if (std::all_of(twins.begin(), twins.end(), [](int twin) { return twin < 0; }))
+  {
+    return;
+  }
+  const int numberOfPoints = triangles.maxCoeff() + 1;
+  const auto triangleOf = [&alone](int side) { return alone[side / 3]; };
+  const ItemsByPair sides = SortByPair(
+    3 * static_cast<int>(alone.size()), numberOfPoints,
+    [&](int side) -> std::pair<int, int>
+    {
+      const int t = triangleOf(side), k = side % 3;
+      return std::minmax({ triangles(t, k), triangles(t, (k + 1) % 3) });
+    },
+    context);
+  DisjointSets patches(size);
+  std::vector<int> between; // triangles of patches that lie between solids
+  for (int point = 0; point < numberOfPoints; ++point)
+  {
+    for (int first = sides.Begins[point], last = first; first < sides.Begins[point + 1]; first = last)
+    {
+      std::vector<int> ofPatches;
+      for (; last < sides.Begins[point + 1] && sides.Items[last].Second == sides.Items[first].Second; ++last)
+      {
+        if (const int t = triangleOf(sides.Items[last].Item); twins[t] >= 0)
+        {
+          ofPatches.push_back(t);
+        }
+      }
+      const int others = last - first - static_cast<int>(ofPatches.size());
+      for (const int t : ofPatches)
+      {
+        if (others == 0)
+        {
+          patches.Unite(t, ofPatches[0]);
+        }
+        else if (others % 2 == 0)
+        {
+          between.push_back(t);
+        }
+      }
+    }
+  }
+  std::vector<char> isBetween(size, 0);
+  for (const int t : between)
+  {
+    isBetween[patches.Smallest(t)] = 1;
+  }
+  for (int t = 0; t < size; ++t)
+  {
+    if (twins[t] >= 0 && isBetween[patches.Smallest(t)])
+    {
+      firsts[twins[t]] = twins[t];
+    }
+  }
 }
 
 }

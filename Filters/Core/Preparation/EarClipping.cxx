@@ -84,7 +84,8 @@ void PolygonCutter::CutQuad()
   const double fromFirst = std::min(SignedQuality(a, b, c, normal), SignedQuality(a, c, d, normal));
   const double fromSecond = std::min(SignedQuality(b, c, d, normal), SignedQuality(b, d, a, normal));
   const std::vector<int>& r = this->Ring;
-  if (fromSecond > fromFirst + SmallestGain)
+  const bool avoidsFirst = this->Avoids(r[0], r[2]), avoidsSecond = this->Avoids(r[1], r[3]);
+  if (avoidsFirst != avoidsSecond ? avoidsFirst : fromSecond > fromFirst + SmallestGain)
   {
     this->Add(r[0], r[1], r[3]);
     this->Add(r[1], r[2], r[3]);
@@ -130,19 +131,60 @@ double PolygonCutter::Cross(int a, int b, int c) const
   return u[0] * v[1] - u[1] * v[0];
 }
 
+int PolygonCutter::Along(int axis, double x) const
+{
+  const double cell = (x - this->GridOrigin[axis]) / this->GridStep[axis];
+  return cell > 0.0 ? std::min(static_cast<int>(cell), this->GridSize - 1) : 0;
+}
+
+void PolygonCutter::SortReflex()
+{
+  constexpr int Few = 32; // that are looked at one by one
+  const auto number = std::count(this->IsReflex.begin(), this->IsReflex.end(), 1);
+  this->GridSize = number > Few ? static_cast<int>(std::sqrt(static_cast<double>(number))) : 1;
+  this->GridOrigin = this->Plane[0];
+  Vector2 largest = this->Plane[0];
+  for (const Vector2& place : this->Plane)
+  {
+    this->GridOrigin = this->GridOrigin.cwiseMin(place);
+    largest = largest.cwiseMax(place);
+  }
+  this->GridStep = (largest - this->GridOrigin) / this->GridSize;
+  this->GridStep = (this->GridStep.array() > 0.0).select(this->GridStep, 1.0);
+  this->Reflex.assign(static_cast<std::size_t>(this->GridSize) * this->GridSize, {});
+  for (int k = 0; k < static_cast<int>(this->Ring.size()); ++k)
+  {
+    if (this->IsReflex[k])
+    {
+      const Vector2& place = this->Plane[k];
+      this->Reflex[this->Along(0, place[0]) * this->GridSize + this->Along(1, place[1])].push_back(k);
+    }
+  }
+}
+
 bool PolygonCutter::HasCornerInside(int a, int b, int c) const
 {
-  const auto isCorner = [&](int p)
+  const auto isInside = [&](int p)
   {
     const Vector2& place = this->Plane[p];
-    return place == this->Plane[a] || place == this->Plane[b] || place == this->Plane[c];
+    const bool isCorner = place == this->Plane[a] || place == this->Plane[b] || place == this->Plane[c];
+    return this->IsReflex[p] && !isCorner && this->Cross(a, b, p) >= 0.0 && this->Cross(b, c, p) >= 0.0 &&
+      this->Cross(c, a, p) >= 0.0;
   };
-  return std::any_of(this->Reflex.begin(), this->Reflex.end(),
-    [&](int p)
+  const Vector2 least = this->Plane[a].cwiseMin(this->Plane[b]).cwiseMin(this->Plane[c]);
+  const Vector2 most = this->Plane[a].cwiseMax(this->Plane[b]).cwiseMax(this->Plane[c]);
+  for (int x = this->Along(0, least[0]); x <= this->Along(0, most[0]); ++x)
+  {
+    for (int y = this->Along(1, least[1]); y <= this->Along(1, most[1]); ++y)
     {
-      return this->IsReflex[p] && !isCorner(p) && this->Cross(a, b, p) >= 0.0 && this->Cross(b, c, p) >= 0.0 &&
-        this->Cross(c, a, p) >= 0.0;
-    });
+      const std::vector<int>& cell = this->Reflex[x * this->GridSize + y];
+      if (std::any_of(cell.begin(), cell.end(), isInside))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
 }
 
 double PolygonCutter::Quality(int corner) const
@@ -152,6 +194,10 @@ double PolygonCutter::Quality(int corner) const
   const double sides = (this->Plane[corner] - this->Plane[a]).squaredNorm() +
     (this->Plane[c] - this->Plane[corner]).squaredNorm() + (this->Plane[a] - this->Plane[c]).squaredNorm();
   const double quality = sides > 0.0 ? 2.0 * std::sqrt(3.0) * area / sides : 0.0;
+  if (this->Avoids(this->Ring[a], this->Ring[c]))
+  {
+    return -4.0 + quality;
+  }
   // Ears that are none come last, the least bad one first.
   return area > 0.0 && !this->HasCornerInside(a, corner, c) ? quality : -2.0 + quality;
 }
@@ -172,9 +218,13 @@ void PolygonCutter::RateAll()
   {
     left.push_back(corner);
   }
-  for (const int corner : left)
+  for (std::size_t i = 0; i < left.size(); ++i)
   {
-    this->Rate(corner);
+    this->Rate(left[i]);
+    if (this->Context && i % 1024 == 1023)
+    {
+      this->Context->Checkpoint(0.0);
+    }
   }
 }
 
@@ -194,7 +244,6 @@ void PolygonCutter::CutEars()
   this->Before.resize(n);
   this->IsReflex.assign(n, 0);
   this->Qualities.assign(n, 0.0);
-  this->Reflex.clear();
   this->Ears.clear();
   for (int k = 0; k < n; ++k)
   {
@@ -204,21 +253,26 @@ void PolygonCutter::CutEars()
   for (int k = 0; k < n; ++k)
   {
     this->IsReflex[k] = this->Cross(this->Before[k], k, this->After[k]) <= 0.0;
-    if (this->IsReflex[k])
-    {
-      this->Reflex.push_back(k);
-    }
   }
+  this->SortReflex();
   for (int k = 0; k < n; ++k)
   {
     this->Ears.insert({ 0.0, k });
   }
   this->RateAll();
+  int cutSince = 0; // all were rated
   for (int left = n; left > 3; --left)
   {
-    if (this->Ears.begin()->first > 0.0) // corners that were in the way may have gone
+    // Corners that were in the way may have gone. Large polygons that cross themselves are not looked through for each ear.
+    if (this->Ears.begin()->first > 0.0 && (left <= 64 || 16 * cutSince >= left))
     {
       this->RateAll();
+      cutSince = 0;
+    }
+    ++cutSince;
+    if (this->Context && left % 256 == 0)
+    {
+      this->Context->Checkpoint(1.0 - static_cast<double>(left) / n);
     }
     const int ear = this->Ears.begin()->second;
     const int a = this->Before[ear], c = this->After[ear];

@@ -139,8 +139,6 @@ private:
     }
   }
 
-  static int NextSide(int side) { return side % 3 == 2 ? side - 2 : side + 1; }
-
   /// Whether both triangles run along their edge in the same direction, and so disagree.
   char RunsAlike(int side, int beyond) const { return this->Corners[side] == this->Corners[beyond] ? 1 : 0; }
 

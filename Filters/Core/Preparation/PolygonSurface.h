@@ -45,9 +45,12 @@ struct PolygonSurface
 ///
 /// A quad is cut along the diagonal that leaves the better shaped worse triangle. Larger polygons are projected along
 /// their mean normal, and lose their best shaped ear until three corners are left (Meisters 1975). Polygons that cross
-/// themselves are cut, too, into triangles that overlap. Which corner a polygon begins with makes no difference.
+/// themselves are cut, too, into triangles that overlap. Which corner a polygon begins with makes no difference. A diagonal
+/// that is a side or a diagonal of another polygon is replaced, in the order of the polygons, where there is another
+/// one: else four triangles would meet there.
 /// \pre corners are in range.
-/// Cost: linear in the number of polygons; quadratic in the number of corners of one that is not convex.
+/// \throw Cancelled
+/// Cost: linear in the number of polygons; about n log n in the number of corners of one, as far as its triangles are small.
 CellTriangles Triangulate(PolygonSurface&& polygons, const ExecutionContext& context = SerialContext());
 
 }

@@ -5,9 +5,7 @@ namespace dmg
 
 bool PreparationReport::IsChanged() const
 {
-  return this->CellsTurned + this->CellsDoubled + this->EdgesParted + this->EdgesCut + this->CellsDetached +
-    this->PointsParted >
-    0;
+  return this->CellsTurned + this->CellsDoubled + this->EdgesParted + this->EdgesCut + this->PointsParted > 0;
 }
 
 std::string PreparationReport::Text() const
@@ -27,7 +25,6 @@ std::string PreparationReport::Text() const
   add(this->CellsCollapsed, "cell", "without area");
   add(this->EdgesParted, "edge", "of more than two sheets parted");
   add(this->EdgesCut, "edge", "cut, as the surface has one side only");
-  add(this->CellsDetached, "cell", "detached");
   add(this->PointsParted, "pinched point", "parted");
   return text;
 }

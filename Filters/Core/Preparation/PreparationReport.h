@@ -15,7 +15,6 @@ struct PreparationReport
   int CellsCollapsed = 0; ///< a line or a point, have the mean of the field around
   int EdgesParted = 0;    ///< at which more than two sheets met
   int EdgesCut = 0;       ///< of seams along which a surface with one side only was cut
-  int CellsDetached = 0;  ///< that could not stay joined to their neighbours
   int PointsParted = 0;   ///< at which fans of triangles met
 
   /// Whether something is other than it was given. Joined points close seams that nobody sees, and cells without area are

@@ -43,9 +43,10 @@ struct PreparedSurface
 /// - Points of the boundary that coincide are joined: equal ones, and those that single precision does not tell
 ///   apart (RoundingOf), nearer than a hundredth of the edges there. Thin walls and gaps stay, and so do thin layers of
 ///   cells (UniteNear).
-/// - Doubled triangles and triangles with a corner twice are left out; see SurfaceRelation for what stands in for them.
-/// - At an edge of more than two triangles, those two stay joined that continue each other most smoothly; others do
-///   where they meet within 45 degrees of a plane, and end there else.
+/// - Doubled triangles and triangles with a corner twice are left out; see SurfaceRelation for what stands in for them. Both
+///   sides of a face that two solids share stay (KeepTwinsOfSolids).
+/// - At an edge of more than two triangles, those stay joined that continue each other (SheetsAtEdge): the boundaries of
+///   solids that touch stay closed, and a plate goes on under its stiffener.
 /// - Triangles are turned until neighbours agree, in each component as most of them are. A surface with one side only is
 ///   cut along a short seam.
 /// - A point whose triangles form several fans becomes a vertex for each of them.

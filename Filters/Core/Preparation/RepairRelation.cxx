@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
+#include <tuple>
 #include <utility>
 
 namespace dmg
@@ -14,19 +16,23 @@ namespace
 using Entry = std::pair<int, int>;
 
 /// Rows of entries, each element once, in the order of the entries.
-ElementRows RowsOf(int numberOfRows, std::vector<Entry> entries)
+ElementRows RowsOf(int numberOfRows, const std::vector<Entry>& entries)
 {
-  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
+  std::vector<int> order(entries.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::sort(
+    order.begin(), order.end(), [&entries](int i, int j) { return std::tie(entries[i], i) < std::tie(entries[j], j); });
+  const auto end = std::unique(
+    order.begin(), order.end(), [&entries](int i, int j) { return entries[i] == entries[j]; }); // the first stays
+  order.erase(end, order.end());
+  std::sort(order.begin(), order.end(),
+    [&entries](int i, int j) { return std::tie(entries[i].first, i) < std::tie(entries[j].first, j); });
   ElementRows rows;
   rows.Offsets.assign(numberOfRows + 1, 0);
-  for (std::size_t i = 0; i < entries.size(); ++i)
+  for (const int i : order)
   {
-    const auto begin = rows.Items.end() - rows.Offsets[entries[i].first + 1];
-    if (std::find(begin, rows.Items.end(), entries[i].second) == rows.Items.end())
-    {
-      rows.Items.push_back(entries[i].second);
-      ++rows.Offsets[entries[i].first + 1];
-    }
+    rows.Items.push_back(entries[i].second);
+    ++rows.Offsets[entries[i].first + 1];
   }
   for (int row = 0; row < numberOfRows; ++row)
   {
@@ -85,7 +91,7 @@ private:
     {
       entry.first = this->PointsInUse.Points[entry.first];
     }
-    result.Parts.VerticesOfPoints = RowsOf(static_cast<int>(this->PointsInUse.Rows.size()), std::move(entries));
+    result.Parts.VerticesOfPoints = RowsOf(static_cast<int>(this->PointsInUse.Rows.size()), entries);
     result.Positions.resize(static_cast<Eigen::Index>(firstRows.size()), 3);
     for (std::size_t vertex = 0; vertex < firstRows.size(); ++vertex)
     {
@@ -145,10 +151,13 @@ private:
       hasFaces[cell] = hasFaces[cell] || isDoubled[cell];
     }
     this->AddFacesAroundCollapsed(hasFaces, entries);
-    parts.FacesOfCells = RowsOf(this->Input.NumberOfCells, std::move(entries));
+    parts.FacesOfCells = RowsOf(this->Input.NumberOfCells, entries);
   }
 
-  /// Cells of collapsed triangles have the faces that share a side with them, or else a corner.
+  /// The place of a corner of a triangle that was given.
+  int PlaceOf(int t, int k) const { return this->Steps.Places[this->Steps.Corners(t, k)]; }
+
+  /// Cells of collapsed triangles have the faces that share the place of a side with them, or else that of a corner.
   void AddFacesAroundCollapsed(const std::vector<char>& hasFaces, std::vector<Entry>& entries) const
   {
     std::vector<int> collapsed;
@@ -160,7 +169,7 @@ private:
         collapsed.push_back(t);
         for (int k = 0; k < 3; ++k)
         {
-          isCorner[this->Steps.Corners(t, k)] = 1;
+          isCorner[this->PlaceOf(t, k)] = 1;
         }
       }
     }
@@ -168,18 +177,19 @@ private:
     {
       return;
     }
-    std::vector<Entry> around; // (corner, face)
+    std::vector<Entry> around; // (place of a corner, face)
     for (int i = 0; i < static_cast<int>(this->Steps.Participants.size()); ++i)
     {
       for (int k = 0; k < 3; ++k)
       {
-        if (isCorner[this->Steps.CornersOfParticipants(i, k)])
+        const int place = this->Steps.Places[this->Steps.CornersOfParticipants(i, k)];
+        if (isCorner[place])
         {
-          around.emplace_back(this->Steps.CornersOfParticipants(i, k), i);
+          around.emplace_back(place, i);
         }
       }
     }
-    const ElementRows faces = RowsOf(static_cast<int>(isCorner.size()), std::move(around));
+    const ElementRows faces = RowsOf(static_cast<int>(isCorner.size()), around);
     for (const int t : collapsed)
     {
       this->AddFacesAround(t, faces, entries);
@@ -189,13 +199,13 @@ private:
   void AddFacesAround(int t, const ElementRows& facesOfCorners, std::vector<Entry>& entries) const
   {
     const int cell = this->Input.CellOf(t);
-    const int a = this->Steps.Corners(t, 0);
-    const int b = this->Steps.Corners(t, 1) != a ? this->Steps.Corners(t, 1) : this->Steps.Corners(t, 2);
+    const int a = this->PlaceOf(t, 0);
+    const int b = this->PlaceOf(t, 1) != a ? this->PlaceOf(t, 1) : this->PlaceOf(t, 2);
     const ElementRow atA = facesOfCorners[a], atB = facesOfCorners[b];
     const std::size_t before = entries.size();
     for (const int face : atA)
     {
-      if (std::find(atB.begin(), atB.end(), face) != atB.end())
+      if (std::binary_search(atB.begin(), atB.end(), face)) // faces ascend
       {
         entries.emplace_back(cell, face);
       }
@@ -246,7 +256,6 @@ private:
       [&](int t) { return IsCollapsed(this->Steps.Corners, t) && !isOfCell[this->Input.CellOf(t)]; });
     report.EdgesParted = static_cast<int>(this->Steps.Pairs.Crossed.size());
     report.EdgesCut = static_cast<int>(this->Steps.Orientation.Cut.size());
-    report.CellsDetached = this->Steps.Fans.TrianglesDetached;
     std::vector<int> vertices(this->Input.Positions.rows(), 0);
     for (const int point : this->Steps.Fans.Points)
     {

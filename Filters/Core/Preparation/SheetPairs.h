@@ -10,13 +10,33 @@
 namespace dmg
 {
 
-/// The triangles that go on across each other's sides. Side 3 t + k of triangle t runs from its corner k to the next.
+/// The side after one in its triangle. Side 3 t + k of triangle t runs from its corner k to the next.
+inline int NextSide(int side)
+{
+  return side % 3 == 2 ? side - 2 : side + 1;
+}
+
+/// For each side, the side of the triangle that continues the sheet.
 struct SheetPairs
 {
-  std::vector<int> Opposite;               ///< per side: the one beyond it, -1 on a boundary
+  std::vector<int> Opposite;               ///< per side; -1 on a boundary
   std::vector<std::array<int, 2>> Crossed; ///< the points of edges of more than two triangles
 
   int Of(int side) const { return this->Opposite[side]; }
+
+  /// \param a, b may be -1: then the other one is on a boundary.
+  void Join(int a, int b)
+  {
+    if (a >= 0)
+    {
+      this->Opposite[a] = b;
+    }
+    if (b >= 0)
+    {
+      this->Opposite[b] = a;
+    }
+  }
+
   void Part(int side)
   {
     if (this->Opposite[side] >= 0)
@@ -27,9 +47,9 @@ struct SheetPairs
   }
 };
 
-/// Pairs the triangles at each edge, whatever their orientation. At an edge of more than two, the two that are nearest to
-/// one plane stay joined, and so do the two nearest of the rest, if they meet within 45 degrees of a plane.
-/// \pre the corners of a triangle differ. Cost: linear.
+/// Pairs the triangles at each edge: two triangles whatever their orientation, more than two as SheetsAtEdge does.
+/// \pre the corners of a triangle differ.
+/// Cost: linear; n log n in the number of triangles at an edge.
 SheetPairs PairSheets(const Points& positions, const Triangles& triangles, const ExecutionContext& context);
 
 }

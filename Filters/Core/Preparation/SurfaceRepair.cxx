@@ -139,7 +139,12 @@ private:
     this->PreferCells();
     for (int t = 0; t < this->Size; ++t)
     {
-      this->TakesPart[t] = this->TakesPart[t] && this->Twins[t] == t && !this->Input.IsLeftOut(t);
+      this->TakesPart[t] = this->TakesPart[t] && !this->Input.IsLeftOut(t);
+    }
+    KeepTwinsOfSolids(this->Corners, this->TakesPart, this->Twins, this->Context);
+    for (int t = 0; t < this->Size; ++t)
+    {
+      this->TakesPart[t] = this->TakesPart[t] && this->Twins[t] == t;
     }
   }
 

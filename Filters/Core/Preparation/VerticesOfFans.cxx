@@ -3,20 +3,14 @@
 #include "Support/CountingSort.h"
 #include "Support/DisjointSets.h"
 
-#include <algorithm>
-#include <set>
 #include <utility>
+#include <vector>
 
 namespace dmg
 {
 
 namespace
 {
-
-int NextSide(int side)
-{
-  return side % 3 == 2 ? side - 2 : side + 1;
-}
 
 /// Vertices in the order of their points and, at one point, of their first corner.
 FanVertices NumberFans(
@@ -54,40 +48,34 @@ FanVertices NumberFans(
   return vertices;
 }
 
-/// Triangles that meet others at an edge of two vertices, beside the pair that goes on there.
-std::set<int> Surplus(const FanVertices& vertices, const SheetPairs& pairs, const ExecutionContext& context)
+/// Two sides that run alike between the same two vertices.
+using SidesAlike = std::pair<int, int>;
+
+/// Pairs of such sides, at most one at each vertex.
+std::vector<SidesAlike> FindSidesAlike(const FanVertices& vertices, const ExecutionContext& context)
 {
   const int* const corners = vertices.Corners.data();
-  const int numberOfVertices = static_cast<int>(vertices.Points.size());
   const ItemsByPair sides = SortByPair(
-    3 * static_cast<int>(vertices.Corners.rows()), numberOfVertices,
+    3 * static_cast<int>(vertices.Corners.rows()), static_cast<int>(vertices.Points.size()),
     [corners](int side) -> std::pair<int, int> {
-      return std::minmax({ corners[side], corners[NextSide(side)] });
+      return { corners[side], corners[NextSide(side)] };
     },
     context);
-  std::set<int> surplus;
-  const auto& items = sides.Items;
-  for (int vertex = 0; vertex < numberOfVertices; ++vertex)
+  std::vector<SidesAlike> alike;
+  std::vector<char> isTaken(vertices.Points.size(), 0);
+  for (std::size_t vertex = 0; vertex < vertices.Points.size(); ++vertex)
   {
-    for (int first = sides.Begins[vertex], last = first; first < sides.Begins[vertex + 1]; first = last)
+    for (int k = sides.Begins[vertex] + 1; k < sides.Begins[vertex + 1]; ++k)
     {
-      while (last < sides.Begins[vertex + 1] && items[last].Second == items[first].Second)
+      const int other = sides.Items[k].Second;
+      if (sides.Items[k - 1].Second == other && !isTaken[vertex] && !isTaken[other])
       {
-        ++last;
-      }
-      const int side = items[first].Item;
-      const bool isManifold =
-        last - first == 1 || (last - first == 2 && corners[side] != corners[items[first + 1].Item]);
-      for (int k = first + 1; k < last && !isManifold; ++k)
-      {
-        if (items[k].Item != pairs.Of(side))
-        {
-          surplus.insert(items[k].Item / 3);
-        }
+        alike.emplace_back(sides.Items[k - 1].Item, sides.Items[k].Item);
+        isTaken[vertex] = isTaken[other] = 1;
       }
     }
   }
-  return surplus;
+  return alike;
 }
 
 }
@@ -95,24 +83,21 @@ std::set<int> Surplus(const FanVertices& vertices, const SheetPairs& pairs, cons
 FanVertices VerticesOfFans(
   int numberOfPoints, const Triangles& triangles, SheetPairs& pairs, const ExecutionContext& context)
 {
-  int detached = 0;
   while (true)
   {
     FanVertices vertices = NumberFans(numberOfPoints, triangles, pairs, context);
-    const std::set<int> surplus = Surplus(vertices, pairs, context);
-    if (surplus.empty())
+    const std::vector<SidesAlike> alike = FindSidesAlike(vertices, context);
+    if (alike.empty())
     {
-      vertices.TrianglesDetached = detached;
       return vertices;
     }
-    for (const int triangle : surplus)
+    for (const auto& [a, b] : alike)
     {
-      for (int side = 3 * triangle; side < 3 * triangle + 3; ++side)
-      {
-        pairs.Part(side);
-      }
+      const int beyondA = pairs.Of(a), beyondB = pairs.Of(b);
+      pairs.Join(a, beyondB);
+      pairs.Join(b, beyondA);
     }
-    detached += static_cast<int>(surplus.size());
+    context.Checkpoint(0.0);
   }
 }
 

@@ -266,6 +266,108 @@ TEST(PreparedSurface, LetsAPlateGoOnUnderItsStiffener)
   ExpectConsistent(prepared, surface.V, 144);
 }
 
+// Two cubes with an edge in common, a zigzag of three and a checkerboard, as voxels have them; also with all normals inwards.
+TEST(PreparedSurface, KeepsSolidsWithACommonEdgeClosed)
+{
+  std::vector<std::array<int, 3>> checkerboard;
+  for (int k = 0; k < 64; ++k)
+  {
+    if ((k % 4 + k / 4 % 4 + k / 16) % 2 == 0)
+    {
+      checkerboard.push_back({ k % 4, k / 4 % 4, k / 16 });
+    }
+  }
+  for (const auto& voxels : { std::vector<std::array<int, 3>>{ { 0, 0, 0 }, { 1, 1, 0 } },
+         std::vector<std::array<int, 3>>{ { 0, 0, 0 }, { 1, 1, 0 }, { 2, 0, 0 } }, checkerboard })
+  {
+    for (const bool isInsideOut : { false, true })
+    {
+      Surface surface = Voxels(voxels);
+      if (isInsideOut)
+      {
+        surface.F.col(1).swap(surface.F.col(2));
+      }
+      const PreparedSurface prepared = Prepared(surface);
+      EXPECT_EQ(NumberOfBoundaryEdges(prepared.Mesh), 0);
+      EXPECT_EQ(NumberOfComponents(prepared.Mesh), static_cast<int>(voxels.size()));
+      EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2 * static_cast<int>(voxels.size()));
+      EXPECT_EQ(prepared.Report.CellsTurned + prepared.Report.EdgesCut, 0);
+      ExpectConsistent(prepared, surface.V, static_cast<int>(surface.F.rows()));
+    }
+  }
+}
+
+// Both sides of the face stay, so that each solid is a sphere.
+TEST(PreparedSurface, KeepsSolidsWithACommonFaceClosed)
+{
+  for (const auto& voxels : { std::vector<std::array<int, 3>>{ { 0, 0, 0 }, { 1, 0, 0 } },
+         std::vector<std::array<int, 3>>{ { 0, 0, 0 }, { 1, 0, 0 }, { 2, 0, 0 } },
+         std::vector<std::array<int, 3>>{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } },
+         std::vector<std::array<int, 3>>{ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 }, { 1, 1, 0 }, { 1, 1, 1 } } })
+  {
+    const Surface surface = Voxels(voxels);
+    const PreparedSurface prepared = Prepared(surface);
+    EXPECT_EQ(prepared.Mesh.NumberOfFaces(), surface.F.rows());
+    EXPECT_EQ(NumberOfBoundaryEdges(prepared.Mesh), 0);
+    EXPECT_EQ(NumberOfComponents(prepared.Mesh), static_cast<int>(voxels.size()));
+    EXPECT_EQ(prepared.Mesh.EulerCharacteristic(), 2 * static_cast<int>(voxels.size()));
+    EXPECT_EQ(prepared.Report.CellsTurned + prepared.Report.CellsDoubled + prepared.Report.EdgesCut, 0);
+  }
+}
+
+// One sheet of which the file has both sides.
+TEST(PreparedSurface, TakesOneSideOfASheetWithTwo)
+{
+  const Surface plane = PlaneGrid(4, 3);
+  Surface both = plane;
+  both.F.conservativeResize(48, 3);
+  both.F.bottomRows(24) = plane.F.rowwise().reverse();
+  const PreparedSurface prepared = Prepared(both);
+  EXPECT_EQ(prepared.Mesh.NumberOfFaces(), 24);
+  EXPECT_EQ(prepared.Report.Text(), "24 cells doubled");
+}
+
+// Whatever solids touch along edges, their common boundary is closed, and each triangle runs as it was given.
+TEST(PreparedSurface, KeepsAnyVoxelsClosed)
+{
+  for (unsigned seed = 1; seed <= 100; ++seed)
+  {
+    std::mt19937 random(seed);
+    std::vector<std::array<int, 3>> voxels;
+    for (int k = 0; k < 27; ++k)
+    {
+      if (random() % 2)
+      {
+        voxels.push_back({ k % 3, k / 3 % 3, k / 9 });
+      }
+    }
+    const Surface surface = Voxels(voxels, Interfaces::Left);
+    const PreparedSurface prepared = Prepared(surface);
+    EXPECT_EQ(prepared.Mesh.NumberOfFaces(), surface.F.rows()) << seed;
+    EXPECT_EQ(NumberOfBoundaryEdges(prepared.Mesh), 0) << seed;
+    EXPECT_EQ(prepared.Report.CellsTurned + prepared.Report.EdgesCut, 0) << seed;
+  }
+}
+
+// 20,000 sheets at one edge.
+TEST(PreparedSurface, PairsAnyNumberOfSheets)
+{
+  const int sheets = 20000;
+  Surface book;
+  book.V.resize(2 + sheets, 3);
+  book.F.resize(sheets, 3);
+  book.V.topRows(2) << 0, 0, 0, 0, 0, 1;
+  for (int k = 0; k < sheets; ++k)
+  {
+    const double angle = 2.0 * Pi * k / sheets;
+    book.V.row(2 + k) << std::cos(angle), std::sin(angle), 0.5;
+    book.F.row(k) << 0, 1, 2 + k;
+  }
+  const PreparedSurface prepared = Prepared(book);
+  EXPECT_EQ(NumberOfComponents(prepared.Mesh), sheets / 2);
+  EXPECT_EQ(prepared.Report.CellsTurned, sheets / 2);
+}
+
 TEST(PreparedSurface, PartsAPinchedPointIntoItsFans)
 {
   const PreparedSurface prepared = Prepared(PinchedTetrahedra());
@@ -286,6 +388,47 @@ TEST(PreparedSurface, JoinsTheNeighboursOfCollapsedTriangles)
   const std::vector<int> around = Items(prepared.Relation.FacesOf(80));
   EXPECT_EQ(around.size(), 2u);
   EXPECT_EQ(std::count(around.begin(), around.end(), prepared.Relation.FacesOf(40).front()), 1);
+
+  // Its points only coincide with those of its neighbours.
+  Surface apart = WithFaces(sphere, { { 42, 42, 43 } });
+  apart.V.conservativeResize(44, 3);
+  apart.V.row(42) = sphere.V.row(sphere.F(40, 0));
+  apart.V.row(43) = sphere.V.row(sphere.F(40, 2));
+  EXPECT_EQ(Items(Prepared(apart).Relation.FacesOf(80)).size(), 2u);
+}
+
+// Quads with two sides in common have the diagonal in common that is the better one for both.
+TEST(PreparedSurface, CutsQuadsAlongDiagonalsOfTheirOwn)
+{
+  Points positions(6, 3);
+  positions << -0.5, 0, 0, 0.5, 0, 0, 0, 0, 0.87, 0, 0.87, 0, 0, -0.87, 0, 0, 0, -0.87;
+  const PreparedSurface two =
+    PrepareSurface(Polygons(positions, { { 0, 2, 1, 3 }, { 1, 2, 0, 4 } }), { Numbering::Spatial, true, true });
+  EXPECT_EQ(two.Mesh.EulerCharacteristic(), 1);
+  EXPECT_EQ(two.Report.Text(), "");
+  const PreparedSurface sphere =
+    PrepareSurface(Polygons(positions, { { 0, 2, 1, 3 }, { 1, 2, 0, 4 }, { 3, 1, 5, 0 }, { 4, 0, 5, 1 } }),
+      { Numbering::Spatial, true, true });
+  EXPECT_EQ(sphere.Mesh.EulerCharacteristic(), 2);
+  EXPECT_EQ(NumberOfBoundaryEdges(sphere.Mesh), 0);
+}
+
+// The best diagonals of a quad and of a pentagon run between points 0 and 2, where two other triangles meet.
+TEST(PreparedSurface, CutsNothingAlongASideOfOthers)
+{
+  Points positions(6, 3);
+  positions << 0, 0, 0, 0.6, -0.6, 0, 1.2, 0, 0, 0.6, 0.6, 0, 0.6, 0, 1, 0.1, 0.5, 0;
+  for (const std::vector<int>& polygon : { std::vector<int>{ 0, 1, 2, 3 }, { 0, 1, 2, 3, 5 } })
+  {
+    Points wide = positions;
+    wide.col(1) *= 1.5;
+    const CellTriangles alone = Triangulate(Polygons(wide, { polygon }));
+    const auto hasSide = [&alone](int t)
+    { return (alone.Corners.row(t).array() == 0).any() && (alone.Corners.row(t).array() == 2).any(); };
+    EXPECT_TRUE(hasSide(0) || hasSide(1));
+    const PreparedSurface prepared = PrepareSurface(Polygons(wide, { polygon, { 0, 2, 4 }, { 2, 0, 4, 1 } }), {});
+    EXPECT_EQ(prepared.Report.EdgesParted + prepared.Report.CellsDoubled, 0) << prepared.Report.Text();
+  }
 }
 
 TEST(PreparedSurface, LeavesOutDuplicatesAndFillsThemFromTheirTwins)
