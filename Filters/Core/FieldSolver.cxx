@@ -2,8 +2,10 @@
 
 #include "Analysis/HarmonicForms.h"
 #include "Discretisations/MakeDiscretisation.h"
+#include "Mesh/TriangleQuality.h"
 #include "Operators/FluxAnisotropy.h"
 #include "ProblemConstraints.h"
+#include "Setup/FactorChoice.h"
 #include "Setup/SetupCache.h"
 #include "Singularities/SingularStages.h"
 #include "Solvers/HarmonicProblem.h"
@@ -86,6 +88,16 @@ std::string WarningOfShear(double share)
     TextOf(Remedy::FieldAtPoints);
 }
 
+/// Cycles leave errors of 1-forms and of face fields along thin triangles that neither they nor their estimate of the error see.
+constexpr double ShareWithoutEstimate = 0.5;
+
+std::string WarningOfThinTriangles(double share)
+{
+  return std::to_string(std::lround(100.0 * share)) +
+    " % of the triangles are thin, where cycles cannot estimate the error and may say too early that they have "
+    "converged; choose an automatic solver or Cholesky";
+}
+
 /// A vertex that shall be singular has no direction: all of those around it belong to it alike.
 void ClearSingularVertices(Field& field)
 {
@@ -149,7 +161,7 @@ private:
   bool UpdateSystem(SystemKey& key, const Penalties& penalties, const ExecutionContext& context);
   std::unique_ptr<HarmonicProblem> MakeReference(
     const Penalties& penalties, const FieldOptions& options, const ExecutionContext& context) const;
-  void SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop, double setupSeconds,
+  void SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop, const PlannedSetup& setup,
     const ExecutionContext& context);
 
   std::optional<double> ShearedShare; ///< of the surface
@@ -187,7 +199,7 @@ std::shared_ptr<const FieldSolution> FieldSolver::Internals::Solve(const FieldPr
     throw InvalidInput("nested iterations and coarse prolongations take no source; choose another solver");
   }
   this->MakeSystem(setup, onElements, options, PartOfContext(context, 0.5, 0.75));
-  this->SolveSystem(onElements, problem.Stop, setup.Seconds, PartOfContext(context, 0.75, 1.0));
+  this->SolveSystem(onElements, problem.Stop, setup, PartOfContext(context, 0.75, 1.0));
   context.Checkpoint(1.0);
   return this->Solution;
 }
@@ -252,7 +264,7 @@ bool FieldSolver::Internals::UpdateSystem(SystemKey& key, const Penalties& penal
 }
 
 void FieldSolver::Internals::SolveSystem(const FieldConstraints& constraints, const StoppingCriteria& stop,
-  double setupSeconds, const ExecutionContext& context)
+  const PlannedSetup& setup, const ExecutionContext& context)
 {
   const SolveKey key{ constraints.Values, constraints.Source, stop };
   if (this->KeyOfSolution && *this->KeyOfSolution == key)
@@ -273,8 +285,17 @@ void FieldSolver::Internals::SolveSystem(const FieldConstraints& constraints, co
     SolveInUnits(this->System->Problem, key.Values, this->Solution ? this->Solution->Unknowns : none, reference, stop,
       PartOfContext(context, reference.size() > 0 ? 0.2 : 0.0, 1.0), key.Source);
   this->Discretisation->CentreFree(constraints, unknowns);
+  if (this->Discretisation->HasHarmonicFields() && !setup.Choice.Method->IsDirect && report.Converged &&
+    report.Warnings.empty()) // else a factor has taken over
+  {
+    const double share = ShareOfFacesBelow(ThinTriangleQuality, this->Surface.Mesh, context);
+    if (share > ShareWithoutEstimate)
+    {
+      report.Warnings.push_back(WarningOfThinTriangles(share));
+    }
+  }
   this->Solution = std::make_shared<const FieldSolution>(
-    FieldSolution{ this->Discretisation, constraints, std::move(unknowns), std::move(report), setupSeconds, nullptr });
+    FieldSolution{ this->Discretisation, constraints, std::move(unknowns), std::move(report), setup.Seconds, nullptr });
   this->KeyOfSolution = key;
   ++this->Counts.Solves;
 }

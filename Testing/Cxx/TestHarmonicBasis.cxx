@@ -152,7 +152,16 @@ TEST_P(VectorField, HasItsHarmonicBasisWithoutRepeatingAnyStageAndOnce)
   const auto input = WithThreeGiven(IrregularTorus(24, 16, 5));
   const auto solver = NewSolver(input, GetParam());
   solver->SetSolver(Solver::ConjugateGradients);
-  const auto firstArray = [&solver] { return solver->GetOutput()->GetCellData()->GetAbstractArray("HarmonicBasis 1"); };
+  const auto firstArray = [&solver]
+  {
+    vtkDataArray* const array = solver->GetOutput()->GetCellData()->GetArray("HarmonicBasis 1");
+    std::vector<double> values;
+    for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+    {
+      values.push_back(array->GetComponent(i, 0));
+    }
+    return values;
+  };
   solver->Update();
   EXPECT_EQ(CountsOf(solver), (Counts{ 1, 1, 1 }));
   EXPECT_EQ(NumberOfBasisArrays(solver->GetPolyDataOutput()), 0);
@@ -163,8 +172,8 @@ TEST_P(VectorField, HasItsHarmonicBasisWithoutRepeatingAnyStageAndOnce)
   solver->Update();
   EXPECT_EQ(CountsOf(solver), (Counts{ 1, 1, 1 }));
   EXPECT_EQ(Unknowns(solver), field);
-  const vtkSmartPointer<vtkAbstractArray> kept = firstArray();
-  ASSERT_TRUE(kept);
+  const std::vector<double> kept = firstArray();
+  ASSERT_FALSE(kept.empty());
 
   // Other values, weights and solvers leave it.
   input->GetCellData()->GetArray("Given")->SetTuple3(3, 0.5, -0.25, 1.0);

@@ -16,11 +16,12 @@ from directionalmultigrid import FieldError, smooth_field, update
 from directionalmultigrid.vtkFiltersDirectionalFields import (
     vtkDirectionalField, vtkDirectionalProlongation, vtkFieldAngles, vtkFieldGlyphs, vtkFieldLines, vtkFieldSingularities,
     vtkHarmonicFieldSolver, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections)
-from any_surfaces import grid_of_types, points_of
-from surfaces import add
+from any_surfaces import grid_of_types, points_of, polygons
+from surfaces import add, torus
 
 FILTERS = (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkFieldLines, vtkFieldGlyphs, vtkFieldSingularities,
            vtkFieldAngles, vtkHodgeDecomposition, vtkParallelTransport, vtkPrincipalDirections)
+WITHOUT_ARRAYS = (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkParallelTransport, vtkPrincipalDirections)
 SQUARE = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0)]
 
 
@@ -116,14 +117,20 @@ class DamagedInputs(unittest.TestCase):
             for value in values:
                 array.InsertNextValue(value)
             data.GetCellData().AddArray(array)
-        for kind in FILTERS[:-3] + FILTERS[-2:]:  # a Hodge decomposition has no flow here
+        for kind in WITHOUT_ARRAYS:
             with self.subTest(filter=kind.__name__):
                 update(made(kind, data))
         field = update(made(vtkHarmonicFieldSolver, data))
         self.assertEqual(field.GetNumberOfCells(), 16)
         np.testing.assert_array_equal(vtk_to_numpy(field.GetCellData().GetArray("Some")), [1, 1, 2, 2])
+        whole = vtkDoubleArray()
+        whole.SetName("V")
+        whole.SetNumberOfComponents(3)
+        for _ in range(8):
+            whole.InsertNextTuple3(1, 0, 0)
+        data.GetCellData().AddArray(whole)
         with self.assertRaisesRegex(FieldError, "array 'Some', chosen for the mask of the surface, has 4 tuples for 16 cells"):
-            smooth_field(data, Directions="Some", Mask="Some")
+            smooth_field(data, Directions="V", Mask="Some")
 
     def test_numbers_in_arrays_that_are_not_chosen_may_be_anything(self):
         mesh = sphere()
@@ -133,9 +140,16 @@ class DamagedInputs(unittest.TestCase):
         strips = band_of_strips()
         add(strips.GetCellData(), "Temperature", [np.nan] + 7 * [1.0])
         for data, cells in ((mesh, mesh.GetNumberOfCells()), (strips, 16)):
-            for kind in (vtkHarmonicFieldSolver, vtkDirectionalField, vtkDirectionalProlongation, vtkParallelTransport, vtkPrincipalDirections):
+            for kind in WITHOUT_ARRAYS:
                 with self.subTest(filter=kind.__name__):
                     self.assertEqual(update(made(kind, data)).GetNumberOfCells(), cells)
+
+    def test_points_without_cells_are_refused(self):
+        cloud = vtkPolyData()
+        cloud.SetPoints(points_of(SQUARE))
+        self.expect_error(cloud, "the surface has no triangles or other cells of two dimensions", WITHOUT_ARRAYS)
+        self.expect_error(cloud, "the surface has no field|there is no flow|the surface has no triangles", set(FILTERS) - set(WITHOUT_ARRAYS))
+        self.assertEqual(update(made(vtkHarmonicFieldSolver, vtkPolyData())).GetNumberOfCells(), 0)  # a source that has nothing yet
 
     def test_values_count_for_functions_alone(self):
         """They are left over from a function when another kind of field is chosen."""
@@ -196,7 +210,42 @@ class KeptArrays(unittest.TestCase):
                     np.testing.assert_array_equal(after[name], values)
 
 
+    def test_the_smoothest_field_does_not_depend_on_former_fields(self):
+        """It is an eigenvector, free by a rotation of all directions, and a torus has more than one."""
+        mesh = torus(24, 16)
+
+        def power(solver):
+            return vtk_to_numpy(update(solver).GetPointData().GetArray("PowerField")).copy()
+
+        fresh = power(made(vtkHarmonicFieldSolver, mesh))
+        kept = made(vtkHarmonicFieldSolver, mesh)
+        kept.SetCurvatureWeight(1)
+        self.assertGreater(np.abs(power(kept) - fresh).max(), 0.1)
+        kept.SetCurvatureWeight(0)
+        np.testing.assert_array_equal(power(kept), fresh)
+
+
 class ExtremeProperties(unittest.TestCase):
+    def test_a_point_far_away_is_named_where_vectors_cannot_be_carried(self):
+        for far in (1e8, 1e20, 1e36):
+            mesh = sphere(20)
+            mesh.GetPoints().SetPoint(100, far, 0, 0)
+            transport = made(vtkParallelTransport, mesh)
+            transport.SetPoint(0, 0, 0.5)
+            try:
+                self.assertEqual(update(transport).GetNumberOfCells(), mesh.GetNumberOfCells())
+            except FieldError as error:
+                self.assertRegex(str(error), r"the point at \(1e\+\d+, 0, 0\) is the farthest from the others; move it")
+
+    def test_principal_directions_of_polygons_have_unit_length(self):
+        """A quad of an ellipsoid has two triangles, whose directions are not the same."""
+        a, b = np.meshgrid(2 * np.pi * np.arange(24) / 24, np.pi * np.arange(1, 12) / 12)
+        places = np.stack([np.cos(a) * np.sin(b), 1.2 * np.sin(a) * np.sin(b), 1.5 * np.cos(b)], axis=-1).reshape(-1, 3)
+        quads = [[24 * j + i, 24 * (j + 1) + i, 24 * (j + 1) + (i + 1) % 24, 24 * j + (i + 1) % 24] for j in range(10) for i in range(24)]
+        cells = update(made(vtkPrincipalDirections, polygons(places, quads))).GetCellData()
+        for name in ("MaximumDirection", "MinimumDirection"):
+            np.testing.assert_allclose(np.linalg.norm(vtk_to_numpy(cells.GetArray(name)), axis=1), 1)
+
     def test_axes_have_a_direction_of_any_length(self):
         mesh = sphere()
         for name in ("East", "North"):

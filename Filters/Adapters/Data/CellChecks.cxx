@@ -147,7 +147,7 @@ private:
       {
         throw InvalidInput(Cell(firstCell + cell) + " has points " + std::to_string(begin) + " to " +
           std::to_string(end) + " of a list of " + std::to_string(size) + " in " + this->Whose +
-          "; repair the source of it");
+          "; repair the source of " + this->Whose);
       }
       for (vtkIdType k = begin; k < end; ++k)
       {
@@ -155,7 +155,7 @@ private:
         if (point < 0 || point >= this->NumberOfPoints)
         {
           throw InvalidInput(Cell(firstCell + cell) + " uses point " + std::to_string(point) + ", and " + this->Whose +
-            " has " + std::to_string(this->NumberOfPoints) + " points; repair the source of it");
+            " has " + std::to_string(this->NumberOfPoints) + " points; repair the source of " + this->Whose);
         }
       }
     }
@@ -179,7 +179,7 @@ private:
         if (size < needed)
         {
           throw InvalidInput(Cell(cell) + " of " + this->Whose + " has " + std::to_string(size) +
-            " points, and its type needs " + std::to_string(needed) + "; repair the source of it");
+            " points, and its type needs " + std::to_string(needed) + "; repair the source of " + this->Whose);
         }
       }
     }
@@ -217,7 +217,7 @@ private:
   [[noreturn]] void RefuseSize(const std::string& what, vtkIdType size, vtkIdType needed, const std::string& of) const
   {
     throw InvalidInput(this->Whose + " has " + std::to_string(size) + " " + what + " for " + std::to_string(needed) +
-      " " + of + "; repair the source of it");
+      " " + of + "; repair the source of " + this->Whose);
   }
 
   vtkDataSet* const Data;

@@ -268,9 +268,9 @@ void MakeOfWhole(const MakeFunction& make, vtkAlgorithm* algorithm, vtkInformati
   vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataSet* const input = vtkDataSet::GetData(inputs[0]);
-  if (input->GetNumberOfCells() == 0)
+  if (input->GetNumberOfElements(vtkDataObject::CELL) == 0 && input->GetNumberOfElements(vtkDataObject::POINT) == 0)
   {
-    return;
+    return; // points without cells are refused
   }
   if (IsPieceZero(request, outputs))
   {

@@ -93,7 +93,7 @@ void ArraysOfCells::AddOfLargest(const std::string& name, const double* values) 
 void ArraysOfCells::AddDirection(
   const std::string& name, const TangentFrames& frames, const Vector<Complex>& directions, int N) const
 {
-  this->Write({ this->NewTuples(name, 3) }, frames, directions, N, DirectionVectors(1, false));
+  this->Write({ this->NewTuples(name, 3) }, frames, directions, N, DirectionVectors(1, true));
 }
 
 void ArraysOfCells::AddPowers(

@@ -108,7 +108,7 @@ public:
   /// The same for numbers that have no mean; a cell has that of its largest face.
   void AddOfLargest(const std::string& name, const double* values) const;
 
-  /// A signless direction of each face, N of them 2 pi / N apart, with the length that it has. See CellDirections.
+  /// A signless direction of each face, N of them 2 pi / N apart, with unit length where it is not zero. See CellDirections.
   void AddDirection(
     const std::string& name, const TangentFrames& frames, const Vector<Complex>& directions, int N) const;
 

@@ -98,12 +98,40 @@ int KeepWithinBounds(const TriangleMesh& mesh, int from, Vector<double>& distanc
   return large;
 }
 
+/// \throw InvalidInput always: it names the point that is farthest from the others.
+[[noreturn]] void RefuseThinTriangles(const TriangleMesh& mesh)
+{
+  Vector3 middle;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    Vector<double> along = mesh.VertexPositions().col(axis);
+    std::nth_element(along.begin(), along.begin() + along.size() / 2, along.end());
+    middle[axis] = along[along.size() / 2];
+  }
+  int farthest = 0;
+  for (int vertex = 1; vertex < mesh.NumberOfVertices(); ++vertex)
+  {
+    farthest = (mesh.Position(vertex) - middle).stableNorm() > (mesh.Position(farthest) - middle).stableNorm()
+      ? vertex
+      : farthest;
+  }
+  const Vector3 place = mesh.Position(farthest);
+  throw InvalidInput("triangles are too thin to carry vectors along them; the point at (" + ShortText(place[0]) + ", " +
+    ShortText(place[1]) + ", " + ShortText(place[2]) +
+    ") is the farthest from the others; move it, or remove its triangles");
+}
+
+/// The factor of a matrix of a mesh.
 template <class Scalar>
-std::unique_ptr<CholeskySolver<Scalar>> Factor(const SparseMatrix<Scalar>& matrix)
+std::unique_ptr<CholeskySolver<Scalar>> Factor(const SparseMatrix<Scalar>& matrix, const TriangleMesh& mesh)
 {
   try
   {
     return std::make_unique<CholeskySolver<Scalar>>(matrix, FillOrdering::Best);
+  }
+  catch (const NotPositiveDefinite&)
+  {
+    RefuseThinTriangles(mesh);
   }
   catch (const UnexpectedFailure&)
   {
@@ -187,9 +215,9 @@ void ParallelTransport::Internals::MakeFactors(const ExecutionContext& context)
     return;
   }
   context.Checkpoint(0.0);
-  this->OfFunctions = Factor(DiffusionOfFunctions(this->Delaunay, this->Times));
+  this->OfFunctions = Factor(DiffusionOfFunctions(this->Delaunay, this->Times), this->Surface.Mesh);
   context.Checkpoint(0.4);
-  this->OfVectors = Factor(DiffusionOfVectors(this->Delaunay, this->Times));
+  this->OfVectors = Factor(DiffusionOfVectors(this->Delaunay, this->Times), this->Surface.Mesh);
   context.Checkpoint(1.0);
   ++this->Counts.Setups;
 }
@@ -291,7 +319,7 @@ void ParallelTransport::Internals::MakeFactorOfDistances()
   {
     laplacian.coeffRef(vertex, vertex) += 1.0;
   }
-  this->OfDistances = Factor(laplacian);
+  this->OfDistances = Factor(laplacian, this->Surface.Mesh);
 }
 
 Vector<double> ParallelTransport::Internals::Distances(int vertex, const Vector<Complex>& positions)

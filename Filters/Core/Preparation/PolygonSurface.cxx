@@ -2,10 +2,12 @@
 
 #include "Preparation/EarClipping.h"
 #include "Support/CountingSort.h"
+#include "Support/Errors.h"
 
 #include <algorithm>
 #include <cstdint>
 #include <set>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -29,6 +31,24 @@ std::vector<int> FirstTriangles(const PolygonSurface& polygons)
     first[p + 1] = first[p] + NumberOfTriangles(polygons.Offsets[p + 1] - polygons.Offsets[p]);
   }
   return first;
+}
+
+/// \throw InvalidInput a corner is not among the points.
+void CheckCorners(const PolygonSurface& polygons)
+{
+  const auto size = static_cast<int>(polygons.Positions.rows());
+  const auto wrong = std::find_if(
+    polygons.Corners.begin(), polygons.Corners.end(), [size](int point) { return point < 0 || point >= size; });
+  if (wrong != polygons.Corners.end())
+  {
+    const auto corner = static_cast<int>(wrong - polygons.Corners.begin());
+    const auto polygon = static_cast<int>(
+      std::upper_bound(polygons.Offsets.begin(), polygons.Offsets.end(), corner) - polygons.Offsets.begin() - 1);
+    throw InvalidInput("cell " +
+      std::to_string(polygons.FirstCell + (polygons.Cells.empty() ? polygon : polygons.Cells[polygon])) +
+      " uses point " + std::to_string(*wrong) + ", and the surface has " + std::to_string(size) +
+      " points; repair the source of the surface");
+  }
 }
 
 /// Cuts polygons along other diagonals where two of them have one in common, or where it is a side of another.
@@ -147,6 +167,7 @@ CellTriangles Triangulate(PolygonSurface&& polygons, const ExecutionContext& con
 {
   constexpr int Grain = 1024;
   constexpr int LargeSize = 1000; // of polygons that take so long that they are cut between checkpoints
+  CheckCorners(polygons);
   const int size = polygons.Size();
   const std::vector<int> first = FirstTriangles(polygons);
   CellTriangles result;

@@ -48,7 +48,7 @@ struct PolygonSurface
 /// themselves are cut, too, into triangles that overlap. Which corner a polygon begins with makes no difference. A diagonal
 /// that is a side or a diagonal of another polygon is replaced, in the order of the polygons, where there is another
 /// one: else four triangles would meet there.
-/// \pre corners are in range.
+/// \throw InvalidInput a corner is out of range; the message names the cell.
 /// \throw Cancelled
 /// Cost: linear in the number of polygons; about n log n in the number of corners of one, as far as its triangles are small.
 CellTriangles Triangulate(PolygonSurface&& polygons, const ExecutionContext& context = SerialContext());

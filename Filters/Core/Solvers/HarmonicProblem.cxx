@@ -398,7 +398,8 @@ Vector<double> HarmonicProblem::Solve(const Vector<double>& values, const Vector
   }
   if (!unprescribed.empty())
   {
-    of.FindSmoothest(Gathered(start, order, context), stop.MaximumIterations, x, context);
+    // Which one of several smoothest fields is found does not depend on what was solved before.
+    of.FindSmoothest({}, stop.MaximumIterations, x, context);
   }
   of.System.InsertHeld(values, x);
   return Scattered(x, order, context);

@@ -416,8 +416,8 @@ TEST(PreparedSurface, CutsQuadsAlongDiagonalsOfTheirOwn)
 // The best diagonals of a quad and of a pentagon run between points 0 and 2, where two other triangles meet.
 TEST(PreparedSurface, CutsNothingAlongASideOfOthers)
 {
-  Points positions(6, 3);
-  positions << 0, 0, 0, 0.6, -0.6, 0, 1.2, 0, 0, 0.6, 0.6, 0, 0.6, 0, 1, 0.1, 0.5, 0;
+  Points positions(7, 3);
+  positions << 0, 0, 0, 0.6, -0.6, 0, 1.2, 0, 0, 0.6, 0.6, 0, 0.6, 0, 1, 0.1, 0.5, 0, 0.6, 0, -1;
   for (const std::vector<int>& polygon : { std::vector<int>{ 0, 1, 2, 3 }, { 0, 1, 2, 3, 5 } })
   {
     Points wide = positions;
@@ -426,7 +426,7 @@ TEST(PreparedSurface, CutsNothingAlongASideOfOthers)
     const auto hasSide = [&alone](int t)
     { return (alone.Corners.row(t).array() == 0).any() && (alone.Corners.row(t).array() == 2).any(); };
     EXPECT_TRUE(hasSide(0) || hasSide(1));
-    const PreparedSurface prepared = PrepareSurface(Polygons(wide, { polygon, { 0, 2, 4 }, { 2, 0, 4, 1 } }), {});
+    const PreparedSurface prepared = PrepareSurface(Polygons(wide, { polygon, { 0, 2, 4 }, { 2, 0, 6 } }), {});
     EXPECT_EQ(prepared.Report.EdgesParted + prepared.Report.CellsDoubled, 0) << prepared.Report.Text();
   }
 }
@@ -517,4 +517,13 @@ TEST(PreparedSurface, NamesTheCallersElements)
   surface = PlaneGrid(3, 3);
   surface.F(7, 1) = 99;
   EXPECT_NE(message(surface).find("cell 7 uses point 99"), std::string::npos) << message(surface);
+  try
+  {
+    PrepareSurface(Polygons(surface.V, { { 0, 1, 2, 3 }, { 0, 1, -1, 2 } }), {});
+    ADD_FAILURE() << "no error";
+  }
+  catch (const InvalidInput& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("cell 1 uses point -1"), std::string::npos) << error.what();
+  }
 }
