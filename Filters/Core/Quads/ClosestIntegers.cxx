@@ -197,16 +197,30 @@ private:
 
 }
 
-Vector<double> ClosestIntegers(const Eigen::MatrixXd& S, const Vector<double>& x, const ExecutionContext& context)
+Vector<double> ClosestIntegers(
+  const Eigen::MatrixXd& S, const Eigen::MatrixXd& inverse, const Vector<double>& x, const ExecutionContext& context)
 {
   if (x.size() == 0)
   {
     return x;
   }
-  const Eigen::MatrixXd covariance = S.llt().solve(Eigen::MatrixXd::Identity(x.size(), x.size()));
-  Vector<double> y = ConditionalRounding(covariance, x).Round(context);
+  Vector<double> y = ConditionalRounding(inverse, x).Round(context);
   UnitMoves(S, x, y).Run(context);
   return y;
+}
+
+Eigen::MatrixXd InverseOf(const Eigen::MatrixXd& S, const ExecutionContext& context)
+{
+  constexpr Eigen::Index Block = 32;
+  const Eigen::LLT<Eigen::MatrixXd> factor(S);
+  Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(S.rows(), S.cols());
+  for (Eigen::Index first = 0; first < S.cols(); first += Block)
+  {
+    context.Checkpoint(static_cast<double>(first) / static_cast<double>(S.cols()));
+    auto columns = inverse.middleCols(first, std::min(Block, S.cols() - first));
+    factor.solveInPlace(columns);
+  }
+  return inverse;
 }
 
 }

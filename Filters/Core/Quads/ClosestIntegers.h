@@ -15,9 +15,13 @@ namespace dmg
 /// the nearest integer, where all numbers that are still real follow it, by d C_ji / C_ii (conditional rounding). Then single numbers,
 /// and pairs of them, are moved by one while that lowers the energy.
 /// \param S symmetric, positive definite.
+/// \param inverse C; see InverseOf.
 /// Cost: n^3. Checkpoints: one per number.
-Vector<double> ClosestIntegers(
-  const Eigen::MatrixXd& S, const Vector<double>& x, const ExecutionContext& context = SerialContext());
+Vector<double> ClosestIntegers(const Eigen::MatrixXd& S, const Eigen::MatrixXd& inverse, const Vector<double>& x,
+  const ExecutionContext& context = SerialContext());
+
+/// The inverse of a symmetric positive definite matrix. Cost: n^3. Checkpoints: one per 32 columns.
+Eigen::MatrixXd InverseOf(const Eigen::MatrixXd& S, const ExecutionContext& context = SerialContext());
 
 }
 

@@ -176,10 +176,11 @@ void SeamlessMap::FindSchurComplement(const ExecutionContext& context)
     Eigen::MatrixXd solution;
     this->Factor->Solve(right, solution);
     this->Schur.middleCols(first, count) -= columns.transpose() * solution;
-    context.Checkpoint(static_cast<double>(first + count) / size);
+    context.Checkpoint(0.7 * (first + count) / size);
   }
   this->Schur = Eigen::MatrixXd(0.5 * (this->Schur + this->Schur.transpose()));
   this->Schur.diagonal().array() += 1e-9 * this->Schur.trace() / std::max(size, 1);
+  this->InverseOfSchur = InverseOf(this->Schur, PartOfContext(context, 0.7, 1.0));
 }
 
 SeamlessMap::Targets SeamlessMap::FromField(const Vector<double>& lengths, const ExecutionContext& context) const
@@ -243,7 +244,7 @@ Vector<double> SeamlessMap::RealParameters(const Vector<double>& right, Vector<d
   this->SolveReals(right, Vector<double>::Zero(this->Schur.rows()), reals);
   const Vector<double> ofIntegers = this->Variables.Integers.transpose() * right;
   const Vector<double> c = this->Lattice.transpose() * ofIntegers - this->RealsByIntegers.transpose() * reals;
-  return this->Schur.llt().solve(c);
+  return this->InverseOfSchur * c;
 }
 
 void SeamlessMap::SolveReals(const Vector<double>& right, const Vector<double>& parameters, Vector<double>& reals)
@@ -301,7 +302,8 @@ MapOfCorners SeamlessMap::Map(const Vector<double>& lengths, const ExecutionCont
   const Vector<double> right = this->RightSide(this->FromField(lengths, context), context);
   Vector<double> reals;
   const Vector<double> wanted = this->RealParameters(right, reals);
-  const Vector<double> parameters = ClosestIntegers(this->Schur, wanted, PartOfContext(context, 0.1, 0.4));
+  const Vector<double> parameters =
+    ClosestIntegers(this->Schur, this->InverseOfSchur, wanted, PartOfContext(context, 0.1, 0.4));
   this->SolveReals(right, parameters, reals);
   return this->LimitDistortion(
     this->InFixedPoint(reals, parameters), reals, parameters, lengths, PartOfContext(context, 0.4, 1.0));

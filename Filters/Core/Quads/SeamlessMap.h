@@ -82,6 +82,7 @@ private:
   SparseMatrix<double> RealsByIntegers;           ///< H_ry
   std::unique_ptr<CholeskySolver<double>> Factor; ///< of H_rr
   Eigen::MatrixXd Schur;
+  Eigen::MatrixXd InverseOfSchur;
 };
 
 }

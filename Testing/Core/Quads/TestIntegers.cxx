@@ -110,7 +110,7 @@ TEST(ClosestIntegers, AreNoWorseThanAllThatDifferByOneInOneOrTwoAndMostlyTheBest
     const Eigen::MatrixXd S = A * A.transpose() + 0.05 * Eigen::MatrixXd::Identity(4, 4);
     const Vector<double> x = Vector<double>::NullaryExpr(4, [&random]() { return random.Uniform(-2.0, 2.0); });
     const auto energy = [&](const Vector<double>& y) { return (y - x).dot(S * (y - x)); };
-    const Vector<double> y = ClosestIntegers(S, x);
+    const Vector<double> y = ClosestIntegers(S, InverseOf(S), x);
     EXPECT_EQ(y, Vector<double>(y.array().round()));
     double least = std::numeric_limits<double>::infinity();
     for (const auto& offset : Box(4, 3))
@@ -139,8 +139,9 @@ TEST(ClosestIntegers, AreRoundedOnesWhereNumbersAreIndependent)
 {
   Vector<double> x(3);
   x << 0.4, -2.6, 7.1;
-  EXPECT_EQ(ClosestIntegers(Eigen::MatrixXd::Identity(3, 3), x), Vector<double>(x.array().round()));
-  EXPECT_EQ(ClosestIntegers(Eigen::MatrixXd(0, 0), Vector<double>()).size(), 0);
+  EXPECT_EQ(ClosestIntegers(Eigen::MatrixXd::Identity(3, 3), Eigen::MatrixXd::Identity(3, 3), x),
+    Vector<double>(x.array().round()));
+  EXPECT_EQ(ClosestIntegers(Eigen::MatrixXd(0, 0), InverseOf(Eigen::MatrixXd(0, 0)), Vector<double>()).size(), 0);
 }
 
 TEST(ExactOrder, TellsProductsApartThatDoublesDoNot)
