@@ -58,7 +58,7 @@ int vtkDirectionalField::FillOutputPortInformation(int port, vtkInformation* inf
 int vtkDirectionalField::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // Of several ranks, or of one process: null.
+  // With ranks null: of one process.
   const auto solveAndDraw =
     [&](vtkInformationVector** inputs, const dmg::RanksOfPipeline* ranks, const dmg::ExecutionContext& context)
   {

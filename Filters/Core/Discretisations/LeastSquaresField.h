@@ -39,7 +39,7 @@ protected:
   /// The structure-preserving prolongations among the operators of a surface; empty if they are missing.
   virtual const std::vector<SparseMatrix<double>>& PreservingProlongations(
     const ProlongationOperators& operators) const = 0;
-  /// How to make operators that are missing.
+  /// The remedy for operators that are missing.
   virtual Remedy RemedyOfOperators() const = 0;
 };
 

@@ -20,9 +20,9 @@ constexpr int LargestForFactor = 300000;
 
 FlowPotentials::FlowPotentials(const FramedMesh& surface, const SolverOptions& options)
   : Geometry(surface)
-  , Setups(surface)
   , Options(options)
   , LoopsOfBoundary(FindBoundaryLoops(surface.Mesh))
+  , Setups(surface)
 {
   this->Options.ExpectedSolves += NumberOfGenerators(surface.Mesh);
   if (options.Kind == SolverKind::Automatic && surface.Mesh.NumberOfVertices() <= LargestForFactor)

@@ -38,7 +38,7 @@ public:
   /// \param components of vertices; borrowed.
   /// \param prescribed vertices.
   FreeComponents(const std::vector<int>& components, const std::vector<int>& prescribed);
-  /// Those of some vertices.
+  /// The free components of some vertices.
   static FreeComponents Of(const std::vector<int>& components, const std::vector<int>& vertices);
 
   bool AreAny() const;

@@ -162,8 +162,8 @@ struct BlockIteration
     return ASpan * C - (mass.asDiagonal() * this->X) * solver.eigenvalues().head(size).asDiagonal();
   }
 
-  /// Where cells are of very different shapes, rounding errors of products with A are large in the energy norm, but not
-  /// in the field. Where they hold up the residual, the norm of B r in M tells the error of x.
+  /// Whether x is accurate although rounding errors bound the residual. Where cells are of very different shapes, rounding errors of
+  /// products with A are large in the energy norm, but not in the field. Then the norm of B r in M measures the error of x.
   /// \param squaredError of x, by that norm.
   bool IsSolved(double squaredError, double tolerance)
   {

@@ -8,7 +8,7 @@
 namespace dmg
 {
 
-/// How FindLowestOfBlocks ended on a part.
+/// The end of FindLowestOfBlocks on a part.
 struct LowestOfPart
 {
   double Residual; ///< as FindLowestEigenvectors measures it
@@ -17,9 +17,9 @@ struct LowestOfPart
   bool IsSolved;
 };
 
-/// The lowest eigenvectors of some parts by LOBPCG with a block of vectors for each (Knyazev 2001). Eigenvalues that are close
-/// to the lowest one, as the two sides of a thin plate have them, hold up an iteration with one vector. In a block, what
-/// counts is the distance to the first eigenvalue that is not in it.
+/// The lowest eigenvectors of some parts by LOBPCG with a block of vectors for each (Knyazev 2001). With one vector, LOBPCG is slow
+/// if the two lowest eigenvalues are close, as on a thin plate. With a block, the distance to the first eigenvalue beyond the block
+/// counts.
 /// \param parts their numbers in problem.Parts.
 /// \param x a start in the unknowns of these parts, not zero; on exit x^T M x = 1. Other unknowns stay as they are.
 /// \param theta by part of the problem; on exit the eigenvalues of these parts.
