@@ -2,6 +2,7 @@
 chosen, values that are left over from another kind of field. A fault is one error that names the element; the rest is solved."""
 
 import unittest
+import warnings
 
 import numpy as np
 from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
@@ -226,6 +227,25 @@ class KeptArrays(unittest.TestCase):
 
 
 class ExtremeProperties(unittest.TestCase):
+    def test_a_warning_says_where_cycles_cannot_estimate_their_error(self):
+        """1-forms on a sphere that is stretched a thousandfold: all triangles are thin."""
+        mesh = sphere(60)
+        places = vtk_to_numpy(mesh.GetPoints().GetData())
+        places[:, 0] *= 1e3
+        given = np.zeros((mesh.GetNumberOfCells(), 3))
+        given[::500] = (1, 0, 0)
+        add(mesh.GetCellData(), "G", given)
+        for solver, is_warned in ((vtkHarmonicFieldSolver.ConjugateGradients, True), (vtkHarmonicFieldSolver.Cholesky, False)):
+            form = made(vtkHarmonicFieldSolver, mesh)
+            form.SetDiscretisation(form.OneForm)
+            form.SetInputArrayToProcess(1, 0, 0, 1, "G")
+            form.SetSolver(solver)
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                update(form)
+            texts = " ".join(str(warning.message) for warning in said)
+            self.assertEqual("triangles are thin, where cycles" in texts or "did not converge" in texts, is_warned, texts)
+
     def test_a_point_far_away_is_named_where_vectors_cannot_be_carried(self):
         for far in (1e8, 1e20, 1e36):
             mesh = sphere(20)

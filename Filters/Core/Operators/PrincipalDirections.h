@@ -48,7 +48,7 @@ struct PrincipalDirections
 /// of it. At the boundary, where normals look to one side, curvatures come out smaller, by up to a fifth at scale 3.
 /// \param scale finite, >= 0.
 /// \throw Cancelled
-/// Cost: O(scale^2) for each vertex.
+/// Cost: O(scale^2) for each vertex, times the number of triangles around it.
 PrincipalDirections FindPrincipalDirections(
   const FramedMesh& surface, double scale, const ExecutionContext& context = SerialContext());
 
