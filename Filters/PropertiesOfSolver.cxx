@@ -84,7 +84,7 @@ FieldProblem ProblemOf(Filter* filter)
 
 }
 
-FieldProperties PropertiesOf(vtkHarmonicFieldSolver* filter, const ConstraintChoices& guideChoices)
+FieldProperties PropertiesOf(vtkHarmonicFieldSolver* filter, const ConstraintArrays& guideChoices)
 {
   CheckProperties(filter);
   FieldProperties properties{ ProblemOf(filter), { Numbering::Spatial, filter->GetJoinPoints(), filter->GetStrict() },

@@ -9,7 +9,7 @@ namespace dmg
 {
 
 /// \throw InvalidInput a property is out of its range. Weights are checked where they are used.
-FieldProperties PropertiesOf(vtkHarmonicFieldSolver* filter, const ConstraintChoices& guideChoices = {});
+FieldProperties PropertiesOf(vtkHarmonicFieldSolver* filter, const ConstraintArrays& guideChoices = {});
 
 }
 

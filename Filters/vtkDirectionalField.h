@@ -8,22 +8,21 @@
  *
  * @section vtkDirectionalField-Inputs Inputs
  *
- * Those of vtkHarmonicFieldSolver: the surface on port 0, guides on ports 1, 3, 4 and 5, singularities on port 2.
+ * The inputs of vtkHarmonicFieldSolver: the surface on port 0, guides on ports 1, 3, 4 and 5, singularities on port 2.
  *
  * @section vtkDirectionalField-Outputs Outputs
  *
- * Port 0, the surface: of the type of the input, the output of that name of vtkHarmonicFieldSolver. Its edges and its table of convergence
- * are no outputs here.
+ * Port 0, the surface: output 0 of vtkHarmonicFieldSolver, whose edges and convergence are no outputs here.
  *
  * Port 1, the lines: vtkPolyData, the output of vtkFieldLines at LineDistance.
  *
  * Port 2, the singularities: vtkPolyData, the spheres of vtkFieldSingularities with SphereRadius.
  *
- * Where the field is zero everywhere nothing is drawn, with a warning.
+ * Nothing is drawn where the field is zero everywhere, with a warning.
  *
  * @section vtkDirectionalField-Execution Execution
  *
- * As vtkHarmonicFieldSolver; an update draws anew, in the time of vtkFieldLines and vtkFieldSingularities.
+ * Stages are kept as in vtkHarmonicFieldSolver. Each update draws anew, in the time of vtkFieldLines and vtkFieldSingularities.
  *
  * @sa vtkHarmonicFieldSolver vtkFieldLines vtkFieldSingularities
  */

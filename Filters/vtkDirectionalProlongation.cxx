@@ -91,30 +91,10 @@ int vtkDirectionalProlongation::GetNumberOfSetups() const
 }
 
 //------------------------------------------------------------------------------
-int vtkDirectionalProlongation::FillInputPortInformation(int, vtkInformation* information)
-{
-  return dmg::TakeAnyDataSet(information);
-}
-
-//------------------------------------------------------------------------------
 int vtkDirectionalProlongation::FillOutputPortInformation(int port, vtkInformation* information)
 {
   information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkDataSet" : "vtkPartitionedDataSetCollection");
   return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkDirectionalProlongation::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::MakeOutputLikeInput(inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkDirectionalProlongation::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -183,7 +163,5 @@ void vtkDirectionalProlongation::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PowerFields: " << (this->PowerFields ? "On" : "Off") << "\n";
   os << indent << "FaceFields: " << (this->FaceFields ? "On" : "Off") << "\n";
   os << indent << "OneForms: " << (this->OneForms ? "On" : "Off") << "\n";
-  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
-  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
 }

@@ -14,18 +14,7 @@
  *
  * @section vtkDirectionalProlongation-Inputs Inputs
  *
- * Port 0: any vtkDataSet with cells of two dimensions, with or without boundary, in one or several parts; composite datasets
- * leaf by leaf. Polygons are cut into triangles inside, cells of higher order as VTK draws them. Cells of no or one
- * dimension, hidden cells and points without a cell take no part; a cell of three dimensions is an error. Points that
- * coincide are joined (SetJoinPoints). Where the rest is no oriented manifold, triangles are turned, paired and parted
- * inside (SetStrict). The field data array SurfacePreparation counts it, as in "3 cells turned, 12 points joined":
- *
- * - components are oriented as most of their cells are; one with one side only is cut along a short seam;
- * - at an edge of more than two sheets, the two that continue each other most smoothly stay joined, and the others end
- *   there, but for two that meet within 45 degrees of a plane;
- * - a point at which several fans of cells meet counts as one for each of them;
- * - cells that are there twice, and duplicate ghosts, have the field of their twin;
- * - cells that are only a line or a point have the mean of the field around.
+ * Port 0: a surface as vtkOrientedSurfaceAlgorithm describes it.
  *
  * The operators refer to the triangles inside. Where these are not the cells and points of the surface,
  * Prolongation.CellsOfFaces and Prolongation.PointsOfVertices tell the cell of each triangle and the point of each vertex.
@@ -69,18 +58,8 @@
  * @section vtkDirectionalProlongation-Execution Execution
  *
  * The work is repeated when the content of points or triangles, or a property, changes; an array
- * that is added to the input, or new objects with the same content, repeat nothing. Linear in the
- * number of triangles. Runs in the threads of vtkSMPTools (in those of TBB where the backend is
- * Sequential by default rather than by choice) and gives the same bits for any number of threads.
- * An aborted run leaves empty outputs, and so does an error, as a number out of its range is.
- *
- * On several ranks (vtkMultiProcessController), a vtkPolyData or vtkUnstructuredGrid in pieces is gathered on the first
- * rank, which holds the whole result; the other ranks are empty. Points of different pieces are one by global ids, or at
- * the same place. Guides and other inputs are gathered as well. Equal pieces, as of a file that each rank reads, are one.
- * Field data (string, Gathered) and a line of VTK's output say so, with the memory that it takes. Where the first rank has
- * not that much, there is an error with the numbers; DMG_MEMORY_LIMIT (in KiB) in the environment tells of less than the
- * machine has. An error or an abort on one rank ends all. The first rank asks for the whole of grids and of the leaves of
- * composite datasets.
+ * that is added to the input, or new objects with equal content, repeat nothing. The time is linear in the
+ * number of triangles.
  *
  * @sa vtkHarmonicFieldSolver
  */
@@ -88,16 +67,16 @@
 #ifndef vtkDirectionalProlongation_h
 #define vtkDirectionalProlongation_h
 
-#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkOrientedSurfaceAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkDirectionalProlongation : public vtkDataSetAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkDirectionalProlongation : public vtkOrientedSurfaceAlgorithm
 {
 public:
   static vtkDirectionalProlongation* New();
-  vtkTypeMacro(vtkDirectionalProlongation, vtkDataSetAlgorithm);
+  vtkTypeMacro(vtkDirectionalProlongation, vtkOrientedSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -110,7 +89,7 @@ public:
 
   ///@{
   /**
-   * At most so many levels beside the surface itself. Default 3, range 0 to 20.
+   * The largest number of levels beside the surface itself. Default 3, range 0 to 20.
    */
   vtkSetMacro(MaximumNumberOfCoarseLevels, int);
   vtkGetMacro(MaximumNumberOfCoarseLevels, int);
@@ -153,7 +132,7 @@ public:
 
   ///@{
   /**
-   * Where the operators come from, one of Constructions. Default TrackedPaths.
+   * The way in which the operators are made, one of Constructions. Default TrackedPaths.
    */
   vtkSetMacro(Construction, int);
   vtkGetMacro(Construction, int);
@@ -161,9 +140,8 @@ public:
 
   ///@{
   /**
-   * Which structure-preserving operators are built beside S0 and Nodal, which every field can be
-   * solved with: SP (PowerFields, of fields on faces, default on), SX (FaceFields, default off), S1 (OneForms, default
-   * off).
+   * The structure-preserving operators that are built beside S0 and Nodal, which serve every field: SP (PowerFields, of fields on
+   * faces, default on), SX (FaceFields, default off), S1 (OneForms, default off).
    */
   vtkSetMacro(PowerFields, bool);
   vtkGetMacro(PowerFields, bool);
@@ -174,27 +152,6 @@ public:
   vtkSetMacro(OneForms, bool);
   vtkGetMacro(OneForms, bool);
   vtkBooleanMacro(OneForms, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether points that coincide are one: those of a boundary that are equal, or nearer to each other than single precision
-   * tells apart. So seams close, as those of ParaView's Cylinder, and soups of triangles become surfaces. Gaps and walls
-   * stay, however thin. Default on.
-   */
-  vtkSetMacro(JoinPoints, bool);
-  vtkGetMacro(JoinPoints, bool);
-  vtkBooleanMacro(JoinPoints, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a surface that is no oriented manifold is refused, with the reason, rather than turned, parted and paired
-   * inside. No points are joined then. Default off.
-   */
-  vtkSetMacro(Strict, bool);
-  vtkGetMacro(Strict, bool);
-  vtkBooleanMacro(Strict, bool);
   ///@}
 
   /**
@@ -209,12 +166,7 @@ protected:
   vtkDirectionalProlongation();
   ~vtkDirectionalProlongation() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
-  int RequestDataObject(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
@@ -228,8 +180,6 @@ private:
   bool PowerFields = true;
   bool FaceFields = false;
   bool OneForms = false;
-  bool JoinPoints = true;
-  bool Strict = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

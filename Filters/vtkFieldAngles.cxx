@@ -48,11 +48,10 @@ int vtkFieldAngles::RequestData(
       dmg::Vector<double> angles = 180.0 / dmg::Pi * dmg::AnglesOfField(given.Faces, given.Field, references, context);
       if (const auto undefined = angles.array().isNaN().count())
       {
-        vtkWarningMacro("there is no angle on "
-          << undefined << " of " << angles.size()
-          << " triangles, where Angle is 0: the field has no direction there, or Axis or the reference vector is zero "
-             "or "
-             "perpendicular to the triangle; to measure there as well, choose another Axis or other Reference Vectors");
+        vtkWarningMacro("there is no angle on " << undefined << " of " << angles.size()
+                                                << " triangles, where Angle is 0: the field has no direction, or the "
+                                                   "reference is zero or perpendicular there; "
+                                                   "choose another Axis or other Reference Vectors");
         angles = angles.array().isNaN().select(0.0, angles);
       }
       this->Period = 360.0 / given.Field.N();

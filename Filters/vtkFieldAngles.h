@@ -2,16 +2,15 @@
  * @class   vtkFieldAngles
  * @brief   angles of a field of N directions on a surface against an axis or other vectors
  *
- * For fibre, helix and layer angles: vtkFieldAngles tells on each triangle how far the nearest direction of a field is turned
- * from a reference vector, which is projected to the plane of the triangle. Angles are counted counter-clockwise, seen
+ * vtkFieldAngles measures fibre, helix and layer angles: on each triangle, the angle from a reference vector, projected to the plane
+ * of the triangle, to the nearest direction of a field. Angles are counted counter-clockwise, seen
  * from the side to which the normal points, and lie above -180 / N up to 180 / N degrees. For lines and crosses the sign
  * of the reference does not matter.
  *
  * @section vtkFieldAngles-Inputs Inputs
  *
- * Port 0: a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
- * SetInputArrayToProcess(0, 0, 0, association, name). The reference is Axis, or an array of vectors on cells or points,
- * chosen with SetInputArrayToProcess(1, 0, 0, association, name); of points, the mean over the corners of a triangle.
+ * Port 0: a surface with a field, as vtkFieldDrawingAlgorithm describes it. The reference is Axis, or an array of vectors on cells
+ * or points, chosen with SetInputArrayToProcess(1, 0, 0, association, name). A triangle has the mean of vectors at its corners.
  *
  * @section vtkFieldAngles-Output Output
  *
@@ -26,8 +25,8 @@
  *
  * @section vtkFieldAngles-Execution Execution
  *
- * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines; where the array that is chosen is no field,
- * the output is the input, beside the error, so that a window goes on to show the surface.
+ * The time is linear in the triangles. Threads, errors, aborts and pieces are those of vtkOrientedSurfaceAlgorithm. Where the array
+ * that is chosen is no field, the output is the input, beside the error, so that a window goes on to show the surface.
  *
  * @sa vtkHarmonicFieldSolver
  */
@@ -47,9 +46,7 @@ public:
 
   ///@{
   /**
-   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
-   * arrays Direction0, Direction1, ... if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names
-   * tell, and 1 for any other array. Range 0 to 8.
+   * N, the number of directions per point; see vtkFieldDrawingAlgorithm::SetNumberOfDirections. Default 0, range 0 to 8.
    */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);

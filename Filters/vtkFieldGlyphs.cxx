@@ -15,19 +15,6 @@
 vtkStandardNewMacro(vtkFieldGlyphs);
 
 //------------------------------------------------------------------------------
-int vtkFieldGlyphs::FillInputPortInformation(int, vtkInformation* information)
-{
-  return dmg::TakeAnyDataSet(information);
-}
-
-//------------------------------------------------------------------------------
-int vtkFieldGlyphs::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::AskForInputs(this, request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 int vtkFieldGlyphs::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -67,7 +54,6 @@ void vtkFieldGlyphs::PrintSelf(ostream& os, vtkIndent indent)
 {
   const char* const sizings[] = { "Even", "ByTriangle", "ByMagnitude" };
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "Placement: " << (this->Placement == EvenlySpread ? "EvenlySpread" : "EveryTriangle") << "\n";
   os << indent << "SeparatingDistance: " << this->SeparatingDistance << "\n";
   os << indent << "Sizing: " << dmg::NameOf(sizings, this->Sizing) << "\n";

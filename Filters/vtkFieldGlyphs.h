@@ -13,11 +13,6 @@
  * nearer to another one than the distance, measured over the surface, and hardly a place is farther than that from all
  * of them. They do not depend on the field: those of two fields on one surface stand at the same places.
  *
- * @section vtkFieldGlyphs-Inputs Inputs
- *
- * Port 0: a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
- * SetInputArrayToProcess(0, 0, 0, association, name).
- *
  * @section vtkFieldGlyphs-Output Output
  *
  * Port 0: vtkPolyData, polygons (Solid) or polylines (Strokes), several per branch and glyph.
@@ -32,8 +27,7 @@
  *
  * @section vtkFieldGlyphs-Execution Execution
  *
- * Linear in the triangles and in the number of glyphs, of which more than a million are an error. Threads, errors, aborts and
- * pieces are as in vtkFieldLines.
+ * The time is linear in the triangles and in the number of glyphs, of which more than a million are an error.
  *
  * @sa vtkFieldLines vtkFieldSingularities vtkHarmonicFieldSolver
  */
@@ -41,25 +35,15 @@
 #ifndef vtkFieldGlyphs_h
 #define vtkFieldGlyphs_h
 
+#include "vtkFieldDrawingAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldGlyphs : public vtkPolyDataAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldGlyphs : public vtkFieldDrawingAlgorithm
 {
 public:
   static vtkFieldGlyphs* New();
-  vtkTypeMacro(vtkFieldGlyphs, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkFieldGlyphs, vtkFieldDrawingAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
-   * arrays Direction0, Direction1, ... if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names
-   * tell, and 1 for any other array. Range 0 to 8.
-   */
-  vtkSetMacro(NumberOfDirections, int);
-  vtkGetMacro(NumberOfDirections, int);
-  ///@}
 
   enum Placements
   {
@@ -71,7 +55,7 @@ public:
 
   ///@{
   /**
-   * Where glyphs stand, one of Placements. Default EvenlySpread.
+   * The places of glyphs, one of Placements. Default EvenlySpread.
    */
   vtkSetMacro(Placement, int);
   vtkGetMacro(Placement, int);
@@ -98,7 +82,7 @@ public:
 
   ///@{
   /**
-   * How long branches are, one of Sizings. Default Even.
+   * The length of branches, one of Sizings. Default Even.
    */
   vtkSetMacro(Sizing, int);
   vtkGetMacro(Sizing, int);
@@ -106,7 +90,7 @@ public:
 
   ///@{
   /**
-   * All lengths are multiplied by this. Default 0.9, range 0.01 to 100.
+   * A factor of all lengths. Default 0.9, range 0.01 to 100.
    */
   vtkSetMacro(ScaleFactor, double);
   vtkGetMacro(ScaleFactor, double);
@@ -122,7 +106,7 @@ public:
 
   ///@{
   /**
-   * What glyphs are made of, one of Styles. Default Solid.
+   * The cells of glyphs, one of Styles. Default Solid.
    */
   vtkSetMacro(Style, int);
   vtkGetMacro(Style, int);
@@ -138,8 +122,8 @@ public:
 
   ///@{
   /**
-   * By how much glyphs are lifted off the surface along its normal, as a fraction of the surface's size, so that it
-   * does not hide them. Default 0.001, range 0 to 0.1.
+   * The distance of glyphs from the surface along its normal, as a fraction of the surface's size. The surface would hide glyphs
+   * that lie in it. Default 0.001, range 0 to 0.1.
    */
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
@@ -152,14 +136,10 @@ protected:
   vtkFieldGlyphs() = default;
   ~vtkFieldGlyphs() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
-  int NumberOfDirections = 0;
   int Placement = EvenlySpread;
   double SeparatingDistance = 0.02;
   int Sizing = Even;

@@ -32,19 +32,6 @@ double RoundedDown(double number)
 }
 
 //------------------------------------------------------------------------------
-int vtkFieldLines::FillInputPortInformation(int, vtkInformation* information)
-{
-  return dmg::TakeAnyDataSet(information);
-}
-
-//------------------------------------------------------------------------------
-int vtkFieldLines::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::AskForInputs(this, request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 int vtkFieldLines::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -92,7 +79,6 @@ int vtkFieldLines::RequestData(
 void vtkFieldLines::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "SeparatingDistance: " << this->SeparatingDistance << "\n";
   os << indent << "SeparatingDistanceRatio: " << this->SeparatingDistanceRatio << "\n";
   os << indent << "MinimumLength: " << this->MinimumLength << "\n";

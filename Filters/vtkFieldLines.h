@@ -17,22 +17,6 @@
  * See B. Jobard and W. Lefer, "Creating evenly-spaced streamlines of arbitrary density", 1997, and B. Spencer et al.,
  * "Evenly spaced streamlines for surfaces", 2009.
  *
- * @section vtkFieldLines-Inputs Inputs
- *
- * Port 0: a surface as described in vtkDirectionalProlongation, with the
- * field as vectors on cells or points. Of a vector its tangential part counts; its length is the magnitude of the
- * field; where it is zero there is no direction. The array is chosen by
- *
- *   SetInputArrayToProcess(0, 0, 0, association, name).
- *
- * Where nothing is chosen it is Direction0 of the cells, or of the points, or else the active vectors of the cells, or
- * of the points. Where cells and points have an array Direction0, as vtkHarmonicFieldSolver leaves them, that of the
- * cells is taken for both: the other one is its mean. The array holds one direction of N; the others are those, turned
- * by 2 pi / N. Vectors at points are averaged over the corners of each triangle, as N-th powers. Of a tensor of 6 (XX YY ZZ XY
- * YZ XZ) or 9 components the direction of the largest eigenvalue in the tangent plane is taken, with N = 2 by default. In a
- * plane of constant z, vectors may have 2 components. Those that are not finite are no directions, and a warning counts them. Vectors
- * that flip from element to element, as eigenvectors do, are a warning where N is 1: they have no sign.
- *
  * @section vtkFieldLines-Output Output
  *
  * Port 0: vtkPolyData, a polyline per line. One that is closed ends with the point with which it began. Lines of vectors
@@ -48,10 +32,7 @@
  *
  * @section vtkFieldLines-Execution Execution
  *
- * Linear in the triangles of the surface and in the length of all lines over their distance. One thread draws, what
- * comes before runs in the threads of vtkSMPTools as in vtkDirectionalProlongation; same lines for any number of
- * threads. An aborted run leaves an empty output, and so does an error, as a number out of its range is. Surfaces
- * in pieces are gathered on the first rank, as in vtkDirectionalProlongation.
+ * The time is linear in the triangles of the surface and in the length of all lines over their distance. One thread draws.
  *
  * @sa vtkFieldGlyphs vtkFieldSingularities vtkHarmonicFieldSolver
  */
@@ -59,25 +40,15 @@
 #ifndef vtkFieldLines_h
 #define vtkFieldLines_h
 
+#include "vtkFieldDrawingAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldLines : public vtkPolyDataAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldLines : public vtkFieldDrawingAlgorithm
 {
 public:
   static vtkFieldLines* New();
-  vtkTypeMacro(vtkFieldLines, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkFieldLines, vtkFieldDrawingAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
-   * arrays Direction0, Direction1, ... if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names
-   * tell, and 1 for any other array. Range 0 to 8.
-   */
-  vtkSetMacro(NumberOfDirections, int);
-  vtkGetMacro(NumberOfDirections, int);
-  ///@}
 
   ///@{
   /**
@@ -109,8 +80,8 @@ public:
 
   ///@{
   /**
-   * By how much lines are lifted off the surface along its normal, as a fraction of the surface's size, so that it does
-   * not hide them. Default 0.001, range 0 to 0.1.
+   * The distance of lines from the surface along its normal, as a fraction of the surface's size. The surface would hide lines
+   * that lie in it. Default 0.001, range 0 to 0.1.
    */
   vtkSetMacro(Lift, double);
   vtkGetMacro(Lift, double);
@@ -133,14 +104,10 @@ protected:
   vtkFieldLines() = default;
   ~vtkFieldLines() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
-  int NumberOfDirections = 0;
   double SeparatingDistance = 0.015;
   double SeparatingDistanceRatio = 0.5;
   double MinimumLength = 4.0;

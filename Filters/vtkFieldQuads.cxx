@@ -23,7 +23,7 @@ namespace
 {
 
 /// The chosen relative lengths of edges, by face; empty where none are chosen.
-dmg::Vector<double> SizesOf(const dmg::ArrayChoice& choice, vtkDataSet* input, const dmg::CrossesOfSurface& surface)
+dmg::Vector<double> SizesOf(const dmg::ChosenArray& choice, vtkDataSet* input, const dmg::CrossesOfSurface& surface)
 {
   const dmg::ChosenArray chosen = dmg::FindArray(choice, input, 1, "sizes", "the surface");
   const dmg::TriangleMesh& mesh = surface.Geometry->Mesh;
@@ -34,7 +34,7 @@ dmg::Vector<double> SizesOf(const dmg::ArrayChoice& choice, vtkDataSet* input, c
     for (int h = 3 * face; h < 3 * face + 3; ++h)
     {
       sum += chosen.Array->GetComponent(
-        chosen.OnPoints ? surface.Relation.PointOf(mesh.Tail(h)) : surface.Relation.CellOf(face), 0);
+        chosen.OnPoints() ? surface.Relation.PointOf(mesh.Tail(h)) : surface.Relation.CellOf(face), 0);
     }
     sizes[face] = sum / 3.0;
   }

@@ -27,9 +27,9 @@ void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& give
     vtkWarningWithObjectMacro(
       algorithm, << "A singularity at " << given.Surface.Names().Vertex(vertices.front())
                  << (vertices.size() > 1 ? " and others look" : " looks")
-                 << " like several of smaller indices and both signs, since the field turns by more than "
+                 << " like several of smaller indices and both signs, as the field turns by more than "
                  << dmg::ShortText(180.0 / given.Field.N())
-                 << " degrees across the edges there; refine the surface there, or choose fewer directions.");
+                 << " degrees across edges; refine the surface there, or choose fewer directions.");
   }
 }
 
@@ -39,19 +39,6 @@ void WarnOfUnresolved(vtkAlgorithm* algorithm, const dmg::SurfaceWithField& give
 vtkFieldSingularities::vtkFieldSingularities()
 {
   this->SetNumberOfOutputPorts(4);
-}
-
-//------------------------------------------------------------------------------
-int vtkFieldSingularities::FillInputPortInformation(int, vtkInformation* information)
-{
-  return dmg::TakeAnyDataSet(information);
-}
-
-//------------------------------------------------------------------------------
-int vtkFieldSingularities::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -78,6 +65,5 @@ int vtkFieldSingularities::RequestData(
 void vtkFieldSingularities::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "NumberOfDirections: " << this->NumberOfDirections << "\n";
   os << indent << "SphereRadius: " << this->SphereRadius << "\n";
 }

@@ -22,9 +22,7 @@
  *
  * @section vtkFieldSingularities-Inputs Inputs
  *
- * Port 0: a surface with a field, as for vtkFieldLines; the array is chosen in the same way, with
- * SetInputArrayToProcess(0, 0, 0, association, name). On triangles without direction indices mean nothing, but still
- * have their sum.
+ * On triangles without a direction indices mean nothing, but still have their sum.
  *
  * @section vtkFieldSingularities-Outputs Outputs
  *
@@ -58,7 +56,7 @@
  *
  * @section vtkFieldSingularities-Execution Execution
  *
- * Linear in the triangles. Threads, errors, aborts and pieces are as in vtkFieldLines. There is a warning where a singularity of larger
+ * The time is linear in the triangles. There is a warning where a singularity of larger
  * index looks like several of opposite signs, as the triangles around it are too few.
  *
  * @sa vtkFieldLines vtkFieldGlyphs vtkHarmonicFieldSolver
@@ -67,25 +65,15 @@
 #ifndef vtkFieldSingularities_h
 #define vtkFieldSingularities_h
 
+#include "vtkFieldDrawingAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldSingularities : public vtkPolyDataAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkFieldSingularities : public vtkFieldDrawingAlgorithm
 {
 public:
   static vtkFieldSingularities* New();
-  vtkTypeMacro(vtkFieldSingularities, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkFieldSingularities, vtkFieldDrawingAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * N, the number of directions per point of which the chosen array holds one. 0, the default: as many as there are
-   * arrays Direction0, Direction1, ... if Direction0 is chosen, 2 for the arrays of vtkPrincipalDirections, whose names
-   * tell, and 1 for any other array. Range 0 to 8.
-   */
-  vtkSetMacro(NumberOfDirections, int);
-  vtkGetMacro(NumberOfDirections, int);
-  ///@}
 
   ///@{
   /**
@@ -102,14 +90,10 @@ protected:
   vtkFieldSingularities();
   ~vtkFieldSingularities() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
-  int NumberOfDirections = 0;
   double SphereRadius = 0.012;
 };
 

@@ -74,7 +74,7 @@ public:
     return counts;
   }
 
-  dmg::ConstraintChoices GuideChoices; ///< SetGuideArrayToProcess
+  dmg::ConstraintArrays GuideChoices; ///< SetGuideArrayToProcess
   std::string Followed;
 #ifdef DMG_PETSC
   dmg::SolverOfPieces Pieces;
@@ -116,9 +116,6 @@ vtkHarmonicFieldSolver::vtkHarmonicFieldSolver()
   this->UnitLength = problem.UnitLength;
   this->Combing = problem.Combing;
   this->HarmonicBasis = problem.HarmonicBasis;
-  const dmg::PreparationOptions preparation;
-  this->JoinPoints = preparation.JoinPoints;
-  this->Strict = preparation.Strict;
   this->SetNumberOfInputPorts(6);
   this->SetNumberOfOutputPorts(3);
   this->AddObserver(vtkCommand::StartEvent, this->Internals.get(), &vtkInternals::BeginExecution);
@@ -180,8 +177,8 @@ void vtkHarmonicFieldSolver::RemoveAllSingularities()
 void vtkHarmonicFieldSolver::SetGuideArrayToProcess(
   int index, int port, int connection, int association, const char* name)
 {
-  dmg::ConstraintChoices& choices = this->Internals->GuideChoices;
-  dmg::ArrayChoice* const chosen[] = { &choices.Mask, &choices.Vectors, &choices.Weights };
+  dmg::ConstraintArrays& choices = this->Internals->GuideChoices;
+  dmg::ChosenArray* const chosen[] = { &choices.Mask, &choices.Vectors, &choices.Weights };
   if (index < 0 || index > 2 || port != 1 || connection != 0)
   {
     vtkErrorMacro("guides have no array of index "
@@ -189,10 +186,10 @@ void vtkHarmonicFieldSolver::SetGuideArrayToProcess(
       << "; choose index 0 (mask), 1 (directions) or 2 (weights), port 1, connection 0");
     return;
   }
-  dmg::ArrayChoice choice;
+  dmg::ChosenArray choice;
   choice.Name = name ? name : "";
   choice.Association = association;
-  if (!(*chosen[index] == choice))
+  if (!chosen[index]->IsSameChoiceAs(choice))
   {
     *chosen[index] = choice;
     this->Modified();
@@ -260,27 +257,6 @@ int vtkHarmonicFieldSolver::FillOutputPortInformation(int port, vtkInformation* 
 {
   information->Set(vtkDataObject::DATA_TYPE_NAME(), port == 2 ? "vtkTable" : port == 1 ? "vtkPolyData" : "vtkDataSet");
   return 1;
-}
-
-//------------------------------------------------------------------------------
-int vtkHarmonicFieldSolver::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::MakeOutputLikeInput(inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkHarmonicFieldSolver::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::GatherTimes(this, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkHarmonicFieldSolver::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -412,8 +388,6 @@ void vtkHarmonicFieldSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UnitLength: " << (this->UnitLength ? "On" : "Off") << "\n";
   os << indent << "Combing: " << (this->Combing ? "On" : "Off") << "\n";
   os << indent << "HarmonicBasis: " << (this->HarmonicBasis ? "On" : "Off") << "\n";
-  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
-  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
   os << indent << "NumberOfSetups: " << this->GetNumberOfSetups() << "\n";
   os << indent << "NumberOfSystems: " << this->GetNumberOfSystems() << "\n";
   os << indent << "NumberOfSolves: " << this->GetNumberOfSolves() << "\n";

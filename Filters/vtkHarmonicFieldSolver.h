@@ -3,93 +3,54 @@
  * @brief   computes the smoothest field on a surface that follows prescribed directions
  *
  * A field of N directions has N tangent vectors at each point, 2 pi / N apart: vectors (N = 1), lines (2), crosses (4),
- * hexagonal fields (6). This filter represents it by unknowns X and minimises
+ * hexagonal fields (6). This filter represents it by unknowns X, one of Discretisations, and minimises
  *
  *   smoothness energy(X) + Alignment * sum over prescribed elements b of w_b m_b |X_b - Y_b|^2.
  *
  * Y_b is what is prescribed, w_b its weight, and m_b the size of the element relative to the mean. Hard constraints hold
- * X_b = Y_b exactly instead. Discretisation says what X is:
+ * X_b = Y_b exactly instead. A component of the surface where nothing is prescribed gets the smoothest field of mean square
+ * magnitude 1 (Knoeppel et al. 2013): the eigenvector of the lowest eigenvalue. A function is zero there.
  *
- * - PointPowerField (default): the N-th power of the directions, a complex number per point. The energy is the Dirichlet
- *   energy. For crosses and lines, and wherever the direction matters more than the length, which fades away from the
- *   constraints. Its singularities stand on triangles.
- * - PowerField: the same per face, for triangles that are about equilateral; on sheared ones, as of grids, it is wrong.
- * - FaceField: a vector per face. The energy is its squared divergence and curl. For flows.
- * - OneForm: a number per edge, the integral of a 1-form along it, with the same energy. For circulations and for what is
- *   integrated along paths.
- * - ScalarFunction: a number per point. The energy is the Dirichlet energy. For potentials; the gradient is shown.
- *
- * N is 1 for FaceField, OneForm and ScalarFunction. A component of the surface where nothing is prescribed gets the
- * smoothest field of mean square magnitude 1 (Knoeppel et al. 2013): the eigenvector of the lowest eigenvalue. A function is
- * zero there.
- *
- * Filters/HarmonicFieldSolver.md has the details, the pages in Filters/Core/Discretisations have the formulas. The
+ * Filters/HarmonicFieldSolver.md has the details, and the pages in Filters/Core/Discretisations have the formulas. The
  * method is that of Tom Broeders, "Simplification Directional Fields", sections 6.1 to 6.3.
- *
- * @section vtkHarmonicFieldSolver-Terminology Terminology
- *
- * - Constraint: a direction or value that is prescribed on an element of the surface, soft (with a weight) or hard.
- * - Singularity: a point around which the field turns by a multiple of 2 pi / N, its index.
- * - Level: a coarser version of the surface, on which multigrid solves what is slow on fine ones: samples of it or, structure
- *   preserving, the decimated surfaces of vtkDirectionalProlongation.
  *
  * @section vtkHarmonicFieldSolver-Inputs Inputs
  *
- * Port 0, the surface: as vtkDirectionalProlongation describes it. Operators that are stored with it are used
- * by CoarseSpace StructurePreserving, NestedIterations and CoarseProlongation alone. Those of other points and triangles
- * are an error there.
+ * Port 0, the surface: see vtkOrientedSurfaceAlgorithm. CoarseSpace StructurePreserving, NestedIterations and CoarseProlongation
+ * use the operators that vtkDirectionalProlongation has stored with it. Those of other points and triangles are an error.
  *
  * Port 1, guides (optional, any number of connections; ports 3, 4 and 5 take one more each): vtkDataSet, or composite
- * datasets of these. Each guide goes to the nearest place of the surface. Chosen vectors of points and cells prescribe the face
- * that is nearest. Without a choice, lines prescribe their tangents on all faces that they pass; without lines, the active
- * vectors count. Whatever lies
- * farther than MaximumDistance, on the far side of a thin wall, or within 5 degrees of the normal is left out, with a
- * warning. A guide with neither lines nor vectors is an error.
+ * datasets of these. Each guide goes to the nearest place of the surface. Chosen vectors of points and cells prescribe the
+ * nearest face. Without a choice, lines prescribe their tangents on all faces that they pass; without lines, the active
+ * vectors count. A guide with neither is an error. A warning counts what is left out: what lies farther than MaximumDistance, on
+ * the far side of a thin wall, or within 5 degrees of the normal.
  *
- * Port 2, singularities (optional, of the same types): a power field gets these and no others, and rotates as
- * little as it can (trivial connections, Crane et al. 2010). The index of a point is a multiple of 1 / N. On
- * a closed component the indices sum to the Euler characteristic, 2 - 2 genus, or it is an error. Constraints rotate the field as
- * a whole. Outputs 0 and 3 of vtkFieldSingularities fit. PointPowerField gives the field of PowerField then, on faces, as a
- * point that has a direction cannot be singular.
+ * Port 2, singularities (optional, of the same types): points around which the field rotates by a multiple of 2 pi / N. A power
+ * field gets these and no others, and rotates as little as it can (trivial connections, Crane et al. 2010). Indices are
+ * multiples of 1 / N. On a closed component they sum to the Euler characteristic, 2 - 2 genus. Constraints rotate the field as a whole. Outputs 0 and 3 of vtkFieldSingularities fit. PointPowerField gives the field of PowerField then.
  *
- * Arrays of the surface are chosen by SetInputArrayToProcess(index, 0, 0, association, name), those of guides by
- * SetGuideArrayToProcess(index, 1, 0, association, name):
+ * SetInputArrayToProcess(index, 0, 0, association, name) chooses arrays of the surface, and
+ * SetGuideArrayToProcess(index, 1, 0, association, name) those of guides:
  *
  * | index | components | meaning                                                        |
  * | ----- | ---------- | -------------------------------------------------------------- |
- * | 0     | 1          | mask (optional): not zero where prescribed                     |
- * | 1     | 3          | directions (optional), by default none                          |
- * | 2     | 1          | weight (optional), by default 1; 0 where nothing is prescribed |
+ * | 0     | 1          | mask: not zero where prescribed                                |
+ * | 1     | 3          | directions                                                     |
+ * | 2     | 1          | weight, by default 1; 0 where nothing is prescribed            |
  * | 3     | 1          | values of functions, at points; not of guides                  |
- * | 4     | 1          | rotation (optional), in degrees; not of guides                 |
+ * | 4     | 1          | rotation in degrees; not of guides                             |
  * | 5, 6  | 1          | eastward, northward component around Axis, instead of 1; not of guides |
  * | 7     | 1          | source f of functions: -Laplace u = f                          |
  *
- * Directions of the surface may also be symmetric tensors of 6 components (XX YY ZZ XY YZ XZ) or 9: power fields of an even N
- * follow their largest principal direction in the tangent plane, crosses both. In a plane of constant z, vectors may have 2
- * components. Vectors that are not finite, zero in the mask or perpendicular to the surface, and those with a mask or weight of
- * NaN, are left out, and one warning counts them. Hard constraints on every element give that field.
+ * All are optional, and stand on points or on cells. Without a mask, a direction is prescribed wherever its vector is not zero. Its
+ * tangential part counts, and its length is the magnitude. Nothing is followed that was not chosen. "Active Vectors" are those
+ * of the points, else of the cells, but for Direction0.
  *
- * Arrays are on points or cells, mask and weights as the directions are. Without a mask, a direction is prescribed wherever
- * its vector is not zero. Its tangential part counts, and its length is the magnitude. Nothing is followed that was
- * not chosen. The name "Active Vectors" chooses those of the points, else of the cells, unless they are called Direction0.
+ * Directions of the surface may also be symmetric tensors of 6 (XX YY ZZ XY YZ XZ) or 9 components, for power fields of an even N,
+ * or vectors of 2 components in a plane of constant z. What is not finite, zero in the mask or perpendicular to the surface is left
+ * out, and a warning counts it.
  *
- * Coordinates are at most 1e40, the longest direction between 1e-40 and 1e40, the largest weight between 1e-20 and
- * 1e20. All else is an error.
- *
- * @section vtkHarmonicFieldSolver-Features Features
- *
- * The field follows features of the surface where their weight is not 0, the default:
- *
- * - BoundaryWeight: the boundary, counter-clockwise around the surface.
- * - SharpEdgesWeight: edges whose faces differ by more than FeatureAngle. They have no sign, so N is even.
- * - CurvatureWeight: principal directions as in vtkPrincipalDirections, weighted by their confidence. N is even, too; N = 2
- *   and 6 follow the one of CurvatureDirection.
- *
- * These weights, and those of lines among the guides, are relative to the surface's size, and mean the same at any
- * resolution. At weight 1 the field follows what is larger than about a thirtieth of the size; for twice the detail, the
- * weight is 4. Rotation, and the array of index 4, rotate the field against all that it follows, counter-clockwise about
- * the normal.
+ * The field also follows features of the surface whose weight is not 0: BoundaryWeight, SharpEdgesWeight, CurvatureWeight.
  *
  * @section vtkHarmonicFieldSolver-Outputs Outputs
  *
@@ -97,7 +58,7 @@
  *
  * | array                     | of            | components | meaning                                                   |
  * | ------------------------- | ------------- | ---------- | --------------------------------------------------------- |
- * | Direction0, 1, ... N - 1  | cells, points | 3          | the directions, counter-clockwise                         |
+ * | Direction0, 1, ... N - 1  | cells, points | 3          | the directions, counter-clockwise; active vectors         |
  * | PowerField                | cells, points | 2          | the N-th power, a complex number (power fields only)      |
  * | FaceField                 | cells         | 3          | X in space (face fields only)                             |
  * | ScalarFunction            | points        | 1          | X (functions only)                                        |
@@ -105,81 +66,61 @@
  * | SingularityIndex          | cells         | 1          | multiple of 1 / N (others, and prescribed ones: points) |
  * | HarmonicBasis 1, 2, ... k | cells         | 3          | fields without divergence and curl, with HarmonicBasis    |
  *
- * Directions are unit vectors (UnitLength) or have the field's length. Direction0 becomes the active vector. On a cell,
- * directions of PointPowerField are the mean of the corners; at a point, those of all others are the mean of the faces around,
- * and zero at prescribed singularities.
- * Elements without a triangle hold zeros. The frame of a face, to which PowerField refers, has its first axis along the first
- * side.
- *
  * Port 1, the edges: vtkPolyData, a line per edge from the smaller to the larger point index, with the cell array Rotation,
- * the rotation of the field from the face on the left to the face on the right, in radians; for
- * PointPowerField it is the rotation along the edge. 1-forms add the cell arrays
- * OneForm, the integrals along the edges, and HarmonicBasis 1, 2, ... k.
+ * the rotation of the field from the face on the left to the face on the right, in radians; for PointPowerField, that along the edge.
+ * 1-forms add the cell arrays OneForm, the integrals along the edges, and HarmonicBasis 1, 2, ... k.
  *
- * Port 2, the convergence: vtkTable, a row per iteration, the first for the start:
- *
- * | column           | meaning                                                                      |
- * | ---------------- | ---------------------------------------------------------------------------- |
- * | Iteration        | 0 for the start                                                              |
- * | Seconds          | since the solve began                                                        |
- * | RelativeResidual | an estimate of the relative error in the energy norm                         |
- * | Energy           | what the system minimises, less its value at X = 0                           |
- * | MassResidual     | residual in the mass norm; only where something is prescribed                |
- * | Error            | of X against Cholesky in the mass norm; with CompareWithCholesky             |
- * | Returned         | 1 for the row whose X is the result, the best one; else 0                    |
- *
- * Ports 0 and 2 carry a report as field data, hidden from menus of arrays: NumberOfDirections, Solver (what ran, and why), Followed,
- * Converged, LevelUnknowns, LevelNonZeros, OperatorComplexity, SetupSeconds, PrepareSeconds, SolveSeconds, SolverBytes,
- * Eigenvalues, HarmonicBasisSize, GuidesTaken, GuidesTooFar, GuidesOnFarSide, GuidesPerpendicular, GuidesFarthest.
+ * Port 2, the convergence: vtkTable, a row per iteration, the first for the start. The page has its columns, and the report that
+ * ports 0 and 2 carry as field data, hidden from menus of arrays.
  *
  * @section vtkHarmonicFieldSolver-Execution Execution
  *
- * Each stage keeps its result until its own causes change:
+ * Set-up (surface, levels, Discretisation, N), system (which elements are prescribed, weights, options) and solve (values, Tolerance)
+ * are stages, which keep their results until their own causes change, for each leaf of a composite dataset. A solve starts from the
+ * solution before. One that misses Tolerance gives its best field, Converged = 0 and a warning. Harmonic parts of face fields and
+ * 1-forms that the constraints do not determine are left out, with a warning. An error or an aborted run keeps complete stages.
+ * Filters/Core/Pieces/Pieces.md says which surfaces in pieces are solved in pieces. OPENBLAS_NUM_THREADS fixes the bits of BLAS.
  *
- * | stage  | repeated when this changes                                                                               |
- * | ------ | -------------------------------------------------------------------------------------------------------- |
- * | set-up | points, triangles, levels; Discretisation and N, unless they were solved for before (1 GiB is kept)       |
- * | system | which elements are prescribed; weights; other options                                                    |
- * | solve  | prescribed vectors; singularities; Tolerance, MaximumNumberOfIterations                                   |
- *
- * Leaves of composite datasets keep theirs (1 GiB). A solve starts from the solution before. UnitLength and
- * Combing change the output arrays only. A solve that misses Tolerance gives its best field, Converged = 0 and a warning.
- * NestedIterations and CoarseProlongation are approximations and give no warning. Where the constraints do not determine the harmonic parts of face fields and 1-forms, these are left
- * out, with a warning. An error or an aborted run leaves empty outputs and keeps complete stages.
- *
- * Threads and pieces are as in vtkDirectionalProlongation, or Pieces.md. Results have the same bits for any number of threads, but
- * those of BLAS (OPENBLAS_NUM_THREADS).
- *
- * @sa vtkDirectionalProlongation vtkPrincipalDirections
+ * @sa vtkDirectionalField vtkDirectionalProlongation vtkPrincipalDirections
  */
 
 #ifndef vtkHarmonicFieldSolver_h
 #define vtkHarmonicFieldSolver_h
 
-#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkOrientedSurfaceAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHarmonicFieldSolver : public vtkDataSetAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHarmonicFieldSolver : public vtkOrientedSurfaceAlgorithm
 {
 public:
   static vtkHarmonicFieldSolver* New();
-  vtkTypeMacro(vtkHarmonicFieldSolver, vtkDataSetAlgorithm);
+  vtkTypeMacro(vtkHarmonicFieldSolver, vtkOrientedSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   enum Discretisations
   {
-    /** N directions per face as their N-th power; for triangles that are about equilateral. */
+    /**
+     * The N-th power of the directions per face, as a complex number, with the Dirichlet energy; for triangles that are about
+     * equilateral. On sheared ones, as of grids, it is wrong.
+     */
     PowerField = 0,
-    /** A vector per face. */
+    /** A vector per face; N is 1. The energy is its squared divergence and curl. For flows. */
     FaceField = 1,
-    /** A number per edge. */
+    /**
+     * A number per edge, the integral of a 1-form along it, with the energy of FaceField; N is 1. For circulations and for what is
+     * integrated along paths.
+     */
     OneForm = 2,
-    /** A number per point: a function, whose gradient is shown. */
+    /** A number per point, with the Dirichlet energy; N is 1. For potentials, whose gradient is shown. */
     ScalarFunction = 3,
-    /** N directions per point as their N-th power; for any triangles. */
+    /**
+     * The N-th power of the directions per point, as a complex number, with the Dirichlet energy; for any triangles. For crosses and
+     * lines, and wherever the direction matters more than the length, which fades away from the constraints. Singularities stand on
+     * triangles.
+     */
     PointPowerField = 4
   };
 
@@ -193,8 +134,7 @@ public:
 
   ///@{
   /**
-   * N, the number of directions per point; of power fields, the others have one. Default 4, range 1
-   * to 8.
+   * N, the number of directions per point of power fields. Default 4, range 1 to 8.
    */
   vtkSetMacro(NumberOfDirections, int);
   vtkGetMacro(NumberOfDirections, int);
@@ -256,8 +196,8 @@ public:
 
   ///@{
   /**
-   * Whether directions of tensors weigh by the difference of both principal values in the tangent plane, relative to the mean of
-   * it: less where a tensor has no clear direction. Default off.
+   * Whether the difference of both principal values in the tangent plane, relative to its mean, weighs the directions of tensors:
+   * less where a tensor has no clear direction. Default off.
    */
   vtkSetMacro(TensorWeights, bool);
   vtkGetMacro(TensorWeights, bool);
@@ -339,7 +279,7 @@ public:
 
   ///@{
   /**
-   * Whether the system is factored as well, to tell the error of every cycle. Default off.
+   * Whether the system is factored as well, to measure the error of every cycle. Default off.
    */
   vtkSetMacro(CompareWithCholesky, bool);
   vtkGetMacro(CompareWithCholesky, bool);
@@ -348,8 +288,8 @@ public:
 
   ///@{
   /**
-   * The solve stops at this RelativeResidual (Outputs, port 2). At the default, directions are within 1 degree where the
-   * length of the field is at least a hundredth of its root mean square, which neither a picture nor a remesher can tell. Far
+   * The solve stops at this RelativeResidual, an estimate of the relative error in the energy norm. At the default, directions are within 1 degree where the
+   * length of the field is at least a hundredth of its root mean square, which neither a picture nor a remesher shows. Far
    * from the constraints the field fades, the more the higher N is, and its directions are off by more. Choose 1e-8 there, and
    * for computations that go on with the numbers. The smoothest field, where nothing is prescribed, is always solved to 1e-6.
    * Default 1e-4, range 1e-14 to 1.
@@ -370,7 +310,7 @@ public:
   ///@{
   /**
    * Whether the direction arrays hold unit vectors (zero where the field vanishes) or vectors of
-   * length |X|. Default on.
+   * length |X|. It changes output arrays only. Default on.
    */
   vtkSetMacro(UnitLength, bool);
   vtkGetMacro(UnitLength, bool);
@@ -406,8 +346,7 @@ public:
 
   ///@{
   /**
-   * Whether the field follows directions of the surface, with their mask and weights; off, it is as if no arrays were chosen
-   * for these. Default on.
+   * Whether the field follows the chosen directions of the surface, with their mask and weights. Default on.
    */
   vtkSetMacro(FollowDirections, bool);
   vtkGetMacro(FollowDirections, bool);
@@ -416,8 +355,7 @@ public:
 
   ///@{
   /**
-   * The guides, input port 1. AddInputConnection(1, output) and AddInputDataObject(1, data) do the
-   * same as the first.
+   * The guides, input port 1. AddInputConnection(1, output) and AddInputDataObject(1, data) add one, too.
    */
   void AddGuidesConnection(vtkAlgorithmOutput* output);
   void RemoveAllGuides();
@@ -439,19 +377,17 @@ public:
   const char* GetFollowed() const;
 
   /**
-   * Chooses an array of the guides, as SetInputArrayToProcess does for the surface: index 0 mask, 1
-   * directions, 2 weights; port 1; connection 0, whatever the number of guides; an association of
-   * vtkDataObject; a name, of which an empty one or null chooses nothing, the default. (Why not
-   * SetInputArrayToProcess: ParaView 5.11 ends where the first index that it knows for a connection
-   * is not 0.)
+   * Chooses an array of the guides: index 0 mask, 1 directions, 2 weights; port 1; connection 0, whatever the number of guides; an
+   * association of vtkDataObject; a name, of which an empty one or null chooses nothing, the default. (ParaView 5.11 ends where
+   * SetInputArrayToProcess has no index 0 of a connection.)
    */
   void SetGuideArrayToProcess(int index, int port, int connection, int association, const char* name);
 
   ///@{
   /**
-   * The same by name alone: directions at points, else on cells; weights at points, else on cells, else in field data.
-   * Weights may be numbers, too: one for all guides, as in "5", or one for each in the order of ports and connections, as
-   * in "1 0.5", where 0 leaves a guide out and those without a number have 1. Default empty.
+   * Chooses arrays of the guides by name alone: directions at points, else on cells; weights at points, else on cells, else in field
+   * data. Weights may be numbers, too: one for all guides, as in "5", or one for each in the order of ports and connections, as
+   * in "1 0.5". The number 0 leaves a guide out, and guides without a number have 1. Default empty.
    */
   void SetGuideDirections(const char* name);
   const char* GetGuideDirections() const;
@@ -481,8 +417,10 @@ public:
 
   ///@{
   /**
-   * The weights by which the field follows the boundary of the surface and its sharp edges; see Features above. Default 0, off; a
-   * weight is 0 or from 1e-10 to 1e10, or it is an error.
+   * The weights by which the field follows the boundary of the surface, counter-clockwise around it, and its sharp edges, which have
+   * no sign, so that N is even. These weights, and those of lines among the guides, are relative to the surface's size, and mean the
+   * same at any resolution. At weight 1 the field follows what is larger than about a thirtieth of the size; for twice the detail, the
+   * weight is 4. Default 0, off; a weight is 0 or from 1e-10 to 1e10, or it is an error.
    */
   vtkSetMacro(BoundaryWeight, double);
   vtkGetMacro(BoundaryWeight, double);
@@ -501,8 +439,8 @@ public:
 
   ///@{
   /**
-   * The weight by which the field follows principal directions; see Features above. Default 0, off; a weight is 0 or from 1e-10 to
-   * 1e10, or it is an error.
+   * The weight by which the field follows principal directions, times their confidence (vtkPrincipalDirections); N is even. It is
+   * relative to the surface's size, as BoundaryWeight is. Default 0, off; a weight is 0 or from 1e-10 to 1e10, or it is an error.
    */
   vtkSetMacro(CurvatureWeight, double);
   vtkGetMacro(CurvatureWeight, double);
@@ -540,8 +478,7 @@ public:
 
   ///@{
   /**
-   * The radius of the region of a principal direction, in units of the mean edge, as vtkPrincipalDirections::Scale.
-   * Default 3, range 0 to 100.
+   * The radius of the region of a principal direction, in units of the mean edge (vtkPrincipalDirections::Scale). Default 3, range 0 to 100.
    */
   vtkSetMacro(CurvatureScale, double);
   vtkGetMacro(CurvatureScale, double);
@@ -558,32 +495,11 @@ public:
 
   ///@{
   /**
-   * The number of times that this object has completed each stage; it tells what an update reused.
+   * The number of times that this object has completed each stage, by which one sees what an update reused.
    */
   int GetNumberOfSetups() const;
   int GetNumberOfSystems() const;
   int GetNumberOfSolves() const;
-  ///@}
-
-  ///@{
-  /**
-   * Whether points that coincide are one: those of a boundary that are equal, or nearer to each other than single precision
-   * tells apart. So seams close, as those of ParaView's Cylinder, and soups of triangles become surfaces. Gaps and walls
-   * stay, however thin. Default on.
-   */
-  vtkSetMacro(JoinPoints, bool);
-  vtkGetMacro(JoinPoints, bool);
-  vtkBooleanMacro(JoinPoints, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a surface that is no oriented manifold is refused, with the reason, rather than turned, parted and paired
-   * inside. No points are joined then. Default off.
-   */
-  vtkSetMacro(Strict, bool);
-  vtkGetMacro(Strict, bool);
-  vtkBooleanMacro(Strict, bool);
   ///@}
 
   vtkHarmonicFieldSolver(const vtkHarmonicFieldSolver&) = delete;
@@ -595,12 +511,6 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestDataObject(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
@@ -636,8 +546,6 @@ private:
   bool UnitLength;
   bool Combing;
   bool HarmonicBasis;
-  bool JoinPoints;
-  bool Strict;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

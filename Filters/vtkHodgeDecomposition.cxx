@@ -78,27 +78,6 @@ int vtkHodgeDecomposition::FillOutputPortInformation(int port, vtkInformation* i
 }
 
 //------------------------------------------------------------------------------
-int vtkHodgeDecomposition::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::MakeOutputLikeInput(inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkHodgeDecomposition::RequestInformation(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::GatherTimes(this, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkHodgeDecomposition::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::AskForInputs(this, request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 int vtkHodgeDecomposition::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -159,6 +138,4 @@ void vtkHodgeDecomposition::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Axis: " << this->Axis[0] << " " << this->Axis[1] << " " << this->Axis[2] << "\n";
   os << indent << "Solver: " << dmg::NameOf(solvers, this->Solver) << "\n";
   os << indent << "ExpectedSolves: " << this->ExpectedSolves << "\n";
-  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
-  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
 }

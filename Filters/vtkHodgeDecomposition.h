@@ -9,11 +9,11 @@
  *
  * @section vtkHodgeDecomposition-Inputs Inputs
  *
- * Port 0: a surface as described in vtkDirectionalProlongation, with a flow in one of these
- * forms:
+ * Port 0: a surface as vtkOrientedSurfaceAlgorithm describes it, with a flow in one of these forms:
  *
  * - vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default the active vectors of points,
- *   else of cells. Their tangential part is decomposed. In a plane of constant z they may have 2 components. Of points, a face has the mean of its corners.
+ *   else of cells. Their tangential part is decomposed. In a plane of constant z they may have 2 components. A face has the mean of vectors at its
+ *   corners.
  * - eastward and northward components of cells or points, chosen with indices 1 and 2, for surfaces around the origin with Axis to the
  *   north. They count where index 1 is chosen, instead of vectors.
  *
@@ -55,7 +55,7 @@
  * | BoundaryCirculation                         | boundaries | along the loop, with the surface to the left: clockwise around an island |
  * | BoundaryFlux                                | boundaries | out of the surface                                                   |
  * | BoundaryStreamFunction                      | boundaries | differences are transports between coasts; on open boundaries a mean |
- * | Solver, Converged, SolverBytes              | 1          | as of vtkHarmonicFieldSolver                                         |
+ * | Solver, Converged, SolverBytes              | 1          | see Filters/HarmonicFieldSolver.md                                   |
  *
  * Port 1: vtkPolyData, polylines where the stream function has one of NumberOfContours values, evenly spaced between its extremes: the
  * streamlines of the rotational part, in its direction, each pair with the same transport between them. They have StreamFunction at
@@ -67,8 +67,8 @@
  *
  * Two solves for each flow; one more, once, for each island (Closed) and for each loop around handles and holes (HarmonicPart).
  * Divergence and vorticity take no solve. Set-up and harmonic fields are kept for the next flow on the same surface, as in a time series, whose
- * times pass through. Results have the same bits for any number of threads. Threads, errors, aborts and pieces are as in vtkFieldLines;
- * where no flow is chosen, the first output is the input, beside the error, so that a window goes on to show the surface.
+ * times pass through. Where no flow is chosen, the first output is the input, beside the error, so that a window goes on to show the
+ * surface.
  *
  * @sa vtkHarmonicFieldSolver
  */
@@ -76,17 +76,17 @@
 #ifndef vtkHodgeDecomposition_h
 #define vtkHodgeDecomposition_h
 
-#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkOrientedSurfaceAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 #include <string> // For std::string
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHodgeDecomposition : public vtkDataSetAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkHodgeDecomposition : public vtkOrientedSurfaceAlgorithm
 {
 public:
   static vtkHodgeDecomposition* New();
-  vtkTypeMacro(vtkHodgeDecomposition, vtkDataSetAlgorithm);
+  vtkTypeMacro(vtkHodgeDecomposition, vtkOrientedSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -123,7 +123,7 @@ public:
 
   ///@{
   /**
-   * What the boundary of the surface is to the flow. Default Closed.
+   * The meaning of the surface's boundary for the flow. Default Closed.
    */
   vtkSetMacro(Boundary, int);
   vtkGetMacro(Boundary, int);
@@ -168,7 +168,7 @@ public:
 
   ///@{
   /**
-   * How many values of the stream function have lines on port 1. Default 20, range 0 (none) to 1000.
+   * The number of values of the stream function that have lines on port 1. Default 20, range 0 (none) to 1000.
    */
   vtkSetMacro(NumberOfContours, int);
   vtkGetMacro(NumberOfContours, int);
@@ -212,7 +212,7 @@ public:
 
   ///@{
   /**
-   * How both functions are solved for. Default Automatic.
+   * The method for both functions, one of Solvers. Default Automatic.
    */
   vtkSetMacro(Solver, int);
   vtkGetMacro(Solver, int);
@@ -220,7 +220,7 @@ public:
 
   ///@{
   /**
-   * How many solves are expected: from 30 on, Automatic factors larger surfaces, too. Where the input has time steps, at least two for each of
+   * The number of solves to come: from 30 on, Automatic factors larger surfaces, too. Where the input has time steps, at least two for each of
    * them. Default 1, at least 1.
    */
   vtkSetMacro(ExpectedSolves, int);
@@ -229,26 +229,8 @@ public:
 
   ///@{
   /**
-   * Whether points that coincide are one, as of vtkHarmonicFieldSolver. Default on.
-   */
-  vtkSetMacro(JoinPoints, bool);
-  vtkGetMacro(JoinPoints, bool);
-  vtkBooleanMacro(JoinPoints, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a surface that is no oriented manifold is refused, as of vtkHarmonicFieldSolver. Default off.
-   */
-  vtkSetMacro(Strict, bool);
-  vtkGetMacro(Strict, bool);
-  vtkBooleanMacro(Strict, bool);
-  ///@}
-
-  ///@{
-  /**
-   * How often, since this filter was made, a solver was set up on a surface, harmonic fields or functions of islands were found, and a
-   * potential or stream function was solved for.
+   * The numbers of times that this object has set up a solver on a surface, found harmonic fields or functions of islands, and solved
+   * for a potential or stream function.
    */
   int GetNumberOfSetups() const;
   int GetNumberOfBases() const;
@@ -264,12 +246,6 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* information) override;
   int FillOutputPortInformation(int port, vtkInformation* information) override;
-  int RequestDataObject(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestInformation(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
@@ -287,8 +263,6 @@ private:
   double Axis[3] = { 0.0, 0.0, 1.0 };
   int Solver = Automatic;
   int ExpectedSolves = 1;
-  bool JoinPoints = true;
-  bool Strict = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

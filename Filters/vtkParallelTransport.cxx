@@ -32,9 +32,9 @@ namespace
 /// \param warnings for the user.
 /// \throw dmg::InvalidInput there is no such array, or none of its vectors counts.
 dmg::Constraints SourcesFromArray(
-  const dmg::ArrayChoice& choice, vtkDataSet* input, const dmg::FramedSurface& surface, std::string& warning)
+  const dmg::ChosenArray& choice, vtkDataSet* input, const dmg::FramedSurface& surface, std::string& warning)
 {
-  dmg::ConstraintChoices choices;
+  dmg::ConstraintArrays choices;
   choices.Vectors = choice;
   if (!dmg::FindArray(choice, input, 3, "vectors", "the surface").Array)
   {
@@ -73,26 +73,6 @@ int vtkParallelTransport::GetNumberOfSetups() const
 int vtkParallelTransport::GetNumberOfSolves() const
 {
   return this->Internals->Surface.Counts().Solves;
-}
-
-//------------------------------------------------------------------------------
-int vtkParallelTransport::FillInputPortInformation(int, vtkInformation* information)
-{
-  return dmg::TakeAnyDataSet(information);
-}
-
-//------------------------------------------------------------------------------
-int vtkParallelTransport::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::MakeOutputLikeInput(inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkParallelTransport::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::AskForInputs(this, request, inputVector, outputVector);
 }
 
 //------------------------------------------------------------------------------
@@ -159,6 +139,4 @@ void vtkParallelTransport::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LogarithmicMap: " << (this->LogarithmicMap ? "On" : "Off") << "\n";
   os << indent << "TextureSize: " << this->TextureSize << "\n";
   os << indent << "TimeStep: " << this->TimeStep << "\n";
-  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
-  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
 }

@@ -9,7 +9,7 @@
  *
  * @section vtkParallelTransport-Inputs Inputs
  *
- * Port 0: a surface as described in vtkDirectionalProlongation. The sources are one of these, or both (AddPoint):
+ * Port 0: a surface as vtkOrientedSurfaceAlgorithm describes it. The sources are one of these, or both (AddPoint):
  *
  * - an array of vectors of cells or points, chosen by SetInputArrayToProcess(0, 0, 0, association, name); by default none. A vector counts
  *   where it is finite and not zero; its tangential part is carried, with its length.
@@ -35,7 +35,7 @@
  * @section vtkParallelTransport-Execution Execution
  *
  * Sparse factors are made, once for a surface and a time step, and kept: a moved point or other vectors then cost some solves.
- * Results have the same bits for any number of threads. Blocks of composite inputs are surfaces of their own, each with its nearest point. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ * Blocks of composite inputs are surfaces of their own, each with its nearest point.
  *
  * @sa vtkHarmonicFieldSolver
  */
@@ -43,16 +43,16 @@
 #ifndef vtkParallelTransport_h
 #define vtkParallelTransport_h
 
-#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkOrientedSurfaceAlgorithm.h"
 
 #include <memory> // For std::unique_ptr
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkParallelTransport : public vtkDataSetAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkParallelTransport : public vtkOrientedSurfaceAlgorithm
 {
 public:
   static vtkParallelTransport* New();
-  vtkTypeMacro(vtkParallelTransport, vtkDataSetAlgorithm);
+  vtkTypeMacro(vtkParallelTransport, vtkOrientedSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
@@ -110,25 +110,7 @@ public:
 
   ///@{
   /**
-   * Whether points that coincide are one, as of vtkHarmonicFieldSolver. Default on.
-   */
-  vtkSetMacro(JoinPoints, bool);
-  vtkGetMacro(JoinPoints, bool);
-  vtkBooleanMacro(JoinPoints, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a surface that is no oriented manifold is refused, as of vtkHarmonicFieldSolver. Default off.
-   */
-  vtkSetMacro(Strict, bool);
-  vtkGetMacro(Strict, bool);
-  vtkBooleanMacro(Strict, bool);
-  ///@}
-
-  ///@{
-  /**
-   * How often, since this filter was made, matrices were factored, and vectors or a map were solved for.
+   * The numbers of times that this object has factored matrices, and solved for vectors or a map.
    */
   int GetNumberOfSetups() const;
   int GetNumberOfSolves() const;
@@ -141,11 +123,6 @@ protected:
   vtkParallelTransport();
   ~vtkParallelTransport() override;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
-  int RequestDataObject(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
@@ -156,8 +133,6 @@ private:
   bool LogarithmicMap = true;
   double TextureSize = 0.0;
   double TimeStep = 2.0;
-  bool JoinPoints = true;
-  bool Strict = false;
 
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;

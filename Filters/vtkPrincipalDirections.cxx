@@ -16,26 +16,6 @@
 vtkStandardNewMacro(vtkPrincipalDirections);
 
 //------------------------------------------------------------------------------
-int vtkPrincipalDirections::FillInputPortInformation(int, vtkInformation* information)
-{
-  return dmg::TakeAnyDataSet(information);
-}
-
-//------------------------------------------------------------------------------
-int vtkPrincipalDirections::RequestDataObject(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::MakeOutputLikeInput(inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
-int vtkPrincipalDirections::RequestUpdateExtent(
-  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  return dmg::AskForInputs(this, request, inputVector, outputVector);
-}
-
-//------------------------------------------------------------------------------
 int vtkPrincipalDirections::RequestData(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -63,6 +43,4 @@ void vtkPrincipalDirections::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Scale: " << this->Scale << "\n";
-  os << indent << "JoinPoints: " << (this->JoinPoints ? "On" : "Off") << "\n";
-  os << indent << "Strict: " << (this->Strict ? "On" : "Off") << "\n";
 }

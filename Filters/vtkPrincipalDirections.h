@@ -18,7 +18,7 @@
  *
  * @section vtkPrincipalDirections-Inputs Inputs
  *
- * Port 0: a surface as described in vtkDirectionalProlongation.
+ * Port 0: a surface as vtkOrientedSurfaceAlgorithm describes it.
  *
  * @section vtkPrincipalDirections-Output Output
  *
@@ -47,8 +47,7 @@
  *
  * @section vtkPrincipalDirections-Execution Execution
  *
- * The time is linear in the points and quadratic in Scale. Results have the same
- * bits for any number of threads. Threads, errors, aborts and pieces are as in vtkFieldLines.
+ * The time is linear in the points and quadratic in Scale.
  *
  * @sa vtkHarmonicFieldSolver vtkFieldLines
  */
@@ -56,44 +55,23 @@
 #ifndef vtkPrincipalDirections_h
 #define vtkPrincipalDirections_h
 
-#include "vtkDataSetAlgorithm.h"
 #include "vtkFiltersDirectionalFieldsModule.h" // For export macro
+#include "vtkOrientedSurfaceAlgorithm.h"
 
-class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkPrincipalDirections : public vtkDataSetAlgorithm
+class VTKFILTERSDIRECTIONALFIELDS_EXPORT vtkPrincipalDirections : public vtkOrientedSurfaceAlgorithm
 {
 public:
   static vtkPrincipalDirections* New();
-  vtkTypeMacro(vtkPrincipalDirections, vtkDataSetAlgorithm);
+  vtkTypeMacro(vtkPrincipalDirections, vtkOrientedSurfaceAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   ///@{
   /**
-   * How far around a point its curvature looks, in units of the mean length of the edges. A larger one withstands more
+   * The radius of the region around a point, in units of the mean length of the edges. A larger one withstands more
    * noise and sees less detail. Default 3, range 0 (the neighbours of each point) to 100.
    */
   vtkSetMacro(Scale, double);
   vtkGetMacro(Scale, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether points that coincide are one: those of a boundary that are equal, or nearer to each other than single precision
-   * tells apart. So seams close, as those of ParaView's Cylinder, and soups of triangles become surfaces. Gaps and walls
-   * stay, however thin. Default on.
-   */
-  vtkSetMacro(JoinPoints, bool);
-  vtkGetMacro(JoinPoints, bool);
-  vtkBooleanMacro(JoinPoints, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a surface that is no oriented manifold is refused, with the reason, rather than turned, parted and paired
-   * inside. No points are joined then. Default off.
-   */
-  vtkSetMacro(Strict, bool);
-  vtkGetMacro(Strict, bool);
-  vtkBooleanMacro(Strict, bool);
   ///@}
 
   vtkPrincipalDirections(const vtkPrincipalDirections&) = delete;
@@ -103,18 +81,11 @@ protected:
   vtkPrincipalDirections() = default;
   ~vtkPrincipalDirections() override = default;
 
-  int FillInputPortInformation(int port, vtkInformation* information) override;
-  int RequestDataObject(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
-  int RequestUpdateExtent(
-    vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
   int RequestData(
     vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector) override;
 
 private:
   double Scale = 3.0;
-  bool JoinPoints = true;
-  bool Strict = false;
 };
 
 #endif

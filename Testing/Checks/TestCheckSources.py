@@ -146,6 +146,21 @@ class CheckSources(unittest.TestCase):
         self.assertEqual(self.properties("/** @class vtkFilter */\n\n  vtkSetMacro(Reach, double);\n", self.PROXY),
                          ["Filters/vtkFilter.h:3: Reach is not told"])
 
+    def test_properties_of_base_classes_are_those_of_base_proxies(self):
+        names = {"Filters/vtkBase.h": self.HEADER.replace("*/", "*/\nvtkAbstractTypeMacro(vtkBase, vtkAlgorithm);\n", 1),
+                 "Filters/vtkFilter.h": "/** @class vtkFilter */\nvtkTypeMacro(vtkFilter, vtkBase);\n"}
+        proxy = '<SourceProxy class="vtkFilter" base_proxygroup="bases" base_proxyname="Base"></SourceProxy>'
+        base = self.PROXY.replace("<P>", "<P>" + proxy).replace('class="vtkFilter"><', 'name="Base"><')
+
+        def found(proxies):
+            return self.found({**names, "ParaViewPlugin/Filter.xml": proxies})
+
+        self.assertEqual(found(base), [])
+        self.assertEqual(found(base.replace("SetReach", "SetLength")), ["Filters/vtkBase.h:6: Reach is no property of Filter.xml"])
+        self.assertEqual(found(base.replace('"0.5"', '"2"')), ["Filters/vtkBase.h:6: Reach has another default in Filter.xml"])
+        self.assertEqual(found(base.replace('base_proxyname="Base"', "")),
+                         ["Filters/vtkBase.h:6: Reach is no property of Filter.xml"])
+
     def test_class_comments_are_short(self):
         limit = check_sources.COMMENT_LIMIT
         self.assertEqual(self.found({"Filters/vtkFilter.h": "/**\n" + " * one two\n" * (limit // 2) + " */\n"}), [])

@@ -13,7 +13,7 @@ prints one line per violation, "path:line: what is wrong", and fails if there is
 - the headers of the filters, which VTK's wrappers parse, include VTK and plain C++ only;
 - no "using namespace" in a header;
 - sources are ASCII;
-- a property of a filter is told in its header and in its proxy, with the same default;
+- a property of a filter, or of its base class, is told in its header and in its proxy, or the base proxy, with one default;
 - the class comment of a filter has at most COMMENT_LIMIT words;
 - every file in Data is listed, with its origin, in Data/README.md;
 - in Filters, at most SUBJECTLESS_LIMIT comments begin with a clause that has no subject ("What is left over");
@@ -89,7 +89,7 @@ ASKING_KINDS = {f"Core/Pieces/{name}" for name in
 SOURCES = {".h", ".cxx"}
 TEXTS = SOURCES | {".cmake", ".in", ".json", ".module", ".plugin", ".py", ".sh", ".txt", ".xml"}
 
-COMMENT_LIMIT = 1500
+COMMENT_LIMIT = 900
 
 # A comment that begins with one of these has no subject.
 SUBJECTLESS = re.compile(r"(What|Those|Where|Of|By|So|As|In|How|Which|Else)\b")
@@ -256,18 +256,37 @@ def documented_setters(header):
             comment = comment if line.strip() else ""
 
 
+def headers_of_filter(root, name):
+    """The header of a filter, and those of its abstract base classes."""
+    header = root / "Filters" / f"{name}.h"
+    while header.exists():
+        yield header
+        base = re.search(r"TypeMacro\(\w+, (\w+)\)", header.read_text())
+        header = root / "Filters" / f"{base.group(1)}.h" if base else root / "none"
+        if header.exists() and "vtkAbstractTypeMacro" not in header.read_text():
+            return
+
+
+def properties_of_proxy(proxy, proxies):
+    """The properties of a proxy, and those of its base, by their C++ names."""
+    base = proxies.get(proxy.get("base_proxyname", ""))
+    properties = {} if base is None else properties_of_proxy(base, proxies)
+    properties.update((child.get("command")[3:], child) for child in proxy if child.get("command", "").startswith("Set"))
+    return properties
+
+
 def check_properties(root):
     """Each plain setter has a comment and a property of the proxy with a Documentation, and the defaults are the same."""
-    for path in sorted((root / "ParaViewPlugin").glob("*.xml")):
-        proxies = [proxy for proxy in ElementTree.parse(path).iter("SourceProxy") if proxy.get("class", "").startswith("vtk")
-                   and not proxy.get("base_proxyname")]  # which has the properties of another one
-        for proxy in proxies:
-            header = root / "Filters" / f"{proxy.get('class')}.h"
-            if not header.exists():
+    panels = {path: list(ElementTree.parse(path).iter("SourceProxy")) for path in sorted((root / "ParaViewPlugin").glob("*.xml"))}
+    proxies = {proxy.get("name"): proxy for panel in panels.values() for proxy in panel}
+    for path, panel in panels.items():
+        for proxy in panel:
+            if proxy.get("base_proxygroup") == "filters":  # another filter with other defaults
                 continue
-            told = {child.get("command", "")[3:]: child for child in proxy
-                    if child.get("command", "").startswith("Set")}
-            for number, name, comment in documented_setters(header.read_text()):
+            told = properties_of_proxy(proxy, proxies)
+            setters = [(header, *setter) for header in headers_of_filter(root, proxy.get("class"))
+                       for setter in documented_setters(header.read_text())]
+            for header, number, name, comment in setters:
                 element = told.get(name)
                 default = re.search(r"\b[Dd]efault (-?\d[\d.e-]*\d|\d)\b", comment)
                 if not comment.strip():

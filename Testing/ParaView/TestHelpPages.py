@@ -32,11 +32,13 @@ class HelpPages(unittest.TestCase):
                     self.assertIn(part, text)
 
     def test_a_row_per_property(self):
+        bases = {proxy.get("name"): proxy for path in XML.glob("*.xml")
+                 for proxy in ElementTree.parse(path).iterfind("ProxyGroup[@name='internal_filters']/SourceProxy")}
         for proxy in proxies():
             text = html.unescape((PAGES / f"filters.{proxy.get('name')}.html").read_text())
-            for name in (child.get("name") for child in proxy if child.tag.endswith("VectorProperty")):
-                label = proxy.find(f"*[@name='{name}']").get("label")
-                self.assertIn(f"<th>{label}</th>", text, proxy.get("name"))
+            for child in [*proxy, *bases.get(proxy.get("base_proxyname"), ())]:
+                if child.tag.endswith("VectorProperty"):
+                    self.assertIn(f"<th>{child.get('label')}</th>", text, proxy.get("name"))
             for exposed in proxy.findall("ExposedProperties/Property"):
                 self.assertRegex(text, f"<(th|i)>{exposed.get('exposed_name')}</(th|i)>", proxy.get("name"))
 

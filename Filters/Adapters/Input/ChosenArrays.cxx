@@ -28,7 +28,7 @@ struct FoundArray
   int Association = vtkDataObject::FIELD_ASSOCIATION_NONE;
 };
 
-FoundArray Find(const ArrayChoice& choice, vtkDataSet* dataset)
+FoundArray Find(const ChosenArray& choice, vtkDataSet* dataset)
 {
   if (!choice.IsMade())
   {
@@ -73,21 +73,21 @@ ChosenArray Checked(
       std::to_string(elements) + (found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS ? " points" : " cells") +
       "; choose another, or have its source write one for each");
   }
-  return { array, found.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
+  return { array->GetName() ? array->GetName() : "", -1, found.Association, array };
 }
 
 /// The words that offer to do without an element.
 std::string WayOut(const ConstraintArrays& arrays)
 {
-  return arrays.Mask ? "take it out of the mask" : "make the direction zero";
+  return arrays.Mask.Array ? "take it out of the mask" : "make the direction zero";
 }
 
 }
 
-ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index)
+ChosenArray ChoiceOf(vtkAlgorithm* algorithm, int index)
 {
   vtkInformation* const information = algorithm->GetInputArrayInformation(index);
-  ArrayChoice choice;
+  ChosenArray choice;
   if (const char* const name = information->Get(vtkDataObject::FIELD_NAME()))
   {
     choice.Name = name;
@@ -107,15 +107,15 @@ ArrayChoice ChoiceOf(vtkAlgorithm* algorithm, int index)
   return choice;
 }
 
-ConstraintChoices ChoicesOf(vtkAlgorithm* algorithm)
+ConstraintArrays ChoicesOf(vtkAlgorithm* algorithm)
 {
-  ConstraintChoices choices{ ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2),
+  ConstraintArrays choices{ ChoiceOf(algorithm, 0), ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2),
     ChoiceOf(algorithm, 3), ChoiceOf(algorithm, 4), ChoiceOf(algorithm, 5), ChoiceOf(algorithm, 6) };
   choices.Source = ChoiceOf(algorithm, 7);
   return choices;
 }
 
-ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surface)
+ConstraintArrays WithoutFormerField(ConstraintArrays choices, vtkDataSet* surface)
 {
   const bool isActive = choices.Vectors.Name.empty();
   vtkAbstractArray* const vectors = isActive ? Find(choices.Vectors, surface).Array : nullptr;
@@ -126,13 +126,13 @@ ConstraintChoices WithoutFormerField(ConstraintChoices choices, vtkDataSet* surf
   return choices;
 }
 
-bool HasArray(const ArrayChoice& choice, vtkDataSet* dataset)
+bool HasArray(const ChosenArray& choice, vtkDataSet* dataset)
 {
   return Find(choice, dataset).Array != nullptr;
 }
 
 ChosenArray FindArray(
-  const ArrayChoice& choice, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose)
+  const ChosenArray& choice, vtkDataSet* dataset, int components, const std::string& what, const std::string& whose)
 {
   const FoundArray found = Find(choice, dataset);
   if (found.Array)
@@ -149,7 +149,7 @@ ChosenArray FindArray(
 }
 
 ChosenArray FindVectors(
-  const ArrayChoice& choice, vtkDataSet* dataset, const std::string& what, const std::string& whose)
+  const ChosenArray& choice, vtkDataSet* dataset, const std::string& what, const std::string& whose)
 {
   vtkDataArray* const array = vtkDataArray::SafeDownCast(Find(choice, dataset).Array);
   return FindArray(choice, dataset, array && array->GetNumberOfComponents() == 2 ? 2 : 3, what, whose);
@@ -191,7 +191,7 @@ namespace
 {
 
 /// Three, unless an array of two numbers, or of a tensor, may be taken as well.
-int ComponentsOfDirections(const ArrayChoice& choice, vtkDataSet* dataset, bool takesTensors)
+int ComponentsOfDirections(const ChosenArray& choice, vtkDataSet* dataset, bool takesTensors)
 {
   vtkDataArray* const array = takesTensors ? vtkDataArray::SafeDownCast(Find(choice, dataset).Array) : nullptr;
   return HoldsTensors(array) || (array && array->GetNumberOfComponents() == 2) ? array->GetNumberOfComponents() : 3;
@@ -200,20 +200,19 @@ int ComponentsOfDirections(const ArrayChoice& choice, vtkDataSet* dataset, bool 
 }
 
 ConstraintArrays FindArrays(
-  const ConstraintChoices& choices, vtkDataSet* dataset, const std::string& whose, bool takesTensors)
+  const ConstraintArrays& choices, vtkDataSet* dataset, const std::string& whose, bool takesTensors)
 {
   const EastAndNorth components =
     takesTensors ? FindEastAndNorth(choices.Eastward, choices.Northward, choices.Axis, dataset, whose) : EastAndNorth();
-  const ChosenArray vectors = components.Eastward
-    ? ChosenArray{ components.Eastward, components.OnPoints }
+  const ChosenArray vectors = components.Eastward.Array
+    ? components.Eastward
     : FindArray(
         choices.Vectors, dataset, ComponentsOfDirections(choices.Vectors, dataset, takesTensors), "directions", whose);
-  const auto beside = [&](const ArrayChoice& choice)
+  const auto beside = [&](const ChosenArray& choice)
   {
     // A name alone means the array beside the directions, if there is one.
-    ArrayChoice there = choice;
-    there.Association =
-      vectors.OnPoints ? vtkDataObject::FIELD_ASSOCIATION_POINTS : vtkDataObject::FIELD_ASSOCIATION_CELLS;
+    ChosenArray there = choice;
+    there.Association = vectors.Association;
     const bool isByName = choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS;
     return vectors.Array && isByName && HasArray(there, dataset) ? there : choice;
   };
@@ -226,33 +225,32 @@ ConstraintArrays FindArrays(
       throw InvalidInput(NameOf(other.Array) + " is chosen as mask or weights of " + whose +
         ", and no directions are; choose an array of vectors as well");
     }
-    if (other.Array && other.OnPoints != vectors.OnPoints)
+    if (other.Array && other.Association != vectors.Association)
     {
       throw InvalidInput(NameOf(other.Array) + " of " + whose + " and " + NameOf(vectors.Array) +
         " of its directions are not both on points or both on cells; choose arrays of one kind");
     }
   }
-  return { mask.Array, vectors.Array, weights.Array, vectors.OnPoints,
-    vectors.OnPoints ? dataset->GetNumberOfPoints() : dataset->GetNumberOfCells(), whose };
+  return { mask, vectors, weights };
 }
 
-std::string ConstraintArrays::NameOf(vtkIdType element) const
-{
-  return (this->OnPoints ? "point " : "cell ") + std::to_string(element) + " of " + this->Whose;
-}
-
-UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, const std::function<bool(vtkIdType)>& takesPart,
+UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, vtkDataSet* dataset, const std::string& whose,
+  const DirectionReader& directionOf, const std::function<bool(vtkIdType)>& takesPart,
   const std::function<void(const ElementDirection&)>& visit)
 {
   UnusableDirections unusable;
-  std::vector<double> numbers(arrays.Vectors ? arrays.Vectors->GetNumberOfComponents() : 0);
-  for (vtkIdType element = 0; arrays.Vectors && element < arrays.Size; ++element)
+  vtkDataArray* const vectors = arrays.Vectors.Array;
+  const auto valueOf = [](const ChosenArray& chosen, vtkIdType element, double otherwise)
+  { return chosen.Array ? chosen.Array->GetComponent(element, 0) : otherwise; };
+  const vtkIdType size = vectors ? dataset->GetNumberOfElements(arrays.Vectors.Association) : 0;
+  std::vector<double> numbers(vectors ? vectors->GetNumberOfComponents() : 0);
+  for (vtkIdType element = 0; element < size; ++element)
   {
-    arrays.Vectors->GetTuple(element, numbers.data());
+    vectors->GetTuple(element, numbers.data());
     const Vector3 vector =
-      arrays.DirectionOf ? arrays.DirectionOf(element, numbers.data()) : Vector3(numbers[0], numbers[1], numbers[2]);
-    const double weight = arrays.Weights ? arrays.Weights->GetComponent(element, 0) : 1.0;
-    const double mask = arrays.Mask ? arrays.Mask->GetComponent(element, 0) : vector.isZero(0.0) ? 0.0 : 1.0;
+      directionOf ? directionOf(element, numbers.data()) : Vector3(numbers[0], numbers[1], numbers[2]);
+    const double weight = valueOf(arrays.Weights, element, 1.0);
+    const double mask = valueOf(arrays.Mask, element, vector.isZero(0.0) ? 0.0 : 1.0);
     if (mask == 0.0 || weight == 0.0 || !takesPart(element))
     {
       continue;
@@ -267,8 +265,9 @@ UnusableDirections VisitPrescribed(const ConstraintArrays& arrays, const std::fu
     }
     else if (!(weight > 0.0) || !std::isfinite(weight))
     {
-      throw InvalidInput("the weight of the direction prescribed at " + arrays.NameOf(element) + " is " +
-        ShortText(weight) + "; make it a positive number or " + WayOut(arrays));
+      throw InvalidInput("the weight of the direction prescribed at " +
+        std::string(arrays.Vectors.OnPoints() ? "point " : "cell ") + std::to_string(element) + " of " + whose +
+        " is " + ShortText(weight) + "; make it a positive number or " + WayOut(arrays));
     }
     else
     {

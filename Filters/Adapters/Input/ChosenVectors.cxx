@@ -1,6 +1,5 @@
 #include "Adapters/Input/ChosenVectors.h"
 
-#include "Adapters/Input/ChosenArrays.h"
 #include "Adapters/Pipeline/FilterRequests.h"
 #include "Adapters/Surface/ArrayNames.h"
 #include "Drawing/DirectionsOnFaces.h"
@@ -21,7 +20,12 @@ namespace dmg
 namespace
 {
 
-ChosenVectors DefaultVectors(vtkDataSet* surface)
+ChosenArray Found(vtkDataArray* array, int association)
+{
+  return { "", -1, association, array };
+}
+
+ChosenArray DefaultVectors(vtkDataSet* surface)
 {
   vtkDataSetAttributes* const cells = surface->GetCellData();
   vtkDataSetAttributes* const points = surface->GetPointData();
@@ -31,14 +35,15 @@ ChosenVectors DefaultVectors(vtkDataSet* surface)
   {
     if (array)
     {
-      return { array, points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str()) };
+      const bool isOnPoints = points->HasArray(NameOf(array).c_str()) && !cells->HasArray(NameOf(array).c_str());
+      return Found(array, isOnPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
     }
   }
   throw WrongChoice("the surface has no field: neither an array Direction0 nor active vectors; apply "
                     "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose an array of vectors");
 }
 
-ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
+ChosenArray FindVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
 {
   vtkInformation* const choice = algorithm->GetInputArrayInformation(0);
   const bool byName = choice->Has(vtkDataObject::FIELD_NAME());
@@ -61,11 +66,11 @@ ChosenVectors FindVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
     vtkDataArray* const ofCells = surface->GetCellData()->GetArray(ArrayNames::Direction(0).c_str());
     if (found && name == ArrayNames::Direction(0) && ofCells)
     {
-      return { ofCells, false };
+      return Found(ofCells, vtkDataObject::CELL);
     }
     if (found)
     {
-      return { vtkDataArray::SafeDownCast(found), association == vtkDataObject::FIELD_ASSOCIATION_POINTS };
+      return Found(vtkDataArray::SafeDownCast(found), association);
     }
   }
   if (name == "None") // how menus say that nothing is chosen
@@ -84,20 +89,20 @@ std::string NameOf(vtkDataArray* array)
   return array->GetName() ? array->GetName() : "(without a name)";
 }
 
-void CheckTuples(vtkDataArray* array, vtkDataSet* surface, bool isOnPoints)
+void CheckTuples(vtkDataArray* array, vtkDataSet* surface, int association)
 {
-  const vtkIdType elements = isOnPoints ? surface->GetNumberOfPoints() : surface->GetNumberOfCells();
+  const vtkIdType elements = surface->GetNumberOfElements(association);
   if (array->GetNumberOfTuples() < elements)
   {
     throw InvalidInput("array '" + NameOf(array) + "' has " + std::to_string(array->GetNumberOfTuples()) +
-      " tuples for " + std::to_string(elements) + (isOnPoints ? " points" : " cells") +
+      " tuples for " + std::to_string(elements) + (association == vtkDataObject::POINT ? " points" : " cells") +
       "; choose another, or have its source write one for each");
   }
 }
 
-ChosenVectors ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
+ChosenArray ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
 {
-  const ChosenVectors chosen = FindVectors(algorithm, surface);
+  const ChosenArray chosen = FindVectors(algorithm, surface);
   const int components = chosen.Array ? chosen.Array->GetNumberOfComponents() : 0;
   if (components != 2 && components != 3 && components != 6 && components != 9)
   {
@@ -116,11 +121,11 @@ ChosenVectors ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface)
         "Harmonic Field Solver (vtkHarmonicFieldSolver) first, or choose another array of vectors");
     }
   }
-  CheckTuples(chosen.Array, surface, chosen.OnPoints);
+  CheckTuples(chosen.Array, surface, chosen.Association);
   return chosen;
 }
 
-int NumberOfDirections(vtkDataSet* surface, const ChosenVectors& chosen)
+int NumberOfDirections(vtkDataSet* surface, const ChosenArray& chosen)
 {
   const std::string name = NameOf(chosen.Array);
   if (name == ArrayNames::MaximumDirection || name == ArrayNames::MinimumDirection || HoldsTensors(chosen.Array))
@@ -131,8 +136,7 @@ int NumberOfDirections(vtkDataSet* surface, const ChosenVectors& chosen)
   {
     return 1;
   }
-  vtkDataSetAttributes* const attributes =
-    surface->GetAttributes(chosen.OnPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
+  vtkDataSetAttributes* const attributes = surface->GetAttributes(chosen.Association);
   int number = 1;
   while (number < DirectionsOnFaces::LargestN && attributes->GetArray(ArrayNames::Direction(number).c_str()))
   {
@@ -141,7 +145,7 @@ int NumberOfDirections(vtkDataSet* surface, const ChosenVectors& chosen)
   return number;
 }
 
-bool IsFieldAtPoints(vtkDataSet* surface, const ChosenVectors& chosen)
+bool IsFieldAtPoints(vtkDataSet* surface, const ChosenArray& chosen)
 {
   vtkDataArray* const atPoints = surface->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
   return NameOf(chosen.Array) == ArrayNames::Direction(0) && atPoints && atPoints->GetNumberOfComponents() == 3 &&

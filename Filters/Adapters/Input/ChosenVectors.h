@@ -1,37 +1,29 @@
 #ifndef dmgChosenVectors_h
 #define dmgChosenVectors_h
 
-#include <string>
+#include "Adapters/Input/ChosenArrays.h"
 
-class vtkAlgorithm;
-class vtkDataArray;
-class vtkDataSet;
+#include <string>
 
 namespace dmg
 {
 
-/// The array that a field is drawn from.
-struct ChosenVectors
-{
-  vtkDataArray* Array = nullptr; ///< vectors of 2 or 3 numbers, or tensors
-  bool OnPoints = false;
-};
-
-/// The array that was chosen with SetInputArrayToProcess, index 0, or else the default (see ReadField).
+/// The array that a field is drawn from, vectors of 2 or 3 numbers or tensors: that which was chosen with SetInputArrayToProcess,
+/// index 0, or else the default (see ReadField).
 /// \throw WrongChoice a chosen array that is not there, holds neither vectors nor tensors, or holds the normals; a surface without
 /// vectors. InvalidInput: it has not a tuple for every element.
-ChosenVectors ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface);
+ChosenArray ChooseVectors(vtkAlgorithm* algorithm, vtkDataSet* surface);
 
 /// The number of directions that an array stands for, by its name.
-int NumberOfDirections(vtkDataSet* surface, const ChosenVectors& chosen);
+int NumberOfDirections(vtkDataSet* surface, const ChosenArray& chosen);
 
 /// Whether an array shows a power field at points, whose singularities stand on cells.
-bool IsFieldAtPoints(vtkDataSet* surface, const ChosenVectors& chosen);
+bool IsFieldAtPoints(vtkDataSet* surface, const ChosenArray& chosen);
 
 std::string NameOf(vtkDataArray* array);
 
-/// \throw InvalidInput there is not a tuple for every element.
-void CheckTuples(vtkDataArray* array, vtkDataSet* surface, bool isOnPoints);
+/// \throw InvalidInput there is not a tuple for every point or cell.
+void CheckTuples(vtkDataArray* array, vtkDataSet* surface, int association);
 
 }
 

@@ -18,6 +18,8 @@ namespace dmg
 namespace
 {
 
+constexpr const char* Whose = "the surface";
+
 void Add(UnusableDirections& sum, const UnusableDirections& part)
 {
   sum.NotFinite += part.NotFinite;
@@ -43,29 +45,31 @@ Vector3 PlaceOf(vtkIdType element, bool isPoint, const FramedSurface& surface)
 
 /// Makes vectors of tensors, of vectors in the plane, and of eastward and northward components.
 DirectionReader ReaderOf(
-  const ConstraintChoices& choices, const ConstraintArrays& arrays, vtkDataSet* input, const FramedSurface& surface)
+  const ConstraintArrays& choices, const ConstraintArrays& arrays, vtkDataSet* input, const FramedSurface& surface)
 {
-  const int components = arrays.Vectors ? arrays.Vectors->GetNumberOfComponents() : 3;
+  vtkDataArray* const vectors = arrays.Vectors.Array;
+  const int components = vectors ? vectors->GetNumberOfComponents() : 3;
   if (components == 1)
   {
-    const EastAndNorth both = FindEastAndNorth(choices.Eastward, choices.Northward, choices.Axis, input, arrays.Whose);
+    const EastAndNorth both = FindEastAndNorth(choices.Eastward, choices.Northward, choices.Axis, input, Whose);
     return [both, &surface](vtkIdType element, const double*)
-    { return both.At(element, PlaceOf(element, both.OnPoints, surface)); };
+    { return both.At(element, PlaceOf(element, both.Eastward.OnPoints(), surface)); };
   }
   if (components == 2)
   {
-    if (const std::string problem = ProblemOfPlaneVectors(arrays.Vectors, surface.Geometry.Mesh.VertexPositions());
+    if (const std::string problem = ProblemOfPlaneVectors(vectors, surface.Geometry.Mesh.VertexPositions());
         !problem.empty())
     {
       throw InvalidInput(problem);
     }
     return [](vtkIdType, const double* numbers) { return Vector3(numbers[0], numbers[1], 0.0); };
   }
-  if (!HoldsTensors(arrays.Vectors))
+  if (!HoldsTensors(vectors))
   {
     return {};
   }
-  return [&surface, components, onPoints = arrays.OnPoints](vtkIdType element, const double* numbers) -> Vector3
+  return
+    [&surface, components, onPoints = arrays.Vectors.OnPoints()](vtkIdType element, const double* numbers) -> Vector3
   {
     const ElementRow row = onPoints ? surface.Relation.VerticesOf(element) : surface.Relation.FacesOf(element);
     const int place = row.empty() ? -1 : row.front();
@@ -92,24 +96,25 @@ void WeighByDifference(std::vector<Constraint>& constraints, const std::vector<d
 }
 
 Constraints DirectionsOnSurface(
-  const ConstraintChoices& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable)
+  const ConstraintArrays& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable)
 {
   Constraints directions;
-  ConstraintArrays arrays = FindArrays(choices, input, "the surface", true);
-  arrays.DirectionOf = ReaderOf(choices, arrays, input, surface);
-  const bool weighs = choices.WeighsTensors && HoldsTensors(arrays.Vectors);
+  const ConstraintArrays arrays = FindArrays(choices, input, Whose, true);
+  const bool onPoints = arrays.Vectors.OnPoints();
+  const bool weighs = choices.WeighsTensors && HoldsTensors(arrays.Vectors.Array);
   std::vector<double> differences;
   const SurfaceRelation& relation = surface.Relation;
   const auto elementsOf = [&](vtkIdType element)
   {
-    return arrays.OnPoints                ? relation.VerticesOf(element)
+    return onPoints                       ? relation.VerticesOf(element)
       : relation.IsPartOfSurface(element) ? relation.FacesOf(element)
                                           : ElementRow();
   };
-  std::vector<Constraint>& constraints = arrays.OnPoints ? directions.AtVertices : directions.OnFaces;
+  std::vector<Constraint>& constraints = onPoints ? directions.AtVertices : directions.OnFaces;
   Add(unusable,
     VisitPrescribed(
-      arrays, [&](vtkIdType element) { return !elementsOf(element).empty(); },
+      arrays, input, Whose, ReaderOf(choices, arrays, input, surface),
+      [&](vtkIdType element) { return !elementsOf(element).empty(); },
       [&](const ElementDirection& given)
       {
         for (const int element : elementsOf(given.Element))
@@ -118,10 +123,10 @@ Constraints DirectionsOnSurface(
           if (weighs)
           {
             double numbers[9];
-            arrays.Vectors->GetTuple(given.Element, numbers);
+            arrays.Vectors.Array->GetTuple(given.Element, numbers);
             differences.push_back(
-              DifferenceOfPrincipalValues(TensorOf(numbers, arrays.Vectors->GetNumberOfComponents()),
-                arrays.OnPoints ? surface.Geometry.Vertices : surface.Geometry.Faces, element));
+              DifferenceOfPrincipalValues(TensorOf(numbers, arrays.Vectors.Array->GetNumberOfComponents()),
+                onPoints ? surface.Geometry.Vertices : surface.Geometry.Faces, element));
           }
         }
       }));
@@ -133,19 +138,19 @@ Constraints DirectionsOnSurface(
 /// Values at points: where the mask is not zero, or, without a mask, where they are numbers; with weights, where those are
 /// not zero, too.
 std::vector<ValueConstraint> ValuesOnSurface(
-  const ConstraintChoices& choices, vtkDataSet* surface, const SurfaceRelation& relation)
+  const ConstraintArrays& choices, vtkDataSet* surface, const SurfaceRelation& relation)
 {
   std::vector<ValueConstraint> prescribed;
-  const ChosenArray values = FindArray(choices.Values, surface, 1, "values", "the surface");
+  const ChosenArray values = FindArray(choices.Values, surface, 1, "values", Whose);
   if (!values.Array)
   {
     return prescribed;
   }
-  const ChosenArray mask = FindArray(choices.Mask, surface, 1, "mask", "the surface");
-  const ChosenArray weights = FindArray(choices.Weights, surface, 1, "weights", "the surface");
+  const ChosenArray mask = FindArray(choices.Mask, surface, 1, "mask", Whose);
+  const ChosenArray weights = FindArray(choices.Weights, surface, 1, "weights", Whose);
   for (const ChosenArray& array : { values, mask, weights })
   {
-    if (array.Array && !array.OnPoints)
+    if (array.Array && !array.OnPoints())
     {
       throw InvalidInput("values are prescribed at points, and an array of cells is chosen for "
                          "Values, Mask or Weights; choose arrays of points");
@@ -167,10 +172,10 @@ std::vector<ValueConstraint> ValuesOnSurface(
 }
 
 /// The source of a function at vertices; empty where none is chosen.
-Vector<double> SourceOnSurface(const ArrayChoice& choice, vtkDataSet* surface, const FramedSurface& framed)
+Vector<double> SourceOnSurface(const ChosenArray& choice, vtkDataSet* surface, const FramedSurface& framed)
 {
-  const ChosenArray source = FindArray(choice, surface, 1, "source", "the surface");
-  if (source.Array && !source.OnPoints)
+  const ChosenArray source = FindArray(choice, surface, 1, "source", Whose);
+  if (source.Array && !source.OnPoints())
   {
     throw InvalidInput(
       "a source stands at points, and an array of cells is chosen for Source; choose an array of points, "
@@ -186,7 +191,7 @@ Vector<double> SourceOnSurface(const ArrayChoice& choice, vtkDataSet* surface, c
 
 }
 
-bool HasDirections(const ConstraintChoices& choices, vtkDataSet* dataset)
+bool HasDirections(const ConstraintArrays& choices, vtkDataSet* dataset)
 {
   return HasArray(choices.Vectors, dataset) || HasArray(choices.Eastward, dataset) ||
     HasArray(choices.Northward, dataset);
@@ -204,7 +209,7 @@ std::string TextOf(const UnusableDirections& unusable)
 }
 
 Constraints ConstraintsFromArrays(
-  const ConstraintChoices& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable)
+  const ConstraintArrays& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable)
 {
   Constraints constraints;
   std::vector<ValueConstraint> values = ValuesOnSurface(choices, input, surface.Relation);
@@ -218,10 +223,10 @@ Constraints ConstraintsFromArrays(
   return constraints;
 }
 
-void AddRotation(const ArrayChoice& choice, vtkDataSet* input, const FramedSurface& surface, RotationAngles& angles)
+void AddRotation(const ChosenArray& choice, vtkDataSet* input, const FramedSurface& surface, RotationAngles& angles)
 {
   constexpr double Degree = Pi / 180.0;
-  const ChosenArray chosen = FindArray(choice, input, 1, "rotation", "the surface");
+  const ChosenArray chosen = FindArray(choice, input, 1, "rotation", Whose);
   if (!chosen.Array)
   {
     return;
@@ -231,7 +236,7 @@ void AddRotation(const ArrayChoice& choice, vtkDataSet* input, const FramedSurfa
   angles.Vertices.setZero(mesh.NumberOfVertices());
   for (int vertex = 0; vertex < mesh.NumberOfVertices(); ++vertex)
   {
-    if (chosen.OnPoints)
+    if (chosen.OnPoints())
     {
       angles.Vertices[vertex] = Degree * chosen.Array->GetComponent(surface.Relation.PointOf(vertex), 0);
       mesh.VisitFan(
@@ -248,7 +253,7 @@ void AddRotation(const ArrayChoice& choice, vtkDataSet* input, const FramedSurfa
       });
     angles.Vertices[vertex] /= faces;
   }
-  for (int face = 0; !chosen.OnPoints && face < mesh.NumberOfFaces(); ++face)
+  for (int face = 0; !chosen.OnPoints() && face < mesh.NumberOfFaces(); ++face)
   {
     angles.Faces[face] = Degree * chosen.Array->GetComponent(surface.Relation.CellOf(face), 0);
   }

@@ -23,10 +23,10 @@ namespace dmg
 /// \throw InvalidInput as FindArrays and VisitPrescribed.
 /// Cost: linear.
 Constraints ConstraintsFromArrays(
-  const ConstraintChoices& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable);
+  const ConstraintArrays& choices, vtkDataSet* input, const FramedSurface& surface, UnusableDirections& unusable);
 
 /// Whether an array of directions is chosen that a dataset has.
-bool HasDirections(const ConstraintChoices& choices, vtkDataSet* dataset);
+bool HasDirections(const ConstraintArrays& choices, vtkDataSet* dataset);
 
 /// One sentence: the directions that are left out, and what helps.
 std::string TextOf(const UnusableDirections& unusable);
@@ -34,7 +34,7 @@ std::string TextOf(const UnusableDirections& unusable);
 /// Adds the rotations of an array, in degrees, if one is chosen. Elements of the other kind than the array's get the mean of
 /// those that they touch.
 /// \throw InvalidInput as FindArray.
-void AddRotation(const ArrayChoice& choice, vtkDataSet* input, const FramedSurface& surface, RotationAngles& angles);
+void AddRotation(const ChosenArray& choice, vtkDataSet* input, const FramedSurface& surface, RotationAngles& angles);
 
 }
 

@@ -32,7 +32,7 @@ bool HasField(vtkDataSet* surface)
 /// Whether the user means an array: menus say None where nothing is chosen.
 bool IsFieldChosen(vtkAlgorithm* algorithm, vtkDataSet* surface)
 {
-  const ArrayChoice choice = ChoiceOf(algorithm, 0);
+  const ChosenArray choice = ChoiceOf(algorithm, 0);
   return HasField(surface) || (choice.IsMade() && (choice.Name != "None" || HasArray(choice, surface)));
 }
 

@@ -12,8 +12,8 @@ namespace dmg
 Vector3 EastAndNorth::At(vtkIdType tuple, const Vector3& place) const
 {
   double components[2]; // GetTuple may be called by several threads, GetComponent of any array may not
-  this->Eastward->GetTuple(tuple, components);
-  this->Northward->GetTuple(tuple, components + 1);
+  this->Eastward.Array->GetTuple(tuple, components);
+  this->Northward.Array->GetTuple(tuple, components + 1);
   const Vector3 east = this->Axis.cross(place);
   const double length = east.norm();
   if (!(length > 0.0) || !(place.norm() > 0.0))
@@ -35,7 +35,7 @@ Vector3 UnitAxis(const Vector3& axis, const std::string& another)
   return (axis / axis.cwiseAbs().maxCoeff()).normalized();
 }
 
-EastAndNorth FindEastAndNorth(const ArrayChoice& eastward, const ArrayChoice& northward, const Vector3& axis,
+EastAndNorth FindEastAndNorth(const ChosenArray& eastward, const ChosenArray& northward, const Vector3& axis,
   vtkDataSet* dataset, const std::string& whose)
 {
   const ChosenArray east = FindArray(eastward, dataset, 1, "eastward component", whose);
@@ -44,13 +44,13 @@ EastAndNorth FindEastAndNorth(const ArrayChoice& eastward, const ArrayChoice& no
   {
     return {};
   }
-  if (!east.Array || !north.Array || east.OnPoints != north.OnPoints)
+  if (!east.Array || !north.Array || east.Association != north.Association)
   {
     const std::string chosen = east.Array ? "eastward" : "northward", other = east.Array ? "northward" : "eastward";
     throw InvalidInput("the " + chosen + " component is chosen, and no " + other +
       " component of the same points or cells; choose both");
   }
-  return { east.Array, north.Array, east.OnPoints, UnitAxis(axis) };
+  return { east, north, UnitAxis(axis) };
 }
 
 }

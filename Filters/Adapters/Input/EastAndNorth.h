@@ -9,9 +9,7 @@ namespace dmg
 /// The eastward and northward components of vectors on a surface around the origin, as ocean and atmosphere data have them.
 struct EastAndNorth
 {
-  vtkDataArray* Eastward = nullptr; ///< null where none is chosen
-  vtkDataArray* Northward = nullptr;
-  bool OnPoints = false;           ///< else on cells
+  ChosenArray Eastward, Northward; ///< of the same points or cells; none where none is chosen
   Vector3 Axis = Vector3::UnitZ(); ///< a unit vector, from the origin to the north pole
 
   /// The vector of a tuple at a place; zero on the axis, where there is no east. Several threads may call it.
@@ -23,7 +21,7 @@ Vector3 UnitAxis(const Vector3& axis, const std::string& another = "");
 
 /// \param axis of any length.
 /// \throw InvalidInput as FindArray and UnitAxis; one of both is chosen, or they are not both on points or on cells.
-EastAndNorth FindEastAndNorth(const ArrayChoice& eastward, const ArrayChoice& northward, const Vector3& axis,
+EastAndNorth FindEastAndNorth(const ChosenArray& eastward, const ChosenArray& northward, const Vector3& axis,
   vtkDataSet* dataset, const std::string& whose);
 
 }

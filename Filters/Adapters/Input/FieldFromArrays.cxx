@@ -154,7 +154,7 @@ void CheckSiblings(
     {
       continue;
     }
-    CheckTuples(array, input, false);
+    CheckTuples(array, input, vtkDataObject::CELL);
     const Complex turn = std::polar(1.0, 2.0 * Pi * k / N);
     const auto isTurned = [&](int face)
     {
@@ -197,7 +197,7 @@ void ReadFieldAtPoints(vtkDataSet* input, SurfaceWithField& given, const Executi
 {
   const FramedMesh framed(given.Surface.Mesh, context);
   vtkDataArray* const array = input->GetPointData()->GetArray(ArrayNames::Direction(0).c_str());
-  CheckTuples(array, input, true);
+  CheckTuples(array, input, vtkDataObject::POINT);
   std::set<vtkIdType> left; // those of the cells were counted
   given.AtVertices = ReadVertices(array, framed.Vertices, given.Surface, left, context);
   given.Connection = std::make_shared<const VertexConnection>(framed, context);
@@ -210,21 +210,21 @@ double DiagonalOf(const TriangleMesh& mesh)
 }
 
 /// Warns of directions that are not finite.
-void CheckLeft(vtkAlgorithm* algorithm, const ChosenVectors& chosen, const std::set<vtkIdType>& left)
+void CheckLeft(vtkAlgorithm* algorithm, const ChosenArray& chosen, const std::set<vtkIdType>& left)
 {
   if (!left.empty())
   {
     vtkWarningWithObjectMacro(algorithm, << "array '" << NameOf(chosen.Array) << "' is not finite at " << left.size()
-                                         << (chosen.OnPoints ? " points" : " cells") << ", as at " << *left.begin()
+                                         << (chosen.OnPoints() ? " points" : " cells") << ", as at " << *left.begin()
                                          << ", where nothing is drawn; make it zero where there is no direction");
   }
 }
 
 /// Warns where vectors flip as axes do. (A field of a solver is combed.)
-void CheckSign(vtkAlgorithm* algorithm, const ChosenVectors& chosen, const TriangleMesh& mesh,
+void CheckSign(vtkAlgorithm* algorithm, const ChosenArray& chosen, const TriangleMesh& mesh,
   const TangentFrames& frames, const Vector<Complex>& directions)
 {
-  if (NameOf(chosen.Array) != ArrayNames::Direction(0) && FlipsLikeAxes(mesh, frames, directions, chosen.OnPoints))
+  if (NameOf(chosen.Array) != ArrayNames::Direction(0) && FlipsLikeAxes(mesh, frames, directions, chosen.OnPoints()))
   {
     vtkWarningWithObjectMacro(
       algorithm, << "array '" << NameOf(chosen.Array)
@@ -237,7 +237,7 @@ void CheckSign(vtkAlgorithm* algorithm, const ChosenVectors& chosen, const Trian
 
 SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, const ExecutionContext& context)
 {
-  const ChosenVectors chosen = ChooseVectors(algorithm, input);
+  const ChosenArray chosen = ChooseVectors(algorithm, input);
   const int numberByName = NumberOfDirections(input, chosen);
   const bool areSiblings = NameOf(chosen.Array) == ArrayNames::Direction(0) && (N == 0 || N == numberByName);
   N = N == 0 ? numberByName : N;
@@ -257,7 +257,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
   }
   Vector<Complex> first;
   std::set<vtkIdType> left;
-  if (chosen.OnPoints)
+  if (chosen.OnPoints())
   {
     const TangentFrames vertexFrames = VertexFrames(mesh, context);
     const Vector<Complex> ofVertices = ReadVertices(chosen.Array, vertexFrames, surface, left, context);
@@ -300,7 +300,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* input, int N, co
 }
 
 Points ReferenceVectors(
-  const ArrayChoice& choice, vtkDataSet* surface, const SurfaceMesh& mesh, const Vector3& otherwise)
+  const ChosenArray& choice, vtkDataSet* surface, const SurfaceMesh& mesh, const Vector3& otherwise)
 {
   Points references(mesh.Mesh.NumberOfFaces(), 3);
   if (const ChosenArray chosen = FindArray(choice, surface, 3, "reference vectors", "the surface"); chosen.Array)
@@ -309,10 +309,10 @@ Points ReferenceVectors(
     for (int face = 0; face < mesh.Mesh.NumberOfFaces(); ++face)
     {
       references.row(face).setZero();
-      for (int corner = 0; corner < (chosen.OnPoints ? 3 : 1); ++corner)
+      for (int corner = 0; corner < (chosen.OnPoints() ? 3 : 1); ++corner)
       {
         chosen.Array->GetTuple(
-          chosen.OnPoints ? mesh.PointOf(mesh.Mesh.FaceCorners()(face, corner)) : mesh.CellOf(face), vector.data());
+          chosen.OnPoints() ? mesh.PointOf(mesh.Mesh.FaceCorners()(face, corner)) : mesh.CellOf(face), vector.data());
         references.row(face) += vector.transpose();
       }
     }

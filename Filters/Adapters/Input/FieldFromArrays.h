@@ -55,7 +55,7 @@ SurfaceWithField ReadField(vtkAlgorithm* algorithm, vtkDataSet* surface, int N, 
 /// \param otherwise the Axis: the vector of all faces where no array is chosen.
 /// \throw InvalidInput as FindArray; a vector is not finite; \p otherwise is zero where it is taken.
 Points ReferenceVectors(
-  const ArrayChoice& choice, vtkDataSet* surface, const SurfaceMesh& mesh, const Vector3& otherwise);
+  const ChosenArray& choice, vtkDataSet* surface, const SurfaceMesh& mesh, const Vector3& otherwise);
 
 /// RequestData of a filter that draws a field: reads it and calls draw(field, context), unless the input is empty or
 /// this is no piece to work on. Outputs are empty before. Errors go to the algorithm, and leave its outputs empty.

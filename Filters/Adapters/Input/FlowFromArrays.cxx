@@ -85,11 +85,11 @@ FaceFlow FlowFromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, const Framed
 {
   const std::string whose = "the surface";
   const EastAndNorth components = FindEastAndNorth(ChoiceOf(algorithm, 1), ChoiceOf(algorithm, 2), axis, input, whose);
-  if (components.Eastward)
+  if (components.Eastward.Array)
   {
     return OnFaces(
-      surface, components.OnPoints, [&](vtkIdType tuple, const Vector3& place) { return components.At(tuple, place); },
-      context);
+      surface, components.Eastward.OnPoints(),
+      [&](vtkIdType tuple, const Vector3& place) { return components.At(tuple, place); }, context);
   }
   const ChosenArray vectors = FindVectors(ChoiceOf(algorithm, 0), input, "flow", whose);
   if (!vectors.Array)
@@ -104,7 +104,7 @@ FaceFlow FlowFromArrays(vtkAlgorithm* algorithm, vtkDataSet* input, const Framed
     throw WrongChoice(problem);
   }
   return OnFaces(
-    surface, vectors.OnPoints,
+    surface, vectors.OnPoints(),
     [&](vtkIdType tuple, const Vector3&)
     {
       Vector3 vector = Vector3::Zero();

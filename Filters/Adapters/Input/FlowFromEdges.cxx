@@ -179,7 +179,7 @@ FaceFlow FlowFromEdges(vtkDataSet* edges, const EdgeValues& values, vtkDataSet* 
   const ExecutionContext& context)
 {
   CheckCells(edges, "the dataset of edges");
-  const ArrayChoice choice{ values.Name, -1, vtkDataObject::FIELD_ASSOCIATION_CELLS };
+  const ChosenArray choice{ values.Name, -1, vtkDataObject::FIELD_ASSOCIATION_CELLS };
   vtkDataArray* const array = FindArray(choice, edges, 1, "flow", "the edges").Array;
   if (!array)
   {

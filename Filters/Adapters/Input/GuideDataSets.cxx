@@ -25,7 +25,7 @@ namespace
 {
 
 /// The array of field data that is chosen, or null.
-vtkDataArray* FieldArray(const ArrayChoice& choice, vtkDataSet* dataset)
+vtkDataArray* FieldArray(const ChosenArray& choice, vtkDataSet* dataset)
 {
   const bool isAllowed = choice.Association == vtkDataObject::FIELD_ASSOCIATION_NONE ||
     (choice.Association == vtkDataObject::FIELD_ASSOCIATION_POINTS_THEN_CELLS && !HasArray(choice, dataset));
@@ -53,7 +53,7 @@ std::vector<double> NumbersIn(std::string text)
 
 double Value(const ChosenArray& array, vtkIdType cell, vtkIdType point)
 {
-  return array.Array->GetComponent(array.OnPoints ? point : cell, 0);
+  return array.Array->GetComponent(array.OnPoints() ? point : cell, 0);
 }
 
 }
@@ -133,7 +133,7 @@ Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point)
   return position;
 }
 
-double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset)
+double WholeWeight(const ChosenArray& choice, const GuideDataSet& dataset)
 {
   vtkDataArray* const array = FieldArray(choice, dataset.Data);
   if (!array)
@@ -150,7 +150,7 @@ double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset)
 }
 
 std::vector<double> TypedWeights(
-  const ArrayChoice& choice, const std::vector<GuideDataSet>& datasets, std::size_t guides)
+  const ChosenArray& choice, const std::vector<GuideDataSet>& datasets, std::size_t guides)
 {
   const auto has = [&choice](const GuideDataSet& dataset)
   { return HasArray(choice, dataset.Data) || FieldArray(choice, dataset.Data); };
@@ -178,15 +178,15 @@ std::vector<double> TypedWeights(
   return weights;
 }
 
-ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset)
+ConstraintArrays ChoicesFor(const ConstraintArrays& choices, vtkDataSet* dataset)
 {
-  const auto own = [dataset](const ArrayChoice& choice) { return HasArray(choice, dataset) ? choice : ArrayChoice(); };
+  const auto own = [dataset](const ChosenArray& choice) { return HasArray(choice, dataset) ? choice : ChosenArray(); };
   return { own(choices.Mask), own(choices.Vectors), own(choices.Weights) };
 }
 
-void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataSet>& datasets)
+void CheckChoices(const ConstraintArrays& choices, const std::vector<GuideDataSet>& datasets)
 {
-  const auto check = [&datasets](const ArrayChoice& choice, const std::string& what, bool mayBeInFieldData)
+  const auto check = [&datasets](const ChosenArray& choice, const std::string& what, bool mayBeInFieldData)
   {
     const std::string kinds = mayBeInFieldData ? "point, cell or field" : "point or cell";
     const auto has = [&choice, mayBeInFieldData](const GuideDataSet& dataset)
@@ -204,7 +204,7 @@ void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataS
   check(choices.Weights, "weights", true);
 }
 
-LineArrays::LineArrays(const ConstraintChoices& choices, const GuideDataSet& dataset)
+LineArrays::LineArrays(const ConstraintArrays& choices, const GuideDataSet& dataset)
   : Mask(FindArray(choices.Mask, dataset.Data, 1, "mask", dataset.Name))
   , Weights(FindArray(choices.Weights, dataset.Data, 1, "weights", dataset.Name))
   , Name(dataset.Name)

@@ -41,7 +41,7 @@ bool HasLines(vtkDataSet* dataset);
 Vector3 PositionOf(const GuideDataSet& dataset, vtkIdType point);
 
 /// \throw InvalidInput something is chosen that no dataset has.
-void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataSet>& datasets);
+void CheckChoices(const ConstraintArrays& choices, const std::vector<GuideDataSet>& datasets);
 
 /// Numbers that are typed in place of the name of an array of weights, as in "5" or "1 0.5", unless a dataset has an array of
 /// that name.
@@ -49,21 +49,21 @@ void CheckChoices(const ConstraintChoices& choices, const std::vector<GuideDataS
 /// have 1; empty where it is a name.
 /// \throw InvalidInput there are more numbers than guides, or one is negative or not finite.
 std::vector<double> TypedWeights(
-  const ArrayChoice& choice, const std::vector<GuideDataSet>& datasets, std::size_t guides);
+  const ChosenArray& choice, const std::vector<GuideDataSet>& datasets, std::size_t guides);
 
 /// The choices, as far as a dataset has their arrays.
-ConstraintChoices ChoicesFor(const ConstraintChoices& choices, vtkDataSet* dataset);
+ConstraintArrays ChoicesFor(const ConstraintArrays& choices, vtkDataSet* dataset);
 
 /// The weight of a whole dataset: 1, unless one in its field data is chosen.
 /// \throw InvalidInput it is negative or not finite.
-double WholeWeight(const ArrayChoice& choice, const GuideDataSet& dataset);
+double WholeWeight(const ChosenArray& choice, const GuideDataSet& dataset);
 
 /// Mask and weights along lines that are followed themselves.
 class LineArrays
 {
 public:
   /// \throw InvalidInput as FindArray.
-  LineArrays(const ConstraintChoices& choices, const GuideDataSet& dataset);
+  LineArrays(const ConstraintArrays& choices, const GuideDataSet& dataset);
 
   /// The weight of a segment between two points of a cell; 0: it is not followed.
   /// \throw InvalidInput it is negative or not finite.

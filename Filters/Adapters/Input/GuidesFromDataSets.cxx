@@ -30,7 +30,7 @@ class Reader
 {
 public:
   /// \param weightsOfGuides TypedWeights.
-  Reader(const ConstraintChoices& choices, const std::vector<double>& weightsOfGuides)
+  Reader(const ConstraintArrays& choices, const std::vector<double>& weightsOfGuides)
     : Choices(choices)
     , WeightsOfGuides(weightsOfGuides)
   {
@@ -44,16 +44,16 @@ public:
 
 private:
   void AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arrays);
-  void AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices);
+  void AddLines(const GuideDataSet& dataset, const ConstraintArrays& choices);
 
-  const ConstraintChoices& Choices;
+  const ConstraintArrays& Choices;
   const std::vector<double>& WeightsOfGuides;
   double WeightOfWhole = 1.0; ///< the weight of the dataset
 };
 
 bool Reader::Add(const GuideDataSet& dataset)
 {
-  ConstraintChoices choices = ChoicesFor(this->Choices, dataset.Data);
+  ConstraintArrays choices = ChoicesFor(this->Choices, dataset.Data);
   this->WeightOfWhole =
     this->WeightsOfGuides.empty() ? WholeWeight(this->Choices.Weights, dataset) : this->WeightsOfGuides[dataset.Guide];
   if (this->WeightOfWhole == 0.0)
@@ -82,11 +82,11 @@ void Reader::AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arr
 {
   vtkNew<vtkIdList> points;
   const UnusableDirections passedOver = VisitPrescribed(
-    arrays, [](vtkIdType) { return true; },
+    arrays, dataset.Data, dataset.Name, {}, [](vtkIdType) { return true; },
     [&](const ElementDirection& given)
     {
       const double weight = this->WeightOfWhole * given.Weight;
-      if (arrays.OnPoints)
+      if (arrays.Vectors.OnPoints())
       {
         this->Result.Vectors.push_back({ PositionOf(dataset, given.Element), given.Vector, weight });
         return;
@@ -115,7 +115,7 @@ void Reader::AddVectors(const GuideDataSet& dataset, const ConstraintArrays& arr
   this->Unusable.Zero += passedOver.Zero;
 }
 
-void Reader::AddLines(const GuideDataSet& dataset, const ConstraintChoices& choices)
+void Reader::AddLines(const GuideDataSet& dataset, const ConstraintArrays& choices)
 {
   const LineArrays arrays(choices, dataset);
   vtkNew<vtkIdList> points;
@@ -182,7 +182,7 @@ std::vector<vtkDataObject*> DataOf(vtkInformationVector** inputs, const std::vec
 Guides GuidesFrom(const GuideInput& input, UnusableDirections& unusable)
 {
   const std::vector<GuideDataSet> datasets = DataSetsOf(input.Data);
-  ConstraintChoices choices = input.Choices;
+  ConstraintArrays choices = input.Choices;
   const std::vector<double> typed = TypedWeights(choices.Weights, datasets, input.Data.size());
   if (!typed.empty())
   {

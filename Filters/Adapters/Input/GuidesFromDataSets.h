@@ -17,7 +17,7 @@ namespace dmg
 struct GuideInput
 {
   std::vector<vtkDataObject*> Data; ///< datasets, or composite ones
-  ConstraintChoices Choices;
+  ConstraintArrays Choices;
   double MaximumDistance = Guides().MaximumDistance;
 };
 

@@ -17,7 +17,7 @@ namespace
 {
 
 /// \throw InvalidInput directions are tensors, and the field has a sign.
-void CheckTakesTensors(const DiscretisationOptions& field, const ArrayChoice& vectors, vtkDataSet* surface)
+void CheckTakesTensors(const DiscretisationOptions& field, const ChosenArray& vectors, vtkDataSet* surface)
 {
   const bool isEven = field.DirectionsPerPoint() % 2 == 0;
   for (const int association : { vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataObject::FIELD_ASSOCIATION_CELLS })
@@ -33,9 +33,9 @@ void CheckTakesTensors(const DiscretisationOptions& field, const ArrayChoice& ve
   }
 }
 
-ConstraintChoices ChoicesOnSurface(const FieldProperties& properties, vtkDataSet* surface)
+ConstraintArrays ChoicesOnSurface(const FieldProperties& properties, vtkDataSet* surface)
 {
-  ConstraintChoices choices = WithoutFormerField(properties.Choices, surface);
+  ConstraintArrays choices = WithoutFormerField(properties.Choices, surface);
   if (properties.Problem.Options.Field.HasDirections())
   {
     choices.Values = choices.Source = {}; // of functions alone
@@ -44,8 +44,8 @@ ConstraintChoices ChoicesOnSurface(const FieldProperties& properties, vtkDataSet
   {
     const bool hasValues = HasArray(choices.Values, surface); // whose mask and weights they are then
     choices.Vectors = choices.Eastward = choices.Northward = {};
-    choices.Mask = hasValues ? choices.Mask : ArrayChoice();
-    choices.Weights = hasValues ? choices.Weights : ArrayChoice();
+    choices.Mask = hasValues ? choices.Mask : ChosenArray();
+    choices.Weights = hasValues ? choices.Weights : ChosenArray();
   }
   CheckTakesTensors(properties.Problem.Options.Field, choices.Vectors, surface);
   return choices;
@@ -82,16 +82,15 @@ void CheckPrescribes(const FieldInputs& inputs)
 {
   if (HasDirections(inputs.Choices, inputs.Surface))
   {
-    throw InvalidInput("no direction is prescribed: the directions of the surface are zero, perpendicular to it or not "
-                       "finite, or its mask "
-                       "or weights are zero; "
-                       "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
+    throw InvalidInput(
+      "no direction is prescribed: those of the surface are zero, perpendicular, not finite or masked out; "
+      "choose other arrays for Directions, Mask and Weights, or none for the smoothest field");
   }
   if (!DataSetsOf(inputs.Guides.Data).empty())
   {
     throw InvalidInput(
-      "no direction is prescribed: the lines of the guides have no length or their vectors are zero, or "
-      "their mask or weights are; choose others, or clear Guides for the smoothest field");
+      "no direction is prescribed: the guides' lines have no length, or their vectors, mask or weights "
+      "are zero; choose others, or clear Guides for the smoothest field");
   }
 }
 
@@ -100,10 +99,10 @@ std::string WhatIsFollowed(const FieldInputs& inputs, const FeatureOptions& feat
   std::string text;
   const auto say = [&text](bool isFollowed, const std::string& what)
   { text += isFollowed ? (text.empty() ? "" : ", ") + what : ""; };
-  const auto has = [&inputs](const ArrayChoice& choice) { return HasArray(choice, inputs.Surface); };
-  const auto nameOf = [](const ArrayChoice& choice)
+  const auto has = [&inputs](const ChosenArray& choice) { return HasArray(choice, inputs.Surface); };
+  const auto nameOf = [](const ChosenArray& choice)
   { return choice.Name.empty() ? "active vectors" : "array '" + choice.Name + "'"; };
-  const ConstraintChoices& choices = inputs.Choices;
+  const ConstraintArrays& choices = inputs.Choices;
   const bool hasComponents = has(choices.Eastward); // which count instead of vectors
   const std::size_t guides = inputs.Guides.Data.size();
   say(has(choices.Vectors) && !hasComponents, nameOf(choices.Vectors));

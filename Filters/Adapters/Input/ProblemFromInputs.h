@@ -19,9 +19,9 @@ struct FieldProperties
 {
   FieldProblem Problem; ///< without constraints and singularities, which the inputs add
   PreparationOptions Preparation;
-  ConstraintChoices Choices;     ///< of arrays of the surface
+  ConstraintArrays Choices;      ///< of arrays of the surface
   bool FollowsDirections = true; ///< false: as if no arrays were chosen for directions of the surface
-  ConstraintChoices GuideChoices;
+  ConstraintArrays GuideChoices;
   std::string SingularityIndexArray;
 };
 
@@ -29,7 +29,7 @@ struct FieldProperties
 struct FieldInputs
 {
   vtkDataSet* Surface = nullptr;
-  ConstraintChoices Choices; ///< of arrays of the surface
+  ConstraintArrays Choices; ///< of arrays of the surface
   GuideInput Guides;
   dmg::Singularities Singularities;
 };

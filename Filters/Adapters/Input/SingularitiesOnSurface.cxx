@@ -108,8 +108,8 @@ int VertexAt(const NearestPlaces& nearest, const Vector3& position, double limit
   if (vertex < 0)
   {
     throw InvalidInput(name +
-      " is nearest to a triangle that has no point inside the surface; move it away from "
-      "the boundary, or leave it out: what the others leave over comes to the boundary by itself");
+      " is nearest to a triangle without a point inside the surface; move it away from the boundary, or leave it out: "
+      "the boundary takes what the others leave");
   }
   return vertex;
 }

@@ -21,12 +21,7 @@ void AddDirection(
 void AddDirection(
   const ArraysOfPoints& points, const std::string& name, const TangentFrames& frames, const Vector<Complex>& directions)
 {
-  Points vectors(frames.X.rows(), 3);
-  for (int vertex = 0; vertex < vectors.rows(); ++vertex)
-  {
-    vectors.row(vertex) = frames.ToVector(vertex, directions[vertex]).transpose();
-  }
-  points.Add(name, 3, vectors.data());
+  points.AddVectors(name, frames, directions);
 }
 
 template <class Arrays>

@@ -45,9 +45,9 @@ public:
       return;
     }
     const FramedMesh& on = this->Surface.Geometry;
-    this->AddToCells(name, 3, this->Vectors(on.Faces, part).data());
+    this->OfCells().AddVectors(name, on.Faces, part);
     const Vector<Complex> atVertices = PowersAtVertices(on.Mesh, this->Corners, part, 1, this->Context);
-    this->AddToPoints(name, 3, this->Vectors(on.Vertices, atVertices).data());
+    this->OfPoints().AddVectors(name, on.Vertices, atVertices);
   }
 
   /// Adds numbers of vertices times a factor.
@@ -56,15 +56,14 @@ public:
     if (values.size() > 0)
     {
       const Vector<double> scaled = factor * values;
-      this->AddToPoints(name, 1, scaled.data());
+      this->OfPoints().Add(name, 1, scaled.data());
     }
   }
 
-  void AddToCells(const char* name, int components, const double* values) const
+  ArraysOfCells OfCells() const
   {
-    ArraysOfCells(
-      this->Surface.Geometry.Mesh, this->Surface.Relation, this->Input, this->Output->GetCellData(), this->Context)
-      .Add(name, components, values);
+    return { this->Surface.Geometry.Mesh, this->Surface.Relation, this->Input, this->Output->GetCellData(),
+      this->Context };
   }
 
   void AddNumbers(const char* name, const Vector<double>& numbers) const
@@ -75,25 +74,9 @@ public:
   }
 
 private:
-  Points Vectors(const TangentFrames& frames, const Vector<Complex>& field) const
+  ArraysOfPoints OfPoints() const
   {
-    constexpr int Grain = 8192;
-    Points vectors(field.size(), 3);
-    this->Context.ParallelFor(0, static_cast<int>(field.size()), Grain,
-      [&](int first, int last)
-      {
-        for (int element = first; element < last; ++element)
-        {
-          vectors.row(element) = frames.ToVector(element, field[element]).transpose();
-        }
-      });
-    return vectors;
-  }
-
-  void AddToPoints(const char* name, int components, const double* values) const
-  {
-    ArraysOfPoints(this->Surface.Relation, this->Input, this->Output->GetPointData(), this->Context)
-      .Add(name, components, values);
+    return { this->Surface.Relation, this->Input, this->Output->GetPointData(), this->Context };
   }
 
   const FramedSurface Surface;
@@ -287,7 +270,7 @@ std::vector<std::string> FlowSurface::Decompose(const FaceFlow& flow, const Flow
   arrays.AddPart(Residual, parts.Residual);
   if (flow.Normal.size() > 0)
   {
-    arrays.AddToCells(NormalComponent, 1, flow.Normal.data());
+    arrays.OfCells().Add(NormalComponent, 1, flow.Normal.data());
   }
   arrays.AddFunction(Potential, parts.Potential, scale);
   arrays.AddFunction(StreamFunction, parts.StreamFunction, scale);

@@ -14,22 +14,8 @@
 
 namespace dmg
 {
-namespace
-{
 
 using namespace ArrayNames;
-
-Points VectorsInSpace(const TangentFrames& frames, const Vector<Complex>& field)
-{
-  Points vectors(field.size(), 3);
-  for (int element = 0; element < field.size(); ++element)
-  {
-    vectors.row(element) = frames.ToVector(element, field[element]).transpose();
-  }
-  return vectors;
-}
-
-}
 
 void RemoveTransportArrays(vtkDataSet* surface)
 {
@@ -115,9 +101,9 @@ std::vector<std::string> TransportSurface::AddVectors(
   CheckSizes(sources, this->Relation.Names());
   const TransportedField field = this->Transport->Carry(sources, context);
   ArraysOfCells(on.Mesh, this->Relation, input, output->GetCellData(), context)
-    .Add(TransportedVectors, 3, VectorsInSpace(on.Faces, field.OnFaces).data());
+    .AddVectors(TransportedVectors, on.Faces, field.OnFaces);
   ArraysOfPoints(this->Relation, input, output->GetPointData(), context)
-    .Add(TransportedVectors, 3, VectorsInSpace(on.Vertices, field.AtVertices).data());
+    .AddVectors(TransportedVectors, on.Vertices, field.AtVertices);
   output->GetPointData()->SetActiveVectors(TransportedVectors);
   return field.Warnings;
 }

@@ -114,7 +114,7 @@ bool HandsSurfaceOn(vtkAlgorithm* algorithm)
   return type == "vtkDataSet";
 }
 
-/// \param message empty where it is told already, or by another rank.
+/// \param message empty where it is reported already, or by another rank.
 int Failed(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& message)
 {
   Empty(outputs);
@@ -198,18 +198,18 @@ std::string MakeInPieces(const RanksOfPipeline& ranks, const MakeInPiecesFunctio
   return reason;
 }
 
-/// Says in field data of the first output what was gathered, and in VTK's output, the first time that this filter does so.
-void TellOfGathering(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& note)
+/// Adds the note to field data of the first output, and to VTK's output the first time that this filter does so.
+void ReportGathering(vtkAlgorithm* algorithm, vtkInformationVector* outputs, const std::string& note)
 {
-  static vtkInformationIntegerKey* const told =
+  static vtkInformationIntegerKey* const reported =
     vtkInformationIntegerKey::MakeKey("GATHERING_IS_TOLD", "DirectionalMultigrid");
   vtkNew<vtkStringArray> text;
   text->SetName("Gathered");
   text->InsertNextValue(note);
   vtkDataObject::GetData(outputs, 0)->GetFieldData()->AddArray(text);
-  if (!algorithm->GetInformation()->Has(told))
+  if (!algorithm->GetInformation()->Has(reported))
   {
-    algorithm->GetInformation()->Set(told, 1);
+    algorithm->GetInformation()->Set(reported, 1);
     vtkOutputWindowDisplayText((std::string(algorithm->GetClassName()) + ": " + note + "\n").c_str());
   }
 }
@@ -259,7 +259,7 @@ void MakeOfPieces(const RanksOfPipeline& ranks, const MakeFunction& make, const 
   }
   if (ranks.Rank() == 0 && !gathered.Note().empty())
   {
-    TellOfGathering(algorithm, outputs, gathered.Note() + ", since " + reason);
+    ReportGathering(algorithm, outputs, gathered.Note() + ", since " + reason);
   }
 }
 

@@ -53,7 +53,7 @@ using MakeFunction = std::function<void(vtkInformationVector** inputs, const Exe
 using MakeInPiecesFunction = std::function<std::string(
   const RanksOfPipeline& ranks, vtkInformationVector** inputs, const ExecutionContext& context)>;
 
-/// make() throws this where a filter inside of this one has told its error already.
+/// make() throws this where a filter inside of this one has reported its error already.
 class ToldFailure : public std::exception
 {
 public:
@@ -70,7 +70,7 @@ int MakeOutputsBy(const MakeFunction& make, const MakeInPiecesFunction& inPieces
 /// same to all.
 /// The outputs are empty in the end, on all ranks, where \p make throws (Cancelled is no error, all else goes to the algorithm), or where
 /// an array or point that it made is not finite, which is an error as well. After a WrongChoice, a first output of the type of the
-/// first input is the input: a window goes on to show the surface while its user chooses. Rank 0 tells the errors of all ranks.
+/// first input is the input: a window goes on to show the surface while its user chooses. Rank 0 reports the errors of all ranks.
 /// The field data of the first output say in the text Gathered that pieces were gathered, and so does a line of VTK's output, once
 /// for each filter.
 /// \return what RequestData returns, the same on all ranks.
@@ -82,7 +82,7 @@ int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformation
   return MakeOutputsBy(std::cref(make), nullptr, algorithm, request, inputs, outputs);
 }
 
-/// The same with a function that makes the outputs in pieces.
+/// MakeOutputs that tries \p inPieces first on surfaces in pieces.
 template <class Make, class MakeInPieces>
 int MakeOutputs(vtkAlgorithm* algorithm, vtkInformation* request, vtkInformationVector** inputs,
   vtkInformationVector* outputs, const Make& make, const MakeInPieces& inPieces)

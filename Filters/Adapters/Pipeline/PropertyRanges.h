@@ -8,7 +8,7 @@
 namespace dmg
 {
 
-/// A number that a filter was told, and those that it takes. Setters keep what they are told, and RequestData refuses it.
+/// The value of a property, and its range. Setters keep any value, and RequestData refuses one out of range.
 /// Takes no memory of the heap, so that it can be made where nothing may be thrown.
 struct PropertyRange
 {

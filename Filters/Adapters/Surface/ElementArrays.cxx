@@ -142,6 +142,21 @@ void ArraysOfCells::Write(const std::vector<double*>& arrays, const TangentFrame
     });
 }
 
+Points ArraysOfElements::InSpace(const TangentFrames& frames, const Vector<Complex>& field) const
+{
+  constexpr int Grain = 8192;
+  Points vectors(field.size(), 3);
+  this->Context.ParallelFor(0, static_cast<int>(field.size()), Grain,
+    [&](int first, int last)
+    {
+      for (int element = first; element < last; ++element)
+      {
+        vectors.row(element) = frames.ToVector(element, field[element]).transpose();
+      }
+    });
+  return vectors;
+}
+
 void ArraysOfPoints::Add(const std::string& name, int components, const double* values) const
 {
   double* const tuples = this->NewTuples(name, components);

@@ -58,6 +58,9 @@ protected:
     return tuples;
   }
 
+  /// Vectors of a field in frames.
+  Points InSpace(const TangentFrames& frames, const Vector<Complex>& field) const;
+
   /// Calls write(tuple, row of its elements), and fills tuples without elements with zeros. Arrays are written from one
   /// end to the other: the arrays that they are made from are smaller.
   template <class RowOf, class Write>
@@ -102,10 +105,16 @@ public:
   /// \param values of each face, one after the other.
   void Add(const std::string& name, int components, const double* values) const;
 
-  /// The same for numbers that are summed over a surface: a cell has the sum of those of its faces, and none of a twin's.
+  /// Adds a tangent vector of each face.
+  void AddVectors(const std::string& name, const TangentFrames& frames, const Vector<Complex>& field) const
+  {
+    this->Add(name, 3, this->InSpace(frames, field).data());
+  }
+
+  /// Adds numbers that are summed over a surface: a cell has the sum of those of its faces, and none of a twin's.
   void AddSums(const std::string& name, const double* values) const;
 
-  /// The same for numbers that have no mean; a cell has that of its largest face.
+  /// Adds numbers that have no mean; a cell has that of its largest face.
   void AddOfLargest(const std::string& name, const double* values) const;
 
   /// A signless direction of each face, N of them 2 pi / N apart, with unit length where it is not zero. See CellDirections.
@@ -141,6 +150,12 @@ public:
 
   /// \param values of each vertex, one after the other.
   void Add(const std::string& name, int components, const double* values) const;
+
+  /// Adds a tangent vector of each vertex.
+  void AddVectors(const std::string& name, const TangentFrames& frames, const Vector<Complex>& field) const
+  {
+    this->Add(name, 3, this->InSpace(frames, field).data());
+  }
 
   /// A number that is summed over a surface: a point has the sum of those of its vertices, and of points that were joined
   /// the first one has it.

@@ -19,11 +19,9 @@ void SolverOfSurface::SetSurface(vtkDataSet* input, const std::string& digest, c
   const auto stored = WantsDecimation(options) ? OperatorsOriginOf(input->GetFieldData()) : std::nullopt;
   if (stored && stored->Digest != digest)
   {
-    throw InvalidInput("the surface is another than the one its operators were built for "
-                       "(field array '" +
-      std::string(ArrayNames::ProlongationDigest) + "' says " + stored->Digest + ", the points and triangles give " +
-      digest +
-      "); apply Directional Prolongation (vtkDirectionalProlongation) after the last filter that changes the surface");
+    throw InvalidInput("the surface is another than that of its operators: field array '" +
+      std::string(ArrayNames::ProlongationDigest) + "' says " + stored->Digest + ", not " + digest +
+      "; apply Directional Prolongation (vtkDirectionalProlongation) after the last filter that changes the surface");
   }
   // Operators that are stored number the elements as the input does.
   const Numbering order = stored ? Numbering::AsGiven : Numbering::Spatial;
